@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "renderer/image/Image.hpp"
+
+namespace thinwall {
+
+struct ForceSample {
+  double time = 0;   // seconds
+  double force = 0;  // newton, magnitude of what the tissue does to the tool
+};
+
+/// What is written over a picture. A pure function of the take up to the frame's time.
+struct OverlayContent {
+  double time = 0;      // seconds
+  double duration = 0;  // seconds, planned length of the whole
+  std::string title;
+  std::string caption;  // empty: none
+  std::string phase;    // of the tool
+  std::string tool;
+  double force = 0;                  // newton
+  double depth = 0;                  // metres
+  double pressure = 0;               // pascal
+  std::vector<ForceSample> history;  // ascending in time, up to `time`
+  bool show_force_plot = true;
+  bool show_gauge = true;
+  bool show_caption = true;
+  bool show_time = true;
+};
+
+/// Draws on the processor, so the bytes do not depend on the graphics driver. Scales with the picture's height.
+void draw_overlay(Image& image, const OverlayContent& content);
+
+}  // namespace thinwall

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "renderer/snapshot/Snapshot.hpp"
+
+namespace thinwall {
+
+/// A pinhole camera. What is absent is chosen so that the reference surfaces fill the picture, seen obliquely from
+/// above.
+struct CameraDefinition {
+  std::optional<Double3> position;  // metres
+  std::optional<Double3> target;    // metres
+  std::optional<Double3> up;        // direction
+  double field_of_view = 0.5236;    // radians, vertical
+  double orbit_speed = 0;           // radians / second around the upward axis through the target
+};
+
+struct LightsDefinition {
+  double key = 1;                        // strength of the key light, which casts the shadow
+  double fill = 1;                       // strength of the fill light
+  double environment = 1;                // strength of the light from all around
+  std::optional<Double3> key_direction;  // from the scene to the key light
+};
+
+/// How a wall looks.
+struct TissueLook {
+  Double3 color = {0.72, 0.30, 0.27};  // sRGB, 0 to 1
+  double roughness = 0.45;             // 0 to 1, of the tissue below the wet layer
+  double wetness = 0.7;                // 0 to 1, strength of the wet layer
+};
+
+struct LookDefinition {
+  Double3 background = {0.055, 0.065, 0.08};  // sRGB, 0 to 1
+  std::map<std::string, TissueLook> bodies;   // by name; others have the default look
+};
+
+/// How much is done for a picture: draft without shadow and anti-aliasing; record with both (4 samples); final at twice
+/// the resolution on top.
+enum class Tier { kDraft, kRecord, kFinal };
+
+/// All that a picture depends on besides the snapshot.
+struct ViewDefinition {
+  CameraDefinition camera;
+  LightsDefinition lights;
+  LookDefinition look;
+};
+
+}  // namespace thinwall

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace thinwall {
+
+using Float3 = std::array<float, 3>;
+using Double3 = std::array<double, 3>;
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// What stays the same from snapshot to snapshot while no cut changes a surface; shared between snapshots.
+struct SnapshotTopology {
+  std::vector<Float3> rest_positions;   // (vertices x 3), metres, stress-free
+  std::vector<Triangle> triangles;      // (triangles x 3), wall, counter-clockwise seen from outside
+  std::vector<Triangle> cap_triangles;  // (caps x 3)
+  std::vector<float> thickness;         // (triangles), metres, stress-free
+};
+
+enum class FieldLocation { kVertex, kTriangle };
+
+struct SnapshotField {
+  std::string name;  // "contact_pressure", "mean_stress", ...
+  std::string unit;  // SI, "Pa"
+  FieldLocation location = FieldLocation::kVertex;
+  std::vector<float> values;  // (vertices) or (triangles), in `unit`
+};
+
+struct SnapshotSurface {
+  std::string body;
+  std::shared_ptr<const SnapshotTopology> topology;
+  std::vector<Float3> positions;  // (vertices x 3), metres
+  std::vector<SnapshotField> fields;
+};
+
+enum class SnapshotToolKind { kPoint, kLine, kSphere };
+
+struct SnapshotTool {
+  std::string name;
+  SnapshotToolKind kind = SnapshotToolKind::kPoint;
+  double radius = 0;               // metres, sphere
+  double length = 0;               // metres, line
+  Double3 tip = {0, 0, 0};         // metres
+  Double3 direction = {0, 0, -1};  // z', unit: the sense of motion into the body
+  Double3 axis = {0, 1, 0};        // y', unit
+  std::string phase = "idle";
+  double depth = 0;           // metres of travel along the direction since first contact, 0 before
+  Double3 force = {0, 0, 0};  // newton, what the tissue does to the tool
+};
+
+struct SnapshotScalar {
+  std::string name;  // "organ.pressure", ...
+  std::string unit;  // SI
+  double value = 0;
+};
+
+/// One moment of a simulation: all that the renderer gets and all that a take stores.
+struct Snapshot {
+  double time = 0;  // seconds
+  std::vector<SnapshotSurface> surfaces;
+  std::vector<SnapshotTool> tools;
+  std::vector<SnapshotScalar> scalars;
+};
+
+/// The moment between two consecutive snapshots of equal layout at time `time` (clamped to theirs): positions, poses,
+/// fields and scalars linear in time, names and phases of the earlier one.
+Snapshot interpolate(const Snapshot& earlier, const Snapshot& later, double time);
+
+}  // namespace thinwall

@@ -1,0 +1,142 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "engine/body/BodyDefinition.hpp"
+#include "engine/simulation/SimulationOptions.hpp"
+#include "engine/tool/Tool.hpp"
+#include "renderer/image/Image.hpp"
+#include "renderer/picture/View.hpp"
+
+namespace thinwall {
+
+/// Where something stands in a scenario file. Lines and columns count from 1.
+struct SourceLocation {
+  std::filesystem::path file;
+  int line = 1;
+  int column = 1;
+};
+
+struct MeshFileSource {
+  std::filesystem::path file;  // absolute or relative to the working directory
+  double unit = 1;             // metres per unit of the file
+};
+
+enum class Shape { kSphere, kHemisphere, kSemicylinder, kSheet, kDisc, kCylinder, kAnnulus, kStrip };
+
+struct ShapeSource {
+  Shape shape = Shape::kSphere;
+  double radius = 0.02;        // metres; disc, annulus: outer
+  double inner_radius = 0.01;  // metres; annulus
+  double length = 0.04;        // metres; semicylinder, cylinder, strip along y, sheet along y
+  double width = 0.04;         // metres; sheet, strip along x
+  int triangles = 1280;        // wanted number of wall triangles
+};
+
+struct ThicknessRegion {
+  Region region;
+  double value = 0;  // metres
+};
+
+struct ThicknessField {
+  double standard = 0;                   // metres
+  std::vector<ThicknessRegion> regions;  // a later one wins
+};
+
+struct BodyScenario {
+  std::string name;
+  SourceLocation location;          // of the body's key
+  SourceLocation surface_location;  // of its `surface`
+  std::variant<MeshFileSource, ShapeSource> surface;
+  ThicknessField thickness;
+  double density = 1060;  // kg / metre^3, of the wall
+  Material material;
+  double prestretch = 1;
+  FluidDefinition fluid;
+  std::vector<FixedRegion> fixed;
+  std::vector<SourceLocation> fixed_locations;      // (fixed)
+  std::vector<SourceLocation> thickness_locations;  // (thickness.regions)
+};
+
+enum class Ease { kLinear, kSmooth };
+
+struct PalpateClip {
+  std::string tool;
+  std::string body;
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();           // metres, a point of the line of approach
+  Eigen::Vector3d direction = -Eigen::Vector3d::UnitZ();  // unit
+  std::optional<Eigen::Vector3d> axis;                    // y' of the tool frame, a direction
+  double depth = 0;                                       // metres from first contact
+  double speed = 0.01;                                    // metres / second
+  double hold = 0;                                        // seconds
+  double standoff = 0.005;                                // metres
+  bool withdraw = true;
+};
+
+struct MoveClip {
+  std::string tool;
+  std::optional<std::string> body;               // the one that a point or line may touch; the only one when absent
+  std::optional<Eigen::Vector3d> from;           // metres; where the tool is when absent
+  Eigen::Vector3d to = Eigen::Vector3d::Zero();  // metres
+  std::optional<Eigen::Vector3d> direction;      // unit; that of the motion when absent
+  std::optional<Eigen::Vector3d> axis;
+  double duration = 1;  // seconds
+  Ease ease = Ease::kSmooth;
+};
+
+struct WaitClip {
+  double duration = 1;  // seconds
+};
+
+struct Clip {
+  std::variant<PalpateClip, MoveClip, WaitClip> action;
+  SourceLocation location;
+  std::optional<double> start;         // seconds; after the clip before it when absent
+  std::optional<std::string> caption;  // shown while the clip lasts
+  std::optional<std::string> chapter;  // title of a chapter that begins with the clip
+};
+
+struct OverlayChoice {
+  bool force_plot = true;
+  bool gauge = true;
+  bool captions = true;
+  bool time = true;
+};
+
+struct RecordOptions {
+  ImageSize size;
+  double frames_per_second = 30;
+  bool video = true;
+  Tier tier = Tier::kRecord;
+};
+
+struct GoldenDefinition {
+  double at = 0;    // seconds
+  double max = 0;   // largest allowed difference, 8-bit levels
+  double mean = 0;  // largest allowed mean difference, 8-bit levels
+  std::string why;
+  SourceLocation location;
+};
+
+/// A checked scenario: every quantity in SI, every reference resolved, every value in range.
+struct Scenario {
+  std::filesystem::path file;
+  std::string name;                   // the file's name without directory and extension
+  std::string title;                  // the name when absent
+  std::vector<BodyScenario> bodies;   // in the order of the file
+  std::vector<ToolDefinition> tools;  // in the order of the file
+  std::vector<Clip> timeline;
+  SimulationOptions simulation;
+  ViewDefinition view;
+  OverlayChoice overlays;
+  RecordOptions record;
+  std::vector<GoldenDefinition> goldens;
+  std::string resolved;  // the whole scenario as JSON text with parameters and defaults filled in, keys in schema order
+};
+
+}  // namespace thinwall
