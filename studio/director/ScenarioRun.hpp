@@ -6,16 +6,10 @@
 
 #include "renderer/snapshot/Snapshot.hpp"
 #include "studio/record/StepRecord.hpp"
+#include "studio/record/TimedText.hpp"
 #include "studio/scenario/Scenario.hpp"
 
 namespace thinwall {
-
-/// A text with the span of time in which it holds.
-struct TimedText {
-  double begin = 0;  // seconds
-  double end = 0;    // seconds
-  std::string text;
-};
 
 /// Plays the timeline of a scenario against the engine, step by step. Needs no GL and writes no file.
 class ScenarioRun {
