@@ -66,7 +66,9 @@ struct Snapshot {
 };
 
 /// The moment between two consecutive snapshots of equal layout at time `time` (clamped to theirs): positions, poses,
-/// fields and scalars linear in time, names and phases of the earlier one.
+/// fields and scalars linear in time (directions brought back to length one), names and phases of the earlier one. The
+/// ends give the snapshots themselves, to the last bit. Throws std::invalid_argument, naming what differs, when bodies,
+/// topologies, fields, tools or scalars are not the same in both.
 Snapshot interpolate(const Snapshot& earlier, const Snapshot& later, double time);
 
 }  // namespace thinwall

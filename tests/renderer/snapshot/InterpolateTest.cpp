@@ -1,0 +1,103 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "renderer/snapshot/Snapshot.hpp"
+
+namespace thinwall {
+namespace {
+
+std::shared_ptr<const SnapshotTopology> one_triangle() {
+  auto topology = std::make_shared<SnapshotTopology>();
+  topology->rest_positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  topology->triangles = {{0, 1, 2}};
+  return topology;
+}
+
+Snapshot snapshot_at(double time, float height, const std::shared_ptr<const SnapshotTopology>& topology) {
+  Snapshot snapshot;
+  snapshot.time = time;
+  snapshot.surfaces.push_back({.body = "organ",
+                               .topology = topology,
+                               .positions = {{0, 0, height}, {1, 0, height}, {0, 1, 3 * height}},
+                               .fields = {{.name = "stress", .unit = "Pa", .values = {height, 2 * height, 0}}}});
+  SnapshotTool tool;
+  tool.name = "probe";
+  tool.tip = {0, 0, height};
+  tool.depth = 2 * height;
+  tool.force = {0, 0, -height};
+  tool.phase = height < 1.5f ? "approach" : "press";
+  snapshot.tools.push_back(tool);
+  snapshot.scalars.push_back({.name = "organ.pressure", .unit = "Pa", .value = 10.0 * height});
+  return snapshot;
+}
+
+TEST(Interpolate, EverythingIsLinearInTime) {
+  const auto topology = one_triangle();
+  const Snapshot middle = interpolate(snapshot_at(2, 1, topology), snapshot_at(6, 3, topology), 3);
+  // A quarter of the way from 1 to 3; all numbers are exact in binary.
+  EXPECT_EQ(middle.time, 3);
+  EXPECT_EQ(middle.surfaces[0].positions[2][2], 4.5f);
+  EXPECT_EQ(middle.surfaces[0].fields[0].values[1], 3.0f);
+  EXPECT_EQ(middle.tools[0].tip[2], 1.5);
+  EXPECT_EQ(middle.tools[0].depth, 3);
+  EXPECT_EQ(middle.tools[0].force[2], -1.5);
+  EXPECT_EQ(middle.scalars[0].value, 15);
+  EXPECT_EQ(middle.tools[0].phase, "approach");
+  EXPECT_EQ(middle.surfaces[0].topology, topology);
+}
+
+TEST(Interpolate, TheEndsAreTheSnapshotsThemselvesAndTimesBeyondAreClamped) {
+  const auto topology = one_triangle();
+  Snapshot earlier = snapshot_at(0, 0.1f, topology);
+  Snapshot later = snapshot_at(0.3, 0.7f, topology);
+  for (const double time : {-1.0, 0.0}) {
+    const Snapshot start = interpolate(earlier, later, time);
+    EXPECT_EQ(start.time, earlier.time);
+    EXPECT_EQ(start.surfaces[0].positions, earlier.surfaces[0].positions);
+    EXPECT_EQ(start.tools[0].tip, earlier.tools[0].tip);
+  }
+  for (const double time : {0.3, 9.0}) {
+    const Snapshot end = interpolate(earlier, later, time);
+    EXPECT_EQ(end.time, later.time);
+    EXPECT_EQ(end.surfaces[0].positions, later.surfaces[0].positions);
+    EXPECT_EQ(end.tools[0].tip, later.tools[0].tip);
+  }
+}
+
+TEST(Interpolate, DirectionsKeepLengthOne) {
+  const auto topology = one_triangle();
+  Snapshot earlier = snapshot_at(0, 1, topology);
+  Snapshot later = snapshot_at(1, 1, topology);
+  later.tools[0].direction = {1, 0, 0};
+  const Double3 direction = interpolate(earlier, later, 0.5).tools[0].direction;
+  // Halfway between -z and +x; two roundings of a square root.
+  EXPECT_NEAR(direction[0], std::sqrt(0.5), 1e-15);
+  EXPECT_NEAR(direction[2], -std::sqrt(0.5), 1e-15);
+}
+
+TEST(Interpolate, SnapshotsAtOneTimeGiveTheEarlierOne) {
+  const auto topology = one_triangle();
+  const Snapshot same = interpolate(snapshot_at(1, 1, topology), snapshot_at(1, 2, topology), 1);
+  EXPECT_EQ(same.tools[0].tip[2], 1);
+}
+
+TEST(Interpolate, UnequalLayoutsAreRefusedWithWhatDiffers) {
+  const auto topology = one_triangle();
+  const Snapshot earlier = snapshot_at(0, 1, topology);
+  Snapshot later = snapshot_at(1, 2, one_triangle());
+  try {
+    interpolate(earlier, later, 0.5);
+    FAIL() << "another topology was accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(),
+                 "snapshots of unequal layout cannot be interpolated: the connectivity of body 'organ' changes");
+  }
+  later = snapshot_at(1, 2, topology);
+  later.tools.clear();
+  EXPECT_THROW(interpolate(earlier, later, 0.5), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace thinwall
