@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,9 +16,11 @@ enum class FluidKind { kNone, kIncompressible, kCompressible };
 /// The fluid that the wall and the caps enclose.
 struct FluidDefinition {
   FluidKind kind = FluidKind::kIncompressible;
-  double initial_pressure = 0;  // pascal above the surroundings, at time zero; the volume follows
-  double density = 1010;        // kg / metre^3
-  double bulk_modulus = 2e6;    // pascal, compressible only
+  // Pascal above the surroundings, at time zero: the volume follows. Absent: the volume is the mesh's and the pressure
+  // follows.
+  std::optional<double> initial_pressure;
+  double density = 1010;      // kg / metre^3
+  double bulk_modulus = 2e6;  // pascal, compressible only
 };
 
 /// Vertices that keep their stress-free positions along some axes.

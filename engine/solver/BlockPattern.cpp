@@ -1,0 +1,102 @@
+#include "engine/solver/BlockPattern.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace thinwall {
+namespace {
+
+constexpr std::array<std::array<int, 2>, 6> kCorners = {{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}}};
+
+}  // namespace
+
+BlockPattern make_block_pattern(int vertices, std::span<const Eigen::Vector3i> triangles) {
+  std::vector<std::vector<int>> larger(vertices);
+  for (const Eigen::Vector3i& triangle : triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax(triangle[k], triangle[(k + 1) % 3]);
+      larger[low].push_back(high);
+    }
+  }
+  BlockPattern pattern{.vertices = vertices, .neighbour_begin = {0}, .neighbours = {}, .column_begin = {0}, .row = {}};
+  for (int vertex = 0; vertex < vertices; ++vertex) {
+    std::vector<int>& list = larger[vertex];
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+    pattern.neighbours.insert(pattern.neighbours.end(), list.begin(), list.end());
+    pattern.neighbour_begin.push_back(static_cast<int>(pattern.neighbours.size()));
+    for (int column = 0; column < 3; ++column) {
+      for (int k = column; k < 3; ++k) pattern.row.push_back(3 * vertex + k);
+      for (const int neighbour : list) {
+        for (int k = 0; k < 3; ++k) pattern.row.push_back(3 * neighbour + k);
+      }
+      pattern.column_begin.push_back(static_cast<int>(pattern.row.size()));
+    }
+  }
+  return pattern;
+}
+
+BlockAddress block_address(const BlockPattern& pattern, int vertex, int other) {
+  const auto [low, high] = std::minmax(vertex, other);
+  BlockAddress address{.first = {}, .diagonal = low == high};
+  int offset = 0;
+  if (!address.diagonal) {
+    const auto begin = pattern.neighbours.begin() + pattern.neighbour_begin[low];
+    const auto end = pattern.neighbours.begin() + pattern.neighbour_begin[low + 1];
+    const auto found = std::lower_bound(begin, end, high);
+    assert(found != end && *found == high);
+    offset = 3 * static_cast<int>(found - begin);
+  }
+  for (int column = 0; column < 3; ++column) {
+    const int own = address.diagonal ? 0 : 3 - column;
+    address.first[column] = pattern.column_begin[3 * low + column] + own + offset;
+  }
+  return address;
+}
+
+TriangleAddresses triangle_addresses(const BlockPattern& pattern, const Eigen::Vector3i& triangle) {
+  TriangleAddresses addresses{};
+  for (int k = 0; k < 6; ++k) {
+    const int vertex = triangle[kCorners[k][0]], other = triangle[kCorners[k][1]];
+    addresses.block[k] = block_address(pattern, vertex, other);
+    addresses.transposed[k] = vertex < other;
+  }
+  return addresses;
+}
+
+void add_triangle(const TriangleAddresses& addresses, const Eigen::Matrix<double, 9, 9>& matrix,
+                  std::span<double> values) {
+  for (int k = 0; k < 6; ++k) {
+    const int i = 3 * kCorners[k][0], j = 3 * kCorners[k][1];
+    const std::array<int, 3>& first = addresses.block[k].first;
+    if (addresses.block[k].diagonal) {
+      for (int column = 0; column < 3; ++column) {
+        for (int row = column; row < 3; ++row) values[first[column] + row - column] += matrix(i + row, i + column);
+      }
+    } else {
+      for (int column = 0; column < 3; ++column) {
+        for (int row = 0; row < 3; ++row) {
+          values[first[column] + row] +=
+              addresses.transposed[k] ? matrix(i + column, j + row) : matrix(i + row, j + column);
+        }
+      }
+    }
+  }
+}
+
+void multiply(const BlockPattern& pattern, std::span<const double> values, const Eigen::VectorXd& x,
+              Eigen::VectorXd& y) {
+  y.setZero(x.size());
+  for (int column = 0; column < 3 * pattern.vertices; ++column) {
+    int k = pattern.column_begin[column];
+    double sum = values[k] * x[column];
+    for (++k; k < pattern.column_begin[column + 1]; ++k) {
+      const int row = pattern.row[k];
+      sum += values[k] * x[row];
+      y[row] += values[k] * x[column];
+    }
+    y[column] += sum;
+  }
+}
+
+}  // namespace thinwall

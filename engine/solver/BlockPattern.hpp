@@ -1,0 +1,51 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <span>
+#include <vector>
+
+namespace thinwall {
+
+/// The sparsity of a symmetric matrix made of 3 x 3 blocks, one row of blocks per vertex: its lower triangle by
+/// columns, rows ascending, as the factorisation wants it.
+struct BlockPattern {
+  int vertices = 0;
+  std::vector<int> neighbour_begin;  // (vertices + 1), into `neighbours`
+  std::vector<int> neighbours;       // larger neighbours of each vertex, ascending
+  std::vector<int> column_begin;     // (3 vertices + 1), into `row` and the values
+  std::vector<int> row;              // (non-zeros)
+
+  int nonzeros() const { return column_begin.back(); }
+};
+
+/// Where a block lies in the value array: position of its first entry in each of its three columns. The block of a
+/// vertex with itself keeps its lower triangle only; an off-diagonal block stands in the column of the smaller vertex.
+struct BlockAddress {
+  std::array<int, 3> first;
+  bool diagonal;
+};
+
+/// Pattern in which the vertices of each triangle are coupled with each other.
+BlockPattern make_block_pattern(int vertices, std::span<const Eigen::Vector3i> triangles);
+
+/// Address of the block of two coupled vertices, in either order. Asserts that they are coupled.
+BlockAddress block_address(const BlockPattern& pattern, int vertex, int other);
+
+/// The six addresses of a triangle's blocks: (0,0) (1,1) (2,2) (0,1) (1,2) (0,2), and whether an off-diagonal block
+/// must be transposed because its first vertex is the smaller one.
+struct TriangleAddresses {
+  std::array<BlockAddress, 6> block;
+  std::array<bool, 6> transposed;
+};
+TriangleAddresses triangle_addresses(const BlockPattern& pattern, const Eigen::Vector3i& triangle);
+
+/// Adds a symmetric 9 x 9 matrix of a triangle to the values.
+void add_triangle(const TriangleAddresses& addresses, const Eigen::Matrix<double, 9, 9>& matrix,
+                  std::span<double> values);
+
+/// y = A x with the symmetric matrix of the pattern. (3 vertices) each.
+void multiply(const BlockPattern& pattern, std::span<const double> values, const Eigen::VectorXd& x,
+              Eigen::VectorXd& y);
+
+}  // namespace thinwall

@@ -1,0 +1,151 @@
+#include "engine/solver/SparseFactor.hpp"
+
+#include <cholmod.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <new>
+#include <vector>
+
+namespace thinwall {
+namespace {
+
+/// Fill-reducing order of the vertices.
+std::vector<int> vertex_order(const BlockPattern& pattern, cholmod_common& common) {
+  const int edges = static_cast<int>(pattern.neighbours.size());
+  std::vector<int> order(pattern.vertices);
+  cholmod_sparse graph{};
+  std::vector<int> columns = pattern.neighbour_begin, rows = pattern.neighbours;
+  graph.nrow = graph.ncol = pattern.vertices;
+  graph.nzmax = edges;
+  graph.p = columns.data();
+  graph.i = rows.data();
+  graph.stype = -1;
+  graph.itype = CHOLMOD_INT;
+  graph.xtype = CHOLMOD_PATTERN;
+  graph.sorted = graph.packed = 1;
+  if (edges == 0 || !cholmod_metis(&graph, nullptr, 0, 1, order.data(), &common)) {
+    for (int vertex = 0; vertex < pattern.vertices; ++vertex) order[vertex] = vertex;
+  }
+  return order;
+}
+
+}  // namespace
+
+struct SparseFactor::Implementation {
+  BlockPattern pattern;
+  cholmod_common common{};
+  cholmod_sparse matrix{};
+  cholmod_factor* definite = nullptr;    // supernodal
+  cholmod_factor* indefinite = nullptr;  // simplicial, analysed on first need
+  cholmod_factor* current = nullptr;     // the one that holds the last factorisation
+  cholmod_dense* solution = nullptr;
+  cholmod_dense* workspace_y = nullptr;
+  cholmod_dense* workspace_e = nullptr;
+  std::vector<int> order;  // (unknowns)
+
+  explicit Implementation(const BlockPattern& the_pattern) : pattern(the_pattern) {
+    cholmod_start(&common);
+    common.print = 0;
+    common.nmethods = 1;
+    common.method[0].ordering = CHOLMOD_GIVEN;
+    common.postorder = 1;
+    const std::vector<int> vertices = vertex_order(pattern, common);
+    order.resize(3 * vertices.size());
+    for (std::size_t k = 0; k < vertices.size(); ++k) {
+      for (int c = 0; c < 3; ++c) order[3 * k + c] = 3 * vertices[k] + c;
+    }
+    matrix.nrow = matrix.ncol = 3 * static_cast<std::size_t>(pattern.vertices);
+    matrix.nzmax = pattern.nonzeros();
+    matrix.p = pattern.column_begin.data();
+    matrix.i = pattern.row.data();
+    matrix.stype = -1;
+    matrix.itype = CHOLMOD_INT;
+    matrix.xtype = CHOLMOD_REAL;
+    matrix.dtype = CHOLMOD_DOUBLE;
+    matrix.sorted = matrix.packed = 1;
+    definite = analyze(CHOLMOD_SUPERNODAL, true);
+  }
+
+  ~Implementation() {
+    cholmod_free_dense(&solution, &common);
+    cholmod_free_dense(&workspace_y, &common);
+    cholmod_free_dense(&workspace_e, &common);
+    cholmod_free_factor(&definite, &common);
+    cholmod_free_factor(&indefinite, &common);
+    cholmod_finish(&common);
+  }
+
+  Implementation(const Implementation&) = delete;
+  Implementation& operator=(const Implementation&) = delete;
+
+  cholmod_factor* analyze(int kind, bool as_product) {
+    common.supernodal = kind;
+    common.final_ll = as_product;
+    cholmod_factor* factor = cholmod_analyze_p(&matrix, order.data(), nullptr, 0, &common);
+    if (factor == nullptr) throw std::bad_alloc();
+    return factor;
+  }
+
+  bool factorize(cholmod_factor* factor, std::span<const double> values) {
+    assert(static_cast<int>(values.size()) == pattern.nonzeros());
+    // The library reads the values only; its interface lacks the const.
+    matrix.x = const_cast<double*>(values.data());
+    if (!cholmod_factorize(&matrix, factor, &common) && common.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
+    return common.status == CHOLMOD_OK && factor->minor == factor->n;
+  }
+};
+
+SparseFactor::SparseFactor(const BlockPattern& pattern) : implementation_(std::make_unique<Implementation>(pattern)) {}
+SparseFactor::~SparseFactor() = default;
+SparseFactor::SparseFactor(SparseFactor&&) noexcept = default;
+SparseFactor& SparseFactor::operator=(SparseFactor&&) noexcept = default;
+
+bool SparseFactor::factorize(std::span<const double> values) {
+  Implementation& own = *implementation_;
+  if (!own.factorize(own.definite, values)) return false;
+  own.current = own.definite;
+  return true;
+}
+
+std::optional<int> SparseFactor::factorize_indefinite(std::span<const double> values) {
+  Implementation& own = *implementation_;
+  if (own.indefinite == nullptr) own.indefinite = own.analyze(CHOLMOD_SIMPLICIAL, false);
+  own.common.supernodal = CHOLMOD_SIMPLICIAL;
+  own.common.final_ll = 0;
+  if (!own.factorize(own.indefinite, values)) return std::nullopt;
+  const auto* begin = static_cast<const int*>(own.indefinite->p);
+  const auto* entries = static_cast<const double*>(own.indefinite->x);
+  int negative = 0;
+  for (std::size_t k = 0; k < own.indefinite->n; ++k) {
+    const double pivot = entries[begin[k]];  // D stands where the unit diagonal of L would
+    if (!std::isfinite(pivot) || pivot == 0) return std::nullopt;
+    negative += pivot < 0 ? 1 : 0;
+  }
+  own.current = own.indefinite;
+  return negative;
+}
+
+void SparseFactor::solve(Eigen::Ref<Eigen::MatrixXd> right_hand_sides) {
+  Implementation& own = *implementation_;
+  assert(own.current != nullptr);
+  cholmod_dense dense{};
+  dense.nrow = right_hand_sides.rows();
+  dense.ncol = right_hand_sides.cols();
+  dense.d = right_hand_sides.outerStride();
+  dense.nzmax = dense.d * dense.ncol;
+  dense.x = right_hand_sides.data();
+  dense.xtype = CHOLMOD_REAL;
+  dense.dtype = CHOLMOD_DOUBLE;
+  if (!cholmod_solve2(CHOLMOD_A, own.current, &dense, nullptr, &own.solution, nullptr, &own.workspace_y,
+                      &own.workspace_e, &own.common)) {
+    throw std::bad_alloc();
+  }
+  const auto* solved = static_cast<const double*>(own.solution->x);
+  for (Eigen::Index column = 0; column < right_hand_sides.cols(); ++column) {
+    std::copy_n(solved + column * own.solution->d, right_hand_sides.rows(), right_hand_sides.col(column).data());
+  }
+}
+
+}  // namespace thinwall

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "engine/solver/BlockPattern.hpp"
+
+namespace thinwall {
+
+/// Analyse once, factorize and solve often: the only place that knows the sparse direct solver.
+class SparseFactor {
+ public:
+  /// Orders the graph of vertices by nested dissection and expands the order to three unknowns each, which costs a
+  /// third of ordering the unknowns.
+  explicit SparseFactor(const BlockPattern& pattern);
+  ~SparseFactor();
+  SparseFactor(SparseFactor&&) noexcept;
+  SparseFactor& operator=(SparseFactor&&) noexcept;
+
+  /// Supernodal L L^T; false when the matrix is not positive definite.
+  bool factorize(std::span<const double> values);
+
+  /// Simplicial L D L^T of an indefinite matrix: the number of negative pivots, or nothing when a pivot vanished.
+  std::optional<int> factorize_indefinite(std::span<const double> values);
+
+  /// Solves with the last successful factorisation. (unknowns x right-hand sides), in place.
+  void solve(Eigen::Ref<Eigen::MatrixXd> right_hand_sides);
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace thinwall

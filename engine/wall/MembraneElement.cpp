@@ -1,0 +1,98 @@
+#include "engine/wall/MembraneElement.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace thinwall {
+namespace {
+
+using ShapeGradients = Eigen::Matrix<double, 2, 3>;  // gradient of the shape functions N0, N1, N2 in the rest plane
+
+ShapeGradients shape_gradients(const MembraneRest& rest) {
+  ShapeGradients gradients;
+  gradients.col(1) = rest.inverse_edges.row(0).transpose();
+  gradients.col(2) = rest.inverse_edges.row(1).transpose();
+  gradients.col(0) = -gradients.col(1) - gradients.col(2);
+  return gradients;
+}
+
+Eigen::Vector3d right_cauchy_green(const Eigen::Matrix<double, 3, 2>& f) {
+  return {f.col(0).squaredNorm(), f.col(1).squaredNorm(), f.col(0).dot(f.col(1))};
+}
+
+}  // namespace
+
+MembraneRest make_membrane_rest(const std::array<Eigen::Vector3d, 3>& corners, double thickness, double prestretch) {
+  const Eigen::Vector3d edge_1 = (corners[1] - corners[0]) / prestretch;
+  const Eigen::Vector3d edge_2 = (corners[2] - corners[0]) / prestretch;
+  const double length = edge_1.norm();
+  const double doubled_area = edge_1.cross(edge_2).norm();
+  assert(doubled_area > 0 && thickness > 0);
+  Eigen::Matrix2d edges;
+  edges << length, edge_1.dot(edge_2) / length, 0, doubled_area / length;
+  return {.inverse_edges = edges.inverse(), .area = 0.5 * doubled_area, .thickness = thickness};
+}
+
+Eigen::Matrix<double, 3, 2> deformation_gradient(const MembraneRest& rest,
+                                                 const std::array<Eigen::Vector3d, 3>& corners) {
+  Eigen::Matrix<double, 3, 2> edges;
+  edges.col(0) = corners[1] - corners[0];
+  edges.col(1) = corners[2] - corners[0];
+  return edges * rest.inverse_edges;
+}
+
+MembraneTerms membrane_terms(const MembraneRest& rest, const Material& material,
+                             const std::array<Eigen::Vector3d, 3>& corners) {
+  const Eigen::Matrix<double, 3, 2> f = deformation_gradient(rest, corners);
+  const WallLawResponse response = material.law->respond(material.parameters.data(), right_cauchy_green(f));
+  const double volume = rest.area * rest.thickness;
+  const ShapeGradients gradients = shape_gradients(rest);
+  const Eigen::Vector3d& s = response.second_piola_kirchhoff;
+  Eigen::Matrix2d stress;
+  stress << s[0], s[2], s[2], s[1];
+
+  // Rows of the strain-displacement matrix: variations of (E11, E22, 2 E12) by the nine coordinates.
+  Eigen::Matrix<double, 3, 9> strain_displacement;
+  for (int a = 0; a < 3; ++a) {
+    strain_displacement.block<1, 3>(0, 3 * a) = gradients(0, a) * f.col(0).transpose();
+    strain_displacement.block<1, 3>(1, 3 * a) = gradients(1, a) * f.col(1).transpose();
+    strain_displacement.block<1, 3>(2, 3 * a) =
+        gradients(1, a) * f.col(0).transpose() + gradients(0, a) * f.col(1).transpose();
+  }
+  MembraneTerms terms;
+  terms.energy = volume * response.energy;
+  terms.gradient.noalias() = volume * (strain_displacement.transpose() * s);
+  const Eigen::Matrix<double, 3, 9> stiff = volume * response.tangent * strain_displacement;
+  terms.hessian.noalias() = strain_displacement.transpose() * stiff;
+  const Eigen::Matrix3d geometric = volume * gradients.transpose() * stress * gradients;
+  for (int a = 0; a < 3; ++a) {
+    for (int b = 0; b < 3; ++b) {
+      for (int k = 0; k < 3; ++k) terms.hessian(3 * a + k, 3 * b + k) += geometric(a, b);
+    }
+  }
+  return terms;
+}
+
+double membrane_energy(const MembraneRest& rest, const Material& material,
+                       const std::array<Eigen::Vector3d, 3>& corners) {
+  const Eigen::Vector3d c = right_cauchy_green(deformation_gradient(rest, corners));
+  if (!(c[0] * c[1] - c[2] * c[2] > 0) || !c.allFinite()) return std::numeric_limits<double>::infinity();
+  return rest.area * rest.thickness * material.law->respond(material.parameters.data(), c).energy;
+}
+
+double largest_tension(const MembraneRest& rest, const Material& material,
+                       const std::array<Eigen::Vector3d, 3>& corners) {
+  const Eigen::Vector3d c = right_cauchy_green(deformation_gradient(rest, corners));
+  const Eigen::Vector3d s = material.law->respond(material.parameters.data(), c).second_piola_kirchhoff;
+  // The principal values of F S F^T are those of S C, whose trace and determinant are invariants.
+  const double half_trace = 0.5 * (s[0] * c[0] + s[1] * c[1] + 2 * s[2] * c[2]);
+  const double det_c = c[0] * c[1] - c[2] * c[2];
+  const double det = (s[0] * s[1] - s[2] * s[2]) * det_c;
+  const double principal = half_trace + std::sqrt(std::max(0.0, half_trace * half_trace - det));
+  return rest.thickness * principal / std::sqrt(det_c);
+}
+
+}  // namespace thinwall

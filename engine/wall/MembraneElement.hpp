@@ -1,0 +1,46 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+#include "engine/material/WallLaw.hpp"
+
+namespace thinwall {
+
+/// The stress-free shape of a linear membrane triangle.
+struct MembraneRest {
+  Eigen::Matrix2d inverse_edges;  // inverse of the rest edge matrix [X1 - X0, X2 - X0] in the rest plane, 1 / metre
+  double area;                    // metres^2, rest
+  double thickness;               // metres, rest
+};
+
+/// Rest shape of a triangle whose corners are given in the mesh, shrunk by `prestretch`. Asserts a positive area.
+MembraneRest make_membrane_rest(const std::array<Eigen::Vector3d, 3>& corners, double thickness, double prestretch);
+
+/// Energy of a triangle and its derivatives with respect to the corners (x0, y0, z0, x1, ..., z2).
+struct MembraneTerms {
+  double energy;                         // joule
+  Eigen::Matrix<double, 9, 1> gradient;  // newton
+  Eigen::Matrix<double, 9, 9> hessian;   // newton / metre, symmetric
+};
+
+/// Total Lagrangian membrane triangle: deformation gradient F = [x1 - x0, x2 - x0] Dm^-1 (3 x 2), C = F^T F,
+/// energy A0 h W(C); gradient A0 h F S grad N; Hessian from the tangent dS/dE and the geometric term of S
+/// (Bonet and Wood 2008, chapters 8 and 9).
+MembraneTerms membrane_terms(const MembraneRest& rest, const Material& material,
+                             const std::array<Eigen::Vector3d, 3>& corners);
+
+/// The energy alone, joule; infinity where the triangle has collapsed or is not finite.
+double membrane_energy(const MembraneRest& rest, const Material& material,
+                       const std::array<Eigen::Vector3d, 3>& corners);
+
+/// Deformation gradient (3 x 2) from the rest plane to space.
+Eigen::Matrix<double, 3, 2> deformation_gradient(const MembraneRest& rest,
+                                                 const std::array<Eigen::Vector3d, 3>& corners);
+
+/// Tension of the wall: the larger principal value of the Cauchy stress integrated over the current thickness,
+/// newton / metre: h (F S F^T) / sqrt(det C).
+double largest_tension(const MembraneRest& rest, const Material& material,
+                       const std::array<Eigen::Vector3d, 3>& corners);
+
+}  // namespace thinwall
