@@ -1,0 +1,164 @@
+#include "renderer/image/PngFile.hpp"
+
+#include <png.h>
+
+#include <algorithm>
+#include <cassert>
+#include <csetjmp>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include "renderer/image/WholeFile.hpp"
+
+namespace thinwall {
+namespace {
+
+/// Where libpng's callbacks put bytes and words. They are C, so no exception may pass through them.
+struct PngSink {
+  std::vector<std::uint8_t> bytes;
+  char words[128] = "";
+};
+
+[[noreturn]] void keep_words_and_leave(png_structp png, png_const_charp words) {
+  auto* sink = static_cast<PngSink*>(png_get_error_ptr(png));
+  std::snprintf(sink->words, sizeof(sink->words), "%s", words);
+  png_longjmp(png, 1);
+}
+
+void ignore_warning(png_structp, png_const_charp) {}
+
+void append_bytes(png_structp png, png_bytep data, std::size_t count) {
+  auto* sink = static_cast<PngSink*>(png_get_io_ptr(png));
+  bool out_of_memory = false;
+  try {
+    sink->bytes.insert(sink->bytes.end(), data, data + count);
+  } catch (const std::bad_alloc&) {
+    out_of_memory = true;
+  }
+  if (out_of_memory) png_error(png, "out of memory");
+}
+
+void flush_nothing(png_structp) {}
+
+void set_effort(png_structp png, PngEffort effort) {
+  if (effort == PngEffort::kFast) {
+    // One filter for all rows: choosing among them costs more than it saves at level 1.
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
+    png_set_compression_level(png, 1);
+  } else {
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_ALL_FILTERS);
+    png_set_compression_level(png, 9);
+    png_set_compression_mem_level(png, 9);
+  }
+}
+
+/// False when libpng left by longjmp. Holds no object with a destructor, which a longjmp would skip.
+bool encode_rows(png_structp png, png_infop info, const Image& image, PngEffort effort) {
+  if (setjmp(png_jmpbuf(png)) != 0) return false;
+  png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+  png_set_IHDR(png, info, static_cast<png_uint_32>(image.size.width), static_cast<png_uint_32>(image.size.height), 8,
+               PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+  set_effort(png, effort);
+  png_write_info(png, info);
+  const std::size_t stride = static_cast<std::size_t>(image.size.width) * 3;
+  for (int row = 0; row < image.size.height; ++row) {
+    png_write_row(png, image.pixels.data() + static_cast<std::size_t>(row) * stride);
+  }
+  png_write_end(png, nullptr);
+  return true;
+}
+
+/// Frees libpng's structures also when an exception passes.
+struct PngWriter {
+  png_structp png = nullptr;
+  png_infop info = nullptr;
+  explicit PngWriter(PngSink& sink)
+      : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, &sink, keep_words_and_leave, ignore_warning)),
+        info(png ? png_create_info_struct(png) : nullptr) {}
+  PngWriter(const PngWriter&) = delete;
+  PngWriter& operator=(const PngWriter&) = delete;
+  ~PngWriter() { png_destroy_write_struct(&png, &info); }
+};
+
+std::vector<std::uint8_t> bytes_of_file(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) throw ImageUnreadable("cannot read " + path.string() + ": no such file");
+  if (std::filesystem::is_directory(path, error)) {
+    throw ImageUnreadable("cannot read " + path.string() + ": it is a folder, not a picture");
+  }
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw ImageUnreadable("cannot read " + path.string() + ": permission denied or disk error");
+  std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (file.bad()) throw ImageUnreadable("cannot read " + path.string() + ": the disk reports an error");
+  return bytes;
+}
+
+/// png_image must be freed on every way out.
+struct PngReader {
+  png_image image{};
+  PngReader() { image.version = PNG_IMAGE_VERSION; }
+  PngReader(const PngReader&) = delete;
+  PngReader& operator=(const PngReader&) = delete;
+  ~PngReader() { png_image_free(&image); }
+};
+
+constexpr std::uint8_t kPngSignature[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+
+void check_signature(std::span<const std::uint8_t> bytes, const std::string& name) {
+  if (bytes.empty()) throw ImageUnreadable("cannot read " + name + ": the file is empty");
+  if (bytes.size() < sizeof(kPngSignature) || std::memcmp(bytes.data(), kPngSignature, sizeof(kPngSignature)) != 0) {
+    throw ImageUnreadable("cannot read " + name + ": not a PNG picture; save it as PNG");
+  }
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> encode_png(const Image& image, PngEffort effort) {
+  assert(image.size.width > 0 && image.size.height > 0);
+  assert(image.pixels.size() == static_cast<std::size_t>(image.size.width) * image.size.height * 3);
+  PngSink sink;
+  sink.bytes.reserve(image.pixels.size() / 4);
+  PngWriter writer(sink);
+  if (writer.info == nullptr) throw PictureFailure("cannot make a PNG picture: out of memory");
+  png_set_write_fn(writer.png, &sink, append_bytes, flush_nothing);
+  if (!encode_rows(writer.png, writer.info, image, effort)) {
+    throw PictureFailure(std::string("cannot make a PNG picture: ") + sink.words);
+  }
+  return std::move(sink.bytes);
+}
+
+Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name) {
+  check_signature(bytes, name);
+  PngReader reader;
+  const auto broken = [&] {
+    return ImageUnreadable("cannot read " + name + ": broken PNG picture (" + reader.image.message + ")");
+  };
+  if (png_image_begin_read_from_memory(&reader.image, bytes.data(), bytes.size()) == 0) throw broken();
+  const std::int64_t width = reader.image.width;
+  const std::int64_t height = reader.image.height;
+  if (width * height > kLargestPngPixels) {
+    throw ImageUnreadable("cannot read " + name + ": " + std::to_string(width) + " x " + std::to_string(height) +
+                          " pixels are more than the " + std::to_string(kLargestPngPixels) + " allowed");
+  }
+  reader.image.format = PNG_FORMAT_RGB;
+  reader.image.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;
+  Image image{.size = {static_cast<int>(width), static_cast<int>(height)}, .pixels = {}};
+  image.pixels.resize(PNG_IMAGE_SIZE(reader.image));
+  const png_color white{255, 255, 255};
+  if (png_image_finish_read(&reader.image, &white, image.pixels.data(), 0, nullptr) == 0) throw broken();
+  return image;
+}
+
+void write_png(const std::filesystem::path& path, const Image& image, PngEffort effort) {
+  write_whole_file(path, encode_png(image, effort));
+}
+
+Image read_png(const std::filesystem::path& path) {
+  return decode_png(bytes_of_file(path), path.string());
+}
+
+}  // namespace thinwall

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "renderer/image/Image.hpp"
+#include "renderer/picture/PictureFailure.hpp"
+
+namespace thinwall {
+
+/// A picture file that is missing, broken or no PNG: the user's input, not the disk's fault.
+class ImageUnreadable : public PictureFailure {
+ public:
+  using PictureFailure::PictureFailure;
+};
+
+/// How much work goes into a small file. The pixels are the same.
+enum class PngEffort {
+  kFast,   // for frames: a few milliseconds
+  kSmall,  // for goldens, which are kept under version control: many times slower
+};
+
+/// The picture as 8-bit RGB PNG marked as sRGB. No times or texts inside: equal pictures give equal bytes.
+/// The picture must not be empty. Throws PictureFailure when libpng refuses it.
+std::vector<std::uint8_t> encode_png(const Image& image, PngEffort effort = PngEffort::kFast);
+
+/// The picture in the bytes of a PNG file: any bit depth, grey, palette, interlaced; colours brought to 8-bit sRGB,
+/// alpha laid over white. `name` is for the message only. Throws ImageUnreadable: no PNG, cut short, failed checksum,
+/// or more than kLargestPngPixels.
+Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name);
+
+/// Writes the file as a whole or not at all. Throws PictureFailure.
+void write_png(const std::filesystem::path& path, const Image& image, PngEffort effort = PngEffort::kFast);
+
+/// Throws ImageUnreadable, also when there is no such file.
+Image read_png(const std::filesystem::path& path);
+
+/// A small file can claim to hold a picture that fills the memory.
+inline constexpr std::int64_t kLargestPngPixels = 1 << 28;
+
+}  // namespace thinwall
