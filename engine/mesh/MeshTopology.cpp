@@ -1,0 +1,158 @@
+#include "engine/mesh/MeshTopology.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <map>
+#include <numeric>
+
+namespace thinwall {
+namespace {
+
+struct HalfEdge {
+  std::array<int, 2> vertices;  // the lower first
+  int triangle = 0;
+  int corner = 0;         // the half-edge goes from this corner to the next
+  bool ascending = true;  // it goes from the lower vertex to the higher
+};
+
+std::vector<HalfEdge> sorted_half_edges(std::span<const Eigen::Vector3i> triangles) {
+  std::vector<HalfEdge> half_edges;
+  half_edges.reserve(3 * triangles.size());
+  for (int t = 0; t < static_cast<int>(triangles.size()); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const int from = triangles[t][k];
+      const int to = triangles[t][(k + 1) % 3];
+      assert(from != to);
+      half_edges.push_back({{std::min(from, to), std::max(from, to)}, t, k, from < to});
+    }
+  }
+  std::sort(half_edges.begin(), half_edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
+    return std::tie(a.vertices, a.triangle, a.corner) < std::tie(b.vertices, b.triangle, b.corner);
+  });
+  return half_edges;
+}
+
+void collect_edges(std::span<const Eigen::Vector3i> triangles, MeshTopology& topology) {
+  const std::vector<HalfEdge> half_edges = sorted_half_edges(triangles);
+  topology.triangle_edges.resize(triangles.size());
+  for (std::size_t begin = 0; begin < half_edges.size();) {
+    std::size_t end = begin;
+    const int edge = static_cast<int>(topology.edges.size());
+    topology.edges.push_back(half_edges[begin].vertices);
+    topology.edge_triangle_begin.push_back(static_cast<int>(begin));
+    while (end < half_edges.size() && half_edges[end].vertices == half_edges[begin].vertices) {
+      topology.edge_triangles.push_back(half_edges[end].triangle);
+      topology.triangle_edges[half_edges[end].triangle][half_edges[end].corner] = edge;
+      ++end;
+    }
+    const std::size_t count = end - begin;
+    if (count == 1) topology.open_edges.push_back(edge);
+    if (count > 2) topology.crowded_edges.push_back(edge);
+    if (count == 2 && half_edges[begin].ascending == half_edges[begin + 1].ascending) {
+      topology.contrary_edges.push_back(edge);
+    }
+    begin = end;
+  }
+  topology.edge_triangle_begin.push_back(static_cast<int>(half_edges.size()));
+}
+
+void collect_components(MeshTopology& topology) {
+  const int triangle_count = static_cast<int>(topology.triangle_edges.size());
+  topology.triangle_component.assign(triangle_count, -1);
+  std::vector<int> waiting;
+  for (int seed = 0; seed < triangle_count; ++seed) {
+    if (topology.triangle_component[seed] >= 0) continue;
+    topology.triangle_component[seed] = topology.component_count;
+    waiting.push_back(seed);
+    while (!waiting.empty()) {
+      const int t = waiting.back();
+      waiting.pop_back();
+      for (const int edge : topology.triangle_edges[t]) {
+        for (const int neighbour : triangles_at(topology, edge)) {
+          if (topology.triangle_component[neighbour] >= 0) continue;
+          topology.triangle_component[neighbour] = topology.component_count;
+          waiting.push_back(neighbour);
+        }
+      }
+    }
+    ++topology.component_count;
+  }
+}
+
+/// One fan: its triangles are joined across the edges at the vertex, and at most one gap is left.
+bool is_one_fan(int vertex, std::span<const int> fan, const MeshTopology& topology) {
+  std::vector<int> reached = {fan.front()};
+  int open_edges = 0;
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    for (const int edge : topology.triangle_edges[reached[i]]) {
+      const std::array<int, 2>& ends = topology.edges[edge];
+      if (ends[0] != vertex && ends[1] != vertex) continue;
+      const std::span<const int> neighbours = triangles_at(topology, edge);
+      if (neighbours.size() > 2) return false;
+      if (neighbours.size() == 1) ++open_edges;
+      for (const int neighbour : neighbours) {
+        if (std::find(reached.begin(), reached.end(), neighbour) == reached.end()) reached.push_back(neighbour);
+      }
+    }
+  }
+  return reached.size() == fan.size() && open_edges <= 2;
+}
+
+void check_vertices(int vertex_count, std::span<const Eigen::Vector3i> triangles, MeshTopology& topology) {
+  std::vector<std::vector<int>> fans(vertex_count);
+  for (int t = 0; t < static_cast<int>(triangles.size()); ++t) {
+    for (int k = 0; k < 3; ++k) fans[triangles[t][k]].push_back(t);
+  }
+  int used = 0;
+  for (int v = 0; v < vertex_count; ++v) {
+    if (fans[v].empty()) continue;
+    ++used;
+    if (!is_one_fan(v, fans[v], topology)) topology.non_manifold_vertices.push_back(v);
+  }
+  topology.euler_characteristic =
+      used - static_cast<int>(topology.edges.size()) + static_cast<int>(topology.triangle_edges.size());
+}
+
+void collect_boundary_loops(std::span<const Eigen::Vector3i> triangles, MeshTopology& topology) {
+  std::map<int, std::vector<int>> following;  // vertex -> the ends of open edges that start there
+  for (const int edge : topology.open_edges) {
+    const int t = triangles_at(topology, edge).front();
+    for (int k = 0; k < 3; ++k) {
+      if (topology.triangle_edges[t][k] == edge) following[triangles[t][k]].push_back(triangles[t][(k + 1) % 3]);
+    }
+  }
+  for (auto& [start, ends] : following) {
+    while (!ends.empty()) {
+      std::vector<int> loop = {start};
+      for (int v = start;;) {
+        const auto found = following.find(v);
+        // Only where triangles of contrary sense meet at the rim does a walk end before it closes.
+        if (found == following.end() || found->second.empty()) break;
+        v = found->second.front();
+        found->second.erase(found->second.begin());
+        if (v == start) break;
+        loop.push_back(v);
+      }
+      topology.boundary_loops.push_back(std::move(loop));
+    }
+  }
+}
+
+}  // namespace
+
+MeshTopology topology_of(int vertex_count, std::span<const Eigen::Vector3i> triangles) {
+  MeshTopology topology;
+  collect_edges(triangles, topology);
+  collect_components(topology);
+  check_vertices(vertex_count, triangles, topology);
+  collect_boundary_loops(triangles, topology);
+  return topology;
+}
+
+std::vector<Eigen::Vector3i> closed_surface(const SurfaceMesh& mesh) {
+  std::vector<Eigen::Vector3i> surface = mesh.triangles;
+  surface.insert(surface.end(), mesh.cap_triangles.begin(), mesh.cap_triangles.end());
+  return surface;
+}
+
+}  // namespace thinwall

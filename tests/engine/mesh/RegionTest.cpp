@@ -1,0 +1,64 @@
+#include "engine/mesh/Region.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace thinwall {
+namespace {
+
+/// A unit square of two triangles in z = 0 with a third one standing on its right edge.
+SurfaceMesh square_with_flap() {
+  SurfaceMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0.5, 1}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {1, 4, 2}};
+  mesh.groups = {{"flap", {1, 2, 4}}, {"wall", {0, 1, 2, 3, 4}}};
+  return mesh;
+}
+
+using Indices = std::vector<int>;
+
+TEST(Region, GroupHoldsItsVerticesAndTheTrianglesThatLieInItWhole) {
+  EXPECT_EQ(vertices_in(GroupRegion{"flap"}, square_with_flap()), (Indices{1, 2, 4}));
+  EXPECT_EQ(triangles_in(GroupRegion{"flap"}, square_with_flap()), (Indices{2}));
+}
+
+TEST(Region, MissingGroupIsOutOfRange) {
+  EXPECT_THROW(vertices_in(GroupRegion{"base"}, square_with_flap()), std::out_of_range);
+  EXPECT_THROW(triangles_in(GroupRegion{"base"}, square_with_flap()), std::out_of_range);
+}
+
+TEST(Region, PlaneHoldsWhatLiesWithinItsReachLimitsIncluded) {
+  EXPECT_EQ(vertices_in(PlaneRegion{0, 1, 1e-9}, square_with_flap()), (Indices{1, 2, 4}));
+  EXPECT_EQ(vertices_in(PlaneRegion{2, 0.5, 0.5}, square_with_flap()), (Indices{0, 1, 2, 3, 4}));
+  EXPECT_EQ(triangles_in(PlaneRegion{0, 1, 1e-9}, square_with_flap()), (Indices{2}));
+}
+
+TEST(Region, BelowAndAboveShareTheirLimit) {
+  EXPECT_EQ(vertices_in(BelowRegion{1, 0.5}, square_with_flap()), (Indices{0, 1, 4}));
+  EXPECT_EQ(vertices_in(AboveRegion{1, 0.5}, square_with_flap()), (Indices{2, 3, 4}));
+}
+
+TEST(Region, TrianglesGoByTheirCentroid) {
+  EXPECT_EQ(triangles_in(BelowRegion{1, 0.34}, square_with_flap()), (Indices{0}));
+  EXPECT_EQ(triangles_in(AboveRegion{2, 0.3}, square_with_flap()), (Indices{2}));
+}
+
+TEST(Region, BoxAndSphereIncludeTheirSurface) {
+  EXPECT_EQ(vertices_in(BoxRegion{{0, 0, 0}, {1, 0.5, 1}}, square_with_flap()), (Indices{0, 1, 4}));
+  EXPECT_EQ(vertices_in(SphereRegion{{0, 0, 0}, 1}, square_with_flap()), (Indices{0, 1, 3}));
+}
+
+TEST(Region, BoundaryIsTheOpenEdgesOfTheWallCappedOrNot) {
+  SurfaceMesh mesh = square_with_flap();
+  EXPECT_EQ(vertices_in(BoundaryRegion{}, mesh), (Indices{0, 1, 2, 3, 4}));
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0}};
+  mesh.triangles = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+  EXPECT_EQ(vertices_in(BoundaryRegion{}, mesh), (Indices{0, 1, 2, 3}));
+  mesh.cap_triangles = {{0, 3, 2}, {0, 2, 1}};
+  EXPECT_EQ(vertices_in(BoundaryRegion{}, mesh), (Indices{0, 1, 2, 3}));
+  EXPECT_TRUE(triangles_in(BoundaryRegion{}, mesh).empty());
+}
+
+}  // namespace
+}  // namespace thinwall
