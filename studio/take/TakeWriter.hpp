@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "studio/record/Moment.hpp"
+
+namespace thinwall {
+
+/// What a take says of itself before its first step.
+struct TakeDescription {
+  std::string name;      // of the scenario
+  std::string title;     // of the scenario
+  std::string resolved;  // the scenario as JSON text, parameters and defaults filled in
+};
+
+/// What is known of a take only at its end.
+struct TakeEnding {
+  bool complete = false;  // whether the run reached its end
+  std::vector<std::string> warnings;
+  std::string state_digest;  // of the last step
+};
+
+/// The name under which a file is written until it is whole: `take.h5` becomes `take.partial.h5`.
+std::filesystem::path partial_path(const std::filesystem::path& target);
+
+/// Writes a take as TakeLayout.hpp describes it, under its partial name until it is finished. Equal calls give equal
+/// bytes.
+class TakeWriter {
+ public:
+  /// Throws PictureFailure when the file cannot be made.
+  TakeWriter(std::filesystem::path target, const TakeDescription& description);
+  /// Without finish(): what was written stays, readable, under the partial name and marked incomplete.
+  ~TakeWriter();
+
+  /// Adds a step. Bodies, tools, scalars and fields must be those of the first step; a surface may change its topology.
+  /// Throws PictureFailure when it cannot be written, std::invalid_argument when a number is not finite.
+  void write(const Moment& moment);
+
+  /// Gives the file its name. Throws PictureFailure; then there is no file of that name.
+  void finish(const TakeEnding& ending);
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace thinwall
