@@ -24,7 +24,8 @@ class MomentSource {
  public:
   virtual ~MomentSource() = default;
 
-  /// The next moment, in order of time, the first at time zero; empty at the end. Throws SimulationFailure or TakeError.
+  /// The next moment, in order of time, the first at time zero; empty at the end. Throws SimulationFailure or
+  /// TakeError.
   virtual std::optional<Moment> next() = 0;
 
   /// Things that a user should know but that stopped nothing: one sentence each.
