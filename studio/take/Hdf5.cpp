@@ -16,19 +16,19 @@ herr_t keep_innermost(unsigned depth, const H5E_error2_t* error, void* text) {
   return 0;
 }
 
-/// The operating system's own words, where the library quotes them among its internals.
-std::string plain_reason(const std::string& description) {
-  const std::string mark = "error message = '";
+/// What the library quotes of the operating system's answer: the text between `mark` and `end`.
+std::string quoted(const std::string& description, const std::string& mark, char end) {
   const auto begin = description.find(mark);
-  if (begin == std::string::npos) return description;
-  const auto end = description.find('\'', begin + mark.size());
-  return description.substr(begin + mark.size(), end - begin - mark.size());
+  if (begin == std::string::npos) return "";
+  return description.substr(begin + mark.size(), description.find(end, begin + mark.size()) - begin - mark.size());
 }
 
 [[noreturn]] void fail() {
   std::string description = "no reason given";
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_innermost, &description);
-  throw Failure(plain_reason(description));
+  const std::string code = quoted(description, "errno = ", ',');
+  if (code.empty()) throw Failure(description);
+  throw Failure(quoted(description, "error message = '", '\''), std::stoi(code));
 }
 
 template <typename Result>

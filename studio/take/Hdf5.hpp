@@ -16,7 +16,12 @@ namespace thinwall::hdf5 {
 /// The library refused something; the message is the innermost reason that it gives.
 class Failure : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit Failure(const std::string& reason, int code = 0) : std::runtime_error(reason), code_(code) {}
+  /// Of the system (an errno value) when it was the system that refused, else 0.
+  int code() const { return code_; }
+
+ private:
+  int code_;
 };
 
 /// An open file, group, dataset, ...: closed when it goes.

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "renderer/image/WholeFile.hpp"
 #include "renderer/picture/PictureFailure.hpp"
 #include "studio/record/RecordColumns.hpp"
 #include "studio/take/Hdf5.hpp"
@@ -147,10 +148,6 @@ void write_timed_texts(const Handle& file, const char* name, const std::vector<T
 
 }  // namespace
 
-std::filesystem::path partial_path(const std::filesystem::path& target) {
-  return target.parent_path() / (target.stem().string() + ".partial" + target.extension().string());
-}
-
 struct TakeWriter::Implementation {
   std::filesystem::path target;
   Handle file;
@@ -179,13 +176,14 @@ struct TakeWriter::Implementation {
       work();
     } catch (const hdf5::Failure& failure) {
       refused = true;
-      throw PictureFailure("could not write " + partial_path(target).string() + ": " + failure.what());
+      throw PictureFailure("cannot write " + target.string() + ": " + failure.what() +
+                           (failure.code() == 0 ? "" : "; " + cure_for_write_error(failure.code())));
     }
   }
 };
 
 void TakeWriter::Implementation::begin(const TakeDescription& description) {
-  file = hdf5::create_file(partial_path(target));
+  file = hdf5::create_file(unfinished_name(target));
   hdf5::write_attribute(file, "format", std::string(take_layout::kFormat));
   hdf5::write_attribute(file, "format_version", take_layout::kFormatVersion);
   hdf5::write_attribute(file, "program", std::string("thinwall " THINWALL_VERSION));
@@ -332,8 +330,8 @@ void TakeWriter::write(const Moment& moment) {
 void TakeWriter::finish(const TakeEnding& ending) {
   implementation_->guarded([&] { implementation_->end(ending); });
   std::error_code error;
-  std::filesystem::rename(partial_path(implementation_->target), implementation_->target, error);
-  if (error) throw PictureFailure("could not write " + implementation_->target.string() + ": " + error.message());
+  std::filesystem::rename(unfinished_name(implementation_->target), implementation_->target, error);
+  if (error) throw PictureFailure("cannot write " + implementation_->target.string() + ": " + error.message());
 }
 
 }  // namespace thinwall

@@ -23,16 +23,13 @@ struct TakeEnding {
   std::string state_digest;  // of the last step
 };
 
-/// The name under which a file is written until it is whole: `take.h5` becomes `take.partial.h5`.
-std::filesystem::path partial_path(const std::filesystem::path& target);
-
-/// Writes a take as TakeLayout.hpp describes it, under its partial name until it is finished. Equal calls give equal
+/// Writes a take as TakeLayout.hpp describes it, under its unfinished name until it is whole. Equal calls give equal
 /// bytes.
 class TakeWriter {
  public:
   /// Throws PictureFailure when the file cannot be made.
   TakeWriter(std::filesystem::path target, const TakeDescription& description);
-  /// Without finish(): what was written stays, readable, under the partial name and marked incomplete.
+  /// Without finish(): what was written stays, readable, under the unfinished name and marked incomplete.
   ~TakeWriter();
 
   /// Adds a step. Bodies, tools, scalars and fields must be those of the first step; a surface may change its topology.

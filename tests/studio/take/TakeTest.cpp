@@ -149,7 +149,7 @@ TEST(TakeTest, HasItsNameOnlyWhenFinished) {
     EXPECT_FALSE(std::filesystem::exists(folder / "take.h5"));
   }
   EXPECT_FALSE(std::filesystem::exists(folder / "take.h5"));
-  const TakeReader reader(folder / "take.partial.h5");
+  const TakeReader reader(folder / "take.unfinished.h5");
   EXPECT_FALSE(reader.ending().complete);
   ASSERT_EQ(reader.times().size(), 7U);
   expect_equal(reader.moment(6), run.moment(6));
@@ -158,7 +158,7 @@ TEST(TakeTest, HasItsNameOnlyWhenFinished) {
 TEST(TakeTest, WithoutAnyStepIsStillATake) {
   const TemporaryFolder folder;
   { const TakeWriter writer(folder / "take.h5", kDescription); }
-  EXPECT_TRUE(TakeReader(folder / "take.partial.h5").times().empty());
+  EXPECT_TRUE(TakeReader(folder / "take.unfinished.h5").times().empty());
 }
 
 TEST(TakeTest, NamesWithASlashAreKept) {
@@ -187,9 +187,9 @@ TEST(TakeTest, RefusesAFolderThatIsNotThere) {
     const TakeWriter writer(folder.path() / "nowhere" / "take.h5", kDescription);
     FAIL() << "was made";
   } catch (const PictureFailure& failure) {
-    EXPECT_EQ(
-        std::string(failure.what()),
-        "could not write " + (folder.path() / "nowhere" / "take.partial.h5").string() + ": No such file or directory");
+    EXPECT_EQ(std::string(failure.what()), "could not write " +
+                                               (folder.path() / "nowhere" / "take.unfinished.h5").string() +
+                                               ": No such file or directory");
   }
 }
 
@@ -218,7 +218,7 @@ TEST(TakeTest, SaysWhyItCouldNotBeWritten) {
     FAIL() << "was written";
   } catch (const PictureFailure& failure) {
     EXPECT_EQ(std::string(failure.what()),
-              "could not write " + (folder / "take.partial.h5").string() + ": File too large");
+              "could not write " + (folder / "take.unfinished.h5").string() + ": File too large");
   }
   EXPECT_FALSE(std::filesystem::exists(folder / "take.h5"));
 }
