@@ -2,8 +2,10 @@
 #include <hdf5.h>
 #include <sys/resource.h>
 
+#include <cerrno>
 #include <csignal>
 
+#include "renderer/image/WholeFile.hpp"
 #include "renderer/picture/PictureFailure.hpp"
 #include "studio/take/TakeError.hpp"
 #include "studio/take/TakeReader.hpp"
@@ -187,9 +189,8 @@ TEST(TakeTest, RefusesAFolderThatIsNotThere) {
     const TakeWriter writer(folder.path() / "nowhere" / "take.h5", kDescription);
     FAIL() << "was made";
   } catch (const PictureFailure& failure) {
-    EXPECT_EQ(std::string(failure.what()), "could not write " +
-                                               (folder.path() / "nowhere" / "take.unfinished.h5").string() +
-                                               ": No such file or directory");
+    EXPECT_EQ(std::string(failure.what()), "cannot write " + (folder.path() / "nowhere" / "take.h5").string() +
+                                               ": No such file or directory; " + cure_for_write_error(ENOENT));
   }
 }
 
@@ -218,7 +219,7 @@ TEST(TakeTest, SaysWhyItCouldNotBeWritten) {
     FAIL() << "was written";
   } catch (const PictureFailure& failure) {
     EXPECT_EQ(std::string(failure.what()),
-              "could not write " + (folder / "take.unfinished.h5").string() + ": File too large");
+              "cannot write " + (folder / "take.h5").string() + ": File too large; " + cure_for_write_error(EFBIG));
   }
   EXPECT_FALSE(std::filesystem::exists(folder / "take.h5"));
 }
