@@ -1,0 +1,140 @@
+#include "renderer/video/Program.hpp"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <system_error>
+
+#include "renderer/picture/PictureFailure.hpp"
+
+namespace thinwall {
+namespace {
+
+std::string words_of(int code) {
+  return std::generic_category().message(code);
+}
+
+/// What the child gets: default signals, an own group, and our three descriptors as its standard ones.
+class SpawnSettings {
+ public:
+  SpawnSettings(int input, int output, int errors) {
+    posix_spawnattr_init(&attributes_);
+    posix_spawn_file_actions_init(&actions_);
+    sigset_t none;
+    sigset_t all;
+    sigemptyset(&none);
+    sigfillset(&all);
+    posix_spawnattr_setsigmask(&attributes_, &none);
+    posix_spawnattr_setsigdefault(&attributes_, &all);
+    posix_spawnattr_setpgroup(&attributes_, 0);
+    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+    posix_spawn_file_actions_adddup2(&actions_, input, STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions_, output, STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions_, errors, STDERR_FILENO);
+  }
+  SpawnSettings(const SpawnSettings&) = delete;
+  SpawnSettings& operator=(const SpawnSettings&) = delete;
+  ~SpawnSettings() {
+    posix_spawn_file_actions_destroy(&actions_);
+    posix_spawnattr_destroy(&attributes_);
+  }
+
+  int spawn(pid_t& process, const std::vector<std::string>& arguments) const {
+    std::vector<char*> pointers;
+    for (const std::string& argument : arguments) pointers.push_back(const_cast<char*>(argument.c_str()));
+    pointers.push_back(nullptr);
+    return posix_spawnp(&process, pointers.front(), &actions_, &attributes_, pointers.data(), environ);
+  }
+
+ private:
+  posix_spawnattr_t attributes_;
+  posix_spawn_file_actions_t actions_;
+};
+
+std::string text_in(int descriptor) {
+  std::string text;
+  std::array<char, 4096> buffer;
+  for (;;) {
+    const ssize_t count = pread(descriptor, buffer.data(), buffer.size(), static_cast<off_t>(text.size()));
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return text;
+    text.append(buffer.data(), static_cast<std::size_t>(count));
+  }
+}
+
+/// The exit code of the ended process, waiting for it.
+int wait_for(pid_t process) {
+  int status = 0;
+  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+}
+
+}  // namespace
+
+// A socket instead of a pipe, because a send to a closed socket can be told not to raise SIGPIPE. What the program says
+// goes into files in memory: a pipe that nobody empties would stop it.
+Program::Program(const std::vector<std::string>& arguments) {
+  std::array<int, 2> ends{-1, -1};
+  int code = socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) == 0 ? 0 : errno;
+  input_ = ends[0];
+  output_ = memfd_create("output", MFD_CLOEXEC);
+  errors_ = memfd_create("errors", MFD_CLOEXEC);
+  if (code == 0 && (output_ < 0 || errors_ < 0)) code = errno;
+  if (code == 0) {
+    code = SpawnSettings(ends[1], output_, errors_).spawn(process_, arguments);
+    close(ends[1]);
+  }
+  if (code == 0) return;
+  process_ = -1;
+  end_input();
+  if (output_ >= 0) close(output_);
+  if (errors_ >= 0) close(errors_);
+  throw PictureFailure("cannot start the program " + arguments.front() + ": " + words_of(code) +
+                       (code == ENOENT ? "; install it (on Debian: apt-get install ffmpeg)" : ""));
+}
+
+Program::~Program() {
+  end_input();
+  if (process_ > 0) {
+    kill(process_, SIGKILL);
+    wait_for(process_);
+  }
+  close(output_);
+  close(errors_);
+}
+
+void Program::end_input() {
+  if (input_ >= 0) close(input_);
+  input_ = -1;
+}
+
+bool Program::send(std::span<const std::uint8_t> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::send(input_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(count));
+  }
+  return true;
+}
+
+ProgramResult Program::finish() {
+  end_input();
+  const int exit_code = wait_for(process_);
+  process_ = -1;
+  return {.exit_code = exit_code, .output = text_in(output_), .errors = text_in(errors_)};
+}
+
+ProgramResult run_program(const std::vector<std::string>& arguments) {
+  return Program(arguments).finish();
+}
+
+}  // namespace thinwall

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace thinwall {
+
+/// How another program ended and what it said.
+struct ProgramResult {
+  int exit_code = 0;   // 128 + the signal's number when a signal ended it
+  std::string output;  // of its standard output
+  std::string errors;  // of its standard error
+};
+
+/// A running program that is fed through its standard input. It has a process group of its own, so an interrupt from
+/// the keyboard reaches only us, and we decide what becomes of it. When we die, its input ends.
+class Program {
+ public:
+  /// `arguments` begin with the name, looked up in PATH; no shell takes part. Throws PictureFailure when it cannot be
+  /// started.
+  explicit Program(const std::vector<std::string>& arguments);
+  /// Kills it if it still runs.
+  ~Program();
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  /// Waits until the program has taken all bytes. False when it takes no more: it has ended or closed its input.
+  bool send(std::span<const std::uint8_t> bytes);
+
+  /// Ends its input, waits for its end. To be called once.
+  ProgramResult finish();
+
+ private:
+  void end_input();
+
+  int input_ = -1;  // our end of its standard input
+  int output_ = -1;
+  int errors_ = -1;
+  pid_t process_ = -1;
+};
+
+/// Runs it to the end without input. Throws PictureFailure when it cannot be started.
+ProgramResult run_program(const std::vector<std::string>& arguments);
+
+}  // namespace thinwall

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "renderer/video/VideoWriter.hpp"
+
+namespace thinwall {
+
+/// The captions as a WebVTT file (W3C WebVTT: The Web Video Text Tracks Format), times in milliseconds. Captions
+/// without text or of no length are left out, because the format has no place for them.
+std::string web_vtt(const std::vector<VideoCaption>& captions);
+
+/// Writes `web_vtt` as a whole file. Throws PictureFailure.
+void write_web_vtt(const std::filesystem::path& path, const std::vector<VideoCaption>& captions);
+
+}  // namespace thinwall
