@@ -22,6 +22,7 @@ struct LightsDefinition {
   double key = 1;                        // strength of the key light, which casts the shadow
   double fill = 1;                       // strength of the fill light
   double environment = 1;                // strength of the light from all around
+  double environment_contrast = 1;       // 0 to 1: from the same light from everywhere to a studio's ceiling and lamps
   std::optional<Double3> key_direction;  // from the scene to the key light
 };
 
@@ -30,10 +31,12 @@ struct TissueLook {
   Double3 color = {0.72, 0.30, 0.27};  // sRGB, 0 to 1
   double roughness = 0.45;             // 0 to 1, of the tissue below the wet layer
   double wetness = 0.7;                // 0 to 1, strength of the wet layer
+  double mottling = 1;                 // 0 to 1, strength of the pattern: patches, vessels, fine relief
 };
 
 struct LookDefinition {
   Double3 background = {0.055, 0.065, 0.08};  // sRGB, 0 to 1
+  bool floor = true;                          // below the scene, lit, in the tone of the background
   std::map<std::string, TissueLook> bodies;   // by name; others have the default look
 };
 

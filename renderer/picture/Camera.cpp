@@ -1,0 +1,129 @@
+#include "renderer/picture/Camera.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "renderer/picture/PictureFailure.hpp"
+
+namespace thinwall {
+namespace {
+
+/// Part of the picture that the rest surfaces fill, in clip coordinates from -1 to 1; the rest is for overlays.
+struct Window {
+  double left = -0.80;
+  double right = 0.60;
+  double bottom = -0.64;
+  double top = 0.56;
+};
+
+void orient(Camera& camera, Vector3 forward, Vector3 up) {
+  camera.forward = normalized(forward);
+  const Vector3 right = cross(camera.forward, up);
+  camera.right = length(right) > 1e-9 * length(up) ? normalized(right) : perpendicular(camera.forward);
+  camera.up = cross(camera.right, camera.forward);
+}
+
+/// From the front, a little from the right and from above; elongated bodies lie across the picture.
+Vector3 oblique_direction(const SceneExtent& extent) {
+  double xx = 0, yy = 0, xy = 0;
+  for (const Vector3& point : extent.rest_points) {
+    const Vector3 offset = point - extent.center;
+    xx += offset.x * offset.x;
+    yy += offset.y * offset.y;
+    xy += offset.x * offset.y;
+  }
+  // Long in x or round: seen from the front (-y). Long in y: seen from the right (+x).
+  const bool long_in_y = yy > 1.2 * xx && yy - xx > std::abs(xy);
+  const double azimuth = (long_in_y ? -20.0 : -65.0) * std::numbers::pi / 180;
+  const double elevation = 33.0 * std::numbers::pi / 180;
+  return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation)};
+}
+
+/// Nearest position along the line of sight from which all points lie within one side pair of the window. With a the
+/// coordinate of a point across and c towards the camera, at camera coordinates (x, z) the point lies inside when
+/// low * tangent * (z - c) <= a - x <= high * tangent * (z - c): two half planes in (x, z) for each point.
+struct Fit {
+  double largest = -std::numeric_limits<double>::max();  // of a + high * tangent * c over the points
+  double smallest = std::numeric_limits<double>::max();  // of a + low * tangent * c
+};
+
+/// Moves the camera so that its window just holds all points.
+void frame(Camera& camera, const SceneExtent& extent) {
+  const Window window;
+  Fit x, y;
+  for (const Vector3& point : extent.rest_points) {
+    const double across = dot(point, camera.right);
+    const double upward = dot(point, camera.up);
+    const double toward = -dot(point, camera.forward);
+    x.largest = std::max(x.largest, across + window.right * camera.tangent_x * toward);
+    x.smallest = std::min(x.smallest, across + window.left * camera.tangent_x * toward);
+    y.largest = std::max(y.largest, upward + window.top * camera.tangent_y * toward);
+    y.smallest = std::min(y.smallest, upward + window.bottom * camera.tangent_y * toward);
+  }
+  const double distance = std::max((x.largest - x.smallest) / ((window.right - window.left) * camera.tangent_x),
+                                   (y.largest - y.smallest) / ((window.top - window.bottom) * camera.tangent_y));
+  const auto middle = [&](const Fit& fit, double low, double high, double tangent) {
+    return 0.5 * (fit.largest + fit.smallest - (low + high) * tangent * distance);
+  };
+  camera.position = middle(x, window.left, window.right, camera.tangent_x) * camera.right +
+                    middle(y, window.bottom, window.top, camera.tangent_y) * camera.up - distance * camera.forward;
+}
+
+Vector3 turned(Vector3 offset, Vector3 axis, double angle) {
+  const Vector3 along = dot(offset, axis) * axis;
+  const Vector3 across = offset - along;
+  return along + std::cos(angle) * across + std::sin(angle) * cross(axis, across);
+}
+
+void require_sound(const CameraDefinition& definition) {
+  if (!(definition.field_of_view > 0 && definition.field_of_view < std::numbers::pi)) {
+    throw PictureFailure("the camera's field of view must lie between 0 and 180 degrees");
+  }
+}
+
+}  // namespace
+
+Camera resolve_camera(const CameraDefinition& definition, const SceneExtent& extent, ImageSize size, double time) {
+  require_sound(definition);
+  Camera camera;
+  camera.tangent_y = std::tan(0.5 * definition.field_of_view);
+  camera.tangent_x = camera.tangent_y * size.width / size.height;
+  const Vector3 up = definition.up ? normalized(vector3(*definition.up)) : Vector3{0, 0, 1};
+  Vector3 target = definition.target ? vector3(*definition.target) : extent.center;
+  if (definition.position) {
+    camera.position = vector3(*definition.position);
+    if (!(length(target - camera.position) > 0)) throw PictureFailure("the camera stands at its target; move one");
+    orient(camera, target - camera.position, up);
+  } else {
+    orient(camera, -oblique_direction(extent), up);
+    if (!extent.rest_points.empty()) frame(camera, extent);
+    // A given target keeps the distance; without one the window decides, which leaves the centre out of the middle.
+    const double distance = std::max(dot(extent.center - camera.position, camera.forward), extent.size);
+    if (definition.target || extent.rest_points.empty()) camera.position = target - distance * camera.forward;
+  }
+  const double angle = definition.orbit_speed * time;
+  if (angle != 0) {
+    camera.position = target + turned(camera.position - target, up, angle);
+    orient(camera, turned(camera.forward, up, angle), up);
+  }
+  const double depth = length(extent.center - camera.position);
+  camera.nearest = std::max(0.02 * depth, 1e-3 * extent.size);
+  camera.farthest = depth + 20 * extent.reach;
+  return camera;
+}
+
+Matrix4 Camera::matrix() const {
+  return perspective_matrix(tangent_x, tangent_y, nearest, farthest) * eye_matrix(position, right, up, -forward);
+}
+
+std::optional<std::array<double, 2>> Camera::pixel(Vector3 point, ImageSize size) const {
+  const Vector3 offset = point - position;
+  const double depth = dot(offset, forward);
+  if (!(depth > 0)) return std::nullopt;
+  return std::array<double, 2>{0.5 * size.width * (1 + dot(offset, right) / (depth * tangent_x)),
+                               0.5 * size.height * (1 - dot(offset, up) / (depth * tangent_y))};
+}
+
+}  // namespace thinwall

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+
+#include "renderer/image/Image.hpp"
+#include "renderer/picture/SceneExtent.hpp"
+#include "renderer/picture/Vector.hpp"
+#include "renderer/picture/View.hpp"
+
+namespace thinwall {
+
+/// A pinhole camera with all decided.
+struct Camera {
+  Vector3 position;        // metres
+  Vector3 right;           // of length one, like the next two
+  Vector3 up;              // of the picture
+  Vector3 forward;         // line of sight
+  double tangent_x = 1;    // of half the horizontal field of view
+  double tangent_y = 1;    // of half the vertical field of view
+  double nearest = 0.001;  // metres along the line of sight
+  double farthest = 10;    // metres along the line of sight
+
+  /// World to clip coordinates.
+  Matrix4 matrix() const;
+
+  /// Where a point lands, in pixels from the upper left corner of the picture, x to the right and y down; nothing for
+  /// points behind the camera.
+  std::optional<std::array<double, 2>> pixel(Vector3 point, ImageSize size) const;
+};
+
+/// Completes `definition` for a picture of `size` at `time` (seconds). What is absent follows from the rest points
+/// alone: a three-quarter view from above that shows them whole, with room for a title above, a caption below, a plot
+/// at the lower right. Throws PictureFailure when position and target coincide or the field of view is not inside (0,
+/// pi).
+Camera resolve_camera(const CameraDefinition& definition, const SceneExtent& extent, ImageSize size, double time);
+
+}  // namespace thinwall

@@ -1,0 +1,62 @@
+#include "renderer/picture/FloorShade.hpp"
+
+#include "renderer/picture/ShaderProgram.hpp"
+
+namespace thinwall {
+namespace {
+
+constexpr int kResolution = 96;  // the blur leaves nothing finer
+
+Framebuffer frame_of(const Texture& texture) {
+  Framebuffer frame = create_framebuffer();
+  glNamedFramebufferTexture(frame.name(), GL_COLOR_ATTACHMENT0, texture.name(), 0);
+  require_complete(frame, "the map of the floor's shade");
+  return frame;
+}
+
+void empty(const Framebuffer& frame) {
+  const float none[4] = {0, 0, 0, 0};
+  glClearNamedFramebufferfv(frame.name(), GL_COLOR, 0, none);
+}
+
+}  // namespace
+
+FloorShade::FloorShade()
+    : cover_(create_texture(GL_R16F, kResolution, kResolution, GL_LINEAR)),
+      blurred_(create_texture(GL_R16F, kResolution, kResolution, GL_LINEAR)),
+      cover_frame_(frame_of(cover_)),
+      blurred_frame_(frame_of(blurred_)),
+      cover_program_(build_program("cover.vert", "cover.frag")),
+      blur_program_(build_program("blur.vert", "blur.frag")),
+      no_vertices_(create_vertex_array()) {}
+
+void FloorShade::draw(const SceneMeshes& meshes) const {
+  glViewport(0, 0, kResolution, kResolution);
+  glDisable(GL_DEPTH_TEST);
+  glBindFramebuffer(GL_FRAMEBUFFER, cover_frame_.name());
+  empty(cover_frame_);
+  glEnable(GL_BLEND);
+  glBlendEquation(GL_MAX);
+  glUseProgram(cover_program_.name());
+  meshes.tissue().draw();
+  glDisable(GL_BLEND);
+  blur(cover_, blurred_frame_, 1, 0);
+  blur(blurred_, cover_frame_, 0, 1);
+  glBindTextureUnit(1, cover_.name());
+}
+
+void FloorShade::clear() const {
+  empty(cover_frame_);
+  glBindTextureUnit(1, cover_.name());
+}
+
+void FloorShade::blur(const Texture& from, const Framebuffer& to, int across, int along) const {
+  glBindFramebuffer(GL_FRAMEBUFFER, to.name());
+  glProgramUniform2i(blur_program_.name(), 0, across, along);
+  glBindTextureUnit(0, from.name());
+  glUseProgram(blur_program_.name());
+  glBindVertexArray(no_vertices_.name());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+}  // namespace thinwall

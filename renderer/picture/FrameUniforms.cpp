@@ -1,0 +1,89 @@
+#include "renderer/picture/FrameUniforms.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thinwall {
+namespace {
+
+/// From the upper left, in front of the default camera: raking enough to show a dent.
+constexpr Vector3 kDefaultKeyDirection{-0.62, -0.42, 0.80};
+constexpr Vector3 kFillDirection{0.85, -0.45, 0.35};
+
+Float4 float4(Vector3 a, double w) {
+  return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z), static_cast<float>(w)};
+}
+
+FloatMatrix4 float_matrix(const Matrix4& matrix) {
+  FloatMatrix4 result;
+  for (std::size_t i = 0; i < 16; ++i) result[i] = static_cast<float>(matrix.values[i]);
+  return result;
+}
+
+/// Clip coordinates -1 to 1 to texture coordinates 0 to 1.
+Matrix4 texture_matrix() {
+  Matrix4 matrix;
+  for (int i = 0; i < 3; ++i) {
+    matrix(i, i) = 0.5;
+    matrix(i, 3) = 0.5;
+  }
+  matrix(3, 3) = 1;
+  return matrix;
+}
+
+Float4 mirrored_tissue(const LookDefinition& look) {
+  const TissueLook tissue = look.bodies.empty() ? TissueLook{} : look.bodies.begin()->second;
+  return {static_cast<float>(linear_from_srgb(tissue.color[0])), static_cast<float>(linear_from_srgb(tissue.color[1])),
+          static_cast<float>(linear_from_srgb(tissue.color[2])), 1};
+}
+
+}  // namespace
+
+double linear_from_srgb(double value) {
+  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
+Vector3 key_direction(const LightsDefinition& lights) {
+  return normalized(lights.key_direction ? vector3(*lights.key_direction) : kDefaultKeyDirection);
+}
+
+Matrix4 key_light_matrix(const SceneExtent& extent, Vector3 toward_light) {
+  const double half = 1.35 * extent.reach;
+  const Vector3 right = perpendicular(toward_light);
+  const Vector3 up = cross(toward_light, right);
+  const double distance = 8 * extent.reach;
+  return parallel_matrix(half, 0, 2 * distance) *
+         eye_matrix(extent.center + distance * toward_light, right, up, toward_light);
+}
+
+FrameUniforms frame_uniforms(const Camera& camera, const SceneExtent& extent, const ViewDefinition& view,
+                             const std::vector<ToolRod>& rods, ImageSize size, bool with_shadow) {
+  const Vector3 key = key_direction(view.lights);
+  const bool with_floor = view.look.floor && !extent.rest_points.empty() && camera.position.z > extent.floor_height;
+  FrameUniforms frame;
+  frame.view_projection = float_matrix(camera.matrix());
+  frame.shadow_matrix = float_matrix(texture_matrix() * key_light_matrix(extent, key));
+  frame.camera_position = float4(camera.position, 1);
+  frame.ray_middle = float4(camera.forward, 0);
+  frame.ray_right = float4(camera.tangent_x * camera.right, 1.0 / size.width);
+  frame.ray_up = float4(camera.tangent_y * camera.up, 1.0 / size.height);
+  frame.scene_center = float4(extent.center, extent.size);
+  frame.floor = {static_cast<float>(extent.floor_height), with_floor ? 1.0f : 0.0f,
+                 static_cast<float>(2.0 * extent.reach), 0};
+  frame.key_direction = float4(key, view.lights.key);
+  frame.fill_direction = float4(normalized(kFillDirection), view.lights.fill);
+  frame.environment = {static_cast<float>(view.lights.environment),
+                       static_cast<float>(view.lights.environment_contrast), with_shadow ? 1.0f : 0.0f,
+                       static_cast<float>(0.006 * extent.size)};
+  for (std::size_t i = 0; i < 3; ++i) frame.background[i] = static_cast<float>(view.look.background[i]);
+  frame.tissue = mirrored_tissue(view.look);
+  const std::size_t count = std::min(rods.size(), kMostRods);
+  frame.counts = {static_cast<float>(count), 0, 0, 0};
+  for (std::size_t i = 0; i < count; ++i) {
+    frame.rod_start[i] = {rods[i].start[0], rods[i].start[1], rods[i].start[2], rods[i].radius};
+    frame.rod_end[i] = {rods[i].end[0], rods[i].end[1], rods[i].end[2], 0};
+  }
+  return frame;
+}
+
+}  // namespace thinwall

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+
+#include "renderer/picture/Camera.hpp"
+#include "renderer/picture/SceneExtent.hpp"
+#include "renderer/picture/ToolShape.hpp"
+#include "renderer/picture/View.hpp"
+
+namespace thinwall {
+
+using Float4 = std::array<float, 4>;
+using FloatMatrix4 = std::array<float, 16>;
+
+/// How many rods shade the surfaces near them; further ones cast their shadow only.
+inline constexpr std::size_t kMostRods = 8;
+
+/// What all shaders know of a picture: the block `Frame` of shaders/frame.glsl, in the std140 layout.
+struct FrameUniforms {
+  FloatMatrix4 view_projection{};
+  FloatMatrix4 shadow_matrix{};  // world to shadow map, 0 to 1 on every axis
+  Float4 camera_position{};      // metres
+  Float4 ray_middle{};           // line of sight; with ray_right and ray_up times clip coordinates, a pixel's ray
+  Float4 ray_right{};            // w: 1 / picture width
+  Float4 ray_up{};               // w: 1 / picture height
+  Float4 scene_center{};         // w: scene size, metres
+  Float4 floor{};                // x: height; y: 1 where a floor is drawn; z: half width of its shade map, metres
+  Float4 key_direction{};        // to the light; w: strength
+  Float4 fill_direction{};       // to the light; w: strength
+  Float4 environment{};  // x: strength; y: contrast; z: 1 where shadows are cast; w: offset against self-shadow, metres
+  Float4 background{};   // sRGB
+  Float4 tissue{};       // linear colour that metal mirrors
+  Float4 counts{};       // x: number of rods
+  std::array<Float4, kMostRods> rod_start{};  // w: radius, metres
+  std::array<Float4, kMostRods> rod_end{};
+};
+
+/// Everything that follows from the view and the scene alone.
+FrameUniforms frame_uniforms(const Camera& camera, const SceneExtent& extent, const ViewDefinition& view,
+                             const std::vector<ToolRod>& rods, ImageSize size, bool with_shadow);
+
+/// From the scene to the key light, of length one.
+Vector3 key_direction(const LightsDefinition& lights);
+
+/// The light's own clip matrix: a box around the scene seen from the key light.
+Matrix4 key_light_matrix(const SceneExtent& extent, Vector3 toward_light);
+
+/// sRGB to linear, each 0 to 1 (IEC 61966-2-1).
+double linear_from_srgb(double value);
+
+}  // namespace thinwall

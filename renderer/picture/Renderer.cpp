@@ -1,0 +1,87 @@
+#include "renderer/picture/Renderer.hpp"
+
+#include <optional>
+
+#include "renderer/device/OffscreenContext.hpp"
+#include "renderer/picture/Camera.hpp"
+#include "renderer/picture/FloorShade.hpp"
+#include "renderer/picture/FrameUniforms.hpp"
+#include "renderer/picture/PictureTarget.hpp"
+#include "renderer/picture/SceneExtent.hpp"
+#include "renderer/picture/SceneMeshes.hpp"
+#include "renderer/picture/ScenePass.hpp"
+#include "renderer/picture/ShadowMap.hpp"
+
+namespace thinwall {
+namespace {
+
+/// All that lives in the context, in the order in which it can be made.
+struct Stage {
+  Stage(ImageSize size, Tier tier) : target(size, tier) {
+    if (tier != Tier::kDraft) shadow_map.emplace(tier == Tier::kFinal ? 2048 : 1024);
+    glNamedBufferStorage(frame.name(), sizeof(FrameUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT);
+  }
+
+  PictureTarget target;
+  SceneMeshes meshes;
+  ScenePass scene_pass;
+  FloorShade floor_shade;
+  std::optional<ShadowMap> shadow_map;
+  Buffer frame = create_buffer();
+};
+
+}  // namespace
+
+struct Renderer::Implementation {
+  Implementation(const DeviceChoice& device, ImageSize size, Tier tier) : context(device) {
+    const CurrentContext current(context);
+    stage.emplace(size, tier);
+  }
+  ~Implementation() {
+    const CurrentContext current(context);
+    stage.reset();
+  }
+
+  Image draw(const Snapshot& snapshot, const ViewDefinition& view);
+
+  OffscreenContext context;
+  std::optional<Stage> stage;
+};
+
+Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinition& view) {
+  const SceneExtent extent = scene_extent(snapshot);
+  const Camera camera = resolve_camera(view.camera, extent, stage->target.size(), snapshot.time);
+
+  const CurrentContext current(context);
+  stage->meshes.upload(snapshot, extent, view.look);
+  const FrameUniforms frame = frame_uniforms(camera, extent, view, stage->meshes.rods(), stage->target.drawn_size(),
+                                             stage->shadow_map.has_value());
+  glNamedBufferSubData(stage->frame.name(), 0, sizeof(frame), &frame);
+  glBindBufferBase(GL_UNIFORM_BUFFER, 0, stage->frame.name());
+
+  if (stage->shadow_map) {
+    stage->floor_shade.draw(stage->meshes);
+    stage->shadow_map->draw(stage->meshes, key_light_matrix(extent, key_direction(view.lights)));
+  } else {
+    stage->floor_shade.clear();
+  }
+  stage->target.begin();
+  stage->scene_pass.draw(stage->meshes);
+  return stage->target.finish();
+}
+
+Renderer::Renderer(const DeviceChoice& device, ImageSize size, Tier tier)
+    : implementation_(std::make_unique<Implementation>(device, size, tier)) {}
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+Image Renderer::draw(const Snapshot& snapshot, const ViewDefinition& view) {
+  return implementation_->draw(snapshot, view);
+}
+
+std::string Renderer::driver() const {
+  return implementation_->context.driver();
+}
+
+}  // namespace thinwall

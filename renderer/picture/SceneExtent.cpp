@@ -1,0 +1,91 @@
+#include "renderer/picture/SceneExtent.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "renderer/picture/PictureFailure.hpp"
+
+namespace thinwall {
+namespace {
+
+bool is_finite(const Float3& point) {
+  return std::isfinite(point[0]) && std::isfinite(point[1]) && std::isfinite(point[2]);
+}
+
+void check_triangles(const std::string& body, const std::vector<Triangle>& triangles, std::size_t vertices) {
+  for (const Triangle& triangle : triangles) {
+    for (const std::uint32_t vertex : triangle) {
+      if (vertex >= vertices) {
+        throw PictureFailure("body '" + body + "' cannot be drawn: a triangle names vertex " + std::to_string(vertex) +
+                             " of " + std::to_string(vertices) + "; the take is damaged");
+      }
+    }
+  }
+}
+
+void check(const SnapshotSurface& surface) {
+  const std::string cannot = "body '" + surface.body + "' cannot be drawn: ";
+  if (!surface.topology) throw PictureFailure(cannot + "it has no triangles; the take is damaged");
+  const std::size_t vertices = surface.topology->rest_positions.size();
+  if (surface.positions.size() != vertices) {
+    throw PictureFailure(cannot + std::to_string(surface.positions.size()) + " positions for " +
+                         std::to_string(vertices) + " vertices; the take is damaged");
+  }
+  check_triangles(surface.body, surface.topology->triangles, vertices);
+  check_triangles(surface.body, surface.topology->cap_triangles, vertices);
+  const auto all_finite = [](const std::vector<Float3>& points) {
+    return std::all_of(points.begin(), points.end(), is_finite);
+  };
+  if (!all_finite(surface.positions) || !all_finite(surface.topology->rest_positions)) {
+    throw PictureFailure(cannot + "a position is not a finite number");
+  }
+}
+
+/// The floor touches what stands on it; what is flat floats above it, so that it can be pressed down and casts a
+/// shadow.
+double floor_below(Vector3 low, Vector3 high, double lowest_now) {
+  const double footprint = std::min(high.x - low.x, high.y - low.y);
+  const double gap = std::max(0.0, 0.25 * footprint - (high.z - low.z));
+  return std::min(low.z - gap, lowest_now);
+}
+
+/// Coarse steps keep the light's box, and with it the shadow's raster, still while the scene moves a little.
+double round_up_coarsely(double reach, double base) {
+  constexpr double kStep = 1.25;
+  return base * std::pow(kStep, std::ceil(std::log(std::max(1.0, reach / base)) / std::log(kStep)));
+}
+
+}  // namespace
+
+SceneExtent scene_extent(const Snapshot& snapshot) {
+  constexpr double kFar = std::numeric_limits<double>::max();
+  SceneExtent extent;
+  Vector3 low{kFar, kFar, kFar};
+  Vector3 high{-kFar, -kFar, -kFar};
+  double lowest_now = kFar;
+  for (const SnapshotSurface& surface : snapshot.surfaces) {
+    check(surface);
+    for (const Float3& position : surface.topology->rest_positions) {
+      const Vector3 point = vector3(position);
+      extent.rest_points.push_back(point);
+      low = {std::min(low.x, point.x), std::min(low.y, point.y), std::min(low.z, point.z)};
+      high = {std::max(high.x, point.x), std::max(high.y, point.y), std::max(high.z, point.z)};
+    }
+    for (const Float3& position : surface.positions)
+      lowest_now = std::min(lowest_now, static_cast<double>(position[2]));
+  }
+  if (extent.rest_points.empty()) return extent;
+
+  extent.center = 0.5 * (low + high);
+  extent.size = std::max(length(high - low), 1e-6);
+  extent.floor_height = floor_below(low, high, lowest_now);
+  double reach = 0;
+  for (const SnapshotSurface& surface : snapshot.surfaces) {
+    for (const Float3& position : surface.positions) reach = std::max(reach, length(vector3(position) - extent.center));
+  }
+  extent.reach = round_up_coarsely(reach, 0.5 * extent.size);
+  return extent;
+}
+
+}  // namespace thinwall

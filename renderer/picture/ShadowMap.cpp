@@ -1,0 +1,44 @@
+#include "renderer/picture/ShadowMap.hpp"
+
+#include <array>
+
+#include "renderer/picture/ShaderProgram.hpp"
+
+namespace thinwall {
+
+ShadowMap::ShadowMap(int resolution)
+    : resolution_(resolution),
+      depth_(create_texture(GL_DEPTH_COMPONENT32F, resolution, resolution, GL_LINEAR)),
+      frame_(create_framebuffer()),
+      program_(build_program("depth.vert", "")) {
+  glTextureParameteri(depth_.name(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+  glTextureParameteri(depth_.name(), GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+  glNamedFramebufferTexture(frame_.name(), GL_DEPTH_ATTACHMENT, depth_.name(), 0);
+  glNamedFramebufferDrawBuffer(frame_.name(), GL_NONE);
+  glNamedFramebufferReadBuffer(frame_.name(), GL_NONE);
+  require_complete(frame_, "a shadow map");
+}
+
+void ShadowMap::draw(const SceneMeshes& meshes, const Matrix4& light_matrix) const {
+  glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
+  glViewport(0, 0, resolution_, resolution_);
+  glDepthMask(GL_TRUE);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  const float farthest = 1;
+  glClearNamedFramebufferfv(frame_.name(), GL_DEPTH, 0, &farthest);
+  // Steep triangles span several depths within a texel of the map; they go back by as much, or they would shade
+  // themselves.
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(2.0f, 2.0f);
+  std::array<float, 16> matrix;
+  for (std::size_t i = 0; i < 16; ++i) matrix[i] = static_cast<float>(light_matrix.values[i]);
+  glProgramUniformMatrix4fv(program_.name(), 0, 1, GL_FALSE, matrix.data());
+  glUseProgram(program_.name());
+  meshes.tissue().draw();
+  meshes.tools().draw();
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  glBindTextureUnit(0, depth_.name());
+}
+
+}  // namespace thinwall

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "renderer/picture/GlObjects.hpp"
+#include "renderer/picture/SceneMeshes.hpp"
+#include "renderer/picture/Vector.hpp"
+
+namespace thinwall {
+
+/// How far the key light reaches: depth seen from it.
+class ShadowMap {
+ public:
+  /// `resolution` in texels on a side.
+  explicit ShadowMap(int resolution);
+
+  /// Draws the map anew and binds it where shadow.glsl reads it.
+  void draw(const SceneMeshes& meshes, const Matrix4& light_matrix) const;
+
+ private:
+  int resolution_;
+  Texture depth_;
+  Framebuffer frame_;
+  Program program_;
+};
+
+}  // namespace thinwall

@@ -1,0 +1,224 @@
+#include "renderer/picture/ToolShape.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "renderer/picture/Vector.hpp"
+
+namespace thinwall {
+namespace {
+
+constexpr float kPolished = 0.10f;  // roughness of a ball or a tip
+constexpr float kBrushed = 0.24f;   // of a shaft
+
+/// A point of an outline: `back` metres from the tip against the direction, `out` metres from the middle.
+struct OutlinePoint {
+  double back = 0;
+  double out = 0;
+  double normal_back = 0;  // outward normal in the same plane, not of length one
+  double normal_out = 1;
+  float roughness = kBrushed;
+  float grip = 0;
+};
+
+class Builder {
+ public:
+  Builder(const SnapshotTool& tool, double scene_size)
+      : tip_(vector3(tool.tip)), direction_(normalized(vector3(tool.direction), {0, 0, -1})), scene_size_(scene_size) {
+    const Vector3 axis = vector3(tool.axis) - dot(vector3(tool.axis), direction_) * direction_;
+    axis_ = length(axis) > 1e-9 ? normalized(axis) : perpendicular(direction_);
+    side_ = cross(axis_, direction_);
+  }
+
+  /// The surface that `outline` sweeps around the line through the tip along the direction.
+  void turn(const std::vector<OutlinePoint>& outline) {
+    constexpr int kSegments = 40;
+    const auto first = static_cast<std::uint32_t>(shape_.vertices.size());
+    for (const OutlinePoint& point : outline) {
+      for (int i = 0; i <= kSegments; ++i) {
+        const double angle = 2 * std::numbers::pi * (i % kSegments) / kSegments;
+        const Vector3 radial = std::cos(angle) * side_ + std::sin(angle) * axis_;
+        append(tip_ - point.back * direction_ + point.out * radial,
+               normalized(point.normal_out * radial - point.normal_back * direction_), point);
+      }
+    }
+    stitch(first, static_cast<std::uint32_t>(outline.size()), kSegments + 1);
+  }
+
+  /// The closed `outline` drawn out along the axis, centred on the tip, with flat ends.
+  void draw_out(const std::vector<OutlinePoint>& outline, double span) {
+    const auto first = static_cast<std::uint32_t>(shape_.vertices.size());
+    for (const double end : {-0.5 * span, 0.5 * span}) {
+      for (const OutlinePoint& point : outline) {
+        append(place(point, end), normalized(point.normal_out * side_ - point.normal_back * direction_), point);
+      }
+    }
+    stitch(first, 2, static_cast<std::uint32_t>(outline.size()));
+    for (const double end : {-0.5 * span, 0.5 * span}) {
+      const auto fan = static_cast<std::uint32_t>(shape_.vertices.size());
+      for (const OutlinePoint& point : outline) append(place(point, end), end > 0 ? axis_ : -axis_, point);
+      for (std::uint32_t i = 2; i < outline.size(); ++i) append_triangle(fan, fan + i - 1, fan + i);
+    }
+  }
+
+  void add_rod(double back_from, double back_to, double radius) {
+    add_rod(tip_ - back_from * direction_, tip_ - back_to * direction_, radius);
+  }
+
+  void add_rod_along_axis(double back, double span, double radius) {
+    const Vector3 middle = tip_ - back * direction_;
+    add_rod(middle - 0.5 * span * axis_, middle + 0.5 * span * axis_, radius);
+  }
+
+  ToolShape take() { return std::move(shape_); }
+
+ private:
+  static Float3 float3(Vector3 a) {
+    return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
+  }
+
+  Vector3 place(const OutlinePoint& point, double along_axis) const {
+    return tip_ - point.back * direction_ + point.out * side_ + along_axis * axis_;
+  }
+
+  void append(Vector3 position, Vector3 normal, const OutlinePoint& point) {
+    shape_.vertices.push_back({.position = float3(position),
+                               .normal = float3(normal),
+                               .roughness = point.roughness,
+                               .along = static_cast<float>(point.back / scene_size_),
+                               .grip = point.grip});
+  }
+
+  void append_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    shape_.indices.insert(shape_.indices.end(), {a, b, c});
+  }
+
+  /// Triangles between consecutive rows of `columns` vertices.
+  void stitch(std::uint32_t first, std::uint32_t rows, std::uint32_t columns) {
+    for (std::uint32_t row = 0; row + 1 < rows; ++row) {
+      for (std::uint32_t column = 0; column + 1 < columns; ++column) {
+        const std::uint32_t corner = first + row * columns + column;
+        append_triangle(corner, corner + 1, corner + columns);
+        append_triangle(corner + 1, corner + columns + 1, corner + columns);
+      }
+    }
+  }
+
+  void add_rod(Vector3 start, Vector3 end, double radius) {
+    shape_.rods.push_back({float3(start), float3(end), static_cast<float>(radius)});
+  }
+
+  Vector3 tip_;
+  Vector3 direction_;
+  Vector3 axis_;
+  Vector3 side_;
+  double scene_size_;
+  ToolShape shape_;
+};
+
+/// Part of a circle around `center_back` on the middle line, from angle `from` to `to` (0 at the tip, pi at the back).
+void append_arc(std::vector<OutlinePoint>& outline, double center_back, double radius, double from, double to,
+                float roughness, int steps) {
+  for (int i = 0; i <= steps; ++i) {
+    const double angle = from + (to - from) * i / steps;
+    outline.push_back({.back = center_back - radius * std::cos(angle),
+                       .out = radius * std::sin(angle),
+                       .normal_back = -std::cos(angle),
+                       .normal_out = std::sin(angle),
+                       .roughness = roughness});
+  }
+}
+
+/// A smooth widening or narrowing from the outline's last point to (`back`, `out`).
+void append_taper(std::vector<OutlinePoint>& outline, double back, double out, float roughness) {
+  constexpr int kSteps = 10;
+  const OutlinePoint from = outline.back();
+  for (int i = 0; i <= kSteps; ++i) {
+    const double t = static_cast<double>(i) / kSteps;
+    const double slope = 6 * t * (1 - t) * (out - from.out) / (back - from.back);
+    outline.push_back({.back = from.back + t * (back - from.back),
+                       .out = from.out + t * t * (3 - 2 * t) * (out - from.out),
+                       .normal_back = -slope,
+                       .normal_out = 1,
+                       .roughness = roughness});
+  }
+}
+
+/// From the outline's last point: slim shaft, widening, handle with rings, rounded end.
+void append_shaft(std::vector<OutlinePoint>& outline, double slim, double thick, double scene_size) {
+  const double start = outline.back().back;
+  append_taper(outline, start + 0.06 * scene_size, slim, kBrushed);
+  append_taper(outline, start + 0.52 * scene_size, slim, kBrushed);
+  append_taper(outline, start + 0.62 * scene_size, thick, kBrushed);
+  for (const double back : {0.64, 0.66, 1.16, 1.18}) {
+    const bool ringed = back > 0.65 && back < 1.17;
+    outline.push_back({.back = start + back * scene_size, .out = thick, .grip = ringed ? 1.0f : 0.0f});
+  }
+  append_arc(outline, start + 1.20 * scene_size, thick, 0.5 * std::numbers::pi, std::numbers::pi, kBrushed, 8);
+}
+
+/// One millimetre where the scene allows: a probe neither vanishes in a large scene nor fills a small one.
+double probe_radius(double scene_size) {
+  return std::clamp(0.001, 0.006 * scene_size, 0.012 * scene_size);
+}
+
+ToolShape probe(const SnapshotTool& tool, double scene_size) {
+  const double radius = probe_radius(scene_size);
+  Builder builder(tool, scene_size);
+  std::vector<OutlinePoint> outline;
+  append_arc(outline, radius, radius, 0, 0.5 * std::numbers::pi, kPolished, 10);
+  append_shaft(outline, 1.25 * radius, 3 * radius, scene_size);
+  builder.turn(outline);
+  builder.add_rod(radius, outline.back().back, radius);
+  return builder.take();
+}
+
+ToolShape straight_edge(const SnapshotTool& tool, double scene_size) {
+  const double radius = 0.6 * probe_radius(scene_size);
+  const double height = 0.09 * scene_size;
+  Builder builder(tool, scene_size);
+  std::vector<OutlinePoint> outline;
+  append_arc(outline, radius, radius, -0.5 * std::numbers::pi, 0.5 * std::numbers::pi, kPolished, 12);
+  append_arc(outline, height - radius, radius, 0.5 * std::numbers::pi, 1.5 * std::numbers::pi, kBrushed, 12);
+  outline.push_back(outline.front());
+  builder.draw_out(outline, tool.length);
+  std::vector<OutlinePoint> shaft;
+  append_arc(shaft, height, 3 * radius, 0, 0.5 * std::numbers::pi, kBrushed, 8);
+  append_shaft(shaft, 3 * radius, 5 * radius, scene_size);
+  builder.turn(shaft);
+  builder.add_rod_along_axis(radius, tool.length, radius);
+  builder.add_rod(height, shaft.back().back, 3 * radius);
+  return builder.take();
+}
+
+ToolShape ball(const SnapshotTool& tool, double scene_size) {
+  const double radius = std::max(tool.radius, 0.0);
+  const double slim = std::min(0.3 * radius, 0.02 * scene_size);
+  const double joint = radius > 0 ? std::numbers::pi - std::asin(slim / radius) : 0;
+  Builder builder(tool, scene_size);
+  std::vector<OutlinePoint> outline;
+  append_arc(outline, radius, radius, 0, joint, kPolished, 32);
+  outline.push_back({.back = outline.back().back, .out = slim});
+  append_shaft(outline, slim, std::min(1.5 * slim, 0.03 * scene_size), scene_size);
+  builder.turn(outline);
+  builder.add_rod(radius, radius, radius);
+  builder.add_rod(2 * radius, outline.back().back, slim);
+  return builder.take();
+}
+
+}  // namespace
+
+ToolShape tool_shape(const SnapshotTool& tool, double scene_size) {
+  switch (tool.kind) {
+    case SnapshotToolKind::kPoint:
+      return probe(tool, scene_size);
+    case SnapshotToolKind::kLine:
+      return straight_edge(tool, scene_size);
+    case SnapshotToolKind::kSphere:
+      return ball(tool, scene_size);
+  }
+  return {};
+}
+
+}  // namespace thinwall

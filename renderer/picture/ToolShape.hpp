@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "renderer/snapshot/Snapshot.hpp"
+
+namespace thinwall {
+
+/// What the metal shader reads of a vertex.
+struct ToolVertex {
+  Float3 position{};    // metres
+  Float3 normal{};      // of length one, outward
+  float roughness = 0;  // 0 to 1
+  float along = 0;      // distance from the tip against the direction, in units of the scene's size
+  float grip = 0;       // 0 to 1: how deep the rings of the handle are
+};
+
+/// A round rod, for the shade that a tool leaves on what is near.
+struct ToolRod {
+  Float3 start{};    // metres
+  Float3 end{};      // metres
+  float radius = 0;  // metres
+};
+
+struct ToolShape {
+  std::vector<ToolVertex> vertices;
+  std::vector<std::uint32_t> indices;  // (3 x triangles)
+  std::vector<ToolRod> rods;
+};
+
+/// The metal around a tool's pose, in the world; `scene_size` is SceneExtent::size. The foremost point along the
+/// direction is exactly the tip: of a rounded probe (point), of a straight edge (line), of a ball (sphere), each with a
+/// shaft behind.
+ToolShape tool_shape(const SnapshotTool& tool, double scene_size);
+
+}  // namespace thinwall

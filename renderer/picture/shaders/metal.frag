@@ -1,0 +1,44 @@
+#version 450 core
+#include "environment.glsl"
+#include "reflection.glsl"
+#include "shadow.glsl"
+#include "tone.glsl"
+
+// Steel: it shows nothing but its surroundings, here the studio, the floor and the tissue below.
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 smooth_normal;
+layout(location = 2) in vec3 finish;
+
+layout(location = 0) out vec4 color;
+
+// The tissue as a ball around the scene's centre: its part of what `direction` sees, blurred.
+float tissue_part(vec3 direction, float blur) {
+  vec3 toward = scene_center.xyz - position;
+  float distance = length(toward);
+  float radius = 0.40 * scene_center.w;
+  float sine = min(radius / max(distance, 1e-9), 1.0);
+  float edge = sqrt(1.0 - square(sine));
+  return smoothstep(edge - 0.15 - blur, edge + 0.15 + blur, dot(direction, toward) / max(distance, 1e-9));
+}
+
+void main() {
+  vec3 view = normalize(camera_position.xyz - position);
+  vec3 normal = normalize(smooth_normal);
+  if (dot(normal, view) < 0.0) normal = -normal;
+  float roughness = finish.x;
+  float ring = finish.z * sin(2.0 * kPi * 90.0 * finish.y);
+  float groove = finish.z * smoothstep(0.2, 0.9, ring);
+  float nv = max(dot(normal, view), 0.02);
+
+  float visible = key_visibility(position, normal);
+  vec3 mirrored = reflect(-view, normal);
+  vec3 light = environment_light(mirrored, roughness, mix(0.25, 1.0, visible));
+  vec3 tissue_light = tissue.rgb * (0.25 + 0.9 * key_direction.w * saturate(key_direction.z));
+  light = mix(light, tissue_light * environment.x, tissue_part(mirrored, roughness));
+
+  const vec3 steel = vec3(0.62, 0.60, 0.575);
+  vec3 reflectance = steel + (1.0 - steel) * fresnel_weight(nv) * (1.0 - roughness);
+  vec3 result = reflectance * light * (1.0 - 0.65 * groove);
+  color = vec4(dithered(displayed(result), gl_FragCoord.xy), 1.0);
+}
