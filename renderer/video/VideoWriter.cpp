@@ -182,7 +182,7 @@ struct VideoWriter::Implementation {
   /// Makes the recording's file, because ffmpeg would only say so when the first frames have been drawn.
   void check_folder() {
     std::error_code ignored;
-    files::remove(target, ignored);
+    unlink(target.c_str());
     remove_temporary_files();
     const int file = open(names.recording.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     const int code = file < 0 ? errno : 0;

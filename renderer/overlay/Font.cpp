@@ -1,0 +1,72 @@
+#include "renderer/overlay/Font.hpp"
+
+#include <fontconfig/fontconfig.h>
+#include <pango/pangocairo.h>
+#include <pango/pangofc-fontmap.h>
+
+#include "renderer/overlay/NumberText.hpp"
+#include "renderer/picture/PictureFailure.hpp"
+
+namespace thinwall {
+namespace {
+
+/// A configuration that knows the given font files and nothing else.
+class FontSettings {
+ public:
+  FontSettings() : config_(FcConfigCreate()) {}
+  FontSettings(const FontSettings&) = delete;
+  FontSettings& operator=(const FontSettings&) = delete;
+  ~FontSettings() { FcConfigDestroy(config_); }
+
+  void add(const std::filesystem::path& file) {
+    if (FcConfigAppFontAddFile(config_, reinterpret_cast<const FcChar8*>(file.c_str()))) return;
+    throw PictureFailure("cannot read the font " + file.string() +
+                         ", which all texts on pictures are set in; install it (on Debian: apt-get install "
+                         "fonts-inter)");
+  }
+
+  FcConfig* get() const { return config_; }
+
+  /// Font files count their versions in units of 1 / 65536.
+  std::string description() const {
+    const FcFontSet* fonts = FcConfigGetFonts(config_, FcSetApplication);
+    int version = 0;
+    FcPatternGetInteger(fonts->fonts[0], FC_FONTVERSION, 0, &version);
+    return "Inter, font file version " + fixed_text(version / 65536.0, 3);
+  }
+
+ private:
+  FcConfig* config_;
+};
+
+}  // namespace
+
+void ReleaseObject::operator()(void* object) const {
+  g_object_unref(object);
+}
+
+Font::Font(const std::filesystem::path& folder) {
+  FontSettings settings;
+  settings.add(folder / "Inter-Regular.otf");
+  settings.add(folder / "Inter-SemiBold.otf");
+  description_ = settings.description();
+  map_.reset(pango_cairo_font_map_new_for_font_type(CAIRO_FONT_TYPE_FT));
+  pango_fc_font_map_set_config(PANGO_FC_FONT_MAP(map_.get()), settings.get());
+  context_.reset(pango_font_map_create_context(map_.get()));
+  cairo_font_options_t* options = cairo_font_options_create();
+  cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
+  cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
+  cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
+  pango_cairo_context_set_font_options(context_.get(), options);
+  cairo_font_options_destroy(options);
+  pango_context_set_round_glyph_positions(context_.get(), FALSE);
+  pango_context_set_language(context_.get(), pango_language_from_string("en"));
+}
+
+const Font& overlay_font() {
+  // One for each thread, because pango's font maps must not be shared.
+  thread_local const Font font(THINWALL_FONT_FOLDER);
+  return font;
+}
+
+}  // namespace thinwall

@@ -1,0 +1,68 @@
+#include "renderer/overlay/GaugePlate.hpp"
+
+#include <algorithm>
+
+#include "renderer/overlay/NumberText.hpp"
+#include "renderer/overlay/PhaseStyle.hpp"
+#include "renderer/overlay/Text.hpp"
+
+namespace thinwall {
+namespace {
+
+using plate_style::kPadding;
+using plate_style::kSmallText;
+
+/// The phase as a coloured word in a pill at the right; gives its left edge.
+double draw_phase(const Plate& plate, const OverlayGrid& grid, const std::string& phase) {
+  const double right = plate.size().width - grid.pixels(kPadding);
+  if (phase.empty()) return right;
+  const Color color = phase_color(phase);
+  const Text text(phase_label(phase), {.size = grid.pixels(kSmallText), .bold = true, .color = color},
+                  {.width = grid.pixels(110)});
+  const double width = text.width() + grid.pixels(20);
+  const Box pill{right - width, grid.pixels(12), width, grid.pixels(24)};
+  plate.fill_rounded(pill, pill.height / 2, color.with_opacity(0.18));
+  text.draw(plate, pill.x + grid.pixels(10), pill.y + (pill.height - text.height()) / 2);
+  return pill.x;
+}
+
+void draw_force(const Plate& plate, const OverlayGrid& grid, const Quantity& force) {
+  const double baseline = grid.pixels(90);
+  const double room = plate.size().width - grid.pixels(2 * kPadding + 40);
+  double size = grid.pixels(48);
+  const double width = Text(force.number, {.size = size, .bold = true}).width();
+  if (width > room) size *= room / width;
+  const Text number(force.number, {.size = size, .bold = true, .color = plate_style::kText});
+  number.draw_on_baseline(plate, grid.pixels(kPadding - 1), baseline);
+  Text(force.unit, {.size = grid.pixels(22), .color = plate_style::kFaintText})
+      .draw_on_baseline(plate, grid.pixels(kPadding + 6) + number.width(), baseline);
+}
+
+void draw_value(const Plate& plate, const OverlayGrid& grid, double x, const char* name, const Quantity& value) {
+  const double room = plate.size().width / 2.0 - grid.pixels(kPadding);
+  Text(name, {.size = grid.pixels(kSmallText), .color = plate_style::kFaintText})
+      .draw_on_baseline(plate, x, grid.pixels(129));
+  Text(value.text(), {.size = grid.pixels(19), .color = plate_style::kText}, {.width = room})
+      .draw_on_baseline(plate, x, grid.pixels(153));
+}
+
+}  // namespace
+
+void draw_gauge(Image& image, const OverlayGrid& grid, const OverlayContent& content, double peak) {
+  const Plate plate(grid, {grid.whole(plate_style::kGaugeWidth), grid.whole(plate_style::kPanelHeight)});
+  const double left = grid.pixels(kPadding);
+  const double phase_left = draw_phase(plate, grid, content.phase);
+  const double room = phase_left - left - grid.pixels(10);
+  const Text tool(content.tool, {.size = grid.pixels(kSmallText + 1), .color = plate_style::kFaintText},
+                  {.width = std::max(1.0, room)});
+  tool.draw(plate, left, grid.pixels(24) - tool.height() / 2);
+  draw_force(plate, grid, force_quantity(content.force, peak));
+  const double line = grid.pixels(107);
+  plate.line(left, line, plate.size().width - left, line, std::max(1.0, grid.unit), plate_style::kGridLine);
+  draw_value(plate, grid, left, "Depth", depth_quantity(content.depth));
+  draw_value(plate, grid, plate.size().width / 2.0, "Pressure", pressure_quantity(content.pressure));
+  const int margin = grid.whole(plate_style::kMargin);
+  plate.blend_onto(image, margin, image.size.height - margin - plate.size().height);
+}
+
+}  // namespace thinwall

@@ -1,0 +1,73 @@
+#include "renderer/overlay/Overlay.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/overlay/GaugePlate.hpp"
+#include "renderer/overlay/Plate.hpp"
+#include "renderer/overlay/PlotPlate.hpp"
+#include "renderer/overlay/TextPlates.hpp"
+
+namespace thinwall {
+namespace {
+
+using namespace plate_style;
+
+double peak_of(const OverlayContent& content) {
+  double peak = std::abs(content.force);
+  for (const ForceSample& sample : content.history) peak = std::max(peak, std::abs(sample.force));
+  return peak;
+}
+
+/// Between gauge and plot where that is wide enough to read, else above them.
+CaptionSpace caption_space(const OverlayGrid& grid, const OverlayContent& content) {
+  constexpr double kGap = 22;
+  constexpr double kWidest = 800;
+  constexpr double kNarrowest = 420;
+  const int margin = grid.whole(kMargin);
+  const int center = grid.size.width / 2;
+  const double gauge = content.show_gauge ? grid.pixels(kGaugeWidth + kGap) : 0;
+  const double plot = content.show_force_plot ? grid.pixels(kPlotWidth + kGap) : 0;
+  const double beside = 2 * (center - margin - std::max(gauge, plot));
+  const double whole = std::min(2.0 * (center - margin), grid.pixels(kWidest));
+  const int bottom = grid.size.height - margin;
+  if (gauge + plot == 0 || beside >= grid.pixels(kNarrowest)) {
+    return {center, bottom, static_cast<int>(std::min(beside, whole)), grid.whole(kPanelHeight)};
+  }
+  return {center, bottom - grid.whole(kPanelHeight) - grid.whole(kGap), static_cast<int>(whole), grid.whole(90)};
+}
+
+}  // namespace
+
+OverlayGrid::OverlayGrid(ImageSize picture) : size(picture) {
+  constexpr double kNarrowestWidth = 2 * kMargin + kGaugeWidth + kPlotWidth + 50;
+  unit = std::min(picture.height / 720.0, picture.width / kNarrowestWidth);
+}
+
+int OverlayGrid::whole(double units) const {
+  return std::max(1, static_cast<int>(std::lround(pixels(units))));
+}
+
+Plate::Plate(const OverlayGrid& grid, ImageSize size) : Canvas(size) {
+  const double edge = std::max(1.0, grid.unit);
+  const double radius = grid.pixels(kRadius);
+  const Box whole{0, 0, static_cast<double>(size.width), static_cast<double>(size.height)};
+  const Box inner{edge / 2, edge / 2, size.width - edge, size.height - edge};
+  fill_rounded(whole, radius, kFill);
+  stroke_rounded(inner, radius - edge / 2, edge, kEdge);
+}
+
+void draw_overlay(Image& image, const OverlayContent& content) {
+  const OverlayGrid grid(image.size);
+  const double peak = peak_of(content);
+  int title_end = image.size.width - grid.whole(kMargin);
+  if (content.show_time) title_end = draw_time(image, grid, content.time, content.duration) - grid.whole(kMargin);
+  if (!content.title.empty()) draw_title(image, grid, content.title, title_end);
+  if (content.show_gauge) draw_gauge(image, grid, content, peak);
+  if (content.show_force_plot) draw_force_plot(image, grid, content, peak);
+  if (content.show_caption && !content.caption.empty()) {
+    draw_caption(image, grid, content.caption, caption_space(grid, content));
+  }
+}
+
+}  // namespace thinwall

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+
+#include "renderer/overlay/Overlay.hpp"
+#include "renderer/overlay/Plate.hpp"
+
+namespace thinwall {
+
+/// The time of the frame, top right; gives the plate's left edge in pixels.
+int draw_time(Image& image, const OverlayGrid& grid, double time, double duration);
+
+/// The title, top left, cut with an ellipsis before `right` (pixels).
+void draw_title(Image& image, const OverlayGrid& grid, const std::string& title, int right);
+
+/// Where a caption may stand, in pixels.
+struct CaptionSpace {
+  int center = 0;
+  int bottom = 0;
+  int width = 0;
+  int height = 0;
+};
+
+/// The caption: wraps, becomes smaller when long, and is cut with an ellipsis only when even that does not help.
+void draw_caption(Image& image, const OverlayGrid& grid, const std::string& caption, const CaptionSpace& space);
+
+}  // namespace thinwall
