@@ -10,9 +10,12 @@ namespace thinwall {
 
 /// One mistake in a user's input.
 struct Diagnostic {
-  SourceLocation location;
-  std::string message;  // with the key's path, what is allowed, and the cure
+  SourceLocation location = {};
+  std::string message = {};  // with the key's path, what is allowed, and the cure
 };
+
+/// `file:line:column`
+std::string to_text(const SourceLocation& location);
 
 /// `file:line:column: error: message`
 std::string to_text(const Diagnostic& diagnostic);

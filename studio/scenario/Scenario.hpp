@@ -17,14 +17,14 @@ namespace thinwall {
 
 /// Where something stands in a scenario file. Lines and columns count from 1.
 struct SourceLocation {
-  std::filesystem::path file;
+  std::filesystem::path file = {};
   int line = 1;
   int column = 1;
 };
 
 struct MeshFileSource {
-  std::filesystem::path file;  // absolute or relative to the working directory
-  double unit = 1;             // metres per unit of the file
+  std::filesystem::path file = {};  // absolute or relative to the working directory
+  double unit = 1;                  // metres per unit of the file
 };
 
 enum class Shape { kSphere, kHemisphere, kSemicylinder, kSheet, kDisc, kCylinder, kAnnulus, kStrip };
@@ -39,38 +39,39 @@ struct ShapeSource {
 };
 
 struct ThicknessRegion {
-  Region region;
+  Region region = {};
   double value = 0;  // metres
 };
 
 struct ThicknessField {
-  double standard = 0;                   // metres
-  std::vector<ThicknessRegion> regions;  // a later one wins
+  double standard = 0;                        // metres
+  std::vector<ThicknessRegion> regions = {};  // a later one wins
 };
 
 struct BodyScenario {
-  std::string name;
-  SourceLocation location;          // of the body's key
-  SourceLocation surface_location;  // of its `surface`
-  std::variant<MeshFileSource, ShapeSource> surface;
-  ThicknessField thickness;
+  std::string name = {};
+  SourceLocation location = {};          // of the body's key
+  SourceLocation surface_location = {};  // of its `surface`
+  std::variant<MeshFileSource, ShapeSource> surface = {};
+  ThicknessField thickness = {};
   double density = 1060;  // kg / metre^3, of the wall
-  Material material;
+  Material material = {};
   double prestretch = 1;
-  FluidDefinition fluid;
-  std::vector<FixedRegion> fixed;
-  std::vector<SourceLocation> fixed_locations;      // (fixed)
-  std::vector<SourceLocation> thickness_locations;  // (thickness.regions)
+  FluidDefinition fluid = {};
+  bool pressure_given = false;  // without it the volume is the surface's and the pressure follows
+  std::vector<FixedRegion> fixed = {};
+  std::vector<SourceLocation> fixed_locations = {};      // (fixed)
+  std::vector<SourceLocation> thickness_locations = {};  // (thickness.regions)
 };
 
 enum class Ease { kLinear, kSmooth };
 
 struct PalpateClip {
-  std::string tool;
-  std::string body;
+  std::string tool = {};
+  std::string body = {};
   Eigen::Vector3d at = Eigen::Vector3d::Zero();           // metres, a point of the line of approach
   Eigen::Vector3d direction = -Eigen::Vector3d::UnitZ();  // unit
-  std::optional<Eigen::Vector3d> axis;                    // y' of the tool frame, a direction
+  std::optional<Eigen::Vector3d> axis = {};               // y' of the tool frame, a direction
   double depth = 0;                                       // metres from first contact
   double speed = 0.01;                                    // metres / second
   double hold = 0;                                        // seconds
@@ -79,12 +80,12 @@ struct PalpateClip {
 };
 
 struct MoveClip {
-  std::string tool;
-  std::optional<std::string> body;               // the one that a point or line may touch; the only one when absent
-  std::optional<Eigen::Vector3d> from;           // metres; where the tool is when absent
-  Eigen::Vector3d to = Eigen::Vector3d::Zero();  // metres
-  std::optional<Eigen::Vector3d> direction;      // unit; that of the motion when absent
-  std::optional<Eigen::Vector3d> axis;
+  std::string tool = {};
+  std::optional<std::string> body = {};           // the one that a point or line may touch; the only one when absent
+  std::optional<Eigen::Vector3d> from = {};       // metres; where the tool is when absent
+  Eigen::Vector3d to = Eigen::Vector3d::Zero();   // metres
+  std::optional<Eigen::Vector3d> direction = {};  // unit; that of the motion when absent
+  std::optional<Eigen::Vector3d> axis = {};
   double duration = 1;  // seconds
   Ease ease = Ease::kSmooth;
 };
@@ -94,11 +95,11 @@ struct WaitClip {
 };
 
 struct Clip {
-  std::variant<PalpateClip, MoveClip, WaitClip> action;
-  SourceLocation location;
-  std::optional<double> start;         // seconds; after the clip before it when absent
-  std::optional<std::string> caption;  // shown while the clip lasts
-  std::optional<std::string> chapter;  // title of a chapter that begins with the clip
+  std::variant<PalpateClip, MoveClip, WaitClip> action = {};
+  SourceLocation location = {};
+  std::optional<double> start = {};         // seconds; after the clip before it when absent
+  std::optional<std::string> caption = {};  // shown while the clip lasts
+  std::optional<std::string> chapter = {};  // title of a chapter that begins with the clip
 };
 
 struct OverlayChoice {
@@ -109,7 +110,7 @@ struct OverlayChoice {
 };
 
 struct RecordOptions {
-  ImageSize size;
+  ImageSize size = {};
   double frames_per_second = 30;
   bool video = true;
   Tier tier = Tier::kRecord;
@@ -119,24 +120,26 @@ struct GoldenDefinition {
   double at = 0;    // seconds
   double max = 0;   // largest allowed difference, 8-bit levels
   double mean = 0;  // largest allowed mean difference, 8-bit levels
-  std::string why;
-  SourceLocation location;
+  std::string why = {};
+  SourceLocation location = {};
 };
 
 /// A checked scenario: every quantity in SI, every reference resolved, every value in range.
 struct Scenario {
-  std::filesystem::path file;
-  std::string name;                   // the file's name without directory and extension
-  std::string title;                  // the name when absent
-  std::vector<BodyScenario> bodies;   // in the order of the file
-  std::vector<ToolDefinition> tools;  // in the order of the file
-  std::vector<Clip> timeline;
-  SimulationOptions simulation;
-  ViewDefinition view;
-  OverlayChoice overlays;
-  RecordOptions record;
-  std::vector<GoldenDefinition> goldens;
-  std::string resolved;  // the whole scenario as JSON text with parameters and defaults filled in, keys in schema order
+  std::filesystem::path file = {};
+  std::string name = {};                   // the file's name without directory and extension
+  std::string title = {};                  // the name when absent
+  std::vector<BodyScenario> bodies = {};   // in the order of the file
+  std::vector<ToolDefinition> tools = {};  // in the order of the file
+  std::vector<Clip> timeline = {};
+  SimulationOptions simulation = {};
+  ViewDefinition view = {};
+  OverlayChoice overlays = {};
+  RecordOptions record = {};
+  std::vector<GoldenDefinition> goldens = {};
+  std::vector<std::string> warnings = {};  // what a user should know: `file:line:column: warning: message`
+  std::string resolved =
+      {};  // the whole scenario as JSON text with parameters and defaults filled in, keys in schema order
 };
 
 }  // namespace thinwall

@@ -1,0 +1,183 @@
+#include "engine/material/WallLaw.hpp"
+#include "studio/scenario/SchemaSections.hpp"
+#include "studio/scenario/Wording.hpp"
+
+namespace thinwall {
+namespace {
+
+KeySchema length_key(const std::string& key, const std::string& fallback, const std::string& documentation) {
+  return {key, quantity_value(kLength, kAboveZero, fallback), false, fallback, documentation};
+}
+
+/// The shapes with the keys that each has besides `triangles`.
+std::vector<CaseSchema> shape_cases() {
+  const KeySchema radius = length_key("radius", "20 mm", "radius");
+  const KeySchema along_y = length_key("length", "40 mm", "extent along y");
+  const KeySchema along_x = length_key("width", "40 mm", "extent along x");
+  const KeySchema hole = length_key("inner_radius", "10 mm", "radius of the hole");
+  return {
+      {"sphere", "closed sphere", {radius}},
+      {"hemisphere", "base on z = 0, closed by a cap; crown towards +z; 64 triangles give the 41-node mesh", {radius}},
+      {"semicylinder", "base on z = 0, axis along y, closed by caps", {radius, along_y}},
+      {"sheet", "open rectangle in z = 0", {along_y, along_x}},
+      {"disc", "open disc in z = 0", {radius}},
+      {"cylinder", "axis along y, closed by caps at both ends", {radius, along_y}},
+      {"annulus", "open ring in z = 0", {radius, hole}},
+      {"strip", "open narrow rectangle in z = 0", {along_y, along_x}},
+  };
+}
+
+ValueSchema surface_value() {
+  ValueSchema unit = quantity_value(kLength, kAboveZero, "mm");
+  unit.bare_unit = true;
+  MappingSchema mesh{.name = "surface", .documentation = "A surface from a file: OBJ, PLY, STL, glTF and others."};
+  mesh.keys = {
+      {"mesh", path_value(), true, {}, "file with the stress-free surface"},
+      {"unit", unit, false, "m", "length of the file's unit: `mm`, `30 mm`"},
+  };
+  MappingSchema shape{.name = "surface", .documentation = "A shape, centred on the origin."};
+  shape.selector = "shape";
+  shape.cases = shape_cases();
+  std::vector<std::string> words;
+  for (const CaseSchema& row : shape.cases) words.push_back(row.word);
+  shape.keys = {
+      {"shape", word_value(words), true, {}, "which shape"},
+      {"triangles", integer_value(4, 200000, "1280"), false, "1280", "wanted number of wall triangles"},
+  };
+  return mapping_value({mesh, shape});
+}
+
+ValueSchema material_value() {
+  MappingSchema material{.name = "material", .documentation = "How the wall resists stretch."};
+  material.selector = "law";
+  std::vector<std::string> words;
+  for (const WallLaw& law : wall_laws()) {
+    CaseSchema row{.word = std::string(law.name), .documentation = std::string(law.formula)};
+    for (const LawParameter& parameter : law.parameters) {
+      const Dimension dimension = parameter.unit.empty() ? kNumber : parse_unit(parameter.unit).dimension;
+      const Range range{
+          .minimum = parameter.minimum, .maximum = parameter.maximum, .minimum_excluded = parameter.minimum_excluded};
+      const ValueSchema value = quantity_value(dimension, range, dimension == kNumber ? "0.4" : "20 kPa");
+      std::optional<std::string> fallback;
+      if (parameter.fallback) fallback = format_like(*parameter.fallback, dimension_example(dimension));
+      row.keys.push_back(
+          {std::string(parameter.name), value, !parameter.fallback, fallback, std::string(parameter.documentation)});
+    }
+    words.push_back(row.word);
+    material.cases.push_back(std::move(row));
+  }
+  material.keys = {{"law", word_value(words), true, {}, "law of the wall's strain energy"}};
+  return mapping_value({material});
+}
+
+ValueSchema thickness_value() {
+  const ValueSchema thickness = quantity_value(kLength, kAboveZero);
+  MappingSchema part{.name = "thickness region", .documentation = "A part of the wall with a thickness of its own."};
+  part.keys = {
+      {"in", region_schema(), true, {}, "where"},
+      {"value", thickness, true, {}, "thickness there"},
+  };
+  MappingSchema field{.name = "thickness field", .documentation = "A thickness that differs from place to place."};
+  field.keys = {
+      {"default", thickness, true, {}, "thickness where no region says otherwise"},
+      {"regions", list_value(mapping_value({part})), false, "[]", "parts of the wall; a later one wins"},
+  };
+  ValueSchema value = thickness;
+  value.mappings = {field};
+  return value;
+}
+
+ValueSchema wall_value() {
+  MappingSchema wall{.name = "wall", .documentation = "The thin wall of a body."};
+  wall.keys = {
+      {"model", word_value({"membrane"}), false, "membrane", "membrane: no bending stiffness"},
+      {"thickness", thickness_value(), true, {}, "thickness of the stress-free wall"},
+      {"density", quantity_value(kDensity, kAboveZero, "1060 kg/m^3"), false, "1060 kg/m^3", "density of the wall"},
+      {"material", material_value(), true, {}, "law and constants"},
+      {"prestretch", quantity_value(kNumber, {.minimum = 0, .maximum = 10, .minimum_excluded = true}, "1.1"), false,
+       "1", "in-plane stretch of the given surface: each triangle's rest shape is the given one shrunk by it"},
+  };
+  return mapping_value({wall});
+}
+
+ValueSchema contents_value() {
+  const KeySchema pressure{"pressure",
+                           quantity_value(kPressure, {}, "2 kPa"),
+                           false,
+                           {},
+                           "pressure above the surroundings at time zero, the volume follows; when absent the volume "
+                           "is the surface's and the pressure follows"};
+  const KeySchema density{"density", quantity_value(kDensity, kAboveZero, "1010 kg/m^3"), false, "1010 kg/m^3",
+                          "density of the fluid"};
+  const KeySchema bulk_modulus{"bulk_modulus", quantity_value(kPressure, kAboveZero, "2 MPa"), false, "2 MPa",
+                               "pressure per relative loss of volume"};
+  MappingSchema contents{.name = "contents", .documentation = "The fluid that wall and caps enclose."};
+  contents.selector = "fluid";
+  contents.cases = {
+      {"none", "no fluid: an open surface", {}},
+      {"incompressible", "the volume is kept", {pressure, density}},
+      {"compressible", "the pressure grows with the loss of volume", {pressure, density, bulk_modulus}},
+  };
+  contents.keys = {
+      {"fluid", word_value({"none", "incompressible", "compressible"}), false, "incompressible", "kind of the fluid"}};
+  return mapping_value({contents});
+}
+
+ValueSchema fixed_value() {
+  MappingSchema fixed{.name = "fixed", .documentation = "Vertices that keep their stress-free positions."};
+  fixed.keys = {
+      {"region", region_schema(), true, {}, "which vertices"},
+      {"axes", {.kind = ValueKind::kAxes}, false, "xyz", "along which axes"},
+  };
+  return list_value(mapping_value({fixed}));
+}
+
+MappingSchema one_key_region(const std::string& key, ValueSchema value, const std::string& documentation) {
+  return {.name = "region", .documentation = documentation, .keys = {{key, std::move(value), true, {}, documentation}}};
+}
+
+ValueSchema half_space(const std::string& name, const std::string& documentation) {
+  MappingSchema part{.name = name, .documentation = documentation};
+  part.keys = {
+      {"axis", word_value({"x", "y", "z"}), true, {}, "axis that is measured along"},
+      {"at", quantity_value(kLength, {}, "5 mm"), true, {}, "coordinate on it"},
+  };
+  return mapping_value({part});
+}
+
+}  // namespace
+
+ValueSchema region_schema() {
+  ValueSchema plane = half_space("plane", "To either side of a plane.");
+  plane.mappings[0].keys.push_back(
+      {"within", quantity_value(kLength, kFromZero, "0.1 mm"), false, "0.001 mm", "distance to either side"});
+  MappingSchema box{.name = "box", .documentation = "An upright box."};
+  box.keys = {{"min", vector_value(kLength, {}, "[0, 0, 10 mm]"), true, {}, "lowest corner"},
+              {"max", vector_value(kLength, {}, "[5 mm, 5 mm, 20 mm]"), true, {}, "highest corner"}};
+  MappingSchema ball{.name = "sphere", .documentation = "A ball."};
+  ball.keys = {{"center", vector_value(kLength, {}, "[0, 0, 20 mm]"), true, {}, "middle"},
+               {"radius", quantity_value(kLength, kAboveZero, "5 mm"), true, {}, "radius"}};
+  ValueSchema boundary = word_value({"true"});
+  return mapping_value({
+      one_key_region("group", name_value(), "a group of vertices of the surface: `base`, `ends`, `wall`"),
+      one_key_region("plane", plane, "near a plane"),
+      one_key_region("below", half_space("below", "Where the coordinate is at most `at`."), "below a plane"),
+      one_key_region("above", half_space("above", "Where the coordinate is at least `at`."), "above a plane"),
+      one_key_region("box", mapping_value({box}), "in a box"),
+      one_key_region("sphere", mapping_value({ball}), "in a ball"),
+      one_key_region("boundary", boundary, "the open edges of the wall, capped or not"),
+  });
+}
+
+ValueSchema bodies_schema() {
+  MappingSchema body{.name = "body", .documentation = "A thin wall and what it encloses."};
+  body.keys = {
+      {"surface", surface_value(), true, {}, "the stress-free surface"},
+      {"wall", wall_value(), true, {}, "the wall"},
+      {"contents", contents_value(), false, "{}", "the fluid inside"},
+      {"fixed", fixed_value(), false, "[]", "what is held in place"},
+  };
+  return named_value(std::move(body), 1);
+}
+
+}  // namespace thinwall

@@ -1,0 +1,144 @@
+#include "studio/scenario/IncludePass.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "studio/scenario/Wording.hpp"
+#include "studio/scenario/YamlReader.hpp"
+
+namespace thinwall {
+namespace {
+
+constexpr std::size_t kMostFiles = 64;
+
+/// Keys whose word decides which other keys a mapping has.
+constexpr std::array<std::string_view, 5> kSelectors = {"law", "kind", "fluid", "shape", "mesh"};
+
+bool differ_in_kind(const TextNode& nearer, const TextNode& farther) {
+  for (const std::string_view selector : kSelectors) {
+    const TextMember* own = nearer.find(selector);
+    if (own == nullptr) continue;
+    const TextMember* other = farther.find(selector);
+    if (selector == "mesh") {
+      if (other == nullptr && farther.find("shape") != nullptr) return true;
+    } else if (selector == "shape" && other == nullptr) {
+      if (farther.find("mesh") != nullptr) return true;
+    } else if (other != nullptr && other->value.text != own->value.text) {
+      return true;
+    }
+  }
+  return false;
+}
+
+TextNode merged(TextNode nearer, TextNode farther) {
+  if (nearer.kind != NodeKind::kMapping || farther.kind != NodeKind::kMapping) return nearer;
+  if (differ_in_kind(nearer, farther)) return nearer;
+  TextNode result = std::move(farther);
+  result.location = nearer.location;
+  for (TextMember& member : nearer.members) {
+    TextMember* below = result.find(member.key);
+    if (below == nullptr) {
+      result.members.push_back(std::move(member));
+    } else {
+      below->location = member.location;
+      below->value = merged(std::move(member.value), std::move(below->value));
+    }
+  }
+  return result;
+}
+
+class Includer {
+ public:
+  explicit Includer(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+  /// Replaces the root by itself merged over what it includes.
+  void include(TextNode& root) {
+    const auto include =
+        std::ranges::find_if(root.members, [](const TextMember& member) { return member.key == "include"; });
+    if (include == root.members.end()) return;
+    const TextNode list = std::move(include->value);
+    const SourceLocation key = include->location;
+    root.members.erase(include);
+    TextNode below;
+    for (const TextNode* item : named_files(list, key)) {
+      std::optional<TextNode> file = read(*item);
+      if (!file) continue;
+      below = below.kind == NodeKind::kEmpty ? std::move(*file) : merged(std::move(*file), std::move(below));
+    }
+    if (below.kind == NodeKind::kMapping) root = merged(std::move(root), std::move(below));
+  }
+
+  void begin(const std::filesystem::path& file) { open_.push_back(identity(file)); }
+
+ private:
+  /// One path for all the ways to write it, so that a cycle is seen.
+  static std::filesystem::path identity(const std::filesystem::path& file) {
+    std::error_code failure;
+    std::filesystem::path canonical = std::filesystem::weakly_canonical(file, failure);
+    return failure ? file.lexically_normal() : canonical;
+  }
+
+  std::vector<const TextNode*> named_files(const TextNode& list, const SourceLocation& key) {
+    std::vector<const TextNode*> files;
+    if (list.kind == NodeKind::kText) return {&list};
+    if (list.kind == NodeKind::kMapping) {
+      diagnostics_.error(key, "include", "expected a file or a list of files, got a mapping");
+    }
+    for (std::size_t index = 0; index < list.items.size(); ++index) {
+      const TextNode& item = list.items[index];
+      if (item.kind == NodeKind::kText) {
+        files.push_back(&item);
+      } else {
+        diagnostics_.error(item.location, item_path("include", index),
+                           "expected the path of a file, got " + describe(item));
+      }
+    }
+    return files;
+  }
+
+  std::optional<TextNode> read(const TextNode& item) {
+    if (item.text.find("${") != std::string::npos) {
+      diagnostics_.error(item.location, "include", "parameters are not known yet where files are included");
+      return std::nullopt;
+    }
+    const std::filesystem::path file = (item.location.file.parent_path() / item.text).lexically_normal();
+    const std::filesystem::path id = identity(file);
+    if (std::ranges::find(open_, id) != open_.end()) {
+      diagnostics_.error(item.location, "include", in_backticks(item.text) + " includes itself");
+      return std::nullopt;
+    }
+    if (++files_ > kMostFiles) {
+      if (files_ == kMostFiles + 1) diagnostics_.error(item.location, "include", "more than 64 files are included");
+      return std::nullopt;
+    }
+    std::error_code failure;
+    if (!std::filesystem::is_regular_file(file, failure)) {
+      diagnostics_.error(item.location, "include", "there is no file " + in_backticks(file.string()));
+      return std::nullopt;
+    }
+    std::optional<TextNode> node = read_yaml_file(file, diagnostics_);
+    if (!node) return std::nullopt;
+    if (node->kind != NodeKind::kMapping) {
+      diagnostics_.error(item.location, "include", in_backticks(item.text) + " does not hold a mapping");
+      return std::nullopt;
+    }
+    open_.push_back(id);
+    include(*node);
+    open_.pop_back();
+    return node;
+  }
+
+  Diagnostics& diagnostics_;
+  std::vector<std::filesystem::path> open_;  // the files that are being included, outermost first
+  std::size_t files_ = 0;
+};
+
+}  // namespace
+
+void include_pass(TextNode& root, Diagnostics& diagnostics) {
+  Includer includer(diagnostics);
+  includer.begin(root.location.file);
+  includer.include(root);
+}
+
+}  // namespace thinwall

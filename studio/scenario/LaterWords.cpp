@@ -1,0 +1,53 @@
+#include "studio/scenario/LaterWords.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace thinwall {
+namespace {
+
+constexpr std::array kLaterWords = {
+    LaterWord{"scenario", "expect", "`expect`"},
+    LaterWord{"body", "loads", "`loads`"},
+    LaterWord{"wall", "viscosity", "`viscosity`"},
+    LaterWord{"wall", "toughness", "`toughness`"},
+    LaterWord{"wall", "fibres", "`fibres`"},
+    LaterWord{"wall.model", "shell", "`shell`"},
+    LaterWord{"wall.prestretch", "", "`prestretch` by direction or region"},
+    LaterWord{"material", "fibres", "`fibres`"},
+    LaterWord{"material.law", "gent", "`gent`"},
+    LaterWord{"material.law", "ogden", "`ogden`"},
+    LaterWord{"material.law", "fung", "`fung`"},
+    LaterWord{"material.law", "holzapfel", "`holzapfel`"},
+    LaterWord{"contents", "leaks", "`leaks`"},
+    LaterWord{"contents", "discharge", "`discharge`"},
+    LaterWord{"tool.kind", "capsule", "`capsule`"},
+    LaterWord{"tool.kind", "plate", "`plate`"},
+    LaterWord{"tool.kind", "needle", "`needle`"},
+    LaterWord{"tool.kind", "scalpel", "`scalpel`"},
+    LaterWord{"tool.kind", "forceps", "`forceps`"},
+    LaterWord{"clip", "pierce", "`pierce`"},
+    LaterWord{"clip", "incise", "`incise`"},
+    LaterWord{"clip", "inflate", "`inflate`"},
+    LaterWord{"clip", "drain", "`drain`"},
+    LaterWord{"clip", "grasp", "`grasp`"},
+    LaterWord{"clip", "release", "`release`"},
+    LaterWord{"camera", "follow", "`follow`"},
+    LaterWord{"camera", "keyframes", "`keyframes`"},
+    LaterWord{"camera.kind", "endoscope", "`endoscope`"},
+    LaterWord{"lights", "endoscope", "`endoscope`"},
+};
+
+}  // namespace
+
+std::span<const LaterWord> later_words() {
+  return kLaterWords;
+}
+
+const LaterWord* find_later_word(std::string_view where, std::string_view word) {
+  const auto row = std::ranges::find_if(
+      kLaterWords, [&](const LaterWord& later) { return later.where == where && later.word == word; });
+  return row == kLaterWords.end() ? nullptr : &*row;
+}
+
+}  // namespace thinwall

@@ -1,0 +1,149 @@
+#include "studio/scenario/LintPass.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <optional>
+
+#include "studio/scenario/ClipTimes.hpp"
+#include "studio/scenario/Quantity.hpp"
+#include "studio/scenario/TextNode.hpp"
+#include "studio/scenario/Wording.hpp"
+
+namespace thinwall {
+namespace {
+
+/// Sine of the smallest angle that is not taken for parallel: a thousandth of a degree.
+constexpr double kParallel = 1.7e-5;
+
+/// The three numbers of a member, when they are there and right.
+std::optional<Eigen::Vector3d> find_vector(const CheckedValue& mapping, std::string_view key) {
+  const CheckedValue* list = mapping.find(key);
+  if (list == nullptr || list->items.size() != 3) return std::nullopt;
+  return Eigen::Vector3d(list->items[0].number, list->items[1].number, list->items[2].number);
+}
+
+bool are_parallel(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return a.normalized().cross(b.normalized()).norm() < kParallel;
+}
+
+void check_shape(const CheckedMember& body, const std::string& path, Diagnostics& diagnostics) {
+  const CheckedValue* surface = body.value.find("surface");
+  const CheckedValue* shape = surface == nullptr ? nullptr : surface->find("shape");
+  if (shape == nullptr) return;
+  const CheckedValue* radius = surface->find("radius");
+  const CheckedValue* hole = surface->find("inner_radius");
+  if (radius != nullptr && hole != nullptr && hole->number >= radius->number) {
+    diagnostics.error(hole->location, path + ".surface.inner_radius", "the hole must be smaller than `radius`");
+  }
+  const CheckedValue* contents = body.value.find("contents");
+  const CheckedValue* fluid = contents == nullptr ? nullptr : contents->find("fluid");
+  const std::string& word = shape->text;
+  const bool is_open = word == "sheet" || word == "disc" || word == "annulus" || word == "strip";
+  if (is_open && fluid != nullptr && fluid->text != "none") {
+    diagnostics.error(
+        fluid->location, path + ".contents",
+        "the shape " + in_backticks(word) + " is open and holds no fluid; write `contents: { fluid: none }`");
+  }
+}
+
+void check_boxes(const CheckedValue& value, const std::string& path, Diagnostics& diagnostics) {
+  for (std::size_t index = 0; index < value.items.size(); ++index) {
+    check_boxes(value.items[index], item_path(path, index), diagnostics);
+  }
+  for (const CheckedMember& member : value.members) {
+    const std::string inner = member_path(path, member.key);
+    check_boxes(member.value, inner, diagnostics);
+    const auto low = find_vector(member.value, "min");
+    const auto high = find_vector(member.value, "max");
+    if (member.key == "box" && low && high && (low->array() > high->array()).any()) {
+      diagnostics.error(member.location, inner, "a component of `min` is larger than that of `max`");
+    }
+  }
+}
+
+void check_camera(const CheckedValue& root, Diagnostics& diagnostics) {
+  const CheckedValue* camera = root.find("camera");
+  if (camera == nullptr) return;
+  const auto position = find_vector(*camera, "position");
+  const auto target = find_vector(*camera, "target");
+  const auto up = find_vector(*camera, "up");
+  if (!position || !target) return;
+  if (*position == *target) {
+    diagnostics.error(camera->find("target")->location, "camera.target", "the camera stands where it looks");
+  } else if (up && are_parallel(*up, *target - *position)) {
+    diagnostics.error(camera->find("up")->location, "camera.up", "the camera looks along `up`");
+  }
+}
+
+void check_frame(const CheckedMember& clip, const std::string& path, Diagnostics& diagnostics) {
+  const CheckedValue& values = clip.value;
+  auto direction = find_vector(values, "direction");
+  const auto from = find_vector(values, "from");
+  const auto to = find_vector(values, "to");
+  if (clip.key == "move" && !direction && !values.has_wrong("direction") && from && to) {
+    if (*from == *to) {
+      diagnostics.error(clip.location, path, "`direction` is missing: `from` and `to` are the same point");
+      return;
+    }
+    direction = (*to - *from).normalized();
+  }
+  const auto axis = find_vector(values, "axis");
+  if (axis && direction && are_parallel(*axis, *direction)) {
+    diagnostics.error(values.find("axis")->location, path + ".axis", "the axis lies along the direction");
+  }
+}
+
+void check_overlaps(const std::vector<ClipTimes>& clips, Diagnostics& diagnostics) {
+  for (std::size_t later = 0; later < clips.size(); ++later) {
+    for (std::size_t earlier = 0; earlier < later; ++earlier) {
+      const ClipTimes& a = clips[earlier];
+      const ClipTimes& b = clips[later];
+      if (a.tool.empty() || a.tool != b.tool || !certainly_overlap(a, b)) continue;
+      diagnostics.error(b.location, b.path,
+                        "drives " + in_backticks(a.tool) + " while " + a.path + " in line " +
+                            std::to_string(a.location.line) + " still does");
+    }
+  }
+}
+
+void check_goldens(const CheckedValue& root, const std::vector<ClipTimes>& clips, Diagnostics& diagnostics) {
+  const CheckedValue* goldens = root.find("golden");
+  if (goldens == nullptr) return;
+  const std::optional<double> end = end_of_timeline(clips);
+  std::vector<double> times;
+  for (std::size_t index = 0; index < goldens->items.size(); ++index) {
+    const CheckedValue* at = goldens->items[index].find("at");
+    if (at == nullptr) continue;
+    const std::string path = item_path("golden", index) + ".at";
+    if (end && at->number > *end) {
+      diagnostics.error(at->location, path, "the timeline ends at " + format_like(*end, "1 s"));
+    }
+    if (std::ranges::find(times, at->number) != times.end()) {
+      diagnostics.error(at->location, path, "there is a golden at this time already");
+    }
+    times.push_back(at->number);
+  }
+}
+
+}  // namespace
+
+void lint_pass(const CheckedValue& root, Diagnostics& diagnostics) {
+  if (const CheckedValue* bodies = root.find("bodies")) {
+    for (const CheckedMember& body : bodies->members) {
+      check_shape(body, member_path("bodies", body.key), diagnostics);
+    }
+    check_boxes(*bodies, "bodies", diagnostics);
+  }
+  check_camera(root, diagnostics);
+  const CheckedValue* timeline = root.find("timeline");
+  for (std::size_t index = 0; timeline != nullptr && index < timeline->items.size(); ++index) {
+    const CheckedValue& item = timeline->items[index];
+    if (item.members.empty()) continue;
+    check_frame(item.members[0], member_path(item_path("timeline", index), item.members[0].key), diagnostics);
+  }
+  const std::vector<ClipTimes> clips = clip_times(root);
+  check_overlaps(clips, diagnostics);
+  check_goldens(root, clips, diagnostics);
+}
+
+}  // namespace thinwall

@@ -1,0 +1,55 @@
+#include "studio/scenario/LoadScenario.hpp"
+
+#include "studio/scenario/Diagnostics.hpp"
+#include "studio/scenario/IncludePass.hpp"
+#include "studio/scenario/LintPass.hpp"
+#include "studio/scenario/ParameterPass.hpp"
+#include "studio/scenario/ReferencePass.hpp"
+#include "studio/scenario/ResolvedScenario.hpp"
+#include "studio/scenario/ScenarioBuilder.hpp"
+#include "studio/scenario/Schema.hpp"
+#include "studio/scenario/UnitPass.hpp"
+#include "studio/scenario/YamlReader.hpp"
+
+namespace thinwall {
+namespace {
+
+/// The file's nodes; throws when there is no mapping to go on with.
+TextNode read_root(const std::filesystem::path& file, Diagnostics& diagnostics) {
+  std::optional<TextNode> root = read_yaml_file(file, diagnostics);
+  if (root && root->kind == NodeKind::kEmpty) {
+    diagnostics.error({file, 1, 1}, "", "the file is empty; a scenario begins with `thinwall: 1`");
+  } else if (root && root->kind != NodeKind::kMapping) {
+    diagnostics.error(root->location, "",
+                      "a scenario is a mapping that begins with `thinwall: 1`, not " + describe(*root));
+  }
+  if (!root || root->kind != NodeKind::kMapping) diagnostics.throw_errors(file);
+  return std::move(*root);
+}
+
+}  // namespace
+
+Scenario load_scenario(const std::filesystem::path& file,
+                       const std::vector<std::pair<std::string, std::string>>& overrides) {
+  Diagnostics diagnostics;
+  TextNode root = read_root(file, diagnostics);
+  include_pass(root, diagnostics);
+  parameter_pass(root, overrides, diagnostics);
+  CheckedValue checked = unit_pass(root, scenario_schema(), diagnostics);
+  reference_pass(checked, diagnostics);
+  lint_pass(checked, diagnostics);
+  diagnostics.throw_errors(file);
+
+  Scenario scenario = build_scenario(checked);
+  scenario.file = file;
+  scenario.name = file.stem().string();
+  if (scenario.title.empty()) scenario.title = scenario.name;
+  sort_by_location(diagnostics.warnings, file);
+  for (const Diagnostic& warning : diagnostics.warnings) {
+    scenario.warnings.push_back(to_text(warning.location) + ": warning: " + warning.message);
+  }
+  scenario.resolved = resolved_scenario(checked, file.parent_path());
+  return scenario;
+}
+
+}  // namespace thinwall

@@ -1,0 +1,110 @@
+#include "studio/scenario/SchemaSections.hpp"
+
+namespace thinwall {
+namespace {
+
+ValueSchema color_value() {
+  return vector_value(kNumber, kFromZeroToOne, "[0.7, 0.3, 0.3]");
+}
+
+KeySchema strength_key(const std::string& key, const std::string& documentation) {
+  return {key, quantity_value(kNumber, {.minimum = 0, .maximum = 100}, "1"), false, "1", documentation};
+}
+
+KeySchema shown_key(const std::string& key, const std::string& documentation) {
+  return {key, boolean_value(), false, "true", documentation};
+}
+
+}  // namespace
+
+ValueSchema camera_schema() {
+  const ValueSchema place = vector_value(kLength, {}, "[80 mm, -60 mm, 50 mm]");
+  const double half_turn = parse_quantity("180 deg").value;
+  MappingSchema camera{
+      .name = "camera",
+      .documentation = "A pinhole camera. What is absent is chosen so that the bodies fill the picture."};
+  camera.keys = {
+      {"kind", word_value({"pinhole"}), false, "pinhole", "how the picture is projected"},
+      {"position", place, false, {}, "where the camera stands"},
+      {"target", place, false, {}, "what it looks at"},
+      {"up", direction_value(), false, {}, "what is up in the picture"},
+      {"field_of_view",
+       quantity_value(kAngle, {.minimum = 0, .maximum = half_turn, .minimum_excluded = true, .maximum_excluded = true},
+                      "30 deg"),
+       false, "30 deg", "vertical angle of view"},
+      {"orbit_speed", quantity_value(kAngularSpeed, {}, "10 deg/s"), false, "0 deg/s",
+       "turn around the upward axis through the target"},
+  };
+  return mapping_value({camera});
+}
+
+ValueSchema lights_schema() {
+  MappingSchema lights{.name = "lights", .documentation = "Strengths are relative to a well-lit picture."};
+  lights.keys = {
+      strength_key("key", "key light, which casts the shadow"),
+      strength_key("fill", "fill light"),
+      strength_key("environment", "light from all around"),
+      {"key_direction",
+       direction_value(),
+       false,
+       {},
+       "from the scene to the key light; chosen with the camera when absent"},
+  };
+  return mapping_value({lights});
+}
+
+ValueSchema look_schema() {
+  MappingSchema tissue{.name = "tissue look", .documentation = "How the wall of a body looks."};
+  tissue.keys = {
+      {"color", color_value(), false, "[0.72, 0.30, 0.27]", "sRGB colour, each part from 0 to 1"},
+      {"roughness", quantity_value(kNumber, kFromZeroToOne, "0.45"), false, "0.45",
+       "of the tissue below the wet layer"},
+      {"wetness", quantity_value(kNumber, kFromZeroToOne, "0.7"), false, "0.7", "strength of the wet layer"},
+  };
+  MappingSchema overlays{.name = "overlays", .documentation = "What is written over the picture."};
+  overlays.keys = {
+      shown_key("force_plot", "force over time"),
+      shown_key("gauge", "force, depth and pressure of the moment"),
+      shown_key("captions", "captions of the clips"),
+      shown_key("time", "time of the scenario"),
+  };
+  MappingSchema look{.name = "look", .documentation = "Appearance."};
+  look.keys = {
+      {"background", color_value(), false, "[0.055, 0.065, 0.08]", "sRGB colour, each part from 0 to 1"},
+      {"bodies", named_value(std::move(tissue)), false, "{}", "looks by the names of bodies"},
+      {"overlays", mapping_value({overlays}), false, "{}", "what is written over the picture"},
+  };
+  return mapping_value({look});
+}
+
+ValueSchema record_schema() {
+  ValueSchema side = integer_value(16, 8192, "1280");
+  // Video with halved colour resolution needs even sides.
+  side.multiple_of = 2;
+  ValueSchema size = list_value(side, 2);
+  size.maximum_items = 2;
+  size.example = "[1280, 720]";
+  MappingSchema record{.name = "record", .documentation = "The recording."};
+  record.keys = {
+      {"size", size, false, "[1280, 720]", "width and height in pixels"},
+      {"fps", quantity_value(kNumber, {.minimum = 1, .maximum = 240}, "30"), false, "30", "pictures per second"},
+      {"video", boolean_value(), false, "true", "whether a video is made"},
+      {"tier", word_value({"draft", "record", "final"}), false, "record",
+       "draft: without shadow and anti-aliasing; record: with both; final: at twice the resolution on top"},
+  };
+  return mapping_value({record});
+}
+
+ValueSchema golden_schema() {
+  const Range levels{.minimum = 0, .maximum = 255};
+  MappingSchema golden{.name = "golden", .documentation = "A moment whose picture is compared with an approved one."};
+  golden.keys = {
+      {"at", quantity_value(kTime, kFromZero, "1.5 s"), true, {}, "when"},
+      {"max", quantity_value(kNumber, levels, "8"), true, {}, "largest allowed difference, 8-bit levels"},
+      {"mean", quantity_value(kNumber, levels, "0.2"), true, {}, "largest allowed mean difference, 8-bit levels"},
+      {"why", text_value(), true, {}, "the reason for these thresholds"},
+  };
+  return list_value(mapping_value({golden}));
+}
+
+}  // namespace thinwall

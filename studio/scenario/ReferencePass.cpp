@@ -1,0 +1,135 @@
+#include "studio/scenario/ReferencePass.hpp"
+
+#include <filesystem>
+#include <set>
+
+#include "studio/scenario/TextNode.hpp"
+#include "studio/scenario/Wording.hpp"
+
+namespace thinwall {
+namespace {
+
+std::vector<std::string> names_in(const CheckedValue& root, std::string_view section) {
+  std::vector<std::string> names;
+  const CheckedValue* mapping = root.find(section);
+  if (mapping == nullptr) return names;
+  for (const CheckedMember& member : mapping->members) names.push_back(member.key);
+  return names;
+}
+
+/// What a clip's key may name.
+struct Reference {
+  std::string key;      // "tool"
+  std::string what;     // "tool"
+  std::string section;  // "tools"
+  bool needed = true;   // whether more than one name needs a choice
+};
+
+class ReferenceChecker {
+ public:
+  ReferenceChecker(CheckedValue& root, Diagnostics& diagnostics)
+      : root_(root), diagnostics_(diagnostics), tools_(names_in(root, "tools")), bodies_(names_in(root, "bodies")) {}
+
+  void check_clips() {
+    CheckedValue* timeline = root_.find("timeline");
+    if (timeline == nullptr) return;
+    for (std::size_t index = 0; index < timeline->items.size(); ++index) {
+      CheckedValue& item = timeline->items[index];
+      if (item.members.empty()) continue;
+      CheckedMember& clip = item.members[0];
+      const std::string path = member_path(item_path("timeline", index), clip.key);
+      if (clip.key == "palpate" || clip.key == "move") {
+        resolve(clip, {"tool", "tool", "tools"}, tools_, path);
+        resolve(clip, {"body", "body", "bodies", clip.key == "palpate"}, bodies_, path);
+      }
+    }
+  }
+
+  void check_looks() {
+    const CheckedValue* look = root_.find("look");
+    const CheckedValue* bodies = look == nullptr ? nullptr : look->find("bodies");
+    if (bodies == nullptr) return;
+    for (const CheckedMember& member : bodies->members) {
+      check_name(member.key, "body", "bodies", bodies_, member.location, member_path("look.bodies", member.key));
+    }
+  }
+
+  void check_meshes() {
+    const CheckedValue* bodies = root_.find("bodies");
+    if (bodies == nullptr) return;
+    for (const CheckedMember& body : bodies->members) {
+      const CheckedValue* surface = body.value.find("surface");
+      const CheckedValue* mesh = surface == nullptr ? nullptr : surface->find("mesh");
+      std::error_code failure;
+      if (mesh == nullptr || std::filesystem::is_regular_file(mesh->text, failure)) continue;
+      diagnostics_.error(mesh->location, member_path("bodies", body.key) + ".surface.mesh",
+                         "there is no file " + in_backticks(mesh->text));
+    }
+  }
+
+  void warn_of_unused_tools() {
+    const CheckedValue* tools = root_.find("tools");
+    if (tools == nullptr) return;
+    for (const CheckedMember& tool : tools->members) {
+      if (!used_.contains(tool.key)) {
+        diagnostics_.warning(tool.location, member_path("tools", tool.key), "no clip uses this tool");
+      }
+    }
+  }
+
+ private:
+  bool check_name(const std::string& name, const std::string& what, const std::string& section,
+                  const std::vector<std::string>& names, const SourceLocation& location, const std::string& path) {
+    for (const std::string& known : names) {
+      if (known == name) return true;
+    }
+    std::string hint = did_you_mean(name, names);
+    if (hint.empty())
+      hint = names.empty() ? ", " + in_backticks(section) + " is empty" : "; there is " + list_in_backticks(names);
+    diagnostics_.error(location, path, "there is no " + what + " " + in_backticks(name) + hint);
+    return false;
+  }
+
+  void resolve(CheckedMember& clip, const Reference& reference, const std::vector<std::string>& names,
+               const std::string& path) {
+    if (clip.value.has_wrong(reference.key) || root_.find(reference.section) == nullptr) return;
+    if (const CheckedValue* named = clip.value.find(reference.key)) {
+      check_name(named->text, reference.what, reference.section, names, named->location,
+                 member_path(path, reference.key));
+      if (reference.key == "tool") used_.insert(named->text);
+      return;
+    }
+    if (names.size() == 1) {
+      const CheckedValue only{
+          .kind = CheckedKind::kText, .location = clip.location, .given = false, .text = names.front()};
+      const std::size_t position = reference.key == "body" && clip.value.find("tool") != nullptr ? 1 : 0;
+      clip.value.members.insert(clip.value.members.begin() + static_cast<std::ptrdiff_t>(position),
+                                {reference.key, clip.location, only});
+      if (reference.key == "tool") used_.insert(names.front());
+    } else if (reference.needed && names.empty()) {
+      diagnostics_.error(clip.location, path,
+                         "needs a " + reference.what + ", but " + in_backticks(reference.section) + " is empty");
+    } else if (reference.needed) {
+      diagnostics_.error(clip.location, path,
+                         in_backticks(reference.key) + " is missing; there is " + list_in_backticks(names));
+    }
+  }
+
+  CheckedValue& root_;
+  Diagnostics& diagnostics_;
+  std::vector<std::string> tools_;
+  std::vector<std::string> bodies_;
+  std::set<std::string> used_;
+};
+
+}  // namespace
+
+void reference_pass(CheckedValue& root, Diagnostics& diagnostics) {
+  ReferenceChecker checker(root, diagnostics);
+  checker.check_clips();
+  checker.check_looks();
+  checker.check_meshes();
+  checker.warn_of_unused_tools();
+}
+
+}  // namespace thinwall

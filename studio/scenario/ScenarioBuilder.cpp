@@ -1,0 +1,262 @@
+#include "studio/scenario/ScenarioBuilder.hpp"
+
+#include <array>
+#include <cassert>
+
+namespace thinwall {
+namespace {
+
+Eigen::Vector3d to_vector(const CheckedValue& list) {
+  return {list.items[0].number, list.items[1].number, list.items[2].number};
+}
+
+Double3 to_double3(const CheckedValue& list) {
+  return {list.items[0].number, list.items[1].number, list.items[2].number};
+}
+
+std::optional<Eigen::Vector3d> find_vector(const CheckedValue& mapping, std::string_view key) {
+  const CheckedValue* list = mapping.find(key);
+  return list == nullptr ? std::nullopt : std::optional(to_vector(*list));
+}
+
+std::optional<Double3> find_double3(const CheckedValue& mapping, std::string_view key) {
+  const CheckedValue* list = mapping.find(key);
+  return list == nullptr ? std::nullopt : std::optional(to_double3(*list));
+}
+
+std::optional<std::string> find_text(const CheckedValue& mapping, std::string_view key) {
+  const CheckedValue* text = mapping.find(key);
+  return text == nullptr ? std::nullopt : std::optional(text->text);
+}
+
+std::optional<double> find_number(const CheckedValue& mapping, std::string_view key) {
+  const CheckedValue* number = mapping.find(key);
+  return number == nullptr ? std::nullopt : std::optional(number->number);
+}
+
+/// The enumerator of a word; the schema lets no other word through.
+template <typename Enumeration, std::size_t count>
+Enumeration of_word(const std::string& word, const std::array<std::pair<std::string_view, Enumeration>, count>& words) {
+  for (const auto& [name, value] : words) {
+    if (name == word) return value;
+  }
+  assert(false);
+  return words[0].second;
+}
+
+// Bodies.
+
+constexpr std::array<std::pair<std::string_view, Shape>, 8> kShapes = {{{"sphere", Shape::kSphere},
+                                                                        {"hemisphere", Shape::kHemisphere},
+                                                                        {"semicylinder", Shape::kSemicylinder},
+                                                                        {"sheet", Shape::kSheet},
+                                                                        {"disc", Shape::kDisc},
+                                                                        {"cylinder", Shape::kCylinder},
+                                                                        {"annulus", Shape::kAnnulus},
+                                                                        {"strip", Shape::kStrip}}};
+
+constexpr std::array<std::pair<std::string_view, FluidKind>, 3> kFluids = {
+    {{"none", FluidKind::kNone},
+     {"incompressible", FluidKind::kIncompressible},
+     {"compressible", FluidKind::kCompressible}}};
+
+int axis_index(const CheckedValue& axis) {
+  return axis.text[0] - 'x';
+}
+
+Region to_region(const CheckedValue& region) {
+  const CheckedMember& part = region.members[0];
+  const CheckedValue& value = part.value;
+  if (part.key == "group") return GroupRegion{value.text};
+  if (part.key == "plane") {
+    return PlaneRegion{axis_index(value.at("axis")), value.at("at").number, value.at("within").number};
+  }
+  if (part.key == "below") return BelowRegion{axis_index(value.at("axis")), value.at("at").number};
+  if (part.key == "above") return AboveRegion{axis_index(value.at("axis")), value.at("at").number};
+  if (part.key == "box") return BoxRegion{to_vector(value.at("min")), to_vector(value.at("max"))};
+  if (part.key == "sphere") return SphereRegion{to_vector(value.at("center")), value.at("radius").number};
+  return BoundaryRegion{};
+}
+
+std::variant<MeshFileSource, ShapeSource> to_surface(const CheckedValue& surface) {
+  if (const CheckedValue* mesh = surface.find("mesh")) {
+    return MeshFileSource{mesh->text, surface.at("unit").number};
+  }
+  ShapeSource shape{.shape = of_word(surface.at("shape").text, kShapes)};
+  shape.triangles = static_cast<int>(surface.at("triangles").number);
+  shape.radius = find_number(surface, "radius").value_or(shape.radius);
+  shape.inner_radius = find_number(surface, "inner_radius").value_or(shape.inner_radius);
+  shape.length = find_number(surface, "length").value_or(shape.length);
+  shape.width = find_number(surface, "width").value_or(shape.width);
+  return shape;
+}
+
+Material to_material(const CheckedValue& material) {
+  Material result;
+  result.law = find_wall_law(material.at("law").text);
+  for (const LawParameter& parameter : result.law->parameters) {
+    result.parameters.push_back(material.at(parameter.name).number);
+  }
+  return result;
+}
+
+void read_thickness(const CheckedValue& thickness, BodyScenario& body) {
+  if (thickness.kind == CheckedKind::kNumber) {
+    body.thickness.standard = thickness.number;
+    return;
+  }
+  body.thickness.standard = thickness.at("default").number;
+  for (const CheckedValue& part : thickness.at("regions").items) {
+    body.thickness.regions.push_back({to_region(part.at("in")), part.at("value").number});
+    body.thickness_locations.push_back(part.at("in").location);
+  }
+}
+
+void read_fixed(const CheckedValue& fixed, BodyScenario& body) {
+  for (const CheckedValue& part : fixed.items) {
+    FixedRegion region{to_region(part.at("region")), {false, false, false}};
+    for (const char axis : part.at("axes").text) region.axes[static_cast<std::size_t>(axis - 'x')] = true;
+    body.fixed.push_back(std::move(region));
+    body.fixed_locations.push_back(part.at("region").location);
+  }
+}
+
+BodyScenario to_body(const CheckedMember& member) {
+  const CheckedValue& wall = member.value.at("wall");
+  const CheckedValue& contents = member.value.at("contents");
+  BodyScenario body{.name = member.key, .location = member.location};
+  for (const CheckedMember& key : member.value.members) {
+    if (key.key == "surface") body.surface_location = key.location;
+  }
+  body.surface = to_surface(member.value.at("surface"));
+  read_thickness(wall.at("thickness"), body);
+  body.density = wall.at("density").number;
+  body.material = to_material(wall.at("material"));
+  body.prestretch = wall.at("prestretch").number;
+  body.fluid.kind = of_word(contents.at("fluid").text, kFluids);
+  body.pressure_given = contents.find("pressure") != nullptr;
+  body.fluid.initial_pressure = find_number(contents, "pressure").value_or(0);
+  body.fluid.density = find_number(contents, "density").value_or(body.fluid.density);
+  body.fluid.bulk_modulus = find_number(contents, "bulk_modulus").value_or(body.fluid.bulk_modulus);
+  read_fixed(member.value.at("fixed"), body);
+  return body;
+}
+
+// Tools and timeline.
+
+constexpr std::array<std::pair<std::string_view, ToolKind>, 3> kTools = {
+    {{"point", ToolKind::kPoint}, {"line", ToolKind::kLine}, {"sphere", ToolKind::kSphere}}};
+
+ToolDefinition to_tool(const CheckedMember& member) {
+  ToolDefinition tool{.name = member.key, .kind = of_word(member.value.at("kind").text, kTools)};
+  tool.length = find_number(member.value, "length").value_or(0);
+  tool.radius = find_number(member.value, "radius").value_or(0);
+  return tool;
+}
+
+PalpateClip to_palpate(const CheckedValue& clip) {
+  return {.tool = clip.at("tool").text,
+          .body = clip.at("body").text,
+          .at = to_vector(clip.at("at")),
+          .direction = to_vector(clip.at("direction")),
+          .axis = find_vector(clip, "axis"),
+          .depth = clip.at("depth").number,
+          .speed = clip.at("speed").number,
+          .hold = clip.at("hold").number,
+          .standoff = clip.at("standoff").number,
+          .withdraw = clip.at("withdraw").boolean};
+}
+
+MoveClip to_move(const CheckedValue& clip) {
+  return {.tool = clip.at("tool").text,
+          .body = find_text(clip, "body"),
+          .from = find_vector(clip, "from"),
+          .to = to_vector(clip.at("to")),
+          .direction = find_vector(clip, "direction"),
+          .axis = find_vector(clip, "axis"),
+          .duration = clip.at("for").number,
+          .ease = clip.at("ease").text == "linear" ? Ease::kLinear : Ease::kSmooth};
+}
+
+Clip to_clip(const CheckedValue& item) {
+  const CheckedMember& action = item.members[0];
+  Clip clip{.action = WaitClip{}, .location = action.location};
+  if (action.key == "palpate") clip.action = to_palpate(action.value);
+  if (action.key == "move") clip.action = to_move(action.value);
+  if (action.key == "wait") clip.action = WaitClip{action.value.at("for").number};
+  clip.start = find_number(action.value, "start");
+  clip.caption = find_text(action.value, "caption");
+  clip.chapter = find_text(action.value, "chapter");
+  return clip;
+}
+
+// Picture and record.
+
+CameraDefinition to_camera(const CheckedValue& camera) {
+  return {.position = find_double3(camera, "position"),
+          .target = find_double3(camera, "target"),
+          .up = find_double3(camera, "up"),
+          .field_of_view = camera.at("field_of_view").number,
+          .orbit_speed = camera.at("orbit_speed").number};
+}
+
+LightsDefinition to_lights(const CheckedValue& lights) {
+  return {.key = lights.at("key").number,
+          .fill = lights.at("fill").number,
+          .environment = lights.at("environment").number,
+          .key_direction = find_double3(lights, "key_direction")};
+}
+
+LookDefinition to_look(const CheckedValue& look) {
+  LookDefinition result{.background = to_double3(look.at("background")), .bodies = {}};
+  for (const CheckedMember& body : look.at("bodies").members) {
+    result.bodies[body.key] = {.color = to_double3(body.value.at("color")),
+                               .roughness = body.value.at("roughness").number,
+                               .wetness = body.value.at("wetness").number};
+  }
+  return result;
+}
+
+constexpr std::array<std::pair<std::string_view, Tier>, 3> kTiers = {
+    {{"draft", Tier::kDraft}, {"record", Tier::kRecord}, {"final", Tier::kFinal}}};
+
+RecordOptions to_record(const CheckedValue& record) {
+  const CheckedValue& size = record.at("size");
+  return {.size = {static_cast<int>(size.items[0].number), static_cast<int>(size.items[1].number)},
+          .frames_per_second = record.at("fps").number,
+          .video = record.at("video").boolean,
+          .tier = of_word(record.at("tier").text, kTiers)};
+}
+
+GoldenDefinition to_golden(const CheckedValue& golden) {
+  return {.at = golden.at("at").number,
+          .max = golden.at("max").number,
+          .mean = golden.at("mean").number,
+          .why = golden.at("why").text,
+          .location = golden.location};
+}
+
+}  // namespace
+
+Scenario build_scenario(const CheckedValue& root) {
+  Scenario scenario;
+  scenario.title = find_text(root, "title").value_or("");
+  for (const CheckedMember& body : root.at("bodies").members) scenario.bodies.push_back(to_body(body));
+  for (const CheckedMember& tool : root.at("tools").members) scenario.tools.push_back(to_tool(tool));
+  for (const CheckedValue& clip : root.at("timeline").items) scenario.timeline.push_back(to_clip(clip));
+  const CheckedValue& simulation = root.at("simulation");
+  scenario.simulation.analysis =
+      simulation.at("analysis").text == "dynamic" ? Analysis::kDynamic : Analysis::kQuasiStatic;
+  scenario.simulation.time_step = simulation.at("time_step").number;
+  scenario.view = {to_camera(root.at("camera")), to_lights(root.at("lights")), to_look(root.at("look"))};
+  const CheckedValue& overlays = root.at("look").at("overlays");
+  scenario.overlays = {.force_plot = overlays.at("force_plot").boolean,
+                       .gauge = overlays.at("gauge").boolean,
+                       .captions = overlays.at("captions").boolean,
+                       .time = overlays.at("time").boolean};
+  scenario.record = to_record(root.at("record"));
+  for (const CheckedValue& golden : root.at("golden").items) scenario.goldens.push_back(to_golden(golden));
+  return scenario;
+}
+
+}  // namespace thinwall

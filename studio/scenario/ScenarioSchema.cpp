@@ -1,0 +1,63 @@
+#include "studio/scenario/SchemaSections.hpp"
+
+namespace thinwall {
+namespace {
+
+ValueSchema include_value() {
+  ValueSchema files = list_value(path_value());
+  files.single = true;
+  files.example = "[tissue.yaml, camera.yaml]";
+  return files;
+}
+
+MappingSchema make_scenario() {
+  MappingSchema scenario{.name = "scenario", .documentation = "A scenario file as a whole."};
+  scenario.keys = {
+      {"thinwall", integer_value(1, 1, "1"), true, {}, "version of the format"},
+      {"title", text_value(), false, {}, "shown over the video; the file's name when absent"},
+      {"include",
+       include_value(),
+       false,
+       {},
+       "files whose keys are merged below this file's: the nearest wins, a later file over an earlier one"},
+      {"parameters",
+       {.kind = ValueKind::kParameters},
+       false,
+       "{}",
+       "names with defaults, used as `${name}` in any value, overridden with `--set name=value`"},
+      {"bodies", bodies_schema(), true, {}, "what is deformed, by name"},
+      {"tools", tools_schema(), false, "{}", "what touches the bodies, by name"},
+      {"timeline", timeline_schema(), false, "[]",
+       "what happens: clips that follow one another, or begin at their `start`"},
+      {"simulation", simulation_schema(), false, "{}", "how time and equilibrium are computed"},
+      {"camera", camera_schema(), false, "{}", "from where the picture is taken"},
+      {"lights", lights_schema(), false, "{}", "what lights the scene"},
+      {"look", look_schema(), false, "{}", "appearance of tissue, background and overlays"},
+      {"record", record_schema(), false, "{}", "size and kind of the recording"},
+      {"golden", golden_schema(), false, "[]", "moments whose pictures are compared with approved ones"},
+  };
+  return scenario;
+}
+
+}  // namespace
+
+const MappingSchema& scenario_schema() {
+  static const MappingSchema scenario = make_scenario();
+  return scenario;
+}
+
+ValueSchema simulation_schema() {
+  ValueSchema gravity = vector_value(kAcceleration, {}, "[0, 0, -9.81 m/s^2]");
+  gravity.item[0].only_zero = true;
+  MappingSchema simulation{.name = "simulation", .documentation = "How time and equilibrium are computed."};
+  simulation.keys = {
+      {"analysis", word_value({"dynamic", "quasi_static"}), false, "dynamic",
+       "with inertia, or a sequence of equilibria without it"},
+      {"time_step", quantity_value(kTime, {.minimum = 0, .maximum = 1, .minimum_excluded = true}, "5 ms"), false,
+       "5 ms", "time between two states"},
+      {"gravity", gravity, false, "[0, 0, 0]", "acceleration of free fall"},
+  };
+  return mapping_value({simulation});
+}
+
+}  // namespace thinwall

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "studio/scenario/Schema.hpp"
+
+namespace thinwall {
+
+/// The sections of a scenario: the values of its keys of these names. The table is the contents of these functions.
+ValueSchema bodies_schema();
+ValueSchema tools_schema();
+ValueSchema timeline_schema();
+ValueSchema simulation_schema();
+ValueSchema camera_schema();
+ValueSchema lights_schema();
+ValueSchema look_schema();
+ValueSchema record_schema();
+ValueSchema golden_schema();
+
+/// A part of the stress-free surface.
+ValueSchema region_schema();
+
+/// Shorthands for the values of the table.
+inline constexpr Range kAboveZero{.minimum = 0, .minimum_excluded = true};
+inline constexpr Range kFromZero{.minimum = 0};
+inline constexpr Range kFromZeroToOne{.minimum = 0, .maximum = 1};
+
+ValueSchema text_value();
+ValueSchema path_value();
+ValueSchema name_value();
+ValueSchema boolean_value();
+ValueSchema word_value(std::vector<std::string> words);
+ValueSchema integer_value(int minimum, int maximum, const std::string& example);
+/// Without an example the one of the dimension.
+ValueSchema quantity_value(const Dimension& dimension, const Range& range = {}, const std::string& example = "");
+ValueSchema direction_value();
+/// Three components.
+ValueSchema vector_value(const Dimension& dimension, const Range& range, const std::string& example);
+ValueSchema list_value(ValueSchema item, std::size_t minimum_items = 0);
+ValueSchema mapping_value(std::vector<MappingSchema> alternatives);
+ValueSchema named_value(MappingSchema mapping, std::size_t minimum_items = 0);
+
+}  // namespace thinwall

@@ -1,0 +1,272 @@
+#include "studio/scenario/UnitPass.hpp"
+
+#include <algorithm>
+
+#include "studio/scenario/LaterWords.hpp"
+#include "studio/scenario/ValueReader.hpp"
+#include "studio/scenario/Wording.hpp"
+#include "studio/scenario/YamlReader.hpp"
+
+namespace thinwall {
+namespace {
+
+/// The keys that a mapping may have, after its case is known.
+struct AllowedKeys {
+  std::vector<const KeySchema*> keys;
+  std::string words_of_case;  // "`kind: point`", "" without cases
+  bool case_is_known = true;  // false after a wrong word: then the keys of all cases are let through unread
+};
+
+class SchemaReader {
+ public:
+  explicit SchemaReader(Diagnostics& diagnostics) : diagnostics_(diagnostics) {}
+
+  CheckedValue read_mapping(const MappingSchema& schema, const TextNode& node, const ValuePlace& place) {
+    CheckedValue result{.kind = CheckedKind::kMapping, .location = error_location(node, place)};
+    const AllowedKeys allowed = allowed_keys(schema, node, place);
+    for (const TextMember& member : node.members) check_key(schema, allowed, member, place);
+    for (const KeySchema* key : allowed.keys) read_key(*key, schema, node, place, result);
+    return result;
+  }
+
+ private:
+  std::optional<CheckedValue> read(const ValueSchema& schema, const TextNode& node, const ValuePlace& place) {
+    switch (schema.kind) {
+      case ValueKind::kList:
+        return read_list(schema, node, place);
+      case ValueKind::kMapping:
+        return read_one_of(schema, node, place);
+      case ValueKind::kNamedMappings:
+        return read_named(schema, node, place);
+      case ValueKind::kParameters:
+        return as_text(node);
+      default:
+        break;
+    }
+    if (node.kind == NodeKind::kMapping && !schema.mappings.empty()) return read_one_of(schema, node, place);
+    const LaterWord* later = find_later_word(place.owner + "." + place.key, "");
+    if (node.kind == NodeKind::kMapping && later != nullptr) {
+      tell_later(*later, node.location, place.path);
+      return std::nullopt;
+    }
+    return read_plain_value(schema, node, place, diagnostics_);
+  }
+
+  void tell_later(const LaterWord& later, const SourceLocation& location, const std::string& path) {
+    diagnostics_.error(location, path,
+                       std::string(later.words) + " belongs to the format but this version cannot simulate it yet");
+  }
+
+  // Lists.
+
+  std::optional<CheckedValue> read_list(const ValueSchema& schema, const TextNode& node, const ValuePlace& place) {
+    const bool is_single = schema.single && node.kind == NodeKind::kText;
+    if (node.kind != NodeKind::kList && node.kind != NodeKind::kEmpty && !is_single) {
+      refuse(node, place, expectation(schema), describe(node), diagnostics_);
+      return std::nullopt;
+    }
+    const std::size_t count = is_single ? 1 : node.items.size();
+    if (count < schema.minimum_items || count > schema.maximum_items) {
+      const std::string got = node.kind == NodeKind::kEmpty ? "nothing" : "a list of " + std::to_string(count);
+      refuse(node, place, expectation(schema), got, diagnostics_);
+      return std::nullopt;
+    }
+    CheckedValue result{.kind = CheckedKind::kList, .location = error_location(node, place)};
+    for (std::size_t index = 0; index < count; ++index) {
+      const TextNode& item = is_single ? node : node.items[index];
+      const ValuePlace item_place{item_path(place.path, index), place.owner, place.key, item.location};
+      std::optional<CheckedValue> value = read(schema.item[0], item, item_place);
+      if (value) result.items.push_back(std::move(*value));
+    }
+    const bool has_fixed_size = schema.minimum_items == schema.maximum_items;
+    if (has_fixed_size && result.items.size() != count) return std::nullopt;
+    return result;
+  }
+
+  // Mappings.
+
+  std::optional<CheckedValue> read_one_of(const ValueSchema& schema, const TextNode& node, const ValuePlace& place) {
+    if (node.kind != NodeKind::kMapping && node.kind != NodeKind::kEmpty) {
+      refuse(node, place, expectation(schema), describe(node), diagnostics_);
+      return std::nullopt;
+    }
+    if (schema.mappings.size() == 1) return read_mapping(schema.mappings[0], node, place);
+    const MappingSchema* chosen = nullptr;
+    for (const MappingSchema& mapping : schema.mappings) {
+      const TextMember* member = node.find(mapping.keys[0].key);
+      if (member == nullptr) continue;
+      if (chosen != nullptr) {
+        diagnostics_.error(
+            member->location, place.path,
+            in_backticks(chosen->keys[0].key) + " and " + in_backticks(member->key) + " exclude each other");
+        return std::nullopt;
+      }
+      chosen = &mapping;
+    }
+    if (chosen != nullptr) return read_mapping(*chosen, node, place);
+    refuse_all_keys(schema, node, place);
+    return std::nullopt;
+  }
+
+  /// None of the keys that tell the alternatives apart is there.
+  void refuse_all_keys(const ValueSchema& schema, const TextNode& node, const ValuePlace& place) {
+    std::vector<std::string> words;
+    for (const MappingSchema& mapping : schema.mappings) words.push_back(mapping.keys[0].key);
+    for (const TextMember& member : node.members) {
+      if (const LaterWord* later = find_later_word(schema.mappings[0].name, member.key)) {
+        tell_later(*later, member.location, member_path(place.path, member.key));
+        return;
+      }
+    }
+    for (const TextMember& member : node.members) {
+      const std::string nearest = did_you_mean(member.key, words);
+      if (nearest.empty() && node.members.size() > 1) continue;
+      diagnostics_.error(member.location, member_path(place.path, member.key),
+                         "unknown key" + (nearest.empty() ? "; allowed: " + list_in_backticks(words) : nearest));
+      return;
+    }
+    diagnostics_.error(place.location, place.path, "one of " + list_in_backticks(words) + " is missing");
+  }
+
+  std::optional<CheckedValue> read_named(const ValueSchema& schema, const TextNode& node, const ValuePlace& place) {
+    if (node.kind != NodeKind::kMapping && node.kind != NodeKind::kEmpty) {
+      refuse(node, place, "a mapping from names", describe(node), diagnostics_);
+      return std::nullopt;
+    }
+    if (node.members.size() < schema.minimum_items) {
+      diagnostics_.error(place.location, place.path, "needs at least one " + schema.mappings[0].name);
+    }
+    CheckedValue result{.kind = CheckedKind::kMapping, .location = error_location(node, place)};
+    for (const TextMember& member : node.members) {
+      const ValuePlace inner{member_path(place.path, member.key), place.owner, place.key, member.location};
+      if (!is_name(member.key)) {
+        diagnostics_.error(member.location, inner.path,
+                           "a name has letters, digits, `_` and `-` and begins with a letter");
+        continue;
+      }
+      const ValueSchema mapping{.kind = ValueKind::kMapping, .mappings = {schema.mappings[0]}};
+      std::optional<CheckedValue> value = read_one_of(mapping, member.value, inner);
+      // A name is known even when what it stands for is wrong: other mistakes are told, not consequences.
+      if (!value) value = CheckedValue{.kind = CheckedKind::kMapping, .location = member.location};
+      result.members.push_back({member.key, member.location, std::move(*value)});
+    }
+    return result;
+  }
+
+  /// Parameters are not read any more when the texts are: they only go into the resolved scenario.
+  static CheckedValue as_text(const TextNode& node) {
+    CheckedValue value{.kind = CheckedKind::kText, .location = node.location, .text = node.text};
+    if (node.kind == NodeKind::kList) value.kind = CheckedKind::kList;
+    if (node.kind == NodeKind::kMapping || node.kind == NodeKind::kEmpty) value.kind = CheckedKind::kMapping;
+    for (const TextNode& item : node.items) value.items.push_back(as_text(item));
+    for (const TextMember& member : node.members) {
+      value.members.push_back({member.key, member.location, as_text(member.value)});
+    }
+    return value;
+  }
+
+  // Keys.
+
+  /// The word that selects the case: as given, or the default. Empty when it is missing or wrong.
+  static std::string selected_word(const MappingSchema& schema, const TextNode& node) {
+    const TextMember* member = node.find(schema.selector);
+    if (member != nullptr) return member->value.kind == NodeKind::kText ? member->value.text : "";
+    return find_key(schema.keys, schema.selector)->fallback.value_or("");
+  }
+
+  AllowedKeys allowed_keys(const MappingSchema& schema, const TextNode& node, const ValuePlace&) const {
+    AllowedKeys allowed;
+    for (const KeySchema& key : schema.keys) allowed.keys.push_back(&key);
+    if (schema.selector.empty()) return allowed;
+    const std::string word = selected_word(schema, node);
+    const CaseSchema* chosen = find_case(schema, word);
+    allowed.case_is_known = chosen != nullptr;
+    if (chosen == nullptr) return allowed;
+    allowed.words_of_case = in_backticks(schema.selector + ": " + word);
+    for (const KeySchema& key : chosen->keys) allowed.keys.push_back(&key);
+    return allowed;
+  }
+
+  void check_key(const MappingSchema& schema, const AllowedKeys& allowed, const TextMember& member,
+                 const ValuePlace& place) {
+    const auto is_it = [&](const KeySchema* key) { return key->key == member.key; };
+    if (std::ranges::any_of(allowed.keys, is_it)) return;
+    // The wrong word is told already; which keys belong to the right one cannot be known.
+    if (!allowed.case_is_known) return;
+    const std::string path = member_path(place.path, member.key);
+    if (const LaterWord* later = find_later_word(schema.name, member.key)) {
+      tell_later(*later, member.location, path);
+    } else {
+      diagnostics_.error(member.location, path, "unknown key" + hint(schema, allowed, member.key));
+    }
+  }
+
+  /// What the user may have meant by an unknown key.
+  static std::string hint(const MappingSchema& schema, const AllowedKeys& allowed, const std::string& key) {
+    std::string cases;
+    for (const CaseSchema& row : schema.cases) {
+      if (find_key(row.keys, key) != nullptr) cases += (cases.empty() ? "" : ", ") + in_backticks(row.word);
+    }
+    if (!cases.empty()) return " for " + allowed.words_of_case + ", it belongs to " + cases;
+    std::vector<std::string> words;
+    for (const KeySchema* known : allowed.keys) words.push_back(known->key);
+    const std::string nearest = did_you_mean(key, words);
+    if (!nearest.empty()) return nearest;
+    for (const KeySchema* known : allowed.keys) {
+      for (const MappingSchema& inner : known->value.mappings) {
+        const bool is_inside = known->value.kind == ValueKind::kMapping && find_key(inner.keys, key) != nullptr;
+        if (is_inside) return ", it belongs inside " + in_backticks(known->key);
+      }
+    }
+    return "; allowed: " + list_in_backticks(words);
+  }
+
+  void read_key(const KeySchema& key, const MappingSchema& schema, const TextNode& node, const ValuePlace& place,
+                CheckedValue& result) {
+    const std::string path = member_path(place.path, key.key);
+    if (const TextMember* member = node.find(key.key)) {
+      const ValuePlace inner{path, schema.name, key.key, member->location};
+      std::optional<CheckedValue> value = read(key.value, member->value, inner);
+      if (value) {
+        result.members.push_back({key.key, member->location, std::move(*value)});
+      } else {
+        result.wrong_keys.push_back(key.key);
+      }
+    } else if (key.needed) {
+      diagnostics_.error(place.location, place.path,
+                         in_backticks(key.key) + " is missing: " + key.documentation + ", " + expectation(key.value));
+    } else if (key.fallback) {
+      result.members.push_back(
+          {key.key, place.location, read_fallback(key, {path, schema.name, key.key, place.location})});
+    }
+  }
+
+  CheckedValue read_fallback(const KeySchema& key, const ValuePlace& place) {
+    std::optional<TextNode> node = read_yaml_text(*key.fallback, place.location.file, diagnostics_);
+    std::optional<CheckedValue> value = node ? read(key.value, *node, place) : std::nullopt;
+    if (!value) throw std::logic_error("the schema's default of " + place.path + " is not what it asks for");
+    mark_as_default(*value, place.location);
+    return std::move(*value);
+  }
+
+  static void mark_as_default(CheckedValue& value, const SourceLocation& location) {
+    value.given = false;
+    value.location = location;
+    for (CheckedValue& item : value.items) mark_as_default(item, location);
+    for (CheckedMember& member : value.members) {
+      member.location = location;
+      mark_as_default(member.value, location);
+    }
+  }
+
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+CheckedValue unit_pass(const TextNode& root, const MappingSchema& schema, Diagnostics& diagnostics) {
+  const ValuePlace place{"", schema.name, "", {root.location.file, 1, 1}};
+  return SchemaReader(diagnostics).read_mapping(schema, root, place);
+}
+
+}  // namespace thinwall

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace thinwall {
+
+/// The user's text between backticks, on one line and cut to a readable length: control characters are spelled out.
+std::string in_backticks(std::string_view text);
+
+/// "`a`, `b`, `c`"
+std::string list_in_backticks(std::span<const std::string> words);
+
+/// The word nearest to a mistyped one, or "" when none is near: at most a third of its letters changed, added, left out
+/// or swapped with a neighbour.
+std::string nearest_word(std::string_view mistyped, std::span<const std::string> words);
+
+/// ", did you mean `word`?" or "".
+std::string did_you_mean(std::string_view mistyped, std::span<const std::string> words);
+
+/// Whether a text may name a body, a tool or a parameter: letters, digits, `_` and `-`, a letter or `_` first.
+bool is_name(std::string_view text);
+
+}  // namespace thinwall
