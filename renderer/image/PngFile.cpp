@@ -44,15 +44,10 @@ void append_bytes(png_structp png, png_bytep data, std::size_t count) {
 void flush_nothing(png_structp) {}
 
 void set_effort(png_structp png, PngEffort effort) {
-  if (effort == PngEffort::kFast) {
-    // One filter for all rows: choosing among them costs more than it saves at level 1.
-    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
-    png_set_compression_level(png, 1);
-  } else {
-    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_ALL_FILTERS);
-    png_set_compression_level(png, 9);
-    png_set_compression_mem_level(png, 9);
-  }
+  // The difference to the left neighbour for all rows: on rendered pictures smaller and faster than any other filter,
+  // at level 9 also than choosing a filter for each row.
+  png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
+  png_set_compression_level(png, effort == PngEffort::kFast ? 1 : 9);
 }
 
 /// False when libpng left by longjmp. Holds no object with a destructor, which a longjmp would skip.

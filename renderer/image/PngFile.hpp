@@ -19,8 +19,8 @@ class ImageUnreadable : public PictureFailure {
 
 /// How much work goes into a small file. The pixels are the same.
 enum class PngEffort {
-  kFast,   // for frames: a few milliseconds
-  kSmall,  // for goldens, which are kept under version control: many times slower
+  kFast,   // for frames: about 30 ms at 1280 x 720
+  kSmall,  // for goldens, which are kept under version control: half as large, many times slower
 };
 
 /// The picture as 8-bit RGB PNG marked as sRGB. No times or texts inside: equal pictures give equal bytes.

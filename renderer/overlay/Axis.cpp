@@ -31,6 +31,7 @@ Axis with_ticks(double lowest, double highest, double step) {
 }  // namespace
 
 std::string Axis::label(double tick) const {
+  if (std::abs(tick) < kRoundoff * step) return "0";
   const int decimals = static_cast<int>(std::clamp(-std::floor(std::log10(step) + kRoundoff), 0.0, 9.0));
   return fixed_text(tick, decimals);
 }

@@ -29,10 +29,11 @@ double draw_phase(const Plate& plate, const OverlayGrid& grid, const std::string
 void draw_force(const Plate& plate, const OverlayGrid& grid, const Quantity& force) {
   const double baseline = grid.pixels(90);
   const double room = plate.size().width - grid.pixels(2 * kPadding + 40);
-  double size = grid.pixels(48);
-  const double width = Text(force.number, {.size = size, .bold = true}).width();
-  if (width > room) size *= room / width;
-  const Text number(force.number, {.size = size, .bold = true, .color = plate_style::kText});
+  TextStyle style{.size = grid.pixels(48), .bold = true, .color = plate_style::kText};
+  const double width = Text(force.number, style).width();
+  if (width > room) style.size *= room / width;
+  style.letter_spacing = -0.02 * style.size;  // the font is drawn for small text
+  const Text number(force.number, style);
   number.draw_on_baseline(plate, grid.pixels(kPadding - 1), baseline);
   Text(force.unit, {.size = grid.pixels(22), .color = plate_style::kFaintText})
       .draw_on_baseline(plate, grid.pixels(kPadding + 6) + number.width(), baseline);

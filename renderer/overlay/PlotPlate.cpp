@@ -29,23 +29,31 @@ TextStyle label_style(const OverlayGrid& grid) {
   return {.size = grid.pixels(kSmallText), .color = plate_style::kFaintText};
 }
 
+/// As many marks as have room for their numbers.
+Axis time_axis(double longest, const OverlayGrid& grid, double room) {
+  for (int steps = 6;; --steps) {
+    Axis axis = exact_axis(0, longest, steps);
+    const double needed = Text(axis.label(axis.ticks.back()), label_style(grid)).width() + grid.pixels(14);
+    if (steps == 1 || needed * static_cast<double>(axis.ticks.size()) <= room) return axis;
+  }
+}
+
 ForcePlot plot_for(const Plate& plate, const OverlayGrid& grid, const OverlayContent& content, double peak) {
   constexpr double kSmallestPeak = 0.01;  // newton: below that an empty plot would show the solver's last digits
-  constexpr double kShortest = 1e-3;      // seconds
   const ForceUnit unit = peak >= 1e4 ? ForceUnit{1e3, "kN"} : ForceUnit{1, "N"};
   const double end = content.history.empty() ? 0 : content.history.back().time;
-  ForcePlot plot{.time = exact_axis(0, std::max({content.duration, content.time, end, kShortest}), 6),
-                 .force = growing_axis(std::max(peak, kSmallestPeak) / unit.newton),
-                 .unit = unit,
-                 .area = {}};
+  const double longest = std::max({content.duration, content.time, end});
+  ForcePlot plot{
+      .time = {}, .force = growing_axis(std::max(peak, kSmallestPeak) / unit.newton), .unit = unit, .area = {}};
   double label_width = 0;
   for (const double tick : plot.force.ticks) {
     label_width = std::max(label_width, Text(plot.force.label(tick), label_style(grid)).width());
   }
   const double left = grid.pixels(kPadding + 9) + label_width;
-  const double top = grid.pixels(44);
+  const double top = grid.pixels(46);
   plot.area = {left, top, plate.size().width - grid.pixels(kPadding + 4) - left,
                plate.size().height - grid.pixels(34) - top};
+  plot.time = time_axis(longest > 0 ? longest : 1, grid, plot.area.width);
   return plot;
 }
 
@@ -102,7 +110,7 @@ void draw_force_plot(Image& image, const OverlayGrid& grid, const OverlayContent
   const ForcePlot plot = plot_for(plate, grid, content, peak);
   const Text heading(std::string("Force, ") + plot.unit.name,
                      {.size = grid.pixels(kSmallText + 1), .color = plate_style::kFaintText});
-  heading.draw(plate, grid.pixels(kPadding), grid.pixels(20) - heading.height() / 2);
+  heading.draw(plate, grid.pixels(kPadding), grid.pixels(24) - heading.height() / 2);
   draw_axes(plate, grid, plot);
   draw_curve(plate, grid, plot, content);
   const int margin = grid.whole(plate_style::kMargin);

@@ -17,9 +17,13 @@ void set_font(PangoLayout* layout, const TextStyle& style) {
 }
 
 /// Digits of one width, so that a running number does not tremble.
-void set_features(PangoLayout* layout) {
+void set_features(PangoLayout* layout, const TextStyle& style) {
   PangoAttrList* attributes = pango_attr_list_new();
   pango_attr_list_insert(attributes, pango_attr_font_features_new("tnum=1"));
+  if (style.letter_spacing != 0) {
+    const int spacing = static_cast<int>(std::lround(style.letter_spacing * PANGO_SCALE));
+    pango_attr_list_insert(attributes, pango_attr_letter_spacing_new(spacing));
+  }
   pango_layout_set_attributes(layout, attributes);
   pango_attr_list_unref(attributes);
 }
@@ -47,7 +51,7 @@ Text::Text(const std::string& text, const TextStyle& style, const TextLimits& li
   pango_layout_set_auto_dir(layout_.get(), FALSE);
   pango_layout_set_text(layout_.get(), valid.data(), static_cast<int>(valid.size()));
   set_font(layout_.get(), style);
-  set_features(layout_.get());
+  set_features(layout_.get(), style);
   set_limits(layout_.get(), limits);
   if (limits.alignment == TextAlignment::kCenter) pango_layout_set_alignment(layout_.get(), PANGO_ALIGN_CENTER);
   PangoRectangle logical;
@@ -59,6 +63,15 @@ Text::Text(const std::string& text, const TextStyle& style, const TextLimits& li
 
 int Text::lines() const {
   return pango_layout_get_line_count(layout_.get());
+}
+
+bool Text::has_broken_word() const {
+  const char* text = pango_layout_get_text(layout_.get());
+  for (int i = 1; i < lines(); ++i) {
+    const int start = pango_layout_get_line_readonly(layout_.get(), i)->start_index;
+    if (start > 0 && !g_unichar_isspace(g_utf8_get_char(g_utf8_prev_char(text + start)))) return true;
+  }
+  return false;
 }
 
 bool Text::is_cut() const {

@@ -14,6 +14,7 @@ struct TextStyle {
   double size = 16;  // pixels, of the em
   bool bold = false;
   Color color = {1, 1, 1};
+  double letter_spacing = 0;  // pixels, added between letters
 };
 
 enum class TextAlignment { kLeft, kCenter };
@@ -34,7 +35,8 @@ class Text {
   double height() const { return height_; }  // pixels, of whole lines
   double ascent() const { return ascent_; }  // pixels from the top to the first baseline
   int lines() const;
-  bool is_cut() const;  // whether an ellipsis stands for a part
+  bool has_broken_word() const;  // whether a line ends inside a word
+  bool is_cut() const;           // whether an ellipsis stands for a part
 
   /// With its top left at the place.
   void draw(const Canvas& canvas, double x, double y) const;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <memory>
 
 #include "renderer/overlay/NumberText.hpp"
 #include "renderer/overlay/Text.hpp"
@@ -11,6 +13,73 @@ namespace {
 
 constexpr double kTitleSize = 20;
 constexpr double kTitlePlateHeight = 40;
+
+/// A plate stays the same over many frames; drawing it again would cost more than all else. What it shows follows from
+/// the key alone.
+struct RememberedPlate {
+  std::string text;
+  double unit = 0;
+  double width = 0;
+  double height = 0;
+  std::unique_ptr<Plate> plate;
+
+  template <typename Make>
+  const Plate& get(const std::string& new_text, double new_unit, double new_width, double new_height, Make make) {
+    if (!plate || text != new_text || unit != new_unit || width != new_width || height != new_height) {
+      plate = make();
+      text = new_text;
+      unit = new_unit;
+      width = new_width;
+      height = new_height;
+    }
+    return *plate;
+  }
+};
+
+std::unique_ptr<Plate> title_plate(const OverlayGrid& grid, const std::string& title, double room) {
+  const double padding = grid.pixels(plate_style::kPadding);
+  const Text text(title, {.size = grid.pixels(kTitleSize), .bold = true, .color = plate_style::kText}, {.width = room});
+  const ImageSize size{static_cast<int>(std::ceil(text.width() + 2 * padding)), grid.whole(kTitlePlateHeight)};
+  auto plate = std::make_unique<Plate>(grid, size);
+  text.draw(*plate, padding, (size.height - text.height()) / 2);
+  return plate;
+}
+
+/// The narrowest width that needs no more lines than `room`: lines of about the same length read best.
+double balanced_width(const std::string& caption, const TextStyle& style, TextLimits limits) {
+  const int lines = Text(caption, style, limits).lines();
+  if (lines == 1) return limits.width;
+  double narrow = limits.width / 2;
+  double wide = limits.width;
+  while (wide - narrow > style.size / 2) {
+    limits.width = (narrow + wide) / 2;
+    const Text text(caption, style, limits);
+    (text.lines() > lines || text.is_cut() || text.has_broken_word() ? narrow : wide) = limits.width;
+  }
+  return wide;
+}
+
+/// `room` is for the text. Takes the largest size in which nothing is cut, at worst the smallest.
+std::unique_ptr<Plate> caption_plate(const OverlayGrid& grid, const std::string& caption, const ImageSize& room) {
+  constexpr double kSizes[] = {22, 20, 18, 16, 14};
+  constexpr double kLineHeight = 1.25;  // of the size; Inter's own is 1.21
+  constexpr int kMostLines[] = {3, 4, 4, 8, 8};
+  const double padding_x = grid.pixels(20);
+  const double padding_y = grid.pixels(11);
+  for (std::size_t i = 0;; ++i) {
+    const TextStyle style{.size = grid.pixels(kSizes[i]), .color = plate_style::kText};
+    const int lines = std::clamp(static_cast<int>(room.height / (style.size * kLineHeight)), 1, kMostLines[i]);
+    TextLimits limits{.width = static_cast<double>(room.width), .lines = lines, .alignment = TextAlignment::kCenter};
+    const bool is_cut = Text(caption, style, limits).is_cut();
+    if (is_cut && i + 1 < std::size(kSizes)) continue;
+    if (!is_cut) limits.width = balanced_width(caption, style, limits);
+    const Text text(caption, style, limits);
+    auto plate = std::make_unique<Plate>(grid, ImageSize{static_cast<int>(std::ceil(text.width() + 2 * padding_x)),
+                                                         static_cast<int>(std::ceil(text.height() + 2 * padding_y))});
+    text.draw(*plate, padding_x, padding_y);
+    return plate;
+  }
+}
 
 }  // namespace
 
@@ -29,35 +98,21 @@ int draw_time(Image& image, const OverlayGrid& grid, double time, double duratio
 }
 
 void draw_title(Image& image, const OverlayGrid& grid, const std::string& title, int right) {
-  const double padding = grid.pixels(plate_style::kPadding);
+  thread_local RememberedPlate memory;
   const int left = grid.whole(plate_style::kMargin);
-  const double room = right - left - 2 * padding;
+  const double room = right - left - 2 * grid.pixels(plate_style::kPadding);
   if (room < grid.pixels(kTitleSize)) return;
-  const Text text(title, {.size = grid.pixels(kTitleSize), .bold = true, .color = plate_style::kText}, {.width = room});
-  const Plate plate(grid, {static_cast<int>(std::ceil(text.width() + 2 * padding)), grid.whole(kTitlePlateHeight)});
-  text.draw(plate, padding, (plate.size().height - text.height()) / 2);
+  const Plate& plate = memory.get(title, grid.unit, room, 0, [&] { return title_plate(grid, title, room); });
   plate.blend_onto(image, left, grid.whole(plate_style::kMargin));
 }
 
 void draw_caption(Image& image, const OverlayGrid& grid, const std::string& caption, const CaptionSpace& space) {
-  constexpr double kSizes[] = {22, 20, 18, 16, 14};
-  constexpr double kLineHeight = 1.25;  // of the size; Inter's own is 1.21
-  const double padding_x = grid.pixels(20);
-  const double padding_y = grid.pixels(11);
-  const double room = space.width - 2 * padding_x;
-  if (room < grid.pixels(kSizes[0])) return;
-  for (const double size : kSizes) {
-    const double line = grid.pixels(size) * kLineHeight;
-    const int lines = std::max(1, static_cast<int>((space.height - 2 * padding_y) / line));
-    const Text text(caption, {.size = grid.pixels(size), .color = plate_style::kText},
-                    {.width = room, .lines = lines, .alignment = TextAlignment::kCenter});
-    if (text.is_cut() && size != std::end(kSizes)[-1]) continue;
-    const Plate plate(grid, {static_cast<int>(std::ceil(text.width() + 2 * padding_x)),
-                             static_cast<int>(std::ceil(text.height() + 2 * padding_y))});
-    text.draw(plate, padding_x, padding_y);
-    plate.blend_onto(image, space.center - plate.size().width / 2, space.bottom - plate.size().height);
-    return;
-  }
+  thread_local RememberedPlate memory;
+  const ImageSize room{space.width - 2 * grid.whole(20), space.height - 2 * grid.whole(11)};
+  if (room.width < grid.pixels(22) || room.height < grid.pixels(22)) return;
+  const Plate& plate =
+      memory.get(caption, grid.unit, room.width, room.height, [&] { return caption_plate(grid, caption, room); });
+  plate.blend_onto(image, space.center - plate.size().width / 2, space.bottom - plate.size().height);
 }
 
 }  // namespace thinwall
