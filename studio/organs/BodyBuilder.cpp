@@ -1,0 +1,179 @@
+#include "studio/organs/BodyBuilder.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "engine/mesh/Shapes.hpp"
+#include "studio/organs/ClosedCheck.hpp"
+#include "studio/organs/MeshImport.hpp"
+#include "studio/scenario/Wording.hpp"
+
+namespace thinwall {
+namespace {
+
+struct ShapeEntry {
+  Shape shape;
+  const char* name;
+  SurfaceMesh (*make)(const ShapeSource&);
+};
+
+/// A new shape is a function of engine/mesh/Shapes.hpp and a row here.
+const std::array<ShapeEntry, 8> kShapes = {{
+    {Shape::kSphere, "sphere", [](const ShapeSource& s) { return make_sphere(s.radius, s.triangles); }},
+    {Shape::kHemisphere, "hemisphere", [](const ShapeSource& s) { return make_hemisphere(s.radius, s.triangles); }},
+    {Shape::kSemicylinder, "semicylinder",
+     [](const ShapeSource& s) { return make_semicylinder(s.radius, s.length, s.triangles); }},
+    {Shape::kSheet, "sheet", [](const ShapeSource& s) { return make_sheet(s.width, s.length, s.triangles); }},
+    {Shape::kDisc, "disc", [](const ShapeSource& s) { return make_disc(s.radius, s.triangles); }},
+    {Shape::kCylinder, "cylinder", [](const ShapeSource& s) { return make_cylinder(s.radius, s.length, s.triangles); }},
+    {Shape::kAnnulus, "annulus",
+     [](const ShapeSource& s) { return make_annulus(s.inner_radius, s.radius, s.triangles); }},
+    {Shape::kStrip, "strip", [](const ShapeSource& s) { return make_sheet(s.width, s.length, s.triangles); }},
+}};
+
+const ShapeEntry& entry_of(Shape shape) {
+  return *std::find_if(kShapes.begin(), kShapes.end(), [&](const ShapeEntry& entry) { return entry.shape == shape; });
+}
+
+using SurfaceSource = std::variant<MeshFileSource, ShapeSource>;
+
+SurfaceOrigin origin_of(const SurfaceSource& source, const std::string& key_path, const SourceLocation& location) {
+  if (const auto* file = std::get_if<MeshFileSource>(&source)) {
+    return mesh_origin(file->file, file->unit, key_path, location);
+  }
+  return {.name = "shape " + in_backticks(entry_of(std::get<ShapeSource>(source).shape).name),
+          .unit = 1e-3,
+          .unit_name = "mm",
+          .key_path = key_path,
+          .location = location};
+}
+
+SurfaceMesh make_surface(const SurfaceSource& source, const SurfaceOrigin& origin, std::vector<std::string>& notes) {
+  if (const auto* file = std::get_if<MeshFileSource>(&source)) {
+    ImportedMesh imported = import_mesh(file->file, origin);
+    notes.insert(notes.end(), imported.notes.begin(), imported.notes.end());
+    return std::move(imported.mesh);
+  }
+  const ShapeSource& shape = std::get<ShapeSource>(source);
+  if (shape.shape == Shape::kAnnulus && !(shape.inner_radius < shape.radius)) {
+    throw InputErrors({{origin.location, fmt::format("{}: inner_radius is {:.6g} mm, but must be below the radius of "
+                                                     "{:.6g} mm",
+                                                     origin.key_path, 1e3 * shape.inner_radius, 1e3 * shape.radius)}});
+  }
+  SurfaceMesh mesh = entry_of(shape.shape).make(shape);
+  notes.push_back(fmt::format("{}: {} triangles ({} wanted), {} vertices", origin.name, mesh.triangles.size(),
+                              shape.triangles, mesh.vertices.size()));
+  return mesh;
+}
+
+std::string group_names(const SurfaceMesh& mesh) {
+  std::vector<std::string> names;
+  for (const auto& [name, members] : mesh.groups) names.push_back(name);
+  return list_in_backticks(names);
+}
+
+/// "x -20 ... 20, y -20 ... 20, z 0 ... 20 mm"
+std::string bounds_of(const SurfaceMesh& mesh) {
+  std::string text;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto [low, high] =
+        std::minmax_element(mesh.vertices.begin(), mesh.vertices.end(),
+                            [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a[axis] < b[axis]; });
+    text += fmt::format("{}{} {:.4g} ... {:.4g}", axis == 0 ? "" : ", ", "xyz"[axis], 1e3 * (*low)[axis] + 0.0,
+                        1e3 * (*high)[axis] + 0.0);
+  }
+  return text + " mm";
+}
+
+/// Collects the mistakes in a body's regions.
+class RegionResolver {
+ public:
+  RegionResolver(const BodyScenario& body, const SurfaceMesh& mesh) : body_(body), mesh_(mesh) {}
+
+  std::vector<double> thickness() {
+    std::vector<double> values(mesh_.triangles.size(), body_.thickness.standard);
+    for (std::size_t i = 0; i < body_.thickness.regions.size(); ++i) {
+      const ThicknessRegion& region = body_.thickness.regions[i];
+      const std::string path = fmt::format("bodies.{}.wall.thickness.regions[{}].in", body_.name, i);
+      for (const int t :
+           members(region.region, triangles_in, "wall triangle", path, at(body_.thickness_locations, i))) {
+        values[t] = region.value;
+      }
+    }
+    return values;
+  }
+
+  void check_fixed() {
+    for (std::size_t i = 0; i < body_.fixed.size(); ++i) {
+      const std::string path = fmt::format("bodies.{}.fixed[{}].region", body_.name, i);
+      members(body_.fixed[i].region, vertices_in, "vertex", path, at(body_.fixed_locations, i));
+    }
+  }
+
+  void throw_errors() {
+    if (!errors_.empty()) throw InputErrors(std::move(errors_));
+  }
+
+ private:
+  const SourceLocation& at(const std::vector<SourceLocation>& locations, std::size_t i) const {
+    return i < locations.size() ? locations[i] : body_.location;
+  }
+
+  template <typename Find>
+  std::vector<int> members(const Region& region, const Find& find, const char* what, const std::string& path,
+                           const SourceLocation& location) {
+    const auto* group = std::get_if<GroupRegion>(&region);
+    if (group != nullptr && !mesh_.groups.contains(group->name)) {
+      std::vector<std::string> names;
+      for (const auto& [name, vertices] : mesh_.groups) names.push_back(name);
+      errors_.push_back(
+          {location, fmt::format("{}: the surface has no group {}{}; it has {}", path, in_backticks(group->name),
+                                 did_you_mean(group->name, names), group_names(mesh_))});
+      return {};
+    }
+    std::vector<int> found = find(region, mesh_);
+    if (found.empty() && std::holds_alternative<BoundaryRegion>(region)) {
+      errors_.push_back({location, fmt::format("{}: holds no {}: the wall has no open edges", path, what)});
+    } else if (found.empty()) {
+      errors_.push_back(
+          {location, fmt::format("{}: holds no {} of the surface, which spans {}", path, what, bounds_of(mesh_))});
+    }
+    return found;
+  }
+
+  const BodyScenario& body_;
+  const SurfaceMesh& mesh_;
+  std::vector<Diagnostic> errors_;
+};
+
+}  // namespace
+
+SurfaceMesh make_surface(const SurfaceSource& source, const SourceLocation& location, std::vector<std::string>& notes) {
+  return make_surface(source, origin_of(source, "surface", location), notes);
+}
+
+BodyDefinition build_body(const BodyScenario& body, std::vector<std::string>& notes) {
+  const SurfaceOrigin origin =
+      origin_of(body.surface, fmt::format("bodies.{}.surface", body.name), body.surface_location);
+  BodyDefinition definition{.name = body.name,
+                            .mesh = make_surface(body.surface, origin, notes),
+                            .thickness = {},
+                            .density = body.density,
+                            .material = body.material,
+                            .prestretch = body.prestretch,
+                            .fluid = body.fluid,
+                            .fixed = body.fixed};
+  if (body.fluid.kind != FluidKind::kNone) check_closed_for_fluid(definition.mesh, origin);
+  RegionResolver regions(body, definition.mesh);
+  definition.thickness = regions.thickness();
+  regions.check_fixed();
+  regions.throw_errors();
+  return definition;
+}
+
+}  // namespace thinwall

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "engine/body/BodyDefinition.hpp"
+#include "studio/organs/SurfaceOrigin.hpp"
+#include "studio/scenario/Scenario.hpp"
+
+namespace thinwall {
+
+/// The surface of a body, from a mesh file or a shape, metres. Adds to `notes` what was found and done.
+/// Throws InputErrors at `location`: see import_mesh; an annulus whose inner radius is not below the outer.
+SurfaceMesh make_surface(const std::variant<MeshFileSource, ShapeSource>& source, const SourceLocation& location,
+                         std::vector<std::string>& notes);
+
+/// Everything that the engine needs of a body: its surface made, thickness regions resolved to the triangles. Adds to
+/// `notes`. Throws InputErrors: see make_surface; a fluid in a surface that is not closed; regions that name a group
+/// that the surface lacks, thickness regions without a triangle, fixed regions without a vertex.
+BodyDefinition build_body(const BodyScenario& body, std::vector<std::string>& notes);
+
+}  // namespace thinwall

@@ -1,0 +1,174 @@
+#include "studio/organs/MeshImport.hpp"
+
+#include <fmt/core.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <set>
+
+#include "engine/mesh/MeshMeasures.hpp"
+#include "engine/mesh/MeshTopology.hpp"
+#include "studio/organs/MeshFile.hpp"
+#include "studio/organs/MeshRepair.hpp"
+#include "studio/scenario/Wording.hpp"
+
+namespace thinwall {
+namespace {
+
+/// Of the extent. Single-precision coordinates, which most files hold, are good to 1e-7 of it.
+constexpr double kWeldTolerance = 1e-6;
+
+/// Of the area: what a surface has more than is the whole of it, and the rest is debris of a segmentation.
+constexpr double kWholeShare = 0.99;
+
+class MeshImport {
+ public:
+  MeshImport(const std::filesystem::path& file, const SurfaceOrigin& origin) : file_(file), origin_(origin) {}
+
+  ImportedMesh run() {
+    RawMesh raw = read();
+    check_coordinates(raw);
+    part_names_ = std::move(raw.part_names);
+    surface_ = {std::move(raw.vertices), std::move(raw.triangles), std::move(raw.parts)};
+    repair();
+    drop_debris();
+    orient();
+    ImportedMesh result;
+    result.mesh = finish();
+    describe(result.mesh);
+    result.notes = std::move(notes_);
+    return result;
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& reason) const {
+    throw InputErrors({{origin_.location, fmt::format("{}: {}: {}", origin_.key_path, origin_.name, reason)}});
+  }
+
+  RawMesh read() const {
+    try {
+      return read_mesh_file(file_);
+    } catch (const MeshFileError& error) {
+      refuse(error.what());
+    }
+  }
+
+  void check_coordinates(const RawMesh& raw) const {
+    const auto bad =
+        std::find_if(raw.vertices.begin(), raw.vertices.end(), [](const Eigen::Vector3d& v) { return !v.allFinite(); });
+    if (bad == raw.vertices.end()) return;
+    refuse(fmt::format("the coordinates ({:g}, {:g}, {:g}) of a vertex are no finite numbers; mend or remove it",
+                       (*bad)[0], (*bad)[1], (*bad)[2]));
+  }
+
+  void note_if(std::size_t count, const std::string& one, const std::string& many, const std::string& what) {
+    if (count > 0) notes_.push_back(fmt::format("{}: {} {}", origin_.name, counted(count, one, many), what));
+  }
+
+  void repair() {
+    const double extent = extent_of(surface_);
+    if (extent == 0) refuse("all its vertices are at one place");
+    const double tolerance = kWeldTolerance * extent;
+    note_if(remove_unused_vertices(surface_), "vertex", "vertices", "that no triangle uses removed");
+    note_if(weld_vertices(surface_, tolerance), "vertex", "vertices",
+            fmt::format("welded to others nearer than {:.3g} {}", tolerance, origin_.unit_name));
+    note_if(remove_collapsed_triangles(surface_), "triangle", "triangles", "with a corner twice removed");
+    note_if(remove_repeated_triangles(surface_), "triangle", "triangles", "that repeat others removed");
+    note_if(remove_flat_triangles(surface_, tolerance), "triangle", "triangles",
+            fmt::format("lower than {:.3g} {} merged into neighbours or removed", tolerance, origin_.unit_name));
+    if (surface_.triangles.empty()) refuse("all its triangles are flat or collapsed to a point: nothing is left");
+  }
+
+  void drop_debris() {
+    const std::vector<SurfaceComponent> components = components_of(surface_);
+    double whole = 0;
+    int largest = 0;
+    for (int c = 0; c < static_cast<int>(components.size()); ++c) {
+      whole += components[c].area;
+      if (components[c].area > components[largest].area) largest = c;
+    }
+    const std::size_t before = surface_.triangles.size();
+    if (components.size() > 1 && components[largest].area > kWholeShare * whole) {
+      keep_component(surface_, largest);
+      notes_.push_back(fmt::format("{}: {} with {} removed, {:.2g} % of the area", origin_.name,
+                                   counted(components.size() - 1, "separate part", "separate parts"),
+                                   counted(before - surface_.triangles.size(), "triangle", "triangles"),
+                                   100 * (1 - components[largest].area / whole)));
+    } else if (components.size() > 1) {
+      notes_.push_back(fmt::format("{}: {} separate parts", origin_.name, components.size()));
+    }
+    remove_unused_vertices(surface_);
+  }
+
+  void orient() {
+    const OrientationResult result = orient_outwards(surface_);
+    if (!result.orientable) {
+      refuse("it has no inside and outside: like a Moebius band, its triangles cannot be turned to agree everywhere");
+    }
+    note_if(result.turned, "triangle", "triangles", "turned to agree with the others");
+    note_if(result.turned_inside, "surface", "surfaces", "that faced inwards turned outwards");
+  }
+
+  SurfaceMesh finish() const {
+    SurfaceMesh mesh;
+    mesh.triangles = surface_.triangles;
+    for (const Eigen::Vector3d& v : surface_.vertices) mesh.vertices.push_back(v * origin_.unit);
+    std::map<std::string, std::set<int>> groups;
+    for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
+      for (const std::string& name : part_names_[surface_.parts[t]]) {
+        for (const int v : surface_.triangles[t]) groups[name].insert(v);
+      }
+    }
+    for (const auto& [name, members] : groups) mesh.groups[name].assign(members.begin(), members.end());
+    if (!mesh.groups.contains("wall")) {
+      std::vector<int>& wall = mesh.groups["wall"];
+      wall.resize(mesh.vertices.size());
+      std::iota(wall.begin(), wall.end(), 0);
+    }
+    return mesh;
+  }
+
+  void describe(const SurfaceMesh& mesh) {
+    Eigen::Vector3d low = mesh.vertices.front();
+    Eigen::Vector3d high = low;
+    for (const Eigen::Vector3d& v : mesh.vertices) {
+      low = low.cwiseMin(v);
+      high = high.cwiseMax(v);
+    }
+    const Eigen::Vector3d size = (high - low) * 1e3;
+    const MeshTopology topology = topology_of(static_cast<int>(mesh.vertices.size()), mesh.triangles);
+    std::vector<std::string> names;
+    for (const auto& [name, members] : mesh.groups) names.push_back(name);
+    notes_.push_back(fmt::format(
+        "{}: {} triangles, {} vertices, {}, {:.3g} x {:.3g} x {:.3g} mm, smallest angle {:.2g} deg, groups {}",
+        origin_.name, mesh.triangles.size(), mesh.vertices.size(), is_closed(topology) ? "closed" : "open", size[0],
+        size[1], size[2], quality_of(mesh).least_angle * 180 / std::numbers::pi, list_in_backticks(names)));
+  }
+
+  const std::filesystem::path& file_;
+  const SurfaceOrigin& origin_;
+  RawSurface surface_;
+  std::vector<std::vector<std::string>> part_names_;
+  std::vector<std::string> notes_;
+};
+
+}  // namespace
+
+SurfaceOrigin mesh_origin(const std::filesystem::path& file, double metres_per_unit, const std::string& key_path,
+                          const SourceLocation& location) {
+  return {.name = "mesh `" + file.generic_string() + "`",
+          .unit = metres_per_unit,
+          .unit_name = "units of the file",
+          .key_path = key_path,
+          .location = location};
+}
+
+ImportedMesh import_mesh(const std::filesystem::path& file, const SurfaceOrigin& origin) {
+  return MeshImport(file, origin).run();
+}
+
+}  // namespace thinwall

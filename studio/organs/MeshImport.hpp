@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "engine/mesh/SurfaceMesh.hpp"
+#include "studio/organs/SurfaceOrigin.hpp"
+
+namespace thinwall {
+
+/// How messages speak of a mesh file: with its coordinates as they stand there.
+SurfaceOrigin mesh_origin(const std::filesystem::path& file, double metres_per_unit, const std::string& key_path,
+                          const SourceLocation& location);
+
+struct ImportedMesh {
+  SurfaceMesh mesh;                // metres; no caps
+  std::vector<std::string> notes;  // a line for each thing that was found or done
+};
+
+/// Reads a mesh file and makes a surface of it. In this order: vertices nearer than 1e-6 of the mesh's extent are
+/// welded; collapsed and repeated triangles are removed, flat ones turned away or removed; when one component has more
+/// than 99 % of the area the others are removed as debris; unused vertices are removed; triangles are made to agree and
+/// to face outwards. Each group, object and material that the file names is a group of the mesh, with the vertices of
+/// its faces; the group `wall` has all vertices unless the file itself has one of that name. `origin` is what
+/// `mesh_origin` gives for the file. Throws InputErrors: unreadable (see read_mesh_file), coordinates that are no
+/// finite numbers, no extent, nothing left, no orientation that agrees everywhere.
+ImportedMesh import_mesh(const std::filesystem::path& file, const SurfaceOrigin& origin);
+
+}  // namespace thinwall

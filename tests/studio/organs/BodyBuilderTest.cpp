@@ -1,0 +1,116 @@
+#include "studio/organs/BodyBuilder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "engine/mesh/MeshTopology.hpp"
+
+namespace thinwall {
+namespace {
+
+BodyScenario hemisphere() {
+  BodyScenario body;
+  body.name = "organ";
+  body.location = {"scene.yaml", 3, 3};
+  body.surface_location = {"scene.yaml", 4, 14};
+  body.surface = ShapeSource{.shape = Shape::kHemisphere, .radius = 0.02, .triangles = 64};
+  body.thickness.standard = 1e-3;
+  return body;
+}
+
+std::string refusal_of(const BodyScenario& body) {
+  std::vector<std::string> notes;
+  try {
+    build_body(body, notes);
+  } catch (const InputErrors& errors) {
+    return errors.what();
+  }
+  return "accepted";
+}
+
+TEST(BodyBuilder, EveryShapeIsMadeAndTold) {
+  for (const Shape shape : {Shape::kSphere, Shape::kHemisphere, Shape::kSemicylinder, Shape::kSheet, Shape::kDisc,
+                            Shape::kCylinder, Shape::kAnnulus, Shape::kStrip}) {
+    std::vector<std::string> notes;
+    const SurfaceMesh mesh = make_surface(ShapeSource{.shape = shape, .triangles = 300}, {}, notes);
+    EXPECT_GT(mesh.triangles.size(), 200u);
+    ASSERT_EQ(notes.size(), 1u);
+    EXPECT_NE(notes[0].find("(300 wanted)"), std::string::npos);
+  }
+}
+
+TEST(BodyBuilder, WallAndFluidAreHandedOn) {
+  BodyScenario scenario = hemisphere();
+  scenario.density = 1100;
+  scenario.prestretch = 1.2;
+  scenario.fluid.initial_pressure = 500;
+  scenario.fixed = {{.region = GroupRegion{"base"}}};
+  std::vector<std::string> notes;
+  const BodyDefinition body = build_body(scenario, notes);
+  EXPECT_EQ(body.name, "organ");
+  EXPECT_EQ(body.mesh.vertices.size(), 41u);
+  EXPECT_EQ(body.thickness, std::vector<double>(64, 1e-3));
+  EXPECT_EQ(body.density, 1100);
+  EXPECT_EQ(body.prestretch, 1.2);
+  EXPECT_EQ(body.fluid.initial_pressure, 500);
+  EXPECT_EQ(body.fixed.size(), 1u);
+}
+
+TEST(BodyBuilder, LaterThicknessRegionWins) {
+  BodyScenario scenario = hemisphere();
+  scenario.thickness.regions = {{AboveRegion{2, 0.01}, 2e-3}, {AboveRegion{2, 0.018}, 3e-3}};
+  std::vector<std::string> notes;
+  const BodyDefinition body = build_body(scenario, notes);
+  EXPECT_EQ(std::count(body.thickness.begin(), body.thickness.end(), 3e-3), 4);
+  EXPECT_GT(std::count(body.thickness.begin(), body.thickness.end(), 2e-3), 10);
+  EXPECT_GT(std::count(body.thickness.begin(), body.thickness.end(), 1e-3), 10);
+}
+
+TEST(BodyBuilder, RegionsThatHoldNothingAreAllTold) {
+  BodyScenario scenario = hemisphere();
+  scenario.thickness.regions = {{GroupRegion{"bace"}, 2e-3}, {BelowRegion{2, -1}, 3e-3}};
+  scenario.thickness_locations = {{"scene.yaml", 8, 11}, {"scene.yaml", 9, 11}};
+  scenario.fixed = {{.region = GroupRegion{"ends"}}, {.region = SphereRegion{{1, 0, 0}, 0.1}}};
+  scenario.fixed_locations = {{"scene.yaml", 12, 9}, {"scene.yaml", 13, 9}};
+  EXPECT_EQ(
+      refusal_of(scenario),
+      "scene.yaml:8:11: error: bodies.organ.wall.thickness.regions[0].in: the surface has no group `bace`, did you "
+      "mean `base`?; it has `base`, `wall`\n"
+      "scene.yaml:9:11: error: bodies.organ.wall.thickness.regions[1].in: holds no wall triangle of the surface, "
+      "which spans x -20 ... 20, y -20 ... 20, z 0 ... 20 mm\n"
+      "scene.yaml:12:9: error: bodies.organ.fixed[0].region: the surface has no group `ends`; it has `base`, `wall`\n"
+      "scene.yaml:13:9: error: bodies.organ.fixed[1].region: holds no vertex of the surface, which spans x -20 ... "
+      "20, y -20 ... 20, z 0 ... 20 mm");
+}
+
+TEST(BodyBuilder, BoundaryOfAClosedWallIsEmptyAndTold) {
+  BodyScenario scenario = hemisphere();
+  scenario.surface = ShapeSource{.shape = Shape::kSphere};
+  scenario.fixed = {{.region = BoundaryRegion{}}};
+  EXPECT_EQ(refusal_of(scenario),
+            "scene.yaml:3:3: error: bodies.organ.fixed[0].region: holds no vertex: the wall has no open edges");
+}
+
+TEST(BodyBuilder, FluidInAnOpenShapeIsRefusedAndNoneIsAccepted) {
+  BodyScenario scenario = hemisphere();
+  scenario.surface = ShapeSource{.shape = Shape::kDisc, .radius = 0.02, .triangles = 6};
+  EXPECT_EQ(
+      refusal_of(scenario),
+      "scene.yaml:4:14: error: bodies.organ.surface: shape `disc`: the fluid needs a closed surface, but this has 6 "
+      "open edges around 1 hole: (20, 0, 0) to (10, 17.3205, 0), (20, 0, 0) to (10, -17.3205, 0), (10, 17.3205, 0) "
+      "to (-10, 17.3205, 0) and 3 more, in mm; close the surface, or say `contents: { fluid: none }`");
+  scenario.fluid.kind = FluidKind::kNone;
+  EXPECT_EQ(refusal_of(scenario), "accepted");
+}
+
+TEST(BodyBuilder, AnnulusWithoutBreadthIsRefused) {
+  BodyScenario scenario = hemisphere();
+  scenario.surface = ShapeSource{.shape = Shape::kAnnulus, .radius = 0.01, .inner_radius = 0.01};
+  EXPECT_EQ(
+      refusal_of(scenario),
+      "scene.yaml:4:14: error: bodies.organ.surface: inner_radius is 10 mm, but must be below the radius of 10 mm");
+}
+
+}  // namespace
+}  // namespace thinwall

@@ -1,0 +1,157 @@
+#include "studio/organs/MeshImport.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <numbers>
+
+#include "engine/mesh/MeshMeasures.hpp"
+#include "engine/mesh/MeshTopology.hpp"
+#include "studio/organs/ClosedCheck.hpp"
+
+namespace thinwall {
+namespace {
+
+const SourceLocation kHere = {"scene.yaml", 4, 14};
+
+std::filesystem::path write_file(const std::string& name, const std::string& text) {
+  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / name;
+  std::ofstream(file, std::ios::binary) << text;
+  return file;
+}
+
+ImportedMesh import(const std::filesystem::path& file, double unit = 1) {
+  return import_mesh(file, mesh_origin(file, unit, "bodies.organ.surface", kHere));
+}
+
+/// A unit cube of quadrilaterals.
+const std::string kCubeVertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n";
+const std::string kCubeSides = "f 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+const std::string kCubeEnds = "f 1 4 3 2\nf 5 6 7 8\n";
+
+TEST(MeshImport, PolygonsAreTriangulatedAndUnitsApplied) {
+  const ImportedMesh cube = import(write_file("cube.obj", kCubeVertices + kCubeSides + kCubeEnds), 0.01);
+  EXPECT_EQ(cube.mesh.vertices.size(), 8u);
+  EXPECT_EQ(cube.mesh.triangles.size(), 12u);
+  // Coordinates come in single precision, in which the corners of this cube are exact.
+  EXPECT_NEAR(enclosed_volume(cube.mesh), 1e-6, 1e-20);
+  EXPECT_NO_THROW(check_closed_for_fluid(cube.mesh, {}));
+}
+
+TEST(MeshImport, GroupsOfFacesBecomeGroupsOfVertices) {
+  const std::string text = kCubeVertices + "g sides\n" + kCubeSides + "g lid\nf 5 6 7 8\ng sides\nf 1 4 3 2\n";
+  const SurfaceMesh mesh = import(write_file("groups.obj", text)).mesh;
+  ASSERT_EQ(mesh.groups.size(), 3u);
+  EXPECT_EQ(mesh.groups.at("sides").size(), 8u);
+  EXPECT_EQ(mesh.groups.at("wall").size(), 8u);
+  ASSERT_EQ(mesh.groups.at("lid").size(), 4u);
+  for (const int v : mesh.groups.at("lid")) EXPECT_EQ(mesh.vertices[v][2], 1);
+}
+
+TEST(MeshImport, MaterialsAreGroupsToo) {
+  write_file("paints.mtl", "newmtl red\nKd 1 0 0\n");
+  const std::string text =
+      "mtllib paints.mtl\n" + kCubeVertices + "usemtl red\nf 5 6 7 8\nusemtl blue\n" + kCubeSides + "f 1 4 3 2\n";
+  const SurfaceMesh mesh = import(write_file("paints.obj", text)).mesh;
+  ASSERT_TRUE(mesh.groups.contains("red"));
+  EXPECT_EQ(mesh.groups.at("red").size(), 4u);
+}
+
+TEST(MeshImport, GroupThatTheFileCallsWallIsTheFilesOwn) {
+  const std::string text = kCubeVertices + "g wall\nf 5 6 7 8\ng rest\n" + kCubeSides + "f 1 4 3 2\n";
+  EXPECT_EQ(import(write_file("wall.obj", text)).mesh.groups.at("wall").size(), 4u);
+}
+
+TEST(MeshImport, FormatsWithoutSharedVerticesAreWelded) {
+  std::string text = "solid cube\n";
+  const Eigen::Vector3d corners[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (const Eigen::Vector3i& t : {Eigen::Vector3i(0, 2, 1), {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}) {
+    text += "facet normal 0 0 0\nouter loop\n";
+    for (const int v : t) {
+      const Eigen::Vector3d& p = corners[v];
+      text += "vertex " + std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) + "\n";
+    }
+    text += "endloop\nendfacet\n";
+  }
+  const SurfaceMesh mesh = import(write_file("soup.stl", text + "endsolid cube\n")).mesh;
+  EXPECT_EQ(mesh.vertices.size(), 4u);
+  EXPECT_NO_THROW(check_closed_for_fluid(mesh, {}));
+}
+
+TEST(MeshImport, DebrisIsRemovedAndToldWithAllElseThatWasDone) {
+  const std::string text = kCubeVertices + "v 3 3 3\nv 3.1 3 3\nv 3 3.1 3\nv 9 9 9\n" + kCubeSides +
+                           "f 4 1 5 8\nf 1 2 3 4\nf 5 6 7 8\nf 9 10 11\n";
+  const std::filesystem::path file = write_file("debris.obj", text);
+  const ImportedMesh cube = import(file, 0.01);
+  const std::string name = "mesh `" + file.generic_string() + "`: ";
+  const std::vector<std::string> expected = {
+      name + "2 triangles that repeat others removed",
+      name + "1 separate part with 1 triangle removed, 0.083 % of the area",
+      name + "2 triangles turned to agree with the others",
+      name + "12 triangles, 8 vertices, closed, 10 x 10 x 10 mm, smallest angle 45 deg, groups `wall`",
+  };
+  EXPECT_EQ(cube.notes, expected);
+  EXPECT_NEAR(enclosed_volume(cube.mesh), 1e-6, 1e-20);
+}
+
+TEST(MeshImport, PlacementOfObjectsIsApplied) {
+  // A triangle moved by (5, 0, 0): three positions as little-endian floats in a data URI.
+  const std::string text = R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+    "nodes": [{"mesh": 0, "translation": [5, 0, 0], "name": "moved"}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+    "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}]})";
+  const SurfaceMesh mesh = import(write_file("moved.gltf", text)).mesh;
+  ASSERT_EQ(mesh.vertices.size(), 3u);
+  EXPECT_EQ(mesh.vertices[1], Eigen::Vector3d(6, 0, 0));
+  EXPECT_TRUE(mesh.groups.contains("moved"));
+}
+
+TEST(MeshImport, IsTheSameEveryTime) {
+  const std::filesystem::path file = write_file("cube.obj", kCubeVertices + kCubeSides + kCubeEnds);
+  const ImportedMesh first = import(file);
+  const ImportedMesh second = import(file);
+  EXPECT_EQ(first.mesh.vertices, second.mesh.vertices);
+  EXPECT_EQ(first.mesh.triangles, second.mesh.triangles);
+  EXPECT_EQ(first.notes, second.notes);
+}
+
+struct GivenMesh {
+  const char* file;
+  double unit;
+  std::size_t triangles;
+  double volume_ml;
+};
+
+/// Meshes that are lent for trials and do not belong to the project.
+TEST(MeshImport, GivenOrgansAreClosedAsTheyAre) {
+  const std::filesystem::path folder = std::filesystem::path(THINWALL_SOURCE_DIR) / "../shared/meshes";
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "the lent meshes are not here";
+  for (const GivenMesh& given :
+       {GivenMesh{"liver-smooth.obj", 0.03, 4384, 1060}, {"aneurysm3D_1.off", 1e-3, 14186, 1.379}}) {
+    const SurfaceMesh mesh = import(folder / given.file, given.unit).mesh;
+    EXPECT_EQ(mesh.triangles.size(), given.triangles);
+    EXPECT_NO_THROW(check_closed_for_fluid(mesh, {}));
+    EXPECT_NEAR(enclosed_volume(mesh) * 1e6, given.volume_ml, 0.001 * given.volume_ml);
+  }
+}
+
+TEST(ClosedCheck, TrianglesThatFaceOppositeWaysAreTold) {
+  SurfaceMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {0.001, 0, 0}, {0, 0.001, 0}, {0, 0, 0.001}};
+  mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {2, 1, 3}, {2, 0, 3}};
+  try {
+    check_closed_for_fluid(mesh, {"shape `tip`", 1e-3, "mm", "bodies.organ.surface", kHere});
+    FAIL() << "was accepted";
+  } catch (const InputErrors& errors) {
+    EXPECT_STREQ(
+        errors.what(),
+        "scene.yaml:4:14: error: bodies.organ.surface: shape `tip`: the fluid needs a surface with one inside, but "
+        "this has 3 edges between triangles that face opposite ways: (1, 0, 0) to (0, 1, 0), (1, 0, 0) to (0, 0, "
+        "1), (0, 1, 0) to (0, 0, 1), in mm; turn one side of them over");
+  }
+}
+
+}  // namespace
+}  // namespace thinwall
