@@ -5,7 +5,7 @@
 namespace thinwall {
 namespace {
 
-constexpr int kResolution = 96;  // the blur leaves nothing finer
+constexpr int kResolution = 192;  // the blur leaves nothing finer
 
 Framebuffer frame_of(const Texture& texture) {
   Framebuffer frame = create_framebuffer();
@@ -22,27 +22,39 @@ void empty(const Framebuffer& frame) {
 }  // namespace
 
 FloorShade::FloorShade()
-    : cover_(create_texture(GL_R16F, kResolution, kResolution, GL_LINEAR)),
-      blurred_(create_texture(GL_R16F, kResolution, kResolution, GL_LINEAR)),
+    : cover_(create_texture(GL_RG16F, kResolution, kResolution, GL_LINEAR)),
+      blurred_(create_texture(GL_RG16F, kResolution, kResolution, GL_LINEAR)),
       cover_frame_(frame_of(cover_)),
       blurred_frame_(frame_of(blurred_)),
       cover_program_(build_program("cover.vert", "cover.frag")),
       blur_program_(build_program("blur.vert", "blur.frag")),
       no_vertices_(create_vertex_array()) {}
 
-void FloorShade::draw(const SceneMeshes& meshes) const {
+void FloorShade::draw(const SceneMeshes& meshes, Vector3 toward_light) const {
   glViewport(0, 0, kResolution, kResolution);
   glDisable(GL_DEPTH_TEST);
   glBindFramebuffer(GL_FRAMEBUFFER, cover_frame_.name());
   empty(cover_frame_);
   glEnable(GL_BLEND);
   glBlendEquation(GL_MAX);
-  glUseProgram(cover_program_.name());
-  meshes.tissue().draw();
+  glColorMask(GL_TRUE, GL_FALSE, GL_FALSE, GL_FALSE);
+  lay(meshes, {0, 0, 1});
+  glColorMask(GL_FALSE, GL_TRUE, GL_FALSE, GL_FALSE);
+  // A light at the horizon or below throws no shadow on the floor.
+  if (toward_light.z > 0.05) lay(meshes, toward_light);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glDisable(GL_BLEND);
   blur(cover_, blurred_frame_, 1, 0);
   blur(blurred_, cover_frame_, 0, 1);
   glBindTextureUnit(1, cover_.name());
+}
+
+void FloorShade::lay(const SceneMeshes& meshes, Vector3 along) const {
+  glProgramUniform3f(cover_program_.name(), 0, static_cast<float>(along.x), static_cast<float>(along.y),
+                     static_cast<float>(along.z));
+  glUseProgram(cover_program_.name());
+  meshes.tissue().draw();
+  meshes.tools().draw();
 }
 
 void FloorShade::clear() const {

@@ -5,18 +5,20 @@
 
 namespace thinwall {
 
-/// Where the scene keeps the light from all around off the floor: a small blurred map seen from above.
+/// Where the scene keeps light off the floor: a small blurred map of the floor, on which the scene is laid along the
+/// key light and straight down. On a plane this is cheaper and softer than the shadow map.
 class FloorShade {
  public:
   FloorShade();
 
   /// Draws the map anew and binds it where floor.frag reads it; the Frame block must be bound.
-  void draw(const SceneMeshes& meshes) const;
+  void draw(const SceneMeshes& meshes, Vector3 toward_light) const;
 
   /// Binds an empty map.
   void clear() const;
 
  private:
+  void lay(const SceneMeshes& meshes, Vector3 along) const;
   void blur(const Texture& from, const Framebuffer& to, int across, int along) const;
 
   Texture cover_;

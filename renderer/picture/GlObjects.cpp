@@ -50,11 +50,11 @@ Texture create_texture(GLenum format, int width, int height, GLint filter) {
   return texture;
 }
 
-Renderbuffer create_renderbuffer(GLenum format, int width, int height, int samples) {
+Renderbuffer create_renderbuffer(GLenum format, int width, int height) {
   GLuint name = 0;
   glCreateRenderbuffers(1, &name);
   Renderbuffer renderbuffer(name);
-  glNamedRenderbufferStorageMultisample(name, samples, format, width, height);
+  glNamedRenderbufferStorage(name, format, width, height);
   require_no_gl_error("the allocation of a frame of " + dimensions(width, height));
   return renderbuffer;
 }

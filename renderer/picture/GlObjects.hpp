@@ -71,8 +71,8 @@ Framebuffer create_framebuffer();
 /// A texture of one level without filtering across its border. Throws PictureFailure when memory is short.
 Texture create_texture(GLenum format, int width, int height, GLint filter);
 
-/// A renderbuffer with `samples` per pixel, 0 for none. Throws PictureFailure when memory is short.
-Renderbuffer create_renderbuffer(GLenum format, int width, int height, int samples);
+/// Throws PictureFailure when memory is short.
+Renderbuffer create_renderbuffer(GLenum format, int width, int height);
 
 /// Throws PictureFailure when `framebuffer` cannot be drawn to, naming it as `what`.
 void require_complete(const Framebuffer& framebuffer, const std::string& what);

@@ -1,7 +1,6 @@
 #include "renderer/picture/PictureTarget.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <string>
 
 #include "renderer/picture/PictureFailure.hpp"
@@ -9,13 +8,11 @@
 namespace thinwall {
 namespace {
 
-constexpr int kSamples = 4;  // what OpenGL 4.5 promises everywhere; never the driver's most, which differs
-
 std::string dimensions(ImageSize size) {
   return std::to_string(size.width) + " x " + std::to_string(size.height);
 }
 
-void require_drawable(ImageSize size, ImageSize drawn, int samples) {
+void require_drawable(ImageSize size, ImageSize drawn) {
   if (size.width < 1 || size.height < 1) {
     throw PictureFailure("a picture of " + dimensions(size) + " pixels cannot be made: width and height start at 1");
   }
@@ -31,8 +28,8 @@ void require_drawable(ImageSize size, ImageSize drawn, int samples) {
   }
   // Software drivers do not refuse what the machine cannot hold, they die of it.
   constexpr double kMostGigabytes = 4;
-  const double bytes_per_pixel = 8.0 * std::max(samples, 1) + 4;
-  const double gigabytes = 1e-9 * bytes_per_pixel * drawn.width * drawn.height;
+  constexpr double kBytesPerPixel = 8 + 8 + 8 + 4 + 4 + 4;  // of the textures below
+  const double gigabytes = 1e-9 * kBytesPerPixel * drawn.width * drawn.height;
   if (gigabytes > kMostGigabytes) {
     throw PictureFailure("a picture of " + dimensions(size) + " pixels" + drawn_text + " would take " +
                          std::to_string(static_cast<int>(gigabytes + 0.5)) +
@@ -40,65 +37,81 @@ void require_drawable(ImageSize size, ImageSize drawn, int samples) {
   }
 }
 
-Framebuffer framebuffer_with(const Renderbuffer& color) {
-  Framebuffer framebuffer = create_framebuffer();
-  glNamedFramebufferRenderbuffer(framebuffer.name(), GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color.name());
-  return framebuffer;
+void attach(const Framebuffer& frame, GLenum attachment, const Texture& texture) {
+  glNamedFramebufferTexture(frame.name(), attachment, texture.name(), 0);
+}
+
+void attach_depth(const Framebuffer& frame, const Renderbuffer& depth) {
+  glNamedFramebufferRenderbuffer(frame.name(), GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, depth.name());
 }
 
 }  // namespace
 
-PictureTarget::PictureTarget(ImageSize size, Tier tier)
-    : size_(size), drawn_(size), samples_(tier == Tier::kDraft ? 0 : kSamples) {
+PictureTarget::PictureTarget(ImageSize size, Tier tier) : size_(size), drawn_(size) {
   // Sizes far beyond any limit must not overflow on their way to the message.
   if (tier == Tier::kFinal && std::max(size.width, size.height) < (1 << 28)) drawn_ = {2 * size.width, 2 * size.height};
-  require_drawable(size_, drawn_, samples_);
-  color_ = create_renderbuffer(GL_RGBA8, drawn_.width, drawn_.height, samples_);
-  depth_ = create_renderbuffer(GL_DEPTH_COMPONENT32F, drawn_.width, drawn_.height, samples_);
-  frame_ = framebuffer_with(color_);
-  glNamedFramebufferRenderbuffer(frame_.name(), GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.name());
+  require_drawable(size_, drawn_);
+  const auto texture = [&](GLenum format) { return create_texture(format, drawn_.width, drawn_.height, GL_NEAREST); };
+  depth_ = create_renderbuffer(GL_DEPTH24_STENCIL8, drawn_.width, drawn_.height);
+  normal_ = texture(GL_RGBA16F);
+  rest_ = texture(GL_RGBA16F);
+  distance_ = texture(GL_R32F);
+  color_ = texture(GL_RGBA8);
+  color_copy_ = texture(GL_RGBA8);
+
+  surface_ = create_framebuffer();
+  attach(surface_, GL_COLOR_ATTACHMENT0, normal_);
+  attach(surface_, GL_COLOR_ATTACHMENT1, rest_);
+  attach(surface_, GL_COLOR_ATTACHMENT2, distance_);
+  attach_depth(surface_, depth_);
+  const GLenum all[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2};
+  glNamedFramebufferDrawBuffers(surface_.name(), 3, all);
+  require_complete(surface_, "a frame of normals and positions");
+
+  frame_ = create_framebuffer();
+  attach(frame_, GL_COLOR_ATTACHMENT0, color_);
+  attach_depth(frame_, depth_);
   require_complete(frame_, "a frame of " + dimensions(drawn_));
-  if (samples_ > 0) {
-    resolved_color_ = create_renderbuffer(GL_RGBA8, drawn_.width, drawn_.height, 0);
-    resolved_ = framebuffer_with(resolved_color_);
-    require_complete(resolved_, "a frame of " + dimensions(drawn_));
-  }
   if (drawn_ != size_) {
-    small_color_ = create_renderbuffer(GL_RGBA8, size_.width, size_.height, 0);
-    small_ = framebuffer_with(small_color_);
+    small_color_ = create_texture(GL_RGBA8, size_.width, size_.height, GL_NEAREST);
+    small_ = create_framebuffer();
+    attach(small_, GL_COLOR_ATTACHMENT0, small_color_);
     require_complete(small_, "a frame of " + dimensions(size_));
   }
 }
 
-void PictureTarget::begin() const {
-  glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
+void PictureTarget::begin_surface() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, surface_.name());
   glViewport(0, 0, drawn_.width, drawn_.height);
   glDepthMask(GL_TRUE);
-  const float black[4] = {0, 0, 0, 1};
-  const float farthest = 1;
-  glClearNamedFramebufferfv(frame_.name(), GL_COLOR, 0, black);
-  glClearNamedFramebufferfv(frame_.name(), GL_DEPTH, 0, &farthest);
+  glStencilMask(0xff);
+  glClearNamedFramebufferfi(surface_.name(), GL_DEPTH_STENCIL, 0, 1.0f, 0);
 }
 
-void PictureTarget::resolve() const {
-  if (samples_ > 0) {
-    glBlitNamedFramebuffer(frame_.name(), resolved_.name(), 0, 0, drawn_.width, drawn_.height, 0, 0, drawn_.width,
-                           drawn_.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  }
-  if (drawn_ != size_) {
-    // Half the size with linear filtering takes the mean of two by two pixels.
-    glBlitNamedFramebuffer(resolved_.name(), small_.name(), 0, 0, drawn_.width, drawn_.height, 0, 0, size_.width,
-                           size_.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
-  }
+void PictureTarget::begin_color() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
+  glBindTextureUnit(2, normal_.name());
+  glBindTextureUnit(3, rest_.name());
+  glBindTextureUnit(4, distance_.name());
+}
+
+const Texture& PictureTarget::copy_of_color() const {
+  glCopyImageSubData(color_.name(), GL_TEXTURE_2D, 0, 0, 0, 0, color_copy_.name(), GL_TEXTURE_2D, 0, 0, 0, 0,
+                     drawn_.width, drawn_.height, 1);
+  return color_copy_;
 }
 
 Image PictureTarget::finish() const {
-  resolve();
-  const Framebuffer& last = drawn_ != size_ ? small_ : samples_ > 0 ? resolved_ : frame_;
+  const bool halves = drawn_ != size_;
+  if (halves) {
+    // Half the size with linear filtering takes the mean of two by two pixels.
+    glBlitNamedFramebuffer(frame_.name(), small_.name(), 0, 0, drawn_.width, drawn_.height, 0, 0, size_.width,
+                           size_.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+  }
   const std::size_t width = static_cast<std::size_t>(size_.width);
   const std::size_t height = static_cast<std::size_t>(size_.height);
   std::vector<std::uint8_t> upside_down(4 * width * height);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, last.name());
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, halves ? small_.name() : frame_.name());
   glReadPixels(0, 0, size_.width, size_.height, GL_RGBA, GL_UNSIGNED_BYTE, upside_down.data());
   require_no_gl_error("drawing a picture of " + dimensions(size_));
 

@@ -6,33 +6,40 @@
 
 namespace thinwall {
 
-/// The frame that a picture is drawn to, and the way from there to an Image.
+/// The frames that a picture is drawn to, and the way from there to an Image. Two frames share depth and stencil: one
+/// takes what is seen of the tissue (normal, rest position, depth), the other the colours.
 class PictureTarget {
  public:
   /// Throws PictureFailure for sizes that are not positive, beyond the driver's limits, or that need too much memory.
   PictureTarget(ImageSize size, Tier tier);
 
-  /// Makes the frame the one that is drawn to, emptied.
-  void begin() const;
+  /// Empties depth and stencil and makes the frame of what is seen of the tissue the one that is drawn to.
+  void begin_surface() const;
 
-  /// Brings the samples together and reads the picture.
+  /// Makes the colours the frame that is drawn to, and binds the other for tissue.frag.
+  void begin_color() const;
+
+  /// The colours as they are now.
+  const Texture& copy_of_color() const;
+
+  /// Reads the picture.
   Image finish() const;
 
   ImageSize size() const { return size_; }
   ImageSize drawn_size() const { return drawn_; }  // larger than size() with Tier::kFinal
 
  private:
-  void resolve() const;
-
   ImageSize size_;
   ImageSize drawn_;
-  int samples_ = 0;
-  Renderbuffer color_;
   Renderbuffer depth_;
+  Texture normal_;  // and blanch
+  Texture rest_;    // and hollow
+  Texture distance_;
+  Framebuffer surface_;
+  Texture color_;
+  Texture color_copy_;
   Framebuffer frame_;
-  Renderbuffer resolved_color_;  // one sample per pixel, drawn size
-  Framebuffer resolved_;
-  Renderbuffer small_color_;  // one sample per pixel, size
+  Texture small_color_;
   Framebuffer small_;
 };
 

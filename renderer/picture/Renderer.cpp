@@ -6,6 +6,7 @@
 #include "renderer/picture/Camera.hpp"
 #include "renderer/picture/FloorShade.hpp"
 #include "renderer/picture/FrameUniforms.hpp"
+#include "renderer/picture/OutlinePass.hpp"
 #include "renderer/picture/PictureTarget.hpp"
 #include "renderer/picture/SceneExtent.hpp"
 #include "renderer/picture/SceneMeshes.hpp"
@@ -25,6 +26,7 @@ struct Stage {
   PictureTarget target;
   SceneMeshes meshes;
   ScenePass scene_pass;
+  OutlinePass outline_pass;
   FloorShade floor_shade;
   std::optional<ShadowMap> shadow_map;
   Buffer frame = create_buffer();
@@ -59,14 +61,16 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
   glNamedBufferSubData(stage->frame.name(), 0, sizeof(frame), &frame);
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, stage->frame.name());
 
-  if (stage->shadow_map) {
-    stage->floor_shade.draw(stage->meshes);
-    stage->shadow_map->draw(stage->meshes, key_light_matrix(extent, key_direction(view.lights)));
+  const bool refined = stage->shadow_map.has_value();
+  if (refined) {
+    const Vector3 toward_light = key_direction(view.lights);
+    stage->floor_shade.draw(stage->meshes, toward_light);
+    stage->shadow_map->draw(stage->meshes, key_light_matrix(extent, toward_light));
   } else {
     stage->floor_shade.clear();
   }
-  stage->target.begin();
-  stage->scene_pass.draw(stage->meshes);
+  stage->scene_pass.draw(stage->meshes, stage->target);
+  if (refined) stage->outline_pass.draw(stage->meshes.outline(camera.position), stage->target.copy_of_color());
   return stage->target.finish();
 }
 

@@ -1,6 +1,7 @@
 #include "renderer/picture/SceneMeshes.hpp"
 
 #include <cstddef>
+#include <utility>
 
 #include "renderer/picture/SurfaceVertices.hpp"
 
@@ -31,8 +32,10 @@ void SceneMeshes::upload(const Snapshot& snapshot, const SceneExtent& extent, co
 }
 
 void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& look) {
-  std::vector<SurfaceVertex> vertices;
-  std::vector<std::uint32_t> indices;
+  std::vector<SurfaceVertex>& vertices = tissue_vertices_;
+  std::vector<std::uint32_t>& indices = tissue_indices_;
+  vertices.clear();
+  indices.clear();
   parts_.clear();
   const auto append = [&](const std::vector<SurfaceVertex>& added, const TissueLook& part_look, auto&& add_indices) {
     const std::size_t first = indices.size();
@@ -54,11 +57,17 @@ void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& 
     });
   }
   tissue_.upload(std::span<const SurfaceVertex>(vertices), indices);
+
+  std::vector<std::shared_ptr<const SnapshotTopology>> topologies;
+  for (const SnapshotSurface& surface : snapshot.surfaces) topologies.push_back(surface.topology);
+  if (topologies != topologies_) tissue_edges_ = mesh_edges(indices);
+  topologies_ = std::move(topologies);
 }
 
 void SceneMeshes::upload_tools(const Snapshot& snapshot, const SceneExtent& extent) {
-  std::vector<ToolVertex> vertices;
+  std::vector<ToolVertex>& vertices = tool_vertices_;
   std::vector<std::uint32_t> indices;
+  vertices.clear();
   rods_.clear();
   for (const SnapshotTool& tool : snapshot.tools) {
     const ToolShape shape = tool_shape(tool, extent.size);
@@ -68,6 +77,16 @@ void SceneMeshes::upload_tools(const Snapshot& snapshot, const SceneExtent& exte
     rods_.insert(rods_.end(), shape.rods.begin(), shape.rods.end());
   }
   tools_.upload(std::span<const ToolVertex>(vertices), indices);
+  tool_edges_ = mesh_edges(indices);
+}
+
+std::vector<OutlineSegment> SceneMeshes::outline(Vector3 eye) const {
+  std::vector<OutlineSegment> segments;
+  append_outline(
+      tissue_edges_, [&](std::uint32_t i) { return vector3(tissue_vertices_[i].position); }, eye, segments);
+  append_outline(
+      tool_edges_, [&](std::uint32_t i) { return vector3(tool_vertices_[i].position); }, eye, segments);
+  return segments;
 }
 
 }  // namespace thinwall

@@ -1,43 +1,82 @@
 #include "renderer/picture/ScenePass.hpp"
 
 #include "renderer/picture/FrameUniforms.hpp"
+#include "renderer/picture/PictureFailure.hpp"
 #include "renderer/picture/ShaderProgram.hpp"
 
 namespace thinwall {
+namespace {
+
+/// Parts of a picture are told apart by a stencil of 8 bits, 0 being none.
+void require_countable(std::size_t parts) {
+  if (parts > 255) {
+    throw PictureFailure("a picture holds at most 127 bodies, the snapshot has " + std::to_string(parts / 2));
+  }
+}
+
+}  // namespace
 
 ScenePass::ScenePass()
-    : metal_(build_program("metal.vert", "metal.frag")),
-      tissue_(build_program("tissue.vert", "tissue.frag")),
-      floor_(build_program("floor.vert", "floor.frag")),
+    : surface_(build_program("surface.vert", "surface.frag")),
+      tissue_(build_program("screen.vert", "tissue.frag")),
+      metal_(build_program("metal.vert", "metal.frag")),
+      floor_(build_program("screen.vert", "floor.frag")),
       no_vertices_(create_vertex_array()) {}
 
-void ScenePass::draw(const SceneMeshes& meshes) const {
+void ScenePass::draw(const SceneMeshes& meshes, const PictureTarget& target) const {
+  require_countable(meshes.parts().size());
+  target.begin_surface();
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
+  glDepthMask(GL_TRUE);
+  glEnable(GL_STENCIL_TEST);
+  draw_surface(meshes);
+
+  target.begin_color();
+  glDisable(GL_DEPTH_TEST);
+  shade_tissue(meshes);
+  glDisable(GL_STENCIL_TEST);
+
+  glEnable(GL_DEPTH_TEST);
   glUseProgram(metal_.name());
   meshes.tools().draw();
-  draw_tissue(meshes);
   // The floor comes last, at the far end of depth, so that it is computed only where it is seen.
-  glDepthFunc(GL_LEQUAL);
+  glDepthFunc(GL_EQUAL);
   glDepthMask(GL_FALSE);
   glUseProgram(floor_.name());
-  glBindVertexArray(no_vertices_.name());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  draw_screen();
   glDepthMask(GL_TRUE);
 }
 
-void ScenePass::draw_tissue(const SceneMeshes& meshes) const {
+void ScenePass::draw_surface(const SceneMeshes& meshes) const {
+  glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+  glUseProgram(surface_.name());
+  for (std::size_t i = 0; i < meshes.parts().size(); ++i) {
+    glStencilFunc(GL_ALWAYS, static_cast<GLint>(i + 1), 0xff);
+    meshes.tissue().draw(meshes.parts()[i].first_index, meshes.parts()[i].index_count);
+  }
+}
+
+void ScenePass::shade_tissue(const SceneMeshes& meshes) const {
+  glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
   glUseProgram(tissue_.name());
-  for (const TissuePart& part : meshes.parts()) {
-    const TissueLook& look = part.look;
+  for (std::size_t i = 0; i < meshes.parts().size(); ++i) {
+    if (meshes.parts()[i].index_count == 0) continue;
+    const TissueLook& look = meshes.parts()[i].look;
     glUniform3f(0, static_cast<float>(linear_from_srgb(look.color[0])),
                 static_cast<float>(linear_from_srgb(look.color[1])),
                 static_cast<float>(linear_from_srgb(look.color[2])));
     glUniform1f(1, static_cast<float>(look.roughness));
     glUniform1f(2, static_cast<float>(look.wetness));
     glUniform1f(3, static_cast<float>(look.mottling));
-    meshes.tissue().draw(part.first_index, part.index_count);
+    glStencilFunc(GL_EQUAL, static_cast<GLint>(i + 1), 0xff);
+    draw_screen();
   }
+}
+
+void ScenePass::draw_screen() const {
+  glBindVertexArray(no_vertices_.name());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 }  // namespace thinwall

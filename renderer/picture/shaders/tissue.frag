@@ -8,12 +8,13 @@
 
 // Living tissue: scattering flesh with mottling and vessels below a wet layer.
 
-layout(location = 0) in vec3 position;
-layout(location = 1) in vec3 smooth_normal;
-layout(location = 2) in vec3 rest;   // in units of the scene's size, from its centre
-layout(location = 3) in vec2 state;  // x: blanch, y: hollow
+layout(location = 0) in vec3 ray;
 
 layout(location = 0) out vec4 color;
+
+layout(binding = 2) uniform sampler2D seen_normal;  // w: blanch
+layout(binding = 3) uniform sampler2D seen_rest;    // in units of the scene's size, from its centre; w: hollow
+layout(binding = 4) uniform sampler2D seen_depth;   // along the line of sight, metres
 
 layout(location = 0) uniform vec3 flesh;      // linear
 layout(location = 1) uniform float roughness;
@@ -59,24 +60,27 @@ vec3 scattered_cosine(float cosine) {
   return lifted * lifted / (lifted + 0.12) * 1.12 / (1.0 + wrap);
 }
 
-float floor_openness(vec3 normal) {
+float floor_openness(vec3 position, vec3 normal) {
   float height = max(position.z - floor_plane.x, 0.0) / scene_center.w;
   return 1.0 - floor_plane.y * 0.75 * saturate(0.5 - 0.6 * normal.z) * exp(-6.0 * height);
 }
 
 void main() {
-  vec3 view = normalize(camera_position.xyz - position);
-  vec3 base = normalize(gl_FrontFacing ? smooth_normal : -smooth_normal);
-  float blanch = saturate(state.x);
-  Skin skin = skin_at(rest, blanch);
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vec4 normal_and_blanch = texelFetch(seen_normal, pixel, 0);
+  vec4 rest_and_hollow = texelFetch(seen_rest, pixel, 0);
+  vec3 position = camera_position.xyz + texelFetch(seen_depth, pixel, 0).r * ray;
+  vec3 view = -normalize(ray);
+  vec3 base = normalize(normal_and_blanch.xyz);
+  Skin skin = skin_at(rest_and_hollow.xyz, saturate(normal_and_blanch.w));
   vec3 normal = normalize(base - (skin.bump - dot(skin.bump, base) * base));
   vec3 film_normal = normalize(mix(base, normal, 1.5));
   // A smooth normal may face away where the triangle is still seen.
   float nv = max(dot(normal, view), 0.02);
 
   float visible = key_visibility(position, base);
-  float hollow = saturate(0.5 + 0.5 * (gl_FrontFacing ? state.y : -state.y));
-  float openness = rods_openness(position, base) * floor_openness(base) * mix(1.08, 0.55, smoothstep(0.5, 0.85, hollow));
+  float hollow = saturate(0.5 + 0.5 * rest_and_hollow.w);
+  float openness = rods_openness(position, base) * floor_openness(position, base) * mix(1.08, 0.55, smoothstep(0.5, 0.85, hollow));
   openness = min(openness, 1.0);
 
   vec3 key = 2.1 * key_direction.w * kKeyColor;

@@ -1,7 +1,8 @@
 #version 450 core
 #include "frame.glsl"
 
-// One triangle over the whole picture, at the far end of depth; the ray of each pixel finds the floor by itself.
+// One triangle over the whole picture, at the far end of depth, with the ray of each pixel: of length one along the line
+// of sight.
 
 layout(location = 0) out vec3 ray;
 

@@ -1,0 +1,36 @@
+#include "renderer/picture/OutlinePass.hpp"
+
+#include <cstddef>
+
+#include "renderer/picture/ShaderProgram.hpp"
+
+namespace thinwall {
+
+OutlinePass::OutlinePass()
+    : program_(build_program("outline.vert", "outline.frag")),
+      array_(create_vertex_array()),
+      segments_(create_buffer()) {
+  glVertexArrayVertexBuffer(array_.name(), 0, segments_.name(), 0, sizeof(OutlineSegment));
+  glVertexArrayBindingDivisor(array_.name(), 0, 1);
+  const GLuint offsets[] = {offsetof(OutlineSegment, start), offsetof(OutlineSegment, end)};
+  for (GLuint location = 0; location < 2; ++location) {
+    glEnableVertexArrayAttrib(array_.name(), location);
+    glVertexArrayAttribFormat(array_.name(), location, 3, GL_FLOAT, GL_FALSE, offsets[location]);
+    glVertexArrayAttribBinding(array_.name(), location, 0);
+  }
+}
+
+void OutlinePass::draw(std::span<const OutlineSegment> outline, const Texture& picture) const {
+  if (outline.empty()) return;
+  glNamedBufferData(segments_.name(), static_cast<GLsizeiptr>(outline.size_bytes()), outline.data(), GL_STREAM_DRAW);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glDepthMask(GL_FALSE);
+  glBindTextureUnit(0, picture.name());
+  glUseProgram(program_.name());
+  glBindVertexArray(array_.name());
+  glDrawArraysInstanced(GL_LINES, 0, 2, static_cast<GLsizei>(outline.size()));
+  glDepthMask(GL_TRUE);
+}
+
+}  // namespace thinwall

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <span>
+
+#include "renderer/picture/GlObjects.hpp"
+#include "renderer/picture/Outline.hpp"
+
+namespace thinwall {
+
+/// Smooths the stairs along outlines: a pixel that an outline runs through takes the part of its neighbour's colour
+/// that the part of its area beyond the outline is (geometric anti-aliasing after Persson 2011). Where pixels are
+/// computed by the processor this costs a hundredth of several samples per pixel, and knows 256 steps instead of 4.
+class OutlinePass {
+ public:
+  OutlinePass();
+
+  /// Draws to the current frame, whose colours without smoothing are in `picture`; the Frame block must be bound.
+  void draw(std::span<const OutlineSegment> outline, const Texture& picture) const;
+
+ private:
+  Program program_;
+  VertexArray array_;
+  Buffer segments_;
+};
+
+}  // namespace thinwall
