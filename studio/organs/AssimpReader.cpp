@@ -20,6 +20,14 @@ bool is_given_name(const std::string& name) {
   return !name.empty() && name.front() != '<' && std::find(kMadeUp.begin(), kMadeUp.end(), name) == kMadeUp.end();
 }
 
+/// The reader's reasons quote the file, which may be binary.
+std::string printable(std::string text) {
+  for (char& character : text) {
+    if (character < ' ' || character > '~') character = '?';
+  }
+  return text;
+}
+
 class SceneReader {
  public:
   SceneReader(const aiScene& scene, const std::string& file_name, const MeshFileLimits& limits)
@@ -107,7 +115,7 @@ RawMesh read_with_assimp(const std::filesystem::path& file, const MeshFileLimits
     if (reason.starts_with("No suitable reader")) {
       throw MeshFileError(fmt::format("what it holds is not {}, or is cut off", in_backticks(extension)));
     }
-    throw MeshFileError(fmt::format("it is malformed: {}", reason));
+    throw MeshFileError(fmt::format("it is malformed: {}", printable(reason)));
   }
   RawMesh mesh = SceneReader(*scene, file.filename().string(), limits).read();
   if (mesh.triangles.empty()) {

@@ -32,6 +32,7 @@ const BrokenMesh kMeshes[] = {
     {"corner_out_of_range.obj", {"it is malformed: OBJ: vertex index out of range"}},
     {"corner_out_of_range.ply", {"a face has the corner 7, but there are 3 vertices"}},
     {"cut_off.gltf", {"what it holds is not `.gltf`, or is cut off"}},
+    {"cut_off.off", {"the reader of its format crashes on it: it is malformed; save it anew from a modelling program"}},
     {"cut_off.stl", {"it is malformed: Failed to determine STL storage representation for cut_off.stl."}},
     {"counts_too_large.off", {"reading it takes more than 4096 MiB of memory"}},
     {"not_a_number.obj", {"the coordinates (nan, 0, 0) of a vertex are no finite numbers; mend or remove it"}},
