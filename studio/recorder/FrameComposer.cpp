@@ -1,0 +1,99 @@
+#include "studio/recorder/FrameComposer.hpp"
+
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+namespace thinwall {
+namespace {
+
+double magnitude(const Double3& vector) {
+  return std::hypot(vector[0], vector[1], vector[2]);
+}
+
+constexpr const char* kIdle = "idle";
+
+std::string text_at(double time, const std::vector<TimedText>& texts) {
+  std::string text;
+  for (const TimedText& candidate : texts) {
+    if (candidate.begin <= time + kSameTime && time < candidate.end) text = candidate.text;
+  }
+  return text;
+}
+
+bool ends_with(const std::string& text, const std::string& ending) {
+  return text.size() >= ending.size() && text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+double first_pressure(const Snapshot& snapshot) {
+  for (const SnapshotScalar& scalar : snapshot.scalars) {
+    if (ends_with(scalar.name, ".pressure")) return scalar.value;
+  }
+  return 0;
+}
+
+}  // namespace
+
+FrameComposer::FrameComposer(std::string title, const OverlayChoice& choice)
+    : title_(std::move(title)), choice_(choice) {}
+
+void FrameComposer::add(Moment moment) {
+  if (later_) {
+    for (std::size_t i = 0; i < later_->snapshot.tools.size(); ++i) {
+      if (later_->snapshot.tools[i].phase != kIdle) last_active_ = i;
+    }
+  }
+  earlier_ = std::move(later_);
+  later_ = std::move(moment);
+  histories_.resize(later_->snapshot.tools.size());
+  for (std::size_t i = 0; i < histories_.size(); ++i) {
+    histories_[i].push_back({.time = later_->snapshot.time, .force = magnitude(later_->snapshot.tools[i].force)});
+  }
+}
+
+bool FrameComposer::reaches(double time) const {
+  return later_ && time <= later_->snapshot.time + kSameTime;
+}
+
+Frame FrameComposer::compose(double time) const {
+  assert(reaches(time));
+  const Moment& earlier = earlier_ ? *earlier_ : *later_;
+  Frame frame{.snapshot = interpolate(earlier.snapshot, later_->snapshot, time), .overlay = {}};
+  frame.overlay = overlay(frame.snapshot);
+  return frame;
+}
+
+OverlayContent FrameComposer::overlay(const Snapshot& snapshot) const {
+  OverlayContent content;
+  content.time = snapshot.time;
+  content.duration = later_->planned_duration;
+  content.title = title_;
+  content.caption = text_at(snapshot.time, later_->captions);
+  content.pressure = first_pressure(snapshot);
+  content.show_force_plot = false;
+  content.show_gauge = false;
+  content.show_caption = choice_.captions;
+  content.show_time = choice_.time;
+  const SnapshotTool* tool = shown_tool(snapshot);
+  if (tool == nullptr) return content;
+  content.show_force_plot = choice_.force_plot;
+  content.show_gauge = choice_.gauge;
+  content.tool = tool->name;
+  content.phase = tool->phase;
+  content.force = magnitude(tool->force);
+  content.depth = tool->depth;
+  for (const ForceSample& sample : histories_[static_cast<std::size_t>(tool - snapshot.tools.data())]) {
+    if (sample.time < snapshot.time - kSameTime) content.history.push_back(sample);
+  }
+  content.history.push_back({.time = snapshot.time, .force = content.force});
+  return content;
+}
+
+const SnapshotTool* FrameComposer::shown_tool(const Snapshot& snapshot) const {
+  for (const SnapshotTool& tool : snapshot.tools) {
+    if (tool.phase != kIdle) return &tool;
+  }
+  return last_active_ < snapshot.tools.size() ? &snapshot.tools[last_active_] : nullptr;
+}
+
+}  // namespace thinwall

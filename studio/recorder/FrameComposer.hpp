@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/overlay/Overlay.hpp"
+#include "renderer/snapshot/Snapshot.hpp"
+#include "studio/record/Moment.hpp"
+#include "studio/scenario/Scenario.hpp"
+
+namespace thinwall {
+
+/// All that a frame is drawn from.
+struct Frame {
+  Snapshot snapshot;
+  OverlayContent overlay;
+};
+
+/// Makes frames at any time from moments in order: the moment between its two neighbours, and the overlays as of then.
+/// Depends on the moments alone, so a frame is the same in a run, from its take and as a still.
+class FrameComposer {
+ public:
+  FrameComposer(std::string title, const OverlayChoice& choice);
+
+  /// The next moment, in order of time.
+  void add(Moment moment);
+
+  /// Whether `time` (seconds) lies up to the last moment, which `compose` needs.
+  bool reaches(double time) const;
+
+  /// The frame at `time`, which must lie between the last two moments (or at the first, when there is one only).
+  Frame compose(double time) const;
+
+ private:
+  OverlayContent overlay(const Snapshot& snapshot) const;
+  const SnapshotTool* shown_tool(const Snapshot& snapshot) const;
+
+  std::string title_;
+  OverlayChoice choice_;
+  std::optional<Moment> earlier_;
+  std::optional<Moment> later_;
+  std::vector<std::vector<ForceSample>> histories_;  // (tools x moments so far)
+  std::size_t last_active_ = 0;  // the tool that last was in a phase other than idle, up to `earlier_`
+};
+
+/// Times closer than this are the same: what rounding leaves between a sum of time steps and frame / fps.
+inline constexpr double kSameTime = 1e-9;  // seconds
+
+}  // namespace thinwall

@@ -1,0 +1,122 @@
+#include "studio/recorder/Manifest.hpp"
+
+#include <sys/resource.h>
+#include <xxhash.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "renderer/video/VideoSurvey.hpp"
+#include "studio/recorder/Versions.hpp"
+
+namespace thinwall {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kManifestVersion = 1;
+
+Json scenario_part(const TakeDescription& description) {
+  Json scenario = {{"name", description.name}, {"title", description.title}};
+  scenario["hash"] = text_hash(description.resolved);
+  scenario["resolved"] = Json::parse(description.resolved);
+  return scenario;
+}
+
+Json version_part(const RecordingPlan& plan) {
+  Json versions = Json::object();
+  for (const auto& [name, version] : component_versions()) versions[name] = version;
+  if (plan.pictures && plan.video) versions["ffmpeg"] = survey_video().ffmpeg_version;
+  return versions;
+}
+
+Json option_part(const ManifestContext& context, const RecordingPlan& plan) {
+  Json overrides = Json::object();
+  for (const auto& [name, value] : context.overrides) overrides[name] = value;
+  return {{"set", overrides},
+          {"device", context.device},
+          {"size", {plan.size.width, plan.size.height}},
+          {"fps", plan.frames_per_second},
+          {"render", plan.pictures},
+          {"video", plan.pictures && plan.video},
+          {"frames", plan.pictures && plan.frames},
+          {"surfaces", plan.surfaces}};
+}
+
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+double processor_seconds(int whose) {
+  struct rusage usage = {};
+  getrusage(whose, &usage);
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+Json time_part(const ManifestContext& context, const RecordingReport& report) {
+  const auto stage = [](const StageTime& time) { return Json{{"wall_s", time.wall}, {"processor_s", time.processor}}; };
+  const RecordingTimes& times = report.times;
+  return {{"prepare", {{"wall_s", context.preparation}}},
+          {"simulate", stage(times.simulate)},
+          {"write", stage(times.write)},
+          {"render", stage(times.render)},
+          {"encode", stage(times.encode)},
+          {"total",
+           {{"wall_s", times.total},
+            {"processor_s", processor_seconds(RUSAGE_SELF)},
+            {"encoder_processor_s", processor_seconds(RUSAGE_CHILDREN)}}},
+          {"wall_s_per_simulated_s", report.simulated > 0 ? Json(times.total / report.simulated) : Json(nullptr)}};
+}
+
+Json file_part(const std::filesystem::path& folder) {
+  constexpr std::array kNames = {"forces.csv", "body.csv",          "take.h5",    "video.mp4", "captions.vtt",
+                                 "poster.png", "contact_sheet.png", "forces.png", "frames",    "surfaces"};
+  Json files = Json::array();
+  for (const char* name : kNames) {
+    if (std::filesystem::exists(folder / name)) files.push_back(name);
+  }
+  return files;
+}
+
+}  // namespace
+
+std::string text_hash(const std::string& text) {
+  XXH128_canonical_t canonical;
+  XXH128_canonicalFromHash(&canonical, XXH3_128bits(text.data(), text.size()));
+  std::string digits;
+  for (const unsigned char byte : canonical.digest) {
+    constexpr const char* kDigits = "0123456789abcdef";
+    digits += kDigits[byte >> 4];
+    digits += kDigits[byte & 15];
+  }
+  return digits;
+}
+
+std::string manifest(const ManifestContext& context, const RecordingPlan& plan, const RecordingReport& report) {
+  Json manifest;
+  manifest["manifest_version"] = kManifestVersion;
+  manifest["command"] = context.command;
+  manifest["source"] = context.source.generic_string();
+  manifest["result"] = report.failure.empty() ? "ok" : "the simulation failed";
+  manifest["complete"] = report.failure.empty();
+  if (!report.failure.empty()) manifest["failure"] = report.failure;
+  manifest["steps"] = report.steps;
+  manifest["simulated_s"] = report.simulated;
+  manifest["frames"] = report.frame_hashes.size();
+  manifest["warnings"] = report.warnings;
+  manifest["state_digest"] = report.state_digest;
+  manifest["files"] = file_part(plan.folder);
+  manifest["times"] = time_part(context, report);
+  manifest["options"] = option_part(context, plan);
+  // Nothing in this version draws random numbers.
+  manifest["seed"] = nullptr;
+  manifest["driver"] = report.driver.empty() ? Json(nullptr) : Json(report.driver);
+  manifest["versions"] = version_part(plan);
+  manifest["licence"] = effective_licence();
+  manifest["scenario"] = scenario_part(plan.description);
+  manifest["frame_hashes"] = report.frame_hashes;
+  // Names of the user may hold bytes that are no UTF-8.
+  return manifest.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace thinwall

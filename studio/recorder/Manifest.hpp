@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "studio/recorder/Recorder.hpp"
+
+namespace thinwall {
+
+/// What a manifest says besides the recording's own report.
+struct ManifestContext {
+  std::string command;                                         // "run" or "render"
+  std::filesystem::path source;                                // the scenario or take, as it was named
+  std::string device;                                          // as asked for
+  std::vector<std::pair<std::string, std::string>> overrides;  // of `--set`
+  double preparation = 0;                                      // seconds, reading and checking
+};
+
+/// 32 hexadecimal digits: XXH3 (128 bits) of the text.
+std::string text_hash(const std::string& text);
+
+/// manifest.json of a recording: version of the format, scenario resolved and its hash, versions, licence, device,
+/// options, seed, times, steps, warnings, frame hashes, files, result.
+std::string manifest(const ManifestContext& context, const RecordingPlan& plan, const RecordingReport& report);
+
+}  // namespace thinwall

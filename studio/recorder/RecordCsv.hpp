@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "studio/record/StepRecord.hpp"
+#include "studio/recorder/UnfinishedText.hpp"
+
+namespace thinwall {
+
+/// The first line of forces.csv and of body.csv, without line end.
+std::string forces_csv_header();
+std::string body_csv_header();
+
+/// The lines of a step, one for each tool or body. Numbers are the shortest that read back to the same bits.
+/// Throws SimulationFailure when one is not finite: no such number gets into a file.
+std::string forces_csv_rows(const StepRecord& record);
+std::string body_csv_rows(const StepRecord& record);
+
+/// forces.csv and body.csv of a run.
+class RecordCsv {
+ public:
+  /// Throws PictureFailure when the files cannot be made in `folder`.
+  explicit RecordCsv(const std::filesystem::path& folder);
+  void write(const StepRecord& record);
+  /// Gives the files their names. Throws PictureFailure.
+  void finish();
+
+ private:
+  UnfinishedText forces_;
+  UnfinishedText body_;
+};
+
+}  // namespace thinwall

@@ -1,0 +1,311 @@
+#include "studio/recorder/Recorder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "engine/simulation/SimulationFailure.hpp"
+#include "renderer/image/ImageHash.hpp"
+#include "renderer/image/PngFile.hpp"
+#include "renderer/image/WholeFile.hpp"
+#include "renderer/overlay/Overlay.hpp"
+#include "renderer/video/VideoWriter.hpp"
+#include "renderer/video/WebVtt.hpp"
+#include "studio/recorder/BoundedQueue.hpp"
+#include "studio/recorder/FrameComposer.hpp"
+#include "studio/recorder/Highlights.hpp"
+#include "studio/recorder/Interruption.hpp"
+#include "studio/recorder/OutputFolder.hpp"
+#include "studio/recorder/Progress.hpp"
+#include "studio/recorder/RecordCsv.hpp"
+#include "studio/recorder/SurfaceSeries.hpp"
+
+namespace thinwall {
+namespace {
+
+// Enough to even out steps and frames of unequal cost; a moment of 20 000 triangles is about a megabyte.
+constexpr std::size_t kWaitingMoments = 64;
+constexpr std::size_t kWaitingPictures = 4;
+constexpr std::chrono::milliseconds kBetweenLooksForSignals(50);
+
+struct Picture {
+  Image image;
+  double time = 0;   // seconds
+  double force = 0;  // newton
+};
+
+/// The threads of a recording. The first error stops all of them.
+class Pipeline {
+ public:
+  Pipeline(MomentSource& source, const RecordingPlan& plan, const PainterFactory& painters)
+      : source_(source), plan_(plan), painters_(painters), progress_(plan.progress, "recording") {}
+
+  RecordingReport run();
+
+ private:
+  void simulate();
+  bool take_moments();
+  void keep(const Moment& moment);
+  void finish_records();
+  void render();
+  void encode();
+  void wait_for_pictures();
+  void finish_pictures();
+
+  void stop(std::exception_ptr error);
+  void show_progress(double time);
+  template <typename Work>
+  std::jthread stage(Work work);
+
+  MomentSource& source_;
+  const RecordingPlan& plan_;
+  const PainterFactory& painters_;
+  Progress progress_;
+  RecordingReport report_;
+
+  BoundedQueue<Moment> moments_{kWaitingMoments};
+  BoundedQueue<Picture> pictures_{kWaitingPictures};
+  std::mutex mutex_;
+  std::condition_variable stage_ended_;
+  int running_stages_ = 0;
+  std::exception_ptr error_;
+  std::atomic<double> planned_duration_ = 0;
+
+  // Of the simulating thread.
+  std::optional<TakeWriter> take_;
+  std::optional<RecordCsv> csv_;
+  std::optional<SurfaceSeries> surfaces_;
+  std::optional<FrameComposer> surface_frames_;
+  std::size_t next_surface_frame_ = 0;
+  std::vector<TimedText> captions_;
+
+  // Of the encoding thread, until it has ended.
+  std::optional<VideoWriter> video_;
+  Highlights highlights_;
+};
+
+std::filesystem::path frame_folder(const RecordingPlan& plan) {
+  return plan.folder / "frames";
+}
+
+/// The texts cut off at the end of what was recorded.
+template <typename Text, typename Member>
+std::vector<Text> up_to(double end, const std::vector<TimedText>& texts, Member Text::*text) {
+  std::vector<Text> result;
+  for (const TimedText& timed : texts) {
+    if (timed.begin >= end) continue;
+    Text copy;
+    copy.begin = timed.begin;
+    copy.end = std::min(timed.end, end);
+    copy.*text = timed.text;
+    result.push_back(std::move(copy));
+  }
+  return result;
+}
+
+template <typename Work>
+std::jthread Pipeline::stage(Work work) {
+  {
+    const std::lock_guard lock(mutex_);
+    ++running_stages_;
+  }
+  return std::jthread([this, work] {
+    try {
+      work();
+    } catch (...) {
+      stop(std::current_exception());
+    }
+    const std::lock_guard lock(mutex_);
+    --running_stages_;
+    stage_ended_.notify_all();
+  });
+}
+
+void Pipeline::stop(std::exception_ptr error) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!error_) error_ = std::move(error);
+  }
+  moments_.abort();
+  pictures_.abort();
+}
+
+RecordingReport Pipeline::run() {
+  const auto start = std::chrono::steady_clock::now();
+  prepare_output_folder(plan_.folder);
+  {
+    std::jthread renderer;
+    std::jthread encoder;
+    try {
+      if (plan_.pictures) {
+        renderer = stage([this] { render(); });
+        encoder = stage([this] { encode(); });
+      }
+      simulate();
+      wait_for_pictures();
+    } catch (...) {
+      stop(std::current_exception());
+    }
+  }
+  progress_.end();
+  if (error_) std::rethrow_exception(error_);
+  if (plan_.pictures) finish_pictures();
+  report_.times.total = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return std::move(report_);
+}
+
+void Pipeline::simulate() {
+  if (plan_.records) {
+    take_.emplace(plan_.folder / "take.h5", plan_.description);
+    csv_.emplace(plan_.folder);
+  }
+  if (plan_.surfaces) {
+    surfaces_.emplace(plan_.folder);
+    surface_frames_.emplace(plan_.description.title, plan_.overlays);
+  }
+  try {
+    if (!take_moments()) return;
+  } catch (const SimulationFailure& failure) {
+    report_.failure = failure.what();
+  }
+  moments_.close();
+  report_.warnings = source_.warnings();
+  report_.state_digest = source_.state_digest();
+  finish_records();
+}
+
+/// False when another stage has stopped.
+bool Pipeline::take_moments() {
+  while (true) {
+    throw_if_interrupted();
+    std::optional<Moment> moment;
+    {
+      const StageClock clock(report_.times.simulate);
+      moment = source_.next();
+    }
+    if (!moment) return true;
+    {
+      const StageClock clock(report_.times.write);
+      keep(*moment);
+    }
+    planned_duration_ = moment->planned_duration;
+    if (!plan_.pictures) {
+      show_progress(moment->snapshot.time);
+    } else if (!moments_.push(*std::move(moment))) {
+      return false;
+    }
+  }
+}
+
+void Pipeline::keep(const Moment& moment) {
+  // First, because it refuses what is not a number.
+  if (csv_) csv_->write(moment.record);
+  if (take_) take_->write(moment);
+  if (surfaces_) {
+    surface_frames_->add(moment);
+    for (;; ++next_surface_frame_) {
+      const double time = static_cast<double>(next_surface_frame_) / plan_.frames_per_second;
+      if (!surface_frames_->reaches(time)) break;
+      surfaces_->write(surface_frames_->compose(time).snapshot);
+    }
+  }
+  captions_ = moment.captions;
+  report_.chapters = moment.chapters;
+  report_.simulated = moment.snapshot.time;
+  ++report_.steps;
+}
+
+void Pipeline::finish_records() {
+  const StageClock clock(report_.times.write);
+  if (take_) {
+    take_->finish(
+        {.complete = report_.failure.empty(), .warnings = report_.warnings, .state_digest = report_.state_digest});
+  }
+  if (csv_) csv_->finish();
+  if (surfaces_) surfaces_->finish();
+  const double end = report_.simulated + 1 / plan_.frames_per_second;
+  write_web_vtt(plan_.folder / "captions.vtt", up_to(end, captions_, &VideoCaption::text));
+}
+
+void Pipeline::render() {
+  const std::unique_ptr<Painter> painter = painters_(plan_.size);
+  report_.driver = painter->driver();
+  FrameComposer composer(plan_.description.title, plan_.overlays);
+  std::size_t frame = 0;
+  while (auto moment = moments_.pop()) {
+    composer.add(*std::move(moment));
+    for (;; ++frame) {
+      const double time = static_cast<double>(frame) / plan_.frames_per_second;
+      if (!composer.reaches(time)) break;
+      Picture picture{.image = {}, .time = time};
+      {
+        const StageClock clock(report_.times.render);
+        const Frame content = composer.compose(time);
+        picture.image = painter->paint(content.snapshot);
+        draw_overlay(picture.image, content.overlay);
+        picture.force = content.overlay.force;
+      }
+      if (!pictures_.push(std::move(picture))) return;
+    }
+  }
+  pictures_.close();
+}
+
+void Pipeline::encode() {
+  if (plan_.video) {
+    video_.emplace(plan_.folder / "video.mp4",
+                   VideoOptions{.size = plan_.size, .frames_per_second = plan_.frames_per_second});
+  }
+  if (plan_.frames) make_folder(unfinished_name(frame_folder(plan_)));
+  while (const auto picture = pictures_.pop()) {
+    const StageClock clock(report_.times.encode);
+    if (plan_.frames) {
+      write_png(unfinished_name(frame_folder(plan_)) / fmt::format("frame_{:06}.png", report_.frame_hashes.size()),
+                picture->image);
+    }
+    if (video_) video_->write(picture->image);
+    report_.frame_hashes.push_back(image_hash(picture->image));
+    highlights_.add(picture->image, picture->time, picture->force);
+    show_progress(picture->time);
+  }
+}
+
+void Pipeline::wait_for_pictures() {
+  std::unique_lock lock(mutex_);
+  while (!stage_ended_.wait_for(lock, kBetweenLooksForSignals, [this] { return running_stages_ == 0; })) {
+    throw_if_interrupted();
+  }
+}
+
+void Pipeline::finish_pictures() {
+  if (report_.frame_hashes.empty()) return;
+  const StageClock clock(report_.times.encode);
+  report_.poster_time = highlights_.poster_time();
+  if (video_) {
+    const double end = static_cast<double>(report_.frame_hashes.size()) / plan_.frames_per_second;
+    video_->finish(up_to(end, report_.chapters, &VideoChapter::title), up_to(end, captions_, &VideoCaption::text));
+  }
+  if (plan_.frames) rename_folder(unfinished_name(frame_folder(plan_)), frame_folder(plan_));
+  write_png(plan_.folder / "poster.png", highlights_.poster());
+}
+
+void Pipeline::show_progress(double time) {
+  const double duration = planned_duration_;
+  progress_.reach(duration > 0 ? time / duration : 1);
+}
+
+}  // namespace
+
+RecordingReport record(MomentSource& source, const RecordingPlan& plan, const PainterFactory& painters) {
+  return Pipeline(source, plan, painters).run();
+}
+
+}  // namespace thinwall

@@ -1,0 +1,73 @@
+#include "studio/recorder/ResolvedPicture.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "studio/take/TakeError.hpp"
+
+namespace thinwall {
+namespace {
+
+using Json = nlohmann::json;
+
+std::optional<Double3> find_vector(const Json& mapping, const char* key) {
+  if (!mapping.contains(key)) return std::nullopt;
+  return mapping.at(key).get<Double3>();
+}
+
+CameraDefinition to_camera(const Json& camera) {
+  return {.position = find_vector(camera, "position"),
+          .target = find_vector(camera, "target"),
+          .up = find_vector(camera, "up"),
+          .field_of_view = camera.at("field_of_view"),
+          .orbit_speed = camera.at("orbit_speed")};
+}
+
+LookDefinition to_look(const Json& look) {
+  LookDefinition result{.background = look.at("background").get<Double3>(), .bodies = {}};
+  for (const auto& [name, body] : look.at("bodies").items()) {
+    result.bodies[name] = {
+        .color = body.at("color").get<Double3>(), .roughness = body.at("roughness"), .wetness = body.at("wetness")};
+  }
+  return result;
+}
+
+Tier to_tier(const std::string& word) {
+  if (word == "draft") return Tier::kDraft;
+  return word == "final" ? Tier::kFinal : Tier::kRecord;
+}
+
+PictureSettings to_settings(const Json& scenario) {
+  const Json& lights = scenario.at("lights");
+  const Json& overlays = scenario.at("look").at("overlays");
+  const Json& record = scenario.at("record");
+  return {.view = {.camera = to_camera(scenario.at("camera")),
+                   .lights = {.key = lights.at("key"),
+                              .fill = lights.at("fill"),
+                              .environment = lights.at("environment"),
+                              .key_direction = find_vector(lights, "key_direction")},
+                   .look = to_look(scenario.at("look"))},
+          .overlays = {.force_plot = overlays.at("force_plot"),
+                       .gauge = overlays.at("gauge"),
+                       .captions = overlays.at("captions"),
+                       .time = overlays.at("time")},
+          .record = {.size = {record.at("size").at(0), record.at("size").at(1)},
+                     .frames_per_second = record.at("fps"),
+                     .video = record.at("video"),
+                     .tier = to_tier(record.at("tier"))}};
+}
+
+}  // namespace
+
+PictureSettings picture_settings(const Scenario& scenario) {
+  return {.view = scenario.view, .overlays = scenario.overlays, .record = scenario.record};
+}
+
+PictureSettings picture_settings(const std::string& resolved) {
+  try {
+    return to_settings(Json::parse(resolved));
+  } catch (const Json::exception& error) {
+    throw TakeError(std::string("the take's scenario cannot be read (") + error.what() + "); run the scenario again");
+  }
+}
+
+}  // namespace thinwall

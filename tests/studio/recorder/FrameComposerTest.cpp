@@ -1,0 +1,92 @@
+#include "studio/recorder/FrameComposer.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/studio/SyntheticRun.hpp"
+
+namespace thinwall {
+namespace {
+
+FrameComposer fed_up_to(const SyntheticRun& run, std::size_t step) {
+  FrameComposer composer("A sheet", {});
+  for (std::size_t i = 0; i <= step; ++i) composer.add(run.moment(i));
+  return composer;
+}
+
+TEST(FrameComposerTest, AFrameLiesBetweenItsNeighbours) {
+  const SyntheticRun run;
+  const Frame frame = fed_up_to(run, 8).compose(0.0375);
+  EXPECT_DOUBLE_EQ(frame.snapshot.time, 0.0375);
+  const double mean = 0.5 * (run.moment(7).snapshot.tools[0].depth + run.moment(8).snapshot.tools[0].depth);
+  EXPECT_DOUBLE_EQ(frame.overlay.depth, mean);
+  EXPECT_DOUBLE_EQ(frame.overlay.force, 100 * mean);
+  EXPECT_DOUBLE_EQ(frame.overlay.pressure, 1e5 * mean);
+}
+
+TEST(FrameComposerTest, KnowsHowFarItReaches) {
+  const SyntheticRun run;
+  EXPECT_FALSE(FrameComposer("", {}).reaches(0));
+  EXPECT_TRUE(fed_up_to(run, 0).reaches(0));
+  EXPECT_FALSE(fed_up_to(run, 6).reaches(1 / 30.0));
+  EXPECT_TRUE(fed_up_to(run, 7).reaches(1 / 30.0));
+  // Sums of time steps miss multiples of a frame's time by rounding.
+  EXPECT_TRUE(fed_up_to(run, 7).reaches(0.035 + 1e-12));
+}
+
+TEST(FrameComposerTest, TheHistoryEndsWithTheFrame) {
+  const Frame frame = fed_up_to(SyntheticRun(), 8).compose(0.0375);
+  ASSERT_EQ(frame.overlay.history.size(), 9U);
+  EXPECT_DOUBLE_EQ(frame.overlay.history[7].time, 0.035);
+  EXPECT_DOUBLE_EQ(frame.overlay.history[8].time, 0.0375);
+  EXPECT_DOUBLE_EQ(frame.overlay.history[8].force, frame.overlay.force);
+}
+
+TEST(FrameComposerTest, CaptionsHoldFromTheirBeginToTheirEnd) {
+  const SyntheticRun run;
+  EXPECT_EQ(fed_up_to(run, 0).compose(0).overlay.caption, "Pressing");
+  EXPECT_EQ(fed_up_to(run, 20).compose(0.0999).overlay.caption, "Pressing");
+  EXPECT_EQ(fed_up_to(run, 20).compose(0.1).overlay.caption, "Releasing");
+  EXPECT_EQ(fed_up_to(run, 40).compose(0.2).overlay.caption, "");
+}
+
+TEST(FrameComposerTest, KeepsShowingTheToolThatWasLastActive) {
+  const auto moment = [](double time, const std::string& first, const std::string& second) {
+    Moment result;
+    result.snapshot.time = time;
+    result.snapshot.tools = {{.name = "probe", .phase = first}, {.name = "needle", .phase = second}};
+    return result;
+  };
+  FrameComposer composer("", {});
+  composer.add(moment(0, "idle", "idle"));
+  EXPECT_EQ(composer.compose(0).overlay.tool, "probe");
+  composer.add(moment(1, "idle", "contact"));
+  composer.add(moment(2, "idle", "idle"));
+  EXPECT_EQ(composer.compose(1.5).overlay.tool, "needle");
+  composer.add(moment(3, "approach", "idle"));
+  EXPECT_EQ(composer.compose(2.5).overlay.tool, "needle");
+  composer.add(moment(4, "approach", "idle"));
+  EXPECT_EQ(composer.compose(3.5).overlay.tool, "probe");
+}
+
+TEST(FrameComposerTest, WithoutToolsThereIsNoForceToShow) {
+  Moment moment;
+  FrameComposer composer("", {});
+  composer.add(moment);
+  const Frame frame = composer.compose(0);
+  EXPECT_FALSE(frame.overlay.show_force_plot);
+  EXPECT_FALSE(frame.overlay.show_gauge);
+  EXPECT_TRUE(frame.overlay.show_time);
+}
+
+TEST(FrameComposerTest, OverlaysCanBeChosen) {
+  FrameComposer composer("", {.force_plot = false, .gauge = true, .captions = false, .time = false});
+  composer.add(SyntheticRun().moment(0));
+  const OverlayContent overlay = composer.compose(0).overlay;
+  EXPECT_FALSE(overlay.show_force_plot);
+  EXPECT_TRUE(overlay.show_gauge);
+  EXPECT_FALSE(overlay.show_caption);
+  EXPECT_FALSE(overlay.show_time);
+}
+
+}  // namespace
+}  // namespace thinwall
