@@ -34,6 +34,12 @@ Color darkened(Color color) {
   return {0.5 * color.red, 0.5 * color.green, 0.5 * color.blue};
 }
 
+/// Of all rows of bands, in pixels, with a gap to the area where they do not reach into it.
+double rows_height(const ChartFrame& frame) {
+  const double gap = frame.chart.rows.size() > 1 ? 8 : 0;
+  return (static_cast<double>(frame.chart.rows.size()) * kRowHeight + gap) * frame.unit;
+}
+
 Box chart_area(const ChartFrame& frame) {
   double label_width = 0;
   for (const double tick : frame.chart.y.ticks) {
@@ -44,8 +50,7 @@ Box chart_area(const ChartFrame& frame) {
     label_width = std::max(label_width, std::min(most, Text(row.name, frame.style(kInk)).width()));
   }
   const double left = frame.box.x + label_width + 12 * frame.unit;
-  const double rows = static_cast<double>(frame.chart.rows.size()) * kRowHeight * frame.unit;
-  const double top = frame.box.y + (kLegendHeight + kTitleHeight) * frame.unit + rows;
+  const double top = frame.box.y + (kLegendHeight + kTitleHeight) * frame.unit + rows_height(frame);
   const double bottom = frame.box.bottom() - 56 * frame.unit;
   return {left, top, frame.box.right() - left, bottom - top};
 }
@@ -93,7 +98,7 @@ void draw_band(const ChartFrame& frame, const ChartBand& band, double row_top, b
 }
 
 void draw_bands(const ChartFrame& frame) {
-  double top = frame.area.y - static_cast<double>(frame.chart.rows.size()) * kRowHeight * frame.unit;
+  double top = frame.area.y - rows_height(frame);
   for (std::size_t row = 0; row < frame.chart.rows.size(); ++row, top += kRowHeight * frame.unit) {
     const ChartBandRow& bands = frame.chart.rows[row];
     for (const ChartBand& band : bands.bands) draw_band(frame, band, top, row == 0 && frame.chart.rows.size() == 1);
@@ -120,9 +125,8 @@ void draw_axes(const ChartFrame& frame) {
   const Text x_title(frame.chart.x_title, frame.style(kInk));
   x_title.draw(frame.canvas, frame.area.x + (frame.area.width - x_title.width()) / 2,
                frame.box.bottom() - x_title.height());
-  const double rows = static_cast<double>(frame.chart.rows.size()) * kRowHeight * frame.unit;
   const Text y_title(frame.chart.y_title, frame.style(kInk));
-  y_title.draw(frame.canvas, frame.box.x, frame.area.y - rows - 13 * frame.unit - y_title.height());
+  y_title.draw(frame.canvas, frame.box.x, frame.area.y - rows_height(frame) - 13 * frame.unit - y_title.height());
 }
 
 void draw_curves(const ChartFrame& frame) {

@@ -1,6 +1,7 @@
 #include "renderer/overlay/Overlay.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "renderer/overlay/GaugePlate.hpp"
@@ -15,7 +16,11 @@ using namespace plate_style;
 
 double peak_of(const OverlayContent& content) {
   double peak = std::abs(content.force);
-  for (const ForceSample& sample : content.history) peak = std::max(peak, std::abs(sample.force));
+  assert(std::isfinite(peak));
+  for (const ForceSample& sample : content.history) {
+    assert(std::isfinite(sample.force) && std::isfinite(sample.time));
+    peak = std::max(peak, std::abs(sample.force));
+  }
   return peak;
 }
 

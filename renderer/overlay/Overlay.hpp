@@ -30,7 +30,9 @@ struct OverlayContent {
   bool show_time = true;
 };
 
-/// Draws on the processor, so the bytes do not depend on the graphics driver. Scales with the picture's height.
+/// Draws on the processor in one pinned font, so the bytes depend neither on the graphics driver nor on the machine's
+/// fonts. Scales with the picture's height, in narrow pictures with its width. All numbers must be finite. Long texts
+/// wrap, become smaller, and are cut with an ellipsis at last. Throws PictureFailure when the font is missing.
 void draw_overlay(Image& image, const OverlayContent& content);
 
 }  // namespace thinwall

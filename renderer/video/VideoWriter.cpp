@@ -14,6 +14,7 @@
 
 #include "renderer/image/WholeFile.hpp"
 #include "renderer/picture/PictureFailure.hpp"
+#include "renderer/video/CaptionTrack.hpp"
 #include "renderer/video/Program.hpp"
 #include "renderer/video/VideoProbe.hpp"
 #include "renderer/video/WebVtt.hpp"
@@ -100,8 +101,7 @@ Arguments remux_arguments(const RemuxFiles& names, bool has_captions) {
          {"-i", "file:" + names.recording.string(), "-f", "ffmetadata", "-i", "file:" + names.chapters.string()});
   if (has_captions) append(arguments, {"-f", "webvtt", "-i", "file:" + names.captions.string()});
   append(arguments, {"-map", "0:v", "-map_metadata", "1", "-map_chapters", "1", "-c:v", "copy"});
-  // The captions are in the picture already: players show the track only when asked.
-  if (has_captions) append(arguments, {"-map", "2:s", "-c:s", "mov_text", "-disposition:s:0", "0"});
+  if (has_captions) append(arguments, {"-map", "2:s", "-c:s", "mov_text"});
   append(arguments, {"-fflags", "+bitexact", "-movflags", "+faststart", "-f", "mp4", "file:" + names.result.string()});
   return arguments;
 }
@@ -214,6 +214,7 @@ struct VideoWriter::Implementation {
     if (has_captions) write_whole_file(names.captions, captions_text);
     const ProgramResult result = run_program(remux_arguments(names, has_captions));
     if (result.exit_code != 0) fail("ffmpeg failed to finish the file " + ending(result));
+    if (has_captions) disable_caption_tracks(names.result);
   }
 
   /// ffmpeg may end early and still report success.

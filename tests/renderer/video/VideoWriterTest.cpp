@@ -122,10 +122,10 @@ TEST(VideoWriter, ChaptersKeepTimesAndTitles) {
   EXPECT_NE(found.find("|0.500000|2000|2.000000|Hold; 50 % = all #1 \\"), std::string::npos) << found;
 }
 
-TEST(VideoWriter, CaptionsAreATrackOfTheirOwn) {
+TEST(VideoWriter, CaptionsAreATrackThatIsOffUntilAskedFor) {
   const TestFolder folder;
   record(folder / "a.mp4", 60, 30, {}, {{0.5, 1.5, "p < 5 kPa & rising"}});
-  EXPECT_EQ(probe(folder / "a.mp4", "s:0", "stream=codec_name"), "mov_text\n");
+  EXPECT_EQ(probe(folder / "a.mp4", "s:0", "stream=codec_name:stream_disposition=default"), "mov_text\n0\n");
   const std::string text =
       run_program({"ffmpeg", "-v", "error", "-i", (folder / "a.mp4").string(), "-map", "0:s", "-f", "srt", "-"}).output;
   EXPECT_EQ(text, "1\n00:00:00,500 --> 00:00:01,500\np < 5 kPa & rising\n\n");

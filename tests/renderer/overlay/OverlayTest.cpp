@@ -1,0 +1,199 @@
+#include "renderer/overlay/Overlay.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <thread>
+
+#include "tests/renderer/image/TestImages.hpp"
+
+namespace thinwall {
+namespace {
+
+constexpr ImageSize kSize{1280, 720};
+
+OverlayContent some_content(double time = 2.5) {
+  OverlayContent content{.time = time,
+                         .duration = 6,
+                         .title = "Palpation",
+                         .caption = "Press slowly.",
+                         .phase = "contact",
+                         .tool = "probe",
+                         .force = 0.3 * time / 6,
+                         .depth = 0.003,
+                         .pressure = 900,
+                         .history = {}};
+  for (int i = 0; i * 0.005 <= time; ++i) content.history.push_back({i * 0.005, 0.3 * i * 0.005 / 6});
+  return content;
+}
+
+OverlayContent nothing() {
+  return {.title = "",
+          .caption = "",
+          .phase = "",
+          .tool = "",
+          .history = {},
+          .show_force_plot = false,
+          .show_gauge = false,
+          .show_caption = false,
+          .show_time = false};
+}
+
+Image overlaid(const OverlayContent& content, ImageSize size = kSize) {
+  Image image = plain_image(size, 90, 60, 50);
+  draw_overlay(image, content);
+  return image;
+}
+
+/// A part of a picture, in fractions of its width and height.
+struct Part {
+  double left, top, right, bottom;
+};
+
+/// How many pixels of the part differ from the untouched ground.
+int ink(const Image& image, const Part& part) {
+  int count = 0;
+  for (int y = 0; y < image.size.height; ++y) {
+    for (int x = 0; x < image.size.width; ++x) {
+      const double across = (x + 0.5) / image.size.width;
+      const double down = (y + 0.5) / image.size.height;
+      if (across < part.left || across > part.right || down < part.top || down > part.bottom) continue;
+      const std::uint8_t* pixel = &image.pixels[3 * static_cast<std::size_t>(y * image.size.width + x)];
+      count += pixel[0] != 90 || pixel[1] != 60 || pixel[2] != 50;
+    }
+  }
+  return count;
+}
+
+constexpr Part kTitle{0, 0, 0.3, 0.15};
+constexpr Part kTime{0.85, 0, 1, 0.15};
+constexpr Part kGauge{0, 0.7, 0.25, 1};
+constexpr Part kPlot{0.7, 0.7, 1, 1};
+constexpr Part kCaption{0.35, 0.8, 0.65, 1};
+constexpr Part kCenter{0, 0.16, 1, 0.7};
+constexpr Part kWhole{0, 0, 1, 1};
+
+TEST(Overlay, SameContentGivesTheSameBytes) {
+  EXPECT_EQ(overlaid(some_content()).pixels, overlaid(some_content()).pixels);
+}
+
+TEST(Overlay, NothingDrawnBeforeMatters) {
+  const Image expected = overlaid(some_content());
+  OverlayContent other = some_content(5);
+  other.title = "Another title";
+  other.caption = "Another caption";
+  overlaid(other);
+  overlaid(some_content(), {640, 360});
+  EXPECT_EQ(overlaid(some_content()).pixels, expected.pixels);
+}
+
+TEST(Overlay, AnotherThreadInAnotherEnvironmentGivesTheSameBytes) {
+  const Image expected = overlaid(some_content());
+  setenv("FONTCONFIG_FILE", "/dev/null", 1);
+  setenv("LC_ALL", "de_DE.UTF-8", 1);
+  Image found;
+  std::thread([&] { found = overlaid(some_content()); }).join();
+  unsetenv("FONTCONFIG_FILE");
+  unsetenv("LC_ALL");
+  EXPECT_EQ(found.pixels, expected.pixels);
+}
+
+TEST(Overlay, EachPartIsAtItsPlace) {
+  const Image image = overlaid(some_content());
+  for (const Part& part : {kTitle, kTime, kGauge, kPlot, kCaption}) EXPECT_GT(ink(image, part), 500);
+}
+
+TEST(Overlay, CenterStaysFree) {
+  for (const ImageSize size : {kSize, ImageSize{640, 360}, ImageSize{1920, 1080}}) {
+    EXPECT_EQ(ink(overlaid(some_content(), size), kCenter), 0);
+  }
+}
+
+TEST(Overlay, NothingToShowChangesNothing) {
+  EXPECT_EQ(ink(overlaid(nothing()), kWhole), 0);
+}
+
+TEST(Overlay, EachPartIsDrawnOnlyWhenAskedFor) {
+  OverlayContent content = some_content();
+  content.show_force_plot = false;
+  EXPECT_EQ(ink(overlaid(content), kPlot), 0);
+  content = some_content();
+  content.show_gauge = false;
+  EXPECT_EQ(ink(overlaid(content), kGauge), 0);
+  content = some_content();
+  content.show_caption = false;
+  EXPECT_EQ(ink(overlaid(content), kCaption), 0);
+  content = some_content();
+  content.show_time = false;
+  EXPECT_EQ(ink(overlaid(content), kTime), 0);
+  content = some_content();
+  content.title = "";
+  EXPECT_EQ(ink(overlaid(content), kTitle), 0);
+}
+
+TEST(Overlay, TimePlateStandsStill) {
+  OverlayContent content = nothing();
+  content.show_time = true;
+  content.duration = 12;
+  const auto plate_ink = [&](double time) {
+    content.time = time;
+    return ink(overlaid(content), kWhole);
+  };
+  EXPECT_EQ(plate_ink(1.11), plate_ink(11.99));
+}
+
+TEST(Overlay, LongCaptionStaysBetweenGaugeAndPlot) {
+  OverlayContent content = some_content();
+  for (int i = 0; i < 200; ++i) content.caption += " and it goes on";
+  const Image image = overlaid(content);
+  EXPECT_EQ(ink(image, kCenter), 0);
+  EXPECT_EQ(ink(image, {0.24, 0.7, 0.28, 1}), 0);
+  EXPECT_EQ(ink(image, {0.70, 0.7, 0.715, 1}), 0);
+}
+
+TEST(Overlay, LongTitleStopsBeforeTheTime) {
+  OverlayContent content = some_content();
+  content.title = std::string(300, 'W');
+  EXPECT_EQ(ink(overlaid(content), {0.89, 0, 0.905, 0.15}), 0);
+}
+
+TEST(Overlay, PlotShowsTheHistoryAndNothingElseDoes) {
+  OverlayContent content = some_content();
+  content.history[300].force = 0.05;
+  const Image changed = overlaid(content);
+  const Image plain = overlaid(some_content());
+  EXPECT_NE(changed.pixels, plain.pixels);
+  for (std::size_t i = 0; i < plain.pixels.size(); ++i) {
+    if (changed.pixels[i] == plain.pixels[i]) continue;
+    ASSERT_GT(static_cast<int>(i / 3) % kSize.width, 0.7 * kSize.width);
+    ASSERT_GT(static_cast<int>(i / 3) / kSize.width, 0.7 * kSize.height);
+  }
+}
+
+TEST(Overlay, TakesEmptyAndExtremeContent) {
+  OverlayContent content = some_content();
+  content.history.clear();
+  EXPECT_GT(ink(overlaid(content), kPlot), 500);
+  content.duration = 0;
+  content.time = 0;
+  overlaid(content);
+  for (const double value : {1e-300, 1e-9, 1e6, 1e15, -1e15}) {
+    content = some_content();
+    content.force = content.depth = content.pressure = value;
+    content.duration = std::abs(value);
+    for (ForceSample& sample : content.history) sample.force = value;
+    content.tool = std::string(100, 'x');
+    content.phase = "a phase of another kind";
+    EXPECT_EQ(ink(overlaid(content), kCenter), 0) << value;
+  }
+}
+
+TEST(Overlay, TakesPicturesOfAnySize) {
+  for (const ImageSize size : {ImageSize{1, 1}, {2, 2}, {16, 16}, {3000, 8}, {8, 3000}, {480, 640}}) {
+    EXPECT_EQ(overlaid(some_content(), size).pixels.size(), static_cast<std::size_t>(size.width * size.height * 3));
+  }
+}
+
+}  // namespace
+}  // namespace thinwall
