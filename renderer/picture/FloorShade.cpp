@@ -5,7 +5,7 @@
 namespace thinwall {
 namespace {
 
-constexpr int kResolution = 192;  // the blur leaves nothing finer
+constexpr int kResolution = 128;  // the blur leaves nothing finer
 
 Framebuffer frame_of(const Texture& texture) {
   Framebuffer frame = create_framebuffer();
@@ -22,8 +22,8 @@ void empty(const Framebuffer& frame) {
 }  // namespace
 
 FloorShade::FloorShade()
-    : cover_(create_texture(GL_RG16F, kResolution, kResolution, GL_LINEAR)),
-      blurred_(create_texture(GL_RG16F, kResolution, kResolution, GL_LINEAR)),
+    : cover_(create_texture(GL_RG8, kResolution, kResolution, GL_LINEAR)),
+      blurred_(create_texture(GL_RG8, kResolution, kResolution, GL_LINEAR)),
       cover_frame_(frame_of(cover_)),
       blurred_frame_(frame_of(blurred_)),
       cover_program_(build_program("cover.vert", "cover.frag")),

@@ -37,6 +37,20 @@ Float4 mirrored_tissue(const LookDefinition& look) {
           static_cast<float>(linear_from_srgb(tissue.color[2])), 1};
 }
 
+/// Lit by the key light the floor is some brighter than the background that it fades into.
+void light_floor(FrameUniforms& frame, const ViewDefinition& view) {
+  constexpr double kKeyColor[] = {1.0, 0.955, 0.89};  // as in shaders/frame.glsl
+  constexpr double kSkyIrradiance[] = {0.47, 0.52, 0.57};
+  const double contrast = view.lights.environment_contrast;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double albedo = 3.2 * linear_from_srgb(view.look.background[i]) + 0.004;
+    const double sky = view.lights.environment * (1 - contrast + contrast * kSkyIrradiance[i]);
+    const double key = 2.1 * view.lights.key * std::max(0.0f, frame.key_direction[2]) * kKeyColor[i];
+    frame.floor_key[i] = static_cast<float>(albedo * key);
+    frame.floor_sky[i] = static_cast<float>(albedo * sky);
+  }
+}
+
 }  // namespace
 
 double linear_from_srgb(double value) {
@@ -75,13 +89,18 @@ FrameUniforms frame_uniforms(const Camera& camera, const SceneExtent& extent, co
   frame.environment = {static_cast<float>(view.lights.environment),
                        static_cast<float>(view.lights.environment_contrast), with_shadow ? 1.0f : 0.0f,
                        static_cast<float>(0.006 * extent.size)};
-  for (std::size_t i = 0; i < 3; ++i) frame.background[i] = static_cast<float>(view.look.background[i]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    frame.background[i] = static_cast<float>(view.look.background[i]);
+  }
+  light_floor(frame, view);
   frame.tissue = mirrored_tissue(view.look);
   const std::size_t count = std::min(rods.size(), kMostRods);
-  frame.counts = {static_cast<float>(count), 0, 0, 0};
   for (std::size_t i = 0; i < count; ++i) {
-    frame.rod_start[i] = {rods[i].start[0], rods[i].start[1], rods[i].start[2], rods[i].radius};
-    frame.rod_end[i] = {rods[i].end[0], rods[i].end[1], rods[i].end[2], 0};
+    const Vector3 start = vector3(rods[i].start);
+    const Vector3 span = vector3(rods[i].end) - start;
+    const double squared = dot(span, span);
+    frame.rod_start[i] = float4(start, static_cast<double>(rods[i].radius) * rods[i].radius);
+    frame.rod_span[i] = float4(span, squared > 0 ? 1 / squared : 0);
   }
   return frame;
 }

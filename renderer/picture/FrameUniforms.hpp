@@ -13,7 +13,7 @@ using Float4 = std::array<float, 4>;
 using FloatMatrix4 = std::array<float, 16>;
 
 /// How many rods shade the surfaces near them; further ones cast their shadow only.
-inline constexpr std::size_t kMostRods = 8;
+inline constexpr std::size_t kMostRods = 3;
 
 /// What all shaders know of a picture: the block `Frame` of shaders/frame.glsl, in the std140 layout.
 struct FrameUniforms {
@@ -29,10 +29,11 @@ struct FrameUniforms {
   Float4 fill_direction{};       // to the light; w: strength
   Float4 environment{};  // x: strength; y: contrast; z: 1 where shadows are cast; w: offset against self-shadow, metres
   Float4 background{};   // sRGB
+  Float4 floor_key{};    // linear: what the lit floor shows of the key light
+  Float4 floor_sky{};    // linear: and of the light from all around
   Float4 tissue{};       // linear colour that metal mirrors
-  Float4 counts{};       // x: number of rods
-  std::array<Float4, kMostRods> rod_start{};  // w: radius, metres
-  std::array<Float4, kMostRods> rod_end{};
+  std::array<Float4, kMostRods> rod_start{};  // metres; w: radius squared
+  std::array<Float4, kMostRods> rod_span{};   // from start to end; w: 1 / length squared
 };
 
 /// Everything that follows from the view and the scene alone.

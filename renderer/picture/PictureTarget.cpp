@@ -28,7 +28,7 @@ void require_drawable(ImageSize size, ImageSize drawn) {
   }
   // Software drivers do not refuse what the machine cannot hold, they die of it.
   constexpr double kMostGigabytes = 4;
-  constexpr double kBytesPerPixel = 8 + 8 + 8 + 4 + 4 + 4;  // of the textures below
+  constexpr double kBytesPerPixel = 16 + 16 + 4 + 4 + 4;  // of the textures below
   const double gigabytes = 1e-9 * kBytesPerPixel * drawn.width * drawn.height;
   if (gigabytes > kMostGigabytes) {
     throw PictureFailure("a picture of " + dimensions(size) + " pixels" + drawn_text + " would take " +
@@ -53,19 +53,17 @@ PictureTarget::PictureTarget(ImageSize size, Tier tier) : size_(size), drawn_(si
   require_drawable(size_, drawn_);
   const auto texture = [&](GLenum format) { return create_texture(format, drawn_.width, drawn_.height, GL_NEAREST); };
   depth_ = create_renderbuffer(GL_DEPTH24_STENCIL8, drawn_.width, drawn_.height);
-  normal_ = texture(GL_RGBA16F);
-  rest_ = texture(GL_RGBA16F);
-  distance_ = texture(GL_R32F);
+  normal_ = texture(GL_RGBA32F);
+  rest_ = texture(GL_RGBA32F);
   color_ = texture(GL_RGBA8);
   color_copy_ = texture(GL_RGBA8);
 
   surface_ = create_framebuffer();
   attach(surface_, GL_COLOR_ATTACHMENT0, normal_);
   attach(surface_, GL_COLOR_ATTACHMENT1, rest_);
-  attach(surface_, GL_COLOR_ATTACHMENT2, distance_);
   attach_depth(surface_, depth_);
-  const GLenum all[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2};
-  glNamedFramebufferDrawBuffers(surface_.name(), 3, all);
+  const GLenum all[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+  glNamedFramebufferDrawBuffers(surface_.name(), 2, all);
   require_complete(surface_, "a frame of normals and positions");
 
   frame_ = create_framebuffer();
@@ -92,7 +90,6 @@ void PictureTarget::begin_color() const {
   glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
   glBindTextureUnit(2, normal_.name());
   glBindTextureUnit(3, rest_.name());
-  glBindTextureUnit(4, distance_.name());
 }
 
 const Texture& PictureTarget::copy_of_color() const {

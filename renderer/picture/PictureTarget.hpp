@@ -32,9 +32,8 @@ class PictureTarget {
   ImageSize size_;
   ImageSize drawn_;
   Renderbuffer depth_;
-  Texture normal_;  // and blanch
-  Texture rest_;    // and hollow
-  Texture distance_;
+  Texture normal_;  // and depth
+  Texture rest_;    // and state
   Framebuffer surface_;
   Texture color_;
   Texture color_copy_;

@@ -19,7 +19,7 @@ namespace {
 /// All that lives in the context, in the order in which it can be made.
 struct Stage {
   Stage(ImageSize size, Tier tier) : target(size, tier) {
-    if (tier != Tier::kDraft) shadow_map.emplace(tier == Tier::kFinal ? 2048 : 1024);
+    if (tier != Tier::kDraft) shadow_map.emplace(tier == Tier::kFinal ? 1024 : 512);
     glNamedBufferStorage(frame.name(), sizeof(FrameUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT);
   }
 

@@ -53,7 +53,13 @@ void ScenePass::draw_surface(const SceneMeshes& meshes) const {
   glUseProgram(surface_.name());
   for (std::size_t i = 0; i < meshes.parts().size(); ++i) {
     glStencilFunc(GL_ALWAYS, static_cast<GLint>(i + 1), 0xff);
-    meshes.tissue().draw(meshes.parts()[i].first_index, meshes.parts()[i].index_count);
+    // Outsides first: of what they hide nothing is computed then.
+    glEnable(GL_CULL_FACE);
+    for (const GLenum hidden : {GL_BACK, GL_FRONT}) {
+      glCullFace(hidden);
+      meshes.tissue().draw(meshes.parts()[i].first_index, meshes.parts()[i].index_count);
+    }
+    glDisable(GL_CULL_FACE);
   }
 }
 

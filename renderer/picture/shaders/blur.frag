@@ -11,8 +11,8 @@ void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec2 sum = vec2(0.0);
   vec2 weights = vec2(0.0);
-  for (int i = -6; i <= 6; ++i) {
-    vec2 weight = vec2(exp(-0.09 * float(i * i)), exp(-0.28 * float(i * i)));
+  for (int i = -4; i <= 4; ++i) {
+    vec2 weight = vec2(exp(-0.16 * float(i * i)), exp(-0.40 * float(i * i)));
     sum.r += weight.r * texelFetch(picture, clamp(pixel + 2 * i * direction, ivec2(0), last), 0).r;
     sum.g += weight.g * texelFetch(picture, clamp(pixel + i * direction, ivec2(0), last), 0).g;
     weights += weight;

@@ -12,10 +12,11 @@ layout(std140, binding = 0) uniform Frame {
   vec4 fill_direction;
   vec4 environment;
   vec4 background;
+  vec4 floor_key;
+  vec4 floor_sky;
   vec4 tissue;
-  vec4 counts;
-  vec4 rod_start[8];
-  vec4 rod_end[8];
+  vec4 rod_start[3];
+  vec4 rod_span[3];
 };
 
 const float kPi = 3.14159265;

@@ -12,9 +12,8 @@ layout(location = 0) in vec3 ray;
 
 layout(location = 0) out vec4 color;
 
-layout(binding = 2) uniform sampler2D seen_normal;  // w: blanch
-layout(binding = 3) uniform sampler2D seen_rest;    // in units of the scene's size, from its centre; w: hollow
-layout(binding = 4) uniform sampler2D seen_depth;   // along the line of sight, metres
+layout(binding = 2) uniform sampler2D seen_normal;  // w: depth along the line of sight, metres
+layout(binding = 3) uniform sampler2D seen_rest;    // in units of the scene's size, from its centre; w: see surface.frag
 
 layout(location = 0) uniform vec3 flesh;      // linear
 layout(location = 1) uniform float roughness;
@@ -67,19 +66,20 @@ float floor_openness(vec3 position, vec3 normal) {
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  vec4 normal_and_blanch = texelFetch(seen_normal, pixel, 0);
-  vec4 rest_and_hollow = texelFetch(seen_rest, pixel, 0);
-  vec3 position = camera_position.xyz + texelFetch(seen_depth, pixel, 0).r * ray;
+  vec4 seen = texelFetch(seen_normal, pixel, 0);
+  vec4 rest_and_state = texelFetch(seen_rest, pixel, 0);
+  vec3 position = camera_position.xyz + seen.w * ray;
   vec3 view = -normalize(ray);
-  vec3 base = normalize(normal_and_blanch.xyz);
-  Skin skin = skin_at(rest_and_hollow.xyz, saturate(normal_and_blanch.w));
+  vec3 base = normalize(seen.xyz);
+  float blanch = fract(rest_and_state.w);
+  float hollow = saturate(0.5 + floor(rest_and_state.w) / 1024.0);
+  Skin skin = skin_at(rest_and_state.xyz, blanch);
   vec3 normal = normalize(base - (skin.bump - dot(skin.bump, base) * base));
   vec3 film_normal = normalize(mix(base, normal, 1.5));
   // A smooth normal may face away where the triangle is still seen.
   float nv = max(dot(normal, view), 0.02);
 
   float visible = key_visibility(position, base);
-  float hollow = saturate(0.5 + 0.5 * rest_and_hollow.w);
   float openness = rods_openness(position, base) * floor_openness(position, base) * mix(1.08, 0.55, smoothstep(0.5, 0.85, hollow));
   openness = min(openness, 1.0);
 

@@ -1,12 +1,14 @@
 #include "frame.glsl"
 
-// Linear radiance to display sRGB. The curve is Narkowicz's fit of the ACES filmic tone scale (2016); before it a part of
-// each channel goes to the others, so that strong coloured light turns pale as on film instead of clipping.
+const float kExposure = 0.85;
+
+// Linear radiance to display sRGB: the film curve of Hejl and Burgess-Dawson (2010), a rational function that has the
+// display's encoding in it and so needs no powers. Before it a part of each channel goes to the others, so that strong
+// coloured light turns pale as on film.
 vec3 displayed(vec3 radiance) {
-  vec3 x = 0.92 * radiance + 0.08 * dot(radiance, vec3(0.2126, 0.7152, 0.0722));
-  x *= 0.72;
-  vec3 curve = clamp((x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0);
-  return mix(12.92 * curve, 1.055 * pow(max(curve, 1e-5), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, curve));
+  vec3 mixed = 0.92 * radiance + 0.08 * dot(radiance, vec3(0.2126, 0.7152, 0.0722));
+  vec3 x = max(kExposure * mixed - 0.004, 0.0);
+  return x * (6.2 * x + 0.5) / (x * (6.2 * x + 1.7) + 0.06);
 }
 
 // Breaks the bands of slow gradients by less than one 8-bit level, with a pattern fixed to the pixels (interleaved
