@@ -6,10 +6,6 @@
 namespace thinwall {
 namespace {
 
-/// From the upper left, in front of the default camera: raking enough to show a dent.
-constexpr Vector3 kDefaultKeyDirection{-0.62, -0.42, 0.80};
-constexpr Vector3 kFillDirection{0.85, -0.45, 0.35};
-
 Float4 float4(Vector3 a, double w) {
   return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z), static_cast<float>(w)};
 }
@@ -37,10 +33,15 @@ Float4 mirrored_tissue(const LookDefinition& look) {
           static_cast<float>(linear_from_srgb(tissue.color[2])), 1};
 }
 
+/// By `angle` (radians) around the upward axis.
+Vector3 turned(Vector3 a, double angle) {
+  return {std::cos(angle) * a.x - std::sin(angle) * a.y, std::sin(angle) * a.x + std::cos(angle) * a.y, a.z};
+}
+
 /// Lit by the key light the floor is some brighter than the background that it fades into.
 void light_floor(FrameUniforms& frame, const ViewDefinition& view) {
   constexpr double kKeyColor[] = {1.0, 0.955, 0.89};  // as in shaders/frame.glsl
-  constexpr double kSkyIrradiance[] = {0.47, 0.52, 0.57};
+  constexpr double kSkyIrradiance[] = {0.33, 0.36, 0.41};
   const double contrast = view.lights.environment_contrast;
   for (std::size_t i = 0; i < 3; ++i) {
     const double albedo = 3.2 * linear_from_srgb(view.look.background[i]) + 0.004;
@@ -57,8 +58,13 @@ double linear_from_srgb(double value) {
   return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
 }
 
-Vector3 key_direction(const LightsDefinition& lights) {
-  return normalized(lights.key_direction ? vector3(*lights.key_direction) : kDefaultKeyDirection);
+Studio arrange_studio(const LightsDefinition& lights, const Camera& camera) {
+  const Vector3 toward_viewer{-camera.forward.x, -camera.forward.y, 0};
+  const Vector3 front = length(toward_viewer) > 1e-6 ? normalized(toward_viewer) : Vector3{0, -1, 0};
+  const Vector3 left{front.y, -front.x, 0};
+  const Vector3 up{0, 0, 1};
+  const Vector3 key = lights.key_direction ? vector3(*lights.key_direction) : 0.62 * left + 0.38 * front + 0.80 * up;
+  return {normalized(key), normalized(-0.70 * left + 0.75 * front + 0.30 * up), front};
 }
 
 Matrix4 key_light_matrix(const SceneExtent& extent, Vector3 toward_light) {
@@ -71,8 +77,8 @@ Matrix4 key_light_matrix(const SceneExtent& extent, Vector3 toward_light) {
 }
 
 FrameUniforms frame_uniforms(const Camera& camera, const SceneExtent& extent, const ViewDefinition& view,
-                             const std::vector<ToolRod>& rods, ImageSize size, bool with_shadow) {
-  const Vector3 key = key_direction(view.lights);
+                             const Studio& studio, const std::vector<ToolRod>& rods, ImageSize size, bool with_shadow) {
+  const Vector3 key = studio.key_direction;
   const bool with_floor = view.look.floor && !extent.rest_points.empty() && camera.position.z > extent.floor_height;
   FrameUniforms frame;
   frame.view_projection = float_matrix(camera.matrix());
@@ -85,7 +91,12 @@ FrameUniforms frame_uniforms(const Camera& camera, const SceneExtent& extent, co
   frame.floor = {static_cast<float>(extent.floor_height), with_floor ? 1.0f : 0.0f,
                  static_cast<float>(2.0 * extent.reach), 0};
   frame.key_direction = float4(key, view.lights.key);
-  frame.fill_direction = float4(normalized(kFillDirection), view.lights.fill);
+  frame.key_right = float4(perpendicular(key), 0);
+  const Vector3 front = turned(studio.front, -0.5);
+  const Vector3 back = turned(studio.front, 2.0);
+  frame.panels = {static_cast<float>(front.x), static_cast<float>(front.y), static_cast<float>(back.x),
+                  static_cast<float>(back.y)};
+  frame.fill_direction = float4(studio.fill_direction, view.lights.fill);
   frame.environment = {static_cast<float>(view.lights.environment),
                        static_cast<float>(view.lights.environment_contrast), with_shadow ? 1.0f : 0.0f,
                        static_cast<float>(0.006 * extent.size)};

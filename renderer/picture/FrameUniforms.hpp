@@ -26,6 +26,8 @@ struct FrameUniforms {
   Float4 scene_center{};         // w: scene size, metres
   Float4 floor{};                // x: height; y: 1 where a floor is drawn; z: half width of its shade map, metres
   Float4 key_direction{};        // to the light; w: strength
+  Float4 key_right{};            // of length one, horizontal, across the key light
+  Float4 panels{};               // xy: horizontal direction to the front panel; zw: to the back panel
   Float4 fill_direction{};       // to the light; w: strength
   Float4 environment{};  // x: strength; y: contrast; z: 1 where shadows are cast; w: offset against self-shadow, metres
   Float4 background{};   // sRGB
@@ -36,12 +38,20 @@ struct FrameUniforms {
   std::array<Float4, kMostRods> rod_span{};   // from start to end; w: 1 / length squared
 };
 
+/// Where the lamps stand, in the world.
+struct Studio {
+  Vector3 key_direction;  // from the scene to the key light, of length one
+  Vector3 fill_direction;
+  Vector3 front;  // horizontal, from the scene to the viewer
+};
+
+/// Lamps around a scene that `camera` shows at time zero: the key light, unless given, from the upper left in front,
+/// raking enough to show a dent. They stay when the camera moves on.
+Studio arrange_studio(const LightsDefinition& lights, const Camera& camera);
+
 /// Everything that follows from the view and the scene alone.
 FrameUniforms frame_uniforms(const Camera& camera, const SceneExtent& extent, const ViewDefinition& view,
-                             const std::vector<ToolRod>& rods, ImageSize size, bool with_shadow);
-
-/// From the scene to the key light, of length one.
-Vector3 key_direction(const LightsDefinition& lights);
+                             const Studio& studio, const std::vector<ToolRod>& rods, ImageSize size, bool with_shadow);
 
 /// The light's own clip matrix: a box around the scene seen from the key light.
 Matrix4 key_light_matrix(const SceneExtent& extent, Vector3 toward_light);

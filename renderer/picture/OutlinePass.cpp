@@ -26,10 +26,14 @@ void OutlinePass::draw(std::span<const OutlineSegment> outline, const Texture& p
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_FALSE);
+  glEnable(GL_BLEND);
+  glBlendEquation(GL_FUNC_ADD);
+  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   glBindTextureUnit(0, picture.name());
   glUseProgram(program_.name());
   glBindVertexArray(array_.name());
   glDrawArraysInstanced(GL_LINES, 0, 2, static_cast<GLsizei>(outline.size()));
+  glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
 }
 

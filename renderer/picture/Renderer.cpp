@@ -53,24 +53,25 @@ struct Renderer::Implementation {
 Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinition& view) {
   const SceneExtent extent = scene_extent(snapshot);
   const Camera camera = resolve_camera(view.camera, extent, stage->target.size(), snapshot.time);
+  const Studio studio = arrange_studio(view.lights, resolve_camera(view.camera, extent, stage->target.size(), 0));
 
   const CurrentContext current(context);
   stage->meshes.upload(snapshot, extent, view.look);
-  const FrameUniforms frame = frame_uniforms(camera, extent, view, stage->meshes.rods(), stage->target.drawn_size(),
-                                             stage->shadow_map.has_value());
+  const FrameUniforms frame = frame_uniforms(camera, extent, view, studio, stage->meshes.rods(),
+                                             stage->target.drawn_size(), stage->shadow_map.has_value());
   glNamedBufferSubData(stage->frame.name(), 0, sizeof(frame), &frame);
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, stage->frame.name());
 
   const bool refined = stage->shadow_map.has_value();
   if (refined) {
-    const Vector3 toward_light = key_direction(view.lights);
-    stage->floor_shade.draw(stage->meshes, toward_light);
-    stage->shadow_map->draw(stage->meshes, key_light_matrix(extent, toward_light));
+    stage->floor_shade.draw(stage->meshes, studio.key_direction);
+    stage->shadow_map->draw(stage->meshes, key_light_matrix(extent, studio.key_direction));
   } else {
     stage->floor_shade.clear();
   }
   stage->scene_pass.draw(stage->meshes, stage->target);
-  if (refined) stage->outline_pass.draw(stage->meshes.outline(camera.position), stage->target.copy_of_color());
+  if (refined)
+    stage->outline_pass.draw(stage->meshes.outline(snapshot, camera.position), stage->target.copy_of_color());
   return stage->target.finish();
 }
 

@@ -28,14 +28,13 @@ SceneMeshes::SceneMeshes()
 
 void SceneMeshes::upload(const Snapshot& snapshot, const SceneExtent& extent, const LookDefinition& look) {
   upload_tissue(snapshot, look);
+  find_tissue_edges(snapshot);
   upload_tools(snapshot, extent);
 }
 
 void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& look) {
-  std::vector<SurfaceVertex>& vertices = tissue_vertices_;
-  std::vector<std::uint32_t>& indices = tissue_indices_;
-  vertices.clear();
-  indices.clear();
+  std::vector<SurfaceVertex> vertices;
+  std::vector<std::uint32_t> indices;
   parts_.clear();
   const auto append = [&](const std::vector<SurfaceVertex>& added, const TissueLook& part_look, auto&& add_indices) {
     const std::size_t first = indices.size();
@@ -57,10 +56,25 @@ void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& 
     });
   }
   tissue_.upload(std::span<const SurfaceVertex>(vertices), indices);
+}
 
+/// Edges change with the topology alone, and finding them takes longer than drawing.
+void SceneMeshes::find_tissue_edges(const Snapshot& snapshot) {
   std::vector<std::shared_ptr<const SnapshotTopology>> topologies;
   for (const SnapshotSurface& surface : snapshot.surfaces) topologies.push_back(surface.topology);
-  if (topologies != topologies_) tissue_edges_ = mesh_edges(indices);
+  if (topologies == topologies_) return;
+  std::vector<std::uint32_t> corners;
+  std::uint32_t offset = 0;
+  for (const SnapshotSurface& surface : snapshot.surfaces) {
+    // Wall and caps together: where they meet is no border.
+    for (const auto* triangles : {&surface.topology->triangles, &surface.topology->cap_triangles}) {
+      for (const Triangle& triangle : *triangles) {
+        for (const std::uint32_t vertex : triangle) corners.push_back(offset + vertex);
+      }
+    }
+    offset += static_cast<std::uint32_t>(surface.positions.size());
+  }
+  tissue_edges_ = mesh_edges(corners);
   topologies_ = std::move(topologies);
 }
 
@@ -80,10 +94,14 @@ void SceneMeshes::upload_tools(const Snapshot& snapshot, const SceneExtent& exte
   tool_edges_ = mesh_edges(indices);
 }
 
-std::vector<OutlineSegment> SceneMeshes::outline(Vector3 eye) const {
+std::vector<OutlineSegment> SceneMeshes::outline(const Snapshot& snapshot, Vector3 eye) const {
+  std::vector<Vector3> points;
+  for (const SnapshotSurface& surface : snapshot.surfaces) {
+    for (const Float3& position : surface.positions) points.push_back(vector3(position));
+  }
   std::vector<OutlineSegment> segments;
   append_outline(
-      tissue_edges_, [&](std::uint32_t i) { return vector3(tissue_vertices_[i].position); }, eye, segments);
+      tissue_edges_, [&](std::uint32_t i) { return points[i]; }, eye, segments);
   append_outline(
       tool_edges_, [&](std::uint32_t i) { return vector3(tool_vertices_[i].position); }, eye, segments);
   return segments;

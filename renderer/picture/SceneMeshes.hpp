@@ -5,7 +5,6 @@
 
 #include "renderer/picture/Outline.hpp"
 #include "renderer/picture/SceneExtent.hpp"
-#include "renderer/picture/SurfaceVertices.hpp"
 #include "renderer/picture/ToolShape.hpp"
 #include "renderer/picture/TriangleBuffer.hpp"
 #include "renderer/picture/View.hpp"
@@ -31,19 +30,18 @@ class SceneMeshes {
   const std::vector<TissuePart>& parts() const { return parts_; }
   const std::vector<ToolRod>& rods() const { return rods_; }
 
-  /// Of everything, seen from `eye`.
-  std::vector<OutlineSegment> outline(Vector3 eye) const;
+  /// Of everything that was uploaded from `snapshot`, seen from `eye`.
+  std::vector<OutlineSegment> outline(const Snapshot& snapshot, Vector3 eye) const;
 
  private:
   void upload_tissue(const Snapshot& snapshot, const LookDefinition& look);
+  void find_tissue_edges(const Snapshot& snapshot);
   void upload_tools(const Snapshot& snapshot, const SceneExtent& extent);
 
   TriangleBuffer tissue_;
   TriangleBuffer tools_;
   std::vector<TissuePart> parts_;
   std::vector<ToolRod> rods_;
-  std::vector<SurfaceVertex> tissue_vertices_;
-  std::vector<std::uint32_t> tissue_indices_;
   std::vector<ToolVertex> tool_vertices_;
   std::vector<MeshEdge> tool_edges_;
   std::vector<std::shared_ptr<const SnapshotTopology>> topologies_;  // that tissue_edges_ belong to

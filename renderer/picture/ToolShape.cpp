@@ -179,7 +179,7 @@ ToolShape straight_edge(const SnapshotTool& tool, double scene_size) {
   const double height = 0.09 * scene_size;
   Builder builder(tool, scene_size);
   std::vector<OutlinePoint> outline;
-  append_arc(outline, radius, radius, -0.5 * std::numbers::pi, 0.5 * std::numbers::pi, kPolished, 12);
+  append_arc(outline, radius, radius, -0.5 * std::numbers::pi, 0.5 * std::numbers::pi, kBrushed, 12);
   append_arc(outline, height - radius, radius, 0.5 * std::numbers::pi, 1.5 * std::numbers::pi, kBrushed, 12);
   outline.push_back(outline.front());
   builder.draw_out(outline, tool.length);

@@ -12,7 +12,7 @@ void main() {
   vec2 sum = vec2(0.0);
   vec2 weights = vec2(0.0);
   for (int i = -4; i <= 4; ++i) {
-    vec2 weight = vec2(exp(-0.16 * float(i * i)), exp(-0.40 * float(i * i)));
+    vec2 weight = vec2(exp(-0.14 * float(i * i)), exp(-0.15 * float(i * i)));
     sum.r += weight.r * texelFetch(picture, clamp(pixel + 2 * i * direction, ivec2(0), last), 0).r;
     sum.g += weight.g * texelFetch(picture, clamp(pixel + i * direction, ivec2(0), last), 0).g;
     weights += weight;

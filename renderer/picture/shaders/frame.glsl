@@ -9,6 +9,8 @@ layout(std140, binding = 0) uniform Frame {
   vec4 scene_center;
   vec4 floor_plane;
   vec4 key_direction;
+  vec4 key_right;
+  vec4 panels;
   vec4 fill_direction;
   vec4 environment;
   vec4 background;
@@ -25,3 +27,4 @@ const vec3 kFillColor = vec3(0.80, 0.90, 1.0);   // a cool wall
 
 float square(float x) { return x * x; }
 float saturate(float x) { return clamp(x, 0.0, 1.0); }
+vec2 saturate2(vec2 x) { return clamp(x, 0.0, 1.0); }

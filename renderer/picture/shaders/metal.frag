@@ -12,21 +12,24 @@ layout(location = 2) in vec3 finish;
 
 layout(location = 0) out vec4 color;
 
-// The tissue as a ball around the scene's centre: its part of what `direction` sees, blurred.
+// The tissue as a ball around the scene's centre: its part of what `direction` sees, blurred; it fades up the shaft.
 float tissue_part(vec3 direction, float blur) {
   vec3 toward = scene_center.xyz - position;
   float distance = length(toward);
-  float radius = 0.40 * scene_center.w;
-  float sine = min(radius / max(distance, 1e-9), 1.0);
+  float sine = min(0.40 * scene_center.w / max(distance, 1e-9), 1.0);
   float edge = sqrt(1.0 - square(sine));
-  return smoothstep(edge - 0.15 - blur, edge + 0.15 + blur, dot(direction, toward) / max(distance, 1e-9));
+  float seen = smoothstep(edge - 0.2 - blur, edge + 0.2 + blur, dot(direction, toward) / max(distance, 1e-9));
+  return 0.85 * seen * exp(-12.0 * finish.y);
 }
 
 void main() {
   vec3 view = normalize(camera_position.xyz - position);
   vec3 normal = normalize(smooth_normal);
-  if (dot(normal, view) < 0.0) normal = -normal;
-  float roughness = finish.x;
+  normal = dot(normal, view) < 0.0 ? -normal : normal;
+  // Where the normal turns within a pixel, the pixel sees as much more of the surroundings as on a rougher surface
+  // (Tokuyoshi and Kaplanyan 2019).
+  vec3 across = dFdx(normal), along = dFdy(normal);
+  float roughness = sqrt(square(finish.x) + min(0.5 * (dot(across, across) + dot(along, along)), 0.25));
   float ring = finish.z * sin(2.0 * kPi * 90.0 * finish.y);
   float groove = finish.z * smoothstep(0.2, 0.9, ring);
   float nv = max(dot(normal, view), 0.02);
@@ -34,7 +37,7 @@ void main() {
   float visible = key_visibility(position, normal);
   vec3 mirrored = reflect(-view, normal);
   vec3 light = environment_light(mirrored, roughness, mix(0.25, 1.0, visible));
-  vec3 tissue_light = tissue.rgb * (0.25 + 0.9 * key_direction.w * saturate(key_direction.z));
+  vec3 tissue_light = tissue.rgb * (0.15 + 0.8 * key_direction.w * saturate(key_direction.z));
   light = mix(light, tissue_light * environment.x, tissue_part(mirrored, roughness));
 
   const vec3 steel = vec3(0.62, 0.60, 0.575);

@@ -1,7 +1,7 @@
 #version 450 core
 
 layout(location = 0) flat in vec4 window_line;
-layout(location = 0) out vec4 color;
+layout(location = 0) out vec4 color;  // is blended over the pixel by its alpha
 
 layout(binding = 0) uniform sampler2D picture;
 
@@ -16,5 +16,5 @@ void main() {
   int side = offset > 0.0 ? 1 : -1;
   ivec2 neighbour = pixel + (flat_line ? ivec2(0, side) : ivec2(side, 0));
   neighbour = clamp(neighbour, ivec2(0), textureSize(picture, 0) - 1);
-  color = mix(texelFetch(picture, pixel, 0), texelFetch(picture, neighbour, 0), share);
+  color = vec4(texelFetch(picture, neighbour, 0).rgb, share);
 }

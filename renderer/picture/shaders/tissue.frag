@@ -26,35 +26,37 @@ struct Skin {
   float film;  // strength of the wet layer here
 };
 
-// A fine net of vessels: where the noise passes through zero. 1 in the middle of a vessel.
-float vessel(float value, float slope, float width) {
-  return 1.0 - smoothstep(0.35, 1.0, abs(value) / (width * max(slope, 0.4)));
+// Vessels run where noise passes through zero; noise that is drawn out makes them long. 1 in the middle of a vessel, with
+// soft sides, for vessels lie below the surface.
+float vessel(vec4 field, float width) {
+  float distance = abs(field.w) / (width * max(length(field.xyz), 0.7));
+  return 1.0 / (1.0 + square(square(distance)) + 0.5 * square(distance));
 }
 
 Skin skin_at(vec3 place, float blanch) {
-  vec4 broad = noise(7.0 * place + 11.3);
-  vec4 medium = noise(23.0 * place + 1.1 * broad.xyz * 0.3);
-  vec4 fine = noise(78.0 * place + 3.7);
-  float large_vessels = vessel(medium.w + 0.25 * broad.w, length(medium.xyz), 0.055);
-  float veil = smoothstep(-0.25, 0.45, broad.w);
+  vec4 broad = noise(6.0 * place + 11.3);
+  vec4 medium = noise(vec3(8.0, 27.0, 25.0) * place + 0.40 * broad.zxy + 3.1);
+  vec4 fine = noise(vec3(58.0, 76.0, 70.0) * place + 0.45 * medium.yzx);
+  float veins = vessel(medium, 0.016 + 0.016 * abs(broad.y)) * smoothstep(-0.35, 0.35, broad.w);
+  float capillaries = vessel(fine, 0.07) * smoothstep(-0.1, 0.6, medium.w - 0.3 * broad.w);
   Skin skin;
-  vec3 redder = flesh * vec3(1.06, 0.80, 0.80);
-  vec3 paler = flesh * vec3(1.10, 1.28, 1.20) + vec3(0.015, 0.012, 0.008);
-  vec3 mottled = mix(redder, paler, saturate(0.5 + 0.55 * broad.w + 0.22 * medium.w + 0.10 * fine.w));
-  vec3 blood = flesh * vec3(0.52, 0.20, 0.26);
-  mottled = mix(mottled, blood, 0.50 * large_vessels * veil * (1.0 - 0.8 * blanch));
+  vec3 redder = flesh * vec3(0.90, 0.58, 0.60);
+  vec3 paler = flesh * vec3(1.05, 1.12, 1.02) + vec3(0.012, 0.008, 0.005);
+  vec3 mottled = mix(redder, paler, saturate(0.42 + 0.60 * broad.w + 0.20 * medium.w + 0.10 * fine.w));
+  vec3 blood = flesh * vec3(0.50, 0.17, 0.26);
+  mottled = mix(mottled, blood, saturate(0.42 * veins + 0.18 * capillaries) * (1.0 - 0.8 * blanch));
   skin.albedo = mix(flesh, mottled, mottling);
-  vec3 bloodless = mix(vec3(dot(skin.albedo, vec3(0.35, 0.45, 0.20))), vec3(0.78, 0.62, 0.50), 0.62);
-  skin.albedo = mix(skin.albedo, bloodless, 0.75 * blanch);
-  skin.bump = mottling * (0.010 * medium.xyz + 0.016 * fine.xyz);
-  skin.film = wetness * (1.0 - mottling * 0.35 * smoothstep(0.1, 0.8, medium.w + 0.4 * fine.w));
+  vec3 bloodless = mix(vec3(dot(skin.albedo, vec3(0.35, 0.45, 0.20))), vec3(0.70, 0.53, 0.42), 0.62);
+  skin.albedo = mix(skin.albedo, bloodless, 0.6 * blanch);
+  skin.bump = mottling * (0.007 * medium.xyz + 0.015 * fine.xyz);
+  skin.film = wetness * (1.0 - mottling * 0.45 * smoothstep(0.0, 0.7, 0.6 * medium.w + 0.7 * fine.w));
   return skin;
 }
 
 // Light that enters the flesh leaves it nearby, red farthest: the border between light and dark is soft and reddish
 // (wrapped cosine, each channel with its own width, keeping the mean over all directions).
 vec3 scattered_cosine(float cosine) {
-  const vec3 wrap = vec3(0.38, 0.14, 0.10);
+  const vec3 wrap = vec3(0.30, 0.13, 0.10);
   vec3 lifted = max((cosine + wrap) / (1.0 + wrap), 0.0);
   return lifted * lifted / (lifted + 0.12) * 1.12 / (1.0 + wrap);
 }
@@ -75,7 +77,7 @@ void main() {
   float hollow = saturate(0.5 + floor(rest_and_state.w) / 1024.0);
   Skin skin = skin_at(rest_and_state.xyz, blanch);
   vec3 normal = normalize(base - (skin.bump - dot(skin.bump, base) * base));
-  vec3 film_normal = normalize(mix(base, normal, 1.5));
+  vec3 film_normal = normalize(mix(base, normal, 0.8));
   // A smooth normal may face away where the triangle is still seen.
   float nv = max(dot(normal, view), 0.02);
 
@@ -83,8 +85,8 @@ void main() {
   float openness = rods_openness(position, base) * floor_openness(position, base) * mix(1.08, 0.55, smoothstep(0.5, 0.85, hollow));
   openness = min(openness, 1.0);
 
-  vec3 key = 2.1 * key_direction.w * kKeyColor;
-  vec3 fill = 0.42 * fill_direction.w * kFillColor;
+  vec3 key = 1.8 * key_direction.w * kKeyColor;
+  vec3 fill = 0.34 * fill_direction.w * kFillColor;
   // Shadows on flesh have reddish borders too.
   vec3 soft_visible = vec3(mix(visible, sqrt(visible), 0.6), visible, visible);
   vec3 diffuse = key * soft_visible * scattered_cosine(dot(normal, key_direction.xyz));
@@ -100,7 +102,7 @@ void main() {
 
   // The wet layer: water, so smooth that it mirrors the lamps; what it reflects does not reach the flesh.
   float film = skin.film * (0.022 + 0.978 * fresnel_weight(max(dot(film_normal, view), 0.02)));
-  vec3 film_light = environment_light(reflect(-view, film_normal), 0.10, visible);
+  vec3 film_light = environment_light(reflect(-view, film_normal), 0.05, visible);
   result = mix(result, film_light * mix(1.0, openness, 0.7), film);
 
   color = vec4(dithered(displayed(result), gl_FragCoord.xy), 1.0);

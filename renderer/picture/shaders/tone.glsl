@@ -1,12 +1,12 @@
 #include "frame.glsl"
 
-const float kExposure = 0.85;
+const float kExposure = 0.72;
 
 // Linear radiance to display sRGB: the film curve of Hejl and Burgess-Dawson (2010), a rational function that has the
 // display's encoding in it and so needs no powers. Before it a part of each channel goes to the others, so that strong
 // coloured light turns pale as on film.
 vec3 displayed(vec3 radiance) {
-  vec3 mixed = 0.92 * radiance + 0.08 * dot(radiance, vec3(0.2126, 0.7152, 0.0722));
+  vec3 mixed = 0.95 * radiance + 0.05 * dot(radiance, vec3(0.2126, 0.7152, 0.0722));
   vec3 x = max(kExposure * mixed - 0.004, 0.0);
   return x * (6.2 * x + 0.5) / (x * (6.2 * x + 1.7) + 0.06);
 }
