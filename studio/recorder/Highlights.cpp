@@ -8,7 +8,12 @@ namespace {
 constexpr std::size_t kPictures = 12;
 // Several times as many, so that after thinning out they still lie close to even spacing.
 constexpr std::size_t kKept = 4 * kPictures;
-constexpr ImageSize kThumbnailBox = {.width = 320, .height = 240};
+constexpr int kWidth = 400;  // pixels, a cell of the contact sheet
+
+Image shrunk(const Image& frame) {
+  if (frame.size.width <= kWidth) return frame;
+  return resize(frame, size_that_fits(frame.size, {.width = kWidth, .height = frame.size.height}));
+}
 
 }  // namespace
 
@@ -19,17 +24,17 @@ void Highlights::add(const Image& frame, double time, double force) {
     poster_ = frame;
   }
   if (frames_++ % stride_ != 0) return;
-  kept_.push_back({.time = time, .image = resize(frame, size_that_fits(frame.size, kThumbnailBox))});
+  kept_.push_back({.picture = shrunk(frame), .time = time});
   if (kept_.size() < kKept) return;
-  std::vector<Thumbnail> thinned;
+  std::vector<SheetFrame> thinned;
   for (std::size_t i = 0; i < kept_.size(); i += 2) thinned.push_back(std::move(kept_[i]));
   kept_ = std::move(thinned);
   stride_ *= 2;
 }
 
-std::vector<Thumbnail> Highlights::thumbnails() const {
+std::vector<SheetFrame> Highlights::sheet_frames() const {
   if (kept_.size() <= kPictures) return kept_;
-  std::vector<Thumbnail> chosen;
+  std::vector<SheetFrame> chosen;
   for (std::size_t i = 0; i < kPictures; ++i) {
     chosen.push_back(kept_[(i * (kept_.size() - 1) + (kPictures - 1) / 2) / (kPictures - 1)]);
   }

@@ -4,14 +4,9 @@
 #include <vector>
 
 #include "renderer/image/Image.hpp"
+#include "renderer/overlay/ContactSheet.hpp"
 
 namespace thinwall {
-
-/// A small picture with the time that it shows.
-struct Thumbnail {
-  double time = 0;  // seconds
-  Image image;
-};
 
 /// Picks from the frames of a recording, as they pass, the poster (the one with the largest force, the first of equals)
 /// and pictures evenly spread for the contact sheet, without keeping all.
@@ -22,8 +17,8 @@ class Highlights {
   const Image& poster() const { return poster_; }  // empty when there was no frame
   double poster_time() const { return poster_time_; }
 
-  /// Up to twelve, evenly spread, the first frame and about the last included.
-  std::vector<Thumbnail> thumbnails() const;
+  /// Up to twelve, shrunk and evenly spread, the first frame and about the last included.
+  std::vector<SheetFrame> sheet_frames() const;
 
  private:
   Image poster_;
@@ -31,7 +26,7 @@ class Highlights {
   double largest_force_ = -1;
   std::size_t frames_ = 0;
   std::size_t stride_ = 1;  // every so many frames one is kept
-  std::vector<Thumbnail> kept_;
+  std::vector<SheetFrame> kept_;
 };
 
 }  // namespace thinwall

@@ -85,8 +85,11 @@ RecordCsv::RecordCsv(const std::filesystem::path& folder) : forces_(folder / "fo
 }
 
 void RecordCsv::write(const StepRecord& record) {
-  forces_.write(forces_csv_rows(record));
-  body_.write(body_csv_rows(record));
+  // Both before either is written, so that a step that is refused is in neither.
+  const std::string forces_rows = forces_csv_rows(record);
+  const std::string body_rows = body_csv_rows(record);
+  forces_.write(forces_rows);
+  body_.write(body_rows);
 }
 
 void RecordCsv::finish() {

@@ -16,6 +16,8 @@
 #include "renderer/image/ImageHash.hpp"
 #include "renderer/image/PngFile.hpp"
 #include "renderer/image/WholeFile.hpp"
+#include "renderer/overlay/ContactSheet.hpp"
+#include "renderer/overlay/ForcePlotImage.hpp"
 #include "renderer/overlay/Overlay.hpp"
 #include "renderer/video/VideoWriter.hpp"
 #include "renderer/video/WebVtt.hpp"
@@ -54,6 +56,7 @@ class Pipeline {
   void simulate();
   bool take_moments();
   void keep(const Moment& moment);
+  void add_forces(const StepRecord& record);
   void finish_records();
   void render();
   void encode();
@@ -86,6 +89,7 @@ class Pipeline {
   std::optional<FrameComposer> surface_frames_;
   std::size_t next_surface_frame_ = 0;
   std::vector<TimedText> captions_;
+  std::vector<ToolForces> forces_;
 
   // Of the encoding thread, until it has ended.
   std::optional<VideoWriter> video_;
@@ -217,10 +221,23 @@ void Pipeline::keep(const Moment& moment) {
       surfaces_->write(surface_frames_->compose(time).snapshot);
     }
   }
+  add_forces(moment.record);
   captions_ = moment.captions;
   report_.chapters = moment.chapters;
   report_.simulated = moment.snapshot.time;
   ++report_.steps;
+}
+
+void Pipeline::add_forces(const StepRecord& record) {
+  forces_.resize(record.tools.size());
+  for (std::size_t i = 0; i < forces_.size(); ++i) {
+    const ToolRecord& tool = record.tools[i];
+    forces_[i].tool = tool.tool;
+    forces_[i].points.push_back({.time = record.time,
+                                 .force = {tool.force.x(), tool.force.y(), tool.force.z()},
+                                 .depth = tool.depth,
+                                 .phase = tool.phase});
+  }
 }
 
 void Pipeline::finish_records() {
@@ -231,6 +248,7 @@ void Pipeline::finish_records() {
   }
   if (csv_) csv_->finish();
   if (surfaces_) surfaces_->finish();
+  write_png(plan_.folder / "forces.png", force_plot_image(plan_.description.title, forces_));
   const double end = report_.simulated + 1 / plan_.frames_per_second;
   write_web_vtt(plan_.folder / "captions.vtt", up_to(end, captions_, &VideoCaption::text));
 }
@@ -295,6 +313,7 @@ void Pipeline::finish_pictures() {
   }
   if (plan_.frames) rename_folder(unfinished_name(frame_folder(plan_)), frame_folder(plan_));
   write_png(plan_.folder / "poster.png", highlights_.poster());
+  write_png(plan_.folder / "contact_sheet.png", contact_sheet(plan_.description.title, highlights_.sheet_frames()));
 }
 
 void Pipeline::show_progress(double time) {

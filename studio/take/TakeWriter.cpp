@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "engine/simulation/SimulationFailure.hpp"
 #include "renderer/image/WholeFile.hpp"
 #include "renderer/picture/PictureFailure.hpp"
 #include "studio/record/RecordColumns.hpp"
@@ -26,7 +27,19 @@ constexpr std::size_t kStepsBetweenFlushes = 100;
 void require_finite(const std::string& what, const float* values, std::size_t count, double time) {
   for (std::size_t i = 0; i < count; ++i) {
     if (!std::isfinite(values[i])) {
-      throw std::invalid_argument(what + " holds a value that is not finite at time " + std::to_string(time) + " s");
+      throw SimulationFailure(what + " holds a value that is not finite at time " + std::to_string(time) + " s");
+    }
+  }
+}
+
+void require_finite(const Snapshot& snapshot) {
+  for (const SnapshotSurface& surface : snapshot.surfaces) {
+    const std::vector<Float3>& positions = surface.positions;
+    if (positions.empty()) continue;
+    require_finite("the surface of " + surface.body, positions.front().data(), 3 * positions.size(), snapshot.time);
+    for (const SnapshotField& field : surface.fields) {
+      require_finite("the field " + field.name + " of " + surface.body, field.values.data(), field.values.size(),
+                     snapshot.time);
     }
   }
 }
@@ -110,7 +123,7 @@ Epoch begin_epoch(SurfaceRows& rows, const SnapshotSurface& surface, std::size_t
   return epoch;
 }
 
-void write_surface(SurfaceRows& rows, const SnapshotSurface& surface, std::size_t step, double time) {
+void write_surface(SurfaceRows& rows, const SnapshotSurface& surface, std::size_t step) {
   if (surface.positions.empty() || surface.positions.size() != surface.topology->rest_positions.size()) {
     throw std::invalid_argument("the surface of " + surface.body + " does not fit its topology");
   }
@@ -120,15 +133,12 @@ void write_surface(SurfaceRows& rows, const SnapshotSurface& surface, std::size_
   if (surface.fields.size() != rows.epoch.fields.size()) {
     throw std::invalid_argument("the surface of " + surface.body + " changed its fields");
   }
-  require_finite("the surface of " + surface.body, surface.positions.front().data(), surface.positions.size() * 3,
-                 time);
   rows.epoch.positions.append(surface.positions.data());
   for (std::size_t i = 0; i < surface.fields.size(); ++i) {
     const SnapshotField& field = surface.fields[i];
     if (field.name != rows.epoch.field_names[i]) {
       throw std::invalid_argument("the surface of " + surface.body + " changed its fields");
     }
-    require_finite("the field " + field.name + " of " + surface.body, field.values.data(), field.values.size(), time);
     rows.epoch.fields[i].append(field.values.data());
   }
 }
@@ -244,6 +254,7 @@ void TakeWriter::Implementation::lay_out_records(const StepRecord& first) {
 
 void TakeWriter::Implementation::append(const Moment& moment) {
   const Snapshot& snapshot = moment.snapshot;
+  require_finite(snapshot);
   if (steps == 0) lay_out(moment);
   if (snapshot.surfaces.size() != surfaces.size() || snapshot.tools.size() != tools.size() ||
       snapshot.scalars.size() != scalars.size() || moment.record.tools.size() != tool_records.size() ||
@@ -251,7 +262,7 @@ void TakeWriter::Implementation::append(const Moment& moment) {
     throw std::invalid_argument("a step has other bodies, tools or scalars than the first");
   }
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    write_surface(surfaces[i], snapshot.surfaces[i], steps, snapshot.time);
+    write_surface(surfaces[i], snapshot.surfaces[i], steps);
   }
   for (std::size_t i = 0; i < tools.size(); ++i) {
     const SnapshotTool& tool = snapshot.tools[i];

@@ -33,7 +33,7 @@ class TakeWriter {
   ~TakeWriter();
 
   /// Adds a step. Bodies, tools, scalars and fields must be those of the first step; a surface may change its topology.
-  /// Throws PictureFailure when it cannot be written, std::invalid_argument when a number is not finite.
+  /// Throws PictureFailure when it cannot be written, SimulationFailure when a number is not finite (then nothing is).
   void write(const Moment& moment);
 
   /// Gives the file its name. Throws PictureFailure; then there is no file of that name.

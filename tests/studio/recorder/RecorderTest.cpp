@@ -54,7 +54,7 @@ TEST(RecorderTest, LeavesEachFileOfTheContract) {
   plan.surfaces = true;
   const RecordingReport report = record(run, plan, flat_painters());
   EXPECT_EQ(names_in(folder.path()),
-            (std::vector<std::string>{"body.csv", "captions.vtt", "forces.csv",
+            (std::vector<std::string>{"body.csv", "captions.vtt", "contact_sheet.png", "forces.csv", "forces.png",
                                       "frames", "poster.png", "surfaces", "take.h5", "video.mp4"}));
   EXPECT_EQ(report.failure, "");
   EXPECT_EQ(report.steps, 41U);
@@ -200,7 +200,7 @@ TEST(RecorderTest, AnEarlierRecordingDoesNotMixWithTheNext) {
   SyntheticRun second;
   record(second, plan, flat_painters());
   EXPECT_EQ(names_in(folder.path()),
-            (std::vector<std::string>{"body.csv", "captions.vtt", "forces.csv", "notes.txt", "take.h5"}));
+            (std::vector<std::string>{"body.csv", "captions.vtt", "forces.csv", "forces.png", "notes.txt", "take.h5"}));
 }
 
 TEST(RecorderTest, AFolderOfFramesWithOtherFilesIsNotTouched) {

@@ -180,7 +180,7 @@ TEST(TakeTest, RefusesANumberThatIsNotFinite) {
   Moment moment = SyntheticRun().moment(0);
   moment.snapshot.surfaces[0].positions[3][1] = std::nanf("");
   TakeWriter writer(folder / "take.h5", kDescription);
-  EXPECT_THROW(writer.write(moment), std::invalid_argument);
+  EXPECT_THROW(writer.write(moment), SimulationFailure);
 }
 
 TEST(TakeTest, RefusesAFolderThatIsNotThere) {
