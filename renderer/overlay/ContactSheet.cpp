@@ -6,6 +6,7 @@
 
 #include "renderer/image/Resize.hpp"
 #include "renderer/overlay/Canvas.hpp"
+#include "renderer/overlay/Font.hpp"
 #include "renderer/overlay/NumberText.hpp"
 #include "renderer/overlay/Text.hpp"
 
@@ -33,6 +34,7 @@ void paste(Image& sheet, const Image& picture, int left, int top) {
 }  // namespace
 
 Image contact_sheet(const std::string& title, const std::vector<SheetFrame>& frames, int columns, int cell_width) {
+  const FontUse use;
   assert(columns > 0 && cell_width > 0);
   const int count = static_cast<int>(frames.size());
   const int used_columns = std::clamp(count, 1, columns);

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <string>
 
 namespace thinwall {
@@ -13,7 +14,7 @@ struct ReleaseObject {
 };
 
 /// The one font of all pictures, read from its files alone: neither the system's fonts nor its font settings take part,
-/// so that pictures do not depend on the machine. Use it from one thread.
+/// so that pictures do not depend on the machine. Pango's font maps serve one thread at a time, see `FontUse`.
 class Font {
  public:
   /// Throws PictureFailure naming the package when Inter-Regular.otf or Inter-SemiBold.otf is not in `folder`.
@@ -30,7 +31,16 @@ class Font {
   std::string description_;
 };
 
-/// The font of the running thread, loaded at the first call. Throws PictureFailure.
+/// The font of the program, loaded at the first call. Throws PictureFailure.
 const Font& overlay_font();
+
+/// Keeps other threads from the font of the program: to be held while texts are laid out and drawn.
+class FontUse {
+ public:
+  FontUse();
+
+ private:
+  std::scoped_lock<std::mutex> lock_;
+};
 
 }  // namespace thinwall

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "renderer/overlay/Chart.hpp"
+#include "renderer/overlay/Font.hpp"
 #include "renderer/overlay/NumberText.hpp"
 #include "renderer/overlay/PhaseStyle.hpp"
 #include "renderer/overlay/Text.hpp"
@@ -162,6 +163,7 @@ std::string summary(const std::vector<ToolForces>& tools) {
 }  // namespace
 
 Image force_plot_image(const std::string& title, const std::vector<ToolForces>& tools, ImageSize size) {
+  const FontUse use;
   const double unit = std::min(size.width / 1600.0, size.height / 900.0);
   const double margin = 48 * unit;
   const Canvas canvas(size);

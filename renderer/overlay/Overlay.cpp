@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "renderer/overlay/Font.hpp"
 #include "renderer/overlay/GaugePlate.hpp"
 #include "renderer/overlay/Plate.hpp"
 #include "renderer/overlay/PlotPlate.hpp"
@@ -63,6 +64,7 @@ Plate::Plate(const OverlayGrid& grid, ImageSize size) : Canvas(size) {
 }
 
 void draw_overlay(Image& image, const OverlayContent& content) {
+  const FontUse use;
   const OverlayGrid grid(image.size);
   const double peak = peak_of(content);
   int title_end = image.size.width - grid.whole(kMargin);

@@ -70,7 +70,7 @@ Arguments color_tags() {
           "left"};
 }
 
-/// Frames from standard input to a fragmented MP4, which is readable up to its last full second when all of us are
+/// Frames from standard input to a fragmented MP4, which is readable but for its last two seconds when all of us are
 /// killed. Matroska would be too, but counts in milliseconds, and 33, 33, 34 ms are no constant frame times.
 Arguments encoder_arguments(const VideoOptions& options, const files::path& recording) {
   const std::string rate = frame_rate(options.frames_per_second).text();
@@ -83,8 +83,8 @@ Arguments encoder_arguments(const VideoOptions& options, const files::path& reco
   // The number of threads decides where the encoder may look for motion, so it must not be the machine's.
   append(arguments, {"-threads", "2", "-g", second, "-flags:v", "+bitexact"});
   append(arguments, color_tags());
-  append(arguments, {"-fflags", "+bitexact", "-movflags", "+frag_keyframe+empty_moov+default_base_moof", "-f", "mp4",
-                     "file:" + recording.string()});
+  append(arguments, {"-fflags", "+bitexact", "-flush_packets", "1", "-movflags",
+                     "+frag_keyframe+empty_moov+default_base_moof", "-f", "mp4", "file:" + recording.string()});
   return arguments;
 }
 

@@ -18,12 +18,18 @@ TEST(ForceCurve, EndsOfTheAxesAreTheEdgesOfTheArea) {
   EXPECT_EQ(points[1].y, 20);
 }
 
-TEST(ForceCurve, LongRecordKeepsItsPeakAndFewPoints) {
+TEST(ForceCurve, LongRecordKeepsPeaksAndDipsOfEachColumnAndFewPoints) {
   std::vector<PlotPoint> curve;
-  for (int i = 0; i <= 100000; ++i) curve.push_back({i * 1e-5, i == 41234 ? 1.0 : 0.0});
+  for (int i = 0; i <= 100000; ++i) curve.push_back({i * 1e-5, 0.5});
+  curve[41234].y = curve[72500].y = 1;  // a peak before a dip, and one after it, in one column each
+  curve[41500].y = curve[72234].y = 0;
   const auto points = curve_in_pixels(curve, exact_axis(0, 1, 5), exact_axis(0, 1, 5), kArea);
   EXPECT_LE(points.size(), 4u * 101u);
-  EXPECT_EQ(std::count_if(points.begin(), points.end(), [](const PlotPoint& point) { return point.y == 20; }), 1);
+  const auto count_at = [&](double y) {
+    return std::count_if(points.begin(), points.end(), [&](const PlotPoint& point) { return point.y == y; });
+  };
+  EXPECT_EQ(count_at(20), 2);
+  EXPECT_EQ(count_at(70), 2);
   EXPECT_TRUE(
       std::is_sorted(points.begin(), points.end(), [](const PlotPoint& a, const PlotPoint& b) { return a.x < b.x; }));
   EXPECT_EQ(points.back().x, 110);
