@@ -1,27 +1,16 @@
 #include "engine/contact/SphereContact.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+
+#include "engine/contact/ClosestPoint.hpp"
 
 namespace thinwall {
 
 double ContactPotential::energy(double gap) const {
-  const double s = gap / range;
-  if (s >= 1) return 0;
-  if (s >= 0) return stiffness * range * (1 - s) * (1 - s) * (1 - s) / 3;
-  return stiffness * range * (1.0 / 3 - s + s * s);
-}
-
-double ContactPotential::pressure(double gap) const {
-  const double s = gap / range;
-  if (s >= 1) return 0;
-  return s >= 0 ? stiffness * (1 - s) * (1 - s) : stiffness * (1 - 2 * s);
-}
-
-double ContactPotential::pressure_slope(double gap) const {
-  const double s = gap / range;
-  if (s >= 1) return 0;
-  return s >= 0 ? -2 * stiffness * (1 - s) / range : -2 * stiffness / range;
+  const double closed = std::max(0.0, range - gap);
+  return 0.5 * stiffness() * closed * closed;
 }
 
 namespace {
@@ -34,53 +23,48 @@ bool out_of_reach(const SphereTool& sphere, double reach, const std::array<Eigen
   return (centroid - sphere.center).squaredNorm() > distance * distance;
 }
 
-void add_sample(const SphereTool& sphere, const ContactPotential& potential, const Eigen::Vector3d& weights,
-                double area, const std::array<Eigen::Vector3d, 3>& corners, SphereContactTerms& terms) {
-  const Eigen::Vector3d offset =
-      weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2] - sphere.center;
-  const double distance = offset.norm();
-  const double gap = distance - sphere.radius;
-  if (gap >= potential.range) return;
-  if (!terms.touched) {
-    terms.touched = true;
-    terms.gradient.setZero();
-    terms.hessian.setZero();
-    terms.tool_force.setZero();
-  }
-  const Eigen::Vector3d normal = offset / distance;
-  const double pressure = potential.pressure(gap);
-  const Eigen::Matrix3d outer = normal * normal.transpose();
-  const Eigen::Matrix3d block =
-      area * (-potential.pressure_slope(gap) * outer - pressure / distance * (Eigen::Matrix3d::Identity() - outer));
-  terms.energy += area * potential.energy(gap);
-  terms.tool_force -= area * pressure * normal;
-  terms.pressed += area * pressure;
-  terms.pressed_squared += area * pressure * pressure;
+/// Hessian of half the squared distance to the closest point; see the header.
+Eigen::Matrix<double, 9, 9> half_square_hessian(const ClosestPoint& closest, const Eigen::Vector3d& offset,
+                                                const std::array<Eigen::Vector3d, 3>& corners) {
+  Eigen::Matrix<double, 9, 9> hessian;
   for (int a = 0; a < 3; ++a) {
-    terms.gradient.segment<3>(3 * a) -= area * pressure * weights[a] * normal;
-    for (int b = 0; b < 3; ++b) terms.hessian.block<3, 3>(3 * a, 3 * b) += weights[a] * weights[b] * block;
+    for (int b = 0; b < 3; ++b) {
+      hessian.block<3, 3>(3 * a, 3 * b) = closest.weights[a] * closest.weights[b] * Eigen::Matrix3d::Identity();
+    }
   }
+  const int freedom = closest.corner_count - 1;
+  if (freedom == 0) return hessian;
+  Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 2> edges(3, freedom);
+  Eigen::Matrix<double, Eigen::Dynamic, 9, 0, 2, 9> coupling(freedom, 9);
+  for (int k = 0; k < freedom; ++k) edges.col(k) = corners[closest.corners[k + 1]] - corners[closest.corners[0]];
+  for (int a = 0; a < 3; ++a) {
+    for (int k = 0; k < freedom; ++k) {
+      const double selected = a == closest.corners[k + 1] ? 1 : (a == closest.corners[0] ? -1 : 0);
+      coupling.block<1, 3>(k, 3 * a) = closest.weights[a] * edges.col(k).transpose() + selected * offset.transpose();
+    }
+  }
+  const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 2, 2> metric = edges.transpose() * edges;
+  hessian -= coupling.transpose() * metric.inverse() * coupling;
+  return hessian;
 }
 
 }  // namespace
 
-SphereContactTerms sphere_contact_terms(const SphereTool& sphere, const ContactPotential& potential, double rest_area,
-                                        int divisions, const std::array<Eigen::Vector3d, 3>& corners) {
-  SphereContactTerms terms;
-  if (out_of_reach(sphere, potential.range, corners)) return terms;
-  const double area = rest_area / (static_cast<double>(divisions) * divisions);
-  const double part = 1.0 / (3 * divisions);
-  for (int i = 0; i < divisions; ++i) {
-    for (int j = 0; i + j < divisions; ++j) {
-      const Eigen::Vector3d upright((3 * i + 1) * part, (3 * j + 1) * part, 1 - (3 * i + 3 * j + 2) * part);
-      add_sample(sphere, potential, upright, area, corners, terms);
-      if (i + j + 1 < divisions) {
-        const Eigen::Vector3d inverted((3 * i + 2) * part, (3 * j + 2) * part, 1 - (3 * i + 3 * j + 4) * part);
-        add_sample(sphere, potential, inverted, area, corners, terms);
-      }
-    }
-  }
-  return terms;
+std::optional<SphereGap> sphere_gap(const SphereTool& sphere, double reach,
+                                    const std::array<Eigen::Vector3d, 3>& corners) {
+  if (out_of_reach(sphere, reach, corners)) return std::nullopt;
+  const ClosestPoint closest = closest_point(corners, sphere.center);
+  Eigen::Vector3d offset = -sphere.center;
+  for (int k = 0; k < 3; ++k) offset += closest.weights[k] * corners[k];
+  const double distance = offset.norm();
+  SphereGap result;
+  result.gap = distance - sphere.radius;
+  if (result.gap >= reach) return std::nullopt;
+  result.normal = offset / distance;
+  for (int k = 0; k < 3; ++k) result.gradient.segment<3>(3 * k) = closest.weights[k] * result.normal;
+  result.hessian =
+      (half_square_hessian(closest, offset, corners) - result.gradient * result.gradient.transpose()) / distance;
+  return result;
 }
 
 }  // namespace thinwall

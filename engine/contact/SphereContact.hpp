@@ -2,21 +2,20 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 
 namespace thinwall {
 
-/// The smooth potential that keeps the wall outside a tool. Per area of rest surface, as a function of the gap g:
-/// with s = g / range, pressure p(s) = stiffness (1 - s)^2 for 0 <= s < 1, stiffness (1 - 2 s) for s < 0, 0 for s >= 1.
-/// Pressure and its slope are continuous; below zero the pressure is linear, so that a tool that has moved far into
-/// the wall is left in one Newton step. With pressures of some per cent of `stiffness` the wall rests at a gap of
-/// nearly `range`.
+/// The potential that keeps a triangle outside a tool, as a function of the gap g between the two: the force rises
+/// evenly from 0 at g = range to `largest` at g = 0 and beyond. With forces of some per cent of `largest` the wall
+/// rests at a gap of nearly `range`. An even rise makes a contact a linear spring, so that Newton's method only has to
+/// find out which triangles touch.
 struct ContactPotential {
-  double range = 1e-6;   // metres
-  double stiffness = 1;  // pascal
+  double range = 1e-6;  // metres
+  double largest = 1;   // newton, the force at which the gap closes
 
-  double energy(double gap) const;          // joule / metre^2
-  double pressure(double gap) const;        // pascal, minus the derivative of the energy
-  double pressure_slope(double gap) const;  // pascal / metre, derivative of the pressure, never positive
+  double stiffness() const { return largest / range; }  // newton / metre
+  double energy(double gap) const;                      // joule
 };
 
 struct SphereTool {
@@ -24,20 +23,21 @@ struct SphereTool {
   double radius;           // metres
 };
 
-/// What a sphere does to one wall triangle.
-struct SphereContactTerms {
-  bool touched = false;                  // whether any sample lies within the range; if not, all else is zero
-  double energy = 0;                     // joule
-  Eigen::Matrix<double, 9, 1> gradient;  // newton
-  Eigen::Matrix<double, 9, 9> hessian;   // newton / metre
-  Eigen::Vector3d tool_force;            // newton, what the tissue does to the tool
-  double pressed = 0;                    // newton, sum of pressure times area
-  double pressed_squared = 0;            // pascal newton, sum of squared pressure times area
+/// The gap between a sphere and a triangle, and its derivatives by the corners (x0, y0, z0, x1, ..., z2).
+struct SphereGap {
+  double gap = 0;                        // metres
+  Eigen::Vector3d normal;                // unit, from the sphere's centre to the closest point
+  Eigen::Matrix<double, 9, 1> gradient;  // a number
+  Eigen::Matrix<double, 9, 9> hessian;   // 1 / metre
 };
 
-/// Energy of the samples of a triangle: its rest area is divided into `divisions`^2 equal parts and the potential is
-/// taken at the centroid of each, so that the contact depends on the tool and not on the mesh.
-SphereContactTerms sphere_contact_terms(const SphereTool& sphere, const ContactPotential& potential, double rest_area,
-                                        int divisions, const std::array<Eigen::Vector3d, 3>& corners);
+/// The gap to the point of the triangle closest to the sphere's centre, or nothing when it exceeds `reach`, metres.
+/// The closest point may lie on the face, an edge or a corner; it moves as the triangle does, so that a flat face may
+/// slide and roll on the sphere without resistance, and the wall as a whole stays outside, not its vertices only.
+/// With the closest point at weights w, u from the centre to it and T the edges (columns) that it may move along, the
+/// gradient of half the squared distance by corner a is w_a u, its Hessian w_a w_b 1 - G_a^T (T^T T)^-1 G_b with
+/// G_a = w_a T^T + d_a u^T, d_a the derivative of T^T by corner a (the minimum over w, differentiated twice).
+std::optional<SphereGap> sphere_gap(const SphereTool& sphere, double reach,
+                                    const std::array<Eigen::Vector3d, 3>& corners);
 
 }  // namespace thinwall

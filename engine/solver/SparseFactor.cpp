@@ -62,7 +62,6 @@ struct SparseFactor::Implementation {
     matrix.i = pattern.row.data();
     matrix.stype = -1;
     matrix.itype = CHOLMOD_INT;
-    matrix.xtype = CHOLMOD_REAL;
     matrix.dtype = CHOLMOD_DOUBLE;
     matrix.sorted = matrix.packed = 1;
     definite = analyze(CHOLMOD_SUPERNODAL, true);
@@ -83,6 +82,7 @@ struct SparseFactor::Implementation {
   cholmod_factor* analyze(int kind, bool as_product) {
     common.supernodal = kind;
     common.final_ll = as_product;
+    matrix.xtype = CHOLMOD_PATTERN;
     cholmod_factor* factor = cholmod_analyze_p(&matrix, order.data(), nullptr, 0, &common);
     if (factor == nullptr) throw std::bad_alloc();
     return factor;
@@ -92,6 +92,7 @@ struct SparseFactor::Implementation {
     assert(static_cast<int>(values.size()) == pattern.nonzeros());
     // The library reads the values only; its interface lacks the const.
     matrix.x = const_cast<double*>(values.data());
+    matrix.xtype = CHOLMOD_REAL;
     if (!cholmod_factorize(&matrix, factor, &common) && common.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
     return common.status == CHOLMOD_OK && factor->minor == factor->n;
   }

@@ -2,9 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 namespace thinwall {
 namespace {
@@ -74,13 +74,6 @@ MembraneTerms membrane_terms(const MembraneRest& rest, const Material& material,
     }
   }
   return terms;
-}
-
-double membrane_energy(const MembraneRest& rest, const Material& material,
-                       const std::array<Eigen::Vector3d, 3>& corners) {
-  const Eigen::Vector3d c = right_cauchy_green(deformation_gradient(rest, corners));
-  if (!(c[0] * c[1] - c[2] * c[2] > 0) || !c.allFinite()) return std::numeric_limits<double>::infinity();
-  return rest.area * rest.thickness * material.law->respond(material.parameters.data(), c).energy;
 }
 
 double largest_tension(const MembraneRest& rest, const Material& material,

@@ -30,10 +30,6 @@ struct MembraneTerms {
 MembraneTerms membrane_terms(const MembraneRest& rest, const Material& material,
                              const std::array<Eigen::Vector3d, 3>& corners);
 
-/// The energy alone, joule; infinity where the triangle has collapsed or is not finite.
-double membrane_energy(const MembraneRest& rest, const Material& material,
-                       const std::array<Eigen::Vector3d, 3>& corners);
-
 /// Deformation gradient (3 x 2) from the rest plane to space.
 Eigen::Matrix<double, 3, 2> deformation_gradient(const MembraneRest& rest,
                                                  const std::array<Eigen::Vector3d, 3>& corners);

@@ -1,0 +1,140 @@
+#include "engine/simulation/BodyModel.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <cassert>
+#include <utility>
+
+#include "engine/fluid/EnclosedVolume.hpp"
+
+namespace thinwall {
+namespace {
+
+void add_wall(BodyModel& model) {
+  const BodyDefinition& definition = model.definition;
+  const int triangles = static_cast<int>(definition.mesh.triangles.size());
+  assert(static_cast<int>(definition.thickness.size()) == triangles);
+  model.mass.setZero(model.rest_position.size());
+  double thickness = 0, edges = 0;
+  for (int t = 0; t < triangles; ++t) {
+    const auto corners = corners_of(definition.mesh.triangles[t], model.rest_position);
+    model.rest.push_back(make_membrane_rest(corners, definition.thickness[t], definition.prestretch));
+    const double third = definition.density * model.rest[t].area * model.rest[t].thickness / 3;
+    for (const int vertex : definition.mesh.triangles[t]) model.mass.segment<3>(3 * vertex).array() += third;
+    model.rest_area += model.rest[t].area;
+    thickness += definition.thickness[t];
+    for (int k = 0; k < 3; ++k) edges += (corners[k] - corners[(k + 1) % 3]).norm();
+  }
+  const Material& material = definition.material;
+  model.wall_stiffness = material.law->initial_modulus(material.parameters.data()) * thickness / triangles;
+  model.edge_length = edges / (3 * triangles);
+}
+
+void fix(BodyModel& model) {
+  const int unknowns = 3 * model.vertices();
+  model.fixed.assign(unknowns, 0);
+  for (const FixedRegion& region : model.definition.fixed) {
+    for (const int vertex : vertices_in(region.region, model.definition.mesh)) {
+      for (int axis = 0; axis < 3; ++axis) {
+        if (region.axes[axis]) model.fixed[3 * vertex + axis] = 1;
+      }
+    }
+  }
+  for (int column = 0; column < unknowns; ++column) {
+    const int begin = model.pattern.column_begin[column];
+    model.diagonal_entries.push_back(begin);
+    for (int k = begin + 1; k < model.pattern.column_begin[column + 1]; ++k) {
+      if (model.fixed[column] || model.fixed[model.pattern.row[k]]) model.fixed_entries.push_back(k);
+    }
+  }
+}
+
+/// The six rigid motions about the centroid, each as displacements of all vertices.
+Eigen::MatrixXd all_rigid_motions(const BodyModel& model) {
+  const int vertices = model.vertices();
+  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
+  for (int v = 0; v < vertices; ++v) centroid += model.rest_position.segment<3>(3 * v) / vertices;
+  double size = 0;
+  for (int v = 0; v < vertices; ++v) {
+    size = std::max(size, (model.rest_position.segment<3>(3 * v) - centroid).norm());
+  }
+  Eigen::MatrixXd motions(3 * vertices, 6);
+  for (int v = 0; v < vertices; ++v) {
+    const Eigen::Vector3d arm = (model.rest_position.segment<3>(3 * v) - centroid) / size;
+    for (int axis = 0; axis < 3; ++axis) {
+      motions.block<3, 1>(3 * v, axis) = Eigen::Vector3d::Unit(axis);
+      motions.block<3, 1>(3 * v, 3 + axis) = Eigen::Vector3d::Unit(axis).cross(arm);
+    }
+  }
+  return motions;
+}
+
+/// Combinations of the rigid motions that move no fixed unknown: the null space of the motions seen by these.
+void find_rigid_motions(BodyModel& model) {
+  const Eigen::MatrixXd motions = all_rigid_motions(model);
+  Eigen::Matrix<double, 6, 6> seen = Eigen::Matrix<double, 6, 6>::Zero();
+  for (int k = 0; k < motions.rows(); ++k) {
+    if (model.fixed[k]) seen += motions.row(k).transpose() * motions.row(k);
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> spectrum(seen);
+  int free = 0;
+  // Below this a motion counts as free: round-off of the sums is some 1e-13, one fixed unknown alone gives about 1.
+  while (free < 6 && spectrum.eigenvalues()[free] < 1e-9) ++free;
+  model.rigid_motions = motions * spectrum.eigenvectors().leftCols(free);
+}
+
+/// Three vertices far from each other, whose springs hold the factorised matrix of a free body.
+void choose_anchors(BodyModel& model) {
+  if (model.rigid_motions.cols() == 0) return;
+  const auto position = [&](int vertex) -> Eigen::Vector3d { return model.rest_position.segment<3>(3 * vertex); };
+  const auto farthest = [&](auto distance) {
+    int best = 0;
+    for (int v = 1; v < model.vertices(); ++v) {
+      if (distance(v) > distance(best)) best = v;
+    }
+    return best;
+  };
+  const int first = farthest([&](int v) { return (position(v) - position(0)).norm(); });
+  const int second = farthest([&](int v) { return (position(v) - position(first)).norm(); });
+  const int third =
+      farthest([&](int v) { return (position(v) - position(first)).cross(position(v) - position(second)).norm(); });
+  for (const int vertex : {first, second, third}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!model.fixed[3 * vertex + axis]) model.anchors.push_back(3 * vertex + axis);
+    }
+  }
+}
+
+}  // namespace
+
+std::array<Eigen::Vector3d, 3> corners_of(const Eigen::Vector3i& triangle, const Eigen::VectorXd& position) {
+  return {position.segment<3>(3 * triangle[0]), position.segment<3>(3 * triangle[1]),
+          position.segment<3>(3 * triangle[2])};
+}
+
+BodyModel make_body_model(BodyDefinition definition) {
+  BodyModel model;
+  model.definition = std::move(definition);
+  const SurfaceMesh& mesh = model.definition.mesh;
+  const int vertices = static_cast<int>(mesh.vertices.size());
+  model.rest_position.resize(3 * vertices);
+  for (int v = 0; v < vertices; ++v) model.rest_position.segment<3>(3 * v) = mesh.vertices[v];
+  model.surface = mesh.triangles;
+  model.surface.insert(model.surface.end(), mesh.cap_triangles.begin(), mesh.cap_triangles.end());
+  model.pattern = make_block_pattern(vertices, model.surface);
+  for (const Eigen::Vector3i& triangle : model.surface) {
+    model.addresses.push_back(triangle_addresses(model.pattern, triangle));
+  }
+  add_wall(model);
+  fix(model);
+  find_rigid_motions(model);
+  choose_anchors(model);
+  if (model.has_fluid()) {
+    for (const Eigen::Vector3i& triangle : model.surface) {
+      model.rest_volume += volume_of(corners_of(triangle, model.rest_position));
+    }
+  }
+  return model;
+}
+
+}  // namespace thinwall

@@ -1,0 +1,136 @@
+#include "engine/simulation/Equilibrium.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/fluid/EnclosedVolume.hpp"
+
+namespace thinwall {
+namespace {
+
+/// Triangles whose terms are computed side by side before they are added one after the other: enough to share out,
+/// few enough to stay in the cache.
+constexpr int kBatch = 512;
+
+template <typename Compute, typename Add, typename Terms>
+void for_each_triangle(int triangles, std::vector<Terms>& buffer, const Compute& compute, const Add& add) {
+  buffer.resize(kBatch);
+  for (int begin = 0; begin < triangles; begin += kBatch) {
+    const int end = std::min(triangles, begin + kBatch);
+    tbb::parallel_for(tbb::blocked_range<int>(begin, end, 64), [&](const tbb::blocked_range<int>& range) {
+      for (int t = range.begin(); t < range.end(); ++t) buffer[t - begin] = compute(t);
+    });
+    // Added in the order of the triangles, so that the number of threads cannot change a bit.
+    for (int t = begin; t < end; ++t) add(t, buffer[t - begin]);
+  }
+}
+
+void add_gradient(const Eigen::Vector3i& triangle, const Eigen::Matrix<double, 9, 1>& part, Eigen::VectorXd& whole) {
+  for (int k = 0; k < 3; ++k) whole.segment<3>(3 * triangle[k]) += part.segment<3>(3 * k);
+}
+
+void add_wall(const BodyModel& model, const Eigen::VectorXd& position, EquilibriumTerms& terms) {
+  thread_local std::vector<MembraneTerms> buffer;
+  const Material& material = model.definition.material;
+  for_each_triangle(
+      model.triangles(), buffer,
+      [&](int t) { return membrane_terms(model.rest[t], material, corners_of(model.surface[t], position)); },
+      [&](int t, const MembraneTerms& part) {
+        terms.elastic += part.energy;
+        add_gradient(model.surface[t], part.gradient, terms.gradient);
+        add_triangle(model.addresses[t], part.hessian, terms.values);
+        terms.largest_force = std::max(terms.largest_force, part.gradient.cwiseAbs().maxCoeff());
+      });
+}
+
+void add_fluid(const BodyModel& model, const Eigen::VectorXd& position, double pressure, EquilibriumTerms& terms) {
+  for (std::size_t t = 0; t < model.surface.size(); ++t) {
+    const auto corners = corners_of(model.surface[t], position);
+    terms.volume += volume_of(corners);
+    add_gradient(model.surface[t], volume_gradient_of(corners), terms.volume_gradient);
+    if (pressure != 0) add_triangle(model.addresses[t], -pressure * volume_hessian_of(corners), terms.values);
+  }
+  for (int k = 0; k < terms.volume_gradient.size(); ++k) {
+    if (model.fixed[k]) terms.volume_gradient[k] = 0;
+  }
+  terms.largest_force = std::max(terms.largest_force, std::abs(pressure) * terms.volume_gradient.cwiseAbs().maxCoeff());
+}
+
+void find_contacts(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
+                   EquilibriumTerms& terms) {
+  for (int k = 0; k < static_cast<int>(problem.spheres.size()); ++k) {
+    const SphereContact& contact = problem.spheres[k];
+    for (int t = 0; t < model.triangles(); ++t) {
+      const double reach = contact.forces[t] > 0 ? std::numeric_limits<double>::infinity() : contact.range;
+      const auto gap = sphere_gap(contact.sphere, reach, corners_of(model.surface[t], position));
+      if (gap) terms.contacts.push_back({.sphere = k, .triangle = t, .gap = *gap});
+    }
+  }
+}
+
+double inertial_energy(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position) {
+  if (problem.inertia == 0) return 0;
+  return 0.5 * problem.inertia * model.mass.dot((position - problem.inertia_target).cwiseAbs2());
+}
+
+}  // namespace
+
+Eigen::Vector3d material_point(const Attachment& attachment, const Eigen::VectorXd& position) {
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  for (int k = 0; k < 3; ++k) point += attachment.weights[k] * position.segment<3>(3 * attachment.vertices[k]);
+  return point;
+}
+
+void evaluate(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
+              double pressure, EquilibriumTerms& terms) {
+  terms.elastic = terms.volume = terms.largest_force = 0;
+  terms.gradient.setZero(position.size());
+  terms.volume_gradient.setZero(position.size());
+  terms.values.assign(model.pattern.nonzeros(), 0);
+  terms.contacts.clear();
+  add_wall(model, position, terms);
+  if (problem.fluid != FluidMode::kNone) add_fluid(model, position, pressure, terms);
+  find_contacts(model, problem, position, terms);
+  terms.inertial = inertial_energy(model, problem, position);
+}
+
+ToolContact contact_on(const BodyModel& model, const EquilibriumProblem& problem, const EquilibriumTerms& terms,
+                       const Eigen::VectorXd& position, int sphere) {
+  ToolContact sum;
+  double pressed = 0, pressed_squared = 0;
+  for (const ContactPoint& contact : terms.contacts) {
+    if (contact.sphere != sphere) continue;
+    const double force = problem.spheres[sphere].forces[contact.triangle];
+    const auto corners = corners_of(model.surface[contact.triangle], position);
+    sum.force -= force * contact.gap.normal;
+    pressed += force;
+    pressed_squared += 2 * force * force / (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
+  }
+  sum.touching = pressed > 0;
+  // The area over which the pressure would be even: triangles at the rim that hardly press hardly count.
+  sum.area = sum.touching ? pressed * pressed / pressed_squared : 0;
+  return sum;
+}
+
+double contact_energy(const BodyModel& model, const EquilibriumProblem& problem, const EquilibriumTerms& terms) {
+  double energy = 0;
+  for (const ContactPoint& contact : terms.contacts) {
+    const SphereContact& sphere = problem.spheres[contact.sphere];
+    energy += sphere.potential(model.rest[contact.triangle].area).energy(contact.gap.gap);
+  }
+  return energy;
+}
+
+double enclosed_volume(const BodyModel& model, const Eigen::VectorXd& position) {
+  double volume = 0;
+  if (!model.has_fluid()) return volume;
+  for (const Eigen::Vector3i& triangle : model.surface) volume += volume_of(corners_of(triangle, position));
+  return volume;
+}
+
+}  // namespace thinwall

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "engine/contact/SphereContact.hpp"
+#include "engine/simulation/BodyModel.hpp"
+
+namespace thinwall {
+
+/// A material point whose three displacement components a tool prescribes.
+struct Attachment {
+  int tool = 0;  // index
+  Eigen::Vector3i vertices = Eigen::Vector3i::Zero();
+  Eigen::Vector3d weights = Eigen::Vector3d::Zero();  // barycentric, of the vertices
+  Eigen::Vector2d offset = Eigen::Vector2d::Zero();   // metres from the tip, across (x') and along (y') the tool
+  Eigen::Vector3d target = Eigen::Vector3d::Zero();   // metres
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();    // newton, multiplier: what the tissue does to the tool
+};
+
+Eigen::Vector3d material_point(const Attachment& attachment, const Eigen::VectorXd& position);
+
+/// A sphere tool and what it presses on.
+struct SphereContact {
+  int tool = 0;  // index
+  SphereTool sphere;
+  double range = 0;             // metres, of the contact potential
+  double largest_pressure = 0;  // pascal, under which the gap closes
+  std::vector<double> forces;   // (triangles), newton, between the sphere and each triangle: multipliers
+
+  ContactPotential potential(double rest_area) const {
+    return {.range = range, .largest = largest_pressure * rest_area};
+  }
+};
+
+enum class FluidMode {
+  kNone,            // no fluid
+  kGivenPressure,   // the pressure is a load
+  kIncompressible,  // the pressure is the multiplier of volume = fluid volume
+  kCompressible     // pressure = reference + bulk modulus (fluid volume - volume) / fluid volume
+};
+
+/// What a body must be in equilibrium with. Inertia enters as springs from each vertex to where it would go freely.
+struct EquilibriumProblem {
+  FluidMode fluid = FluidMode::kNone;
+  double pressure = 0;              // pascal: the given one, or the reference one of a compressible fluid
+  double fluid_volume = 0;          // metres^3
+  double bulk_modulus = 0;          // pascal
+  double inertia = 0;               // 1 / second^2, factor of mass (position - inertia_target); zero for statics
+  Eigen::VectorXd inertia_target;   // (3 vertices), metres
+  bool hold_rigid_motions = false;  // keep the mass-weighted mean position and rotation of a free body
+  std::vector<Attachment> attachments;
+  std::vector<SphereContact> spheres;
+};
+
+struct ToolContact {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  // newton, what the tissue does to the tool
+  double area = 0;                                  // metres^2
+  bool touching = false;
+};
+
+/// A triangle in contact with a sphere.
+struct ContactPoint {
+  int sphere = 0;    // index into the problem's spheres
+  int triangle = 0;  // index
+  SphereGap gap;
+};
+
+/// Energies and derivatives at a position.
+struct EquilibriumTerms {
+  double elastic = 0;                  // joule
+  double contact = 0;                  // joule
+  double inertial = 0;                 // joule, of the inertia springs
+  double volume = 0;                   // metres^3
+  Eigen::VectorXd gradient;            // (3 vertices), newton: of the elastic energy
+  Eigen::VectorXd volume_gradient;     // (3 vertices), metres^2
+  std::vector<double> values;          // (non-zeros), newton / metre: Hessian of elastic - pressure volume
+  double largest_force = 0;            // newton, of a single term: the scale of the residual
+  std::vector<ContactPoint> contacts;  // triangles nearer to a sphere than its range, or with a force on them
+};
+
+/// Fills `terms`, reusing its memory; where the wall has collapsed its energy is not finite. `position`: (3 vertices),
+/// metres. `pressure` is the one of the Hessian, pascal.
+void evaluate(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
+              double pressure, EquilibriumTerms& terms);
+
+/// What the forces of the problem add up to on one of its spheres, at contacts found by `evaluate`.
+ToolContact contact_on(const BodyModel& model, const EquilibriumProblem& problem, const EquilibriumTerms& terms,
+                       const Eigen::VectorXd& position, int sphere);
+
+/// Energy of the contact potentials, joule.
+double contact_energy(const BodyModel& model, const EquilibriumProblem& problem, const EquilibriumTerms& terms);
+
+/// Enclosed volume, metres^3; zero without fluid.
+double enclosed_volume(const BodyModel& model, const Eigen::VectorXd& position);
+
+}  // namespace thinwall

@@ -1,0 +1,343 @@
+#include "engine/simulation/Newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thinwall {
+namespace {
+
+/// Anchor springs of a free body, as a multiple of the wall's stiffness: any positive value gives the same solution.
+constexpr double kAnchorStiffness = 1;
+
+/// Gamma over the largest diagonal entry: large enough for Uzawa's iteration to gain some four digits a turn, small
+/// enough to cost no more of the factor's digits.
+constexpr double kAttachmentStiffness = 1e4;
+
+double square(double value) {
+  return value * value;
+}
+
+bool borders_fluid(const EquilibriumProblem& problem) {
+  return problem.fluid == FluidMode::kIncompressible || problem.fluid == FluidMode::kCompressible;
+}
+
+}  // namespace
+
+Newton::Newton(const BodyModel& model) : model_(model), factor_(model.pattern), rigid_columns_(model.rigid_motions) {
+  for (Eigen::Index k = 0; k < rigid_columns_.rows(); ++k) rigid_columns_.row(k) *= model.mass[k] / model.mass.mean();
+}
+
+double Newton::contact_force(const EquilibriumProblem& problem, const ContactPoint& contact) const {
+  return problem.spheres[contact.sphere].forces[contact.triangle];
+}
+
+double Newton::contact_law(const EquilibriumProblem& problem, const ContactPoint& contact) const {
+  const ContactPotential potential = contact_potential(problem, contact);
+  return potential.stiffness() * (potential.range - contact.gap.gap);
+}
+
+ContactPotential Newton::contact_potential(const EquilibriumProblem& problem, const ContactPoint& contact) const {
+  return problem.spheres[contact.sphere].potential(model_.rest[contact.triangle].area);
+}
+
+void Newton::compute_residual(const EquilibriumProblem& problem, const EquilibriumState& state,
+                              const EquilibriumTerms& terms, Residual& residual) const {
+  residual.force = terms.gradient;
+  if (problem.inertia != 0) {
+    residual.force.array() += problem.inertia * model_.mass.array() * (state.position - problem.inertia_target).array();
+  }
+  if (problem.fluid != FluidMode::kNone) residual.force -= state.pressure * terms.volume_gradient;
+  residual.gaps.clear();
+  for (const Attachment& attachment : problem.attachments) {
+    for (int k = 0; k < 3; ++k) {
+      residual.force.segment<3>(3 * attachment.vertices[k]) += attachment.weights[k] * attachment.force;
+    }
+    residual.gaps.push_back(material_point(attachment, state.position) - attachment.target);
+  }
+  residual.contact = 0;
+  double misfits = 0;  // metres^2
+  for (const ContactPoint& contact : terms.contacts) {
+    const double force = contact_force(problem, contact);
+    for (int k = 0; k < 3; ++k) {
+      residual.force.segment<3>(3 * model_.surface[contact.triangle][k]) -=
+          force * contact.gap.gradient.segment<3>(3 * k);
+    }
+    const double misfit =
+        (force - std::max(0.0, contact_law(problem, contact))) / contact_potential(problem, contact).stiffness();
+    residual.contact = std::max(residual.contact, std::abs(misfit));
+    misfits += square(misfit);
+  }
+  if (problem.hold_rigid_motions) {
+    residual.force += rigid_columns_ * state.rigid_reaction;
+    residual.rigid = rigid_columns_.transpose() * (state.position - model_.rest_position);
+  }
+  residual.volume = 0;
+  if (borders_fluid(problem)) residual.volume = terms.volume - problem.fluid_volume;
+  if (problem.fluid == FluidMode::kCompressible) {
+    residual.volume += problem.fluid_volume / problem.bulk_modulus * (state.pressure - problem.pressure);
+  }
+  clear_fixed(residual.force);
+  residual.largest_force = residual.force.cwiseAbs().maxCoeff();
+  for (const Eigen::Vector3d& gap : residual.gaps) misfits += gap.squaredNorm();
+  misfits += square(residual.volume / model_.rest_area);
+  residual.measure = std::sqrt(residual.force.squaredNorm() + square(model_.wall_stiffness) * misfits);
+}
+
+void Newton::clear_fixed(Eigen::VectorXd& forces) const {
+  for (Eigen::Index k = 0; k < forces.size(); ++k) {
+    if (model_.fixed[k]) forces[k] = 0;
+  }
+}
+
+double Newton::force_scale(const EquilibriumProblem& problem, const EquilibriumTerms& terms) const {
+  // An unstressed wall still carries the round-off of its coordinates, some 1e-14 of strain.
+  double scale = std::max(terms.largest_force, 1e-4 * model_.wall_stiffness * model_.edge_length);
+  for (const Attachment& attachment : problem.attachments) {
+    scale = std::max(scale, attachment.force.cwiseAbs().maxCoeff());
+  }
+  return scale;
+}
+
+bool Newton::is_solved(const Residual& residual, double force_scale, const NewtonOptions& options) const {
+  double gap = residual.contact;
+  for (const Eigen::Vector3d& one : residual.gaps) gap = std::max(gap, one.norm());
+  return residual.largest_force <= options.tolerance * force_scale && gap <= 1e-9 * model_.edge_length &&
+         std::abs(residual.volume) <= 1e-11 * std::abs(model_.rest_volume);
+}
+
+void Newton::build_border(const EquilibriumProblem& problem) {
+  const Eigen::Index fluid = borders_fluid(problem) ? 1 : 0;
+  const Eigen::Index rigid = problem.hold_rigid_motions ? rigid_columns_.cols() : 0;
+  const Eigen::Index anchors = problem.hold_rigid_motions ? static_cast<Eigen::Index>(model_.anchors.size()) : 0;
+  border_.setZero(terms_.gradient.size(), fluid + rigid + anchors);
+  corner_.setZero(border_.cols(), border_.cols());
+  constraints_ = static_cast<int>(fluid + rigid);
+  if (fluid > 0) border_.col(0) = -terms_.volume_gradient;
+  if (problem.fluid == FluidMode::kCompressible) corner_(0, 0) = -problem.fluid_volume / problem.bulk_modulus;
+  if (rigid > 0) border_.middleCols(fluid, rigid) = rigid_columns_;
+  // The anchor springs in the factorised matrix are taken back here, exactly.
+  for (Eigen::Index k = 0; k < anchors; ++k) {
+    border_(model_.anchors[k], fluid + rigid + k) = -1;
+    corner_(fluid + rigid + k, fluid + rigid + k) = 1 / (kAnchorStiffness * model_.wall_stiffness);
+  }
+  for (Eigen::Index k = 0; k < border_.rows(); ++k) {
+    if (model_.fixed[k]) border_.row(k).setZero();
+  }
+}
+
+void Newton::build_matrix(const EquilibriumProblem& problem, double shift) {
+  matrix_ = terms_.values;
+  double diagonal = 0;
+  for (std::size_t k = 0; k < model_.diagonal_entries.size(); ++k) {
+    double& value = matrix_[model_.diagonal_entries[k]];
+    diagonal = std::max(diagonal, std::abs(value));
+    value += problem.inertia * model_.mass[static_cast<Eigen::Index>(k)] + shift * model_.wall_stiffness;
+  }
+  if (problem.hold_rigid_motions) {
+    for (const int anchor : model_.anchors) {
+      matrix_[model_.diagonal_entries[anchor]] += kAnchorStiffness * model_.wall_stiffness;
+    }
+  }
+  for (const ContactPoint& contact : terms_.contacts) {
+    add_triangle(
+        model_.addresses[contact.triangle],
+        contact_potential(problem, contact).stiffness() * contact.gap.gradient * contact.gap.gradient.transpose() -
+            contact_force(problem, contact) * contact.gap.hessian,
+        matrix_);
+  }
+  attachment_stiffness_ = kAttachmentStiffness * diagonal;
+  for (const Attachment& attachment : problem.attachments) {
+    Eigen::Matrix<double, 9, 9> outer;
+    for (int a = 0; a < 3; ++a) {
+      for (int b = 0; b < 3; ++b) {
+        outer.block<3, 3>(3 * a, 3 * b) =
+            attachment_stiffness_ * attachment.weights[a] * attachment.weights[b] * Eigen::Matrix3d::Identity();
+      }
+    }
+    add_triangle(triangle_addresses(model_.pattern, attachment.vertices), outer, matrix_);
+  }
+  for (const int entry : model_.fixed_entries) matrix_[entry] = 0;
+  for (std::size_t k = 0; k < model_.diagonal_entries.size(); ++k) {
+    if (model_.fixed[k]) matrix_[model_.diagonal_entries[k]] = model_.wall_stiffness;
+  }
+}
+
+bool Newton::factorize(const EquilibriumProblem& problem, double& shift) {
+  build_border(problem);
+  for (int attempt = 0; attempt < 20; ++attempt) {
+    build_matrix(problem, shift);
+    std::optional<int> negative;
+    if (factor_.factorize(matrix_)) {
+      negative = 0;
+    } else if (constraints_ > 0) {
+      negative = factor_.factorize_indefinite(matrix_);
+    }
+    if (negative) {
+      bordered_.set(factor_, *negative, border_, corner_);
+      if (bordered_.negative_eigenvalues() == constraints_) return true;
+    }
+    shift = shift == 0 ? 1e-6 : 10 * shift;
+  }
+  return false;
+}
+
+void Newton::find_step(const EquilibriumProblem& problem, const Residual& residual, Step& step) {
+  Eigen::VectorXd force = -residual.force;
+  // The step is taken from the contact's law, not from the multiplier that enters the residual.
+  for (const ContactPoint& contact : terms_.contacts) {
+    const double push = contact_law(problem, contact) - contact_force(problem, contact);
+    for (int k = 0; k < 3; ++k) {
+      force.segment<3>(3 * model_.surface[contact.triangle][k]) += push * contact.gap.gradient.segment<3>(3 * k);
+    }
+  }
+  step.forces.assign(problem.attachments.size(), Eigen::Vector3d::Zero());
+  Eigen::VectorXd multipliers;
+  const Eigen::Index rigid = problem.hold_rigid_motions ? rigid_columns_.cols() : 0;
+  const Eigen::Index fluid = constraints_ - rigid;
+  for (int turn = 0;; ++turn) {
+    step.position = force;
+    for (std::size_t k = 0; k < problem.attachments.size(); ++k) {
+      const Attachment& attachment = problem.attachments[k];
+      const Eigen::Vector3d pull = step.forces[k] + attachment_stiffness_ * residual.gaps[k];
+      for (int a = 0; a < 3; ++a) step.position.segment<3>(3 * attachment.vertices[a]) -= attachment.weights[a] * pull;
+    }
+    clear_fixed(step.position);
+    multipliers.setZero(border_.cols());
+    if (fluid > 0) multipliers[0] = residual.volume;
+    if (rigid > 0) multipliers.segment(fluid, rigid) = -residual.rigid;
+    bordered_.solve(factor_, step.position, multipliers);
+    double error = 0;
+    for (std::size_t k = 0; k < problem.attachments.size(); ++k) {
+      const Eigen::Vector3d gap = residual.gaps[k] + material_point(problem.attachments[k], step.position);
+      step.forces[k] += attachment_stiffness_ * gap;
+      error = std::max(error, gap.norm());
+    }
+    if (error <= 1e-14 * model_.edge_length || turn == 5 || problem.attachments.empty()) break;
+  }
+  step.pressure = fluid > 0 ? multipliers[0] : 0;
+  step.rigid = multipliers.segment(fluid, rigid);
+  for (std::size_t k = 0; k < problem.attachments.size(); ++k) step.forces[k] += problem.attachments[k].force;
+  find_contact_forces(problem, step);
+}
+
+void Newton::find_contact_forces(const EquilibriumProblem& problem, Step& step) const {
+  step.contact_forces.clear();
+  for (const ContactPoint& contact : terms_.contacts) {
+    const double opening = gap_change(contact, step.position);
+    step.contact_forces.push_back(
+        std::max(0.0, contact_law(problem, contact) - contact_potential(problem, contact).stiffness() * opening));
+  }
+}
+
+double Newton::gap_change(const ContactPoint& contact, const Eigen::VectorXd& motion) const {
+  double change = 0;
+  for (int k = 0; k < 3; ++k) {
+    change += contact.gap.gradient.segment<3>(3 * k).dot(motion.segment<3>(3 * model_.surface[contact.triangle][k]));
+  }
+  return change;
+}
+
+double Newton::merit(const EquilibriumProblem& problem, const EquilibriumTerms& terms, const Residual& residual,
+                     const Weights& weights) const {
+  double value = terms.elastic + terms.inertial + weights.pressure * std::abs(residual.volume);
+  if (problem.fluid == FluidMode::kGivenPressure) value -= problem.pressure * terms.volume;
+  for (const Eigen::Vector3d& gap : residual.gaps) value += weights.force * gap.norm();
+  for (const ContactPoint& contact : terms.contacts) {
+    value += weights.contact * std::max(0.0, problem.spheres[contact.sphere].range - contact.gap.gap);
+  }
+  return value;
+}
+
+double Newton::merit_slope(const EquilibriumProblem& problem, const EquilibriumState& state, const Residual& residual,
+                           const Step& step, const Weights& weights) const {
+  Eigen::VectorXd smooth = residual.force;
+  if (borders_fluid(problem)) smooth += state.pressure * terms_.volume_gradient;
+  if (problem.hold_rigid_motions) smooth -= rigid_columns_ * state.rigid_reaction;
+  double slope = smooth.dot(step.position) - weights.pressure * std::abs(residual.volume);
+  for (std::size_t k = 0; k < residual.gaps.size(); ++k) {
+    slope -= problem.attachments[k].force.dot(material_point(problem.attachments[k], step.position)) +
+             weights.force * residual.gaps[k].norm();
+  }
+  for (const ContactPoint& contact : terms_.contacts) {
+    slope += contact_force(problem, contact) * gap_change(contact, step.position) -
+             weights.contact * std::max(0.0, problem.spheres[contact.sphere].range - contact.gap.gap);
+  }
+  return slope;
+}
+
+bool Newton::search(EquilibriumProblem& problem, EquilibriumState& state, Residual& residual, const Step& step) {
+  // Weights above the multipliers make the merit function exact: its minimum is the constrained one.
+  Weights weights{.pressure = 2 * std::abs(state.pressure + step.pressure), .force = 0, .contact = 0};
+  for (const Eigen::Vector3d& force : step.forces) weights.force = std::max(weights.force, 2 * force.norm());
+  for (const double force : step.contact_forces) weights.contact = std::max(weights.contact, 2 * force);
+  const double before = merit(problem, terms_, residual, weights);
+  const double slope = merit_slope(problem, state, residual, step, weights);
+  const EquilibriumState start = state;
+  const std::vector<Attachment> attachments = problem.attachments;
+  const std::vector<SphereContact> spheres = problem.spheres;
+  Residual trial;
+  double fraction = 1;
+  for (int halving = 0; halving < 16; ++halving, fraction *= 0.5) {
+    state.position = start.position + fraction * step.position;
+    state.pressure = start.pressure + fraction * step.pressure;
+    if (step.rigid.size() > 0) state.rigid_reaction = start.rigid_reaction + fraction * step.rigid;
+    for (std::size_t k = 0; k < attachments.size(); ++k) {
+      problem.attachments[k].force = attachments[k].force + fraction * (step.forces[k] - attachments[k].force);
+    }
+    for (std::size_t k = 0; k < terms_.contacts.size(); ++k) {
+      const ContactPoint& contact = terms_.contacts[k];
+      const double old = spheres[contact.sphere].forces[contact.triangle];
+      problem.spheres[contact.sphere].forces[contact.triangle] = old + fraction * (step.contact_forces[k] - old);
+    }
+    evaluate(model_, problem, state.position, state.pressure, trial_terms_);
+    if (!std::isfinite(trial_terms_.elastic)) continue;
+    compute_residual(problem, state, trial_terms_, trial);
+    const bool residual_fell = trial.measure <= (1 - 0.1 * fraction) * residual.measure;
+    const bool merit_fell = merit(problem, trial_terms_, trial, weights) <= before + 1e-4 * fraction * slope;
+    if (residual_fell || merit_fell) {
+      std::swap(terms_, trial_terms_);
+      return true;
+    }
+  }
+  state = start;
+  problem.attachments = attachments;
+  problem.spheres = spheres;
+  return false;
+}
+
+NewtonResult Newton::solve(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options) {
+  NewtonResult result;
+  if (problem.fluid == FluidMode::kGivenPressure) state.pressure = problem.pressure;
+  if (problem.fluid == FluidMode::kNone) state.pressure = 0;
+  if (state.rigid_reaction.size() != rigid_columns_.cols()) state.rigid_reaction.setZero(rigid_columns_.cols());
+  evaluate(model_, problem, state.position, state.pressure, terms_);
+  Residual residual;
+  Step step;
+  double shift = 0;
+  for (;; ++result.iterations) {
+    compute_residual(problem, state, terms_, residual);
+    result.residual = residual.largest_force;
+    result.residual_history.push_back(residual.largest_force);
+    if (is_solved(residual, force_scale(problem, terms_), options)) {
+      result.converged = true;
+      return result;
+    }
+    if (result.iterations == options.maximum_iterations) {
+      result.reason = "no convergence within " + std::to_string(options.maximum_iterations) + " iterations";
+      return result;
+    }
+    shift = shift > 1e-6 ? 0.1 * shift : 0;
+    if (!factorize(problem, shift)) {
+      result.reason = "no convex step could be found";
+      return result;
+    }
+    if (shift > 0) ++result.shifted_iterations;
+    find_step(problem, residual, step);
+    if (!search(problem, state, residual, step)) {
+      result.reason = "the line search found no smaller residual or energy";
+      return result;
+    }
+  }
+}
+
+}  // namespace thinwall

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "engine/simulation/Equilibrium.hpp"
+#include "engine/solver/BorderedSystem.hpp"
+#include "engine/solver/SparseFactor.hpp"
+
+namespace thinwall {
+
+struct NewtonOptions {
+  double tolerance = 1e-9;  // largest residual force over the largest single force
+  int maximum_iterations = 60;
+};
+
+/// The unknowns of an equilibrium: where Newton starts, and what it has found.
+struct EquilibriumState {
+  Eigen::VectorXd position;        // (3 vertices), metres
+  double pressure = 0;             // pascal
+  Eigen::VectorXd rigid_reaction;  // (free rigid motions), newton, multipliers of a held free body
+};
+
+struct NewtonResult {
+  bool converged = false;
+  int iterations = 0;
+  double residual = 0;                   // newton, largest component at the end
+  std::vector<double> residual_history;  // newton, before each iteration and at the end
+  int shifted_iterations = 0;            // iterations whose matrix had to be made convex
+  std::string reason;                    // why not converged
+};
+
+/// Newton's method with line search for one body. Keeps its memory and its analysed factor from call to call.
+///
+/// Unknowns beside the positions are multipliers: the pressure of an incompressible (or compressible) fluid and the
+/// forces on a held free body border the sparse matrix; the forces at attachments come from the augmented matrix
+/// K + gamma A^T A, which keeps its pattern because a material point couples the corners of one triangle only, by
+/// Uzawa's iteration whose error shrinks by the ratio of the local stiffness to gamma.
+///
+/// Contacts are stiff springs between sphere and triangle whose forces are unknowns of their own: the curvature of a
+/// contact takes the force that equilibrium gave it last, not the one that an overlap on the way to equilibrium would
+/// ask for, which is larger by orders of magnitude and would make the matrix indefinite.
+///
+/// A step is convex when the whole bordered matrix has one negative eigenvalue per constraint. Past a limit point K
+/// alone is indefinite while the whole is convex, so K is then factorised as L D L^T and the inertia is counted; only
+/// when the count is wrong is K shifted.
+class Newton {
+ public:
+  explicit Newton(const BodyModel& model);
+
+  /// Solves from `state`; the attachments' forces in `problem` are both start and result. On failure the state is
+  /// the best one reached.
+  NewtonResult solve(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options);
+
+  /// Terms at the state that the last solve ended with.
+  const EquilibriumTerms& terms() const { return terms_; }
+
+ private:
+  struct Step {
+    Eigen::VectorXd position;             // (3 vertices), metres
+    double pressure = 0;                  // pascal
+    Eigen::VectorXd rigid;                // newton
+    std::vector<Eigen::Vector3d> forces;  // (attachments), newton, new values
+    std::vector<double> contact_forces;   // (contacts), newton, new values
+  };
+  struct Residual {
+    Eigen::VectorXd force;              // (3 vertices), newton, zero at fixed unknowns
+    double volume = 0;                  // metres^3, volume minus what the fluid asks
+    Eigen::VectorXd rigid;              // (free rigid motions), metres
+    std::vector<Eigen::Vector3d> gaps;  // (attachments), metres, material point minus target
+    double contact = 0;                 // metres, largest gap by which a contact misses its law
+    double largest_force = 0;           // newton
+    double measure =
+        0;  // newton, of all: displacements by which constraints are missed count with the wall's stiffness
+  };
+  /// Of the constraints in the merit function, above their multipliers.
+  struct Weights {
+    double pressure;  // pascal
+    double force;     // newton
+    double contact;   // newton
+  };
+
+  double contact_force(const EquilibriumProblem& problem, const ContactPoint& contact) const;
+  double contact_law(const EquilibriumProblem& problem, const ContactPoint& contact) const;
+  ContactPotential contact_potential(const EquilibriumProblem& problem, const ContactPoint& contact) const;
+  double gap_change(const ContactPoint& contact, const Eigen::VectorXd& motion) const;
+  void compute_residual(const EquilibriumProblem& problem, const EquilibriumState& state, const EquilibriumTerms& terms,
+                        Residual& residual) const;
+  void clear_fixed(Eigen::VectorXd& forces) const;
+  bool is_solved(const Residual& residual, double force_scale, const NewtonOptions& options) const;
+  double force_scale(const EquilibriumProblem& problem, const EquilibriumTerms& terms) const;
+  void build_border(const EquilibriumProblem& problem);
+  void build_matrix(const EquilibriumProblem& problem, double shift);
+  bool factorize(const EquilibriumProblem& problem, double& shift);
+  void find_step(const EquilibriumProblem& problem, const Residual& residual, Step& step);
+  void find_contact_forces(const EquilibriumProblem& problem, Step& step) const;
+  bool search(EquilibriumProblem& problem, EquilibriumState& state, Residual& residual, const Step& step);
+  double merit(const EquilibriumProblem& problem, const EquilibriumTerms& terms, const Residual& residual,
+               const Weights& weights) const;
+  double merit_slope(const EquilibriumProblem& problem, const EquilibriumState& state, const Residual& residual,
+                     const Step& step, const Weights& weights) const;
+
+  const BodyModel& model_;
+  SparseFactor factor_;
+  BorderedSystem bordered_;
+  EquilibriumTerms terms_;
+  EquilibriumTerms trial_terms_;
+  std::vector<double> matrix_;       // (non-zeros), what is factorised
+  Eigen::MatrixXd border_;           // (3 vertices x border)
+  Eigen::MatrixXd corner_;           // (border x border)
+  int constraints_ = 0;              // columns of the border that are constraints
+  Eigen::MatrixXd rigid_columns_;    // (3 vertices x free rigid motions), relative mass times motion
+  double attachment_stiffness_ = 0;  // newton / metre, gamma
+};
+
+}  // namespace thinwall

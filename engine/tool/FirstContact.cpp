@@ -1,0 +1,192 @@
+#include "engine/tool/FirstContact.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+namespace thinwall {
+namespace {
+
+using Corners = std::array<Eigen::Vector3d, 3>;
+
+Corners corners_of(const SurfaceView& surface, int triangle) {
+  const Eigen::Vector3i& vertices = surface.triangles[triangle];
+  return {surface.position.segment<3>(3 * vertices[0]), surface.position.segment<3>(3 * vertices[1]),
+          surface.position.segment<3>(3 * vertices[2])};
+}
+
+/// Entry of a line into one triangle through its outer side (signed volumes; a hit on an edge belongs to both sides).
+std::optional<SurfacePoint> entry(const Corners& corners, const Eigen::Vector3d& origin,
+                                  const Eigen::Vector3d& direction, bool both_sides) {
+  const Eigen::Vector3d a = corners[0] - origin, b = corners[1] - origin, c = corners[2] - origin;
+  Eigen::Vector3d weights(-direction.dot(b.cross(c)), -direction.dot(c.cross(a)), -direction.dot(a.cross(b)));
+  const double sum = weights.sum();
+  if (!(both_sides ? sum != 0 : sum > 0)) return std::nullopt;  // parallel, or through the inner side
+  weights /= sum;
+  if (weights.minCoeff() < -1e-12) return std::nullopt;
+  return SurfacePoint{
+      .triangle = 0, .weights = weights, .travel = direction.dot(weights[0] * a + weights[1] * b + weights[2] * c)};
+}
+
+void keep_smaller(std::optional<double>& best, double value) {
+  if (!best || value < *best) best = value;
+}
+
+/// Travel of a point until it is at `distance` from a fixed point: the earlier root of a quadratic, if any.
+std::optional<double> travel_to_distance(const Eigen::Vector3d& offset, const Eigen::Vector3d& direction,
+                                         double distance) {
+  const double a = direction.squaredNorm(), b = offset.dot(direction);
+  if (!(a > 0)) return std::nullopt;
+  const double discriminant = b * b - a * (offset.squaredNorm() - distance * distance);
+  if (discriminant < 0) return std::nullopt;
+  return (-b - std::sqrt(discriminant)) / a;
+}
+
+/// Travel of a sphere's centre until the sphere touches a triangle: its face, an edge or a corner.
+std::optional<double> sphere_travel(const Corners& corners, const Eigen::Vector3d& center, double radius,
+                                    const Eigen::Vector3d& direction, bool both_sides) {
+  Eigen::Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
+  if (both_sides && normal.dot(direction) > 0) normal = -normal;
+  if (normal.dot(direction) < 0) {
+    const Eigen::Vector3d raised = radius * normal;
+    if (const auto hit =
+            entry({corners[0] + raised, corners[1] + raised, corners[2] + raised}, center, direction, both_sides)) {
+      return hit->travel;
+    }
+  }
+  std::optional<double> best;
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Vector3d& corner = corners[k];
+    const Eigen::Vector3d edge = corners[(k + 1) % 3] - corner;
+    if (const auto travel = travel_to_distance(center - corner, direction, radius)) keep_smaller(best, *travel);
+    const Eigen::Vector3d unit = edge.normalized();
+    const Eigen::Vector3d offset = center - corner;
+    const auto across = [&](const Eigen::Vector3d& v) -> Eigen::Vector3d { return v - unit * unit.dot(v); };
+    if (const auto travel = travel_to_distance(across(offset), across(direction), radius)) {
+      const double along = unit.dot(offset + *travel * direction);
+      if (along >= 0 && along <= edge.norm()) keep_smaller(best, *travel);
+    }
+  }
+  return best;
+}
+
+/// Coordinates in the frame of a pose: across (x'), along (y') and ahead (z') of the tip.
+Eigen::Vector3d in_tool_frame(const ToolPose& pose, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d offset = point - pose.tip;
+  return {offset.dot(pose.axis.cross(pose.direction)), offset.dot(pose.axis), offset.dot(pose.direction)};
+}
+
+std::optional<double> line_travel(const Corners& corners, double half_length, const ToolPose& pose) {
+  std::array<Eigen::Vector3d, 3> local;
+  for (int k = 0; k < 3; ++k) local[k] = in_tool_frame(pose, corners[k]);
+  std::vector<Eigen::Vector2d> cut;  // (along, ahead) of the points where the plane of motion meets the edges
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Vector3d &from = local[k], &to = local[(k + 1) % 3];
+    if (from.x() == 0) cut.emplace_back(from.y(), from.z());
+    if (from.x() * to.x() < 0) {
+      const double t = from.x() / (from.x() - to.x());
+      const Eigen::Vector3d point = from + t * (to - from);
+      cut.emplace_back(point.y(), point.z());
+    }
+  }
+  std::optional<double> best;
+  for (const Eigen::Vector2d& point : cut) {
+    if (std::abs(point.x()) <= half_length) keep_smaller(best, point.y());
+  }
+  if (cut.size() < 2) return best;
+  for (const double end : {-half_length, half_length}) {
+    const double run = cut[1].x() - cut[0].x();
+    const double t = (end - cut[0].x()) / run;
+    if (run != 0 && t >= 0 && t <= 1) keep_smaller(best, cut[0].y() + t * (cut[1].y() - cut[0].y()));
+  }
+  return best;
+}
+
+/// Nearer than this part of an edge to its end, a crossing is taken to be the vertex: attachments at both would
+/// prescribe nearly the same motion twice.
+constexpr double kVertexSnap = 0.05;
+
+}  // namespace
+
+std::optional<SurfacePoint> first_entry(const SurfaceView& surface, const Eigen::Vector3d& origin,
+                                        const Eigen::Vector3d& direction) {
+  std::optional<SurfacePoint> best;
+  for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
+    const auto hit = entry(corners_of(surface, t), origin, direction, surface.open);
+    if (hit && (!best || hit->travel < best->travel)) {
+      best = hit;
+      best->triangle = t;
+    }
+  }
+  return best;
+}
+
+std::optional<SurfacePoint> first_entry_on_segment(const SurfaceView& surface, const Eigen::Vector3d& begin,
+                                                   const Eigen::Vector3d& end) {
+  const double length = (end - begin).norm();
+  if (length == 0) return std::nullopt;
+  const Eigen::Vector3d direction = (end - begin) / length;
+  std::optional<SurfacePoint> best;
+  for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
+    const auto hit = entry(corners_of(surface, t), begin, direction, surface.open);
+    if (hit && hit->travel >= 0 && hit->travel <= length && (!best || hit->travel < best->travel)) {
+      best = hit;
+      best->triangle = t;
+    }
+  }
+  return best;
+}
+
+std::optional<double> travel_to_contact(const SurfaceView& surface, const ToolDefinition& tool, const ToolPose& pose) {
+  if (tool.kind == ToolKind::kPoint) {
+    const auto hit = first_entry(surface, pose.tip, pose.direction);
+    return hit ? std::optional<double>(hit->travel) : std::nullopt;
+  }
+  std::optional<double> best;
+  for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
+    const Corners corners = corners_of(surface, t);
+    const auto travel = tool.kind == ToolKind::kLine ? line_travel(corners, 0.5 * tool.length, pose)
+                                                     : sphere_travel(corners, pose.tip - tool.radius * pose.direction,
+                                                                     tool.radius, pose.direction, surface.open);
+    if (travel) keep_smaller(best, *travel);
+  }
+  return best;
+}
+
+std::vector<LineCrossing> line_crossings(const SurfaceView& surface, const ToolDefinition& tool, const ToolPose& pose) {
+  std::vector<LineCrossing> crossings;
+  std::set<std::pair<int, int>> seen;  // vertex pair of an edge, or a vertex twice
+  const auto add = [&](int triangle, const Eigen::Vector3d& weights, std::pair<int, int> key) {
+    if (!seen.insert(key).second) return;
+    const Corners corners = corners_of(surface, triangle);
+    const Eigen::Vector3d local =
+        in_tool_frame(pose, weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2]);
+    if (std::abs(local.y()) <= 0.5 * tool.length * (1 + 1e-9)) {
+      crossings.push_back({.triangle = triangle, .weights = weights, .along = local.y(), .travel = local.z()});
+    }
+  };
+  for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
+    const Corners corners = corners_of(surface, t);
+    const Eigen::Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+    if (!surface.open && normal.dot(pose.direction) >= 0) continue;
+    for (int k = 0; k < 3; ++k) {
+      const int next = (k + 1) % 3;
+      const double from = in_tool_frame(pose, corners[k]).x(), to = in_tool_frame(pose, corners[next]).x();
+      const double reach = kVertexSnap * std::max(std::abs(from - to), 0.02 * (corners[next] - corners[k]).norm());
+      const int vertex = surface.triangles[t][k], other = surface.triangles[t][next];
+      if (std::abs(from) <= reach) {
+        add(t, Eigen::Vector3d::Unit(k), {vertex, vertex});
+      } else if (std::abs(to) > reach && from * to < 0) {
+        Eigen::Vector3d weights = Eigen::Vector3d::Zero();
+        weights[next] = from / (from - to);
+        weights[k] = 1 - weights[next];
+        add(t, weights, std::minmax(vertex, other));
+      }
+    }
+  }
+  return crossings;
+}
+
+}  // namespace thinwall

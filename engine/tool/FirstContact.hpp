@@ -1,0 +1,52 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/tool/Tool.hpp"
+
+namespace thinwall {
+
+/// A point of a surface.
+struct SurfacePoint {
+  int triangle = 0;                                   // index
+  Eigen::Vector3d weights = Eigen::Vector3d::Zero();  // barycentric
+  double travel = 0;                                  // metres along the direction to get there
+};
+
+/// A surface as it is now. Both spans outlive the value.
+struct SurfaceView {
+  std::span<const Eigen::Vector3i> triangles;  // (triangles x 3)
+  const Eigen::VectorXd& position;             // (3 vertices), metres
+  bool open = false;                           // encloses nothing: then both sides are outer ones
+};
+
+/// Where the line through `origin` along the unit `direction` first enters the surface from outside, or nothing.
+/// The line has no beginning: `travel` may be negative. A hit counts as entry where the line meets the outer side.
+std::optional<SurfacePoint> first_entry(const SurfaceView& surface, const Eigen::Vector3d& origin,
+                                        const Eigen::Vector3d& direction);
+
+/// As `first_entry`, for the segment from `begin` to `end` only; `travel` is from `begin`.
+std::optional<SurfacePoint> first_entry_on_segment(const SurfaceView& surface, const Eigen::Vector3d& begin,
+                                                   const Eigen::Vector3d& end);
+
+/// How far a tool can travel from a pose along the pose's direction until it first touches the surface, metres; nothing
+/// when it never does. A tool that already touches gives a travel of zero or less. Exact: a sphere meets faces,
+/// edges and corners; a line meets the curve in which its plane of motion cuts the surface.
+std::optional<double> travel_to_contact(const SurfaceView& surface, const ToolDefinition& tool, const ToolPose& pose);
+
+/// A point where the plane of a line tool's motion cuts an edge of the surface.
+struct LineCrossing {
+  int triangle = 0;                                   // index, one that has the point
+  Eigen::Vector3d weights = Eigen::Vector3d::Zero();  // barycentric
+  double along = 0;                                   // metres from the tip along the tool's axis
+  double travel = 0;                                  // metres from the tip along the direction
+};
+
+/// All points where the plane through a line tool and its direction cuts edges of the surface on the side that faces
+/// the tool, within its length; each once, in the order of the triangles. A crossing near a vertex is that vertex.
+std::vector<LineCrossing> line_crossings(const SurfaceView& surface, const ToolDefinition& tool, const ToolPose& pose);
+
+}  // namespace thinwall
