@@ -34,7 +34,12 @@ class SyntheticRun final : public MomentSource {
     return moment(step_++);
   }
   std::vector<std::string> warnings() const override { return {"the sheet is a formula"}; }
-  std::string state_digest() const override { return std::string(31, '0') + static_cast<char>('0' + step_ % 10); }
+  /// Differs from step to step and from depth to depth.
+  std::string state_digest() const override {
+    const std::string number =
+        std::to_string(step_ * 100'000 + static_cast<std::size_t>(std::lround(options_.depth * 1e6)));
+    return std::string(32 - number.size(), '0') + number;
+  }
 
   double duration() const { return static_cast<double>(options_.steps - 1) * options_.time_step; }
 

@@ -1,0 +1,79 @@
+#include "studio/golden/GoldenApproval.hpp"
+
+#include <fmt/format.h>
+#include <xxhash.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "renderer/image/WholeFile.hpp"
+
+namespace thinwall {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kApprovalVersion = 1;
+constexpr const char* kFile = "approval.json";
+// Times come from the text of a scenario; closer ones are the same.
+constexpr double kSameTime = 1e-9;  // seconds
+
+}  // namespace
+
+std::vector<GoldenApproval> read_approvals(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / kFile;
+  if (!std::filesystem::exists(file)) return {};
+  std::ifstream stream(file);
+  std::vector<GoldenApproval> approvals;
+  try {
+    const Json json = Json::parse(stream);
+    if (json.at("approval_version") != kApprovalVersion) {
+      throw GoldenError(file.string() + ": written by another version of the program");
+    }
+    for (const Json& golden : json.at("goldens")) {
+      approvals.push_back({.at = golden.at("at_s"),
+                           .driver = golden.at("driver"),
+                           .image = golden.at("image"),
+                           .state = golden.at("state"),
+                           .state_digest = golden.at("state_digest"),
+                           .who = golden.at("who"),
+                           .why = golden.at("why")});
+    }
+  } catch (const Json::exception& error) {
+    throw GoldenError(file.string() + ": cannot be read (" + error.what() + ")");
+  }
+  return approvals;
+}
+
+void write_approvals(const std::filesystem::path& folder, const std::vector<GoldenApproval>& approvals) {
+  Json goldens = Json::array();
+  for (const GoldenApproval& approval : approvals) {
+    goldens.push_back({{"at_s", approval.at},
+                       {"driver", approval.driver},
+                       {"image", approval.image},
+                       {"state", approval.state},
+                       {"state_digest", approval.state_digest},
+                       {"who", approval.who},
+                       {"why", approval.why}});
+  }
+  const Json json = {{"approval_version", kApprovalVersion}, {"goldens", goldens}};
+  write_whole_file(folder / kFile, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+const GoldenApproval* find_approval(const std::vector<GoldenApproval>& approvals, double at,
+                                    const std::string& driver) {
+  const GoldenApproval* found = nullptr;
+  for (const GoldenApproval& approval : approvals) {
+    if (std::abs(approval.at - at) > kSameTime) continue;
+    if (approval.driver == driver) return &approval;
+    found = &approval;
+  }
+  return found;
+}
+
+std::string golden_stem(double at, const std::string& driver) {
+  return fmt::format("at_{:.4g}s.{:08x}", at, XXH3_64bits(driver.data(), driver.size()) & 0xffffffffU);
+}
+
+}  // namespace thinwall

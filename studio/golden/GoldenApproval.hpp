@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace thinwall {
+
+/// One approved picture of a scenario.
+struct GoldenApproval {
+  double at = 0;             // seconds
+  std::string driver;        // what drew it, as it names itself
+  std::string image;         // file name in the scenario's golden folder
+  std::string state;         // likewise: the moment it shows, as a take of one step
+  std::string state_digest;  // of the simulation at that time
+  std::string who;
+  std::string why;
+};
+
+/// A golden folder that cannot be read: the message names file and reason. Exit code 2.
+class GoldenError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// What `folder`/approval.json holds, in its order; nothing when there is none. Throws GoldenError.
+std::vector<GoldenApproval> read_approvals(const std::filesystem::path& folder);
+
+/// Throws PictureFailure.
+void write_approvals(const std::filesystem::path& folder, const std::vector<GoldenApproval>& approvals);
+
+/// The approval to compare with: of that time and driver; else the last of that time, of another driver; else null.
+const GoldenApproval* find_approval(const std::vector<GoldenApproval>& approvals, double at, const std::string& driver);
+
+/// The name, without extension, of the files of a golden: time and a short hash of the driver.
+std::string golden_stem(double at, const std::string& driver);
+
+}  // namespace thinwall

@@ -1,0 +1,180 @@
+#include "studio/golden/GoldenComparison.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/image/PngFile.hpp"
+#include "studio/take/TakeError.hpp"
+#include "studio/take/TakeReader.hpp"
+
+namespace thinwall {
+namespace {
+
+double distance(const Float3& a, const Float3& b) {
+  return std::hypot(static_cast<double>(a[0]) - b[0], static_cast<double>(a[1]) - b[1],
+                    static_cast<double>(a[2]) - b[2]);
+}
+
+/// The diagonal of the box around all points, metres.
+double extent(const std::vector<Float3>& points) {
+  if (points.empty()) return 0;
+  Float3 low = points.front();
+  Float3 high = points.front();
+  for (const Float3& point : points) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], point[axis]);
+      high[axis] = std::max(high[axis], point[axis]);
+    }
+  }
+  return distance(low, high);
+}
+
+struct Movement {
+  std::string body;
+  std::size_t vertex = 0;
+  double distance = 0;  // metres
+  double extent = 0;    // metres, of the surface
+  double relative() const { return extent > 0 ? distance / extent : distance; }
+};
+
+Movement largest_movement(const SnapshotSurface& golden, const SnapshotSurface& today) {
+  Movement largest{.body = golden.body, .vertex = 0, .distance = 0, .extent = extent(golden.positions)};
+  for (std::size_t vertex = 0; vertex < golden.positions.size(); ++vertex) {
+    const double moved = distance(golden.positions[vertex], today.positions[vertex]);
+    if (moved > largest.distance) {
+      largest.distance = moved;
+      largest.vertex = vertex;
+    }
+  }
+  return largest;
+}
+
+std::string cause(StateVerdict verdict) {
+  switch (verdict) {
+    case StateVerdict::kEqual:
+    case StateVerdict::kClose:
+      return "so the picture has changed: look, camera, renderer or driver";
+    case StateVerdict::kChanged:
+      return "so the physics has changed";
+    case StateVerdict::kUnknown:
+      break;
+  }
+  return "so it is open whether physics or picture has changed";
+}
+
+StateComparison compare_with_stored_state(const std::filesystem::path& file, const GoldenPicture& picture,
+                                          bool equal_digests) {
+  try {
+    const TakeReader take(file);
+    if (take.times().empty()) throw TakeError(file.string() + ": holds no step");
+    return compare_states(take.moment(0).snapshot, picture.moment.snapshot, equal_digests);
+  } catch (const TakeError& error) {
+    return {.verdict = StateVerdict::kUnknown, .explanation = error.what()};
+  }
+}
+
+void judge(GoldenResult& result, const GoldenDefinition& definition, const Image& golden, const Image& today) {
+  result.difference = compare_images(golden, today, static_cast<int>(definition.max));
+  const ImageDifference& difference = result.difference;
+  if (difference.verdict == ImageVerdict::kEqual) {
+    result.rung = "bytes";
+    result.message = "equal";
+    return;
+  }
+  result.rung = "tolerance";
+  if (difference.verdict == ImageVerdict::kSizeMismatch) {
+    result.outcome = GoldenOutcome::kFailed;
+    result.message =
+        fmt::format("{} x {} pixels instead of {} x {}", difference.second_size.width, difference.second_size.height,
+                    difference.first_size.width, difference.first_size.height);
+    return;
+  }
+  const bool within = difference.largest <= definition.max && difference.mean <= definition.mean;
+  result.outcome = within ? GoldenOutcome::kOk : GoldenOutcome::kFailed;
+  result.message = fmt::format("largest difference {} (allowed {:g}), mean {:.4f} (allowed {:g}) levels",
+                               difference.largest, definition.max, difference.mean, definition.mean);
+  if (!within) result.details = describe(difference) + "\n" + difference_text(golden, today);
+}
+
+}  // namespace
+
+std::string outcome_name(GoldenOutcome outcome) {
+  switch (outcome) {
+    case GoldenOutcome::kOk:
+      return "ok";
+    case GoldenOutcome::kFailed:
+      return "failed";
+    case GoldenOutcome::kResultMissing:
+      return "result missing";
+    case GoldenOutcome::kGoldenMissing:
+      return "golden missing";
+    case GoldenOutcome::kSkipped:
+      return "skipped";
+  }
+  return "";
+}
+
+StateComparison compare_states(const Snapshot& golden, const Snapshot& today, bool equal_digests) {
+  if (equal_digests) return {.verdict = StateVerdict::kEqual, .explanation = "the state is the same to the last bit"};
+  if (golden.surfaces.size() != today.surfaces.size()) {
+    return {
+        .verdict = StateVerdict::kChanged,
+        .explanation = fmt::format("there are {} bodies instead of {}", today.surfaces.size(), golden.surfaces.size())};
+  }
+  Movement largest;
+  for (std::size_t i = 0; i < golden.surfaces.size(); ++i) {
+    const SnapshotSurface& before = golden.surfaces[i];
+    const SnapshotSurface& now = today.surfaces[i];
+    if (before.positions.size() != now.positions.size() || before.topology->triangles != now.topology->triangles) {
+      return {.verdict = StateVerdict::kChanged, .explanation = "the mesh of " + before.body + " has changed"};
+    }
+    const Movement movement = largest_movement(before, now);
+    if (i == 0 || movement.relative() > largest.relative()) largest = movement;
+  }
+  const bool close = largest.relative() <= kCloseState;
+  return {.verdict = close ? StateVerdict::kClose : StateVerdict::kChanged,
+          .explanation =
+              fmt::format("vertex {} of {} has moved by {:.3g} m, {:.2g} of the surface's size{}", largest.vertex,
+                          largest.body, largest.distance, largest.relative(), close ? ", which is no change" : "")};
+}
+
+GoldenResult compare_with_golden(const std::string& scenario, const GoldenDefinition& definition,
+                                 const GoldenPicture& picture, const std::string& driver,
+                                 const std::filesystem::path& folder) {
+  GoldenResult result;
+  result.scenario = scenario;
+  result.at = definition.at;
+  result.driver = driver;
+  if (!picture.missing.empty()) {
+    result.outcome = GoldenOutcome::kResultMissing;
+    result.message = picture.missing;
+    return result;
+  }
+  const std::vector<GoldenApproval> approvals = read_approvals(folder);
+  const GoldenApproval* approval = find_approval(approvals, definition.at, driver);
+  if (approval == nullptr || !std::filesystem::exists(folder / approval->image)) {
+    result.outcome = GoldenOutcome::kGoldenMissing;
+    result.message =
+        fmt::format("no picture is approved; look at today's, then: thinwall golden approve {} --why ...", scenario);
+    return result;
+  }
+  result.golden_driver = approval->driver;
+  try {
+    judge(result, definition, read_png(folder / approval->image), picture.image);
+  } catch (const ImageUnreadable& error) {
+    throw GoldenError(error.what());
+  }
+  result.state =
+      compare_with_stored_state(folder / approval->state, picture, approval->state_digest == picture.state_digest);
+  if (result.outcome == GoldenOutcome::kFailed) {
+    result.message += "; " + result.state.explanation + ", " + cause(result.state.verdict);
+  }
+  if (approval->driver != driver) {
+    result.message += fmt::format("; approved on another driver ({}), so compared by tolerance", approval->driver);
+  }
+  return result;
+}
+
+}  // namespace thinwall

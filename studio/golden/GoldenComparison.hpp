@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "renderer/image/ImageDifference.hpp"
+#include "studio/golden/GoldenApproval.hpp"
+#include "studio/golden/GoldenPicture.hpp"
+
+namespace thinwall {
+
+enum class GoldenOutcome { kOk, kFailed, kResultMissing, kGoldenMissing, kSkipped };
+
+/// "ok", "failed", "result missing", "golden missing", "skipped"
+std::string outcome_name(GoldenOutcome outcome);
+
+/// What became of the simulated state since the approval.
+enum class StateVerdict {
+  kUnknown,  // nothing to compare
+  kEqual,    // to the last bit
+  kClose,    // no vertex has moved by more than kCloseState of the surface's size
+  kChanged,
+};
+
+/// A hundredth of a pixel when a surface fills a picture of a thousand pixels: nobody sees it, while other machines and
+/// compilers stay below it.
+inline constexpr double kCloseState = 1e-5;
+
+struct StateComparison {
+  StateVerdict verdict = StateVerdict::kUnknown;
+  std::string explanation;  // "the state is the same to the last bit", "vertex 12 of organ has moved by 0.3 mm", ...
+};
+
+/// Positions of all surfaces, and whether the digests are equal.
+StateComparison compare_states(const Snapshot& golden, const Snapshot& today, bool equal_digests);
+
+/// One picture of one scenario, judged.
+struct GoldenResult {
+  std::string scenario;
+  double at = 0;  // seconds
+  GoldenOutcome outcome = GoldenOutcome::kOk;
+  std::string rung;           // of the ladder, that decided: "bytes" or "tolerance"; empty when nothing was compared
+  std::string message;        // one line
+  std::string details;        // many lines: map and worst pixels; for failures
+  std::string driver;         // of today's picture
+  std::string golden_driver;  // of the approved one
+  ImageDifference difference;
+  StateComparison state;
+};
+
+/// Compares a picture with what is approved in `folder`. First rung: equal bytes. Second: the thresholds of the
+/// scenario; also when the golden was drawn by another driver, which the message then says. Throws GoldenError.
+GoldenResult compare_with_golden(const std::string& scenario, const GoldenDefinition& definition,
+                                 const GoldenPicture& picture, const std::string& driver,
+                                 const std::filesystem::path& folder);
+
+}  // namespace thinwall

@@ -1,0 +1,90 @@
+#include "studio/golden/GoldenPicture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "engine/simulation/SimulationFailure.hpp"
+#include "renderer/image/Resize.hpp"
+#include "renderer/overlay/Overlay.hpp"
+#include "renderer/picture/PictureFailure.hpp"
+#include "studio/recorder/FrameComposer.hpp"
+#include "studio/recorder/Interruption.hpp"
+
+namespace thinwall {
+namespace {
+
+constexpr ImageSize kLargest = {.width = 640, .height = 640};
+
+/// Indices of the list in the order of time.
+std::vector<std::size_t> in_order_of_time(const std::vector<GoldenDefinition>& goldens) {
+  std::vector<std::size_t> order(goldens.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return goldens[a].at < goldens[b].at; });
+  return order;
+}
+
+void draw(GoldenPicture& picture, const FrameComposer& composer, Moment moment, Painter& painter) {
+  try {
+    Frame frame = composer.compose(picture.at);
+    picture.image = painter.paint(frame.snapshot);
+    draw_overlay(picture.image, frame.overlay);
+    picture.moment = std::move(moment);
+    picture.moment.snapshot = std::move(frame.snapshot);
+    picture.missing.clear();
+  } catch (const PictureFailure& failure) {
+    picture.missing = failure.what();
+  }
+}
+
+}  // namespace
+
+ImageSize golden_size(ImageSize recorded) {
+  return recorded.width <= kLargest.width && recorded.height <= kLargest.height ? recorded
+                                                                                : size_that_fits(recorded, kLargest);
+}
+
+GoldenPictures golden_pictures(const Scenario& scenario, const SourceFactory& sources, const PainterFactory& painters) {
+  GoldenPictures result;
+  for (const GoldenDefinition& golden : scenario.goldens) {
+    result.pictures.push_back({.at = golden.at, .missing = "", .image = {}, .moment = {}, .state_digest = ""});
+  }
+  std::unique_ptr<Painter> painter;
+  try {
+    painter = painters(golden_size(scenario.record.size));
+  } catch (const PictureFailure& failure) {
+    result.no_device = failure.what();
+    return result;
+  }
+  result.driver = painter->driver();
+
+  const std::vector<std::size_t> order = in_order_of_time(scenario.goldens);
+  std::size_t next = 0;
+  std::string ending;
+  try {
+    const std::unique_ptr<MomentSource> source = sources(scenario);
+    FrameComposer composer(scenario.title, scenario.overlays);
+    double end = 0;
+    while (next < order.size()) {
+      throw_if_interrupted();
+      std::optional<Moment> moment = source->next();
+      if (!moment) break;
+      end = moment->snapshot.time;
+      composer.add(*moment);
+      for (; next < order.size() && composer.reaches(result.pictures[order[next]].at); ++next) {
+        GoldenPicture& picture = result.pictures[order[next]];
+        picture.state_digest = source->state_digest();
+        draw(picture, composer, *moment, *painter);
+      }
+    }
+    ending = fmt::format("the scenario ends at {:.4g} s", end);
+  } catch (const SimulationFailure& failure) {
+    ending = failure.what();
+  }
+  for (; next < order.size(); ++next) result.pictures[order[next]].missing = ending;
+  return result;
+}
+
+}  // namespace thinwall

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "renderer/image/Image.hpp"
+#include "studio/record/Moment.hpp"
+#include "studio/recorder/Painter.hpp"
+#include "studio/scenario/Scenario.hpp"
+
+namespace thinwall {
+
+/// Starts the simulation of a scenario.
+using SourceFactory = std::function<std::unique_ptr<MomentSource>(const Scenario&)>;
+
+/// The picture of a scenario at a time of its `golden:` list, as it is today.
+struct GoldenPicture {
+  double at = 0;        // seconds
+  std::string missing;  // why there is none; empty when there is one
+  Image image;
+  Moment moment;             // what it shows
+  std::string state_digest;  // of the first step that reaches `at`
+};
+
+struct GoldenPictures {
+  std::string no_device;  // why nothing could be drawn here; empty when something could
+  std::string driver;
+  std::vector<GoldenPicture> pictures;  // in the order of the list
+};
+
+/// Pictures are made smaller than a recording's, at most 640 pixels wide: small enough to be kept, large enough to see.
+ImageSize golden_size(ImageSize recorded);
+
+/// Simulates up to the last time asked for and draws only these times.
+GoldenPictures golden_pictures(const Scenario& scenario, const SourceFactory& sources, const PainterFactory& painters);
+
+}  // namespace thinwall

@@ -1,0 +1,216 @@
+#include <gtest/gtest.h>
+
+#include "renderer/image/PngFile.hpp"
+#include "renderer/picture/PictureFailure.hpp"
+#include "studio/golden/GoldenComparison.hpp"
+#include "studio/golden/GoldenRenewal.hpp"
+#include "tests/studio/FlatPainter.hpp"
+#include "tests/studio/SyntheticRun.hpp"
+#include "tests/studio/TemporaryFolder.hpp"
+
+namespace thinwall {
+namespace {
+
+Scenario example() {
+  Scenario scenario;
+  scenario.name = "sheet";
+  scenario.title = "A sheet";
+  scenario.resolved = "{}";
+  scenario.record.size = {.width = 96, .height = 64};
+  scenario.goldens = {{.at = 0.1, .max = 8, .mean = 0.2, .why = "rounding"}};
+  return scenario;
+}
+
+SourceFactory synthetic(SyntheticRunOptions options = {}) {
+  return [options](const Scenario&) { return std::make_unique<SyntheticRun>(options); };
+}
+
+GoldenPictures today(const SourceFactory& sources = synthetic(), const PainterFactory& painters = flat_painters()) {
+  return golden_pictures(example(), sources, painters);
+}
+
+class GoldenTest : public ::testing::Test {
+ protected:
+  void approve(const std::string& driver = "flat painter 1.0") {
+    renew_golden(example(), today().pictures[0], driver, folder_.path(), "someone", "it is right");
+  }
+  GoldenResult compare(const GoldenPictures& pictures) {
+    return compare_with_golden("sheet", example().goldens[0], pictures.pictures[0], pictures.driver, folder_.path());
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(GoldenTest, TheSamePictureIsOkByItsBytes) {
+  approve();
+  const GoldenResult result = compare(today());
+  EXPECT_EQ(result.outcome, GoldenOutcome::kOk);
+  EXPECT_EQ(result.rung, "bytes");
+  EXPECT_EQ(result.state.verdict, StateVerdict::kEqual);
+}
+
+TEST_F(GoldenTest, ASmallDifferenceIsOkByTolerance) {
+  approve();
+  GoldenPictures pictures = today();
+  pictures.pictures[0].image.pixels[100] ^= 4;
+  const GoldenResult result = compare(pictures);
+  EXPECT_EQ(result.outcome, GoldenOutcome::kOk);
+  EXPECT_EQ(result.rung, "tolerance");
+  EXPECT_EQ(result.difference.largest, 4);
+}
+
+TEST_F(GoldenTest, OnePixelAboveTheLargestDifferenceFails) {
+  approve();
+  GoldenPictures pictures = today();
+  pictures.pictures[0].image.pixels[100] ^= 16;
+  const GoldenResult result = compare(pictures);
+  EXPECT_EQ(result.outcome, GoldenOutcome::kFailed);
+  EXPECT_EQ(result.message,
+            "largest difference 16 (allowed 8), mean 0.0009 (allowed 0.2) levels; the state is the same to the last "
+            "bit, so the picture has changed: look, camera, renderer or driver");
+  EXPECT_FALSE(result.details.empty());
+}
+
+TEST_F(GoldenTest, ADifferenceThatIsSmallEverywhereFailsByItsMean) {
+  approve();
+  GoldenPictures pictures = today();
+  for (std::uint8_t& level : pictures.pictures[0].image.pixels) level ^= 1;
+  const GoldenResult result = compare(pictures);
+  EXPECT_EQ(result.outcome, GoldenOutcome::kFailed);
+  EXPECT_EQ(result.difference.largest, 1);
+}
+
+TEST_F(GoldenTest, AChangedRendererIsTold) {
+  approve();
+  const GoldenResult result = compare(today(synthetic(), flat_painters(1.2)));
+  EXPECT_EQ(result.outcome, GoldenOutcome::kFailed);
+  EXPECT_EQ(result.state.verdict, StateVerdict::kEqual);
+  EXPECT_NE(result.message.find("so the picture has changed"), std::string::npos) << result.message;
+}
+
+TEST_F(GoldenTest, AChangedSimulationIsTold) {
+  approve();
+  // Another number of steps up to the same moment has another digest, and the sheet is dented more deeply.
+  const GoldenResult result = compare(today(synthetic({.time_step = 0.0025, .steps = 81, .depth = 0.006})));
+  EXPECT_EQ(result.outcome, GoldenOutcome::kFailed);
+  EXPECT_EQ(result.state.verdict, StateVerdict::kChanged);
+  EXPECT_NE(result.message.find("vertex 40 of organ has moved by 0.002 m"), std::string::npos) << result.message;
+  EXPECT_NE(result.message.find("so the physics has changed"), std::string::npos) << result.message;
+}
+
+TEST_F(GoldenTest, ADriverThatIsNotKnownIsComparedByToleranceAndSaysSo) {
+  approve("another painter 0.9");
+  const GoldenResult result = compare(today());
+  EXPECT_EQ(result.outcome, GoldenOutcome::kOk);
+  EXPECT_NE(result.message.find("approved on another driver (another painter 0.9)"), std::string::npos)
+      << result.message;
+}
+
+TEST_F(GoldenTest, EachDriverHasItsOwnGolden) {
+  approve("another painter 0.9");
+  approve();
+  const std::vector<GoldenApproval> approvals = read_approvals(folder_.path());
+  ASSERT_EQ(approvals.size(), 2U);
+  EXPECT_NE(approvals[0].image, approvals[1].image);
+  EXPECT_EQ(compare(today()).golden_driver, "flat painter 1.0");
+}
+
+TEST_F(GoldenTest, ApprovingAgainReplacesTheApproval) {
+  approve();
+  renew_golden(example(), today(synthetic(), flat_painters(1.2)).pictures[0], "flat painter 1.0", folder_.path(),
+               "someone else", "brighter");
+  const std::vector<GoldenApproval> approvals = read_approvals(folder_.path());
+  ASSERT_EQ(approvals.size(), 1U);
+  EXPECT_EQ(approvals[0].who, "someone else");
+  EXPECT_EQ(approvals[0].why, "brighter");
+  EXPECT_EQ(compare(today(synthetic(), flat_painters(1.2))).outcome, GoldenOutcome::kOk);
+}
+
+TEST_F(GoldenTest, AnotherSizeFails) {
+  approve();
+  GoldenPictures pictures = today();
+  pictures.pictures[0].image = FlatPainter({.width = 90, .height = 64}).paint({});
+  const GoldenResult result = compare(pictures);
+  EXPECT_EQ(result.outcome, GoldenOutcome::kFailed);
+  EXPECT_NE(result.message.find("90 x 64 pixels instead of 96 x 64"), std::string::npos) << result.message;
+}
+
+TEST_F(GoldenTest, WithoutAnApprovalTheGoldenIsMissing) {
+  EXPECT_EQ(compare(today()).outcome, GoldenOutcome::kGoldenMissing);
+  EXPECT_TRUE(std::filesystem::is_empty(folder_.path())) << "a comparison wrote something";
+}
+
+TEST_F(GoldenTest, AnApprovalWhosePictureIsGoneIsMissing) {
+  approve();
+  std::filesystem::remove(folder_ / read_approvals(folder_.path())[0].image);
+  EXPECT_EQ(compare(today()).outcome, GoldenOutcome::kGoldenMissing);
+}
+
+TEST_F(GoldenTest, AScenarioThatEndsEarlyHasNoResult) {
+  approve();
+  const GoldenResult result = compare(today(synthetic({.steps = 11})));
+  EXPECT_EQ(result.outcome, GoldenOutcome::kResultMissing);
+  EXPECT_EQ(result.message, "the scenario ends at 0.05 s");
+}
+
+TEST_F(GoldenTest, ASimulationThatFailsHasNoResult) {
+  approve();
+  const GoldenResult result = compare(today(synthetic({.fail_at = 5})));
+  EXPECT_EQ(result.outcome, GoldenOutcome::kResultMissing);
+  EXPECT_EQ(result.message, "step 5 cannot be saved");
+}
+
+TEST_F(GoldenTest, AMissingDeviceIsSaidAndNothingIsCompared) {
+  const GoldenPictures pictures = golden_pictures(
+      example(), synthetic(), [](ImageSize) -> std::unique_ptr<Painter> { throw PictureFailure("no GPU here"); });
+  EXPECT_EQ(pictures.no_device, "no GPU here");
+}
+
+TEST_F(GoldenTest, ABrokenApprovalIsAnError) {
+  write_bytes(folder_ / "approval.json", "{\"goldens\": [");
+  EXPECT_THROW(compare(today()), GoldenError);
+}
+
+TEST_F(GoldenTest, ABrokenGoldenPictureIsAnError) {
+  approve();
+  write_bytes(folder_ / read_approvals(folder_.path())[0].image, "no picture");
+  EXPECT_THROW(compare(today()), GoldenError);
+}
+
+TEST(GoldenPictureTest, SimulatesNoFurtherThanTheLastTime) {
+  Scenario scenario = example();
+  scenario.goldens = {{.at = 0.1}, {.at = 0.02}};
+  // A step after the last time would fail.
+  const GoldenPictures pictures = golden_pictures(scenario, synthetic({.fail_at = 21}), flat_painters());
+  ASSERT_EQ(pictures.pictures.size(), 2U);
+  EXPECT_EQ(pictures.pictures[0].missing, "");
+  EXPECT_EQ(pictures.pictures[1].missing, "");
+  EXPECT_DOUBLE_EQ(pictures.pictures[0].moment.snapshot.time, 0.1);
+  EXPECT_DOUBLE_EQ(pictures.pictures[1].moment.snapshot.time, 0.02);
+}
+
+TEST(GoldenPictureTest, LargeRecordingsAreMadeSmaller) {
+  EXPECT_EQ(golden_size({.width = 1280, .height = 720}), (ImageSize{.width = 640, .height = 360}));
+  EXPECT_EQ(golden_size({.width = 320, .height = 240}), (ImageSize{.width = 320, .height = 240}));
+}
+
+TEST(StateComparisonTest, MovementsFarBelowAPixelAreNoChange) {
+  const SyntheticRun run;
+  const Snapshot golden = run.moment(10).snapshot;
+  Snapshot moved = golden;
+  moved.surfaces[0].positions[7][0] += 1e-8F;
+  EXPECT_EQ(compare_states(golden, moved, false).verdict, StateVerdict::kClose);
+  moved.surfaces[0].positions[7][0] += 1e-5F;
+  EXPECT_EQ(compare_states(golden, moved, false).verdict, StateVerdict::kChanged);
+}
+
+TEST(StateComparisonTest, AnotherMeshIsAChange) {
+  const SyntheticRun coarse({.side = 5});
+  const SyntheticRun fine({.side = 7});
+  const StateComparison comparison = compare_states(coarse.moment(3).snapshot, fine.moment(3).snapshot, false);
+  EXPECT_EQ(comparison.verdict, StateVerdict::kChanged);
+  EXPECT_EQ(comparison.explanation, "the mesh of organ has changed");
+}
+
+}  // namespace
+}  // namespace thinwall
