@@ -145,6 +145,27 @@ void append_taper(std::vector<OutlinePoint>& outline, double back, double out, f
   }
 }
 
+/// From the end of an arc around to a shaft of radius `out`, along a parabola that touches both.
+void append_fillet(std::vector<OutlinePoint>& outline, double out) {
+  constexpr int kSteps = 8;
+  const OutlinePoint from = outline.back();
+  if (!(from.normal_back > 0) || !(from.out > out)) return;
+  // The arc's tangent reaches the shaft at `corner`; the parabola ends as far beyond.
+  const double run = (from.out - out) * from.normal_out / from.normal_back;
+  const double corner = from.back + run;
+  const double end = corner + std::hypot(run, from.out - out);
+  for (int i = 0; i <= kSteps; ++i) {
+    const double t = static_cast<double>(i) / kSteps;
+    const double slope_back = (1 - t) * run + t * (end - corner);
+    const double slope_out = (1 - t) * (out - from.out);
+    outline.push_back({.back = (1 - t) * (1 - t) * from.back + 2 * t * (1 - t) * corner + t * t * end,
+                       .out = out + (1 - t) * (1 - t) * (from.out - out),
+                       .normal_back = -slope_out,
+                       .normal_out = slope_back,
+                       .roughness = kPolished + static_cast<float>(t) * (kBrushed - kPolished)});
+  }
+}
+
 /// From the outline's last point: slim shaft, widening, handle with rings, rounded end.
 void append_shaft(std::vector<OutlinePoint>& outline, double slim, double thick, double scene_size) {
   const double start = outline.back().back;
@@ -195,11 +216,11 @@ ToolShape straight_edge(const SnapshotTool& tool, double scene_size) {
 ToolShape ball(const SnapshotTool& tool, double scene_size) {
   const double radius = std::max(tool.radius, 0.0);
   const double slim = std::min(0.3 * radius, 0.02 * scene_size);
-  const double joint = radius > 0 ? std::numbers::pi - std::asin(slim / radius) : 0;
+  const double joint = radius > 0 ? std::numbers::pi - std::asin(1.4 * slim / radius) : 0;
   Builder builder(tool, scene_size);
   std::vector<OutlinePoint> outline;
   append_arc(outline, radius, radius, 0, joint, kPolished, 32);
-  outline.push_back({.back = outline.back().back, .out = slim});
+  append_fillet(outline, slim);
   append_shaft(outline, slim, std::min(1.5 * slim, 0.03 * scene_size), scene_size);
   builder.turn(outline);
   builder.add_rod(radius, radius, radius);

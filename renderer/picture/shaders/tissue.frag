@@ -27,24 +27,26 @@ struct Skin {
 };
 
 // Vessels run where noise passes through zero; noise that is drawn out makes them long. 1 in the middle of a vessel, with
-// soft sides, for vessels lie below the surface.
-float vessel(vec4 field, float width) {
-  float distance = abs(field.w) / (width * max(length(field.xyz), 0.7));
+// soft sides, for vessels lie below the surface. `stretch` is the noise's frequency, `width` half a vessel's.
+float vessel(vec4 field, vec3 stretch, float width) {
+  float distance = abs(field.w) / (width * max(length(stretch * field.xyz), 0.5 * stretch.y));
   return 1.0 / (1.0 + square(square(distance)) + 0.5 * square(distance));
 }
 
 Skin skin_at(vec3 place, float blanch) {
+  const vec3 medium_stretch = vec3(8.0, 27.0, 25.0);
+  const vec3 fine_stretch = vec3(58.0, 76.0, 70.0);
   vec4 broad = noise(6.0 * place + 11.3);
-  vec4 medium = noise(vec3(8.0, 27.0, 25.0) * place + 0.40 * broad.zxy + 3.1);
-  vec4 fine = noise(vec3(58.0, 76.0, 70.0) * place + 0.45 * medium.yzx);
-  float veins = vessel(medium, 0.016 + 0.016 * abs(broad.y)) * smoothstep(-0.35, 0.35, broad.w);
-  float capillaries = vessel(fine, 0.07) * smoothstep(-0.1, 0.6, medium.w - 0.3 * broad.w);
+  vec4 medium = noise(medium_stretch * place + 0.40 * broad.zxy + 3.1);
+  vec4 fine = noise(fine_stretch * place + 0.45 * medium.yzx);
+  float veins = vessel(medium, medium_stretch, 0.0011 + 0.0011 * abs(broad.y)) * smoothstep(-0.35, 0.35, broad.w);
+  float capillaries = vessel(fine, fine_stretch, 0.0009) * smoothstep(-0.1, 0.6, medium.w - 0.3 * broad.w);
   Skin skin;
   vec3 redder = flesh * vec3(0.90, 0.58, 0.60);
   vec3 paler = flesh * vec3(1.05, 1.12, 1.02) + vec3(0.012, 0.008, 0.005);
   vec3 mottled = mix(redder, paler, saturate(0.42 + 0.60 * broad.w + 0.20 * medium.w + 0.10 * fine.w));
   vec3 blood = flesh * vec3(0.50, 0.17, 0.26);
-  mottled = mix(mottled, blood, saturate(0.42 * veins + 0.18 * capillaries) * (1.0 - 0.8 * blanch));
+  mottled = mix(mottled, blood, saturate(0.36 * veins + 0.15 * capillaries) * (1.0 - 0.8 * blanch));
   skin.albedo = mix(flesh, mottled, mottling);
   vec3 bloodless = mix(vec3(dot(skin.albedo, vec3(0.35, 0.45, 0.20))), vec3(0.70, 0.53, 0.42), 0.62);
   skin.albedo = mix(skin.albedo, bloodless, 0.6 * blanch);
