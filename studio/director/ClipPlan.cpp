@@ -1,0 +1,97 @@
+#include "studio/director/ClipPlan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "studio/scenario/InputError.hpp"
+
+namespace thinwall {
+namespace {
+
+/// 0 to 1 with the ease of a clip: `smooth` starts and ends at rest (3 t^2 - 2 t^3).
+double eased(Ease ease, double part) {
+  return ease == Ease::kSmooth ? part * part * (3 - 2 * part) : part;
+}
+
+}  // namespace
+
+ToolPose make_pose(const Eigen::Vector3d& tip, const Eigen::Vector3d& direction,
+                   const std::optional<Eigen::Vector3d>& axis) {
+  ToolPose pose{.tip = tip, .direction = direction.normalized(), .axis = Eigen::Vector3d::UnitY()};
+  const auto across = [&](const Eigen::Vector3d& v) -> Eigen::Vector3d {
+    return v - pose.direction * pose.direction.dot(v);
+  };
+  Eigen::Vector3d wanted = across(axis.value_or(Eigen::Vector3d::UnitY()));
+  if (wanted.norm() < 1e-6) wanted = across(Eigen::Vector3d::UnitX());
+  if (wanted.norm() < 1e-6) wanted = across(Eigen::Vector3d::UnitY());
+  pose.axis = wanted.normalized();
+  return pose;
+}
+
+double PalpationPlan::duration() const {
+  const double in = to_contact + clip.depth;
+  return (clip.withdraw ? 2 : 1) * in / clip.speed + clip.hold;
+}
+
+ToolMoment PalpationPlan::at(double time) const {
+  const double in = to_contact + clip.depth;  // metres
+  const double arrival = in / clip.speed;     // seconds
+  double travel = std::min(in, std::max(0.0, time) * clip.speed);
+  ToolMoment moment;
+  moment.phase = travel < to_contact ? "approach" : "contact";
+  if (time >= arrival) moment.phase = "hold";
+  if (clip.withdraw && time > arrival + clip.hold) {
+    travel = std::max(0.0, in - (time - arrival - clip.hold) * clip.speed);
+    moment.phase = "withdrawal";
+  }
+  moment.pose = begin;
+  moment.pose.tip += travel * begin.direction;
+  moment.depth = std::max(0.0, travel - to_contact);
+  return moment;
+}
+
+PalpationPlan plan_palpation(const PalpateClip& clip, const ToolDefinition& tool, const SurfaceView& surface,
+                             const SourceLocation& location) {
+  const Eigen::Vector3d direction = clip.direction.normalized();
+  const auto hit = first_entry(surface, clip.at, direction);
+  if (!hit) {
+    throw InputErrors({{location, fmt::format("palpate: the line of approach through at = [{:.4g}, {:.4g}, {:.4g}] m "
+                                              "along direction = [{:.3g}, {:.3g}, {:.3g}] misses body `{}`; move `at` "
+                                              "or turn `direction` so that the line meets its wall from outside",
+                                              clip.at.x(), clip.at.y(), clip.at.z(), direction.x(), direction.y(),
+                                              direction.z(), clip.body)}});
+  }
+  PalpationPlan plan{.clip = clip,
+                     .begin = make_pose(clip.at + (hit->travel - clip.standoff) * direction, direction, clip.axis)};
+  const auto travel = travel_to_contact(surface, tool, plan.begin);
+  if (!travel) {
+    throw InputErrors({{location, fmt::format("palpate: tool `{}` passes beside body `{}`", clip.tool, clip.body)}});
+  }
+  if (*travel <= 0) {
+    throw InputErrors(
+        {{location, fmt::format("palpate: tool `{}` touches body `{}` already {:.3g} mm from the point of "
+                                "approach; a larger `standoff` than {:.3g} mm lets it start outside",
+                                clip.tool, clip.body, 1e3 * clip.standoff, 1e3 * clip.standoff)}});
+  }
+  plan.to_contact = *travel;
+  return plan;
+}
+
+ToolMoment MovePlan::at(double time) const {
+  const double part = eased(clip.ease, std::clamp(time / clip.duration, 0.0, 1.0));
+  ToolMoment moment{.pose = end, .phase = "approach"};
+  moment.pose.tip = begin.tip + part * (end.tip - begin.tip);
+  return moment;
+}
+
+MovePlan plan_move(const MoveClip& clip, const ToolPose& now) {
+  const Eigen::Vector3d from = clip.from.value_or(now.tip);
+  const Eigen::Vector3d way = clip.to - from;
+  const Eigen::Vector3d direction = clip.direction ? *clip.direction : (way.norm() > 0 ? way : now.direction);
+  return {
+      .clip = clip, .begin = make_pose(from, direction, clip.axis), .end = make_pose(clip.to, direction, clip.axis)};
+}
+
+}  // namespace thinwall

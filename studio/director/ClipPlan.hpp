@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "engine/tool/FirstContact.hpp"
+#include "engine/tool/Tool.hpp"
+#include "studio/scenario/Scenario.hpp"
+
+namespace thinwall {
+
+/// Where a tool is at a moment of a clip.
+struct ToolMoment {
+  ToolPose pose;
+  std::string phase;
+  double depth = 0;  // metres along the direction since first contact, 0 before; of a palpation
+};
+
+/// A palpation whose line of approach has been held against a surface.
+struct PalpationPlan {
+  PalpateClip clip;
+  ToolPose begin;         // at the stand-off
+  double to_contact = 0;  // metres from the stand-off to first contact
+
+  double duration() const;           // seconds
+  ToolMoment at(double time) const;  // `time`: seconds since the clip began, limited to its duration
+};
+
+/// Finds stand-off and first contact. Throws InputErrors at `location` when the line misses the body, or the tool
+/// would touch already at its stand-off.
+PalpationPlan plan_palpation(const PalpateClip& clip, const ToolDefinition& tool, const SurfaceView& surface,
+                             const SourceLocation& location);
+
+/// A straight motion.
+struct MovePlan {
+  MoveClip clip;
+  ToolPose begin, end;
+
+  double duration() const { return clip.duration; }  // seconds
+  ToolMoment at(double time) const;                  // the phase is left to who knows whether the tool touches
+};
+
+/// `now`: where the tool is, unless the clip says where it begins.
+MovePlan plan_move(const MoveClip& clip, const ToolPose& now);
+
+/// The frame of a tool that moves along `direction`: y' is `axis` made perpendicular to it, by default world y, or
+/// world x where the direction is parallel to y.
+ToolPose make_pose(const Eigen::Vector3d& tip, const Eigen::Vector3d& direction,
+                   const std::optional<Eigen::Vector3d>& axis);
+
+}  // namespace thinwall

@@ -1,0 +1,333 @@
+#include "studio/director/ScenarioRun.hpp"
+
+#include <fmt/format.h>
+#include <xxhash.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <variant>
+
+#include "engine/simulation/Body.hpp"
+#include "engine/simulation/SimulationFailure.hpp"
+#include "studio/director/ClipPlan.hpp"
+#include "studio/director/SnapshotMaker.hpp"
+#include "studio/organs/BodyBuilder.hpp"
+
+namespace thinwall {
+namespace {
+
+/// Times closer than this are the same: what rounding leaves between sums of steps and of durations.
+constexpr double kSameTime = 1e-9;  // seconds
+
+using Plan = std::variant<PalpationPlan, MovePlan, WaitClip>;
+
+/// A clip with when it plays: as planned on the surfaces at time zero until it begins, then for good.
+struct ScheduledClip {
+  Plan plan;
+  double begin = 0;  // seconds
+  double end = 0;    // seconds
+  bool begun = false;
+};
+
+/// What the director knows of a tool.
+struct DirectedTool {
+  int index = 0;
+  ToolPose pose;
+  std::string phase = "idle";
+  double depth = 0;                              // metres
+  std::optional<Eigen::Vector3d> first_contact;  // metres, of the tip, of the move that is playing
+};
+
+double duration_of(const Plan& plan) {
+  if (const auto* wait = std::get_if<WaitClip>(&plan)) return wait->duration;
+  if (const auto* palpation = std::get_if<PalpationPlan>(&plan)) return palpation->duration();
+  return std::get<MovePlan>(plan).duration();
+}
+
+std::string tool_of(const Clip& clip) {
+  if (const auto* palpate = std::get_if<PalpateClip>(&clip.action)) return palpate->tool;
+  if (const auto* move = std::get_if<MoveClip>(&clip.action)) return move->tool;
+  return "";
+}
+
+std::string standard_caption(const Clip& clip) {
+  const auto* palpate = std::get_if<PalpateClip>(&clip.action);
+  if (palpate == nullptr) return "";
+  return fmt::format("Palpation: {:.3g} mm deep at {:.3g} mm/s", 1e3 * palpate->depth, 1e3 * palpate->speed);
+}
+
+}  // namespace
+
+struct ScenarioRun::Implementation {
+  Scenario scenario;
+  std::vector<std::unique_ptr<Body>> bodies;
+  std::vector<std::shared_ptr<const SnapshotTopology>> topologies;
+  std::map<std::string, DirectedTool> tools;
+  std::vector<ScheduledClip> clips;
+  std::vector<std::string> warnings;
+  Snapshot snapshot;
+  StepRecord record;
+  long steps = 0;
+  long halved_steps = 0;
+
+  explicit Implementation(const Scenario& the_scenario) : scenario(the_scenario) {
+    for (const BodyScenario& description : scenario.bodies) {
+      BodyDefinition definition = build_body(description, warnings);
+      if (!description.pressure_given) definition.fluid.initial_pressure.reset();
+      bodies.push_back(std::make_unique<Body>(std::move(definition), scenario.tools, scenario.simulation));
+      bodies.back()->settle();
+      topologies.push_back(snapshot_topology(bodies.back()->model()));
+      warn_of_free_body(*bodies.back());
+    }
+    for (int k = 0; k < static_cast<int>(scenario.tools.size()); ++k) tools[scenario.tools[k].name].index = k;
+    for (const Clip& clip : scenario.timeline) clips.push_back({.plan = plan(clip)});
+    schedule();
+    place_tools();
+    write_moment();
+  }
+
+  void warn_of_free_body(const Body& body) {
+    const auto free = body.model().rigid_motions.cols();
+    if (free == 0 || scenario.simulation.analysis != Analysis::kQuasiStatic) return;
+    warnings.push_back(fmt::format(
+        "body `{}`: `fixed` leaves {} rigid motions free; they are removed by constraints weighted with the mass, "
+        "which take up what the tools push",
+        body.model().definition.name, free));
+  }
+
+  double step_length() const { return scenario.simulation.time_step; }
+  double time() const { return static_cast<double>(steps) * step_length(); }
+
+  double planned_duration() const {
+    double end = 0;
+    for (const ScheduledClip& clip : clips) end = std::max(end, clip.end);
+    return end;
+  }
+
+  const Body& body_named(const std::string& name) const {
+    for (const auto& body : bodies) {
+      if (body->model().definition.name == name) return *body;
+    }
+    throw InputErrors({{SourceLocation{.file = scenario.file}, "no body is called `" + name + "`"}});
+  }
+
+  Plan plan(const Clip& clip) const {
+    if (const auto* palpate = std::get_if<PalpateClip>(&clip.action)) {
+      const DirectedTool& tool = tools.at(palpate->tool);
+      return plan_palpation(*palpate, scenario.tools[tool.index], body_named(palpate->body).surface(), clip.location);
+    }
+    if (const auto* move = std::get_if<MoveClip>(&clip.action)) return plan_move(*move, tools.at(move->tool).pose);
+    return std::get<WaitClip>(clip.action);
+  }
+
+  /// Clips follow one another unless they say when they start.
+  void schedule() {
+    double previous_end = 0;
+    for (std::size_t k = 0; k < clips.size(); ++k) {
+      if (!clips[k].begun) clips[k].begin = scenario.timeline[k].start.value_or(previous_end);
+      clips[k].end = clips[k].begin + duration_of(clips[k].plan);
+      previous_end = clips[k].end;
+    }
+  }
+
+  /// Before its first clip a tool waits where that clip begins.
+  void place_tools() {
+    for (auto& [name, tool] : tools) {
+      std::optional<std::size_t> first;
+      for (std::size_t k = 0; k < clips.size(); ++k) {
+        if (tool_of(scenario.timeline[k]) == name && (!first || clips[k].begin < clips[*first].begin)) first = k;
+      }
+      if (!first) continue;
+      if (const auto* palpation = std::get_if<PalpationPlan>(&clips[*first].plan)) tool.pose = palpation->begin;
+      if (const auto* move = std::get_if<MovePlan>(&clips[*first].plan)) tool.pose = move->begin;
+    }
+  }
+
+  void begin_clips(double until) {
+    for (std::size_t k = 0; k < clips.size(); ++k) {
+      ScheduledClip& clip = clips[k];
+      if (clip.begun || clip.begin >= until - kSameTime) continue;
+      clip.begun = true;
+      clip.plan = plan(scenario.timeline[k]);
+      schedule();
+      const std::string name = tool_of(scenario.timeline[k]);
+      if (name.empty()) continue;
+      DirectedTool& tool = tools.at(name);
+      tool.first_contact.reset();
+      // A clip may begin elsewhere than the last one ended: the tool is set there and touches nothing on the way.
+      if (const auto* palpation = std::get_if<PalpationPlan>(&clip.plan)) tool.pose = palpation->begin;
+      if (const auto* move = std::get_if<MovePlan>(&clip.plan)) tool.pose = move->begin;
+    }
+  }
+
+  /// Moves the tools to where they are at a time; returns the poses before and after, in the order of the scenario.
+  std::pair<std::vector<ToolPose>, std::vector<ToolPose>> move_tools(double until) {
+    std::vector<ToolPose> before(scenario.tools.size()), after;
+    for (const auto& [name, tool] : tools) before[tool.index] = tool.pose;
+    for (auto& [name, tool] : tools) tool.phase = "idle";
+    for (std::size_t k = 0; k < clips.size(); ++k) {
+      const ScheduledClip& clip = clips[k];
+      if (!clip.begun || clip.end <= time() + kSameTime) continue;
+      if (const auto* palpation = std::get_if<PalpationPlan>(&clip.plan)) {
+        DirectedTool& tool = tools.at(palpation->clip.tool);
+        const ToolMoment moment = palpation->at(until - clip.begin);
+        tool.pose = moment.pose;
+        tool.phase = moment.phase;
+        tool.depth = moment.depth;
+      }
+      if (const auto* move = std::get_if<MovePlan>(&clip.plan)) {
+        DirectedTool& tool = tools.at(move->clip.tool);
+        const ToolMoment moment = move->at(until - clip.begin);
+        find_first_contact(tool, moment.pose);
+        tool.pose = moment.pose;
+        tool.phase = moment.phase;
+        tool.depth =
+            tool.first_contact ? std::max(0.0, (tool.pose.tip - *tool.first_contact).dot(tool.pose.direction)) : 0;
+      }
+    }
+    after.resize(before.size());
+    for (const auto& [name, tool] : tools) after[tool.index] = tool.pose;
+    return {before, after};
+  }
+
+  /// Whether a moving tool meets a surface on its way to the next pose, and where its tip is then.
+  void find_first_contact(DirectedTool& tool, const ToolPose& next) const {
+    if (tool.first_contact) return;
+    const Eigen::Vector3d way = next.tip - tool.pose.tip;
+    if (way.norm() == 0) return;
+    ToolPose pose = tool.pose;
+    pose.direction = way.normalized();
+    pose = make_pose(pose.tip, pose.direction, tool.pose.axis);
+    for (const auto& body : bodies) {
+      const auto travel = travel_to_contact(body->surface(), scenario.tools[tool.index], pose);
+      if (travel && *travel >= 0 && *travel <= way.norm()) tool.first_contact = pose.tip + *travel * pose.direction;
+    }
+  }
+
+  bool step() {
+    if (time() >= planned_duration() - kSameTime) return false;
+    const double next = static_cast<double>(steps + 1) * step_length();
+    begin_clips(next);
+    const auto [before, after] = move_tools(next);
+    for (const auto& body : bodies) {
+      try {
+        body->advance(before, after, step_length());
+      } catch (const SimulationFailure& failure) {
+        throw SimulationFailure(fmt::format("at {:.6g} s (step {}): {}", next, steps + 1, failure.what()));
+      }
+      halved_steps += body->report().halvings > 0 ? 1 : 0;
+    }
+    ++steps;
+    write_moment();
+    return true;
+  }
+
+  void write_moment() {
+    record = {.time = time(), .tools = {}, .bodies = {}};
+    record.tools.resize(scenario.tools.size());
+    snapshot = {.time = time(), .surfaces = {}, .tools = {}, .scalars = {}};
+    for (const auto& [name, tool] : tools) {
+      ToolRecord& row = record.tools[tool.index];
+      row = {.tool = name, .phase = tool.phase, .position = tool.pose.tip, .depth = tool.depth};
+      bool touching = false;
+      for (const auto& body : bodies) {
+        const ToolContact& contact = body->state().contacts[tool.index];
+        row.force += contact.force;
+        row.contact_area += contact.area;
+        touching = touching || contact.touching;
+      }
+      if (touching && row.phase == "idle") row.phase = "hold";
+      if (touching && row.phase == "approach") row.phase = "contact";
+    }
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+      record.bodies.push_back(body_record(*bodies[k]));
+      snapshot.surfaces.push_back(snapshot_surface(*bodies[k], topologies[k]));
+      add_scalars(*bodies[k], snapshot.scalars);
+    }
+    for (std::size_t k = 0; k < scenario.tools.size(); ++k) {
+      const DirectedTool& tool = tools.at(scenario.tools[k].name);
+      snapshot.tools.push_back(snapshot_tool(scenario.tools[k], tool.pose, record.tools[k]));
+    }
+  }
+
+  std::vector<TimedText> texts(bool chapters) const {
+    std::vector<TimedText> result;
+    for (std::size_t k = 0; k < clips.size(); ++k) {
+      if (!clips[k].begun) continue;
+      const Clip& clip = scenario.timeline[k];
+      const std::string text = chapters ? clip.chapter.value_or("") : clip.caption.value_or(standard_caption(clip));
+      if (!text.empty()) result.push_back({.begin = clips[k].begin, .end = clips[k].end, .text = text});
+    }
+    std::stable_sort(result.begin(), result.end(),
+                     [](const TimedText& a, const TimedText& b) { return a.begin < b.begin; });
+    return result;
+  }
+
+  std::string digest() const {
+    XXH3_state_t* state = XXH3_createState();
+    XXH3_128bits_reset(state);
+    const auto add = [&](const double* values, std::size_t count) {
+      XXH3_128bits_update(state, values, count * sizeof(double));
+    };
+    for (const auto& body : bodies) {
+      const BodyState& own = body->state();
+      add(own.equilibrium.position.data(), own.equilibrium.position.size());
+      add(own.velocity.data(), own.velocity.size());
+      add(&own.equilibrium.pressure, 1);
+      for (const ToolContact& contact : own.contacts) add(contact.force.data(), 3);
+    }
+    const XXH128_hash_t hash = XXH3_128bits_digest(state);
+    XXH3_freeState(state);
+    return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
+  }
+};
+
+ScenarioRun::ScenarioRun(const Scenario& scenario) : implementation_(std::make_unique<Implementation>(scenario)) {}
+ScenarioRun::~ScenarioRun() = default;
+ScenarioRun::ScenarioRun(ScenarioRun&&) noexcept = default;
+ScenarioRun& ScenarioRun::operator=(ScenarioRun&&) noexcept = default;
+
+bool ScenarioRun::step() {
+  return implementation_->step();
+}
+
+double ScenarioRun::time() const {
+  return implementation_->time();
+}
+
+double ScenarioRun::planned_duration() const {
+  return implementation_->planned_duration();
+}
+
+const Snapshot& ScenarioRun::snapshot() const {
+  return implementation_->snapshot;
+}
+
+const StepRecord& ScenarioRun::record() const {
+  return implementation_->record;
+}
+
+std::vector<TimedText> ScenarioRun::captions() const {
+  return implementation_->texts(false);
+}
+
+std::vector<TimedText> ScenarioRun::chapters() const {
+  return implementation_->texts(true);
+}
+
+std::vector<std::string> ScenarioRun::warnings() const {
+  std::vector<std::string> all = implementation_->warnings;
+  if (implementation_->halved_steps > 0) {
+    all.push_back(fmt::format("{} of {} steps had to be divided to be solved", implementation_->halved_steps,
+                              implementation_->steps));
+  }
+  return all;
+}
+
+std::string ScenarioRun::state_digest() const {
+  return implementation_->digest();
+}
+
+}  // namespace thinwall

@@ -1,0 +1,100 @@
+#include "studio/director/SnapshotMaker.hpp"
+
+#include <utility>
+
+namespace thinwall {
+namespace {
+
+Float3 to_float3(const Eigen::Vector3d& v) {
+  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+}
+
+Double3 to_double3(const Eigen::Vector3d& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+std::vector<Triangle> to_triangles(const std::vector<Eigen::Vector3i>& triangles) {
+  std::vector<Triangle> result;
+  for (const Eigen::Vector3i& t : triangles) {
+    result.push_back(
+        {static_cast<std::uint32_t>(t[0]), static_cast<std::uint32_t>(t[1]), static_cast<std::uint32_t>(t[2])});
+  }
+  return result;
+}
+
+SnapshotToolKind to_kind(ToolKind kind) {
+  switch (kind) {
+    case ToolKind::kLine:
+      return SnapshotToolKind::kLine;
+    case ToolKind::kSphere:
+      return SnapshotToolKind::kSphere;
+    case ToolKind::kPoint:
+      break;
+  }
+  return SnapshotToolKind::kPoint;
+}
+
+}  // namespace
+
+std::shared_ptr<const SnapshotTopology> snapshot_topology(const BodyModel& model) {
+  auto topology = std::make_shared<SnapshotTopology>();
+  const BodyDefinition& definition = model.definition;
+  for (const Eigen::Vector3d& vertex : definition.mesh.vertices) topology->rest_positions.push_back(to_float3(vertex));
+  topology->triangles = to_triangles(definition.mesh.triangles);
+  topology->cap_triangles = to_triangles(definition.mesh.cap_triangles);
+  for (const double thickness : definition.thickness) topology->thickness.push_back(static_cast<float>(thickness));
+  return topology;
+}
+
+SnapshotSurface snapshot_surface(const Body& body, std::shared_ptr<const SnapshotTopology> topology) {
+  const Eigen::VectorXd& position = body.state().equilibrium.position;
+  SnapshotSurface surface{
+      .body = body.model().definition.name, .topology = std::move(topology), .positions = {}, .fields = {}};
+  for (int v = 0; v < body.model().vertices(); ++v) {
+    surface.positions.push_back(to_float3(position.segment<3>(3 * v)));
+  }
+  SnapshotField field{.name = "contact_pressure", .unit = "Pa", .location = FieldLocation::kVertex, .values = {}};
+  for (const double pressure : body.contact_pressure()) field.values.push_back(static_cast<float>(pressure));
+  surface.fields.push_back(std::move(field));
+  return surface;
+}
+
+SnapshotTool snapshot_tool(const ToolDefinition& tool, const ToolPose& pose, const ToolRecord& record) {
+  return {.name = tool.name,
+          .kind = to_kind(tool.kind),
+          .radius = tool.radius,
+          .length = tool.length,
+          .tip = to_double3(pose.tip),
+          .direction = to_double3(pose.direction),
+          .axis = to_double3(pose.axis),
+          .phase = record.phase,
+          .depth = record.depth,
+          .force = to_double3(record.force)};
+}
+
+void add_scalars(const Body& body, std::vector<SnapshotScalar>& scalars) {
+  const std::string& name = body.model().definition.name;
+  scalars.push_back({.name = name + ".pressure", .unit = "Pa", .value = body.state().equilibrium.pressure});
+  scalars.push_back({.name = name + ".volume", .unit = "m^3", .value = body.state().volume});
+}
+
+BodyRecord body_record(const Body& body) {
+  const BodyState& state = body.state();
+  BodyRecord record;
+  record.body = body.model().definition.name;
+  record.volume = state.volume;
+  record.fluid_volume = body.model().has_fluid() ? state.fluid_volume : 0;
+  record.pressure = state.equilibrium.pressure;
+  record.elastic = state.books.elastic;
+  record.kinetic = state.books.kinetic;
+  record.fluid = state.books.fluid;
+  record.contact = state.books.contact;
+  record.numerical = state.books.numerical;
+  record.tool_work = state.books.tool_work;
+  record.script_work = state.books.script_work;
+  record.newton_iterations = body.report().newton_iterations;
+  record.residual = body.report().residual;
+  return record;
+}
+
+}  // namespace thinwall

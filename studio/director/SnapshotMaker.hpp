@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/simulation/Body.hpp"
+#include "renderer/snapshot/Snapshot.hpp"
+#include "studio/record/StepRecord.hpp"
+
+namespace thinwall {
+
+/// The part of a snapshot that stays while no cut changes a body.
+std::shared_ptr<const SnapshotTopology> snapshot_topology(const BodyModel& model);
+
+/// The surface of a body as it is now, with the field `contact_pressure` (Pa, vertices).
+SnapshotSurface snapshot_surface(const Body& body, std::shared_ptr<const SnapshotTopology> topology);
+
+/// A tool with what the record says of it.
+SnapshotTool snapshot_tool(const ToolDefinition& tool, const ToolPose& pose, const ToolRecord& record);
+
+/// Pressure and volume of a body, named `BODY.pressure` and `BODY.volume`.
+void add_scalars(const Body& body, std::vector<SnapshotScalar>& scalars);
+
+/// A row of body.csv.
+BodyRecord body_record(const Body& body);
+
+}  // namespace thinwall
