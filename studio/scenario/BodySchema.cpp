@@ -47,6 +47,15 @@ ValueSchema surface_value() {
   return mapping_value({mesh, shape});
 }
 
+/// The engine's sentence as a phrase like the others of the table.
+std::string phrase(std::string_view sentence) {
+  std::string words(sentence);
+  if (words.ends_with('.')) words.pop_back();
+  const bool begins_with_name = words.substr(0, words.find(' ')).ends_with("'s");
+  if (!begins_with_name && words[0] >= 'A' && words[0] <= 'Z') words[0] = static_cast<char>(words[0] - 'A' + 'a');
+  return words;
+}
+
 ValueSchema material_value() {
   MappingSchema material{.name = "material", .documentation = "How the wall resists stretch."};
   material.selector = "law";
@@ -54,14 +63,14 @@ ValueSchema material_value() {
   for (const WallLaw& law : wall_laws()) {
     CaseSchema row{.word = std::string(law.name), .documentation = std::string(law.formula)};
     for (const LawParameter& parameter : law.parameters) {
-      const Dimension dimension = parameter.unit.empty() ? kNumber : parse_unit(parameter.unit).dimension;
+      const Dimension dimension = parameter.unit.empty() ? kDimensionless : parse_unit(parameter.unit).dimension;
       const Range range{
           .minimum = parameter.minimum, .maximum = parameter.maximum, .minimum_excluded = parameter.minimum_excluded};
-      const ValueSchema value = quantity_value(dimension, range, dimension == kNumber ? "0.4" : "20 kPa");
+      const ValueSchema value = quantity_value(dimension, range, dimension == kDimensionless ? "0.4" : "20 kPa");
       std::optional<std::string> fallback;
       if (parameter.fallback) fallback = format_like(*parameter.fallback, dimension_example(dimension));
       row.keys.push_back(
-          {std::string(parameter.name), value, !parameter.fallback, fallback, std::string(parameter.documentation)});
+          {std::string(parameter.name), value, !parameter.fallback, fallback, phrase(parameter.documentation)});
     }
     words.push_back(row.word);
     material.cases.push_back(std::move(row));
@@ -94,8 +103,8 @@ ValueSchema wall_value() {
       {"thickness", thickness_value(), true, {}, "thickness of the stress-free wall"},
       {"density", quantity_value(kDensity, kAboveZero, "1060 kg/m^3"), false, "1060 kg/m^3", "density of the wall"},
       {"material", material_value(), true, {}, "law and constants"},
-      {"prestretch", quantity_value(kNumber, {.minimum = 0, .maximum = 10, .minimum_excluded = true}, "1.1"), false,
-       "1", "in-plane stretch of the given surface: each triangle's rest shape is the given one shrunk by it"},
+      {"prestretch", quantity_value(kDimensionless, {.minimum = 0, .maximum = 10, .minimum_excluded = true}, "1.1"),
+       false, "1", "in-plane stretch of the given surface: each triangle's rest shape is the given one shrunk by it"},
   };
   return mapping_value({wall});
 }

@@ -41,7 +41,7 @@ void check_shape(const CheckedMember& body, const std::string& path, Diagnostics
   const bool is_open = word == "sheet" || word == "disc" || word == "annulus" || word == "strip";
   if (is_open && fluid != nullptr && fluid->text != "none") {
     diagnostics.error(
-        fluid->location, path + ".contents",
+        fluid->given ? fluid->location : shape->location, path + ".contents",
         "the shape " + in_backticks(word) + " is open and holds no fluid; write `contents: { fluid: none }`");
   }
 }

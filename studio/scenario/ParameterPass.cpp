@@ -76,7 +76,8 @@ class ParameterFiller {
 
   /// Fills in this node and all below it.
   void fill(TextNode& node, const std::string& path) {
-    if (node.kind == NodeKind::kText && node.text.find("${") != std::string::npos) fill_text(node, path);
+    if (node.told) return;
+    if (node.kind == NodeKind::kText && node.text.find("${") != std::string::npos) node.told = !fill_text(node, path);
     for (std::size_t index = 0; index < node.items.size(); ++index) fill(node.items[index], item_path(path, index));
     for (TextMember& member : node.members) fill(member.value, member_path(path, member.key));
   }
@@ -137,7 +138,8 @@ class ParameterFiller {
     return &parameter;
   }
 
-  void fill_text(TextNode& node, const std::string& path) {
+  /// False after an error.
+  bool fill_text(TextNode& node, const std::string& path) {
     const std::string text = node.text;
     std::string filled;
     std::string parameters;
@@ -150,44 +152,46 @@ class ParameterFiller {
       if (end == std::string::npos || !is_name(name)) {
         diagnostics_.error(node.location, path,
                            "expected `${name}` with the name of a parameter, got " + in_backticks(text));
-        return;
+        return false;
       }
       const Parameter* parameter = resolve(name, node.location, path);
-      if (parameter == nullptr) return;
+      if (parameter == nullptr || parameter->value.told) return false;
       const bool is_whole = begin == 0 && end + 1 == text.size();
       if (is_whole) return replace(node, *parameter, name, path);
       if (parameter->value.kind != NodeKind::kText) {
         diagnostics_.error(node.location, path,
                            "the list " + in_backticks("${" + name + "}") + " cannot stand inside a text");
-        return;
+        return false;
       }
       filled += parameter->value.text;
       parameters += (parameters.empty() ? "" : ", ") + describe_use(name, parameter->value);
       if (filled.size() > kLongestText) {
         diagnostics_.error(node.location, path,
                            "the text is longer than 10000 bytes when its parameters are filled in");
-        return;
+        return false;
       }
       at = end + 1;
     }
     node.text = filled;
     if (node.parameters.size() + parameters.size() < kLongestText) node.parameters += parameters;
+    return true;
   }
 
   static std::string describe_use(const std::string& name, const TextNode& value) {
     return "`${" + name + "}` is " + describe(value);
   }
 
-  void replace(TextNode& node, const Parameter& parameter, const std::string& name, const std::string& path) {
+  bool replace(TextNode& node, const Parameter& parameter, const std::string& name, const std::string& path) {
     filled_in_ += count_nodes(parameter.value);
     if (filled_in_ > kMostFilledIn) {
       diagnostics_.error(node.location, path, "more than 100000 values when parameters are filled in");
-      return;
+      return false;
     }
     const SourceLocation place = node.location;
     node = parameter.value;
     move_to(node, place);
     note(node, describe_use(name, parameter.value));
+    return !node.told;
   }
 
   Diagnostics& diagnostics_;

@@ -4,11 +4,11 @@ namespace thinwall {
 namespace {
 
 ValueSchema color_value() {
-  return vector_value(kNumber, kFromZeroToOne, "[0.7, 0.3, 0.3]");
+  return vector_value(kDimensionless, kFromZeroToOne, "[0.7, 0.3, 0.3]");
 }
 
 KeySchema strength_key(const std::string& key, const std::string& documentation) {
-  return {key, quantity_value(kNumber, {.minimum = 0, .maximum = 100}, "1"), false, "1", documentation};
+  return {key, quantity_value(kDimensionless, {.minimum = 0, .maximum = 100}, "1"), false, "1", documentation};
 }
 
 KeySchema shown_key(const std::string& key, const std::string& documentation) {
@@ -57,9 +57,9 @@ ValueSchema look_schema() {
   MappingSchema tissue{.name = "tissue look", .documentation = "How the wall of a body looks."};
   tissue.keys = {
       {"color", color_value(), false, "[0.72, 0.30, 0.27]", "sRGB colour, each part from 0 to 1"},
-      {"roughness", quantity_value(kNumber, kFromZeroToOne, "0.45"), false, "0.45",
+      {"roughness", quantity_value(kDimensionless, kFromZeroToOne, "0.45"), false, "0.45",
        "of the tissue below the wet layer"},
-      {"wetness", quantity_value(kNumber, kFromZeroToOne, "0.7"), false, "0.7", "strength of the wet layer"},
+      {"wetness", quantity_value(kDimensionless, kFromZeroToOne, "0.7"), false, "0.7", "strength of the wet layer"},
   };
   MappingSchema overlays{.name = "overlays", .documentation = "What is written over the picture."};
   overlays.keys = {
@@ -87,7 +87,7 @@ ValueSchema record_schema() {
   MappingSchema record{.name = "record", .documentation = "The recording."};
   record.keys = {
       {"size", size, false, "[1280, 720]", "width and height in pixels"},
-      {"fps", quantity_value(kNumber, {.minimum = 1, .maximum = 240}, "30"), false, "30", "pictures per second"},
+      {"fps", quantity_value(kDimensionless, {.minimum = 1, .maximum = 240}, "30"), false, "30", "pictures per second"},
       {"video", boolean_value(), false, "true", "whether a video is made"},
       {"tier", word_value({"draft", "record", "final"}), false, "record",
        "draft: without shadow and anti-aliasing; record: with both; final: at twice the resolution on top"},
@@ -100,8 +100,12 @@ ValueSchema golden_schema() {
   MappingSchema golden{.name = "golden", .documentation = "A moment whose picture is compared with an approved one."};
   golden.keys = {
       {"at", quantity_value(kTime, kFromZero, "1.5 s"), true, {}, "when"},
-      {"max", quantity_value(kNumber, levels, "8"), true, {}, "largest allowed difference, 8-bit levels"},
-      {"mean", quantity_value(kNumber, levels, "0.2"), true, {}, "largest allowed mean difference, 8-bit levels"},
+      {"max", quantity_value(kDimensionless, levels, "8"), true, {}, "largest allowed difference, 8-bit levels"},
+      {"mean",
+       quantity_value(kDimensionless, levels, "0.2"),
+       true,
+       {},
+       "largest allowed mean difference, 8-bit levels"},
       {"why", text_value(), true, {}, "the reason for these thresholds"},
   };
   return list_value(mapping_value({golden}));

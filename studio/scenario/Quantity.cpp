@@ -65,7 +65,7 @@ struct DimensionWords {
   std::string_view si;
 };
 constexpr std::array kDimensions = {
-    DimensionWords{kNumber, "a plain number", "0.5", ""},
+    DimensionWords{kDimensionless, "a plain number", "0.5", ""},
     DimensionWords{kLength, "a length", "0.8 mm", "m"},
     DimensionWords{{.length = 2}, "an area", "4 mm^2", "m^2"},
     DimensionWords{{.length = 3}, "a volume", "5 ml", "m^3"},
@@ -173,6 +173,7 @@ Unit read_unit(std::string_view text) {
     const int exponent = split_exponent(factor);
     const std::optional<Unit> unit = find_symbol(factor);
     const bool is_one = whole == "1";
+    if (whole.empty()) throw QuantityError("a unit is missing in " + in_backticks(text));
     if (!unit && !is_one) refuse_unit(factor);
     if (unit) multiply(product, *unit, sign * exponent);
     if (end == std::string_view::npos) return product;
@@ -254,12 +255,12 @@ Quantity parse_quantity(std::string_view text) {
   text = trimmed(text);
   const std::size_t length = number_length(text);
   if (length == 0) {
-    if (names_no_finite_number(text)) throw QuantityError(in_backticks(text) + " is not a finite number");
-    throw QuantityError(in_backticks(text) + " does not begin with a number");
+    if (names_no_finite_number(text)) throw QuantityError("it is not a finite number");
+    throw QuantityError("it does not begin with a number");
   }
   const std::string_view number = text.substr(0, length);
   const std::string_view unit_text = trimmed(text.substr(length));
-  if (unit_text.starts_with(",")) throw QuantityError("write " + in_backticks(text) + " with a decimal point");
+  if (unit_text.starts_with(",")) throw QuantityError("a decimal point is needed, not a comma");
   const Unit unit = unit_text.empty() ? Unit{} : read_unit(unit_text);
   const double value = scaled_number(number, unit.power_of_ten) * unit.coefficient;
   if (!std::isfinite(value))

@@ -16,7 +16,7 @@ struct Dimension {
   friend bool operator==(const Dimension&, const Dimension&) = default;
 };
 
-inline constexpr Dimension kNumber{};
+inline constexpr Dimension kDimensionless{};
 inline constexpr Dimension kLength{.length = 1};
 inline constexpr Dimension kTime{.time = 1};
 inline constexpr Dimension kAngle{.angle = 1};

@@ -1,5 +1,6 @@
 #include "studio/scenario/ReferencePass.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
@@ -15,6 +16,14 @@ std::vector<std::string> names_in(const CheckedValue& root, std::string_view sec
   if (mapping == nullptr) return names;
   for (const CheckedMember& member : mapping->members) names.push_back(member.key);
   return names;
+}
+
+/// The groups of vertices that the surface of a shape has.
+std::vector<std::string> groups_of_shape(const std::string& shape) {
+  if (shape == "hemisphere") return {"wall", "base"};
+  if (shape == "semicylinder") return {"wall", "base", "ends"};
+  if (shape == "cylinder") return {"wall", "ends"};
+  return {"wall"};
 }
 
 /// What a clip's key may name.
@@ -67,6 +76,16 @@ class ReferenceChecker {
     }
   }
 
+  void check_groups() {
+    const CheckedValue* bodies = root_.find("bodies");
+    if (bodies == nullptr) return;
+    for (const CheckedMember& body : bodies->members) {
+      const CheckedValue* surface = body.value.find("surface");
+      const CheckedValue* shape = surface == nullptr ? nullptr : surface->find("shape");
+      if (shape != nullptr) check_groups_in(body.value, shape->text, member_path("bodies", body.key));
+    }
+  }
+
   void warn_of_unused_tools() {
     const CheckedValue* tools = root_.find("tools");
     if (tools == nullptr) return;
@@ -78,6 +97,22 @@ class ReferenceChecker {
   }
 
  private:
+  /// Looks for groups everywhere below a body: the keys of regions are the only ones of that name.
+  void check_groups_in(const CheckedValue& value, const std::string& shape, const std::string& path) {
+    for (std::size_t index = 0; index < value.items.size(); ++index) {
+      check_groups_in(value.items[index], shape, item_path(path, index));
+    }
+    for (const CheckedMember& member : value.members) {
+      const std::string inner = member_path(path, member.key);
+      check_groups_in(member.value, shape, inner);
+      const std::vector<std::string> groups = groups_of_shape(shape);
+      if (member.key != "group" || std::ranges::find(groups, member.value.text) != groups.end()) continue;
+      diagnostics_.error(member.value.location, inner,
+                         "the shape " + in_backticks(shape) + " has no group " + in_backticks(member.value.text) +
+                             "; it has " + list_in_backticks(groups));
+    }
+  }
+
   bool check_name(const std::string& name, const std::string& what, const std::string& section,
                   const std::vector<std::string>& names, const SourceLocation& location, const std::string& path) {
     for (const std::string& known : names) {
@@ -129,6 +164,7 @@ void reference_pass(CheckedValue& root, Diagnostics& diagnostics) {
   checker.check_clips();
   checker.check_looks();
   checker.check_meshes();
+  checker.check_groups();
   checker.warn_of_unused_tools();
 }
 

@@ -18,7 +18,8 @@ nlohmann::ordered_json to_json(const CheckedValue& value, const std::filesystem:
       return value.text;
     case CheckedKind::kPath: {
       const std::filesystem::path path(value.text);
-      return path.is_absolute() ? path.generic_string() : path.lexically_relative(folder).generic_string();
+      const bool is_elsewhere = path.is_absolute() != folder.is_absolute();
+      return is_elsewhere ? path.generic_string() : path.lexically_relative(folder).generic_string();
     }
     case CheckedKind::kList: {
       nlohmann::ordered_json list = nlohmann::ordered_json::array();

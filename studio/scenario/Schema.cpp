@@ -60,7 +60,7 @@ std::string expectation(const ValueSchema& value) {
     case ValueKind::kPath:
       return "the path of a file";
     case ValueKind::kWord:
-      return "one of " + list_in_backticks(value.words);
+      return (value.words.size() > 1 ? "one of " : "") + list_in_backticks(value.words);
     case ValueKind::kName:
       return "a name";
     case ValueKind::kBoolean:

@@ -18,6 +18,7 @@ struct TextNode {
   SourceLocation location = {};
   std::string text = {};                 // kText
   std::string parameters = {};           // what was filled in, "`${depth}` is `4 mm`"; empty when nothing was
+  bool told = false;                     // what is wrong here is told already: not to be read any further
   std::vector<TextNode> items = {};      // kList
   std::vector<TextMember> members = {};  // kMapping, in the order of the file, no key twice
 

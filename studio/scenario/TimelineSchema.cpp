@@ -74,7 +74,7 @@ ValueSchema timeline_schema() {
 }
 
 ValueSchema tools_schema() {
-  ValueSchema no_friction = quantity_value(kNumber, kFromZero, "0.2");
+  ValueSchema no_friction = quantity_value(kDimensionless, kFromZero, "0.2");
   no_friction.only_zero = true;
   MappingSchema tool{.name = "tool", .documentation = "What touches a body."};
   tool.selector = "kind";

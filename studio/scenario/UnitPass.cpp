@@ -13,8 +13,9 @@ namespace {
 /// The keys that a mapping may have, after its case is known.
 struct AllowedKeys {
   std::vector<const KeySchema*> keys;
-  std::string words_of_case;  // "`kind: point`", "" without cases
-  bool case_is_known = true;  // false after a wrong word: then the keys of all cases are let through unread
+  std::string words_of_case;            // "`kind: point`", "" without cases
+  std::vector<std::string> misspelled;  // keys that a misspelled one was taken for
+  bool case_is_known = true;            // false after a wrong word: then the keys of all cases are let through unread
 };
 
 class SchemaReader {
@@ -23,14 +24,19 @@ class SchemaReader {
 
   CheckedValue read_mapping(const MappingSchema& schema, const TextNode& node, const ValuePlace& place) {
     CheckedValue result{.kind = CheckedKind::kMapping, .location = error_location(node, place)};
-    const AllowedKeys allowed = allowed_keys(schema, node, place);
-    for (const TextMember& member : node.members) check_key(schema, allowed, member, place);
-    for (const KeySchema* key : allowed.keys) read_key(*key, schema, node, place, result);
+    AllowedKeys allowed = allowed_keys(schema, node);
+    for (const TextMember& member : node.members) check_key(schema, allowed, node, member, place);
+    for (const KeySchema* key : allowed.keys) {
+      const bool is_misspelled = std::ranges::find(allowed.misspelled, key->key) != allowed.misspelled.end();
+      if (!is_misspelled) read_key(*key, schema, node, place, result);
+      if (is_misspelled) result.wrong_keys.push_back(key->key);
+    }
     return result;
   }
 
  private:
   std::optional<CheckedValue> read(const ValueSchema& schema, const TextNode& node, const ValuePlace& place) {
+    if (node.told) return std::nullopt;
     switch (schema.kind) {
       case ValueKind::kList:
         return read_list(schema, node, place);
@@ -76,6 +82,8 @@ class SchemaReader {
       const TextNode& item = is_single ? node : node.items[index];
       const ValuePlace item_place{item_path(place.path, index), place.owner, place.key, item.location};
       std::optional<CheckedValue> value = read(schema.item[0], item, item_place);
+      // A wrong item stays as an empty mapping, so that later passes count items as the file does.
+      if (!value && schema.item[0].kind == ValueKind::kMapping) value = CheckedValue{.location = item.location};
       if (value) result.items.push_back(std::move(*value));
     }
     const bool has_fixed_size = schema.minimum_items == schema.maximum_items;
@@ -174,7 +182,7 @@ class SchemaReader {
     return find_key(schema.keys, schema.selector)->fallback.value_or("");
   }
 
-  AllowedKeys allowed_keys(const MappingSchema& schema, const TextNode& node, const ValuePlace&) const {
+  static AllowedKeys allowed_keys(const MappingSchema& schema, const TextNode& node) {
     AllowedKeys allowed;
     for (const KeySchema& key : schema.keys) allowed.keys.push_back(&key);
     if (schema.selector.empty()) return allowed;
@@ -187,38 +195,43 @@ class SchemaReader {
     return allowed;
   }
 
-  void check_key(const MappingSchema& schema, const AllowedKeys& allowed, const TextMember& member,
+  void check_key(const MappingSchema& schema, AllowedKeys& allowed, const TextNode& node, const TextMember& member,
                  const ValuePlace& place) {
     const auto is_it = [&](const KeySchema* key) { return key->key == member.key; };
     if (std::ranges::any_of(allowed.keys, is_it)) return;
-    // The wrong word is told already; which keys belong to the right one cannot be known.
-    if (!allowed.case_is_known) return;
     const std::string path = member_path(place.path, member.key);
     if (const LaterWord* later = find_later_word(schema.name, member.key)) {
       tell_later(*later, member.location, path);
-    } else {
-      diagnostics_.error(member.location, path, "unknown key" + hint(schema, allowed, member.key));
+    } else if (allowed.case_is_known) {
+      // After a wrong word, which is told already, the keys that belong to the right one are not known.
+      const std::string nearest = nearest_word(member.key, words_of(allowed));
+      diagnostics_.error(member.location, path, "unknown key" + hint(schema, allowed, member.key, nearest));
+      if (!nearest.empty() && node.find(nearest) == nullptr) allowed.misspelled.push_back(nearest);
     }
   }
 
+  static std::vector<std::string> words_of(const AllowedKeys& allowed) {
+    std::vector<std::string> words;
+    for (const KeySchema* key : allowed.keys) words.push_back(key->key);
+    return words;
+  }
+
   /// What the user may have meant by an unknown key.
-  static std::string hint(const MappingSchema& schema, const AllowedKeys& allowed, const std::string& key) {
+  static std::string hint(const MappingSchema& schema, const AllowedKeys& allowed, const std::string& key,
+                          const std::string& nearest) {
     std::string cases;
     for (const CaseSchema& row : schema.cases) {
       if (find_key(row.keys, key) != nullptr) cases += (cases.empty() ? "" : ", ") + in_backticks(row.word);
     }
     if (!cases.empty()) return " for " + allowed.words_of_case + ", it belongs to " + cases;
-    std::vector<std::string> words;
-    for (const KeySchema* known : allowed.keys) words.push_back(known->key);
-    const std::string nearest = did_you_mean(key, words);
-    if (!nearest.empty()) return nearest;
+    if (!nearest.empty()) return ", did you mean " + in_backticks(nearest) + "?";
     for (const KeySchema* known : allowed.keys) {
       for (const MappingSchema& inner : known->value.mappings) {
         const bool is_inside = known->value.kind == ValueKind::kMapping && find_key(inner.keys, key) != nullptr;
         if (is_inside) return ", it belongs inside " + in_backticks(known->key);
       }
     }
-    return "; allowed: " + list_in_backticks(words);
+    return "; allowed: " + list_in_backticks(words_of(allowed));
   }
 
   void read_key(const KeySchema& key, const MappingSchema& schema, const TextNode& node, const ValuePlace& place,

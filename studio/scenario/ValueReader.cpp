@@ -19,7 +19,7 @@ std::string trimmed(std::string text) {
 
 bool is_number(const std::string& text) {
   try {
-    return parse_quantity(text).dimension == kNumber;
+    return parse_quantity(text).dimension == kDimensionless;
   } catch (const QuantityError&) {
     return false;
   }
@@ -32,6 +32,7 @@ class PlainReader {
       : schema_(schema), node_(node), place_(place), diagnostics_(diagnostics) {}
 
   std::optional<CheckedValue> read() {
+    if (node_.told) return std::nullopt;
     if (schema_.kind == ValueKind::kDirection) return read_direction();
     if (node_.kind != NodeKind::kText) return refuse_value(describe(node_));
     text_ = trimmed(node_.text);
@@ -131,7 +132,7 @@ class PlainReader {
     } catch (const QuantityError& reason) {
       return error("expected " + expectation(schema_) + ", got " + describe(node_) + ": " + reason.what());
     }
-    const bool is_bare = quantity.dimension == kNumber && is_number(text_);
+    const bool is_bare = quantity.dimension == kDimensionless && is_number(text_);
     const bool is_zero_without_unit = is_bare && quantity.value == 0;
     if (quantity.dimension != schema_.dimension && !is_zero_without_unit) {
       const std::string got =

@@ -36,27 +36,35 @@ class Places {
     text_ = &text;
   }
 
-  SourceLocation at(const YAML::Mark& mark, const std::filesystem::path& file) const {
+  SourceLocation at(const YAML::Mark& mark, const std::filesystem::path& file) {
     const auto last_line = static_cast<int>(line_starts_.size());
     if (mark.line < 0 || mark.line >= last_line) return {file, last_line, 1};
     const std::size_t start = line_starts_[static_cast<std::size_t>(mark.line)];
     const std::size_t end = std::min(text_->size(), start + static_cast<std::size_t>(std::max(0, mark.column)));
-    int column = 1;
-    for (std::size_t at = start; at < end; ++at) {
-      if ((static_cast<unsigned char>((*text_)[at]) & 0xC0) != 0x80) ++column;
+    // Counting goes on from the last place of the same line: a line of a megabyte is counted once.
+    if (counted_from_ != start || counted_to_ > end) {
+      counted_from_ = start;
+      counted_to_ = start;
+      column_ = 1;
     }
-    return {file, mark.line + 1, column};
+    for (; counted_to_ < end; ++counted_to_) {
+      if ((static_cast<unsigned char>((*text_)[counted_to_]) & 0xC0) != 0x80) ++column_;
+    }
+    return {file, mark.line + 1, column_};
   }
 
  private:
-  std::vector<std::size_t> line_starts_;
+  std::vector<std::size_t> line_starts_;  // byte offsets
   const std::string* text_;
+  std::size_t counted_from_ = 0;  // byte offset of a line
+  std::size_t counted_to_ = 0;    // byte offset in it whose column is `column_`
+  int column_ = 1;
 };
 
 /// Builds nodes from the parser's events.
 class NodeBuilder : public YAML::EventHandler {
  public:
-  NodeBuilder(const Places& places, const std::filesystem::path& file, Diagnostics& diagnostics)
+  NodeBuilder(Places& places, const std::filesystem::path& file, Diagnostics& diagnostics)
       : places_(places), file_(file), diagnostics_(diagnostics) {}
 
   TextNode root;
@@ -105,12 +113,12 @@ class NodeBuilder : public YAML::EventHandler {
     std::map<std::string, int> lines_of_keys;
   };
 
-  [[noreturn]] void refuse(const YAML::Mark& mark, const std::string& message) const {
+  [[noreturn]] void refuse(const YAML::Mark& mark, const std::string& message) {
     const SourceLocation place = places_.at(mark, file_);
     throw Refusal{place.line, place.column, message};
   }
 
-  void refuse_tag(const YAML::Mark& mark, const std::string& tag) const {
+  void refuse_tag(const YAML::Mark& mark, const std::string& tag) {
     // "?" and "!" are the parser's words for plain and quoted text without a tag.
     if (!tag.empty() && tag != "?" && tag != "!")
       refuse(mark, "YAML tags such as " + in_backticks(tag) + " are not allowed");
@@ -197,7 +205,7 @@ class NodeBuilder : public YAML::EventHandler {
     level.keep = true;
   }
 
-  const Places& places_;
+  Places& places_;
   const std::filesystem::path& file_;
   Diagnostics& diagnostics_;
   std::vector<Level> levels_;
@@ -246,7 +254,7 @@ void refuse_what_is_no_text(std::string_view text) {
 
 TextNode parse(const std::string& text, const std::filesystem::path& file, Diagnostics& diagnostics) {
   refuse_what_is_no_text(text);
-  const Places places(text);
+  Places places(text);
   std::istringstream stream(text);
   NodeBuilder builder(places, file, diagnostics);
   try {

@@ -2,19 +2,173 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "tests/studio/scenario/ScenarioTestTools.hpp"
+
 namespace thinwall {
 namespace {
 
-const std::filesystem::path kFolder = std::filesystem::path(THINWALL_SOURCE_DIR) / "tests/studio/scenario";
+const std::filesystem::path kValid = scenario_test_folder() / "valid";
+
+std::string errors_of(const std::filesystem::path& file,
+                      const std::vector<std::pair<std::string, std::string>>& overrides) {
+  try {
+    load_scenario(file, overrides);
+  } catch (const InputErrors& errors) {
+    return errors.what();
+  }
+  return "";
+}
 
 TEST(LoadScenario, ReadsTheExampleOfTheFormat) {
-  const Scenario scenario = load_scenario(kFolder / "valid/contract.yaml", {{"depth", "3 mm"}});
+  const Scenario scenario = load_scenario(kValid / "contract.yaml", {});
   EXPECT_EQ(scenario.name, "contract");
   EXPECT_EQ(scenario.title, "Palpation of a fluid-filled hemisphere");
   ASSERT_EQ(scenario.bodies.size(), 1U);
-  EXPECT_EQ(scenario.bodies[0].thickness.standard, 0.001);
+  const BodyScenario& body = scenario.bodies[0];
+  EXPECT_EQ(body.name, "organ");
+  EXPECT_EQ(body.location.line, 6);
+  EXPECT_EQ(body.surface_location.line, 7);
+  EXPECT_EQ(std::get<ShapeSource>(body.surface).shape, Shape::kHemisphere);
+  EXPECT_EQ(std::get<ShapeSource>(body.surface).triangles, 5120);
+  EXPECT_EQ(body.thickness.standard, 0.001);
+  EXPECT_EQ(body.material.law, find_wall_law("neo_hookean"));
+  EXPECT_EQ(body.material.parameters, std::vector<double>{20000});
+  EXPECT_EQ(body.fluid.kind, FluidKind::kIncompressible);
+  EXPECT_TRUE(body.pressure_given);
+  ASSERT_EQ(body.fixed.size(), 2U);
+  EXPECT_EQ(std::get<GroupRegion>(body.fixed[0].region).name, "base");
+  EXPECT_EQ(body.fixed[1].axes, (std::array<bool, 3>{false, false, true}));
+  EXPECT_EQ(body.fixed_locations[1].line, 17);
   ASSERT_EQ(scenario.timeline.size(), 3U);
+  const PalpateClip& palpate = std::get<PalpateClip>(scenario.timeline[0].action);
+  EXPECT_EQ(palpate.depth, 0.004);
+  EXPECT_EQ(palpate.speed, 0.01);
+  EXPECT_EQ(palpate.direction, Eigen::Vector3d(0, 0, -1));
+  EXPECT_EQ(scenario.warnings, std::vector<std::string>{});
+}
+
+TEST(LoadScenario, ReadsEveryKey) {
+  const Scenario scenario = load_scenario(kValid / "everything.yaml", {});
+  EXPECT_EQ(scenario.title, "Everything at \"2 kPa\"");
+  const BodyScenario& bladder = scenario.bodies[0];
+  EXPECT_EQ(std::get<MeshFileSource>(bladder.surface).file, kValid / "parts/tetrahedron.obj");
+  EXPECT_EQ(std::get<MeshFileSource>(bladder.surface).unit, 0.03);
+  ASSERT_EQ(bladder.thickness.regions.size(), 2U);
+  EXPECT_EQ(std::get<SphereRegion>(bladder.thickness.regions[0].region).center, Eigen::Vector3d(0, 0, 0.02));
+  EXPECT_EQ(std::get<BoxRegion>(bladder.thickness.regions[1].region).max, Eigen::Vector3d(0.01, 0.01, 0.01));
+  EXPECT_EQ(bladder.thickness_locations[1].line, 20);
+  EXPECT_EQ(bladder.density, 1100);
+  EXPECT_EQ(bladder.material.parameters, (std::vector<double>{5000, 1000}));
+  EXPECT_EQ(bladder.prestretch, 1.05);
+  EXPECT_EQ(bladder.fluid.initial_pressure, 2000);
+  EXPECT_EQ(bladder.fluid.bulk_modulus, 2.2e9);
+  EXPECT_EQ(std::get<PlaneRegion>(bladder.fixed[0].region).within, 0.0001);
+  EXPECT_EQ(std::get<BelowRegion>(bladder.fixed[1].region).axis, 0);
+  EXPECT_EQ(std::get<AboveRegion>(bladder.fixed[2].region).at, 0.001);
+  const BodyScenario& cloth = scenario.bodies[1];
+  EXPECT_EQ(std::get<ShapeSource>(cloth.surface).inner_radius, 0.005);
+  EXPECT_EQ(cloth.fluid.kind, FluidKind::kNone);
+  EXPECT_TRUE(std::holds_alternative<BoundaryRegion>(cloth.fixed[0].region));
+  EXPECT_EQ(scenario.tools[1].kind, ToolKind::kLine);
+  EXPECT_EQ(scenario.tools[1].length, 0.025);
+  EXPECT_EQ(scenario.tools[2].radius, 0.002);
+  const Clip& first = scenario.timeline[0];
+  EXPECT_EQ(first.caption, "Press by 4 mm");
+  EXPECT_EQ(first.chapter, "Palpation");
+  EXPECT_EQ(std::get<PalpateClip>(first.action).axis, Eigen::Vector3d(1, 0, 0));
+  EXPECT_FALSE(std::get<PalpateClip>(first.action).withdraw);
+  EXPECT_EQ(scenario.timeline[1].start, 30.0);
+  EXPECT_EQ(std::get<MoveClip>(scenario.timeline[1].action).ease, Ease::kLinear);
+  EXPECT_FALSE(std::get<MoveClip>(scenario.timeline[2].action).body);
+  EXPECT_EQ(std::get<WaitClip>(scenario.timeline[3].action).duration, 0.5);
+  EXPECT_EQ(scenario.simulation.analysis, Analysis::kQuasiStatic);
+  EXPECT_EQ(scenario.view.camera.position, (Double3{0.08, 0, 0.05}));
+  EXPECT_EQ(scenario.view.lights.fill, 0.8);
+  EXPECT_EQ(scenario.view.look.bodies.at("bladder").wetness, 0.9);
+  EXPECT_FALSE(scenario.overlays.gauge);
+  EXPECT_TRUE(scenario.overlays.captions);
+  EXPECT_EQ(scenario.record.size, (ImageSize{640, 480}));
+  EXPECT_EQ(scenario.record.frames_per_second, 25);
+  EXPECT_EQ(scenario.record.tier, Tier::kDraft);
+  EXPECT_EQ(scenario.goldens[0].why, "the probe is at full depth");
+  EXPECT_EQ(scenario.goldens[0].location.line, 65);
+}
+
+TEST(LoadScenario, DefaultsAreThoseOfTheDefinitions) {
+  const Scenario scenario = load_scenario(kValid / "minimal.yaml", {});
+  EXPECT_EQ(scenario.title, "minimal");
+  const BodyScenario& body = scenario.bodies[0];
+  const ShapeSource shape;
+  EXPECT_EQ(std::get<ShapeSource>(body.surface).radius, shape.radius);
+  EXPECT_EQ(std::get<ShapeSource>(body.surface).triangles, shape.triangles);
+  EXPECT_EQ(body.density, BodyScenario{}.density);
+  EXPECT_EQ(body.prestretch, 1);
+  EXPECT_EQ(body.fluid.kind, FluidKind::kIncompressible);
+  EXPECT_EQ(body.fluid.density, FluidDefinition{}.density);
+  EXPECT_FALSE(body.pressure_given);
+  EXPECT_TRUE(body.fixed.empty());
+  EXPECT_EQ(scenario.simulation.analysis, SimulationOptions{}.analysis);
+  EXPECT_EQ(scenario.simulation.time_step, SimulationOptions{}.time_step);
+  EXPECT_FALSE(scenario.view.camera.position);
+  EXPECT_DOUBLE_EQ(scenario.view.camera.field_of_view, std::numbers::pi / 6);
+  EXPECT_EQ(scenario.view.lights.key, LightsDefinition{}.key);
+  EXPECT_EQ(scenario.view.look.background, LookDefinition{}.background);
+  EXPECT_EQ(scenario.overlays.force_plot, OverlayChoice{}.force_plot);
+  EXPECT_EQ(scenario.record.size, RecordOptions{}.size);
+  EXPECT_EQ(scenario.record.frames_per_second, RecordOptions{}.frames_per_second);
+  EXPECT_EQ(scenario.record.video, RecordOptions{}.video);
+  EXPECT_EQ(scenario.record.tier, RecordOptions{}.tier);
+}
+
+TEST(LoadScenario, OverridesReplaceParameters) {
+  const Scenario scenario = load_scenario(kValid / "contract.yaml", {{"depth", "3 mm"}});
   EXPECT_EQ(std::get<PalpateClip>(scenario.timeline[0].action).depth, 0.003);
+  EXPECT_EQ(nlohmann::json::parse(scenario.resolved)["parameters"]["depth"], "3 mm");
+}
+
+TEST(LoadScenario, AWrongOverrideIsAnError) {
+  const std::string file = (kValid / "contract.yaml").string();
+  EXPECT_EQ(errors_of(file, {{"deepth", "3 mm"}}),
+            file + ":3:1: error: `--set deepth=3 mm`: the scenario has no parameter `deepth`, did you mean `depth`?");
+  EXPECT_EQ(errors_of(file, {{"depth", "3 kPa"}}),
+            file +
+                ":23:91: error: timeline[1].palpate.depth: expected a length (e.g. 4 mm), got 3 kPa, a pressure "
+                "(`${depth}` is `3 kPa`)");
+}
+
+TEST(LoadScenario, TheResolvedScenarioHasSiNumbersAndDefaults) {
+  const nlohmann::json resolved = nlohmann::json::parse(load_scenario(kValid / "contract.yaml", {}).resolved);
+  EXPECT_EQ(resolved["bodies"]["organ"]["wall"]["thickness"], 0.001);
+  EXPECT_EQ(resolved["timeline"][0]["palpate"]["standoff"], 0.005);
+  EXPECT_EQ(resolved["record"]["size"][0], 1280);
+  EXPECT_EQ(resolved["timeline"][1]["move"]["body"], "organ");
+}
+
+TEST(LoadScenario, TheResolvedScenarioDoesNotDependOnWhereItLies) {
+  const std::filesystem::path elsewhere = std::filesystem::temp_directory_path() / "thinwall_load_scenario_test";
+  std::filesystem::remove_all(elsewhere);
+  std::filesystem::copy(kValid, elsewhere, std::filesystem::copy_options::recursive);
+  const std::string here = load_scenario(kValid / "everything.yaml", {}).resolved;
+  EXPECT_EQ(load_scenario(elsewhere / "everything.yaml", {}).resolved, here);
+  EXPECT_EQ(nlohmann::json::parse(here)["bodies"]["bladder"]["surface"]["mesh"], "parts/tetrahedron.obj");
+  std::filesystem::remove_all(elsewhere);
+}
+
+TEST(LoadScenario, WarningsHavePlacesToo) {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "thinwall_load_warning_test.yaml";
+  std::ofstream(file) << read_file(kValid / "minimal.yaml") << "tools: { idle: {} }\n";
+  const Scenario scenario = load_scenario(file, {});
+  std::filesystem::remove(file);
+  EXPECT_EQ(scenario.warnings,
+            std::vector<std::string>{file.string() + ":6:10: warning: tools.idle: no clip uses this tool"});
+}
+
+TEST(LoadScenario, AFileThatCannotBeReadIsAnInputError) {
+  EXPECT_EQ(errors_of("no/such/file.yaml", {}), "no/such/file.yaml:1:1: error: no such file");
+  EXPECT_EQ(errors_of("/", {}), "/:1:1: error: this is a directory, not a file");
 }
 
 }  // namespace

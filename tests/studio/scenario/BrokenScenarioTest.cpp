@@ -1,0 +1,45 @@
+// Each file of broken/ holds mistakes; the file beside it with the ending `expected` holds every message, in order.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "studio/scenario/LoadScenario.hpp"
+#include "tests/studio/scenario/ScenarioTestTools.hpp"
+
+namespace thinwall {
+namespace {
+
+std::vector<std::string> broken_files() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(scenario_test_folder() / "broken")) {
+    if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+std::string without(std::string text, const std::string& part) {
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos;) text.erase(at, part.size());
+  return text;
+}
+
+class BrokenScenario : public testing::TestWithParam<std::string> {};
+
+TEST_P(BrokenScenario, TellsAllItsMistakes) {
+  const std::filesystem::path folder = scenario_test_folder() / "broken";
+  const std::string expected = read_file(folder / (GetParam() + ".expected"));
+  ASSERT_FALSE(expected.empty());
+  try {
+    load_scenario(folder / (GetParam() + ".yaml"), {});
+    FAIL() << "was read";
+  } catch (const InputErrors& errors) {
+    EXPECT_EQ(without(errors.what(), folder.string() + "/") + "\n", expected);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, BrokenScenario, testing::ValuesIn(broken_files()),
+                         [](const testing::TestParamInfo<std::string>& file) { return file.param; });
+
+}  // namespace
+}  // namespace thinwall

@@ -1,0 +1,100 @@
+#include "studio/scenario/LintPass.hpp"
+
+#include <gtest/gtest.h>
+
+#include "studio/scenario/ClipTimes.hpp"
+#include "tests/studio/scenario/CheckedText.hpp"
+
+namespace thinwall {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+Texts errors_of(const CheckedValue& root) {
+  Diagnostics diagnostics;
+  lint_pass(root, diagnostics);
+  return short_texts(diagnostics.errors);
+}
+
+Texts timeline_errors(const std::string& clips) {
+  return errors_of(checked_scenario("timeline:\n" + clips));
+}
+
+TEST(LintPass, ClipsOfOneToolThatCertainlyOverlapAreErrors) {
+  EXPECT_EQ(timeline_errors("  - move: { tool: probe, to: [0, 0, 0], for: 2 s }\n"
+                            "  - move: { tool: probe, to: [0, 0, 0], start: 1.9 s }\n"),
+            Texts{"10:5: timeline[2].move: drives `probe` while timeline[1].move in line 9 still does"});
+}
+
+TEST(LintPass, ClipsOfTwoToolsOrOneAfterTheOtherDoNotOverlap) {
+  EXPECT_EQ(timeline_errors("  - move: { tool: probe, to: [0, 0, 0], for: 2 s }\n"
+                            "  - move: { tool: edge, to: [0, 0, 0], start: 0 }\n"
+                            "  - move: { tool: probe, to: [0, 0, 0], start: 2 s }\n"
+                            "  - wait: { start: 0 }\n"),
+            Texts{});
+  EXPECT_EQ(timeline_errors("  - move: { tool: probe, to: [0, 0, 0], for: 0.1 s }\n"
+                            "  - move: { tool: probe, to: [0, 0, 0], for: 0.2 s }\n"
+                            "  - move: { tool: probe, to: [0, 0, 0], start: 0.3 s }\n"),
+            Texts{});
+}
+
+TEST(LintPass, APalpationLastsAtLeastItsTravelAndHold) {
+  const std::string palpation = "  - palpate: { tool: probe, body: organ, depth: 10 mm, speed: 10 mm/s, hold: 1 s }\n";
+  const std::string move = "  - move: { tool: probe, to: [0, 0, 0], start: ";
+  EXPECT_EQ(timeline_errors(palpation + move + "2.9 s }\n").size(), 1U);
+  EXPECT_EQ(timeline_errors(palpation + move + "3.1 s }\n").size(), 0U);
+}
+
+TEST(LintPass, AClipAfterAPalpationBeginsAtAnUnknownTime) {
+  const std::vector<ClipTimes> clips = clip_times(
+      checked_scenario("timeline: [ wait: { for: 2 s }, palpate: { tool: probe, depth: 1 mm }, wait: {} ]\n"));
+  EXPECT_EQ(clips[1].start, 2.0);
+  EXPECT_FALSE(clips[1].end);
+  EXPECT_FALSE(clips[2].start);
+  EXPECT_FALSE(end_of_timeline(clips));
+}
+
+TEST(LintPass, GoldensLieWithinAKnownTimelineAndAtDifferentTimes) {
+  EXPECT_EQ(errors_of(checked_scenario("timeline: [ wait: { for: 2 s } ]\n"
+                                       "golden:\n"
+                                       "  - { at: 2 s, max: 1, mean: 1, why: end }\n"
+                                       "  - { at: 2 s, max: 1, mean: 1, why: again }\n"
+                                       "  - { at: 2.1 s, max: 1, mean: 1, why: late }\n")),
+            (Texts{"11:11: golden[2].at: there is a golden at this time already",
+                   "12:11: golden[3].at: the timeline ends at 2 s"}));
+}
+
+TEST(LintPass, AFluidNeedsAShapeThatIsClosed) {
+  for (const std::string shape : {"sheet", "disc", "annulus", "strip"}) {
+    Diagnostics ignored;
+    const std::string text =
+        "thinwall: 1\nbodies: { a: { surface: { shape: " + shape +
+        " }, wall: { thickness: 1 mm, material: { law: neo_hookean, shear_modulus: 1 kPa } } } }\n";
+    EXPECT_EQ(errors_of(unit_pass(parse_text(text, ignored), scenario_schema(), ignored)),
+              Texts{"2:34: bodies.a.contents: the shape `" + shape +
+                    "` is open and holds no fluid; write `contents: { fluid: none }`"});
+  }
+}
+
+TEST(LintPass, ShapesAndBoxesAreNotTurnedInsideOut) {
+  EXPECT_EQ(errors_of(checked_scenario("", "{ shape: annulus, radius: 5 mm, inner_radius: 5 mm }")),
+            Texts{"5:60: bodies.organ.surface.inner_radius: the hole must be smaller than `radius`"});
+  EXPECT_EQ(errors_of(checked_scenario("    fixed: [ region: { box: { min: [0, 0, 1 m], max: [1 m, 1 m, 0] } } ]\n")),
+            Texts{"8:24: bodies.organ.fixed[1].region.box: a component of `min` is larger than that of `max`"});
+}
+
+TEST(LintPass, CamerasLookSomewhereAndToolsHaveAFrame) {
+  EXPECT_EQ(errors_of(checked_scenario("camera: { position: [0, 0, 1 m], target: [0, 0, 1 m] }\n")),
+            Texts{"8:42: camera.target: the camera stands where it looks"});
+  EXPECT_EQ(errors_of(checked_scenario("camera: { position: [0, 0, 1 m], target: [0, 0, 0], up: [0, 0, 1] }\n")),
+            Texts{"8:57: camera.up: the camera looks along `up`"});
+  EXPECT_EQ(timeline_errors("  - palpate: { tool: edge, depth: 1 mm, axis: [0, 0, 3] }\n"),
+            Texts{"9:47: timeline[1].palpate.axis: the axis lies along the direction"});
+  EXPECT_EQ(timeline_errors("  - move: { tool: edge, from: [0, 0, 0], to: [1 m, 0, 0], axis: [1, 0, 0] }\n"),
+            Texts{"9:65: timeline[1].move.axis: the axis lies along the direction"});
+  EXPECT_EQ(timeline_errors("  - move: { tool: edge, from: [0, 0, 0], to: [0, 0, 0] }\n"),
+            Texts{"9:5: timeline[1].move: `direction` is missing: `from` and `to` are the same point"});
+}
+
+}  // namespace
+}  // namespace thinwall

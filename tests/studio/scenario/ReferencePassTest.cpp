@@ -1,0 +1,63 @@
+#include "studio/scenario/ReferencePass.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/studio/scenario/CheckedText.hpp"
+
+namespace thinwall {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+Texts errors_of(const std::string& sections, const std::string& surface = "{ shape: sphere }") {
+  CheckedValue root = checked_scenario(sections, surface);
+  Diagnostics diagnostics;
+  reference_pass(root, diagnostics);
+  return short_texts(diagnostics.errors);
+}
+
+TEST(ReferencePass, NamesOfNothingAreErrors) {
+  EXPECT_EQ(errors_of("timeline:\n  - palpate: { tool: prob, body: liver, depth: 1 mm }\n"),
+            (Texts{"9:22: timeline[1].palpate.tool: there is no tool `prob`, did you mean `probe`?",
+                   "9:34: timeline[1].palpate.body: there is no body `liver`; there is `organ`"}));
+  EXPECT_EQ(errors_of("look: { bodies: { heart: {} } }\n"),
+            Texts{"8:19: look.bodies.heart: there is no body `heart`; there is `organ`"});
+}
+
+TEST(ReferencePass, ALeftOutBodyIsTheOnlyOneAndALeftOutToolOfTwoIsAnError) {
+  CheckedValue root =
+      checked_scenario("timeline: [ palpate: { tool: probe, depth: 1 mm }, move: { to: [0, 0, 0] } ]\n");
+  Diagnostics diagnostics;
+  reference_pass(root, diagnostics);
+  const CheckedValue& palpate = root.at("timeline").items[0].at("palpate");
+  EXPECT_EQ(palpate.at("body").text, "organ");
+  EXPECT_FALSE(palpate.at("body").given);
+  EXPECT_EQ(short_texts(diagnostics.errors),
+            Texts{"8:52: timeline[2].move: `tool` is missing; there is `probe`, `edge`"});
+}
+
+TEST(ReferencePass, AMeshMustBeAFile) {
+  EXPECT_EQ(errors_of("", "{ mesh: nowhere.obj }"),
+            Texts{"5:22: bodies.organ.surface.mesh: there is no file `nowhere.obj`"});
+}
+
+TEST(ReferencePass, AShapeHasKnownGroups) {
+  EXPECT_EQ(errors_of("    fixed: [ { region: { group: base } } ]\n"),
+            Texts{"8:33: bodies.organ.fixed[1].region.group: the shape `sphere` has no group `base`; it has `wall`"});
+  EXPECT_EQ(errors_of("    fixed: [ { region: { group: ends } } ]\n", "{ shape: cylinder }"), Texts{});
+  EXPECT_EQ(errors_of("    fixed: [ { region: { group: base } } ]\n", "{ shape: hemisphere }"), Texts{});
+}
+
+TEST(ReferencePass, AToolThatNoClipUsesIsAWarning) {
+  CheckedValue root = checked_scenario("timeline: [ palpate: { tool: probe, depth: 1 mm } ]\n");
+  Diagnostics diagnostics;
+  reference_pass(root, diagnostics);
+  EXPECT_EQ(short_texts(diagnostics.warnings), Texts{"2:34: tools.edge: no clip uses this tool"});
+}
+
+TEST(ReferencePass, WhatIsWrongAlreadyIsNotToldAgain) {
+  EXPECT_EQ(errors_of("timeline: [ palpate: { tool: [], depth: 1 mm } ]\n"), Texts{});
+}
+
+}  // namespace
+}  // namespace thinwall

@@ -1,0 +1,111 @@
+#include "studio/scenario/YamlReader.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/studio/scenario/ScenarioTestTools.hpp"
+
+namespace thinwall {
+namespace {
+
+/// The first thing that is wrong with a text.
+std::string first_error(const std::string& text) {
+  Diagnostics diagnostics;
+  read_yaml_text(text, "test.yaml", diagnostics);
+  const std::vector<std::string> texts = short_texts(diagnostics.errors);
+  return texts.empty() ? "" : texts[0];
+}
+
+TEST(YamlReader, EachNodeKnowsItsPlaceCountedFromOne) {
+  Diagnostics diagnostics;
+  const TextNode root = parse_text("a: 1\nb:\n  - { c: word }\n", diagnostics);
+  const TextMember& b = *root.find("b");
+  EXPECT_EQ(b.location.line, 2);
+  EXPECT_EQ(b.location.column, 1);
+  const TextMember& c = *b.value.items[0].find("c");
+  EXPECT_EQ(c.location.line, 3);
+  EXPECT_EQ(c.location.column, 7);
+  EXPECT_EQ(c.value.location.column, 10);
+  EXPECT_EQ(c.value.text, "word");
+}
+
+TEST(YamlReader, ColumnsCountCharactersNotBytes) {
+  Diagnostics diagnostics;
+  const TextNode root = parse_text("{ \"é€𝄞\": 1, b: 2 }", diagnostics);
+  EXPECT_EQ(root.find("b")->location.column, 13);
+}
+
+TEST(YamlReader, WordsStayTexts) {
+  Diagnostics diagnostics;
+  const TextNode root = parse_text("[yes, 010, 1e3, 0x1F, \"~\", ~]", diagnostics);
+  EXPECT_EQ(root.items[0].text, "yes");
+  EXPECT_EQ(root.items[1].text, "010");
+  EXPECT_EQ(root.items[4].text, "~");
+  EXPECT_EQ(root.items[5].kind, NodeKind::kEmpty);
+}
+
+TEST(YamlReader, OfDuplicateKeysTheFirstIsKeptAndTheOthersAreErrors) {
+  Diagnostics diagnostics;
+  const TextNode root = parse_text("a:\n  - b: 1\n    b: 2\n    b: 3\n", diagnostics);
+  EXPECT_EQ(root.find("a")->value.items[0].find("b")->value.text, "1");
+  EXPECT_EQ(short_texts(diagnostics.errors),
+            (std::vector<std::string>{"3:5: a[1].b: duplicate key, first given in line 2",
+                                      "4:5: a[1].b: duplicate key, first given in line 2"}));
+}
+
+TEST(YamlReader, AliasesAreCopiedAndKeepThePlaceOfTheirAnchor) {
+  Diagnostics diagnostics;
+  const TextNode root = parse_text("a: &x [1, 2]\nb: *x\n", diagnostics);
+  EXPECT_EQ(root.find("b")->value.items[1].text, "2");
+  EXPECT_EQ(root.find("b")->value.items[1].location.line, 1);
+}
+
+TEST(YamlReader, AByteOrderMarkAndWindowsLinesAreRead) {
+  Diagnostics diagnostics;
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "thinwall_yaml_reader_test.yaml";
+  std::ofstream(file, std::ios::binary) << "\xEF\xBB\xBF"
+                                        << "a: 1\r\nb: 2\r\n";
+  const std::optional<TextNode> root = read_yaml_file(file, diagnostics);
+  std::filesystem::remove(file);
+  ASSERT_TRUE(root);
+  EXPECT_EQ(root->find("b")->value.text, "2");
+  EXPECT_EQ(root->find("a")->location.column, 1);
+}
+
+TEST(YamlReader, WhatCouldExhaustTheProgramIsRefused) {
+  EXPECT_TRUE(first_error(std::string(100000, '[')).ends_with("nested more than 64 levels deep"));
+  EXPECT_EQ(first_error("a: &a [*a]"), "1:8: an alias inside the value that it stands for");
+  std::string many = "a: [";
+  for (int count = 0; count < 100001; ++count) many += "0,";
+  EXPECT_NE(first_error(many + "]").find("more than 100000 values"), std::string::npos);
+}
+
+TEST(YamlReader, WhatIsNoTextIsRefusedAtItsFirstByte) {
+  EXPECT_EQ(first_error("a: \xC3\xA9\xFF"), "1:5: not a text file: this byte is no UTF-8");
+  EXPECT_EQ(first_error("a: 1\nb: \xED\xA0\x80"), "2:4: not a text file: this byte is no UTF-8");
+  EXPECT_EQ(first_error("a: \xC0\xAF"), "1:4: not a text file: this byte is no UTF-8");
+  EXPECT_EQ(first_error("a: \xF5\x80\x80\x80"), "1:4: not a text file: this byte is no UTF-8");
+  EXPECT_EQ(first_error(std::string("a: \0", 4)), "1:4: not a text file: a control character stands here");
+}
+
+TEST(YamlReader, WhatIsNoReadableFileIsRefused) {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path();
+  Diagnostics diagnostics;
+  EXPECT_FALSE(read_yaml_file(folder / "thinwall_no_such_file.yaml", diagnostics));
+  EXPECT_FALSE(read_yaml_file(folder, diagnostics));
+  EXPECT_FALSE(read_yaml_file("/dev/zero", diagnostics));
+  const std::filesystem::path large = folder / "thinwall_yaml_reader_large.yaml";
+  std::ofstream(large) << std::string((1 << 20) + 1, '#');
+  EXPECT_FALSE(read_yaml_file(large, diagnostics));
+  std::filesystem::remove(large);
+  EXPECT_EQ(short_texts(diagnostics.errors),
+            (std::vector<std::string>{"1:1: no such file", "1:1: this is a directory, not a file",
+                                      "1:1: this is not a regular file", "1:1: the file is larger than 1 MiB"}));
+}
+
+TEST(YamlReader, KeysThatAreNoTextsAreErrors) {
+  EXPECT_EQ(first_error("? [a]\n: 1\n"), "1:3: a key must be a text, not a list");
+  EXPECT_EQ(first_error("a: { ~: 1 }"), "1:6: a: a key must be a text, not nothing");
+}
+
+}  // namespace
+}  // namespace thinwall
