@@ -81,17 +81,19 @@ double hollow_of(const Sums& sum, Vector3 position, Vector3 normal) {
   return std::clamp(dot(mean - position, normal) * sum.neighbour_count / sum.edge_sum, -1.0, 1.0);
 }
 
-/// The mean of each vertex and its neighbours, so that a dent's shade does not end at a single vertex.
+/// Half of each value and half of the mean of its neighbours, so that a dent's shade does not end at a single vertex.
 std::vector<double> spread(const std::vector<double>& values, const std::vector<Triangle>& triangles) {
-  std::vector<double> sums = values;
-  std::vector<int> counts(values.size(), 1);
+  std::vector<double> sums(values.size());
+  std::vector<int> counts(values.size());
   for (const Triangle& triangle : triangles) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
       sums[triangle[corner]] += values[triangle[(corner + 1) % 3]] + values[triangle[(corner + 2) % 3]];
       counts[triangle[corner]] += 2;
     }
   }
-  for (std::size_t i = 0; i < sums.size(); ++i) sums[i] /= counts[i];
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    sums[i] = counts[i] > 0 ? 0.5 * (values[i] + sums[i] / counts[i]) : values[i];
+  }
   return sums;
 }
 

@@ -40,8 +40,8 @@ struct LookDefinition {
   std::map<std::string, TissueLook> bodies;   // by name; others have the default look
 };
 
-/// How much is done for a picture: draft without shadow and anti-aliasing; record with both (4 samples); final at twice
-/// the resolution on top.
+/// How much is done for a picture: draft without shadow and anti-aliasing; record with shadow and smoothed outlines,
+/// made to be fast without graphics hardware; final moreover at twice the resolution, four samples for each pixel.
 enum class Tier { kDraft, kRecord, kFinal };
 
 /// All that a picture depends on besides the snapshot.

@@ -1,0 +1,114 @@
+#include "renderer/picture/Camera.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "TestMeshes.hpp"
+#include "renderer/picture/PictureFailure.hpp"
+
+namespace thinwall {
+namespace {
+
+constexpr ImageSize kSize{1280, 720};
+
+SceneExtent extent_of(const SnapshotSurface& surface) {
+  Snapshot snapshot;
+  snapshot.surfaces.push_back(surface);
+  return scene_extent(snapshot);
+}
+
+SceneExtent box(float x, float y, float z) {
+  std::vector<Float3> corners;
+  for (const float sx : {-x, x}) {
+    for (const float sy : {-y, y}) {
+      for (const float sz : {-z, z}) corners.push_back({sx, sy, sz});
+    }
+  }
+  return extent_of(test::surface_of("box", corners, {{0, 1, 2}}));
+}
+
+TEST(Camera, APointLandsWhereSimilarTrianglesPutIt) {
+  // From (0, -2, 0) towards +y with a right angle of view: half the picture's height shows 2 m at a distance of 2 m.
+  const CameraDefinition definition{
+      .position = Double3{0, -2, 0}, .target = Double3{0, 0, 0}, .up = {}, .field_of_view = std::numbers::pi / 2};
+  const Camera camera = resolve_camera(definition, box(1, 1, 1), {200, 100}, 0);
+  const auto pixel = camera.pixel({1, 0, 0.5}, {200, 100});
+  ASSERT_TRUE(pixel);
+  EXPECT_NEAR((*pixel)[0], 100 + 50 * 0.5, 1e-12);
+  EXPECT_NEAR((*pixel)[1], 50 - 50 * 0.25, 1e-12);
+  EXPECT_FALSE(camera.pixel({0, -3, 0}, {200, 100})) << "behind the camera";
+}
+
+TEST(Camera, TheMatrixAgreesWithThePixel) {
+  const Camera camera = resolve_camera({}, box(0.03f, 0.02f, 0.01f), kSize, 0);
+  const Vector3 point{0.011, -0.007, 0.004};
+  const Matrix4 matrix = camera.matrix();
+  double clip[4];
+  for (int row = 0; row < 4; ++row) {
+    clip[row] = matrix(row, 0) * point.x + matrix(row, 1) * point.y + matrix(row, 2) * point.z + matrix(row, 3);
+  }
+  const auto pixel = camera.pixel(point, kSize);
+  ASSERT_TRUE(pixel);
+  // Two ways through a dozen roundings of numbers about 1000.
+  EXPECT_NEAR((*pixel)[0], 0.5 * kSize.width * (1 + clip[0] / clip[3]), 1e-9);
+  EXPECT_NEAR((*pixel)[1], 0.5 * kSize.height * (1 - clip[1] / clip[3]), 1e-9);
+  EXPECT_LT(std::abs(clip[2]), clip[3]) << "between the nearest and the farthest depth";
+}
+
+TEST(Camera, ByDefaultAllRestPointsAreSeenAndFillTheRoomBetweenTheOverlays) {
+  for (const SceneExtent& extent : {box(0.03f, 0.02f, 0.01f), box(0.001f, 0.002f, 0.02f), box(2, 9, 1)}) {
+    for (const ImageSize size : {kSize, ImageSize{400, 900}}) {
+      const Camera camera = resolve_camera({}, extent, size, 0);
+      EXPECT_GT(camera.position.z, extent.center.z) << "seen from above";
+      double left = 1, right = -1, top = -1, bottom = 1;
+      for (const Vector3& point : extent.rest_points) {
+        const auto pixel = camera.pixel(point, size);
+        ASSERT_TRUE(pixel);
+        left = std::min(left, 2 * (*pixel)[0] / size.width - 1);
+        right = std::max(right, 2 * (*pixel)[0] / size.width - 1);
+        top = std::max(top, 1 - 2 * (*pixel)[1] / size.height);
+        bottom = std::min(bottom, 1 - 2 * (*pixel)[1] / size.height);
+      }
+      // The window of Camera.cpp; one of its two spans is used up, to rounding.
+      EXPECT_GE(left, -0.80 - 1e-9);
+      EXPECT_LE(right, 0.60 + 1e-9);
+      EXPECT_GE(bottom, -0.64 - 1e-9);
+      EXPECT_LE(top, 0.56 + 1e-9);
+      EXPECT_NEAR(std::max((right - left) / 1.40, (top - bottom) / 1.20), 1, 1e-9);
+    }
+  }
+}
+
+TEST(Camera, OrbitTurnsAroundTheTargetAndKeepsTheDistance) {
+  CameraDefinition definition{
+      .position = Double3{1, 0, 0.5}, .target = Double3{0, 0, 0}, .up = {}, .orbit_speed = std::numbers::pi};
+  const Camera camera = resolve_camera(definition, box(0.1f, 0.1f, 0.1f), kSize, 0.5);
+  // A quarter turn.
+  EXPECT_NEAR(camera.position.x, 0, 1e-15);
+  EXPECT_NEAR(camera.position.y, 1, 1e-15);
+  EXPECT_NEAR(camera.position.z, 0.5, 1e-15);
+  const auto pixel = camera.pixel({0, 0, 0}, kSize);
+  ASSERT_TRUE(pixel);
+  EXPECT_NEAR((*pixel)[0], 640, 1e-9);
+  EXPECT_NEAR((*pixel)[1], 360, 1e-9);
+}
+
+TEST(Camera, AViewStraightDownHasADirection) {
+  const CameraDefinition definition{.position = Double3{0, 0, 1}, .target = Double3{0, 0, 0}, .up = {}};
+  const Camera camera = resolve_camera(definition, box(0.1f, 0.1f, 0.1f), kSize, 0);
+  EXPECT_NEAR(length(camera.right), 1, 1e-15);
+  EXPECT_NEAR(length(camera.up), 1, 1e-15);
+}
+
+TEST(Camera, WhatShowsNothingIsRefused) {
+  const CameraDefinition at_target{.position = Double3{0, 0, 1}, .target = Double3{0, 0, 1}, .up = {}};
+  EXPECT_THROW(resolve_camera(at_target, box(1, 1, 1), kSize, 0), PictureFailure);
+  for (const double angle : {0.0, -1.0, std::numbers::pi, std::nan("")}) {
+    const CameraDefinition definition{.position = {}, .target = {}, .up = {}, .field_of_view = angle};
+    EXPECT_THROW(resolve_camera(definition, box(1, 1, 1), kSize, 0), PictureFailure);
+  }
+}
+
+}  // namespace
+}  // namespace thinwall

@@ -1,0 +1,68 @@
+#include "renderer/picture/SceneExtent.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "TestMeshes.hpp"
+#include "renderer/picture/PictureFailure.hpp"
+
+namespace thinwall {
+namespace {
+
+Snapshot snapshot_of(const SnapshotSurface& surface) {
+  Snapshot snapshot;
+  snapshot.surfaces.push_back(surface);
+  return snapshot;
+}
+
+TEST(SceneExtent, TheFloorTouchesWhatStandsOnIt) {
+  const SceneExtent extent = scene_extent(snapshot_of(test::sphere("organ", {0, 0, 0.5}, 0.02, 2)));
+  EXPECT_FLOAT_EQ(static_cast<float>(extent.floor_height), 0.48f);
+  EXPECT_NEAR(extent.size, 0.04 * std::sqrt(3.0), 1e-8);  // single precision positions
+}
+
+TEST(SceneExtent, AFlatSheetFloatsAboveTheFloor) {
+  const SnapshotSurface sheet = test::quad("sheet", {{{0, 0, 0}, {4, 0, 0}, {4, 2, 0}, {0, 2, 0}}});
+  EXPECT_NEAR(scene_extent(snapshot_of(sheet)).floor_height, -0.25 * 2, 1e-12);
+}
+
+TEST(SceneExtent, TheFloorGivesWayToWhatIsPressedThroughIt) {
+  SnapshotSurface sphere = test::sphere("organ", {}, 1, 1);
+  sphere.positions[5] = {0, 0, -3};
+  EXPECT_EQ(scene_extent(snapshot_of(sphere)).floor_height, -3);
+}
+
+TEST(SceneExtent, SmallMotionLeavesTheReachAsItIs) {
+  SnapshotSurface sphere = test::sphere("organ", {}, 1, 1);
+  const double before = scene_extent(snapshot_of(sphere)).reach;
+  sphere.positions[4] = {0, 0, 1.05f};
+  EXPECT_EQ(scene_extent(snapshot_of(sphere)).reach, before);
+  sphere.positions[4] = {0, 0, 5};
+  EXPECT_GE(scene_extent(snapshot_of(sphere)).reach, 5);
+}
+
+void expect_refused(const SnapshotSurface& surface, const std::string& message) {
+  try {
+    scene_extent(snapshot_of(surface));
+    FAIL() << "accepted: " << message;
+  } catch (const PictureFailure& failure) {
+    EXPECT_EQ(failure.what(), message);
+  }
+}
+
+TEST(SceneExtent, DamagedSurfacesAreRefusedByName) {
+  SnapshotSurface sphere = test::sphere("organ", {}, 1, 0);
+  sphere.positions[2][1] = std::numeric_limits<float>::quiet_NaN();
+  expect_refused(sphere, "body 'organ' cannot be drawn: a position is not a finite number");
+
+  sphere = test::sphere("organ", {}, 1, 0);
+  sphere.positions.pop_back();
+  expect_refused(sphere, "body 'organ' cannot be drawn: 5 positions for 6 vertices; the take is damaged");
+
+  expect_refused(test::surface_of("organ", {{0, 0, 0}}, {{0, 0, 7}}),
+                 "body 'organ' cannot be drawn: a triangle names vertex 7 of 1; the take is damaged");
+}
+
+}  // namespace
+}  // namespace thinwall

@@ -1,0 +1,75 @@
+#include "renderer/picture/ToolShape.hpp"
+
+#include <gtest/gtest.h>
+
+#include "renderer/picture/Vector.hpp"
+
+namespace thinwall {
+namespace {
+
+class EveryTool : public testing::TestWithParam<SnapshotToolKind> {};
+
+SnapshotTool tool_of(SnapshotToolKind kind) {
+  SnapshotTool tool;
+  tool.kind = kind;
+  tool.radius = 0.005;
+  tool.length = 0.04;
+  tool.tip = {0.01, -0.02, 0.03};
+  tool.direction = {0.6, 0, -0.8};
+  tool.axis = {0, 1, 0};
+  return tool;
+}
+
+TEST_P(EveryTool, TheForemostPointAlongTheDirectionIsTheTip) {
+  const SnapshotTool tool = tool_of(GetParam());
+  const ToolShape shape = tool_shape(tool, 0.1);
+  ASSERT_FALSE(shape.indices.empty());
+  double foremost = -1e9;
+  double nearest = 1e9;
+  for (const ToolVertex& vertex : shape.vertices) {
+    const Vector3 offset = vector3(vertex.position) - vector3(tool.tip);
+    foremost = std::max(foremost, dot(offset, vector3(tool.direction)));
+    nearest = std::min(nearest, length(offset - dot(offset, vector3(tool.axis)) * vector3(tool.axis)));
+  }
+  // Positions are single precision numbers about 0.1.
+  EXPECT_NEAR(foremost, 0, 1e-8);
+  EXPECT_NEAR(nearest, 0, 1e-8);
+}
+
+TEST_P(EveryTool, NormalsHaveLengthOneAndIndicesNameVertices) {
+  const ToolShape shape = tool_shape(tool_of(GetParam()), 0.1);
+  for (const ToolVertex& vertex : shape.vertices) EXPECT_NEAR(length(vector3(vertex.normal)), 1, 1e-6);
+  for (const std::uint32_t index : shape.indices) EXPECT_LT(index, shape.vertices.size());
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, EveryTool,
+                         testing::Values(SnapshotToolKind::kPoint, SnapshotToolKind::kLine, SnapshotToolKind::kSphere));
+
+TEST(ToolShape, ABallHasItsRadiusAroundItsCentreBehindTheTip) {
+  const SnapshotTool tool = tool_of(SnapshotToolKind::kSphere);
+  const Vector3 center = vector3(tool.tip) - tool.radius * vector3(tool.direction);
+  int on_the_ball = 0;
+  for (const ToolVertex& vertex : tool_shape(tool, 0.1).vertices) {
+    const Vector3 offset = vector3(vertex.position) - center;
+    EXPECT_GT(length(offset), tool.radius - 1e-8);
+    if (std::abs(length(offset) - tool.radius) > 1e-8) continue;
+    ++on_the_ball;
+    EXPECT_GT(dot(normalized(offset), vector3(vertex.normal)), 0.9);
+  }
+  EXPECT_GT(on_the_ball, 1000);
+}
+
+TEST(ToolShape, AStraightEdgeSpansItsLengthAlongTheAxis) {
+  const SnapshotTool tool = tool_of(SnapshotToolKind::kLine);
+  double low = 1, high = -1;
+  for (const ToolVertex& vertex : tool_shape(tool, 0.1).vertices) {
+    const double along = dot(vector3(vertex.position) - vector3(tool.tip), vector3(tool.axis));
+    low = std::min(low, along);
+    high = std::max(high, along);
+  }
+  EXPECT_NEAR(low, -0.02, 1e-8);
+  EXPECT_NEAR(high, 0.02, 1e-8);
+}
+
+}  // namespace
+}  // namespace thinwall
