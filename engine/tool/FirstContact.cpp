@@ -139,19 +139,26 @@ std::optional<SurfacePoint> first_entry_on_segment(const SurfaceView& surface, c
   return best;
 }
 
-std::optional<double> travel_to_contact(const SurfaceView& surface, const ToolDefinition& tool, const ToolPose& pose) {
+std::optional<double> travel_to_contact(const SurfaceView& surface, const ToolDefinition& tool, const ToolPose& pose,
+                                        const Eigen::Vector3d& motion) {
   if (tool.kind == ToolKind::kPoint) {
-    const auto hit = first_entry(surface, pose.tip, pose.direction);
+    const auto hit = first_entry(surface, pose.tip, motion);
     return hit ? std::optional<double>(hit->travel) : std::nullopt;
   }
+  // A line slides along itself without meeting anything new; only its motion across itself counts.
+  const Eigen::Vector3d across = motion - pose.axis * pose.axis.dot(motion);
+  if (tool.kind == ToolKind::kLine && across.norm() < 1e-9) return std::nullopt;
+  const ToolPose sweep{.tip = pose.tip, .direction = across.normalized(), .axis = pose.axis};
+  const Eigen::Vector3d center = pose.tip - tool.radius * pose.direction;
   std::optional<double> best;
   for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
     const Corners corners = corners_of(surface, t);
-    const auto travel = tool.kind == ToolKind::kLine ? line_travel(corners, 0.5 * tool.length, pose)
-                                                     : sphere_travel(corners, pose.tip - tool.radius * pose.direction,
-                                                                     tool.radius, pose.direction, surface.open);
+    const auto travel = tool.kind == ToolKind::kLine
+                            ? line_travel(corners, 0.5 * tool.length, sweep)
+                            : sphere_travel(corners, center, tool.radius, motion, surface.open);
     if (travel) keep_smaller(best, *travel);
   }
+  if (best && tool.kind == ToolKind::kLine) *best /= across.norm();
   return best;
 }
 

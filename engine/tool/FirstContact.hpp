@@ -32,10 +32,11 @@ std::optional<SurfacePoint> first_entry(const SurfaceView& surface, const Eigen:
 std::optional<SurfacePoint> first_entry_on_segment(const SurfaceView& surface, const Eigen::Vector3d& begin,
                                                    const Eigen::Vector3d& end);
 
-/// How far a tool can travel from a pose along the pose's direction until it first touches the surface, metres; nothing
-/// when it never does. A tool that already touches gives a travel of zero or less. Exact: a sphere meets faces,
+/// How far a tool can travel from a pose along the unit vector `motion` until it first touches the surface, metres;
+/// nothing when it never does. A tool that already touches gives a travel of zero or less. Exact: a sphere meets faces,
 /// edges and corners; a line meets the curve in which its plane of motion cuts the surface.
-std::optional<double> travel_to_contact(const SurfaceView& surface, const ToolDefinition& tool, const ToolPose& pose);
+std::optional<double> travel_to_contact(const SurfaceView& surface, const ToolDefinition& tool, const ToolPose& pose,
+                                        const Eigen::Vector3d& motion);
 
 /// A point where the plane of a line tool's motion cuts an edge of the surface.
 struct LineCrossing {

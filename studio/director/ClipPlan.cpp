@@ -65,7 +65,7 @@ PalpationPlan plan_palpation(const PalpateClip& clip, const ToolDefinition& tool
   }
   PalpationPlan plan{.clip = clip,
                      .begin = make_pose(clip.at + (hit->travel - clip.standoff) * direction, direction, clip.axis)};
-  const auto travel = travel_to_contact(surface, tool, plan.begin);
+  const auto travel = travel_to_contact(surface, tool, plan.begin, direction);
   if (!travel) {
     throw InputErrors({{location, fmt::format("palpate: tool `{}` passes beside body `{}`", clip.tool, clip.body)}});
   }

@@ -197,12 +197,10 @@ struct ScenarioRun::Implementation {
     if (tool.first_contact) return;
     const Eigen::Vector3d way = next.tip - tool.pose.tip;
     if (way.norm() == 0) return;
-    ToolPose pose = tool.pose;
-    pose.direction = way.normalized();
-    pose = make_pose(pose.tip, pose.direction, tool.pose.axis);
+    const Eigen::Vector3d motion = way.normalized();
     for (const auto& body : bodies) {
-      const auto travel = travel_to_contact(body->surface(), scenario.tools[tool.index], pose);
-      if (travel && *travel >= 0 && *travel <= way.norm()) tool.first_contact = pose.tip + *travel * pose.direction;
+      const auto travel = travel_to_contact(body->surface(), scenario.tools[tool.index], tool.pose, motion);
+      if (travel && *travel >= 0 && *travel <= way.norm()) tool.first_contact = tool.pose.tip + *travel * motion;
     }
   }
 
