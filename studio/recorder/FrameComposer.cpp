@@ -13,10 +13,12 @@ double magnitude(const Double3& vector) {
 
 constexpr const char* kIdle = "idle";
 
+/// The text that holds at `time`: after its begin, up to and with its end. A run knows of a clip only once it has gone
+/// beyond the clip's begin; with the begin included, a frame at that very time would differ between run and take.
 std::string text_at(double time, const std::vector<TimedText>& texts) {
   std::string text;
   for (const TimedText& candidate : texts) {
-    if (candidate.begin <= time + kSameTime && time < candidate.end) text = candidate.text;
+    if (candidate.begin < time - kSameTime && time <= candidate.end + kSameTime) text = candidate.text;
   }
   return text;
 }

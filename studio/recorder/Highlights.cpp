@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::size_t kPictures = 12;
 // Several times as many, so that after thinning out they still lie close to even spacing.
-constexpr std::size_t kKept = 4 * kPictures;
+constexpr std::size_t kKept = 8 * kPictures;
 constexpr int kWidth = 400;  // pixels, a cell of the contact sheet
 
 Image shrunk(const Image& frame) {

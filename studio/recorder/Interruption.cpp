@@ -20,6 +20,7 @@ Interrupted::Interrupted(int signal)
 void note_interruptions() {
   std::signal(SIGINT, note);
   std::signal(SIGTERM, note);
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 void throw_if_interrupted() {

@@ -41,12 +41,23 @@ TEST(FrameComposerTest, TheHistoryEndsWithTheFrame) {
   EXPECT_DOUBLE_EQ(frame.overlay.history[8].force, frame.overlay.force);
 }
 
-TEST(FrameComposerTest, CaptionsHoldFromTheirBeginToTheirEnd) {
+TEST(FrameComposerTest, CaptionsHoldFromAfterTheirBeginToTheirEnd) {
   const SyntheticRun run;
-  EXPECT_EQ(fed_up_to(run, 0).compose(0).overlay.caption, "Pressing");
-  EXPECT_EQ(fed_up_to(run, 20).compose(0.0999).overlay.caption, "Pressing");
-  EXPECT_EQ(fed_up_to(run, 20).compose(0.1).overlay.caption, "Releasing");
-  EXPECT_EQ(fed_up_to(run, 40).compose(0.2).overlay.caption, "");
+  EXPECT_EQ(fed_up_to(run, 0).compose(0).overlay.caption, "");
+  EXPECT_EQ(fed_up_to(run, 1).compose(0.001).overlay.caption, "Pressing");
+  EXPECT_EQ(fed_up_to(run, 20).compose(0.1).overlay.caption, "Pressing");
+  EXPECT_EQ(fed_up_to(run, 21).compose(0.1001).overlay.caption, "Releasing");
+  EXPECT_EQ(fed_up_to(run, 40).compose(0.2).overlay.caption, "Releasing");
+}
+
+TEST(FrameComposerTest, AClipThatIsKnownLaterChangesNoEarlierFrame) {
+  const SyntheticRun run;
+  Moment live = run.moment(20);
+  live.captions.pop_back();  // the second begins at this very time
+  FrameComposer composer("A sheet", {});
+  for (std::size_t i = 0; i < 20; ++i) composer.add(run.moment(i));
+  composer.add(live);
+  EXPECT_EQ(composer.compose(0.1).overlay.caption, fed_up_to(run, 20).compose(0.1).overlay.caption);
 }
 
 TEST(FrameComposerTest, KeepsShowingTheToolThatWasLastActive) {

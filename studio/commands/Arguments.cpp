@@ -1,0 +1,56 @@
+#include "studio/commands/Arguments.hpp"
+
+#include <charconv>
+#include <cmath>
+
+#include "studio/commands/ExitCode.hpp"
+#include "studio/scenario/Quantity.hpp"
+
+namespace thinwall {
+namespace {
+
+bool read_side(const char*& place, const char* end, int& side) {
+  const auto [next, error] = std::from_chars(place, end, side);
+  place = next;
+  return error == std::errc() && side >= 16 && side <= 8192 && side % 2 == 0;
+}
+
+}  // namespace
+
+Overrides parse_overrides(const std::vector<std::string>& texts) {
+  Overrides overrides;
+  for (const std::string& text : texts) {
+    const auto equals = text.find('=');
+    if (equals == 0 || equals == std::string::npos) {
+      throw UsageError("--set " + text + ": write the parameter as name=value, for example --set depth=4mm");
+    }
+    overrides.emplace_back(text.substr(0, equals), text.substr(equals + 1));
+  }
+  return overrides;
+}
+
+ImageSize parse_size(const std::string& text) {
+  ImageSize size;
+  const char* place = text.data();
+  const char* const end = place + text.size();
+  const bool good = read_side(place, end, size.width) && place != end && *place++ == 'x' &&
+                    read_side(place, end, size.height) && place == end;
+  if (!good) throw UsageError("--size " + text + ": write WIDTHxHEIGHT in pixels, even and from 16 to 8192");
+  return size;
+}
+
+double parse_time(const std::string& text) {
+  Quantity time;
+  try {
+    time = parse_quantity(text);
+  } catch (const QuantityError& error) {
+    throw UsageError("--at " + text + ": " + error.what());
+  }
+  if (time.dimension != kTime && time.dimension != Dimension{}) {
+    throw UsageError("--at " + text + ": this is " + dimension_name(time.dimension) + ", not a time; write 1.5s");
+  }
+  if (time.value < 0) throw UsageError("--at " + text + ": a scenario begins at 0 s");
+  return time.value;
+}
+
+}  // namespace thinwall

@@ -1,0 +1,305 @@
+#include "studio/commands/CommandLine.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <set>
+
+#include "studio/commands/Commands.hpp"
+#include "studio/commands/ExitCode.hpp"
+#include "studio/recorder/Interruption.hpp"
+#include "studio/recorder/Versions.hpp"
+
+namespace thinwall {
+namespace {
+
+/// Texts as they were given; they become values when the command is known to be meant.
+struct Texts {
+  std::vector<std::string> overrides;
+  std::string device = "auto";
+  std::string size;
+  std::string time;
+  std::string out;
+  std::string view;
+};
+
+using Action = std::function<int()>;
+
+/// The parser of the whole command line. What is chosen ends up in `action`.
+class CommandLine {
+ public:
+  CommandLine();
+  int run(std::vector<std::string> arguments);
+
+ private:
+  void add_run();
+  void add_check();
+  void add_render();
+  void add_still();
+  void add_golden();
+  void add_doctor();
+  void add_later(CLI::App& parent, const std::string& path, const std::string& name);
+
+  CLI::App* add_command(CLI::App& parent, const std::string& name, const std::string& documentation, Action action);
+  void add_overrides(CLI::App& command);
+  void add_device(CLI::App& command);
+  void add_size(CLI::App& command);
+  void add_recording(CLI::App& command, bool& video, bool& frames, bool& surfaces, bool& json);
+  std::vector<std::string> commands_first(const std::vector<std::string>& arguments) const;
+
+  CLI::App app_{
+      "Thinwall: what a surgical tool does to soft tissue, simulated, rendered without a window, recorded and "
+      "compared with golden images.",
+      "thinwall"};
+  Texts texts_;
+  RunOptions run_;
+  CheckOptions check_;
+  RenderOptions render_;
+  StillOptions still_;
+  GoldenOptions golden_;
+  DoctorOptions doctor_;
+  Action action_;
+};
+
+std::string version_text() {
+  return "thinwall " + thinwall_version() + "\nlicence of this build: " + effective_licence();
+}
+
+DeviceChoice device_choice(const std::string& text) {
+  try {
+    return parse_device_choice(text);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError("--device " + text + ": " + error.what());
+  }
+}
+
+/// The names of options that take a value.
+void collect_options_with_value(const CLI::App& app, std::set<std::string>& names) {
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->get_items_expected_max() == 0) continue;
+    for (const std::string& name : option->get_lnames()) names.insert("--" + name);
+    for (const std::string& name : option->get_snames()) names.insert("-" + name);
+  }
+  for (const CLI::App* command : app.get_subcommands(nullptr)) collect_options_with_value(*command, names);
+}
+
+/// The parser would only say that a command is missing.
+void refuse_unknown_command(const std::vector<std::string>& arguments) {
+  for (const std::string& argument : arguments) {
+    if (argument.empty() || argument[0] == '-') continue;
+    throw UsageError("there is no command `" + argument + "`; see thinwall --help");
+  }
+}
+
+const CLI::App* find_command(const CLI::App& parent, const std::string& name) {
+  for (const CLI::App* command : parent.get_subcommands(nullptr)) {
+    if (command->get_name() == name) return command;
+  }
+  return nullptr;
+}
+
+CommandLine::CommandLine() {
+  app_.set_version_flag("--version", version_text(), "the version, and the licence of this build");
+  app_.set_help_flag("-h,--help", "this help");
+  app_.require_subcommand(1);
+  add_run();
+  add_check();
+  add_render();
+  add_still();
+  add_golden();
+  add_later(app_, "compare", "compare");
+  add_later(app_, "haptic", "haptic");
+  add_doctor();
+  app_.footer(
+      "Exit codes: 0 good, 1 a comparison or expectation failed, 2 bad usage or input, 3 the simulation failed,\n"
+      "4 no picture or file could be made, 130 interrupted, 143 terminated.");
+}
+
+CLI::App* CommandLine::add_command(CLI::App& parent, const std::string& name, const std::string& documentation,
+                                   Action action) {
+  CLI::App* command = parent.add_subcommand(name, documentation);
+  command->callback([this, action = std::move(action)] { action_ = action; });
+  return command;
+}
+
+void CommandLine::add_later(CLI::App& parent, const std::string& path, const std::string& name) {
+  CLI::App* command = add_command(parent, name, "not in this version", [path]() -> int {
+    throw UsageError(path + ": this command is not in this version");
+  });
+  command->group("");
+  command->allow_extras();
+}
+
+void CommandLine::add_overrides(CLI::App& command) {
+  command.add_option("--set", texts_.overrides, "give a parameter of the scenario another value: name=value")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+}
+
+void CommandLine::add_device(CLI::App& command) {
+  command.add_option("--device", texts_.device, "what draws: auto, software, gpu or the number of an EGL device")
+      ->type_name("DEVICE")
+      ->capture_default_str();
+}
+
+void CommandLine::add_size(CLI::App& command) {
+  command.add_option("--size", texts_.size, "another size than the scenario's, in pixels")->type_name("WIDTHxHEIGHT");
+}
+
+void CommandLine::add_recording(CLI::App& command, bool& video, bool& frames, bool& surfaces, bool& json) {
+  command.add_flag("!--no-video", video, "make no video");
+  command.add_flag("--frames", frames, "keep each picture as PNG");
+  command.add_flag("--surfaces", surfaces, "keep the deforming surfaces for ParaView");
+  command
+      .add_flag_callback(
+          "--aov", [] { throw UsageError("--aov: this option is not in this version"); }, "not in this version")
+      ->group("");
+  command.add_flag("--json", json, "say the result as JSON on standard output");
+}
+
+void CommandLine::add_run() {
+  CLI::App* command = add_command(app_, "run", "simulate a scenario, render and record it", [this] {
+    run_.overrides = parse_overrides(texts_.overrides);
+    run_.device = device_choice(texts_.device);
+    run_.device_text = texts_.device;
+    if (!texts_.out.empty()) run_.out = texts_.out;
+    return run_scenario(run_);
+  });
+  command->add_option("SCENARIO", run_.scenario, "the scenario file")->required();
+  command->add_option("--out", texts_.out, "the folder for the results; out/NAME when absent")->type_name("DIR");
+  add_overrides(*command);
+  add_device(*command);
+  command->add_flag("!--no-render", run_.render, "physics and records only; needs no graphics");
+  add_recording(*command, run_.video, run_.frames, run_.surfaces, run_.json);
+}
+
+void CommandLine::add_check() {
+  CLI::App* command = add_command(app_, "check", "read and check scenarios, nothing more", [this] {
+    check_.overrides = parse_overrides(texts_.overrides);
+    return check_scenarios(check_);
+  });
+  command->add_option("SCENARIO", check_.scenarios, "scenario files")->required();
+  add_overrides(*command);
+  command->add_flag("--json", check_.json, "say the result as JSON on standard output");
+}
+
+void CommandLine::add_render() {
+  CLI::App* command = add_command(app_, "render", "pictures and video again from a take, without simulating", [this] {
+    render_.overrides = parse_overrides(texts_.overrides);
+    render_.device = device_choice(texts_.device);
+    render_.device_text = texts_.device;
+    if (!texts_.out.empty()) render_.out = texts_.out;
+    if (!texts_.view.empty()) render_.view = texts_.view;
+    if (!texts_.size.empty()) render_.size = parse_size(texts_.size);
+    return render_take(render_);
+  });
+  command->add_option("TAKE", render_.take, "the take.h5 of a run")->required();
+  command->add_option("--out", texts_.out, "the folder for the results; `render` beside the take when absent")
+      ->type_name("DIR");
+  command->add_option("--view", texts_.view, "take camera, lights, look and record from this scenario")
+      ->type_name("SCENARIO");
+  command->add_option("--fps", render_.frames_per_second, "pictures per second")->check(CLI::Range(1.0, 240.0));
+  add_size(*command);
+  add_overrides(*command);
+  add_device(*command);
+  add_recording(*command, render_.video, render_.frames, render_.surfaces, render_.json);
+}
+
+void CommandLine::add_still() {
+  CLI::App* command = add_command(app_, "still", "one picture of a scenario", [this] {
+    still_.overrides = parse_overrides(texts_.overrides);
+    still_.device = device_choice(texts_.device);
+    still_.at = parse_time(texts_.time);
+    if (!texts_.size.empty()) still_.size = parse_size(texts_.size);
+    return make_still(still_);
+  });
+  command->add_option("SCENARIO", still_.scenario, "the scenario file")->required();
+  command->add_option("--at", texts_.time, "when, for example 1.5s")->required()->type_name("TIME");
+  command->add_option("-o", still_.picture, "the picture file")->required()->type_name("PNG");
+  add_size(*command);
+  add_overrides(*command);
+  add_device(*command);
+}
+
+void CommandLine::add_golden() {
+  CLI::App* golden = app_.add_subcommand("golden", "compare scenarios with approved pictures");
+  golden->require_subcommand(1);
+  const auto add = [&](const std::string& name, const std::string& documentation, int (*action)(const GoldenOptions&)) {
+    CLI::App* command = add_command(*golden, name, documentation, [this, action] {
+      golden_.device = device_choice(texts_.device);
+      return action(golden_);
+    });
+    command->add_option("SCENARIO", golden_.scenarios,
+                        "scenario files or names; test: all that have goldens when absent");
+    add_device(*command);
+    return command;
+  };
+  CLI::App* test = add("test", "compare, and write no golden", test_goldens);
+  test->add_option("--out", golden_.out, "where pictures that failed are put, to be looked at")
+      ->type_name("DIR")
+      ->capture_default_str();
+  test->add_flag("--json", golden_.json, "say the result as JSON on standard output");
+  CLI::App* approve = add("approve", "make today's pictures of the named scenarios the golden ones", approve_goldens);
+  approve->add_option("--why", golden_.why, "what has changed and why that is right")->type_name("TEXT");
+  for (const char* later : {"review", "report", "list", "why"})
+    add_later(*golden, std::string("golden ") + later, later);
+}
+
+void CommandLine::add_doctor() {
+  CLI::App* command = add_command(app_, "doctor", "what this machine can draw and encode with, and what helps", [this] {
+    doctor_.device = device_choice(texts_.device);
+    return examine_machine(doctor_);
+  });
+  add_device(*command);
+  command->add_flag("--json", doctor_.json, "say the result as JSON on standard output");
+}
+
+/// The arguments with the command (and the command's command) in front: CLI11 wants them before their options, but the
+/// order of options must not matter.
+std::vector<std::string> CommandLine::commands_first(const std::vector<std::string>& arguments) const {
+  std::set<std::string> with_value;
+  collect_options_with_value(app_, with_value);
+  std::vector<std::string> first;
+  std::vector<std::string> rest;
+  const CLI::App* level = &app_;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string& argument = arguments[i];
+    const CLI::App* command = find_command(*level, argument);
+    if (command != nullptr) {
+      first.push_back(argument);
+      level = command;
+      continue;
+    }
+    rest.push_back(argument);
+    if (with_value.count(argument) > 0 && i + 1 < arguments.size()) rest.push_back(arguments[++i]);
+  }
+  if (first.empty()) refuse_unknown_command(rest);
+  first.insert(first.end(), rest.begin(), rest.end());
+  return first;
+}
+
+int CommandLine::run(std::vector<std::string> arguments) {
+  arguments = commands_first(arguments);
+  // The parser takes them from the back.
+  std::reverse(arguments.begin(), arguments.end());
+  try {
+    app_.parse(arguments);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app_.exit(error);
+    fmt::print(stderr, "thinwall: {}\nRun with --help for more.\n", error.what());
+    return kExitBadInput;
+  }
+  note_interruptions();
+  return action_();
+}
+
+}  // namespace
+
+int run_command_line(const std::vector<std::string>& arguments) {
+  return exit_code_of([&] { return CommandLine().run(arguments); });
+}
+
+}  // namespace thinwall

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/device/DeviceChoice.hpp"
+#include "renderer/image/Image.hpp"
+#include "studio/commands/Arguments.hpp"
+
+namespace thinwall {
+
+// A command is its options and a function that gives the exit code; exceptions are for exit_code_of.
+
+struct RunOptions {
+  std::filesystem::path scenario;
+  std::optional<std::filesystem::path> out;  // out/NAME when absent
+  Overrides overrides;
+  DeviceChoice device;
+  std::string device_text = "auto";
+  bool render = true;
+  bool video = true;
+  bool frames = false;
+  bool surfaces = false;
+  bool json = false;
+};
+int run_scenario(const RunOptions& options);
+
+struct CheckOptions {
+  std::vector<std::filesystem::path> scenarios;
+  Overrides overrides;
+  bool json = false;
+};
+int check_scenarios(const CheckOptions& options);
+
+struct RenderOptions {
+  std::filesystem::path take;
+  std::optional<std::filesystem::path> out;   // `render` beside the take when absent
+  std::optional<std::filesystem::path> view;  // a scenario whose camera, lights, look and record are taken
+  Overrides overrides;                        // of its parameters
+  std::optional<ImageSize> size;
+  std::optional<double> frames_per_second;
+  DeviceChoice device;
+  std::string device_text = "auto";
+  bool video = true;
+  bool frames = false;
+  bool surfaces = false;
+  bool json = false;
+};
+int render_take(const RenderOptions& options);
+
+struct StillOptions {
+  std::filesystem::path scenario;
+  double at = 0;  // seconds
+  std::filesystem::path picture;
+  Overrides overrides;
+  std::optional<ImageSize> size;
+  DeviceChoice device;
+};
+int make_still(const StillOptions& options);
+
+struct GoldenOptions {
+  std::vector<std::string> scenarios;  // files, or names in the folder of scenarios
+  DeviceChoice device;
+  std::filesystem::path out = "out/golden";  // where pictures that failed are put, to be looked at
+  std::string why;                           // approve only
+  bool json = false;
+};
+int test_goldens(const GoldenOptions& options);
+int approve_goldens(const GoldenOptions& options);
+
+struct DoctorOptions {
+  DeviceChoice device;
+  bool json = false;
+};
+int examine_machine(const DoctorOptions& options);
+
+}  // namespace thinwall

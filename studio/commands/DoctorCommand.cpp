@@ -1,0 +1,65 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "renderer/device/DeviceSurvey.hpp"
+#include "renderer/video/VideoSurvey.hpp"
+#include "studio/commands/Commands.hpp"
+#include "studio/commands/ExitCode.hpp"
+#include "studio/recorder/Versions.hpp"
+
+namespace thinwall {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const SurveyedDevice& device) {
+  return {{"index", device.index},          {"file", device.file},
+          {"vendor", device.vendor},        {"renderer", device.renderer},
+          {"version", device.version},      {"software", device.software},
+          {"usable", device.usable},        {"used", device.used},
+          {"refusal", device.refusal},      {"cure", device.cure},
+          {"extensions", device.extensions}};
+}
+
+Json to_json(const DeviceSurvey& devices, const VideoSurvey& video) {
+  Json list = Json::array();
+  for (const SurveyedDevice& device : devices.devices) list.push_back(to_json(device));
+  Json versions = Json::object();
+  for (const auto& [name, version] : component_versions()) versions[name] = version;
+  return {{"pictures",
+           {{"egl", devices.egl_present}, {"devices", list}, {"problem", devices.problem}, {"cure", devices.cure}}},
+          {"video",
+           {{"ffmpeg", video.ffmpeg_version},
+            {"ffprobe", video.ffprobe_version},
+            {"libx264", video.libx264},
+            {"problem", video.problem}}},
+          {"versions", versions},
+          {"licence", effective_licence()}};
+}
+
+void print_for_people(const DeviceSurvey& devices, const VideoSurvey& video) {
+  fmt::print("{}", describe(devices));
+  if (video.problem.empty()) {
+    fmt::print("Video: {}, with libx264\n", video.ffmpeg_version);
+  } else {
+    fmt::print("Video: {}\n", video.problem);
+  }
+  for (const auto& [name, version] : component_versions()) fmt::print("{}: {}\n", name, version);
+  fmt::print("Licence of this build: {}\n", effective_licence());
+}
+
+}  // namespace
+
+int examine_machine(const DoctorOptions& options) {
+  const DeviceSurvey devices = survey_devices(options.device);
+  const VideoSurvey video = survey_video();
+  if (options.json) {
+    fmt::print("{}\n", to_json(devices, video).dump(2, ' ', false, Json::error_handler_t::replace));
+  } else {
+    print_for_people(devices, video);
+  }
+  return devices.problem.empty() && video.problem.empty() ? kExitGood : kExitNoPicture;
+}
+
+}  // namespace thinwall

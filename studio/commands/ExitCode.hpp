@@ -1,0 +1,25 @@
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+
+namespace thinwall {
+
+// What the program's exit code says.
+inline constexpr int kExitGood = 0;
+inline constexpr int kExitRegression = 1;  // a comparison, expectation or regression failed
+inline constexpr int kExitBadInput = 2;    // bad usage or bad input
+inline constexpr int kExitSimulationFailed = 3;
+inline constexpr int kExitNoPicture = 4;  // no picture or file could be made: driver, codec, disk
+
+/// Arguments that make no sense; exit code 2.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Runs a command, says on stderr why it could not do its work, and gives the exit code.
+int exit_code_of(const std::function<int()>& command);
+
+}  // namespace thinwall

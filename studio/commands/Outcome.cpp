@@ -1,0 +1,44 @@
+#include "studio/commands/Outcome.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "renderer/image/WholeFile.hpp"
+#include "studio/commands/ExitCode.hpp"
+
+namespace thinwall {
+namespace {
+
+void print_json(const RecordingPlan& plan, const RecordingReport& report) {
+  nlohmann::ordered_json json = {{"result", report.failure.empty() ? "ok" : "the simulation failed"},
+                                 {"folder", plan.folder.generic_string()},
+                                 {"manifest", (plan.folder / "manifest.json").generic_string()},
+                                 {"steps", report.steps},
+                                 {"simulated_s", report.simulated},
+                                 {"frames", report.frame_hashes.size()},
+                                 {"state_digest", report.state_digest},
+                                 {"warnings", report.warnings},
+                                 {"wall_s", report.times.total}};
+  if (!report.failure.empty()) json["failure"] = report.failure;
+  fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+}  // namespace
+
+int conclude(const ManifestContext& context, const RecordingPlan& plan, const RecordingReport& report, bool json) {
+  write_whole_file(plan.folder / "manifest.json", manifest(context, plan, report));
+  for (const std::string& warning : report.warnings) fmt::print(stderr, "thinwall: warning: {}\n", warning);
+  const RecordingTimes& times = report.times;
+  fmt::print(stderr,
+             "{:.2f} s in {} steps and {} frames, recorded in {} within {:.1f} s (simulate {:.1f}, render {:.1f}, "
+             "encode {:.1f})\n",
+             report.simulated, report.steps, report.frame_hashes.size(), plan.folder.string(), times.total,
+             times.simulate.wall, times.render.wall, times.encode.wall);
+  if (json) print_json(plan, report);
+  if (report.failure.empty()) return kExitGood;
+  fmt::print(stderr, "thinwall: the simulation failed: {}; what it had reached is recorded\n", report.failure);
+  return kExitSimulationFailed;
+}
+
+}  // namespace thinwall

@@ -1,0 +1,58 @@
+#include <system_error>
+
+#include "studio/commands/Commands.hpp"
+#include "studio/commands/ExitCode.hpp"
+#include "studio/commands/Outcome.hpp"
+#include "studio/recorder/ResolvedPicture.hpp"
+#include "studio/scenario/LoadScenario.hpp"
+#include "studio/take/TakeError.hpp"
+#include "studio/take/TakeReader.hpp"
+
+namespace thinwall {
+namespace {
+
+void refuse_folder_of_the_take(const std::filesystem::path& folder, const std::filesystem::path& take) {
+  std::error_code none;
+  if (std::filesystem::equivalent(folder, take.parent_path().empty() ? "." : take.parent_path(), none)) {
+    throw UsageError("--out " + folder.string() +
+                     ": the take lies here, and its recording would be overwritten; choose another folder");
+  }
+}
+
+}  // namespace
+
+int render_take(const RenderOptions& options) {
+  StageTime preparation;
+  std::optional<TakeReader> take;
+  PictureSettings settings;
+  {
+    const StageClock clock(preparation);
+    take.emplace(options.take);
+    settings = options.view ? picture_settings(load_scenario(*options.view, options.overrides))
+                            : picture_settings(take->description().resolved);
+  }
+  if (take->times().empty())
+    throw TakeError(options.take.string() + ": the take holds no step, so there is nothing to draw");
+  const RecordingPlan plan{.folder = options.out.value_or(options.take.parent_path() / "render"),
+                           .description = take->description(),
+                           .overlays = settings.overlays,
+                           .size = options.size.value_or(settings.record.size),
+                           .frames_per_second = options.frames_per_second.value_or(settings.record.frames_per_second),
+                           .records = false,
+                           .video = options.video,
+                           .frames = options.frames,
+                           .surfaces = options.surfaces,
+                           .progress = stderr};
+  refuse_folder_of_the_take(plan.folder, options.take);
+  TakeSource source(*take);
+  const RecordingReport report =
+      record(source, plan, renderer_painters(options.device, settings.record.tier, settings.view));
+  return conclude({.command = "render",
+                   .source = options.take,
+                   .device = options.device_text,
+                   .overrides = options.overrides,
+                   .preparation = preparation.wall},
+                  plan, report, options.json);
+}
+
+}  // namespace thinwall

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <memory>
+
+#include "studio/record/Moment.hpp"
+#include "studio/scenario/Scenario.hpp"
+
+namespace thinwall {
+
+/// The simulation of a scenario as something to record. It begins (bodies, equilibrium) with the first moment asked
+/// for, so that a GL context can come up meanwhile; that call may throw InputErrors too.
+std::unique_ptr<MomentSource> simulate_scenario(const Scenario& scenario);
+
+}  // namespace thinwall

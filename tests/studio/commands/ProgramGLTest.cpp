@@ -1,0 +1,105 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "renderer/image/ImageHash.hpp"
+#include "renderer/image/PngFile.hpp"
+#include "renderer/video/VideoProbe.hpp"
+#include "tests/studio/commands/RunningProgram.hpp"
+
+namespace thinwall {
+namespace {
+
+class ProgramGLTest : public ::testing::Test {
+ protected:
+  ProgramGLTest() {
+    std::filesystem::create_directory(folder_ / "scenes");
+    write_bytes(folder_ / "scenes/small.yaml",
+                small_scenario() + "golden: [ { at: 120 ms, max: 8, mean: 0.2, why: rounding of the driver } ]\n");
+  }
+
+  ProgramEnd run(const std::vector<std::string>& arguments) {
+    return run_thinwall(
+        arguments, {.folder = folder_.path(), .environment = {{"THINWALL_HOME", folder_.path()}, {"CI", "false"}}});
+  }
+  void expect_good(const std::vector<std::string>& arguments) {
+    const ProgramEnd end = run(arguments);
+    ASSERT_EQ(end.exit_code, 0) << end.messages;
+  }
+  nlohmann::json manifest(const std::string& out) const {
+    return nlohmann::json::parse(file_bytes(folder_ / out / "manifest.json"));
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(ProgramGLTest, ARunLeavesEachFileOfTheContract) {
+  expect_good({"run", "scenes/small.yaml", "--frames", "--surfaces"});
+  const nlohmann::json manifest = this->manifest("out/small");
+  EXPECT_EQ(manifest["files"], nlohmann::json({"forces.csv", "body.csv", "take.h5", "video.mp4", "captions.vtt",
+                                               "poster.png", "contact_sheet.png", "forces.png", "frames", "surfaces"}));
+  const std::size_t frames = manifest["frame_hashes"].size();
+  EXPECT_EQ(manifest["frames"], frames);
+  EXPECT_GT(frames, 5U);
+  EXPECT_EQ(probe_video(folder_ / "out/small/video.mp4").frames, static_cast<std::int64_t>(frames));
+  EXPECT_FALSE(manifest["driver"].get<std::string>().empty());
+  EXPECT_EQ(image_hash(read_png(folder_ / "out/small/frames/frame_000003.png")), manifest["frame_hashes"][3]);
+}
+
+TEST_F(ProgramGLTest, TwoRunsHaveTheSameFrameHashes) {
+  expect_good({"run", "scenes/small.yaml", "--no-video", "--out", "one"});
+  expect_good({"run", "scenes/small.yaml", "--no-video", "--out", "two"});
+  EXPECT_EQ(manifest("one")["frame_hashes"], manifest("two")["frame_hashes"]);
+}
+
+TEST_F(ProgramGLTest, TheTakeGivesTheFramesOfTheRunAgain) {
+  expect_good({"run", "scenes/small.yaml", "--no-video", "--out", "run"});
+  expect_good({"render", "run/take.h5", "--no-video"});
+  EXPECT_EQ(manifest("run/render")["frame_hashes"], manifest("run")["frame_hashes"]);
+  EXPECT_EQ(run({"render", "run/take.h5", "--out", "run"}).exit_code, 2);
+}
+
+TEST_F(ProgramGLTest, ATakeCanBeRenderedInAnotherSizeAndView) {
+  expect_good({"run", "scenes/small.yaml", "--no-render", "--out", "run"});
+  write_bytes(folder_ / "view.yaml",
+              small_scenario() + "camera: { position: [0, -90 mm, 20 mm], target: [0, 0, 10 mm] }\n");
+  expect_good({"render", "run/take.h5", "--size", "200x120", "--fps", "50", "--frames", "--out", "as_it_was"});
+  expect_good({"render", "run/take.h5", "--size", "200x120", "--fps", "50", "--view", "view.yaml", "--out", "other"});
+  EXPECT_EQ(read_png(folder_ / "as_it_was/frames/frame_000000.png").size, (ImageSize{.width = 200, .height = 120}));
+  EXPECT_NE(manifest("as_it_was")["frame_hashes"], manifest("other")["frame_hashes"]);
+}
+
+TEST_F(ProgramGLTest, AStillIsTheFrameOfThatTime) {
+  expect_good({"run", "scenes/small.yaml", "--no-video", "--out", "run"});
+  expect_good({"still", "scenes/small.yaml", "--at", "120 ms", "-o", "still.png"});
+  EXPECT_EQ(image_hash(read_png(folder_ / "still.png")), manifest("run")["frame_hashes"][3]);
+  EXPECT_EQ(run({"still", "scenes/small.yaml", "--at", "1000s", "-o", "late.png"}).exit_code, 2);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "late.png"));
+}
+
+TEST_F(ProgramGLTest, AGoldenIsMissingThenApprovedThenComparedThenFails) {
+  EXPECT_EQ(run({"golden", "test"}).exit_code, 1);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "golden_images")) << "a test wrote a golden";
+  expect_good({"golden", "approve", "small", "--why", "the first"});
+  expect_good({"golden", "test", "--json"});
+  write_bytes(
+      folder_ / "scenes/small.yaml",
+      small_scenario() + "lights: { key: 0.5 }\ngolden: [ { at: 120 ms, max: 8, mean: 0.2, why: rounding } ]\n");
+  const ProgramEnd end = run({"golden", "test", "--json"});
+  EXPECT_EQ(end.exit_code, 1);
+  EXPECT_EQ(nlohmann::json::parse(end.output)["counts"]["failed"], 1);
+  EXPECT_NE(end.messages.find("so the picture has changed"), std::string::npos) << end.messages;
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "out/golden/small/at_0.12s.difference.png"));
+}
+
+TEST_F(ProgramGLTest, ADoctorTellsWhatIsThere) {
+  const ProgramEnd end = run({"doctor", "--json"});
+  const nlohmann::json findings = nlohmann::json::parse(end.output);
+  EXPECT_EQ(end.exit_code, 0) << end.output;
+  EXPECT_FALSE(findings["pictures"]["devices"].empty());
+  EXPECT_EQ(findings["pictures"]["problem"], "");
+  EXPECT_EQ(findings["video"]["libx264"], true);
+}
+
+}  // namespace
+}  // namespace thinwall

@@ -1,0 +1,223 @@
+#include <gtest/gtest.h>
+#include <sys/mount.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "studio/take/TakeReader.hpp"
+#include "tests/studio/commands/RunningProgram.hpp"
+
+namespace thinwall {
+namespace {
+
+class ProgramTest : public ::testing::Test {
+ protected:
+  ProgramTest() { write_bytes(folder_ / "small.yaml", small_scenario()); }
+
+  ProgramEnd run(const std::vector<std::string>& arguments, ProgramSetting setting = {}) {
+    setting.folder = folder_.path();
+    return run_thinwall(arguments, setting);
+  }
+  void expect_bad_usage(const std::vector<std::string>& arguments, const std::string& words) {
+    const ProgramEnd end = run(arguments);
+    EXPECT_EQ(end.exit_code, 2) << end.messages;
+    EXPECT_NE(end.messages.find(words), std::string::npos) << end.messages;
+  }
+  bool any_looks_finished(const std::string& name) const {
+    if (!std::filesystem::exists(folder_ / name)) return false;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_ / name)) {
+      if (entry.path().filename().string().find(".unfinished") == std::string::npos) return true;
+    }
+    return false;
+  }
+  nlohmann::json manifest(const std::string& out) const {
+    return nlohmann::json::parse(file_bytes(folder_ / out / "manifest.json"));
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(ProgramTest, SaysItsVersionAndLicence) {
+  const ProgramEnd end = run({"--version"});
+  EXPECT_EQ(end.exit_code, 0);
+  EXPECT_EQ(end.output.find("thinwall "), 0U);
+  EXPECT_NE(end.output.find("GPL-2.0-or-later"), std::string::npos);
+}
+
+TEST_F(ProgramTest, HelpIsGoodUsage) {
+  EXPECT_EQ(run({"--help"}).exit_code, 0);
+  EXPECT_EQ(run({"run", "--help"}).exit_code, 0);
+  EXPECT_EQ(run({"golden", "approve", "--help"}).exit_code, 0);
+}
+
+TEST_F(ProgramTest, BadUsageIsToldWithExitCode2) {
+  expect_bad_usage({}, "subcommand is required");
+  expect_bad_usage({"walk"}, "there is no command `walk`");
+  expect_bad_usage({"run", "small.yaml", "--fast"}, "--fast");
+  expect_bad_usage({"run"}, "SCENARIO is required");
+  expect_bad_usage({"run", "small.yaml", "--device", "fridge"}, "--device fridge");
+  expect_bad_usage({"render", "take.h5", "--size", "1280*720"}, "write WIDTHxHEIGHT in pixels");
+  expect_bad_usage({"still", "small.yaml", "--at", "3 mm", "-o", "x.png"}, "not a time");
+}
+
+TEST_F(ProgramTest, WhatBelongsToLaterVersionsIsNotAcceptedSilently) {
+  expect_bad_usage({"compare", "a.png", "b.png", "--max", "3"}, "compare: this command is not in this version");
+  expect_bad_usage({"haptic", "small.yaml"}, "haptic: this command is not in this version");
+  expect_bad_usage({"golden", "review"}, "golden review: this command is not in this version");
+  expect_bad_usage({"run", "small.yaml", "--aov"}, "--aov: this option is not in this version");
+}
+
+TEST_F(ProgramTest, AMissingScenarioIsBadInput) {
+  expect_bad_usage({"run", "none.yaml"}, "none.yaml:1:1: error: no such file");
+  expect_bad_usage({"check", "small.yaml", "none.yaml"}, "none.yaml:1:1: error: no such file");
+  expect_bad_usage({"render", "none.h5"}, "none.h5: there is no such file");
+}
+
+TEST_F(ProgramTest, AnOverrideThatCannotBeUsedIsBadInput) {
+  expect_bad_usage({"run", "small.yaml", "--set", "depth"}, "--set depth: write the parameter as name=value");
+  expect_bad_usage({"run", "small.yaml", "--set", "dephth=3mm"}, "dephth");
+  expect_bad_usage({"check", "--set", "depth=3kg", "small.yaml"}, "small.yaml:");
+}
+
+TEST_F(ProgramTest, CheckTellsAllMistakesAsJson) {
+  write_bytes(folder_ / "bad.yaml", "thinwall: 1\nbodys: {}\n");
+  const ProgramEnd end = run({"check", "--json", "small.yaml", "bad.yaml"});
+  EXPECT_EQ(end.exit_code, 2);
+  const nlohmann::json result = nlohmann::json::parse(end.output);
+  EXPECT_EQ(result["scenarios"][0]["good"], true);
+  EXPECT_EQ(result["scenarios"][1]["good"], false);
+  EXPECT_EQ(result["scenarios"][1]["errors"][0]["file"], "bad.yaml");
+  const nlohmann::json& errors = result["scenarios"][1]["errors"];
+  EXPECT_TRUE(std::any_of(errors.begin(), errors.end(), [](const auto& error) { return error["line"] == 2; }))
+      << errors;
+}
+
+TEST_F(ProgramTest, RunsWithoutGraphics) {
+  const ProgramEnd end = run({"run", "small.yaml", "--no-render", "--json", "--set", "depth=1mm"});
+  ASSERT_EQ(end.exit_code, 0) << end.messages;
+  EXPECT_EQ(nlohmann::json::parse(end.output)["folder"], "out/small");
+  const nlohmann::json manifest = this->manifest("out/small");
+  EXPECT_EQ(manifest["result"], "ok");
+  EXPECT_EQ(manifest["complete"], true);
+  EXPECT_EQ(manifest["options"]["set"]["depth"], "1mm");
+  EXPECT_EQ(manifest["frames"], 0);
+  EXPECT_TRUE(manifest["driver"].is_null());
+  EXPECT_EQ(manifest["scenario"]["hash"].get<std::string>().size(), 32U);
+  EXPECT_NE(manifest["licence"].get<std::string>().find("GPL"), std::string::npos);
+  EXPECT_EQ(manifest["files"], nlohmann::json({"forces.csv", "body.csv", "take.h5", "captions.vtt", "forces.png"}));
+  const TakeReader take(folder_ / "out/small/take.h5");
+  EXPECT_TRUE(take.ending().complete);
+  EXPECT_EQ(manifest["steps"], take.times().size());
+  EXPECT_EQ(manifest["state_digest"], take.ending().state_digest);
+}
+
+TEST_F(ProgramTest, TheSameScenarioTwiceLeavesTheSameBytes) {
+  for (const char* out : {"one", "two"}) {
+    ASSERT_EQ(run({"run", "small.yaml", "--no-render", "--out", out}).exit_code, 0);
+  }
+  for (const char* file : {"take.h5", "forces.csv", "body.csv", "captions.vtt", "forces.png"}) {
+    EXPECT_TRUE(file_bytes(folder_ / "one" / file) == file_bytes(folder_ / "two" / file)) << file;
+  }
+  EXPECT_EQ(manifest("one")["state_digest"], manifest("two")["state_digest"]);
+}
+
+TEST_F(ProgramTest, TheOrderOfOptionsDoesNotMatter) {
+  ASSERT_EQ(run({"run", "small.yaml", "--out", "one", "--set", "depth=1mm", "--no-render"}).exit_code, 0);
+  ASSERT_EQ(run({"--no-render", "--set", "depth=1mm", "run", "--out", "two", "small.yaml"}).exit_code, 0);
+  EXPECT_EQ(file_bytes(folder_ / "one/forces.csv"), file_bytes(folder_ / "two/forces.csv"));
+  // A value that is spelled as a command is a value.
+  ASSERT_EQ(run({"--out", "check", "--no-render", "run", "small.yaml"}).exit_code, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "check/forces.csv"));
+}
+
+TEST_F(ProgramTest, ProgressIsALinePerTenPerCentWhereThereIsNoTerminal) {
+  const ProgramEnd end = run({"run", "small.yaml", "--no-render"});
+  EXPECT_NE(end.messages.find("recording 50 %"), std::string::npos) << end.messages;
+  EXPECT_NE(end.messages.find("recording 100 %"), std::string::npos) << end.messages;
+  EXPECT_EQ(end.messages.find('\r'), std::string::npos);
+  EXPECT_EQ(end.output, "");
+}
+
+TEST_F(ProgramTest, AFolderThatCannotBeWrittenEndsWith4) {
+  write_bytes(folder_ / "file", "");
+  const ProgramEnd end = run({"run", "small.yaml", "--no-render", "--out", "file/out"});
+  EXPECT_EQ(end.exit_code, 4);
+  EXPECT_NE(end.messages.find("cannot make the folder file/out"), std::string::npos) << end.messages;
+}
+
+TEST_F(ProgramTest, AFullDiskEndsWith4AndNothingLooksWhole) {
+  std::filesystem::create_directory(folder_ / "disk");
+  if (mount("tmpfs", (folder_ / "disk").c_str(), "tmpfs", 0, "size=64k") != 0) {
+    GTEST_SKIP() << "only root can make a small disk to fill";
+  }
+  const ProgramEnd end = run({"run", "small.yaml", "--no-render", "--out", "disk/out"});
+  const bool looks_finished = any_looks_finished("disk/out");
+  umount((folder_ / "disk").c_str());
+  EXPECT_EQ(end.exit_code, 4) << end.messages;
+  EXPECT_NE(end.messages.find("No space left on device"), std::string::npos) << end.messages;
+  EXPECT_FALSE(looks_finished);
+}
+
+TEST_F(ProgramTest, ALimitOnFileSizesIsLikeAFullDisk) {
+  const ProgramEnd end = run({"run", "small.yaml", "--no-render", "--out", "out"},
+                             {.folder = {}, .environment = {}, .largest_file = 8192});
+  EXPECT_EQ(end.exit_code, 4) << end.messages;
+  EXPECT_NE(end.messages.find("File too large"), std::string::npos) << end.messages;
+  EXPECT_FALSE(any_looks_finished("out"));
+}
+
+TEST_F(ProgramTest, ADeviceThatIsNotThereEndsWith4) {
+  const ProgramEnd end = run({"run", "small.yaml", "--device", "99", "--out", "out"});
+  EXPECT_EQ(end.exit_code, 4) << end.messages;
+  // The simulation may have ended before; its records are whole then, but the recording is not.
+  for (const char* file : {"video.mp4", "poster.png", "manifest.json"}) {
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "out" / file)) << file;
+  }
+}
+
+TEST_F(ProgramTest, ABrokenTakeIsBadInput) {
+  write_bytes(folder_ / "take.h5", "no take");
+  expect_bad_usage({"render", "take.h5"}, "take.h5: this is no take");
+}
+
+TEST_F(ProgramTest, AnInterruptMidwayEndsWith130AndATerminateSignalWith143) {
+  write_bytes(folder_ / "long.yaml", small_scenario("  - wait: { for: 1000 s }\n"));
+  for (const auto& [signal, code] : {std::pair(SIGINT, 130), std::pair(SIGTERM, 143)}) {
+    RunningProgram program({"run", "long.yaml", "--no-render", "--out", "out"},
+                           {.folder = folder_.path(), .environment = {}});
+    // Midway is once a buffer full of rows has reached the disk.
+    const std::filesystem::path rows = folder_ / "out" / "forces.unfinished.csv";
+    std::error_code none;
+    while (!std::filesystem::exists(rows) || std::filesystem::file_size(rows, none) < 10'000) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    program.send_signal(signal);
+    EXPECT_EQ(program.wait().exit_code, code);
+    EXPECT_FALSE(any_looks_finished("out"));
+    // What was reached is still there to be looked at.
+    const TakeReader take(folder_ / "out" / "take.unfinished.h5");
+    EXPECT_FALSE(take.ending().complete);
+    EXPECT_GT(take.times().size(), 10U);
+    std::filesystem::remove_all(folder_ / "out");
+  }
+}
+
+TEST_F(ProgramTest, GoldensAreApprovedOnlyByNameWithAReasonAndByAPerson) {
+  expect_bad_usage({"golden", "approve", "small.yaml"}, "say with --why");
+  expect_bad_usage({"golden", "approve", "--why", " ", "small.yaml"}, "say with --why");
+  expect_bad_usage({"golden", "approve", "--why", "new"}, "name the scenarios");
+  const ProgramEnd end =
+      run({"golden", "approve", "--why", "new", "small.yaml"}, {.folder = {}, .environment = {{"CI", "true"}}});
+  EXPECT_EQ(end.exit_code, 2);
+  EXPECT_NE(end.messages.find("not in CI"), std::string::npos) << end.messages;
+}
+
+TEST_F(ProgramTest, ToCompareNothingIsAnError) {
+  const ProgramSetting empty_home{.folder = {}, .environment = {{"THINWALL_HOME", folder_.path()}}};
+  EXPECT_EQ(run({"golden", "test"}, empty_home).exit_code, 2);
+  expect_bad_usage({"golden", "test", "small.yaml"}, "has no `golden:` list");
+}
+
+}  // namespace
+}  // namespace thinwall
