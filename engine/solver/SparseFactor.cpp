@@ -1,6 +1,7 @@
 #include "engine/solver/SparseFactor.hpp"
 
 #include <cholmod.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <cassert>
@@ -46,6 +47,9 @@ struct SparseFactor::Implementation {
   std::vector<int> order;  // (unknowns)
 
   explicit Implementation(const BlockPattern& the_pattern) : pattern(the_pattern) {
+    // The library opens parallel regions of its own for tiny loops; their threads would only spin against those that
+    // render and encode. No active level means that every region runs on the thread that meets it.
+    omp_set_max_active_levels(0);
     cholmod_start(&common);
     common.print = 0;
     common.nmethods = 1;

@@ -64,9 +64,10 @@ MembraneTerms membrane_terms(const MembraneRest& rest, const Material& material,
   }
   MembraneTerms terms;
   terms.energy = volume * response.energy;
-  terms.gradient.noalias() = volume * (strain_displacement.transpose() * s);
-  const Eigen::Matrix<double, 3, 9> stiff = volume * response.tangent * strain_displacement;
-  terms.hessian.noalias() = strain_displacement.transpose() * stiff;
+  // Lazy products: these matrices are too small for the blocked kernels that Eigen would choose.
+  terms.gradient = volume * strain_displacement.transpose().lazyProduct(s);
+  const Eigen::Matrix<double, 3, 9> stiff = (volume * response.tangent).lazyProduct(strain_displacement);
+  terms.hessian = strain_displacement.transpose().lazyProduct(stiff);
   const Eigen::Matrix3d geometric = volume * gradients.transpose() * stress * gradients;
   for (int a = 0; a < 3; ++a) {
     for (int b = 0; b < 3; ++b) {
