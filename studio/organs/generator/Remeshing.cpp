@@ -38,7 +38,6 @@ class Remesher {
       turn_for_angles();
       move_along_surface();
     }
-    turn_for_angles();
     return surface_.compact();
   }
 

@@ -76,6 +76,9 @@ class BrokenMeshes : public testing::TestWithParam<BrokenMesh> {
 };
 
 TEST_P(BrokenMeshes, AreRefusedWithTheReason) {
+#ifdef __SANITIZE_ADDRESS__
+  if (GetParam().file == std::string("counts_too_large.off")) GTEST_SKIP() << "memory is not limited in this build";
+#endif
   BodyScenario body;
   body.name = "organ";
   body.surface_location = {"scene.yaml", 4, 14};

@@ -68,5 +68,25 @@ TEST(EditableSurface, CollapseThatWouldPinchIsNotAllowed) {
   }
 }
 
+TEST(EditableSurface, WaistOfThreeEdgesIsNotCollapsed) {
+  // Three rings of three vertices above one another, closed at top and bottom: the middle ring is no triangle.
+  TriangleSurface prism;
+  for (int ring = 0; ring < 3; ++ring) {
+    prism.vertices.insert(prism.vertices.end(), {{0, 0, 1.0 * ring}, {1, 0, 1.0 * ring}, {0, 1, 1.0 * ring}});
+  }
+  prism.triangles = {{0, 2, 1}, {6, 7, 8}};
+  for (int ring = 0; ring < 2; ++ring) {
+    for (int k = 0; k < 3; ++k) {
+      const int here = 3 * ring + k;
+      const int next = 3 * ring + (k + 1) % 3;
+      prism.triangles.insert(prism.triangles.end(), {{here, next, next + 3}, {here, next + 3, here + 3}});
+    }
+  }
+  const EditableSurface surface(prism);
+  expect_closed(surface, 14);
+  EXPECT_FALSE(surface.may_collapse(3, 4));
+  EXPECT_TRUE(surface.may_collapse(0, 3));
+}
+
 }  // namespace
 }  // namespace thinwall
