@@ -4,8 +4,8 @@
 
 #include <numbers>
 
-#include "TestMeshes.hpp"
 #include "renderer/picture/PictureFailure.hpp"
+#include "tests/renderer/picture/TestMeshes.hpp"
 
 namespace thinwall {
 namespace {

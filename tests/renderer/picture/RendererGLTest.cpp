@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <numbers>
 
-#include "TestMeshes.hpp"
 #include "renderer/picture/Camera.hpp"
 #include "renderer/picture/FrameUniforms.hpp"
 #include "renderer/picture/SceneExtent.hpp"
+#include "tests/renderer/picture/TestMeshes.hpp"
 
 namespace thinwall {
 namespace {

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <thread>
 
-#include "TestMeshes.hpp"
 #include "renderer/picture/PictureFailure.hpp"
 #include "renderer/picture/Renderer.hpp"
+#include "tests/renderer/picture/TestMeshes.hpp"
 
 namespace thinwall {
 namespace {

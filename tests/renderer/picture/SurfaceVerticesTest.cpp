@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "TestMeshes.hpp"
+#include "tests/renderer/picture/TestMeshes.hpp"
 
 namespace thinwall {
 namespace {

@@ -1,0 +1,149 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace thinwall {
+namespace {
+
+/// A folder of the house, with what its sources may include.
+struct Floor {
+  const char* folder;
+  std::vector<const char*> project;    // beginnings of the project's own paths
+  std::vector<const char*> libraries;  // beginnings of the names of other libraries' headers
+};
+
+const std::vector<Floor>& floors() {
+  static const std::vector<Floor> all = {
+      {"engine", {"engine/"}, {"Eigen/", "cholmod.h", "SuiteSparse", "tbb/", "oneapi/tbb/", "omp.h"}},
+      {"renderer",
+       {"renderer/"},
+       {"EGL/", "epoxy/", "cairo", "pango/", "fontconfig/", "png.h", "xxhash.h", "opencv2/", "OpenEXR/"}},
+      {"studio",
+       {"engine/", "renderer/", "studio/"},
+       {"Eigen/", "assimp/", "yaml-cpp/", "CLI/", "spdlog/", "fmt/", "nlohmann/", "hdf5.h", "xxhash.h", "SuiteSparse",
+        "oneapi/tbb/"}},
+  };
+  return all;
+}
+
+/// Headers that take seconds to compile.
+constexpr std::array kHeavy = {"Eigen/Dense", "nlohmann/json.hpp", "yaml-cpp/yaml.h", "CLI/", "assimp/"};
+
+struct Include {
+  std::string file;  // from the project's root
+  int line = 0;
+  std::string name;
+  bool of_project = false;  // in quotation marks
+  std::string place() const { return file + ":" + std::to_string(line); }
+};
+
+const std::filesystem::path kRoot = THINWALL_SOURCE_DIR;
+
+bool starts_with(const std::string& text, const std::string& beginning) {
+  return text.rfind(beginning, 0) == 0;
+}
+
+template <typename Beginnings>
+bool starts_with_any(const std::string& text, const Beginnings& beginnings) {
+  return std::any_of(beginnings.begin(), beginnings.end(),
+                     [&](const char* beginning) { return starts_with(text, beginning); });
+}
+
+/// Headers of the language and of the operating system: no folder, or a folder of the system.
+bool is_system(const std::string& name) {
+  return name.find('.') == std::string::npos ||
+         std::regex_match(name, std::regex(R"((unistd|fcntl|signal|spawn|poll|dlfcn|pthread|sched)\.h|sys/\w+\.h)"));
+}
+
+std::vector<Include> includes_in(const std::string& folder) {
+  std::vector<Include> includes;
+  const std::regex pattern(R"re(\s*#\s*include\s*([<"])([^>"]+)[>"].*)re");
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(kRoot / folder)) {
+    const std::string extension = entry.path().extension();
+    if (extension != ".cpp" && extension != ".hpp") continue;
+    std::ifstream stream(entry.path());
+    std::string text;
+    for (int line = 1; std::getline(stream, text); ++line) {
+      std::smatch match;
+      if (!std::regex_match(text, match, pattern)) continue;
+      includes.push_back({.file = std::filesystem::relative(entry.path(), kRoot),
+                          .line = line,
+                          .name = match[2],
+                          .of_project = match[1] == "\""});
+    }
+  }
+  return includes;
+}
+
+TEST(ArchitectureTest, EachFloorIncludesOnlyWhatItMay) {
+  for (const Floor& floor : floors()) {
+    const std::vector<Include> includes = includes_in(floor.folder);
+    EXPECT_GT(includes.size(), 20U) << floor.folder << ": no sources were found";
+    for (const Include& include : includes) {
+      if (include.of_project) {
+        EXPECT_TRUE(starts_with_any(include.name, floor.project))
+            << include.place() << ": " << floor.folder << " may not include " << include.name;
+      } else {
+        // Eigen's headers have no extension either, so they are looked for first.
+        const bool allowed = starts_with(include.name, "Eigen/")
+                                 ? starts_with_any(include.name, floor.libraries)
+                                 : is_system(include.name) || starts_with_any(include.name, floor.libraries);
+        EXPECT_TRUE(allowed) << include.place() << ": " << floor.folder << " may not include <" << include.name << ">";
+      }
+    }
+  }
+}
+
+TEST(ArchitectureTest, TheEngineKnowsNoFiles) {
+  for (const Include& include : includes_in("engine")) {
+    EXPECT_TRUE(include.name != "fstream" && include.name != "filesystem" && include.name != "iostream")
+        << include.place() << ": the engine may not include <" << include.name << ">";
+  }
+}
+
+TEST(ArchitectureTest, NothingIncludesTheCommandsButTheProgramItself) {
+  for (const char* folder : {"engine", "renderer", "studio"}) {
+    for (const Include& include : includes_in(folder)) {
+      if (starts_with(include.file, "studio/commands/")) continue;
+      EXPECT_FALSE(starts_with(include.name, "studio/commands/")) << include.place() << ": includes " << include.name;
+    }
+  }
+}
+
+TEST(ArchitectureTest, IncludesAreWrittenFromTheRoot) {
+  for (const char* folder : {"engine", "renderer", "studio", "tests"}) {
+    for (const Include& include : includes_in(folder)) {
+      if (!include.of_project) continue;
+      EXPECT_TRUE(std::filesystem::exists(kRoot / include.name))
+          << include.place() << ": there is no " << include.name << " in the project";
+    }
+  }
+}
+
+TEST(ArchitectureTest, HeadersOfOursStayLight) {
+  for (const char* folder : {"engine", "renderer", "studio"}) {
+    for (const Include& include : includes_in(folder)) {
+      if (!include.file.ends_with(".hpp")) continue;
+      EXPECT_FALSE(starts_with_any(include.name, kHeavy))
+          << include.place() << ": " << include.name << " belongs into .cpp files";
+    }
+  }
+}
+
+TEST(ArchitectureTest, TestsMirrorTheRooms) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(kRoot / "tests")) {
+    // Folders of data belong to the test beside them.
+    if (!std::filesystem::exists(entry.path() / "CMakeLists.txt")) continue;
+    const std::filesystem::path room = std::filesystem::relative(entry.path(), kRoot / "tests");
+    EXPECT_TRUE(std::filesystem::is_directory(kRoot / room)) << "tests/" << room.string() << " mirrors nothing";
+  }
+}
+
+}  // namespace
+}  // namespace thinwall
