@@ -28,7 +28,7 @@ void print_json(const RecordingPlan& plan, const RecordingReport& report) {
 
 int conclude(const ManifestContext& context, const RecordingPlan& plan, const RecordingReport& report, bool json) {
   write_whole_file(plan.folder / "manifest.json", manifest(context, plan, report));
-  for (const std::string& warning : report.warnings) fmt::print(stderr, "thinwall: warning: {}\n", warning);
+  for (const std::string& warning : report.warnings) fmt::print(stderr, "thinwall: note: {}\n", warning);
   const RecordingTimes& times = report.times;
   fmt::print(stderr,
              "{:.2f} s in {} steps and {} frames, recorded in {} within {:.1f} s (simulate {:.1f}, render {:.1f}, "
