@@ -18,11 +18,12 @@ inline constexpr std::size_t kMostRods = 3;
 /// What all shaders know of a picture: the block `Frame` of shaders/frame.glsl, in the std140 layout.
 struct FrameUniforms {
   FloatMatrix4 view_projection{};
-  FloatMatrix4 shadow_matrix{};  // world to shadow map, 0 to 1 on every axis
-  Float4 camera_position{};      // metres
   Float4 ray_middle{};           // line of sight; with ray_right and ray_up times clip coordinates, a pixel's ray
   Float4 ray_right{};            // w: 1 / picture width
   Float4 ray_up{};               // w: 1 / picture height
+  Float4 tissue{};               // linear colour that metal mirrors
+  FloatMatrix4 shadow_matrix{};  // world to shadow map, 0 to 1 on every axis
+  Float4 camera_position{};      // metres
   Float4 scene_center{};         // w: scene size, metres
   Float4 floor{};                // x: height; y: 1 where a floor is drawn; z: half width of its shade map, metres
   Float4 key_direction{};        // to the light; w: strength
@@ -33,7 +34,6 @@ struct FrameUniforms {
   Float4 background{};   // sRGB
   Float4 floor_key{};    // linear: what the lit floor shows of the key light
   Float4 floor_sky{};    // linear: and of the light from all around
-  Float4 tissue{};       // linear colour that metal mirrors
   std::array<Float4, kMostRods> rod_start{};  // metres; w: radius squared
   std::array<Float4, kMostRods> rod_span{};   // from start to end; w: 1 / length squared
 };

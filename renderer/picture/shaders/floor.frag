@@ -1,4 +1,5 @@
 #version 450 core
+#define FRAME_FROM_VERTICES
 #include "tone.glsl"
 
 // The studio's floor: a pool of light around the scene that fades into the background.

@@ -1,4 +1,5 @@
 #version 450 core
+#define FRAME_FROM_VERTICES
 #include "environment.glsl"
 #include "noise.glsl"
 #include "occlusion.glsl"
