@@ -177,6 +177,22 @@ TEST(Renderer, EdgesAreSmoothAndCoverTheRightAreaExceptInDraft) {
   EXPECT_GT(measure(Tier::kFinal).first, 300);
 }
 
+TEST(Renderer, ASmoothEdgeLiesWhereTheGeometryPutsItInEachColumn) {
+  ViewDefinition view = furnace();
+  view.look.bodies["organ"] = plain({1, 1, 1});
+  const float c = 0.5f * std::cos(0.2f), s = 0.5f * std::sin(0.2f);
+  const auto square =
+      test::quad("organ", {{{0, -c + s, -c - s}, {0, c + s, -c + s}, {0, c - s, c + s}, {0, -c - s, c - s}}});
+  const Image image = draw(snapshot_of({square}), view, {200, 200});
+  // Where a column meets the two long sides only, it cuts 100 / cos(0.2) pixels out of the square.
+  for (int x = 70; x < 130; ++x) {
+    double sum = 0;
+    for (int y = 0; y < 200; ++y) sum += pixel_at(image, x, y)[0] / displayed(1);
+    // Rounding a hundred pixels to 8 bits with dithering, and two of them in between, leaves 0.02.
+    EXPECT_NEAR(sum, 100 / std::cos(0.2), 0.03) << "column " << x;
+  }
+}
+
 class ToolTip : public testing::TestWithParam<SnapshotToolKind> {};
 
 TEST_P(ToolTip, IsSeenWhereItProjectsTo) {
