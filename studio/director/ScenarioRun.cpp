@@ -75,7 +75,6 @@ struct ScenarioRun::Implementation {
   explicit Implementation(const Scenario& the_scenario) : scenario(the_scenario) {
     for (const BodyScenario& description : scenario.bodies) {
       BodyDefinition definition = build_body(description, warnings);
-      if (!description.pressure_given) definition.fluid.initial_pressure.reset();
       bodies.push_back(std::make_unique<Body>(std::move(definition), scenario.tools, scenario.simulation));
       bodies.back()->settle();
       topologies.push_back(snapshot_topology(bodies.back()->model()));

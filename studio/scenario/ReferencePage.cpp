@@ -15,7 +15,8 @@ namespace {
 constexpr std::string_view kRules = R"(# The scenario format, version 1
 
 A scenario is a YAML file. This page and `scenario.schema.json` come from the table that the program reads scenarios with;
-`scripts/format-reference` writes them anew.
+`scripts/format-reference` writes them anew. Editors that know YAML help with keys when the file begins with
+`# yaml-language-server: $schema=scenario.schema.json`.
 
 ## Rules
 

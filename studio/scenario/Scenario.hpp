@@ -58,7 +58,6 @@ struct BodyScenario {
   Material material = {};
   double prestretch = 1;
   FluidDefinition fluid = {};
-  bool pressure_given = false;  // without it the volume is the surface's and the pressure follows
   std::vector<FixedRegion> fixed = {};
   std::vector<SourceLocation> fixed_locations = {};      // (fixed)
   std::vector<SourceLocation> thickness_locations = {};  // (thickness.regions)

@@ -134,8 +134,7 @@ BodyScenario to_body(const CheckedMember& member) {
   body.material = to_material(wall.at("material"));
   body.prestretch = wall.at("prestretch").number;
   body.fluid.kind = of_word(contents.at("fluid").text, kFluids);
-  body.pressure_given = contents.find("pressure") != nullptr;
-  body.fluid.initial_pressure = find_number(contents, "pressure").value_or(0);
+  body.fluid.initial_pressure = find_number(contents, "pressure");
   body.fluid.density = find_number(contents, "density").value_or(body.fluid.density);
   body.fluid.bulk_modulus = find_number(contents, "bulk_modulus").value_or(body.fluid.bulk_modulus);
   read_fixed(member.value.at("fixed"), body);

@@ -37,7 +37,7 @@ TEST(LoadScenario, ReadsTheExampleOfTheFormat) {
   EXPECT_EQ(body.material.law, find_wall_law("neo_hookean"));
   EXPECT_EQ(body.material.parameters, std::vector<double>{20000});
   EXPECT_EQ(body.fluid.kind, FluidKind::kIncompressible);
-  EXPECT_TRUE(body.pressure_given);
+  EXPECT_EQ(body.fluid.initial_pressure, 0.0);
   ASSERT_EQ(body.fixed.size(), 2U);
   EXPECT_EQ(std::get<GroupRegion>(body.fixed[0].region).name, "base");
   EXPECT_EQ(body.fixed[1].axes, (std::array<bool, 3>{false, false, true}));
@@ -63,7 +63,7 @@ TEST(LoadScenario, ReadsEveryKey) {
   EXPECT_EQ(bladder.density, 1100);
   EXPECT_EQ(bladder.material.parameters, (std::vector<double>{5000, 1000}));
   EXPECT_EQ(bladder.prestretch, 1.05);
-  EXPECT_EQ(bladder.fluid.initial_pressure, 2000);
+  EXPECT_EQ(bladder.fluid.initial_pressure, 2000.0);
   EXPECT_EQ(bladder.fluid.bulk_modulus, 2.2e9);
   EXPECT_EQ(std::get<PlaneRegion>(bladder.fixed[0].region).within, 0.0001);
   EXPECT_EQ(std::get<BelowRegion>(bladder.fixed[1].region).axis, 0);
@@ -108,7 +108,7 @@ TEST(LoadScenario, DefaultsAreThoseOfTheDefinitions) {
   EXPECT_EQ(body.prestretch, 1);
   EXPECT_EQ(body.fluid.kind, FluidKind::kIncompressible);
   EXPECT_EQ(body.fluid.density, FluidDefinition{}.density);
-  EXPECT_FALSE(body.pressure_given);
+  EXPECT_FALSE(body.fluid.initial_pressure);
   EXPECT_TRUE(body.fixed.empty());
   EXPECT_EQ(scenario.simulation.analysis, SimulationOptions{}.analysis);
   EXPECT_EQ(scenario.simulation.time_step, SimulationOptions{}.time_step);
