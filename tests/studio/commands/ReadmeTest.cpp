@@ -1,0 +1,69 @@
+#include <gtest/gtest.h>
+
+#include <regex>
+
+#include "studio/recorder/RecordCsv.hpp"
+#include "tests/studio/commands/RunningProgram.hpp"
+
+namespace thinwall {
+namespace {
+
+const std::filesystem::path kRoot = THINWALL_SOURCE_DIR;
+
+std::string readme() {
+  return file_bytes(kRoot / "README.md");
+}
+
+/// The contents of the page's blocks of code in a language, in order.
+std::vector<std::string> blocks(const std::string& language) {
+  const std::string text = readme();
+  std::vector<std::string> found;
+  const std::string mark = "```" + language + "\n";
+  for (auto begin = text.find(mark); begin != std::string::npos; begin = text.find(mark, begin)) {
+    begin += mark.size();
+    found.push_back(text.substr(begin, text.find("```", begin) - begin));
+  }
+  return found;
+}
+
+TEST(ReadmeTest, HasExactlyTwoSetUpCommands) {
+  ASSERT_FALSE(blocks("sh").empty());
+  EXPECT_EQ(blocks("sh")[0], "scripts/thinwall run scenes/palpation_gallbladder.yaml\nscripts/test\n");
+}
+
+TEST(ReadmeTest, ItsScenarioIsGoodAndRuns) {
+  ASSERT_EQ(blocks("yaml").size(), 1U);
+  const TemporaryFolder folder;
+  write_bytes(folder / "balloon.yaml", blocks("yaml")[0]);
+  const ProgramSetting here{.folder = folder.path(), .environment = {}};
+  const ProgramEnd checked = run_thinwall({"check", "balloon.yaml"}, here);
+  EXPECT_EQ(checked.exit_code, 0) << checked.messages;
+  const ProgramEnd run = run_thinwall({"run", "balloon.yaml", "--no-render", "--set", "depth=9mm"}, here);
+  EXPECT_EQ(run.exit_code, 0) << run.messages;
+}
+
+TEST(ReadmeTest, NamesTheColumnsOfTheForceRecord) {
+  EXPECT_NE(readme().find("`" + forces_csv_header() + "`"), std::string::npos);
+}
+
+TEST(ReadmeTest, NamesEachCommandOfTheProgram) {
+  const std::string help = run_thinwall({"--help"}).output;
+  for (const std::string command : {"run", "check", "render", "still", "golden", "doctor"}) {
+    EXPECT_NE(help.find("  " + command + " "), std::string::npos) << command;
+    EXPECT_NE(readme().find("`thinwall " + command), std::string::npos) << command;
+  }
+}
+
+TEST(ReadmeTest, ItsLinksLeadSomewhere) {
+  const std::string text = readme();
+  const std::regex link(R"(\]\(([^)]+)\))");
+  int links = 0;
+  for (auto match = std::sregex_iterator(text.begin(), text.end(), link); match != std::sregex_iterator(); ++match) {
+    EXPECT_TRUE(std::filesystem::exists(kRoot / (*match)[1].str())) << (*match)[1];
+    ++links;
+  }
+  EXPECT_GT(links, 5);
+}
+
+}  // namespace
+}  // namespace thinwall
