@@ -77,7 +77,7 @@ Matrix4 key_light_matrix(const SceneExtent& extent, Vector3 toward_light) {
 }
 
 FrameUniforms frame_uniforms(const Camera& camera, const SceneExtent& extent, const ViewDefinition& view,
-                             const Studio& studio, const std::vector<ToolRod>& rods, ImageSize size, bool with_shadow) {
+                             const Studio& studio, const std::vector<ToolRod>& rods, ImageSize size) {
   const Vector3 key = studio.key_direction;
   const bool with_floor = view.look.floor && !extent.rest_points.empty() && camera.position.z > extent.floor_height;
   FrameUniforms frame;
@@ -98,8 +98,8 @@ FrameUniforms frame_uniforms(const Camera& camera, const SceneExtent& extent, co
                   static_cast<float>(back.y)};
   frame.fill_direction = float4(studio.fill_direction, view.lights.fill);
   frame.environment = {static_cast<float>(view.lights.environment),
-                       static_cast<float>(view.lights.environment_contrast), with_shadow ? 1.0f : 0.0f,
-                       static_cast<float>(0.006 * extent.size)};
+                       static_cast<float>(view.lights.environment_contrast), static_cast<float>(0.006 * extent.size),
+                       0};
   for (std::size_t i = 0; i < 3; ++i) {
     frame.background[i] = static_cast<float>(view.look.background[i]);
   }

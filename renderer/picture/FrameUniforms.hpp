@@ -30,10 +30,10 @@ struct FrameUniforms {
   Float4 key_right{};            // of length one, horizontal, across the key light
   Float4 panels{};               // xy: horizontal direction to the front panel; zw: to the back panel
   Float4 fill_direction{};       // to the light; w: strength
-  Float4 environment{};  // x: strength; y: contrast; z: 1 where shadows are cast; w: offset against self-shadow, metres
-  Float4 background{};   // sRGB
-  Float4 floor_key{};    // linear: what the lit floor shows of the key light
-  Float4 floor_sky{};    // linear: and of the light from all around
+  Float4 environment{};          // x: strength; y: contrast; z: offset against self-shadow, metres
+  Float4 background{};           // sRGB
+  Float4 floor_key{};            // linear: what the lit floor shows of the key light
+  Float4 floor_sky{};            // linear: and of the light from all around
   std::array<Float4, kMostRods> rod_start{};  // metres; w: radius squared
   std::array<Float4, kMostRods> rod_span{};   // from start to end; w: 1 / length squared
 };
@@ -51,7 +51,7 @@ Studio arrange_studio(const LightsDefinition& lights, const Camera& camera);
 
 /// Everything that follows from the view and the scene alone.
 FrameUniforms frame_uniforms(const Camera& camera, const SceneExtent& extent, const ViewDefinition& view,
-                             const Studio& studio, const std::vector<ToolRod>& rods, ImageSize size, bool with_shadow);
+                             const Studio& studio, const std::vector<ToolRod>& rods, ImageSize size);
 
 /// The light's own clip matrix: a box around the scene seen from the key light.
 Matrix4 key_light_matrix(const SceneExtent& extent, Vector3 toward_light);

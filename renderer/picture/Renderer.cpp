@@ -18,17 +18,22 @@ namespace {
 
 /// All that lives in the context, in the order in which it can be made.
 struct Stage {
-  Stage(ImageSize size, Tier tier) : target(size, tier) {
-    if (tier != Tier::kDraft) shadow_map.emplace(tier == Tier::kFinal ? 1024 : 512);
+  Stage(ImageSize size, Tier tier)
+      : refined(tier != Tier::kDraft),
+        target(size, tier),
+        shadow_map(tier == Tier::kFinal    ? 1024
+                   : tier == Tier::kRecord ? 512
+                                           : 1) {
     glNamedBufferStorage(frame.name(), sizeof(FrameUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT);
   }
 
+  bool refined;  // with shadows and smooth outlines
   PictureTarget target;
   SceneMeshes meshes;
   ScenePass scene_pass;
   OutlinePass outline_pass;
   FloorShade floor_shade;
-  std::optional<ShadowMap> shadow_map;
+  ShadowMap shadow_map;
   Buffer frame = create_buffer();
 };
 
@@ -57,20 +62,20 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
 
   const CurrentContext current(context);
   stage->meshes.upload(snapshot, extent, view.look);
-  const FrameUniforms frame = frame_uniforms(camera, extent, view, studio, stage->meshes.rods(),
-                                             stage->target.drawn_size(), stage->shadow_map.has_value());
+  const FrameUniforms frame =
+      frame_uniforms(camera, extent, view, studio, stage->meshes.rods(), stage->target.drawn_size());
   glNamedBufferSubData(stage->frame.name(), 0, sizeof(frame), &frame);
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, stage->frame.name());
 
-  const bool refined = stage->shadow_map.has_value();
-  if (refined) {
+  if (stage->refined) {
     stage->floor_shade.draw(stage->meshes, studio.key_direction);
-    stage->shadow_map->draw(stage->meshes, key_light_matrix(extent, studio.key_direction));
+    stage->shadow_map.draw(stage->meshes, key_light_matrix(extent, studio.key_direction));
   } else {
     stage->floor_shade.clear();
+    stage->shadow_map.clear();
   }
   stage->scene_pass.draw(stage->meshes, stage->target);
-  if (refined)
+  if (stage->refined)
     stage->outline_pass.draw(stage->meshes.outline(snapshot, camera.position), stage->target.copy_of_color());
   return stage->target.finish();
 }

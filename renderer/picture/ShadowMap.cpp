@@ -22,11 +22,9 @@ ShadowMap::ShadowMap(int resolution)
 void ShadowMap::draw(const SceneMeshes& meshes, const Matrix4& light_matrix) const {
   glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
   glViewport(0, 0, resolution_, resolution_);
-  glDepthMask(GL_TRUE);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
-  const float farthest = 1;
-  glClearNamedFramebufferfv(frame_.name(), GL_DEPTH, 0, &farthest);
+  clear();
   // Steep triangles span several depths within a texel of the map; they go back by as much, or they would shade
   // themselves.
   glEnable(GL_POLYGON_OFFSET_FILL);
@@ -38,6 +36,12 @@ void ShadowMap::draw(const SceneMeshes& meshes, const Matrix4& light_matrix) con
   meshes.tissue().draw();
   meshes.tools().draw();
   glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+void ShadowMap::clear() const {
+  glDepthMask(GL_TRUE);
+  const float farthest = 1;
+  glClearNamedFramebufferfv(frame_.name(), GL_DEPTH, 0, &farthest);
   glBindTextureUnit(0, depth_.name());
 }
 

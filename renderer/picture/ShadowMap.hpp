@@ -15,6 +15,9 @@ class ShadowMap {
   /// Draws the map anew and binds it where shadow.glsl reads it.
   void draw(const SceneMeshes& meshes, const Matrix4& light_matrix) const;
 
+  /// Binds a map without shadows.
+  void clear() const;
+
  private:
   int resolution_;
   Texture depth_;

@@ -131,17 +131,15 @@ void append_arc(std::vector<OutlinePoint>& outline, double center_back, double r
 }
 
 /// A smooth widening or narrowing from the outline's last point to (`back`, `out`).
-void append_taper(std::vector<OutlinePoint>& outline, double back, double out, float roughness) {
-  constexpr int kSteps = 10;
+void append_taper(std::vector<OutlinePoint>& outline, double back, double out, int steps) {
   const OutlinePoint from = outline.back();
-  for (int i = 0; i <= kSteps; ++i) {
-    const double t = static_cast<double>(i) / kSteps;
+  for (int i = 0; i <= steps; ++i) {
+    const double t = static_cast<double>(i) / steps;
     const double slope = 6 * t * (1 - t) * (out - from.out) / (back - from.back);
     outline.push_back({.back = from.back + t * (back - from.back),
                        .out = from.out + t * t * (3 - 2 * t) * (out - from.out),
                        .normal_back = -slope,
-                       .normal_out = 1,
-                       .roughness = roughness});
+                       .normal_out = 1});
   }
 }
 
@@ -169,9 +167,9 @@ void append_fillet(std::vector<OutlinePoint>& outline, double out) {
 /// From the outline's last point: slim shaft, widening, handle with rings, rounded end.
 void append_shaft(std::vector<OutlinePoint>& outline, double slim, double thick, double scene_size) {
   const double start = outline.back().back;
-  append_taper(outline, start + 0.06 * scene_size, slim, kBrushed);
-  append_taper(outline, start + 0.52 * scene_size, slim, kBrushed);
-  append_taper(outline, start + 0.62 * scene_size, thick, kBrushed);
+  append_taper(outline, start + 0.06 * scene_size, slim, 6);
+  append_taper(outline, start + 0.52 * scene_size, slim, 1);
+  append_taper(outline, start + 0.62 * scene_size, thick, 8);
   for (const double back : {0.64, 0.66, 1.16, 1.18}) {
     const bool ringed = back > 0.65 && back < 1.17;
     outline.push_back({.back = start + back * scene_size, .out = thick, .grip = ringed ? 1.0f : 0.0f});
