@@ -108,6 +108,10 @@ std::optional<double> line_travel(const Corners& corners, double half_length, co
 /// prescribe nearly the same motion twice.
 constexpr double kVertexSnap = 0.05;
 
+/// A segment reaches this far beyond its ends, metres: a step that ends within round-off of the surface and the next
+/// one, which begins there, must not both miss it.
+constexpr double kSegmentSlack = 1e-9;
+
 }  // namespace
 
 std::optional<SurfacePoint> first_entry(const SurfaceView& surface, const Eigen::Vector3d& origin,
@@ -131,7 +135,8 @@ std::optional<SurfacePoint> first_entry_on_segment(const SurfaceView& surface, c
   std::optional<SurfacePoint> best;
   for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
     const auto hit = entry(corners_of(surface, t), begin, direction, surface.open);
-    if (hit && hit->travel >= 0 && hit->travel <= length && (!best || hit->travel < best->travel)) {
+    const bool reached = hit && hit->travel >= -kSegmentSlack && hit->travel <= length + kSegmentSlack;
+    if (reached && (!best || hit->travel < best->travel)) {
       best = hit;
       best->triangle = t;
     }

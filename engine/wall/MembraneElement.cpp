@@ -81,11 +81,13 @@ double largest_tension(const MembraneRest& rest, const Material& material,
                        const std::array<Eigen::Vector3d, 3>& corners) {
   const Eigen::Vector3d c = right_cauchy_green(deformation_gradient(rest, corners));
   const Eigen::Vector3d s = material.law->respond(material.parameters.data(), c).second_piola_kirchhoff;
-  // The principal values of F S F^T are those of S C, whose trace and determinant are invariants.
-  const double half_trace = 0.5 * (s[0] * c[0] + s[1] * c[1] + 2 * s[2] * c[2]);
+  // The principal values of F S F^T are those of S C. Half their difference is taken from entries that vanish where the
+  // two are equal; trace and determinant would lose half the digits there.
+  const double first = s[0] * c[0] + s[2] * c[2], second = s[2] * c[2] + s[1] * c[1];
+  const double across = (s[0] * c[2] + s[2] * c[1]) * (s[2] * c[0] + s[1] * c[2]);
+  const double half_difference = std::sqrt(std::max(0.0, 0.25 * (first - second) * (first - second) + across));
+  const double principal = 0.5 * (first + second) + half_difference;
   const double det_c = c[0] * c[1] - c[2] * c[2];
-  const double det = (s[0] * s[1] - s[2] * s[2]) * det_c;
-  const double principal = half_trace + std::sqrt(std::max(0.0, half_trace * half_trace - det));
   return rest.thickness * principal / std::sqrt(det_c);
 }
 

@@ -1,0 +1,80 @@
+#include "engine/solver/BlockPattern.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/engine/solver/BlockMatrix.hpp"
+
+namespace thinwall {
+namespace {
+
+/// The lower triangle as a dense matrix, read from columns and rows as a sparse library would.
+Eigen::MatrixXd expanded(const BlockPattern& pattern, const std::vector<double>& values) {
+  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(3 * pattern.vertices, 3 * pattern.vertices);
+  for (int column = 0; column < 3 * pattern.vertices; ++column) {
+    for (int k = pattern.column_begin[column]; k < pattern.column_begin[column + 1]; ++k) {
+      dense(pattern.row[k], column) = values[k];
+      dense(column, pattern.row[k]) = values[k];
+    }
+  }
+  return dense;
+}
+
+TEST(BlockPattern, AssembledMatrixIsTheDenseOne) {
+  const BlockMatrix matrix = random_matrix(80, 0.5, 3);
+  EXPECT_LT((expanded(matrix.pattern, matrix.values) - matrix.dense).cwiseAbs().maxCoeff(), 1e-14);
+}
+
+TEST(BlockPattern, CornersInAnyOrderGoToTheSamePlaces) {
+  // Each of the six orders of the corners must place a triangle's blocks where the dense assembly does.
+  const std::vector<Eigen::Vector3i> orders = {{0, 2, 3}, {0, 3, 2}, {2, 0, 3}, {2, 3, 0}, {3, 0, 2}, {3, 2, 0}};
+  Eigen::Matrix<double, 9, 9> part = random_columns(9, 9, 5);
+  part = (part + part.transpose()).eval();
+  for (const Eigen::Vector3i& triangle : orders) {
+    const BlockPattern pattern = make_block_pattern(4, std::vector<Eigen::Vector3i>{triangle});
+    std::vector<double> values(pattern.nonzeros(), 0);
+    add_triangle(triangle_addresses(pattern, triangle), part, values);
+    Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(12, 12);
+    for (int a = 0; a < 3; ++a) {
+      for (int b = 0; b < 3; ++b) dense.block<3, 3>(3 * triangle[a], 3 * triangle[b]) = part.block<3, 3>(3 * a, 3 * b);
+    }
+    EXPECT_EQ((expanded(pattern, values) - dense).cwiseAbs().maxCoeff(), 0) << triangle.transpose();
+  }
+}
+
+TEST(BlockPattern, KeepsTheLowerTriangleInAscendingRowsWithTheDiagonalFirst) {
+  const BlockPattern pattern = random_matrix(80, 0, 1).pattern;
+  for (int column = 0; column < 3 * pattern.vertices; ++column) {
+    const auto begin = pattern.row.begin() + pattern.column_begin[column];
+    const auto end = pattern.row.begin() + pattern.column_begin[column + 1];
+    ASSERT_NE(begin, end);
+    EXPECT_EQ(*begin, column);
+    EXPECT_TRUE(std::is_sorted(begin, end));
+    EXPECT_EQ(std::adjacent_find(begin, end), end);
+  }
+}
+
+TEST(BlockPattern, HasNineEntriesPerEdgeAndSixPerVertex) {
+  // A closed triangulated sphere: E = 3 F / 2, V = F / 2 + 2.
+  const BlockPattern pattern = random_matrix(80, 0, 1).pattern;
+  EXPECT_EQ(pattern.vertices, 42);
+  EXPECT_EQ(pattern.nonzeros(), 9 * 120 + 6 * 42);
+}
+
+TEST(BlockPattern, VertexWithoutTrianglesKeepsItsDiagonal) {
+  const BlockPattern pattern = make_block_pattern(5, std::vector<Eigen::Vector3i>{{0, 2, 3}});
+  EXPECT_EQ(pattern.column_begin[3 * 1 + 1] - pattern.column_begin[3 * 1], 3);
+  EXPECT_EQ(pattern.row[pattern.column_begin[3 * 4]], 12);
+}
+
+TEST(BlockPattern, ProductWithAVectorIsTheDenseOne) {
+  const BlockMatrix matrix = random_matrix(80, 0.5, 3);
+  const Eigen::VectorXd x = random_columns(matrix.dense.rows(), 1, 8);
+  Eigen::VectorXd y;
+  multiply(matrix.pattern, matrix.values, x, y);
+  EXPECT_LT((y - matrix.dense * x).cwiseAbs().maxCoeff(), 1e-13);
+}
+
+}  // namespace
+}  // namespace thinwall

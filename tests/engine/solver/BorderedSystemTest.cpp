@@ -1,0 +1,89 @@
+#include "engine/solver/BorderedSystem.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+#include "tests/engine/solver/BlockMatrix.hpp"
+
+namespace thinwall {
+namespace {
+
+struct Example {
+  const char* name;
+  double shift;            // of the sparse part; negative makes it indefinite
+  Eigen::MatrixXd corner;  // D
+};
+
+std::vector<Example> examples() {
+  Eigen::MatrixXd none = Eigen::MatrixXd::Zero(0, 0), one = Eigen::MatrixXd::Zero(1, 1);
+  Eigen::MatrixXd soft = Eigen::MatrixXd::Constant(1, 1, -0.3);
+  Eigen::MatrixXd mixed = Eigen::MatrixXd::Zero(4, 4);
+  mixed(1, 1) = -2;
+  mixed(3, 3) = 5;
+  return {{"no border", 0.5, none},
+          {"one constraint on a definite matrix", 0.5, one},
+          {"one constraint on an indefinite matrix", -0.45, one},
+          {"one soft constraint", 0.5, soft},
+          {"several columns", 0.5, mixed},
+          {"several columns on an indefinite matrix", -1.5, mixed}};
+}
+
+TEST(BorderedSystem, InertiaAndSolutionAreThoseOfTheDenseMatrix) {
+  for (const Example& example : examples()) {
+    const BlockMatrix matrix = random_matrix(80, example.shift, 3);
+    const Eigen::Index unknowns = matrix.dense.rows(), columns = example.corner.rows();
+    const Eigen::MatrixXd border = random_columns(unknowns, columns, 11);
+    Eigen::MatrixXd whole(unknowns + columns, unknowns + columns);
+    whole << matrix.dense, border, border.transpose(), example.corner;
+
+    SparseFactor factor(matrix.pattern);
+    const std::optional<int> negative = factor.factorize_indefinite(matrix.values);
+    ASSERT_TRUE(negative) << example.name;
+    BorderedSystem system;
+    system.set(factor, *negative, border, example.corner);
+    const Eigen::VectorXd spectrum = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(whole).eigenvalues();
+    EXPECT_EQ(system.negative_eigenvalues(), (spectrum.array() < 0).count()) << example.name;
+
+    const Eigen::VectorXd right = random_columns(unknowns + columns, 1, 12);
+    Eigen::VectorXd f = right.head(unknowns), g = right.tail(columns);
+    system.solve(factor, f, g);
+    Eigen::VectorXd solved(unknowns + columns);
+    solved << f, g;
+    // Residuals seen up to 4e-12, from the indefinite matrices, which are factorised without pivoting.
+    EXPECT_LT((whole * solved - right).cwiseAbs().maxCoeff(), 1e-10) << example.name;
+  }
+}
+
+TEST(BorderedSystem, ConstraintOnADefiniteMatrixAddsOneNegativeEigenvalueEach) {
+  const BlockMatrix matrix = random_matrix(80, 0.5, 3);
+  SparseFactor factor(matrix.pattern);
+  ASSERT_TRUE(factor.factorize(matrix.values));
+  BorderedSystem system;
+  for (const int columns : {0, 1, 3}) {
+    system.set(factor, 0, random_columns(matrix.dense.rows(), columns, 11), Eigen::MatrixXd::Zero(columns, columns));
+    EXPECT_EQ(system.negative_eigenvalues(), columns);
+  }
+}
+
+TEST(BorderedSystem, ColumnOfOneConstraintMakesAMatrixWithOneNegativeDirectionConvex) {
+  // As a balloon past its limit point: K has one negative eigenvalue, along the border the whole is convex.
+  BlockMatrix matrix = random_matrix(20, 0.5, 3);
+  const Eigen::VectorXd lowest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix.dense).eigenvectors().col(0);
+  const double least = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix.dense).eigenvalues()[0];
+  const double next = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix.dense).eigenvalues()[1];
+  for (int column = 0; column < 3 * matrix.pattern.vertices; ++column) {
+    matrix.values[matrix.pattern.column_begin[column]] -= 0.5 * (least + next);
+  }
+  SparseFactor factor(matrix.pattern);
+  const std::optional<int> negative = factor.factorize_indefinite(matrix.values);
+  ASSERT_TRUE(negative);
+  EXPECT_EQ(*negative, 1);
+  BorderedSystem system;
+  system.set(factor, *negative, lowest, Eigen::MatrixXd::Zero(1, 1));
+  EXPECT_EQ(system.negative_eigenvalues(), 1);
+}
+
+}  // namespace
+}  // namespace thinwall
