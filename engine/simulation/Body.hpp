@@ -80,7 +80,9 @@ class Body {
   Eigen::VectorXd contact_pressure() const;
 
  private:
-  void solve_statics(double pressure, FluidMode mode, const char* stage);
+  NewtonResult solve(EquilibriumProblem& problem, EquilibriumState& state);
+  NewtonResult relax(EquilibriumProblem& problem, EquilibriumState& state);
+  void solve_statics(double pressure, FluidMode mode);
   bool try_step(std::span<const ToolPose> begin, std::span<const ToolPose> end, double duration);
   void attach(std::span<const ToolPose> begin, std::span<const ToolPose> end, EquilibriumProblem& problem) const;
   void attach_line(int tool, const ToolPose& end, EquilibriumProblem& problem) const;
