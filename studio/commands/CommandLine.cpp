@@ -1,11 +1,13 @@
 #include "studio/commands/CommandLine.hpp"
 
 #include <fmt/format.h>
+#include <oneapi/tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <optional>
 #include <set>
 
 #include "studio/commands/Commands.hpp"
@@ -46,6 +48,7 @@ class CommandLine {
   CLI::App* add_command(CLI::App& parent, const std::string& name, const std::string& documentation, Action action);
   void add_overrides(CLI::App& command);
   void add_device(CLI::App& command);
+  void add_threads(CLI::App& command);
   void add_size(CLI::App& command);
   void add_recording(CLI::App& command, bool& video, bool& frames, bool& surfaces, bool& json);
   std::vector<std::string> commands_first(const std::vector<std::string>& arguments) const;
@@ -55,6 +58,7 @@ class CommandLine {
       "compared with golden images.",
       "thinwall"};
   Texts texts_;
+  int threads_ = 0;  // 0: as many as there are cores
   RunOptions run_;
   CheckOptions check_;
   RenderOptions render_;
@@ -145,6 +149,12 @@ void CommandLine::add_device(CLI::App& command) {
       ->capture_default_str();
 }
 
+void CommandLine::add_threads(CLI::App& command) {
+  command.add_option("--threads", threads_, "how many threads the physics may use; changes no bit of the results")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+}
+
 void CommandLine::add_size(CLI::App& command) {
   command.add_option("--size", texts_.size, "another size than the scenario's, in pixels")->type_name("WIDTHxHEIGHT");
 }
@@ -172,6 +182,7 @@ void CommandLine::add_run() {
   command->add_option("--out", texts_.out, "the folder for the results; out/NAME when absent")->type_name("DIR");
   add_overrides(*command);
   add_device(*command);
+  add_threads(*command);
   command->add_flag("!--no-render", run_.render, "physics and records only; needs no graphics");
   add_recording(*command, run_.video, run_.frames, run_.surfaces, run_.json);
 }
@@ -222,6 +233,7 @@ void CommandLine::add_still() {
   add_size(*command);
   add_overrides(*command);
   add_device(*command);
+  add_threads(*command);
 }
 
 void CommandLine::add_golden() {
@@ -235,6 +247,7 @@ void CommandLine::add_golden() {
     command->add_option("SCENARIO", golden_.scenarios,
                         "scenario files or names; test: all that have goldens when absent");
     add_device(*command);
+    add_threads(*command);
     return command;
   };
   CLI::App* test = add("test", "compare, and write no golden", test_goldens);
@@ -293,6 +306,8 @@ int CommandLine::run(std::vector<std::string> arguments) {
     return kExitBadInput;
   }
   note_interruptions();
+  std::optional<tbb::global_control> limit;
+  if (threads_ > 0) limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads_));
   return action_();
 }
 

@@ -122,6 +122,21 @@ TEST_F(ProgramTest, TheSameScenarioTwiceLeavesTheSameBytes) {
   EXPECT_EQ(manifest("one")["state_digest"], manifest("two")["state_digest"]);
 }
 
+TEST_F(ProgramTest, AnyNumberOfThreadsLeavesTheSameBytes) {
+  std::string fine = small_scenario();
+  fine.replace(fine.find("triangles: 64"), 13, "triangles: 1500");
+  write_bytes(folder_ / "fine.yaml", fine);
+  for (const char* threads : {"1", "2", "5"}) {
+    const ProgramEnd end = run({"run", "fine.yaml", "--no-render", "--threads", threads, "--out", threads});
+    ASSERT_EQ(end.exit_code, 0) << end.messages;
+  }
+  for (const char* threads : {"2", "5"}) {
+    EXPECT_TRUE(file_bytes(folder_ / threads / "take.h5") == file_bytes(folder_ / "1" / "take.h5")) << threads;
+    EXPECT_EQ(manifest(threads)["state_digest"], manifest("1")["state_digest"]);
+  }
+  expect_bad_usage({"run", "fine.yaml", "--threads", "0"}, "--threads");
+}
+
 TEST_F(ProgramTest, TheOrderOfOptionsDoesNotMatter) {
   ASSERT_EQ(run({"run", "small.yaml", "--out", "one", "--set", "depth=1mm", "--no-render"}).exit_code, 0);
   ASSERT_EQ(run({"--no-render", "--set", "depth=1mm", "run", "--out", "two", "small.yaml"}).exit_code, 0);
