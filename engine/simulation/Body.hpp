@@ -56,6 +56,12 @@ struct BodyStepReport {
   double residual = 0;  // newton
 };
 
+/// Energy of a compressible fluid from its volume at the reference pressure, joule; zero for others.
+double fluid_energy(const BodyModel& model, const BodyState& state);
+
+/// A sphere tool: its tip is the point of the ball farthest along the direction.
+SphereTool sphere_at(const ToolDefinition& tool, const ToolPose& pose);
+
 /// One body with its solver. Not copyable; bodies do not touch each other.
 class Body {
  public:
@@ -89,8 +95,11 @@ class Body {
   bool release(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;
   void add_spheres(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;
   void add_inertia(double duration, EquilibriumProblem& problem) const;
-  void accept(std::span<const ToolPose> begin, std::span<const ToolPose> end, double duration,
-              const EquilibriumProblem& problem, const EquilibriumState& reached);
+  void accept(std::span<const ToolPose> begin, double duration, const EquilibriumProblem& problem,
+              const EquilibriumState& reached);
+  void update_velocity(const BodyState& before, double duration, const EquilibriumProblem& problem);
+  void update_forces(const EquilibriumProblem& problem);
+  void update_books(const BodyState& before, std::span<const ToolPose> begin, const EquilibriumProblem& problem);
   FluidMode fluid_mode() const;
 
   std::unique_ptr<const BodyModel> model_;

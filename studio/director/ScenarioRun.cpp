@@ -83,6 +83,7 @@ struct ScenarioRun::Implementation {
     for (int k = 0; k < static_cast<int>(scenario.tools.size()); ++k) tools[scenario.tools[k].name].index = k;
     for (const Clip& clip : scenario.timeline) clips.push_back({.plan = plan(clip)});
     schedule();
+    refuse_overlaps();
     place_tools();
     write_moment();
   }
@@ -131,6 +132,23 @@ struct ScenarioRun::Implementation {
     }
   }
 
+  /// How long a palpation lasts depends on where the tool meets the wall, so two clips of one tool may be found to
+  /// play at once only here.
+  void refuse_overlaps() const {
+    for (std::size_t k = 0; k < clips.size(); ++k) {
+      for (std::size_t other = 0; other < k; ++other) {
+        const std::string tool = tool_of(scenario.timeline[k]);
+        if (tool.empty() || tool != tool_of(scenario.timeline[other])) continue;
+        if (clips[k].begin >= clips[other].end - kSameTime || clips[other].begin >= clips[k].end - kSameTime) continue;
+        throw InputErrors({{scenario.timeline[k].location,
+                            fmt::format("timeline[{}]: drives tool `{}` from {:.4g} s to {:.4g} s, while timeline[{}] "
+                                        "drives it from {:.4g} s to {:.4g} s; start one after the other has ended",
+                                        k + 1, tool, clips[k].begin, clips[k].end, other + 1, clips[other].begin,
+                                        clips[other].end)}});
+      }
+    }
+  }
+
   /// Before its first clip a tool waits where that clip begins.
   void place_tools() {
     for (auto& [name, tool] : tools) {
@@ -151,6 +169,7 @@ struct ScenarioRun::Implementation {
       clip.begun = true;
       clip.plan = plan(scenario.timeline[k]);
       schedule();
+      refuse_overlaps();
       const std::string name = tool_of(scenario.timeline[k]);
       if (name.empty()) continue;
       DirectedTool& tool = tools.at(name);

@@ -1,0 +1,101 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "engine/simulation/Body.hpp"
+
+namespace thinwall {
+namespace {
+
+/// Gap at which the wall rests on a tool: small beside any depth that matters, whatever the mesh.
+double contact_range(const ToolDefinition& tool) {
+  return std::min(10e-6, 1e-4 * tool.radius);  // metres
+}
+
+/// Two places of a tool that are the same but for rounding.
+constexpr double kSamePlace = 1e-9;  // metres
+
+Eigen::Vector3d prescribed_point(const Attachment& attachment, const ToolPose& pose) {
+  return pose.tip + attachment.offset.x() * pose.axis.cross(pose.direction) + attachment.offset.y() * pose.axis;
+}
+
+}  // namespace
+
+SphereTool sphere_at(const ToolDefinition& tool, const ToolPose& pose) {
+  return {.center = pose.tip - tool.radius * pose.direction, .radius = tool.radius};
+}
+
+void Body::attach(std::span<const ToolPose> begin, std::span<const ToolPose> end, EquilibriumProblem& problem) const {
+  problem.attachments = state_.attachments;
+  // A tool that is set elsewhere between two clips lets go of what it held.
+  std::erase_if(problem.attachments, [&](const Attachment& attachment) {
+    return (prescribed_point(attachment, begin[attachment.tool]) - attachment.target).norm() > kSamePlace;
+  });
+  for (int tool = 0; tool < static_cast<int>(tools_.size()); ++tool) {
+    if (tools_[tool].kind == ToolKind::kLine) attach_line(tool, end[tool], problem);
+    if (tools_[tool].kind != ToolKind::kPoint) continue;
+    const bool attached = std::any_of(problem.attachments.begin(), problem.attachments.end(),
+                                      [&](const Attachment& attachment) { return attachment.tool == tool; });
+    if (attached) continue;
+    if (const auto hit = first_entry_on_segment(surface(), begin[tool].tip, end[tool].tip)) {
+      problem.attachments.push_back(
+          {.tool = tool, .vertices = model_->surface[hit->triangle], .weights = hit->weights});
+    }
+  }
+  for (Attachment& attachment : problem.attachments)
+    attachment.target = prescribed_point(attachment, end[attachment.tool]);
+}
+
+void Body::attach_line(int tool, const ToolPose& end, EquilibriumProblem& problem) const {
+  // What lies this far behind the line was never in its way.
+  const double reach = 2 * model_->edge_length;
+  for (const LineCrossing& crossing : line_crossings(surface(), tools_[tool], end)) {
+    if (crossing.travel > 0 || crossing.travel < -reach) continue;
+    Attachment attachment{.tool = tool, .vertices = model_->surface[crossing.triangle], .weights = crossing.weights};
+    const Eigen::Vector3d offset = material_point(attachment, state_.equilibrium.position) - end.tip;
+    attachment.offset = {offset.dot(end.axis.cross(end.direction)), crossing.along};
+    const bool crowded =
+        std::any_of(problem.attachments.begin(), problem.attachments.end(), [&](const Attachment& other) {
+          return other.tool == tool && std::abs(other.offset.y() - crossing.along) < 0.25 * model_->edge_length;
+        });
+    if (!crowded) problem.attachments.push_back(attachment);
+  }
+}
+
+bool Body::release(std::span<const ToolPose> poses, EquilibriumProblem& problem) const {
+  const std::size_t before = problem.attachments.size();
+  std::erase_if(problem.attachments, [&](const Attachment& attachment) {
+    const Eigen::Vector3d motion = attachment.target - material_point(attachment, state_.equilibrium.position);
+    const Eigen::Vector3d& direction = poses[attachment.tool].direction;
+    // A tool lifts off when it goes back and would have to pull the tissue after it.
+    return motion.dot(direction) < 0 && attachment.force.dot(direction) > 0;
+  });
+  return problem.attachments.size() != before;
+}
+
+void Body::add_spheres(std::span<const ToolPose> poses, EquilibriumProblem& problem) const {
+  for (int tool = 0; tool < static_cast<int>(tools_.size()); ++tool) {
+    if (tools_[tool].kind != ToolKind::kSphere) continue;
+    // Fifty times the pressure under which a wall of unit strain hugs the sphere: the wall then rests near the range.
+    const double pressure = std::max(model_->wall_stiffness / tools_[tool].radius, std::abs(state_.reference_pressure));
+    problem.spheres.push_back({.tool = tool,
+                               .sphere = sphere_at(tools_[tool], poses[tool]),
+                               .range = contact_range(tools_[tool]),
+                               .largest_pressure = 50 * pressure,
+                               .forces = state_.sphere_forces[tool]});
+  }
+}
+
+Eigen::VectorXd Body::contact_pressure() const {
+  Eigen::VectorXd pressure = Eigen::VectorXd::Zero(model_->vertices());
+  for (const Attachment& attachment : state_.attachments) {
+    for (int k = 0; k < 3; ++k) pressure[attachment.vertices[k]] += attachment.weights[k] * attachment.force.norm();
+  }
+  Eigen::VectorXd area = Eigen::VectorXd::Zero(model_->vertices());
+  for (int t = 0; t < model_->triangles(); ++t) {
+    for (const int vertex : model_->surface[t]) area[vertex] += model_->rest[t].area / 3;
+  }
+  return pressure.cwiseQuotient(area.cwiseMax(1e-300));
+}
+
+}  // namespace thinwall
