@@ -55,10 +55,12 @@ class Pipeline {
  private:
   void simulate();
   bool take_moments();
+  void open_records();
   void keep(const Moment& moment);
   void add_forces(const StepRecord& record);
   void finish_records();
   void render();
+  void open_pictures();
   void encode();
   void wait_for_pictures();
   void finish_pictures();
@@ -83,6 +85,7 @@ class Pipeline {
   std::atomic<double> planned_duration_ = 0;
 
   // Of the simulating thread.
+  bool records_open_ = false;
   std::optional<TakeWriter> take_;
   std::optional<RecordCsv> csv_;
   std::optional<SurfaceSeries> surfaces_;
@@ -144,7 +147,7 @@ void Pipeline::stop(std::exception_ptr error) {
 
 RecordingReport Pipeline::run() {
   const auto start = std::chrono::steady_clock::now();
-  prepare_output_folder(plan_.folder);
+  make_folder(plan_.folder);
   {
     std::jthread renderer;
     std::jthread encoder;
@@ -167,6 +170,23 @@ RecordingReport Pipeline::run() {
 }
 
 void Pipeline::simulate() {
+  try {
+    if (!take_moments()) return;
+  } catch (const SimulationFailure& failure) {
+    report_.failure = failure.what();
+  }
+  moments_.close();
+  open_records();
+  report_.warnings = source_.warnings();
+  report_.state_digest = source_.state_digest();
+  finish_records();
+}
+
+/// Only once there is something to record, so that a scenario that turns out to be wrong leaves the earlier recording.
+void Pipeline::open_records() {
+  if (records_open_) return;
+  records_open_ = true;
+  prepare_output_folder(plan_.folder);
   if (plan_.records) {
     take_.emplace(plan_.folder / "take.h5", plan_.description);
     csv_.emplace(plan_.folder);
@@ -175,15 +195,6 @@ void Pipeline::simulate() {
     surfaces_.emplace(plan_.folder);
     surface_frames_.emplace(plan_.description.title, plan_.overlays);
   }
-  try {
-    if (!take_moments()) return;
-  } catch (const SimulationFailure& failure) {
-    report_.failure = failure.what();
-  }
-  moments_.close();
-  report_.warnings = source_.warnings();
-  report_.state_digest = source_.state_digest();
-  finish_records();
 }
 
 /// False when another stage has stopped.
@@ -198,6 +209,7 @@ bool Pipeline::take_moments() {
     if (!moment) return true;
     {
       const StageClock clock(report_.times.write);
+      open_records();
       keep(*moment);
     }
     planned_duration_ = moment->planned_duration;
@@ -277,17 +289,22 @@ void Pipeline::render() {
   pictures_.close();
 }
 
-void Pipeline::encode() {
+/// Once there is a picture, for the same reason.
+void Pipeline::open_pictures() {
+  if (plan_.frames) make_folder(unfinished_name(frame_folder(plan_)));
   if (plan_.video) {
     video_.emplace(plan_.folder / "video.mp4",
                    VideoOptions{.size = plan_.size, .frames_per_second = plan_.frames_per_second});
   }
-  if (plan_.frames) make_folder(unfinished_name(frame_folder(plan_)));
+}
+
+void Pipeline::encode() {
   while (const auto picture = pictures_.pop()) {
     const StageClock clock(report_.times.encode);
+    const std::size_t frame = report_.frame_hashes.size();
+    if (frame == 0) open_pictures();
     if (plan_.frames) {
-      write_png(unfinished_name(frame_folder(plan_)) / fmt::format("frame_{:06}.png", report_.frame_hashes.size()),
-                picture->image);
+      write_png(unfinished_name(frame_folder(plan_)) / fmt::format("frame_{:06}.png", frame), picture->image);
     }
     if (video_) video_->write(picture->image);
     report_.frame_hashes.push_back(image_hash(picture->image));

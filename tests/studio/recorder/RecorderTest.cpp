@@ -203,6 +203,39 @@ TEST(RecorderTest, AnEarlierRecordingDoesNotMixWithTheNext) {
             (std::vector<std::string>{"body.csv", "captions.vtt", "forces.csv", "forces.png", "notes.txt", "take.h5"}));
 }
 
+class WrongScenario final : public MomentSource {
+ public:
+  std::optional<Moment> next() override { throw std::invalid_argument("the line misses the body"); }
+  std::vector<std::string> warnings() const override { return {}; }
+  std::string state_digest() const override { return ""; }
+};
+
+TEST(RecorderTest, AScenarioThatTurnsOutWrongLeavesTheEarlierRecording) {
+  const TemporaryFolder folder;
+  RecordingPlan plan = plan_for(folder.path());
+  plan.video = true;
+  plan.frames = true;
+  SyntheticRun run;
+  record(run, plan, flat_painters());
+  const std::vector<std::string> before = names_in(folder.path());
+  WrongScenario wrong;
+  EXPECT_THROW(record(wrong, plan, flat_painters()), std::invalid_argument);
+  EXPECT_EQ(names_in(folder.path()), before);
+}
+
+TEST(RecorderTest, ASimulationThatFailsAtOnceIsRecordedAsSuch) {
+  const TemporaryFolder folder;
+  SyntheticRun run({.fail_at = 1});
+  static_cast<void>(run.next());
+  RecordingPlan plan = plan_for(folder.path());
+  plan.video = true;
+  const RecordingReport report = record(run, plan, flat_painters());
+  EXPECT_EQ(report.failure, "step 1 cannot be saved");
+  EXPECT_EQ(report.steps, 0U);
+  EXPECT_TRUE(TakeReader(folder / "take.h5").times().empty());
+  EXPECT_FALSE(std::filesystem::exists(folder / "video.mp4"));
+}
+
 TEST(RecorderTest, AFolderOfFramesWithOtherFilesIsNotTouched) {
   const TemporaryFolder folder;
   std::filesystem::create_directory(folder / "frames");
