@@ -100,13 +100,16 @@ TEST(FirstEntryOnSegment, ReachesFromItsBeginToItsEndAndNoFarther) {
 }
 
 TEST(FirstEntryOnSegment, StepsThatMeetWithinRoundOffOfTheSurfaceDoNotLetTheToolThrough) {
-  // Every third of a length rounds differently: whichever step ends at the top face, it or the next one must see it.
-  const TestSurface cube(unit_cube());
-  for (int trial = 1; trial <= 200; ++trial) {
-    const Eigen::Vector3d begin(0.3 + 1e-3 * trial / 3, 0.4 - 1e-3 * trial / 7, 1 + trial / 30.0);
-    const Eigen::Vector3d middle(begin.x(), begin.y(), 1), end(begin.x(), begin.y(), 0.5);
-    EXPECT_TRUE(first_entry_on_segment(cube.view(), begin, middle) || first_entry_on_segment(cube.view(), middle, end))
-        << trial;
+  // Whichever step ends at the surface, it or the next one must see it.
+  const SurfaceMesh mesh = make_sphere(1, 320);
+  const TestSurface sphere(mesh);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const double part = 0.001 * static_cast<double>(t);
+    const Eigen::Vector3d middle = sphere.point(static_cast<int>(t), {0.3 + part, 0.5 - part, 0.2});
+    const Eigen::Vector3d motion = -middle + 0.3 * Eigen::Vector3d(part, 0.5, -part);
+    EXPECT_TRUE(first_entry_on_segment(sphere.view(), middle - 0.7 * motion, middle) ||
+                first_entry_on_segment(sphere.view(), middle, middle + 0.3 * motion))
+        << t;
   }
 }
 

@@ -1,0 +1,141 @@
+#include "engine/simulation/Newton.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "engine/mesh/Shapes.hpp"
+#include "tests/engine/simulation/TestBodies.hpp"
+
+namespace thinwall {
+namespace {
+
+/// Orders of convergence log(r2 / r1) / log(r1 / r0) near the solution: of iterations that start below `near` of the
+/// first residual and end above round-off.
+std::vector<double> orders(const std::vector<double>& history, double near, double round_off) {
+  std::vector<double> result;
+  for (std::size_t k = 2; k < history.size(); ++k) {
+    if (history[k - 1] < near && history[k] > round_off && history[k - 1] < history[k - 2]) {
+      result.push_back(std::log(history[k] / history[k - 1]) / std::log(history[k - 1] / history[k - 2]));
+    }
+  }
+  return result;
+}
+
+void print(const char* name, const NewtonResult& result) {
+  std::printf("%s:", name);
+  for (const double residual : result.residual_history) std::printf(" %.1e", residual);
+  std::printf(" N, %d shifted\n", result.shifted_iterations);
+}
+
+struct Case {
+  const char* name;
+  Material material;
+  FluidMode fluid;
+  double stretch;  // of volume^(1/3), where Newton starts
+  double jump;     // factor of the stretch to go
+};
+
+TEST(Newton, ConvergesQuadraticallyNearTheSolutionBelowAndBeyondTheLimitPoint) {
+  const std::vector<Case> cases = {
+      {"neo-Hookean, below the limit point", neo_hookean(20e3), FluidMode::kIncompressible, 1.1, 1.1},
+      {"neo-Hookean, at the limit point", neo_hookean(20e3), FluidMode::kIncompressible, 1.35, 1.05},
+      {"neo-Hookean, beyond the limit point", neo_hookean(20e3), FluidMode::kIncompressible, 1.8, 1.1},
+      {"Mooney-Rivlin", mooney_rivlin(8e3, 2e3), FluidMode::kIncompressible, 1.3, 1.1},
+      {"St. Venant-Kirchhoff", st_venant_kirchhoff(60e3, 0.3), FluidMode::kIncompressible, 1.1, 1.1},
+      {"neo-Hookean, compressible fluid", neo_hookean(20e3), FluidMode::kCompressible, 1.1, 1.1},
+      {"neo-Hookean, compressible fluid beyond the limit point", neo_hookean(20e3), FluidMode::kCompressible, 1.8, 1.1},
+      {"neo-Hookean, given pressure", neo_hookean(20e3), FluidMode::kGivenPressure, 1.05, 1.03},
+  };
+  for (const Case& one : cases) {
+    SCOPED_TRACE(one.name);
+    const BodyModel model = make_body_model(make_body(make_sphere(20e-3, 320), 1e-3, one.material));
+    Newton newton(model);
+    EquilibriumProblem problem;
+    problem.fluid = FluidMode::kIncompressible;
+    problem.hold_rigid_motions = true;
+    EquilibriumState state{.position = model.rest_position, .pressure = 0, .rigid_reaction = {}};
+    for (double stretch = 1.05; stretch < one.stretch + 1e-9; stretch += 0.05) {
+      problem.fluid_volume = model.rest_volume * std::pow(stretch, 3);
+      ASSERT_TRUE(newton.solve(problem, state, {}).converged);
+    }
+    const double pressure = state.pressure;
+    problem.fluid = one.fluid;
+    problem.fluid_volume = model.rest_volume * std::pow(one.stretch * one.jump, 3);
+    problem.bulk_modulus = 200e3;
+    problem.pressure = one.fluid == FluidMode::kGivenPressure ? pressure * one.jump : 0;
+    const NewtonResult result = newton.solve(problem, state, {.tolerance = 1e-13, .maximum_iterations = 40});
+    print(one.name, result);
+    const double scale = newton.terms().largest_force;
+    EXPECT_EQ(result.shifted_iterations, 0);
+    // Residuals below 1e-13 of a single force are round-off.
+    const std::vector<double> seen = orders(result.residual_history, 1e-2 * scale, 1e-12 * scale);
+    ASSERT_FALSE(seen.empty());
+    for (const double order : seen) EXPECT_GT(order, 1.8);
+    EXPECT_LT(result.residual, 1e-9 * scale);
+  }
+}
+
+TEST(Newton, ConvergesQuadraticallyWithAnAttachedPoint) {
+  BodyDefinition definition = pressurised_hemisphere(256, 0);
+  const BodyModel model = make_body_model(definition);
+  Newton newton(model);
+  EquilibriumProblem problem;
+  problem.fluid = FluidMode::kIncompressible;
+  problem.fluid_volume = 1.1 * model.rest_volume;
+  EquilibriumState state{.position = model.rest_position, .pressure = 0, .rigid_reaction = {}};
+  ASSERT_TRUE(newton.solve(problem, state, {}).converged);
+  int near = 0;
+  for (int t = 0; t < model.triangles(); ++t) {
+    const auto height = [&](int triangle) { return corners_of(model.surface[triangle], state.position)[0].z(); };
+    if (height(t) > height(near)) near = t;
+  }
+  Attachment attachment{.tool = 0, .vertices = model.surface[near], .weights = {0.5, 0.3, 0.2}};
+  attachment.target = material_point(attachment, state.position) + Eigen::Vector3d(0.2e-3, 0, -1e-3);
+  problem.attachments = {attachment};
+  const NewtonResult result = newton.solve(problem, state, {.tolerance = 1e-13, .maximum_iterations = 40});
+  print("attached point", result);
+  const double scale = newton.terms().largest_force;
+  const std::vector<double> seen = orders(result.residual_history, 1e-2 * scale, 1e-12 * scale);
+  ASSERT_FALSE(seen.empty());
+  for (const double order : seen) EXPECT_GT(order, 1.8);
+  EXPECT_LT((material_point(problem.attachments[0], state.position) - attachment.target).norm(), 1e-12);
+}
+
+TEST(Newton, AttachedPointReachesItsTargetAndTheFluidItsVolume) {
+  const BodyModel model = make_body_model(pressurised_hemisphere(64, 0));
+  Newton newton(model);
+  EquilibriumProblem problem;
+  problem.fluid = FluidMode::kIncompressible;
+  problem.fluid_volume = 1.02 * model.rest_volume;
+  Attachment attachment{.tool = 0, .vertices = model.surface[0], .weights = {0.2, 0.3, 0.5}};
+  attachment.target = material_point(attachment, model.rest_position) + Eigen::Vector3d(0, 0, -2e-3);
+  problem.attachments = {attachment};
+  EquilibriumState state{.position = model.rest_position, .pressure = 0, .rigid_reaction = {}};
+  const NewtonResult result = newton.solve(problem, state, {});
+  ASSERT_TRUE(result.converged) << result.reason;
+  EXPECT_LT((material_point(problem.attachments[0], state.position) - attachment.target).norm(), 1e-12);
+  EXPECT_NEAR(enclosed_volume(model, state.position), problem.fluid_volume, 1e-11 * model.rest_volume);
+  for (Eigen::Index k = 0; k < state.position.size(); ++k) {
+    if (model.fixed[k]) {
+      EXPECT_EQ(state.position[k], model.rest_position[k]);
+    }
+  }
+}
+
+TEST(Newton, SaysWhyItStoppedAndLeavesTheBestStateReached) {
+  const BodyModel model = make_body_model(pressurised_hemisphere(64, 0));
+  Newton newton(model);
+  EquilibriumProblem problem;
+  problem.fluid = FluidMode::kIncompressible;
+  problem.fluid_volume = 1.3 * model.rest_volume;
+  EquilibriumState state{.position = model.rest_position, .pressure = 0, .rigid_reaction = {}};
+  const NewtonResult result = newton.solve(problem, state, {.tolerance = 1e-9, .maximum_iterations = 1});
+  EXPECT_FALSE(result.converged);
+  EXPECT_EQ(result.reason, "no convergence within 1 iterations");
+  EXPECT_TRUE(state.position.allFinite());
+}
+
+}  // namespace
+}  // namespace thinwall
