@@ -97,7 +97,7 @@ Camera resolve_camera(const CameraDefinition& definition, const SceneExtent& ext
     if (!(length(target - camera.position) > 0)) throw PictureFailure("the camera stands at its target; move one");
     orient(camera, target - camera.position, up);
   } else {
-    orient(camera, -oblique_direction(extent), up);
+    orient(camera, definition.facing ? vector3(*definition.facing) : -oblique_direction(extent), up);
     if (!extent.rest_points.empty()) frame(camera, extent);
     // A given target keeps the distance; without one the window decides, which leaves the centre out of the middle.
     const double distance = std::max(dot(extent.center - camera.position, camera.forward), extent.size);

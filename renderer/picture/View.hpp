@@ -11,11 +11,12 @@ namespace thinwall {
 /// A pinhole camera. What is absent is chosen so that the reference surfaces fill the picture, seen obliquely from
 /// above.
 struct CameraDefinition {
-  std::optional<Double3> position;  // metres
-  std::optional<Double3> target;    // metres
-  std::optional<Double3> up;        // direction
-  double field_of_view = 0.5236;    // radians, vertical
-  double orbit_speed = 0;           // radians / second around the upward axis through the target
+  std::optional<Double3> position = {};  // metres
+  std::optional<Double3> target = {};    // metres
+  std::optional<Double3> facing = {};  // the sense in which a camera without position looks; obliquely down when absent
+  std::optional<Double3> up = {};      // direction
+  double field_of_view = 0.5236;       // radians, vertical
+  double orbit_speed = 0;              // radians / second around the upward axis through the target
 };
 
 struct LightsDefinition {

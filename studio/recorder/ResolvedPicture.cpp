@@ -17,6 +17,7 @@ std::optional<Double3> find_vector(const Json& mapping, const char* key) {
 CameraDefinition to_camera(const Json& camera) {
   return {.position = find_vector(camera, "position"),
           .target = find_vector(camera, "target"),
+          .facing = find_vector(camera, "facing"),
           .up = find_vector(camera, "up"),
           .field_of_view = camera.at("field_of_view"),
           .orbit_speed = camera.at("orbit_speed")};

@@ -1,5 +1,6 @@
 #include "studio/scenario/LoadScenario.hpp"
 
+#include "studio/scenario/CameraPass.hpp"
 #include "studio/scenario/Diagnostics.hpp"
 #include "studio/scenario/IncludePass.hpp"
 #include "studio/scenario/LintPass.hpp"
@@ -39,6 +40,7 @@ Scenario load_scenario(const std::filesystem::path& file,
   reference_pass(checked, diagnostics);
   lint_pass(checked, diagnostics);
   diagnostics.throw_errors(file);
+  camera_pass(checked);
 
   Scenario scenario = build_scenario(checked);
   scenario.file = file;

@@ -194,6 +194,7 @@ Clip to_clip(const CheckedValue& item) {
 CameraDefinition to_camera(const CheckedValue& camera) {
   return {.position = find_double3(camera, "position"),
           .target = find_double3(camera, "target"),
+          .facing = find_double3(camera, "facing"),
           .up = find_double3(camera, "up"),
           .field_of_view = camera.at("field_of_view").number,
           .orbit_speed = camera.at("orbit_speed").number};
