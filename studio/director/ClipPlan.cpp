@@ -54,7 +54,8 @@ ToolMoment PalpationPlan::at(double time) const {
 
 PalpationPlan plan_palpation(const PalpateClip& clip, const ToolDefinition& tool, const SurfaceView& surface,
                              const SourceLocation& location) {
-  const Eigen::Vector3d direction = clip.direction.normalized();
+  // Adding zero turns a negative zero, which would read oddly in a message, into zero.
+  const Eigen::Vector3d direction = clip.direction.normalized().array() + 0.0;
   const auto hit = first_entry(surface, clip.at, direction);
   if (!hit) {
     throw InputErrors({{location, fmt::format("palpate: the line of approach through at = [{:.4g}, {:.4g}, {:.4g}] m "

@@ -185,8 +185,7 @@ struct ScenarioRun::Implementation {
     std::vector<ToolPose> before(scenario.tools.size()), after;
     for (const auto& [name, tool] : tools) before[tool.index] = tool.pose;
     for (auto& [name, tool] : tools) tool.phase = "idle";
-    for (std::size_t k = 0; k < clips.size(); ++k) {
-      const ScheduledClip& clip = clips[k];
+    for (const ScheduledClip& clip : clips) {
       if (!clip.begun || clip.end <= time() + kSameTime) continue;
       if (const auto* palpation = std::get_if<PalpationPlan>(&clip.plan)) {
         DirectedTool& tool = tools.at(palpation->clip.tool);

@@ -1,0 +1,123 @@
+#include "studio/director/ClipPlan.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <numbers>
+
+#include "engine/mesh/Shapes.hpp"
+#include "studio/scenario/InputError.hpp"
+
+namespace thinwall {
+namespace {
+
+/// A flat square of 80 mm in z = 0, seen from above as the outside.
+struct Table {
+  SurfaceMesh mesh = make_sheet(0.08, 0.08, 200);
+  Eigen::VectorXd position;
+  Table() : position(3 * mesh.vertices.size()) {
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) position.segment<3>(3 * v) = mesh.vertices[v];
+  }
+  SurfaceView view() const { return {.triangles = mesh.triangles, .position = position}; }
+};
+
+const Eigen::Vector3d kOrigin = Eigen::Vector3d::Zero();
+const PalpateClip kClip = {.tool = "probe",
+                           .body = "table",
+                           .at = {0.003, 0.002, 0.5},
+                           .direction = -Eigen::Vector3d::UnitZ(),
+                           .depth = 0.004,
+                           .speed = 0.01,
+                           .hold = 0.5,
+                           .standoff = 0.005};
+const ToolDefinition kPoint = {.name = "probe", .kind = ToolKind::kPoint};
+
+TEST(ClipPlan, APointStartsAtTheStandoffWhereverItsLineIsGiven) {
+  const Table table;
+  for (const double height : {-0.3, 0.0, 0.5}) {
+    PalpateClip clip = kClip;
+    clip.at.z() = height;
+    const PalpationPlan plan = plan_palpation(clip, kPoint, table.view(), {});
+    EXPECT_LT((plan.begin.tip - Eigen::Vector3d(0.003, 0.002, 0.005)).norm(), 1e-15);
+    EXPECT_NEAR(plan.to_contact, 0.005, 1e-15);
+  }
+}
+
+TEST(ClipPlan, ASphereThatComesObliquelyTouchesWithItsFlankFirst) {
+  // Coming down at an angle a to the normal, its flank touches when the tip has still radius (1 - cos a) / cos a to go.
+  const Table table;
+  const double angle = std::numbers::pi / 6, radius = 0.004;
+  PalpateClip clip = kClip;
+  clip.direction = Eigen::Vector3d(std::sin(angle), 0, -std::cos(angle));
+  clip.at = Eigen::Vector3d::Zero();
+  const ToolDefinition sphere{.name = "probe", .kind = ToolKind::kSphere, .radius = radius};
+  const PalpationPlan plan = plan_palpation(clip, sphere, table.view(), {});
+  EXPECT_NEAR(plan.to_contact, clip.standoff - radius * (1 - std::cos(angle)) / std::cos(angle), 1e-12);
+}
+
+TEST(ClipPlan, APalpationGoesThroughItsPhasesAtItsSpeed) {
+  const Table table;
+  const PalpationPlan plan = plan_palpation(kClip, kPoint, table.view(), {});
+  EXPECT_NEAR(plan.duration(), 0.9 + 0.5 + 0.9, 1e-12);
+  struct Expected {
+    double time;
+    const char* phase;
+    double depth, height;
+  };
+  for (const Expected& expected :
+       {Expected{0, "approach", 0, 0.005}, Expected{0.4, "approach", 0, 0.001}, Expected{0.7, "contact", 0.002, -0.002},
+        Expected{1.0, "hold", 0.004, -0.004}, Expected{1.6, "withdrawal", 0.002, -0.002},
+        Expected{2.3, "withdrawal", 0, 0.005}, Expected{9, "withdrawal", 0, 0.005}}) {
+    const ToolMoment moment = plan.at(expected.time);
+    EXPECT_EQ(moment.phase, expected.phase) << expected.time;
+    EXPECT_NEAR(moment.depth, expected.depth, 1e-12) << expected.time;
+    EXPECT_NEAR(moment.pose.tip.z(), expected.height, 1e-12) << expected.time;
+  }
+}
+
+TEST(ClipPlan, WithoutWithdrawalTheToolStaysDown) {
+  const Table table;
+  PalpateClip clip = kClip;
+  clip.withdraw = false;
+  const PalpationPlan plan = plan_palpation(clip, kPoint, table.view(), {});
+  EXPECT_NEAR(plan.duration(), 1.4, 1e-12);
+  EXPECT_NEAR(plan.at(5).depth, 0.004, 1e-15);
+}
+
+TEST(ClipPlan, ALineThatMissesTheBodyIsAnErrorWithPlaceAndCure) {
+  const Table table;
+  PalpateClip clip = kClip;
+  clip.at.x() = 0.2;
+  try {
+    plan_palpation(clip, kPoint, table.view(), {.file = "a.yaml", .line = 7, .column = 5});
+    FAIL() << "no error";
+  } catch (const InputErrors& errors) {
+    EXPECT_EQ(to_text(errors.diagnostics().at(0)),
+              "a.yaml:7:5: error: palpate: the line of approach through at = [0.2, 0.002, 0.5] m along direction = "
+              "[0, 0, -1] misses body `table`; move `at` or turn `direction` so that the line meets its wall from "
+              "outside");
+  }
+}
+
+TEST(ClipPlan, ToolFrameFollowsTheDefaultAxes) {
+  EXPECT_LT((make_pose(kOrigin, -Eigen::Vector3d::UnitZ(), {}).axis - Eigen::Vector3d::UnitY()).norm(), 1e-15);
+  EXPECT_LT((make_pose(kOrigin, Eigen::Vector3d::UnitY(), {}).axis - Eigen::Vector3d::UnitX()).norm(), 1e-15)
+      << "world x where the direction is parallel to y";
+  const ToolPose oblique = make_pose(kOrigin, Eigen::Vector3d(0, 1, -1), Eigen::Vector3d(1, 1, 0));
+  EXPECT_NEAR(oblique.axis.dot(oblique.direction), 0, 1e-15);
+  EXPECT_NEAR(oblique.axis.norm(), 1, 1e-15);
+}
+
+TEST(ClipPlan, AMoveEasesFromRestToRestOrRunsEvenly) {
+  MoveClip clip{.tool = "probe", .to = {0.01, 0, 0}, .duration = 2, .ease = Ease::kSmooth};
+  const MovePlan smooth = plan_move(clip, {});
+  EXPECT_NEAR(smooth.at(0.02).pose.tip.x(), 0.01 * 3 * 1e-4, 1e-7) << "3 t^2 at first";
+  EXPECT_NEAR(smooth.at(1).pose.tip.x(), 0.005, 1e-15);
+  EXPECT_NEAR(smooth.at(5).pose.tip.x(), 0.01, 1e-15);
+  clip.ease = Ease::kLinear;
+  EXPECT_NEAR(plan_move(clip, {}).at(0.5).pose.tip.x(), 0.0025, 1e-15);
+  EXPECT_LT((plan_move(clip, {}).begin.direction - Eigen::Vector3d::UnitX()).norm(), 1e-15) << "that of the motion";
+}
+
+}  // namespace
+}  // namespace thinwall

@@ -1,0 +1,184 @@
+#include "studio/director/ScenarioRun.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "engine/simulation/SimulationFailure.hpp"
+#include "studio/scenario/InputError.hpp"
+
+namespace thinwall {
+namespace {
+
+/// A ball of 20 mm radius, held below, and a point above it; each test adds its clips.
+Scenario ball_scenario() {
+  BodyScenario ball{.name = "ball",
+                    .surface = ShapeSource{.shape = Shape::kSphere, .radius = 0.02, .triangles = 320},
+                    .thickness = {.standard = 1e-3},
+                    .material = {.law = find_wall_law("neo_hookean"), .parameters = {20e3}}};
+  ball.fluid.initial_pressure = 200;
+  ball.fixed = {{.region = BelowRegion{.axis = 2, .at = -0.01}}};
+  Scenario scenario{.name = "test", .title = "test"};
+  scenario.bodies = {ball};
+  scenario.tools = {{.name = "probe", .kind = ToolKind::kPoint}};
+  scenario.simulation = {.analysis = Analysis::kQuasiStatic, .time_step = 0.02};
+  return scenario;
+}
+
+Clip palpation(double x, double depth = 0.003) {
+  return {.action = PalpateClip{.tool = "probe",
+                                .body = "ball",
+                                .at = {x, 0, 0.02},
+                                .depth = depth,
+                                .speed = 0.02,
+                                .hold = 0.1,
+                                .standoff = 0.004}};
+}
+
+TEST(ScenarioRun, TheFirstRecordIsTheEquilibriumAtTimeZero) {
+  Scenario scenario = ball_scenario();
+  scenario.timeline = {palpation(0.001)};
+  const ScenarioRun run(scenario);
+  EXPECT_EQ(run.time(), 0);
+  EXPECT_EQ(run.record().bodies.at(0).pressure, 200);
+  EXPECT_GT(run.record().bodies.at(0).volume, 0);
+  EXPECT_EQ(run.record().bodies.at(0).volume, run.record().bodies.at(0).fluid_volume);
+  EXPECT_EQ(run.record().tools.at(0).phase, "idle");
+  EXPECT_EQ(run.snapshot().surfaces.at(0).positions.size(), run.snapshot().surfaces[0].topology->rest_positions.size());
+}
+
+TEST(ScenarioRun, ForceAndDepthBeginWithContactAndEndWithIt) {
+  Scenario scenario = ball_scenario();
+  scenario.timeline = {palpation(0.001)};
+  ScenarioRun run(scenario);
+  std::map<std::string, int> steps_in_phase;
+  double largest_depth = 0;
+  while (run.step()) {
+    const ToolRecord& tool = run.record().tools.at(0);
+    ++steps_in_phase[tool.phase];
+    largest_depth = std::max(largest_depth, tool.depth);
+    if (tool.phase == "approach") {
+      EXPECT_EQ(tool.force.norm(), 0);
+    }
+    if (tool.phase == "hold") {
+      EXPECT_GT(tool.force.z(), 0) << "the tissue pushes back";
+    }
+    if (tool.depth == 0) {
+      EXPECT_EQ(tool.force.norm(), 0) << tool.phase;
+    }
+    EXPECT_EQ(run.snapshot().tools.at(0).depth, tool.depth);
+  }
+  EXPECT_NEAR(largest_depth, 0.003, 1e-12);
+  for (const char* phase : {"approach", "contact", "hold", "withdrawal"}) EXPECT_GT(steps_in_phase[phase], 2) << phase;
+  EXPECT_NEAR(run.time(), run.planned_duration(), scenario.simulation.time_step);
+  // What the tool put in came back: a quasi-static elastic body keeps nothing, to the integrator's own account.
+  const BodyRecord& body = run.record().bodies.at(0);
+  EXPECT_NEAR(body.tool_work, body.numerical, 1e-10 * body.elastic);
+}
+
+TEST(ScenarioRun, ClipsFollowOneAnotherAndTheToolTouchesNothingInBetween) {
+  Scenario scenario = ball_scenario();
+  scenario.timeline = {palpation(-0.008), {.action = WaitClip{.duration = 0.1}}, palpation(0.008)};
+  scenario.timeline[0].chapter = "left";
+  scenario.timeline[2].chapter = "right";
+  scenario.timeline[2].caption = "the other side";
+  ScenarioRun run(scenario);
+  while (run.step()) {
+    const ToolRecord& tool = run.record().tools.at(0);
+    if (tool.depth == 0) {
+      EXPECT_EQ(tool.force.norm(), 0) << "at " << run.time() << " s in " << tool.phase;
+    }
+  }
+  ASSERT_EQ(run.chapters().size(), 2u);
+  EXPECT_EQ(run.chapters()[1].text, "right");
+  EXPECT_NEAR(run.chapters()[1].begin, run.chapters()[0].end + 0.1, 1e-12);
+  ASSERT_EQ(run.captions().size(), 2u);
+  EXPECT_EQ(run.captions()[0].text, "Palpation: 3 mm deep at 20 mm/s");
+  EXPECT_EQ(run.captions()[1].text, "the other side");
+}
+
+TEST(ScenarioRun, AToolThatStayedDownLetsGoWhenItIsSetElsewhere) {
+  Scenario scenario = ball_scenario();
+  Clip first = palpation(-0.006);
+  std::get<PalpateClip>(first.action).withdraw = false;
+  scenario.timeline = {first, palpation(0.006)};
+  ScenarioRun run(scenario);
+  while (run.step()) {
+    const ToolRecord& tool = run.record().tools.at(0);
+    if (tool.phase == "approach") {
+      EXPECT_EQ(tool.force.norm(), 0);
+    }
+  }
+}
+
+TEST(ScenarioRun, AMoveThroughTheWallTouchesItAndCountsItsDepth) {
+  Scenario scenario = ball_scenario();
+  scenario.timeline = {{.action = MoveClip{.tool = "probe",
+                                           .from = Eigen::Vector3d(0.001, 0, 0.03),
+                                           .to = {0.001, 0, 0.018},
+                                           .duration = 0.5,
+                                           .ease = Ease::kLinear}}};
+  ScenarioRun run(scenario);
+  while (run.step()) {
+  }
+  const ToolRecord& tool = run.record().tools.at(0);
+  EXPECT_EQ(tool.phase, "contact");
+  EXPECT_GT(tool.depth, 0.0015);
+  EXPECT_LT(tool.depth, 0.0035);
+  EXPECT_GT(tool.force.z(), 0);
+}
+
+TEST(ScenarioRun, ClipsThatTurnOutToOverlapAreRefused) {
+  Scenario scenario = ball_scenario();
+  scenario.timeline = {palpation(0.001), palpation(0.002)};
+  scenario.timeline[1].start = 0.5;  // the first lasts about 0.8 s
+  EXPECT_THROW(ScenarioRun{scenario}, InputErrors);
+  scenario.timeline[1].start = 1.5;
+  EXPECT_NO_THROW(ScenarioRun{scenario});
+}
+
+TEST(ScenarioRun, AFreeBodyInStaticsIsHeldAndTheUserIsTold) {
+  Scenario scenario = ball_scenario();
+  scenario.bodies[0].fixed.clear();
+  scenario.timeline = {palpation(0.001)};
+  const ScenarioRun run(scenario);
+  bool told = false;
+  for (const std::string& warning : run.warnings()) told = told || warning.find("rigid motions") != std::string::npos;
+  EXPECT_TRUE(told);
+}
+
+TEST(ScenarioRun, APressureThatTheWallCannotHoldFailsWithWords) {
+  Scenario scenario = ball_scenario();
+  scenario.bodies[0].fluid.initial_pressure = 5000;
+  try {
+    ScenarioRun run(scenario);
+    FAIL() << "no failure";
+  } catch (const SimulationFailure& failure) {
+    EXPECT_NE(std::string(failure.what()).find("under 5000 Pa"), std::string::npos) << failure.what();
+  }
+}
+
+TEST(ScenarioRun, TwiceTheSameScenarioGivesTheSameDigestToTheLastBit) {
+  Scenario scenario = ball_scenario();
+  scenario.simulation.analysis = Analysis::kDynamic;
+  scenario.tools[0] = {.name = "probe", .kind = ToolKind::kSphere, .radius = 0.004};
+  scenario.timeline = {palpation(0.003)};
+  std::vector<std::string> digests;
+  for (int k = 0; k < 2; ++k) {
+    ScenarioRun run(scenario);
+    while (run.time() < 0.5 && run.step()) {
+    }
+    digests.push_back(run.state_digest());
+  }
+  EXPECT_EQ(digests[0], digests[1]);
+  EXPECT_EQ(digests[0].size(), 32u);
+  scenario.bodies[0].density *= 1.0001;
+  ScenarioRun run(scenario);
+  while (run.time() < 0.5 && run.step()) {
+  }
+  EXPECT_NE(run.state_digest(), digests[0]);
+}
+
+}  // namespace
+}  // namespace thinwall
