@@ -4,7 +4,6 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
-#include <regex>
 #include <string>
 #include <vector>
 
@@ -57,25 +56,35 @@ bool starts_with_any(const std::string& text, const Beginnings& beginnings) {
 
 /// Headers of the language and of the operating system: no folder, or a folder of the system.
 bool is_system(const std::string& name) {
-  return name.find('.') == std::string::npos ||
-         std::regex_match(name, std::regex(R"((unistd|fcntl|signal|spawn|poll|dlfcn|pthread|sched)\.h|sys/\w+\.h)"));
+  constexpr std::array kPosix = {"sys/", "unistd.h", "fcntl.h", "signal.h", "spawn.h", "poll.h"};
+  return name.find('.') == std::string::npos || starts_with_any(name, kPosix);
+}
+
+/// What a line includes; an empty name when it includes nothing.
+Include include_in(const std::string& text) {
+  const std::string word = "#include ";
+  if (!starts_with(text, word) || text.size() < word.size() + 2) return {};
+  const char closing = text[word.size()] == '"' ? '"' : '>';
+  const std::size_t begin = word.size() + 1;
+  Include include;
+  include.name = text.substr(begin, text.find(closing, begin) - begin);
+  include.of_project = closing == '"';
+  return include;
 }
 
 std::vector<Include> includes_in(const std::string& folder) {
   std::vector<Include> includes;
-  const std::regex pattern(R"re(\s*#\s*include\s*([<"])([^>"]+)[>"].*)re");
   for (const auto& entry : std::filesystem::recursive_directory_iterator(kRoot / folder)) {
     const std::string extension = entry.path().extension();
     if (extension != ".cpp" && extension != ".hpp") continue;
     std::ifstream stream(entry.path());
     std::string text;
     for (int line = 1; std::getline(stream, text); ++line) {
-      std::smatch match;
-      if (!std::regex_match(text, match, pattern)) continue;
-      includes.push_back({.file = std::filesystem::relative(entry.path(), kRoot),
-                          .line = line,
-                          .name = match[2],
-                          .of_project = match[1] == "\""});
+      Include include = include_in(text);
+      if (include.name.empty()) continue;
+      include.file = std::filesystem::relative(entry.path(), kRoot);
+      include.line = line;
+      includes.push_back(std::move(include));
     }
   }
   return includes;
