@@ -17,6 +17,9 @@ namespace {
 /// few enough to stay in the cache.
 constexpr int kBatch = 512;
 
+/// Part of an edge beyond the range of a contact within which a triangle is kept in view: a step may overrun it.
+constexpr double kContactMargin = 0.5;
+
 template <typename Compute, typename Add, typename Terms>
 void for_each_triangle(int triangles, std::vector<Terms>& buffer, const Compute& compute, const Add& add) {
   buffer.resize(kBatch);
@@ -66,7 +69,8 @@ void find_contacts(const BodyModel& model, const EquilibriumProblem& problem, co
   for (int k = 0; k < static_cast<int>(problem.spheres.size()); ++k) {
     const SphereContact& contact = problem.spheres[k];
     for (int t = 0; t < model.triangles(); ++t) {
-      const double reach = contact.forces[t] > 0 ? std::numeric_limits<double>::infinity() : contact.range;
+      const double near = contact.range + kContactMargin * model.edge_length;
+      const double reach = contact.forces[t] > 0 ? std::numeric_limits<double>::infinity() : near;
       const auto gap = sphere_gap(contact.sphere, reach, corners_of(model.surface[t], position));
       if (gap) terms.contacts.push_back({.sphere = k, .triangle = t, .gap = *gap});
     }

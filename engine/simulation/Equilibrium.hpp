@@ -76,7 +76,7 @@ struct EquilibriumTerms {
   Eigen::VectorXd volume_gradient;     // (3 vertices), metres^2
   std::vector<double> values;          // (non-zeros), newton / metre: Hessian of elastic - pressure volume
   double largest_force = 0;            // newton, of a single term: the scale of the residual
-  std::vector<ContactPoint> contacts;  // triangles nearer to a sphere than its range, or with a force on them
+  std::vector<ContactPoint> contacts;  // triangles near a sphere, or with a force on them
 };
 
 /// Fills `terms`, reusing its memory; where the wall has collapsed its energy is not finite. `position`: (3 vertices),

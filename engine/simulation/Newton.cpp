@@ -13,6 +13,12 @@ constexpr double kAnchorStiffness = 1;
 /// enough to cost no more of the factor's digits.
 constexpr double kAttachmentStiffness = 1e4;
 
+/// Part of the contacts' push that contacts may pull in a step: those at the rim open by themselves in the next one.
+constexpr double kToleratedPull = 0.1;
+
+/// How often a step may be found again because contacts would pull or be overrun.
+constexpr int kContactTurns = 8;
+
 double square(double value) {
   return value * value;
 }
@@ -54,7 +60,7 @@ void Newton::compute_residual(const EquilibriumProblem& problem, const Equilibri
     }
     residual.gaps.push_back(material_point(attachment, state.position) - attachment.target);
   }
-  residual.contact = 0;
+  residual.contact = residual.ghost = 0;
   double misfits = 0;  // metres^2
   for (const ContactPoint& contact : terms.contacts) {
     const double force = contact_force(problem, contact);
@@ -66,6 +72,7 @@ void Newton::compute_residual(const EquilibriumProblem& problem, const Equilibri
         (force - std::max(0.0, contact_law(problem, contact))) / contact_potential(problem, contact).stiffness();
     residual.contact = std::max(residual.contact, std::abs(misfit));
     misfits += square(misfit);
+    if (contact_law(problem, contact) <= 0) residual.ghost = std::max(residual.ghost, force);
   }
   if (problem.hold_rigid_motions) {
     residual.force += rigid_columns_ * state.rigid_reaction;
@@ -101,8 +108,8 @@ double Newton::force_scale(const EquilibriumProblem& problem, const EquilibriumT
 bool Newton::is_solved(const Residual& residual, double force_scale, const NewtonOptions& options) const {
   double gap = residual.contact;
   for (const Eigen::Vector3d& one : residual.gaps) gap = std::max(gap, one.norm());
-  return residual.largest_force <= options.tolerance * force_scale && gap <= 1e-9 * model_.edge_length &&
-         std::abs(residual.volume) <= 1e-11 * std::abs(model_.rest_volume);
+  return std::max(residual.largest_force, residual.ghost) <= options.tolerance * force_scale &&
+         gap <= 1e-9 * model_.edge_length && std::abs(residual.volume) <= 1e-11 * std::abs(model_.rest_volume);
 }
 
 void Newton::build_border(const EquilibriumProblem& problem) {
@@ -138,7 +145,9 @@ void Newton::build_matrix(const EquilibriumProblem& problem, double shift) {
       matrix_[model_.diagonal_entries[anchor]] += kAnchorStiffness * model_.wall_stiffness;
     }
   }
-  for (const ContactPoint& contact : terms_.contacts) {
+  for (std::size_t k = 0; k < terms_.contacts.size(); ++k) {
+    if (open_[k]) continue;
+    const ContactPoint& contact = terms_.contacts[k];
     add_triangle(
         model_.addresses[contact.triangle],
         contact_potential(problem, contact).stiffness() * contact.gap.gradient * contact.gap.gradient.transpose() -
@@ -184,10 +193,11 @@ bool Newton::factorize(const EquilibriumProblem& problem, double& shift) {
 void Newton::find_step(const EquilibriumProblem& problem, const Residual& residual, Step& step) {
   Eigen::VectorXd force = -residual.force;
   // The step is taken from the contact's law, not from the multiplier that enters the residual.
-  for (const ContactPoint& contact : terms_.contacts) {
-    const double push = contact_law(problem, contact) - contact_force(problem, contact);
-    for (int k = 0; k < 3; ++k) {
-      force.segment<3>(3 * model_.surface[contact.triangle][k]) += push * contact.gap.gradient.segment<3>(3 * k);
+  for (std::size_t k = 0; k < terms_.contacts.size(); ++k) {
+    const ContactPoint& contact = terms_.contacts[k];
+    const double push = (open_[k] ? 0 : contact_law(problem, contact)) - contact_force(problem, contact);
+    for (int c = 0; c < 3; ++c) {
+      force.segment<3>(3 * model_.surface[contact.triangle][c]) += push * contact.gap.gradient.segment<3>(3 * c);
     }
   }
   step.forces.assign(problem.attachments.size(), Eigen::Vector3d::Zero());
@@ -224,9 +234,25 @@ void Newton::find_contact_forces(const EquilibriumProblem& problem, Step& step) 
   step.contact_forces.clear();
   for (const ContactPoint& contact : terms_.contacts) {
     const double opening = gap_change(contact, step.position);
-    step.contact_forces.push_back(
-        std::max(0.0, contact_law(problem, contact) - contact_potential(problem, contact).stiffness() * opening));
+    step.contact_forces.push_back(contact_law(problem, contact) -
+                                  contact_potential(problem, contact).stiffness() * opening);
   }
+}
+
+bool Newton::revise_contacts(const Step& step) {
+  double push = 0, wrong = 0;  // newton
+  for (std::size_t k = 0; k < open_.size(); ++k) {
+    const double force = step.contact_forces[k];
+    const bool presses = force > 0;
+    if (presses == static_cast<bool>(open_[k])) {
+      wrong += std::abs(force);
+    } else if (presses) {
+      push += force;
+    }
+  }
+  if (wrong <= kToleratedPull * push) return false;
+  for (std::size_t k = 0; k < open_.size(); ++k) open_[k] = step.contact_forces[k] <= 0;
+  return true;
 }
 
 double Newton::gap_change(const ContactPoint& contact, const Eigen::VectorXd& motion) const {
@@ -237,10 +263,13 @@ double Newton::gap_change(const ContactPoint& contact, const Eigen::VectorXd& mo
   return change;
 }
 
-double Newton::merit(const EquilibriumProblem& problem, const EquilibriumTerms& terms, const Residual& residual,
-                     const Weights& weights) const {
+double Newton::merit(const EquilibriumProblem& problem, const EquilibriumState& state, const EquilibriumTerms& terms,
+                     const Residual& residual, const Weights& weights) const {
   double value = terms.elastic + terms.inertial + weights.pressure * std::abs(residual.volume);
   if (problem.fluid == FluidMode::kGivenPressure) value -= problem.pressure * terms.volume;
+  if (problem.fluid == FluidMode::kCompressible) {
+    value += 0.5 * problem.fluid_volume / problem.bulk_modulus * square(state.pressure);
+  }
   for (const Eigen::Vector3d& gap : residual.gaps) value += weights.force * gap.norm();
   for (const ContactPoint& contact : terms.contacts) {
     value += weights.contact * std::max(0.0, problem.spheres[contact.sphere].range - contact.gap.gap);
@@ -254,6 +283,9 @@ double Newton::merit_slope(const EquilibriumProblem& problem, const EquilibriumS
   if (borders_fluid(problem)) smooth += state.pressure * terms_.volume_gradient;
   if (problem.hold_rigid_motions) smooth -= rigid_columns_ * state.rigid_reaction;
   double slope = smooth.dot(step.position) - weights.pressure * std::abs(residual.volume);
+  if (problem.fluid == FluidMode::kCompressible) {
+    slope += problem.fluid_volume / problem.bulk_modulus * state.pressure * step.pressure;
+  }
   for (std::size_t k = 0; k < residual.gaps.size(); ++k) {
     slope -= problem.attachments[k].force.dot(material_point(problem.attachments[k], step.position)) +
              weights.force * residual.gaps[k].norm();
@@ -270,7 +302,7 @@ bool Newton::search(EquilibriumProblem& problem, EquilibriumState& state, Residu
   Weights weights{.pressure = 2 * std::abs(state.pressure + step.pressure), .force = 0, .contact = 0};
   for (const Eigen::Vector3d& force : step.forces) weights.force = std::max(weights.force, 2 * force.norm());
   for (const double force : step.contact_forces) weights.contact = std::max(weights.contact, 2 * force);
-  const double before = merit(problem, terms_, residual, weights);
+  const double before = merit(problem, state, terms_, residual, weights);
   const double slope = merit_slope(problem, state, residual, step, weights);
   const EquilibriumState start = state;
   const std::vector<Attachment> attachments = problem.attachments;
@@ -293,7 +325,7 @@ bool Newton::search(EquilibriumProblem& problem, EquilibriumState& state, Residu
     if (!std::isfinite(trial_terms_.elastic)) continue;
     compute_residual(problem, state, trial_terms_, trial);
     const bool residual_fell = trial.measure <= (1 - 0.1 * fraction) * residual.measure;
-    const bool merit_fell = merit(problem, trial_terms_, trial, weights) <= before + 1e-4 * fraction * slope;
+    const bool merit_fell = merit(problem, state, trial_terms_, trial, weights) <= before + 1e-4 * fraction * slope;
     if (residual_fell || merit_fell) {
       std::swap(terms_, trial_terms_);
       return true;
@@ -327,12 +359,22 @@ NewtonResult Newton::solve(EquilibriumProblem& problem, EquilibriumState& state,
       return result;
     }
     shift = shift > 1e-6 ? 0.1 * shift : 0;
-    if (!factorize(problem, shift)) {
-      result.reason = "no convex step could be found";
-      return result;
+    open_.clear();
+    for (const ContactPoint& contact : terms_.contacts) {
+      open_.push_back(contact_force(problem, contact) == 0 && contact_law(problem, contact) <= 0);
+    }
+    for (int turn = 0;; ++turn) {
+      if (!factorize(problem, shift)) {
+        result.reason = "no convex step could be found";
+        return result;
+      }
+      find_step(problem, residual, step);
+      if (turn == kContactTurns || !revise_contacts(step)) break;
+    }
+    for (std::size_t k = 0; k < open_.size(); ++k) {
+      step.contact_forces[k] = open_[k] ? 0 : std::max(0.0, step.contact_forces[k]);
     }
     if (shift > 0) ++result.shifted_iterations;
-    find_step(problem, residual, step);
     if (!search(problem, state, residual, step)) {
       result.reason = "the line search found no smaller residual or energy";
       return result;

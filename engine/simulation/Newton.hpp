@@ -40,7 +40,9 @@ struct NewtonResult {
 ///
 /// Contacts are stiff springs between sphere and triangle whose forces are unknowns of their own: the curvature of a
 /// contact takes the force that equilibrium gave it last, not the one that an overlap on the way to equilibrium would
-/// ask for, which is larger by orders of magnitude and would make the matrix indefinite.
+/// ask for, which is larger by orders of magnitude and would make the matrix indefinite. A linear spring can pull, a
+/// contact cannot: when contacts would pull they are taken to be open, when open ones would be overrun they are taken
+/// to be closed, and the step is found again.
 ///
 /// A step is convex when the whole bordered matrix has one negative eigenvalue per constraint. Past a limit point K
 /// alone is indefinite while the whole is convex, so K is then factorised as L D L^T and the inertia is counted; only
@@ -62,7 +64,7 @@ class Newton {
     double pressure = 0;                  // pascal
     Eigen::VectorXd rigid;                // newton
     std::vector<Eigen::Vector3d> forces;  // (attachments), newton, new values
-    std::vector<double> contact_forces;   // (contacts), newton, new values
+    std::vector<double> contact_forces;   // (contacts), newton, new values; negative where a contact would open
   };
   struct Residual {
     Eigen::VectorXd force;              // (3 vertices), newton, zero at fixed unknowns
@@ -70,6 +72,7 @@ class Newton {
     Eigen::VectorXd rigid;              // (free rigid motions), metres
     std::vector<Eigen::Vector3d> gaps;  // (attachments), metres, material point minus target
     double contact = 0;                 // metres, largest gap by which a contact misses its law
+    double ghost = 0;                   // newton, largest force left at a contact that is open
     double largest_force = 0;           // newton
     double measure =
         0;  // newton, of all: displacements by which constraints are missed count with the wall's stiffness
@@ -95,9 +98,10 @@ class Newton {
   bool factorize(const EquilibriumProblem& problem, double& shift);
   void find_step(const EquilibriumProblem& problem, const Residual& residual, Step& step);
   void find_contact_forces(const EquilibriumProblem& problem, Step& step) const;
+  bool revise_contacts(const Step& step);
   bool search(EquilibriumProblem& problem, EquilibriumState& state, Residual& residual, const Step& step);
-  double merit(const EquilibriumProblem& problem, const EquilibriumTerms& terms, const Residual& residual,
-               const Weights& weights) const;
+  double merit(const EquilibriumProblem& problem, const EquilibriumState& state, const EquilibriumTerms& terms,
+               const Residual& residual, const Weights& weights) const;
   double merit_slope(const EquilibriumProblem& problem, const EquilibriumState& state, const Residual& residual,
                      const Step& step, const Weights& weights) const;
 
@@ -106,6 +110,7 @@ class Newton {
   BorderedSystem bordered_;
   EquilibriumTerms terms_;
   EquilibriumTerms trial_terms_;
+  std::vector<char> open_;           // (contacts), whether the step takes the contact to be open
   std::vector<double> matrix_;       // (non-zeros), what is factorised
   Eigen::MatrixXd border_;           // (3 vertices x border)
   Eigen::MatrixXd corner_;           // (border x border)

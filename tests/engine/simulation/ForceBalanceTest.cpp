@@ -87,6 +87,7 @@ struct Press {
   ToolDefinition tool;
   BodyDefinition body;
   Eigen::Vector3d above, deep, aside;  // metres, where the tip begins, is pressed to, and is held
+  std::vector<int> axes;               // along which it can move
 };
 
 Press point_press() {
@@ -94,16 +95,18 @@ Press point_press() {
           .body = pressurised_hemisphere(256, 300),
           .above = {1.3e-3, 0.4e-3, 22e-3},
           .deep = {1.3e-3, 0.4e-3, 18e-3},
-          .aside = {1.6e-3, 0.6e-3, 17e-3}};
+          .aside = {1.6e-3, 0.6e-3, 17e-3},
+          .axes = {0, 1, 2}};
 }
 
-/// Along the crown, where all points that it will ever hold are met at once.
+/// Along the crown, where all points that it will ever hold are met at once. Its ends are guided along y.
 Press line_press() {
   return {.tool = line_tool(10e-3),
           .body = fingerpad(5e-3, 500),
           .above = {0, 0, 10.1e-3},
           .deep = {0, 0, 8e-3},
-          .aside = {0.4e-3, 0.1e-3, 7e-3}};
+          .aside = {0.4e-3, 0, 7e-3},
+          .axes = {0, 2}};
 }
 
 /// Stored energy and tool force after quasi-static steps to `aside` and on to `aside + step`.
@@ -125,14 +128,13 @@ Pressed pressed_to(const Press& press, FluidKind fluid, const Eigen::Vector3d& s
 }
 
 TEST(ForceBalance, MultiplierOfAPointOrLineToolIsTheSlopeOfTheStoredEnergy) {
-  // Central differences over h err by h^2 times the third derivative, so halving h quarters the error. In all three
+  // Central differences over h err by h^2 times the third derivative, so halving h quarters the error. In all
   // directions, as the tool holds the tissue sideways too.
   for (const FluidKind fluid : {FluidKind::kIncompressible, FluidKind::kCompressible}) {
     for (const Press& press : {point_press(), line_press()}) {
       const Pressed here = pressed_to(press, fluid, Eigen::Vector3d::Zero());
       ASSERT_GT(here.force.norm(), 0.01);
-      for (int axis = 0; axis < 3; ++axis) {
-        // Ends guided along y do not let the middle move far along the axis of the fingerpad.
+      for (const int axis : press.axes) {
         std::array<double, 2> error{};
         for (int level = 0; level < 2; ++level) {
           const double h = level == 0 ? 2e-4 : 1e-4;

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 
 #include "engine/mesh/Shapes.hpp"
 #include "tests/engine/simulation/TestBodies.hpp"
@@ -18,6 +19,10 @@ struct Balloon {
   const char* name;
   double c1, c2;  // pascal
 };
+
+void PrintTo(const Balloon& balloon, std::ostream* out) {
+  *out << balloon.name;
+}
 
 /// p = 4 h / R (l^-1 - l^-7) (c1 + c2 l^2) (Adkins and Rivlin 1952), R the radius of the sphere that the mesh
 /// approximates.

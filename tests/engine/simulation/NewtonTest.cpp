@@ -70,7 +70,7 @@ TEST(Newton, ConvergesQuadraticallyNearTheSolutionBelowAndBeyondTheLimitPoint) {
     const double scale = newton.terms().largest_force;
     EXPECT_EQ(result.shifted_iterations, 0);
     // Residuals below 1e-13 of a single force are round-off.
-    const std::vector<double> seen = orders(result.residual_history, 1e-2 * scale, 1e-12 * scale);
+    const std::vector<double> seen = orders(result.residual_history, 0.1 * scale, 1e-12 * scale);
     ASSERT_FALSE(seen.empty());
     for (const double order : seen) EXPECT_GT(order, 1.8);
     EXPECT_LT(result.residual, 1e-9 * scale);
@@ -96,8 +96,9 @@ TEST(Newton, ConvergesQuadraticallyWithAnAttachedPoint) {
   problem.attachments = {attachment};
   const NewtonResult result = newton.solve(problem, state, {.tolerance = 1e-13, .maximum_iterations = 40});
   print("attached point", result);
+  // The multiplier of the point is found to about 1e-11 of itself, which ends the squaring a little earlier.
   const double scale = newton.terms().largest_force;
-  const std::vector<double> seen = orders(result.residual_history, 1e-2 * scale, 1e-12 * scale);
+  const std::vector<double> seen = orders(result.residual_history, 0.1 * scale, 1e-10 * scale);
   ASSERT_FALSE(seen.empty());
   for (const double order : seen) EXPECT_GT(order, 1.8);
   EXPECT_LT((material_point(problem.attachments[0], state.position) - attachment.target).norm(), 1e-12);
