@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/simulation/Body.hpp"
+#include "engine/simulation/SimulationFailure.hpp"
 
 namespace thinwall {
 namespace {
@@ -17,6 +18,19 @@ constexpr double kSamePlace = 1e-9;  // metres
 
 Eigen::Vector3d prescribed_point(const Attachment& attachment, const ToolPose& pose) {
   return pose.tip + attachment.offset.x() * pose.axis.cross(pose.direction) + attachment.offset.y() * pose.axis;
+}
+
+/// 1 for each axis along which a vertex of the attachment is free, 0 where all are fixed. A line laid across a border
+/// that is held bends around it: what cannot move is not prescribed.
+Eigen::Vector3d free_axes(const BodyModel& model, const Attachment& attachment) {
+  Eigen::Vector3d free = Eigen::Vector3d::Zero();
+  for (int corner = 0; corner < 3; ++corner) {
+    if (attachment.weights[corner] == 0) continue;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!model.fixed[3 * attachment.vertices[corner] + axis]) free[axis] = 1;
+    }
+  }
+  return free;
 }
 
 }  // namespace
@@ -38,12 +52,18 @@ void Body::attach(std::span<const ToolPose> begin, std::span<const ToolPose> end
                                       [&](const Attachment& attachment) { return attachment.tool == tool; });
     if (attached) continue;
     if (const auto hit = first_entry_on_segment(surface(), begin[tool].tip, end[tool].tip)) {
-      problem.attachments.push_back(
-          {.tool = tool, .vertices = model_->surface[hit->triangle], .weights = hit->weights});
+      Attachment attachment{.tool = tool, .vertices = model_->surface[hit->triangle], .weights = hit->weights};
+      attachment.prescribed = free_axes(*model_, attachment);
+      if (attachment.prescribed.isZero()) {
+        throw SimulationFailure("tool `" + tools_[tool].name + "` presses on a point of body `" +
+                                model_->definition.name + "` that `fixed` holds along all axes");
+      }
+      problem.attachments.push_back(attachment);
     }
   }
-  for (Attachment& attachment : problem.attachments)
+  for (Attachment& attachment : problem.attachments) {
     attachment.target = prescribed_point(attachment, end[attachment.tool]);
+  }
 }
 
 void Body::attach_line(int tool, const ToolPose& end, EquilibriumProblem& problem) const {
@@ -53,6 +73,7 @@ void Body::attach_line(int tool, const ToolPose& end, EquilibriumProblem& proble
     if (crossing.travel > 0 || crossing.travel < -reach) continue;
     Attachment attachment{.tool = tool, .vertices = model_->surface[crossing.triangle], .weights = crossing.weights};
     const Eigen::Vector3d offset = material_point(attachment, state_.equilibrium.position) - end.tip;
+    attachment.prescribed = free_axes(*model_, attachment);
     attachment.offset = {offset.dot(end.axis.cross(end.direction)), crossing.along};
     const bool crowded =
         std::any_of(problem.attachments.begin(), problem.attachments.end(), [&](const Attachment& other) {
@@ -76,12 +97,11 @@ bool Body::release(std::span<const ToolPose> poses, EquilibriumProblem& problem)
 void Body::add_spheres(std::span<const ToolPose> poses, EquilibriumProblem& problem) const {
   for (int tool = 0; tool < static_cast<int>(tools_.size()); ++tool) {
     if (tools_[tool].kind != ToolKind::kSphere) continue;
-    // Fifty times the pressure under which a wall of unit strain hugs the sphere: the wall then rests near the range.
     const double pressure = std::max(model_->wall_stiffness / tools_[tool].radius, std::abs(state_.reference_pressure));
     problem.spheres.push_back({.tool = tool,
                                .sphere = sphere_at(tools_[tool], poses[tool]),
                                .range = contact_range(tools_[tool]),
-                               .largest_pressure = 50 * pressure,
+                               .hugging_pressure = pressure,
                                .forces = state_.sphere_forces[tool]});
   }
 }

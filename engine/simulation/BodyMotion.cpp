@@ -73,7 +73,7 @@ void Body::update_forces(const EquilibriumProblem& problem) {
   state_.contacts.assign(tools_.size(), ToolContact{});
   for (std::size_t k = 0; k < problem.spheres.size(); ++k) {
     const int tool = problem.spheres[k].tool;
-    state_.contacts[tool] = contact_on(*model_, problem, terms, state_.equilibrium.position, static_cast<int>(k));
+    state_.contacts[tool] = contact_on(problem, terms, static_cast<int>(k));
     state_.sphere_forces[tool] = problem.spheres[k].forces;
   }
   state_.attachments = problem.attachments;

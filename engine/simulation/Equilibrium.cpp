@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "engine/fluid/EnclosedVolume.hpp"
 
@@ -103,21 +104,22 @@ void evaluate(const BodyModel& model, const EquilibriumProblem& problem, const E
   terms.inertial = inertial_energy(model, problem, position);
 }
 
-ToolContact contact_on(const BodyModel& model, const EquilibriumProblem& problem, const EquilibriumTerms& terms,
-                       const Eigen::VectorXd& position, int sphere) {
+ToolContact contact_on(const EquilibriumProblem& problem, const EquilibriumTerms& terms, int sphere) {
   ToolContact sum;
-  double pressed = 0, pressed_squared = 0;
+  double pressed = 0;
   for (const ContactPoint& contact : terms.contacts) {
     if (contact.sphere != sphere) continue;
     const double force = problem.spheres[sphere].forces[contact.triangle];
-    const auto corners = corners_of(model.surface[contact.triangle], position);
     sum.force -= force * contact.gap.normal;
     pressed += force;
-    pressed_squared += 2 * force * force / (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
   }
   sum.touching = pressed > 0;
-  // The area over which the pressure would be even: triangles at the rim that hardly press hardly count.
-  sum.area = sum.touching ? pressed * pressed / pressed_squared : 0;
+  if (!sum.touching) return sum;
+  // Even pressure on a cap of half angle a adds up to (1 + cos a) / 2 of the sum of its forces' magnitudes.
+  const SphereContact& contact = problem.spheres[sphere];
+  const double whole = 4 * std::numbers::pi * contact.sphere.radius * contact.sphere.radius;
+  const double cap = whole * std::max(0.0, 1 - sum.force.norm() / pressed);
+  sum.area = std::max(cap, pressed / contact.hugging_pressure);
   return sum;
 }
 

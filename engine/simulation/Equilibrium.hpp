@@ -8,28 +8,32 @@
 
 namespace thinwall {
 
-/// A material point whose three displacement components a tool prescribes.
+/// A material point whose three displacement components a tool prescribes, as far as the body does not hold them fixed.
 struct Attachment {
   int tool = 0;  // index
   Eigen::Vector3i vertices = Eigen::Vector3i::Zero();
-  Eigen::Vector3d weights = Eigen::Vector3d::Zero();  // barycentric, of the vertices
-  Eigen::Vector2d offset = Eigen::Vector2d::Zero();   // metres from the tip, across (x') and along (y') the tool
-  Eigen::Vector3d target = Eigen::Vector3d::Zero();   // metres
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();    // newton, multiplier: what the tissue does to the tool
+  Eigen::Vector3d weights = Eigen::Vector3d::Zero();     // barycentric, of the vertices
+  Eigen::Vector2d offset = Eigen::Vector2d::Zero();      // metres from the tip, across (x') and along (y') the tool
+  Eigen::Vector3d target = Eigen::Vector3d::Zero();      // metres
+  Eigen::Vector3d prescribed = Eigen::Vector3d::Ones();  // 1 or 0 for each axis: 0 where all the vertices are fixed
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();       // newton, multiplier: what the tissue does to the tool
 };
 
 Eigen::Vector3d material_point(const Attachment& attachment, const Eigen::VectorXd& position);
 
 /// A sphere tool and what it presses on.
 struct SphereContact {
+  /// Pressure under which the gap closes, over the hugging pressure: the wall then rests near the range.
+  static constexpr double kStiffness = 50;
+
   int tool = 0;  // index
   SphereTool sphere;
   double range = 0;             // metres, of the contact potential
-  double largest_pressure = 0;  // pascal, under which the gap closes
+  double hugging_pressure = 0;  // pascal, under which a wall of unit strain lies on the sphere
   std::vector<double> forces;   // (triangles), newton, between the sphere and each triangle: multipliers
 
   ContactPotential potential(double rest_area) const {
-    return {.range = range, .largest = largest_pressure * rest_area};
+    return {.range = range, .largest = kStiffness * hugging_pressure * rest_area};
   }
 };
 
@@ -84,9 +88,10 @@ struct EquilibriumTerms {
 void evaluate(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
               double pressure, EquilibriumTerms& terms);
 
-/// What the forces of the problem add up to on one of its spheres, at contacts found by `evaluate`.
-ToolContact contact_on(const BodyModel& model, const EquilibriumProblem& problem, const EquilibriumTerms& terms,
-                       const Eigen::VectorXd& position, int sphere);
+/// What the forces of the problem add up to on one of its spheres, at contacts found by `evaluate`. The area is that of
+/// the cap over which an even pressure would spread the directions of the forces as they are, so that it grows smoothly
+/// while triangle after triangle comes to lie on the sphere; at least the force over the hugging pressure.
+ToolContact contact_on(const EquilibriumProblem& problem, const EquilibriumTerms& terms, int sphere);
 
 /// Energy of the contact potentials, joule.
 double contact_energy(const BodyModel& model, const EquilibriumProblem& problem, const EquilibriumTerms& terms);

@@ -1,0 +1,161 @@
+// A ball pressed into a body: how near the wall stays, how far the contact spreads, what is left afterwards.
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/contact/ClosestPoint.hpp"
+#include "engine/mesh/Shapes.hpp"
+#include "tests/engine/simulation/TestBodies.hpp"
+
+namespace thinwall {
+namespace {
+
+constexpr double kBall = 6e-3;  // metres, radius
+
+/// Distance from the ball to the nearest point of any triangle, metres; negative inside.
+double smallest_gap(const Body& body, const ToolPose& pose) {
+  const Eigen::Vector3d center = pose.tip - kBall * pose.direction;
+  double least = 1e9;
+  for (int t = 0; t < body.model().triangles(); ++t) {
+    const auto corners = corners_of(body.model().surface[t], body.state().equilibrium.position);
+    const ClosestPoint closest = closest_point(corners, center);
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();
+    for (int k = 0; k < 3; ++k) point += closest.weights[k] * corners[k];
+    least = std::min(least, (point - center).norm() - kBall);
+  }
+  return least;
+}
+
+struct Scene {
+  const char* name;
+  int triangles;
+  double pressure;  // pascal
+  Analysis analysis;
+};
+
+std::vector<Scene> scenes() {
+  return {{"256 triangles, 200 Pa, quasi-static", 256, 200, Analysis::kQuasiStatic},
+          {"1024 triangles, 200 Pa, quasi-static", 1024, 200, Analysis::kQuasiStatic},
+          {"1024 triangles, 500 Pa, quasi-static", 1024, 500, Analysis::kQuasiStatic},
+          {"1024 triangles, 200 Pa, dynamic", 1024, 200, Analysis::kDynamic},
+          {"1024 triangles, 500 Pa, dynamic", 1024, 500, Analysis::kDynamic}};
+}
+
+Body make_scene_body(const Scene& scene) {
+  SimulationOptions options;
+  options.analysis = scene.analysis;
+  Body body(pressurised_hemisphere(scene.triangles, scene.pressure), {sphere_tool(kBall)}, options);
+  body.settle();
+  return body;
+}
+
+double crown_of(const Body& body) {
+  double top = 0;
+  for (int v = 0; v < body.model().vertices(); ++v) {
+    top = std::max(top, body.state().equilibrium.position[3 * v + 2]);
+  }
+  return top;
+}
+
+TEST(SphereTool, KeepsTheWholeWallOutsideAtAGapOfNoMoreThanTenMicrometresAndOnePerCentOfTheDepth) {
+  for (const Scene& scene : scenes()) {
+    Body body = make_scene_body(scene);
+    const double crown = crown_of(body);
+    double nearest = 1, farthest = -1;
+    move(body, pose_at({0, 0, crown + 0.2e-3}), {0, 0, crown - 6e-3}, 20, 5e-3, [&](const ToolPose& pose) {
+      if (pose.tip.z() > crown - 0.5e-3 || !body.state().contacts[0].touching) return;
+      const double gap = smallest_gap(body, pose);
+      nearest = std::min(nearest, gap);
+      farthest = std::max(farthest, gap);
+      EXPECT_LE(gap, std::min(10e-6, 0.01 * (crown - pose.tip.z()))) << scene.name;
+    });
+    std::printf("%s: gap %.3f to %.3f um\n", scene.name, 1e6 * nearest, 1e6 * farthest);
+    EXPECT_GT(nearest, 0) << scene.name;
+    EXPECT_LT(nearest, 1) << scene.name;
+  }
+}
+
+TEST(SphereTool, ContactAreaGrowsWithTheForce) {
+  for (const Scene& scene : scenes()) {
+    Body body = make_scene_body(scene);
+    const double crown = crown_of(body);
+    std::vector<double> areas, forces;
+    ToolPose pose = pose_at({0, 0, crown + 0.1e-3});
+    for (const double depth : {1.5e-3, 3e-3, 4.5e-3, 6e-3}) {
+      pose = move(body, pose, {0, 0, crown - depth}, 6, 20e-3);
+      forces.push_back(body.state().contacts[0].force.z());
+      areas.push_back(body.state().contacts[0].area);
+      std::printf("%s, %.1f mm: %.4f N, %.2f mm^2\n", scene.name, 1e3 * depth, forces.back(), 1e6 * areas.back());
+    }
+    for (std::size_t k = 1; k < areas.size(); ++k) {
+      EXPECT_GT(forces[k], forces[k - 1]) << scene.name;
+      EXPECT_GT(areas[k], areas[k - 1]) << scene.name;
+    }
+    // At the end the ball is sunk by its radius; what it touches is part of its half.
+    EXPECT_LT(areas.back(), 2 * std::numbers::pi * kBall * kBall) << scene.name;
+  }
+}
+
+double force_at_depth(int triangles, double depth, double& area) {
+  Body body(pressurised_hemisphere(triangles, 300), {sphere_tool(kBall)}, quasi_static());
+  body.settle();
+  const double crown = crown_of(body);
+  move(body, pose_at({0, 0, crown + 0.1e-3}), {0, 0, crown - depth}, 8, 1);
+  area = body.state().contacts[0].area;
+  return body.state().contacts[0].force.z();
+}
+
+TEST(SphereTool, ForceHardlyDependsOnTheMesh) {
+  // A ball of 6 mm on edges of 2.3, 1.2 and 0.6 mm.
+  std::array<double, 3> force{}, area{};
+  for (int level = 0; level < 3; ++level) {
+    force[level] = force_at_depth(256 << (2 * level), 5e-3, area[level]);
+    std::printf("%d triangles: %.5f N, %.2f mm^2\n", 256 << (2 * level), force[level], 1e6 * area[level]);
+  }
+  // The wall between the corners of the coarser mesh is a facet that the ball must bend: 5 % seen from 1024 to 4096,
+  // 20 % from 256, where an edge is 40 % of the ball's radius.
+  EXPECT_NEAR(force[1], force[2], 0.06 * force[2]);
+  EXPECT_LT(std::abs(force[1] - force[2]), 0.5 * std::abs(force[0] - force[2]));
+}
+
+TEST(SphereTool, ForceReturnsToNothingAndTheShapeToTheSettledOneAfterWithdrawal) {
+  for (const Scene& scene : scenes()) {
+    Body body = make_scene_body(scene);
+    const Eigen::VectorXd settled = body.state().equilibrium.position;
+    const double crown = crown_of(body);
+    const bool still = scene.analysis == Analysis::kQuasiStatic;
+    const auto no_halving = [&](const ToolPose&) { EXPECT_EQ(body.report().halvings, 0) << scene.name; };
+    ToolPose pose = move(body, pose_at({0, 0, crown + 1e-3}), {0, 0, crown - 5e-3}, 12, 5e-3, no_halving);
+    EXPECT_GT(body.state().contacts[0].force.z(), 0.05) << scene.name;
+    pose = move(body, pose, {0, 0, crown + 3e-3}, 16, 5e-3, no_halving);
+    if (!still) move(body, pose, pose.tip, 100, 20e-3);  // rings down by the integrator's damping
+    EXPECT_EQ(body.state().contacts[0].force.norm(), 0) << scene.name;
+    EXPECT_EQ(body.state().contacts[0].area, 0) << scene.name;
+    EXPECT_FALSE(body.state().contacts[0].touching) << scene.name;
+    const double off = (body.state().equilibrium.position - settled).cwiseAbs().maxCoeff();
+    std::printf("%s: off the settled shape by %.1e m\n", scene.name, off);
+    EXPECT_LT(off, still ? 1e-9 : 1e-5) << scene.name;
+  }
+}
+
+TEST(SphereTool, FreeBodyPressedFromOneSideFindsEquilibriumWithoutDrifting) {
+  // Quasi-static and unsupported: the mean position and rotation are held, their multipliers balance the ball.
+  BodyDefinition definition = make_body(make_sphere(20e-3, 1280), 1e-3, neo_hookean(20e3));
+  definition.fluid.initial_pressure = 300;
+  Body body(definition, {sphere_tool(kBall)}, quasi_static());
+  body.settle();
+  const double total = body.model().mass.sum() / 3;
+  const Eigen::Vector3d before = mass_sum(body.model(), body.model().rest_position) / total;
+  move(body, pose_at({4e-3, 2e-3, 22e-3}), {4e-3, 2e-3, 15e-3}, 7, 1);
+  const Eigen::Vector3d after = mass_sum(body.model(), body.state().equilibrium.position) / total;
+  EXPECT_LT((after - before).norm(), 1e-12);
+  EXPECT_GT(body.state().contacts[0].force.norm(), 0.01);
+  EXPECT_EQ(body.report().halvings, 0);
+}
+
+}  // namespace
+}  // namespace thinwall
