@@ -67,13 +67,13 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
   problem.fluid_volume = state_.fluid_volume;
   problem.bulk_modulus = model_->definition.fluid.bulk_modulus;
   add_spheres(end, problem);
-  if (options_.analysis == Analysis::kDynamic) {
-    add_inertia(duration, problem);
-  } else {
-    problem.hold_rigid_motions = model_->rigid_motions.cols() > 0;
-  }
+  problem.hold_rigid_motions = options_.analysis == Analysis::kQuasiStatic && model_->rigid_motions.cols() > 0;
   attach(begin, end, problem);
   for (;;) {
+    // What a tool takes hold of or lets go of changes its velocity at once; a difference that reaches back across that
+    // would see the jump as a motion.
+    if (problem.attachments.size() != state_.attachments.size()) state_.previous_step = 0;
+    if (options_.analysis == Analysis::kDynamic) add_inertia(duration, problem);
     EquilibriumState trial = state_.equilibrium;
     if (options_.analysis == Analysis::kDynamic) trial.position += duration * state_.velocity;
     if (!solve(problem, trial).converged) return false;

@@ -58,7 +58,8 @@ void Newton::compute_residual(const EquilibriumProblem& problem, const Equilibri
     for (int k = 0; k < 3; ++k) {
       residual.force.segment<3>(3 * attachment.vertices[k]) += attachment.weights[k] * attachment.force;
     }
-    residual.gaps.push_back(material_point(attachment, state.position) - attachment.target);
+    residual.gaps.push_back(
+        attachment.prescribed.cwiseProduct(material_point(attachment, state.position) - attachment.target));
   }
   residual.contact = residual.ghost = 0;
   double misfits = 0;  // metres^2
@@ -159,8 +160,8 @@ void Newton::build_matrix(const EquilibriumProblem& problem, double shift) {
     Eigen::Matrix<double, 9, 9> outer;
     for (int a = 0; a < 3; ++a) {
       for (int b = 0; b < 3; ++b) {
-        outer.block<3, 3>(3 * a, 3 * b) =
-            attachment_stiffness_ * attachment.weights[a] * attachment.weights[b] * Eigen::Matrix3d::Identity();
+        outer.block<3, 3>(3 * a, 3 * b) = attachment_stiffness_ * attachment.weights[a] * attachment.weights[b] *
+                                          attachment.prescribed.asDiagonal().toDenseMatrix();
       }
     }
     add_triangle(triangle_addresses(model_.pattern, attachment.vertices), outer, matrix_);
@@ -218,7 +219,9 @@ void Newton::find_step(const EquilibriumProblem& problem, const Residual& residu
     bordered_.solve(factor_, step.position, multipliers);
     double error = 0;
     for (std::size_t k = 0; k < problem.attachments.size(); ++k) {
-      const Eigen::Vector3d gap = residual.gaps[k] + material_point(problem.attachments[k], step.position);
+      const Attachment& attachment = problem.attachments[k];
+      const Eigen::Vector3d gap =
+          residual.gaps[k] + attachment.prescribed.cwiseProduct(material_point(attachment, step.position));
       step.forces[k] += attachment_stiffness_ * gap;
       error = std::max(error, gap.norm());
     }
