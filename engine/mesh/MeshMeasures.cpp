@@ -42,7 +42,7 @@ double wall_area(const SurfaceMesh& mesh) {
 
 double enclosed_volume(std::span<const Eigen::Vector3d> vertices, std::span<const Eigen::Vector3i> triangles) {
   if (triangles.empty()) return 0;
-  const Eigen::Vector3d origin = vertices[triangles.front()[0]];
+  const Eigen::Vector3d& origin = vertices[triangles.front()[0]];
   double six_volumes = 0;
   for (const Eigen::Vector3i& t : triangles) {
     six_volumes += (vertices[t[0]] - origin).dot((vertices[t[1]] - origin).cross(vertices[t[2]] - origin));
