@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "engine/simulation/SimulationFailure.hpp"
@@ -57,6 +58,7 @@ FluidMode Body::fluid_mode() const {
 }
 
 void Body::set_fluid_volume(double volume) {
+  assert(fluid_mode() == FluidMode::kIncompressible);
   state_.fluid_volume = volume;
 }
 

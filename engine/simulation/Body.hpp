@@ -74,7 +74,7 @@ class Body {
   /// Throws SimulationFailure when the step cannot be saved; the state is then the one before.
   void advance(std::span<const ToolPose> begin, std::span<const ToolPose> end, double duration);
 
-  /// Changes the volume of the fluid, metres^3, from the next step on. Only for a body with a fluid.
+  /// Changes the volume of an incompressible fluid, metres^3, from the next step on. Asserts that there is one.
   void set_fluid_volume(double volume);
 
   const BodyModel& model() const { return *model_; }

@@ -1,0 +1,63 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <string>
+
+#include "engine/mesh/Shapes.hpp"
+#include "engine/simulation/SimulationFailure.hpp"
+#include "tests/engine/simulation/TestBodies.hpp"
+
+namespace thinwall {
+namespace {
+
+/// A tube along y whose ends are held, under a little pressure.
+BodyDefinition tube() {
+  BodyDefinition body = make_body(make_cylinder(0.01, 0.04, 500), 1e-3, neo_hookean(20e3));
+  body.fixed = {fixed_group("ends")};
+  body.fluid.initial_pressure = 500;
+  return body;
+}
+
+TEST(Attachment, ALineLaidAcrossHeldEndsPressesWhatIsFree) {
+  Body body(tube(), {line_tool(0.042)}, quasi_static());
+  body.settle();
+  const ToolPose above = pose_at({0, 0, 0.014});
+  const ToolPose down = move(body, above, {0, 0, 0.008}, 12, 0.02);
+  EXPECT_GT(body.state().contacts[0].force.z(), 0);
+  for (int v = 0; v < body.model().vertices(); ++v) {
+    if (!body.model().fixed[3 * v + 2]) continue;
+    EXPECT_EQ(body.state().equilibrium.position[3 * v + 2], body.model().rest_position[3 * v + 2])
+        << "held vertex " << v;
+  }
+  move(body, down, above.tip, 12, 0.02);
+  EXPECT_EQ(body.state().contacts[0].force.norm(), 0);
+}
+
+TEST(Attachment, APointPressedOnAHeldPointIsRefusedWithWords) {
+  BodyDefinition held = tube();
+  held.fixed.push_back({.region = AboveRegion{.axis = 2, .at = 0}});
+  held.name = "tube";
+  Body body(held, {point_tool()}, quasi_static());
+  body.settle();
+  try {
+    move(body, pose_at({0, 0, 0.014}), {0, 0, 0.008}, 6, 0.02);
+    FAIL() << "no failure";
+  } catch (const SimulationFailure& failure) {
+    EXPECT_NE(std::string(failure.what()).find("presses on a point of body `tube` that `fixed` holds"),
+              std::string::npos)
+        << failure.what();
+  }
+}
+
+TEST(Attachment, AToolSetElsewhereLetsGo) {
+  Body body(tube(), {point_tool()}, quasi_static());
+  body.settle();
+  move(body, pose_at({0, 0, 0.014}), {0, 0, 0.009}, 10, 0.02);
+  EXPECT_GT(body.state().contacts[0].force.norm(), 0);
+  const ToolPose away = pose_at({0, 0.01, 0.02});
+  body.advance(std::vector{away}, std::vector{away}, 0.02);
+  EXPECT_EQ(body.state().contacts[0].force.norm(), 0);
+}
+
+}  // namespace
+}  // namespace thinwall
