@@ -58,8 +58,13 @@ FluidMode Body::fluid_mode() const {
 }
 
 void Body::set_fluid_volume(double volume) {
-  assert(fluid_mode() == FluidMode::kIncompressible);
+  assert(model_->has_fluid());
   state_.fluid_volume = volume;
+  // A compressible fluid takes the filling up at once, at the volume that the body has; an incompressible one moves the
+  // wall in the next step, which books the work.
+  const double energy = fluid_energy(*model_, state_);
+  state_.books.script_work += energy - state_.books.fluid;
+  state_.books.fluid = energy;
 }
 
 bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> end, double duration) {

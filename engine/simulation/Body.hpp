@@ -74,7 +74,8 @@ class Body {
   /// Throws SimulationFailure when the step cannot be saved; the state is then the one before.
   void advance(std::span<const ToolPose> begin, std::span<const ToolPose> end, double duration);
 
-  /// Changes the volume of an incompressible fluid, metres^3, from the next step on. Asserts that there is one.
+  /// Changes the volume of the fluid, metres^3, from the next step on; what that puts in is booked as the script's
+  /// work. Asserts that there is a fluid.
   void set_fluid_volume(double volume);
 
   const BodyModel& model() const { return *model_; }

@@ -72,7 +72,7 @@ class ReferenceChecker {
       std::error_code failure;
       if (mesh == nullptr || std::filesystem::is_regular_file(mesh->text, failure)) continue;
       diagnostics_.error(mesh->location, member_path("bodies", body.key) + ".surface.mesh",
-                         "there is no file " + in_backticks(mesh->text));
+                         "there is no file " + path_in_backticks(mesh->text));
     }
   }
 

@@ -31,13 +31,11 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return cost[a.size()][b.size()];
 }
 
-}  // namespace
-
-std::string in_backticks(std::string_view text) {
+std::string quoted(std::string_view text, std::size_t longest) {
   std::string out = "`";
   std::size_t end = text.size();
-  if (end > kLongestQuote) {
-    end = kLongestQuote;
+  if (end > longest) {
+    end = longest;
     // A cut must not fall inside a character of several bytes.
     while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
   }
@@ -53,6 +51,16 @@ std::string in_backticks(std::string_view text) {
     }
   }
   return out + (end < text.size() ? "...`" : "`");
+}
+
+}  // namespace
+
+std::string in_backticks(std::string_view text) {
+  return quoted(text, kLongestQuote);
+}
+
+std::string path_in_backticks(std::string_view path) {
+  return quoted(path, path.size());
 }
 
 std::string list_in_backticks(std::span<const std::string> words) {

@@ -10,6 +10,9 @@ namespace thinwall {
 /// The user's text between backticks, on one line and cut to a readable length: control characters are spelled out.
 std::string in_backticks(std::string_view text);
 
+/// A path between backticks, whole, because its end is what tells: control characters are spelled out.
+std::string path_in_backticks(std::string_view path);
+
 /// "`a`, `b`, `c`"
 std::string list_in_backticks(std::span<const std::string> words);
 

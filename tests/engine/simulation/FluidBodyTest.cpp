@@ -93,9 +93,15 @@ TEST(FluidBody, CompressibleFluidFollowsItsLawWhenPressedAndFilled) {
   expect_law("pressed");
   EXPECT_LT(body.state().volume, body.state().fluid_volume * 0.9999);
   EXPECT_GT(body.state().equilibrium.pressure, 310);
+  const EnergyBooks before = body.state().books;
   body.set_fluid_volume(1.05 * body.state().fluid_volume);
+  const EnergyBooks& after = body.state().books;
+  EXPECT_GT(after.script_work, before.script_work);
+  // Energies of some 1e-3 J; the difference of two sums leaves 1e-19.
+  EXPECT_NEAR(after.script_work - before.script_work, after.fluid - before.fluid, 1e-15);
   move(body, pose, pose.tip, 1, 1);
   expect_law("filled");
+  EXPECT_NEAR(body.state().books.imbalance(), 0, 1e-12);
 }
 
 TEST(FluidBody, StiffCompressibleFluidIsNearlyIncompressible) {

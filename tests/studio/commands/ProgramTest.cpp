@@ -17,6 +17,8 @@ class ProgramTest : public ::testing::Test {
 
   ProgramEnd run(const std::vector<std::string>& arguments, ProgramSetting setting = {}) {
     setting.folder = folder_.path();
+    // The tests themselves may run in CI, where the program refuses what a person must do.
+    setting.environment.insert({"CI", "false"});
     return run_thinwall(arguments, setting);
   }
   void expect_bad_usage(const std::vector<std::string>& arguments, const std::string& words) {

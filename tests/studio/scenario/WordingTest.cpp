@@ -28,6 +28,12 @@ TEST(Wording, QuotedTextStaysOnOneLineAndIsCutBetweenCharacters) {
   EXPECT_EQ(in_backticks(std::string(60, 'x')), "`" + std::string(60, 'x') + "`");
 }
 
+TEST(Wording, APathIsQuotedWholeHoweverLong) {
+  const std::string path = "/" + std::string(200, 'a') + "/organ.obj";
+  EXPECT_EQ(path_in_backticks(path), "`" + path + "`");
+  EXPECT_EQ(path_in_backticks("a\nb"), "`a\\nb`");
+}
+
 TEST(Wording, NamesHaveLettersDigitsAndUnderscores) {
   EXPECT_TRUE(is_name("organ_2-left"));
   EXPECT_FALSE(is_name(""));
