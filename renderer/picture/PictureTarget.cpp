@@ -1,6 +1,7 @@
 #include "renderer/picture/PictureTarget.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "renderer/picture/PictureFailure.hpp"
@@ -32,7 +33,7 @@ void require_drawable(ImageSize size, ImageSize drawn) {
   const double gigabytes = 1e-9 * kBytesPerPixel * drawn.width * drawn.height;
   if (gigabytes > kMostGigabytes) {
     throw PictureFailure("a picture of " + dimensions(size) + " pixels" + drawn_text + " would take " +
-                         std::to_string(static_cast<int>(gigabytes + 0.5)) +
+                         std::to_string(std::lround(gigabytes)) +
                          " GB of frames, 4 GB are allowed; choose a smaller size or a lower tier");
   }
 }
