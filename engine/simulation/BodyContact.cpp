@@ -111,6 +111,12 @@ Eigen::VectorXd Body::contact_pressure() const {
   for (const Attachment& attachment : state_.attachments) {
     for (int k = 0; k < 3; ++k) pressure[attachment.vertices[k]] += attachment.weights[k] * attachment.force.norm();
   }
+  for (const std::vector<double>& forces : state_.sphere_forces) {
+    for (int t = 0; t < model_->triangles(); ++t) {
+      if (forces[t] == 0) continue;
+      for (const int vertex : model_->surface[t]) pressure[vertex] += forces[t] / 3;
+    }
+  }
   Eigen::VectorXd area = Eigen::VectorXd::Zero(model_->vertices());
   for (int t = 0; t < model_->triangles(); ++t) {
     for (const int vertex : model_->surface[t]) area[vertex] += model_->rest[t].area / 3;

@@ -7,6 +7,7 @@
 #include <cassert>
 #include <cmath>
 #include <new>
+#include <numeric>
 #include <vector>
 
 namespace thinwall {
@@ -26,8 +27,10 @@ std::vector<int> vertex_order(const BlockPattern& pattern, cholmod_common& commo
   graph.itype = CHOLMOD_INT;
   graph.xtype = CHOLMOD_PATTERN;
   graph.sorted = graph.packed = 1;
-  if (edges == 0 || !cholmod_metis(&graph, nullptr, 0, 1, order.data(), &common)) {
-    for (int vertex = 0; vertex < pattern.vertices; ++vertex) order[vertex] = vertex;
+  if (edges == 0) {
+    std::iota(order.begin(), order.end(), 0);
+  } else if (!cholmod_metis(&graph, nullptr, 0, 1, order.data(), &common)) {
+    throw std::bad_alloc();
   }
   return order;
 }

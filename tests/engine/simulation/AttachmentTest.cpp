@@ -59,5 +59,21 @@ TEST(Attachment, AToolSetElsewhereLetsGo) {
   EXPECT_EQ(body.state().contacts[0].force.norm(), 0);
 }
 
+TEST(ContactPressure, TimesAreaIsTheForceOfTheTool) {
+  for (const ToolDefinition& tool : {point_tool(), sphere_tool(0.004)}) {
+    Body body(tube(), {tool}, quasi_static());
+    body.settle();
+    move(body, pose_at({0, 0, 0.014}), {0, 0, 0.009}, 10, 0.02);
+    const Eigen::VectorXd pressure = body.contact_pressure();
+    double force = 0;
+    for (int t = 0; t < body.model().triangles(); ++t) {
+      for (const int vertex : body.model().surface[t]) force += pressure[vertex] * body.model().rest[t].area / 3;
+    }
+    // Magnitudes are summed; the directions of a ball's contacts differ a little.
+    EXPECT_NEAR(force, body.state().contacts[0].force.norm(), 0.1 * force) << tool.name;
+    EXPECT_GT(force, 0);
+  }
+}
+
 }  // namespace
 }  // namespace thinwall
