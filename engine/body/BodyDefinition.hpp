@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <optional>
 #include <string>
@@ -8,37 +9,92 @@
 #include "engine/material/WallLaw.hpp"
 #include "engine/mesh/Region.hpp"
 #include "engine/mesh/SurfaceMesh.hpp"
+#include "engine/wall/Prestretch.hpp"
 
 namespace thinwall {
 
 enum class FluidKind { kNone, kIncompressible, kCompressible };
 
+/// A volume of fluid of its own: one closed part of the surface.
+struct ChamberDefinition {
+  std::string name = {};
+  Eigen::Vector3d inside = Eigen::Vector3d::Zero();  // metres, a point in it, of the stress-free shape
+  // Pascal above the surroundings, at time zero: the volume follows. Absent: the volume is the mesh's and the pressure
+  // follows.
+  std::optional<double> initial_pressure = {};
+};
+
+/// A hole through which two chambers exchange fluid: flow = discharge area sqrt(2 (p1 - p2) / density).
+struct OrificeDefinition {
+  int from = 0, to = 0;  // chambers, indices
+  double area = 0;       // metres^2
+  double discharge = 0.61;
+};
+
 /// The fluid that the wall and the caps enclose.
 struct FluidDefinition {
   FluidKind kind = FluidKind::kIncompressible;
-  // Pascal above the surroundings, at time zero: the volume follows. Absent: the volume is the mesh's and the pressure
-  // follows.
-  std::optional<double> initial_pressure;
-  double density = 1010;      // kg / metre^3
-  double bulk_modulus = 2e6;  // pascal, compressible only
+  std::optional<double> initial_pressure = {};   // pascal, of every chamber that is not named; as in ChamberDefinition
+  double density = 1010;                         // kg / metre^3
+  double bulk_modulus = 2e6;                     // pascal, compressible only
+  std::vector<ChamberDefinition> chambers = {};  // named ones; every other closed part of the surface is one of its own
+  std::vector<OrificeDefinition> orifices = {};
 };
 
 /// Vertices that keep their stress-free positions along some axes.
 struct FixedRegion {
-  Region region;
+  Region region = {};
   std::array<bool, 3> axes = {true, true, true};  // x, y, z
+  bool clamped = false;  // shell: the wall's tangent plane is held as well at open edges within the region
+};
+
+enum class WallModel { kMembrane, kShell };
+
+/// A term of the Prony series of quasi-linear viscoelasticity: the reduced relaxation function is
+/// 1 - sum of fraction (1 - exp(-t / time)).
+struct PronyTerm {
+  double fraction = 0;  // of the stress at once
+  double time = 1;      // seconds
+};
+
+/// Rayleigh damping: mass times `mass_rate` plus the stiffness of the unstrained wall times `stiffness_time`.
+struct RayleighDamping {
+  double mass_rate = 0;       // 1 / second
+  double stiffness_time = 0;  // seconds
+};
+
+enum class LoadKind {
+  kFollowerPressure,  // pascal, follows the wall, along its outer normal (a positive one inflates)
+  kDeadTraction,      // pascal, dead, per rest area
+  kDeadForce,         // newton, dead, in all, spread evenly over the region
+  kDeadLineForce,     // newton / metre, dead, along the edges in the region (open edges only where it has any)
+  kFollowerMoment,    // newton metre, in all, about the edges in the region, follows the wall; shell only
+  kDeadBodyForce      // newton / metre^3 of rest volume of the wall, dead
+};
+
+struct LoadDefinition {
+  LoadKind kind = LoadKind::kDeadForce;
+  Region region = {};
+  double pressure = 0;                               // pascal, kFollowerPressure only
+  Eigen::Vector3d vector = Eigen::Vector3d::Zero();  // all others
 };
 
 /// Everything about a body that does not change while it is simulated.
 struct BodyDefinition {
-  std::string name;
-  SurfaceMesh mesh;
-  std::vector<double> thickness;  // (triangles), metres, of the stress-free wall
-  double density = 1060;          // kg / metre^3, of the wall
-  Material material;
-  double prestretch = 1;  // each triangle's rest shape is the given one shrunk by this
-  FluidDefinition fluid;
-  std::vector<FixedRegion> fixed;
+  std::string name = {};
+  SurfaceMesh mesh = {};
+  WallModel model = WallModel::kMembrane;
+  std::vector<double> thickness = {};        // (triangles), metres, of the stress-free wall
+  double density = 1060;                     // kg / metre^3, of the wall
+  std::vector<Material> materials = {};      // (1) of the whole wall, or (triangles)
+  std::vector<Eigen::Vector3d> fibres = {};  // (none), (1) or (triangles): direction of E11, brought into each triangle
+  bool tension_field = false;                // membrane: the wall wrinkles instead of taking compression
+  std::vector<Prestretch> prestretch = {};   // (none), (1) or (triangles)
+  std::vector<PronyTerm> viscosity = {};
+  RayleighDamping damping = {};
+  FluidDefinition fluid = {};
+  std::vector<FixedRegion> fixed = {};
+  std::vector<LoadDefinition> loads = {};
 };
 
 }  // namespace thinwall

@@ -10,23 +10,37 @@
 namespace thinwall {
 namespace {
 
+/// The value of a triangle in a field that is absent, even, or given for each triangle.
+template <typename Value>
+Value of_triangle(const std::vector<Value>& field, int triangle) {
+  if (field.empty()) {
+    if constexpr (std::is_same_v<Value, Eigen::Vector3d>) {
+      return Eigen::Vector3d::Zero();
+    } else {
+      return {};
+    }
+  }
+  return field[field.size() == 1 ? 0 : static_cast<std::size_t>(triangle)];
+}
+
 void add_wall(BodyModel& model) {
   const BodyDefinition& definition = model.definition;
   const int triangles = static_cast<int>(definition.mesh.triangles.size());
   assert(static_cast<int>(definition.thickness.size()) == triangles);
   model.mass.setZero(model.rest_position.size());
-  double thickness = 0, edges = 0;
+  double stiffness = 0, edges = 0;
   for (int t = 0; t < triangles; ++t) {
     const auto corners = corners_of(definition.mesh.triangles[t], model.rest_position);
-    model.rest.push_back(make_membrane_rest(corners, definition.thickness[t], definition.prestretch));
+    model.rest.push_back(make_membrane_rest(corners, definition.thickness[t], of_triangle(definition.prestretch, t),
+                                            of_triangle(definition.fibres, t)));
     const double third = definition.density * model.rest[t].area * model.rest[t].thickness / 3;
     for (const int vertex : definition.mesh.triangles[t]) model.mass.segment<3>(3 * vertex).array() += third;
     model.rest_area += model.rest[t].area;
-    thickness += definition.thickness[t];
+    const Material& material = model.material(t);
+    stiffness += material.law->initial_modulus(material.parameters.data()) * definition.thickness[t];
     for (int k = 0; k < 3; ++k) edges += (corners[k] - corners[(k + 1) % 3]).norm();
   }
-  const Material& material = definition.material;
-  model.wall_stiffness = material.law->initial_modulus(material.parameters.data()) * thickness / triangles;
+  model.wall_stiffness = stiffness / triangles;
   model.edge_length = edges / (3 * triangles);
 }
 

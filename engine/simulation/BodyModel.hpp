@@ -29,6 +29,9 @@ struct BodyModel {
   double rest_area = 0;                      // metres^2, of the wall
   double rest_volume = 0;                    // metres^3, enclosed by the mesh; zero without fluid
 
+  const Material& material(int triangle) const {
+    return definition.materials[definition.materials.size() == 1 ? 0 : static_cast<std::size_t>(triangle)];
+  }
   int vertices() const { return pattern.vertices; }
   int triangles() const { return static_cast<int>(rest.size()); }
   bool has_fluid() const { return definition.fluid.kind != FluidKind::kNone; }

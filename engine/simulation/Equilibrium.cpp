@@ -40,10 +40,9 @@ void add_gradient(const Eigen::Vector3i& triangle, const Eigen::Matrix<double, 9
 
 void add_wall(const BodyModel& model, const Eigen::VectorXd& position, EquilibriumTerms& terms) {
   thread_local std::vector<MembraneTerms> buffer;
-  const Material& material = model.definition.material;
   for_each_triangle(
       model.triangles(), buffer,
-      [&](int t) { return membrane_terms(model.rest[t], material, corners_of(model.surface[t], position)); },
+      [&](int t) { return membrane_terms(model.rest[t], model.material(t), corners_of(model.surface[t], position)); },
       [&](int t, const MembraneTerms& part) {
         terms.elastic += part.energy;
         add_gradient(model.surface[t], part.gradient, terms.gradient);

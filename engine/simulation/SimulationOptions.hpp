@@ -1,13 +1,17 @@
 #pragma once
 
+#include <Eigen/Core>
+
 namespace thinwall {
 
 enum class Analysis { kDynamic, kQuasiStatic };
 
 struct SimulationOptions {
   Analysis analysis = Analysis::kDynamic;
-  double time_step = 0.005;     // seconds
-  double tolerance = 1e-9;      // residual force over the largest force
+  double time_step = 0.005;                           // seconds
+  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // metres / second^2
+  double step_error = 0;    // metres, allowed error of a step in dynamics, which is divided to keep it; 0: not judged
+  double tolerance = 1e-9;  // residual force over the largest force
   int maximum_iterations = 60;  // Newton iterations before a step is halved
   int maximum_halvings = 10;    // how often a step may be halved before the run fails
 };

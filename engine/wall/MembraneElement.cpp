@@ -23,17 +23,34 @@ Eigen::Vector3d right_cauchy_green(const Eigen::Matrix<double, 3, 2>& f) {
   return {f.col(0).squaredNorm(), f.col(1).squaredNorm(), f.col(0).dot(f.col(1))};
 }
 
+/// The unit vector in the plane with this normal that is nearest to a direction.
+Eigen::Vector3d in_plane(const Eigen::Vector3d& direction, const Eigen::Vector3d& normal) {
+  const Eigen::Vector3d flat = direction - normal * normal.dot(direction);
+  assert(flat.norm() > 1e-9 * direction.norm());
+  return flat.normalized();
+}
+
 }  // namespace
 
-MembraneRest make_membrane_rest(const std::array<Eigen::Vector3d, 3>& corners, double thickness, double prestretch) {
-  const Eigen::Vector3d edge_1 = (corners[1] - corners[0]) / prestretch;
-  const Eigen::Vector3d edge_2 = (corners[2] - corners[0]) / prestretch;
-  const double length = edge_1.norm();
-  const double doubled_area = edge_1.cross(edge_2).norm();
-  assert(doubled_area > 0 && thickness > 0);
-  Eigen::Matrix2d edges;
-  edges << length, edge_1.dot(edge_2) / length, 0, doubled_area / length;
-  return {.inverse_edges = edges.inverse(), .area = 0.5 * doubled_area, .thickness = thickness};
+MembraneRest make_membrane_rest(const std::array<Eigen::Vector3d, 3>& corners, double thickness,
+                                const Prestretch& prestretch, const Eigen::Vector3d& fibre) {
+  Eigen::Matrix<double, 3, 2> edges;
+  edges << corners[1] - corners[0], corners[2] - corners[0];
+  const Eigen::Vector3d normal = edges.col(0).cross(edges.col(1)).normalized();
+  if (prestretch.first != 1 || prestretch.second != 1) {
+    const bool even = prestretch.first == prestretch.second;
+    const Eigen::Vector3d along = in_plane(even ? edges.col(0).eval() : prestretch.along, normal);
+    const Eigen::Vector3d across = normal.cross(along);
+    edges = along * (along.transpose() * edges) / prestretch.first +
+            across * (across.transpose() * edges) / prestretch.second;
+  }
+  const Eigen::Vector3d first = in_plane(fibre.isZero() ? edges.col(0).eval() : fibre, normal);
+  Eigen::Matrix<double, 2, 3> axes;
+  axes << first.transpose(), normal.cross(first).transpose();
+  const Eigen::Matrix2d flat = axes * edges;
+  const double area = 0.5 * flat.determinant();
+  assert(area > 0 && thickness > 0);
+  return {.inverse_edges = flat.inverse(), .area = area, .thickness = thickness};
 }
 
 Eigen::Matrix<double, 3, 2> deformation_gradient(const MembraneRest& rest,

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "engine/material/WallLaw.hpp"
+#include "engine/wall/Prestretch.hpp"
 
 namespace thinwall {
 
@@ -14,8 +15,12 @@ struct MembraneRest {
   double thickness;               // metres, rest
 };
 
-/// Rest shape of a triangle whose corners are given in the mesh, shrunk by `prestretch`. Asserts a positive area.
-MembraneRest make_membrane_rest(const std::array<Eigen::Vector3d, 3>& corners, double thickness, double prestretch);
+/// Rest shape of a triangle whose corners are given in the mesh, shrunk by `prestretch`. The first axis of the rest
+/// plane lies along `fibre`, brought into the plane of the triangle; along its first edge where that is zero. Asserts a
+/// positive area, and that no direction that is asked for stands perpendicular to the triangle.
+MembraneRest make_membrane_rest(const std::array<Eigen::Vector3d, 3>& corners, double thickness,
+                                const Prestretch& prestretch = {},
+                                const Eigen::Vector3d& fibre = Eigen::Vector3d::Zero());
 
 /// Energy of a triangle and its derivatives with respect to the corners (x0, y0, z0, x1, ..., z2).
 struct MembraneTerms {

@@ -164,8 +164,8 @@ BodyDefinition build_body(const BodyScenario& body, std::vector<std::string>& no
                             .mesh = make_surface(body.surface, origin, notes),
                             .thickness = {},
                             .density = body.density,
-                            .material = body.material,
-                            .prestretch = body.prestretch,
+                            .materials = {body.material},
+                            .prestretch = {{.first = body.prestretch, .second = body.prestretch}},
                             .fluid = body.fluid,
                             .fixed = body.fixed};
   if (body.fluid.kind != FluidKind::kNone) check_closed_for_fluid(definition.mesh, origin);

@@ -20,7 +20,7 @@ BodyDefinition drum() {
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}};
   mesh.groups["rim"] = {1, 2, 3, 4};
   BodyDefinition body = make_body(mesh, 1e-3, neo_hookean(20e3));
-  body.prestretch = 1.2;
+  body.prestretch = {{.first = 1.2, .second = 1.2}};
   body.fluid.kind = FluidKind::kNone;
   body.fixed = {fixed_group("rim")};
   return body;
@@ -32,7 +32,7 @@ BodyDefinition drum() {
 double drum_frequency(const Body& body) {
   const BodyModel& model = body.model();
   const double tension =
-      largest_tension(model.rest[0], model.definition.material, corners_of(model.surface[0], model.rest_position));
+      largest_tension(model.rest[0], model.material(0), corners_of(model.surface[0], model.rest_position));
   return std::sqrt(4 * tension / model.mass[2]);
 }
 

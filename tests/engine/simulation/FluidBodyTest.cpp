@@ -122,7 +122,7 @@ TEST(FluidBody, StiffCompressibleFluidIsNearlyIncompressible) {
 TEST(FluidBody, WithoutFluidTheWallAloneResists) {
   BodyDefinition sheet = make_body(make_disc(20e-3, 600), 1e-3, neo_hookean(20e3));
   sheet.fluid.kind = FluidKind::kNone;
-  sheet.prestretch = 1.1;
+  sheet.prestretch = {{.first = 1.1, .second = 1.1}};
   sheet.fixed = {{.region = BoundaryRegion{}}};
   Body body(sheet, {sphere_tool(8e-3)}, quasi_static());
   body.settle();

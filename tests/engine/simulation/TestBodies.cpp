@@ -24,7 +24,7 @@ BodyDefinition make_body(SurfaceMesh mesh, double thickness, Material material) 
   body.name = "body";
   body.thickness.assign(mesh.triangles.size(), thickness);
   body.mesh = std::move(mesh);
-  body.material = std::move(material);
+  body.materials = {std::move(material)};
   return body;
 }
 
@@ -92,7 +92,8 @@ Eigen::VectorXd internal_forces(const Body& body) {
     const auto corners = corners_of(model.surface[t], position);
     Eigen::Matrix<double, 9, 1> part = Eigen::Matrix<double, 9, 1>::Zero();
     if (model.has_fluid()) part -= body.state().equilibrium.pressure * volume_gradient_of(corners);
-    if (t < model.rest.size()) part += membrane_terms(model.rest[t], model.definition.material, corners).gradient;
+    if (t < model.rest.size())
+      part += membrane_terms(model.rest[t], model.material(static_cast<int>(t)), corners).gradient;
     for (int k = 0; k < 3; ++k) forces.segment<3>(3 * model.surface[t][k]) += part.segment<3>(3 * k);
   }
   return forces;
@@ -117,7 +118,7 @@ double largest_single_force(const Body& body) {
   double largest = 0;
   for (std::size_t t = 0; t < model.rest.size(); ++t) {
     const auto corners = corners_of(model.surface[t], body.state().equilibrium.position);
-    const auto terms = membrane_terms(model.rest[t], model.definition.material, corners);
+    const auto terms = membrane_terms(model.rest[t], model.material(static_cast<int>(t)), corners);
     largest = std::max(largest, terms.gradient.cwiseAbs().maxCoeff());
   }
   return largest;

@@ -55,6 +55,10 @@ std::vector<Placement> placements() {
 
 /// Energy of a membrane triangle by the metrics g and G of the current and rest edges: C has the invariants
 /// tr G^-1 g and det g / det G. No deformation gradient, no plane of reference.
+Prestretch evenly(double stretch) {
+  return {.first = stretch, .second = stretch};
+}
+
 HyperDual energy_by_metrics(const Material& material, const Corners& rest, double prestretch,
                             const std::array<DualVector, 3>& corners) {
   const Eigen::Vector3d rest_1 = (rest[1] - rest[0]) / prestretch, rest_2 = (rest[2] - rest[0]) / prestretch;
@@ -101,7 +105,7 @@ TEST(MembraneElement, EnergyGradientAndHessianAgreeWithExactDerivativesOfTheMetr
   double seen = 0;
   for (const Material& material : materials()) {
     for (const double prestretch : {1.0, 1.25}) {
-      const MembraneRest rest = make_membrane_rest(rest_corners(), kThickness, prestretch);
+      const MembraneRest rest = make_membrane_rest(rest_corners(), kThickness, evenly(prestretch));
       for (const Placement& placement : placements()) {
         const MembraneTerms terms = membrane_terms(rest, material, placement.corners);
         const CornerDerivatives exact = corner_derivatives(
@@ -124,7 +128,7 @@ TEST(MembraneElement, EnergyGradientAndHessianAgreeWithExactDerivativesOfTheMetr
 TEST(MembraneElement, CentralDifferencesOfItsOwnTermsConvergeWithTheSquareOfTheStep) {
   // Guards the pair energy and gradient even where the metric form of the test were wrong in the same way.
   for (const Material& material : materials()) {
-    const MembraneRest rest = make_membrane_rest(rest_corners(), kThickness, 1.1);
+    const MembraneRest rest = make_membrane_rest(rest_corners(), kThickness, evenly(1.1));
     for (const Placement& placement : placements()) {
       const MembraneTerms terms = membrane_terms(rest, material, placement.corners);
       std::array<double, 2> error{};
@@ -148,7 +152,7 @@ TEST(MembraneElement, CentralDifferencesOfItsOwnTermsConvergeWithTheSquareOfTheS
 
 TEST(MembraneElement, HessianIsSymmetricToTheLastBitsThatMatter) {
   for (const Material& material : materials()) {
-    const MembraneRest rest = make_membrane_rest(rest_corners(), kThickness, 1.1);
+    const MembraneRest rest = make_membrane_rest(rest_corners(), kThickness, evenly(1.1));
     for (const Placement& placement : placements()) {
       const Eigen::Matrix<double, 9, 9> hessian = membrane_terms(rest, material, placement.corners).hessian;
       EXPECT_LT(largest(hessian - hessian.transpose()), 1e-14 * largest(hessian)) << placement.name;
@@ -160,7 +164,7 @@ TEST(MembraneElement, RigidMotionsDoNoWorkAndLeaveTheEnergyUnchanged) {
   // Residuals seen: 2e-15 of the scale; the coordinates carry some 1e-16 of their own.
   const Eigen::Matrix3d rotation = some_rotation();
   for (const Material& material : materials()) {
-    const MembraneRest rest = make_membrane_rest(rest_corners(), kThickness, 1);
+    const MembraneRest rest = make_membrane_rest(rest_corners(), kThickness);
     for (const Placement& placement : placements()) {
       const MembraneTerms terms = membrane_terms(rest, material, placement.corners);
       const MembraneTerms turned =
@@ -194,20 +198,19 @@ TEST(MembraneElement, RigidMotionsDoNoWorkAndLeaveTheEnergyUnchanged) {
 TEST(MembraneElement, IsFreeOfEnergyAndForceInItsOwnShapeAndUnderTensionWhenPrestretched) {
   for (const Material& material : materials()) {
     const MembraneTerms relaxed =
-        membrane_terms(make_membrane_rest(rest_corners(), kThickness, 1), material, rest_corners());
+        membrane_terms(make_membrane_rest(rest_corners(), kThickness), material, rest_corners());
     const double force = largest(relaxed.hessian) * 4e-3;
     EXPECT_NEAR(relaxed.energy, 0, 1e-14 * force * 4e-3);
     EXPECT_LT(largest(relaxed.gradient), 1e-14 * force);
     const MembraneTerms stretched =
-        membrane_terms(make_membrane_rest(rest_corners(), kThickness, 1.2), material, rest_corners());
+        membrane_terms(make_membrane_rest(rest_corners(), kThickness, evenly(1.2)), material, rest_corners());
     EXPECT_GT(stretched.energy, 1e-3 * force * 4e-3);
   }
 }
 
 /// Corner 1 lies at distance a along x, corner 2 above the origin at height b.
 MembraneRest right_triangle(double a, double b, double thickness) {
-  return make_membrane_rest({Eigen::Vector3d::Zero(), Eigen::Vector3d(a, 0, 0), Eigen::Vector3d(0, b, 0)}, thickness,
-                            1);
+  return make_membrane_rest({Eigen::Vector3d::Zero(), Eigen::Vector3d(a, 0, 0), Eigen::Vector3d(0, b, 0)}, thickness);
 }
 
 TEST(MembraneElement, UniaxialTensionOfRubberTakesTheTextbookForce) {
@@ -265,11 +268,11 @@ TEST(MembraneElement, LargestTensionDoesNotDependOnThePlacementInSpaceOrTheFirst
   stretch << 1.6, 0.4, 0, 0.1, 1.2, 0.3, 0, 0, 1;
   const Corners rest = rest_corners(), now = moved(rest, stretch, {0, 0, 0});
   for (const Material& material : materials()) {
-    const double tension = largest_tension(make_membrane_rest(rest, kThickness, 1), material, now);
+    const double tension = largest_tension(make_membrane_rest(rest, kThickness), material, now);
     const Corners turned_rest = {rest[1], rest[2], rest[0]};
     Corners turned = moved(now, some_rotation(), {0.1, 0.2, 0.3});
     turned = {turned[1], turned[2], turned[0]};
-    EXPECT_NEAR(largest_tension(make_membrane_rest(turned_rest, kThickness, 1), material, turned), tension,
+    EXPECT_NEAR(largest_tension(make_membrane_rest(turned_rest, kThickness), material, turned), tension,
                 1e-11 * tension);
   }
 }
@@ -281,9 +284,9 @@ TEST(MembraneElement, TermsGrowWithThicknessAndAreaAsTheyShould) {
   const Eigen::Matrix3d twice = 2 * Eigen::Matrix3d::Identity();
   const Corners rest_twice = moved(rest, twice, {0, 0, 0}), now_twice = moved(now, twice, {0, 0, 0});
   for (const Material& material : materials()) {
-    const MembraneTerms once = membrane_terms(make_membrane_rest(rest, kThickness, 1), material, now);
-    const MembraneTerms thick = membrane_terms(make_membrane_rest(rest, 3 * kThickness, 1), material, now);
-    const MembraneTerms wide = membrane_terms(make_membrane_rest(rest_twice, kThickness, 1), material, now_twice);
+    const MembraneTerms once = membrane_terms(make_membrane_rest(rest, kThickness), material, now);
+    const MembraneTerms thick = membrane_terms(make_membrane_rest(rest, 3 * kThickness), material, now);
+    const MembraneTerms wide = membrane_terms(make_membrane_rest(rest_twice, kThickness), material, now_twice);
     EXPECT_NEAR(thick.energy, 3 * once.energy, 1e-13 * thick.energy);
     EXPECT_LT(largest(thick.gradient - 3 * once.gradient), 1e-13 * largest(thick.gradient));
     EXPECT_LT(largest(thick.hessian - 3 * once.hessian), 1e-13 * largest(thick.hessian));
@@ -295,8 +298,8 @@ TEST(MembraneElement, TermsGrowWithThicknessAndAreaAsTheyShould) {
 
 TEST(MembraneElement, PrestretchIsARestShapeShrunkByIt) {
   const Corners rest = rest_corners();
-  const MembraneRest whole = make_membrane_rest(rest, kThickness, 1);
-  const MembraneRest shrunk = make_membrane_rest(rest, kThickness, 1.25);
+  const MembraneRest whole = make_membrane_rest(rest, kThickness);
+  const MembraneRest shrunk = make_membrane_rest(rest, kThickness, evenly(1.25));
   EXPECT_NEAR(shrunk.area, whole.area / (1.25 * 1.25), 1e-15 * whole.area);
   EXPECT_EQ(shrunk.thickness, kThickness);
   const Eigen::Matrix<double, 3, 2> f = deformation_gradient(shrunk, rest);

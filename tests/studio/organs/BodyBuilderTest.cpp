@@ -52,7 +52,8 @@ TEST(BodyBuilder, WallAndFluidAreHandedOn) {
   EXPECT_EQ(body.mesh.vertices.size(), 41u);
   EXPECT_EQ(body.thickness, std::vector<double>(64, 1e-3));
   EXPECT_EQ(body.density, 1100);
-  EXPECT_EQ(body.prestretch, 1.2);
+  EXPECT_EQ(body.prestretch.at(0).first, 1.2);
+  EXPECT_EQ(body.prestretch.at(0).second, 1.2);
   EXPECT_EQ(body.fluid.initial_pressure, 500);
   EXPECT_EQ(body.fixed.size(), 1u);
 }
