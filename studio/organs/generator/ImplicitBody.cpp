@@ -122,6 +122,20 @@ ImplicitBody smooth_intersection(ImplicitBody a, ImplicitBody b, double blend) {
   };
 }
 
+ImplicitBody outside_of(ImplicitBody body) {
+  return [body = std::move(body)](const Eigen::Vector3d& point) -> FieldValue {
+    const FieldValue field = body(point);
+    return {-field.value, -field.gradient};
+  };
+}
+
+ImplicitBody stretched_body(ImplicitBody body, const Eigen::Vector3d& factors) {
+  return [body = std::move(body), factors, least = factors.minCoeff()](const Eigen::Vector3d& point) -> FieldValue {
+    const FieldValue field = body(point.cwiseQuotient(factors));
+    return {least * field.value, least * field.gradient.cwiseQuotient(factors)};
+  };
+}
+
 Eigen::Vector3d project_to_surface(const ImplicitBody& body, Eigen::Vector3d point) {
   for (int step = 0; step < 8; ++step) {
     const FieldValue field = body(point);

@@ -35,6 +35,12 @@ ImplicitBody swept_sphere_body(const std::vector<AxisPoint>& control_points);
 ImplicitBody smooth_union(ImplicitBody a, ImplicitBody b, double blend);
 ImplicitBody smooth_intersection(ImplicitBody a, ImplicitBody b, double blend);
 
+/// What lies outside of a body.
+ImplicitBody outside_of(ImplicitBody body);
+
+/// A body made longer by a factor along each axis, about the origin; the values stay below the distance.
+ImplicitBody stretched_body(ImplicitBody body, const Eigen::Vector3d& factors);
+
 /// The point of the surface that steps along the gradient lead to.
 Eigen::Vector3d project_to_surface(const ImplicitBody& body, Eigen::Vector3d point);
 

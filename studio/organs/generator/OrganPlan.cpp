@@ -7,15 +7,15 @@
 #include <cmath>
 #include <set>
 
+#include "studio/organs/generator/Fingerpad.hpp"
 #include "studio/organs/generator/Gallbladder.hpp"
+#include "studio/organs/generator/LiverLobe.hpp"
 #include "studio/organs/generator/Polygonisation.hpp"
 #include "studio/organs/generator/Remeshing.hpp"
+#include "studio/organs/generator/Stomach.hpp"
 
 namespace thinwall {
 namespace {
-
-/// Fine enough for the thinnest part of any organ, a duct of 5 mm.
-constexpr double kGridStep = 1.2e-3;  // metres
 
 /// Millimetres to the micrometre, without idle zeros.
 std::string millimetres(double metres) {
@@ -28,7 +28,7 @@ std::string millimetres(double metres) {
 }  // namespace
 
 OrganMesh mesh_organ(const OrganPlan& plan, int triangles) {
-  const TriangleSurface rough = polygonise(plan.body, plan.low, plan.high, kGridStep);
+  const TriangleSurface rough = polygonise(plan.body, plan.low, plan.high, plan.grid_step);
   TriangleSurface surface =
       remesh(rough, plan.body, {.triangles = triangles, .relative_edge_length = plan.relative_edge_length});
   OrganMesh organ{std::move(surface.vertices), std::move(surface.triangles), {}};
@@ -43,8 +43,10 @@ OrganMesh mesh_organ(const OrganPlan& plan, int triangles) {
 
 const std::vector<OrganFile>& organ_files() {
   static const std::vector<OrganFile> kFiles = {
-      {"gallbladder.obj", plan_gallbladder, 5000},
-      {"gallbladder_light.obj", plan_gallbladder, 2000},
+      {"gallbladder.obj", plan_gallbladder, 5000}, {"gallbladder_light.obj", plan_gallbladder, 2000},
+      {"stomach.obj", plan_stomach, 5000},         {"stomach_light.obj", plan_stomach, 2000},
+      {"liver_lobe.obj", plan_liver_lobe, 5000},   {"liver_lobe_light.obj", plan_liver_lobe, 2000},
+      {"fingerpad.obj", plan_fingerpad, 5000},     {"fingerpad_light.obj", plan_fingerpad, 2000},
   };
   return kFiles;
 }

@@ -15,6 +15,7 @@ struct OrganPlan {
   ImplicitBody body;
   Eigen::Vector3d low = Eigen::Vector3d::Zero();   // metres, of a box that holds the body
   Eigen::Vector3d high = Eigen::Vector3d::Zero();  // metres
+  double grid_step = 1.2e-3;                       // metres; a quarter of the width of the thinnest part, or less
   /// How long edges are at a point compared with elsewhere, so that thin parts get enough of them.
   std::function<double(const Eigen::Vector3d&)> relative_edge_length;
   /// The group of a triangle by its centre and outward normal: an anatomical part.

@@ -42,6 +42,24 @@ TEST(ImplicitBody, GradientsAreThoseOfTheField) {
   expect_true_gradient(tube);
   expect_true_gradient(smooth_union(sphere, tube, 0.004));
   expect_true_gradient(smooth_intersection(sphere, tube, 0.004));
+  expect_true_gradient(outside_of(sphere));
+  expect_true_gradient(stretched_body(sphere, {1.5, 0.5, 1}));
+}
+
+TEST(ImplicitBody, OutsideIsWhatTheBodyIsNot) {
+  const ImplicitBody sphere = sphere_body({0, 0, 0}, 0.01);
+  for (const Eigen::Vector3d& point : probes()) EXPECT_EQ(outside_of(sphere)(point).value, -sphere(point).value);
+}
+
+TEST(ImplicitBody, StretchedSphereIsAnEllipsoidWhoseValueStaysBelowTheDistance) {
+  const ImplicitBody ellipsoid = stretched_body(sphere_body({0, 0, 0}, 0.01), {2, 1, 0.5});
+  EXPECT_NEAR(ellipsoid({0.02, 0, 0}).value, 0, 1e-15);
+  EXPECT_NEAR(ellipsoid({0, 0.01, 0}).value, 0, 1e-15);
+  EXPECT_NEAR(ellipsoid({0, 0, 0.005}).value, 0, 1e-15);
+  for (const double beyond : {0.001, 0.004}) {
+    EXPECT_LE(ellipsoid({0.02 + beyond, 0, 0}).value, beyond);
+    EXPECT_LE(ellipsoid({0, 0, 0.005 + beyond}).value, beyond + 1e-15);
+  }
 }
 
 TEST(ImplicitBody, StraightSweepOfOneRadiusIsACapsule) {
