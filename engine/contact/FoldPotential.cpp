@@ -1,0 +1,107 @@
+#include "engine/contact/FoldPotential.hpp"
+
+#include <cmath>
+
+namespace thinwall {
+namespace {
+
+/// The factor that fades out parallel edges, by the squared cross product of the edges.
+struct Mollifier {
+  double factor = 1, slope = 0, curvature = 0;
+};
+
+Eigen::Vector3d first_edge(const PairCorners& corners) {
+  return corners[1] - corners[0];
+}
+Eigen::Vector3d second_edge(const PairCorners& corners) {
+  return corners[3] - corners[2];
+}
+
+double squared_cross(const PairCorners& corners) {
+  const Eigen::Vector3d u = first_edge(corners), v = second_edge(corners);
+  const double uv = u.dot(v);
+  return u.squaredNorm() * v.squaredNorm() - uv * uv;
+}
+
+Mollifier mollifier(const FoldPair& pair) {
+  if (pair.kind != PairKind::kEdgeEdge) return {};
+  const double ratio = squared_cross(pair.corners) / pair.parallel;
+  if (ratio >= 1) return {};
+  return {.factor = (2 - ratio) * ratio,
+          .slope = 2 * (1 - ratio) / pair.parallel,
+          .curvature = -2 / (pair.parallel * pair.parallel)};
+}
+
+/// Spreads derivatives by the two edges over the four corners.
+Eigen::Matrix<double, 12, 6> edges_by_corners() {
+  Eigen::Matrix<double, 12, 6> spread = Eigen::Matrix<double, 12, 6>::Zero();
+  for (int k = 0; k < 3; ++k) {
+    spread(k, k) = spread(6 + k, 3 + k) = -1;
+    spread(3 + k, k) = spread(9 + k, 3 + k) = 1;
+  }
+  return spread;
+}
+
+Eigen::Matrix<double, 12, 1> cross_gradient(const PairCorners& corners) {
+  const Eigen::Vector3d u = first_edge(corners), v = second_edge(corners);
+  Eigen::Matrix<double, 6, 1> by_edges;
+  by_edges << 2 * (v.squaredNorm() * u - u.dot(v) * v), 2 * (u.squaredNorm() * v - u.dot(v) * u);
+  return edges_by_corners() * by_edges;
+}
+
+Eigen::Matrix<double, 12, 12> cross_hessian(const PairCorners& corners) {
+  const Eigen::Vector3d u = first_edge(corners), v = second_edge(corners);
+  const Eigen::Matrix3d identity = Eigen::Matrix3d::Identity();
+  Eigen::Matrix<double, 6, 6> by_edges;
+  by_edges.topLeftCorner<3, 3>() = 2 * (v.squaredNorm() * identity - v * v.transpose());
+  by_edges.bottomRightCorner<3, 3>() = 2 * (u.squaredNorm() * identity - u * u.transpose());
+  by_edges.topRightCorner<3, 3>() = 4 * u * v.transpose() - 2 * v * u.transpose() - 2 * u.dot(v) * identity;
+  by_edges.bottomLeftCorner<3, 3>() = by_edges.topRightCorner<3, 3>().transpose();
+  const Eigen::Matrix<double, 12, 6> spread = edges_by_corners();
+  return spread * by_edges * spread.transpose();
+}
+
+}  // namespace
+
+DistanceTerms FoldPotential::at(double distance) const {
+  const double x = distance / range;
+  if (x >= 1) return {};
+  const double logarithm = std::log(x), open = 1 - x, force = pressure * area;
+  return {.energy = -force * range * open * open * logarithm,
+          .slope = force * (2 * open * logarithm - open * open / x),
+          .curvature = force / range * (-2 * logarithm + 4 * open / x + open * open / (x * x))};
+}
+
+FoldTerms FoldPair::terms() const {
+  const DistanceTerms barrier = potential.at(closest.distance);
+  const Mollifier fade = mollifier(*this);
+  FoldTerms result{.energy = fade.factor * barrier.energy,
+                   .gradient = fade.factor * barrier.slope * distance_gradient(closest)};
+  if (fade.slope != 0) result.gradient += fade.slope * barrier.energy * cross_gradient(corners);
+  return result;
+}
+
+Eigen::Matrix<double, 12, 12> FoldPair::hessian() const {
+  const DistanceTerms barrier = potential.at(closest.distance);
+  const Mollifier fade = mollifier(*this);
+  const Eigen::Matrix<double, 12, 1> approach = distance_gradient(closest);
+  Eigen::Matrix<double, 12, 12> result = fade.factor * (barrier.curvature * approach * approach.transpose() +
+                                                        barrier.slope * distance_hessian(closest, corners));
+  if (fade.slope == 0) return result;
+  const Eigen::Matrix<double, 12, 1> turn = cross_gradient(corners);
+  result += barrier.energy * (fade.curvature * turn * turn.transpose() + fade.slope * cross_hessian(corners));
+  const Eigen::Matrix<double, 12, 12> mixed = fade.slope * barrier.slope * turn * approach.transpose();
+  result += mixed + mixed.transpose();
+  return result;
+}
+
+Eigen::Matrix<double, 12, 12> FoldPair::convex_hessian() const {
+  const Eigen::Matrix<double, 12, 1> approach = distance_gradient(closest);
+  return mollifier(*this).factor * potential.at(closest.distance).curvature * approach * approach.transpose();
+}
+
+double parallel_bound(const PairCorners& rest_corners) {
+  return 1e-3 * first_edge(rest_corners).squaredNorm() * second_edge(rest_corners).squaredNorm();
+}
+
+}  // namespace thinwall

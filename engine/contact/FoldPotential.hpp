@@ -1,0 +1,56 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "engine/contact/PairDistance.hpp"
+
+namespace thinwall {
+
+/// Value and slopes of a function of one distance.
+struct DistanceTerms {
+  double energy = 0;     // joule
+  double slope = 0;      // newton
+  double curvature = 0;  // newton / metre
+};
+
+/// The potential that keeps two parts of a wall from meeting, with x = distance / range:
+///
+///     -pressure area range (1 - x)^2 ln x   for 0 < x < 1, zero beyond
+///
+/// (the barrier of incremental potential contact, Li et al. 2020, scaled). Twice differentiable; at x = 1/2 the two
+/// push each other with 1.2 pressure area, at x = 0.05 with 24 times that of pressure area, and without bound below.
+struct FoldPotential {
+  double range = 1e-6;  // metres
+  double pressure = 1;  // pascal
+  double area = 1;      // metres^2, of the stress-free wall that the pair stands for
+
+  DistanceTerms at(double distance) const;  // distance > 0
+};
+
+/// Energy of a pair of parts with its derivatives by the corners (x0, y0, z0, x1, ..., z3).
+struct FoldTerms {
+  double energy = 0;                      // joule
+  Eigen::Matrix<double, 12, 1> gradient;  // newton
+};
+
+/// A pair in contact. Two edges that are nearly parallel fade out: with c the squared cross product of the edges and
+/// e = `parallel`, the potential is multiplied by (2 - c/e) c/e where c < e, so that it stays smooth where the closest
+/// points are not unique. Their end points, as points against triangles, take over there.
+struct FoldPair {
+  PairKind kind = PairKind::kPointTriangle;
+  PairCorners corners;
+  PairDistance closest;
+  FoldPotential potential;
+  double parallel = 0;  // metres^4; edges only
+
+  FoldTerms terms() const;
+  /// The second derivatives.
+  Eigen::Matrix<double, 12, 12> hessian() const;
+  /// Their convex part along the shortest way: positive semi-definite, of rank one.
+  Eigen::Matrix<double, 12, 12> convex_hessian() const;
+};
+
+/// `parallel` of two edges with the given stress-free corners: 1e-3 of the squared product of their lengths.
+double parallel_bound(const PairCorners& rest_corners);
+
+}  // namespace thinwall

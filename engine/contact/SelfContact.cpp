@@ -1,0 +1,255 @@
+#include "engine/contact/SelfContact.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/contact/ContinuousCollision.hpp"
+#include "engine/mesh/MeshTopology.hpp"
+
+namespace thinwall {
+namespace {
+
+/// Range of the potentials and margin of the list, as parts of the mean edge length. Their sum (twice the margin) stays
+/// below the height of a regular triangle, 0.87: a smooth wall then lists nothing.
+constexpr double kRange = 0.5;
+constexpr double kMargin = 0.1;
+
+/// Part of the stress-free distance of a pair at which it begins to feel each other.
+constexpr double kRestRange = 0.5;
+
+/// Stress-free distances below this part of the mean edge length count as touching.
+constexpr double kTouching = 1e-6;
+
+PairCorners corners_at(const Eigen::Vector4i& vertices, const Eigen::VectorXd& vectors) {
+  return {vectors.segment<3>(3 * vertices[0]), vectors.segment<3>(3 * vertices[1]), vectors.segment<3>(3 * vertices[2]),
+          vectors.segment<3>(3 * vertices[3])};
+}
+
+Eigen::Vector3d mean_of(const Eigen::VectorXd& vectors) {
+  return vectors.reshaped(3, vectors.size() / 3).rowwise().mean();
+}
+
+}  // namespace
+
+SelfContact::SelfContact(const SelfContactDefinition& definition)
+    : triangles_(definition.triangles.begin(), definition.triangles.end()),
+      rest_position_(definition.position),
+      floors_(definition.floors),
+      pressure_(definition.pressure),
+      tree_(definition.triangles, definition.position) {
+  const std::size_t vertices = rest_position_.size() / 3;
+  held_.resize(vertices);
+  for (std::size_t v = 0; v < vertices; ++v) {
+    held_[v] = definition.fixed[3 * v] && definition.fixed[3 * v + 1] && definition.fixed[3 * v + 2];
+  }
+  measure_parts(definition);
+  measure_heights(definition);
+  list_near(rest_position_);
+}
+
+void SelfContact::measure_parts(const SelfContactDefinition& definition) {
+  const int vertices = static_cast<int>(held_.size());
+  vertex_area_.assign(vertices, 0);
+  vertex_thickness_.assign(vertices, 0);
+  parts_.resize(triangles_.size());
+  std::vector<char> claimed(vertices, 0);
+  double thickest = 0;
+  for (std::size_t t = 0; t < triangles_.size(); ++t) {
+    const auto corner = [&](int k) { return rest_position_.segment<3>(3 * triangles_[t][k]); };
+    const double third = (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm() / 6;
+    thickest = std::max(thickest, definition.thickness[t]);
+    for (const int vertex : triangles_[t]) {
+      vertex_area_[vertex] += third;
+      vertex_thickness_[vertex] += third * definition.thickness[t];
+      if (!claimed[vertex]) parts_[t].vertices.push_back(vertex);
+      claimed[vertex] = 1;
+    }
+  }
+  for (int v = 0; v < vertices; ++v) {
+    if (vertex_area_[v] > 0) vertex_thickness_[v] /= vertex_area_[v];
+  }
+  const MeshTopology topology = topology_of(vertices, triangles_);
+  double length = 0;
+  for (std::size_t e = 0; e < topology.edges.size(); ++e) {
+    const auto& [low, high] = topology.edges[e];
+    length += (rest_position_.segment<3>(3 * high) - rest_position_.segment<3>(3 * low)).norm();
+    parts_[triangles_at(topology, static_cast<int>(e)).front()].edges.push_back(topology.edges[e]);
+  }
+  length /= std::max<double>(1, static_cast<double>(topology.edges.size()));
+  largest_range_ = std::min(thickest, kRange * length);
+  margin_ = kMargin * length;
+}
+
+void SelfContact::measure_heights(const SelfContactDefinition& definition) {
+  for (const FloorPlane& floor : floors_) {
+    std::vector<double>& heights = heights_.emplace_back(held_.size(), 0);
+    for (const Eigen::Vector3i& triangle : triangles_) {
+      for (const int v : triangle) {
+        if (held_[v]) continue;
+        const double height = floor.normal.dot(definition.position.segment<3>(3 * v)) - floor.height;
+        if (height > kTouching * margin_ / kMargin) heights[v] = height;
+      }
+    }
+  }
+}
+
+bool SelfContact::covers(const Eigen::VectorXd& position) const {
+  const Eigen::Vector3d drift = mean_of(position) - mean_of(listed_position_);
+  double farthest = 0;
+  for (Eigen::Index k = 0; k < position.size(); k += 3) {
+    farthest = std::max(farthest, (position.segment<3>(k) - listed_position_.segment<3>(k) - drift).squaredNorm());
+  }
+  return farthest < margin_ * margin_;
+}
+
+template <typename Visit>
+void SelfContact::visit_parts(int triangle, int other, const Visit& visit) const {
+  const auto apart = [](const Eigen::Vector4i& v) {
+    return v[0] != v[1] && v[0] != v[2] && v[0] != v[3] && v[1] != v[2] && v[1] != v[3];
+  };
+  const auto visit_if_free = [&](PairKind kind, const Eigen::Vector4i& vertices) {
+    const bool held = held_[vertices[0]] && held_[vertices[1]] && held_[vertices[2]] && held_[vertices[3]];
+    if (!held && apart(vertices)) visit(kind, vertices);
+  };
+  for (const auto& [one, two] : {std::array{triangle, other}, std::array{other, triangle}}) {
+    const Eigen::Vector3i& corners = triangles_[two];
+    for (const int vertex : parts_[one].vertices) {
+      visit_if_free(PairKind::kPointTriangle, {vertex, corners[0], corners[1], corners[2]});
+    }
+  }
+  for (const auto& first : parts_[triangle].edges) {
+    for (const auto& second : parts_[other].edges) {
+      visit_if_free(PairKind::kEdgeEdge, {first[0], first[1], second[0], second[1]});
+    }
+  }
+}
+
+void SelfContact::list_near(const Eigen::VectorXd& position) {
+  near_.clear();
+  tree_.fit(position);
+  tree_.visit_near(largest_range_ + 2 * margin_, [&](int triangle, int other) {
+    visit_parts(triangle, other,
+                [&](PairKind kind, const Eigen::Vector4i& vertices) { list_if_near(kind, vertices, position); });
+  });
+  listed_position_ = position;
+  ++listings_;
+}
+
+void SelfContact::list_if_near(PairKind kind, const Eigen::Vector4i& vertices, const Eigen::VectorXd& position) {
+  const double distance = pair_distance(kind, corners_at(vertices, position)).distance;
+  if (distance > largest_range_ + 2 * margin_) return;
+  const PairCorners rest = corners_at(vertices, rest_position_);
+  const double rest_distance = pair_distance(kind, rest).distance;
+  double thickness = 0, area = 0;
+  for (const int vertex : vertices) thickness += 0.25 * vertex_thickness_[vertex];
+  // Each place of the wall is counted by its points and by its edges (three to a point), and once from either side.
+  if (kind == PairKind::kPointTriangle) {
+    area = 0.25 * vertex_area_[vertices[0]];
+  } else {
+    for (const int vertex : vertices) area += 0.25 / 12 * vertex_area_[vertex];
+  }
+  const double range = std::min({thickness, largest_range_, kRestRange * rest_distance});
+  if (distance > range + 2 * margin_ || touches_at_rest(kind, vertices)) return;
+  near_.push_back({.kind = kind,
+                   .vertices = vertices,
+                   .range = range,
+                   .area = area,
+                   .parallel = kind == PairKind::kEdgeEdge ? parallel_bound(rest) : 0});
+}
+
+bool SelfContact::touches_at_rest(PairKind kind, const Eigen::Vector4i& vertices) const {
+  return pair_distance(kind, corners_at(vertices, rest_position_)).distance < kTouching * margin_ / kMargin;
+}
+
+double SelfContact::safe_fraction_above_floors(const Eigen::VectorXd& position, const Eigen::VectorXd& motion) const {
+  double fraction = 1;
+  for (std::size_t f = 0; f < floors_.size(); ++f) {
+    for (std::size_t v = 0; v < held_.size(); ++v) {
+      if (heights_[f][v] == 0) continue;
+      const Eigen::Index at = 3 * static_cast<Eigen::Index>(v);
+      const double height = floors_[f].normal.dot(position.segment<3>(at)) - floors_[f].height;
+      const double fall = -floors_[f].normal.dot(motion.segment<3>(at));
+      if (fall * fraction > (1 - kKeptDistance) * height) fraction = (1 - kKeptDistance) * height / fall;
+    }
+  }
+  return fraction;
+}
+
+double SelfContact::safe_fraction(const Eigen::VectorXd& position, const Eigen::VectorXd& motion) {
+  double fraction = safe_fraction_above_floors(position, motion);
+  const auto fraction_of = [&](PairKind kind, const Eigen::Vector4i& vertices) {
+    return thinwall::safe_fraction(kind, corners_at(vertices, position), corners_at(vertices, motion));
+  };
+  // What is not listed stays out of range as long as the list covers both ends of the motion.
+  if (covers(position) && covers(position + motion)) {
+    for (const NearPair& pair : near_) fraction = std::min(fraction, fraction_of(pair.kind, pair.vertices));
+    return fraction;
+  }
+  tree_.fit(position, motion);
+  tree_.visit_meeting([&](int triangle, int other) {
+    visit_parts(triangle, other, [&](PairKind kind, const Eigen::Vector4i& vertices) {
+      const double one = fraction_of(kind, vertices);
+      if (one < fraction && !touches_at_rest(kind, vertices)) fraction = one;
+    });
+  });
+  return fraction;
+}
+
+void SelfContact::evaluate(const Eigen::VectorXd& position, SelfContactTerms& terms, Eigen::VectorXd& gradient) {
+  terms.energy = terms.largest_force = 0;
+  terms.folds.clear();
+  terms.floors.clear();
+  if (!covers(position)) list_near(position);
+  for (const NearPair& near : near_) {
+    const PairCorners corners = corners_at(near.vertices, position);
+    const PairDistance closest = pair_distance(near.kind, corners);
+    if (closest.distance >= near.range) continue;
+    const FoldContact contact{.vertices = near.vertices,
+                              .pair = {.kind = near.kind,
+                                       .corners = corners,
+                                       .closest = closest,
+                                       .potential = {.range = near.range, .pressure = pressure_, .area = near.area},
+                                       .parallel = near.parallel}};
+    const FoldTerms part = contact.pair.terms();
+    terms.energy += part.energy;
+    for (int k = 0; k < 4; ++k) gradient.segment<3>(3 * near.vertices[k]) += part.gradient.segment<3>(3 * k);
+    terms.largest_force = std::max(terms.largest_force, part.gradient.cwiseAbs().maxCoeff());
+    terms.folds.push_back(contact);
+  }
+  for (std::size_t f = 0; f < floors_.size(); ++f) {
+    for (std::size_t v = 0; v < held_.size(); ++v) {
+      if (heights_[f][v] == 0) continue;
+      const Eigen::Index at = 3 * static_cast<Eigen::Index>(v);
+      const double height = floors_[f].normal.dot(position.segment<3>(at)) - floors_[f].height;
+      const FoldPotential potential{
+          .range = std::min({vertex_thickness_[v], largest_range_, kRestRange * heights_[f][v]}),
+          .pressure = pressure_,
+          .area = vertex_area_[v]};
+      if (height >= potential.range) continue;
+      FloorContact contact{.vertex = static_cast<int>(v), .normal = floors_[f].normal, .terms = potential.at(height)};
+      terms.energy += contact.terms.energy;
+      gradient.segment<3>(at) += contact.terms.slope * contact.normal;
+      terms.largest_force = std::max(terms.largest_force, std::abs(contact.terms.slope));
+      terms.floors.push_back(contact);
+    }
+  }
+}
+
+std::vector<std::array<int, 2>> SelfContact::near_couplings() const {
+  std::vector<std::array<int, 2>> couplings;
+  for (const NearPair& pair : near_) {
+    for (int a = 0; a < 4; ++a) {
+      for (int b = 0; b < a; ++b) {
+        const auto [low, high] = std::minmax(pair.vertices[a], pair.vertices[b]);
+        couplings.push_back({low, high});
+      }
+    }
+  }
+  std::sort(couplings.begin(), couplings.end());
+  couplings.erase(std::unique(couplings.begin(), couplings.end()), couplings.end());
+  return couplings;
+}
+
+}  // namespace thinwall

@@ -1,0 +1,119 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "engine/contact/FoldPotential.hpp"
+#include "engine/contact/TriangleTree.hpp"
+#include "engine/mesh/SurfaceMesh.hpp"
+
+namespace thinwall {
+
+/// A plane that the wall may not pass, for all vertices that lie above it in the stress-free shape.
+struct FloorPlane {
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // unit, towards the wall
+  double height = 0;                                  // metres, of the plane along the normal
+};
+
+/// What the contact of a wall with itself and with its floor needs to know, all of the stress-free shape.
+struct SelfContactDefinition {
+  std::span<const Eigen::Vector3i> triangles;  // of the wall
+  Eigen::VectorXd position;                    // (3 vertices), metres
+  std::span<const double> thickness;           // (triangles), metres
+  std::span<const char> fixed;                 // (3 vertices), unknowns that do not move
+  std::vector<FloorPlane> floors;
+  double pressure = 1;  // pascal, of the potentials: the scale at which two parts lie on each other at half the range
+};
+
+/// Two parts of the wall within range of each other.
+struct FoldContact {
+  Eigen::Vector4i vertices;
+  FoldPair pair;
+};
+
+/// A vertex within range of a floor.
+struct FloorContact {
+  int vertex = 0;
+  Eigen::Vector3d normal;
+  DistanceTerms terms;
+};
+
+/// What a wall does to itself at a position.
+struct SelfContactTerms {
+  double energy = 0;         // joule
+  double largest_force = 0;  // newton, component at one corner of one pair
+  std::vector<FoldContact> folds;
+  std::vector<FloorContact> floors;
+};
+
+/// Keeps a wall from passing through itself and through the floors.
+///
+/// Mid-surfaces feel each other at distances below the range, which is for each pair of parts the smallest of the
+/// wall's thickness there, half the mean edge length of the mesh, and half of the distance that the two have in the
+/// stress-free shape: neighbours do not feel each other unless the wall crumples, nor does a fine mesh. Parts that
+/// touch in the stress-free shape are left alone. The force grows without bound as the distance goes to zero, and
+/// `safe_fraction` keeps every motion from jumping over it, so that a wall that is free of intersections stays so.
+///
+/// Near pairs are listed with a margin and the list is kept until a vertex (less the mean motion of all) has moved by
+/// the margin, so that a wall with nothing near pays a scan over its vertices only. Results do not depend on the list:
+/// pairs out of range contribute nothing, and the others come in an order that the mesh alone determines.
+class SelfContact {
+ public:
+  explicit SelfContact(const SelfContactDefinition& definition);
+
+  /// Fraction, from 0 to 1, of the motion (3 vertices, metres) that the wall may go from `position` without meeting
+  /// itself or a floor.
+  double safe_fraction(const Eigen::VectorXd& position, const Eigen::VectorXd& motion);
+
+  /// Fills `terms`, reusing its memory, and adds the forces' opposite to `gradient`, (3 vertices), newton.
+  void evaluate(const Eigen::VectorXd& position, SelfContactTerms& terms, Eigen::VectorXd& gradient);
+
+  /// Pairs of vertices, the lower first, that pairs listed now couple: those in contact and those that may soon be.
+  std::vector<std::array<int, 2>> near_couplings() const;
+
+  /// Times that the near pairs were listed, and how many there are.
+  long listings() const { return listings_; }
+  std::size_t listed() const { return near_.size(); }
+
+ private:
+  struct NearPair {
+    PairKind kind;
+    Eigen::Vector4i vertices;
+    double range, area, parallel;
+  };
+  struct Parts {
+    std::vector<int> vertices;
+    std::vector<std::array<int, 2>> edges;
+  };
+
+  void measure_parts(const SelfContactDefinition& definition);
+  void measure_heights(const SelfContactDefinition& definition);
+  bool covers(const Eigen::VectorXd& position) const;
+  void list_near(const Eigen::VectorXd& position);
+  template <typename Visit>
+  void visit_parts(int triangle, int other, const Visit& visit) const;
+  bool touches_at_rest(PairKind kind, const Eigen::Vector4i& vertices) const;
+  void list_if_near(PairKind kind, const Eigen::Vector4i& vertices, const Eigen::VectorXd& position);
+  double safe_fraction_above_floors(const Eigen::VectorXd& position, const Eigen::VectorXd& motion) const;
+
+  std::vector<Eigen::Vector3i> triangles_;
+  Eigen::VectorXd rest_position_;         // (3 vertices), metres
+  std::vector<char> held_;                // (vertices), whether no unknown of it moves
+  std::vector<Parts> parts_;              // (triangles), vertices and edges that the triangle answers for
+  std::vector<double> vertex_area_;       // (vertices), metres^2
+  std::vector<double> vertex_thickness_;  // (vertices), metres
+  std::vector<FloorPlane> floors_;
+  std::vector<std::vector<double>>
+      heights_;  // (floors x vertices), metres, stress-free; zero where the floor is not felt
+  double pressure_ = 1;
+  double largest_range_ = 0;  // metres
+  double margin_ = 0;         // metres
+  TriangleTree tree_;
+  std::vector<NearPair> near_;
+  Eigen::VectorXd listed_position_;  // (3 vertices), metres, at which `near_` was listed
+  long listings_ = 0;
+};
+
+}  // namespace thinwall

@@ -1,0 +1,71 @@
+#include "engine/contact/TriangleTree.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace thinwall {
+namespace {
+
+Eigen::AlignedBox3d box_of(const Eigen::Vector3i& triangle, const Eigen::VectorXd& vectors) {
+  Eigen::AlignedBox3d box;
+  for (const int vertex : triangle) box.extend(vectors.segment<3>(3 * vertex));
+  return box;
+}
+
+}  // namespace
+
+TriangleTree::TriangleTree(std::span<const Eigen::Vector3i> triangles, const Eigen::VectorXd& position)
+    : triangles_(triangles.begin(), triangles.end()) {
+  std::vector<Eigen::Vector3d> centers;
+  for (const Eigen::Vector3i& triangle : triangles_) centers.push_back(box_of(triangle, position).center());
+  std::vector<int> order(triangles_.size());
+  std::iota(order.begin(), order.end(), 0);
+  if (!order.empty()) build(order, 0, static_cast<int>(order.size()), centers);
+  boxes_.resize(nodes_.size());
+  motions_.resize(nodes_.size());
+  fit(position);
+}
+
+int TriangleTree::build(std::vector<int>& order, int begin, int end, const std::vector<Eigen::Vector3d>& centers) {
+  const int node = static_cast<int>(nodes_.size());
+  nodes_.push_back({.size = end - begin});
+  if (end - begin == 1) {
+    nodes_[node].triangle = order[begin];
+    return node;
+  }
+  Eigen::AlignedBox3d spread;
+  for (int k = begin; k < end; ++k) spread.extend(centers[order[k]]);
+  Eigen::Index axis;
+  spread.sizes().maxCoeff(&axis);
+  const int middle = (begin + end) / 2;
+  std::nth_element(order.begin() + begin, order.begin() + middle, order.begin() + end,
+                   [&](int a, int b) { return std::pair(centers[a][axis], a) < std::pair(centers[b][axis], b); });
+  const int left = build(order, begin, middle, centers), right = build(order, middle, end, centers);
+  nodes_[node].left = left;
+  nodes_[node].right = right;
+  return node;
+}
+
+void TriangleTree::fit(const Eigen::VectorXd& position) {
+  for (int k = static_cast<int>(nodes_.size()) - 1; k >= 0; --k) {
+    const Node& node = nodes_[k];
+    boxes_[k] =
+        node.left < 0 ? box_of(triangles_[node.triangle], position) : boxes_[node.left].merged(boxes_[node.right]);
+  }
+}
+
+void TriangleTree::fit(const Eigen::VectorXd& position, const Eigen::VectorXd& motion) {
+  fit(position);
+  for (int k = static_cast<int>(nodes_.size()) - 1; k >= 0; --k) {
+    const Node& node = nodes_[k];
+    motions_[k] =
+        node.left < 0 ? box_of(triangles_[node.triangle], motion) : motions_[node.left].merged(motions_[node.right]);
+  }
+}
+
+double TriangleTree::squared_travel(int a, int b) const {
+  const Eigen::Vector3d one = motions_[a].max() - motions_[b].min(), other = motions_[b].max() - motions_[a].min();
+  return one.cwiseAbs().cwiseMax(other.cwiseAbs()).squaredNorm();
+}
+
+}  // namespace thinwall

@@ -1,0 +1,202 @@
+#include "engine/contact/SelfContact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <random>
+#include <set>
+
+#include "engine/mesh/MeshTopology.hpp"
+#include "engine/mesh/Shapes.hpp"
+#include "tests/engine/contact/SurfaceIntersections.hpp"
+
+namespace thinwall {
+namespace {
+
+Eigen::VectorXd position_of(const SurfaceMesh& mesh) {
+  Eigen::VectorXd position(3 * mesh.vertices.size());
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
+    position.segment<3>(3 * static_cast<int>(v)) = mesh.vertices[v];
+  return position;
+}
+
+struct Wall {
+  explicit Wall(SurfaceMesh the_mesh, double the_thickness = 1e-3, std::vector<FloorPlane> floors = {})
+      : mesh(std::move(the_mesh)),
+        rest(position_of(mesh)),
+        thickness(mesh.triangles.size(), the_thickness),
+        fixed(rest.size(), 0),
+        contact({.triangles = mesh.triangles,
+                 .position = rest,
+                 .thickness = thickness,
+                 .fixed = fixed,
+                 .floors = std::move(floors),
+                 .pressure = 1e3}) {}
+
+  SelfContactTerms evaluate(const Eigen::VectorXd& position, Eigen::VectorXd& gradient) {
+    SelfContactTerms terms;
+    gradient.setZero(position.size());
+    contact.evaluate(position, terms, gradient);
+    return terms;
+  }
+
+  SurfaceMesh mesh;
+  Eigen::VectorXd rest;
+  std::vector<double> thickness;
+  std::vector<char> fixed;
+  SelfContact contact;
+};
+
+/// A sphere pressed flat between two planes that are `gap` apart, metres.
+Eigen::VectorXd flattened(const Eigen::VectorXd& rest, double gap) {
+  Eigen::VectorXd position = rest;
+  double top = 0;
+  for (Eigen::Index k = 2; k < rest.size(); k += 3) top = std::max(top, rest[k]);
+  for (Eigen::Index k = 2; k < rest.size(); k += 3) position[k] *= 0.5 * gap / top;
+  return position;
+}
+
+/// Distances of all parts that share no vertex, tried one by one.
+std::set<std::array<int, 4>> pairs_within(const SurfaceMesh& mesh, const Eigen::VectorXd& position, double reach) {
+  const auto at = [&](int v) -> Eigen::Vector3d { return position.segment<3>(3 * v); };
+  std::set<std::array<int, 4>> pairs;
+  const auto try_pair = [&](PairKind kind, std::array<int, 4> v) {
+    std::array<int, 4> sorted = v;
+    std::sort(sorted.begin(), sorted.end());
+    if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return;
+    if (pair_distance(kind, {at(v[0]), at(v[1]), at(v[2]), at(v[3])}).distance < reach) pairs.insert(sorted);
+  };
+  for (int v = 0; v < static_cast<int>(mesh.vertices.size()); ++v) {
+    for (const Eigen::Vector3i& t : mesh.triangles) try_pair(PairKind::kPointTriangle, {v, t[0], t[1], t[2]});
+  }
+  const MeshTopology topology = topology_of(static_cast<int>(mesh.vertices.size()), mesh.triangles);
+  for (std::size_t i = 0; i < topology.edges.size(); ++i) {
+    for (std::size_t j = i + 1; j < topology.edges.size(); ++j) {
+      const auto &a = topology.edges[i], &b = topology.edges[j];
+      try_pair(PairKind::kEdgeEdge, {a[0], a[1], b[0], b[1]});
+    }
+  }
+  return pairs;
+}
+
+TEST(SelfContact, LeavesASmoothWallAlone) {
+  Wall wall(make_sphere(20e-3, 1280));
+  Eigen::VectorXd gradient;
+  const SelfContactTerms terms = wall.evaluate(wall.rest, gradient);
+  EXPECT_TRUE(terms.folds.empty());
+  EXPECT_EQ(terms.energy, 0);
+  EXPECT_EQ(gradient.norm(), 0);
+  EXPECT_EQ(wall.contact.listed(), 0U);
+}
+
+TEST(SelfContact, FindsEveryPairWithinRange) {
+  // Thin enough for the thickness to be the range of all pairs but neighbours.
+  Wall wall(make_sphere(20e-3, 128), 0.5e-3);
+  Eigen::VectorXd gradient;
+  for (const double gap : {20e-3, 2e-3, 0.4e-3, 0.1e-3}) {
+    const Eigen::VectorXd position = flattened(wall.rest, gap);
+    const SelfContactTerms terms = wall.evaluate(position, gradient);
+    std::set<std::array<int, 4>> found;
+    for (const FoldContact& contact : terms.folds) {
+      std::array<int, 4> vertices;
+      std::copy_n(contact.vertices.data(), 4, vertices.begin());
+      std::sort(vertices.begin(), vertices.end());
+      found.insert(vertices);
+    }
+    EXPECT_EQ(found, pairs_within(wall.mesh, position, 0.5e-3)) << gap;
+  }
+}
+
+TEST(SelfContact, HasTheGradientOfItsEnergy) {
+  Wall wall(make_sphere(20e-3, 128), 1e-3, {{.normal = Eigen::Vector3d::UnitZ(), .height = -25e-3}});
+  Eigen::VectorXd position = flattened(wall.rest, 0.6e-3), gradient, ignored;
+  for (Eigen::Index k = 2; k < position.size(); k += 3) position[k] -= 24.5e-3;
+  const SelfContactTerms terms = wall.evaluate(position, gradient);
+  ASSERT_GT(terms.folds.size(), 100U);
+  ASSERT_GT(terms.floors.size(), 10U);
+  for (Eigen::Index k = 0; k < position.size(); k += 7) {
+    const double step = 1e-9, middle = position[k];
+    position[k] = middle + step;
+    const double up = wall.evaluate(position, ignored).energy;
+    position[k] = middle - step;
+    const double down = wall.evaluate(position, ignored).energy;
+    position[k] = middle;
+    EXPECT_NEAR(gradient[k], (up - down) / (2 * step), 1e-5 * terms.largest_force);
+  }
+}
+
+TEST(SelfContact, GivesTheSameBitsWhateverItCameFrom) {
+  Wall fresh(make_sphere(20e-3, 320)), travelled(make_sphere(20e-3, 320));
+  Eigen::VectorXd gradient, other;
+  for (double gap = 30e-3; gap > 0.5e-3; gap *= 0.97) travelled.evaluate(flattened(travelled.rest, gap), other);
+  const Eigen::VectorXd position = flattened(fresh.rest, 0.5e-3);
+  const double energy = fresh.evaluate(position, gradient).energy;
+  EXPECT_EQ(travelled.evaluate(position, other).energy, energy);
+  EXPECT_EQ(gradient, other);
+}
+
+TEST(SelfContact, KeepsItsListWhileTheWallMovesAsAWholeOrALittle) {
+  Wall wall(make_sphere(20e-3, 320));
+  Eigen::VectorXd gradient, position = wall.rest;
+  const long before = wall.contact.listings();
+  for (int step = 0; step < 50; ++step) {
+    position.reshaped(3, position.size() / 3).colwise() += Eigen::Vector3d(1e-3, 2e-3, -3e-3);
+    wall.evaluate(position, gradient);
+  }
+  wall.evaluate(position * 1.001, gradient);
+  EXPECT_EQ(wall.contact.listings(), before);
+  wall.evaluate(position * 1.5, gradient);
+  EXPECT_EQ(wall.contact.listings(), before + 1);
+}
+
+TEST(SelfContact, StopsRandomMotionsBeforeTheWallPassesThroughItself) {
+  std::mt19937 random(21);
+  std::normal_distribution<double> draw(0, 1);
+  int crossed = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    Wall wall(make_sphere(20e-3, 128));
+    Eigen::VectorXd position = wall.rest;
+    for (int step = 0; step < 6; ++step) {
+      Eigen::VectorXd motion(position.size());
+      for (double& component : motion) component = 8e-3 * draw(random);
+      crossed += surface_intersections(wall.mesh.triangles, position + motion).empty() ? 0 : 1;
+      position += wall.contact.safe_fraction(position, motion) * motion;
+      ASSERT_TRUE(surface_intersections(wall.mesh.triangles, position).empty()) << trial << ", " << step;
+    }
+  }
+  EXPECT_GT(crossed, 300);  // of 360: the motions would have crossed
+}
+
+TEST(SelfContact, LetsThroughMotionsThatMeetNothing) {
+  Wall wall(make_sphere(20e-3, 320));
+  EXPECT_EQ(wall.contact.safe_fraction(wall.rest, 5 * wall.rest), 1);
+  Eigen::VectorXd turned = wall.rest;
+  const Eigen::Matrix3d half_turn = Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  turned.reshaped(3, turned.size() / 3) = half_turn * wall.rest.reshaped(3, turned.size() / 3);
+  EXPECT_EQ(wall.contact.safe_fraction(wall.rest, turned - wall.rest), 1);
+}
+
+TEST(SelfContact, StopsTheWallAboveItsFloor) {
+  SurfaceMesh mesh = make_hemisphere(20e-3, 256);
+  Wall wall(mesh, 1e-3, {{.normal = Eigen::Vector3d::UnitZ(), .height = 0}});
+  Eigen::VectorXd fall = Eigen::VectorXd::Zero(wall.rest.size());
+  for (Eigen::Index k = 2; k < fall.size(); k += 3) fall[k] = -2 * wall.rest[k];
+  const double fraction = wall.contact.safe_fraction(wall.rest, fall);
+  EXPECT_LT(fraction, 0.5);
+  EXPECT_GT(fraction, 0.3);
+}
+
+TEST(SelfContact, IgnoresPartsThatTouchInTheStressFreeShape) {
+  // Two sheets on the same vertices' places, as the lips of a cut are.
+  SurfaceMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1e-2, 0, 0}, {0, 1e-2, 0}, {1e-2, 0, 0}, {0, 1e-2, 0}, {1e-2, 1e-2, 0}};
+  mesh.triangles = {{0, 1, 2}, {3, 5, 4}};
+  Wall wall(mesh);
+  Eigen::VectorXd gradient;
+  EXPECT_TRUE(wall.evaluate(wall.rest, gradient).folds.empty());
+  EXPECT_EQ(gradient.norm(), 0);
+}
+
+}  // namespace
+}  // namespace thinwall
