@@ -68,7 +68,7 @@ enum class LoadKind {
   kDeadTraction,      // pascal, dead, per rest area
   kDeadForce,         // newton, dead, in all, spread evenly over the region
   kDeadLineForce,     // newton / metre, dead, along the edges in the region (open edges only where it has any)
-  kFollowerMoment,    // newton metre, in all, about the edges in the region, follows the wall; shell only
+  kDeadMoment,        // newton metre, in all, on the edges in the region; turns the wall beside them about a fixed axis
   kDeadBodyForce      // newton / metre^3 of rest volume of the wall, dead
 };
 

@@ -23,6 +23,25 @@ std::vector<ToolPose> interpolate(std::span<const ToolPose> begin, std::span<con
   return poses;
 }
 
+/// Smallest part into which a step is divided to keep its error: where a tool hits the wall no step is small enough.
+constexpr double kSmallestPart = 1.0 / 256;
+
+/// The share of a part of the step from `done` on.
+BodyInput part_of(const BodyInput& input, const BodyState& start, double done, double part) {
+  BodyInput share = input;
+  for (std::size_t k = 0; k < share.load_factors.size(); ++k) {
+    const double begin = k < start.load_factors.size() ? start.load_factors[k] : 1;
+    share.load_factors[k] = begin + (done + part) * (input.load_factors[k] - begin);
+  }
+  for (std::size_t k = 0; k < share.fluids.size(); ++k) {
+    share.fluids[k].added *= part;
+    if (!share.fluids[k].pressure) continue;
+    const double begin = start.equilibrium.pressure[k];
+    share.fluids[k].pressure = begin + (done + part) * (*input.fluids[k].pressure - begin);
+  }
+  return share;
+}
+
 }  // namespace
 
 Body::Body(BodyDefinition definition, std::vector<ToolDefinition> tools, SimulationOptions options)
@@ -32,7 +51,7 @@ Body::Body(BodyDefinition definition, std::vector<ToolDefinition> tools, Simulat
       newton_(*model_) {
   const Eigen::Index unknowns = model_->rest_position.size();
   state_.equilibrium.position = model_->rest_position;
-  state_.velocity = state_.acceleration = state_.previous_velocity = state_.static_force =
+  state_.velocity = state_.acceleration = state_.previous_velocity = state_.static_force = state_.load_force =
       Eigen::VectorXd::Zero(unknowns);
   state_.previous_position = model_->rest_position;
   state_.contacts.resize(tools_.size());
@@ -46,35 +65,25 @@ SurfaceView Body::surface() const {
 }
 
 FluidMode Body::fluid_mode() const {
-  switch (model_->definition.fluid.kind) {
-    case FluidKind::kIncompressible:
-      return FluidMode::kIncompressible;
-    case FluidKind::kCompressible:
-      return FluidMode::kCompressible;
-    case FluidKind::kNone:
-      break;
-  }
-  return FluidMode::kNone;
+  return model_->definition.fluid.kind == FluidKind::kCompressible ? FluidMode::kCompressible
+                                                                   : FluidMode::kIncompressible;
 }
 
-void Body::set_fluid_volume(double volume) {
-  assert(model_->has_fluid());
-  state_.fluid_volume = volume;
-  // A compressible fluid takes the filling up at once, at the volume that the body has; an incompressible one moves the
-  // wall in the next step, which books the work.
-  const double energy = fluid_energy(*model_, state_);
-  state_.books.script_work += energy - state_.books.fluid;
-  state_.books.fluid = energy;
-}
-
-bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> end, double duration) {
+EquilibriumProblem Body::make_problem(std::span<const ToolPose> end, double duration, const BodyInput& input) const {
   EquilibriumProblem problem;
-  problem.fluid = fluid_mode();
-  problem.pressure = state_.reference_pressure;
-  problem.fluid_volume = state_.fluid_volume;
-  problem.bulk_modulus = model_->definition.fluid.bulk_modulus;
+  add_fluids(duration, input, problem);
+  add_memory(duration, problem);
+  problem.gravity = options_.gravity;
+  problem.load_factors = input.load_factors;
+  problem.start = state_.equilibrium.position;
   add_spheres(end, problem);
   problem.hold_rigid_motions = options_.analysis == Analysis::kQuasiStatic && model_->rigid_motions.cols() > 0;
+  return problem;
+}
+
+bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> end, double duration,
+                    const BodyInput& input) {
+  EquilibriumProblem problem = make_problem(end, duration, input);
   attach(begin, end, problem);
   for (;;) {
     // What a tool takes hold of or lets go of changes its velocity at once; a difference that reaches back across that
@@ -85,30 +94,42 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
     if (options_.analysis == Analysis::kDynamic) trial.position += duration * state_.velocity;
     if (!solve(problem, trial).converged) return false;
     if (release(end, problem)) continue;
-    accept(begin, duration, problem, trial);
+    accept(begin, duration, problem, input, trial);
     return true;
   }
 }
 
-void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> end, double duration) {
+void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> end, double duration,
+                   const BodyInput& input) {
   report_ = {};
-  const BodyState before = state_;
+  const BodyState start = state_;
   double done = 0, part = 1;
   std::vector<ToolPose> from(begin.begin(), begin.end());
   while (done < 1) {
     const std::vector<ToolPose> to = interpolate(begin, end, done + part);
-    if (try_step(from, to, part * duration)) {
-      from = to;
-      done += part;
-      part = std::min(2 * part, 1 - done);
+    const BodyState before = state_;
+    if (!try_step(from, to, part * duration, part_of(input, start, done, part))) {
+      state_ = before;
+      part *= 0.5;
+      if (++report_.halvings > options_.maximum_halvings) {
+        state_ = start;
+        throw SimulationFailure("body `" + model_->definition.name + "`: " + failure_ +
+                                ", also with the step divided " + std::to_string(options_.maximum_halvings) + " times");
+      }
       continue;
     }
-    part *= 0.5;
-    if (++report_.halvings > options_.maximum_halvings) {
+    const double error = options_.step_error > 0 ? step_error(before, part * duration) : 0;
+    if (error > options_.step_error && part > kSmallestPart) {
       state_ = before;
-      throw SimulationFailure("body `" + model_->definition.name + "`: " + failure_ + ", also with the step divided " +
-                              std::to_string(options_.maximum_halvings) + " times");
+      part *= 0.5;
+      ++report_.refinements;
+      continue;
     }
+    from = to;
+    done += part;
+    // Doubled only where the error allows it: it grows with the cube of the step.
+    if (options_.step_error == 0 || error < options_.step_error / 10) part *= 2;
+    part = std::min(part, 1 - done);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,18 +17,53 @@
 
 namespace thinwall {
 
-/// Energies in joule. The books close: stored + numerical = tool work + script work.
+/// Energies in joule. The books close: stored + spent = tool work + script work.
 struct EnergyBooks {
-  double elastic = 0;      // stored in the wall
-  double kinetic = 0;      // stored in the wall's motion
+  double elastic = 0;      // stored in the wall; of a viscous one what it keeps for good
+  double bending = 0;      // stored in the bending of a shell
+  double kinetic = 0;      // stored in the motion of wall and fluid
   double fluid = 0;        // stored in a compressible fluid
+  double gravity = 0;      // stored in the height of wall and fluid
   double contact = 0;      // stored in the potential between wall and tools
+  double viscous = 0;      // spent by viscosity, damping and orifices since time zero; Prony terms give part of it back
+  double friction = 0;     // spent by friction, since time zero
   double numerical = 0;    // spent by the integrator, since time zero
   double tool_work = 0;    // put in by the tools, since time zero
-  double script_work = 0;  // put in by filling and stretching before time zero
+  double script_work = 0;  // put in by loads and filling, and by filling and stretching before time zero
 
-  double stored() const { return elastic + kinetic + fluid + contact; }
-  double imbalance() const { return stored() + numerical - tool_work - script_work; }
+  double stored() const { return elastic + bending + kinetic + fluid + gravity + contact; }
+  double spent() const { return viscous + friction + numerical; }
+  double imbalance() const { return stored() + spent() - tool_work - script_work; }
+};
+
+/// What a script does to the fluid of a chamber during a step.
+struct FluidInput {
+  double added = 0;                // metres^3, less than zero where it is drained
+  std::optional<double> pressure;  // pascal at the end of the step: the volume of the fluid follows
+};
+
+/// What a script puts into a body during a step.
+struct BodyInput {
+  std::vector<double> load_factors;  // (loads) at the end of the step; 1 where it is shorter
+  std::vector<FluidInput> fluids;    // (chambers); nothing where it is shorter
+};
+
+/// What a viscous wall remembers of the steps before.
+struct WallHistory {
+  std::vector<Eigen::Vector3d> law_stress;                  // (triangles), pascal, (S11, S22, S12)
+  std::vector<std::vector<Eigen::Vector3d>> branch_stress;  // (Prony terms x triangles), pascal
+  std::vector<Eigen::Vector3d> overstress;                  // (triangles), pascal: all that is not the lasting stress
+  std::vector<Eigen::Vector3d> strain;                      // (triangles), (E11, E22, 2 E12)
+  std::vector<Eigen::Vector3d> previous_strain;             // (triangles), a step earlier
+};
+
+/// How the fluid of a chamber moves: its first moment, the integral of x over the volume, and its rates.
+struct FluidMotion {
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();             // metres^4
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();           // metres^4 / second
+  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();       // metres^4 / second^2
+  Eigen::Vector3d previous_moment = Eigen::Vector3d::Zero();    // metres^4, a step earlier
+  Eigen::Vector3d previous_velocity = Eigen::Vector3d::Zero();  // metres^4 / second, a step earlier
 };
 
 /// A body in motion: what changes from step to step.
@@ -39,9 +75,13 @@ struct BodyState {
   Eigen::VectorXd previous_velocity;  // (3 vertices), a step earlier
   double previous_step = 0;           // seconds between the two; zero when there is no earlier step
   Eigen::VectorXd static_force;       // (3 vertices), newton: gradient of wall and contact less pressure
-  double volume = 0;                  // metres^3
-  double fluid_volume = 0;            // metres^3
-  double reference_pressure = 0;      // pascal, at which a compressible fluid has its volume
+  Eigen::VectorXd load_force;         // (3 vertices), newton
+  std::vector<double> load_factors;   // (loads)
+  WallHistory wall;
+  std::vector<FluidMotion> fluid_motion;  // (chambers)
+  Eigen::VectorXd volume;                 // (chambers), metres^3
+  Eigen::VectorXd fluid_volume;           // (chambers), metres^3
+  Eigen::VectorXd reference_pressure;     // (chambers), pascal, at which a compressible fluid has its volume
   std::vector<Attachment> attachments;
   std::vector<ToolContact> contacts;               // (tools)
   std::vector<std::vector<double>> sphere_forces;  // (tools x triangles), newton, zero for tools that are no spheres
@@ -52,11 +92,15 @@ struct BodyState {
 struct BodyStepReport {
   int newton_iterations = 0;
   int shifted_iterations = 0;
-  int halvings = 0;     // how often the step was divided
+  int halvings = 0;     // how often the step was divided because it could not be solved
+  int refinements = 0;  // how often it was divided to keep the error that is allowed
   double residual = 0;  // newton
 };
 
-/// Energy of a compressible fluid from its volume at the reference pressure, joule; zero for others.
+/// Part of the law's stress that a viscous wall keeps for good.
+double lasting_part(const BodyDefinition& definition);
+
+/// Energy of a compressible fluid from its volume at the reference pressure, joule, all chambers; zero for others.
 double fluid_energy(const BodyModel& model, const BodyState& state);
 
 /// A sphere tool: its tip is the point of the ball farthest along the direction.
@@ -67,16 +111,15 @@ class Body {
  public:
   Body(BodyDefinition definition, std::vector<ToolDefinition> tools, SimulationOptions options);
 
-  /// Finds the equilibrium before time zero under the given pressure and prestretch. Throws SimulationFailure.
-  void settle();
+  /// Finds the equilibrium before time zero under the given pressure, prestretch and gravity, with the loads at these
+  /// factors; a viscous wall is taken to have rested there for long. Throws SimulationFailure.
+  void settle(std::vector<double> load_factors = {});
 
-  /// Moves the tools from one set of poses to the next, (tools) each, and brings the body there in `duration` seconds.
-  /// Throws SimulationFailure when the step cannot be saved; the state is then the one before.
-  void advance(std::span<const ToolPose> begin, std::span<const ToolPose> end, double duration);
-
-  /// Changes the volume of the fluid, metres^3, from the next step on; what that puts in is booked as the script's
-  /// work. Asserts that there is a fluid.
-  void set_fluid_volume(double volume);
+  /// Moves the tools from one set of poses to the next, (tools) each, and brings the body there in `duration` seconds,
+  /// while the script puts in `input`, evenly. Throws SimulationFailure when the step cannot be saved; the state is
+  /// then the one before.
+  void advance(std::span<const ToolPose> begin, std::span<const ToolPose> end, double duration,
+               const BodyInput& input = {});
 
   const BodyModel& model() const { return *model_; }
   const BodyState& state() const { return state_; }
@@ -89,18 +132,35 @@ class Body {
  private:
   NewtonResult solve(EquilibriumProblem& problem, EquilibriumState& state);
   NewtonResult relax(EquilibriumProblem& problem, EquilibriumState& state);
-  void solve_statics(double pressure, FluidMode mode);
-  bool try_step(std::span<const ToolPose> begin, std::span<const ToolPose> end, double duration);
+  void solve_statics();
+  std::string describe_failure() const;
+  bool try_step(std::span<const ToolPose> begin, std::span<const ToolPose> end, double duration,
+                const BodyInput& input);
+  EquilibriumProblem make_problem(std::span<const ToolPose> end, double duration, const BodyInput& input) const;
+  void add_fluids(double duration, const BodyInput& input, EquilibriumProblem& problem) const;
+  void add_memory(double duration, EquilibriumProblem& problem) const;
+  void start_memory();
+  double update_memory(double duration, const EquilibriumProblem& problem);
+  double step_error(const BodyState& before, double duration) const;
   void attach(std::span<const ToolPose> begin, std::span<const ToolPose> end, EquilibriumProblem& problem) const;
   void attach_line(int tool, const ToolPose& end, EquilibriumProblem& problem) const;
   bool release(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;
   void add_spheres(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;
+  void add_fluid_inertia(double duration, EquilibriumProblem& problem) const;
+  void start_fluid_motion();
+  void update_fluid_motion(double duration, double previous_step);
+  double fluid_kinetic_energy() const;
+  double gravity_energy() const;
+  double rate(const OrificeDefinition& orifice, const BodyState& state) const;
   void add_inertia(double duration, EquilibriumProblem& problem) const;
   void accept(std::span<const ToolPose> begin, double duration, const EquilibriumProblem& problem,
-              const EquilibriumState& reached);
-  void update_velocity(const BodyState& before, double duration, const EquilibriumProblem& problem);
+              const BodyInput& input, const EquilibriumState& reached);
+  void update_fluids(const BodyState& before, double duration, const BodyInput& input);
+  void update_velocity(const BodyState& before, double duration);
   void update_forces(const EquilibriumProblem& problem);
-  void update_books(const BodyState& before, std::span<const ToolPose> begin, const EquilibriumProblem& problem);
+  void update_books(const BodyState& before, std::span<const ToolPose> begin, double duration,
+                    const EquilibriumProblem& problem);
+  double book_fluids(const BodyState& before, double duration);
   FluidMode fluid_mode() const;
 
   std::unique_ptr<const BodyModel> model_;

@@ -97,7 +97,9 @@ bool Body::release(std::span<const ToolPose> poses, EquilibriumProblem& problem)
 void Body::add_spheres(std::span<const ToolPose> poses, EquilibriumProblem& problem) const {
   for (int tool = 0; tool < static_cast<int>(tools_.size()); ++tool) {
     if (tools_[tool].kind != ToolKind::kSphere) continue;
-    const double pressure = std::max(model_->wall_stiffness / tools_[tool].radius, std::abs(state_.reference_pressure));
+    const double largest_pressure =
+        state_.reference_pressure.size() > 0 ? state_.reference_pressure.lpNorm<Eigen::Infinity>() : 0;
+    const double pressure = std::max(model_->wall_stiffness / tools_[tool].radius, largest_pressure);
     problem.spheres.push_back({.tool = tool,
                                .sphere = sphere_at(tools_[tool], poses[tool]),
                                .range = contact_range(tools_[tool]),

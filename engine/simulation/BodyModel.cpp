@@ -5,8 +5,6 @@
 #include <cassert>
 #include <utility>
 
-#include "engine/fluid/EnclosedVolume.hpp"
-
 namespace thinwall {
 namespace {
 
@@ -42,6 +40,21 @@ void add_wall(BodyModel& model) {
   }
   model.wall_stiffness = stiffness / triangles;
   model.edge_length = edges / (3 * triangles);
+}
+
+void add_fluid(BodyModel& model) {
+  Chambers chambers = find_chambers(model.definition.mesh.vertices, model.surface, model.definition.fluid);
+  model.chambers = std::move(chambers.chambers);
+  model.chamber = std::move(chambers.of_triangle);
+  for (const ChamberModel& chamber : model.chambers) model.rest_volume += chamber.rest_volume;
+}
+
+void add_loads(BodyModel& model) {
+  std::vector<double> area;
+  for (const MembraneRest& rest : model.rest) area.push_back(rest.area);
+  for (const LoadDefinition& load : model.definition.loads) {
+    model.loads.push_back(make_load_model(load, model.definition.mesh, area, model.definition.thickness));
+  }
 }
 
 void fix(BodyModel& model) {
@@ -140,14 +153,11 @@ BodyModel make_body_model(BodyDefinition definition) {
     model.addresses.push_back(triangle_addresses(model.pattern, triangle));
   }
   add_wall(model);
+  if (model.has_fluid()) add_fluid(model);
+  add_loads(model);
   fix(model);
   find_rigid_motions(model);
   choose_anchors(model);
-  if (model.has_fluid()) {
-    for (const Eigen::Vector3i& triangle : model.surface) {
-      model.rest_volume += volume_of(corners_of(triangle, model.rest_position));
-    }
-  }
   return model;
 }
 

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "engine/body/BodyDefinition.hpp"
+#include "engine/simulation/Chambers.hpp"
+#include "engine/simulation/LoadModel.hpp"
 #include "engine/solver/BlockPattern.hpp"
 #include "engine/wall/MembraneElement.hpp"
 
@@ -18,16 +20,19 @@ struct BodyModel {
   std::vector<Eigen::Vector3i> surface;      // (triangles + caps): the wall, then the caps
   BlockPattern pattern;                      // vertices coupled by the wall and by the fluid on the caps
   std::vector<TriangleAddresses> addresses;  // (triangles + caps)
-  Eigen::VectorXd mass;                      // (3 vertices), kg, lumped
-  std::vector<char> fixed;                   // (3 vertices), whether the unknown keeps its rest position
-  std::vector<int> fixed_entries;            // off-diagonal values in rows and columns of fixed unknowns
-  std::vector<int> diagonal_entries;         // (3 vertices), values on the diagonal
-  Eigen::MatrixXd rigid_motions;             // (3 vertices x free rigid motions), that `fixed` does not prevent
-  std::vector<int> anchors;                  // (9 or none), unknowns of three vertices far from each other
-  double wall_stiffness = 0;                 // newton / metre, mean of Young's modulus times thickness
-  double edge_length = 0;                    // metres, mean
-  double rest_area = 0;                      // metres^2, of the wall
-  double rest_volume = 0;                    // metres^3, enclosed by the mesh; zero without fluid
+  Eigen::VectorXd mass;                      // (3 vertices), kg, lumped, of the wall
+  std::vector<ChamberModel> chambers;        // named ones first; none without fluid
+  std::vector<int> chamber;                  // (triangles + caps), index; empty without fluid
+  std::vector<LoadModel> loads;
+  std::vector<char> fixed;            // (3 vertices), whether the unknown keeps its rest position
+  std::vector<int> fixed_entries;     // off-diagonal values in rows and columns of fixed unknowns
+  std::vector<int> diagonal_entries;  // (3 vertices), values on the diagonal
+  Eigen::MatrixXd rigid_motions;      // (3 vertices x free rigid motions), that `fixed` does not prevent
+  std::vector<int> anchors;           // (9 or none), unknowns of three vertices far from each other
+  double wall_stiffness = 0;          // newton / metre, mean of Young's modulus times thickness
+  double edge_length = 0;             // metres, mean
+  double rest_area = 0;               // metres^2, of the wall
+  double rest_volume = 0;             // metres^3, enclosed by the mesh; zero without fluid
 
   const Material& material(int triangle) const {
     return definition.materials[definition.materials.size() == 1 ? 0 : static_cast<std::size_t>(triangle)];
@@ -39,6 +44,12 @@ struct BodyModel {
 
 /// Throws std::out_of_range when a fixed region names a group that the mesh lacks. Asserts one thickness per triangle.
 BodyModel make_body_model(BodyDefinition definition);
+
+/// Corners seen from a point.
+inline std::array<Eigen::Vector3d, 3> relative_to(const Eigen::Vector3d& origin,
+                                                  const std::array<Eigen::Vector3d, 3>& corners) {
+  return {corners[0] - origin, corners[1] - origin, corners[2] - origin};
+}
 
 /// The three corners of a triangle. `position`: (3 vertices), metres.
 std::array<Eigen::Vector3d, 3> corners_of(const Eigen::Vector3i& triangle, const Eigen::VectorXd& position);

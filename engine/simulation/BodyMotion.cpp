@@ -1,68 +1,125 @@
 #include <cmath>
-#include <utility>
 
+#include "engine/fluid/FluidWeight.hpp"
+#include "engine/simulation/BackwardDifference.hpp"
 #include "engine/simulation/Body.hpp"
 
 namespace thinwall {
-namespace {
-
-/// Coefficients of the second-order backward difference of a step h after one of h / ratio:
-/// y' = (now y1 + before y0 + earlier y-1) / h; with ratio zero it is the backward Euler difference.
-struct BackwardDifference {
-  double now, before, earlier;
-};
-BackwardDifference backward_difference(double ratio) {
-  return {.now = (1 + 2 * ratio) / (1 + ratio), .before = -(1 + ratio), .earlier = ratio * ratio / (1 + ratio)};
-}
-
-}  // namespace
-
-double fluid_energy(const BodyModel& model, const BodyState& state) {
-  if (model.definition.fluid.kind != FluidKind::kCompressible) return 0;
-  const double excess = state.volume - state.fluid_volume;
-  return -state.reference_pressure * excess +
-         0.5 * model.definition.fluid.bulk_modulus * excess * excess / state.fluid_volume;
-}
-
 void Body::add_inertia(double duration, EquilibriumProblem& problem) const {
-  const double ratio = state_.previous_step > 0 ? duration / state_.previous_step : 0;
-  const BackwardDifference difference = backward_difference(ratio);
+  const BackwardDifference difference = backward_difference(duration, state_.previous_step);
   const double factor = difference.now / duration;
-  problem.inertia = factor * factor;
   const Eigen::VectorXd& position = state_.equilibrium.position;
   const Eigen::VectorXd velocity_part =
       (difference.before * position + difference.earlier * state_.previous_position) / duration;
   const Eigen::VectorXd acceleration_part =
       (difference.before * state_.velocity + difference.earlier * state_.previous_velocity) / duration;
-  problem.inertia_target = -(factor * velocity_part + acceleration_part) / problem.inertia;
+  add_fluid_inertia(duration, problem);
+  // M (a + mass_rate v) with v = factor x + velocity_part and a = factor v + acceleration_part.
+  const double rate = model_->definition.damping.mass_rate;
+  problem.inertia = factor * (factor + rate);
+  problem.inertia_target = -((factor + rate) * velocity_part + acceleration_part) / problem.inertia;
+}
+
+double Body::fluid_kinetic_energy() const {
+  double energy = 0;
+  for (std::size_t c = 0; c < state_.fluid_motion.size(); ++c) {
+    energy +=
+        0.5 * model_->definition.fluid.density / state_.fluid_volume[c] * state_.fluid_motion[c].velocity.squaredNorm();
+  }
+  return energy;
+}
+
+void Body::start_fluid_motion() {
+  state_.fluid_motion.assign(model_->chambers.size(), {});
+  for (std::size_t t = 0; t < model_->chamber.size(); ++t) {
+    const auto corners = relative_to(model_->chambers[model_->chamber[t]].level,
+                                     corners_of(model_->surface[t], state_.equilibrium.position));
+    FluidMotion& motion = state_.fluid_motion[model_->chamber[t]];
+    for (int axis = 0; axis < 3; ++axis) {
+      motion.moment[axis] += fluid_moment_of(corners, Eigen::Vector3d::Unit(axis)).value;
+    }
+  }
+  for (FluidMotion& motion : state_.fluid_motion) motion.previous_moment = motion.moment;
+}
+
+void Body::add_fluid_inertia(double duration, EquilibriumProblem& problem) const {
+  const BackwardDifference difference = backward_difference(duration, state_.previous_step);
+  const double rate = difference.now / duration;
+  problem.fluid_inertia.clear();
+  for (std::size_t c = 0; c < state_.fluid_motion.size(); ++c) {
+    const FluidMotion& motion = state_.fluid_motion[c];
+    const Eigen::Vector3d velocity_part =
+        (difference.before * motion.moment + difference.earlier * motion.previous_moment) / duration;
+    const Eigen::Vector3d acceleration_part =
+        (difference.before * motion.velocity + difference.earlier * motion.previous_velocity) / duration;
+    problem.fluid_inertia.push_back({.factor = model_->definition.fluid.density / state_.fluid_volume[c] * rate * rate,
+                                     .target = -(rate * velocity_part + acceleration_part) / (rate * rate)});
+  }
+}
+
+void Body::update_fluid_motion(double duration, double previous_step) {
+  const BackwardDifference difference = backward_difference(duration, previous_step);
+  for (std::size_t c = 0; c < state_.fluid_motion.size(); ++c) {
+    FluidMotion& motion = state_.fluid_motion[c];
+    const FluidMotion before = motion;
+    motion.moment = newton_.terms().moment.col(c);
+    motion.velocity = (difference.now * motion.moment + difference.before * before.moment +
+                       difference.earlier * before.previous_moment) /
+                      duration;
+    motion.acceleration = (difference.now * motion.velocity + difference.before * before.velocity +
+                           difference.earlier * before.previous_velocity) /
+                          duration;
+    motion.previous_moment = before.moment;
+    motion.previous_velocity = before.velocity;
+  }
 }
 
 void Body::accept(std::span<const ToolPose> begin, double duration, const EquilibriumProblem& problem,
-                  const EquilibriumState& reached) {
+                  const BodyInput& input, const EquilibriumState& reached) {
   const BodyState before = state_;
   state_.equilibrium = reached;
   state_.volume = newton_.terms().volume;
-  if (problem.inertia != 0) update_velocity(before, duration, problem);
+  state_.load_factors = input.load_factors;
+  update_fluids(before, duration, input);
+  if (problem.inertia != 0) {
+    update_velocity(before, duration);
+    update_fluid_motion(duration, before.previous_step);
+  }
   state_.previous_position = before.equilibrium.position;
   state_.previous_velocity = before.velocity;
   state_.previous_step = duration;
   update_forces(problem);
-  update_books(before, begin, problem);
+  update_books(before, begin, duration, problem);
 }
 
-void Body::update_velocity(const BodyState& before, double duration, const EquilibriumProblem& problem) {
-  const BackwardDifference difference =
-      backward_difference(before.previous_step > 0 ? duration / before.previous_step : 0);
+void Body::update_velocity(const BodyState& before, double duration) {
+  const BackwardDifference difference = backward_difference(duration, before.previous_step);
   const Eigen::VectorXd& position = state_.equilibrium.position;
   state_.velocity = (difference.now * position + difference.before * before.equilibrium.position +
                      difference.earlier * before.previous_position) /
                     duration;
-  state_.acceleration = problem.inertia * (position - problem.inertia_target);
+  state_.acceleration = (difference.now * state_.velocity + difference.before * before.velocity +
+                         difference.earlier * before.previous_velocity) /
+                        duration;
+}
+
+double Body::step_error(const BodyState& before, double duration) const {
+  if (options_.analysis != Analysis::kDynamic) return 0;
+  const Eigen::VectorXd uniform = before.equilibrium.position + duration * before.velocity;
+  if (before.previous_step == 0) {
+    // A backward Euler step misses half of the square of the step times the acceleration.
+    return 0.5 * (state_.equilibrium.position - uniform).lpNorm<Eigen::Infinity>();
+  }
+  // With j the third derivative, h the step and an equal one before, the prediction misses h^3 j / 6 on one side and
+  // the backward difference 2 h^3 j / 9 on the other.
+  const Eigen::VectorXd predicted = uniform + 0.5 * duration * duration * before.acceleration;
+  return 4.0 / 7 * (state_.equilibrium.position - predicted).lpNorm<Eigen::Infinity>();
 }
 
 void Body::update_forces(const EquilibriumProblem& problem) {
   const EquilibriumTerms& terms = newton_.terms();
-  state_.static_force = terms.gradient - state_.equilibrium.pressure * terms.volume_gradient;
+  state_.static_force = terms.gradient - terms.volume_gradient * state_.equilibrium.pressure;
+  state_.load_force = terms.load_force;
   for (const ContactPoint& contact : terms.contacts) {
     const double force = problem.spheres[contact.sphere].forces[contact.triangle];
     for (int k = 0; k < 3; ++k) {
@@ -81,35 +138,6 @@ void Body::update_forces(const EquilibriumProblem& problem) {
     state_.contacts[attachment.tool].force += attachment.force;
     state_.contacts[attachment.tool].touching = true;
   }
-}
-
-void Body::update_books(const BodyState& before, std::span<const ToolPose> begin, const EquilibriumProblem& problem) {
-  EnergyBooks& books = state_.books;
-  books.elastic = newton_.terms().elastic;
-  books.kinetic = 0.5 * model_->mass.dot(state_.velocity.cwiseAbs2());
-  books.contact = contact_energy(*model_, problem, newton_.terms());
-  books.fluid = fluid_energy(*model_, state_);
-
-  // Work by the trapezoidal rule; what it differs from the change of the energies is what the integrator spends.
-  const Eigen::VectorXd motion = state_.equilibrium.position - before.equilibrium.position;
-  double attached_work = 0, sphere_work = 0, script_work = 0;
-  for (const std::vector<Attachment>* attachments : {&before.attachments, &std::as_const(state_).attachments}) {
-    for (const Attachment& attachment : *attachments) {
-      attached_work -= 0.5 * attachment.force.dot(material_point(attachment, motion));
-    }
-  }
-  for (const SphereContact& contact : problem.spheres) {
-    const Eigen::Vector3d path = contact.sphere.center - sphere_at(tools_[contact.tool], begin[contact.tool]).center;
-    sphere_work -= 0.5 * (before.contacts[contact.tool].force + state_.contacts[contact.tool].force).dot(path);
-  }
-  if (problem.fluid == FluidMode::kIncompressible) {
-    script_work = 0.5 * (before.equilibrium.pressure + state_.equilibrium.pressure) * (state_.volume - before.volume);
-  }
-  const double kinetic_work = 0.5 * model_->mass.cwiseProduct(before.acceleration + state_.acceleration).dot(motion);
-  const double static_work = 0.5 * (before.static_force + state_.static_force).dot(motion) + sphere_work + script_work;
-  books.numerical += kinetic_work + static_work - (books.stored() - before.books.stored());
-  books.tool_work += attached_work + sphere_work;
-  books.script_work += script_work;
 }
 
 }  // namespace thinwall

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include "engine/simulation/Body.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
@@ -44,7 +45,9 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state) {
     } else {
       springs *= 8;
     }
-    if (std::abs(enclosed_volume(*model_, state.position)) > kBurstVolume * model_->rest_volume) break;
+    if (model_->has_fluid() && enclosed_volumes(*model_, state.position).sum() > kBurstVolume * model_->rest_volume) {
+      break;
+    }
     if (springs < 1e-3 && turn % 4 == 3) {
       trial = state;
       held = problem;
@@ -61,44 +64,64 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state) {
   return failed;
 }
 
-void Body::solve_statics(double pressure, FluidMode mode) {
+void Body::solve_statics() {
   EquilibriumProblem problem;
-  problem.fluid = mode;
-  problem.pressure = pressure;
-  problem.fluid_volume = model_->rest_volume;
-  problem.bulk_modulus = model_->definition.fluid.bulk_modulus;
+  for (const ChamberModel& chamber : model_->chambers) {
+    FluidProblem fluid{.mode = fluid_mode(),
+                       .fluid_volume = chamber.rest_volume,
+                       .bulk_modulus = model_->definition.fluid.bulk_modulus};
+    if (chamber.initial_pressure) {
+      fluid.mode = FluidMode::kGivenPressure;
+      fluid.pressure = *chamber.initial_pressure;
+    }
+    problem.fluids.push_back(fluid);
+  }
+  problem.memory.scale = lasting_part(model_->definition);
+  problem.gravity = options_.gravity;
+  problem.load_factors = state_.load_factors;
   problem.hold_rigid_motions = model_->rigid_motions.cols() > 0;
   EquilibriumProblem again = problem;
   EquilibriumState trial = state_.equilibrium;
   if (!solve(problem, trial).converged) {
     trial = state_.equilibrium;
-    if (!relax(again, trial).converged) {
-      std::ostringstream message;
-      message << "body `" << model_->definition.name << "`, equilibrium before time zero";
-      if (mode == FluidMode::kGivenPressure) message << " under " << pressure << " Pa";
-      message << ": " << failure_
-              << "; a wall holds only so much pressure: take a lower one, or a thicker or stiffer wall";
-      throw SimulationFailure(message.str());
-    }
+    if (!relax(again, trial).converged) throw SimulationFailure(describe_failure());
   }
   state_.equilibrium = trial;
 }
 
-void Body::settle() {
-  const FluidDefinition& fluid = model_->definition.fluid;
-  if (!model_->has_fluid()) {
-    solve_statics(0, FluidMode::kNone);
-  } else if (fluid.initial_pressure) {
-    solve_statics(*fluid.initial_pressure, FluidMode::kGivenPressure);
-  } else {
-    solve_statics(0, fluid_mode());
+std::string Body::describe_failure() const {
+  std::ostringstream message;
+  message << "body `" << model_->definition.name << "`, equilibrium before time zero";
+  const char* joint = " under ";
+  for (const ChamberModel& chamber : model_->chambers) {
+    if (!chamber.initial_pressure) continue;
+    message << joint << *chamber.initial_pressure << " Pa";
+    joint = " and ";
   }
-  state_.volume = enclosed_volume(*model_, state_.equilibrium.position);
-  state_.fluid_volume = fluid.initial_pressure ? state_.volume : model_->rest_volume;
-  state_.reference_pressure = fluid.initial_pressure.value_or(0);
+  message << ": " << failure_ << "; a wall holds only so much pressure: take a lower one, or a thicker or stiffer wall";
+  return message.str();
+}
+
+void Body::settle(std::vector<double> load_factors) {
+  state_.load_factors = std::move(load_factors);
+  solve_statics();
+  const auto chambers = static_cast<Eigen::Index>(model_->chambers.size());
+  state_.volume = enclosed_volumes(*model_, state_.equilibrium.position);
+  state_.fluid_volume = state_.volume;
+  state_.reference_pressure = Eigen::VectorXd::Zero(chambers);
+  for (Eigen::Index c = 0; c < chambers; ++c) {
+    const ChamberModel& chamber = model_->chambers[c];
+    if (!chamber.initial_pressure) state_.fluid_volume[c] = chamber.rest_volume;
+    state_.reference_pressure[c] = chamber.initial_pressure.value_or(0);
+  }
+  start_memory();
+  start_fluid_motion();
   state_.previous_position = state_.equilibrium.position;
-  state_.static_force = newton_.terms().gradient - state_.equilibrium.pressure * newton_.terms().volume_gradient;
-  state_.books.elastic = newton_.terms().elastic;
+  const EquilibriumTerms& terms = newton_.terms();
+  state_.static_force = terms.gradient - terms.volume_gradient * state_.equilibrium.pressure;
+  state_.load_force = terms.load_force;
+  state_.books.elastic = lasting_part(model_->definition) * terms.strain_energy;
+  state_.books.gravity = gravity_energy();
   state_.books.fluid = fluid_energy(*model_, state_);
   state_.books.script_work = state_.books.stored();
 }

@@ -10,6 +10,8 @@
 #include <numbers>
 
 #include "engine/fluid/EnclosedVolume.hpp"
+#include "engine/fluid/FluidWeight.hpp"
+#include "engine/simulation/LoadTerms.hpp"
 
 namespace thinwall {
 namespace {
@@ -38,30 +40,58 @@ void add_gradient(const Eigen::Vector3i& triangle, const Eigen::Matrix<double, 9
   for (int k = 0; k < 3; ++k) whole.segment<3>(3 * triangle[k]) += part.segment<3>(3 * k);
 }
 
-void add_wall(const BodyModel& model, const Eigen::VectorXd& position, EquilibriumTerms& terms) {
+void add_wall(const BodyModel& model, const WallMemory& memory, const Eigen::VectorXd& position,
+              EquilibriumTerms& terms) {
   thread_local std::vector<MembraneTerms> buffer;
   for_each_triangle(
       model.triangles(), buffer,
-      [&](int t) { return membrane_terms(model.rest[t], model.material(t), corners_of(model.surface[t], position)); },
+      [&](int t) {
+        return membrane_terms(model.rest[t], model.material(t), corners_of(model.surface[t], position), memory.of(t));
+      },
       [&](int t, const MembraneTerms& part) {
         terms.elastic += part.energy;
+        terms.strain_energy += part.strain_energy;
         add_gradient(model.surface[t], part.gradient, terms.gradient);
         add_triangle(model.addresses[t], part.hessian, terms.values);
         terms.largest_force = std::max(terms.largest_force, part.gradient.cwiseAbs().maxCoeff());
       });
 }
 
-void add_fluid(const BodyModel& model, const Eigen::VectorXd& position, double pressure, EquilibriumTerms& terms) {
+void add_fluid(const BodyModel& model, const Eigen::VectorXd& position, const Eigen::VectorXd& pressure,
+               EquilibriumTerms& terms) {
+  const bool has_inertia = terms.moment.cols() > 0;
   for (std::size_t t = 0; t < model.surface.size(); ++t) {
+    const int chamber = model.chamber[t];
     const auto corners = corners_of(model.surface[t], position);
-    terms.volume += volume_of(corners);
-    add_gradient(model.surface[t], volume_gradient_of(corners), terms.volume_gradient);
-    if (pressure != 0) add_triangle(model.addresses[t], -pressure * volume_hessian_of(corners), terms.values);
+    terms.volume[chamber] += volume_of(corners);
+    const Eigen::Matrix<double, 9, 1> gradient = volume_gradient_of(corners);
+    for (int k = 0; k < 3; ++k) {
+      terms.volume_gradient.col(chamber).segment<3>(3 * model.surface[t][k]) += gradient.segment<3>(3 * k);
+    }
+    if (has_inertia) {
+      const auto from_level = relative_to(model.chambers[chamber].level, corners);
+      for (int axis = 0; axis < 3; ++axis) {
+        const FluidMoment moment = fluid_moment_of(from_level, Eigen::Vector3d::Unit(axis));
+        terms.moment(axis, chamber) += moment.value;
+        for (int k = 0; k < 3; ++k) {
+          terms.moment_gradient.col(3 * chamber + axis).segment<3>(3 * model.surface[t][k]) +=
+              moment.gradient.segment<3>(3 * k);
+        }
+      }
+    }
+    if (pressure[chamber] != 0) {
+      add_triangle(model.addresses[t], -pressure[chamber] * volume_hessian_of(corners), terms.values);
+    }
   }
-  for (int k = 0; k < terms.volume_gradient.size(); ++k) {
-    if (model.fixed[k]) terms.volume_gradient[k] = 0;
+  for (Eigen::Index k = 0; k < position.size(); ++k) {
+    if (!model.fixed[k]) continue;
+    terms.volume_gradient.row(k).setZero();
+    if (terms.moment_gradient.cols() > 0) terms.moment_gradient.row(k).setZero();
   }
-  terms.largest_force = std::max(terms.largest_force, std::abs(pressure) * terms.volume_gradient.cwiseAbs().maxCoeff());
+  for (Eigen::Index chamber = 0; chamber < pressure.size(); ++chamber) {
+    const double largest = terms.volume_gradient.col(chamber).cwiseAbs().maxCoeff();
+    terms.largest_force = std::max(terms.largest_force, std::abs(pressure[chamber]) * largest);
+  }
 }
 
 void find_contacts(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
@@ -82,6 +112,15 @@ double inertial_energy(const BodyModel& model, const EquilibriumProblem& problem
   return 0.5 * problem.inertia * model.mass.dot((position - problem.inertia_target).cwiseAbs2());
 }
 
+double inertial_energy(const EquilibriumProblem& problem, const EquilibriumTerms& terms) {
+  double energy = 0;
+  for (std::size_t c = 0; c < problem.fluid_inertia.size(); ++c) {
+    const FluidInertia& inertia = problem.fluid_inertia[c];
+    energy += 0.5 * inertia.factor * (terms.moment.col(c) - inertia.target).squaredNorm();
+  }
+  return energy;
+}
+
 }  // namespace
 
 Eigen::Vector3d material_point(const Attachment& attachment, const Eigen::VectorXd& position) {
@@ -91,16 +130,24 @@ Eigen::Vector3d material_point(const Attachment& attachment, const Eigen::Vector
 }
 
 void evaluate(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
-              double pressure, EquilibriumTerms& terms) {
-  terms.elastic = terms.volume = terms.largest_force = 0;
+              const Eigen::VectorXd& pressure, EquilibriumTerms& terms) {
+  terms.elastic = terms.strain_energy = terms.gravity = terms.load_work = terms.largest_force = 0;
   terms.gradient.setZero(position.size());
-  terms.volume_gradient.setZero(position.size());
+  const auto chambers = static_cast<Eigen::Index>(problem.fluids.size());
+  terms.volume.setZero(chambers);
+  terms.volume_gradient.setZero(position.size(), chambers);
+  const auto moving = static_cast<Eigen::Index>(problem.fluid_inertia.size());
+  terms.moment.setZero(3, moving);
+  terms.moment_gradient.setZero(position.size(), 3 * moving);
   terms.values.assign(model.pattern.nonzeros(), 0);
   terms.contacts.clear();
-  add_wall(model, position, terms);
-  if (problem.fluid != FluidMode::kNone) add_fluid(model, position, pressure, terms);
+  add_wall(model, problem.memory, position, terms);
+  if (!problem.fluids.empty()) add_fluid(model, position, pressure, terms);
+  add_weight(model, problem, position, terms);
+  add_fluid_weight(model, problem, position, terms);
+  add_loads(model, problem, position, terms);
   find_contacts(model, problem, position, terms);
-  terms.inertial = inertial_energy(model, problem, position);
+  terms.inertial = inertial_energy(model, problem, position) + inertial_energy(problem, terms);
 }
 
 ToolContact contact_on(const EquilibriumProblem& problem, const EquilibriumTerms& terms, int sphere) {
@@ -131,11 +178,28 @@ double contact_energy(const BodyModel& model, const EquilibriumProblem& problem,
   return energy;
 }
 
-double enclosed_volume(const BodyModel& model, const Eigen::VectorXd& position) {
-  double volume = 0;
-  if (!model.has_fluid()) return volume;
-  for (const Eigen::Vector3i& triangle : model.surface) volume += volume_of(corners_of(triangle, position));
-  return volume;
+Eigen::VectorXd pressures_at_origin(const BodyModel& model, const Eigen::Vector3d& gravity,
+                                    const Eigen::VectorXd& pressure) {
+  Eigen::VectorXd at_origin = pressure;
+  for (Eigen::Index c = 0; c < pressure.size(); ++c) {
+    at_origin[c] -= model.definition.fluid.density * gravity.dot(model.chambers[c].level);
+  }
+  return at_origin;
+}
+
+Flow flow_between(const BodyModel& model, const OrificeDefinition& orifice, const Eigen::Vector3d& gravity,
+                  const Eigen::VectorXd& pressure) {
+  const Eigen::VectorXd at_origin = pressures_at_origin(model, gravity, pressure);
+  return orifice_flow(orifice.discharge, orifice.area, model.definition.fluid.density,
+                      at_origin[orifice.from] - at_origin[orifice.to]);
+}
+
+Eigen::VectorXd enclosed_volumes(const BodyModel& model, const Eigen::VectorXd& position) {
+  Eigen::VectorXd volumes = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.chambers.size()));
+  for (std::size_t t = 0; t < model.chamber.size(); ++t) {
+    volumes[model.chamber[t]] += volume_of(corners_of(model.surface[t], position));
+  }
+  return volumes;
 }
 
 }  // namespace thinwall

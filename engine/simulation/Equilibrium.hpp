@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/contact/SphereContact.hpp"
+#include "engine/fluid/OrificeFlow.hpp"
 #include "engine/simulation/BodyModel.hpp"
 
 namespace thinwall {
@@ -38,18 +39,50 @@ struct SphereContact {
 };
 
 enum class FluidMode {
-  kNone,            // no fluid
   kGivenPressure,   // the pressure is a load
   kIncompressible,  // the pressure is the multiplier of volume = fluid volume
   kCompressible     // pressure = reference + bulk modulus (fluid volume - volume) / fluid volume
 };
 
+/// The fluid of a chamber.
+struct FluidProblem {
+  FluidMode mode = FluidMode::kIncompressible;
+  double pressure = 0;      // pascal: the given one, or the reference one of a compressible fluid
+  double fluid_volume = 0;  // metres^3
+  double bulk_modulus = 0;  // pascal
+};
+
+/// Inertia of the fluid in a chamber, which moves as a whole: its momentum is density times the rate of its first
+/// moment M = integral of x over the volume, whatever its flow, and its kinetic energy at least density / (2 volume)
+/// times the square of that rate (Kelvin: the even flow has the least). Enters as a spring from M to where it would go
+/// freely.
+struct FluidInertia {
+  double factor = 0;                                 // kg / metre^6 / second^2: density / volume times a rate squared
+  Eigen::Vector3d target = Eigen::Vector3d::Zero();  // metres^4
+};
+
+/// What a viscous wall remembers, see MembraneMemory.
+struct WallMemory {
+  double scale = 1;
+  double damping = 0;
+  std::vector<Eigen::Vector3d> overstress;  // (triangles), pascal, or none
+
+  MembraneMemory of(int triangle) const {
+    return {.scale = scale,
+            .overstress = overstress.empty() ? Eigen::Vector3d::Zero().eval() : overstress[triangle],
+            .damping = damping};
+  }
+};
+
 /// What a body must be in equilibrium with. Inertia enters as springs from each vertex to where it would go freely.
 struct EquilibriumProblem {
-  FluidMode fluid = FluidMode::kNone;
-  double pressure = 0;              // pascal: the given one, or the reference one of a compressible fluid
-  double fluid_volume = 0;          // metres^3
-  double bulk_modulus = 0;          // pascal
+  std::vector<FluidProblem> fluids;         // (chambers)
+  std::vector<FluidInertia> fluid_inertia;  // (chambers), or none
+  double orifice_time = 0;                  // seconds for which fluid flows under the pressures that are sought
+  WallMemory memory;
+  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // metres / second^2
+  std::vector<double> load_factors;                   // (loads); 1 where it is shorter
+  Eigen::VectorXd start;                              // (3 vertices), metres: from where rotations under moments count
   double inertia = 0;               // 1 / second^2, factor of mass (position - inertia_target); zero for statics
   Eigen::VectorXd inertia_target;   // (3 vertices), metres
   bool hold_rigid_motions = false;  // keep the mass-weighted mean position and rotation of a free body
@@ -72,21 +105,27 @@ struct ContactPoint {
 
 /// Energies and derivatives at a position.
 struct EquilibriumTerms {
-  double elastic = 0;                  // joule
-  double contact = 0;                  // joule
-  double inertial = 0;                 // joule, of the inertia springs
-  double volume = 0;                   // metres^3
-  Eigen::VectorXd gradient;            // (3 vertices), newton: of the elastic energy
-  Eigen::VectorXd volume_gradient;     // (3 vertices), metres^2
-  std::vector<double> values;          // (non-zeros), newton / metre: Hessian of elastic - pressure volume
-  double largest_force = 0;            // newton, of a single term: the scale of the residual
+  double elastic = 0;               // joule, potential of the wall, memory included
+  double strain_energy = 0;         // joule, of the wall's law alone
+  double gravity = 0;               // joule, of the wall from the origin's level, of the fluid from the chambers'
+  double load_work = 0;             // joule, that the loads give up from position zero
+  double contact = 0;               // joule
+  double inertial = 0;              // joule, of the inertia springs
+  Eigen::VectorXd volume;           // (chambers), metres^3
+  Eigen::VectorXd gradient;         // (3 vertices), newton: of wall, gravity and inertia of the fluid, less the loads
+  Eigen::VectorXd load_force;       // (3 vertices), newton
+  Eigen::Matrix3Xd moment;          // (3 x chambers), metres^4, integral of x, where the fluid has inertia
+  Eigen::MatrixXd moment_gradient;  // (3 vertices x 3 chambers), metres^3
+  Eigen::MatrixXd volume_gradient;  // (3 vertices x chambers), metres^2
+  std::vector<double> values;       // (non-zeros), newton / metre: Hessian of all that less pressure times volume
+  double largest_force = 0;         // newton, of a single term: the scale of the residual
   std::vector<ContactPoint> contacts;  // triangles near a sphere, or with a force on them
 };
 
 /// Fills `terms`, reusing its memory; where the wall has collapsed its energy is not finite. `position`: (3 vertices),
-/// metres. `pressure` is the one of the Hessian, pascal.
+/// metres. `pressure`: (chambers), of the Hessian, pascal.
 void evaluate(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
-              double pressure, EquilibriumTerms& terms);
+              const Eigen::VectorXd& pressure, EquilibriumTerms& terms);
 
 /// What the forces of the problem add up to on one of its spheres, at contacts found by `evaluate`. The area is that of
 /// the cap over which an even pressure would spread the directions of the forces as they are, so that it grows smoothly
@@ -96,7 +135,15 @@ ToolContact contact_on(const EquilibriumProblem& problem, const EquilibriumTerms
 /// Energy of the contact potentials, joule.
 double contact_energy(const BodyModel& model, const EquilibriumProblem& problem, const EquilibriumTerms& terms);
 
-/// Enclosed volume, metres^3; zero without fluid.
-double enclosed_volume(const BodyModel& model, const Eigen::VectorXd& position);
+/// Pressure of each chamber brought to the level of the origin, (chambers), pascal.
+Eigen::VectorXd pressures_at_origin(const BodyModel& model, const Eigen::Vector3d& gravity,
+                                    const Eigen::VectorXd& pressure);
+
+/// Flow through an orifice under these pressures of the chambers, (chambers), pascal.
+Flow flow_between(const BodyModel& model, const OrificeDefinition& orifice, const Eigen::Vector3d& gravity,
+                  const Eigen::VectorXd& pressure);
+
+/// Enclosed volume of each chamber, (chambers), metres^3.
+Eigen::VectorXd enclosed_volumes(const BodyModel& model, const Eigen::VectorXd& position);
 
 }  // namespace thinwall

@@ -23,8 +23,13 @@ double square(double value) {
   return value * value;
 }
 
-bool borders_fluid(const EquilibriumProblem& problem) {
-  return problem.fluid == FluidMode::kIncompressible || problem.fluid == FluidMode::kCompressible;
+bool is_multiplier(const FluidProblem& fluid) {
+  return fluid.mode != FluidMode::kGivenPressure;
+}
+
+/// Volume by which a compressible fluid gives way to a pascal, metres^3; zero for others.
+double compliance(const FluidProblem& fluid) {
+  return fluid.mode == FluidMode::kCompressible ? fluid.fluid_volume / fluid.bulk_modulus : 0;
 }
 
 }  // namespace
@@ -52,7 +57,7 @@ void Newton::compute_residual(const EquilibriumProblem& problem, const Equilibri
   if (problem.inertia != 0) {
     residual.force.array() += problem.inertia * model_.mass.array() * (state.position - problem.inertia_target).array();
   }
-  if (problem.fluid != FluidMode::kNone) residual.force -= state.pressure * terms.volume_gradient;
+  if (!problem.fluids.empty()) residual.force -= terms.volume_gradient * state.pressure;
   residual.gaps.clear();
   for (const Attachment& attachment : problem.attachments) {
     for (int k = 0; k < 3; ++k) {
@@ -79,16 +84,29 @@ void Newton::compute_residual(const EquilibriumProblem& problem, const Equilibri
     residual.force += rigid_columns_ * state.rigid_reaction;
     residual.rigid = rigid_columns_.transpose() * (state.position - model_.rest_position);
   }
-  residual.volume = 0;
-  if (borders_fluid(problem)) residual.volume = terms.volume - problem.fluid_volume;
-  if (problem.fluid == FluidMode::kCompressible) {
-    residual.volume += problem.fluid_volume / problem.bulk_modulus * (state.pressure - problem.pressure);
-  }
+  compute_volume_residual(problem, state, terms, residual);
   clear_fixed(residual.force);
   residual.largest_force = residual.force.cwiseAbs().maxCoeff();
   for (const Eigen::Vector3d& gap : residual.gaps) misfits += gap.squaredNorm();
-  misfits += square(residual.volume / model_.rest_area);
+  misfits += residual.volume.squaredNorm() / square(model_.rest_area);
   residual.measure = std::sqrt(residual.force.squaredNorm() + square(model_.wall_stiffness) * misfits);
+}
+
+void Newton::compute_volume_residual(const EquilibriumProblem& problem, const EquilibriumState& state,
+                                     const EquilibriumTerms& terms, Residual& residual) const {
+  residual.volume.setZero(static_cast<Eigen::Index>(problem.fluids.size()));
+  for (std::size_t c = 0; c < problem.fluids.size(); ++c) {
+    const FluidProblem& fluid = problem.fluids[c];
+    if (!is_multiplier(fluid)) continue;
+    residual.volume[c] =
+        terms.volume[c] - fluid.fluid_volume + compliance(fluid) * (state.pressure[c] - fluid.pressure);
+  }
+  if (problem.orifice_time == 0) return;
+  for (const OrificeDefinition& orifice : model_.definition.fluid.orifices) {
+    const double flown = problem.orifice_time * flow_between(model_, orifice, problem.gravity, state.pressure).rate;
+    if (is_multiplier(problem.fluids[orifice.from])) residual.volume[orifice.from] += flown;
+    if (is_multiplier(problem.fluids[orifice.to])) residual.volume[orifice.to] -= flown;
+  }
 }
 
 void Newton::clear_fixed(Eigen::VectorXd& forces) const {
@@ -109,24 +127,57 @@ double Newton::force_scale(const EquilibriumProblem& problem, const EquilibriumT
 bool Newton::is_solved(const Residual& residual, double force_scale, const NewtonOptions& options) const {
   double gap = residual.contact;
   for (const Eigen::Vector3d& one : residual.gaps) gap = std::max(gap, one.norm());
+  for (Eigen::Index c = 0; c < residual.volume.size(); ++c) {
+    if (std::abs(residual.volume[c]) > 1e-11 * std::abs(model_.chambers[c].rest_volume)) return false;
+  }
   return std::max(residual.largest_force, residual.ghost) <= options.tolerance * force_scale &&
-         gap <= 1e-9 * model_.edge_length && std::abs(residual.volume) <= 1e-11 * std::abs(model_.rest_volume);
+         gap <= 1e-9 * model_.edge_length;
 }
 
-void Newton::build_border(const EquilibriumProblem& problem) {
-  const Eigen::Index fluid = borders_fluid(problem) ? 1 : 0;
+void Newton::border_fluids(const EquilibriumProblem& problem, const EquilibriumState& state) {
+  std::vector<int> column(problem.fluids.size(), -1);
+  for (std::size_t k = 0; k < bordering_.size(); ++k) {
+    const int chamber = bordering_[k];
+    column[chamber] = static_cast<int>(k);
+    border_.col(k) = -terms_.volume_gradient.col(chamber);
+    corner_(k, k) = -compliance(problem.fluids[chamber]);
+  }
+  if (problem.orifice_time == 0) return;
+  for (const OrificeDefinition& orifice : model_.definition.fluid.orifices) {
+    const double slope = problem.orifice_time * flow_between(model_, orifice, problem.gravity, state.pressure).slope;
+    const int from = column[orifice.from], to = column[orifice.to];
+    if (from >= 0) corner_(from, from) -= slope;
+    if (to >= 0) corner_(to, to) -= slope;
+    if (from < 0 || to < 0) continue;
+    corner_(from, to) += slope;
+    corner_(to, from) += slope;
+  }
+}
+
+void Newton::build_border(const EquilibriumProblem& problem, const EquilibriumState& state) {
+  bordering_.clear();
+  for (std::size_t c = 0; c < problem.fluids.size(); ++c) {
+    if (is_multiplier(problem.fluids[c])) bordering_.push_back(static_cast<int>(c));
+  }
+  const auto fluid = static_cast<Eigen::Index>(bordering_.size());
   const Eigen::Index rigid = problem.hold_rigid_motions ? rigid_columns_.cols() : 0;
   const Eigen::Index anchors = problem.hold_rigid_motions ? static_cast<Eigen::Index>(model_.anchors.size()) : 0;
-  border_.setZero(terms_.gradient.size(), fluid + rigid + anchors);
+  const auto moving = static_cast<Eigen::Index>(3 * problem.fluid_inertia.size());
+  border_.setZero(terms_.gradient.size(), fluid + rigid + moving + anchors);
   corner_.setZero(border_.cols(), border_.cols());
-  constraints_ = static_cast<int>(fluid + rigid);
-  if (fluid > 0) border_.col(0) = -terms_.volume_gradient;
-  if (problem.fluid == FluidMode::kCompressible) corner_(0, 0) = -problem.fluid_volume / problem.bulk_modulus;
+  constraints_ = static_cast<int>(fluid + rigid + moving);
+  border_fluids(problem, state);
   if (rigid > 0) border_.middleCols(fluid, rigid) = rigid_columns_;
+  // Springs on the fluid's moments couple all vertices; as columns of the border they leave the matrix sparse.
+  for (Eigen::Index k = 0; k < moving; ++k) {
+    border_.col(fluid + rigid + k) = terms_.moment_gradient.col(k);
+    corner_(fluid + rigid + k, fluid + rigid + k) = -1 / problem.fluid_inertia[k / 3].factor;
+  }
   // The anchor springs in the factorised matrix are taken back here, exactly.
   for (Eigen::Index k = 0; k < anchors; ++k) {
-    border_(model_.anchors[k], fluid + rigid + k) = -1;
-    corner_(fluid + rigid + k, fluid + rigid + k) = 1 / (kAnchorStiffness * model_.wall_stiffness);
+    const Eigen::Index column = fluid + rigid + moving + k;
+    border_(model_.anchors[k], column) = -1;
+    corner_(column, column) = 1 / (kAnchorStiffness * model_.wall_stiffness);
   }
   for (Eigen::Index k = 0; k < border_.rows(); ++k) {
     if (model_.fixed[k]) border_.row(k).setZero();
@@ -172,8 +223,8 @@ void Newton::build_matrix(const EquilibriumProblem& problem, double shift) {
   }
 }
 
-bool Newton::factorize(const EquilibriumProblem& problem, double& shift) {
-  build_border(problem);
+bool Newton::factorize(const EquilibriumProblem& problem, const EquilibriumState& state, double& shift) {
+  build_border(problem, state);
   for (int attempt = 0; attempt < 20; ++attempt) {
     build_matrix(problem, shift);
     std::optional<int> negative;
@@ -204,7 +255,7 @@ void Newton::find_step(const EquilibriumProblem& problem, const Residual& residu
   step.forces.assign(problem.attachments.size(), Eigen::Vector3d::Zero());
   Eigen::VectorXd multipliers;
   const Eigen::Index rigid = problem.hold_rigid_motions ? rigid_columns_.cols() : 0;
-  const Eigen::Index fluid = constraints_ - rigid;
+  const auto fluid = static_cast<Eigen::Index>(bordering_.size());
   for (int turn = 0;; ++turn) {
     step.position = force;
     for (std::size_t k = 0; k < problem.attachments.size(); ++k) {
@@ -214,7 +265,7 @@ void Newton::find_step(const EquilibriumProblem& problem, const Residual& residu
     }
     clear_fixed(step.position);
     multipliers.setZero(border_.cols());
-    if (fluid > 0) multipliers[0] = residual.volume;
+    for (Eigen::Index k = 0; k < fluid; ++k) multipliers[k] = residual.volume[bordering_[k]];
     if (rigid > 0) multipliers.segment(fluid, rigid) = -residual.rigid;
     bordered_.solve(factor_, step.position, multipliers);
     double error = 0;
@@ -227,7 +278,8 @@ void Newton::find_step(const EquilibriumProblem& problem, const Residual& residu
     }
     if (error <= 1e-14 * model_.edge_length || turn == 5 || problem.attachments.empty()) break;
   }
-  step.pressure = fluid > 0 ? multipliers[0] : 0;
+  step.pressure.setZero(residual.volume.size());
+  for (Eigen::Index k = 0; k < fluid; ++k) step.pressure[bordering_[k]] = multipliers[k];
   step.rigid = multipliers.segment(fluid, rigid);
   for (std::size_t k = 0; k < problem.attachments.size(); ++k) step.forces[k] += problem.attachments[k].force;
   find_contact_forces(problem, step);
@@ -268,10 +320,12 @@ double Newton::gap_change(const ContactPoint& contact, const Eigen::VectorXd& mo
 
 double Newton::merit(const EquilibriumProblem& problem, const EquilibriumState& state, const EquilibriumTerms& terms,
                      const Residual& residual, const Weights& weights) const {
-  double value = terms.elastic + terms.inertial + weights.pressure * std::abs(residual.volume);
-  if (problem.fluid == FluidMode::kGivenPressure) value -= problem.pressure * terms.volume;
-  if (problem.fluid == FluidMode::kCompressible) {
-    value += 0.5 * problem.fluid_volume / problem.bulk_modulus * square(state.pressure);
+  double value =
+      terms.elastic + terms.gravity - terms.load_work + terms.inertial + weights.pressure * residual.volume.lpNorm<1>();
+  for (std::size_t c = 0; c < problem.fluids.size(); ++c) {
+    const FluidProblem& fluid = problem.fluids[c];
+    if (fluid.mode == FluidMode::kGivenPressure) value -= fluid.pressure * terms.volume[c];
+    value += 0.5 * compliance(fluid) * square(state.pressure[c]);
   }
   for (const Eigen::Vector3d& gap : residual.gaps) value += weights.force * gap.norm();
   for (const ContactPoint& contact : terms.contacts) {
@@ -283,12 +337,13 @@ double Newton::merit(const EquilibriumProblem& problem, const EquilibriumState& 
 double Newton::merit_slope(const EquilibriumProblem& problem, const EquilibriumState& state, const Residual& residual,
                            const Step& step, const Weights& weights) const {
   Eigen::VectorXd smooth = residual.force;
-  if (borders_fluid(problem)) smooth += state.pressure * terms_.volume_gradient;
   if (problem.hold_rigid_motions) smooth -= rigid_columns_ * state.rigid_reaction;
-  double slope = smooth.dot(step.position) - weights.pressure * std::abs(residual.volume);
-  if (problem.fluid == FluidMode::kCompressible) {
-    slope += problem.fluid_volume / problem.bulk_modulus * state.pressure * step.pressure;
+  double slope = -weights.pressure * residual.volume.lpNorm<1>();
+  for (std::size_t c = 0; c < problem.fluids.size(); ++c) {
+    if (is_multiplier(problem.fluids[c])) smooth += state.pressure[c] * terms_.volume_gradient.col(c);
+    slope += compliance(problem.fluids[c]) * state.pressure[c] * step.pressure[c];
   }
+  slope += smooth.dot(step.position);
   for (std::size_t k = 0; k < residual.gaps.size(); ++k) {
     slope -= problem.attachments[k].force.dot(material_point(problem.attachments[k], step.position)) +
              weights.force * residual.gaps[k].norm();
@@ -302,7 +357,7 @@ double Newton::merit_slope(const EquilibriumProblem& problem, const EquilibriumS
 
 bool Newton::search(EquilibriumProblem& problem, EquilibriumState& state, Residual& residual, const Step& step) {
   // Weights above the multipliers make the merit function exact: its minimum is the constrained one.
-  Weights weights{.pressure = 2 * std::abs(state.pressure + step.pressure), .force = 0, .contact = 0};
+  Weights weights{.pressure = 2 * (state.pressure + step.pressure).lpNorm<Eigen::Infinity>(), .force = 0, .contact = 0};
   for (const Eigen::Vector3d& force : step.forces) weights.force = std::max(weights.force, 2 * force.norm());
   for (const double force : step.contact_forces) weights.contact = std::max(weights.contact, 2 * force);
   const double before = merit(problem, state, terms_, residual, weights);
@@ -342,8 +397,11 @@ bool Newton::search(EquilibriumProblem& problem, EquilibriumState& state, Residu
 
 NewtonResult Newton::solve(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options) {
   NewtonResult result;
-  if (problem.fluid == FluidMode::kGivenPressure) state.pressure = problem.pressure;
-  if (problem.fluid == FluidMode::kNone) state.pressure = 0;
+  if (problem.start.size() == 0) problem.start = state.position;
+  state.pressure.conservativeResizeLike(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(problem.fluids.size())));
+  for (std::size_t c = 0; c < problem.fluids.size(); ++c) {
+    if (!is_multiplier(problem.fluids[c])) state.pressure[c] = problem.fluids[c].pressure;
+  }
   if (state.rigid_reaction.size() != rigid_columns_.cols()) state.rigid_reaction.setZero(rigid_columns_.cols());
   evaluate(model_, problem, state.position, state.pressure, terms_);
   Residual residual;
@@ -367,7 +425,7 @@ NewtonResult Newton::solve(EquilibriumProblem& problem, EquilibriumState& state,
       open_.push_back(contact_force(problem, contact) == 0 && contact_law(problem, contact) <= 0);
     }
     for (int turn = 0;; ++turn) {
-      if (!factorize(problem, shift)) {
+      if (!factorize(problem, state, shift)) {
         result.reason = "no convex step could be found";
         return result;
       }

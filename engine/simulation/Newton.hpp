@@ -18,7 +18,7 @@ struct NewtonOptions {
 /// The unknowns of an equilibrium: where Newton starts, and what it has found.
 struct EquilibriumState {
   Eigen::VectorXd position;        // (3 vertices), metres
-  double pressure = 0;             // pascal
+  Eigen::VectorXd pressure;        // (chambers), pascal
   Eigen::VectorXd rigid_reaction;  // (free rigid motions), newton, multipliers of a held free body
 };
 
@@ -61,14 +61,14 @@ class Newton {
  private:
   struct Step {
     Eigen::VectorXd position;             // (3 vertices), metres
-    double pressure = 0;                  // pascal
+    Eigen::VectorXd pressure;             // (chambers), pascal
     Eigen::VectorXd rigid;                // newton
     std::vector<Eigen::Vector3d> forces;  // (attachments), newton, new values
     std::vector<double> contact_forces;   // (contacts), newton, new values; negative where a contact would open
   };
   struct Residual {
     Eigen::VectorXd force;              // (3 vertices), newton, zero at fixed unknowns
-    double volume = 0;                  // metres^3, volume minus what the fluid asks
+    Eigen::VectorXd volume;             // (chambers), metres^3, volume minus what the fluid asks
     Eigen::VectorXd rigid;              // (free rigid motions), metres
     std::vector<Eigen::Vector3d> gaps;  // (attachments), metres, material point minus target
     double contact = 0;                 // metres, largest gap by which a contact misses its law
@@ -90,12 +90,15 @@ class Newton {
   double gap_change(const ContactPoint& contact, const Eigen::VectorXd& motion) const;
   void compute_residual(const EquilibriumProblem& problem, const EquilibriumState& state, const EquilibriumTerms& terms,
                         Residual& residual) const;
+  void compute_volume_residual(const EquilibriumProblem& problem, const EquilibriumState& state,
+                               const EquilibriumTerms& terms, Residual& residual) const;
+  void border_fluids(const EquilibriumProblem& problem, const EquilibriumState& state);
   void clear_fixed(Eigen::VectorXd& forces) const;
   bool is_solved(const Residual& residual, double force_scale, const NewtonOptions& options) const;
   double force_scale(const EquilibriumProblem& problem, const EquilibriumTerms& terms) const;
-  void build_border(const EquilibriumProblem& problem);
+  void build_border(const EquilibriumProblem& problem, const EquilibriumState& state);
   void build_matrix(const EquilibriumProblem& problem, double shift);
-  bool factorize(const EquilibriumProblem& problem, double& shift);
+  bool factorize(const EquilibriumProblem& problem, const EquilibriumState& state, double& shift);
   void find_step(const EquilibriumProblem& problem, const Residual& residual, Step& step);
   void find_contact_forces(const EquilibriumProblem& problem, Step& step) const;
   bool revise_contacts(const Step& step);
@@ -114,6 +117,7 @@ class Newton {
   std::vector<double> matrix_;       // (non-zeros), what is factorised
   Eigen::MatrixXd border_;           // (3 vertices x border)
   Eigen::MatrixXd corner_;           // (border x border)
+  std::vector<int> bordering_;       // chambers whose pressure is a multiplier, in the order of the border's columns
   int constraints_ = 0;              // columns of the border that are constraints
   Eigen::MatrixXd rigid_columns_;    // (3 vertices x free rigid motions), relative mass times motion
   double attachment_stiffness_ = 0;  // newton / metre, gamma

@@ -23,6 +23,24 @@ Eigen::Vector3d right_cauchy_green(const Eigen::Matrix<double, 3, 2>& f) {
   return {f.col(0).squaredNorm(), f.col(1).squaredNorm(), f.col(0).dot(f.col(1))};
 }
 
+Eigen::Vector3d green_lagrange(const Eigen::Vector3d& c) {
+  return {0.5 * (c[0] - 1), 0.5 * (c[1] - 1), c[2]};
+}
+
+void remember(const MembraneMemory& memory, const Material& material, const Eigen::Vector3d& strain,
+              WallLawResponse& response) {
+  if (memory.scale == 1 && memory.damping == 0 && memory.overstress.isZero()) return;
+  response.energy = memory.scale * response.energy + memory.overstress.dot(strain);
+  response.second_piola_kirchhoff = memory.scale * response.second_piola_kirchhoff + memory.overstress;
+  response.tangent *= memory.scale;
+  if (memory.damping == 0) return;
+  const Eigen::Matrix3d damping =
+      memory.damping * material.law->respond(material.parameters.data(), Eigen::Vector3d(1, 1, 0)).tangent;
+  response.energy += 0.5 * strain.dot(damping * strain);
+  response.second_piola_kirchhoff += damping * strain;
+  response.tangent += damping;
+}
+
 /// The unit vector in the plane with this normal that is nearest to a direction.
 Eigen::Vector3d in_plane(const Eigen::Vector3d& direction, const Eigen::Vector3d& normal) {
   const Eigen::Vector3d flat = direction - normal * normal.dot(direction);
@@ -62,9 +80,11 @@ Eigen::Matrix<double, 3, 2> deformation_gradient(const MembraneRest& rest,
 }
 
 MembraneTerms membrane_terms(const MembraneRest& rest, const Material& material,
-                             const std::array<Eigen::Vector3d, 3>& corners) {
+                             const std::array<Eigen::Vector3d, 3>& corners, const MembraneMemory& memory) {
   const Eigen::Matrix<double, 3, 2> f = deformation_gradient(rest, corners);
-  const WallLawResponse response = material.law->respond(material.parameters.data(), right_cauchy_green(f));
+  WallLawResponse response = material.law->respond(material.parameters.data(), right_cauchy_green(f));
+  const double law_energy = response.energy;
+  remember(memory, material, green_lagrange(right_cauchy_green(f)), response);
   const double volume = rest.area * rest.thickness;
   const ShapeGradients gradients = shape_gradients(rest);
   const Eigen::Vector3d& s = response.second_piola_kirchhoff;
@@ -81,6 +101,7 @@ MembraneTerms membrane_terms(const MembraneRest& rest, const Material& material,
   }
   MembraneTerms terms;
   terms.energy = volume * response.energy;
+  terms.strain_energy = volume * law_energy;
   // Lazy products: these matrices are too small for the blocked kernels that Eigen would choose.
   terms.gradient = volume * strain_displacement.transpose().lazyProduct(s);
   const Eigen::Matrix<double, 3, 9> stiff = (volume * response.tangent).lazyProduct(strain_displacement);
@@ -92,6 +113,10 @@ MembraneTerms membrane_terms(const MembraneRest& rest, const Material& material,
     }
   }
   return terms;
+}
+
+Eigen::Vector3d green_lagrange_strain(const MembraneRest& rest, const std::array<Eigen::Vector3d, 3>& corners) {
+  return green_lagrange(right_cauchy_green(deformation_gradient(rest, corners)));
 }
 
 double largest_tension(const MembraneRest& rest, const Material& material,

@@ -22,9 +22,19 @@ MembraneRest make_membrane_rest(const std::array<Eigen::Vector3d, 3>& corners, d
                                 const Prestretch& prestretch = {},
                                 const Eigen::Vector3d& fibre = Eigen::Vector3d::Zero());
 
+/// What a viscous wall adds to its law during a step: S = scale S_law(C) + overstress + damping D0 e with the law's
+/// tangent D0 of the unstrained wall and e = (E11, E22, 2 E12). It has the potential scale W + overstress . e +
+/// damping / 2 e . D0 e per rest volume.
+struct MembraneMemory {
+  double scale = 1;                                      // part of the law's stress that acts at once
+  Eigen::Vector3d overstress = Eigen::Vector3d::Zero();  // pascal, (S11, S22, S12)
+  double damping = 0;                                    // a number
+};
+
 /// Energy of a triangle and its derivatives with respect to the corners (x0, y0, z0, x1, ..., z2).
 struct MembraneTerms {
   double energy;                         // joule
+  double strain_energy;                  // joule, of the wall law alone
   Eigen::Matrix<double, 9, 1> gradient;  // newton
   Eigen::Matrix<double, 9, 9> hessian;   // newton / metre, symmetric
 };
@@ -33,7 +43,10 @@ struct MembraneTerms {
 /// energy A0 h W(C); gradient A0 h F S grad N; Hessian from the tangent dS/dE and the geometric term of S
 /// (Bonet and Wood 2008, chapters 8 and 9).
 MembraneTerms membrane_terms(const MembraneRest& rest, const Material& material,
-                             const std::array<Eigen::Vector3d, 3>& corners);
+                             const std::array<Eigen::Vector3d, 3>& corners, const MembraneMemory& memory = {});
+
+/// Green-Lagrange strain e = (E11, E22, 2 E12) in the rest plane.
+Eigen::Vector3d green_lagrange_strain(const MembraneRest& rest, const std::array<Eigen::Vector3d, 3>& corners);
 
 /// Deformation gradient (3 x 2) from the rest plane to space.
 Eigen::Matrix<double, 3, 2> deformation_gradient(const MembraneRest& rest,

@@ -290,7 +290,7 @@ struct ScenarioRun::Implementation {
       const BodyState& own = body->state();
       add(own.equilibrium.position.data(), own.equilibrium.position.size());
       add(own.velocity.data(), own.velocity.size());
-      add(&own.equilibrium.pressure, 1);
+      add(own.equilibrium.pressure.data(), own.equilibrium.pressure.size());
       for (const ToolContact& contact : own.contacts) add(contact.force.data(), 3);
     }
     const XXH128_hash_t hash = XXH3_128bits_digest(state);

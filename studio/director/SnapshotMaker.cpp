@@ -34,6 +34,11 @@ SnapshotToolKind to_kind(ToolKind kind) {
   return SnapshotToolKind::kPoint;
 }
 
+/// Of the first chamber; zero without fluid.
+double first_pressure(const BodyState& state) {
+  return state.equilibrium.pressure.size() == 0 ? 0 : state.equilibrium.pressure[0];
+}
+
 }  // namespace
 
 std::shared_ptr<const SnapshotTopology> snapshot_topology(const BodyModel& model) {
@@ -74,21 +79,25 @@ SnapshotTool snapshot_tool(const ToolDefinition& tool, const ToolPose& pose, con
 
 void add_scalars(const Body& body, std::vector<SnapshotScalar>& scalars) {
   const std::string& name = body.model().definition.name;
-  scalars.push_back({.name = name + ".pressure", .unit = "Pa", .value = body.state().equilibrium.pressure});
-  scalars.push_back({.name = name + ".volume", .unit = "m^3", .value = body.state().volume});
+  scalars.push_back({.name = name + ".pressure", .unit = "Pa", .value = first_pressure(body.state())});
+  scalars.push_back({.name = name + ".volume", .unit = "m^3", .value = body.state().volume.sum()});
 }
 
 BodyRecord body_record(const Body& body) {
   const BodyState& state = body.state();
   BodyRecord record;
   record.body = body.model().definition.name;
-  record.volume = state.volume;
-  record.fluid_volume = body.model().has_fluid() ? state.fluid_volume : 0;
-  record.pressure = state.equilibrium.pressure;
+  record.volume = state.volume.sum();
+  record.fluid_volume = state.fluid_volume.sum();
+  record.pressure = first_pressure(state);
   record.elastic = state.books.elastic;
+  record.bending = state.books.bending;
   record.kinetic = state.books.kinetic;
   record.fluid = state.books.fluid;
+  record.gravity = state.books.gravity;
   record.contact = state.books.contact;
+  record.viscous = state.books.viscous;
+  record.friction = state.books.friction;
   record.numerical = state.books.numerical;
   record.tool_work = state.books.tool_work;
   record.script_work = state.books.script_work;

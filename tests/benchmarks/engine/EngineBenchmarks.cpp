@@ -25,8 +25,7 @@ BodyDefinition ball(int triangles) {
 
 EquilibriumProblem filled(const BodyModel& model) {
   EquilibriumProblem problem;
-  problem.fluid = FluidMode::kIncompressible;
-  problem.fluid_volume = 1.1 * model.rest_volume;
+  problem.fluids = {{.fluid_volume = 1.1 * model.rest_volume}};
   return problem;
 }
 
@@ -35,7 +34,7 @@ void Evaluate(benchmark::State& state) {
   const EquilibriumProblem problem = filled(model);
   EquilibriumTerms terms;
   for (auto _ : state) {
-    evaluate(model, problem, model.rest_position, 300, terms);
+    evaluate(model, problem, model.rest_position, Eigen::VectorXd::Constant(1, 300), terms);
     benchmark::DoNotOptimize(terms.elastic);
   }
 }
@@ -44,7 +43,7 @@ BENCHMARK(Evaluate)->Apply(sizes);
 /// The matrix of a wall stretched by a tenth.
 std::vector<double> stretched_matrix(const BodyModel& model) {
   EquilibriumTerms terms;
-  evaluate(model, filled(model), 1.1 * model.rest_position, 0, terms);
+  evaluate(model, filled(model), 1.1 * model.rest_position, Eigen::VectorXd::Zero(1), terms);
   std::vector<double> values = terms.values;
   for (const int entry : model.diagonal_entries) values[entry] += 1e-3 * model.wall_stiffness;
   return values;

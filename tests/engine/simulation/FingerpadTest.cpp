@@ -84,7 +84,7 @@ std::vector<Pressed> press(int triangles, double length, const std::vector<doubl
   for (const double depth : depths) {
     pose = move(body, pose, {0, 0, kRadius - depth}, 4, 1);
     results.push_back({.force = body.state().contacts[0].force.z() / length,
-                       .pressure = body.state().equilibrium.pressure,
+                       .pressure = body.state().equilibrium.pressure[0],
                        .off_the_arc = off_the_arc(body, exact_section(depth))});
   }
   return results;

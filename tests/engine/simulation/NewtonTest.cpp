@@ -53,18 +53,18 @@ TEST(Newton, ConvergesQuadraticallyNearTheSolutionBelowAndBeyondTheLimitPoint) {
     const BodyModel model = make_body_model(make_body(make_sphere(20e-3, 320), 1e-3, one.material));
     Newton newton(model);
     EquilibriumProblem problem;
-    problem.fluid = FluidMode::kIncompressible;
+    problem.fluids = {{}};
     problem.hold_rigid_motions = true;
-    EquilibriumState state{.position = model.rest_position, .pressure = 0, .rigid_reaction = {}};
+    EquilibriumState state{.position = model.rest_position, .pressure = {}, .rigid_reaction = {}};
     for (double stretch = 1.05; stretch < one.stretch + 1e-9; stretch += 0.05) {
-      problem.fluid_volume = model.rest_volume * std::pow(stretch, 3);
+      problem.fluids[0].fluid_volume = model.rest_volume * std::pow(stretch, 3);
       ASSERT_TRUE(newton.solve(problem, state, {}).converged);
     }
-    const double pressure = state.pressure;
-    problem.fluid = one.fluid;
-    problem.fluid_volume = model.rest_volume * std::pow(one.stretch * one.jump, 3);
-    problem.bulk_modulus = 200e3;
-    problem.pressure = one.fluid == FluidMode::kGivenPressure ? pressure * one.jump : 0;
+    const double pressure = state.pressure[0];
+    problem.fluids[0].mode = one.fluid;
+    problem.fluids[0].fluid_volume = model.rest_volume * std::pow(one.stretch * one.jump, 3);
+    problem.fluids[0].bulk_modulus = 200e3;
+    problem.fluids[0].pressure = one.fluid == FluidMode::kGivenPressure ? pressure * one.jump : 0;
     const NewtonResult result = newton.solve(problem, state, {.tolerance = 1e-13, .maximum_iterations = 40});
     print(one.name, result);
     const double scale = newton.terms().largest_force;
@@ -82,9 +82,9 @@ TEST(Newton, ConvergesQuadraticallyWithAnAttachedPoint) {
   const BodyModel model = make_body_model(definition);
   Newton newton(model);
   EquilibriumProblem problem;
-  problem.fluid = FluidMode::kIncompressible;
-  problem.fluid_volume = 1.1 * model.rest_volume;
-  EquilibriumState state{.position = model.rest_position, .pressure = 0, .rigid_reaction = {}};
+  problem.fluids = {{}};
+  problem.fluids[0].fluid_volume = 1.1 * model.rest_volume;
+  EquilibriumState state{.position = model.rest_position, .pressure = {}, .rigid_reaction = {}};
   ASSERT_TRUE(newton.solve(problem, state, {}).converged);
   int near = 0;
   for (int t = 0; t < model.triangles(); ++t) {
@@ -108,16 +108,16 @@ TEST(Newton, AttachedPointReachesItsTargetAndTheFluidItsVolume) {
   const BodyModel model = make_body_model(pressurised_hemisphere(64, 0));
   Newton newton(model);
   EquilibriumProblem problem;
-  problem.fluid = FluidMode::kIncompressible;
-  problem.fluid_volume = 1.02 * model.rest_volume;
+  problem.fluids = {{}};
+  problem.fluids[0].fluid_volume = 1.02 * model.rest_volume;
   Attachment attachment{.tool = 0, .vertices = model.surface[0], .weights = {0.2, 0.3, 0.5}};
   attachment.target = material_point(attachment, model.rest_position) + Eigen::Vector3d(0, 0, -2e-3);
   problem.attachments = {attachment};
-  EquilibriumState state{.position = model.rest_position, .pressure = 0, .rigid_reaction = {}};
+  EquilibriumState state{.position = model.rest_position, .pressure = {}, .rigid_reaction = {}};
   const NewtonResult result = newton.solve(problem, state, {});
   ASSERT_TRUE(result.converged) << result.reason;
   EXPECT_LT((material_point(problem.attachments[0], state.position) - attachment.target).norm(), 1e-12);
-  EXPECT_NEAR(enclosed_volume(model, state.position), problem.fluid_volume, 1e-11 * model.rest_volume);
+  EXPECT_NEAR(enclosed_volumes(model, state.position)[0], problem.fluids[0].fluid_volume, 1e-11 * model.rest_volume);
   for (Eigen::Index k = 0; k < state.position.size(); ++k) {
     if (model.fixed[k]) {
       EXPECT_EQ(state.position[k], model.rest_position[k]);
@@ -129,9 +129,9 @@ TEST(Newton, SaysWhyItStoppedAndLeavesTheBestStateReached) {
   const BodyModel model = make_body_model(pressurised_hemisphere(64, 0));
   Newton newton(model);
   EquilibriumProblem problem;
-  problem.fluid = FluidMode::kIncompressible;
-  problem.fluid_volume = 1.3 * model.rest_volume;
-  EquilibriumState state{.position = model.rest_position, .pressure = 0, .rigid_reaction = {}};
+  problem.fluids = {{}};
+  problem.fluids[0].fluid_volume = 1.3 * model.rest_volume;
+  EquilibriumState state{.position = model.rest_position, .pressure = {}, .rigid_reaction = {}};
   const NewtonResult result = newton.solve(problem, state, {.tolerance = 1e-9, .maximum_iterations = 1});
   EXPECT_FALSE(result.converged);
   EXPECT_EQ(result.reason, "no convergence within 1 iterations");

@@ -50,7 +50,7 @@ Result run(const Scene& scene) {
   Body body(scene.body, {scene.tool}, options);
   body.settle();
   move(body, scene.begin, scene.end, 10, 5e-3);
-  return {body.state().equilibrium.position, body.state().contacts[0].force, body.state().equilibrium.pressure};
+  return {body.state().equilibrium.position, body.state().contacts[0].force, body.state().equilibrium.pressure[0]};
 }
 
 /// The scene under x -> turn x + shift; a mirroring turns the triangles over.

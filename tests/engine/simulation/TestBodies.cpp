@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "engine/fluid/EnclosedVolume.hpp"
+#include "engine/fluid/FluidWeight.hpp"
 #include "engine/mesh/Shapes.hpp"
 
 namespace thinwall {
@@ -84,6 +85,10 @@ ToolPose move(Body& body, const ToolPose& begin, const Eigen::Vector3d& end, int
   return to[0];
 }
 
+BodyInput filling(const Body& body, double volume) {
+  return {.load_factors = {}, .fluids = {{.added = volume - body.state().fluid_volume[0], .pressure = {}}}};
+}
+
 Eigen::VectorXd internal_forces(const Body& body) {
   const BodyModel& model = body.model();
   const Eigen::VectorXd& position = body.state().equilibrium.position;
@@ -91,9 +96,16 @@ Eigen::VectorXd internal_forces(const Body& body) {
   for (std::size_t t = 0; t < model.surface.size(); ++t) {
     const auto corners = corners_of(model.surface[t], position);
     Eigen::Matrix<double, 9, 1> part = Eigen::Matrix<double, 9, 1>::Zero();
-    if (model.has_fluid()) part -= body.state().equilibrium.pressure * volume_gradient_of(corners);
+    if (model.has_fluid()) part -= body.state().equilibrium.pressure[model.chamber[t]] * volume_gradient_of(corners);
     if (t < model.rest.size())
       part += membrane_terms(model.rest[t], model.material(static_cast<int>(t)), corners).gradient;
+    if (model.has_fluid()) {
+      const int chamber = model.chamber[t];
+      const double density = model.definition.fluid.density / body.state().fluid_volume[chamber];
+      part += fluid_moment_of(relative_to(model.chambers[chamber].level, corners),
+                              density * body.state().fluid_motion[chamber].acceleration)
+                  .gradient;
+    }
     for (int k = 0; k < 3; ++k) forces.segment<3>(3 * model.surface[t][k]) += part.segment<3>(3 * k);
   }
   return forces;
@@ -122,6 +134,23 @@ double largest_single_force(const Body& body) {
     largest = std::max(largest, terms.gradient.cwiseAbs().maxCoeff());
   }
   return largest;
+}
+
+Eigen::Vector3d momentum(const Body& body) {
+  Eigen::Vector3d sum = mass_sum(body.model(), body.state().velocity);
+  for (const FluidMotion& fluid : body.state().fluid_motion)
+    sum += body.model().definition.fluid.density * fluid.velocity;
+  return sum;
+}
+
+Eigen::Vector3d momentum_rate(const Body& body) {
+  Eigen::Vector3d sum = mass_sum(body.model(), body.state().acceleration);
+  for (std::size_t c = 0; c < body.state().fluid_motion.size(); ++c) {
+    const double density =
+        body.model().definition.fluid.density * body.state().volume[c] / body.state().fluid_volume[c];
+    sum += density * body.state().fluid_motion[c].acceleration;
+  }
+  return sum;
 }
 
 Eigen::Vector3d mass_sum(const BodyModel& model, const Eigen::VectorXd& vectors) {

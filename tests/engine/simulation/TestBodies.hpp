@@ -39,6 +39,9 @@ ToolPose pose_at(const Eigen::Vector3d& tip, const Eigen::Vector3d& direction = 
 ToolPose move(Body& body, const ToolPose& begin, const Eigen::Vector3d& end, int steps, double duration,
               const std::function<void(const ToolPose&)>& after = {});
 
+/// What a script puts in to bring the fluid of a body of one chamber to a volume, metres^3.
+BodyInput filling(const Body& body, double volume);
+
 /// What the wall, the fluid and the tools do to each vertex, recomputed from the positions alone: gradient of the
 /// wall's energy less pressure times that of the volume, caps and fixed vertices included. (3 vertices), newton.
 Eigen::VectorXd internal_forces(const Body& body);
@@ -48,6 +51,10 @@ Eigen::Vector3d support_force(const Body& body);
 
 /// Largest force at which two triangles or fluid and wall pull at one unknown: the scale of round-off. Newton.
 double largest_single_force(const Body& body);
+
+/// Of wall and fluid, newton second, and what its rate takes, newton.
+Eigen::Vector3d momentum(const Body& body);
+Eigen::Vector3d momentum_rate(const Body& body);
 
 /// Sum of mass times `vectors` (3 vertices).
 Eigen::Vector3d mass_sum(const BodyModel& model, const Eigen::VectorXd& vectors);

@@ -1,0 +1,20 @@
+#include "engine/fluid/FluidWeight.hpp"
+
+#include "engine/fluid/EnclosedVolume.hpp"
+
+namespace thinwall {
+
+FluidMoment fluid_moment_of(const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Vector3d& gravity) {
+  // The mean of g . x over the tetrahedron is its value at the centroid, a quarter of the sum of the corners.
+  const double volume = volume_of(corners);
+  const double mean = 0.25 * gravity.dot(corners[0] + corners[1] + corners[2]);
+  const Eigen::Matrix<double, 9, 1> volume_gradient = volume_gradient_of(corners);
+  Eigen::Matrix<double, 9, 1> mean_gradient;
+  mean_gradient << 0.25 * gravity, 0.25 * gravity, 0.25 * gravity;
+  return {.value = mean * volume,
+          .gradient = mean * volume_gradient + volume * mean_gradient,
+          .hessian = mean * volume_hessian_of(corners) + volume_gradient * mean_gradient.transpose() +
+                     mean_gradient * volume_gradient.transpose()};
+}
+
+}  // namespace thinwall

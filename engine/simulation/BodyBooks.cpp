@@ -1,0 +1,132 @@
+#include <utility>
+
+#include "engine/simulation/Body.hpp"
+
+namespace thinwall {
+namespace {
+
+const FluidInput& input_of(const BodyInput& input, Eigen::Index chamber) {
+  static const FluidInput nothing;
+  return chamber < static_cast<Eigen::Index>(input.fluids.size()) ? input.fluids[chamber] : nothing;
+}
+
+/// Volume of fluid that a chamber holds at a pressure within a wall of given volume.
+double fluid_volume_at(const BodyModel& model, double volume, double pressure, double reference) {
+  const FluidDefinition& fluid = model.definition.fluid;
+  return fluid.kind == FluidKind::kCompressible ? volume / (1 - (pressure - reference) / fluid.bulk_modulus) : volume;
+}
+
+}  // namespace
+
+double fluid_energy(const BodyModel& model, const BodyState& state) {
+  if (model.definition.fluid.kind != FluidKind::kCompressible) return 0;
+  double energy = 0;
+  for (Eigen::Index c = 0; c < state.volume.size(); ++c) {
+    const double excess = state.volume[c] - state.fluid_volume[c];
+    energy += -state.reference_pressure[c] * excess +
+              0.5 * model.definition.fluid.bulk_modulus * excess * excess / state.fluid_volume[c];
+  }
+  return energy;
+}
+
+double Body::rate(const OrificeDefinition& orifice, const BodyState& state) const {
+  return flow_between(*model_, orifice, options_.gravity, state.equilibrium.pressure).rate;
+}
+
+double Body::gravity_energy() const {
+  double energy = newton_.terms().gravity;
+  for (Eigen::Index c = 0; c < state_.volume.size(); ++c) {
+    energy -= model_->definition.fluid.density * options_.gravity.dot(model_->chambers[c].level) * state_.volume[c];
+  }
+  return energy;
+}
+
+void Body::add_fluids(double duration, const BodyInput& input, EquilibriumProblem& problem) const {
+  for (Eigen::Index c = 0; c < state_.fluid_volume.size(); ++c) {
+    const FluidInput& given = input_of(input, c);
+    FluidProblem fluid{.mode = fluid_mode(),
+                       .pressure = state_.reference_pressure[c],
+                       .fluid_volume = state_.fluid_volume[c] + given.added,
+                       .bulk_modulus = model_->definition.fluid.bulk_modulus};
+    if (given.pressure) {
+      fluid.mode = FluidMode::kGivenPressure;
+      fluid.pressure = *given.pressure;
+    }
+    problem.fluids.push_back(fluid);
+  }
+  // The trapezoidal rule: half of the step under the pressures there were, half under those that are sought.
+  for (const OrificeDefinition& orifice : model_->definition.fluid.orifices) {
+    problem.orifice_time = 0.5 * duration;
+    const double flown = problem.orifice_time * rate(orifice, state_);
+    problem.fluids[orifice.from].fluid_volume -= flown;
+    problem.fluids[orifice.to].fluid_volume += flown;
+  }
+}
+
+void Body::update_fluids(const BodyState& before, double duration, const BodyInput& input) {
+  for (Eigen::Index c = 0; c < state_.fluid_volume.size(); ++c) state_.fluid_volume[c] += input_of(input, c).added;
+  for (const OrificeDefinition& orifice : model_->definition.fluid.orifices) {
+    const double flown = 0.5 * duration * (rate(orifice, before) + rate(orifice, state_));
+    state_.fluid_volume[orifice.from] -= flown;
+    state_.fluid_volume[orifice.to] += flown;
+  }
+  for (Eigen::Index c = 0; c < state_.fluid_volume.size(); ++c) {
+    if (!input_of(input, c).pressure) continue;
+    state_.fluid_volume[c] =
+        fluid_volume_at(*model_, state_.volume[c], state_.equilibrium.pressure[c], state_.reference_pressure[c]);
+  }
+}
+
+double Body::book_fluids(const BodyState& before, double duration) {
+  if (state_.volume.size() == 0) return 0;
+  // All at one level, because fluid that moves from one level to another changes its energy in gravity.
+  const Eigen::VectorXd mean =
+      pressures_at_origin(*model_, options_.gravity, 0.5 * (before.equilibrium.pressure + state_.equilibrium.pressure));
+  double lost = 0;
+  for (const OrificeDefinition& orifice : model_->definition.fluid.orifices) {
+    const double flown = 0.5 * duration * (rate(orifice, before) + rate(orifice, state_));
+    lost += flown * (mean[orifice.from] - mean[orifice.to]);
+  }
+  const double reached = mean.dot(state_.fluid_volume - before.fluid_volume);
+  state_.books.viscous += lost;
+  state_.books.script_work += reached + lost;
+  return reached;
+}
+
+void Body::update_books(const BodyState& before, std::span<const ToolPose> begin, double duration,
+                        const EquilibriumProblem& problem) {
+  EnergyBooks& books = state_.books;
+  const EquilibriumTerms& terms = newton_.terms();
+  const double wall_loss = update_memory(duration, problem);
+  books.elastic = lasting_part(model_->definition) * terms.strain_energy;
+  books.kinetic = 0.5 * model_->mass.dot(state_.velocity.cwiseAbs2()) + fluid_kinetic_energy();
+  books.gravity = gravity_energy();
+  books.contact = contact_energy(*model_, problem, terms);
+  books.fluid = fluid_energy(*model_, state_);
+
+  // Work by the trapezoidal rule; what it differs from the change of the energies is what the integrator spends.
+  const Eigen::VectorXd motion = state_.equilibrium.position - before.equilibrium.position;
+  double attached_work = 0, sphere_work = 0;
+  for (const std::vector<Attachment>* attachments : {&before.attachments, &std::as_const(state_).attachments}) {
+    for (const Attachment& attachment : *attachments) {
+      attached_work -= 0.5 * attachment.force.dot(material_point(attachment, motion));
+    }
+  }
+  for (const SphereContact& contact : problem.spheres) {
+    const Eigen::Vector3d path = contact.sphere.center - sphere_at(tools_[contact.tool], begin[contact.tool]).center;
+    sphere_work -= 0.5 * (before.contacts[contact.tool].force + state_.contacts[contact.tool].force).dot(path);
+  }
+  const double fluid_work = book_fluids(before, duration);
+  const double load_work = 0.5 * (before.load_force + state_.load_force).dot(motion);
+  const double kinetic_work = 0.5 * model_->mass.cwiseProduct(before.acceleration + state_.acceleration).dot(motion);
+  const double static_work =
+      0.5 * (before.static_force + state_.static_force).dot(motion) + sphere_work + load_work + fluid_work;
+  const double damping_loss = 0.5 * model_->definition.damping.mass_rate *
+                              model_->mass.cwiseProduct(before.velocity + state_.velocity).dot(motion);
+  books.numerical += kinetic_work + static_work - wall_loss - (books.stored() - before.books.stored());
+  books.viscous += wall_loss + damping_loss;
+  books.tool_work += attached_work + sphere_work;
+  books.script_work += load_work;
+}
+
+}  // namespace thinwall

@@ -1,0 +1,111 @@
+#include <cmath>
+
+#include "engine/simulation/BackwardDifference.hpp"
+#include "engine/simulation/Body.hpp"
+
+namespace thinwall {
+namespace {
+
+/// Weights of the exact recursion of a Prony term over a step (Taylor, Pister and Goudreau 1970; Simo and Hughes 1998,
+/// section 10.3): the stress of the branch fades by `fade`, and takes `share` of what the law's stress has grown by,
+/// exactly where that grows evenly.
+struct PronyStep {
+  double fade, share;
+};
+PronyStep prony_step(const PronyTerm& term, double duration) {
+  const double x = duration / term.time;
+  return {.fade = std::exp(-x), .share = term.fraction * (-std::expm1(-x) / x)};
+}
+
+bool is_viscous(const BodyDefinition& definition) {
+  return !definition.viscosity.empty() || definition.damping.stiffness_time > 0;
+}
+
+Eigen::Vector3d law_stress(const BodyModel& model, int triangle, const Eigen::Vector3d& strain) {
+  const Material& material = model.material(triangle);
+  const Eigen::Vector3d c(1 + 2 * strain[0], 1 + 2 * strain[1], strain[2]);
+  return material.law->respond(material.parameters.data(), c).second_piola_kirchhoff;
+}
+
+Eigen::Matrix3d unstrained_tangent(const BodyModel& model, int triangle) {
+  const Material& material = model.material(triangle);
+  return material.law->respond(material.parameters.data(), Eigen::Vector3d(1, 1, 0)).tangent;
+}
+
+Eigen::Vector3d strain_of(const BodyModel& model, int triangle, const Eigen::VectorXd& position) {
+  return green_lagrange_strain(model.rest[triangle], corners_of(model.surface[triangle], position));
+}
+
+}  // namespace
+
+double lasting_part(const BodyDefinition& definition) {
+  double part = 1;
+  for (const PronyTerm& term : definition.viscosity) part -= term.fraction;
+  return part;
+}
+
+void Body::start_memory() {
+  if (!is_viscous(model_->definition)) return;
+  WallHistory& wall = state_.wall;
+  wall.strain.clear();
+  wall.law_stress.clear();
+  for (int t = 0; t < model_->triangles(); ++t) {
+    wall.strain.push_back(strain_of(*model_, t, state_.equilibrium.position));
+    wall.law_stress.push_back(law_stress(*model_, t, wall.strain[t]));
+  }
+  wall.previous_strain = wall.strain;
+  const std::vector<Eigen::Vector3d> none(model_->triangles(), Eigen::Vector3d::Zero());
+  wall.branch_stress.assign(model_->definition.viscosity.size(), none);
+  wall.overstress = none;
+}
+
+void Body::add_memory(double duration, EquilibriumProblem& problem) const {
+  const BodyDefinition& definition = model_->definition;
+  if (!is_viscous(definition)) return;
+  const WallHistory& wall = state_.wall;
+  problem.memory.scale = lasting_part(definition);
+  problem.memory.overstress.assign(model_->triangles(), Eigen::Vector3d::Zero());
+  for (std::size_t k = 0; k < definition.viscosity.size(); ++k) {
+    const PronyStep step = prony_step(definition.viscosity[k], duration);
+    problem.memory.scale += step.share;
+    for (int t = 0; t < model_->triangles(); ++t) {
+      problem.memory.overstress[t] += step.fade * wall.branch_stress[k][t] - step.share * wall.law_stress[t];
+    }
+  }
+  if (definition.damping.stiffness_time == 0) return;
+  const BackwardDifference difference = backward_difference(duration, state_.previous_step);
+  const double factor = definition.damping.stiffness_time / duration;
+  problem.memory.damping = factor * difference.now;
+  for (int t = 0; t < model_->triangles(); ++t) {
+    problem.memory.overstress[t] += factor * unstrained_tangent(*model_, t) *
+                                    (difference.before * wall.strain[t] + difference.earlier * wall.previous_strain[t]);
+  }
+}
+
+double Body::update_memory(double duration, const EquilibriumProblem& problem) {
+  const BodyDefinition& definition = model_->definition;
+  if (!is_viscous(definition)) return 0;
+  WallHistory& wall = state_.wall;
+  const double lasting = lasting_part(definition);
+  double loss = 0;
+  for (int t = 0; t < model_->triangles(); ++t) {
+    const Eigen::Vector3d strain = strain_of(*model_, t, state_.equilibrium.position);
+    const Eigen::Vector3d stress = law_stress(*model_, t, strain);
+    Eigen::Vector3d overstress = (problem.memory.scale - lasting) * stress + problem.memory.overstress[t];
+    if (problem.memory.damping > 0) overstress += problem.memory.damping * unstrained_tangent(*model_, t) * strain;
+    for (std::size_t k = 0; k < definition.viscosity.size(); ++k) {
+      const PronyStep step = prony_step(definition.viscosity[k], duration);
+      Eigen::Vector3d& branch = wall.branch_stress[k][t];
+      branch = step.fade * branch + step.share * (stress - wall.law_stress[t]);
+    }
+    const double volume = model_->rest[t].area * model_->rest[t].thickness;
+    loss += 0.5 * volume * (wall.overstress[t] + overstress).dot(strain - wall.strain[t]);
+    wall.previous_strain[t] = wall.strain[t];
+    wall.strain[t] = strain;
+    wall.law_stress[t] = stress;
+    wall.overstress[t] = overstress;
+  }
+  return loss;
+}
+
+}  // namespace thinwall
