@@ -10,6 +10,9 @@
 namespace thinwall {
 namespace {
 
+/// Halvings of a quasi-static step after which the body is relaxed towards its equilibrium.
+constexpr int kHalvingsBeforeRelaxing = 2;
+
 std::vector<ToolPose> interpolate(std::span<const ToolPose> begin, std::span<const ToolPose> end, double fraction) {
   std::vector<ToolPose> poses(begin.begin(), begin.end());
   for (std::size_t k = 0; k < poses.size(); ++k) {
@@ -69,6 +72,17 @@ FluidMode Body::fluid_mode() const {
                                                                    : FluidMode::kIncompressible;
 }
 
+bool Body::solve_step(EquilibriumProblem& problem, EquilibriumState& trial) {
+  EquilibriumProblem again = problem;
+  if (solve(problem, trial).converged) return true;
+  // Where the wall buckles no short step helps: the equilibrium ends, and the next one is some way off.
+  const bool may_snap = options_.analysis == Analysis::kQuasiStatic && report_.halvings >= kHalvingsBeforeRelaxing;
+  if (!may_snap) return false;
+  trial = state_.equilibrium;
+  problem = again;
+  return relax(problem, trial).converged;
+}
+
 EquilibriumProblem Body::make_problem(std::span<const ToolPose> end, double duration, const BodyInput& input) const {
   EquilibriumProblem problem;
   add_fluids(duration, input, problem);
@@ -91,8 +105,11 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
     if (problem.attachments.size() != state_.attachments.size()) state_.previous_step = 0;
     if (options_.analysis == Analysis::kDynamic) add_inertia(duration, problem);
     EquilibriumState trial = state_.equilibrium;
-    if (options_.analysis == Analysis::kDynamic) trial.position += duration * state_.velocity;
-    if (!solve(problem, trial).converged) return false;
+    if (options_.analysis == Analysis::kDynamic) {
+      const Eigen::VectorXd motion = duration * state_.velocity;
+      trial.position += newton_.safe_fraction(trial.position, motion) * motion;
+    }
+    if (!solve_step(problem, trial)) return false;
     if (release(end, problem)) continue;
     accept(begin, duration, problem, input, trial);
     return true;

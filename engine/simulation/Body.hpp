@@ -24,7 +24,7 @@ struct EnergyBooks {
   double kinetic = 0;      // stored in the motion of wall and fluid
   double fluid = 0;        // stored in a compressible fluid
   double gravity = 0;      // stored in the height of wall and fluid
-  double contact = 0;      // stored in the potential between wall and tools
+  double contact = 0;      // stored in the potentials between wall and tools, wall and wall, wall and floor
   double viscous = 0;      // spent by viscosity, damping and orifices since time zero; Prony terms give part of it back
   double friction = 0;     // spent by friction, since time zero
   double numerical = 0;    // spent by the integrator, since time zero
@@ -126,6 +126,9 @@ class Body {
   const BodyStepReport& report() const { return report_; }
   SurfaceView surface() const;
 
+  /// Pairs of parts of the wall that lie on each other, after the last step.
+  std::size_t fold_count() const { return newton_.terms().folds.folds.size(); }
+
   /// Pressure between wall and tools at each vertex, (vertices), pascal: force on the vertex over its rest area.
   Eigen::VectorXd contact_pressure() const;
 
@@ -134,6 +137,7 @@ class Body {
   NewtonResult relax(EquilibriumProblem& problem, EquilibriumState& state);
   void solve_statics();
   std::string describe_failure() const;
+  bool solve_step(EquilibriumProblem& problem, EquilibriumState& trial);
   bool try_step(std::span<const ToolPose> begin, std::span<const ToolPose> end, double duration,
                 const BodyInput& input);
   EquilibriumProblem make_problem(std::span<const ToolPose> end, double duration, const BodyInput& input) const;

@@ -101,7 +101,7 @@ void Body::update_books(const BodyState& before, std::span<const ToolPose> begin
   books.elastic = lasting_part(model_->definition) * terms.strain_energy;
   books.kinetic = 0.5 * model_->mass.dot(state_.velocity.cwiseAbs2()) + fluid_kinetic_energy();
   books.gravity = gravity_energy();
-  books.contact = contact_energy(*model_, problem, terms);
+  books.contact = contact_energy(*model_, problem, terms) + terms.folds.energy;
   books.fluid = fluid_energy(*model_, state_);
 
   // Work by the trapezoidal rule; what it differs from the change of the energies is what the integrator spends.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/body/BodyDefinition.hpp"
+#include "engine/contact/SelfContact.hpp"
 #include "engine/simulation/Chambers.hpp"
 #include "engine/simulation/LoadModel.hpp"
 #include "engine/solver/BlockPattern.hpp"
@@ -50,6 +51,10 @@ inline std::array<Eigen::Vector3d, 3> relative_to(const Eigen::Vector3d& origin,
                                                   const std::array<Eigen::Vector3d, 3>& corners) {
   return {corners[0] - origin, corners[1] - origin, corners[2] - origin};
 }
+
+/// What the body's wall must know of itself to keep out of its own way. Floors are the planes of flat caps whose
+/// vertices are fixed along the normal, where the whole stress-free wall lies on one side: what the body stands on.
+SelfContactDefinition self_contact_of(const BodyModel& model);
 
 /// The three corners of a triangle. `position`: (3 vertices), metres.
 std::array<Eigen::Vector3d, 3> corners_of(const Eigen::Vector3i& triangle, const Eigen::VectorXd& position);

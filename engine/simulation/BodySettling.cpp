@@ -11,6 +11,9 @@ namespace {
 /// How often `relax` solves with springs before it gives up.
 constexpr int kRelaxationTurns = 100;
 
+/// Springs that hold so much that a body which does not even follow them has no equilibrium at hand.
+constexpr double kStiffestSprings = 1e4;
+
 /// Multiple of the rest volume beyond which a body under a given pressure has burst: past its limit point a wall under
 /// constant pressure grows without end.
 constexpr double kBurstVolume = 30;
@@ -44,6 +47,7 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state) {
       springs *= 0.25;
     } else {
       springs *= 8;
+      if (springs > kStiffestSprings) break;
     }
     if (model_->has_fluid() && enclosed_volumes(*model_, state.position).sum() > kBurstVolume * model_->rest_volume) {
       break;
@@ -122,6 +126,7 @@ void Body::settle(std::vector<double> load_factors) {
   state_.load_force = terms.load_force;
   state_.books.elastic = lasting_part(model_->definition) * terms.strain_energy;
   state_.books.gravity = gravity_energy();
+  state_.books.contact = terms.folds.energy;
   state_.books.fluid = fluid_energy(*model_, state_);
   state_.books.script_work = state_.books.stored();
 }

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "engine/contact/SelfContact.hpp"
 #include "engine/contact/SphereContact.hpp"
 #include "engine/fluid/OrificeFlow.hpp"
 #include "engine/simulation/BodyModel.hpp"
@@ -105,21 +106,22 @@ struct ContactPoint {
 
 /// Energies and derivatives at a position.
 struct EquilibriumTerms {
-  double elastic = 0;               // joule, potential of the wall, memory included
-  double strain_energy = 0;         // joule, of the wall's law alone
-  double gravity = 0;               // joule, of the wall from the origin's level, of the fluid from the chambers'
-  double load_work = 0;             // joule, that the loads give up from position zero
-  double contact = 0;               // joule
-  double inertial = 0;              // joule, of the inertia springs
-  Eigen::VectorXd volume;           // (chambers), metres^3
-  Eigen::VectorXd gradient;         // (3 vertices), newton: of wall, gravity and inertia of the fluid, less the loads
-  Eigen::VectorXd load_force;       // (3 vertices), newton
-  Eigen::Matrix3Xd moment;          // (3 x chambers), metres^4, integral of x, where the fluid has inertia
-  Eigen::MatrixXd moment_gradient;  // (3 vertices x 3 chambers), metres^3
-  Eigen::MatrixXd volume_gradient;  // (3 vertices x chambers), metres^2
-  std::vector<double> values;       // (non-zeros), newton / metre: Hessian of all that less pressure times volume
-  double largest_force = 0;         // newton, of a single term: the scale of the residual
+  double elastic = 0;          // joule, potential of the wall, memory included
+  double strain_energy = 0;    // joule, of the wall's law alone
+  double gravity = 0;          // joule, of the wall from the origin's level, of the fluid from the chambers'
+  double load_work = 0;        // joule, that the loads give up from position zero
+  double contact = 0;          // joule
+  double inertial = 0;         // joule, of the inertia springs
+  Eigen::VectorXd volume;      // (chambers), metres^3
+  Eigen::VectorXd gradient;    // (3 vertices), newton: of wall, folds, gravity and inertia of the fluid, less the loads
+  Eigen::VectorXd load_force;  // (3 vertices), newton
+  Eigen::Matrix3Xd moment;     // (3 x chambers), metres^4, integral of x, where the fluid has inertia
+  Eigen::MatrixXd moment_gradient;     // (3 vertices x 3 chambers), metres^3
+  Eigen::MatrixXd volume_gradient;     // (3 vertices x chambers), metres^2
+  std::vector<double> values;          // (non-zeros), newton / metre: Hessian of all that less pressure times volume
+  double largest_force = 0;            // newton, of a single term: the scale of the residual
   std::vector<ContactPoint> contacts;  // triangles near a sphere, or with a force on them
+  SelfContactTerms folds;              // the wall against itself and its floors: Newton adds them to the gradient
 };
 
 /// Fills `terms`, reusing its memory; where the wall has collapsed its energy is not finite. `position`: (3 vertices),

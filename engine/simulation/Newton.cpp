@@ -34,8 +34,19 @@ double compliance(const FluidProblem& fluid) {
 
 }  // namespace
 
-Newton::Newton(const BodyModel& model) : model_(model), factor_(model.pattern), rigid_columns_(model.rigid_motions) {
+Newton::Newton(const BodyModel& model)
+    : model_(model),
+      factor_(model.pattern),
+      self_contact_(self_contact_of(model)),
+      fold_matrix_(model),
+      rigid_columns_(model.rigid_motions) {
   for (Eigen::Index k = 0; k < rigid_columns_.rows(); ++k) rigid_columns_.row(k) *= model.mass[k] / model.mass.mean();
+}
+
+void Newton::evaluate_all(const EquilibriumProblem& problem, const EquilibriumState& state, EquilibriumTerms& terms) {
+  evaluate(model_, problem, state.position, state.pressure, terms);
+  self_contact_.evaluate(state.position, terms.folds, terms.gradient);
+  terms.largest_force = std::max(terms.largest_force, terms.folds.largest_force);
 }
 
 double Newton::contact_force(const EquilibriumProblem& problem, const ContactPoint& contact) const {
@@ -206,6 +217,7 @@ void Newton::build_matrix(const EquilibriumProblem& problem, double shift) {
             contact_force(problem, contact) * contact.gap.hessian,
         matrix_);
   }
+  add_floors(model_, terms_.folds, matrix_);
   attachment_stiffness_ = kAttachmentStiffness * diagonal;
   for (const Attachment& attachment : problem.attachments) {
     Eigen::Matrix<double, 9, 9> outer;
@@ -223,21 +235,29 @@ void Newton::build_matrix(const EquilibriumProblem& problem, double shift) {
   }
 }
 
+bool Newton::is_convex(SparseFactor& factor, std::span<const double> values) {
+  std::optional<int> negative;
+  if (factor.factorize(values)) {
+    negative = 0;
+  } else if (constraints_ > 0) {
+    negative = factor.factorize_indefinite(values);
+  }
+  if (!negative) return false;
+  bordered_.set(factor, *negative, border_, corner_);
+  return bordered_.negative_eigenvalues() == constraints_;
+}
+
 bool Newton::factorize(const EquilibriumProblem& problem, const EquilibriumState& state, double& shift) {
   build_border(problem, state);
+  folded_ = fold_matrix_.prepare(terms_.folds, self_contact_);
+  bool exact = shift == 0;
   for (int attempt = 0; attempt < 20; ++attempt) {
     build_matrix(problem, shift);
-    std::optional<int> negative;
-    if (factor_.factorize(matrix_)) {
-      negative = 0;
-    } else if (constraints_ > 0) {
-      negative = factor_.factorize_indefinite(matrix_);
-    }
-    if (negative) {
-      bordered_.set(factor_, *negative, border_, corner_);
-      if (bordered_.negative_eigenvalues() == constraints_) return true;
-    }
-    shift = shift == 0 ? 1e-6 : 10 * shift;
+    const bool convex = folded_ ? is_convex(fold_matrix_.factor(), fold_matrix_.assemble(matrix_, terms_.folds, exact))
+                                : is_convex(factor_, matrix_);
+    if (convex) return true;
+    if (!folded_ || !exact) shift = shift == 0 ? 1e-6 : 10 * shift;
+    exact = false;
   }
   return false;
 }
@@ -267,7 +287,7 @@ void Newton::find_step(const EquilibriumProblem& problem, const Residual& residu
     multipliers.setZero(border_.cols());
     for (Eigen::Index k = 0; k < fluid; ++k) multipliers[k] = residual.volume[bordering_[k]];
     if (rigid > 0) multipliers.segment(fluid, rigid) = -residual.rigid;
-    bordered_.solve(factor_, step.position, multipliers);
+    bordered_.solve(used_factor(), step.position, multipliers);
     double error = 0;
     for (std::size_t k = 0; k < problem.attachments.size(); ++k) {
       const Attachment& attachment = problem.attachments[k];
@@ -320,8 +340,8 @@ double Newton::gap_change(const ContactPoint& contact, const Eigen::VectorXd& mo
 
 double Newton::merit(const EquilibriumProblem& problem, const EquilibriumState& state, const EquilibriumTerms& terms,
                      const Residual& residual, const Weights& weights) const {
-  double value =
-      terms.elastic + terms.gravity - terms.load_work + terms.inertial + weights.pressure * residual.volume.lpNorm<1>();
+  double value = terms.elastic + terms.folds.energy + terms.gravity - terms.load_work + terms.inertial +
+                 weights.pressure * residual.volume.lpNorm<1>();
   for (std::size_t c = 0; c < problem.fluids.size(); ++c) {
     const FluidProblem& fluid = problem.fluids[c];
     if (fluid.mode == FluidMode::kGivenPressure) value -= fluid.pressure * terms.volume[c];
@@ -366,7 +386,7 @@ bool Newton::search(EquilibriumProblem& problem, EquilibriumState& state, Residu
   const std::vector<Attachment> attachments = problem.attachments;
   const std::vector<SphereContact> spheres = problem.spheres;
   Residual trial;
-  double fraction = 1;
+  double fraction = self_contact_.safe_fraction(start.position, step.position);
   for (int halving = 0; halving < 16; ++halving, fraction *= 0.5) {
     state.position = start.position + fraction * step.position;
     state.pressure = start.pressure + fraction * step.pressure;
@@ -379,7 +399,7 @@ bool Newton::search(EquilibriumProblem& problem, EquilibriumState& state, Residu
       const double old = spheres[contact.sphere].forces[contact.triangle];
       problem.spheres[contact.sphere].forces[contact.triangle] = old + fraction * (step.contact_forces[k] - old);
     }
-    evaluate(model_, problem, state.position, state.pressure, trial_terms_);
+    evaluate_all(problem, state, trial_terms_);
     if (!std::isfinite(trial_terms_.elastic)) continue;
     compute_residual(problem, state, trial_terms_, trial);
     const bool residual_fell = trial.measure <= (1 - 0.1 * fraction) * residual.measure;
@@ -403,7 +423,7 @@ NewtonResult Newton::solve(EquilibriumProblem& problem, EquilibriumState& state,
     if (!is_multiplier(problem.fluids[c])) state.pressure[c] = problem.fluids[c].pressure;
   }
   if (state.rigid_reaction.size() != rigid_columns_.cols()) state.rigid_reaction.setZero(rigid_columns_.cols());
-  evaluate(model_, problem, state.position, state.pressure, terms_);
+  evaluate_all(problem, state, terms_);
   Residual residual;
   Step step;
   double shift = 0;

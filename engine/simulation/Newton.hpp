@@ -1,10 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "engine/simulation/Equilibrium.hpp"
+#include "engine/simulation/FoldMatrix.hpp"
 #include "engine/solver/BorderedSystem.hpp"
 #include "engine/solver/SparseFactor.hpp"
 
@@ -44,6 +46,10 @@ struct NewtonResult {
 /// contact cannot: when contacts would pull they are taken to be open, when open ones would be overrun they are taken
 /// to be closed, and the step is found again.
 ///
+/// Where the wall comes to lie on itself or on its floor a potential keeps it from touching (see SelfContact), and the
+/// line search starts from the longest step on which nothing touches. The exact curvature of these contacts is tried
+/// first, their convex part when the whole is not convex with it.
+///
 /// A step is convex when the whole bordered matrix has one negative eigenvalue per constraint. Past a limit point K
 /// alone is indefinite while the whole is convex, so K is then factorised as L D L^T and the inertia is counted; only
 /// when the count is wrong is K shifted.
@@ -54,6 +60,11 @@ class Newton {
   /// Solves from `state`; the attachments' forces in `problem` are both start and result. On failure the state is
   /// the best one reached.
   NewtonResult solve(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options);
+
+  /// Part of a motion (3 vertices, metres) that leads to no contact of the wall with itself or its floor.
+  double safe_fraction(const Eigen::VectorXd& position, const Eigen::VectorXd& motion) {
+    return self_contact_.safe_fraction(position, motion);
+  }
 
   /// Terms at the state that the last solve ended with.
   const EquilibriumTerms& terms() const { return terms_; }
@@ -84,6 +95,7 @@ class Newton {
     double contact;   // newton
   };
 
+  void evaluate_all(const EquilibriumProblem& problem, const EquilibriumState& state, EquilibriumTerms& terms);
   double contact_force(const EquilibriumProblem& problem, const ContactPoint& contact) const;
   double contact_law(const EquilibriumProblem& problem, const ContactPoint& contact) const;
   ContactPotential contact_potential(const EquilibriumProblem& problem, const ContactPoint& contact) const;
@@ -99,6 +111,8 @@ class Newton {
   void build_border(const EquilibriumProblem& problem, const EquilibriumState& state);
   void build_matrix(const EquilibriumProblem& problem, double shift);
   bool factorize(const EquilibriumProblem& problem, const EquilibriumState& state, double& shift);
+  bool is_convex(SparseFactor& factor, std::span<const double> values);
+  SparseFactor& used_factor() { return folded_ ? fold_matrix_.factor() : factor_; }
   void find_step(const EquilibriumProblem& problem, const Residual& residual, Step& step);
   void find_contact_forces(const EquilibriumProblem& problem, Step& step) const;
   bool revise_contacts(const Step& step);
@@ -110,6 +124,9 @@ class Newton {
 
   const BodyModel& model_;
   SparseFactor factor_;
+  SelfContact self_contact_;
+  FoldMatrix fold_matrix_;
+  bool folded_ = false;  // whether the last factorisation is the fold matrix's
   BorderedSystem bordered_;
   EquilibriumTerms terms_;
   EquilibriumTerms trial_terms_;

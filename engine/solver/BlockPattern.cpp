@@ -2,24 +2,20 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 namespace thinwall {
 namespace {
 
 constexpr std::array<std::array<int, 2>, 6> kCorners = {{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}}};
 
-}  // namespace
-
-BlockPattern make_block_pattern(int vertices, std::span<const Eigen::Vector3i> triangles) {
-  std::vector<std::vector<int>> larger(vertices);
-  for (const Eigen::Vector3i& triangle : triangles) {
-    for (int k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax(triangle[k], triangle[(k + 1) % 3]);
-      larger[low].push_back(high);
-    }
-  }
-  BlockPattern pattern{.vertices = vertices, .neighbour_begin = {0}, .neighbours = {}, .column_begin = {0}, .row = {}};
-  for (int vertex = 0; vertex < vertices; ++vertex) {
+BlockPattern pattern_of(std::vector<std::vector<int>> larger) {
+  BlockPattern pattern{.vertices = static_cast<int>(larger.size()),
+                       .neighbour_begin = {0},
+                       .neighbours = {},
+                       .column_begin = {0},
+                       .row = {}};
+  for (int vertex = 0; vertex < pattern.vertices; ++vertex) {
     std::vector<int>& list = larger[vertex];
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());
@@ -34,6 +30,52 @@ BlockPattern make_block_pattern(int vertices, std::span<const Eigen::Vector3i> t
     }
   }
   return pattern;
+}
+
+std::span<const int> larger_neighbours(const BlockPattern& pattern, int vertex) {
+  const int begin = pattern.neighbour_begin[vertex], end = pattern.neighbour_begin[vertex + 1];
+  return std::span<const int>(pattern.neighbours).subspan(begin, end - begin);
+}
+
+}  // namespace
+
+BlockPattern make_block_pattern(int vertices, std::span<const Eigen::Vector3i> triangles) {
+  std::vector<std::vector<int>> larger(vertices);
+  for (const Eigen::Vector3i& triangle : triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax(triangle[k], triangle[(k + 1) % 3]);
+      larger[low].push_back(high);
+    }
+  }
+  return pattern_of(std::move(larger));
+}
+
+ExtendedPattern extend_block_pattern(const BlockPattern& pattern, std::span<const std::array<int, 2>> couplings) {
+  std::vector<std::vector<int>> larger(pattern.vertices);
+  for (int vertex = 0; vertex < pattern.vertices; ++vertex) {
+    const std::span<const int> list = larger_neighbours(pattern, vertex);
+    larger[vertex].assign(list.begin(), list.end());
+  }
+  for (const auto& [one, other] : couplings) {
+    const auto [low, high] = std::minmax(one, other);
+    if (low != high) larger[low].push_back(high);
+  }
+  ExtendedPattern extended{.pattern = pattern_of(std::move(larger)), .entries = {}};
+  extended.entries.reserve(pattern.nonzeros());
+  for (int column = 0; column < 3 * pattern.vertices; ++column) {
+    int at = extended.pattern.column_begin[column];
+    for (int k = pattern.column_begin[column]; k < pattern.column_begin[column + 1]; ++k, ++at) {
+      while (extended.pattern.row[at] != pattern.row[k]) ++at;
+      extended.entries.push_back(at);
+    }
+  }
+  return extended;
+}
+
+bool is_coupled(const BlockPattern& pattern, int vertex, int other) {
+  const auto [low, high] = std::minmax(vertex, other);
+  const std::span<const int> list = larger_neighbours(pattern, low);
+  return low == high || std::binary_search(list.begin(), list.end(), high);
 }
 
 BlockAddress block_address(const BlockPattern& pattern, int vertex, int other) {
@@ -80,6 +122,17 @@ void add_triangle(const TriangleAddresses& addresses, const Eigen::Matrix<double
               addresses.transposed[k] ? matrix(i + column, j + row) : matrix(i + row, j + column);
         }
       }
+    }
+  }
+}
+
+void add_block(const BlockPattern& pattern, int vertex, int other, const Eigen::Matrix3d& block,
+               std::span<double> values) {
+  const BlockAddress address = block_address(pattern, vertex, other);
+  for (int column = 0; column < 3; ++column) {
+    for (int row = address.diagonal ? column : 0; row < 3; ++row) {
+      values[address.first[column] + row - (address.diagonal ? column : 0)] +=
+          vertex < other ? block(column, row) : block(row, column);
     }
   }
 }

@@ -29,6 +29,16 @@ struct BlockAddress {
 /// Pattern in which the vertices of each triangle are coupled with each other.
 BlockPattern make_block_pattern(int vertices, std::span<const Eigen::Vector3i> triangles);
 
+/// The pattern with further pairs of vertices coupled, and where each value of the old pattern lies in it.
+struct ExtendedPattern {
+  BlockPattern pattern;
+  std::vector<int> entries;  // (non-zeros of the old pattern), index of the value in the new one
+};
+ExtendedPattern extend_block_pattern(const BlockPattern& pattern, std::span<const std::array<int, 2>> couplings);
+
+/// Whether the pattern has a block for the two vertices, in either order.
+bool is_coupled(const BlockPattern& pattern, int vertex, int other);
+
 /// Address of the block of two coupled vertices, in either order. Asserts that they are coupled.
 BlockAddress block_address(const BlockPattern& pattern, int vertex, int other);
 
@@ -43,6 +53,10 @@ TriangleAddresses triangle_addresses(const BlockPattern& pattern, const Eigen::V
 /// Adds a symmetric 9 x 9 matrix of a triangle to the values.
 void add_triangle(const TriangleAddresses& addresses, const Eigen::Matrix<double, 9, 9>& matrix,
                   std::span<double> values);
+
+/// Adds a 3 x 3 block: rows belong to `vertex`, columns to `other`; of two equal vertices, the lower triangle is kept.
+void add_block(const BlockPattern& pattern, int vertex, int other, const Eigen::Matrix3d& block,
+               std::span<double> values);
 
 /// y = A x with the symmetric matrix of the pattern. (3 vertices) each.
 void multiply(const BlockPattern& pattern, std::span<const double> values, const Eigen::VectorXd& x,

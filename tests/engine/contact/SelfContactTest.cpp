@@ -126,6 +126,21 @@ TEST(SelfContact, HasTheGradientOfItsEnergy) {
   }
 }
 
+TEST(SelfContact, PushesAWholeWallWithoutNetForceOrMoment) {
+  Wall wall(make_sphere(20e-3, 320));
+  Eigen::VectorXd gradient;
+  const Eigen::VectorXd position = flattened(wall.rest, 0.5e-3);
+  const SelfContactTerms terms = wall.evaluate(position, gradient);
+  ASSERT_GT(terms.folds.size(), 100U);
+  Eigen::Vector3d force = Eigen::Vector3d::Zero(), moment = Eigen::Vector3d::Zero();
+  for (Eigen::Index k = 0; k < gradient.size(); k += 3) {
+    force += gradient.segment<3>(k);
+    moment += Eigen::Vector3d(position.segment<3>(k)).cross(Eigen::Vector3d(gradient.segment<3>(k)));
+  }
+  EXPECT_LT(force.norm(), 1e-12 * gradient.norm());
+  EXPECT_LT(moment.norm(), 1e-12 * 20e-3 * gradient.norm());
+}
+
 TEST(SelfContact, GivesTheSameBitsWhateverItCameFrom) {
   Wall fresh(make_sphere(20e-3, 320)), travelled(make_sphere(20e-3, 320));
   Eigen::VectorXd gradient, other;

@@ -68,6 +68,30 @@ TEST(BlockPattern, VertexWithoutTrianglesKeepsItsDiagonal) {
   EXPECT_EQ(pattern.row[pattern.column_begin[3 * 4]], 12);
 }
 
+TEST(BlockPattern, ExtendedKeepsItsValuesAndHasRoomForFurtherCouplings) {
+  const BlockMatrix matrix = random_matrix(80, 0.5, 3);
+  ASSERT_FALSE(is_coupled(matrix.pattern, 2, 40));
+  const std::vector<std::array<int, 2>> couplings = {{40, 2}, {5, 30}, {2, 40}, {7, 7}};
+  const ExtendedPattern extended = extend_block_pattern(matrix.pattern, couplings);
+  EXPECT_EQ(extended.pattern.nonzeros(), matrix.pattern.nonzeros() + 2 * 9);
+  EXPECT_TRUE(is_coupled(extended.pattern, 2, 40));
+  EXPECT_TRUE(is_coupled(extended.pattern, 40, 2));
+  EXPECT_FALSE(is_coupled(extended.pattern, 2, 30));
+  std::vector<double> values(extended.pattern.nonzeros(), 0);
+  for (int k = 0; k < matrix.pattern.nonzeros(); ++k) values[extended.entries[k]] = matrix.values[k];
+  const Eigen::Matrix3d block = random_columns(3, 3, 9);
+  add_block(extended.pattern, 40, 2, block, values);
+  add_block(extended.pattern, 5, 30, block, values);
+  add_block(extended.pattern, 3, 3, block + block.transpose(), values);
+  Eigen::MatrixXd dense = matrix.dense;
+  dense.block<3, 3>(120, 6) += block;
+  dense.block<3, 3>(6, 120) += block.transpose();
+  dense.block<3, 3>(15, 90) += block;
+  dense.block<3, 3>(90, 15) += block.transpose();
+  dense.block<3, 3>(9, 9) += block + block.transpose();
+  EXPECT_LT((expanded(extended.pattern, values) - dense).cwiseAbs().maxCoeff(), 1e-14);
+}
+
 TEST(BlockPattern, ProductWithAVectorIsTheDenseOne) {
   const BlockMatrix matrix = random_matrix(80, 0.5, 3);
   const Eigen::VectorXd x = random_columns(matrix.dense.rows(), 1, 8);
