@@ -10,6 +10,7 @@
 
 #include "engine/mesh/Shapes.hpp"
 #include "studio/organs/ClosedCheck.hpp"
+#include "studio/organs/HoleFilling.hpp"
 #include "studio/organs/MeshImport.hpp"
 #include "studio/scenario/Wording.hpp"
 
@@ -55,7 +56,7 @@ SurfaceOrigin origin_of(const SurfaceSource& source, const std::string& key_path
 
 SurfaceMesh make_surface(const SurfaceSource& source, const SurfaceOrigin& origin, std::vector<std::string>& notes) {
   if (const auto* file = std::get_if<MeshFileSource>(&source)) {
-    ImportedMesh imported = import_mesh(file->file, origin);
+    ImportedMesh imported = import_mesh(file->file, origin, {.repair = file->repair});
     notes.insert(notes.end(), imported.notes.begin(), imported.notes.end());
     return std::move(imported.mesh);
   }
@@ -69,6 +70,35 @@ SurfaceMesh make_surface(const SurfaceSource& source, const SurfaceOrigin& origi
   notes.push_back(fmt::format("{}: {} triangles ({} wanted), {} vertices", origin.name, mesh.triangles.size(),
                               shape.triangles, mesh.vertices.size()));
   return mesh;
+}
+
+/// Whether `repair: true` would make a closed surface of a mesh file.
+bool repair_would_close(const MeshFileSource& file, const SurfaceOrigin& origin) {
+  try {
+    check_closed_for_fluid(import_mesh(file.file, origin, {.repair = true}).mesh, origin);
+    return true;
+  } catch (const InputErrors&) {
+    return false;
+  }
+}
+
+void check_closed(const SurfaceMesh& mesh, const SurfaceSource& source, const SurfaceOrigin& origin) {
+  const auto* file = std::get_if<MeshFileSource>(&source);
+  if (file != nullptr && file->repair) {
+    check_closed_for_fluid(mesh, origin,
+                           fmt::format("close the surface (`repair: true` fills holes of up to {} edges, up to {:.0f} "
+                                       "% of the surface's extent across)",
+                                       kMostHoleEdges, 100 * kWidestHole));
+    return;
+  }
+  try {
+    check_closed_for_fluid(mesh, origin);
+  } catch (const InputErrors& errors) {
+    if (file == nullptr || !repair_would_close(*file, origin)) throw;
+    std::vector<Diagnostic> advised = errors.diagnostics();
+    for (Diagnostic& diagnostic : advised) diagnostic.message += "; `repair: true` would mend it";
+    throw InputErrors(std::move(advised));
+  }
 }
 
 std::string group_names(const SurfaceMesh& mesh) {
@@ -168,7 +198,7 @@ BodyDefinition build_body(const BodyScenario& body, std::vector<std::string>& no
                             .prestretch = {{.first = body.prestretch, .second = body.prestretch}},
                             .fluid = body.fluid,
                             .fixed = body.fixed};
-  if (body.fluid.kind != FluidKind::kNone) check_closed_for_fluid(definition.mesh, origin);
+  if (body.fluid.kind != FluidKind::kNone) check_closed(definition.mesh, body.surface, origin);
   RegionResolver regions(body, definition.mesh);
   definition.thickness = regions.thickness();
   regions.check_fixed();

@@ -3,23 +3,21 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "engine/mesh/MeshMeasures.hpp"
 #include "engine/mesh/MeshTopology.hpp"
+#include "studio/organs/ToldPlaces.hpp"
 
 namespace thinwall {
 namespace {
 
-/// How many edges, vertices or components are told before the rest is only counted.
-constexpr std::size_t kToldAtMost = 3;
-
 class ClosedCheck {
  public:
-  ClosedCheck(const SurfaceMesh& mesh, const SurfaceOrigin& origin)
+  ClosedCheck(const SurfaceMesh& mesh, const SurfaceOrigin& origin, const std::string& cure)
       : mesh_(mesh),
         origin_(origin),
+        cure_(cure),
         surface_(closed_surface(mesh)),
         topology_(topology_of(static_cast<int>(mesh.vertices.size()), surface_)) {}
 
@@ -38,35 +36,21 @@ class ClosedCheck {
     errors_.push_back({origin_.location, fmt::format("{}: {}: {}", origin_.key_path, origin_.name, what)});
   }
 
-  std::string place_of(int vertex) const {
-    const Eigen::Vector3d p = mesh_.vertices[vertex] / origin_.unit;
-    // Adding zero turns -0 into 0.
-    const auto tidy = [](double x) { return std::abs(x) < 1e-12 ? 0.0 : x; };
-    return fmt::format("({:.6g}, {:.6g}, {:.6g})", tidy(p[0]), tidy(p[1]), tidy(p[2]));
-  }
-
-  template <typename Describe>
-  std::string list(const std::vector<int>& items, const Describe& describe) const {
-    std::string text;
-    for (std::size_t i = 0; i < std::min(items.size(), kToldAtMost); ++i) {
-      text += (i == 0 ? "" : ", ") + describe(items[i]);
-    }
-    if (items.size() > kToldAtMost) text += fmt::format(" and {} more", items.size() - kToldAtMost);
-    return text + ", in " + origin_.unit_name;
-  }
+  std::string place_of(int vertex) const { return place_text(mesh_.vertices[vertex] / origin_.unit); }
 
   std::string edges_text(const std::vector<int>& edges) const {
-    return list(edges,
-                [&](int e) { return place_of(topology_.edges[e][0]) + " to " + place_of(topology_.edges[e][1]); });
+    return told_places(
+        edges, [&](int e) { return place_of(topology_.edges[e][0]) + " to " + place_of(topology_.edges[e][1]); },
+        origin_.unit_name);
   }
 
   void check_open_edges() {
     if (topology_.open_edges.empty()) return;
-    add(
-        fmt::format("the fluid needs a closed surface, but this has {} around {}: {}; close the surface, or say "
-                    "`contents: {{ fluid: none }}`",
-                    counted(topology_.open_edges.size(), "open edge", "open edges"),
-                    counted(topology_.boundary_loops.size(), "hole", "holes"), edges_text(topology_.open_edges)));
+    add(fmt::format(
+        "the fluid needs a closed surface, but this has {} around {}: {}; {}, or say `contents: {{ "
+        "fluid: none }}`",
+        counted(topology_.open_edges.size(), "open edge", "open edges"),
+        counted(topology_.boundary_loops.size(), "hole", "holes"), edges_text(topology_.open_edges), cure_));
   }
 
   void check_edges(const std::vector<int>& edges, const char* fault, const char* cure) {
@@ -82,7 +66,9 @@ class ClosedCheck {
     add(fmt::format(
         "the fluid needs a surface that touches itself nowhere, but this has {} in which parts of it touch: "
         "{}; move the parts apart there",
-        counted(vertices.size(), "vertex", "vertices"), list(vertices, [&](int v) { return place_of(v); })));
+        counted(vertices.size(), "vertex", "vertices"),
+        told_places(
+            vertices, [&](int v) { return place_of(v); }, origin_.unit_name)));
   }
 
   void check_components() {
@@ -113,6 +99,7 @@ class ClosedCheck {
 
   const SurfaceMesh& mesh_;
   const SurfaceOrigin& origin_;
+  const std::string& cure_;
   std::vector<Eigen::Vector3i> surface_;
   MeshTopology topology_;
   std::vector<Diagnostic> errors_;
@@ -120,8 +107,8 @@ class ClosedCheck {
 
 }  // namespace
 
-void check_closed_for_fluid(const SurfaceMesh& mesh, const SurfaceOrigin& origin) {
-  std::vector<Diagnostic> errors = ClosedCheck(mesh, origin).run();
+void check_closed_for_fluid(const SurfaceMesh& mesh, const SurfaceOrigin& origin, const std::string& cure) {
+  std::vector<Diagnostic> errors = ClosedCheck(mesh, origin, cure).run();
   if (!errors.empty()) throw InputErrors(std::move(errors));
 }
 

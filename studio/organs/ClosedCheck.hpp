@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "engine/mesh/SurfaceMesh.hpp"
 #include "studio/organs/SurfaceOrigin.hpp"
 
@@ -7,7 +9,9 @@ namespace thinwall {
 
 /// Throws InputErrors unless wall and caps together are one closed oriented manifold, as a fluid inside needs. Says
 /// which edges are open or shared by more than two triangles, in which vertices surfaces touch, and which components
-/// there are, with the coordinates of the first few of each.
-void check_closed_for_fluid(const SurfaceMesh& mesh, const SurfaceOrigin& origin);
+/// there are, with the coordinates of the first few of each. `cure`: what helps against
+/// open edges.
+void check_closed_for_fluid(const SurfaceMesh& mesh, const SurfaceOrigin& origin,
+                            const std::string& cure = "close the surface");
 
 }  // namespace thinwall

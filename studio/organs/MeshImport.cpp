@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <numeric>
@@ -12,8 +13,11 @@
 
 #include "engine/mesh/MeshMeasures.hpp"
 #include "engine/mesh/MeshTopology.hpp"
+#include "studio/organs/HoleFilling.hpp"
+#include "studio/organs/ManifoldRepair.hpp"
 #include "studio/organs/MeshFile.hpp"
 #include "studio/organs/MeshRepair.hpp"
+#include "studio/organs/ToldPlaces.hpp"
 #include "studio/scenario/Wording.hpp"
 
 namespace thinwall {
@@ -27,16 +31,19 @@ constexpr double kWholeShare = 0.99;
 
 class MeshImport {
  public:
-  MeshImport(const std::filesystem::path& file, const SurfaceOrigin& origin) : file_(file), origin_(origin) {}
+  MeshImport(const std::filesystem::path& file, const SurfaceOrigin& origin, const ImportOptions& options)
+      : file_(file), origin_(origin), options_(options) {}
 
   ImportedMesh run() {
     RawMesh raw = read();
     check_coordinates(raw);
     part_names_ = std::move(raw.part_names);
     surface_ = {std::move(raw.vertices), std::move(raw.triangles), std::move(raw.parts)};
-    repair();
+    tidy();
+    if (options_.repair) part_what_touches();
     drop_debris();
     orient();
+    if (options_.repair) fill_holes();
     ImportedMesh result;
     result.mesh = finish();
     describe(result.mesh);
@@ -69,7 +76,7 @@ class MeshImport {
     if (count > 0) notes_.push_back(fmt::format("{}: {} {}", origin_.name, counted(count, one, many), what));
   }
 
-  void repair() {
+  void tidy() {
     const double extent = extent_of(surface_);
     if (extent == 0) refuse("all its vertices are at one place");
     const double tolerance = kWeldTolerance * extent;
@@ -81,6 +88,56 @@ class MeshImport {
     note_if(remove_flat_triangles(surface_, tolerance), "triangle", "triangles",
             fmt::format("lower than {:.3g} {} merged into neighbours or removed", tolerance, origin_.unit_name));
     if (surface_.triangles.empty()) refuse("all its triangles are flat or collapsed to a point: nothing is left");
+  }
+
+  std::string places(const std::vector<Eigen::Vector3d>& points) const {
+    return told_places(points, place_text, origin_.unit_name);
+  }
+
+  void part_what_touches() {
+    const RemovedFlaps flaps = remove_flaps(surface_);
+    note_if(flaps.places.size(), "flap", "flaps",
+            fmt::format("with {} that hung on the surface removed: {}",
+                        counted(flaps.triangles, "triangle", "triangles"), places(flaps.places)));
+    const SplitPlaces split = split_apart(surface_);
+    note_if(split.turned, "triangle", "triangles", "turned to agree with the others");
+    note_if(split.edges.size(), "edge", "edges",
+            "shared by more than two triangles split apart, middles at " + places(split.edges));
+    note_if(split.vertices.size(), "vertex", "vertices",
+            "in which parts touched split apart: " + places(split.vertices));
+  }
+
+  void fill_holes() {
+    check_branches();
+    const double tolerance = kWeldTolerance * extent_of(surface_);
+    const std::vector<FoundHole> holes = fill_small_holes(surface_, tolerance);
+    for (const bool filled : {true, false}) {
+      std::vector<FoundHole> alike;
+      std::copy_if(holes.begin(), holes.end(), std::back_inserter(alike),
+                   [&](const FoundHole& hole) { return hole.filled == filled; });
+      const auto describe = [&](const FoundHole& hole) {
+        return fmt::format("{}, {:.3g} across, at {}", counted(hole.edges, "edge", "edges"), hole.width,
+                           place_text(hole.middle));
+      };
+      note_if(alike.size(), "hole", "holes",
+              (filled ? "filled: " : "left open: ") + told_places(alike, describe, origin_.unit_name));
+    }
+    // A crack is filled with flat triangles.
+    note_if(remove_flat_triangles(surface_, tolerance), "flat triangle", "flat triangles",
+            "of the filling merged into neighbours");
+  }
+
+  void check_branches() const {
+    const MeshTopology topology = topology_of(static_cast<int>(surface_.vertices.size()), surface_.triangles);
+    if (topology.crowded_edges.empty()) return;
+    std::vector<Eigen::Vector3d> middles;
+    for (const int e : topology.crowded_edges) {
+      middles.push_back((surface_.vertices[topology.edges[e][0]] + surface_.vertices[topology.edges[e][1]]) / 2);
+    }
+    refuse(
+        fmt::format("repair cannot tell inside from outside at {} shared by more than two triangles, with the "
+                    "middles {}; the wall branches there; take the inner surfaces out of the mesh",
+                    counted(middles.size(), "edge", "edges"), places(middles)));
   }
 
   void drop_debris() {
@@ -151,6 +208,7 @@ class MeshImport {
 
   const std::filesystem::path& file_;
   const SurfaceOrigin& origin_;
+  const ImportOptions& options_;
   RawSurface surface_;
   std::vector<std::vector<std::string>> part_names_;
   std::vector<std::string> notes_;
@@ -167,8 +225,8 @@ SurfaceOrigin mesh_origin(const std::filesystem::path& file, double metres_per_u
           .location = location};
 }
 
-ImportedMesh import_mesh(const std::filesystem::path& file, const SurfaceOrigin& origin) {
-  return MeshImport(file, origin).run();
+ImportedMesh import_mesh(const std::filesystem::path& file, const SurfaceOrigin& origin, const ImportOptions& options) {
+  return MeshImport(file, origin, options).run();
 }
 
 }  // namespace thinwall

@@ -13,6 +13,10 @@ namespace thinwall {
 SurfaceOrigin mesh_origin(const std::filesystem::path& file, double metres_per_unit, const std::string& key_path,
                           const SourceLocation& location);
 
+struct ImportOptions {
+  bool repair = false;  // mend what is safe to mend
+};
+
 struct ImportedMesh {
   SurfaceMesh mesh;                // metres; no caps
   std::vector<std::string> notes;  // a line for each thing that was found or done
@@ -23,8 +27,12 @@ struct ImportedMesh {
 /// than 99 % of the area the others are removed as debris; unused vertices are removed; triangles are made to agree and
 /// to face outwards. Each group, object and material that the file names is a group of the mesh, with the vertices of
 /// its faces; the group `wall` has all vertices unless the file itself has one of that name. `origin` is what
-/// `mesh_origin` gives for the file. Throws InputErrors: unreadable (see read_mesh_file), coordinates that are no
-/// finite numbers, no extent, nothing left, no orientation that agrees everywhere.
-ImportedMesh import_mesh(const std::filesystem::path& file, const SurfaceOrigin& origin);
+/// `mesh_origin` gives for the file. With `repair` besides: small flaps are removed (see remove_flaps) and parts that
+/// touch split apart (split_apart) before debris is looked for, small holes filled (fill_small_holes) at the end; the
+/// result is an oriented manifold.
+/// Throws InputErrors: unreadable (see read_mesh_file), coordinates that are no finite numbers, no extent, nothing
+/// left, no orientation that agrees everywhere; with `repair`: a wall that branches.
+ImportedMesh import_mesh(const std::filesystem::path& file, const SurfaceOrigin& origin,
+                         const ImportOptions& options = {});
 
 }  // namespace thinwall

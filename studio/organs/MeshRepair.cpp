@@ -62,20 +62,6 @@ class KeptVertices {
   std::unordered_map<Cell, std::vector<int>, CellHash> cells_;
 };
 
-/// Keeps the triangles that are marked; gives how many were not.
-int keep_marked(RawSurface& surface, const std::vector<bool>& keep) {
-  std::size_t kept = 0;
-  for (std::size_t t = 0; t < keep.size(); ++t) {
-    if (!keep[t]) continue;
-    surface.triangles[kept] = surface.triangles[t];
-    surface.parts[kept] = surface.parts[t];
-    ++kept;
-  }
-  surface.triangles.resize(kept);
-  surface.parts.resize(kept);
-  return static_cast<int>(keep.size() - kept);
-}
-
 MeshTopology topology_of_surface(const RawSurface& surface) {
   return topology_of(static_cast<int>(surface.vertices.size()), surface.triangles);
 }
@@ -220,6 +206,19 @@ double extent_of(const RawSurface& surface) {
   return (high - low).norm();
 }
 
+int keep_marked(RawSurface& surface, const std::vector<bool>& keep) {
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < keep.size(); ++t) {
+    if (!keep[t]) continue;
+    surface.triangles[kept] = surface.triangles[t];
+    surface.parts[kept] = surface.parts[t];
+    ++kept;
+  }
+  surface.triangles.resize(kept);
+  surface.parts.resize(kept);
+  return static_cast<int>(keep.size() - kept);
+}
+
 int weld_vertices(RawSurface& surface, double tolerance) {
   KeptVertices kept(tolerance);
   std::vector<int> target(surface.vertices.size());
@@ -297,7 +296,7 @@ int remove_unused_vertices(RawSurface& surface) {
   return static_cast<int>(place.size()) - kept;
 }
 
-OrientationResult orient_outwards(RawSurface& surface) {
+OrientationResult make_agree(RawSurface& surface) {
   OrientationResult result;
   const MeshTopology topology = topology_of_surface(surface);
   std::vector<bool> turned = senses_from_first(surface, topology, result.orientable);
@@ -312,16 +311,22 @@ OrientationResult orient_outwards(RawSurface& surface) {
     }
     const bool first_was_wrong = 2 * turned_area > area;
     for (const int t : members) {
-      if (first_was_wrong) turned[t] = !turned[t];
-      if (turned[t]) {
-        std::swap(surface.triangles[t][1], surface.triangles[t][2]);
-        ++result.turned;
-      }
+      if (turned[t] == first_was_wrong) continue;
+      std::swap(surface.triangles[t][1], surface.triangles[t][2]);
+      ++result.turned;
     }
-    if (faces_inwards(surface, topology, members)) {
-      for (const int t : members) std::swap(surface.triangles[t][1], surface.triangles[t][2]);
-      ++result.turned_inside;
-    }
+  }
+  return result;
+}
+
+OrientationResult orient_outwards(RawSurface& surface) {
+  OrientationResult result = make_agree(surface);
+  if (!result.orientable) return result;
+  const MeshTopology topology = topology_of_surface(surface);
+  for (const std::vector<int>& members : triangles_by_component(topology)) {
+    if (!faces_inwards(surface, topology, members)) continue;
+    for (const int t : members) std::swap(surface.triangles[t][1], surface.triangles[t][2]);
+    ++result.turned_inside;
   }
   return result;
 }

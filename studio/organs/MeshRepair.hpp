@@ -16,6 +16,9 @@ struct RawSurface {
 /// Length of the bounding box's diagonal; 0 without vertices.
 double extent_of(const RawSurface& surface);
 
+/// Keeps the triangles that are marked, (triangles); gives how many were not.
+int keep_marked(RawSurface& surface, const std::vector<bool>& keep);
+
 /// Makes vertices nearer than `tolerance` to an earlier one the same as that one. Gives how many were at another place;
 /// those at the very same place are no sign of anything, for some formats cannot share a vertex between triangles.
 int weld_vertices(RawSurface& surface, double tolerance);
@@ -37,9 +40,11 @@ struct OrientationResult {
   bool orientable = true;  // false: like a Moebius band, no orientation agrees everywhere
 };
 
-/// Turns the triangles of each component to agree with most of their neighbours' area, then outwards: the enclosed
-/// volume, open loops closed by fans, is positive. A component that encloses nothing keeps the sense of most of its
-/// area.
+/// Turns the triangles of each component to agree with most of its area.
+OrientationResult make_agree(RawSurface& surface);
+
+/// Makes triangles agree, then turns each component outwards: the enclosed volume, open loops closed by fans, is
+/// positive. A component that encloses nothing keeps the sense of most of its area.
 OrientationResult orient_outwards(RawSurface& surface);
 
 /// A part of the surface joined across edges.

@@ -34,6 +34,9 @@ ValueSchema surface_value() {
   mesh.keys = {
       {"mesh", path_value(), true, {}, "file with the stress-free surface"},
       {"unit", unit, false, "m", "length of the file's unit: `mm`, `30 mm`"},
+      {"repair", boolean_value(), false, "false",
+       "mend what is safe to mend: flaps removed, parts that touch split apart, holes of up to 64 edges filled when they "
+       "are not wider than 10 % of the surface"},
   };
   MappingSchema shape{.name = "surface", .documentation = "A shape, centred on the origin."};
   shape.selector = "shape";

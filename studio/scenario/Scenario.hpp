@@ -25,6 +25,7 @@ struct SourceLocation {
 struct MeshFileSource {
   std::filesystem::path file = {};  // absolute or relative to the working directory
   double unit = 1;                  // metres per unit of the file
+  bool repair = false;              // mend what is safe to mend
 };
 
 enum class Shape { kSphere, kHemisphere, kSemicylinder, kSheet, kDisc, kCylinder, kAnnulus, kStrip };

@@ -80,7 +80,7 @@ Region to_region(const CheckedValue& region) {
 
 std::variant<MeshFileSource, ShapeSource> to_surface(const CheckedValue& surface) {
   if (const CheckedValue* mesh = surface.find("mesh")) {
-    return MeshFileSource{mesh->text, surface.at("unit").number};
+    return MeshFileSource{mesh->text, surface.at("unit").number, surface.at("repair").boolean};
   }
   ShapeSource shape{.shape = of_word(surface.at("shape").text, kShapes)};
   shape.triangles = static_cast<int>(surface.at("triangles").number);

@@ -88,6 +88,7 @@ TEST_F(ProgramTest, CheckTellsAllMistakesAsJson) {
   EXPECT_EQ(end.exit_code, 2);
   const nlohmann::json result = nlohmann::json::parse(end.output);
   EXPECT_EQ(result["scenarios"][0]["good"], true);
+  EXPECT_FALSE(result["scenarios"][0]["notes"].empty()) << "of the surface that was made";
   EXPECT_EQ(result["scenarios"][1]["good"], false);
   EXPECT_EQ(result["scenarios"][1]["errors"][0]["file"], "bad.yaml");
   const nlohmann::json& errors = result["scenarios"][1]["errors"];
