@@ -13,6 +13,6 @@ struct Flow {
 /// root alone has no slope at zero. There, Q = coefficient area sqrt(2 / density) p / (p^2 + kLaminarPressure^2)^(1/4).
 Flow orifice_flow(double coefficient, double area, double density, double pressure);
 
-inline constexpr double kLaminarPressure = 0.01;  // pascal
+inline constexpr double kLaminarPressure = 0.1;  // pascal
 
 }  // namespace thinwall

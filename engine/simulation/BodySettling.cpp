@@ -123,6 +123,8 @@ void Body::settle(std::vector<double> load_factors) {
   state_.previous_position = state_.equilibrium.position;
   const EquilibriumTerms& terms = newton_.terms();
   state_.static_force = terms.gradient - terms.volume_gradient * state_.equilibrium.pressure;
+  // What holds a free body until time zero is no load: its fall begins from rest.
+  state_.static_force -= newton_.rigid_force(state_.equilibrium);
   state_.load_force = terms.load_force;
   state_.books.elastic = lasting_part(model_->definition) * terms.strain_energy;
   state_.books.gravity = gravity_energy();

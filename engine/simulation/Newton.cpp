@@ -132,7 +132,9 @@ double Newton::force_scale(const EquilibriumProblem& problem, const EquilibriumT
   for (const Attachment& attachment : problem.attachments) {
     scale = std::max(scale, attachment.force.cwiseAbs().maxCoeff());
   }
-  return scale;
+  // In a short step the inertia springs are stiff, and carry the round-off of the coordinates, some 1e-16 of them.
+  const double round_off = 1e-15 * problem.inertia * model_.mass.maxCoeff() * problem.start.lpNorm<Eigen::Infinity>();
+  return std::max(scale, round_off / 1e-9);
 }
 
 bool Newton::is_solved(const Residual& residual, double force_scale, const NewtonOptions& options) const {

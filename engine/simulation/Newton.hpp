@@ -66,6 +66,9 @@ class Newton {
     return self_contact_.safe_fraction(position, motion);
   }
 
+  /// Force that holds the rigid motions of a free body, (3 vertices), newton, at a state that a solve has reached.
+  Eigen::VectorXd rigid_force(const EquilibriumState& state) const { return -rigid_columns_ * state.rigid_reaction; }
+
   /// Terms at the state that the last solve ended with.
   const EquilibriumTerms& terms() const { return terms_; }
 

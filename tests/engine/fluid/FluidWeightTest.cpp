@@ -1,0 +1,51 @@
+#include "engine/fluid/FluidWeight.hpp"
+
+#include <gtest/gtest.h>
+
+#include "engine/fluid/EnclosedVolume.hpp"
+#include "engine/mesh/Shapes.hpp"
+#include "tests/engine/HyperDual.hpp"
+
+namespace thinwall {
+namespace {
+
+const Eigen::Vector3d kGravity(0.3, -1.2, -9.7);
+
+TEST(FluidWeight, GradientAndHessianAgreeWithExactDerivatives) {
+  const std::array<Eigen::Vector3d, 3> corners = {Eigen::Vector3d(0.3, -0.2, 0.9), Eigen::Vector3d(1.1, 0.4, 0.2),
+                                                  Eigen::Vector3d(-0.5, 0.8, 0.1)};
+  const CornerDerivatives exact = corner_derivatives(
+      [](const auto& x) {
+        auto mean = dot(x[0], cross(x[1], x[2])) * HyperDual(0);
+        for (int k = 0; k < 3; ++k) {
+          for (int axis = 0; axis < 3; ++axis) mean = mean + x[k][axis] * HyperDual(kGravity[axis] / 4);
+        }
+        return mean * dot(x[0], cross(x[1], x[2])) / 6;
+      },
+      corners);
+  const FluidMoment moment = fluid_moment_of(corners, kGravity);
+  EXPECT_NEAR(moment.value, exact.value, 1e-15);
+  EXPECT_LT((moment.gradient - exact.gradient).cwiseAbs().maxCoeff(), 1e-14);
+  EXPECT_LT((moment.hessian - exact.hessian).cwiseAbs().maxCoeff(), 1e-14);
+}
+
+TEST(FluidWeight, OfAClosedSurfaceIsVolumeTimesTheHeightOfItsCentroid) {
+  // A ball of 80 triangles moved away from the origin; and its buoyancy is volume times gravity (Archimedes).
+  const SurfaceMesh mesh = make_sphere(1, 80);
+  const Eigen::Vector3d shift(0.4, 0.1, -2);
+  double value = 0, volume = 0;
+  Eigen::Vector3d push = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3i& t : mesh.triangles) {
+    const std::array<Eigen::Vector3d, 3> corners = {mesh.vertices[t[0]] + shift, mesh.vertices[t[1]] + shift,
+                                                    mesh.vertices[t[2]] + shift};
+    const FluidMoment moment = fluid_moment_of(corners, kGravity);
+    value += moment.value;
+    volume += volume_of(corners);
+    for (int k = 0; k < 3; ++k) push += moment.gradient.segment<3>(3 * k);
+  }
+  EXPECT_NEAR(value, volume * kGravity.dot(shift), 1e-12);
+  EXPECT_LT((push - volume * kGravity).norm(), 1e-12);
+}
+
+}  // namespace
+}  // namespace thinwall

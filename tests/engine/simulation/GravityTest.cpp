@@ -1,0 +1,111 @@
+// Weight of wall and fluid, hydrostatic pressure, and the inertia of the fluid.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "engine/fluid/FluidWeight.hpp"
+#include "engine/mesh/Shapes.hpp"
+#include "tests/engine/simulation/TestBodies.hpp"
+
+namespace thinwall {
+namespace {
+
+constexpr double kG = 9.81;
+
+SimulationOptions heavy(SimulationOptions options) {
+  options.gravity = {0, 0, -kG};
+  return options;
+}
+
+double mass_of(const Body& body) {
+  return body.model().mass.sum() / 3 + body.model().definition.fluid.density * body.state().fluid_volume.sum();
+}
+
+TEST(Gravity, SupportsCarryWallAndFluid) {
+  // What the wall pulls at its border and the pressure, hydrostatic part included, pushes on the base make the weight.
+  Body body(pressurised_hemisphere(256, 300), {}, heavy(quasi_static()));
+  body.settle();
+  Eigen::Vector3d support = support_force(body);
+  const BodyModel& model = body.model();
+  for (std::size_t t = 0; t < model.surface.size(); ++t) {
+    const auto corners =
+        relative_to(model.chambers[0].level, corners_of(model.surface[t], body.state().equilibrium.position));
+    const auto moment = fluid_moment_of(corners, model.definition.fluid.density * Eigen::Vector3d(0, 0, -kG));
+    for (int k = 0; k < 3; ++k) {
+      if (model.fixed[3 * model.surface[t][k]]) support -= moment.gradient.segment<3>(3 * k);
+    }
+  }
+  double held = 0;  // weight of the wall at the border itself, which no equation has
+  for (int v = 0; v < model.vertices(); ++v) held += model.fixed[3 * v] ? model.mass[3 * v] * kG : 0;
+  const double weight = mass_of(body) * kG;
+  EXPECT_NEAR(support.z() + held, weight, 1e-7 * weight);
+  EXPECT_LT(std::hypot(support.x(), support.y()), 1e-7 * weight);
+}
+
+TEST(Gravity, BodyFallsAsOneThing) {
+  // In free fall the pressure is even again, whatever the fluid weighs: nothing deforms, and books show the fall.
+  BodyDefinition definition = make_body(make_sphere(20e-3, 320), 1e-3, neo_hookean(20e3));
+  definition.fluid.initial_pressure = 300;
+  SimulationOptions options = dynamic();
+  Body body(definition, {}, options);
+  body.settle();
+  const Eigen::VectorXd shape = body.state().equilibrium.position;
+  Body falling(definition, {}, heavy(dynamic()));
+  falling.settle();
+  for (int step = 0; step < 20; ++step) falling.advance({}, {}, 2e-3);
+  const Eigen::Vector3d rate = momentum_rate(falling);
+  EXPECT_LT((rate - mass_of(falling) * Eigen::Vector3d(0, 0, -kG)).norm(), 1e-8 * mass_of(falling) * kG);
+  EXPECT_NEAR(falling.state().books.imbalance(), 0, 1e-9 * std::abs(falling.state().books.kinetic));
+}
+
+TEST(Gravity, SwingOfAFluidOnASpringHasItsWholeMass) {
+  // A strip holds a heavy ball of fluid: too stiff to deform, wall and fluid swing as one mass on the wall's ends. The
+  // fluid's kinetic energy is half its mass times the square of its mean velocity.
+  Body body(pressurised_hemisphere(256, 800), {sphere_tool(8e-3)}, dynamic());
+  body.settle();
+  move(body, pose_at({0, 0, 30e-3}), {0, 0, 17e-3}, 13, 2e-3);
+  const BodyState& state = body.state();
+  const Eigen::Vector3d mean = state.fluid_motion[0].velocity / state.fluid_volume[0];
+  const double whole = 0.5 * body.model().definition.fluid.density * state.fluid_volume[0] * mean.squaredNorm();
+  const double wall = 0.5 * body.model().mass.dot(state.velocity.cwiseAbs2());
+  EXPECT_GT(whole, 0);
+  EXPECT_NEAR(state.books.kinetic, whole + wall, 1e-12 * state.books.kinetic);
+}
+
+TEST(Gravity, PressureIsToldAtTheCentroidOfTheStressFreeShape) {
+  // Shifted by metres, as a scan's coordinates may be, nothing changes.
+  std::vector<double> volumes;
+  for (const double shift : {0.0, -1.2}) {
+    BodyDefinition definition = pressurised_hemisphere(256, 300);
+    for (Eigen::Vector3d& vertex : definition.mesh.vertices) vertex.z() += shift;
+    Body body(definition, {}, heavy(quasi_static()));
+    body.settle();
+    EXPECT_NEAR(body.state().equilibrium.pressure[0], 300, 1e-9);
+    volumes.push_back(body.state().volume[0]);
+  }
+  EXPECT_NEAR(volumes[0], volumes[1], 1e-9 * volumes[0]);
+}
+
+TEST(Gravity, BallOfFluidOnItsFixedBottomSags) {
+  BodyDefinition definition = make_body(make_sphere(20e-3, 1280), 1e-3, neo_hookean(20e3));
+  definition.fluid.initial_pressure = 600;
+  definition.fixed = {{.region = BelowRegion{.axis = 2, .at = -18e-3}}};
+  Body light(definition, {}, quasi_static()), body(definition, {}, heavy(quasi_static()));
+  light.settle();
+  body.settle();
+  const auto highest = [](const Body& one) {
+    double top = 0;
+    for (Eigen::Index k = 2; k < one.state().equilibrium.position.size(); k += 3) {
+      top = std::max(top, one.state().equilibrium.position[k]);
+    }
+    return top;
+  };
+  EXPECT_LT(highest(body), highest(light) - 1e-3);
+  EXPECT_LT(body.state().books.gravity, light.state().books.elastic);
+}
+
+}  // namespace
+}  // namespace thinwall
