@@ -1,0 +1,181 @@
+"""Check values of the reference solutions: closed forms, other authors' figures, limits that must hold."""
+from __future__ import annotations
+
+import sys
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+from oracles import (axisymmetric_membrane, drum, fingerpad, fluids, hencky, inflated_sphere,  # noqa: E402
+                     published_shells, spherical_shell, strips, viscoelasticity, wall_laws)
+
+# mu = 2 makes c1 = mu / 2 the unit.
+RUBBER = wall_laws.neo_hookean(2.0)
+
+
+class WallLaws(unittest.TestCase):
+    def test_tensions_are_those_worked_out_by_hand(self):
+        self.assertAlmostEqual(wall_laws.tension(RUBBER, 1.3, 1.1), 2 * (1.3 - 1.3**-3 * 1.1**-2), 13)
+        c1, c2, l = 16.0, 2.0, 1.2
+        self.assertAlmostEqual(wall_laws.tension(wall_laws.mooney_rivlin(c1, c2), l, 1.0), 2 * (c1 + c2) * (l - l**-3), 12)
+
+    def test_laws_agree_where_one_is_a_limit_of_the_other(self):
+        ogden = wall_laws.ogden([(2.0, 2.0)])
+        stiffening = wall_laws.gent(2.0, 1e7)
+        for stretches in [(1.3, 0.9), (2.0, 1.5)]:
+            self.assertAlmostEqual(wall_laws.tension(ogden, *stretches), wall_laws.tension(RUBBER, *stretches), 12)
+            self.assertAlmostEqual(wall_laws.tension(stiffening, *stretches), wall_laws.tension(RUBBER, *stretches), 5)
+
+
+class InflatedSphere(unittest.TestCase):
+    def test_neo_hookean_limit_point(self):
+        self.assertAlmostEqual(inflated_sphere.limit_point(RUBBER), 7 ** (1 / 6), 6)
+
+    def test_pressure_is_the_closed_form(self):
+        law = wall_laws.mooney_rivlin(16e3, 2e3)
+        closed = 4 * 0.5e-3 / 30e-3 * (1 / 1.5 - 1.5**-7) * (16e3 + 2e3 * 1.5**2)
+        self.assertAlmostEqual(inflated_sphere.pressure(law, 0.5e-3, 30e-3, 1.5) / closed, 1, 12)
+
+
+class Fingerpad(unittest.TestCase):
+    def test_force_worked_out_by_hand(self):
+        self.assertAlmostEqual(10e-3 * fingerpad.section(wall_laws.neo_hookean(20e3), 1e-3, 10e-3, 4e-3).force, 0.12665, 5)
+
+    def test_no_depth_leaves_the_circle(self):
+        untouched = fingerpad.section(wall_laws.neo_hookean(20e3), 1e-3, 10e-3, 1e-9)
+        self.assertAlmostEqual(untouched.radius, 10e-3, 8)
+        self.assertLess(abs(untouched.force), 1e-6)
+
+
+class Hencky(unittest.TestCase):
+    def test_factor_is_the_published_one(self):
+        for poisson_ratio, published in [(0, 0.7183), (0.3, 0.6534), (0.4, 0.6263)]:
+            self.assertAlmostEqual(hencky.factor(poisson_ratio), published, delta=6e-5)
+
+
+class Drum(unittest.TestCase):
+    def test_first_frequency_by_the_first_zero(self):
+        self.assertAlmostEqual(drum.frequencies(1, 4, 1)[0], 2.404825557695773 * 2 / (2 * np.pi), 12)
+
+    def test_pull_is_that_of_the_law(self):
+        law = wall_laws.neo_hookean(20e3)
+        self.assertAlmostEqual(drum.tension(20e3, 1e-3, 1.3), 1e-3 * wall_laws.tension(law, 1.3, 1.3) / 1.3, 12)
+
+
+class BallBetweenPlates(unittest.TestCase):
+    def test_force_pressure_and_contact_are_the_check_values(self):
+        checks = {0.05: (0.1693, 1.6085, 0.166), 0.10: (0.4319, 1.6522, 0.262), 0.20: (1.2099, 1.7986, 0.421),
+                  0.30: (2.4486, 2.0452, 0.561), 0.50: (8.2858, 3.0481, 0.846)}
+        balls = axisymmetric_membrane.ball_between_plates(RUBBER, 1.1, list(checks))
+        for ball, (force, pressure, contact) in zip(balls, checks.values()):
+            # Refining the integration moves no digit of ours; the check values of the force carry three and a half.
+            self.assertAlmostEqual(ball.force, force, delta=6e-4 * force)
+            self.assertAlmostEqual(ball.pressure, pressure, delta=1e-4 * pressure)
+            self.assertAlmostEqual(ball.contact_radius / 1.1, contact, delta=1e-3)
+
+
+class InflatedDisc(unittest.TestCase):
+    def test_height_and_pressure_are_the_check_values(self):
+        checks = {1.0525: (0.5, 0.2806), 1.0951: (1.0, 0.3742), 1.2002: (2.0, 0.5312), 1.3932: (3.0, 0.7191)}
+        for stretch, (pressure, height) in checks.items():
+            found = axisymmetric_membrane.inflated_disc(RUBBER, stretch)
+            self.assertAlmostEqual(found[0], pressure, delta=2e-3)
+            self.assertAlmostEqual(found[1], height, delta=2e-4)
+
+    def test_pressure_is_largest_near_a_stretch_of_2_20(self):
+        pressures = {l: axisymmetric_membrane.inflated_disc(RUBBER, l)[0] for l in (2.1, 2.2, 2.3)}
+        self.assertAlmostEqual(pressures[2.2], 3.758, delta=1e-3)
+        self.assertLess(pressures[2.1], pressures[2.2])
+        self.assertLess(pressures[2.3], pressures[2.2])
+
+
+class DropOnPlane(unittest.TestCase):
+    def test_floor_bears_the_contents(self):
+        drop = axisymmetric_membrane.drop_on_plane(RUBBER, 1.2, 0.8)
+        bears = np.pi * drop.contact_radius**2 * drop.pressure_at_floor
+        self.assertAlmostEqual(bears / (0.8 * 4 / 3 * np.pi * 1.2**3), 1, 6)
+
+    def test_light_contents_leave_a_ball(self):
+        drop = axisymmetric_membrane.drop_on_plane(RUBBER, 1.2, 1e-3)
+        self.assertAlmostEqual(drop.height, 2.4, delta=5e-3)
+        self.assertAlmostEqual(drop.largest_radius, 1.2, delta=1e-3)
+
+
+class Viscoelasticity(unittest.TestCase):
+    TERMS = [(0.3, 0.2), (0.2, 2.0)]
+
+    def test_moduli_are_the_transform_of_the_relaxation(self):
+        frequency = 0.7
+        omega = 2 * np.pi * frequency
+        time = np.linspace(0, 60, 600001)
+        rest = 0.5
+        decay = viscoelasticity.relaxation(self.TERMS, time) - rest
+        storage, loss = viscoelasticity.storage_and_loss(self.TERMS, frequency)
+        self.assertAlmostEqual(storage, rest + omega * np.trapz(decay * np.sin(omega * time), time), 6)
+        self.assertAlmostEqual(loss, omega * np.trapz(decay * np.cos(omega * time), time), 6)
+
+    def test_creep_undoes_relaxation(self):
+        """The convolution of the relaxation with the rate of creep is a constant stress."""
+        f, tau, end = 0.3, 0.2, 0.5
+        time = np.linspace(0, end, 100001)
+        strain = viscoelasticity.creep(f, tau, time)
+        stress = viscoelasticity.relaxation([(f, tau)], end) * strain[0] + np.trapz(
+            viscoelasticity.relaxation([(f, tau)], end - time) * np.gradient(strain, time), time)
+        self.assertAlmostEqual(stress, 1, 8)
+
+
+class Fluids(unittest.TestCase):
+    def test_orifice_empties_as_torricelli_says(self):
+        """Rising and falling heads of equal slope: the root of the difference falls linearly."""
+        slope, area, density = 1e9, 1e-6, 1000.0
+        volumes = fluids.two_chambers((lambda v: slope * v, lambda v: slope * v), (2e-6, 1e-6), area, 0.6, density,
+                                      np.array([0.2]))
+        drop = (np.sqrt(slope * 1e-6) - slope * 0.6 * area * np.sqrt(2 / density) * 0.2) ** 2
+        self.assertAlmostEqual(slope * (volumes[0, 0] - volumes[1, 0]) / drop, 1, 6)
+
+    def test_weightless_tank_is_an_arc_of_a_circle_under_even_pressure(self):
+        law = wall_laws.neo_hookean(20e3)
+        pull, pressure, points = fluids.tank_with_membrane_side(law, 1e-3, 20e-3, 0, 1.3)
+        middle = points[1].max() - pull / pressure
+        self.assertLess(np.max(np.abs(np.hypot(points[0], points[1] - middle) - pull / pressure)), 1e-9)
+
+    def test_tank_is_held_by_its_edges(self):
+        """Gravity on the area and the pull of both edges balance along x: the rigid side pushes along z."""
+        law, weight = wall_laws.neo_hookean(20e3), 500.0
+        pull, _, points = fluids.tank_with_membrane_side(law, 1e-3, 20e-3, weight, 1.3)
+        first = np.diff(points[:, :2]).ravel() / np.linalg.norm(np.diff(points[:, :2]))
+        last = np.diff(points[:, -2:]).ravel() / np.linalg.norm(np.diff(points[:, -2:]))
+        self.assertAlmostEqual(pull * (first[0] - last[0]) / (weight * 1.3 * np.pi * 20e-3**2 / 2), -1, delta=1e-2)
+
+
+class Strips(unittest.TestCase):
+    def test_both_bear_the_same_force_and_fill_the_length(self):
+        laws = (wall_laws.neo_hookean(20e3), wall_laws.mooney_rivlin(30e3, 5e3))
+        first, second, force = strips.in_series(laws, (1e-3, 0.5e-3), (20e-3, 30e-3), 15e-3)
+        self.assertAlmostEqual(20 * first + 30 * second, 65, 10)
+        self.assertAlmostEqual(force / (0.5e-3 * 70e3 * (second - second**-3)), 1, 10)
+
+
+class SphericalShell(unittest.TestCase):
+    def test_relative_stiffness_is_the_check_value(self):
+        for tau, ratio in [(0, 1), (1, 1.5708), (5, 3.3568)]:
+            self.assertAlmostEqual(spherical_shell.relative_stiffness(tau), ratio, 4)
+        self.assertAlmostEqual(spherical_shell.relative_stiffness(1.0001), np.pi / 2, 3)
+
+
+class PublishedShells(unittest.TestCase):
+    def test_cantilever_begins_as_the_straight_beam(self):
+        """P L^3 / (3 E I) at a tenth of the load; its own bending takes less than two per cent off."""
+        linear = 0.4 * 10**3 / (3 * 1.2e6 * 0.1**3 / 12)
+        self.assertLess(published_shells.CANTILEVER[0][2] / linear, 1)
+        self.assertGreater(published_shells.CANTILEVER[0][2] / linear, 0.98)
+
+    def test_a_moment_of_two_pi_stiffnesses_per_length_closes_the_circle(self):
+        self.assertAlmostEqual(published_shells.roll_up(3.0, 12.0, 2 * np.pi * 3.0 / 12.0), 2 * np.pi, 12)
+
+
+if __name__ == "__main__":
+    unittest.main()
