@@ -11,10 +11,10 @@
 namespace thinwall {
 namespace {
 
-/// Range of the potentials and margin of the list, as parts of the mean edge length. Their sum (twice the margin) stays
-/// below the height of a regular triangle, 0.87: a smooth wall then lists nothing.
-constexpr double kRange = 0.5;
-constexpr double kMargin = 0.1;
+/// Largest range of the potentials and margin of the list, as parts of the mean edge length. Range and twice the margin
+/// stay below the height of a regular triangle, 0.87: a smooth wall then lists nothing.
+constexpr double kRange = 0.4;
+constexpr double kMargin = 0.15;
 
 /// Part of the stress-free distance of a pair at which it begins to feel each other.
 constexpr double kRestRange = 0.5;
@@ -22,9 +22,11 @@ constexpr double kRestRange = 0.5;
 /// Stress-free distances below this part of the mean edge length count as touching.
 constexpr double kTouching = 1e-6;
 
-PairCorners corners_at(const Eigen::Vector4i& vertices, const Eigen::VectorXd& vectors) {
-  return {vectors.segment<3>(3 * vertices[0]), vectors.segment<3>(3 * vertices[1]), vectors.segment<3>(3 * vertices[2]),
-          vectors.segment<3>(3 * vertices[3])};
+bool share_vertex(const Eigen::Vector3i& one, const Eigen::Vector3i& other) {
+  for (const int vertex : one) {
+    if (vertex == other[0] || vertex == other[1] || vertex == other[2]) return true;
+  }
+  return false;
 }
 
 Eigen::Vector3d mean_of(const Eigen::VectorXd& vectors) {
@@ -46,6 +48,7 @@ SelfContact::SelfContact(const SelfContactDefinition& definition)
   }
   measure_parts(definition);
   measure_heights(definition);
+  gather_stars();
   list_near(rest_position_);
 }
 
@@ -130,6 +133,7 @@ void SelfContact::list_near(const Eigen::VectorXd& position) {
   near_.clear();
   tree_.fit(position);
   tree_.visit_near(largest_range_ + 2 * margin_, [&](int triangle, int other) {
+    if (share_vertex(triangles_[triangle], triangles_[other])) return;
     visit_parts(triangle, other,
                 [&](PairKind kind, const Eigen::Vector4i& vertices) { list_if_near(kind, vertices, position); });
   });
@@ -137,11 +141,8 @@ void SelfContact::list_near(const Eigen::VectorXd& position) {
   ++listings_;
 }
 
-void SelfContact::list_if_near(PairKind kind, const Eigen::Vector4i& vertices, const Eigen::VectorXd& position) {
-  const double distance = pair_distance(kind, corners_at(vertices, position)).distance;
-  if (distance > largest_range_ + 2 * margin_) return;
+NearPair SelfContact::describe(PairKind kind, const Eigen::Vector4i& vertices) const {
   const PairCorners rest = corners_at(vertices, rest_position_);
-  const double rest_distance = pair_distance(kind, rest).distance;
   double thickness = 0, area = 0;
   for (const int vertex : vertices) thickness += 0.25 * vertex_thickness_[vertex];
   // Each place of the wall is counted by its points and by its edges (three to a point), and once from either side.
@@ -150,13 +151,43 @@ void SelfContact::list_if_near(PairKind kind, const Eigen::Vector4i& vertices, c
   } else {
     for (const int vertex : vertices) area += 0.25 / 12 * vertex_area_[vertex];
   }
-  const double range = std::min({thickness, largest_range_, kRestRange * rest_distance});
-  if (distance > range + 2 * margin_ || touches_at_rest(kind, vertices)) return;
-  near_.push_back({.kind = kind,
-                   .vertices = vertices,
-                   .range = range,
-                   .area = area,
-                   .parallel = kind == PairKind::kEdgeEdge ? parallel_bound(rest) : 0});
+  return {.kind = kind,
+          .vertices = vertices,
+          .range = std::min({thickness, largest_range_, kRestRange * pair_distance(kind, rest).distance}),
+          .area = area,
+          .parallel = kind == PairKind::kEdgeEdge ? parallel_bound(rest) : 0};
+}
+
+void SelfContact::list_if_near(PairKind kind, const Eigen::Vector4i& vertices, const Eigen::VectorXd& position) {
+  const double distance = pair_distance(kind, corners_at(vertices, position)).distance;
+  if (distance > largest_range_ + 2 * margin_) return;
+  const NearPair pair = describe(kind, vertices);
+  if (distance <= pair.range + 2 * margin_ && !touches_at_rest(kind, vertices)) near_.push_back(pair);
+}
+
+void SelfContact::gather_stars() {
+  std::vector<std::vector<int>> around(held_.size());
+  for (std::size_t t = 0; t < triangles_.size(); ++t) {
+    for (const int vertex : triangles_[t]) around[vertex].push_back(static_cast<int>(t));
+  }
+  std::vector<std::vector<NearPair>> pairs(held_.size());
+  for (std::size_t v = 0; v < around.size(); ++v) {
+    for (std::size_t i = 0; i < around[v].size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        const int one = around[v][j], other = around[v][i];
+        // Triangles with an edge in common belong to the star of its lower vertex.
+        int lowest = std::numeric_limits<int>::max();
+        for (const int vertex : triangles_[one]) {
+          if ((triangles_[other].array() == vertex).any()) lowest = std::min(lowest, vertex);
+        }
+        if (lowest != static_cast<int>(v)) continue;
+        visit_parts(one, other, [&](PairKind kind, const Eigen::Vector4i& vertices) {
+          if (!touches_at_rest(kind, vertices)) pairs[v].push_back(describe(kind, vertices));
+        });
+      }
+    }
+  }
+  stars_ = StarPairs(triangles_, std::move(pairs), 2 * margin_, rest_position_);
 }
 
 bool SelfContact::touches_at_rest(PairKind kind, const Eigen::Vector4i& vertices) const {
@@ -179,16 +210,21 @@ double SelfContact::safe_fraction_above_floors(const Eigen::VectorXd& position, 
 
 double SelfContact::safe_fraction(const Eigen::VectorXd& position, const Eigen::VectorXd& motion) {
   double fraction = safe_fraction_above_floors(position, motion);
+  fraction = std::min(fraction, stars_.safe_fraction(position, motion));
   const auto fraction_of = [&](PairKind kind, const Eigen::Vector4i& vertices) {
     return thinwall::safe_fraction(kind, corners_at(vertices, position), corners_at(vertices, motion));
   };
-  // What is not listed stays out of range as long as the list covers both ends of the motion.
+  // What is not listed stays out of range as long as the list covers both ends of the motion: one that is made for
+  // the middle covers twice its margin.
+  const double length = (motion.reshaped(3, motion.size() / 3).colwise() - mean_of(motion)).colwise().norm().maxCoeff();
+  if (!(covers(position) && covers(position + motion)) && length < 1.8 * margin_) list_near(position + 0.5 * motion);
   if (covers(position) && covers(position + motion)) {
     for (const NearPair& pair : near_) fraction = std::min(fraction, fraction_of(pair.kind, pair.vertices));
     return fraction;
   }
   tree_.fit(position, motion);
   tree_.visit_meeting([&](int triangle, int other) {
+    if (share_vertex(triangles_[triangle], triangles_[other])) return;
     visit_parts(triangle, other, [&](PairKind kind, const Eigen::Vector4i& vertices) {
       const double one = fraction_of(kind, vertices);
       if (one < fraction && !touches_at_rest(kind, vertices)) fraction = one;
@@ -197,15 +233,27 @@ double SelfContact::safe_fraction(const Eigen::VectorXd& position, const Eigen::
   return fraction;
 }
 
+template <typename Visit>
+void SelfContact::visit_near(const Visit& visit) const {
+  stars_.visit_near(visit);
+  for (const NearPair& pair : near_) visit(pair);
+}
+
 void SelfContact::evaluate(const Eigen::VectorXd& position, SelfContactTerms& terms, Eigen::VectorXd& gradient) {
   terms.energy = terms.largest_force = 0;
   terms.folds.clear();
   terms.floors.clear();
+  stars_.refresh(position);
   if (!covers(position)) list_near(position);
-  for (const NearPair& near : near_) {
+  add_folds(position, terms, gradient);
+  add_floors(position, terms, gradient);
+}
+
+void SelfContact::add_folds(const Eigen::VectorXd& position, SelfContactTerms& terms, Eigen::VectorXd& gradient) const {
+  visit_near([&](const NearPair& near) {
     const PairCorners corners = corners_at(near.vertices, position);
     const PairDistance closest = pair_distance(near.kind, corners);
-    if (closest.distance >= near.range) continue;
+    if (closest.distance >= near.range) return;
     const FoldContact contact{.vertices = near.vertices,
                               .pair = {.kind = near.kind,
                                        .corners = corners,
@@ -217,7 +265,11 @@ void SelfContact::evaluate(const Eigen::VectorXd& position, SelfContactTerms& te
     for (int k = 0; k < 4; ++k) gradient.segment<3>(3 * near.vertices[k]) += part.gradient.segment<3>(3 * k);
     terms.largest_force = std::max(terms.largest_force, part.gradient.cwiseAbs().maxCoeff());
     terms.folds.push_back(contact);
-  }
+  });
+}
+
+void SelfContact::add_floors(const Eigen::VectorXd& position, SelfContactTerms& terms,
+                             Eigen::VectorXd& gradient) const {
   for (std::size_t f = 0; f < floors_.size(); ++f) {
     for (std::size_t v = 0; v < held_.size(); ++v) {
       if (heights_[f][v] == 0) continue;
@@ -237,16 +289,22 @@ void SelfContact::evaluate(const Eigen::VectorXd& position, SelfContactTerms& te
   }
 }
 
+std::size_t SelfContact::listed() const {
+  std::size_t count = 0;
+  visit_near([&](const NearPair&) { ++count; });
+  return count;
+}
+
 std::vector<std::array<int, 2>> SelfContact::near_couplings() const {
   std::vector<std::array<int, 2>> couplings;
-  for (const NearPair& pair : near_) {
+  visit_near([&](const NearPair& pair) {
     for (int a = 0; a < 4; ++a) {
       for (int b = 0; b < a; ++b) {
         const auto [low, high] = std::minmax(pair.vertices[a], pair.vertices[b]);
         couplings.push_back({low, high});
       }
     }
-  }
+  });
   std::sort(couplings.begin(), couplings.end());
   couplings.erase(std::unique(couplings.begin(), couplings.end()), couplings.end());
   return couplings;

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "engine/contact/FoldPotential.hpp"
+#include "engine/contact/NearPair.hpp"
+#include "engine/contact/StarPairs.hpp"
 #include "engine/contact/TriangleTree.hpp"
 #include "engine/mesh/SurfaceMesh.hpp"
 
@@ -51,14 +53,15 @@ struct SelfContactTerms {
 /// Keeps a wall from passing through itself and through the floors.
 ///
 /// Mid-surfaces feel each other at distances below the range, which is for each pair of parts the smallest of the
-/// wall's thickness there, half the mean edge length of the mesh, and half of the distance that the two have in the
+/// wall's thickness there, 0.4 of the mean edge length of the mesh, and half of the distance that the two have in the
 /// stress-free shape: neighbours do not feel each other unless the wall crumples, nor does a fine mesh. Parts that
 /// touch in the stress-free shape are left alone. The force grows without bound as the distance goes to zero, and
 /// `safe_fraction` keeps every motion from jumping over it, so that a wall that is free of intersections stays so.
 ///
-/// Near pairs are listed with a margin and the list is kept until a vertex (less the mean motion of all) has moved by
-/// the margin, so that a wall with nothing near pays a scan over its vertices only. Results do not depend on the list:
-/// pairs out of range contribute nothing, and the others come in an order that the mesh alone determines.
+/// Pairs whose triangles share no vertex are listed with a margin, and the list is kept until a vertex (less the mean
+/// motion of all) has moved by the margin; for the others see StarPairs. So a wall with nothing near pays a look at
+/// each vertex and edge only. Results do not depend on the lists: pairs out of range contribute nothing, and the others
+/// come in an order that the mesh alone determines.
 class SelfContact {
  public:
   explicit SelfContact(const SelfContactDefinition& definition);
@@ -75,27 +78,28 @@ class SelfContact {
 
   /// Times that the near pairs were listed, and how many there are.
   long listings() const { return listings_; }
-  std::size_t listed() const { return near_.size(); }
+  std::size_t listed() const;
 
  private:
-  struct NearPair {
-    PairKind kind;
-    Eigen::Vector4i vertices;
-    double range, area, parallel;
-  };
   struct Parts {
     std::vector<int> vertices;
     std::vector<std::array<int, 2>> edges;
   };
 
   void measure_parts(const SelfContactDefinition& definition);
+  void gather_stars();
   void measure_heights(const SelfContactDefinition& definition);
   bool covers(const Eigen::VectorXd& position) const;
   void list_near(const Eigen::VectorXd& position);
   template <typename Visit>
   void visit_parts(int triangle, int other, const Visit& visit) const;
   bool touches_at_rest(PairKind kind, const Eigen::Vector4i& vertices) const;
+  NearPair describe(PairKind kind, const Eigen::Vector4i& vertices) const;
   void list_if_near(PairKind kind, const Eigen::Vector4i& vertices, const Eigen::VectorXd& position);
+  template <typename Visit>
+  void visit_near(const Visit& visit) const;
+  void add_folds(const Eigen::VectorXd& position, SelfContactTerms& terms, Eigen::VectorXd& gradient) const;
+  void add_floors(const Eigen::VectorXd& position, SelfContactTerms& terms, Eigen::VectorXd& gradient) const;
   double safe_fraction_above_floors(const Eigen::VectorXd& position, const Eigen::VectorXd& motion) const;
 
   std::vector<Eigen::Vector3i> triangles_;
@@ -111,7 +115,8 @@ class SelfContact {
   double largest_range_ = 0;  // metres
   double margin_ = 0;         // metres
   TriangleTree tree_;
-  std::vector<NearPair> near_;
+  StarPairs stars_;
+  std::vector<NearPair> near_;       // of triangles without a vertex in common
   Eigen::VectorXd listed_position_;  // (3 vertices), metres, at which `near_` was listed
   long listings_ = 0;
 };

@@ -109,5 +109,57 @@ void PalpationStep(benchmark::State& state) {
 }
 BENCHMARK(PalpationStep)->Apply(sizes);
 
+/// What contact of the wall with itself costs where nothing is near: the look at every vertex that each evaluation
+/// takes, and the listing of near pairs once the wall has moved by a tenth of an edge.
+void SelfContactScan(benchmark::State& state) {
+  const BodyModel model = make_body_model(ball(static_cast<int>(state.range(0))));
+  SelfContact contact(self_contact_of(model));
+  SelfContactTerms terms;
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(model.rest_position.size());
+  for (auto _ : state) {
+    contact.evaluate(model.rest_position, terms, gradient);
+    benchmark::DoNotOptimize(terms.energy);
+  }
+}
+BENCHMARK(SelfContactScan)->Apply(sizes);
+
+void SelfContactListing(benchmark::State& state) {
+  const BodyModel model = make_body_model(ball(static_cast<int>(state.range(0))));
+  SelfContact contact(self_contact_of(model));
+  SelfContactTerms terms;
+  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(model.rest_position.size());
+  double stretch = 1;
+  for (auto _ : state) {
+    stretch = stretch == 1 ? 1.1 : 1;
+    contact.evaluate(stretch * model.rest_position, terms, gradient);
+    benchmark::DoNotOptimize(terms.energy);
+  }
+}
+BENCHMARK(SelfContactListing)->Apply(sizes);
+
+/// The longest motion without contact, of a body blown up by half: every pair of boxes on the way is looked at.
+void SelfContactLongMotion(benchmark::State& state) {
+  const BodyModel model = make_body_model(ball(static_cast<int>(state.range(0))));
+  SelfContact contact(self_contact_of(model));
+  const Eigen::VectorXd motion = 0.5 * model.rest_position;
+  for (auto _ : state) benchmark::DoNotOptimize(contact.safe_fraction(model.rest_position, motion));
+}
+BENCHMARK(SelfContactLongMotion)->Apply(sizes);
+
+/// Pressed flat onto itself: evaluation with contacts everywhere.
+void SelfContactFlattened(benchmark::State& state) {
+  const BodyModel model = make_body_model(ball(static_cast<int>(state.range(0))));
+  SelfContact contact(self_contact_of(model));
+  SelfContactTerms terms;
+  Eigen::VectorXd position = model.rest_position, gradient = Eigen::VectorXd::Zero(position.size());
+  for (Eigen::Index k = 2; k < position.size(); k += 3) position[k] *= 0.01;
+  for (auto _ : state) {
+    contact.evaluate(position, terms, gradient);
+    benchmark::DoNotOptimize(terms.energy);
+  }
+  state.counters["pairs"] = static_cast<double>(terms.folds.size());
+}
+BENCHMARK(SelfContactFlattened)->Apply(sizes);
+
 }  // namespace
 }  // namespace thinwall

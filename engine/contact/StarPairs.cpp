@@ -1,0 +1,91 @@
+#include "engine/contact/StarPairs.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "engine/contact/ContinuousCollision.hpp"
+
+namespace thinwall {
+namespace {
+
+Eigen::Vector3d offset_at(const Eigen::VectorXd& position, int center, int vertex) {
+  return position.segment<3>(3 * vertex) - position.segment<3>(3 * center);
+}
+
+}  // namespace
+
+StarPairs::StarPairs(std::span<const Eigen::Vector3i> triangles, std::vector<std::vector<NearPair>> pairs,
+                     double margin, const Eigen::VectorXd& position)
+    : margin_(margin) {
+  std::vector<std::vector<int>> rings(pairs.size());
+  for (const Eigen::Vector3i& triangle : triangles) {
+    for (int k = 0; k < 3; ++k) {
+      rings[triangle[k]].push_back(triangle[(k + 1) % 3]);
+      rings[triangle[k]].push_back(triangle[(k + 2) % 3]);
+    }
+  }
+  for (std::size_t v = 0; v < pairs.size(); ++v) {
+    if (pairs[v].empty()) continue;
+    std::sort(rings[v].begin(), rings[v].end());
+    rings[v].erase(std::unique(rings[v].begin(), rings[v].end()), rings[v].end());
+    Star& star = stars_.emplace_back();
+    star.center = static_cast<int>(v);
+    star.ring = std::move(rings[v]);
+    star.offsets.resize(star.ring.size());
+    star.pairs = std::move(pairs[v]);
+    measure(position, star);
+  }
+}
+
+void StarPairs::measure(const Eigen::VectorXd& position, Star& star) const {
+  for (std::size_t k = 0; k < star.ring.size(); ++k) star.offsets[k] = offset_at(position, star.center, star.ring[k]);
+  star.near.clear();
+  star.slack = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < star.pairs.size(); ++k) {
+    const NearPair& pair = star.pairs[k];
+    const double room = pair_distance(pair.kind, corners_at(pair.vertices, position)).distance - pair.range;
+    if (room < margin_) {
+      star.near.push_back(static_cast<int>(k));
+    } else {
+      star.slack = std::min(star.slack, room);
+    }
+  }
+}
+
+void StarPairs::refresh(const Eigen::VectorXd& position) {
+  for (Star& star : stars_) {
+    // Two vertices of a star move relative to each other by twice what they move relative to the centre at most.
+    const double allowed = 0.25 * star.slack * star.slack;
+    for (std::size_t k = 0; k < star.ring.size(); ++k) {
+      if ((offset_at(position, star.center, star.ring[k]) - star.offsets[k]).squaredNorm() < allowed) continue;
+      measure(position, star);
+      break;
+    }
+  }
+}
+
+double StarPairs::safe_fraction(const Eigen::VectorXd& position, const Eigen::VectorXd& motion) const {
+  double fraction = 1;
+  const auto limit = [&](const NearPair& pair) {
+    fraction = std::min(fraction, thinwall::safe_fraction(pair.kind, corners_at(pair.vertices, position),
+                                                          corners_at(pair.vertices, motion)));
+  };
+  for (const Star& star : stars_) {
+    const double allowed = 0.25 * star.slack * star.slack;
+    bool covered = true;
+    for (std::size_t k = 0; covered && k < star.ring.size(); ++k) {
+      const Eigen::Vector3d before = offset_at(position, star.center, star.ring[k]) - star.offsets[k];
+      const Eigen::Vector3d after = before + offset_at(motion, star.center, star.ring[k]);
+      covered = before.squaredNorm() < allowed && after.squaredNorm() < allowed;
+    }
+    if (covered) {
+      for (const int pair : star.near) limit(star.pairs[pair]);
+    } else {
+      for (const NearPair& pair : star.pairs) limit(pair);
+    }
+  }
+  return fraction;
+}
+
+}  // namespace thinwall
