@@ -1,0 +1,4 @@
+"""The table of cases: a case is a row here, a scenario in scenes/validation and a reference in oracles."""
+from . import contact, fingerpads, rubber
+
+CASES = [*rubber.CASES, *fingerpads.CASES, *contact.CASES]

@@ -1,0 +1,55 @@
+"""Tools of a size against membranes."""
+from __future__ import annotations
+
+import numpy as np
+from scipy.optimize import brentq
+
+from oracles import drum
+from suite.case import Case, Comparison, Quantity
+from suite.program import Program
+
+FINEST_HEMISPHERE = 16384
+
+
+def compare_hemisphere(program: Program, triangles: int) -> Comparison:
+    coarse = program.run("hemisphere", triangles=triangles)
+    fine = program.run("hemisphere", triangles=FINEST_HEMISPHERE)
+    probe, finest = coarse.tool("probe"), fine.tool("probe")
+    steps = np.flatnonzero(finest["depth_m"] > 0.9e-3)
+    depth = 1e3 * finest["depth_m"][steps]
+    # The crown is a vertex of every mesh, so all meshes are touched at the same time.
+    return Comparison([
+        Quantity("force", "depth, mm", "N", depth, probe["fz_N"][steps], finest["fz_N"][steps],
+                 scale=float(finest["fz_N"][steps[-1]])),
+        Quantity("pressure", "depth, mm", "Pa", depth, coarse.body("organ")["pressure_Pa"][steps],
+                 fine.body("organ")["pressure_Pa"][steps])])
+
+
+def compare_drum(program: Program, triangles: int) -> Comparison:
+    ball = program.run("drum_under_ball", triangles=triangles).tool("ball")
+    radius = 20e-3
+    pull = drum.tension(50e3, 0.5e-3, 1.3)
+
+    def contact(depth: float) -> float:
+        return brentq(lambda c: drum.indentation(radius, radius, pull, c)[0] - depth, 1e-6, 0.2 * radius)
+
+    first, last = (drum.indentation(radius, radius, pull, part * radius)[0] for part in (0.04, 0.1))
+    steps = np.flatnonzero((ball["depth_m"] >= first) & (ball["depth_m"] <= last))
+    depths = ball["depth_m"][steps]
+    radii = np.array([contact(depth) for depth in depths])
+    forces = np.array([drum.indentation(radius, radius, pull, c)[1] for c in radii])
+    across = 0.1 * radius / (radius / np.sqrt(triangles / 6))
+    return Comparison(
+        [Quantity("force", "depth, mm", "mN", 1e3 * depths, 1e3 * ball["fz_N"][steps], 1e3 * forces),
+         Quantity("contact radius", "depth, mm", "mm", 1e3 * depths, 1e3 * np.sqrt(ball["contact_area_m2"][steps] / np.pi),
+                  1e3 * radii)],
+        [f"{across:.1f} elements across the largest contact radius, {0.4 * across:.1f} across the smallest. The reference is "
+         "that of small slopes and constant tension."])
+
+
+CASES = [
+    Case("drum_under_ball", "Pretensioned drum under a ball", "closed form, small slopes",
+         "force for c/R from 0.04 to 0.10, growth of the contact", 0.02, (15000, 60000, 135000), compare_drum),
+    Case("hemisphere", "The published hemisphere", "own finest mesh (16 384 triangles)",
+         "force and pressure under a ball, to 4 mm", None, (64, 256, 1024, 4096), compare_hemisphere),
+]

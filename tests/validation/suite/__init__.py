@@ -1,0 +1,1 @@
+"""Runs cases through the program and reports how near the engine comes to their references."""

@@ -1,0 +1,99 @@
+"""Runs scenarios with the program and reads what they leave."""
+from __future__ import annotations
+
+import csv
+import subprocess
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+ROOT = Path(__file__).resolve().parents[3]
+SCENES = ROOT / "scenes" / "validation"
+
+
+class RunFailed(Exception):
+    """The program did not run a scenario to its end."""
+
+
+@dataclass(frozen=True)
+class Records:
+    """What a run left in its folder."""
+
+    folder: Path
+
+    def _rows(self, file: str, key: str, name: str) -> list[dict[str, str]]:
+        with open(self.folder / file, newline="", encoding="utf-8") as stream:
+            rows = [row for row in csv.DictReader(stream) if row[key] == name]
+        if not rows:
+            raise RunFailed(f"{file} has no row of {name}")
+        return rows
+
+    def body(self, name: str) -> dict[str, np.ndarray]:
+        """Columns of body.csv: (steps) each."""
+        rows = self._rows("body.csv", "body", name)
+        return {column: np.array([float(row[column]) for row in rows]) for column in rows[0] if column != "body"}
+
+    def tool(self, name: str) -> dict[str, np.ndarray]:
+        """Columns of forces.csv: (steps) each; `phase` as texts."""
+        rows = self._rows("forces.csv", "tool", name)
+        return {column: np.array([row[column] if column == "phase" else float(row[column]) for row in rows])
+                for column in rows[0] if column != "tool"}
+
+    def point(self, body: str, name: str) -> dict[str, np.ndarray]:
+        """Columns of points.csv of a recorded point of a body: (steps) each."""
+        with open(self.folder / "points.csv", newline="", encoding="utf-8") as stream:
+            rows = [row for row in csv.DictReader(stream) if row["body"] == body and row["point"] == name]
+        if not rows:
+            raise RunFailed(f"points.csv has no row of {body}.{name}")
+        return {column: np.array([float(row[column]) for row in rows])
+                for column in rows[0] if column not in ("body", "point")}
+
+    def surface(self, body: str) -> "Surface":
+        with h5py.File(self.folder / "take.h5") as take:
+            epoch = take["surfaces"][body]["epoch_0"]
+            return Surface(time=take["time"][:], rest=epoch["rest_positions"][:].astype(float),
+                           triangles=epoch["triangles"][:].astype(int), positions=epoch["positions"][:].astype(float))
+
+
+@dataclass(frozen=True)
+class Surface:
+    time: np.ndarray  # (steps), seconds
+    rest: np.ndarray  # (vertices x 3), metres
+    triangles: np.ndarray  # (triangles x 3)
+    positions: np.ndarray  # (steps x vertices x 3), metres
+
+    def nearest(self, point) -> int:
+        """The vertex whose stress-free position is nearest to a point (metres)."""
+        return int(np.argmin(np.linalg.norm(self.rest - np.asarray(point), axis=1)))
+
+
+class Program:
+    """Runs `thinwall run --no-render`, each scenario with the same settings once."""
+
+    def __init__(self, executable: Path, out: Path):
+        self.executable = executable
+        self.out = out
+        self.seconds = 0.0  # wall time of all runs
+        self._done: dict[tuple, Records] = {}
+
+    def run(self, scenario: str, **settings) -> Records:
+        key = (scenario, tuple(sorted((name, str(value)) for name, value in settings.items())))
+        if key not in self._done:
+            self._done[key] = self._run(scenario, settings)
+        return self._done[key]
+
+    def _run(self, scenario: str, settings: dict) -> Records:
+        folder = self.out / "runs" / "-".join([scenario, *(f"{name}={value}" for name, value in settings.items())])
+        command = [str(self.executable), "run", str(SCENES / f"{scenario}.yaml"), "--no-render", "--out", str(folder)]
+        for name, value in settings.items():
+            command += ["--set", f"{name}={value}"]
+        begin = time.monotonic()
+        outcome = subprocess.run(command, capture_output=True, text=True, check=False)
+        self.seconds += time.monotonic() - begin
+        if outcome.returncode != 0:
+            lines = [line for line in outcome.stderr.splitlines() if line.strip()]
+            raise RunFailed(f"exit code {outcome.returncode}: " + " ".join(lines[-3:]))
+        return Records(folder)
