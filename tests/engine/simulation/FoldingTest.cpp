@@ -141,6 +141,27 @@ TEST(FoldingWall, OfACylinderMeetsItsOtherSideUnderABall) {
   EXPECT_LT(passage.worst_imbalance, 1e-7 * passage.largest_energy);
 }
 
+TEST(FoldingWall, OfAnOpenTubeSettlesOnItselfUnderItsWeight) {
+  // A soft tube without contents lies in a bed up to half its height: its upper half comes to lie in the lower one.
+  BodyDefinition definition = make_body(make_cylinder(10e-3, 20e-3, 240), 0.5e-3, neo_hookean(2e3));
+  definition.fixed = {{.region = BelowRegion{.axis = 2, .at = 0.1e-3}}};
+  definition.fluid.kind = FluidKind::kNone;
+  SimulationOptions options = dynamic();
+  options.gravity = {0, 0, -9.81};
+  Body body(definition, {}, options);
+  body.settle();
+  EXPECT_GT(body.fold_count(), 100U);
+  EXPECT_LT(body.state().equilibrium.position.reshaped(3, body.model().vertices()).row(2).maxCoeff(), 1e-3);
+  Passage passage;
+  for (int step = 0; step < 20; ++step) {
+    body.advance({}, {}, 5e-3);
+    passage.note(body);
+  }
+  EXPECT_EQ(passage.intersections, 0);
+  // It lies still: what settling found is an equilibrium, in which contact bears the weight.
+  EXPECT_LT(body.state().books.kinetic, 1e-12 * std::abs(body.state().books.gravity));
+}
+
 TEST(FoldingWall, IsNotFeltWhereNothingIsNear) {
   // Inflated and pressed, a body has no contact with itself: the results are those of the wall alone, to the bit.
   Body body(pressurised_hemisphere(256, 300), {sphere_tool(5e-3)}, quasi_static());

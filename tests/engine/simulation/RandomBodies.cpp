@@ -1,0 +1,314 @@
+// Bodies drawn at random: shape, law, fluid, tool, speed, step, gravity and what is done to them. None may fail, pass
+// through itself, or leave its books of energy open. Each is a function of the seed and its number alone.
+//
+// usage: random_bodies [--count N] [--seed S] [--only K]
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <numbers>
+#include <random>
+#include <sstream>
+#include <string>
+
+#include "engine/mesh/Shapes.hpp"
+#include "engine/simulation/SimulationFailure.hpp"
+#include "tests/engine/contact/SurfaceIntersections.hpp"
+#include "tests/engine/simulation/TestBodies.hpp"
+
+namespace thinwall {
+namespace {
+
+enum class Treatment { kPalpate, kDrain, kInflate };
+
+struct Recipe {
+  BodyDefinition body;
+  ToolDefinition tool;
+  SimulationOptions options;
+  Treatment treatment = Treatment::kPalpate;
+  Eigen::Vector3d aim = Eigen::Vector3d::Zero();  // metres, beside the axis
+  double depth = 0;                               // metres
+  double speed = 0;                               // metres / second
+  double filling = 1;                             // of the fluid volume, drained or inflated to
+  int steps = 20;
+  std::string kind, words;
+};
+
+class Drawer {
+ public:
+  Drawer(unsigned seed, unsigned number) {
+    std::seed_seq sequence{seed, number};
+    random_.seed(sequence);
+  }
+
+  Recipe draw() {
+    Recipe recipe;
+    draw_body(recipe);
+    draw_fluid(recipe);
+    draw_tool(recipe);
+    words_ << ", " << (recipe.options.analysis == Analysis::kDynamic ? "dynamic" : "quasi-static") << ", step "
+           << recipe.options.time_step * 1e3 << " ms";
+    if (recipe.options.gravity.norm() > 0) words_ << ", gravity " << recipe.options.gravity.transpose() << " m/s^2";
+    recipe.words = words_.str();
+    return recipe;
+  }
+
+ private:
+  void draw_body(Recipe& recipe) {
+    static constexpr const char* kShapes[] = {"sphere", "hemisphere", "semicylinder", "cylinder", "sheet"};
+    shape_ = pick(5);
+    triangles_ = 60 + pick(240);
+    modulus_ = between(5e3, 100e3);
+    thickness_ = between(0.3e-3, 2e-3);
+    const SurfaceMesh mesh = shape_ == 0   ? make_sphere(kRadius, triangles_)
+                             : shape_ == 1 ? make_hemisphere(kRadius, triangles_)
+                             : shape_ == 2 ? make_semicylinder(kRadius, 30e-3, triangles_)
+                             : shape_ == 3 ? make_cylinder(kRadius, 40e-3, triangles_)
+                                           : make_sheet(40e-3, 40e-3, triangles_);
+    const Material material = draw_material();
+    recipe.body = make_body(mesh, thickness_, material);
+    if (shape_ == 1 || shape_ == 2) recipe.body.fixed.push_back(fixed_group("base"));
+    if (shape_ == 2 || shape_ == 3) recipe.body.fixed.push_back(fixed_group("ends"));
+    if (shape_ == 4) {
+      recipe.body.fixed.push_back({.region = BoundaryRegion{}});
+      const double stretch = between(1.05, 1.3);
+      recipe.body.prestretch = {{.first = stretch, .second = stretch}};
+    }
+    // A sphere lies free, on a bed that holds its lower part, or hangs from its top.
+    if (shape_ == 0 && pick(3) > 0) {
+      recipe.body.fixed.push_back({.region = BelowRegion{.axis = 2, .at = between(-0.8, -0.3) * kRadius}});
+    }
+    if (pick(4) == 0) recipe.body.viscosity = {{.fraction = between(0.1, 0.6), .time = between(0.02, 0.5)}};
+    recipe.options.analysis = pick(2) == 0 ? Analysis::kQuasiStatic : Analysis::kDynamic;
+    recipe.options.time_step = between(2e-3, 20e-3);
+    const bool held = !recipe.body.fixed.empty();
+    if (held && pick(3) == 0) recipe.options.gravity = {0, 0, -9.81};
+    recipe.kind = kShapes[shape_];
+    words_ << kShapes[shape_] << " of " << mesh.triangles.size() << " triangles, " << material.law->name;
+    for (const double parameter : material.parameters) words_ << " " << parameter;
+    words_ << ", " << thickness_ * 1e3 << " mm thick";
+    if (!recipe.body.prestretch.empty()) words_ << ", prestretched by " << recipe.body.prestretch[0].first;
+    if (!recipe.body.viscosity.empty()) words_ << ", viscous " << recipe.body.viscosity[0].fraction;
+  }
+
+  Material draw_material() {
+    std::vector<Material> possible;
+    const std::map<std::string, double, std::less<>> values = {
+        {"shear_modulus", modulus_}, {"c1", 0.4 * modulus_},           {"c2", 0.1 * modulus_},
+        {"limit", between(5, 60)},   {"youngs_modulus", 3 * modulus_}, {"poisson_ratio", between(0, 0.49)}};
+    for (const WallLaw& law : wall_laws()) {
+      Material material{.law = &law, .parameters = {}};
+      for (const LawParameter& parameter : law.parameters) {
+        const auto known = values.find(parameter.name);
+        if (known != values.end()) {
+          material.parameters.push_back(known->second);
+        } else if (parameter.fallback) {
+          material.parameters.push_back(*parameter.fallback);
+        }
+      }
+      if (material.parameters.size() == law.parameters.size()) possible.push_back(material);
+    }
+    return possible[pick(static_cast<int>(possible.size()))];
+  }
+
+  void draw_fluid(Recipe& recipe) {
+    FluidDefinition& fluid = recipe.body.fluid;
+    static constexpr const char* kFluids[] = {"incompressible", "compressible", "no fluid"};
+    const int kind = shape_ == 4 ? 2 : pick(5) % 3;
+    fluid.kind = kind == 0 ? FluidKind::kIncompressible : kind == 1 ? FluidKind::kCompressible : FluidKind::kNone;
+    fluid.bulk_modulus = between(20e3, 500e3);
+    // Up to a third of what a balloon of that wall holds.
+    const double pressure = pick(4) == 0 ? 0 : between(0.02, 0.33) * 1.2 * modulus_ * thickness_ / kRadius;
+    if (kind < 2) fluid.initial_pressure = pressure;
+    words_ << ", " << kFluids[kind];
+    if (kind < 2) words_ << " at " << pressure << " Pa";
+    if (kind == 1) words_ << ", bulk modulus " << fluid.bulk_modulus << " Pa";
+    const int treatment = kind == 2 ? 0 : pick(4);
+    if (treatment == 1) {
+      recipe.treatment = Treatment::kDrain;
+      recipe.filling = between(0.15, 0.95);
+      recipe.kind += " drained";
+      words_ << ", drained to " << recipe.filling;
+    } else if (treatment == 2) {
+      recipe.treatment = Treatment::kInflate;
+      recipe.filling = between(1.02, 1.4);
+      recipe.kind += " inflated";
+      words_ << ", inflated to " << recipe.filling;
+    } else {
+      recipe.kind += " palpated";
+    }
+  }
+
+  void draw_tool(Recipe& recipe) {
+    const int tool = pick(3);
+    recipe.tool = tool == 0   ? point_tool()
+                  : tool == 1 ? line_tool(between(5e-3, 25e-3))
+                              : sphere_tool(between(2e-3, 10e-3));
+    if (recipe.treatment != Treatment::kPalpate) return;
+    const double height = shape_ == 0 || shape_ == 3 ? 2 * kRadius : kRadius;
+    recipe.aim = {between(-6e-3, 6e-3), between(-6e-3, 6e-3), 0};
+    // A point or a line that goes deep pulls a spike out of the wall; a ball goes as deep as there is room.
+    recipe.depth = between(0.05, tool == 2 ? 0.9 : 0.5) * height;
+    recipe.speed = between(5e-3, 200e-3);
+    recipe.steps = 10 + pick(25);
+    words_ << ", " << recipe.tool.name << " (length " << recipe.tool.length * 1e3 << ", radius "
+           << recipe.tool.radius * 1e3 << " mm), aim " << recipe.aim.head<2>().transpose() * 1e3 << " mm, depth "
+           << recipe.depth * 1e3 << " mm at " << recipe.speed * 1e3 << " mm/s";
+  }
+
+  double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  int pick(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
+
+  static constexpr double kRadius = 20e-3;  // metres
+  std::mt19937 random_;
+  std::ostringstream words_;
+  int shape_ = 0, triangles_ = 0;
+  double modulus_ = 0, thickness_ = 0;
+};
+
+/// How often the closed surface winds around a point: 0 outside, 1 inside; by solid angles (Van Oosterom and Strackee).
+double winding(const Body& body, const Eigen::Vector3d& point) {
+  double angle = 0;
+  for (const Eigen::Vector3i& triangle : body.model().surface) {
+    std::array<Eigen::Vector3d, 3> r = corners_of(triangle, body.state().equilibrium.position);
+    for (Eigen::Vector3d& corner : r) corner = (corner - point).normalized();
+    angle += 2 * std::atan2(r[0].dot(r[1].cross(r[2])), 1 + r[0].dot(r[1]) + r[1].dot(r[2]) + r[2].dot(r[0]));
+  }
+  return angle / (4 * std::numbers::pi);
+}
+
+struct Outcome {
+  int steps = 0, halvings = 0, most_iterations = 0, intersections = 0, passed = 0;
+  std::size_t most_folds = 0;
+  double worst_imbalance = 0, largest_energy = 0;  // joule
+  std::string failure;
+
+  void note(const Body& body) {
+    ++steps;
+    halvings += body.report().halvings;
+    most_iterations = std::max(most_iterations, body.report().newton_iterations);
+    most_folds = std::max(most_folds, body.fold_count());
+    const EnergyBooks& books = body.state().books;
+    worst_imbalance = std::max(worst_imbalance, std::abs(books.imbalance()));
+    for (const double term : {books.elastic, books.kinetic, books.fluid, books.gravity, books.contact, books.viscous,
+                              books.numerical, books.tool_work, books.script_work}) {
+      largest_energy = std::max(largest_energy, std::abs(term));
+    }
+    intersections +=
+        surface_intersections(body.model().definition.mesh.triangles, body.state().equilibrium.position).empty() ? 0
+                                                                                                                 : 1;
+  }
+  double imbalance() const { return worst_imbalance / std::max(largest_energy, 1e-12); }
+};
+
+void palpate(const Recipe& recipe, Body& body, Outcome& outcome) {
+  const ToolPose far = pose_at(recipe.aim + Eigen::Vector3d(0, 0, 80e-3));
+  const auto travel = travel_to_contact(body.surface(), recipe.tool, far, far.direction);
+  if (!travel) return;
+  const Eigen::Vector3d start = far.tip + (*travel - 0.5e-3) * far.direction;
+  const Eigen::Vector3d deep = start + (0.5e-3 + recipe.depth) * far.direction;
+  const double step_time = (recipe.depth + 0.5e-3) / recipe.speed / recipe.steps;
+  const bool closed = !body.model().definition.mesh.cap_triangles.empty() || recipe.kind.starts_with("sphere");
+  const auto note = [&](const ToolPose& pose) {
+    outcome.note(body);
+    const bool ball = closed && recipe.tool.kind == ToolKind::kSphere;
+    if (ball && winding(body, sphere_at(recipe.tool, pose).center) > 0.5) ++outcome.passed;
+  };
+  ToolPose pose = move(body, pose_at(start), deep, recipe.steps, step_time, note);
+  pose = move(body, pose, deep, 3, recipe.options.time_step, note);
+  move(body, pose, start, recipe.steps, step_time, note);
+}
+
+void fill(const Recipe& recipe, Body& body, Outcome& outcome) {
+  const double part = (recipe.filling - 1) * body.state().fluid_volume[0] / recipe.steps;
+  const ToolPose away = pose_at({0, 0, 1});
+  const std::array<ToolPose, 1> poses = {away};
+  for (int step = 0; step < recipe.steps; ++step) {
+    body.advance(poses, poses, recipe.options.time_step,
+                 {.load_factors = {}, .fluids = {{.added = part, .pressure = {}}}});
+    outcome.note(body);
+  }
+}
+
+Outcome run(const Recipe& recipe) {
+  Outcome outcome;
+  try {
+    Body body(recipe.body, {recipe.tool}, recipe.options);
+    body.settle();
+    if (recipe.treatment == Treatment::kPalpate) {
+      palpate(recipe, body, outcome);
+    } else {
+      fill(recipe, body, outcome);
+    }
+    if (outcome.passed > 0) outcome.failure = "the ball passes through the wall";
+    if (outcome.intersections > 0) outcome.failure = "the wall passes through itself";
+    // Books that close to round-off show any term that is missing.
+    if (outcome.imbalance() > 1e-6) outcome.failure = "the books are open by " + std::to_string(outcome.imbalance());
+  } catch (const SimulationFailure& failure) {
+    outcome.failure = failure.what();
+  }
+  return outcome;
+}
+
+struct Tally {
+  int bodies = 0, failed = 0;
+};
+
+int run_all(unsigned seed, int first, int count) {
+  std::map<std::string, Tally> tallies;
+  Tally all;
+  int steps = 0, halvings = 0, folded = 0;
+  double worst_imbalance = 0, slowest = 0;
+  for (int number = first; number < first + count; ++number) {
+    const Recipe recipe = Drawer(seed, number).draw();
+    const std::clock_t begin = std::clock();
+    const Outcome outcome = run(recipe);
+    const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+    slowest = std::max(slowest, seconds);
+    Tally& tally = tallies[recipe.kind];
+    for (Tally* each : {&tally, &all}) {
+      ++each->bodies;
+      each->failed += outcome.failure.empty() ? 0 : 1;
+    }
+    steps += outcome.steps;
+    halvings += outcome.halvings;
+    folded += outcome.most_folds > 0 ? 1 : 0;
+    worst_imbalance = std::max(worst_imbalance, outcome.imbalance());
+    if (!outcome.failure.empty()) {
+      std::printf("FAILED --seed %u --only %d: %s\n  %s; after %d steps\n", seed, number, outcome.failure.c_str(),
+                  recipe.words.c_str(), outcome.steps);
+    } else if (outcome.halvings > 0 || seconds > 10) {
+      std::printf("--only %d: %d halvings, up to %d iterations a step, %.1f s: %s\n", number, outcome.halvings,
+                  outcome.most_iterations, seconds, recipe.words.c_str());
+    }
+    std::fflush(stdout);
+  }
+  for (const auto& [kind, tally] : tallies) {
+    std::printf("%-24s %4d bodies, %d failed\n", kind.c_str(), tally.bodies, tally.failed);
+  }
+  std::printf(
+      "seed %u: %d bodies from number %d on, %d failed; %d steps, %d halvings, %d bodies lay on themselves, "
+      "largest imbalance of the books %.1e, slowest body %.1f s\n",
+      seed, all.bodies, first, all.failed, steps, halvings, folded, worst_imbalance, slowest);
+  return all.failed == 0 && all.bodies > 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace thinwall
+
+int main(int argc, char** argv) {
+  unsigned seed = 1;
+  int first = 0, count = 1000;
+  for (int k = 1; k + 1 < argc; k += 2) {
+    const int value = std::atoi(argv[k + 1]);
+    if (std::strcmp(argv[k], "--seed") == 0) seed = static_cast<unsigned>(value);
+    if (std::strcmp(argv[k], "--count") == 0) count = value;
+    if (std::strcmp(argv[k], "--only") == 0) first = value, count = 1;
+  }
+  return thinwall::run_all(seed, first, count);
+}
