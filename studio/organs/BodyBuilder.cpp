@@ -56,7 +56,7 @@ SurfaceOrigin origin_of(const SurfaceSource& source, const std::string& key_path
 
 SurfaceMesh make_surface(const SurfaceSource& source, const SurfaceOrigin& origin, std::vector<std::string>& notes) {
   if (const auto* file = std::get_if<MeshFileSource>(&source)) {
-    ImportedMesh imported = import_mesh(file->file, origin, {.repair = file->repair});
+    ImportedMesh imported = import_mesh(file->file, origin, {.repair = file->repair, .edge_length = file->edge_length});
     notes.insert(notes.end(), imported.notes.begin(), imported.notes.end());
     return std::move(imported.mesh);
   }

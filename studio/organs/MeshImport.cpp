@@ -18,6 +18,7 @@
 #include "studio/organs/MeshFile.hpp"
 #include "studio/organs/MeshRepair.hpp"
 #include "studio/organs/ToldPlaces.hpp"
+#include "studio/organs/remeshing/MeshRemeshing.hpp"
 #include "studio/scenario/Wording.hpp"
 
 namespace thinwall {
@@ -28,6 +29,15 @@ constexpr double kWeldTolerance = 1e-6;
 
 /// Of the area: what a surface has more than is the whole of it, and the rest is debris of a segmentation.
 constexpr double kWholeShare = 0.99;
+
+/// Most that `remesh` makes; a run would take hours with more.
+constexpr int kMostTriangles = 200'000;
+
+/// Of the wanted edge length: how far `remesh` may move the surface.
+constexpr double kMostMoved = 0.5;
+
+/// How far `remesh` may change the volume.
+constexpr double kMostVolumeChange = 0.05;
 
 class MeshImport {
  public:
@@ -44,6 +54,7 @@ class MeshImport {
     drop_debris();
     orient();
     if (options_.repair) fill_holes();
+    if (options_.edge_length > 0) remesh();
     ImportedMesh result;
     result.mesh = finish();
     describe(result.mesh);
@@ -128,11 +139,11 @@ class MeshImport {
   }
 
   void check_branches() const {
-    const MeshTopology topology = topology_of(static_cast<int>(surface_.vertices.size()), surface_.triangles);
-    if (topology.crowded_edges.empty()) return;
+    const MeshTopology now = topology();
+    if (now.crowded_edges.empty()) return;
     std::vector<Eigen::Vector3d> middles;
-    for (const int e : topology.crowded_edges) {
-      middles.push_back((surface_.vertices[topology.edges[e][0]] + surface_.vertices[topology.edges[e][1]]) / 2);
+    for (const int e : now.crowded_edges) {
+      middles.push_back((surface_.vertices[now.edges[e][0]] + surface_.vertices[now.edges[e][1]]) / 2);
     }
     refuse(
         fmt::format("repair cannot tell inside from outside at {} shared by more than two triangles, with the "
@@ -168,6 +179,79 @@ class MeshImport {
     }
     note_if(result.turned, "triangle", "triangles", "turned to agree with the others");
     note_if(result.turned_inside, "surface", "surfaces", "that faced inwards turned outwards");
+  }
+
+  double area() const {
+    double sum = 0;
+    for (const double part : triangle_areas(surface_.vertices, surface_.triangles)) sum += part;
+    return sum;
+  }
+
+  double least_angle() const {
+    const std::vector<double> angles = smallest_angles(surface_.vertices, surface_.triangles);
+    return *std::min_element(angles.begin(), angles.end()) * 180 / std::numbers::pi;
+  }
+
+  MeshTopology topology() const { return topology_of(static_cast<int>(surface_.vertices.size()), surface_.triangles); }
+
+  void remesh() {
+    const double length = options_.edge_length / origin_.unit;  // units of the file
+    if (!is_oriented_manifold(topology())) {
+      refuse(fmt::format("`remesh` needs a surface whose parts nowhere touch or branch{}",
+                         options_.repair ? "" : "; `repair: true` may mend that"));
+    }
+    const double wanted = area() / (std::sqrt(3.0) / 4 * length * length);
+    if (wanted > kMostTriangles) {
+      refuse(
+          fmt::format("`remesh` with edges of {:.3g} mm would make about {:.2g} triangles, but {} are the most; ask "
+                      "for longer edges",
+                      1e3 * options_.edge_length, wanted, kMostTriangles));
+    }
+    const std::size_t count = surface_.triangles.size();
+    const double angle = least_angle();
+    const double volume = enclosed_volume(surface_.vertices, surface_.triangles);
+    RemeshedMesh mesh = remesh_to_length({surface_.vertices, surface_.triangles}, length);
+    check_remeshed(mesh, length);
+    std::vector<int> parts;
+    for (const int t : mesh.source) parts.push_back(surface_.parts[t]);
+    surface_ = {std::move(mesh.surface.vertices), std::move(mesh.surface.triangles), std::move(parts)};
+    const MeshTopology now = topology();
+    std::string note = fmt::format(
+        "{}: remeshed to edges of {:.3g} mm: {} to {} triangles, smallest angle {:.2g} to "
+        "{:.2g} deg, at most {:.2g} mm from the given surface",
+        origin_.name, 1e3 * options_.edge_length, count, surface_.triangles.size(), angle, least_angle(),
+        1e3 * mesh.largest_distance * origin_.unit);
+    if (is_closed(now)) {
+      const double after = enclosed_volume(surface_.vertices, surface_.triangles);
+      note += fmt::format(", volume {:+.2g} %", 100 * (after / volume - 1));
+    }
+    notes_.push_back(note);
+  }
+
+  void check_remeshed(const RemeshedMesh& mesh, double length) const {
+    if (mesh.largest_distance > kMostMoved * length) {
+      refuse(
+          fmt::format("`remesh` with edges of {:.3g} mm is too coarse: the surface would move by up to {:.2g} mm, more "
+                      "than half of that; ask for shorter edges",
+                      1e3 * options_.edge_length, 1e3 * mesh.largest_distance * origin_.unit));
+    }
+    const double volume = enclosed_volume(surface_.vertices, surface_.triangles);
+    const double change = enclosed_volume(mesh.surface.vertices, mesh.surface.triangles) / volume - 1;
+    if (is_closed(topology()) && std::abs(change) > kMostVolumeChange) {
+      refuse(
+          fmt::format("`remesh` with edges of {:.3g} mm is too coarse: the volume would change by {:+.2g} %; ask for "
+                      "shorter edges",
+                      1e3 * options_.edge_length, 100 * change));
+    }
+    std::set<int> kept;
+    for (const int t : mesh.source) kept.insert(surface_.parts[t]);
+    for (const int part : surface_.parts) {
+      if (kept.contains(part)) continue;
+      refuse(fmt::format(
+          "`remesh` with edges of {:.3g} mm is too coarse: no triangle of {} would be left; ask for shorter "
+          "edges",
+          1e3 * options_.edge_length, list_in_backticks(part_names_[part])));
+    }
   }
 
   SurfaceMesh finish() const {

@@ -14,7 +14,8 @@ SurfaceOrigin mesh_origin(const std::filesystem::path& file, double metres_per_u
                           const SourceLocation& location);
 
 struct ImportOptions {
-  bool repair = false;  // mend what is safe to mend
+  bool repair = false;     // mend what is safe to mend
+  double edge_length = 0;  // metres; above zero: remesh with edges of about this length
 };
 
 struct ImportedMesh {
@@ -29,7 +30,8 @@ struct ImportedMesh {
 /// its faces; the group `wall` has all vertices unless the file itself has one of that name. `origin` is what
 /// `mesh_origin` gives for the file. With `repair` besides: small flaps are removed (see remove_flaps) and parts that
 /// touch split apart (split_apart) before debris is looked for, small holes filled (fill_small_holes) at the end; the
-/// result is an oriented manifold.
+/// result is an oriented manifold. With `edge_length` the surface is remeshed at last (see remesh_to_length); each
+/// triangle is of the part of the given one nearest to its middle, so that a group's border moves by less than an edge.
 /// Throws InputErrors: unreadable (see read_mesh_file), coordinates that are no finite numbers, no extent, nothing
 /// left, no orientation that agrees everywhere; with `repair`: a wall that branches.
 ImportedMesh import_mesh(const std::filesystem::path& file, const SurfaceOrigin& origin,

@@ -35,8 +35,16 @@ ValueSchema surface_value() {
       {"mesh", path_value(), true, {}, "file with the stress-free surface"},
       {"unit", unit, false, "m", "length of the file's unit: `mm`, `30 mm`"},
       {"repair", boolean_value(), false, "false",
-       "mend what is safe to mend: flaps removed, parts that touch split apart, holes of up to 64 edges filled when they "
+       "mend what is safe to mend: flaps removed, parts that touch split apart, holes of up to 64 edges filled when "
+       "they "
        "are not wider than 10 % of the surface"},
+      {"remesh",
+       quantity_value(kLength, kAboveZero, "1.5 mm"),
+       false,
+       {},
+       "new triangles with edges of about this length; borders and creases above 50 deg stay, the surface moves by at "
+       "most "
+       "half of it; as the file has them when absent"},
   };
   MappingSchema shape{.name = "surface", .documentation = "A shape, centred on the origin."};
   shape.selector = "shape";

@@ -26,6 +26,7 @@ struct MeshFileSource {
   std::filesystem::path file = {};  // absolute or relative to the working directory
   double unit = 1;                  // metres per unit of the file
   bool repair = false;              // mend what is safe to mend
+  double edge_length = 0;           // metres; above zero: remesh with edges of about this length
 };
 
 enum class Shape { kSphere, kHemisphere, kSemicylinder, kSheet, kDisc, kCylinder, kAnnulus, kStrip };

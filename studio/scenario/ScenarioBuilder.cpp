@@ -80,7 +80,10 @@ Region to_region(const CheckedValue& region) {
 
 std::variant<MeshFileSource, ShapeSource> to_surface(const CheckedValue& surface) {
   if (const CheckedValue* mesh = surface.find("mesh")) {
-    return MeshFileSource{mesh->text, surface.at("unit").number, surface.at("repair").boolean};
+    return MeshFileSource{.file = mesh->text,
+                          .unit = surface.at("unit").number,
+                          .repair = surface.at("repair").boolean,
+                          .edge_length = find_number(surface, "remesh").value_or(0)};
   }
   ShapeSource shape{.shape = of_word(surface.at("shape").text, kShapes)};
   shape.triangles = static_cast<int>(surface.at("triangles").number);

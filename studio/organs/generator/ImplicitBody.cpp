@@ -147,4 +147,12 @@ Eigen::Vector3d project_to_surface(const ImplicitBody& body, Eigen::Vector3d poi
   return point;
 }
 
+SurfaceToFollow surface_of(const ImplicitBody& body) {
+  return {.project = [&body](const Eigen::Vector3d& point,
+                             const Eigen::Vector3d&) { return project_to_surface(body, point); },
+          .normal = [&body](const Eigen::Vector3d& point, const Eigen::Vector3d&) -> Eigen::Vector3d {
+            return body(point).gradient.normalized();
+          }};
+}
+
 }  // namespace thinwall

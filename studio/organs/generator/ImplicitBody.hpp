@@ -4,6 +4,8 @@
 #include <functional>
 #include <vector>
 
+#include "studio/organs/remeshing/Remeshing.hpp"
+
 namespace thinwall {
 
 /// A field at a point: below zero inside a body, above outside, near the surface about the distance to it.
@@ -43,5 +45,8 @@ ImplicitBody stretched_body(ImplicitBody body, const Eigen::Vector3d& factors);
 
 /// The point of the surface that steps along the gradient lead to.
 Eigen::Vector3d project_to_surface(const ImplicitBody& body, Eigen::Vector3d point);
+
+/// The body's surface, for a mesh to follow. The body must outlive it.
+SurfaceToFollow surface_of(const ImplicitBody& body);
 
 }  // namespace thinwall

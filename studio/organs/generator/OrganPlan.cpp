@@ -11,8 +11,8 @@
 #include "studio/organs/generator/Gallbladder.hpp"
 #include "studio/organs/generator/LiverLobe.hpp"
 #include "studio/organs/generator/Polygonisation.hpp"
-#include "studio/organs/generator/Remeshing.hpp"
 #include "studio/organs/generator/Stomach.hpp"
+#include "studio/organs/remeshing/Remeshing.hpp"
 
 namespace thinwall {
 namespace {
@@ -30,7 +30,7 @@ std::string millimetres(double metres) {
 OrganMesh mesh_organ(const OrganPlan& plan, int triangles) {
   const TriangleSurface rough = polygonise(plan.body, plan.low, plan.high, plan.grid_step);
   TriangleSurface surface =
-      remesh(rough, plan.body, {.triangles = triangles, .relative_edge_length = plan.relative_edge_length});
+      remesh(rough, surface_of(plan.body), {.triangles = triangles, .relative_edge_length = plan.relative_edge_length});
   OrganMesh organ{std::move(surface.vertices), std::move(surface.triangles), {}};
   for (const Eigen::Vector3i& t : organ.triangles) {
     const Eigen::Vector3d& a = organ.vertices[t[0]];

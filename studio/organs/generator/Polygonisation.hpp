@@ -1,16 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <vector>
 
 #include "studio/organs/generator/ImplicitBody.hpp"
+#include "studio/organs/remeshing/TriangleSurface.hpp"
 
 namespace thinwall {
-
-struct TriangleSurface {
-  std::vector<Eigen::Vector3d> vertices;   // (vertices x 3), metres
-  std::vector<Eigen::Vector3i> triangles;  // (triangles x 3), counter-clockwise seen from outside
-};
 
 /// The surface of a body inside a box, by marching tetrahedra: six to each cube of a grid, all alike, so that the
 /// result is a closed oriented manifold whatever the body. The body must lie inside the box. Its triangles are badly

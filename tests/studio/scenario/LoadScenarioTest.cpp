@@ -57,6 +57,7 @@ TEST(LoadScenario, ReadsEveryKey) {
   EXPECT_EQ(std::get<MeshFileSource>(bladder.surface).file, kValid / "parts/tetrahedron.obj");
   EXPECT_EQ(std::get<MeshFileSource>(bladder.surface).unit, 0.03);
   EXPECT_TRUE(std::get<MeshFileSource>(bladder.surface).repair);
+  EXPECT_EQ(std::get<MeshFileSource>(bladder.surface).edge_length, 0.004);
   ASSERT_EQ(bladder.thickness.regions.size(), 2U);
   EXPECT_EQ(std::get<SphereRegion>(bladder.thickness.regions[0].region).center, Eigen::Vector3d(0, 0, 0.02));
   EXPECT_EQ(std::get<BoxRegion>(bladder.thickness.regions[1].region).max, Eigen::Vector3d(0.01, 0.01, 0.01));

@@ -1,4 +1,4 @@
-#include "studio/organs/generator/Remeshing.hpp"
+#include "studio/organs/remeshing/Remeshing.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,6 +6,8 @@
 
 #include "engine/mesh/MeshMeasures.hpp"
 #include "engine/mesh/MeshTopology.hpp"
+#include "studio/organs/generator/ImplicitBody.hpp"
+#include "studio/organs/generator/Polygonisation.hpp"
 
 namespace thinwall {
 namespace {
@@ -15,7 +17,7 @@ constexpr double kDegree = std::numbers::pi / 180;
 const ImplicitBody kEgg = swept_sphere_body({{{0, 0, 0}, 0.01}, {{0.008, 0, 0}, 0.008}, {{0.016, 0.004, 0}, 0.004}});
 
 TriangleSurface remeshed(const RemeshingOptions& options) {
-  return remesh(polygonise(kEgg, {-0.012, -0.012, -0.012}, {0.022, 0.012, 0.012}, 1e-3), kEgg, options);
+  return remesh(polygonise(kEgg, {-0.012, -0.012, -0.012}, {0.022, 0.012, 0.012}, 1e-3), surface_of(kEgg), options);
 }
 
 SurfaceMesh mesh_of(const TriangleSurface& surface) {

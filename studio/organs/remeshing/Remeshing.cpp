@@ -1,4 +1,4 @@
-#include "studio/organs/generator/Remeshing.hpp"
+#include "studio/organs/remeshing/Remeshing.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "studio/organs/generator/EditableSurface.hpp"
+#include "studio/organs/remeshing/EditableSurface.hpp"
 
 namespace thinwall {
 namespace {
@@ -19,20 +19,21 @@ constexpr int kRoundsOfShape = 10;
 
 class Remesher {
  public:
-  Remesher(const TriangleSurface& start, const ImplicitBody& body, const RemeshingOptions& options)
-      : surface_(start), body_(body), options_(options) {}
+  Remesher(const TriangleSurface& start, const SurfaceToFollow& target, const RemeshingOptions& options)
+      : surface_(start), target_(target), options_(options), features_(options.features) {}
 
   TriangleSurface run() {
-    unit_ = std::sqrt(4 / std::sqrt(3.0) * weighted_area() / options_.triangles);
+    const bool counts = options_.edge_length <= 0;
+    unit_ = counts ? std::sqrt(4 / std::sqrt(3.0) * weighted_area() / options_.triangles) : options_.edge_length;
     for (int round = 0; round < kRoundsOfCount; ++round) {
       split_long_edges();
       collapse_short_edges();
       even_out();
       const double ratio = static_cast<double>(surface_.triangle_count()) / options_.triangles;
       // The first rounds are far from settled: their count says little about the length.
-      if (round >= 5) unit_ *= std::sqrt(ratio);
+      if (counts && round >= 5) unit_ *= std::sqrt(ratio);
     }
-    meet_count();
+    if (counts) meet_count();
     for (int round = 0; round < kRoundsOfShape; ++round) even_out();
     for (int round = 0; round < kRoundsOfShape; ++round) {
       turn_for_angles();
@@ -68,12 +69,30 @@ class Remesher {
   }
 
   Eigen::Vector3d middle(int a, int b) const {
-    return project_to_surface(body_, (surface_.positions[a] + surface_.positions[b]) / 2);
+    const Eigen::Vector3d halfway = (surface_.positions[a] + surface_.positions[b]) / 2;
+    if (features_.has_edge(a, b)) return features_.project(halfway, surface_.positions[b] - surface_.positions[a]);
+    return target_.project(halfway, (mean_normal(a) + mean_normal(b)).normalized());
+  }
+
+  /// Normal of a vertex: of its triangles by their area.
+  Eigen::Vector3d mean_normal(int v) const {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const int t : surface_.triangles_at(v)) {
+      const Eigen::Vector3i& c = surface_.triangle(t);
+      const Eigen::Vector3d& p = surface_.positions[c[0]];
+      sum += (surface_.positions[c[1]] - p).cross(surface_.positions[c[2]] - p);
+    }
+    return sum.normalized();
+  }
+
+  void split(int a, int b) {
+    const int added = surface_.split(a, b, middle(a, b));
+    features_.split(a, b, added);
   }
 
   void split_long_edges() {
     for (const auto& [a, b] : surface_.edges()) {
-      if (surface_.has_edge(a, b) && relative_length(a, b) > 4.0 / 3) surface_.split(a, b, middle(a, b));
+      if (surface_.has_edge(a, b) && relative_length(a, b) > 4.0 / 3) split(a, b);
     }
   }
 
@@ -83,10 +102,26 @@ class Remesher {
     }
   }
 
-  /// Collapses an edge unless a triangle would turn over or an edge become longer than `longest` wanted lengths.
-  bool try_collapse(int a, int b, double longest) {
-    if (!surface_.may_collapse(a, b)) return false;
-    const Eigen::Vector3d target = middle(a, b);
+  /// 0 inside the surface, 1 on a feature line, 2 at a corner.
+  int rank(int v) const { return features_.is_corner(v) ? 2 : features_.is_on_line(v) ? 1 : 0; }
+
+  /// Whether merging the ends of an edge keeps the feature lines.
+  bool keeps_features(int a, int b) const {
+    if (rank(a) == 0 || rank(b) == 0) return true;
+    if (rank(a) == 2 && rank(b) == 2) return false;
+    if (!features_.has_edge(a, b)) return false;
+    // A closed line keeps three edges.
+    return std::ranges::none_of(features_.neighbours(a), [&](int v) { return features_.has_edge(v, b); });
+  }
+
+  /// Collapses an edge unless a feature would be lost, a triangle turn over or an edge become longer than `longest`
+  /// wanted lengths.
+  bool try_collapse(int first, int second, double longest) {
+    if (!surface_.may_collapse(first, second) || !keeps_features(first, second)) return false;
+    // What is bound more stays.
+    const int a = rank(first) >= rank(second) ? first : second;
+    const int b = first + second - a;
+    const Eigen::Vector3d target = rank(a) > rank(b) ? surface_.positions[a] : middle(first, second);
     for (const auto& [moved, other] : {Edge{a, b}, Edge{b, a}}) {
       for (const int t : surface_.triangles_at(moved)) {
         const Eigen::Vector3i& corners = surface_.triangle(t);
@@ -100,6 +135,7 @@ class Remesher {
       }
     }
     surface_.collapse(a, b, target);
+    features_.collapse(a, b);
     return true;
   }
 
@@ -119,7 +155,7 @@ class Remesher {
   void meet_count() {
     while (surface_.triangle_count() + 2 <= options_.triangles) {
       const std::vector<Edge> edges = by_length();
-      surface_.split(edges.back()[0], edges.back()[1], middle(edges.back()[0], edges.back()[1]));
+      split(edges.back()[0], edges.back()[1]);
     }
     while (surface_.triangle_count() > options_.triangles) {
       const std::vector<Edge> edges = by_length();
@@ -146,9 +182,12 @@ class Remesher {
   /// Turns edges where that brings the four vertices nearer to six neighbours each.
   void turn_for_valence() {
     for (const auto& [a, b] : surface_.edges()) {
-      if (!surface_.has_edge(a, b) || !surface_.may_turn(a, b)) continue;
+      if (!surface_.has_edge(a, b) || features_.has_edge(a, b) || !surface_.may_turn(a, b)) continue;
       const std::array<int, 2> far = surface_.far_corners(a, b);
-      const auto excess = [&](int v, int change) { return std::abs(surface_.valence(v) + change - 6); };
+      const auto excess = [&](int v, int change) {
+        const int wanted = features_.is_on_line(v) && surface_.is_at_border(v) ? 3 : 6;
+        return std::abs(surface_.valence(v) + change - wanted);
+      };
       const int before = excess(a, 0) + excess(b, 0) + excess(far[0], 0) + excess(far[1], 0);
       const int after = excess(a, -1) + excess(b, -1) + excess(far[0], 1) + excess(far[1], 1);
       if (after < before && turned_is_upright(a, b, far)) surface_.turn(a, b);
@@ -158,7 +197,7 @@ class Remesher {
   /// Turns edges where that makes the smallest of the angles at hand larger.
   void turn_for_angles() {
     for (const auto& [a, b] : surface_.edges()) {
-      if (!surface_.has_edge(a, b) || !surface_.may_turn(a, b)) continue;
+      if (!surface_.has_edge(a, b) || features_.has_edge(a, b) || !surface_.may_turn(a, b)) continue;
       const std::array<int, 2> far = surface_.far_corners(a, b);
       const double before = std::max(largest_cosine(a, b, far[0]), largest_cosine(b, a, far[1]));
       const double after = std::max(largest_cosine(a, far[1], far[0]), largest_cosine(far[1], b, far[0]));
@@ -195,7 +234,11 @@ class Remesher {
   void move_along_surface() {
     std::vector<Eigen::Vector3d> moved = surface_.positions;
     for (int v = 0; v < static_cast<int>(moved.size()); ++v) {
-      if (surface_.triangles_at(v).empty()) continue;
+      if (surface_.triangles_at(v).empty() || rank(v) == 2) continue;
+      if (rank(v) == 1) {
+        moved[v] = middle_of_line(v);
+        continue;
+      }
       const Eigen::Vector3d here = surface_.positions[v];
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
       double weights = 0;
@@ -210,23 +253,33 @@ class Remesher {
         sum += weight * centre;
         weights += weight;
       }
-      const Eigen::Vector3d up = body_(here).gradient.normalized();
+      const Eigen::Vector3d mesh_normal = mean_normal(v);
+      const Eigen::Vector3d up = target_.normal(here, mesh_normal);
       const Eigen::Vector3d step = sum / weights - here;
-      moved[v] = project_to_surface(body_, here + step - step.dot(up) * up);
+      moved[v] = target_.project(here + step - step.dot(up) * up, mesh_normal);
     }
     surface_.positions = std::move(moved);
   }
 
+  /// Halfway along its line between the vertices beside one.
+  Eigen::Vector3d middle_of_line(int v) const {
+    const std::vector<int>& beside = features_.neighbours(v);
+    const Eigen::Vector3d& p = surface_.positions[beside.front()];
+    const Eigen::Vector3d& q = surface_.positions[beside.back()];
+    return features_.project((p + q) / 2, q - p);
+  }
+
   EditableSurface surface_;
-  const ImplicitBody& body_;
+  const SurfaceToFollow& target_;
   const RemeshingOptions& options_;
+  FeatureLines features_;
   double unit_ = 0;  // wanted edge length where the relative one is 1, metres
 };
 
 }  // namespace
 
-TriangleSurface remesh(const TriangleSurface& start, const ImplicitBody& body, const RemeshingOptions& options) {
-  return Remesher(start, body, options).run();
+TriangleSurface remesh(const TriangleSurface& start, const SurfaceToFollow& target, const RemeshingOptions& options) {
+  return Remesher(start, target, options).run();
 }
 
 }  // namespace thinwall

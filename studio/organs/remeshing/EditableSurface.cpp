@@ -1,7 +1,8 @@
-#include "studio/organs/generator/EditableSurface.hpp"
+#include "studio/organs/remeshing/EditableSurface.hpp"
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 #include <utility>
 
 namespace thinwall {
@@ -34,8 +35,14 @@ std::vector<std::array<int, 2>> EditableSurface::edges() const {
   std::vector<std::array<int, 2>> edges;
   for (const Eigen::Vector3i& t : triangles_) {
     for (int k = 0; k < 3 && t[0] >= 0; ++k) {
-      // Each edge of a closed surface runs upwards in one of its triangles.
-      if (t[k] < t[(k + 1) % 3]) edges.push_back({t[k], t[(k + 1) % 3]});
+      const int from = t[k];
+      const int to = t[(k + 1) % 3];
+      // An edge inside runs upwards in one of its triangles.
+      if (from < to) {
+        edges.push_back({from, to});
+      } else if (triangle_along(to, from) < 0) {
+        edges.push_back({to, from});
+      }
     }
   }
   std::sort(edges.begin(), edges.end());
@@ -52,14 +59,39 @@ int EditableSurface::triangle_along(int a, int b) const {
 }
 
 bool EditableSurface::has_edge(int a, int b) const {
-  return triangle_along(a, b) >= 0;
+  return triangle_along(a, b) >= 0 || triangle_along(b, a) >= 0;
+}
+
+bool EditableSurface::is_border(int a, int b) const {
+  return (triangle_along(a, b) < 0) != (triangle_along(b, a) < 0);
+}
+
+bool EditableSurface::is_at_border(int vertex) const {
+  const std::vector<int> around = neighbours(vertex);
+  return around.size() != fans_[vertex].size();
+}
+
+std::vector<int> EditableSurface::neighbours(int vertex) const {
+  std::vector<int> around;
+  for (const int t : fans_[vertex]) {
+    for (const int v : triangles_[t]) {
+      if (v != vertex) around.push_back(v);
+    }
+  }
+  std::sort(around.begin(), around.end());
+  around.erase(std::unique(around.begin(), around.end()), around.end());
+  return around;
+}
+
+bool EditableSurface::may_lose_triangle(int vertex) const {
+  return valence(vertex) > (is_at_border(vertex) ? 1 : 3);
 }
 
 std::array<int, 2> EditableSurface::far_corners(int a, int b) const {
   const int left = triangle_along(a, b);
   const int right = triangle_along(b, a);
-  assert(left >= 0 && right >= 0);
-  return {triangles_[left].sum() - a - b, triangles_[right].sum() - a - b};
+  assert(left >= 0 || right >= 0);
+  return {left < 0 ? -1 : triangles_[left].sum() - a - b, right < 0 ? -1 : triangles_[right].sum() - a - b};
 }
 
 void EditableSurface::replace_corner(int t, int from, int to) {
@@ -84,6 +116,7 @@ int EditableSurface::split(int a, int b, const Eigen::Vector3d& position) {
   positions.push_back(position);
   fans_.emplace_back();
   for (const int t : {triangle_along(a, b), triangle_along(b, a)}) {
+    if (t < 0) continue;
     const int added = static_cast<int>(triangles_.size());
     triangles_.push_back(triangles_[t]);
     replace_corner(t, b, middle);
@@ -100,20 +133,24 @@ int EditableSurface::split(int a, int b, const Eigen::Vector3d& position) {
 }
 
 bool EditableSurface::may_collapse(int a, int b) const {
-  int common = 0;
-  for (const int t : fans_[a]) {
-    for (int k = 0; k < 3; ++k) {
-      // Around a vertex of a closed surface each neighbour follows it in one triangle.
-      if (triangles_[t][k] == a && has_edge(triangles_[t][(k + 1) % 3], b)) ++common;
-    }
+  const std::vector<int> of_a = neighbours(a);
+  const std::vector<int> of_b = neighbours(b);
+  std::vector<int> common;
+  std::set_intersection(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(), std::back_inserter(common));
+  int far_count = 0;
+  for (const int far : far_corners(a, b)) {
+    if (far < 0) continue;
+    ++far_count;
+    if (!may_lose_triangle(far)) return false;
   }
-  const std::array<int, 2> far = far_corners(a, b);
-  return common == 2 && valence(far[0]) > 3 && valence(far[1]) > 3;
+  if (static_cast<int>(common.size()) != far_count) return false;
+  return far_count == 1 || !(is_at_border(a) && is_at_border(b));
 }
 
 void EditableSurface::collapse(int a, int b, const Eigen::Vector3d& position) {
-  remove(triangle_along(a, b));
-  remove(triangle_along(b, a));
+  for (const int t : {triangle_along(a, b), triangle_along(b, a)}) {
+    if (t >= 0) remove(t);
+  }
   for (const int t : fans_[b]) {
     replace_corner(t, b, a);
     fans_[a].push_back(t);
@@ -124,7 +161,8 @@ void EditableSurface::collapse(int a, int b, const Eigen::Vector3d& position) {
 
 bool EditableSurface::may_turn(int a, int b) const {
   const std::array<int, 2> far = far_corners(a, b);
-  return valence(a) > 3 && valence(b) > 3 && !has_edge(far[0], far[1]);
+  if (far[0] < 0 || far[1] < 0) return false;
+  return may_lose_triangle(a) && may_lose_triangle(b) && !has_edge(far[0], far[1]);
 }
 
 void EditableSurface::turn(int a, int b) {

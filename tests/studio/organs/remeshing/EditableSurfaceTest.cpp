@@ -1,6 +1,8 @@
-#include "studio/organs/generator/EditableSurface.hpp"
+#include "studio/organs/remeshing/EditableSurface.hpp"
 
 #include <gtest/gtest.h>
+
+#include <array>
 
 #include "engine/mesh/MeshMeasures.hpp"
 #include "engine/mesh/MeshTopology.hpp"
@@ -86,6 +88,48 @@ TEST(EditableSurface, WaistOfThreeEdgesIsNotCollapsed) {
   expect_closed(surface, 14);
   EXPECT_FALSE(surface.may_collapse(3, 4));
   EXPECT_TRUE(surface.may_collapse(0, 3));
+}
+
+/// A square of four triangles around vertex 4.
+EditableSurface open_square() {
+  return EditableSurface(
+      {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0}}, {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}});
+}
+
+bool is_manifold(const EditableSurface& surface) {
+  const TriangleSurface all = surface.compact();
+  return is_oriented_manifold(topology_of(static_cast<int>(all.vertices.size()), all.triangles));
+}
+
+TEST(EditableSurface, KnowsItsBorders) {
+  const EditableSurface square = open_square();
+  EXPECT_EQ(square.edges().size(), 8u);
+  EXPECT_TRUE(square.is_border(0, 1));
+  EXPECT_TRUE(square.is_border(1, 0));
+  EXPECT_FALSE(square.is_border(0, 4));
+  EXPECT_TRUE(square.is_at_border(0));
+  EXPECT_FALSE(square.is_at_border(4));
+  EXPECT_EQ(square.far_corners(1, 0), (std::array<int, 2>{-1, 4}));
+}
+
+TEST(EditableSurface, BordersAreSplitAndCollapsedButNotTurned) {
+  EditableSurface square = open_square();
+  EXPECT_FALSE(square.may_turn(0, 1));
+  const int middle = square.split(0, 1, {0.5, 0, 0});
+  EXPECT_EQ(square.triangle_count(), 5);
+  EXPECT_TRUE(square.is_border(0, middle));
+  EXPECT_TRUE(is_manifold(square));
+  ASSERT_TRUE(square.may_collapse(0, middle));
+  square.collapse(0, middle, {0, 0, 0});
+  EXPECT_EQ(square.triangle_count(), 4);
+  EXPECT_TRUE(is_manifold(square));
+}
+
+TEST(EditableSurface, EdgeAcrossFromBorderToBorderMayNotCollapse) {
+  // Two triangles side by side: merging the ends of their common edge would leave nothing but a pinched band.
+  EditableSurface band({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {2, 1, 0}},
+                        {{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}}});
+  EXPECT_FALSE(band.may_collapse(1, 2));
 }
 
 }  // namespace

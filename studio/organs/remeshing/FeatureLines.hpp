@@ -1,0 +1,51 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "studio/organs/remeshing/TriangleSurface.hpp"
+
+namespace thinwall {
+
+/// The lines of a surface that remeshing keeps: its borders and its creases.
+class FeatureLines {
+ public:
+  FeatureLines() = default;
+
+  /// Borders, and the edges across which the normal turns by more than `crease_angle` (radians). Creases that hang
+  /// together over less than `least_length` (metres) are rough spots and do not count, nor do edges of triangles with
+  /// an angle below 10 degrees whose normal no neighbour beside shares to 3 degrees. Ends, branches and kinks of more
+  /// than `crease_angle` are corners.
+  FeatureLines(const TriangleSurface& surface, double crease_angle, double least_length);
+
+  bool empty() const { return segments_.empty(); }
+  std::size_t edge_count() const { return segments_.size(); }
+
+  bool is_on_line(int vertex) const { return vertex < count() && !neighbours_[vertex].empty(); }
+  bool is_corner(int vertex) const { return vertex < count() && corners_[vertex]; }
+  bool has_edge(int a, int b) const;
+  /// The vertices beside one on its lines.
+  const std::vector<int>& neighbours(int vertex) const { return neighbours_[vertex]; }
+
+  /// Keeps step with the surface: an edge was split, or b merged into a.
+  void split(int a, int b, int middle);
+  void collapse(int a, int b);
+
+  /// The closest point of the lines as they were at first, of those that run about along `direction`.
+  Eigen::Vector3d project(const Eigen::Vector3d& point, const Eigen::Vector3d& direction) const;
+
+ private:
+  int count() const { return static_cast<int>(neighbours_.size()); }
+  void join(int a, int b);
+  void part(int a, int b);
+  void drop_short_creases(const TriangleSurface& surface, double least_length,
+                          std::vector<std::array<int, 2>>& creases) const;
+  void mark_corners(const TriangleSurface& surface, double crease_angle);
+
+  std::vector<std::vector<int>> neighbours_;              // (vertices), ascending
+  std::vector<bool> corners_;                             // (vertices)
+  std::vector<std::array<Eigen::Vector3d, 2>> segments_;  // (edges at first x 2), metres
+};
+
+}  // namespace thinwall
