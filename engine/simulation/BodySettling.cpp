@@ -63,7 +63,7 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state) {
     }
   }
   NewtonResult failed;
-  failed.reason = "no equilibrium was found, also with pseudo-inertia";
+  failed.reason = failure_ + ", also with pseudo-inertia";
   failure_ = failed.reason;
   return failed;
 }

@@ -377,6 +377,11 @@ double Newton::merit_slope(const EquilibriumProblem& problem, const EquilibriumS
   return slope;
 }
 
+std::string Newton::obstructed(const std::string& reason) const {
+  const bool pressed = terms_.folds.energy > 0 && terms_.folds.largest_force == terms_.largest_force;
+  return pressed ? reason + ": the wall lies against itself or its floor and is asked to go on" : reason;
+}
+
 bool Newton::search(EquilibriumProblem& problem, EquilibriumState& state, Residual& residual, const Step& step) {
   // Weights above the multipliers make the merit function exact: its minimum is the constrained one.
   Weights weights{.pressure = 2 * (state.pressure + step.pressure).lpNorm<Eigen::Infinity>(), .force = 0, .contact = 0};
@@ -438,7 +443,7 @@ NewtonResult Newton::solve(EquilibriumProblem& problem, EquilibriumState& state,
       return result;
     }
     if (result.iterations == options.maximum_iterations) {
-      result.reason = "no convergence within " + std::to_string(options.maximum_iterations) + " iterations";
+      result.reason = obstructed("no convergence within " + std::to_string(options.maximum_iterations) + " iterations");
       return result;
     }
     shift = shift > 1e-6 ? 0.1 * shift : 0;
@@ -459,7 +464,7 @@ NewtonResult Newton::solve(EquilibriumProblem& problem, EquilibriumState& state,
     }
     if (shift > 0) ++result.shifted_iterations;
     if (!search(problem, state, residual, step)) {
-      result.reason = "the line search found no smaller residual or energy";
+      result.reason = obstructed("the line search found no smaller residual or energy");
       return result;
     }
   }

@@ -119,6 +119,7 @@ class Newton {
   void find_step(const EquilibriumProblem& problem, const Residual& residual, Step& step);
   void find_contact_forces(const EquilibriumProblem& problem, Step& step) const;
   bool revise_contacts(const Step& step);
+  std::string obstructed(const std::string& reason) const;
   bool search(EquilibriumProblem& problem, EquilibriumState& state, Residual& residual, const Step& step);
   double merit(const EquilibriumProblem& problem, const EquilibriumState& state, const EquilibriumTerms& terms,
                const Residual& residual, const Weights& weights) const;
@@ -129,7 +130,7 @@ class Newton {
   SparseFactor factor_;
   SelfContact self_contact_;
   FoldMatrix fold_matrix_;
-  bool folded_ = false;  // whether the last factorisation is the fold matrix's
+  bool folded_ = false;   // whether the last factorisation is the fold matrix's
   BorderedSystem bordered_;
   EquilibriumTerms terms_;
   EquilibriumTerms trial_terms_;

@@ -7,8 +7,10 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <string>
 
 #include "engine/mesh/Shapes.hpp"
+#include "engine/simulation/SimulationFailure.hpp"
 #include "tests/engine/contact/SurfaceIntersections.hpp"
 #include "tests/engine/simulation/TestBodies.hpp"
 
@@ -160,6 +162,22 @@ TEST(FoldingWall, OfAnOpenTubeSettlesOnItselfUnderItsWeight) {
   EXPECT_EQ(passage.intersections, 0);
   // It lies still: what settling found is an equilibrium, in which contact bears the weight.
   EXPECT_LT(body.state().books.kinetic, 1e-12 * std::abs(body.state().books.gravity));
+}
+
+TEST(FoldingWall, StopsATipThatIsToGoThroughTheFloorAndSaysWhy) {
+  BodyDefinition definition = make_body(make_hemisphere(20e-3, 64), 1e-3, neo_hookean(20e3));
+  definition.fixed = {fixed_group("base")};
+  definition.fluid.kind = FluidKind::kNone;
+  Body body(definition, {point_tool()}, quasi_static());
+  body.settle();
+  std::string reason;
+  try {
+    move(body, pose_at({0, 0, 20.1e-3}), {0, 0, -1e-3}, 20, 0.01);
+  } catch (const SimulationFailure& failure) {
+    reason = failure.what();
+  }
+  EXPECT_NE(reason.find("against itself or its floor"), std::string::npos) << reason;
+  EXPECT_GT(lowest(body), 0);
 }
 
 TEST(FoldingWall, IsNotFeltWhereNothingIsNear) {
