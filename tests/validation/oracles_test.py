@@ -77,6 +77,16 @@ class BallBetweenPlates(unittest.TestCase):
             self.assertAlmostEqual(ball.contact_radius / 1.1, contact, delta=1e-3)
 
 
+class DrumUnderBall(unittest.TestCase):
+    def test_small_dents_are_those_of_small_slopes(self):
+        law = wall_laws.neo_hookean(2.0)
+        for contact in (0.02, 0.04):
+            depth, force = drum.indentation(1, 1, drum.tension(2.0, 1, 1.3), contact)
+            found = axisymmetric_membrane.drum_under_ball(law, 1.3, 1, depth)
+            self.assertAlmostEqual(found.force / force, 1, delta=2 * contact**2)
+            self.assertAlmostEqual(found.contact_radius / contact, 1, delta=2 * contact**2)
+
+
 class InflatedDisc(unittest.TestCase):
     def test_height_and_pressure_are_the_check_values(self):
         checks = {1.0525: (0.5, 0.2806), 1.0951: (1.0, 0.3742), 1.2002: (2.0, 0.5312), 1.3932: (3.0, 0.7191)}

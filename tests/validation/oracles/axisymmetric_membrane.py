@@ -1,4 +1,4 @@
-"""Large axisymmetric deformation of membranes: balls between plates, inflated discs, drops on a plane.
+"""Large axisymmetric deformation of membranes: balls between plates, drums under balls, inflated discs, drops on a plane.
 
 The meridian is told by the arc length S of the stress-free membrane, whose distance from the axis is R(S). With the
 deformed distance rho, height z, angle theta of the meridian above the horizontal, stretches l1 = ds/dS and l2 = rho / R
@@ -11,7 +11,7 @@ the outer normal being (-sin theta, cos theta): force balance of a ring (Green a
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Callable
+from typing import Callable, Optional
 
 import numpy as np
 from scipy.integrate import solve_ivp
@@ -32,7 +32,8 @@ class Meridian:
     distance: Callable[[float], float]
     slope: Callable[[float], float]
 
-    def rates(self, s: float, y: np.ndarray, pressure: Callable[[float], float], lying: bool) -> list[float]:
+    def rates(self, s: float, y: np.ndarray, pressure: Callable[[float], float], lies_on: Optional[float]) -> list[float]:
+        """`lies_on`: the curvature of what the membrane lies on, none where it is free."""
         rho, z, theta, l1, _ = y
         around = self.distance(s)
         l2 = rho / around
@@ -40,13 +41,17 @@ class Meridian:
         n11, n12 = tension_slopes(self.law, l1, l2)
         n1_rate = (n2 * np.cos(theta) - self.slope(s) * n1) / around
         l2_rate = (l1 * np.cos(theta) - l2 * self.slope(s)) / around
-        turn = 0.0 if lying else (-pressure(z) * rho * l1 - n2 * np.sin(theta)) / (around * n1)
+        if lies_on is not None:
+            turn = l1 * lies_on
+        else:
+            turn = (-pressure(z) * rho * l1 - n2 * np.sin(theta)) / (around * n1)
         return [l1 * np.cos(theta), l1 * np.sin(theta), turn, (n1_rate - n12 * l2_rate) / n11,
                 -np.pi * rho**2 * l1 * np.sin(theta)]
 
     def from_axis(self, pole_stretch: float, lies_to: float, end: float, pressure: Callable[[float], float],
-                  height: float = 0.0, dense: bool = False):
-        """From the axis to S = end; flat, as on a plate, up to S = lies_to. Gives the solution of the last part."""
+                  height: float = 0.0, lies_on: float = 0.0):
+        """From the axis to S = end; up to S = lies_to on a ball of curvature `lies_on`, or on a plate. Gives the solution
+        of the last part."""
         s = _FIRST * end
         curvature = 0.0
         if lies_to <= s:
@@ -54,13 +59,12 @@ class Meridian:
             curvature = -pressure(height) * pole_stretch**2 / (2 * n1)  # d theta / dS
         start = [pole_stretch * s, height + pole_stretch * curvature * s**2 / 2, curvature * s, pole_stretch, 0.0]
         if lies_to > s:
-            start = self._integrate(s, lies_to, start, pressure, True).y[:, -1]
+            start = self._integrate(s, lies_to, start, pressure, lies_on).y[:, -1]
             s = lies_to
-        return self._integrate(s, end, start, pressure, False, dense)
+        return self._integrate(s, end, start, pressure, None)
 
-    def _integrate(self, begin, end, start, pressure, lying, dense=False):
-        return solve_ivp(lambda s, y: self.rates(s, y, pressure, lying), (begin, end), start, rtol=1e-9, atol=1e-11,
-                         dense_output=dense)
+    def _integrate(self, begin, end, start, pressure, lies_on):
+        return solve_ivp(lambda s, y: self.rates(s, y, pressure, lies_on), (begin, end), start, rtol=1e-9, atol=1e-11)
 
 
 def _ball(law: Law) -> Meridian:
@@ -113,6 +117,36 @@ def inflated_disc(law: Law, pole_stretch: float) -> tuple[float, float]:
             return p, -float(disc.from_axis(pole_stretch, 0, 1, lambda z: p).y[Z, -1])
         low = high
     raise ArithmeticError(f"no pressure holds the stretch {pole_stretch}")
+
+
+@dataclass(frozen=True)
+class IndentedDrum:
+    force: float  # in (law's unit) h a
+    contact_radius: float  # in a
+
+
+def drum_under_ball(law: Law, prestretch: float, ball_radius: float, depth: float) -> IndentedDrum:
+    """A sheet (radius 1 as held, thickness 1 stress-free), stretched evenly, under a frictionless rigid ball at its middle."""
+    drum = Meridian(law, lambda s: s, lambda s: 1.0)
+    end = 1 / prestretch
+
+    def solution(unknown):
+        pole, lies_to = unknown
+        return drum.from_axis(pole, abs(lies_to), end, lambda z: 0.0, lies_on=1 / ball_radius)
+
+    def misses(unknown):
+        y = solution(unknown).y[:, -1]
+        return [y[RHO] - 1, (y[Z] - depth) / depth]
+
+    # Small slopes: c^2 (1 / 2 + ln(1 / c)) = depth times the radius of the ball.
+    contact = brentq(lambda c: c**2 * (0.5 - np.log(c)) - depth * ball_radius, 1e-6, 0.9)
+    guess, _, found, message = fsolve(misses, [prestretch, contact / prestretch], xtol=1e-11, full_output=True)
+    if found != 1:
+        raise ArithmeticError(f"drum under a ball: {message}")
+    lies_to = abs(guess[1])
+    rho, _, theta, l1, _ = solution(guess).y[:, 0]
+    n1, _ = tensions(law, l1, rho / lies_to)
+    return IndentedDrum(force=2 * np.pi * lies_to * n1 * np.sin(theta), contact_radius=rho)
 
 
 @dataclass(frozen=True)

@@ -10,9 +10,9 @@ from scipy.optimize import fsolve
 from .wall_laws import Law, tension
 
 
-def compressible_pressure(bulk_modulus: float, fluid_volume: float, volume: float) -> float:
-    """Pascal: p = kappa (Vf - V) / Vf."""
-    return bulk_modulus * (fluid_volume - volume) / fluid_volume
+def compressible_pressure(first_pressure: float, bulk_modulus: float, fluid_volume, volume):
+    """Pascal: p = p0 + kappa (Vf - V) / Vf, with Vf the volume that the fluid fills at p0."""
+    return first_pressure + bulk_modulus * (fluid_volume - volume) / fluid_volume
 
 
 def two_chambers(pressure_of_volume: tuple[Callable, Callable], volumes: tuple[float, float], area: float,
