@@ -33,6 +33,7 @@ struct Recipe {
   Treatment treatment = Treatment::kPalpate;
   Eigen::Vector3d aim = Eigen::Vector3d::Zero();  // metres, beside the axis
   double depth = 0;                               // metres
+  double lowest_tip = -1;                         // metres, above what the body is held by, with room for its wall
   double speed = 0;                               // metres / second
   double filling = 1;                             // of the fluid volume, drained or inflated to
   int steps = 20;
@@ -82,12 +83,16 @@ class Drawer {
     // A sphere lies free, on a bed that holds its lower part, or hangs from its top.
     if (shape_ == 0 && pick(3) > 0) {
       recipe.body.fixed.push_back({.region = BelowRegion{.axis = 2, .at = between(-0.8, -0.3) * kRadius}});
+      in_bed_ = true;
     }
     if (pick(4) == 0) recipe.body.viscosity = {{.fraction = between(0.1, 0.6), .time = between(0.02, 0.5)}};
     recipe.options.analysis = pick(2) == 0 ? Analysis::kQuasiStatic : Analysis::kDynamic;
     recipe.options.time_step = between(2e-3, 20e-3);
     const bool held = !recipe.body.fixed.empty();
-    if (held && pick(3) == 0) recipe.options.gravity = {0, 0, -9.81};
+    // A wall that cannot hold the fluid's weight bursts as a balloon does: no equilibrium is there to be found.
+    const double weight = 1010 * 9.81 * 2 * kRadius;  // pascal, at the bottom
+    const bool bears = shape_ == 4 || weight < 0.6 * burst_pressure();
+    if (held && bears && pick(2) == 0) recipe.options.gravity = {0, 0, -9.81};
     recipe.kind = kShapes[shape_];
     words_ << kShapes[shape_] << " of " << mesh.triangles.size() << " triangles, " << material.law->name;
     for (const double parameter : material.parameters) words_ << " " << parameter;
@@ -123,7 +128,7 @@ class Drawer {
     fluid.kind = kind == 0 ? FluidKind::kIncompressible : kind == 1 ? FluidKind::kCompressible : FluidKind::kNone;
     fluid.bulk_modulus = between(20e3, 500e3);
     // Up to a third of what a balloon of that wall holds.
-    const double pressure = pick(4) == 0 ? 0 : between(0.02, 0.33) * 1.2 * modulus_ * thickness_ / kRadius;
+    const double pressure = pick(4) == 0 ? 0 : between(0.02, 0.33) * burst_pressure();
     if (kind < 2) fluid.initial_pressure = pressure;
     words_ << ", " << kFluids[kind];
     if (kind < 2) words_ << " at " << pressure << " Pa";
@@ -156,6 +161,13 @@ class Drawer {
     recipe.depth = between(0.05, tool == 2 ? 0.9 : 0.5) * height;
     recipe.speed = between(5e-3, 200e-3);
     recipe.steps = 10 + pick(25);
+    if (shape_ == 1 || shape_ == 2) recipe.lowest_tip = kRoom;
+    if (in_bed_) {
+      // A tool within the ball that the bed is part of.
+      const double room = kRadius - recipe.tool.radius - kRoom;
+      const double aside = recipe.aim.norm() + 0.5 * recipe.tool.length;
+      recipe.lowest_tip = -recipe.tool.radius - std::sqrt(std::max(0.0, room * room - aside * aside));
+    }
     words_ << ", " << recipe.tool.name << " (length " << recipe.tool.length * 1e3 << ", radius "
            << recipe.tool.radius * 1e3 << " mm), aim " << recipe.aim.head<2>().transpose() * 1e3 << " mm, depth "
            << recipe.depth * 1e3 << " mm at " << recipe.speed * 1e3 << " mm/s";
@@ -164,10 +176,15 @@ class Drawer {
   double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
   int pick(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
 
+  /// What a balloon of that wall holds, pascal, roughly.
+  double burst_pressure() const { return 1.2 * modulus_ * thickness_ / kRadius; }
+
   static constexpr double kRadius = 20e-3;  // metres
+  static constexpr double kRoom = 3e-3;     // metres, that two walls want between a tool and what holds them
   std::mt19937 random_;
   std::ostringstream words_;
   int shape_ = 0, triangles_ = 0;
+  bool in_bed_ = false;
   double modulus_ = 0, thickness_ = 0;
 };
 
@@ -211,7 +228,8 @@ void palpate(const Recipe& recipe, Body& body, Outcome& outcome) {
   const auto travel = travel_to_contact(body.surface(), recipe.tool, far, far.direction);
   if (!travel) return;
   const Eigen::Vector3d start = far.tip + (*travel - 0.5e-3) * far.direction;
-  const Eigen::Vector3d deep = start + (0.5e-3 + recipe.depth) * far.direction;
+  Eigen::Vector3d deep = start + (0.5e-3 + recipe.depth) * far.direction;
+  deep.z() = std::min(start.z(), std::max(deep.z(), recipe.lowest_tip));
   const double step_time = (recipe.depth + 0.5e-3) / recipe.speed / recipe.steps;
   const bool closed = !body.model().definition.mesh.cap_triangles.empty() || recipe.kind.starts_with("sphere");
   const auto note = [&](const ToolPose& pose) {
