@@ -108,7 +108,11 @@ ValueSchema thickness_value() {
 }
 
 ValueSchema wall_value() {
-  MappingSchema wall{.name = "wall", .documentation = "The thin wall of a body."};
+  MappingSchema wall{.name = "wall",
+                     .documentation =
+                         "The thin wall of a body. It keeps out of its own way: mid-surfaces that come nearer to each "
+                         "other than the thickness push each other apart (nearer than 0.4 of the mean edge length of "
+                         "the mesh, or than half of their stress-free distance, where those are smaller)."};
   wall.keys = {
       {"model", word_value({"membrane"}), false, "membrane", "membrane: no bending stiffness"},
       {"thickness", thickness_value(), true, {}, "thickness of the stress-free wall"},
@@ -144,7 +148,10 @@ ValueSchema contents_value() {
 }
 
 ValueSchema fixed_value() {
-  MappingSchema fixed{.name = "fixed", .documentation = "Vertices that keep their stress-free positions."};
+  MappingSchema fixed{.name = "fixed",
+                      .documentation =
+                          "Vertices that keep their stress-free positions. A flat cap that is held along its normal is "
+                          "a floor: the wall does not pass its plane, where all of it lies on one side."};
   fixed.keys = {
       {"region", region_schema(), true, {}, "which vertices"},
       {"axes", {.kind = ValueKind::kAxes}, false, "xyz", "along which axes"},
