@@ -1,5 +1,6 @@
 #include "studio/recorder/FrameComposer.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <utility>
@@ -14,11 +15,13 @@ double magnitude(const Double3& vector) {
 constexpr const char* kIdle = "idle";
 
 /// The text that holds at `time`: after its begin, up to and with its end. A run knows of a clip only once it has gone
-/// beyond the clip's begin; with the begin included, a frame at that very time would differ between run and take.
+/// beyond the clip's begin; with the begin included, a frame at that very time would differ between run and take. Only
+/// at time zero there is no text before it, and a run knows what begins there.
 std::string text_at(double time, const std::vector<TimedText>& texts) {
   std::string text;
   for (const TimedText& candidate : texts) {
-    if (candidate.begin < time - kSameTime && time <= candidate.end + kSameTime) text = candidate.text;
+    const bool has_begun = candidate.begin < std::max(time - kSameTime, kSameTime);
+    if (has_begun && time <= candidate.end + kSameTime) text = candidate.text;
   }
   return text;
 }

@@ -41,9 +41,9 @@ TEST(FrameComposerTest, TheHistoryEndsWithTheFrame) {
   EXPECT_DOUBLE_EQ(frame.overlay.history[8].force, frame.overlay.force);
 }
 
-TEST(FrameComposerTest, CaptionsHoldFromAfterTheirBeginToTheirEnd) {
+TEST(FrameComposerTest, CaptionsHoldFromAfterTheirBeginToTheirEndAndThatOfTimeZeroAtOnce) {
   const SyntheticRun run;
-  EXPECT_EQ(fed_up_to(run, 0).compose(0).overlay.caption, "");
+  EXPECT_EQ(fed_up_to(run, 0).compose(0).overlay.caption, "Pressing");
   EXPECT_EQ(fed_up_to(run, 1).compose(0.001).overlay.caption, "Pressing");
   EXPECT_EQ(fed_up_to(run, 20).compose(0.1).overlay.caption, "Pressing");
   EXPECT_EQ(fed_up_to(run, 21).compose(0.1001).overlay.caption, "Releasing");
