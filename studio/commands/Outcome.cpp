@@ -6,12 +6,13 @@
 
 #include "renderer/image/WholeFile.hpp"
 #include "studio/commands/ExitCode.hpp"
+#include "studio/scenario/InputError.hpp"
 
 namespace thinwall {
 namespace {
 
-void print_json(const RecordingPlan& plan, const RecordingReport& report) {
-  nlohmann::ordered_json json = {{"result", report.failure.empty() ? "ok" : "the simulation failed"},
+void print_json(const ManifestContext& context, const RecordingPlan& plan, const RecordingReport& report) {
+  nlohmann::ordered_json json = {{"result", result_words(context, report)},
                                  {"folder", plan.folder.generic_string()},
                                  {"manifest", (plan.folder / "manifest.json").generic_string()},
                                  {"steps", report.steps},
@@ -35,8 +36,13 @@ int conclude(const ManifestContext& context, const RecordingPlan& plan, const Re
              "encode {:.1f})\n",
              report.simulated, report.steps, report.frame_hashes.size(), plan.folder.string(), times.total,
              times.simulate.wall, times.render.wall, times.encode.wall);
-  if (json) print_json(plan, report);
-  if (report.failure.empty()) return kExitGood;
+  if (json) print_json(context, plan, report);
+  bool met = true;
+  for (const ExpectationResult& result : context.expectations) {
+    fmt::print(stderr, "thinwall: {}: {}\n", to_text(result.expectation.location), to_text(result));
+    met = met && result.passed;
+  }
+  if (report.failure.empty()) return met ? kExitGood : kExitRegression;
   fmt::print(stderr, "thinwall: the simulation failed: {}; what it had reached is recorded\n", report.failure);
   return kExitSimulationFailed;
 }

@@ -12,6 +12,29 @@
 #include "studio/scenario/LoadScenario.hpp"
 
 namespace thinwall {
+namespace {
+
+/// Lets the expectations see every moment that passes.
+class WatchedSource final : public MomentSource {
+ public:
+  WatchedSource(std::unique_ptr<MomentSource> source, std::vector<Expectation> expectations)
+      : source_(std::move(source)), check_(std::move(expectations)) {}
+
+  std::optional<Moment> next() override {
+    std::optional<Moment> moment = source_->next();
+    if (moment) check_.add(moment->record);
+    return moment;
+  }
+  std::vector<std::string> warnings() const override { return source_->warnings(); }
+  std::string state_digest() const override { return source_->state_digest(); }
+  std::vector<ExpectationResult> results() const { return check_.results(); }
+
+ private:
+  std::unique_ptr<MomentSource> source_;
+  ExpectationCheck check_;
+};
+
+}  // namespace
 
 int run_scenario(const RunOptions& options) {
   StageTime preparation;
@@ -31,14 +54,15 @@ int run_scenario(const RunOptions& options) {
       .frames = options.frames,
       .surfaces = options.surfaces,
       .progress = stderr};
-  const std::unique_ptr<MomentSource> source = simulate_scenario(scenario);
+  WatchedSource source(simulate_scenario(scenario), scenario.expectations);
   const RecordingReport report =
-      record(*source, plan, renderer_painters(options.device, scenario.record.tier, scenario.view));
+      record(source, plan, renderer_painters(options.device, scenario.record.tier, scenario.view));
   return conclude({.command = "run",
                    .source = options.scenario,
                    .device = options.device_text,
                    .overrides = options.overrides,
-                   .preparation = preparation.wall},
+                   .preparation = preparation.wall,
+                   .expectations = source.results()},
                   plan, report, options.json);
 }
 

@@ -40,6 +40,20 @@ struct DirectedTool {
   std::optional<Eigen::Vector3d> first_contact;  // metres, of the tip, of the move that is playing
 };
 
+/// A recorded point as what is followed.
+struct PointOfBody {
+  std::size_t body = 0;
+  int vertex = 0;
+};
+
+int nearest_vertex(const SurfaceMesh& mesh, const Eigen::Vector3d& place) {
+  int nearest = 0;
+  for (int v = 1; v < static_cast<int>(mesh.vertices.size()); ++v) {
+    if ((mesh.vertices[v] - place).norm() < (mesh.vertices[nearest] - place).norm()) nearest = v;
+  }
+  return nearest;
+}
+
 double duration_of(const Plan& plan) {
   if (const auto* wait = std::get_if<WaitClip>(&plan)) return wait->duration;
   if (const auto* palpation = std::get_if<PalpationPlan>(&plan)) return palpation->duration();
@@ -66,6 +80,7 @@ struct ScenarioRun::Implementation {
   std::vector<std::shared_ptr<const SnapshotTopology>> topologies;
   std::map<std::string, DirectedTool> tools;
   std::vector<ScheduledClip> clips;
+  std::vector<PointOfBody> points;
   std::vector<std::string> warnings;
   Snapshot snapshot;
   StepRecord record;
@@ -81,11 +96,21 @@ struct ScenarioRun::Implementation {
       warn_of_free_body(*bodies.back());
     }
     for (int k = 0; k < static_cast<int>(scenario.tools.size()); ++k) tools[scenario.tools[k].name].index = k;
+    find_points();
     for (const Clip& clip : scenario.timeline) clips.push_back({.plan = plan(clip)});
     schedule();
     refuse_overlaps();
     place_tools();
     write_moment();
+  }
+
+  void find_points() {
+    for (const RecordedPoint& point : scenario.record.points) {
+      for (std::size_t k = 0; k < bodies.size(); ++k) {
+        if (scenario.bodies[k].name != point.body) continue;
+        points.push_back({k, nearest_vertex(bodies[k]->model().definition.mesh, point.at)});
+      }
+    }
   }
 
   void warn_of_free_body(const Body& body) {
@@ -261,16 +286,26 @@ struct ScenarioRun::Implementation {
       snapshot.surfaces.push_back(snapshot_surface(*bodies[k], topologies[k]));
       add_scalars(*bodies[k], snapshot.scalars);
     }
+    for (std::size_t k = 0; k < points.size(); ++k) record.points.push_back(point_record(k));
     for (std::size_t k = 0; k < scenario.tools.size(); ++k) {
       const DirectedTool& tool = tools.at(scenario.tools[k].name);
       snapshot.tools.push_back(snapshot_tool(scenario.tools[k], tool.pose, record.tools[k]));
     }
   }
 
+  PointRecord point_record(std::size_t index) const {
+    const auto& [body, vertex] = points[index];
+    return {.body = scenario.bodies[body].name,
+            .point = scenario.record.points[index].name,
+            .position = bodies[body]->state().equilibrium.position.segment<3>(3 * vertex),
+            .stress_free = bodies[body]->model().definition.mesh.vertices[vertex]};
+  }
+
   std::vector<TimedText> texts(bool chapters) const {
     std::vector<TimedText> result;
     for (std::size_t k = 0; k < clips.size(); ++k) {
-      if (!clips[k].begun) continue;
+      // Those of time zero hold of the first moment already, though their clips begin with the step after it.
+      if (!clips[k].begun && clips[k].begin > kSameTime) continue;
       const Clip& clip = scenario.timeline[k];
       const std::string text = chapters ? clip.chapter.value_or("") : clip.caption.value_or(standard_caption(clip));
       if (!text.empty()) result.push_back({.begin = clips[k].begin, .end = clips[k].end, .text = text});

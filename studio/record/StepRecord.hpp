@@ -43,11 +43,22 @@ struct BodyRecord {
   double residual = 0;  // newton
 };
 
+/// A row of points.csv.
+struct PointRecord {
+  std::string body;
+  std::string point;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();     // metres
+  Eigen::Vector3d stress_free = Eigen::Vector3d::Zero();  // metres
+
+  Eigen::Vector3d displacement() const { return position - stress_free; }  // metres
+};
+
 /// What a step leaves in the records.
 struct StepRecord {
-  double time = 0;                 // seconds
-  std::vector<ToolRecord> tools;   // in the order of the scenario
-  std::vector<BodyRecord> bodies;  // in the order of the scenario
+  double time = 0;                       // seconds
+  std::vector<ToolRecord> tools;         // in the order of the scenario
+  std::vector<BodyRecord> bodies;        // in the order of the scenario
+  std::vector<PointRecord> points = {};  // in the order of the scenario; not kept in a take
 };
 
 }  // namespace thinwall

@@ -3,11 +3,13 @@
 #include <sys/resource.h>
 #include <xxhash.h>
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 
 #include "renderer/video/VideoSurvey.hpp"
 #include "studio/recorder/Versions.hpp"
+#include "studio/scenario/ExpectationQuantity.hpp"
 
 namespace thinwall {
 namespace {
@@ -69,8 +71,9 @@ Json time_part(const ManifestContext& context, const RecordingReport& report) {
 }
 
 Json file_part(const std::filesystem::path& folder) {
-  constexpr std::array kNames = {"forces.csv", "body.csv",          "take.h5",    "video.mp4", "captions.vtt",
-                                 "poster.png", "contact_sheet.png", "forces.png", "frames",    "surfaces"};
+  constexpr std::array kNames = {"forces.csv", "body.csv",     "points.csv", "take.h5",
+                                 "video.mp4",  "captions.vtt", "poster.png", "contact_sheet.png",
+                                 "forces.png", "frames",       "surfaces"};
   Json files = Json::array();
   for (const char* name : kNames) {
     if (std::filesystem::exists(folder / name)) files.push_back(name);
@@ -78,7 +81,32 @@ Json file_part(const std::filesystem::path& folder) {
   return files;
 }
 
+Json expectation_part(const std::vector<ExpectationResult>& results) {
+  Json part = Json::array();
+  for (const ExpectationResult& result : results) {
+    const Expectation& expectation = result.expectation;
+    const MeasuredQuantity& measured = *find_expectation_quantity(expectation.quantity).measured;
+    Json row = {{"quantity", expectation.quantity}};
+    row[std::string(subject_word(measured.subject))] = expectation.subject;
+    if (expectation.at) row["at_s"] = *expectation.at;
+    if (expectation.from) row["from_s"] = *expectation.from;
+    if (expectation.until) row["until_s"] = *expectation.until;
+    row["unit"] = si_unit(measured.dimension);
+    row["value"] = result.value ? Json(*result.value) : Json(nullptr);
+    row["within"] = {expectation.lowest, expectation.highest};
+    row["passed"] = result.passed;
+    part.push_back(std::move(row));
+  }
+  return part;
+}
+
 }  // namespace
+
+std::string result_words(const ManifestContext& context, const RecordingReport& report) {
+  if (!report.failure.empty()) return "the simulation failed";
+  const bool met = std::ranges::all_of(context.expectations, &ExpectationResult::passed);
+  return met ? "ok" : "an expectation failed";
+}
 
 std::string text_hash(const std::string& text) {
   XXH128_canonical_t canonical;
@@ -97,13 +125,14 @@ std::string manifest(const ManifestContext& context, const RecordingPlan& plan, 
   manifest["manifest_version"] = kManifestVersion;
   manifest["command"] = context.command;
   manifest["source"] = context.source.generic_string();
-  manifest["result"] = report.failure.empty() ? "ok" : "the simulation failed";
+  manifest["result"] = result_words(context, report);
   manifest["complete"] = report.failure.empty();
   if (!report.failure.empty()) manifest["failure"] = report.failure;
   manifest["steps"] = report.steps;
   manifest["simulated_s"] = report.simulated;
   manifest["frames"] = report.frame_hashes.size();
   manifest["warnings"] = report.warnings;
+  manifest["expectations"] = expectation_part(context.expectations);
   manifest["state_digest"] = report.state_digest;
   manifest["files"] = file_part(plan.folder);
   manifest["times"] = time_part(context, report);

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "studio/expectation/ExpectationCheck.hpp"
 #include "studio/recorder/Recorder.hpp"
 
 namespace thinwall {
@@ -16,7 +17,11 @@ struct ManifestContext {
   std::string device;                                          // as asked for
   std::vector<std::pair<std::string, std::string>> overrides;  // of `--set`
   double preparation = 0;                                      // seconds, reading and checking
+  std::vector<ExpectationResult> expectations = {};            // of the scenario
 };
+
+/// "ok", "the simulation failed", "an expectation failed"
+std::string result_words(const ManifestContext& context, const RecordingReport& report);
 
 /// 32 hexadecimal digits: XXH3 (128 bits) of the text.
 std::string text_hash(const std::string& text);

@@ -55,6 +55,10 @@ std::string body_csv_header() {
   return header("time_s,body", kBodyColumns);
 }
 
+std::string points_csv_header() {
+  return "time_s,body,point,x_m,y_m,z_m,ux_m,uy_m,uz_m";
+}
+
 std::string forces_csv_rows(const StepRecord& record) {
   std::string rows;
   for (ToolRecord tool : record.tools) {
@@ -79,15 +83,36 @@ std::string body_csv_rows(const StepRecord& record) {
   return rows;
 }
 
-RecordCsv::RecordCsv(const std::filesystem::path& folder) : forces_(folder / "forces.csv"), body_(folder / "body.csv") {
+std::string points_csv_rows(const StepRecord& record) {
+  constexpr std::array<std::string_view, 3> kPositions = {"x_m", "y_m", "z_m"};
+  constexpr std::array<std::string_view, 3> kDisplacements = {"ux_m", "uy_m", "uz_m"};
+  std::string rows;
+  for (const PointRecord& point : record.points) {
+    rows += shortest(record.time) + ',' + field(point.body) + ',' + field(point.point);
+    const Eigen::Vector3d displacement = point.displacement();
+    for (int i = 0; i < 3; ++i) append_number(rows, kPositions[i], point.position[i], point.point, record.time);
+    for (int i = 0; i < 3; ++i) append_number(rows, kDisplacements[i], displacement[i], point.point, record.time);
+    rows += '\n';
+  }
+  return rows;
+}
+
+RecordCsv::RecordCsv(const std::filesystem::path& folder)
+    : forces_(folder / "forces.csv"), body_(folder / "body.csv"), points_file_(folder / "points.csv") {
   forces_.write(forces_csv_header() + '\n');
   body_.write(body_csv_header() + '\n');
 }
 
 void RecordCsv::write(const StepRecord& record) {
-  // Both before either is written, so that a step that is refused is in neither.
+  // All before any is written, so that a step that is refused is in none.
   const std::string forces_rows = forces_csv_rows(record);
   const std::string body_rows = body_csv_rows(record);
+  const std::string points_rows = points_csv_rows(record);
+  if (!points_rows.empty() && !points_) {
+    points_.emplace(points_file_);
+    points_->write(points_csv_header() + '\n');
+  }
+  if (points_) points_->write(points_rows);
   forces_.write(forces_rows);
   body_.write(body_rows);
 }
@@ -95,6 +120,7 @@ void RecordCsv::write(const StepRecord& record) {
 void RecordCsv::finish() {
   forces_.finish();
   body_.finish();
+  if (points_) points_->finish();
 }
 
 }  // namespace thinwall

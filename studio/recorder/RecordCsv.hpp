@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "studio/record/StepRecord.hpp"
@@ -8,16 +9,18 @@
 
 namespace thinwall {
 
-/// The first line of forces.csv and of body.csv, without line end.
+/// The first line of forces.csv, body.csv and points.csv, without line end.
 std::string forces_csv_header();
 std::string body_csv_header();
+std::string points_csv_header();
 
-/// The lines of a step, one for each tool or body. Numbers are the shortest that read back to the same bits.
-/// Throws SimulationFailure when one is not finite: no such number gets into a file.
+/// The lines of a step, one for each tool, body or recorded point. Numbers are the shortest that read back to the same
+/// bits. Throws SimulationFailure when one is not finite: no such number gets into a file.
 std::string forces_csv_rows(const StepRecord& record);
 std::string body_csv_rows(const StepRecord& record);
+std::string points_csv_rows(const StepRecord& record);
 
-/// forces.csv and body.csv of a run.
+/// forces.csv and body.csv of a run, and points.csv when the first record has points.
 class RecordCsv {
  public:
   /// Throws PictureFailure when the files cannot be made in `folder`.
@@ -29,6 +32,8 @@ class RecordCsv {
  private:
   UnfinishedText forces_;
   UnfinishedText body_;
+  std::filesystem::path points_file_;
+  std::optional<UnfinishedText> points_;
 };
 
 }  // namespace thinwall

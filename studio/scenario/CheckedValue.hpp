@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "studio/scenario/Quantity.hpp"
 #include "studio/scenario/Scenario.hpp"
 
 namespace thinwall {
@@ -20,6 +21,7 @@ struct CheckedValue {
   bool given = true;             // false for a default
   bool boolean = false;
   double number = 0;                        // kInteger, kNumber, SI
+  Dimension dimension = {};                 // kNumber where the schema leaves it open
   std::string text = {};                    // kText; kPath: absolute or relative to the working directory
   std::vector<CheckedValue> items = {};     // kList
   std::vector<CheckedMember> members = {};  // kMapping: keys in the order of the schema, names in the order of the file

@@ -115,6 +115,8 @@ class SchemaWriter {
       case ValueKind::kInteger:
       case ValueKind::kQuantity:
         return quantity(schema);
+      case ValueKind::kAnyQuantity:
+        return any_quantity(schema);
       case ValueKind::kAxes:
         return shared("axes");
       case ValueKind::kDirection:
@@ -173,6 +175,10 @@ class SchemaWriter {
     if (!range.empty()) words += ", " + range;
     result["description"] = words;
     return result;
+  }
+
+  static Json any_quantity(const ValueSchema& schema) {
+    return {{"anyOf", Json::array({reference("quantity"), reference("number")})}, {"description", expectation(schema)}};
   }
 
   Json list(const ValueSchema& schema) {

@@ -7,7 +7,6 @@ namespace thinwall {
 namespace {
 
 constexpr std::array kLaterWords = {
-    LaterWord{"scenario", "expect", "`expect`"},
     LaterWord{"body", "loads", "`loads`"},
     LaterWord{"wall", "viscosity", "`viscosity`"},
     LaterWord{"wall", "toughness", "`toughness`"},

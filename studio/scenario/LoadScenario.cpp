@@ -2,6 +2,7 @@
 
 #include "studio/scenario/CameraPass.hpp"
 #include "studio/scenario/Diagnostics.hpp"
+#include "studio/scenario/ExpectationPass.hpp"
 #include "studio/scenario/IncludePass.hpp"
 #include "studio/scenario/LintPass.hpp"
 #include "studio/scenario/ParameterPass.hpp"
@@ -38,6 +39,7 @@ Scenario load_scenario(const std::filesystem::path& file,
   parameter_pass(root, overrides, diagnostics);
   CheckedValue checked = unit_pass(root, scenario_schema(), diagnostics);
   reference_pass(checked, diagnostics);
+  expectation_pass(checked, diagnostics);
   lint_pass(checked, diagnostics);
   diagnostics.throw_errors(file);
   camera_pass(checked);

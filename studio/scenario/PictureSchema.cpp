@@ -96,6 +96,8 @@ ValueSchema record_schema() {
       {"video", boolean_value(), false, "true", "whether a video is made"},
       {"tier", word_value({"draft", "record", "final"}), false, "record",
        "draft: without shadow and anti-aliasing; record: with both; final: at twice the resolution on top"},
+      {"points", recorded_points_schema(), false, "{}",
+       "points of walls whose motion is written to points.csv, by name"},
   };
   return mapping_value({record});
 }

@@ -29,6 +29,7 @@ struct NamedUnit {
 constexpr double kDegree = std::numbers::pi / 180;
 
 constexpr std::array kUnits = {
+    NamedUnit{"%", {1, -2, kDimensionless}, false},
     NamedUnit{"m", {1, 0, kLength}, true},
     NamedUnit{"g", {1, -3, {.mass = 1}}, true},
     NamedUnit{"s", {1, 0, kTime}, true},
@@ -67,20 +68,21 @@ struct DimensionWords {
 constexpr std::array kDimensions = {
     DimensionWords{kDimensionless, "a plain number", "0.5", ""},
     DimensionWords{kLength, "a length", "0.8 mm", "m"},
-    DimensionWords{{.length = 2}, "an area", "4 mm^2", "m^2"},
-    DimensionWords{{.length = 3}, "a volume", "5 ml", "m^3"},
+    DimensionWords{kArea, "an area", "4 mm^2", "m^2"},
+    DimensionWords{kVolume, "a volume", "5 ml", "m^3"},
     DimensionWords{{.mass = 1}, "a mass", "20 g", "kg"},
     DimensionWords{kTime, "a time", "1.5 s", "s"},
-    DimensionWords{{.time = -1}, "a frequency", "30 Hz", "Hz"},
+    DimensionWords{kFrequency, "a frequency", "30 Hz", "Hz"},
     DimensionWords{kAngle, "an angle", "30 deg", "rad"},
     DimensionWords{kAngularSpeed, "an angular speed", "10 deg/s", "rad/s"},
     DimensionWords{kSpeed, "a speed", "10 mm/s", "m/s"},
     DimensionWords{kAcceleration, "an acceleration", "9.81 m/s^2", "m/s^2"},
     DimensionWords{kDensity, "a density", "1060 kg/m^3", "kg/m^3"},
-    DimensionWords{{.length = 1, .mass = 1, .time = -2}, "a force", "0.2 N", "N"},
-    DimensionWords{{.mass = 1, .time = -2}, "a force per length or energy per area", "60 N/m", "N/m"},
+    DimensionWords{kForce, "a force", "0.2 N", "N"},
+    DimensionWords{kForcePerLength, "a force per length or energy per area", "60 N/m", "N/m"},
     DimensionWords{kPressure, "a pressure", "12 kPa", "Pa"},
-    DimensionWords{{.length = 2, .mass = 1, .time = -2}, "an energy or moment", "3 mJ", "J"},
+    DimensionWords{kForcePerVolume, "a force per volume", "10 kN/m^3", "N/m^3"},
+    DimensionWords{kEnergy, "an energy or moment", "3 mJ", "J"},
     DimensionWords{{.length = 2, .mass = 1, .time = -3}, "a power", "2 W", "W"},
     DimensionWords{{.length = 3, .time = -1}, "a flow", "2 ml/s", "m^3/s"},
 };

@@ -24,6 +24,13 @@ inline constexpr Dimension kSpeed{.length = 1, .time = -1};
 inline constexpr Dimension kAcceleration{.length = 1, .time = -2};
 inline constexpr Dimension kAngularSpeed{.time = -1, .angle = 1};
 inline constexpr Dimension kDensity{.length = -3, .mass = 1};
+inline constexpr Dimension kArea{.length = 2};
+inline constexpr Dimension kVolume{.length = 3};
+inline constexpr Dimension kFrequency{.time = -1};
+inline constexpr Dimension kForce{.length = 1, .mass = 1, .time = -2};
+inline constexpr Dimension kForcePerLength{.mass = 1, .time = -2};
+inline constexpr Dimension kForcePerVolume{.length = -2, .mass = 1, .time = -2};
+inline constexpr Dimension kEnergy{.length = 2, .mass = 1, .time = -2};
 inline constexpr Dimension kPressure{.length = -1, .mass = 1, .time = -2};
 
 /// A number in SI units (metre, kilogram, second, radian and what they make) with its dimension.

@@ -5,6 +5,7 @@
 #include <set>
 #include <sstream>
 
+#include "studio/scenario/ExpectationQuantity.hpp"
 #include "studio/scenario/LaterWords.hpp"
 #include "studio/scenario/Schema.hpp"
 #include "studio/scenario/Wording.hpp"
@@ -44,7 +45,7 @@ constexpr std::array kDimensionsOfTheFormat = {kLength,   kTime,    kSpeed, kAcc
 
 constexpr std::string_view kUnits = R"(
 Units: `m`, `g`, `s`, `N`, `Pa`, `J`, `W`, `Hz`, `l`, `bar`, `rad` with the prefixes `n`, `u`, `m`, `c`, `d`, `k`, `M`, `G`; and
-`min`, `h`, `deg`, `mmHg`, `cmH2O`. Powers are written `m^2` or `m²`, products `kg*m/s^2`.
+`min`, `h`, `deg`, `mmHg`, `cmH2O`, `%`. Powers are written `m^2` or `m²`, products `kg*m/s^2`.
 
 )";
 
@@ -73,6 +74,7 @@ class PageWriter {
     }
     page_ << kUnits << "## Keys\n\n";
     write_alternatives({scenario_schema()});
+    write_measured_quantities();
     write_later_words();
     return page_.str();
   }
@@ -150,6 +152,25 @@ class PageWriter {
       const ValueSchema& value = key.value.kind == ValueKind::kList ? key.value.item[0] : key.value;
       if (!value.mappings.empty()) write_alternatives(value.mappings);
     }
+  }
+
+  void write_measured_quantities() {
+    page_ << "## What can be expected\n\nThe words of `quantity` in an [expectation](#expectation), what each is "
+             "measured of and what it is.\n\n|";
+    for (const ReductionWord& reduction : reduction_words())
+      page_ << " " << capitalized(std::string(reduction.documentation)) << " |";
+    page_ << " Of a | What |\n|";
+    for (std::size_t column = 0; column < reduction_words().size() + 2; ++column) page_ << " --- |";
+    page_ << "\n";
+    for (const MeasuredQuantity& measured : measured_quantities()) {
+      page_ << "|";
+      for (const ReductionWord& reduction : reduction_words()) {
+        page_ << " `" << reduction.prefix << measured.name << "` |";
+      }
+      page_ << " `" << subject_word(measured.subject) << "` | " << dimension_name(measured.dimension) << ": "
+            << measured.documentation << " |\n";
+    }
+    page_ << "\n";
   }
 
   void write_later_words() {

@@ -110,11 +110,31 @@ struct OverlayChoice {
   bool time = true;
 };
 
+/// A point of a wall whose motion is recorded.
+struct RecordedPoint {
+  std::string name = {};
+  std::string body = {};
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();  // metres, near its stress-free position
+};
+
+/// What must come out of a run.
+struct Expectation {
+  std::string quantity = {};         // a word of expectation_words()
+  std::string subject = {};          // the name of the tool, body or point
+  std::optional<double> at = {};     // seconds
+  std::optional<double> from = {};   // seconds
+  std::optional<double> until = {};  // seconds
+  double lowest = 0;                 // SI
+  double highest = 0;                // SI
+  SourceLocation location = {};
+};
+
 struct RecordOptions {
   ImageSize size = {};
   double frames_per_second = 30;
   bool video = true;
   Tier tier = Tier::kRecord;
+  std::vector<RecordedPoint> points = {};  // in the order of the file
 };
 
 struct GoldenDefinition {
@@ -138,6 +158,7 @@ struct Scenario {
   OverlayChoice overlays = {};
   RecordOptions record = {};
   std::vector<GoldenDefinition> goldens = {};
+  std::vector<Expectation> expectations = {};
   std::vector<std::string> warnings = {};  // what a user should know: `file:line:column: warning: message`
   std::string resolved =
       {};  // the whole scenario as JSON text with parameters and defaults filled in, keys in schema order

@@ -2,6 +2,9 @@
 
 #include <array>
 #include <cassert>
+#include <cmath>
+
+#include "studio/scenario/ExpectationQuantity.hpp"
 
 namespace thinwall {
 namespace {
@@ -239,6 +242,27 @@ GoldenDefinition to_golden(const CheckedValue& golden) {
           .location = golden.location};
 }
 
+Expectation to_expectation(const CheckedValue& value) {
+  Expectation expectation{.quantity = value.at("quantity").text, .location = value.location};
+  const ExpectationQuantity quantity = find_expectation_quantity(expectation.quantity);
+  expectation.subject = value.at(subject_word(quantity.measured->subject)).text;
+  expectation.at = find_number(value, "at");
+  expectation.from = find_number(value, "from");
+  expectation.until = find_number(value, "until");
+  if (const CheckedValue* within = value.find("within")) {
+    expectation.lowest = within->items[0].number;
+    expectation.highest = within->items[1].number;
+    return expectation;
+  }
+  const double expected = value.at("value").number;
+  const CheckedValue& tolerance = value.at("tolerance");
+  const bool is_relative = tolerance.dimension == kDimensionless;
+  const double allowed = is_relative ? tolerance.number * std::abs(expected) : tolerance.number;
+  expectation.lowest = expected - allowed;
+  expectation.highest = expected + allowed;
+  return expectation;
+}
+
 }  // namespace
 
 Scenario build_scenario(const CheckedValue& root) {
@@ -258,6 +282,10 @@ Scenario build_scenario(const CheckedValue& root) {
                        .captions = overlays.at("captions").boolean,
                        .time = overlays.at("time").boolean};
   scenario.record = to_record(root.at("record"));
+  for (const CheckedMember& point : root.at("record").at("points").members) {
+    scenario.record.points.push_back({point.key, point.value.at("body").text, to_vector(point.value.at("at"))});
+  }
+  for (const CheckedValue& value : root.at("expect").items) scenario.expectations.push_back(to_expectation(value));
   for (const CheckedValue& golden : root.at("golden").items) scenario.goldens.push_back(to_golden(golden));
   return scenario;
 }

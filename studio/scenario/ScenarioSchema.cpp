@@ -35,6 +35,7 @@ MappingSchema make_scenario() {
       {"look", look_schema(), false, "{}", "appearance of tissue, background and overlays"},
       {"record", record_schema(), false, "{}", "size and kind of the recording"},
       {"golden", golden_schema(), false, "[]", "moments whose pictures are compared with approved ones"},
+      {"expect", expectations_schema(), false, "[]", "what must come out of a run"},
   };
   return scenario;
 }

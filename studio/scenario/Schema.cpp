@@ -19,6 +19,16 @@ std::string quantity_expectation(const ValueSchema& value) {
   return dimension_name(value.dimension) + " (e.g. " + value.example + ")";
 }
 
+/// More words than a message should hold are in a table of the reference page.
+constexpr std::size_t kMostWordsOfAMessage = 20;
+
+std::string word_expectation(const ValueSchema& value) {
+  if (value.words.size() > kMostWordsOfAMessage) {
+    return "one of " + std::to_string(value.words.size()) + " words (e.g. " + value.words[1] + ")";
+  }
+  return (value.words.size() > 1 ? "one of " : "") + list_in_backticks(value.words);
+}
+
 std::string mapping_expectation(const ValueSchema& value) {
   if (value.mappings.size() < 2) return "a mapping";
   std::string text;
@@ -60,7 +70,7 @@ std::string expectation(const ValueSchema& value) {
     case ValueKind::kPath:
       return "the path of a file";
     case ValueKind::kWord:
-      return (value.words.size() > 1 ? "one of " : "") + list_in_backticks(value.words);
+      return word_expectation(value);
     case ValueKind::kName:
       return "a name";
     case ValueKind::kBoolean:
@@ -69,6 +79,8 @@ std::string expectation(const ValueSchema& value) {
       return "a whole number (e.g. " + value.example + ")";
     case ValueKind::kQuantity:
       return quantity_expectation(value);
+    case ValueKind::kAnyQuantity:
+      return "a quantity (e.g. " + value.example + ")";
     case ValueKind::kDirection:
       return "a direction: three numbers, not all zero (e.g. [0, 0, -1])";
     case ValueKind::kAxes:

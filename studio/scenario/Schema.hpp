@@ -25,6 +25,7 @@ enum class ValueKind {
   kBoolean,        // true or false
   kInteger,        // in `range`
   kQuantity,       // of `dimension` in `range`
+  kAnyQuantity,    // of a dimension that another key tells
   kDirection,      // three numbers, not all zero; made a unit vector
   kAxes,           // some of x, y, z: `xz`
   kList,           // of `item`

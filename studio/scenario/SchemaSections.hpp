@@ -14,6 +14,8 @@ ValueSchema lights_schema();
 ValueSchema look_schema();
 ValueSchema record_schema();
 ValueSchema golden_schema();
+ValueSchema recorded_points_schema();
+ValueSchema expectations_schema();
 
 /// A part of the stress-free surface.
 ValueSchema region_schema();

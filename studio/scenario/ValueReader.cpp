@@ -19,7 +19,7 @@ std::string trimmed(std::string text) {
 
 bool is_number(const std::string& text) {
   try {
-    return parse_quantity(text).dimension == kDimensionless;
+    return !text.ends_with('%') && parse_quantity(text).dimension == kDimensionless;
   } catch (const QuantityError&) {
     return false;
   }
@@ -49,6 +49,7 @@ class PlainReader {
         return read_boolean();
       case ValueKind::kInteger:
       case ValueKind::kQuantity:
+      case ValueKind::kAnyQuantity:
         return read_quantity();
       case ValueKind::kAxes:
         return read_axes();
@@ -131,6 +132,12 @@ class PlainReader {
       quantity = is_bare_unit ? parse_unit(text_) : parse_quantity(text_);
     } catch (const QuantityError& reason) {
       return error("expected " + expectation(schema_) + ", got " + describe(node_) + ": " + reason.what());
+    }
+    if (schema_.kind == ValueKind::kAnyQuantity) {
+      CheckedValue value = value_of(CheckedKind::kNumber);
+      value.number = quantity.value == 0 ? 0 : quantity.value;
+      value.dimension = quantity.dimension;
+      return value;
     }
     const bool is_bare = quantity.dimension == kDimensionless && is_number(text_);
     const bool is_zero_without_unit = is_bare && quantity.value == 0;

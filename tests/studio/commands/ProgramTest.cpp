@@ -70,6 +70,42 @@ TEST_F(ProgramTest, WhatBelongsToLaterVersionsIsNotAcceptedSilently) {
   expect_bad_usage({"run", "small.yaml", "--aov"}, "--aov: this option is not in this version");
 }
 
+TEST_F(ProgramTest, ExpectationsAreCheckedByEveryRunAndAFailedOneIsExitCode1) {
+  const auto scenario = [](const std::string& pressure) {
+    return small_scenario() + "expect:\n  - { quantity: peak_force, within: [0.01 N, 10 N] }\n" +
+           "  - { quantity: final_pressure, value: " + pressure + ", tolerance: 1 Pa }\n";
+  };
+  write_bytes(folder_ / "met.yaml", scenario("0"));
+  write_bytes(folder_ / "missed.yaml", scenario("9 kPa"));
+  const ProgramEnd met = run({"run", "met.yaml", "--no-render", "--out", "met"});
+  EXPECT_EQ(met.exit_code, 0) << met.messages;
+  EXPECT_NE(met.messages.find("met.yaml:18:5: met: final_pressure of body `organ` is "), std::string::npos)
+      << met.messages;
+  const ProgramEnd missed = run({"run", "missed.yaml", "--no-render", "--out", "missed"});
+  EXPECT_EQ(missed.exit_code, 1) << missed.messages;
+  EXPECT_NE(missed.messages.find("missed.yaml:18:5: FAILED: final_pressure"), std::string::npos) << missed.messages;
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "missed" / "take.h5")) << "its files are whole nevertheless";
+  const nlohmann::json results = manifest("missed").at("expectations");
+  ASSERT_EQ(results.size(), 2U);
+  EXPECT_EQ(results[0].at("passed"), true);
+  EXPECT_EQ(results[1].at("passed"), false);
+  EXPECT_EQ(results[1].at("within"), nlohmann::json({8999., 9001.}));
+  EXPECT_EQ(manifest("missed").at("result"), "an expectation failed");
+}
+
+TEST_F(ProgramTest, RecordedPointsAreFollowedInAFileOfTheirOwn) {
+  std::string scenario = small_scenario();
+  scenario.replace(scenario.find("tier: draft"), 11, "tier: draft, points: { crown: { at: [0, 0, 21 mm] } }");
+  write_bytes(folder_ / "points.yaml", scenario);
+  ASSERT_EQ(run({"run", "points.yaml", "--no-render", "--out", "points"}).exit_code, 0);
+  const std::string rows = file_bytes(folder_ / "points" / "points.csv");
+  EXPECT_TRUE(rows.starts_with("time_s,body,point,x_m,y_m,z_m,ux_m,uy_m,uz_m\n0,organ,crown,0,0,0.02,0,0,0\n")) << rows;
+  const auto steps = manifest("points").at("steps").get<long>();
+  EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), steps + 1);
+  run({"run", "small.yaml", "--no-render", "--out", "points"});
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "points" / "points.csv")) << "it would be of another run";
+}
+
 TEST_F(ProgramTest, AMissingScenarioIsBadInput) {
   expect_bad_usage({"run", "none.yaml"}, "none.yaml:1:1: error: no such file");
   expect_bad_usage({"check", "small.yaml", "none.yaml"}, "none.yaml:1:1: error: no such file");

@@ -84,6 +84,8 @@ TEST(ScenarioRun, ClipsFollowOneAnotherAndTheToolTouchesNothingInBetween) {
   scenario.timeline[2].chapter = "right";
   scenario.timeline[2].caption = "the other side";
   ScenarioRun run(scenario);
+  ASSERT_EQ(run.captions().size(), 1u) << "what begins at time zero is told with the first moment";
+  EXPECT_EQ(run.captions()[0].text, "Palpation: 3 mm deep at 20 mm/s");
   while (run.step()) {
     const ToolRecord& tool = run.record().tools.at(0);
     if (tool.depth == 0) {

@@ -65,6 +65,7 @@ std::string example_text(const ValueSchema& value) {
       return "true";
     case ValueKind::kInteger:
     case ValueKind::kQuantity:
+    case ValueKind::kAnyQuantity:
       return value.only_zero ? "0" : value.example;
     case ValueKind::kDirection:
       return "[0, 0, -2]";

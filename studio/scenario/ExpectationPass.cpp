@@ -1,0 +1,192 @@
+#include "studio/scenario/ExpectationPass.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "studio/scenario/ClipTimes.hpp"
+#include "studio/scenario/ExpectationQuantity.hpp"
+#include "studio/scenario/TextNode.hpp"
+#include "studio/scenario/Wording.hpp"
+
+namespace thinwall {
+namespace {
+
+constexpr std::array kSubjects = {ExpectationSubject::kTool, ExpectationSubject::kBody, ExpectationSubject::kPoint};
+
+std::vector<std::string> names_of(const CheckedValue* mapping) {
+  std::vector<std::string> names;
+  if (mapping == nullptr) return names;
+  for (const CheckedMember& member : mapping->members) names.push_back(member.key);
+  return names;
+}
+
+CheckedValue* recorded_points(CheckedValue& root) {
+  CheckedValue* record = root.find("record");
+  return record == nullptr ? nullptr : record->find("points");
+}
+
+/// Checks one mapping that names a tool, body or point.
+class NameChecker {
+ public:
+  NameChecker(CheckedValue& mapping, std::string path, Diagnostics& diagnostics)
+      : mapping_(mapping), path_(std::move(path)), diagnostics_(diagnostics) {}
+
+  void resolve(const std::string& key, const std::vector<std::string>& names) {
+    if (mapping_.has_wrong(key)) return;
+    if (const CheckedValue* named = mapping_.find(key)) {
+      if (std::ranges::find(names, named->text) != names.end()) return;
+      const std::string nearest = did_you_mean(named->text, names);
+      const std::string there = names.empty() ? "" : "; there is " + list_in_backticks(names);
+      diagnostics_.error(named->location, member_path(path_, key),
+                         "there is no " + key + " " + in_backticks(named->text) + (nearest.empty() ? there : nearest));
+    } else if (names.size() == 1) {
+      CheckedValue only{
+          .kind = CheckedKind::kText, .location = mapping_.location, .given = false, .text = names.front()};
+      mapping_.members.insert(mapping_.members.begin(), {key, mapping_.location, std::move(only)});
+    } else {
+      diagnostics_.error(mapping_.location, path_,
+                         names.empty() ? "needs a " + key + ", but there is none"
+                                       : in_backticks(key) + " is missing; there is " + list_in_backticks(names));
+    }
+  }
+
+ private:
+  CheckedValue& mapping_;
+  std::string path_;
+  Diagnostics& diagnostics_;
+};
+
+class ExpectationChecker {
+ public:
+  ExpectationChecker(CheckedValue& value, std::string path, Diagnostics& diagnostics)
+      : value_(value), path_(std::move(path)), diagnostics_(diagnostics) {}
+
+  void check(CheckedValue& root, std::optional<double> end) {
+    const CheckedValue* word = value_.find("quantity");
+    if (word == nullptr) return;
+    word_ = word->text;
+    quantity_ = find_expectation_quantity(word_);
+    check_subject(root);
+    check_times(end);
+    check_bounds();
+  }
+
+ private:
+  void error(const CheckedValue& value, std::string_view key, const std::string& message) {
+    diagnostics_.error(value.location, key.empty() ? path_ : member_path(path_, std::string(key)), message);
+  }
+
+  void check_subject(CheckedValue& root) {
+    const std::string own(subject_word(quantity_.measured->subject));
+    for (const ExpectationSubject subject : kSubjects) {
+      const std::string_view key = subject_word(subject);
+      const CheckedValue* given = value_.find(key);
+      if (given == nullptr || key == own) continue;
+      error(*given, key, in_backticks(word_) + " is measured of a " + own + ", write " + in_backticks(own));
+    }
+    const CheckedValue* section = recorded_points(root);
+    if (quantity_.measured->subject == ExpectationSubject::kTool) section = root.find("tools");
+    if (quantity_.measured->subject == ExpectationSubject::kBody) section = root.find("bodies");
+    NameChecker(value_, path_, diagnostics_).resolve(own, names_of(section));
+  }
+
+  void check_times(std::optional<double> end) {
+    const bool has_moment = quantity_.reduction == Reduction::kMoment;
+    const bool has_span = !has_moment && quantity_.reduction != Reduction::kFinal;
+    const CheckedValue* at = value_.find("at");
+    if (has_moment && at == nullptr && !value_.has_wrong("at")) {
+      error(value_, "",
+            "`at` is missing: the time that " + in_backticks(word_) + " is taken at; or write " +
+                in_backticks("final_" + word_) + " or " + in_backticks("peak_" + word_));
+    }
+    if (!has_moment && at != nullptr) error(*at, "at", in_backticks(word_) + " takes no `at`");
+    for (const std::string_view key : {"from", "until"}) {
+      const CheckedValue* given = value_.find(key);
+      if (!has_span && given != nullptr) error(*given, key, in_backticks(word_) + " takes no " + in_backticks(key));
+    }
+    const CheckedValue* from = value_.find("from");
+    const CheckedValue* until = value_.find("until");
+    if (from != nullptr && until != nullptr && from->number > until->number) {
+      error(*until, "until", "it ends before it begins at " + format_like(from->number, "1 s"));
+    }
+    for (const std::string_view key : {"at", "from", "until"}) {
+      const CheckedValue* given = value_.find(key);
+      if (end && given != nullptr && given->number > *end) {
+        error(*given, key, "the timeline ends at " + format_like(*end, "1 s"));
+      }
+    }
+  }
+
+  void check_bounds() {
+    const CheckedValue* within = value_.find("within");
+    const CheckedValue* expected = value_.find("value");
+    const CheckedValue* tolerance = value_.find("tolerance");
+    if (value_.has_wrong("within") || value_.has_wrong("value") || value_.has_wrong("tolerance")) return;
+    if ((within == nullptr) == (expected == nullptr)) {
+      error(value_, "", "write either `within`, or `value` and `tolerance`");
+    } else if (within != nullptr) {
+      check_range(*within, tolerance);
+    } else {
+      check_tolerance(*expected, tolerance);
+    }
+  }
+
+  void check_range(const CheckedValue& within, const CheckedValue* tolerance) {
+    if (tolerance != nullptr) error(*tolerance, "tolerance", "it belongs to `value`, not to `within`");
+    bool is_right = true;
+    for (const CheckedValue& bound : within.items) is_right = has_dimension(bound, "within") && is_right;
+    if (is_right && within.items[0].number > within.items[1].number) {
+      error(within, "within", "the first bound is larger than the second");
+    }
+  }
+
+  void check_tolerance(const CheckedValue& expected, const CheckedValue* tolerance) {
+    const bool is_right = has_dimension(expected, "value");
+    if (tolerance == nullptr) {
+      error(value_, "", "`tolerance` is missing: the allowed difference from `value`, e.g. 1 %");
+      return;
+    }
+    if (tolerance->number < 0) error(*tolerance, "tolerance", "it must be at least 0");
+    if (tolerance->dimension != kDimensionless) {
+      has_dimension(*tolerance, "tolerance");
+    } else if (is_right && expected.number == 0 && tolerance->number != 0) {
+      error(*tolerance, "tolerance", "a part of 0 is nothing; write it in the unit of the quantity");
+    }
+  }
+
+  bool has_dimension(const CheckedValue& bound, std::string_view key) {
+    const Dimension& wanted = quantity_.measured->dimension;
+    if (bound.dimension == wanted || (bound.dimension == kDimensionless && bound.number == 0)) return true;
+    const bool is_bare = bound.dimension == kDimensionless;
+    error(bound, key,
+          in_backticks(word_) + " is " + dimension_name(wanted) + " (e.g. " + dimension_example(wanted) + "), got " +
+              (is_bare ? "a number without a unit" : dimension_name(bound.dimension)));
+    return false;
+  }
+
+  CheckedValue& value_;
+  std::string path_;
+  Diagnostics& diagnostics_;
+  std::string word_;
+  ExpectationQuantity quantity_;
+};
+
+}  // namespace
+
+void expectation_pass(CheckedValue& root, Diagnostics& diagnostics) {
+  if (CheckedValue* points = recorded_points(root); points != nullptr && root.find("bodies") != nullptr) {
+    for (CheckedMember& point : points->members) {
+      NameChecker(point.value, member_path("record.points", point.key), diagnostics)
+          .resolve("body", names_of(root.find("bodies")));
+    }
+  }
+  CheckedValue* expectations = root.find("expect");
+  if (expectations == nullptr) return;
+  const std::optional<double> end = end_of_timeline(clip_times(root));
+  for (std::size_t index = 0; index < expectations->items.size(); ++index) {
+    ExpectationChecker(expectations->items[index], item_path("expect", index), diagnostics).check(root, end);
+  }
+}
+
+}  // namespace thinwall
