@@ -12,6 +12,7 @@
 #include "engine/simulation/Body.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
 #include "studio/director/ClipPlan.hpp"
+#include "studio/director/FollowedPoint.hpp"
 #include "studio/director/SnapshotMaker.hpp"
 #include "studio/organs/BodyBuilder.hpp"
 
@@ -40,20 +41,6 @@ struct DirectedTool {
   std::optional<Eigen::Vector3d> first_contact;  // metres, of the tip, of the move that is playing
 };
 
-/// A recorded point as what is followed.
-struct PointOfBody {
-  std::size_t body = 0;
-  int vertex = 0;
-};
-
-int nearest_vertex(const SurfaceMesh& mesh, const Eigen::Vector3d& place) {
-  int nearest = 0;
-  for (int v = 1; v < static_cast<int>(mesh.vertices.size()); ++v) {
-    if ((mesh.vertices[v] - place).norm() < (mesh.vertices[nearest] - place).norm()) nearest = v;
-  }
-  return nearest;
-}
-
 double duration_of(const Plan& plan) {
   if (const auto* wait = std::get_if<WaitClip>(&plan)) return wait->duration;
   if (const auto* palpation = std::get_if<PalpationPlan>(&plan)) return palpation->duration();
@@ -80,7 +67,7 @@ struct ScenarioRun::Implementation {
   std::vector<std::shared_ptr<const SnapshotTopology>> topologies;
   std::map<std::string, DirectedTool> tools;
   std::vector<ScheduledClip> clips;
-  std::vector<PointOfBody> points;
+  std::vector<FollowedPoint> points;
   std::vector<std::string> warnings;
   Snapshot snapshot;
   StepRecord record;
@@ -96,21 +83,12 @@ struct ScenarioRun::Implementation {
       warn_of_free_body(*bodies.back());
     }
     for (int k = 0; k < static_cast<int>(scenario.tools.size()); ++k) tools[scenario.tools[k].name].index = k;
-    find_points();
+    for (const RecordedPoint& point : scenario.record.points) points.push_back(follow(point, bodies));
     for (const Clip& clip : scenario.timeline) clips.push_back({.plan = plan(clip)});
     schedule();
     refuse_overlaps();
     place_tools();
     write_moment();
-  }
-
-  void find_points() {
-    for (const RecordedPoint& point : scenario.record.points) {
-      for (std::size_t k = 0; k < bodies.size(); ++k) {
-        if (scenario.bodies[k].name != point.body) continue;
-        points.push_back({k, nearest_vertex(bodies[k]->model().definition.mesh, point.at)});
-      }
-    }
   }
 
   void warn_of_free_body(const Body& body) {
@@ -286,19 +264,11 @@ struct ScenarioRun::Implementation {
       snapshot.surfaces.push_back(snapshot_surface(*bodies[k], topologies[k]));
       add_scalars(*bodies[k], snapshot.scalars);
     }
-    for (std::size_t k = 0; k < points.size(); ++k) record.points.push_back(point_record(k));
+    for (const FollowedPoint& point : points) record.points.push_back(point.record());
     for (std::size_t k = 0; k < scenario.tools.size(); ++k) {
       const DirectedTool& tool = tools.at(scenario.tools[k].name);
       snapshot.tools.push_back(snapshot_tool(scenario.tools[k], tool.pose, record.tools[k]));
     }
-  }
-
-  PointRecord point_record(std::size_t index) const {
-    const auto& [body, vertex] = points[index];
-    return {.body = scenario.bodies[body].name,
-            .point = scenario.record.points[index].name,
-            .position = bodies[body]->state().equilibrium.position.segment<3>(3 * vertex),
-            .stress_free = bodies[body]->model().definition.mesh.vertices[vertex]};
   }
 
   std::vector<TimedText> texts(bool chapters) const {

@@ -121,7 +121,7 @@ class ExpectationChecker {
   void check_bounds() {
     const CheckedValue* within = value_.find("within");
     const CheckedValue* expected = value_.find("value");
-    const CheckedValue* tolerance = value_.find("tolerance");
+    CheckedValue* tolerance = value_.find("tolerance");
     if (value_.has_wrong("within") || value_.has_wrong("value") || value_.has_wrong("tolerance")) return;
     if ((within == nullptr) == (expected == nullptr)) {
       error(value_, "", "write either `within`, or `value` and `tolerance`");
@@ -141,7 +141,8 @@ class ExpectationChecker {
     }
   }
 
-  void check_tolerance(const CheckedValue& expected, const CheckedValue* tolerance) {
+  /// Makes a tolerance that is a part of the value one in its unit.
+  void check_tolerance(const CheckedValue& expected, CheckedValue* tolerance) {
     const bool is_right = has_dimension(expected, "value");
     if (tolerance == nullptr) {
       error(value_, "", "`tolerance` is missing: the allowed difference from `value`, e.g. 1 %");
@@ -152,6 +153,9 @@ class ExpectationChecker {
       has_dimension(*tolerance, "tolerance");
     } else if (is_right && expected.number == 0 && tolerance->number != 0) {
       error(*tolerance, "tolerance", "a part of 0 is nothing; write it in the unit of the quantity");
+    } else {
+      tolerance->number *= std::abs(expected.number);
+      tolerance->dimension = quantity_.measured->dimension;
     }
   }
 

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cassert>
-#include <cmath>
 
 #include "studio/scenario/ExpectationQuantity.hpp"
 
@@ -255,9 +254,7 @@ Expectation to_expectation(const CheckedValue& value) {
     return expectation;
   }
   const double expected = value.at("value").number;
-  const CheckedValue& tolerance = value.at("tolerance");
-  const bool is_relative = tolerance.dimension == kDimensionless;
-  const double allowed = is_relative ? tolerance.number * std::abs(expected) : tolerance.number;
+  const double allowed = value.at("tolerance").number;
   expectation.lowest = expected - allowed;
   expectation.highest = expected + allowed;
   return expectation;

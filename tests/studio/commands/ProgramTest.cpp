@@ -72,18 +72,17 @@ TEST_F(ProgramTest, WhatBelongsToLaterVersionsIsNotAcceptedSilently) {
 
 TEST_F(ProgramTest, ExpectationsAreCheckedByEveryRunAndAFailedOneIsExitCode1) {
   const auto scenario = [](const std::string& pressure) {
-    return small_scenario() + "expect:\n  - { quantity: peak_force, within: [0.01 N, 10 N] }\n" +
-           "  - { quantity: final_pressure, value: " + pressure + ", tolerance: 1 Pa }\n";
+    return small_scenario() + "expect:\n  - { quantity: peak_force, within: [1 mN, 10 mN] }\n" +
+           "  - { quantity: pressure, at: 0, value: " + pressure + ", tolerance: 1 Pa }\n";
   };
   write_bytes(folder_ / "met.yaml", scenario("0"));
   write_bytes(folder_ / "missed.yaml", scenario("9 kPa"));
   const ProgramEnd met = run({"run", "met.yaml", "--no-render", "--out", "met"});
   EXPECT_EQ(met.exit_code, 0) << met.messages;
-  EXPECT_NE(met.messages.find("met.yaml:18:5: met: final_pressure of body `organ` is "), std::string::npos)
-      << met.messages;
+  EXPECT_NE(met.messages.find("met.yaml:18:5: met: pressure of body `organ` is "), std::string::npos) << met.messages;
   const ProgramEnd missed = run({"run", "missed.yaml", "--no-render", "--out", "missed"});
   EXPECT_EQ(missed.exit_code, 1) << missed.messages;
-  EXPECT_NE(missed.messages.find("missed.yaml:18:5: FAILED: final_pressure"), std::string::npos) << missed.messages;
+  EXPECT_NE(missed.messages.find("missed.yaml:18:5: FAILED: pressure"), std::string::npos) << missed.messages;
   EXPECT_TRUE(std::filesystem::exists(folder_ / "missed" / "take.h5")) << "its files are whole nevertheless";
   const nlohmann::json results = manifest("missed").at("expectations");
   ASSERT_EQ(results.size(), 2U);

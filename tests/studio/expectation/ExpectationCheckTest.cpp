@@ -13,7 +13,8 @@ namespace {
 ExpectationCheck checked(const Expectation& expectation) {
   ExpectationCheck check({expectation});
   for (const auto& [time, force] : {std::pair{0.0, 0.0}, {1.0, 3.0}, {2.0, -1.0}, {4.0, 1.0}}) {
-    StepRecord record{.time = time, .tools = {{.tool = "other"}, {.tool = "probe"}}, .bodies = {}};
+    StepRecord record{
+        .time = time, .tools = {{.tool = "other", .phase = ""}, {.tool = "probe", .phase = ""}}, .bodies = {}};
     record.tools[0].force.x() = 100;
     record.tools[1].force.x() = force;
     check.add(record);
@@ -64,7 +65,7 @@ TEST(ExpectationCheck, NoRunMeetsNothing) {
 }
 
 TEST(ExpectationCheck, EveryWordMeasuresWhatItNames) {
-  StepRecord record{.time = 0, .tools = {{.tool = "it"}}, .bodies = {{.body = "it"}}};
+  StepRecord record{.time = 0, .tools = {{.tool = "it", .phase = ""}}, .bodies = {{.body = "it"}}};
   record.points = {{.body = "it", .point = "it", .position = {4, 5, 6}, .stress_free = {1, 1, 2}}};
   record.tools[0].force = {1, 2, 2};
   record.bodies[0].pressure = 7;
