@@ -53,6 +53,10 @@ struct WallHistory {
   std::vector<Eigen::Vector3d> law_stress;                  // (triangles), pascal, (S11, S22, S12)
   std::vector<std::vector<Eigen::Vector3d>> branch_stress;  // (Prony terms x triangles), pascal
   std::vector<Eigen::Vector3d> overstress;                  // (triangles), pascal: all that is not the lasting stress
+  std::vector<Eigen::Vector3d> law_moment;                  // (triangles) of a shell, newton
+  std::vector<std::vector<Eigen::Vector3d>> branch_moment;  // (Prony terms x triangles) of a shell, newton
+  std::vector<Eigen::Vector3d> overmoment;                  // (triangles) of a shell, newton
+  std::vector<Eigen::Vector3d> bending_strain;              // (triangles) of a shell, 1 / metre
   std::vector<Eigen::Vector3d> strain;                      // (triangles), (E11, E22, 2 E12)
   std::vector<Eigen::Vector3d> previous_strain;             // (triangles), a step earlier
 };
@@ -145,6 +149,7 @@ class Body {
   void add_memory(double duration, EquilibriumProblem& problem) const;
   void start_memory();
   double update_memory(double duration, const EquilibriumProblem& problem);
+  double update_bending_memory(double duration, const EquilibriumProblem& problem);
   double step_error(const BodyState& before, double duration) const;
   void attach(std::span<const ToolPose> begin, std::span<const ToolPose> end, EquilibriumProblem& problem) const;
   void attach_line(int tool, const ToolPose& end, EquilibriumProblem& problem) const;

@@ -99,6 +99,7 @@ void Body::update_books(const BodyState& before, std::span<const ToolPose> begin
   const EquilibriumTerms& terms = newton_.terms();
   const double wall_loss = update_memory(duration, problem);
   books.elastic = lasting_part(model_->definition) * terms.strain_energy;
+  books.bending = lasting_part(model_->definition) * terms.bending_energy;
   books.kinetic = 0.5 * model_->mass.dot(state_.velocity.cwiseAbs2()) + fluid_kinetic_energy();
   books.gravity = gravity_energy();
   books.contact = contact_energy(*model_, problem, terms) + terms.folds.energy;

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "engine/shell/BendingPatches.hpp"
 #include "engine/simulation/BackwardDifference.hpp"
 #include "engine/simulation/Body.hpp"
 
@@ -32,6 +33,18 @@ Eigen::Matrix3d unstrained_tangent(const BodyModel& model, int triangle) {
   return material.law->respond(material.parameters.data(), Eigen::Vector3d(1, 1, 0)).tangent;
 }
 
+void start_bending_memory(const BodyModel& model, const Eigen::VectorXd& position, WallHistory& wall) {
+  wall.bending_strain.clear();
+  wall.law_moment.clear();
+  for (const BendingRest& rest : model.bending) {
+    wall.bending_strain.push_back(bending_strain(rest, patch_of(rest, position)));
+    wall.law_moment.push_back(rest.stiffness * wall.bending_strain.back());
+  }
+  const std::vector<Eigen::Vector3d> none(model.bending.size(), Eigen::Vector3d::Zero());
+  wall.branch_moment.assign(model.definition.viscosity.size(), none);
+  wall.overmoment = none;
+}
+
 Eigen::Vector3d strain_of(const BodyModel& model, int triangle, const Eigen::VectorXd& position) {
   return green_lagrange_strain(model.rest[triangle], corners_of(model.surface[triangle], position));
 }
@@ -57,6 +70,7 @@ void Body::start_memory() {
   const std::vector<Eigen::Vector3d> none(model_->triangles(), Eigen::Vector3d::Zero());
   wall.branch_stress.assign(model_->definition.viscosity.size(), none);
   wall.overstress = none;
+  start_bending_memory(*model_, state_.equilibrium.position, wall);
 }
 
 void Body::add_memory(double duration, EquilibriumProblem& problem) const {
@@ -71,6 +85,10 @@ void Body::add_memory(double duration, EquilibriumProblem& problem) const {
     for (int t = 0; t < model_->triangles(); ++t) {
       problem.memory.overstress[t] += step.fade * wall.branch_stress[k][t] - step.share * wall.law_stress[t];
     }
+    problem.memory.overmoment.resize(model_->bending.size(), Eigen::Vector3d::Zero());
+    for (std::size_t t = 0; t < model_->bending.size(); ++t) {
+      problem.memory.overmoment[t] += step.fade * wall.branch_moment[k][t] - step.share * wall.law_moment[t];
+    }
   }
   if (definition.damping.stiffness_time == 0) return;
   const BackwardDifference difference = backward_difference(duration, state_.previous_step);
@@ -82,12 +100,35 @@ void Body::add_memory(double duration, EquilibriumProblem& problem) const {
   }
 }
 
+double Body::update_bending_memory(double duration, const EquilibriumProblem& problem) {
+  WallHistory& wall = state_.wall;
+  const double lasting = lasting_part(model_->definition);
+  double loss = 0;
+  for (int t = 0; t < static_cast<int>(model_->bending.size()); ++t) {
+    const BendingRest& rest = model_->bending[t];
+    const Eigen::Vector3d strain = bending_strain(rest, patch_of(rest, state_.equilibrium.position));
+    const Eigen::Vector3d moment = rest.stiffness * strain;
+    const BendingMemory memory = problem.memory.of_bending(t);
+    const Eigen::Vector3d overmoment = (memory.scale - lasting) * moment + memory.overmoment;
+    for (std::size_t k = 0; k < model_->definition.viscosity.size(); ++k) {
+      const PronyStep step = prony_step(model_->definition.viscosity[k], duration);
+      Eigen::Vector3d& branch = wall.branch_moment[k][t];
+      branch = step.fade * branch + step.share * (moment - wall.law_moment[t]);
+    }
+    loss += 0.5 * rest.area * (wall.overmoment[t] + overmoment).dot(strain - wall.bending_strain[t]);
+    wall.bending_strain[t] = strain;
+    wall.law_moment[t] = moment;
+    wall.overmoment[t] = overmoment;
+  }
+  return loss;
+}
+
 double Body::update_memory(double duration, const EquilibriumProblem& problem) {
   const BodyDefinition& definition = model_->definition;
   if (!is_viscous(definition)) return 0;
   WallHistory& wall = state_.wall;
   const double lasting = lasting_part(definition);
-  double loss = 0;
+  double loss = update_bending_memory(duration, problem);
   for (int t = 0; t < model_->triangles(); ++t) {
     const Eigen::Vector3d strain = strain_of(*model_, t, state_.equilibrium.position);
     const Eigen::Vector3d stress = law_stress(*model_, t, strain);

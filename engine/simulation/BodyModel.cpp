@@ -5,6 +5,8 @@
 #include <cassert>
 #include <utility>
 
+#include "engine/shell/BendingPatches.hpp"
+
 namespace thinwall {
 namespace {
 
@@ -40,6 +42,27 @@ void add_wall(BodyModel& model) {
   }
   model.wall_stiffness = stiffness / triangles;
   model.edge_length = edges / (3 * triangles);
+}
+
+/// Bending couples each triangle with the far corners of its neighbours.
+void add_bending(BodyModel& model) {
+  const SurfaceMesh& mesh = model.definition.mesh;
+  std::vector<char> clamped(mesh.vertices.size(), 0);
+  for (const FixedRegion& region : model.definition.fixed) {
+    if (!region.clamped) continue;
+    for (const int vertex : vertices_in(region.region, mesh)) clamped[vertex] = 1;
+  }
+  model.bending = make_bending_rests(mesh, model.rest, model.definition.materials, clamped);
+  std::vector<std::array<int, 2>> couplings;
+  for (const BendingRest& patch : model.bending) {
+    for (int i = 0; i < 6; ++i) {
+      for (int j = i + 1; j < 6; ++j) couplings.push_back({patch.vertices[i], patch.vertices[j]});
+    }
+  }
+  model.pattern = extend_block_pattern(model.pattern, couplings).pattern;
+  for (const BendingRest& patch : model.bending) {
+    model.bending_addresses.push_back(patch_addresses(model.pattern, patch.vertices));
+  }
 }
 
 void add_fluid(BodyModel& model) {
@@ -103,6 +126,14 @@ void find_rigid_motions(BodyModel& model) {
   for (int k = 0; k < motions.rows(); ++k) {
     if (model.fixed[k]) seen += motions.row(k).transpose() * motions.row(k);
   }
+  // A clamped side lets its triangle turn about nothing.
+  for (const BendingRest& patch : model.bending) {
+    if (patch.held.isZero()) continue;
+    for (int k = 0; k < 9; ++k) {
+      const auto row = motions.row(3 * patch.vertices[k / 3] + k % 3);
+      seen += row.transpose() * row;
+    }
+  }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> spectrum(seen);
   int free = 0;
   // Below this a motion counts as free: round-off of the sums is some 1e-13, one fixed unknown alone gives about 1.
@@ -148,11 +179,12 @@ BodyModel make_body_model(BodyDefinition definition) {
   for (int v = 0; v < vertices; ++v) model.rest_position.segment<3>(3 * v) = mesh.vertices[v];
   model.surface = mesh.triangles;
   model.surface.insert(model.surface.end(), mesh.cap_triangles.begin(), mesh.cap_triangles.end());
+  add_wall(model);
   model.pattern = make_block_pattern(vertices, model.surface);
+  if (model.definition.model == WallModel::kShell) add_bending(model);
   for (const Eigen::Vector3i& triangle : model.surface) {
     model.addresses.push_back(triangle_addresses(model.pattern, triangle));
   }
-  add_wall(model);
   if (model.has_fluid()) add_fluid(model);
   add_loads(model);
   fix(model);

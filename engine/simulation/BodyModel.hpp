@@ -6,9 +6,11 @@
 
 #include "engine/body/BodyDefinition.hpp"
 #include "engine/contact/SelfContact.hpp"
+#include "engine/shell/BendingElement.hpp"
 #include "engine/simulation/Chambers.hpp"
 #include "engine/simulation/LoadModel.hpp"
 #include "engine/solver/BlockPattern.hpp"
+#include "engine/solver/PatchAddresses.hpp"
 #include "engine/wall/MembraneElement.hpp"
 
 namespace thinwall {
@@ -16,14 +18,16 @@ namespace thinwall {
 /// Everything about a body that its definition determines: computed once, never changed.
 struct BodyModel {
   BodyDefinition definition;
-  Eigen::VectorXd rest_position;             // (3 vertices), metres
-  std::vector<MembraneRest> rest;            // (triangles)
-  std::vector<Eigen::Vector3i> surface;      // (triangles + caps): the wall, then the caps
-  BlockPattern pattern;                      // vertices coupled by the wall and by the fluid on the caps
-  std::vector<TriangleAddresses> addresses;  // (triangles + caps)
-  Eigen::VectorXd mass;                      // (3 vertices), kg, lumped, of the wall
-  std::vector<ChamberModel> chambers;        // named ones first; none without fluid
-  std::vector<int> chamber;                  // (triangles + caps), index; empty without fluid
+  Eigen::VectorXd rest_position;                  // (3 vertices), metres
+  std::vector<MembraneRest> rest;                 // (triangles)
+  std::vector<Eigen::Vector3i> surface;           // (triangles + caps): the wall, then the caps
+  BlockPattern pattern;                           // vertices coupled by the wall and by the fluid on the caps
+  std::vector<TriangleAddresses> addresses;       // (triangles + caps)
+  std::vector<BendingRest> bending;               // (triangles) of a shell; none for a membrane
+  std::vector<PatchAddresses> bending_addresses;  // (triangles) of a shell
+  Eigen::VectorXd mass;                           // (3 vertices), kg, lumped, of the wall
+  std::vector<ChamberModel> chambers;             // named ones first; none without fluid
+  std::vector<int> chamber;                       // (triangles + caps), index; empty without fluid
   std::vector<LoadModel> loads;
   std::vector<char> fixed;            // (3 vertices), whether the unknown keeps its rest position
   std::vector<int> fixed_entries;     // off-diagonal values in rows and columns of fixed unknowns

@@ -127,6 +127,7 @@ void Body::settle(std::vector<double> load_factors) {
   state_.static_force -= newton_.rigid_force(state_.equilibrium);
   state_.load_force = terms.load_force;
   state_.books.elastic = lasting_part(model_->definition) * terms.strain_energy;
+  state_.books.bending = lasting_part(model_->definition) * terms.bending_energy;
   state_.books.gravity = gravity_energy();
   state_.books.contact = terms.folds.energy;
   state_.books.fluid = fluid_energy(*model_, state_);

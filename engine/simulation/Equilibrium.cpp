@@ -11,6 +11,7 @@
 
 #include "engine/fluid/EnclosedVolume.hpp"
 #include "engine/fluid/FluidWeight.hpp"
+#include "engine/shell/BendingPatches.hpp"
 #include "engine/simulation/LoadTerms.hpp"
 
 namespace thinwall {
@@ -53,6 +54,24 @@ void add_wall(const BodyModel& model, const WallMemory& memory, const Eigen::Vec
         terms.strain_energy += part.strain_energy;
         add_gradient(model.surface[t], part.gradient, terms.gradient);
         add_triangle(model.addresses[t], part.hessian, terms.values);
+        terms.largest_force = std::max(terms.largest_force, part.gradient.cwiseAbs().maxCoeff());
+      });
+}
+
+void add_bending(const BodyModel& model, const WallMemory& memory, const Eigen::VectorXd& position,
+                 EquilibriumTerms& terms) {
+  thread_local std::vector<BendingTerms> buffer;
+  for_each_triangle(
+      static_cast<int>(model.bending.size()), buffer,
+      [&](int t) {
+        return bending_terms(model.bending[t], patch_of(model.bending[t], position), memory.of_bending(t));
+      },
+      [&](int t, const BendingTerms& part) {
+        terms.bending += part.energy;
+        terms.bending_energy += part.bending_energy;
+        const std::array<int, 6>& vertices = model.bending[t].vertices;
+        for (int k = 0; k < 6; ++k) terms.gradient.segment<3>(3 * vertices[k]) += part.gradient.segment<3>(3 * k);
+        add_patch(model.bending_addresses[t], part.hessian, terms.values);
         terms.largest_force = std::max(terms.largest_force, part.gradient.cwiseAbs().maxCoeff());
       });
 }
@@ -131,7 +150,8 @@ Eigen::Vector3d material_point(const Attachment& attachment, const Eigen::Vector
 
 void evaluate(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
               const Eigen::VectorXd& pressure, EquilibriumTerms& terms) {
-  terms.elastic = terms.strain_energy = terms.gravity = terms.load_work = terms.largest_force = 0;
+  terms.elastic = terms.strain_energy = terms.bending = terms.bending_energy = terms.gravity = terms.load_work =
+      terms.largest_force = 0;
   terms.gradient.setZero(position.size());
   const auto chambers = static_cast<Eigen::Index>(problem.fluids.size());
   terms.volume.setZero(chambers);
@@ -142,6 +162,7 @@ void evaluate(const BodyModel& model, const EquilibriumProblem& problem, const E
   terms.values.assign(model.pattern.nonzeros(), 0);
   terms.contacts.clear();
   add_wall(model, problem.memory, position, terms);
+  add_bending(model, problem.memory, position, terms);
   if (!problem.fluids.empty()) add_fluid(model, position, pressure, terms);
   add_weight(model, problem, position, terms);
   add_fluid_weight(model, problem, position, terms);

@@ -67,11 +67,15 @@ struct WallMemory {
   double scale = 1;
   double damping = 0;
   std::vector<Eigen::Vector3d> overstress;  // (triangles), pascal, or none
+  std::vector<Eigen::Vector3d> overmoment;  // (triangles) of a shell, newton, or none
 
   MembraneMemory of(int triangle) const {
     return {.scale = scale,
             .overstress = overstress.empty() ? Eigen::Vector3d::Zero().eval() : overstress[triangle],
             .damping = damping};
+  }
+  BendingMemory of_bending(int triangle) const {
+    return {.scale = scale, .overmoment = overmoment.empty() ? Eigen::Vector3d::Zero().eval() : overmoment[triangle]};
   }
 };
 
@@ -108,6 +112,8 @@ struct ContactPoint {
 struct EquilibriumTerms {
   double elastic = 0;          // joule, potential of the wall, memory included
   double strain_energy = 0;    // joule, of the wall's law alone
+  double bending = 0;          // joule, potential of a shell's bending, memory included
+  double bending_energy = 0;   // joule, of its stiffness alone
   double gravity = 0;          // joule, of the wall from the origin's level, of the fluid from the chambers'
   double load_work = 0;        // joule, that the loads give up from position zero
   double contact = 0;          // joule

@@ -342,7 +342,7 @@ double Newton::gap_change(const ContactPoint& contact, const Eigen::VectorXd& mo
 
 double Newton::merit(const EquilibriumProblem& problem, const EquilibriumState& state, const EquilibriumTerms& terms,
                      const Residual& residual, const Weights& weights) const {
-  double value = terms.elastic + terms.folds.energy + terms.gravity - terms.load_work + terms.inertial +
+  double value = terms.elastic + terms.bending + terms.folds.energy + terms.gravity - terms.load_work + terms.inertial +
                  weights.pressure * residual.volume.lpNorm<1>();
   for (std::size_t c = 0; c < problem.fluids.size(); ++c) {
     const FluidProblem& fluid = problem.fluids[c];

@@ -12,6 +12,7 @@
 #include "engine/simulation/Body.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
 #include "studio/director/ClipPlan.hpp"
+#include "studio/director/FillPlan.hpp"
 #include "studio/director/FollowedPoint.hpp"
 #include "studio/director/SnapshotMaker.hpp"
 #include "studio/organs/BodyBuilder.hpp"
@@ -22,7 +23,7 @@ namespace {
 /// Times closer than this are the same: what rounding leaves between sums of steps and of durations.
 constexpr double kSameTime = 1e-9;  // seconds
 
-using Plan = std::variant<PalpationPlan, MovePlan, WaitClip>;
+using Plan = std::variant<PalpationPlan, MovePlan, FillPlan, WaitClip>;
 
 /// A clip with when it plays: as planned on the surfaces at time zero until it begins, then for good.
 struct ScheduledClip {
@@ -44,6 +45,7 @@ struct DirectedTool {
 double duration_of(const Plan& plan) {
   if (const auto* wait = std::get_if<WaitClip>(&plan)) return wait->duration;
   if (const auto* palpation = std::get_if<PalpationPlan>(&plan)) return palpation->duration();
+  if (const auto* fill = std::get_if<FillPlan>(&plan)) return fill->duration();
   return std::get<MovePlan>(plan).duration();
 }
 
@@ -53,7 +55,15 @@ std::string tool_of(const Clip& clip) {
   return "";
 }
 
+/// "Filling: 5 ml in 2 s", "Draining to 2 kPa in 2 s"
+std::string fill_caption(const FillClip& fill) {
+  if (fill.pressure) return fmt::format("Pressure to {:.3g} kPa in {:.3g} s", 1e-3 * *fill.pressure, fill.duration);
+  return fmt::format("{}: {:.3g} ml in {:.3g} s", fill.added < 0 ? "Draining" : "Filling", 1e6 * std::abs(fill.added),
+                     fill.duration);
+}
+
 std::string standard_caption(const Clip& clip) {
+  if (const auto* fill = std::get_if<FillClip>(&clip.action)) return fill_caption(*fill);
   const auto* palpate = std::get_if<PalpateClip>(&clip.action);
   if (palpate == nullptr) return "";
   return fmt::format("Palpation: {:.3g} mm deep at {:.3g} mm/s", 1e3 * palpate->depth, 1e3 * palpate->speed);
@@ -77,8 +87,8 @@ struct ScenarioRun::Implementation {
   explicit Implementation(const Scenario& the_scenario) : scenario(the_scenario) {
     for (const BodyScenario& description : scenario.bodies) {
       BodyDefinition definition = build_body(description, warnings);
-      bodies.push_back(std::make_unique<Body>(std::move(definition), scenario.tools, scenario.simulation));
-      bodies.back()->settle();
+      bodies.push_back(make_body(description, std::move(definition)));
+      bodies.back()->settle(load_factors(description, 0));
       topologies.push_back(snapshot_topology(bodies.back()->model()));
       warn_of_free_body(*bodies.back());
     }
@@ -89,6 +99,14 @@ struct ScenarioRun::Implementation {
     refuse_overlaps();
     place_tools();
     write_moment();
+  }
+
+  std::unique_ptr<Body> make_body(const BodyScenario& description, BodyDefinition definition) const {
+    try {
+      return std::make_unique<Body>(std::move(definition), scenario.tools, scenario.simulation);
+    } catch (const std::invalid_argument& refusal) {
+      throw InputErrors({{description.location, fmt::format("bodies.{}: {}", description.name, refusal.what())}});
+    }
   }
 
   void warn_of_free_body(const Body& body) {
@@ -122,6 +140,9 @@ struct ScenarioRun::Implementation {
       return plan_palpation(*palpate, scenario.tools[tool.index], body_named(palpate->body).surface(), clip.location);
     }
     if (const auto* move = std::get_if<MoveClip>(&clip.action)) return plan_move(*move, tools.at(move->tool).pose);
+    if (const auto* fill = std::get_if<FillClip>(&clip.action)) {
+      return plan_fill(*fill, body_named(fill->body), clip.location);
+    }
     return std::get<WaitClip>(clip.action);
   }
 
@@ -224,14 +245,27 @@ struct ScenarioRun::Implementation {
     }
   }
 
+  /// What the script puts into a body until the end of the next step.
+  BodyInput input_of(std::size_t index, double until) const {
+    BodyInput input{.load_factors = load_factors(scenario.bodies[index], until), .fluids = {}};
+    input.fluids.resize(bodies[index]->model().chambers.size());
+    for (const ScheduledClip& clip : clips) {
+      const auto* fill = std::get_if<FillPlan>(&clip.plan);
+      if (fill == nullptr || !clip.begun || fill->clip.body != scenario.bodies[index].name) continue;
+      fill->add_to(input, time() - clip.begin, until - clip.begin);
+    }
+    return input;
+  }
+
   bool step() {
     if (time() >= planned_duration() - kSameTime) return false;
     const double next = static_cast<double>(steps + 1) * step_length();
     begin_clips(next);
     const auto [before, after] = move_tools(next);
-    for (const auto& body : bodies) {
+    for (std::size_t index = 0; index < bodies.size(); ++index) {
+      const auto& body = bodies[index];
       try {
-        body->advance(before, after, step_length());
+        body->advance(before, after, step_length(), input_of(index, next));
       } catch (const SimulationFailure& failure) {
         throw SimulationFailure(fmt::format("at {:.6g} s (step {}): {}", next, steps + 1, failure.what()));
       }

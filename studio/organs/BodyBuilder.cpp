@@ -145,6 +145,20 @@ class RegionResolver {
     }
   }
 
+  void check_loads() {
+    for (std::size_t i = 0; i < body_.loads.size(); ++i) {
+      const std::string path = fmt::format("bodies.{}.loads[{}].region", body_.name, i + 1);
+      const LoadScenario& load = body_.loads[i];
+      const bool on_surface = load.load.kind == LoadKind::kFollowerPressure ||
+                              load.load.kind == LoadKind::kDeadTraction || load.load.kind == LoadKind::kDeadBodyForce;
+      if (on_surface) {
+        members(load.load.region, triangles_in, "wall triangle", path, load.location);
+      } else {
+        members(load.load.region, vertices_in, "vertex", path, load.location);
+      }
+    }
+  }
+
   void throw_errors() {
     if (!errors_.empty()) throw InputErrors(std::move(errors_));
   }
@@ -192,16 +206,21 @@ BodyDefinition build_body(const BodyScenario& body, std::vector<std::string>& no
       origin_of(body.surface, fmt::format("bodies.{}.surface", body.name), body.surface_location);
   BodyDefinition definition{.name = body.name,
                             .mesh = make_surface(body.surface, origin, notes),
+                            .model = body.model,
                             .thickness = {},
                             .density = body.density,
                             .materials = {body.material},
                             .prestretch = {{.first = body.prestretch, .second = body.prestretch}},
+                            .viscosity = body.viscosity,
+                            .damping = body.damping,
                             .fluid = body.fluid,
                             .fixed = body.fixed};
   if (body.fluid.kind != FluidKind::kNone) check_closed(definition.mesh, body.surface, origin);
   RegionResolver regions(body, definition.mesh);
   definition.thickness = regions.thickness();
   regions.check_fixed();
+  regions.check_loads();
+  for (const LoadScenario& load : body.loads) definition.loads.push_back(load.load);
   regions.throw_errors();
   return definition;
 }

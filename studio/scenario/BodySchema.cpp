@@ -107,6 +107,31 @@ ValueSchema thickness_value() {
   return value;
 }
 
+MappingSchema prony_term() {
+  MappingSchema term{.name = "viscosity", .documentation = "A part of the stress that fades while the wall is held."};
+  term.keys = {
+      {"fraction",
+       quantity_value(kDimensionless, {.minimum = 0, .maximum = 1, .minimum_excluded = true, .maximum_excluded = true},
+                      "0.3"),
+       true,
+       {},
+       "part of the stress at once"},
+      {"time", quantity_value(kTime, kAboveZero, "200 ms"), true, {}, "in which it fades to 1/e"},
+  };
+  return term;
+}
+
+MappingSchema damping() {
+  MappingSchema damping{.name = "damping", .documentation = "Rayleigh damping of the wall."};
+  damping.keys = {
+      {"mass_rate", quantity_value(kFrequency, kFromZero, "2 Hz"), false, "0 Hz",
+       "factor of the wall's mass: damps slow motion; in dynamic analyses"},
+      {"stiffness_time", quantity_value(kTime, kFromZero, "1 ms"), false, "0 s",
+       "factor of the stiffness of the unstrained wall: damps fast motion"},
+  };
+  return damping;
+}
+
 ValueSchema wall_value() {
   MappingSchema wall{.name = "wall",
                      .documentation =
@@ -114,14 +139,43 @@ ValueSchema wall_value() {
                          "other than the thickness push each other apart (nearer than 0.4 of the mean edge length of "
                          "the mesh, or than half of their stress-free distance, where those are smaller)."};
   wall.keys = {
-      {"model", word_value({"membrane"}), false, "membrane", "membrane: no bending stiffness"},
+      {"model", word_value({"membrane", "shell"}), false, "membrane",
+       "membrane: no bending stiffness; shell: bending stiffness of the same material and thickness about the given "
+       "shape"},
       {"thickness", thickness_value(), true, {}, "thickness of the stress-free wall"},
       {"density", quantity_value(kDensity, kAboveZero, "1060 kg/m^3"), false, "1060 kg/m^3", "density of the wall"},
       {"material", material_value(), true, {}, "law and constants"},
       {"prestretch", quantity_value(kDimensionless, {.minimum = 0, .maximum = 10, .minimum_excluded = true}, "1.1"),
        false, "1", "in-plane stretch of the given surface: each triangle's rest shape is the given one shrunk by it"},
   };
+  wall.keys.push_back({"viscosity", list_value(mapping_value({prony_term()})), false, "[]",
+                       "Prony series of quasi-linear viscoelasticity; the fractions add up to less than 1"});
+  wall.keys.push_back({"damping", mapping_value({damping()}), false, "{}", "Rayleigh damping"});
   return mapping_value({wall});
+}
+
+MappingSchema chamber() {
+  MappingSchema chamber{.name = "chamber", .documentation = "A closed part of the surface with fluid of its own."};
+  chamber.keys = {
+      {"at", vector_value(kLength, {}, "[0, 0, 10 mm]"), true, {}, "a point in it, of the stress-free shape"},
+      {"pressure",
+       quantity_value(kPressure, {}, "2 kPa"),
+       false,
+       {},
+       "as that of the contents, which it stands for when absent"},
+  };
+  return chamber;
+}
+
+MappingSchema orifice() {
+  MappingSchema orifice{.name = "orifice", .documentation = "A hole through which two chambers exchange fluid."};
+  orifice.keys = {
+      {"between", tuple_value({name_value(), name_value()}), true, {}, "names of the two chambers"},
+      {"area", quantity_value(kArea, kAboveZero, "2 mm^2"), true, {}, "area of the hole"},
+      {"discharge", quantity_value(kDimensionless, {.minimum = 0, .maximum = 1, .minimum_excluded = true}, "0.61"),
+       false, "0.61", "flow over area times the root of twice the pressure's fall over the density"},
+  };
+  return orifice;
 }
 
 ValueSchema contents_value() {
@@ -129,18 +183,24 @@ ValueSchema contents_value() {
                            quantity_value(kPressure, {}, "2 kPa"),
                            false,
                            {},
-                           "pressure above the surroundings at time zero, the volume follows; when absent the volume "
-                           "is the surface's and the pressure follows"};
+                           "pressure above the surroundings at time zero, at the level of the stress-free chamber's "
+                           "centroid; the volume follows. When absent the volume is the surface's and the pressure "
+                           "follows"};
   const KeySchema density{"density", quantity_value(kDensity, kAboveZero, "1010 kg/m^3"), false, "1010 kg/m^3",
                           "density of the fluid"};
   const KeySchema bulk_modulus{"bulk_modulus", quantity_value(kPressure, kAboveZero, "2 MPa"), false, "2 MPa",
                                "pressure per relative loss of volume"};
   MappingSchema contents{.name = "contents", .documentation = "The fluid that wall and caps enclose."};
+  const KeySchema chambers{"chambers", named_value(chamber()), false, "{}",
+                           "names of closed parts of the surface; every other closed part is a chamber without a name"};
+  const KeySchema orifices{"orifices", list_value(mapping_value({orifice()})), false, "[]", "holes between chambers"};
   contents.selector = "fluid";
   contents.cases = {
       {"none", "no fluid: an open surface", {}},
-      {"incompressible", "the volume is kept", {pressure, density}},
-      {"compressible", "the pressure grows with the loss of volume", {pressure, density, bulk_modulus}},
+      {"incompressible", "the volume is kept", {pressure, density, chambers, orifices}},
+      {"compressible",
+       "the pressure grows with the loss of volume",
+       {pressure, density, bulk_modulus, chambers, orifices}},
   };
   contents.keys = {
       {"fluid", word_value({"none", "incompressible", "compressible"}), false, "incompressible", "kind of the fluid"}};
@@ -155,6 +215,8 @@ ValueSchema fixed_value() {
   fixed.keys = {
       {"region", region_schema(), true, {}, "which vertices"},
       {"axes", {.kind = ValueKind::kAxes}, false, "xyz", "along which axes"},
+      {"clamped", boolean_value(), false, "false",
+       "shell: open edges within the region keep the tangent plane too; otherwise they are hinges"},
   };
   return list_value(mapping_value({fixed}));
 }
@@ -203,6 +265,7 @@ ValueSchema bodies_schema() {
       {"wall", wall_value(), true, {}, "the wall"},
       {"contents", contents_value(), false, "{}", "the fluid inside"},
       {"fixed", fixed_value(), false, "[]", "what is held in place"},
+      {"loads", loads_schema(), false, "[]", "what else pulls and presses"},
   };
   return named_value(std::move(body), 1);
 }

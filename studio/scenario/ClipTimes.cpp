@@ -21,6 +21,13 @@ double shortest_palpation(const CheckedValue& clip) {
   return travel + number_or_zero(clip, "hold");
 }
 
+/// The chamber that a clip fills or drains, as "body" or "body.chamber": two clips at once must not.
+std::string filled_chamber(const CheckedValue& clip) {
+  const CheckedValue *body = clip.find("body"), *chamber = clip.find("chamber");
+  if (body == nullptr) return "";
+  return chamber == nullptr ? body->text : body->text + "." + chamber->text;
+}
+
 }  // namespace
 
 std::vector<ClipTimes> clip_times(const CheckedValue& root) {
@@ -37,6 +44,7 @@ std::vector<ClipTimes> clip_times(const CheckedValue& root) {
     const CheckedMember& action = item.members[0];
     ClipTimes clip{.path = member_path(item_path("timeline", index), action.key), .location = action.location};
     if (const CheckedValue* tool = action.value.find("tool")) clip.tool = tool->text;
+    if (action.key == "inflate" || action.key == "drain") clip.tool = filled_chamber(action.value);
     const CheckedValue* start = action.value.find("start");
     if (start != nullptr) {
       clip.start = start->number;

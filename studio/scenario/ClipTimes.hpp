@@ -13,7 +13,7 @@ namespace thinwall {
 struct ClipTimes {
   std::string path = {};  // "timeline[2].move"
   SourceLocation location = {};
-  std::string tool = {};             // that it drives; "" for none
+  std::string tool = {};             // that it drives, or chamber that it fills; "" for none
   std::optional<double> start = {};  // seconds, when known
   std::optional<double> end = {};    // seconds, when known
   double shortest_duration = 0;      // seconds: a lower bound

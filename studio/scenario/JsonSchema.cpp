@@ -182,7 +182,12 @@ class SchemaWriter {
   }
 
   Json list(const ValueSchema& schema) {
-    Json result{{"type", {"array", "null"}}, {"items", value(schema.item[0])}};
+    Json items = value(schema.item[0]);
+    if (schema.item.size() > 1) {
+      items = Json::array();
+      for (const ValueSchema& item : schema.item) items.push_back(value(item));
+    }
+    Json result{{"type", {"array", "null"}}, {"items", items}};
     if (schema.minimum_items > 0) {
       result["type"] = "array";
       result["minItems"] = schema.minimum_items;

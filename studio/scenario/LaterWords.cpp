@@ -7,11 +7,8 @@ namespace thinwall {
 namespace {
 
 constexpr std::array kLaterWords = {
-    LaterWord{"body", "loads", "`loads`"},
-    LaterWord{"wall", "viscosity", "`viscosity`"},
     LaterWord{"wall", "toughness", "`toughness`"},
     LaterWord{"wall", "fibres", "`fibres`"},
-    LaterWord{"wall.model", "shell", "`shell`"},
     LaterWord{"wall.prestretch", "", "`prestretch` by direction or region"},
     LaterWord{"material", "fibres", "`fibres`"},
     LaterWord{"material.law", "gent", "`gent`"},
@@ -27,8 +24,6 @@ constexpr std::array kLaterWords = {
     LaterWord{"tool.kind", "forceps", "`forceps`"},
     LaterWord{"clip", "pierce", "`pierce`"},
     LaterWord{"clip", "incise", "`incise`"},
-    LaterWord{"clip", "inflate", "`inflate`"},
-    LaterWord{"clip", "drain", "`drain`"},
     LaterWord{"clip", "grasp", "`grasp`"},
     LaterWord{"clip", "release", "`release`"},
     LaterWord{"camera", "follow", "`follow`"},

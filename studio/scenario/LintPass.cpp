@@ -46,6 +46,51 @@ void check_shape(const CheckedMember& body, const std::string& path, Diagnostics
   }
 }
 
+void check_viscosity(const CheckedMember& body, const std::string& path, Diagnostics& diagnostics) {
+  const CheckedValue* wall = body.value.find("wall");
+  const CheckedValue* viscosity = wall == nullptr ? nullptr : wall->find("viscosity");
+  if (viscosity == nullptr) return;
+  double sum = 0;
+  for (const CheckedValue& term : viscosity->items) {
+    const CheckedValue* fraction = term.find("fraction");
+    sum += fraction == nullptr ? 0 : fraction->number;
+  }
+  if (sum >= 1) {
+    diagnostics.error(viscosity->location, path + ".wall.viscosity",
+                      "the fractions add up to " + format_like(sum, "0.5") + ", but something must last: below 1");
+  }
+}
+
+void check_loads(const CheckedMember& body, const std::string& path, Diagnostics& diagnostics) {
+  const CheckedValue* loads = body.value.find("loads");
+  const CheckedValue* wall = body.value.find("wall");
+  const CheckedValue* model = wall == nullptr ? nullptr : wall->find("model");
+  for (std::size_t index = 0; loads != nullptr && index < loads->items.size(); ++index) {
+    const CheckedValue& load = loads->items[index];
+    const std::string inner = item_path(path + ".loads", index);
+    const CheckedValue* over = load.find("over");
+    for (std::size_t k = 1; over != nullptr && k < over->items.size(); ++k) {
+      if (over->items[k].items[0].number > over->items[k - 1].items[0].number) continue;
+      diagnostics.error(over->items[k].location, item_path(inner + ".over", k), "the times must increase");
+    }
+    const CheckedValue* moment = load.find("moment");
+    if (moment != nullptr && model != nullptr && model->text == "membrane") {
+      diagnostics.error(moment->location, inner + ".moment",
+                        "a membrane bears no moment; write `model: shell` in the wall, or a force");
+    }
+  }
+}
+
+void check_fill(const CheckedMember& clip, const std::string& path, Diagnostics& diagnostics) {
+  if (clip.key != "inflate" && clip.key != "drain") return;
+  const CheckedValue *by = clip.value.find("by"), *to = clip.value.find("to");
+  if (by != nullptr && to != nullptr) {
+    diagnostics.error(to->location, path + ".to", "`by` and `to` exclude each other");
+  } else if (by == nullptr && to == nullptr && !clip.value.has_wrong("by") && !clip.value.has_wrong("to")) {
+    diagnostics.error(clip.location, path, "one of `by`, `to` is missing");
+  }
+}
+
 void check_boxes(const CheckedValue& value, const std::string& path, Diagnostics& diagnostics) {
   for (std::size_t index = 0; index < value.items.size(); ++index) {
     check_boxes(value.items[index], item_path(path, index), diagnostics);
@@ -130,7 +175,10 @@ void check_goldens(const CheckedValue& root, const std::vector<ClipTimes>& clips
 void lint_pass(const CheckedValue& root, Diagnostics& diagnostics) {
   if (const CheckedValue* bodies = root.find("bodies")) {
     for (const CheckedMember& body : bodies->members) {
-      check_shape(body, member_path("bodies", body.key), diagnostics);
+      const std::string path = member_path("bodies", body.key);
+      check_shape(body, path, diagnostics);
+      check_viscosity(body, path, diagnostics);
+      check_loads(body, path, diagnostics);
     }
     check_boxes(*bodies, "bodies", diagnostics);
   }
@@ -139,7 +187,9 @@ void lint_pass(const CheckedValue& root, Diagnostics& diagnostics) {
   for (std::size_t index = 0; timeline != nullptr && index < timeline->items.size(); ++index) {
     const CheckedValue& item = timeline->items[index];
     if (item.members.empty()) continue;
-    check_frame(item.members[0], member_path(item_path("timeline", index), item.members[0].key), diagnostics);
+    const std::string path = member_path(item_path("timeline", index), item.members[0].key);
+    check_frame(item.members[0], path, diagnostics);
+    check_fill(item.members[0], path, diagnostics);
   }
   const std::vector<ClipTimes> clips = clip_times(root);
   check_overlaps(clips, diagnostics);

@@ -51,6 +51,32 @@ class ReferenceChecker {
         resolve(clip, {"tool", "tool", "tools"}, tools_, path);
         resolve(clip, {"body", "body", "bodies", clip.key == "palpate"}, bodies_, path);
       }
+      if (clip.key == "inflate" || clip.key == "drain") {
+        resolve(clip, {"body", "body", "bodies"}, bodies_, path);
+        check_chamber(clip, path);
+      }
+    }
+  }
+
+  void check_orifices() {
+    const CheckedValue* bodies = root_.find("bodies");
+    if (bodies == nullptr) return;
+    for (const CheckedMember& body : bodies->members) {
+      const CheckedValue* contents = body.value.find("contents");
+      const CheckedValue* orifices = contents == nullptr ? nullptr : contents->find("orifices");
+      if (orifices == nullptr) continue;
+      const std::string path = member_path("bodies", body.key) + ".contents";
+      for (std::size_t index = 0; index < orifices->items.size(); ++index) {
+        const CheckedValue* between = orifices->items[index].find("between");
+        if (between == nullptr) continue;
+        const std::string inner = item_path(path + ".orifices", index) + ".between";
+        for (const CheckedValue& name : between->items) {
+          check_name(name.text, "chamber", "chambers", names_in(*contents, "chambers"), name.location, inner);
+        }
+        if (between->items[0].text == between->items[1].text) {
+          diagnostics_.error(between->location, inner, "an orifice joins two different chambers");
+        }
+      }
     }
   }
 
@@ -97,6 +123,18 @@ class ReferenceChecker {
   }
 
  private:
+  void check_chamber(const CheckedMember& clip, const std::string& path) {
+    const CheckedValue* body = clip.value.find("body");
+    const CheckedValue* chamber = clip.value.find("chamber");
+    const CheckedValue* bodies = root_.find("bodies");
+    if (body == nullptr || chamber == nullptr || bodies == nullptr) return;
+    const CheckedValue* named = bodies->find(body->text);
+    const CheckedValue* contents = named == nullptr ? nullptr : named->find("contents");
+    if (contents == nullptr) return;
+    check_name(chamber->text, "chamber", "chambers", names_in(*contents, "chambers"), chamber->location,
+               member_path(path, "chamber"));
+  }
+
   /// Looks for groups everywhere below a body: the keys of regions are the only ones of that name.
   void check_groups_in(const CheckedValue& value, const std::string& shape, const std::string& path) {
     for (std::size_t index = 0; index < value.items.size(); ++index) {
@@ -162,6 +200,7 @@ class ReferenceChecker {
 void reference_pass(CheckedValue& root, Diagnostics& diagnostics) {
   ReferenceChecker checker(root, diagnostics);
   checker.check_clips();
+  checker.check_orifices();
   checker.check_looks();
   checker.check_meshes();
   checker.check_groups();

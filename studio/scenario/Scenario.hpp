@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -50,17 +51,28 @@ struct ThicknessField {
   std::vector<ThicknessRegion> regions = {};  // a later one wins
 };
 
+/// A load with how it changes.
+struct LoadScenario {
+  LoadDefinition load = {};
+  std::vector<std::pair<double, double>> over = {};  // seconds and the part of the load; none: all of it, always
+  SourceLocation location = {};
+};
+
 struct BodyScenario {
   std::string name = {};
   SourceLocation location = {};          // of the body's key
   SourceLocation surface_location = {};  // of its `surface`
   std::variant<MeshFileSource, ShapeSource> surface = {};
+  WallModel model = WallModel::kMembrane;
   ThicknessField thickness = {};
   double density = 1060;  // kg / metre^3, of the wall
   Material material = {};
   double prestretch = 1;
   FluidDefinition fluid = {};
+  std::vector<PronyTerm> viscosity = {};
+  RayleighDamping damping = {};
   std::vector<FixedRegion> fixed = {};
+  std::vector<LoadScenario> loads = {};
   std::vector<SourceLocation> fixed_locations = {};      // (fixed)
   std::vector<SourceLocation> thickness_locations = {};  // (thickness.regions)
 };
@@ -91,12 +103,21 @@ struct MoveClip {
   Ease ease = Ease::kSmooth;
 };
 
+/// Fluid filled in or taken out.
+struct FillClip {
+  std::string body = {};
+  std::optional<std::string> chamber = {};  // the only one when absent
+  double added = 0;                         // metres^3, less than zero when drained
+  std::optional<double> pressure = {};      // pascal, to be reached, instead of `added`
+  double duration = 1;                      // seconds
+};
+
 struct WaitClip {
   double duration = 1;  // seconds
 };
 
 struct Clip {
-  std::variant<PalpateClip, MoveClip, WaitClip> action = {};
+  std::variant<PalpateClip, MoveClip, FillClip, WaitClip> action = {};
   SourceLocation location = {};
   std::optional<double> start = {};         // seconds; after the clip before it when absent
   std::optional<std::string> caption = {};  // shown while the clip lasts

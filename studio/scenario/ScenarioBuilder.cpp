@@ -121,8 +121,56 @@ void read_fixed(const CheckedValue& fixed, BodyScenario& body) {
   for (const CheckedValue& part : fixed.items) {
     FixedRegion region{to_region(part.at("region")), {false, false, false}};
     for (const char axis : part.at("axes").text) region.axes[static_cast<std::size_t>(axis - 'x')] = true;
+    region.clamped = part.at("clamped").boolean;
     body.fixed.push_back(std::move(region));
     body.fixed_locations.push_back(part.at("region").location);
+  }
+}
+
+void read_loads(const CheckedValue& loads, BodyScenario& body) {
+  constexpr std::array<std::pair<std::string_view, LoadKind>, 6> kinds = {{{"pressure", LoadKind::kFollowerPressure},
+                                                                           {"force", LoadKind::kDeadForce},
+                                                                           {"line_force", LoadKind::kDeadLineForce},
+                                                                           {"moment", LoadKind::kDeadMoment},
+                                                                           {"traction", LoadKind::kDeadTraction},
+                                                                           {"body_force", LoadKind::kDeadBodyForce}}};
+  for (const CheckedValue& item : loads.items) {
+    LoadScenario load{.location = item.location};
+    load.load.region = to_region(item.at("region"));
+    for (const auto& [word, kind] : kinds) {
+      const CheckedValue* value = item.find(word);
+      if (value == nullptr) continue;
+      load.load.kind = kind;
+      if (kind == LoadKind::kFollowerPressure) {
+        load.load.pressure = value->number;
+      } else {
+        load.load.vector = to_vector(*value);
+      }
+    }
+    if (const CheckedValue* over = item.find("over")) {
+      for (const CheckedValue& point : over->items) load.over.push_back({point.items[0].number, point.items[1].number});
+    }
+    body.loads.push_back(std::move(load));
+  }
+}
+
+void read_chambers(const CheckedValue& contents, FluidDefinition& fluid) {
+  const CheckedValue* chambers = contents.find("chambers");
+  if (chambers == nullptr) return;
+  for (const CheckedMember& chamber : chambers->members) {
+    fluid.chambers.push_back({chamber.key, to_vector(chamber.value.at("at")), find_number(chamber.value, "pressure")});
+  }
+  const auto index_of = [&](const std::string& name) {
+    int index = 0;
+    while (fluid.chambers[index].name != name) ++index;
+    return index;
+  };
+  for (const CheckedValue& orifice : contents.at("orifices").items) {
+    const CheckedValue& between = orifice.at("between");
+    fluid.orifices.push_back({.from = index_of(between.items[0].text),
+                              .to = index_of(between.items[1].text),
+                              .area = orifice.at("area").number,
+                              .discharge = orifice.at("discharge").number});
   }
 }
 
@@ -135,6 +183,7 @@ BodyScenario to_body(const CheckedMember& member) {
   }
   body.surface = to_surface(member.value.at("surface"));
   read_thickness(wall.at("thickness"), body);
+  body.model = wall.at("model").text == "shell" ? WallModel::kShell : WallModel::kMembrane;
   body.density = wall.at("density").number;
   body.material = to_material(wall.at("material"));
   body.prestretch = wall.at("prestretch").number;
@@ -142,7 +191,14 @@ BodyScenario to_body(const CheckedMember& member) {
   body.fluid.initial_pressure = find_number(contents, "pressure");
   body.fluid.density = find_number(contents, "density").value_or(body.fluid.density);
   body.fluid.bulk_modulus = find_number(contents, "bulk_modulus").value_or(body.fluid.bulk_modulus);
+  read_chambers(contents, body.fluid);
+  for (const CheckedValue& term : wall.at("viscosity").items) {
+    body.viscosity.push_back({.fraction = term.at("fraction").number, .time = term.at("time").number});
+  }
+  const CheckedValue& damping = wall.at("damping");
+  body.damping = {.mass_rate = damping.at("mass_rate").number, .stiffness_time = damping.at("stiffness_time").number};
   read_fixed(member.value.at("fixed"), body);
+  read_loads(member.value.at("loads"), body);
   return body;
 }
 
@@ -182,11 +238,21 @@ MoveClip to_move(const CheckedValue& clip) {
           .ease = clip.at("ease").text == "linear" ? Ease::kLinear : Ease::kSmooth};
 }
 
+FillClip to_fill(const CheckedValue& clip, double sense) {
+  return {.body = clip.at("body").text,
+          .chamber = find_text(clip, "chamber"),
+          .added = sense * find_number(clip, "by").value_or(0),
+          .pressure = find_number(clip, "to"),
+          .duration = clip.at("for").number};
+}
+
 Clip to_clip(const CheckedValue& item) {
   const CheckedMember& action = item.members[0];
   Clip clip{.action = WaitClip{}, .location = action.location};
   if (action.key == "palpate") clip.action = to_palpate(action.value);
   if (action.key == "move") clip.action = to_move(action.value);
+  if (action.key == "inflate") clip.action = to_fill(action.value, 1);
+  if (action.key == "drain") clip.action = to_fill(action.value, -1);
   if (action.key == "wait") clip.action = WaitClip{action.value.at("for").number};
   clip.start = find_number(action.value, "start");
   clip.caption = find_text(action.value, "caption");
@@ -272,6 +338,8 @@ Scenario build_scenario(const CheckedValue& root) {
   scenario.simulation.analysis =
       simulation.at("analysis").text == "dynamic" ? Analysis::kDynamic : Analysis::kQuasiStatic;
   scenario.simulation.time_step = simulation.at("time_step").number;
+  scenario.simulation.gravity = to_vector(simulation.at("gravity"));
+  scenario.simulation.step_error = find_number(simulation, "step_error").value_or(0);
   scenario.view = {to_camera(root.at("camera")), to_lights(root.at("lights")), to_look(root.at("look"))};
   const CheckedValue& overlays = root.at("look").at("overlays");
   scenario.overlays = {.force_plot = overlays.at("force_plot").boolean,

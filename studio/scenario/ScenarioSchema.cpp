@@ -48,15 +48,20 @@ const MappingSchema& scenario_schema() {
 }
 
 ValueSchema simulation_schema() {
-  ValueSchema gravity = vector_value(kAcceleration, {}, "[0, 0, -9.81 m/s^2]");
-  gravity.item[0].only_zero = true;
+  const ValueSchema gravity = vector_value(kAcceleration, {}, "[0, 0, -9.81 m/s^2]");
   MappingSchema simulation{.name = "simulation", .documentation = "How time and equilibrium are computed."};
   simulation.keys = {
       {"analysis", word_value({"dynamic", "quasi_static"}), false, "dynamic",
        "with inertia, or a sequence of equilibria without it"},
       {"time_step", quantity_value(kTime, {.minimum = 0, .maximum = 1, .minimum_excluded = true}, "5 ms"), false,
        "5 ms", "time between two states"},
-      {"gravity", gravity, false, "[0, 0, 0]", "acceleration of free fall"},
+      {"gravity", gravity, false, "[0, 0, 0]",
+       "acceleration of free fall; the fluid's pressure then grows downwards by density times it"},
+      {"step_error",
+       quantity_value(kLength, kAboveZero, "0.01 mm"),
+       false,
+       {},
+       "allowed error of a time step in dynamics, which is divided to keep it; not judged when absent"},
   };
   return mapping_value({simulation});
 }

@@ -63,6 +63,10 @@ std::string range_text(const Range& range, const std::string& example) {
   return above + (has_minimum && has_maximum ? " and " : "") + below;
 }
 
+const ValueSchema& item_of(const ValueSchema& list, std::size_t index) {
+  return list.item[list.item.size() == 1 ? 0 : index];
+}
+
 std::string expectation(const ValueSchema& value) {
   switch (value.kind) {
     case ValueKind::kText:

@@ -49,7 +49,7 @@ struct ValueSchema {
   int multiple_of = 1;                  // kInteger
   std::size_t minimum_items = 0;        // kList, kNamedMappings
   std::size_t maximum_items = std::numeric_limits<std::size_t>::max();
-  std::vector<ValueSchema> item = {};        // kList: one
+  std::vector<ValueSchema> item = {};        // kList: one, or one for each place of a list of fixed size
   std::vector<MappingSchema> mappings = {};  // kMapping, kNamedMappings; for other kinds a form as mapping besides
 };
 
@@ -81,6 +81,9 @@ struct MappingSchema {
 
 /// The whole format: what a scenario file may hold. Reader, JSON Schema, reference page and messages come from it.
 const MappingSchema& scenario_schema();
+
+/// What stands at a place of a list.
+const ValueSchema& item_of(const ValueSchema& list, std::size_t index);
 
 /// The key of that name, or nullptr.
 const KeySchema* find_key(const std::vector<KeySchema>& keys, std::string_view key);

@@ -6,6 +6,7 @@ namespace thinwall {
 
 /// The sections of a scenario: the values of its keys of these names. The table is the contents of these functions.
 ValueSchema bodies_schema();
+ValueSchema loads_schema();
 ValueSchema tools_schema();
 ValueSchema timeline_schema();
 ValueSchema simulation_schema();
@@ -37,6 +38,8 @@ ValueSchema direction_value();
 /// Three components.
 ValueSchema vector_value(const Dimension& dimension, const Range& range, const std::string& example);
 ValueSchema list_value(ValueSchema item, std::size_t minimum_items = 0);
+/// A list with a value of its own for each place.
+ValueSchema tuple_value(std::vector<ValueSchema> items);
 ValueSchema mapping_value(std::vector<MappingSchema> alternatives);
 ValueSchema named_value(MappingSchema mapping, std::size_t minimum_items = 0);
 

@@ -48,6 +48,14 @@ ValueSchema list_value(ValueSchema item, std::size_t minimum_items) {
   return list;
 }
 
+ValueSchema tuple_value(std::vector<ValueSchema> items) {
+  ValueSchema list{.kind = ValueKind::kList, .minimum_items = items.size(), .maximum_items = items.size()};
+  for (const ValueSchema& item : items) list.example += (list.example.empty() ? "[" : ", ") + item.example;
+  list.example += "]";
+  list.item = std::move(items);
+  return list;
+}
+
 ValueSchema mapping_value(std::vector<MappingSchema> alternatives) {
   return {.kind = ValueKind::kMapping, .mappings = std::move(alternatives)};
 }

@@ -67,10 +67,21 @@ MappingSchema wait() {
   return clip("wait", "Lets time pass.", {{"for", quantity_value(kTime, kAboveZero, "1 s"), false, "1 s", "how long"}});
 }
 
+MappingSchema fill(const std::string& verb, const std::string& documentation, const std::string& by) {
+  return clip(verb, documentation,
+              {kBody,
+               {"chamber", name_value(), false, {}, "which chamber; may be left out when the body has one only"},
+               {"by", quantity_value(kVolume, kAboveZero, "5 ml"), false, {}, by},
+               {"to", quantity_value(kPressure, {}, "2 kPa"), false, {}, "pressure to be reached, instead of `by`"},
+               {"for", quantity_value(kTime, kAboveZero, "2 s"), false, "1 s", "how long it takes, at an even rate"}});
+}
+
 }  // namespace
 
 ValueSchema timeline_schema() {
-  return list_value(mapping_value({palpate(), move(), wait()}));
+  return list_value(
+      mapping_value({palpate(), move(), fill("inflate", "Fills fluid into a body.", "volume to be filled in"),
+                     fill("drain", "Takes fluid out of a body.", "volume to be taken out"), wait()}));
 }
 
 ValueSchema tools_schema() {

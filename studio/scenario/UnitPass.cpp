@@ -81,9 +81,9 @@ class SchemaReader {
     for (std::size_t index = 0; index < count; ++index) {
       const TextNode& item = is_single ? node : node.items[index];
       const ValuePlace item_place{item_path(place.path, index), place.owner, place.key, item.location};
-      std::optional<CheckedValue> value = read(schema.item[0], item, item_place);
+      std::optional<CheckedValue> value = read(item_of(schema, index), item, item_place);
       // A wrong item stays as an empty mapping, so that later passes count items as the file does.
-      if (!value && schema.item[0].kind == ValueKind::kMapping) value = CheckedValue{.location = item.location};
+      if (!value && item_of(schema, index).kind == ValueKind::kMapping) value = CheckedValue{.location = item.location};
       if (value) result.items.push_back(std::move(*value));
     }
     const bool has_fixed_size = schema.minimum_items == schema.maximum_items;

@@ -28,7 +28,7 @@ std::string first_form_text(const MappingSchema& mapping) {
 std::string list_text(const ValueSchema& list) {
   std::string text;
   for (std::size_t count = 0; count < std::max<std::size_t>(1, list.minimum_items); ++count) {
-    text += (count == 0 ? "" : ", ") + example_text(list.item[0]);
+    text += (count == 0 ? "" : ", ") + example_text(item_of(list, count));
   }
   return "[" + text + "]";
 }

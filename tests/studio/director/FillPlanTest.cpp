@@ -1,0 +1,86 @@
+#include "studio/director/FillPlan.hpp"
+
+#include <gtest/gtest.h>
+
+#include "studio/director/ScenarioRun.hpp"
+#include "studio/scenario/InputError.hpp"
+
+namespace thinwall {
+namespace {
+
+/// A ball of 20 mm radius, held below.
+Scenario ball_scenario() {
+  BodyScenario ball{.name = "ball",
+                    .surface = ShapeSource{.shape = Shape::kSphere, .radius = 0.02, .triangles = 80},
+                    .thickness = {.standard = 1e-3},
+                    .material = {.law = find_wall_law("neo_hookean"), .parameters = {20e3}}};
+  ball.fluid.initial_pressure = 200;
+  ball.fixed = {{.region = BelowRegion{.axis = 2, .at = -0.01}}};
+  Scenario scenario{.name = "test", .title = "test"};
+  scenario.bodies = {ball};
+  scenario.simulation = {.analysis = Analysis::kQuasiStatic, .time_step = 0.03};
+  return scenario;
+}
+
+Clip fill(double added, std::optional<double> pressure = {}) {
+  return {.action = FillClip{.body = "ball", .added = added, .pressure = pressure, .duration = 0.1}};
+}
+
+BodyRecord last_record(const Scenario& scenario, double until = 1e9) {
+  ScenarioRun run(scenario);
+  while (run.time() < until && run.step()) continue;
+  return run.record().bodies.at(0);
+}
+
+TEST(FillPlan, WhatIsFilledInAddsUpWhateverTheStep) {
+  // Steps of 30 ms do not end with clips of 100 ms.
+  Scenario scenario = ball_scenario();
+  scenario.timeline = {fill(2e-6), fill(-0.5e-6), {.action = WaitClip{0.2}}};
+  const double start = ScenarioRun(scenario).record().bodies.at(0).fluid_volume;
+  const BodyRecord record = last_record(scenario);
+  EXPECT_NEAR(record.fluid_volume - start, 1.5e-6, 1e-17);
+  EXPECT_GT(record.pressure, 200);
+}
+
+TEST(FillPlan, APressureIsReachedAndThenTheVolumeIsKept) {
+  Scenario scenario = ball_scenario();
+  scenario.timeline = {fill(0, 500), {.action = WaitClip{0.2}}};
+  EXPECT_NEAR(last_record(scenario, 0.119).pressure, 500, 1e-6);
+  EXPECT_NEAR(last_record(scenario).pressure, 500, 1e-6);
+  EXPECT_NEAR(last_record(scenario, 0.059).pressure, 200 + 300 * 0.6, 1e-6);
+}
+
+TEST(FillPlan, ABodyWithoutFluidOrChamberOfThatNameIsRefused) {
+  Scenario scenario = ball_scenario();
+  Clip clip = fill(1e-6);
+  std::get<FillClip>(clip.action).chamber = "left";
+  scenario.timeline = {clip};
+  EXPECT_THROW(ScenarioRun{scenario}, InputErrors);
+  scenario.timeline = {fill(1e-6)};
+  scenario.bodies[0].fluid = {.kind = FluidKind::kNone};
+  EXPECT_THROW(ScenarioRun{scenario}, InputErrors);
+}
+
+TEST(FillPlan, LoadsFollowTheirPointsStraightAndEvenBeyondThem) {
+  BodyScenario body;
+  body.loads = {{.over = {{1, 0}, {2, 1}, {4, -1}}}, {}};
+  EXPECT_EQ(load_factors(body, 0), (std::vector<double>{0, 1}));
+  EXPECT_EQ(load_factors(body, 1.5), (std::vector<double>{0.5, 1}));
+  EXPECT_EQ(load_factors(body, 3), (std::vector<double>{0, 1}));
+  EXPECT_EQ(load_factors(body, 9), (std::vector<double>{-1, 1}));
+}
+
+TEST(FillPlan, LoadsActInARunAndAreBookedAsTheScripts) {
+  Scenario scenario = ball_scenario();
+  scenario.bodies[0].loads = {
+      {.load = {.kind = LoadKind::kDeadForce, .region = AboveRegion{.axis = 2, .at = 0.015}, .vector = {0, 0, 0.02}},
+       .over = {{0, 0}, {0.2, 1}}}};
+  scenario.timeline = {{.action = WaitClip{0.3}}};
+  const double before = ScenarioRun(scenario).record().bodies.at(0).script_work;
+  const BodyRecord record = last_record(scenario);
+  EXPECT_GT(record.script_work, before);
+  EXPECT_NEAR(record.elastic + record.numerical, record.script_work, 1e-9 * record.script_work);
+}
+
+}  // namespace
+}  // namespace thinwall
