@@ -148,7 +148,12 @@ class PageWriter {
   }
 
   void write_inner(const MappingSchema& mapping) {
-    for (const KeySchema& key : mapping.keys) {
+    write_inner(mapping.keys);
+    for (const CaseSchema& row : mapping.cases) write_inner(row.keys);
+  }
+
+  void write_inner(const std::vector<KeySchema>& keys) {
+    for (const KeySchema& key : keys) {
       const ValueSchema& value = key.value.kind == ValueKind::kList ? key.value.item[0] : key.value;
       if (!value.mappings.empty()) write_alternatives(value.mappings);
     }

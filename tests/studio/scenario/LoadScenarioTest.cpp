@@ -85,7 +85,17 @@ TEST(LoadScenario, ReadsEveryKey) {
   EXPECT_EQ(scenario.timeline[1].start, 30.0);
   EXPECT_EQ(std::get<MoveClip>(scenario.timeline[1].action).ease, Ease::kLinear);
   EXPECT_FALSE(std::get<MoveClip>(scenario.timeline[2].action).body);
-  EXPECT_EQ(std::get<WaitClip>(scenario.timeline[3].action).duration, 0.5);
+  EXPECT_EQ(std::get<FillClip>(scenario.timeline[3].action).added, 5e-6);
+  EXPECT_EQ(std::get<FillClip>(scenario.timeline[4].action).pressure, 500.0);
+  EXPECT_EQ(bladder.viscosity.at(1).time, 2.0);
+  EXPECT_EQ(bladder.damping.stiffness_time, 1e-3);
+  EXPECT_EQ(bladder.fluid.chambers.at(1).initial_pressure, 1000.0);
+  EXPECT_EQ(bladder.fluid.orifices.at(0).to, 1);
+  EXPECT_EQ(bladder.loads.at(0).over.at(2), std::pair(2.0, -0.5));
+  EXPECT_EQ(cloth.loads.at(1).load.kind, LoadKind::kDeadLineForce);
+  EXPECT_EQ(scenario.simulation.gravity.z(), -9.81);
+  EXPECT_EQ(scenario.simulation.step_error, 1e-5);
+  EXPECT_EQ(std::get<WaitClip>(scenario.timeline[5].action).duration, 0.5);
   EXPECT_EQ(scenario.simulation.analysis, Analysis::kQuasiStatic);
   EXPECT_EQ(scenario.view.camera.position, (Double3{0.08, 0, 0.05}));
   EXPECT_EQ(scenario.view.lights.fill, 0.8);
@@ -96,7 +106,7 @@ TEST(LoadScenario, ReadsEveryKey) {
   EXPECT_EQ(scenario.record.frames_per_second, 25);
   EXPECT_EQ(scenario.record.tier, Tier::kDraft);
   EXPECT_EQ(scenario.goldens[0].why, "the probe is at full depth");
-  EXPECT_EQ(scenario.goldens[0].location.line, 65);
+  EXPECT_EQ(scenario.goldens[0].location.line, 82);
 }
 
 TEST(LoadScenario, DefaultsAreThoseOfTheDefinitions) {

@@ -144,11 +144,6 @@ TEST(UnitPass, EveryWordForLaterHasItsOwnMessage) {
 }
 
 TEST(UnitPass, OnlyZeroIsTakenWhereTheRestIsForLater) {
-  EXPECT_EQ(read("simulation", "{ gravity: [0, 0 m/s^2, 0] }").errors, Texts{});
-  EXPECT_EQ(
-      read("simulation", "{ gravity: [0, 0, 1 m/s^2] }").errors,
-      Texts{"1:19: gravity[3]: `gravity` other than zero belongs to the format but this version cannot simulate it "
-            "yet"});
   EXPECT_EQ(read("tool", "{ kind: sphere, friction: 0.0 }").errors, Texts{});
 }
 
