@@ -22,6 +22,7 @@ std::vector<ToolPose> interpolate(std::span<const ToolPose> begin, std::span<con
     poses[k].axis += fraction * (end[k].axis - begin[k].axis);
     poses[k].axis -= poses[k].direction * poses[k].direction.dot(poses[k].axis);
     poses[k].axis.normalize();
+    poses[k].opening += fraction * (end[k].opening - begin[k].opening);
   }
   return poses;
 }
@@ -58,7 +59,10 @@ Body::Body(BodyDefinition definition, std::vector<ToolDefinition> tools, Simulat
       Eigen::VectorXd::Zero(unknowns);
   state_.previous_position = model_->rest_position;
   state_.contacts.resize(tools_.size());
-  state_.sphere_forces.assign(tools_.size(), std::vector<double>(model_->triangles(), 0));
+  std::size_t solids = 0;
+  for (const ToolDefinition& tool : tools_) solids += tool_solids(tool, {}).size();
+  state_.solid_contacts.resize(solids);
+  state_.solid_forces.assign(solids, std::vector<double>(model_->sites.size(), 0));
 }
 
 SurfaceView Body::surface() const {
@@ -90,7 +94,7 @@ EquilibriumProblem Body::make_problem(std::span<const ToolPose> end, double dura
   problem.gravity = options_.gravity;
   problem.load_factors = input.load_factors;
   problem.start = state_.equilibrium.position;
-  add_spheres(end, problem);
+  add_solids(end, problem);
   problem.hold_rigid_motions = options_.analysis == Analysis::kQuasiStatic && model_->rigid_motions.cols() > 0;
   return problem;
 }
@@ -120,7 +124,8 @@ void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> en
                    const BodyInput& input) {
   report_ = {};
   const BodyState start = state_;
-  double done = 0, part = 1;
+  const double largest = largest_part(begin, end);
+  double done = 0, part = largest;
   std::vector<ToolPose> from(begin.begin(), begin.end());
   while (done < 1) {
     const std::vector<ToolPose> to = interpolate(begin, end, done + part);
@@ -146,7 +151,7 @@ void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> en
     done += part;
     // Doubled only where the error allows it: it grows with the cube of the step.
     if (options_.step_error == 0 || error < options_.step_error / 10) part *= 2;
-    part = std::min(part, 1 - done);
+    part = std::min({part, largest, 1 - done});
   }
 }
 

@@ -14,6 +14,7 @@
 #include "engine/simulation/SimulationOptions.hpp"
 #include "engine/tool/FirstContact.hpp"
 #include "engine/tool/Tool.hpp"
+#include "engine/tool/ToolSolids.hpp"
 
 namespace thinwall {
 
@@ -87,8 +88,9 @@ struct BodyState {
   Eigen::VectorXd fluid_volume;           // (chambers), metres^3
   Eigen::VectorXd reference_pressure;     // (chambers), pascal, at which a compressible fluid has its volume
   std::vector<Attachment> attachments;
-  std::vector<ToolContact> contacts;               // (tools)
-  std::vector<std::vector<double>> sphere_forces;  // (tools x triangles), newton, zero for tools that are no spheres
+  std::vector<ToolContact> contacts;              // (tools)
+  std::vector<ToolContact> solid_contacts;        // (solids of all tools, in their order)
+  std::vector<std::vector<double>> solid_forces;  // (solids x sites), newton
   EnergyBooks books;
 };
 
@@ -106,9 +108,6 @@ double lasting_part(const BodyDefinition& definition);
 
 /// Energy of a compressible fluid from its volume at the reference pressure, joule, all chambers; zero for others.
 double fluid_energy(const BodyModel& model, const BodyState& state);
-
-/// A sphere tool: its tip is the point of the ball farthest along the direction.
-SphereTool sphere_at(const ToolDefinition& tool, const ToolPose& pose);
 
 /// One body with its solver. Not copyable; bodies do not touch each other.
 class Body {
@@ -154,7 +153,8 @@ class Body {
   void attach(std::span<const ToolPose> begin, std::span<const ToolPose> end, EquilibriumProblem& problem) const;
   void attach_line(int tool, const ToolPose& end, EquilibriumProblem& problem) const;
   bool release(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;
-  void add_spheres(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;
+  double largest_part(std::span<const ToolPose> begin, std::span<const ToolPose> end) const;
+  void add_solids(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;
   void add_fluid_inertia(double duration, EquilibriumProblem& problem) const;
   void start_fluid_motion();
   void update_fluid_motion(double duration, double previous_step);
@@ -169,6 +169,8 @@ class Body {
   void update_forces(const EquilibriumProblem& problem);
   void update_books(const BodyState& before, std::span<const ToolPose> begin, double duration,
                     const EquilibriumProblem& problem);
+  double work_of_solids(const BodyState& before, std::span<const ToolPose> begin,
+                        const EquilibriumProblem& problem) const;
   double book_fluids(const BodyState& before, double duration);
   FluidMode fluid_mode() const;
 

@@ -1,3 +1,4 @@
+#include <Eigen/Geometry>
 #include <utility>
 
 #include "engine/simulation/Body.hpp"
@@ -93,6 +94,23 @@ double Body::book_fluids(const BodyState& before, double duration) {
   return reached;
 }
 
+double Body::work_of_solids(const BodyState& before, std::span<const ToolPose> begin,
+                            const EquilibriumProblem& problem) const {
+  double work = 0;
+  std::size_t k = 0;
+  for (std::size_t tool = 0; tool < tools_.size(); ++tool) {
+    for (const ToolSolid& solid : tool_solids(tools_[tool], begin[tool])) {
+      const ToolSolid& after = problem.solids[k].solid;
+      const ToolContact &first = before.solid_contacts[k], &last = state_.solid_contacts[k];
+      const Eigen::AngleAxisd turn(Eigen::Matrix3d(after.frame * solid.frame.transpose()));
+      work -= 0.5 * (first.force + last.force).dot(after.center - solid.center);
+      work -= 0.5 * turn.angle() * (first.moment + last.moment).dot(turn.axis());
+      ++k;
+    }
+  }
+  return work;
+}
+
 void Body::update_books(const BodyState& before, std::span<const ToolPose> begin, double duration,
                         const EquilibriumProblem& problem) {
   EnergyBooks& books = state_.books;
@@ -102,31 +120,28 @@ void Body::update_books(const BodyState& before, std::span<const ToolPose> begin
   books.bending = lasting_part(model_->definition) * terms.bending_energy;
   books.kinetic = 0.5 * model_->mass.dot(state_.velocity.cwiseAbs2()) + fluid_kinetic_energy();
   books.gravity = gravity_energy();
-  books.contact = contact_energy(*model_, problem, terms) + terms.folds.energy;
+  books.contact = contact_energy(terms) + terms.folds.energy;
   books.fluid = fluid_energy(*model_, state_);
 
   // Work by the trapezoidal rule; what it differs from the change of the energies is what the integrator spends.
   const Eigen::VectorXd motion = state_.equilibrium.position - before.equilibrium.position;
-  double attached_work = 0, sphere_work = 0;
+  double attached_work = 0;
   for (const std::vector<Attachment>* attachments : {&before.attachments, &std::as_const(state_).attachments}) {
     for (const Attachment& attachment : *attachments) {
       attached_work -= 0.5 * attachment.force.dot(material_point(attachment, motion));
     }
   }
-  for (const SphereContact& contact : problem.spheres) {
-    const Eigen::Vector3d path = contact.sphere.center - sphere_at(tools_[contact.tool], begin[contact.tool]).center;
-    sphere_work -= 0.5 * (before.contacts[contact.tool].force + state_.contacts[contact.tool].force).dot(path);
-  }
+  const double solid_work = work_of_solids(before, begin, problem);
   const double fluid_work = book_fluids(before, duration);
   const double load_work = 0.5 * (before.load_force + state_.load_force).dot(motion);
   const double kinetic_work = 0.5 * model_->mass.cwiseProduct(before.acceleration + state_.acceleration).dot(motion);
   const double static_work =
-      0.5 * (before.static_force + state_.static_force).dot(motion) + sphere_work + load_work + fluid_work;
+      0.5 * (before.static_force + state_.static_force).dot(motion) + solid_work + load_work + fluid_work;
   const double damping_loss = 0.5 * model_->definition.damping.mass_rate *
                               model_->mass.cwiseProduct(before.velocity + state_.velocity).dot(motion);
   books.numerical += kinetic_work + static_work - wall_loss - (books.stored() - before.books.stored());
   books.viscous += wall_loss + damping_loss;
-  books.tool_work += attached_work + sphere_work;
+  books.tool_work += attached_work + solid_work;
   books.script_work += load_work;
 }
 

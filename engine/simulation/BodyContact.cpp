@@ -1,6 +1,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/simulation/Body.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
@@ -8,10 +9,21 @@
 namespace thinwall {
 namespace {
 
-/// Gap at which the wall rests on a tool: small beside any depth that matters, whatever the mesh.
-double contact_range(const ToolDefinition& tool) {
-  return std::min(10e-6, 1e-4 * tool.radius);  // metres
+/// Gap at which the wall rests on a tool: small beside the tool and any depth that matters, whatever the mesh.
+double contact_range(const ToolSolid& solid) {
+  return std::min(1e-5 * solid.extent(), 1e-3 * solid.sharpness());  // metres
 }
+
+/// How far faces may dip into a solid. The vertices of a wall that hugs a ball lie on it, and the chords between them
+/// dip in by edge^2 / (6 radius): up to triangles of 0.4 radii that is left to them. To keep flat triangles all outside
+/// would hold the wall off by as much, with three to four times the error in force.
+double contact_dip(const ToolSolid& solid) {
+  return 0.03 * solid.sharpness();  // metres
+}
+
+/// A solid near a wall moves no farther in one solution than this part of its smallest radius of curvature: what it
+/// touched before is then at its rounded edges at most, not inside, where it might leave through the wrong side.
+constexpr double kRoundedMotion = 0.9;
 
 /// Two places of a tool that are the same but for rounding.
 constexpr double kSamePlace = 1e-9;  // metres
@@ -34,10 +46,6 @@ Eigen::Vector3d free_axes(const BodyModel& model, const Attachment& attachment) 
 }
 
 }  // namespace
-
-SphereTool sphere_at(const ToolDefinition& tool, const ToolPose& pose) {
-  return {.center = pose.tip - tool.radius * pose.direction, .radius = tool.radius};
-}
 
 void Body::attach(std::span<const ToolPose> begin, std::span<const ToolPose> end, EquilibriumProblem& problem) const {
   problem.attachments = state_.attachments;
@@ -94,17 +102,39 @@ bool Body::release(std::span<const ToolPose> poses, EquilibriumProblem& problem)
   return problem.attachments.size() != before;
 }
 
-void Body::add_spheres(std::span<const ToolPose> poses, EquilibriumProblem& problem) const {
+double Body::largest_part(std::span<const ToolPose> begin, std::span<const ToolPose> end) const {
+  double part = 1;
+  for (std::size_t tool = 0; tool < tools_.size(); ++tool) {
+    const std::vector<ToolSolid> before = tool_solids(tools_[tool], begin[tool]);
+    const std::vector<ToolSolid> after = tool_solids(tools_[tool], end[tool]);
+    for (std::size_t k = 0; k < before.size(); ++k) {
+      const Eigen::AngleAxisd turn(Eigen::Matrix3d(after[k].frame * before[k].frame.transpose()));
+      const double motion = (after[k].center - before[k].center).norm() + turn.angle() * before[k].extent();
+      if (motion <= kRoundedMotion * before[k].sharpness()) continue;
+      double nearest = std::numeric_limits<double>::infinity();
+      for (int v = 0; v < model_->vertices(); ++v) {
+        nearest = std::min(nearest, signed_distance(before[k], state_.equilibrium.position.segment<3>(3 * v)).value);
+      }
+      if (nearest > motion + model_->edge_length) continue;
+      part = std::min(part, kRoundedMotion * before[k].sharpness() / motion);
+    }
+  }
+  return part;
+}
+
+void Body::add_solids(std::span<const ToolPose> poses, EquilibriumProblem& problem) const {
   for (int tool = 0; tool < static_cast<int>(tools_.size()); ++tool) {
-    if (tools_[tool].kind != ToolKind::kSphere) continue;
     const double largest_pressure =
         state_.reference_pressure.size() > 0 ? state_.reference_pressure.lpNorm<Eigen::Infinity>() : 0;
-    const double pressure = std::max(model_->wall_stiffness / tools_[tool].radius, largest_pressure);
-    problem.spheres.push_back({.tool = tool,
-                               .sphere = sphere_at(tools_[tool], poses[tool]),
-                               .range = contact_range(tools_[tool]),
-                               .hugging_pressure = pressure,
-                               .forces = state_.sphere_forces[tool]});
+    for (const ToolSolid& solid : tool_solids(tools_[tool], poses[tool])) {
+      problem.solids.push_back(
+          {.tool = tool,
+           .solid = solid,
+           .range = contact_range(solid),
+           .dip = contact_dip(solid),
+           .hugging_pressure = std::max(model_->wall_stiffness / solid.sharpness(), largest_pressure),
+           .forces = state_.solid_forces[problem.solids.size()]});
+    }
   }
 }
 
@@ -113,10 +143,13 @@ Eigen::VectorXd Body::contact_pressure() const {
   for (const Attachment& attachment : state_.attachments) {
     for (int k = 0; k < 3; ++k) pressure[attachment.vertices[k]] += attachment.weights[k] * attachment.force.norm();
   }
-  for (const std::vector<double>& forces : state_.sphere_forces) {
-    for (int t = 0; t < model_->triangles(); ++t) {
-      if (forces[t] == 0) continue;
-      for (const int vertex : model_->surface[t]) pressure[vertex] += forces[t] / 3;
+  for (const std::vector<double>& forces : state_.solid_forces) {
+    for (std::size_t s = 0; s < forces.size(); ++s) {
+      if (forces[s] == 0) continue;
+      const ContactSite& site = model_->sites[s];
+      const Eigen::Vector3i& triangle = model_->surface[site.triangle];
+      const int count = site.part == SitePart::kCorner ? 1 : (site.part == SitePart::kEdge ? 2 : 3);
+      for (int k = 0; k < count; ++k) pressure[triangle[(site.corner + k) % 3]] += forces[s] / count;
     }
   }
   Eigen::VectorXd area = Eigen::VectorXd::Zero(model_->vertices());

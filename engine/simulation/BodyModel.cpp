@@ -65,6 +65,12 @@ void add_bending(BodyModel& model) {
   }
 }
 
+void add_sites(BodyModel& model) {
+  std::vector<double> areas;
+  for (const MembraneRest& rest : model.rest) areas.push_back(rest.area);
+  model.sites = contact_sites(model.vertices(), model.definition.mesh.triangles, areas);
+}
+
 void add_fluid(BodyModel& model) {
   Chambers chambers = find_chambers(model.definition.mesh.vertices, model.surface, model.definition.fluid);
   model.chambers = std::move(chambers.chambers);
@@ -185,6 +191,7 @@ BodyModel make_body_model(BodyDefinition definition) {
   for (const Eigen::Vector3i& triangle : model.surface) {
     model.addresses.push_back(triangle_addresses(model.pattern, triangle));
   }
+  add_sites(model);
   if (model.has_fluid()) add_fluid(model);
   add_loads(model);
   fix(model);

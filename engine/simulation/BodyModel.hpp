@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/body/BodyDefinition.hpp"
+#include "engine/contact/ContactSites.hpp"
 #include "engine/contact/SelfContact.hpp"
 #include "engine/shell/BendingElement.hpp"
 #include "engine/simulation/Chambers.hpp"
@@ -25,6 +26,7 @@ struct BodyModel {
   std::vector<TriangleAddresses> addresses;       // (triangles + caps)
   std::vector<BendingRest> bending;               // (triangles) of a shell; none for a membrane
   std::vector<PatchAddresses> bending_addresses;  // (triangles) of a shell
+  std::vector<ContactSite> sites;                 // what keeps out of tools: vertices, edges, triangles of the wall
   Eigen::VectorXd mass;                           // (3 vertices), kg, lumped, of the wall
   std::vector<ChamberModel> chambers;             // named ones first; none without fluid
   std::vector<int> chamber;                       // (triangles + caps), index; empty without fluid

@@ -121,17 +121,21 @@ void Body::update_forces(const EquilibriumProblem& problem) {
   state_.static_force = terms.gradient - terms.volume_gradient * state_.equilibrium.pressure;
   state_.load_force = terms.load_force;
   for (const ContactPoint& contact : terms.contacts) {
-    const double force = problem.spheres[contact.sphere].forces[contact.triangle];
+    const double force = problem.solids[contact.solid].forces[contact.site];
     for (int k = 0; k < 3; ++k) {
       state_.static_force.segment<3>(3 * model_->surface[contact.triangle][k]) -=
           force * contact.gap.gradient.segment<3>(3 * k);
     }
   }
   state_.contacts.assign(tools_.size(), ToolContact{});
-  for (std::size_t k = 0; k < problem.spheres.size(); ++k) {
-    const int tool = problem.spheres[k].tool;
-    state_.contacts[tool] = contact_on(problem, terms, static_cast<int>(k));
-    state_.sphere_forces[tool] = problem.spheres[k].forces;
+  for (std::size_t k = 0; k < problem.solids.size(); ++k) {
+    const ToolContact own = contact_on(*model_, problem, terms, state_.equilibrium.position, static_cast<int>(k));
+    ToolContact& whole = state_.contacts[problem.solids[k].tool];
+    whole.force += own.force;
+    whole.area += own.area;
+    whole.touching = whole.touching || own.touching;
+    state_.solid_contacts[k] = own;
+    state_.solid_forces[k] = problem.solids[k].forces;
   }
   state_.attachments = problem.attachments;
   for (const Attachment& attachment : state_.attachments) {

@@ -43,7 +43,7 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state) {
     if (solve(held, trial).converged) {
       state = trial;
       problem.attachments = held.attachments;
-      problem.spheres = held.spheres;
+      problem.solids = held.solids;
       springs *= 0.25;
     } else {
       springs *= 8;

@@ -113,15 +113,39 @@ void add_fluid(const BodyModel& model, const Eigen::VectorXd& position, const Ei
   }
 }
 
+/// Least distance that a site can have from a solid, from those of the triangle's corners: no distance changes faster
+/// than its place.
+double nearest_possible(const std::array<Eigen::Vector3d, 3>& corners, const std::array<double, 3>& distances,
+                        const ContactSite& site) {
+  const int a = site.corner, b = (a + 1) % 3, c = (a + 2) % 3;
+  if (site.part == SitePart::kCorner) return distances[a];
+  const double ab = (corners[a] - corners[b]).norm();
+  if (site.part == SitePart::kEdge) return 0.5 * (distances[a] + distances[b] - ab);
+  const double ac = (corners[a] - corners[c]).norm(), bc = (corners[b] - corners[c]).norm();
+  return std::max({distances[a] - std::max(ab, ac), distances[b] - std::max(ab, bc), distances[c] - std::max(ac, bc)});
+}
+
 void find_contacts(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
                    EquilibriumTerms& terms) {
-  for (int k = 0; k < static_cast<int>(problem.spheres.size()); ++k) {
-    const SphereContact& contact = problem.spheres[k];
-    for (int t = 0; t < model.triangles(); ++t) {
-      const double near = contact.range + kContactMargin * model.edge_length;
-      const double reach = contact.forces[t] > 0 ? std::numeric_limits<double>::infinity() : near;
-      const auto gap = sphere_gap(contact.sphere, reach, corners_of(model.surface[t], position));
-      if (gap) terms.contacts.push_back({.sphere = k, .triangle = t, .gap = *gap});
+  std::vector<double> distances(model.vertices());
+  for (int k = 0; k < static_cast<int>(problem.solids.size()); ++k) {
+    const SolidContact& contact = problem.solids[k];
+    for (int v = 0; v < model.vertices(); ++v) {
+      distances[v] = signed_distance(contact.solid, position.segment<3>(3 * v)).value;
+    }
+    const double near = contact.range + kContactMargin * model.edge_length;
+    for (int s = 0; s < static_cast<int>(model.sites.size()); ++s) {
+      const ContactSite& site = model.sites[s];
+      const Eigen::Vector3i& triangle = model.surface[site.triangle];
+      const double reach = contact.forces[s] > 0 ? std::numeric_limits<double>::infinity() : near;
+      const auto corners = corners_of(triangle, position);
+      const std::array<double, 3> at_corners = {distances[triangle[0]], distances[triangle[1]], distances[triangle[2]]};
+      if (nearest_possible(corners, at_corners, site) >= reach) continue;
+      const auto gap = solid_gap(contact.solid, reach, corners, site.part, site.corner);
+      // The gap of a site whose deepest point lies on its border is that of another site.
+      if (!gap || (gap->part != site.part && contact.forces[s] == 0)) continue;
+      terms.contacts.push_back(
+          {.solid = k, .site = s, .triangle = site.triangle, .potential = contact.potential(site), .gap = *gap});
     }
   }
 }
@@ -171,31 +195,55 @@ void evaluate(const BodyModel& model, const EquilibriumProblem& problem, const E
   terms.inertial = inertial_energy(model, problem, position) + inertial_energy(problem, terms);
 }
 
-ToolContact contact_on(const EquilibriumProblem& problem, const EquilibriumTerms& terms, int sphere) {
+namespace {
+
+/// Area of the ellipse, across `normal`, that an even pressure would have to fill for the second moments given.
+double even_area(const Eigen::Matrix3d& moments, const Eigen::Vector3d& normal) {
+  const Eigen::Vector3d one = normal.unitOrthogonal(), other = normal.cross(one);
+  const double a = one.dot(moments * one), b = other.dot(moments * other), c = one.dot(moments * other);
+  return 4 * std::numbers::pi * std::sqrt(std::max(0.0, a * b - c * c));
+}
+
+}  // namespace
+
+ToolContact contact_on(const BodyModel& model, const EquilibriumProblem& problem, const EquilibriumTerms& terms,
+                       const Eigen::VectorXd& position, int solid) {
+  const SolidContact& contact = problem.solids[solid];
   ToolContact sum;
   double pressed = 0;
-  for (const ContactPoint& contact : terms.contacts) {
-    if (contact.sphere != sphere) continue;
-    const double force = problem.spheres[sphere].forces[contact.triangle];
-    sum.force -= force * contact.gap.normal;
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();   // newton metres, relative to the solid's
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();  // newton metres^2
+  for (const ContactPoint& point : terms.contacts) {
+    const double force = contact.forces[point.site];
+    if (point.solid != solid || force == 0) continue;
+    const auto corners = corners_of(model.surface[point.triangle], position);
+    Eigen::Vector3d arm = -contact.solid.center;
+    for (int k = 0; k < 3; ++k) arm += point.gap.weights[k] * corners[k];
+    sum.force -= force * point.gap.normal;
+    sum.moment -= force * arm.cross(point.gap.normal);
     pressed += force;
+    center += force * arm;
+    moments += force * arm * arm.transpose();
   }
   sum.touching = pressed > 0;
   if (!sum.touching) return sum;
-  // Even pressure on a cap of half angle a adds up to (1 + cos a) / 2 of the sum of its forces' magnitudes.
-  const SphereContact& contact = problem.spheres[sphere];
-  const double whole = 4 * std::numbers::pi * contact.sphere.radius * contact.sphere.radius;
-  const double cap = whole * std::max(0.0, 1 - sum.force.norm() / pressed);
-  sum.area = std::max(cap, pressed / contact.hugging_pressure);
+  center /= pressed;
+  moments = moments / pressed - center * center.transpose();
+  if (contact.solid.is_ball()) {
+    // Even pressure on a cap of half angle a adds up to (1 + cos a) / 2 of the sum of its forces' magnitudes.
+    const double whole = 4 * std::numbers::pi * contact.solid.radius * contact.solid.radius;
+    sum.area = whole * std::max(0.0, 1 - sum.force.norm() / pressed);
+  } else if (sum.force.norm() > 0) {
+    const Eigen::Vector3d normal = sum.force.normalized();
+    sum.area = std::min(even_area(moments, normal), silhouette(contact.solid, normal));
+  }
+  sum.area = std::max(sum.area, pressed / contact.hugging_pressure);
   return sum;
 }
 
-double contact_energy(const BodyModel& model, const EquilibriumProblem& problem, const EquilibriumTerms& terms) {
+double contact_energy(const EquilibriumTerms& terms) {
   double energy = 0;
-  for (const ContactPoint& contact : terms.contacts) {
-    const SphereContact& sphere = problem.spheres[contact.sphere];
-    energy += sphere.potential(model.rest[contact.triangle].area).energy(contact.gap.gap);
-  }
+  for (const ContactPoint& contact : terms.contacts) energy += contact.potential.energy(contact.gap.gap);
   return energy;
 }
 

@@ -3,8 +3,9 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "engine/contact/ContactPotential.hpp"
 #include "engine/contact/SelfContact.hpp"
-#include "engine/contact/SphereContact.hpp"
+#include "engine/contact/SolidGap.hpp"
 #include "engine/fluid/OrificeFlow.hpp"
 #include "engine/simulation/BodyModel.hpp"
 
@@ -23,19 +24,28 @@ struct Attachment {
 
 Eigen::Vector3d material_point(const Attachment& attachment, const Eigen::VectorXd& position);
 
-/// A sphere tool and what it presses on.
-struct SphereContact {
+/// A solid of a tool and what it presses on.
+struct SolidContact {
   /// Pressure under which the gap closes, over the hugging pressure: the wall then rests near the range.
   static constexpr double kStiffness = 50;
+  /// Of an edge that dips into a solid as far as the face beside it may, the part that it may itself: what the chord
+  /// and the plane through points of a ball have.
+  static constexpr double kEdgeDip = 0.75;
 
   int tool = 0;  // index
-  SphereTool sphere;
-  double range = 0;             // metres, of the contact potential
-  double hugging_pressure = 0;  // pascal, under which a wall of unit strain lies on the sphere
-  std::vector<double> forces;   // (triangles), newton, between the sphere and each triangle: multipliers
+  ToolSolid solid;
+  double range = 0;             // metres, gap at which vertices begin to be pushed
+  double dip = 0;               // metres inside the solid at which faces begin to be pushed
+  double hugging_pressure = 0;  // pascal, under which a wall of unit strain lies on the solid
+  std::vector<double> forces;   // (sites), newton, between the solid and each site: multipliers
 
-  ContactPotential potential(double rest_area) const {
-    return {.range = range, .largest = kStiffness * hugging_pressure * rest_area};
+  /// Where the wall lies on a solid that is flatter than its triangles, the vertices bear the load and stand for a wall
+  /// that is curved between them; edges are held back where an edge of the tool crosses them, faces where a tip or a
+  /// ball smaller than the triangles would pass through. So no site has to choose between equally deep points.
+  ContactPotential potential(const ContactSite& site) const {
+    const double stiffness = kStiffness * hugging_pressure * site.area / range;
+    if (site.part == SitePart::kCorner) return {.onset = range, .stiffness = stiffness};
+    return {.onset = site.part == SitePart::kEdge ? -kEdgeDip * dip : -dip, .stiffness = stiffness};
   }
 };
 
@@ -92,20 +102,24 @@ struct EquilibriumProblem {
   Eigen::VectorXd inertia_target;   // (3 vertices), metres
   bool hold_rigid_motions = false;  // keep the mass-weighted mean position and rotation of a free body
   std::vector<Attachment> attachments;
-  std::vector<SphereContact> spheres;
+  std::vector<SolidContact> solids;
 };
 
+/// What the tissue does to a tool, or to one of its solids.
 struct ToolContact {
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();  // newton, what the tissue does to the tool
-  double area = 0;                                  // metres^2
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   // newton
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  // newton metre, about the centre of the solid; of solids only
+  double area = 0;                                   // metres^2
   bool touching = false;
 };
 
-/// A triangle in contact with a sphere.
+/// A site of the wall in contact with a solid, or near it.
 struct ContactPoint {
-  int sphere = 0;    // index into the problem's spheres
-  int triangle = 0;  // index
-  SphereGap gap;
+  int solid = 0;     // index into the problem's solids
+  int site = 0;      // index into the model's sites
+  int triangle = 0;  // index, of the site
+  ContactPotential potential;
+  SolidGap gap;
 };
 
 /// Energies and derivatives at a position.
@@ -126,7 +140,7 @@ struct EquilibriumTerms {
   Eigen::MatrixXd volume_gradient;     // (3 vertices x chambers), metres^2
   std::vector<double> values;          // (non-zeros), newton / metre: Hessian of all that less pressure times volume
   double largest_force = 0;            // newton, of a single term: the scale of the residual
-  std::vector<ContactPoint> contacts;  // triangles near a sphere, or with a force on them
+  std::vector<ContactPoint> contacts;  // sites near a solid, or with a force on them
   SelfContactTerms folds;              // the wall against itself and its floors: Newton adds them to the gradient
 };
 
@@ -135,13 +149,16 @@ struct EquilibriumTerms {
 void evaluate(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
               const Eigen::VectorXd& pressure, EquilibriumTerms& terms);
 
-/// What the forces of the problem add up to on one of its spheres, at contacts found by `evaluate`. The area is that of
-/// the cap over which an even pressure would spread the directions of the forces as they are, so that it grows smoothly
-/// while triangle after triangle comes to lie on the sphere; at least the force over the hugging pressure.
-ToolContact contact_on(const EquilibriumProblem& problem, const EquilibriumTerms& terms, int sphere);
+/// What the forces of the problem add up to on one of its solids, at contacts found by `evaluate`. The area grows
+/// smoothly while site after site comes to lie on the solid: on a ball it is that of the cap over which an even
+/// pressure would spread the directions of the forces as they are; on other solids that of the ellipse, across the mean
+/// normal, over which an even pressure would have the forces' second moments, at most the solid's shadow; at least the
+/// force over the hugging pressure. `position`: (3 vertices), metres.
+ToolContact contact_on(const BodyModel& model, const EquilibriumProblem& problem, const EquilibriumTerms& terms,
+                       const Eigen::VectorXd& position, int solid);
 
-/// Energy of the contact potentials, joule.
-double contact_energy(const BodyModel& model, const EquilibriumProblem& problem, const EquilibriumTerms& terms);
+/// Energy of the contact potentials at contacts found by `evaluate`, joule.
+double contact_energy(const EquilibriumTerms& terms);
 
 /// Pressure of each chamber brought to the level of the origin, (chambers), pascal.
 Eigen::VectorXd pressures_at_origin(const BodyModel& model, const Eigen::Vector3d& gravity,

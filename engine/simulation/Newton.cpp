@@ -19,6 +19,10 @@ constexpr double kToleratedPull = 0.1;
 /// How often a step may be found again because contacts would pull or be overrun.
 constexpr int kContactTurns = 8;
 
+/// After this many iterations steps are halved at once: whole ones may go to and fro between two sets of contacts, one
+/// of which lowers the residual and the other the energy.
+constexpr int kWholeSteps = 15;
+
 double square(double value) {
   return value * value;
 }
@@ -50,16 +54,11 @@ void Newton::evaluate_all(const EquilibriumProblem& problem, const EquilibriumSt
 }
 
 double Newton::contact_force(const EquilibriumProblem& problem, const ContactPoint& contact) const {
-  return problem.spheres[contact.sphere].forces[contact.triangle];
+  return problem.solids[contact.solid].forces[contact.site];
 }
 
-double Newton::contact_law(const EquilibriumProblem& problem, const ContactPoint& contact) const {
-  const ContactPotential potential = contact_potential(problem, contact);
-  return potential.stiffness() * (potential.range - contact.gap.gap);
-}
-
-ContactPotential Newton::contact_potential(const EquilibriumProblem& problem, const ContactPoint& contact) const {
-  return problem.spheres[contact.sphere].potential(model_.rest[contact.triangle].area);
+double Newton::contact_law(const ContactPoint& contact) const {
+  return contact.potential.spring_force(contact.gap.gap);
 }
 
 void Newton::compute_residual(const EquilibriumProblem& problem, const EquilibriumState& state,
@@ -85,11 +84,10 @@ void Newton::compute_residual(const EquilibriumProblem& problem, const Equilibri
       residual.force.segment<3>(3 * model_.surface[contact.triangle][k]) -=
           force * contact.gap.gradient.segment<3>(3 * k);
     }
-    const double misfit =
-        (force - std::max(0.0, contact_law(problem, contact))) / contact_potential(problem, contact).stiffness();
+    const double misfit = (force - std::max(0.0, contact_law(contact))) / contact.potential.stiffness;
     residual.contact = std::max(residual.contact, std::abs(misfit));
     misfits += square(misfit);
-    if (contact_law(problem, contact) <= 0) residual.ghost = std::max(residual.ghost, force);
+    if (contact_law(contact) <= 0) residual.ghost = std::max(residual.ghost, force);
   }
   if (problem.hold_rigid_motions) {
     residual.force += rigid_columns_ * state.rigid_reaction;
@@ -213,11 +211,10 @@ void Newton::build_matrix(const EquilibriumProblem& problem, double shift) {
   for (std::size_t k = 0; k < terms_.contacts.size(); ++k) {
     if (open_[k]) continue;
     const ContactPoint& contact = terms_.contacts[k];
-    add_triangle(
-        model_.addresses[contact.triangle],
-        contact_potential(problem, contact).stiffness() * contact.gap.gradient * contact.gap.gradient.transpose() -
-            contact_force(problem, contact) * contact.gap.hessian,
-        matrix_);
+    add_triangle(model_.addresses[contact.triangle],
+                 contact.potential.stiffness * contact.gap.gradient * contact.gap.gradient.transpose() -
+                     contact_force(problem, contact) * contact.gap.hessian,
+                 matrix_);
   }
   add_floors(model_, terms_.folds, matrix_);
   attachment_stiffness_ = kAttachmentStiffness * diagonal;
@@ -269,7 +266,7 @@ void Newton::find_step(const EquilibriumProblem& problem, const Residual& residu
   // The step is taken from the contact's law, not from the multiplier that enters the residual.
   for (std::size_t k = 0; k < terms_.contacts.size(); ++k) {
     const ContactPoint& contact = terms_.contacts[k];
-    const double push = (open_[k] ? 0 : contact_law(problem, contact)) - contact_force(problem, contact);
+    const double push = (open_[k] ? 0 : contact_law(contact)) - contact_force(problem, contact);
     for (int c = 0; c < 3; ++c) {
       force.segment<3>(3 * model_.surface[contact.triangle][c]) += push * contact.gap.gradient.segment<3>(3 * c);
     }
@@ -304,15 +301,14 @@ void Newton::find_step(const EquilibriumProblem& problem, const Residual& residu
   for (Eigen::Index k = 0; k < fluid; ++k) step.pressure[bordering_[k]] = multipliers[k];
   step.rigid = multipliers.segment(fluid, rigid);
   for (std::size_t k = 0; k < problem.attachments.size(); ++k) step.forces[k] += problem.attachments[k].force;
-  find_contact_forces(problem, step);
+  find_contact_forces(step);
 }
 
-void Newton::find_contact_forces(const EquilibriumProblem& problem, Step& step) const {
+void Newton::find_contact_forces(Step& step) const {
   step.contact_forces.clear();
   for (const ContactPoint& contact : terms_.contacts) {
     const double opening = gap_change(contact, step.position);
-    step.contact_forces.push_back(contact_law(problem, contact) -
-                                  contact_potential(problem, contact).stiffness() * opening);
+    step.contact_forces.push_back(contact_law(contact) - contact.potential.stiffness * opening);
   }
 }
 
@@ -351,7 +347,7 @@ double Newton::merit(const EquilibriumProblem& problem, const EquilibriumState& 
   }
   for (const Eigen::Vector3d& gap : residual.gaps) value += weights.force * gap.norm();
   for (const ContactPoint& contact : terms.contacts) {
-    value += weights.contact * std::max(0.0, problem.spheres[contact.sphere].range - contact.gap.gap);
+    value += weights.contact * std::max(0.0, contact.potential.onset - contact.gap.gap);
   }
   return value;
 }
@@ -372,7 +368,7 @@ double Newton::merit_slope(const EquilibriumProblem& problem, const EquilibriumS
   }
   for (const ContactPoint& contact : terms_.contacts) {
     slope += contact_force(problem, contact) * gap_change(contact, step.position) -
-             weights.contact * std::max(0.0, problem.spheres[contact.sphere].range - contact.gap.gap);
+             weights.contact * std::max(0.0, contact.potential.onset - contact.gap.gap);
   }
   return slope;
 }
@@ -382,7 +378,8 @@ std::string Newton::obstructed(const std::string& reason) const {
   return pressed ? reason + ": the wall lies against itself or its floor and is asked to go on" : reason;
 }
 
-bool Newton::search(EquilibriumProblem& problem, EquilibriumState& state, Residual& residual, const Step& step) {
+bool Newton::search(EquilibriumProblem& problem, EquilibriumState& state, Residual& residual, const Step& step,
+                    double fraction) {
   // Weights above the multipliers make the merit function exact: its minimum is the constrained one.
   Weights weights{.pressure = 2 * (state.pressure + step.pressure).lpNorm<Eigen::Infinity>(), .force = 0, .contact = 0};
   for (const Eigen::Vector3d& force : step.forces) weights.force = std::max(weights.force, 2 * force.norm());
@@ -391,9 +388,9 @@ bool Newton::search(EquilibriumProblem& problem, EquilibriumState& state, Residu
   const double slope = merit_slope(problem, state, residual, step, weights);
   const EquilibriumState start = state;
   const std::vector<Attachment> attachments = problem.attachments;
-  const std::vector<SphereContact> spheres = problem.spheres;
+  const std::vector<SolidContact> solids = problem.solids;
   Residual trial;
-  double fraction = self_contact_.safe_fraction(start.position, step.position);
+  fraction = std::min(fraction, self_contact_.safe_fraction(start.position, step.position));
   for (int halving = 0; halving < 16; ++halving, fraction *= 0.5) {
     state.position = start.position + fraction * step.position;
     state.pressure = start.pressure + fraction * step.pressure;
@@ -403,8 +400,8 @@ bool Newton::search(EquilibriumProblem& problem, EquilibriumState& state, Residu
     }
     for (std::size_t k = 0; k < terms_.contacts.size(); ++k) {
       const ContactPoint& contact = terms_.contacts[k];
-      const double old = spheres[contact.sphere].forces[contact.triangle];
-      problem.spheres[contact.sphere].forces[contact.triangle] = old + fraction * (step.contact_forces[k] - old);
+      const double old = solids[contact.solid].forces[contact.site];
+      problem.solids[contact.solid].forces[contact.site] = old + fraction * (step.contact_forces[k] - old);
     }
     evaluate_all(problem, state, trial_terms_);
     if (!std::isfinite(trial_terms_.elastic)) continue;
@@ -418,7 +415,7 @@ bool Newton::search(EquilibriumProblem& problem, EquilibriumState& state, Residu
   }
   state = start;
   problem.attachments = attachments;
-  problem.spheres = spheres;
+  problem.solids = solids;
   return false;
 }
 
@@ -449,7 +446,9 @@ NewtonResult Newton::solve(EquilibriumProblem& problem, EquilibriumState& state,
     shift = shift > 1e-6 ? 0.1 * shift : 0;
     open_.clear();
     for (const ContactPoint& contact : terms_.contacts) {
-      open_.push_back(contact_force(problem, contact) == 0 && contact_law(problem, contact) <= 0);
+      // Edges and faces bear what vertices leave to them: whether that is so the step itself shows.
+      const bool may_wait = contact_law(contact) <= 0 || model_.sites[contact.site].part != SitePart::kCorner;
+      open_.push_back(contact_force(problem, contact) == 0 && may_wait);
     }
     for (int turn = 0;; ++turn) {
       if (!factorize(problem, state, shift)) {
@@ -463,7 +462,7 @@ NewtonResult Newton::solve(EquilibriumProblem& problem, EquilibriumState& state,
       step.contact_forces[k] = open_[k] ? 0 : std::max(0.0, step.contact_forces[k]);
     }
     if (shift > 0) ++result.shifted_iterations;
-    if (!search(problem, state, residual, step)) {
+    if (!search(problem, state, residual, step, result.iterations < kWholeSteps ? 1 : 0.5)) {
       result.reason = obstructed("the line search found no smaller residual or energy");
       return result;
     }

@@ -40,7 +40,7 @@ struct NewtonResult {
 /// K + gamma A^T A, which keeps its pattern because a material point couples the corners of one triangle only, by
 /// Uzawa's iteration whose error shrinks by the ratio of the local stiffness to gamma.
 ///
-/// Contacts are stiff springs between sphere and triangle whose forces are unknowns of their own: the curvature of a
+/// Contacts are stiff springs between tool and wall whose forces are unknowns of their own: the curvature of a
 /// contact takes the force that equilibrium gave it last, not the one that an overlap on the way to equilibrium would
 /// ask for, which is larger by orders of magnitude and would make the matrix indefinite. A linear spring can pull, a
 /// contact cannot: when contacts would pull they are taken to be open, when open ones would be overrun they are taken
@@ -100,8 +100,7 @@ class Newton {
 
   void evaluate_all(const EquilibriumProblem& problem, const EquilibriumState& state, EquilibriumTerms& terms);
   double contact_force(const EquilibriumProblem& problem, const ContactPoint& contact) const;
-  double contact_law(const EquilibriumProblem& problem, const ContactPoint& contact) const;
-  ContactPotential contact_potential(const EquilibriumProblem& problem, const ContactPoint& contact) const;
+  double contact_law(const ContactPoint& contact) const;
   double gap_change(const ContactPoint& contact, const Eigen::VectorXd& motion) const;
   void compute_residual(const EquilibriumProblem& problem, const EquilibriumState& state, const EquilibriumTerms& terms,
                         Residual& residual) const;
@@ -117,10 +116,11 @@ class Newton {
   bool is_convex(SparseFactor& factor, std::span<const double> values);
   SparseFactor& used_factor() { return folded_ ? fold_matrix_.factor() : factor_; }
   void find_step(const EquilibriumProblem& problem, const Residual& residual, Step& step);
-  void find_contact_forces(const EquilibriumProblem& problem, Step& step) const;
+  void find_contact_forces(Step& step) const;
   bool revise_contacts(const Step& step);
   std::string obstructed(const std::string& reason) const;
-  bool search(EquilibriumProblem& problem, EquilibriumState& state, Residual& residual, const Step& step);
+  bool search(EquilibriumProblem& problem, EquilibriumState& state, Residual& residual, const Step& step,
+              double fraction);
   double merit(const EquilibriumProblem& problem, const EquilibriumState& state, const EquilibriumTerms& terms,
                const Residual& residual, const Weights& weights) const;
   double merit_slope(const EquilibriumProblem& problem, const EquilibriumState& state, const Residual& residual,

@@ -4,7 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <set>
+
+#include "engine/contact/SolidGap.hpp"
+#include "engine/tool/ToolSolids.hpp"
 
 namespace thinwall {
 namespace {
@@ -34,42 +38,36 @@ void keep_smaller(std::optional<double>& best, double value) {
   if (!best || value < *best) best = value;
 }
 
-/// Travel of a point until it is at `distance` from a fixed point: the earlier root of a quadratic, if any.
-std::optional<double> travel_to_distance(const Eigen::Vector3d& offset, const Eigen::Vector3d& direction,
-                                         double distance) {
-  const double a = direction.squaredNorm(), b = offset.dot(direction);
-  if (!(a > 0)) return std::nullopt;
-  const double discriminant = b * b - a * (offset.squaredNorm() - distance * distance);
-  if (discriminant < 0) return std::nullopt;
-  return (-b - std::sqrt(discriminant)) / a;
-}
+/// How often Newton's method may go on towards a first contact; it takes some ten turns at most.
+constexpr int kTravelTurns = 60;
 
-/// Travel of a sphere's centre until the sphere touches a triangle: its face, an edge or a corner.
-std::optional<double> sphere_travel(const Corners& corners, const Eigen::Vector3d& center, double radius,
-                                    const Eigen::Vector3d& direction, bool both_sides) {
-  Eigen::Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
-  if (both_sides && normal.dot(direction) > 0) normal = -normal;
-  if (normal.dot(direction) < 0) {
-    const Eigen::Vector3d raised = radius * normal;
-    if (const auto hit =
-            entry({corners[0] + raised, corners[1] + raised, corners[2] + raised}, center, direction, both_sides)) {
-      return hit->travel;
-    }
+/// Nearer than this a solid touches, metres.
+constexpr double kTouch = 1e-15;
+
+/// Travel of a solid along a unit vector until it touches a triangle. The gap between two convex sets is a convex
+/// function of the travel, so that Newton's steps from ahead of the contact never pass it; where the gap stops falling
+/// the solid passes beside the triangle.
+std::optional<double> solid_travel(const Corners& corners, ToolSolid solid, const Eigen::Vector3d& motion) {
+  const Eigen::Vector3d start = solid.center;
+  const Eigen::Vector3d middle = (corners[0] + corners[1] + corners[2]) / 3;
+  double extent = solid.extent();
+  for (const Eigen::Vector3d& corner : corners) extent = std::max(extent, solid.extent() + (corner - middle).norm());
+  const Eigen::Vector3d way = middle - start;
+  if ((way - motion * motion.dot(way)).norm() > extent) return std::nullopt;
+  // Far away the slope of the gap says little about where it ends: the balls around the two cannot touch before this.
+  double travel = std::max(0.0, motion.dot(way) - extent);
+  for (int turn = 0; turn < kTravelTurns; ++turn) {
+    solid.center = start + travel * motion;
+    const auto gap = solid_gap(solid, std::numeric_limits<double>::infinity(), corners, SitePart::kFace);
+    if (std::abs(gap->gap) <= kTouch) return travel;
+    const double closing = gap->normal.dot(motion);  // the gap falls by this for each length of travel
+    if (closing <= 0) return gap->gap < 0 ? std::optional(gap->gap) : std::nullopt;
+    const double next = travel + gap->gap / closing;
+    if (next == travel) return travel;
+    travel = next;
+    if (travel > motion.dot(way) + extent) return std::nullopt;
   }
-  std::optional<double> best;
-  for (int k = 0; k < 3; ++k) {
-    const Eigen::Vector3d& corner = corners[k];
-    const Eigen::Vector3d edge = corners[(k + 1) % 3] - corner;
-    if (const auto travel = travel_to_distance(center - corner, direction, radius)) keep_smaller(best, *travel);
-    const Eigen::Vector3d unit = edge.normalized();
-    const Eigen::Vector3d offset = center - corner;
-    const auto across = [&](const Eigen::Vector3d& v) -> Eigen::Vector3d { return v - unit * unit.dot(v); };
-    if (const auto travel = travel_to_distance(across(offset), across(direction), radius)) {
-      const double along = unit.dot(offset + *travel * direction);
-      if (along >= 0 && along <= edge.norm()) keep_smaller(best, *travel);
-    }
-  }
-  return best;
+  return travel;
 }
 
 /// Coordinates in the frame of a pose: across (x'), along (y') and ahead (z') of the tip.
@@ -150,20 +148,24 @@ std::optional<double> travel_to_contact(const SurfaceView& surface, const ToolDe
     const auto hit = first_entry(surface, pose.tip, motion);
     return hit ? std::optional<double>(hit->travel) : std::nullopt;
   }
-  // A line slides along itself without meeting anything new; only its motion across itself counts.
-  const Eigen::Vector3d across = motion - pose.axis * pose.axis.dot(motion);
-  if (tool.kind == ToolKind::kLine && across.norm() < 1e-9) return std::nullopt;
-  const ToolPose sweep{.tip = pose.tip, .direction = across.normalized(), .axis = pose.axis};
-  const Eigen::Vector3d center = pose.tip - tool.radius * pose.direction;
   std::optional<double> best;
-  for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
-    const Corners corners = corners_of(surface, t);
-    const auto travel = tool.kind == ToolKind::kLine
-                            ? line_travel(corners, 0.5 * tool.length, sweep)
-                            : sphere_travel(corners, center, tool.radius, motion, surface.open);
-    if (travel) keep_smaller(best, *travel);
+  if (tool.kind == ToolKind::kLine) {
+    // A line slides along itself without meeting anything new; only its motion across itself counts.
+    const Eigen::Vector3d across = motion - pose.axis * pose.axis.dot(motion);
+    if (across.norm() < 1e-9) return std::nullopt;
+    const ToolPose sweep{.tip = pose.tip, .direction = across.normalized(), .axis = pose.axis};
+    for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
+      if (const auto travel = line_travel(corners_of(surface, t), 0.5 * tool.length, sweep))
+        keep_smaller(best, *travel);
+    }
+    if (best) *best /= across.norm();
+    return best;
   }
-  if (best && tool.kind == ToolKind::kLine) *best /= across.norm();
+  for (const ToolSolid& solid : tool_solids(tool, pose)) {
+    for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
+      if (const auto travel = solid_travel(corners_of(surface, t), solid, motion)) keep_smaller(best, *travel);
+    }
+  }
   return best;
 }
 

@@ -33,8 +33,8 @@ std::optional<SurfacePoint> first_entry_on_segment(const SurfaceView& surface, c
                                                    const Eigen::Vector3d& end);
 
 /// How far a tool can travel from a pose along the unit vector `motion` until it first touches the surface, metres;
-/// nothing when it never does. A tool that already touches gives a travel of zero or less. Exact: a sphere meets faces,
-/// edges and corners; a line meets the curve in which its plane of motion cuts the surface.
+/// nothing when it never does. A tool that already touches gives a travel of zero or less. Exact: a solid meets faces,
+/// edges and corners, from either side of the surface; a line meets the curve in which its plane of motion cuts it.
 std::optional<double> travel_to_contact(const SurfaceView& surface, const ToolDefinition& tool, const ToolPose& pose,
                                         const Eigen::Vector3d& motion);
 

@@ -5,13 +5,18 @@
 
 namespace thinwall {
 
-enum class ToolKind { kPoint, kLine, kSphere };
+enum class ToolKind { kPoint, kLine, kSphere, kCapsule, kPlate, kNeedle, kScalpel, kForceps };
 
+/// Point and line prescribe displacements; all others touch with solids, whose shapes ToolSolids.hpp describes.
 struct ToolDefinition {
   std::string name;
   ToolKind kind = ToolKind::kPoint;
-  double length = 0;  // metres, line
-  double radius = 0;  // metres, sphere
+  double length = 0;     // metres; line, capsule, plate (along y'), needle, scalpel, forceps
+  double radius = 0;     // metres; sphere, capsule, needle
+  double width = 0;      // metres; plate (along x'), scalpel, forceps (along y')
+  double thickness = 0;  // metres; plate, scalpel, each jaw of forceps
+  double opening = 0;    // metres between the jaws of open forceps
+  double friction = 0;   // coefficient of Coulomb's law; not of point and line
 };
 
 /// Where a tool is. The frame is orthonormal: x' = axis x direction.
@@ -19,6 +24,12 @@ struct ToolPose {
   Eigen::Vector3d tip = Eigen::Vector3d::Zero();          // metres
   Eigen::Vector3d direction = -Eigen::Vector3d::UnitZ();  // z', the sense of motion into the body, unit
   Eigen::Vector3d axis = Eigen::Vector3d::UnitY();        // y', along a line tool, unit, perpendicular to z'
+  double opening = 0;                                     // metres between the jaws of forceps
 };
+
+/// Whether a tool prescribes displacements where it touches, rather than to push the wall away.
+constexpr bool prescribes(ToolKind kind) {
+  return kind == ToolKind::kPoint || kind == ToolKind::kLine;
+}
 
 }  // namespace thinwall

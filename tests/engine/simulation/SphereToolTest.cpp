@@ -16,16 +16,23 @@ namespace {
 
 constexpr double kBall = 6e-3;  // metres, radius
 
-/// Distance from the ball to the nearest point of any triangle, metres; negative inside.
-double smallest_gap(const Body& body, const ToolPose& pose) {
+/// Distances from the ball, metres; negative inside.
+struct Gaps {
+  double vertex = 1;    // of the nearest vertex
+  double triangle = 1;  // of the nearest point of any triangle
+};
+Gaps smallest_gaps(const Body& body, const ToolPose& pose) {
   const Eigen::Vector3d center = pose.tip - kBall * pose.direction;
-  double least = 1e9;
+  Gaps least;
   for (int t = 0; t < body.model().triangles(); ++t) {
     const auto corners = corners_of(body.model().surface[t], body.state().equilibrium.position);
     const ClosestPoint closest = closest_point(corners, center);
     Eigen::Vector3d point = Eigen::Vector3d::Zero();
-    for (int k = 0; k < 3; ++k) point += closest.weights[k] * corners[k];
-    least = std::min(least, (point - center).norm() - kBall);
+    for (int k = 0; k < 3; ++k) {
+      point += closest.weights[k] * corners[k];
+      least.vertex = std::min(least.vertex, (corners[k] - center).norm() - kBall);
+    }
+    least.triangle = std::min(least.triangle, (point - center).norm() - kBall);
   }
   return least;
 }
@@ -61,21 +68,25 @@ double crown_of(const Body& body) {
   return top;
 }
 
-TEST(SphereTool, KeepsTheWholeWallOutsideAtAGapOfNoMoreThanTenMicrometresAndOnePerCentOfTheDepth) {
+TEST(SphereTool, LetsTheVerticesRestOnTheBallAndTheFacesDipInByNoMoreThanChordsDo) {
   for (const Scene& scene : scenes()) {
     Body body = make_scene_body(scene);
     const double crown = crown_of(body);
-    double nearest = 1, farthest = -1;
+    Gaps nearest;
+    double farthest = -1;
     move(body, pose_at({0, 0, crown + 0.2e-3}), {0, 0, crown - 6e-3}, 20, 5e-3, [&](const ToolPose& pose) {
       if (pose.tip.z() > crown - 0.5e-3 || !body.state().contacts[0].touching) return;
-      const double gap = smallest_gap(body, pose);
-      nearest = std::min(nearest, gap);
-      farthest = std::max(farthest, gap);
-      EXPECT_LE(gap, std::min(10e-6, 0.01 * (crown - pose.tip.z()))) << scene.name;
+      const Gaps gaps = smallest_gaps(body, pose);
+      nearest.vertex = std::min(nearest.vertex, gaps.vertex);
+      nearest.triangle = std::min(nearest.triangle, gaps.triangle);
+      farthest = std::max(farthest, gaps.triangle);
+      EXPECT_LE(gaps.triangle, std::min(10e-6, 0.01 * (crown - pose.tip.z()))) << scene.name;
     });
-    std::printf("%s: gap %.3f to %.3f um\n", scene.name, 1e6 * nearest, 1e6 * farthest);
-    EXPECT_GT(nearest, 0) << scene.name;
-    EXPECT_LT(nearest, 1) << scene.name;
+    std::printf("%s: vertices from %.4f um, triangles at %.1f to %.4f um\n", scene.name, 1e6 * nearest.vertex,
+                1e6 * nearest.triangle, 1e6 * farthest);
+    EXPECT_GT(nearest.vertex, 0) << scene.name;
+    // 3 % of the radius, and the compression of the springs.
+    EXPECT_GT(nearest.triangle, -0.0301 * kBall) << scene.name;
   }
 }
 
@@ -116,10 +127,10 @@ TEST(SphereTool, ForceHardlyDependsOnTheMesh) {
     force[level] = force_at_depth(256 << (2 * level), 5e-3, area[level]);
     std::printf("%d triangles: %.5f N, %.2f mm^2\n", 256 << (2 * level), force[level], 1e6 * area[level]);
   }
-  // The wall between the corners of the coarser mesh is a facet that the ball must bend: 5 % seen from 1024 to 4096,
-  // 20 % from 256, where an edge is 40 % of the ball's radius.
-  EXPECT_NEAR(force[1], force[2], 0.06 * force[2]);
-  EXPECT_LT(std::abs(force[1] - force[2]), 0.5 * std::abs(force[0] - force[2]));
+  // 1.3 % seen from 1024 to 4096, 16 % from 256, where an edge is 40 % of the ball's radius and more as the wall
+  // stretches, so that its faces have to be held back.
+  EXPECT_NEAR(force[1], force[2], 0.02 * force[2]);
+  EXPECT_LT(std::abs(force[1] - force[2]), 0.25 * std::abs(force[0] - force[2]));
 }
 
 TEST(SphereTool, ForceReturnsToNothingAndTheShapeToTheSettledOneAfterWithdrawal) {

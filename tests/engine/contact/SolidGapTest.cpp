@@ -1,4 +1,4 @@
-#include "engine/contact/SphereContact.hpp"
+#include "engine/contact/SolidGap.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "engine/contact/ClosestPoint.hpp"
+#include "engine/contact/ContactPotential.hpp"
 #include "tests/engine/HyperDual.hpp"
 
 namespace thinwall {
@@ -19,6 +20,17 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 
 Corners some_corners() {
   return {Eigen::Vector3d(0.1, -0.2, 0.1), Eigen::Vector3d(1.3, 0.2, -0.1), Eigen::Vector3d(0.2, 0.9, 0.3)};
+}
+
+ToolSolid ball(const Eigen::Vector3d& center, double radius) {
+  ToolSolid solid;
+  solid.center = center;
+  solid.radius = radius;
+  return solid;
+}
+
+std::optional<SolidGap> ball_gap(const Eigen::Vector3d& center, double radius, double reach, const Corners& corners) {
+  return solid_gap(ball(center, radius), reach, corners, SitePart::kFace);
 }
 
 struct Example {
@@ -49,11 +61,11 @@ std::vector<Example> examples() {
           {"corner 1", {1.7, 0.1, 0.1}, 1, corner(1)},   {"corner 2", {0.1, 1.4, 0.3}, 1, corner(2)}};
 }
 
-TEST(SphereGap, GapGradientAndHessianAgreeWithExactDerivativesOfTheDistanceInEveryRegion) {
+TEST(BallGap, GapGradientAndHessianAgreeWithExactDerivativesOfTheDistanceInEveryRegion) {
   // Both are exact; residuals seen below 3e-15.
   for (const Example& example : examples()) {
     ASSERT_EQ(closest_point(some_corners(), example.center).corner_count, example.corner_count) << example.region;
-    const auto gap = sphere_gap({.center = example.center, .radius = kRadius}, kFar, some_corners());
+    const auto gap = ball_gap(example.center, kRadius, kFar, some_corners());
     ASSERT_TRUE(gap) << example.region;
     const CornerDerivatives exact = corner_derivatives(
         [&](const auto& x) { return example.distance(x, dual(example.center)) - kRadius; }, some_corners());
@@ -64,9 +76,9 @@ TEST(SphereGap, GapGradientAndHessianAgreeWithExactDerivativesOfTheDistanceInEve
   }
 }
 
-TEST(SphereGap, PushesTheTriangleAsAWholeByTheUnitNormal) {
+TEST(BallGap, PushesTheTriangleAsAWholeByTheUnitNormal) {
   for (const Example& example : examples()) {
-    const auto gap = sphere_gap({.center = example.center, .radius = kRadius}, kFar, some_corners());
+    const auto gap = ball_gap(example.center, kRadius, kFar, some_corners());
     Eigen::Vector3d sum = Eigen::Vector3d::Zero(), torque = Eigen::Vector3d::Zero();
     for (int k = 0; k < 3; ++k) {
       sum += gap->gradient.segment<3>(3 * k);
@@ -79,15 +91,15 @@ TEST(SphereGap, PushesTheTriangleAsAWholeByTheUnitNormal) {
   }
 }
 
-TEST(SphereGap, IsContinuousWithItsGradientWhereTheRegionsMeet) {
+TEST(BallGap, IsContinuousWithItsGradientWhereTheRegionsMeet) {
   // The distance to a convex set is once differentiable; the sphere rolls from face over edge to corner. Steps of 1e-6
   // change gap and gradient by less than 1e-5 where the curvature is at most about 10.
   const Corners corners = some_corners();
-  std::optional<SphereGap> last;
+  std::optional<SolidGap> last;
   int changes = 0, last_count = 0;
   for (int k = 0; k <= 20000; ++k) {
     const Eigen::Vector3d center(0.6 + 1e-4 * k - 1, 0.25, 0.6);
-    const auto gap = sphere_gap({.center = center, .radius = kRadius}, kFar, corners);
+    const auto gap = ball_gap(center, kRadius, kFar, corners);
     const int count = closest_point(corners, center).corner_count;
     if (last) {
       ASSERT_LT(std::abs(gap->gap - last->gap), 1.01e-4);
@@ -100,9 +112,9 @@ TEST(SphereGap, IsContinuousWithItsGradientWhereTheRegionsMeet) {
   EXPECT_GE(changes, 2);
 }
 
-TEST(SphereGap, LetsAFlatFaceSlideAndTurnInItsPlaneWithoutResistance) {
+TEST(BallGap, LetsAFlatFaceSlideAndTurnInItsPlaneWithoutResistance) {
   const Corners flat = {Eigen::Vector3d(-1, -1, 0), Eigen::Vector3d(2, -1, 0), Eigen::Vector3d(-1, 2, 0)};
-  const auto gap = sphere_gap({.center = {0, 0, kRadius}, .radius = kRadius}, 1, flat);
+  const auto gap = ball_gap({0, 0, kRadius}, kRadius, 1, flat);
   ASSERT_TRUE(gap);
   EXPECT_NEAR(gap->gap, 0, 1e-16);
   Eigen::Matrix<double, 9, 1> slide, turn, roll;
@@ -116,25 +128,24 @@ TEST(SphereGap, LetsAFlatFaceSlideAndTurnInItsPlaneWithoutResistance) {
   EXPECT_LT(std::abs(gap->gradient.dot(roll)), 1e-15);  // about the centre
 }
 
-TEST(SphereGap, GivesNothingBeyondItsReachAndEverythingWithinIt) {
+TEST(BallGap, GivesNothingBeyondItsReachAndEverythingWithinIt) {
   const Corners flat = {Eigen::Vector3d(-1, -1, 0), Eigen::Vector3d(2, -1, 0), Eigen::Vector3d(-1, 2, 0)};
-  EXPECT_FALSE(sphere_gap({.center = {0, 0, 0.6}, .radius = 0.5}, 0.0999, flat));
-  EXPECT_TRUE(sphere_gap({.center = {0, 0, 0.6}, .radius = 0.5}, 0.1001, flat));
-  EXPECT_FALSE(sphere_gap({.center = {20, 0, 0}, .radius = 0.5}, 0.1, flat));
-  EXPECT_TRUE(sphere_gap({.center = {20, 0, 0}, .radius = 0.5}, kFar, flat));
-  EXPECT_NEAR(sphere_gap({.center = {0, 0, 0.2}, .radius = 0.5}, 0.1, flat)->gap, -0.3, 1e-15);
+  EXPECT_FALSE(ball_gap({0, 0, 0.6}, 0.5, 0.0999, flat));
+  EXPECT_TRUE(ball_gap({0, 0, 0.6}, 0.5, 0.1001, flat));
+  EXPECT_FALSE(ball_gap({20, 0, 0}, 0.5, 0.1, flat));
+  EXPECT_TRUE(ball_gap({20, 0, 0}, 0.5, kFar, flat));
+  EXPECT_NEAR(ball_gap({0, 0, 0.2}, 0.5, 0.1, flat)->gap, -0.3, 1e-15);
 }
 
-TEST(ContactPotential, ForceIsTheSlopeOfTheEnergyAndReachesTheLargestAtContact) {
-  const ContactPotential potential{.range = 2e-6, .largest = 3};
+TEST(ContactPotential, ForceIsTheSlopeOfTheEnergyAndSetsInAtTheOnset) {
+  const ContactPotential potential{.onset = 2e-6, .stiffness = 1.5e6};
   EXPECT_EQ(potential.energy(2e-6), 0);
   EXPECT_EQ(potential.energy(5e-6), 0);
   EXPECT_NEAR(potential.energy(0), 0.5 * 3 * 2e-6, 1e-20);  // a linear spring from 0 to 3 N over 2 um
-  EXPECT_NEAR(potential.stiffness(), 1.5e6, 1e-9);
   for (const double gap : {-1e-6, 0.0, 1e-6, 1.9e-6}) {
     // A quadratic: the central difference is exact but for round-off.
     const double h = 1e-8, slope = (potential.energy(gap + h) - potential.energy(gap - h)) / (2 * h);
-    EXPECT_NEAR(-slope, potential.stiffness() * (potential.range - gap), 1e-6) << gap;
+    EXPECT_NEAR(-slope, potential.spring_force(gap), 1e-6) << gap;
   }
 }
 

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/contact/ToolSolid.hpp"
+#include "engine/tool/Tool.hpp"
+
+namespace thinwall {
+
+/// What a tool touches with at a pose: nothing for a point or a line, two jaws for forceps (that on the side of +x'
+/// first), one solid otherwise. The tip of the pose is
+/// - the foremost point of a sphere, of the middle of a capsule (along y', `length` over all) and of a needle,
+/// - the middle of the foremost face of a plate, `width` by `length` and `thickness` thick behind it,
+/// - the middle of the edge of a scalpel's blade: `width` along y', `length` backwards, rounded by half its thickness,
+/// - the middle between the tips of the jaws: `width` along y', `length` backwards, `opening` apart along x'.
+/// Edges of a plate are rounded by 0.1 mm, those of a jaw by 0.3 times its thickness; neither by more than a quarter of
+/// the smallest size. A needle ends in a cone of four times its radius, rounded at the tip by 0.4 of the radius.
+std::vector<ToolSolid> tool_solids(const ToolDefinition& tool, const ToolPose& pose);
+
+}  // namespace thinwall

@@ -1,0 +1,93 @@
+// Tools of every shape pressed into a body: what they do to the wall and the wall to them.
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "engine/mesh/Shapes.hpp"
+#include "tests/engine/simulation/TestBodies.hpp"
+
+namespace thinwall {
+namespace {
+
+std::vector<ToolDefinition> solid_tools() {
+  ToolDefinition capsule = sphere_tool(2e-3);
+  capsule.kind = ToolKind::kCapsule;
+  capsule.name = "capsule";
+  capsule.length = 12e-3;
+  ToolDefinition plate{.name = "plate", .kind = ToolKind::kPlate, .length = 10e-3, .width = 8e-3, .thickness = 2e-3};
+  ToolDefinition needle{.name = "needle", .kind = ToolKind::kNeedle, .length = 30e-3, .radius = 0.5e-3};
+  ToolDefinition blade{
+      .name = "blade", .kind = ToolKind::kScalpel, .length = 20e-3, .width = 6e-3, .thickness = 0.4e-3};
+  ToolDefinition forceps{.name = "forceps",
+                         .kind = ToolKind::kForceps,
+                         .length = 30e-3,
+                         .width = 4e-3,
+                         .thickness = 1.5e-3,
+                         .opening = 8e-3};
+  return {sphere_tool(4e-3), capsule, plate, needle, blade, forceps};
+}
+
+ToolPose slanted_pose(const ToolDefinition& tool, const Eigen::Vector3d& tip) {
+  ToolPose pose = pose_at(tip, Eigen::Vector3d(0.12, -0.08, -1).normalized());
+  const Eigen::AngleAxisd turn(0.3, pose.direction);
+  pose.axis = turn * pose.axis;
+  pose.opening = tool.opening;
+  return pose;
+}
+
+/// Signed distance of the deepest vertex and of the deepest point of all triangles, metres.
+std::array<double, 2> deepest(const Body& body, const ToolDefinition& tool, const ToolPose& pose) {
+  std::array<double, 2> least = {1, 1};
+  for (const ToolSolid& solid : tool_solids(tool, pose)) {
+    for (int t = 0; t < body.model().triangles(); ++t) {
+      const auto corners = corners_of(body.model().surface[t], body.state().equilibrium.position);
+      for (int k = 0; k < 3; ++k) least[0] = std::min(least[0], signed_distance(solid, corners[k]).value);
+      least[1] = std::min(least[1], solid_gap(solid, 1, corners, SitePart::kFace)->gap);
+    }
+  }
+  return least;
+}
+
+TEST(SolidTools, OfEveryKindKeepTheWallOutAndFeelWhatTheSupportsHold) {
+  for (const Analysis analysis : {Analysis::kQuasiStatic, Analysis::kDynamic}) {
+    for (const ToolDefinition& tool : solid_tools()) {
+      SimulationOptions options;
+      options.analysis = analysis;
+      Body body(pressurised_hemisphere(1024, 300), {tool}, options);
+      body.settle();
+      const ToolPose pose = slanted_pose(tool, {1e-3, 0.5e-3, 21.9e-3});
+      double sharpness = 1;
+      for (const ToolSolid& solid : tool_solids(tool, pose)) sharpness = std::min(sharpness, solid.sharpness());
+      int iterations = 0, halvings = 0;
+      std::array<double, 2> nearest = {1, 1};
+      move(body, pose, pose.tip + 4.5e-3 * pose.direction, 24, 20e-3, [&](const ToolPose& now) {
+        iterations += body.report().newton_iterations;
+        halvings += body.report().halvings;
+        const auto depths = deepest(body, tool, now);
+        for (int k = 0; k < 2; ++k) nearest[k] = std::min(nearest[k], depths[k]);
+        if (body.state().contacts[0].touching) {
+          EXPECT_LE(depths[1], 10e-6) << tool.name;
+        }
+      });
+      const ToolContact& contact = body.state().contacts[0];
+      std::printf(
+          "%s%s: %.1f iterations a step, %d halvings, %.4f N, %.2f mm^2, vertices from %.3f um, faces %.2f um\n",
+          tool.name.c_str(), analysis == Analysis::kDynamic ? ", dynamic" : "", iterations / 24.0, halvings,
+          contact.force.norm(), 1e6 * contact.area, 1e6 * nearest[0], 1e6 * nearest[1]);
+      EXPECT_GT(nearest[0], 0) << tool.name;
+      EXPECT_GT(nearest[1], -0.0301 * sharpness) << tool.name;
+      EXPECT_GT(contact.force.norm(), 0.02) << tool.name;
+      EXPECT_LE(halvings, 10) << tool.name;
+      if (analysis == Analysis::kQuasiStatic) {
+        const Eigen::Vector3d rest = support_force(body) - contact.force;
+        EXPECT_LT(rest.norm(), 1e-8 * contact.force.norm()) << tool.name;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace thinwall
