@@ -73,6 +73,13 @@ class Builder {
 
   ToolShape take() { return std::move(shape_); }
 
+  void add(const ToolShape& other) {
+    const auto first = static_cast<std::uint32_t>(shape_.vertices.size());
+    shape_.vertices.insert(shape_.vertices.end(), other.vertices.begin(), other.vertices.end());
+    for (const std::uint32_t index : other.indices) shape_.indices.push_back(first + index);
+    shape_.rods.insert(shape_.rods.end(), other.rods.begin(), other.rods.end());
+  }
+
  private:
   static Float3 float3(Vector3 a) {
     return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
@@ -226,6 +233,102 @@ ToolShape ball(const SnapshotTool& tool, double scene_size) {
   return builder.take();
 }
 
+/// A round shaft with a handle that begins `back` behind the tip, thick enough to be seen and no thicker than `widest`.
+void add_handle(Builder& builder, double back, double widest, double scene_size) {
+  const double radius = std::min(2.5 * probe_radius(scene_size), widest);
+  std::vector<OutlinePoint> outline;
+  append_arc(outline, back, radius, 0.25 * std::numbers::pi, 0.5 * std::numbers::pi, kBrushed, 6);
+  append_shaft(outline, radius, 1.7 * radius, scene_size);
+  builder.turn(outline);
+  builder.add_rod(back, outline.back().back, radius);
+}
+
+/// A rectangle from the tip backwards, `middle` aside of it along x', its corners rounded by `rounding`.
+std::vector<OutlinePoint> rectangle(double middle, double width, double length, double rounding) {
+  std::vector<OutlinePoint> outline;
+  for (int corner = 0; corner < 4; ++corner) {
+    const bool front = corner < 2, right = corner == 1 || corner == 2;
+    std::vector<OutlinePoint> arc;
+    append_arc(arc, front ? rounding : length - rounding, rounding, 0.5 * (corner - 1) * std::numbers::pi,
+               0.5 * corner * std::numbers::pi, kBrushed, 5);
+    const double aside = middle + (right ? 0.5 : -0.5) * (width - 2 * rounding);
+    for (OutlinePoint& point : arc) point.out += aside;
+    outline.insert(outline.end(), arc.begin(), arc.end());
+  }
+  outline.push_back(outline.front());
+  return outline;
+}
+
+ToolShape rod(const SnapshotTool& tool, double scene_size) {
+  const double radius = tool.radius, length = std::max(tool.length, 2 * radius);
+  Builder builder(tool, scene_size);
+  // The rod itself is turned about y': a tool of its own that lies across.
+  const Vector3 direction = normalized(vector3(tool.direction), {0, 0, -1});
+  const Vector3 axis = normalized(vector3(tool.axis), perpendicular(direction));
+  const Vector3 end = vector3(tool.tip) - radius * direction + 0.5 * length * axis;
+  SnapshotTool across = tool;
+  across.tip = {end.x, end.y, end.z};
+  across.direction = {axis.x, axis.y, axis.z};
+  across.axis = tool.direction;
+  Builder lying(across, scene_size);
+  std::vector<OutlinePoint> outline;
+  append_arc(outline, radius, radius, 0, 0.5 * std::numbers::pi, kPolished, 12);
+  append_arc(outline, length - radius, radius, 0.5 * std::numbers::pi, std::numbers::pi, kPolished, 12);
+  lying.turn(outline);
+  lying.add_rod(radius, length - radius, radius);
+  builder.add(lying.take());
+  add_handle(builder, radius, 0.5 * radius, scene_size);
+  return builder.take();
+}
+
+ToolShape plate(const SnapshotTool& tool, double scene_size) {
+  Builder builder(tool, scene_size);
+  const double rounding = std::min({1e-4, 0.25 * tool.thickness, 0.25 * tool.width, 0.25 * tool.length});
+  builder.draw_out(rectangle(0, tool.width, tool.thickness, rounding), tool.length);
+  builder.add_rod_along_axis(tool.thickness, tool.length, 0.5 * tool.thickness);
+  add_handle(builder, tool.thickness, 0.25 * std::min(tool.width, tool.length), scene_size);
+  return builder.take();
+}
+
+ToolShape needle(const SnapshotTool& tool, double scene_size) {
+  // As the engine shapes it: a tip of 0.4 radii, a cone of four, a shaft.
+  const double radius = tool.radius, tip = 0.4 * radius, shoulder = tip + 4 * radius;
+  const double lean = std::asin((radius - tip) / (shoulder - tip));
+  Builder builder(tool, scene_size);
+  std::vector<OutlinePoint> outline;
+  append_arc(outline, tip, tip, 0, 0.5 * std::numbers::pi - lean, kPolished, 10);
+  append_arc(outline, shoulder, radius, 0.5 * std::numbers::pi - lean, 0.5 * std::numbers::pi, kPolished, 6);
+  append_taper(outline, std::max(tool.length, shoulder + radius), radius, 1);
+  append_shaft(outline, std::max(1.5 * radius, 2 * probe_radius(scene_size)),
+               std::max(2 * radius, 3 * probe_radius(scene_size)), scene_size);
+  builder.turn(outline);
+  builder.add_rod(tip, outline.back().back, radius);
+  return builder.take();
+}
+
+ToolShape blade(const SnapshotTool& tool, double scene_size) {
+  Builder builder(tool, scene_size);
+  builder.draw_out(rectangle(0, tool.thickness, tool.length, 0.5 * tool.thickness), tool.width);
+  builder.add_rod_along_axis(0.5 * tool.thickness, tool.width, 0.5 * tool.thickness);
+  add_handle(builder, tool.length, 0.4 * tool.width, scene_size);
+  return builder.take();
+}
+
+ToolShape jaws(const SnapshotTool& tool, double scene_size) {
+  Builder builder(tool, scene_size);
+  const double rounding = std::min({0.3 * tool.thickness, 0.25 * tool.width, 0.25 * tool.length});
+  const double aside = 0.5 * (tool.opening + tool.thickness);
+  for (const double side : {-1.0, 1.0}) {
+    builder.draw_out(rectangle(side * aside, tool.thickness, tool.length, rounding), tool.width);
+  }
+  // A block behind the jaws joins them, as wide as they may open.
+  std::vector<OutlinePoint> block = rectangle(0, tool.opening + 2 * tool.thickness, 2 * tool.thickness, rounding);
+  for (OutlinePoint& point : block) point.back += tool.length - tool.thickness;
+  builder.draw_out(block, tool.width);
+  add_handle(builder, tool.length + tool.thickness, 0.45 * tool.width, scene_size);
+  return builder.take();
+}
+
 }  // namespace
 
 ToolShape tool_shape(const SnapshotTool& tool, double scene_size) {
@@ -236,6 +339,16 @@ ToolShape tool_shape(const SnapshotTool& tool, double scene_size) {
       return straight_edge(tool, scene_size);
     case SnapshotToolKind::kSphere:
       return ball(tool, scene_size);
+    case SnapshotToolKind::kCapsule:
+      return rod(tool, scene_size);
+    case SnapshotToolKind::kPlate:
+      return plate(tool, scene_size);
+    case SnapshotToolKind::kNeedle:
+      return needle(tool, scene_size);
+    case SnapshotToolKind::kScalpel:
+      return blade(tool, scene_size);
+    case SnapshotToolKind::kForceps:
+      return jaws(tool, scene_size);
   }
   return {};
 }

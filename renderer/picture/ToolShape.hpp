@@ -30,8 +30,8 @@ struct ToolShape {
 };
 
 /// The metal around a tool's pose, in the world; `scene_size` is SceneExtent::size. The foremost point along the
-/// direction is exactly the tip: of a rounded probe (point), of a straight edge (line), of a ball (sphere), each with a
-/// shaft behind.
+/// direction is exactly the tip: of a rounded probe (point), of a straight edge (line), of a ball (sphere), of a rod
+/// (capsule), plate, needle or blade (scalpel), or lies between those of two jaws (forceps); each has a shaft behind.
 ToolShape tool_shape(const SnapshotTool& tool, double scene_size);
 
 }  // namespace thinwall

@@ -59,6 +59,9 @@ void blend(SnapshotTool& tool, const SnapshotTool& later, double weight) {
   require(tool.name == later.name && tool.kind == later.kind, "tool '" + tool.name + "'");
   tool.radius = blend(tool.radius, later.radius, weight);
   tool.length = blend(tool.length, later.length, weight);
+  tool.width = blend(tool.width, later.width, weight);
+  tool.thickness = blend(tool.thickness, later.thickness, weight);
+  tool.opening = blend(tool.opening, later.opening, weight);
   tool.tip = blend(tool.tip, later.tip, weight);
   tool.direction = blend_direction(tool.direction, later.direction, weight);
   tool.axis = blend_direction(tool.axis, later.axis, weight);

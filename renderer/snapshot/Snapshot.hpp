@@ -36,13 +36,16 @@ struct SnapshotSurface {
   std::vector<SnapshotField> fields;
 };
 
-enum class SnapshotToolKind { kPoint, kLine, kSphere };
+enum class SnapshotToolKind { kPoint, kLine, kSphere, kCapsule, kPlate, kNeedle, kScalpel, kForceps };
 
 struct SnapshotTool {
   std::string name;
   SnapshotToolKind kind = SnapshotToolKind::kPoint;
-  double radius = 0;               // metres, sphere
-  double length = 0;               // metres, line
+  double radius = 0;               // metres; sphere, capsule, needle
+  double length = 0;               // metres; line, capsule, plate (along y'), needle, scalpel, forceps
+  double width = 0;                // metres; plate (along x'), scalpel, forceps (along y')
+  double thickness = 0;            // metres; plate, scalpel, each jaw of forceps
+  double opening = 0;              // metres between the jaws of forceps
   Double3 tip = {0, 0, 0};         // metres
   Double3 direction = {0, 0, -1};  // z', unit: the sense of motion into the body
   Double3 axis = {0, 1, 0};        // y', unit

@@ -28,6 +28,16 @@ SnapshotToolKind to_kind(ToolKind kind) {
       return SnapshotToolKind::kLine;
     case ToolKind::kSphere:
       return SnapshotToolKind::kSphere;
+    case ToolKind::kCapsule:
+      return SnapshotToolKind::kCapsule;
+    case ToolKind::kPlate:
+      return SnapshotToolKind::kPlate;
+    case ToolKind::kNeedle:
+      return SnapshotToolKind::kNeedle;
+    case ToolKind::kScalpel:
+      return SnapshotToolKind::kScalpel;
+    case ToolKind::kForceps:
+      return SnapshotToolKind::kForceps;
     case ToolKind::kPoint:
       break;
   }
@@ -69,6 +79,9 @@ SnapshotTool snapshot_tool(const ToolDefinition& tool, const ToolPose& pose, con
           .kind = to_kind(tool.kind),
           .radius = tool.radius,
           .length = tool.length,
+          .width = tool.width,
+          .thickness = tool.thickness,
+          .opening = pose.opening,
           .tip = to_double3(pose.tip),
           .direction = to_double3(pose.direction),
           .axis = to_double3(pose.axis),

@@ -204,13 +204,29 @@ BodyScenario to_body(const CheckedMember& member) {
 
 // Tools and timeline.
 
-constexpr std::array<std::pair<std::string_view, ToolKind>, 3> kTools = {
-    {{"point", ToolKind::kPoint}, {"line", ToolKind::kLine}, {"sphere", ToolKind::kSphere}}};
+constexpr std::array<std::pair<std::string_view, ToolKind>, 8> kTools = {{{"point", ToolKind::kPoint},
+                                                                          {"line", ToolKind::kLine},
+                                                                          {"sphere", ToolKind::kSphere},
+                                                                          {"capsule", ToolKind::kCapsule},
+                                                                          {"plate", ToolKind::kPlate},
+                                                                          {"needle", ToolKind::kNeedle},
+                                                                          {"scalpel", ToolKind::kScalpel},
+                                                                          {"forceps", ToolKind::kForceps}}};
 
 ToolDefinition to_tool(const CheckedMember& member) {
-  ToolDefinition tool{.name = member.key, .kind = of_word(member.value.at("kind").text, kTools)};
-  tool.length = find_number(member.value, "length").value_or(0);
-  tool.radius = find_number(member.value, "radius").value_or(0);
+  const CheckedValue& value = member.value;
+  ToolDefinition tool{.name = member.key, .kind = of_word(value.at("kind").text, kTools)};
+  tool.length = find_number(value, "length").value_or(0);
+  tool.radius = find_number(value, "radius").value_or(0);
+  tool.width = find_number(value, "width").value_or(0);
+  tool.thickness = find_number(value, "thickness").value_or(0);
+  tool.opening = find_number(value, "opening").value_or(0);
+  tool.friction = find_number(value, "friction").value_or(0);
+  if (const CheckedValue* size = value.find("size")) {
+    tool.width = size->items.front().number;
+    tool.length = size->items.back().number;
+  }
+  if (tool.kind == ToolKind::kPoint && tool.radius > 0) tool.kind = ToolKind::kSphere;
   return tool;
 }
 

@@ -84,22 +84,67 @@ ValueSchema timeline_schema() {
                      fill("drain", "Takes fluid out of a body.", "volume to be taken out"), wait()}));
 }
 
-ValueSchema tools_schema() {
+namespace {
+
+KeySchema length_key(const std::string& key, const std::string& standard, const std::string& documentation) {
+  return {key, quantity_value(kLength, kAboveZero, standard), false, standard, documentation};
+}
+
+/// The keys of a tool that pushes, and its friction.
+std::vector<KeySchema> with_friction(std::vector<KeySchema> keys) {
   ValueSchema no_friction = quantity_value(kDimensionless, kFromZero, "0.2");
   no_friction.only_zero = true;
+  keys.push_back({"friction", no_friction, false, "0", "coefficient of friction"});
+  return keys;
+}
+
+KeySchema plate_size() {
+  ValueSchema size = list_value(quantity_value(kLength, kAboveZero), 1);
+  size.maximum_items = 2;
+  size.single = true;
+  size.example = "[30 mm, 20 mm]";
+  return {"size", size, false, "20 mm", "side of a square, or sides along x' and y'"};
+}
+
+}  // namespace
+
+ValueSchema tools_schema() {
   MappingSchema tool{.name = "tool", .documentation = "What touches a body."};
   tool.selector = "kind";
   tool.cases = {
-      {"point", "prescribes the three displacements where it touches", {}},
+      {"point",
+       "prescribes the three displacements where it touches; with a radius it is a ball of it",
+       {{"radius",
+         quantity_value(kLength, kAboveZero, "1 mm"),
+         false,
+         {},
+         "makes the tip a ball, whose force does not depend on the mesh as that of a point does"}}},
       {"line",
        "a straight edge laid across the wall, prescribed like the point",
-       {{"length", quantity_value(kLength, kAboveZero, "40 mm"), false, "40 mm", "length of the edge"}}},
-      {"sphere",
-       "a ball with a growing area of contact",
-       {{"radius", quantity_value(kLength, kAboveZero, "3 mm"), false, "3 mm", "radius of the ball"},
-        {"friction", no_friction, false, "0", "coefficient of friction"}}},
+       {length_key("length", "40 mm", "length of the edge")}},
+      {"sphere", "a ball with a growing area of contact",
+       with_friction({length_key("radius", "3 mm", "radius of the ball")})},
+      {"capsule", "a round rod with round ends, laid across the direction along y'",
+       with_friction({length_key("radius", "3 mm", "radius of the rod"),
+                      length_key("length", "20 mm", "length over all; at least the diameter counts")})},
+      {"plate", "a rigid plate with normal z', its edges rounded by 0.1 mm",
+       with_friction({plate_size(), length_key("thickness", "2 mm", "thickness behind the face")})},
+      {"needle", "a round shaft along z' that ends in a cone of four radii with a tip rounded by 0.4 radii",
+       with_friction(
+           {length_key("radius", "0.5 mm", "radius of the shaft"), length_key("length", "40 mm", "length over all")})},
+      {"scalpel", "the flank and the edge of a blade, rounded by half its thickness",
+       with_friction({length_key("width", "6 mm", "length of the edge, along y'"),
+                      length_key("length", "20 mm", "height of the blade, along z'"),
+                      length_key("thickness", "0.4 mm", "thickness of the blade, along x'")})},
+      {"forceps", "two jaws that open along x', with edges rounded by 0.3 thicknesses",
+       with_friction({length_key("opening", "10 mm", "distance between the open jaws"),
+                      length_key("length", "30 mm", "length of the jaws, along z'"),
+                      length_key("width", "4 mm", "width of the jaws, along y'"),
+                      length_key("thickness", "1.5 mm", "thickness of each jaw, along x'")})},
   };
-  tool.keys = {{"kind", word_value({"point", "line", "sphere"}), false, "point", "which kind of tool"}};
+  std::vector<std::string> kinds;
+  for (const CaseSchema& kind : tool.cases) kinds.push_back(kind.word);
+  tool.keys = {{"kind", word_value(std::move(kinds)), false, "point", "which kind of tool"}};
   return named_value(std::move(tool));
 }
 

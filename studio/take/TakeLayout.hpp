@@ -1,8 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
+
+#include "renderer/snapshot/Snapshot.hpp"
 
 /// How a take lies in its HDF5 file, format version 1. Little-endian; SI units, named in the attribute `unit` or in the
 /// name; no time stamps, so equal runs give equal bytes. Any name with a `/` has it written as `%2F`; the attribute
@@ -22,7 +26,10 @@
 ///     thickness          (triangles) float32, metres, stress-free
 ///     positions          (steps of the epoch x vertices x 3) float32, metres
 ///     fields/FIELD       (steps of the epoch x vertices or triangles) float32; attributes unit, location
-///   /tools/TOOL          attributes kind "point" | "line" | "sphere", radius_m, length_m
+///   /tools/TOOL          attributes kind (the scenario's word), radius_m, length_m; width_m and thickness_m of a
+///   plate,
+///                        a scalpel and forceps
+///     opening            (steps) float64, metres between the jaws; of forceps only
 ///     state              (steps x 13) float64: tip 3, direction 3, axis 3 (the frame), depth 1, force 3
 ///     phase              (steps) text of at most 16 bytes
 ///   /scalars/SCALAR      (steps) float64; attribute unit
@@ -38,6 +45,21 @@ inline constexpr const char* kFormat = "thinwall take";
 inline constexpr std::int64_t kFormatVersion = 1;
 inline constexpr std::size_t kPhaseBytes = 16;
 inline constexpr std::size_t kToolStateColumns = 13;
+
+inline constexpr std::array<std::pair<SnapshotToolKind, const char*>, 8> kToolKinds = {
+    {{SnapshotToolKind::kPoint, "point"},
+     {SnapshotToolKind::kLine, "line"},
+     {SnapshotToolKind::kSphere, "sphere"},
+     {SnapshotToolKind::kCapsule, "capsule"},
+     {SnapshotToolKind::kPlate, "plate"},
+     {SnapshotToolKind::kNeedle, "needle"},
+     {SnapshotToolKind::kScalpel, "scalpel"},
+     {SnapshotToolKind::kForceps, "forceps"}}};
+
+/// Whether a tool has a width and a thickness.
+constexpr bool is_flat(SnapshotToolKind kind) {
+  return kind == SnapshotToolKind::kPlate || kind == SnapshotToolKind::kScalpel || kind == SnapshotToolKind::kForceps;
+}
 
 /// The name of a group or dataset for a thing called `name`.
 inline std::string link_name(const std::string& name) {

@@ -45,6 +45,7 @@ struct SurfaceRows {
 struct ToolRows {
   SnapshotTool layout;  // name, kind and sizes
   Table state;
+  Table opening;  // of forceps only
   std::vector<std::string> phases;
 };
 
@@ -144,11 +145,11 @@ SurfaceRows read_surface(const Handle& group, std::size_t steps) {
 }
 
 SnapshotToolKind tool_kind(const std::string& name) {
-  const std::map<std::string, SnapshotToolKind> kinds = {
-      {"point", SnapshotToolKind::kPoint}, {"line", SnapshotToolKind::kLine}, {"sphere", SnapshotToolKind::kSphere}};
-  const auto found = kinds.find(name);
-  require(found != kinds.end(), "a tool of unknown kind `" + name + "`");
-  return found->second;
+  for (const auto& [kind, word] : take_layout::kToolKinds) {
+    if (name == word) return kind;
+  }
+  require(false, "a tool of unknown kind `" + name + "`");
+  return SnapshotToolKind::kPoint;
 }
 
 ToolRows read_tool(const Handle& group, std::size_t steps) {
@@ -157,6 +158,11 @@ ToolRows read_tool(const Handle& group, std::size_t steps) {
   tool.layout.kind = tool_kind(hdf5::read_text_attribute(group, "kind"));
   tool.layout.radius = hdf5::read_real_attribute(group, "radius_m");
   tool.layout.length = hdf5::read_real_attribute(group, "length_m");
+  if (take_layout::is_flat(tool.layout.kind)) {
+    tool.layout.width = hdf5::read_real_attribute(group, "width_m");
+    tool.layout.thickness = hdf5::read_real_attribute(group, "thickness_m");
+  }
+  if (tool.layout.kind == SnapshotToolKind::kForceps) tool.opening = read_table(group, "opening", steps, 1);
   tool.state = read_table(group, "state", steps, take_layout::kToolStateColumns);
   tool.phases = read_phases(group, steps);
   return tool;
@@ -332,6 +338,7 @@ Moment TakeReader::Implementation::read(std::size_t step) const {
     tool.axis = triple(state + 6);
     tool.depth = state[9];
     tool.force = triple(state + 10);
+    if (tool.kind == SnapshotToolKind::kForceps) tool.opening = *rows.opening.row(step);
     tool.phase = rows.phases[step];
     moment.snapshot.tools.push_back(std::move(tool));
   }

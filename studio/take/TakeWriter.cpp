@@ -50,13 +50,8 @@ bool same_topology(const SnapshotTopology& a, const SnapshotTopology& b) {
 }
 
 std::string tool_kind_name(SnapshotToolKind kind) {
-  switch (kind) {
-    case SnapshotToolKind::kPoint:
-      return "point";
-    case SnapshotToolKind::kLine:
-      return "line";
-    case SnapshotToolKind::kSphere:
-      return "sphere";
+  for (const auto& [known, word] : take_layout::kToolKinds) {
+    if (known == kind) return word;
   }
   throw std::invalid_argument("a tool of unknown kind");
 }
@@ -166,6 +161,7 @@ struct TakeWriter::Implementation {
   std::size_t steps = 0;
   std::vector<SurfaceRows> surfaces;
   std::vector<PhasedRows> tools;
+  std::vector<RowWriter> openings;  // (tools), of forceps only
   std::vector<RowWriter> scalars;
   std::vector<PhasedRows> tool_records;
   std::vector<RowWriter> body_records;
@@ -219,6 +215,13 @@ void TakeWriter::Implementation::lay_out(const Moment& first) {
     hdf5::write_attribute(group, "kind", tool_kind_name(tool.kind));
     hdf5::write_attribute(group, "radius_m", tool.radius);
     hdf5::write_attribute(group, "length_m", tool.length);
+    if (take_layout::is_flat(tool.kind)) {
+      hdf5::write_attribute(group, "width_m", tool.width);
+      hdf5::write_attribute(group, "thickness_m", tool.thickness);
+    }
+    openings.push_back(tool.kind == SnapshotToolKind::kForceps
+                           ? RowWriter(group, "opening", Element::kFloat64, {}, kSmallRowsPerChunk)
+                           : RowWriter{});
     tools.push_back({RowWriter(group, "state", Element::kFloat64, {take_layout::kToolStateColumns}, kSmallRowsPerChunk),
                      RowWriter::of_texts(group, "phase", take_layout::kPhaseBytes, kSmallRowsPerChunk)});
   }
@@ -271,6 +274,7 @@ void TakeWriter::Implementation::append(const Moment& moment) {
         tip[0],  tip[1],  tip[2],     direction[0], direction[1], direction[2], axis[0],
         axis[1], axis[2], tool.depth, force[0],     force[1],     force[2]};
     tools[i].values.append(state.data());
+    if (tool.kind == SnapshotToolKind::kForceps) openings[i].append(&tool.opening);
     tools[i].phase.append(phase_bytes(tool.phase).data());
   }
   for (std::size_t i = 0; i < scalars.size(); ++i) scalars[i].append(&snapshot.scalars[i].value);
@@ -308,7 +312,7 @@ void TakeWriter::Implementation::end(const TakeEnding& ending) {
   hdf5::write_attribute(file, "complete", std::int64_t{ending.complete ? 1 : 0});
   surfaces.clear();
   for (auto* rows : {&tools, &tool_records}) rows->clear();
-  for (auto* rows : {&scalars, &body_records}) rows->clear();
+  for (auto* rows : {&scalars, &body_records, &openings}) rows->clear();
   time = {};
   planned_duration = {};
   file.close();

@@ -102,8 +102,8 @@ TEST(UnitPass, AxesAreSortedAndEachIsThereOnce) {
 }
 
 TEST(UnitPass, AKeyOfAnotherCaseSaysWhereItBelongs) {
-  EXPECT_EQ(read("tool", "{ kind: point, radius: 3 mm }").errors,
-            Texts{"1:16: radius: unknown key for `kind: point`, it belongs to `sphere`"});
+  EXPECT_EQ(read("tool", "{ kind: line, radius: 3 mm }").errors,
+            Texts{"1:15: radius: unknown key for `kind: line`, it belongs to `point`, `sphere`, `capsule`, `needle`"});
   EXPECT_EQ(read("contents", "{ bulk_modulus: 2 MPa }").errors,
             Texts{"1:3: bulk_modulus: unknown key for `fluid: incompressible`, it belongs to `compressible`"});
 }
