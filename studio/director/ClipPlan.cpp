@@ -66,6 +66,7 @@ PalpationPlan plan_palpation(const PalpateClip& clip, const ToolDefinition& tool
   }
   PalpationPlan plan{.clip = clip,
                      .begin = make_pose(clip.at + (hit->travel - clip.standoff) * direction, direction, clip.axis)};
+  plan.begin.opening = tool.opening;
   const auto travel = travel_to_contact(surface, tool, plan.begin, direction);
   if (!travel) {
     throw InputErrors({{location, fmt::format("palpate: tool `{}` passes beside body `{}`", clip.tool, clip.body)}});
@@ -91,8 +92,10 @@ MovePlan plan_move(const MoveClip& clip, const ToolPose& now) {
   const Eigen::Vector3d from = clip.from.value_or(now.tip);
   const Eigen::Vector3d way = clip.to - from;
   const Eigen::Vector3d direction = clip.direction ? *clip.direction : (way.norm() > 0 ? way : now.direction);
-  return {
+  MovePlan plan{
       .clip = clip, .begin = make_pose(from, direction, clip.axis), .end = make_pose(clip.to, direction, clip.axis)};
+  plan.begin.opening = plan.end.opening = now.opening;
+  return plan;
 }
 
 }  // namespace thinwall

@@ -92,7 +92,10 @@ struct ScenarioRun::Implementation {
       topologies.push_back(snapshot_topology(bodies.back()->model()));
       warn_of_free_body(*bodies.back());
     }
-    for (int k = 0; k < static_cast<int>(scenario.tools.size()); ++k) tools[scenario.tools[k].name].index = k;
+    for (int k = 0; k < static_cast<int>(scenario.tools.size()); ++k) {
+      tools[scenario.tools[k].name].index = k;
+      tools[scenario.tools[k].name].pose.opening = scenario.tools[k].opening;
+    }
     for (const RecordedPoint& point : scenario.record.points) points.push_back(follow(point, bodies));
     for (const Clip& clip : scenario.timeline) clips.push_back({.plan = plan(clip)});
     schedule();
