@@ -11,7 +11,7 @@ constexpr std::array<LawParameter, 2> kParameters = {{
     {"c2", "Pa", 0, false, 1e12, std::nullopt, "Factor of the second invariant."},
 }};
 
-WallLawResponse respond(const double* parameters, const Eigen::Vector3d& c) {
+WallLawResponse respond(std::span<const double> parameters, const Eigen::Vector3d& c) {
   const double c1 = parameters[0], c2 = parameters[1];
   const double trace = c[0] + c[1];
   const double d = c[0] * c[1] - c[2] * c[2];
@@ -23,7 +23,7 @@ WallLawResponse respond(const double* parameters, const Eigen::Vector3d& c) {
                             c);
 }
 
-double initial_modulus(const double* parameters) {
+double initial_modulus(std::span<const double> parameters) {
   return 6 * (parameters[0] + parameters[1]);
 }
 

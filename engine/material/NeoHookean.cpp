@@ -10,7 +10,7 @@ constexpr std::array<LawParameter, 1> kParameters = {{
     {"shear_modulus", "Pa", 0, true, 1e12, std::nullopt, "Shear modulus mu at small strain; Young's modulus is 3 mu."},
 }};
 
-WallLawResponse respond(const double* parameters, const Eigen::Vector3d& c) {
+WallLawResponse respond(std::span<const double> parameters, const Eigen::Vector3d& c) {
   const double mu = parameters[0];
   const double d = c[0] * c[1] - c[2] * c[2];
   return isotropic_response({.energy = 0.5 * mu * (c[0] + c[1] + 1 / d - 3),
@@ -21,7 +21,7 @@ WallLawResponse respond(const double* parameters, const Eigen::Vector3d& c) {
                             c);
 }
 
-double initial_modulus(const double* parameters) {
+double initial_modulus(std::span<const double> parameters) {
   return 3 * parameters[0];
 }
 

@@ -11,7 +11,7 @@ constexpr std::array<LawParameter, 2> kParameters = {{
      "Poisson's ratio nu; 0.5 is incompressible at small strain."},
 }};
 
-WallLawResponse respond(const double* parameters, const Eigen::Vector3d& c) {
+WallLawResponse respond(std::span<const double> parameters, const Eigen::Vector3d& c) {
   const double nu = parameters[1];
   const double factor = parameters[0] / (1 - nu * nu);
   const Eigen::Vector3d strain(0.5 * (c[0] - 1), 0.5 * (c[1] - 1), c[2]);
@@ -22,7 +22,7 @@ WallLawResponse respond(const double* parameters, const Eigen::Vector3d& c) {
   return response;
 }
 
-double initial_modulus(const double* parameters) {
+double initial_modulus(std::span<const double> parameters) {
   return parameters[0];
 }
 

@@ -8,7 +8,8 @@ namespace thinwall {
 
 std::span<const WallLaw> wall_laws() {
   // Built on first use, because the rows are initialised in other files.
-  static const std::array<WallLaw, 3> laws = {kStVenantKirchhoff, kNeoHookean, kMooneyRivlin};
+  static const std::array<WallLaw, 7> laws = {kStVenantKirchhoff, kNeoHookean, kMooneyRivlin, kGent, kOgden, kFung,
+                                              kHolzapfel};
   return laws;
 }
 

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -33,10 +34,17 @@ struct WallLaw {
   std::string_view formula;
   std::string_view source;  // where the formula comes from
   std::span<const LawParameter> parameters;
-  /// `parameters` in the order of the table; `right_cauchy_green` = (C11, C22, C12) with det C > 0.
-  WallLawResponse (*respond)(const double* parameters, const Eigen::Vector3d& right_cauchy_green);
-  /// In-plane Young's modulus at zero strain, pascal: the scale of stiffness and of tolerances.
-  double (*initial_modulus)(const double* parameters);
+  std::string_view terms = {};  // name of a list of terms that each have all parameters; "" for a law without
+  bool has_fibres = false;      // whether the law's first axis has a meaning, so that a body must say where it lies
+  /// `parameters` in the order of the table, term after term where the law has terms; `right_cauchy_green` =
+  /// (C11, C22, C12) with det C > 0. Where the law ends (Gent's limit) or its energy overflows, the energy is infinite
+  /// and the rest zero.
+  WallLawResponse (*respond)(std::span<const double> parameters, const Eigen::Vector3d& right_cauchy_green);
+  /// Young's modulus along the first axis at zero strain, pascal: the scale of stiffness and of tolerances.
+  double (*initial_modulus)(std::span<const double> parameters);
+  /// What is wrong with parameters that are in range each, with the cure; "" when they go together. Null: they always
+  /// do.
+  std::string (*complaint)(std::span<const double> parameters) = nullptr;
 };
 
 /// All laws, in the order of the reference page.
@@ -48,7 +56,7 @@ const WallLaw* find_wall_law(std::string_view name);
 /// A law with its parameters.
 struct Material {
   const WallLaw* law = nullptr;    // a row of wall_laws()
-  std::vector<double> parameters;  // (law->parameters), SI, in the order of the table
+  std::vector<double> parameters;  // (law->parameters, or terms x law->parameters), SI, in the order of the table
 };
 
 }  // namespace thinwall

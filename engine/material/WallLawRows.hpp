@@ -8,5 +8,9 @@ namespace thinwall {
 extern const WallLaw kStVenantKirchhoff;
 extern const WallLaw kNeoHookean;
 extern const WallLaw kMooneyRivlin;
+extern const WallLaw kGent;
+extern const WallLaw kOgden;
+extern const WallLaw kFung;
+extern const WallLaw kHolzapfel;
 
 }  // namespace thinwall

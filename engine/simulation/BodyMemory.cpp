@@ -3,6 +3,7 @@
 #include "engine/shell/BendingPatches.hpp"
 #include "engine/simulation/BackwardDifference.hpp"
 #include "engine/simulation/Body.hpp"
+#include "engine/wall/TensionField.hpp"
 
 namespace thinwall {
 namespace {
@@ -25,12 +26,12 @@ bool is_viscous(const BodyDefinition& definition) {
 Eigen::Vector3d law_stress(const BodyModel& model, int triangle, const Eigen::Vector3d& strain) {
   const Material& material = model.material(triangle);
   const Eigen::Vector3d c(1 + 2 * strain[0], 1 + 2 * strain[1], strain[2]);
-  return material.law->respond(material.parameters.data(), c).second_piola_kirchhoff;
+  return wall_response(material, c, model.definition.tension_field).second_piola_kirchhoff;
 }
 
 Eigen::Matrix3d unstrained_tangent(const BodyModel& model, int triangle) {
   const Material& material = model.material(triangle);
-  return material.law->respond(material.parameters.data(), Eigen::Vector3d(1, 1, 0)).tangent;
+  return material.law->respond(material.parameters, Eigen::Vector3d(1, 1, 0)).tangent;
 }
 
 void start_bending_memory(const BodyModel& model, const Eigen::VectorXd& position, WallHistory& wall) {

@@ -37,7 +37,7 @@ void add_wall(BodyModel& model) {
     for (const int vertex : definition.mesh.triangles[t]) model.mass.segment<3>(3 * vertex).array() += third;
     model.rest_area += model.rest[t].area;
     const Material& material = model.material(t);
-    stiffness += material.law->initial_modulus(material.parameters.data()) * definition.thickness[t];
+    stiffness += material.law->initial_modulus(material.parameters) * definition.thickness[t];
     for (int k = 0; k < 3; ++k) edges += (corners[k] - corners[(k + 1) % 3]).norm();
   }
   model.wall_stiffness = stiffness / triangles;

@@ -47,7 +47,9 @@ void add_wall(const BodyModel& model, const WallMemory& memory, const Eigen::Vec
   for_each_triangle(
       model.triangles(), buffer,
       [&](int t) {
-        return membrane_terms(model.rest[t], model.material(t), corners_of(model.surface[t], position), memory.of(t));
+        MembraneMemory of_triangle = memory.of(t);
+        of_triangle.tension_field = model.definition.tension_field;
+        return membrane_terms(model.rest[t], model.material(t), corners_of(model.surface[t], position), of_triangle);
       },
       [&](int t, const MembraneTerms& part) {
         terms.elastic += part.energy;

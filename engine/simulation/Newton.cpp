@@ -428,6 +428,10 @@ NewtonResult Newton::solve(EquilibriumProblem& problem, EquilibriumState& state,
   }
   if (state.rigid_reaction.size() != rigid_columns_.cols()) state.rigid_reaction.setZero(rigid_columns_.cols());
   evaluate_all(problem, state, terms_);
+  if (!std::isfinite(terms_.elastic)) {
+    result.reason = "the wall is stretched beyond its law";
+    return result;
+  }
   Residual residual;
   Step step;
   double shift = 0;

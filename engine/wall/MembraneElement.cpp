@@ -6,6 +6,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "engine/wall/TensionField.hpp"
+
 namespace thinwall {
 namespace {
 
@@ -35,7 +37,7 @@ void remember(const MembraneMemory& memory, const Material& material, const Eige
   response.tangent *= memory.scale;
   if (memory.damping == 0) return;
   const Eigen::Matrix3d damping =
-      memory.damping * material.law->respond(material.parameters.data(), Eigen::Vector3d(1, 1, 0)).tangent;
+      memory.damping * material.law->respond(material.parameters, Eigen::Vector3d(1, 1, 0)).tangent;
   response.energy += 0.5 * strain.dot(damping * strain);
   response.second_piola_kirchhoff += damping * strain;
   response.tangent += damping;
@@ -82,7 +84,7 @@ Eigen::Matrix<double, 3, 2> deformation_gradient(const MembraneRest& rest,
 MembraneTerms membrane_terms(const MembraneRest& rest, const Material& material,
                              const std::array<Eigen::Vector3d, 3>& corners, const MembraneMemory& memory) {
   const Eigen::Matrix<double, 3, 2> f = deformation_gradient(rest, corners);
-  WallLawResponse response = material.law->respond(material.parameters.data(), right_cauchy_green(f));
+  WallLawResponse response = wall_response(material, right_cauchy_green(f), memory.tension_field);
   const double law_energy = response.energy;
   remember(memory, material, green_lagrange(right_cauchy_green(f)), response);
   const double volume = rest.area * rest.thickness;
@@ -122,7 +124,7 @@ Eigen::Vector3d green_lagrange_strain(const MembraneRest& rest, const std::array
 double largest_tension(const MembraneRest& rest, const Material& material,
                        const std::array<Eigen::Vector3d, 3>& corners) {
   const Eigen::Vector3d c = right_cauchy_green(deformation_gradient(rest, corners));
-  const Eigen::Vector3d s = material.law->respond(material.parameters.data(), c).second_piola_kirchhoff;
+  const Eigen::Vector3d s = material.law->respond(material.parameters, c).second_piola_kirchhoff;
   // The principal values of F S F^T are those of S C. Half their difference is taken from entries that vanish where the
   // two are equal; trace and determinant would lose half the digits there.
   const double first = s[0] * c[0] + s[2] * c[2], second = s[2] * c[2] + s[1] * c[1];

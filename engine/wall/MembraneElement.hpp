@@ -29,6 +29,7 @@ struct MembraneMemory {
   double scale = 1;                                      // part of the law's stress that acts at once
   Eigen::Vector3d overstress = Eigen::Vector3d::Zero();  // pascal, (S11, S22, S12)
   double damping = 0;                                    // a number
+  bool tension_field = false;                            // the law's answer is relaxed, see TensionField.hpp
 };
 
 /// Energy of a triangle and its derivatives with respect to the corners (x0, y0, z0, x1, ..., z2).

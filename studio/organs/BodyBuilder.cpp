@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -82,17 +83,18 @@ bool repair_would_close(const MeshFileSource& file, const SurfaceOrigin& origin)
   }
 }
 
-void check_closed(const SurfaceMesh& mesh, const SurfaceSource& source, const SurfaceOrigin& origin) {
+void check_closed(const SurfaceMesh& mesh, const SurfaceSource& source, const SurfaceOrigin& origin, int parts) {
   const auto* file = std::get_if<MeshFileSource>(&source);
   if (file != nullptr && file->repair) {
     check_closed_for_fluid(mesh, origin,
                            fmt::format("close the surface (`repair: true` fills holes of up to {} edges, up to {:.0f} "
                                        "% of the surface's extent across)",
-                                       kMostHoleEdges, 100 * kWidestHole));
+                                       kMostHoleEdges, 100 * kWidestHole),
+                           parts);
     return;
   }
   try {
-    check_closed_for_fluid(mesh, origin);
+    check_closed_for_fluid(mesh, origin, "close the surface", parts);
   } catch (const InputErrors& errors) {
     if (file == nullptr || !repair_would_close(*file, origin)) throw;
     std::vector<Diagnostic> advised = errors.diagnostics();
@@ -138,6 +140,32 @@ class RegionResolver {
     return values;
   }
 
+  /// One direction for each triangle where they differ, one for all where they do not, none without fibres.
+  std::vector<Eigen::Vector3d> fibres() {
+    if (!body_.fibres) return {};
+    std::vector<Eigen::Vector3d> directions(mesh_.triangles.size(), body_.fibres->along);
+    std::vector<SourceLocation> locations(mesh_.triangles.size(), body_.fibres->location);
+    const std::string path = fmt::format("bodies.{}.wall.fibres", body_.name);
+    for (std::size_t i = 0; i < body_.fibres->regions.size(); ++i) {
+      const FibreRegion& region = body_.fibres->regions[i];
+      const std::string inner = fmt::format("{}.regions[{}].in", path, i + 1);
+      for (const int t : members(region.region, triangles_in, "wall triangle", inner, region.location)) {
+        directions[t] = region.along;
+        locations[t] = region.location;
+      }
+    }
+    for (std::size_t t = 0; t < directions.size(); ++t) {
+      if (lies_in_plane(directions[t], t)) continue;
+      const Eigen::Vector3d at = 1e3 * centroid(t);
+      errors_.push_back({locations[t], fmt::format("{}: the fibres stand perpendicular to the wall at [{:.4g}, {:.4g}, "
+                                                   "{:.4g}] mm; give the wall there a direction of its own with "
+                                                   "`regions`",
+                                                   path, at.x() + 0.0, at.y() + 0.0, at.z() + 0.0)});
+      break;
+    }
+    return body_.fibres->regions.empty() ? std::vector{body_.fibres->along} : directions;
+  }
+
   void check_fixed() {
     for (std::size_t i = 0; i < body_.fixed.size(); ++i) {
       const std::string path = fmt::format("bodies.{}.fixed[{}].region", body_.name, i);
@@ -166,6 +194,21 @@ class RegionResolver {
  private:
   const SourceLocation& at(const std::vector<SourceLocation>& locations, std::size_t i) const {
     return i < locations.size() ? locations[i] : body_.location;
+  }
+
+  Eigen::Vector3d corner(std::size_t triangle, int k) const {
+    return mesh_.vertices[static_cast<std::size_t>(mesh_.triangles[triangle][k])];
+  }
+
+  Eigen::Vector3d centroid(std::size_t triangle) const {
+    return (corner(triangle, 0) + corner(triangle, 1) + corner(triangle, 2)) / 3;
+  }
+
+  /// Whether a direction has a part in the plane of a triangle that means something: a thousandth of it.
+  bool lies_in_plane(const Eigen::Vector3d& direction, std::size_t triangle) const {
+    const Eigen::Vector3d first = corner(triangle, 1) - corner(triangle, 0);
+    const Eigen::Vector3d normal = first.cross(corner(triangle, 2) - corner(triangle, 0)).normalized();
+    return direction.cross(normal).norm() > 1e-3 * direction.norm();
   }
 
   template <typename Find>
@@ -210,14 +253,18 @@ BodyDefinition build_body(const BodyScenario& body, std::vector<std::string>& no
                             .thickness = {},
                             .density = body.density,
                             .materials = {body.material},
+                            .tension_field = body.tension_field,
                             .prestretch = {{.first = body.prestretch, .second = body.prestretch}},
                             .viscosity = body.viscosity,
                             .damping = body.damping,
                             .fluid = body.fluid,
                             .fixed = body.fixed};
-  if (body.fluid.kind != FluidKind::kNone) check_closed(definition.mesh, body.surface, origin);
+  if (body.fluid.kind != FluidKind::kNone) {
+    check_closed(definition.mesh, body.surface, origin, std::max(1, static_cast<int>(body.fluid.chambers.size())));
+  }
   RegionResolver regions(body, definition.mesh);
   definition.thickness = regions.thickness();
+  definition.fibres = regions.fibres();
   regions.check_fixed();
   regions.check_loads();
   for (const LoadScenario& load : body.loads) definition.loads.push_back(load.load);

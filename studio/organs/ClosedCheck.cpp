@@ -14,8 +14,9 @@ namespace {
 
 class ClosedCheck {
  public:
-  ClosedCheck(const SurfaceMesh& mesh, const SurfaceOrigin& origin, const std::string& cure)
+  ClosedCheck(const SurfaceMesh& mesh, const SurfaceOrigin& origin, const std::string& cure, int parts)
       : mesh_(mesh),
+        parts_(parts),
         origin_(origin),
         cure_(cure),
         surface_(closed_surface(mesh)),
@@ -72,7 +73,7 @@ class ClosedCheck {
   }
 
   void check_components() {
-    if (topology_.component_count < 2) return;
+    if (topology_.component_count <= parts_) return;
     std::vector<int> sizes(topology_.component_count, 0);
     std::vector<double> areas(topology_.component_count, 0);
     const std::vector<double> triangle_area = triangle_areas(mesh_.vertices, surface_);
@@ -92,12 +93,14 @@ class ClosedCheck {
     }
     if (order.size() > kToldAtMost) text += fmt::format(" and {} more", order.size() - kToldAtMost);
     add(
-        fmt::format("a body with fluid is one closed surface, but this has {} separate ones: {}; keep one of them, or "
-                    "make a body of each (parts of under 1 % of the area together are left out by themselves)",
+        fmt::format("a body with fluid is one closed surface, but this has {} separate ones: {}; keep one of them, "
+                    "name each in `contents.chambers`, or make a body of each (parts of under 1 % of the area together "
+                    "are left out by themselves)",
                     sizes.size(), text));
   }
 
   const SurfaceMesh& mesh_;
+  int parts_;
   const SurfaceOrigin& origin_;
   const std::string& cure_;
   std::vector<Eigen::Vector3i> surface_;
@@ -107,8 +110,8 @@ class ClosedCheck {
 
 }  // namespace
 
-void check_closed_for_fluid(const SurfaceMesh& mesh, const SurfaceOrigin& origin, const std::string& cure) {
-  std::vector<Diagnostic> errors = ClosedCheck(mesh, origin, cure).run();
+void check_closed_for_fluid(const SurfaceMesh& mesh, const SurfaceOrigin& origin, const std::string& cure, int parts) {
+  std::vector<Diagnostic> errors = ClosedCheck(mesh, origin, cure, parts).run();
   if (!errors.empty()) throw InputErrors(std::move(errors));
 }
 

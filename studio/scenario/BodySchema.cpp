@@ -1,6 +1,4 @@
-#include "engine/material/WallLaw.hpp"
 #include "studio/scenario/SchemaSections.hpp"
-#include "studio/scenario/Wording.hpp"
 
 namespace thinwall {
 namespace {
@@ -58,38 +56,6 @@ ValueSchema surface_value() {
   return mapping_value({mesh, shape});
 }
 
-/// The engine's sentence as a phrase like the others of the table.
-std::string phrase(std::string_view sentence) {
-  std::string words(sentence);
-  if (words.ends_with('.')) words.pop_back();
-  const bool begins_with_name = words.substr(0, words.find(' ')).ends_with("'s");
-  if (!begins_with_name && words[0] >= 'A' && words[0] <= 'Z') words[0] = static_cast<char>(words[0] - 'A' + 'a');
-  return words;
-}
-
-ValueSchema material_value() {
-  MappingSchema material{.name = "material", .documentation = "How the wall resists stretch."};
-  material.selector = "law";
-  std::vector<std::string> words;
-  for (const WallLaw& law : wall_laws()) {
-    CaseSchema row{.word = std::string(law.name), .documentation = std::string(law.formula)};
-    for (const LawParameter& parameter : law.parameters) {
-      const Dimension dimension = parameter.unit.empty() ? kDimensionless : parse_unit(parameter.unit).dimension;
-      const Range range{
-          .minimum = parameter.minimum, .maximum = parameter.maximum, .minimum_excluded = parameter.minimum_excluded};
-      const ValueSchema value = quantity_value(dimension, range, dimension == kDimensionless ? "0.4" : "20 kPa");
-      std::optional<std::string> fallback;
-      if (parameter.fallback) fallback = format_like(*parameter.fallback, dimension_example(dimension));
-      row.keys.push_back(
-          {std::string(parameter.name), value, !parameter.fallback, fallback, phrase(parameter.documentation)});
-    }
-    words.push_back(row.word);
-    material.cases.push_back(std::move(row));
-  }
-  material.keys = {{"law", word_value(words), true, {}, "law of the wall's strain energy"}};
-  return mapping_value({material});
-}
-
 ValueSchema thickness_value() {
   const ValueSchema thickness = quantity_value(kLength, kAboveZero);
   MappingSchema part{.name = "thickness region", .documentation = "A part of the wall with a thickness of its own."};
@@ -144,7 +110,10 @@ ValueSchema wall_value() {
        "shape"},
       {"thickness", thickness_value(), true, {}, "thickness of the stress-free wall"},
       {"density", quantity_value(kDensity, kAboveZero, "1060 kg/m^3"), false, "1060 kg/m^3", "density of the wall"},
-      {"material", material_value(), true, {}, "law and constants"},
+      {"material", material_schema(), true, {}, "law and constants"},
+      {"fibres", fibres_schema(), false, {}, "direction of the fibres; `fung` and `holzapfel` need it"},
+      {"tension_field", boolean_value(), false, "false",
+       "membrane: where the wall would be compressed it wrinkles finely instead and bears tension only"},
       {"prestretch", quantity_value(kDimensionless, {.minimum = 0, .maximum = 10, .minimum_excluded = true}, "1.1"),
        false, "1", "in-plane stretch of the given surface: each triangle's rest shape is the given one shrunk by it"},
   };

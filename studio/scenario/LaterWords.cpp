@@ -8,13 +8,7 @@ namespace {
 
 constexpr std::array kLaterWords = {
     LaterWord{"wall", "toughness", "`toughness`"},
-    LaterWord{"wall", "fibres", "`fibres`"},
     LaterWord{"wall.prestretch", "", "`prestretch` by direction or region"},
-    LaterWord{"material", "fibres", "`fibres`"},
-    LaterWord{"material.law", "gent", "`gent`"},
-    LaterWord{"material.law", "ogden", "`ogden`"},
-    LaterWord{"material.law", "fung", "`fung`"},
-    LaterWord{"material.law", "holzapfel", "`holzapfel`"},
     LaterWord{"contents", "leaks", "`leaks`"},
     LaterWord{"contents", "discharge", "`discharge`"},
     LaterWord{"clip", "pierce", "`pierce`"},

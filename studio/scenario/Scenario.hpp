@@ -58,6 +58,19 @@ struct LoadScenario {
   SourceLocation location = {};
 };
 
+struct FibreRegion {
+  Region region = {};
+  Eigen::Vector3d along = Eigen::Vector3d::UnitX();
+  SourceLocation location = {};  // of the region
+};
+
+/// Where the first axis of the law lies in the wall.
+struct FibreField {
+  Eigen::Vector3d along = Eigen::Vector3d::UnitX();
+  SourceLocation location = {};           // of `along`
+  std::vector<FibreRegion> regions = {};  // a later one wins
+};
+
 struct BodyScenario {
   std::string name = {};
   SourceLocation location = {};          // of the body's key
@@ -67,6 +80,8 @@ struct BodyScenario {
   ThicknessField thickness = {};
   double density = 1060;  // kg / metre^3, of the wall
   Material material = {};
+  std::optional<FibreField> fibres = {};
+  bool tension_field = false;
   double prestretch = 1;
   FluidDefinition fluid = {};
   std::vector<PronyTerm> viscosity = {};

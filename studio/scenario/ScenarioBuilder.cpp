@@ -99,10 +99,26 @@ std::variant<MeshFileSource, ShapeSource> to_surface(const CheckedValue& surface
 Material to_material(const CheckedValue& material) {
   Material result;
   result.law = find_wall_law(material.at("law").text);
-  for (const LawParameter& parameter : result.law->parameters) {
-    result.parameters.push_back(material.at(parameter.name).number);
+  const auto add_parameters = [&](const CheckedValue& mapping) {
+    for (const LawParameter& parameter : result.law->parameters) {
+      result.parameters.push_back(mapping.at(parameter.name).number);
+    }
+  };
+  if (result.law->terms.empty()) {
+    add_parameters(material);
+  } else {
+    for (const CheckedValue& term : material.at(result.law->terms).items) add_parameters(term);
   }
   return result;
+}
+
+FibreField to_fibres(const CheckedValue& fibres) {
+  FibreField field{.along = to_vector(fibres.at("along")), .location = fibres.at("along").location};
+  for (const CheckedValue& part : fibres.at("regions").items) {
+    field.regions.push_back(
+        {.region = to_region(part.at("in")), .along = to_vector(part.at("along")), .location = part.at("in").location});
+  }
+  return field;
 }
 
 void read_thickness(const CheckedValue& thickness, BodyScenario& body) {
@@ -186,6 +202,8 @@ BodyScenario to_body(const CheckedMember& member) {
   body.model = wall.at("model").text == "shell" ? WallModel::kShell : WallModel::kMembrane;
   body.density = wall.at("density").number;
   body.material = to_material(wall.at("material"));
+  if (const CheckedValue* fibres = wall.find("fibres")) body.fibres = to_fibres(*fibres);
+  body.tension_field = wall.at("tension_field").boolean;
   body.prestretch = wall.at("prestretch").number;
   body.fluid.kind = of_word(contents.at("fluid").text, kFluids);
   body.fluid.initial_pressure = find_number(contents, "pressure");

@@ -20,6 +20,8 @@ ValueSchema expectations_schema();
 
 /// A part of the stress-free surface.
 ValueSchema region_schema();
+ValueSchema material_schema();
+ValueSchema fibres_schema();
 
 /// Shorthands for the values of the table.
 inline constexpr Range kAboveZero{.minimum = 0, .minimum_excluded = true};

@@ -37,6 +37,17 @@ struct HyperDual {
     const double root = std::sqrt(a.value);
     return chain(a, root, 0.5 / root, -0.25 / (root * a.value));
   }
+  friend HyperDual exp(const HyperDual& a) {
+    const double power = std::exp(a.value);
+    return chain(a, power, power, power);
+  }
+  friend HyperDual log(const HyperDual& a) {
+    return chain(a, std::log(a.value), 1 / a.value, -1 / (a.value * a.value));
+  }
+  friend HyperDual pow(const HyperDual& a, double exponent) {
+    return chain(a, std::pow(a.value, exponent), exponent * std::pow(a.value, exponent - 1),
+                 exponent * (exponent - 1) * std::pow(a.value, exponent - 2));
+  }
 };
 
 using DualVector = std::array<HyperDual, 3>;

@@ -113,5 +113,29 @@ TEST(BodyBuilder, AnnulusWithoutBreadthIsRefused) {
       "scene.yaml:4:14: error: bodies.organ.surface: inner_radius is 10 mm, but must be below the radius of 10 mm");
 }
 
+TEST(BodyBuilder, FibresLieAlongOneDirectionOrDifferByRegion) {
+  BodyScenario scenario = hemisphere();
+  std::vector<std::string> notes;
+  EXPECT_TRUE(build_body(scenario, notes).fibres.empty());
+  scenario.fibres = FibreField{.along = {1, 2, 0.5}};
+  EXPECT_EQ(build_body(scenario, notes).fibres, std::vector<Eigen::Vector3d>{Eigen::Vector3d(1, 2, 0.5)});
+  scenario.fibres->regions = {{.region = AboveRegion{.axis = 2, .at = 0.01}, .along = {0, 1, 0.1}}};
+  const BodyDefinition body = build_body(scenario, notes);
+  ASSERT_EQ(body.fibres.size(), body.mesh.triangles.size());
+  EXPECT_EQ(std::count(body.fibres.begin(), body.fibres.end(), Eigen::Vector3d(0, 1, 0.1)),
+            static_cast<std::ptrdiff_t>(triangles_in(scenario.fibres->regions[0].region, body.mesh).size()));
+}
+
+TEST(BodyBuilder, FibresThatStandOnTheWallAreRefusedWithThePlaceAndTheCure) {
+  BodyScenario scenario = hemisphere();
+  scenario.surface = ShapeSource{.shape = Shape::kSheet, .triangles = 32};
+  scenario.fluid.kind = FluidKind::kNone;
+  scenario.fibres = FibreField{.along = {0, 0, 1}, .location = {"scene.yaml", 9, 24}};
+  const std::string refusal = refusal_of(scenario);
+  EXPECT_NE(refusal.find("scene.yaml:9:24"), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("perpendicular to the wall at ["), std::string::npos) << refusal;
+  EXPECT_NE(refusal.find("`regions`"), std::string::npos) << refusal;
+}
+
 }  // namespace
 }  // namespace thinwall

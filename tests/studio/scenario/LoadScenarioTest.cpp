@@ -106,7 +106,7 @@ TEST(LoadScenario, ReadsEveryKey) {
   EXPECT_EQ(scenario.record.frames_per_second, 25);
   EXPECT_EQ(scenario.record.tier, Tier::kDraft);
   EXPECT_EQ(scenario.goldens[0].why, "the probe is at full depth");
-  EXPECT_EQ(scenario.goldens[0].location.line, 89);
+  EXPECT_EQ(scenario.goldens[0].location.line, 104);
 }
 
 TEST(LoadScenario, DefaultsAreThoseOfTheDefinitions) {
