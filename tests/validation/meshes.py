@@ -8,12 +8,48 @@ import numpy as np
 MESHES = Path(__file__).resolve().parents[2] / "scenes" / "validation" / "meshes"
 
 
+def geodesic_sphere(divisions: int) -> tuple[np.ndarray, list[tuple[int, int, int]]]:
+    """A unit sphere: an icosahedron whose triangles are halved `divisions` times."""
+    golden = (1 + 5**0.5) / 2
+    points = [np.array(p) / np.hypot(1, golden) for p in (
+        (-1, golden, 0), (1, golden, 0), (-1, -golden, 0), (1, -golden, 0), (0, -1, golden), (0, 1, golden),
+        (0, -1, -golden), (0, 1, -golden), (golden, 0, -1), (golden, 0, 1), (-golden, 0, -1), (-golden, 0, 1))]
+    triangles = [(0, 11, 5), (0, 5, 1), (0, 1, 7), (0, 7, 10), (0, 10, 11), (1, 5, 9), (5, 11, 4), (11, 10, 2),
+                 (10, 7, 6), (7, 1, 8), (3, 9, 4), (3, 4, 2), (3, 2, 6), (3, 6, 8), (3, 8, 9), (4, 9, 5), (2, 4, 11),
+                 (6, 2, 10), (8, 6, 7), (9, 8, 1)]
+    for _ in range(divisions):
+        middles: dict[tuple[int, int], int] = {}
+
+        def middle(a: int, b: int) -> int:
+            key = (min(a, b), max(a, b))
+            if key not in middles:
+                between = points[a] + points[b]
+                points.append(between / np.linalg.norm(between))
+                middles[key] = len(points) - 1
+            return middles[key]
+
+        finer = []
+        for a, b, c in triangles:
+            ab, bc, ca = middle(a, b), middle(b, c), middle(c, a)
+            finer += [(a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca)]
+        triangles = finer
+    return np.array(points), triangles
+
+
 def write(name: str, points: np.ndarray, triangles: list[tuple[int, int, int]], told: str) -> None:
     lines = [f"# {told}"]
     lines += ["v " + " ".join(f"{value:.9g}" for value in point) for point in points]
     lines += ["f " + " ".join(str(corner + 1) for corner in triangle) for triangle in triangles]
     MESHES.mkdir(exist_ok=True)
     (MESHES / name).write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+def two_balloons(divisions: int) -> None:
+    points, triangles = geodesic_sphere(divisions)
+    both = np.vstack([20 * points - [30, 0, 0], 20 * points + [30, 0, 0]])
+    shifted = [tuple(corner + len(points) for corner in triangle) for triangle in triangles]
+    write(f"two_balloons_{len(triangles)}.obj", both, triangles + shifted,
+          "Two spheres of radius 20, their centres 60 apart; millimetres")
 
 
 def drum(rings: int) -> None:
@@ -41,6 +77,8 @@ def drum(rings: int) -> None:
 def main() -> None:
     for rings in (16, 24, 36):
         drum(rings)
+    for divisions in (2, 3):
+        two_balloons(divisions)
 
 
 if __name__ == "__main__":

@@ -4,7 +4,7 @@ from __future__ import annotations
 import numpy as np
 from scipy.optimize import brentq
 
-from oracles import drum
+from oracles import axisymmetric_membrane, drum, wall_laws
 from suite.case import Case, Comparison, Quantity
 from suite.program import Program
 
@@ -47,7 +47,27 @@ def compare_drum(program: Program, triangles: int) -> Comparison:
          "that of small slopes and constant tension."])
 
 
+def compare_ball_between_plates(program: Program, triangles: int) -> Comparison:
+    records = program.run("ball_between_plates", triangles=triangles)
+    plate, body = records.tool("upper"), records.body("ball")
+    radius, inflated, c1_h = 30e-3, 33e-3, 20e3 * 0.5e-3
+    closeness = 1 - plate["z_m"] / inflated
+    steps = np.flatnonzero(closeness > 0.049)
+    exact = axisymmetric_membrane.ball_between_plates(wall_laws.neo_hookean(2.0), 1.1, list(closeness[steps]))
+    forces, pressures = ([getattr(ball, name) for ball in exact] for name in ("force", "pressure"))
+    contacts = np.sqrt(plate["contact_area_m2"][steps] / np.pi) / inflated
+    return Comparison([
+        Quantity("force over c1 h r", "1 - gap / diameter", "", closeness[steps], plate["fz_N"][steps] / (c1_h * radius),
+                 np.array(forces)),
+        Quantity("pressure over c1 h / r", "1 - gap / diameter", "", closeness[steps],
+                 body["pressure_Pa"][steps] * radius / c1_h, np.array(pressures)),
+        Quantity("contact radius over inflated radius", "1 - gap / diameter", "", closeness[steps], contacts,
+                 np.array([ball.contact_radius / 1.1 for ball in exact]), judged=False)])
+
+
 CASES = [
+    Case("ball_between_plates", "Ball between two plates", "Feng and Yang 1973, axisymmetric equations solved",
+         "force and pressure from 5 % to 50 %", 0.01, (1280, 5120, 20480), compare_ball_between_plates),
     Case("drum_under_ball", "Pretensioned drum under a ball", "closed form, small slopes",
          "force for c/R from 0.04 to 0.10, growth of the contact", 0.02, (1536, 3456, 7776), compare_drum, quick=(3456,)),
     Case("hemisphere", "The published hemisphere", "own finest mesh (16 384 triangles)",

@@ -1,7 +1,9 @@
-"""What the enclosed fluid does: compression."""
+"""What the enclosed fluid does: compression, flow between chambers, weight."""
 from __future__ import annotations
 
-from oracles import fluids
+import numpy as np
+
+from oracles import fluids, inflated_sphere, wall_laws
 from suite.case import Case, Comparison, Quantity
 from suite.program import Program
 
@@ -13,7 +15,61 @@ def compare_compressible(program: Program, triangles: int) -> Comparison:
     return Comparison([Quantity("pressure", "volume, ml", "Pa", 1e6 * volume, body["pressure_Pa"], exact)])
 
 
+def enclosed(positions: np.ndarray, triangles: np.ndarray) -> np.ndarray:
+    """Volumes (steps) within closed triangles."""
+    a, b, c = (positions[:, triangles[:, k]] for k in range(3))
+    return np.einsum("sti,sti->s", a, np.cross(b, c)) / 6
+
+
+def compare_two_chambers(program: Program, triangles: int) -> Comparison:
+    surface = program.run("two_chambers", mesh=f"meshes/two_balloons_{triangles}.obj").surface("balloons")
+    law, thickness = wall_laws.neo_hookean(40e3), 0.5e-3
+    full = surface.rest[surface.triangles[:, 0], 0] < 0
+    volumes = [enclosed(surface.positions - centre, surface.triangles[part])
+               for part, centre in ((full, [-30e-3, 0, 0]), (~full, [30e-3, 0, 0]))]
+    corners = surface.rest[surface.triangles[full]] - np.array([-30e-3, 0, 0])
+    area = np.sum(np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)) / 2
+    rest = float(np.sum(np.einsum("ti,ti->t", corners[:, 0], np.cross(corners[:, 1], corners[:, 2]))) / 6)
+
+    def pressure(volume: float) -> float:
+        # An even polyhedron is as stiff as the sphere of radius 3 V / A.
+        return inflated_sphere.pressure(law, thickness, 3 * rest / area, np.cbrt(volume / rest))
+
+    later = surface.time > 1e-9
+    exact = fluids.two_chambers((pressure, pressure), (volumes[0][0], volumes[1][0]), 4e-6, 0.61, 1000.0,
+                                surface.time[later])
+    return Comparison([Quantity(f"volume of the {name} chamber", "time, s", "ml", surface.time[later],
+                                1e6 * volume[later], 1e6 * reference)
+                       for name, volume, reference in zip(("first", "second"), volumes, exact)])
+
+
+def compare_tank(program: Program, triangles: int) -> Comparison:
+    records = program.run("tank", triangles=triangles)
+    surface, body = records.surface("tank"), records.body("tank")
+    radius = 20e-3
+    pull, middle, points = fluids.tank_with_membrane_side(wall_laws.neo_hookean(20e3), 1e-3, radius, 9.81e3, 1.3)
+    positions = surface.positions[-1]
+    top = positions[:, 2] > 1e-6
+    # The bulge is the distance from the half circle along the same radius.
+    angles = np.arctan2(points[1], points[0])
+    order = np.argsort(angles)
+    model_angles = np.arctan2(positions[top, 2], positions[top, 0])
+    exact = np.interp(model_angles, angles[order], np.hypot(*points)[order])
+    model = np.hypot(positions[top, 0], positions[top, 2])
+    return Comparison([
+        Quantity("bulge", "angle from below, degrees", "mm", 180 - np.degrees(model_angles), 1e3 * (model - radius),
+                 1e3 * (exact - radius), scale=1e3 * float(np.max(exact - radius)),
+                 curve=(180 - np.degrees(angles[order]), 1e3 * (np.hypot(*points)[order] - radius))),
+        Quantity("pressure in the middle", "", "Pa", np.array([0.0]), body["pressure_Pa"][-1:], np.array([middle]))],
+        [f"The membrane bears {pull:.3f} N/m everywhere; the pressure changes by {9.81e3 * 2 * radius:.0f} Pa from top to "
+         "bottom."])
+
+
 CASES = [
     Case("compressible_sphere", "Compressible fluid", "closed form", "pressure against volume", 0.001, (320, 1280),
          compare_compressible, quick=(320,)),
+    Case("two_chambers", "Two chambers with an orifice", "ordinary differential equation",
+         "volumes of both over two seconds", 0.001, (320, 1280), compare_two_chambers, quick=(320,)),
+    Case("tank", "Tank with a membrane side", "ordinary differential equation", "bulge and pressure", 0.01,
+         (250, 1000, 4000), compare_tank, quick=(1000,)),
 ]

@@ -1,9 +1,10 @@
-"""Stretched sheets and balloons."""
+"""Stretched sheets, balloons and discs under pressure."""
 from __future__ import annotations
 
 import numpy as np
+from scipy.optimize import brentq
 
-from oracles import strips, wall_laws
+from oracles import axisymmetric_membrane, hencky, inflated_sphere, strips, wall_laws
 from suite.case import Case, Comparison, Quantity
 from suite.program import Program
 
@@ -13,21 +14,75 @@ def compare_strips(program: Program, triangles: int) -> Comparison:
     law = wall_laws.neo_hookean(20e3)
     prestretch, half = 1.3, 20e-3
     rest = half / prestretch
-    thick, _, _ = strips.in_series((law, law), (1e-3, 0.4e-3), (rest, rest), 2 * (half - rest), across=prestretch)
+    thick, thin, _ = strips.in_series((law, law), (1e-3, 0.4e-3), (rest, rest), 2 * (half - rest), across=prestretch)
     # Stress-free x of the given shape becomes x / prestretch; the thick half begins at -half.
     along = surface.rest[:, 0]
-    thin = (2 * half - thick * rest) / rest
     stretched = np.where(along < 0, -half + thick * (along + half) / prestretch, half - thin * (half - along) / prestretch)
     model = surface.positions[-1][:, 0]
     order = np.argsort(along)
+    largest = 1e3 * float(np.max(np.abs(stretched - along)))
     return Comparison([Quantity("motion along the strip", "place, mm", "mm", 1e3 * along[order],
-                                1e3 * (model - along)[order], 1e3 * (stretched - along)[order],
-                                scale=1e3 * float(np.max(np.abs(stretched - along))))],
-                      ["Positions of a take are single precision, 2e-9 m here, of a largest motion of "
-                       f"{1e3 * np.max(np.abs(stretched - along)):.3f} mm."])
+                                1e3 * (model - along)[order], 1e3 * (stretched - along)[order], scale=largest)],
+                      [f"Positions of a take are single precision, 2e-9 m here, of a largest motion of {largest:.3f} mm."])
+
+
+RADIUS, THICKNESS = 30e-3, 0.5e-3  # metres, of the balloon
+
+
+def compare_inflation(scenario: str, law: wall_laws.Law, program: Program, triangles: int) -> Comparison:
+    body = program.run(scenario, triangles=triangles).body("balloon")
+    volume = body["volume_m3"][1:]
+    stretch = np.cbrt(volume / body["volume_m3"][0])
+    exact = np.array([inflated_sphere.pressure(law, THICKNESS, RADIUS, each) for each in stretch])
+    fine = np.linspace(1.0, stretch[-1], 120)
+    curve = np.array([inflated_sphere.pressure(law, THICKNESS, RADIUS, each) for each in fine])
+    return Comparison([Quantity("pressure", "stretch", "Pa", stretch, body["pressure_Pa"][1:], exact, curve=(fine, curve))],
+                      [f"The pressure's first maximum lies at a stretch of {inflated_sphere.limit_point(law):.4f}."])
+
+
+def inflation(name: str, title: str, law: wall_laws.Law) -> Case:
+    return Case(f"sphere_inflation_{name}", f"Inflation of a sphere, {title}", "closed form, Adkins and Rivlin 1952",
+                "pressure to a stretch of 3, through the limit point", 0.003, (320, 1280, 5120),
+                lambda program, triangles: compare_inflation(f"sphere_inflation_{name}", law, program, triangles),
+                quick=(320, 1280), quick_bar=0.005)
+
+
+def compare_circular_membrane(program: Program, triangles: int) -> Comparison:
+    ratios = np.array([0.0, 0.3, 0.4])
+    heights = []
+    for ratio in ratios:
+        surface = program.run("circular_membrane", triangles=triangles, poisson_ratio=ratio).surface("sheet")
+        heights.append(surface.positions[-1][surface.nearest([0, 0, 0]), 2])
+    exact = [hencky.centre_deflection(0.1, 0.1, 1e6, 1e-3, ratio) for ratio in ratios]
+    return Comparison([Quantity("height of the centre", "Poisson's ratio", "mm", ratios, 1e3 * np.abs(heights),
+                                1e3 * np.array(exact))])
+
+
+def compare_rubber_disc(program: Program, triangles: int) -> Comparison:
+    surface = program.run("rubber_disc", triangles=triangles).surface("disc")
+    law, radius = wall_laws.neo_hookean(2.0), 50e-3
+    parts = np.arange(0.5, 3.61, 0.5)
+    centre = surface.nearest([0, 0, 0])
+    steps = [int(np.argmin(np.abs(surface.time - part))) for part in parts]
+    heights = np.abs(surface.positions[steps, centre, 2]) / radius
+
+    def height(part: float) -> float:
+        pole = brentq(lambda stretch: axisymmetric_membrane.inflated_disc(law, stretch)[0] - part, 1.01, 2.1, xtol=1e-6)
+        return axisymmetric_membrane.inflated_disc(law, pole)[1]
+
+    return Comparison([Quantity("height of the pole over the radius", "p a / (c1 h)", "", parts, heights,
+                                np.array([height(part) for part in parts]))],
+                      ["The most that the disc bears is p a / (c1 h) = 3.758; the load goes to 3.5 of it."])
 
 
 CASES = [
+    inflation("neo_hookean", "neo-Hookean", wall_laws.neo_hookean(40e3)),
+    inflation("mooney_rivlin", "Mooney–Rivlin", wall_laws.mooney_rivlin(16e3, 2e3)),
+    Case("circular_membrane", "Circular membrane under small pressure", "Hencky 1915, Föppl's equations solved",
+         "height of the centre at three Poisson's ratios", 0.01, (150, 600, 2400), compare_circular_membrane, quick=(150,),
+         quick_bar=0.03),
+    Case("rubber_disc", "Clamped rubber disc under follower pressure", "axisymmetric membrane equations solved",
+         "height of the pole to near the limit point", 0.005, (600, 2400, 9600), compare_rubber_disc),
     Case("strips_in_series", "Two strips in series", "closed form", "motion of every vertex", 1e-6, (200, 800),
          compare_strips, quick=(200,)),
 ]
