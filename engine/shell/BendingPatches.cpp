@@ -139,7 +139,7 @@ std::vector<BendingRest> make_bending_rests(const SurfaceMesh& mesh, std::span<c
     BendingRest patch = PatchBuilder(mesh, topology, rest[t], t).build(clamped);
     const Material& material = materials[materials.size() == 1 ? 0 : t];
     const double cube = rest[t].thickness * rest[t].thickness * rest[t].thickness;
-    patch.stiffness = cube / 12 * material.law->respond(material.parameters.data(), Eigen::Vector3d(1, 1, 0)).tangent;
+    patch.stiffness = cube / 12 * material.law->respond(material.parameters, Eigen::Vector3d(1, 1, 0)).tangent;
     BendingPatch given;
     for (int k = 0; k < 6; ++k) given[k] = mesh.vertices[patch.vertices[k]];
     patch.curvature = bending_strain(patch, given);

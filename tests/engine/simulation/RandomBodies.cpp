@@ -235,7 +235,7 @@ void palpate(const Recipe& recipe, Body& body, Outcome& outcome) {
   const auto note = [&](const ToolPose& pose) {
     outcome.note(body);
     const bool ball = closed && recipe.tool.kind == ToolKind::kSphere;
-    if (ball && winding(body, sphere_at(recipe.tool, pose).center) > 0.5) ++outcome.passed;
+    if (ball && winding(body, pose.tip - recipe.tool.radius * pose.direction) > 0.5) ++outcome.passed;
   };
   ToolPose pose = move(body, pose_at(start), deep, recipe.steps, step_time, note);
   pose = move(body, pose, deep, 3, recipe.options.time_step, note);

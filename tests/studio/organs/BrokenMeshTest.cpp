@@ -69,17 +69,20 @@ const BrokenMesh kMeshes[] = {
      {"the fluid needs a surface that touches itself nowhere, but this has 1 vertex in which parts of it touch: "
       "(0, 0, 0), in units of the file; move the parts apart there",
       "a body with fluid is one closed surface, but this has 2 separate ones: 4 triangles with 50.0 % of the area, 4 "
-      "triangles with 50.0 % of the area; keep one of them, or make a body of each (parts of under 1 % of the area "
+      "triangles with 50.0 % of the area; keep one of them, name each in `contents.chambers`, or make a body of each "
+      "(parts of under 1 % of the area "
       "together are left out by themselves)"}},
     {"two_boxes.obj",
      false,
      {"a body with fluid is one closed surface, but this has 2 separate ones: 12 triangles with 80.0 % of the area, 12 "
-      "triangles with 20.0 % of the area; keep one of them, or make a body of each (parts of under 1 % of the area "
+      "triangles with 20.0 % of the area; keep one of them, name each in `contents.chambers`, or make a body of each "
+      "(parts of under 1 % of the area "
       "together are left out by themselves)"}},
     {"box_in_box.obj",
      false,
      {"a body with fluid is one closed surface, but this has 2 separate ones: 12 triangles with 73.5 % of the area, 12 "
-      "triangles with 26.5 % of the area; keep one of them, or make a body of each (parts of under 1 % of the area "
+      "triangles with 26.5 % of the area; keep one of them, name each in `contents.chambers`, or make a body of each "
+      "(parts of under 1 % of the area "
       "together are left out by themselves)"}},
     {"small_hole.obj",
      false,
@@ -122,12 +125,14 @@ const BrokenMesh kMeshes[] = {
     {"doubled_partition.obj",
      true,
      {"a body with fluid is one closed surface, but this has 2 separate ones: 12 triangles with 50.0 % of the area, 12 "
-      "triangles with 50.0 % of the area; keep one of them, or make a body of each (parts of under 1 % of the area "
+      "triangles with 50.0 % of the area; keep one of them, name each in `contents.chambers`, or make a body of each "
+      "(parts of under 1 % of the area "
       "together are left out by themselves)"}},
     {"touching_tips.obj",
      true,
      {"a body with fluid is one closed surface, but this has 2 separate ones: 4 triangles with 50.0 % of the area, 4 "
-      "triangles with 50.0 % of the area; keep one of them, or make a body of each (parts of under 1 % of the area "
+      "triangles with 50.0 % of the area; keep one of them, name each in `contents.chambers`, or make a body of each "
+      "(parts of under 1 % of the area "
       "together are left out by themselves)"}},
     {"moebius_band.obj",
      true,
