@@ -33,6 +33,9 @@ struct ScheduledClip {
   bool begun = false;
 };
 
+/// Where tools wait that no clip drives: they must touch nothing.
+const Eigen::Vector3d kOutOfTheWay(0, 0, 100);  // metres
+
 /// What the director knows of a tool.
 struct DirectedTool {
   int index = 0;
@@ -183,7 +186,10 @@ struct ScenarioRun::Implementation {
       for (std::size_t k = 0; k < clips.size(); ++k) {
         if (tool_of(scenario.timeline[k]) == name && (!first || clips[k].begin < clips[*first].begin)) first = k;
       }
-      if (!first) continue;
+      if (!first) {
+        tool.pose.tip = kOutOfTheWay;
+        continue;
+      }
       if (const auto* palpation = std::get_if<PalpationPlan>(&clips[*first].plan)) tool.pose = palpation->begin;
       if (const auto* move = std::get_if<MovePlan>(&clips[*first].plan)) tool.pose = move->begin;
     }

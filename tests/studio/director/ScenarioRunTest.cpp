@@ -48,6 +48,16 @@ TEST(ScenarioRun, TheFirstRecordIsTheEquilibriumAtTimeZero) {
   EXPECT_EQ(run.snapshot().surfaces.at(0).positions.size(), run.snapshot().surfaces[0].topology->rest_positions.size());
 }
 
+TEST(ScenarioRun, AToolThatNoClipDrivesTouchesNothing) {
+  // It would lie in the ball otherwise, at the origin.
+  Scenario scenario = ball_scenario();
+  scenario.tools.push_back({.name = "spare", .kind = ToolKind::kSphere, .radius = 0.003});
+  scenario.timeline = {palpation(0.001)};
+  ScenarioRun run(scenario);
+  while (run.step()) EXPECT_EQ(run.record().tools.at(1).contact_area, 0);
+  EXPECT_EQ(run.record().tools.at(1).force, Eigen::Vector3d(0, 0, 0));
+}
+
 TEST(ScenarioRun, ForceAndDepthBeginWithContactAndEndWithIt) {
   Scenario scenario = ball_scenario();
   scenario.timeline = {palpation(0.001)};
