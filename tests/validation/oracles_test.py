@@ -95,6 +95,13 @@ class InflatedDisc(unittest.TestCase):
             self.assertAlmostEqual(found[0], pressure, delta=2e-3)
             self.assertAlmostEqual(found[1], height, delta=2e-4)
 
+    def test_heights_are_the_same_by_either_way(self):
+        heights = axisymmetric_membrane.disc_heights(RUBBER, [0.5, 1.0, 2.0, 3.0, 3.5])
+        for height, expected in zip(heights, (0.2806, 0.3742, 0.5312, 0.7191)):
+            # The check values tell pressure, height and stretch of one state with four digits each: 8e-4 seen.
+            self.assertAlmostEqual(height / expected, 1, delta=1e-3)
+        self.assertGreater(heights[-1], heights[-2])
+
     def test_pressure_is_largest_near_a_stretch_of_2_20(self):
         pressures = {l: axisymmetric_membrane.inflated_disc(RUBBER, l)[0] for l in (2.1, 2.2, 2.3)}
         self.assertAlmostEqual(pressures[2.2], 3.758, delta=1e-3)

@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.optimize import brentq
 
 from oracles import axisymmetric_membrane, hencky, inflated_sphere, strips, wall_laws
 from suite.case import Case, Comparison, Quantity
@@ -66,12 +65,8 @@ def compare_rubber_disc(program: Program, triangles: int) -> Comparison:
     steps = [int(np.argmin(np.abs(surface.time - part))) for part in parts]
     heights = np.abs(surface.positions[steps, centre, 2]) / radius
 
-    def height(part: float) -> float:
-        pole = brentq(lambda stretch: axisymmetric_membrane.inflated_disc(law, stretch)[0] - part, 1.01, 2.1, xtol=1e-6)
-        return axisymmetric_membrane.inflated_disc(law, pole)[1]
-
     return Comparison([Quantity("height of the pole over the radius", "p a / (c1 h)", "", parts, heights,
-                                np.array([height(part) for part in parts]))],
+                                np.array(axisymmetric_membrane.disc_heights(law, list(parts))))],
                       ["The most that the disc bears is p a / (c1 h) = 3.758; the load goes to 3.5 of it."])
 
 
@@ -79,10 +74,10 @@ CASES = [
     inflation("neo_hookean", "neo-Hookean", wall_laws.neo_hookean(40e3)),
     inflation("mooney_rivlin", "Mooney–Rivlin", wall_laws.mooney_rivlin(16e3, 2e3)),
     Case("circular_membrane", "Circular membrane under small pressure", "Hencky 1915, Föppl's equations solved",
-         "height of the centre at three Poisson's ratios", 0.01, (150, 600, 2400), compare_circular_membrane, quick=(150,),
+         "height of the centre at three Poisson's ratios", 0.01, (150, 384, 600), compare_circular_membrane, quick=(150,),
          quick_bar=0.03),
     Case("rubber_disc", "Clamped rubber disc under follower pressure", "axisymmetric membrane equations solved",
-         "height of the pole to near the limit point", 0.005, (600, 2400, 9600), compare_rubber_disc),
+         "height of the pole to near the limit point", 0.005, (150, 600, 2400), compare_rubber_disc, quick=(150,), quick_bar=0.03),
     Case("strips_in_series", "Two strips in series", "closed form", "motion of every vertex", 1e-6, (200, 800),
          compare_strips, quick=(200,)),
 ]

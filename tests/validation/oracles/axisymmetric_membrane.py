@@ -119,6 +119,20 @@ def inflated_disc(law: Law, pole_stretch: float) -> tuple[float, float]:
     raise ArithmeticError(f"no pressure holds the stretch {pole_stretch}")
 
 
+def disc_heights(law: Law, pressures: list[float]) -> list[float]:
+    """Heights of the pole of the disc of `inflated_disc` at pressures that grow from small ones to less than the limit."""
+    disc = Meridian(law, lambda s: s, lambda s: 1.0)
+    heights, pole = [], 1.05
+    for p in pressures:
+        found, _, good, message = fsolve(
+            lambda unknown: disc.from_axis(unknown[0], 0, 1, lambda z: p).y[RHO, -1] - 1, [pole], full_output=True)
+        if good != 1:
+            raise ArithmeticError(f"disc at {p}: {message}")
+        pole = float(found[0])
+        heights.append(-float(disc.from_axis(pole, 0, 1, lambda z: p).y[Z, -1]))
+    return heights
+
+
 @dataclass(frozen=True)
 class IndentedDrum:
     force: float  # in (law's unit) h a

@@ -14,6 +14,10 @@ ROOT = Path(__file__).resolve().parents[3]
 SCENES = ROOT / "scenes" / "validation"
 
 
+# A run that takes longer is given up and reported, so that one case cannot hold up the rest.
+LONGEST_RUN = 400  # seconds
+
+
 class RunFailed(Exception):
     """The program did not run a scenario to its end."""
 
@@ -91,8 +95,12 @@ class Program:
         for name, value in settings.items():
             command += ["--set", f"{name}={value}"]
         begin = time.monotonic()
-        outcome = subprocess.run(command, capture_output=True, text=True, check=False)
-        self.seconds += time.monotonic() - begin
+        try:
+            outcome = subprocess.run(command, capture_output=True, text=True, check=False, timeout=LONGEST_RUN)
+        except subprocess.TimeoutExpired as expired:
+            raise RunFailed(f"did not end within {LONGEST_RUN} s") from expired
+        finally:
+            self.seconds += time.monotonic() - begin
         if outcome.returncode != 0:
             lines = [line for line in outcome.stderr.splitlines() if line.strip()]
             raise RunFailed(f"exit code {outcome.returncode}: " + " ".join(lines[-3:]))
