@@ -10,10 +10,19 @@ from suite.program import Program
 
 RADIUS, THICKNESS, LENGTH = 10e-3, 1e-3, 5e-3  # metres
 
+def across_fibres(law: wall_laws.Law) -> wall_laws.Law:
+    """The fibres of the fingerpad lie along its axis, which is held: what stretches is the law's second axis."""
+    return lambda first, second: law(second, first)
+
+
 LAWS = {
     "neo_hookean": ("neo-Hookean", wall_laws.neo_hookean(20e3)),
     "mooney_rivlin": ("Mooney–Rivlin", wall_laws.mooney_rivlin(8e3, 2e3)),
     "st_venant_kirchhoff": ("St. Venant–Kirchhoff", wall_laws.st_venant_kirchhoff(60e3, 0.4)),
+    "gent": ("Gent", wall_laws.gent(20e3, 0.2)),
+    "ogden": ("Ogden", wall_laws.ogden([(30e3, 1.3), (60.0, 5.0), (-500.0, -2.0)])),
+    "fung": ("Fung", across_fibres(wall_laws.fung(2e3, 12.0, 8.0, 3.0))),
+    "holzapfel": ("Holzapfel", across_fibres(wall_laws.holzapfel(10e3, 20e3, 1.0, 0.1, np.radians(60)))),
 }
 
 

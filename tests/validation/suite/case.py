@@ -24,6 +24,7 @@ class Quantity:
     scale: Optional[float] = None  # errors are parts of it; of each reference value when absent
     curve: Optional[tuple[np.ndarray, np.ndarray]] = None  # the reference drawn finely: places, values
     judged: bool = True  # shown only, when not
+    drawn: bool = True  # told in the table only, when not
 
     def errors(self) -> np.ndarray:
         return np.abs(self.model - self.reference) / np.abs(self.reference if self.scale is None else self.scale)
@@ -44,7 +45,7 @@ class Comparison:
 
 @dataclass(frozen=True)
 class Case:
-    name: str  # of the scenario file too, unless the case says otherwise
+    name: str  # of the scenario file too, unless `scenario` says otherwise
     title: str
     source: str  # of the reference
     compares: str
@@ -56,6 +57,7 @@ class Case:
     size_name: str = "triangles"
     size_dimension: int = 2  # the error is drawn over size^(-1 / dimension)
     known_miss: str = ""  # why the bar is not met, told in the report
+    scenario: str = ""  # file in scenes/validation, without its ending; the case's name when empty
 
 
 @dataclass(frozen=True)

@@ -110,14 +110,15 @@ def _section(result: Result) -> str:
     case = result.case
     parts = [f'<h2 id="{case.name}">{escape(case.title)} <span class="{result.verdict()}">{_verdict(result)}</span></h2>',
              f'<p class="dim">{escape(case.source)}. Compared: {escape(case.compares)}. '
-             f"<code>scenes/validation/{case.name}.yaml</code>, {result.seconds:.1f} s</p>"]
+             f"<code>scenes/validation/{case.scenario or case.name}.yaml</code>, {result.seconds:.1f} s</p>"]
     if case.known_miss and result.verdict() != "met":
         parts.append(f'<p class="why">{escape(case.known_miss)}</p>')
     if result.failure:
         parts.append(f'<pre class="failed">{escape(result.failure)}</pre>')
     if result.comparisons:
         parts += [f"<p>{escape(note)}</p>" for note in result.comparisons[-1].notes]
-        plots = [_quantity_plot(quantity) for quantity in result.comparisons[-1].quantities]
+        plots = [_quantity_plot(quantity) for quantity in result.comparisons[-1].quantities
+                 if quantity.drawn]
         parts.append(f'<div class="plots">{"".join(plots)}{_convergence_plot(result)}</div>')
         rows = "".join(f'<tr><td class="n">{size}</td><td class="n">{percent(comparison.error())}</td><td>' + "; ".join(
             f"{escape(q.name)} {percent(q.error())}" for q in comparison.quantities if q.judged) + "</td></tr>"
