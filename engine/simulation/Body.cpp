@@ -63,6 +63,7 @@ Body::Body(BodyDefinition definition, std::vector<ToolDefinition> tools, Simulat
   for (const ToolDefinition& tool : tools_) solids += tool_solids(tool, {}).size();
   state_.solid_contacts.resize(solids);
   state_.solid_forces.assign(solids, std::vector<double>(model_->sites.size(), 0));
+  state_.friction.resize(solids);
 }
 
 SurfaceView Body::surface() const {
@@ -103,6 +104,7 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
                     const BodyInput& input) {
   EquilibriumProblem problem = make_problem(end, duration, input);
   attach(begin, end, problem);
+  add_friction_to(problem, begin);
   for (;;) {
     // What a tool takes hold of or lets go of changes its velocity at once; a difference that reaches back across that
     // would see the jump as a motion.
@@ -113,7 +115,7 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
       const Eigen::VectorXd motion = duration * state_.velocity;
       trial.position += newton_.safe_fraction(trial.position, motion) * motion;
     }
-    if (!solve_step(problem, trial)) return false;
+    if (!solve_with_friction(problem, trial, begin)) return false;
     if (release(end, problem)) continue;
     accept(begin, duration, problem, input, trial);
     return true;

@@ -88,9 +88,11 @@ struct BodyState {
   Eigen::VectorXd fluid_volume;           // (chambers), metres^3
   Eigen::VectorXd reference_pressure;     // (chambers), pascal, at which a compressible fluid has its volume
   std::vector<Attachment> attachments;
-  std::vector<ToolContact> contacts;              // (tools)
-  std::vector<ToolContact> solid_contacts;        // (solids of all tools, in their order)
-  std::vector<std::vector<double>> solid_forces;  // (solids x sites), newton
+  std::vector<ToolContact> contacts;                  // (tools)
+  std::vector<ToolContact> solid_contacts;            // (solids of all tools, in their order)
+  std::vector<std::vector<double>> solid_forces;      // (solids x sites), newton
+  std::vector<std::vector<FrictionMemory>> friction;  // (solids), in the order of the sites
+  double friction_energy = 0;                         // joule, stored in the elastic slip
   EnergyBooks books;
 };
 
@@ -155,6 +157,16 @@ class Body {
   bool release(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;
   double largest_part(std::span<const ToolPose> begin, std::span<const ToolPose> end) const;
   void add_solids(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;
+  bool has_friction() const;
+  std::vector<FrictionContact> friction_contacts(const std::vector<ToolSolid>& before,
+                                                 const EquilibriumProblem& problem, bool at_begin,
+                                                 const Eigen::VectorXd& position) const;
+  void add_friction_to(EquilibriumProblem& problem, std::span<const ToolPose> begin) const;
+  bool revise_friction(EquilibriumProblem& problem, std::span<const ToolPose> begin, const EquilibriumState& reached,
+                       int turn);
+  bool solve_with_friction(EquilibriumProblem& problem, EquilibriumState& trial, std::span<const ToolPose> begin);
+  void add_friction_to_contacts(const EquilibriumProblem& problem);
+  double update_friction(const BodyState& before, std::span<const ToolPose> begin, const EquilibriumProblem& problem);
   void add_fluid_inertia(double duration, EquilibriumProblem& problem) const;
   void start_fluid_motion();
   void update_fluid_motion(double duration, double previous_step);

@@ -120,7 +120,8 @@ void Body::update_books(const BodyState& before, std::span<const ToolPose> begin
   books.bending = lasting_part(model_->definition) * terms.bending_energy;
   books.kinetic = 0.5 * model_->mass.dot(state_.velocity.cwiseAbs2()) + fluid_kinetic_energy();
   books.gravity = gravity_energy();
-  books.contact = contact_energy(terms) + terms.folds.energy;
+  const double friction_loss = update_friction(before, begin, problem);
+  books.contact = contact_energy(terms) + terms.folds.energy + state_.friction_energy;
   books.fluid = fluid_energy(*model_, state_);
 
   // Work by the trapezoidal rule; what it differs from the change of the energies is what the integrator spends.
@@ -139,8 +140,9 @@ void Body::update_books(const BodyState& before, std::span<const ToolPose> begin
       0.5 * (before.static_force + state_.static_force).dot(motion) + solid_work + load_work + fluid_work;
   const double damping_loss = 0.5 * model_->definition.damping.mass_rate *
                               model_->mass.cwiseProduct(before.velocity + state_.velocity).dot(motion);
-  books.numerical += kinetic_work + static_work - wall_loss - (books.stored() - before.books.stored());
+  books.numerical += kinetic_work + static_work - wall_loss - friction_loss - (books.stored() - before.books.stored());
   books.viscous += wall_loss + damping_loss;
+  books.friction += friction_loss;
   books.tool_work += attached_work + solid_work;
   books.script_work += load_work;
 }

@@ -137,6 +137,7 @@ void Body::update_forces(const EquilibriumProblem& problem) {
     state_.solid_contacts[k] = own;
     state_.solid_forces[k] = problem.solids[k].forces;
   }
+  add_friction_to_contacts(problem);
   state_.attachments = problem.attachments;
   for (const Attachment& attachment : state_.attachments) {
     state_.contacts[attachment.tool].force += attachment.force;

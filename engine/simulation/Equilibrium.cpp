@@ -177,7 +177,7 @@ Eigen::Vector3d material_point(const Attachment& attachment, const Eigen::Vector
 void evaluate(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
               const Eigen::VectorXd& pressure, EquilibriumTerms& terms) {
   terms.elastic = terms.strain_energy = terms.bending = terms.bending_energy = terms.gravity = terms.load_work =
-      terms.largest_force = 0;
+      terms.friction = terms.largest_force = 0;
   terms.gradient.setZero(position.size());
   const auto chambers = static_cast<Eigen::Index>(problem.fluids.size());
   terms.volume.setZero(chambers);
@@ -193,6 +193,7 @@ void evaluate(const BodyModel& model, const EquilibriumProblem& problem, const E
   add_weight(model, problem, position, terms);
   add_fluid_weight(model, problem, position, terms);
   add_loads(model, problem, position, terms);
+  add_friction(model, problem.friction, position, terms);
   find_contacts(model, problem, position, terms);
   terms.inertial = inertial_energy(model, problem, position) + inertial_energy(problem, terms);
 }

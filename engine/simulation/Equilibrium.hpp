@@ -8,6 +8,7 @@
 #include "engine/contact/SolidGap.hpp"
 #include "engine/fluid/OrificeFlow.hpp"
 #include "engine/simulation/BodyModel.hpp"
+#include "engine/simulation/FrictionContact.hpp"
 
 namespace thinwall {
 
@@ -103,6 +104,7 @@ struct EquilibriumProblem {
   bool hold_rigid_motions = false;  // keep the mass-weighted mean position and rotation of a free body
   std::vector<Attachment> attachments;
   std::vector<SolidContact> solids;
+  std::vector<FrictionContact> friction;  // where tools with friction press; fixed during a solution
 };
 
 /// What the tissue does to a tool, or to one of its solids.
@@ -131,6 +133,7 @@ struct EquilibriumTerms {
   double gravity = 0;          // joule, of the wall from the origin's level, of the fluid from the chambers'
   double load_work = 0;        // joule, that the loads give up from position zero
   double contact = 0;          // joule
+  double friction = 0;         // joule, potential of the friction of tools
   double inertial = 0;         // joule, of the inertia springs
   Eigen::VectorXd volume;      // (chambers), metres^3
   Eigen::VectorXd gradient;    // (3 vertices), newton: of wall, folds, gravity and inertia of the fluid, less the loads

@@ -339,7 +339,7 @@ double Newton::gap_change(const ContactPoint& contact, const Eigen::VectorXd& mo
 double Newton::merit(const EquilibriumProblem& problem, const EquilibriumState& state, const EquilibriumTerms& terms,
                      const Residual& residual, const Weights& weights) const {
   double value = terms.elastic + terms.bending + terms.folds.energy + terms.gravity - terms.load_work + terms.inertial +
-                 weights.pressure * residual.volume.lpNorm<1>();
+                 terms.friction + weights.pressure * residual.volume.lpNorm<1>();
   for (std::size_t c = 0; c < problem.fluids.size(); ++c) {
     const FluidProblem& fluid = problem.fluids[c];
     if (fluid.mode == FluidMode::kGivenPressure) value -= fluid.pressure * terms.volume[c];
@@ -389,6 +389,7 @@ bool Newton::search(EquilibriumProblem& problem, EquilibriumState& state, Residu
   const EquilibriumState start = state;
   const std::vector<Attachment> attachments = problem.attachments;
   const std::vector<SolidContact> solids = problem.solids;
+  const std::vector<FrictionContact> friction = problem.friction;
   Residual trial;
   fraction = std::min(fraction, self_contact_.safe_fraction(start.position, step.position));
   for (int halving = 0; halving < 16; ++halving, fraction *= 0.5) {
@@ -403,6 +404,8 @@ bool Newton::search(EquilibriumProblem& problem, EquilibriumState& state, Residu
       const double old = solids[contact.solid].forces[contact.site];
       problem.solids[contact.solid].forces[contact.site] = old + fraction * (step.contact_forces[k] - old);
     }
+    problem.friction = friction;
+    advance_estimates(model_, start.position, step.position, fraction, problem.friction);
     evaluate_all(problem, state, trial_terms_);
     if (!std::isfinite(trial_terms_.elastic)) continue;
     compute_residual(problem, state, trial_terms_, trial);
@@ -416,6 +419,7 @@ bool Newton::search(EquilibriumProblem& problem, EquilibriumState& state, Residu
   state = start;
   problem.attachments = attachments;
   problem.solids = solids;
+  problem.friction = friction;
   return false;
 }
 

@@ -157,7 +157,6 @@ class SchemaWriter {
       result[range.maximum_excluded ? "exclusiveMaximum" : "maximum"] = plain(range.maximum);
     }
     if (schema.multiple_of != 1) result["multipleOf"] = schema.multiple_of;
-    if (schema.only_zero) result = {{"const", 0}};
     return result;
   }
 

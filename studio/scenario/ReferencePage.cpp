@@ -92,7 +92,7 @@ class PageWriter {
     }
     std::string words = expectation(value);
     if (value.kind == ValueKind::kList) words += list_range(value);
-    const std::string range = value.only_zero ? "0 in this version" : range_text(value.range, value.example);
+    const std::string range = range_text(value.range, value.example);
     if (!range.empty()) words += ", " + range;
     if (!value.mappings.empty()) words += "; or " + link(value.mappings[0]);
     return words;
@@ -100,7 +100,7 @@ class PageWriter {
 
   static std::string list_range(const ValueSchema& list) {
     const ValueSchema& item = list.item[0];
-    const std::string range = item.only_zero ? "0 in this version" : range_text(item.range, item.example);
+    const std::string range = range_text(item.range, item.example);
     return range.empty() ? "" : ", each " + range;
   }
 

@@ -44,7 +44,6 @@ struct ValueSchema {
   std::string example = {};             // in the words of a scenario
   std::vector<std::string> words = {};  // kWord
   bool bare_unit = false;               // kQuantity: `mm` stands for `1 mm`
-  bool only_zero = false;               // kQuantity: the format knows others, this version does not
   bool single = false;                  // kList: an item by itself stands for a list of one
   int multiple_of = 1;                  // kInteger
   std::size_t minimum_items = 0;        // kList, kNamedMappings

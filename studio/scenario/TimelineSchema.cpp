@@ -92,9 +92,8 @@ KeySchema length_key(const std::string& key, const std::string& standard, const 
 
 /// The keys of a tool that pushes, and its friction.
 std::vector<KeySchema> with_friction(std::vector<KeySchema> keys) {
-  ValueSchema no_friction = quantity_value(kDimensionless, kFromZero, "0.2");
-  no_friction.only_zero = true;
-  keys.push_back({"friction", no_friction, false, "0", "coefficient of friction"});
+  keys.push_back({"friction", quantity_value(kDimensionless, kFromZero, "0.2"), false, "0",
+                  "coefficient of Coulomb's law: the wall drags at the tool with at most so much of the normal force"});
   return keys;
 }
 

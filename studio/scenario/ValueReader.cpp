@@ -152,9 +152,6 @@ class PlainReader {
   std::optional<CheckedValue> check_number(double number) {
     const bool is_integer = schema_.kind == ValueKind::kInteger;
     if (is_integer && std::floor(number) != number) return refuse_value(describe(node_));
-    if (schema_.only_zero && number != 0) {
-      return error(later_message(in_backticks(place_.key) + " other than zero"));
-    }
     const Range& range = schema_.range;
     const bool too_small = number < range.minimum || (range.minimum_excluded && number <= range.minimum);
     const bool too_large = number > range.maximum || (range.maximum_excluded && number >= range.maximum);

@@ -89,5 +89,36 @@ TEST(SolidTools, OfEveryKindKeepTheWallOutAndFeelWhatTheSupportsHold) {
   }
 }
 
+TEST(SolidTools, OfEveryKindThatRubKeepBalanceAndBooks) {
+  for (const Analysis analysis : {Analysis::kQuasiStatic, Analysis::kDynamic}) {
+    for (ToolDefinition tool : solid_tools()) {
+      tool.friction = 0.5;
+      SimulationOptions options;
+      options.analysis = analysis;
+      Body body(pressurised_hemisphere(1024, 600), {tool}, options);
+      body.settle();
+      ToolPose pose = slanted_pose(tool, {1e-3, 0.5e-3, 24e-3});
+      int halvings = 0;
+      const auto note = [&](const ToolPose&) { halvings += body.report().halvings; };
+      pose = move(body, pose, pose.tip + 4e-3 * pose.direction, 16, 20e-3, note);
+      const Eigen::Vector3d side(0.8, 0.6, 0);
+      const Eigen::Vector3d pressed = body.state().contacts[0].force;
+      pose = move(body, pose, pose.tip + 1e-3 * side, 6, 20e-3, note);
+      const Eigen::Vector3d force = body.state().contacts[0].force;
+      const EnergyBooks& books = body.state().books;
+      std::printf("%s%s: %d halvings, held back by %.4f of %.4f N, friction %.1e of %.1e J, numerical %.1e\n",
+                  tool.name.c_str(), analysis == Analysis::kDynamic ? ", dynamic" : "", halvings,
+                  (pressed - force).dot(side), force.norm(), books.friction, books.tool_work, books.numerical);
+      EXPECT_GT((pressed - force).dot(side), 0.1 * force.norm()) << tool.name;
+      EXPECT_GT(books.friction, 0) << tool.name;
+      EXPECT_LT(std::abs(books.imbalance()), 1e-9 * books.tool_work) << tool.name;
+      EXPECT_LE(halvings, 10) << tool.name;
+      if (analysis == Analysis::kQuasiStatic) {
+        EXPECT_LT((support_force(body) - force).norm(), 1e-8 * force.norm()) << tool.name;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace thinwall

@@ -66,7 +66,7 @@ std::string example_text(const ValueSchema& value) {
     case ValueKind::kInteger:
     case ValueKind::kQuantity:
     case ValueKind::kAnyQuantity:
-      return value.only_zero ? "0" : value.example;
+      return value.example;
     case ValueKind::kDirection:
       return "[0, 0, -2]";
     case ValueKind::kAxes:

@@ -121,7 +121,7 @@ TEST_P(SchemaMistakes, ANumberBeyondEitherEndOfItsRangeIsAnErrorThatGivesTheRang
   for (const KeySchema& key : form().keys()) {
     const ValueSchema& value = key.value;
     const bool is_number = value.kind == ValueKind::kQuantity || value.kind == ValueKind::kInteger;
-    if (!is_number || value.only_zero) continue;
+    if (!is_number) continue;
     const std::string unit = si_unit(value.dimension);
     for (const double end : {value.range.minimum, value.range.maximum}) {
       if (!std::isfinite(end)) continue;
@@ -138,7 +138,7 @@ TEST_P(SchemaMistakes, TheEndOfARangeIsAllowedUnlessItIsExcluded) {
   for (const KeySchema& key : form().keys()) {
     const ValueSchema& value = key.value;
     const bool is_number = value.kind == ValueKind::kQuantity || value.kind == ValueKind::kInteger;
-    if (!is_number || value.only_zero || !std::isfinite(value.range.minimum)) continue;
+    if (!is_number || !std::isfinite(value.range.minimum)) continue;
     const Messages messages = with(key, format_like(value.range.minimum, "1 " + si_unit(value.dimension)));
     EXPECT_EQ(messages.size(), value.range.minimum_excluded ? 1U : 0U) << key.key;
   }

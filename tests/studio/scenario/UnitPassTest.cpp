@@ -143,10 +143,6 @@ TEST(UnitPass, EveryWordForLaterHasItsOwnMessage) {
   }
 }
 
-TEST(UnitPass, OnlyZeroIsTakenWhereTheRestIsForLater) {
-  EXPECT_EQ(read("tool", "{ kind: sphere, friction: 0.0 }").errors, Texts{});
-}
-
 TEST(UnitPass, WrongItemsKeepTheirPlaceInAList) {
   const Read root = read("scenario", "{ timeline: [ { jump: {} }, { wait: {} } ] }");
   EXPECT_EQ(root.value.at("timeline").items.size(), 2U);

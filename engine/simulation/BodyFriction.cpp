@@ -1,0 +1,170 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/simulation/Body.hpp"
+
+namespace thinwall {
+namespace {
+
+/// Slip that a place that sticks gives before it slides, as a part of half the smallest thickness of the tool (the
+/// radius of a ball): far below what is seen or felt, whatever the mesh, the tool's edges and the force.
+constexpr double kGive = 1e-4;
+
+/// Friction is found when the limits and normals that the solution asks for differ from those it was found with by no
+/// more than this part of the sum of all limits.
+constexpr double kAgreement = 2e-4;
+
+/// Solutions after which each one goes only half of the way to what the last asked for, and after which to give up.
+constexpr int kWholeTurns = 10;
+constexpr int kMostTurns = 40;
+
+std::vector<ToolSolid> solids_of(const std::vector<ToolDefinition>& tools, std::span<const ToolPose> poses) {
+  std::vector<ToolSolid> solids;
+  for (std::size_t tool = 0; tool < tools.size(); ++tool) {
+    for (const ToolSolid& solid : tool_solids(tools[tool], poses[tool])) solids.push_back(solid);
+  }
+  return solids;
+}
+
+const FrictionMemory* find_memory(const std::vector<FrictionMemory>& memories, int site) {
+  const auto found = std::ranges::lower_bound(memories, site, {}, &FrictionMemory::site);
+  return found == memories.end() || found->site != site ? nullptr : &*found;
+}
+
+/// Whether both lists name the same place.
+bool same_place(const FrictionContact& one, const FrictionContact& other) {
+  return one.solid == other.solid && one.site == other.site;
+}
+
+bool comes_before(const FrictionContact& one, const FrictionContact& other) {
+  return std::pair(one.solid, one.site) < std::pair(other.solid, other.site);
+}
+
+}  // namespace
+
+std::vector<FrictionContact> Body::friction_contacts(const std::vector<ToolSolid>& before,
+                                                     const EquilibriumProblem& problem, bool at_begin,
+                                                     const Eigen::VectorXd& position) const {
+  std::vector<FrictionContact> contacts;
+  for (int k = 0; k < static_cast<int>(problem.solids.size()); ++k) {
+    const SolidContact& solid = problem.solids[k];
+    const double coefficient = tools_[solid.tool].friction;
+    if (coefficient == 0) continue;
+    const double give = kGive * solid.solid.half_thickness();
+    for (int s = 0; s < static_cast<int>(model_->sites.size()); ++s) {
+      if (solid.forces[s] <= 0) continue;
+      const ContactSite& site = model_->sites[s];
+      const auto gap = solid_gap(at_begin ? before[k] : solid.solid, std::numeric_limits<double>::infinity(),
+                                 corners_of(model_->surface[site.triangle], position), site.part, site.corner);
+      FrictionContact contact{.solid = k, .site = s, .triangle = site.triangle, .weights = gap->weights};
+      contact.normal = gap->normal;
+      contact.potential = {.limit = coefficient * solid.forces[s], .give = give};
+      const Eigen::Vector3d start = place_on(*model_, contact.triangle, contact.weights, state_.equilibrium.position);
+      contact.origin = start + displacement_of(before[k], solid.solid, start);
+      if (const FrictionMemory* memory = find_memory(state_.friction[k], s)) {
+        contact.origin -= solid.solid.frame * memory->elastic_slip;
+        contact.estimate = solid.solid.frame * memory->force;
+      }
+      if (!at_begin) contact.estimate = contact.force(*model_, position);
+      contacts.push_back(contact);
+    }
+  }
+  return contacts;
+}
+
+void Body::add_friction_to(EquilibriumProblem& problem, std::span<const ToolPose> begin) const {
+  problem.friction = friction_contacts(solids_of(tools_, begin), problem, true, state_.equilibrium.position);
+}
+
+bool Body::revise_friction(EquilibriumProblem& problem, std::span<const ToolPose> begin,
+                           const EquilibriumState& reached, int turn) {
+  std::vector<FrictionContact> wanted = friction_contacts(solids_of(tools_, begin), problem, false, reached.position);
+  double limits = 0, difference = 0;  // newton
+  std::vector<FrictionContact> revised;
+  auto old = problem.friction.cbegin();
+  const auto gone = [&](const FrictionContact& contact) {
+    difference += contact.potential.limit;
+    if (turn < kWholeTurns) return;
+    revised.push_back(contact);
+    revised.back().potential.limit *= 0.5;
+  };
+  for (FrictionContact& contact : wanted) {
+    for (; old != problem.friction.cend() && comes_before(*old, contact); ++old) gone(*old);
+    const double limit = contact.potential.limit;
+    const bool known = old != problem.friction.cend() && same_place(*old, contact);
+    const double before = known ? old->potential.limit : 0;
+    limits += limit;
+    difference += std::abs(limit - before) + (known ? limit * (contact.normal - old->normal).norm() : 0);
+    if (turn >= kWholeTurns) contact.potential.limit = 0.5 * (limit + before);
+    if (known) ++old;
+    revised.push_back(contact);
+  }
+  for (; old != problem.friction.cend(); ++old) gone(*old);
+  if (difference <= kAgreement * limits) return false;
+  problem.friction = std::move(revised);
+  return true;
+}
+
+bool Body::solve_with_friction(EquilibriumProblem& problem, EquilibriumState& trial, std::span<const ToolPose> begin) {
+  for (int turn = 0;; ++turn) {
+    if (!solve_step(problem, trial)) return false;
+    if (!has_friction() || !revise_friction(problem, begin, trial, turn)) return true;
+    if (turn == kMostTurns) {
+      failure_ = "friction and pressure of a tool do not come to agree";
+      return false;
+    }
+  }
+}
+
+bool Body::has_friction() const {
+  return std::ranges::any_of(tools_, [](const ToolDefinition& tool) { return tool.friction > 0; });
+}
+
+void Body::add_friction_to_contacts(const EquilibriumProblem& problem) {
+  const Eigen::VectorXd& position = state_.equilibrium.position;
+  for (const FrictionContact& contact : problem.friction) {
+    const ToolSolid& solid = problem.solids[contact.solid].solid;
+    const Eigen::Vector3d force = contact.force(*model_, position);
+    const Eigen::Vector3d arm = place_on(*model_, contact.triangle, contact.weights, position) - solid.center;
+    state_.solid_contacts[contact.solid].force += force;
+    state_.solid_contacts[contact.solid].moment += arm.cross(force);
+    state_.contacts[problem.solids[contact.solid].tool].force += force;
+  }
+}
+
+double Body::update_friction(const BodyState& before, std::span<const ToolPose> begin,
+                             const EquilibriumProblem& problem) {
+  const std::vector<ToolSolid> solids = solids_of(tools_, begin);
+  for (std::vector<FrictionMemory>& memories : state_.friction) memories.clear();
+  state_.friction_energy = 0;
+  double spent = 0;  // joule
+  for (const FrictionContact& contact : problem.friction) {
+    const Eigen::Matrix3d& frame = problem.solids[contact.solid].solid.frame;
+    const Eigen::Vector3d slip = contact.slip(*model_, state_.equilibrium.position);
+    const Eigen::Vector3d elastic = contact.potential.elastic_part(slip);
+    const FrictionMemory memory{.site = contact.site,
+                                .triangle = contact.triangle,
+                                .weights = contact.weights,
+                                .elastic_slip = frame.transpose() * elastic,
+                                .force = frame.transpose() * contact.potential.stiffness() * elastic};
+    const FrictionMemory* earlier = find_memory(before.friction[contact.solid], contact.site);
+    const Eigen::Vector3d earlier_force = earlier ? Eigen::Vector3d(frame * earlier->force) : Eigen::Vector3d::Zero();
+    spent += std::max(0.0, 0.5 * (earlier_force + frame * memory.force).dot(slip - elastic));
+    state_.friction_energy += 0.5 * contact.potential.stiffness() * elastic.squaredNorm();
+    state_.friction[contact.solid].push_back(memory);
+  }
+  for (std::size_t k = 0; k < before.friction.size(); ++k) {
+    for (const FrictionMemory& lost : before.friction[k]) {
+      if (find_memory(state_.friction[k], lost.site)) continue;
+      const Eigen::Vector3d from = place_on(*model_, lost.triangle, lost.weights, before.equilibrium.position);
+      const Eigen::Vector3d way = place_on(*model_, lost.triangle, lost.weights, state_.equilibrium.position) - from -
+                                  displacement_of(solids[k], problem.solids[k].solid, from);
+      spent += std::max(0.0, 0.5 * (solids[k].frame * lost.force).dot(way));
+    }
+  }
+  return spent;
+}
+
+}  // namespace thinwall
