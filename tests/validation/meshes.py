@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Optional
 
 import numpy as np
 
@@ -36,10 +37,17 @@ def geodesic_sphere(divisions: int) -> tuple[np.ndarray, list[tuple[int, int, in
     return np.array(points), triangles
 
 
-def write(name: str, points: np.ndarray, triangles: list[tuple[int, int, int]], told: str) -> None:
+Triangles = list[tuple[int, int, int]]
+
+
+def write(name: str, points: np.ndarray, triangles: Triangles, told: str,
+          groups: Optional[dict[str, Triangles]] = None) -> None:
     lines = [f"# {told}"]
     lines += ["v " + " ".join(f"{value:.9g}" for value in point) for point in points]
     lines += ["f " + " ".join(str(corner + 1) for corner in triangle) for triangle in triangles]
+    for group, members in (groups or {}).items():
+        lines.append(f"g {group}")
+        lines += ["f " + " ".join(str(corner + 1) for corner in triangle) for triangle in members]
     MESHES.mkdir(exist_ok=True)
     (MESHES / name).write_text("\n".join(lines) + "\n", encoding="utf-8")
 
@@ -52,12 +60,25 @@ def two_balloons(divisions: int) -> None:
           "Two spheres of radius 20, their centres 60 apart; millimetres")
 
 
-def drum(rings: int) -> None:
-    """A disc of radius 20, its triangles 27 times smaller in the middle than at the rim, and the more regular."""
-    grading, points, triangles = 4.0, [np.zeros(3)], []
+def ball(divisions: int) -> None:
+    """A sphere of radius 30, twice as fine at its poles, where plates press it, as a geodesic one."""
+    points, triangles = geodesic_sphere(divisions)
+    upright = points[1]  # a vertex of the icosahedron becomes a pole
+    first = np.cross(upright, [0.0, 0.0, 1.0])
+    first /= np.linalg.norm(first)
+    points = points @ np.array([first, np.cross(upright, first), upright]).T
+    from_pole = np.arccos(np.clip(points[:, 2], -1, 1))
+    nearer = from_pole - np.sin(2 * from_pole) / 4
+    around = np.arctan2(points[:, 1], points[:, 0])
+    moved = np.column_stack([np.sin(nearer) * np.cos(around), np.sin(nearer) * np.sin(around), np.cos(nearer)])
+    write(f"ball_{len(triangles)}.obj", 30 * moved, triangles, "A sphere of radius 30, fine at its poles; millimetres")
+
+
+def disc(reaches: np.ndarray) -> tuple[np.ndarray, list[tuple[int, int, int]]]:
+    """Rings of 6, 12, 18 ... vertices at these distances (rings) from the middle, which is vertex 0."""
+    points, triangles = [np.zeros(3)], []
     rows = [[0]]
-    for ring in range(1, rings + 1):
-        reach = 20 * np.sinh(grading * ring / rings) / np.sinh(grading)
+    for ring, reach in enumerate(reaches, start=1):
         row = []
         for turn in 2 * np.pi * np.arange(6 * ring) / (6 * ring):
             points.append(reach * np.array([np.cos(turn), np.sin(turn), 0]))
@@ -71,7 +92,27 @@ def drum(rings: int) -> None:
                 if k + 1 < ring:
                     triangles.append((shorter[k], longer[k + 1], shorter[k + 1]))
         rows.append(row)
-    write(f"drum_{len(triangles)}.obj", np.array(points), triangles, "A disc of radius 20, fine in the middle; millimetres")
+    return np.array(points), triangles
+
+
+def graded(rings: int, grading: float) -> np.ndarray:
+    return np.sinh(grading * np.arange(1, rings + 1) / rings) / np.sinh(grading)
+
+
+def drum(rings: int) -> None:
+    """A disc of radius 20, its triangles 27 times smaller in the middle than at the rim, and the more regular."""
+    points, triangles = disc(20 * graded(rings, 4.0))
+    write(f"drum_{len(triangles)}.obj", points, triangles, "A disc of radius 20, fine in the middle; millimetres")
+
+
+def disc_on_cone(rings: int) -> None:
+    """A disc of radius 50, half as coarse in its middle as at its rim, closed below by a cone."""
+    points, triangles = disc(50 * graded(rings, 1.3))
+    rim = list(range(len(points) - 6 * rings, len(points)))
+    tip = len(points)
+    below = [(tip, rim[(k + 1) % len(rim)], corner) for k, corner in enumerate(rim)]
+    write(f"disc_on_cone_{len(triangles)}.obj", np.vstack([points, [0, 0, -20]]), triangles,
+          "A disc of radius 50 above a cone; millimetres", {"cone": below})
 
 
 def main() -> None:
@@ -79,6 +120,10 @@ def main() -> None:
         drum(rings)
     for divisions in (2, 3):
         two_balloons(divisions)
+    for divisions in (2, 3, 4):
+        ball(divisions)
+    for rings in (10, 20, 30):
+        disc_on_cone(rings)
 
 
 if __name__ == "__main__":

@@ -102,6 +102,15 @@ class InflatedDisc(unittest.TestCase):
             self.assertAlmostEqual(height / expected, 1, delta=1e-3)
         self.assertGreater(heights[-1], heights[-2])
 
+    def test_path_passes_the_limit_as_single_states_do(self):
+        stretches = [1.05, 1.2, 1.4, 1.7, 2.0, 2.2, 2.6]
+        path = axisymmetric_membrane.disc_path(RUBBER, stretches)
+        for index in (1, 4, 6):
+            pressure, height = axisymmetric_membrane.inflated_disc(RUBBER, stretches[index])
+            # Both roots are found to 1e-10; the slope of the pressure over the rim's place is of order one.
+            self.assertAlmostEqual(path[0, index], pressure, 7)
+            self.assertAlmostEqual(path[1, index], height, 7)
+
     def test_pressure_is_largest_near_a_stretch_of_2_20(self):
         pressures = {l: axisymmetric_membrane.inflated_disc(RUBBER, l)[0] for l in (2.1, 2.2, 2.3)}
         self.assertAlmostEqual(pressures[2.2], 3.758, delta=1e-3)
@@ -114,6 +123,12 @@ class DropOnPlane(unittest.TestCase):
         drop = axisymmetric_membrane.drop_on_plane(RUBBER, 1.2, 0.8)
         bears = np.pi * drop.contact_radius**2 * drop.pressure_at_floor
         self.assertAlmostEqual(bears / (0.8 * 4 / 3 * np.pi * 1.2**3), 1, 6)
+
+    def test_floor_bears_a_heavy_drop_on_a_real_flat(self):
+        drop = axisymmetric_membrane.drop_on_plane(RUBBER, 1.125, 0.785)
+        self.assertGreater(drop.contact_radius, 0)
+        bears = np.pi * drop.contact_radius**2 * drop.pressure_at_floor
+        self.assertAlmostEqual(bears / (0.785 * 4 / 3 * np.pi * 1.125**3), 1, 6)
 
     def test_light_contents_leave_a_ball(self):
         drop = axisymmetric_membrane.drop_on_plane(RUBBER, 1.2, 1e-3)

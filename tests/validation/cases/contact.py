@@ -48,7 +48,7 @@ def compare_drum(program: Program, triangles: int) -> Comparison:
 
 
 def compare_ball_between_plates(program: Program, triangles: int) -> Comparison:
-    records = program.run("ball_between_plates", triangles=triangles)
+    records = program.run("ball_between_plates", mesh=f"meshes/ball_{triangles}.obj")
     plate, body = records.tool("upper"), records.body("ball")
     radius, inflated, c1_h = 30e-3, 33e-3, 20e3 * 0.5e-3
     closeness = 1 - plate["z_m"] / inflated
@@ -62,12 +62,15 @@ def compare_ball_between_plates(program: Program, triangles: int) -> Comparison:
         Quantity("pressure over c1 h / r", "1 - gap / diameter", "", closeness[steps],
                  body["pressure_Pa"][steps] * radius / c1_h, np.array(pressures)),
         Quantity("contact radius over inflated radius", "1 - gap / diameter", "", closeness[steps], contacts,
-                 np.array([ball.contact_radius / 1.1 for ball in exact]), judged=False)])
+                 np.array([ball.contact_radius / 1.1 for ball in exact]), judged=False)],
+        ["The mesh is twice as fine under the plates. On an even mesh of 5 120 triangles the force is 1.05 % low at 5 %: its "
+         "chords lie up to 0.1 % of the radius inside the sphere, which is 2 % of the way that the plates have come by then; on "
+         "an even mesh of the sphere's volume, whose vertices stand out, it is 1.1 % high."])
 
 
 CASES = [
     Case("ball_between_plates", "Ball between two plates", "Feng and Yang 1973, axisymmetric equations solved",
-         "force and pressure from 5 % to 50 %", 0.01, (1280, 5120, 20480), compare_ball_between_plates),
+         "force and pressure from 5 % to 50 %", 0.01, (320, 1280, 5120), compare_ball_between_plates),
     Case("drum_under_ball", "Pretensioned drum under a ball", "closed form, small slopes",
          "force for c/R from 0.04 to 0.10, growth of the contact", 0.02, (1536, 3456, 7776), compare_drum, quick=(3456,)),
     Case("hemisphere", "The published hemisphere", "own finest mesh (16 384 triangles)",

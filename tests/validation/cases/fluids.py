@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from oracles import fluids, inflated_sphere, wall_laws
+from oracles import axisymmetric_membrane, fluids, inflated_sphere, wall_laws
 from suite.case import Case, Comparison, Quantity
 from suite.program import Program
 
@@ -65,6 +65,40 @@ def compare_tank(program: Program, triangles: int) -> Comparison:
          "bottom."])
 
 
+def compare_drop(program: Program, triangles: int) -> Comparison:
+    records = program.run("drop_on_plane", triangles=triangles)
+    floor, body, surface = records.tool("floor"), records.body("drop"), records.surface("drop")
+    radius, thickness, c1, gravity, density = 20e-3, 1e-3, 10e3, 9.81, 2000.0
+    volume = body["volume_m3"][0]
+    weight = density * gravity * volume
+    lift = -floor["fz_N"]
+    if lift[-1] < weight:
+        raise ValueError("the floor does not come up far enough")
+
+    def lying(values: np.ndarray) -> float:
+        """What the values (steps) are where the floor bears the weight: between its neighbours on a parabola."""
+        near = np.clip(np.searchsorted(lift, weight), 1, len(lift) - 2) + np.array([-1, 0, 1])
+        return float(np.polyval(np.polyfit(lift[near] / weight, values[near], 2), 1.0))
+
+    level = lying(floor["z_m"])
+    from_axis = np.hypot(surface.positions[:, :, 0], surface.positions[:, :, 1])
+    model = [lying(surface.positions[:, :, 2].max(axis=1)) - level, lying(from_axis.max(axis=1)),
+             lying(np.sqrt(floor["contact_area_m2"] / np.pi))]
+    exact = axisymmetric_membrane.drop_on_plane(wall_laws.neo_hookean(2.0), np.cbrt(volume / (4 / 3 * np.pi * radius**3)),
+                                                density * gravity * radius**2 / (c1 * thickness))
+    lengths = np.array([exact.height, exact.largest_radius, exact.contact_radius])
+    pressure = lying(body["pressure_Pa"]) - density * gravity * level  # that of the body is told at the height 0
+    return Comparison(
+        [Quantity("height, largest radius, radius of the flat", "which", "mm", np.array([1.0, 2.0, 3.0]),
+                  1e3 * np.array(model), 1e3 * radius * lengths),
+         Quantity("pressure at the floor", "which", "Pa", np.array([1.0]), np.array([pressure]),
+                  np.array([exact.pressure_at_floor * c1 * thickness / radius]), drawn=False)],
+        [f"The drop of {1e6 * volume:.1f} ml weighs {weight:.3f} N: it is {1e3 * model[0]:.2f} mm high (reference "
+         f"{1e3 * radius * lengths[0]:.2f}), {2e3 * model[1]:.2f} mm wide ({2e3 * radius * lengths[1]:.2f}), its flat has a "
+         f"radius of {1e3 * model[2]:.2f} mm ({1e3 * radius * lengths[2]:.2f}), the pressure at the floor is {pressure:.0f} Pa "
+         f"({exact.pressure_at_floor * c1 * thickness / radius:.0f})."])
+
+
 CASES = [
     Case("compressible_sphere", "Compressible fluid", "closed form", "pressure against volume", 0.001, (320, 1280),
          compare_compressible, quick=(320,)),
@@ -72,4 +106,6 @@ CASES = [
          "volumes of both over two seconds", 0.001, (320, 1280), compare_two_chambers, quick=(320,)),
     Case("tank", "Tank with a membrane side", "ordinary differential equation", "bulge and pressure", 0.01,
          (250, 1000, 4000), compare_tank, quick=(1000,)),
+    Case("drop_on_plane", "Drop on a plane", "axisymmetric membrane equations solved",
+         "height, width, flat and pressure at the floor", 0.01, (320, 1280, 5120), compare_drop),
 ]

@@ -1,11 +1,14 @@
 """Stretched sheets, balloons and discs under pressure."""
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
+from scipy.interpolate import CubicSpline
 
 from oracles import axisymmetric_membrane, hencky, inflated_sphere, strips, wall_laws
 from suite.case import Case, Comparison, Quantity
-from suite.program import Program
+from suite.program import Program, Surface
 
 
 def compare_strips(program: Program, triangles: int) -> Comparison:
@@ -70,6 +73,40 @@ def compare_rubber_disc(program: Program, triangles: int) -> Comparison:
                       ["The most that the disc bears is p a / (c1 h) = 3.758; the load goes to 3.5 of it."])
 
 
+def stretch_at(surface: Surface, vertex: int) -> np.ndarray:
+    """Mean stretch (steps) of the edges at a vertex."""
+    corners = surface.triangles[np.any(surface.triangles == vertex, axis=1)]
+    around = np.setdiff1d(corners, [vertex])
+    rest = np.linalg.norm(surface.rest[around] - surface.rest[vertex], axis=1)
+    now = np.linalg.norm(surface.positions[:, around] - surface.positions[:, [vertex]], axis=2)
+    return np.mean(now / rest, axis=1)
+
+
+@lru_cache
+def disc_reference() -> tuple[np.ndarray, np.ndarray]:
+    """Stretches of the pole, and pressures and heights (2 x stretches) at these."""
+    poles = np.concatenate([np.linspace(1.01, 1.2, 12), np.linspace(1.25, 3.8, 52)])
+    return poles, axisymmetric_membrane.disc_path(wall_laws.neo_hookean(2.0), list(poles))
+
+
+def compare_filled_disc(program: Program, triangles: int) -> Comparison:
+    records = program.run("rubber_disc_filled", mesh=f"meshes/disc_on_cone_{triangles}.obj")
+    surface, height = records.surface("disc"), records.point("disc", "middle")["z_m"] / 50e-3
+    pressure = records.body("disc")["pressure_Pa"] / 200  # of c1 h / a
+    stretch = stretch_at(surface, surface.nearest([0, 0, 0]))
+    poles, path = disc_reference()
+    steps = np.flatnonzero((height > 0.25) & (height < path[1, -1]))
+    exact_pressure, exact_pole = (CubicSpline(path[1], values)(height[steps]) for values in (path[0], poles))
+    most, exact_most = np.argmax(pressure), np.argmax(path[0])
+    return Comparison(
+        [Quantity("p a / (c1 h)", "height of the pole over the radius", "", height[steps], pressure[steps], exact_pressure,
+                  curve=(path[1], path[0])),
+         Quantity("stretch of the pole", "height of the pole over the radius", "", height[steps], stretch[steps], exact_pole,
+                  curve=(path[1], poles))],
+        [f"The largest pressure of the steps is {pressure[most]:.3f} c1 h / a, at a stretch of the pole of {stretch[most]:.2f} "
+         f"(reference {path[0, exact_most]:.3f} at {poles[exact_most]:.2f})."])
+
+
 CASES = [
     inflation("neo_hookean", "neo-Hookean", wall_laws.neo_hookean(40e3)),
     inflation("mooney_rivlin", "Mooney–Rivlin", wall_laws.mooney_rivlin(16e3, 2e3)),
@@ -79,6 +116,8 @@ CASES = [
     Case("rubber_disc", "Clamped rubber disc under follower pressure", "axisymmetric membrane equations solved",
          "height of the pole to near the limit point", 0.005, (150, 600, 2400), compare_rubber_disc, quick=(600,),
          quick_bar=0.015),
+    Case("rubber_disc_filled", "Clamped rubber disc, filled through its limit point", "axisymmetric membrane equations solved",
+         "pressure and stretch of the pole over the height of the pole", 0.005, (600, 2400, 5400), compare_filled_disc),
     Case("strips_in_series", "Two strips in series", "closed form", "motion of every vertex", 1e-6, (200, 800),
          compare_strips, quick=(200,)),
 ]

@@ -97,7 +97,7 @@ def ball_between_plates(law: Law, inflation: float, closeness: list[float]) -> l
         if found != 1:
             raise ArithmeticError(f"ball between plates at {delta}: {message}")
         pole, lies_to, p = guess
-        contact = ball.from_axis(pole, lies_to, lies_to * (1 + 1e-9), lambda z: p).y[RHO, 0]
+        contact = ball.from_axis(pole, abs(lies_to), abs(lies_to) * (1 + 1e-9), lambda z: p).y[RHO, 0]
         results.append(SqueezedBall(force=np.pi * p * contact**2, pressure=p, contact_radius=contact))
     return results
 
@@ -131,6 +131,22 @@ def disc_heights(law: Law, pressures: list[float]) -> list[float]:
         pole = float(found[0])
         heights.append(-float(disc.from_axis(pole, 0, 1, lambda z: p).y[Z, -1]))
     return heights
+
+
+def disc_path(law: Law, pole_stretches: list[float]) -> np.ndarray:
+    """Pressures and heights (2 x stretches) of the disc of `inflated_disc` at stretches of the pole that grow slowly from
+    small ones, through the limit of the pressure."""
+    disc = Meridian(law, lambda s: s, lambda s: 1.0)
+    pressure = inflated_disc(law, pole_stretches[0])[0]
+    states = []
+    for pole in pole_stretches:
+        found, _, good, message = fsolve(lambda unknown: disc.from_axis(pole, 0, 1, lambda z: unknown[0]).y[RHO, -1] - 1,
+                                         [pressure], xtol=1e-10, full_output=True)
+        if good != 1:
+            raise ArithmeticError(f"disc at a stretch of {pole}: {message}")
+        pressure = float(found[0])
+        states.append((pressure, -float(disc.from_axis(pole, 0, 1, lambda z: pressure).y[Z, -1])))
+    return np.array(states).T
 
 
 @dataclass(frozen=True)
@@ -198,6 +214,7 @@ def drop_on_plane(law: Law, inflation: float, weight: float) -> Drop:
     if found != 1:
         raise ArithmeticError(f"drop on a plane: {message}")
     low_pole, lies_to, high_pole, height, p = guess
+    lies_to = abs(lies_to)  # its sign is free: see `halves`
     contact = ball.from_axis(low_pole, lies_to, lies_to * (1 + 1e-9), lambda z: p).y[RHO, 0]
     lower = ball.from_axis(low_pole, lies_to, np.pi / 2, lambda z: p + weight * z).y[RHO].max()
     upper = ball.from_axis(high_pole, 0, np.pi / 2, lambda z: p - weight * z, height).y[RHO].max()

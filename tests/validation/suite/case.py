@@ -24,6 +24,7 @@ class Quantity:
     scale: Optional[float] = None  # errors are parts of it; of each reference value when absent
     curve: Optional[tuple[np.ndarray, np.ndarray]] = None  # the reference drawn finely: places, values
     judged: bool = True  # shown only, when not
+    allowance: float = 1.0  # how many times the case's bar this quantity may be off
     drawn: bool = True  # told in the table only, when not
 
     def errors(self) -> np.ndarray:
@@ -39,7 +40,8 @@ class Comparison:
     notes: list[str] = field(default_factory=list)  # what a reader should know of this run
 
     def error(self) -> float:
-        judged = [quantity.error() for quantity in self.quantities if quantity.judged]
+        """The largest, each as a part of what the quantity is allowed over the case's bar."""
+        judged = [quantity.error() / quantity.allowance for quantity in self.quantities if quantity.judged]
         return max(judged) if judged else 0.0
 
 
