@@ -159,6 +159,13 @@ class Viscoelasticity(unittest.TestCase):
         self.assertAlmostEqual(stress, 1, 8)
 
 
+    def test_creep_after_a_ramp_is_the_convolution(self):
+        f, tau, ramp, end = 0.3, 0.2, 0.04, 0.3
+        rising = np.linspace(0, ramp, 4001)
+        summed = np.trapz(viscoelasticity.creep(f, tau, end - rising) / ramp, rising)
+        self.assertAlmostEqual(float(viscoelasticity.creep_after_ramp(f, tau, ramp, end)), float(summed), 9)
+
+
 class Fluids(unittest.TestCase):
     def test_orifice_empties_as_torricelli_says(self):
         """Rising and falling heads of equal slope: the root of the difference falls linearly."""

@@ -45,6 +45,8 @@ def main() -> int:
     parser.add_argument("--case", action="append", default=[], metavar="NAME", help="this case only; may be repeated")
     parser.add_argument("--out", type=Path, default=ROOT / "out" / "validation", metavar="DIR",
                         help="where page, table and runs are left (out/validation)")
+    parser.add_argument("--continue", action="store_true", dest="go_on",
+                        help="take the runs that DIR holds already when they are younger than the program and the scenes")
     parser.add_argument("--oracles", action="store_true", help="test the reference solutions by their check values only")
     parser.add_argument("--program", type=Path, metavar="FILE", help="use this thinwall instead of building it")
     options = parser.parse_args()
@@ -57,7 +59,7 @@ def main() -> int:
         parser.error("--program is needed")
 
     begin = time.monotonic()
-    program = Program(options.program.resolve(), options.out)
+    program = Program(options.program.resolve(), options.out, options.go_on)
     results = []
     for case in cases:
         result = assess(case, program, options.quick and bool(case.quick))

@@ -64,7 +64,7 @@ def compare_ball_between_plates(program: Program, triangles: int) -> Comparison:
         Quantity("contact radius over inflated radius", "1 - gap / diameter", "", closeness[steps], contacts,
                  np.array([ball.contact_radius / 1.1 for ball in exact]), judged=False)],
         ["The mesh is twice as fine under the plates. On an even mesh of 5 120 triangles the force is 1.05 % low at 5 %: its "
-         "chords lie up to 0.1 % of the radius inside the sphere, which is 2 % of the way that the plates have come by then; on "
+         "chords lie up to 0.1 % of the radius inside the sphere, which is nearly 2 % of the way that the plates have come by then; on "
          "an even mesh of the sphere's volume, whose vertices stand out, it is 1.1 % high."])
 
 

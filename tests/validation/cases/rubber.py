@@ -12,20 +12,18 @@ from suite.program import Program, Surface
 
 
 def compare_strips(program: Program, triangles: int) -> Comparison:
-    surface = program.run("strips_in_series", triangles=triangles).surface("strip")
+    records = program.run("strips_in_series", triangles=triangles)
     law = wall_laws.neo_hookean(20e3)
     prestretch, half = 1.3, 20e-3
     rest = half / prestretch
     thick, thin, _ = strips.in_series((law, law), (1e-3, 0.4e-3), (rest, rest), 2 * (half - rest), across=prestretch)
+    points = [records.point("strip", name) for name in ("thick_half", "joint", "thin_half")]
+    model = np.array([point["ux_m"][-1] for point in points])
+    along = np.array([point["x_m"][-1] - point["ux_m"][-1] for point in points])
     # Stress-free x of the given shape becomes x / prestretch; the thick half begins at -half.
-    along = surface.rest[:, 0]
     stretched = np.where(along < 0, -half + thick * (along + half) / prestretch, half - thin * (half - along) / prestretch)
-    model = surface.positions[-1][:, 0]
-    order = np.argsort(along)
-    largest = 1e3 * float(np.max(np.abs(stretched - along)))
-    return Comparison([Quantity("motion along the strip", "place, mm", "mm", 1e3 * along[order],
-                                1e3 * (model - along)[order], 1e3 * (stretched - along)[order], scale=largest)],
-                      [f"Positions of a take are single precision, 2e-9 m here, of a largest motion of {largest:.3f} mm."])
+    return Comparison([Quantity("motion along the strip", "place, mm", "mm", 1e3 * along, 1e3 * model,
+                                1e3 * (stretched - along))])
 
 
 RADIUS, THICKNESS = 30e-3, 0.5e-3  # metres, of the balloon
@@ -118,6 +116,6 @@ CASES = [
          quick_bar=0.015),
     Case("rubber_disc_filled", "Clamped rubber disc, filled through its limit point", "axisymmetric membrane equations solved",
          "pressure and stretch of the pole over the height of the pole", 0.005, (600, 2400, 5400), compare_filled_disc),
-    Case("strips_in_series", "Two strips in series", "closed form", "motion of every vertex", 1e-6, (200, 800),
+    Case("strips_in_series", "Two strips in series", "closed form", "motion of the joint and of both halves", 1e-6, (200, 800),
          compare_strips, quick=(200,)),
 ]

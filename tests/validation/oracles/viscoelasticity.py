@@ -23,3 +23,10 @@ def creep(fraction: float, time_constant: float, time):
     tau / (1 - f)."""
     end = 1 / (1 - fraction)
     return end - (end - 1) * np.exp(-time * (1 - fraction) / time_constant)
+
+
+def creep_after_ramp(fraction: float, time_constant: float, ramp: float, time):
+    """Strain under a load that grows evenly over `ramp` seconds and stays, at times from then on, in parts of the strain at
+    once under all of it: the convolution of `creep` with the load's rate."""
+    end, slow = 1 / (1 - fraction), time_constant / (1 - fraction)
+    return end - (end - 1) * np.exp(-time / slow) * slow / ramp * np.expm1(ramp / slow)

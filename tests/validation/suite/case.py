@@ -11,6 +11,9 @@ import numpy as np
 from .program import Program, RunFailed
 
 
+ROUNDING = 1e-6  # errors below come from tolerances of the solver, or from positions in single precision
+
+
 @dataclass(frozen=True)
 class Quantity:
     """A model's values beside those of the reference, along something."""
@@ -58,6 +61,7 @@ class Case:
     quick_bar: Optional[float] = None  # of the short set's coarser finest size; the bar when absent
     size_name: str = "triangles"
     size_dimension: int = 2  # the error is drawn over size^(-1 / dimension)
+    tells_order: bool = True  # not when the reference has too few digits
     known_miss: str = ""  # why the bar is not met, told in the report
     scenario: str = ""  # file in scenes/validation, without its ending; the case's name when empty
 
@@ -86,9 +90,9 @@ class Result:
         return self.verdict() in ("met", "shown") or bool(self.case.known_miss)
 
     def order(self) -> Optional[float]:
-        """By the two finest sizes: error ~ (edge length)^order."""
+        """By the two finest sizes: error ~ (edge length)^order; none where only rounding and tolerances are left."""
         errors = self.errors()
-        if len(errors) < 2 or not (errors[-1] > 0 and errors[-2] > 0):
+        if not self.case.tells_order or len(errors) < 2 or min(errors[-2:]) < ROUNDING:
             return None
         finer = self.sizes[len(errors) - 1] / self.sizes[len(errors) - 2]
         return float(np.log(errors[-2] / errors[-1]) / np.log(finer) * self.case.size_dimension)

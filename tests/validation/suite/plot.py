@@ -15,7 +15,7 @@ class Series:
     label: str
     x: np.ndarray
     y: np.ndarray
-    style: str  # "line", "points" or "dashed"
+    style: str  # "line", "points", "rings" or "dashed"
 
 
 def _linear_ticks(low: float, high: float) -> list[float]:
@@ -29,7 +29,7 @@ def _linear_ticks(low: float, high: float) -> list[float]:
 
 def _log_ticks(low: float, high: float) -> list[float]:
     decades = range(int(np.floor(np.log10(low))), int(np.ceil(np.log10(high))) + 1)
-    factors = (1,) if len(decades) > 3 else (1, 2, 5)
+    factors = (1,) if high > 300 * low else (1, 2, 5)
     return [f * 10.0**d for d in decades for f in factors if low * 0.999 <= f * 10.0**d <= high * 1.001]
 
 
@@ -57,8 +57,9 @@ def _number(value: float) -> str:
 
 def _marks(series: Series, index: int, across: _Axis, up: _Axis) -> str:
     places = [(across(x), up(y)) for x, y in zip(series.x, series.y)]
-    if series.style == "points":
-        return "".join(f'<circle class="s{index}" cx="{x:.1f}" cy="{y:.1f}" r="3.2"/>' for x, y in places)
+    if series.style in ("points", "rings"):
+        mark = f's{index}" r="3.2' if series.style == "points" else f'l{index} ring" r="4'
+        return "".join(f'<circle class="{mark}" cx="{x:.1f}" cy="{y:.1f}"/>' for x, y in places)
     dash = ' stroke-dasharray="5 4"' if series.style == "dashed" else ""
     points = " ".join(f"{x:.1f},{y:.1f}" for x, y in places)
     return f'<polyline class="l{index}" points="{points}"{dash}/>'

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import csv
+import json
 import subprocess
 import time
 from dataclasses import dataclass
@@ -77,9 +78,14 @@ class Surface:
 class Program:
     """Runs `thinwall run --no-render`, each scenario with the same settings once."""
 
-    def __init__(self, executable: Path, out: Path):
+    def __init__(self, executable: Path, out: Path, go_on: bool = False):
+        """`go_on`: runs that `out` holds already are taken when they are younger than the program and all scenes."""
         self.executable = executable
         self.out = out
+        self._young_enough = float("inf")
+        if go_on:
+            sources = [executable, *(file for file in SCENES.rglob("*") if file.is_file())]
+            self._young_enough = max(file.stat().st_mtime for file in sources)
         self.seconds = 0.0  # wall time of all runs
         self._done: dict[tuple, Records] = {}
 
@@ -91,6 +97,10 @@ class Program:
 
     def _run(self, scenario: str, settings: dict) -> Records:
         folder = self.out / "runs" / "-".join([scenario, *(f"{name}={value}" for name, value in settings.items())])
+        manifest = folder / "manifest.json"
+        if manifest.is_file() and manifest.stat().st_mtime > self._young_enough:
+            if json.loads(manifest.read_text(encoding="utf-8"))["complete"]:
+                return Records(folder)
         command = [str(self.executable), "run", str(SCENES / f"{scenario}.yaml"), "--no-render", "--out", str(folder)]
         for name, value in settings.items():
             command += ["--set", f"{name}={value}"]

@@ -10,9 +10,9 @@ from .plot import Series, plot
 
 STYLE = """
 :root { color-scheme: light dark; --ink: #1b2230; --dim: #5c6675; --line: #d9dee6; --page: #ffffff; --card: #f6f8fa;
-  --c0: #1f6fb2; --c1: #d1495b; --c2: #2a9d6f; --good: #1a7f4b; --bad: #b3261e; --note: #8a6100; }
+  --c0: #1f6fb2; --c1: #d1495b; --c2: #2a9d6f; --c3: #b07d12; --c4: #8250c4; --good: #1a7f4b; --bad: #b3261e; --note: #8a6100; }
 @media (prefers-color-scheme: dark) { :root { --ink: #e4e8ef; --dim: #9aa5b4; --line: #333b48; --page: #14181f;
-  --card: #1b212b; --c0: #6fb1e8; --c1: #f08a97; --c2: #67cfa1; --good: #5fd39a; --bad: #ff8d85; --note: #e0b656; } }
+  --card: #1b212b; --c0: #6fb1e8; --c1: #f08a97; --c2: #67cfa1; --c3: #e0b656; --c4: #b795ec; --good: #5fd39a; --bad: #ff8d85; --note: #e0b656; } }
 body { font: 15px/1.5 system-ui, sans-serif; color: var(--ink); background: var(--page); margin: 0 auto;
   max-width: 1060px; padding: 2rem 1rem; }
 h1 { margin: 0 0 .3rem; } h2 { margin: 2.6rem 0 .2rem; font-size: 1.15rem; } p { margin: .3rem 0; }
@@ -24,11 +24,13 @@ table { border-collapse: collapse; width: 100%; font-size: 13.5px; } th, td { te
 .plots { display: grid; grid-template-columns: repeat(auto-fill, minmax(320px, 1fr)); gap: 1rem; margin: .8rem 0; }
 figure { margin: 0; background: var(--card); border-radius: 8px; padding: .5rem; } svg { width: 100%; display: block; }
 svg text { fill: var(--dim); font-size: 11px; } .grid { stroke: var(--line); } polyline { fill: none; stroke-width: 2; }
-.l0 { stroke: var(--c0); } .l1 { stroke: var(--c1); } .l2 { stroke: var(--c2); } .s0 { fill: var(--c0); }
-.s1 { fill: var(--c1); } .s2 { fill: var(--c2); } figcaption { display: flex; gap: 1rem; flex-wrap: wrap;
+.l0 { stroke: var(--c0); } .l1 { stroke: var(--c1); } .l2 { stroke: var(--c2); } .l3 { stroke: var(--c3); }
+.l4 { stroke: var(--c4); } .s0 { fill: var(--c0); } .s1 { fill: var(--c1); } .s2 { fill: var(--c2); }
+.ring { fill: none; stroke-width: 1.3; } figcaption { display: flex; gap: 1rem; flex-wrap: wrap;
   font-size: 12px; color: var(--dim); padding: 0 .5rem; } figcaption i { display: inline-block; width: 16px; height: 3px;
   margin-right: 5px; vertical-align: middle; } .k0 { background: var(--c0); } .k1 { background: var(--c1); }
-.k2 { background: var(--c2); } figcaption i.points { width: 8px; height: 8px; border-radius: 50%; }
+.k2 { background: var(--c2); } .k3 { background: var(--c3); } .k4 { background: var(--c4); }
+figcaption i.points, figcaption i.rings { width: 8px; height: 8px; border-radius: 50%; }
 """
 
 
@@ -46,7 +48,7 @@ def _order(result: Result) -> str:
 def _error(result: Result) -> str:
     if result.failure:
         return "did not run"
-    return "–" if result.bar is None else percent(result.errors()[-1])
+    return percent(result.errors()[-1]) if any(q.judged for q in result.comparisons[-1].quantities) else "–"
 
 
 def _verdict(result: Result) -> str:
@@ -85,17 +87,28 @@ def markdown(results: list[Result]) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _quantity_plot(quantity: Quantity) -> str:
-    places, values = quantity.curve if quantity.curve is not None else (quantity.places, quantity.reference)
-    reference = "line" if quantity.curve is not None or len(quantity.places) > 12 else "dashed"
-    label = f"{quantity.name}, {quantity.unit}" if quantity.unit else quantity.name
-    return plot([Series("reference", np.asarray(places), np.asarray(values), reference),
-                 Series("Thinwall", quantity.places, quantity.model, "points")], quantity.along, label)
+def _quantity_plots(result: Result) -> str:
+    """Each drawn quantity: reference, the finest size as dots, the coarser ones as rings."""
+    plots = []
+    finest = result.comparisons[-1]
+    for index, quantity in enumerate(finest.quantities):
+        if not quantity.drawn:
+            continue
+        places, values = quantity.curve if quantity.curve is not None else (quantity.places, quantity.reference)
+        style = "line" if quantity.curve is not None or len(quantity.places) > 12 else "dashed"
+        series = [Series("reference", np.asarray(places), np.asarray(values), style),
+                  Series(f"Thinwall, {result.sizes[len(result.comparisons) - 1]}", quantity.places, quantity.model, "points")]
+        if len(quantity.places) <= 40:  # more marks hide each other
+            for size, comparison in list(zip(result.sizes, result.comparisons))[:-1]:
+                coarser = comparison.quantities[index]
+                series.append(Series(str(size), coarser.places, coarser.model, "rings"))
+        plots.append(plot(series, quantity.along, f"{quantity.name}, {quantity.unit}" if quantity.unit else quantity.name))
+    return "".join(plots)
 
 
 def _convergence_plot(result: Result) -> str:
     errors = np.array(result.errors())
-    if len(errors) < 2:
+    if result.order() is None:
         return ""
     sizes = np.array(result.sizes[:len(errors)], dtype=float)
     edges = (sizes / sizes[0]) ** (-1 / result.case.size_dimension)
@@ -117,11 +130,10 @@ def _section(result: Result) -> str:
         parts.append(f'<pre class="failed">{escape(result.failure)}</pre>')
     if result.comparisons:
         parts += [f"<p>{escape(note)}</p>" for note in result.comparisons[-1].notes]
-        plots = [_quantity_plot(quantity) for quantity in result.comparisons[-1].quantities
-                 if quantity.drawn]
-        parts.append(f'<div class="plots">{"".join(plots)}{_convergence_plot(result)}</div>')
+        parts.append(f'<div class="plots">{_quantity_plots(result)}{_convergence_plot(result)}</div>')
         rows = "".join(f'<tr><td class="n">{size}</td><td class="n">{percent(comparison.error())}</td><td>' + "; ".join(
-            f"{escape(q.name)} {percent(q.error())}" for q in comparison.quantities if q.judged) + "</td></tr>"
+            f"{escape(q.name)} {percent(q.error())}{'' if q.judged else ' (not judged)'}" for q in comparison.quantities)
+            + "</td></tr>"
             for size, comparison in zip(result.sizes, result.comparisons))
         parts.append(f'<div class="scroll"><table><tr><th class="n">{escape(case.size_name)}</th><th class="n">error</th>'
                      f"<th>largest error of each quantity</th></tr>{rows}</table></div>")
