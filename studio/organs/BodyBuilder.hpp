@@ -15,9 +15,9 @@ namespace thinwall {
 SurfaceMesh make_surface(const std::variant<MeshFileSource, ShapeSource>& source, const SourceLocation& location,
                          std::vector<std::string>& notes);
 
-/// Everything that the engine needs of a body: its surface made, thickness regions resolved to the triangles. Adds to
-/// `notes`. Throws InputErrors: see make_surface; a fluid in a surface that is not closed; regions that name a group
-/// that the surface lacks, thickness regions without a triangle, fixed regions without a vertex.
+/// Everything that the engine needs of a body: its surface made, the fields of its wall resolved to the triangles. Adds
+/// to `notes`. Throws InputErrors: see make_surface; a fluid in a surface that is not closed; see WallFieldResolver;
+/// regions of loads and fixed vertices that hold nothing.
 BodyDefinition build_body(const BodyScenario& body, std::vector<std::string>& notes);
 
 }  // namespace thinwall

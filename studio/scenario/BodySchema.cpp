@@ -56,23 +56,6 @@ ValueSchema surface_value() {
   return mapping_value({mesh, shape});
 }
 
-ValueSchema thickness_value() {
-  const ValueSchema thickness = quantity_value(kLength, kAboveZero);
-  MappingSchema part{.name = "thickness region", .documentation = "A part of the wall with a thickness of its own."};
-  part.keys = {
-      {"in", region_schema(), true, {}, "where"},
-      {"value", thickness, true, {}, "thickness there"},
-  };
-  MappingSchema field{.name = "thickness field", .documentation = "A thickness that differs from place to place."};
-  field.keys = {
-      {"default", thickness, true, {}, "thickness where no region says otherwise"},
-      {"regions", list_value(mapping_value({part})), false, "[]", "parts of the wall; a later one wins"},
-  };
-  ValueSchema value = thickness;
-  value.mappings = {field};
-  return value;
-}
-
 MappingSchema prony_term() {
   MappingSchema term{.name = "viscosity", .documentation = "A part of the stress that fades while the wall is held."};
   term.keys = {
@@ -108,14 +91,14 @@ ValueSchema wall_value() {
       {"model", word_value({"membrane", "shell"}), false, "membrane",
        "membrane: no bending stiffness; shell: bending stiffness of the same material and thickness about the given "
        "shape"},
-      {"thickness", thickness_value(), true, {}, "thickness of the stress-free wall"},
+      {"thickness", field_schema(quantity_value(kLength, kAboveZero)), true, {}, "thickness of the stress-free wall"},
       {"density", quantity_value(kDensity, kAboveZero, "1060 kg/m^3"), false, "1060 kg/m^3", "density of the wall"},
       {"material", material_schema(), true, {}, "law and constants"},
       {"fibres", fibres_schema(), false, {}, "direction of the fibres; `fung` and `holzapfel` need it"},
       {"tension_field", boolean_value(), false, "false",
        "membrane: where the wall would be compressed it wrinkles finely instead and bears tension only"},
-      {"prestretch", quantity_value(kDimensionless, {.minimum = 0, .maximum = 10, .minimum_excluded = true}, "1.1"),
-       false, "1", "in-plane stretch of the given surface: each triangle's rest shape is the given one shrunk by it"},
+      {"prestretch", prestretch_schema(), false, "1",
+       "in-plane stretch of the given surface: each triangle's rest shape is the given one shrunk by it"},
   };
   wall.keys.push_back({"viscosity", list_value(mapping_value({prony_term()})), false, "[]",
                        "Prony series of quasi-linear viscoelasticity; the fractions add up to less than 1"});

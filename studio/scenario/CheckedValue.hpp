@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "studio/scenario/Quantity.hpp"
+#include "studio/scenario/Range.hpp"
 #include "studio/scenario/Scenario.hpp"
 
 namespace thinwall {
@@ -26,6 +27,8 @@ struct CheckedValue {
   std::vector<CheckedValue> items = {};     // kList
   std::vector<CheckedMember> members = {};  // kMapping: keys in the order of the schema, names in the order of the file
   std::vector<std::string> wrong_keys = {};  // kMapping: keys that were given and left out
+  Range range = {};                          // kMapping in place of a quantity: what each of its numbers must be
+  std::string example = {};                  // the same: an example of the quantity
 
   /// The member's value, or nullptr.
   const CheckedValue* find(std::string_view key) const;

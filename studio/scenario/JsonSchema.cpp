@@ -61,7 +61,7 @@ class SchemaWriter {
 
   /// A reference to the definition of the mappings that may stand in one place, which is written when it is not there.
   Json one_of(const std::vector<MappingSchema>& mappings) {
-    std::string name = mappings[0].name;
+    std::string name = mappings[0].definition.empty() ? mappings[0].name : mappings[0].definition;
     std::ranges::replace(name, ' ', '_');
     if (!with_needed_) name += "_in_including_file";
     if (!definitions_.contains(name)) {

@@ -8,7 +8,6 @@ namespace {
 
 constexpr std::array kLaterWords = {
     LaterWord{"wall", "toughness", "`toughness`"},
-    LaterWord{"wall.prestretch", "", "`prestretch` by direction or region"},
     LaterWord{"contents", "leaks", "`leaks`"},
     LaterWord{"contents", "discharge", "`discharge`"},
     LaterWord{"clip", "pierce", "`pierce`"},

@@ -8,7 +8,7 @@ namespace thinwall {
 /// A key or word that belongs to the format but that this version cannot simulate or draw.
 struct LaterWord {
   std::string_view where;  // the mapping's name for a key: "wall"; with the key for a word: "wall.model"
-  std::string_view word;   // "" for the form as mapping of a key that takes a plain value
+  std::string_view word;
   std::string_view words;  // how the message names it
 };
 

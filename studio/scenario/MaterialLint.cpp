@@ -6,11 +6,12 @@
 namespace thinwall {
 namespace {
 
-/// Adds the parameters that are there; false when one is missing or wrong.
+/// Adds the parameters that are there; false when one is missing, wrong or a field, which is looked at triangle by
+/// triangle when the body is made.
 bool collect(const WallLaw& law, const CheckedValue& mapping, std::vector<double>& parameters) {
   for (const LawParameter& parameter : law.parameters) {
     const CheckedValue* value = mapping.find(parameter.name);
-    if (value == nullptr) return false;
+    if (value == nullptr || value->kind != CheckedKind::kNumber) return false;
     parameters.push_back(value->number);
   }
   return true;

@@ -24,8 +24,8 @@ std::vector<KeySchema> parameter_keys(const WallLaw& law) {
     const std::string example = dimension == kDimensionless ? "0.3" : dimension == kAngle ? "30 deg" : "20 kPa";
     std::optional<std::string> fallback;
     if (parameter.fallback) fallback = format_like(*parameter.fallback, dimension_example(dimension));
-    keys.push_back({std::string(parameter.name), quantity_value(dimension, range, example), !parameter.fallback,
-                    fallback, phrase(parameter.documentation)});
+    keys.push_back({std::string(parameter.name), field_schema(quantity_value(dimension, range, example)),
+                    !parameter.fallback, fallback, phrase(parameter.documentation)});
   }
   return keys;
 }
@@ -49,20 +49,6 @@ ValueSchema material_schema() {
   }
   material.keys = {{"law", word_value(words), true, {}, "law of the wall's strain energy"}};
   return mapping_value({material});
-}
-
-ValueSchema fibres_schema() {
-  MappingSchema part{.name = "fibres region", .documentation = "A part of the wall whose fibres lie otherwise."};
-  part.keys = {
-      {"in", region_schema(), true, {}, "where"},
-      {"along", direction_value(), true, {}, "direction there"},
-  };
-  MappingSchema fibres{.name = "fibres", .documentation = "Where the first axis of the law lies in the wall."};
-  fibres.keys = {
-      {"along", direction_value(), true, {}, "direction in space, brought into the plane of each triangle"},
-      {"regions", list_value(mapping_value({part})), false, "[]", "parts of the wall; a later one wins"},
-  };
-  return mapping_value({fibres});
 }
 
 }  // namespace thinwall

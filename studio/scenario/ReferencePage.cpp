@@ -83,6 +83,7 @@ class PageWriter {
   static std::string link(const MappingSchema& schema) { return "[" + schema.name + "](#" + anchor(schema.name) + ")"; }
 
   static std::string value_words(const ValueSchema& value) {
+    if (!value.page_words.empty()) return value.page_words;
     const bool is_mapping = value.kind == ValueKind::kMapping;
     if (is_mapping) return link(value.mappings[0]);
     if (value.kind == ValueKind::kNamedMappings) return "names, each with a " + link(value.mappings[0]);

@@ -13,15 +13,10 @@
 #include "engine/tool/Tool.hpp"
 #include "renderer/image/Image.hpp"
 #include "renderer/picture/View.hpp"
+#include "studio/scenario/SourceLocation.hpp"
+#include "studio/scenario/WallFields.hpp"
 
 namespace thinwall {
-
-/// Where something stands in a scenario file. Lines and columns count from 1.
-struct SourceLocation {
-  std::filesystem::path file = {};
-  int line = 1;
-  int column = 1;
-};
 
 struct MeshFileSource {
   std::filesystem::path file = {};  // absolute or relative to the working directory
@@ -41,34 +36,11 @@ struct ShapeSource {
   int triangles = 1280;        // wanted number of wall triangles
 };
 
-struct ThicknessRegion {
-  Region region = {};
-  double value = 0;  // metres
-};
-
-struct ThicknessField {
-  double standard = 0;                        // metres
-  std::vector<ThicknessRegion> regions = {};  // a later one wins
-};
-
 /// A load with how it changes.
 struct LoadScenario {
   LoadDefinition load = {};
   std::vector<std::pair<double, double>> over = {};  // seconds and the part of the load; none: all of it, always
   SourceLocation location = {};
-};
-
-struct FibreRegion {
-  Region region = {};
-  Eigen::Vector3d along = Eigen::Vector3d::UnitX();
-  SourceLocation location = {};  // of the region
-};
-
-/// Where the first axis of the law lies in the wall.
-struct FibreField {
-  Eigen::Vector3d along = Eigen::Vector3d::UnitX();
-  SourceLocation location = {};           // of `along`
-  std::vector<FibreRegion> regions = {};  // a later one wins
 };
 
 struct BodyScenario {
@@ -77,19 +49,20 @@ struct BodyScenario {
   SourceLocation surface_location = {};  // of its `surface`
   std::variant<MeshFileSource, ShapeSource> surface = {};
   WallModel model = WallModel::kMembrane;
-  ThicknessField thickness = {};
-  double density = 1060;  // kg / metre^3, of the wall
+  Field<double> thickness = {};  // metres
+  double density = 1060;         // kg / metre^3, of the wall
   Material material = {};
-  std::optional<FibreField> fibres = {};
+  SourceLocation material_location = {};
+  std::vector<ParameterField> parameter_fields = {};  // `material` has placeholders for these
+  std::optional<Field<Eigen::Vector3d>> fibres = {};  // where the first axis of the law lies in the wall
   bool tension_field = false;
-  double prestretch = 1;
+  Field<Prestretch> prestretch = {};  // in-plane stretch of the given surface over the rest shape
   FluidDefinition fluid = {};
   std::vector<PronyTerm> viscosity = {};
   RayleighDamping damping = {};
   std::vector<FixedRegion> fixed = {};
   std::vector<LoadScenario> loads = {};
-  std::vector<SourceLocation> fixed_locations = {};      // (fixed)
-  std::vector<SourceLocation> thickness_locations = {};  // (thickness.regions)
+  std::vector<SourceLocation> fixed_locations = {};  // (fixed)
 };
 
 enum class Ease { kLinear, kSmooth };

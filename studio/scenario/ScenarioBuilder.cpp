@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "studio/scenario/ExpectationQuantity.hpp"
+#include "studio/scenario/FieldBuilder.hpp"
 
 namespace thinwall {
 namespace {
@@ -62,24 +63,6 @@ constexpr std::array<std::pair<std::string_view, FluidKind>, 3> kFluids = {
      {"incompressible", FluidKind::kIncompressible},
      {"compressible", FluidKind::kCompressible}}};
 
-int axis_index(const CheckedValue& axis) {
-  return axis.text[0] - 'x';
-}
-
-Region to_region(const CheckedValue& region) {
-  const CheckedMember& part = region.members[0];
-  const CheckedValue& value = part.value;
-  if (part.key == "group") return GroupRegion{value.text};
-  if (part.key == "plane") {
-    return PlaneRegion{axis_index(value.at("axis")), value.at("at").number, value.at("within").number};
-  }
-  if (part.key == "below") return BelowRegion{axis_index(value.at("axis")), value.at("at").number};
-  if (part.key == "above") return AboveRegion{axis_index(value.at("axis")), value.at("at").number};
-  if (part.key == "box") return BoxRegion{to_vector(value.at("min")), to_vector(value.at("max"))};
-  if (part.key == "sphere") return SphereRegion{to_vector(value.at("center")), value.at("radius").number};
-  return BoundaryRegion{};
-}
-
 std::variant<MeshFileSource, ShapeSource> to_surface(const CheckedValue& surface) {
   if (const CheckedValue* mesh = surface.find("mesh")) {
     return MeshFileSource{.file = mesh->text,
@@ -94,43 +77,6 @@ std::variant<MeshFileSource, ShapeSource> to_surface(const CheckedValue& surface
   shape.length = find_number(surface, "length").value_or(shape.length);
   shape.width = find_number(surface, "width").value_or(shape.width);
   return shape;
-}
-
-Material to_material(const CheckedValue& material) {
-  Material result;
-  result.law = find_wall_law(material.at("law").text);
-  const auto add_parameters = [&](const CheckedValue& mapping) {
-    for (const LawParameter& parameter : result.law->parameters) {
-      result.parameters.push_back(mapping.at(parameter.name).number);
-    }
-  };
-  if (result.law->terms.empty()) {
-    add_parameters(material);
-  } else {
-    for (const CheckedValue& term : material.at(result.law->terms).items) add_parameters(term);
-  }
-  return result;
-}
-
-FibreField to_fibres(const CheckedValue& fibres) {
-  FibreField field{.along = to_vector(fibres.at("along")), .location = fibres.at("along").location};
-  for (const CheckedValue& part : fibres.at("regions").items) {
-    field.regions.push_back(
-        {.region = to_region(part.at("in")), .along = to_vector(part.at("along")), .location = part.at("in").location});
-  }
-  return field;
-}
-
-void read_thickness(const CheckedValue& thickness, BodyScenario& body) {
-  if (thickness.kind == CheckedKind::kNumber) {
-    body.thickness.standard = thickness.number;
-    return;
-  }
-  body.thickness.standard = thickness.at("default").number;
-  for (const CheckedValue& part : thickness.at("regions").items) {
-    body.thickness.regions.push_back({to_region(part.at("in")), part.at("value").number});
-    body.thickness_locations.push_back(part.at("in").location);
-  }
 }
 
 void read_fixed(const CheckedValue& fixed, BodyScenario& body) {
@@ -198,13 +144,13 @@ BodyScenario to_body(const CheckedMember& member) {
     if (key.key == "surface") body.surface_location = key.location;
   }
   body.surface = to_surface(member.value.at("surface"));
-  read_thickness(wall.at("thickness"), body);
+  body.thickness = to_number_field(wall.at("thickness"));
   body.model = wall.at("model").text == "shell" ? WallModel::kShell : WallModel::kMembrane;
   body.density = wall.at("density").number;
-  body.material = to_material(wall.at("material"));
-  if (const CheckedValue* fibres = wall.find("fibres")) body.fibres = to_fibres(*fibres);
+  read_material(wall.at("material"), body);
+  if (const CheckedValue* fibres = wall.find("fibres")) body.fibres = to_direction_field(*fibres);
   body.tension_field = wall.at("tension_field").boolean;
-  body.prestretch = wall.at("prestretch").number;
+  body.prestretch = to_prestretch_field(wall.at("prestretch"));
   body.fluid.kind = of_word(contents.at("fluid").text, kFluids);
   body.fluid.initial_pressure = find_number(contents, "pressure");
   body.fluid.density = find_number(contents, "density").value_or(body.fluid.density);

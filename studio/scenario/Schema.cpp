@@ -10,7 +10,11 @@ namespace {
 
 std::string list_expectation(const ValueSchema& value) {
   std::string text = "a list";
-  if (value.minimum_items == value.maximum_items) text += " of " + std::to_string(value.minimum_items);
+  if (value.minimum_items == value.maximum_items) {
+    text += " of " + std::to_string(value.minimum_items);
+  } else if (value.minimum_items > 0) {
+    text += " of at least " + std::to_string(value.minimum_items);
+  }
   if (!value.example.empty()) text += " (e.g. " + value.example + ")";
   return text;
 }

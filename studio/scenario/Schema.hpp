@@ -1,21 +1,13 @@
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "studio/scenario/Quantity.hpp"
+#include "studio/scenario/Range.hpp"
 
 namespace thinwall {
-
-/// Allowed values of a number, SI.
-struct Range {
-  double minimum = -std::numeric_limits<double>::infinity();
-  double maximum = std::numeric_limits<double>::infinity();
-  bool minimum_excluded = false;
-  bool maximum_excluded = false;
-};
 
 enum class ValueKind {
   kText,           // one or more characters
@@ -42,6 +34,7 @@ struct ValueSchema {
   Dimension dimension = {};
   Range range = {};
   std::string example = {};             // in the words of a scenario
+  std::string page_words = {};          // in the reference page, where a mapping stands for several that are alike
   std::vector<std::string> words = {};  // kWord
   bool bare_unit = false;               // kQuantity: `mm` stands for `1 mm`
   bool single = false;                  // kList: an item by itself stands for a list of one
@@ -71,7 +64,8 @@ struct CaseSchema {
 
 /// A mapping with fixed keys.
 struct MappingSchema {
-  std::string name = {};  // in the reference page and in the table of words for later versions
+  std::string name = {};        // in the reference page and in the table of words for later versions
+  std::string definition = {};  // in the JSON Schema, where mappings of one name differ; the name when empty
   std::string documentation = {};
   std::vector<KeySchema> keys = {};
   std::string selector = {};  // the key whose word selects a case; "" without cases

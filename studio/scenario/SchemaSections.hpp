@@ -23,6 +23,12 @@ ValueSchema region_schema();
 ValueSchema material_schema();
 ValueSchema fibres_schema();
 
+/// The prestretch of a wall: a number, one along and one across a direction, or a field of these.
+ValueSchema prestretch_schema();
+
+/// A number that may be given as a field over the wall besides: by regions, from a table, from the mesh file.
+ValueSchema field_schema(ValueSchema number);
+
 /// Shorthands for the values of the table.
 inline constexpr Range kAboveZero{.minimum = 0, .minimum_excluded = true};
 inline constexpr Range kFromZero{.minimum = 0};

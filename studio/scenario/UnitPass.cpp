@@ -49,13 +49,18 @@ class SchemaReader {
       default:
         break;
     }
-    if (node.kind == NodeKind::kMapping && !schema.mappings.empty()) return read_one_of(schema, node, place);
-    const LaterWord* later = find_later_word(place.owner + "." + place.key, "");
-    if (node.kind == NodeKind::kMapping && later != nullptr) {
-      tell_later(*later, node.location, place.path);
-      return std::nullopt;
-    }
+    if (node.kind == NodeKind::kMapping && !schema.mappings.empty()) return read_field(schema, node, place);
     return read_plain_value(schema, node, place, diagnostics_);
+  }
+
+  /// A mapping in place of a quantity; it keeps what the quantity must be.
+  std::optional<CheckedValue> read_field(const ValueSchema& schema, const TextNode& node, const ValuePlace& place) {
+    std::optional<CheckedValue> value = read_one_of(schema, node, place);
+    if (value) {
+      value->range = schema.range;
+      value->example = schema.example;
+    }
+    return value;
   }
 
   void tell_later(const LaterWord& later, const SourceLocation& location, const std::string& path) {

@@ -153,9 +153,7 @@ class PlainReader {
     const bool is_integer = schema_.kind == ValueKind::kInteger;
     if (is_integer && std::floor(number) != number) return refuse_value(describe(node_));
     const Range& range = schema_.range;
-    const bool too_small = number < range.minimum || (range.minimum_excluded && number <= range.minimum);
-    const bool too_large = number > range.maximum || (range.maximum_excluded && number >= range.maximum);
-    if (too_small || too_large) {
+    if (!holds(range, number)) {
       return error(unquoted_text() + " is out of range, it must be " + range_text(range, schema_.example));
     }
     if (is_integer && std::fmod(number, schema_.multiple_of) != 0) {

@@ -43,7 +43,7 @@ TEST(BodyBuilder, EveryShapeIsMadeAndTold) {
 TEST(BodyBuilder, WallAndFluidAreHandedOn) {
   BodyScenario scenario = hemisphere();
   scenario.density = 1100;
-  scenario.prestretch = 1.2;
+  scenario.prestretch.standard = {.first = 1.2, .second = 1.2};
   scenario.fluid.initial_pressure = 500;
   scenario.fixed = {{.region = GroupRegion{"base"}}};
   std::vector<std::string> notes;
@@ -70,18 +70,18 @@ TEST(BodyBuilder, LaterThicknessRegionWins) {
 
 TEST(BodyBuilder, RegionsThatHoldNothingAreAllTold) {
   BodyScenario scenario = hemisphere();
-  scenario.thickness.regions = {{GroupRegion{"bace"}, 2e-3}, {BelowRegion{2, -1}, 3e-3}};
-  scenario.thickness_locations = {{"scene.yaml", 8, 11}, {"scene.yaml", 9, 11}};
+  scenario.thickness.regions = {{GroupRegion{"bace"}, 2e-3, {"scene.yaml", 8, 11}},
+                                {BelowRegion{2, -1}, 3e-3, {"scene.yaml", 9, 11}}};
   scenario.fixed = {{.region = GroupRegion{"ends"}}, {.region = SphereRegion{{1, 0, 0}, 0.1}}};
   scenario.fixed_locations = {{"scene.yaml", 12, 9}, {"scene.yaml", 13, 9}};
   EXPECT_EQ(
       refusal_of(scenario),
-      "scene.yaml:8:11: error: bodies.organ.wall.thickness.regions[0].in: the surface has no group `bace`, did you "
+      "scene.yaml:8:11: error: bodies.organ.wall.thickness.regions[1].in: the surface has no group `bace`, did you "
       "mean `base`?; it has `base`, `wall`\n"
-      "scene.yaml:9:11: error: bodies.organ.wall.thickness.regions[1].in: holds no wall triangle of the surface, "
+      "scene.yaml:9:11: error: bodies.organ.wall.thickness.regions[2].in: holds no wall triangle of the surface, "
       "which spans x -20 ... 20, y -20 ... 20, z 0 ... 20 mm\n"
-      "scene.yaml:12:9: error: bodies.organ.fixed[0].region: the surface has no group `ends`; it has `base`, `wall`\n"
-      "scene.yaml:13:9: error: bodies.organ.fixed[1].region: holds no vertex of the surface, which spans x -20 ... "
+      "scene.yaml:12:9: error: bodies.organ.fixed[1].region: the surface has no group `ends`; it has `base`, `wall`\n"
+      "scene.yaml:13:9: error: bodies.organ.fixed[2].region: holds no vertex of the surface, which spans x -20 ... "
       "20, y -20 ... 20, z 0 ... 20 mm");
 }
 
@@ -90,7 +90,7 @@ TEST(BodyBuilder, BoundaryOfAClosedWallIsEmptyAndTold) {
   scenario.surface = ShapeSource{.shape = Shape::kSphere};
   scenario.fixed = {{.region = BoundaryRegion{}}};
   EXPECT_EQ(refusal_of(scenario),
-            "scene.yaml:3:3: error: bodies.organ.fixed[0].region: holds no vertex: the wall has no open edges");
+            "scene.yaml:3:3: error: bodies.organ.fixed[1].region: holds no vertex: the wall has no open edges");
 }
 
 TEST(BodyBuilder, FluidInAnOpenShapeIsRefusedAndNoneIsAccepted) {
@@ -117,20 +117,73 @@ TEST(BodyBuilder, FibresLieAlongOneDirectionOrDifferByRegion) {
   BodyScenario scenario = hemisphere();
   std::vector<std::string> notes;
   EXPECT_TRUE(build_body(scenario, notes).fibres.empty());
-  scenario.fibres = FibreField{.along = {1, 2, 0.5}};
+  scenario.fibres = Field<Eigen::Vector3d>{.standard = {1, 2, 0.5}};
   EXPECT_EQ(build_body(scenario, notes).fibres, std::vector<Eigen::Vector3d>{Eigen::Vector3d(1, 2, 0.5)});
-  scenario.fibres->regions = {{.region = AboveRegion{.axis = 2, .at = 0.01}, .along = {0, 1, 0.1}}};
+  scenario.fibres->regions = {{.region = AboveRegion{.axis = 2, .at = 0.01}, .value = {0, 1, 0.1}}};
   const BodyDefinition body = build_body(scenario, notes);
   ASSERT_EQ(body.fibres.size(), body.mesh.triangles.size());
   EXPECT_EQ(std::count(body.fibres.begin(), body.fibres.end(), Eigen::Vector3d(0, 1, 0.1)),
             static_cast<std::ptrdiff_t>(triangles_in(scenario.fibres->regions[0].region, body.mesh).size()));
 }
 
+TEST(BodyBuilder, ParametersOfTheLawDifferByRegion) {
+  BodyScenario scenario = hemisphere();
+  scenario.material = {.law = find_wall_law("mooney_rivlin"), .parameters = {0, 1e3}};
+  scenario.parameter_fields = {
+      {.index = 0,
+       .path = "c1",
+       .values = {.standard = 5e3, .regions = {{.region = AboveRegion{.axis = 2, .at = 0.01}, .value = 7e3}}}}};
+  std::vector<std::string> notes;
+  const BodyDefinition body = build_body(scenario, notes);
+  ASSERT_EQ(body.materials.size(), 64u);
+  const std::vector<int> above = triangles_in(AboveRegion{.axis = 2, .at = 0.01}, body.mesh);
+  for (int t = 0; t < 64; ++t) {
+    const double c1 = std::count(above.begin(), above.end(), t) == 1 ? 7e3 : 5e3;
+    EXPECT_EQ(body.materials[t].parameters, (std::vector<double>{c1, 1e3}));
+  }
+}
+
+TEST(BodyBuilder, ParametersThatDoNotGoTogetherSomewhereAreRefusedWithThePlace) {
+  BodyScenario scenario = hemisphere();
+  scenario.material = {.law = find_wall_law("fung"), .parameters = {1e3, 1, 1, 0, 1}};
+  scenario.material_location = {"scene.yaml", 7, 17};
+  scenario.fibres = Field<Eigen::Vector3d>{.standard = {1, 2, 0.5}};
+  scenario.parameter_fields = {
+      {.index = 3,
+       .path = "a3",
+       .values = {.standard = 0.5, .regions = {{.region = AboveRegion{.axis = 2, .at = 0.01}, .value = 2}}}}};
+  const std::string refusal = refusal_of(scenario);
+  EXPECT_TRUE(refusal.starts_with("scene.yaml:7:17: error: bodies.organ.wall.material: at [")) << refusal;
+  EXPECT_TRUE(refusal.ends_with("mm: the energy falls with some strains: choose a3 with a square below a1 a2"))
+      << refusal;
+}
+
+TEST(BodyBuilder, PrestretchDiffersByRegionAndLiesInTheWall) {
+  BodyScenario scenario = hemisphere();
+  scenario.surface = ShapeSource{.shape = Shape::kSheet, .triangles = 32};
+  scenario.fluid.kind = FluidKind::kNone;
+  scenario.prestretch.standard = {.first = 1.1, .second = 1.1};
+  scenario.prestretch.regions = {{.region = AboveRegion{.axis = 0, .at = 0},
+                                  .value = {.along = {0, 1, 0}, .first = 1.3, .second = 1},
+                                  .location = {"scene.yaml", 9, 24}}};
+  std::vector<std::string> notes;
+  const BodyDefinition body = build_body(scenario, notes);
+  ASSERT_EQ(body.prestretch.size(), body.mesh.triangles.size());
+  const std::vector<int> right = triangles_in(AboveRegion{.axis = 0, .at = 0}, body.mesh);
+  for (int t = 0; t < static_cast<int>(body.prestretch.size()); ++t) {
+    EXPECT_EQ(body.prestretch[t].second, std::count(right.begin(), right.end(), t) == 1 ? 1 : 1.1);
+  }
+  scenario.prestretch.regions[0].value.along = {0, 0, 1};
+  const std::string refusal = refusal_of(scenario);
+  EXPECT_TRUE(refusal.starts_with("scene.yaml:9:24: error: bodies.organ.wall.prestretch: `along` stands perpendicular"))
+      << refusal;
+}
+
 TEST(BodyBuilder, FibresThatStandOnTheWallAreRefusedWithThePlaceAndTheCure) {
   BodyScenario scenario = hemisphere();
   scenario.surface = ShapeSource{.shape = Shape::kSheet, .triangles = 32};
   scenario.fluid.kind = FluidKind::kNone;
-  scenario.fibres = FibreField{.along = {0, 0, 1}, .location = {"scene.yaml", 9, 24}};
+  scenario.fibres = Field<Eigen::Vector3d>{.standard = {0, 0, 1}, .location = {"scene.yaml", 9, 24}};
   const std::string refusal = refusal_of(scenario);
   EXPECT_NE(refusal.find("scene.yaml:9:24"), std::string::npos) << refusal;
   EXPECT_NE(refusal.find("perpendicular to the wall at ["), std::string::npos) << refusal;

@@ -61,10 +61,10 @@ TEST(LoadScenario, ReadsEveryKey) {
   ASSERT_EQ(bladder.thickness.regions.size(), 2U);
   EXPECT_EQ(std::get<SphereRegion>(bladder.thickness.regions[0].region).center, Eigen::Vector3d(0, 0, 0.02));
   EXPECT_EQ(std::get<BoxRegion>(bladder.thickness.regions[1].region).max, Eigen::Vector3d(0.01, 0.01, 0.01));
-  EXPECT_EQ(bladder.thickness_locations[1].line, 20);
+  EXPECT_EQ(bladder.thickness.regions[1].location.line, 20);
   EXPECT_EQ(bladder.density, 1100);
   EXPECT_EQ(bladder.material.parameters, (std::vector<double>{5000, 1000}));
-  EXPECT_EQ(bladder.prestretch, 1.05);
+  EXPECT_EQ(bladder.prestretch.standard.first, 1.05);
   EXPECT_EQ(bladder.fluid.initial_pressure, 2000.0);
   EXPECT_EQ(bladder.fluid.bulk_modulus, 2.2e9);
   EXPECT_EQ(std::get<PlaneRegion>(bladder.fixed[0].region).within, 0.0001);
@@ -106,7 +106,28 @@ TEST(LoadScenario, ReadsEveryKey) {
   EXPECT_EQ(scenario.record.frames_per_second, 25);
   EXPECT_EQ(scenario.record.tier, Tier::kDraft);
   EXPECT_EQ(scenario.goldens[0].why, "the probe is at full depth");
-  EXPECT_EQ(scenario.goldens[0].location.line, 104);
+  EXPECT_EQ(scenario.goldens[0].location.line, 115);
+}
+
+TEST(LoadScenario, ReadsWhatDiffersFromPlaceToPlaceOfAWall) {
+  const Scenario scenario = load_scenario(kValid / "everything.yaml", {});
+  const BodyScenario& rubber = scenario.bodies[2];
+  ASSERT_EQ(rubber.parameter_fields.size(), 1U);
+  const ParameterField& modulus = rubber.parameter_fields[0];
+  EXPECT_EQ(modulus.index, 2U);
+  EXPECT_EQ(modulus.path, "terms[2].modulus");
+  EXPECT_EQ(modulus.values.standard, -10e3);
+  EXPECT_EQ(modulus.values.regions.at(0).value, -20e3);
+  EXPECT_EQ(rubber.material.parameters.at(3), -2);
+  EXPECT_EQ(rubber.prestretch.standard.along, Eigen::Vector3d(0, 1, 0));
+  EXPECT_EQ(rubber.prestretch.standard.first, 1.2);
+  EXPECT_EQ(rubber.prestretch.standard.second, 1.05);
+  const BodyScenario& skin = scenario.bodies[3];
+  EXPECT_EQ(skin.prestretch.standard.second, 1.1);
+  ASSERT_EQ(skin.prestretch.regions.size(), 2U);
+  EXPECT_EQ(skin.prestretch.regions[0].value.first, 1.2);
+  EXPECT_EQ(skin.prestretch.regions[1].value.second, 1);
+  EXPECT_EQ(skin.prestretch.regions[1].location.line, 76);
 }
 
 TEST(LoadScenario, DefaultsAreThoseOfTheDefinitions) {
@@ -117,7 +138,7 @@ TEST(LoadScenario, DefaultsAreThoseOfTheDefinitions) {
   EXPECT_EQ(std::get<ShapeSource>(body.surface).radius, shape.radius);
   EXPECT_EQ(std::get<ShapeSource>(body.surface).triangles, shape.triangles);
   EXPECT_EQ(body.density, BodyScenario{}.density);
-  EXPECT_EQ(body.prestretch, 1);
+  EXPECT_EQ(body.prestretch.standard.second, 1);
   EXPECT_EQ(body.fluid.kind, FluidKind::kIncompressible);
   EXPECT_EQ(body.fluid.density, FluidDefinition{}.density);
   EXPECT_FALSE(body.fluid.initial_pressure);

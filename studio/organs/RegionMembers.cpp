@@ -1,0 +1,65 @@
+#include "studio/organs/RegionMembers.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "studio/scenario/Wording.hpp"
+
+namespace thinwall {
+namespace {
+
+/// "x -20 ... 20, y -20 ... 20, z 0 ... 20 mm"
+std::string bounds_of(const SurfaceMesh& mesh) {
+  std::string text;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto [low, high] =
+        std::minmax_element(mesh.vertices.begin(), mesh.vertices.end(),
+                            [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a[axis] < b[axis]; });
+    text += fmt::format("{}{} {:.4g} ... {:.4g}", axis == 0 ? "" : ", ", "xyz"[axis], 1e3 * (*low)[axis] + 0.0,
+                        1e3 * (*high)[axis] + 0.0);
+  }
+  return text + " mm";
+}
+
+}  // namespace
+
+std::vector<int> RegionMembers::triangles(const Region& region, const std::string& path,
+                                          const SourceLocation& location) {
+  if (!is_known(region, path, location)) return {};
+  std::vector<int> found = triangles_in(region, mesh_);
+  check_found(found, "wall triangle", region, path, location);
+  return found;
+}
+
+std::vector<int> RegionMembers::vertices(const Region& region, const std::string& path,
+                                         const SourceLocation& location) {
+  if (!is_known(region, path, location)) return {};
+  std::vector<int> found = vertices_in(region, mesh_);
+  check_found(found, "vertex", region, path, location);
+  return found;
+}
+
+void RegionMembers::check_found(const std::vector<int>& found, const char* what, const Region& region,
+                                const std::string& path, const SourceLocation& location) {
+  if (!found.empty()) return;
+  if (std::holds_alternative<BoundaryRegion>(region)) {
+    errors_.push_back({location, fmt::format("{}: holds no {}: the wall has no open edges", path, what)});
+  } else {
+    errors_.push_back(
+        {location, fmt::format("{}: holds no {} of the surface, which spans {}", path, what, bounds_of(mesh_))});
+  }
+}
+
+bool RegionMembers::is_known(const Region& region, const std::string& path, const SourceLocation& location) {
+  const auto* group = std::get_if<GroupRegion>(&region);
+  if (group == nullptr || mesh_.groups.contains(group->name)) return true;
+  std::vector<std::string> names;
+  for (const auto& [name, vertices] : mesh_.groups) names.push_back(name);
+  errors_.push_back(
+      {location, fmt::format("{}: the surface has no group {}{}; it has {}", path, in_backticks(group->name),
+                             did_you_mean(group->name, names), list_in_backticks(names))});
+  return false;
+}
+
+}  // namespace thinwall
