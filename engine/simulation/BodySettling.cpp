@@ -1,5 +1,6 @@
 #include <cmath>
 #include <sstream>
+#include <string>
 #include <utility>
 
 #include "engine/simulation/Body.hpp"
@@ -34,6 +35,7 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state) {
   // Pseudo-inertia: springs, in units of the wall's stiffness, tie every vertex to where it is. A slack or a buckling
   // wall has directions without stiffness in which Newton's steps make no sense; the springs give them some, and are
   // weakened as long as the solution follows.
+  const std::string before = failure_;
   double springs = 1;
   for (int turn = 0; turn < kRelaxationTurns; ++turn) {
     EquilibriumState trial = state;
@@ -63,7 +65,8 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state) {
     }
   }
   NewtonResult failed;
-  failed.reason = failure_ + ", also with pseudo-inertia";
+  // The last solution with springs may have been good, and without them not at hand all the same.
+  failed.reason = (failure_.empty() ? before : failure_) + ", also with pseudo-inertia";
   failure_ = failed.reason;
   return failed;
 }

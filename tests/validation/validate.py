@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import sys
-import time
 import unittest
 from pathlib import Path
 
@@ -58,7 +57,6 @@ def main() -> int:
     if options.program is None:
         parser.error("--program is needed")
 
-    begin = time.monotonic()
     program = Program(options.program.resolve(), options.out, options.go_on)
     results = []
     for case in cases:
@@ -67,7 +65,7 @@ def main() -> int:
         error = result.failure.strip() or percent(result.errors()[-1]) + f", bar {percent(result.bar)}"
         print(f"{result.verdict():7} {case.name:34} {error} ({result.seconds:.1f} s)", file=sys.stderr, flush=True)
     options.out.mkdir(parents=True, exist_ok=True)
-    (options.out / "index.html").write_text(page(results, time.monotonic() - begin), encoding="utf-8")
+    (options.out / "index.html").write_text(page(results, program.version()), encoding="utf-8")
     (options.out / "table.md").write_text(markdown(results), encoding="utf-8")
     print(f"{summary(results)}: {options.out / 'index.html'}", file=sys.stderr)
     return 0 if results and all(result.good() for result in results) else 1

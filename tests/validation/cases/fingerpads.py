@@ -73,7 +73,8 @@ def compare_in_vivo(program: Program, triangles: int) -> Comparison:
     power = np.polyfit(np.log(depth[depth > 1]), np.log(force[depth > 1]), 1)[0]
     return Comparison(
         [Quantity("force", "depth, mm", "N", depth, force, fitted, scale=2.0,
-                  curve=(np.linspace(0, 3, 60), _exponential(np.linspace(0, 3, 60), scale, exponent)), judged=False)],
+                  curve=(np.linspace(0, 3, 60), _exponential(np.linspace(0, 3, 60), scale, exponent)), judged=False,
+                  reference_name="b (exp(m depth) - 1)")],
         [f"With a shear modulus of {modulus / 1e3:.0f} kPa, which makes 2 N at 3 mm, the law b (exp(m depth) - 1) fits the "
          f"model best with m = {exponent:.2f} / mm, b = {scale:.3f} N; it is off by at most "
          f"{np.max(np.abs(fitted - force)):.3f} N ({100 * np.max(np.abs(fitted - force)) / 2:.1f} % of 2 N). Beyond 1 mm "

@@ -36,8 +36,13 @@ def compare_inflation(scenario: str, law: wall_laws.Law, program: Program, trian
     exact = np.array([inflated_sphere.pressure(law, THICKNESS, RADIUS, each) for each in stretch])
     fine = np.linspace(1.0, stretch[-1], 120)
     curve = np.array([inflated_sphere.pressure(law, THICKNESS, RADIUS, each) for each in fine])
-    return Comparison([Quantity("pressure", "stretch", "Pa", stretch, body["pressure_Pa"][1:], exact, curve=(fine, curve))],
-                      [f"The pressure's first maximum lies at a stretch of {inflated_sphere.limit_point(law):.4f}."])
+    pressure = body["pressure_Pa"][1:]
+    limit, exact_limit = CubicSpline(stretch, pressure).derivative().roots()[0], inflated_sphere.limit_point(law)
+    return Comparison(
+        [Quantity("pressure", "stretch", "Pa", stretch, pressure, exact, curve=(fine, curve)),
+         Quantity("stretch at the limit point", "which", "", np.array([1.0]), np.array([limit]), np.array([exact_limit]),
+                  drawn=False)],
+        [f"The pressure has its first maximum at a stretch of {limit:.4f} (reference {exact_limit:.4f})."])
 
 
 def inflation(name: str, title: str, law: wall_laws.Law) -> Case:

@@ -185,6 +185,7 @@ class Drop:
     contact_radius: float
     largest_radius: float
     pressure_at_floor: float  # in law's unit h / r0
+    meridian: np.ndarray  # (2 x points), from the edge of the flat to the crown: distance from the axis, height, in r0
 
 
 def drop_on_plane(law: Law, inflation: float, weight: float) -> Drop:
@@ -216,6 +217,8 @@ def drop_on_plane(law: Law, inflation: float, weight: float) -> Drop:
     low_pole, lies_to, high_pole, height, p = guess
     lies_to = abs(lies_to)  # its sign is free: see `halves`
     contact = ball.from_axis(low_pole, lies_to, lies_to * (1 + 1e-9), lambda z: p).y[RHO, 0]
-    lower = ball.from_axis(low_pole, lies_to, np.pi / 2, lambda z: p + weight * z).y[RHO].max()
-    upper = ball.from_axis(high_pole, 0, np.pi / 2, lambda z: p - weight * z, height).y[RHO].max()
-    return Drop(height=height, contact_radius=contact, largest_radius=max(lower, upper), pressure_at_floor=p)
+    lower = ball.from_axis(low_pole, lies_to, np.pi / 2, lambda z: p + weight * z).y[[RHO, Z]]
+    upper = ball.from_axis(high_pole, 0, np.pi / 2, lambda z: p - weight * z, height).y[[RHO, Z]]
+    meridian = np.hstack([[[1], [-1]] * lower, upper[:, ::-1]])
+    return Drop(height=height, contact_radius=contact, largest_radius=meridian[0].max(), pressure_at_floor=p,
+                meridian=meridian)

@@ -29,6 +29,7 @@ class Quantity:
     judged: bool = True  # shown only, when not
     allowance: float = 1.0  # how many times the case's bar this quantity may be off
     drawn: bool = True  # told in the table only, when not
+    reference_name: str = "reference"
 
     def errors(self) -> np.ndarray:
         return np.abs(self.model - self.reference) / np.abs(self.reference if self.scale is None else self.scale)

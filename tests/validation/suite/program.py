@@ -89,6 +89,10 @@ class Program:
         self.seconds = 0.0  # wall time of all runs
         self._done: dict[tuple, Records] = {}
 
+    def version(self) -> str:
+        told = subprocess.run([str(self.executable), "--version"], capture_output=True, text=True, check=True)
+        return told.stdout.splitlines()[0]
+
     def run(self, scenario: str, **settings) -> Records:
         key = (scenario, tuple(sorted((name, str(value)) for name, value in settings.items())))
         if key not in self._done:

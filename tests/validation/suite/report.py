@@ -5,7 +5,7 @@ from html import escape
 
 import numpy as np
 
-from .case import Quantity, Result
+from .case import Comparison, Quantity, Result
 from .plot import Series, plot
 
 STYLE = """
@@ -37,6 +37,8 @@ figcaption i.points, figcaption i.rings { width: 8px; height: 8px; border-radius
 def percent(value: float | None) -> str:
     if value is None:
         return "–"
+    if 0 < value < 1e-5:
+        return f"{value:.1e}"
     return f"{100 * value:.2g} %" if value < 0.1 else f"{100 * value:.3g} %"
 
 
@@ -45,10 +47,12 @@ def _order(result: Result) -> str:
     return "–" if order is None else f"{order:.1f}"
 
 
+def _judged(comparison: Comparison) -> str:
+    return percent(comparison.error()) if any(quantity.judged for quantity in comparison.quantities) else "–"
+
+
 def _error(result: Result) -> str:
-    if result.failure:
-        return "did not run"
-    return percent(result.errors()[-1]) if any(q.judged for q in result.comparisons[-1].quantities) else "–"
+    return "did not run" if result.failure else _judged(result.comparisons[-1])
 
 
 def _verdict(result: Result) -> str:
@@ -87,21 +91,24 @@ def markdown(results: list[Result]) -> str:
     return "\n".join(lines) + "\n"
 
 
+def _marks(label: str, quantity: Quantity, style: str) -> Series:
+    """The model's values, at most 30 of them: more hide each other and the reference."""
+    shown = np.unique(np.linspace(0, len(quantity.places) - 1, min(30, len(quantity.places))).round().astype(int))
+    return Series(label, quantity.places[shown], quantity.model[shown], style)
+
+
 def _quantity_plots(result: Result) -> str:
     """Each drawn quantity: reference, the finest size as dots, the coarser ones as rings."""
     plots = []
-    finest = result.comparisons[-1]
-    for index, quantity in enumerate(finest.quantities):
+    sizes = list(zip(result.sizes, result.comparisons))
+    for index, quantity in enumerate(result.comparisons[-1].quantities):
         if not quantity.drawn:
             continue
         places, values = quantity.curve if quantity.curve is not None else (quantity.places, quantity.reference)
         style = "line" if quantity.curve is not None or len(quantity.places) > 12 else "dashed"
-        series = [Series("reference", np.asarray(places), np.asarray(values), style),
-                  Series(f"Thinwall, {result.sizes[len(result.comparisons) - 1]}", quantity.places, quantity.model, "points")]
-        if len(quantity.places) <= 40:  # more marks hide each other
-            for size, comparison in list(zip(result.sizes, result.comparisons))[:-1]:
-                coarser = comparison.quantities[index]
-                series.append(Series(str(size), coarser.places, coarser.model, "rings"))
+        series = [Series(quantity.reference_name, np.asarray(places), np.asarray(values), style),
+                  _marks(f"Thinwall, {sizes[-1][0]}", quantity, "points")]
+        series += [_marks(str(size), comparison.quantities[index], "rings") for size, comparison in sizes[:-1]]
         plots.append(plot(series, quantity.along, f"{quantity.name}, {quantity.unit}" if quantity.unit else quantity.name))
     return "".join(plots)
 
@@ -131,7 +138,7 @@ def _section(result: Result) -> str:
     if result.comparisons:
         parts += [f"<p>{escape(note)}</p>" for note in result.comparisons[-1].notes]
         parts.append(f'<div class="plots">{_quantity_plots(result)}{_convergence_plot(result)}</div>')
-        rows = "".join(f'<tr><td class="n">{size}</td><td class="n">{percent(comparison.error())}</td><td>' + "; ".join(
+        rows = "".join(f'<tr><td class="n">{size}</td><td class="n">{_judged(comparison)}</td><td>' + "; ".join(
             f"{escape(q.name)} {percent(q.error())}{'' if q.judged else ' (not judged)'}" for q in comparison.quantities)
             + "</td></tr>"
             for size, comparison in zip(result.sizes, result.comparisons))
@@ -140,7 +147,7 @@ def _section(result: Result) -> str:
     return f"<section>{''.join(parts)}</section>"
 
 
-def page(results: list[Result], seconds: float) -> str:
+def page(results: list[Result], version: str) -> str:
     rows = "".join(
         f'<tr><td><a href="#{result.case.name}">{escape(cells[0])}</a></td><td>{escape(cells[1])}</td>'
         f"<td>{escape(cells[2])}</td><td>{escape(cells[3])}</td><td class=\"n\">{cells[4]}</td>"
@@ -150,6 +157,8 @@ def page(results: list[Result], seconds: float) -> str:
     return ("<!doctype html><html lang=\"en\"><head><meta charset=\"utf-8\"><title>Thinwall: validation</title>"
             f'<meta name="viewport" content="width=device-width, initial-scale=1"><style>{STYLE}</style></head><body>'
             f"<h1>Validation</h1><p>{summary(results)}. The error is the largest of all compared values at the finest "
-            f"mesh, nothing is extrapolated; order: by the two finest. {seconds:.0f} s of runs.</p>"
+            f"mesh, nothing is extrapolated; of a quantity with a wider bar of its own, its part of that. Order: by the two finest, "
+            "where more than tolerances is left. Sizes are the wanted numbers of triangles, which shapes meet within three per "
+            f"cent. {escape(version)}.</p>"
             f'<div class="scroll"><table><tr>{heads}</tr>{rows}</table></div>'
             f"{''.join(_section(result) for result in results)}</body></html>\n")
