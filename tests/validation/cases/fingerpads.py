@@ -9,6 +9,7 @@ from suite.case import Case, Comparison, Quantity
 from suite.program import Program
 
 RADIUS, THICKNESS, LENGTH = 10e-3, 1e-3, 5e-3  # metres
+COARSE_FINGER = 600  # triangles of the published fingerpad
 
 def across_fibres(law: wall_laws.Law) -> wall_laws.Law:
     """The fibres of the fingerpad lie along its axis, which is held: what stretches is the law's second axis."""
@@ -67,6 +68,8 @@ def compare_in_vivo(program: Program, triangles: int) -> Comparison:
     depth, force = 1e3 * edge["depth_m"][steps], edge["fz_N"][steps]
     # The shear modulus scales the force: one fitted modulus brings the model to the 2 N that experiments go to.
     modulus = 20e3 * 2.0 / force[-1]
+    on_coarse = program.run("in_vivo_fingerpad", triangles=COARSE_FINGER).tool("probe")["fz_N"][steps[-1]]
+    on_this = force[-1]
     force = force * 2.0 / force[-1]
     (scale, exponent), _ = curve_fit(_exponential, depth, force, p0=(0.5, 0.5))
     fitted = _exponential(depth, scale, exponent)
@@ -78,10 +81,12 @@ def compare_in_vivo(program: Program, triangles: int) -> Comparison:
         [f"With a shear modulus of {modulus / 1e3:.0f} kPa, which makes 2 N at 3 mm, the law b (exp(m depth) - 1) fits the "
          f"model best with m = {exponent:.2f} / mm, b = {scale:.3f} N; it is off by at most "
          f"{np.max(np.abs(fitted - force)):.3f} N ({100 * np.max(np.abs(fitted - force)) / 2:.1f} % of 2 N). Beyond 1 mm "
-         f"the force grows as depth^{power:.2f}. The measured points are not available as numbers."])
+         f"the force grows as depth^{power:.2f}. The measured points are not available as numbers. A point on a membrane has a "
+         f"force that depends on the mesh: with 20 kPa it is {1e3 * on_coarse:.1f} mN at 3 mm on {COARSE_FINGER} triangles, "
+         f"{1e3 * on_this:.1f} mN on {triangles}; the shape of the curve hardly does."])
 
 
 CASES = [*(_plane_strain(name, title, law) for name, (title, law) in LAWS.items()),
          Case("in_vivo_fingerpad", "The published fingerpad under a pointed tool",
               "De and Srinivasan 1999; exponential law of experiments", "curve to 3 mm and how well the law fits it", None,
-              (600, 2400), compare_in_vivo)]
+              (COARSE_FINGER, 2400), compare_in_vivo)]
