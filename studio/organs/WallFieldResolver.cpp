@@ -3,14 +3,75 @@
 #include <fmt/core.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 namespace thinwall {
+namespace {
+
+/// Of three that are the same the mean is the same to the last bit.
+double mean(const std::array<double, 3>& corners) {
+  if (corners[0] == corners[1] && corners[0] == corners[2]) return corners[0];
+  return (corners[0] + corners[1] + corners[2]) / 3;
+}
+
+/// Fibres have no sense: each direction is turned towards the first before the mean is taken. Zero when one is.
+Eigen::Vector3d mean_direction(const std::vector<CornerNumbers>& columns, std::size_t triangle) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (int k = 0; k < 3; ++k) {
+    Eigen::Vector3d along(columns[0][triangle][k], columns[1][triangle][k], columns[2][triangle][k]);
+    if (along.isZero(0)) return along;
+    along.normalize();
+    sum += along.dot(sum) < 0 ? (-along).eval() : along;
+  }
+  return sum.normalized();
+}
+
+/// What the columns of a table must be, and the value that they make.
+double value_of(const std::vector<CornerNumbers>& columns, std::size_t triangle, const double&) {
+  return mean(columns[0][triangle]);
+}
+Eigen::Vector3d value_of(const std::vector<CornerNumbers>& columns, std::size_t triangle, const Eigen::Vector3d&) {
+  return mean_direction(columns, triangle);
+}
+Prestretch value_of(const std::vector<CornerNumbers>& columns, std::size_t triangle, const Prestretch&) {
+  const double first = mean(columns[columns.size() == 1 ? 0 : 3][triangle]);
+  if (columns.size() == 1) return {.first = first, .second = first};
+  return {.along = mean_direction(columns, triangle), .first = first, .second = mean(columns[4][triangle])};
+}
+
+std::string trouble_of(const Eigen::Vector3d& direction) {
+  return direction.isZero(0) ? "are zero" : "stand perpendicular to the wall";
+}
+
+/// Directions have components of any size.
+std::vector<Range> ranges_of(const FieldTable& table) {
+  std::vector<Range> ranges(table.columns.size(), table.range);
+  if (ranges.size() >= 3) std::fill_n(ranges.begin(), 3, Range{});
+  return ranges;
+}
+
+}  // namespace
+
+template <typename Value>
+void WallFieldResolver::fill_from_table(const Field<Value>& field, const std::string& path,
+                                        std::vector<Value>& values) {
+  try {
+    const std::vector<CornerNumbers> columns =
+        tables_.read(*field.table, ranges_of(*field.table), path, field.location);
+    for (std::size_t t = 0; t < values.size(); ++t) values[t] = value_of(columns, t, Value());
+  } catch (const InputErrors& mistakes) {
+    std::vector<Diagnostic>& errors = regions_.errors();
+    errors.insert(errors.end(), mistakes.diagnostics().begin(), mistakes.diagnostics().end());
+    values.clear();
+  }
+}
 
 template <typename Value>
 WallFieldResolver::Resolved<Value> WallFieldResolver::resolve(const Field<Value>& field, const std::string& path) {
   const std::size_t triangles = regions_.mesh().triangles.size();
   Resolved<Value> result{std::vector<Value>(triangles, field.standard),
                          std::vector<const SourceLocation*>(triangles, &field.location)};
+  if (field.table) fill_from_table(field, path, result.values);
   for (std::size_t i = 0; i < field.regions.size(); ++i) {
     const FieldRegion<Value>& part = field.regions[i];
     const std::string inner = fmt::format("{}.regions[{}].in", path, i + 1);
@@ -32,7 +93,7 @@ std::vector<Material> WallFieldResolver::materials() {
   const std::size_t known = regions_.errors().size();
   for (const ParameterField& field : body_.parameter_fields) {
     const std::vector<double> values = resolve(field.values, path_ + ".material." + field.path).values;
-    for (std::size_t t = 0; t < materials.size(); ++t) materials[t].parameters[field.index] = values[t];
+    for (std::size_t t = 0; t < values.size(); ++t) materials[t].parameters[field.index] = values[t];
   }
   if (regions_.errors().size() == known) check_materials(materials);
   return materials;
@@ -58,9 +119,9 @@ std::vector<Eigen::Vector3d> WallFieldResolver::fibres() {
   for (std::size_t t = 0; t < fibres.values.size(); ++t) {
     if (lies_in_plane(fibres.values[t], t)) continue;
     regions_.errors().push_back(
-        {*fibres.at[t], fmt::format("{}.fibres: the fibres stand perpendicular to the wall at {}; give the wall there "
-                                    "a direction of its own with `regions`",
-                                    path_, place_of(t))});
+        {*fibres.at[t],
+         fmt::format("{}.fibres: the fibres {} at {}; give the wall there a direction of its own{}", path_,
+                     trouble_of(fibres.values[t]), place_of(t), body_.fibres->table ? "" : " with `regions`")});
     break;
   }
   return is_uniform(*body_.fibres) ? std::vector{body_.fibres->standard} : fibres.values;
@@ -72,9 +133,9 @@ std::vector<Prestretch> WallFieldResolver::prestretch() {
     const Prestretch& value = prestretch.values[t];
     if (value.first == value.second || lies_in_plane(value.along, t)) continue;
     regions_.errors().push_back(
-        {*prestretch.at[t], fmt::format("{}.prestretch: `along` stands perpendicular to the wall at {}; give the wall "
-                                        "there a direction of its own with `regions`",
-                                        path_, place_of(t))});
+        {*prestretch.at[t],
+         fmt::format("{}.prestretch: its directions {} at {}; give the wall there a direction of its own{}", path_,
+                     trouble_of(value.along), place_of(t), body_.prestretch.table ? "" : " with `regions`")});
     break;
   }
   return is_uniform(body_.prestretch) ? std::vector{body_.prestretch.standard} : prestretch.values;

@@ -5,16 +5,18 @@
 
 #include "engine/body/BodyDefinition.hpp"
 #include "studio/organs/RegionMembers.hpp"
+#include "studio/organs/TableFields.hpp"
 #include "studio/scenario/Scenario.hpp"
 
 namespace thinwall {
 
 /// What differs from place to place of a body's wall, triangle by triangle. Mistakes go to the errors of `regions`:
-/// regions that hold nothing, directions that stand on the wall, parameters that do not go together.
+/// regions that hold nothing, what TableFields refuses, directions that are zero or stand on the wall, parameters that
+/// do not go together.
 class WallFieldResolver {
  public:
   WallFieldResolver(const BodyScenario& body, RegionMembers& regions)
-      : body_(body), regions_(regions), path_("bodies." + body.name + ".wall") {}
+      : body_(body), regions_(regions), tables_(body.surface, regions.mesh()), path_("bodies." + body.name + ".wall") {}
 
   std::vector<double> thickness();        // (triangles), metres
   std::vector<Material> materials();      // (1) when it is the same everywhere, or (triangles)
@@ -31,6 +33,9 @@ class WallFieldResolver {
 
   template <typename Value>
   Resolved<Value> resolve(const Field<Value>& field, const std::string& path);
+  /// Instead of regions: the numbers of a table, triangle by triangle; nothing after a mistake.
+  template <typename Value>
+  void fill_from_table(const Field<Value>& field, const std::string& path, std::vector<Value>& values);
 
   Eigen::Vector3d corner(std::size_t triangle, int k) const;
   std::string place_of(std::size_t triangle) const;
@@ -39,6 +44,7 @@ class WallFieldResolver {
 
   const BodyScenario& body_;
   RegionMembers& regions_;
+  TableFields tables_;
   std::string path_;  // of the wall
 };
 

@@ -5,6 +5,31 @@ namespace {
 
 constexpr const char* kAsTheKey = "as the key takes without a field";
 
+KeySchema per_key(bool needed, const std::string& documentation) {
+  return {"per", word_value({"vertex", "face"}), needed, {}, documentation};
+}
+
+/// The two forms of a field whose numbers stand in a file. `columns` tells one or three names.
+std::vector<MappingSchema> table_forms(const std::string& of, const ValueSchema& columns, const std::string& column_key,
+                                       const std::vector<KeySchema>& unit) {
+  MappingSchema file{.name = of + " from a file",
+                     .documentation =
+                         "A table of text, comma-separated (CSV): names in the first line, then a line for "
+                         "each vertex or face of the mesh file (PLY, OBJ) or shape, in its order. Not "
+                         "with `remesh`, nor where `repair` has changed the mesh."};
+  file.keys = {{"file", path_value(), true, {}, "the table"},
+               {column_key, columns, true, {}, "named in the first line of the table"}};
+  file.keys.insert(file.keys.end(), unit.begin(), unit.end());
+  file.keys.push_back(
+      per_key(true, "what a line belongs to; a triangle has the mean of its corners or the number of its face"));
+  MappingSchema attribute{.name = of + " from the mesh",
+                          .documentation = "Properties of the vertices or faces of the body's PLY file."};
+  attribute.keys = {{"attribute", columns, true, {}, "named in the header of the mesh file"}};
+  attribute.keys.insert(attribute.keys.end(), unit.begin(), unit.end());
+  attribute.keys.push_back(per_key(false, "what they belong to; whichever has them when absent"));
+  return {file, attribute};
+}
+
 /// A list of parts of the wall, each with a value.
 KeySchema regions_key(const std::string& of, const std::string& definition, const std::string& key,
                       const ValueSchema& value, const std::string& documentation) {
@@ -23,6 +48,25 @@ MappingSchema region_form(const std::string& of, const std::string& definition, 
   return field;
 }
 
+ValueSchema three_names() {
+  ValueSchema names = tuple_value({text_value(), text_value(), text_value()});
+  names.example = "[fx, fy, fz]";
+  return names;
+}
+
+/// Of the stretch in every direction; or of a direction's components, the stretch along it and the one across it.
+ValueSchema stretch_names() {
+  ValueSchema names = list_value(text_value(), 1);
+  names.maximum_items = 5;
+  names.single = true;
+  names.example = "stretch, or [fx, fy, fz, along, across]";
+  names.page_words =
+      "a name: stretch in every direction; or five (e.g. [fx, fy, fz, along, across]): a direction, the stretches "
+      "along "
+      "and across it";
+  return names;
+}
+
 }  // namespace
 
 ValueSchema field_schema(ValueSchema number) {
@@ -30,7 +74,18 @@ ValueSchema field_schema(ValueSchema number) {
       "field of " + dimension_name(number.dimension) + " " + range_text(number.range, number.example);
   ValueSchema inner = number;
   inner.page_words = kAsTheKey;
+  std::vector<KeySchema> unit;
+  if (number.dimension != kDimensionless) {
+    ValueSchema value =
+        quantity_value(number.dimension, kAboveZero, number.example.substr(number.example.find(' ') + 1));
+    value.bare_unit = true;
+    value.page_words = "a unit of the key's dimension (e.g. mm), or what 1 stands for (e.g. 0.1 mm)";
+    unit = {{"unit", value, true, {}, "unit of the numbers; not for keys without a dimension"}};
+  }
   number.mappings = {region_form("field", definition, inner)};
+  for (MappingSchema& form : table_forms("field", text_value(), "column", unit)) {
+    number.mappings.push_back(std::move(form));
+  }
   return number;
 }
 
@@ -38,7 +93,11 @@ ValueSchema fibres_schema() {
   MappingSchema fibres{.name = "fibres", .documentation = "Where the first axis of the law lies in the wall."};
   fibres.keys = {{"along", direction_value(), true, {}, "direction in space, brought into the plane of each triangle"},
                  regions_key("fibres", "", "along", direction_value(), "direction there")};
-  return mapping_value({fibres});
+  ValueSchema value = mapping_value({fibres});
+  for (MappingSchema& form : table_forms("fibres", three_names(), "columns", {})) {
+    value.mappings.push_back(std::move(form));
+  }
+  return value;
 }
 
 ValueSchema prestretch_schema() {
@@ -55,6 +114,9 @@ ValueSchema prestretch_schema() {
   inner.mappings = {directed};
   ValueSchema value = number;
   value.mappings = {region_form("prestretch field", "", inner), directed};
+  for (MappingSchema& form : table_forms("prestretch field", stretch_names(), "column", {})) {
+    value.mappings.push_back(std::move(form));
+  }
   return value;
 }
 

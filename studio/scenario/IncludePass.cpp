@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "studio/scenario/Wording.hpp"
 #include "studio/scenario/YamlReader.hpp"
@@ -12,22 +13,29 @@ namespace {
 constexpr std::size_t kMostFiles = 64;
 
 /// Keys whose word decides which other keys a mapping has.
-constexpr std::array<std::string_view, 5> kSelectors = {"law", "kind", "fluid", "shape", "mesh"};
+constexpr std::array<std::string_view, 4> kSelectors = {"law", "kind", "fluid", "shape"};
+
+/// Keys that stand for different forms of a mapping: of a surface, and of a field over a wall.
+constexpr std::array<std::string_view, 2> kSurfaceForms = {"mesh", "shape"};
+constexpr std::array<std::string_view, 4> kFieldForms = {"default", "file", "attribute", "along"};
+
+/// The first of the forms that a mapping has, "" when it has none.
+std::string_view form_of(const TextNode& mapping, std::span<const std::string_view> forms) {
+  const auto form = std::ranges::find_if(forms, [&](std::string_view key) { return mapping.find(key) != nullptr; });
+  return form == forms.end() ? "" : *form;
+}
+
+bool differ_in_form(const TextNode& nearer, const TextNode& farther, std::span<const std::string_view> forms) {
+  const std::string_view own = form_of(nearer, forms), other = form_of(farther, forms);
+  return !own.empty() && !other.empty() && own != other;
+}
 
 bool differ_in_kind(const TextNode& nearer, const TextNode& farther) {
   for (const std::string_view selector : kSelectors) {
-    const TextMember* own = nearer.find(selector);
-    if (own == nullptr) continue;
-    const TextMember* other = farther.find(selector);
-    if (selector == "mesh") {
-      if (other == nullptr && farther.find("shape") != nullptr) return true;
-    } else if (selector == "shape" && other == nullptr) {
-      if (farther.find("mesh") != nullptr) return true;
-    } else if (other != nullptr && other->value.text != own->value.text) {
-      return true;
-    }
+    const TextMember *own = nearer.find(selector), *other = farther.find(selector);
+    if (own != nullptr && other != nullptr && own->value.text != other->value.text) return true;
   }
-  return false;
+  return differ_in_form(nearer, farther, kSurfaceForms) || differ_in_form(nearer, farther, kFieldForms);
 }
 
 TextNode merged(TextNode nearer, TextNode farther) {

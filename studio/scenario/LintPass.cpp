@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "studio/scenario/ClipTimes.hpp"
+#include "studio/scenario/FieldLint.hpp"
 #include "studio/scenario/MaterialLint.hpp"
 #include "studio/scenario/Quantity.hpp"
 #include "studio/scenario/TextNode.hpp"
@@ -180,6 +181,7 @@ void lint_pass(const CheckedValue& root, Diagnostics& diagnostics) {
       check_shape(body, path, diagnostics);
       check_viscosity(body, path, diagnostics);
       check_loads(body, path, diagnostics);
+      check_fields(body, path, diagnostics);
     }
     for (const CheckedMember& body : bodies->members) {
       check_material(body, member_path("bodies", body.key), diagnostics);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "studio/scenario/Wording.hpp"
 
@@ -12,6 +13,8 @@ std::string list_expectation(const ValueSchema& value) {
   std::string text = "a list";
   if (value.minimum_items == value.maximum_items) {
     text += " of " + std::to_string(value.minimum_items);
+  } else if (value.maximum_items != std::numeric_limits<std::size_t>::max()) {
+    text += " of " + std::to_string(value.minimum_items) + " to " + std::to_string(value.maximum_items);
   } else if (value.minimum_items > 0) {
     text += " of at least " + std::to_string(value.minimum_items);
   }

@@ -61,6 +61,15 @@ TEST_F(IncludePass, AMappingOfAnotherKindReplacesTheFartherOne) {
   EXPECT_EQ(root.find("c")->value.find("radius"), nullptr);
 }
 
+TEST_F(IncludePass, AFieldOfAnotherFormReplacesTheFartherOne) {
+  write("base.yaml", "a: { default: 1, regions: [] }\nb: { default: 1, regions: [] }\nc: { along: 1, values: 2 }\n");
+  const TextNode root =
+      include("include: base.yaml\na: { file: a.csv, column: h }\nb: { default: 2 }\nc: { attribute: h }\n");
+  EXPECT_EQ(root.find("a")->value.find("regions"), nullptr);
+  EXPECT_NE(root.find("b")->value.find("regions"), nullptr);
+  EXPECT_EQ(root.find("c")->value.find("values"), nullptr);
+}
+
 TEST_F(IncludePass, ACycleIsAnErrorAndTheSameFileTwiceIsNone) {
   write("a.yaml", "include: [b.yaml]\n");
   write("b.yaml", "include: [./inner/../a.yaml]\n");

@@ -106,7 +106,7 @@ TEST(LoadScenario, ReadsEveryKey) {
   EXPECT_EQ(scenario.record.frames_per_second, 25);
   EXPECT_EQ(scenario.record.tier, Tier::kDraft);
   EXPECT_EQ(scenario.goldens[0].why, "the probe is at full depth");
-  EXPECT_EQ(scenario.goldens[0].location.line, 115);
+  EXPECT_EQ(scenario.goldens[0].location.line, 136);
 }
 
 TEST(LoadScenario, ReadsWhatDiffersFromPlaceToPlaceOfAWall) {
@@ -128,6 +128,34 @@ TEST(LoadScenario, ReadsWhatDiffersFromPlaceToPlaceOfAWall) {
   EXPECT_EQ(skin.prestretch.regions[0].value.first, 1.2);
   EXPECT_EQ(skin.prestretch.regions[1].value.second, 1);
   EXPECT_EQ(skin.prestretch.regions[1].location.line, 76);
+}
+
+TEST(LoadScenario, ReadsWhereTheNumbersOfAFieldStand) {
+  const Scenario scenario = load_scenario(kValid / "everything.yaml", {});
+  const BodyScenario& vessel = scenario.bodies[4];
+  const FieldTable& thickness = vessel.thickness.table.value();
+  EXPECT_EQ(thickness.file, kValid / "parts/wall.csv");
+  EXPECT_EQ(thickness.columns, std::vector<std::string>{"thickness"});
+  EXPECT_EQ(thickness.per, TablePer::kVertex);
+  EXPECT_EQ(thickness.unit, 1e-4);
+  EXPECT_EQ(thickness.range.minimum, 0);
+  EXPECT_TRUE(thickness.range.minimum_excluded);
+  EXPECT_EQ(vessel.thickness.location.line, 81);
+  ASSERT_EQ(vessel.parameter_fields.size(), 4U);
+  const FieldTable& shear_modulus = vessel.parameter_fields[0].values.table.value();
+  EXPECT_TRUE(shear_modulus.file.empty());
+  EXPECT_EQ(shear_modulus.columns, std::vector<std::string>{"stiffness"});
+  EXPECT_FALSE(shear_modulus.per);
+  EXPECT_EQ(shear_modulus.unit, 1e3);
+  EXPECT_EQ(vessel.parameter_fields[1].values.table->per, TablePer::kFace);
+  EXPECT_EQ(vessel.parameter_fields[2].values.table->unit, 1);
+  EXPECT_DOUBLE_EQ(vessel.parameter_fields[3].values.table->unit, std::numbers::pi / 180);
+  EXPECT_EQ(vessel.fibres->table->columns, (std::vector<std::string>{"fx", "fy", "fz"}));
+  EXPECT_EQ(vessel.prestretch.table->columns.size(), 5U);
+  EXPECT_EQ(vessel.prestretch.table->range.maximum, 10);
+  const BodyScenario& vein = scenario.bodies[5];
+  EXPECT_EQ(vein.fibres->table->file, kValid / "parts/wall.csv");
+  EXPECT_EQ(vein.prestretch.table->columns, std::vector<std::string>{"stretch"});
 }
 
 TEST(LoadScenario, DefaultsAreThoseOfTheDefinitions) {
