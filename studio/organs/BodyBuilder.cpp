@@ -148,7 +148,7 @@ BodyDefinition build_body(const BodyScenario& body, std::vector<std::string>& no
     check_closed(definition.mesh, body.surface, origin, std::max(1, static_cast<int>(body.fluid.chambers.size())));
   }
   RegionMembers regions(definition.mesh);
-  WallFieldResolver fields(body, regions);
+  WallFieldResolver fields(body, regions, notes);
   definition.thickness = fields.thickness();
   definition.materials = fields.materials();
   definition.fibres = fields.fibres();

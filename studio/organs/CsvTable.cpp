@@ -128,7 +128,9 @@ class CsvReader {
     const char* last = text.data() + text.size();
     const auto [stop, failure] = std::from_chars(first, last, value);
     if (failure != std::errc() || stop != last || !std::isfinite(value)) {
-      const std::string got = text.empty() ? "nothing" : in_backticks(text);
+      const std::string got = text.empty()
+                                  ? "nothing; every row needs one"
+                                  : in_backticks(text) + "; write plain numbers like 0.8 or 8e-4, without units";
       refuse(cell.column, "expected a finite number in the column " + in_backticks(name) + ", got " + got);
     }
     column.values.push_back(value);

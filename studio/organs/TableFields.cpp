@@ -48,12 +48,15 @@ class TableReading {
                const std::string& path, const SourceLocation& location)
       : table_(table), order_(order), mesh_file_(std::move(mesh_file)), path_(path), location_(location) {}
 
+  const std::vector<std::string>& notes() const { return notes_; }
+
   std::vector<CornerNumbers> run(const std::vector<Range>& ranges) {
     std::vector<PlacedColumn> columns = table_.file.empty() ? read_properties() : read_table();
     for (std::size_t c = 0; c < columns.size(); ++c) check(columns[c], ranges[c]);
     throw_errors();
     for (const PlacedColumn& column : columns) check_doubled(column);
     throw_errors();
+    describe(columns);
     std::vector<CornerNumbers> result;
     for (const PlacedColumn& column : columns) result.push_back(at_corners(column));
     return result;
@@ -176,6 +179,18 @@ class TableReading {
     }
   }
 
+  /// "bodies.organ.wall.thickness: `h` of 41 vertices: 0.8 mm to 1.2 mm"
+  void describe(const std::vector<PlacedColumn>& columns) {
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      const std::vector<double>& values = columns[c].values;
+      if (values.empty()) continue;
+      const auto [low, high] = std::minmax_element(values.begin(), values.end());
+      notes_.push_back(fmt::format("{}: {} of {}: {} to {}", path_, in_backticks(table_.columns[c]),
+                                   counted_rows(values.size(), per_), shown(table_.unit * *low),
+                                   shown(table_.unit * *high)));
+    }
+  }
+
   CornerNumbers at_corners(const PlacedColumn& column) const {
     CornerNumbers numbers;
     for (std::size_t t = 0; t < order_.face_rows.size(); ++t) {
@@ -200,6 +215,7 @@ class TableReading {
   const SourceLocation& location_;
   TablePer per_ = TablePer::kVertex;
   std::vector<Diagnostic> errors_;
+  std::vector<std::string> notes_;
 };
 
 }  // namespace
@@ -208,7 +224,10 @@ std::vector<CornerNumbers> TableFields::read(const FieldTable& table, const std:
                                              const std::string& path, const SourceLocation& location) {
   if (!order_) order_ = table_order(source_, wall_, path, location);
   const auto* mesh = std::get_if<MeshFileSource>(&source_);
-  return TableReading(table, *order_, mesh == nullptr ? "" : mesh->file, path, location).run(ranges);
+  TableReading reading(table, *order_, mesh == nullptr ? "" : mesh->file, path, location);
+  std::vector<CornerNumbers> numbers = reading.run(ranges);
+  notes_.insert(notes_.end(), reading.notes().begin(), reading.notes().end());
+  return numbers;
 }
 
 }  // namespace thinwall

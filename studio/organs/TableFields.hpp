@@ -18,8 +18,10 @@ using CornerNumbers = std::vector<std::array<double, 3>>;  // (triangles), SI
 /// Brings the numbers of tables and of a mesh file's properties to the triangles of a wall.
 class TableFields {
  public:
-  TableFields(const std::variant<MeshFileSource, ShapeSource>& source, const SurfaceMesh& wall)
-      : source_(source), wall_(wall) {}
+  /// `notes`: where it is told what was read.
+  TableFields(const std::variant<MeshFileSource, ShapeSource>& source, const SurfaceMesh& wall,
+              std::vector<std::string>& notes)
+      : source_(source), wall_(wall), notes_(notes) {}
 
   /// The columns of the table in its order. `ranges`: of each column's numbers, SI. `path` and `location` are those of
   /// the field. Throws InputErrors: see table_order and read_csv_columns; properties that the mesh file lacks or has
@@ -31,6 +33,7 @@ class TableFields {
  private:
   const std::variant<MeshFileSource, ShapeSource>& source_;
   const SurfaceMesh& wall_;
+  std::vector<std::string>& notes_;
   std::optional<TableOrder> order_;  // found when it is first asked for
 };
 

@@ -12,11 +12,14 @@ namespace thinwall {
 
 /// What differs from place to place of a body's wall, triangle by triangle. Mistakes go to the errors of `regions`:
 /// regions that hold nothing, what TableFields refuses, directions that are zero or stand on the wall, parameters that
-/// do not go together.
+/// do not go together. What is read from tables is told in `notes`.
 class WallFieldResolver {
  public:
-  WallFieldResolver(const BodyScenario& body, RegionMembers& regions)
-      : body_(body), regions_(regions), tables_(body.surface, regions.mesh()), path_("bodies." + body.name + ".wall") {}
+  WallFieldResolver(const BodyScenario& body, RegionMembers& regions, std::vector<std::string>& notes)
+      : body_(body),
+        regions_(regions),
+        tables_(body.surface, regions.mesh(), notes),
+        path_("bodies." + body.name + ".wall") {}
 
   std::vector<double> thickness();        // (triangles), metres
   std::vector<Material> materials();      // (1) when it is the same everywhere, or (triangles)

@@ -55,14 +55,19 @@ TEST(CsvTable, ColumnsThatAreNotThereOnceAreTold) {
   EXPECT_EQ(refusal_of(""), "1:1: the first line must name the columns, but is empty");
 }
 
-TEST(CsvTable, CellsThatAreNoFiniteNumbersAreTold) {
-  EXPECT_EQ(refusal_of("x,t\n1,2\n1,thin\n"), "3:3: expected a finite number in the column `t`, got `thin`");
-  EXPECT_EQ(refusal_of("x,t\n1,nan\n"), "2:3: expected a finite number in the column `t`, got `nan`");
-  EXPECT_EQ(refusal_of("x,t\n1,-inf\n"), "2:3: expected a finite number in the column `t`, got `-inf`");
-  EXPECT_EQ(refusal_of("x,t\n1,1e999\n"), "2:3: expected a finite number in the column `t`, got `1e999`");
-  EXPECT_EQ(refusal_of("x,t\n1,+-2\n"), "2:3: expected a finite number in the column `t`, got `+-2`");
-  EXPECT_EQ(refusal_of("x,t\n1,2 mm\n"), "2:3: expected a finite number in the column `t`, got `2 mm`");
-  EXPECT_EQ(refusal_of("x,t\n1,\n"), "2:3: expected a finite number in the column `t`, got nothing");
+TEST(CsvTable, CellsThatAreNoFiniteNumbersAreToldWithTheCure) {
+  const auto told = [](const std::string& place, const std::string& cell) {
+    return place + ": expected a finite number in the column `t`, got `" + cell +
+           "`; write plain numbers like 0.8 or 8e-4, without units";
+  };
+  EXPECT_EQ(refusal_of("x,t\n1,2\n1,thin\n"), told("3:3", "thin"));
+  EXPECT_EQ(refusal_of("x,t\n1,nan\n"), told("2:3", "nan"));
+  EXPECT_EQ(refusal_of("x,t\n1,-inf\n"), told("2:3", "-inf"));
+  EXPECT_EQ(refusal_of("x,t\n1,1e999\n"), told("2:3", "1e999"));
+  EXPECT_EQ(refusal_of("x,t\n1,+-2\n"), told("2:3", "+-2"));
+  EXPECT_EQ(refusal_of("x,t\n1,2 mm\n"), told("2:3", "2 mm"));
+  EXPECT_EQ(refusal_of("x,t\n1,\n"),
+            "2:3: expected a finite number in the column `t`, got nothing; every row needs one");
   EXPECT_EQ(refusal_of("x,t\nwords,2\n"), "accepted");
 }
 

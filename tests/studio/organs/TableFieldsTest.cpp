@@ -122,6 +122,13 @@ TEST_F(FieldOfTable, PropertiesOfVerticesAndFacesAreReadFromTheMesh) {
   EXPECT_EQ(body.materials[1].parameters, std::vector<double>{30e3});
 }
 
+TEST_F(FieldOfTable, WhatIsReadIsTold) {
+  body_.thickness = thickness(column("thickness\n1\n2\n3\n8\n", TablePer::kVertex));
+  std::vector<std::string> notes;
+  build_body(body_, notes);
+  EXPECT_EQ(notes.back(), "bodies.organ.wall.thickness: `thickness` of 4 vertices: 1 mm to 8 mm");
+}
+
 TEST_F(FieldOfTable, FibresHaveNoSenseWhenCornersAreAveraged) {
   // The third vertex points the other way.
   body_.fibres = Field<Eigen::Vector3d>{.table = FieldTable{.columns = {"fx", "fy", "fz"}}};
