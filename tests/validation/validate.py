@@ -18,8 +18,10 @@ from suite.report import markdown, page, percent, summary  # noqa: E402
 
 def test_oracles() -> int:
     import oracles_test
+    import suite_test
 
-    outcome = unittest.TextTestRunner(verbosity=2).run(unittest.defaultTestLoader.loadTestsFromModule(oracles_test))
+    tests = unittest.TestSuite(unittest.defaultTestLoader.loadTestsFromModule(module) for module in (oracles_test, suite_test))
+    outcome = unittest.TextTestRunner(verbosity=2).run(tests)
     return 0 if outcome.wasSuccessful() and outcome.testsRun > 0 else 1
 
 
@@ -46,7 +48,7 @@ def main() -> int:
                         help="where page, table and runs are left (out/validation)")
     parser.add_argument("--continue", action="store_true", dest="go_on",
                         help="take the runs that DIR holds already when they are younger than the program and the scenes")
-    parser.add_argument("--oracles", action="store_true", help="test the reference solutions by their check values only")
+    parser.add_argument("--oracles", action="store_true", help="test the reference solutions by their check values, and how errors are told, only")
     parser.add_argument("--program", type=Path, metavar="FILE", help="use this thinwall instead of building it")
     options = parser.parse_args()
     if options.oracles:

@@ -46,7 +46,7 @@ class Comparison:
     def error(self) -> float:
         """The largest, each as a part of what the quantity is allowed over the case's bar."""
         judged = [quantity.error() / quantity.allowance for quantity in self.quantities if quantity.judged]
-        return max(judged) if judged else 0.0
+        return float(np.max(judged)) if judged else 0.0  # not `max`, which may lose what is no number
 
 
 @dataclass(frozen=True)
