@@ -130,7 +130,7 @@ def _section(result: Result) -> str:
     case = result.case
     parts = [f'<h2 id="{case.name}">{escape(case.title)} <span class="{result.verdict()}">{_verdict(result)}</span></h2>',
              f'<p class="dim">{escape(case.source)}. Compared: {escape(case.compares)}. '
-             f"<code>scenes/validation/{case.scenario or case.name}.yaml</code>, {result.seconds:.1f} s</p>"]
+             f"<code>scenes/validation/{case.scenario or case.name}.yaml</code></p>"]
     if case.known_miss and result.verdict() != "met":
         parts.append(f'<p class="why">{escape(case.known_miss)}</p>')
     if result.failure:
