@@ -72,6 +72,7 @@ WallFieldResolver::Resolved<Value> WallFieldResolver::resolve(const Field<Value>
   Resolved<Value> result{std::vector<Value>(triangles, field.standard),
                          std::vector<const SourceLocation*>(triangles, &field.location)};
   if (field.table) fill_from_table(field, path, result.values);
+  if (result.values.empty()) return result;
   for (std::size_t i = 0; i < field.regions.size(); ++i) {
     const FieldRegion<Value>& part = field.regions[i];
     const std::string inner = fmt::format("{}.regions[{}].in", path, i + 1);

@@ -36,7 +36,7 @@ class WallFieldResolver {
 
   template <typename Value>
   Resolved<Value> resolve(const Field<Value>& field, const std::string& path);
-  /// Instead of regions: the numbers of a table, triangle by triangle; nothing after a mistake.
+  /// The numbers of a table, triangle by triangle; none after a mistake.
   template <typename Value>
   void fill_from_table(const Field<Value>& field, const std::string& path, std::vector<Value>& values);
 

@@ -35,7 +35,12 @@ Field<Value> to_field(const CheckedValue& mapping, std::string_view standard_key
                       const ToValue& to_value) {
   const CheckedValue* standard = mapping.find(standard_key);
   if (standard == nullptr) return {.location = mapping.location, .table = to_table(mapping)};
-  Field<Value> field{.standard = to_value(*standard), .location = standard->location};
+  Field<Value> field{.location = standard->location};
+  if (standard->find("file") != nullptr || standard->find("attribute") != nullptr) {
+    field.table = to_table(*standard);
+  } else {
+    field.standard = to_value(*standard);
+  }
   for (const CheckedValue& part : mapping.at("regions").items) {
     field.regions.push_back({.region = to_region(part.at("in")),
                              .value = to_value(part.at(region_key)),

@@ -30,6 +30,7 @@ class FieldChecker {
   }
 
   void check_prestretch(const CheckedValue& prestretch, const std::string& path) {
+    if (const CheckedValue* standard = prestretch.find("default")) check_prestretch(*standard, path + ".default");
     for (const std::string key : {"column", "attribute"}) {
       const CheckedValue* names = prestretch.find(key);
       if (names == nullptr || names->items.size() == 1 || names->items.size() == 5) continue;

@@ -9,7 +9,10 @@ KeySchema per_key(bool needed, const std::string& documentation) {
   return {"per", word_value({"vertex", "face"}), needed, {}, documentation};
 }
 
-/// The two forms of a field whose numbers stand in a file. `columns` tells one or three names.
+/// Beside kAsTheKey: the forms of a table, which the page has at the field itself.
+constexpr const char* kOrTable = ", or by `file` or `attribute` as below";
+
+/// The two forms of a field whose numbers stand in a file. `columns` tells their names.
 std::vector<MappingSchema> table_forms(const std::string& of, const ValueSchema& columns, const std::string& column_key,
                                        const std::vector<KeySchema>& unit) {
   MappingSchema file{.name = of + " from a file",
@@ -39,13 +42,18 @@ KeySchema regions_key(const std::string& of, const std::string& definition, cons
   return {"regions", list_value(mapping_value({part})), false, "[]", "parts of the wall; a later one wins"};
 }
 
-/// By default and by region.
-MappingSchema region_form(const std::string& of, const std::string& definition, const ValueSchema& value) {
+/// By default and by region; `standard` is what the default may be, `value` what a region may have.
+MappingSchema region_form(const std::string& of, const std::string& definition, const ValueSchema& standard,
+                          const ValueSchema& value) {
   const std::string region = definition.empty() ? "" : "region_of_" + definition;
   MappingSchema field{.name = of, .definition = definition, .documentation = "By parts of the wall."};
-  field.keys = {{"default", value, true, {}, "value where no region says otherwise"},
+  field.keys = {{"default", standard, true, {}, "value where no region says otherwise"},
                 regions_key(of, region, "value", value, "value there")};
   return field;
+}
+
+void add_forms(ValueSchema& value, const std::vector<MappingSchema>& forms) {
+  value.mappings.insert(value.mappings.end(), forms.begin(), forms.end());
 }
 
 ValueSchema three_names() {
@@ -82,10 +90,13 @@ ValueSchema field_schema(ValueSchema number) {
     value.page_words = "a unit of the key's dimension (e.g. mm), or what 1 stands for (e.g. 0.1 mm)";
     unit = {{"unit", value, true, {}, "unit of the numbers; not for keys without a dimension"}};
   }
-  number.mappings = {region_form("field", definition, inner)};
-  for (MappingSchema& form : table_forms("field", text_value(), "column", unit)) {
-    number.mappings.push_back(std::move(form));
-  }
+  std::vector<MappingSchema> tables = table_forms("field", text_value(), "column", unit);
+  tables[0].definition = "table of " + definition;
+  ValueSchema standard = number;
+  standard.page_words = std::string(kAsTheKey) + kOrTable;
+  standard.mappings = tables;
+  number.mappings = {region_form("field", definition, standard, inner)};
+  add_forms(number, tables);
   return number;
 }
 
@@ -94,9 +105,7 @@ ValueSchema fibres_schema() {
   fibres.keys = {{"along", direction_value(), true, {}, "direction in space, brought into the plane of each triangle"},
                  regions_key("fibres", "", "along", direction_value(), "direction there")};
   ValueSchema value = mapping_value({fibres});
-  for (MappingSchema& form : table_forms("fibres", three_names(), "columns", {})) {
-    value.mappings.push_back(std::move(form));
-  }
+  add_forms(value, table_forms("fibres", three_names(), "columns", {}));
   return value;
 }
 
@@ -112,11 +121,14 @@ ValueSchema prestretch_schema() {
       {"values", pair, true, {}, "stretches along it and across it"}};
   ValueSchema inner = number;
   inner.mappings = {directed};
+  const std::vector<MappingSchema> tables = table_forms("prestretch field", stretch_names(), "column", {});
+  ValueSchema standard = inner;
+  standard.mappings[0].definition = "prestretch default";
+  standard.page_words = "a number or by direction, like `value` of a region" + std::string(kOrTable);
+  add_forms(standard, tables);
   ValueSchema value = number;
-  value.mappings = {region_form("prestretch field", "", inner), directed};
-  for (MappingSchema& form : table_forms("prestretch field", stretch_names(), "column", {})) {
-    value.mappings.push_back(std::move(form));
-  }
+  value.mappings = {region_form("prestretch field", "", standard, inner), directed};
+  add_forms(value, tables);
   return value;
 }
 

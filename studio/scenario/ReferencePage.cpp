@@ -155,6 +155,7 @@ class PageWriter {
 
   void write_inner(const std::vector<KeySchema>& keys) {
     for (const KeySchema& key : keys) {
+      if (!key.value.page_words.empty()) continue;
       const ValueSchema& value = key.value.kind == ValueKind::kList ? key.value.item[0] : key.value;
       if (!value.mappings.empty()) write_alternatives(value.mappings);
     }

@@ -37,7 +37,7 @@ struct Field {
   Value standard = {};                           // where no region says otherwise
   SourceLocation location = {};                  // of `standard`, or of what names the table
   std::vector<FieldRegion<Value>> regions = {};  // a later one wins
-  std::optional<FieldTable> table = {};          // instead of `standard` and `regions`
+  std::optional<FieldTable> table = {};          // instead of `standard`
 };
 
 /// Whether all of the wall has the standard value.

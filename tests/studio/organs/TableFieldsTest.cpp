@@ -91,6 +91,15 @@ TEST_F(FieldOfTable, ARowForEachFaceIsTheTrianglesOwn) {
   EXPECT_EQ(built().thickness, (std::vector<double>{1e-3 * 0.1, 1e-3 * 0.7}));
 }
 
+TEST_F(FieldOfTable, ARegionWinsOverTheTable) {
+  body_.thickness = thickness(column("thickness\n0.1\n0.7\n", TablePer::kFace));
+  // The middle of the first triangle lies at x = 20/3 mm, that of the second at 10/3 mm.
+  body_.thickness.regions = {{.region = AboveRegion{.axis = 0, .at = 5e-3}, .value = 2e-3}};
+  EXPECT_EQ(built().thickness, (std::vector<double>{2e-3, 1e-3 * 0.7}));
+  body_.thickness.table->columns = {"none"};
+  EXPECT_TRUE(refusal().starts_with("wall.csv:1:1: error: bodies.organ.wall.thickness: there is no column `none`"));
+}
+
 TEST_F(FieldOfTable, ARowForEachVertexIsAveragedOverTheCorners) {
   body_.thickness = thickness(column("thickness\n1\n2\n3\n8\n", TablePer::kVertex));
   const std::vector<double> values = built().thickness;

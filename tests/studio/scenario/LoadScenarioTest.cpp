@@ -155,7 +155,11 @@ TEST(LoadScenario, ReadsWhereTheNumbersOfAFieldStand) {
   EXPECT_EQ(vessel.prestretch.table->range.maximum, 10);
   const BodyScenario& vein = scenario.bodies[5];
   EXPECT_EQ(vein.fibres->table->file, kValid / "parts/wall.csv");
+  EXPECT_EQ(vein.thickness.table->unit, 1e-3);
+  EXPECT_TRUE(vein.thickness.table->range.minimum_excluded);
+  EXPECT_EQ(vein.thickness.regions.at(0).value, 2e-3);
   EXPECT_EQ(vein.prestretch.table->columns, std::vector<std::string>{"stretch"});
+  EXPECT_EQ(vein.prestretch.regions.at(0).value.second, 1.1);
 }
 
 TEST(LoadScenario, DefaultsAreThoseOfTheDefinitions) {
