@@ -74,9 +74,9 @@ class GoingOn(unittest.TestCase):
         self.addCleanup(self.folder.cleanup)
         self.home = Path(self.folder.name)
         self.executable = self.home / "program"
-        self.executable.write_text('#!/bin/sh\necho run >> "$(dirname "$0")/count"\nwhile [ "$1" != --out ]; do shift; done\n'
-                                   'mkdir -p "$2"\necho "{\\"complete\\": $(cat "$(dirname "$0")/complete")}" > "$2/manifest.json"\n',
-                                   encoding="utf-8")
+        script = ["#!/bin/sh", 'here=$(dirname "$0")', 'echo run >> "$here/count"', 'while [ "$1" != --out ]; do shift; done',
+                  'mkdir -p "$2"', 'echo "{\\"complete\\": $(cat "$here/complete")}" > "$2/manifest.json"', ""]
+        self.executable.write_text("\n".join(script), encoding="utf-8")
         self.executable.chmod(0o755)
         os.utime(self.executable, (0, 0))
         self.complete("true")

@@ -13,14 +13,15 @@ sys.path.insert(0, str(HOME))
 from cases import CASES  # noqa: E402
 from suite.case import Case, assess  # noqa: E402
 from suite.program import ROOT, Program  # noqa: E402
-from suite.report import markdown, page, percent, summary  # noqa: E402
+from suite.report import judged, markdown, page, percent, summary  # noqa: E402
 
 
 def test_oracles() -> int:
     import oracles_test
     import suite_test
 
-    tests = unittest.TestSuite(unittest.defaultTestLoader.loadTestsFromModule(module) for module in (oracles_test, suite_test))
+    modules = (oracles_test, suite_test)
+    tests = unittest.TestSuite(unittest.defaultTestLoader.loadTestsFromModule(module) for module in modules)
     outcome = unittest.TextTestRunner(verbosity=2).run(tests)
     return 0 if outcome.wasSuccessful() and outcome.testsRun > 0 else 1
 
@@ -64,7 +65,7 @@ def main() -> int:
     for case in cases:
         result = assess(case, program, options.quick and bool(case.quick))
         results.append(result)
-        error = result.failure.strip() or percent(result.errors()[-1]) + f", bar {percent(result.bar)}"
+        error = result.failure.strip() or judged(result.comparisons[-1]) + f", bar {percent(result.bar)}"
         print(f"{result.verdict():7} {case.name:34} {error} ({result.seconds:.1f} s)", file=sys.stderr, flush=True)
     options.out.mkdir(parents=True, exist_ok=True)
     (options.out / "index.html").write_text(page(results, program.version()), encoding="utf-8")

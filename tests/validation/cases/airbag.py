@@ -22,7 +22,7 @@ def compare(program: Program, triangles: int) -> Comparison:
         [Quantity("rise of the middle at 5 kPa", "pressure, kPa", "mm", np.array([5.0]), rises[-1:], np.array([1e3 * RISE]),
                   drawn=False),
          Quantity("rise of the middle", "pressure, kPa", "mm", 5 * middle["time_s"][later], rises[later],
-                  np.full(np.sum(later), 1e3 * RISE), judged=False)],
+                  np.full(np.sum(later), 1e3 * RISE), judged=False, reference_name="later authors, at 5 kPa")],
         [f"At 5 kPa the middle rises by {rises[-1]:.1f} mm, the middle of an edge is drawn in by {-1e3 * edge['ux_m'][-1]:.1f} "
          f"mm, the corner by {-1e3 * corner['ux_m'][-1]:.1f} mm along x and {-1e3 * corner['uy_m'][-1]:.1f} mm along y. "
          f"Published rises found: {1e3 * PUBLISHED[0]:.1f} to {1e3 * PUBLISHED[-1]:.1f} mm (8 x 8 and 10 x 10 elements, as "

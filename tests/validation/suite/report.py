@@ -47,12 +47,13 @@ def _order(result: Result) -> str:
     return "–" if order is None else f"{order:.1f}"
 
 
-def _judged(comparison: Comparison) -> str:
+def judged(comparison: Comparison) -> str:
+    """The error, where anything is judged."""
     return percent(comparison.error()) if any(quantity.judged for quantity in comparison.quantities) else "–"
 
 
 def _error(result: Result) -> str:
-    return "did not run" if result.failure else _judged(result.comparisons[-1])
+    return "did not run" if result.failure else judged(result.comparisons[-1])
 
 
 def _verdict(result: Result) -> str:
@@ -138,7 +139,7 @@ def _section(result: Result) -> str:
     if result.comparisons:
         parts += [f"<p>{escape(note)}</p>" for note in result.comparisons[-1].notes]
         parts.append(f'<div class="plots">{_quantity_plots(result)}{_convergence_plot(result)}</div>')
-        rows = "".join(f'<tr><td class="n">{size}</td><td class="n">{_judged(comparison)}</td><td>' + "; ".join(
+        rows = "".join(f'<tr><td class="n">{size}</td><td class="n">{judged(comparison)}</td><td>' + "; ".join(
             f"{escape(q.name)} {percent(q.error())}{'' if q.judged else ' (not judged)'}" for q in comparison.quantities)
             + "</td></tr>"
             for size, comparison in zip(result.sizes, result.comparisons))
