@@ -1,0 +1,38 @@
+"""Tools that rub on membranes."""
+from __future__ import annotations
+
+import numpy as np
+
+from suite.case import Case, Comparison, Quantity
+from suite.program import Program
+
+COEFFICIENT = 0.3
+
+
+def compare_drag(program: Program, triangles: int) -> Comparison:
+    records = program.run("drag_of_a_sphere", triangles=triangles)
+    ball, sheet = records.tool("ball"), records.body("sheet")
+    place = 1e3 * ball["x_m"]
+    ratio = -ball["fx_N"] / ball["fz_N"].clip(1e-12)
+    turn = int(np.argmax(place))
+    quantities = []
+    # What sticks first gives way within some 0.7 mm at the beginning and twice that at the turn.
+    for name, steps, sign in (("there", np.arange(len(place)) < turn, 1), ("back", np.arange(len(place)) > turn, -1)):
+        sliding = np.flatnonzero(steps & (sign * place > -0.5))
+        quantities.append(Quantity(f"drag over normal force, {name}", "place of the ball, mm", "", place[sliding],
+                                   ratio[sliding], np.full(len(sliding), sign * COEFFICIENT)))
+        way = 1e-3 * abs(place[sliding[-1]] - place[sliding[0]])
+        spent = sheet["friction_J"][sliding[-1]] - sheet["friction_J"][sliding[0]]
+        normal = float(np.mean(ball["fz_N"][sliding]))
+        quantities.append(Quantity(f"energy spent, {name}", "way, mm", "uJ", np.array([1e3 * way]), np.array([1e6 * spent]),
+                                   np.array([1e6 * COEFFICIENT * normal * way]), drawn=False))
+    moving = np.flatnonzero(ball["fz_N"] > 0)
+    quantities.append(Quantity("the whole way", "time, s", "", ball["time_s"][moving], ratio[moving],
+                               np.where(moving <= turn, COEFFICIENT, -COEFFICIENT), judged=False))
+    return Comparison(quantities)
+
+
+CASES = [
+    Case("drag_of_a_sphere", "A ball dragged over a stretched sheet", "Coulomb's law",
+         "drag over normal force, energy spent, both ways", 0.01, (1024, 4096, 9216), compare_drag, quick=(4096,)),
+]
