@@ -134,6 +134,9 @@ class Body {
   /// Pairs of parts of the wall that lie on each other, after the last step.
   std::size_t fold_count() const { return newton_.terms().folds.folds.size(); }
 
+  /// Force with which the jaws of forceps press on this body from both sides: the smaller of the two along x', newton.
+  double squeeze(int tool, const ToolPose& pose) const;
+
   /// Pressure between wall and tools at each vertex, (vertices), pascal: force on the vertex over its rest area.
   Eigen::VectorXd contact_pressure() const;
 

@@ -118,6 +118,16 @@ bool Body::solve_with_friction(EquilibriumProblem& problem, EquilibriumState& tr
   }
 }
 
+double Body::squeeze(int tool, const ToolPose& pose) const {
+  std::size_t first = 0;
+  for (int k = 0; k < tool; ++k) first += tool_solids(tools_[k], {}).size();
+  const Eigen::Vector3d across = pose.axis.cross(pose.direction);
+  // The jaw on the side of +x' comes first; the wall between them pushes each outwards.
+  const double right = state_.solid_contacts[first].force.dot(across);
+  const double left = -state_.solid_contacts[first + 1].force.dot(across);
+  return std::max(0.0, std::min(right, left));
+}
+
 bool Body::has_friction() const {
   return std::ranges::any_of(tools_, [](const ToolDefinition& tool) { return tool.friction > 0; });
 }

@@ -52,20 +52,24 @@ ToolMoment PalpationPlan::at(double time) const {
   return moment;
 }
 
+SurfacePoint meet_on_approach(const LineOfApproach& line, const SurfaceView& surface, const SourceLocation& location) {
+  const Eigen::Vector3d &at = line.at, &direction = line.direction;
+  const auto hit = first_entry(surface, at, direction);
+  if (hit) return *hit;
+  throw InputErrors({{location, fmt::format("{}: the line of approach through at = [{:.4g}, {:.4g}, {:.4g}] m "
+                                            "along direction = [{:.3g}, {:.3g}, {:.3g}] misses body `{}`; move `at` "
+                                            "or turn `direction` so that the line meets its wall from outside",
+                                            line.verb, at.x(), at.y(), at.z(), direction.x(), direction.y(),
+                                            direction.z(), line.body)}});
+}
+
 PalpationPlan plan_palpation(const PalpateClip& clip, const ToolDefinition& tool, const SurfaceView& surface,
                              const SourceLocation& location) {
   // Adding zero turns a negative zero, which would read oddly in a message, into zero.
   const Eigen::Vector3d direction = clip.direction.normalized().array() + 0.0;
-  const auto hit = first_entry(surface, clip.at, direction);
-  if (!hit) {
-    throw InputErrors({{location, fmt::format("palpate: the line of approach through at = [{:.4g}, {:.4g}, {:.4g}] m "
-                                              "along direction = [{:.3g}, {:.3g}, {:.3g}] misses body `{}`; move `at` "
-                                              "or turn `direction` so that the line meets its wall from outside",
-                                              clip.at.x(), clip.at.y(), clip.at.z(), direction.x(), direction.y(),
-                                              direction.z(), clip.body)}});
-  }
+  const SurfacePoint hit = meet_on_approach({"palpate", clip.at, direction, clip.body}, surface, location);
   PalpationPlan plan{.clip = clip,
-                     .begin = make_pose(clip.at + (hit->travel - clip.standoff) * direction, direction, clip.axis)};
+                     .begin = make_pose(clip.at + (hit.travel - clip.standoff) * direction, direction, clip.axis)};
   plan.begin.opening = tool.opening;
   const auto travel = travel_to_contact(surface, tool, plan.begin, direction);
   if (!travel) {
@@ -88,12 +92,13 @@ ToolMoment MovePlan::at(double time) const {
   return moment;
 }
 
-MovePlan plan_move(const MoveClip& clip, const ToolPose& now) {
+MovePlan plan_move(const MoveClip& clip, const ToolPose& now, bool keeps_frame) {
   const Eigen::Vector3d from = clip.from.value_or(now.tip);
   const Eigen::Vector3d way = clip.to - from;
-  const Eigen::Vector3d direction = clip.direction ? *clip.direction : (way.norm() > 0 ? way : now.direction);
-  MovePlan plan{
-      .clip = clip, .begin = make_pose(from, direction, clip.axis), .end = make_pose(clip.to, direction, clip.axis)};
+  const bool turns = way.norm() > 0 && !keeps_frame;
+  const Eigen::Vector3d direction = clip.direction ? *clip.direction : (turns ? way : now.direction);
+  const std::optional<Eigen::Vector3d> axis = keeps_frame && !clip.axis ? now.axis : clip.axis;
+  MovePlan plan{.clip = clip, .begin = make_pose(from, direction, axis), .end = make_pose(clip.to, direction, axis)};
   plan.begin.opening = plan.end.opening = now.opening;
   return plan;
 }

@@ -28,6 +28,17 @@ struct PalpationPlan {
   ToolMoment at(double time) const;  // `time`: seconds since the clip began, limited to its duration
 };
 
+/// A line along which a clip approaches a body.
+struct LineOfApproach {
+  std::string verb;
+  Eigen::Vector3d at;         // metres
+  Eigen::Vector3d direction;  // unit
+  std::string body;
+};
+
+/// Where the line meets the body's wall from outside. Throws InputErrors at `location` when it misses it.
+SurfacePoint meet_on_approach(const LineOfApproach& line, const SurfaceView& surface, const SourceLocation& location);
+
 /// Finds stand-off and first contact. Throws InputErrors at `location` when the line misses the body, or the tool
 /// would touch already at its stand-off.
 PalpationPlan plan_palpation(const PalpateClip& clip, const ToolDefinition& tool, const SurfaceView& surface,
@@ -42,8 +53,9 @@ struct MovePlan {
   ToolMoment at(double time) const;                  // the phase is left to who knows whether the tool touches
 };
 
-/// `now`: where the tool is, unless the clip says where it begins.
-MovePlan plan_move(const MoveClip& clip, const ToolPose& now);
+/// `now`: where the tool is, unless the clip says where it begins. `keeps_frame`: a tool that holds something does not
+/// turn unless the clip says so.
+MovePlan plan_move(const MoveClip& clip, const ToolPose& now, bool keeps_frame = false);
 
 /// The frame of a tool that moves along `direction`: y' is `axis` made perpendicular to it, by default world y, or
 /// world x where the direction is parallel to y.

@@ -7,13 +7,11 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <variant>
 
 #include "engine/simulation/Body.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
-#include "studio/director/ClipPlan.hpp"
-#include "studio/director/FillPlan.hpp"
 #include "studio/director/FollowedPoint.hpp"
+#include "studio/director/Plan.hpp"
 #include "studio/director/SnapshotMaker.hpp"
 #include "studio/organs/BodyBuilder.hpp"
 
@@ -22,8 +20,6 @@ namespace {
 
 /// Times closer than this are the same: what rounding leaves between sums of steps and of durations.
 constexpr double kSameTime = 1e-9;  // seconds
-
-using Plan = std::variant<PalpationPlan, MovePlan, FillPlan, WaitClip>;
 
 /// A clip with when it plays: as planned on the surfaces at time zero until it begins, then for good.
 struct ScheduledClip {
@@ -41,36 +37,14 @@ struct DirectedTool {
   int index = 0;
   ToolPose pose;
   std::string phase = "idle";
+  bool holds = false;                            // whether its jaws have grasped
   double depth = 0;                              // metres
   std::optional<Eigen::Vector3d> first_contact;  // metres, of the tip, of the move that is playing
+
+  double depth_beyond_contact() const {
+    return first_contact ? std::max(0.0, (pose.tip - *first_contact).dot(pose.direction)) : 0;
+  }
 };
-
-double duration_of(const Plan& plan) {
-  if (const auto* wait = std::get_if<WaitClip>(&plan)) return wait->duration;
-  if (const auto* palpation = std::get_if<PalpationPlan>(&plan)) return palpation->duration();
-  if (const auto* fill = std::get_if<FillPlan>(&plan)) return fill->duration();
-  return std::get<MovePlan>(plan).duration();
-}
-
-std::string tool_of(const Clip& clip) {
-  if (const auto* palpate = std::get_if<PalpateClip>(&clip.action)) return palpate->tool;
-  if (const auto* move = std::get_if<MoveClip>(&clip.action)) return move->tool;
-  return "";
-}
-
-/// "Filling: 5 ml in 2 s", "Draining to 2 kPa in 2 s"
-std::string fill_caption(const FillClip& fill) {
-  if (fill.pressure) return fmt::format("Pressure to {:.3g} kPa in {:.3g} s", 1e-3 * *fill.pressure, fill.duration);
-  return fmt::format("{}: {:.3g} ml in {:.3g} s", fill.added < 0 ? "Draining" : "Filling", 1e6 * std::abs(fill.added),
-                     fill.duration);
-}
-
-std::string standard_caption(const Clip& clip) {
-  if (const auto* fill = std::get_if<FillClip>(&clip.action)) return fill_caption(*fill);
-  const auto* palpate = std::get_if<PalpateClip>(&clip.action);
-  if (palpate == nullptr) return "";
-  return fmt::format("Palpation: {:.3g} mm deep at {:.3g} mm/s", 1e3 * palpate->depth, 1e3 * palpate->speed);
-}
 
 }  // namespace
 
@@ -145,7 +119,18 @@ struct ScenarioRun::Implementation {
       const DirectedTool& tool = tools.at(palpate->tool);
       return plan_palpation(*palpate, scenario.tools[tool.index], body_named(palpate->body).surface(), clip.location);
     }
-    if (const auto* move = std::get_if<MoveClip>(&clip.action)) return plan_move(*move, tools.at(move->tool).pose);
+    if (const auto* move = std::get_if<MoveClip>(&clip.action)) {
+      const DirectedTool& tool = tools.at(move->tool);
+      return plan_move(*move, tool.pose, tool.holds);
+    }
+    if (const auto* grasp = std::get_if<GraspClip>(&clip.action)) {
+      const ToolDefinition& tool = scenario.tools[tools.at(grasp->tool).index];
+      return plan_grasp(*grasp, tool, body_named(grasp->body).surface(), clip.location);
+    }
+    if (const auto* release = std::get_if<ReleaseClip>(&clip.action)) {
+      const DirectedTool& tool = tools.at(release->tool);
+      return plan_release(*release, scenario.tools[tool.index], tool.pose);
+    }
     if (const auto* fill = std::get_if<FillClip>(&clip.action)) {
       return plan_fill(*fill, body_named(fill->body), clip.location);
     }
@@ -190,8 +175,7 @@ struct ScenarioRun::Implementation {
         tool.pose.tip = kOutOfTheWay;
         continue;
       }
-      if (const auto* palpation = std::get_if<PalpationPlan>(&clips[*first].plan)) tool.pose = palpation->begin;
-      if (const auto* move = std::get_if<MovePlan>(&clips[*first].plan)) tool.pose = move->begin;
+      tool.pose = *beginning_of(clips[*first].plan);
     }
   }
 
@@ -208,8 +192,9 @@ struct ScenarioRun::Implementation {
       DirectedTool& tool = tools.at(name);
       tool.first_contact.reset();
       // A clip may begin elsewhere than the last one ended: the tool is set there and touches nothing on the way.
-      if (const auto* palpation = std::get_if<PalpationPlan>(&clip.plan)) tool.pose = palpation->begin;
-      if (const auto* move = std::get_if<MovePlan>(&clip.plan)) tool.pose = move->begin;
+      tool.pose = *beginning_of(clip.plan);
+      if (std::holds_alternative<GraspPlan>(clip.plan)) tool.holds = true;
+      if (std::holds_alternative<ReleasePlan>(clip.plan)) tool.holds = false;
     }
   }
 
@@ -218,24 +203,18 @@ struct ScenarioRun::Implementation {
     std::vector<ToolPose> before(scenario.tools.size()), after;
     for (const auto& [name, tool] : tools) before[tool.index] = tool.pose;
     for (auto& [name, tool] : tools) tool.phase = "idle";
-    for (const ScheduledClip& clip : clips) {
+    for (std::size_t k = 0; k < clips.size(); ++k) {
+      const ScheduledClip& clip = clips[k];
       if (!clip.begun || clip.end <= time() + kSameTime) continue;
-      if (const auto* palpation = std::get_if<PalpationPlan>(&clip.plan)) {
-        DirectedTool& tool = tools.at(palpation->clip.tool);
-        const ToolMoment moment = palpation->at(until - clip.begin);
-        tool.pose = moment.pose;
-        tool.phase = moment.phase;
-        tool.depth = moment.depth;
-      }
-      if (const auto* move = std::get_if<MovePlan>(&clip.plan)) {
-        DirectedTool& tool = tools.at(move->clip.tool);
-        const ToolMoment moment = move->at(until - clip.begin);
-        find_first_contact(tool, moment.pose);
-        tool.pose = moment.pose;
-        tool.phase = moment.phase;
-        tool.depth =
-            tool.first_contact ? std::max(0.0, (tool.pose.tip - *tool.first_contact).dot(tool.pose.direction)) : 0;
-      }
+      const std::optional<ToolMoment> moment = moment_of(clip.plan, until - clip.begin);
+      if (!moment) continue;
+      DirectedTool& tool = tools.at(tool_of(scenario.timeline[k]));
+      // A palpation knows its depth exactly, from the line on which it was planned.
+      const bool is_planned = std::holds_alternative<PalpationPlan>(clip.plan);
+      if (!is_planned) find_first_contact(tool, moment->pose);
+      tool.pose = moment->pose;
+      tool.phase = moment->phase;
+      tool.depth = is_planned ? moment->depth : tool.depth_beyond_contact();
     }
     after.resize(before.size());
     for (const auto& [name, tool] : tools) after[tool.index] = tool.pose;
@@ -266,6 +245,18 @@ struct ScenarioRun::Implementation {
     return input;
   }
 
+  /// Lets jaws that close feel what lies between them.
+  void feel_grasps() {
+    for (std::size_t k = 0; k < clips.size(); ++k) {
+      auto* grasp = std::get_if<GraspPlan>(&clips[k].plan);
+      if (grasp == nullptr || !clips[k].begun) continue;
+      const DirectedTool& tool = tools.at(grasp->clip.tool);
+      double squeeze = 0;
+      for (const auto& body : bodies) squeeze += body->squeeze(tool.index, tool.pose);
+      grasp->feel(squeeze, tool.pose.opening);
+    }
+  }
+
   bool step() {
     if (time() >= planned_duration() - kSameTime) return false;
     const double next = static_cast<double>(steps + 1) * step_length();
@@ -281,6 +272,7 @@ struct ScenarioRun::Implementation {
       halved_steps += body->report().halvings > 0 ? 1 : 0;
     }
     ++steps;
+    feel_grasps();
     write_moment();
     return true;
   }

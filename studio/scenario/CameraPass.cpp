@@ -11,8 +11,9 @@ namespace {
 Eigen::Vector3d pressing_direction(const CheckedValue& timeline) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const CheckedValue& clip : timeline.items) {
-    const CheckedValue* palpate = clip.find("palpate");
-    const CheckedValue* direction = palpate != nullptr ? palpate->find("direction") : nullptr;
+    const CheckedValue* approach = clip.find("palpate");
+    if (approach == nullptr) approach = clip.find("grasp");
+    const CheckedValue* direction = approach != nullptr ? approach->find("direction") : nullptr;
     if (direction == nullptr || direction->items.size() != 3) continue;
     sum += Eigen::Vector3d(direction->items[0].number, direction->items[1].number, direction->items[2].number);
   }

@@ -21,6 +21,12 @@ double shortest_palpation(const CheckedValue& clip) {
   return travel + number_or_zero(clip, "hold");
 }
 
+/// Time in which the open jaws go from the stand-off to their depth.
+double reach_of_grasp(const CheckedValue& clip) {
+  const double speed = number_or_zero(clip, "speed");
+  return speed > 0 ? (number_or_zero(clip, "standoff") + number_or_zero(clip, "depth")) / speed : 0;
+}
+
 /// The chamber that a clip fills or drains, as "body" or "body.chamber": two clips at once must not.
 std::string filled_chamber(const CheckedValue& clip) {
   const CheckedValue *body = clip.find("body"), *chamber = clip.find("chamber");
@@ -53,7 +59,8 @@ std::vector<ClipTimes> clip_times(const CheckedValue& root) {
     }
     const CheckedValue* duration = action.value.find("for");
     clip.shortest_duration = duration != nullptr ? duration->number : shortest_palpation(action.value);
-    if (clip.start && duration != nullptr) clip.end = *clip.start + duration->number;
+    if (action.key == "grasp") clip.shortest_duration += reach_of_grasp(action.value);
+    if (clip.start && duration != nullptr) clip.end = *clip.start + clip.shortest_duration;
     end_of_last = clip.end;
     clips.push_back(std::move(clip));
   }

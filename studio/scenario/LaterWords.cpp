@@ -12,8 +12,6 @@ constexpr std::array kLaterWords = {
     LaterWord{"contents", "discharge", "`discharge`"},
     LaterWord{"clip", "pierce", "`pierce`"},
     LaterWord{"clip", "incise", "`incise`"},
-    LaterWord{"clip", "grasp", "`grasp`"},
-    LaterWord{"clip", "release", "`release`"},
     LaterWord{"camera", "follow", "`follow`"},
     LaterWord{"camera", "keyframes", "`keyframes`"},
     LaterWord{"camera.kind", "endoscope", "`endoscope`"},

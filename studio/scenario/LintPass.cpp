@@ -6,6 +6,7 @@
 
 #include "studio/scenario/ClipTimes.hpp"
 #include "studio/scenario/FieldLint.hpp"
+#include "studio/scenario/GraspLint.hpp"
 #include "studio/scenario/MaterialLint.hpp"
 #include "studio/scenario/Quantity.hpp"
 #include "studio/scenario/TextNode.hpp"
@@ -197,6 +198,7 @@ void lint_pass(const CheckedValue& root, Diagnostics& diagnostics) {
     check_frame(item.members[0], path, diagnostics);
     check_fill(item.members[0], path, diagnostics);
   }
+  check_grasps(root, diagnostics);
   const std::vector<ClipTimes> clips = clip_times(root);
   check_overlaps(clips, diagnostics);
   check_goldens(root, clips, diagnostics);

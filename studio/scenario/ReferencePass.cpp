@@ -47,10 +47,11 @@ class ReferenceChecker {
       if (item.members.empty()) continue;
       CheckedMember& clip = item.members[0];
       const std::string path = member_path(item_path("timeline", index), clip.key);
-      if (clip.key == "palpate" || clip.key == "move") {
+      const bool meets_body = clip.key == "palpate" || clip.key == "grasp";
+      if (meets_body || clip.key == "move" || clip.key == "release") {
         resolve(clip, {"tool", "tool", "tools"}, tools_, path);
-        resolve(clip, {"body", "body", "bodies", clip.key == "palpate"}, bodies_, path);
       }
+      if (meets_body || clip.key == "move") resolve(clip, {"body", "body", "bodies", meets_body}, bodies_, path);
       if (clip.key == "inflate" || clip.key == "drain") {
         resolve(clip, {"body", "body", "bodies"}, bodies_, path);
         check_chamber(clip, path);

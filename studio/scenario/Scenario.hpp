@@ -91,6 +91,27 @@ struct MoveClip {
   Ease ease = Ease::kSmooth;
 };
 
+/// Jaws that reach over a wall and close.
+struct GraspClip {
+  std::string tool = {};
+  std::string body = {};
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();           // metres, a point of the line of approach
+  Eigen::Vector3d direction = -Eigen::Vector3d::UnitZ();  // unit
+  std::optional<Eigen::Vector3d> axis = {};               // y' of the tool frame, a direction
+  double depth = 0;                                       // metres beyond where the line of approach meets the wall
+  double speed = 0.01;                                    // metres / second
+  double standoff = 0.005;                                // metres
+  double to = 0.0005;                                     // metres between the closed jaws
+  double grip = 0;                                        // newton at which they stop; zero: they close all the way
+  double duration = 1;                                    // seconds, of the closing
+};
+
+/// Jaws that open.
+struct ReleaseClip {
+  std::string tool = {};
+  double duration = 0.5;  // seconds
+};
+
 /// Fluid filled in or taken out.
 struct FillClip {
   std::string body = {};
@@ -105,7 +126,7 @@ struct WaitClip {
 };
 
 struct Clip {
-  std::variant<PalpateClip, MoveClip, FillClip, WaitClip> action = {};
+  std::variant<PalpateClip, MoveClip, GraspClip, ReleaseClip, FillClip, WaitClip> action = {};
   SourceLocation location = {};
   std::optional<double> start = {};         // seconds; after the clip before it when absent
   std::optional<std::string> caption = {};  // shown while the clip lasts

@@ -218,6 +218,20 @@ MoveClip to_move(const CheckedValue& clip) {
           .ease = clip.at("ease").text == "linear" ? Ease::kLinear : Ease::kSmooth};
 }
 
+GraspClip to_grasp(const CheckedValue& clip) {
+  return {.tool = clip.at("tool").text,
+          .body = clip.at("body").text,
+          .at = to_vector(clip.at("at")),
+          .direction = to_vector(clip.at("direction")),
+          .axis = find_vector(clip, "axis"),
+          .depth = clip.at("depth").number,
+          .speed = clip.at("speed").number,
+          .standoff = clip.at("standoff").number,
+          .to = clip.at("to").number,
+          .grip = find_number(clip, "grip").value_or(0),
+          .duration = clip.at("for").number};
+}
+
 FillClip to_fill(const CheckedValue& clip, double sense) {
   return {.body = clip.at("body").text,
           .chamber = find_text(clip, "chamber"),
@@ -231,6 +245,10 @@ Clip to_clip(const CheckedValue& item) {
   Clip clip{.action = WaitClip{}, .location = action.location};
   if (action.key == "palpate") clip.action = to_palpate(action.value);
   if (action.key == "move") clip.action = to_move(action.value);
+  if (action.key == "grasp") clip.action = to_grasp(action.value);
+  if (action.key == "release") {
+    clip.action = ReleaseClip{.tool = action.value.at("tool").text, .duration = action.value.at("for").number};
+  }
   if (action.key == "inflate") clip.action = to_fill(action.value, 1);
   if (action.key == "drain") clip.action = to_fill(action.value, -1);
   if (action.key == "wait") clip.action = WaitClip{action.value.at("for").number};

@@ -1,0 +1,50 @@
+#include "studio/director/GraspPlan.hpp"
+
+#include <algorithm>
+
+namespace thinwall {
+
+double GraspPlan::duration() const {
+  return (clip.standoff + clip.depth) / clip.speed + clip.duration;
+}
+
+ToolMoment GraspPlan::at(double time) const {
+  const double in = clip.standoff + clip.depth;  // metres
+  const double arrival = in / clip.speed;        // seconds
+  ToolMoment moment{.pose = begin, .phase = "approach"};
+  moment.pose.tip += std::min(in, std::max(0.0, time) * clip.speed) * begin.direction;
+  if (time <= arrival) return moment;
+  moment.phase = "grasp";
+  const double part = std::clamp((time - arrival) / clip.duration, 0.0, 1.0);
+  moment.pose.opening = begin.opening + part * (clip.to - begin.opening);
+  if (stopped) moment.pose.opening = std::max(moment.pose.opening, *stopped);
+  return moment;
+}
+
+void GraspPlan::feel(double squeeze, double opening) {
+  if (clip.grip > 0 && !stopped && squeeze >= clip.grip) stopped = opening;
+}
+
+GraspPlan plan_grasp(const GraspClip& clip, const ToolDefinition& tool, const SurfaceView& surface,
+                     const SourceLocation& location) {
+  const Eigen::Vector3d direction = clip.direction.normalized().array() + 0.0;
+  const SurfacePoint hit = meet_on_approach({"grasp", clip.at, direction, clip.body}, surface, location);
+  GraspPlan plan{.clip = clip,
+                 .begin = make_pose(clip.at + (hit.travel - clip.standoff) * direction, direction, clip.axis),
+                 .stopped = {}};
+  plan.begin.opening = tool.opening;
+  return plan;
+}
+
+ToolMoment ReleasePlan::at(double time) const {
+  ToolMoment moment{.pose = begin, .phase = "release"};
+  const double part = std::clamp(time / clip.duration, 0.0, 1.0);
+  moment.pose.opening = begin.opening + part * (opening - begin.opening);
+  return moment;
+}
+
+ReleasePlan plan_release(const ReleaseClip& clip, const ToolDefinition& tool, const ToolPose& now) {
+  return {.clip = clip, .begin = now, .opening = tool.opening};
+}
+
+}  // namespace thinwall

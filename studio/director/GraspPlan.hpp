@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+
+#include "studio/director/ClipPlan.hpp"
+
+namespace thinwall {
+
+/// Forceps that reach over a wall with open jaws, then close them.
+struct GraspPlan {
+  GraspClip clip;
+  ToolPose begin;                 // at the stand-off, open
+  std::optional<double> stopped;  // metres, opening at which the jaws held firmly enough, once they do
+
+  double duration() const;           // seconds
+  ToolMoment at(double time) const;  // `time`: seconds since the clip began, limited to its duration
+  /// Stops the jaws at `opening` when they squeeze with at least the grip of the clip, newton.
+  void feel(double squeeze, double opening);
+};
+
+/// Finds where the line of approach meets the wall. Throws InputErrors at `location` when it misses the body.
+GraspPlan plan_grasp(const GraspClip& clip, const ToolDefinition& tool, const SurfaceView& surface,
+                     const SourceLocation& location);
+
+/// Forceps that open where they are.
+struct ReleasePlan {
+  ReleaseClip clip;
+  ToolPose begin;
+  double opening = 0;  // metres, at the end
+
+  double duration() const { return clip.duration; }  // seconds
+  ToolMoment at(double time) const;
+};
+
+ReleasePlan plan_release(const ReleaseClip& clip, const ToolDefinition& tool, const ToolPose& now);
+
+}  // namespace thinwall

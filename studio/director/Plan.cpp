@@ -1,0 +1,83 @@
+#include "studio/director/Plan.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <type_traits>
+
+namespace thinwall {
+namespace {
+
+template <typename Kind>
+constexpr bool kDrivesTool = !std::is_same_v<Kind, FillPlan> && !std::is_same_v<Kind, WaitClip>;
+
+template <typename Kind>
+constexpr bool kHasTool = !std::is_same_v<Kind, FillClip> && !std::is_same_v<Kind, WaitClip>;
+
+/// "Filling: 5 ml in 2 s", "Pressure to 2 kPa in 2 s"
+std::string fill_caption(const FillClip& fill) {
+  if (fill.pressure) return fmt::format("Pressure to {:.3g} kPa in {:.3g} s", 1e-3 * *fill.pressure, fill.duration);
+  return fmt::format("{}: {:.3g} ml in {:.3g} s", fill.added < 0 ? "Draining" : "Filling", 1e6 * std::abs(fill.added),
+                     fill.duration);
+}
+
+}  // namespace
+
+double duration_of(const Plan& plan) {
+  return std::visit(
+      [](const auto& own) -> double {
+        if constexpr (std::is_same_v<std::decay_t<decltype(own)>, WaitClip>) {
+          return own.duration;
+        } else {
+          return own.duration();
+        }
+      },
+      plan);
+}
+
+const ToolPose* beginning_of(const Plan& plan) {
+  return std::visit(
+      [](const auto& own) -> const ToolPose* {
+        if constexpr (kDrivesTool<std::decay_t<decltype(own)>>) {
+          return &own.begin;
+        } else {
+          return nullptr;
+        }
+      },
+      plan);
+}
+
+std::optional<ToolMoment> moment_of(const Plan& plan, double time) {
+  return std::visit(
+      [time](const auto& own) -> std::optional<ToolMoment> {
+        if constexpr (kDrivesTool<std::decay_t<decltype(own)>>) {
+          return own.at(time);
+        } else {
+          return std::nullopt;
+        }
+      },
+      plan);
+}
+
+std::string tool_of(const Clip& clip) {
+  return std::visit(
+      [](const auto& action) -> std::string {
+        if constexpr (kHasTool<std::decay_t<decltype(action)>>) {
+          return action.tool;
+        } else {
+          return "";
+        }
+      },
+      clip.action);
+}
+
+std::string standard_caption(const Clip& clip) {
+  if (const auto* fill = std::get_if<FillClip>(&clip.action)) return fill_caption(*fill);
+  if (std::holds_alternative<GraspClip>(clip.action)) return "Grasping";
+  if (std::holds_alternative<ReleaseClip>(clip.action)) return "Release";
+  const auto* palpate = std::get_if<PalpateClip>(&clip.action);
+  if (palpate == nullptr) return "";
+  return fmt::format("Palpation: {:.3g} mm deep at {:.3g} mm/s", 1e3 * palpate->depth, 1e3 * palpate->speed);
+}
+
+}  // namespace thinwall

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <variant>
+
+#include "studio/director/ClipPlan.hpp"
+#include "studio/director/FillPlan.hpp"
+#include "studio/director/GraspPlan.hpp"
+
+namespace thinwall {
+
+/// What a clip has come to, held against the bodies.
+using Plan = std::variant<PalpationPlan, MovePlan, GraspPlan, ReleasePlan, FillPlan, WaitClip>;
+
+double duration_of(const Plan& plan);  // seconds
+
+/// Where the plan's tool begins; nullptr when it drives none.
+const ToolPose* beginning_of(const Plan& plan);
+
+/// Where the plan's tool is `time` seconds after the beginning; nothing when it drives none.
+std::optional<ToolMoment> moment_of(const Plan& plan, double time);
+
+/// The tool that a clip drives; empty when it drives none.
+std::string tool_of(const Clip& clip);
+
+/// What is shown while a clip lasts that has no caption of its own; empty for most.
+std::string standard_caption(const Clip& clip);
+
+}  // namespace thinwall
