@@ -80,6 +80,32 @@ SignedDistance signed_distance(const ToolSolid& solid, const Eigen::Vector3d& po
   return distance;
 }
 
+std::vector<ToolSolid> corners_of(const ToolSolid& solid) {
+  std::vector<ToolSolid> corners;
+  const auto add = [&](const Eigen::Vector3d& local, double radius) {
+    ToolSolid corner;
+    corner.role = ToolSolid::Role::kCorner;
+    corner.center = solid.center + solid.frame * local;
+    corner.frame = solid.frame;
+    corner.radius = radius;
+    corners.push_back(corner);
+  };
+  if (solid.is_ball()) return corners;
+  if (solid.form == ToolSolid::Form::kNeedle) {
+    add({0, 0, solid.core.z()}, solid.tip_radius);
+    add({0, 0, solid.shoulder}, solid.radius);
+    add({0, 0, -solid.core.z()}, solid.radius);
+    return corners;
+  }
+  const auto sides = [&](int axis) { return solid.core[axis] > 0 ? std::vector{-1.0, 1.0} : std::vector{0.0}; };
+  for (const double x : sides(0)) {
+    for (const double y : sides(1)) {
+      for (const double z : sides(2)) add(solid.core.cwiseProduct(Eigen::Vector3d(x, y, z)), solid.radius);
+    }
+  }
+  return corners;
+}
+
 double silhouette(const ToolSolid& solid, const Eigen::Vector3d& direction) {
   const Eigen::Vector3d local = (solid.frame.transpose() * direction).cwiseAbs();
   const Eigen::Vector3d size = 2 * (solid.core.array() + solid.radius);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 namespace thinwall {
 
@@ -22,7 +23,15 @@ struct ToolSolid {
     kNeedle
   };
 
+  /// Which parts of a wall the solid keeps out.
+  enum class Role {
+    kWhole,  // all: a ball
+    kBody,   // vertices and edges
+    kCorner  // faces: a ball at a corner of a body
+  };
+
   Form form = Form::kRoundedBox;
+  Role role = Role::kWhole;
   Eigen::Vector3d center = Eigen::Vector3d::Zero();     // metres
   Eigen::Matrix3d frame = Eigen::Matrix3d::Identity();  // columns x', y', z', a rotation
   Eigen::Vector3d core = Eigen::Vector3d::Zero();       // metres, half sizes along x', y', z'
@@ -43,6 +52,10 @@ struct ToolSolid {
 /// point of the box core nearest to x: |x - q| - radius, of Hessian (P - n n^T) / |x - q|, P onto the axes along which
 /// x lies beyond the core. Of the needle: the distance from the ball, cone or cylinder on whose normal x lies.
 SignedDistance signed_distance(const ToolSolid& solid, const Eigen::Vector3d& point);
+
+/// The balls whose hull a solid is, each with the role of a corner: of a box at its corners, of a needle at its tip,
+/// its shoulder and its back end. None of a ball.
+std::vector<ToolSolid> corners_of(const ToolSolid& solid);
 
 /// Area of the shadow that the solid throws along a unit vector, metres^2: that of the box around it.
 double silhouette(const ToolSolid& solid, const Eigen::Vector3d& direction);

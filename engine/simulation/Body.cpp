@@ -60,7 +60,7 @@ Body::Body(BodyDefinition definition, std::vector<ToolDefinition> tools, Simulat
   state_.previous_position = model_->rest_position;
   state_.contacts.resize(tools_.size());
   std::size_t solids = 0;
-  for (const ToolDefinition& tool : tools_) solids += tool_solids(tool, {}).size();
+  for (const ToolDefinition& tool : tools_) solids += contact_solids(tool, {}).size();
   state_.solid_contacts.resize(solids);
   state_.solid_forces.assign(solids, std::vector<double>(model_->sites.size(), 0));
   state_.friction.resize(solids);

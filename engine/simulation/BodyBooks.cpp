@@ -99,7 +99,7 @@ double Body::work_of_solids(const BodyState& before, std::span<const ToolPose> b
   double work = 0;
   std::size_t k = 0;
   for (std::size_t tool = 0; tool < tools_.size(); ++tool) {
-    for (const ToolSolid& solid : tool_solids(tools_[tool], begin[tool])) {
+    for (const ToolSolid& solid : contact_solids(tools_[tool], begin[tool])) {
       const ToolSolid& after = problem.solids[k].solid;
       const ToolContact &first = before.solid_contacts[k], &last = state_.solid_contacts[k];
       const Eigen::AngleAxisd turn(Eigen::Matrix3d(after.frame * solid.frame.transpose()));

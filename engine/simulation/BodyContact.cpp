@@ -126,11 +126,14 @@ void Body::add_solids(std::span<const ToolPose> poses, EquilibriumProblem& probl
   for (int tool = 0; tool < static_cast<int>(tools_.size()); ++tool) {
     const double largest_pressure =
         state_.reference_pressure.size() > 0 ? state_.reference_pressure.lpNorm<Eigen::Infinity>() : 0;
-    for (const ToolSolid& solid : tool_solids(tools_[tool], poses[tool])) {
+    double range = 0;
+    for (const ToolSolid& solid : contact_solids(tools_[tool], poses[tool])) {
+      // Corners come after their body and are as stiff as it is.
+      if (solid.role != ToolSolid::Role::kCorner) range = contact_range(solid);
       problem.solids.push_back(
           {.tool = tool,
            .solid = solid,
-           .range = contact_range(solid),
+           .range = range,
            .dip = contact_dip(solid),
            .hugging_pressure = std::max(model_->wall_stiffness / solid.sharpness(), largest_pressure),
            .forces = state_.solid_forces[problem.solids.size()]});

@@ -13,17 +13,21 @@ namespace {
 constexpr double kGive = 1e-4;
 
 /// Friction is found when the limits and normals that the solution asks for differ from those it was found with by no
-/// more than this part of the sum of all limits.
+/// more than this part of the sum of all limits. Where a tool rests on more places than its balance determines, the
+/// shares of the places may go to and fro without end while their sum stands: then the other part is good enough.
 constexpr double kAgreement = 2e-4;
+constexpr double kRestlessAgreement = 1e-2;
 
-/// Solutions after which each one goes only half of the way to what the last asked for, and after which to give up.
-constexpr int kWholeTurns = 10;
+/// Solutions after which each one goes only half of the way to what the last asked for, after which the looser
+/// agreement counts, and after which to give up.
+constexpr int kWholeTurns = 8;
+constexpr int kQuietTurns = 14;
 constexpr int kMostTurns = 40;
 
 std::vector<ToolSolid> solids_of(const std::vector<ToolDefinition>& tools, std::span<const ToolPose> poses) {
   std::vector<ToolSolid> solids;
   for (std::size_t tool = 0; tool < tools.size(); ++tool) {
-    for (const ToolSolid& solid : tool_solids(tools[tool], poses[tool])) solids.push_back(solid);
+    for (const ToolSolid& solid : contact_solids(tools[tool], poses[tool])) solids.push_back(solid);
   }
   return solids;
 }
@@ -102,7 +106,7 @@ bool Body::revise_friction(EquilibriumProblem& problem, std::span<const ToolPose
     revised.push_back(contact);
   }
   for (; old != problem.friction.cend(); ++old) gone(*old);
-  if (difference <= kAgreement * limits) return false;
+  if (difference <= (turn < kQuietTurns ? kAgreement : kRestlessAgreement) * limits) return false;
   problem.friction = std::move(revised);
   return true;
 }
@@ -119,13 +123,16 @@ bool Body::solve_with_friction(EquilibriumProblem& problem, EquilibriumState& tr
 }
 
 double Body::squeeze(int tool, const ToolPose& pose) const {
-  std::size_t first = 0;
-  for (int k = 0; k < tool; ++k) first += tool_solids(tools_[k], {}).size();
+  std::size_t k = 0;
+  for (int before = 0; before < tool; ++before) k += contact_solids(tools_[before], {}).size();
   const Eigen::Vector3d across = pose.axis.cross(pose.direction);
-  // The jaw on the side of +x' comes first; the wall between them pushes each outwards.
-  const double right = state_.solid_contacts[first].force.dot(across);
-  const double left = -state_.solid_contacts[first + 1].force.dot(across);
-  return std::max(0.0, std::min(right, left));
+  // The wall between the jaws pushes each outwards.
+  double right = 0, left = 0;
+  for (const ToolSolid& solid : contact_solids(tools_[tool], pose)) {
+    const double outwards = state_.solid_contacts[k++].force.dot(across);
+    (across.dot(solid.center - pose.tip) > 0 ? right : left) += outwards;
+  }
+  return std::max(0.0, std::min(right, -left));
 }
 
 bool Body::has_friction() const {
@@ -147,34 +154,37 @@ void Body::add_friction_to_contacts(const EquilibriumProblem& problem) {
 double Body::update_friction(const BodyState& before, std::span<const ToolPose> begin,
                              const EquilibriumProblem& problem) {
   const std::vector<ToolSolid> solids = solids_of(tools_, begin);
+  // What a place does during the step, seen from the solid that it touched before.
+  const auto motion = [&](const FrictionMemory& memory, std::size_t solid) -> Eigen::Vector3d {
+    const Eigen::Vector3d from = place_on(*model_, memory.triangle, memory.weights, before.equilibrium.position);
+    return place_on(*model_, memory.triangle, memory.weights, state_.equilibrium.position) - from -
+           displacement_of(solids[solid], problem.solids[solid].solid, from);
+  };
   for (std::vector<FrictionMemory>& memories : state_.friction) memories.clear();
   state_.friction_energy = 0;
-  double spent = 0;  // joule
+  double spent = 0;  // joule, by the trapezoidal rule as all work: half under the forces before, half under those now
   for (const FrictionContact& contact : problem.friction) {
     const Eigen::Matrix3d& frame = problem.solids[contact.solid].solid.frame;
     const Eigen::Vector3d slip = contact.slip(*model_, state_.equilibrium.position);
     const Eigen::Vector3d elastic = contact.potential.elastic_part(slip);
-    const FrictionMemory memory{.site = contact.site,
-                                .triangle = contact.triangle,
-                                .weights = contact.weights,
-                                .elastic_slip = frame.transpose() * elastic,
-                                .force = frame.transpose() * contact.potential.stiffness() * elastic};
-    const FrictionMemory* earlier = find_memory(before.friction[contact.solid], contact.site);
-    const Eigen::Vector3d earlier_force = earlier ? Eigen::Vector3d(frame * earlier->force) : Eigen::Vector3d::Zero();
-    spent += std::max(0.0, 0.5 * (earlier_force + frame * memory.force).dot(slip - elastic));
-    state_.friction_energy += 0.5 * contact.potential.stiffness() * elastic.squaredNorm();
-    state_.friction[contact.solid].push_back(memory);
+    const Eigen::Vector3d force = contact.potential.stiffness() * elastic;
+    spent += 0.5 * force.dot(slip - elastic);
+    state_.friction_energy += 0.5 * force.dot(elastic);
+    state_.friction[contact.solid].push_back({.site = contact.site,
+                                              .triangle = contact.triangle,
+                                              .weights = contact.weights,
+                                              .elastic_slip = frame.transpose() * elastic,
+                                              .force = frame.transpose() * force});
   }
   for (std::size_t k = 0; k < before.friction.size(); ++k) {
-    for (const FrictionMemory& lost : before.friction[k]) {
-      if (find_memory(state_.friction[k], lost.site)) continue;
-      const Eigen::Vector3d from = place_on(*model_, lost.triangle, lost.weights, before.equilibrium.position);
-      const Eigen::Vector3d way = place_on(*model_, lost.triangle, lost.weights, state_.equilibrium.position) - from -
-                                  displacement_of(solids[k], problem.solids[k].solid, from);
-      spent += std::max(0.0, 0.5 * (solids[k].frame * lost.force).dot(way));
+    for (const FrictionMemory& earlier : before.friction[k]) {
+      const FrictionMemory* now = find_memory(state_.friction[k], earlier.site);
+      const Eigen::Vector3d given_back = earlier.elastic_slip - (now ? now->elastic_slip : Eigen::Vector3d::Zero());
+      spent += 0.5 * (solids[k].frame * earlier.force).dot(motion(earlier, k) + solids[k].frame * given_back);
     }
   }
-  return spent;
+  // A step in which sliding turns round spends nothing rather than giving back.
+  return std::max(0.0, spent);
 }
 
 }  // namespace thinwall

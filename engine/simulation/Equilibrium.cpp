@@ -138,6 +138,9 @@ void find_contacts(const BodyModel& model, const EquilibriumProblem& problem, co
     const double near = contact.range + kContactMargin * model.edge_length;
     for (int s = 0; s < static_cast<int>(model.sites.size()); ++s) {
       const ContactSite& site = model.sites[s];
+      if (contact.solid.role == (site.part == SitePart::kFace ? ToolSolid::Role::kBody : ToolSolid::Role::kCorner)) {
+        continue;
+      }
       const Eigen::Vector3i& triangle = model.surface[site.triangle];
       const double reach = contact.forces[s] > 0 ? std::numeric_limits<double>::infinity() : near;
       const auto corners = corners_of(triangle, position);
@@ -207,37 +210,53 @@ double even_area(const Eigen::Matrix3d& moments, const Eigen::Vector3d& normal) 
   return 4 * std::numbers::pi * std::sqrt(std::max(0.0, a * b - c * c));
 }
 
+/// The last of the corners that follow a solid.
+int last_corner(const EquilibriumProblem& problem, int solid) {
+  int last = solid;
+  while (last + 1 < static_cast<int>(problem.solids.size()) &&
+         problem.solids[last + 1].solid.role == ToolSolid::Role::kCorner) {
+    ++last;
+  }
+  return last;
+}
+
 }  // namespace
 
 ToolContact contact_on(const BodyModel& model, const EquilibriumProblem& problem, const EquilibriumTerms& terms,
                        const Eigen::VectorXd& position, int solid) {
   const SolidContact& contact = problem.solids[solid];
   ToolContact sum;
+  const bool is_corner = contact.solid.role == ToolSolid::Role::kCorner;
+  const int last = is_corner ? solid : last_corner(problem, solid);
   double pressed = 0;
+  Eigen::Vector3d whole_force = Eigen::Vector3d::Zero();
   Eigen::Vector3d center = Eigen::Vector3d::Zero();   // newton metres, relative to the solid's
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();  // newton metres^2
   for (const ContactPoint& point : terms.contacts) {
-    const double force = contact.forces[point.site];
-    if (point.solid != solid || force == 0) continue;
+    if (point.solid < solid || point.solid > last) continue;
+    const double force = problem.solids[point.solid].forces[point.site];
+    if (force == 0) continue;
     const auto corners = corners_of(model.surface[point.triangle], position);
     Eigen::Vector3d arm = -contact.solid.center;
     for (int k = 0; k < 3; ++k) arm += point.gap.weights[k] * corners[k];
-    sum.force -= force * point.gap.normal;
-    sum.moment -= force * arm.cross(point.gap.normal);
+    whole_force -= force * point.gap.normal;
     pressed += force;
     center += force * arm;
     moments += force * arm * arm.transpose();
+    if (point.solid != solid) continue;
+    sum.force -= force * point.gap.normal;
+    sum.moment -= force * arm.cross(point.gap.normal);
+    sum.touching = true;
   }
-  sum.touching = pressed > 0;
-  if (!sum.touching) return sum;
+  if (pressed == 0 || is_corner) return sum;
   center /= pressed;
   moments = moments / pressed - center * center.transpose();
   if (contact.solid.is_ball()) {
     // Even pressure on a cap of half angle a adds up to (1 + cos a) / 2 of the sum of its forces' magnitudes.
     const double whole = 4 * std::numbers::pi * contact.solid.radius * contact.solid.radius;
-    sum.area = whole * std::max(0.0, 1 - sum.force.norm() / pressed);
-  } else if (sum.force.norm() > 0) {
-    const Eigen::Vector3d normal = sum.force.normalized();
+    sum.area = whole * std::max(0.0, 1 - whole_force.norm() / pressed);
+  } else if (whole_force.norm() > 0) {
+    const Eigen::Vector3d normal = whole_force.normalized();
     sum.area = std::min(even_area(moments, normal), silhouette(contact.solid, normal));
   }
   sum.area = std::max(sum.area, pressed / contact.hugging_pressure);

@@ -152,7 +152,8 @@ struct EquilibriumTerms {
 void evaluate(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
               const Eigen::VectorXd& pressure, EquilibriumTerms& terms);
 
-/// What the forces of the problem add up to on one of its solids, at contacts found by `evaluate`. The area grows
+/// What the forces of the problem add up to on one of its solids, at contacts found by `evaluate`. The area, that of a
+/// body with its corners and none of a corner, grows
 /// smoothly while site after site comes to lie on the solid: on a ball it is that of the cap over which an even
 /// pressure would spread the directions of the forces as they are; on other solids that of the ellipse, across the mean
 /// normal, over which an even pressure would have the forces' second moments, at most the solid's shadow; at least the

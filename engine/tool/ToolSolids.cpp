@@ -67,4 +67,15 @@ std::vector<ToolSolid> tool_solids(const ToolDefinition& tool, const ToolPose& p
   return jaws;
 }
 
+std::vector<ToolSolid> contact_solids(const ToolDefinition& tool, const ToolPose& pose) {
+  std::vector<ToolSolid> solids;
+  for (ToolSolid& solid : tool_solids(tool, pose)) {
+    const std::vector<ToolSolid> corners = corners_of(solid);
+    if (!corners.empty()) solid.role = ToolSolid::Role::kBody;
+    solids.push_back(solid);
+    solids.insert(solids.end(), corners.begin(), corners.end());
+  }
+  return solids;
+}
+
 }  // namespace thinwall

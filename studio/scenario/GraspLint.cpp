@@ -49,8 +49,9 @@ void check_grasps(const CheckedValue& root, Diagnostics& diagnostics) {
     if (kind == nullptr) continue;
     const std::string path = member_path(item_path("timeline", index), clip.key);
     if (kind->text != "forceps") {
-      diagnostics.error(clip.location, path,
-                        "only `forceps` have jaws, and " + in_backticks(tool->key) + " is a " + in_backticks(kind->text));
+      diagnostics.error(
+          clip.location, path,
+          "only `forceps` have jaws, and " + in_backticks(tool->key) + " is a " + in_backticks(kind->text));
     } else if (clip.key == "grasp") {
       check_grasp(clip, *tool, path, diagnostics);
       closed.insert(tool->key);

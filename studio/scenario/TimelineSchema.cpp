@@ -56,7 +56,11 @@ MappingSchema move() {
                {"body", name_value(), false, {}, "the body that a point or line may touch; the only one when absent"},
                {"from", vector_value(kLength, {}, point), false, {}, "where it starts; where it is when absent"},
                {"to", vector_value(kLength, {}, point), true, {}, "where it ends"},
-               {"direction", direction_value(), false, {}, "z' of the tool; that of the motion when absent, for closed jaws as they are"},
+               {"direction",
+                direction_value(),
+                false,
+                {},
+                "z' of the tool; that of the motion when absent, for closed jaws as they are"},
                axis_key(),
                {"for", quantity_value(kTime, kAboveZero, "1 s"), false, "1 s", "how long it takes"},
                {"ease", word_value({"linear", "smooth"}), false, "smooth",
@@ -71,14 +75,20 @@ MappingSchema grasp() {
        {"at", vector_value(kLength, {}, "[0, 0, 20 mm]"), false, "[0, 0, 0]", "a point of the line of approach"},
        {"direction", direction_value(), false, "[0, 0, -1]", "sense of the approach, z' of the tool"},
        {"axis", direction_value(), false, {}, "y' of the tool, along the width of the jaws, which close along x'"},
-       {"depth", quantity_value(kLength, kFromZero, "4 mm"), true, {},
+       {"depth",
+        quantity_value(kLength, kFromZero, "4 mm"),
+        true,
+        {},
         "how far the tips go beyond where the line of approach meets the wall"},
        {"speed", quantity_value(kSpeed, kAboveZero, "10 mm/s"), false, "10 mm/s", "speed of the approach"},
        {"standoff", quantity_value(kLength, kFromZero, "5 mm"), false, "5 mm",
         "distance from the wall at which the tips start"},
        {"to", quantity_value(kLength, kAboveZero, "1 mm"), false, "0.5 mm",
         "distance between the closed jaws, between which two layers of wall may lie"},
-       {"grip", quantity_value(kForce, kAboveZero, "0.5 N"), false, {},
+       {"grip",
+        quantity_value(kForce, kAboveZero, "0.5 N"),
+        false,
+        {},
         "force at which the jaws stop closing; they close all the way when absent"},
        {"for", quantity_value(kTime, kAboveZero, "1 s"), false, "1 s", "how long the jaws take to close"}});
 }
@@ -104,9 +114,9 @@ MappingSchema fill(const std::string& verb, const std::string& documentation, co
 }  // namespace
 
 ValueSchema timeline_schema() {
-  return list_value(
-      mapping_value({palpate(), grasp(), move(), release(), fill("inflate", "Fills fluid into a body.", "volume to be filled in"),
-                     fill("drain", "Takes fluid out of a body.", "volume to be taken out"), wait()}));
+  return list_value(mapping_value({palpate(), grasp(), move(), release(),
+                                   fill("inflate", "Fills fluid into a body.", "volume to be filled in"),
+                                   fill("drain", "Takes fluid out of a body.", "volume to be taken out"), wait()}));
 }
 
 namespace {

@@ -221,5 +221,27 @@ TEST(SolidGap, GradientAndHessianAreTheDerivativesOfTheGapOfEveryPart) {
   }
 }
 
+TEST(ToolSolid, HasItsExtremePointInEveryDirectionOnOneOfItsCorners) {
+  std::mt19937 generator(11);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (const auto& [name, solid] : solids()) {
+    const std::vector<ToolSolid> corners = corners_of(solid);
+    EXPECT_EQ(corners.empty(), solid.is_ball()) << name;
+    for (int k = 0; k < 50 && !corners.empty(); ++k) {
+      const Eigen::Vector3d direction =
+          Eigen::Vector3d(number(generator), number(generator), number(generator)).normalized();
+      Eigen::Vector3d extreme = solid.center;
+      for (const ToolSolid& corner : corners) {
+        EXPECT_EQ(corner.role, ToolSolid::Role::kCorner);
+        const Eigen::Vector3d point = corner.center + corner.radius * direction;
+        if (direction.dot(point - extreme) > 0) extreme = point;
+      }
+      const SignedDistance distance = signed_distance(solid, extreme);
+      EXPECT_NEAR(distance.value, 0, 1e-12) << name;
+      EXPECT_NEAR(distance.normal.dot(direction), 1, 1e-12) << name;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace thinwall

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/mesh/Shapes.hpp"
+#include "studio/director/GraspPlan.hpp"
 #include "studio/scenario/InputError.hpp"
 
 namespace thinwall {
@@ -117,6 +118,45 @@ TEST(ClipPlan, AMoveEasesFromRestToRestOrRunsEvenly) {
   clip.ease = Ease::kLinear;
   EXPECT_NEAR(plan_move(clip, {}).at(0.5).pose.tip.x(), 0.0025, 1e-15);
   EXPECT_LT((plan_move(clip, {}).begin.direction - Eigen::Vector3d::UnitX()).norm(), 1e-15) << "that of the motion";
+}
+
+TEST(ClipPlan, JawsReachOverTheWallThenCloseAndOpenAgain) {
+  const Table table;
+  const ToolDefinition forceps{.name = "grip", .kind = ToolKind::kForceps, .opening = 0.01};
+  const GraspClip clip{.tool = "grip",
+                       .body = "table",
+                       .at = {0.01, 0.02, 0.3},
+                       .depth = 0.002,
+                       .speed = 0.01,
+                       .standoff = 0.004,
+                       .to = 0.001,
+                       .grip = 0.5,
+                       .duration = 0.9};
+  GraspPlan plan = plan_grasp(clip, forceps, table.view(), {});
+  EXPECT_NEAR(plan.duration(), 0.6 + 0.9, 1e-12);
+  EXPECT_NEAR(plan.at(0.3).pose.tip.z(), 0.001, 1e-12);
+  EXPECT_EQ(plan.at(0.3).pose.opening, 0.01);
+  EXPECT_EQ(plan.at(0.3).phase, "approach");
+  EXPECT_NEAR(plan.at(1.05).pose.tip.z(), -0.002, 1e-12);
+  EXPECT_NEAR(plan.at(1.05).pose.opening, 0.0055, 1e-12);
+  EXPECT_EQ(plan.at(1.05).phase, "grasp");
+  EXPECT_NEAR(plan.at(1.5).pose.opening, 0.001, 1e-12);
+  plan.feel(0.4, 0.007);
+  plan.feel(0.6, 0.004);
+  plan.feel(0.9, 0.003);
+  EXPECT_NEAR(plan.at(1.5).pose.opening, 0.004, 1e-12);
+
+  const ReleasePlan release = plan_release({.tool = "grip", .duration = 0.5}, forceps, plan.at(1.5).pose);
+  EXPECT_NEAR(release.at(0.25).pose.opening, 0.007, 1e-12);
+  EXPECT_EQ(release.at(0.5).pose.tip, plan.at(1.5).pose.tip);
+}
+
+TEST(ClipPlan, ToolsThatHoldSomethingKeepTheirFrameOnTheMove) {
+  const ToolPose now = make_pose({0, 0, 0}, {0, 0.6, -0.8}, Eigen::Vector3d(1, 0, 0));
+  const MoveClip clip{.tool = "grip", .to = {0, 0, 0.01}};
+  EXPECT_EQ(plan_move(clip, now, true).end.direction, now.direction);
+  EXPECT_EQ(plan_move(clip, now, true).end.axis, now.axis);
+  EXPECT_EQ(plan_move(clip, now).end.direction, Eigen::Vector3d(0, 0, 1));
 }
 
 }  // namespace

@@ -192,5 +192,73 @@ TEST(ScenarioRun, TwiceTheSameScenarioGivesTheSameDigestToTheLastBit) {
   EXPECT_NE(run.state_digest(), digests[0]);
 }
 
+/// Forceps that pinch the crown of a filled hemisphere, lift it, and let it go.
+Scenario grasping_scenario() {
+  BodyScenario organ{.name = "organ",
+                     .surface = ShapeSource{.shape = Shape::kHemisphere, .radius = 0.02, .triangles = 1024},
+                     .thickness = {.standard = 1e-3},
+                     .material = {.law = find_wall_law("neo_hookean"), .parameters = {20e3}}};
+  organ.fluid.initial_pressure = 300;
+  organ.fixed = {{.region = GroupRegion{"base"}}};
+  Scenario scenario{.name = "test", .title = "test"};
+  scenario.bodies = {organ};
+  scenario.tools = {{.name = "grip",
+                     .kind = ToolKind::kForceps,
+                     .length = 0.03,
+                     .width = 0.006,
+                     .thickness = 0.002,
+                     .opening = 0.01,
+                     .friction = 0.8}};
+  scenario.simulation = {.analysis = Analysis::kDynamic, .time_step = 0.02};
+  scenario.record.points = {{.name = "crown", .body = "organ", .at = {0, 0, 0.02}}};
+  scenario.timeline = {{.action = GraspClip{.tool = "grip",
+                                            .body = "organ",
+                                            .at = {0, 0, 0.03},
+                                            .depth = 0.006,
+                                            .speed = 0.02,
+                                            .standoff = 0.001,
+                                            .to = 0.002,
+                                            .duration = 0.6}},
+                       {.action = MoveClip{.tool = "grip", .to = {0, 0, 0.02}, .duration = 0.4}},
+                       {.action = WaitClip{.duration = 0.1}},
+                       {.action = ReleaseClip{.tool = "grip", .duration = 0.5}},
+                       {.action = WaitClip{.duration = 0.2}}};
+  return scenario;
+}
+
+TEST(ScenarioRun, JawsLiftTheWallTheyHoldUntilTheyLetGo) {
+  ScenarioRun run(grasping_scenario());
+  const double rest = run.record().points.at(0).position.z();
+  double highest = 0, pull = 0;
+  std::map<std::string, int> steps_in_phase;
+  while (run.step()) {
+    highest = std::max(highest, run.record().points.at(0).position.z());
+    pull = std::min(pull, run.record().tools.at(0).force.z());
+    ++steps_in_phase[run.record().tools.at(0).phase];
+    const BodyRecord& body = run.record().bodies.at(0);
+    EXPECT_NEAR(body.elastic + body.kinetic + body.contact + body.friction + body.viscous + body.numerical,
+                body.tool_work + body.script_work, 1e-9 * body.elastic);
+  }
+  std::printf("lifted by %.2f mm, pulled with %.3f N\n", 1e3 * (highest - rest), pull);
+  EXPECT_GT(highest, rest + 2e-3);
+  EXPECT_LT(pull, -0.03) << "the tissue holds the tool back";
+  for (const char* phase : {"grasp", "release"}) EXPECT_GT(steps_in_phase[phase], 5) << phase;
+  EXPECT_NEAR(run.record().points.at(0).position.z(), rest, 0.2e-3);
+  EXPECT_EQ(run.record().tools.at(0).force.norm(), 0);
+  EXPECT_EQ(run.snapshot().tools.at(0).opening, 0.01);
+}
+
+TEST(ScenarioRun, JawsStopWhereTheyHoldFirmlyEnough) {
+  Scenario scenario = grasping_scenario();
+  std::get<GraspClip>(scenario.timeline[0].action).grip = 0.05;
+  scenario.timeline.resize(1);
+  ScenarioRun run(scenario);
+  while (run.step()) {
+  }
+  std::printf("stopped at %.3f mm\n", 1e3 * run.snapshot().tools.at(0).opening);
+  EXPECT_GT(run.snapshot().tools.at(0).opening, 0.0025);
+  EXPECT_LT(run.snapshot().tools.at(0).opening, 0.009);
+}
+
 }  // namespace
 }  // namespace thinwall

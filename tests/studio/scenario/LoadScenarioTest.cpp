@@ -77,6 +77,7 @@ TEST(LoadScenario, ReadsEveryKey) {
   EXPECT_EQ(scenario.tools[1].kind, ToolKind::kLine);
   EXPECT_EQ(scenario.tools[1].length, 0.025);
   EXPECT_EQ(scenario.tools[2].radius, 0.002);
+  EXPECT_EQ(scenario.tools[2].friction, 0.3);
   const Clip& first = scenario.timeline[0];
   EXPECT_EQ(first.caption, "Press by 4 mm");
   EXPECT_EQ(first.chapter, "Palpation");
@@ -85,8 +86,18 @@ TEST(LoadScenario, ReadsEveryKey) {
   EXPECT_EQ(scenario.timeline[1].start, 30.0);
   EXPECT_EQ(std::get<MoveClip>(scenario.timeline[1].action).ease, Ease::kLinear);
   EXPECT_FALSE(std::get<MoveClip>(scenario.timeline[2].action).body);
-  EXPECT_EQ(std::get<FillClip>(scenario.timeline[3].action).added, 5e-6);
-  EXPECT_EQ(std::get<FillClip>(scenario.timeline[4].action).pressure, 500.0);
+  const GraspClip& grasp = std::get<GraspClip>(scenario.timeline[3].action);
+  EXPECT_EQ(grasp.tool, "grip");
+  EXPECT_EQ(grasp.axis, Eigen::Vector3d(0, 1, 0));
+  EXPECT_EQ(grasp.depth, 4e-3);
+  EXPECT_EQ(grasp.speed, 8e-3);
+  EXPECT_EQ(grasp.standoff, 6e-3);
+  EXPECT_EQ(grasp.to, 1e-3);
+  EXPECT_EQ(grasp.grip, 0.4);
+  EXPECT_EQ(grasp.duration, 1);
+  EXPECT_EQ(std::get<ReleaseClip>(scenario.timeline[4].action).duration, 0.4);
+  EXPECT_EQ(std::get<FillClip>(scenario.timeline[5].action).added, 5e-6);
+  EXPECT_EQ(std::get<FillClip>(scenario.timeline[6].action).pressure, 500.0);
   EXPECT_EQ(bladder.viscosity.at(1).time, 2.0);
   EXPECT_EQ(bladder.damping.stiffness_time, 1e-3);
   EXPECT_EQ(bladder.fluid.chambers.at(1).initial_pressure, 1000.0);
@@ -95,7 +106,7 @@ TEST(LoadScenario, ReadsEveryKey) {
   EXPECT_EQ(cloth.loads.at(1).load.kind, LoadKind::kDeadLineForce);
   EXPECT_EQ(scenario.simulation.gravity.z(), -9.81);
   EXPECT_EQ(scenario.simulation.step_error, 1e-5);
-  EXPECT_EQ(std::get<WaitClip>(scenario.timeline[5].action).duration, 0.5);
+  EXPECT_EQ(std::get<WaitClip>(scenario.timeline[7].action).duration, 0.5);
   EXPECT_EQ(scenario.simulation.analysis, Analysis::kQuasiStatic);
   EXPECT_EQ(scenario.view.camera.position, (Double3{0.08, 0, 0.05}));
   EXPECT_EQ(scenario.view.lights.fill, 0.8);
@@ -106,7 +117,7 @@ TEST(LoadScenario, ReadsEveryKey) {
   EXPECT_EQ(scenario.record.frames_per_second, 25);
   EXPECT_EQ(scenario.record.tier, Tier::kDraft);
   EXPECT_EQ(scenario.goldens[0].why, "the probe is at full depth");
-  EXPECT_EQ(scenario.goldens[0].location.line, 136);
+  EXPECT_EQ(scenario.goldens[0].location.line, 138);
 }
 
 TEST(LoadScenario, ReadsWhatDiffersFromPlaceToPlaceOfAWall) {
