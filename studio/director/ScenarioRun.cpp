@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 
+#include "engine/contact/PointRadius.hpp"
 #include "engine/simulation/Body.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
 #include "studio/director/FollowedPoint.hpp"
@@ -38,6 +39,7 @@ struct DirectedTool {
   ToolPose pose;
   std::string phase = "idle";
   bool holds = false;                            // whether its jaws have grasped
+  bool noted = false;                            // whether it has been told what tip a bare point acts like
   double depth = 0;                              // metres
   std::optional<Eigen::Vector3d> first_contact;  // metres, of the tip, of the move that is playing
 
@@ -245,6 +247,26 @@ struct ScenarioRun::Implementation {
     return input;
   }
 
+  /// Tells once for each bare point what tip it acts like on the membrane that it touches.
+  void note_bare_points() {
+    for (const auto& body : bodies) {
+      if (body->model().definition.model != WallModel::kMembrane) continue;
+      for (const Attachment& attachment : body->state().attachments) {
+        const ToolDefinition& tool = scenario.tools[attachment.tool];
+        DirectedTool& directed = tools.at(tool.name);
+        if (tool.kind != ToolKind::kPoint || directed.noted) continue;
+        directed.noted = true;
+        const SurfaceView surface = body->surface();
+        warnings.push_back(fmt::format(
+            "tool `{}`: a bare point on a membrane; on this mesh it acts like a tip of {:.3g} mm radius, and a finer "
+            "mesh lowers its force; a `radius` makes the force independent of the mesh",
+            tool.name,
+            1e3 *
+                effective_point_radius(surface.triangles, surface.position, attachment.vertices, attachment.weights)));
+      }
+    }
+  }
+
   /// Lets jaws that close feel what lies between them.
   void feel_grasps() {
     for (std::size_t k = 0; k < clips.size(); ++k) {
@@ -273,6 +295,7 @@ struct ScenarioRun::Implementation {
     }
     ++steps;
     feel_grasps();
+    note_bare_points();
     write_moment();
     return true;
   }

@@ -94,6 +94,22 @@ void check_fill(const CheckedMember& clip, const std::string& path, Diagnostics&
   }
 }
 
+/// A membrane gives way to a bare point without end, so that the force is the mesh's.
+void check_bare_point(const CheckedValue& root, const CheckedMember& clip, const std::string& path,
+                      Diagnostics& diagnostics) {
+  const CheckedValue *named_tool = clip.value.find("tool"), *named_body = clip.value.find("body");
+  const CheckedValue *tools = root.find("tools"), *bodies = root.find("bodies");
+  if (named_tool == nullptr || named_body == nullptr || tools == nullptr || bodies == nullptr) return;
+  const CheckedValue *tool = tools->find(named_tool->text), *body = bodies->find(named_body->text);
+  if (tool == nullptr || body == nullptr || tool->find("radius") != nullptr) return;
+  const CheckedValue *kind = tool->find("kind"), *wall = body->find("wall");
+  const CheckedValue* model = wall == nullptr ? nullptr : wall->find("model");
+  if (kind == nullptr || kind->text != "point" || model == nullptr || model->text != "membrane") return;
+  diagnostics.warning(clip.location, path,
+                      "the force of a bare point on a membrane falls with every refinement of the mesh; give " +
+                          in_backticks(named_tool->text) + " a `radius` for one that does not");
+}
+
 void check_boxes(const CheckedValue& value, const std::string& path, Diagnostics& diagnostics) {
   for (std::size_t index = 0; index < value.items.size(); ++index) {
     check_boxes(value.items[index], item_path(path, index), diagnostics);
@@ -197,6 +213,7 @@ void lint_pass(const CheckedValue& root, Diagnostics& diagnostics) {
     const std::string path = member_path(item_path("timeline", index), item.members[0].key);
     check_frame(item.members[0], path, diagnostics);
     check_fill(item.members[0], path, diagnostics);
+    if (item.members[0].key == "palpate") check_bare_point(root, item.members[0], path, diagnostics);
   }
   check_grasps(root, diagnostics);
   const std::vector<ClipTimes> clips = clip_times(root);

@@ -47,7 +47,11 @@ TEST(LoadScenario, ReadsTheExampleOfTheFormat) {
   EXPECT_EQ(palpate.depth, 0.004);
   EXPECT_EQ(palpate.speed, 0.01);
   EXPECT_EQ(palpate.direction, Eigen::Vector3d(0, 0, -1));
-  EXPECT_EQ(scenario.warnings, std::vector<std::string>{});
+  ASSERT_EQ(scenario.warnings.size(), 1U);
+  EXPECT_TRUE(scenario.warnings[0].ends_with(
+      "warning: timeline[1].palpate: the force of a bare point on a membrane falls with every refinement of the mesh; "
+      "give `probe` a `radius` for one that does not"))
+      << scenario.warnings[0];
 }
 
 TEST(LoadScenario, ReadsEveryKey) {
