@@ -37,9 +37,12 @@ int check_scenarios(const CheckOptions& options) {
   int code = kExitGood;
   for (const std::filesystem::path& file : options.scenarios) {
     nlohmann::ordered_json errors = nlohmann::ordered_json::array();
-    std::vector<std::string> notes;
+    std::vector<std::string> notes, warnings;
     try {
-      notes = check_bodies(load_scenario(file, options.overrides));
+      const Scenario scenario = load_scenario(file, options.overrides);
+      warnings = scenario.warnings;
+      for (const std::string& warning : warnings) fmt::print(stderr, "{}\n", warning);
+      notes = check_bodies(scenario);
       for (const std::string& note : notes) fmt::print(stderr, "{}: note: {}\n", file.string(), note);
       fmt::print(stderr, "{}: good\n", file.string());
     } catch (const InputErrors& mistakes) {
@@ -52,8 +55,11 @@ int check_scenarios(const CheckOptions& options) {
                           {"message", diagnostic.message}});
       }
     }
-    results.push_back(
-        {{"file", file.generic_string()}, {"good", errors.empty()}, {"errors", errors}, {"notes", notes}});
+    results.push_back({{"file", file.generic_string()},
+                       {"good", errors.empty()},
+                       {"errors", errors},
+                       {"warnings", warnings},
+                       {"notes", notes}});
   }
   if (options.json) {
     const nlohmann::ordered_json json = {{"scenarios", results}};
