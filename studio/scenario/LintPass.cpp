@@ -94,6 +94,15 @@ void check_fill(const CheckedMember& clip, const std::string& path, Diagnostics&
   }
 }
 
+/// A bare point holds what it touches: it cannot slide.
+void check_point_friction(const CheckedMember& tool, Diagnostics& diagnostics) {
+  const CheckedValue *kind = tool.value.find("kind"), *friction = tool.value.find("friction");
+  if (kind == nullptr || kind->text != "point" || friction == nullptr) return;
+  if (tool.value.find("radius") != nullptr || tool.value.has_wrong("radius")) return;
+  diagnostics.error(friction->location, member_path("tools", tool.key) + ".friction",
+                    "a bare point holds what it touches and does not slide; give it a `radius`");
+}
+
 /// A membrane gives way to a bare point without end, so that the force is the mesh's.
 void check_bare_point(const CheckedValue& root, const CheckedMember& clip, const std::string& path,
                       Diagnostics& diagnostics) {
@@ -214,6 +223,9 @@ void lint_pass(const CheckedValue& root, Diagnostics& diagnostics) {
     check_frame(item.members[0], path, diagnostics);
     check_fill(item.members[0], path, diagnostics);
     if (item.members[0].key == "palpate") check_bare_point(root, item.members[0], path, diagnostics);
+  }
+  if (const CheckedValue* tools = root.find("tools")) {
+    for (const CheckedMember& tool : tools->members) check_point_friction(tool, diagnostics);
   }
   check_grasps(root, diagnostics);
   const std::vector<ClipTimes> clips = clip_times(root);

@@ -82,6 +82,10 @@ TEST(LoadScenario, ReadsEveryKey) {
   EXPECT_EQ(scenario.tools[1].length, 0.025);
   EXPECT_EQ(scenario.tools[2].radius, 0.002);
   EXPECT_EQ(scenario.tools[2].friction, 0.3);
+  // A point with a radius is the ball of that radius in everything but its word.
+  EXPECT_EQ(scenario.tools[3].kind, ToolKind::kSphere);
+  EXPECT_EQ(scenario.tools[3].radius, 0.001);
+  EXPECT_EQ(scenario.tools[3].friction, 0.2);
   const Clip& first = scenario.timeline[0];
   EXPECT_EQ(first.caption, "Press by 4 mm");
   EXPECT_EQ(first.chapter, "Palpation");
