@@ -22,7 +22,7 @@ Corners corners_of(const SurfaceView& surface, int triangle) {
 }
 
 /// Entry of a line into one triangle through its outer side (signed volumes; a hit on an edge belongs to both sides).
-std::optional<SurfacePoint> entry(const Corners& corners, const Eigen::Vector3d& origin,
+std::optional<SurfaceEntry> entry(const Corners& corners, const Eigen::Vector3d& origin,
                                   const Eigen::Vector3d& direction, bool both_sides) {
   const Eigen::Vector3d a = corners[0] - origin, b = corners[1] - origin, c = corners[2] - origin;
   Eigen::Vector3d weights(-direction.dot(b.cross(c)), -direction.dot(c.cross(a)), -direction.dot(a.cross(b)));
@@ -30,8 +30,8 @@ std::optional<SurfacePoint> entry(const Corners& corners, const Eigen::Vector3d&
   if (!(both_sides ? sum != 0 : sum > 0)) return std::nullopt;  // parallel, or through the inner side
   weights /= sum;
   if (weights.minCoeff() < -1e-12) return std::nullopt;
-  return SurfacePoint{
-      .triangle = 0, .weights = weights, .travel = direction.dot(weights[0] * a + weights[1] * b + weights[2] * c)};
+  return SurfaceEntry{{.triangle = 0, .weights = weights},
+                      direction.dot(weights[0] * a + weights[1] * b + weights[2] * c)};
 }
 
 void keep_smaller(std::optional<double>& best, double value) {
@@ -112,9 +112,9 @@ constexpr double kSegmentSlack = 1e-9;
 
 }  // namespace
 
-std::optional<SurfacePoint> first_entry(const SurfaceView& surface, const Eigen::Vector3d& origin,
+std::optional<SurfaceEntry> first_entry(const SurfaceView& surface, const Eigen::Vector3d& origin,
                                         const Eigen::Vector3d& direction) {
-  std::optional<SurfacePoint> best;
+  std::optional<SurfaceEntry> best;
   for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
     const auto hit = entry(corners_of(surface, t), origin, direction, surface.open);
     if (hit && (!best || hit->travel < best->travel)) {
@@ -125,12 +125,12 @@ std::optional<SurfacePoint> first_entry(const SurfaceView& surface, const Eigen:
   return best;
 }
 
-std::optional<SurfacePoint> first_entry_on_segment(const SurfaceView& surface, const Eigen::Vector3d& begin,
+std::optional<SurfaceEntry> first_entry_on_segment(const SurfaceView& surface, const Eigen::Vector3d& begin,
                                                    const Eigen::Vector3d& end) {
   const double length = (end - begin).norm();
   if (length == 0) return std::nullopt;
   const Eigen::Vector3d direction = (end - begin) / length;
-  std::optional<SurfacePoint> best;
+  std::optional<SurfaceEntry> best;
   for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
     const auto hit = entry(corners_of(surface, t), begin, direction, surface.open);
     const bool reached = hit && hit->travel >= -kSegmentSlack && hit->travel <= length + kSegmentSlack;

@@ -5,15 +5,14 @@
 #include <span>
 #include <vector>
 
+#include "engine/mesh/SurfacePoint.hpp"
 #include "engine/tool/Tool.hpp"
 
 namespace thinwall {
 
-/// A point of a surface.
-struct SurfacePoint {
-  int triangle = 0;                                   // index
-  Eigen::Vector3d weights = Eigen::Vector3d::Zero();  // barycentric
-  double travel = 0;                                  // metres along the direction to get there
+/// Where a line enters a surface.
+struct SurfaceEntry : SurfacePoint {
+  double travel = 0;  // metres along the direction to get there
 };
 
 /// A surface as it is now. Both spans outlive the value.
@@ -25,11 +24,11 @@ struct SurfaceView {
 
 /// Where the line through `origin` along the unit `direction` first enters the surface from outside, or nothing.
 /// The line has no beginning: `travel` may be negative. A hit counts as entry where the line meets the outer side.
-std::optional<SurfacePoint> first_entry(const SurfaceView& surface, const Eigen::Vector3d& origin,
+std::optional<SurfaceEntry> first_entry(const SurfaceView& surface, const Eigen::Vector3d& origin,
                                         const Eigen::Vector3d& direction);
 
 /// As `first_entry`, for the segment from `begin` to `end` only; `travel` is from `begin`.
-std::optional<SurfacePoint> first_entry_on_segment(const SurfaceView& surface, const Eigen::Vector3d& begin,
+std::optional<SurfaceEntry> first_entry_on_segment(const SurfaceView& surface, const Eigen::Vector3d& begin,
                                                    const Eigen::Vector3d& end);
 
 /// How far a tool can travel from a pose along the unit vector `motion` until it first touches the surface, metres;

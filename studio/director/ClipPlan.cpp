@@ -52,7 +52,7 @@ ToolMoment PalpationPlan::at(double time) const {
   return moment;
 }
 
-SurfacePoint meet_on_approach(const LineOfApproach& line, const SurfaceView& surface, const SourceLocation& location) {
+SurfaceEntry meet_on_approach(const LineOfApproach& line, const SurfaceView& surface, const SourceLocation& location) {
   const Eigen::Vector3d &at = line.at, &direction = line.direction;
   const auto hit = first_entry(surface, at, direction);
   if (hit) return *hit;
@@ -67,7 +67,7 @@ PalpationPlan plan_palpation(const PalpateClip& clip, const ToolDefinition& tool
                              const SourceLocation& location) {
   // Adding zero turns a negative zero, which would read oddly in a message, into zero.
   const Eigen::Vector3d direction = clip.direction.normalized().array() + 0.0;
-  const SurfacePoint hit = meet_on_approach({"palpate", clip.at, direction, clip.body}, surface, location);
+  const SurfaceEntry hit = meet_on_approach({"palpate", clip.at, direction, clip.body}, surface, location);
   PalpationPlan plan{.clip = clip,
                      .begin = make_pose(clip.at + (hit.travel - clip.standoff) * direction, direction, clip.axis)};
   plan.begin.opening = tool.opening;

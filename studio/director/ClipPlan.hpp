@@ -37,7 +37,7 @@ struct LineOfApproach {
 };
 
 /// Where the line meets the body's wall from outside. Throws InputErrors at `location` when it misses it.
-SurfacePoint meet_on_approach(const LineOfApproach& line, const SurfaceView& surface, const SourceLocation& location);
+SurfaceEntry meet_on_approach(const LineOfApproach& line, const SurfaceView& surface, const SourceLocation& location);
 
 /// Finds stand-off and first contact. Throws InputErrors at `location` when the line misses the body, or the tool
 /// would touch already at its stand-off.

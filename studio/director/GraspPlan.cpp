@@ -28,7 +28,7 @@ void GraspPlan::feel(double squeeze, double opening) {
 GraspPlan plan_grasp(const GraspClip& clip, const ToolDefinition& tool, const SurfaceView& surface,
                      const SourceLocation& location) {
   const Eigen::Vector3d direction = clip.direction.normalized().array() + 0.0;
-  const SurfacePoint hit = meet_on_approach({"grasp", clip.at, direction, clip.body}, surface, location);
+  const SurfaceEntry hit = meet_on_approach({"grasp", clip.at, direction, clip.body}, surface, location);
   GraspPlan plan{.clip = clip,
                  .begin = make_pose(clip.at + (hit.travel - clip.standoff) * direction, direction, clip.axis),
                  .stopped = {}};

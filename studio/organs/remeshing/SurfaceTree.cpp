@@ -49,8 +49,8 @@ void SurfaceTree::build(int begin, int end, const std::vector<Eigen::Vector3d>& 
   build(half, end, middles);
 }
 
-SurfacePoint SurfaceTree::search(const Eigen::Vector3d& point, const Eigen::Vector3d* normal) const {
-  SurfacePoint best{.distance = std::numeric_limits<double>::infinity()};
+NearestPoint SurfaceTree::search(const Eigen::Vector3d& point, const Eigen::Vector3d* normal) const {
+  NearestPoint best{.distance = std::numeric_limits<double>::infinity()};
   std::vector<int> open = {0};
   while (!open.empty()) {
     const int index = open.back();
@@ -79,12 +79,12 @@ SurfacePoint SurfaceTree::search(const Eigen::Vector3d& point, const Eigen::Vect
   return best;
 }
 
-SurfacePoint SurfaceTree::closest(const Eigen::Vector3d& point) const {
+NearestPoint SurfaceTree::closest(const Eigen::Vector3d& point) const {
   return search(point, nullptr);
 }
 
-SurfacePoint SurfaceTree::closest_facing(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) const {
-  const SurfacePoint facing = search(point, &normal);
+NearestPoint SurfaceTree::closest_facing(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) const {
+  const NearestPoint facing = search(point, &normal);
   return facing.triangle >= 0 ? facing : closest(point);
 }
 

@@ -8,7 +8,7 @@
 
 namespace thinwall {
 
-struct SurfacePoint {
+struct NearestPoint {
   int triangle = -1;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  // metres
   double distance = 0;                                 // metres
@@ -20,11 +20,11 @@ class SurfaceTree {
   /// The surface must have triangles.
   explicit SurfaceTree(TriangleSurface surface);
 
-  SurfacePoint closest(const Eigen::Vector3d& point) const;
+  NearestPoint closest(const Eigen::Vector3d& point) const;
 
   /// The closest point of the triangles that face with `normal`, so that the far side of a thin body does not count; of
   /// all triangles where none does.
-  SurfacePoint closest_facing(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) const;
+  NearestPoint closest_facing(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) const;
 
  private:
   struct Node {
@@ -34,7 +34,7 @@ class SurfaceTree {
   };
 
   void build(int begin, int end, const std::vector<Eigen::Vector3d>& middles);
-  SurfacePoint search(const Eigen::Vector3d& point, const Eigen::Vector3d* normal) const;
+  NearestPoint search(const Eigen::Vector3d& point, const Eigen::Vector3d* normal) const;
 
   TriangleSurface surface_;
   std::vector<Eigen::Vector3d> normals_;  // (triangles x 3), of any length

@@ -26,7 +26,7 @@ TEST(SurfaceTree, FindsWhatLookingAtEveryTriangleFinds) {
       const Eigen::Vector3d closest = weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
       least = std::min(least, (closest - point).norm());
     }
-    const SurfacePoint found = tree.closest(point);
+    const NearestPoint found = tree.closest(point);
     EXPECT_EQ(found.distance, least);
     EXPECT_EQ((found.position - point).norm(), found.distance);
   }
