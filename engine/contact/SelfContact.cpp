@@ -39,8 +39,9 @@ bool clearly_apart(const std::array<Eigen::Vector3d, 3>& one, const std::array<E
   return gap > 0 && gap * gap > reach * reach * axis.squaredNorm();
 }
 
-Eigen::Vector3d mean_of(const Eigen::VectorXd& vectors) {
-  return vectors.reshaped(3, vectors.size() / 3).rowwise().mean();
+Eigen::Vector3d mean_of(const Eigen::VectorXd& vectors, std::size_t count) {
+  const auto size = static_cast<Eigen::Index>(count);
+  return vectors.head(3 * size).reshaped(3, size).rowwise().mean();
 }
 
 }  // namespace
@@ -109,9 +110,9 @@ void SelfContact::measure_heights(const SelfContactDefinition& definition) {
 }
 
 bool SelfContact::covers(const Eigen::VectorXd& position) const {
-  const Eigen::Vector3d drift = mean_of(position) - mean_of(listed_position_);
+  const Eigen::Vector3d drift = mean_of(position, held_.size()) - mean_of(listed_position_, held_.size());
   double farthest = 0;
-  for (Eigen::Index k = 0; k < position.size(); k += 3) {
+  for (Eigen::Index k = 0; k < 3 * static_cast<Eigen::Index>(held_.size()); k += 3) {
     farthest = std::max(farthest, (position.segment<3>(k) - listed_position_.segment<3>(k) - drift).squaredNorm());
   }
   return farthest < margin_ * margin_;
@@ -232,7 +233,9 @@ double SelfContact::safe_fraction(const Eigen::VectorXd& position, const Eigen::
   };
   // What is not listed stays out of range as long as the list covers both ends of the motion: one that is made for
   // the middle covers twice its margin.
-  const double length = (motion.reshaped(3, motion.size() / 3).colwise() - mean_of(motion)).colwise().norm().maxCoeff();
+  const auto count = static_cast<Eigen::Index>(held_.size());
+  const double length =
+      (motion.head(3 * count).reshaped(3, count).colwise() - mean_of(motion, held_.size())).colwise().norm().maxCoeff();
   if (!(covers(position) && covers(position + motion)) && length < 1.8 * margin_) list_near(position + 0.5 * motion);
   if (covers(position) && covers(position + motion)) {
     for (const NearPair& pair : near_) fraction = std::min(fraction, fraction_of(pair.kind, pair.vertices));

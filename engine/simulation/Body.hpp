@@ -74,13 +74,13 @@ struct FluidMotion {
 /// A body in motion: what changes from step to step.
 struct BodyState {
   EquilibriumState equilibrium;
-  Eigen::VectorXd velocity;           // (3 vertices), metres / second
-  Eigen::VectorXd acceleration;       // (3 vertices), metres / second^2
-  Eigen::VectorXd previous_position;  // (3 vertices), a step earlier
-  Eigen::VectorXd previous_velocity;  // (3 vertices), a step earlier
+  Eigen::VectorXd velocity;           // (unknowns), metres / second
+  Eigen::VectorXd acceleration;       // (unknowns), metres / second^2
+  Eigen::VectorXd previous_position;  // (unknowns), a step earlier
+  Eigen::VectorXd previous_velocity;  // (unknowns), a step earlier
   double previous_step = 0;           // seconds between the two; zero when there is no earlier step
-  Eigen::VectorXd static_force;       // (3 vertices), newton: gradient of wall and contact less pressure
-  Eigen::VectorXd load_force;         // (3 vertices), newton
+  Eigen::VectorXd static_force;       // (unknowns), newton: gradient of wall and contact less pressure
+  Eigen::VectorXd load_force;         // (unknowns), newton
   std::vector<double> load_factors;   // (loads)
   WallHistory wall;
   std::vector<FluidMotion> fluid_motion;  // (chambers)

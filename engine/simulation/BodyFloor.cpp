@@ -48,9 +48,9 @@ SelfContactDefinition self_contact_of(const BodyModel& model) {
   // A wall that bears a strain of 1 over the whole body: the pressure of a balloon of that wall, but for a factor.
   const double radius = std::sqrt(model.rest_area / (4 * std::numbers::pi));
   SelfContactDefinition definition{.triangles = model.definition.mesh.triangles,
-                                   .position = model.rest_position,
+                                   .position = model.rest_position.head(3 * model.vertices()),
                                    .thickness = model.definition.thickness,
-                                   .fixed = model.fixed,
+                                   .fixed = {model.fixed.begin(), model.fixed.begin() + 3 * model.vertices()},
                                    .floors = {},
                                    .pressure = model.wall_stiffness / radius};
   const std::vector<Eigen::Vector3i>& caps = model.definition.mesh.cap_triangles;

@@ -38,7 +38,7 @@ void start_bending_memory(const BodyModel& model, const Eigen::VectorXd& positio
   wall.bending_strain.clear();
   wall.law_moment.clear();
   for (const BendingRest& rest : model.bending) {
-    wall.bending_strain.push_back(bending_strain(rest, patch_of(rest, position)));
+    wall.bending_strain.push_back(bending_strain(rest, patch_of(rest, position, model.vertices())));
     wall.law_moment.push_back(rest.stiffness * wall.bending_strain.back());
   }
   const std::vector<Eigen::Vector3d> none(model.bending.size(), Eigen::Vector3d::Zero());
@@ -107,7 +107,8 @@ double Body::update_bending_memory(double duration, const EquilibriumProblem& pr
   double loss = 0;
   for (int t = 0; t < static_cast<int>(model_->bending.size()); ++t) {
     const BendingRest& rest = model_->bending[t];
-    const Eigen::Vector3d strain = bending_strain(rest, patch_of(rest, state_.equilibrium.position));
+    const Eigen::Vector3d strain =
+        bending_strain(rest, patch_of(rest, state_.equilibrium.position, model_->vertices()));
     const Eigen::Vector3d moment = rest.stiffness * strain;
     const BendingMemory memory = problem.memory.of_bending(t);
     const Eigen::Vector3d overmoment = (memory.scale - lasting) * moment + memory.overmoment;

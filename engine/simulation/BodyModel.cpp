@@ -2,9 +2,11 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cassert>
 #include <utility>
 
+#include "engine/mesh/MeshTopology.hpp"
 #include "engine/shell/BendingPatches.hpp"
 
 namespace thinwall {
@@ -44,7 +46,7 @@ void add_wall(BodyModel& model) {
   model.edge_length = edges / (3 * triangles);
 }
 
-/// Bending couples each triangle with the far corners of its neighbours.
+/// Bending couples each triangle with the far corners of its neighbours and with the turns of its sides.
 void add_bending(BodyModel& model) {
   const SurfaceMesh& mesh = model.definition.mesh;
   std::vector<char> clamped(mesh.vertices.size(), 0);
@@ -52,16 +54,25 @@ void add_bending(BodyModel& model) {
     if (!region.clamped) continue;
     for (const int vertex : vertices_in(region.region, mesh)) clamped[vertex] = 1;
   }
-  model.bending = make_bending_rests(mesh, model.rest, model.definition.materials, clamped);
+  const int vertices = model.vertices();
+  const MeshTopology topology = topology_of(vertices, mesh.triangles);
+  model.bending =
+      make_bending_rests(mesh, topology, model.rest, model.definition.materials, clamped, model.edge_length);
   std::vector<std::array<int, 2>> couplings;
   for (const BendingRest& patch : model.bending) {
-    for (int i = 0; i < 6; ++i) {
-      for (int j = i + 1; j < 6; ++j) couplings.push_back({patch.vertices[i], patch.vertices[j]});
+    std::array<int, 9> nodes;
+    std::copy(patch.vertices.begin(), patch.vertices.end(), nodes.begin());
+    for (int side = 0; side < 3; ++side) nodes[6 + side] = vertices + patch.edges[side];
+    for (int i = 0; i < 9; ++i) {
+      for (int j = i + 1; j < 9; ++j) couplings.push_back({nodes[i], nodes[j]});
     }
   }
-  model.pattern = extend_block_pattern(model.pattern, couplings).pattern;
+  const int edges = static_cast<int>(topology.edges.size());
+  model.pattern = extend_block_pattern(model.pattern, couplings, edges).pattern;
+  model.rest_position.conservativeResizeLike(Eigen::VectorXd::Zero(model.unknowns()));
+  model.mass.conservativeResizeLike(Eigen::VectorXd::Zero(model.unknowns()));
   for (const BendingRest& patch : model.bending) {
-    model.bending_addresses.push_back(patch_addresses(model.pattern, patch.vertices));
+    model.bending_addresses.push_back(dense_addresses<21>(model.pattern, unknowns_of(patch, vertices)));
   }
 }
 
@@ -83,12 +94,24 @@ void add_loads(BodyModel& model) {
   for (const MembraneRest& rest : model.rest) area.push_back(rest.area);
   for (const LoadDefinition& load : model.definition.loads) {
     model.loads.push_back(make_load_model(load, model.definition.mesh, area, model.definition.thickness));
+    add_turns(model.definition.mesh, model.bending, model.loads.back());
+  }
+}
+
+/// Turns that no triangle's bending depends on: of clamped sides.
+void fix_idle_turns(BodyModel& model) {
+  std::fill(model.fixed.begin() + 3 * model.vertices(), model.fixed.end(), 1);
+  for (const BendingRest& patch : model.bending) {
+    for (int side = 0; side < 3; ++side) {
+      if (patch.sides[side].turn_share != 0) model.fixed[3 * model.vertices() + patch.edges[side]] = 0;
+    }
   }
 }
 
 void fix(BodyModel& model) {
-  const int unknowns = 3 * model.vertices();
+  const int unknowns = model.unknowns();
   model.fixed.assign(unknowns, 0);
+  fix_idle_turns(model);
   for (const FixedRegion& region : model.definition.fixed) {
     for (const int vertex : vertices_in(region.region, model.definition.mesh)) {
       for (int axis = 0; axis < 3; ++axis) {
@@ -114,7 +137,7 @@ Eigen::MatrixXd all_rigid_motions(const BodyModel& model) {
   for (int v = 0; v < vertices; ++v) {
     size = std::max(size, (model.rest_position.segment<3>(3 * v) - centroid).norm());
   }
-  Eigen::MatrixXd motions(3 * vertices, 6);
+  Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(model.unknowns(), 6);
   for (int v = 0; v < vertices; ++v) {
     const Eigen::Vector3d arm = (model.rest_position.segment<3>(3 * v) - centroid) / size;
     for (int axis = 0; axis < 3; ++axis) {
@@ -134,7 +157,8 @@ void find_rigid_motions(BodyModel& model) {
   }
   // A clamped side lets its triangle turn about nothing.
   for (const BendingRest& patch : model.bending) {
-    if (patch.held.isZero()) continue;
+    const auto is_clamped = [](const BendingSide& side) { return side.clamped; };
+    if (std::none_of(patch.sides.begin(), patch.sides.end(), is_clamped)) continue;
     for (int k = 0; k < 9; ++k) {
       const auto row = motions.row(3 * patch.vertices[k / 3] + k % 3);
       seen += row.transpose() * row;

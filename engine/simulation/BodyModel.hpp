@@ -11,30 +11,31 @@
 #include "engine/simulation/Chambers.hpp"
 #include "engine/simulation/LoadModel.hpp"
 #include "engine/solver/BlockPattern.hpp"
-#include "engine/solver/PatchAddresses.hpp"
+#include "engine/solver/DenseAddresses.hpp"
 #include "engine/wall/MembraneElement.hpp"
 
 namespace thinwall {
 
-/// Everything about a body that its definition determines: computed once, never changed.
+/// Everything about a body that its definition determines: computed once, never changed. The unknowns are the positions
+/// of the vertices and, of a shell, the turn of each edge of the wall: an angle times the mean edge length, in metres.
 struct BodyModel {
   BodyDefinition definition;
-  Eigen::VectorXd rest_position;                  // (3 vertices), metres
-  std::vector<MembraneRest> rest;                 // (triangles)
-  std::vector<Eigen::Vector3i> surface;           // (triangles + caps): the wall, then the caps
-  BlockPattern pattern;                           // vertices coupled by the wall and by the fluid on the caps
-  std::vector<TriangleAddresses> addresses;       // (triangles + caps)
-  std::vector<BendingRest> bending;               // (triangles) of a shell; none for a membrane
-  std::vector<PatchAddresses> bending_addresses;  // (triangles) of a shell
-  std::vector<ContactSite> sites;                 // what keeps out of tools: vertices, edges, triangles of the wall
-  Eigen::VectorXd mass;                           // (3 vertices), kg, lumped, of the wall
-  std::vector<ChamberModel> chambers;             // named ones first; none without fluid
-  std::vector<int> chamber;                       // (triangles + caps), index; empty without fluid
+  Eigen::VectorXd rest_position;                      // (unknowns), metres
+  std::vector<MembraneRest> rest;                     // (triangles)
+  std::vector<Eigen::Vector3i> surface;               // (triangles + caps): the wall, then the caps
+  BlockPattern pattern;                               // unknowns coupled by the wall and by the fluid on the caps
+  std::vector<TriangleAddresses> addresses;           // (triangles + caps)
+  std::vector<BendingRest> bending;                   // (triangles) of a shell; none for a membrane
+  std::vector<DenseAddresses<21>> bending_addresses;  // (triangles) of a shell
+  std::vector<ContactSite> sites;                     // what keeps out of tools: vertices, edges, triangles of the wall
+  Eigen::VectorXd mass;                               // (unknowns), kg, lumped, of the wall; none of turns
+  std::vector<ChamberModel> chambers;                 // named ones first; none without fluid
+  std::vector<int> chamber;                           // (triangles + caps), index; empty without fluid
   std::vector<LoadModel> loads;
-  std::vector<char> fixed;            // (3 vertices), whether the unknown keeps its rest position
+  std::vector<char> fixed;            // (unknowns), whether the unknown keeps its rest value
   std::vector<int> fixed_entries;     // off-diagonal values in rows and columns of fixed unknowns
-  std::vector<int> diagonal_entries;  // (3 vertices), values on the diagonal
-  Eigen::MatrixXd rigid_motions;      // (3 vertices x free rigid motions), that `fixed` does not prevent
+  std::vector<int> diagonal_entries;  // (unknowns), values on the diagonal
+  Eigen::MatrixXd rigid_motions;      // (unknowns x free rigid motions), that `fixed` does not prevent
   std::vector<int> anchors;           // (9 or none), unknowns of three vertices far from each other
   double wall_stiffness = 0;          // newton / metre, mean of Young's modulus times thickness
   double edge_length = 0;             // metres, mean
@@ -45,6 +46,7 @@ struct BodyModel {
     return definition.materials[definition.materials.size() == 1 ? 0 : static_cast<std::size_t>(triangle)];
   }
   int vertices() const { return pattern.vertices; }
+  int unknowns() const { return pattern.unknowns(); }
   int triangles() const { return static_cast<int>(rest.size()); }
   bool has_fluid() const { return definition.fluid.kind != FluidKind::kNone; }
 };

@@ -108,12 +108,12 @@ double Body::step_error(const BodyState& before, double duration) const {
   const Eigen::VectorXd uniform = before.equilibrium.position + duration * before.velocity;
   if (before.previous_step == 0) {
     // A backward Euler step misses half of the square of the step times the acceleration.
-    return 0.5 * (state_.equilibrium.position - uniform).lpNorm<Eigen::Infinity>();
+    return 0.5 * (state_.equilibrium.position - uniform).head(3 * model_->vertices()).lpNorm<Eigen::Infinity>();
   }
   // With j the third derivative, h the step and an equal one before, the prediction misses h^3 j / 6 on one side and
   // the backward difference 2 h^3 j / 9 on the other.
   const Eigen::VectorXd predicted = uniform + 0.5 * duration * duration * before.acceleration;
-  return 4.0 / 7 * (state_.equilibrium.position - predicted).lpNorm<Eigen::Infinity>();
+  return 4.0 / 7 * (state_.equilibrium.position - predicted).head(3 * model_->vertices()).lpNorm<Eigen::Infinity>();
 }
 
 void Body::update_forces(const EquilibriumProblem& problem) {

@@ -66,14 +66,15 @@ void add_bending(const BodyModel& model, const WallMemory& memory, const Eigen::
   for_each_triangle(
       static_cast<int>(model.bending.size()), buffer,
       [&](int t) {
-        return bending_terms(model.bending[t], patch_of(model.bending[t], position), memory.of_bending(t));
+        return bending_terms(model.bending[t], patch_of(model.bending[t], position, model.vertices()),
+                             memory.of_bending(t));
       },
       [&](int t, const BendingTerms& part) {
         terms.bending += part.energy;
         terms.bending_energy += part.bending_energy;
-        const std::array<int, 6>& vertices = model.bending[t].vertices;
-        for (int k = 0; k < 6; ++k) terms.gradient.segment<3>(3 * vertices[k]) += part.gradient.segment<3>(3 * k);
-        add_patch(model.bending_addresses[t], part.hessian, terms.values);
+        const std::array<int, 21> unknowns = unknowns_of(model.bending[t], model.vertices());
+        for (int k = 0; k < 21; ++k) terms.gradient[unknowns[k]] += part.gradient[k];
+        add_dense(model.bending_addresses[t], part.hessian, terms.values);
         terms.largest_force = std::max(terms.largest_force, part.gradient.cwiseAbs().maxCoeff());
       });
 }

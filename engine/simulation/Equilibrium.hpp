@@ -98,9 +98,9 @@ struct EquilibriumProblem {
   WallMemory memory;
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // metres / second^2
   std::vector<double> load_factors;                   // (loads); 1 where it is shorter
-  Eigen::VectorXd start;                              // (3 vertices), metres: from where rotations under moments count
+  Eigen::VectorXd start;                              // (unknowns), metres: from where rotations under moments count
   double inertia = 0;               // 1 / second^2, factor of mass (position - inertia_target); zero for statics
-  Eigen::VectorXd inertia_target;   // (3 vertices), metres
+  Eigen::VectorXd inertia_target;   // (unknowns), metres
   bool hold_rigid_motions = false;  // keep the mass-weighted mean position and rotation of a free body
   std::vector<Attachment> attachments;
   std::vector<SolidContact> solids;
@@ -136,11 +136,11 @@ struct EquilibriumTerms {
   double friction = 0;         // joule, potential of the friction of tools
   double inertial = 0;         // joule, of the inertia springs
   Eigen::VectorXd volume;      // (chambers), metres^3
-  Eigen::VectorXd gradient;    // (3 vertices), newton: of wall, folds, gravity and inertia of the fluid, less the loads
-  Eigen::VectorXd load_force;  // (3 vertices), newton
+  Eigen::VectorXd gradient;    // (unknowns), newton: of wall, folds, gravity and inertia of the fluid, less the loads
+  Eigen::VectorXd load_force;  // (unknowns), newton
   Eigen::Matrix3Xd moment;     // (3 x chambers), metres^4, integral of x, where the fluid has inertia
-  Eigen::MatrixXd moment_gradient;     // (3 vertices x 3 chambers), metres^3
-  Eigen::MatrixXd volume_gradient;     // (3 vertices x chambers), metres^2
+  Eigen::MatrixXd moment_gradient;     // (unknowns x 3 chambers), metres^3
+  Eigen::MatrixXd volume_gradient;     // (unknowns x chambers), metres^2
   std::vector<double> values;          // (non-zeros), newton / metre: Hessian of all that less pressure times volume
   double largest_force = 0;            // newton, of a single term: the scale of the residual
   std::vector<ContactPoint> contacts;  // sites near a solid, or with a force on them
@@ -157,7 +157,7 @@ void evaluate(const BodyModel& model, const EquilibriumProblem& problem, const E
 /// smoothly while site after site comes to lie on the solid: on a ball it is that of the cap over which an even
 /// pressure would spread the directions of the forces as they are; on other solids that of the ellipse, across the mean
 /// normal, over which an even pressure would have the forces' second moments, at most the solid's shadow; at least the
-/// force over the hugging pressure. `position`: (3 vertices), metres.
+/// force over the hugging pressure. `position`: (unknowns), metres.
 ToolContact contact_on(const BodyModel& model, const EquilibriumProblem& problem, const EquilibriumTerms& terms,
                        const Eigen::VectorXd& position, int solid);
 

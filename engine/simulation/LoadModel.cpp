@@ -11,6 +11,7 @@ namespace {
 struct RegionEdge {
   std::array<int, 2> vertices;
   int triangle;   // one of its triangles
+  int edge;       // index
   double length;  // metres
 };
 
@@ -25,7 +26,7 @@ std::vector<RegionEdge> edges_in(const Region& region, const SurfaceMesh& mesh) 
     const auto [a, b] = topology.edges[edge];
     if (!inside[a] || !inside[b]) continue;
     const auto triangles = triangles_at(topology, edge);
-    all.push_back({{a, b}, triangles[0], (mesh.vertices[a] - mesh.vertices[b]).norm()});
+    all.push_back({{a, b}, triangles[0], edge, (mesh.vertices[a] - mesh.vertices[b]).norm()});
     if (triangles.size() == 1) open.push_back(all.back());
   }
   return open.empty() ? all : open;
@@ -87,7 +88,7 @@ std::vector<MomentLever> moment_levers(const LoadDefinition& load, const Surface
   const double whole = length_of(edges);
   std::vector<MomentLever> levers;
   for (const RegionEdge& edge : edges) {
-    MomentLever lever{.triangle = edge.triangle, .moment = load.vector.norm() * edge.length / whole};
+    MomentLever lever{.triangle = edge.triangle, .moment = load.vector.norm() * edge.length / whole, .edge = edge.edge};
     for (int k = 0; k < 3; ++k) {
       const int vertex = mesh.triangles[edge.triangle][k];
       lever.weights[k] = vertex == edge.vertices[0] || vertex == edge.vertices[1] ? -0.5 : 1;
@@ -130,6 +131,21 @@ LoadModel make_load_model(const LoadDefinition& load, const SurfaceMesh& mesh, c
       break;
   }
   return model;
+}
+
+void add_turns(const SurfaceMesh& mesh, std::span<const BendingRest> bending, LoadModel& load) {
+  if (bending.empty()) return;
+  for (MomentLever& lever : load.levers) {
+    const BendingRest& triangle = bending[lever.triangle];
+    for (int side = 0; side < 3; ++side) {
+      const BendingSide& own = triangle.sides[side];
+      if (triangle.edges[side] != lever.edge || own.share != 0) continue;
+      const Eigen::Vector3d along =
+          mesh.vertices[triangle.vertices[(side + 1) % 3]] - mesh.vertices[triangle.vertices[side]];
+      // A side that bends towards the normal turns against its own sense.
+      lever.turn = -own.turn_share * along.normalized().dot(load.axis);
+    }
+  }
 }
 
 }  // namespace thinwall

@@ -61,7 +61,12 @@ void add_moment(const BodyModel& model, const EquilibriumProblem& problem, const
         hessian.block<3, 3>(3 * a, 3 * b) = -moment * lever.weights[a] * lever.weights[b] * rotation.hessian;
       }
     }
+    const Eigen::Index turned = 3 * static_cast<Eigen::Index>(model.vertices()) + lever.edge;
     terms.load_work += moment * rotation.angle;
+    if (lever.turn != 0) {
+      terms.load_force[turned] += moment * lever.turn;
+      terms.load_work += moment * lever.turn * position[turned];
+    }
     add_triangle(model.addresses[lever.triangle], hessian, terms.values);
   }
 }
@@ -111,8 +116,8 @@ void add_loads(const BodyModel& model, const EquilibriumProblem& problem, const 
     } else if (load.kind == LoadKind::kDeadMoment) {
       add_moment(model, problem, load, factor, position, terms);
     } else {
-      terms.load_force += factor * load.force;
-      terms.load_work += factor * load.force.dot(position);
+      terms.load_force.head(load.force.size()) += factor * load.force;
+      terms.load_work += factor * load.force.dot(position.head(load.force.size()));
     }
   }
   terms.gradient -= terms.load_force;

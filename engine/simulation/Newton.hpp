@@ -19,7 +19,7 @@ struct NewtonOptions {
 
 /// The unknowns of an equilibrium: where Newton starts, and what it has found.
 struct EquilibriumState {
-  Eigen::VectorXd position;        // (3 vertices), metres
+  Eigen::VectorXd position;        // (unknowns), metres
   Eigen::VectorXd pressure;        // (chambers), pascal
   Eigen::VectorXd rigid_reaction;  // (free rigid motions), newton, multipliers of a held free body
 };
@@ -66,7 +66,7 @@ class Newton {
     return self_contact_.safe_fraction(position, motion);
   }
 
-  /// Force that holds the rigid motions of a free body, (3 vertices), newton, at a state that a solve has reached.
+  /// Force that holds the rigid motions of a free body, (unknowns), newton, at a state that a solve has reached.
   Eigen::VectorXd rigid_force(const EquilibriumState& state) const { return -rigid_columns_ * state.rigid_reaction; }
 
   /// Terms at the state that the last solve ended with.
@@ -74,14 +74,14 @@ class Newton {
 
  private:
   struct Step {
-    Eigen::VectorXd position;             // (3 vertices), metres
+    Eigen::VectorXd position;             // (unknowns), metres
     Eigen::VectorXd pressure;             // (chambers), pascal
     Eigen::VectorXd rigid;                // newton
     std::vector<Eigen::Vector3d> forces;  // (attachments), newton, new values
     std::vector<double> contact_forces;   // (contacts), newton, new values; negative where a contact would open
   };
   struct Residual {
-    Eigen::VectorXd force;              // (3 vertices), newton, zero at fixed unknowns
+    Eigen::VectorXd force;              // (unknowns), newton, zero at fixed unknowns
     Eigen::VectorXd volume;             // (chambers), metres^3, volume minus what the fluid asks
     Eigen::VectorXd rigid;              // (free rigid motions), metres
     std::vector<Eigen::Vector3d> gaps;  // (attachments), metres, material point minus target
@@ -130,17 +130,17 @@ class Newton {
   SparseFactor factor_;
   SelfContact self_contact_;
   FoldMatrix fold_matrix_;
-  bool folded_ = false;   // whether the last factorisation is the fold matrix's
+  bool folded_ = false;  // whether the last factorisation is the fold matrix's
   BorderedSystem bordered_;
   EquilibriumTerms terms_;
   EquilibriumTerms trial_terms_;
   std::vector<char> open_;           // (contacts), whether the step takes the contact to be open
   std::vector<double> matrix_;       // (non-zeros), what is factorised
-  Eigen::MatrixXd border_;           // (3 vertices x border)
+  Eigen::MatrixXd border_;           // (unknowns x border)
   Eigen::MatrixXd corner_;           // (border x border)
   std::vector<int> bordering_;       // chambers whose pressure is a multiplier, in the order of the border's columns
   int constraints_ = 0;              // columns of the border that are constraints
-  Eigen::MatrixXd rigid_columns_;    // (3 vertices x free rigid motions), relative mass times motion
+  Eigen::MatrixXd rigid_columns_;    // (unknowns x free rigid motions), relative mass times motion
   double attachment_stiffness_ = 0;  // newton / metre, gamma
 };
 

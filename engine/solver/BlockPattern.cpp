@@ -9,22 +9,25 @@ namespace {
 
 constexpr std::array<std::array<int, 2>, 6> kCorners = {{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}}};
 
-BlockPattern pattern_of(std::vector<std::vector<int>> larger) {
-  BlockPattern pattern{.vertices = static_cast<int>(larger.size()),
+BlockPattern pattern_of(std::vector<std::vector<int>> larger, int singles) {
+  BlockPattern pattern{.vertices = static_cast<int>(larger.size()) - singles,
+                       .singles = singles,
                        .neighbour_begin = {0},
                        .neighbours = {},
                        .column_begin = {0},
                        .row = {}};
-  for (int vertex = 0; vertex < pattern.vertices; ++vertex) {
-    std::vector<int>& list = larger[vertex];
+  for (int node = 0; node < pattern.nodes(); ++node) {
+    std::vector<int>& list = larger[node];
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());
     pattern.neighbours.insert(pattern.neighbours.end(), list.begin(), list.end());
     pattern.neighbour_begin.push_back(static_cast<int>(pattern.neighbours.size()));
-    for (int column = 0; column < 3; ++column) {
-      for (int k = column; k < 3; ++k) pattern.row.push_back(3 * vertex + k);
+    for (int column = 0; column < pattern.unknowns_of(node); ++column) {
+      for (int k = column; k < pattern.unknowns_of(node); ++k) pattern.row.push_back(pattern.first_unknown(node) + k);
       for (const int neighbour : list) {
-        for (int k = 0; k < 3; ++k) pattern.row.push_back(3 * neighbour + k);
+        for (int k = 0; k < pattern.unknowns_of(neighbour); ++k) {
+          pattern.row.push_back(pattern.first_unknown(neighbour) + k);
+        }
       }
       pattern.column_begin.push_back(static_cast<int>(pattern.row.size()));
     }
@@ -47,22 +50,23 @@ BlockPattern make_block_pattern(int vertices, std::span<const Eigen::Vector3i> t
       larger[low].push_back(high);
     }
   }
-  return pattern_of(std::move(larger));
+  return pattern_of(std::move(larger), 0);
 }
 
-ExtendedPattern extend_block_pattern(const BlockPattern& pattern, std::span<const std::array<int, 2>> couplings) {
-  std::vector<std::vector<int>> larger(pattern.vertices);
-  for (int vertex = 0; vertex < pattern.vertices; ++vertex) {
-    const std::span<const int> list = larger_neighbours(pattern, vertex);
-    larger[vertex].assign(list.begin(), list.end());
+ExtendedPattern extend_block_pattern(const BlockPattern& pattern, std::span<const std::array<int, 2>> couplings,
+                                     int further_singles) {
+  std::vector<std::vector<int>> larger(pattern.nodes() + further_singles);
+  for (int node = 0; node < pattern.nodes(); ++node) {
+    const std::span<const int> list = larger_neighbours(pattern, node);
+    larger[node].assign(list.begin(), list.end());
   }
   for (const auto& [one, other] : couplings) {
     const auto [low, high] = std::minmax(one, other);
     if (low != high) larger[low].push_back(high);
   }
-  ExtendedPattern extended{.pattern = pattern_of(std::move(larger)), .entries = {}};
+  ExtendedPattern extended{.pattern = pattern_of(std::move(larger), pattern.singles + further_singles), .entries = {}};
   extended.entries.reserve(pattern.nonzeros());
-  for (int column = 0; column < 3 * pattern.vertices; ++column) {
+  for (int column = 0; column < pattern.unknowns(); ++column) {
     int at = extended.pattern.column_begin[column];
     for (int k = pattern.column_begin[column]; k < pattern.column_begin[column + 1]; ++k, ++at) {
       while (extended.pattern.row[at] != pattern.row[k]) ++at;
@@ -79,6 +83,7 @@ bool is_coupled(const BlockPattern& pattern, int vertex, int other) {
 }
 
 BlockAddress block_address(const BlockPattern& pattern, int vertex, int other) {
+  assert(vertex < pattern.vertices && other < pattern.vertices);
   const auto [low, high] = std::minmax(vertex, other);
   BlockAddress address{.first = {}, .diagonal = low == high};
   int offset = 0;
@@ -94,6 +99,15 @@ BlockAddress block_address(const BlockPattern& pattern, int vertex, int other) {
     address.first[column] = pattern.column_begin[3 * low + column] + own + offset;
   }
   return address;
+}
+
+int entry_address(const BlockPattern& pattern, int unknown, int other) {
+  const auto [column, row] = std::minmax(unknown, other);
+  const auto begin = pattern.row.begin() + pattern.column_begin[column];
+  const auto end = pattern.row.begin() + pattern.column_begin[column + 1];
+  const auto found = std::lower_bound(begin, end, row);
+  assert(found != end && *found == row);
+  return static_cast<int>(found - pattern.row.begin());
 }
 
 TriangleAddresses triangle_addresses(const BlockPattern& pattern, const Eigen::Vector3i& triangle) {
@@ -140,7 +154,7 @@ void add_block(const BlockPattern& pattern, int vertex, int other, const Eigen::
 void multiply(const BlockPattern& pattern, std::span<const double> values, const Eigen::VectorXd& x,
               Eigen::VectorXd& y) {
   y.setZero(x.size());
-  for (int column = 0; column < 3 * pattern.vertices; ++column) {
+  for (int column = 0; column < pattern.unknowns(); ++column) {
     int k = pattern.column_begin[column];
     double sum = values[k] * x[column];
     for (++k; k < pattern.column_begin[column + 1]; ++k) {

@@ -7,16 +7,22 @@
 
 namespace thinwall {
 
-/// The sparsity of a symmetric matrix made of 3 x 3 blocks, one row of blocks per vertex: its lower triangle by
-/// columns, rows ascending, as the factorisation wants it.
+/// The sparsity of a symmetric matrix made of 3 x 3 blocks, one row of blocks per vertex, and of single unknowns behind
+/// them: its lower triangle by columns, rows ascending, as the factorisation wants it. Nodes are the vertices and then
+/// the single unknowns.
 struct BlockPattern {
   int vertices = 0;
-  std::vector<int> neighbour_begin;  // (vertices + 1), into `neighbours`
-  std::vector<int> neighbours;       // larger neighbours of each vertex, ascending
-  std::vector<int> column_begin;     // (3 vertices + 1), into `row` and the values
+  int singles = 0;
+  std::vector<int> neighbour_begin;  // (nodes + 1), into `neighbours`
+  std::vector<int> neighbours;       // larger neighbours of each node, ascending
+  std::vector<int> column_begin;     // (unknowns + 1), into `row` and the values
   std::vector<int> row;              // (non-zeros)
 
   int nonzeros() const { return column_begin.back(); }
+  int nodes() const { return vertices + singles; }
+  int unknowns() const { return 3 * vertices + singles; }
+  int first_unknown(int node) const { return node < vertices ? 3 * node : 2 * vertices + node; }
+  int unknowns_of(int node) const { return node < vertices ? 3 : 1; }
 };
 
 /// Where a block lies in the value array: position of its first entry in each of its three columns. The block of a
@@ -29,18 +35,23 @@ struct BlockAddress {
 /// Pattern in which the vertices of each triangle are coupled with each other.
 BlockPattern make_block_pattern(int vertices, std::span<const Eigen::Vector3i> triangles);
 
-/// The pattern with further pairs of vertices coupled, and where each value of the old pattern lies in it.
+/// The pattern with further single unknowns and further pairs of nodes coupled, and where each value of the old pattern
+/// lies in it.
 struct ExtendedPattern {
   BlockPattern pattern;
   std::vector<int> entries;  // (non-zeros of the old pattern), index of the value in the new one
 };
-ExtendedPattern extend_block_pattern(const BlockPattern& pattern, std::span<const std::array<int, 2>> couplings);
+ExtendedPattern extend_block_pattern(const BlockPattern& pattern, std::span<const std::array<int, 2>> couplings,
+                                     int further_singles = 0);
 
 /// Whether the pattern has a block for the two vertices, in either order.
 bool is_coupled(const BlockPattern& pattern, int vertex, int other);
 
 /// Address of the block of two coupled vertices, in either order. Asserts that they are coupled.
 BlockAddress block_address(const BlockPattern& pattern, int vertex, int other);
+
+/// Where the entry of two coupled unknowns lies in the value array. Asserts that they are coupled.
+int entry_address(const BlockPattern& pattern, int unknown, int other);
 
 /// The six addresses of a triangle's blocks: (0,0) (1,1) (2,2) (0,1) (1,2) (0,2), and whether an off-diagonal block
 /// must be transposed because its first vertex is the smaller one.
@@ -58,7 +69,7 @@ void add_triangle(const TriangleAddresses& addresses, const Eigen::Matrix<double
 void add_block(const BlockPattern& pattern, int vertex, int other, const Eigen::Matrix3d& block,
                std::span<double> values);
 
-/// y = A x with the symmetric matrix of the pattern. (3 vertices) each.
+/// y = A x with the symmetric matrix of the pattern. (unknowns) each.
 void multiply(const BlockPattern& pattern, std::span<const double> values, const Eigen::VectorXd& x,
               Eigen::VectorXd& y);
 

@@ -13,13 +13,13 @@
 namespace thinwall {
 namespace {
 
-/// Fill-reducing order of the vertices.
-std::vector<int> vertex_order(const BlockPattern& pattern, cholmod_common& common) {
+/// Fill-reducing order of the nodes.
+std::vector<int> node_order(const BlockPattern& pattern, cholmod_common& common) {
   const int edges = static_cast<int>(pattern.neighbours.size());
-  std::vector<int> order(pattern.vertices);
+  std::vector<int> order(pattern.nodes());
   cholmod_sparse graph{};
   std::vector<int> columns = pattern.neighbour_begin, rows = pattern.neighbours;
-  graph.nrow = graph.ncol = pattern.vertices;
+  graph.nrow = graph.ncol = pattern.nodes();
   graph.nzmax = edges;
   graph.p = columns.data();
   graph.i = rows.data();
@@ -58,12 +58,10 @@ struct SparseFactor::Implementation {
     common.nmethods = 1;
     common.method[0].ordering = CHOLMOD_GIVEN;
     common.postorder = 1;
-    const std::vector<int> vertices = vertex_order(pattern, common);
-    order.resize(3 * vertices.size());
-    for (std::size_t k = 0; k < vertices.size(); ++k) {
-      for (int c = 0; c < 3; ++c) order[3 * k + c] = 3 * vertices[k] + c;
+    for (const int node : node_order(pattern, common)) {
+      for (int c = 0; c < pattern.unknowns_of(node); ++c) order.push_back(pattern.first_unknown(node) + c);
     }
-    matrix.nrow = matrix.ncol = 3 * static_cast<std::size_t>(pattern.vertices);
+    matrix.nrow = matrix.ncol = static_cast<std::size_t>(pattern.unknowns());
     matrix.nzmax = pattern.nonzeros();
     matrix.p = pattern.column_begin.data();
     matrix.i = pattern.row.data();

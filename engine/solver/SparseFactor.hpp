@@ -12,8 +12,8 @@ namespace thinwall {
 /// Analyse once, factorize and solve often: the only place that knows the sparse direct solver.
 class SparseFactor {
  public:
-  /// Orders the graph of vertices by nested dissection and expands the order to three unknowns each, which costs a
-  /// third of ordering the unknowns.
+  /// Orders the graph of nodes by nested dissection and expands the order to their unknowns, three for each vertex,
+  /// which costs a third of ordering the unknowns.
   explicit SparseFactor(const BlockPattern& pattern);
   ~SparseFactor();
   SparseFactor(SparseFactor&&) noexcept;

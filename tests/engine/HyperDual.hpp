@@ -44,6 +44,10 @@ struct HyperDual {
   friend HyperDual log(const HyperDual& a) {
     return chain(a, std::log(a.value), 1 / a.value, -1 / (a.value * a.value));
   }
+  friend HyperDual atan(const HyperDual& a) {
+    const double slope = 1 / (1 + a.value * a.value);
+    return chain(a, std::atan(a.value), slope, -2 * a.value * slope * slope);
+  }
   friend HyperDual pow(const HyperDual& a, double exponent) {
     return chain(a, std::pow(a.value, exponent), exponent * std::pow(a.value, exponent - 1),
                  exponent * (exponent - 1) * std::pow(a.value, exponent - 2));

@@ -44,7 +44,7 @@ TEST(ShellBody, CantileverUnderEndShearFollowsThePublishedTable) {
   };
   const Row table[] = {{0.1, 0.103, 1.309}, {0.2, 0.381, 2.493}, {0.3, 0.763, 3.488},
                        {0.5, 1.604, 4.933}, {0.7, 2.370, 5.855}, {1.0, 3.286, 6.698}};
-  for (const int triangles : {640, 2560}) {
+  for (const int triangles : {160, 640}) {
     BodyDefinition definition = strip(triangles);
     definition.loads = {{.kind = LoadKind::kDeadForce, .region = PlaneRegion{.axis = 1, .at = 5}, .vector = {0, 0, 4}}};
     Body body(definition, {}, statics());
@@ -60,7 +60,8 @@ TEST(ShellBody, CantileverUnderEndShearFollowsThePublishedTable) {
                   row.u, end.z(), row.w, body.report().newton_iterations);
       worst = std::max({worst, std::abs(end.z() / row.w - 1), std::abs(-end.y() / row.u - 1)});
     }
-    EXPECT_LT(worst, triangles == 640 ? 0.035 : 0.016);  // seen 0.031 and 0.015: first order in the edge
+    std::printf("worst %.4f\n", worst);
+    EXPECT_LT(worst, 0.01);  // the table has three decimals: 0.5 % of its smallest value
     EXPECT_NEAR(body.state().books.imbalance(), 0, 1e-7 * body.state().books.script_work);
   }
 }
@@ -76,7 +77,7 @@ TEST(ShellBody, StripBendsToAQuarterOfACircleUnderAnEndMoment) {
   const double angle = std::numbers::pi / 2, radius = 10 / angle;
   const Eigen::Vector3d end = mean_of_end(body);
   std::printf("y %.4f (%.4f), z %.4f (%.4f)\n", end.y(), radius - 10, end.z(), radius);
-  EXPECT_LT(std::hypot(end.y() - (radius - 10), end.z() - radius), 0.02 * radius * angle);  // seen 0.013
+  EXPECT_LT(std::hypot(end.y() - (radius - 10), end.z() - radius), 1e-4 * radius * angle);  // seen 2e-5
 }
 
 TEST(ShellBody, HingedAndClampedPlatesSagByTheSeriesSolution) {
@@ -94,11 +95,11 @@ TEST(ShellBody, HingedAndClampedPlatesSagByTheSeriesSolution) {
     Body body(definition, {}, statics());
     body.settle();
     double sag = 0;
-    for (Eigen::Index k = 2; k < body.state().equilibrium.position.size(); k += 3) {
+    for (Eigen::Index k = 2; k < 3 * body.model().vertices(); k += 3) {
       sag = std::max(sag, body.state().equilibrium.position[k]);
     }
     std::printf("%s: %.6f (%.6f)\n", clamped ? "clamped" : "hinged", sag / 1e-2, exact);
-    EXPECT_NEAR(sag / 1e-2, exact, 0.03 * exact);
+    EXPECT_NEAR(sag / 1e-2, exact, 0.02 * exact);  // seen 0.002 and 0.014, of second order
   }
 }
 
