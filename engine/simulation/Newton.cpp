@@ -23,6 +23,9 @@ constexpr int kContactTurns = 8;
 /// of which lowers the residual and the other the energy.
 constexpr int kWholeSteps = 15;
 
+/// Steps of a shell without line search before it is solved with one.
+constexpr int kForeseeingSteps = 20;
+
 double square(double value) {
   return value * value;
 }
@@ -195,8 +198,9 @@ void Newton::build_border(const EquilibriumProblem& problem, const EquilibriumSt
   }
 }
 
-void Newton::build_matrix(const EquilibriumProblem& problem, double shift) {
+void Newton::build_matrix(const EquilibriumProblem& problem, const EquilibriumState& state, double shift) {
   matrix_ = terms_.values;
+  add_foreseen(problem, state.position);
   double diagonal = 0;
   for (std::size_t k = 0; k < model_.diagonal_entries.size(); ++k) {
     double& value = matrix_[model_.diagonal_entries[k]];
@@ -251,7 +255,7 @@ bool Newton::factorize(const EquilibriumProblem& problem, const EquilibriumState
   folded_ = fold_matrix_.prepare(terms_.folds, self_contact_);
   bool exact = shift == 0;
   for (int attempt = 0; attempt < 20; ++attempt) {
-    build_matrix(problem, shift);
+    build_matrix(problem, state, shift);
     const bool convex = folded_ ? is_convex(fold_matrix_.factor(), fold_matrix_.assemble(matrix_, terms_.folds, exact))
                                 : is_convex(factor_, matrix_);
     if (convex) return true;
@@ -386,27 +390,11 @@ bool Newton::search(EquilibriumProblem& problem, EquilibriumState& state, Residu
   for (const double force : step.contact_forces) weights.contact = std::max(weights.contact, 2 * force);
   const double before = merit(problem, state, terms_, residual, weights);
   const double slope = merit_slope(problem, state, residual, step, weights);
-  const EquilibriumState start = state;
-  const std::vector<Attachment> attachments = problem.attachments;
-  const std::vector<SolidContact> solids = problem.solids;
-  const std::vector<FrictionContact> friction = problem.friction;
+  const Start start{.state = state, .attachments = problem.attachments, .solids = problem.solids, .friction = problem.friction};
   Residual trial;
-  fraction = std::min(fraction, self_contact_.safe_fraction(start.position, step.position));
+  fraction = std::min(fraction, self_contact_.safe_fraction(start.state.position, step.position));
   for (int halving = 0; halving < 16; ++halving, fraction *= 0.5) {
-    state.position = start.position + fraction * step.position;
-    state.pressure = start.pressure + fraction * step.pressure;
-    if (step.rigid.size() > 0) state.rigid_reaction = start.rigid_reaction + fraction * step.rigid;
-    for (std::size_t k = 0; k < attachments.size(); ++k) {
-      problem.attachments[k].force = attachments[k].force + fraction * (step.forces[k] - attachments[k].force);
-    }
-    for (std::size_t k = 0; k < terms_.contacts.size(); ++k) {
-      const ContactPoint& contact = terms_.contacts[k];
-      const double old = solids[contact.solid].forces[contact.site];
-      problem.solids[contact.solid].forces[contact.site] = old + fraction * (step.contact_forces[k] - old);
-    }
-    problem.friction = friction;
-    advance_estimates(model_, start.position, step.position, fraction, problem.friction);
-    evaluate_all(problem, state, trial_terms_);
+    place(start, step, fraction, problem, state);
     if (!std::isfinite(trial_terms_.elastic)) continue;
     compute_residual(problem, state, trial_terms_, trial);
     const bool residual_fell = trial.measure <= (1 - 0.1 * fraction) * residual.measure;
@@ -416,15 +404,83 @@ bool Newton::search(EquilibriumProblem& problem, EquilibriumState& state, Residu
       return true;
     }
   }
-  state = start;
-  problem.attachments = attachments;
-  problem.solids = solids;
-  problem.friction = friction;
+  state = start.state;
+  problem.attachments = start.attachments;
+  problem.solids = start.solids;
+  problem.friction = start.friction;
   return false;
 }
 
+void Newton::place(const Start& start, const Step& step, double fraction, EquilibriumProblem& problem,
+                   EquilibriumState& state) {
+  state.position = start.state.position + fraction * step.position;
+  state.pressure = start.state.pressure + fraction * step.pressure;
+  if (step.rigid.size() > 0) state.rigid_reaction = start.state.rigid_reaction + fraction * step.rigid;
+  for (std::size_t k = 0; k < start.attachments.size(); ++k) {
+    const Eigen::Vector3d& old = start.attachments[k].force;
+    problem.attachments[k].force = old + fraction * (step.forces[k] - old);
+  }
+  for (std::size_t k = 0; k < terms_.contacts.size(); ++k) {
+    const ContactPoint& contact = terms_.contacts[k];
+    const double old = start.solids[contact.solid].forces[contact.site];
+    problem.solids[contact.solid].forces[contact.site] = old + fraction * (step.contact_forces[k] - old);
+  }
+  problem.friction = start.friction;
+  advance_estimates(model_, start.state.position, step.position, fraction, problem.friction);
+  evaluate_all(problem, state, trial_terms_);
+}
+
+bool Newton::take_whole(EquilibriumProblem& problem, EquilibriumState& state, Residual& residual, const Step& step) {
+  const Start start{.state = state, .attachments = problem.attachments, .solids = problem.solids, .friction = problem.friction};
+  const double fraction = std::min(1.0, self_contact_.safe_fraction(state.position, step.position));
+  foresee(problem, state.position, fraction * step.position);
+  place(start, step, fraction, problem, state);
+  if (!std::isfinite(trial_terms_.elastic) || !std::isfinite(trial_terms_.bending)) return false;
+  compute_residual(problem, state, trial_terms_, residual);
+  std::swap(terms_, trial_terms_);
+  return true;
+}
+
+void Newton::foresee(const EquilibriumProblem& problem, const Eigen::VectorXd& position,
+                     const Eigen::VectorXd& motion) {
+  foreseen_stress_.resize(model_.bending.size());
+  for (int t = 0; t < static_cast<int>(foreseen_stress_.size()); ++t) {
+    foreseen_stress_[t] = membrane_stress(model_.rest[t], model_.material(t), corners_of(model_.surface[t], position),
+                                          corners_of(model_.surface[t], motion), problem.memory.of(t))
+                              .foreseen;
+  }
+}
+
+void Newton::add_foreseen(const EquilibriumProblem& problem, const Eigen::VectorXd& position) {
+  for (int t = 0; t < static_cast<int>(foreseen_stress_.size()); ++t) {
+    const auto corners = corners_of(model_.surface[t], position);
+    const Eigen::Vector3d now =
+        membrane_stress(model_.rest[t], model_.material(t), corners, corners, problem.memory.of(t)).now;
+    add_triangle(model_.addresses[t], geometric_stiffness(model_.rest[t], foreseen_stress_[t] - now), matrix_);
+  }
+}
+
 NewtonResult Newton::solve(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options) {
+  int before = 0;
+  if (!model_.bending.empty()) {
+    const Start start{.state = state, .attachments = problem.attachments, .solids = problem.solids, .friction = problem.friction};
+    NewtonResult result = iterate(problem, state, options, true);
+    if (result.converged) return result;
+    before = result.iterations;
+    state = start.state;
+    problem.attachments = start.attachments;
+    problem.solids = start.solids;
+    problem.friction = start.friction;
+  }
+  NewtonResult result = iterate(problem, state, options, false);
+  result.iterations += before;
+  return result;
+}
+
+NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options,
+                             bool foresees) {
   NewtonResult result;
+  foreseen_stress_.clear();
   if (problem.start.size() == 0) problem.start = state.position;
   state.pressure.conservativeResizeLike(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(problem.fluids.size())));
   for (std::size_t c = 0; c < problem.fluids.size(); ++c) {
@@ -447,7 +503,7 @@ NewtonResult Newton::solve(EquilibriumProblem& problem, EquilibriumState& state,
       result.converged = true;
       return result;
     }
-    if (result.iterations == options.maximum_iterations) {
+    if (result.iterations == (foresees ? kForeseeingSteps : options.maximum_iterations)) {
       result.reason = obstructed("no convergence within " + std::to_string(options.maximum_iterations) + " iterations");
       return result;
     }
@@ -470,6 +526,11 @@ NewtonResult Newton::solve(EquilibriumProblem& problem, EquilibriumState& state,
       step.contact_forces[k] = open_[k] ? 0 : std::max(0.0, step.contact_forces[k]);
     }
     if (shift > 0) ++result.shifted_iterations;
+    if (foresees) {
+      if (take_whole(problem, state, residual, step)) continue;
+      result.reason = "the wall is stretched beyond its law";
+      return result;
+    }
     if (!search(problem, state, residual, step, result.iterations < kWholeSteps ? 1 : 0.5)) {
       result.reason = obstructed("the line search found no smaller residual or energy");
       return result;

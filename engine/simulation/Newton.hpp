@@ -46,6 +46,13 @@ struct NewtonResult {
 /// contact cannot: when contacts would pull they are taken to be open, when open ones would be overrun they are taken
 /// to be closed, and the step is found again.
 ///
+/// A thin shell is far stiffer along itself than across, and a step that is right to first order strains it to second
+/// order, with stresses that dwarf the true ones. So a shell is first solved with the stresses as unknowns of their own
+/// beside the displacements (Magisano, Leonetti and Garcea 2017, mixed integration points): eliminated in each triangle
+/// they leave the equations as they are, but for the curvature, which takes the stress that the last step foresaw from
+/// the strain it adds in first order. Whole steps are taken; where they do not lead to the end, the solution begins
+/// again with the line search.
+///
 /// Where the wall comes to lie on itself or on its floor a potential keeps it from touching (see SelfContact), and the
 /// line search starts from the longest step on which nothing touches. The exact curvature of these contacts is tried
 /// first, their convex part when the whole is not convex with it.
@@ -98,6 +105,21 @@ class Newton {
     double contact;   // newton
   };
 
+  /// Where a step begins.
+  struct Start {
+    EquilibriumState state;
+    std::vector<Attachment> attachments;
+    std::vector<SolidContact> solids;
+    std::vector<FrictionContact> friction;
+  };
+
+  NewtonResult iterate(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options,
+                       bool foresees);
+  void foresee(const EquilibriumProblem& problem, const Eigen::VectorXd& position, const Eigen::VectorXd& motion);
+  void add_foreseen(const EquilibriumProblem& problem, const Eigen::VectorXd& position);
+  void place(const Start& start, const Step& step, double fraction, EquilibriumProblem& problem,
+             EquilibriumState& state);
+  bool take_whole(EquilibriumProblem& problem, EquilibriumState& state, Residual& residual, const Step& step);
   void evaluate_all(const EquilibriumProblem& problem, const EquilibriumState& state, EquilibriumTerms& terms);
   double contact_force(const EquilibriumProblem& problem, const ContactPoint& contact) const;
   double contact_law(const ContactPoint& contact) const;
@@ -111,7 +133,7 @@ class Newton {
   bool is_solved(const Residual& residual, double force_scale, const NewtonOptions& options) const;
   double force_scale(const EquilibriumProblem& problem, const EquilibriumTerms& terms) const;
   void build_border(const EquilibriumProblem& problem, const EquilibriumState& state);
-  void build_matrix(const EquilibriumProblem& problem, double shift);
+  void build_matrix(const EquilibriumProblem& problem, const EquilibriumState& state, double shift);
   bool factorize(const EquilibriumProblem& problem, const EquilibriumState& state, double& shift);
   bool is_convex(SparseFactor& factor, std::span<const double> values);
   SparseFactor& used_factor() { return folded_ ? fold_matrix_.factor() : factor_; }
@@ -136,6 +158,8 @@ class Newton {
   EquilibriumTerms trial_terms_;
   std::vector<char> open_;           // (contacts), whether the step takes the contact to be open
   std::vector<double> matrix_;       // (non-zeros), what is factorised
+  // (triangles) of a shell, pascal, (S11, S22, S12); none where the curvature takes the stress as it is
+  std::vector<Eigen::Vector3d> foreseen_stress_;
   Eigen::MatrixXd border_;           // (unknowns x border)
   Eigen::MatrixXd corner_;           // (border x border)
   std::vector<int> bordering_;       // chambers whose pressure is a multiplier, in the order of the border's columns

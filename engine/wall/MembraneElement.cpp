@@ -43,6 +43,19 @@ void remember(const MembraneMemory& memory, const Material& material, const Eige
   response.tangent += damping;
 }
 
+/// `tension`: (S11, S22, S12) times the rest volume, joule.
+void add_geometric_stiffness(const ShapeGradients& gradients, const Eigen::Vector3d& tension,
+                             Eigen::Matrix<double, 9, 9>& hessian) {
+  Eigen::Matrix2d stress;
+  stress << tension[0], tension[2], tension[2], tension[1];
+  const Eigen::Matrix3d geometric = gradients.transpose() * stress * gradients;
+  for (int a = 0; a < 3; ++a) {
+    for (int b = 0; b < 3; ++b) {
+      for (int k = 0; k < 3; ++k) hessian(3 * a + k, 3 * b + k) += geometric(a, b);
+    }
+  }
+}
+
 /// The unit vector in the plane with this normal that is nearest to a direction.
 Eigen::Vector3d in_plane(const Eigen::Vector3d& direction, const Eigen::Vector3d& normal) {
   const Eigen::Vector3d flat = direction - normal * normal.dot(direction);
@@ -90,8 +103,6 @@ MembraneTerms membrane_terms(const MembraneRest& rest, const Material& material,
   const double volume = rest.area * rest.thickness;
   const ShapeGradients gradients = shape_gradients(rest);
   const Eigen::Vector3d& s = response.second_piola_kirchhoff;
-  Eigen::Matrix2d stress;
-  stress << s[0], s[2], s[2], s[1];
 
   // Rows of the strain-displacement matrix: variations of (E11, E22, 2 E12) by the nine coordinates.
   Eigen::Matrix<double, 3, 9> strain_displacement;
@@ -108,13 +119,26 @@ MembraneTerms membrane_terms(const MembraneRest& rest, const Material& material,
   terms.gradient = volume * strain_displacement.transpose().lazyProduct(s);
   const Eigen::Matrix<double, 3, 9> stiff = (volume * response.tangent).lazyProduct(strain_displacement);
   terms.hessian = strain_displacement.transpose().lazyProduct(stiff);
-  const Eigen::Matrix3d geometric = volume * gradients.transpose() * stress * gradients;
-  for (int a = 0; a < 3; ++a) {
-    for (int b = 0; b < 3; ++b) {
-      for (int k = 0; k < 3; ++k) terms.hessian(3 * a + k, 3 * b + k) += geometric(a, b);
-    }
-  }
+  add_geometric_stiffness(gradients, volume * s, terms.hessian);
   return terms;
+}
+
+MembraneStress membrane_stress(const MembraneRest& rest, const Material& material,
+                               const std::array<Eigen::Vector3d, 3>& corners,
+                               const std::array<Eigen::Vector3d, 3>& motion, const MembraneMemory& memory) {
+  const Eigen::Matrix<double, 3, 2> f = deformation_gradient(rest, corners);
+  const Eigen::Matrix2d product = f.transpose() * deformation_gradient(rest, motion);
+  WallLawResponse response = wall_response(material, right_cauchy_green(f), memory.tension_field);
+  remember(memory, material, green_lagrange(right_cauchy_green(f)), response);
+  const Eigen::Vector3d strain(product(0, 0), product(1, 1), product(0, 1) + product(1, 0));
+  return {.now = response.second_piola_kirchhoff,
+          .foreseen = response.second_piola_kirchhoff + response.tangent * strain};
+}
+
+Eigen::Matrix<double, 9, 9> geometric_stiffness(const MembraneRest& rest, const Eigen::Vector3d& stress) {
+  Eigen::Matrix<double, 9, 9> stiffness = Eigen::Matrix<double, 9, 9>::Zero();
+  add_geometric_stiffness(shape_gradients(rest), rest.area * rest.thickness * stress, stiffness);
+  return stiffness;
 }
 
 Eigen::Vector3d green_lagrange_strain(const MembraneRest& rest, const std::array<Eigen::Vector3d, 3>& corners) {

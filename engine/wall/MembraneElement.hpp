@@ -46,6 +46,19 @@ struct MembraneTerms {
 MembraneTerms membrane_terms(const MembraneRest& rest, const Material& material,
                              const std::array<Eigen::Vector3d, 3>& corners, const MembraneMemory& memory = {});
 
+/// Second Piola-Kirchhoff stress (S11, S22, S12) at the corners, pascal, and what it would become with the strain that
+/// a motion of the corners adds in first order. Asserts nothing about how far the motion goes.
+struct MembraneStress {
+  Eigen::Vector3d now;
+  Eigen::Vector3d foreseen;
+};
+MembraneStress membrane_stress(const MembraneRest& rest, const Material& material,
+                               const std::array<Eigen::Vector3d, 3>& corners,
+                               const std::array<Eigen::Vector3d, 3>& motion, const MembraneMemory& memory = {});
+
+/// The part of the Hessian that a stress makes by itself, (S11, S22, S12), pascal.
+Eigen::Matrix<double, 9, 9> geometric_stiffness(const MembraneRest& rest, const Eigen::Vector3d& stress);
+
 /// Green-Lagrange strain e = (E11, E22, 2 E12) in the rest plane.
 Eigen::Vector3d green_lagrange_strain(const MembraneRest& rest, const std::array<Eigen::Vector3d, 3>& corners);
 
