@@ -149,4 +149,27 @@ SurfaceMesh make_annulus(double inner_radius, double radius, int triangles) {
   });
 }
 
+SurfaceMesh make_slit_annulus(double inner_radius, double radius, int triangles) {
+  assert(0 < inner_radius && inner_radius < radius);
+  const double breadth = std::log(radius / inner_radius);
+  const Division division = closest_division(
+      triangles, 1, 1, 3, [](Division d) { return d.across * (2 * d.along + 1); },
+      [&](Division d) { return (breadth / d.across) / (2 * pi / d.along) / kEquilateral; });
+  const Pattern pattern = staggered_rows(division.across, division.along, false);
+  SurfaceMesh mesh = bend(pattern, [&](double outwards, double turn) -> Eigen::Vector3d {
+    const double reach = outwards == 0.5 ? radius : inner_radius * std::exp(breadth * (outwards + 0.5));
+    // Both lips lie on y = 0 exactly.
+    const double angle = turn == 0.5 ? 0 : 2 * pi * (turn + 0.5);
+    return reach * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0);
+  });
+  std::vector<int> first, last;
+  for (const std::vector<int>& row : pattern.rows) {
+    first.push_back(row.front());
+    last.push_back(row.back());
+  }
+  add_group(mesh, "slit_start", first);
+  add_group(mesh, "slit_end", last);
+  return mesh;
+}
+
 }  // namespace thinwall

@@ -35,4 +35,8 @@ SurfaceMesh make_disc(double radius, int triangles);
 /// spacing, their radii in geometric progression, so all triangles have nearly the same shape. Open at both circles.
 SurfaceMesh make_annulus(double inner_radius, double radius, int triangles);
 
+/// The same ring slit along +x. The lips lie on each other and have vertices of their own, from the hole outwards: the
+/// groups `slit_start`, from which the ring goes counter-clockwise, and `slit_end`, where it comes back.
+SurfaceMesh make_slit_annulus(double inner_radius, double radius, int triangles);
+
 }  // namespace thinwall

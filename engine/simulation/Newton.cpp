@@ -24,7 +24,7 @@ constexpr int kContactTurns = 8;
 constexpr int kWholeSteps = 15;
 
 /// Steps of a shell without line search before it is solved with one.
-constexpr int kForeseeingSteps = 20;
+constexpr int kForeseeingSteps = 40;
 
 double square(double value) {
   return value * value;
@@ -390,7 +390,8 @@ bool Newton::search(EquilibriumProblem& problem, EquilibriumState& state, Residu
   for (const double force : step.contact_forces) weights.contact = std::max(weights.contact, 2 * force);
   const double before = merit(problem, state, terms_, residual, weights);
   const double slope = merit_slope(problem, state, residual, step, weights);
-  const Start start{.state = state, .attachments = problem.attachments, .solids = problem.solids, .friction = problem.friction};
+  const Start start{
+      .state = state, .attachments = problem.attachments, .solids = problem.solids, .friction = problem.friction};
   Residual trial;
   fraction = std::min(fraction, self_contact_.safe_fraction(start.state.position, step.position));
   for (int halving = 0; halving < 16; ++halving, fraction *= 0.5) {
@@ -431,7 +432,8 @@ void Newton::place(const Start& start, const Step& step, double fraction, Equili
 }
 
 bool Newton::take_whole(EquilibriumProblem& problem, EquilibriumState& state, Residual& residual, const Step& step) {
-  const Start start{.state = state, .attachments = problem.attachments, .solids = problem.solids, .friction = problem.friction};
+  const Start start{
+      .state = state, .attachments = problem.attachments, .solids = problem.solids, .friction = problem.friction};
   const double fraction = std::min(1.0, self_contact_.safe_fraction(state.position, step.position));
   foresee(problem, state.position, fraction * step.position);
   place(start, step, fraction, problem, state);
@@ -463,7 +465,8 @@ void Newton::add_foreseen(const EquilibriumProblem& problem, const Eigen::Vector
 NewtonResult Newton::solve(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options) {
   int before = 0;
   if (!model_.bending.empty()) {
-    const Start start{.state = state, .attachments = problem.attachments, .solids = problem.solids, .friction = problem.friction};
+    const Start start{
+        .state = state, .attachments = problem.attachments, .solids = problem.solids, .friction = problem.friction};
     NewtonResult result = iterate(problem, state, options, true);
     if (result.converged) return result;
     before = result.iterations;

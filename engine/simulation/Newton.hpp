@@ -156,8 +156,8 @@ class Newton {
   BorderedSystem bordered_;
   EquilibriumTerms terms_;
   EquilibriumTerms trial_terms_;
-  std::vector<char> open_;           // (contacts), whether the step takes the contact to be open
-  std::vector<double> matrix_;       // (non-zeros), what is factorised
+  std::vector<char> open_;      // (contacts), whether the step takes the contact to be open
+  std::vector<double> matrix_;  // (non-zeros), what is factorised
   // (triangles) of a shell, pascal, (S11, S22, S12); none where the curvature takes the stress as it is
   std::vector<Eigen::Vector3d> foreseen_stress_;
   Eigen::MatrixXd border_;           // (unknowns x border)

@@ -34,7 +34,10 @@ const std::array<ShapeEntry, 8> kShapes = {{
     {Shape::kDisc, "disc", [](const ShapeSource& s) { return make_disc(s.radius, s.triangles); }},
     {Shape::kCylinder, "cylinder", [](const ShapeSource& s) { return make_cylinder(s.radius, s.length, s.triangles); }},
     {Shape::kAnnulus, "annulus",
-     [](const ShapeSource& s) { return make_annulus(s.inner_radius, s.radius, s.triangles); }},
+     [](const ShapeSource& s) {
+       return s.slit ? make_slit_annulus(s.inner_radius, s.radius, s.triangles)
+                     : make_annulus(s.inner_radius, s.radius, s.triangles);
+     }},
     {Shape::kStrip, "strip", [](const ShapeSource& s) { return make_sheet(s.width, s.length, s.triangles); }},
 }};
 

@@ -13,6 +13,9 @@ std::vector<CaseSchema> shape_cases() {
   const KeySchema along_y = length_key("length", "40 mm", "extent along y");
   const KeySchema along_x = length_key("width", "40 mm", "extent along x");
   const KeySchema hole = length_key("inner_radius", "10 mm", "radius of the hole");
+  const KeySchema slit = {"slit", boolean_value(), false, "false",
+                          "cut open along +x; groups `slit_start`, from which the ring goes counter-clockwise, and "
+                          "`slit_end`"};
   return {
       {"sphere", "closed sphere", {radius}},
       {"hemisphere", "base on z = 0, closed by a cap; crown towards +z; 64 triangles give the 41-node mesh", {radius}},
@@ -20,7 +23,7 @@ std::vector<CaseSchema> shape_cases() {
       {"sheet", "open rectangle in z = 0", {along_y, along_x}},
       {"disc", "open disc in z = 0", {radius}},
       {"cylinder", "axis along y, closed by caps at both ends", {radius, along_y}},
-      {"annulus", "open ring in z = 0", {radius, hole}},
+      {"annulus", "open ring in z = 0", {radius, hole, slit}},
       {"strip", "open narrow rectangle in z = 0", {along_y, along_x}},
   };
 }

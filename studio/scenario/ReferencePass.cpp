@@ -19,7 +19,10 @@ std::vector<std::string> names_in(const CheckedValue& root, std::string_view sec
 }
 
 /// The groups of vertices that the surface of a shape has.
-std::vector<std::string> groups_of_shape(const std::string& shape) {
+std::vector<std::string> groups_of_shape(const CheckedValue& surface) {
+  const std::string& shape = surface.at("shape").text;
+  const CheckedValue* slit = surface.find("slit");
+  if (slit != nullptr && slit->boolean) return {"wall", "slit_start", "slit_end"};
   if (shape == "hemisphere") return {"wall", "base"};
   if (shape == "semicylinder") return {"wall", "base", "ends"};
   if (shape == "cylinder") return {"wall", "ends"};
@@ -109,7 +112,7 @@ class ReferenceChecker {
     for (const CheckedMember& body : bodies->members) {
       const CheckedValue* surface = body.value.find("surface");
       const CheckedValue* shape = surface == nullptr ? nullptr : surface->find("shape");
-      if (shape != nullptr) check_groups_in(body.value, shape->text, member_path("bodies", body.key));
+      if (shape != nullptr) check_groups_in(body.value, *surface, member_path("bodies", body.key));
     }
   }
 
@@ -137,17 +140,17 @@ class ReferenceChecker {
   }
 
   /// Looks for groups everywhere below a body: the keys of regions are the only ones of that name.
-  void check_groups_in(const CheckedValue& value, const std::string& shape, const std::string& path) {
+  void check_groups_in(const CheckedValue& value, const CheckedValue& surface, const std::string& path) {
     for (std::size_t index = 0; index < value.items.size(); ++index) {
-      check_groups_in(value.items[index], shape, item_path(path, index));
+      check_groups_in(value.items[index], surface, item_path(path, index));
     }
     for (const CheckedMember& member : value.members) {
       const std::string inner = member_path(path, member.key);
-      check_groups_in(member.value, shape, inner);
-      const std::vector<std::string> groups = groups_of_shape(shape);
+      check_groups_in(member.value, surface, inner);
+      const std::vector<std::string> groups = groups_of_shape(surface);
       if (member.key != "group" || std::ranges::find(groups, member.value.text) != groups.end()) continue;
       diagnostics_.error(member.value.location, inner,
-                         "the shape " + in_backticks(shape) + " has no group " + in_backticks(member.value.text) +
+                         "the shape " + in_backticks(surface.at("shape").text) + " has no group " + in_backticks(member.value.text) +
                              "; it has " + list_in_backticks(groups));
     }
   }

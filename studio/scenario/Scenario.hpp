@@ -31,6 +31,7 @@ struct ShapeSource {
   Shape shape = Shape::kSphere;
   double radius = 0.02;        // metres; disc, annulus: outer
   double inner_radius = 0.01;  // metres; annulus
+  bool slit = false;           // annulus: cut open along +x
   double length = 0.04;        // metres; semicylinder, cylinder, strip along y, sheet along y
   double width = 0.04;         // metres; sheet, strip along x
   int triangles = 1280;        // wanted number of wall triangles

@@ -74,6 +74,7 @@ std::variant<MeshFileSource, ShapeSource> to_surface(const CheckedValue& surface
   shape.triangles = static_cast<int>(surface.at("triangles").number);
   shape.radius = find_number(surface, "radius").value_or(shape.radius);
   shape.inner_radius = find_number(surface, "inner_radius").value_or(shape.inner_radius);
+  if (const CheckedValue* slit = surface.find("slit")) shape.slit = slit->boolean;
   shape.length = find_number(surface, "length").value_or(shape.length);
   shape.width = find_number(surface, "width").value_or(shape.width);
   return shape;

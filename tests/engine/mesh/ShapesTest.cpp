@@ -260,6 +260,29 @@ TEST(Sheet, IsMirrorSymmetricAndFacesUp) {
   }
 }
 
+TEST(SlitAnnulus, LipsLieOnEachOtherWithVerticesOfTheirOwn) {
+  const SurfaceMesh mesh = make_slit_annulus(kInner, kRadius, 1280);
+  const std::vector<int> &start = mesh.groups.at("slit_start"), &end = mesh.groups.at("slit_end");
+  ASSERT_EQ(start.size(), end.size());
+  for (std::size_t k = 0; k < start.size(); ++k) {
+    EXPECT_NE(start[k], end[k]);
+    EXPECT_EQ(mesh.vertices[start[k]], mesh.vertices[end[k]]);
+    EXPECT_EQ(mesh.vertices[start[k]].y(), 0);
+  }
+  EXPECT_EQ(mesh.vertices[start.front()].x(), kInner);
+  EXPECT_EQ(mesh.vertices[start.back()].x(), kRadius);
+  const MeshTopology topology = topology_of(static_cast<int>(mesh.vertices.size()), mesh.triangles);
+  EXPECT_TRUE(is_oriented_manifold(topology));
+  EXPECT_EQ(topology.boundary_loops.size(), 1U);
+  EXPECT_EQ(topology.euler_characteristic, 1);
+  // The start is where the ring goes counter-clockwise from: its triangles lie above it.
+  for (const Eigen::Vector3i& t : mesh.triangles) {
+    const bool at_start = std::count(start.begin(), start.end(), t[0]) > 0;
+    if (!at_start) continue;
+    EXPECT_GE(mesh.vertices[t[1]].y() + mesh.vertices[t[2]].y(), 0);
+  }
+}
+
 TEST(Annulus, RimsLieOnTheirCircles) {
   const SurfaceMesh mesh = make_annulus(kInner, kRadius, 1280);
   for (const int v : vertices_in(BoundaryRegion{}, mesh)) {
