@@ -171,7 +171,9 @@ ValueSchema fixed_value() {
       {"region", region_schema(), true, {}, "which vertices"},
       {"axes", {.kind = ValueKind::kAxes}, false, "xyz", "along which axes"},
       {"clamped", boolean_value(), false, "false",
-       "shell: open edges within the region keep the tangent plane too; otherwise they are hinges"},
+       "shell: across open edges within the region the wall keeps its direction, as in a clamp or at a plane of "
+       "symmetry; "
+       "otherwise they are hinges"},
   };
   return list_value(mapping_value({fixed}));
 }

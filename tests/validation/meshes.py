@@ -115,7 +115,57 @@ def disc_on_cone(rings: int) -> None:
           "A disc of radius 50 above a cone; millimetres", {"cone": below})
 
 
+def squares(divisions: int) -> list[tuple[int, int, int]]:
+    """Rows of divisions + 1 vertices joined by squares, which are cut along one diagonal and the other in turn."""
+    triangles = []
+    for i in range(divisions):
+        for j in range(divisions):
+            a, b = i * (divisions + 1) + j, (i + 1) * (divisions + 1) + j
+            if (i + j) % 2 == 0:
+                triangles += [(a, b, b + 1), (a, b + 1, a + 1)]
+            else:
+                triangles += [(a, b, a + 1), (b, b + 1, a + 1)]
+    return triangles
+
+
+def roof(divisions: int) -> None:
+    """A part of a cylinder of radius 2540 about y, 0.2 rad wide and 508 long, with a vertex in the middle of the crown."""
+    points = []
+    for i in range(divisions + 1):
+        angle = 0.2 * (i / divisions - 0.5)
+        for j in range(divisions + 1):
+            points.append((2540 * np.sin(angle), 508 * (j / divisions - 0.5), 2540 * np.cos(angle)))
+    triangles = squares(divisions)
+    write(f"roof_{len(triangles)}.obj", np.array(points), triangles, "A cylindrical roof, crown at z = 2540; millimetres")
+
+
+def cap(rings: int) -> None:
+    """A cap of half a radian of a sphere of radius 1, its triangles 27 times smaller at the pole than at the rim."""
+    points, triangles = disc(graded(rings, 4.0))
+    reach = np.hypot(points[:, 0], points[:, 1])
+    polar = np.sin(0.5 * reach) / np.maximum(reach, 1e-30)
+    sphere = np.column_stack([polar * points[:, 0], polar * points[:, 1], np.cos(0.5 * reach)])
+    write(f"cap_{len(triangles)}.obj", sphere, triangles, "A cap of a sphere of radius 1, fine at the pole")
+
+
+def octant(divisions: int) -> None:
+    """A quarter of the upper half of a cylinder of radius 100 about y: x from 0 to 100, y from 0 to 100."""
+    points = []
+    for i in range(divisions + 1):
+        angle = 0.5 * np.pi * i / divisions
+        for j in range(divisions + 1):
+            points.append((100 * np.sin(angle) if i else 0, 100 * j / divisions, 100 * np.cos(angle) if i < divisions else 0))
+    triangles = squares(divisions)
+    write(f"octant_{len(triangles)}.obj", np.array(points), triangles, "An octant of a cylinder; metres")
+
+
 def main() -> None:
+    for divisions in (16, 32, 48):
+        roof(divisions)
+    for divisions in (24, 32, 48):
+        octant(divisions)
+    for rings in (16, 24, 36):
+        cap(rings)
     for rings in (16, 24, 36):
         drum(rings)
     for divisions in (2, 3):

@@ -1,5 +1,6 @@
-// Bodies drawn at random: shape, law, fluid, tool, speed, step, gravity and what is done to them. None may fail, pass
-// through itself, or leave its books of energy open. Each is a function of the seed and its number alone.
+// Bodies drawn at random: shape, membrane or shell, law, fluid, tool, friction, speed, step, gravity and what is done
+// to them. None may fail, pass through itself, or leave its books of energy open. Each is a function of the seed and
+// its number alone.
 //
 // usage: random_bodies [--count N] [--seed S] [--only K]
 
@@ -85,6 +86,7 @@ class Drawer {
       recipe.body.fixed.push_back({.region = BelowRegion{.axis = 2, .at = between(-0.8, -0.3) * kRadius}});
       in_bed_ = true;
     }
+    if (pick(4) == 0) recipe.body.model = WallModel::kShell;
     if (pick(4) == 0) recipe.body.viscosity = {{.fraction = between(0.1, 0.6), .time = between(0.02, 0.5)}};
     recipe.options.analysis = pick(2) == 0 ? Analysis::kQuasiStatic : Analysis::kDynamic;
     recipe.options.time_step = between(2e-3, 20e-3);
@@ -97,15 +99,31 @@ class Drawer {
     words_ << kShapes[shape_] << " of " << mesh.triangles.size() << " triangles, " << material.law->name;
     for (const double parameter : material.parameters) words_ << " " << parameter;
     words_ << ", " << thickness_ * 1e3 << " mm thick";
+    if (recipe.body.model == WallModel::kShell) words_ << ", shell";
     if (!recipe.body.prestretch.empty()) words_ << ", prestretched by " << recipe.body.prestretch[0].first;
     if (!recipe.body.viscosity.empty()) words_ << ", viscous " << recipe.body.viscosity[0].fraction;
   }
 
   Material draw_material() {
     std::vector<Material> possible;
-    const std::map<std::string, double, std::less<>> values = {
-        {"shear_modulus", modulus_}, {"c1", 0.4 * modulus_},           {"c2", 0.1 * modulus_},
-        {"limit", between(5, 60)},   {"youngs_modulus", 3 * modulus_}, {"poisson_ratio", between(0, 0.49)}};
+    const double exponent = between(1.5, 6);
+    const std::map<std::string, double, std::less<>> values = {{"shear_modulus", modulus_},
+                                                               {"c1", 0.4 * modulus_},
+                                                               {"c2", 0.1 * modulus_},
+                                                               {"limit", between(5, 60)},
+                                                               {"youngs_modulus", 3 * modulus_},
+                                                               {"poisson_ratio", between(0, 0.49)},
+                                                               {"c", 0.35 * modulus_},
+                                                               {"a1", between(3, 12)},
+                                                               {"a2", between(3, 12)},
+                                                               {"a3", between(0, 2.5)},
+                                                               {"a4", between(3, 12)},
+                                                               {"k1", between(0.1, 2) * modulus_},
+                                                               {"k2", between(0.5, 5)},
+                                                               {"dispersion", between(0, 0.33)},
+                                                               {"angle", between(0, 0.5 * std::numbers::pi)},
+                                                               {"exponent", exponent},
+                                                               {"modulus", 2 * modulus_ / exponent}};
     for (const WallLaw& law : wall_laws()) {
       Material material{.law = &law, .parameters = {}};
       for (const LawParameter& parameter : law.parameters) {
@@ -150,27 +168,49 @@ class Drawer {
   }
 
   void draw_tool(Recipe& recipe) {
-    const int tool = pick(3);
+    const int tool = pick(6);
     recipe.tool = tool == 0   ? point_tool()
                   : tool == 1 ? line_tool(between(5e-3, 25e-3))
                               : sphere_tool(between(2e-3, 10e-3));
+    if (tool > 2) shape_solid(tool, recipe.tool);
+    if (tool > 1 && pick(2) == 0) recipe.tool.friction = between(0.05, 0.6);
     if (recipe.treatment != Treatment::kPalpate) return;
     const double height = shape_ == 0 || shape_ == 3 ? 2 * kRadius : kRadius;
     recipe.aim = {between(-6e-3, 6e-3), between(-6e-3, 6e-3), 0};
     // A point or a line that goes deep pulls a spike out of the wall; a ball goes as deep as there is room.
-    recipe.depth = between(0.05, tool == 2 ? 0.9 : 0.5) * height;
+    recipe.depth = between(0.05, tool == 2 ? 0.9 : tool == 5 ? 0.3 : 0.5) * height;
     recipe.speed = between(5e-3, 200e-3);
     recipe.steps = 10 + pick(25);
     if (shape_ == 1 || shape_ == 2) recipe.lowest_tip = kRoom;
     if (in_bed_) {
       // A tool within the ball that the bed is part of.
       const double room = kRadius - recipe.tool.radius - kRoom;
-      const double aside = recipe.aim.norm() + 0.5 * recipe.tool.length;
+      const double across =
+          recipe.tool.kind == ToolKind::kNeedle ? 0 : std::hypot(recipe.tool.length, recipe.tool.width);
+      const double aside = recipe.aim.norm() + 0.5 * across;
       recipe.lowest_tip = -recipe.tool.radius - std::sqrt(std::max(0.0, room * room - aside * aside));
     }
     words_ << ", " << recipe.tool.name << " (length " << recipe.tool.length * 1e3 << ", radius "
-           << recipe.tool.radius * 1e3 << " mm), aim " << recipe.aim.head<2>().transpose() * 1e3 << " mm, depth "
-           << recipe.depth * 1e3 << " mm at " << recipe.speed * 1e3 << " mm/s";
+           << recipe.tool.radius * 1e3 << " mm, friction " << recipe.tool.friction << "), aim "
+           << recipe.aim.head<2>().transpose() * 1e3 << " mm, depth " << recipe.depth * 1e3 << " mm at "
+           << recipe.speed * 1e3 << " mm/s";
+  }
+
+  /// A capsule, a plate or a needle.
+  void shape_solid(int tool, ToolDefinition& solid) {
+    solid.name = tool == 3 ? "capsule" : tool == 4 ? "plate" : "needle";
+    solid.kind = tool == 3 ? ToolKind::kCapsule : tool == 4 ? ToolKind::kPlate : ToolKind::kNeedle;
+    if (tool == 3) solid.length = between(4e-3, 20e-3);
+    if (tool == 4) {
+      solid.radius = 0;
+      solid.length = between(5e-3, 15e-3);
+      solid.width = between(5e-3, 15e-3);
+      solid.thickness = between(2e-3, 4e-3);
+    }
+    if (tool == 5) {
+      solid.radius = between(0.3e-3, 1.2e-3);
+      solid.length = 60e-3;
+    }
   }
 
   double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
