@@ -499,6 +499,7 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
   Step step;
   double shift = 0;
   for (;; ++result.iterations) {
+    if (options.between_iterations) options.between_iterations();
     compute_residual(problem, state, terms_, residual);
     result.residual = residual.largest_force;
     result.residual_history.push_back(residual.largest_force);

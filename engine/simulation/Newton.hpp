@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@ namespace thinwall {
 struct NewtonOptions {
   double tolerance = 1e-9;  // largest residual force over the largest single force
   int maximum_iterations = 60;
+  std::function<void()> between_iterations = {};  // called before each; what it throws goes through
 };
 
 /// The unknowns of an equilibrium: where Newton starts, and what it has found.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 
 namespace thinwall {
 
@@ -14,6 +15,8 @@ struct SimulationOptions {
   double tolerance = 1e-9;  // residual force over the largest force
   int maximum_iterations = 60;  // Newton iterations before a step is halved
   int maximum_halvings = 10;    // how often a step may be halved before the run fails
+  // Called before each iteration. It may throw to end a long solution; the body is not to be used after that.
+  std::function<void()> between_iterations = {};
 };
 
 }  // namespace thinwall

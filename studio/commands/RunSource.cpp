@@ -1,13 +1,17 @@
 #include "studio/commands/RunSource.hpp"
 
 #include "studio/director/ScenarioRun.hpp"
+#include "studio/recorder/Interruption.hpp"
 
 namespace thinwall {
 namespace {
 
 class RunSource final : public MomentSource {
  public:
-  explicit RunSource(const Scenario& scenario) : scenario_(scenario) {}
+  explicit RunSource(const Scenario& scenario) : scenario_(scenario) {
+    // A step that is hard to solve may take minutes.
+    scenario_.simulation.between_iterations = throw_if_interrupted;
+  }
 
   std::optional<Moment> next() override {
     if (!run_) {
