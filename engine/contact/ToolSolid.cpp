@@ -80,6 +80,27 @@ SignedDistance signed_distance(const ToolSolid& solid, const Eigen::Vector3d& po
   return distance;
 }
 
+std::vector<ToolSolid> rims_of(const ToolSolid& solid) {
+  std::vector<ToolSolid> rims;
+  if (solid.form != ToolSolid::Form::kRoundedBox || (solid.core.array() > 0).count() < 2) return rims;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (solid.core[axis] == 0) continue;
+    const int one = (axis + 1) % 3, other = (axis + 2) % 3;
+    for (const double first : {-1.0, 1.0}) {
+      for (const double second : {-1.0, 1.0}) {
+        if ((solid.core[one] == 0 && first > 0) || (solid.core[other] == 0 && second > 0)) continue;
+        ToolSolid rim = solid;
+        rim.role = ToolSolid::Role::kRim;
+        rim.core[one] = rim.core[other] = 0;
+        rim.center +=
+            solid.frame.col(one) * first * solid.core[one] + solid.frame.col(other) * second * solid.core[other];
+        rims.push_back(rim);
+      }
+    }
+  }
+  return rims;
+}
+
 std::vector<ToolSolid> corners_of(const ToolSolid& solid) {
   std::vector<ToolSolid> corners;
   const auto add = [&](const Eigen::Vector3d& local, double radius) {

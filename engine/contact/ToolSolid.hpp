@@ -26,8 +26,10 @@ struct ToolSolid {
   /// Which parts of a wall the solid keeps out.
   enum class Role {
     kWhole,  // all: a ball
-    kBody,   // vertices and edges
-    kCorner  // faces: a ball at a corner of a body
+    kBody,   // vertices and edges: what is round, so that no edge has two deepest points in it
+    kHull,   // vertices: what is flat somewhere
+    kRim,    // edges: a capsule along an edge of a hull
+    kCorner  // faces: a ball at a corner of a body or hull
   };
 
   Form form = Form::kRoundedBox;
@@ -39,6 +41,12 @@ struct ToolSolid {
   double tip_radius = 0;                                // metres, needle
   double shoulder = 0;                                  // metres along z' from the centre, needle
 
+  /// Whether the solid belongs to a body or hull before it.
+  bool is_part() const { return role == Role::kRim || role == Role::kCorner; }
+  /// Whether it keeps out vertices, edges and faces.
+  bool meets_vertices() const { return !is_part(); }
+  bool meets_edges() const { return role == Role::kWhole || role == Role::kBody || role == Role::kRim; }
+  bool meets_faces() const { return role == Role::kWhole || role == Role::kCorner; }
   bool is_ball() const { return form == Form::kRoundedBox && core.isZero(); }
   /// Smallest radius of curvature, metres.
   double sharpness() const { return form == Form::kNeedle ? tip_radius : radius; }
@@ -56,6 +64,10 @@ SignedDistance signed_distance(const ToolSolid& solid, const Eigen::Vector3d& po
 /// The balls whose hull a solid is, each with the role of a corner: of a box at its corners, of a needle at its tip,
 /// its shoulder and its back end. None of a ball.
 std::vector<ToolSolid> corners_of(const ToolSolid& solid);
+
+/// The capsules along the edges of a box that is flat somewhere, each with the role of a rim; none of other solids. A
+/// wall's edge that lies on a flat side has no single deepest point in it, but one in each rim that it crosses.
+std::vector<ToolSolid> rims_of(const ToolSolid& solid);
 
 /// Area of the shadow that the solid throws along a unit vector, metres^2: that of the box around it.
 double silhouette(const ToolSolid& solid, const Eigen::Vector3d& direction);

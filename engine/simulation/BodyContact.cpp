@@ -128,8 +128,8 @@ void Body::add_solids(std::span<const ToolPose> poses, EquilibriumProblem& probl
         state_.reference_pressure.size() > 0 ? state_.reference_pressure.lpNorm<Eigen::Infinity>() : 0;
     double range = 0;
     for (const ToolSolid& solid : contact_solids(tools_[tool], poses[tool])) {
-      // Corners come after their body and are as stiff as it is.
-      if (solid.role != ToolSolid::Role::kCorner) range = contact_range(solid);
+      // Rims and corners come after their body and are as stiff as it is.
+      if (!solid.is_part()) range = contact_range(solid);
       problem.solids.push_back(
           {.tool = tool,
            .solid = solid,

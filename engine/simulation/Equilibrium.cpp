@@ -128,6 +128,12 @@ double nearest_possible(const std::array<Eigen::Vector3d, 3>& corners, const std
   return std::max({distances[a] - std::max(ab, ac), distances[b] - std::max(ab, bc), distances[c] - std::max(ac, bc)});
 }
 
+bool meets(const ToolSolid& solid, SitePart part) {
+  return part == SitePart::kCorner ? solid.meets_vertices()
+         : part == SitePart::kEdge ? solid.meets_edges()
+                                   : solid.meets_faces();
+}
+
 void find_contacts(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
                    EquilibriumTerms& terms) {
   std::vector<double> distances(model.vertices());
@@ -139,9 +145,7 @@ void find_contacts(const BodyModel& model, const EquilibriumProblem& problem, co
     const double near = contact.range + kContactMargin * model.edge_length;
     for (int s = 0; s < static_cast<int>(model.sites.size()); ++s) {
       const ContactSite& site = model.sites[s];
-      if (contact.solid.role == (site.part == SitePart::kFace ? ToolSolid::Role::kBody : ToolSolid::Role::kCorner)) {
-        continue;
-      }
+      if (!meets(contact.solid, site.part)) continue;
       const Eigen::Vector3i& triangle = model.surface[site.triangle];
       const double reach = contact.forces[s] > 0 ? std::numeric_limits<double>::infinity() : near;
       const auto corners = corners_of(triangle, position);
@@ -211,11 +215,10 @@ double even_area(const Eigen::Matrix3d& moments, const Eigen::Vector3d& normal) 
   return 4 * std::numbers::pi * std::sqrt(std::max(0.0, a * b - c * c));
 }
 
-/// The last of the corners that follow a solid.
-int last_corner(const EquilibriumProblem& problem, int solid) {
+/// The last of the rims and corners that follow a solid.
+int last_part(const EquilibriumProblem& problem, int solid) {
   int last = solid;
-  while (last + 1 < static_cast<int>(problem.solids.size()) &&
-         problem.solids[last + 1].solid.role == ToolSolid::Role::kCorner) {
+  while (last + 1 < static_cast<int>(problem.solids.size()) && problem.solids[last + 1].solid.is_part()) {
     ++last;
   }
   return last;
@@ -227,8 +230,8 @@ ToolContact contact_on(const BodyModel& model, const EquilibriumProblem& problem
                        const Eigen::VectorXd& position, int solid) {
   const SolidContact& contact = problem.solids[solid];
   ToolContact sum;
-  const bool is_corner = contact.solid.role == ToolSolid::Role::kCorner;
-  const int last = is_corner ? solid : last_corner(problem, solid);
+  const bool is_part = contact.solid.is_part();
+  const int last = is_part ? solid : last_part(problem, solid);
   double pressed = 0;
   Eigen::Vector3d whole_force = Eigen::Vector3d::Zero();
   Eigen::Vector3d center = Eigen::Vector3d::Zero();   // newton metres, relative to the solid's
@@ -249,7 +252,7 @@ ToolContact contact_on(const BodyModel& model, const EquilibriumProblem& problem
     sum.moment -= force * arm.cross(point.gap.normal);
     sum.touching = true;
   }
-  if (pressed == 0 || is_corner) return sum;
+  if (pressed == 0 || is_part) return sum;
   center /= pressed;
   moments = moments / pressed - center * center.transpose();
   if (contact.solid.is_ball()) {

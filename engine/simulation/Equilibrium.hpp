@@ -62,6 +62,11 @@ struct FluidProblem {
   double pressure = 0;      // pascal: the given one, or the reference one of a compressible fluid
   double fluid_volume = 0;  // metres^3
   double bulk_modulus = 0;  // pascal
+
+  /// Whether the pressure is an unknown.
+  bool is_multiplier() const { return mode != FluidMode::kGivenPressure; }
+  /// Volume by which a compressible fluid gives way to a pascal, metres^3; zero for others.
+  double compliance() const { return mode == FluidMode::kCompressible ? fluid_volume / bulk_modulus : 0; }
 };
 
 /// Inertia of the fluid in a chamber, which moves as a whole: its momentum is density times the rate of its first

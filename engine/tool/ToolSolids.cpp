@@ -71,8 +71,10 @@ std::vector<ToolSolid> contact_solids(const ToolDefinition& tool, const ToolPose
   std::vector<ToolSolid> solids;
   for (ToolSolid& solid : tool_solids(tool, pose)) {
     const std::vector<ToolSolid> corners = corners_of(solid);
-    if (!corners.empty()) solid.role = ToolSolid::Role::kBody;
+    const std::vector<ToolSolid> rims = rims_of(solid);
+    if (!corners.empty()) solid.role = rims.empty() ? ToolSolid::Role::kBody : ToolSolid::Role::kHull;
     solids.push_back(solid);
+    solids.insert(solids.end(), rims.begin(), rims.end());
     solids.insert(solids.end(), corners.begin(), corners.end());
   }
   return solids;

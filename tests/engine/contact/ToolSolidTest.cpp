@@ -243,5 +243,23 @@ TEST(ToolSolid, HasItsExtremePointInEveryDirectionOnOneOfItsCorners) {
   }
 }
 
+TEST(ToolSolid, RimsOfABoxRunAlongItsEdges) {
+  for (const auto& [name, solid] : solids()) {
+    const bool is_flat = solid.form == ToolSolid::Form::kRoundedBox && (solid.core.array() > 0).count() > 1;
+    const std::vector<ToolSolid> rims = rims_of(solid);
+    EXPECT_EQ(rims.empty(), !is_flat) << name;
+    if (is_flat) EXPECT_EQ(rims.size(), (solid.core.array() > 0).all() ? 12U : 4U) << name;
+    for (const ToolSolid& rim : rims) {
+      EXPECT_EQ(rim.role, ToolSolid::Role::kRim);
+      // Where the rim is outermost it lies on the solid, all along.
+      const Eigen::Vector3d outwards = (rim.center - solid.center).normalized();
+      for (const double place : {-1.0, 0.3, 1.0}) {
+        const Eigen::Vector3d point = rim.center + rim.frame * (place * rim.core) + rim.radius * outwards;
+        EXPECT_NEAR(signed_distance(solid, point).value, 0, 1e-12) << name;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace thinwall

@@ -1,0 +1,113 @@
+#include "engine/simulation/Newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thinwall {
+namespace {
+
+double square(double value) {
+  return value * value;
+}
+
+}  // namespace
+
+double Newton::merit(const EquilibriumProblem& problem, const EquilibriumState& state, const EquilibriumTerms& terms,
+                     const Residual& residual, const Weights& weights) const {
+  double value = terms.elastic + terms.bending + terms.folds.energy + terms.gravity - terms.load_work + terms.inertial +
+                 terms.friction + weights.pressure * residual.volume.lpNorm<1>();
+  for (std::size_t c = 0; c < problem.fluids.size(); ++c) {
+    const FluidProblem& fluid = problem.fluids[c];
+    if (fluid.mode == FluidMode::kGivenPressure) value -= fluid.pressure * terms.volume[c];
+    value += 0.5 * fluid.compliance() * square(state.pressure[c]);
+  }
+  for (const Eigen::Vector3d& gap : residual.gaps) value += weights.force * gap.norm();
+  for (const ContactPoint& contact : terms.contacts) {
+    value += weights.contact * std::max(0.0, contact.potential.onset - contact.gap.gap);
+  }
+  return value;
+}
+
+double Newton::merit_slope(const EquilibriumProblem& problem, const EquilibriumState& state, const Residual& residual,
+                           const Step& step, const Weights& weights) const {
+  Eigen::VectorXd smooth = residual.force;
+  if (problem.hold_rigid_motions) smooth -= rigid_columns_ * state.rigid_reaction;
+  double slope = -weights.pressure * residual.volume.lpNorm<1>();
+  for (std::size_t c = 0; c < problem.fluids.size(); ++c) {
+    if (problem.fluids[c].is_multiplier()) smooth += state.pressure[c] * terms_.volume_gradient.col(c);
+    slope += problem.fluids[c].compliance() * state.pressure[c] * step.pressure[c];
+  }
+  slope += smooth.dot(step.position);
+  for (std::size_t k = 0; k < residual.gaps.size(); ++k) {
+    slope -= problem.attachments[k].force.dot(material_point(problem.attachments[k], step.position)) +
+             weights.force * residual.gaps[k].norm();
+  }
+  for (const ContactPoint& contact : terms_.contacts) {
+    slope += contact_force(problem, contact) * gap_change(contact, step.position) -
+             weights.contact * std::max(0.0, contact.potential.onset - contact.gap.gap);
+  }
+  return slope;
+}
+
+bool Newton::search(EquilibriumProblem& problem, EquilibriumState& state, Residual& residual, const Step& step,
+                    double fraction) {
+  // Weights above the multipliers make the merit function exact: its minimum is the constrained one.
+  Weights weights{.pressure = 2 * (state.pressure + step.pressure).lpNorm<Eigen::Infinity>(), .force = 0, .contact = 0};
+  for (const Eigen::Vector3d& force : step.forces) weights.force = std::max(weights.force, 2 * force.norm());
+  for (const double force : step.contact_forces) weights.contact = std::max(weights.contact, 2 * force);
+  const double before = merit(problem, state, terms_, residual, weights);
+  const double slope = merit_slope(problem, state, residual, step, weights);
+  const Start start{
+      .state = state, .attachments = problem.attachments, .solids = problem.solids, .friction = problem.friction};
+  Residual trial;
+  fraction = std::min(fraction, self_contact_.safe_fraction(start.state.position, step.position));
+  for (int halving = 0; halving < 16; ++halving, fraction *= 0.5) {
+    place(start, step, fraction, problem, state);
+    if (!std::isfinite(trial_terms_.elastic)) continue;
+    compute_residual(problem, state, trial_terms_, trial);
+    const bool residual_fell = trial.measure <= (1 - 0.1 * fraction) * residual.measure;
+    const bool merit_fell = merit(problem, state, trial_terms_, trial, weights) <= before + 1e-4 * fraction * slope;
+    if (residual_fell || merit_fell) {
+      std::swap(terms_, trial_terms_);
+      return true;
+    }
+  }
+  state = start.state;
+  problem.attachments = start.attachments;
+  problem.solids = start.solids;
+  problem.friction = start.friction;
+  return false;
+}
+
+void Newton::place(const Start& start, const Step& step, double fraction, EquilibriumProblem& problem,
+                   EquilibriumState& state) {
+  state.position = start.state.position + fraction * step.position;
+  state.pressure = start.state.pressure + fraction * step.pressure;
+  if (step.rigid.size() > 0) state.rigid_reaction = start.state.rigid_reaction + fraction * step.rigid;
+  for (std::size_t k = 0; k < start.attachments.size(); ++k) {
+    const Eigen::Vector3d& old = start.attachments[k].force;
+    problem.attachments[k].force = old + fraction * (step.forces[k] - old);
+  }
+  for (std::size_t k = 0; k < terms_.contacts.size(); ++k) {
+    const ContactPoint& contact = terms_.contacts[k];
+    const double old = start.solids[contact.solid].forces[contact.site];
+    problem.solids[contact.solid].forces[contact.site] = old + fraction * (step.contact_forces[k] - old);
+  }
+  problem.friction = start.friction;
+  advance_estimates(model_, start.state.position, step.position, fraction, problem.friction);
+  evaluate_all(problem, state, trial_terms_);
+}
+
+bool Newton::take_whole(EquilibriumProblem& problem, EquilibriumState& state, Residual& residual, const Step& step) {
+  const Start start{
+      .state = state, .attachments = problem.attachments, .solids = problem.solids, .friction = problem.friction};
+  const double fraction = std::min(1.0, self_contact_.safe_fraction(state.position, step.position));
+  foresee(problem, state.position, fraction * step.position);
+  place(start, step, fraction, problem, state);
+  if (!std::isfinite(trial_terms_.elastic) || !std::isfinite(trial_terms_.bending)) return false;
+  compute_residual(problem, state, trial_terms_, residual);
+  std::swap(terms_, trial_terms_);
+  return true;
+}
+
+}  // namespace thinwall
