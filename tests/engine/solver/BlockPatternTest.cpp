@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "engine/solver/DenseAddresses.hpp"
+#include "engine/solver/SparseFactor.hpp"
 #include "tests/engine/solver/BlockMatrix.hpp"
 
 namespace thinwall {
@@ -11,8 +13,8 @@ namespace {
 
 /// The lower triangle as a dense matrix, read from columns and rows as a sparse library would.
 Eigen::MatrixXd expanded(const BlockPattern& pattern, const std::vector<double>& values) {
-  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(3 * pattern.vertices, 3 * pattern.vertices);
-  for (int column = 0; column < 3 * pattern.vertices; ++column) {
+  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(pattern.unknowns(), pattern.unknowns());
+  for (int column = 0; column < pattern.unknowns(); ++column) {
     for (int k = pattern.column_begin[column]; k < pattern.column_begin[column + 1]; ++k) {
       dense(pattern.row[k], column) = values[k];
       dense(column, pattern.row[k]) = values[k];
@@ -98,6 +100,43 @@ TEST(BlockPattern, ProductWithAVectorIsTheDenseOne) {
   Eigen::VectorXd y;
   multiply(matrix.pattern, matrix.values, x, y);
   EXPECT_LT((y - matrix.dense * x).cwiseAbs().maxCoeff(), 1e-13);
+}
+
+/// Elements of two vertices and two single unknowns each; the second names one vertex in both places.
+TEST(BlockPattern, DenseElementsOfVerticesAndSingleUnknownsGoWhereTheDenseAssemblyPutsThem) {
+  const int vertices = 4;
+  const std::vector<std::array<int, 4>> elements = {{2, 0, 5, 4}, {3, 3, 4, 6}, {1, 2, 6, 5}};
+  std::vector<std::array<int, 2>> couplings;
+  for (const std::array<int, 4>& nodes : elements) {
+    for (const int one : nodes) {
+      for (const int other : nodes) couplings.push_back({one, other});
+    }
+  }
+  const BlockPattern pattern =
+      extend_block_pattern(make_block_pattern(vertices, std::vector<Eigen::Vector3i>{{0, 1, 3}}), couplings, 3).pattern;
+  ASSERT_EQ(pattern.unknowns(), 15);
+  std::vector<double> values(pattern.nonzeros(), 0);
+  Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(15, 15);
+  for (const std::array<int, 4>& nodes : elements) {
+    std::array<int, 8> unknowns;
+    for (int k = 0; k < 6; ++k) unknowns[k] = 3 * nodes[k / 3] + k % 3;
+    for (int k = 0; k < 2; ++k) unknowns[6 + k] = pattern.first_unknown(nodes[2 + k]);
+    const Eigen::MatrixXd root = random_columns(8, 8, 7);
+    const Eigen::Matrix<double, 8, 8> part = root * root.transpose();
+    add_dense(dense_addresses<8>(pattern, unknowns), part, values);
+    for (int i = 0; i < 8; ++i) {
+      for (int j = 0; j < 8; ++j) dense(unknowns[i], unknowns[j]) += part(i, j);
+    }
+  }
+  EXPECT_LT((expanded(pattern, values) - dense).cwiseAbs().maxCoeff(), 1e-14);
+
+  for (int k = 0; k < 15; ++k) values[entry_address(pattern, k, k)] += 1;
+  const Eigen::VectorXd exact = Eigen::VectorXd::LinSpaced(15, -1, 2);
+  Eigen::MatrixXd solution = dense * exact + exact;
+  SparseFactor factor(pattern);
+  ASSERT_TRUE(factor.factorize(values));
+  factor.solve(solution);
+  EXPECT_LT((solution - exact).cwiseAbs().maxCoeff(), 1e-12);
 }
 
 }  // namespace

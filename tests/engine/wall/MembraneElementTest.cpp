@@ -270,6 +270,42 @@ TEST(MembraneElement, LargestTensionDoesNotDependOnThePlacementInSpaceOrTheFirst
   }
 }
 
+TEST(MembraneElement, AStressOfItsOwnAddsItsGeometricStiffnessToTheHessian) {
+  const MembraneRest rest = make_membrane_rest(rest_corners(), kThickness);
+  const Eigen::Vector3d stress(3e3, -2e3, 1e3);
+  for (const Placement& placement : placements()) {
+    const Material material = materials()[1];
+    const Eigen::Matrix<double, 9, 9> with =
+        membrane_terms(rest, material, placement.corners, {.overstress = stress}).hessian;
+    const Eigen::Matrix<double, 9, 9> without = membrane_terms(rest, material, placement.corners).hessian;
+    EXPECT_LT((with - without - geometric_stiffness(rest, stress)).cwiseAbs().maxCoeff(),
+              1e-13 * with.cwiseAbs().maxCoeff())
+        << placement.name;
+  }
+}
+
+TEST(MembraneElement, ForeseesTheStressOfASmallMotionInFirstOrder) {
+  const MembraneRest rest = make_membrane_rest(rest_corners(), kThickness);
+  const MembraneMemory memory{.scale = 0.8, .overstress = {50, -20, 10}, .damping = 0.3};
+  for (const Placement& placement : placements()) {
+    for (const Material& material : materials()) {
+      std::array<double, 2> missed;
+      for (int halving = 0; halving < 2; ++halving) {
+        const double size = 1e-6 / (1 << halving);
+        const Corners motion = {size * Eigen::Vector3d(1, -0.5, 0.3), size * Eigen::Vector3d(-0.2, 0.7, 1),
+                                size * Eigen::Vector3d(0.4, 0.1, -0.9)};
+        Corners reached = placement.corners;
+        for (int k = 0; k < 3; ++k) reached[k] += motion[k];
+        const MembraneStress stress = membrane_stress(rest, material, placement.corners, motion, memory);
+        missed[halving] = (membrane_stress(rest, material, reached, motion, memory).now - stress.foreseen).norm();
+        EXPECT_LT(missed[halving], 1e-2 * (stress.foreseen - stress.now).norm()) << placement.name;
+      }
+      // What is missed is of second order.
+      EXPECT_NEAR(missed[0] / missed[1], 4, 0.1) << placement.name << ", " << material.law->name;
+    }
+  }
+}
+
 TEST(MembraneElement, TermsGrowWithThicknessAndAreaAsTheyShould) {
   Eigen::Matrix3d stretch;
   stretch << 1.6, 0.4, 0, 0.1, 1.2, 0.3, 0, 0, 1;
