@@ -22,11 +22,10 @@ constexpr double kBurstVolume = 30;
 }  // namespace
 
 NewtonResult Body::solve(EquilibriumProblem& problem, EquilibriumState& state) {
-  const NewtonResult result = newton_.solve(
-      problem, state,
-      {.tolerance = options_.tolerance,
-       .maximum_iterations = options_.maximum_iterations,
-       .between_iterations = options_.between_iterations});
+  const NewtonResult result = newton_.solve(problem, state,
+                                            {.tolerance = options_.tolerance,
+                                             .maximum_iterations = options_.maximum_iterations,
+                                             .between_iterations = options_.between_iterations});
   report_.newton_iterations += result.iterations;
   report_.shifted_iterations += result.shifted_iterations;
   report_.residual = result.residual;

@@ -32,6 +32,9 @@ struct SolidContact {
   /// Of an edge that dips into a solid as far as the face beside it may, the part that it may itself: what the chord
   /// and the plane through points of a ball have.
   static constexpr double kEdgeDip = 0.75;
+  /// The same of an edge that dips into a hull: more, since the hull's rims hold it back before, unless it came past
+  /// them in one motion.
+  static constexpr double kPassedEdgeDip = 2;
 
   int tool = 0;  // index
   ToolSolid solid;
@@ -46,7 +49,13 @@ struct SolidContact {
   ContactPotential potential(const ContactSite& site) const {
     const double stiffness = kStiffness * hugging_pressure * site.area / range;
     if (site.part == SitePart::kCorner) return {.onset = range, .stiffness = stiffness};
-    return {.onset = site.part == SitePart::kEdge ? -kEdgeDip * dip : -dip, .stiffness = stiffness};
+    return {.onset = -share_of_dip(site.part) * dip, .stiffness = stiffness};
+  }
+
+ private:
+  double share_of_dip(SitePart part) const {
+    if (part == SitePart::kFace) return 1;
+    return solid.role == ToolSolid::Role::kHull ? kPassedEdgeDip : kEdgeDip;
   }
 };
 

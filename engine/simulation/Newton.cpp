@@ -16,6 +16,10 @@ constexpr int kWholeSteps = 15;
 /// Steps of a shell without line search before it is solved with one.
 constexpr int kForeseeingSteps = 40;
 
+/// Growth of the largest force in a solution of a shell without line search that only a step gone astray makes: among
+/// such forces any residual would look small.
+constexpr double kBlowUp = 1e6;
+
 double square(double value) {
   return value * value;
 }
@@ -169,14 +173,17 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
   }
   Residual residual;
   Step step;
-  double shift = 0;
+  double shift = 0, first_scale = 0;
   for (;; ++result.iterations) {
     if (options.between_iterations) options.between_iterations();
     compute_residual(problem, state, terms_, residual);
     result.residual = residual.largest_force;
     result.residual_history.push_back(residual.largest_force);
-    if (is_solved(residual, force_scale(problem, terms_), options)) {
-      result.converged = true;
+    const double scale = force_scale(problem, terms_);
+    if (result.iterations == 0) first_scale = scale;
+    if (is_solved(residual, scale, options)) {
+      result.converged = !foresees || scale <= kBlowUp * first_scale;
+      if (!result.converged) result.reason = "the wall is strained beyond measure";
       return result;
     }
     if (result.iterations == (foresees ? kForeseeingSteps : options.maximum_iterations)) {

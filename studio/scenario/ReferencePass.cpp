@@ -150,8 +150,8 @@ class ReferenceChecker {
       const std::vector<std::string> groups = groups_of_shape(surface);
       if (member.key != "group" || std::ranges::find(groups, member.value.text) != groups.end()) continue;
       diagnostics_.error(member.value.location, inner,
-                         "the shape " + in_backticks(surface.at("shape").text) + " has no group " + in_backticks(member.value.text) +
-                             "; it has " + list_in_backticks(groups));
+                         "the shape " + in_backticks(surface.at("shape").text) + " has no group " +
+                             in_backticks(member.value.text) + "; it has " + list_in_backticks(groups));
     }
   }
 

@@ -262,7 +262,7 @@ TEST(Sheet, IsMirrorSymmetricAndFacesUp) {
 
 TEST(SlitAnnulus, LipsLieOnEachOtherWithVerticesOfTheirOwn) {
   const SurfaceMesh mesh = make_slit_annulus(kInner, kRadius, 1280);
-  const std::vector<int> &start = mesh.groups.at("slit_start"), &end = mesh.groups.at("slit_end");
+  const std::vector<int>&start = mesh.groups.at("slit_start"), &end = mesh.groups.at("slit_end");
   ASSERT_EQ(start.size(), end.size());
   for (std::size_t k = 0; k < start.size(); ++k) {
     EXPECT_NE(start[k], end[k]);

@@ -175,7 +175,8 @@ TEST(BodyBuilder, PrestretchDiffersByRegionAndLiesInTheWall) {
   }
   scenario.prestretch.regions[0].value.along = {0, 0, 1};
   const std::string refusal = refusal_of(scenario);
-  EXPECT_TRUE(refusal.starts_with("scene.yaml:9:24: error: bodies.organ.wall.prestretch: its directions stand perpendicular"))
+  EXPECT_TRUE(
+      refusal.starts_with("scene.yaml:9:24: error: bodies.organ.wall.prestretch: its directions stand perpendicular"))
       << refusal;
 }
 
