@@ -27,7 +27,7 @@ struct ToolSolid {
   enum class Role {
     kWhole,  // all: a ball
     kBody,   // vertices and edges: what is round, so that no edge has two deepest points in it
-    kHull,   // vertices and, where its rims let them pass, edges: what is flat somewhere
+    kHull,   // vertices: what is flat somewhere, so that an edge that lies on it has no deepest point
     kRim,    // edges: a capsule along an edge of a hull
     kCorner  // faces: a ball at a corner of a body or hull
   };
@@ -45,7 +45,7 @@ struct ToolSolid {
   bool is_part() const { return role == Role::kRim || role == Role::kCorner; }
   /// Whether it keeps out vertices, edges and faces.
   bool meets_vertices() const { return !is_part(); }
-  bool meets_edges() const { return role != Role::kCorner; }
+  bool meets_edges() const { return role == Role::kWhole || role == Role::kBody || role == Role::kRim; }
   bool meets_faces() const { return role == Role::kWhole || role == Role::kCorner; }
   bool is_ball() const { return form == Form::kRoundedBox && core.isZero(); }
   /// Smallest radius of curvature, metres.

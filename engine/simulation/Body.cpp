@@ -13,6 +13,10 @@ namespace {
 /// Halvings of a quasi-static step after which the body is relaxed towards its equilibrium.
 constexpr int kHalvingsBeforeRelaxing = 2;
 
+/// Halvings of a step after which edges that came past the rims of a flat tool may stay in it: a coarse wall crushed
+/// between the tool and itself may have no room for them.
+constexpr int kHalvingsBeforeLettingEdgesIn = 4;
+
 std::vector<ToolPose> interpolate(std::span<const ToolPose> begin, std::span<const ToolPose> end, double fraction) {
   std::vector<ToolPose> poses(begin.begin(), begin.end());
   for (std::size_t k = 0; k < poses.size(); ++k) {
@@ -117,6 +121,7 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
     }
     if (!solve_with_friction(problem, trial, begin)) return false;
     if (release(end, problem)) continue;
+    if (report_.halvings < kHalvingsBeforeLettingEdgesIn && catch_passed_edges(problem, trial.position)) continue;
     accept(begin, duration, problem, input, trial);
     return true;
   }

@@ -160,6 +160,7 @@ class Body {
   bool release(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;
   double largest_part(std::span<const ToolPose> begin, std::span<const ToolPose> end) const;
   void add_solids(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;
+  bool catch_passed_edges(EquilibriumProblem& problem, const Eigen::VectorXd& position) const;
   bool has_friction() const;
   std::vector<FrictionContact> friction_contacts(const std::vector<ToolSolid>& before,
                                                  const EquilibriumProblem& problem, bool at_begin,

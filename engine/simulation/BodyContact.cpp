@@ -141,6 +141,21 @@ void Body::add_solids(std::span<const ToolPose> poses, EquilibriumProblem& probl
   }
 }
 
+bool Body::catch_passed_edges(EquilibriumProblem& problem, const Eigen::VectorXd& position) const {
+  bool caught = false;
+  for (SolidContact& contact : problem.solids) {
+    if (contact.solid.role != ToolSolid::Role::kHull || contact.catches_edges) continue;
+    contact.catches_edges = std::ranges::any_of(model_->sites, [&](const ContactSite& site) {
+      if (site.part != SitePart::kEdge) return false;
+      return solid_gap(contact.solid, -SolidContact::kPassedEdgeDip * contact.dip,
+                       corners_of(model_->surface[site.triangle], position), site.part, site.corner)
+          .has_value();
+    });
+    caught = caught || contact.catches_edges;
+  }
+  return caught;
+}
+
 Eigen::VectorXd Body::contact_pressure() const {
   Eigen::VectorXd pressure = Eigen::VectorXd::Zero(model_->vertices());
   for (const Attachment& attachment : state_.attachments) {

@@ -128,12 +128,6 @@ double nearest_possible(const std::array<Eigen::Vector3d, 3>& corners, const std
   return std::max({distances[a] - std::max(ab, ac), distances[b] - std::max(ab, bc), distances[c] - std::max(ac, bc)});
 }
 
-bool meets(const ToolSolid& solid, SitePart part) {
-  return part == SitePart::kCorner ? solid.meets_vertices()
-         : part == SitePart::kEdge ? solid.meets_edges()
-                                   : solid.meets_faces();
-}
-
 void find_contacts(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
                    EquilibriumTerms& terms) {
   std::vector<double> distances(model.vertices());
@@ -145,7 +139,7 @@ void find_contacts(const BodyModel& model, const EquilibriumProblem& problem, co
     const double near = contact.range + kContactMargin * model.edge_length;
     for (int s = 0; s < static_cast<int>(model.sites.size()); ++s) {
       const ContactSite& site = model.sites[s];
-      if (!meets(contact.solid, site.part)) continue;
+      if (!contact.meets(site.part)) continue;
       const Eigen::Vector3i& triangle = model.surface[site.triangle];
       const double reach = contact.forces[s] > 0 ? std::numeric_limits<double>::infinity() : near;
       const auto corners = corners_of(triangle, position);

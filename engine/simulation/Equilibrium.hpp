@@ -32,8 +32,7 @@ struct SolidContact {
   /// Of an edge that dips into a solid as far as the face beside it may, the part that it may itself: what the chord
   /// and the plane through points of a ball have.
   static constexpr double kEdgeDip = 0.75;
-  /// The same of an edge that dips into a hull: more, since the hull's rims hold it back before, unless it came past
-  /// them in one motion.
+  /// The same of an edge that dips into a hull, past the rims that ought to have held it back.
   static constexpr double kPassedEdgeDip = 2;
 
   int tool = 0;  // index
@@ -41,6 +40,7 @@ struct SolidContact {
   double range = 0;             // metres, gap at which vertices begin to be pushed
   double dip = 0;               // metres inside the solid at which faces begin to be pushed
   double hugging_pressure = 0;  // pascal, under which a wall of unit strain lies on the solid
+  bool catches_edges = false;   // a hull: keeps out edges too, since one came past its rims
   std::vector<double> forces;   // (sites), newton, between the solid and each site: multipliers
 
   /// Where the wall lies on a solid that is flatter than its triangles, the vertices bear the load and stand for a wall
@@ -49,13 +49,15 @@ struct SolidContact {
   ContactPotential potential(const ContactSite& site) const {
     const double stiffness = kStiffness * hugging_pressure * site.area / range;
     if (site.part == SitePart::kCorner) return {.onset = range, .stiffness = stiffness};
-    return {.onset = -share_of_dip(site.part) * dip, .stiffness = stiffness};
+    const bool passed = site.part == SitePart::kEdge && solid.role == ToolSolid::Role::kHull;
+    const double part = site.part == SitePart::kFace ? 1 : passed ? kPassedEdgeDip : kEdgeDip;
+    return {.onset = -part * dip, .stiffness = stiffness};
   }
 
- private:
-  double share_of_dip(SitePart part) const {
-    if (part == SitePart::kFace) return 1;
-    return solid.role == ToolSolid::Role::kHull ? kPassedEdgeDip : kEdgeDip;
+  bool meets(SitePart part) const {
+    return part == SitePart::kCorner ? solid.meets_vertices()
+           : part == SitePart::kEdge ? solid.meets_edges() || catches_edges
+                                     : solid.meets_faces();
   }
 };
 
