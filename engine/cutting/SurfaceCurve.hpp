@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "engine/mesh/SurfacePoint.hpp"
+#include "engine/tool/FirstContact.hpp"
+
+namespace thinwall {
+
+/// A line on a triangulated surface, straight within each triangle.
+struct SurfaceCurve {
+  std::vector<SurfacePoint> points;
+  /// (points - 1), or (points) of a closed curve, whose first point follows the last: the triangle in which point k and
+  /// the next one lie, on its edges and corners included. Each point's own triangle may be another one beside it.
+  std::vector<int> triangles;
+  bool closed = false;
+};
+
+/// Where a point of a surface is, metres.
+inline Eigen::Vector3d position_of(const SurfaceView& surface, const SurfacePoint& point) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  const Eigen::Vector3i& vertices = surface.triangles[static_cast<std::size_t>(point.triangle)];
+  for (int k = 0; k < 3; ++k) sum += point.weights[k] * surface.position.segment<3>(3 * vertices[k]);
+  return sum;
+}
+
+/// The largest coordinate of a surface, metres: what its round-off is measured by.
+inline double scale_of(const SurfaceView& surface) {
+  return surface.position.size() == 0 ? 0 : surface.position.cwiseAbs().maxCoeff();
+}
+
+}  // namespace thinwall
