@@ -1,0 +1,142 @@
+#include "engine/cutting/CutBooks.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+
+namespace thinwall {
+namespace {
+
+/// Corners of the path between its last stop that the cut got to and the next stop, from where the cut is on.
+std::vector<Eigen::Vector3d> corners_ahead(std::span<const PathStop> stops, const PlannedCut& plan) {
+  if (plan.reached_stop + 1 >= static_cast<int>(stops.size())) return {};
+  const PathStop& stop = stops[plan.reached_stop];
+  std::vector<Eigen::Vector3d> line = {stop.place.position};
+  line.insert(line.end(), stop.between.begin(), stop.between.end());
+  line.push_back(stops[plan.reached_stop + 1].place.position);
+  std::size_t segment = 0;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const double distance = distance_to(std::span(line).subspan(i, 2), plan.reached);
+    if (distance >= nearest) continue;
+    nearest = distance;
+    segment = i;
+  }
+  return {line.begin() + static_cast<std::ptrdiff_t>(segment) + 1, line.end()};
+}
+
+SurfacePoint point_in(const CutPatch& patch, int facet, const Eigen::Vector3d& position, double no_weight) {
+  auto [triangle, weights] = patch.locate(facet, position);
+  for (double& weight : weights) weight = weight < no_weight ? 0 : weight;
+  return {.triangle = triangle, .weights = weights / weights.sum()};
+}
+
+}  // namespace
+
+double deviation_of(std::span<const PathStop> stops, const PlannedCut& plan) {
+  std::vector<Eigen::Vector3d> realised;
+  for (const int vertex : plan.vertices) realised.push_back(plan.patch.positions[vertex]);
+  const std::vector<Eigen::Vector3d> wanted = corners_of(stops);
+  const std::size_t ahead = corners_ahead(stops, plan).size();
+  std::size_t later = ahead;
+  for (int i = plan.reached_stop + 1; i + 1 < static_cast<int>(stops.size()); ++i) later += stops[i].between.size() + 1;
+  double largest = 0;
+  for (const Eigen::Vector3d& vertex : realised) largest = std::max(largest, distance_to(wanted, vertex));
+  for (std::size_t i = 0; i + later < wanted.size(); ++i) largest = std::max(largest, distance_to(realised, wanted[i]));
+  return largest;
+}
+
+std::vector<SurfacePoint> rest_of(std::span<const PathStop> stops, const PlannedCut& plan) {
+  constexpr double kNoWeight = 1e-9;
+  std::vector<SurfacePoint> rest;
+  const int count = static_cast<int>(stops.size());
+  if (plan.reached_stop + 1 >= count) return rest;
+  for (const Eigen::Vector3d& corner : corners_ahead(stops, plan)) {
+    rest.push_back(point_in(plan.patch, stops[plan.reached_stop].facet, corner, kNoWeight));
+  }
+  for (int i = plan.reached_stop + 1; i + 1 < count; ++i) {
+    for (const Eigen::Vector3d& corner : stops[i].between) {
+      rest.push_back(point_in(plan.patch, stops[i].facet, corner, kNoWeight));
+    }
+    rest.push_back(point_in(plan.patch, stops[i].facet, stops[i + 1].place.position, kNoWeight));
+  }
+  return rest;
+}
+
+std::vector<VertexSource> vertex_sources(const CutPatch& before, const CutPatch& after,
+                                         std::span<const int> originals) {
+  constexpr double kNoWeight = 1e-12;
+  const int old = before.vertex_count(), splits_end = after.vertex_count() - static_cast<int>(originals.size());
+  const auto source = [&](int vertex) {
+    const int facet = after.facet[after.vertex_triangle[vertex]];
+    return VertexSource{.vertex = vertex, .before = point_in(before, facet, after.positions[vertex], kNoWeight)};
+  };
+  std::vector<VertexSource> sources;
+  for (int v = old; v < after.vertex_count(); ++v) {
+    sources.push_back(source(v));
+    if (v >= splits_end) sources.back().original = originals[v - splits_end];
+  }
+  for (int v = 0; v < old; ++v) {
+    if (before.positions[v] != after.positions[v]) sources.push_back(source(v));
+  }
+  return sources;
+}
+
+std::vector<std::vector<int>> split_borders(const CutPatch& before, const CutPatch& after) {
+  std::vector<std::vector<int>> chains;
+  for (int t = 0; t < before.triangle_count(); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      if (before.frozen[t] || before.neighbours[t][k] != CutPatch::kBorder) continue;
+      const int from = before.triangles[t][k], to = before.triangles[t][(k + 1) % 3];
+      if (after.side_between(from, to).triangle >= 0) continue;
+      std::vector<int> chain = {from};
+      while (chain.back() != to) {
+        const PatchCorner first = after.fan_of(chain.back()).corners.front();
+        chain.push_back(after.triangles[first.triangle][(first.corner + 1) % 3]);
+      }
+      chains.push_back(std::move(chain));
+    }
+  }
+  return chains;
+}
+
+std::optional<int> tip_of(const PlannedCut& plan) {
+  const PatchFan fan = plan.patch.fan_of(plan.vertices.back());
+  int marks = 0;
+  for (const PatchCorner& corner : fan.corners) marks += plan.patch.on_path[corner.triangle][corner.corner] != 0;
+  return fan.closed && marks == 1 ? std::optional(plan.vertices.back()) : std::nullopt;
+}
+
+void count_changes(const CutPatch& before, const CutPatch& after, Cut& result) {
+  // Volumes are taken about a point of the patch, which keeps digits far from the origin.
+  const Eigen::Vector3d& origin = before.positions.front();
+  const auto measure = [&](const CutPatch& patch, int t, double sign) {
+    const Eigen::Vector3d a = patch.positions[patch.triangles[t][0]] - origin,
+                          b = patch.positions[patch.triangles[t][1]] - origin,
+                          c = patch.positions[patch.triangles[t][2]] - origin;
+    result.counts.area_change += sign * 0.5 * (b - a).cross(c - a).norm();
+    result.counts.volume_change += sign * a.dot(b.cross(c)) / 6;
+  };
+  for (int t = 0; t < before.triangle_count(); ++t) {
+    if (after.changed[t]) measure(before, t, -1);
+  }
+  for (int t = 0; t < after.triangle_count(); ++t) {
+    if (after.changed[t]) measure(after, t, 1);
+  }
+  for (int v = 0; v < before.vertex_count(); ++v) {
+    result.counts.moved_vertices += before.positions[v] != after.positions[v];
+  }
+  const auto borders = [](const CutPatch& patch) {
+    int count = 0;
+    for (const Eigen::Vector3i& around : patch.neighbours) {
+      count += static_cast<int>((around.array() == CutPatch::kBorder).count());
+    }
+    return count;
+  };
+  const int vertices = after.vertex_count() - before.vertex_count();
+  const int triangles = after.triangle_count() - before.triangle_count();
+  const int half_edges = 3 * triangles + borders(after) - borders(before);  // two for each edge
+  result.euler_change = vertices - half_edges / 2 + triangles;
+}
+
+}  // namespace thinwall

@@ -1,0 +1,94 @@
+#include "engine/cutting/CutQuality.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace thinwall {
+
+double sharpness(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+                 const Eigen::Vector3d& normal) {
+  const Eigen::Vector3d ab = b - a, bc = c - b, ca = a - c;
+  if (!(normal.dot(ab.cross(bc)) > 0)) return 1;
+  const double lab = ab.norm(), lbc = bc.norm(), lca = ca.norm();
+  return std::max({-ab.dot(ca) / (lab * lca), -ab.dot(bc) / (lab * lbc), -bc.dot(ca) / (lbc * lca)});
+}
+
+double sharpness(const CutPatch& patch, int triangle) {
+  const Eigen::Vector3i& t = patch.triangles[triangle];
+  return sharpness(patch.positions[t[0]], patch.positions[t[1]], patch.positions[t[2]],
+                   patch.facet_normals[patch.facet[triangle]]);
+}
+
+double sharpness_around(const CutPatch& patch, int vertex) {
+  double worst = -1;
+  for (const PatchCorner& corner : patch.fan_of(vertex).corners) {
+    worst = std::max(worst, sharpness(patch, corner.triangle));
+  }
+  return worst;
+}
+
+double least_angle(const CutPatch& patch) {
+  double worst = -1;
+  for (int t = 0; t < patch.triangle_count(); ++t) {
+    if (!patch.frozen[t]) worst = std::max(worst, sharpness(patch, t));
+  }
+  return std::acos(std::clamp(worst, -1.0, 1.0));
+}
+
+namespace {
+
+double angle_at(const CutPatch& patch, const PatchCorner& corner) {
+  const Eigen::Vector3i& t = patch.triangles[corner.triangle];
+  const Eigen::Vector3d& tip = patch.positions[t[corner.corner]];
+  const Eigen::Vector3d a = patch.positions[t[(corner.corner + 1) % 3]] - tip;
+  const Eigen::Vector3d b = patch.positions[t[(corner.corner + 2) % 3]] - tip;
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+/// Angles between lines next to each other around one vertex; those between two borders do not count.
+double least_meeting_angle_at(const CutPatch& patch, int vertex) {
+  const PatchFan fan = patch.fan_of(vertex);
+  if (fan.cut_off) return std::numbers::pi;
+  const int count = static_cast<int>(fan.corners.size());
+  // The side of corner i towards the next vertex begins it; a closed fan is entered at a side of the path.
+  const auto begins_on_path = [&](int i) { return patch.on_path[fan.corners[i].triangle][fan.corners[i].corner] != 0; };
+  int start = 0;
+  if (fan.closed) {
+    while (start < count && !begins_on_path(start)) ++start;
+    if (start == count) return std::numbers::pi;
+  }
+  double least = std::numbers::pi, sum = 0;
+  bool from_path = begins_on_path(start);
+  for (int i = 0; i < count; ++i) {
+    const PatchCorner& corner = fan.corners[(start + i) % count];
+    sum += angle_at(patch, corner);
+    const bool to_path = patch.on_path[corner.triangle][(corner.corner + 2) % 3] != 0;
+    const bool to_border = patch.neighbours[corner.triangle][(corner.corner + 2) % 3] == CutPatch::kBorder;
+    if (!to_path && !to_border) continue;
+    if (to_path || from_path) least = std::min(least, sum);
+    sum = 0;
+    from_path = to_path;
+  }
+  return least;
+}
+
+}  // namespace
+
+double least_meeting_angle(const CutPatch& patch) {
+  std::vector<char> met(patch.positions.size(), 0);
+  double least = std::numbers::pi;
+  for (int t = 0; t < patch.triangle_count(); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      if (!patch.on_path[t][k]) continue;
+      for (const int vertex : {patch.triangles[t][k], patch.triangles[t][(k + 1) % 3]}) {
+        if (!met[vertex]) least = std::min(least, least_meeting_angle_at(patch, vertex));
+        met[vertex] = 1;
+      }
+    }
+  }
+  return least;
+}
+
+}  // namespace thinwall

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "engine/cutting/CutPatch.hpp"
+
+namespace thinwall {
+
+/// The smallest angle that a cut may leave where the mesh was good, radians: 20 degrees.
+inline constexpr double kGoodAngle = 0.34906585039886592;
+/// Lines of cuts that would meet at less are merged, radians: 10 degrees.
+inline constexpr double kMergingAngle = 0.17453292519943295;
+
+/// Cosine of the smallest angle of a triangle; 1 for one without area or turned over, seen along `normal`. The smaller
+/// the better; angles are compared by it because it needs no inverse function.
+double sharpness(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+                 const Eigen::Vector3d& normal);
+double sharpness(const CutPatch& patch, int triangle);
+
+/// The largest sharpness of the triangles at a vertex.
+double sharpness_around(const CutPatch& patch, int vertex);
+
+/// Smallest angle of the triangles that are not frozen, radians.
+double least_angle(const CutPatch& patch);
+
+/// The smallest angle at which the path meets itself or open borders, radians, measured in the wall; pi if nowhere.
+double least_meeting_angle(const CutPatch& patch);
+
+}  // namespace thinwall

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/cutting/CapRim.hpp"
+#include "engine/cutting/Cut.hpp"
+#include "engine/cutting/CutPatch.hpp"
+#include "engine/mesh/SurfaceMesh.hpp"
+
+namespace thinwall {
+
+/// A triangulated wall that can be cut, again and again. All geometry is that of the rest shape.
+///
+/// Incidence is exact: what a path crosses is told by combinatorial positions (vertex, edge with parameter, facet), and
+/// neighbours are kept across edges, never found again from coordinates. Predicates in floating point only choose among
+/// changes within one flat piece (facet) of the original surface, where any choice is a valid mesh; so rounding can
+/// cost quality, which is checked, but never consistency. Exact predicates would not do: the lines of a path are
+/// rounded anyway as soon as its nodes are.
+///
+/// A cut may deviate from its path by the snapping bound: three quarters of the longest edge nearby. In flat
+/// pieces larger than a triangle it follows the path itself.
+///
+/// A cut costs what it touches: it is tried out on a patch of the surface and written back when it holds.
+class CutSurface {
+ public:
+  /// The wall must be an oriented manifold. Throws std::invalid_argument otherwise.
+  explicit CutSurface(SurfaceMesh mesh);
+
+  const SurfaceMesh& mesh() const { return mesh_; }
+  /// (wall triangles), the connected piece of the wall that each belongs to.
+  std::span<const int> components() const { return component_; }
+  int component_count() const { return component_count_; }
+  /// (wall triangles x 3), the triangle across the side from corner k to corner k + 1; -1 at an open edge.
+  std::span<const Eigen::Vector3i> neighbours() const { return neighbours_; }
+
+  /// Cuts along a path on the surface as it is now and says what changed; nothing where the path has no length or is
+  /// too short to be cut yet: then `rest` is the whole path. A path that comes back along itself or along an open
+  /// border cuts nothing there; the rim of a cap is such a border: the wall does not come off its cap.
+  /// Throws std::invalid_argument where the path leaves the surface.
+  Cut cut(const CutPath& path, const CutOptions& options = {});
+
+ private:
+  struct PatchNumbers;
+
+  SurfaceMesh mesh_;
+  std::vector<Eigen::Vector3i> neighbours_;
+  std::vector<int> vertex_triangle_;            // (vertices), -1: used by no wall triangle
+  std::vector<int> facet_;                      // (wall triangles), into facet_normals_
+  std::vector<Eigen::Vector3d> facet_normals_;  // unit
+  std::vector<double> scale_;                   // (wall triangles), metres, mean edge length of the original triangle
+  std::vector<int> component_;
+  int component_count_ = 0;
+  CapRim rim_;
+  std::vector<std::pair<std::string, std::vector<char>>> is_member_;  // per group: (vertices)
+
+  void check_path(const CutPath& path) const;
+  std::vector<int> fan_of(int vertex) const;
+  std::vector<int> triangles_near(const CutPath& path) const;
+  CutPatch extract(const CutPath& path, const CutOptions& options, PatchNumbers& numbers) const;
+  void find_facets();
+  void find_components();
+
+  void add_vertices(const CutPatch& before, const CutPatch& after, std::span<const int> originals,
+                    PatchNumbers& numbers, Cut& result);
+  void add_to_groups(int first_new, const PatchNumbers& numbers, const Cut& result);
+  void change_rim(const std::vector<std::vector<int>>& chains, std::span<const RimOpening> rims,
+                  const PatchNumbers& numbers);
+  void write_back(const CutPatch& before, const CutPatch& after, PatchNumbers& numbers, Cut& result);
+  void separate(Cut& result);
+  std::vector<std::vector<int>> wound_loops(std::span<const Lips> lips) const;
+  int next_on_border(int vertex) const;
+};
+
+}  // namespace thinwall

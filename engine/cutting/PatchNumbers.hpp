@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/cutting/CutSurface.hpp"
+
+namespace thinwall {
+
+/// Numbers on the surface of what a patch consists of.
+struct CutSurface::PatchNumbers {
+  std::vector<int> triangles, vertices, facets;
+};
+
+}  // namespace thinwall

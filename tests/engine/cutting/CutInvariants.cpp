@@ -1,0 +1,205 @@
+#include "tests/engine/cutting/CutInvariants.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+#include <sstream>
+
+#include "engine/mesh/MeshMeasures.hpp"
+#include "engine/mesh/MeshTopology.hpp"
+#include "tests/engine/cutting/SurfaceWalk.hpp"
+
+namespace thinwall {
+namespace {
+
+/// Sums of about 1e3 terms, each rounded to 1e-16.
+constexpr double kExact = 1e-12;
+
+class Judge {
+ public:
+  Judge(const SurfaceMesh& before, const CutSurface& after, const Cut& cut)
+      : before_(before), after_(after.mesh()), surface_(after), cut_(cut) {
+    for (const Eigen::Vector3d& vertex : before.vertices) {
+      size_ = std::max(size_, (vertex - before.vertices.front()).norm());
+    }
+  }
+
+  std::vector<std::string> judge() {
+    check_topology();
+    check_closed_surface();
+    check_conservation();
+    check_vertices();
+    check_triangles();
+    check_quality();
+    check_lips();
+    check_groups();
+    return std::move(broken_);
+  }
+
+ private:
+  const SurfaceMesh &before_, &after_;
+  const CutSurface& surface_;
+  const Cut& cut_;
+  double size_ = 0;
+  std::vector<std::string> broken_;
+
+  template <typename... Parts>
+  void expect(bool kept, const Parts&... parts) {
+    if (kept) return;
+    std::ostringstream text;
+    text.precision(17);
+    (text << ... << parts);
+    broken_.push_back(text.str());
+  }
+
+  void check_topology() {
+    const MeshTopology was = topology_of(static_cast<int>(before_.vertices.size()), before_.triangles);
+    const MeshTopology is = topology_of(static_cast<int>(after_.vertices.size()), after_.triangles);
+    expect(is.crowded_edges.empty(), is.crowded_edges.size(), " edges have more than two triangles");
+    expect(is.contrary_edges.empty(), is.contrary_edges.size(), " edges turn over");
+    expect(is.non_manifold_vertices.empty(), is.non_manifold_vertices.size(), " vertices are bow-ties");
+    const int change = is.euler_characteristic - was.euler_characteristic;
+    expect(change == cut_.euler_change, "Euler characteristic changed by ", change, ", counted ", cut_.euler_change);
+    expect(change == cut_.predicted_euler_change, "Euler characteristic changed by ", change, ", predicted ",
+           cut_.predicted_euler_change);
+    expect(is.component_count == surface_.component_count(), is.component_count, " components, counted ",
+           surface_.component_count());
+    expect(is.component_count - was.component_count == static_cast<int>(cut_.separated.size()),
+           "new components: ", is.component_count - was.component_count, ", told ", cut_.separated.size());
+    std::map<int, int> names;
+    for (std::size_t t = 0; t < after_.triangles.size(); ++t) {
+      const int name = names.emplace(is.triangle_component[t], surface_.components()[t]).first->second;
+      expect(name == surface_.components()[t], "triangle ", t, " is in the wrong component");
+      for (int k = 0; k < 3; ++k) {
+        int neighbour = -1;
+        for (const int other : triangles_at(is, is.triangle_edges[t][k])) {
+          if (other != static_cast<int>(t)) neighbour = other;
+        }
+        expect(neighbour == surface_.neighbours()[t][k], "neighbour across side ", k, " of triangle ", t);
+      }
+    }
+  }
+
+  void check_closed_surface() {
+    const auto surface = closed_surface(after_);
+    const MeshTopology is = topology_of(static_cast<int>(after_.vertices.size()), surface);
+    expect(is_oriented_manifold(is), "wall and caps are no oriented manifold: ", is.crowded_edges.size(), " ",
+           is.contrary_edges.size(), " ", is.non_manifold_vertices.size());
+    std::set<std::set<int>> borders;
+    for (const auto& loop : is.boundary_loops) borders.emplace(loop.begin(), loop.end());
+    for (const auto& loop : cut_.wound_loops) {
+      expect(borders.count({loop.begin(), loop.end()}) == 1, "a wound loop of ", loop.size(),
+             " vertices is no border of wall and caps");
+    }
+  }
+
+  void check_conservation() {
+    const double area = wall_area(before_);
+    expect(std::abs(wall_area(after_) - area) <= kExact * area, "area changed by ", wall_area(after_) / area - 1);
+    const double volume = enclosed_volume(before_.vertices, closed_surface(before_));
+    const double change = enclosed_volume(after_.vertices, closed_surface(after_)) - volume;
+    expect(std::abs(change) <= kExact * area * size_, "volume changed by ", change / (area * size_));
+  }
+
+  void check_vertices() {
+    const std::size_t old = before_.vertices.size();
+    std::vector<char> told(after_.vertices.size(), 0);
+    for (const VertexSource& source : cut_.vertices) {
+      told[source.vertex] = 1;
+      expect(source.before.weights.minCoeff() >= 0 && std::abs(source.before.weights.sum() - 1) < 1e-14,
+             "weights of vertex ", source.vertex);
+      const double off = (position_of(before_, source.before) - after_.vertices[source.vertex]).norm();
+      expect(off <= kExact * size_, "vertex ", source.vertex, " does not lie where it is said to, by ", off / size_);
+      if (source.original) {
+        expect(after_.vertices[*source.original] == after_.vertices[source.vertex], "doubled vertex ", source.vertex);
+      }
+    }
+    for (std::size_t v = 0; v < old; ++v) {
+      expect(told[v] || before_.vertices[v] == after_.vertices[v], "vertex ", v, " moved without a word");
+    }
+    for (std::size_t v = old; v < after_.vertices.size(); ++v) expect(told[v], "vertex ", v, " has no source");
+  }
+
+  void check_triangles() {
+    const auto areas_before = triangle_areas(before_.vertices, before_.triangles);
+    const auto areas = triangle_areas(after_.vertices, after_.triangles);
+    std::vector<char> told(after_.triangles.size(), 0);
+    std::map<int, double> received;
+    for (const TriangleSource& source : cut_.triangles) {
+      told[source.triangle] = 1;
+      double sum = 0;
+      for (const TriangleShare& share : source.before) {
+        sum += share.share;
+        received[share.triangle] += share.share * areas[source.triangle];
+      }
+      expect(std::abs(sum - 1) < 1e-14, "shares of triangle ", source.triangle, " sum to ", sum);
+    }
+    for (const auto& [triangle, area] : received) {
+      const double off = std::abs(area / areas_before[triangle] - 1);
+      expect(off < 1e-11, "triangle ", triangle, " is given on ", area / areas_before[triangle], " times");
+    }
+    for (std::size_t t = 0; t < after_.triangles.size(); ++t) {
+      if (!told[t]) expect(t < before_.triangles.size() && before_.triangles[t] == after_.triangles[t], "triangle ", t);
+    }
+  }
+
+  void check_quality() {
+    const double good = 20 * std::numbers::pi / 180;
+    const double rule = std::min({good, cut_.least_angle_before, 0.5 * cut_.least_meeting_angle});
+    expect(cut_.least_angle >= rule - 1e-9, "least angle ", cut_.least_angle * 180 / std::numbers::pi,
+           " degrees, before ", cut_.least_angle_before * 180 / std::numbers::pi, ", meeting ",
+           cut_.least_meeting_angle * 180 / std::numbers::pi);
+    const auto angles = smallest_angles(after_.vertices, after_.triangles);
+    for (const TriangleSource& source : cut_.triangles) {
+      expect(angles[source.triangle] >= cut_.least_angle - 1e-9, "triangle ", source.triangle, " is sharper than told");
+    }
+    const auto angles_before = smallest_angles(before_.vertices, before_.triangles);
+    const double least_before = *std::ranges::min_element(angles_before);
+    expect(*std::ranges::min_element(angles) >= std::min(least_before, rule) - 1e-9, "the mesh has become worse");
+  }
+
+  void check_lips() {
+    double length = 0;
+    std::set<std::pair<int, int>> sides;
+    for (std::size_t t = 0; t < after_.triangles.size(); ++t) {
+      for (int k = 0; k < 3; ++k) {
+        if (surface_.neighbours()[t][k] < 0) sides.emplace(after_.triangles[t][k], after_.triangles[t][(k + 1) % 3]);
+      }
+    }
+    for (const Lips& lips : cut_.lips) {
+      expect(lips.left.size() == lips.right.size() && lips.left.size() >= 2, "lips of unequal length");
+      for (std::size_t i = 0; i < lips.left.size(); ++i) {
+        expect(after_.vertices[lips.left[i]] == after_.vertices[lips.right[i]], "lips do not lie on each other");
+        if (i == 0) continue;
+        length += (after_.vertices[lips.left[i]] - after_.vertices[lips.left[i - 1]]).norm();
+        expect(sides.count({lips.left[i - 1], lips.left[i]}) == 1, "left lip is no border");
+        expect(sides.count({lips.right[i], lips.right[i - 1]}) == 1, "right lip is no border");
+      }
+    }
+    expect(std::abs(length - cut_.length) <= 1e-12 * size_, "lips of length ", length, ", told ", cut_.length);
+    if (cut_.tip && !cut_.lips.empty()) {
+      const bool at_end = std::ranges::any_of(cut_.lips, [&](const Lips& lips) {
+        return (lips.left.back() == *cut_.tip && lips.right.back() == *cut_.tip) ||
+               (lips.left.front() == *cut_.tip && lips.right.front() == *cut_.tip);
+      });
+      expect(at_end, "the tip is not where the lips meet");
+    }
+  }
+
+  void check_groups() {
+    for (const auto& [name, members] : after_.groups) {
+      expect(std::ranges::is_sorted(members), "group ", name, " is not ascending");
+      expect(members.empty() || members.back() < static_cast<int>(after_.vertices.size()), "group ", name);
+    }
+  }
+};
+
+}  // namespace
+
+std::vector<std::string> broken_rules(const SurfaceMesh& before, const CutSurface& after, const Cut& cut) {
+  return Judge(before, after, cut).judge();
+}
+
+}  // namespace thinwall

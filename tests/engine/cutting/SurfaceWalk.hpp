@@ -1,0 +1,91 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "engine/cutting/CutSurface.hpp"
+
+namespace thinwall {
+
+inline Eigen::Vector3d position_of(const SurfaceMesh& mesh, const SurfacePoint& point) {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  for (int k = 0; k < 3; ++k) position += point.weights[k] * mesh.vertices[mesh.triangles[point.triangle][k]];
+  return position;
+}
+
+/// A walk straight ahead over a surface (a geodesic: the direction is unfolded over each edge), from a point over
+/// `length` metres or to an open border. Points: the start, one on each edge crossed, the end.
+struct SurfaceWalk {
+  std::vector<SurfacePoint> points;
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero();  // at the end
+  double length = 0;                                    // metres
+  bool at_border = false;
+};
+
+inline SurfaceWalk walk_on(const CutSurface& surface, SurfacePoint start, Eigen::Vector3d direction, double length) {
+  const SurfaceMesh& mesh = surface.mesh();
+  SurfaceWalk walk;
+  walk.points.push_back(start);
+  int t = start.triangle, entered = -1;
+  Eigen::Vector3d weights = start.weights;
+  for (int steps = 0; steps < 100000 && walk.length < length; ++steps) {
+    const Eigen::Vector3i& corners = mesh.triangles[t];
+    const Eigen::Vector3d &a = mesh.vertices[corners[0]], &b = mesh.vertices[corners[1]],
+                          &c = mesh.vertices[corners[2]];
+    const Eigen::Vector3d normal = (b - a).cross(c - a);
+    direction = (direction - direction.dot(normal) / normal.squaredNorm() * normal).normalized();
+    // How fast each weight falls along the direction.
+    const double twice = normal.norm();
+    const Eigen::Vector3d unit = normal / twice;
+    const Eigen::Vector3d rate(unit.cross(c - b).dot(direction) / twice, unit.cross(a - c).dot(direction) / twice,
+                               unit.cross(b - a).dot(direction) / twice);
+    double reach = length - walk.length;
+    int through = -1;
+    for (int k = 0; k < 3; ++k) {
+      const int side = (k + 1) % 3;  // opposite corner k
+      if (rate[k] >= 0 || side == entered) continue;
+      const double to_side = std::max(0.0, -weights[k] / rate[k]);
+      if (to_side > reach) continue;
+      reach = to_side;
+      through = side;
+    }
+    weights += reach * rate;
+    walk.length += reach;
+    if (through < 0) {
+      weights = weights.cwiseMax(0.0);
+      walk.points.push_back({.triangle = t, .weights = weights / weights.sum()});
+      break;
+    }
+    weights[(through + 2) % 3] = 0;
+    constexpr double kFromVertex = 1e-7;  // the walk keeps off vertices, where "straight ahead" has no one meaning
+    for (const int k : {through, (through + 1) % 3}) weights[k] = std::max(weights[k], kFromVertex);
+    weights /= weights.sum();
+    walk.points.push_back({.triangle = t, .weights = weights});
+    const int next = surface.neighbours()[t][through];
+    if (next < 0) {
+      walk.at_border = true;
+      break;
+    }
+    const Eigen::Vector3d from = mesh.vertices[corners[through]], to = mesh.vertices[corners[(through + 1) % 3]];
+    const Eigen::Vector3d edge = (to - from).normalized();
+    const Eigen::Vector3i& others = mesh.triangles[next];
+    const int corner = static_cast<int>(std::ranges::find(others, corners[(through + 1) % 3]) - others.begin());
+    Eigen::Vector3d across = mesh.vertices[others[(corner + 2) % 3]] - to;
+    across = (across - across.dot(edge) * edge).normalized();
+    const double along = direction.dot(edge);
+    direction = along * edge + std::sqrt(std::max(0.0, 1 - along * along)) * across;
+    Eigen::Vector3d carried = Eigen::Vector3d::Zero();
+    carried[corner] = weights[(through + 1) % 3];
+    carried[(corner + 1) % 3] = weights[through];
+    weights = carried;
+    entered = corner;
+    t = next;
+  }
+  walk.direction = direction;
+  return walk;
+}
+
+}  // namespace thinwall
