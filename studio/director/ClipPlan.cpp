@@ -63,25 +63,30 @@ SurfaceEntry meet_on_approach(const LineOfApproach& line, const SurfaceView& sur
                                             direction.z(), line.body)}});
 }
 
+double free_travel(const ToolPose& pose, const ToolDefinition& tool, const SurfaceView& surface, double standoff,
+                   const ClipWords& words, const SourceLocation& location) {
+  const auto travel = travel_to_contact(surface, tool, pose, pose.direction);
+  if (!travel) {
+    throw InputErrors(
+        {{location, fmt::format("{}: tool `{}` passes beside body `{}`", words.verb, words.tool, words.body)}});
+  }
+  if (*travel <= 0) {
+    throw InputErrors({{location, fmt::format("{}: tool `{}` touches body `{}` already {:.3g} mm from the point of "
+                                              "approach; a larger `standoff` than {:.3g} mm lets it start outside",
+                                              words.verb, words.tool, words.body, 1e3 * standoff, 1e3 * standoff)}});
+  }
+  return *travel;
+}
+
 PalpationPlan plan_palpation(const PalpateClip& clip, const ToolDefinition& tool, const SurfaceView& surface,
-                             const SourceLocation& location) {
+                             const SourceLocation& location, const std::string& verb) {
   // Adding zero turns a negative zero, which would read oddly in a message, into zero.
   const Eigen::Vector3d direction = clip.direction.normalized().array() + 0.0;
-  const SurfaceEntry hit = meet_on_approach({"palpate", clip.at, direction, clip.body}, surface, location);
+  const SurfaceEntry hit = meet_on_approach({verb, clip.at, direction, clip.body}, surface, location);
   PalpationPlan plan{.clip = clip,
                      .begin = make_pose(clip.at + (hit.travel - clip.standoff) * direction, direction, clip.axis)};
   plan.begin.opening = tool.opening;
-  const auto travel = travel_to_contact(surface, tool, plan.begin, direction);
-  if (!travel) {
-    throw InputErrors({{location, fmt::format("palpate: tool `{}` passes beside body `{}`", clip.tool, clip.body)}});
-  }
-  if (*travel <= 0) {
-    throw InputErrors(
-        {{location, fmt::format("palpate: tool `{}` touches body `{}` already {:.3g} mm from the point of "
-                                "approach; a larger `standoff` than {:.3g} mm lets it start outside",
-                                clip.tool, clip.body, 1e3 * clip.standoff, 1e3 * clip.standoff)}});
-  }
-  plan.to_contact = *travel;
+  plan.to_contact = free_travel(plan.begin, tool, surface, clip.standoff, {verb, clip.tool, clip.body}, location);
   return plan;
 }
 

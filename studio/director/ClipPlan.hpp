@@ -28,6 +28,11 @@ struct PalpationPlan {
   ToolMoment at(double time) const;  // `time`: seconds since the clip began, limited to its duration
 };
 
+/// How messages name a clip and what it is about.
+struct ClipWords {
+  std::string verb, tool, body;
+};
+
 /// A line along which a clip approaches a body.
 struct LineOfApproach {
   std::string verb;
@@ -40,9 +45,14 @@ struct LineOfApproach {
 SurfaceEntry meet_on_approach(const LineOfApproach& line, const SurfaceView& surface, const SourceLocation& location);
 
 /// Finds stand-off and first contact. Throws InputErrors at `location` when the line misses the body, or the tool
-/// would touch already at its stand-off.
+/// would touch already at its stand-off; `verb` is the clip's word.
 PalpationPlan plan_palpation(const PalpateClip& clip, const ToolDefinition& tool, const SurfaceView& surface,
-                             const SourceLocation& location);
+                             const SourceLocation& location, const std::string& verb = "palpate");
+
+/// How far a tool can go ahead from a pose until it touches the body, metres. Throws InputErrors at `location` when it
+/// never does or touches already at this stand-off, metres.
+double free_travel(const ToolPose& pose, const ToolDefinition& tool, const SurfaceView& surface, double standoff,
+                   const ClipWords& words, const SourceLocation& location);
 
 /// A straight motion.
 struct MovePlan {

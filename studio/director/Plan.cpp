@@ -21,6 +21,12 @@ std::string fill_caption(const FillClip& fill) {
                      fill.duration);
 }
 
+/// "Palpation: 4 mm deep at 10 mm/s"
+template <typename Action>
+std::string depth_caption(const std::string& what, const Action& action) {
+  return fmt::format("{}: {:.3g} mm deep at {:.3g} mm/s", what, 1e3 * action.depth, 1e3 * action.speed);
+}
+
 }  // namespace
 
 double duration_of(const Plan& plan) {
@@ -59,6 +65,11 @@ std::optional<ToolMoment> moment_of(const Plan& plan, double time) {
       plan);
 }
 
+bool knows_depth(const Plan& plan) {
+  return std::holds_alternative<PalpationPlan>(plan) || std::holds_alternative<PiercingPlan>(plan) ||
+         std::holds_alternative<IncisionPlan>(plan);
+}
+
 std::string tool_of(const Clip& clip) {
   return std::visit(
       [](const auto& action) -> std::string {
@@ -75,9 +86,15 @@ std::string standard_caption(const Clip& clip) {
   if (const auto* fill = std::get_if<FillClip>(&clip.action)) return fill_caption(*fill);
   if (std::holds_alternative<GraspClip>(clip.action)) return "Grasping";
   if (std::holds_alternative<ReleaseClip>(clip.action)) return "Release";
-  const auto* palpate = std::get_if<PalpateClip>(&clip.action);
-  if (palpate == nullptr) return "";
-  return fmt::format("Palpation: {:.3g} mm deep at {:.3g} mm/s", 1e3 * palpate->depth, 1e3 * palpate->speed);
+  return std::visit(
+      [](const auto& action) -> std::string {
+        using Kind = std::decay_t<decltype(action)>;
+        if constexpr (std::is_same_v<Kind, PalpateClip>) return depth_caption("Palpation", action);
+        if constexpr (std::is_same_v<Kind, PierceClip>) return depth_caption("Piercing", action);
+        if constexpr (std::is_same_v<Kind, InciseClip>) return depth_caption("Incision", action);
+        return "";
+      },
+      clip.action);
 }
 
 }  // namespace thinwall

@@ -6,11 +6,14 @@
 #include "studio/director/ClipPlan.hpp"
 #include "studio/director/FillPlan.hpp"
 #include "studio/director/GraspPlan.hpp"
+#include "studio/director/IncisionPlan.hpp"
+#include "studio/director/PiercingPlan.hpp"
 
 namespace thinwall {
 
 /// What a clip has come to, held against the bodies.
-using Plan = std::variant<PalpationPlan, MovePlan, GraspPlan, ReleasePlan, FillPlan, WaitClip>;
+using Plan =
+    std::variant<PalpationPlan, PiercingPlan, IncisionPlan, MovePlan, GraspPlan, ReleasePlan, FillPlan, WaitClip>;
 
 double duration_of(const Plan& plan);  // seconds
 
@@ -19,6 +22,9 @@ const ToolPose* beginning_of(const Plan& plan);
 
 /// Where the plan's tool is `time` seconds after the beginning; nothing when it drives none.
 std::optional<ToolMoment> moment_of(const Plan& plan, double time);
+
+/// Whether the plan itself knows how deep its tool is: it was held against the surface that the tool meets.
+bool knows_depth(const Plan& plan);
 
 /// The tool that a clip drives; empty when it drives none.
 std::string tool_of(const Clip& clip);

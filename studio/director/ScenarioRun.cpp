@@ -117,24 +117,27 @@ struct ScenarioRun::Implementation {
   }
 
   Plan plan(const Clip& clip) const {
+    const std::string name = tool_of(clip);
+    const DirectedTool tool = name.empty() ? DirectedTool{} : tools.at(name);
+    const ToolDefinition definition = name.empty() ? ToolDefinition{} : scenario.tools[tool.index];
     if (const auto* palpate = std::get_if<PalpateClip>(&clip.action)) {
-      const DirectedTool& tool = tools.at(palpate->tool);
-      return plan_palpation(*palpate, scenario.tools[tool.index], body_named(palpate->body).surface(), clip.location);
+      return plan_palpation(*palpate, definition, body_named(palpate->body).surface(), clip.location);
     }
-    if (const auto* move = std::get_if<MoveClip>(&clip.action)) {
-      const DirectedTool& tool = tools.at(move->tool);
-      return plan_move(*move, tool.pose, tool.holds);
+    if (const auto* pierce = std::get_if<PierceClip>(&clip.action)) {
+      return plan_piercing(*pierce, definition, body_named(pierce->body).surface(), clip.location);
+    }
+    if (const auto* incise = std::get_if<InciseClip>(&clip.action)) {
+      return plan_incision(*incise, definition, body_named(incise->body).surface(), clip.location);
     }
     if (const auto* grasp = std::get_if<GraspClip>(&clip.action)) {
-      const ToolDefinition& tool = scenario.tools[tools.at(grasp->tool).index];
-      return plan_grasp(*grasp, tool, body_named(grasp->body).surface(), clip.location);
-    }
-    if (const auto* release = std::get_if<ReleaseClip>(&clip.action)) {
-      const DirectedTool& tool = tools.at(release->tool);
-      return plan_release(*release, scenario.tools[tool.index], tool.pose);
+      return plan_grasp(*grasp, definition, body_named(grasp->body).surface(), clip.location);
     }
     if (const auto* fill = std::get_if<FillClip>(&clip.action)) {
       return plan_fill(*fill, body_named(fill->body), clip.location);
+    }
+    if (const auto* move = std::get_if<MoveClip>(&clip.action)) return plan_move(*move, tool.pose, tool.holds);
+    if (const auto* release = std::get_if<ReleaseClip>(&clip.action)) {
+      return plan_release(*release, definition, tool.pose);
     }
     return std::get<WaitClip>(clip.action);
   }
@@ -211,8 +214,7 @@ struct ScenarioRun::Implementation {
       const std::optional<ToolMoment> moment = moment_of(clip.plan, until - clip.begin);
       if (!moment) continue;
       DirectedTool& tool = tools.at(tool_of(scenario.timeline[k]));
-      // A palpation knows its depth exactly, from the line on which it was planned.
-      const bool is_planned = std::holds_alternative<PalpationPlan>(clip.plan);
+      const bool is_planned = knows_depth(clip.plan);
       if (!is_planned) find_first_contact(tool, moment->pose);
       tool.pose = moment->pose;
       tool.phase = moment->phase;

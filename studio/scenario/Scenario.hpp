@@ -81,6 +81,24 @@ struct PalpateClip {
   bool withdraw = true;
 };
 
+/// A needle that goes through the wall: the motion is that of a palpation.
+struct PierceClip : PalpateClip {};
+
+/// A blade that cuts along a path.
+struct InciseClip {
+  std::string tool = {};
+  std::string body = {};
+  std::vector<Eigen::Vector3d> path = {};           // (at least 2), metres, near the surface
+  std::vector<SourceLocation> path_locations = {};  // (points of the path)
+  std::optional<Eigen::Vector3d> direction = {};    // unit, along which points go to the surface; nearest when absent
+  double reach = 0.01;                              // metres from a point to the surface at most
+  double depth = 0;                                 // metres below the surface, along the inward normal
+  double speed = 0.01;                              // metres / second
+  double hold = 0;                                  // seconds at the end of the path
+  double standoff = 0.005;                          // metres
+  bool withdraw = true;
+};
+
 struct MoveClip {
   std::string tool = {};
   std::optional<std::string> body = {};           // the one that a point or line may touch; the only one when absent
@@ -127,7 +145,7 @@ struct WaitClip {
 };
 
 struct Clip {
-  std::variant<PalpateClip, MoveClip, GraspClip, ReleaseClip, FillClip, WaitClip> action = {};
+  std::variant<PalpateClip, PierceClip, InciseClip, MoveClip, GraspClip, ReleaseClip, FillClip, WaitClip> action = {};
   SourceLocation location = {};
   std::optional<double> start = {};         // seconds; after the clip before it when absent
   std::optional<std::string> caption = {};  // shown while the clip lasts

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "engine/tool/FirstContact.hpp"
+
+namespace thinwall {
+
+/// How much a surface measures along a unit vector, metres.
+double extent_along(const SurfaceView& surface, const Eigen::Vector3d& direction);
+
+/// How often a surface winds around a point: 1 inside a closed one, 0 outside; in between where the surface has holes
+/// (sum of the solid angles of its triangles over 4 pi, each after Van Oosterom and Strackee 1983).
+double winding_number(const SurfaceView& surface, const Eigen::Vector3d& point);
+
+}  // namespace thinwall

@@ -1,0 +1,177 @@
+#include "studio/director/IncisionPlan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "studio/director/BodyExtent.hpp"
+#include "studio/scenario/InputError.hpp"
+
+namespace thinwall {
+namespace {
+
+/// Samples of the blade's heading for each of its widths, and at most in all: a path of a metre at 0.1 mm.
+constexpr double kSamplesPerWidth = 32;
+constexpr int kMostSamples = 10000;
+
+/// A chord shorter than this part of the blade's width tells no heading: the path turns back there by more than
+/// 2 acos(0.2) = 157 degrees.
+constexpr double kShortChord = 0.2;
+
+/// A surface winds around a point more than this often where the point lies inside.
+constexpr double kInside = 0.5;
+
+std::string to_words(const Eigen::Vector3d& point) {
+  return fmt::format("[{:.4g}, {:.4g}, {:.4g}] m", point.x(), point.y(), point.z());
+}
+
+/// Throws what is wrong with a path.
+[[noreturn]] void refuse_path(const InciseClip& clip, const PathProblem& problem, const SourceLocation& location) {
+  const auto index = static_cast<std::size_t>(problem.point);
+  const std::string name = fmt::format("path[{}]", index + 1);
+  std::string why;
+  switch (problem.kind) {
+    case PathProblem::Kind::kOffSurface:
+      why = fmt::format("{} = {} ", name, to_words(clip.path[index]));
+      why += std::isinf(problem.distance)
+                 ? fmt::format("does not meet body `{}` along `direction`; move the point or leave `direction` out",
+                               clip.body)
+                 : fmt::format(
+                       "lies {:.4g} mm from body `{}`, farther than `reach` = {:.4g} mm; move the point to "
+                       "the wall or give a larger `reach`",
+                       1e3 * problem.distance, clip.body, 1e3 * clip.reach);
+      break;
+    case PathProblem::Kind::kAlongNormal:
+      why = fmt::format(
+          "path[{}] and {} lie behind each other as seen along the wall's normal, so that no way from "
+          "one to the other stands out; put a point between them",
+          index, name);
+      break;
+    case PathProblem::Kind::kNotJoined:
+      why = fmt::format(
+          "the wall of body `{}` does not lead from path[{}] to {} straight ahead; put points between "
+          "them, or make two clips",
+          clip.body, index, name);
+      break;
+  }
+  throw InputErrors({{index < clip.path_locations.size() ? clip.path_locations[index] : location, "incise: " + why}});
+}
+
+/// A point of the path, which goes on straight beyond its ends.
+Eigen::Vector3d point_at(const SurfacePath& path, double along, double reach) {
+  const Eigen::Vector3d point = path.at(along).position;
+  const double beyond = along < 0 ? along : std::max(0.0, along - path.length());
+  if (beyond == 0) return point;
+  const double step = std::min(reach, path.length());
+  const Eigen::Vector3d chord =
+      along < 0 ? path.at(step).position - point : point - path.at(path.length() - step).position;
+  return point + beyond * chord.stableNormalized();
+}
+
+std::vector<Eigen::Vector3d> blade_axes(const SurfacePath& path, double width) {
+  const double wanted = std::ceil(kSamplesPerWidth * path.length() / width);
+  const int count = std::clamp(static_cast<int>(std::min(wanted, 1.0 * kMostSamples)), 1, kMostSamples) + 1;
+  // The heading before the first that is told apart: any, as on a path that turns back within a blade's width.
+  Eigen::Vector3d last = path.stations.back().position - path.stations.front().position;
+  for (std::size_t k = 1; k < path.stations.size() && last.norm() == 0; ++k) {
+    last = path.stations[k].position - path.stations[0].position;
+  }
+  last = make_pose(Eigen::Vector3d::Zero(), path.stations.front().inward, last).axis;
+  std::vector<Eigen::Vector3d> axes;
+  for (int k = 0; k < count; ++k) {
+    const double along = path.length() * k / (count - 1);
+    const Eigen::Vector3d inward = path.at(along).inward;
+    Eigen::Vector3d chord =
+        point_at(path, along + 0.5 * width, 0.5 * width) - point_at(path, along - 0.5 * width, 0.5 * width);
+    chord -= inward * inward.dot(chord);
+    if (chord.norm() > kShortChord * width) last = (k > 0 && chord.dot(last) < 0 ? -1 : 1) * chord.normalized();
+    axes.push_back(make_pose(Eigen::Vector3d::Zero(), inward, last).axis);
+  }
+  return axes;
+}
+
+void refuse_depth(const InciseClip& clip, const ToolDefinition& tool, const SurfaceView& surface,
+                  const Eigen::Vector3d& inward, const SourceLocation& location) {
+  const auto refuse = [&](const std::string& why) {
+    throw InputErrors({{location, fmt::format("incise: `depth` = {:.4g} mm {}", 1e3 * clip.depth, why)}});
+  };
+  if (clip.depth > tool.length) {
+    refuse(fmt::format("is more than blade `{}` is high ({:.4g} mm); cut less deep or give it a larger `length`",
+                       clip.tool, 1e3 * tool.length));
+  }
+  const double extent = extent_along(surface, inward);
+  if (!surface.open && clip.depth >= extent) {
+    refuse(fmt::format("is more than body `{}` measures there ({:.4g} mm); cut less deep", clip.body, 1e3 * extent));
+  }
+}
+
+}  // namespace
+
+double IncisionPlan::duration() const {
+  const double in = clip.standoff + clip.depth;
+  return ((clip.withdraw ? 2 : 1) * in + path.length()) / clip.speed + clip.hold;
+}
+
+double IncisionPlan::progress(double time) const {
+  return std::clamp(time * clip.speed - clip.standoff - clip.depth, 0.0, path.length());
+}
+
+ToolPose IncisionPlan::pose_below(double along) const {
+  const PathStation station = path.at(along);
+  const double place = std::clamp(along / path.length(), 0.0, 1.0) * static_cast<double>(axes.size() - 1);
+  const auto sample = std::min(static_cast<std::size_t>(place), axes.size() - 2);
+  const double part = place - static_cast<double>(sample);
+  const Eigen::Vector3d axis = (1 - part) * axes[sample] + part * axes[sample + 1];
+  return make_pose(station.position + clip.depth * station.inward, station.inward, axis);
+}
+
+ToolMoment IncisionPlan::at(double time) const {
+  const double in = clip.standoff + clip.depth;               // metres
+  const double arrival = (in + path.length()) / clip.speed;   // seconds
+  const double travelled = std::max(0.0, time) * clip.speed;  // metres
+  ToolMoment moment{.pose = pose_below(progress(time)), .phase = "cutting"};
+  double travel = std::min(in, travelled);
+  if (travelled < in) moment.phase = travel < to_contact ? "approach" : "contact";
+  if (moment.phase == "contact" && entered && time > *entered) moment.phase = "cutting";
+  if (time >= arrival) moment.phase = "hold";
+  if (clip.withdraw && time > arrival + clip.hold) {
+    travel = std::max(0.0, in - (time - arrival - clip.hold) * clip.speed);
+    moment.phase = "withdrawal";
+  }
+  moment.pose.tip -= (in - travel) * moment.pose.direction;
+  moment.depth = std::max(0.0, travel - to_contact);
+  return moment;
+}
+
+IncisionPlan plan_incision(const InciseClip& clip, const ToolDefinition& tool, const SurfaceView& surface,
+                           const SourceLocation& location) {
+  const std::optional<Eigen::Vector3d> direction =
+      clip.direction ? std::optional<Eigen::Vector3d>(clip.direction->normalized()) : std::nullopt;
+  PathResult found = surface_path(surface, clip.path, direction, clip.reach);
+  if (found.problem) refuse_path(clip, *found.problem, location);
+  if (found.path.length() == 0) {
+    throw InputErrors({{location, fmt::format("incise: all points of `path` come to lie in one place of body `{}`; a "
+                                              "cut needs a length",
+                                              clip.body)}});
+  }
+  refuse_depth(clip, tool, surface, found.path.stations.front().inward, location);
+  IncisionPlan plan{.clip = clip, .path = std::move(found.path), .axes = {}, .begin = {}, .entered = {}};
+  plan.axes = blade_axes(plan.path, tool.width);
+  plan.begin = plan.pose_below(0);
+  plan.begin.tip -= (clip.standoff + clip.depth) * plan.begin.direction;
+  plan.begin.opening = tool.opening;
+  if (!surface.open && winding_number(surface, plan.begin.tip) > kInside) {
+    throw InputErrors(
+        {{location, fmt::format("incise: {:.3g} mm above path[1] blade `{}` would start inside body `{}`; a smaller "
+                                "`standoff` or another first point lets it start outside",
+                                1e3 * clip.standoff, clip.tool, clip.body)}});
+  }
+  const double travel =
+      free_travel(plan.begin, tool, surface, clip.standoff, {"incise", clip.tool, clip.body}, location);
+  // The tip meets the wall at the path's first point; round-off must not let it do so later.
+  plan.to_contact = std::min(travel, clip.standoff);
+  return plan;
+}
+
+}  // namespace thinwall

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/cutting/SurfacePath.hpp"
+#include "studio/director/ClipPlan.hpp"
+
+namespace thinwall {
+
+/// A blade that comes from the stand-off above the first point of its path, presses in along the inward normal, follows
+/// the path at its depth below it, rests, and goes back along the inward normal at the path's end.
+struct IncisionPlan {
+  InciseClip clip;
+  SurfacePath path;                   // on the surface as it was when the clip began
+  std::vector<Eigen::Vector3d> axes;  // (samples), unit, y' of the blade, evenly spaced along the path
+  ToolPose begin;                     // at the stand-off
+  double to_contact = 0;              // metres from the stand-off to first contact
+  std::optional<double> entered;      // seconds since the clip began, when the blade had gone in, once it has
+
+  double duration() const;                  // seconds
+  ToolMoment at(double time) const;         // `time`: seconds since the clip began, limited to its duration
+  double progress(double time) const;       // metres of the path that the tip has passed
+  ToolPose pose_below(double along) const;  // of the blade in its depth, `along` metres from the path's beginning
+  void feel_entry(double time) { entered = entered.value_or(time); }
+};
+
+/// Brings the path to the surface. Throws InputErrors at the path's point or at `location` when a point is out of reach
+/// or cannot be joined with the one before, the path has no length, the blade is shorter than the depth or the body
+/// less deep, or the blade would start inside the body or touch it already.
+///
+/// The blade's width (y') lies along the path: along the chord between the points of the path half a width before and
+/// behind the tip, so that it turns over its width at a corner; the edge leads in the sense of the path. Where the path
+/// turns back by more than some 155 degrees the blade goes back without turning.
+IncisionPlan plan_incision(const InciseClip& clip, const ToolDefinition& tool, const SurfaceView& surface,
+                           const SourceLocation& location);
+
+}  // namespace thinwall
