@@ -15,7 +15,7 @@ constexpr int kHalvingsBeforeRelaxing = 2;
 
 /// Halvings of a step after which edges that came past the rims of a flat tool may stay in it: a coarse wall crushed
 /// between the tool and itself may have no room for them.
-constexpr int kHalvingsBeforeLettingEdgesIn = 4;
+constexpr int kHalvingsBeforeLettingEdgesIn = 2;
 
 std::vector<ToolPose> interpolate(std::span<const ToolPose> begin, std::span<const ToolPose> end, double fraction) {
   std::vector<ToolPose> poses(begin.begin(), begin.end());
@@ -81,12 +81,15 @@ FluidMode Body::fluid_mode() const {
                                                                    : FluidMode::kIncompressible;
 }
 
+bool Body::may_snap() const {
+  return options_.analysis == Analysis::kQuasiStatic && report_.halvings >= kHalvingsBeforeRelaxing;
+}
+
 bool Body::solve_step(EquilibriumProblem& problem, EquilibriumState& trial) {
   EquilibriumProblem again = problem;
   if (solve(problem, trial).converged) return true;
   // Where the wall buckles no short step helps: the equilibrium ends, and the next one is some way off.
-  const bool may_snap = options_.analysis == Analysis::kQuasiStatic && report_.halvings >= kHalvingsBeforeRelaxing;
-  if (!may_snap) return false;
+  if (!may_snap()) return false;
   trial = state_.equilibrium;
   problem = again;
   return relax(problem, trial).converged;
@@ -120,6 +123,10 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
       trial.position += newton_.safe_fraction(trial.position, motion) * motion;
     }
     if (!solve_with_friction(problem, trial, begin)) return false;
+    if (!may_snap() && jumped_over_balls(begin, problem, trial.position)) {
+      failure_ = "the wall jumped from one side of a ball to the other";
+      return false;
+    }
     if (release(end, problem)) continue;
     if (report_.halvings < kHalvingsBeforeLettingEdgesIn && catch_passed_edges(problem, trial.position)) continue;
     accept(begin, duration, problem, input, trial);

@@ -145,6 +145,7 @@ class Body {
   NewtonResult relax(EquilibriumProblem& problem, EquilibriumState& state);
   void solve_statics();
   std::string describe_failure() const;
+  bool may_snap() const;
   bool solve_step(EquilibriumProblem& problem, EquilibriumState& trial);
   bool try_step(std::span<const ToolPose> begin, std::span<const ToolPose> end, double duration,
                 const BodyInput& input);
@@ -160,6 +161,8 @@ class Body {
   bool release(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;
   double largest_part(std::span<const ToolPose> begin, std::span<const ToolPose> end) const;
   void add_solids(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;
+  bool jumped_over_balls(std::span<const ToolPose> begin, const EquilibriumProblem& problem,
+                         const Eigen::VectorXd& position) const;
   bool catch_passed_edges(EquilibriumProblem& problem, const Eigen::VectorXd& position) const;
   bool has_friction() const;
   std::vector<FrictionContact> friction_contacts(const std::vector<ToolSolid>& before,

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/contact/DeepestPoint.hpp"
 #include "engine/simulation/Body.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
 
@@ -24,6 +25,10 @@ double contact_dip(const ToolSolid& solid) {
 /// A solid near a wall moves no farther in one solution than this part of its smallest radius of curvature: what it
 /// touched before is then at its rounded edges at most, not inside, where it might leave through the wrong side.
 constexpr double kRoundedMotion = 0.9;
+
+/// A place of the wall whose straight way in one solution leads deeper into a ball than this part of its radius did not
+/// slide around it but went through.
+constexpr double kDeepestWay = 0.5;
 
 /// Two places of a tool that are the same but for rounding.
 constexpr double kSamePlace = 1e-9;  // metres
@@ -139,6 +144,29 @@ void Body::add_solids(std::span<const ToolPose> poses, EquilibriumProblem& probl
            .forces = state_.solid_forces[problem.solids.size()]});
     }
   }
+}
+
+bool Body::jumped_over_balls(std::span<const ToolPose> begin, const EquilibriumProblem& problem,
+                             const Eigen::VectorXd& position) const {
+  const std::vector<ToolSolid> before = contact_solids(tools_, begin);
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    const SolidContact& after = problem.solids[k];
+    if (after.solid.role != ToolSolid::Role::kWhole) continue;
+    for (const ContactSite& site : model_->sites) {
+      const Eigen::Vector3i& triangle = model_->surface[site.triangle];
+      const auto near = solid_gap(before[k], before[k].sharpness() + model_->edge_length,
+                                  corners_of(triangle, state_.equilibrium.position), site.part, site.corner);
+      if (!near) continue;
+      // The way of the place that was nearest, as the tool sees it.
+      const Eigen::Vector3d start = place_on(*model_, site.triangle, near->weights, state_.equilibrium.position);
+      const Eigen::Vector3d from = start + displacement_of(before[k], after.solid, start);
+      const Eigen::Vector3d to = place_on(*model_, site.triangle, near->weights, position);
+      const DeepestPoint deepest = deepest_on_edge(after.solid, {from, to, to}, 0, 1);
+      const Eigen::Vector3d point = deepest.weights[0] * from + deepest.weights[1] * to;
+      if (signed_distance(after.solid, point).value < -kDeepestWay * after.solid.sharpness()) return true;
+    }
+  }
+  return false;
 }
 
 bool Body::catch_passed_edges(EquilibriumProblem& problem, const Eigen::VectorXd& position) const {

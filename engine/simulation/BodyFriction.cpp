@@ -18,19 +18,15 @@ constexpr double kGive = 1e-4;
 constexpr double kAgreement = 2e-4;
 constexpr double kRestlessAgreement = 1e-2;
 
-/// Solutions after which each one goes only half of the way to what the last asked for, after which the looser
+/// Parts of the way to what the last solution asked for.
+constexpr double kHalf = 0.5;
+constexpr double kMostExtrapolated = 30;
+
+/// Solutions after which each one goes only a part of the way to what the last asked for, after which the looser
 /// agreement counts, and after which to give up.
 constexpr int kWholeTurns = 8;
 constexpr int kQuietTurns = 14;
 constexpr int kMostTurns = 40;
-
-std::vector<ToolSolid> solids_of(const std::vector<ToolDefinition>& tools, std::span<const ToolPose> poses) {
-  std::vector<ToolSolid> solids;
-  for (std::size_t tool = 0; tool < tools.size(); ++tool) {
-    for (const ToolSolid& solid : contact_solids(tools[tool], poses[tool])) solids.push_back(solid);
-  }
-  return solids;
-}
 
 const FrictionMemory* find_memory(const std::vector<FrictionMemory>& memories, int site) {
   const auto found = std::ranges::lower_bound(memories, site, {}, &FrictionMemory::site);
@@ -40,6 +36,15 @@ const FrictionMemory* find_memory(const std::vector<FrictionMemory>& memories, i
 /// Whether both lists name the same place.
 bool same_place(const FrictionContact& one, const FrictionContact& other) {
   return one.solid == other.solid && one.site == other.site;
+}
+
+/// Part of a change of its limit that a contact is given: what brings the next change to zero if changes go on as from
+/// the last to this one (a secant). A tool that locks asks for little more each time; one that chatters for the
+/// contrary of the last.
+double secant_part(const FrictionContact& last, double asked_change) {
+  const double fall = last.asked_change - asked_change;
+  if (fall * last.given_change <= 0) return kHalf;
+  return std::clamp(last.given_change / fall, kHalf, kMostExtrapolated);
 }
 
 bool comes_before(const FrictionContact& one, const FrictionContact& other) {
@@ -79,12 +84,13 @@ std::vector<FrictionContact> Body::friction_contacts(const std::vector<ToolSolid
 }
 
 void Body::add_friction_to(EquilibriumProblem& problem, std::span<const ToolPose> begin) const {
-  problem.friction = friction_contacts(solids_of(tools_, begin), problem, true, state_.equilibrium.position);
+  problem.friction = friction_contacts(contact_solids(tools_, begin), problem, true, state_.equilibrium.position);
 }
 
 bool Body::revise_friction(EquilibriumProblem& problem, std::span<const ToolPose> begin,
                            const EquilibriumState& reached, int turn) {
-  std::vector<FrictionContact> wanted = friction_contacts(solids_of(tools_, begin), problem, false, reached.position);
+  std::vector<FrictionContact> wanted =
+      friction_contacts(contact_solids(tools_, begin), problem, false, reached.position);
   double limits = 0, difference = 0;  // newton
   std::vector<FrictionContact> revised;
   auto old = problem.friction.cbegin();
@@ -101,7 +107,11 @@ bool Body::revise_friction(EquilibriumProblem& problem, std::span<const ToolPose
     const double before = known ? old->potential.limit : 0;
     limits += limit;
     difference += std::abs(limit - before) + (known ? limit * (contact.normal - old->normal).norm() : 0);
-    if (turn >= kWholeTurns) contact.potential.limit = 0.5 * (limit + before);
+    contact.asked_change = contact.given_change = limit - before;
+    if (turn >= kWholeTurns) {
+      contact.given_change *= known ? secant_part(*old, contact.asked_change) : 0.5;
+      contact.potential.limit = std::max(0.0, before + contact.given_change);
+    }
     if (known) ++old;
     revised.push_back(contact);
   }
@@ -153,7 +163,7 @@ void Body::add_friction_to_contacts(const EquilibriumProblem& problem) {
 
 double Body::update_friction(const BodyState& before, std::span<const ToolPose> begin,
                              const EquilibriumProblem& problem) {
-  const std::vector<ToolSolid> solids = solids_of(tools_, begin);
+  const std::vector<ToolSolid> solids = contact_solids(tools_, begin);
   // What a place does during the step, seen from the solid that it touched before.
   const auto motion = [&](const FrictionMemory& memory, std::size_t solid) -> Eigen::Vector3d {
     const Eigen::Vector3d from = place_on(*model_, memory.triangle, memory.weights, before.equilibrium.position);

@@ -21,6 +21,8 @@ struct FrictionContact {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();   // metres, where the place would be if it did not slip
   FrictionPotential potential = {};
   Eigen::Vector3d estimate = Eigen::Vector3d::Zero();  // newton, of the force on the solid: Newton's second unknown
+  double asked_change = 0;                             // newton, of the limit, that the last solution asked for
+  double given_change = 0;                             // newton, of the limit, that it was given
 
   /// Metres, in the tangent plane.
   Eigen::Vector3d slip(const BodyModel& model, const Eigen::VectorXd& position) const;

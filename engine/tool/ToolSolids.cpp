@@ -80,4 +80,12 @@ std::vector<ToolSolid> contact_solids(const ToolDefinition& tool, const ToolPose
   return solids;
 }
 
+std::vector<ToolSolid> contact_solids(std::span<const ToolDefinition> tools, std::span<const ToolPose> poses) {
+  std::vector<ToolSolid> solids;
+  for (std::size_t tool = 0; tool < tools.size(); ++tool) {
+    for (const ToolSolid& solid : contact_solids(tools[tool], poses[tool])) solids.push_back(solid);
+  }
+  return solids;
+}
+
 }  // namespace thinwall

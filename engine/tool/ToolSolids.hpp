@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "engine/contact/ToolSolid.hpp"
@@ -21,5 +22,8 @@ std::vector<ToolSolid> tool_solids(const ToolDefinition& tool, const ToolPose& p
 /// edge or a flat side of a tool may rest on a face with two corners or more, where one deepest point of the whole
 /// solid would jump from one to the other.
 std::vector<ToolSolid> contact_solids(const ToolDefinition& tool, const ToolPose& pose);
+
+/// Those of all tools at their poses, one after the other.
+std::vector<ToolSolid> contact_solids(std::span<const ToolDefinition> tools, std::span<const ToolPose> poses);
 
 }  // namespace thinwall

@@ -177,8 +177,7 @@ class Drawer {
     if (recipe.treatment != Treatment::kPalpate) return;
     const double height = shape_ == 0 || shape_ == 3 ? 2 * kRadius : kRadius;
     recipe.aim = {between(-6e-3, 6e-3), between(-6e-3, 6e-3), 0};
-    // A point or a line that goes deep pulls a spike out of the wall; a ball goes as deep as there is room.
-    recipe.depth = between(0.05, tool == 2 ? 0.9 : tool == 5 ? 0.3 : 0.5) * height;
+    recipe.depth = between(0.05, deepest(tool, recipe.body.materials[0])) * height;
     recipe.speed = between(5e-3, 200e-3);
     recipe.steps = 10 + pick(25);
     if (shape_ == 1 || shape_ == 2) recipe.lowest_tip = kRoom;
@@ -194,6 +193,15 @@ class Drawer {
            << recipe.tool.radius * 1e3 << " mm, friction " << recipe.tool.friction << "), aim "
            << recipe.aim.head<2>().transpose() * 1e3 << " mm, depth " << recipe.depth * 1e3 << " mm at "
            << recipe.speed * 1e3 << " mm/s";
+  }
+
+  /// How deep a tool may go, as a part of the body's height: a ball as deep as there is room; a point or a line pulls a
+  /// spike out of the wall. A line also prescribes the stretch between itself and a border that is held, which a law
+  /// that stiffens exponentially answers with forces that no wall bears.
+  static double deepest(int tool, const Material& material) {
+    const bool exponential = material.law->name == "fung" || material.law->name == "holzapfel";
+    if (tool == 1 && exponential) return 0.15;
+    return tool == 2 ? 0.9 : tool == 5 ? 0.3 : 0.5;
   }
 
   /// A capsule, a plate or a needle.
