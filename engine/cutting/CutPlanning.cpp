@@ -97,7 +97,7 @@ PlannedCut planned(Trial trial) {
   const PathNode& last = trial.nodes.back();
   PlannedCut plan{.patch = std::move(trial.patch),
                   .vertices = std::move(trial.path.vertices),
-                  .reached_stop = last.stop,
+                  .reached_stop = last.passed,
                   .reached = last.wanted};
   for (const PathNode& node : trial.nodes) {
     plan.snapped_nodes += (node.place.position - node.wanted).squaredNorm() > 0;

@@ -82,24 +82,58 @@ std::vector<Eigen::Vector3d> evenly_spaced(std::span<const Eigen::Vector3d> line
   return nodes;
 }
 
-/// Nodes between two stops: on the path, far enough from each other and from edges that stay.
-std::vector<Eigen::Vector3d> nodes_between(const CutPatch& patch, const PathStop& stop, const PathStop& next,
-                                           int least_pieces) {
-  std::vector<Eigen::Vector3d> line = {stop.place.position};
-  line.insert(line.end(), stop.between.begin(), stop.between.end());
-  line.push_back(next.place.position);
+/// The path from a stop to the next one.
+std::vector<Eigen::Vector3d> line_after(std::span<const PathStop> stops, int index) {
+  std::vector<Eigen::Vector3d> line = {stops[index].place.position};
+  line.insert(line.end(), stops[index].between.begin(), stops[index].between.end());
+  if (index + 1 < static_cast<int>(stops.size())) line.push_back(stops[index + 1].place.position);
+  return line;
+}
+
+struct NodeBetween {
+  int choice = 0;
+  PatchPlace place;
+  Eigen::Vector3d wanted = Eigen::Vector3d::Zero();
+};
+
+PatchPlace place_at(const CutPatch& patch, int vertex) {
+  return {.kind = PlaceKind::kVertex, .vertex = vertex, .position = patch.positions[vertex]};
+}
+
+int nearest_corner(const CutPatch& patch, int facet, const Eigen::Vector3d& position) {
+  const Eigen::Vector3i& corners = patch.triangles[patch.locate(facet, position).first];
+  return *std::ranges::min_element(corners, {},
+                                   [&](int corner) { return (patch.positions[corner] - position).squaredNorm(); });
+}
+
+/// Nodes between two stops: on the path, far enough from each other; close to an edge that stays its nearer end.
+std::vector<NodeBetween> nodes_between(const CutPatch& patch, std::span<const PathStop> stops, int index,
+                                       const RefusedChoices& refused, int least_pieces) {
+  const PathStop& stop = stops[index];
+  const std::vector<Eigen::Vector3d> line = line_after(stops, index);
   double length = 0;
   for (std::size_t i = 1; i < line.size(); ++i) length += (line[i] - line[i - 1]).norm();
   const double scale = scale_in(patch, stop.facet, line[line.size() / 2]);
   if (length < 2 * kLeastStep * scale) return {};
-  std::vector<Eigen::Vector3d> nodes;
+  std::vector<NodeBetween> nodes;
+  int number = 0;
   Eigen::Vector3d last = line.front();
-  for (const Eigen::Vector3d& place : evenly_spaced(line, scale, least_pieces)) {
-    const double step = std::min((place - last).norm(), (place - line.back()).norm());
+  for (const Eigen::Vector3d& wanted : evenly_spaced(line, scale, least_pieces)) {
+    const double step = std::min((wanted - last).norm(), (wanted - line.back()).norm());
     if (step < kLeastStep * scale) continue;
-    if (nearest_side(patch, stop.facet, place).distance < kClearance * scale) continue;
-    nodes.push_back(place);
-    last = place;
+    last = wanted;
+    // Its choices: the place itself, a vertex, none.
+    NodeBetween node{.choice = kBetween + 2 * number++,
+                     .place = {.kind = PlaceKind::kFace, .facet = stop.facet, .position = wanted},
+                     .wanted = wanted};
+    const NearestSide side = nearest_side(patch, stop.facet, wanted);
+    const bool close = side.distance < kClearance * scale;
+    if (close || refused.count({index, node.choice})) {
+      ++node.choice;
+      node.place = close ? place_at(patch, side.place.along < 0.5 ? side.place.from : side.place.to)
+                         : place_at(patch, nearest_corner(patch, stop.facet, wanted));
+    }
+    if (!refused.count({index, node.choice})) nodes.push_back(node);
   }
   return nodes;
 }
@@ -123,26 +157,49 @@ std::vector<PatchPlace> choices_on_side(const CutPatch& patch, const PatchPlace&
     }
   }
   for (const int end : {place.from, place.to}) {
-    choices.push_back({.kind = PlaceKind::kVertex, .vertex = end, .position = patch.positions[end]});
+    choices.push_back(place_at(patch, end));
   }
   return choices;
 }
 
-/// Places for a beginning or end within a facet: there, or on the edge nearby. None: the path stops short.
-std::vector<PatchPlace> choices_in_face(const CutPatch& patch, const PatchPlace& place, const Eigen::Vector3d& other,
-                                        double scale) {
+/// The first place along a line (which starts at a beginning or end of the path and leads into it) that is far enough
+/// from edges that stay, and no farther than leaves a step to the line's end.
+std::optional<PatchPlace> first_clear_place(const CutPatch& patch, int facet, std::span<const Eigen::Vector3d> line,
+                                            double scale) {
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const double length = (line[i + 1] - line[i]).norm();
+    const int steps = static_cast<int>(std::ceil(length / (0.05 * scale)));
+    for (int step = 0; step < steps; ++step) {
+      const Eigen::Vector3d position = line[i] + double(step) / steps * (line[i + 1] - line[i]);
+      if ((position - line.back()).norm() < kLeastStep * scale) continue;
+      if (nearest_side(patch, facet, position).distance < kClearance * scale) continue;
+      return PatchPlace{.kind = PlaceKind::kFace, .facet = facet, .position = position};
+    }
+  }
+  return std::nullopt;
+}
+
+/// Places for a beginning or end within a facet: there, or on the edge nearby, or farther in; at a vertex. None: the
+/// path stops short.
+std::vector<PatchPlace> choices_in_face(const CutPatch& patch, const PatchPlace& place,
+                                        std::span<const Eigen::Vector3d> line, double scale) {
   const NearestSide side = nearest_side(patch, place.facet, place.position);
-  if (side.distance >= kClearance * scale) return {place};
-  if (side.border || (side.place.position - other).norm() < kLeastStep * scale) return {};
-  return choices_on_side(patch, side.place, scale);
+  const bool clear = side.distance >= kClearance * scale;
+  if (!clear && !side.border && (side.place.position - line.back()).norm() >= kLeastStep * scale) {
+    return choices_on_side(patch, side.place, scale);
+  }
+  const auto inner = clear ? std::optional(place) : first_clear_place(patch, place.facet, line, scale);
+  if (!inner) return {};
+  return {*inner, place_at(patch, nearest_corner(patch, place.facet, inner->position))};
 }
 
 struct Slot {
   int stop = 0;
+  int passed = 0;  // the last stop that a cut to here has behind it
   Eigen::Vector3d wanted;
   double scale = 0;
   std::vector<PatchPlace> choices;
-  std::vector<std::pair<int, Eigen::Vector3d>> between;  // number and place of nodes to the next slot
+  std::vector<NodeBetween> between;  // to the next slot
   int facet = -1;
 };
 
@@ -162,25 +219,28 @@ std::vector<Slot> make_slots(const CutPatch& patch, std::span<const PathStop> st
     const bool last = i + 1 == count;
     const int facet = last ? (i > 0 ? stops[i - 1].facet : facets_at(patch, place).front()) : stop.facet;
     Slot slot{.stop = i,
+              .passed = i,
               .wanted = place.position,
               .scale = scale_in(patch, facet, place.position),
               .choices = {},
               .between = {},
               .facet = stop.facet};
-    const Eigen::Vector3d other =
-        last ? (i > 0 ? stops[i - 1].place.position : place.position) : stops[i + 1].place.position;
     if (place.kind == PlaceKind::kVertex) slot.choices = {place};
     if (place.kind == PlaceKind::kSide) slot.choices = choices_on_side(patch, place, slot.scale);
     if (place.kind == PlaceKind::kFace) {
-      slot.choices = choices_in_face(patch, place, other, slot.scale);
+      std::vector<Eigen::Vector3d> line = line_after(stops, std::max(0, last ? i - 1 : i));
+      if (last) std::ranges::reverse(line);
+      slot.choices = choices_in_face(patch, place, line, slot.scale);
+      // A cut that stops short has the end of the path still before it.
+      if (last && !slot.choices.empty() && slot.choices.front().kind == PlaceKind::kFace) {
+        slot.wanted = slot.choices.front().position;
+        if (slot.wanted != place.position) slot.passed = i - 1;
+      }
       if (all_refused(refused, i, static_cast<int>(slot.choices.size()))) slot.choices.clear();
     }
     if (!last) {
       const bool alone = count == 2 && place.kind == PlaceKind::kFace && stops[1].place.kind == PlaceKind::kFace;
-      const std::vector<Eigen::Vector3d> between = nodes_between(patch, stop, stops[i + 1], alone ? 2 : 1);
-      for (int k = 0; k < static_cast<int>(between.size()); ++k) {
-        if (!refused.count({i, kBetween + k})) slot.between.emplace_back(k, between[k]);
-      }
+      slot.between = nodes_between(patch, stops, i, refused, alone ? 2 : 1);
     }
     slots.push_back(std::move(slot));
   }
@@ -223,8 +283,8 @@ double transition_penalty(const CutPatch& patch, const Slot& slot, const PatchPl
   if (slot.between.empty() && vertices && (from.vertex == to.vertex || patch.are_joined(from.vertex, to.vertex))) {
     return 0;
   }
-  const Eigen::Vector3d first = slot.between.empty() ? to.position : slot.between.front().second;
-  const Eigen::Vector3d last = slot.between.empty() ? from.position : slot.between.back().second;
+  const Eigen::Vector3d first = slot.between.empty() ? to.position : slot.between.front().place.position;
+  const Eigen::Vector3d last = slot.between.empty() ? from.position : slot.between.back().place.position;
   double penalty = 0;
   if ((first - from.position).norm() < kLeastPart * slot.scale) penalty += kTooShort;
   if ((last - to.position).norm() < kLeastPart * slot.scale) penalty += kTooShort;
@@ -296,12 +356,13 @@ std::vector<PathNode> snap_path(const CutPatch& patch, std::span<const PathStop>
   std::vector<Slot> slots = make_slots(patch, stops, refused);
   std::vector<PathNode> nodes;
   const auto add_between = [&](const Slot& slot) {
-    for (const auto& [number, place] : slot.between) {
-      nodes.push_back({.place = {.kind = PlaceKind::kFace, .facet = slot.facet, .position = place},
+    for (const NodeBetween& node : slot.between) {
+      nodes.push_back({.place = node.place,
                        .facet = slot.facet,
                        .stop = slot.stop,
-                       .choice = kBetween + number,
-                       .wanted = place});
+                       .passed = slot.stop,
+                       .choice = node.choice,
+                       .wanted = node.wanted});
     }
   };
   // A beginning or an end without a place is left out; the nodes between stay.
@@ -315,6 +376,7 @@ std::vector<PathNode> snap_path(const CutPatch& patch, std::span<const PathStop>
     nodes.push_back({.place = slots[i].choices[chosen[i]],
                      .facet = slots[i].facet,
                      .stop = slots[i].stop,
+                     .passed = slots[i].passed,
                      .choice = chosen[i],
                      .wanted = slots[i].wanted});
     add_between(slots[i]);

@@ -19,8 +19,9 @@ inline constexpr double kLeastStep = 0.4;   // between nodes of the cut within a
 /// A place that the cut goes through.
 struct PathNode {
   PatchPlace place;
-  int facet = -1;                                    // that the cut goes on in
-  int stop = -1, choice = -1;                        // which of the places for which stop of the path
+  int facet = -1;              // that the cut goes on in
+  int stop = -1, passed = -1;  // the stop of the path that it belongs to, and the last one that lies behind it
+  int choice = -1;             // which of the places for that stop
   Eigen::Vector3d wanted = Eigen::Vector3d::Zero();  // metres, the place on the path
 };
 

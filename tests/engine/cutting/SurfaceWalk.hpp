@@ -16,6 +16,32 @@ inline Eigen::Vector3d position_of(const SurfaceMesh& mesh, const SurfacePoint& 
   return position;
 }
 
+/// The same point in the triangle that a direction leads into, where it is a vertex.
+inline SurfacePoint turned_towards(const CutSurface& surface, const SurfacePoint& point,
+                                   const Eigen::Vector3d& direction) {
+  const SurfaceMesh& mesh = surface.mesh();
+  int corner = 0;
+  if (point.weights.maxCoeff(&corner) < 1) return point;
+  const int vertex = mesh.triangles[point.triangle][corner];
+  SurfacePoint best = point;
+  double best_depth = -10;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      if (mesh.triangles[t][k] != vertex) continue;
+      const Eigen::Vector3d& at = mesh.vertices[vertex];
+      const Eigen::Vector3d a = mesh.vertices[mesh.triangles[t][(k + 1) % 3]] - at;
+      const Eigen::Vector3d b = mesh.vertices[mesh.triangles[t][(k + 2) % 3]] - at;
+      const Eigen::Vector3d normal = a.cross(b).normalized();
+      const double depth =
+          std::min(normal.dot(a.normalized().cross(direction)), normal.dot(direction.cross(b.normalized())));
+      if (depth <= best_depth) continue;
+      best_depth = depth;
+      best = {.triangle = static_cast<int>(t), .weights = Eigen::Vector3d::Unit(k)};
+    }
+  }
+  return best;
+}
+
 /// A walk straight ahead over a surface (a geodesic: the direction is unfolded over each edge), from a point over
 /// `length` metres or to an open border. Points: the start, one on each edge crossed, the end.
 struct SurfaceWalk {
@@ -28,6 +54,7 @@ struct SurfaceWalk {
 inline SurfaceWalk walk_on(const CutSurface& surface, SurfacePoint start, Eigen::Vector3d direction, double length) {
   const SurfaceMesh& mesh = surface.mesh();
   SurfaceWalk walk;
+  start = turned_towards(surface, start, direction);
   walk.points.push_back(start);
   int t = start.triangle, entered = -1;
   Eigen::Vector3d weights = start.weights;
