@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <set>
 
 #include "engine/cutting/CutQuality.hpp"
 #include "engine/cutting/EdgeRoute.hpp"
@@ -20,33 +22,36 @@ struct Trial {
   CutPatch patch;
   std::vector<PathNode> nodes;
   InsertedPath path;
-  int trouble = -1;  // triangle or -1
+  std::vector<int> troubles;  // triangles
   bool empty = false;
 };
 
-/// The sharpest triangle that breaks the rule, or one where lines meet that ought to be one; -1: none.
-int find_trouble(const CutPatch& patch, double least) {
-  int trouble = -1;
+/// Triangles that break the rule, the sharpest first and none with a vertex of one before it; where lines meet that
+/// ought to be one, the sharpest triangle at the path stands for the wedge.
+std::vector<int> find_troubles(const CutPatch& patch, double least) {
   const double meeting = least_meeting_angle(patch);
-  double worst = std::cos(std::min(least, 0.5 * meeting)) + 1e-12;
+  const double limit = std::cos(std::min(least, 0.5 * meeting)) + 1e-12;
+  std::vector<std::pair<double, int>> sharp, at_path;
   for (int t = 0; t < patch.triangle_count(); ++t) {
-    if (!patch.changed[t]) continue;
-    const double value = sharpness(patch, t);
-    if (value <= worst) continue;
-    worst = value;
-    trouble = t;
-  }
-  if (trouble >= 0 || meeting >= kMergingAngle) return trouble;
-  for (int t = 0; t < patch.triangle_count(); ++t) {  // the sharpest triangle at the path stands for the wedge
     const std::array<char, 3>& marks = patch.on_path[t];
-    if (!(marks[0] || marks[1] || marks[2])) continue;
-    if (trouble < 0 || sharpness(patch, t) > sharpness(patch, trouble)) trouble = t;
+    if (patch.changed[t] && sharpness(patch, t) > limit) sharp.emplace_back(-sharpness(patch, t), t);
+    if (marks[0] || marks[1] || marks[2]) at_path.emplace_back(-sharpness(patch, t), t);
   }
-  return trouble;
+  if (sharp.empty() && meeting < kMergingAngle) sharp.push_back(*std::ranges::min_element(at_path));
+  std::ranges::sort(sharp);
+  std::vector<int> troubles;
+  std::set<int> taken;
+  for (const auto& [value, t] : sharp) {
+    const Eigen::Vector3i& corners = patch.triangles[t];
+    const bool apart = std::ranges::none_of(corners, [&](int corner) { return taken.count(corner) > 0; });
+    if (apart) troubles.push_back(t);
+    taken.insert(corners.begin(), corners.end());
+  }
+  return troubles;
 }
 
 Trial try_nodes(const CutPatch& patch, std::span<const PathStop> stops, const RefusedChoices& refused, double least) {
-  Trial trial{.patch = patch, .nodes = snap_path(patch, stops, refused, 1.05 * least), .path = {}};
+  Trial trial{.patch = patch, .nodes = snap_path(patch, stops, refused, 1.05 * least), .path = {}, .troubles = {}};
   if (trial.nodes.size() < 2) {
     trial.empty = true;
     return trial;
@@ -58,20 +63,14 @@ Trial try_nodes(const CutPatch& patch, std::span<const PathStop> stops, const Re
     return trial;
   }
   improve(trial.patch, 1.001 * least, std::max(kEnough, least));
-  trial.trouble = find_trouble(trial.patch, least);
+  trial.troubles = find_troubles(trial.patch, least);
   return trial;
 }
 
-/// Refuses the choices behind a trial's trouble; false when there is none left to refuse.
-bool refuse_culprits(const Trial& trial, RefusedChoices& refused) {
+/// Refuses the choices of the new nodes at a bad triangle, or of the nearest node that is left.
+bool refuse_at(const Trial& trial, int trouble, RefusedChoices& refused) {
   const auto refuse = [&](const PathNode& node) { return refused.insert({node.stop, node.choice}).second; };
-  if (!trial.path.complete) {
-    const int stuck = trial.path.troubled_node;
-    bool any = refuse(trial.nodes[stuck]);
-    if (stuck + 1 < static_cast<int>(trial.nodes.size())) any |= refuse(trial.nodes[stuck + 1]);
-    return any;
-  }
-  const Eigen::Vector3i& corners = trial.patch.triangles[trial.trouble];
+  const Eigen::Vector3i& corners = trial.patch.triangles[trouble];
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const int corner : corners) middle += trial.patch.positions[corner] / 3;
   bool any = false;
@@ -80,9 +79,8 @@ bool refuse_culprits(const Trial& trial, RefusedChoices& refused) {
     if (at_corner && trial.nodes[i].place.kind != PlaceKind::kVertex) any |= refuse(trial.nodes[i]);
   }
   if (any) return true;
-  // No new node is at the triangle: the nearest one that is left is refused.
   const PathNode* nearest = nullptr;
-  double least = 1e300;
+  double least = std::numeric_limits<double>::infinity();
   for (const PathNode& node : trial.nodes) {
     const double penalty = node.place.kind == PlaceKind::kVertex ? 10 : 1;
     const double distance = penalty * (node.place.position - middle).norm();
@@ -91,6 +89,19 @@ bool refuse_culprits(const Trial& trial, RefusedChoices& refused) {
     nearest = &node;
   }
   return nearest && refuse(*nearest);
+}
+
+/// Refuses the choices behind a trial's troubles; false when there is none left to refuse.
+bool refuse_culprits(const Trial& trial, RefusedChoices& refused) {
+  bool any = false;
+  if (!trial.path.complete) {
+    const int stuck = trial.path.troubled_node;
+    for (int i = stuck; i < std::min(stuck + 2, static_cast<int>(trial.nodes.size())); ++i) {
+      any |= refused.insert({trial.nodes[i].stop, trial.nodes[i].choice}).second;
+    }
+  }
+  for (const int trouble : trial.troubles) any |= refuse_at(trial, trouble, refused);
+  return any;
 }
 
 PlannedCut planned(Trial trial) {
@@ -117,13 +128,18 @@ int nearest_vertex(const CutPatch& patch, const PatchPlace& place) {
   return nearest;
 }
 
-/// Along edges that are there, through the vertices nearest to the stops.
+/// Along edges that are there, through the vertices nearest to some of the stops.
 PlannedCut plan_along_edges(const CutPatch& patch, std::span<const PathStop> stops) {
-  PlannedCut plan{.patch = patch, .vertices = {}, .along_edges = true};
-  const std::vector<Eigen::Vector3d> line = corners_of(stops);
-  const int from = nearest_vertex(patch, stops.front().place), to = nearest_vertex(patch, stops.back().place);
-  plan.vertices = route_along_edges(patch, from, to, line);
-  if (plan.vertices.size() < 2) return {.patch = patch, .vertices = {}};
+  constexpr std::size_t kLeg = 4;  // stops
+  PlannedCut plan{.patch = patch, .vertices = {nearest_vertex(patch, stops.front().place)}, .along_edges = true};
+  for (std::size_t begin = 0; begin + 1 < stops.size(); begin += kLeg) {
+    const std::size_t end = std::min(begin + kLeg, stops.size() - 1);
+    const int to = nearest_vertex(patch, stops[end].place);
+    const auto line = corners_of(stops.subspan(begin, end - begin + 1));
+    const std::vector<int> leg = route_along_edges(patch, plan.vertices.back(), to, line);
+    if (leg.empty()) return {.patch = patch, .vertices = {}};
+    plan.vertices.insert(plan.vertices.end(), leg.begin() + 1, leg.end());
+  }
   for (std::size_t i = 0; i + 1 < plan.vertices.size(); ++i) {
     const int u = plan.vertices[i], v = plan.vertices[i + 1];
     PatchCorner side = plan.patch.side_between(u, v);
@@ -152,7 +168,7 @@ PlannedCut plan_cut(const CutPatch& patch, std::span<const PathStop> stops) {
   for (int i = 0; i < kMostTrials; ++i) {
     Trial trial = try_nodes(patch, stops, refused, least);
     if (trial.empty) break;
-    if (trial.path.complete && trial.trouble < 0) return planned(std::move(trial));
+    if (trial.path.complete && trial.troubles.empty()) return planned(std::move(trial));
     if (!refuse_culprits(trial, refused)) break;
   }
   // A cut that cannot go on yet waits for the path to grow; one that ends at a border must get there.

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -127,6 +128,12 @@ namespace {
 constexpr int kRings = 3;  // of triangles around the path; the outermost one stays as it is
 }
 
+Eigen::Vector3d CutSurface::position_of(const SurfacePoint& point) const {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  for (int k = 0; k < 3; ++k) position += point.weights[k] * mesh_.vertices[mesh_.triangles[point.triangle][k]];
+  return position;
+}
+
 std::vector<int> CutSurface::triangles_near(const CutPath& path) const {
   std::vector<char> has_triangle(mesh_.triangles.size(), 0), has_vertex(mesh_.vertices.size(), 0);
   std::vector<int> near;
@@ -136,6 +143,23 @@ std::vector<int> CutSurface::triangles_near(const CutPath& path) const {
   };
   if (path.from) add(vertex_triangle_[*path.from]);
   for (const SurfacePoint& point : path.points) add(point.triangle);
+  std::vector<std::array<Eigen::Vector3d, 2>> segments;
+  for (std::size_t i = 0; i + 1 < path.points.size(); ++i) {
+    segments.push_back({position_of(path.points[i]), position_of(path.points[i + 1])});
+  }
+  if (path.from) segments.push_back({mesh_.vertices[*path.from], position_of(path.points.front())});
+  // Within a flat piece points may lie far apart; the triangles between them are met on the way.
+  for (const auto& segment : segments) {
+    const double length = (segment[1] - segment[0]).norm();
+    for (std::size_t i = 0; i < near.size() && length > scale_[near[0]]; ++i) {
+      for (const int next : neighbours_[near[i]]) {
+        if (next < 0 || has_triangle[next]) continue;
+        const Eigen::Vector3i& t = mesh_.triangles[next];
+        const Eigen::Vector3d middle = (mesh_.vertices[t[0]] + mesh_.vertices[t[1]] + mesh_.vertices[t[2]]) / 3;
+        if (distance_to(segment, middle) < scale_[next]) add(next);
+      }
+    }
+  }
   std::size_t begin = 0;
   for (int ring = 0; ring < kRings; ++ring) {
     const std::size_t end = near.size();

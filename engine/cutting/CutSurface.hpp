@@ -59,6 +59,7 @@ class CutSurface {
 
   void check_path(const CutPath& path) const;
   std::vector<int> fan_of(int vertex) const;
+  Eigen::Vector3d position_of(const SurfacePoint& point) const;
   std::vector<int> triangles_near(const CutPath& path) const;
   CutPatch extract(const CutPath& path, const CutOptions& options, PatchNumbers& numbers) const;
   void find_facets();
