@@ -125,12 +125,22 @@ PathResult surface_path(const SurfaceView& surface, std::span<const Eigen::Vecto
     }
     brought.push_back(*found.point);
   }
+  if (brought.empty()) return {};
+  bool from_behind = false;
+  if (surface.open && direction) {
+    const Eigen::Vector3d outward = smooth_normal(surface, vertex_normals(surface), brought.front());
+    from_behind = outward.dot(*direction) > 0;
+  }
+  return path_through(surface, brought, from_behind);
+}
+
+PathResult path_through(const SurfaceView& surface, std::span<const SurfacePoint> points, bool from_behind) {
   PathResult result;
-  if (brought.empty()) return result;
+  if (points.empty()) return result;
   const std::vector<Eigen::Vector3d> normals = vertex_normals(surface);
   SurfacePath path;
-  for (int k = 1; k < static_cast<int>(brought.size()); ++k) {
-    SurfaceTrace way = trace(surface, normals, brought[k - 1], brought[k]);
+  for (int k = 1; k < static_cast<int>(points.size()); ++k) {
+    SurfaceTrace way = trace(surface, normals, points[k - 1], points[k]);
     if (way.refusal != TraceRefusal::kNone) {
       const auto kind =
           way.refusal == TraceRefusal::kAlongNormal ? PathProblem::Kind::kAlongNormal : PathProblem::Kind::kNotJoined;
@@ -138,9 +148,7 @@ PathResult surface_path(const SurfaceView& surface, std::span<const Eigen::Vecto
     }
     append(path.pieces, std::move(way.pieces));
   }
-  if (path.pieces.empty()) path.pieces = {{.points = {brought.front()}, .triangles = {}}};
-  const bool from_behind =
-      surface.open && direction && smooth_normal(surface, normals, brought.front()).dot(*direction) > 0;
+  if (path.pieces.empty()) path.pieces = {{.points = {snapped_to_edges(surface, points[0])}, .triangles = {}}};
   add_stations(surface, normals, from_behind ? -1 : 1, path);
   result.path = std::move(path);
   return result;

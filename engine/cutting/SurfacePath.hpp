@@ -58,4 +58,9 @@ struct PathResult {
 PathResult surface_path(const SurfaceView& surface, std::span<const Eigen::Vector3d> points,
                         const std::optional<Eigen::Vector3d>& direction, double reach);
 
+/// The path through points of the surface, neighbours joined by `trace`; as above from there. Points that have been
+/// carried over a cut (carried_over) become a path again, in pieces where the cut now lies between two of them.
+/// `from_behind`: the inner side is the one in front of the triangles.
+PathResult path_through(const SurfaceView& surface, std::span<const SurfacePoint> points, bool from_behind = false);
+
 }  // namespace thinwall

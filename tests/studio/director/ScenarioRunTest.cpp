@@ -48,6 +48,32 @@ TEST(ScenarioRun, TheFirstRecordIsTheEquilibriumAtTimeZero) {
   EXPECT_EQ(run.snapshot().surfaces.at(0).positions.size(), run.snapshot().surfaces[0].topology->rest_positions.size());
 }
 
+TEST(ScenarioRun, CutsArePlannedOnTheSurfaceAndTheirDurationIsKnown) {
+  Scenario scenario = ball_scenario();
+  scenario.tools = {{.name = "knife", .kind = ToolKind::kScalpel, .length = 0.02, .width = 0.004, .thickness = 3e-4}};
+  InciseClip incise{.tool = "knife",
+                    .body = "ball",
+                    .path = {{0.005, 0, 0.02}, {-0.005, 0, 0.02}},
+                    .path_locations = {{"a.yaml", 3, 7}, {"a.yaml", 3, 20}},
+                    .depth = 0.002,
+                    .speed = 0.01,
+                    .hold = 0.1,
+                    .standoff = 0.003};
+  scenario.timeline = {{.action = incise}};
+  const ScenarioRun run(scenario);
+  // The points go to the nearest ones of the sphere, on which the way between them is an arc.
+  const double arc = 0.02 * 2 * std::atan(0.25);
+  EXPECT_NEAR(run.planned_duration(), (2 * 0.005 + arc) / 0.01 + 0.1, 0.02);
+  EXPECT_GT(run.snapshot().tools.at(0).tip[2], 0.0215);
+  std::get<InciseClip>(scenario.timeline[0].action).path[1] = {-0.005, 0, 0.04};
+  try {
+    const ScenarioRun refused(scenario);
+    FAIL() << "no error";
+  } catch (const InputErrors& errors) {
+    EXPECT_EQ(to_text(errors.diagnostics().at(0).location), "a.yaml:3:20");
+  }
+}
+
 TEST(ScenarioRun, AToolThatNoClipDrivesTouchesNothing) {
   // It would lie in the ball otherwise, at the origin.
   Scenario scenario = ball_scenario();
