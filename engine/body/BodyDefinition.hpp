@@ -39,6 +39,14 @@ struct FluidDefinition {
   double bulk_modulus = 2e6;                     // pascal, compressible only
   std::vector<ChamberDefinition> chambers = {};  // named ones; every other closed part of the surface is one of its own
   std::vector<OrificeDefinition> orifices = {};
+  bool leaks = true;        // through openings of the wall; otherwise the contents hold together, as a gel does
+  double discharge = 0.61;  // of openings of the wall
+};
+
+/// An opening of the wall: the lips in the sense of the wall's triangles there. A slit has them in pairs that may lie
+/// on each other. What the wall and its caps leave open beside it makes no chamber.
+struct Opening {
+  std::vector<int> lips = {};  // vertices, each once, at least three
 };
 
 /// Vertices that keep their stress-free positions along some axes.
@@ -93,6 +101,7 @@ struct BodyDefinition {
   std::vector<PronyTerm> viscosity = {};
   RayleighDamping damping = {};
   FluidDefinition fluid = {};
+  std::vector<Opening> openings = {};
   std::vector<FixedRegion> fixed = {};
   std::vector<LoadDefinition> loads = {};
 };

@@ -98,6 +98,7 @@ bool Body::solve_step(EquilibriumProblem& problem, EquilibriumState& trial) {
 EquilibriumProblem Body::make_problem(std::span<const ToolPose> end, double duration, const BodyInput& input) const {
   EquilibriumProblem problem;
   add_fluids(duration, input, problem);
+  add_leaks(duration, problem);
   add_memory(duration, problem);
   problem.gravity = options_.gravity;
   problem.load_factors = input.load_factors;
@@ -122,7 +123,7 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
       const Eigen::VectorXd motion = duration * state_.velocity;
       trial.position += newton_.safe_fraction(trial.position, motion) * motion;
     }
-    if (!solve_with_friction(problem, trial, begin)) return false;
+    if (!solve_with_leaks(problem, trial, begin, duration)) return false;
     if (!may_snap() && jumped_over_balls(begin, problem, trial.position)) {
       failure_ = "the wall jumped from one side of a ball to the other";
       return false;

@@ -24,16 +24,17 @@ struct EnergyBooks {
   double bending = 0;      // stored in the bending of a shell
   double kinetic = 0;      // stored in the motion of wall and fluid
   double fluid = 0;        // stored in a compressible fluid
-  double gravity = 0;      // stored in the height of wall and fluid
+  double gravity = 0;      // stored in the height of wall and fluid, of what has leaked in that of the opening
   double contact = 0;      // stored in the potentials between wall and tools, wall and wall, wall and floor
   double viscous = 0;      // spent by viscosity, damping and orifices since time zero; Prony terms give part of it back
   double friction = 0;     // spent by friction, since time zero
+  double leak = 0;         // spent in the jets of fluid that leaves, since time zero: pressure work and motion
   double numerical = 0;    // spent by the integrator, since time zero
   double tool_work = 0;    // put in by the tools, since time zero
   double script_work = 0;  // put in by loads and filling, and by filling and stretching before time zero
 
   double stored() const { return elastic + bending + kinetic + fluid + gravity + contact; }
-  double spent() const { return viscous + friction + numerical; }
+  double spent() const { return viscous + friction + leak + numerical; }
   double imbalance() const { return stored() + spent() - tool_work - script_work; }
 };
 
@@ -69,6 +70,8 @@ struct FluidMotion {
   Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();       // metres^4 / second^2
   Eigen::Vector3d previous_moment = Eigen::Vector3d::Zero();    // metres^4, a step earlier
   Eigen::Vector3d previous_velocity = Eigen::Vector3d::Zero();  // metres^4 / second, a step earlier
+  double volume = 0;                                            // metres^3, of the chamber
+  double previous_volume = 0;                                   // metres^3, a step earlier
 };
 
 /// A body in motion: what changes from step to step.
@@ -87,6 +90,12 @@ struct BodyState {
   Eigen::VectorXd volume;                 // (chambers), metres^3
   Eigen::VectorXd fluid_volume;           // (chambers), metres^3
   Eigen::VectorXd reference_pressure;     // (chambers), pascal, at which a compressible fluid has its volume
+  Eigen::VectorXd leaked;                 // (chambers), metres^3, out through openings since time zero
+  Eigen::VectorXd air;                    // (chambers), metres^3, that came in
+  Eigen::VectorXd open_area;              // (openings), metres^2
+  std::vector<double> last_outflow;       // (openings), metres^3, in the last step; none where it does not count
+  double outflow_step = 0;                // seconds, of that step
+  double leaked_gravity = 0;              // joule, of what has leaked, each part at its opening's height
   std::vector<Attachment> attachments;
   std::vector<ToolContact> contacts;                  // (tools)
   std::vector<ToolContact> solid_contacts;            // (solids of all tools, in their order)
@@ -110,6 +119,13 @@ double lasting_part(const BodyDefinition& definition);
 
 /// Energy of a compressible fluid from its volume at the reference pressure, joule, all chambers; zero for others.
 double fluid_energy(const BodyModel& model, const BodyState& state);
+
+/// Integral of x, from its level, over each chamber, (3 x chambers), metres^4.
+Eigen::Matrix3Xd first_moments(const BodyModel& model, const Eigen::VectorXd& position);
+
+/// Energy in gravity of the contents of open chambers, joule, beyond that of `EquilibriumTerms` and of full density at
+/// their level: their mean density has changed during the step.
+double open_gravity(const BodyModel& model, const EquilibriumProblem& problem, const BodyState& state);
 
 /// One body with its solver. Not copyable; bodies do not touch each other.
 class Body {
@@ -143,7 +159,7 @@ class Body {
  private:
   NewtonResult solve(EquilibriumProblem& problem, EquilibriumState& state);
   NewtonResult relax(EquilibriumProblem& problem, EquilibriumState& state);
-  void solve_statics();
+  EquilibriumProblem solve_statics();
   std::string describe_failure() const;
   bool may_snap() const;
   bool solve_step(EquilibriumProblem& problem, EquilibriumState& trial);
@@ -151,6 +167,21 @@ class Body {
                 const BodyInput& input);
   EquilibriumProblem make_problem(std::span<const ToolPose> end, double duration, const BodyInput& input) const;
   void add_fluids(double duration, const BodyInput& input, EquilibriumProblem& problem) const;
+  bool may_leak(int chamber) const;
+  void start_leaks();
+  void measure_openings();
+  std::vector<double> remembered_outflow(double duration) const;
+  double outflow_time(double duration) const;
+  void add_leaks(double duration, EquilibriumProblem& problem) const;
+  std::vector<double> outflow_of(double duration, const EquilibriumProblem& problem,
+                                 const EquilibriumState& reached) const;
+  double fluid_held(const EquilibriumProblem& problem, int chamber, const EquilibriumState& reached) const;
+  bool revise_vents(EquilibriumProblem& problem, const EquilibriumState& reached, double duration) const;
+  bool solve_with_leaks(EquilibriumProblem& problem, EquilibriumState& trial, std::span<const ToolPose> begin,
+                        double duration);
+  void update_leaks(double duration, const EquilibriumProblem& problem);
+  double book_leaks(const BodyState& before);
+  double mixing_loss(const BodyState& before, int chamber) const;
   void add_memory(double duration, EquilibriumProblem& problem) const;
   void start_memory();
   double update_memory(double duration, const EquilibriumProblem& problem);
@@ -176,14 +207,17 @@ class Body {
   double update_friction(const BodyState& before, std::span<const ToolPose> begin, const EquilibriumProblem& problem);
   void add_fluid_inertia(double duration, EquilibriumProblem& problem) const;
   void start_fluid_motion();
-  void update_fluid_motion(double duration, double previous_step);
+  void update_fluid_motion(double duration, double previous_step, const EquilibriumProblem& problem);
+  Eigen::Vector3d motion_origin(int chamber) const;
+  double motion_scale(int chamber, double volume) const;
   double fluid_kinetic_energy() const;
-  double gravity_energy() const;
+  double gravity_energy(const EquilibriumProblem& problem) const;
   double rate(const OrificeDefinition& orifice, const BodyState& state) const;
   void add_inertia(double duration, EquilibriumProblem& problem) const;
   void accept(std::span<const ToolPose> begin, double duration, const EquilibriumProblem& problem,
               const BodyInput& input, const EquilibriumState& reached);
-  void update_fluids(const BodyState& before, double duration, const BodyInput& input);
+  void update_fluids(const BodyState& before, double duration, const BodyInput& input,
+                     const EquilibriumProblem& problem);
   void update_velocity(const BodyState& before, double duration);
   void update_forces(const EquilibriumProblem& problem);
   void update_books(const BodyState& before, std::span<const ToolPose> begin, double duration,

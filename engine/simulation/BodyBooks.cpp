@@ -23,7 +23,10 @@ double fluid_energy(const BodyModel& model, const BodyState& state) {
   if (model.definition.fluid.kind != FluidKind::kCompressible) return 0;
   double energy = 0;
   for (Eigen::Index c = 0; c < state.volume.size(); ++c) {
-    const double excess = state.volume[c] - state.fluid_volume[c];
+    // Beside air the fluid does not fill the chamber.
+    const double excess = state.air[c] > 0 ? state.fluid_volume[c] / model.definition.fluid.bulk_modulus *
+                                                 (state.reference_pressure[c] - state.equilibrium.pressure[c])
+                                           : state.volume[c] - state.fluid_volume[c];
     energy += -state.reference_pressure[c] * excess +
               0.5 * model.definition.fluid.bulk_modulus * excess * excess / state.fluid_volume[c];
   }
@@ -34,8 +37,8 @@ double Body::rate(const OrificeDefinition& orifice, const BodyState& state) cons
   return flow_between(*model_, orifice, options_.gravity, state.equilibrium.pressure).rate;
 }
 
-double Body::gravity_energy() const {
-  double energy = newton_.terms().gravity;
+double Body::gravity_energy(const EquilibriumProblem& problem) const {
+  double energy = newton_.terms().gravity + open_gravity(*model_, problem, state_) + state_.leaked_gravity;
   for (Eigen::Index c = 0; c < state_.volume.size(); ++c) {
     energy -= model_->definition.fluid.density * options_.gravity.dot(model_->chambers[c].level) * state_.volume[c];
   }
@@ -64,13 +67,15 @@ void Body::add_fluids(double duration, const BodyInput& input, EquilibriumProble
   }
 }
 
-void Body::update_fluids(const BodyState& before, double duration, const BodyInput& input) {
+void Body::update_fluids(const BodyState& before, double duration, const BodyInput& input,
+                         const EquilibriumProblem& problem) {
   for (Eigen::Index c = 0; c < state_.fluid_volume.size(); ++c) state_.fluid_volume[c] += input_of(input, c).added;
   for (const OrificeDefinition& orifice : model_->definition.fluid.orifices) {
     const double flown = 0.5 * duration * (rate(orifice, before) + rate(orifice, state_));
     state_.fluid_volume[orifice.from] -= flown;
     state_.fluid_volume[orifice.to] += flown;
   }
+  update_leaks(duration, problem);
   for (Eigen::Index c = 0; c < state_.fluid_volume.size(); ++c) {
     if (!input_of(input, c).pressure) continue;
     state_.fluid_volume[c] =
@@ -88,7 +93,7 @@ double Body::book_fluids(const BodyState& before, double duration) {
     const double flown = 0.5 * duration * (rate(orifice, before) + rate(orifice, state_));
     lost += flown * (mean[orifice.from] - mean[orifice.to]);
   }
-  const double reached = mean.dot(state_.fluid_volume - before.fluid_volume);
+  const double reached = mean.dot(state_.fluid_volume - before.fluid_volume + state_.leaked - before.leaked);
   state_.books.viscous += lost;
   state_.books.script_work += reached + lost;
   return reached;
@@ -119,7 +124,8 @@ void Body::update_books(const BodyState& before, std::span<const ToolPose> begin
   books.elastic = lasting_part(model_->definition) * terms.strain_energy;
   books.bending = lasting_part(model_->definition) * terms.bending_energy;
   books.kinetic = 0.5 * model_->mass.dot(state_.velocity.cwiseAbs2()) + fluid_kinetic_energy();
-  books.gravity = gravity_energy();
+  const double leak_loss = book_leaks(before);
+  books.gravity = gravity_energy(problem);
   const double friction_loss = update_friction(before, begin, problem);
   books.contact = contact_energy(terms) + terms.folds.energy + state_.friction_energy;
   books.fluid = fluid_energy(*model_, state_);
@@ -140,9 +146,11 @@ void Body::update_books(const BodyState& before, std::span<const ToolPose> begin
       0.5 * (before.static_force + state_.static_force).dot(motion) + solid_work + load_work + fluid_work;
   const double damping_loss = 0.5 * model_->definition.damping.mass_rate *
                               model_->mass.cwiseProduct(before.velocity + state_.velocity).dot(motion);
-  books.numerical += kinetic_work + static_work - wall_loss - friction_loss - (books.stored() - before.books.stored());
+  books.numerical +=
+      kinetic_work + static_work - wall_loss - friction_loss - leak_loss - (books.stored() - before.books.stored());
   books.viscous += wall_loss + damping_loss;
   books.friction += friction_loss;
+  books.leak += leak_loss;
   books.tool_work += attached_work + solid_work;
   books.script_work += load_work;
 }

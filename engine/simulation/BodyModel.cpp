@@ -82,9 +82,32 @@ void add_sites(BodyModel& model) {
   model.sites = contact_sites(model.vertices(), model.definition.mesh.triangles, areas);
 }
 
+void add_openings(BodyModel& model) {
+  for (const Opening& opening : model.definition.openings) {
+    assert(opening.lips.size() >= 3);
+    model.openings.push_back({.lips = opening.lips});
+  }
+}
+
 void add_fluid(BodyModel& model) {
-  Chambers chambers = find_chambers(model.definition.mesh.vertices, model.surface, model.definition.fluid);
+  // With a fan over each opening the surface is closed.
+  std::vector<Eigen::Vector3d> vertices = model.definition.mesh.vertices;
+  std::vector<Eigen::Vector3i> surface = model.surface;
+  for (const OpeningModel& opening : model.openings) {
+    const int middle = static_cast<int>(vertices.size()), count = static_cast<int>(opening.lips.size());
+    vertices.emplace_back(opening.at(model.rest_position).rowwise().mean());
+    for (int k = 0; k < count; ++k) surface.emplace_back(middle, opening.lips[(k + 1) % count], opening.lips[k]);
+  }
+  Chambers chambers = find_chambers(vertices, surface, model.definition.fluid);
   model.chambers = std::move(chambers.chambers);
+  model.open.assign(model.chambers.size(), 0);
+  std::size_t fan = model.surface.size();
+  for (OpeningModel& opening : model.openings) {
+    opening.chamber = chambers.of_triangle[fan];
+    model.open[opening.chamber] = 1;
+    fan += opening.lips.size();
+  }
+  chambers.of_triangle.resize(model.surface.size());
   model.chamber = std::move(chambers.of_triangle);
   for (const ChamberModel& chamber : model.chambers) model.rest_volume += chamber.rest_volume;
 }
@@ -200,6 +223,13 @@ std::array<Eigen::Vector3d, 3> corners_of(const Eigen::Vector3i& triangle, const
           position.segment<3>(3 * triangle[2])};
 }
 
+Eigen::Matrix3Xd OpeningModel::at(const Eigen::VectorXd& position) const {
+  Eigen::Matrix3Xd points(3, lips.size());
+  for (std::size_t k = 0; k < lips.size(); ++k)
+    points.col(static_cast<Eigen::Index>(k)) = position.segment<3>(3 * lips[k]);
+  return points;
+}
+
 BodyModel make_body_model(BodyDefinition definition) {
   BodyModel model;
   model.definition = std::move(definition);
@@ -216,6 +246,7 @@ BodyModel make_body_model(BodyDefinition definition) {
     model.addresses.push_back(triangle_addresses(model.pattern, triangle));
   }
   add_sites(model);
+  add_openings(model);
   if (model.has_fluid()) add_fluid(model);
   add_loads(model);
   fix(model);

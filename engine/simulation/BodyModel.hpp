@@ -16,6 +16,15 @@
 
 namespace thinwall {
 
+/// An opening of the wall, see Opening.
+struct OpeningModel {
+  std::vector<int> lips;  // vertices
+  int chamber = -1;       // index; -1 without fluid
+
+  /// (3 x lips), metres. `position`: (unknowns), metres.
+  Eigen::Matrix3Xd at(const Eigen::VectorXd& position) const;
+};
+
 /// Everything about a body that its definition determines: computed once, never changed. The unknowns are the positions
 /// of the vertices and, of a shell, the turn of each edge of the wall: an angle times the mean edge length, in metres.
 struct BodyModel {
@@ -31,6 +40,8 @@ struct BodyModel {
   Eigen::VectorXd mass;                               // (unknowns), kg, lumped, of the wall; none of turns
   std::vector<ChamberModel> chambers;                 // named ones first; none without fluid
   std::vector<int> chamber;                           // (triangles + caps), index; empty without fluid
+  std::vector<OpeningModel> openings;
+  std::vector<char> open;  // (chambers), whether the chamber has an opening
   std::vector<LoadModel> loads;
   std::vector<char> fixed;            // (unknowns), whether the unknown keeps its rest value
   std::vector<int> fixed_entries;     // off-diagonal values in rows and columns of fixed unknowns
@@ -48,6 +59,9 @@ struct BodyModel {
   int vertices() const { return pattern.vertices; }
   int unknowns() const { return pattern.unknowns(); }
   int triangles() const { return static_cast<int>(rest.size()); }
+  bool is_open(int chamber_index) const { return open[chamber_index]; }
+  /// Whether fluid bears on a wall that is open: pressure and volume are then no conjugates.
+  bool has_open_chambers() const { return has_fluid() && !openings.empty(); }
   bool has_fluid() const { return definition.fluid.kind != FluidKind::kNone; }
 };
 

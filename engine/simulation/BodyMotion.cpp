@@ -23,23 +23,48 @@ void Body::add_inertia(double duration, EquilibriumProblem& problem) const {
 double Body::fluid_kinetic_energy() const {
   double energy = 0;
   for (std::size_t c = 0; c < state_.fluid_motion.size(); ++c) {
-    energy +=
-        0.5 * model_->definition.fluid.density / state_.fluid_volume[c] * state_.fluid_motion[c].velocity.squaredNorm();
+    const auto chamber = static_cast<Eigen::Index>(c);
+    // Beside air the fluid moves with the whole of the contents.
+    const double filling = model_->is_open(static_cast<int>(c))
+                               ? state_.fluid_volume[chamber] / (state_.volume[chamber] * state_.volume[chamber])
+                               : 1 / state_.fluid_volume[chamber];
+    energy += 0.5 * model_->definition.fluid.density * filling * state_.fluid_motion[c].velocity.squaredNorm();
   }
   return energy;
 }
 
 void Body::start_fluid_motion() {
   state_.fluid_motion.assign(model_->chambers.size(), {});
-  for (std::size_t t = 0; t < model_->chamber.size(); ++t) {
-    const auto corners = relative_to(model_->chambers[model_->chamber[t]].level,
-                                     corners_of(model_->surface[t], state_.equilibrium.position));
-    FluidMotion& motion = state_.fluid_motion[model_->chamber[t]];
-    for (int axis = 0; axis < 3; ++axis) {
-      motion.moment[axis] += fluid_moment_of(corners, Eigen::Vector3d::Unit(axis)).value;
-    }
+  const Eigen::Matrix3Xd moments = first_moments(*model_, state_.equilibrium.position);
+  for (std::size_t c = 0; c < state_.fluid_motion.size(); ++c) {
+    const auto chamber = static_cast<Eigen::Index>(c);
+    FluidMotion& motion = state_.fluid_motion[c];
+    motion.moment = motion.previous_moment = moments.col(chamber);
+    motion.volume = motion.previous_volume = state_.volume[chamber];
   }
-  for (FluidMotion& motion : state_.fluid_motion) motion.previous_moment = motion.moment;
+}
+
+Eigen::Vector3d Body::motion_origin(int chamber) const {
+  const Eigen::Vector3d& level = model_->chambers[chamber].level;
+  if (!may_leak(chamber)) return level;
+  double whole = 0;
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < model_->openings.size(); ++k) {
+    if (model_->openings[k].chamber != chamber) continue;
+    const double area = state_.open_area[static_cast<Eigen::Index>(k)];
+    origin += area * model_->openings[k].at(state_.equilibrium.position).rowwise().mean();
+    whole += area;
+  }
+  return whole > 0 ? Eigen::Vector3d(origin / whole) : level;
+}
+
+double Body::motion_scale(int chamber, double volume) const {
+  if (!may_leak(chamber) || volume <= 0) return 1;
+  double flown = 0;
+  for (std::size_t k = 0; k < state_.last_outflow.size(); ++k) {
+    if (model_->openings[k].chamber == chamber) flown += state_.last_outflow[k];
+  }
+  return std::max(0.0, state_.volume[chamber] - flown) / volume;
 }
 
 void Body::add_fluid_inertia(double duration, EquilibriumProblem& problem) const {
@@ -48,29 +73,51 @@ void Body::add_fluid_inertia(double duration, EquilibriumProblem& problem) const
   problem.fluid_inertia.clear();
   for (std::size_t c = 0; c < state_.fluid_motion.size(); ++c) {
     const FluidMotion& motion = state_.fluid_motion[c];
+    const auto chamber = static_cast<Eigen::Index>(c);
+    const int index = static_cast<int>(c);
+    const Eigen::Vector3d origin = motion_origin(index);
+    // Fluid that leaves goes through the lips: seen from there it takes nothing of the moment along.
+    const Eigen::Vector3d shift = origin - model_->chambers[c].level;
     const Eigen::Vector3d velocity_part =
-        (difference.before * motion.moment + difference.earlier * motion.previous_moment) / duration;
+        (difference.before * (motion.moment - motion.volume * shift) +
+         difference.earlier * (motion.previous_moment - motion.previous_volume * shift)) /
+        duration;
+    // The mean velocity is what stays: what has left has taken its momentum along.
     const Eigen::Vector3d acceleration_part =
-        (difference.before * motion.velocity + difference.earlier * motion.previous_velocity) / duration;
-    problem.fluid_inertia.push_back({.factor = model_->definition.fluid.density / state_.fluid_volume[c] * rate * rate,
-                                     .target = -(rate * velocity_part + acceleration_part) / (rate * rate)});
+        (difference.before * motion_scale(index, motion.volume) * motion.velocity +
+         difference.earlier * motion_scale(index, motion.previous_volume) * motion.previous_velocity) /
+        duration;
+    const double filling = model_->is_open(index)
+                               ? state_.fluid_volume[chamber] / (state_.volume[chamber] * state_.volume[chamber])
+                               : 1 / state_.fluid_volume[chamber];
+    problem.fluid_inertia.push_back({.factor = model_->definition.fluid.density * filling * rate * rate,
+                                     .target = -(rate * velocity_part + acceleration_part) / (rate * rate),
+                                     .origin = origin});
   }
 }
 
-void Body::update_fluid_motion(double duration, double previous_step) {
+void Body::update_fluid_motion(double duration, double previous_step, const EquilibriumProblem& problem) {
   const BackwardDifference difference = backward_difference(duration, previous_step);
   for (std::size_t c = 0; c < state_.fluid_motion.size(); ++c) {
     FluidMotion& motion = state_.fluid_motion[c];
     const FluidMotion before = motion;
-    motion.moment = newton_.terms().moment.col(c);
-    motion.velocity = (difference.now * motion.moment + difference.before * before.moment +
-                       difference.earlier * before.previous_moment) /
+    const auto chamber = static_cast<Eigen::Index>(c);
+    const Eigen::Vector3d shift = problem.fluid_inertia[c].origin - model_->chambers[c].level;
+    const Eigen::Vector3d moment = newton_.terms().moment.col(chamber);
+    motion.volume = state_.volume[chamber];
+    motion.moment = moment + motion.volume * shift;
+    motion.velocity = (difference.now * moment + difference.before * (before.moment - before.volume * shift) +
+                       difference.earlier * (before.previous_moment - before.previous_volume * shift)) /
                       duration;
-    motion.acceleration = (difference.now * motion.velocity + difference.before * before.velocity +
-                           difference.earlier * before.previous_velocity) /
-                          duration;
+    const bool scales = may_leak(static_cast<int>(c)) && before.volume > 0 && before.previous_volume > 0;
+    motion.acceleration =
+        (difference.now * motion.velocity +
+         difference.before * (scales ? motion.volume / before.volume : 1) * before.velocity +
+         difference.earlier * (scales ? motion.volume / before.previous_volume : 1) * before.previous_velocity) /
+        duration;
     motion.previous_moment = before.moment;
     motion.previous_velocity = before.velocity;
+    motion.previous_volume = before.volume;
   }
 }
 
@@ -80,10 +127,10 @@ void Body::accept(std::span<const ToolPose> begin, double duration, const Equili
   state_.equilibrium = reached;
   state_.volume = newton_.terms().volume;
   state_.load_factors = input.load_factors;
-  update_fluids(before, duration, input);
+  update_fluids(before, duration, input, problem);
   if (problem.inertia != 0) {
     update_velocity(before, duration);
-    update_fluid_motion(duration, before.previous_step);
+    update_fluid_motion(duration, before.previous_step, problem);
   }
   state_.previous_position = before.equilibrium.position;
   state_.previous_velocity = before.velocity;
@@ -118,7 +165,7 @@ double Body::step_error(const BodyState& before, double duration) const {
 
 void Body::update_forces(const EquilibriumProblem& problem) {
   const EquilibriumTerms& terms = newton_.terms();
-  state_.static_force = terms.gradient - terms.volume_gradient * state_.equilibrium.pressure;
+  state_.static_force = terms.gradient - terms.load_of_pressure() * state_.equilibrium.pressure;
   state_.load_force = terms.load_force;
   for (const ContactPoint& contact : terms.contacts) {
     const double force = problem.solids[contact.solid].forces[contact.site];

@@ -73,12 +73,13 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state) {
   return failed;
 }
 
-void Body::solve_statics() {
+EquilibriumProblem Body::solve_statics() {
   EquilibriumProblem problem;
   for (const ChamberModel& chamber : model_->chambers) {
     FluidProblem fluid{.mode = fluid_mode(),
                        .fluid_volume = chamber.rest_volume,
-                       .bulk_modulus = model_->definition.fluid.bulk_modulus};
+                       .bulk_modulus = model_->definition.fluid.bulk_modulus,
+                       .density = model_->definition.fluid.density};
     if (chamber.initial_pressure) {
       fluid.mode = FluidMode::kGivenPressure;
       fluid.pressure = *chamber.initial_pressure;
@@ -96,6 +97,7 @@ void Body::solve_statics() {
     if (!relax(again, trial).converged) throw SimulationFailure(describe_failure());
   }
   state_.equilibrium = trial;
+  return again;
 }
 
 std::string Body::describe_failure() const {
@@ -113,7 +115,7 @@ std::string Body::describe_failure() const {
 
 void Body::settle(std::vector<double> load_factors) {
   state_.load_factors = std::move(load_factors);
-  solve_statics();
+  const EquilibriumProblem problem = solve_statics();
   const auto chambers = static_cast<Eigen::Index>(model_->chambers.size());
   state_.volume = enclosed_volumes(*model_, state_.equilibrium.position);
   state_.fluid_volume = state_.volume;
@@ -123,17 +125,18 @@ void Body::settle(std::vector<double> load_factors) {
     if (!chamber.initial_pressure) state_.fluid_volume[c] = chamber.rest_volume;
     state_.reference_pressure[c] = chamber.initial_pressure.value_or(0);
   }
+  start_leaks();
   start_memory();
   start_fluid_motion();
   state_.previous_position = state_.equilibrium.position;
   const EquilibriumTerms& terms = newton_.terms();
-  state_.static_force = terms.gradient - terms.volume_gradient * state_.equilibrium.pressure;
+  state_.static_force = terms.gradient - terms.load_of_pressure() * state_.equilibrium.pressure;
   // What holds a free body until time zero is no load: its fall begins from rest.
   state_.static_force -= newton_.rigid_force(state_.equilibrium);
   state_.load_force = terms.load_force;
   state_.books.elastic = lasting_part(model_->definition) * terms.strain_energy;
   state_.books.bending = lasting_part(model_->definition) * terms.bending_energy;
-  state_.books.gravity = gravity_energy();
+  state_.books.gravity = gravity_energy(problem);
   state_.books.contact = terms.folds.energy;
   state_.books.fluid = fluid_energy(*model_, state_);
   state_.books.script_work = state_.books.stored();

@@ -13,6 +13,7 @@
 #include "engine/fluid/FluidWeight.hpp"
 #include "engine/shell/BendingPatches.hpp"
 #include "engine/simulation/LoadTerms.hpp"
+#include "engine/simulation/OpenChambers.hpp"
 
 namespace thinwall {
 namespace {
@@ -79,8 +80,8 @@ void add_bending(const BodyModel& model, const WallMemory& memory, const Eigen::
       });
 }
 
-void add_fluid(const BodyModel& model, const Eigen::VectorXd& position, const Eigen::VectorXd& pressure,
-               EquilibriumTerms& terms) {
+void add_fluid(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
+               const Eigen::VectorXd& pressure, EquilibriumTerms& terms) {
   const bool has_inertia = terms.moment.cols() > 0;
   for (std::size_t t = 0; t < model.surface.size(); ++t) {
     const int chamber = model.chamber[t];
@@ -91,9 +92,9 @@ void add_fluid(const BodyModel& model, const Eigen::VectorXd& position, const Ei
       terms.volume_gradient.col(chamber).segment<3>(3 * model.surface[t][k]) += gradient.segment<3>(3 * k);
     }
     if (has_inertia) {
-      const auto from_level = relative_to(model.chambers[chamber].level, corners);
+      const auto from_origin = relative_to(problem.fluid_inertia[chamber].origin, corners);
       for (int axis = 0; axis < 3; ++axis) {
-        const FluidMoment moment = fluid_moment_of(from_level, Eigen::Vector3d::Unit(axis));
+        const FluidMoment moment = fluid_moment_of(from_origin, Eigen::Vector3d::Unit(axis));
         terms.moment(axis, chamber) += moment.value;
         for (int k = 0; k < 3; ++k) {
           terms.moment_gradient.col(3 * chamber + axis).segment<3>(3 * model.surface[t][k]) +=
@@ -101,7 +102,7 @@ void add_fluid(const BodyModel& model, const Eigen::VectorXd& position, const Ei
         }
       }
     }
-    if (pressure[chamber] != 0) {
+    if (pressure[chamber] != 0 && !model.is_open(chamber)) {
       add_triangle(model.addresses[t], -pressure[chamber] * volume_hessian_of(corners), terms.values);
     }
   }
@@ -191,7 +192,11 @@ void evaluate(const BodyModel& model, const EquilibriumProblem& problem, const E
   terms.contacts.clear();
   add_wall(model, problem.memory, position, terms);
   add_bending(model, problem.memory, position, terms);
-  if (!problem.fluids.empty()) add_fluid(model, position, pressure, terms);
+  terms.lips.clear();
+  if (!problem.fluids.empty()) {
+    add_fluid(model, problem, position, pressure, terms);
+    add_open_chambers(model, problem, position, pressure, terms);
+  }
   add_weight(model, problem, position, terms);
   add_fluid_weight(model, problem, position, terms);
   add_loads(model, problem, position, terms);
@@ -287,6 +292,10 @@ Eigen::VectorXd enclosed_volumes(const BodyModel& model, const Eigen::VectorXd& 
   Eigen::VectorXd volumes = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.chambers.size()));
   for (std::size_t t = 0; t < model.chamber.size(); ++t) {
     volumes[model.chamber[t]] += volume_of(corners_of(model.surface[t], position));
+  }
+  if (!model.has_fluid()) return volumes;
+  for (const OpeningModel& opening : model.openings) {
+    volumes[opening.chamber] += lip_cap_of(opening.at(position)).volume;
   }
   return volumes;
 }

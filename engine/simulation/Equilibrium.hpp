@@ -6,6 +6,7 @@
 #include "engine/contact/ContactPotential.hpp"
 #include "engine/contact/SelfContact.hpp"
 #include "engine/contact/SolidGap.hpp"
+#include "engine/fluid/LipCap.hpp"
 #include "engine/fluid/OrificeFlow.hpp"
 #include "engine/simulation/BodyModel.hpp"
 #include "engine/simulation/FrictionContact.hpp"
@@ -70,12 +71,18 @@ enum class FluidMode {
 /// The fluid of a chamber.
 struct FluidProblem {
   FluidMode mode = FluidMode::kIncompressible;
-  double pressure = 0;      // pascal: the given one, or the reference one of a compressible fluid
-  double fluid_volume = 0;  // metres^3
-  double bulk_modulus = 0;  // pascal
+  double pressure = 0;         // pascal: the given one, or the reference one of a compressible fluid
+  double fluid_volume = 0;     // metres^3
+  double bulk_modulus = 0;     // pascal
+  double density = 1010;       // kg / metre^3, mean of what an open chamber holds: air beside the fluid makes it less
+  double outflow_time = 0;     // seconds for which fluid leaves through openings under the pressure that is sought
+  int vent = -1;               // opening at which there is air, so that the pressure there is zero; or -1
+  double vent_compliance = 0;  // metres^3 / pascal, gives that condition the unit of a volume
 
   /// Whether the pressure is an unknown.
   bool is_multiplier() const { return mode != FluidMode::kGivenPressure; }
+  /// Whether it is found from the volume.
+  bool seeks_volume() const { return is_multiplier() && vent < 0; }
   /// Volume by which a compressible fluid gives way to a pascal, metres^3; zero for others.
   double compliance() const { return mode == FluidMode::kCompressible ? fluid_volume / bulk_modulus : 0; }
 };
@@ -87,6 +94,7 @@ struct FluidProblem {
 struct FluidInertia {
   double factor = 0;                                 // kg / metre^6 / second^2: density / volume times a rate squared
   Eigen::Vector3d target = Eigen::Vector3d::Zero();  // metres^4
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  // metres, of the moment: the level, or the lips of an open chamber
 };
 
 /// What a viscous wall remembers, see MembraneMemory.
@@ -157,10 +165,17 @@ struct EquilibriumTerms {
   Eigen::Matrix3Xd moment;     // (3 x chambers), metres^4, integral of x, where the fluid has inertia
   Eigen::MatrixXd moment_gradient;     // (unknowns x 3 chambers), metres^3
   Eigen::MatrixXd volume_gradient;     // (unknowns x chambers), metres^2
+  std::vector<LipCap> lips;            // (openings), of chambers
+  Eigen::MatrixXd pressure_load;       // (unknowns x chambers), metres^2, of bodies with open chambers
+  Eigen::MatrixXd moment_load;         // (unknowns x 3 chambers), metres^3, likewise
+  Eigen::VectorXd lip_force;           // (unknowns), newton, what the pressure would do to the caps over openings
   std::vector<double> values;          // (non-zeros), newton / metre: Hessian of all that less pressure times volume
   double largest_force = 0;            // newton, of a single term: the scale of the residual
   std::vector<ContactPoint> contacts;  // sites near a solid, or with a force on them
   SelfContactTerms folds;              // the wall against itself and its floors: Newton adds them to the gradient
+
+  /// Load of a pascal in each chamber: the gradient of the volume where the chamber is closed.
+  const Eigen::MatrixXd& load_of_pressure() const { return lips.empty() ? volume_gradient : pressure_load; }
 };
 
 /// Fills `terms`, reusing its memory; where the wall has collapsed its energy is not finite. `position`: (3 vertices),

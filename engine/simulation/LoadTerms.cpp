@@ -95,8 +95,14 @@ void add_fluid_weight(const BodyModel& model, const EquilibriumProblem& problem,
     push[c] += inertia.factor * (terms.moment.col(c) - inertia.target);
   }
   for (std::size_t t = 0; t < model.surface.size(); ++t) {
-    const auto corners = relative_to(model.chambers[model.chamber[t]].level, corners_of(model.surface[t], position));
-    const FluidMoment moment = fluid_moment_of(corners, push[model.chamber[t]]);
+    const int chamber = model.chamber[t];
+    const auto corners = relative_to(model.chambers[chamber].level, corners_of(model.surface[t], position));
+    if (model.is_open(chamber)) {
+      // Load and curvature are those of `add_open_chambers`.
+      if (heavy) terms.gravity -= problem.fluids[chamber].density * fluid_moment_of(corners, problem.gravity).value;
+      continue;
+    }
+    const FluidMoment moment = fluid_moment_of(corners, push[chamber]);
     if (heavy) terms.gravity -= density * fluid_moment_of(corners, problem.gravity).value;
     add_corners(model.surface[t], moment.gradient, terms.gradient);
     add_triangle(model.addresses[t], moment.hessian, terms.values);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/simulation/OpenChambers.hpp"
+
 namespace thinwall {
 namespace {
 
@@ -55,7 +57,7 @@ void Newton::compute_residual(const EquilibriumProblem& problem, const Equilibri
   if (problem.inertia != 0) {
     residual.force.array() += problem.inertia * model_.mass.array() * (state.position - problem.inertia_target).array();
   }
-  if (!problem.fluids.empty()) residual.force -= terms.volume_gradient * state.pressure;
+  if (!problem.fluids.empty()) residual.force -= terms.load_of_pressure() * state.pressure;
   residual.gaps.clear();
   for (const Attachment& attachment : problem.attachments) {
     for (int k = 0; k < 3; ++k) {
@@ -95,14 +97,20 @@ void Newton::compute_volume_residual(const EquilibriumProblem& problem, const Eq
   for (std::size_t c = 0; c < problem.fluids.size(); ++c) {
     const FluidProblem& fluid = problem.fluids[c];
     if (!fluid.is_multiplier()) continue;
-    residual.volume[c] =
-        terms.volume[c] - fluid.fluid_volume + fluid.compliance() * (state.pressure[c] - fluid.pressure);
+    if (fluid.vent < 0) {
+      residual.volume[c] =
+          terms.volume[c] - fluid.fluid_volume + fluid.compliance() * (state.pressure[c] - fluid.pressure);
+    }
+    const int chamber = static_cast<int>(c);
+    if (!model_.is_open(chamber)) continue;
+    residual.volume[c] +=
+        opening_equation(model_, problem, terms, chamber, state.position, state.pressure, false).value;
   }
   if (problem.orifice_time == 0) return;
   for (const OrificeDefinition& orifice : model_.definition.fluid.orifices) {
     const double flown = problem.orifice_time * flow_between(model_, orifice, problem.gravity, state.pressure).rate;
-    if (problem.fluids[orifice.from].is_multiplier()) residual.volume[orifice.from] += flown;
-    if (problem.fluids[orifice.to].is_multiplier()) residual.volume[orifice.to] -= flown;
+    if (problem.fluids[orifice.from].seeks_volume()) residual.volume[orifice.from] += flown;
+    if (problem.fluids[orifice.to].seeks_volume()) residual.volume[orifice.to] -= flown;
   }
 }
 
@@ -202,7 +210,7 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
         result.reason = "no convex step could be found";
         return result;
       }
-      find_step(problem, residual, step);
+      find_step(problem, state, residual, step);
       if (turn == kContactTurns || !revise_contacts(step)) break;
     }
     for (std::size_t k = 0; k < open_.size(); ++k) {

@@ -61,7 +61,7 @@ struct NewtonResult {
 ///
 /// A step is convex when the whole bordered matrix has one negative eigenvalue per constraint. Past a limit point K
 /// alone is indefinite while the whole is convex, so K is then factorised as L D L^T and the inertia is counted; only
-/// when the count is wrong is K shifted.
+/// when the count is wrong is K shifted. How chambers with openings are treated stands in OpenChambers.
 class Newton {
  public:
   explicit Newton(const BodyModel& model);
@@ -107,6 +107,13 @@ class Newton {
     double contact;   // newton
   };
 
+  /// Loads that no energy has, as they are where a line search begins.
+  struct Frozen {
+    Eigen::VectorXd position;   // (unknowns), metres
+    Eigen::VectorXd lip_force;  // (unknowns), newton
+    Eigen::VectorXd pressure;   // (chambers), pascal, of those that hold air
+  };
+
   /// Where a step begins.
   struct Start {
     EquilibriumState state;
@@ -131,6 +138,7 @@ class Newton {
   void compute_volume_residual(const EquilibriumProblem& problem, const EquilibriumState& state,
                                const EquilibriumTerms& terms, Residual& residual) const;
   void border_fluids(const EquilibriumProblem& problem, const EquilibriumState& state);
+  void border_openings(const EquilibriumProblem& problem, const EquilibriumState& state);
   void clear_fixed(Eigen::VectorXd& forces) const;
   bool is_solved(const Residual& residual, double force_scale, const NewtonOptions& options) const;
   double force_scale(const EquilibriumProblem& problem, const EquilibriumTerms& terms) const;
@@ -139,12 +147,16 @@ class Newton {
   bool factorize(const EquilibriumProblem& problem, const EquilibriumState& state, double& shift);
   bool is_convex(SparseFactor& factor, std::span<const double> values);
   SparseFactor& used_factor() { return folded_ ? fold_matrix_.factor() : factor_; }
-  void find_step(const EquilibriumProblem& problem, const Residual& residual, Step& step);
+  void find_step(const EquilibriumProblem& problem, const EquilibriumState& state, const Residual& residual,
+                 Step& step);
+  bool improve_rim(const EquilibriumProblem& problem, const EquilibriumState& state, const Step& step,
+                   Eigen::VectorXd& rim) const;
   void find_contact_forces(Step& step) const;
   bool revise_contacts(const Step& step);
   std::string obstructed(const std::string& reason) const;
   bool search(EquilibriumProblem& problem, EquilibriumState& state, Residual& residual, const Step& step,
               double fraction);
+  void freeze(const EquilibriumProblem& problem, const EquilibriumState& state);
   double merit(const EquilibriumProblem& problem, const EquilibriumState& state, const EquilibriumTerms& terms,
                const Residual& residual, const Weights& weights) const;
   double merit_slope(const EquilibriumProblem& problem, const EquilibriumState& state, const Residual& residual,
@@ -158,11 +170,13 @@ class Newton {
   BorderedSystem bordered_;
   EquilibriumTerms terms_;
   EquilibriumTerms trial_terms_;
+  Frozen frozen_;
   std::vector<char> open_;      // (contacts), whether the step takes the contact to be open
   std::vector<double> matrix_;  // (non-zeros), what is factorised
   // (triangles) of a shell, pascal, (S11, S22, S12); none where the curvature takes the stress as it is
   std::vector<Eigen::Vector3d> foreseen_stress_;
-  Eigen::MatrixXd border_;           // (unknowns x border)
+  Eigen::MatrixXd border_;           // (unknowns x border), column and row where they are the same
+  Eigen::MatrixXd columns_, rows_;   // (unknowns x border), of bodies with open chambers
   Eigen::MatrixXd corner_;           // (border x border)
   std::vector<int> bordering_;       // chambers whose pressure is a multiplier, in the order of the border's columns
   int constraints_ = 0;              // columns of the border that are constraints

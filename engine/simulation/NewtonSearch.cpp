@@ -12,6 +12,13 @@ double square(double value) {
 
 }  // namespace
 
+void Newton::freeze(const EquilibriumProblem& problem, const EquilibriumState& state) {
+  frozen_ = {.position = state.position, .lip_force = terms_.lip_force, .pressure = state.pressure};
+  for (std::size_t c = 0; c < problem.fluids.size(); ++c) {
+    if (problem.fluids[c].vent < 0) frozen_.pressure[static_cast<Eigen::Index>(c)] = 0;
+  }
+}
+
 double Newton::merit(const EquilibriumProblem& problem, const EquilibriumState& state, const EquilibriumTerms& terms,
                      const Residual& residual, const Weights& weights) const {
   double value = terms.elastic + terms.bending + terms.folds.energy + terms.gravity - terms.load_work + terms.inertial +
@@ -19,8 +26,10 @@ double Newton::merit(const EquilibriumProblem& problem, const EquilibriumState& 
   for (std::size_t c = 0; c < problem.fluids.size(); ++c) {
     const FluidProblem& fluid = problem.fluids[c];
     if (fluid.mode == FluidMode::kGivenPressure) value -= fluid.pressure * terms.volume[c];
-    value += 0.5 * fluid.compliance() * square(state.pressure[c]);
+    if (fluid.vent >= 0) value -= frozen_.pressure[c] * terms.volume[c];
+    if (fluid.vent < 0) value += 0.5 * fluid.compliance() * square(state.pressure[c]);
   }
+  if (model_.has_open_chambers()) value += frozen_.lip_force.dot(state.position - frozen_.position);
   for (const Eigen::Vector3d& gap : residual.gaps) value += weights.force * gap.norm();
   for (const ContactPoint& contact : terms.contacts) {
     value += weights.contact * std::max(0.0, contact.potential.onset - contact.gap.gap);
@@ -34,7 +43,8 @@ double Newton::merit_slope(const EquilibriumProblem& problem, const EquilibriumS
   if (problem.hold_rigid_motions) smooth -= rigid_columns_ * state.rigid_reaction;
   double slope = -weights.pressure * residual.volume.lpNorm<1>();
   for (std::size_t c = 0; c < problem.fluids.size(); ++c) {
-    if (problem.fluids[c].is_multiplier()) smooth += state.pressure[c] * terms_.volume_gradient.col(c);
+    if (problem.fluids[c].seeks_volume()) smooth += state.pressure[c] * terms_.volume_gradient.col(c);
+    if (problem.fluids[c].vent >= 0) continue;
     slope += problem.fluids[c].compliance() * state.pressure[c] * step.pressure[c];
   }
   slope += smooth.dot(step.position);
@@ -55,6 +65,7 @@ bool Newton::search(EquilibriumProblem& problem, EquilibriumState& state, Residu
   Weights weights{.pressure = 2 * (state.pressure + step.pressure).lpNorm<Eigen::Infinity>(), .force = 0, .contact = 0};
   for (const Eigen::Vector3d& force : step.forces) weights.force = std::max(weights.force, 2 * force.norm());
   for (const double force : step.contact_forces) weights.contact = std::max(weights.contact, 2 * force);
+  freeze(problem, state);
   const double before = merit(problem, state, terms_, residual, weights);
   const double slope = merit_slope(problem, state, residual, step, weights);
   const Start start{

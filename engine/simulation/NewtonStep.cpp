@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/simulation/OpenChambers.hpp"
+
 namespace thinwall {
 namespace {
 
@@ -12,6 +14,10 @@ constexpr double kAnchorStiffness = 1;
 /// Gamma over the largest diagonal entry: large enough for Uzawa's iteration to gain some four digits a turn, small
 /// enough to cost no more of the factor's digits.
 constexpr double kAttachmentStiffness = 1e4;
+
+/// Of the forces on the rims of openings that the symmetric matrix leaves out, the part by which they may still change:
+/// the step's own error is of the order of its square.
+constexpr double kRimAccuracy = 1e-3;
 
 /// Part of the contacts' push that contacts may pull in a step: those at the rim open by themselves in the next one.
 constexpr double kToleratedPull = 0.1;
@@ -66,6 +72,30 @@ void Newton::build_border(const EquilibriumProblem& problem, const EquilibriumSt
   for (Eigen::Index k = 0; k < border_.rows(); ++k) {
     if (model_.fixed[k]) border_.row(k).setZero();
   }
+  if (model_.has_open_chambers()) border_openings(problem, state);
+}
+
+void Newton::border_openings(const EquilibriumProblem& problem, const EquilibriumState& state) {
+  columns_ = rows_ = border_;
+  for (std::size_t k = 0; k < bordering_.size(); ++k) {
+    const int chamber = bordering_[k];
+    if (!model_.is_open(chamber)) continue;
+    const auto column = static_cast<Eigen::Index>(k);
+    const OpeningEquation equation =
+        opening_equation(model_, problem, terms_, chamber, state.position, state.pressure, true);
+    columns_.col(column) = -terms_.pressure_load.col(chamber);
+    const bool has_air = problem.fluids[chamber].vent >= 0;
+    // Where there is air the pressure is given: for the question of convexity it is no constraint of the volume.
+    if (has_air) {
+      border_.col(column).setZero();
+      rows_.col(column).setZero();
+      corner_.row(column).setZero();
+    }
+    rows_.col(column) -= equation.by_position;
+    corner_(column, column) -= equation.by_pressure;
+  }
+  const auto first = static_cast<Eigen::Index>(constraints_) - terms_.moment_load.cols();
+  columns_.middleCols(first, terms_.moment_load.cols()) = terms_.moment_load;
 }
 
 void Newton::build_matrix(const EquilibriumProblem& problem, const EquilibriumState& state, double shift) {
@@ -117,7 +147,9 @@ bool Newton::is_convex(SparseFactor& factor, std::span<const double> values) {
   }
   if (!negative) return false;
   bordered_.set(factor, *negative, border_, corner_);
-  return bordered_.negative_eigenvalues() == constraints_;
+  if (bordered_.negative_eigenvalues() != constraints_) return false;
+  if (model_.has_open_chambers()) bordered_.set_unsymmetric(factor, columns_, rows_, corner_);
+  return true;
 }
 
 bool Newton::factorize(const EquilibriumProblem& problem, const EquilibriumState& state, double& shift) {
@@ -135,7 +167,15 @@ bool Newton::factorize(const EquilibriumProblem& problem, const EquilibriumState
   return false;
 }
 
-void Newton::find_step(const EquilibriumProblem& problem, const Residual& residual, Step& step) {
+bool Newton::improve_rim(const EquilibriumProblem& problem, const EquilibriumState& state, const Step& step,
+                         Eigen::VectorXd& rim) const {
+  const Eigen::VectorXd before = rim;
+  rim = rim_forces(model_, problem, terms_, state.position, state.pressure, step.position);
+  return (rim - before).norm() <= kRimAccuracy * rim.norm();
+}
+
+void Newton::find_step(const EquilibriumProblem& problem, const EquilibriumState& state, const Residual& residual,
+                       Step& step) {
   Eigen::VectorXd force = -residual.force;
   // The step is taken from the contact's law, not from the multiplier that enters the residual.
   for (std::size_t k = 0; k < terms_.contacts.size(); ++k) {
@@ -149,8 +189,9 @@ void Newton::find_step(const EquilibriumProblem& problem, const Residual& residu
   Eigen::VectorXd multipliers;
   const Eigen::Index rigid = problem.hold_rigid_motions ? rigid_columns_.cols() : 0;
   const auto fluid = static_cast<Eigen::Index>(bordering_.size());
+  Eigen::VectorXd rim = Eigen::VectorXd::Zero(force.size());  // newton, of the last turn's motion
   for (int turn = 0;; ++turn) {
-    step.position = force;
+    step.position = force + rim;
     for (std::size_t k = 0; k < problem.attachments.size(); ++k) {
       const Attachment& attachment = problem.attachments[k];
       const Eigen::Vector3d pull = step.forces[k] + attachment_stiffness_ * residual.gaps[k];
@@ -169,7 +210,9 @@ void Newton::find_step(const EquilibriumProblem& problem, const Residual& residu
       step.forces[k] += attachment_stiffness_ * gap;
       error = std::max(error, gap.norm());
     }
-    if (error <= 1e-14 * model_.edge_length || turn == 5 || problem.attachments.empty()) break;
+    const bool rim_is_found = !model_.has_open_chambers() || improve_rim(problem, state, step, rim);
+    const bool gaps_are_closed = error <= 1e-14 * model_.edge_length || problem.attachments.empty();
+    if ((gaps_are_closed && rim_is_found) || turn == 5) break;
   }
   step.pressure.setZero(residual.volume.size());
   for (Eigen::Index k = 0; k < fluid; ++k) step.pressure[bordering_[k]] = multipliers[k];

@@ -1,17 +1,18 @@
 #include "engine/solver/BorderedSystem.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 namespace thinwall {
 
 void BorderedSystem::set(SparseFactor& factor, int negative_pivots, const Eigen::MatrixXd& border,
                          const Eigen::MatrixXd& corner) {
   negative_eigenvalues_ = negative_pivots;
-  border_ = border;
+  rows_ = border;
   if (border.cols() == 0) return;
-  solved_border_ = border;
-  factor.solve(solved_border_);
-  const Eigen::MatrixXd schur = corner - border.transpose() * solved_border_;
+  solved_columns_ = border;
+  factor.solve(solved_columns_);
+  const Eigen::MatrixXd schur = corner - border.transpose() * solved_columns_;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(0.5 * (schur + schur.transpose()));
   Eigen::VectorXd inverse = spectrum.eigenvalues();
   for (double& value : inverse) {
@@ -21,11 +22,20 @@ void BorderedSystem::set(SparseFactor& factor, int negative_pivots, const Eigen:
   schur_inverse_ = spectrum.eigenvectors() * inverse.asDiagonal() * spectrum.eigenvectors().transpose();
 }
 
+void BorderedSystem::set_unsymmetric(SparseFactor& factor, const Eigen::MatrixXd& columns, const Eigen::MatrixXd& rows,
+                                     const Eigen::MatrixXd& corner) {
+  rows_ = rows;
+  if (rows.cols() == 0) return;
+  solved_columns_ = columns;
+  factor.solve(solved_columns_);
+  schur_inverse_ = (corner - rows.transpose() * solved_columns_).partialPivLu().inverse();
+}
+
 void BorderedSystem::solve(SparseFactor& factor, Eigen::VectorXd& f, Eigen::VectorXd& g) const {
   factor.solve(f);
-  if (border_.cols() == 0) return;
-  g = schur_inverse_ * (g - border_.transpose() * f);
-  f -= solved_border_ * g;
+  if (rows_.cols() == 0) return;
+  g = schur_inverse_ * (g - rows_.transpose() * f);
+  f -= solved_columns_ * g;
 }
 
 }  // namespace thinwall

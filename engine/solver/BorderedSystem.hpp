@@ -6,17 +6,22 @@
 
 namespace thinwall {
 
-/// Solves the symmetric bordered system
+/// Solves the bordered system
 ///
 ///     | K    B | | x |   | f |
-///     | B^T  D | | y | = | g |
+///     | C^T  D | | y | = | g |
 ///
-/// with a sparse K that is factorised and a few dense columns B (fluid pressures, rigid motions), by the Schur
-/// complement S = D - B^T K^-1 B. Sylvester's law gives the inertia of the whole: that of K plus that of S.
+/// with a sparse symmetric K that is factorised and a few dense columns B and C (fluid pressures, rigid motions), by
+/// the Schur complement S = D - C^T K^-1 B. Where C is B and D symmetric, Sylvester's law gives the inertia of the
+/// whole: that of K plus that of S.
 class BorderedSystem {
  public:
-  /// B is (unknowns x columns), D (columns x columns). `negative_pivots` is the inertia of the factor.
+  /// C is B. B is (unknowns x columns), D (columns x columns). `negative_pivots` is the inertia of the factor.
   void set(SparseFactor& factor, int negative_pivots, const Eigen::MatrixXd& border, const Eigen::MatrixXd& corner);
+
+  /// After `set`, whose inertia stays: B and C that differ.
+  void set_unsymmetric(SparseFactor& factor, const Eigen::MatrixXd& columns, const Eigen::MatrixXd& rows,
+                       const Eigen::MatrixXd& corner);
 
   /// Number of negative eigenvalues of the whole matrix.
   int negative_eigenvalues() const { return negative_eigenvalues_; }
@@ -25,9 +30,9 @@ class BorderedSystem {
   void solve(SparseFactor& factor, Eigen::VectorXd& f, Eigen::VectorXd& g) const;
 
  private:
-  Eigen::MatrixXd border_;
-  Eigen::MatrixXd solved_border_;  // K^-1 B
-  Eigen::MatrixXd schur_inverse_;  // S^-1
+  Eigen::MatrixXd rows_;            // C
+  Eigen::MatrixXd solved_columns_;  // K^-1 B
+  Eigen::MatrixXd schur_inverse_;   // S^-1
   int negative_eigenvalues_ = 0;
 };
 

@@ -109,6 +109,8 @@ BodyRecord body_record(const Body& body) {
   record.body = body.model().definition.name;
   record.volume = state.volume.sum();
   record.fluid_volume = state.fluid_volume.sum();
+  record.leaked = state.leaked.sum();
+  record.open_area = state.open_area.sum();
   record.pressure = first_pressure(state);
   record.elastic = state.books.elastic;
   record.bending = state.books.bending;
@@ -118,6 +120,7 @@ BodyRecord body_record(const Body& body) {
   record.contact = state.books.contact;
   record.viscous = state.books.viscous;
   record.friction = state.books.friction;
+  record.leak = state.books.leak;
   record.numerical = state.books.numerical;
   record.tool_work = state.books.tool_work;
   record.script_work = state.books.script_work;

@@ -67,6 +67,27 @@ TEST(BorderedSystem, ConstraintOnADefiniteMatrixAddsOneNegativeEigenvalueEach) {
   }
 }
 
+TEST(BorderedSystem, ColumnsAndRowsMayDiffer) {
+  const BlockMatrix matrix = random_matrix(80, 0.5, 3);
+  const Eigen::Index unknowns = matrix.dense.rows();
+  const Eigen::MatrixXd columns = random_columns(unknowns, 3, 11), rows = random_columns(unknowns, 3, 13);
+  const Eigen::MatrixXd corner = random_columns(3, 3, 14);
+  Eigen::MatrixXd whole(unknowns + 3, unknowns + 3);
+  whole << matrix.dense, columns, rows.transpose(), corner;
+  SparseFactor factor(matrix.pattern);
+  ASSERT_TRUE(factor.factorize(matrix.values));
+  BorderedSystem system;
+  system.set(factor, 0, columns, Eigen::MatrixXd::Zero(3, 3));
+  system.set_unsymmetric(factor, columns, rows, corner);
+  EXPECT_EQ(system.negative_eigenvalues(), 3);  // of the symmetric one
+  const Eigen::VectorXd right = random_columns(unknowns + 3, 1, 12);
+  Eigen::VectorXd f = right.head(unknowns), g = right.tail(3);
+  system.solve(factor, f, g);
+  Eigen::VectorXd solved(unknowns + 3);
+  solved << f, g;
+  EXPECT_LT((whole * solved - right).cwiseAbs().maxCoeff(), 1e-10);
+}
+
 TEST(BorderedSystem, ColumnOfOneConstraintMakesAMatrixWithOneNegativeDirectionConvex) {
   // As a balloon past its limit point: K has one negative eigenvalue, along the border the whole is convex.
   BlockMatrix matrix = random_matrix(20, 0.5, 3);

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+namespace thinwall {
+
+/// A pressure that changes evenly in space, as that of a fluid at rest or evenly accelerated.
+struct PressureField {
+  double at_origin = 0;                             // pascal
+  Eigen::Vector3d slope = Eigen::Vector3d::Zero();  // pascal / metre
+
+  double at(const Eigen::Vector3d& point) const { return at_origin + slope.dot(point); }
+};
+
+/// Load of the pressure on one side of an oriented triangle, along its normal, at its corners (x0, y0, z0, x1, ...,
+/// z2), newton: f_a = n sum_b p_b (1 + delta_ab) / 24 with n = (x1 - x0) x (x2 - x0). Over a closed surface of enclosed
+/// volume V and first moment M it is the gradient of at_origin V + slope . M; it makes sense on an open one too, which
+/// the gradients of the parts of V and M that a triangle has with the origin do not.
+Eigen::Matrix<double, 9, 1> pressure_load_of(const std::array<Eigen::Vector3d, 3>& corners, const PressureField& field);
+
+/// Its derivative by the corners, newton / metre. Over a closed surface the sum is symmetric; over an open one the part
+/// that is not lies on the rim, see `rim_load_change`.
+Eigen::Matrix<double, 9, 9> pressure_tangent_of(const std::array<Eigen::Vector3d, 3>& corners,
+                                                const PressureField& field);
+
+/// What the skew-symmetric part of the load's derivative, summed over a surface, gives at the two ends of an edge of
+/// its rim when these move: f_a = -1/2 e x sum_b u_b (integral of N_a N_b p), with e from the first to the second in
+/// the sense of the surface's triangles (from the theorem of Stokes for 1/2 p u x v along the rim). Newton.
+std::array<Eigen::Vector3d, 2> rim_load_change(const std::array<Eigen::Vector3d, 2>& ends,
+                                               const std::array<Eigen::Vector3d, 2>& motion,
+                                               const PressureField& field);
+
+}  // namespace thinwall

@@ -1,0 +1,299 @@
+// Bodies whose wall is open: the force of the contents, what runs out, the air that comes in, and the books.
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <cstdio>
+
+#include "tests/engine/simulation/OpenBodies.hpp"
+#include "tests/engine/simulation/TestBodies.hpp"
+
+namespace thinwall {
+namespace {
+
+constexpr double kPressure = 400;  // pascal
+
+/// Flow through an opening, written out: metres^3 / second.
+double bernoulli(double area, double pressure) {
+  return 0.61 * area * std::sqrt(2 * pressure / 1010);
+}
+
+/// Pressure and volume of a body as its contents are drained to nothing, without leaks.
+std::vector<std::pair<double, double>> compliance_of(BodyDefinition definition, int steps) {
+  definition.fluid.leaks = false;
+  Body body(definition, {}, quasi_static());
+  body.settle();
+  std::vector<std::pair<double, double>> curve;
+  const double root = std::sqrt(kPressure);
+  for (int step = 0; step < steps; ++step) {
+    curve.emplace_back(body.state().equilibrium.pressure[0], body.state().fluid_volume[0]);
+    const double next = root * (1 - (step + 1.0) / steps);
+    body.advance({}, {}, 1, {.load_factors = {}, .fluids = {{.added = 0, .pressure = next * next}}});
+  }
+  return curve;
+}
+
+/// Time at which the fluid has fallen to a volume: integral of dV / Q(p(V)), by the middles of the root of p.
+double time_to(const std::vector<std::pair<double, double>>& curve, double area, double volume) {
+  double time = 0;
+  for (std::size_t k = 1; k < curve.size(); ++k) {
+    const double root = 0.5 * (std::sqrt(curve[k - 1].first) + std::sqrt(curve[k].first));
+    const double part = std::min(1.0, (curve[k - 1].second - volume) / (curve[k - 1].second - curve[k].second));
+    time += part * (curve[k - 1].second - curve[k].second) / bernoulli(area, root * root);
+    if (part < 1) break;
+  }
+  return time;
+}
+
+TEST(Leak, LowersThePressureAsTheOrificeEquationAsks) {
+  const BodyDefinition definition = open_ball(320, kPressure);
+  const auto curve = compliance_of(definition, 200);
+  double error[3];
+  for (int k = 0; k < 3; ++k) {
+    Body body(definition, {}, quasi_static());
+    body.settle();
+    const double end = time_to(curve, body.state().open_area[0], curve[100].second);
+    const int steps = 20 << k;
+    for (int step = 0; step < steps; ++step) body.advance({}, {}, end / steps);
+    error[k] = body.state().equilibrium.pressure[0] / curve[100].first - 1;
+    std::printf("%d steps: error of the pressure %.2e\n", steps, error[k]);
+  }
+  EXPECT_LT(std::abs(error[1]), 1e-3);
+  EXPECT_GT(error[0] / error[1], 3);  // second order
+  EXPECT_GT(error[1] / error[2], 3);
+}
+
+TEST(Leak, OfACompressibleFluidInARigidBodyFollowsItsEquation) {
+  BodyDefinition definition = open_ball(80, kPressure);
+  definition.fluid.kind = FluidKind::kCompressible;
+  definition.fluid.bulk_modulus = 20e3;
+  definition.fixed = {{.region = BelowRegion{.axis = 2, .at = 1}}};
+  Body body(definition, {}, quasi_static());
+  body.settle();
+  const double volume = body.state().volume[0], modulus = definition.fluid.bulk_modulus;
+  std::vector<std::pair<double, double>> curve;
+  for (int k = 0; k < 1000; ++k) {
+    const double root = std::sqrt(kPressure) * (1 - k / 1000.0);
+    curve.emplace_back(root * root, volume / (1 - (root * root - kPressure) / modulus));
+  }
+  const double end = time_to(curve, body.state().open_area[0], curve[500].second);
+  for (int step = 0; step < 50; ++step) body.advance({}, {}, end / 50);
+  EXPECT_NEAR(body.state().equilibrium.pressure[0], curve[500].first, 1e-3 * curve[500].first);
+}
+
+TEST(Leak, SupportsFeelTheJet) {
+  for (const double gravity : {0.0, 9.81}) {
+    BodyDefinition definition = open_ball(320, kPressure);
+    definition.thickness.assign(definition.thickness.size(), 3e-3);
+    SimulationOptions options = quasi_static();
+    options.gravity = gravity * Eigen::Vector3d(0.6, 0, -0.8);
+    Body body(definition, {}, options);
+    body.settle();
+    for (int step = 0; step < 4; ++step) {
+      const BodyState& state = body.state();
+      const LipCap cap = lip_cap_of(body.model().openings[0].at(state.equilibrium.position));
+      // The fluid's weight bears on the wall but for what the cap would bear.
+      Eigen::Vector3d expected = -(body.model().mass.sum() / 3 + 1010 * state.volume[0]) * options.gravity;
+      PressureField field{.at_origin = state.equilibrium.pressure[0], .slope = 1010 * options.gravity};
+      field.at_origin -= field.slope.dot(body.model().chambers[0].level);
+      expected += lip_load_of(body.model().openings[0].at(state.equilibrium.position), field).rowwise().sum();
+      EXPECT_LT((force_of_supports(body, options.gravity) - expected).norm(), 1e-9 * largest_single_force(body) + 1e-9);
+      if (gravity == 0) {
+        EXPECT_NEAR(expected.z(), state.equilibrium.pressure[0] * cap.area.z(), 1e-12);
+      }
+      body.advance({}, {}, 0.01);
+    }
+  }
+}
+
+TEST(Leak, ConvergesQuadraticallyAlthoughNothingIsSymmetric) {
+  BodyDefinition definition = open_ball(320, 600, 2);
+  definition.fixed = {{.region = BelowRegion{.axis = 2, .at = -15e-3}}};  // the lips move
+  Body body(definition, {}, dynamic());
+  body.settle();
+  EquilibriumProblem problem;
+  problem.fluids = {{.fluid_volume = 0.97 * body.state().fluid_volume[0], .outflow_time = 0.003}};
+  problem.gravity = {1, 2, -5};
+  const Eigen::Vector3d origin(0, 0, 0.015);
+  const Eigen::Vector3d moment =
+      body.state().fluid_motion[0].moment + body.state().volume[0] * (body.model().chambers[0].level - origin);
+  problem.fluid_inertia = {{.factor = 1e12, .target = moment + Eigen::Vector3d(4e-9, -2e-9, 3e-9), .origin = origin}};
+  EquilibriumState state = body.state().equilibrium;
+  Newton newton(body.model());
+  const NewtonResult result = newton.solve(problem, state, {});
+  ASSERT_TRUE(result.converged) << result.reason;
+  for (const double residual : result.residual_history) std::printf("%.2e N\n", residual);
+  const std::vector<double>& history = result.residual_history;
+  const std::size_t last = history.size() - 1;
+  EXPECT_LT(history[last - 1], 3e-2 * history[last - 2]);
+  EXPECT_LT(history[last], 1e-3 * history[last - 1]);
+}
+
+/// Books, complementarity and identity after a step.
+struct Watch {
+  double whole = 0, worst_identity = 0, worst_imbalance = 0, largest = 0, lowest_pressure = 0, most_air = 0;
+  bool both = false;  // air and pressure at once
+
+  explicit Watch(const Body& body) : whole(body.state().fluid_volume.sum()) {}
+  void note(const Body& body) {
+    const BodyState& state = body.state();
+    const double identity = (state.fluid_volume.sum() + state.leaked.sum()) / whole - 1;
+    worst_identity = std::max(worst_identity, std::abs(identity));
+    worst_imbalance = std::max(worst_imbalance, std::abs(state.books.imbalance()));
+    for (const double term : {state.books.elastic, state.books.leak, state.books.gravity, state.books.script_work,
+                              state.books.tool_work, state.books.kinetic}) {
+      largest = std::max(largest, std::abs(term));
+    }
+    lowest_pressure = std::min(lowest_pressure, state.equilibrium.pressure[0]);
+    most_air = std::max(most_air, state.air[0]);
+    both = both || (state.air[0] > 0 && state.equilibrium.pressure[0] > 1e-6);
+    EXPECT_NEAR(state.volume[0], state.fluid_volume[0] + state.air[0], 1e-9 * whole);
+  }
+  void expect_sound() const {
+    EXPECT_FALSE(both);
+    EXPECT_GT(lowest_pressure, -1e-6);
+    EXPECT_LT(worst_identity, 1e-12);
+    EXPECT_LT(worst_imbalance, 1e-9 * largest);
+  }
+};
+
+TEST(Leak, BooksCloseAndTheIntegratorHasLittleOfThem) {
+  for (const FluidKind kind : {FluidKind::kIncompressible, FluidKind::kCompressible}) {
+    for (const Analysis analysis : {Analysis::kQuasiStatic, Analysis::kDynamic}) {
+      BodyDefinition definition = open_ball(320, kPressure);
+      definition.fixed = {{.region = BelowRegion{.axis = 2, .at = -15e-3}}};
+      definition.fluid.kind = kind;
+      definition.fluid.bulk_modulus = 20e3;
+      double numerical[2];
+      for (int k = 0; k < 2; ++k) {
+        SimulationOptions options;
+        options.analysis = analysis;
+        Body body(definition, {}, options);
+        body.settle();
+        Watch watch(body);
+        const int steps = k == 0 ? 20 : 80;
+        for (int step = 0; step < steps; ++step) {
+          body.advance({}, {}, 0.15 / steps);
+          if (kind == FluidKind::kIncompressible) watch.note(body);
+        }
+        const EnergyBooks& books = body.state().books;
+        EXPECT_LT(std::abs(books.imbalance()), 1e-9 * books.script_work);
+        EXPECT_GT(books.leak, 0.5 * books.script_work);
+        numerical[k] = std::abs(books.numerical) / books.script_work;
+      }
+      std::printf("numerical / work %.1e, with steps of a quarter %.1e\n", numerical[0], numerical[1]);
+      // A leak that opens at once accelerates the masses at once, and shakes what is stiff: to no order.
+      EXPECT_LT(numerical[0], analysis == Analysis::kDynamic ? 2e-3 : 3e-4);
+      EXPECT_LT(numerical[1], numerical[0] / (analysis == Analysis::kDynamic ? 1.1 : 14));  // second order
+    }
+  }
+}
+
+TEST(Leak, GelKeepsItsVolumeAndStillHasNoLoadOnTheLips) {
+  BodyDefinition definition = open_ball(320, kPressure);
+  definition.fluid.leaks = false;
+  Body body(definition, {}, quasi_static());
+  body.settle();
+  const double volume = body.state().volume[0];
+  for (int step = 0; step < 3; ++step) body.advance({}, {}, 0.1);
+  EXPECT_NEAR(body.state().volume[0], volume, 1e-10 * volume);
+  EXPECT_EQ(body.state().leaked[0], 0);
+  EXPECT_EQ(body.state().books.leak, 0);
+  const double area = body.state().open_area[0];
+  EXPECT_NEAR(force_of_supports(body).z(), kPressure * area, 1e-6 * kPressure * area);
+  // Drained beyond what it holds at rest it draws its wall in; no air comes.
+  for (int step = 0; step < 5; ++step) body.advance({}, {}, 0.1, filling(body, volume * (1 - 0.03 * (step + 1))));
+  EXPECT_LT(body.state().equilibrium.pressure[0], 0);
+  EXPECT_EQ(body.state().air[0], 0);
+}
+
+/// A shell that springs back without pressure, pressed from the side and let go.
+BodyDefinition springy_ball() {
+  BodyDefinition definition = open_ball(320, 100);
+  definition.model = WallModel::kShell;
+  definition.thickness.assign(definition.thickness.size(), 2e-3);
+  definition.fixed = {{.region = BelowRegion{.axis = 2, .at = -15e-3}}};
+  return definition;
+}
+
+TEST(Leak, AirComesInWhenTheWallSpringsBackAndGoesOutFreely) {
+  Body body(springy_ball(), {sphere_tool(6e-3)}, quasi_static());
+  body.settle();
+  Watch watch(body);
+  const auto note = [&](const ToolPose&) { watch.note(body); };
+  const Eigen::Vector3d far(28e-3, 0, 0), deep(10e-3, 0, 0);
+  ToolPose pose = pose_at(far, -Eigen::Vector3d::UnitX());
+  pose = move(body, pose, deep, 20, 0.01, note);
+  pose = move(body, pose, deep, 20, 0.02, note);
+  const double pressed_out = body.state().leaked[0];
+  EXPECT_GT(pressed_out, 1e-6);
+  EXPECT_EQ(watch.most_air, 0);
+  pose = move(body, pose, far, 20, 0.01, note);
+  const double air = body.state().air[0];
+  EXPECT_GT(air, 1e-6);
+  EXPECT_NEAR(body.state().equilibrium.pressure[0], 0, 1e-9);
+  // Half way there is still air inside, and no fluid leaves.
+  pose = move(body, pose, 0.5 * (far + deep), 10, 0.02, note);
+  EXPECT_EQ(body.state().leaked[0], pressed_out);
+  EXPECT_LT(body.state().air[0], air);
+  pose = move(body, pose, deep - Eigen::Vector3d(4e-3, 0, 0), 20, 0.01, note);
+  EXPECT_EQ(body.state().air[0], 0);
+  EXPECT_GT(body.state().equilibrium.pressure[0], 10);
+  EXPECT_GT(body.state().leaked[0], pressed_out);
+  watch.expect_sound();
+}
+
+TEST(Leak, AirAndPressureTakeTurnsInMotionToo) {
+  Body body(springy_ball(), {sphere_tool(6e-3)}, dynamic());
+  body.settle();
+  Watch watch(body);
+  const auto note = [&](const ToolPose&) { watch.note(body); };
+  const Eigen::Vector3d far(28e-3, 0, 0), deep(10e-3, 0, 0);
+  ToolPose pose = move(body, pose_at(far, -Eigen::Vector3d::UnitX()), deep, 20, 0.01, note);
+  pose = move(body, pose, far, 20, 0.005, note);
+  EXPECT_GT(body.state().air[0], 0.5e-6);
+  watch.expect_sound();
+}
+
+TEST(Leak, FluidAndLeakedKeepTheirSumOverAThousandSteps) {
+  BodyDefinition definition = open_ball(80, kPressure);
+  definition.fixed = {{.region = BelowRegion{.axis = 2, .at = -15e-3}}};
+  definition.fluid.discharge = 0.05;
+  Body body(definition, {}, dynamic());
+  body.settle();
+  Watch watch(body);
+  for (int step = 0; step < 1000; ++step) {
+    body.advance({}, {}, 0.002);
+    watch.note(body);
+  }
+  EXPECT_LT(watch.worst_identity, 1e-12);
+  EXPECT_GT(body.state().leaked[0], 1e-6);
+  EXPECT_LT(body.state().equilibrium.pressure[0], 0.5 * kPressure);
+}
+
+TEST(Leak, AFreeBodyRecoilsFromItsJet) {
+  BodyDefinition definition = open_ball(320, kPressure);
+  definition.fixed.clear();
+  Body body(definition, {}, dynamic());
+  body.settle();
+  double impulse = 0, carried = 0;  // newton second, along z: of the jet, and with the fluid that left
+  const auto jet = [&] {
+    return body.state().equilibrium.pressure[0] *
+           lip_cap_of(body.model().openings[0].at(body.state().equilibrium.position)).area.z();
+  };
+  for (int step = 0; step < 100; ++step) {
+    const double before = jet();
+    body.advance({}, {}, 0.0005);
+    impulse -= 0.0005 * 0.5 * (before + jet());
+    const double speed = body.state().fluid_motion[0].velocity.z() / body.state().volume[0];
+    carried += 1010 * body.state().last_outflow[0] * speed;
+  }
+  const double moved = momentum(body).z() + carried;
+  std::printf("momentum %.4e, impulse %.4e, carried away %.1e N s\n", moved, impulse, carried);
+  EXPECT_LT(impulse, -1e-3);
+  EXPECT_NEAR(moved, impulse, 1e-2 * std::abs(impulse));
+}
+
+}  // namespace
+}  // namespace thinwall
