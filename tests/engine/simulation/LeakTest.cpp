@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "engine/mesh/Shapes.hpp"
 #include "tests/engine/simulation/OpenBodies.hpp"
 #include "tests/engine/simulation/TestBodies.hpp"
 
@@ -270,6 +271,52 @@ TEST(Leak, FluidAndLeakedKeepTheirSumOverAThousandSteps) {
   EXPECT_LT(watch.worst_identity, 1e-12);
   EXPECT_GT(body.state().leaked[0], 1e-6);
   EXPECT_LT(body.state().equilibrium.pressure[0], 0.5 * kPressure);
+}
+
+TEST(Leak, DoesNotRingWhereThePressureFollowsStiffly) {
+  // A steady inflow into a stiff body: the pressure goes to where as much leaves, from one side, with any step.
+  BodyDefinition definition = open_ball(80, kPressure);
+  definition.fluid.kind = FluidKind::kCompressible;
+  definition.fluid.bulk_modulus = 2e6;
+  definition.fixed = {{.region = BelowRegion{.axis = 2, .at = 1}}};
+  Body body(definition, {}, quasi_static());
+  body.settle();
+  const double inflow = bernoulli(body.state().open_area[0], 100);
+  for (int step = 0; step < 20; ++step) {
+    const double before = body.state().equilibrium.pressure[0];
+    body.advance({}, {}, 0.1, {.load_factors = {}, .fluids = {{.added = 0.1 * inflow, .pressure = {}}}});
+    const double now = body.state().equilibrium.pressure[0];
+    EXPECT_LE(std::abs(now - 100), 0.5 * std::abs(before - 100) + 1e-3);
+    EXPECT_NEAR(body.state().books.imbalance(), 0, 1e-9 * body.state().books.script_work);
+  }
+  EXPECT_NEAR(body.state().equilibrium.pressure[0], 100, 1e-2);  // the root is laminar near zero
+}
+
+TEST(Leak, OfOneChamberLeavesTheOther) {
+  BodyDefinition definition = make_body(make_sphere(20e-3, 80), 1e-3, neo_hookean(20e3));
+  const SurfaceMesh other = definition.mesh;
+  const int count = static_cast<int>(other.vertices.size());
+  for (const Eigen::Vector3d& vertex : other.vertices)
+    definition.mesh.vertices.push_back(vertex + Eigen::Vector3d(0.1, 0, 0));
+  for (const Eigen::Vector3i& triangle : other.triangles) definition.mesh.triangles.push_back(triangle.array() + count);
+  definition.thickness.assign(definition.mesh.triangles.size(), 1e-3);
+  definition.fluid.initial_pressure = kPressure;
+  definition.fixed = {{.region = BelowRegion{.axis = 2, .at = -15e-3}}};
+  open_at({0.1, 0, 20e-3}, 1, definition);
+  for (const Analysis analysis : {Analysis::kQuasiStatic, Analysis::kDynamic}) {
+    SimulationOptions options;
+    options.analysis = analysis;
+    Body body(definition, {}, options);
+    body.settle();
+    ASSERT_EQ(body.model().openings[0].chamber, 1);
+    const double volume = body.state().fluid_volume[0];
+    for (int step = 0; step < 10; ++step) body.advance({}, {}, 0.01);
+    EXPECT_EQ(body.state().fluid_volume[0], volume);
+    EXPECT_NEAR(body.state().equilibrium.pressure[0], kPressure, 1e-6 * kPressure);
+    EXPECT_LT(body.state().equilibrium.pressure[1], 0.8 * kPressure);
+    EXPECT_GT(body.state().leaked[1], 1e-6);
+    EXPECT_EQ(body.state().leaked[0], 0);
+  }
 }
 
 TEST(Leak, AFreeBodyRecoilsFromItsJet) {

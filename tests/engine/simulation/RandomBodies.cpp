@@ -2,7 +2,9 @@
 // to them. None may fail, pass through itself, or leave its books of energy open. Each is a function of the seed and
 // its number alone.
 //
-// usage: random_bodies [--count N] [--seed S] [--only K]
+// With --open each has an opening through which its contents run out for half a second, with air coming in.
+//
+// usage: random_bodies [--open] [--count N] [--seed S] [--only K]
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -20,12 +22,13 @@
 #include "engine/mesh/Shapes.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
 #include "tests/engine/contact/SurfaceIntersections.hpp"
+#include "tests/engine/simulation/OpenBodies.hpp"
 #include "tests/engine/simulation/TestBodies.hpp"
 
 namespace thinwall {
 namespace {
 
-enum class Treatment { kPalpate, kDrain, kInflate };
+enum class Treatment { kPalpate, kDrain, kInflate, kLeave };
 
 struct Recipe {
   BodyDefinition body;
@@ -43,7 +46,7 @@ struct Recipe {
 
 class Drawer {
  public:
-  Drawer(unsigned seed, unsigned number) {
+  Drawer(unsigned seed, unsigned number, bool open) : open_(open) {
     std::seed_seq sequence{seed, number};
     random_.seed(sequence);
   }
@@ -53,6 +56,7 @@ class Drawer {
     draw_body(recipe);
     draw_fluid(recipe);
     draw_tool(recipe);
+    if (open_) draw_opening(recipe);
     words_ << ", " << (recipe.options.analysis == Analysis::kDynamic ? "dynamic" : "quasi-static") << ", step "
            << recipe.options.time_step * 1e3 << " ms";
     if (recipe.options.gravity.norm() > 0) words_ << ", gravity " << recipe.options.gravity.transpose() << " m/s^2";
@@ -63,7 +67,7 @@ class Drawer {
  private:
   void draw_body(Recipe& recipe) {
     static constexpr const char* kShapes[] = {"sphere", "hemisphere", "semicylinder", "cylinder", "sheet"};
-    shape_ = pick(5);
+    shape_ = pick(open_ ? 4 : 5);
     triangles_ = 60 + pick(240);
     modulus_ = between(5e3, 100e3);
     thickness_ = between(0.3e-3, 2e-3);
@@ -142,7 +146,7 @@ class Drawer {
   void draw_fluid(Recipe& recipe) {
     FluidDefinition& fluid = recipe.body.fluid;
     static constexpr const char* kFluids[] = {"incompressible", "compressible", "no fluid"};
-    const int kind = shape_ == 4 ? 2 : pick(5) % 3;
+    const int kind = shape_ == 4 ? 2 : open_ ? pick(2) : pick(5) % 3;
     fluid.kind = kind == 0 ? FluidKind::kIncompressible : kind == 1 ? FluidKind::kCompressible : FluidKind::kNone;
     fluid.bulk_modulus = between(20e3, 500e3);
     // Up to a third of what a balloon of that wall holds.
@@ -152,12 +156,15 @@ class Drawer {
     if (kind < 2) words_ << " at " << pressure << " Pa";
     if (kind == 1) words_ << ", bulk modulus " << fluid.bulk_modulus << " Pa";
     const int treatment = kind == 2 ? 0 : pick(4);
-    if (treatment == 1) {
+    if (open_ && treatment > 1) {
+      recipe.treatment = Treatment::kLeave;
+      recipe.kind += " left alone";
+    } else if (!open_ && treatment == 1) {
       recipe.treatment = Treatment::kDrain;
       recipe.filling = between(0.15, 0.95);
       recipe.kind += " drained";
       words_ << ", drained to " << recipe.filling;
-    } else if (treatment == 2) {
+    } else if (!open_ && treatment == 2) {
       recipe.treatment = Treatment::kInflate;
       recipe.filling = between(1.02, 1.4);
       recipe.kind += " inflated";
@@ -193,6 +200,21 @@ class Drawer {
            << recipe.tool.radius * 1e3 << " mm, friction " << recipe.tool.friction << "), aim "
            << recipe.aim.head<2>().transpose() * 1e3 << " mm, depth " << recipe.depth * 1e3 << " mm at "
            << recipe.speed * 1e3 << " mm/s";
+  }
+
+  /// A hole somewhere on the upper part, clear of what is held and of caps.
+  void draw_opening(Recipe& recipe) {
+    const double around = between(-1, 1), along = between(-1, 1);
+    Eigen::Vector3d point(0.7 * around, 0.7 * along, 1);
+    if (shape_ == 2 || shape_ == 3) point = {around, 0, 1};
+    point = kRadius * point.normalized();
+    if (shape_ == 2 || shape_ == 3) point.y() = 5e-3 * along;
+    const int rings = triangles_ > 200 && shape_ < 2 ? 1 + pick(2) : 1;
+    open_at(point, rings, recipe.body);
+    recipe.body.fluid.leaks = pick(8) > 0;
+    recipe.kind = "open " + recipe.kind;
+    words_ << ", open at " << point.transpose() * 1e3 << " mm over " << rings << " rings"
+           << (recipe.body.fluid.leaks ? "" : ", a gel");
   }
 
   /// How deep a tool may go, as a part of the body's height: a ball as deep as there is room; a point or a line pulls a
@@ -232,7 +254,7 @@ class Drawer {
   std::mt19937 random_;
   std::ostringstream words_;
   int shape_ = 0, triangles_ = 0;
-  bool in_bed_ = false;
+  bool in_bed_ = false, open_ = false;
   double modulus_ = 0, thickness_ = 0;
 };
 
@@ -261,13 +283,23 @@ struct Outcome {
     const EnergyBooks& books = body.state().books;
     worst_imbalance = std::max(worst_imbalance, std::abs(books.imbalance()));
     for (const double term : {books.elastic, books.kinetic, books.fluid, books.gravity, books.contact, books.viscous,
-                              books.numerical, books.tool_work, books.script_work}) {
+                              books.leak, books.numerical, books.tool_work, books.script_work}) {
       largest_energy = std::max(largest_energy, std::abs(term));
     }
+    if (body.model().has_open_chambers()) note_opening(body);
     intersections +=
         surface_intersections(body.model().definition.mesh.triangles, body.state().equilibrium.position).empty() ? 0
                                                                                                                  : 1;
   }
+  void note_opening(const Body& body) {
+    const BodyState& state = body.state();
+    if (whole == 0) whole = state.fluid_volume[0] + state.leaked[0];
+    lost = std::max(lost, std::abs((state.fluid_volume[0] + state.leaked[0]) / whole - 1));
+    leaked = state.leaked[0] / whole;
+    most_air = std::max(most_air, state.air[0] / whole);
+    if (state.air[0] < 0 || state.leaked[0] < 0) failure = "air or leak below zero";
+  }
+  double whole = 0, lost = 0, leaked = 0, most_air = 0;  // metres^3, and parts of it
   double imbalance() const { return worst_imbalance / std::max(largest_energy, 1e-12); }
 };
 
@@ -301,6 +333,16 @@ void fill(const Recipe& recipe, Body& body, Outcome& outcome) {
   }
 }
 
+/// Nothing touches the body for half a second.
+void leave(const Recipe& recipe, Body& body, Outcome& outcome) {
+  const std::array<ToolPose, 1> poses = {pose_at({0, 0, 1})};
+  const int steps = static_cast<int>(std::ceil(0.5 / recipe.options.time_step));
+  for (int step = 0; step < steps; ++step) {
+    body.advance(poses, poses, recipe.options.time_step);
+    outcome.note(body);
+  }
+}
+
 Outcome run(const Recipe& recipe) {
   Outcome outcome;
   try {
@@ -308,9 +350,11 @@ Outcome run(const Recipe& recipe) {
     body.settle();
     if (recipe.treatment == Treatment::kPalpate) {
       palpate(recipe, body, outcome);
-    } else {
+    } else if (recipe.treatment != Treatment::kLeave) {
       fill(recipe, body, outcome);
     }
+    if (body.model().has_open_chambers()) leave(recipe, body, outcome);
+    if (outcome.lost > 1e-9) outcome.failure = "fluid is lost";
     if (outcome.passed > 0) outcome.failure = "the ball passes through the wall";
     if (outcome.intersections > 0) outcome.failure = "the wall passes through itself";
     // Books that close to round-off show any term that is missing.
@@ -325,13 +369,13 @@ struct Tally {
   int bodies = 0, failed = 0;
 };
 
-int run_all(unsigned seed, int first, int count) {
+int run_all(unsigned seed, int first, int count, bool open) {
   std::map<std::string, Tally> tallies;
   Tally all;
   int steps = 0, halvings = 0, folded = 0;
   double worst_imbalance = 0, slowest = 0;
   for (int number = first; number < first + count; ++number) {
-    const Recipe recipe = Drawer(seed, number).draw();
+    const Recipe recipe = Drawer(seed, number, open).draw();
     const std::clock_t begin = std::clock();
     const Outcome outcome = run(recipe);
     const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
@@ -346,8 +390,8 @@ int run_all(unsigned seed, int first, int count) {
     folded += outcome.most_folds > 0 ? 1 : 0;
     worst_imbalance = std::max(worst_imbalance, outcome.imbalance());
     if (!outcome.failure.empty()) {
-      std::printf("FAILED --seed %u --only %d: %s\n  %s; after %d steps\n", seed, number, outcome.failure.c_str(),
-                  recipe.words.c_str(), outcome.steps);
+      std::printf("FAILED %s--seed %u --only %d: %s\n  %s; after %d steps\n", open ? "--open " : "", seed, number,
+                  outcome.failure.c_str(), recipe.words.c_str(), outcome.steps);
     } else if (outcome.halvings > 0 || seconds > 10) {
       std::printf("--only %d: %d halvings, up to %d iterations a step, %.1f s: %s\n", number, outcome.halvings,
                   outcome.most_iterations, seconds, recipe.words.c_str());
@@ -370,11 +414,14 @@ int run_all(unsigned seed, int first, int count) {
 int main(int argc, char** argv) {
   unsigned seed = 1;
   int first = 0, count = 1000;
-  for (int k = 1; k + 1 < argc; k += 2) {
+  bool open = false;
+  for (int k = 1; k < argc; ++k) {
+    open = open || std::strcmp(argv[k], "--open") == 0;
+    if (k + 1 == argc) break;
     const int value = std::atoi(argv[k + 1]);
     if (std::strcmp(argv[k], "--seed") == 0) seed = static_cast<unsigned>(value);
     if (std::strcmp(argv[k], "--count") == 0) count = value;
     if (std::strcmp(argv[k], "--only") == 0) first = value, count = 1;
   }
-  return thinwall::run_all(seed, first, count);
+  return thinwall::run_all(seed, first, count, open);
 }
