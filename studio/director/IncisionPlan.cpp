@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "studio/director/BodyExtent.hpp"
 #include "studio/scenario/InputError.hpp"
@@ -15,9 +17,15 @@ namespace {
 constexpr double kSamplesPerWidth = 32;
 constexpr int kMostSamples = 10000;
 
-/// A chord shorter than this part of the blade's width tells no heading: the path turns back there by more than
-/// 2 acos(0.2) = 157 degrees.
-constexpr double kShortChord = 0.2;
+/// Points before the tip, and behind it, that tell the heading.
+constexpr int kHeadingPoints = 16;
+
+/// Where the path scatters less than this along one direction more than across it, as at a corner of 127 degrees, it
+/// tells no heading: the blade goes on as it was.
+constexpr double kNoHeading = 0.1;
+
+/// A blade turns by at most this while it goes on by its width, radians.
+constexpr double kTurnPerWidth = 4;
 
 /// A surface winds around a point more than this often where the point lies inside.
 constexpr double kInside = 0.5;
@@ -69,24 +77,42 @@ Eigen::Vector3d point_at(const SurfacePath& path, double along, double reach) {
   return point + beyond * chord.stableNormalized();
 }
 
+/// Angle about `inward` from `axis` to the line along which the path scatters most within half a width before and
+/// behind a place, from -90 to 90 degrees, radians. The first principal axis: that of the moments in the plane.
+double turn_to_path(const SurfacePath& path, double along, double width, const ToolPose& frame) {
+  const Eigen::Vector3d middle = path.at(along).position, across = frame.direction.cross(frame.axis);
+  std::vector<Eigen::Vector2d> points;
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  for (int k = -kHeadingPoints; k <= kHeadingPoints; ++k) {
+    const Eigen::Vector3d offset = point_at(path, along + 0.5 * width * k / kHeadingPoints, 0.5 * width) - middle;
+    points.emplace_back(offset.dot(frame.axis), offset.dot(across));
+    mean += points.back() / (2 * kHeadingPoints + 1);
+  }
+  double along_axis = 0, across_axis = 0, mixed = 0;
+  for (const Eigen::Vector2d& point : points) {
+    const Eigen::Vector2d offset = point - mean;
+    along_axis += offset.x() * offset.x();
+    across_axis += offset.y() * offset.y();
+    mixed += offset.x() * offset.y();
+  }
+  const double difference = std::hypot(along_axis - across_axis, 2 * mixed);
+  if (difference <= kNoHeading * (along_axis + across_axis)) return 0;
+  return 0.5 * std::atan2(2 * mixed, along_axis - across_axis);
+}
+
 std::vector<Eigen::Vector3d> blade_axes(const SurfacePath& path, double width) {
   const double wanted = std::ceil(kSamplesPerWidth * path.length() / width);
-  const int count = std::clamp(static_cast<int>(std::min(wanted, 1.0 * kMostSamples)), 1, kMostSamples) + 1;
-  // The heading before the first that is told apart: any, as on a path that turns back within a blade's width.
-  Eigen::Vector3d last = path.stations.back().position - path.stations.front().position;
-  for (std::size_t k = 1; k < path.stations.size() && last.norm() == 0; ++k) {
-    last = path.stations[k].position - path.stations[0].position;
-  }
-  last = make_pose(Eigen::Vector3d::Zero(), path.stations.front().inward, last).axis;
+  const int count = static_cast<int>(std::clamp(wanted, 1.0, 1.0 * kMostSamples)) + 1;
+  const double step = path.length() / (count - 1);
+  // At first the edge leads forwards.
+  Eigen::Vector3d axis = point_at(path, 0.5 * width, 0.5 * width) - path.stations.front().position;
   std::vector<Eigen::Vector3d> axes;
   for (int k = 0; k < count; ++k) {
-    const double along = path.length() * k / (count - 1);
-    const Eigen::Vector3d inward = path.at(along).inward;
-    Eigen::Vector3d chord =
-        point_at(path, along + 0.5 * width, 0.5 * width) - point_at(path, along - 0.5 * width, 0.5 * width);
-    chord -= inward * inward.dot(chord);
-    if (chord.norm() > kShortChord * width) last = (k > 0 && chord.dot(last) < 0 ? -1 : 1) * chord.normalized();
-    axes.push_back(make_pose(Eigen::Vector3d::Zero(), inward, last).axis);
+    const ToolPose frame = make_pose(Eigen::Vector3d::Zero(), path.at(k * step).inward, axis);
+    const double most = k == 0 ? std::numbers::pi : kTurnPerWidth * step / width;
+    const double turn = std::clamp(turn_to_path(path, k * step, width, frame), -most, most);
+    axis = std::cos(turn) * frame.axis + std::sin(turn) * frame.direction.cross(frame.axis);
+    axes.push_back(axis);
   }
   return axes;
 }

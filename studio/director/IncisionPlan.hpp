@@ -29,9 +29,9 @@ struct IncisionPlan {
 /// or cannot be joined with the one before, the path has no length, the blade is shorter than the depth or the body
 /// less deep, or the blade would start inside the body or touch it already.
 ///
-/// The blade's width (y') lies along the path: along the chord between the points of the path half a width before and
-/// behind the tip, so that it turns over its width at a corner; the edge leads in the sense of the path. Where the path
-/// turns back by more than some 155 degrees the blade goes back without turning.
+/// The blade's width (y') lies along the path: along the line nearest to the path within half a width before and behind
+/// the tip, so that it turns over its width at a corner; at first the edge leads forwards. Where the path turns back by
+/// more than some 127 degrees the blade goes back without turning. It turns by at most 4 rad over its width.
 IncisionPlan plan_incision(const InciseClip& clip, const ToolDefinition& tool, const SurfaceView& surface,
                            const SourceLocation& location);
 
