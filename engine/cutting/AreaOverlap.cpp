@@ -6,6 +6,13 @@
 namespace thinwall {
 namespace {
 
+Eigen::AlignedBox3d box_of(const CutPatch& patch, int triangle) {
+  Eigen::AlignedBox3d box;
+  for (const int vertex : patch.triangles[triangle]) box.extend(patch.positions[vertex]);
+  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(1e-9 * box.diagonal().norm());  // it may be flat
+  return {box.min() - margin, box.max() + margin};
+}
+
 using Polygon = std::vector<Eigen::Vector2d>;
 
 /// Coordinates in the plane of a facet.
@@ -71,10 +78,11 @@ std::vector<TriangleSource> overlaps(const CutPatch& before, const CutPatch& aft
     if (!after.changed[t]) continue;
     TriangleSource source{.triangle = t, .before = {}};
     const FacetFrame frame(after, t);
+    const Eigen::AlignedBox3d box = box_of(after, t);
     const Polygon polygon = frame.polygon(after, t);
     double sum = 0;
     for (const int old : replaced) {
-      if (before.facet[old] != after.facet[t]) continue;
+      if (before.facet[old] != after.facet[t] || !box.intersects(box_of(before, old))) continue;
       const double area = common_area(polygon, frame.polygon(before, old));
       if (area <= kNoShare * area_of(polygon)) continue;
       source.before.push_back({old, area});

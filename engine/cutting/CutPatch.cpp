@@ -216,4 +216,30 @@ void CutPatch::set_on_path(int a, int b) {
   }
 }
 
+void CutPatch::find_freedom(int first) {
+  for (int v = first; v < vertex_count(); ++v) {
+    freedom[v] = VertexFreedom::kFixed;
+    const PatchFan fan = fan_of(v);
+    if (!fan.closed) continue;
+    std::vector<Eigen::Vector3d> creases;
+    for (const PatchCorner& corner : fan.corners) {
+      if (!is_crease(corner.triangle, corner.corner)) continue;
+      const int end = triangles[corner.triangle][(corner.corner + 1) % 3];
+      creases.push_back((positions[end] - positions[v]).normalized());
+    }
+    if (creases.empty()) freedom[v] = VertexFreedom::kFree;
+    constexpr double kStraight = 1e-9;  // sine of an angle
+    if (creases.size() != 2 || (creases[0] + creases[1]).norm() > kStraight) continue;
+    freedom[v] = VertexFreedom::kLine;
+    line[v] = creases[0];
+  }
+}
+
+double CutPatch::mean_edge(int triangle) const {
+  const Eigen::Vector3i& t = triangles[triangle];
+  double sum = 0;
+  for (int k = 0; k < 3; ++k) sum += (positions[t[(k + 1) % 3]] - positions[t[k]]).norm();
+  return sum / 3;
+}
+
 }  // namespace thinwall

@@ -76,6 +76,11 @@ struct CutPatch {
   bool can_flip(int triangle, int side) const;
   void set_on_path(int a, int b);
 
+  /// Finds where vertices from `first` on may go: anywhere within one facet, along a straight crease between two, else
+  /// nowhere.
+  void find_freedom(int first);
+  double mean_edge(int triangle) const;  // metres
+
  private:
   int add_vertex(const Eigen::Vector3d& position, VertexFreedom its_freedom);
   int add_triangle_like(int triangle);

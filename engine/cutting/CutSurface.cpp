@@ -14,6 +14,7 @@
 #include "engine/cutting/CutQuality.hpp"
 #include "engine/cutting/LipOpening.hpp"
 #include "engine/cutting/PatchNumbers.hpp"
+#include "engine/cutting/PathRefinement.hpp"
 #include "engine/cutting/WantedPath.hpp"
 #include "engine/mesh/MeshTopology.hpp"
 
@@ -125,8 +126,9 @@ void CutSurface::check_path(const CutPath& path) const {
 }
 
 namespace {
-constexpr int kRings = 3;  // of triangles around the path; the outermost one stays as it is
-}
+// Rings of triangles around the path; the outermost one stays as it is.
+constexpr int kRings = 3, kRingsOfRefinement = 2;
+}  // namespace
 
 Eigen::Vector3d CutSurface::position_of(const SurfacePoint& point) const {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
@@ -134,7 +136,7 @@ Eigen::Vector3d CutSurface::position_of(const SurfacePoint& point) const {
   return position;
 }
 
-std::vector<int> CutSurface::triangles_near(const CutPath& path) const {
+std::vector<int> CutSurface::triangles_near(const CutPath& path, int rings) const {
   std::vector<char> has_triangle(mesh_.triangles.size(), 0), has_vertex(mesh_.vertices.size(), 0);
   std::vector<int> near;
   const auto add = [&](int t) {
@@ -161,7 +163,7 @@ std::vector<int> CutSurface::triangles_near(const CutPath& path) const {
     }
   }
   std::size_t begin = 0;
-  for (int ring = 0; ring < kRings; ++ring) {
+  for (int ring = 0; ring < rings; ++ring) {
     const std::size_t end = near.size();
     for (; begin < end; ++begin) {
       for (const int vertex : mesh_.triangles[near[begin]]) {
@@ -174,32 +176,9 @@ std::vector<int> CutSurface::triangles_near(const CutPath& path) const {
   return near;
 }
 
-namespace {
-
-/// Where vertices may go: free within one facet, along a straight crease between two, else nowhere.
-void find_freedom(CutPatch& patch) {
-  for (int v = 0; v < patch.vertex_count(); ++v) {
-    patch.freedom[v] = VertexFreedom::kFixed;
-    const PatchFan fan = patch.fan_of(v);
-    if (!fan.closed) continue;
-    std::vector<Eigen::Vector3d> creases;
-    for (const PatchCorner& corner : fan.corners) {
-      if (!patch.is_crease(corner.triangle, corner.corner)) continue;
-      const int end = patch.triangles[corner.triangle][(corner.corner + 1) % 3];
-      creases.push_back((patch.positions[end] - patch.positions[v]).normalized());
-    }
-    if (creases.empty()) patch.freedom[v] = VertexFreedom::kFree;
-    if (creases.size() != 2 || (creases[0] + creases[1]).norm() > 1e-9) continue;
-    patch.freedom[v] = VertexFreedom::kLine;
-    patch.line[v] = creases[0];
-  }
-}
-
-}  // namespace
-
 CutPatch CutSurface::extract(const CutPath& path, const CutOptions& options, PatchNumbers& numbers) const {
   CutPatch patch;
-  numbers.triangles = triangles_near(path);
+  numbers.triangles = triangles_near(path, kRings + (options.edge_length > 0 ? kRingsOfRefinement : 0));
   std::vector<int> local_triangle(mesh_.triangles.size(), -1), local_vertex(mesh_.vertices.size(), -1);
   std::unordered_map<int, int> local_facet;
   for (int i = 0; i < static_cast<int>(numbers.triangles.size()); ++i) local_triangle[numbers.triangles[i]] = i;
@@ -238,7 +217,7 @@ CutPatch CutSurface::extract(const CutPath& path, const CutOptions& options, Pat
   patch.on_path.assign(patch.triangles.size(), {0, 0, 0});
   patch.line.assign(patch.positions.size(), Eigen::Vector3d::Zero());
   patch.freedom.resize(patch.positions.size());
-  find_freedom(patch);
+  patch.find_freedom(0);
   for (const int vertex : options.kept_vertices) {
     const int local = vertex >= 0 && vertex < static_cast<int>(local_vertex.size()) ? local_vertex[vertex] : -1;
     if (local >= 0) patch.freedom[local] = VertexFreedom::kFixed;
@@ -260,8 +239,10 @@ Cut CutSurface::cut(const CutPath& path, const CutOptions& options) {
   for (SurfacePoint& point : points) point.triangle = local_triangle[point.triangle];
   std::optional<int> from;
   if (path.from) from = static_cast<int>(std::ranges::find(numbers.vertices, *path.from) - numbers.vertices.begin());
-  const std::vector<PathStop> stops = read_path(before, from, points);
-  PlannedCut plan = plan_cut(before, stops);
+  std::vector<PathStop> stops = read_path(before, from, points);
+  CutPatch refined = before;
+  if (options.edge_length > 0) refine_along(refined, stops, options.edge_length);
+  PlannedCut plan = plan_cut(refined, stops);
   result.least_angle_before = result.least_angle = least_angle(before);
   if (plan.vertices.empty()) {
     if (stops.size() > 1) result.rest = path.points;

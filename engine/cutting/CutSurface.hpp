@@ -60,7 +60,7 @@ class CutSurface {
   void check_path(const CutPath& path) const;
   std::vector<int> fan_of(int vertex) const;
   Eigen::Vector3d position_of(const SurfacePoint& point) const;
-  std::vector<int> triangles_near(const CutPath& path) const;
+  std::vector<int> triangles_near(const CutPath& path, int rings) const;
   CutPatch extract(const CutPath& path, const CutOptions& options, PatchNumbers& numbers) const;
   void find_facets();
   void find_components();

@@ -46,7 +46,7 @@ class Inserter {
  private:
   CutPatch& patch_;
   std::span<const PathNode> nodes_;
-  std::map<std::pair<int, int>, std::vector<std::pair<double, int>>> side_vertices_;  // original edge -> along, vertex
+  std::map<std::pair<int, int>, std::vector<int>> side_vertices_;  // original edge -> vertices along it
 
   int vertex_for(const PatchPlace& place) {
     if (place.kind == PlaceKind::kVertex) return place.vertex;
@@ -54,23 +54,28 @@ class Inserter {
   }
 
   int vertex_on_side(const PatchPlace& place) {
-    const bool ascending = place.from < place.to;
-    const double along = ascending ? place.along : 1 - place.along;
-    const std::pair<int, int> edge = std::minmax(place.from, place.to);
-    auto& chain = side_vertices_[edge];
-    if (chain.empty()) chain = {{0.0, edge.first}, {1.0, edge.second}};
+    std::vector<int>& chain = side_vertices_[std::minmax(place.from, place.to)];
+    if (chain.empty()) chain = {std::min(place.from, place.to), std::max(place.from, place.to)};
+    // Vertices may have slid along the edge, so the place is found among where they are now.
+    const Eigen::Vector3d start = patch_.positions[chain.front()];
+    const Eigen::Vector3d along = (patch_.positions[chain.back()] - start).normalized();
+    const auto way_to = [&](const Eigen::Vector3d& position) { return along.dot(position - start); };
     std::size_t i = 0;
-    while (i + 2 < chain.size() && chain[i + 1].first < along) ++i;
-    const auto [begin, first] = chain[i];
-    const auto [end, second] = chain[i + 1];
+    while (i + 2 < chain.size() && way_to(patch_.positions[chain[i + 1]]) < way_to(place.position)) ++i;
+    const int first = chain[i], second = chain[i + 1];
     PatchCorner side = patch_.side_between(first, second);
     if (side.triangle < 0) side = patch_.side_between(second, first);
     if (side.triangle < 0 || !may_split(side)) return -1;
-    const double length = (patch_.positions[edge.second] - patch_.positions[edge.first]).norm();
-    const double least = 0.9 * kLeastPart * std::min(length, patch_.scale[side.triangle]);
-    if (std::min(along - begin, end - along) * length < least) return along - begin < end - along ? first : second;
+    const double to_first = way_to(place.position) - way_to(patch_.positions[first]);
+    const double to_second = way_to(patch_.positions[second]) - way_to(place.position);
+    const double least = 0.9 * kLeastPart * std::min(to_first + to_second, patch_.scale[side.triangle]);
+    if (std::min(to_first, to_second) < least) {
+      const int near_end = to_first < to_second ? first : second;
+      if (patch_.freedom[near_end] == VertexFreedom::kLine) move_to(near_end, place.position);
+      return near_end;
+    }
     const int vertex = patch_.split_side(side.triangle, side.corner, place.position);
-    chain.insert(chain.begin() + static_cast<std::ptrdiff_t>(i) + 1, {along, vertex});
+    chain.insert(chain.begin() + static_cast<std::ptrdiff_t>(i) + 1, vertex);
     return vertex;
   }
 

@@ -143,6 +143,9 @@ std::vector<NodeBetween> nodes_between(const CutPatch& patch, std::span<const Pa
 std::vector<PatchPlace> choices_on_side(const CutPatch& patch, const PatchPlace& place, double scale) {
   const Eigen::Vector3d &a = patch.positions[place.from], &b = patch.positions[place.to];
   std::vector<PatchPlace> choices;
+  // A vertex on a straight edge can slide to where the path crosses.
+  const int end = place.along < 0.5 ? place.from : place.to;
+  if (patch.freedom[end] == VertexFreedom::kLine) choices.push_back(place);
   const double least = std::max(kLeastPart, kLeastPart * scale / (b - a).norm());
   if (least <= 0.5) {
     std::vector<double> parts;
@@ -156,8 +159,8 @@ std::vector<PatchPlace> choices_on_side(const CutPatch& patch, const PatchPlace&
       choices.push_back(choice);
     }
   }
-  for (const int end : {place.from, place.to}) {
-    choices.push_back(place_at(patch, end));
+  for (const int vertex : {place.from, place.to}) {
+    choices.push_back(place_at(patch, vertex));
   }
   return choices;
 }

@@ -393,6 +393,29 @@ TEST(CutSurface, LeavesKeptVerticesWhereTheyAre) {
   EXPECT_EQ(cut_well(kept, path, all).counts.moved_vertices, 0);
 }
 
+// ---- Refinement
+
+TEST(CutSurface, RefinesTheWallAlongACutAndFollowsItsPathTheCloser) {
+  const SurfaceMesh mesh = make_sphere(1, 720);
+  const double edge = std::sqrt(4 / std::sqrt(3.0) * wall_area(mesh) / 720);
+  double last_deviation = edge;
+  for (const double part : {1.0, 0.5, 0.25}) {
+    CutSurface surface(mesh);
+    const SurfaceWalk walk = walk_on(surface, nearest_point(mesh, {0.5, 0.5, 0.6}), {1, -1, 0.3}, 1);
+    const Cut cut =
+        cut_well(surface, {.from = {}, .points = walk.points}, {.edge_length = part * edge, .kept_vertices = {}});
+    EXPECT_LE(cut.deviation, 0.5 * part * edge);
+    EXPECT_LE(cut.deviation, last_deviation);
+    last_deviation = cut.deviation;
+    for (const Lips& lips : cut.lips) {
+      for (std::size_t i = 1; i < lips.left.size(); ++i) {
+        const auto& p = surface.mesh().vertices;
+        EXPECT_LE((p[lips.left[i]] - p[lips.left[i - 1]]).norm(), 1.6 * part * edge);
+      }
+    }
+  }
+}
+
 // ---- Bad meshes, equal runs
 
 TEST(CutSurface, KeepsSliversNoWorseThanTheyWere) {

@@ -104,6 +104,7 @@ class Incision {
       : surface_(surface), dice_(dice), statistics_(statistics), seed_(seed) {}
 
   void make(double edge) {
+    options_.edge_length = dice_.below(3) == 0 ? edge * dice_.within(0.3, 1) : 0;
     SurfacePoint at = random_point(surface_, dice_);
     Eigen::Vector3d direction(dice_.within(-1, 1), dice_.within(-1, 1), dice_.within(-1, 1));
     const double advance = edge * (dice_.below(2) ? dice_.within(0.05, 0.5) : dice_.within(0.5, 12));
@@ -130,13 +131,14 @@ class Incision {
   Dice& dice_;
   Statistics& statistics_;
   unsigned seed_;
+  CutOptions options_;
 
   /// Cuts along the path and leaves in it what is still to be cut; false where the cut ended.
   bool cut(CutPath& path, double edge) {
     const SurfaceMesh before = surface_.mesh();
     const Eigen::Vector3d end = position_of(before, path.points.back());
     const auto start = std::chrono::steady_clock::now();
-    const Cut cut = surface_.cut(path);
+    const Cut cut = surface_.cut(path, options_);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     ++statistics_.cuts;
     statistics_.seconds += seconds;
@@ -145,7 +147,7 @@ class Incision {
     statistics_.edge_paths += cut.counts.edge_paths;
     statistics_.separated += static_cast<int>(cut.separated.size());
     statistics_.deviations.push_back(cut.deviation / edge);
-    if (verbose && cut.deviation > 1.2 * edge)
+    if (verbose && cut.deviation > 0.8 * edge)
       std::cout << "deviation " << cut.deviation / edge << " in seed " << seed_ << " cut " << statistics_.cuts
                 << " along edges " << cut.counts.edge_paths << std::endl;
     const std::vector<std::string> broken = broken_rules(before, surface_, cut);
@@ -155,6 +157,9 @@ class Incision {
     for (const Eigen::Vector3i& t : surface_.mesh().triangles) {
       for (int k = 0; k < 3; ++k) {
         const double length = (surface_.mesh().vertices[t[k]] - surface_.mesh().vertices[t[(k + 1) % 3]]).norm();
+        if (verbose && length / edge < 0.6 * statistics_.least_edge)
+          std::cout << "edge " << length / edge << " seed " << seed_ << " cut " << statistics_.cuts << " wanted "
+                    << options_.edge_length / edge << " angle " << cut.least_angle * 57.3 << std::endl;
         statistics_.least_edge = std::min(statistics_.least_edge, length / edge);
       }
     }
