@@ -179,7 +179,8 @@ std::vector<int> CutSurface::triangles_near(const CutPath& path, int rings) cons
 CutPatch CutSurface::extract(const CutPath& path, const CutOptions& options, PatchNumbers& numbers) const {
   CutPatch patch;
   numbers.triangles = triangles_near(path, kRings + (options.edge_length > 0 ? kRingsOfRefinement : 0));
-  std::vector<int> local_triangle(mesh_.triangles.size(), -1), local_vertex(mesh_.vertices.size(), -1);
+  std::vector<int>&local_triangle = numbers.local_triangle, local_vertex(mesh_.vertices.size(), -1);
+  local_triangle.assign(mesh_.triangles.size(), -1);
   std::unordered_map<int, int> local_facet;
   for (int i = 0; i < static_cast<int>(numbers.triangles.size()); ++i) local_triangle[numbers.triangles[i]] = i;
   for (int i = 0; i < static_cast<int>(numbers.triangles.size()); ++i) {
@@ -233,10 +234,8 @@ Cut CutSurface::cut(const CutPath& path, const CutOptions& options) {
   if (path.points.empty()) return result;
   PatchNumbers numbers;
   const CutPatch before = extract(path, options, numbers);
-  std::vector<int> local_triangle(mesh_.triangles.size(), -1);
-  for (int i = 0; i < static_cast<int>(numbers.triangles.size()); ++i) local_triangle[numbers.triangles[i]] = i;
   std::vector<SurfacePoint> points = path.points;
-  for (SurfacePoint& point : points) point.triangle = local_triangle[point.triangle];
+  for (SurfacePoint& point : points) point.triangle = numbers.local_triangle[point.triangle];
   std::optional<int> from;
   if (path.from) from = static_cast<int>(std::ranges::find(numbers.vertices, *path.from) - numbers.vertices.begin());
   std::vector<PathStop> stops = read_path(before, from, points);
