@@ -10,6 +10,7 @@
 
 #include "engine/simulation/BodyModel.hpp"
 #include "engine/simulation/Equilibrium.hpp"
+#include "engine/simulation/FlowMemory.hpp"
 #include "engine/simulation/Newton.hpp"
 #include "engine/simulation/SimulationOptions.hpp"
 #include "engine/tool/FirstContact.hpp"
@@ -93,8 +94,8 @@ struct BodyState {
   Eigen::VectorXd leaked;                 // (chambers), metres^3, out through openings since time zero
   Eigen::VectorXd air;                    // (chambers), metres^3, that came in
   Eigen::VectorXd open_area;              // (openings), metres^2
-  std::vector<double> last_outflow;       // (openings), metres^3, in the last step; none where it does not count
-  double outflow_step = 0;                // seconds, of that step
+  FlowMemory outflow;                     // (openings)
+  FlowMemory exchange;                    // (orifices)
   double leaked_gravity = 0;              // joule, of what has leaked, each part at its opening's height
   std::vector<Attachment> attachments;
   std::vector<ToolContact> contacts;                  // (tools)
@@ -170,8 +171,6 @@ class Body {
   bool may_leak(int chamber) const;
   void start_leaks();
   void measure_openings();
-  std::vector<double> remembered_outflow(double duration) const;
-  double outflow_time(double duration) const;
   void add_leaks(double duration, EquilibriumProblem& problem) const;
   std::vector<double> outflow_of(double duration, const EquilibriumProblem& problem,
                                  const EquilibriumState& reached) const;
@@ -216,15 +215,14 @@ class Body {
   void add_inertia(double duration, EquilibriumProblem& problem) const;
   void accept(std::span<const ToolPose> begin, double duration, const EquilibriumProblem& problem,
               const BodyInput& input, const EquilibriumState& reached);
-  void update_fluids(const BodyState& before, double duration, const BodyInput& input,
-                     const EquilibriumProblem& problem);
+  void update_fluids(double duration, const BodyInput& input, const EquilibriumProblem& problem);
   void update_velocity(const BodyState& before, double duration);
   void update_forces(const EquilibriumProblem& problem);
   void update_books(const BodyState& before, std::span<const ToolPose> begin, double duration,
                     const EquilibriumProblem& problem);
   double work_of_solids(const BodyState& before, std::span<const ToolPose> begin,
                         const EquilibriumProblem& problem) const;
-  double book_fluids(const BodyState& before, double duration);
+  double book_fluids(const BodyState& before);
   FluidMode fluid_mode() const;
 
   std::unique_ptr<const BodyModel> model_;

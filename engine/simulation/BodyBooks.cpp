@@ -58,23 +58,27 @@ void Body::add_fluids(double duration, const BodyInput& input, EquilibriumProble
     }
     problem.fluids.push_back(fluid);
   }
-  // The trapezoidal rule: half of the step under the pressures there were, half under those that are sought.
-  for (const OrificeDefinition& orifice : model_->definition.fluid.orifices) {
-    problem.orifice_time = 0.5 * duration;
-    const double flown = problem.orifice_time * rate(orifice, state_);
-    problem.fluids[orifice.from].fluid_volume -= flown;
-    problem.fluids[orifice.to].fluid_volume += flown;
+  const std::vector<OrificeDefinition>& orifices = model_->definition.fluid.orifices;
+  for (std::size_t k = 0; k < orifices.size(); ++k) {
+    problem.orifice_time = state_.exchange.time(duration);
+    const double share = state_.exchange.share(k, duration);
+    problem.fluids[orifices[k].from].fluid_volume -= share;
+    problem.fluids[orifices[k].to].fluid_volume += share;
   }
 }
 
-void Body::update_fluids(const BodyState& before, double duration, const BodyInput& input,
-                         const EquilibriumProblem& problem) {
+void Body::update_fluids(double duration, const BodyInput& input, const EquilibriumProblem& problem) {
   for (Eigen::Index c = 0; c < state_.fluid_volume.size(); ++c) state_.fluid_volume[c] += input_of(input, c).added;
-  for (const OrificeDefinition& orifice : model_->definition.fluid.orifices) {
-    const double flown = 0.5 * duration * (rate(orifice, before) + rate(orifice, state_));
-    state_.fluid_volume[orifice.from] -= flown;
-    state_.fluid_volume[orifice.to] += flown;
+  const std::vector<OrificeDefinition>& orifices = model_->definition.fluid.orifices;
+  FlowMemory exchange{.step = duration};
+  for (std::size_t k = 0; k < orifices.size(); ++k) {
+    const double flown =
+        state_.exchange.share(k, duration) + state_.exchange.time(duration) * rate(orifices[k], state_);
+    state_.fluid_volume[orifices[k].from] -= flown;
+    state_.fluid_volume[orifices[k].to] += flown;
+    exchange.volumes.push_back(flown);
   }
+  state_.exchange = exchange;
   update_leaks(duration, problem);
   for (Eigen::Index c = 0; c < state_.fluid_volume.size(); ++c) {
     if (!input_of(input, c).pressure) continue;
@@ -83,15 +87,15 @@ void Body::update_fluids(const BodyState& before, double duration, const BodyInp
   }
 }
 
-double Body::book_fluids(const BodyState& before, double duration) {
+double Body::book_fluids(const BodyState& before) {
   if (state_.volume.size() == 0) return 0;
   // All at one level, because fluid that moves from one level to another changes its energy in gravity.
   const Eigen::VectorXd mean =
       pressures_at_origin(*model_, options_.gravity, 0.5 * (before.equilibrium.pressure + state_.equilibrium.pressure));
   double lost = 0;
-  for (const OrificeDefinition& orifice : model_->definition.fluid.orifices) {
-    const double flown = 0.5 * duration * (rate(orifice, before) + rate(orifice, state_));
-    lost += flown * (mean[orifice.from] - mean[orifice.to]);
+  const std::vector<OrificeDefinition>& orifices = model_->definition.fluid.orifices;
+  for (std::size_t k = 0; k < orifices.size(); ++k) {
+    lost += state_.exchange.volumes[k] * (mean[orifices[k].from] - mean[orifices[k].to]);
   }
   const double reached = mean.dot(state_.fluid_volume - before.fluid_volume + state_.leaked - before.leaked);
   state_.books.viscous += lost;
@@ -139,7 +143,7 @@ void Body::update_books(const BodyState& before, std::span<const ToolPose> begin
     }
   }
   const double solid_work = work_of_solids(before, begin, problem);
-  const double fluid_work = book_fluids(before, duration);
+  const double fluid_work = book_fluids(before);
   const double load_work = 0.5 * (before.load_force + state_.load_force).dot(motion);
   const double kinetic_work = 0.5 * model_->mass.cwiseProduct(before.acceleration + state_.acceleration).dot(motion);
   const double static_work =

@@ -1,10 +1,8 @@
 // What runs out of a body through openings of its wall, and the air that comes in.
 //
-// Fluid leaves by the second-order backward difference, which does not ring however stiff the pressure follows the
-// volume: with the outflow D of a step h and that of the step before, now D1 = earlier D0 + h Q(p1, A1). A chamber ends
-// each step in one of two states: filled, with a pressure at its openings that is not negative; or with air at the
-// opening where the pressure is lowest, which is zero there while the volume is free and not below that of the fluid.
-// Both are tried until one holds.
+// Fluid leaves by FlowMemory's rule. A chamber ends each step in one of two states: filled, with a pressure at its
+// openings that is not negative; or with air at the opening where the pressure is lowest, which is zero there while the
+// volume is free and not below that of the fluid. Both are tried until one holds.
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -114,7 +112,7 @@ bool Body::may_leak(int chamber) const {
 void Body::start_leaks() {
   const auto chambers = static_cast<Eigen::Index>(model_->chambers.size());
   state_.leaked = state_.air = Eigen::VectorXd::Zero(chambers);
-  state_.last_outflow.clear();
+  state_.outflow = {};
   measure_openings();
 }
 
@@ -126,22 +124,8 @@ void Body::measure_openings() {
   }
 }
 
-std::vector<double> Body::remembered_outflow(double duration) const {
-  if (state_.last_outflow.size() != model_->openings.size()) return std::vector<double>(model_->openings.size(), 0);
-  const BackwardDifference difference = backward_difference(duration, state_.outflow_step);
-  std::vector<double> shares = state_.last_outflow;
-  for (double& share : shares) share *= difference.earlier / difference.now;
-  return shares;
-}
-
-double Body::outflow_time(double duration) const {
-  const bool has_memory = state_.last_outflow.size() == model_->openings.size();
-  return duration / backward_difference(duration, has_memory ? state_.outflow_step : 0).now;
-}
-
 void Body::add_leaks(double duration, EquilibriumProblem& problem) const {
   if (!model_->has_open_chambers()) return;
-  const std::vector<double> shares = remembered_outflow(duration);
   std::vector<double> lowest(problem.fluids.size(), 0);
   for (std::size_t k = 0; k < model_->openings.size(); ++k) {
     const OpeningModel& opening = model_->openings[k];
@@ -149,8 +133,8 @@ void Body::add_leaks(double duration, EquilibriumProblem& problem) const {
     FluidProblem& fluid = problem.fluids[c];
     fluid.density = density_of(*model_, state_, c);
     if (!may_leak(c) || !fluid.is_multiplier()) continue;
-    fluid.fluid_volume -= shares[k];
-    fluid.outflow_time = outflow_time(duration);
+    fluid.fluid_volume -= state_.outflow.share(k, duration);
+    fluid.outflow_time = state_.outflow.time(duration);
     fluid.vent_compliance = std::abs(model_->chambers[c].rest_volume) / pressure_scale(*model_);
     if (state_.air[c] <= 0) continue;
     const double pressure = lip_state_of(*model_, state_, options_.gravity, opening).pressure;
@@ -166,17 +150,16 @@ std::vector<double> Body::outflow_of(double duration, const EquilibriumProblem& 
   std::vector<double> flown(model_->openings.size(), 0);
   if (!model_->has_open_chambers()) return flown;
   const EquilibriumTerms& terms = newton_.terms();
-  const std::vector<double> shares = remembered_outflow(duration);
   std::vector<double> left(problem.fluids.size(), 0);  // metres^3, of fluid at the end of the step, before the vent
   for (std::size_t c = 0; c < left.size(); ++c) left[c] = problem.fluids[c].fluid_volume;
   for (std::size_t k = 0; k < flown.size(); ++k) {
     const int c = model_->openings[k].chamber;
     if (!may_leak(c)) continue;
-    flown[k] = shares[k];
+    flown[k] = state_.outflow.share(k, duration);
     if (problem.fluids[c].vent == static_cast<int>(k)) continue;
     const double pressure = lip_pressure(*model_, problem, terms, static_cast<int>(k), reached.pressure);
     const double now =
-        outflow_time(duration) * outflow(*model_, terms.lips[k].area.norm(), std::max(0.0, pressure)).rate;
+        state_.outflow.time(duration) * outflow(*model_, terms.lips[k].area.norm(), std::max(0.0, pressure)).rate;
     flown[k] += now;
     left[c] -= now;
   }
@@ -184,17 +167,14 @@ std::vector<double> Body::outflow_of(double duration, const EquilibriumProblem& 
   for (std::size_t c = 0; c < problem.fluids.size(); ++c) {
     const int vent = problem.fluids[c].vent;
     if (vent < 0) continue;
-    const double unpressed = shares[vent] + left[c] - fluid_held(problem, static_cast<int>(c), reached);
-    flown[vent] = std::clamp(unpressed, 0.0, shares[vent]);
+    const double share = state_.outflow.share(static_cast<std::size_t>(vent), duration);
+    flown[vent] = std::clamp(share + left[c] - fluid_held(problem, static_cast<int>(c), reached), 0.0, share);
   }
   return flown;
 }
 
 double Body::fluid_held(const EquilibriumProblem& problem, int chamber, const EquilibriumState& reached) const {
-  const FluidProblem& fluid = problem.fluids[chamber];
-  const double volume = newton_.terms().volume[chamber];
-  if (fluid.mode != FluidMode::kCompressible) return volume;
-  return volume / (1 - (reached.pressure[chamber] - fluid.pressure) / fluid.bulk_modulus);
+  return newton_.terms().volume[chamber] / problem.fluids[chamber].held(reached.pressure[chamber]);
 }
 
 bool Body::revise_vents(EquilibriumProblem& problem, const EquilibriumState& reached, double duration) const {
@@ -216,9 +196,8 @@ bool Body::revise_vents(EquilibriumProblem& problem, const EquilibriumState& rea
     } else if (fluid.vent >= 0) {
       const std::vector<double> flown = outflow_of(duration, problem, reached);
       double left = fluid.fluid_volume;
-      const std::vector<double> shares = remembered_outflow(duration);
       for (std::size_t k = 0; k < flown.size(); ++k) {
-        if (model_->openings[k].chamber == c) left -= flown[k] - shares[k];
+        if (model_->openings[k].chamber == c) left -= flown[k] - state_.outflow.share(k, duration);
       }
       if (left - fluid_held(problem, c, reached) <= kNoVolume * std::abs(model_->chambers[c].rest_volume)) continue;
       fluid.vent = -1;
@@ -249,8 +228,7 @@ void Body::update_leaks(double duration, const EquilibriumProblem& problem) {
     // A given pressure asks for the fluid that the wall then holds.
     if (problem.fluids[c].is_multiplier()) state_.fluid_volume[c] -= flown[k];
   }
-  state_.last_outflow = flown;
-  state_.outflow_step = duration;
+  state_.outflow = {.volumes = flown, .step = duration};
   for (int c = 0; c < static_cast<int>(problem.fluids.size()); ++c) {
     state_.air[c] = 0;
     if (problem.fluids[c].vent < 0) continue;
@@ -268,7 +246,7 @@ double Body::book_leaks(const BodyState& before) {
     const OpeningModel& opening = model_->openings[k];
     const LipState first = lip_state_of(*model_, before, options_.gravity, opening);
     const LipState last = lip_state_of(*model_, state_, options_.gravity, opening);
-    const double flown = state_.last_outflow[k];
+    const double flown = state_.outflow.volumes[k];
     lost += 0.5 * (first.pressure + last.pressure) * flown;
     lost += flown *
             (carried_energy(*model_, before, opening.chamber) + carried_energy(*model_, state_, opening.chamber)) / 2;

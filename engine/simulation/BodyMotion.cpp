@@ -61,8 +61,8 @@ Eigen::Vector3d Body::motion_origin(int chamber) const {
 double Body::motion_scale(int chamber, double volume) const {
   if (!may_leak(chamber) || volume <= 0) return 1;
   double flown = 0;
-  for (std::size_t k = 0; k < state_.last_outflow.size(); ++k) {
-    if (model_->openings[k].chamber == chamber) flown += state_.last_outflow[k];
+  for (std::size_t k = 0; k < state_.outflow.volumes.size(); ++k) {
+    if (model_->openings[k].chamber == chamber) flown += state_.outflow.volumes[k];
   }
   return std::max(0.0, state_.volume[chamber] - flown) / volume;
 }
@@ -127,7 +127,7 @@ void Body::accept(std::span<const ToolPose> begin, double duration, const Equili
   state_.equilibrium = reached;
   state_.volume = newton_.terms().volume;
   state_.load_factors = input.load_factors;
-  update_fluids(before, duration, input, problem);
+  update_fluids(duration, input, problem);
   if (problem.inertia != 0) {
     update_velocity(before, duration);
     update_fluid_motion(duration, before.previous_step, problem);

@@ -83,6 +83,8 @@ struct FluidProblem {
   bool is_multiplier() const { return mode != FluidMode::kGivenPressure; }
   /// Whether it is found from the volume.
   bool seeks_volume() const { return is_multiplier() && vent < 0; }
+  /// Space that a volume of fluid fills at a pressure, pascal, over that at its reference pressure.
+  double held(double at) const { return mode == FluidMode::kCompressible ? 1 - (at - pressure) / bulk_modulus : 1; }
   /// Volume by which a compressible fluid gives way to a pascal, metres^3; zero for others.
   double compliance() const { return mode == FluidMode::kCompressible ? fluid_volume / bulk_modulus : 0; }
 };

@@ -107,10 +107,12 @@ void Newton::compute_volume_residual(const EquilibriumProblem& problem, const Eq
         opening_equation(model_, problem, terms, chamber, state.position, state.pressure, false).value;
   }
   if (problem.orifice_time == 0) return;
+  // What flows is counted by the space that it fills at its reference pressure.
+  const auto held = [&](int c) { return problem.fluids[c].held(state.pressure[c]); };
   for (const OrificeDefinition& orifice : model_.definition.fluid.orifices) {
     const double flown = problem.orifice_time * flow_between(model_, orifice, problem.gravity, state.pressure).rate;
-    if (problem.fluids[orifice.from].seeks_volume()) residual.volume[orifice.from] += flown;
-    if (problem.fluids[orifice.to].seeks_volume()) residual.volume[orifice.to] -= flown;
+    if (problem.fluids[orifice.from].seeks_volume()) residual.volume[orifice.from] += flown * held(orifice.from);
+    if (problem.fluids[orifice.to].seeks_volume()) residual.volume[orifice.to] -= flown * held(orifice.to);
   }
 }
 

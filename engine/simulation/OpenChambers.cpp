@@ -149,7 +149,7 @@ OpeningEquation opening_equation(const BodyModel& model, const EquilibriumProble
   OpeningEquation equation;
   // The fluid that leaves would have filled less space than at the pressure at which it is counted.
   const double yielding = fluid.mode == FluidMode::kCompressible ? 1 / fluid.bulk_modulus : 0;  // 1 / pascal
-  const double held = 1 - yielding * (pressure[chamber] - fluid.pressure);
+  const double held = fluid.held(pressure[chamber]);
   if (with_derivatives) equation.by_position.setZero(position.size());
   for (int k = 0; k < static_cast<int>(model.openings.size()); ++k) {
     const OpeningModel& opening = model.openings[k];

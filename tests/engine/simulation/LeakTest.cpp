@@ -334,7 +334,7 @@ TEST(Leak, AFreeBodyRecoilsFromItsJet) {
     body.advance({}, {}, 0.0005);
     impulse -= 0.0005 * 0.5 * (before + jet());
     const double speed = body.state().fluid_motion[0].velocity.z() / body.state().volume[0];
-    carried += 1010 * body.state().last_outflow[0] * speed;
+    carried += 1010 * body.state().outflow.volumes[0] * speed;
   }
   const double moved = momentum(body).z() + carried;
   std::printf("momentum %.4e, impulse %.4e, carried away %.1e N s\n", moved, impulse, carried);

@@ -311,7 +311,9 @@ void palpate(const Recipe& recipe, Body& body, Outcome& outcome) {
   Eigen::Vector3d deep = start + (0.5e-3 + recipe.depth) * far.direction;
   deep.z() = std::min(start.z(), std::max(deep.z(), recipe.lowest_tip));
   const double step_time = (recipe.depth + 0.5e-3) / recipe.speed / recipe.steps;
-  const bool closed = !body.model().definition.mesh.cap_triangles.empty() || recipe.kind.starts_with("sphere");
+  // Through an opening a tool may go in and out.
+  const bool closed = !body.model().has_open_chambers() &&
+                      (!body.model().definition.mesh.cap_triangles.empty() || recipe.kind.starts_with("sphere"));
   const auto note = [&](const ToolPose& pose) {
     outcome.note(body);
     const bool ball = closed && recipe.tool.kind == ToolKind::kSphere;
