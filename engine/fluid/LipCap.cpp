@@ -65,12 +65,18 @@ LipMoment lip_moment_of(const Eigen::Matrix3Xd& lips) {
   return moment;
 }
 
-Eigen::Matrix3Xd lip_load_of(const Eigen::Matrix3Xd& lips, const PressureField& field) {
-  Eigen::Matrix3Xd load = Eigen::Matrix3Xd::Zero(3, lips.cols());
+Eigen::Matrix3Xd lip_sum_of(
+    const Eigen::Matrix3Xd& lips,
+    const std::function<Eigen::Matrix<double, 9, 1>(const std::array<Eigen::Vector3d, 3>&)>& of_triangle) {
+  Eigen::Matrix3Xd sum = Eigen::Matrix3Xd::Zero(3, lips.cols());
   for_each_fan_triangle(lips, [&](const auto& corners, Eigen::Index first, Eigen::Index second) {
-    add_to_lips(pressure_load_of(corners, field), first, second, load);
+    add_to_lips(of_triangle(corners), first, second, sum);
   });
-  return load;
+  return sum;
+}
+
+Eigen::Matrix3Xd lip_load_of(const Eigen::Matrix3Xd& lips, const PressureField& field) {
+  return lip_sum_of(lips, [&](const auto& corners) { return pressure_load_of(corners, field); });
 }
 
 }  // namespace thinwall

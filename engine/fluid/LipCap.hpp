@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <functional>
 
 #include "engine/fluid/PressureLoad.hpp"
 
@@ -29,8 +30,14 @@ struct LipMoment {
 };
 LipMoment lip_moment_of(const Eigen::Matrix3Xd& lips);
 
-/// Load that the pressure would have on the cap, as forces on the lips, (3 x n), newton; what the middle of the fan
-/// bears is shared by all. The load of the same pressure on the wall alone is the one on wall and cap less this.
+/// Sum over the triangles of the fan of what `of_triangle` gives for the corners of each, (x0, y0, z0, x1, ..., z2),
+/// as parts of the lips, (3 x n); what the middle of the fan gets is shared by all.
+Eigen::Matrix3Xd lip_sum_of(
+    const Eigen::Matrix3Xd& lips,
+    const std::function<Eigen::Matrix<double, 9, 1>(const std::array<Eigen::Vector3d, 3>&)>& of_triangle);
+
+/// Load that the pressure would have on the cap, as forces on the lips, (3 x n), newton. The load of the same pressure
+/// on the wall alone is the one on wall and cap less this.
 Eigen::Matrix3Xd lip_load_of(const Eigen::Matrix3Xd& lips, const PressureField& field);
 
 }  // namespace thinwall

@@ -9,18 +9,30 @@ namespace thinwall {
 struct PressureField {
   double at_origin = 0;                             // pascal
   Eigen::Vector3d slope = Eigen::Vector3d::Zero();  // pascal / metre
+  bool suction = true;                              // otherwise zero where it would be less: above a free surface
 
-  double at(const Eigen::Vector3d& point) const { return at_origin + slope.dot(point); }
+  double at(const Eigen::Vector3d& point) const {
+    const double even = at_origin + slope.dot(point);
+    return suction || even > 0 ? even : 0;
+  }
 };
 
 /// Load of the pressure on one side of an oriented triangle, along its normal, at its corners (x0, y0, z0, x1, ...,
-/// z2), newton: f_a = n sum_b p_b (1 + delta_ab) / 24 with n = (x1 - x0) x (x2 - x0). Over a closed surface of enclosed
-/// volume V and first moment M it is the gradient of at_origin V + slope . M; it makes sense on an open one too, which
-/// the gradients of the parts of V and M that a triangle has with the origin do not.
+/// z2), newton: f_a = n sum_b J_ab p_b with n = (x1 - x0) x (x2 - x0), and J_ab the integral of N_a N_b over the part
+/// that is not above a free surface: (1 + delta_ab) / 24 of the whole. Over a closed surface of enclosed volume V and
+/// first moment M it is the gradient of at_origin V + slope . M of what is filled; it makes sense on an open one too,
+/// which the gradients of the parts of V and M that a triangle has with the origin do not.
 Eigen::Matrix<double, 9, 1> pressure_load_of(const std::array<Eigen::Vector3d, 3>& corners, const PressureField& field);
 
-/// Its derivative by the corners, newton / metre. Over a closed surface the sum is symmetric; over an open one the part
-/// that is not lies on the rim, see `rim_load_change`.
+/// Its derivative by `at_origin`, metres^2.
+Eigen::Matrix<double, 9, 1> unit_load_of(const std::array<Eigen::Vector3d, 3>& corners, const PressureField& field);
+
+/// What a triangle adds to the integral of n p^2 / 2, (metres^2 pascal^2). Over a closed surface the sum is the
+/// integral of p over what is filled, times the slope.
+Eigen::Vector3d squared_load_of(const std::array<Eigen::Vector3d, 3>& corners, const PressureField& field);
+
+/// The derivative of `pressure_load_of` by the corners, newton / metre. Over a closed surface the sum is symmetric;
+/// over an open one the part that is not lies on the rim, see `rim_load_change`.
 Eigen::Matrix<double, 9, 9> pressure_tangent_of(const std::array<Eigen::Vector3d, 3>& corners,
                                                 const PressureField& field);
 

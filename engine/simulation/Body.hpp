@@ -124,10 +124,6 @@ double fluid_energy(const BodyModel& model, const BodyState& state);
 /// Integral of x, from its level, over each chamber, (3 x chambers), metres^4.
 Eigen::Matrix3Xd first_moments(const BodyModel& model, const Eigen::VectorXd& position);
 
-/// Energy in gravity of the contents of open chambers, joule, beyond that of `EquilibriumTerms` and of full density at
-/// their level: their mean density has changed during the step.
-double open_gravity(const BodyModel& model, const EquilibriumProblem& problem, const BodyState& state);
-
 /// One body with its solver. Not copyable; bodies do not touch each other.
 class Body {
  public:
@@ -160,7 +156,7 @@ class Body {
  private:
   NewtonResult solve(EquilibriumProblem& problem, EquilibriumState& state);
   NewtonResult relax(EquilibriumProblem& problem, EquilibriumState& state);
-  EquilibriumProblem solve_statics();
+  void solve_statics();
   std::string describe_failure() const;
   bool may_snap() const;
   bool solve_step(EquilibriumProblem& problem, EquilibriumState& trial);
@@ -180,7 +176,11 @@ class Body {
                         double duration);
   void update_leaks(double duration, const EquilibriumProblem& problem);
   double book_leaks(const BodyState& before);
-  double mixing_loss(const BodyState& before, int chamber) const;
+  bool counts_memory(const EquilibriumProblem& problem, int opening) const;
+  double outflow_share(const EquilibriumProblem& problem, int opening, double duration) const;
+  void let_air_in(int chamber, int opening, double duration, EquilibriumProblem& problem) const;
+  double fluid_left(const EquilibriumProblem& problem, int chamber, const EquilibriumState& reached,
+                    double duration) const;
   void add_memory(double duration, EquilibriumProblem& problem) const;
   void start_memory();
   double update_memory(double duration, const EquilibriumProblem& problem);
@@ -210,7 +210,7 @@ class Body {
   Eigen::Vector3d motion_origin(int chamber) const;
   double motion_scale(int chamber, double volume) const;
   double fluid_kinetic_energy() const;
-  double gravity_energy(const EquilibriumProblem& problem) const;
+  double gravity_energy() const;
   double rate(const OrificeDefinition& orifice, const BodyState& state) const;
   void add_inertia(double duration, EquilibriumProblem& problem) const;
   void accept(std::span<const ToolPose> begin, double duration, const EquilibriumProblem& problem,

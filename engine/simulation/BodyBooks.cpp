@@ -23,10 +23,10 @@ double fluid_energy(const BodyModel& model, const BodyState& state) {
   if (model.definition.fluid.kind != FluidKind::kCompressible) return 0;
   double energy = 0;
   for (Eigen::Index c = 0; c < state.volume.size(); ++c) {
-    // Beside air the fluid does not fill the chamber.
-    const double excess = state.air[c] > 0 ? state.fluid_volume[c] / model.definition.fluid.bulk_modulus *
-                                                 (state.reference_pressure[c] - state.equilibrium.pressure[c])
-                                           : state.volume[c] - state.fluid_volume[c];
+    // Beside air the fluid does not fill the chamber, and is without pressure.
+    const double excess =
+        state.air[c] > 0 ? state.reference_pressure[c] * state.fluid_volume[c] / model.definition.fluid.bulk_modulus
+                         : state.volume[c] - state.fluid_volume[c];
     energy += -state.reference_pressure[c] * excess +
               0.5 * model.definition.fluid.bulk_modulus * excess * excess / state.fluid_volume[c];
   }
@@ -37,10 +37,11 @@ double Body::rate(const OrificeDefinition& orifice, const BodyState& state) cons
   return flow_between(*model_, orifice, options_.gravity, state.equilibrium.pressure).rate;
 }
 
-double Body::gravity_energy(const EquilibriumProblem& problem) const {
-  double energy = newton_.terms().gravity + open_gravity(*model_, problem, state_) + state_.leaked_gravity;
+double Body::gravity_energy() const {
+  double energy = newton_.terms().gravity + state_.leaked_gravity;
   for (Eigen::Index c = 0; c < state_.volume.size(); ++c) {
-    energy -= model_->definition.fluid.density * options_.gravity.dot(model_->chambers[c].level) * state_.volume[c];
+    energy -= model_->definition.fluid.density * options_.gravity.dot(model_->chambers[c].level) *
+              (state_.volume[c] - state_.air[c]);
   }
   return energy;
 }
@@ -129,7 +130,7 @@ void Body::update_books(const BodyState& before, std::span<const ToolPose> begin
   books.bending = lasting_part(model_->definition) * terms.bending_energy;
   books.kinetic = 0.5 * model_->mass.dot(state_.velocity.cwiseAbs2()) + fluid_kinetic_energy();
   const double leak_loss = book_leaks(before);
-  books.gravity = gravity_energy(problem);
+  books.gravity = gravity_energy();
   const double friction_loss = update_friction(before, begin, problem);
   books.contact = contact_energy(terms) + terms.folds.energy + state_.friction_energy;
   books.fluid = fluid_energy(*model_, state_);

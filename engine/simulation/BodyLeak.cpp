@@ -1,15 +1,17 @@
 // What runs out of a body through openings of its wall, and the air that comes in.
 //
-// Fluid leaves by FlowMemory's rule. A chamber ends each step in one of two states: filled, with a pressure at its
-// openings that is not negative; or with air at the opening where the pressure is lowest, which is zero there while the
-// volume is free and not below that of the fluid. Both are tried until one holds.
+// Fluid leaves by FlowMemory's rule. A chamber ends each step in one of three states: filled, with a pressure at its
+// openings that is not negative; drained, where the pressure at the highest opening is zero and as much has left as the
+// wall has pressed out; or with air that came in there. Without gravity the pressure is then zero and the volume free;
+// under gravity the air lies above the fluid, see OpenChambers, and fluid leaves through lips that are below its
+// surface. States are tried until one holds. In a filled chamber fluid may hang from the wall under suction, as below
+// an opening at the bottom; air that has come in ends that.
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "engine/fluid/FluidWeight.hpp"
-#include "engine/simulation/BackwardDifference.hpp"
 #include "engine/simulation/Body.hpp"
 #include "engine/simulation/OpenChambers.hpp"
 
@@ -30,11 +32,6 @@ double pressure_scale(const BodyModel& model) {
   return model.wall_stiffness / std::sqrt(model.rest_area);
 }
 
-double density_of(const BodyModel& model, const BodyState& state, int chamber) {
-  const double density = model.definition.fluid.density;
-  return state.air[chamber] > 0 ? density * state.fluid_volume[chamber] / state.volume[chamber] : density;
-}
-
 /// An opening at a state.
 struct LipState {
   Eigen::Vector3d center;  // metres
@@ -48,8 +45,7 @@ LipState lip_state_of(const BodyModel& model, const BodyState& state, const Eige
   const int c = opening.chamber;
   const Eigen::Matrix3Xd lips = opening.at(state.equilibrium.position);
   const LipCap cap = lip_cap_of(lips);
-  PressureField field;
-  field.slope = density_of(model, state, c) * gravity;
+  PressureField field{.slope = model.definition.fluid.density * gravity, .suction = state.air[c] == 0};
   field.at_origin = state.equilibrium.pressure[c] - field.slope.dot(model.chambers[c].level);
   return {.center = cap.center,
           .area = cap.area.norm(),
@@ -66,7 +62,8 @@ double carried_energy(const BodyModel& model, const BodyState& state, int chambe
     energy += 0.5 * fluid.density * (state.fluid_motion[chamber].velocity / state.volume[chamber]).squaredNorm();
   }
   if (fluid.kind == FluidKind::kCompressible) {
-    const double excess = state.equilibrium.pressure[chamber] - state.reference_pressure[chamber];
+    const double pressure = state.air[chamber] > 0 ? 0 : state.equilibrium.pressure[chamber];
+    const double excess = pressure - state.reference_pressure[chamber];
     energy -= 0.5 * excess * excess / fluid.bulk_modulus;
   }
   return energy;
@@ -91,20 +88,6 @@ Eigen::Matrix3Xd first_moments(const BodyModel& model, const Eigen::VectorXd& po
   return moments;
 }
 
-double open_gravity(const BodyModel& model, const EquilibriumProblem& problem, const BodyState& state) {
-  if (!model.has_open_chambers() || problem.gravity.isZero()) return 0;
-  double energy = 0;
-  const Eigen::Matrix3Xd moments = first_moments(model, state.equilibrium.position);
-  for (int c = 0; c < static_cast<int>(problem.fluids.size()); ++c) {
-    if (!model.is_open(c)) continue;
-    const double density = density_of(model, state, c);
-    energy -= (density - problem.fluids[c].density) * problem.gravity.dot(moments.col(c));
-    energy -=
-        (density - model.definition.fluid.density) * problem.gravity.dot(model.chambers[c].level) * state.volume[c];
-  }
-  return energy;
-}
-
 bool Body::may_leak(int chamber) const {
   return model_->is_open(chamber) && model_->definition.fluid.leaks;
 }
@@ -124,24 +107,43 @@ void Body::measure_openings() {
   }
 }
 
+bool Body::counts_memory(const EquilibriumProblem& problem, int opening) const {
+  return !problem.fluids[model_->openings[opening].chamber].has_surface;
+}
+
+double Body::outflow_share(const EquilibriumProblem& problem, int opening, double duration) const {
+  return counts_memory(problem, opening) ? state_.outflow.share(static_cast<std::size_t>(opening), duration) : 0;
+}
+
+void Body::let_air_in(int chamber, int opening, double duration, EquilibriumProblem& problem) const {
+  FluidProblem& fluid = problem.fluids[chamber];
+  fluid.vent = opening;
+  if (options_.gravity.isZero()) return;
+  // From now on the flow alone counts: no part of that before may leave dry lips.
+  for (int k = 0; k < static_cast<int>(model_->openings.size()); ++k) {
+    if (model_->openings[k].chamber == chamber) fluid.fluid_volume += outflow_share(problem, k, duration);
+  }
+  fluid.outflow_time = duration;
+  fluid.has_surface = true;
+  fluid.vent = -1;
+}
+
 void Body::add_leaks(double duration, EquilibriumProblem& problem) const {
   if (!model_->has_open_chambers()) return;
-  std::vector<double> lowest(problem.fluids.size(), 0);
-  for (std::size_t k = 0; k < model_->openings.size(); ++k) {
-    const OpeningModel& opening = model_->openings[k];
-    const int c = opening.chamber;
+  std::vector<int> lowest(problem.fluids.size(), -1);
+  std::vector<double> least(problem.fluids.size(), 0);
+  for (int k = 0; k < static_cast<int>(model_->openings.size()); ++k) {
+    const int c = model_->openings[k].chamber;
     FluidProblem& fluid = problem.fluids[c];
-    fluid.density = density_of(*model_, state_, c);
     if (!may_leak(c) || !fluid.is_multiplier()) continue;
-    fluid.fluid_volume -= state_.outflow.share(k, duration);
+    fluid.fluid_volume -= outflow_share(problem, k, duration);
     fluid.outflow_time = state_.outflow.time(duration);
     fluid.vent_compliance = std::abs(model_->chambers[c].rest_volume) / pressure_scale(*model_);
-    if (state_.air[c] <= 0) continue;
-    const double pressure = lip_state_of(*model_, state_, options_.gravity, opening).pressure;
-    if (fluid.vent < 0 || pressure < lowest[c]) {
-      fluid.vent = static_cast<int>(k);
-      lowest[c] = pressure;
-    }
+    const double pressure = lip_state_of(*model_, state_, options_.gravity, model_->openings[k]).pressure;
+    if (lowest[c] < 0 || pressure < least[c]) lowest[c] = k, least[c] = pressure;
+  }
+  for (int c = 0; c < static_cast<int>(problem.fluids.size()); ++c) {
+    if (lowest[c] >= 0 && state_.air[c] > 0) let_air_in(c, lowest[c], duration, problem);
   }
 }
 
@@ -152,57 +154,68 @@ std::vector<double> Body::outflow_of(double duration, const EquilibriumProblem& 
   const EquilibriumTerms& terms = newton_.terms();
   std::vector<double> left(problem.fluids.size(), 0);  // metres^3, of fluid at the end of the step, before the vent
   for (std::size_t c = 0; c < left.size(); ++c) left[c] = problem.fluids[c].fluid_volume;
-  for (std::size_t k = 0; k < flown.size(); ++k) {
+  for (int k = 0; k < static_cast<int>(flown.size()); ++k) {
     const int c = model_->openings[k].chamber;
     if (!may_leak(c)) continue;
-    flown[k] = state_.outflow.share(k, duration);
-    if (problem.fluids[c].vent == static_cast<int>(k)) continue;
-    const double pressure = lip_pressure(*model_, problem, terms, static_cast<int>(k), reached.pressure);
-    const double now =
-        state_.outflow.time(duration) * outflow(*model_, terms.lips[k].area.norm(), std::max(0.0, pressure)).rate;
+    flown[k] = outflow_share(problem, k, duration);
+    if (problem.fluids[c].vent == k) continue;
+    const double time = counts_memory(problem, k) ? state_.outflow.time(duration) : duration;
+    const double pressure = lip_pressure(*model_, problem, terms, k, reached.pressure);
+    const double now = time * outflow(*model_, terms.lips[k].area.norm(), std::max(0.0, pressure)).rate;
     flown[k] += now;
     left[c] -= now;
   }
   // Where the pressure is zero as much has left as the wall has pressed out, at most what the step before leads to.
-  for (std::size_t c = 0; c < problem.fluids.size(); ++c) {
+  for (int c = 0; c < static_cast<int>(problem.fluids.size()); ++c) {
     const int vent = problem.fluids[c].vent;
     if (vent < 0) continue;
-    const double share = state_.outflow.share(static_cast<std::size_t>(vent), duration);
-    flown[vent] = std::clamp(share + left[c] - fluid_held(problem, static_cast<int>(c), reached), 0.0, share);
+    const double share = outflow_share(problem, vent, duration);
+    flown[vent] = std::clamp(share + left[c] - fluid_held(problem, c, reached), 0.0, share);
   }
   return flown;
 }
 
 double Body::fluid_held(const EquilibriumProblem& problem, int chamber, const EquilibriumState& reached) const {
-  return newton_.terms().volume[chamber] / problem.fluids[chamber].held(reached.pressure[chamber]);
+  const FluidProblem& fluid = problem.fluids[chamber];
+  return newton_.terms().volume[chamber] / fluid.held(fluid.has_surface ? 0 : reached.pressure[chamber]);
+}
+
+double Body::fluid_left(const EquilibriumProblem& problem, int chamber, const EquilibriumState& reached,
+                        double duration) const {
+  const std::vector<double> flown = outflow_of(duration, problem, reached);
+  double left = problem.fluids[chamber].fluid_volume;
+  for (int k = 0; k < static_cast<int>(flown.size()); ++k) {
+    if (model_->openings[k].chamber == chamber) left -= flown[k] - outflow_share(problem, k, duration);
+  }
+  return left;
 }
 
 bool Body::revise_vents(EquilibriumProblem& problem, const EquilibriumState& reached, double duration) const {
-  const EquilibriumTerms& terms = newton_.terms();
   bool revised = false;
   for (int c = 0; c < static_cast<int>(problem.fluids.size()); ++c) {
     FluidProblem& fluid = problem.fluids[c];
-    if (!may_leak(c) || !fluid.is_multiplier()) continue;
+    // With a free surface all that may be is: air above, none, and lips that are dry or not.
+    if (!may_leak(c) || !fluid.is_multiplier() || fluid.has_surface) continue;
     int lowest = -1;
     double pressure = -kNoPressure * pressure_scale(*model_);
     for (int k = 0; k < static_cast<int>(model_->openings.size()); ++k) {
       if (model_->openings[k].chamber != c) continue;
-      const double at_lips = lip_pressure(*model_, problem, terms, k, reached.pressure);
+      const double at_lips = lip_pressure(*model_, problem, newton_.terms(), k, reached.pressure);
       if (at_lips < pressure) lowest = k, pressure = at_lips;
     }
+    const double missing =
+        lowest < 0 && fluid.vent >= 0 ? fluid_held(problem, c, reached) - fluid_left(problem, c, reached, duration) : 0;
+    const double none = kNoVolume * std::abs(model_->chambers[c].rest_volume);
     if (lowest >= 0) {
       fluid.vent = lowest;
-      revised = true;
-    } else if (fluid.vent >= 0) {
-      const std::vector<double> flown = outflow_of(duration, problem, reached);
-      double left = fluid.fluid_volume;
-      for (std::size_t k = 0; k < flown.size(); ++k) {
-        if (model_->openings[k].chamber == c) left -= flown[k] - state_.outflow.share(k, duration);
-      }
-      if (left - fluid_held(problem, c, reached) <= kNoVolume * std::abs(model_->chambers[c].rest_volume)) continue;
+    } else if (missing < -none) {
       fluid.vent = -1;
-      revised = true;
+    } else if (missing > none && !options_.gravity.isZero()) {
+      let_air_in(c, fluid.vent, duration, problem);
+    } else {
+      continue;
     }
+    revised = true;
   }
   return revised;
 }
@@ -231,7 +244,7 @@ void Body::update_leaks(double duration, const EquilibriumProblem& problem) {
   state_.outflow = {.volumes = flown, .step = duration};
   for (int c = 0; c < static_cast<int>(problem.fluids.size()); ++c) {
     state_.air[c] = 0;
-    if (problem.fluids[c].vent < 0) continue;
+    if (problem.fluids[c].vent < 0 && !problem.fluids[c].has_surface) continue;
     const double held = fluid_held(problem, c, state_.equilibrium);
     const double air = (held - state_.fluid_volume[c]) * state_.volume[c] / held;
     if (air > kNoVolume * std::abs(model_->chambers[c].rest_volume)) state_.air[c] = air;
@@ -255,29 +268,7 @@ double Body::book_leaks(const BodyState& before) {
     const double weight = model_->definition.fluid.density * options_.gravity.dot(0.5 * (first.center + last.center));
     state_.leaked_gravity -= weight * flown;
   }
-  for (int c = 0; c < static_cast<int>(model_->chambers.size()); ++c) lost += mixing_loss(before, c);
   return lost;
-}
-
-double Body::mixing_loss(const BodyState& before, int chamber) const {
-  if (options_.gravity.isZero() || std::max(before.air[chamber], state_.air[chamber]) == 0) return 0;
-  // Air comes in at the lips and is at once in all of the contents.
-  double area = 0;
-  Eigen::Vector3d lips = Eigen::Vector3d::Zero();
-  for (const OpeningModel& opening : model_->openings) {
-    if (opening.chamber != chamber) continue;
-    const Eigen::Matrix3Xd points = opening.at(state_.equilibrium.position);
-    lips += points.rowwise().sum();
-    area += static_cast<double>(points.cols());
-  }
-  const Eigen::Vector3d middle =
-      first_moments(*model_, state_.equilibrium.position).col(chamber) / state_.volume[chamber] +
-      model_->chambers[chamber].level;
-  const double density = model_->definition.fluid.density;
-  const double mean_density = 0.5 * (density_of(*model_, before, chamber) + density_of(*model_, state_, chamber));
-  const double left = mean_density * (state_.volume[chamber] - before.volume[chamber]) -
-                      density * (state_.fluid_volume[chamber] - before.fluid_volume[chamber]);
-  return -left * options_.gravity.dot(middle - lips / area);
 }
 
 }  // namespace thinwall

@@ -73,13 +73,12 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state) {
   return failed;
 }
 
-EquilibriumProblem Body::solve_statics() {
+void Body::solve_statics() {
   EquilibriumProblem problem;
   for (const ChamberModel& chamber : model_->chambers) {
     FluidProblem fluid{.mode = fluid_mode(),
                        .fluid_volume = chamber.rest_volume,
-                       .bulk_modulus = model_->definition.fluid.bulk_modulus,
-                       .density = model_->definition.fluid.density};
+                       .bulk_modulus = model_->definition.fluid.bulk_modulus};
     if (chamber.initial_pressure) {
       fluid.mode = FluidMode::kGivenPressure;
       fluid.pressure = *chamber.initial_pressure;
@@ -97,7 +96,6 @@ EquilibriumProblem Body::solve_statics() {
     if (!relax(again, trial).converged) throw SimulationFailure(describe_failure());
   }
   state_.equilibrium = trial;
-  return again;
 }
 
 std::string Body::describe_failure() const {
@@ -115,7 +113,7 @@ std::string Body::describe_failure() const {
 
 void Body::settle(std::vector<double> load_factors) {
   state_.load_factors = std::move(load_factors);
-  const EquilibriumProblem problem = solve_statics();
+  solve_statics();
   const auto chambers = static_cast<Eigen::Index>(model_->chambers.size());
   state_.volume = enclosed_volumes(*model_, state_.equilibrium.position);
   state_.fluid_volume = state_.volume;
@@ -136,7 +134,7 @@ void Body::settle(std::vector<double> load_factors) {
   state_.load_force = terms.load_force;
   state_.books.elastic = lasting_part(model_->definition) * terms.strain_energy;
   state_.books.bending = lasting_part(model_->definition) * terms.bending_energy;
-  state_.books.gravity = gravity_energy(problem);
+  state_.books.gravity = gravity_energy();
   state_.books.contact = terms.folds.energy;
   state_.books.fluid = fluid_energy(*model_, state_);
   state_.books.script_work = state_.books.stored();

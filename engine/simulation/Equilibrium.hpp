@@ -74,9 +74,9 @@ struct FluidProblem {
   double pressure = 0;         // pascal: the given one, or the reference one of a compressible fluid
   double fluid_volume = 0;     // metres^3
   double bulk_modulus = 0;     // pascal
-  double density = 1010;       // kg / metre^3, mean of what an open chamber holds: air beside the fluid makes it less
   double outflow_time = 0;     // seconds for which fluid leaves through openings under the pressure that is sought
-  int vent = -1;               // opening at which there is air, so that the pressure there is zero; or -1
+  int vent = -1;               // opening at which there may be air, so that the pressure there is zero; or -1
+  bool has_surface = false;    // under gravity: there is air above the fluid, which pulls at nothing
   double vent_compliance = 0;  // metres^3 / pascal, gives that condition the unit of a volume
 
   /// Whether the pressure is an unknown.
@@ -85,8 +85,12 @@ struct FluidProblem {
   bool seeks_volume() const { return is_multiplier() && vent < 0; }
   /// Space that a volume of fluid fills at a pressure, pascal, over that at its reference pressure.
   double held(double at) const { return mode == FluidMode::kCompressible ? 1 - (at - pressure) / bulk_modulus : 1; }
+  /// Space that it fills at the reference pressure, metres^3, or without pressure where it has a free surface.
+  double space() const { return has_surface ? fluid_volume * held(0) : fluid_volume; }
   /// Volume by which a compressible fluid gives way to a pascal, metres^3; zero for others.
-  double compliance() const { return mode == FluidMode::kCompressible ? fluid_volume / bulk_modulus : 0; }
+  double compliance() const {
+    return has_surface ? 0 : mode == FluidMode::kCompressible ? fluid_volume / bulk_modulus : 0;
+  }
 };
 
 /// Inertia of the fluid in a chamber, which moves as a whole: its momentum is density times the rate of its first
@@ -166,7 +170,9 @@ struct EquilibriumTerms {
   Eigen::VectorXd load_force;  // (unknowns), newton
   Eigen::Matrix3Xd moment;     // (3 x chambers), metres^4, integral of x, where the fluid has inertia
   Eigen::MatrixXd moment_gradient;     // (unknowns x 3 chambers), metres^3
-  Eigen::MatrixXd volume_gradient;     // (unknowns x chambers), metres^2
+  Eigen::VectorXd filled;              // (chambers), metres^3, below the free surface; else the volume
+  Eigen::VectorXd filled_by_pressure;  // (chambers), metres^3 / pascal
+  Eigen::MatrixXd volume_gradient;     // (unknowns x chambers), metres^2, of what is filled
   std::vector<LipCap> lips;            // (openings), of chambers
   Eigen::MatrixXd pressure_load;       // (unknowns x chambers), metres^2, of bodies with open chambers
   Eigen::MatrixXd moment_load;         // (unknowns x 3 chambers), metres^3, likewise

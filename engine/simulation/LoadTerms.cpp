@@ -99,7 +99,8 @@ void add_fluid_weight(const BodyModel& model, const EquilibriumProblem& problem,
     const auto corners = relative_to(model.chambers[chamber].level, corners_of(model.surface[t], position));
     if (model.is_open(chamber)) {
       // Load and curvature are those of `add_open_chambers`.
-      if (heavy) terms.gravity -= problem.fluids[chamber].density * fluid_moment_of(corners, problem.gravity).value;
+      const bool whole = heavy && !problem.fluids[chamber].has_surface;
+      if (whole) terms.gravity -= density * fluid_moment_of(corners, problem.gravity).value;
       continue;
     }
     const FluidMoment moment = fluid_moment_of(corners, push[chamber]);

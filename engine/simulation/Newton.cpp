@@ -93,13 +93,13 @@ void Newton::compute_residual(const EquilibriumProblem& problem, const Equilibri
 
 void Newton::compute_volume_residual(const EquilibriumProblem& problem, const EquilibriumState& state,
                                      const EquilibriumTerms& terms, Residual& residual) const {
+  const Eigen::VectorXd& filled = terms.lips.empty() ? terms.volume : terms.filled;
   residual.volume.setZero(static_cast<Eigen::Index>(problem.fluids.size()));
   for (std::size_t c = 0; c < problem.fluids.size(); ++c) {
     const FluidProblem& fluid = problem.fluids[c];
     if (!fluid.is_multiplier()) continue;
     if (fluid.vent < 0) {
-      residual.volume[c] =
-          terms.volume[c] - fluid.fluid_volume + fluid.compliance() * (state.pressure[c] - fluid.pressure);
+      residual.volume[c] = filled[c] - fluid.space() + fluid.compliance() * (state.pressure[c] - fluid.pressure);
     }
     const int chamber = static_cast<int>(c);
     if (!model_.is_open(chamber)) continue;

@@ -46,6 +46,7 @@ double Newton::merit_slope(const EquilibriumProblem& problem, const EquilibriumS
     if (problem.fluids[c].seeks_volume()) smooth += state.pressure[c] * terms_.volume_gradient.col(c);
     if (problem.fluids[c].vent >= 0) continue;
     slope += problem.fluids[c].compliance() * state.pressure[c] * step.pressure[c];
+    if (problem.fluids[c].has_surface) slope += terms_.filled_by_pressure[c] * state.pressure[c] * step.pressure[c];
   }
   slope += smooth.dot(step.position);
   for (std::size_t k = 0; k < residual.gaps.size(); ++k) {

@@ -84,6 +84,7 @@ void Newton::border_openings(const EquilibriumProblem& problem, const Equilibriu
     const OpeningEquation equation =
         opening_equation(model_, problem, terms_, chamber, state.position, state.pressure, true);
     columns_.col(column) = -terms_.pressure_load.col(chamber);
+    corner_(column, column) -= terms_.filled_by_pressure[chamber];
     const bool has_air = problem.fluids[chamber].vent >= 0;
     // Where there is air the pressure is given: for the question of convexity it is no constraint of the volume.
     if (has_air) {

@@ -7,6 +7,29 @@
 namespace thinwall {
 namespace {
 
+/// Pressure of the contents of a chamber under their weight, and what their inertia adds: that of a fluid below a
+/// surface is taken to be spread over the whole chamber.
+struct ContentsPressure {
+  PressureField weight, inertia;
+};
+
+PressureField weight_field(const BodyModel& model, const EquilibriumProblem& problem, int chamber, double pressure) {
+  const Eigen::Vector3d slope = model.definition.fluid.density * problem.gravity;
+  return {.at_origin = pressure - slope.dot(model.chambers[chamber].level),
+          .slope = slope,
+          .suction = !problem.fluids[chamber].has_surface};
+}
+
+ContentsPressure contents_pressure(const BodyModel& model, const EquilibriumProblem& problem,
+                                   const EquilibriumTerms& terms, int chamber, double pressure) {
+  ContentsPressure contents{.weight = weight_field(model, problem, chamber, pressure), .inertia = {}};
+  if (problem.fluid_inertia.empty()) return contents;
+  const FluidInertia& inertia = problem.fluid_inertia[chamber];
+  const Eigen::Vector3d push = inertia.factor * (terms.moment.col(chamber) - inertia.target);
+  contents.inertia = {.at_origin = push.dot(inertia.origin), .slope = -push};
+  return contents;
+}
+
 /// Adds (3 x lips) to a vector of the (unknowns).
 template <typename Vector>
 void add_to_lips(const OpeningModel& opening, const Eigen::Matrix3Xd& part, Vector&& whole) {
@@ -15,86 +38,112 @@ void add_to_lips(const OpeningModel& opening, const Eigen::Matrix3Xd& part, Vect
   }
 }
 
+void add_to_corners(const Eigen::Vector3i& triangle, const Eigen::Matrix<double, 9, 1>& part, auto&& whole) {
+  for (int k = 0; k < 3; ++k) whole.template segment<3>(3 * triangle[k]) += part.segment<3>(3 * k);
+}
+
 void add_caps(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
               EquilibriumTerms& terms) {
   for (const OpeningModel& opening : model.openings) {
+    const int c = opening.chamber;
     const Eigen::Matrix3Xd lips = opening.at(position);
     terms.lips.push_back(lip_cap_of(lips));
-    terms.volume[opening.chamber] += terms.lips.back().volume;
-    add_to_lips(opening, terms.lips.back().volume_gradient, terms.volume_gradient.col(opening.chamber));
-    const Eigen::Vector3d& level = model.chambers[opening.chamber].level;
-    if (!problem.gravity.isZero()) {
-      const LipMoment moment = lip_moment_of(lips.colwise() - level);
-      terms.gravity -= problem.fluids[opening.chamber].density * problem.gravity.dot(moment.value);
+    terms.volume[c] += terms.lips.back().volume;
+    add_to_lips(opening, terms.lips.back().volume_gradient, terms.volume_gradient.col(c));
+    if (!problem.gravity.isZero() && !problem.fluids[c].has_surface) {
+      const LipMoment moment = lip_moment_of(lips.colwise() - model.chambers[c].level);
+      terms.gravity -= model.definition.fluid.density * problem.gravity.dot(moment.value);
     }
     if (problem.fluid_inertia.empty()) continue;
-    const LipMoment moment = lip_moment_of(lips.colwise() - problem.fluid_inertia[opening.chamber].origin);
-    terms.moment.col(opening.chamber) += moment.value;
+    const LipMoment moment = lip_moment_of(lips.colwise() - problem.fluid_inertia[c].origin);
+    terms.moment.col(c) += moment.value;
     for (int axis = 0; axis < 3; ++axis) {
-      add_to_lips(opening, moment.gradient[axis], terms.moment_gradient.col(3 * opening.chamber + axis));
+      add_to_lips(opening, moment.gradient[axis], terms.moment_gradient.col(3 * c + axis));
     }
   }
 }
 
-/// Loads of the fields that have a unit of pressure at the origin, or a unit of slope along an axis.
-void add_unit_loads(const BodyModel& model, const EquilibriumProblem& problem, int triangle,
-                    const std::array<Eigen::Vector3d, 3>& corners, EquilibriumTerms& terms) {
-  const int chamber = model.chamber[triangle];
-  const auto add = [&](const PressureField& field, auto&& column) {
-    const auto load = pressure_load_of(corners, field);
-    for (int k = 0; k < 3; ++k) {
-      column.template segment<3>(3 * model.surface[triangle][k]) += load.segment<3>(3 * k);
+/// What is below the free surface of chambers that have one: its volume, from Archimedes' principle over the closed
+/// surface, with its derivatives, and its energy in gravity, pressure V - integral of the pressure.
+void add_filled(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
+                const Eigen::VectorXd& pressure, EquilibriumTerms& terms) {
+  terms.filled = terms.volume;
+  terms.filled_by_pressure.setZero(terms.volume.size());
+  for (int c = 0; c < static_cast<int>(problem.fluids.size()); ++c) {
+    if (!problem.fluids[c].has_surface) continue;
+    const PressureField field = weight_field(model, problem, c, pressure[c]);
+    Eigen::Vector3d load = Eigen::Vector3d::Zero(), unit = load, squared = load;
+    terms.volume_gradient.col(c).setZero();
+    const auto add = [&](const std::array<Eigen::Vector3d, 3>& corners) {
+      const auto part = pressure_load_of(corners, field), one = unit_load_of(corners, field);
+      for (int k = 0; k < 3; ++k) load += part.segment<3>(3 * k), unit += one.segment<3>(3 * k);
+      squared += squared_load_of(corners, field);
+      return one;
+    };
+    for (std::size_t t = 0; t < model.surface.size(); ++t) {
+      if (model.chamber[t] != c) continue;
+      add_to_corners(model.surface[t], add(corners_of(model.surface[t], position)), terms.volume_gradient.col(c));
     }
-  };
-  add({.at_origin = 1, .slope = Eigen::Vector3d::Zero()}, terms.pressure_load.col(chamber));
+    for (const OpeningModel& opening : model.openings) {
+      if (opening.chamber != c) continue;
+      add_to_lips(opening, lip_sum_of(opening.at(position), add), terms.volume_gradient.col(c));
+    }
+    const Eigen::Vector3d along = field.slope / field.slope.squaredNorm();
+    terms.filled[c] = load.dot(along);
+    terms.filled_by_pressure[c] = unit.dot(along);
+    terms.gravity += pressure[c] * terms.filled[c] - squared.dot(along);
+  }
+}
+
+/// Loads of the fields that have a unit of slope along an axis.
+void add_moment_loads(const BodyModel& model, const EquilibriumProblem& problem, int triangle,
+                      const std::array<Eigen::Vector3d, 3>& corners, EquilibriumTerms& terms) {
   if (problem.fluid_inertia.empty()) return;
+  const int chamber = model.chamber[triangle];
   const Eigen::Vector3d& origin = problem.fluid_inertia[chamber].origin;
   for (int axis = 0; axis < 3; ++axis) {
-    add({.at_origin = -origin[axis], .slope = Eigen::Vector3d::Unit(axis)}, terms.moment_load.col(3 * chamber + axis));
+    const PressureField field{.at_origin = -origin[axis], .slope = Eigen::Vector3d::Unit(axis)};
+    add_to_corners(model.surface[triangle], pressure_load_of(corners, field),
+                   terms.moment_load.col(3 * chamber + axis));
   }
 }
 
 void add_loads(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
                const Eigen::VectorXd& pressure, EquilibriumTerms& terms) {
-  std::vector<PressureField> whole, weight;  // with the pressure, and without it
+  std::vector<ContentsPressure> contents;
   for (int c = 0; c < static_cast<int>(problem.fluids.size()); ++c) {
-    whole.push_back(pressure_field(model, problem, terms, c, pressure[c]));
-    weight.push_back(pressure_field(model, problem, terms, c, 0));
+    contents.push_back(contents_pressure(model, problem, terms, c, pressure[c]));
   }
   for (int t = 0; t < static_cast<int>(model.surface.size()); ++t) {
-    const int chamber = model.chamber[t];
-    if (!model.is_open(chamber)) continue;
+    const int c = model.chamber[t];
+    if (!model.is_open(c)) continue;
     const auto corners = corners_of(model.surface[t], position);
-    add_unit_loads(model, problem, t, corners, terms);
-    const auto load = pressure_load_of(corners, weight[chamber]);
-    for (int k = 0; k < 3; ++k) terms.gradient.segment<3>(3 * model.surface[t][k]) -= load.segment<3>(3 * k);
-    const Eigen::Matrix<double, 9, 9> tangent = pressure_tangent_of(corners, whole[chamber]);
+    add_moment_loads(model, problem, t, corners, terms);
+    const Eigen::Matrix<double, 9, 1> unit = unit_load_of(corners, contents[c].weight);
+    add_to_corners(model.surface[t], unit, terms.pressure_load.col(c));
+    const Eigen::Matrix<double, 9, 1> load =
+        pressure_load_of(corners, contents[c].weight) + pressure_load_of(corners, contents[c].inertia);
+    // The part of a pascal times the pressure comes from the columns.
+    add_to_corners(model.surface[t], pressure[c] * unit - load, terms.gradient);
+    const Eigen::Matrix<double, 9, 9> tangent =
+        pressure_tangent_of(corners, contents[c].weight) + pressure_tangent_of(corners, contents[c].inertia);
     add_triangle(model.addresses[t], -0.5 * (tangent + tangent.transpose()), terms.values);
     terms.largest_force = std::max(terms.largest_force, load.lpNorm<Eigen::Infinity>());
   }
   for (const OpeningModel& opening : model.openings) {
-    add_to_lips(opening, lip_load_of(opening.at(position), whole[opening.chamber]), terms.lip_force);
+    const Eigen::Matrix3Xd lips = opening.at(position);
+    const ContentsPressure& of = contents[opening.chamber];
+    add_to_lips(opening, lip_load_of(lips, of.weight) + lip_load_of(lips, of.inertia), terms.lip_force);
   }
 }
 
 }  // namespace
 
-PressureField pressure_field(const BodyModel& model, const EquilibriumProblem& problem, const EquilibriumTerms& terms,
-                             int chamber, double pressure) {
-  const Eigen::Vector3d weight = problem.fluids[chamber].density * problem.gravity;
-  PressureField field{.at_origin = pressure - weight.dot(model.chambers[chamber].level), .slope = weight};
-  if (problem.fluid_inertia.empty()) return field;
-  const FluidInertia& inertia = problem.fluid_inertia[chamber];
-  const Eigen::Vector3d push = inertia.factor * (terms.moment.col(chamber) - inertia.target);
-  field.at_origin += push.dot(inertia.origin);
-  field.slope -= push;
-  return field;
-}
-
 void add_open_chambers(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
                        const Eigen::VectorXd& pressure, EquilibriumTerms& terms) {
   if (!model.has_open_chambers()) return;
   add_caps(model, problem, position, terms);
+  add_filled(model, problem, position, pressure, terms);
   // Closed chambers share the columns: there both are the same.
   terms.pressure_load = terms.volume_gradient;
   terms.moment_load = terms.moment_gradient;
@@ -119,13 +168,16 @@ Eigen::VectorXd rim_forces(const BodyModel& model, const EquilibriumProblem& pro
                            const Eigen::VectorXd& motion) {
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(position.size());
   for (const OpeningModel& opening : model.openings) {
-    const PressureField field = pressure_field(model, problem, terms, opening.chamber, pressure[opening.chamber]);
+    const ContentsPressure contents =
+        contents_pressure(model, problem, terms, opening.chamber, pressure[opening.chamber]);
     for (std::size_t k = 0; k < opening.lips.size(); ++k) {
       const int first = opening.lips[k], second = opening.lips[(k + 1) % opening.lips.size()];
-      const auto change = rim_load_change({position.segment<3>(3 * first), position.segment<3>(3 * second)},
-                                          {motion.segment<3>(3 * first), motion.segment<3>(3 * second)}, field);
-      forces.segment<3>(3 * first) += change[0];
-      forces.segment<3>(3 * second) += change[1];
+      for (const PressureField& field : {contents.weight, contents.inertia}) {
+        const auto change = rim_load_change({position.segment<3>(3 * first), position.segment<3>(3 * second)},
+                                            {motion.segment<3>(3 * first), motion.segment<3>(3 * second)}, field);
+        forces.segment<3>(3 * first) += change[0];
+        forces.segment<3>(3 * second) += change[1];
+      }
     }
   }
   return forces;
@@ -135,7 +187,7 @@ double lip_pressure(const BodyModel& model, const EquilibriumProblem& problem, c
                     int opening, const Eigen::VectorXd& pressure) {
   const int chamber = model.openings[opening].chamber;
   const Eigen::Vector3d height = terms.lips[opening].center - model.chambers[chamber].level;
-  return pressure[chamber] + problem.fluids[chamber].density * problem.gravity.dot(height);
+  return pressure[chamber] + model.definition.fluid.density * problem.gravity.dot(height);
 }
 
 Flow outflow(const BodyModel& model, double area, double lip_pressure) {
@@ -148,14 +200,16 @@ OpeningEquation opening_equation(const BodyModel& model, const EquilibriumProble
   const FluidProblem& fluid = problem.fluids[chamber];
   OpeningEquation equation;
   // The fluid that leaves would have filled less space than at the pressure at which it is counted.
-  const double yielding = fluid.mode == FluidMode::kCompressible ? 1 / fluid.bulk_modulus : 0;  // 1 / pascal
-  const double held = fluid.held(pressure[chamber]);
+  const bool yields = fluid.mode == FluidMode::kCompressible && !fluid.has_surface;
+  const double yielding = yields ? 1 / fluid.bulk_modulus : 0;  // 1 / pascal
+  const double held = fluid.held(fluid.has_surface ? 0 : pressure[chamber]);
   if (with_derivatives) equation.by_position.setZero(position.size());
   for (int k = 0; k < static_cast<int>(model.openings.size()); ++k) {
     const OpeningModel& opening = model.openings[k];
     if (opening.chamber != chamber || (fluid.vent >= 0 && fluid.vent != k)) continue;
     const double at_lips = lip_pressure(model, problem, terms, k, pressure);
-    const Eigen::Vector3d slope = fluid.density * problem.gravity / static_cast<double>(opening.lips.size());
+    const Eigen::Vector3d slope =
+        model.definition.fluid.density * problem.gravity / static_cast<double>(opening.lips.size());
     Eigen::Matrix3Xd by_lips;
     if (fluid.vent >= 0) {
       equation.value += fluid.vent_compliance * at_lips;
@@ -163,6 +217,7 @@ OpeningEquation opening_equation(const BodyModel& model, const EquilibriumProble
       if (with_derivatives) by_lips = (fluid.vent_compliance * slope).replicate(1, opening.lips.size());
     } else {
       const Eigen::Vector3d& area = terms.lips[k].area;
+      if (fluid.has_surface && at_lips <= 0) continue;  // the lips are dry
       const Flow flow = outflow(model, area.norm(), at_lips);
       equation.value += fluid.outflow_time * flow.rate * held;
       equation.by_pressure += fluid.outflow_time * (flow.slope * held - flow.rate * yielding);

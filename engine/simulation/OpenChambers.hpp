@@ -21,11 +21,6 @@ namespace thinwall {
 // the symmetric matrix that has the gradient of the volume as column and row. The merit function of the line search
 // takes what the cap does not bear as dead loads, frozen where the search starts.
 
-/// Pressure of the contents of a chamber: under their weight, and under their inertia where that is given. `pressure`:
-/// at the chamber's level, pascal.
-PressureField pressure_field(const BodyModel& model, const EquilibriumProblem& problem, const EquilibriumTerms& terms,
-                             int chamber, double pressure);
-
 /// Adds the caps over the lips to the volumes and moments in `terms`, and what the weight and the inertia of the
 /// contents do to open walls to the gradient and, with the given pressure, (chambers), to the Hessian.
 void add_open_chambers(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,

@@ -1,5 +1,6 @@
 #include "studio/director/SnapshotMaker.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace thinwall {
@@ -44,9 +45,15 @@ SnapshotToolKind to_kind(ToolKind kind) {
   return SnapshotToolKind::kPoint;
 }
 
+/// Pascal, at the chamber's level; below zero only where fluid is under suction, not where air has taken its place.
+double pressure_of(const BodyState& state, Eigen::Index chamber) {
+  const double pressure = state.equilibrium.pressure[chamber];
+  return state.air[chamber] > 0 ? std::max(0.0, pressure) : pressure;
+}
+
 /// Of the first chamber; zero without fluid.
 double first_pressure(const BodyState& state) {
-  return state.equilibrium.pressure.size() == 0 ? 0 : state.equilibrium.pressure[0];
+  return state.equilibrium.pressure.size() == 0 ? 0 : pressure_of(state, 0);
 }
 
 }  // namespace
@@ -98,7 +105,7 @@ void add_scalars(const Body& body, std::vector<SnapshotScalar>& scalars) {
     if (chamber.empty()) continue;
     scalars.push_back({.name = name + "." + chamber + ".pressure",
                        .unit = "Pa",
-                       .value = body.state().equilibrium.pressure[static_cast<Eigen::Index>(c)]});
+                       .value = pressure_of(body.state(), static_cast<Eigen::Index>(c))});
   }
   scalars.push_back({.name = name + ".volume", .unit = "m^3", .value = body.state().volume.sum()});
 }

@@ -115,8 +115,8 @@ TEST(PressureLoad, OnWallAndCapIsTheGradientOfTheVolume) {
   EXPECT_LT((volume - cone.load({.at_origin = 1})).norm(), 1e-14);
 }
 
-TEST(PressureLoad, TangentIsASymmetricPartAndOneOnTheRim) {
-  const PressureField field{.at_origin = 2, .slope = {0.7, -1.1, 0.4}};
+/// The derivative by differences, and its skew-symmetric part by the rim alone.
+void expect_tangent(const PressureField& field) {
   const OpenCone cone;
   Eigen::MatrixXd tangent = Eigen::MatrixXd::Zero(12, 12);
   for (int t = 0; t < 3; ++t) {
@@ -149,6 +149,42 @@ TEST(PressureLoad, TangentIsASymmetricPartAndOneOnTheRim) {
   }
   EXPECT_LT((0.5 * (tangent - tangent.transpose()) - skew).norm(), 1e-14);
   EXPECT_GT(skew.norm(), 0.1);
+}
+
+TEST(PressureLoad, TangentIsASymmetricPartAndOneOnTheRim) {
+  expect_tangent({.at_origin = 2, .slope = {0.7, -1.1, 0.4}});
+  // A free surface through all three triangles, and through two with corners of the rim above it.
+  expect_tangent({.at_origin = 1.4, .slope = {0, 0, -2}, .suction = false});
+  expect_tangent({.at_origin = 0.2, .slope = {0.9, 0.3, -1}, .suction = false});
+}
+
+TEST(PressureLoad, UnderAFreeSurfaceIsTheWeightOfWhatIsBelowIt) {
+  // A cube of side 2, filled up to a height of 0.7: twelve triangles, four of them cut by the surface.
+  std::vector<std::array<Eigen::Vector3d, 3>> cube;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double side : {0.0, 2.0}) {
+      std::array<Eigen::Vector3d, 4> corners;
+      for (int k = 0; k < 4; ++k) {
+        const int turned = side > 0 ? k : 3 - k;
+        corners[k][axis] = side;
+        corners[k][(axis + 1) % 3] = turned == 1 || turned == 2 ? 2 : 0;
+        corners[k][(axis + 2) % 3] = turned > 1 ? 2 : 0;
+      }
+      cube.push_back({corners[0], corners[1], corners[2]});
+      cube.push_back({corners[0], corners[2], corners[3]});
+    }
+  }
+  const double weight = 5, height = 0.7;
+  const PressureField field{.at_origin = weight * height, .slope = {0, 0, -weight}, .suction = false};
+  Eigen::Vector3d load = Eigen::Vector3d::Zero(), unit = load, squared = load;
+  for (const auto& corners : cube) {
+    const auto part = pressure_load_of(corners, field), one = unit_load_of(corners, field);
+    for (int k = 0; k < 3; ++k) load += part.segment<3>(3 * k), unit += one.segment<3>(3 * k);
+    squared += squared_load_of(corners, field);
+  }
+  EXPECT_LT((load - Eigen::Vector3d(0, 0, -weight * 4 * height)).norm(), 1e-13);
+  EXPECT_LT((unit - Eigen::Vector3d(0, 0, -4)).norm(), 1e-13);  // the area of the surface
+  EXPECT_NEAR(squared.z(), -weight * (weight * 4 * height * height / 2), 1e-12);
 }
 
 }  // namespace
