@@ -172,6 +172,7 @@ class Body {
                                  const EquilibriumState& reached) const;
   double fluid_held(const EquilibriumProblem& problem, int chamber, const EquilibriumState& reached) const;
   bool revise_vents(EquilibriumProblem& problem, const EquilibriumState& reached, double duration) const;
+  bool draw_air(EquilibriumProblem& problem, EquilibriumState& trial, std::span<const ToolPose> begin);
   bool solve_with_leaks(EquilibriumProblem& problem, EquilibriumState& trial, std::span<const ToolPose> begin,
                         double duration);
   void update_leaks(double duration, const EquilibriumProblem& problem);

@@ -21,6 +21,13 @@ namespace {
 /// Times within a step that chambers may turn from filled to aired and back.
 constexpr int kMostVentTurns = 6;
 
+/// Of these, the first ones that let the pressure go to zero at once. A wall that buckles may then jump to a shape that
+/// presses fluid out, and back from that to the one that draws. What there is to be found is a shape further out: the
+/// volume is made larger part by part until the wall draws no more.
+constexpr int kHastyVentTurns = 1;
+constexpr double kAirPart = 0.01;  // of the rest volume
+constexpr int kMostAirParts = 40;
+
 /// Pressure below zero, over the wall's scale of pressure, that counts as none: what the solver leaves is 1e-11 of it.
 constexpr double kNoPressure = 1e-9;
 
@@ -220,11 +227,29 @@ bool Body::revise_vents(EquilibriumProblem& problem, const EquilibriumState& rea
   return revised;
 }
 
+bool Body::draw_air(EquilibriumProblem& problem, EquilibriumState& trial, std::span<const ToolPose> begin) {
+  for (int c = 0; c < static_cast<int>(problem.fluids.size()); ++c) {
+    FluidProblem& fluid = problem.fluids[c];
+    const int vent = fluid.vent;
+    if (vent < 0) continue;
+    const FluidProblem whole = fluid;
+    const auto at_lips = [&] { return lip_pressure(*model_, problem, newton_.terms(), vent, trial.pressure); };
+    fluid.vent = -1;
+    for (int part = 0; part < kMostAirParts && at_lips() < 0; ++part) {
+      fluid.fluid_volume += kAirPart * std::abs(model_->chambers[c].rest_volume);
+      if (!solve_with_friction(problem, trial, begin)) return false;
+    }
+    fluid = whole;
+  }
+  return true;
+}
+
 bool Body::solve_with_leaks(EquilibriumProblem& problem, EquilibriumState& trial, std::span<const ToolPose> begin,
                             double duration) {
   for (int turn = 0;; ++turn) {
     if (!solve_with_friction(problem, trial, begin)) return false;
     if (!model_->has_open_chambers() || !revise_vents(problem, trial, duration)) return true;
+    if (turn >= kHastyVentTurns && !draw_air(problem, trial, begin)) return false;
     if (turn == kMostVentTurns) {
       failure_ = "fluid and air of an open chamber do not come to agree";
       return false;
