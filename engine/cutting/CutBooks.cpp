@@ -7,24 +7,6 @@
 namespace thinwall {
 namespace {
 
-/// Corners of the path between its last stop that the cut got to and the next stop, from where the cut is on.
-std::vector<Eigen::Vector3d> corners_ahead(std::span<const PathStop> stops, const PlannedCut& plan) {
-  if (plan.reached_stop + 1 >= static_cast<int>(stops.size())) return {};
-  const PathStop& stop = stops[plan.reached_stop];
-  std::vector<Eigen::Vector3d> line = {stop.place.position};
-  line.insert(line.end(), stop.between.begin(), stop.between.end());
-  line.push_back(stops[plan.reached_stop + 1].place.position);
-  std::size_t segment = 0;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const double distance = distance_to(std::span(line).subspan(i, 2), plan.reached);
-    if (distance >= nearest) continue;
-    nearest = distance;
-    segment = i;
-  }
-  return {line.begin() + static_cast<std::ptrdiff_t>(segment) + 1, line.end()};
-}
-
 SurfacePoint point_in(const CutPatch& patch, int facet, const Eigen::Vector3d& position, double no_weight) {
   auto [triangle, weights] = patch.locate(facet, position);
   for (double& weight : weights) weight = weight < no_weight ? 0 : weight;
@@ -32,19 +14,6 @@ SurfacePoint point_in(const CutPatch& patch, int facet, const Eigen::Vector3d& p
 }
 
 }  // namespace
-
-double deviation_of(std::span<const PathStop> stops, const PlannedCut& plan) {
-  std::vector<Eigen::Vector3d> realised;
-  for (const int vertex : plan.vertices) realised.push_back(plan.patch.positions[vertex]);
-  const std::vector<Eigen::Vector3d> wanted = corners_of(stops);
-  const std::size_t ahead = corners_ahead(stops, plan).size();
-  std::size_t later = ahead;
-  for (int i = plan.reached_stop + 1; i + 1 < static_cast<int>(stops.size()); ++i) later += stops[i].between.size() + 1;
-  double largest = 0;
-  for (const Eigen::Vector3d& vertex : realised) largest = std::max(largest, distance_to(wanted, vertex));
-  for (std::size_t i = 0; i + later < wanted.size(); ++i) largest = std::max(largest, distance_to(realised, wanted[i]));
-  return largest;
-}
 
 std::vector<SurfacePoint> rest_of(std::span<const PathStop> stops, const PlannedCut& plan) {
   constexpr double kNoWeight = 1e-9;

@@ -9,9 +9,6 @@
 
 namespace thinwall {
 
-/// Largest distance between the cut and the path up to where the cut has got, metres, rest. Before the lips are opened.
-double deviation_of(std::span<const PathStop> stops, const PlannedCut& plan);
-
 /// The path from where the cut has got to its end, on the patch as it is now; triangles are those of the patch.
 std::vector<SurfacePoint> rest_of(std::span<const PathStop> stops, const PlannedCut& plan);
 

@@ -1,6 +1,7 @@
 #include "engine/cutting/CutPatch.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cassert>
 #include <limits>
 
@@ -86,11 +87,12 @@ bool CutPatch::is_held(int triangle, int side) const {
   return is_crease(triangle, side) || on_path[triangle][side] || frozen[triangle] || frozen[neighbours[triangle][side]];
 }
 
-int CutPatch::add_vertex(const Eigen::Vector3d& position, VertexFreedom its_freedom) {
+int CutPatch::add_vertex(const Eigen::Vector3d& position, VertexFreedom its_freedom, double allowed) {
   positions.push_back(position);
   vertex_triangle.push_back(-1);
   freedom.push_back(its_freedom);
   line.push_back(Eigen::Vector3d::Zero());
+  least_allowed.push_back(allowed);
   ++splits;
   return vertex_count() - 1;
 }
@@ -119,7 +121,8 @@ int CutPatch::split_side(int t, int k, const Eigen::Vector3d& position) {
   assert(!frozen[t] && neighbours[t][k] != kFrame);
   const bool crease = is_crease(t, k);
   const int n = neighbours[t][k];
-  const int m = add_vertex(position, crease || on_path[t][k] ? VertexFreedom::kFixed : VertexFreedom::kFree);
+  const double allowed = n < 0 ? allowed_at(t) : std::min(allowed_at(t), allowed_at(n));
+  const int m = add_vertex(position, crease || on_path[t][k] ? VertexFreedom::kFixed : VertexFreedom::kFree, allowed);
   const int b = triangles[t][(k + 1) % 3];
   // t = (a, b, c) becomes (a, m, c) and (m, b, c).
   const int t2 = add_triangle_like(t);
@@ -154,7 +157,7 @@ int CutPatch::split_side(int t, int k, const Eigen::Vector3d& position) {
 
 int CutPatch::split_triangle(int t, const Eigen::Vector3d& position) {
   assert(!frozen[t]);
-  const int m = add_vertex(position, VertexFreedom::kFree);
+  const int m = add_vertex(position, VertexFreedom::kFree, allowed_at(t));
   const Eigen::Vector3i corners = triangles[t], around = neighbours[t];
   const std::array<char, 3> marks = on_path[t];
   const std::array<int, 3> parts = {t, add_triangle_like(t), add_triangle_like(t)};
@@ -233,6 +236,11 @@ void CutPatch::find_freedom(int first) {
     freedom[v] = VertexFreedom::kLine;
     line[v] = creases[0];
   }
+}
+
+double CutPatch::allowed_at(int triangle) const {
+  const Eigen::Vector3i& t = triangles[triangle];
+  return std::min({least_allowed[t[0]], least_allowed[t[1]], least_allowed[t[2]]});
 }
 
 double CutPatch::mean_edge(int triangle) const {

@@ -39,6 +39,7 @@ struct CutPatch {
   std::vector<int> vertex_triangle;            // (vertices), one of the triangles there
   std::vector<VertexFreedom> freedom;          // (vertices)
   std::vector<Eigen::Vector3d> line;           // (vertices x 3), unit, where the freedom is kLine
+  std::vector<double> least_allowed;           // (vertices), radians, for angles of the triangles there
   std::vector<Eigen::Vector3i> triangles;      // (triangles x 3)
   std::vector<Eigen::Vector3i> neighbours;     // (triangles x 3), across the sides
   std::vector<int> facet;                      // (triangles), into normals
@@ -79,10 +80,11 @@ struct CutPatch {
   /// Finds where vertices from `first` on may go: anywhere within one facet, along a straight crease between two, else
   /// nowhere.
   void find_freedom(int first);
-  double mean_edge(int triangle) const;  // metres
+  double mean_edge(int triangle) const;   // metres
+  double allowed_at(int triangle) const;  // radians, the least that is allowed at one of its vertices
 
  private:
-  int add_vertex(const Eigen::Vector3d& position, VertexFreedom its_freedom);
+  int add_vertex(const Eigen::Vector3d& position, VertexFreedom its_freedom, double allowed);
   int add_triangle_like(int triangle);
   void join(int triangle, int side, int neighbour);
 };

@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 
+#include "engine/cutting/AreaOverlap.hpp"
 #include "engine/cutting/CutQuality.hpp"
 #include "engine/cutting/EdgeRoute.hpp"
 #include "engine/cutting/MeshImprovement.hpp"
@@ -28,16 +29,15 @@ struct Trial {
 
 /// Triangles that break the rule, the sharpest first and none with a vertex of one before it; where lines meet that
 /// ought to be one, the sharpest triangle at the path stands for the wedge.
-std::vector<int> find_troubles(const CutPatch& patch, double least) {
-  const double meeting = least_meeting_angle(patch);
-  const double limit = std::cos(std::min(least, 0.5 * meeting)) + 1e-12;
+std::vector<int> find_troubles(const CutPatch& patch) {
   std::vector<std::pair<double, int>> sharp, at_path;
   for (int t = 0; t < patch.triangle_count(); ++t) {
     const std::array<char, 3>& marks = patch.on_path[t];
-    if (patch.changed[t] && sharpness(patch, t) > limit) sharp.emplace_back(-sharpness(patch, t), t);
+    if (patch.changed[t] && sharpness(patch, t) > allowed_sharpness(patch, t))
+      sharp.emplace_back(-sharpness(patch, t), t);
     if (marks[0] || marks[1] || marks[2]) at_path.emplace_back(-sharpness(patch, t), t);
   }
-  if (sharp.empty() && meeting < kMergingAngle) sharp.push_back(*std::ranges::min_element(at_path));
+  if (sharp.empty() && least_meeting_angle(patch) < kMergingAngle) sharp.push_back(*std::ranges::min_element(at_path));
   std::ranges::sort(sharp);
   std::vector<int> troubles;
   std::set<int> taken;
@@ -50,8 +50,8 @@ std::vector<int> find_troubles(const CutPatch& patch, double least) {
   return troubles;
 }
 
-Trial try_nodes(const CutPatch& patch, std::span<const PathStop> stops, const RefusedChoices& refused, double least) {
-  Trial trial{.patch = patch, .nodes = snap_path(patch, stops, refused, 1.05 * least), .path = {}, .troubles = {}};
+Trial try_nodes(const CutPatch& patch, std::span<const PathStop> stops, const RefusedChoices& refused) {
+  Trial trial{.patch = patch, .nodes = snap_path(patch, stops, refused), .path = {}, .troubles = {}};
   if (trial.nodes.size() < 2) {
     trial.empty = true;
     return trial;
@@ -62,8 +62,9 @@ Trial try_nodes(const CutPatch& patch, std::span<const PathStop> stops, const Re
     trial.empty = true;
     return trial;
   }
-  improve(trial.patch, 1.001 * least, std::max(kEnough, least));
-  trial.troubles = find_troubles(trial.patch, least);
+  allow_wedges(trial.patch);
+  improve(trial.patch, kEnough);
+  trial.troubles = find_troubles(trial.patch);
   return trial;
 }
 
@@ -104,10 +105,11 @@ bool refuse_culprits(const Trial& trial, RefusedChoices& refused) {
   return any;
 }
 
-PlannedCut planned(Trial trial) {
+PlannedCut planned(Trial trial, std::vector<TriangleSource> triangles) {
   const PathNode& last = trial.nodes.back();
   PlannedCut plan{.patch = std::move(trial.patch),
                   .vertices = std::move(trial.path.vertices),
+                  .triangles = std::move(triangles),
                   .reached_stop = last.passed,
                   .reached = last.wanted};
   for (const PathNode& node : trial.nodes) {
@@ -131,13 +133,14 @@ int nearest_vertex(const CutPatch& patch, const PatchPlace& place) {
 /// Along edges that are there, through the vertices nearest to some of the stops.
 PlannedCut plan_along_edges(const CutPatch& patch, std::span<const PathStop> stops) {
   constexpr std::size_t kLeg = 4;  // stops
-  PlannedCut plan{.patch = patch, .vertices = {nearest_vertex(patch, stops.front().place)}, .along_edges = true};
+  PlannedCut plan{
+      .patch = patch, .vertices = {nearest_vertex(patch, stops.front().place)}, .triangles = {}, .along_edges = true};
   for (std::size_t begin = 0; begin + 1 < stops.size(); begin += kLeg) {
     const std::size_t end = std::min(begin + kLeg, stops.size() - 1);
     const int to = nearest_vertex(patch, stops[end].place);
     const auto line = corners_of(stops.subspan(begin, end - begin + 1));
     const std::vector<int> leg = route_along_edges(patch, plan.vertices.back(), to, line);
-    if (leg.empty()) return {.patch = patch, .vertices = {}};
+    if (leg.empty()) return {.patch = patch, .vertices = {}, .triangles = {}};
     plan.vertices.insert(plan.vertices.end(), leg.begin() + 1, leg.end());
   }
   for (std::size_t i = 0; i + 1 < plan.vertices.size(); ++i) {
@@ -146,7 +149,7 @@ PlannedCut plan_along_edges(const CutPatch& patch, std::span<const PathStop> sto
     if (side.triangle < 0) side = plan.patch.side_between(v, u);
     if (plan.patch.neighbours[side.triangle][side.corner] != CutPatch::kBorder) plan.patch.set_on_path(u, v);
   }
-  if (!drop_closed_edges(plan.patch)) return {.patch = patch, .vertices = {}};
+  if (!drop_closed_edges(plan.patch)) return {.patch = patch, .vertices = {}, .triangles = {}};
   plan.reached_stop = static_cast<int>(stops.size()) - 1;
   plan.reached = stops.back().place.position;
   plan.snapped_nodes = static_cast<int>(plan.vertices.size());
@@ -159,26 +162,109 @@ bool ends_at_border(const CutPatch& patch, const PatchPlace& place) {
   return patch.side_between(place.from, place.to).triangle < 0 || patch.side_between(place.to, place.from).triangle < 0;
 }
 
-}  // namespace
+/// Changed triangles that are sharper than what lay in their place allows.
+std::vector<int> worse_than_before(const CutPatch& before, const CutPatch& patch,
+                                   std::span<const TriangleSource> sources) {
+  std::vector<int> worse;
+  for (const TriangleSource& source : sources) {
+    const bool good = sharpness(patch, source.triangle) <= allowed_sharpness(before, patch, source);
+    if (!good) worse.push_back(source.triangle);
+  }
+  return worse;
+}
 
-PlannedCut plan_cut(const CutPatch& patch, std::span<const PathStop> stops) {
-  if (stops.size() < 2) return {.patch = patch, .vertices = {}};
-  const double least = std::min(kGoodAngle, least_angle(patch));
+/// Snaps, inserts and improves until the rule is kept; without vertices where that cannot be.
+PlannedCut plan_with_nodes(const CutPatch& before, const CutPatch& patch, std::span<const PathStop> stops) {
   RefusedChoices refused;
   for (int i = 0; i < kMostTrials; ++i) {
-    Trial trial = try_nodes(patch, stops, refused, least);
+    Trial trial = try_nodes(patch, stops, refused);
     if (trial.empty) break;
-    if (trial.path.complete && trial.troubles.empty()) return planned(std::move(trial));
+    if (trial.path.complete && trial.troubles.empty()) {
+      std::vector<TriangleSource> sources = overlaps(before, trial.patch);
+      trial.troubles = worse_than_before(before, trial.patch, sources);
+      if (trial.troubles.empty()) return planned(std::move(trial), std::move(sources));
+    }
     if (!refuse_culprits(trial, refused)) break;
   }
-  // A cut that cannot go on yet waits for the path to grow; one that ends at a border must get there.
+  return {.patch = patch, .vertices = {}, .triangles = {}};
+}
+
+/// The longest edge of the triangles at the vertices of a cut.
+double longest_edge_at(const CutPatch& patch, std::span<const int> vertices) {
+  double longest = 0;
+  for (const int vertex : vertices) {
+    for (const PatchCorner& corner : patch.fan_of(vertex).corners) {
+      const Eigen::Vector3i& t = patch.triangles[corner.triangle];
+      for (int k = 0; k < 3; ++k) {
+        longest = std::max(longest, (patch.positions[t[(k + 1) % 3]] - patch.positions[t[k]]).norm());
+      }
+    }
+  }
+  return longest;
+}
+
+/// A cut that cannot go on yet waits for the path to grow; one that ends at a border must get there.
+bool may_wait(const CutPatch& patch, std::span<const PathStop> stops) {
   const std::vector<Eigen::Vector3d> line = corners_of(stops);
   double length = 0;
   for (std::size_t i = 1; i < line.size(); ++i) length += (line[i] - line[i - 1]).norm();
   const int facet = facets_at(patch, stops.front().place).front();
   const double scale = patch.scale[patch.locate(facet, line.front()).first];
-  if (length < scale && !ends_at_border(patch, stops.back().place)) return {.patch = patch, .vertices = {}};
-  return plan_along_edges(patch, stops);
+  return length < scale && !ends_at_border(patch, stops.back().place);
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector3d> corners_ahead(std::span<const PathStop> stops, const PlannedCut& plan) {
+  if (plan.reached_stop + 1 >= static_cast<int>(stops.size())) return {};
+  const PathStop& stop = stops[plan.reached_stop];
+  std::vector<Eigen::Vector3d> line = {stop.place.position};
+  line.insert(line.end(), stop.between.begin(), stop.between.end());
+  line.push_back(stops[plan.reached_stop + 1].place.position);
+  std::size_t segment = 0;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const double distance = distance_to(std::span(line).subspan(i, 2), plan.reached);
+    if (distance >= nearest) continue;
+    nearest = distance;
+    segment = i;
+  }
+  return {line.begin() + static_cast<std::ptrdiff_t>(segment) + 1, line.end()};
+}
+
+double deviation_of(std::span<const PathStop> stops, const PlannedCut& plan) {
+  std::vector<Eigen::Vector3d> realised;
+  for (const int vertex : plan.vertices) realised.push_back(plan.patch.positions[vertex]);
+  const std::vector<Eigen::Vector3d> wanted = corners_of(stops);
+  const std::size_t ahead = corners_ahead(stops, plan).size();
+  std::size_t later = ahead;
+  for (int i = plan.reached_stop + 1; i + 1 < static_cast<int>(stops.size()); ++i) later += stops[i].between.size() + 1;
+  double largest = 0;
+  for (const Eigen::Vector3d& vertex : realised) largest = std::max(largest, distance_to(wanted, vertex));
+  for (std::size_t i = 0; i + later < wanted.size(); ++i) largest = std::max(largest, distance_to(realised, wanted[i]));
+  return largest;
+}
+
+PlannedCut plan_cut(const PatchPath& before, const PatchPath& refined) {
+  const CutPatch& patch = refined.patch;
+  const std::vector<PathStop>& stops = refined.stops;
+  const PlannedCut nothing{.patch = patch, .vertices = {}, .triangles = {}};
+  if (stops.size() < 2) return nothing;
+  PlannedCut plan = plan_with_nodes(before.patch, patch, stops);
+  if (!plan.vertices.empty()) {
+    const double bound = kSnappingBound * longest_edge_at(plan.patch, plan.vertices);
+    if (deviation_of(stops, plan) <= bound) return plan;
+  } else if (may_wait(patch, stops)) {
+    return nothing;
+  }
+  PlannedCut along = plan_along_edges(patch, stops);
+  along.triangles = overlaps(before.patch, along.patch);
+  if (!worse_than_before(before.patch, along.patch, along.triangles).empty()) {
+    along = plan_along_edges(before.patch, before.stops);
+  }
+  if (along.vertices.empty()) return plan;
+  const bool closer = plan.vertices.empty() || deviation_of(stops, along) < deviation_of(stops, plan);
+  return closer ? along : plan;
 }
 
 }  // namespace thinwall

@@ -57,7 +57,7 @@ double least_meeting_angle_at(const CutPatch& patch, int vertex) {
   int start = 0;
   if (fan.closed) {
     while (start < count && !begins_on_path(start)) ++start;
-    if (start == count) return std::numbers::pi;
+    if (start == count) return std::numbers::pi;  // no path here
   }
   double least = std::numbers::pi, sum = 0;
   bool from_path = begins_on_path(start);
@@ -74,21 +74,57 @@ double least_meeting_angle_at(const CutPatch& patch, int vertex) {
   return least;
 }
 
-}  // namespace
-
-double least_meeting_angle(const CutPatch& patch) {
+/// Vertices of marked edges, each once.
+std::vector<int> path_vertices(const CutPatch& patch) {
   std::vector<char> met(patch.positions.size(), 0);
-  double least = std::numbers::pi;
+  std::vector<int> vertices;
   for (int t = 0; t < patch.triangle_count(); ++t) {
     for (int k = 0; k < 3; ++k) {
       if (!patch.on_path[t][k]) continue;
       for (const int vertex : {patch.triangles[t][k], patch.triangles[t][(k + 1) % 3]}) {
-        if (!met[vertex]) least = std::min(least, least_meeting_angle_at(patch, vertex));
+        if (!met[vertex]) vertices.push_back(vertex);
         met[vertex] = 1;
       }
     }
   }
+  return vertices;
+}
+
+}  // namespace
+
+double least_meeting_angle(const CutPatch& patch) {
+  double least = std::numbers::pi;
+  for (const int vertex : path_vertices(patch)) least = std::min(least, least_meeting_angle_at(patch, vertex));
   return least;
+}
+
+void allow_angles_as_now(CutPatch& patch) {
+  patch.least_allowed.assign(patch.positions.size(), kGoodAngle);
+  for (int t = 0; t < patch.triangle_count(); ++t) {
+    const double angle = std::acos(std::clamp(sharpness(patch, t), -1.0, 1.0));
+    for (const int vertex : patch.triangles[t]) {
+      patch.least_allowed[vertex] = std::min(patch.least_allowed[vertex], angle);
+    }
+  }
+}
+
+void allow_wedges(CutPatch& patch) {
+  for (const int vertex : path_vertices(patch)) {
+    patch.least_allowed[vertex] = std::min(patch.least_allowed[vertex], 0.5 * least_meeting_angle_at(patch, vertex));
+  }
+}
+
+double allowed_sharpness(const CutPatch& patch, int triangle) {
+  return std::cos(patch.allowed_at(triangle)) + 1e-12;
+}
+
+double allowed_sharpness(const CutPatch& before, const CutPatch& patch, const TriangleSource& source) {
+  double allowed = kGoodAngle;
+  for (const TriangleShare& share : source.before) allowed = std::min(allowed, before.allowed_at(share.triangle));
+  for (const int vertex : patch.triangles[source.triangle]) {
+    allowed = std::min(allowed, 0.5 * least_meeting_angle_at(patch, vertex));
+  }
+  return std::cos(allowed) + 1e-12;
 }
 
 }  // namespace thinwall

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include "engine/cutting/Cut.hpp"
 #include "engine/cutting/CutPatch.hpp"
 
 namespace thinwall {
@@ -22,6 +23,18 @@ double sharpness_around(const CutPatch& patch, int vertex);
 
 /// Smallest angle of the triangles that are not frozen, radians.
 double least_angle(const CutPatch& patch);
+
+/// Sets what angles a cut may leave: at each vertex the least of kGoodAngle and those of the triangles there now.
+void allow_angles_as_now(CutPatch& patch);
+
+/// Allows half of the angle at which lines of the path meet each other or a border, at the vertices where they do.
+void allow_wedges(CutPatch& patch);
+
+/// The largest sharpness that a triangle may have by the angles allowed at its vertices.
+double allowed_sharpness(const CutPatch& patch, int triangle);
+
+/// The same by the angles allowed where it lies on the patch before the cut, and by the wedges of the path at it.
+double allowed_sharpness(const CutPatch& before, const CutPatch& patch, const TriangleSource& source);
 
 /// The smallest angle at which the path meets itself or open borders, radians, measured in the wall; pi if nowhere.
 double least_meeting_angle(const CutPatch& patch);

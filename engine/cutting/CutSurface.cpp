@@ -8,7 +8,6 @@
 #include <stdexcept>
 #include <unordered_map>
 
-#include "engine/cutting/AreaOverlap.hpp"
 #include "engine/cutting/CutBooks.hpp"
 #include "engine/cutting/CutPlanning.hpp"
 #include "engine/cutting/CutQuality.hpp"
@@ -219,6 +218,7 @@ CutPatch CutSurface::extract(const CutPath& path, const CutOptions& options, Pat
   patch.line.assign(patch.positions.size(), Eigen::Vector3d::Zero());
   patch.freedom.resize(patch.positions.size());
   patch.find_freedom(0);
+  allow_angles_as_now(patch);
   for (const int vertex : options.kept_vertices) {
     const int local = vertex >= 0 && vertex < static_cast<int>(local_vertex.size()) ? local_vertex[vertex] : -1;
     if (local >= 0) patch.freedom[local] = VertexFreedom::kFixed;
@@ -233,15 +233,17 @@ Cut CutSurface::cut(const CutPath& path, const CutOptions& options) {
   result.least_meeting_angle = std::numbers::pi;
   if (path.points.empty()) return result;
   PatchNumbers numbers;
-  const CutPatch before = extract(path, options, numbers);
+  PatchPath start{.patch = extract(path, options, numbers), .stops = {}};
+  const CutPatch& before = start.patch;
   std::vector<SurfacePoint> points = path.points;
   for (SurfacePoint& point : points) point.triangle = numbers.local_triangle[point.triangle];
   std::optional<int> from;
   if (path.from) from = static_cast<int>(std::ranges::find(numbers.vertices, *path.from) - numbers.vertices.begin());
-  std::vector<PathStop> stops = read_path(before, from, points);
-  CutPatch refined = before;
-  if (options.edge_length > 0) refine_along(refined, stops, options.edge_length);
-  PlannedCut plan = plan_cut(refined, stops);
+  start.stops = read_path(before, from, points);
+  PatchPath refined = start;
+  if (options.edge_length > 0) refine_along(refined.patch, refined.stops, options.edge_length);
+  PlannedCut plan = plan_cut(start, refined);
+  const std::vector<PathStop>& stops = refined.stops;
   result.least_angle_before = result.least_angle = least_angle(before);
   if (plan.vertices.empty()) {
     if (stops.size() > 1) result.rest = path.points;
@@ -253,7 +255,7 @@ Cut CutSurface::cut(const CutPath& path, const CutOptions& options) {
                    .flips = plan.patch.flips,
                    .snapped_points = plan.snapped_nodes,
                    .edge_paths = plan.along_edges};
-  result.triangles = overlaps(before, plan.patch);
+  result.triangles = std::move(plan.triangles);
   result.deviation = deviation_of(stops, plan);
   const std::vector<std::vector<int>> chains = split_borders(before, plan.patch);
   const std::optional<int> tip = tip_of(plan);

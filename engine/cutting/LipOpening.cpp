@@ -60,6 +60,7 @@ void split_fan(CutPatch& patch, int vertex, OpenedLips& opened, std::vector<Renu
       patch.vertex_triangle.push_back(fan.corners[i % count].triangle);
       patch.freedom.push_back(VertexFreedom::kFixed);
       patch.line.push_back(Eigen::Vector3d::Zero());
+      patch.least_allowed.push_back(double(patch.least_allowed[vertex]));
       opened.originals.push_back(vertex);
       ++opened.euler_change;
     }

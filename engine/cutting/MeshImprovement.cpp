@@ -5,13 +5,17 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <set>
+#include <span>
+#include <vector>
 
 #include "engine/cutting/CutQuality.hpp"
 
 namespace thinwall {
 namespace {
 
-constexpr double kGain = 1e-6;  // of a cosine: less is no improvement, so that no two states alternate
+// Of a cosine: less is no improvement, so that no two states alternate and little time goes into little.
+constexpr double kGain = 5e-4;
 
 double longest_side(const CutPatch& patch, int triangle) {
   double longest = 0;
@@ -92,50 +96,70 @@ bool move_if_wider(CutPatch& patch, int vertex) {
   return moved;
 }
 
-bool relax_triangle(CutPatch& patch, int t) {
-  bool better = false;
-  for (int k = 0; k < 3; ++k) better |= flip_if_wider(patch, t, k);
-  for (int k = 0; k < 3; ++k) better |= move_if_wider(patch, patch.triangles[t][k]);
-  return better;
-}
-
-/// Flips and moves at changed triangles that are sharper than `enough`.
-void relax(CutPatch& patch, double enough) {
-  for (int pass = 0; pass < 8; ++pass) {
-    bool better = false;
-    for (int t = 0; t < patch.triangle_count(); ++t) {
-      if (patch.changed[t] && sharpness(patch, t) > enough) better |= relax_triangle(patch, t);
+/// Triangles that wait to be made wider, each once at a time.
+class WorkList {
+ public:
+  void add(int triangle) {
+    if (triangle >= static_cast<int>(waits_.size())) waits_.resize(triangle + 1, 0);
+    if (waits_[triangle]) return;
+    waits_[triangle] = 1;
+    triangles_.push_back(triangle);
+  }
+  void add_around(const CutPatch& patch, int triangle) {
+    for (const int vertex : patch.triangles[triangle]) {
+      for (const PatchCorner& corner : patch.fan_of(vertex).corners) add(corner.triangle);
     }
-    if (!better) return;
   }
-}
+  bool take(int& triangle) {
+    if (next_ == triangles_.size()) return false;
+    triangle = triangles_[next_++];
+    waits_[triangle] = 0;
+    return true;
+  }
+  std::span<const int> met() const { return triangles_; }
 
-double sharpest_change(const CutPatch& patch, int facet) {
-  double worst = -1;
-  for (int t = 0; t < patch.triangle_count(); ++t) {
-    if (patch.changed[t] && patch.facet[t] == facet) worst = std::max(worst, sharpness(patch, t));
+ private:
+  std::vector<int> triangles_;
+  std::vector<char> waits_;
+  std::size_t next_ = 0;
+};
+
+/// Flips and moves at changed triangles that are sharper than `enough`, and on from there where that helped.
+void relax(CutPatch& patch, WorkList& work, double enough) {
+  int budget = 10 * static_cast<int>(work.met().size()) + 40;  // visits: what has not helped by then will not
+  for (int t = 0; work.take(t) && budget > 0; --budget) {
+    if (!patch.changed[t] || patch.frozen[t] || sharpness(patch, t) <= enough) continue;
+    bool better = false;
+    for (int k = 0; k < 3; ++k) {
+      const int across = patch.neighbours[t][k];
+      if (!flip_if_wider(patch, t, k)) continue;
+      better = true;
+      work.add_around(patch, across);
+    }
+    for (int k = 0; k < 3; ++k) better |= move_if_wider(patch, patch.triangles[t][k]);
+    if (better) work.add_around(patch, t);
   }
-  return worst;
 }
 
 /// Puts a vertex into a triangle or one of its sides where that, and what it makes possible, helps.
 bool split_if_wider(CutPatch& patch, int t, double enough) {
-  const int facet = patch.facet[t];
-  const double before = sharpest_change(patch, facet);
   CutPatch best;
-  double best_value = before - 1e-3;
+  double best_value = sharpness(patch, t) - 1e-3;
   for (int k = -1; k < 3; ++k) {
     if (k >= 0 && patch.is_held(t, k)) continue;
     CutPatch trial = patch;
     const Eigen::Vector3i& corners = patch.triangles[t];
     const auto& p = patch.positions;
-    if (k < 0) {
-      trial.split_triangle(t, (p[corners[0]] + p[corners[1]] + p[corners[2]]) / 3);
-    } else {
-      trial.split_side(t, k, 0.5 * (p[corners[k]] + p[corners[(k + 1) % 3]]));
+    const int vertex =
+        k < 0 ? trial.split_triangle(t, (p[corners[0]] + p[corners[1]] + p[corners[2]]) / 3)
+              : trial.split_side(t, k, 0.5 * (p[corners[k]] + p[corners[(k + 1) % 3]]));
+    WorkList work;
+    for (const PatchCorner& corner : trial.fan_of(vertex).corners) work.add(corner.triangle);
+    relax(trial, work, enough);
+    double value = -1;
+    for (const int met : work.met()) {
+      if (trial.changed[met]) value = std::max(value, sharpness(trial, met));
     }
-    relax(trial, enough);
-    const double value = sharpest_change(trial, facet);
     if (value >= best_value) continue;
     best_value = value;
     best = std::move(trial);
@@ -147,18 +171,25 @@ bool split_if_wider(CutPatch& patch, int t, double enough) {
 
 }  // namespace
 
-void improve(CutPatch& patch, double least, double enough) {
-  relax(patch, std::cos(enough));
-  constexpr int kMostSplits = 6;
-  for (int splits = 0; splits < kMostSplits; ++splits) {
+void improve(CutPatch& patch, double enough) {
+  WorkList work;
+  for (int t = 0; t < patch.triangle_count(); ++t) work.add(t);
+  relax(patch, work, std::cos(enough));
+  std::set<int> hopeless;
+  constexpr int kMostSplits = 12;
+  constexpr std::size_t kMostHopeless = 3;  // triangles: the path has to be snapped differently anyway
+  for (int splits = 0; splits < kMostSplits && hopeless.size() < kMostHopeless; ++splits) {
     int sharpest = -1;
-    double worst = std::cos(least);
+    double worst = 0;
     for (int t = 0; t < patch.triangle_count(); ++t) {
-      if (!patch.changed[t] || patch.frozen[t] || sharpness(patch, t) <= worst) continue;
-      worst = sharpness(patch, t);
+      if (!patch.changed[t] || patch.frozen[t] || hopeless.count(t)) continue;
+      const double excess = sharpness(patch, t) - allowed_sharpness(patch, t);
+      if (excess <= worst) continue;
+      worst = excess;
       sharpest = t;
     }
-    if (sharpest < 0 || !split_if_wider(patch, sharpest, std::cos(enough))) return;
+    if (sharpest < 0) return;
+    if (!split_if_wider(patch, sharpest, std::cos(enough))) hopeless.insert(sharpest);
   }
 }
 

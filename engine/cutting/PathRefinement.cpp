@@ -44,8 +44,8 @@ struct Marks {
 /// so do the triangles that would have split them.
 class Marking {
  public:
-  Marking(const CutPatch& patch, std::span<const Eigen::Vector3d> line, double edge_length, double limit)
-      : patch_(patch), edge_length_(edge_length), limit_(limit) {
+  Marking(const CutPatch& patch, std::span<const Eigen::Vector3d> line, double edge_length)
+      : patch_(patch), edge_length_(edge_length) {
     for (int t = 0; t < patch.triangle_count(); ++t) {
       const double scale = patch.scale[t];
       const bool near = distance_to(line, middle_of(patch, t)) < kReach * scale;
@@ -65,7 +65,7 @@ class Marking {
 
  private:
   const CutPatch& patch_;
-  double edge_length_, limit_;
+  double edge_length_;
   std::vector<int> seeds_;
   std::set<Edge> whole_;  // edges that are not split
   Marks marks_;
@@ -76,6 +76,10 @@ class Marking {
       if (whole_.count(edge_of(patch_, t, k))) return false;
     }
     return true;
+  }
+
+  bool halves_well(int t, int side) const {
+    return sharpness_of_halves(patch_, t, side) <= allowed_sharpness(patch_, t);
   }
 
   void refine(int t) {
@@ -93,7 +97,7 @@ class Marking {
         for (int k = 0; k < 3; ++k) {
           if (marks_.split.count(edge_of(patch_, t, k))) split.push_back(k);
         }
-        const bool good = split.size() == 1 && !patch_.frozen[t] && sharpness_of_halves(patch_, t, split[0]) <= limit_;
+        const bool good = split.size() == 1 && !patch_.frozen[t] && halves_well(t, split[0]);
         if (split.empty() || good) continue;
         if (!may_refine(t)) {
           for (const int k : split) whole_.insert(edge_of(patch_, t, k));
@@ -156,9 +160,8 @@ void move_stops(std::vector<PathStop>& stops, const std::map<Edge, int>& middles
 
 void refine_along(CutPatch& patch, std::vector<PathStop>& stops, double edge_length) {
   const std::vector<Eigen::Vector3d> line = corners_of(stops);
-  const double limit = std::cos(std::min(kGoodAngle, least_angle(patch)));
   for (;;) {
-    const Marks marks = Marking(patch, line, edge_length, limit).find();
+    const Marks marks = Marking(patch, line, edge_length).find();
     if (marks.split.empty()) return;
     const int old_vertices = patch.vertex_count();
     std::vector<char> split_before(patch.changed.size(), 0);

@@ -8,8 +8,8 @@
 namespace thinwall {
 
 /// Refines the triangles along a path until their edges are about `edge_length` metres long (at most 1.6 times that):
-/// each into four of its own shape, nested, so that nothing is lost; neighbours are halved where that keeps angles of
-/// min(20 degrees, the patch's least), otherwise refined too. Triangles stay as they are where their neighbours are
+/// each into four of its own shape, nested, so that nothing is lost; neighbours are halved where that keeps the angles
+/// allowed, otherwise refined too. Triangles stay as they are where their neighbours are
 /// fine already and cannot be halved. Stops at edges that were split move to the halves.
 void refine_along(CutPatch& patch, std::vector<PathStop>& stops, double edge_length);
 

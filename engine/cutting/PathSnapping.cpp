@@ -17,8 +17,7 @@ double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 }
 
 double scale_in(const CutPatch& patch, int facet, const Eigen::Vector3d& position) {
-  const int triangle = patch.locate(facet, position).first;
-  return triangle >= 0 ? patch.scale[triangle] : 0;
+  return patch.scale[patch.locate(facet, position).first];
 }
 
 /// An edge that stays, and its point nearest to a place.
@@ -201,6 +200,7 @@ struct Slot {
   int passed = 0;  // the last stop that a cut to here has behind it
   Eigen::Vector3d wanted;
   double scale = 0;
+  double least_angle = 0;  // radians, for what leaves here
   std::vector<PatchPlace> choices;
   std::vector<NodeBetween> between;  // to the next slot
   int facet = -1;
@@ -221,10 +221,13 @@ std::vector<Slot> make_slots(const CutPatch& patch, std::span<const PathStop> st
     const PatchPlace& place = stop.place;
     const bool last = i + 1 == count;
     const int facet = last ? (i > 0 ? stops[i - 1].facet : facets_at(patch, place).front()) : stop.facet;
+    const int triangle = patch.locate(facet, place.position).first;
+    constexpr double kMargin = 1.05;
     Slot slot{.stop = i,
               .passed = i,
               .wanted = place.position,
-              .scale = scale_in(patch, facet, place.position),
+              .scale = patch.scale[triangle],
+              .least_angle = kMargin * patch.allowed_at(triangle),
               .choices = {},
               .between = {},
               .facet = stop.facet};
@@ -280,8 +283,7 @@ double sharpness_penalty(double angle, double least_angle) {
   return angle < kComfortable ? 0.1 * (kComfortable - angle) / kComfortable : 0;
 }
 
-double transition_penalty(const CutPatch& patch, const Slot& slot, const PatchPlace& from, const PatchPlace& to,
-                          double least_angle) {
+double transition_penalty(const CutPatch& patch, const Slot& slot, const PatchPlace& from, const PatchPlace& to) {
   const bool vertices = from.kind == PlaceKind::kVertex && to.kind == PlaceKind::kVertex;
   if (slot.between.empty() && vertices && (from.vertex == to.vertex || patch.are_joined(from.vertex, to.vertex))) {
     return 0;
@@ -291,14 +293,13 @@ double transition_penalty(const CutPatch& patch, const Slot& slot, const PatchPl
   double penalty = 0;
   if ((first - from.position).norm() < kLeastPart * slot.scale) penalty += kTooShort;
   if ((last - to.position).norm() < kLeastPart * slot.scale) penalty += kTooShort;
-  penalty += sharpness_penalty(angle_to_edges(patch, from, slot.facet, first - from.position), least_angle);
-  penalty += sharpness_penalty(angle_to_edges(patch, to, slot.facet, last - to.position), least_angle);
+  penalty += sharpness_penalty(angle_to_edges(patch, from, slot.facet, first - from.position), slot.least_angle);
+  penalty += sharpness_penalty(angle_to_edges(patch, to, slot.facet, last - to.position), slot.least_angle);
   return penalty;
 }
 
 /// The cheapest choice for each slot.
-std::vector<int> choose(const CutPatch& patch, std::span<const Slot> slots, const RefusedChoices& refused,
-                        double least_angle) {
+std::vector<int> choose(const CutPatch& patch, std::span<const Slot> slots, const RefusedChoices& refused) {
   std::vector<std::vector<double>> cost(slots.size());
   std::vector<std::vector<int>> from(slots.size());
   for (std::size_t i = 0; i < slots.size(); ++i) {
@@ -312,7 +313,7 @@ std::vector<int> choose(const CutPatch& patch, std::span<const Slot> slots, cons
         const Slot& earlier = slots[i - 1];
         const Eigen::Vector3d change = off - (earlier.choices[b].position - earlier.wanted);
         const double value = cost[i - 1][b] + 0.5 * change.squaredNorm() / (slot.scale * slot.scale) +
-                             transition_penalty(patch, earlier, earlier.choices[b], slot.choices[c], least_angle);
+                             transition_penalty(patch, earlier, earlier.choices[b], slot.choices[c]);
         if (value >= best) continue;
         best = value;
         best_from = b;
@@ -354,8 +355,7 @@ void remove_detours(std::vector<PathNode>& nodes) {
 
 }  // namespace
 
-std::vector<PathNode> snap_path(const CutPatch& patch, std::span<const PathStop> stops, const RefusedChoices& refused,
-                                double least_angle) {
+std::vector<PathNode> snap_path(const CutPatch& patch, std::span<const PathStop> stops, const RefusedChoices& refused) {
   std::vector<Slot> slots = make_slots(patch, stops, refused);
   std::vector<PathNode> nodes;
   const auto add_between = [&](const Slot& slot) {
@@ -374,7 +374,7 @@ std::vector<PathNode> snap_path(const CutPatch& patch, std::span<const PathStop>
     slots.erase(slots.begin());
   }
   if (!slots.empty() && slots.back().choices.empty()) slots.pop_back();
-  const std::vector<int> chosen = choose(patch, slots, refused, least_angle);
+  const std::vector<int> chosen = choose(patch, slots, refused);
   for (std::size_t i = 0; i < slots.size(); ++i) {
     nodes.push_back({.place = slots[i].choices[chosen[i]],
                      .facet = slots[i].facet,

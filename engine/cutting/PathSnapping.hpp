@@ -30,9 +30,8 @@ using RefusedChoices = std::set<std::pair<int, int>>;
 
 /// The nodes of the cut: for each stop of the path one of few places (the crossing itself, points of its edge, the ends
 /// of the edge), such that the sum over the path of squared distance from it, squared change of that distance (for
-/// smooth lips) and penalties for angles below `least_angle` is least (dynamic programming); between stops in flat
+/// smooth lips) and penalties for angles that are not allowed is least (dynamic programming); between stops in flat
 /// pieces the path itself at steps of about one edge length.
-std::vector<PathNode> snap_path(const CutPatch& patch, std::span<const PathStop> stops, const RefusedChoices& refused,
-                                double least_angle);
+std::vector<PathNode> snap_path(const CutPatch& patch, std::span<const PathStop> stops, const RefusedChoices& refused);
 
 }  // namespace thinwall

@@ -34,6 +34,7 @@ class Judge {
     check_triangles();
     check_quality();
     check_lips();
+    check_deviation();
     check_groups();
     return std::move(broken_);
   }
@@ -145,19 +146,28 @@ class Judge {
     }
   }
 
+  /// Each changed triangle against those that lay there and two rings around them.
   void check_quality() {
-    const double good = 20 * std::numbers::pi / 180;
-    const double rule = std::min({good, cut_.least_angle_before, 0.5 * cut_.least_meeting_angle});
-    expect(cut_.least_angle >= rule - 1e-9, "least angle ", cut_.least_angle * 180 / std::numbers::pi,
-           " degrees, before ", cut_.least_angle_before * 180 / std::numbers::pi, ", meeting ",
-           cut_.least_meeting_angle * 180 / std::numbers::pi);
+    const double good = std::min(20 * std::numbers::pi / 180, 0.5 * cut_.least_meeting_angle);
     const auto angles = smallest_angles(after_.vertices, after_.triangles);
-    for (const TriangleSource& source : cut_.triangles) {
-      expect(angles[source.triangle] >= cut_.least_angle - 1e-9, "triangle ", source.triangle, " is sharper than told");
+    auto least_around = smallest_angles(before_.vertices, before_.triangles);
+    for (int ring = 0; ring < 2; ++ring) {
+      std::vector<double> at_vertex(before_.vertices.size(), good);
+      for (std::size_t t = 0; t < least_around.size(); ++t) {
+        for (const int v : before_.triangles[t]) at_vertex[v] = std::min(at_vertex[v], least_around[t]);
+      }
+      for (std::size_t t = 0; t < least_around.size(); ++t) {
+        for (const int v : before_.triangles[t]) least_around[t] = std::min(least_around[t], at_vertex[v]);
+      }
     }
-    const auto angles_before = smallest_angles(before_.vertices, before_.triangles);
-    const double least_before = *std::ranges::min_element(angles_before);
-    expect(*std::ranges::min_element(angles) >= std::min(least_before, rule) - 1e-9, "the mesh has become worse");
+    for (const TriangleSource& source : cut_.triangles) {
+      double rule = good;
+      for (const TriangleShare& share : source.before) rule = std::min(rule, least_around[share.triangle]);
+      const double angle = angles[source.triangle];
+      expect(angle >= rule - 1e-9, "triangle ", source.triangle, " has an angle of ", angle * 180 / std::numbers::pi,
+             " degrees where ", rule * 180 / std::numbers::pi, " are due");
+      expect(angle >= cut_.least_angle - 1e-9, "triangle ", source.triangle, " is sharper than told");
+    }
   }
 
   void check_lips() {
@@ -186,6 +196,19 @@ class Judge {
       });
       expect(at_end, "the tip is not where the lips meet");
     }
+  }
+
+  void check_deviation() {
+    double longest = 0;
+    for (const TriangleSource& source : cut_.triangles) {
+      for (const TriangleShare& share : source.before) {
+        const Eigen::Vector3i& t = before_.triangles[share.triangle];
+        for (int k = 0; k < 3; ++k) {
+          longest = std::max(longest, (before_.vertices[t[(k + 1) % 3]] - before_.vertices[t[k]]).norm());
+        }
+      }
+    }
+    expect(cut_.deviation <= longest, "the cut is off its path by ", cut_.deviation / longest, " edges");
   }
 
   void check_groups() {

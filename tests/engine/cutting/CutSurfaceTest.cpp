@@ -140,9 +140,11 @@ TEST(CutSurface, ClosesALoopThatComesBackToItsLip) {
   CutSurface surface = sheet();
   const Cut first = cut_through(surface, {{-0.4, -0.4, 0}, {0.4, -0.4, 0}, {0.4, 0.4, 0}, {-0.4, 0.4, 0}});
   ASSERT_TRUE(first.tip);
-  const SurfacePoint lip = nearest_point(surface.mesh(), {0, -0.4, 0});
-  const Cut second = cut_well(surface, {.from = first.tip, .points = {lip}});
+  const SurfaceWalk to_lip = walk_on(surface, nearest_point(surface.mesh(), {0, -0.3, 0}), {0, -1, 0}, 1);
+  ASSERT_TRUE(to_lip.at_border);
+  const Cut second = cut_well(surface, {.from = first.tip, .points = {to_lip.points.back()}});
   EXPECT_EQ(second.separated.size(), 1U);
+  EXPECT_NEAR(second.length, std::hypot(0.4, 0.8), 0.05);
   EXPECT_FALSE(second.tip);
 }
 
