@@ -231,7 +231,7 @@ void CutPatch::find_freedom(int first) {
       creases.push_back((positions[end] - positions[v]).normalized());
     }
     if (creases.empty()) freedom[v] = VertexFreedom::kFree;
-    constexpr double kStraight = 1e-9;  // sine of an angle
+    constexpr double kStraight = 1e-11;  // sine of an angle: what moves along the line stays on the surface
     if (creases.size() != 2 || (creases[0] + creases[1]).norm() > kStraight) continue;
     freedom[v] = VertexFreedom::kLine;
     line[v] = creases[0];

@@ -9,7 +9,8 @@
 namespace thinwall {
 namespace {
 
-constexpr int kBetween = 1000;  // choices from here on are nodes between a stop and the next one
+constexpr int kBetween = 1000;           // choices from here on are nodes between a stop and the next one
+constexpr double kFarthestInward = 0.6;  // edge lengths, by which a beginning or end is moved along the path
 constexpr double kRefused = 1e6, kTooSharp = 100, kTooShort = 50;  // penalties
 
 double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
@@ -165,7 +166,7 @@ std::vector<PatchPlace> choices_on_side(const CutPatch& patch, const PatchPlace&
 }
 
 /// The first place along a line (which starts at a beginning or end of the path and leads into it) that is far enough
-/// from edges that stay, and no farther than leaves a step to the line's end.
+/// from edges that stay, neither far along nor closer than a step to the line's end.
 std::optional<PatchPlace> first_clear_place(const CutPatch& patch, int facet, std::span<const Eigen::Vector3d> line,
                                             double scale) {
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
@@ -173,6 +174,7 @@ std::optional<PatchPlace> first_clear_place(const CutPatch& patch, int facet, st
     const int steps = static_cast<int>(std::ceil(length / (0.05 * scale)));
     for (int step = 0; step < steps; ++step) {
       const Eigen::Vector3d position = line[i] + double(step) / steps * (line[i + 1] - line[i]);
+      if ((position - line.front()).norm() > kFarthestInward * scale) return std::nullopt;
       if ((position - line.back()).norm() < kLeastStep * scale) continue;
       if (nearest_side(patch, facet, position).distance < kClearance * scale) continue;
       return PatchPlace{.kind = PlaceKind::kFace, .facet = facet, .position = position};
@@ -184,14 +186,16 @@ std::optional<PatchPlace> first_clear_place(const CutPatch& patch, int facet, st
 /// Places for a beginning or end within a facet: there, or on the edge nearby, or farther in; at a vertex. None: the
 /// path stops short.
 std::vector<PatchPlace> choices_in_face(const CutPatch& patch, const PatchPlace& place,
-                                        std::span<const Eigen::Vector3d> line, double scale) {
+                                        std::span<const Eigen::Vector3d> line, double scale, bool is_beginning) {
   const NearestSide side = nearest_side(patch, place.facet, place.position);
   const bool clear = side.distance >= kClearance * scale;
   if (!clear && !side.border && (side.place.position - line.back()).norm() >= kLeastStep * scale) {
     return choices_on_side(patch, side.place, scale);
   }
   const auto inner = clear ? std::optional(place) : first_clear_place(patch, place.facet, line, scale);
-  if (!inner) return {};
+  // A cut may begin at a border that its path begins close to, but not break through one that it ends close to.
+  if (!inner && !is_beginning) return {};
+  if (!inner) return {place_at(patch, side.place.along < 0.5 ? side.place.from : side.place.to)};
   return {*inner, place_at(patch, nearest_corner(patch, place.facet, inner->position))};
 }
 
@@ -236,7 +240,7 @@ std::vector<Slot> make_slots(const CutPatch& patch, std::span<const PathStop> st
     if (place.kind == PlaceKind::kFace) {
       std::vector<Eigen::Vector3d> line = line_after(stops, std::max(0, last ? i - 1 : i));
       if (last) std::ranges::reverse(line);
-      slot.choices = choices_in_face(patch, place, line, slot.scale);
+      slot.choices = choices_in_face(patch, place, line, slot.scale, !last);
       // A cut that stops short has the end of the path still before it.
       if (last && !slot.choices.empty() && slot.choices.front().kind == PlaceKind::kFace) {
         slot.wanted = slot.choices.front().position;

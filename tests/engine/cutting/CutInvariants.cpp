@@ -16,6 +16,8 @@ namespace {
 
 /// Sums of about 1e3 terms, each rounded to 1e-16.
 constexpr double kExact = 1e-12;
+/// Pieces count as flat to 1e-6 of an edge length; the meshes here have edges of at most a tenth of their size.
+constexpr double kFlat = 1e-7;
 
 class Judge {
  public:
@@ -54,6 +56,9 @@ class Judge {
     (text << ... << parts);
     broken_.push_back(text.str());
   }
+
+  /// Splits are exact. Flips and moves within flat pieces are as exact as these are flat.
+  bool only_splits() const { return cut_.counts.flips == 0 && cut_.counts.moved_vertices == 0; }
 
   void check_topology() {
     const MeshTopology was = topology_of(static_cast<int>(before_.vertices.size()), before_.triangles);
@@ -97,11 +102,12 @@ class Judge {
   }
 
   void check_conservation() {
+    const double tolerance = only_splits() ? kExact : 1e3 * kExact;  // within flat pieces in the second order
     const double area = wall_area(before_);
     expect(std::abs(wall_area(after_) - area) <= kExact * area, "area changed by ", wall_area(after_) / area - 1);
     const double volume = enclosed_volume(before_.vertices, closed_surface(before_));
     const double change = enclosed_volume(after_.vertices, closed_surface(after_)) - volume;
-    expect(std::abs(change) <= kExact * area * size_, "volume changed by ", change / (area * size_));
+    expect(std::abs(change) <= tolerance * area * size_, "volume changed by ", change / (area * size_));
   }
 
   void check_vertices() {
@@ -112,7 +118,8 @@ class Judge {
       expect(source.before.weights.minCoeff() >= 0 && std::abs(source.before.weights.sum() - 1) < 1e-14,
              "weights of vertex ", source.vertex);
       const double off = (position_of(before_, source.before) - after_.vertices[source.vertex]).norm();
-      expect(off <= kExact * size_, "vertex ", source.vertex, " does not lie where it is said to, by ", off / size_);
+      expect(off <= (only_splits() ? kExact * size_ : kFlat * size_), "vertex ", source.vertex,
+             " does not lie where it is said to, by ", off / size_);
       if (source.original) {
         expect(after_.vertices[*source.original] == after_.vertices[source.vertex], "doubled vertex ", source.vertex);
       }
@@ -198,14 +205,20 @@ class Judge {
     }
   }
 
+  /// Against the longest edge of the triangles that touch what was changed.
   void check_deviation() {
-    double longest = 0;
+    std::set<int> near;
     for (const TriangleSource& source : cut_.triangles) {
       for (const TriangleShare& share : source.before) {
         const Eigen::Vector3i& t = before_.triangles[share.triangle];
-        for (int k = 0; k < 3; ++k) {
-          longest = std::max(longest, (before_.vertices[t[(k + 1) % 3]] - before_.vertices[t[k]]).norm());
-        }
+        near.insert(t.begin(), t.end());
+      }
+    }
+    double longest = 0;
+    for (const Eigen::Vector3i& t : before_.triangles) {
+      if (!near.count(t[0]) && !near.count(t[1]) && !near.count(t[2])) continue;
+      for (int k = 0; k < 3; ++k) {
+        longest = std::max(longest, (before_.vertices[t[(k + 1) % 3]] - before_.vertices[t[k]]).norm());
       }
     }
     expect(cut_.deviation <= longest, "the cut is off its path by ", cut_.deviation / longest, " edges");

@@ -144,7 +144,10 @@ class Incision {
     const Cut cut = surface_.cut(path, options_);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     ++statistics_.cuts;
-    if (verbose && seconds > 0.03) std::cout << "slow " << seconds << " in seed " << seed_ << " cut " << statistics_.cuts << " points " << path.points.size() << " along " << cut.counts.edge_paths << " changed " << cut.triangles.size() << " length " << cut.length / edge << " EL " << options_.edge_length/edge << std::endl;
+    if (verbose && seconds > 0.03)
+      std::cout << "slow " << seconds << " in seed " << seed_ << " cut " << statistics_.cuts << " points "
+                << path.points.size() << " along " << cut.counts.edge_paths << " changed " << cut.triangles.size()
+                << " length " << cut.length / edge << " EL " << options_.edge_length / edge << std::endl;
     statistics_.seconds += seconds;
     statistics_.slowest = std::max(statistics_.slowest, seconds);
     statistics_.empty += cut.lips.empty();
