@@ -67,10 +67,11 @@ struct Cut {
   int predicted_euler_change = 0;             // of the wall, from the path alone
   int euler_change = 0;                       // of the wall, as counted
   double deviation = 0;                       // metres, rest, largest distance between the path and the cut
-  std::vector<SurfacePoint>
-      rest;                       // of the path, from the tip to its end, on the new surface: it is too short to be cut
-  double least_angle_before = 0;  // radians, rest, of the neighbourhood
-  double least_angle = 0;         // radians, rest, of the neighbourhood
+  // The path from the tip to its end, on the new surface: too short to be cut yet, or too close to a border. The next
+  // path goes on from the tip with these points and those after them.
+  std::vector<SurfacePoint> rest;
+  double least_angle_before = 0;   // radians, rest, of the neighbourhood
+  double least_angle = 0;          // radians, rest, of the neighbourhood
   double least_meeting_angle = 0;  // radians, at which the new cut meets itself, other cuts and borders; pi if not
   CutCounts counts;
 };

@@ -16,7 +16,6 @@ namespace thinwall {
 namespace {
 
 constexpr int kMostTrials = 12;
-constexpr double kEnough = 0.45;  // radians, angles that are not improved further
 
 /// One way to bring the path into the patch.
 struct Trial {
@@ -63,7 +62,7 @@ Trial try_nodes(const CutPatch& patch, std::span<const PathStop> stops, const Re
     return trial;
   }
   allow_wedges(trial.patch);
-  improve(trial.patch, kEnough);
+  improve(trial.patch);
   trial.troubles = find_troubles(trial.patch);
   return trial;
 }

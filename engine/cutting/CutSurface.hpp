@@ -21,8 +21,11 @@ namespace thinwall {
 /// cost quality, which is checked, but never consistency. Exact predicates would not do: the lines of a path are
 /// rounded anyway as soon as its nodes are.
 ///
-/// A cut may deviate from its path by the snapping bound: three quarters of the longest edge nearby. In flat
-/// pieces larger than a triangle it follows the path itself.
+/// The snapping bound: a cut deviates from its path by at most the longest edge of the triangles around it, and by less
+/// than a quarter of an edge nearly everywhere; where a path would be missed by more than three quarters with new nodes
+/// and with the edges that are there, the nearer of the two is taken. In flat pieces larger than a triangle a cut
+/// follows the path itself. With `CutOptions::edge_length` the edges there, and so the bound, become as small as
+/// wanted. A cut that ends within the wall may stop short by up to about one edge length; `Cut::rest` leads on.
 ///
 /// A cut costs what it touches: it is tried out on a patch of the surface and written back when it holds.
 class CutSurface {

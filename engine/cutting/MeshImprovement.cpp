@@ -74,8 +74,8 @@ bool move_if_wider(CutPatch& patch, int vertex) {
   const std::vector<Eigen::Vector3d> directions = directions_of(patch, vertex);
   double best = worst();
   bool moved = false;
-  for (double step = 0.2 * size; step > 0.01 * size; step *= 0.5) {
-    for (int tries = 0; tries < 3; ++tries) {
+  for (double step = 0.2 * size; step > 0.02 * size; step *= 0.4) {
+    for (int tries = 0; tries < 2; ++tries) {
       const Eigen::Vector3d here = patch.positions[vertex];
       Eigen::Vector3d place = here;
       for (const Eigen::Vector3d& direction : directions) {
@@ -124,11 +124,17 @@ class WorkList {
   std::size_t next_ = 0;
 };
 
-/// Flips and moves at changed triangles that are sharper than `enough`, and on from there where that helped.
-void relax(CutPatch& patch, WorkList& work, double enough) {
+/// The sharpness from which on a triangle is left alone: a little better than it must be.
+double good_enough(const CutPatch& patch, int triangle) {
+  constexpr double kMargin = 1.3;
+  return std::cos(kMargin * patch.allowed_at(triangle));
+}
+
+/// Flips and moves at changed triangles that are not good enough, and on from there where that helped.
+void relax(CutPatch& patch, WorkList& work) {
   int budget = 10 * static_cast<int>(work.met().size()) + 40;  // visits: what has not helped by then will not
   for (int t = 0; work.take(t) && budget > 0; --budget) {
-    if (!patch.changed[t] || patch.frozen[t] || sharpness(patch, t) <= enough) continue;
+    if (!patch.changed[t] || patch.frozen[t] || sharpness(patch, t) <= good_enough(patch, t)) continue;
     bool better = false;
     for (int k = 0; k < 3; ++k) {
       const int across = patch.neighbours[t][k];
@@ -142,7 +148,7 @@ void relax(CutPatch& patch, WorkList& work, double enough) {
 }
 
 /// Puts a vertex into a triangle or one of its sides where that, and what it makes possible, helps.
-bool split_if_wider(CutPatch& patch, int t, double enough) {
+bool split_if_wider(CutPatch& patch, int t) {
   CutPatch best;
   double best_value = sharpness(patch, t) - 1e-3;
   for (int k = -1; k < 3; ++k) {
@@ -155,7 +161,7 @@ bool split_if_wider(CutPatch& patch, int t, double enough) {
               : trial.split_side(t, k, 0.5 * (p[corners[k]] + p[corners[(k + 1) % 3]]));
     WorkList work;
     for (const PatchCorner& corner : trial.fan_of(vertex).corners) work.add(corner.triangle);
-    relax(trial, work, enough);
+    relax(trial, work);
     double value = -1;
     for (const int met : work.met()) {
       if (trial.changed[met]) value = std::max(value, sharpness(trial, met));
@@ -171,10 +177,10 @@ bool split_if_wider(CutPatch& patch, int t, double enough) {
 
 }  // namespace
 
-void improve(CutPatch& patch, double enough) {
+void improve(CutPatch& patch) {
   WorkList work;
   for (int t = 0; t < patch.triangle_count(); ++t) work.add(t);
-  relax(patch, work, std::cos(enough));
+  relax(patch, work);
   std::set<int> hopeless;
   constexpr int kMostSplits = 12;
   constexpr std::size_t kMostHopeless = 3;  // triangles: the path has to be snapped differently anyway
@@ -189,7 +195,7 @@ void improve(CutPatch& patch, double enough) {
       sharpest = t;
     }
     if (sharpest < 0) return;
-    if (!split_if_wider(patch, sharpest, std::cos(enough))) hopeless.insert(sharpest);
+    if (!split_if_wider(patch, sharpest)) hopeless.insert(sharpest);
   }
 }
 

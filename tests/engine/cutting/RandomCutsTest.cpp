@@ -144,19 +144,12 @@ class Incision {
     const Cut cut = surface_.cut(path, options_);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     ++statistics_.cuts;
-    if (verbose && seconds > 0.03)
-      std::cout << "slow " << seconds << " in seed " << seed_ << " cut " << statistics_.cuts << " points "
-                << path.points.size() << " along " << cut.counts.edge_paths << " changed " << cut.triangles.size()
-                << " length " << cut.length / edge << " EL " << options_.edge_length / edge << std::endl;
     statistics_.seconds += seconds;
     statistics_.slowest = std::max(statistics_.slowest, seconds);
     statistics_.empty += cut.lips.empty();
     statistics_.edge_paths += cut.counts.edge_paths;
     statistics_.separated += static_cast<int>(cut.separated.size());
     statistics_.deviations.push_back(cut.deviation / edge);
-    if (verbose && cut.deviation > 0.8 * edge)
-      std::cout << "deviation " << cut.deviation / edge << " in seed " << seed_ << " cut " << statistics_.cuts
-                << " along edges " << cut.counts.edge_paths << std::endl;
     const std::vector<std::string> broken = broken_rules(before, surface_, cut);
     statistics_.failed += !broken.empty();
     for (const std::string& rule : broken)
@@ -164,9 +157,6 @@ class Incision {
     for (const Eigen::Vector3i& t : surface_.mesh().triangles) {
       for (int k = 0; k < 3; ++k) {
         const double length = (surface_.mesh().vertices[t[k]] - surface_.mesh().vertices[t[(k + 1) % 3]]).norm();
-        if (verbose && length / edge < 0.6 * statistics_.least_edge)
-          std::cout << "edge " << length / edge << " seed " << seed_ << " cut " << statistics_.cuts << " wanted "
-                    << options_.edge_length / edge << " angle " << cut.least_angle * 57.3 << std::endl;
         statistics_.least_edge = std::min(statistics_.least_edge, length / edge);
       }
     }
@@ -195,22 +185,31 @@ class Incision {
   }
 };
 
+void incise_mesh(unsigned seed, Statistics& statistics) {
+  if (verbose) std::cout << "seed " << seed << std::endl;
+  Dice dice(seed);
+  CutSurface surface(random_mesh(dice));
+  const double edge =
+      1.52 * std::sqrt(wall_area(surface.mesh()) / static_cast<double>(surface.mesh().triangles.size()));
+  const int count = dice.below(10) == 0 ? 12 : 1 + dice.below(4);
+  for (int i = 0; i < count; ++i) {
+    ++statistics.incisions;
+    const int failed = statistics.failed;
+    Incision(surface, dice, statistics, seed).make(edge);
+    if (statistics.failed > failed) return;
+  }
+}
+
+/// Failures found once: a border that a path runs along, an edge slid past another, a wall that is nearly flat, pieces
+/// of a refinement sharper than what lay there, many refused nodes.
+TEST(RandomCuts, KeepEveryRuleWhereTheyOnceDidNot) {
+  Statistics statistics;
+  for (const unsigned seed : {10784U, 11126U, 30159U, 40271U, 50387U}) incise_mesh(seed, statistics);
+}
+
 TEST(RandomCuts, KeepEveryRule) {
   Statistics statistics;
-  for (unsigned seed = first_seed; statistics.incisions < incisions; ++seed) {
-    if (verbose) std::cout << "seed " << seed << std::endl;
-    Dice dice(seed);
-    CutSurface surface(random_mesh(dice));
-    const double edge =
-        1.52 * std::sqrt(wall_area(surface.mesh()) / static_cast<double>(surface.mesh().triangles.size()));
-    const int count = dice.below(10) == 0 ? 12 : 1 + dice.below(4);
-    for (int i = 0; i < count; ++i) {
-      ++statistics.incisions;
-      const int failed = statistics.failed;
-      Incision(surface, dice, statistics, seed).make(edge);
-      if (statistics.failed > failed) break;
-    }
-  }
+  for (unsigned seed = first_seed; statistics.incisions < incisions; ++seed) incise_mesh(seed, statistics);
   std::ranges::sort(statistics.deviations);
   const auto& d = statistics.deviations;
   std::cout << statistics.incisions << " incisions (" << statistics.failed << " failed), " << statistics.cuts
