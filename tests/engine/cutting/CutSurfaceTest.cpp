@@ -165,11 +165,14 @@ TEST(CutSurface, CrossesAnEarlierCut) {
 }
 
 TEST(CutSurface, CrossesItselfWithinOnePath) {
-  CutSurface surface = sheet();
-  const Cut cut = cut_through(surface, {{-0.5, 0, 0}, {0.5, 0, 0}, {0.5, 0.5, 0}, {0.013, 0.5, 0}, {0.013, -0.5, 0}});
-  EXPECT_EQ(cut.separated.size(), 1U);
-  EXPECT_EQ(open_loops(surface), 3);  // the sheet, the piece, the wound around it
-  EXPECT_NEAR(cut.length, 1 + 0.5 + 0.487 + 1, 0.15);
+  for (int i = 0; i < 12; ++i) {  // at nodes of the first line and between them
+    const double x = 0.013 * i;
+    CutSurface surface = sheet();
+    const Cut cut = cut_through(surface, {{-0.5, 0, 0}, {0.5, 0, 0}, {0.5, 0.5, 0}, {x, 0.5, 0}, {x, -0.62, 0}});
+    EXPECT_EQ(cut.separated.size(), 1U);
+    EXPECT_EQ(open_loops(surface), 3);  // the sheet, the piece, the wound around it
+    EXPECT_NEAR(cut.length, 3.12 - x, 0.15);
+  }
 }
 
 TEST(CutSurface, CutsABodyInTwo) {
