@@ -157,6 +157,7 @@ class Body {
   NewtonResult solve(EquilibriumProblem& problem, EquilibriumState& state);
   NewtonResult relax(EquilibriumProblem& problem, EquilibriumState& state);
   void solve_statics();
+  bool load_slowly(const EquilibriumProblem& whole, EquilibriumState& trial);
   std::string describe_failure() const;
   bool may_snap() const;
   bool solve_step(EquilibriumProblem& problem, EquilibriumState& trial);

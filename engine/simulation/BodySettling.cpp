@@ -15,6 +15,9 @@ constexpr int kRelaxationTurns = 100;
 /// Springs that hold so much that a body which does not even follow them has no equilibrium at hand.
 constexpr double kStiffestSprings = 1e4;
 
+/// Parts in which the weight is put on where it cannot be at once.
+constexpr int kWeightParts = 8;
+
 /// Multiple of the rest volume beyond which a body under a given pressure has burst: past its limit point a wall under
 /// constant pressure grows without end.
 constexpr double kBurstVolume = 30;
@@ -73,6 +76,22 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state) {
   return failed;
 }
 
+bool Body::load_slowly(const EquilibriumProblem& whole, EquilibriumState& trial) {
+  // A body that sags far under its contents finds its way in parts of the weight.
+  if (whole.gravity.isZero()) return false;
+  trial = state_.equilibrium;
+  for (int part = 1; part <= kWeightParts; ++part) {
+    EquilibriumProblem problem = whole;
+    problem.gravity *= static_cast<double>(part) / kWeightParts;
+    EquilibriumProblem again = problem;
+    const EquilibriumState before = trial;
+    if (solve(problem, trial).converged) continue;
+    trial = before;
+    if (!relax(again, trial).converged) return false;
+  }
+  return true;
+}
+
 void Body::solve_statics() {
   EquilibriumProblem problem;
   for (const ChamberModel& chamber : model_->chambers) {
@@ -93,7 +112,7 @@ void Body::solve_statics() {
   EquilibriumState trial = state_.equilibrium;
   if (!solve(problem, trial).converged) {
     trial = state_.equilibrium;
-    if (!relax(again, trial).converged) throw SimulationFailure(describe_failure());
+    if (!relax(again, trial).converged && !load_slowly(again, trial)) throw SimulationFailure(describe_failure());
   }
   state_.equilibrium = trial;
 }
