@@ -121,12 +121,14 @@ void add_loads(const BodyModel& model, const EquilibriumProblem& problem, const 
     add_moment_loads(model, problem, t, corners, terms);
     const Eigen::Matrix<double, 9, 1> unit = unit_load_of(corners, contents[c].weight);
     add_to_corners(model.surface[t], unit, terms.pressure_load.col(c));
-    const Eigen::Matrix<double, 9, 1> load =
-        pressure_load_of(corners, contents[c].weight) + pressure_load_of(corners, contents[c].inertia);
+    Eigen::Matrix<double, 9, 1> load = pressure_load_of(corners, contents[c].weight);
+    Eigen::Matrix<double, 9, 9> tangent = pressure_tangent_of(corners, contents[c].weight);
+    if (!problem.fluid_inertia.empty()) {
+      load += pressure_load_of(corners, contents[c].inertia);
+      tangent += pressure_tangent_of(corners, contents[c].inertia);
+    }
     // The part of a pascal times the pressure comes from the columns.
     add_to_corners(model.surface[t], pressure[c] * unit - load, terms.gradient);
-    const Eigen::Matrix<double, 9, 9> tangent =
-        pressure_tangent_of(corners, contents[c].weight) + pressure_tangent_of(corners, contents[c].inertia);
     add_triangle(model.addresses[t], -0.5 * (tangent + tangent.transpose()), terms.values);
     terms.largest_force = std::max(terms.largest_force, load.lpNorm<Eigen::Infinity>());
   }
