@@ -66,7 +66,6 @@ class CutSurface {
   std::vector<int> triangles_near(const CutPath& path, int rings) const;
   CutPatch extract(const CutPath& path, const CutOptions& options, PatchNumbers& numbers) const;
   void find_facets();
-  void find_components();
 
   void add_vertices(const CutPatch& before, const CutPatch& after, std::span<const int> originals,
                     PatchNumbers& numbers, Cut& result);
