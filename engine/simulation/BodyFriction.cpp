@@ -21,6 +21,7 @@ constexpr double kRestlessAgreement = 1e-2;
 /// Parts of the way to what the last solution asked for.
 constexpr double kHalf = 0.5;
 constexpr double kMostExtrapolated = 30;
+constexpr double kCreeping = 0.2;  // part by which a change that creeps differs from the last
 
 /// Solutions after which each one goes only a part of the way to what the last asked for, after which the looser
 /// agreement counts, and after which to give up.
@@ -38,12 +39,12 @@ bool same_place(const FrictionContact& one, const FrictionContact& other) {
   return one.solid == other.solid && one.site == other.site;
 }
 
-/// Part of a change of its limit that a contact is given: what brings the next change to zero if changes go on as from
-/// the last to this one (a secant). A tool that locks asks for little more each time; one that chatters for the
-/// contrary of the last.
-double secant_part(const FrictionContact& last, double asked_change) {
+/// Part of a change of its limit that a contact is given. Where a tool locks, each solution asks for little less than
+/// the last: then what brings the next change to zero if they go on like that (a secant).
+double part_given(const FrictionContact& last, double asked_change) {
   const double fall = last.asked_change - asked_change;
-  if (fall * last.given_change <= 0) return kHalf;
+  const bool creeps = asked_change * last.asked_change > 0 && std::abs(fall) < kCreeping * std::abs(asked_change);
+  if (!creeps || fall * last.given_change <= 0) return kHalf;
   return std::clamp(last.given_change / fall, kHalf, kMostExtrapolated);
 }
 
@@ -109,7 +110,7 @@ bool Body::revise_friction(EquilibriumProblem& problem, std::span<const ToolPose
     difference += std::abs(limit - before) + (known ? limit * (contact.normal - old->normal).norm() : 0);
     contact.asked_change = contact.given_change = limit - before;
     if (turn >= kWholeTurns) {
-      contact.given_change *= known ? secant_part(*old, contact.asked_change) : 0.5;
+      contact.given_change *= known ? part_given(*old, contact.asked_change) : 0.5;
       contact.potential.limit = std::max(0.0, before + contact.given_change);
     }
     if (known) ++old;
