@@ -98,6 +98,9 @@ struct BodyDefinition {
   std::vector<Eigen::Vector3d> fibres = {};  // (none), (1) or (triangles): direction of E11, brought into each triangle
   bool tension_field = false;                // membrane: the wall wrinkles instead of taking compression
   std::vector<Prestretch> prestretch = {};   // (none), (1) or (triangles)
+  // (none), (1) of the whole wall, or (triangles), joule per metre^2 of new cut area, one of thickness times length:
+  // what cutting and piercing cost. A wall without cannot be cut.
+  std::vector<double> toughness = {};
   std::vector<PronyTerm> viscosity = {};
   RayleighDamping damping = {};
   FluidDefinition fluid = {};

@@ -156,9 +156,8 @@ bool split_if_wider(CutPatch& patch, int t) {
     CutPatch trial = patch;
     const Eigen::Vector3i& corners = patch.triangles[t];
     const auto& p = patch.positions;
-    const int vertex =
-        k < 0 ? trial.split_triangle(t, (p[corners[0]] + p[corners[1]] + p[corners[2]]) / 3)
-              : trial.split_side(t, k, 0.5 * (p[corners[k]] + p[corners[(k + 1) % 3]]));
+    const int vertex = k < 0 ? trial.split_triangle(t, (p[corners[0]] + p[corners[1]] + p[corners[2]]) / 3)
+                             : trial.split_side(t, k, 0.5 * (p[corners[k]] + p[corners[(k + 1) % 3]]));
     WorkList work;
     for (const PatchCorner& corner : trial.fan_of(vertex).corners) work.add(corner.triangle);
     relax(trial, work);

@@ -41,6 +41,7 @@ BodyInput part_of(const BodyInput& input, const BodyState& start, double done, d
     const double begin = k < start.load_factors.size() ? start.load_factors[k] : 1;
     share.load_factors[k] = begin + (done + part) * (input.load_factors[k] - begin);
   }
+  if (share.blade) share.blade->travel *= part;
   for (std::size_t k = 0; k < share.fluids.size(); ++k) {
     share.fluids[k].added *= part;
     if (!share.fluids[k].pressure) continue;
@@ -56,15 +57,17 @@ Body::Body(BodyDefinition definition, std::vector<ToolDefinition> tools, Simulat
     : model_(std::make_unique<const BodyModel>(make_body_model(std::move(definition)))),
       tools_(std::move(tools)),
       options_(options),
-      newton_(*model_) {
+      newton_(std::make_unique<Newton>(*model_)) {
   const Eigen::Index unknowns = model_->rest_position.size();
   state_.equilibrium.position = model_->rest_position;
   state_.velocity = state_.acceleration = state_.previous_velocity = state_.static_force = state_.load_force =
       Eigen::VectorXd::Zero(unknowns);
   state_.previous_position = model_->rest_position;
   state_.contacts.resize(tools_.size());
-  std::size_t solids = 0;
-  for (const ToolDefinition& tool : tools_) solids += contact_solids(tool, {}).size();
+  for (int tool = 0; tool < static_cast<int>(tools_.size()); ++tool) {
+    solids_.insert(solids_.end(), contact_solids(tools_[tool], {}).size(), tool);
+  }
+  const std::size_t solids = solids_.size();
   state_.solid_contacts.resize(solids);
   state_.solid_forces.assign(solids, std::vector<double>(model_->sites.size(), 0));
   state_.friction.resize(solids);
@@ -103,6 +106,7 @@ EquilibriumProblem Body::make_problem(std::span<const ToolPose> end, double dura
   problem.gravity = options_.gravity;
   problem.load_factors = input.load_factors;
   problem.start = state_.equilibrium.position;
+  push_with(state_.cut.push, input.blade, problem);
   add_solids(end, problem);
   problem.hold_rigid_motions = options_.analysis == Analysis::kQuasiStatic && model_->rigid_motions.cols() > 0;
   return problem;
@@ -113,6 +117,7 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
   EquilibriumProblem problem = make_problem(end, duration, input);
   attach(begin, end, problem);
   add_friction_to(problem, begin);
+  PushSearch push;
   for (;;) {
     // What a tool takes hold of or lets go of changes its velocity at once; a difference that reaches back across that
     // would see the jump as a motion.
@@ -121,14 +126,14 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
     EquilibriumState trial = state_.equilibrium;
     if (options_.analysis == Analysis::kDynamic) {
       const Eigen::VectorXd motion = duration * state_.velocity;
-      trial.position += newton_.safe_fraction(trial.position, motion) * motion;
+      trial.position += newton_->safe_fraction(trial.position, motion) * motion;
     }
     if (!solve_with_leaks(problem, trial, begin, duration)) return false;
     if (!may_snap() && jumped_over_balls(begin, problem, trial.position)) {
       failure_ = "the wall jumped from one side of a ball to the other";
       return false;
     }
-    if (release(end, problem)) continue;
+    if (release(end, problem) || revise_push(input.blade, trial.position, push, problem)) continue;
     if (report_.halvings < kHalvingsBeforeLettingEdgesIn && catch_passed_edges(problem, trial.position)) continue;
     accept(begin, duration, problem, input, trial);
     return true;

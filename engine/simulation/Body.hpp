@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "engine/cutting/CutSurface.hpp"
 #include "engine/simulation/BodyModel.hpp"
+#include "engine/simulation/CutProgress.hpp"
 #include "engine/simulation/Equilibrium.hpp"
 #include "engine/simulation/FlowMemory.hpp"
 #include "engine/simulation/Newton.hpp"
@@ -30,12 +32,14 @@ struct EnergyBooks {
   double viscous = 0;      // spent by viscosity, damping and orifices since time zero; Prony terms give part of it back
   double friction = 0;     // spent by friction, since time zero
   double leak = 0;         // spent in the jets of fluid that leaves, since time zero: pressure work and motion
+  double fracture = 0;     // spent on new cut area, since time zero
+  double jump = 0;         // spent where the wall gave way by more than that, since time zero
   double numerical = 0;    // spent by the integrator, since time zero
   double tool_work = 0;    // put in by the tools, since time zero
   double script_work = 0;  // put in by loads and filling, and by filling and stretching before time zero
 
   double stored() const { return elastic + bending + kinetic + fluid + gravity + contact; }
-  double spent() const { return viscous + friction + leak + numerical; }
+  double spent() const { return viscous + friction + leak + fracture + jump + numerical; }
   double imbalance() const { return stored() + spent() - tool_work - script_work; }
 };
 
@@ -47,8 +51,9 @@ struct FluidInput {
 
 /// What a script puts into a body during a step.
 struct BodyInput {
-  std::vector<double> load_factors;  // (loads) at the end of the step; 1 where it is shorter
-  std::vector<FluidInput> fluids;    // (chambers); nothing where it is shorter
+  std::vector<double> load_factors;      // (loads) at the end of the step; 1 where it is shorter
+  std::vector<FluidInput> fluids;        // (chambers); nothing where it is shorter
+  std::optional<BladeInput> blade = {};  // that is in the wall
 };
 
 /// What a viscous wall remembers of the steps before.
@@ -103,6 +108,7 @@ struct BodyState {
   std::vector<std::vector<double>> solid_forces;      // (solids x sites), newton
   std::vector<std::vector<FrictionMemory>> friction;  // (solids), in the order of the sites
   double friction_energy = 0;                         // joule, stored in the elastic slip
+  CutProgress cut;
   EnergyBooks books;
 };
 
@@ -145,15 +151,36 @@ class Body {
   SurfaceView surface() const;
 
   /// Pairs of parts of the wall that lie on each other, after the last step.
-  std::size_t fold_count() const { return newton_.terms().folds.folds.size(); }
+  std::size_t fold_count() const { return newton_->terms().folds.folds.size(); }
 
   /// Force with which the jaws of forceps press on this body from both sides: the smaller of the two along x', newton.
   double squeeze(int tool, const ToolPose& pose) const;
+
+  /// Cuts the wall along a path on it and changes nothing else: nothing has moved, and the lips are held together until
+  /// a blade moves on (see CutProgress). Throws std::invalid_argument when the wall is no oriented manifold, or the
+  /// path leaves it, and SimulationFailure when it parts the contents of a chamber. Asserts that the wall has a
+  /// toughness.
+  Cut cut(const CutPath& path, std::span<const ToolPose> poses);
+
+  /// Cuts the wall to where the line of a blade's edge, through its tip along its direction, meets it now: from the tip
+  /// of the cut that is being made, or from where the blade met the wall first. Nothing where the blade is not in the
+  /// wall, or has not come far enough for a cut that leaves no sliver. `poses`: (tools), at the end of the last step.
+  std::optional<Cut> follow_blade(int tool, std::span<const ToolPose> poses);
+
+  /// Ends the cut that is being made: the next one begins where a blade meets the wall again.
+  void leave_cut();
 
   /// Pressure between wall and tools at each vertex, (vertices), pascal: force on the vertex over its rest area.
   Eigen::VectorXd contact_pressure() const;
 
  private:
+  /// What the solutions of a step with a blade have told so far.
+  struct PushSearch {
+    int turns = 0;
+    double push = 0, drag = 0;  // newton and metres, of the last solution
+    double compliance = 0;      // metres / newton, of the wall at the tip; 0 where it is not known
+  };
+
   NewtonResult solve(EquilibriumProblem& problem, EquilibriumState& state);
   NewtonResult relax(EquilibriumProblem& problem, EquilibriumState& state);
   void solve_statics();
@@ -185,6 +212,7 @@ class Body {
                     double duration) const;
   void add_memory(double duration, EquilibriumProblem& problem) const;
   void start_memory();
+  void find_strains();
   double update_memory(double duration, const EquilibriumProblem& problem);
   double update_bending_memory(double duration, const EquilibriumProblem& problem);
   double step_error(const BodyState& before, double duration) const;
@@ -196,6 +224,16 @@ class Body {
   bool jumped_over_balls(std::span<const ToolPose> begin, const EquilibriumProblem& problem,
                          const Eigen::VectorXd& position) const;
   bool catch_passed_edges(EquilibriumProblem& problem, const Eigen::VectorXd& position) const;
+  void prepare_cutting();
+  void find_forces(std::span<const ToolPose> poses);
+  void hold_lips(const Cut& cut);
+  void spread_push();
+  void push_with(double push, const std::optional<BladeInput>& blade, EquilibriumProblem& problem) const;
+  double drag_of(const BladeInput& blade, const Eigen::VectorXd& motion) const;
+  bool revise_push(const std::optional<BladeInput>& blade, const Eigen::VectorXd& position, PushSearch& search,
+                   EquilibriumProblem& problem) const;
+  double book_cut(const CutProgress& before, const Eigen::VectorXd& motion, const std::optional<BladeInput>& blade,
+                  double push);
   bool has_friction() const;
   std::vector<FrictionContact> friction_contacts(const std::vector<ToolSolid>& before,
                                                  const EquilibriumProblem& problem, bool at_begin,
@@ -221,7 +259,7 @@ class Body {
   void update_velocity(const BodyState& before, double duration);
   void update_forces(const EquilibriumProblem& problem);
   void update_books(const BodyState& before, std::span<const ToolPose> begin, double duration,
-                    const EquilibriumProblem& problem);
+                    const EquilibriumProblem& problem, const BodyInput& input);
   double work_of_solids(const BodyState& before, std::span<const ToolPose> begin,
                         const EquilibriumProblem& problem) const;
   double book_fluids(const BodyState& before);
@@ -230,7 +268,9 @@ class Body {
   std::unique_ptr<const BodyModel> model_;
   std::vector<ToolDefinition> tools_;
   SimulationOptions options_;
-  Newton newton_;
+  std::vector<int> solids_;  // (solids of all tools), their tool
+  std::unique_ptr<Newton> newton_;
+  std::unique_ptr<CutSurface> surface_;  // none before the first cut
   BodyState state_;
   BodyStepReport report_;
   std::string failure_;  // why the last attempt failed

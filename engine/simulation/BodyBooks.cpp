@@ -38,7 +38,7 @@ double Body::rate(const OrificeDefinition& orifice, const BodyState& state) cons
 }
 
 double Body::gravity_energy() const {
-  double energy = newton_.terms().gravity + state_.leaked_gravity;
+  double energy = newton_->terms().gravity + state_.leaked_gravity;
   for (Eigen::Index c = 0; c < state_.volume.size(); ++c) {
     energy -= model_->definition.fluid.density * options_.gravity.dot(model_->chambers[c].level) *
               (state_.volume[c] - state_.air[c]);
@@ -122,9 +122,9 @@ double Body::work_of_solids(const BodyState& before, std::span<const ToolPose> b
 }
 
 void Body::update_books(const BodyState& before, std::span<const ToolPose> begin, double duration,
-                        const EquilibriumProblem& problem) {
+                        const EquilibriumProblem& problem, const BodyInput& input) {
   EnergyBooks& books = state_.books;
-  const EquilibriumTerms& terms = newton_.terms();
+  const EquilibriumTerms& terms = newton_->terms();
   const double wall_loss = update_memory(duration, problem);
   books.elastic = lasting_part(model_->definition) * terms.strain_energy;
   books.bending = lasting_part(model_->definition) * terms.bending_energy;
@@ -157,7 +157,7 @@ void Body::update_books(const BodyState& before, std::span<const ToolPose> begin
   books.friction += friction_loss;
   books.leak += leak_loss;
   books.tool_work += attached_work + solid_work;
-  books.script_work += load_work;
+  books.script_work += load_work - book_cut(before.cut, motion, input.blade, problem.push);
 }
 
 }  // namespace thinwall

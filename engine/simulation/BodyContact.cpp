@@ -110,6 +110,7 @@ bool Body::release(std::span<const ToolPose> poses, EquilibriumProblem& problem)
 double Body::largest_part(std::span<const ToolPose> begin, std::span<const ToolPose> end) const {
   double part = 1;
   for (std::size_t tool = 0; tool < tools_.size(); ++tool) {
+    if (state_.cut.tool == static_cast<int>(tool)) continue;
     const std::vector<ToolSolid> before = tool_solids(tools_[tool], begin[tool]);
     const std::vector<ToolSolid> after = tool_solids(tools_[tool], end[tool]);
     for (std::size_t k = 0; k < before.size(); ++k) {
@@ -141,6 +142,7 @@ void Body::add_solids(std::span<const ToolPose> poses, EquilibriumProblem& probl
            .range = range,
            .dip = contact_dip(solid),
            .hugging_pressure = std::max(model_->wall_stiffness / solid.sharpness(), largest_pressure),
+           .in_wall = state_.cut.tool == tool,
            .forces = state_.solid_forces[problem.solids.size()]});
     }
   }

@@ -158,7 +158,7 @@ std::vector<double> Body::outflow_of(double duration, const EquilibriumProblem& 
                                      const EquilibriumState& reached) const {
   std::vector<double> flown(model_->openings.size(), 0);
   if (!model_->has_open_chambers()) return flown;
-  const EquilibriumTerms& terms = newton_.terms();
+  const EquilibriumTerms& terms = newton_->terms();
   std::vector<double> left(problem.fluids.size(), 0);  // metres^3, of fluid at the end of the step, before the vent
   for (std::size_t c = 0; c < left.size(); ++c) left[c] = problem.fluids[c].fluid_volume;
   for (int k = 0; k < static_cast<int>(flown.size()); ++k) {
@@ -184,7 +184,7 @@ std::vector<double> Body::outflow_of(double duration, const EquilibriumProblem& 
 
 double Body::fluid_held(const EquilibriumProblem& problem, int chamber, const EquilibriumState& reached) const {
   const FluidProblem& fluid = problem.fluids[chamber];
-  return newton_.terms().volume[chamber] / fluid.held(fluid.has_surface ? 0 : reached.pressure[chamber]);
+  return newton_->terms().volume[chamber] / fluid.held(fluid.has_surface ? 0 : reached.pressure[chamber]);
 }
 
 double Body::fluid_left(const EquilibriumProblem& problem, int chamber, const EquilibriumState& reached,
@@ -207,7 +207,7 @@ bool Body::revise_vents(EquilibriumProblem& problem, const EquilibriumState& rea
     double pressure = -kNoPressure * pressure_scale(*model_);
     for (int k = 0; k < static_cast<int>(model_->openings.size()); ++k) {
       if (model_->openings[k].chamber != c) continue;
-      const double at_lips = lip_pressure(*model_, problem, newton_.terms(), k, reached.pressure);
+      const double at_lips = lip_pressure(*model_, problem, newton_->terms(), k, reached.pressure);
       if (at_lips < pressure) lowest = k, pressure = at_lips;
     }
     const double missing =
@@ -233,7 +233,7 @@ bool Body::draw_air(EquilibriumProblem& problem, EquilibriumState& trial, std::s
     const int vent = fluid.vent;
     if (vent < 0) continue;
     const FluidProblem whole = fluid;
-    const auto at_lips = [&] { return lip_pressure(*model_, problem, newton_.terms(), vent, trial.pressure); };
+    const auto at_lips = [&] { return lip_pressure(*model_, problem, newton_->terms(), vent, trial.pressure); };
     fluid.vent = -1;
     for (int part = 0; part < kMostAirParts && at_lips() < 0; ++part) {
       fluid.fluid_volume += kAirPart * std::abs(model_->chambers[c].rest_volume);

@@ -34,16 +34,13 @@ Eigen::Matrix3d unstrained_tangent(const BodyModel& model, int triangle) {
   return material.law->respond(material.parameters, Eigen::Vector3d(1, 1, 0)).tangent;
 }
 
-void start_bending_memory(const BodyModel& model, const Eigen::VectorXd& position, WallHistory& wall) {
+void find_bending_strains(const BodyModel& model, const Eigen::VectorXd& position, WallHistory& wall) {
   wall.bending_strain.clear();
   wall.law_moment.clear();
   for (const BendingRest& rest : model.bending) {
     wall.bending_strain.push_back(bending_strain(rest, patch_of(rest, position, model.vertices())));
     wall.law_moment.push_back(rest.stiffness * wall.bending_strain.back());
   }
-  const std::vector<Eigen::Vector3d> none(model.bending.size(), Eigen::Vector3d::Zero());
-  wall.branch_moment.assign(model.definition.viscosity.size(), none);
-  wall.overmoment = none;
 }
 
 Eigen::Vector3d strain_of(const BodyModel& model, int triangle, const Eigen::VectorXd& position) {
@@ -58,7 +55,7 @@ double lasting_part(const BodyDefinition& definition) {
   return part;
 }
 
-void Body::start_memory() {
+void Body::find_strains() {
   if (!is_viscous(model_->definition)) return;
   WallHistory& wall = state_.wall;
   wall.strain.clear();
@@ -67,11 +64,20 @@ void Body::start_memory() {
     wall.strain.push_back(strain_of(*model_, t, state_.equilibrium.position));
     wall.law_stress.push_back(law_stress(*model_, t, wall.strain[t]));
   }
+  find_bending_strains(*model_, state_.equilibrium.position, wall);
+}
+
+void Body::start_memory() {
+  if (!is_viscous(model_->definition)) return;
+  find_strains();
+  WallHistory& wall = state_.wall;
   wall.previous_strain = wall.strain;
   const std::vector<Eigen::Vector3d> none(model_->triangles(), Eigen::Vector3d::Zero());
   wall.branch_stress.assign(model_->definition.viscosity.size(), none);
   wall.overstress = none;
-  start_bending_memory(*model_, state_.equilibrium.position, wall);
+  const std::vector<Eigen::Vector3d> unbent(model_->bending.size(), Eigen::Vector3d::Zero());
+  wall.branch_moment.assign(model_->definition.viscosity.size(), unbent);
+  wall.overmoment = unbent;
 }
 
 void Body::add_memory(double duration, EquilibriumProblem& problem) const {

@@ -103,7 +103,7 @@ void Body::update_fluid_motion(double duration, double previous_step, const Equi
     const FluidMotion before = motion;
     const auto chamber = static_cast<Eigen::Index>(c);
     const Eigen::Vector3d shift = problem.fluid_inertia[c].origin - model_->chambers[c].level;
-    const Eigen::Vector3d moment = newton_.terms().moment.col(chamber);
+    const Eigen::Vector3d moment = newton_->terms().moment.col(chamber);
     motion.volume = state_.volume[chamber];
     motion.moment = moment + motion.volume * shift;
     motion.velocity = (difference.now * moment + difference.before * (before.moment - before.volume * shift) +
@@ -125,7 +125,7 @@ void Body::accept(std::span<const ToolPose> begin, double duration, const Equili
                   const BodyInput& input, const EquilibriumState& reached) {
   const BodyState before = state_;
   state_.equilibrium = reached;
-  state_.volume = newton_.terms().volume;
+  state_.volume = newton_->terms().volume;
   state_.load_factors = input.load_factors;
   update_fluids(duration, input, problem);
   if (problem.inertia != 0) {
@@ -136,7 +136,7 @@ void Body::accept(std::span<const ToolPose> begin, double duration, const Equili
   state_.previous_velocity = before.velocity;
   state_.previous_step = duration;
   update_forces(problem);
-  update_books(before, begin, duration, problem);
+  update_books(before, begin, duration, problem, input);
 }
 
 void Body::update_velocity(const BodyState& before, double duration) {
@@ -164,7 +164,7 @@ double Body::step_error(const BodyState& before, double duration) const {
 }
 
 void Body::update_forces(const EquilibriumProblem& problem) {
-  const EquilibriumTerms& terms = newton_.terms();
+  const EquilibriumTerms& terms = newton_->terms();
   state_.static_force = terms.gradient - terms.load_of_pressure() * state_.equilibrium.pressure;
   state_.load_force = terms.load_force;
   for (const ContactPoint& contact : terms.contacts) {

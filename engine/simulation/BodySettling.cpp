@@ -25,10 +25,10 @@ constexpr double kBurstVolume = 30;
 }  // namespace
 
 NewtonResult Body::solve(EquilibriumProblem& problem, EquilibriumState& state) {
-  const NewtonResult result = newton_.solve(problem, state,
-                                            {.tolerance = options_.tolerance,
-                                             .maximum_iterations = options_.maximum_iterations,
-                                             .between_iterations = options_.between_iterations});
+  const NewtonResult result = newton_->solve(problem, state,
+                                             {.tolerance = options_.tolerance,
+                                              .maximum_iterations = options_.maximum_iterations,
+                                              .between_iterations = options_.between_iterations});
   report_.newton_iterations += result.iterations;
   report_.shifted_iterations += result.shifted_iterations;
   report_.residual = result.residual;
@@ -146,10 +146,10 @@ void Body::settle(std::vector<double> load_factors) {
   start_memory();
   start_fluid_motion();
   state_.previous_position = state_.equilibrium.position;
-  const EquilibriumTerms& terms = newton_.terms();
+  const EquilibriumTerms& terms = newton_->terms();
   state_.static_force = terms.gradient - terms.load_of_pressure() * state_.equilibrium.pressure;
   // What holds a free body until time zero is no load: its fall begins from rest.
-  state_.static_force -= newton_.rigid_force(state_.equilibrium);
+  state_.static_force -= newton_->rigid_force(state_.equilibrium);
   state_.load_force = terms.load_force;
   state_.books.elastic = lasting_part(model_->definition) * terms.strain_energy;
   state_.books.bending = lasting_part(model_->definition) * terms.bending_energy;

@@ -41,6 +41,7 @@ struct SolidContact {
   double range = 0;             // metres, gap at which vertices begin to be pushed
   double dip = 0;               // metres inside the solid at which faces begin to be pushed
   double hugging_pressure = 0;  // pascal, under which a wall of unit strain lies on the solid
+  bool in_wall = false;         // a blade that cuts: keeps nothing out
   bool catches_edges = false;   // a hull: keeps out edges too, since one came past its rims
   std::vector<double> forces;   // (sites), newton, between the solid and each site: multipliers
 
@@ -56,6 +57,7 @@ struct SolidContact {
   }
 
   bool meets(SitePart part) const {
+    if (in_wall) return false;
     return part == SitePart::kCorner ? solid.meets_vertices()
            : part == SitePart::kEdge ? solid.meets_edges() || catches_edges
                                      : solid.meets_faces();
@@ -128,6 +130,8 @@ struct EquilibriumProblem {
   WallMemory memory;
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // metres / second^2
   std::vector<double> load_factors;                   // (loads); 1 where it is shorter
+  double push = 0;                                    // newton, of a blade on the wall along its way
+  Eigen::VectorXd cut_force;                          // (unknowns) or none, newton, dead: of the push, and at the lips
   Eigen::VectorXd start;                              // (unknowns), metres: from where rotations under moments count
   double inertia = 0;               // 1 / second^2, factor of mass (position - inertia_target); zero for statics
   Eigen::VectorXd inertia_target;   // (unknowns), metres

@@ -127,8 +127,12 @@ void add_loads(const BodyModel& model, const EquilibriumProblem& problem, const 
       terms.load_work += factor * load.force.dot(position.head(load.force.size()));
     }
   }
+  if (problem.cut_force.size() > 0) {
+    terms.load_force += problem.cut_force;
+    terms.load_work += problem.cut_force.dot(position);
+  }
   terms.gradient -= terms.load_force;
-  if (!model.loads.empty()) {
+  if (!model.loads.empty() || problem.cut_force.size() > 0) {
     terms.largest_force = std::max(terms.largest_force, terms.load_force.cwiseAbs().maxCoeff());
   }
 }

@@ -70,6 +70,9 @@ class Newton {
   /// the best one reached.
   NewtonResult solve(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options);
 
+  /// Terms at a state, without solving.
+  void look(const EquilibriumProblem& problem, const EquilibriumState& state) { evaluate_all(problem, state, terms_); }
+
   /// Part of a motion (3 vertices, metres) that leads to no contact of the wall with itself or its floor.
   double safe_fraction(const Eigen::VectorXd& position, const Eigen::VectorXd& motion) {
     return self_contact_.safe_fraction(position, motion);
@@ -78,7 +81,7 @@ class Newton {
   /// Force that holds the rigid motions of a free body, (unknowns), newton, at a state that a solve has reached.
   Eigen::VectorXd rigid_force(const EquilibriumState& state) const { return -rigid_columns_ * state.rigid_reaction; }
 
-  /// Terms at the state that the last solve ended with.
+  /// Terms at the state that the last solve ended with, or that was looked at since.
   const EquilibriumTerms& terms() const { return terms_; }
 
  private:

@@ -117,6 +117,7 @@ BodyRecord body_record(const Body& body) {
   record.volume = state.volume.sum();
   record.fluid_volume = state.fluid_volume.sum();
   record.leaked = state.leaked.sum();
+  record.cut_length = state.cut.length;
   record.open_area = state.open_area.sum();
   record.pressure = first_pressure(state);
   record.elastic = state.books.elastic;
@@ -128,6 +129,8 @@ BodyRecord body_record(const Body& body) {
   record.viscous = state.books.viscous;
   record.friction = state.books.friction;
   record.leak = state.books.leak;
+  record.fracture = state.books.fracture;
+  record.jump = state.books.jump;
   record.numerical = state.books.numerical;
   record.tool_work = state.books.tool_work;
   record.script_work = state.books.script_work;

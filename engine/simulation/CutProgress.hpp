@@ -1,0 +1,72 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "engine/mesh/SurfacePoint.hpp"
+
+namespace thinwall {
+
+/// A blade on its way through the wall during a step.
+struct BladeInput {
+  int tool = 0;                                          // index
+  double travel = 0;                                     // metres along its path
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  // unit, of its path
+};
+
+/// A force that held a vertex where it was when the wall was cut.
+struct HeldForce {
+  int vertex = 0;
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  // newton
+};
+
+/// What a cut opens that was made at once.
+struct HeldLips {
+  std::vector<HeldForce> forces;  // at the lips, and where the changed mesh alone would not rest
+  double held = 1;                // part of the forces that still acts
+  double length = 0;              // metres, rest, of the cut: the blade's way over which it is let go
+  double cost = 0;                // joule, of the new cut area
+};
+
+/// A vertex that bears a share of the blade's push.
+struct PushedVertex {
+  int vertex = 0;
+  double share = 0;  // of all, sum 1
+};
+
+/// A cut that is being made. The mesh is cut some way at a time, the blade goes on evenly: so the lips of what was just
+/// cut are first held together by the forces that the wall bore there, and let go in step with the blade, as those of a
+/// crack that grows by an element (Malluck and King 1980). What these forces take up while the lips open is the elastic
+/// energy that the wall releases; what the new area costs beyond it the blade pays, and feels as resistance.
+///
+/// The edge pushes the wall as hard as it is held back itself, at most with that resistance: below it the wall sticks
+/// to the edge and is dragged along. At one point the push would crumple a membrane, which bears no compression: it is
+/// spread around the tip so far that the wall's tension outweighs it.
+struct CutProgress {
+  std::optional<int> tool = {};            // whose blade is in the wall: the wall is free on it
+  std::optional<SurfacePoint> start = {};  // where a blade met the wall, until it is cut there
+  std::optional<int> tip = {};             // vertex where the cut goes on
+  std::vector<HeldLips> held = {};         // in the order of the cuts: lips that are not free yet
+  double cost = 0;                         // newton: of new cut area per length there
+  double resistance = 0;                   // newton
+  double push = 0;                         // newton, along the blade's way
+  double progress = 0;                     // part of the blade's last way by which it cut, the rest it dragged the wall
+  double given = 0;                        // newton: what the wall releases per length, mean over a triangle
+  double owed = 0;                         // joule, of the new area so far, that neither blade nor wall has paid yet
+  Eigen::Vector3d blade_force = Eigen::Vector3d::Zero();  // newton, of the edge on the wall
+  std::vector<PushedVertex> pushed = {};                  // around the tip
+  double length = 0;                                      // metres, rest, cut since time zero
+};
+
+/// After a step in which the blade pushed with `push`, newton: lips let go one after the other over what the blade
+/// cuts, taken to be the same part of its way as in the step before, or all by a fixed part where no blade goes on.
+CutProgress let_go(const CutProgress& progress, const std::optional<BladeInput>& blade, double push);
+
+/// Sum of a field over the vertices that a blade pushes, by their shares. `values`: (unknowns).
+Eigen::Vector3d mean_pushed(const CutProgress& progress, const Eigen::VectorXd& values);
+
+/// Forces at the lips and around the tip, (unknowns), newton; none where there are none.
+Eigen::VectorXd force_at_lips(const CutProgress& progress, Eigen::Index unknowns);
+
+}  // namespace thinwall

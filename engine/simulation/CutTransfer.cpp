@@ -1,0 +1,248 @@
+#include "engine/simulation/CutTransfer.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <map>
+#include <utility>
+
+#include "engine/mesh/MeshTopology.hpp"
+
+namespace thinwall {
+namespace {
+
+/// The triangle before the cut that covers most of a triangle.
+int main_source(const TriangleSource& source) {
+  return std::ranges::max_element(source.before, {}, &TriangleShare::share)->triangle;
+}
+
+/// A field with a value for each triangle; one that is absent or even stays as it is.
+template <typename Value>
+void carry_field(const std::vector<Value>& before, const Cut& cut, std::vector<Value>& field) {
+  if (before.size() <= 1) return;
+  for (const TriangleSource& source : cut.triangles) field[source.triangle] = before[main_source(source)];
+}
+
+template <typename Value>
+void resize_field(std::size_t triangles, std::vector<Value>& field) {
+  if (field.size() > 1) field.resize(triangles);
+}
+
+Eigen::Vector3d value_at(const SurfacePoint& point, const std::vector<Eigen::Vector3i>& triangles,
+                         const Eigen::VectorXd& values) {
+  Eigen::Vector3d value = Eigen::Vector3d::Zero();
+  for (int k = 0; k < 3; ++k) value += point.weights[k] * values.segment<3>(3 * triangles[point.triangle][k]);
+  return value;
+}
+
+/// The turn of each edge of a shell's wall goes over where the edge has come through; new ones begin with none.
+class TurnMap {
+ public:
+  TurnMap(const BodyModel& before, const BodyModel& after, const Cut& cut) : before_(before), after_(after) {
+    if (before.bending.empty()) return;
+    std::map<int, int> originals;
+    for (const VertexSource& source : cut.vertices) {
+      if (source.original) originals[source.vertex] = *source.original;
+    }
+    const auto original = [&](int vertex) {
+      const auto found = originals.find(vertex);
+      return found == originals.end() ? vertex : found->second;
+    };
+    const MeshTopology old_edges = topology_of(before.vertices(), before.definition.mesh.triangles);
+    const MeshTopology new_edges = topology_of(after.vertices(), after.definition.mesh.triangles);
+    sources_.assign(new_edges.edges.size(), -1);
+    for (std::size_t e = 0; e < new_edges.edges.size(); ++e) {
+      std::array<int, 2> ends = {original(new_edges.edges[e][0]), original(new_edges.edges[e][1])};
+      if (ends[0] > ends[1]) std::swap(ends[0], ends[1]);
+      const auto found = std::ranges::lower_bound(old_edges.edges, ends);
+      if (found != old_edges.edges.end() && *found == ends) {
+        sources_[e] = static_cast<int>(found - old_edges.edges.begin());
+      }
+    }
+  }
+
+  /// A turn is an angle times the mean edge length.
+  void carry(const Eigen::VectorXd& from, Eigen::VectorXd& to) const {
+    const double scale = after_.edge_length / before_.edge_length;
+    for (std::size_t e = 0; e < sources_.size(); ++e) {
+      if (sources_[e] >= 0) {
+        to[3 * after_.vertices() + static_cast<int>(e)] = scale * from[3 * before_.vertices() + sources_[e]];
+      }
+    }
+  }
+
+ private:
+  const BodyModel& before_;
+  const BodyModel& after_;
+  std::vector<int> sources_;  // (edges after), edge before or -1
+};
+
+Eigen::VectorXd carried_vertices(const BodyModel& before, const BodyModel& after, const Cut& cut, const TurnMap& turns,
+                                 const Eigen::VectorXd& values) {
+  Eigen::VectorXd carried = Eigen::VectorXd::Zero(after.unknowns());
+  const int kept = 3 * before.vertices();
+  carried.head(kept) = values.head(kept);
+  for (const VertexSource& source : cut.vertices) {
+    carried.segment<3>(3 * source.vertex) = value_at(source.before, before.definition.mesh.triangles, values);
+  }
+  turns.carry(values, carried);
+  return carried;
+}
+
+Eigen::Matrix<double, 3, 2> edges_of(const BodyModel& model, int triangle) {
+  const auto corners = corners_of(model.surface[triangle], model.rest_position);
+  Eigen::Matrix<double, 3, 2> edges;
+  edges << corners[1] - corners[0], corners[2] - corners[0];
+  return edges;
+}
+
+/// From the axes of a triangle before to those of one in its place: a rotation, as both lie in one plane.
+Eigen::Matrix2d turn_between(const BodyModel& before, int from, const BodyModel& after, int to) {
+  const Eigen::Matrix<double, 3, 2> old_edges = edges_of(before, from);
+  const Eigen::Matrix2d parts =
+      (old_edges.transpose() * old_edges).inverse() * old_edges.transpose() * edges_of(after, to);
+  const Eigen::Matrix2d in_old_axes = before.rest[from].inverse_edges.inverse() * parts;
+  const Eigen::Matrix2d map = after.rest[to].inverse_edges.inverse() * in_old_axes.inverse();
+  const Eigen::Vector2d axis = Eigen::Vector2d(map(0, 0) + map(1, 1), map(1, 0) - map(0, 1)).normalized();
+  Eigen::Matrix2d turn;
+  turn << axis.x(), -axis.y(), axis.y(), axis.x();
+  return turn;
+}
+
+/// A symmetric tensor (11, 22, `shear` 12) in turned axes.
+Eigen::Vector3d turned(const Eigen::Matrix2d& turn, const Eigen::Vector3d& tensor, double shear) {
+  Eigen::Matrix2d matrix;
+  matrix << tensor[0], tensor[2] / shear, tensor[2] / shear, tensor[1];
+  const Eigen::Matrix2d result = turn * matrix * turn.transpose();
+  return {result(0, 0), result(1, 1), shear * result(0, 1)};
+}
+
+/// Carries tensors of the triangles over by shares of the rest area.
+class TensorTransfer {
+ public:
+  TensorTransfer(const BodyModel& before, const BodyModel& after, const Cut& cut) : after_(after) {
+    for (const TriangleSource& source : cut.triangles) {
+      for (const TriangleShare& share : source.before) {
+        parts_.push_back({source.triangle, share, turn_between(before, share.triangle, after, source.triangle)});
+      }
+    }
+  }
+
+  void carry(std::vector<Eigen::Vector3d>& field, double shear) const {
+    if (field.empty()) return;
+    const std::vector<Eigen::Vector3d> before = field;
+    field.resize(after_.triangles());
+    for (const Part& part : parts_) field[part.triangle].setZero();
+    for (const Part& part : parts_) {
+      field[part.triangle] += part.share.share * turned(part.turn, before[part.share.triangle], shear);
+    }
+  }
+
+ private:
+  struct Part {
+    int triangle;
+    TriangleShare share;
+    Eigen::Matrix2d turn;
+  };
+  const BodyModel& after_;
+  std::vector<Part> parts_;
+};
+
+void carry_history(const TensorTransfer& transfer, WallHistory& wall) {
+  for (std::vector<Eigen::Vector3d>& branch : wall.branch_stress) transfer.carry(branch, 1);
+  for (std::vector<Eigen::Vector3d>& branch : wall.branch_moment) transfer.carry(branch, 1);
+  transfer.carry(wall.overstress, 1);
+  transfer.carry(wall.overmoment, 1);
+  transfer.carry(wall.previous_strain, 2);
+}
+
+/// Index of the site of each vertex; -1 where it has none.
+std::vector<int> corner_sites(const BodyModel& model) {
+  std::vector<int> sites(model.vertices(), -1);
+  for (std::size_t s = 0; s < model.sites.size(); ++s) {
+    const ContactSite& site = model.sites[s];
+    if (site.part == SitePart::kCorner) sites[model.surface[site.triangle][site.corner]] = static_cast<int>(s);
+  }
+  return sites;
+}
+
+void carry_contacts(const BodyModel& before, const BodyState& state, const BodyModel& after, BodyState& carried) {
+  const std::vector<int> old_sites = corner_sites(before), new_sites = corner_sites(after);
+  std::vector<int> destination(before.sites.size(), -1);
+  for (int v = 0; v < before.vertices(); ++v) {
+    if (old_sites[v] >= 0) destination[old_sites[v]] = new_sites[v];
+  }
+  for (std::size_t solid = 0; solid < state.solid_forces.size(); ++solid) {
+    carried.solid_forces[solid].assign(after.sites.size(), 0);
+    for (std::size_t s = 0; s < destination.size(); ++s) {
+      if (destination[s] >= 0) carried.solid_forces[solid][destination[s]] = state.solid_forces[solid][s];
+    }
+    carried.friction[solid].clear();
+    for (const FrictionMemory& memory : state.friction[solid]) {
+      const int site = destination[memory.site];
+      if (site < 0) continue;
+      FrictionMemory moved = memory;
+      moved.site = site;
+      moved.triangle = after.sites[site].triangle;
+      moved.weights = Eigen::Vector3d::Unit(after.sites[site].corner);
+      carried.friction[solid].push_back(moved);
+    }
+    std::ranges::sort(carried.friction[solid], {}, &FrictionMemory::site);
+  }
+}
+
+/// A wall with contents was closed but for its caps: what is open now was cut.
+std::vector<Opening> openings_of(const SurfaceMesh& mesh) {
+  std::vector<Opening> openings;
+  const MeshTopology topology = topology_of(static_cast<int>(mesh.vertices.size()), closed_surface(mesh));
+  for (const std::vector<int>& loop : topology.boundary_loops) openings.push_back({.lips = loop});
+  return openings;
+}
+
+}  // namespace
+
+BodyDefinition cut_definition(const BodyDefinition& before, const SurfaceMesh& mesh, const Cut& cut) {
+  BodyDefinition after = before;
+  after.mesh = mesh;
+  if (after.fluid.kind != FluidKind::kNone) after.openings = openings_of(mesh);
+  after.tension_field = before.model == WallModel::kMembrane;
+  const std::size_t triangles = mesh.triangles.size();
+  after.thickness.resize(triangles);
+  resize_field(triangles, after.materials);
+  resize_field(triangles, after.fibres);
+  resize_field(triangles, after.prestretch);
+  resize_field(triangles, after.toughness);
+  for (const TriangleSource& source : cut.triangles) {
+    assert(!source.before.empty());
+    double thickness = 0;
+    for (const TriangleShare& share : source.before) thickness += share.share * before.thickness[share.triangle];
+    after.thickness[source.triangle] = thickness;
+  }
+  carry_field(before.materials, cut, after.materials);
+  carry_field(before.fibres, cut, after.fibres);
+  carry_field(before.prestretch, cut, after.prestretch);
+  carry_field(before.toughness, cut, after.toughness);
+  return after;
+}
+
+BodyState carried_over(const BodyModel& before, const BodyState& state, const BodyModel& after, const Cut& cut) {
+  BodyState carried = state;
+  const TurnMap turns(before, after, cut);
+  for (Eigen::VectorXd BodyState::*values :
+       {&BodyState::velocity, &BodyState::acceleration, &BodyState::previous_position, &BodyState::previous_velocity}) {
+    carried.*values = carried_vertices(before, after, cut, turns, state.*values);
+  }
+  carried.equilibrium.position = carried_vertices(before, after, cut, turns, state.equilibrium.position);
+  carried.static_force = carried.load_force = Eigen::VectorXd::Zero(after.unknowns());
+  carry_history(TensorTransfer(before, after, cut), carried.wall);
+  carry_contacts(before, state, after, carried);
+  std::erase_if(carried.attachments, [&](const Attachment& attachment) {
+    return std::ranges::none_of(after.surface, [&](const Eigen::Vector3i& triangle) {
+      return std::ranges::all_of(attachment.vertices, [&](int vertex) { return (triangle.array() == vertex).any(); });
+    });
+  });
+  return carried;
+}
+
+}  // namespace thinwall

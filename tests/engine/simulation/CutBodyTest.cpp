@@ -1,0 +1,184 @@
+// Cuts in a body: what they leave as it was, what they open, and what that costs.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <numeric>
+#include <vector>
+
+#include "engine/cutting/SurfaceNormals.hpp"
+#include "engine/cutting/SurfaceTrace.hpp"
+#include "engine/mesh/Shapes.hpp"
+#include "tests/engine/simulation/TestBodies.hpp"
+
+namespace thinwall {
+namespace {
+
+/// The way on a body's surface below two points.
+CutPath path_between(const Body& body, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  const SurfaceView surface = body.surface();
+  const auto below = [&](const Eigen::Vector3d& point) -> SurfacePoint {
+    return *first_entry(surface, point, -Eigen::Vector3d::UnitZ());
+  };
+  return {.from = {}, .points = trace(surface, vertex_normals(surface), below(from), below(to)).pieces.front().points};
+}
+
+void rest(Body& body, int steps) {
+  for (int k = 0; k < steps; ++k) body.advance({}, {}, 0.01);
+}
+
+BodyDefinition stretched_sheet(int triangles, double stretch) {
+  BodyDefinition definition = make_body(make_sheet(40e-3, 40e-3, triangles), 1e-3, neo_hookean(20e3));
+  definition.fluid.kind = FluidKind::kNone;
+  definition.toughness = {20};
+  definition.fixed.push_back({.region = BoundaryRegion{}});
+  definition.prestretch = {{.first = stretch, .second = stretch}};
+  return definition;
+}
+
+double widest(const Body& body, const Cut& cut) {
+  double gap = 0;
+  for (const Lips& lips : cut.lips) {
+    for (std::size_t k = 0; k < lips.left.size(); ++k) {
+      const Eigen::VectorXd& position = body.state().equilibrium.position;
+      gap = std::max(gap, (position.segment<3>(3 * lips.left[k]) - position.segment<3>(3 * lips.right[k])).norm());
+    }
+  }
+  return gap;
+}
+
+TEST(SlitInAStretchedSheet, OpensAndReleasesEnergyTowardsWhatInfiniteSheetsDo) {
+  // Griffith's slit: opening 4 sigma a / E, energy sigma^2 pi a^2 h / E. The sheet is 13 half lengths wide, and opens
+  // less.
+  const double stretch = 1.01, shear = 20e3, half = 3e-3, thickness = 1e-3 / (stretch * stretch);
+  const double stress = shear * (stretch * stretch - std::pow(stretch, -4)), modulus = 3 * shear;
+  const double wanted_gap = 4 * stress / modulus * half;
+  const double wanted_energy = stress * stress * std::numbers::pi * half * half / modulus * thickness;
+  double gap = 0.6 * wanted_gap, energy = 0.5 * wanted_energy;
+  for (const int triangles : {800, 3200, 12800}) {
+    Body body(stretched_sheet(triangles, stretch), {}, {});
+    body.settle();
+    const double before = body.state().books.stored();
+    const Cut cut = body.cut(path_between(body, {-half, 0.3e-3, 0}, {half, 0.3e-3, 0}), {});
+    EXPECT_NEAR(cut.length, 2 * half, 1e-12);
+    EXPECT_LT(std::abs(body.state().books.stored() - before), 1e-3 * wanted_energy);
+    rest(body, 8);
+    const EnergyBooks& books = body.state().books;
+    const double wider = widest(body, cut), released = before - books.stored();
+    std::printf("%d triangles: opens by %.4f, releases %.4f of an infinite sheet's\n", triangles, wider / wanted_gap,
+                released / wanted_energy);
+    EXPECT_GT(wider, gap);
+    EXPECT_GT(released, energy);
+    gap = wider;
+    energy = released;
+    // No blade asked for it.
+    EXPECT_EQ(books.fracture, 0);
+    EXPECT_NEAR(books.jump, released, 1e-2 * released);  // the rest is the integrator's: the lips open in four steps
+    EXPECT_LT(std::abs(books.imbalance()), 1e-9 * released);
+  }
+  // First order in the triangles' size, as at any tip without elements of its own: edges of a sixth of the half length.
+  EXPECT_NEAR(gap, wanted_gap, 0.12 * wanted_gap);
+  EXPECT_NEAR(energy, wanted_energy, 0.18 * wanted_energy);
+}
+
+TEST(ACutWithoutTension, MovesNothingAndCostsNoForce) {
+  for (const WallModel model : {WallModel::kMembrane, WallModel::kShell}) {
+    BodyDefinition definition = stretched_sheet(400, 1);
+    definition.model = model;
+    Body body(definition, {}, {});
+    body.settle();
+    const Cut cut = body.cut(path_between(body, {-9e-3, 2e-3, 0}, {11e-3, -3e-3, 0}), {});
+    EXPECT_GT(cut.length, 15e-3);
+    const Eigen::VectorXd before = body.state().equilibrium.position;
+    rest(body, 6);
+    const Eigen::VectorXd moved = body.state().equilibrium.position - before;
+    EXPECT_LT(moved.lpNorm<Eigen::Infinity>(), 1e-9 * 40e-3);
+    EXPECT_LT(body.state().static_force.lpNorm<Eigen::Infinity>(), 1e-9 * 20e3 * 1e-3 * 1e-3);
+  }
+}
+
+ToolDefinition blade() {
+  return {.name = "blade", .kind = ToolKind::kScalpel, .length = 20e-3, .width = 4e-3, .thickness = 0.3e-3};
+}
+
+/// Draws the blade of a body in a straight line through its wall in even steps of 5 ms. Gives the force on the blade
+/// after each.
+std::vector<double> draw_blade(Body& body, const Eigen::Vector3d& begin, const Eigen::Vector3d& end, int steps,
+                               const std::function<void()>& after = {}) {
+  const Eigen::Vector3d way = end - begin;
+  std::vector<ToolPose> poses = {pose_at(begin)};
+  body.follow_blade(0, poses);
+  std::vector<double> forces;
+  for (int step = 1; step <= steps; ++step) {
+    const std::vector<ToolPose> next = {pose_at(begin + way * step / steps)};
+    BodyInput input;
+    input.blade = BladeInput{.tool = 0, .travel = way.norm() / steps, .direction = way.normalized()};
+    body.advance(poses, next, 5e-3, input);
+    poses = next;
+    body.follow_blade(0, poses);
+    forces.push_back(body.state().contacts[0].force.norm());
+    if (after) after();
+  }
+  body.leave_cut();
+  return forces;
+}
+
+TEST(ABladeThatIsDrawnThroughASheet, PaysWhatTheWallAsksBeyondWhatItReleases) {
+  for (const Analysis analysis : {Analysis::kQuasiStatic, Analysis::kDynamic}) {
+    for (const double stretch : {1.02, 1.1}) {
+      SimulationOptions options;
+      options.analysis = analysis;
+      Body body(stretched_sheet(800, stretch), {blade()}, options);
+      body.settle();
+      const auto check = [&] {
+        const EnergyBooks& books = body.state().books;
+        EXPECT_LT(std::abs(books.imbalance()), 1e-9 * books.elastic);
+        EXPECT_LT(std::abs(books.numerical), 0.005 * (books.elastic + books.tool_work));
+      };
+      const std::vector<double> forces = draw_blade(body, {-8e-3, 1e-3, -2e-3}, {8e-3, 2e-3, -2e-3}, 40, check);
+      const EnergyBooks& books = body.state().books;
+      const double mean = std::accumulate(forces.begin() + 20, forces.end(), 0.0) / 20;
+      std::printf("stretched by %.2f: %.4f N, fracture %.3e, jump %.1e, tool %.3e, numerical %.1e J\n", stretch, mean,
+                  books.fracture, books.jump, books.tool_work, books.numerical);
+      EXPECT_NEAR(body.state().cut.length, 16e-3, 1.3e-3);
+      // The second half of the way has a slit of 8 to 16 mm, whose tip releases sigma^2 pi a / E.
+      const double stress = 20e3 * (stretch * stretch - std::pow(stretch, -4));
+      const double released = stress * stress * std::numbers::pi * 6e-3 / 60e3;  // joule / metre^2, mean
+      if (released < 20) {
+        EXPECT_NEAR(mean, (20 - released) * 1e-3, 0.02 * 20 * 1e-3);
+        EXPECT_LT(books.jump, 1e-3 * books.fracture);
+      } else {
+        // The wall tears more easily than the blade is drawn: what is beyond is lost.
+        EXPECT_LT(mean, 0.3 * 20 * 1e-3);
+        EXPECT_GT(books.jump, 0);
+      }
+    }
+  }
+}
+
+TEST(ABladeThatOpensAFluidFilledBody, LetsItRunOutUnderBooksThatClose) {
+  for (const Analysis analysis : {Analysis::kQuasiStatic, Analysis::kDynamic}) {
+    BodyDefinition definition = pressurised_hemisphere(1024, 600);
+    definition.toughness = {50};
+    SimulationOptions options;
+    options.analysis = analysis;
+    Body body(definition, {blade()}, options);
+    body.settle();
+    const double fluid = body.state().fluid_volume[0], pressure = body.state().equilibrium.pressure[0];
+    const auto check = [&] {
+      const EnergyBooks& books = body.state().books;
+      EXPECT_NEAR(body.state().fluid_volume[0] + body.state().leaked[0], fluid, 1e-9 * fluid);
+      EXPECT_LT(std::abs(books.imbalance()), 1e-9 * books.elastic);
+    };
+    draw_blade(body, {-6e-3, 1e-3, 16e-3}, {6e-3, 1e-3, 16e-3}, 40, check);
+    EXPECT_LT(body.state().equilibrium.pressure[0], pressure);
+    EXPECT_GT(body.state().leaked[0], 0);
+    EXPECT_GT(body.state().open_area.sum(), 1e-6);
+  }
+}
+
+}  // namespace
+}  // namespace thinwall
