@@ -31,8 +31,12 @@ double Newton::merit(const EquilibriumProblem& problem, const EquilibriumState& 
   }
   if (model_.has_open_chambers()) value += frozen_.lip_force.dot(state.position - frozen_.position);
   for (const Eigen::Vector3d& gap : residual.gaps) value += weights.force * gap.norm();
+  // A contact is a spring of compliance 1 / stiffness beside a constraint that gives way by it: what violates it is the
+  // part of the overlap that its force does not account for.
   for (const ContactPoint& contact : terms.contacts) {
-    value += weights.contact * std::max(0.0, contact.potential.onset - contact.gap.gap);
+    const double force = contact_force(problem, contact), stiffness = contact.potential.stiffness;
+    value += 0.5 * square(force) / stiffness;
+    value += weights.contact * std::max(0.0, (contact_law(contact) - force) / stiffness);
   }
   return value;
 }
@@ -53,9 +57,11 @@ double Newton::merit_slope(const EquilibriumProblem& problem, const EquilibriumS
     slope -= problem.attachments[k].force.dot(material_point(problem.attachments[k], step.position)) +
              weights.force * residual.gaps[k].norm();
   }
-  for (const ContactPoint& contact : terms_.contacts) {
-    slope += contact_force(problem, contact) * gap_change(contact, step.position) -
-             weights.contact * std::max(0.0, contact.potential.onset - contact.gap.gap);
+  for (std::size_t k = 0; k < terms_.contacts.size(); ++k) {
+    const ContactPoint& contact = terms_.contacts[k];
+    const double force = contact_force(problem, contact), stiffness = contact.potential.stiffness;
+    slope += force * (gap_change(contact, step.position) + (step.contact_forces[k] - force) / stiffness) -
+             weights.contact * std::max(0.0, (contact_law(contact) - force) / stiffness);
   }
   return slope;
 }
