@@ -133,7 +133,13 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
       failure_ = "the wall jumped from one side of a ball to the other";
       return false;
     }
-    if (release(end, problem) || revise_push(input.blade, trial.position, push, problem)) continue;
+    if (release(end, problem)) continue;
+    const PushVerdict verdict = revise_push(input.blade, trial.position, push, problem);
+    if (verdict == PushVerdict::kRevised) continue;
+    if (verdict == PushVerdict::kNone) {
+      failure_ = "the push of the blade and the way of the wall that sticks to it do not come to agree";
+      return false;
+    }
     if (report_.halvings < kHalvingsBeforeLettingEdgesIn && catch_passed_edges(problem, trial.position)) continue;
     accept(begin, duration, problem, input, trial);
     return true;

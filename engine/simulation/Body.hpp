@@ -174,6 +174,8 @@ class Body {
   Eigen::VectorXd contact_pressure() const;
 
  private:
+  enum class PushVerdict { kFound, kRevised, kNone };
+
   /// What the solutions of a step with a blade have told so far.
   struct PushSearch {
     int turns = 0;
@@ -226,12 +228,13 @@ class Body {
   bool catch_passed_edges(EquilibriumProblem& problem, const Eigen::VectorXd& position) const;
   void prepare_cutting();
   void find_forces(std::span<const ToolPose> poses);
-  void hold_lips(const Cut& cut);
+  Cut change_mesh(const CutPath& path, double edge_length);
+  void hold_lips(double length);
   void spread_push();
   void push_with(double push, const std::optional<BladeInput>& blade, EquilibriumProblem& problem) const;
   double drag_of(const BladeInput& blade, const Eigen::VectorXd& motion) const;
-  bool revise_push(const std::optional<BladeInput>& blade, const Eigen::VectorXd& position, PushSearch& search,
-                   EquilibriumProblem& problem) const;
+  PushVerdict revise_push(const std::optional<BladeInput>& blade, const Eigen::VectorXd& position, PushSearch& search,
+                          EquilibriumProblem& problem) const;
   double book_cut(const CutProgress& before, const Eigen::VectorXd& motion, const std::optional<BladeInput>& blade,
                   double push);
   bool has_friction() const;
@@ -245,10 +248,12 @@ class Body {
   void add_friction_to_contacts(const EquilibriumProblem& problem);
   double update_friction(const BodyState& before, std::span<const ToolPose> begin, const EquilibriumProblem& problem);
   void add_fluid_inertia(double duration, EquilibriumProblem& problem) const;
+  void add_fluid_inertia_as_it_is(EquilibriumProblem& problem) const;
   void start_fluid_motion();
   void update_fluid_motion(double duration, double previous_step, const EquilibriumProblem& problem);
   Eigen::Vector3d motion_origin(int chamber) const;
   double motion_scale(int chamber, double volume) const;
+  double filling(int chamber) const;
   double fluid_kinetic_energy() const;
   double gravity_energy() const;
   double rate(const OrificeDefinition& orifice, const BodyState& state) const;

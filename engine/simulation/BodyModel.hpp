@@ -56,6 +56,11 @@ struct BodyModel {
   const Material& material(int triangle) const {
     return definition.materials[definition.materials.size() == 1 ? 0 : static_cast<std::size_t>(triangle)];
   }
+  /// What a new cut costs per length, newton: toughness times rest thickness.
+  double cut_cost(int triangle) const {
+    const std::vector<double>& field = definition.toughness;
+    return field[field.size() == 1 ? 0 : static_cast<std::size_t>(triangle)] * rest[triangle].thickness;
+  }
   int vertices() const { return pattern.vertices; }
   int unknowns() const { return pattern.unknowns(); }
   int triangles() const { return static_cast<int>(rest.size()); }

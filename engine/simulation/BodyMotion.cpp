@@ -20,15 +20,17 @@ void Body::add_inertia(double duration, EquilibriumProblem& problem) const {
   problem.inertia_target = -((factor + rate) * velocity_part + acceleration_part) / problem.inertia;
 }
 
+double Body::filling(int chamber) const {
+  const double volume = state_.volume[chamber], fluid = state_.fluid_volume[chamber];
+  // Beside air the fluid moves with the whole of the contents.
+  return model_->is_open(chamber) ? fluid / (volume * volume) : 1 / fluid;
+}
+
 double Body::fluid_kinetic_energy() const {
   double energy = 0;
   for (std::size_t c = 0; c < state_.fluid_motion.size(); ++c) {
-    const auto chamber = static_cast<Eigen::Index>(c);
-    // Beside air the fluid moves with the whole of the contents.
-    const double filling = model_->is_open(static_cast<int>(c))
-                               ? state_.fluid_volume[chamber] / (state_.volume[chamber] * state_.volume[chamber])
-                               : 1 / state_.fluid_volume[chamber];
-    energy += 0.5 * model_->definition.fluid.density * filling * state_.fluid_motion[c].velocity.squaredNorm();
+    energy += 0.5 * model_->definition.fluid.density * filling(static_cast<int>(c)) *
+              state_.fluid_motion[c].velocity.squaredNorm();
   }
   return energy;
 }
@@ -73,7 +75,6 @@ void Body::add_fluid_inertia(double duration, EquilibriumProblem& problem) const
   problem.fluid_inertia.clear();
   for (std::size_t c = 0; c < state_.fluid_motion.size(); ++c) {
     const FluidMotion& motion = state_.fluid_motion[c];
-    const auto chamber = static_cast<Eigen::Index>(c);
     const int index = static_cast<int>(c);
     const Eigen::Vector3d origin = motion_origin(index);
     // Fluid that leaves goes through the lips: seen from there it takes nothing of the moment along.
@@ -87,11 +88,20 @@ void Body::add_fluid_inertia(double duration, EquilibriumProblem& problem) const
         (difference.before * motion_scale(index, motion.volume) * motion.velocity +
          difference.earlier * motion_scale(index, motion.previous_volume) * motion.previous_velocity) /
         duration;
-    const double filling = model_->is_open(index)
-                               ? state_.fluid_volume[chamber] / (state_.volume[chamber] * state_.volume[chamber])
-                               : 1 / state_.fluid_volume[chamber];
-    problem.fluid_inertia.push_back({.factor = model_->definition.fluid.density * filling * rate * rate,
+    problem.fluid_inertia.push_back({.factor = model_->definition.fluid.density * filling(index) * rate * rate,
                                      .target = -(rate * velocity_part + acceleration_part) / (rate * rate),
+                                     .origin = origin});
+  }
+}
+
+void Body::add_fluid_inertia_as_it_is(EquilibriumProblem& problem) const {
+  for (std::size_t c = 0; c < state_.fluid_motion.size(); ++c) {
+    const FluidMotion& motion = state_.fluid_motion[c];
+    const int chamber = static_cast<int>(c);
+    const Eigen::Vector3d origin = motion_origin(chamber);
+    const Eigen::Vector3d moment = motion.moment - motion.volume * (origin - model_->chambers[c].level);
+    problem.fluid_inertia.push_back({.factor = model_->definition.fluid.density * filling(chamber),
+                                     .target = moment - motion.acceleration,
                                      .origin = origin});
   }
 }

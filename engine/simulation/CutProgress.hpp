@@ -26,7 +26,6 @@ struct HeldLips {
   std::vector<HeldForce> forces;  // at the lips, and where the changed mesh alone would not rest
   double held = 1;                // part of the forces that still acts
   double length = 0;              // metres, rest, of the cut: the blade's way over which it is let go
-  double cost = 0;                // joule, of the new cut area
 };
 
 /// A vertex that bears a share of the blade's push.
@@ -48,7 +47,7 @@ struct CutProgress {
   std::optional<SurfacePoint> start = {};  // where a blade met the wall, until it is cut there
   std::optional<int> tip = {};             // vertex where the cut goes on
   std::vector<HeldLips> held = {};         // in the order of the cuts: lips that are not free yet
-  double cost = 0;                         // newton: of new cut area per length there
+  double cost = 0;                         // newton: of new cut area per length at the tip
   double resistance = 0;                   // newton
   double push = 0;                         // newton, along the blade's way
   double progress = 0;                     // part of the blade's last way by which it cut, the rest it dragged the wall
