@@ -153,6 +153,7 @@ BodyDefinition build_body(const BodyScenario& body, std::vector<std::string>& no
   RegionMembers regions(definition.mesh);
   WallFieldResolver fields(body, regions, notes);
   definition.thickness = fields.thickness();
+  definition.toughness = fields.toughness();
   definition.materials = fields.materials();
   definition.fibres = fields.fibres();
   definition.prestretch = fields.prestretch();

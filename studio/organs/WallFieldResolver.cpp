@@ -88,6 +88,12 @@ std::vector<double> WallFieldResolver::thickness() {
   return resolve(body_.thickness, path_ + ".thickness").values;
 }
 
+std::vector<double> WallFieldResolver::toughness() {
+  if (!body_.toughness) return {};
+  if (is_uniform(*body_.toughness)) return {body_.toughness->standard};
+  return resolve(*body_.toughness, path_ + ".toughness").values;
+}
+
 std::vector<Material> WallFieldResolver::materials() {
   if (body_.parameter_fields.empty()) return {body_.material};
   std::vector<Material> materials(regions_.mesh().triangles.size(), body_.material);

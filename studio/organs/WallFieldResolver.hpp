@@ -22,6 +22,7 @@ class WallFieldResolver {
         path_("bodies." + body.name + ".wall") {}
 
   std::vector<double> thickness();        // (triangles), metres
+  std::vector<double> toughness();        // none, (1) or (triangles), joule / metre^2
   std::vector<Material> materials();      // (1) when it is the same everywhere, or (triangles)
   std::vector<Eigen::Vector3d> fibres();  // none, (1) or (triangles)
   std::vector<Prestretch> prestretch();   // (1) or (triangles)

@@ -103,6 +103,13 @@ ValueSchema wall_value() {
       {"prestretch", prestretch_schema(), false, "1",
        "in-plane stretch of the given surface: each triangle's rest shape is the given one shrunk by it"},
   };
+  wall.keys.push_back(
+      {"toughness",
+       field_schema(quantity_value(kForcePerLength, kAboveZero, "0.4 kJ/m^2")),
+       false,
+       {},
+       "energy per new cut area, which is thickness times length of the cut; a wall without it cannot be "
+       "cut or pierced"});
   wall.keys.push_back({"viscosity", list_value(mapping_value({prony_term()})), false, "[]",
                        "Prony series of quasi-linear viscoelasticity; the fractions add up to less than 1"});
   wall.keys.push_back({"damping", mapping_value({damping()}), false, "{}", "Rayleigh damping"});
@@ -122,13 +129,17 @@ MappingSchema chamber() {
   return chamber;
 }
 
+ValueSchema discharge_value() {
+  return quantity_value(kDimensionless, {.minimum = 0, .maximum = 1, .minimum_excluded = true}, "0.61");
+}
+
 MappingSchema orifice() {
   MappingSchema orifice{.name = "orifice", .documentation = "A hole through which two chambers exchange fluid."};
   orifice.keys = {
       {"between", tuple_value({name_value(), name_value()}), true, {}, "names of the two chambers"},
       {"area", quantity_value(kArea, kAboveZero, "2 mm^2"), true, {}, "area of the hole"},
-      {"discharge", quantity_value(kDimensionless, {.minimum = 0, .maximum = 1, .minimum_excluded = true}, "0.61"),
-       false, "0.61", "flow over area times the root of twice the pressure's fall over the density"},
+      {"discharge", discharge_value(), false, "0.61",
+       "flow over area times the root of twice the pressure's fall over the density"},
   };
   return orifice;
 }
@@ -149,13 +160,19 @@ ValueSchema contents_value() {
   const KeySchema chambers{"chambers", named_value(chamber()), false, "{}",
                            "names of closed parts of the surface; every other closed part is a chamber without a name"};
   const KeySchema orifices{"orifices", list_value(mapping_value({orifice()})), false, "[]", "holes between chambers"};
+  const KeySchema leaks{"leaks", boolean_value(), false, "true",
+                        "whether fluid flows out where the wall is open and air in where it sucks; `false` for a gel, "
+                        "which holds together"};
+  const KeySchema discharge{"discharge", discharge_value(), false, "0.61",
+                            "of openings of the wall: flow over area times the root of twice the pressure over the "
+                            "density"};
   contents.selector = "fluid";
   contents.cases = {
       {"none", "no fluid: an open surface", {}},
-      {"incompressible", "the volume is kept", {pressure, density, chambers, orifices}},
+      {"incompressible", "the volume is kept", {pressure, density, leaks, discharge, chambers, orifices}},
       {"compressible",
        "the pressure grows with the loss of volume",
-       {pressure, density, bulk_modulus, chambers, orifices}},
+       {pressure, density, bulk_modulus, leaks, discharge, chambers, orifices}},
   };
   contents.keys = {
       {"fluid", word_value({"none", "incompressible", "compressible"}), false, "incompressible", "kind of the fluid"}};

@@ -62,7 +62,9 @@ class SchemaWriter {
   /// A reference to the definition of the mappings that may stand in one place, which is written when it is not there.
   Json one_of(const std::vector<MappingSchema>& mappings) {
     std::string name = mappings[0].definition.empty() ? mappings[0].name : mappings[0].definition;
-    std::ranges::replace(name, ' ', '_');
+    // A slash would divide the reference to it.
+    std::ranges::replace_if(
+        name, [](char c) { return c == ' ' || c == '/' || c == '^'; }, '_');
     if (!with_needed_) name += "_in_including_file";
     if (!definitions_.contains(name)) {
       definitions_[name] = nullptr;

@@ -7,10 +7,9 @@ namespace thinwall {
 namespace {
 
 constexpr std::array kLaterWords = {
-    LaterWord{"wall", "toughness", "`toughness`"},     LaterWord{"contents", "leaks", "`leaks`"},
-    LaterWord{"contents", "discharge", "`discharge`"}, LaterWord{"clip", "pierce", "`pierce`"},
-    LaterWord{"clip", "incise", "`incise`"},           LaterWord{"camera", "follow", "`follow`"},
-    LaterWord{"camera", "keyframes", "`keyframes`"},   LaterWord{"camera.kind", "endoscope", "`endoscope`"},
+    LaterWord{"camera", "follow", "`follow`"},
+    LaterWord{"camera", "keyframes", "`keyframes`"},
+    LaterWord{"camera.kind", "endoscope", "`endoscope`"},
     LaterWord{"lights", "endoscope", "`endoscope`"},
 };
 

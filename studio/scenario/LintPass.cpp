@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "studio/scenario/ClipTimes.hpp"
+#include "studio/scenario/CutLint.hpp"
 #include "studio/scenario/FieldLint.hpp"
 #include "studio/scenario/GraspLint.hpp"
 #include "studio/scenario/MaterialLint.hpp"
@@ -228,6 +229,7 @@ void lint_pass(const CheckedValue& root, Diagnostics& diagnostics) {
     for (const CheckedMember& tool : tools->members) check_point_friction(tool, diagnostics);
   }
   check_grasps(root, diagnostics);
+  check_cuts(root, diagnostics);
   const std::vector<ClipTimes> clips = clip_times(root);
   check_overlaps(clips, diagnostics);
   check_goldens(root, clips, diagnostics);

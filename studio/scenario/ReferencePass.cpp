@@ -50,7 +50,8 @@ class ReferenceChecker {
       if (item.members.empty()) continue;
       CheckedMember& clip = item.members[0];
       const std::string path = member_path(item_path("timeline", index), clip.key);
-      const bool meets_body = clip.key == "palpate" || clip.key == "grasp";
+      const bool meets_body =
+          clip.key == "palpate" || clip.key == "pierce" || clip.key == "incise" || clip.key == "grasp";
       if (meets_body || clip.key == "move" || clip.key == "release") {
         resolve(clip, {"tool", "tool", "tools"}, tools_, path);
       }

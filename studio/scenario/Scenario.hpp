@@ -57,7 +57,8 @@ struct BodyScenario {
   std::vector<ParameterField> parameter_fields = {};  // `material` has placeholders for these
   std::optional<Field<Eigen::Vector3d>> fibres = {};  // where the first axis of the law lies in the wall
   bool tension_field = false;
-  Field<Prestretch> prestretch = {};  // in-plane stretch of the given surface over the rest shape
+  Field<Prestretch> prestretch = {};            // in-plane stretch of the given surface over the rest shape
+  std::optional<Field<double>> toughness = {};  // joule / metre^2; a wall without cannot be cut
   FluidDefinition fluid = {};
   std::vector<PronyTerm> viscosity = {};
   RayleighDamping damping = {};

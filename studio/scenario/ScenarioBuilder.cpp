@@ -152,10 +152,13 @@ BodyScenario to_body(const CheckedMember& member) {
   if (const CheckedValue* fibres = wall.find("fibres")) body.fibres = to_direction_field(*fibres);
   body.tension_field = wall.at("tension_field").boolean;
   body.prestretch = to_prestretch_field(wall.at("prestretch"));
+  if (const CheckedValue* toughness = wall.find("toughness")) body.toughness = to_number_field(*toughness);
   body.fluid.kind = of_word(contents.at("fluid").text, kFluids);
   body.fluid.initial_pressure = find_number(contents, "pressure");
   body.fluid.density = find_number(contents, "density").value_or(body.fluid.density);
   body.fluid.bulk_modulus = find_number(contents, "bulk_modulus").value_or(body.fluid.bulk_modulus);
+  if (const CheckedValue* leaks = contents.find("leaks")) body.fluid.leaks = leaks->boolean;
+  body.fluid.discharge = find_number(contents, "discharge").value_or(body.fluid.discharge);
   read_chambers(contents, body.fluid);
   for (const CheckedValue& term : wall.at("viscosity").items) {
     body.viscosity.push_back({.fraction = term.at("fraction").number, .time = term.at("time").number});
@@ -208,6 +211,23 @@ PalpateClip to_palpate(const CheckedValue& clip) {
           .withdraw = clip.at("withdraw").boolean};
 }
 
+InciseClip to_incise(const CheckedValue& clip) {
+  InciseClip incise{.tool = clip.at("tool").text,
+                    .body = clip.at("body").text,
+                    .direction = find_vector(clip, "direction"),
+                    .reach = clip.at("reach").number,
+                    .depth = clip.at("depth").number,
+                    .speed = clip.at("speed").number,
+                    .hold = clip.at("hold").number,
+                    .standoff = clip.at("standoff").number,
+                    .withdraw = clip.at("withdraw").boolean};
+  for (const CheckedValue& point : clip.at("path").items) {
+    incise.path.push_back(to_vector(point));
+    incise.path_locations.push_back(point.location);
+  }
+  return incise;
+}
+
 MoveClip to_move(const CheckedValue& clip) {
   return {.tool = clip.at("tool").text,
           .body = find_text(clip, "body"),
@@ -245,6 +265,8 @@ Clip to_clip(const CheckedValue& item) {
   const CheckedMember& action = item.members[0];
   Clip clip{.action = WaitClip{}, .location = action.location};
   if (action.key == "palpate") clip.action = to_palpate(action.value);
+  if (action.key == "pierce") clip.action = PierceClip{to_palpate(action.value)};
+  if (action.key == "incise") clip.action = to_incise(action.value);
   if (action.key == "move") clip.action = to_move(action.value);
   if (action.key == "grasp") clip.action = to_grasp(action.value);
   if (action.key == "release") {

@@ -18,8 +18,10 @@ std::vector<KeySchema> with_clip_keys(std::vector<KeySchema> keys) {
   return keys;
 }
 
-MappingSchema clip(const std::string& verb, const std::string& documentation, std::vector<KeySchema> keys) {
-  MappingSchema action{.name = verb, .documentation = documentation, .keys = with_clip_keys(std::move(keys))};
+/// `details` follow the documentation where there is room.
+MappingSchema clip(const std::string& verb, const std::string& documentation, std::vector<KeySchema> keys,
+                   const std::string& details = "") {
+  MappingSchema action{.name = verb, .documentation = documentation + details, .keys = with_clip_keys(std::move(keys))};
   return {.name = "clip",
           .documentation = documentation,
           .keys = {{verb, mapping_value({action}), true, {}, documentation}}};
@@ -47,6 +49,64 @@ MappingSchema palpate() {
        {"standoff", quantity_value(kLength, kFromZero, "5 mm"), false, "5 mm",
         "distance from the surface at which the tool starts and to which it goes back"},
        {"withdraw", boolean_value(), false, "true", "whether the tool goes back"}});
+}
+
+MappingSchema pierce() {
+  return clip(
+      "pierce", "Pushes a needle through a wall and draws it out.",
+      {kTool,
+       kBody,
+       {"at", vector_value(kLength, {}, "[0, 0, 20 mm]"), false, "[0, 0, 0]", "a point of the line of approach"},
+       {"direction", direction_value(), false, "[0, 0, -1]", "sense of the approach"},
+       {"depth", quantity_value(kLength, kAboveZero, "12 mm"), true, {}, "travel after first contact"},
+       {"speed", quantity_value(kSpeed, kAboveZero, "10 mm/s"), false, "10 mm/s", "speed of the needle"},
+       {"hold", quantity_value(kTime, kFromZero, "1 s"), false, "0 s", "time at full depth"},
+       {"standoff", quantity_value(kLength, kFromZero, "5 mm"), false, "5 mm",
+        "distance from the surface at which the needle starts and to which it goes back"},
+       {"withdraw", boolean_value(), false, "true", "whether the needle goes back"}},
+      " The puncture stays open. Where the body is less deep than `depth` the needle goes through its far wall too. "
+      "Errors are a depth larger than the needle is long, and a needle as thick as the body is wide across its way.");
+}
+
+ValueSchema path_of_points() {
+  ValueSchema path = list_value(vector_value(kLength, {}, "[0, 0, 20 mm]"), 2);
+  path.example = "[[0, 0, 20 mm], [5 mm, 0, 20 mm]]";
+  return path;
+}
+
+MappingSchema incise() {
+  return clip(
+      "incise", "Presses a blade into a wall, draws it along a path and takes it out.",
+      {kTool,
+       kBody,
+       {"path", path_of_points(), true, {}, "points that the middle of the edge passes below"},
+       {"direction",
+        direction_value(),
+        false,
+        {},
+        "along which the points are brought to the surface, on an open one also the side that is cut into; to the "
+        "nearest point when absent"},
+       {"reach", quantity_value(kLength, kAboveZero, "10 mm"), false, "10 mm",
+        "how far the points may lie from the surface"},
+       {"depth",
+        quantity_value(kLength, kAboveZero, "3 mm"),
+        true,
+        {},
+        "how far below the path the edge goes, along the inward normal"},
+       {"speed", quantity_value(kSpeed, kAboveZero, "15 mm/s"), false, "10 mm/s",
+        "speed in and out, and along the path on the surface"},
+       {"hold", quantity_value(kTime, kFromZero, "0.5 s"), false, "0 s", "time at the end of the path"},
+       {"standoff", quantity_value(kLength, kFromZero, "5 mm"), false, "5 mm",
+        "distance from the surface at which the blade starts and to which it goes back"},
+       {"withdraw", boolean_value(), false, "true", "whether the blade goes back"}},
+      " The points are brought to the surface as it is when the clip starts; neighbours are joined by the curve in "
+      "which "
+      "the plane through both and the mean inward normal meets the surface, the shorter way round and straight on over "
+      "open wounds. The blade's width lies along the path, and its middle follows it. Where the path turns back "
+      "sharply "
+      "the blade goes back without turning. Every wall on the way is cut. Errors are points out of reach or not joined "
+      "by the wall, a depth larger than the blade is high or the body measures there, and a blade that would start "
+      "inside the body or touch it already.");
 }
 
 MappingSchema move() {
@@ -114,7 +174,7 @@ MappingSchema fill(const std::string& verb, const std::string& documentation, co
 }  // namespace
 
 ValueSchema timeline_schema() {
-  return list_value(mapping_value({palpate(), grasp(), move(), release(),
+  return list_value(mapping_value({palpate(), pierce(), incise(), grasp(), move(), release(),
                                    fill("inflate", "Fills fluid into a body.", "volume to be filled in"),
                                    fill("drain", "Takes fluid out of a body.", "volume to be taken out"), wait()}));
 }

@@ -158,6 +158,20 @@ TEST(BodyBuilder, ParametersThatDoNotGoTogetherSomewhereAreRefusedWithThePlace) 
       << refusal;
 }
 
+TEST(BodyBuilder, ToughnessIsNoneOrOneOrDiffersByRegion) {
+  BodyScenario scenario = hemisphere();
+  std::vector<std::string> notes;
+  EXPECT_TRUE(build_body(scenario, notes).toughness.empty());
+  scenario.toughness = Field<double>{.standard = 400};
+  EXPECT_EQ(build_body(scenario, notes).toughness, std::vector<double>{400});
+  scenario.toughness->regions = {{.region = AboveRegion{.axis = 2, .at = 0.01}, .value = 200}};
+  const BodyDefinition body = build_body(scenario, notes);
+  const std::vector<int> above = triangles_in(AboveRegion{.axis = 2, .at = 0.01}, body.mesh);
+  ASSERT_EQ(body.toughness.size(), body.mesh.triangles.size());
+  EXPECT_EQ(std::ranges::count(body.toughness, 200.0), static_cast<int>(above.size()));
+  EXPECT_EQ(std::ranges::count(body.toughness, 400.0), static_cast<int>(body.toughness.size() - above.size()));
+}
+
 TEST(BodyBuilder, PrestretchDiffersByRegionAndLiesInTheWall) {
   BodyScenario scenario = hemisphere();
   scenario.surface = ShapeSource{.shape = Shape::kSheet, .triangles = 32};

@@ -96,5 +96,41 @@ TEST(LintPass, CamerasLookSomewhereAndToolsHaveAFrame) {
             Texts{"9:5: timeline[1].move: `direction` is missing: `from` and `to` are the same point"});
 }
 
+TEST(LintPass, CutsNeedTheirToolAndAToughWall) {
+  const auto cut_errors = [](const std::string& clip, const std::string& toughness) {
+    const std::string text =
+        "thinwall: 1\n"
+        "tools: { pin: { kind: needle, length: 30 mm }, blade: { kind: scalpel }, probe: { kind: point } }\n"
+        "bodies: { organ: { surface: { shape: sphere }, wall: { thickness: 1 mm, " +
+        toughness +
+        "material: { law: neo_hookean, shear_modulus: 1 kPa } } } }\n"
+        "timeline:\n  - " +
+        clip + "\n";
+    Diagnostics ignored;
+    return errors_of(unit_pass(parse_text(text, ignored), scenario_schema(), ignored));
+  };
+  const std::string tough = "toughness: 0.4 kJ/m^2, ", path = "path: [[0, 0, 20 mm], [5 mm, 0, 19 mm]]";
+  EXPECT_EQ(cut_errors("pierce: { tool: pin, body: organ, depth: 30 mm }", tough), Texts{});
+  EXPECT_EQ(cut_errors("incise: { tool: blade, body: organ, depth: 3 mm, " + path + " }", tough), Texts{});
+  EXPECT_EQ(cut_errors("pierce: { tool: pin, body: organ, depth: 30.1 mm }", tough).size(), 1U);
+  EXPECT_EQ(cut_errors("pierce: { tool: probe, body: organ, depth: 3 mm }", tough).size(), 1U);
+  EXPECT_EQ(cut_errors("pierce: { tool: pin, body: organ, depth: 3 mm }", "").size(), 1U);
+  EXPECT_EQ(cut_errors("palpate: { tool: pin, body: organ, depth: 3 mm }", ""), Texts{});
+}
+
+TEST(LintPass, ADischargeOfContentsThatDoNotLeakIsTold) {
+  const auto warnings_of = [](const std::string& contents) {
+    const std::string text = "thinwall: 1\nbodies: { organ: { surface: { shape: sphere }, contents: " + contents +
+                             ", wall: { thickness: 1 mm, material: { law: neo_hookean, shear_modulus: 1 kPa } } } }\n";
+    Diagnostics ignored, diagnostics;
+    lint_pass(unit_pass(parse_text(text, ignored), scenario_schema(), ignored), diagnostics);
+    return short_texts(diagnostics.warnings);
+  };
+  EXPECT_EQ(warnings_of("{ leaks: false, discharge: 0.6 }"),
+            Texts{"2:85: bodies.organ.contents.discharge: has no effect on contents that do not leak"});
+  EXPECT_EQ(warnings_of("{ leaks: false }"), Texts{});
+  EXPECT_EQ(warnings_of("{ discharge: 0.6 }"), Texts{});
+}
+
 }  // namespace
 }  // namespace thinwall

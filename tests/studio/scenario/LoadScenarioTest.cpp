@@ -74,9 +74,15 @@ TEST(LoadScenario, ReadsEveryKey) {
   EXPECT_EQ(std::get<PlaneRegion>(bladder.fixed[0].region).within, 0.0001);
   EXPECT_EQ(std::get<BelowRegion>(bladder.fixed[1].region).axis, 0);
   EXPECT_EQ(std::get<AboveRegion>(bladder.fixed[2].region).at, 0.001);
+  ASSERT_TRUE(bladder.toughness);
+  EXPECT_EQ(bladder.toughness->standard, 400);
+  EXPECT_EQ(bladder.toughness->regions.at(0).value, 350);
+  EXPECT_TRUE(bladder.fluid.leaks);
+  EXPECT_EQ(bladder.fluid.discharge, 0.65);
   const BodyScenario& cloth = scenario.bodies[1];
   EXPECT_EQ(std::get<ShapeSource>(cloth.surface).inner_radius, 0.005);
   EXPECT_EQ(cloth.fluid.kind, FluidKind::kNone);
+  EXPECT_FALSE(cloth.toughness);
   EXPECT_TRUE(std::holds_alternative<BoundaryRegion>(cloth.fixed[0].region));
   EXPECT_EQ(scenario.tools[1].kind, ToolKind::kLine);
   EXPECT_EQ(scenario.tools[1].length, 0.025);
@@ -104,8 +110,27 @@ TEST(LoadScenario, ReadsEveryKey) {
   EXPECT_EQ(grasp.grip, 0.4);
   EXPECT_EQ(grasp.duration, 1);
   EXPECT_EQ(std::get<ReleaseClip>(scenario.timeline[4].action).duration, 0.4);
-  EXPECT_EQ(std::get<FillClip>(scenario.timeline[5].action).added, 5e-6);
-  EXPECT_EQ(std::get<FillClip>(scenario.timeline[6].action).pressure, 500.0);
+  const PierceClip& pierce = std::get<PierceClip>(scenario.timeline[5].action);
+  EXPECT_EQ(pierce.tool, "pin");
+  EXPECT_EQ(pierce.depth, 12e-3);
+  EXPECT_EQ(pierce.hold, 0.2);
+  EXPECT_EQ(pierce.standoff, 6e-3);
+  const InciseClip& incise = std::get<InciseClip>(scenario.timeline[6].action);
+  EXPECT_EQ(incise.tool, "knife");
+  EXPECT_EQ(incise.body, "bladder");
+  ASSERT_EQ(incise.path.size(), 3U);
+  EXPECT_EQ(incise.path[2], Eigen::Vector3d(5e-3, 5e-3, 20e-3));
+  ASSERT_EQ(incise.path_locations.size(), 3U);
+  EXPECT_EQ(incise.path_locations[1].column, 26);
+  EXPECT_EQ(incise.direction, Eigen::Vector3d(0, 0, -1));
+  EXPECT_EQ(incise.reach, 12e-3);
+  EXPECT_EQ(incise.depth, 3e-3);
+  EXPECT_EQ(incise.speed, 15e-3);
+  EXPECT_EQ(incise.hold, 0.3);
+  EXPECT_EQ(incise.standoff, 4e-3);
+  EXPECT_FALSE(incise.withdraw);
+  EXPECT_EQ(std::get<FillClip>(scenario.timeline[7].action).added, 5e-6);
+  EXPECT_EQ(std::get<FillClip>(scenario.timeline[8].action).pressure, 500.0);
   EXPECT_EQ(bladder.viscosity.at(1).time, 2.0);
   EXPECT_EQ(bladder.damping.stiffness_time, 1e-3);
   EXPECT_EQ(bladder.fluid.chambers.at(1).initial_pressure, 1000.0);
@@ -114,7 +139,7 @@ TEST(LoadScenario, ReadsEveryKey) {
   EXPECT_EQ(cloth.loads.at(1).load.kind, LoadKind::kDeadLineForce);
   EXPECT_EQ(scenario.simulation.gravity.z(), -9.81);
   EXPECT_EQ(scenario.simulation.step_error, 1e-5);
-  EXPECT_EQ(std::get<WaitClip>(scenario.timeline[7].action).duration, 0.5);
+  EXPECT_EQ(std::get<WaitClip>(scenario.timeline[9].action).duration, 0.5);
   EXPECT_EQ(scenario.simulation.analysis, Analysis::kQuasiStatic);
   EXPECT_EQ(scenario.view.camera.position, (Double3{0.08, 0, 0.05}));
   EXPECT_EQ(scenario.view.lights.fill, 0.8);
@@ -125,7 +150,7 @@ TEST(LoadScenario, ReadsEveryKey) {
   EXPECT_EQ(scenario.record.frames_per_second, 25);
   EXPECT_EQ(scenario.record.tier, Tier::kDraft);
   EXPECT_EQ(scenario.goldens[0].why, "the probe is at full depth");
-  EXPECT_EQ(scenario.goldens[0].location.line, 138);
+  EXPECT_EQ(scenario.goldens[0].location.line, 154);
 }
 
 TEST(LoadScenario, ReadsWhatDiffersFromPlaceToPlaceOfAWall) {
@@ -146,7 +171,7 @@ TEST(LoadScenario, ReadsWhatDiffersFromPlaceToPlaceOfAWall) {
   ASSERT_EQ(skin.prestretch.regions.size(), 2U);
   EXPECT_EQ(skin.prestretch.regions[0].value.first, 1.2);
   EXPECT_EQ(skin.prestretch.regions[1].value.second, 1);
-  EXPECT_EQ(skin.prestretch.regions[1].location.line, 76);
+  EXPECT_EQ(skin.prestretch.regions[1].location.line, 79);
 }
 
 TEST(LoadScenario, ReadsWhereTheNumbersOfAFieldStand) {
@@ -159,7 +184,7 @@ TEST(LoadScenario, ReadsWhereTheNumbersOfAFieldStand) {
   EXPECT_EQ(thickness.unit, 1e-4);
   EXPECT_EQ(thickness.range.minimum, 0);
   EXPECT_TRUE(thickness.range.minimum_excluded);
-  EXPECT_EQ(vessel.thickness.location.line, 81);
+  EXPECT_EQ(vessel.thickness.location.line, 84);
   ASSERT_EQ(vessel.parameter_fields.size(), 4U);
   const FieldTable& shear_modulus = vessel.parameter_fields[0].values.table.value();
   EXPECT_TRUE(shear_modulus.file.empty());
