@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "renderer/snapshot/CarriedSurface.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
 
 namespace thinwall {
@@ -37,7 +38,12 @@ void require(bool equal, const std::string& what) {
 
 void blend(SnapshotSurface& surface, const SnapshotSurface& later, double weight) {
   require(surface.body == later.body, "body '" + surface.body + "' is followed by '" + later.body + "'");
-  require(surface.topology == later.topology, "the connectivity of body '" + surface.body + "' changes");
+  if (surface.topology != later.topology) {
+    if (weight == 0) return;
+    const std::size_t vertices = surface.topology->rest_positions.size();
+    require(later.topology->rest_positions.size() >= vertices, "body '" + surface.body + "' loses vertices");
+    surface = carried_over(surface, later);
+  }
   require(surface.positions.size() == later.positions.size(), "the vertices of body '" + surface.body + "'");
   require(surface.fields.size() == later.fields.size(), "the fields of body '" + surface.body + "'");
   for (std::size_t i = 0; i < surface.positions.size(); ++i) {

@@ -68,10 +68,11 @@ struct Snapshot {
   std::vector<SnapshotScalar> scalars;
 };
 
-/// The moment between two consecutive snapshots of equal layout at time `time` (clamped to theirs): positions, poses,
-/// fields and scalars linear in time (directions brought back to length one), names and phases of the earlier one. The
+/// The moment between two consecutive snapshots at time `time` (clamped to theirs): positions, poses, fields and
+/// scalars linear in time (directions brought back to length one), names and phases of the earlier one. Where a cut has
+/// changed a surface in between, it is there at once, and opens from then on (carried_over of CarriedSurface.hpp). The
 /// ends give the snapshots themselves, to the last bit. Throws std::invalid_argument, naming what differs, when bodies,
-/// topologies, fields, tools or scalars are not the same in both.
+/// fields, tools or scalars are not the same in both.
 Snapshot interpolate(const Snapshot& earlier, const Snapshot& later, double time);
 
 }  // namespace thinwall

@@ -143,6 +143,15 @@ double IncisionPlan::progress(double time) const {
   return std::clamp(time * clip.speed - clip.standoff - clip.depth, 0.0, path.length());
 }
 
+bool IncisionPlan::goes_out(double time) const {
+  return clip.withdraw && time > (clip.standoff + clip.depth + path.length()) / clip.speed + clip.hold;
+}
+
+void IncisionPlan::press(const Eigen::Vector3d& felt, const Eigen::Vector3d& motion) {
+  work -= 0.5 * (force + felt).dot(motion);
+  force = felt;
+}
+
 ToolPose IncisionPlan::pose_below(double along) const {
   const PathStation station = path.at(along);
   const double place = std::clamp(along / path.length(), 0.0, 1.0) * static_cast<double>(axes.size() - 1);
@@ -161,7 +170,7 @@ ToolMoment IncisionPlan::at(double time) const {
   if (travelled < in) moment.phase = travel < to_contact ? "approach" : "contact";
   if (moment.phase == "contact" && entered && time > *entered) moment.phase = "cutting";
   if (time >= arrival) moment.phase = "hold";
-  if (clip.withdraw && time > arrival + clip.hold) {
+  if (goes_out(time)) {
     travel = std::max(0.0, in - (time - arrival - clip.hold) * clip.speed);
     moment.phase = "withdrawal";
   }
@@ -182,7 +191,7 @@ IncisionPlan plan_incision(const InciseClip& clip, const ToolDefinition& tool, c
                                               clip.body)}});
   }
   refuse_depth(clip, tool, surface, found.path.stations.front().inward, location);
-  IncisionPlan plan{.clip = clip, .path = std::move(found.path), .axes = {}, .begin = {}, .entered = {}};
+  IncisionPlan plan{.clip = clip, .path = std::move(found.path), .axes = {}, .begin = {}};
   plan.axes = blade_axes(plan.path, tool.width);
   plan.begin = plan.pose_below(0);
   plan.begin.tip -= (clip.standoff + clip.depth) * plan.begin.direction;

@@ -12,17 +12,23 @@ namespace thinwall {
 /// the path at its depth below it, rests, and goes back along the inward normal at the path's end.
 struct IncisionPlan {
   InciseClip clip;
-  SurfacePath path;                   // on the surface as it was when the clip began
-  std::vector<Eigen::Vector3d> axes;  // (samples), unit, y' of the blade, evenly spaced along the path
-  ToolPose begin;                     // at the stand-off
-  double to_contact = 0;              // metres from the stand-off to first contact
-  std::optional<double> entered;      // seconds since the clip began, when the blade had gone in, once it has
+  SurfacePath path;                    // on the surface as it was when the clip began
+  std::vector<Eigen::Vector3d> axes;   // (samples), unit, y' of the blade, evenly spaced along the path
+  ToolPose begin;                      // at the stand-off
+  double to_contact = 0;               // metres from the stand-off to first contact
+  std::optional<double> entered = {};  // seconds since the clip began, when the blade had gone in, once it has
+  double entry_cost = 0;               // joule that the blade has to put into the dent before it goes in
+  double work = 0;                     // joule that it has put in so far
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  // newton, of the dented wall on the blade
 
   double duration() const;                  // seconds
   ToolMoment at(double time) const;         // `time`: seconds since the clip began, limited to its duration
   double progress(double time) const;       // metres of the path that the tip has passed
+  bool goes_out(double time) const;         // whether the blade is on its way back
   ToolPose pose_below(double along) const;  // of the blade in its depth, `along` metres from the path's beginning
   void feel_entry(double time) { entered = entered.value_or(time); }
+  /// Counts the work of a step in which the blade moved by `motion`, metres, and now feels `felt`, newton.
+  void press(const Eigen::Vector3d& felt, const Eigen::Vector3d& motion);
 };
 
 /// Brings the path to the surface. Throws InputErrors at the path's point or at `location` when a point is out of reach

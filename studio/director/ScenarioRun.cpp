@@ -1,7 +1,6 @@
 #include "studio/director/ScenarioRun.hpp"
 
 #include <fmt/format.h>
-#include <xxhash.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,42 +10,20 @@
 #include "engine/contact/PointRadius.hpp"
 #include "engine/simulation/Body.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
+#include "studio/director/DirectedTool.hpp"
 #include "studio/director/FollowedPoint.hpp"
+#include "studio/director/Incising.hpp"
 #include "studio/director/Plan.hpp"
+#include "studio/director/Schedule.hpp"
 #include "studio/director/SnapshotMaker.hpp"
+#include "studio/director/StateDigest.hpp"
 #include "studio/organs/BodyBuilder.hpp"
 
 namespace thinwall {
 namespace {
 
-/// Times closer than this are the same: what rounding leaves between sums of steps and of durations.
-constexpr double kSameTime = 1e-9;  // seconds
-
-/// A clip with when it plays: as planned on the surfaces at time zero until it begins, then for good.
-struct ScheduledClip {
-  Plan plan;
-  double begin = 0;  // seconds
-  double end = 0;    // seconds
-  bool begun = false;
-};
-
 /// Where tools wait that no clip drives: they must touch nothing.
 const Eigen::Vector3d kOutOfTheWay(0, 0, 100);  // metres
-
-/// What the director knows of a tool.
-struct DirectedTool {
-  int index = 0;
-  ToolPose pose;
-  std::string phase = "idle";
-  bool holds = false;                            // whether its jaws have grasped
-  bool noted = false;                            // whether it has been told what tip a bare point acts like
-  double depth = 0;                              // metres
-  std::optional<Eigen::Vector3d> first_contact;  // metres, of the tip, of the move that is playing
-
-  double depth_beyond_contact() const {
-    return first_contact ? std::max(0.0, (pose.tip - *first_contact).dot(pose.direction)) : 0;
-  }
-};
 
 }  // namespace
 
@@ -77,8 +54,8 @@ struct ScenarioRun::Implementation {
     }
     for (const RecordedPoint& point : scenario.record.points) points.push_back(follow(point, bodies));
     for (const Clip& clip : scenario.timeline) clips.push_back({.plan = plan(clip)});
-    schedule();
-    refuse_overlaps();
+    schedule(scenario.timeline, clips);
+    refuse_overlaps(scenario.timeline, clips);
     place_tools();
     write_moment();
   }
@@ -103,18 +80,14 @@ struct ScenarioRun::Implementation {
   double step_length() const { return scenario.simulation.time_step; }
   double time() const { return static_cast<double>(steps) * step_length(); }
 
-  double planned_duration() const {
-    double end = 0;
-    for (const ScheduledClip& clip : clips) end = std::max(end, clip.end);
-    return end;
-  }
-
-  const Body& body_named(const std::string& name) const {
-    for (const auto& body : bodies) {
-      if (body->model().definition.name == name) return *body;
+  std::size_t body_index(const std::string& name) const {
+    for (std::size_t k = 0; k < bodies.size(); ++k) {
+      if (bodies[k]->model().definition.name == name) return k;
     }
     throw InputErrors({{SourceLocation{.file = scenario.file}, "no body is called `" + name + "`"}});
   }
+
+  const Body& body_named(const std::string& name) const { return *bodies[body_index(name)]; }
 
   Plan plan(const Clip& clip) const {
     const std::string name = tool_of(clip);
@@ -123,8 +96,8 @@ struct ScenarioRun::Implementation {
     if (const auto* palpate = std::get_if<PalpateClip>(&clip.action)) {
       return plan_palpation(*palpate, definition, body_named(palpate->body).surface(), clip.location);
     }
-    if (const auto* pierce = std::get_if<PierceClip>(&clip.action)) {
-      return plan_piercing(*pierce, definition, body_named(pierce->body).surface(), clip.location);
+    if (std::holds_alternative<PierceClip>(clip.action)) {
+      throw InputErrors({{clip.location, "`pierce` belongs to the format but this version cannot simulate it yet"}});
     }
     if (const auto* incise = std::get_if<InciseClip>(&clip.action)) {
       return plan_incision(*incise, definition, body_named(incise->body).surface(), clip.location);
@@ -140,33 +113,6 @@ struct ScenarioRun::Implementation {
       return plan_release(*release, definition, tool.pose);
     }
     return std::get<WaitClip>(clip.action);
-  }
-
-  /// Clips follow one another unless they say when they start.
-  void schedule() {
-    double previous_end = 0;
-    for (std::size_t k = 0; k < clips.size(); ++k) {
-      if (!clips[k].begun) clips[k].begin = scenario.timeline[k].start.value_or(previous_end);
-      clips[k].end = clips[k].begin + duration_of(clips[k].plan);
-      previous_end = clips[k].end;
-    }
-  }
-
-  /// How long a palpation lasts depends on where the tool meets the wall, so two clips of one tool may be found to
-  /// play at once only here.
-  void refuse_overlaps() const {
-    for (std::size_t k = 0; k < clips.size(); ++k) {
-      for (std::size_t other = 0; other < k; ++other) {
-        const std::string tool = tool_of(scenario.timeline[k]);
-        if (tool.empty() || tool != tool_of(scenario.timeline[other])) continue;
-        if (clips[k].begin >= clips[other].end - kSameTime || clips[other].begin >= clips[k].end - kSameTime) continue;
-        throw InputErrors({{scenario.timeline[k].location,
-                            fmt::format("timeline[{}]: drives tool `{}` from {:.4g} s to {:.4g} s, while timeline[{}] "
-                                        "drives it from {:.4g} s to {:.4g} s; start one after the other has ended",
-                                        k + 1, tool, clips[k].begin, clips[k].end, other + 1, clips[other].begin,
-                                        clips[other].end)}});
-      }
-    }
   }
 
   /// Before its first clip a tool waits where that clip begins.
@@ -187,11 +133,11 @@ struct ScenarioRun::Implementation {
   void begin_clips(double until) {
     for (std::size_t k = 0; k < clips.size(); ++k) {
       ScheduledClip& clip = clips[k];
-      if (clip.begun || clip.begin >= until - kSameTime) continue;
+      if (clip.begun || clip.begin >= until - kTimeTolerance) continue;
       clip.begun = true;
       clip.plan = plan(scenario.timeline[k]);
-      schedule();
-      refuse_overlaps();
+      schedule(scenario.timeline, clips);
+      refuse_overlaps(scenario.timeline, clips);
       const std::string name = tool_of(scenario.timeline[k]);
       if (name.empty()) continue;
       DirectedTool& tool = tools.at(name);
@@ -200,7 +146,27 @@ struct ScenarioRun::Implementation {
       tool.pose = *beginning_of(clip.plan);
       if (std::holds_alternative<GraspPlan>(clip.plan)) tool.holds = true;
       if (std::holds_alternative<ReleasePlan>(clip.plan)) tool.holds = false;
+      take_out_of_walls(tool);
+      if (auto* incision = std::get_if<IncisionPlan>(&clip.plan)) prepare_incision(*incision, scenario.timeline[k]);
     }
+  }
+
+  /// A blade that an earlier clip has left in a wall is not there any more.
+  void take_out_of_walls(const DirectedTool& tool) {
+    for (const auto& body : bodies) {
+      if (body->state().cut.tool == tool.index) body->leave_cut();
+    }
+  }
+
+  void prepare_incision(IncisionPlan& incision, const Clip& clip) const {
+    const Body& body = *bodies[body_index(incision.clip.body)];
+    if (const auto other = body.state().cut.tool) {
+      throw InputErrors(
+          {{clip.location, fmt::format("incise: blade `{}` is still in body `{}` when `{}` is to cut it; let the first "
+                                       "go out (`withdraw`) before the second begins",
+                                       scenario.tools[*other].name, incision.clip.body, incision.clip.tool)}});
+    }
+    incision.entry_cost = cost_of_entry(body, incision, scenario.tools[tools.at(incision.clip.tool).index]);
   }
 
   /// Moves the tools to where they are at a time; returns the poses before and after, in the order of the scenario.
@@ -210,12 +176,12 @@ struct ScenarioRun::Implementation {
     for (auto& [name, tool] : tools) tool.phase = "idle";
     for (std::size_t k = 0; k < clips.size(); ++k) {
       const ScheduledClip& clip = clips[k];
-      if (!clip.begun || clip.end <= time() + kSameTime) continue;
+      if (!clip.begun || clip.end <= time() + kTimeTolerance) continue;
       const std::optional<ToolMoment> moment = moment_of(clip.plan, until - clip.begin);
       if (!moment) continue;
       DirectedTool& tool = tools.at(tool_of(scenario.timeline[k]));
       const bool is_planned = knows_depth(clip.plan);
-      if (!is_planned) find_first_contact(tool, moment->pose);
+      if (!is_planned) tool.find_first_contact(scenario.tools[tool.index], bodies, moment->pose);
       tool.pose = moment->pose;
       tool.phase = moment->phase;
       tool.depth = is_planned ? moment->depth : tool.depth_beyond_contact();
@@ -225,28 +191,47 @@ struct ScenarioRun::Implementation {
     return {before, after};
   }
 
-  /// Whether a moving tool meets a surface on its way to the next pose, and where its tip is then.
-  void find_first_contact(DirectedTool& tool, const ToolPose& next) const {
-    if (tool.first_contact) return;
-    const Eigen::Vector3d way = next.tip - tool.pose.tip;
-    if (way.norm() == 0) return;
-    const Eigen::Vector3d motion = way.normalized();
-    for (const auto& body : bodies) {
-      const auto travel = travel_to_contact(body->surface(), scenario.tools[tool.index], tool.pose, motion);
-      if (travel && *travel >= 0 && *travel <= way.norm()) tool.first_contact = tool.pose.tip + *travel * motion;
-    }
-  }
-
   /// What the script puts into a body until the end of the next step.
   BodyInput input_of(std::size_t index, double until) const {
     BodyInput input{.load_factors = load_factors(scenario.bodies[index], until), .fluids = {}};
     input.fluids.resize(bodies[index]->model().chambers.size());
     for (const ScheduledClip& clip : clips) {
-      const auto* fill = std::get_if<FillPlan>(&clip.plan);
-      if (fill == nullptr || !clip.begun || fill->clip.body != scenario.bodies[index].name) continue;
-      fill->add_to(input, time() - clip.begin, until - clip.begin);
+      if (!clip.begun || clip.end <= time() + kTimeTolerance) continue;
+      if (const auto* fill = std::get_if<FillPlan>(&clip.plan)) {
+        if (fill->clip.body != scenario.bodies[index].name) continue;
+        fill->add_to(input, time() - clip.begin, until - clip.begin);
+      }
+      if (const auto* incision = std::get_if<IncisionPlan>(&clip.plan)) {
+        if (incision->clip.body != scenario.bodies[index].name) continue;
+        const BladeStep step{.tool = tools.at(incision->clip.tool).index,
+                             .begin = time() - clip.begin,
+                             .end = until - clip.begin,
+                             .before = {},
+                             .after = {}};
+        if (!input.blade) input.blade = blade_input(*incision, *bodies[index], step);
+      }
     }
     return input;
+  }
+
+  /// Lets the blades of a step cut.
+  void follow_blades(std::span<const ToolPose> before, std::span<const ToolPose> after, double until) {
+    for (ScheduledClip& clip : clips) {
+      auto* incision = std::get_if<IncisionPlan>(&clip.plan);
+      if (incision == nullptr || !clip.begun || clip.end <= time() + kTimeTolerance) continue;
+      const BladeStep step{.tool = tools.at(incision->clip.tool).index,
+                           .begin = time() - clip.begin,
+                           .end = until - clip.begin,
+                           .before = before,
+                           .after = after};
+      const std::size_t index = body_index(incision->clip.body);
+      Body& body = *bodies[index];
+      const SurfaceMesh uncut = body.model().definition.mesh;
+      const std::optional<Cut> cut = incise(*incision, body, step);
+      if (!cut) continue;
+      carry_over(points, body, uncut, *cut);
+      topologies[index] = snapshot_topology(body.model());
+    }
   }
 
   /// Tells once for each bare point what tip it acts like on the membrane that it touches.
@@ -282,18 +267,18 @@ struct ScenarioRun::Implementation {
   }
 
   bool step() {
-    if (time() >= planned_duration() - kSameTime) return false;
+    if (time() >= end_of(clips) - kTimeTolerance) return false;
     const double next = static_cast<double>(steps + 1) * step_length();
     begin_clips(next);
     const auto [before, after] = move_tools(next);
-    for (std::size_t index = 0; index < bodies.size(); ++index) {
-      const auto& body = bodies[index];
-      try {
-        body->advance(before, after, step_length(), input_of(index, next));
-      } catch (const SimulationFailure& failure) {
-        throw SimulationFailure(fmt::format("at {:.6g} s (step {}): {}", next, steps + 1, failure.what()));
+    try {
+      for (std::size_t index = 0; index < bodies.size(); ++index) {
+        bodies[index]->advance(before, after, step_length(), input_of(index, next));
+        halved_steps += bodies[index]->report().halvings > 0 ? 1 : 0;
       }
-      halved_steps += body->report().halvings > 0 ? 1 : 0;
+      follow_blades(before, after, next);
+    } catch (const SimulationFailure& failure) {
+      throw SimulationFailure(fmt::format("at {:.6g} s (step {}): {}", next, steps + 1, failure.what()));
     }
     ++steps;
     feel_grasps();
@@ -330,38 +315,6 @@ struct ScenarioRun::Implementation {
       snapshot.tools.push_back(snapshot_tool(scenario.tools[k], tool.pose, record.tools[k]));
     }
   }
-
-  std::vector<TimedText> texts(bool chapters) const {
-    std::vector<TimedText> result;
-    for (std::size_t k = 0; k < clips.size(); ++k) {
-      // Those of time zero hold of the first moment already, though their clips begin with the step after it.
-      if (!clips[k].begun && clips[k].begin > kSameTime) continue;
-      const Clip& clip = scenario.timeline[k];
-      const std::string text = chapters ? clip.chapter.value_or("") : clip.caption.value_or(standard_caption(clip));
-      if (!text.empty()) result.push_back({.begin = clips[k].begin, .end = clips[k].end, .text = text});
-    }
-    std::stable_sort(result.begin(), result.end(),
-                     [](const TimedText& a, const TimedText& b) { return a.begin < b.begin; });
-    return result;
-  }
-
-  std::string digest() const {
-    XXH3_state_t* state = XXH3_createState();
-    XXH3_128bits_reset(state);
-    const auto add = [&](const double* values, std::size_t count) {
-      XXH3_128bits_update(state, values, count * sizeof(double));
-    };
-    for (const auto& body : bodies) {
-      const BodyState& own = body->state();
-      add(own.equilibrium.position.data(), own.equilibrium.position.size());
-      add(own.velocity.data(), own.velocity.size());
-      add(own.equilibrium.pressure.data(), own.equilibrium.pressure.size());
-      for (const ToolContact& contact : own.contacts) add(contact.force.data(), 3);
-    }
-    const XXH128_hash_t hash = XXH3_128bits_digest(state);
-    XXH3_freeState(state);
-    return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
-  }
 };
 
 ScenarioRun::ScenarioRun(const Scenario& scenario) : implementation_(std::make_unique<Implementation>(scenario)) {}
@@ -378,7 +331,7 @@ double ScenarioRun::time() const {
 }
 
 double ScenarioRun::planned_duration() const {
-  return implementation_->planned_duration();
+  return end_of(implementation_->clips);
 }
 
 const Snapshot& ScenarioRun::snapshot() const {
@@ -390,11 +343,11 @@ const StepRecord& ScenarioRun::record() const {
 }
 
 std::vector<TimedText> ScenarioRun::captions() const {
-  return implementation_->texts(false);
+  return texts_of(implementation_->scenario.timeline, implementation_->clips, false);
 }
 
 std::vector<TimedText> ScenarioRun::chapters() const {
-  return implementation_->texts(true);
+  return texts_of(implementation_->scenario.timeline, implementation_->clips, true);
 }
 
 std::vector<std::string> ScenarioRun::warnings() const {
@@ -407,7 +360,7 @@ std::vector<std::string> ScenarioRun::warnings() const {
 }
 
 std::string ScenarioRun::state_digest() const {
-  return implementation_->digest();
+  return thinwall::state_digest(implementation_->bodies);
 }
 
 }  // namespace thinwall

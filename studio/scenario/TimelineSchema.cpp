@@ -65,7 +65,8 @@ MappingSchema pierce() {
         "distance from the surface at which the needle starts and to which it goes back"},
        {"withdraw", boolean_value(), false, "true", "whether the needle goes back"}},
       " The puncture stays open. Where the body is less deep than `depth` the needle goes through its far wall too. "
-      "Errors are a depth larger than the needle is long, and a needle as thick as the body is wide across its way.");
+      "Errors are a depth larger than the needle is long, and a needle as thick as the body is wide across its way. "
+      "This version reads it but cannot simulate it yet.");
 }
 
 ValueSchema path_of_points() {
@@ -104,7 +105,10 @@ MappingSchema incise() {
       "the plane through both and the mean inward normal meets the surface, the shorter way round and straight on over "
       "open wounds. The blade's width lies along the path, and its middle follows it. Where the path turns back "
       "sharply "
-      "the blade goes back without turning. Every wall on the way is cut. Errors are points out of reach or not joined "
+      "the blade goes back without turning. The wall dents until the blade has put into it what a slit as long as the "
+      "blade is wide would cost (toughness times thickness times width), at the latest until the blade moves on along "
+      "the path; then the blade is in, and cuts the wall that its edge meets first. Errors are points out of reach or "
+      "not joined "
       "by the wall, a depth larger than the blade is high or the body measures there, and a blade that would start "
       "inside the body or touch it already.");
 }

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "engine/simulation/Body.hpp"
+
+namespace thinwall {
+
+/// What the director knows of a tool.
+struct DirectedTool {
+  int index = 0;
+  ToolPose pose;
+  std::string phase = "idle";
+  bool holds = false;                            // whether its jaws have grasped
+  bool noted = false;                            // whether it has been told what tip a bare point acts like
+  double depth = 0;                              // metres
+  std::optional<Eigen::Vector3d> first_contact;  // metres, of the tip, of the move that is playing
+
+  double depth_beyond_contact() const;  // metres
+
+  /// Notes where the tip is when the moving tool first meets a surface on its way to the next pose.
+  void find_first_contact(const ToolDefinition& definition, std::span<const std::unique_ptr<Body>> bodies,
+                          const ToolPose& next);
+};
+
+}  // namespace thinwall

@@ -1,0 +1,66 @@
+#include "studio/director/Incising.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <vector>
+
+#include "studio/director/Schedule.hpp"
+
+namespace thinwall {
+namespace {
+
+bool is_in_wall(const Body& body, int tool) {
+  return body.state().cut.tool == tool;
+}
+
+int first_triangle(const IncisionPlan& plan) {
+  return plan.path.pieces.front().points.front().triangle;
+}
+
+/// The edge has gone through where it stands, or where it would stand the wall's thickness deeper: the dented wall lies
+/// just before it.
+void enter(Body& body, const BladeStep& step, double thickness) {
+  std::vector<ToolPose> through(step.after.begin(), step.after.end());
+  ToolPose& blade = through[static_cast<std::size_t>(step.tool)];
+  blade.tip += thickness * blade.direction;
+  body.follow_blade(step.tool, through);
+}
+
+}  // namespace
+
+double cost_of_entry(const Body& body, const IncisionPlan& plan, const ToolDefinition& blade) {
+  const BodyModel& model = body.model();
+  const auto triangle = static_cast<std::size_t>(first_triangle(plan));
+  const std::vector<double>& toughness = model.definition.toughness;
+  assert(!toughness.empty());
+  return toughness[toughness.size() == 1 ? 0 : triangle] * model.rest[triangle].thickness * blade.width;
+}
+
+std::optional<BladeInput> blade_input(const IncisionPlan& plan, const Body& body, const BladeStep& step) {
+  if (!is_in_wall(body, step.tool) || plan.goes_out(step.end)) return std::nullopt;
+  const double from = plan.progress(step.begin), to = plan.progress(step.end);
+  const Eigen::Vector3d way = plan.path.at(to).position - plan.path.at(from).position;
+  BladeInput input{.tool = step.tool, .travel = to - from};
+  if (way.norm() > 0) input.direction = way.normalized();
+  return input;
+}
+
+std::optional<Cut> incise(IncisionPlan& plan, Body& body, const BladeStep& step) {
+  const auto tool = static_cast<std::size_t>(step.tool);
+  if (!is_in_wall(body, step.tool)) {
+    if (plan.entered || plan.goes_out(step.end)) return std::nullopt;
+    plan.press(body.state().contacts[tool].force, step.after[tool].tip - step.before[tool].tip);
+    const bool must_go_on = plan.progress(2 * step.end - step.begin) > 0;
+    if (plan.work < plan.entry_cost && !must_go_on) return std::nullopt;
+    enter(body, step, body.model().rest[static_cast<std::size_t>(first_triangle(plan))].thickness);
+    if (is_in_wall(body, step.tool)) plan.feel_entry(step.end);
+    return std::nullopt;
+  }
+  if (step.end >= plan.duration() - kTimeTolerance && plan.clip.withdraw) {
+    body.leave_cut();
+    return std::nullopt;
+  }
+  return plan.goes_out(step.end) ? std::nullopt : body.follow_blade(step.tool, step.after);
+}
+
+}  // namespace thinwall

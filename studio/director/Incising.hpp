@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "engine/simulation/Body.hpp"
+#include "studio/director/IncisionPlan.hpp"
+
+namespace thinwall {
+
+/// A step of a clip that drives a blade.
+struct BladeStep {
+  int tool = 0;      // index
+  double begin = 0;  // seconds since the clip began
+  double end = 0;
+  std::span<const ToolPose> before, after;  // (tools)
+};
+
+/// What a slit as long as the blade is wide costs where the path begins, joule: toughness times thickness times width.
+double cost_of_entry(const Body& body, const IncisionPlan& plan, const ToolDefinition& blade);
+
+/// What the blade does to the wall during a step; nothing while it is not in the wall, or goes out of it again.
+std::optional<BladeInput> blade_input(const IncisionPlan& plan, const Body& body, const BladeStep& step);
+
+/// After a step: lets the blade go through the wall once it has put `IncisionPlan::entry_cost` into the dent that it
+/// makes, or has to go on along its path; cuts the wall up to the blade; frees the wall from it when the clip ends.
+/// Says what has been cut. Throws SimulationFailure as Body::follow_blade does.
+std::optional<Cut> incise(IncisionPlan& plan, Body& body, const BladeStep& step);
+
+}  // namespace thinwall

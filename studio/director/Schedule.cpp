@@ -1,0 +1,56 @@
+#include "studio/director/Schedule.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "studio/scenario/InputError.hpp"
+
+namespace thinwall {
+
+void schedule(std::span<const Clip> timeline, std::span<ScheduledClip> clips) {
+  double previous_end = 0;
+  for (std::size_t k = 0; k < clips.size(); ++k) {
+    if (!clips[k].begun) clips[k].begin = timeline[k].start.value_or(previous_end);
+    clips[k].end = clips[k].begin + duration_of(clips[k].plan);
+    previous_end = clips[k].end;
+  }
+}
+
+void refuse_overlaps(std::span<const Clip> timeline, std::span<const ScheduledClip> clips) {
+  for (std::size_t k = 0; k < clips.size(); ++k) {
+    for (std::size_t other = 0; other < k; ++other) {
+      const std::string tool = tool_of(timeline[k]);
+      if (tool.empty() || tool != tool_of(timeline[other])) continue;
+      if (clips[k].begin >= clips[other].end - kTimeTolerance || clips[other].begin >= clips[k].end - kTimeTolerance)
+        continue;
+      throw InputErrors(
+          {{timeline[k].location,
+            fmt::format("timeline[{}]: drives tool `{}` from {:.4g} s to {:.4g} s, while timeline[{}] "
+                        "drives it from {:.4g} s to {:.4g} s; start one after the other has ended",
+                        k + 1, tool, clips[k].begin, clips[k].end, other + 1, clips[other].begin, clips[other].end)}});
+    }
+  }
+}
+
+double end_of(std::span<const ScheduledClip> clips) {
+  double end = 0;
+  for (const ScheduledClip& clip : clips) end = std::max(end, clip.end);
+  return end;
+}
+
+std::vector<TimedText> texts_of(std::span<const Clip> timeline, std::span<const ScheduledClip> clips, bool chapters) {
+  std::vector<TimedText> result;
+  for (std::size_t k = 0; k < clips.size(); ++k) {
+    // Those of time zero hold of the first moment already, though their clips begin with the step after it.
+    if (!clips[k].begun && clips[k].begin > kTimeTolerance) continue;
+    const Clip& clip = timeline[k];
+    const std::string text = chapters ? clip.chapter.value_or("") : clip.caption.value_or(standard_caption(clip));
+    if (!text.empty()) result.push_back({.begin = clips[k].begin, .end = clips[k].end, .text = text});
+  }
+  std::ranges::stable_sort(result, {}, &TimedText::begin);
+  return result;
+}
+
+}  // namespace thinwall

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "studio/director/Plan.hpp"
+#include "studio/record/TimedText.hpp"
+
+namespace thinwall {
+
+/// Times closer than this are the same: what rounding leaves between sums of steps and of durations.
+inline constexpr double kTimeTolerance = 1e-9;  // seconds
+
+/// A clip with when it plays: as planned on the surfaces at time zero until it begins, then for good.
+struct ScheduledClip {
+  Plan plan;
+  double begin = 0;  // seconds
+  double end = 0;    // seconds
+  bool begun = false;
+};
+
+/// Clips follow one another unless they say when they start. `clips`: (timeline); those that have begun stay.
+void schedule(std::span<const Clip> timeline, std::span<ScheduledClip> clips);
+
+/// How long a clip lasts depends on where its tool meets the wall, so two clips of one tool may be found to play at
+/// once only here. Throws InputErrors then.
+void refuse_overlaps(std::span<const Clip> timeline, std::span<const ScheduledClip> clips);
+
+/// When the last clip ends, seconds.
+double end_of(std::span<const ScheduledClip> clips);
+
+/// Captions or chapters of the clips begun so far, in order of time.
+std::vector<TimedText> texts_of(std::span<const Clip> timeline, std::span<const ScheduledClip> clips, bool chapters);
+
+}  // namespace thinwall
