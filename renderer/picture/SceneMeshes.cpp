@@ -15,6 +15,22 @@ TissueLook cap_look(TissueLook look) {
   return look;
 }
 
+/// Where a wall is cut through or ends: pale and moist, without the vessels of its outer side.
+TissueLook rim_look(TissueLook look) {
+  const Double3 flesh = {0.90, 0.66, 0.58};  // sRGB
+  for (std::size_t k = 0; k < 3; ++k) look.color[k] = 0.4 * look.color[k] + 0.6 * flesh[k];
+  look.mottling *= 0.3;
+  return look;
+}
+
+/// The inner side of a wall: smooth, dark and wet.
+TissueLook lining_look(TissueLook look) {
+  const Double3 blood = {0.45, 0.10, 0.09};  // sRGB
+  for (std::size_t k = 0; k < 3; ++k) look.color[k] = 0.5 * look.color[k] + 0.5 * blood[k];
+  look.mottling *= 0.3;
+  return look;
+}
+
 }  // namespace
 
 SceneMeshes::SceneMeshes()
@@ -27,8 +43,8 @@ SceneMeshes::SceneMeshes()
                                   {2, 3, offsetof(ToolVertex, roughness)}}) {}
 
 void SceneMeshes::upload(const Snapshot& snapshot, const SceneExtent& extent, const LookDefinition& look) {
+  find_edges(snapshot);
   upload_tissue(snapshot, look);
-  find_tissue_edges(snapshot);
   upload_tools(snapshot, extent);
 }
 
@@ -36,16 +52,23 @@ void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& 
   std::vector<SurfaceVertex> vertices;
   std::vector<std::uint32_t> indices;
   parts_.clear();
+  inner_borders_.clear();
   const auto append = [&](const std::vector<SurfaceVertex>& added, const TissueLook& part_look, auto&& add_indices) {
     const std::size_t first = indices.size();
     add_indices(static_cast<std::uint32_t>(vertices.size()));
     vertices.insert(vertices.end(), added.begin(), added.end());
-    parts_.push_back({part_look, first, indices.size() - first});
+    if (indices.size() > first) parts_.push_back({part_look, first, indices.size() - first});
   };
-  for (const SnapshotSurface& surface : snapshot.surfaces) {
+  for (std::size_t k = 0; k < snapshot.surfaces.size(); ++k) {
+    const SnapshotSurface& surface = snapshot.surfaces[k];
     const auto found = look.bodies.find(surface.body);
     const TissueLook body_look = found == look.bodies.end() ? TissueLook{} : found->second;
-    append(wall_vertices(surface), body_look, [&](std::uint32_t offset) {
+    const std::vector<SurfaceVertex> wall = wall_vertices(surface);
+    const WallDepth depth = wall_depth(surface, wall, borders_[k]);
+    for (const BorderEdge& edge : depth.lining.empty() ? std::vector<BorderEdge>{} : borders_[k]) {
+      inner_borders_.push_back({depth.lining[edge.start].position, depth.lining[edge.end].position});
+    }
+    append(wall, body_look, [&](std::uint32_t offset) {
       for (const Triangle& triangle : surface.topology->triangles) {
         for (const std::uint32_t vertex : triangle) indices.push_back(offset + vertex);
       }
@@ -54,16 +77,26 @@ void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& 
       const std::size_t corners = 3 * surface.topology->cap_triangles.size();
       for (std::size_t i = 0; i < corners; ++i) indices.push_back(offset + static_cast<std::uint32_t>(i));
     });
+    append(depth.rim, rim_look(body_look), [&](std::uint32_t offset) {
+      for (const std::uint32_t corner : depth.rim_corners) indices.push_back(offset + corner);
+    });
+    append(depth.lining, lining_look(body_look), [&](std::uint32_t offset) {
+      if (depth.lining.empty()) return;
+      for (const Triangle& triangle : surface.topology->triangles) {
+        for (const std::size_t corner : {0U, 2U, 1U}) indices.push_back(offset + triangle[corner]);
+      }
+    });
   }
   tissue_.upload(std::span<const SurfaceVertex>(vertices), indices);
 }
 
 /// Edges change with the topology alone, and finding them takes longer than drawing.
-void SceneMeshes::find_tissue_edges(const Snapshot& snapshot) {
+void SceneMeshes::find_edges(const Snapshot& snapshot) {
   std::vector<std::shared_ptr<const SnapshotTopology>> topologies;
   for (const SnapshotSurface& surface : snapshot.surfaces) topologies.push_back(surface.topology);
   if (topologies == topologies_) return;
   std::vector<std::uint32_t> corners;
+  borders_.clear();
   std::uint32_t offset = 0;
   for (const SnapshotSurface& surface : snapshot.surfaces) {
     // Wall and caps together: where they meet is no border.
@@ -73,6 +106,7 @@ void SceneMeshes::find_tissue_edges(const Snapshot& snapshot) {
       }
     }
     offset += static_cast<std::uint32_t>(surface.positions.size());
+    borders_.push_back(border_edges(*surface.topology));
   }
   tissue_edges_ = mesh_edges(corners);
   topologies_ = std::move(topologies);
@@ -99,7 +133,7 @@ std::vector<OutlineSegment> SceneMeshes::outline(const Snapshot& snapshot, Vecto
   for (const SnapshotSurface& surface : snapshot.surfaces) {
     for (const Float3& position : surface.positions) points.push_back(vector3(position));
   }
-  std::vector<OutlineSegment> segments;
+  std::vector<OutlineSegment> segments = inner_borders_;
   append_outline(
       tissue_edges_, [&](std::uint32_t i) { return points[i]; }, eye, segments);
   append_outline(

@@ -8,11 +8,12 @@
 #include "renderer/picture/ToolShape.hpp"
 #include "renderer/picture/TriangleBuffer.hpp"
 #include "renderer/picture/View.hpp"
+#include "renderer/picture/WallThickness.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
 
 namespace thinwall {
 
-/// A body's wall or caps within the buffer of all tissue.
+/// A body's wall, caps, rims or lining within the buffer of all tissue.
 struct TissuePart {
   TissueLook look;
   std::size_t first_index = 0;
@@ -35,17 +36,19 @@ class SceneMeshes {
 
  private:
   void upload_tissue(const Snapshot& snapshot, const LookDefinition& look);
-  void find_tissue_edges(const Snapshot& snapshot);
+  void find_edges(const Snapshot& snapshot);
   void upload_tools(const Snapshot& snapshot, const SceneExtent& extent);
 
   TriangleBuffer tissue_;
   TriangleBuffer tools_;
   std::vector<TissuePart> parts_;
+  std::vector<OutlineSegment> inner_borders_;  // where rims meet linings
   std::vector<ToolRod> rods_;
   std::vector<ToolVertex> tool_vertices_;
   std::vector<MeshEdge> tool_edges_;
-  std::vector<std::shared_ptr<const SnapshotTopology>> topologies_;  // that tissue_edges_ belong to
+  std::vector<std::shared_ptr<const SnapshotTopology>> topologies_;  // that the edges belong to
   std::vector<MeshEdge> tissue_edges_;
+  std::vector<std::vector<BorderEdge>> borders_;  // (surfaces)
 };
 
 }  // namespace thinwall

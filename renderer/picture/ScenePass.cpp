@@ -10,7 +10,8 @@ namespace {
 /// Parts of a picture are told apart by a stencil of 8 bits, 0 being none.
 void require_countable(std::size_t parts) {
   if (parts > 255) {
-    throw PictureFailure("a picture holds at most 127 bodies, the snapshot has " + std::to_string(parts / 2));
+    throw PictureFailure("a picture holds at most 255 walls, caps, rims and linings of bodies, the snapshot has " +
+                         std::to_string(parts));
   }
 }
 
@@ -67,7 +68,6 @@ void ScenePass::shade_tissue(const SceneMeshes& meshes) const {
   glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
   glUseProgram(tissue_.name());
   for (std::size_t i = 0; i < meshes.parts().size(); ++i) {
-    if (meshes.parts()[i].index_count == 0) continue;
     const TissueLook& look = meshes.parts()[i].look;
     glUniform3f(0, static_cast<float>(linear_from_srgb(look.color[0])),
                 static_cast<float>(linear_from_srgb(look.color[1])),

@@ -8,6 +8,7 @@
 
 #include "engine/cutting/CarriedPoints.hpp"
 #include "engine/cutting/CutSurface.hpp"
+#include "engine/cutting/SurfaceNormals.hpp"
 #include "engine/cutting/SurfacePath.hpp"
 #include "engine/mesh/Shapes.hpp"
 #include "tests/engine/cutting/CurveChecks.hpp"
@@ -102,6 +103,34 @@ TEST(CutAlongPath, WhatLiesAheadIsCarriedOverAndCutLater) {
     // Snapping moves nodes by less than an edge, which is 0.13 and 0.09 here.
     EXPECT_NEAR(length, found.path.length(), 0.1);
     EXPECT_LT(deviation, 0.13);
+  }
+}
+
+TEST(CutAlongPath, ABladeThatGoesOnByTinyStepsLeavesItsPathByAFifthOfAnEdge) {
+  for (int k = 0; k < 12; ++k) {
+    SCOPED_TRACE(k);
+    const double angle = 0.07 + 0.5 * k;
+    const Eigen::Vector3d along(std::cos(angle), std::sin(angle), 0), across(-along.y(), along.x(), 0);
+    CutSurface wall(make_sheet(2, 2, 300));  // edges of 0.13
+    const Eigen::Vector3d begin = -0.5 * along + 0.03 * k * across;
+    CutPath next;
+    double farthest = 0, length = 0;
+    for (double travel = 0.01; travel < 1; travel += 0.01) {
+      const TestSurface now(wall.mesh(), true);
+      const auto below = [&](const Eigen::Vector3d& point) { return *project(now.view(), point, {}, 1).point; };
+      const SurfacePoint from = next.from ? below(wall.mesh().vertices[*next.from]) : below(begin);
+      const SurfaceTrace way = trace(now.view(), vertex_normals(now.view()), from, below(begin + travel * along));
+      const Cut cut = wall.cut({.from = next.from, .points = way.pieces.front().points});
+      if (cut.tip) next.from = cut.tip;
+      length += cut.length;
+      for (const Lips& lips : cut.lips) {
+        for (const int vertex : lips.left) {
+          farthest = std::max(farthest, std::abs((wall.mesh().vertices[vertex] - begin).dot(across)));
+        }
+      }
+    }
+    EXPECT_LT(farthest, 0.2 * 0.13);
+    EXPECT_NEAR(length, 1, 0.13);
   }
 }
 

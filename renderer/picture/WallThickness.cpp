@@ -1,0 +1,110 @@
+#include "renderer/picture/WallThickness.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "renderer/picture/Vector.hpp"
+
+namespace thinwall {
+namespace {
+
+constexpr double kSmoothCosine = 0.5;
+
+Float3 float3(Vector3 a) {
+  return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
+}
+
+double area_of(const Triangle& triangle, const std::vector<Float3>& positions) {
+  const Vector3 a = vector3(positions[triangle[0]]);
+  return 0.5 * length(cross(vector3(positions[triangle[1]]) - a, vector3(positions[triangle[2]]) - a));
+}
+
+/// (vertices), metres, of the wall as it is now: the volume of the tissue around over the area there.
+std::vector<double> thickness_now(const SnapshotSurface& surface) {
+  const SnapshotTopology& topology = *surface.topology;
+  std::vector<double> volume(surface.positions.size(), 0), area(surface.positions.size(), 0);
+  for (std::size_t t = 0; t < topology.triangles.size(); ++t) {
+    const double rest = topology.thickness[t] * area_of(topology.triangles[t], topology.rest_positions);
+    const double now = area_of(topology.triangles[t], surface.positions);
+    for (const std::uint32_t vertex : topology.triangles[t]) {
+      volume[vertex] += rest;
+      area[vertex] += now;
+    }
+  }
+  for (std::size_t v = 0; v < volume.size(); ++v) volume[v] = area[v] > 0 ? volume[v] / area[v] : 0;
+  return volume;
+}
+
+/// Directions out of the wall along each border edge, of length one, (borders).
+std::vector<Vector3> outward_directions(const SnapshotSurface& surface, std::span<const SurfaceVertex> wall,
+                                        std::span<const BorderEdge> borders) {
+  std::vector<Vector3> directions;
+  for (const BorderEdge& edge : borders) {
+    const Vector3 along = vector3(surface.positions[edge.end]) - vector3(surface.positions[edge.start]);
+    const Vector3 normal = vector3(wall[edge.start].normal) + vector3(wall[edge.end].normal);
+    directions.push_back(normalized(cross(along, normal), normalized(along)));
+  }
+  return directions;
+}
+
+}  // namespace
+
+std::vector<BorderEdge> border_edges(const SnapshotTopology& topology) {
+  using Key = std::pair<std::uint32_t, std::uint32_t>;
+  std::vector<Key> halves;
+  for (const auto* triangles : {&topology.triangles, &topology.cap_triangles}) {
+    for (const Triangle& triangle : *triangles) {
+      for (std::size_t k = 0; k < 3; ++k) halves.emplace_back(triangle[k], triangle[(k + 1) % 3]);
+    }
+  }
+  std::ranges::sort(halves);
+  std::vector<BorderEdge> borders;
+  for (const Triangle& triangle : topology.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t start = triangle[k], end = triangle[(k + 1) % 3];
+      if (!std::ranges::binary_search(halves, Key{end, start})) borders.push_back({.start = start, .end = end});
+    }
+  }
+  return borders;
+}
+
+WallDepth wall_depth(const SnapshotSurface& surface, std::span<const SurfaceVertex> wall,
+                     std::span<const BorderEdge> borders) {
+  WallDepth depth;
+  if (borders.empty() || surface.topology->thickness.size() != surface.topology->triangles.size()) return depth;
+  const std::vector<double> thickness = thickness_now(surface);
+  for (std::size_t v = 0; v < wall.size(); ++v) {
+    SurfaceVertex vertex = wall[v];
+    const Vector3 normal = vector3(vertex.normal);
+    vertex.position = float3(vector3(vertex.position) - thickness[v] * normal);
+    vertex.normal = float3(-normal);
+    vertex.hollow = -vertex.hollow;
+    depth.lining.push_back(vertex);
+  }
+  const std::vector<Vector3> outward = outward_directions(surface, wall, borders);
+  // (vertices), of the border edges that end and that begin there.
+  std::vector<std::array<Vector3, 2>> around(wall.size());
+  for (std::size_t k = 0; k < borders.size(); ++k) {
+    around[borders[k].end][0] = outward[k];
+    around[borders[k].start][1] = outward[k];
+  }
+  for (std::size_t k = 0; k < borders.size(); ++k) {
+    const auto first = static_cast<std::uint32_t>(depth.rim.size());
+    for (const auto& [v, neighbour] : {std::pair{borders[k].start, 0U}, std::pair{borders[k].end, 1U}}) {
+      const Vector3 other = around[v][neighbour];
+      const bool smooth = dot(other, outward[k]) > kSmoothCosine;
+      const Float3 normal = float3(smooth ? normalized(outward[k] + other) : outward[k]);
+      for (SurfaceVertex vertex : {wall[v], depth.lining[v]}) {
+        vertex.normal = normal;
+        vertex.hollow = 0;
+        depth.rim.push_back(vertex);
+      }
+    }
+    // Outer and inner start, outer and inner end: counter-clockwise seen from where the normal leads.
+    for (const std::uint32_t corner : {0U, 1U, 2U, 2U, 1U, 3U}) depth.rim_corners.push_back(first + corner);
+  }
+  return depth;
+}
+
+}  // namespace thinwall

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "renderer/picture/SurfaceVertices.hpp"
+
+namespace thinwall {
+
+/// A triangle's edge with nothing beyond it: at a cut, or where a wall ends.
+struct BorderEdge {
+  std::uint32_t start = 0, end = 0;  // vertices, in the triangle's sense
+};
+
+/// The edges of the wall that belong to one triangle of wall and caps alone, in the order of the triangles.
+std::vector<BorderEdge> border_edges(const SnapshotTopology& topology);
+
+/// What a wall that is open somewhere shows besides its outer side.
+struct WallDepth {
+  std::vector<SurfaceVertex> lining;  // (vertices) of the inner side; its triangles are those of the wall turned over
+  std::vector<SurfaceVertex> rim;     // of what joins both sides along the borders
+  std::vector<std::uint32_t> rim_corners;  // (3 x triangles), into `rim`
+};
+
+/// The inner side lies the wall's thickness behind the outer one, as it is now: tissue keeps its volume. `wall`: what
+/// wall_vertices gives for the surface. Where two pieces of a border meet at less than 60 degrees the rim is smooth.
+WallDepth wall_depth(const SnapshotSurface& surface, std::span<const SurfaceVertex> wall,
+                     std::span<const BorderEdge> borders);
+
+}  // namespace thinwall

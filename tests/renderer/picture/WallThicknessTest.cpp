@@ -1,0 +1,97 @@
+#include "renderer/picture/WallThickness.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "renderer/picture/Vector.hpp"
+#include "tests/renderer/picture/TestMeshes.hpp"
+
+namespace thinwall {
+namespace {
+
+/// A unit square in z = 0 that faces up, of the given thickness.
+SnapshotSurface square(float thickness) {
+  SnapshotSurface surface = test::quad("sheet", {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}});
+  auto topology = std::make_shared<SnapshotTopology>(*surface.topology);
+  topology->thickness = {thickness, thickness};
+  surface.topology = topology;
+  return surface;
+}
+
+WallDepth depth_of(const SnapshotSurface& surface) {
+  return wall_depth(surface, wall_vertices(surface), border_edges(*surface.topology));
+}
+
+TEST(BorderEdges, AreThoseOfOneTriangleAndNotWhereACapBegins) {
+  const SnapshotSurface surface = square(0.1f);
+  const std::vector<BorderEdge> borders = border_edges(*surface.topology);
+  ASSERT_EQ(borders.size(), 4u);
+  EXPECT_EQ(borders[0].start, 0u);
+  EXPECT_EQ(borders[0].end, 1u);
+  SnapshotTopology capped = *surface.topology;
+  capped.cap_triangles = {{0, 2, 1}, {0, 3, 2}};
+  EXPECT_TRUE(border_edges(capped).empty());
+  EXPECT_TRUE(border_edges(*test::sphere("organ", {}, 1, 2).topology).empty());
+}
+
+TEST(WallDepth, TheLiningLiesBehindAndTheRimJoinsIt) {
+  const WallDepth depth = depth_of(square(0.1f));
+  ASSERT_EQ(depth.lining.size(), 4u);
+  for (const SurfaceVertex& vertex : depth.lining) {
+    EXPECT_FLOAT_EQ(vertex.position[2], -0.1f);
+    EXPECT_EQ(vertex.normal, (Float3{0, 0, -1}));
+  }
+  ASSERT_EQ(depth.rim.size(), 16u);
+  ASSERT_EQ(depth.rim_corners.size(), 24u);
+  // The border meets itself at right angles: each side keeps its own normal, out of the square, and its triangles are
+  // counter-clockwise seen from there.
+  for (std::size_t i = 0; i < depth.rim_corners.size(); i += 3) {
+    const SurfaceVertex &a = depth.rim[depth.rim_corners[i]], &b = depth.rim[depth.rim_corners[i + 1]],
+                        &c = depth.rim[depth.rim_corners[i + 2]];
+    const Vector3 normal = vector3(a.normal);
+    const Vector3 outward = vector3(a.position) - Vector3{0.5, 0.5, -0.05};
+    EXPECT_GT(dot(normal, outward), 0.4);
+    EXPECT_GT(dot(normal, cross(vector3(b.position) - vector3(a.position), vector3(c.position) - vector3(a.position))),
+              0.09);
+    EXPECT_EQ(a.normal, b.normal);
+  }
+}
+
+TEST(WallDepth, AStretchedWallIsThinnerAndKeepsItsVolume) {
+  SnapshotSurface surface = square(0.1f);
+  for (Float3& position : surface.positions) position[0] *= 2;
+  for (const SurfaceVertex& vertex : depth_of(surface).lining) EXPECT_FLOAT_EQ(vertex.position[2], -0.05f);
+}
+
+TEST(WallDepth, ARoundBorderHasASmoothRim) {
+  // A fan of 24 triangles: borders meet at 15 degrees.
+  std::vector<Float3> positions = {{0, 0, 0}};
+  std::vector<Triangle> triangles;
+  for (std::uint32_t k = 0; k < 24; ++k) {
+    const double angle = k * 0.26179938779914943;
+    positions.push_back({static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle)), 0});
+    triangles.push_back({0, 1 + k, 1 + (k + 1) % 24});
+  }
+  SnapshotSurface disc = test::surface_of("disc", positions, triangles);
+  auto topology = std::make_shared<SnapshotTopology>(*disc.topology);
+  topology->thickness.assign(24, 0.1f);
+  disc.topology = topology;
+  for (const SurfaceVertex& vertex : depth_of(disc).rim) {
+    EXPECT_NEAR(vertex.normal[0], vertex.position[0], 1e-6);
+    EXPECT_NEAR(vertex.normal[1], vertex.position[1], 1e-6);
+  }
+}
+
+TEST(WallDepth, AWallWithoutABorderShowsNone) {
+  SnapshotSurface sphere = test::sphere("organ", {}, 1, 2);
+  auto topology = std::make_shared<SnapshotTopology>(*sphere.topology);
+  topology->thickness.assign(topology->triangles.size(), 0.1f);
+  sphere.topology = topology;
+  EXPECT_TRUE(depth_of(sphere).lining.empty());
+  EXPECT_TRUE(depth_of(sphere).rim.empty());
+}
+
+}  // namespace
+}  // namespace thinwall
