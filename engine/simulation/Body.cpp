@@ -118,16 +118,18 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
   attach(begin, end, problem);
   add_friction_to(problem, begin);
   PushSearch push;
-  for (;;) {
+  EquilibriumState trial;
+  for (bool goes_on = false;;) {
     // What a tool takes hold of or lets go of changes its velocity at once; a difference that reaches back across that
     // would see the jump as a motion.
     if (problem.attachments.size() != state_.attachments.size()) state_.previous_step = 0;
     if (options_.analysis == Analysis::kDynamic) add_inertia(duration, problem);
-    EquilibriumState trial = state_.equilibrium;
-    if (options_.analysis == Analysis::kDynamic) {
+    if (!goes_on) trial = state_.equilibrium;
+    if (!goes_on && options_.analysis == Analysis::kDynamic) {
       const Eigen::VectorXd motion = duration * state_.velocity;
       trial.position += newton_->safe_fraction(trial.position, motion) * motion;
     }
+    goes_on = false;
     if (!solve_with_leaks(problem, trial, begin, duration)) return false;
     if (!may_snap() && jumped_over_balls(begin, problem, trial.position)) {
       failure_ = "the wall jumped from one side of a ball to the other";
@@ -135,7 +137,11 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
     }
     if (release(end, problem)) continue;
     const PushVerdict verdict = revise_push(input.blade, trial.position, push, problem);
-    if (verdict == PushVerdict::kRevised) continue;
+    if (verdict == PushVerdict::kRevised) {
+      // A little more or less push moves the wall a little further.
+      goes_on = true;
+      continue;
+    }
     if (verdict == PushVerdict::kNone) {
       failure_ = "the push of the blade and the way of the wall that sticks to it do not come to agree";
       return false;

@@ -174,7 +174,7 @@ bool Body::jumped_over_balls(std::span<const ToolPose> begin, const EquilibriumP
 bool Body::catch_passed_edges(EquilibriumProblem& problem, const Eigen::VectorXd& position) const {
   bool caught = false;
   for (SolidContact& contact : problem.solids) {
-    if (contact.solid.role != ToolSolid::Role::kHull || contact.catches_edges) continue;
+    if (contact.solid.role != ToolSolid::Role::kHull || contact.catches_edges || contact.in_wall) continue;
     contact.catches_edges = std::ranges::any_of(model_->sites, [&](const ContactSite& site) {
       if (site.part != SitePart::kEdge) return false;
       return solid_gap(contact.solid, -SolidContact::kPassedEdgeDip * contact.dip,

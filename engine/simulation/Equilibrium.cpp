@@ -134,6 +134,7 @@ void find_contacts(const BodyModel& model, const EquilibriumProblem& problem, co
   std::vector<double> distances(model.vertices());
   for (int k = 0; k < static_cast<int>(problem.solids.size()); ++k) {
     const SolidContact& contact = problem.solids[k];
+    if (contact.in_wall) continue;
     for (int v = 0; v < model.vertices(); ++v) {
       distances[v] = signed_distance(contact.solid, position.segment<3>(3 * v)).value;
     }

@@ -1,0 +1,108 @@
+// What a whole step of an incision costs, and its parts, on pressurised balls of 5120 and 20480 triangles.
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "engine/mesh/Shapes.hpp"
+#include "tests/engine/simulation/TestBodies.hpp"
+
+namespace thinwall {
+namespace {
+
+void sizes(benchmark::internal::Benchmark* benchmark) {
+  benchmark->Arg(5120)->Arg(20480)->Unit(benchmark::kMillisecond);
+}
+
+/// A ball under 300 Pa whose lower third is held.
+BodyDefinition ball(int triangles) {
+  BodyDefinition body = make_body(make_sphere(20e-3, triangles), 1e-3, neo_hookean(20e3));
+  body.fluid.initial_pressure = 300;
+  body.fixed = {{.region = BelowRegion{.axis = 2, .at = -10e-3}}};
+  body.toughness = {100};
+  return body;
+}
+
+constexpr int kSteps = 16;  // through 16 mm of the wall, after two that begin the cut
+constexpr double kTravel = 1e-3, kStep = 1.0 / 60;
+
+/// A blade that has begun to cut a ball and goes on over its crown by a millimetre a step.
+struct Incision {
+  Body body;
+  std::vector<ToolPose> poses = {pose_at({-8e-3, 0.7e-3, 12e-3})};
+
+  explicit Incision(int triangles, Analysis analysis)
+      : body(ball(triangles),
+             {{.name = "blade", .kind = ToolKind::kScalpel, .length = 20e-3, .width = 4e-3, .thickness = 0.3e-3}},
+             SimulationOptions{.analysis = analysis}) {
+    body.settle();
+    body.follow_blade(0, poses);
+    for (int k = 0; k < 2; ++k) {
+      move();
+      cut();
+    }
+  }
+
+  void move() {
+    const std::vector<ToolPose> from = poses;
+    poses[0].tip.x() += kTravel;
+    BodyInput input;
+    input.blade = BladeInput{.tool = 0, .travel = kTravel, .direction = Eigen::Vector3d::UnitX()};
+    body.advance(from, poses, kStep, input);
+  }
+
+  bool cut() { return body.follow_blade(0, poses).has_value(); }
+};
+
+void IncisionStep(benchmark::State& state, Analysis analysis) {
+  double iterations = 0, cuts = 0;
+  std::unique_ptr<Incision> incision;
+  int left = 0;
+  for (auto _ : state) {
+    if (left-- == 0) {
+      state.PauseTiming();
+      incision = std::make_unique<Incision>(static_cast<int>(state.range(0)), analysis);
+      left = kSteps - 1;
+      state.ResumeTiming();
+    }
+    incision->move();
+    cuts += incision->cut();
+    iterations += incision->body.report().newton_iterations;
+  }
+  state.counters["iterations"] = benchmark::Counter(iterations, benchmark::Counter::kAvgIterations);
+  state.counters["cuts"] = benchmark::Counter(cuts, benchmark::Counter::kAvgIterations);
+}
+BENCHMARK_CAPTURE(IncisionStep, dynamic, Analysis::kDynamic)->Apply(sizes)->Iterations(kSteps);
+BENCHMARK_CAPTURE(IncisionStep, quasi_static, Analysis::kQuasiStatic)->Apply(sizes)->Iterations(kSteps);
+
+/// The cut of such a step alone: trace, cut, state and solver carried over.
+void CutOfStep(benchmark::State& state) {
+  Incision incision(static_cast<int>(state.range(0)), Analysis::kDynamic);
+  double cuts = 0;
+  for (auto _ : state) {
+    state.PauseTiming();
+    incision.move();
+    state.ResumeTiming();
+    cuts += incision.cut();
+  }
+  state.counters["cuts"] = benchmark::Counter(cuts, benchmark::Counter::kAvgIterations);
+}
+BENCHMARK(CutOfStep)->Apply(sizes)->Iterations(kSteps);
+
+void BuildModel(benchmark::State& state) {
+  const BodyDefinition definition = ball(static_cast<int>(state.range(0)));
+  for (auto _ : state) benchmark::DoNotOptimize(make_body_model(definition).rest_area);
+}
+BENCHMARK(BuildModel)->Apply(sizes);
+
+void BuildNewton(benchmark::State& state) {
+  const BodyModel model = make_body_model(ball(static_cast<int>(state.range(0))));
+  for (auto _ : state) Newton newton(model);
+}
+BENCHMARK(BuildNewton)->Apply(sizes);
+
+}  // namespace
+}  // namespace thinwall
