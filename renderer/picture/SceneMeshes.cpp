@@ -125,7 +125,9 @@ void SceneMeshes::upload_tools(const Snapshot& snapshot, const SceneExtent& exte
     rods_.insert(rods_.end(), shape.rods.begin(), shape.rods.end());
   }
   tools_.upload(std::span<const ToolVertex>(vertices), indices);
-  tool_edges_ = mesh_edges(indices);
+  std::vector<Float3> positions;
+  for (const ToolVertex& vertex : vertices) positions.push_back(vertex.position);
+  tool_edges_ = mesh_edges(welded(positions, indices));
 }
 
 std::vector<OutlineSegment> SceneMeshes::outline(const Snapshot& snapshot, Vector3 eye) const {

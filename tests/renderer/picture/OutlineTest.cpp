@@ -29,6 +29,14 @@ TEST(MeshEdges, AClosedSurfaceHasThreeEdgesForTwoTrianglesAndNoBorder) {
   for (const MeshEdge& edge : edges) EXPECT_NE(edge.right, MeshEdge::kNone);
 }
 
+TEST(MeshEdges, OfFlatShadedFacesAreFoundOnceWhenTheyAreWelded) {
+  // Two triangles of a square with corners of their own, and one of no area.
+  const std::vector<Float3> positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  const std::vector<std::uint32_t> corners = {0, 1, 2, 3, 4, 5, 0, 3, 1};
+  EXPECT_EQ(mesh_edges(corners).size(), 9u);
+  EXPECT_EQ(mesh_edges(welded(positions, corners)).size(), 5u);
+}
+
 TEST(Outline, OfAnOctahedronFromAboveItsTipIsItsBelt) {
   const std::vector<OutlineSegment> outline = outline_of(test::sphere("organ", {}, 1, 0), {0.1, 0.05, 9});
   EXPECT_EQ(outline.size(), 4u);
