@@ -1,7 +1,8 @@
 #include "renderer/picture/Outline.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <set>
+#include <utility>
 
 namespace thinwall {
 namespace {
@@ -36,20 +37,15 @@ std::vector<MeshEdge> mesh_edges(std::span<const std::uint32_t> corners) {
   return edges;
 }
 
-std::vector<std::uint32_t> welded(std::span<const Float3> positions, std::span<const std::uint32_t> corners) {
-  std::vector<std::uint32_t> order(positions.size()), first(positions.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return positions[i]; });
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool same = i > 0 && positions[order[i]] == positions[order[i - 1]];
-    first[order[i]] = same ? first[order[i - 1]] : order[i];
+std::vector<MeshEdge> creased_edges(std::span<const Float3> positions, std::span<const std::uint32_t> corners) {
+  std::set<std::pair<Float3, Float3>> borders;
+  std::vector<MeshEdge> edges;
+  for (const MeshEdge& edge : mesh_edges(corners)) {
+    const Float3 &start = positions[edge.start], &end = positions[edge.end];
+    if (edge.right == MeshEdge::kNone && !borders.insert(std::minmax(start, end)).second) continue;
+    edges.push_back(edge);
   }
-  std::vector<std::uint32_t> result;
-  for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
-    const std::uint32_t a = first[corners[i]], b = first[corners[i + 1]], c = first[corners[i + 2]];
-    if (a != b && b != c && c != a) result.insert(result.end(), {a, b, c});
-  }
-  return result;
+  return edges;
 }
 
 }  // namespace thinwall

@@ -22,9 +22,9 @@ struct MeshEdge {
 /// Each edge once, in the order of its vertices; `corners` is (3 x triangles).
 std::vector<MeshEdge> mesh_edges(std::span<const std::uint32_t> corners);
 
-/// The triangles with the first of all vertices that lie in one place, to the last bit, for each corner, less those
-/// that have two corners in one place: so the edges of flat shaded faces are found once.
-std::vector<std::uint32_t> welded(std::span<const Float3> positions, std::span<const std::uint32_t> corners);
+/// As mesh_edges, for a mesh whose faces have corners of their own where the shading has a crease: of several borders
+/// in one place, to the last bit, there is one. `positions`: (vertices).
+std::vector<MeshEdge> creased_edges(std::span<const Float3> positions, std::span<const std::uint32_t> corners);
 
 /// A straight piece of what divides a body from what is seen behind it.
 struct OutlineSegment {

@@ -1,5 +1,6 @@
 #include "renderer/picture/SceneMeshes.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -15,11 +16,16 @@ TissueLook cap_look(TissueLook look) {
   return look;
 }
 
-/// Where a wall is cut through or ends: pale and moist, without the vessels of its outer side.
+/// Where a wall is cut through or ends: moist, without the vessels of its outer side; red below pale skin, pale in red
+/// tissue, so that the cut stands out.
 TissueLook rim_look(TissueLook look) {
-  const Double3 flesh = {0.90, 0.66, 0.58};  // sRGB
-  for (std::size_t k = 0; k < 3; ++k) look.color[k] = 0.4 * look.color[k] + 0.6 * flesh[k];
+  const Double3 red = {0.66, 0.17, 0.15}, pale = {0.90, 0.66, 0.58};  // sRGB
+  const double paleness = std::clamp((look.color[1] - 0.35) / 0.2, 0.0, 1.0);
+  for (std::size_t k = 0; k < 3; ++k) {
+    look.color[k] = 0.4 * look.color[k] + 0.6 * (paleness * red[k] + (1 - paleness) * pale[k]);
+  }
   look.mottling *= 0.3;
+  look.wetness = std::max(look.wetness, 0.7);
   return look;
 }
 
@@ -127,7 +133,7 @@ void SceneMeshes::upload_tools(const Snapshot& snapshot, const SceneExtent& exte
   tools_.upload(std::span<const ToolVertex>(vertices), indices);
   std::vector<Float3> positions;
   for (const ToolVertex& vertex : vertices) positions.push_back(vertex.position);
-  tool_edges_ = mesh_edges(welded(positions, indices));
+  tool_edges_ = creased_edges(positions, indices);
 }
 
 std::vector<OutlineSegment> SceneMeshes::outline(const Snapshot& snapshot, Vector3 eye) const {

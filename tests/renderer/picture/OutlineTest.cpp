@@ -29,12 +29,12 @@ TEST(MeshEdges, AClosedSurfaceHasThreeEdgesForTwoTrianglesAndNoBorder) {
   for (const MeshEdge& edge : edges) EXPECT_NE(edge.right, MeshEdge::kNone);
 }
 
-TEST(MeshEdges, OfFlatShadedFacesAreFoundOnceWhenTheyAreWelded) {
-  // Two triangles of a square with corners of their own, and one of no area.
+TEST(MeshEdges, ACreaseOfTheShadingIsThereOnce) {
+  // Two triangles of a square that share two places, but no vertex.
   const std::vector<Float3> positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-  const std::vector<std::uint32_t> corners = {0, 1, 2, 3, 4, 5, 0, 3, 1};
-  EXPECT_EQ(mesh_edges(corners).size(), 9u);
-  EXPECT_EQ(mesh_edges(welded(positions, corners)).size(), 5u);
+  const std::vector<std::uint32_t> corners = {0, 1, 2, 3, 4, 5};
+  EXPECT_EQ(mesh_edges(corners).size(), 6u);
+  EXPECT_EQ(creased_edges(positions, corners).size(), 5u);
 }
 
 TEST(Outline, OfAnOctahedronFromAboveItsTipIsItsBelt) {
