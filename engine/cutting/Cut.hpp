@@ -12,6 +12,7 @@ namespace thinwall {
 struct CutPath {
   std::optional<int> from = {};           // vertex that the path goes on from, such as the tip of an earlier cut
   std::vector<SurfacePoint> points = {};  // in order; the first is joined with `from`
+  bool goes_on = false;                   // a cut rather stops short, and goes on later, than ends beside the path
 };
 
 struct CutOptions {

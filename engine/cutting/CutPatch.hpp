@@ -49,6 +49,7 @@ struct CutPatch {
   std::vector<std::array<char, 3>> on_path;    // (triangles x 3), sides that the new cut goes along
   std::vector<Eigen::Vector3d> facet_normals;  // (facets x 3), unit
   int splits = 0, flips = 0;
+  bool path_goes_on = false;  // CutPath::goes_on
 
   int vertex_count() const { return static_cast<int>(positions.size()); }
   int triangle_count() const { return static_cast<int>(triangles.size()); }

@@ -234,6 +234,7 @@ Cut CutSurface::cut(const CutPath& path, const CutOptions& options) {
   if (path.points.empty()) return result;
   PatchNumbers numbers;
   PatchPath start{.patch = extract(path, options, numbers), .stops = {}};
+  start.patch.path_goes_on = path.goes_on;
   const CutPatch& before = start.patch;
   std::vector<SurfacePoint> points = path.points;
   for (SurfacePoint& point : points) point.triangle = numbers.local_triangle[point.triangle];

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kBetween = 1000;           // choices from here on are nodes between a stop and the next one
 constexpr double kFarthestInward = 0.6;  // edge lengths, by which a beginning or end is moved along the path
-constexpr double kFarthestEnd = 0.2;     // edge lengths, by which an end is moved off the path
+constexpr double kFarthestEnd = 0.2;     // edge lengths, by which an end that goes on is moved off the path
 constexpr double kRefused = 1e6, kTooSharp = 100, kTooShort = 50;  // penalties
 
 double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
@@ -198,8 +198,8 @@ std::vector<PatchPlace> choices_in_face(const CutPatch& patch, const PatchPlace&
   if (!inner && !is_beginning) return {};
   if (!inner) return {place_at(patch, side.place.along < 0.5 ? side.place.from : side.place.to)};
   const PatchPlace corner = place_at(patch, nearest_corner(patch, place.facet, inner->position));
-  // A cut that ends within the wall may rather stop short, and go on when its path does, than leave its path.
-  if (!is_beginning && (corner.position - inner->position).norm() > kFarthestEnd * scale) return {*inner};
+  if (patch.path_goes_on && !is_beginning && (corner.position - inner->position).norm() > kFarthestEnd * scale)
+    return {*inner};
   return {*inner, corner};
 }
 

@@ -165,7 +165,8 @@ class Body {
   /// Cuts the wall to where the line of a blade's edge, through its tip along its direction, meets it now: from the tip
   /// of the cut that is being made, or from where the blade met the wall first. Nothing where the blade is not in the
   /// wall, or has not come far enough for a cut that leaves no sliver. `poses`: (tools), at the end of the last step.
-  std::optional<Cut> follow_blade(int tool, std::span<const ToolPose> poses);
+  /// `goes_on`: whether the blade will come farther, so that the cut may wait rather than end beside its way.
+  std::optional<Cut> follow_blade(int tool, std::span<const ToolPose> poses, bool goes_on = true);
 
   /// Ends the cut that is being made: the next one begins where a blade meets the wall again.
   void leave_cut();

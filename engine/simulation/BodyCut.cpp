@@ -120,7 +120,7 @@ void Body::hold_lips(double length) {
   state_.cut.held.push_back(std::move(held));
 }
 
-std::optional<Cut> Body::follow_blade(int tool, std::span<const ToolPose> poses) {
+std::optional<Cut> Body::follow_blade(int tool, std::span<const ToolPose> poses, bool goes_on) {
   const ToolPose& pose = poses[tool];
   const SurfaceView wall = surface();
   const auto entry = first_entry_on_segment(wall, pose.tip - tools_[tool].length * pose.direction, pose.tip);
@@ -140,7 +140,7 @@ std::optional<Cut> Body::follow_blade(int tool, std::span<const ToolPose> poses)
   const SurfacePoint from = progress.tip ? point_at(wall.triangles, *progress.tip) : *progress.start;
   const SurfaceTrace way = trace(wall, vertex_normals(wall), from, target);
   if (way.pieces.empty()) return std::nullopt;
-  CutPath path{.from = progress.tip, .points = way.pieces.front().points};
+  CutPath path{.from = progress.tip, .points = way.pieces.front().points, .goes_on = goes_on};
   Cut cut = this->cut(path, poses);
   if (cut.triangles.empty()) return std::nullopt;
   return cut;

@@ -60,7 +60,10 @@ std::optional<Cut> incise(IncisionPlan& plan, Body& body, const BladeStep& step)
     body.leave_cut();
     return std::nullopt;
   }
-  return plan.goes_out(step.end) ? std::nullopt : body.follow_blade(step.tool, step.after);
+  // The last bit of the path is cut once, as well as the triangles allow; what is left then would only turn back.
+  const double length = plan.path.length();
+  if (plan.progress(step.begin) >= length) return std::nullopt;
+  return body.follow_blade(step.tool, step.after, plan.progress(step.end) < length);
 }
 
 }  // namespace thinwall

@@ -120,7 +120,7 @@ TEST(CutAlongPath, ABladeThatGoesOnByTinyStepsLeavesItsPathByAFifthOfAnEdge) {
       const auto below = [&](const Eigen::Vector3d& point) { return *project(now.view(), point, {}, 1).point; };
       const SurfacePoint from = next.from ? below(wall.mesh().vertices[*next.from]) : below(begin);
       const SurfaceTrace way = trace(now.view(), vertex_normals(now.view()), from, below(begin + travel * along));
-      const Cut cut = wall.cut({.from = next.from, .points = way.pieces.front().points});
+      const Cut cut = wall.cut({.from = next.from, .points = way.pieces.front().points, .goes_on = true});
       if (cut.tip) next.from = cut.tip;
       length += cut.length;
       for (const Lips& lips : cut.lips) {

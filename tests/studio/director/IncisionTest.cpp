@@ -1,0 +1,205 @@
+// Incisions from the scenario to the records: what the blade does, what it costs, and what stays in balance.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "studio/director/ScenarioRun.hpp"
+#include "studio/scenario/InputError.hpp"
+
+namespace thinwall {
+namespace {
+
+const ToolDefinition kBlade = {
+    .name = "blade", .kind = ToolKind::kScalpel, .length = 0.012, .width = 0.003, .thickness = 4e-4};
+constexpr double kToughness = 150;   // joule / metre^2
+constexpr double kThickness = 1e-3;  // metres
+
+BodyScenario wall(const std::string& name, const ShapeSource& shape) {
+  BodyScenario body{.name = name,
+                    .surface = shape,
+                    .thickness = {.standard = kThickness},
+                    .material = {.law = find_wall_law("neo_hookean"), .parameters = {40e3}}};
+  body.toughness = Field<double>{.standard = kToughness};
+  return body;
+}
+
+Scenario scenario_of(const BodyScenario& body) {
+  Scenario scenario{.name = "test", .title = "test"};
+  scenario.bodies = {body};
+  scenario.tools = {kBlade};
+  scenario.simulation = {.analysis = Analysis::kDynamic, .time_step = 0.01};
+  return scenario;
+}
+
+/// A sheet stretched by `stretch` both ways, and a straight cut of 14 mm in the middle.
+Scenario sheet_scenario(double stretch) {
+  BodyScenario sheet = wall("skin", {.shape = Shape::kSheet, .length = 0.04, .width = 0.04, .triangles = 600});
+  sheet.fluid.kind = FluidKind::kNone;
+  sheet.prestretch = {.standard = {.first = stretch, .second = stretch}};
+  sheet.fixed = {{.region = BoundaryRegion{}}};
+  Scenario scenario = scenario_of(sheet);
+  scenario.timeline = {{.action = InciseClip{.tool = "blade",
+                                             .body = "skin",
+                                             .path = {{-0.007, 0.0005, 0}, {0.007, -0.0005, 0}},
+                                             .direction = -Eigen::Vector3d::UnitZ(),
+                                             .depth = 0.003,
+                                             .speed = 0.02,
+                                             .hold = 0.05,
+                                             .standoff = 0.002}}};
+  return scenario;
+}
+
+/// A filled ball, held below, and a cut over its top.
+Scenario ball_scenario() {
+  BodyScenario ball = wall("ball", {.shape = Shape::kSphere, .radius = 0.02, .triangles = 720});
+  ball.fluid.initial_pressure = 800;
+  ball.fixed = {{.region = BelowRegion{.axis = 2, .at = -0.01}}};
+  Scenario scenario = scenario_of(ball);
+  scenario.timeline = {{.action = InciseClip{.tool = "blade",
+                                             .body = "ball",
+                                             .path = {{-0.006, 0, 0.02}, {0.006, 0, 0.02}},
+                                             .depth = 0.003,
+                                             .speed = 0.03,
+                                             .standoff = 0.002}}};
+  return scenario;
+}
+
+double stored(const BodyRecord& body) {
+  return body.elastic + body.bending + body.kinetic + body.fluid + body.gravity + body.contact;
+}
+
+double spent(const BodyRecord& body) {
+  return body.viscous + body.friction + body.leak + body.fracture + body.jump + body.numerical;
+}
+
+/// Stored and spent energy is the work put in, to 0.5 % of the largest of the terms so far.
+void expect_closed_books(const BodyRecord& body, double& largest) {
+  for (const double term : {body.elastic, body.fracture, body.leak, body.tool_work, body.script_work}) {
+    largest = std::max(largest, std::abs(term));
+  }
+  EXPECT_LT(std::abs(stored(body) + spent(body) - body.tool_work - body.script_work), 5e-3 * largest);
+}
+
+TEST(Incision, TheWallDentsThenIsCutAlongThePathAndCostsWhatItsToughnessAsks) {
+  ScenarioRun run(sheet_scenario(1.02));
+  const std::size_t uncut = run.snapshot().surfaces.at(0).positions.size();
+  std::map<std::string, int> steps_in_phase;
+  double largest = 0, longest = 0, dent = 0, drag = 0;
+  while (run.step()) {
+    const ToolRecord& tool = run.record().tools.at(0);
+    const BodyRecord& body = run.record().bodies.at(0);
+    ++steps_in_phase[tool.phase];
+    expect_closed_books(body, largest);
+    EXPECT_GE(body.cut_length, longest) << "at " << run.time();
+    longest = body.cut_length;
+    if (tool.phase == "contact") {
+      EXPECT_EQ(body.cut_length, 0);
+      dent = std::max(dent, tool.force.z());
+    }
+    if (tool.phase == "cutting") drag = std::max(drag, -tool.force.x());
+    if (tool.phase == "approach") {
+      EXPECT_EQ(tool.force.norm(), 0);
+    }
+    EXPECT_EQ(run.snapshot().surfaces[0].positions.size(), run.snapshot().surfaces[0].topology->rest_positions.size());
+  }
+  for (const char* phase : {"approach", "contact", "cutting", "hold", "withdrawal"}) {
+    EXPECT_GT(steps_in_phase[phase], 2) << phase;
+  }
+  EXPECT_GT(dent, 0.02) << "the blade is pushed back while the wall dents";
+  // Drawn along, it feels no more than new area costs per length.
+  EXPECT_GT(drag, 0.5 * kToughness * kThickness);
+  EXPECT_LT(drag, 1.02 * kToughness * kThickness);
+  // A cut that ends within the wall may stop short of its path by an edge of 1.6 mm.
+  const double path = std::hypot(0.014, 0.001);
+  EXPECT_NEAR(longest, path, 1.6e-3);
+  const BodyRecord& body = run.record().bodies.at(0);
+  EXPECT_NEAR(body.fracture, kToughness * kThickness * longest, 0.1 * kToughness * kThickness * path);
+  EXPECT_GT(run.snapshot().surfaces[0].positions.size(), uncut + 8) << "lips have nodes of their own";
+}
+
+TEST(Incision, TheBladeStaysItsDepthBelowThePathAlongTheInwardNormal) {
+  ScenarioRun run(ball_scenario());
+  int cutting = 0;
+  while (run.step() && run.record().tools.at(0).phase != "withdrawal") {
+    const ToolRecord& tool = run.record().tools.at(0);
+    if (tool.phase != "cutting") continue;
+    ++cutting;
+    // The ball under pressure is larger than at rest by less than a millimetre.
+    EXPECT_NEAR(tool.position.norm(), 0.0175, 0.0006);
+    const Double3 direction = run.snapshot().tools.at(0).direction;
+    const Eigen::Vector3d inward = -tool.position.normalized();
+    EXPECT_GT(inward.dot(Eigen::Vector3d(direction[0], direction[1], direction[2])), 0.995);
+    EXPECT_NEAR(tool.depth, 0.003, 1e-4);
+  }
+  EXPECT_GT(cutting, 20);
+}
+
+TEST(Incision, OfAFilledBodyLetsTheFluidOutAndBooksAllOfIt) {
+  Scenario scenario = ball_scenario();
+  scenario.record.points = {{.name = "side", .body = "ball", .at = {0.014, 0.014, 0}}};
+  ScenarioRun run(scenario);
+  const double fluid = run.record().bodies.at(0).fluid_volume, pressure = run.record().bodies[0].pressure;
+  const Eigen::Vector3d place = run.record().points.at(0).stress_free;
+  double largest = 0;
+  while (run.step()) {
+    const BodyRecord& body = run.record().bodies.at(0);
+    EXPECT_NEAR(body.fluid_volume + body.leaked, fluid, 1e-9 * fluid);
+    EXPECT_LT((run.record().points.at(0).stress_free - place).norm(), 1e-12) << "a cut does not move what is followed";
+    expect_closed_books(body, largest);
+  }
+  const BodyRecord& body = run.record().bodies.at(0);
+  EXPECT_GT(body.leaked, 0.01 * fluid);
+  EXPECT_LT(body.pressure, 0.7 * pressure);
+  EXPECT_GT(body.open_area, 0);
+  EXPECT_NEAR(body.cut_length, 0.0122, 2.6e-3);  // edges of 2.6 mm
+}
+
+TEST(Incision, TwiceTheSameGivesTheSameDigest) {
+  std::vector<std::string> digests;
+  for (int k = 0; k < 2; ++k) {
+    ScenarioRun run(sheet_scenario(1.05));
+    while (run.time() < 0.5 && run.step()) {
+    }
+    digests.push_back(run.state_digest());
+  }
+  EXPECT_EQ(digests[0], digests[1]);
+}
+
+TEST(Incision, ASecondBladeHasToWaitUntilTheFirstIsOut) {
+  Scenario scenario = sheet_scenario(1.02);
+  scenario.tools.push_back(kBlade);
+  scenario.tools[1].name = "other";
+  Clip second = scenario.timeline[0];
+  std::get<InciseClip>(second.action).tool = "other";
+  std::get<InciseClip>(scenario.timeline[0].action).withdraw = false;
+  scenario.timeline.push_back(second);
+  ScenarioRun run(scenario);
+  try {
+    while (run.step()) {
+    }
+    FAIL() << "no error";
+  } catch (const InputErrors& errors) {
+    EXPECT_NE(to_text(errors.diagnostics().at(0)).find("blade `blade` is still in body `skin`"), std::string::npos);
+  }
+}
+
+TEST(Incision, ABladeThatStayedInIsTakenOutWhenItIsSetElsewhere) {
+  Scenario scenario = sheet_scenario(1.02);
+  std::get<InciseClip>(scenario.timeline[0].action).withdraw = false;
+  Clip second = scenario.timeline[0];
+  std::get<InciseClip>(second.action).path = {{-0.007, 0.01, 0}, {0.007, 0.01, 0}};
+  scenario.timeline.push_back(second);
+  ScenarioRun run(scenario);
+  double between = 0;
+  while (run.step()) {
+    if (run.record().tools[0].phase == "contact") between = run.record().bodies[0].cut_length;
+  }
+  EXPECT_NEAR(between, 0.014, 1.6e-3);
+  EXPECT_NEAR(run.record().bodies.at(0).cut_length, 0.028, 3.2e-3);
+}
+
+}  // namespace
+}  // namespace thinwall
