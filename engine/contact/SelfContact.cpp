@@ -11,8 +11,8 @@
 namespace thinwall {
 namespace {
 
-/// Largest range of the potentials and margin of the list, as parts of the mean edge length. Range and twice the margin
-/// stay below the height of a regular triangle, 0.87: a smooth wall then lists nothing.
+/// Largest range of the potentials as a part of the mean edge length, and margin of the list as one of the edges at a
+/// vertex. Range and twice the margin stay below the height of a regular triangle, 0.87: a smooth wall lists nothing.
 constexpr double kRange = 0.4;
 constexpr double kMargin = 0.1;
 
@@ -50,14 +50,14 @@ SelfContact::SelfContact(const SelfContactDefinition& definition)
     : triangles_(definition.triangles.begin(), definition.triangles.end()),
       rest_position_(definition.position),
       floors_(definition.floors),
-      pressure_(definition.pressure),
-      tree_(definition.triangles, definition.position) {
+      pressure_(definition.pressure) {
   const std::size_t vertices = rest_position_.size() / 3;
   held_.resize(vertices);
   for (std::size_t v = 0; v < vertices; ++v) {
     held_[v] = definition.fixed[3 * v] && definition.fixed[3 * v + 1] && definition.fixed[3 * v + 2];
   }
   measure_parts(definition);
+  tree_ = TriangleTree(triangles_, rest_position_, margins_);
   measure_heights(definition);
   gather_stars();
   list_near(rest_position_);
@@ -85,15 +85,23 @@ void SelfContact::measure_parts(const SelfContactDefinition& definition) {
     if (vertex_area_[v] > 0) vertex_thickness_[v] /= vertex_area_[v];
   }
   const MeshTopology topology = topology_of(vertices, triangles_);
-  double length = 0;
+  margins_.assign(vertices, 0);
+  std::vector<int> ends(vertices, 0);
   for (std::size_t e = 0; e < topology.edges.size(); ++e) {
     const auto& [low, high] = topology.edges[e];
-    length += (rest_position_.segment<3>(3 * high) - rest_position_.segment<3>(3 * low)).norm();
+    const double length = (rest_position_.segment<3>(3 * high) - rest_position_.segment<3>(3 * low)).norm();
+    edge_length_ += length;
+    for (const int vertex : {low, high}) {
+      margins_[vertex] += kMargin * length;
+      ++ends[vertex];
+    }
     parts_[triangles_at(topology, static_cast<int>(e)).front()].edges.push_back(topology.edges[e]);
   }
-  length /= std::max<double>(1, static_cast<double>(topology.edges.size()));
-  largest_range_ = std::min(thickest, kRange * length);
-  margin_ = kMargin * length;
+  edge_length_ /= std::max<double>(1, static_cast<double>(topology.edges.size()));
+  largest_range_ = std::min(thickest, kRange * edge_length_);
+  for (int v = 0; v < vertices; ++v) {
+    if (ends[v] > 0) margins_[v] /= ends[v];
+  }
 }
 
 void SelfContact::measure_heights(const SelfContactDefinition& definition) {
@@ -103,7 +111,7 @@ void SelfContact::measure_heights(const SelfContactDefinition& definition) {
       for (const int v : triangle) {
         if (held_[v]) continue;
         const double height = floor.normal.dot(definition.position.segment<3>(3 * v)) - floor.height;
-        if (height > kTouching * margin_ / kMargin) heights[v] = height;
+        if (height > kTouching * edge_length_) heights[v] = height;
       }
     }
   }
@@ -111,11 +119,18 @@ void SelfContact::measure_heights(const SelfContactDefinition& definition) {
 
 bool SelfContact::covers(const Eigen::VectorXd& position) const {
   const Eigen::Vector3d drift = mean_of(position, held_.size()) - mean_of(listed_position_, held_.size());
-  double farthest = 0;
-  for (Eigen::Index k = 0; k < 3 * static_cast<Eigen::Index>(held_.size()); k += 3) {
-    farthest = std::max(farthest, (position.segment<3>(k) - listed_position_.segment<3>(k) - drift).squaredNorm());
+  for (std::size_t v = 0; v < held_.size(); ++v) {
+    const Eigen::Index k = 3 * static_cast<Eigen::Index>(v);
+    const Eigen::Vector3d moved = position.segment<3>(k) - listed_position_.segment<3>(k) - drift;
+    if (moved.squaredNorm() >= margins_[v] * margins_[v] && margins_[v] > 0) return false;
   }
-  return farthest < margin_ * margin_;
+  return true;
+}
+
+double SelfContact::margin_of(const Eigen::Vector4i& vertices) const {
+  double largest = 0;
+  for (const int vertex : vertices) largest = std::max(largest, margins_[vertex]);
+  return 2 * largest;
 }
 
 template <typename Visit>
@@ -143,12 +158,11 @@ void SelfContact::visit_parts(int triangle, int other, const Visit& visit) const
 void SelfContact::list_near(const Eigen::VectorXd& position) {
   near_.clear();
   tree_.fit(position);
-  const double reach = largest_range_ + 2 * margin_;
   const auto corners = [&](int triangle) -> std::array<Eigen::Vector3d, 3> {
     const Eigen::Vector3i& v = triangles_[triangle];
     return {position.segment<3>(3 * v[0]), position.segment<3>(3 * v[1]), position.segment<3>(3 * v[2])};
   };
-  tree_.visit_near(reach, [&](int triangle, int other) {
+  tree_.visit_near(largest_range_, kRestRange, [&](int triangle, int other, double reach) {
     if (share_vertex(triangles_[triangle], triangles_[other])) return;
     if (clearly_apart(corners(triangle), corners(other), reach)) return;
     visit_parts(triangle, other,
@@ -177,9 +191,10 @@ NearPair SelfContact::describe(PairKind kind, const Eigen::Vector4i& vertices) c
 
 void SelfContact::list_if_near(PairKind kind, const Eigen::Vector4i& vertices, const Eigen::VectorXd& position) {
   const double distance = pair_distance(kind, corners_at(vertices, position)).distance;
-  if (distance > largest_range_ + 2 * margin_) return;
+  const double margin = margin_of(vertices);
+  if (distance > largest_range_ + margin) return;
   const NearPair pair = describe(kind, vertices);
-  if (distance <= pair.range + 2 * margin_ && !touches_at_rest(kind, vertices)) near_.push_back(pair);
+  if (distance <= pair.range + margin && !touches_at_rest(kind, vertices)) near_.push_back(pair);
 }
 
 void SelfContact::gather_stars() {
@@ -204,11 +219,13 @@ void SelfContact::gather_stars() {
       }
     }
   }
-  stars_ = StarPairs(triangles_, std::move(pairs), 2 * margin_, rest_position_);
+  std::vector<double> margins = margins_;
+  for (double& margin : margins) margin *= 2;
+  stars_ = StarPairs(triangles_, std::move(pairs), margins, rest_position_);
 }
 
 bool SelfContact::touches_at_rest(PairKind kind, const Eigen::Vector4i& vertices) const {
-  return pair_distance(kind, corners_at(vertices, rest_position_)).distance < kTouching * margin_ / kMargin;
+  return pair_distance(kind, corners_at(vertices, rest_position_)).distance < kTouching * edge_length_;
 }
 
 double SelfContact::safe_fraction_above_floors(const Eigen::VectorXd& position, const Eigen::VectorXd& motion) const {
@@ -233,10 +250,13 @@ double SelfContact::safe_fraction(const Eigen::VectorXd& position, const Eigen::
   };
   // What is not listed stays out of range as long as the list covers both ends of the motion: one that is made for
   // the middle covers twice its margin.
-  const auto count = static_cast<Eigen::Index>(held_.size());
-  const double length =
-      (motion.head(3 * count).reshaped(3, count).colwise() - mean_of(motion, held_.size())).colwise().norm().maxCoeff();
-  if (!(covers(position) && covers(position + motion)) && length < 1.8 * margin_) list_near(position + 0.5 * motion);
+  const Eigen::Vector3d drift = mean_of(motion, held_.size());
+  const auto is_short = [&](std::size_t v) {
+    return (motion.segment<3>(3 * static_cast<Eigen::Index>(v)) - drift).norm() < 1.8 * margins_[v] || margins_[v] == 0;
+  };
+  bool all_short = true;
+  for (std::size_t v = 0; all_short && v < held_.size(); ++v) all_short = is_short(v);
+  if (all_short && !(covers(position) && covers(position + motion))) list_near(position + 0.5 * motion);
   if (covers(position) && covers(position + motion)) {
     for (const NearPair& pair : near_) fraction = std::min(fraction, fraction_of(pair.kind, pair.vertices));
     return fraction;

@@ -58,10 +58,10 @@ struct SelfContactTerms {
 /// touch in the stress-free shape are left alone. The force grows without bound as the distance goes to zero, and
 /// `safe_fraction` keeps every motion from jumping over it, so that a wall that is free of intersections stays so.
 ///
-/// Pairs whose triangles share no vertex are listed with a margin, and the list is kept until a vertex (less the mean
-/// motion of all) has moved by the margin; for the others see StarPairs. So a wall with nothing near pays a look at
-/// each vertex and edge only. Results do not depend on the lists: pairs out of range contribute nothing, and the others
-/// come in an order that the mesh alone determines.
+/// Pairs whose triangles share no vertex are listed with the margins of their vertices, parts of the edges there, and
+/// the list is kept until a vertex (less the mean motion of all) has moved by its margin; for the others see StarPairs.
+/// So a wall with nothing near pays a look at each vertex and edge only. Results do not depend on the lists: pairs out
+/// of range contribute nothing, and the others come in an order that the mesh alone determines.
 class SelfContact {
  public:
   explicit SelfContact(const SelfContactDefinition& definition);
@@ -89,6 +89,7 @@ class SelfContact {
   void measure_parts(const SelfContactDefinition& definition);
   void gather_stars();
   void measure_heights(const SelfContactDefinition& definition);
+  double margin_of(const Eigen::Vector4i& vertices) const;
   bool covers(const Eigen::VectorXd& position) const;
   void list_near(const Eigen::VectorXd& position);
   template <typename Visit>
@@ -112,8 +113,9 @@ class SelfContact {
   std::vector<std::vector<double>>
       heights_;  // (floors x vertices), metres, stress-free; zero where the floor is not felt
   double pressure_ = 1;
-  double largest_range_ = 0;  // metres
-  double margin_ = 0;         // metres
+  double largest_range_ = 0;     // metres
+  double edge_length_ = 0;       // metres, mean
+  std::vector<double> margins_;  // (vertices), metres
   TriangleTree tree_;
   StarPairs stars_;
   std::vector<NearPair> near_;       // of triangles without a vertex in common

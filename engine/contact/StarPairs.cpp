@@ -16,8 +16,7 @@ Eigen::Vector3d offset_at(const Eigen::VectorXd& position, int center, int verte
 }  // namespace
 
 StarPairs::StarPairs(std::span<const Eigen::Vector3i> triangles, std::vector<std::vector<NearPair>> pairs,
-                     double margin, const Eigen::VectorXd& position)
-    : margin_(margin) {
+                     std::span<const double> margins, const Eigen::VectorXd& position) {
   std::vector<std::vector<int>> rings(pairs.size());
   for (const Eigen::Vector3i& triangle : triangles) {
     for (int k = 0; k < 3; ++k) {
@@ -31,6 +30,7 @@ StarPairs::StarPairs(std::span<const Eigen::Vector3i> triangles, std::vector<std
     rings[v].erase(std::unique(rings[v].begin(), rings[v].end()), rings[v].end());
     Star& star = stars_.emplace_back();
     star.center = static_cast<int>(v);
+    star.margin = margins[v];
     star.ring = std::move(rings[v]);
     star.offsets.resize(star.ring.size());
     star.pairs = std::move(pairs[v]);
@@ -45,7 +45,7 @@ void StarPairs::measure(const Eigen::VectorXd& position, Star& star) const {
   for (std::size_t k = 0; k < star.pairs.size(); ++k) {
     const NearPair& pair = star.pairs[k];
     const double room = pair_distance(pair.kind, corners_at(pair.vertices, position)).distance - pair.range;
-    if (room < margin_) {
+    if (room < star.margin) {
       star.near.push_back(static_cast<int>(k));
     } else {
       star.slack = std::min(star.slack, room);

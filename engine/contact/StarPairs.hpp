@@ -16,10 +16,10 @@ class StarPairs {
  public:
   StarPairs() = default;
 
-  /// `pairs`: (vertices), of the triangles around each of them. Pairs nearer than range + `margin` (metres) are kept in
-  /// view. `position`: (3 vertices), metres.
-  StarPairs(std::span<const Eigen::Vector3i> triangles, std::vector<std::vector<NearPair>> pairs, double margin,
-            const Eigen::VectorXd& position);
+  /// `pairs`: (vertices), of the triangles around each of them. Pairs nearer than range + `margins` (vertices, metres)
+  /// are kept in view. `position`: (3 vertices), metres.
+  StarPairs(std::span<const Eigen::Vector3i> triangles, std::vector<std::vector<NearPair>> pairs,
+            std::span<const double> margins, const Eigen::VectorXd& position);
 
   /// Finds out which pairs are near; the others are out of range at this position.
   void refresh(const Eigen::VectorXd& position);
@@ -38,6 +38,7 @@ class StarPairs {
  private:
   struct Star {
     int center = 0;
+    double margin = 0;                     // metres
     std::vector<int> ring;                 // vertices joined to the centre
     std::vector<Eigen::Vector3d> offsets;  // (ring), metres, from the centre, when the distances were taken
     std::vector<NearPair> pairs;
@@ -48,7 +49,6 @@ class StarPairs {
   void measure(const Eigen::VectorXd& position, Star& star) const;
 
   std::vector<Star> stars_;
-  double margin_ = 0;  // metres
 };
 
 }  // namespace thinwall

@@ -14,7 +14,8 @@ Eigen::AlignedBox3d box_of(const Eigen::Vector3i& triangle, const Eigen::VectorX
 
 }  // namespace
 
-TriangleTree::TriangleTree(std::span<const Eigen::Vector3i> triangles, const Eigen::VectorXd& position)
+TriangleTree::TriangleTree(std::span<const Eigen::Vector3i> triangles, const Eigen::VectorXd& position,
+                           std::span<const double> margins)
     : triangles_(triangles.begin(), triangles.end()) {
   std::vector<Eigen::Vector3d> centers;
   for (const Eigen::Vector3i& triangle : triangles_) centers.push_back(box_of(triangle, position).center());
@@ -24,6 +25,16 @@ TriangleTree::TriangleTree(std::span<const Eigen::Vector3i> triangles, const Eig
   boxes_.resize(nodes_.size());
   motions_.resize(nodes_.size());
   fit(position);
+  rest_boxes_ = boxes_;
+  margins_.resize(nodes_.size());
+  for (int k = static_cast<int>(nodes_.size()) - 1; k >= 0; --k) {
+    const Node& node = nodes_[k];
+    if (node.left >= 0) {
+      margins_[k] = std::max(margins_[node.left], margins_[node.right]);
+    } else {
+      for (const int vertex : triangles_[node.triangle]) margins_[k] = std::max(margins_[k], margins[vertex]);
+    }
+  }
 }
 
 int TriangleTree::build(std::vector<int>& order, int begin, int end, const std::vector<Eigen::Vector3d>& centers) {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -13,24 +14,40 @@ namespace thinwall {
 /// alone determines, so that sums over near pairs are the same whatever is left out.
 class TriangleTree {
  public:
-  /// `position`: (3 vertices), metres, of the stress-free shape.
-  TriangleTree(std::span<const Eigen::Vector3i> triangles, const Eigen::VectorXd& position);
+  TriangleTree() = default;
+
+  /// `position`: (3 vertices), metres, of the stress-free shape. `margins`: (vertices), metres.
+  TriangleTree(std::span<const Eigen::Vector3i> triangles, const Eigen::VectorXd& position,
+               std::span<const double> margins);
 
   /// Fits the boxes to where the vertices are, and to how they move (metres, from there).
   void fit(const Eigen::VectorXd& position);
   void fit(const Eigen::VectorXd& position, const Eigen::VectorXd& motion);
 
-  /// Calls visit(triangle, other) for all pairs of triangles, whose boxes lie within `reach` of each other, metres.
+  /// Calls visit(triangle, other, reach) for all pairs of triangles whose boxes lie within reach of each other, metres:
+  /// the margins of both and `range`, or `rest_part` of what they can lie apart in the stress-free shape where that is
+  /// less. So triangles that are small in comparison with the range do not all meet each other.
   template <typename Visit>
-  void visit_near(double reach, const Visit& visit) const {
-    visit_pairs([&](int a, int b) { return boxes_[a].squaredExteriorDistance(boxes_[b]) <= reach * reach; }, visit);
+  void visit_near(double range, double rest_part, const Visit& visit) const {
+    const auto reach = [&](int a, int b) {
+      const double apart = rest_boxes_[a].merged(rest_boxes_[b]).diagonal().norm();
+      return std::min(range, rest_part * apart) + margins_[a] + margins_[b];
+    };
+    const auto near = [&](int a, int b) {
+      const double distance = boxes_[a].squaredExteriorDistance(boxes_[b]);
+      const double farthest = range + margins_[a] + margins_[b];
+      if (distance == 0 || distance > farthest * farthest) return distance == 0;
+      const double within = reach(a, b);
+      return distance <= within * within;
+    };
+    visit_pairs(near, [&](int a, int b) { visit(nodes_[a].triangle, nodes_[b].triangle, reach(a, b)); });
   }
 
   /// The same for pairs whose boxes may meet during the motion.
   template <typename Visit>
   void visit_meeting(const Visit& visit) const {
     visit_pairs([&](int a, int b) { return boxes_[a].squaredExteriorDistance(boxes_[b]) <= squared_travel(a, b); },
-                visit);
+                [&](int a, int b) { visit(nodes_[a].triangle, nodes_[b].triangle); });
   }
 
  private:
@@ -58,7 +75,7 @@ class TriangleTree {
         open.push_back({first.left, first.right});
       } else if (near(a, b)) {
         if (first.left < 0 && second.left < 0) {
-          visit(first.triangle, second.triangle);
+          visit(a, b);
         } else if (first.size >= second.size) {
           open.push_back({first.left, b});
           open.push_back({first.right, b});
@@ -72,7 +89,8 @@ class TriangleTree {
 
   std::vector<Eigen::Vector3i> triangles_;
   std::vector<Node> nodes_;  // parents before their children
-  std::vector<Eigen::AlignedBox3d> boxes_, motions_;
+  std::vector<Eigen::AlignedBox3d> boxes_, motions_, rest_boxes_;
+  std::vector<double> margins_;  // (nodes), metres, largest of the vertices below
 };
 
 }  // namespace thinwall
