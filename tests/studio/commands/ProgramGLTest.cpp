@@ -59,6 +59,21 @@ TEST_F(ProgramGLTest, TheTakeGivesTheFramesOfTheRunAgain) {
   EXPECT_EQ(run({"render", "run/take.h5", "--out", "run"}).exit_code, 2);
 }
 
+TEST_F(ProgramGLTest, ATakeWithCutsGivesTheFramesOfTheRunAgainAndItsSurfacesGrow) {
+  write_bytes(folder_ / "cut.yaml", incision_scenario());
+  // Frames lie between steps, and some between the steps before and after a cut.
+  expect_good({"run", "cut.yaml", "--no-video", "--surfaces", "--out", "run"});
+  expect_good({"render", "run/take.h5", "--no-video"});
+  EXPECT_EQ(manifest("run/render")["frame_hashes"], manifest("run")["frame_hashes"]);
+  ASSERT_GT(manifest("run")["frames"], 10);
+  const auto surface_bytes = [&](const std::string& frame) {
+    return file_bytes(folder_ / ("run/surfaces/body_0_" + frame + ".vtp")).size();
+  };
+  EXPECT_GT(surface_bytes("000010"), surface_bytes("000000"));
+  expect_good({"still", "cut.yaml", "--at", "0.3 s", "-o", "still.png"});
+  EXPECT_EQ(image_hash(read_png(folder_ / "still.png")), manifest("run")["frame_hashes"][9]);
+}
+
 TEST_F(ProgramGLTest, ATakeCanBeRenderedInAnotherSizeAndView) {
   expect_good({"run", "scenes/small.yaml", "--no-render", "--out", "run"});
   write_bytes(folder_ / "view.yaml",

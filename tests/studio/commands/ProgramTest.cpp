@@ -92,6 +92,25 @@ TEST_F(ProgramTest, ExpectationsAreCheckedByEveryRunAndAFailedOneIsExitCode1) {
   EXPECT_EQ(manifest("missed").at("result"), "an expectation failed");
 }
 
+TEST_F(ProgramTest, IncisionsThatCannotBeAreBadInputWithThePlaceAndTheCure) {
+  const auto expect_refused = [&](const std::string& incise, const std::string& words) {
+    write_bytes(folder_ / "cut.yaml", incision_scenario(incise));
+    expect_bad_usage({"run", "cut.yaml", "--no-render"}, words);
+  };
+  const std::string off_the_wall = "path: [[0, 0, 20 mm], [0, 35 mm, 5 mm]], depth: 3 mm";
+  expect_refused(off_the_wall, "cut.yaml:11:95: error: incise: path[2] = [0, 0.035, 0.005] m lies 14.");
+  expect_refused(off_the_wall,
+                 "mm from body `organ`, farther than `reach` = 10 mm; move the point to the wall or give a larger "
+                 "`reach`");
+  expect_refused("path: [[0, 0, 20 mm], [5 mm, 0, 20 mm]], depth: 13 mm", "`blade` is only 12 mm long");
+  expect_refused("path: [[0, 0, 20 mm], [5 mm, 0, 20 mm]], depth: 3 mm, direction: [1, 0, 0], reach: 60 mm",
+                 "all points of `path` come to lie in one place of body `organ`; a cut needs a length");
+  expect_refused("path: [[0, 0, 20 mm], [35 mm, 0, 20 mm]], depth: 3 mm, direction: [0, 0, -1]",
+                 "does not meet body `organ` along `direction`; move the point or leave `direction` out");
+  write_bytes(folder_ / "needle.yaml", small_scenario("  - pierce: { tool: probe, body: organ, depth: 3 mm }\n"));
+  expect_bad_usage({"run", "needle.yaml", "--no-render"}, "only a `needle` can pierce");
+}
+
 TEST_F(ProgramTest, RecordedPointsAreFollowedInAFileOfTheirOwn) {
   std::string scenario = small_scenario();
   scenario.replace(scenario.find("tier: draft"), 11, "tier: draft, points: { crown: { at: [0, 0, 21 mm] } }");

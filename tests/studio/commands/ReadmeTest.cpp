@@ -29,15 +29,18 @@ TEST(ReadmeTest, HasExactlyTwoSetUpCommands) {
   EXPECT_EQ(blocks("sh")[0], "scripts/thinwall run scenes/palpation_gallbladder.yaml\nscripts/test\n");
 }
 
-TEST(ReadmeTest, ItsScenarioIsGoodAndRuns) {
-  ASSERT_EQ(blocks("yaml").size(), 1U);
+TEST(ReadmeTest, ItsScenariosAreGoodAndRun) {
+  ASSERT_EQ(blocks("yaml").size(), 2U);
   const TemporaryFolder folder;
   write_bytes(folder / "balloon.yaml", blocks("yaml")[0]);
+  write_bytes(folder / "cut.yaml", blocks("yaml")[1]);
   const ProgramSetting here{.folder = folder.path(), .environment = {}};
-  const ProgramEnd checked = run_thinwall({"check", "balloon.yaml"}, here);
+  const ProgramEnd checked = run_thinwall({"check", "balloon.yaml", "cut.yaml"}, here);
   EXPECT_EQ(checked.exit_code, 0) << checked.messages;
   const ProgramEnd run = run_thinwall({"run", "balloon.yaml", "--no-render", "--set", "depth=9mm"}, here);
   EXPECT_EQ(run.exit_code, 0) << run.messages;
+  const ProgramEnd cut = run_thinwall({"run", "cut.yaml", "--no-render"}, here);
+  EXPECT_EQ(cut.exit_code, 0) << cut.messages;
 }
 
 TEST(ReadmeTest, NamesTheColumnsOfTheForceRecord) {

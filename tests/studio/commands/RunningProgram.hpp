@@ -93,4 +93,25 @@ inline std::string small_scenario(const std::string& timeline = "") {
          "record: { size: [160, 96], fps: 25, tier: draft }\n";
 }
 
+/// A scenario that cuts a filled ball over its top; `incise` is what its clip says besides tool and body.
+inline std::string incision_scenario(const std::string& incise =
+                                         "path: [[-6 mm, 0, 20 mm], [6 mm, 1 mm, 20 mm]], "
+                                         "depth: 3 mm") {
+  return "thinwall: 1\n"
+         "bodies:\n"
+         "  organ:\n"
+         "    surface: { shape: sphere, radius: 20 mm, triangles: 320 }\n"
+         "    wall: { thickness: 1 mm, material: { law: neo_hookean, shear_modulus: 20 kPa }, toughness: 100 J/m^2 }\n"
+         "    contents: { fluid: incompressible, pressure: 500 Pa }\n"
+         "    fixed: [ { region: { below: { axis: z, at: -10 mm } } } ]\n"
+         "tools:\n"
+         "  blade: { kind: scalpel, length: 12 mm, width: 3 mm, thickness: 0.4 mm }\n"
+         "timeline:\n"
+         "  - incise: { tool: blade, body: organ, speed: 60 mm/s, standoff: 1 mm, " +
+         incise +
+         " }\n"
+         "simulation: { analysis: dynamic, time_step: 10 ms }\n"
+         "record: { size: [160, 96], fps: 30, tier: draft }\n";
+}
+
 }  // namespace thinwall
