@@ -19,6 +19,7 @@ enum class FluidKind { kNone, kIncompressible, kCompressible };
 struct ChamberDefinition {
   std::string name = {};
   Eigen::Vector3d inside = Eigen::Vector3d::Zero();  // metres, a point in it, of the stress-free shape
+  std::optional<int> wall = {};                      // a triangle of its wall, which tells it instead of that point
   // Pascal above the surroundings, at time zero: the volume follows. Absent: the volume is the mesh's and the pressure
   // follows.
   std::optional<double> initial_pressure = {};
@@ -38,6 +39,7 @@ struct FluidDefinition {
   double density = 1010;                         // kg / metre^3
   double bulk_modulus = 2e6;                     // pascal, compressible only
   std::vector<ChamberDefinition> chambers = {};  // named ones; every other closed part of the surface is one of its own
+  bool other_chambers = true;                    // otherwise other parts hold nothing: pieces cut out of the wall
   std::vector<OrificeDefinition> orifices = {};
   bool leaks = true;        // through openings of the wall; otherwise the contents hold together, as a gel does
   double discharge = 0.61;  // of openings of the wall

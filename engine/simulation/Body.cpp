@@ -88,9 +88,17 @@ bool Body::may_snap() const {
   return options_.analysis == Analysis::kQuasiStatic && report_.halvings >= kHalvingsBeforeRelaxing;
 }
 
+bool Body::may_creep() const {
+  return options_.analysis == Analysis::kQuasiStatic && surface_ && model_->definition.tension_field;
+}
+
 bool Body::solve_step(EquilibriumProblem& problem, EquilibriumState& trial) {
   EquilibriumProblem again = problem;
-  if (solve(problem, trial).converged) return true;
+  if (state_.drag == 0 && solve(problem, trial).converged) return true;
+  if (may_creep()) {
+    problem = again;
+    return creep(problem, trial);
+  }
   // Where the wall buckles no short step helps: the equilibrium ends, and the next one is some way off.
   if (!may_snap()) return false;
   trial = state_.equilibrium;

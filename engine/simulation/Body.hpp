@@ -109,6 +109,8 @@ struct BodyState {
   std::vector<std::vector<FrictionMemory>> friction;  // (solids), in the order of the sites
   double friction_energy = 0;                         // joule, stored in the elastic slip
   CutProgress cut;
+  double drag = 0;             // over the wall's stiffness, what slows a slack cut wall, see Body::creep
+  Eigen::VectorXd drag_force;  // (unknowns) or none, newton, on the wall
   EnergyBooks books;
 };
 
@@ -157,9 +159,9 @@ class Body {
   double squeeze(int tool, const ToolPose& pose) const;
 
   /// Cuts the wall along a path on it and changes nothing else: nothing has moved, and the lips are held together until
-  /// a blade moves on (see CutProgress). Throws std::invalid_argument when the wall is no oriented manifold, or the
-  /// path leaves it, and SimulationFailure when it parts the contents of a chamber. Asserts that the wall has a
-  /// toughness.
+  /// a blade moves on (see CutProgress). A part that comes off keeps contents of its own where it can hold any (see
+  /// PartedContents). Throws std::invalid_argument when the wall is no oriented manifold, or the path leaves it.
+  /// Asserts that the wall has a toughness.
   Cut cut(const CutPath& path, std::span<const ToolPose> poses);
 
   /// Cuts the wall to where the line of a blade's edge, through its tip along its direction, meets it now: from the tip
@@ -190,6 +192,9 @@ class Body {
   bool load_slowly(const EquilibriumProblem& whole, EquilibriumState& trial);
   std::string describe_failure() const;
   bool may_snap() const;
+  bool may_creep() const;
+  bool creep(EquilibriumProblem& problem, EquilibriumState& trial);
+  void find_drag(const Eigen::VectorXd& before);
   bool solve_step(EquilibriumProblem& problem, EquilibriumState& trial);
   bool try_step(std::span<const ToolPose> begin, std::span<const ToolPose> end, double duration,
                 const BodyInput& input);

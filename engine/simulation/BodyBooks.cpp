@@ -153,6 +153,9 @@ void Body::update_books(const BodyState& before, std::span<const ToolPose> begin
                               model_->mass.cwiseProduct(before.velocity + state_.velocity).dot(motion);
   books.numerical +=
       kinetic_work + static_work - wall_loss - friction_loss - leak_loss - (books.stored() - before.books.stored());
+  for (const Eigen::VectorXd* drag : {&before.drag_force, &std::as_const(state_).drag_force}) {
+    if (drag->size() > 0) books.numerical -= 0.5 * drag->dot(motion);
+  }
   books.viscous += wall_loss + damping_loss;
   books.friction += friction_loss;
   books.leak += leak_loss;

@@ -8,7 +8,7 @@
 #include "engine/simulation/Body.hpp"
 #include "engine/simulation/CutTransfer.hpp"
 #include "engine/simulation/FrictionContact.hpp"
-#include "engine/simulation/SimulationFailure.hpp"
+#include "engine/simulation/RigidMotions.hpp"
 
 namespace thinwall {
 namespace {
@@ -56,16 +56,14 @@ Cut Body::change_mesh(const CutPath& path, double edge_length) {
     const char* fixed = &model_->fixed[3 * v];
     if (fixed[0] || fixed[1] || fixed[2]) options.kept_vertices.push_back(v);
   }
-  const CutSurface uncut = *surface_;
   Cut cut = surface_->cut(path, options);
   if (cut.triangles.empty()) return cut;
-  auto after =
-      std::make_unique<const BodyModel>(make_body_model(cut_definition(model_->definition, surface_->mesh(), cut)));
-  if (after->chambers.size() != model_->chambers.size()) {
-    *surface_ = uncut;
-    throw SimulationFailure("body `" + model_->definition.name + "`: a cut divides what holds its contents");
-  }
-  state_ = carried_over(*model_, state_, *after, cut);
+  auto after = std::make_unique<BodyModel>(make_body_model(cut_definition(*model_, surface_->mesh(), cut)));
+  state_ = carried_over(*model_, state_, *after, cut, options_.gravity);
+  // A piece that nothing holds any more stays where it has just come off.
+  if (after->rigid_motions.cols() > 0) hold_rigid_motions(*after, state_.equilibrium.position);
+  // What slowed the wall is from now on among the forces that hold the lips.
+  state_.drag_force.resize(0);
   // An opening that has changed makes a new beginning.
   state_.outflow = {};
   model_ = std::move(after);
@@ -102,6 +100,7 @@ void Body::find_forces(std::span<const ToolPose> poses) {
   books.bending = lasting_part(model_->definition) * terms.bending_energy;
   books.kinetic = 0.5 * model_->mass.dot(state_.velocity.cwiseAbs2()) + fluid_kinetic_energy();
   books.gravity = gravity_energy();
+  books.fluid = fluid_energy(*model_, state_);
   books.contact = contact_energy(terms) + terms.folds.energy + state_.friction_energy;
 }
 

@@ -82,6 +82,7 @@ Eigen::Matrix3Xd first_moments(const BodyModel& model, const Eigen::VectorXd& po
   Eigen::Matrix3Xd moments = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(model.chambers.size()));
   for (std::size_t t = 0; t < model.chamber.size(); ++t) {
     const int c = model.chamber[t];
+    if (c < 0) continue;
     const auto corners = relative_to(model.chambers[c].level, corners_of(model.surface[t], position));
     for (int axis = 0; axis < 3; ++axis) {
       moments(axis, c) += fluid_moment_of(corners, Eigen::Vector3d::Unit(axis)).value;

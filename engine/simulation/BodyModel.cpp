@@ -1,6 +1,5 @@
 #include "engine/simulation/BodyModel.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cassert>
@@ -8,6 +7,7 @@
 
 #include "engine/mesh/MeshTopology.hpp"
 #include "engine/shell/BendingPatches.hpp"
+#include "engine/simulation/RigidMotions.hpp"
 
 namespace thinwall {
 namespace {
@@ -151,71 +151,6 @@ void fix(BodyModel& model) {
   }
 }
 
-/// The six rigid motions about the centroid, each as displacements of all vertices.
-Eigen::MatrixXd all_rigid_motions(const BodyModel& model) {
-  const int vertices = model.vertices();
-  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
-  for (int v = 0; v < vertices; ++v) centroid += model.rest_position.segment<3>(3 * v) / vertices;
-  double size = 0;
-  for (int v = 0; v < vertices; ++v) {
-    size = std::max(size, (model.rest_position.segment<3>(3 * v) - centroid).norm());
-  }
-  Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(model.unknowns(), 6);
-  for (int v = 0; v < vertices; ++v) {
-    const Eigen::Vector3d arm = (model.rest_position.segment<3>(3 * v) - centroid) / size;
-    for (int axis = 0; axis < 3; ++axis) {
-      motions.block<3, 1>(3 * v, axis) = Eigen::Vector3d::Unit(axis);
-      motions.block<3, 1>(3 * v, 3 + axis) = Eigen::Vector3d::Unit(axis).cross(arm);
-    }
-  }
-  return motions;
-}
-
-/// Combinations of the rigid motions that move no fixed unknown: the null space of the motions seen by these.
-void find_rigid_motions(BodyModel& model) {
-  const Eigen::MatrixXd motions = all_rigid_motions(model);
-  Eigen::Matrix<double, 6, 6> seen = Eigen::Matrix<double, 6, 6>::Zero();
-  for (int k = 0; k < motions.rows(); ++k) {
-    if (model.fixed[k]) seen += motions.row(k).transpose() * motions.row(k);
-  }
-  // A clamped side lets its triangle turn about nothing.
-  for (const BendingRest& patch : model.bending) {
-    const auto is_clamped = [](const BendingSide& side) { return side.clamped; };
-    if (std::none_of(patch.sides.begin(), patch.sides.end(), is_clamped)) continue;
-    for (int k = 0; k < 9; ++k) {
-      const auto row = motions.row(3 * patch.vertices[k / 3] + k % 3);
-      seen += row.transpose() * row;
-    }
-  }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> spectrum(seen);
-  int free = 0;
-  // Below this a motion counts as free: round-off of the sums is some 1e-13, one fixed unknown alone gives about 1.
-  while (free < 6 && spectrum.eigenvalues()[free] < 1e-9) ++free;
-  model.rigid_motions = motions * spectrum.eigenvectors().leftCols(free);
-}
-
-/// Three vertices far from each other, whose springs hold the factorised matrix of a free body.
-void choose_anchors(BodyModel& model) {
-  if (model.rigid_motions.cols() == 0) return;
-  const auto position = [&](int vertex) -> Eigen::Vector3d { return model.rest_position.segment<3>(3 * vertex); };
-  const auto farthest = [&](auto distance) {
-    int best = 0;
-    for (int v = 1; v < model.vertices(); ++v) {
-      if (distance(v) > distance(best)) best = v;
-    }
-    return best;
-  };
-  const int first = farthest([&](int v) { return (position(v) - position(0)).norm(); });
-  const int second = farthest([&](int v) { return (position(v) - position(first)).norm(); });
-  const int third =
-      farthest([&](int v) { return (position(v) - position(first)).cross(position(v) - position(second)).norm(); });
-  for (const int vertex : {first, second, third}) {
-    for (int axis = 0; axis < 3; ++axis) {
-      if (!model.fixed[3 * vertex + axis]) model.anchors.push_back(3 * vertex + axis);
-    }
-  }
-}
-
 }  // namespace
 
 std::array<Eigen::Vector3d, 3> corners_of(const Eigen::Vector3i& triangle, const Eigen::VectorXd& position) {
@@ -250,8 +185,7 @@ BodyModel make_body_model(BodyDefinition definition) {
   if (model.has_fluid()) add_fluid(model);
   add_loads(model);
   fix(model);
-  find_rigid_motions(model);
-  choose_anchors(model);
+  hold_rigid_motions(model, model.rest_position);
   return model;
 }
 

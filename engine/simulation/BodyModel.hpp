@@ -39,15 +39,16 @@ struct BodyModel {
   std::vector<ContactSite> sites;                     // what keeps out of tools: vertices, edges, triangles of the wall
   Eigen::VectorXd mass;                               // (unknowns), kg, lumped, of the wall; none of turns
   std::vector<ChamberModel> chambers;                 // named ones first; none without fluid
-  std::vector<int> chamber;                           // (triangles + caps), index; empty without fluid
+  std::vector<int> chamber;                           // (triangles + caps), index; -1: in none; empty without fluid
   std::vector<OpeningModel> openings;
   std::vector<char> open;  // (chambers), whether the chamber has an opening
   std::vector<LoadModel> loads;
   std::vector<char> fixed;            // (unknowns), whether the unknown keeps its rest value
   std::vector<int> fixed_entries;     // off-diagonal values in rows and columns of fixed unknowns
   std::vector<int> diagonal_entries;  // (unknowns), values on the diagonal
-  Eigen::MatrixXd rigid_motions;      // (unknowns x free rigid motions), that `fixed` does not prevent
-  std::vector<int> anchors;           // (9 or none), unknowns of three vertices far from each other
+  Eigen::MatrixXd rigid_motions;      // (unknowns x free rigid motions) of the parts, that `fixed` does not prevent
+  Eigen::VectorXd held_position;      // (unknowns), metres, where rigid motions are held: at rest, or where it was cut
+  std::vector<int> anchors;           // (9 or none of each part), unknowns of three vertices far from each other
   double wall_stiffness = 0;          // newton / metre, mean of Young's modulus times thickness
   double edge_length = 0;             // metres, mean
   double rest_area = 0;               // metres^2, of the wall

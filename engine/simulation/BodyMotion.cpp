@@ -135,6 +135,7 @@ void Body::accept(std::span<const ToolPose> begin, double duration, const Equili
                   const BodyInput& input, const EquilibriumState& reached) {
   const BodyState before = state_;
   state_.equilibrium = reached;
+  find_drag(before.equilibrium.position);
   state_.volume = newton_->terms().volume;
   state_.load_factors = input.load_factors;
   update_fluids(duration, input, problem);

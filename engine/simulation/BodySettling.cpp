@@ -15,6 +15,13 @@ constexpr int kRelaxationTurns = 100;
 /// Springs that hold so much that a body which does not even follow them has no equilibrium at hand.
 constexpr double kStiffestSprings = 1e4;
 
+/// The same of a cut wall that is slack: with what it begins, what is too much, by how much it is eased from step to
+/// step, and below what it is none.
+constexpr double kFirstDrag = 1e-3;
+constexpr double kMostDrag = 1e2;
+constexpr double kEasedDrag = 0.25;
+constexpr double kLeastDrag = 1e-5;
+
 /// Parts in which the weight is put on where it cannot be at once.
 constexpr int kWeightParts = 8;
 
@@ -74,6 +81,35 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state) {
   failed.reason = (failure_.empty() ? before : failure_) + ", also with pseudo-inertia";
   failure_ = failed.reason;
   return failed;
+}
+
+bool Body::creep(EquilibriumProblem& problem, EquilibriumState& trial) {
+  // A wall that has been cut and lost its contents may go slack altogether: it then has no equilibrium that anything
+  // but its own inertia chooses. Springs to where it was slow it down, as a viscous bath would: it creeps to where it
+  // can rest, over as many steps as that takes, and the springs are eased from step to step. What they take up counts
+  // as spent by the integrator.
+  const EquilibriumProblem whole = problem;
+  for (double drag = state_.drag > 0 ? state_.drag : kFirstDrag; drag < kMostDrag; drag *= 8) {
+    trial = state_.equilibrium;
+    EquilibriumProblem held = whole;
+    held.inertia = drag * model_->wall_stiffness / model_->mass.mean();
+    held.inertia_target = state_.equilibrium.position;
+    state_.drag = drag;
+    if (!solve(held, trial).converged) continue;
+    problem = held;
+    problem.inertia = 0;
+    return true;
+  }
+  return false;
+}
+
+void Body::find_drag(const Eigen::VectorXd& before) {
+  state_.drag_force.resize(0);
+  if (state_.drag == 0) return;
+  const double stiffness = state_.drag * model_->wall_stiffness / model_->mass.mean();
+  state_.drag_force = stiffness * model_->mass.cwiseProduct(before - state_.equilibrium.position);
+  state_.drag *= kEasedDrag;
+  if (state_.drag < kLeastDrag) state_.drag = 0;
 }
 
 bool Body::load_slowly(const EquilibriumProblem& whole, EquilibriumState& trial) {

@@ -85,7 +85,8 @@ Chambers find_chambers(std::span<const Eigen::Vector3d> vertices, std::span<cons
   Chambers result;
   std::vector<int> order(count, -1);
   for (const ChamberDefinition& chamber : fluid.chambers) {
-    const int part = part_around(chamber.inside, vertices, triangles, parts, volumes);
+    const int part =
+        chamber.wall ? parts[*chamber.wall] : part_around(chamber.inside, vertices, triangles, parts, volumes);
     if (part < 0) throw std::invalid_argument("chamber `" + chamber.name + "`: its point lies in no closed part");
     if (order[part] >= 0) {
       throw std::invalid_argument("chambers `" + result.chambers[order[part]].name + "` and `" + chamber.name +
@@ -95,7 +96,7 @@ Chambers find_chambers(std::span<const Eigen::Vector3d> vertices, std::span<cons
     result.chambers.push_back({chamber.name, volumes[part], centroids[part],
                                chamber.initial_pressure ? chamber.initial_pressure : fluid.initial_pressure});
   }
-  for (int part = 0; part < count; ++part) {
+  for (int part = 0; part < count && fluid.other_chambers; ++part) {
     if (order[part] >= 0) continue;
     order[part] = static_cast<int>(result.chambers.size());
     result.chambers.push_back({"", volumes[part], centroids[part], fluid.initial_pressure});

@@ -20,7 +20,7 @@ struct ChamberModel {
 
 struct Chambers {
   std::vector<ChamberModel> chambers;  // in the order of the definition, then the others by their first triangle
-  std::vector<int> of_triangle;        // (triangles), index
+  std::vector<int> of_triangle;        // (triangles), index; -1 of parts that hold nothing
 };
 
 /// The parts of a closed surface that hang together. Throws std::invalid_argument when the point that names a chamber

@@ -8,14 +8,10 @@
 #include <utility>
 
 #include "engine/mesh/MeshTopology.hpp"
+#include "engine/simulation/PartedContents.hpp"
 
 namespace thinwall {
 namespace {
-
-/// The triangle before the cut that covers most of a triangle.
-int main_source(const TriangleSource& source) {
-  return std::ranges::max_element(source.before, {}, &TriangleShare::share)->triangle;
-}
 
 /// A field with a value for each triangle; one that is absent or even stays as it is.
 template <typename Value>
@@ -192,20 +188,22 @@ void carry_contacts(const BodyModel& before, const BodyState& state, const BodyM
   }
 }
 
-/// A wall with contents was closed but for its caps: what is open now was cut.
-std::vector<Opening> openings_of(const SurfaceMesh& mesh) {
-  std::vector<Opening> openings;
-  const MeshTopology topology = topology_of(static_cast<int>(mesh.vertices.size()), closed_surface(mesh));
-  for (const std::vector<int>& loop : topology.boundary_loops) openings.push_back({.lips = loop});
-  return openings;
-}
-
 }  // namespace
 
-BodyDefinition cut_definition(const BodyDefinition& before, const SurfaceMesh& mesh, const Cut& cut) {
+int main_source(const TriangleSource& source) {
+  return std::ranges::max_element(source.before, {}, &TriangleShare::share)->triangle;
+}
+
+BodyDefinition cut_definition(const BodyModel& model, const SurfaceMesh& mesh, const Cut& cut) {
+  const BodyDefinition& before = model.definition;
   BodyDefinition after = before;
   after.mesh = mesh;
-  if (after.fluid.kind != FluidKind::kNone) after.openings = openings_of(mesh);
+  if (model.has_fluid()) {
+    PartedContents contents = parted_contents(model, mesh, cut);
+    after.openings = std::move(contents.openings);
+    after.fluid.chambers = std::move(contents.chambers);
+    after.fluid.other_chambers = false;
+  }
   after.tension_field = before.model == WallModel::kMembrane;
   const std::size_t triangles = mesh.triangles.size();
   after.thickness.resize(triangles);
@@ -226,7 +224,8 @@ BodyDefinition cut_definition(const BodyDefinition& before, const SurfaceMesh& m
   return after;
 }
 
-BodyState carried_over(const BodyModel& before, const BodyState& state, const BodyModel& after, const Cut& cut) {
+BodyState carried_over(const BodyModel& before, const BodyState& state, const BodyModel& after, const Cut& cut,
+                       const Eigen::Vector3d& gravity) {
   BodyState carried = state;
   const TurnMap turns(before, after, cut);
   for (Eigen::VectorXd BodyState::*values :
@@ -237,6 +236,7 @@ BodyState carried_over(const BodyModel& before, const BodyState& state, const Bo
   carried.static_force = carried.load_force = Eigen::VectorXd::Zero(after.unknowns());
   carry_history(TensorTransfer(before, after, cut), carried.wall);
   carry_contacts(before, state, after, carried);
+  carry_contents(before, state, after, cut, gravity, carried);
   std::erase_if(carried.attachments, [&](const Attachment& attachment) {
     return std::ranges::none_of(after.surface, [&](const Eigen::Vector3i& triangle) {
       return std::ranges::all_of(attachment.vertices, [&](int vertex) { return (triangle.array() == vertex).any(); });

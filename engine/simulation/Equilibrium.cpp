@@ -85,6 +85,7 @@ void add_fluid(const BodyModel& model, const EquilibriumProblem& problem, const 
   const bool has_inertia = terms.moment.cols() > 0;
   for (std::size_t t = 0; t < model.surface.size(); ++t) {
     const int chamber = model.chamber[t];
+    if (chamber < 0) continue;
     const auto corners = corners_of(model.surface[t], position);
     terms.volume[chamber] += volume_of(corners);
     const Eigen::Matrix<double, 9, 1> gradient = volume_gradient_of(corners);
@@ -292,7 +293,7 @@ Flow flow_between(const BodyModel& model, const OrificeDefinition& orifice, cons
 Eigen::VectorXd enclosed_volumes(const BodyModel& model, const Eigen::VectorXd& position) {
   Eigen::VectorXd volumes = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.chambers.size()));
   for (std::size_t t = 0; t < model.chamber.size(); ++t) {
-    volumes[model.chamber[t]] += volume_of(corners_of(model.surface[t], position));
+    if (model.chamber[t] >= 0) volumes[model.chamber[t]] += volume_of(corners_of(model.surface[t], position));
   }
   if (!model.has_fluid()) return volumes;
   for (const OpeningModel& opening : model.openings) {

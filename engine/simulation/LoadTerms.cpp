@@ -96,6 +96,7 @@ void add_fluid_weight(const BodyModel& model, const EquilibriumProblem& problem,
   }
   for (std::size_t t = 0; t < model.surface.size(); ++t) {
     const int chamber = model.chamber[t];
+    if (chamber < 0) continue;
     const auto corners = relative_to(model.chambers[chamber].level, corners_of(model.surface[t], position));
     if (model.is_open(chamber)) {
       // Load and curvature are those of `add_open_chambers`.

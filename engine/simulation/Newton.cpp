@@ -12,8 +12,11 @@ namespace {
 constexpr int kContactTurns = 8;
 
 /// After this many iterations steps are halved at once: whole ones may go to and fro between two sets of contacts, one
-/// of which lowers the residual and the other the energy.
+/// of which lowers the residual and the other the energy. Where the residual falls to this part so many times in a row
+/// there is one set, and whole ones lead to the end.
 constexpr int kWholeSteps = 15;
+constexpr double kCalmFall = 0.7;
+constexpr int kCalmSteps = 2;
 
 /// Steps of a shell without line search before it is solved with one.
 constexpr int kForeseeingSteps = 40;
@@ -81,7 +84,7 @@ void Newton::compute_residual(const EquilibriumProblem& problem, const Equilibri
   }
   if (problem.hold_rigid_motions) {
     residual.force += rigid_columns_ * state.rigid_reaction;
-    residual.rigid = rigid_columns_.transpose() * (state.position - model_.rest_position);
+    residual.rigid = rigid_columns_.transpose() * (state.position - model_.held_position);
   }
   compute_volume_residual(problem, state, terms, residual);
   clear_fixed(residual.force);
@@ -183,10 +186,13 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
   }
   Residual residual;
   Step step;
-  double shift = 0, first_scale = 0;
+  double shift = 0, first_scale = 0, last_measure = 0;
+  int calm = 0;  // iterations in a row by which the residual fell
   for (;; ++result.iterations) {
     if (options.between_iterations) options.between_iterations();
     compute_residual(problem, state, terms_, residual);
+    calm = residual.measure < kCalmFall * last_measure ? calm + 1 : 0;
+    last_measure = residual.measure;
     result.residual = residual.largest_force;
     result.residual_history.push_back(residual.largest_force);
     const double scale = force_scale(problem, terms_);
@@ -224,7 +230,8 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
       result.reason = "the wall is stretched beyond its law";
       return result;
     }
-    if (!search(problem, state, residual, step, result.iterations < kWholeSteps ? 1 : 0.5)) {
+    const bool whole = result.iterations < kWholeSteps || calm >= kCalmSteps;
+    if (!search(problem, state, residual, step, whole ? 1 : 0.5)) {
       result.reason = obstructed("the line search found no smaller residual or energy");
       return result;
     }

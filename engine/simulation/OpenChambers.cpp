@@ -116,7 +116,7 @@ void add_loads(const BodyModel& model, const EquilibriumProblem& problem, const 
   }
   for (int t = 0; t < static_cast<int>(model.surface.size()); ++t) {
     const int c = model.chamber[t];
-    if (!model.is_open(c)) continue;
+    if (c < 0 || !model.is_open(c)) continue;
     const auto corners = corners_of(model.surface[t], position);
     add_moment_loads(model, problem, t, corners, terms);
     const Eigen::Matrix<double, 9, 1> unit = unit_load_of(corners, contents[c].weight);
