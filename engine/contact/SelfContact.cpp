@@ -172,8 +172,10 @@ void SelfContact::list_near(const Eigen::VectorXd& position) {
   ++listings_;
 }
 
-NearPair SelfContact::describe(PairKind kind, const Eigen::Vector4i& vertices) const {
+std::optional<NearPair> SelfContact::describe(PairKind kind, const Eigen::Vector4i& vertices) const {
   const PairCorners rest = corners_at(vertices, rest_position_);
+  const double rest_distance = pair_distance(kind, rest).distance;
+  if (rest_distance < kTouching * edge_length_) return std::nullopt;
   double thickness = 0, area = 0;
   for (const int vertex : vertices) thickness += 0.25 * vertex_thickness_[vertex];
   // Each place of the wall is counted by its points and by its edges (three to a point), and once from either side.
@@ -182,19 +184,19 @@ NearPair SelfContact::describe(PairKind kind, const Eigen::Vector4i& vertices) c
   } else {
     for (const int vertex : vertices) area += 0.25 / 12 * vertex_area_[vertex];
   }
-  return {.kind = kind,
-          .vertices = vertices,
-          .range = std::min({thickness, largest_range_, kRestRange * pair_distance(kind, rest).distance}),
-          .area = area,
-          .parallel = kind == PairKind::kEdgeEdge ? parallel_bound(rest) : 0};
+  return NearPair{.kind = kind,
+                  .vertices = vertices,
+                  .range = std::min({thickness, largest_range_, kRestRange * rest_distance}),
+                  .area = area,
+                  .parallel = kind == PairKind::kEdgeEdge ? parallel_bound(rest) : 0};
 }
 
 void SelfContact::list_if_near(PairKind kind, const Eigen::Vector4i& vertices, const Eigen::VectorXd& position) {
   const double distance = pair_distance(kind, corners_at(vertices, position)).distance;
   const double margin = margin_of(vertices);
   if (distance > largest_range_ + margin) return;
-  const NearPair pair = describe(kind, vertices);
-  if (distance <= pair.range + margin && !touches_at_rest(kind, vertices)) near_.push_back(pair);
+  const std::optional<NearPair> pair = describe(kind, vertices);
+  if (pair && distance <= pair->range + margin) near_.push_back(*pair);
 }
 
 void SelfContact::gather_stars() {
@@ -214,7 +216,7 @@ void SelfContact::gather_stars() {
         }
         if (lowest != static_cast<int>(v)) continue;
         visit_parts(one, other, [&](PairKind kind, const Eigen::Vector4i& vertices) {
-          if (!touches_at_rest(kind, vertices)) pairs[v].push_back(describe(kind, vertices));
+          if (const auto pair = describe(kind, vertices)) pairs[v].push_back(*pair);
         });
       }
     }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -95,7 +96,8 @@ class SelfContact {
   template <typename Visit>
   void visit_parts(int triangle, int other, const Visit& visit) const;
   bool touches_at_rest(PairKind kind, const Eigen::Vector4i& vertices) const;
-  NearPair describe(PairKind kind, const Eigen::Vector4i& vertices) const;
+  /// Nothing of parts that touch in the stress-free shape.
+  std::optional<NearPair> describe(PairKind kind, const Eigen::Vector4i& vertices) const;
   void list_if_near(PairKind kind, const Eigen::Vector4i& vertices, const Eigen::VectorXd& position);
   template <typename Visit>
   void visit_near(const Visit& visit) const;

@@ -29,8 +29,10 @@ void Body::prepare_cutting() {
     definition.fixed[k].region = GroupRegion{group_of_fixed(k)};
   }
   surface_ = std::make_unique<CutSurface>(definition.mesh);
-  model_ = std::make_unique<const BodyModel>(make_body_model(std::move(definition)));
-  newton_ = std::make_unique<Newton>(*model_);
+  auto model = std::make_unique<BodyModel>(*model_);
+  model->definition = std::move(definition);
+  newton_ = std::make_unique<Newton>(*model, *newton_);
+  model_ = std::move(model);
 }
 
 Cut Body::cut(const CutPath& path, std::span<const ToolPose> poses) {
@@ -66,8 +68,8 @@ Cut Body::change_mesh(const CutPath& path, double edge_length) {
   state_.drag_force.resize(0);
   // An opening that has changed makes a new beginning.
   state_.outflow = {};
+  newton_ = std::make_unique<Newton>(*after, *newton_);
   model_ = std::move(after);
-  newton_ = std::make_unique<Newton>(*model_);
   find_strains();
   measure_openings();
   state_.cut.length += cut.length;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/simulation/OpenChambers.hpp"
 
@@ -31,13 +32,19 @@ double square(double value) {
 
 }  // namespace
 
-Newton::Newton(const BodyModel& model)
+Newton::Newton(const BodyModel& model) : Newton(model, SparseFactor(model.pattern)) {}
+
+Newton::Newton(const BodyModel& model, const Newton& before)
+    : Newton(model, SparseFactor(model.pattern, before.factor_)) {}
+
+Newton::Newton(const BodyModel& model, SparseFactor factor)
     : model_(model),
-      factor_(model.pattern),
+      factor_(std::move(factor)),
       self_contact_(self_contact_of(model)),
       fold_matrix_(model),
       rigid_columns_(model.rigid_motions) {
-  for (Eigen::Index k = 0; k < rigid_columns_.rows(); ++k) rigid_columns_.row(k) *= model.mass[k] / model.mass.mean();
+  const double mean_mass = model.mass.mean();
+  for (Eigen::Index k = 0; k < rigid_columns_.rows(); ++k) rigid_columns_.row(k) *= model.mass[k] / mean_mass;
 }
 
 void Newton::evaluate_all(const EquilibriumProblem& problem, const EquilibriumState& state, EquilibriumTerms& terms) {

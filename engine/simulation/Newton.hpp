@@ -66,6 +66,9 @@ class Newton {
  public:
   explicit Newton(const BodyModel& model);
 
+  /// After a cut: `before` solved for the wall as it was, whose vertices come first.
+  Newton(const BodyModel& model, const Newton& before);
+
   /// Solves from `state`; the attachments' forces in `problem` are both start and result. On failure the state is
   /// the best one reached.
   NewtonResult solve(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options);
@@ -125,6 +128,7 @@ class Newton {
     std::vector<FrictionContact> friction;
   };
 
+  Newton(const BodyModel& model, SparseFactor factor);
   NewtonResult iterate(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options,
                        bool foresees);
   void foresee(const EquilibriumProblem& problem, const Eigen::VectorXd& position, const Eigen::VectorXd& motion);

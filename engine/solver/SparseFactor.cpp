@@ -8,7 +8,10 @@
 #include <cmath>
 #include <new>
 #include <numeric>
+#include <utility>
 #include <vector>
+
+#include "engine/solver/NodeOrder.hpp"
 
 namespace thinwall {
 namespace {
@@ -47,9 +50,13 @@ struct SparseFactor::Implementation {
   cholmod_dense* solution = nullptr;
   cholmod_dense* workspace_y = nullptr;
   cholmod_dense* workspace_e = nullptr;
-  std::vector<int> order;  // (unknowns)
+  std::vector<int> nodes;          // in their order
+  std::vector<int> order;          // (unknowns)
+  double operations = 0;           // of a supernodal factorisation
+  double operations_per_node = 0;  // with the last order that was not taken over
 
-  explicit Implementation(const BlockPattern& the_pattern) : pattern(the_pattern) {
+  explicit Implementation(const BlockPattern& the_pattern, const Implementation* before = nullptr)
+      : pattern(the_pattern) {
     // The library opens parallel regions of its own for tiny loops; their threads would only spin against those that
     // render and encode. No active level means that every region runs on the thread that meets it.
     omp_set_max_active_levels(0);
@@ -58,9 +65,6 @@ struct SparseFactor::Implementation {
     common.nmethods = 1;
     common.method[0].ordering = CHOLMOD_GIVEN;
     common.postorder = 1;
-    for (const int node : node_order(pattern, common)) {
-      for (int c = 0; c < pattern.unknowns_of(node); ++c) order.push_back(pattern.first_unknown(node) + c);
-    }
     matrix.nrow = matrix.ncol = static_cast<std::size_t>(pattern.unknowns());
     matrix.nzmax = pattern.nonzeros();
     matrix.p = pattern.column_begin.data();
@@ -69,7 +73,24 @@ struct SparseFactor::Implementation {
     matrix.itype = CHOLMOD_INT;
     matrix.dtype = CHOLMOD_DOUBLE;
     matrix.sorted = matrix.packed = 1;
+    if (before != nullptr && pattern.singles == 0 && before->pattern.singles == 0) {
+      set_order(extended_order(before->pattern, before->nodes, pattern));
+      operations_per_node = before->operations_per_node;
+      if (operations <= kWorseOrder * operations_per_node * pattern.nodes()) return;
+      cholmod_free_factor(&definite, &common);
+    }
+    set_order(node_order(pattern, common));
+    operations_per_node = operations / std::max(1, pattern.nodes());
+  }
+
+  void set_order(std::vector<int> the_nodes) {
+    nodes = std::move(the_nodes);
+    order.clear();
+    for (const int node : nodes) {
+      for (int c = 0; c < pattern.unknowns_of(node); ++c) order.push_back(pattern.first_unknown(node) + c);
+    }
     definite = analyze(CHOLMOD_SUPERNODAL, true);
+    operations = common.fl;
   }
 
   ~Implementation() {
@@ -104,6 +125,8 @@ struct SparseFactor::Implementation {
 };
 
 SparseFactor::SparseFactor(const BlockPattern& pattern) : implementation_(std::make_unique<Implementation>(pattern)) {}
+SparseFactor::SparseFactor(const BlockPattern& pattern, const SparseFactor& before)
+    : implementation_(std::make_unique<Implementation>(pattern, before.implementation_.get())) {}
 SparseFactor::~SparseFactor() = default;
 SparseFactor::SparseFactor(SparseFactor&&) noexcept = default;
 SparseFactor& SparseFactor::operator=(SparseFactor&&) noexcept = default;
@@ -131,6 +154,10 @@ std::optional<int> SparseFactor::factorize_indefinite(std::span<const double> va
   }
   own.current = own.indefinite;
   return negative;
+}
+
+double SparseFactor::operations() const {
+  return implementation_->operations;
 }
 
 void SparseFactor::solve(Eigen::Ref<Eigen::MatrixXd> right_hand_sides) {

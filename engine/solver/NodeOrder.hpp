@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/solver/BlockPattern.hpp"
+
+namespace thinwall {
+
+/// Parent of each node in the elimination tree of a pattern under an order of its nodes, (nodes), -1 at a root: the
+/// first of the nodes after it that it is coupled with once those before it are eliminated (Liu 1990).
+std::vector<int> elimination_tree(const BlockPattern& pattern, std::span<const int> order);
+
+/// An order for a pattern that has grown, from a good one of the pattern before, whose nodes come first. Couplings that
+/// are new stay cheap when they join a node with those above or below it in the elimination tree of the order before: a
+/// further node comes right after the lowest node of which all that it is coupled with lie above or below, and nodes
+/// that are newly coupled across branches of the tree make room in the same way. Couplings that are gone do no harm.
+std::vector<int> extended_order(const BlockPattern& before, std::span<const int> order, const BlockPattern& after);
+
+}  // namespace thinwall
