@@ -234,6 +234,10 @@ class Body {
   bool catch_passed_edges(EquilibriumProblem& problem, const Eigen::VectorXd& position) const;
   void prepare_cutting();
   void find_forces(std::span<const ToolPose> poses);
+  /// Cuts from the tip to the open border that the blade has left the wall over; nothing where it has not.
+  std::optional<Cut> cut_to_border(const ToolPose& pose, std::span<const ToolPose> poses);
+  /// The border over which the blade came back into the wall, where a cut left it over another.
+  std::optional<SurfacePoint> beyond_gap(const ToolPose& pose);
   Cut change_mesh(const CutPath& path, double edge_length);
   void hold_lips(double length);
   void spread_push();

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/cutting/BorderCrossing.hpp"
 #include "engine/cutting/SurfaceNormals.hpp"
 #include "engine/cutting/SurfaceTrace.hpp"
 #include "engine/simulation/Body.hpp"
@@ -125,12 +126,12 @@ std::optional<Cut> Body::follow_blade(int tool, std::span<const ToolPose> poses,
   const ToolPose& pose = poses[tool];
   const SurfaceView wall = surface();
   const auto entry = first_entry_on_segment(wall, pose.tip - tools_[tool].length * pose.direction, pose.tip);
-  if (!entry) return std::nullopt;
+  if (!entry) return cut_to_border(pose, poses);
   const SurfacePoint target = snapped_to_edges(wall, {.triangle = entry->triangle, .weights = entry->weights});
   CutProgress& progress = state_.cut;
   if (!progress.tip && !progress.start) {
     progress.tool = tool;
-    progress.start = target;
+    progress.start = beyond_gap(pose).value_or(target);
     spread_push();
     progress.resistance = progress.cost;
     for (std::size_t k = 0; k < solids_.size(); ++k) {
@@ -140,14 +141,44 @@ std::optional<Cut> Body::follow_blade(int tool, std::span<const ToolPose> poses,
   }
   const SurfacePoint from = progress.tip ? point_at(wall.triangles, *progress.tip) : *progress.start;
   const SurfaceTrace way = trace(wall, vertex_normals(wall), from, target);
-  if (way.pieces.empty()) return std::nullopt;
+  if (way.pieces.size() != 1) return cut_to_border(pose, poses);
   CutPath path{.from = progress.tip, .points = way.pieces.front().points, .goes_on = goes_on};
   Cut cut = this->cut(path, poses);
   if (cut.triangles.empty()) return std::nullopt;
   return cut;
 }
 
+std::optional<Cut> Body::cut_to_border(const ToolPose& pose, std::span<const ToolPose> poses) {
+  if (!state_.cut.tip) return std::nullopt;
+  const int tip = *state_.cut.tip;
+  const SurfaceView wall = surface();
+  const Eigen::Vector3d from = state_.equilibrium.position.segment<3>(3 * tip);
+  const Eigen::Vector3d to = pose.tip + (from - pose.tip).dot(pose.direction) * pose.direction;
+  // In its own wound, behind the tip, the blade has left no wall.
+  if ((to - from).dot(way_ahead(wall, tip)) <= 0) return std::nullopt;
+  const auto border = border_crossing(wall, from, to, pose.direction, Crossing::kFirst);
+  if (!border) return std::nullopt;
+  const SurfaceTrace way =
+      trace(wall, vertex_normals(wall), point_at(wall.triangles, tip), snapped_to_edges(wall, *border));
+  if (way.pieces.size() != 1) return std::nullopt;
+  const Eigen::Vector3d place = place_on(*model_, border->triangle, border->weights, state_.equilibrium.position);
+  Cut cut = this->cut({.from = tip, .points = way.pieces.front().points}, poses);
+  if (cut.triangles.empty()) return std::nullopt;
+  if (!cut.tip) state_.cut.left = place;
+  return cut;
+}
+
+std::optional<SurfacePoint> Body::beyond_gap(const ToolPose& pose) {
+  const std::optional<Eigen::Vector3d> left = std::exchange(state_.cut.left, std::nullopt);
+  if (!left) return std::nullopt;
+  const SurfaceView wall = surface();
+  const Eigen::Vector3d to = pose.tip + (*left - pose.tip).dot(pose.direction) * pose.direction;
+  const auto border = border_crossing(wall, *left, to, pose.direction, Crossing::kLast);
+  return border ? std::optional(snapped_to_edges(wall, *border)) : std::nullopt;
+}
+
 void Body::leave_cut() {
+  state_.cut.left.reset();
   state_.cut.tool.reset();
   state_.cut.tip.reset();
   state_.cut.start.reset();

@@ -46,13 +46,15 @@ struct CutProgress {
   std::optional<int> tool = {};            // whose blade is in the wall: the wall is free on it
   std::optional<SurfacePoint> start = {};  // where a blade met the wall, until it is cut there
   std::optional<int> tip = {};             // vertex where the cut goes on
-  std::vector<HeldLips> held = {};         // in the order of the cuts: lips that are not free yet
-  double cost = 0;                         // newton: of new cut area per length at the tip
-  double resistance = 0;                   // newton
-  double push = 0;                         // newton, along the blade's way
-  double progress = 0;                     // part of the blade's last way by which it cut, the rest it dragged the wall
-  double given = 0;                        // newton: what the wall releases per length, mean over a triangle
-  double owed = 0;                         // joule, of the new area so far, that neither blade nor wall has paid yet
+  std::optional<Eigen::Vector3d> left =
+      {};                           // metres, where it ran into an open border, until a blade meets the wall again
+  std::vector<HeldLips> held = {};  // in the order of the cuts: lips that are not free yet
+  double cost = 0;                  // newton: of new cut area per length at the tip
+  double resistance = 0;            // newton
+  double push = 0;                  // newton, along the blade's way
+  double progress = 0;              // part of the blade's last way by which it cut, the rest it dragged the wall
+  double given = 0;                 // newton: what the wall releases per length, mean over a triangle
+  double owed = 0;                  // joule, of the new area so far, that neither blade nor wall has paid yet
   Eigen::Vector3d blade_force = Eigen::Vector3d::Zero();  // newton, of the edge on the wall
   std::vector<PushedVertex> pushed = {};                  // around the tip
   double length = 0;                                      // metres, rest, cut since time zero

@@ -134,5 +134,38 @@ TEST(CutAlongPath, ABladeThatGoesOnByTinyStepsLeavesItsPathByAFifthOfAnEdge) {
   }
 }
 
+TEST(CutAlongPath, ABladeThatGoesOnByTinyStepsCrossesAnEarlierCut) {
+  for (int k = 0; k < 12; ++k) {
+    SCOPED_TRACE(k);
+    CutSurface wall(make_sheet(2, 2, 300));  // edges of 0.13
+    cut_through(wall, {{-0.7, 0.02 * k, 0}, {0.7, 0.01 * k, 0}}, true);
+    const double angle = 0.8 + 0.13 * k;
+    const Eigen::Vector3d along(std::cos(angle), std::sin(angle), 0);
+    const Eigen::Vector3d begin = -0.5 * along + Eigen::Vector3d(0.02 * k, 0, 0);
+    std::optional<int> tip;
+    std::optional<Eigen::Vector3d> start = begin;
+    double length = 0;
+    int joined = 0;
+    for (double travel = 0.01; travel < 1; travel += 0.01) {
+      const TestSurface now(wall.mesh(), true);
+      const auto below = [&](const Eigen::Vector3d& point) { return *project(now.view(), point, {}, 1).point; };
+      const Eigen::Vector3d place = begin + travel * along;
+      if (!tip && !start) start = place;
+      const SurfacePoint from = tip ? below(wall.mesh().vertices[*tip]) : below(*start);
+      const SurfaceTrace way = trace(now.view(), vertex_normals(now.view()), from, below(place));
+      if (way.pieces.empty()) continue;
+      const Cut cut = wall.cut({.from = tip, .points = way.pieces.front().points, .goes_on = true});
+      if (cut.triangles.empty()) continue;
+      length += cut.length;
+      tip = cut.tip;
+      start.reset();
+      joined += cut.tip ? 0 : 1;
+    }
+    std::printf("joined %d, length %.3f\n", joined, length);
+    EXPECT_EQ(joined, 1);
+    EXPECT_NEAR(length, 1, 0.13);
+  }
+}
+
 }  // namespace
 }  // namespace thinwall
