@@ -119,6 +119,9 @@ void Body::hold_lips(double length) {
     }
     if (!one.force.isZero(0)) held.forces.push_back(one);
   }
+  for (int k = 3 * model_->vertices(); k < model_->unknowns(); ++k) {
+    if (!model_->fixed[k] && left_over[k] != 0) held.turns.push_back({.unknown = k, .force = left_over[k]});
+  }
   state_.cut.held.push_back(std::move(held));
 }
 

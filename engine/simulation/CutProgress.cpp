@@ -36,6 +36,7 @@ Eigen::VectorXd force_at_lips(const CutProgress& progress, Eigen::Index unknowns
   Eigen::VectorXd force = Eigen::VectorXd::Zero(unknowns);
   for (const HeldLips& lips : progress.held) {
     for (const HeldForce& one : lips.forces) force.segment<3>(3 * one.vertex) += lips.held * one.force;
+    for (const HeldTurn& one : lips.turns) force[one.unknown] += lips.held * one.force;
   }
   for (const PushedVertex& pushed : progress.pushed) {
     force.segment<3>(3 * pushed.vertex) += pushed.share * progress.blade_force;

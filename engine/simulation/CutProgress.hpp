@@ -21,11 +21,18 @@ struct HeldForce {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  // newton
 };
 
+/// The same of the turn of a shell's edge.
+struct HeldTurn {
+  int unknown = 0;   // index
+  double force = 0;  // newton
+};
+
 /// What a cut opens that was made at once.
 struct HeldLips {
   std::vector<HeldForce> forces;  // at the lips, and where the changed mesh alone would not rest
-  double held = 1;                // part of the forces that still acts
-  double length = 0;              // metres, rest, of the cut: the blade's way over which it is let go
+  std::vector<HeldTurn> turns = {};
+  double held = 1;    // part of the forces that still acts
+  double length = 0;  // metres, rest, of the cut: the blade's way over which it is let go
 };
 
 /// A vertex that bears a share of the blade's push.

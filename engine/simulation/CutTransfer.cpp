@@ -68,6 +68,24 @@ class TurnMap {
     }
   }
 
+  /// Lips that are not free yet go on holding the edges that have come through.
+  void carry(std::vector<HeldLips>& held) const {
+    std::vector<int> destinations(static_cast<std::size_t>(before_.unknowns()), -1);
+    const double scale = before_.edge_length / after_.edge_length;
+    for (std::size_t e = 0; e < sources_.size(); ++e) {
+      if (sources_[e] >= 0) {
+        destinations[3 * before_.vertices() + sources_[e]] = 3 * after_.vertices() + static_cast<int>(e);
+      }
+    }
+    for (HeldLips& lips : held) {
+      for (HeldTurn& turn : lips.turns) {
+        turn.unknown = destinations[turn.unknown];
+        turn.force *= scale;
+      }
+      std::erase_if(lips.turns, [](const HeldTurn& turn) { return turn.unknown < 0; });
+    }
+  }
+
  private:
   const BodyModel& before_;
   const BodyModel& after_;
@@ -235,6 +253,7 @@ BodyState carried_over(const BodyModel& before, const BodyState& state, const Bo
   carried.equilibrium.position = carried_vertices(before, after, cut, turns, state.equilibrium.position);
   carried.static_force = carried.load_force = Eigen::VectorXd::Zero(after.unknowns());
   carry_history(TensorTransfer(before, after, cut), carried.wall);
+  turns.carry(carried.cut.held);
   carry_contacts(before, state, after, carried);
   carry_contents(before, state, after, cut, gravity, carried);
   std::erase_if(carried.attachments, [&](const Attachment& attachment) {

@@ -159,6 +159,21 @@ TEST(ABladeThatIsDrawnThroughASheet, PaysWhatTheWallAsksBeyondWhatItReleases) {
   }
 }
 
+TEST(ABladeThatIsDrawnThroughAStretchedShell, LeavesTheBooksClosed) {
+  BodyDefinition definition = pressurised_hemisphere(256, 400);
+  definition.model = WallModel::kShell;
+  definition.prestretch = {{.first = 1.04, .second = 1.04}};
+  definition.toughness = {50};
+  Body body(definition, {blade()}, quasi_static());
+  body.settle();
+  const auto check = [&] {
+    const EnergyBooks& books = body.state().books;
+    EXPECT_LT(std::abs(books.imbalance()), 1e-9 * books.elastic);
+  };
+  draw_blade(body, {-4e-3, 1e-3, 16e-3}, {4e-3, 1e-3, 16e-3}, 12, check);
+  EXPECT_GT(body.state().cut.length, 3e-3);
+}
+
 TEST(ABladeThatOpensAFluidFilledBody, LetsItRunOutUnderBooksThatClose) {
   for (const Analysis analysis : {Analysis::kQuasiStatic, Analysis::kDynamic}) {
     BodyDefinition definition = pressurised_hemisphere(1024, 600);
