@@ -33,6 +33,8 @@ double relative_travel(PairKind kind, const PairCorners& motions) {
 double safe_fraction(PairKind kind, const PairCorners& corners, const PairCorners& motions) {
   const PairCorners relative = without_mean(motions);
   const double travel = travel_of(kind, relative);
+  // Most pairs are far apart: that is told without their distance.
+  if (travel <= kAdvance * (1 - kKeptDistance) * least_distance(kind, corners)) return 1;
   double distance = pair_distance(kind, corners).distance;
   const double kept = kKeptDistance * distance;
   if (travel <= kAdvance * (distance - kept)) return 1;

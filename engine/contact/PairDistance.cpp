@@ -80,6 +80,15 @@ PairDistance pair_distance(PairKind kind, const PairCorners& corners) {
   return kind == PairKind::kPointTriangle ? point_triangle(corners) : edge_edge(corners);
 }
 
+double least_distance(PairKind kind, const PairCorners& corners) {
+  if (kind == PairKind::kEdgeEdge) {
+    const Eigen::Vector3d between = corners[0] + corners[1] - corners[2] - corners[3];
+    return 0.5 * (between.norm() - (corners[1] - corners[0]).norm() - (corners[3] - corners[2]).norm());
+  }
+  const double edges = std::max((corners[2] - corners[1]).squaredNorm(), (corners[3] - corners[1]).squaredNorm());
+  return (corners[0] - corners[1]).norm() - std::sqrt(edges);
+}
+
 Eigen::Matrix<double, 12, 1> distance_gradient(const PairDistance& closest) {
   Eigen::Matrix<double, 12, 1> gradient;
   for (int k = 0; k < 4; ++k) gradient.segment<3>(3 * k) = closest.weights[k] / closest.distance * closest.offset;

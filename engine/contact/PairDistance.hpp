@@ -27,6 +27,9 @@ struct PairDistance {
 /// are not unique and the derivatives below jump; EdgeMollifier smooths that away.
 PairDistance pair_distance(PairKind kind, const PairCorners& corners);
 
+/// No more than that distance, metres, at a fraction of its price: that of balls around the two.
+double least_distance(PairKind kind, const PairCorners& corners);
+
 /// Derivatives of the distance by the corners (x0, y0, z0, x1, ..., z3); for distances above zero. With the offset r,
 /// weights w and T the slides' images (columns), the gradient of half the squared distance by corner a is w_a r, its
 /// Hessian w_a w_b 1 - G_a^T (T^T T)^-1 G_b with G_a = w_a T^T + d_a r^T, d_a the slides' rows: the minimum over the

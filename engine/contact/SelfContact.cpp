@@ -192,8 +192,10 @@ std::optional<NearPair> SelfContact::describe(PairKind kind, const Eigen::Vector
 }
 
 void SelfContact::list_if_near(PairKind kind, const Eigen::Vector4i& vertices, const Eigen::VectorXd& position) {
-  const double distance = pair_distance(kind, corners_at(vertices, position)).distance;
+  const PairCorners corners = corners_at(vertices, position);
   const double margin = margin_of(vertices);
+  if (least_distance(kind, corners) > largest_range_ + margin) return;
+  const double distance = pair_distance(kind, corners).distance;
   if (distance > largest_range_ + margin) return;
   const std::optional<NearPair> pair = describe(kind, vertices);
   if (pair && distance <= pair->range + margin) near_.push_back(*pair);
@@ -293,6 +295,7 @@ void SelfContact::evaluate(const Eigen::VectorXd& position, SelfContactTerms& te
 void SelfContact::add_folds(const Eigen::VectorXd& position, SelfContactTerms& terms, Eigen::VectorXd& gradient) const {
   visit_near([&](const NearPair& near) {
     const PairCorners corners = corners_at(near.vertices, position);
+    if (least_distance(near.kind, corners) >= near.range) return;
     const PairDistance closest = pair_distance(near.kind, corners);
     if (closest.distance >= near.range) return;
     const FoldContact contact{.vertices = near.vertices,

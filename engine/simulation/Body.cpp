@@ -71,6 +71,7 @@ Body::Body(BodyDefinition definition, std::vector<ToolDefinition> tools, Simulat
   state_.solid_contacts.resize(solids);
   state_.solid_forces.assign(solids, std::vector<double>(model_->sites.size(), 0));
   state_.friction.resize(solids);
+  state_.pressing.resize(tools_.size());
 }
 
 SurfaceView Body::surface() const {
@@ -85,7 +86,7 @@ FluidMode Body::fluid_mode() const {
 }
 
 bool Body::may_snap() const {
-  return options_.analysis == Analysis::kQuasiStatic && report_.halvings >= kHalvingsBeforeRelaxing;
+  return snaps_ || (options_.analysis == Analysis::kQuasiStatic && report_.halvings >= kHalvingsBeforeRelaxing);
 }
 
 bool Body::may_creep() const {
@@ -116,7 +117,8 @@ EquilibriumProblem Body::make_problem(std::span<const ToolPose> end, double dura
   problem.start = state_.equilibrium.position;
   push_with(state_.cut.push, input.blade, problem);
   add_solids(end, problem);
-  problem.hold_rigid_motions = options_.analysis == Analysis::kQuasiStatic && model_->rigid_motions.cols() > 0;
+  add_shafts_to(end, problem);
+  problem.hold_rigid_motions = !has_inertia() && model_->rigid_motions.cols() > 0;
   return problem;
 }
 
@@ -131,9 +133,9 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
     // What a tool takes hold of or lets go of changes its velocity at once; a difference that reaches back across that
     // would see the jump as a motion.
     if (problem.attachments.size() != state_.attachments.size()) state_.previous_step = 0;
-    if (options_.analysis == Analysis::kDynamic) add_inertia(duration, problem);
+    if (has_inertia()) add_inertia(duration, problem);
     if (!goes_on) trial = state_.equilibrium;
-    if (!goes_on && options_.analysis == Analysis::kDynamic) {
+    if (!goes_on && has_inertia()) {
       const Eigen::VectorXd motion = duration * state_.velocity;
       trial.position += newton_->safe_fraction(trial.position, motion) * motion;
     }

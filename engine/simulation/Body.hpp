@@ -14,6 +14,7 @@
 #include "engine/simulation/Equilibrium.hpp"
 #include "engine/simulation/FlowMemory.hpp"
 #include "engine/simulation/Newton.hpp"
+#include "engine/simulation/Puncture.hpp"
 #include "engine/simulation/SimulationOptions.hpp"
 #include "engine/tool/FirstContact.hpp"
 #include "engine/tool/Tool.hpp"
@@ -111,6 +112,8 @@ struct BodyState {
   CutProgress cut;
   double drag = 0;             // over the wall's stiffness, what slows a slack cut wall, see Body::creep
   Eigen::VectorXd drag_force;  // (unknowns) or none, newton, on the wall
+  std::vector<Puncture> punctures;
+  std::vector<Pressing> pressing;  // (tools)
   EnergyBooks books;
 };
 
@@ -173,6 +176,14 @@ class Body {
   /// Ends the cut that is being made: the next one begins where a blade meets the wall again.
   void leave_cut();
 
+  /// Lets the wall give way to a needle where that pays: once wall, fluid and weight together release more, at this
+  /// pose, than a slit of the needle's width costs, with the slit spread on the shaft and the wall free to slide on it.
+  /// The wall is then at rest in that equilibrium, and slides along the shaft under friction from then on; what was
+  /// released beyond the cost is a jump. A puncture lets nothing through while the needle is in it, and is left open
+  /// when its tip has gone back out. To be called after each step in which the needle may press or go back. `poses`:
+  /// (tools), at the end of the step. Throws as `cut` does.
+  std::optional<Rupture> pierce(int tool, std::span<const ToolPose> poses);
+
   /// Pressure between wall and tools at each vertex, (vertices), pascal: force on the vertex over its rest area.
   Eigen::VectorXd contact_pressure() const;
 
@@ -186,11 +197,25 @@ class Body {
     double compliance = 0;      // metres / newton, of the wall at the tip; 0 where it is not known
   };
 
+  /// What a cut has replaced.
+  struct Uncut {
+    std::unique_ptr<CutSurface> surface;
+    std::unique_ptr<const BodyModel> model;
+    std::unique_ptr<Newton> newton;
+    BodyState state;
+  };
+
+  /// What the needles in punctures have done in a step, joule.
+  struct ShaftBooks {
+    double stored = 0, friction = 0, tool_work = 0;
+  };
+
   NewtonResult solve(EquilibriumProblem& problem, EquilibriumState& state);
   NewtonResult relax(EquilibriumProblem& problem, EquilibriumState& state);
   void solve_statics();
   bool load_slowly(const EquilibriumProblem& whole, EquilibriumState& trial);
   std::string describe_failure() const;
+  bool has_inertia() const { return options_.analysis == Analysis::kDynamic && !snaps_; }
   bool may_snap() const;
   bool may_creep() const;
   bool creep(EquilibriumProblem& problem, EquilibriumState& trial);
@@ -238,8 +263,19 @@ class Body {
   std::optional<Cut> cut_to_border(const ToolPose& pose, std::span<const ToolPose> poses);
   /// The border over which the blade came back into the wall, where a cut left it over another.
   std::optional<SurfacePoint> beyond_gap(const ToolPose& pose);
-  Cut change_mesh(const CutPath& path, double edge_length);
-  void hold_lips(double length);
+  Cut change_mesh(const CutPath& path, double edge_length, Uncut* before = nullptr);
+  void put_back(Uncut before);
+  void add_shafts_to(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;
+  bool is_sealed(int opening) const;
+  std::vector<char> free_triangles(int tool) const;
+  ShaftBooks book_shafts(const EquilibriumProblem& problem, std::span<const ToolPose> begin);
+  void track_pressing(const BodyState& before, std::span<const ToolPose> begin, const EquilibriumProblem& problem);
+  bool snap(std::span<const ToolPose> poses);
+  double come_to_rest();
+  void leave_punctures(std::span<const ToolPose> poses);
+  bool is_clear_of(const Puncture& puncture, const ToolPose& pose) const;
+  bool open_on_shaft(std::span<const ToolPose> poses);
+  void hold_lips(double length, bool pays);
   void spread_push();
   void push_with(double push, const std::optional<BladeInput>& blade, EquilibriumProblem& problem) const;
   double drag_of(const BladeInput& blade, const Eigen::VectorXd& motion) const;
@@ -288,6 +324,7 @@ class Body {
   std::unique_ptr<CutSurface> surface_;  // none before the first cut
   BodyState state_;
   BodyStepReport report_;
+  bool snaps_ = false;   // whether a wall gives way at once, from one equilibrium to another
   std::string failure_;  // why the last attempt failed
 };
 

@@ -82,11 +82,12 @@ Body::PushVerdict Body::revise_push(const std::optional<BladeInput>& blade, cons
 double Body::book_cut(const CutProgress& before, const Eigen::VectorXd& motion, const std::optional<BladeInput>& blade,
                       double push) {
   CutProgress after = let_go(before, blade, push);
-  double released = 0;  // joule, by the wall
+  double released = 0, lost = 0;  // joule, by the wall
   for (const CutProgress* progress : {&before, &std::as_const(after)}) {
     for (const HeldLips& lips : progress->held) {
+      double& share = lips.pays ? released : lost;
       for (const HeldForce& one : lips.forces) {
-        released -= 0.5 * lips.held * one.force.dot(motion.segment<3>(3 * one.vertex));
+        share -= 0.5 * lips.held * one.force.dot(motion.segment<3>(3 * one.vertex));
       }
       for (const HeldTurn& one : lips.turns) released -= 0.5 * lips.held * one.force * motion[one.unknown];
     }
@@ -112,10 +113,10 @@ double Body::book_cut(const CutProgress& before, const Eigen::VectorXd& motion, 
   after.owed += surplus;
   EnergyBooks& books = state_.books;
   books.fracture += paid + released - surplus;
-  books.jump += surplus;
+  books.jump += surplus + lost;
   books.tool_work += paid + pushed;
   state_.cut = after;
-  return pushed - released;
+  return pushed - released - lost;
 }
 
 void Body::spread_push() {

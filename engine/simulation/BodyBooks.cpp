@@ -131,8 +131,9 @@ void Body::update_books(const BodyState& before, std::span<const ToolPose> begin
   books.kinetic = 0.5 * model_->mass.dot(state_.velocity.cwiseAbs2()) + fluid_kinetic_energy();
   const double leak_loss = book_leaks(before);
   books.gravity = gravity_energy();
-  const double friction_loss = update_friction(before, begin, problem);
-  books.contact = contact_energy(terms) + terms.folds.energy + state_.friction_energy;
+  const ShaftBooks shafts = book_shafts(problem, begin);
+  const double friction_loss = update_friction(before, begin, problem) + shafts.friction;
+  books.contact = contact_energy(terms) + terms.folds.energy + state_.friction_energy + shafts.stored;
   books.fluid = fluid_energy(*model_, state_);
 
   // Work by the trapezoidal rule; what it differs from the change of the energies is what the integrator spends.
@@ -143,7 +144,8 @@ void Body::update_books(const BodyState& before, std::span<const ToolPose> begin
       attached_work -= 0.5 * attachment.force.dot(material_point(attachment, motion));
     }
   }
-  const double solid_work = work_of_solids(before, begin, problem);
+  const double solid_work = work_of_solids(before, begin, problem) + shafts.tool_work;
+  track_pressing(before, begin, problem);
   const double fluid_work = book_fluids(before);
   const double load_work = 0.5 * (before.load_force + state_.load_force).dot(motion);
   const double kinetic_work = 0.5 * model_->mass.cwiseProduct(before.acceleration + state_.acceleration).dot(motion);

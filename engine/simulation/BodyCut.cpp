@@ -46,12 +46,12 @@ Cut Body::cut(const CutPath& path, std::span<const ToolPose> poses) {
   find_forces(poses);
   // Flips of edges and lumped masses change what is stored by a trifle.
   state_.books.jump += stored - state_.books.stored();
-  hold_lips(cut.length);
+  hold_lips(cut.length, true);
   find_forces(poses);
   return cut;
 }
 
-Cut Body::change_mesh(const CutPath& path, double edge_length) {
+Cut Body::change_mesh(const CutPath& path, double edge_length, Uncut* before) {
   assert(!model_->definition.toughness.empty());
   if (!surface_) prepare_cutting();
   CutOptions options{.edge_length = edge_length, .kept_vertices = {}};
@@ -59,8 +59,10 @@ Cut Body::change_mesh(const CutPath& path, double edge_length) {
     const char* fixed = &model_->fixed[3 * v];
     if (fixed[0] || fixed[1] || fixed[2]) options.kept_vertices.push_back(v);
   }
+  if (before != nullptr) before->surface = std::make_unique<CutSurface>(*surface_);
   Cut cut = surface_->cut(path, options);
   if (cut.triangles.empty()) return cut;
+  if (before != nullptr) before->state = state_;
   auto after = std::make_unique<BodyModel>(make_body_model(cut_definition(*model_, surface_->mesh(), cut)));
   state_ = carried_over(*model_, state_, *after, cut, options_.gravity);
   // A piece that nothing holds any more stays where it has just come off.
@@ -69,7 +71,12 @@ Cut Body::change_mesh(const CutPath& path, double edge_length) {
   state_.drag_force.resize(0);
   // An opening that has changed makes a new beginning.
   state_.outflow = {};
-  newton_ = std::make_unique<Newton>(*after, *newton_);
+  auto newton = std::make_unique<Newton>(*after, *newton_);
+  if (before != nullptr) {
+    before->model = std::move(model_);
+    before->newton = std::move(newton_);
+  }
+  newton_ = std::move(newton);
   model_ = std::move(after);
   find_strains();
   measure_openings();
@@ -91,6 +98,7 @@ void Body::find_forces(std::span<const ToolPose> poses) {
   problem.attachments = state_.attachments;
   if (options_.analysis == Analysis::kDynamic) add_fluid_inertia_as_it_is(problem);
   add_solids(poses, problem);
+  add_shafts_to(poses, problem);
   newton_->look(problem, state_.equilibrium);
   // What the tools felt during the step stays what it was.
   const std::vector<ToolContact> contacts = state_.contacts, solid_contacts = state_.solid_contacts;
@@ -105,10 +113,11 @@ void Body::find_forces(std::span<const ToolPose> poses) {
   books.gravity = gravity_energy();
   books.fluid = fluid_energy(*model_, state_);
   books.contact = contact_energy(terms) + terms.folds.energy + state_.friction_energy;
+  for (const ShaftContact& shaft : problem.shafts) books.contact += shaft.stored(state_.equilibrium.position);
 }
 
-void Body::hold_lips(double length) {
-  HeldLips held{.forces = {}, .length = length};
+void Body::hold_lips(double length, bool pays) {
+  HeldLips held{.forces = {}, .length = length, .pays = pays};
   const Eigen::VectorXd left_over =
       state_.static_force +
       model_->mass.cwiseProduct(state_.acceleration + model_->definition.damping.mass_rate * state_.velocity);

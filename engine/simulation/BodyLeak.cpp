@@ -110,8 +110,8 @@ void Body::start_leaks() {
 void Body::measure_openings() {
   state_.open_area.resize(static_cast<Eigen::Index>(model_->openings.size()));
   for (std::size_t k = 0; k < model_->openings.size(); ++k) {
-    state_.open_area[static_cast<Eigen::Index>(k)] =
-        lip_cap_of(model_->openings[k].at(state_.equilibrium.position)).area.norm();
+    const double area = lip_cap_of(model_->openings[k].at(state_.equilibrium.position)).area.norm();
+    state_.open_area[static_cast<Eigen::Index>(k)] = is_sealed(static_cast<int>(k)) ? 0 : area;
   }
 }
 
@@ -147,6 +147,7 @@ void Body::add_leaks(double duration, EquilibriumProblem& problem) const {
     fluid.fluid_volume -= outflow_share(problem, k, duration);
     fluid.outflow_time = state_.outflow.time(duration);
     fluid.vent_compliance = std::abs(model_->chambers[c].rest_volume) / pressure_scale(*model_);
+    if (is_sealed(k)) continue;
     const double pressure = lip_state_of(*model_, state_, options_.gravity, model_->openings[k]).pressure;
     if (lowest[c] < 0 || pressure < least[c]) lowest[c] = k, least[c] = pressure;
   }
@@ -166,7 +167,7 @@ std::vector<double> Body::outflow_of(double duration, const EquilibriumProblem& 
     const int c = model_->openings[k].chamber;
     if (!may_leak(c)) continue;
     flown[k] = outflow_share(problem, k, duration);
-    if (problem.fluids[c].vent == k) continue;
+    if (problem.fluids[c].vent == k || problem.is_sealed(k)) continue;
     const double time = counts_memory(problem, k) ? state_.outflow.time(duration) : duration;
     const double pressure = lip_pressure(*model_, problem, terms, k, reached.pressure);
     const double now = time * outflow(*model_, terms.lips[k].area.norm(), std::max(0.0, pressure)).rate;
@@ -207,7 +208,7 @@ bool Body::revise_vents(EquilibriumProblem& problem, const EquilibriumState& rea
     int lowest = -1;
     double pressure = -kNoPressure * pressure_scale(*model_);
     for (int k = 0; k < static_cast<int>(model_->openings.size()); ++k) {
-      if (model_->openings[k].chamber != c) continue;
+      if (model_->openings[k].chamber != c || problem.is_sealed(k)) continue;
       const double at_lips = lip_pressure(*model_, problem, newton_->terms(), k, reached.pressure);
       if (at_lips < pressure) lowest = k, pressure = at_lips;
     }

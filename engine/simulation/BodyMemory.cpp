@@ -97,7 +97,7 @@ void Body::add_memory(double duration, EquilibriumProblem& problem) const {
       problem.memory.overmoment[t] += step.fade * wall.branch_moment[k][t] - step.share * wall.law_moment[t];
     }
   }
-  if (definition.damping.stiffness_time == 0) return;
+  if (definition.damping.stiffness_time == 0 || snaps_) return;
   const BackwardDifference difference = backward_difference(duration, state_.previous_step);
   const double factor = definition.damping.stiffness_time / duration;
   problem.memory.damping = factor * difference.now;

@@ -33,6 +33,7 @@ struct HeldLips {
   std::vector<HeldTurn> turns = {};
   double held = 1;    // part of the forces that still acts
   double length = 0;  // metres, rest, of the cut: the blade's way over which it is let go
+  bool pays = true;   // whether what it releases pays for new cut area, or is lost
 };
 
 /// A vertex that bears a share of the blade's push.

@@ -142,7 +142,7 @@ void find_contacts(const BodyModel& model, const EquilibriumProblem& problem, co
     const double near = contact.range + kContactMargin * model.edge_length;
     for (int s = 0; s < static_cast<int>(model.sites.size()); ++s) {
       const ContactSite& site = model.sites[s];
-      if (!contact.meets(site.part)) continue;
+      if (!contact.meets(site.part) || problem.is_free(contact.tool, site.triangle)) continue;
       const Eigen::Vector3i& triangle = model.surface[site.triangle];
       const double reach = contact.forces[s] > 0 ? std::numeric_limits<double>::infinity() : near;
       const auto corners = corners_of(triangle, position);
@@ -203,6 +203,7 @@ void evaluate(const BodyModel& model, const EquilibriumProblem& problem, const E
   add_fluid_weight(model, problem, position, terms);
   add_loads(model, problem, position, terms);
   add_friction(model, problem.friction, position, terms);
+  add_shafts(model, problem.shafts, position, terms);
   find_contacts(model, problem, position, terms);
   terms.inertial = inertial_energy(model, problem, position) + inertial_energy(problem, terms);
 }

@@ -10,6 +10,7 @@
 #include "engine/fluid/OrificeFlow.hpp"
 #include "engine/simulation/BodyModel.hpp"
 #include "engine/simulation/FrictionContact.hpp"
+#include "engine/simulation/ShaftContact.hpp"
 
 namespace thinwall {
 
@@ -139,6 +140,12 @@ struct EquilibriumProblem {
   std::vector<Attachment> attachments;
   std::vector<SolidContact> solids;
   std::vector<FrictionContact> friction;  // where tools with friction press; fixed during a solution
+  std::vector<ShaftContact> shafts;       // needles that are in the wall
+  std::vector<std::vector<char>> free;    // (tools x triangles) or none: whether a needle's shaft lets the wall be
+  std::vector<char> sealed;               // (openings) or none: whether a needle keeps it shut
+
+  bool is_free(int tool, int triangle) const { return !free.empty() && !free[tool].empty() && free[tool][triangle]; }
+  bool is_sealed(int opening) const { return !sealed.empty() && sealed[opening]; }
 };
 
 /// What the tissue does to a tool, or to one of its solids.
@@ -167,7 +174,7 @@ struct EquilibriumTerms {
   double gravity = 0;          // joule, of the wall from the origin's level, of the fluid from the chambers'
   double load_work = 0;        // joule, that the loads give up from position zero
   double contact = 0;          // joule
-  double friction = 0;         // joule, potential of the friction of tools
+  double friction = 0;         // joule, potential of the friction of tools, and of walls on the shafts of needles
   double inertial = 0;         // joule, of the inertia springs
   Eigen::VectorXd volume;      // (chambers), metres^3
   Eigen::VectorXd gradient;    // (unknowns), newton: of wall, folds, gravity and inertia of the fluid, less the loads

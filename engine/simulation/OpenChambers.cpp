@@ -219,6 +219,7 @@ OpeningEquation opening_equation(const BodyModel& model, const EquilibriumProble
       if (with_derivatives) by_lips = (fluid.vent_compliance * slope).replicate(1, opening.lips.size());
     } else {
       const Eigen::Vector3d& area = terms.lips[k].area;
+      if (problem.is_sealed(k)) continue;
       if (fluid.has_surface && at_lips <= 0) continue;  // the lips are dry
       const Flow flow = outflow(model, area.norm(), at_lips);
       equation.value += fluid.outflow_time * flow.rate * held;

@@ -9,7 +9,7 @@ namespace {
 constexpr double kPlateRounding = 1e-4;   // metres
 constexpr double kJawRounding = 0.3;      // of the thickness
 constexpr double kNeedleTipRadius = 0.4;  // of the radius
-constexpr double kNeedleCone = 4;         // times the radius
+constexpr double kNeedleCone = 4;         // times the radius, at most all but the balls at both ends
 
 /// A box of full sizes along x', y', z' with rounded edges, whose foremost face has its middle at the tip.
 ToolSolid box_behind(const ToolPose& pose, const Eigen::Vector3d& size, double rounding) {
@@ -29,11 +29,15 @@ ToolSolid needle(const ToolDefinition& tool, const ToolPose& pose) {
   const double front = tool.length - solid.tip_radius, back = tool.radius;
   solid.core = {0, 0, 0.5 * (front - back)};
   solid.center = pose.tip - (tool.length - 0.5 * (front + back)) * pose.direction;
-  solid.shoulder = solid.core.z() - std::min(kNeedleCone * tool.radius, front - back);
+  solid.shoulder = solid.core.z() - needle_cone(tool);
   return solid;
 }
 
 }  // namespace
+
+double needle_cone(const ToolDefinition& tool) {
+  return std::min(kNeedleCone * tool.radius, tool.length - (1 + kNeedleTipRadius) * tool.radius);
+}
 
 std::vector<ToolSolid> tool_solids(const ToolDefinition& tool, const ToolPose& pose) {
   switch (tool.kind) {

@@ -18,6 +18,9 @@ namespace thinwall {
 /// the smallest size. A needle ends in a cone of four times its radius, rounded at the tip by 0.4 of the radius.
 std::vector<ToolSolid> tool_solids(const ToolDefinition& tool, const ToolPose& pose);
 
+/// Length of the cone of a needle's point, metres.
+double needle_cone(const ToolDefinition& tool);
+
 /// The same solids as a wall feels them: each body followed by its corners, which keep out of the faces. A straight
 /// edge or a flat side of a tool may rest on a face with two corners or more, where one deepest point of the whole
 /// solid would jump from one to the other.

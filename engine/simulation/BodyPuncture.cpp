@@ -1,0 +1,247 @@
+// A needle that goes through the wall of a body: when the wall gives way, and what it does on the shaft.
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "engine/simulation/Body.hpp"
+#include "engine/tool/ToolSolids.hpp"
+
+namespace thinwall {
+namespace {
+
+/// Springs that keep lips out of a shaft, over the wall's stiffness: they give by a hundredth of what the wall does.
+constexpr double kShaftStiffness = 100;
+
+/// Slip before friction is overcome, part of the needle's radius.
+constexpr double kShaftGive = 1e-3;
+
+/// Edges along a slit over the needle's radius.
+constexpr double kSlitEdges = 0.5;
+
+/// Parts in which a slit is spread on the shaft while a wall gives way.
+constexpr int kSpreadParts = 4;
+
+/// Part of the cone from the tip on, on which a wall no longer lies on the needle: it is too thin there to be felt.
+constexpr double kTip = 0.1;
+
+/// A wall gives way in this part of a time step: at once, but for what viscous walls remember.
+constexpr double kAtOnce = 1e-9;
+
+/// Of the energy that is missing, the work that a needle must do before it is asked for again.
+constexpr double kMissingPart = 0.95;
+
+}  // namespace
+
+void Body::add_shafts_to(std::span<const ToolPose> poses, EquilibriumProblem& problem) const {
+  problem.free.resize(tools_.size());
+  for (const Puncture& puncture : state_.punctures) {
+    if (!puncture.tool) continue;
+    problem.free[*puncture.tool] = free_triangles(*puncture.tool);
+    if (!puncture.is_sealed()) continue;
+    const ToolPose& pose = poses[*puncture.tool];
+    const ToolDefinition& tool = tools_[*puncture.tool];
+    ShaftContact shaft{.tool = *puncture.tool,
+                       .tip = pose.tip,
+                       .radius = tool.radius,
+                       .cone = needle_cone(tool),
+                       .spread = puncture.spread,
+                       .stiffness = kShaftStiffness * model_->wall_stiffness,
+                       .give = kShaftGive * tool.radius,
+                       .points = puncture.points};
+    shaft.frame << pose.axis.cross(pose.direction), pose.axis, pose.direction;
+    problem.shafts.push_back(std::move(shaft));
+  }
+  problem.sealed.resize(model_->openings.size(), 0);
+  for (std::size_t k = 0; k < problem.sealed.size(); ++k) problem.sealed[k] = is_sealed(static_cast<int>(k));
+}
+
+bool Body::is_sealed(int opening) const {
+  const std::vector<int>& lips = model_->openings[opening].lips;
+  return std::ranges::any_of(state_.punctures, [&](const Puncture& puncture) {
+    return puncture.is_sealed() && std::ranges::all_of(lips, [&](int vertex) {
+             return std::ranges::find(puncture.points, vertex, &ShaftPoint::vertex) != puncture.points.end();
+           });
+  });
+}
+
+std::vector<char> Body::free_triangles(int tool) const {
+  std::vector<char> marks(model_->triangles(), 0);
+  for (const Puncture& puncture : state_.punctures) {
+    if (puncture.tool == tool) mark_free(*model_, puncture, marks);
+  }
+  return marks;
+}
+
+Body::ShaftBooks Body::book_shafts(const EquilibriumProblem& problem, std::span<const ToolPose> begin) {
+  ShaftBooks books;
+  auto shaft = problem.shafts.cbegin();
+  for (Puncture& puncture : state_.punctures) {
+    if (!puncture.is_sealed()) continue;
+    const double coefficient = tools_[*puncture.tool].friction;
+    for (ShaftPoint& point : puncture.points) {
+      const Eigen::Vector3d place = state_.equilibrium.position.segment<3>(3 * point.vertex);
+      const ShaftTerms terms = shaft->at(point, place);
+      const double slip = shaft->behind_tip(place) - point.anchor;
+      const double slid = slip - std::clamp(slip, -shaft->give, shaft->give);
+      books.friction += 0.5 * (point.friction + terms.friction) * slid;
+      books.stored += terms.stored;
+      point.friction = terms.friction;
+      point.anchor += slid;
+      point.limit = coefficient * std::max(0.0, terms.squeeze);
+    }
+    const Eigen::Vector3d force = shaft->force(state_.equilibrium.position);
+    books.tool_work -= 0.5 * (puncture.force + force).dot(shaft->tip - begin[*puncture.tool].tip);
+    puncture.force = force;
+    state_.contacts[*puncture.tool].force += force;
+    state_.contacts[*puncture.tool].touching = true;
+    ++shaft;
+  }
+  return books;
+}
+
+void Body::track_pressing(const BodyState& before, std::span<const ToolPose> begin, const EquilibriumProblem& problem) {
+  for (std::size_t tool = 0; tool < tools_.size(); ++tool) {
+    Eigen::Vector3d force = Eigen::Vector3d::Zero(), motion = Eigen::Vector3d::Zero();
+    bool touches = false;
+    const std::vector<ToolSolid> solids = contact_solids(tools_[tool], begin[tool]);
+    const std::size_t first = std::ranges::find(solids_, static_cast<int>(tool)) - solids_.begin();
+    for (std::size_t k = 0; k < solids.size(); ++k) {
+      force += before.solid_contacts[first + k].force + state_.solid_contacts[first + k].force;
+      motion = problem.solids[first + k].solid.center - solids[k].center;
+      touches = touches || state_.solid_contacts[first + k].touching;
+    }
+    Pressing& pressing = state_.pressing[tool];
+    if (touches) pressing.work -= 0.5 * force.dot(motion);
+    if (!touches) pressing = {};
+  }
+}
+
+bool Body::snap(std::span<const ToolPose> poses) {
+  const EnergyBooks before = state_.books;
+  const BodyInput input{.load_factors = state_.load_factors, .fluids = {}};
+  snaps_ = true;
+  state_.previous_step = 0;
+  const bool found = try_step(poses, poses, kAtOnce * options_.time_step, input);
+  snaps_ = false;
+  state_.books.numerical = before.numerical;
+  state_.books.tool_work = before.tool_work;
+  return found;
+}
+
+double Body::come_to_rest() {
+  // The steps before tell nothing about those to come.
+  state_.previous_step = 0;
+  state_.outflow = state_.exchange = {};
+  state_.velocity.setZero();
+  state_.acceleration.setZero();
+  state_.previous_velocity.setZero();
+  state_.previous_position = state_.equilibrium.position;
+  start_fluid_motion();
+  const double kinetic = std::exchange(state_.books.kinetic, 0);
+  return kinetic;
+}
+
+void Body::leave_punctures(std::span<const ToolPose> poses) {
+  bool left = false;
+  for (Puncture& puncture : state_.punctures) {
+    if (!puncture.tool) continue;
+    const ToolPose& pose = poses[*puncture.tool];
+    for (ShaftPoint& point : puncture.points) {
+      const Eigen::Vector3d place = state_.equilibrium.position.segment<3>(3 * point.vertex);
+      const double behind = pose.direction.dot(pose.tip - place);
+      if (!point.touches || behind > kTip * needle_cone(tools_[*puncture.tool])) continue;
+      point.touches = false;
+      left = true;
+    }
+    if (puncture.is_sealed()) continue;
+    puncture.force.setZero();
+    if (is_clear_of(puncture, pose)) puncture.tool.reset();
+  }
+  if (!left) return;
+  const double stored = state_.books.stored();
+  find_forces(poses);
+  state_.books.jump += stored - state_.books.stored();
+  hold_lips(model_->edge_length, false);
+  find_forces(poses);
+  measure_openings();
+}
+
+bool Body::is_clear_of(const Puncture& puncture, const ToolPose& pose) const {
+  std::vector<char> marks(model_->triangles(), 0);
+  mark_free(*model_, puncture, marks);
+  for (const ToolSolid& solid : tool_solids(tools_[*puncture.tool], pose)) {
+    for (int t = 0; t < model_->triangles(); ++t) {
+      if (!marks[t]) continue;
+      for (const Eigen::Vector3d& corner : corners_of(model_->surface[t], state_.equilibrium.position)) {
+        if (signed_distance(solid, corner).value < solid.sharpness()) return false;
+      }
+    }
+  }
+  return true;
+}
+
+bool Body::open_on_shaft(std::span<const ToolPose> poses) {
+  const int tool = *state_.punctures.back().tool;
+  const std::vector<char> is_free = free_triangles(tool);
+  for (std::size_t solid = 0; solid < solids_.size(); ++solid) {
+    if (solids_[solid] != tool) continue;
+    for (std::size_t site = 0; site < model_->sites.size(); ++site) {
+      if (is_free[model_->sites[site].triangle]) state_.solid_forces[solid][site] = 0;
+    }
+    std::erase_if(state_.friction[solid], [&](const FrictionMemory& memory) { return is_free[memory.triangle]; });
+  }
+  for (int part = 0; part <= kSpreadParts; ++part) {
+    state_.punctures.back().spread = static_cast<double>(part) / kSpreadParts;
+    if (!snap(poses)) return false;
+    // Friction begins with what the needle does from now on.
+    for (ShaftPoint& point : state_.punctures.back().points) {
+      point.anchor =
+          poses[tool].direction.dot(poses[tool].tip - state_.equilibrium.position.segment<3>(3 * point.vertex));
+      point.friction = 0;
+      if (part < kSpreadParts) point.limit = 0;
+    }
+  }
+  return true;
+}
+
+std::optional<Rupture> Body::pierce(int tool, std::span<const ToolPose> poses) {
+  leave_punctures(poses);
+  const double radius = tools_[tool].radius, work = state_.pressing[tool].work;
+  const auto place = pressed_place(*model_, state_.equilibrium.position, poses[tool], radius, free_triangles(tool));
+  if (!place || work < std::max(2 * radius * model_->cut_cost(place->triangle), state_.pressing[tool].awaited)) {
+    return std::nullopt;
+  }
+  const auto path = slit_path(*model_, *place, poses[tool], radius);
+  if (!path) return std::nullopt;
+  const EnergyBooks books = state_.books;
+  Rupture rupture;
+  Uncut before;
+  rupture.cut = change_mesh(*path, kSlitEdges * radius, &before);
+  if (rupture.cut.triangles.empty()) return std::nullopt;
+  const bool is_slit = rupture.cut.lips.size() == 1 && rupture.cut.lips[0].left.size() > 2;
+  if (is_slit) {
+    rupture.cost = rupture.cut.length * model_->cut_cost(rupture.cut.triangles.front().triangle);
+    state_.punctures.push_back(puncture_of(*model_, rupture.cut, tool, poses[tool], radius));
+    if (open_on_shaft(poses)) rupture.released = books.imbalance() - state_.books.imbalance();
+  }
+  if (rupture.released < rupture.cost || !is_slit) {
+    put_back(std::move(before));
+    state_.pressing[tool].awaited = work + kMissingPart * std::max(0.0, rupture.cost - rupture.released);
+    return std::nullopt;
+  }
+  const double kinetic = come_to_rest();
+  state_.books.fracture += rupture.cost;
+  state_.books.jump += rupture.released + kinetic - rupture.cost;
+  state_.pressing[tool] = {};
+  return rupture;
+}
+
+void Body::put_back(Uncut before) {
+  surface_ = std::move(before.surface);
+  model_ = std::move(before.model);
+  newton_ = std::move(before.newton);
+  state_ = std::move(before.state);
+}
+
+}  // namespace thinwall

@@ -1,0 +1,135 @@
+#include "engine/simulation/Puncture.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "engine/cutting/SurfaceNormals.hpp"
+#include "engine/cutting/SurfacePath.hpp"
+#include "engine/cutting/SurfaceTrace.hpp"
+#include "engine/simulation/FrictionContact.hpp"
+
+namespace thinwall {
+namespace {
+
+/// Radii around the middle of a puncture within which the wall is free on the needle: the length of its cone, on which
+/// the wall lay before it gave way.
+constexpr double kFreeRadii = 4;
+
+SurfaceView rest_view(const BodyModel& model) {
+  return {.triangles = model.definition.mesh.triangles, .position = model.rest_position, .open = true};
+}
+
+Eigen::Vector3d rest_normal(const BodyModel& model, int triangle) {
+  const auto corners = corners_of(model.surface[triangle], model.rest_position);
+  return (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
+}
+
+/// On which side of a line through a vertex the triangles that have it lie, metres along `side`.
+double side_of(const BodyModel& model, int vertex, const Eigen::Vector3d& side) {
+  double sum = 0;
+  for (int t = 0; t < model.triangles(); ++t) {
+    if ((model.surface[t].array() != vertex).all()) continue;
+    for (const Eigen::Vector3d& corner : corners_of(model.surface[t], model.rest_position)) {
+      sum += side.dot(corner - model.rest_position.segment<3>(3 * vertex));
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+bool Puncture::is_sealed() const {
+  return tool && std::ranges::any_of(points, &ShaftPoint::touches);
+}
+
+std::optional<SurfacePoint> pressed_place(const BodyModel& model, const Eigen::VectorXd& position, const ToolPose& pose,
+                                          double radius, const std::vector<char>& is_free) {
+  std::optional<SurfacePoint> place;
+  double nearest = 2 * radius;
+  for (int t = 0; t < model.triangles(); ++t) {
+    if (is_free[t]) continue;
+    const auto corners = corners_of(model.surface[t], position);
+    Eigen::Matrix3d system;
+    system << corners[1] - corners[0], corners[2] - corners[0], -pose.direction;
+    const double scale = system.leftCols<2>().colwise().norm().maxCoeff();
+    if (std::abs(system.determinant()) <= std::numeric_limits<double>::epsilon() * scale * scale) continue;
+    const Eigen::Vector3d found = system.inverse() * (pose.tip - corners[0]);
+    const Eigen::Vector3d weights(1 - found[0] - found[1], found[0], found[1]);
+    if (weights.minCoeff() < 0 || std::abs(found[2]) >= nearest) continue;
+    nearest = std::abs(found[2]);
+    place = SurfacePoint{.triangle = t, .weights = weights};
+  }
+  return place;
+}
+
+std::optional<CutPath> slit_path(const BodyModel& model, const SurfacePoint& place, const ToolPose& pose,
+                                 double radius) {
+  const SurfaceView view = rest_view(model);
+  const Eigen::Vector3d middle = place_on(model, place.triangle, place.weights, model.rest_position);
+  const Eigen::Vector3d normal = rest_normal(model, place.triangle);
+  const std::vector<Eigen::Vector3d> normals = vertex_normals(view);
+  for (const Eigen::Vector3d& axis : {pose.axis, Eigen::Vector3d(pose.axis.cross(pose.direction))}) {
+    const Eigen::Vector3d along = (axis - normal * normal.dot(axis)).normalized();
+    const auto from = project(view, middle - radius * along, {}, radius).point;
+    const auto to = project(view, middle + radius * along, {}, radius).point;
+    if (!from || !to) continue;
+    const SurfaceTrace way = trace(view, normals, *from, *to);
+    if (way.pieces.size() == 1) return CutPath{.from = {}, .points = way.pieces.front().points};
+  }
+  return std::nullopt;
+}
+
+Puncture puncture_of(const BodyModel& model, const Cut& slit, int tool, const ToolPose& pose, double radius) {
+  assert(slit.lips.size() == 1);
+  const std::vector<int>&left = slit.lips[0].left, &right = slit.lips[0].right;
+  const auto at = [&](int vertex) -> Eigen::Vector3d { return model.rest_position.segment<3>(3 * vertex); };
+  std::vector<double> along = {0};  // metres, rest, from the first tip
+  for (std::size_t k = 1; k < left.size(); ++k) along.push_back(along.back() + (at(left[k]) - at(left[k - 1])).norm());
+  const std::size_t middle = left.size() / 2;
+  const Eigen::Vector3d axes[2] = {pose.axis.cross(pose.direction), pose.axis};
+  const Eigen::Vector3d way = at(left.back()) - at(left.front());
+  const Eigen::Vector2d forwards = Eigen::Vector2d(way.dot(axes[0]), way.dot(axes[1])).normalized();
+  Eigen::Vector2d leftwards(-forwards.y(), forwards.x());
+  if (side_of(model, left[middle], leftwards.x() * axes[0] + leftwards.y() * axes[1]) < 0) leftwards = -leftwards;
+  Puncture puncture{.tool = tool, .reach = kFreeRadii * radius};
+  const auto add = [&](int vertex, double part, double side) {
+    const Eigen::Vector2d place = -std::cos(part) * forwards + side * std::sin(part) * leftwards;
+    puncture.points.push_back({.vertex = vertex, .angle = std::atan2(place.y(), place.x())});
+  };
+  for (std::size_t k = 0; k < left.size(); ++k) {
+    const double part = std::numbers::pi * along[k] / along.back();
+    add(left[k], part, 1);
+    if (right[k] != left[k]) add(right[k], part, -1);
+  }
+  return puncture;
+}
+
+void mark_free(const BodyModel& model, const Puncture& puncture, std::vector<char>& marks) {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const ShaftPoint& point : puncture.points) middle += model.rest_position.segment<3>(3 * point.vertex);
+  middle /= static_cast<double>(puncture.points.size());
+  std::vector<char> is_reached(model.vertices(), 0);
+  for (const ShaftPoint& point : puncture.points) is_reached[point.vertex] = 1;
+  // From triangle to triangle, so that the far wall of a thin organ is not taken for near.
+  for (bool grows = true; grows;) {
+    grows = false;
+    for (int t = 0; t < model.triangles(); ++t) {
+      const Eigen::Vector3i& triangle = model.surface[t];
+      const bool touches = is_reached[triangle[0]] || is_reached[triangle[1]] || is_reached[triangle[2]];
+      if (marks[t] || !touches) continue;
+      marks[t] = 1;
+      grows = true;
+      for (const int vertex : triangle) {
+        const double distance = (model.rest_position.segment<3>(3 * vertex) - middle).norm();
+        if (distance <= puncture.reach) is_reached[vertex] = 1;
+      }
+    }
+  }
+}
+
+}  // namespace thinwall

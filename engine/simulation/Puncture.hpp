@@ -1,0 +1,57 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/cutting/Cut.hpp"
+#include "engine/simulation/BodyModel.hpp"
+#include "engine/simulation/ShaftContact.hpp"
+#include "engine/tool/FirstContact.hpp"
+#include "engine/tool/Tool.hpp"
+
+namespace thinwall {
+
+/// A hole that a needle has made.
+struct Puncture {
+  std::optional<int> tool = {};         // that is in it, or so near that the wall around it must still be let be
+  double spread = 1;                    // part of the needle's radius by which it is spread
+  double reach = 0;                     // metres, rest: the wall this near is free on the needle
+  std::vector<ShaftPoint> points = {};  // its lips
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  // newton, on the needle
+
+  /// Whether the needle is in it and lets nothing through.
+  bool is_sealed() const;
+};
+
+/// How hard a needle has pressed since it touched last.
+struct Pressing {
+  double work = 0;     // joule, by the needle on the wall
+  double awaited = 0;  // joule, before which no puncture can be worth its cost
+};
+
+/// A wall that has given way.
+struct Rupture {
+  Cut cut;
+  double released = 0;  // joule, by wall, fluid and weight
+  double cost = 0;      // joule, of the new cut area
+};
+
+/// Where a needle's point is on the wall: where its axis meets it nearest to the tip, within two radii. Nothing where
+/// it does not, or where `is_free` says that the wall there is on its shaft already. `is_free`: (triangles).
+std::optional<SurfacePoint> pressed_place(const BodyModel& model, const Eigen::VectorXd& position, const ToolPose& pose,
+                                          double radius, const std::vector<char>& is_free);
+
+/// A slit of a needle's width around a place, on the rest shape, along y' of the needle or, where the wall ends there,
+/// along x'. Nothing where neither fits.
+std::optional<CutPath> slit_path(const BodyModel& model, const SurfacePoint& place, const ToolPose& pose,
+                                 double radius);
+
+/// The lips of a slit on the shaft that made it. `model`: as cut.
+Puncture puncture_of(const BodyModel& model, const Cut& slit, int tool, const ToolPose& pose, double radius);
+
+/// The triangles around a puncture that are free on the needle in it are marked. `marks`: (triangles).
+void mark_free(const BodyModel& model, const Puncture& puncture, std::vector<char>& marks);
+
+}  // namespace thinwall
