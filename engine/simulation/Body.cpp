@@ -90,7 +90,7 @@ bool Body::may_snap() const {
 }
 
 bool Body::may_creep() const {
-  return options_.analysis == Analysis::kQuasiStatic && surface_ && model_->definition.tension_field;
+  return !snaps_ && options_.analysis == Analysis::kQuasiStatic && surface_ && model_->definition.tension_field;
 }
 
 bool Body::solve_step(EquilibriumProblem& problem, EquilibriumState& trial) {

@@ -215,6 +215,7 @@ std::optional<Rupture> Body::pierce(int tool, std::span<const ToolPose> poses) {
   const auto path = slit_path(*model_, *place, poses[tool], radius);
   if (!path) return std::nullopt;
   const EnergyBooks books = state_.books;
+  const std::vector<ToolContact> felt = state_.contacts;
   Rupture rupture;
   Uncut before;
   rupture.cut = change_mesh(*path, kSlitEdges * radius, &before);
@@ -230,6 +231,8 @@ std::optional<Rupture> Body::pierce(int tool, std::span<const ToolPose> poses) {
     state_.pressing[tool].awaited = work + kMissingPart * std::max(0.0, rupture.cost - rupture.released);
     return std::nullopt;
   }
+  // The tools felt the wall as it was until now.
+  state_.contacts = felt;
   const double kinetic = come_to_rest();
   state_.books.fracture += rupture.cost;
   state_.books.jump += rupture.released + kinetic - rupture.cost;

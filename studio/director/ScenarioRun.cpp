@@ -96,8 +96,8 @@ struct ScenarioRun::Implementation {
     if (const auto* palpate = std::get_if<PalpateClip>(&clip.action)) {
       return plan_palpation(*palpate, definition, body_named(palpate->body).surface(), clip.location);
     }
-    if (std::holds_alternative<PierceClip>(clip.action)) {
-      throw InputErrors({{clip.location, "`pierce` belongs to the format but this version cannot simulate it yet"}});
+    if (const auto* pierce = std::get_if<PierceClip>(&clip.action)) {
+      return plan_piercing(*pierce, definition, body_named(pierce->body).surface(), clip.location);
     }
     if (const auto* incise = std::get_if<InciseClip>(&clip.action)) {
       return plan_incision(*incise, definition, body_named(incise->body).surface(), clip.location);
@@ -228,10 +228,40 @@ struct ScenarioRun::Implementation {
       Body& body = *bodies[index];
       const SurfaceMesh uncut = body.model().definition.mesh;
       const std::optional<Cut> cut = incise(*incision, body, step);
-      if (!cut) continue;
-      carry_over(points, body, uncut, *cut);
-      topologies[index] = snapshot_topology(body.model());
+      if (cut) take_over(*cut, index, uncut);
     }
+  }
+
+  /// Lets the needles of a step pierce, and those that an earlier clip has left in a wall come out.
+  void let_needles_pierce(std::span<const ToolPose> after, double until) {
+    for (auto& [name, tool] : tools) {
+      if (scenario.tools[tool.index].kind != ToolKind::kNeedle) continue;
+      const auto clip = std::ranges::find_if(clips, [&, name = name](const ScheduledClip& one) {
+        const auto* piercing = std::get_if<PiercingPlan>(&one.plan);
+        return piercing != nullptr && one.begun && one.end > time() + kTimeTolerance && piercing->clip.tool == name;
+      });
+      for (std::size_t index = 0; index < bodies.size(); ++index) {
+        Body& body = *bodies[index];
+        const bool is_in_wall = std::ranges::any_of(
+            body.state().punctures, [&](const Puncture& puncture) { return puncture.tool == tool.index; });
+        const bool pierces =
+            clip != clips.end() && std::get<PiercingPlan>(clip->plan).clip.body == body.model().definition.name;
+        if (!is_in_wall && !pierces) continue;
+        const SurfaceMesh uncut = body.model().definition.mesh;
+        const std::optional<Rupture> rupture = body.pierce(tool.index, after);
+        if (!rupture) continue;
+        take_over(rupture->cut, index, uncut);
+        if (clip == clips.end()) continue;
+        std::get<PiercingPlan>(clip->plan).feel_rupture(until - clip->begin);
+        tool.phase = "rupture";
+      }
+    }
+  }
+
+  /// Brings what names places of a body's surface onto the one that a cut has left.
+  void take_over(const Cut& cut, std::size_t index, const SurfaceMesh& uncut) {
+    carry_over(points, *bodies[index], uncut, cut);
+    topologies[index] = snapshot_topology(bodies[index]->model());
   }
 
   /// Tells once for each bare point what tip it acts like on the membrane that it touches.
@@ -277,6 +307,7 @@ struct ScenarioRun::Implementation {
         halved_steps += bodies[index]->report().halvings > 0 ? 1 : 0;
       }
       follow_blades(before, after, next);
+      let_needles_pierce(after, next);
     } catch (const SimulationFailure& failure) {
       throw SimulationFailure(fmt::format("at {:.6g} s (step {}): {}", next, steps + 1, failure.what()));
     }
