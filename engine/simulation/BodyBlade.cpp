@@ -89,7 +89,7 @@ double Body::book_cut(const CutProgress& before, const Eigen::VectorXd& motion, 
       for (const HeldForce& one : lips.forces) {
         share -= 0.5 * lips.held * one.force.dot(motion.segment<3>(3 * one.vertex));
       }
-      for (const HeldTurn& one : lips.turns) released -= 0.5 * lips.held * one.force * motion[one.unknown];
+      for (const HeldTurn& one : lips.turns) share -= 0.5 * lips.held * one.force * motion[one.unknown];
     }
   }
   const double pushed = 0.5 * (before.blade_force + after.blade_force).dot(mean_pushed(after, motion));
