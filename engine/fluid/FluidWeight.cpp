@@ -17,4 +17,12 @@ FluidMoment fluid_moment_of(const std::array<Eigen::Vector3d, 3>& corners, const
                      mean_gradient * volume_gradient.transpose()};
 }
 
+FirstMoment first_moment_of(const std::array<Eigen::Vector3d, 3>& corners) {
+  const double volume = volume_of(corners);
+  const Eigen::Vector3d mean = 0.25 * (corners[0] + corners[1] + corners[2]);
+  FirstMoment moment{.value = volume * mean, .gradient = volume_gradient_of(corners) * mean.transpose()};
+  for (int k = 0; k < 3; ++k) moment.gradient.block<3, 3>(3 * k, 0).diagonal().array() += 0.25 * volume;
+  return moment;
+}
+
 }  // namespace thinwall

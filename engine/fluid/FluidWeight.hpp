@@ -15,4 +15,11 @@ struct FluidMoment {
 };
 FluidMoment fluid_moment_of(const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Vector3d& gravity);
 
+/// The same integral of x itself, without second derivatives.
+struct FirstMoment {
+  Eigen::Vector3d value;                 // metres^4
+  Eigen::Matrix<double, 9, 3> gradient;  // metres^3, of each component by the corners
+};
+FirstMoment first_moment_of(const std::array<Eigen::Vector3d, 3>& corners);
+
 }  // namespace thinwall

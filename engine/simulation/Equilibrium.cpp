@@ -94,13 +94,11 @@ void add_fluid(const BodyModel& model, const EquilibriumProblem& problem, const 
     }
     if (has_inertia) {
       const auto from_origin = relative_to(problem.fluid_inertia[chamber].origin, corners);
-      for (int axis = 0; axis < 3; ++axis) {
-        const FluidMoment moment = fluid_moment_of(from_origin, Eigen::Vector3d::Unit(axis));
-        terms.moment(axis, chamber) += moment.value;
-        for (int k = 0; k < 3; ++k) {
-          terms.moment_gradient.col(3 * chamber + axis).segment<3>(3 * model.surface[t][k]) +=
-              moment.gradient.segment<3>(3 * k);
-        }
+      const FirstMoment moment = first_moment_of(from_origin);
+      terms.moment.col(chamber) += moment.value;
+      for (int k = 0; k < 3; ++k) {
+        terms.moment_gradient.block<3, 3>(3 * model.surface[t][k], 3 * chamber) +=
+            moment.gradient.block<3, 3>(3 * k, 0);
       }
     }
     if (pressure[chamber] != 0 && !model.is_open(chamber)) {

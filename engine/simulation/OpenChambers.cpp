@@ -8,7 +8,7 @@ namespace thinwall {
 namespace {
 
 /// Pressure of the contents of a chamber under their weight, and what their inertia adds: that of a fluid below a
-/// surface is taken to be spread over the whole chamber.
+/// surface is taken to be spread over the whole chamber. Without a surface `weight` holds the sum of both.
 struct ContentsPressure {
   PressureField weight, inertia;
 };
@@ -27,6 +27,11 @@ ContentsPressure contents_pressure(const BodyModel& model, const EquilibriumProb
   const FluidInertia& inertia = problem.fluid_inertia[chamber];
   const Eigen::Vector3d push = inertia.factor * (terms.moment.col(chamber) - inertia.target);
   contents.inertia = {.at_origin = push.dot(inertia.origin), .slope = -push};
+  if (contents.weight.suction) {
+    contents.weight.at_origin += contents.inertia.at_origin;
+    contents.weight.slope += contents.inertia.slope;
+    contents.inertia = {};
+  }
   return contents;
 }
 
@@ -123,7 +128,7 @@ void add_loads(const BodyModel& model, const EquilibriumProblem& problem, const 
     add_to_corners(model.surface[t], unit, terms.pressure_load.col(c));
     Eigen::Matrix<double, 9, 1> load = pressure_load_of(corners, contents[c].weight);
     Eigen::Matrix<double, 9, 9> tangent = pressure_tangent_of(corners, contents[c].weight);
-    if (!problem.fluid_inertia.empty()) {
+    if (!problem.fluid_inertia.empty() && !contents[c].weight.suction) {
       load += pressure_load_of(corners, contents[c].inertia);
       tangent += pressure_tangent_of(corners, contents[c].inertia);
     }

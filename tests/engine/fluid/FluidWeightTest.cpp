@@ -29,6 +29,15 @@ TEST(FluidWeight, GradientAndHessianAgreeWithExactDerivatives) {
   EXPECT_LT((moment.hessian - exact.hessian).cwiseAbs().maxCoeff(), 1e-14);
 }
 
+TEST(FluidWeight, IsThatOfTheFirstMomentAlongGravity) {
+  const std::array<Eigen::Vector3d, 3> corners = {
+      {Eigen::Vector3d(0.9, 0.2, -0.1), Eigen::Vector3d(-0.3, 1.1, 0.4), Eigen::Vector3d(0.2, -0.5, 1.3)}};
+  const FirstMoment first = first_moment_of(corners);
+  const FluidMoment moment = fluid_moment_of(corners, kGravity);
+  EXPECT_NEAR(moment.value, kGravity.dot(first.value), 1e-14);
+  EXPECT_LT((moment.gradient - first.gradient * kGravity).norm(), 1e-14);
+}
+
 TEST(FluidWeight, OfAClosedSurfaceIsVolumeTimesTheHeightOfItsCentroid) {
   // A ball of 80 triangles moved away from the origin; and its buoyancy is volume times gravity (Archimedes).
   const SurfaceMesh mesh = make_sphere(1, 80);
