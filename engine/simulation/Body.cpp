@@ -90,7 +90,10 @@ bool Body::may_snap() const {
 }
 
 bool Body::may_creep() const {
-  return !snaps_ && options_.analysis == Analysis::kQuasiStatic && surface_ && model_->definition.tension_field;
+  // A blade crumples a membrane that is not held behind it before it has cut it at all.
+  const bool is_cut = surface_ || state_.cut.tool;
+  const bool is_membrane = model_->definition.model == WallModel::kMembrane;
+  return !snaps_ && options_.analysis == Analysis::kQuasiStatic && is_cut && is_membrane;
 }
 
 bool Body::solve_step(EquilibriumProblem& problem, EquilibriumState& trial) {

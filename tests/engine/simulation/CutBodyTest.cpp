@@ -174,6 +174,17 @@ TEST(ABladeThatIsDrawnThroughAStretchedShell, LeavesTheBooksClosed) {
   EXPECT_GT(body.state().cut.length, 3e-3);
 }
 
+TEST(ABladeInASheetThatIsHeldAtOneSide, CrumplesItAndGoesOn) {
+  BodyDefinition definition = stretched_sheet(200, 1.02);
+  definition.toughness = {47};
+  definition.fixed = {{.region = BelowRegion{.axis = 0, .at = -19.9e-3}}};
+  Body body(definition, {blade()}, quasi_static());
+  body.settle();
+  draw_blade(body, {8e-3, 3e-3, -2e-3}, {-8e-3, 4e-3, -2e-3}, 4);
+  EXPECT_TRUE(body.state().equilibrium.position.allFinite());
+  EXPECT_LT(std::abs(body.state().books.imbalance()), 1e-6 * body.state().books.tool_work);
+}
+
 TEST(ABladeThatOpensAFluidFilledBody, LetsItRunOutUnderBooksThatClose) {
   for (const Analysis analysis : {Analysis::kQuasiStatic, Analysis::kDynamic}) {
     BodyDefinition definition = pressurised_hemisphere(1024, 600);
