@@ -41,6 +41,8 @@ BodyInput part_of(const BodyInput& input, const BodyState& start, double done, d
     const double begin = k < start.load_factors.size() ? start.load_factors[k] : 1;
     share.load_factors[k] = begin + (done + part) * (input.load_factors[k] - begin);
   }
+  // In a gap of the wall a blade has nothing to cut.
+  if (!start.cut.is_in_wall()) share.blade.reset();
   if (share.blade) share.blade->travel *= part;
   for (std::size_t k = 0; k < share.fluids.size(); ++k) {
     share.fluids[k].added *= part;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/cutting/BorderCrossing.hpp"
 #include "engine/cutting/SurfaceNormals.hpp"
 #include "engine/simulation/Body.hpp"
 #include "engine/simulation/FrictionContact.hpp"
@@ -24,6 +25,9 @@ constexpr double kDragTolerance = 0.02;
 constexpr double kLooseDragTolerance = 0.2;
 constexpr double kFirstPush = 0.25;
 
+/// A wall that bears less of a push than this part bears none.
+constexpr double kLeastBearing = 0.05;
+
 /// Mean edge lengths over which the energy that lips release is told to the blade.
 constexpr double kSettledEdges = 2;
 
@@ -39,6 +43,38 @@ double cost_at(const BodyModel& model, const SurfacePoint& place) {
     count += 1;
   }
   return sum / count;
+}
+
+/// Tension of a triangle along a direction of space, newton / metre; none where it would be pressed.
+double tension_along(const MembraneRest& rest, const Material& material, const std::array<Eigen::Vector3d, 3>& corners,
+                     const Eigen::Vector3d& direction) {
+  Eigen::Matrix<double, 3, 2> edges;
+  edges << corners[1] - corners[0], corners[2] - corners[0];
+  const Eigen::Matrix<double, 3, 2> gradient = edges * rest.inverse_edges;
+  const Eigen::Matrix2d metric = gradient.transpose() * gradient;
+  const Eigen::Vector3d stress =
+      material.law->respond(material.parameters, {metric(0, 0), metric(1, 1), metric(0, 1)}).second_piola_kirchhoff;
+  const Eigen::Vector2d along = gradient.transpose() * direction;
+  const double pulled =
+      along[0] * along[0] * stress[0] + along[1] * along[1] * stress[1] + 2 * along[0] * along[1] * stress[2];
+  return rest.thickness * std::max(0.0, pulled) / std::sqrt(metric.determinant());
+}
+
+/// Part of a blade's cost of cutting that a wall bears, spread over a radius around a place: no more than the tension
+/// that its push takes away before the place and adds behind it, over the breadth of the spread. A wall that is slack
+/// there, as beside a free lip, would crumple instead.
+double bearing_at(const BodyModel& model, const Eigen::VectorXd& position, const Eigen::Vector3d& center, double radius,
+                  const Eigen::Vector3d& heading, double cost) {
+  if (heading.isZero(0)) return 1;
+  double tension = 0, area = 0;
+  for (int t = 0; t < model.triangles(); ++t) {
+    const auto at_rest = corners_of(model.surface[t], model.rest_position);
+    if (((at_rest[0] + at_rest[1] + at_rest[2]) / 3 - center).norm() > radius) continue;
+    const auto corners = corners_of(model.surface[t], position);
+    tension += model.rest[t].area * tension_along(model.rest[t], model.material(t), corners, heading.normalized());
+    area += model.rest[t].area;
+  }
+  return area > 0 ? std::min(1.0, 4 * radius * tension / (area * cost)) : 0;
 }
 
 }  // namespace
@@ -144,7 +180,10 @@ void Body::spread_push() {
     progress.pushed.push_back({.vertex = v, .share = (1 - part * part) * (1 - part * part)});
     sum += progress.pushed.back().share;
   }
-  for (PushedVertex& pushed : progress.pushed) pushed.share /= sum;
+  const Eigen::Vector3d ahead = progress.tip ? way_ahead(surface(), *progress.tip) : Eigen::Vector3d::Zero();
+  const double bearing = bearing_at(model, state_.equilibrium.position, center, radius, ahead, progress.cost);
+  if (bearing < kLeastBearing) progress.pushed.clear();
+  for (PushedVertex& pushed : progress.pushed) pushed.share *= bearing / sum;
 }
 
 }  // namespace thinwall

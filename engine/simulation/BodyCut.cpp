@@ -143,8 +143,11 @@ std::optional<Cut> Body::follow_blade(int tool, std::span<const ToolPose> poses,
   CutProgress& progress = state_.cut;
   if (!progress.tip && !progress.start) {
     progress.tool = tool;
-    progress.start = beyond_gap(pose).value_or(target);
+    const std::optional<SurfacePoint> lip = beyond_gap(pose);
+    progress.start = lip.value_or(target);
     spread_push();
+    // A free lip bears no push: it would crumple. The blade cuts into it all the same, and pays for that.
+    if (lip) progress.pushed.clear();
     progress.resistance = progress.cost;
     for (std::size_t k = 0; k < solids_.size(); ++k) {
       if (solids_[k] == tool) std::ranges::fill(state_.solid_forces[k], 0);

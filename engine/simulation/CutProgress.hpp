@@ -39,7 +39,7 @@ struct HeldLips {
 /// A vertex that bears a share of the blade's push.
 struct PushedVertex {
   int vertex = 0;
-  double share = 0;  // of all, sum 1
+  double share = 0;  // of the push; the sum is 1, or less where the wall is too slack to bear it
 };
 
 /// A cut that is being made. The mesh is cut some way at a time, the blade goes on evenly: so the lips of what was just
@@ -49,7 +49,8 @@ struct PushedVertex {
 ///
 /// The edge pushes the wall as hard as it is held back itself, at most with that resistance: below it the wall sticks
 /// to the edge and is dragged along. At one point the push would crumple a membrane, which bears no compression: it is
-/// spread around the tip so far that the wall's tension outweighs it.
+/// spread around the tip so far that the wall's tension outweighs it, and where that is not enough, as beside a free
+/// lip, the wall bears a part of it only; the blade pays all the same.
 struct CutProgress {
   std::optional<int> tool = {};            // whose blade is in the wall: the wall is free on it
   std::optional<SurfacePoint> start = {};  // where a blade met the wall, until it is cut there
@@ -66,6 +67,9 @@ struct CutProgress {
   Eigen::Vector3d blade_force = Eigen::Vector3d::Zero();  // newton, of the edge on the wall
   std::vector<PushedVertex> pushed = {};                  // around the tip
   double length = 0;                                      // metres, rest, cut since time zero
+
+  /// Whether there is wall before the blade, and it is not in a gap or beyond a border.
+  bool is_in_wall() const { return tip || start; }
 };
 
 /// After a step in which the blade pushed with `push`, newton: lips let go one after the other over what the blade

@@ -23,6 +23,7 @@
 #include "engine/simulation/SimulationFailure.hpp"
 #include "tests/engine/contact/SurfaceIntersections.hpp"
 #include "tests/engine/simulation/OpenBodies.hpp"
+#include "tests/engine/simulation/RandomMaterials.hpp"
 #include "tests/engine/simulation/TestBodies.hpp"
 
 namespace thinwall {
@@ -76,7 +77,7 @@ class Drawer {
                              : shape_ == 2 ? make_semicylinder(kRadius, 30e-3, triangles_)
                              : shape_ == 3 ? make_cylinder(kRadius, 40e-3, triangles_)
                                            : make_sheet(40e-3, 40e-3, triangles_);
-    const Material material = draw_material();
+    const Material material = random_material(modulus_, random_);
     recipe.body = make_body(mesh, thickness_, material);
     if (shape_ == 1 || shape_ == 2) recipe.body.fixed.push_back(fixed_group("base"));
     if (shape_ == 2 || shape_ == 3) recipe.body.fixed.push_back(fixed_group("ends"));
@@ -106,41 +107,6 @@ class Drawer {
     if (recipe.body.model == WallModel::kShell) words_ << ", shell";
     if (!recipe.body.prestretch.empty()) words_ << ", prestretched by " << recipe.body.prestretch[0].first;
     if (!recipe.body.viscosity.empty()) words_ << ", viscous " << recipe.body.viscosity[0].fraction;
-  }
-
-  Material draw_material() {
-    std::vector<Material> possible;
-    const double exponent = between(1.5, 6);
-    const std::map<std::string, double, std::less<>> values = {{"shear_modulus", modulus_},
-                                                               {"c1", 0.4 * modulus_},
-                                                               {"c2", 0.1 * modulus_},
-                                                               {"limit", between(5, 60)},
-                                                               {"youngs_modulus", 3 * modulus_},
-                                                               {"poisson_ratio", between(0, 0.49)},
-                                                               {"c", 0.35 * modulus_},
-                                                               {"a1", between(3, 12)},
-                                                               {"a2", between(3, 12)},
-                                                               {"a3", between(0, 2.5)},
-                                                               {"a4", between(3, 12)},
-                                                               {"k1", between(0.1, 2) * modulus_},
-                                                               {"k2", between(0.5, 5)},
-                                                               {"dispersion", between(0, 0.33)},
-                                                               {"angle", between(0, 0.5 * std::numbers::pi)},
-                                                               {"exponent", exponent},
-                                                               {"modulus", 2 * modulus_ / exponent}};
-    for (const WallLaw& law : wall_laws()) {
-      Material material{.law = &law, .parameters = {}};
-      for (const LawParameter& parameter : law.parameters) {
-        const auto known = values.find(parameter.name);
-        if (known != values.end()) {
-          material.parameters.push_back(known->second);
-        } else if (parameter.fallback) {
-          material.parameters.push_back(*parameter.fallback);
-        }
-      }
-      if (material.parameters.size() == law.parameters.size()) possible.push_back(material);
-    }
-    return possible[pick(static_cast<int>(possible.size()))];
   }
 
   void draw_fluid(Recipe& recipe) {

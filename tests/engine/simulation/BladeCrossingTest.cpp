@@ -1,0 +1,78 @@
+// Blades whose way meets earlier cuts.
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <vector>
+
+#include "engine/mesh/MeshTopology.hpp"
+#include "engine/mesh/Shapes.hpp"
+#include "tests/engine/simulation/DrawnBlade.hpp"
+#include "tests/engine/simulation/TestBodies.hpp"
+
+namespace thinwall {
+namespace {
+
+constexpr double kHeight = -2e-3;  // metres, of the blade's tip: behind the sheet
+
+BodyDefinition stretched_sheet(double stretch) {
+  BodyDefinition definition = make_body(make_sheet(40e-3, 40e-3, 800), 1e-3, neo_hookean(20e3));
+  definition.fluid.kind = FluidKind::kNone;
+  definition.toughness = {20};
+  definition.fixed.push_back({.region = BoundaryRegion{}});
+  definition.prestretch = {{.first = stretch, .second = stretch}};
+  return definition;
+}
+
+struct Pieces {
+  int count = 0, euler = 0;
+  std::size_t borders = 0;
+};
+
+Pieces pieces_of(const Body& body) {
+  const MeshTopology topology = topology_of(body.model().vertices(), body.model().definition.mesh.triangles);
+  EXPECT_TRUE(is_oriented_manifold(topology));
+  return {.count = topology.component_count,
+          .euler = topology.euler_characteristic,
+          .borders = topology.boundary_loops.size()};
+}
+
+double length_of(const std::vector<Cut>& cuts) {
+  return std::accumulate(cuts.begin(), cuts.end(), 0.0, [](double sum, const Cut& cut) { return sum + cut.length; });
+}
+
+BladeStroke stroke_through(const std::vector<Eigen::Vector2d>& points) {
+  BladeStroke stroke{.points = {}};
+  for (const Eigen::Vector2d& point : points) stroke.points.emplace_back(point.x(), point.y(), kHeight);
+  return stroke;
+}
+
+TEST(ABladeInAStretchedSheet, GoesOnBehindAnEarlierCutThatItCrosses) {
+  for (const double stretch : {1.05, 1.1}) {
+    Body body(stretched_sheet(stretch), {test_blade()}, quasi_static());
+    body.settle();
+    draw_blade(body, stroke_through({{0.3e-3, -9e-3}, {0.4e-3, 8e-3}}));
+    const double first = body.state().cut.length;
+    const std::vector<Cut> cuts = draw_blade(body, stroke_through({{-9e-3, 1e-3}, {9e-3, 0.5e-3}}));
+    const Pieces pieces = pieces_of(body);
+    std::printf("stretch %.2f: first %.2f mm, second %.2f mm, euler %d, borders %zu\n", stretch, first * 1e3,
+                length_of(cuts) * 1e3, pieces.euler, pieces.borders);
+    EXPECT_EQ(pieces.count, 1);
+    EXPECT_EQ(pieces.euler, 0);
+    EXPECT_EQ(pieces.borders, 2U);
+    EXPECT_NEAR(length_of(cuts), 18e-3 / stretch, 2.5e-3);
+  }
+}
+
+TEST(ABladeInAStretchedSheet, JoinsAnEarlierCutInWhichItStops) {
+  Body body(stretched_sheet(1.05), {test_blade()}, quasi_static());
+  body.settle();
+  draw_blade(body, stroke_through({{0.3e-3, -9e-3}, {0.4e-3, 8e-3}}));
+  draw_blade(body, stroke_through({{-9e-3, 1e-3}, {0.35e-3, 0.5e-3}}));
+  const Pieces pieces = pieces_of(body);
+  EXPECT_EQ(pieces.euler, 0);
+  EXPECT_EQ(pieces.borders, 2U);
+}
+
+}  // namespace
+}  // namespace thinwall

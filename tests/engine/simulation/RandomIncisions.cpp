@@ -1,0 +1,351 @@
+// Incisions drawn at random into bodies drawn at random: sheets under skin tension, filled spheres, hemispheres and
+// cylinders, membranes and shells of any law, at rest and in motion. A blade cuts straight, along a curve, there and
+// back, across an earlier cut, around a piece, grazing, or over the border; half a second follows. No cut may break the
+// mesh, no step may fail, no fluid may be lost, and the books must close. Each is a function of the seed and its number
+// alone.
+//
+// usage: random_incisions [--count N] [--seed S] [--only K] [--meshes small|large]
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <map>
+#include <numbers>
+#include <random>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "engine/mesh/Shapes.hpp"
+#include "engine/simulation/SimulationFailure.hpp"
+#include "tests/engine/cutting/CutInvariants.hpp"
+#include "tests/engine/simulation/DrawnBlade.hpp"
+#include "tests/engine/simulation/RandomMaterials.hpp"
+#include "tests/engine/simulation/TestBodies.hpp"
+
+namespace thinwall {
+namespace {
+
+constexpr double kRadius = 20e-3;  // metres
+constexpr double kRest = 0.5;      // seconds after the last cut
+
+struct Recipe {
+  BodyDefinition body;
+  SimulationOptions options;
+  std::vector<BladeStroke> strokes;
+  int rest_steps = 10;
+  std::string kind, words;
+};
+
+enum Shape { kSheet, kSphere, kHemisphere, kCylinder };
+
+class Drawer {
+ public:
+  Drawer(unsigned seed, unsigned number, bool large) : large_(large) {
+    std::seed_seq sequence{seed, number};
+    random_.seed(sequence);
+  }
+
+  Recipe draw() {
+    Recipe recipe;
+    draw_body(recipe);
+    draw_incision(recipe);
+    words_ << ", " << (recipe.options.analysis == Analysis::kDynamic ? "dynamic" : "quasi-static");
+    if (recipe.options.gravity.norm() > 0) words_ << ", gravity";
+    recipe.words = words_.str();
+    return recipe;
+  }
+
+ private:
+  void draw_body(Recipe& recipe) {
+    static constexpr const char* kShapes[] = {"sheet", "sphere", "hemisphere", "cylinder"};
+    shape_ = pick(4);
+    const int triangles = large_ ? 1500 + pick(4000) : 100 + pick(150);
+    const double modulus = between(5e3, 100e3), thickness = between(0.5e-3, 2e-3);
+    const SurfaceMesh mesh = shape_ == kSheet        ? make_sheet(2 * kRadius, 2 * kRadius, triangles)
+                             : shape_ == kSphere     ? make_sphere(kRadius, triangles)
+                             : shape_ == kHemisphere ? make_hemisphere(kRadius, triangles)
+                                                     : make_cylinder(kRadius, 3 * kRadius, triangles);
+    edge_ = std::sqrt(2.3 * wall_area(mesh) / static_cast<double>(mesh.triangles.size()));
+    const Material material = random_material(modulus, random_);
+    recipe.body = make_body(mesh, thickness, material);
+    recipe.body.toughness = {between(5, 200)};
+    if (pick(4) == 0) recipe.body.model = WallModel::kShell;
+    if (pick(4) == 0) recipe.body.viscosity = {{.fraction = between(0.1, 0.6), .time = between(0.02, 0.5)}};
+    recipe.options.analysis = pick(2) == 0 ? Analysis::kQuasiStatic : Analysis::kDynamic;
+    recipe.kind = kShapes[shape_];
+    words_ << kShapes[shape_] << " of " << mesh.triangles.size() << " triangles, " << material.law->name;
+    for (const double parameter : material.parameters) words_ << " " << parameter;
+    words_ << ", " << thickness * 1e3 << " mm thick, " << recipe.body.toughness[0] << " J/m^2";
+    if (recipe.body.model == WallModel::kShell) words_ << ", shell";
+    if (!recipe.body.viscosity.empty()) words_ << ", viscous " << recipe.body.viscosity[0].fraction;
+    if (shape_ == kSheet) {
+      draw_sheet(recipe);
+    } else {
+      draw_contents(recipe, modulus * thickness / kRadius);
+    }
+  }
+
+  void draw_sheet(Recipe& recipe) {
+    recipe.body.fluid.kind = FluidKind::kNone;
+    const double angle = between(0, std::numbers::pi), along = between(1, 1.15);
+    const double stretch = std::max(1.0, along - between(0, 0.1));
+    recipe.body.prestretch = {{.along = {std::cos(angle), std::sin(angle), 0}, .first = along, .second = stretch}};
+    // Held all around, or at two sides or one of them, with open borders then.
+    const int held = pick(3);
+    if (held == 0) recipe.body.fixed.push_back({.region = BoundaryRegion{}});
+    if (held > 0) recipe.body.fixed.push_back({.region = PlaneRegion{.axis = 0, .at = -kRadius, .within = 1e-6}});
+    if (held == 1) recipe.body.fixed.push_back({.region = PlaneRegion{.axis = 0, .at = kRadius, .within = 1e-6}});
+    words_ << ", prestretched by " << along << " and " << stretch << ", held at " << (held == 0 ? 4 : 3 - held)
+           << " sides";
+  }
+
+  /// `strength`: pascal, what a balloon of that wall holds, roughly.
+  void draw_contents(Recipe& recipe, double strength) {
+    if (shape_ == kHemisphere) recipe.body.fixed.push_back(fixed_group("base"));
+    if (shape_ == kCylinder) recipe.body.fixed.push_back(fixed_group("ends"));
+    const bool free = shape_ == kSphere && pick(3) == 0;
+    if (shape_ == kSphere && !free) {
+      recipe.body.fixed.push_back({.region = BelowRegion{.axis = 2, .at = between(-0.8, -0.5) * kRadius}});
+    }
+    FluidDefinition& fluid = recipe.body.fluid;
+    fluid.kind = pick(4) == 0 ? FluidKind::kCompressible : FluidKind::kIncompressible;
+    fluid.bulk_modulus = between(20e3, 500e3);
+    fluid.initial_pressure = pick(5) == 0 ? 0 : between(0.02, 0.33) * 1.2 * strength;
+    fluid.leaks = pick(8) > 0;
+    const bool bears = 1010 * 9.81 * 2 * kRadius < 0.6 * 1.2 * strength;
+    if (!free && bears && pick(2) == 0) recipe.options.gravity = {0, 0, -9.81};
+    words_ << (fluid.kind == FluidKind::kCompressible ? ", compressible" : "") << " at " << *fluid.initial_pressure
+           << " Pa" << (fluid.leaks ? "" : ", a gel") << (free ? ", free" : "");
+  }
+
+  void draw_incision(Recipe& recipe) {
+    static constexpr const char* kNames[] = {"straight", "curved", "back", "crossing", "loop", "graze", "border"};
+    const int kind = pick(7);
+    recipe.kind += std::string(" ") + kNames[kind];
+    words_ << ", " << kNames[kind];
+    const double step = between(0.3, 1.5) * edge_, duration = between(5e-3, 25e-3);
+    std::vector<std::vector<Eigen::Vector2d>> lines;
+    const Eigen::Vector2d begin = place(0.5), end = place(0.6);
+    switch (kind) {
+      case 0:
+        lines = {{begin, end}};
+        break;
+      case 1:
+        lines = {arc(begin, between(0.2, 0.5) * kRadius, between(0.5, 1.6) * std::numbers::pi)};
+        break;
+      case 2: {
+        const Eigen::Vector2d aside = begin + (pick(2) == 0 ? 0.0 : 0.25) * place(1);
+        lines = {{begin, end, aside, place(0.6)}};
+        break;
+      }
+      case 3: {
+        const Eigen::Vector2d middle = place(0.3), way = place(1).normalized() * 0.4 * kRadius;
+        const Eigen::Vector2d across = Eigen::Rotation2Dd(between(0.3, 2.8)) * way;
+        lines = {{middle - way, middle + way}, {middle - across, middle + (pick(3) == 0 ? 0.1 : 1.0) * across}};
+        break;
+      }
+      case 4:
+        lines = {arc(begin, between(0.15, 0.4) * kRadius, between(1.9, 2.3) * std::numbers::pi)};
+        break;
+      case 5: {
+        // Close to the silhouette, where the edge runs along the wall, or to a border.
+        const double aside = between(0.8, 0.99) * kRadius;
+        lines = {{{-0.5 * kRadius, aside}, {0.5 * kRadius, aside}}};
+        break;
+      }
+      default:
+        lines = {{begin, {between(-0.5, 0.5) * kRadius, 1.2 * kRadius}}};
+        if (pick(2) == 0) std::ranges::reverse(lines[0]);
+        if (pick(3) == 0) lines[0].push_back({between(-0.5, 0.5) * kRadius, -1.2 * kRadius});
+    }
+    const double depth = shape_ == kSheet ? -5e-3 : shape_ == kHemisphere ? 1e-3 : 0;
+    for (const std::vector<Eigen::Vector2d>& line : lines) {
+      BladeStroke stroke{.points = {}, .step = step, .duration = duration};
+      for (const Eigen::Vector2d& point : line) stroke.points.emplace_back(point.x(), point.y(), depth);
+      recipe.strokes.push_back(stroke);
+    }
+    recipe.rest_steps = 10 + pick(10);
+    words_ << " at " << begin.transpose() * 1e3 << " mm to " << end.transpose() * 1e3 << " mm by " << step * 1e3
+           << " mm in " << duration * 1e3 << " ms";
+  }
+
+  /// Within a circle of a part of the radius.
+  Eigen::Vector2d place(double part) {
+    const double angle = between(0, 2 * std::numbers::pi), radius = part * kRadius * std::sqrt(between(0, 1));
+    return {radius * std::cos(angle), radius * std::sin(angle)};
+  }
+
+  std::vector<Eigen::Vector2d> arc(const Eigen::Vector2d& center, double radius, double angle) {
+    const double start = between(0, 2 * std::numbers::pi);
+    const int pieces = static_cast<int>(std::ceil(angle / 0.25));
+    std::vector<Eigen::Vector2d> points;
+    for (int k = 0; k <= pieces; ++k) {
+      const double at = start + angle * k / pieces;
+      points.push_back(center + radius * Eigen::Vector2d(std::cos(at), std::sin(at)));
+    }
+    return points;
+  }
+
+  static double wall_area(const SurfaceMesh& mesh) {
+    double area = 0;
+    for (const Eigen::Vector3i& t : mesh.triangles) {
+      area += 0.5 * (mesh.vertices[t[1]] - mesh.vertices[t[0]]).cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]).norm();
+    }
+    return area;
+  }
+
+  double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  int pick(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
+
+  std::mt19937 random_;
+  std::ostringstream words_;
+  bool large_ = false;
+  int shape_ = 0;
+  double edge_ = 0;  // metres
+};
+
+struct Outcome {
+  int steps = 0, halvings = 0, cuts = 0, parts = 1, most_chambers = 0;
+  double length = 0;                                             // metres, cut
+  double worst_imbalance = 0, worst_numerical = 0, largest = 0;  // joule
+  double fluid = -1, lost = 0;                                   // metres^3, and part of it
+  std::vector<std::string> failures;
+
+  void note(const Body& body) {
+    ++steps;
+    halvings += body.report().halvings;
+    const BodyState& state = body.state();
+    const EnergyBooks& books = state.books;
+    for (const double term :
+         {books.elastic, books.bending, books.kinetic, books.fluid, books.gravity, books.contact, books.viscous,
+          books.leak, books.fracture, books.jump, books.tool_work, books.script_work}) {
+      largest = std::max(largest, std::abs(term));
+    }
+    worst_imbalance = std::max(worst_imbalance, std::abs(books.imbalance()));
+    worst_numerical = std::max(worst_numerical, -books.numerical);
+    if (!state.equilibrium.position.allFinite() || !state.velocity.allFinite()) failures.push_back("not finite");
+    const double held = state.fluid_volume.sum() + state.leaked.sum();
+    if (fluid < 0) fluid = held;
+    if (fluid > 0) lost = std::max(lost, std::abs(held / fluid - 1));
+    most_chambers = std::max(most_chambers, static_cast<int>(body.model().chambers.size()));
+  }
+
+  void note(const SurfaceMesh& before, const Body& body, const Cut& cut) {
+    ++cuts;
+    length += cut.length;
+    const CutSurface after(body.model().definition.mesh);
+    parts = after.component_count();
+    for (const std::string& rule : broken_rules(before, after, cut)) failures.push_back(rule);
+  }
+
+  double imbalance() const { return worst_imbalance / std::max(largest, 1e-12); }
+  double gained() const { return worst_numerical / std::max(largest, 1e-12); }
+};
+
+/// As draw_blade, with each cut looked at.
+void draw_and_look(Body& body, const BladeStroke& stroke, Outcome& outcome) {
+  SurfaceMesh before = body.model().definition.mesh;
+  draw_blade(
+      body, stroke, [&] { outcome.note(body); },
+      [&](const Cut& cut) {
+        outcome.note(before, body, cut);
+        before = body.model().definition.mesh;
+      });
+}
+
+Outcome run(const Recipe& recipe) {
+  Outcome outcome;
+  try {
+    Body body(recipe.body, {test_blade()}, recipe.options);
+    body.settle();
+    outcome.note(body);
+    for (const BladeStroke& stroke : recipe.strokes) draw_and_look(body, stroke, outcome);
+    const std::vector<ToolPose> away = {pose_at({0, 0, 1})};
+    for (int step = 0; step < recipe.rest_steps; ++step) {
+      body.advance(away, away, kRest / recipe.rest_steps);
+      outcome.note(body);
+    }
+    if (outcome.lost > 1e-9) outcome.failures.push_back("fluid is lost: " + std::to_string(outcome.lost));
+    // Books that close to round-off show any term that is missing.
+    if (outcome.imbalance() > 1e-6) {
+      outcome.failures.push_back("the books are open by " + std::to_string(outcome.imbalance()));
+    }
+    if (outcome.gained() > 0.005) {
+      outcome.failures.push_back("the integrator gives " + std::to_string(outcome.gained()));
+    }
+  } catch (const SimulationFailure& failure) {
+    outcome.failures.push_back(failure.what());
+  } catch (const std::invalid_argument& failure) {
+    outcome.failures.push_back(failure.what());
+  }
+  return outcome;
+}
+
+struct Tally {
+  int bodies = 0, failed = 0;
+};
+
+int run_all(unsigned seed, int first, int count, bool large) {
+  std::map<std::string, Tally> tallies;
+  Tally all;
+  int cuts = 0, uncut = 0, parted = 0, chambers = 0;
+  double worst_imbalance = 0, slowest = 0, whole = 0;
+  for (int number = first; number < first + count; ++number) {
+    const Recipe recipe = Drawer(seed, static_cast<unsigned>(number), large).draw();
+    const std::clock_t begin = std::clock();
+    const Outcome outcome = run(recipe);
+    const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+    slowest = std::max(slowest, seconds);
+    whole += seconds;
+    for (Tally* each : {&tallies[recipe.kind], &all}) {
+      ++each->bodies;
+      each->failed += outcome.failures.empty() ? 0 : 1;
+    }
+    cuts += outcome.cuts;
+    uncut += outcome.cuts == 0;
+    parted += outcome.parts > 1;
+    chambers += outcome.most_chambers > 1;
+    worst_imbalance = std::max(worst_imbalance, outcome.imbalance());
+    if (!outcome.failures.empty()) {
+      std::printf("FAILED --seed %u --only %d: %s\n  %s; after %d steps, %d cuts of %.1f mm, %.1f s\n", seed, number,
+                  outcome.failures.front().c_str(), recipe.words.c_str(), outcome.steps, outcome.cuts,
+                  outcome.length * 1e3, seconds);
+    } else if (seconds > 10 || count == 1) {
+      std::printf("--only %d: %s; %d steps, %d halvings, %d cuts of %.1f mm, %d parts, numerical %.1e, %.1f s\n",
+                  number, recipe.words.c_str(), outcome.steps, outcome.halvings, outcome.cuts, outcome.length * 1e3,
+                  outcome.parts, outcome.gained(), seconds);
+    }
+    std::fflush(stdout);
+  }
+  for (const auto& [kind, tally] : tallies) {
+    std::printf("%-24s %4d bodies, %d failed\n", kind.c_str(), tally.bodies, tally.failed);
+  }
+  std::printf(
+      "seed %u: %d bodies from number %d on, %d failed; %d cuts, %d bodies not cut, %d in parts, %d with more chambers "
+      "than one, largest imbalance of the books %.1e; %.1f s, slowest body %.1f s\n",
+      seed, all.bodies, first, all.failed, cuts, uncut, parted, chambers, worst_imbalance, whole, slowest);
+  return all.failed == 0 && all.bodies > 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace thinwall
+
+int main(int argc, char** argv) {
+  unsigned seed = 1;
+  int first = 0, count = 2000;
+  bool large = false;
+  for (int k = 1; k + 1 < argc; ++k) {
+    const int value = std::atoi(argv[k + 1]);
+    if (std::strcmp(argv[k], "--seed") == 0) seed = static_cast<unsigned>(value);
+    if (std::strcmp(argv[k], "--count") == 0) count = value;
+    if (std::strcmp(argv[k], "--only") == 0) first = value, count = 1;
+    if (std::strcmp(argv[k], "--meshes") == 0) large = std::strcmp(argv[k + 1], "large") == 0;
+  }
+  return thinwall::run_all(seed, first, count, large);
+}
