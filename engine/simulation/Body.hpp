@@ -276,6 +276,7 @@ class Body {
   bool is_clear_of(const Puncture& puncture, const ToolPose& pose) const;
   bool open_on_shaft(std::span<const ToolPose> poses);
   void hold_lips(double length, bool pays);
+  void hold_dent(int tool, std::span<const ToolPose> poses);
   void spread_push();
   void push_with(double push, const std::optional<BladeInput>& blade, EquilibriumProblem& problem) const;
   double drag_of(const BladeInput& blade, const Eigen::VectorXd& motion) const;

@@ -149,6 +149,7 @@ double Body::book_cut(const CutProgress& before, const Eigen::VectorXd& motion, 
   after.owed += surplus;
   EnergyBooks& books = state_.books;
   books.fracture += paid + released - surplus;
+  after.due -= paid + released - surplus;
   books.jump += surplus + lost;
   books.tool_work += paid + pushed;
   state_.cut = after;

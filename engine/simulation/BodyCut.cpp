@@ -42,6 +42,7 @@ Cut Body::cut(const CutPath& path, std::span<const ToolPose> poses) {
   state_.cut.start.reset();
   state_.cut.tip = cut.tip;
   spread_push();
+  state_.cut.due += state_.cut.cost * cut.length;
   const double stored = state_.books.stored();
   find_forces(poses);
   // Flips of edges and lumped masses change what is stored by a trifle.
@@ -149,9 +150,7 @@ std::optional<Cut> Body::follow_blade(int tool, std::span<const ToolPose> poses,
     // A free lip bears no push: it would crumple. The blade cuts into it all the same, and pays for that.
     if (lip) progress.pushed.clear();
     progress.resistance = progress.cost;
-    for (std::size_t k = 0; k < solids_.size(); ++k) {
-      if (solids_[k] == tool) std::ranges::fill(state_.solid_forces[k], 0);
-    }
+    hold_dent(tool, poses);
     return std::nullopt;
   }
   const SurfacePoint from = progress.tip ? point_at(wall.triangles, *progress.tip) : *progress.start;
@@ -161,6 +160,23 @@ std::optional<Cut> Body::follow_blade(int tool, std::span<const ToolPose> poses,
   Cut cut = this->cut(path, poses);
   if (cut.triangles.empty()) return std::nullopt;
   return cut;
+}
+
+void Body::hold_dent(int tool, std::span<const ToolPose> poses) {
+  bool is_dented = false;
+  for (std::size_t k = 0; k < solids_.size(); ++k) {
+    if (solids_[k] != tool) continue;
+    is_dented = is_dented || std::ranges::any_of(state_.solid_forces[k], [](double force) { return force > 0; });
+    std::ranges::fill(state_.solid_forces[k], 0);
+    state_.friction[k].clear();
+  }
+  if (!is_dented) return;
+  // What held the dent goes over to the first cut, of the blade's width: the energy of the dent pays for it.
+  const double stored = state_.books.stored();
+  find_forces(poses);
+  state_.books.jump += stored - state_.books.stored();
+  hold_lips(tools_[tool].width, true);
+  find_forces(poses);
 }
 
 std::optional<Cut> Body::cut_to_border(const ToolPose& pose, std::span<const ToolPose> poses) {
@@ -193,6 +209,11 @@ std::optional<SurfacePoint> Body::beyond_gap(const ToolPose& pose) {
 }
 
 void Body::leave_cut() {
+  // What has been cut has cost what its area is worth: the way of the blade less that of the wall is that but for a
+  // part of an edge.
+  const double due = std::exchange(state_.cut.due, 0);
+  state_.books.fracture += due;
+  state_.books.jump -= due;
   state_.cut.left.reset();
   state_.cut.tool.reset();
   state_.cut.tip.reset();

@@ -64,6 +64,7 @@ struct CutProgress {
   double progress = 0;              // part of the blade's last way by which it cut, the rest it dragged the wall
   double given = 0;                 // newton: what the wall releases per length, mean over a triangle
   double owed = 0;                  // joule, of the new area so far, that neither blade nor wall has paid yet
+  double due = 0;                   // joule, that what has been cut is worth beyond what has been booked for it
   Eigen::Vector3d blade_force = Eigen::Vector3d::Zero();  // newton, of the edge on the wall
   std::vector<PushedVertex> pushed = {};                  // around the tip
   double length = 0;                                      // metres, rest, cut since time zero

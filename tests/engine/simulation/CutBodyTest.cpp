@@ -144,12 +144,14 @@ TEST(ABladeThatIsDrawnThroughASheet, PaysWhatTheWallAsksBeyondWhatItReleases) {
       std::printf("stretched by %.2f: %.4f N, fracture %.3e, jump %.1e, tool %.3e, numerical %.1e J\n", stretch, mean,
                   books.fracture, books.jump, books.tool_work, books.numerical);
       EXPECT_NEAR(body.state().cut.length, 16e-3, 1.3e-3);
+      EXPECT_NEAR(books.fracture, 20 * 1e-3 * body.state().cut.length, 1e-12);
       // The second half of the way has a slit of 8 to 16 mm, whose tip releases sigma^2 pi a / E.
       const double stress = 20e3 * (stretch * stretch - std::pow(stretch, -4));
       const double released = stress * stress * std::numbers::pi * 6e-3 / 60e3;  // joule / metre^2, mean
       if (released < 20) {
         EXPECT_NEAR(mean, (20 - released) * 1e-3, 0.02 * 20 * 1e-3);
-        EXPECT_LT(books.jump, 1e-3 * books.fracture);
+        // The cut ends up to an edge behind the blade, which has paid for that.
+        EXPECT_LT(books.jump, 2e-2 * books.fracture);
       } else {
         // The wall tears more easily than the blade is drawn: what is beyond is lost.
         EXPECT_LT(mean, 0.3 * 20 * 1e-3);
