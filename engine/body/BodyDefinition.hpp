@@ -19,10 +19,10 @@ enum class FluidKind { kNone, kIncompressible, kCompressible };
 struct ChamberDefinition {
   std::string name = {};
   Eigen::Vector3d inside = Eigen::Vector3d::Zero();  // metres, a point in it, of the stress-free shape
-  std::optional<int> wall = {};                      // a triangle of its wall, which tells it instead of that point
   // Pascal above the surroundings, at time zero: the volume follows. Absent: the volume is the mesh's and the pressure
   // follows.
   std::optional<double> initial_pressure = {};
+  std::optional<int> wall = {};  // a triangle of its wall, which tells it instead of the point inside
 };
 
 /// A hole through which two chambers exchange fluid: flow = discharge area sqrt(2 (p1 - p2) / density).

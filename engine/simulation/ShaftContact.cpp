@@ -1,5 +1,6 @@
 #include "engine/simulation/ShaftContact.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -7,6 +8,12 @@
 #include "engine/simulation/Equilibrium.hpp"
 
 namespace thinwall {
+namespace {
+
+/// Stiffness of the springs that keep lips evenly around the needle, over that of those that keep them out of it.
+constexpr double kGuide = 0.01;
+
+}  // namespace
 
 ShaftTerms ShaftContact::at(const ShaftPoint& point, const Eigen::Vector3d& place) const {
   if (!point.touches) return {};
@@ -16,13 +23,16 @@ ShaftTerms ShaftContact::at(const ShaftPoint& point, const Eigen::Vector3d& plac
   const bool on_cone = behind > 0 && behind < cone;
   const double wanted = whole * std::clamp(behind / cone, 0.0, 1.0);
   const double slope = on_cone ? whole / cone : 0;  // of the radius, by the distance behind the tip
-  const double overlap = std::max(0.0, wanted - outwards.dot(place - tip));
+  const Eigen::Vector3d around = along.cross(outwards);
+  const double overlap = std::max(0.0, wanted - outwards.dot(place - tip)), astray = around.dot(place - tip);
   const Eigen::Vector3d by_place = -(outwards + slope * along);
   ShaftTerms terms;
   terms.squeeze = stiffness * overlap;
-  terms.energy = terms.stored = 0.5 * terms.squeeze * overlap;
-  terms.gradient = terms.squeeze * by_place;
-  if (overlap > 0) terms.hessian = stiffness * by_place * by_place.transpose();
+  const double guide = kGuide * stiffness;
+  terms.energy = terms.stored = 0.5 * (terms.squeeze * overlap + guide * astray * astray);
+  terms.gradient = terms.squeeze * by_place + guide * astray * around;
+  terms.hessian = guide * around * around.transpose();
+  if (overlap > 0) terms.hessian += stiffness * by_place * by_place.transpose();
   if (point.limit == 0) return terms;
   const double slip = behind - point.anchor;
   const double elastic = std::clamp(slip, -give, give), spring = point.limit / give;

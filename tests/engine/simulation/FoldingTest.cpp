@@ -103,8 +103,8 @@ INSTANTIATE_TEST_SUITE_P(Analyses, Folding, testing::Values(Analysis::kQuasiStat
 
 TEST(FoldingWall, RunsTheSameTwice) {
   Body one = sphere(Analysis::kDynamic), other = sphere(Analysis::kDynamic);
-  drain(one, 0.25, 20, 0.02);
-  drain(other, 0.25, 20, 0.02);
+  drain(one, 0.2, 20, 0.02);
+  drain(other, 0.2, 20, 0.02);
   EXPECT_GT(one.fold_count(), 0U);
   EXPECT_EQ(one.state().equilibrium.position, other.state().equilibrium.position);
 }
