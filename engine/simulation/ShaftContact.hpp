@@ -32,8 +32,8 @@ struct ShaftTerms {
 /// A needle in the wall during a solution. A slit of twice its radius that is spread on a round shaft: its vertices,
 /// evenly spread in angle as they were along the slit, are each kept out of the needle's tangent plane there by a stiff
 /// spring, kept from running together around it by a soft one, and slide along the needle under Coulomb's law. With z
-/// the distance of a vertex behind the tip, e(angle) the direction of its plane from the axis, t across e and the needle,
-/// and r(z) the radius of the needle there, which grows evenly over the cone,
+/// the distance of a vertex behind the tip, e(angle) the direction of its plane from the axis, t across e and the
+/// needle, and r(z) the radius of the needle there, which grows evenly over the cone,
 ///
 ///     energy = stiffness / 2 (max(0, r(z) - e . (x - tip))^2 + 0.01 (t . (x - tip))^2) + friction(z - anchor).
 struct ShaftContact {
