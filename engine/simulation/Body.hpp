@@ -181,7 +181,8 @@ class Body {
   /// The wall is then at rest in that equilibrium, and slides along the shaft under friction from then on; what was
   /// released beyond the cost is a jump. A puncture lets nothing through while the needle is in it, and is left open
   /// when its tip has gone back out. To be called after each step in which the needle may press or go back. `poses`:
-  /// (tools), at the end of the step. Throws as `cut` does.
+  /// (tools), at the end of the step. Throws as `cut` does, and SimulationFailure where the needle has done several
+  /// times the work that a slit costs and none fits in, or the wall finds no equilibrium on the shaft.
   std::optional<Rupture> pierce(int tool, std::span<const ToolPose> poses);
 
   /// Pressure between wall and tools at each vertex, (vertices), pascal: force on the vertex over its rest area.
@@ -312,6 +313,7 @@ class Body {
   void update_forces(const EquilibriumProblem& problem);
   void update_books(const BodyState& before, std::span<const ToolPose> begin, double duration,
                     const EquilibriumProblem& problem, const BodyInput& input);
+  void book_stored(double on_shafts);
   double work_of_solids(const BodyState& before, std::span<const ToolPose> begin,
                         const EquilibriumProblem& problem) const;
   double book_fluids(const BodyState& before);

@@ -121,20 +121,25 @@ double Body::work_of_solids(const BodyState& before, std::span<const ToolPose> b
   return work;
 }
 
-void Body::update_books(const BodyState& before, std::span<const ToolPose> begin, double duration,
-                        const EquilibriumProblem& problem, const BodyInput& input) {
+void Body::book_stored(double on_shafts) {
   EnergyBooks& books = state_.books;
   const EquilibriumTerms& terms = newton_->terms();
-  const double wall_loss = update_memory(duration, problem);
   books.elastic = lasting_part(model_->definition) * terms.strain_energy;
   books.bending = lasting_part(model_->definition) * terms.bending_energy;
   books.kinetic = 0.5 * model_->mass.dot(state_.velocity.cwiseAbs2()) + fluid_kinetic_energy();
-  const double leak_loss = book_leaks(before);
   books.gravity = gravity_energy();
+  books.contact = contact_energy(terms) + terms.folds.energy + state_.friction_energy + on_shafts;
+  books.fluid = fluid_energy(*model_, state_);
+}
+
+void Body::update_books(const BodyState& before, std::span<const ToolPose> begin, double duration,
+                        const EquilibriumProblem& problem, const BodyInput& input) {
+  EnergyBooks& books = state_.books;
+  const double wall_loss = update_memory(duration, problem);
+  const double leak_loss = book_leaks(before);
   const ShaftBooks shafts = book_shafts(problem, begin);
   const double friction_loss = update_friction(before, begin, problem) + shafts.friction;
-  books.contact = contact_energy(terms) + terms.folds.energy + state_.friction_energy + shafts.stored;
-  books.fluid = fluid_energy(*model_, state_);
+  book_stored(shafts.stored);
 
   // Work by the trapezoidal rule; what it differs from the change of the energies is what the integrator spends.
   const Eigen::VectorXd motion = state_.equilibrium.position - before.equilibrium.position;

@@ -106,15 +106,9 @@ void Body::find_forces(std::span<const ToolPose> poses) {
   update_forces(problem);
   state_.contacts = contacts;
   state_.solid_contacts = solid_contacts;
-  const EquilibriumTerms& terms = newton_->terms();
-  EnergyBooks& books = state_.books;
-  books.elastic = lasting_part(model_->definition) * terms.strain_energy;
-  books.bending = lasting_part(model_->definition) * terms.bending_energy;
-  books.kinetic = 0.5 * model_->mass.dot(state_.velocity.cwiseAbs2()) + fluid_kinetic_energy();
-  books.gravity = gravity_energy();
-  books.fluid = fluid_energy(*model_, state_);
-  books.contact = contact_energy(terms) + terms.folds.energy + state_.friction_energy;
-  for (const ShaftContact& shaft : problem.shafts) books.contact += shaft.stored(state_.equilibrium.position);
+  double on_shafts = 0;
+  for (const ShaftContact& shaft : problem.shafts) on_shafts += shaft.stored(state_.equilibrium.position);
+  book_stored(on_shafts);
 }
 
 void Body::hold_lips(double length, bool pays) {

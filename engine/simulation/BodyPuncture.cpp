@@ -1,10 +1,11 @@
 // A needle that goes through the wall of a body: when the wall gives way, and what it does on the shaft.
 
 #include <algorithm>
-#include <cassert>
+#include <string>
 #include <utility>
 
 #include "engine/simulation/Body.hpp"
+#include "engine/simulation/SimulationFailure.hpp"
 #include "engine/tool/ToolSolids.hpp"
 
 namespace thinwall {
@@ -27,6 +28,9 @@ constexpr double kTip = 0.1;
 
 /// A wall gives way in this part of a time step: at once, but for what viscous walls remember.
 constexpr double kAtOnce = 1e-9;
+
+/// Work over the cost of a slit at which a needle that cannot be let through for another reason than energy gives up.
+constexpr double kMostWork = 3;
 
 /// Of the energy that is missing, the work that a needle must do before it is asked for again.
 constexpr double kMissingPart = 0.95;
@@ -138,8 +142,7 @@ double Body::come_to_rest() {
   state_.previous_velocity.setZero();
   state_.previous_position = state_.equilibrium.position;
   start_fluid_motion();
-  const double kinetic = std::exchange(state_.books.kinetic, 0);
-  return kinetic;
+  return std::exchange(state_.books.kinetic, 0);
 }
 
 void Body::leave_punctures(std::span<const ToolPose> poses) {
@@ -209,26 +212,37 @@ std::optional<Rupture> Body::pierce(int tool, std::span<const ToolPose> poses) {
   leave_punctures(poses);
   const double radius = tools_[tool].radius, work = state_.pressing[tool].work;
   const auto place = pressed_place(*model_, state_.equilibrium.position, poses[tool], radius, free_triangles(tool));
-  if (!place || work < std::max(2 * radius * model_->cut_cost(place->triangle), state_.pressing[tool].awaited)) {
-    return std::nullopt;
-  }
+  if (!place) return std::nullopt;
+  const double cost = model_->cut_cost(place->triangle);  // newton
+  if (work < std::max(2 * radius * cost, state_.pressing[tool].awaited)) return std::nullopt;
+  const auto refuse = [&](const std::string& why) {
+    if (work < kMostWork * 2 * radius * cost) return;
+    throw SimulationFailure("body `" + model_->definition.name + "`: needle `" + tools_[tool].name +
+                            "` presses hard enough to go through the wall, but " + why);
+  };
   const auto path = slit_path(*model_, *place, poses[tool], radius);
-  if (!path) return std::nullopt;
   const EnergyBooks books = state_.books;
   const std::vector<ToolContact> felt = state_.contacts;
   Rupture rupture;
   Uncut before;
-  rupture.cut = change_mesh(*path, kSlitEdges * radius, &before);
-  if (rupture.cut.triangles.empty()) return std::nullopt;
-  const bool is_slit = rupture.cut.lips.size() == 1 && rupture.cut.lips[0].left.size() > 2;
-  if (is_slit) {
-    rupture.cost = rupture.cut.length * model_->cut_cost(rupture.cut.triangles.front().triangle);
-    state_.punctures.push_back(puncture_of(*model_, rupture.cut, tool, poses[tool], radius));
-    if (open_on_shaft(poses)) rupture.released = books.imbalance() - state_.books.imbalance();
+  if (path) rupture.cut = change_mesh(*path, kSlitEdges * radius, &before);
+  if (rupture.cut.triangles.empty()) {
+    refuse("no slit of its width fits in there; aim farther from borders and cuts");
+    return std::nullopt;
   }
-  if (rupture.released < rupture.cost || !is_slit) {
+  const bool is_slit = rupture.cut.lips.size() == 1 && rupture.cut.lips[0].left.size() > 2;
+  bool is_opened = false;
+  if (is_slit) {
+    rupture.cost = cost * rupture.cut.length;
+    state_.punctures.push_back(puncture_of(*model_, rupture.cut, tool, poses[tool], radius));
+    is_opened = open_on_shaft(poses);
+    rupture.released = books.imbalance() - state_.books.imbalance();
+  }
+  if (!is_opened || rupture.released < rupture.cost) {
     put_back(std::move(before));
-    state_.pressing[tool].awaited = work + kMissingPart * std::max(0.0, rupture.cost - rupture.released);
+    state_.pressing[tool].awaited = work + (is_opened ? kMissingPart * (rupture.cost - rupture.released) : 0);
+    if (!is_slit) refuse("a slit of its width runs into a border there; aim farther from borders and cuts");
+    if (!is_opened) refuse("the wall around it finds no equilibrium: " + failure_);
     return std::nullopt;
   }
   // The tools felt the wall as it was until now.

@@ -25,10 +25,10 @@ struct Puncture {
   bool is_sealed() const;
 };
 
-/// How hard a needle has pressed since it touched last.
+/// How hard a tool has pressed since it touched last.
 struct Pressing {
-  double work = 0;     // joule, by the needle on the wall
-  double awaited = 0;  // joule, before which no puncture can be worth its cost
+  double work = 0;     // joule, by the tool on the wall
+  double awaited = 0;  // joule, before which no puncture by a needle can be worth its cost
 };
 
 /// A wall that has given way.
