@@ -1,7 +1,5 @@
 #include "studio/director/Incising.hpp"
 
-#include <algorithm>
-#include <cassert>
 #include <vector>
 
 #include "studio/director/Schedule.hpp"
@@ -29,11 +27,7 @@ void enter(Body& body, const BladeStep& step, double thickness) {
 }  // namespace
 
 double cost_of_entry(const Body& body, const IncisionPlan& plan, const ToolDefinition& blade) {
-  const BodyModel& model = body.model();
-  const auto triangle = static_cast<std::size_t>(first_triangle(plan));
-  const std::vector<double>& toughness = model.definition.toughness;
-  assert(!toughness.empty());
-  return toughness[toughness.size() == 1 ? 0 : triangle] * model.rest[triangle].thickness * blade.width;
+  return body.model().cut_cost(first_triangle(plan)) * blade.width;
 }
 
 std::optional<BladeInput> blade_input(const IncisionPlan& plan, const Body& body, const BladeStep& step) {
@@ -49,9 +43,8 @@ std::optional<Cut> incise(IncisionPlan& plan, Body& body, const BladeStep& step)
   const auto tool = static_cast<std::size_t>(step.tool);
   if (!is_in_wall(body, step.tool)) {
     if (plan.entered || plan.goes_out(step.end)) return std::nullopt;
-    plan.press(body.state().contacts[tool].force, step.after[tool].tip - step.before[tool].tip);
     const bool must_go_on = plan.progress(2 * step.end - step.begin) > 0;
-    if (plan.work < plan.entry_cost && !must_go_on) return std::nullopt;
+    if (body.state().pressing[tool].work < plan.entry_cost && !must_go_on) return std::nullopt;
     enter(body, step, body.model().rest[static_cast<std::size_t>(first_triangle(plan))].thickness);
     if (is_in_wall(body, step.tool)) plan.feel_entry(step.end);
     return std::nullopt;

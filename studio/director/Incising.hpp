@@ -13,7 +13,7 @@ struct BladeStep {
   int tool = 0;      // index
   double begin = 0;  // seconds since the clip began
   double end = 0;
-  std::span<const ToolPose> before, after;  // (tools)
+  std::span<const ToolPose> after = {};  // (tools), at its end
 };
 
 /// What a slit as long as the blade is wide costs where the path begins, joule: toughness times thickness times width.

@@ -147,11 +147,6 @@ bool IncisionPlan::goes_out(double time) const {
   return clip.withdraw && time > (clip.standoff + clip.depth + path.length()) / clip.speed + clip.hold;
 }
 
-void IncisionPlan::press(const Eigen::Vector3d& felt, const Eigen::Vector3d& motion) {
-  work -= 0.5 * (force + felt).dot(motion);
-  force = felt;
-}
-
 ToolPose IncisionPlan::pose_below(double along) const {
   const PathStation station = path.at(along);
   const double place = std::clamp(along / path.length(), 0.0, 1.0) * static_cast<double>(axes.size() - 1);

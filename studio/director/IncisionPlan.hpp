@@ -18,8 +18,6 @@ struct IncisionPlan {
   double to_contact = 0;               // metres from the stand-off to first contact
   std::optional<double> entered = {};  // seconds since the clip began, when the blade had gone in, once it has
   double entry_cost = 0;               // joule that the blade has to put into the dent before it goes in
-  double work = 0;                     // joule that it has put in so far
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();  // newton, of the dented wall on the blade
 
   double duration() const;                  // seconds
   ToolMoment at(double time) const;         // `time`: seconds since the clip began, limited to its duration
@@ -27,8 +25,6 @@ struct IncisionPlan {
   bool goes_out(double time) const;         // whether the blade is on its way back
   ToolPose pose_below(double along) const;  // of the blade in its depth, `along` metres from the path's beginning
   void feel_entry(double time) { entered = entered.value_or(time); }
-  /// Counts the work of a step in which the blade moved by `motion`, metres, and now feels `felt`, newton.
-  void press(const Eigen::Vector3d& felt, const Eigen::Vector3d& motion);
 };
 
 /// Brings the path to the surface. Throws InputErrors at the path's point or at `location` when a point is out of reach

@@ -203,11 +203,8 @@ struct ScenarioRun::Implementation {
       }
       if (const auto* incision = std::get_if<IncisionPlan>(&clip.plan)) {
         if (incision->clip.body != scenario.bodies[index].name) continue;
-        const BladeStep step{.tool = tools.at(incision->clip.tool).index,
-                             .begin = time() - clip.begin,
-                             .end = until - clip.begin,
-                             .before = {},
-                             .after = {}};
+        const BladeStep step{
+            .tool = tools.at(incision->clip.tool).index, .begin = time() - clip.begin, .end = until - clip.begin};
         if (!input.blade) input.blade = blade_input(*incision, *bodies[index], step);
       }
     }
@@ -215,14 +212,13 @@ struct ScenarioRun::Implementation {
   }
 
   /// Lets the blades of a step cut.
-  void follow_blades(std::span<const ToolPose> before, std::span<const ToolPose> after, double until) {
+  void follow_blades(std::span<const ToolPose> after, double until) {
     for (ScheduledClip& clip : clips) {
       auto* incision = std::get_if<IncisionPlan>(&clip.plan);
       if (incision == nullptr || !clip.begun || clip.end <= time() + kTimeTolerance) continue;
       const BladeStep step{.tool = tools.at(incision->clip.tool).index,
                            .begin = time() - clip.begin,
                            .end = until - clip.begin,
-                           .before = before,
                            .after = after};
       const std::size_t index = body_index(incision->clip.body);
       Body& body = *bodies[index];
@@ -306,7 +302,7 @@ struct ScenarioRun::Implementation {
         bodies[index]->advance(before, after, step_length(), input_of(index, next));
         halved_steps += bodies[index]->report().halvings > 0 ? 1 : 0;
       }
-      follow_blades(before, after, next);
+      follow_blades(after, next);
       let_needles_pierce(after, next);
     } catch (const SimulationFailure& failure) {
       throw SimulationFailure(fmt::format("at {:.6g} s (step {}): {}", next, steps + 1, failure.what()));
