@@ -11,6 +11,9 @@ namespace {
 
 constexpr double kSmoothCosine = 0.5;
 
+/// Thickness over that at rest that a wall grows to at most: one that is crushed further wrinkles instead.
+constexpr double kThickest = 1.5;
+
 Float3 float3(Vector3 a) {
   return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
 }
@@ -23,17 +26,22 @@ double area_of(const Triangle& triangle, const std::vector<Float3>& positions) {
 /// (vertices), metres, of the wall as it is now: the volume of the tissue around over the area there.
 std::vector<double> thickness_now(const SnapshotSurface& surface) {
   const SnapshotTopology& topology = *surface.topology;
-  std::vector<double> volume(surface.positions.size(), 0), area(surface.positions.size(), 0);
+  std::vector<double> volume(surface.positions.size(), 0), area = volume, rest_area = volume;
   for (std::size_t t = 0; t < topology.triangles.size(); ++t) {
-    const double rest = topology.thickness[t] * area_of(topology.triangles[t], topology.rest_positions);
+    const double rest = area_of(topology.triangles[t], topology.rest_positions);
     const double now = area_of(topology.triangles[t], surface.positions);
     for (const std::uint32_t vertex : topology.triangles[t]) {
-      volume[vertex] += rest;
+      volume[vertex] += topology.thickness[t] * rest;
+      rest_area[vertex] += rest;
       area[vertex] += now;
     }
   }
-  for (std::size_t v = 0; v < volume.size(); ++v) volume[v] = area[v] > 0 ? volume[v] / area[v] : 0;
-  return volume;
+  std::vector<double> thickness(volume.size(), 0);
+  for (std::size_t v = 0; v < volume.size(); ++v) {
+    const double least_area = std::max(area[v], rest_area[v] / kThickest);
+    if (least_area > 0) thickness[v] = volume[v] / least_area;
+  }
+  return thickness;
 }
 
 /// Directions out of the wall along each border edge, of length one, (borders).

@@ -65,6 +65,14 @@ TEST(WallDepth, AStretchedWallIsThinnerAndKeepsItsVolume) {
   for (const SurfaceVertex& vertex : depth_of(surface).lining) EXPECT_FLOAT_EQ(vertex.position[2], -0.05f);
 }
 
+TEST(WallDepth, AWallThatIsCrushedGrowsThickerByHalfAtMost) {
+  SnapshotSurface surface = square(0.1f);
+  for (Float3& position : surface.positions) position[0] *= 0.8f;
+  for (const SurfaceVertex& vertex : depth_of(surface).lining) EXPECT_FLOAT_EQ(vertex.position[2], -0.125f);
+  for (Float3& position : surface.positions) position[0] *= 0.1f;
+  for (const SurfaceVertex& vertex : depth_of(surface).lining) EXPECT_FLOAT_EQ(vertex.position[2], -0.15f);
+}
+
 TEST(WallDepth, ARoundBorderHasASmoothRim) {
   // A fan of 24 triangles: borders meet at 15 degrees.
   std::vector<Float3> positions = {{0, 0, 0}};
