@@ -64,9 +64,12 @@ MappingSchema pierce() {
        {"standoff", quantity_value(kLength, kFromZero, "5 mm"), false, "5 mm",
         "distance from the surface at which the needle starts and to which it goes back"},
        {"withdraw", boolean_value(), false, "true", "whether the needle goes back"}},
-      " The puncture stays open. Where the body is less deep than `depth` the needle goes through its far wall too. "
-      "Errors are a depth larger than the needle is long, and a needle as thick as the body is wide across its way. "
-      "This version reads it but cannot simulate it yet.");
+      " The wall dents, and gives way once it would give back more energy with a slit of the needle's width in it than "
+      "the slit costs (toughness times thickness times width). From then on it slides along the needle under the tool's "
+      "`friction` and lets nothing through; the puncture stays open when the needle has left. Where the body is less "
+      "deep than `depth` the needle goes through its far wall too. Errors are a depth larger than the needle is long, "
+      "and a needle as thick as the body is wide across its way; a needle that presses where no slit fits in, as next "
+      "to a border, ends the run.");
 }
 
 ValueSchema path_of_points() {
@@ -101,16 +104,13 @@ MappingSchema incise() {
         "distance from the surface at which the blade starts and to which it goes back"},
        {"withdraw", boolean_value(), false, "true", "whether the blade goes back"}},
       " The points are brought to the surface as it is when the clip starts; neighbours are joined by the curve in "
-      "which "
-      "the plane through both and the mean inward normal meets the surface, the shorter way round and straight on over "
-      "open wounds. The blade's width lies along the path, and its middle follows it. Where the path turns back "
-      "sharply "
-      "the blade goes back without turning. The wall dents until the blade has put into it what a slit as long as the "
-      "blade is wide would cost (toughness times thickness times width), at the latest until the blade moves on along "
-      "the path; then the blade is in, and cuts the wall that its edge meets first. Errors are points out of reach or "
-      "not joined "
-      "by the wall, a depth larger than the blade is high or the body measures there, and a blade that would start "
-      "inside the body or touch it already.");
+      "which the plane through both and the mean inward normal meets the surface, the shorter way round and straight on "
+      "over open wounds. The blade's width lies along the path, and its middle follows it. Where the path turns back "
+      "sharply the blade goes back without turning. The wall dents until the blade has put into it what a slit as long "
+      "as the blade is wide would cost (toughness times thickness times width), at the latest until the blade moves on "
+      "along the path; then the blade is in, and cuts the wall that its edge meets first. Errors are points out of reach "
+      "or not joined by the wall, a depth larger than the blade is high or the body measures there, and a blade that "
+      "would start inside the body or touch it already.");
 }
 
 MappingSchema move() {
