@@ -33,6 +33,17 @@ constexpr double kDeepestWay = 0.5;
 /// Two places of a tool that are the same but for rounding.
 constexpr double kSamePlace = 1e-9;  // metres
 
+/// The same for unit vectors.
+constexpr double kSameDirection = 1e-9;
+
+/// Whether a needle moves along itself alone: then it is its point that pushes, and its shaft only slides.
+bool slides_along_itself(const ToolDefinition& tool, const ToolPose& begin, const ToolPose& end) {
+  const Eigen::Vector3d motion = end.tip - begin.tip;
+  return tool.kind == ToolKind::kNeedle && (end.direction - begin.direction).norm() <= kSameDirection &&
+         (end.axis - begin.axis).norm() <= kSameDirection &&
+         begin.direction.cross(motion).norm() <= kSameDirection * motion.norm();
+}
+
 Eigen::Vector3d prescribed_point(const Attachment& attachment, const ToolPose& pose) {
   return pose.tip + attachment.offset.x() * pose.axis.cross(pose.direction) + attachment.offset.y() * pose.axis;
 }
@@ -117,11 +128,17 @@ double Body::largest_part(std::span<const ToolPose> begin, std::span<const ToolP
       const Eigen::AngleAxisd turn(Eigen::Matrix3d(after[k].frame * before[k].frame.transpose()));
       const double motion = (after[k].center - before[k].center).norm() + turn.angle() * before[k].extent();
       if (motion <= kRoundedMotion * before[k].sharpness()) continue;
+      const double reach = motion + model_->edge_length;
+      const double pushing = slides_along_itself(tools_[tool], begin[tool], end[tool])
+                                 ? needle_cone(tools_[tool]) + reach
+                                 : std::numeric_limits<double>::infinity();  // metres behind the tip
       double nearest = std::numeric_limits<double>::infinity();
       for (int v = 0; v < model_->vertices(); ++v) {
-        nearest = std::min(nearest, signed_distance(before[k], state_.equilibrium.position.segment<3>(3 * v)).value);
+        const Eigen::Vector3d place = state_.equilibrium.position.segment<3>(3 * v);
+        if (begin[tool].direction.dot(begin[tool].tip - place) > pushing) continue;
+        nearest = std::min(nearest, signed_distance(before[k], place).value);
       }
-      if (nearest > motion + model_->edge_length) continue;
+      if (nearest > reach) continue;
       part = std::min(part, kRoundedMotion * before[k].sharpness() / motion);
     }
   }
