@@ -44,6 +44,30 @@ std::vector<double> thickness_now(const SnapshotSurface& surface) {
   return thickness;
 }
 
+/// How often a wall that turns too sharply for its thickness is drawn half as thick where it does.
+constexpr int kThinnings = 6;
+
+/// Makes the wall thin where its inner side would be turned over: its thickness is more there than the radius of its
+/// bend. `thickness`: (vertices), metres.
+void thin_sharp_bends(const SnapshotSurface& surface, std::span<const SurfaceVertex> wall,
+                      std::vector<double>& thickness) {
+  const auto inner = [&](std::uint32_t vertex) {
+    return vector3(wall[vertex].position) - thickness[vertex] * vector3(wall[vertex].normal);
+  };
+  for (int turn = 0; turn < kThinnings; ++turn) {
+    std::vector<char> is_bent(wall.size(), 0);
+    for (const Triangle& triangle : surface.topology->triangles) {
+      const Vector3 a = vector3(wall[triangle[0]].position), lining = inner(triangle[0]);
+      const Vector3 outwards = cross(vector3(wall[triangle[1]].position) - a, vector3(wall[triangle[2]].position) - a);
+      if (dot(cross(inner(triangle[1]) - lining, inner(triangle[2]) - lining), outwards) > 0) continue;
+      for (const std::uint32_t vertex : triangle) is_bent[vertex] = 1;
+    }
+    for (std::size_t v = 0; v < wall.size(); ++v) {
+      if (is_bent[v]) thickness[v] *= 0.5;
+    }
+  }
+}
+
 /// Directions out of the wall along each border edge, of length one, (borders).
 std::vector<Vector3> outward_directions(const SnapshotSurface& surface, std::span<const SurfaceVertex> wall,
                                         std::span<const BorderEdge> borders) {
@@ -81,7 +105,8 @@ WallDepth wall_depth(const SnapshotSurface& surface, std::span<const SurfaceVert
                      std::span<const BorderEdge> borders) {
   WallDepth depth;
   if (borders.empty() || surface.topology->thickness.size() != surface.topology->triangles.size()) return depth;
-  const std::vector<double> thickness = thickness_now(surface);
+  std::vector<double> thickness = thickness_now(surface);
+  thin_sharp_bends(surface, wall, thickness);
   for (std::size_t v = 0; v < wall.size(); ++v) {
     SurfaceVertex vertex = wall[v];
     const Vector3 normal = vector3(vertex.normal);

@@ -73,6 +73,35 @@ TEST(WallDepth, AWallThatIsCrushedGrowsThickerByHalfAtMost) {
   for (const SurfaceVertex& vertex : depth_of(surface).lining) EXPECT_FLOAT_EQ(vertex.position[2], -0.15f);
 }
 
+TEST(WallDepth, ASharpBendIsDrawnSoThinThatItsInnerSideIsNotTurnedOver) {
+  // Half a pipe of radius 0.1, bent outwards around less than its own thickness.
+  std::vector<Float3> positions;
+  std::vector<Triangle> triangles;
+  for (std::uint32_t k = 0; k <= 8; ++k) {
+    const double angle = k * 0.39269908169872414;
+    for (const float y : {0.0f, 0.1f}) {
+      positions.push_back({static_cast<float>(-0.1 * std::cos(angle)), y, static_cast<float>(0.1 * std::sin(angle))});
+    }
+    if (k == 8) continue;
+    triangles.push_back({2 * k, 2 * k + 2, 2 * k + 1});
+    triangles.push_back({2 * k + 1, 2 * k + 2, 2 * k + 3});
+  }
+  SnapshotSurface pipe = test::surface_of("pipe", positions, triangles);
+  auto topology = std::make_shared<SnapshotTopology>(*pipe.topology);
+  topology->thickness.assign(triangles.size(), 0.3f);
+  pipe.topology = topology;
+  const WallDepth depth = depth_of(pipe);
+  for (const Triangle& triangle : triangles) {
+    const auto normal = [&](const auto& at) {
+      return cross(vector3(at(1)) - vector3(at(0)), vector3(at(2)) - vector3(at(0)));
+    };
+    const Vector3 outer = normal([&](std::size_t k) { return pipe.positions[triangle[k]]; });
+    const Vector3 inner = normal([&](std::size_t k) { return depth.lining[triangle[k]].position; });
+    EXPECT_GT(outer.z, -1e-9);
+    EXPECT_GT(dot(outer, inner), 0);
+  }
+}
+
 TEST(WallDepth, ARoundBorderHasASmoothRim) {
   // A fan of 24 triangles: borders meet at 15 degrees.
   std::vector<Float3> positions = {{0, 0, 0}};
