@@ -65,18 +65,34 @@ void draw_dashed(const ChartFrame& frame, const ChartCurve& curve) {
   cairo_set_dash(context, nullptr, 0, 0);
 }
 
+/// What stands beside the words of a legend, in units, and how much closer it is set so that all entries fit.
+constexpr double kLegendLine = 30, kLegendGap = 9, kLegendSpace = 22;
+constexpr double kClosestLegend = 0.5;
+
+double legend_tightness(const ChartFrame& frame) {
+  double words = 0, beside = -kLegendSpace * frame.unit;
+  for (const ChartCurve& curve : frame.chart.curves) {
+    if (curve.label.empty()) continue;
+    words += Text(curve.label, frame.style(kInk)).width();
+    beside += (kLegendLine + kLegendGap + kLegendSpace) * frame.unit;
+  }
+  const double room = frame.box.right() - frame.area.x - words;
+  return beside <= room ? 1 : std::max(kClosestLegend, room / beside);
+}
+
 void draw_legend(const ChartFrame& frame) {
   double x = frame.area.x;
   const double middle = frame.box.y + kLegendHeight / 2 * frame.unit;
+  const double unit = legend_tightness(frame) * frame.unit;
   for (const ChartCurve& curve : frame.chart.curves) {
     if (curve.label.empty()) continue;
     const Text text(curve.label, frame.style(kInk));
-    const double width = (30 + 9 + 22) * frame.unit + text.width();
-    if (x + width > frame.box.right() + 22 * frame.unit) break;
+    const double width = (kLegendLine + kLegendGap + kLegendSpace) * unit + text.width();
+    if (x + width > frame.box.right() + (kLegendSpace + 1) * unit) break;
     cairo_move_to(frame.canvas.context(), x, middle);
-    cairo_line_to(frame.canvas.context(), x + 30 * frame.unit, middle);
+    cairo_line_to(frame.canvas.context(), x + kLegendLine * unit, middle);
     draw_dashed(frame, curve);
-    text.draw(frame.canvas, x + 39 * frame.unit, middle - text.height() / 2);
+    text.draw(frame.canvas, x + (kLegendLine + kLegendGap) * unit, middle - text.height() / 2);
     x += width;
   }
 }

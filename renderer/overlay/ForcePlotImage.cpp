@@ -4,16 +4,12 @@
 #include <cmath>
 
 #include "renderer/overlay/Chart.hpp"
-#include "renderer/overlay/Font.hpp"
 #include "renderer/overlay/NumberText.hpp"
-#include "renderer/overlay/PhaseStyle.hpp"
-#include "renderer/overlay/Text.hpp"
+#include "renderer/overlay/PlotPage.hpp"
 
 namespace thinwall {
 namespace {
 
-constexpr Color kInk{0.10, 0.13, 0.17};
-constexpr Color kFaintInk{0.38, 0.42, 0.47};
 constexpr const char* kAxisNames[] = {"x", "y", "z"};
 constexpr Color kComponentColors[] = {{0.80, 0.24, 0.30}, {0.16, 0.55, 0.26}, {0.16, 0.40, 0.76}};
 constexpr Color kToolColors[] = {{0.10, 0.13, 0.17}, {0.85, 0.37, 0.01}, {0.11, 0.47, 0.67},
@@ -22,19 +18,6 @@ constexpr Color kToolColors[] = {{0.10, 0.13, 0.17}, {0.85, 0.37, 0.01}, {0.11, 
 double magnitude(const ForcePoint& point) {
   return std::hypot(point.force[0], point.force[1], point.force[2]);
 }
-
-struct Range {
-  double lowest = 0;
-  double highest = 0;
-  void include(double value) {
-    lowest = std::min(lowest, value);
-    highest = std::max(highest, value);
-  }
-  /// Something to draw an axis over, also when there is nothing but roundoff.
-  void widen() {
-    if (highest - lowest < 1e-9) highest = lowest + 1;
-  }
-};
 
 struct Peak {
   double force = -1;  // newton
@@ -50,18 +33,6 @@ Peak peak_of(const std::vector<ToolForces>& tools) {
     }
   }
   return peak;
-}
-
-std::vector<ChartBand> phase_bands(const ToolForces& tool) {
-  std::vector<ChartBand> bands;
-  for (const ForcePoint& point : tool.points) {
-    if (!bands.empty()) bands.back().end = point.time;
-    const std::string label = phase_label(point.phase);
-    if (bands.empty() || bands.back().label != label) {
-      bands.push_back({point.time, point.time, label, phase_color(point.phase)});
-    }
-  }
-  return bands;
 }
 
 ChartCurve curve_of(const ToolForces& tool, auto x_of, auto y_of) {
@@ -81,7 +52,7 @@ std::vector<double> component_dashes(std::size_t axis, double unit) {
 void add_component_legend(Chart& chart, double unit) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     chart.curves.push_back({.label = std::string("F") + kAxisNames[axis],
-                            .color = kFaintInk,
+                            .color = kFaintPageInk,
                             .line_width = 1.6 * unit,
                             .dashes = component_dashes(axis, unit),
                             .points = {}});
@@ -111,15 +82,15 @@ void add_time_curves(Chart& chart, const std::vector<ToolForces>& tools, std::si
 
 Chart time_chart(const std::vector<ToolForces>& tools, double unit) {
   Chart chart{.x_title = "Time, s", .y_title = "Force on the tool, N", .x = {}, .y = {}, .rows = {}, .curves = {}};
-  Range time;
-  Range force;
+  PlotRange time;
+  PlotRange force;
   for (std::size_t i = 0; i < tools.size(); ++i) {
     for (const ForcePoint& point : tools[i].points) {
       time.include(point.time);
       force.include(magnitude(point));
       for (const double component : point.force) force.include(component);
     }
-    chart.rows.push_back({tools.size() > 1 ? tools[i].tool : "", phase_bands(tools[i])});
+    chart.rows.push_back(phase_row(tools[i], tools.size() > 1 ? tools[i].tool : ""));
     add_time_curves(chart, tools, i, unit);
   }
   if (tools.size() > 1) add_component_legend(chart, unit);
@@ -132,8 +103,8 @@ Chart time_chart(const std::vector<ToolForces>& tools, double unit) {
 
 Chart depth_chart(const std::vector<ToolForces>& tools, double unit) {
   Chart chart{.x_title = "Depth, mm", .y_title = "Force, N", .x = {}, .y = {}, .rows = {}, .curves = {}};
-  Range depth;
-  Range force;
+  PlotRange depth;
+  PlotRange force;
   const auto millimetres = [](const ForcePoint& point) { return 1e3 * point.depth; };
   for (std::size_t i = 0; i < tools.size(); ++i) {
     for (const ForcePoint& point : tools[i].points) {
@@ -163,23 +134,10 @@ std::string summary(const std::vector<ToolForces>& tools) {
 }  // namespace
 
 Image force_plot_image(const std::string& title, const std::vector<ToolForces>& tools, ImageSize size) {
-  const FontUse use;
-  const double unit = std::min(size.width / 1600.0, size.height / 900.0);
-  const double margin = 48 * unit;
-  const Canvas canvas(size);
-  const double text_width = size.width - 2 * margin;
-  Text(title, {.size = 28 * unit, .bold = true, .color = kInk}, {.width = text_width}).draw(canvas, margin, 34 * unit);
-  Text(summary(tools), {.size = 17 * unit, .color = kFaintInk}, {.width = text_width}).draw(canvas, margin, 74 * unit);
-  const double top = 122 * unit;
-  const double height = size.height - top - 36 * unit;
-  const double left_width = 0.62 * (size.width - 2 * margin);
-  const double right = margin + left_width + 56 * unit;
-  draw_chart(canvas, {margin, top, left_width, height}, unit, time_chart(tools, unit));
-  draw_chart(canvas, {right, top, size.width - margin - right, height}, unit, depth_chart(tools, unit));
-  Image image{.size = size, .pixels = {}};
-  image.pixels.assign(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) * 3, 255);
-  canvas.blend_onto(image, 0, 0);
-  return image;
+  const double unit = page_unit(size);
+  return plot_page(
+      {.title = title, .summary = summary(tools), .left = time_chart(tools, unit), .right = depth_chart(tools, unit)},
+      size);
 }
 
 }  // namespace thinwall

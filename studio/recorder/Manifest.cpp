@@ -73,7 +73,7 @@ Json time_part(const ManifestContext& context, const RecordingReport& report) {
 Json file_part(const std::filesystem::path& folder) {
   constexpr std::array kNames = {"forces.csv", "body.csv",     "points.csv", "take.h5",
                                  "video.mp4",  "captions.vtt", "poster.png", "contact_sheet.png",
-                                 "forces.png", "frames",       "surfaces"};
+                                 "forces.png", "energies.png", "frames",     "surfaces"};
   Json files = Json::array();
   for (const char* name : kNames) {
     if (std::filesystem::exists(folder / name)) files.push_back(name);

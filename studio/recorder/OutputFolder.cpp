@@ -12,8 +12,9 @@
 namespace thinwall {
 namespace {
 
-constexpr std::array kResultFiles = {"forces.csv", "body.csv",          "take.h5",    "video.mp4",  "captions.vtt",
-                                     "poster.png", "contact_sheet.png", "forces.png", "points.csv", "manifest.json"};
+constexpr std::array kResultFiles = {"forces.csv",   "body.csv",   "take.h5",           "video.mp4",
+                                     "captions.vtt", "poster.png", "contact_sheet.png", "forces.png",
+                                     "energies.png", "points.csv", "manifest.json"};
 
 /// Files of a folder of results are known by how their names begin and by their extensions.
 struct ResultFolder {

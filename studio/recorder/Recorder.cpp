@@ -17,6 +17,7 @@
 #include "renderer/image/PngFile.hpp"
 #include "renderer/image/WholeFile.hpp"
 #include "renderer/overlay/ContactSheet.hpp"
+#include "renderer/overlay/EnergyPlotImage.hpp"
 #include "renderer/overlay/ForcePlotImage.hpp"
 #include "renderer/overlay/Overlay.hpp"
 #include "renderer/video/VideoWriter.hpp"
@@ -58,6 +59,7 @@ class Pipeline {
   void open_records();
   void keep(const Moment& moment);
   void add_forces(const StepRecord& record);
+  static EnergyPoint energies_of(const StepRecord& record);
   void finish_records();
   void render();
   void open_pictures();
@@ -93,6 +95,7 @@ class Pipeline {
   std::size_t next_surface_frame_ = 0;
   std::vector<TimedText> captions_;
   std::vector<ToolForces> forces_;
+  std::vector<EnergyPoint> energies_;
 
   // Of the encoding thread, until it has ended.
   std::optional<VideoWriter> video_;
@@ -234,10 +237,27 @@ void Pipeline::keep(const Moment& moment) {
     }
   }
   add_forces(moment.record);
+  energies_.push_back(energies_of(moment.record));
   captions_ = moment.captions;
   report_.chapters = moment.chapters;
   report_.simulated = moment.snapshot.time;
   ++report_.steps;
+}
+
+EnergyPoint Pipeline::energies_of(const StepRecord& record) {
+  EnergyPoint point{.time = record.time};
+  for (const BodyRecord& body : record.bodies) {
+    point.stored += body.elastic + body.bending + body.kinetic + body.fluid + body.gravity + body.contact;
+    point.friction += body.friction;
+    point.fracture += body.fracture;
+    point.viscous += body.viscous;
+    point.leak += body.leak;
+    point.jump += body.jump;
+    point.numerical += body.numerical;
+    point.tool_work += body.tool_work;
+    point.script_work += body.script_work;
+  }
+  return point;
 }
 
 void Pipeline::add_forces(const StepRecord& record) {
@@ -261,6 +281,7 @@ void Pipeline::finish_records() {
   if (csv_) csv_->finish();
   if (surfaces_) surfaces_->finish();
   write_png(plan_.folder / "forces.png", force_plot_image(plan_.description.title, forces_));
+  write_png(plan_.folder / "energies.png", energy_plot_image(plan_.description.title, energies_, forces_));
   const double end = report_.simulated + 1 / plan_.frames_per_second;
   write_web_vtt(plan_.folder / "captions.vtt", up_to(end, captions_, &VideoCaption::text));
 }

@@ -36,8 +36,9 @@ class ProgramGLTest : public ::testing::Test {
 TEST_F(ProgramGLTest, ARunLeavesEachFileOfTheContract) {
   expect_good({"run", "scenes/small.yaml", "--frames", "--surfaces"});
   const nlohmann::json manifest = this->manifest("out/small");
-  EXPECT_EQ(manifest["files"], nlohmann::json({"forces.csv", "body.csv", "take.h5", "video.mp4", "captions.vtt",
-                                               "poster.png", "contact_sheet.png", "forces.png", "frames", "surfaces"}));
+  EXPECT_EQ(manifest["files"],
+            nlohmann::json({"forces.csv", "body.csv", "take.h5", "video.mp4", "captions.vtt", "poster.png",
+                            "contact_sheet.png", "forces.png", "energies.png", "frames", "surfaces"}));
   const std::size_t frames = manifest["frame_hashes"].size();
   EXPECT_EQ(manifest["frames"], frames);
   EXPECT_GT(frames, 5U);

@@ -162,7 +162,8 @@ TEST_F(ProgramTest, RunsWithoutGraphics) {
   EXPECT_TRUE(manifest["driver"].is_null());
   EXPECT_EQ(manifest["scenario"]["hash"].get<std::string>().size(), 32U);
   EXPECT_NE(manifest["licence"].get<std::string>().find("GPL"), std::string::npos);
-  EXPECT_EQ(manifest["files"], nlohmann::json({"forces.csv", "body.csv", "take.h5", "captions.vtt", "forces.png"}));
+  EXPECT_EQ(manifest["files"],
+            nlohmann::json({"forces.csv", "body.csv", "take.h5", "captions.vtt", "forces.png", "energies.png"}));
   const TakeReader take(folder_ / "out/small/take.h5");
   EXPECT_TRUE(take.ending().complete);
   EXPECT_EQ(manifest["steps"], take.times().size());
@@ -173,7 +174,7 @@ TEST_F(ProgramTest, TheSameScenarioTwiceLeavesTheSameBytes) {
   for (const char* out : {"one", "two"}) {
     ASSERT_EQ(run({"run", "small.yaml", "--no-render", "--out", out}).exit_code, 0);
   }
-  for (const char* file : {"take.h5", "forces.csv", "body.csv", "captions.vtt", "forces.png"}) {
+  for (const char* file : {"take.h5", "forces.csv", "body.csv", "captions.vtt", "forces.png", "energies.png"}) {
     EXPECT_TRUE(file_bytes(folder_ / "one" / file) == file_bytes(folder_ / "two" / file)) << file;
   }
   EXPECT_EQ(manifest("one")["state_digest"], manifest("two")["state_digest"]);

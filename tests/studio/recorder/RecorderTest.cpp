@@ -54,8 +54,8 @@ TEST(RecorderTest, LeavesEachFileOfTheContract) {
   plan.surfaces = true;
   const RecordingReport report = record(run, plan, flat_painters());
   EXPECT_EQ(names_in(folder.path()),
-            (std::vector<std::string>{"body.csv", "captions.vtt", "contact_sheet.png", "forces.csv", "forces.png",
-                                      "frames", "poster.png", "surfaces", "take.h5", "video.mp4"}));
+            (std::vector<std::string>{"body.csv", "captions.vtt", "contact_sheet.png", "energies.png", "forces.csv",
+                                      "forces.png", "frames", "poster.png", "surfaces", "take.h5", "video.mp4"}));
   EXPECT_EQ(report.failure, "");
   EXPECT_EQ(report.steps, 41U);
   EXPECT_DOUBLE_EQ(report.simulated, 0.2);
@@ -136,8 +136,8 @@ TEST(RecorderTest, WithoutPicturesNothingIsPainted) {
   const RecordingReport report =
       record(run, plan, [](ImageSize) -> std::unique_ptr<Painter> { throw std::logic_error("a painter was made"); });
   EXPECT_EQ(report.driver, "");
-  EXPECT_EQ(names_in(folder.path()),
-            (std::vector<std::string>{"body.csv", "captions.vtt", "forces.csv", "forces.png", "surfaces", "take.h5"}));
+  EXPECT_EQ(names_in(folder.path()), (std::vector<std::string>{"body.csv", "captions.vtt", "energies.png", "forces.csv",
+                                                               "forces.png", "surfaces", "take.h5"}));
 }
 
 TEST(RecorderTest, AFailedSimulationLeavesWhatItReachedWhole) {
@@ -199,8 +199,8 @@ TEST(RecorderTest, AnEarlierRecordingDoesNotMixWithTheNext) {
   plan.pictures = false;
   SyntheticRun second;
   record(second, plan, flat_painters());
-  EXPECT_EQ(names_in(folder.path()),
-            (std::vector<std::string>{"body.csv", "captions.vtt", "forces.csv", "forces.png", "notes.txt", "take.h5"}));
+  EXPECT_EQ(names_in(folder.path()), (std::vector<std::string>{"body.csv", "captions.vtt", "energies.png", "forces.csv",
+                                                               "forces.png", "notes.txt", "take.h5"}));
 }
 
 class WrongScenario final : public MomentSource {
