@@ -1,6 +1,7 @@
 // A needle that goes through the wall of a body: when the wall gives way, and what it does on the shaft.
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -17,8 +18,11 @@ constexpr double kShaftStiffness = 100;
 /// Slip before friction is overcome, part of the needle's radius.
 constexpr double kShaftGive = 1e-3;
 
-/// Edges along a slit over the needle's radius.
-constexpr double kSlitEdges = 0.5;
+/// Edges along a slit over the needle's radius: as coarse as will do.
+constexpr double kSlitEdges[] = {0.5, 0.25};
+
+/// Part of the needle's width that a slit may be longer or shorter: it costs that much more or less.
+constexpr double kSlitGive = 0.02;
 
 /// Parts in which a slit is spread on the shaft while a wall gives way.
 constexpr int kSpreadParts = 4;
@@ -32,8 +36,15 @@ constexpr double kAtOnce = 1e-9;
 /// Work over the cost of a slit at which a needle that cannot be let through for another reason than energy gives up.
 constexpr double kMostWork = 3;
 
+/// Part of the cost of a slit that a needle must have worked before it is asked whether a slit pays: a tense wall adds
+/// what the slit itself releases.
+constexpr double kLeastWork = 0.75;
+
 /// Of the energy that is missing, the work that a needle must do before it is asked for again.
-constexpr double kMissingPart = 0.95;
+constexpr double kMissingPart = 0.8;
+
+/// The same as a part of the slit's cost, where the wall has found no equilibrium on the shaft.
+constexpr double kRetryPart = 0.1;
 
 }  // namespace
 
@@ -214,7 +225,7 @@ std::optional<Rupture> Body::pierce(int tool, std::span<const ToolPose> poses) {
   const auto place = pressed_place(*model_, state_.equilibrium.position, poses[tool], radius, free_triangles(tool));
   if (!place) return std::nullopt;
   const double cost = model_->cut_cost(place->triangle);  // newton
-  if (work < std::max(2 * radius * cost, state_.pressing[tool].awaited)) return std::nullopt;
+  if (work < std::max(kLeastWork * 2 * radius * cost, state_.pressing[tool].awaited)) return std::nullopt;
   const auto refuse = [&](const std::string& why) {
     if (work < kMostWork * 2 * radius * cost) return;
     throw SimulationFailure("body `" + model_->definition.name + "`: needle `" + tools_[tool].name +
@@ -225,7 +236,11 @@ std::optional<Rupture> Body::pierce(int tool, std::span<const ToolPose> poses) {
   const std::vector<ToolContact> felt = state_.contacts;
   Rupture rupture;
   Uncut before;
-  if (path) rupture.cut = change_mesh(*path, kSlitEdges * radius, &before);
+  for (const double edge : kSlitEdges) {
+    if (before.model) put_back(std::exchange(before, {}));
+    if (path) rupture.cut = change_mesh(*path, edge * radius, &before);
+    if (std::abs(rupture.cut.length - 2 * radius) <= kSlitGive * 2 * radius) break;
+  }
   if (rupture.cut.triangles.empty()) {
     refuse("no slit of its width fits in there; aim farther from borders and cuts");
     return std::nullopt;
@@ -240,7 +255,8 @@ std::optional<Rupture> Body::pierce(int tool, std::span<const ToolPose> poses) {
   }
   if (!is_opened || rupture.released < rupture.cost) {
     put_back(std::move(before));
-    state_.pressing[tool].awaited = work + (is_opened ? kMissingPart * (rupture.cost - rupture.released) : 0);
+    state_.pressing[tool].awaited =
+        work + (is_opened ? kMissingPart * (rupture.cost - rupture.released) : kRetryPart * 2 * radius * cost);
     if (!is_slit) refuse("a slit of its width runs into a border there; aim farther from borders and cuts");
     if (!is_opened) refuse("the wall around it finds no equilibrium: " + failure_);
     return std::nullopt;

@@ -30,17 +30,20 @@ TEST(ReadmeTest, HasExactlyTwoSetUpCommands) {
 }
 
 TEST(ReadmeTest, ItsScenariosAreGoodAndRun) {
-  ASSERT_EQ(blocks("yaml").size(), 2U);
+  ASSERT_EQ(blocks("yaml").size(), 3U);
   const TemporaryFolder folder;
   write_bytes(folder / "balloon.yaml", blocks("yaml")[0]);
   write_bytes(folder / "cut.yaml", blocks("yaml")[1]);
+  write_bytes(folder / "puncture.yaml", blocks("yaml")[2]);
   const ProgramSetting here{.folder = folder.path(), .environment = {}};
-  const ProgramEnd checked = run_thinwall({"check", "balloon.yaml", "cut.yaml"}, here);
+  const ProgramEnd checked = run_thinwall({"check", "balloon.yaml", "cut.yaml", "puncture.yaml"}, here);
   EXPECT_EQ(checked.exit_code, 0) << checked.messages;
   const ProgramEnd run = run_thinwall({"run", "balloon.yaml", "--no-render", "--set", "depth=9mm"}, here);
   EXPECT_EQ(run.exit_code, 0) << run.messages;
   const ProgramEnd cut = run_thinwall({"run", "cut.yaml", "--no-render"}, here);
   EXPECT_EQ(cut.exit_code, 0) << cut.messages;
+  const ProgramEnd puncture = run_thinwall({"run", "puncture.yaml", "--no-render"}, here);
+  EXPECT_EQ(puncture.exit_code, 0) << puncture.messages;
 }
 
 TEST(ReadmeTest, NamesTheColumnsOfTheForceRecord) {

@@ -111,6 +111,11 @@ TEST(PiercingPlan, RefusesNeedlesThatAreTooThickOrTooShort) {
   EXPECT_EQ(message_of([&] { plan_piercing(deep, kNeedle, body.view(), kPlace); }),
             "a.yaml:7:5: error: pierce: `depth` = 50 mm is more than needle `needle` is long (40 mm); go less deep or "
             "give it a larger `length`");
+  PierceClip inside = needle_clip();
+  inside.standoff = 0;
+  EXPECT_NE(
+      message_of([&] { plan_piercing(inside, kNeedle, body.view(), kPlace); }).find("touches body `ball` already"),
+      std::string::npos);
   PierceClip beside = needle_clip();
   beside.at = {0.03, 0, 0};
   EXPECT_NE(message_of([&] { plan_piercing(beside, kNeedle, body.view(), kPlace); }).find("pierce: the line of appro"),
