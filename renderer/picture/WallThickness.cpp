@@ -44,6 +44,56 @@ std::vector<double> thickness_now(const SnapshotSurface& surface) {
   return thickness;
 }
 
+/// A wall of thickness t around a hole with a way of length L around it is drawn no thicker there than this times
+/// L^2/t, and as much thicker beside it as it is away: what lies deep in a hole that is small beside the thickness is
+/// not seen, but its sides, which a needle turns up, would stand out.
+constexpr double kHoleDepth = 0.05;
+
+/// Length of the border that each vertex is on, metres; 0 off all borders. (vertices)
+std::vector<double> border_lengths(const SnapshotSurface& surface, std::span<const BorderEdge> borders) {
+  constexpr std::uint32_t kNone = 0xffffffff;
+  std::vector<std::uint32_t> next(surface.positions.size(), kNone);
+  for (const BorderEdge& edge : borders) next[edge.start] = edge.end;
+  std::vector<double> lengths(surface.positions.size(), 0);
+  std::vector<char> is_done(surface.positions.size(), 0);
+  for (const BorderEdge& first : borders) {
+    double whole = 0;
+    std::vector<std::uint32_t> loop;
+    for (std::uint32_t v = first.start; v != kNone && !is_done[v]; v = next[v]) {
+      is_done[v] = 1;
+      loop.push_back(v);
+      if (next[v] == kNone) continue;
+      whole += length(vector3(surface.positions[next[v]]) - vector3(surface.positions[v]));
+    }
+    for (const std::uint32_t v : loop) lengths[v] = whole;
+  }
+  return lengths;
+}
+
+/// `thickness`: (vertices), metres.
+void thin_around_holes(const SnapshotSurface& surface, std::span<const BorderEdge> borders,
+                       std::vector<double>& thickness) {
+  const std::vector<double> lengths = border_lengths(surface, borders);
+  for (std::size_t v = 0; v < thickness.size(); ++v) {
+    if (lengths[v] == 0 || thickness[v] == 0) continue;
+    thickness[v] = std::min(thickness[v], kHoleDepth * lengths[v] * lengths[v] / thickness[v]);
+  }
+  for (bool changes = true; changes;) {
+    changes = false;
+    for (const Triangle& triangle : surface.topology->triangles) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t a = triangle[k], b = triangle[(k + 1) % 3];
+        const double away = length(vector3(surface.positions[b]) - vector3(surface.positions[a]));
+        for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
+          if (thickness[to] <= thickness[from] + away * (1 + 1e-12)) continue;
+          thickness[to] = thickness[from] + away;
+          changes = true;
+        }
+      }
+    }
+  }
+}
+
 /// How often a wall that turns too sharply for its thickness is drawn half as thick where it does.
 constexpr int kThinnings = 6;
 
@@ -106,6 +156,7 @@ WallDepth wall_depth(const SnapshotSurface& surface, std::span<const SurfaceVert
   WallDepth depth;
   if (borders.empty() || surface.topology->thickness.size() != surface.topology->triangles.size()) return depth;
   std::vector<double> thickness = thickness_now(surface);
+  thin_around_holes(surface, borders, thickness);
   thin_sharp_bends(surface, wall, thickness);
   for (std::size_t v = 0; v < wall.size(); ++v) {
     SurfaceVertex vertex = wall[v];

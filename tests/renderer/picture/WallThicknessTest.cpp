@@ -102,6 +102,32 @@ TEST(WallDepth, ASharpBendIsDrawnSoThinThatItsInnerSideIsNotTurnedOver) {
   }
 }
 
+TEST(WallDepth, AWallAroundASmallHoleIsDrawnThinThereAndWholeAwayFromIt) {
+  // A ring of radius 8 around a hole of radius 0.1, 1 thick.
+  std::vector<Float3> positions;
+  std::vector<Triangle> triangles;
+  const double radii[] = {0.1, 0.5, 2, 8};
+  for (std::uint32_t ring = 0; ring < 4; ++ring) {
+    for (std::uint32_t k = 0; k < 12; ++k) {
+      const double angle = k * 0.5235987755982988, r = radii[ring];
+      positions.push_back({static_cast<float>(r * std::cos(angle)), static_cast<float>(r * std::sin(angle)), 0});
+      if (ring == 3) continue;
+      const std::uint32_t a = 12 * ring + k, b = 12 * ring + (k + 1) % 12;
+      triangles.push_back({a, a + 12, b + 12});
+      triangles.push_back({a, b + 12, b});
+    }
+  }
+  SnapshotSurface ring = test::surface_of("ring", positions, triangles);
+  auto topology = std::make_shared<SnapshotTopology>(*ring.topology);
+  topology->thickness.assign(triangles.size(), 1.0f);
+  ring.topology = topology;
+  const WallDepth depth = depth_of(ring);
+  EXPECT_NEAR(depth.lining[0].position[2], -0.05 * std::pow(24 * 0.1 * std::sin(0.2617993877991494), 2), 1e-6);
+  EXPECT_NEAR(depth.lining[12].position[2], depth.lining[0].position[2] - 0.4f, 1e-6);
+  EXPECT_FLOAT_EQ(depth.lining[24].position[2], -1);
+  EXPECT_FLOAT_EQ(depth.lining[36].position[2], -1);
+}
+
 TEST(WallDepth, ARoundBorderHasASmoothRim) {
   // A fan of 24 triangles: borders meet at 15 degrees.
   std::vector<Float3> positions = {{0, 0, 0}};
