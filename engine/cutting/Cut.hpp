@@ -16,8 +16,9 @@ struct CutPath {
 };
 
 struct CutOptions {
-  double edge_length = 0;          // metres, wanted along the cut: larger triangles there are refined; 0: as they are
-  std::vector<int> kept_vertices;  // vertices that keep their stress-free positions, such as fixed ones
+  double edge_length = 0;  // metres, wanted along the cut: larger triangles there are refined; 0: as they are
+  double deviation = 0;    // metres: refined too where the cut would be farther from its path; 0: wherever it is
+  std::vector<int> kept_vertices = {};  // vertices that keep their stress-free positions, such as fixed ones
 };
 
 /// Where a vertex lies on the surface as it was before the cut.

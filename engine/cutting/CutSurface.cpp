@@ -226,25 +226,62 @@ CutPatch CutSurface::extract(const CutPath& path, const CutOptions& options, Pat
   return patch;
 }
 
+/// A cut that has been planned on a patch, and not written back.
+struct CutSurface::Plan {
+  PatchNumbers numbers;
+  PatchPath start, refined;
+  PlannedCut cut;
+
+  double deviation() const { return deviation_of(refined.stops, cut); }
+};
+
+CutSurface::Plan CutSurface::plan(const CutPath& path, const CutOptions& options) const {
+  Plan plan;
+  plan.start.patch = extract(path, options, plan.numbers);
+  plan.start.patch.path_goes_on = path.goes_on;
+  std::vector<SurfacePoint> points = path.points;
+  for (SurfacePoint& point : points) point.triangle = plan.numbers.local_triangle[point.triangle];
+  const std::vector<int>& vertices = plan.numbers.vertices;
+  std::optional<int> from;
+  if (path.from) from = static_cast<int>(std::ranges::find(vertices, *path.from) - vertices.begin());
+  plan.start.stops = read_path(plan.start.patch, from, points);
+  plan.refined = plan.start;
+  if (options.edge_length > 0) refine_along(plan.refined.patch, plan.refined.stops, options.edge_length);
+  plan.cut = plan_cut(plan.start, plan.refined);
+  return plan;
+}
+
+double CutSurface::edge_length_at(const CutPath& path) const {
+  double largest = 0;
+  for (const SurfacePoint& point : path.points) largest = std::max(largest, scale_[point.triangle]);
+  return largest;
+}
+
+CutSurface::Plan CutSurface::plan_close(const CutPath& path, const CutOptions& options) const {
+  constexpr int kMostHalvings = 3;
+  Plan best = plan(path, options);
+  if (options.deviation <= 0 || best.cut.vertices.empty()) return best;
+  CutOptions finer = options;
+  if (finer.edge_length <= 0) finer.edge_length = edge_length_at(path);
+  for (int halvings = 0; halvings < kMostHalvings && best.deviation() > options.deviation; ++halvings) {
+    finer.edge_length /= 2;
+    Plan next = plan(path, finer);
+    if (!next.cut.vertices.empty() && next.deviation() < best.deviation()) best = std::move(next);
+  }
+  return best;
+}
+
 Cut CutSurface::cut(const CutPath& path, const CutOptions& options) {
   check_path(path);
   Cut result;
   result.tip = path.from;
   result.least_meeting_angle = std::numbers::pi;
   if (path.points.empty()) return result;
-  PatchNumbers numbers;
-  PatchPath start{.patch = extract(path, options, numbers), .stops = {}};
-  start.patch.path_goes_on = path.goes_on;
-  const CutPatch& before = start.patch;
-  std::vector<SurfacePoint> points = path.points;
-  for (SurfacePoint& point : points) point.triangle = numbers.local_triangle[point.triangle];
-  std::optional<int> from;
-  if (path.from) from = static_cast<int>(std::ranges::find(numbers.vertices, *path.from) - numbers.vertices.begin());
-  start.stops = read_path(before, from, points);
-  PatchPath refined = start;
-  if (options.edge_length > 0) refine_along(refined.patch, refined.stops, options.edge_length);
-  PlannedCut plan = plan_cut(start, refined);
-  const std::vector<PathStop>& stops = refined.stops;
+  Plan planned = plan_close(path, options);
+  PatchNumbers& numbers = planned.numbers;
+  PlannedCut& plan = planned.cut;
+  const CutPatch& before = planned.start.patch;
+  const std::vector<PathStop>& stops = planned.refined.stops;
   result.least_angle_before = result.least_angle = least_angle(before);
   if (plan.vertices.empty()) {
     if (stops.size() > 1) result.rest = path.points;

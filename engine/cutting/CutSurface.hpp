@@ -25,7 +25,8 @@ namespace thinwall {
 /// than a quarter of an edge nearly everywhere; where a path would be missed by more than three quarters with new nodes
 /// and with the edges that are there, the nearer of the two is taken. In flat pieces larger than a triangle a cut
 /// follows the path itself. With `CutOptions::edge_length` the edges there, and so the bound, become as small as
-/// wanted. A cut that ends within the wall may stop short by up to about one edge length; `Cut::rest` leads on.
+/// wanted, with `CutOptions::deviation` only where that is needed. A cut that ends within the wall may stop short by up
+/// to about one edge length; `Cut::rest` leads on.
 ///
 /// A cut costs what it touches: it is tried out on a patch of the surface and written back when it holds.
 class CutSurface {
@@ -48,6 +49,7 @@ class CutSurface {
 
  private:
   struct PatchNumbers;
+  struct Plan;
 
   SurfaceMesh mesh_;
   std::vector<Eigen::Vector3i> neighbours_;
@@ -65,6 +67,9 @@ class CutSurface {
   Eigen::Vector3d position_of(const SurfacePoint& point) const;
   std::vector<int> triangles_near(const CutPath& path, int rings) const;
   CutPatch extract(const CutPath& path, const CutOptions& options, PatchNumbers& numbers) const;
+  double edge_length_at(const CutPath& path) const;
+  Plan plan(const CutPath& path, const CutOptions& options) const;
+  Plan plan_close(const CutPath& path, const CutOptions& options) const;
   void find_facets();
 
   void add_vertices(const CutPatch& before, const CutPatch& after, std::span<const int> originals,

@@ -264,7 +264,7 @@ class Body {
   std::optional<Cut> cut_to_border(const ToolPose& pose, std::span<const ToolPose> poses);
   /// The border over which the blade came back into the wall, where a cut left it over another.
   std::optional<SurfacePoint> beyond_gap(const ToolPose& pose);
-  Cut change_mesh(const CutPath& path, double edge_length, Uncut* before = nullptr);
+  Cut change_mesh(const CutPath& path, CutOptions options, Uncut* before = nullptr);
   void put_back(Uncut before);
   void add_shafts_to(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;
   bool is_sealed(int opening) const;

@@ -37,7 +37,9 @@ void Body::prepare_cutting() {
 }
 
 Cut Body::cut(const CutPath& path, std::span<const ToolPose> poses) {
-  const Cut cut = change_mesh(path, 0);
+  CutOptions options;
+  if (state_.cut.tool) options.deviation = tools_[*state_.cut.tool].deviation;
+  const Cut cut = change_mesh(path, options);
   if (cut.triangles.empty()) return cut;
   state_.cut.start.reset();
   state_.cut.tip = cut.tip;
@@ -52,10 +54,9 @@ Cut Body::cut(const CutPath& path, std::span<const ToolPose> poses) {
   return cut;
 }
 
-Cut Body::change_mesh(const CutPath& path, double edge_length, Uncut* before) {
+Cut Body::change_mesh(const CutPath& path, CutOptions options, Uncut* before) {
   assert(!model_->definition.toughness.empty());
   if (!surface_) prepare_cutting();
-  CutOptions options{.edge_length = edge_length, .kept_vertices = {}};
   for (int v = 0; v < model_->vertices(); ++v) {
     const char* fixed = &model_->fixed[3 * v];
     if (fixed[0] || fixed[1] || fixed[2]) options.kept_vertices.push_back(v);

@@ -238,7 +238,7 @@ std::optional<Rupture> Body::pierce(int tool, std::span<const ToolPose> poses) {
   Uncut before;
   for (const double edge : kSlitEdges) {
     if (before.model) put_back(std::exchange(before, {}));
-    if (path) rupture.cut = change_mesh(*path, edge * radius, &before);
+    if (path) rupture.cut = change_mesh(*path, {.edge_length = edge * radius}, &before);
     if (std::abs(rupture.cut.length - 2 * radius) <= kSlitGive * 2 * radius) break;
   }
   if (rupture.cut.triangles.empty()) {

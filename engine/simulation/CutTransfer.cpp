@@ -5,9 +5,11 @@
 #include <array>
 #include <cassert>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "engine/mesh/MeshTopology.hpp"
+#include "engine/shell/BendingPatches.hpp"
 #include "engine/simulation/PartedContents.hpp"
 
 namespace thinwall {
@@ -32,67 +34,138 @@ Eigen::Vector3d value_at(const SurfacePoint& point, const std::vector<Eigen::Vec
   return value;
 }
 
-/// The turn of each edge of a shell's wall goes over where the edge has come through; new ones begin with none.
+/// Weights of a place on an edge before that are rounding.
+constexpr double kOnEdge = 1e-9;
+
+/// A side of a triangle.
+struct TriangleSide {
+  int triangle = -1, side = -1;
+};
+
+int side_of(const BodyModel& model, int triangle, int edge) {
+  const std::array<int, 3>& edges = model.bending[triangle].edges;
+  return static_cast<int>(std::ranges::find(edges, edge) - edges.begin());
+}
+
+double angle_at(const BodyModel& model, const TriangleSide& side, const Eigen::VectorXd& position) {
+  const BendingRest& rest = model.bending[side.triangle];
+  return side_angles(rest, patch_of(rest, position, model.vertices()))[side.side] - rest.sides[side.side].rest_angle;
+}
+
+/// The turns of a shell's edges go over to what lies on the edges, such that the wall there bends as before: a lip by
+/// as much as the whole edge did. New edges within triangles begin with none.
 class TurnMap {
  public:
   TurnMap(const BodyModel& before, const BodyModel& after, const Cut& cut) : before_(before), after_(after) {
     if (before.bending.empty()) return;
-    std::map<int, int> originals;
-    for (const VertexSource& source : cut.vertices) {
-      if (source.original) originals[source.vertex] = *source.original;
-    }
-    const auto original = [&](int vertex) {
-      const auto found = originals.find(vertex);
-      return found == originals.end() ? vertex : found->second;
-    };
+    for (const VertexSource& source : cut.vertices) places_[source.vertex] = &source.before;
+    for (const TriangleSource& source : cut.triangles) triangles_[source.triangle] = &source;
     const MeshTopology old_edges = topology_of(before.vertices(), before.definition.mesh.triangles);
     const MeshTopology new_edges = topology_of(after.vertices(), after.definition.mesh.triangles);
-    sources_.assign(new_edges.edges.size(), -1);
+    sources_.resize(new_edges.edges.size());
     for (std::size_t e = 0; e < new_edges.edges.size(); ++e) {
-      std::array<int, 2> ends = {original(new_edges.edges[e][0]), original(new_edges.edges[e][1])};
-      if (ends[0] > ends[1]) std::swap(ends[0], ends[1]);
+      const std::set<int> supports = supports_of(new_edges.edges[e]);
+      if (supports.size() != 2) continue;
+      const std::array<int, 2> ends = {*supports.begin(), *supports.rbegin()};
       const auto found = std::ranges::lower_bound(old_edges.edges, ends);
-      if (found != old_edges.edges.end() && *found == ends) {
-        sources_[e] = static_cast<int>(found - old_edges.edges.begin());
+      if (found == old_edges.edges.end() || *found != ends) continue;
+      const int old_edge = static_cast<int>(found - old_edges.edges.begin()), edge = static_cast<int>(e);
+      const int triangle = triangles_at(new_edges, edge).front();
+      for (const int old : triangles_at(old_edges, old_edge)) {
+        if (!lies_in(triangle, old)) continue;
+        sources_[e] = {.edge = old_edge,
+                       .now = {triangle, side_of(after, triangle, edge)},
+                       .then = {old, side_of(before, old, old_edge)}};
       }
     }
   }
 
-  /// A turn is an angle times the mean edge length.
+  /// Of positions; those of the vertices have gone over already.
   void carry(const Eigen::VectorXd& from, Eigen::VectorXd& to) const {
-    const double scale = after_.edge_length / before_.edge_length;
     for (std::size_t e = 0; e < sources_.size(); ++e) {
-      if (sources_[e] >= 0) {
-        to[3 * after_.vertices() + static_cast<int>(e)] = scale * from[3 * before_.vertices() + sources_[e]];
-      }
+      const Source& source = sources_[e];
+      if (source.edge < 0) continue;
+      const double share = after_.bending[source.now.triangle].sides[source.now.side].turn_share;
+      if (share == 0) continue;
+      const double change = angle_at(before_, source.then, from) - angle_at(after_, source.now, to);
+      to[3 * after_.vertices() + static_cast<int>(e)] = change / share;
     }
   }
 
-  /// Lips that are not free yet go on holding the edges that have come through.
-  void carry(std::vector<HeldLips>& held) const {
-    std::vector<int> destinations(static_cast<std::size_t>(before_.unknowns()), -1);
-    const double scale = before_.edge_length / after_.edge_length;
+  /// Of velocities and accelerations, taken to be those of the edges alone.
+  void carry_rates(const Eigen::VectorXd& from, Eigen::VectorXd& to) const {
     for (std::size_t e = 0; e < sources_.size(); ++e) {
-      if (sources_[e] >= 0) {
-        destinations[3 * before_.vertices() + sources_[e]] = 3 * after_.vertices() + static_cast<int>(e);
-      }
+      const Source& source = sources_[e];
+      if (source.edge < 0 || scale(source) == 0) continue;
+      to[3 * after_.vertices() + static_cast<int>(e)] = from[3 * before_.vertices() + source.edge] / scale(source);
+    }
+  }
+
+  /// Lips that are not free yet go on holding what lies on the edges that they held, in even parts.
+  void carry(std::vector<HeldLips>& held) const {
+    std::vector<std::vector<int>> destinations(static_cast<std::size_t>(before_.unknowns()));
+    for (std::size_t e = 0; e < sources_.size(); ++e) {
+      if (sources_[e].edge < 0) continue;
+      destinations[3 * before_.vertices() + sources_[e].edge].push_back(static_cast<int>(e));
     }
     for (HeldLips& lips : held) {
-      for (HeldTurn& turn : lips.turns) {
-        turn.unknown = destinations[turn.unknown];
-        turn.force *= scale;
+      std::vector<HeldTurn> turns;
+      for (const HeldTurn& turn : lips.turns) {
+        const std::vector<int>& parts = destinations[turn.unknown];
+        for (const int part : parts) {
+          const double force = turn.force * scale(sources_[part]) / static_cast<double>(parts.size());
+          if (force != 0) turns.push_back({.unknown = 3 * after_.vertices() + part, .force = force});
+        }
       }
-      std::erase_if(lips.turns, [](const HeldTurn& turn) { return turn.unknown < 0; });
+      lips.turns = std::move(turns);
     }
   }
 
  private:
+  /// Where the turn of an edge comes from.
+  struct Source {
+    int edge = -1;  // before; -1: none
+    TriangleSide now, then;
+  };
+
   const BodyModel& before_;
   const BodyModel& after_;
-  std::vector<int> sources_;  // (edges after), edge before or -1
+  std::map<int, const SurfacePoint*> places_;
+  std::map<int, const TriangleSource*> triangles_;
+  std::vector<Source> sources_;  // (edges after)
+
+  /// The vertices before among which an edge after lies.
+  std::set<int> supports_of(const std::array<int, 2>& ends) const {
+    std::set<int> supports;
+    for (const int end : ends) {
+      const auto found = places_.find(end);
+      if (found == places_.end()) {
+        supports.insert(end);
+        continue;
+      }
+      const SurfacePoint& place = *found->second;
+      for (int k = 0; k < 3; ++k) {
+        if (place.weights[k] > kOnEdge) supports.insert(before_.definition.mesh.triangles[place.triangle][k]);
+      }
+    }
+    return supports;
+  }
+
+  bool lies_in(int triangle, int old) const {
+    const auto found = triangles_.find(triangle);
+    if (found == triangles_.end()) return triangle == old;
+    return std::ranges::any_of(found->second->before,
+                               [&](const TriangleShare& share) { return share.triangle == old; });
+  }
+
+  /// Turn of an edge before for that of one after.
+  double scale(const Source& source) const {
+    const double then = before_.bending[source.then.triangle].sides[source.then.side].turn_share;
+    return then == 0 ? 0 : after_.bending[source.now.triangle].sides[source.now.side].turn_share / then;
+  }
 };
 
-Eigen::VectorXd carried_vertices(const BodyModel& before, const BodyModel& after, const Cut& cut, const TurnMap& turns,
+Eigen::VectorXd carried_vertices(const BodyModel& before, const BodyModel& after, const Cut& cut,
                                  const Eigen::VectorXd& values) {
   Eigen::VectorXd carried = Eigen::VectorXd::Zero(after.unknowns());
   const int kept = 3 * before.vertices();
@@ -100,7 +173,6 @@ Eigen::VectorXd carried_vertices(const BodyModel& before, const BodyModel& after
   for (const VertexSource& source : cut.vertices) {
     carried.segment<3>(3 * source.vertex) = value_at(source.before, before.definition.mesh.triangles, values);
   }
-  turns.carry(values, carried);
   return carried;
 }
 
@@ -247,10 +319,14 @@ BodyState carried_over(const BodyModel& before, const BodyState& state, const Bo
   BodyState carried = state;
   const TurnMap turns(before, after, cut);
   for (Eigen::VectorXd BodyState::*values :
-       {&BodyState::velocity, &BodyState::acceleration, &BodyState::previous_position, &BodyState::previous_velocity}) {
-    carried.*values = carried_vertices(before, after, cut, turns, state.*values);
+       {&BodyState::velocity, &BodyState::acceleration, &BodyState::previous_velocity}) {
+    carried.*values = carried_vertices(before, after, cut, state.*values);
+    turns.carry_rates(state.*values, carried.*values);
   }
-  carried.equilibrium.position = carried_vertices(before, after, cut, turns, state.equilibrium.position);
+  carried.previous_position = carried_vertices(before, after, cut, state.previous_position);
+  carried.equilibrium.position = carried_vertices(before, after, cut, state.equilibrium.position);
+  turns.carry(state.previous_position, carried.previous_position);
+  turns.carry(state.equilibrium.position, carried.equilibrium.position);
   carried.static_force = carried.load_force = Eigen::VectorXd::Zero(after.unknowns());
   carry_history(TensorTransfer(before, after, cut), carried.wall);
   turns.carry(carried.cut.held);

@@ -16,6 +16,7 @@ struct ToolDefinition {
   double width = 0;      // metres; plate (along x'), scalpel, forceps (along y')
   double thickness = 0;  // metres; plate, scalpel, each jaw of forceps
   double opening = 0;    // metres between the jaws of open forceps
+  double deviation = 0;  // metres; scalpel: triangles are refined where its cut would be farther off its way; 0: never
   double friction = 0;   // coefficient of Coulomb's law; not of point and line
 };
 

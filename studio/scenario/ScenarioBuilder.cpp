@@ -189,6 +189,7 @@ ToolDefinition to_tool(const CheckedMember& member) {
   tool.width = find_number(value, "width").value_or(0);
   tool.thickness = find_number(value, "thickness").value_or(0);
   tool.opening = find_number(value, "opening").value_or(0);
+  tool.deviation = find_number(value, "deviation").value_or(0);
   tool.friction = find_number(value, "friction").value_or(0);
   if (const CheckedValue* size = value.find("size")) {
     tool.width = size->items.front().number;

@@ -65,7 +65,8 @@ MappingSchema pierce() {
         "distance from the surface at which the needle starts and to which it goes back"},
        {"withdraw", boolean_value(), false, "true", "whether the needle goes back"}},
       " The wall dents, and gives way once it would give back more energy with a slit of the needle's width in it than "
-      "the slit costs (toughness times thickness times width). From then on it slides along the needle under the tool's "
+      "the slit costs (toughness times thickness times width). From then on it slides along the needle under the "
+      "tool's "
       "`friction` and lets nothing through; the puncture stays open when the needle has left. Where the body is less "
       "deep than `depth` the needle goes through its far wall too. Errors are a depth larger than the needle is long, "
       "and a needle as thick as the body is wide across its way; a needle that presses where no slit fits in, as next "
@@ -104,11 +105,13 @@ MappingSchema incise() {
         "distance from the surface at which the blade starts and to which it goes back"},
        {"withdraw", boolean_value(), false, "true", "whether the blade goes back"}},
       " The points are brought to the surface as it is when the clip starts; neighbours are joined by the curve in "
-      "which the plane through both and the mean inward normal meets the surface, the shorter way round and straight on "
+      "which the plane through both and the mean inward normal meets the surface, the shorter way round and straight "
+      "on "
       "over open wounds. The blade's width lies along the path, and its middle follows it. Where the path turns back "
       "sharply the blade goes back without turning. The wall dents until the blade has put into it what a slit as long "
       "as the blade is wide would cost (toughness times thickness times width), at the latest until the blade moves on "
-      "along the path; then the blade is in, and cuts the wall that its edge meets first. Errors are points out of reach "
+      "along the path; then the blade is in, and cuts the wall that its edge meets first. Errors are points out of "
+      "reach "
       "or not joined by the wall, a depth larger than the blade is high or the body measures there, and a blade that "
       "would start inside the body or touch it already.");
 }
@@ -236,9 +239,16 @@ ValueSchema tools_schema() {
        with_friction(
            {length_key("radius", "0.5 mm", "radius of the shaft"), length_key("length", "40 mm", "length over all")})},
       {"scalpel", "the flank and the edge of a blade, rounded by half its thickness",
-       with_friction({length_key("width", "6 mm", "length of the edge, along y'"),
-                      length_key("length", "20 mm", "height of the blade, along z'"),
-                      length_key("thickness", "0.4 mm", "thickness of the blade, along x'")})},
+       with_friction(
+           {length_key("width", "6 mm", "length of the edge, along y'"),
+            length_key("length", "20 mm", "height of the blade, along z'"),
+            length_key("thickness", "0.4 mm", "thickness of the blade, along x'"),
+            {"deviation",
+             quantity_value(kLength, kAboveZero, "0.2 mm"),
+             false,
+             {},
+             "refines triangles where a cut would be farther than this off the blade's way, down to an eighth "
+             "of their edges; when absent, cuts follow coarse triangles to about a quarter of their edges"}})},
       {"forceps", "two jaws that open along x', with edges rounded by 0.3 thicknesses",
        with_friction({length_key("opening", "10 mm", "distance between the open jaws"),
                       length_key("length", "30 mm", "length of the jaws, along z'"),

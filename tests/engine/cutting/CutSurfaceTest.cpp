@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -11,55 +10,11 @@
 #include "engine/mesh/MeshMeasures.hpp"
 #include "engine/mesh/MeshTopology.hpp"
 #include "engine/mesh/Shapes.hpp"
-#include "tests/engine/cutting/CutInvariants.hpp"
+#include "tests/engine/cutting/CheckedCuts.hpp"
 #include "tests/engine/cutting/SurfaceWalk.hpp"
 
 namespace thinwall {
 namespace {
-
-using Places = std::vector<Eigen::Vector3d>;
-
-/// The point of the wall nearest to a place in space, among triangles whose plane comes that near; with a `side` among
-/// those whose middle has a y of that sign.
-SurfacePoint nearest_point(const SurfaceMesh& mesh, const Eigen::Vector3d& place, double side = 0) {
-  SurfacePoint best;
-  double best_value = std::numeric_limits<double>::infinity();
-  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
-    const Eigen::Vector3d &a = mesh.vertices[mesh.triangles[t][0]], &b = mesh.vertices[mesh.triangles[t][1]],
-                          &c = mesh.vertices[mesh.triangles[t][2]];
-    if ((a + b + c).y() * side < 0) continue;
-    const Eigen::Vector3d n = (b - a).cross(c - a);
-    Eigen::Vector3d weights(n.dot((b - place).cross(c - place)), n.dot((c - place).cross(a - place)),
-                            n.dot((a - place).cross(b - place)));
-    weights /= n.squaredNorm();
-    for (double& weight : weights) weight = std::abs(weight) < 1e-12 ? 0 : weight;
-    weights = weights.cwiseMax(0);
-    weights /= weights.sum();
-    const double value = (weights[0] * a + weights[1] * b + weights[2] * c - place).norm();
-    if (value >= best_value - 1e-12) continue;
-    best_value = value;
-    best = {.triangle = t, .weights = weights};
-  }
-  return best;
-}
-
-std::vector<SurfacePoint> points_at(const SurfaceMesh& mesh, const Places& places) {
-  std::vector<SurfacePoint> points;
-  for (const Eigen::Vector3d& place : places) points.push_back(nearest_point(mesh, place));
-  return points;
-}
-
-/// Cuts, and holds the cut against every rule.
-Cut cut_well(CutSurface& surface, const CutPath& path, const CutOptions& options = {}) {
-  const SurfaceMesh before = surface.mesh();
-  Cut cut = surface.cut(path, options);
-  for (const std::string& rule : broken_rules(before, surface, cut)) ADD_FAILURE() << rule;
-  return cut;
-}
-
-Cut cut_through(CutSurface& surface, const Places& places) {
-  return cut_well(surface, {.from = {}, .points = points_at(surface.mesh(), places)});
-}
 
 /// A sheet 2 wide and long about the origin; edges of about 0.15.
 CutSurface sheet() {
@@ -335,90 +290,6 @@ TEST(CutSurface, GoesOnFromATip) {
   const bool tip_is_doubled =
       std::ranges::any_of(second.vertices, [&](const VertexSource& source) { return source.original == first.tip; });
   EXPECT_TRUE(tip_is_doubled);
-}
-
-// ---- Caps, groups, kept vertices
-
-TEST(CutSurface, KeepsWallAndCapClosedWhereACutOpensTheRim) {
-  for (const double x : {0.0, 0.13}) {  // through a vertex of the rim, through an edge
-    CutSurface surface(make_hemisphere(1, 256));
-    const std::size_t caps = surface.mesh().cap_triangles.size(), rim = surface.mesh().groups.at("base").size();
-    const SurfaceWalk down = walk_on(surface, nearest_point(surface.mesh(), {x + 0.01, -0.5, 0.8}), {x, -1, -1}, 3);
-    ASSERT_TRUE(down.at_border);
-    const Cut cut = cut_well(surface, {.from = {}, .points = down.points});
-    EXPECT_FALSE(cut.tip);
-    EXPECT_EQ(cut.euler_change, 0);
-    EXPECT_EQ(cut.wound_loops.size(), 1U);
-    EXPECT_GE(surface.mesh().cap_triangles.size(), caps + 1);
-    EXPECT_GE(surface.mesh().groups.at("base").size(), rim + 1);  // both lips' nodes are in it
-  }
-}
-
-TEST(CutSurface, SplitsTheCapWithItsRim) {
-  CutSurface surface(make_hemisphere(1, 64));
-  const SurfaceMesh& mesh = surface.mesh();
-  const auto base = mesh.groups.at("base");
-  const Eigen::Vector3d middle = 0.5 * (mesh.vertices[base[0]] + mesh.vertices[base[1]]);
-  const SurfacePoint rim = nearest_point(mesh, middle);
-  const SurfaceWalk up = walk_on(surface, rim, {0, 0, 1}, 0.9);
-  const Cut cut = cut_well(surface, {.from = {}, .points = up.points});
-  ASSERT_FALSE(cut.lips.empty());
-  const auto& members = surface.mesh().groups.at("base");
-  EXPECT_EQ(members.size(), base.size() + 2);  // the new node of the rim, on both lips
-  EXPECT_EQ(surface.mesh().cap_triangles.size(), make_hemisphere(1, 64).cap_triangles.size() + 2);
-}
-
-TEST(CutSurface, GivesNewVerticesTheGroupsTheyLieIn) {
-  SurfaceMesh mesh = make_sheet(2, 2, 400);
-  for (int v = 0; v < static_cast<int>(mesh.vertices.size()); ++v) {
-    if (mesh.vertices[v].x() < 0) mesh.groups["left"].push_back(v);
-    if (mesh.vertices[v].y() == -1) mesh.groups["edge"].push_back(v);
-  }
-  CutSurface surface(mesh);
-  const Cut cut = cut_through(surface, {{-0.81, -1, 0}, {-0.4, 0.1, 0}, {0.7, 0.2, 0}});
-  for (const VertexSource& source : cut.vertices) {
-    const Eigen::Vector3d& place = surface.mesh().vertices[source.vertex];
-    const auto is_in = [&](const char* name) {
-      return std::ranges::binary_search(surface.mesh().groups.at(name), source.vertex);
-    };
-    EXPECT_TRUE(is_in("wall"));
-    EXPECT_EQ(is_in("edge"), place.y() == -1) << place.transpose();
-    EXPECT_TRUE(is_in("left") || place.x() > -0.2) << place.transpose();
-    EXPECT_FALSE(is_in("left") && place.x() > 0) << place.transpose();
-  }
-}
-
-TEST(CutSurface, LeavesKeptVerticesWhereTheyAre) {
-  const SurfaceMesh mesh = make_sheet(2, 2, 400);
-  CutOptions all;
-  for (int v = 0; v < static_cast<int>(mesh.vertices.size()); ++v) all.kept_vertices.push_back(v);
-  CutSurface free(mesh), kept(mesh);
-  const CutPath path{.from = {}, .points = points_at(mesh, {{-0.53, -0.21, 0}, {0.43, 0.3, 0}})};
-  EXPECT_GT(cut_well(free, path).counts.moved_vertices, 0);
-  EXPECT_EQ(cut_well(kept, path, all).counts.moved_vertices, 0);
-}
-
-// ---- Refinement
-
-TEST(CutSurface, RefinesTheWallAlongACutAndFollowsItsPathTheCloser) {
-  const SurfaceMesh mesh = make_sphere(1, 720);
-  const double edge = std::sqrt(4 / std::sqrt(3.0) * wall_area(mesh) / 720);
-  double last_deviation = edge;
-  for (const double part : {1.0, 0.5, 0.25}) {
-    CutSurface surface(mesh);
-    const SurfaceWalk walk = walk_on(surface, nearest_point(mesh, {0.5, 0.5, 0.6}), {1, -1, 0.3}, 1);
-    const Cut cut =
-        cut_well(surface, {.from = {}, .points = walk.points}, {.edge_length = part * edge, .kept_vertices = {}});
-    EXPECT_LE(cut.deviation, 0.5 * part * edge);
-    EXPECT_LE(cut.deviation, last_deviation);
-    last_deviation = cut.deviation;
-    for (const Lips& lips : cut.lips) {
-      for (std::size_t i = 1; i < lips.left.size(); ++i) {
-        const auto& p = surface.mesh().vertices;
-        EXPECT_LE((p[lips.left[i]] - p[lips.left[i - 1]]).norm(), 1.6 * part * edge);
-      }
-    }
-  }
 }
 
 // ---- Bad meshes, equal runs

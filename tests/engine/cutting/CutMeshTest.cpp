@@ -1,0 +1,121 @@
+// What cuts do to the mesh around them: caps, groups, kept vertices, refinement.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/cutting/CutSurface.hpp"
+#include "engine/mesh/MeshMeasures.hpp"
+#include "engine/mesh/Shapes.hpp"
+#include "tests/engine/cutting/CheckedCuts.hpp"
+#include "tests/engine/cutting/SurfaceWalk.hpp"
+
+namespace thinwall {
+namespace {
+
+// ---- Caps, groups, kept vertices
+
+TEST(CutSurface, KeepsWallAndCapClosedWhereACutOpensTheRim) {
+  for (const double x : {0.0, 0.13}) {  // through a vertex of the rim, through an edge
+    CutSurface surface(make_hemisphere(1, 256));
+    const std::size_t caps = surface.mesh().cap_triangles.size(), rim = surface.mesh().groups.at("base").size();
+    const SurfaceWalk down = walk_on(surface, nearest_point(surface.mesh(), {x + 0.01, -0.5, 0.8}), {x, -1, -1}, 3);
+    ASSERT_TRUE(down.at_border);
+    const Cut cut = cut_well(surface, {.from = {}, .points = down.points});
+    EXPECT_FALSE(cut.tip);
+    EXPECT_EQ(cut.euler_change, 0);
+    EXPECT_EQ(cut.wound_loops.size(), 1U);
+    EXPECT_GE(surface.mesh().cap_triangles.size(), caps + 1);
+    EXPECT_GE(surface.mesh().groups.at("base").size(), rim + 1);  // both lips' nodes are in it
+  }
+}
+
+TEST(CutSurface, SplitsTheCapWithItsRim) {
+  CutSurface surface(make_hemisphere(1, 64));
+  const SurfaceMesh& mesh = surface.mesh();
+  const auto base = mesh.groups.at("base");
+  const Eigen::Vector3d middle = 0.5 * (mesh.vertices[base[0]] + mesh.vertices[base[1]]);
+  const SurfacePoint rim = nearest_point(mesh, middle);
+  const SurfaceWalk up = walk_on(surface, rim, {0, 0, 1}, 0.9);
+  const Cut cut = cut_well(surface, {.from = {}, .points = up.points});
+  ASSERT_FALSE(cut.lips.empty());
+  const auto& members = surface.mesh().groups.at("base");
+  EXPECT_EQ(members.size(), base.size() + 2);  // the new node of the rim, on both lips
+  EXPECT_EQ(surface.mesh().cap_triangles.size(), make_hemisphere(1, 64).cap_triangles.size() + 2);
+}
+
+TEST(CutSurface, GivesNewVerticesTheGroupsTheyLieIn) {
+  SurfaceMesh mesh = make_sheet(2, 2, 400);
+  for (int v = 0; v < static_cast<int>(mesh.vertices.size()); ++v) {
+    if (mesh.vertices[v].x() < 0) mesh.groups["left"].push_back(v);
+    if (mesh.vertices[v].y() == -1) mesh.groups["edge"].push_back(v);
+  }
+  CutSurface surface(mesh);
+  const Cut cut = cut_through(surface, {{-0.81, -1, 0}, {-0.4, 0.1, 0}, {0.7, 0.2, 0}});
+  for (const VertexSource& source : cut.vertices) {
+    const Eigen::Vector3d& place = surface.mesh().vertices[source.vertex];
+    const auto is_in = [&](const char* name) {
+      return std::ranges::binary_search(surface.mesh().groups.at(name), source.vertex);
+    };
+    EXPECT_TRUE(is_in("wall"));
+    EXPECT_EQ(is_in("edge"), place.y() == -1) << place.transpose();
+    EXPECT_TRUE(is_in("left") || place.x() > -0.2) << place.transpose();
+    EXPECT_FALSE(is_in("left") && place.x() > 0) << place.transpose();
+  }
+}
+
+TEST(CutSurface, LeavesKeptVerticesWhereTheyAre) {
+  const SurfaceMesh mesh = make_sheet(2, 2, 400);
+  CutOptions all;
+  for (int v = 0; v < static_cast<int>(mesh.vertices.size()); ++v) all.kept_vertices.push_back(v);
+  CutSurface free(mesh), kept(mesh);
+  const CutPath path{.from = {}, .points = points_at(mesh, {{-0.53, -0.21, 0}, {0.43, 0.3, 0}})};
+  EXPECT_GT(cut_well(free, path).counts.moved_vertices, 0);
+  EXPECT_EQ(cut_well(kept, path, all).counts.moved_vertices, 0);
+}
+
+// ---- Refinement
+
+TEST(CutSurface, RefinesTheWallAlongACutAndFollowsItsPathTheCloser) {
+  const SurfaceMesh mesh = make_sphere(1, 720);
+  const double edge = std::sqrt(4 / std::sqrt(3.0) * wall_area(mesh) / 720);
+  double last_deviation = edge;
+  for (const double part : {1.0, 0.5, 0.25}) {
+    CutSurface surface(mesh);
+    const SurfaceWalk walk = walk_on(surface, nearest_point(mesh, {0.5, 0.5, 0.6}), {1, -1, 0.3}, 1);
+    const Cut cut = cut_well(surface, {.from = {}, .points = walk.points}, {.edge_length = part * edge});
+    EXPECT_LE(cut.deviation, 0.5 * part * edge);
+    EXPECT_LE(cut.deviation, last_deviation);
+    last_deviation = cut.deviation;
+    for (const Lips& lips : cut.lips) {
+      for (std::size_t i = 1; i < lips.left.size(); ++i) {
+        const auto& p = surface.mesh().vertices;
+        EXPECT_LE((p[lips.left[i]] - p[lips.left[i - 1]]).norm(), 1.6 * part * edge);
+      }
+    }
+  }
+}
+
+TEST(CutSurface, RefinesOnlyWhereACutWouldLeaveItsPath) {
+  const SurfaceMesh mesh = make_sphere(1, 720);
+  const double edge = std::sqrt(4 / std::sqrt(3.0) * wall_area(mesh) / 720), wanted = 0.1 * edge;
+  const auto cut_with = [&](const CutOptions& options, CutSurface& surface) {
+    const SurfaceWalk walk = walk_on(surface, nearest_point(mesh, {0.5, 0.5, 0.6}), {1, -1, 0.3}, 1);
+    return cut_well(surface, {.from = {}, .points = walk.points}, options);
+  };
+  CutSurface coarse(mesh), close(mesh), fine(mesh);
+  EXPECT_GT(cut_with({}, coarse).deviation, wanted);
+  EXPECT_LE(cut_with({.deviation = wanted}, close).deviation, wanted);
+  cut_with({.edge_length = edge / 8}, fine);
+  EXPECT_LT(close.mesh().triangles.size(), fine.mesh().triangles.size());
+  // In a flat wall each cut is on its path anyway.
+  CutSurface flat(make_sheet(2, 2, 400)), same(make_sheet(2, 2, 400));
+  const CutPath path{.from = {}, .points = points_at(flat.mesh(), {{-0.53, -0.21, 0}, {0.43, 0.3, 0}})};
+  cut_well(flat, path);
+  cut_well(same, path, {.deviation = 1e-9});
+  EXPECT_EQ(same.mesh().triangles, flat.mesh().triangles);
+}
+
+}  // namespace
+}  // namespace thinwall
