@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "engine/contact/ContinuousCollision.hpp"
 #include "engine/mesh/MeshTopology.hpp"
@@ -59,6 +60,7 @@ SelfContact::SelfContact(const SelfContactDefinition& definition)
   measure_parts(definition);
   tree_ = TriangleTree(triangles_, rest_position_, margins_);
   measure_heights(definition);
+  find_neighbours_across();
   gather_stars();
   list_near(rest_position_);
 }
@@ -175,7 +177,7 @@ void SelfContact::list_near(const Eigen::VectorXd& position) {
 std::optional<NearPair> SelfContact::describe(PairKind kind, const Eigen::Vector4i& vertices) const {
   const PairCorners rest = corners_at(vertices, rest_position_);
   const double rest_distance = pair_distance(kind, rest).distance;
-  if (rest_distance < kTouching * edge_length_) return std::nullopt;
+  if (rest_distance < kTouching * edge_length_ || were_neighbours(kind, vertices)) return std::nullopt;
   double thickness = 0, area = 0;
   for (const int vertex : vertices) thickness += 0.25 * vertex_thickness_[vertex];
   // Each place of the wall is counted by its points and by its edges (three to a point), and once from either side.
@@ -199,6 +201,53 @@ void SelfContact::list_if_near(PairKind kind, const Eigen::Vector4i& vertices, c
   if (distance > largest_range_ + margin) return;
   const std::optional<NearPair> pair = describe(kind, vertices);
   if (pair && distance <= pair->range + margin) near_.push_back(*pair);
+}
+
+void SelfContact::find_neighbours_across() {
+  const int vertices = static_cast<int>(held_.size());
+  across_.assign(vertices, {});
+  const auto place = [&](int v) {
+    return std::array{rest_position_[3 * v], rest_position_[3 * v + 1], rest_position_[3 * v + 2]};
+  };
+  std::vector<int> by_place;
+  std::vector<char> is_used(vertices, 0);
+  for (const Eigen::Vector3i& triangle : triangles_) {
+    for (const int v : triangle) {
+      if (!std::exchange(is_used[v], 1)) by_place.push_back(v);
+    }
+  }
+  std::ranges::sort(by_place, [&](int a, int b) { return std::pair(place(a), a) < std::pair(place(b), b); });
+  std::vector<std::vector<int>> doubles(vertices);
+  for (std::size_t begin = 0, end = 0; begin < by_place.size(); begin = end) {
+    while (end < by_place.size() && place(by_place[end]) == place(by_place[begin])) ++end;
+    for (std::size_t a = begin; a < end; ++a) {
+      for (std::size_t b = begin; b < end; ++b) {
+        if (a != b) doubles[by_place[a]].push_back(by_place[b]);
+      }
+    }
+  }
+  for (const Eigen::Vector3i& triangle : triangles_) {
+    for (const int lip : triangle) {
+      for (const int v : triangle) across_[v].insert(across_[v].end(), doubles[lip].begin(), doubles[lip].end());
+    }
+  }
+  for (std::vector<int>& one : across_) {
+    std::ranges::sort(one);
+    one.erase(std::unique(one.begin(), one.end()), one.end());
+  }
+}
+
+bool SelfContact::were_neighbours(PairKind kind, const Eigen::Vector4i& vertices) const {
+  const int first = kind == PairKind::kPointTriangle ? 1 : 2;
+  for (int a = 0; a < first; ++a) {
+    for (int b = first; b < 4; ++b) {
+      const int one = vertices[a], other = vertices[b];
+      if (std::ranges::binary_search(across_[one], other) || std::ranges::binary_search(across_[other], one)) {
+        return true;
+      }
+    }
+  }
+  return false;
 }
 
 void SelfContact::gather_stars() {
@@ -269,6 +318,7 @@ double SelfContact::safe_fraction(const Eigen::VectorXd& position, const Eigen::
   tree_.visit_meeting([&](int triangle, int other) {
     if (share_vertex(triangles_[triangle], triangles_[other])) return;
     visit_parts(triangle, other, [&](PairKind kind, const Eigen::Vector4i& vertices) {
+      if (were_neighbours(kind, vertices)) return;
       const double one = fraction_of(kind, vertices);
       if (one < fraction && !touches_at_rest(kind, vertices)) fraction = one;
     });

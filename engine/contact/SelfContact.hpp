@@ -56,8 +56,10 @@ struct SelfContactTerms {
 /// Mid-surfaces feel each other at distances below the range, which is for each pair of parts the smallest of the
 /// wall's thickness there, 0.4 of the mean edge length of the mesh, and half of the distance that the two have in the
 /// stress-free shape: neighbours do not feel each other unless the wall crumples, nor does a fine mesh. Parts that
-/// touch in the stress-free shape are left alone. The force grows without bound as the distance goes to zero, and
-/// `safe_fraction` keeps every motion from jumping over it, so that a wall that is free of intersections stays so.
+/// touch in the stress-free shape are left alone, and so are those beside a cut that were neighbours before it: pressed
+/// together, the lips of a wound slide over each other by an edge rather than jam in the wall's plane. The force grows
+/// without bound as the distance goes to zero, and `safe_fraction` keeps every motion from jumping over it, so that a
+/// wall that is free of intersections stays so.
 ///
 /// Pairs whose triangles share no vertex are listed with the margins of their vertices, parts of the edges there, and
 /// the list is kept until a vertex (less the mean motion of all) has moved by its margin; for the others see StarPairs.
@@ -95,8 +97,10 @@ class SelfContact {
   void list_near(const Eigen::VectorXd& position);
   template <typename Visit>
   void visit_parts(int triangle, int other, const Visit& visit) const;
+  void find_neighbours_across();
+  bool were_neighbours(PairKind kind, const Eigen::Vector4i& vertices) const;
   bool touches_at_rest(PairKind kind, const Eigen::Vector4i& vertices) const;
-  /// Nothing of parts that touch in the stress-free shape.
+  /// Nothing of parts that are left alone.
   std::optional<NearPair> describe(PairKind kind, const Eigen::Vector4i& vertices) const;
   void list_if_near(PairKind kind, const Eigen::Vector4i& vertices, const Eigen::VectorXd& position);
   template <typename Visit>
@@ -109,6 +113,7 @@ class SelfContact {
   Eigen::VectorXd rest_position_;         // (3 vertices), metres
   std::vector<char> held_;                // (vertices), whether no unknown of it moves
   std::vector<Parts> parts_;              // (triangles), vertices and edges that the triangle answers for
+  std::vector<std::vector<int>> across_;  // (vertices), on the other lip of a cut: joined to it before, ascending
   std::vector<double> vertex_area_;       // (vertices), metres^2
   std::vector<double> vertex_thickness_;  // (vertices), metres
   std::vector<FloorPlane> floors_;

@@ -1,9 +1,11 @@
 #include "engine/simulation/Newton.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
+#include "engine/mesh/MeshTopology.hpp"
 #include "engine/simulation/OpenChambers.hpp"
 
 namespace thinwall {
@@ -26,6 +28,10 @@ constexpr int kForeseeingSteps = 40;
 /// such forces any residual would look small.
 constexpr double kBlowUp = 1e6;
 
+/// Growth of the angle between two neighbours, radians, in a solution of a shell without line search that only a step
+/// gone astray makes: past any energy it ends up with triangles folded over.
+constexpr double kMostFolding = 1.5;
+
 double square(double value) {
   return value * value;
 }
@@ -45,6 +51,12 @@ Newton::Newton(const BodyModel& model, SparseFactor factor)
       rigid_columns_(model.rigid_motions) {
   const double mean_mass = model.mass.mean();
   for (Eigen::Index k = 0; k < rigid_columns_.rows(); ++k) rigid_columns_.row(k) *= model.mass[k] / mean_mass;
+  if (model.bending.empty()) return;
+  const MeshTopology topology = topology_of(model.vertices(), model.surface);
+  for (int edge = 0; edge < static_cast<int>(topology.edges.size()); ++edge) {
+    const auto sides = triangles_at(topology, edge);
+    if (sides.size() == 2) hinges_.push_back({sides[0], sides[1]});
+  }
 }
 
 void Newton::evaluate_all(const EquilibriumProblem& problem, const EquilibriumState& state, EquilibriumTerms& terms) {
@@ -158,13 +170,26 @@ std::string Newton::obstructed(const std::string& reason) const {
   return pressed ? reason + ": the wall lies against itself or its floor and is asked to go on" : reason;
 }
 
+bool Newton::folds_over(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const {
+  const auto angle = [&](const std::array<int, 2>& pair, const Eigen::VectorXd& position) {
+    std::array<Eigen::Vector3d, 2> normals;
+    for (int k = 0; k < 2; ++k) {
+      const auto corners = corners_of(model_.surface[pair[k]], position);
+      normals[k] = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+    }
+    return std::atan2(normals[0].cross(normals[1]).norm(), normals[0].dot(normals[1]));
+  };
+  return std::ranges::any_of(
+      hinges_, [&](const std::array<int, 2>& pair) { return angle(pair, after) - angle(pair, before) > kMostFolding; });
+}
+
 NewtonResult Newton::solve(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options) {
   int before = 0;
   if (!model_.bending.empty()) {
     const Start start{
         .state = state, .attachments = problem.attachments, .solids = problem.solids, .friction = problem.friction};
     NewtonResult result = iterate(problem, state, options, true);
-    if (result.converged) return result;
+    if (result.converged && !folds_over(start.state.position, state.position)) return result;
     before = result.iterations;
     state = start.state;
     problem.attachments = start.attachments;

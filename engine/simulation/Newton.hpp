@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <functional>
 #include <span>
 #include <string>
@@ -131,6 +132,7 @@ class Newton {
   Newton(const BodyModel& model, SparseFactor factor);
   NewtonResult iterate(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options,
                        bool foresees);
+  bool folds_over(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const;
   void foresee(const EquilibriumProblem& problem, const Eigen::VectorXd& position, const Eigen::VectorXd& motion);
   void add_foreseen(const EquilibriumProblem& problem, const Eigen::VectorXd& position);
   void place(const Start& start, const Step& step, double fraction, EquilibriumProblem& problem,
@@ -181,6 +183,7 @@ class Newton {
   std::vector<char> open_;      // (contacts), whether the step takes the contact to be open
   std::vector<double> matrix_;  // (non-zeros), what is factorised
   // (triangles) of a shell, pascal, (S11, S22, S12); none where the curvature takes the stress as it is
+  std::vector<std::array<int, 2>> hinges_;  // of a shell: triangles with an edge in common
   std::vector<Eigen::Vector3d> foreseen_stress_;
   Eigen::MatrixXd border_;           // (unknowns x border), column and row where they are the same
   Eigen::MatrixXd columns_, rows_;   // (unknowns x border), of bodies with open chambers

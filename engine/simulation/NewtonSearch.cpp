@@ -6,6 +6,10 @@
 namespace thinwall {
 namespace {
 
+/// How often the root of the wall's area a step moves a vertex at most: a slack wall asks for steps without
+/// bound, along whose ways everything would meet everything.
+constexpr double kLongestStep = 1;
+
 double square(double value) {
   return value * value;
 }
@@ -78,7 +82,9 @@ bool Newton::search(EquilibriumProblem& problem, EquilibriumState& state, Residu
   const Start start{
       .state = state, .attachments = problem.attachments, .solids = problem.solids, .friction = problem.friction};
   Residual trial;
-  fraction = std::min(fraction, self_contact_.safe_fraction(start.state.position, step.position));
+  const double longest = kLongestStep * std::sqrt(model_.rest_area);
+  fraction = std::min(fraction, longest / std::max(longest, step.position.lpNorm<Eigen::Infinity>()));
+  fraction *= self_contact_.safe_fraction(start.state.position, fraction * step.position);
   for (int halving = 0; halving < 16; ++halving, fraction *= 0.5) {
     place(start, step, fraction, problem, state);
     if (!std::isfinite(trial_terms_.elastic)) continue;
