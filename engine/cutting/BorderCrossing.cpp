@@ -12,6 +12,9 @@ namespace {
 /// Part of the way within which a border counts as one at its beginning.
 constexpr double kAtBeginning = 1e-6;
 
+/// Sine of the angle at which a blade meets a border at least when it comes back into the wall there.
+constexpr double kLeastMeeting = 0.2588;
+
 struct BorderSide {
   int triangle = 0, corner = 0;  // from this corner to the next
 };
@@ -32,30 +35,70 @@ std::vector<BorderSide> border_sides(const SurfaceView& surface) {
   return sides;
 }
 
+/// Where a border crosses the plane through a point, a unit way and a unit line across it.
+struct SideCrossing {
+  SurfacePoint place;
+  double along = 0, height = 0;  // metres from the point, along the way and along the line
+};
+
+std::optional<SideCrossing> crossing_of(const SurfaceView& surface, const BorderSide& side, const Eigen::Vector3d& from,
+                                        const Eigen::Vector3d& way, const Eigen::Vector3d& line) {
+  const int next = (side.corner + 1) % 3;
+  const Eigen::Vector3i& corners = surface.triangles[static_cast<std::size_t>(side.triangle)];
+  const Eigen::Vector3d a = surface.position.segment<3>(3 * corners[side.corner]) - from;
+  const Eigen::Vector3d b = surface.position.segment<3>(3 * corners[next]) - from;
+  const Eigen::Vector3d aside = line.cross(way);
+  const double off_a = a.dot(aside), off_b = b.dot(aside);
+  if ((off_a > 0) == (off_b > 0)) return std::nullopt;
+  const double part = off_a / (off_a - off_b);
+  const Eigen::Vector3d place = a + part * (b - a);
+  SideCrossing crossing{.place = {.triangle = side.triangle}, .along = place.dot(way), .height = place.dot(line)};
+  crossing.place.weights[side.corner] = 1 - part;
+  crossing.place.weights[next] = part;
+  return crossing;
+}
+
+/// Unit, from a border into its triangle, across the border.
+Eigen::Vector3d into_wall(const SurfaceView& surface, const BorderSide& side) {
+  const Eigen::Vector3i& corners = surface.triangles[static_cast<std::size_t>(side.triangle)];
+  const auto at = [&](int k) -> Eigen::Vector3d { return surface.position.segment<3>(3 * corners[k % 3]); };
+  const Eigen::Vector3d along = (at(side.corner + 1) - at(side.corner)).stableNormalized();
+  const Eigen::Vector3d inwards = at(side.corner + 2) - at(side.corner);
+  return (inwards - inwards.dot(along) * along).stableNormalized();
+}
+
 }  // namespace
 
-std::optional<SurfacePoint> border_crossing(const SurfaceView& surface, const Eigen::Vector3d& from,
-                                            const Eigen::Vector3d& to, const Eigen::Vector3d& line, Crossing which) {
-  const Eigen::Vector3d way = to - from - (to - from).dot(line) * line;
-  const Eigen::Vector3d aside = line.cross(way);
+std::optional<SurfacePoint> first_border(const SurfaceView& surface, const Eigen::Vector3d& from,
+                                         const Eigen::Vector3d& to, const Eigen::Vector3d& line) {
+  const Eigen::Vector3d chord = to - from, way = chord - chord.dot(line) * line;
   std::optional<SurfacePoint> found;
-  double best = 0;
+  double nearest = 0;
   for (const BorderSide& side : border_sides(surface)) {
-    const int next = (side.corner + 1) % 3;
+    const std::optional<SideCrossing> crossing = crossing_of(surface, side, from, way.normalized(), line);
+    if (!crossing || crossing->along <= kAtBeginning * way.norm() || crossing->along > way.norm()) continue;
+    if (std::abs(crossing->height) > chord.norm() || (found && crossing->along >= nearest)) continue;
+    nearest = crossing->along;
+    found = crossing->place;
+  }
+  return found;
+}
+
+std::optional<SurfacePoint> border_beyond(const SurfaceView& surface, const BladeInGap& blade) {
+  std::optional<SurfacePoint> found;
+  double nearest = 0;
+  const auto is_own = [&](int vertex) { return std::ranges::find(blade.lips, vertex) != blade.lips.end(); };
+  for (const BorderSide& side : border_sides(surface)) {
     const Eigen::Vector3i& corners = surface.triangles[static_cast<std::size_t>(side.triangle)];
-    const Eigen::Vector3d a = surface.position.segment<3>(3 * corners[side.corner]) - from;
-    const Eigen::Vector3d b = surface.position.segment<3>(3 * corners[next]) - from;
-    const double off_a = a.dot(aside), off_b = b.dot(aside);
-    if ((off_a > 0) == (off_b > 0)) continue;
-    const double part = off_a / (off_a - off_b);
-    const Eigen::Vector3d place = a + part * (b - a);
-    const double along = place.dot(way) / way.squaredNorm();
-    if (along <= kAtBeginning || along > 1 || std::abs(place.dot(line)) > (to - from).norm()) continue;
-    if (found && (which == Crossing::kFirst ? along >= best : along <= best)) continue;
-    best = along;
-    found = SurfacePoint{.triangle = side.triangle};
-    found->weights[side.corner] = 1 - part;
-    found->weights[next] = part;
+    if (is_own(corners[side.corner]) || is_own(corners[(side.corner + 1) % 3])) continue;
+    const std::optional<SideCrossing> crossing = crossing_of(surface, side, blade.left, blade.way, blade.line);
+    if (!crossing || crossing->along < -blade.overlap || into_wall(surface, side).dot(blade.way) < kLeastMeeting) {
+      continue;
+    }
+    if (crossing->height < blade.above || crossing->height > blade.below) continue;
+    if (found && std::abs(crossing->along) >= nearest) continue;
+    nearest = std::abs(crossing->along);
+    found = crossing->place;
   }
   return found;
 }

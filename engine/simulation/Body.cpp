@@ -120,7 +120,7 @@ EquilibriumProblem Body::make_problem(std::span<const ToolPose> end, double dura
   problem.gravity = options_.gravity;
   problem.load_factors = input.load_factors;
   problem.start = state_.equilibrium.position;
-  push_with(state_.cut.push, input.blade, problem);
+  problem.cut_force = force_at_lips(let_go(state_.cut, input.blade), model_->unknowns());
   add_solids(end, problem);
   add_shafts_to(end, problem);
   problem.hold_rigid_motions = !has_inertia() && model_->rigid_motions.cols() > 0;
@@ -132,35 +132,23 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
   EquilibriumProblem problem = make_problem(end, duration, input);
   attach(begin, end, problem);
   add_friction_to(problem, begin);
-  PushSearch push;
   EquilibriumState trial;
-  for (bool goes_on = false;;) {
+  for (;;) {
     // What a tool takes hold of or lets go of changes its velocity at once; a difference that reaches back across that
     // would see the jump as a motion.
     if (problem.attachments.size() != state_.attachments.size()) state_.previous_step = 0;
     if (has_inertia()) add_inertia(duration, problem);
-    if (!goes_on) trial = state_.equilibrium;
-    if (!goes_on && has_inertia()) {
+    trial = state_.equilibrium;
+    if (has_inertia()) {
       const Eigen::VectorXd motion = duration * state_.velocity;
       trial.position += newton_->safe_fraction(trial.position, motion) * motion;
     }
-    goes_on = false;
     if (!solve_with_leaks(problem, trial, begin, duration)) return false;
     if (!may_snap() && jumped_over_balls(begin, problem, trial.position)) {
       failure_ = "the wall jumped from one side of a ball to the other";
       return false;
     }
     if (release(end, problem)) continue;
-    const PushVerdict verdict = revise_push(input.blade, trial.position, push, problem);
-    if (verdict == PushVerdict::kRevised) {
-      // A little more or less push moves the wall a little further.
-      goes_on = true;
-      continue;
-    }
-    if (verdict == PushVerdict::kNone) {
-      failure_ = "the push of the blade and the way of the wall that sticks to it do not come to agree";
-      return false;
-    }
     if (report_.halvings < kHalvingsBeforeLettingEdgesIn && catch_passed_edges(problem, trial.position)) continue;
     accept(begin, duration, problem, input, trial);
     return true;

@@ -189,15 +189,6 @@ class Body {
   Eigen::VectorXd contact_pressure() const;
 
  private:
-  enum class PushVerdict { kFound, kRevised, kNone };
-
-  /// What the solutions of a step with a blade have told so far.
-  struct PushSearch {
-    int turns = 0;
-    double push = 0, drag = 0;  // newton and metres, of the last solution
-    double compliance = 0;      // metres / newton, of the wall at the tip; 0 where it is not known
-  };
-
   /// What a cut has replaced.
   struct Uncut {
     std::unique_ptr<CutSurface> surface;
@@ -262,8 +253,11 @@ class Body {
   void find_forces(std::span<const ToolPose> poses);
   /// Cuts from the tip to the open border that the blade has left the wall over; nothing where it has not.
   std::optional<Cut> cut_to_border(const ToolPose& pose, std::span<const ToolPose> poses);
-  /// The border over which the blade came back into the wall, where a cut left it over another.
-  std::optional<SurfacePoint> beyond_gap(const ToolPose& pose);
+  void begin_cut(const SurfacePoint& place);
+  /// Looks for where a blade that has left the wall comes back into it.
+  void find_gap(const Cut& cut, const Eigen::Vector3d& left, const Eigen::Vector3d& way, const ToolPose& pose);
+  /// Whether the blade has just met the far lip of the gap that it was in.
+  bool come_out_of_gap(const ToolPose& pose);
   Cut change_mesh(const CutPath& path, CutOptions options, Uncut* before = nullptr);
   void put_back(Uncut before);
   void add_shafts_to(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;
@@ -278,13 +272,10 @@ class Body {
   bool open_on_shaft(std::span<const ToolPose> poses);
   void hold_lips(double length, bool pays);
   void hold_dent(int tool, std::span<const ToolPose> poses);
-  void spread_push();
-  void push_with(double push, const std::optional<BladeInput>& blade, EquilibriumProblem& problem) const;
-  double drag_of(const BladeInput& blade, const Eigen::VectorXd& motion) const;
-  PushVerdict revise_push(const std::optional<BladeInput>& blade, const Eigen::VectorXd& position, PushSearch& search,
-                          EquilibriumProblem& problem) const;
-  double book_cut(const CutProgress& before, const Eigen::VectorXd& motion, const std::optional<BladeInput>& blade,
-                  double push);
+  /// Cost of new cut area per length, newton: of the triangle, at a vertex the mean of those around.
+  double cost_at(const SurfacePoint& place) const;
+  double way_of_wall(const BladeInput& blade, const Eigen::VectorXd& motion) const;
+  double book_cut(const CutProgress& before, const Eigen::VectorXd& motion, const std::optional<BladeInput>& blade);
   bool has_friction() const;
   std::vector<FrictionContact> friction_contacts(const std::vector<ToolSolid>& before,
                                                  const EquilibriumProblem& problem, bool at_begin,

@@ -167,7 +167,7 @@ void Body::update_books(const BodyState& before, std::span<const ToolPose> begin
   books.friction += friction_loss;
   books.leak += leak_loss;
   books.tool_work += attached_work + solid_work;
-  books.script_work += load_work - book_cut(before.cut, motion, input.blade, problem.push);
+  books.script_work += load_work - book_cut(before.cut, motion, input.blade);
 }
 
 }  // namespace thinwall

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "engine/cutting/BorderCrossing.hpp"
@@ -17,6 +18,17 @@ namespace {
 /// Groups that stand for the regions where a body is held: no scenario can name them.
 std::string group_of_fixed(std::size_t region) {
   return "\nfixed " + std::to_string(region);
+}
+
+/// Length along the lips at a position, metres.
+double length_of(std::span<const Lips> cut, const Eigen::VectorXd& position) {
+  double length = 0;
+  for (const Lips& lips : cut) {
+    for (std::size_t k = 1; k < lips.left.size(); ++k) {
+      length += (position.segment<3>(3 * lips.left[k]) - position.segment<3>(3 * lips.left[k - 1])).norm();
+    }
+  }
+  return length;
 }
 
 }  // namespace
@@ -43,8 +55,12 @@ Cut Body::cut(const CutPath& path, std::span<const ToolPose> poses) {
   if (cut.triangles.empty()) return cut;
   state_.cut.start.reset();
   state_.cut.tip = cut.tip;
-  spread_push();
+  state_.cut.cost = cut.tip ? cost_at(point_at(model_->definition.mesh.triangles, *cut.tip))
+                            : model_->cut_cost(cut.triangles.front().triangle);
   state_.cut.due += state_.cut.cost * cut.length;
+  // The blade goes its way over the wall as it is stretched now.
+  const double length = length_of(cut.lips, state_.equilibrium.position);
+  if (length > 0) state_.cut.cost *= cut.length / length;
   const double stored = state_.books.stored();
   find_forces(poses);
   // Flips of edges and lumped masses change what is stored by a trifle.
@@ -133,18 +149,15 @@ void Body::hold_lips(double length, bool pays) {
 std::optional<Cut> Body::follow_blade(int tool, std::span<const ToolPose> poses, bool goes_on) {
   const ToolPose& pose = poses[tool];
   const SurfaceView wall = surface();
+  if (come_out_of_gap(pose)) return std::nullopt;
   const auto entry = first_entry_on_segment(wall, pose.tip - tools_[tool].length * pose.direction, pose.tip);
   if (!entry) return cut_to_border(pose, poses);
   const SurfacePoint target = snapped_to_edges(wall, {.triangle = entry->triangle, .weights = entry->weights});
   CutProgress& progress = state_.cut;
   if (!progress.tip && !progress.start) {
+    if (progress.gap) return std::nullopt;
     progress.tool = tool;
-    const std::optional<SurfacePoint> lip = beyond_gap(pose);
-    progress.start = lip.value_or(target);
-    spread_push();
-    // A free lip bears no push: it would crumple. The blade cuts into it all the same, and pays for that.
-    if (lip) progress.pushed.clear();
-    progress.resistance = progress.cost;
+    begin_cut(target);
     hold_dent(tool, poses);
     return std::nullopt;
   }
@@ -182,25 +195,48 @@ std::optional<Cut> Body::cut_to_border(const ToolPose& pose, std::span<const Too
   const Eigen::Vector3d to = pose.tip + (from - pose.tip).dot(pose.direction) * pose.direction;
   // In its own wound, behind the tip, the blade has left no wall.
   if ((to - from).dot(way_ahead(wall, tip)) <= 0) return std::nullopt;
-  const auto border = border_crossing(wall, from, to, pose.direction, Crossing::kFirst);
+  const auto border = first_border(wall, from, to, pose.direction);
   if (!border) return std::nullopt;
   const SurfaceTrace way =
       trace(wall, vertex_normals(wall), point_at(wall.triangles, tip), snapped_to_edges(wall, *border));
   if (way.pieces.size() != 1) return std::nullopt;
-  const Eigen::Vector3d place = place_on(*model_, border->triangle, border->weights, state_.equilibrium.position);
+  const Eigen::Vector3d left = place_on(*model_, border->triangle, border->weights, state_.equilibrium.position);
   Cut cut = this->cut({.from = tip, .points = way.pieces.front().points}, poses);
   if (cut.triangles.empty()) return std::nullopt;
-  if (!cut.tip) state_.cut.left = place;
+  if (!cut.tip) find_gap(cut, left, (to - from).normalized(), pose);
   return cut;
 }
 
-std::optional<SurfacePoint> Body::beyond_gap(const ToolPose& pose) {
-  const std::optional<Eigen::Vector3d> left = std::exchange(state_.cut.left, std::nullopt);
-  if (!left) return std::nullopt;
-  const SurfaceView wall = surface();
-  const Eigen::Vector3d to = pose.tip + (*left - pose.tip).dot(pose.direction) * pose.direction;
-  const auto border = border_crossing(wall, *left, to, pose.direction, Crossing::kLast);
-  return border ? std::optional(snapped_to_edges(wall, *border)) : std::nullopt;
+void Body::begin_cut(const SurfacePoint& place) {
+  state_.cut.start = place;
+  state_.cut.cost = state_.cut.resistance = cost_at(place);
+}
+
+void Body::find_gap(const Cut& cut, const Eigen::Vector3d& left, const Eigen::Vector3d& way, const ToolPose& pose) {
+  std::vector<int> own;
+  for (const Lips& lips : cut.lips) {
+    own.insert(own.end(), lips.left.begin(), lips.left.end());
+    own.insert(own.end(), lips.right.begin(), lips.right.end());
+  }
+  const double below = (pose.tip - left).dot(pose.direction);
+  const auto lip = border_beyond(surface(), {.left = left,
+                                             .way = way,
+                                             .line = pose.direction,
+                                             .above = below - tools_[*state_.cut.tool].length,
+                                             .below = below,
+                                             .lips = std::move(own),
+                                             .overlap = model_->edge_length});
+  if (lip) state_.cut.gap = GapBeyond{.lip = snapped_to_edges(surface(), *lip), .way = way};
+}
+
+bool Body::come_out_of_gap(const ToolPose& pose) {
+  if (!state_.cut.gap) return false;
+  const GapBeyond& gap = *state_.cut.gap;
+  const Eigen::Vector3d lip = place_on(*model_, gap.lip.triangle, gap.lip.weights, state_.equilibrium.position);
+  if ((pose.tip - lip).dot(gap.way) < 0) return false;
+  begin_cut(gap.lip);
+  state_.cut.gap.reset();
+  return true;
 }
 
 void Body::leave_cut() {
@@ -209,13 +245,11 @@ void Body::leave_cut() {
   const double due = std::exchange(state_.cut.due, 0);
   state_.books.fracture += due;
   state_.books.jump -= due;
-  state_.cut.left.reset();
+  state_.cut.gap.reset();
   state_.cut.tool.reset();
   state_.cut.tip.reset();
   state_.cut.start.reset();
-  state_.cut.pushed.clear();
   state_.cut.resistance = state_.cut.push = state_.cut.progress = state_.cut.given = state_.cut.owed = 0;
-  state_.cut.blade_force.setZero();
 }
 
 }  // namespace thinwall

@@ -36,10 +36,10 @@ struct HeldLips {
   bool pays = true;   // whether what it releases pays for new cut area, or is lost
 };
 
-/// A vertex that bears a share of the blade's push.
-struct PushedVertex {
-  int vertex = 0;
-  double share = 0;  // of the push; the sum is 1, or less where the wall is too slack to bear it
+/// A gap of the wall that a blade crosses.
+struct GapBeyond {
+  SurfacePoint lip;                                // where it comes back into the wall
+  Eigen::Vector3d way = Eigen::Vector3d::UnitX();  // unit, of the blade
 };
 
 /// A cut that is being made. The mesh is cut some way at a time, the blade goes on evenly: so the lips of what was just
@@ -47,40 +47,32 @@ struct PushedVertex {
 /// crack that grows by an element (Malluck and King 1980). What these forces take up while the lips open is the elastic
 /// energy that the wall releases; what the new area costs beyond it the blade pays, and feels as resistance.
 ///
-/// The edge pushes the wall as hard as it is held back itself, at most with that resistance: below it the wall sticks
-/// to the edge and is dragged along. At one point the push would crumple a membrane, which bears no compression: it is
-/// spread around the tip so far that the wall's tension outweighs it, and where that is not enough, as beside a free
-/// lip, the wall bears a part of it only; the blade pays all the same.
+/// A sharp blade parts the wall and does not drag it along: the wall around feels the lips alone. To let it bear the
+/// resistance as well would take away its tension before the tip, and beside a free lip it has none to give.
 struct CutProgress {
   std::optional<int> tool = {};            // whose blade is in the wall: the wall is free on it
   std::optional<SurfacePoint> start = {};  // where a blade met the wall, until it is cut there
   std::optional<int> tip = {};             // vertex where the cut goes on
-  std::optional<Eigen::Vector3d> left =
-      {};                           // metres, where it ran into an open border, until a blade meets the wall again
-  std::vector<HeldLips> held = {};  // in the order of the cuts: lips that are not free yet
-  double cost = 0;                  // newton: of new cut area per length at the tip
-  double resistance = 0;            // newton
-  double push = 0;                  // newton, along the blade's way
-  double progress = 0;              // part of the blade's last way by which it cut, the rest it dragged the wall
-  double given = 0;                 // newton: what the wall releases per length, mean over a triangle
-  double owed = 0;                  // joule, of the new area so far, that neither blade nor wall has paid yet
-  double due = 0;                   // joule, that what has been cut is worth beyond what has been booked for it
-  Eigen::Vector3d blade_force = Eigen::Vector3d::Zero();  // newton, of the edge on the wall
-  std::vector<PushedVertex> pushed = {};                  // around the tip
-  double length = 0;                                      // metres, rest, cut since time zero
+  std::optional<GapBeyond> gap = {};       // that the blade is in
+  std::vector<HeldLips> held = {};         // in the order of the cuts: lips that are not free yet
+  double cost = 0;                  // newton: of new cut area per length, as it is stretched now, at the tip
+  double resistance = 0;                   // newton
+  double push = 0;                         // newton, of the blade along its way
+  double progress = 0;                     // part of the blade's last way by which it cut; the wall came along the rest
+  double given = 0;                        // newton: what the wall releases per length, mean over a triangle
+  double owed = 0;                         // joule, of the new area so far, that neither blade nor wall has paid yet
+  double due = 0;                          // joule, that what has been cut is worth beyond what has been booked for it
+  double length = 0;                       // metres, rest, cut since time zero
 
   /// Whether there is wall before the blade, and it is not in a gap or beyond a border.
   bool is_in_wall() const { return tip || start; }
 };
 
-/// After a step in which the blade pushed with `push`, newton: lips let go one after the other over what the blade
-/// cuts, taken to be the same part of its way as in the step before, or all by a fixed part where no blade goes on.
-CutProgress let_go(const CutProgress& progress, const std::optional<BladeInput>& blade, double push);
+/// After a step: lips let go one after the other over what the blade cuts, taken to be the same part of its way as in
+/// the step before, or all by a fixed part where no blade goes on.
+CutProgress let_go(const CutProgress& progress, const std::optional<BladeInput>& blade);
 
-/// Sum of a field over the vertices that a blade pushes, by their shares. `values`: (unknowns).
-Eigen::Vector3d mean_pushed(const CutProgress& progress, const Eigen::VectorXd& values);
-
-/// Forces at the lips and around the tip, (unknowns), newton; none where there are none.
+/// Forces at the lips, (unknowns), newton; none where there are none.
 Eigen::VectorXd force_at_lips(const CutProgress& progress, Eigen::Index unknowns);
 
 }  // namespace thinwall

@@ -131,8 +131,7 @@ struct EquilibriumProblem {
   WallMemory memory;
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // metres / second^2
   std::vector<double> load_factors;                   // (loads); 1 where it is shorter
-  double push = 0;                                    // newton, of a blade on the wall along its way
-  Eigen::VectorXd cut_force;                          // (unknowns) or none, newton, dead: of the push, and at the lips
+  Eigen::VectorXd cut_force;                          // (unknowns) or none, newton, dead, at the lips of a cut
   Eigen::VectorXd start;                              // (unknowns), metres: from where rotations under moments count
   double inertia = 0;               // 1 / second^2, factor of mass (position - inertia_target); zero for statics
   Eigen::VectorXd inertia_target;   // (unknowns), metres

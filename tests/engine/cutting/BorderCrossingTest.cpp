@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "engine/mesh/Shapes.hpp"
 
 namespace thinwall {
@@ -32,25 +34,57 @@ struct Halves {
     for (int k = 0; k < 3; ++k) place += point.weights[k] * position.segment<3>(3 * corners[k]);
     return place;
   }
+  double gap() const {  // half of it
+    double extent = 0;
+    for (const Eigen::Vector3d& vertex : mesh.vertices) extent = std::max(extent, vertex.y());
+    return size() - extent;
+  }
 };
 
-TEST(BorderCrossing, FindsTheNearAndTheFarBorderOfAGap) {
+TEST(FirstBorder, IsTheNearSideOfAGap) {
   const Halves halves;
-  double extent = 0;  // of a half along y
-  for (const Eigen::Vector3d& vertex : halves.mesh.vertices) extent = std::max(extent, vertex.y());
-  const double gap = Halves::size() - extent;
+  const double gap = halves.gap();
   ASSERT_GT(gap, 0.1);
   const Eigen::Vector3d from(0.1, -gap - 0.3, 0), to(0.2, gap + 0.25, 0.02);
-  const auto first = border_crossing(halves.view(), from, to, kDown, Crossing::kFirst);
-  const auto last = border_crossing(halves.view(), from, to, kDown, Crossing::kLast);
-  ASSERT_TRUE(first && last);
+  const auto first = first_border(halves.view(), from, to, kDown);
+  ASSERT_TRUE(first);
   EXPECT_NEAR(halves.at(*first).y(), -gap, 1e-12);
-  EXPECT_NEAR(halves.at(*last).y(), gap, 1e-12);
   EXPECT_NEAR(halves.at(*first).x(), 0.1 + 0.1 * 0.3 / (0.55 + 2 * gap), 1e-12);
   // From the near border itself only the far one counts, and none backwards.
-  EXPECT_NEAR(halves.at(*border_crossing(halves.view(), halves.at(*first), to, kDown, Crossing::kFirst)).y(), gap,
-              1e-12);
-  EXPECT_FALSE(border_crossing(halves.view(), from, {0.1, -gap - 0.4, 0}, kDown, Crossing::kFirst));
+  EXPECT_NEAR(halves.at(*first_border(halves.view(), halves.at(*first), to, kDown)).y(), gap, 1e-12);
+  EXPECT_FALSE(first_border(halves.view(), from, {0.1, -gap - 0.4, 0}, kDown));
+}
+
+TEST(BorderBeyond, IsTheOneWhoseWallLiesAhead) {
+  const Halves halves;
+  const double gap = halves.gap();
+  const BladeInGap blade{
+      .left = {0.1, -gap, 0}, .way = Eigen::Vector3d::UnitY(), .line = kDown, .above = -0.5, .below = 0.1};
+  const auto lip = border_beyond(halves.view(), blade);
+  ASSERT_TRUE(lip);
+  EXPECT_NEAR((halves.at(*lip) - Eigen::Vector3d(0.1, gap, 0)).norm(), 0, 1e-12);
+  // No wall lies ahead the other way, nor above the blade's edge, nor where the lips are the blade's own.
+  BladeInGap back = blade, below = blade, own = blade;
+  back.way = -blade.way;
+  back.left.y() -= 0.05;
+  EXPECT_FALSE(border_beyond(halves.view(), back));
+  below.above = 0.05;
+  EXPECT_FALSE(border_beyond(halves.view(), below));
+  own.lips = {halves.mesh.triangles[static_cast<std::size_t>(lip->triangle)].begin(),
+              halves.mesh.triangles[static_cast<std::size_t>(lip->triangle)].end()};
+  EXPECT_FALSE(border_beyond(halves.view(), own));
+}
+
+TEST(BorderBeyond, IsFoundWhereTheLipsOverlap) {
+  const Halves halves;
+  const double gap = halves.gap();
+  BladeInGap blade{
+      .left = {0.1, gap + 0.05, 0}, .way = Eigen::Vector3d::UnitY(), .line = kDown, .above = -0.5, .below = 0.1};
+  EXPECT_FALSE(border_beyond(halves.view(), blade));
+  blade.overlap = 0.1;
+  const auto lip = border_beyond(halves.view(), blade);
+  ASSERT_TRUE(lip);
+  EXPECT_NEAR(halves.at(*lip).y(), gap, 1e-12);
 }
 
 }  // namespace
