@@ -55,7 +55,7 @@ struct CutProgress {
   std::optional<int> tip = {};             // vertex where the cut goes on
   std::optional<GapBeyond> gap = {};       // that the blade is in
   std::vector<HeldLips> held = {};         // in the order of the cuts: lips that are not free yet
-  double cost = 0;                  // newton: of new cut area per length, as it is stretched now, at the tip
+  double cost = 0;                         // newton: of new cut area per length, as it is stretched now, at the tip
   double resistance = 0;                   // newton
   double push = 0;                         // newton, of the blade along its way
   double progress = 0;                     // part of the blade's last way by which it cut; the wall came along the rest
