@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "engine/contact/ContinuousCollision.hpp"
+#include "engine/contact/LipNeighbours.hpp"
 #include "engine/mesh/MeshTopology.hpp"
 
 namespace thinwall {
@@ -60,7 +60,7 @@ SelfContact::SelfContact(const SelfContactDefinition& definition)
   measure_parts(definition);
   tree_ = TriangleTree(triangles_, rest_position_, margins_);
   measure_heights(definition);
-  find_neighbours_across();
+  across_ = neighbours_across_cuts(triangles_, rest_position_);
   gather_stars();
   list_near(rest_position_);
 }
@@ -201,40 +201,6 @@ void SelfContact::list_if_near(PairKind kind, const Eigen::Vector4i& vertices, c
   if (distance > largest_range_ + margin) return;
   const std::optional<NearPair> pair = describe(kind, vertices);
   if (pair && distance <= pair->range + margin) near_.push_back(*pair);
-}
-
-void SelfContact::find_neighbours_across() {
-  const int vertices = static_cast<int>(held_.size());
-  across_.assign(vertices, {});
-  const auto place = [&](int v) {
-    return std::array{rest_position_[3 * v], rest_position_[3 * v + 1], rest_position_[3 * v + 2]};
-  };
-  std::vector<int> by_place;
-  std::vector<char> is_used(vertices, 0);
-  for (const Eigen::Vector3i& triangle : triangles_) {
-    for (const int v : triangle) {
-      if (!std::exchange(is_used[v], 1)) by_place.push_back(v);
-    }
-  }
-  std::ranges::sort(by_place, [&](int a, int b) { return std::pair(place(a), a) < std::pair(place(b), b); });
-  std::vector<std::vector<int>> doubles(vertices);
-  for (std::size_t begin = 0, end = 0; begin < by_place.size(); begin = end) {
-    while (end < by_place.size() && place(by_place[end]) == place(by_place[begin])) ++end;
-    for (std::size_t a = begin; a < end; ++a) {
-      for (std::size_t b = begin; b < end; ++b) {
-        if (a != b) doubles[by_place[a]].push_back(by_place[b]);
-      }
-    }
-  }
-  for (const Eigen::Vector3i& triangle : triangles_) {
-    for (const int lip : triangle) {
-      for (const int v : triangle) across_[v].insert(across_[v].end(), doubles[lip].begin(), doubles[lip].end());
-    }
-  }
-  for (std::vector<int>& one : across_) {
-    std::ranges::sort(one);
-    one.erase(std::unique(one.begin(), one.end()), one.end());
-  }
 }
 
 bool SelfContact::were_neighbours(PairKind kind, const Eigen::Vector4i& vertices) const {

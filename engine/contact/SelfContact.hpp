@@ -97,7 +97,6 @@ class SelfContact {
   void list_near(const Eigen::VectorXd& position);
   template <typename Visit>
   void visit_parts(int triangle, int other, const Visit& visit) const;
-  void find_neighbours_across();
   bool were_neighbours(PairKind kind, const Eigen::Vector4i& vertices) const;
   bool touches_at_rest(PairKind kind, const Eigen::Vector4i& vertices) const;
   /// Nothing of parts that are left alone.

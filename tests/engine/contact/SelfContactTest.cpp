@@ -192,6 +192,50 @@ TEST(SelfContact, LetsThroughMotionsThatMeetNothing) {
   EXPECT_EQ(wall.contact.safe_fraction(wall.rest, turned - wall.rest), 1);
 }
 
+/// A sheet that is cut in two along x = 0, and which of its vertices are on the right.
+struct HalvedSheet {
+  SurfaceMesh mesh = make_sheet(40e-3, 40e-3, 512);
+  std::vector<char> is_right;
+  HalvedSheet() {
+    const std::size_t whole = mesh.vertices.size();
+    std::vector<int> doubled(whole, -1);
+    is_right.assign(whole, 0);
+    for (Eigen::Vector3i& triangle : mesh.triangles) {
+      double middle = 0;
+      for (const int v : triangle) middle += mesh.vertices[v].x() / 3;
+      if (middle < 0) continue;
+      for (int& v : triangle) {
+        if (doubled[v] < 0) {
+          doubled[v] = static_cast<int>(mesh.vertices.size());
+          mesh.vertices.push_back(mesh.vertices[v]);
+          is_right.push_back(1);
+        }
+        v = doubled[v];
+      }
+    }
+  }
+  Eigen::VectorXd moved(const Eigen::Vector3d& by) const {
+    Eigen::VectorXd position = position_of(mesh);
+    for (std::size_t v = 0; v < is_right.size(); ++v) {
+      if (is_right[v]) position.segment<3>(3 * static_cast<Eigen::Index>(v)) += by;
+    }
+    return position;
+  }
+};
+
+TEST(SelfContact, LetsTheLipsOfACutSlideOverEachOtherByAnEdge) {
+  const HalvedSheet sheet;  // edges of 2.5 mm
+  Wall wall(sheet.mesh);
+  Eigen::VectorXd gradient;
+  const Eigen::VectorXd over = sheet.moved({-1e-3, 0, 0});
+  EXPECT_EQ(wall.contact.safe_fraction(wall.rest, over - wall.rest), 1);
+  EXPECT_TRUE(wall.evaluate(over, gradient).folds.empty());
+  // What lay farther from the cut is kept apart, as any two parts of the wall.
+  const Eigen::VectorXd above = sheet.moved({-12e-3, 0, 0.3e-3}), below = sheet.moved({-12e-3, 0, -0.3e-3});
+  EXPECT_GT(wall.evaluate(above, gradient).folds.size(), 20U);
+  EXPECT_LT(wall.contact.safe_fraction(above, below - above), 0.5);
+}
+
 TEST(SelfContact, StopsTheWallAboveItsFloor) {
   SurfaceMesh mesh = make_hemisphere(20e-3, 256);
   Wall wall(mesh, 1e-3, {{.normal = Eigen::Vector3d::UnitZ(), .height = 0}});
