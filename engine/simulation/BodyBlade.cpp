@@ -47,7 +47,7 @@ double Body::book_cut(const CutProgress& before, const Eigen::VectorXd& motion,
     }
   }
   double paid = 0;  // joule, by the blade
-  if (blade && blade->travel > 0 && before.is_in_wall()) {
+  if (blade && blade->travel > 0) {
     const double advance = std::max(0.0, blade->travel - way_of_wall(*blade, motion));
     paid = 0.5 * (before.push + after.push) * blade->travel;
     after.progress = advance / blade->travel;

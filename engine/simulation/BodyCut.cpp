@@ -81,6 +81,12 @@ Cut Body::change_mesh(const CutPath& path, CutOptions options, Uncut* before) {
   Cut cut = surface_->cut(path, options);
   if (cut.triangles.empty()) return cut;
   if (before != nullptr) before->state = state_;
+  // Places on triangles that are not there any more: a blade looks for the wall anew.
+  const auto is_changed = [&](int triangle) {
+    return std::ranges::binary_search(cut.triangles, triangle, {}, &TriangleSource::triangle);
+  };
+  if (state_.cut.start && is_changed(state_.cut.start->triangle)) state_.cut.start.reset();
+  if (state_.cut.gap && is_changed(state_.cut.gap->lip.triangle)) state_.cut.gap.reset();
   auto after = std::make_unique<BodyModel>(make_body_model(cut_definition(*model_, surface_->mesh(), cut)));
   state_ = carried_over(*model_, state_, *after, cut, options_.gravity);
   // A piece that nothing holds any more stays where it has just come off.

@@ -19,7 +19,7 @@ CutProgress let_go(const CutProgress& progress, const std::optional<BladeInput>&
     lips.held -= part;
     travel -= part * lips.length;
   }
-  after.push = blade && blade->travel > 0 && progress.is_in_wall() ? progress.resistance : 0;
+  after.push = blade && blade->travel > 0 ? progress.resistance : 0;
   return after;
 }
 

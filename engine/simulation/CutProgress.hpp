@@ -48,7 +48,8 @@ struct GapBeyond {
 /// energy that the wall releases; what the new area costs beyond it the blade pays, and feels as resistance.
 ///
 /// A sharp blade parts the wall and does not drag it along: the wall around feels the lips alone. To let it bear the
-/// resistance as well would take away its tension before the tip, and beside a free lip it has none to give.
+/// resistance as well would take away its tension before the tip, and beside a free lip it has none to give. So what
+/// holds the body does not feel the resistance.
 struct CutProgress {
   std::optional<int> tool = {};            // whose blade is in the wall: the wall is free on it
   std::optional<SurfacePoint> start = {};  // where a blade met the wall, until it is cut there
@@ -69,7 +70,7 @@ struct CutProgress {
 };
 
 /// After a step: lips let go one after the other over what the blade cuts, taken to be the same part of its way as in
-/// the step before, or all by a fixed part where no blade goes on.
+/// the step before, or all by a fixed part where no blade goes on. `blade`: none in a gap of the wall.
 CutProgress let_go(const CutProgress& progress, const std::optional<BladeInput>& blade);
 
 /// Forces at the lips, (unknowns), newton; none where there are none.
