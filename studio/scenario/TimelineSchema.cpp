@@ -106,14 +106,14 @@ MappingSchema incise() {
        {"withdraw", boolean_value(), false, "true", "whether the blade goes back"}},
       " The points are brought to the surface as it is when the clip starts; neighbours are joined by the curve in "
       "which the plane through both and the mean inward normal meets the surface, the shorter way round and straight "
-      "on "
-      "over open wounds. The blade's width lies along the path, and its middle follows it. Where the path turns back "
-      "sharply the blade goes back without turning. The wall dents until the blade has put into it what a slit as long "
-      "as the blade is wide would cost (toughness times thickness times width), at the latest until the blade moves on "
-      "along the path; then the blade is in, and cuts the wall that its edge meets first. Errors are points out of "
-      "reach "
-      "or not joined by the wall, a depth larger than the blade is high or the body measures there, and a blade that "
-      "would start inside the body or touch it already.");
+      "on over open wounds. The blade's width lies along the path, and its middle follows it. Where the path turns "
+      "back sharply the blade goes back without turning. The wall dents until the blade has put into it what a slit "
+      "as long as the blade is wide would cost (toughness times thickness times width), at the latest until the "
+      "blade moves on along the path; then the blade is in, and cuts the wall that its edge meets first. A sharp "
+      "blade does not drag the wall along: the blade feels what new area costs beyond what the wall releases, but "
+      "what holds the body does not. Errors are points out of reach or not joined by the wall, a depth larger than "
+      "the blade is high or the body measures there, and a blade that would start inside the body or touch it "
+      "already.");
 }
 
 MappingSchema move() {
