@@ -15,7 +15,6 @@
 #include <cstring>
 #include <map>
 #include <numbers>
-#include <random>
 #include <sstream>
 #include <string>
 
@@ -24,6 +23,7 @@
 #include "tests/engine/contact/SurfaceIntersections.hpp"
 #include "tests/engine/simulation/OpenBodies.hpp"
 #include "tests/engine/simulation/RandomMaterials.hpp"
+#include "tests/engine/simulation/RandomNumbers.hpp"
 #include "tests/engine/simulation/TestBodies.hpp"
 
 namespace thinwall {
@@ -45,12 +45,9 @@ struct Recipe {
   std::string kind, words;
 };
 
-class Drawer {
+class Drawer : RandomNumbers {
  public:
-  Drawer(unsigned seed, unsigned number, bool open) : open_(open) {
-    std::seed_seq sequence{seed, number};
-    random_.seed(sequence);
-  }
+  Drawer(unsigned seed, unsigned number, bool open) : RandomNumbers(seed, number), open_(open) {}
 
   Recipe draw() {
     Recipe recipe;
@@ -77,7 +74,7 @@ class Drawer {
                              : shape_ == 2 ? make_semicylinder(kRadius, 30e-3, triangles_)
                              : shape_ == 3 ? make_cylinder(kRadius, 40e-3, triangles_)
                                            : make_sheet(40e-3, 40e-3, triangles_);
-    const Material material = random_material(modulus_, random_);
+    const Material material = random_material(modulus_, engine);
     recipe.body = make_body(mesh, thickness_, material);
     if (shape_ == 1 || shape_ == 2) recipe.body.fixed.push_back(fixed_group("base"));
     if (shape_ == 2 || shape_ == 3) recipe.body.fixed.push_back(fixed_group("ends"));
@@ -209,15 +206,11 @@ class Drawer {
     }
   }
 
-  double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
-  int pick(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
-
   /// What a balloon of that wall holds, pascal, roughly.
   double burst_pressure() const { return 1.2 * modulus_ * thickness_ / kRadius; }
 
   static constexpr double kRadius = 20e-3;  // metres
   static constexpr double kRoom = 3e-3;     // metres, that two walls want between a tool and what holds them
-  std::mt19937 random_;
   std::ostringstream words_;
   int shape_ = 0, triangles_ = 0;
   bool in_bed_ = false, open_ = false;

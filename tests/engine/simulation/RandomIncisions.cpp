@@ -15,7 +15,6 @@
 #include <ctime>
 #include <map>
 #include <numbers>
-#include <random>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -26,6 +25,7 @@
 #include "tests/engine/cutting/CutInvariants.hpp"
 #include "tests/engine/simulation/DrawnBlade.hpp"
 #include "tests/engine/simulation/RandomMaterials.hpp"
+#include "tests/engine/simulation/RandomNumbers.hpp"
 #include "tests/engine/simulation/TestBodies.hpp"
 
 namespace thinwall {
@@ -44,12 +44,9 @@ struct Recipe {
 
 enum Shape { kSheet, kSphere, kHemisphere, kCylinder };
 
-class Drawer {
+class Drawer : RandomNumbers {
  public:
-  Drawer(unsigned seed, unsigned number, bool large) : large_(large) {
-    std::seed_seq sequence{seed, number};
-    random_.seed(sequence);
-  }
+  Drawer(unsigned seed, unsigned number, bool large) : RandomNumbers(seed, number), large_(large) {}
 
   Recipe draw() {
     Recipe recipe;
@@ -72,7 +69,7 @@ class Drawer {
                              : shape_ == kHemisphere ? make_hemisphere(kRadius, triangles)
                                                      : make_cylinder(kRadius, 3 * kRadius, triangles);
     edge_ = std::sqrt(2.3 * wall_area(mesh) / static_cast<double>(mesh.triangles.size()));
-    const Material material = random_material(modulus, random_);
+    const Material material = random_material(modulus, engine);
     recipe.body = make_body(mesh, thickness, material);
     recipe.body.toughness = {between(5, 200)};
     if (pick(4) == 0) recipe.body.model = WallModel::kShell;
@@ -200,10 +197,6 @@ class Drawer {
     return area;
   }
 
-  double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
-  int pick(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
-
-  std::mt19937 random_;
   std::ostringstream words_;
   bool large_ = false;
   int shape_ = 0;
