@@ -159,6 +159,32 @@ def octant(divisions: int) -> None:
     write(f"octant_{len(triangles)}.obj", np.array(points), triangles, "An octant of a cylinder; metres")
 
 
+def slit_sheet(segments: int) -> None:
+    """A sheet within an ellipse, its vertices on confocal ellipses and hyperbolas, 2 x - 1 = cosh u cos v and
+    2 y = sinh u sin v. The line from focus to focus is a row of edges. For a slit there the plane solution is smooth in u
+    and v, so that these triangles, small at the tips and large far away, suit it."""
+    around, step, outermost = 2 * segments, np.pi / segments, np.arccosh(40)
+    growth = 2 / segments  # rings grow outwards, where the solution fades
+    rings = int(np.ceil(np.log1p(growth * outermost / step) / np.log1p(growth)))
+    reach = outermost * ((1 + growth) ** np.arange(rings + 1) - 1) / ((1 + growth) ** rings - 1)
+    places = [(0.0, step * k) for k in range(segments + 1)]
+    places += [(u, step * k) for u in reach[1:] for k in range(around)]
+    points = [((1 + np.cosh(u) * np.cos(v)) / 2, np.sinh(u) * np.sin(v) / 2, 0) for u, v in places]
+
+    def vertex(ring: int, k: int) -> int:
+        k %= around
+        return segments + 1 + (ring - 1) * around + k if ring else min(k, around - k)
+
+    triangles = []
+    for ring in range(rings):
+        for k in range(around):
+            a, b, c, d = vertex(ring, k), vertex(ring + 1, k), vertex(ring + 1, k + 1), vertex(ring, k + 1)
+            rises = (k // (segments // 2)) % 2 == 0  # a mirror image of itself in both axes
+            triangles += [(a, b, c), (a, c, d)] if rises else [(a, b, d), (b, c, d)]
+    write(f"slit_sheet_{len(triangles)}.obj", np.array(points), triangles,
+          "A sheet within an ellipse; a row of edges from 0 to 1 on the x axis joins its foci; it is 40 wide")
+
+
 def main() -> None:
     for divisions in (16, 32, 48):
         roof(divisions)
@@ -174,6 +200,8 @@ def main() -> None:
         ball(divisions)
     for rings in (10, 20, 30):
         disc_on_cone(rings)
+    for segments in (24, 40, 72):
+        slit_sheet(segments)
 
 
 if __name__ == "__main__":

@@ -10,7 +10,7 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 from oracles import (axisymmetric_membrane, drum, fingerpad, fluids, hencky, inflated_sphere,  # noqa: E402
-                     published_shells, spherical_shell, strips, viscoelasticity, wall_laws)
+                     published_shells, slit, spherical_shell, strips, viscoelasticity, wall_laws)
 
 # mu = 2 makes c1 = mu / 2 the unit.
 RUBBER = wall_laws.neo_hookean(2.0)
@@ -175,6 +175,13 @@ class Fluids(unittest.TestCase):
         drop = (np.sqrt(slope * 1e-6) - slope * 0.6 * area * np.sqrt(2 / density) * 0.2) ** 2
         self.assertAlmostEqual(slope * (volumes[0, 0] - volumes[1, 0]) / drop, 1, 6)
 
+    def test_leak_of_a_linear_chamber_lowers_the_root_of_the_pressure_evenly(self):
+        stiffness, area, times = 2e7, 3e-6, np.array([0.5, 1.0, 2.0])
+        volumes = fluids.leak(lambda volume: stiffness * (volume - 1e-5), 3e-5, area, 0.6, 1000.0, times)
+        roots = np.sqrt(stiffness * 2e-5) - 0.5 * stiffness * 0.6 * area * np.sqrt(2 / 1000.0) * (times - 0.5)
+        self.assertGreater(roots[-1], 0)
+        np.testing.assert_allclose(stiffness * (volumes - 1e-5), roots**2, rtol=1e-7)
+
     def test_weightless_tank_is_an_arc_of_a_circle_under_even_pressure(self):
         law = wall_laws.neo_hookean(20e3)
         pull, pressure, points = fluids.tank_with_membrane_side(law, 1e-3, 20e-3, 0, 1.3)
@@ -188,6 +195,30 @@ class Fluids(unittest.TestCase):
         first = np.diff(points[:, :2]).ravel() / np.linalg.norm(np.diff(points[:, :2]))
         last = np.diff(points[:, -2:]).ravel() / np.linalg.norm(np.diff(points[:, -2:]))
         self.assertAlmostEqual(pull * (first[0] - last[0]) / (weight * 1.3 * np.pi * 20e-3**2 / 2), -1, delta=1e-2)
+
+
+class Slit(unittest.TestCase):
+    def test_unstretched_sheet_is_that_of_griffith(self):
+        self.assertAlmostEqual(slit.compliance_of_stretched_sheet(1.0), 1, 13)
+
+    def test_stretched_half_plane_yields_as_its_waves_do(self):
+        """Displacements U exp(i k x - s k y) of the half plane y > 0 that a normal traction on its border makes."""
+        stretch, kronecker = 1.1, np.eye(2)
+        # Second derivatives of mu/2 (F:F + det F^-2) in the stretched sheet, mu = 1: A[i, p, j, q] d_p u_i d_q u_j.
+        moduli = stretch**2 * np.einsum("ij,pq->ipjq", kronecker, kronecker) + stretch**-4 * (
+            2 * np.einsum("ip,jq->ipjq", kronecker, kronecker) + np.einsum("iq,jp->ipjq", kronecker, kronecker))
+        forth, cross, side = moduli[:, 0, :, 0], moduli[:, 0, :, 1] + moduli[:, 1, :, 0], moduli[:, 1, :, 1]
+        companion = np.block([[np.zeros((2, 2)), kronecker],
+                              [np.linalg.solve(side, forth), np.linalg.solve(side, 1j * cross)]])
+        decays, waves = np.linalg.eig(companion)
+        fading = decays.real > 0
+        decays, waves = decays[fading], waves[:2, fading]
+        tractions = np.column_stack([moduli[:, 1, :, 0] @ wave * 1j - decay * moduli[:, 1, :, 1] @ wave
+                                     for decay, wave in zip(decays, waves.T)])
+        yields = waves @ np.linalg.solve(tractions, [0, -1])
+        # A sheet of modulus 3 mu that is not stretched yields by 2 / (3 mu k).
+        # Both waves fade alike, so that they are told apart by the root of the rounding.
+        self.assertAlmostEqual(yields[1].real / (2 / 3), slit.compliance_of_stretched_sheet(stretch), 6)
 
 
 class Strips(unittest.TestCase):

@@ -28,6 +28,15 @@ def two_chambers(pressure_of_volume: tuple[Callable, Callable], volumes: tuple[f
     return solve_ivp(rate, (0, times[-1]), volumes, t_eval=times, rtol=1e-9, atol=1e-18).y
 
 
+def leak(pressure_of_volume: Callable, volume: float, area: float, discharge: float, density: float, times) -> np.ndarray:
+    """Volumes over time (times) of a chamber with an opening: V' = -Cd A sqrt(2 p / density)."""
+
+    def rate(_, y):
+        return [-discharge * area * np.sqrt(2 * max(0.0, float(pressure_of_volume(y[0]))) / density)]
+
+    return solve_ivp(rate, (times[0], times[-1]), [volume], t_eval=times, rtol=1e-10, atol=1e-18).y[0]
+
+
 def tank_with_membrane_side(law: Law, thickness: float, radius: float, specific_weight: float, filling: float):
     """A tank whose flat rigid side lies on x in [-R, R], z = 0 and whose other side is a membrane, stress-free a half
     circle of radius R about the origin; plane strain, filled to `filling` times pi R^2 / 2 of area, gravity along -x.

@@ -56,11 +56,15 @@ class Records:
         return {column: np.array([float(row[column]) for row in rows])
                 for column in rows[0] if column not in ("body", "point")}
 
-    def surface(self, body: str) -> "Surface":
+    def surface(self, body: str, after_cuts: bool = False) -> "Surface":
+        """A body's wall as it was before the first cut, or from the last cut on."""
         with h5py.File(self.folder / "take.h5") as take:
-            epoch = take["surfaces"][body]["epoch_0"]
-            return Surface(time=take["time"][:], rest=epoch["rest_positions"][:].astype(float),
-                           triangles=epoch["triangles"][:].astype(int), positions=epoch["positions"][:].astype(float))
+            epochs = take["surfaces"][body]
+            epoch = epochs[f"epoch_{len(epochs) - 1 if after_cuts else 0}"]
+            first, positions = int(epoch.attrs["first_step"]), epoch["positions"][:].astype(float)
+            return Surface(time=take["time"][first:first + len(positions)],
+                           rest=epoch["rest_positions"][:].astype(float), triangles=epoch["triangles"][:].astype(int),
+                           positions=positions)
 
 
 @dataclass(frozen=True)
