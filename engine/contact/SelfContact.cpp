@@ -23,6 +23,10 @@ constexpr double kRestRange = 0.5;
 /// Stress-free distances below this part of the mean edge length count as touching.
 constexpr double kTouching = 1e-6;
 
+/// Part of the range below which two parts that a cut has left so are in each other: what kept them apart before, that
+/// they shared a vertex or were neighbours, the cut has ended.
+constexpr double kInEachOther = 0.02;
+
 bool share_vertex(const Eigen::Vector3i& one, const Eigen::Vector3i& other) {
   for (const int vertex : one) {
     if (vertex == other[0] || vertex == other[1] || vertex == other[2]) return true;
@@ -50,6 +54,7 @@ Eigen::Vector3d mean_of(const Eigen::VectorXd& vectors, std::size_t count) {
 SelfContact::SelfContact(const SelfContactDefinition& definition)
     : triangles_(definition.triangles.begin(), definition.triangles.end()),
       rest_position_(definition.position),
+      placement_(definition.placement),
       floors_(definition.floors),
       pressure_(definition.pressure) {
   const std::size_t vertices = rest_position_.size() / 3;
@@ -177,7 +182,7 @@ void SelfContact::list_near(const Eigen::VectorXd& position) {
 std::optional<NearPair> SelfContact::describe(PairKind kind, const Eigen::Vector4i& vertices) const {
   const PairCorners rest = corners_at(vertices, rest_position_);
   const double rest_distance = pair_distance(kind, rest).distance;
-  if (rest_distance < kTouching * edge_length_ || were_neighbours(kind, vertices)) return std::nullopt;
+  if (is_left_alone(kind, vertices, rest_distance)) return std::nullopt;
   double thickness = 0, area = 0;
   for (const int vertex : vertices) thickness += 0.25 * vertex_thickness_[vertex];
   // Each place of the wall is counted by its points and by its edges (three to a point), and once from either side.
@@ -243,8 +248,11 @@ void SelfContact::gather_stars() {
   stars_ = StarPairs(triangles_, std::move(pairs), margins, rest_position_);
 }
 
-bool SelfContact::touches_at_rest(PairKind kind, const Eigen::Vector4i& vertices) const {
-  return pair_distance(kind, corners_at(vertices, rest_position_)).distance < kTouching * edge_length_;
+bool SelfContact::is_left_alone(PairKind kind, const Eigen::Vector4i& vertices, double rest_distance) const {
+  if (rest_distance < kTouching * edge_length_ || were_neighbours(kind, vertices)) return true;
+  if (placement_.size() == 0) return false;
+  const double distance = pair_distance(kind, corners_at(vertices, placement_)).distance;
+  return distance < kInEachOther * std::min(largest_range_, kRestRange * rest_distance);
 }
 
 double SelfContact::safe_fraction_above_floors(const Eigen::VectorXd& position, const Eigen::VectorXd& motion) const {
@@ -284,9 +292,10 @@ double SelfContact::safe_fraction(const Eigen::VectorXd& position, const Eigen::
   tree_.visit_meeting([&](int triangle, int other) {
     if (share_vertex(triangles_[triangle], triangles_[other])) return;
     visit_parts(triangle, other, [&](PairKind kind, const Eigen::Vector4i& vertices) {
-      if (were_neighbours(kind, vertices)) return;
       const double one = fraction_of(kind, vertices);
-      if (one < fraction && !touches_at_rest(kind, vertices)) fraction = one;
+      if (one >= fraction) return;
+      const double rest_distance = pair_distance(kind, corners_at(vertices, rest_position_)).distance;
+      if (!is_left_alone(kind, vertices, rest_distance)) fraction = one;
     });
   });
   return fraction;

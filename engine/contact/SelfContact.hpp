@@ -28,6 +28,7 @@ struct SelfContactDefinition {
   std::span<const char> fixed;                 // (3 vertices), unknowns that do not move
   std::vector<FloorPlane> floors;
   double pressure = 1;  // pascal, of the potentials: the scale at which two parts lie on each other at half the range
+  Eigen::VectorXd placement = {};  // (3 vertices) or none, metres, where the wall is after a cut
 };
 
 /// Two parts of the wall within range of each other.
@@ -57,9 +58,10 @@ struct SelfContactTerms {
 /// wall's thickness there, 0.4 of the mean edge length of the mesh, and half of the distance that the two have in the
 /// stress-free shape: neighbours do not feel each other unless the wall crumples, nor does a fine mesh. Parts that
 /// touch in the stress-free shape are left alone, and so are those beside a cut that were neighbours before it: pressed
-/// together, the lips of a wound slide over each other by an edge rather than jam in the wall's plane. The force grows
-/// without bound as the distance goes to zero, and `safe_fraction` keeps every motion from jumping over it, so that a
-/// wall that is free of intersections stays so.
+/// together, the lips of a wound slide over each other by an edge rather than jam in the wall's plane. Parts that a cut
+/// leaves all but in each other are left alone too, until the next cut. The force grows without bound as the distance
+/// goes to zero, and `safe_fraction` keeps every motion from jumping over it, so that a wall that is free of
+/// intersections stays so.
 ///
 /// Pairs whose triangles share no vertex are listed with the margins of their vertices, parts of the edges there, and
 /// the list is kept until a vertex (less the mean motion of all) has moved by its margin; for the others see StarPairs.
@@ -98,7 +100,7 @@ class SelfContact {
   template <typename Visit>
   void visit_parts(int triangle, int other, const Visit& visit) const;
   bool were_neighbours(PairKind kind, const Eigen::Vector4i& vertices) const;
-  bool touches_at_rest(PairKind kind, const Eigen::Vector4i& vertices) const;
+  bool is_left_alone(PairKind kind, const Eigen::Vector4i& vertices, double rest_distance) const;
   /// Nothing of parts that are left alone.
   std::optional<NearPair> describe(PairKind kind, const Eigen::Vector4i& vertices) const;
   void list_if_near(PairKind kind, const Eigen::Vector4i& vertices, const Eigen::VectorXd& position);
@@ -110,6 +112,7 @@ class SelfContact {
 
   std::vector<Eigen::Vector3i> triangles_;
   Eigen::VectorXd rest_position_;         // (3 vertices), metres
+  Eigen::VectorXd placement_;             // (3 vertices) or none, metres, as the wall was after a cut
   std::vector<char> held_;                // (vertices), whether no unknown of it moves
   std::vector<Parts> parts_;              // (triangles), vertices and edges that the triangle answers for
   std::vector<std::vector<int>> across_;  // (vertices), on the other lip of a cut: joined to it before, ascending

@@ -36,6 +36,7 @@ struct CutPatch {
   static constexpr int kFrame = -2;   // neighbour outside the patch
 
   std::vector<Eigen::Vector3d> positions;      // (vertices x 3), metres, rest
+  std::vector<Eigen::Vector3d> placement;      // (first vertices x 3) or none, metres, where those of the surface are
   std::vector<int> vertex_triangle;            // (vertices), one of the triangles there
   std::vector<VertexFreedom> freedom;          // (vertices)
   std::vector<Eigen::Vector3d> line;           // (vertices x 3), unit, where the freedom is kLine

@@ -161,13 +161,13 @@ bool ends_at_border(const CutPatch& patch, const PatchPlace& place) {
   return patch.side_between(place.from, place.to).triangle < 0 || patch.side_between(place.to, place.from).triangle < 0;
 }
 
-/// Changed triangles that are sharper than what lay in their place allows.
+/// Changed triangles that are sharper than what lay in their place allows, or strained far more.
 std::vector<int> worse_than_before(const CutPatch& before, const CutPatch& patch,
                                    std::span<const TriangleSource> sources) {
   std::vector<int> worse;
   for (const TriangleSource& source : sources) {
     const bool good = sharpness(patch, source.triangle) <= allowed_sharpness(before, patch, source);
-    if (!good) worse.push_back(source.triangle);
+    if (!good || is_strained(before, patch, source)) worse.push_back(source.triangle);
   }
   return worse;
 }

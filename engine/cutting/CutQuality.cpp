@@ -2,8 +2,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <span>
 
 namespace thinwall {
 
@@ -38,6 +41,11 @@ double least_angle(const CutPatch& patch) {
 }
 
 namespace {
+
+/// Strain energy, as strain_energy gives it, that a new triangle may have over the most that was in its place, and how
+/// much is little.
+constexpr double kStrained = 2;
+constexpr double kLittleStrained = 0.1;
 
 double angle_at(const CutPatch& patch, const PatchCorner& corner) {
   const Eigen::Vector3i& t = patch.triangles[corner.triangle];
@@ -90,6 +98,32 @@ std::vector<int> path_vertices(const CutPatch& patch) {
   return vertices;
 }
 
+/// Strain energy of an incompressible neo-Hookean triangle over mu / 2 and its volume, tr C + 1 / det C - 3.
+double strain_energy(const std::array<Eigen::Vector3d, 3>& rest, const std::array<Eigen::Vector3d, 3>& now) {
+  const Eigen::Vector3d along = rest[1] - rest[0], aside = rest[2] - rest[0];
+  const double length = along.norm(), shift = aside.dot(along) / length, height = along.cross(aside).norm() / length;
+  const Eigen::Vector3d first = (now[1] - now[0]) / length;
+  const Eigen::Vector3d second = (now[2] - now[0] - shift * first) / height;
+  const double determinant = first.cross(second).squaredNorm();
+  return first.squaredNorm() + second.squaredNorm() + 1 / std::max(determinant, 1e-30) - 3;
+}
+
+/// Where a place on a patch is now, by that of the triangles that it lies in or closest to.
+Eigen::Vector3d placed(const CutPatch& patch, std::span<const TriangleShare> triangles,
+                       const Eigen::Vector3d& position) {
+  Eigen::Vector3d weights = Eigen::Vector3d::Zero();
+  int nearest = -1;
+  for (const TriangleShare& share : triangles) {
+    const Eigen::Vector3d here = patch.barycentric(share.triangle, position);
+    if (nearest >= 0 && here.minCoeff() <= weights.minCoeff()) continue;
+    nearest = share.triangle;
+    weights = here;
+  }
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();
+  for (int k = 0; k < 3; ++k) place += weights[k] * patch.placement[patch.triangles[nearest][k]];
+  return place;
+}
+
 }  // namespace
 
 double least_meeting_angle(const CutPatch& patch) {
@@ -125,6 +159,22 @@ double allowed_sharpness(const CutPatch& before, const CutPatch& patch, const Tr
     allowed = std::min(allowed, 0.5 * least_meeting_angle_at(patch, vertex));
   }
   return std::cos(allowed) + 1e-12;
+}
+
+bool is_strained(const CutPatch& before, const CutPatch& patch, const TriangleSource& source) {
+  if (before.placement.empty()) return false;
+  double most = 0;
+  for (const TriangleShare& share : source.before) {
+    const Eigen::Vector3i& t = before.triangles[share.triangle];
+    most = std::max(most, strain_energy({before.positions[t[0]], before.positions[t[1]], before.positions[t[2]]},
+                                        {before.placement[t[0]], before.placement[t[1]], before.placement[t[2]]}));
+  }
+  std::array<Eigen::Vector3d, 3> rest, now;
+  for (int k = 0; k < 3; ++k) {
+    rest[k] = patch.positions[patch.triangles[source.triangle][k]];
+    now[k] = placed(before, source.before, rest[k]);
+  }
+  return strain_energy(rest, now) > kStrained * most + kLittleStrained;
 }
 
 }  // namespace thinwall

@@ -36,6 +36,10 @@ double allowed_sharpness(const CutPatch& patch, int triangle);
 /// The same by the angles allowed where it lies on the patch before the cut, and by the wedges of the path at it.
 double allowed_sharpness(const CutPatch& before, const CutPatch& patch, const TriangleSource& source);
 
+/// Whether a triangle is strained, as the wall lies now, far more than any that lay in its place: it spans a fold.
+/// False where the patch before the cut does not know its placement.
+bool is_strained(const CutPatch& before, const CutPatch& patch, const TriangleSource& source);
+
 /// The smallest angle at which the path meets itself or open borders, radians, measured in the wall; pi if nowhere.
 double least_meeting_angle(const CutPatch& patch);
 

@@ -192,6 +192,7 @@ CutPatch CutSurface::extract(const CutPath& path, const CutOptions& options, Pat
         local_vertex[vertex] = static_cast<int>(numbers.vertices.size());
         numbers.vertices.push_back(vertex);
         patch.positions.push_back(mesh_.vertices[vertex]);
+        if (!options.placement.empty()) patch.placement.push_back(options.placement[vertex]);
         patch.vertex_triangle.push_back(i);
       }
       corners[k] = local_vertex[vertex];

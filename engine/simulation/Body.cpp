@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <utility>
 
 #include "engine/simulation/SimulationFailure.hpp"
@@ -12,6 +13,15 @@ namespace {
 
 /// Halvings of a quasi-static step after which the body is relaxed towards its equilibrium.
 constexpr int kHalvingsBeforeRelaxing = 2;
+
+/// Halvings of a dynamic step of a cut body after which it creeps.
+constexpr int kHalvingsBeforeCreeping = 4;
+
+/// Iterations after which a cut body that could creep does so.
+constexpr int kMostIterationsBeforeCreeping = 30;
+
+/// Iterations within which a solution fails that had a hopeless beginning.
+constexpr int kHopelessIterations = 2;
 
 /// Halvings of a step after which edges that came past the rims of a flat tool may stay in it: a coarse wall crushed
 /// between the tool and itself may have no room for them.
@@ -30,6 +40,16 @@ std::vector<ToolPose> interpolate(std::span<const ToolPose> begin, std::span<con
   }
   return poses;
 }
+
+/// Mean edge lengths that a blade goes at most in a part of a step: what its lips let go is booked by the mean of the
+/// forces at both ends.
+constexpr double kBladeEdges = 0.5;
+
+/// Halvings in one step after which a body makes no way any more.
+constexpr int kMostHalvings = 60;
+
+/// Iterations up to which the next part may be longer.
+constexpr int kEasyIterations = 20;
 
 /// Smallest part into which a step is divided to keep its error: where a tool hits the wall no step is small enough.
 constexpr double kSmallestPart = 1.0 / 256;
@@ -92,15 +112,27 @@ bool Body::may_snap() const {
 }
 
 bool Body::may_creep() const {
+  if (snaps_) return false;
+  const bool is_quasi_static = options_.analysis == Analysis::kQuasiStatic;
+  const bool is_stuck = state_.drag > 0 || report_.halvings >= kHalvingsBeforeCreeping;
+  if (state_.cut.has_incised) return is_quasi_static || is_stuck;
   // A blade crumples a membrane that is not held behind it before it has cut it at all.
-  const bool is_cut = surface_ || state_.cut.tool;
   const bool is_membrane = model_->definition.model == WallModel::kMembrane;
-  return !snaps_ && options_.analysis == Analysis::kQuasiStatic && is_cut && is_membrane;
+  return is_quasi_static && is_membrane && (surface_ || state_.cut.tool);
 }
 
 bool Body::solve_step(EquilibriumProblem& problem, EquilibriumState& trial) {
   EquilibriumProblem again = problem;
-  if (state_.drag == 0 && solve(problem, trial).converged) return true;
+  const std::optional<int> at_most = may_creep() ? std::optional(kMostIterationsBeforeCreeping) : std::nullopt;
+  const int iterations = report_.newton_iterations;
+  if (state_.drag == 0 && solve(problem, trial, at_most).converged) return true;
+  const bool was_hopeless = state_.drag == 0 && report_.newton_iterations - iterations <= kHopelessIterations;
+  if (has_inertia() && was_hopeless) {
+    // Where its velocity would take it the wall may be beyond its law: the way there begins where it is.
+    problem = again;
+    trial = state_.equilibrium;
+    if (solve(problem, trial, at_most).converged) return true;
+  }
   if (may_creep()) {
     problem = again;
     return creep(problem, trial);
@@ -159,16 +191,22 @@ void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> en
                    const BodyInput& input) {
   report_ = {};
   const BodyState start = state_;
-  const double largest = largest_part(begin, end);
+  double largest = largest_part(begin, end);
+  if (input.blade && input.blade->travel > 0) {
+    largest = std::min(largest, 1 / std::ceil(input.blade->travel / (kBladeEdges * model_->edge_length)));
+  }
   double done = 0, part = largest;
+  const double smallest = std::min(largest, 1.0) * std::pow(0.5, options_.maximum_halvings + 0.5);
   std::vector<ToolPose> from(begin.begin(), begin.end());
   while (done < 1) {
     const std::vector<ToolPose> to = interpolate(begin, end, done + part);
     const BodyState before = state_;
+    const int iterations = report_.newton_iterations;
     if (!try_step(from, to, part * duration, part_of(input, start, done, part))) {
       state_ = before;
       part *= 0.5;
-      if (++report_.halvings > options_.maximum_halvings) {
+      ++report_.halvings;
+      if (part < smallest || report_.halvings > kMostHalvings) {
         state_ = start;
         throw SimulationFailure("body `" + model_->definition.name + "`: " + failure_ +
                                 ", also with the step divided " + std::to_string(options_.maximum_halvings) + " times");
@@ -185,8 +223,11 @@ void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> en
     from = to;
     done += part;
     // Doubled only where the error allows it: it grows with the cube of the step.
-    if (options_.step_error == 0 || error < options_.step_error / 10) part *= 2;
-    part = std::min({part, largest, 1 - done});
+    const bool was_easy = report_.newton_iterations - iterations <= kEasyIterations;
+    if (was_easy && (options_.step_error == 0 || error < options_.step_error / 10)) part *= 2;
+    part = std::min(part, largest);
+    // No part is left that only round-off makes.
+    if (done + part > 1 - 1e-6 * largest) part = 1 - done;
   }
 }
 

@@ -111,6 +111,7 @@ struct BodyState {
   double friction_energy = 0;                         // joule, stored in the elastic slip
   CutProgress cut;
   double drag = 0;             // over the wall's stiffness, what slows a slack cut wall, see Body::creep
+  bool drag_eases = true;      // whether the step before was easy enough for less of it
   Eigen::VectorXd drag_force;  // (unknowns) or none, newton, on the wall
   std::vector<Puncture> punctures;
   std::vector<Pressing> pressing;  // (tools)
@@ -202,7 +203,7 @@ class Body {
     double stored = 0, friction = 0, tool_work = 0;
   };
 
-  NewtonResult solve(EquilibriumProblem& problem, EquilibriumState& state);
+  NewtonResult solve(EquilibriumProblem& problem, EquilibriumState& state, std::optional<int> at_most = {});
   NewtonResult relax(EquilibriumProblem& problem, EquilibriumState& state);
   void solve_statics();
   bool load_slowly(const EquilibriumProblem& whole, EquilibriumState& trial);

@@ -44,7 +44,7 @@ void Body::prepare_cutting() {
   surface_ = std::make_unique<CutSurface>(definition.mesh);
   auto model = std::make_unique<BodyModel>(*model_);
   model->definition = std::move(definition);
-  newton_ = std::make_unique<Newton>(*model, *newton_);
+  newton_ = std::make_unique<Newton>(*model, *newton_, state_.equilibrium.position);
   model_ = std::move(model);
 }
 
@@ -53,6 +53,7 @@ Cut Body::cut(const CutPath& path, std::span<const ToolPose> poses) {
   if (state_.cut.tool) options.deviation = tools_[*state_.cut.tool].deviation;
   const Cut cut = change_mesh(path, options);
   if (cut.triangles.empty()) return cut;
+  state_.cut.has_incised = true;
   state_.cut.start.reset();
   state_.cut.tip = cut.tip;
   state_.cut.cost = cut.tip ? cost_at(point_at(model_->definition.mesh.triangles, *cut.tip))
@@ -77,6 +78,9 @@ Cut Body::change_mesh(const CutPath& path, CutOptions options, Uncut* before) {
     const char* fixed = &model_->fixed[3 * v];
     if (fixed[0] || fixed[1] || fixed[2]) options.kept_vertices.push_back(v);
   }
+  for (int v = 0; v < model_->vertices(); ++v) {
+    options.placement.push_back(state_.equilibrium.position.segment<3>(3 * v));
+  }
   if (before != nullptr) before->surface = std::make_unique<CutSurface>(*surface_);
   Cut cut = surface_->cut(path, options);
   if (cut.triangles.empty()) return cut;
@@ -95,7 +99,7 @@ Cut Body::change_mesh(const CutPath& path, CutOptions options, Uncut* before) {
   state_.drag_force.resize(0);
   // An opening that has changed makes a new beginning.
   state_.outflow = {};
-  auto newton = std::make_unique<Newton>(*after, *newton_);
+  auto newton = std::make_unique<Newton>(*after, *newton_, state_.equilibrium.position);
   if (before != nullptr) {
     before->model = std::move(model_);
     before->newton = std::move(newton_);

@@ -44,7 +44,7 @@ std::optional<FloorPlane> floor_of(const BodyModel& model, const std::vector<Eig
 
 }  // namespace
 
-SelfContactDefinition self_contact_of(const BodyModel& model) {
+SelfContactDefinition self_contact_of(const BodyModel& model, const Eigen::VectorXd& placement) {
   // A wall that bears a strain of 1 over the whole body: the pressure of a balloon of that wall, but for a factor.
   const double radius = std::sqrt(model.rest_area / (4 * std::numbers::pi));
   SelfContactDefinition definition{.triangles = model.definition.mesh.triangles,
@@ -53,6 +53,7 @@ SelfContactDefinition self_contact_of(const BodyModel& model) {
                                    .fixed = {model.fixed.begin(), model.fixed.begin() + 3 * model.vertices()},
                                    .floors = {},
                                    .pressure = model.wall_stiffness / radius};
+  if (placement.size() > 0) definition.placement = placement.head(3 * model.vertices());
   const std::vector<Eigen::Vector3i>& caps = model.definition.mesh.cap_triangles;
   const MeshTopology topology = topology_of(model.vertices(), caps);
   for (int component = 0; component < topology.component_count; ++component) {

@@ -82,7 +82,8 @@ inline std::array<Eigen::Vector3d, 3> relative_to(const Eigen::Vector3d& origin,
 
 /// What the body's wall must know of itself to keep out of its own way. Floors are the planes of flat caps whose
 /// vertices are fixed along the normal, where the whole stress-free wall lies on one side: what the body stands on.
-SelfContactDefinition self_contact_of(const BodyModel& model);
+/// `placement`: (unknowns) or none, metres, where the wall is after a cut.
+SelfContactDefinition self_contact_of(const BodyModel& model, const Eigen::VectorXd& placement = {});
 
 /// The three corners of a triangle. `position`: (3 vertices), metres.
 std::array<Eigen::Vector3d, 3> corners_of(const Eigen::Vector3i& triangle, const Eigen::VectorXd& position);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <string>
@@ -22,6 +23,10 @@ constexpr double kMostDrag = 1e2;
 constexpr double kEasedDrag = 0.25;
 constexpr double kLeastDrag = 1e-5;
 
+/// Iterations after which stronger springs are cheaper, and up to which they are eased.
+constexpr int kMostDraggedIterations = 20;
+constexpr int kEasyIterations = 8;
+
 /// Parts in which the weight is put on where it cannot be at once.
 constexpr int kWeightParts = 8;
 
@@ -31,10 +36,12 @@ constexpr double kBurstVolume = 30;
 
 }  // namespace
 
-NewtonResult Body::solve(EquilibriumProblem& problem, EquilibriumState& state) {
+NewtonResult Body::solve(EquilibriumProblem& problem, EquilibriumState& state, std::optional<int> at_most) {
+  const int iterations = std::min(at_most.value_or(options_.maximum_iterations), options_.maximum_iterations);
   const NewtonResult result = newton_->solve(problem, state,
                                              {.tolerance = options_.tolerance,
-                                              .maximum_iterations = options_.maximum_iterations,
+                                              .maximum_iterations = iterations,
+                                              .takes_flaps = state_.cut.has_incised || state_.cut.tool,
                                               .between_iterations = options_.between_iterations});
   report_.newton_iterations += result.iterations;
   report_.shifted_iterations += result.shifted_iterations;
@@ -86,18 +93,23 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state) {
 bool Body::creep(EquilibriumProblem& problem, EquilibriumState& trial) {
   // A wall that has been cut and lost its contents may go slack altogether: it then has no equilibrium that anything
   // but its own inertia chooses. Springs to where it was slow it down, as a viscous bath would: it creeps to where it
-  // can rest, over as many steps as that takes, and the springs are eased from step to step. What they take up counts
-  // as spent by the integrator.
+  // can rest, over as many steps as that takes, and the springs are eased from step to step. In motion they slow down
+  // flaps that flutter faster than steps can tell. What they take up counts as spent by the integrator.
   const EquilibriumProblem whole = problem;
   for (double drag = state_.drag > 0 ? state_.drag : kFirstDrag; drag < kMostDrag; drag *= 8) {
     trial = state_.equilibrium;
     EquilibriumProblem held = whole;
-    held.inertia = drag * model_->wall_stiffness / model_->mass.mean();
-    held.inertia_target = state_.equilibrium.position;
+    const double springs = drag * model_->wall_stiffness / model_->mass.mean();
+    held.inertia += springs;
+    held.inertia_target = springs / held.inertia * state_.equilibrium.position;
+    if (whole.inertia > 0) held.inertia_target += whole.inertia / held.inertia * whole.inertia_target;
     state_.drag = drag;
-    if (!solve(held, trial).converged) continue;
+    const NewtonResult result = solve(held, trial, kMostDraggedIterations);
+    if (!result.converged) continue;
+    state_.drag_eases = result.iterations <= kEasyIterations;
     problem = held;
-    problem.inertia = 0;
+    problem.inertia = whole.inertia;
+    problem.inertia_target = whole.inertia_target;
     return true;
   }
   return false;
@@ -108,7 +120,7 @@ void Body::find_drag(const Eigen::VectorXd& before) {
   if (state_.drag == 0) return;
   const double stiffness = state_.drag * model_->wall_stiffness / model_->mass.mean();
   state_.drag_force = stiffness * model_->mass.cwiseProduct(before - state_.equilibrium.position);
-  state_.drag *= kEasedDrag;
+  if (state_.drag_eases) state_.drag *= kEasedDrag;
   if (state_.drag < kLeastDrag) state_.drag = 0;
 }
 

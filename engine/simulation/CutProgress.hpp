@@ -64,6 +64,7 @@ struct CutProgress {
   double owed = 0;                         // joule, of the new area so far, that neither blade nor wall has paid yet
   double due = 0;                          // joule, that what has been cut is worth beyond what has been booked for it
   double length = 0;                       // metres, rest, cut since time zero
+  bool has_incised = false;                // whether a blade has cut the wall, that holds flaps together no more
 
   /// Whether there is wall before the blade, and it is not in a gap or beyond a border.
   bool is_in_wall() const { return tip || start; }

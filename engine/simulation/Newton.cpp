@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "engine/mesh/MeshTopology.hpp"
@@ -21,6 +22,10 @@ constexpr int kWholeSteps = 15;
 constexpr double kCalmFall = 0.7;
 constexpr int kCalmSteps = 2;
 
+/// Iterations in a row with a matrix that was made convex after which it is taken as it is: a flat wall that is pressed
+/// along itself stays flat, and on the way to that equilibrium no matrix is convex.
+constexpr int kInexactSteps = 5;
+
 /// Steps of a shell without line search before it is solved with one.
 constexpr int kForeseeingSteps = 40;
 
@@ -32,21 +37,27 @@ constexpr double kBlowUp = 1e6;
 /// gone astray makes: past any energy it ends up with triangles folded over.
 constexpr double kMostFolding = 1.5;
 
+/// A wall pressed upon itself may be so stiff that the round-off of its coordinates alone makes forces above the
+/// tolerance, and where it buckles a force may fall without end: so many iterations after it was least, a residual
+/// below this multiple of the tolerance is the solution.
+constexpr int kStalledSteps = 8;
+constexpr double kRoundOffResidual = 1e3;
+
 double square(double value) {
   return value * value;
 }
 
 }  // namespace
 
-Newton::Newton(const BodyModel& model) : Newton(model, SparseFactor(model.pattern)) {}
+Newton::Newton(const BodyModel& model) : Newton(model, SparseFactor(model.pattern), self_contact_of(model)) {}
 
-Newton::Newton(const BodyModel& model, const Newton& before)
-    : Newton(model, SparseFactor(model.pattern, before.factor_)) {}
+Newton::Newton(const BodyModel& model, const Newton& before, const Eigen::VectorXd& position)
+    : Newton(model, SparseFactor(model.pattern, before.factor_), self_contact_of(model, position)) {}
 
-Newton::Newton(const BodyModel& model, SparseFactor factor)
+Newton::Newton(const BodyModel& model, SparseFactor factor, const SelfContactDefinition& self_contact)
     : model_(model),
       factor_(std::move(factor)),
-      self_contact_(self_contact_of(model)),
+      self_contact_(self_contact),
       fold_matrix_(model),
       rigid_columns_(model.rigid_motions) {
   const double mean_mass = model.mass.mean();
@@ -155,14 +166,16 @@ double Newton::force_scale(const EquilibriumProblem& problem, const EquilibriumT
   return std::max(scale, round_off / 1e-9);
 }
 
-bool Newton::is_solved(const Residual& residual, double force_scale, const NewtonOptions& options) const {
+bool Newton::is_solved(const Residual& residual, double force_scale, bool is_stalled,
+                       const NewtonOptions& options) const {
   double gap = residual.contact;
   for (const Eigen::Vector3d& one : residual.gaps) gap = std::max(gap, one.norm());
   for (Eigen::Index c = 0; c < residual.volume.size(); ++c) {
     if (std::abs(residual.volume[c]) > 1e-11 * std::abs(model_.chambers[c].rest_volume)) return false;
   }
-  return std::max(residual.largest_force, residual.ghost) <= options.tolerance * force_scale &&
-         gap <= 1e-9 * model_.edge_length;
+  const double slack = is_stalled ? kRoundOffResidual : 1;
+  return std::max(residual.largest_force, residual.ghost) <= slack * options.tolerance * force_scale &&
+         gap <= slack * 1e-9 * model_.edge_length;
 }
 
 std::string Newton::obstructed(const std::string& reason) const {
@@ -218,56 +231,75 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
   }
   Residual residual;
   Step step;
-  double shift = 0, first_scale = 0, last_measure = 0;
-  int calm = 0;  // iterations in a row by which the residual fell
+  double shift = 0, first_scale = 0;
+  Progress progress;
+  const int most = foresees ? std::min(kForeseeingSteps, options.maximum_iterations) : options.maximum_iterations;
   for (;; ++result.iterations) {
     if (options.between_iterations) options.between_iterations();
     compute_residual(problem, state, terms_, residual);
-    calm = residual.measure < kCalmFall * last_measure ? calm + 1 : 0;
-    last_measure = residual.measure;
+    progress.note(residual);
     result.residual = residual.largest_force;
     result.residual_history.push_back(residual.largest_force);
     const double scale = force_scale(problem, terms_);
     if (result.iterations == 0) first_scale = scale;
-    if (is_solved(residual, scale, options)) {
+    if (is_solved(residual, scale, options.takes_flaps && progress.stalled >= kStalledSteps, options)) {
       result.converged = !foresees || scale <= kBlowUp * first_scale;
       if (!result.converged) result.reason = "the wall is strained beyond measure";
       return result;
     }
-    if (result.iterations == (foresees ? kForeseeingSteps : options.maximum_iterations)) {
+    if (result.iterations == most) {
       result.reason = obstructed("no convergence within " + std::to_string(options.maximum_iterations) + " iterations");
       return result;
     }
-    shift = shift > 1e-6 ? 0.1 * shift : 0;
-    open_.clear();
-    for (const ContactPoint& contact : terms_.contacts) {
-      // Edges and faces bear what vertices leave to them: whether that is so the step itself shows.
-      const bool may_wait = contact_law(contact) <= 0 || model_.sites[contact.site].part != SitePart::kCorner;
-      open_.push_back(contact_force(problem, contact) == 0 && may_wait);
-    }
-    for (int turn = 0;; ++turn) {
-      if (!factorize(problem, state, shift)) {
-        result.reason = "no convex step could be found";
-        return result;
-      }
-      find_step(problem, state, residual, step);
-      if (turn == kContactTurns || !revise_contacts(step)) break;
-    }
-    for (std::size_t k = 0; k < open_.size(); ++k) {
-      step.contact_forces[k] = open_[k] ? 0 : std::max(0.0, step.contact_forces[k]);
+    const bool may_be_saddle = options.takes_flaps && progress.inexact >= kInexactSteps;
+    shift = shift > 1e-6 && !may_be_saddle ? 0.1 * shift : 0;
+    if (!find_step_with_contacts(problem, state, residual, shift, may_be_saddle, step)) {
+      result.reason = "no convex step could be found";
+      return result;
     }
     if (shift > 0) ++result.shifted_iterations;
+    progress.inexact = !is_exact_ || (may_be_saddle && progress.calm > 0) ? progress.inexact + 1 : 0;
     if (foresees) {
       if (take_whole(problem, state, residual, step)) continue;
       result.reason = "the wall is stretched beyond its law";
       return result;
     }
-    const bool whole = result.iterations < kWholeSteps || calm >= kCalmSteps;
-    if (!search(problem, state, residual, step, whole ? 1 : 0.5)) {
-      result.reason = obstructed("the line search found no smaller residual or energy");
-      return result;
+    const bool whole = result.iterations < kWholeSteps || progress.calm >= kCalmSteps;
+    if (search(problem, state, residual, step, whole ? 1 : 0.5)) continue;
+    if (may_be_saddle) {
+      progress.inexact = 0;
+      continue;
     }
+    result.converged = is_solved(residual, scale, options.takes_flaps, options);
+    if (!result.converged) result.reason = obstructed("the line search found no smaller residual or energy");
+    return result;
   }
+}
+
+bool Newton::find_step_with_contacts(const EquilibriumProblem& problem, const EquilibriumState& state,
+                                     const Residual& residual, double& shift, bool may_be_saddle, Step& step) {
+  open_.clear();
+  for (const ContactPoint& contact : terms_.contacts) {
+    // Edges and faces bear what vertices leave to them: whether that is so the step itself shows.
+    const bool may_wait = contact_law(contact) <= 0 || model_.sites[contact.site].part != SitePart::kCorner;
+    open_.push_back(contact_force(problem, contact) == 0 && may_wait);
+  }
+  for (int turn = 0;; ++turn) {
+    if (!factorize(problem, state, shift, may_be_saddle)) return false;
+    find_step(problem, state, residual, step);
+    if (turn == kContactTurns || !revise_contacts(step)) break;
+  }
+  for (std::size_t k = 0; k < open_.size(); ++k) {
+    step.contact_forces[k] = open_[k] ? 0 : std::max(0.0, step.contact_forces[k]);
+  }
+  return true;
+}
+
+void Newton::Progress::note(const Residual& residual) {
+  calm = residual.measure < kCalmFall * last_measure ? calm + 1 : 0;
+  last_measure = residual.measure;
+  stalled = residual.largest_force < kCalmFall * least_force ? 0 : stalled + 1;
+  least_force = std::min(least_force, residual.largest_force);
 }
 
 }  // namespace thinwall

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <functional>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,6 +18,9 @@ namespace thinwall {
 struct NewtonOptions {
   double tolerance = 1e-9;  // largest residual force over the largest single force
   int maximum_iterations = 60;
+  // Flaps of a cut wall crumple without end: equilibria that are not stable, and residuals that only round-off is left
+  // of, are taken too.
+  bool takes_flaps = false;
   std::function<void()> between_iterations = {};  // called before each; what it throws goes through
 };
 
@@ -62,13 +66,16 @@ struct NewtonResult {
 ///
 /// A step is convex when the whole bordered matrix has one negative eigenvalue per constraint. Past a limit point K
 /// alone is indefinite while the whole is convex, so K is then factorised as L D L^T and the inertia is counted; only
-/// when the count is wrong is K shifted. How chambers with openings are treated stands in OpenChambers.
+/// when the count is wrong is K shifted. In a cut wall, where that goes on for some steps, the matrix is taken as it
+/// is: an equilibrium that symmetry keeps is found though it is not stable. How chambers with openings are treated
+/// stands in OpenChambers.
 class Newton {
  public:
   explicit Newton(const BodyModel& model);
 
-  /// After a cut: `before` solved for the wall as it was, whose vertices come first.
-  Newton(const BodyModel& model, const Newton& before);
+  /// After a cut: `before` solved for the wall as it was, whose vertices come first; the wall is at `position`,
+  /// (unknowns), metres.
+  Newton(const BodyModel& model, const Newton& before, const Eigen::VectorXd& position);
 
   /// Solves from `state`; the attachments' forces in `problem` are both start and result. On failure the state is
   /// the best one reached.
@@ -107,6 +114,17 @@ class Newton {
     double measure =
         0;  // newton, of all: displacements by which constraints are missed count with the wall's stiffness
   };
+  /// How a solution gets on from iteration to iteration.
+  struct Progress {
+    int calm = 0;             // iterations in a row by which the residual fell
+    int inexact = 0;          // iterations in a row whose matrix had to be made convex
+    int stalled = 0;          // iterations since the largest force was least
+    double last_measure = 0;  // newton
+    double least_force = std::numeric_limits<double>::infinity();  // newton
+
+    void note(const Residual& residual);
+  };
+
   /// Of the constraints in the merit function, above their multipliers.
   struct Weights {
     double pressure;  // pascal
@@ -129,7 +147,7 @@ class Newton {
     std::vector<FrictionContact> friction;
   };
 
-  Newton(const BodyModel& model, SparseFactor factor);
+  Newton(const BodyModel& model, SparseFactor factor, const SelfContactDefinition& self_contact);
   NewtonResult iterate(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options,
                        bool foresees);
   bool folds_over(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const;
@@ -149,13 +167,16 @@ class Newton {
   void border_fluids(const EquilibriumProblem& problem, const EquilibriumState& state);
   void border_openings(const EquilibriumProblem& problem, const EquilibriumState& state);
   void clear_fixed(Eigen::VectorXd& forces) const;
-  bool is_solved(const Residual& residual, double force_scale, const NewtonOptions& options) const;
+  bool is_solved(const Residual& residual, double force_scale, bool is_stalled, const NewtonOptions& options) const;
   double force_scale(const EquilibriumProblem& problem, const EquilibriumTerms& terms) const;
   void build_border(const EquilibriumProblem& problem, const EquilibriumState& state);
   void build_matrix(const EquilibriumProblem& problem, const EquilibriumState& state, double shift);
-  bool factorize(const EquilibriumProblem& problem, const EquilibriumState& state, double& shift);
-  bool is_convex(SparseFactor& factor, std::span<const double> values);
+  bool factorize(const EquilibriumProblem& problem, const EquilibriumState& state, double& shift, bool may_be_saddle);
+  bool is_usable(SparseFactor& factor, std::span<const double> values, bool may_be_saddle);
   SparseFactor& used_factor() { return folded_ ? fold_matrix_.factor() : factor_; }
+  /// Finds the step again until no contact of it pulls or is overrun; false where no matrix can be factorised.
+  bool find_step_with_contacts(const EquilibriumProblem& problem, const EquilibriumState& state,
+                               const Residual& residual, double& shift, bool may_be_saddle, Step& step);
   void find_step(const EquilibriumProblem& problem, const EquilibriumState& state, const Residual& residual,
                  Step& step);
   bool improve_rim(const EquilibriumProblem& problem, const EquilibriumState& state, const Step& step,
@@ -175,7 +196,8 @@ class Newton {
   SparseFactor factor_;
   SelfContact self_contact_;
   FoldMatrix fold_matrix_;
-  bool folded_ = false;  // whether the last factorisation is the fold matrix's
+  bool is_exact_ = true;  // whether the matrix in use is the curvature as it is
+  bool folded_ = false;   // whether the last factorisation is the fold matrix's
   BorderedSystem bordered_;
   EquilibriumTerms terms_;
   EquilibriumTerms trial_terms_;

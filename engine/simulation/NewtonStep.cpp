@@ -139,29 +139,32 @@ void Newton::build_matrix(const EquilibriumProblem& problem, const EquilibriumSt
   }
 }
 
-bool Newton::is_convex(SparseFactor& factor, std::span<const double> values) {
+bool Newton::is_usable(SparseFactor& factor, std::span<const double> values, bool may_be_saddle) {
   std::optional<int> negative;
   if (factor.factorize(values)) {
     negative = 0;
-  } else if (constraints_ > 0) {
+  } else if (constraints_ > 0 || may_be_saddle) {
     negative = factor.factorize_indefinite(values);
   }
   if (!negative) return false;
   bordered_.set(factor, *negative, border_, corner_);
-  if (bordered_.negative_eigenvalues() != constraints_) return false;
+  if (bordered_.negative_eigenvalues() != constraints_ && !may_be_saddle) return false;
   if (model_.has_open_chambers()) bordered_.set_unsymmetric(factor, columns_, rows_, corner_);
   return true;
 }
 
-bool Newton::factorize(const EquilibriumProblem& problem, const EquilibriumState& state, double& shift) {
+bool Newton::factorize(const EquilibriumProblem& problem, const EquilibriumState& state, double& shift,
+                       bool may_be_saddle) {
   build_border(problem, state);
   folded_ = fold_matrix_.prepare(terms_.folds, self_contact_);
   bool exact = shift == 0;
   for (int attempt = 0; attempt < 20; ++attempt) {
     build_matrix(problem, state, shift);
-    const bool convex = folded_ ? is_convex(fold_matrix_.factor(), fold_matrix_.assemble(matrix_, terms_.folds, exact))
-                                : is_convex(factor_, matrix_);
-    if (convex) return true;
+    const bool usable =
+        folded_ ? is_usable(fold_matrix_.factor(), fold_matrix_.assemble(matrix_, terms_.folds, exact), may_be_saddle)
+                : is_usable(factor_, matrix_, may_be_saddle);
+    is_exact_ = shift == 0 && exact;
+    if (usable) return true;
     if (!folded_ || !exact) shift = shift == 0 ? 1e-6 : 10 * shift;
     exact = false;
   }
