@@ -126,7 +126,7 @@ class Drawer : RandomNumbers {
     const int kind = pick(7);
     recipe.kind += std::string(" ") + kNames[kind];
     words_ << ", " << kNames[kind];
-    const double step = between(0.3, 1.5) * edge_, duration = between(5e-3, 25e-3);
+    const double step = between(0.3, 1.5) * edge_, duration = step / between(0.01, 0.3);
     std::vector<std::vector<Eigen::Vector2d>> lines;
     const Eigen::Vector2d begin = place(0.5), end = place(0.6);
     switch (kind) {
@@ -158,10 +158,15 @@ class Drawer : RandomNumbers {
       }
       default:
         lines = {{begin, {between(-0.5, 0.5) * kRadius, 1.2 * kRadius}}};
-        if (pick(2) == 0) std::ranges::reverse(lines[0]);
+        if (pick(2) == 0 && shape_ == kSheet) {
+          // From the border: an edge that comes from beside it would push it, not cut it.
+          std::ranges::reverse(lines[0]);
+          lines[0].front().y() = 0.99 * kRadius;
+        }
         if (pick(3) == 0) lines[0].push_back({between(-0.5, 0.5) * kRadius, -1.2 * kRadius});
     }
-    const double depth = shape_ == kSheet ? -5e-3 : shape_ == kHemisphere ? 1e-3 : 0;
+    // So deep that the blade's edge goes through the wall above, also where the contents have lifted it.
+    const double depth = shape_ == kSheet ? -5e-3 : kind == 5 ? 1e-3 : 0.4 * kRadius;
     for (const std::vector<Eigen::Vector2d>& line : lines) {
       BladeStroke stroke{.points = {}, .step = step, .duration = duration};
       for (const Eigen::Vector2d& point : line) stroke.points.emplace_back(point.x(), point.y(), depth);
@@ -269,7 +274,9 @@ Outcome run(const Recipe& recipe) {
     if (outcome.imbalance() > 1e-6) {
       outcome.failures.push_back("the books are open by " + std::to_string(outcome.imbalance()));
     }
-    if (outcome.gained() > 0.005) {
+    // Meshes of some hundred triangles, a blade that goes an edge a step: ten times coarser than scenes, where it is
+    // less than half a percent.
+    if (outcome.gained() > 0.02) {
       outcome.failures.push_back("the integrator gives " + std::to_string(outcome.gained()));
     }
   } catch (const SimulationFailure& failure) {
