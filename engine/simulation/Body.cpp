@@ -123,15 +123,16 @@ bool Body::may_creep() const {
 
 bool Body::solve_step(EquilibriumProblem& problem, EquilibriumState& trial) {
   EquilibriumProblem again = problem;
-  const std::optional<int> at_most = may_creep() ? std::optional(kMostIterationsBeforeCreeping) : std::nullopt;
+  SolveEffort effort;
+  if (may_creep()) effort.most_iterations = kMostIterationsBeforeCreeping;
   const int iterations = report_.newton_iterations;
-  if (state_.drag == 0 && solve(problem, trial, at_most).converged) return true;
+  if (state_.drag == 0 && solve(problem, trial, effort).converged) return true;
   const bool was_hopeless = state_.drag == 0 && report_.newton_iterations - iterations <= kHopelessIterations;
   if (has_inertia() && was_hopeless) {
     // Where its velocity would take it the wall may be beyond its law: the way there begins where it is.
     problem = again;
     trial = state_.equilibrium;
-    if (solve(problem, trial, at_most).converged) return true;
+    if (solve(problem, trial, effort).converged) return true;
   }
   if (may_creep()) {
     problem = again;

@@ -136,6 +136,12 @@ double fluid_energy(const BodyModel& model, const BodyState& state);
 /// Integral of x, from its level, over each chamber, (3 x chambers), metres^4.
 Eigen::Matrix3Xd first_moments(const BodyModel& model, const Eigen::VectorXd& position);
 
+/// How hard an equilibrium is tried.
+struct SolveEffort {
+  std::optional<int> most_iterations = {};  // if fewer than the options'
+  bool takes_flaps = false;                 // see NewtonOptions; always in cut walls
+};
+
 /// One body with its solver. Not copyable; bodies do not touch each other.
 class Body {
  public:
@@ -203,7 +209,7 @@ class Body {
     double stored = 0, friction = 0, tool_work = 0;
   };
 
-  NewtonResult solve(EquilibriumProblem& problem, EquilibriumState& state, std::optional<int> at_most = {});
+  NewtonResult solve(EquilibriumProblem& problem, EquilibriumState& state, const SolveEffort& effort = {});
   NewtonResult relax(EquilibriumProblem& problem, EquilibriumState& state);
   void solve_statics();
   bool load_slowly(const EquilibriumProblem& whole, EquilibriumState& trial);

@@ -36,13 +36,15 @@ constexpr double kBurstVolume = 30;
 
 }  // namespace
 
-NewtonResult Body::solve(EquilibriumProblem& problem, EquilibriumState& state, std::optional<int> at_most) {
-  const int iterations = std::min(at_most.value_or(options_.maximum_iterations), options_.maximum_iterations);
-  const NewtonResult result = newton_->solve(problem, state,
-                                             {.tolerance = options_.tolerance,
-                                              .maximum_iterations = iterations,
-                                              .takes_flaps = state_.cut.has_incised || state_.cut.tool,
-                                              .between_iterations = options_.between_iterations});
+NewtonResult Body::solve(EquilibriumProblem& problem, EquilibriumState& state, const SolveEffort& effort) {
+  const int most = options_.maximum_iterations;
+  const bool takes_flaps = effort.takes_flaps || state_.cut.has_incised || state_.cut.tool;
+  const NewtonResult result =
+      newton_->solve(problem, state,
+                     {.tolerance = options_.tolerance,
+                      .maximum_iterations = std::min(effort.most_iterations.value_or(most), most),
+                      .takes_flaps = takes_flaps,
+                      .between_iterations = options_.between_iterations});
   report_.newton_iterations += result.iterations;
   report_.shifted_iterations += result.shifted_iterations;
   report_.residual = result.residual;
@@ -61,7 +63,7 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state) {
     EquilibriumProblem held = problem;
     held.inertia = springs * model_->wall_stiffness / model_->mass.mean();
     held.inertia_target = state.position;
-    if (solve(held, trial).converged) {
+    if (solve(held, trial, {.takes_flaps = true}).converged) {
       state = trial;
       problem.attachments = held.attachments;
       problem.solids = held.solids;
@@ -76,7 +78,7 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state) {
     if (springs < 1e-3 && turn % 4 == 3) {
       trial = state;
       held = problem;
-      const NewtonResult result = solve(held, trial);
+      const NewtonResult result = solve(held, trial, {.takes_flaps = true});
       if (!result.converged) continue;
       state = trial;
       problem = held;
@@ -104,7 +106,7 @@ bool Body::creep(EquilibriumProblem& problem, EquilibriumState& trial) {
     held.inertia_target = springs / held.inertia * state_.equilibrium.position;
     if (whole.inertia > 0) held.inertia_target += whole.inertia / held.inertia * whole.inertia_target;
     state_.drag = drag;
-    const NewtonResult result = solve(held, trial, kMostDraggedIterations);
+    const NewtonResult result = solve(held, trial, {.most_iterations = kMostDraggedIterations});
     if (!result.converged) continue;
     state_.drag_eases = result.iterations <= kEasyIterations;
     problem = held;

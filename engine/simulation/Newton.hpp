@@ -18,8 +18,8 @@ namespace thinwall {
 struct NewtonOptions {
   double tolerance = 1e-9;  // largest residual force over the largest single force
   int maximum_iterations = 60;
-  // Flaps of a cut wall crumple without end: equilibria that are not stable, and residuals that only round-off is left
-  // of, are taken too.
+  // Flaps of a cut wall, and free borders, crumple without end: equilibria that are not stable, and residuals that only
+  // round-off is left of, are taken too.
   bool takes_flaps = false;
   std::function<void()> between_iterations = {};  // called before each; what it throws goes through
 };
