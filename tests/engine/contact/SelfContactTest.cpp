@@ -236,6 +236,35 @@ TEST(SelfContact, LetsTheLipsOfACutSlideOverEachOtherByAnEdge) {
   EXPECT_LT(wall.contact.safe_fraction(above, below - above), 0.5);
 }
 
+TEST(SelfContact, LeavesPartsAloneThatACutHasLeftInEachOther) {
+  // Two sheets that are a centimetre apart at rest; the upper one is brought down onto the other and through it.
+  SurfaceMesh sheets = make_sheet(20e-3, 20e-3, 100);
+  const int vertices = static_cast<int>(sheets.vertices.size()), triangles = static_cast<int>(sheets.triangles.size());
+  for (int v = 0; v < vertices; ++v) sheets.vertices.push_back(sheets.vertices[v] + Eigen::Vector3d(1e-3, 0, 10e-3));
+  for (int t = 0; t < triangles; ++t) sheets.triangles.push_back(sheets.triangles[t].array() + vertices);
+  Wall wall(sheets);
+  Eigen::VectorXd pressed = wall.rest, motion = Eigen::VectorXd::Zero(wall.rest.size());
+  for (int v = vertices; v < 2 * vertices; ++v) {
+    pressed[3 * v + 2] = 1e-6;
+    motion[3 * v + 2] = -1e-3;
+  }
+  Eigen::VectorXd gradient;
+  EXPECT_GT(wall.evaluate(pressed, gradient).energy, 0);
+  EXPECT_LT(wall.contact.safe_fraction(pressed, motion), 1);
+  SelfContact after({.triangles = wall.mesh.triangles,
+                     .position = wall.rest,
+                     .thickness = wall.thickness,
+                     .fixed = wall.fixed,
+                     .floors = {},
+                     .pressure = 1e3,
+                     .placement = pressed});
+  SelfContactTerms terms;
+  gradient.setZero();
+  after.evaluate(pressed, terms, gradient);
+  for (const FoldContact& fold : terms.folds) EXPECT_GT(fold.pair.closest.distance, 1e-5);
+  EXPECT_EQ(after.safe_fraction(pressed, 1e-3 * motion), 1);
+}
+
 TEST(SelfContact, StopsTheWallAboveItsFloor) {
   SurfaceMesh mesh = make_hemisphere(20e-3, 256);
   Wall wall(mesh, 1e-3, {{.normal = Eigen::Vector3d::UnitZ(), .height = 0}});
