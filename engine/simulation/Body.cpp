@@ -197,7 +197,7 @@ void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> en
     largest = std::min(largest, 1 / std::ceil(input.blade->travel / (kBladeEdges * model_->edge_length)));
   }
   double done = 0, part = largest;
-  const double smallest = std::min(largest, 1.0) * std::pow(0.5, options_.maximum_halvings + 0.5);
+  const double smallest = largest * std::pow(0.5, options_.maximum_halvings + 0.5);
   std::vector<ToolPose> from(begin.begin(), begin.end());
   while (done < 1) {
     const std::vector<ToolPose> to = interpolate(begin, end, done + part);
@@ -210,7 +210,7 @@ void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> en
       if (part < smallest || report_.halvings > kMostHalvings) {
         state_ = start;
         throw SimulationFailure("body `" + model_->definition.name + "`: " + failure_ +
-                                ", also with the step divided " + std::to_string(options_.maximum_halvings) + " times");
+                                ", also with the step divided " + std::to_string(report_.halvings) + " times");
       }
       continue;
     }

@@ -214,9 +214,7 @@ NewtonResult Newton::solve(EquilibriumProblem& problem, EquilibriumState& state,
   return result;
 }
 
-NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options,
-                             bool foresees) {
-  NewtonResult result;
+bool Newton::begin(EquilibriumProblem& problem, EquilibriumState& state) {
   foreseen_stress_.clear();
   if (problem.start.size() == 0) problem.start = state.position;
   state.pressure.conservativeResizeLike(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(problem.fluids.size())));
@@ -225,7 +223,13 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
   }
   if (state.rigid_reaction.size() != rigid_columns_.cols()) state.rigid_reaction.setZero(rigid_columns_.cols());
   evaluate_all(problem, state, terms_);
-  if (!std::isfinite(terms_.elastic)) {
+  return std::isfinite(terms_.elastic);
+}
+
+NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options,
+                             bool foresees) {
+  NewtonResult result;
+  if (!begin(problem, state)) {
     result.reason = "the wall is stretched beyond its law";
     return result;
   }

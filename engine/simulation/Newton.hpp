@@ -148,6 +148,8 @@ class Newton {
   };
 
   Newton(const BodyModel& model, SparseFactor factor, const SelfContactDefinition& self_contact);
+  /// Completes the unknowns and evaluates there; false where the wall is beyond its law.
+  bool begin(EquilibriumProblem& problem, EquilibriumState& state);
   NewtonResult iterate(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options,
                        bool foresees);
   bool folds_over(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const;
