@@ -62,7 +62,7 @@ BodyInput part_of(const BodyInput& input, const BodyState& start, double done, d
     share.load_factors[k] = begin + (done + part) * (input.load_factors[k] - begin);
   }
   // In a gap of the wall a blade has nothing to cut.
-  if (!start.cut.is_in_wall()) share.blade.reset();
+  if (!start.cut.is_in_wall() && start.cut.ahead == 0) share.blade.reset();
   if (share.blade) share.blade->travel *= part;
   for (std::size_t k = 0; k < share.fluids.size(); ++k) {
     share.fluids[k].added *= part;
@@ -191,6 +191,7 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
 void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> end, double duration,
                    const BodyInput& input) {
   report_ = {};
+  state_.cut.run = 0;
   const BodyState start = state_;
   double largest = largest_part(begin, end);
   if (input.blade && input.blade->travel > 0) {

@@ -180,6 +180,15 @@ class Body {
   /// `goes_on`: whether the blade will come farther, so that the cut may wait rather than end beside its way.
   std::optional<Cut> follow_blade(int tool, std::span<const ToolPose> poses, bool goes_on = true);
 
+  /// Lets the cut of the blade in the wall run on before it, by the length of about one edge, where that pays: where
+  /// the wall at rest, with all lips free, would release more energy than the new area costs. The lips are then let go
+  /// in some steps; what they release beyond the cost is a jump. Nothing where it does not pay, where lips have
+  /// released too little on the blade's way so far for that to be likely, or where the cut has run in this step as far
+  /// as it may: by the blade's width, or two edges if that is more. To be called after each step, until it gives
+  /// nothing. `ahead`: where the blade will be so many metres farther on its way, and the cut goes to where its edge
+  /// would meet the wall then. `poses`: (tools), at the end of the step. Throws as `cut` does.
+  std::optional<Cut> run_ahead(std::span<const ToolPose> poses, const std::function<ToolPose(double)>& ahead);
+
   /// Ends the cut that is being made: the next one begins where a blade meets the wall again.
   void leave_cut();
 
@@ -202,6 +211,13 @@ class Body {
     std::unique_ptr<const BodyModel> model;
     std::unique_ptr<Newton> newton;
     BodyState state;
+  };
+
+  /// Where a cut goes on.
+  struct WayOn {
+    CutPath path;
+    std::optional<Eigen::Vector3d> border = {};        // metres, of the wall, where the path ends there
+    Eigen::Vector3d sense = Eigen::Vector3d::UnitX();  // unit, in which the blade goes over that border
   };
 
   /// What the needles in punctures have done in a step, joule.
@@ -258,8 +274,18 @@ class Body {
   bool catch_passed_edges(EquilibriumProblem& problem, const Eigen::VectorXd& position) const;
   void prepare_cutting();
   void find_forces(std::span<const ToolPose> poses);
-  /// Cuts from the tip to the open border that the blade has left the wall over; nothing where it has not.
-  std::optional<Cut> cut_to_border(const ToolPose& pose, std::span<const ToolPose> poses);
+  /// Where a blade's edge meets the wall first.
+  std::optional<SurfacePoint> place_below(int tool, const ToolPose& pose) const;
+  /// From the tip, or where the blade met the wall first, to where a blade meets the wall or has left it.
+  std::optional<WayOn> way_on(int tool, const ToolPose& pose) const;
+  /// From the tip to the open border that the blade has left the wall over; nothing where it has not.
+  std::optional<WayOn> way_to_border(const ToolPose& pose) const;
+  std::optional<Cut> go_on(const WayOn& way, const ToolPose& pose, std::span<const ToolPose> poses);
+  /// What the wall releases, joule, at rest with all lips free, where the cut goes on along a path, and what that
+  /// costs; nothing where it finds no equilibrium or is not cut. Changes nothing.
+  std::optional<Rupture> try_cut(const CutPath& path, std::span<const ToolPose> poses);
+  /// Lets the cut run to where the blade will be at `pose`. `lead`: metres of the blade's way to the tip.
+  std::optional<Cut> run(const WayOn& way, const ToolPose& pose, double lead, std::span<const ToolPose> poses);
   void begin_cut(const SurfacePoint& place);
   /// Looks for where a blade that has left the wall comes back into it.
   void find_gap(const Cut& cut, const Eigen::Vector3d& left, const Eigen::Vector3d& way, const ToolPose& pose);

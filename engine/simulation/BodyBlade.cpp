@@ -30,6 +30,7 @@ double Body::cost_at(const SurfacePoint& place) const {
 double Body::way_of_wall(const BladeInput& blade, const Eigen::VectorXd& motion) const {
   const CutProgress& cut = state_.cut;
   if (cut.tip) return blade.direction.dot(motion.segment<3>(3 * *cut.tip));
+  if (!cut.start) return 0;
   return blade.direction.dot(place_on(*model_, cut.start->triangle, cut.start->weights, motion));
 }
 
@@ -49,13 +50,17 @@ double Body::book_cut(const CutProgress& before, const Eigen::VectorXd& motion,
   double paid = 0;  // joule, by the blade
   if (blade && blade->travel > 0) {
     const double advance = std::max(0.0, blade->travel - way_of_wall(*blade, motion));
+    const double open = std::min(after.ahead, advance), cut = advance - open;
     paid = 0.5 * (before.push + after.push) * blade->travel;
     after.progress = advance / blade->travel;
-    after.owed += after.cost * advance - paid - released;
+    after.ahead -= open;
+    after.awaited = std::max(0.0, after.awaited - advance);
+    after.owed += after.cost * cut - paid - released;
     // Lips open by fits and starts, so what they release is smoothed and settled over the lengths of some triangles.
-    const double length = kSettledEdges * model_->edge_length, share = std::min(1.0, advance / length);
-    if (advance > 0) after.given += share * (released / advance - after.given);
-    after.resistance = std::clamp(after.cost - after.given + after.owed / length, 0.0, after.cost);
+    const double length = kSettledEdges * model_->edge_length, share = std::min(1.0, cut / length);
+    if (cut > 0) after.given += share * (released / cut - after.given);
+    after.resistance =
+        after.ahead > 0 ? 0 : std::clamp(after.cost - after.given + after.owed / length, 0.0, after.cost);
     state_.contacts[blade->tool].force -= after.push * blade->direction;
     state_.contacts[blade->tool].touching = true;
   } else {

@@ -20,17 +20,6 @@ std::string group_of_fixed(std::size_t region) {
   return "\nfixed " + std::to_string(region);
 }
 
-/// Length along the lips at a position, metres.
-double length_of(std::span<const Lips> cut, const Eigen::VectorXd& position) {
-  double length = 0;
-  for (const Lips& lips : cut) {
-    for (std::size_t k = 1; k < lips.left.size(); ++k) {
-      length += (position.segment<3>(3 * lips.left[k]) - position.segment<3>(3 * lips.left[k - 1])).norm();
-    }
-  }
-  return length;
-}
-
 }  // namespace
 
 void Body::prepare_cutting() {
@@ -158,25 +147,44 @@ void Body::hold_lips(double length, bool pays) {
 
 std::optional<Cut> Body::follow_blade(int tool, std::span<const ToolPose> poses, bool goes_on) {
   const ToolPose& pose = poses[tool];
-  const SurfaceView wall = surface();
-  if (come_out_of_gap(pose)) return std::nullopt;
-  const auto entry = first_entry_on_segment(wall, pose.tip - tools_[tool].length * pose.direction, pose.tip);
-  if (!entry) return cut_to_border(pose, poses);
-  const SurfacePoint target = snapped_to_edges(wall, {.triangle = entry->triangle, .weights = entry->weights});
   CutProgress& progress = state_.cut;
-  if (!progress.tip && !progress.start) {
-    if (progress.gap) return std::nullopt;
-    progress.tool = tool;
-    begin_cut(target);
-    hold_dent(tool, poses);
+  if (progress.ahead > 0 || come_out_of_gap(pose)) return std::nullopt;
+  if (!progress.is_in_wall()) {
+    if (const auto place = place_below(tool, pose); place && !progress.gap) {
+      progress.tool = tool;
+      begin_cut(*place);
+      hold_dent(tool, poses);
+    }
     return std::nullopt;
   }
-  const SurfacePoint from = progress.tip ? point_at(wall.triangles, *progress.tip) : *progress.start;
-  const SurfaceTrace way = trace(wall, vertex_normals(wall), from, target);
-  if (way.pieces.size() != 1) return cut_to_border(pose, poses);
-  CutPath path{.from = progress.tip, .points = way.pieces.front().points, .goes_on = goes_on};
-  Cut cut = this->cut(path, poses);
+  std::optional<WayOn> way = way_on(tool, pose);
+  if (!way) return std::nullopt;
+  way->path.goes_on = goes_on && !way->border;
+  return go_on(*way, pose, poses);
+}
+
+std::optional<SurfacePoint> Body::place_below(int tool, const ToolPose& pose) const {
+  const SurfaceView wall = surface();
+  const auto entry = first_entry_on_segment(wall, pose.tip - tools_[tool].length * pose.direction, pose.tip);
+  if (!entry) return std::nullopt;
+  return snapped_to_edges(wall, {.triangle = entry->triangle, .weights = entry->weights});
+}
+
+std::optional<Body::WayOn> Body::way_on(int tool, const ToolPose& pose) const {
+  const SurfaceView wall = surface();
+  const std::optional<SurfacePoint> target = place_below(tool, pose);
+  if (!target) return way_to_border(pose);
+  const std::optional<int> tip = state_.cut.tip;
+  const SurfacePoint from = tip ? point_at(wall.triangles, *tip) : *state_.cut.start;
+  const SurfaceTrace way = trace(wall, vertex_normals(wall), from, *target);
+  if (way.pieces.size() != 1) return way_to_border(pose);
+  return WayOn{.path = {.from = tip, .points = way.pieces.front().points}};
+}
+
+std::optional<Cut> Body::go_on(const WayOn& way, const ToolPose& pose, std::span<const ToolPose> poses) {
+  Cut cut = this->cut(way.path, poses);
   if (cut.triangles.empty()) return std::nullopt;
+  if (way.border && !cut.tip) find_gap(cut, *way.border, way.sense, pose);
   return cut;
 }
 
@@ -197,7 +205,7 @@ void Body::hold_dent(int tool, std::span<const ToolPose> poses) {
   find_forces(poses);
 }
 
-std::optional<Cut> Body::cut_to_border(const ToolPose& pose, std::span<const ToolPose> poses) {
+std::optional<Body::WayOn> Body::way_to_border(const ToolPose& pose) const {
   if (!state_.cut.tip) return std::nullopt;
   const int tip = *state_.cut.tip;
   const SurfaceView wall = surface();
@@ -210,11 +218,9 @@ std::optional<Cut> Body::cut_to_border(const ToolPose& pose, std::span<const Too
   const SurfaceTrace way =
       trace(wall, vertex_normals(wall), point_at(wall.triangles, tip), snapped_to_edges(wall, *border));
   if (way.pieces.size() != 1) return std::nullopt;
-  const Eigen::Vector3d left = place_on(*model_, border->triangle, border->weights, state_.equilibrium.position);
-  Cut cut = this->cut({.from = tip, .points = way.pieces.front().points}, poses);
-  if (cut.triangles.empty()) return std::nullopt;
-  if (!cut.tip) find_gap(cut, left, (to - from).normalized(), pose);
-  return cut;
+  return WayOn{.path = {.from = tip, .points = way.pieces.front().points},
+               .border = place_on(*model_, border->triangle, border->weights, state_.equilibrium.position),
+               .sense = (to - from).normalized()};
 }
 
 void Body::begin_cut(const SurfacePoint& place) {
@@ -260,6 +266,7 @@ void Body::leave_cut() {
   state_.cut.tip.reset();
   state_.cut.start.reset();
   state_.cut.resistance = state_.cut.push = state_.cut.progress = state_.cut.given = state_.cut.owed = 0;
+  state_.cut.ahead = state_.cut.awaited = 0;
 }
 
 }  // namespace thinwall

@@ -5,7 +5,7 @@
 namespace thinwall {
 namespace {
 
-/// Part of their forces by which lips are let go in a step without a blade.
+/// Part of their forces by which lips are let go in a step where no blade leads.
 constexpr double kIdleRelease = 0.25;
 
 }  // namespace
@@ -15,9 +15,10 @@ CutProgress let_go(const CutProgress& progress, const std::optional<BladeInput>&
   std::erase_if(after.held, [](const HeldLips& lips) { return lips.held == 0; });
   double travel = blade ? progress.progress * blade->travel : 0;
   for (HeldLips& lips : after.held) {
-    const double part = std::min(lips.held, blade ? travel / lips.length : kIdleRelease);
+    const bool follows = blade && !lips.runs;
+    const double part = std::min(lips.held, follows ? travel / lips.length : kIdleRelease);
     lips.held -= part;
-    travel -= part * lips.length;
+    if (follows) travel -= part * lips.length;
   }
   after.push = blade && blade->travel > 0 ? progress.resistance : 0;
   return after;
@@ -31,6 +32,16 @@ Eigen::VectorXd force_at_lips(const CutProgress& progress, Eigen::Index unknowns
     for (const HeldTurn& one : lips.turns) force[one.unknown] += lips.held * one.force;
   }
   return force;
+}
+
+double length_of(std::span<const Lips> cut, const Eigen::VectorXd& position) {
+  double length = 0;
+  for (const Lips& lips : cut) {
+    for (std::size_t k = 1; k < lips.left.size(); ++k) {
+      length += (position.segment<3>(3 * lips.left[k]) - position.segment<3>(3 * lips.left[k - 1])).norm();
+    }
+  }
+  return length;
 }
 
 }  // namespace thinwall

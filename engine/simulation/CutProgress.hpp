@@ -2,8 +2,10 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "engine/cutting/Cut.hpp"
 #include "engine/mesh/SurfacePoint.hpp"
 
 namespace thinwall {
@@ -34,6 +36,7 @@ struct HeldLips {
   double held = 1;    // part of the forces that still acts
   double length = 0;  // metres, rest, of the cut: the blade's way over which it is let go
   bool pays = true;   // whether what it releases pays for new cut area, or is lost
+  bool runs = false;  // whether the cut ran ahead here: let go at once, whatever the blade does
 };
 
 /// A gap of the wall that a blade crosses.
@@ -50,6 +53,9 @@ struct GapBeyond {
 /// A sharp blade parts the wall and does not drag it along: the wall around feels the lips alone. To let it bear the
 /// resistance as well would take away its tension before the tip, and beside a free lip it has none to give. So what
 /// holds the body does not feel the resistance.
+///
+/// Where the wall alone releases more than the cost the cut runs ahead (see Body::run_ahead). Its lips are let go in
+/// some steps, and the blade cuts nothing and feels nothing until it is where the cut has run to.
 struct CutProgress {
   std::optional<int> tool = {};            // whose blade is in the wall: the wall is free on it
   std::optional<SurfacePoint> start = {};  // where a blade met the wall, until it is cut there
@@ -64,6 +70,10 @@ struct CutProgress {
   double owed = 0;                         // joule, of the new area so far, that neither blade nor wall has paid yet
   double due = 0;                          // joule, that what has been cut is worth beyond what has been booked for it
   double length = 0;                       // metres, rest, cut since time zero
+  double ahead = 0;                        // metres of the blade's way, in its own wound, to where the cut has run to
+  double awaited = 0;                      // metres of the blade's way before it is asked again whether the cut runs
+  double run = 0;                          // metres, as it is stretched, that the cut has run in this step
+  double run_length = 0;                   // metres, rest, of `length`: that ran ahead of blades
   bool has_incised = false;                // whether a blade has cut the wall, that holds flaps together no more
 
   /// Whether there is wall before the blade, and it is not in a gap or beyond a border.
@@ -71,10 +81,14 @@ struct CutProgress {
 };
 
 /// After a step: lips let go one after the other over what the blade cuts, taken to be the same part of its way as in
-/// the step before, or all by a fixed part where no blade goes on. `blade`: none in a gap of the wall.
+/// the step before, or all by a fixed part where no blade goes on, as are those of cuts that ran ahead. `blade`: none
+/// in a gap of the wall.
 CutProgress let_go(const CutProgress& progress, const std::optional<BladeInput>& blade);
 
 /// Forces at the lips, (unknowns), newton; none where there are none.
 Eigen::VectorXd force_at_lips(const CutProgress& progress, Eigen::Index unknowns);
+
+/// Along the left lips, metres. `position`: (unknowns), metres.
+double length_of(std::span<const Lips> cut, const Eigen::VectorXd& position);
 
 }  // namespace thinwall

@@ -1,5 +1,7 @@
 #include "studio/director/Incising.hpp"
 
+#include <fmt/format.h>
+
 #include <vector>
 
 #include "studio/director/Schedule.hpp"
@@ -57,6 +59,19 @@ std::optional<Cut> incise(IncisionPlan& plan, Body& body, const BladeStep& step)
   const double length = plan.path.length();
   if (plan.progress(step.begin) >= length) return std::nullopt;
   return body.follow_blade(step.tool, step.after, plan.progress(step.end) < length);
+}
+
+std::optional<Cut> run_ahead(const IncisionPlan& plan, Body& body, const BladeStep& step) {
+  if (!is_in_wall(body, step.tool) || plan.goes_out(step.end)) return std::nullopt;
+  const double passed = plan.progress(step.end);
+  return body.run_ahead(step.after, [&](double way) { return plan.pose_ahead(passed + way); });
+}
+
+std::string to_text(const RunningCut& run, const Body& body) {
+  return fmt::format(
+      "body `{}`: from {:.4g} s on the cut of blade `{}` ran ahead, by {:.3g} mm in all: the tense wall released more "
+      "there than its `toughness` asks",
+      body.model().definition.name, run.since, run.blade, 1e3 * body.state().cut.run_length);
 }
 
 }  // namespace thinwall

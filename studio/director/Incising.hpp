@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 
 #include "engine/simulation/Body.hpp"
 #include "studio/director/IncisionPlan.hpp"
@@ -26,5 +27,18 @@ std::optional<BladeInput> blade_input(const IncisionPlan& plan, const Body& body
 /// makes, or has to go on along its path; cuts the wall up to the blade; frees the wall from it when the clip ends.
 /// Says what has been cut. Throws SimulationFailure as Body::follow_blade does.
 std::optional<Cut> incise(IncisionPlan& plan, Body& body, const BladeStep& step);
+
+/// After that: lets the cut run ahead of the blade by one piece along the path where that pays, straight on beyond the
+/// path's end; see Body::run_ahead.
+std::optional<Cut> run_ahead(const IncisionPlan& plan, Body& body, const BladeStep& step);
+
+/// That the cuts of a body have run ahead of blades.
+struct RunningCut {
+  std::string blade;  // the first one
+  double since = 0;   // seconds, of time
+};
+
+/// A sentence for the user.
+std::string to_text(const RunningCut& run, const Body& body);
 
 }  // namespace thinwall

@@ -156,6 +156,16 @@ ToolPose IncisionPlan::pose_below(double along) const {
   return make_pose(station.position + clip.depth * station.inward, station.inward, axis);
 }
 
+ToolPose IncisionPlan::pose_ahead(double along) const {
+  ToolPose pose = pose_below(along);
+  const double beyond = along - path.length();
+  // As much deeper, so that the edge meets a wall that falls away.
+  if (beyond > 0) {
+    pose.tip += point_at(path, along, clip.depth) - path.stations.back().position + beyond * pose.direction;
+  }
+  return pose;
+}
+
 ToolMoment IncisionPlan::at(double time) const {
   const double in = clip.standoff + clip.depth;               // metres
   const double arrival = (in + path.length()) / clip.speed;   // seconds

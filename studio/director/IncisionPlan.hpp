@@ -24,6 +24,7 @@ struct IncisionPlan {
   double progress(double time) const;       // metres of the path that the tip has passed
   bool goes_out(double time) const;         // whether the blade is on its way back
   ToolPose pose_below(double along) const;  // of the blade in its depth, `along` metres from the path's beginning
+  ToolPose pose_ahead(double along) const;  // the same; straight on beyond the path's end, and as much deeper there
   void feel_entry(double time) { entered = entered.value_or(time); }
 };
 

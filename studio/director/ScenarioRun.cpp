@@ -37,6 +37,7 @@ struct ScenarioRun::Implementation {
   std::vector<std::string> warnings;
   Snapshot snapshot;
   StepRecord record;
+  std::map<std::size_t, RunningCut> runs;  // by the body's index
   long steps = 0;
   long halved_steps = 0;
 
@@ -222,9 +223,16 @@ struct ScenarioRun::Implementation {
                            .after = after};
       const std::size_t index = body_index(incision->clip.body);
       Body& body = *bodies[index];
-      const SurfaceMesh uncut = body.model().definition.mesh;
-      const std::optional<Cut> cut = incise(*incision, body, step);
-      if (cut) take_over(*cut, index, uncut);
+      const auto cut = [&](auto&& how) {
+        const SurfaceMesh uncut = body.model().definition.mesh;
+        const std::optional<Cut> made = how();
+        if (made) take_over(*made, index, uncut);
+        return made.has_value();
+      };
+      cut([&] { return incise(*incision, body, step); });
+      while (cut([&] { return run_ahead(*incision, body, step); })) {
+        runs.try_emplace(index, RunningCut{.blade = incision->clip.tool, .since = until});
+      }
     }
   }
 
@@ -383,6 +391,7 @@ std::vector<std::string> ScenarioRun::warnings() const {
     all.push_back(fmt::format("{} of {} steps had to be divided to be solved", implementation_->halved_steps,
                               implementation_->steps));
   }
+  for (const auto& [index, run] : implementation_->runs) all.push_back(to_text(run, *implementation_->bodies[index]));
   return all;
 }
 

@@ -108,8 +108,8 @@ ValueSchema wall_value() {
        field_schema(quantity_value(kForcePerLength, kAboveZero, "0.4 kJ/m^2")),
        false,
        {},
-       "energy per new cut area, which is thickness times length of the cut; a wall without it cannot be "
-       "cut or pierced"});
+       "energy per new cut area, which is thickness times length of the cut; where a tense wall "
+       "releases more, cuts run ahead of the blade; a wall without it cannot be cut or pierced"});
   wall.keys.push_back({"viscosity", list_value(mapping_value({prony_term()})), false, "[]",
                        "Prony series of quasi-linear viscoelasticity; the fractions add up to less than 1"});
   wall.keys.push_back({"damping", mapping_value({damping()}), false, "{}", "Rayleigh damping"});

@@ -111,7 +111,11 @@ MappingSchema incise() {
       "as long as the blade is wide would cost (toughness times thickness times width), at the latest until the "
       "blade moves on along the path; then the blade is in, and cuts the wall that its edge meets first. A sharp "
       "blade does not drag the wall along: the blade feels what new area costs beyond what the wall releases, but "
-      "what holds the body does not. Errors are points out of reach or not joined by the wall, a depth larger than "
+      "what holds the body does not. Where the wall alone releases more than new area costs the cut runs ahead of "
+      "the blade, along the path and straight on beyond its end, until it does not or comes to a border or another "
+      "cut, in each step by about the blade's width at most (or two triangles' edges); what is beyond the cost is "
+      "`jump_J`, and the blade feels nothing until it is where the cut has run to. The run says that it did and by "
+      "how much. Errors are points out of reach or not joined by the wall, a depth larger than "
       "the blade is high or the body measures there, and a blade that would start inside the body or touch it "
       "already.");
 }

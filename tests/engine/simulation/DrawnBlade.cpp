@@ -14,13 +14,13 @@ std::vector<Cut> draw_blade(Body& body, const BladeStroke& stroke, const std::fu
                             const std::function<void(const Cut&)>& after_cut) {
   std::vector<ToolPose> poses = {pose_at(stroke.points.front(), stroke.direction)};
   std::vector<Cut> cuts;
-  const auto follow = [&] {
-    const std::optional<Cut> cut = body.follow_blade(0, poses);
-    if (!cut) return;
+  const auto note = [&](const std::optional<Cut>& cut) {
+    if (!cut) return false;
     cuts.push_back(*cut);
     if (after_cut) after_cut(*cut);
+    return true;
   };
-  follow();
+  note(body.follow_blade(0, poses));
   for (std::size_t k = 1; k < stroke.points.size(); ++k) {
     const Eigen::Vector3d begin = stroke.points[k - 1], way = stroke.points[k] - begin;
     const int steps = static_cast<int>(std::ceil(way.norm() / stroke.step - 1e-9));
@@ -32,7 +32,10 @@ std::vector<Cut> draw_blade(Body& body, const BladeStroke& stroke, const std::fu
       }
       body.advance(poses, next, stroke.duration, input);
       poses = next;
-      follow();
+      note(body.follow_blade(0, poses));
+      while (note(body.run_ahead(
+          poses, [&](double ahead) { return pose_at(poses[0].tip + ahead * way.normalized(), stroke.direction); }))) {
+      }
       if (after_step) after_step();
     }
   }

@@ -18,9 +18,9 @@ struct BladeStroke {
   double duration = 5e-3;                                 // seconds, of a step
 };
 
-/// Draws the blade that is the only tool of a body through its wall, from one point to the next one. Gives the cuts in
-/// their order; calls `after_step` after each step and `after_cut` after each cut. The blade leaves the wall in the
-/// end.
+/// Draws the blade that is the only tool of a body through its wall, from one point to the next one, and lets the
+/// cut run ahead straight on. Gives the cuts in their order; calls `after_step` after each step and `after_cut` after
+/// each cut. The blade leaves the wall in the end.
 std::vector<Cut> draw_blade(Body& body, const BladeStroke& stroke, const std::function<void()>& after_step = {},
                             const std::function<void(const Cut&)>& after_cut = {});
 

@@ -157,6 +157,20 @@ TEST(Incision, OfAFilledBodyLetsTheFluidOutAndBooksAllOfIt) {
   EXPECT_NEAR(body.cut_length, 0.0122, 2.6e-3);  // edges of 2.6 mm
 }
 
+TEST(Incision, OfATenseWallRunsAheadOfTheBladeAndSaysSo) {
+  Scenario scenario = sheet_scenario(1.1);
+  scenario.bodies[0].toughness = Field<double>{.standard = 20};
+  ScenarioRun run(scenario);
+  double largest = 0;
+  while (run.step()) expect_closed_books(run.record().bodies.at(0), largest);
+  const BodyRecord& body = run.record().bodies.at(0);
+  EXPECT_GT(body.cut_length, 0.017) << "the path is 14 mm long";
+  EXPECT_NEAR(body.fracture, 20 * kThickness * body.cut_length, 1e-3 * body.fracture);
+  std::string all;
+  for (const std::string& warning : run.warnings()) all += warning + "\n";
+  EXPECT_NE(all.find("s on the cut of blade `blade` ran ahead, by "), std::string::npos) << all;
+}
+
 TEST(Incision, TwiceTheSameGivesTheSameDigest) {
   std::vector<std::string> digests;
   for (int k = 0; k < 2; ++k) {
