@@ -99,7 +99,7 @@ FrameUniforms frame_uniforms(const Camera& camera, const SceneExtent& extent, co
   frame.fill_direction = float4(studio.fill_direction, view.lights.fill);
   frame.environment = {static_cast<float>(view.lights.environment),
                        static_cast<float>(view.lights.environment_contrast), static_cast<float>(0.006 * extent.size),
-                       0};
+                       static_cast<float>(2 * camera.tangent_y / size.height)};
   for (std::size_t i = 0; i < 3; ++i) {
     frame.background[i] = static_cast<float>(view.look.background[i]);
   }

@@ -30,10 +30,11 @@ struct FrameUniforms {
   Float4 key_right{};            // of length one, horizontal, across the key light
   Float4 panels{};               // xy: horizontal direction to the front panel; zw: to the back panel
   Float4 fill_direction{};       // to the light; w: strength
-  Float4 environment{};          // x: strength; y: contrast; z: offset against self-shadow, metres
-  Float4 background{};           // sRGB
-  Float4 floor_key{};            // linear: what the lit floor shows of the key light
-  Float4 floor_sky{};            // linear: and of the light from all around
+  Float4
+      environment{};  // x: strength; y: contrast; z: offset against self-shadow, metres; w: a pixel's height at depth 1
+  Float4 background{};                        // sRGB
+  Float4 floor_key{};                         // linear: what the lit floor shows of the key light
+  Float4 floor_sky{};                         // linear: and of the light from all around
   std::array<Float4, kMostRods> rod_start{};  // metres; w: radius squared
   std::array<Float4, kMostRods> rod_span{};   // from start to end; w: 1 / length squared
 };

@@ -1,5 +1,7 @@
 #include "renderer/picture/Renderer.hpp"
 
+#include <chrono>
+#include <ctime>
 #include <optional>
 
 #include "renderer/device/OffscreenContext.hpp"
@@ -15,6 +17,29 @@
 
 namespace thinwall {
 namespace {
+
+/// Says when passes end; waits for them only when somebody wants to know.
+class PassClock {
+ public:
+  explicit PassClock(std::vector<PassTime>* times) : times_(times) {}
+  void ends(const char* pass) {
+    if (times_ == nullptr) return;
+    glFinish();
+    const Wall::time_point wall = Wall::now();
+    const std::clock_t processor = std::clock();
+    times_->push_back({.pass = pass,
+                       .wall_seconds = std::chrono::duration<double>(wall - wall_).count(),
+                       .processor_seconds = static_cast<double>(processor - processor_) / CLOCKS_PER_SEC});
+    wall_ = wall;
+    processor_ = processor;
+  }
+
+ private:
+  using Wall = std::chrono::steady_clock;
+  std::vector<PassTime>* times_;
+  Wall::time_point wall_ = Wall::now();
+  std::clock_t processor_ = std::clock();
+};
 
 /// All that lives in the context, in the order in which it can be made.
 struct Stage {
@@ -49,13 +74,15 @@ struct Renderer::Implementation {
     stage.reset();
   }
 
-  Image draw(const Snapshot& snapshot, const ViewDefinition& view);
+  Image draw(const Snapshot& snapshot, const ViewDefinition& view, std::vector<PassTime>* times);
 
   OffscreenContext context;
   std::optional<Stage> stage;
 };
 
-Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinition& view) {
+Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinition& view,
+                                     std::vector<PassTime>* times) {
+  PassClock clock(times);
   const SceneExtent extent = scene_extent(snapshot);
   const Camera camera = resolve_camera(view.camera, extent, stage->target.size(), snapshot.time);
   const Studio studio = arrange_studio(view.lights, resolve_camera(view.camera, extent, stage->target.size(), 0));
@@ -67,17 +94,29 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
   glNamedBufferSubData(stage->frame.name(), 0, sizeof(frame), &frame);
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, stage->frame.name());
 
+  clock.ends("meshes");
+
   if (stage->refined) {
     stage->floor_shade.draw(stage->meshes, studio.key_direction);
+    clock.ends("floor's shade");
     stage->shadow_map.draw(stage->meshes, key_light_matrix(extent, studio.key_direction));
   } else {
     stage->floor_shade.clear();
     stage->shadow_map.clear();
   }
-  stage->scene_pass.draw(stage->meshes, stage->target);
+  clock.ends("shadow map");
+  stage->scene_pass.draw_surface(stage->meshes, stage->target);
+  clock.ends("surface");
+  stage->scene_pass.shade_tissue(stage->meshes, stage->target);
+  clock.ends("tissue");
+  stage->scene_pass.draw_surroundings(stage->meshes);
+  clock.ends("tools and floor");
   if (stage->refined)
     stage->outline_pass.draw(stage->meshes.outline(snapshot, camera.position), stage->target.copy_of_color());
-  return stage->target.finish();
+  clock.ends("outline");
+  Image image = stage->target.finish();
+  clock.ends("read-back");
+  return image;
 }
 
 Renderer::Renderer(const DeviceChoice& device, ImageSize size, Tier tier)
@@ -87,7 +126,11 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 Image Renderer::draw(const Snapshot& snapshot, const ViewDefinition& view) {
-  return implementation_->draw(snapshot, view);
+  return implementation_->draw(snapshot, view, nullptr);
+}
+
+Image Renderer::draw_timed(const Snapshot& snapshot, const ViewDefinition& view, std::vector<PassTime>& times) {
+  return implementation_->draw(snapshot, view, &times);
 }
 
 std::string Renderer::driver() const {

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "renderer/device/DeviceChoice.hpp"
 #include "renderer/image/Image.hpp"
@@ -9,6 +10,13 @@
 #include "renderer/snapshot/Snapshot.hpp"
 
 namespace thinwall {
+
+/// What a pass of a picture took.
+struct PassTime {
+  std::string pass;
+  double wall_seconds = 0;
+  double processor_seconds = 0;  // of all threads of the process
+};
 
 /// Draws snapshots without a window. Owns its GL context; use it from one thread at a time.
 class Renderer {
@@ -21,6 +29,10 @@ class Renderer {
 
   /// The picture of a snapshot: a pure function of the arguments, size and tier, whatever was drawn before.
   Image draw(const Snapshot& snapshot, const ViewDefinition& view);
+
+  /// The same picture, with the driver made to end each pass before the next begins, so that each can be timed. Appends
+  /// to `times`.
+  Image draw_timed(const Snapshot& snapshot, const ViewDefinition& view, std::vector<PassTime>& times);
 
   /// Vendor, renderer and version as the driver names itself, one line.
   std::string driver() const;

@@ -1,49 +1,17 @@
 #include "renderer/picture/SceneMeshes.hpp"
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
 
 #include "renderer/picture/SurfaceVertices.hpp"
 
 namespace thinwall {
-namespace {
-
-/// Caps close the fluid where no wall is: they look like a smooth, pale cut.
-TissueLook cap_look(TissueLook look) {
-  for (double& channel : look.color) channel = 0.55 * channel + 0.45 * 0.80;
-  look.mottling *= 0.25;
-  return look;
-}
-
-/// Where a wall is cut through or ends: moist, without the vessels of its outer side; red below pale skin, pale in red
-/// tissue, so that the cut stands out.
-TissueLook rim_look(TissueLook look) {
-  const Double3 red = {0.66, 0.17, 0.15}, pale = {0.90, 0.66, 0.58};  // sRGB
-  const double paleness = std::clamp((look.color[1] - 0.35) / 0.2, 0.0, 1.0);
-  for (std::size_t k = 0; k < 3; ++k) {
-    look.color[k] = 0.4 * look.color[k] + 0.6 * (paleness * red[k] + (1 - paleness) * pale[k]);
-  }
-  look.mottling *= 0.3;
-  look.wetness = std::max(look.wetness, 0.7);
-  return look;
-}
-
-/// The inner side of a wall: smooth, dark and wet.
-TissueLook lining_look(TissueLook look) {
-  const Double3 blood = {0.45, 0.10, 0.09};  // sRGB
-  for (std::size_t k = 0; k < 3; ++k) look.color[k] = 0.5 * look.color[k] + 0.5 * blood[k];
-  look.mottling *= 0.3;
-  return look;
-}
-
-}  // namespace
 
 SceneMeshes::SceneMeshes()
     : tissue_(sizeof(SurfaceVertex), {{0, 3, offsetof(SurfaceVertex, position)},
                                       {1, 3, offsetof(SurfaceVertex, normal)},
                                       {2, 3, offsetof(SurfaceVertex, rest)},
-                                      {3, 2, offsetof(SurfaceVertex, blanch)}}),
+                                      {3, 4, offsetof(SurfaceVertex, blanch)}}),
       tools_(sizeof(ToolVertex), {{0, 3, offsetof(ToolVertex, position)},
                                   {1, 3, offsetof(ToolVertex, normal)},
                                   {2, 3, offsetof(ToolVertex, roughness)}}) {}
@@ -59,7 +27,7 @@ void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& 
   std::vector<std::uint32_t> indices;
   parts_.clear();
   inner_borders_.clear();
-  const auto append = [&](const std::vector<SurfaceVertex>& added, const TissueLook& part_look, auto&& add_indices) {
+  const auto append = [&](const std::vector<SurfaceVertex>& added, const LookUniforms& part_look, auto&& add_indices) {
     const std::size_t first = indices.size();
     add_indices(static_cast<std::uint32_t>(vertices.size()));
     vertices.insert(vertices.end(), added.begin(), added.end());
@@ -74,19 +42,19 @@ void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& 
     for (const BorderEdge& edge : depth.lining.empty() ? std::vector<BorderEdge>{} : borders_[k]) {
       inner_borders_.push_back({depth.lining[edge.start].position, depth.lining[edge.end].position});
     }
-    append(wall, body_look, [&](std::uint32_t offset) {
+    append(wall, look_uniforms(body_look, TissueSide::kOutside), [&](std::uint32_t offset) {
       for (const Triangle& triangle : surface.topology->triangles) {
         for (const std::uint32_t vertex : triangle) indices.push_back(offset + vertex);
       }
     });
-    append(cap_vertices(surface), cap_look(body_look), [&](std::uint32_t offset) {
+    append(cap_vertices(surface), look_uniforms(body_look, TissueSide::kCap), [&](std::uint32_t offset) {
       const std::size_t corners = 3 * surface.topology->cap_triangles.size();
       for (std::size_t i = 0; i < corners; ++i) indices.push_back(offset + static_cast<std::uint32_t>(i));
     });
-    append(depth.rim, rim_look(body_look), [&](std::uint32_t offset) {
+    append(depth.rim, look_uniforms(body_look, TissueSide::kRim), [&](std::uint32_t offset) {
       for (const std::uint32_t corner : depth.rim_corners) indices.push_back(offset + corner);
     });
-    append(depth.lining, lining_look(body_look), [&](std::uint32_t offset) {
+    append(depth.lining, look_uniforms(body_look, TissueSide::kLining), [&](std::uint32_t offset) {
       if (depth.lining.empty()) return;
       for (const Triangle& triangle : surface.topology->triangles) {
         for (const std::size_t corner : {0U, 2U, 1U}) indices.push_back(offset + triangle[corner]);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/picture/LookUniforms.hpp"
 #include "renderer/picture/Outline.hpp"
 #include "renderer/picture/SceneExtent.hpp"
 #include "renderer/picture/ToolShape.hpp"
@@ -15,7 +16,7 @@ namespace thinwall {
 
 /// A body's wall, caps, rims or lining within the buffer of all tissue.
 struct TissuePart {
-  TissueLook look;
+  LookUniforms look;
   std::size_t first_index = 0;
   std::size_t index_count = 0;
 };

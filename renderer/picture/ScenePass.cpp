@@ -19,37 +19,21 @@ void require_countable(std::size_t parts) {
 
 ScenePass::ScenePass()
     : surface_(build_program("surface.vert", "surface.frag")),
-      tissue_(build_program("screen.vert", "tissue.frag")),
+      tissue_(build_program("tissue.vert", "tissue.frag")),
       metal_(build_program("metal.vert", "metal.frag")),
       floor_(build_program("screen.vert", "floor.frag")),
-      no_vertices_(create_vertex_array()) {}
+      no_vertices_(create_vertex_array()),
+      look_(create_buffer()) {
+  glNamedBufferStorage(look_.name(), sizeof(LookUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT);
+}
 
-void ScenePass::draw(const SceneMeshes& meshes, const PictureTarget& target) const {
+void ScenePass::draw_surface(const SceneMeshes& meshes, const PictureTarget& target) const {
   require_countable(meshes.parts().size());
   target.begin_surface();
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   glDepthMask(GL_TRUE);
   glEnable(GL_STENCIL_TEST);
-  draw_surface(meshes);
-
-  target.begin_color();
-  glDisable(GL_DEPTH_TEST);
-  shade_tissue(meshes);
-  glDisable(GL_STENCIL_TEST);
-
-  glEnable(GL_DEPTH_TEST);
-  glUseProgram(metal_.name());
-  meshes.tools().draw();
-  // The floor comes last, at the far end of depth, so that it is computed only where it is seen.
-  glDepthFunc(GL_EQUAL);
-  glDepthMask(GL_FALSE);
-  glUseProgram(floor_.name());
-  draw_screen();
-  glDepthMask(GL_TRUE);
-}
-
-void ScenePass::draw_surface(const SceneMeshes& meshes) const {
   glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
   glUseProgram(surface_.name());
   for (std::size_t i = 0; i < meshes.parts().size(); ++i) {
@@ -64,20 +48,30 @@ void ScenePass::draw_surface(const SceneMeshes& meshes) const {
   }
 }
 
-void ScenePass::shade_tissue(const SceneMeshes& meshes) const {
+void ScenePass::shade_tissue(const SceneMeshes& meshes, const PictureTarget& target) const {
+  target.begin_color();
+  glDisable(GL_DEPTH_TEST);
   glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
   glUseProgram(tissue_.name());
+  glBindBufferBase(GL_UNIFORM_BUFFER, 1, look_.name());
   for (std::size_t i = 0; i < meshes.parts().size(); ++i) {
-    const TissueLook& look = meshes.parts()[i].look;
-    glUniform3f(0, static_cast<float>(linear_from_srgb(look.color[0])),
-                static_cast<float>(linear_from_srgb(look.color[1])),
-                static_cast<float>(linear_from_srgb(look.color[2])));
-    glUniform1f(1, static_cast<float>(look.roughness));
-    glUniform1f(2, static_cast<float>(look.wetness));
-    glUniform1f(3, static_cast<float>(look.mottling));
+    glNamedBufferSubData(look_.name(), 0, sizeof(LookUniforms), &meshes.parts()[i].look);
     glStencilFunc(GL_EQUAL, static_cast<GLint>(i + 1), 0xff);
     draw_screen();
   }
+  glDisable(GL_STENCIL_TEST);
+}
+
+void ScenePass::draw_surroundings(const SceneMeshes& meshes) const {
+  glEnable(GL_DEPTH_TEST);
+  glUseProgram(metal_.name());
+  meshes.tools().draw();
+  // The floor comes last, at the far end of depth, so that it is computed only where it is seen.
+  glDepthFunc(GL_EQUAL);
+  glDepthMask(GL_FALSE);
+  glUseProgram(floor_.name());
+  draw_screen();
+  glDepthMask(GL_TRUE);
 }
 
 void ScenePass::draw_screen() const {

@@ -73,12 +73,13 @@ const SnapshotField* vertex_field(const SnapshotSurface& surface, const char* na
   return nullptr;
 }
 
-/// Mean of the neighbours' rise above the vertex's tangent plane, by the mean edge length; a dent's bottom gives its
-/// slope.
-double hollow_of(const Sums& sum, Vector3 position, Vector3 normal) {
+/// Twice the mean of the neighbours' rise above the vertex's tangent plane, over the square of their mean distance: on
+/// a sphere the neighbours at distance e lie e^2/(2r) below.
+double curvature_of(const Sums& sum, Vector3 position, Vector3 normal) {
   if (sum.neighbour_count == 0 || !(sum.edge_sum > 0)) return 0;
   const Vector3 mean = (1.0 / sum.neighbour_count) * sum.neighbours;
-  return std::clamp(dot(mean - position, normal) * sum.neighbour_count / sum.edge_sum, -1.0, 1.0);
+  const double edge = sum.edge_sum / sum.neighbour_count;
+  return 2 * dot(mean - position, normal) / (edge * edge);
 }
 
 /// Half of each value and half of the mean of its neighbours, so that a dent's shade does not end at a single vertex.
@@ -103,22 +104,23 @@ std::vector<SurfaceVertex> wall_vertices(const SnapshotSurface& surface) {
   const std::vector<Sums> sums = sum_over_triangles(surface);
   const SnapshotField* pressure = vertex_field(surface, "contact_pressure");
   std::vector<SurfaceVertex> vertices(surface.positions.size());
-  std::vector<double> blanch(vertices.size()), hollow(vertices.size());
+  std::vector<double> blanch(vertices.size()), curvature(vertices.size());
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const Vector3 normal = normalized(sums[i].normal);
+    const double area_ratio = sums[i].rest_area > 0 ? sums[i].area / sums[i].rest_area : 1;
     vertices[i].position = surface.positions[i];
     vertices[i].normal = float3(normal);
     vertices[i].rest = surface.topology->rest_positions[i];
+    vertices[i].thickness = static_cast<float>(1 / std::max(area_ratio, 1e-6));
     const double pressed = pressure ? blanch_of_pressure(pressure->values[i]) : 0;
-    const double stretched = blanch_of_stretch(sums[i].rest_area > 0 ? sums[i].area / sums[i].rest_area : 1);
-    blanch[i] = 1 - (1 - pressed) * (1 - stretched);
-    hollow[i] = hollow_of(sums[i], vector3(surface.positions[i]), normal);
+    blanch[i] = 1 - (1 - pressed) * (1 - blanch_of_stretch(area_ratio));
+    curvature[i] = curvature_of(sums[i], vector3(surface.positions[i]), normal);
   }
   blanch = spread(blanch, surface.topology->triangles);
-  hollow = spread(hollow, surface.topology->triangles);
+  curvature = spread(curvature, surface.topology->triangles);
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     vertices[i].blanch = static_cast<float>(blanch[i]);
-    vertices[i].hollow = static_cast<float>(hollow[i]);
+    vertices[i].curvature = static_cast<float>(curvature[i]);
   }
   return vertices;
 }

@@ -8,11 +8,13 @@ namespace thinwall {
 
 /// What the tissue shader reads of a vertex.
 struct SurfaceVertex {
-  Float3 position{};  // metres
-  Float3 normal{};    // of length one, outward, smooth across the triangles around
-  Float3 rest{};      // metres, stress-free position: where the pattern of the tissue sticks
-  float blanch = 0;   // 0 to 1: how far pressure and stretch have driven the blood out
-  float hollow = 0;   // -1 to 1: how far the surface around rises above (dent, positive) or falls away
+  Float3 position{};    // metres
+  Float3 normal{};      // of length one, outward, smooth across the triangles around
+  Float3 rest{};        // metres, stress-free position: where the pattern of the tissue sticks
+  float blanch = 0;     // 0 to 1: how far pressure and stretch have driven the blood out
+  float curvature = 0;  // 1 / metre, mean of both directions: positive in a dent, negative on a bulge
+  float thickness = 1;  // of now over stress-free, as the area there tells
+  float wound = 0;      // 0 to 1: nearness to a cut; within a rim the depth, from 0 outside to 1 inside
 };
 
 /// Vertices of the wall, numbered as in the surface.

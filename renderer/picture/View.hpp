@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "renderer/look/TissueLook.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
 
 namespace thinwall {
@@ -25,14 +26,6 @@ struct LightsDefinition {
   double environment = 1;                // strength of the light from all around
   double environment_contrast = 1;       // 0 to 1: from the same light from everywhere to a studio's ceiling and lamps
   std::optional<Double3> key_direction;  // from the scene to the key light
-};
-
-/// How a wall looks.
-struct TissueLook {
-  Double3 color = {0.72, 0.30, 0.27};  // sRGB, 0 to 1
-  double roughness = 0.45;             // 0 to 1, of the tissue below the wet layer
-  double wetness = 0.7;                // 0 to 1, strength of the wet layer
-  double mottling = 1;                 // 0 to 1, strength of the pattern: patches, vessels, fine relief
 };
 
 struct LookDefinition {

@@ -163,7 +163,7 @@ WallDepth wall_depth(const SnapshotSurface& surface, std::span<const SurfaceVert
     const Vector3 normal = vector3(vertex.normal);
     vertex.position = float3(vector3(vertex.position) - thickness[v] * normal);
     vertex.normal = float3(-normal);
-    vertex.hollow = -vertex.hollow;
+    vertex.curvature = -vertex.curvature;
     depth.lining.push_back(vertex);
   }
   const std::vector<Vector3> outward = outward_directions(surface, wall, borders);
@@ -179,9 +179,11 @@ WallDepth wall_depth(const SnapshotSurface& surface, std::span<const SurfaceVert
       const Vector3 other = around[v][neighbour];
       const bool smooth = dot(other, outward[k]) > kSmoothCosine;
       const Float3 normal = float3(smooth ? normalized(outward[k] + other) : outward[k]);
-      for (SurfaceVertex vertex : {wall[v], depth.lining[v]}) {
+      for (const auto& [side, inwards] : {std::pair{wall[v], 0.0f}, std::pair{depth.lining[v], 1.0f}}) {
+        SurfaceVertex vertex = side;
         vertex.normal = normal;
-        vertex.hollow = 0;
+        vertex.curvature = 0;
+        vertex.wound = inwards;
         depth.rim.push_back(vertex);
       }
     }

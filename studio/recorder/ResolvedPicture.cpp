@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "renderer/look/OrganLooks.hpp"
 #include "studio/take/TakeError.hpp"
 
 namespace thinwall {
@@ -23,12 +24,23 @@ CameraDefinition to_camera(const Json& camera) {
           .orbit_speed = camera.at("orbit_speed")};
 }
 
+/// Takes of before there were kinds of organs name none.
+TissueLook to_tissue_look(const Json& body) {
+  TissueLook look;
+  if (body.contains("organ")) {
+    const TissueLook* organ = find_organ_look(body.at("organ").get<std::string>());
+    if (organ == nullptr) throw TakeError("the take's scenario names an organ that this program does not know");
+    look = *organ;
+  }
+  if (body.contains("color")) look.color = body.at("color").get<Double3>();
+  if (body.contains("roughness")) look.roughness = body.at("roughness");
+  if (body.contains("wetness")) look.wetness = body.at("wetness");
+  return look;
+}
+
 LookDefinition to_look(const Json& look) {
   LookDefinition result{.background = look.at("background").get<Double3>(), .bodies = {}};
-  for (const auto& [name, body] : look.at("bodies").items()) {
-    result.bodies[name] = {
-        .color = body.at("color").get<Double3>(), .roughness = body.at("roughness"), .wetness = body.at("wetness")};
-  }
+  for (const auto& [name, body] : look.at("bodies").items()) result.bodies[name] = to_tissue_look(body);
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include "studio/scenario/ExpectationPass.hpp"
 #include "studio/scenario/IncludePass.hpp"
 #include "studio/scenario/LintPass.hpp"
+#include "studio/scenario/LookPass.hpp"
 #include "studio/scenario/ParameterPass.hpp"
 #include "studio/scenario/ReferencePass.hpp"
 #include "studio/scenario/ResolvedScenario.hpp"
@@ -43,6 +44,7 @@ Scenario load_scenario(const std::filesystem::path& file,
   lint_pass(checked, diagnostics);
   diagnostics.throw_errors(file);
   camera_pass(checked);
+  look_pass(checked);
 
   Scenario scenario = build_scenario(checked);
   scenario.file = file;

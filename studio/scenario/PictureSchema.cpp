@@ -1,3 +1,4 @@
+#include "renderer/look/OrganLooks.hpp"
 #include "studio/scenario/SchemaSections.hpp"
 
 namespace thinwall {
@@ -60,11 +61,26 @@ ValueSchema lights_schema() {
 
 ValueSchema look_schema() {
   MappingSchema tissue{.name = "tissue look", .documentation = "How the wall of a body looks."};
+  std::vector<std::string> organs;
+  std::string kinds = "what kind of tissue it is";
+  for (const OrganLook& organ : organ_looks()) {
+    organs.emplace_back(organ.organ);
+    kinds += (organs.size() == 1 ? ": `" : "; `") + organs.back() + "`, " + std::string(organ.documentation);
+  }
+  kinds += ". When absent, the one whose name is part of the body's name or its mesh file's, else `tissue`";
   tissue.keys = {
-      {"color", color_value(), false, "[0.72, 0.30, 0.27]", "sRGB colour, each part from 0 to 1"},
-      {"roughness", quantity_value(kDimensionless, kFromZeroToOne, "0.45"), false, "0.45",
-       "of the tissue below the wet layer"},
-      {"wetness", quantity_value(kDimensionless, kFromZeroToOne, "0.7"), false, "0.7", "strength of the wet layer"},
+      {"organ", word_value(organs), false, {}, kinds},
+      {"color", color_value(), false, {}, "sRGB colour of the tissue, each part from 0 to 1; the organ's when absent"},
+      {"roughness",
+       quantity_value(kDimensionless, kFromZeroToOne, "0.45"),
+       false,
+       {},
+       "of the tissue below the wet layer; the organ's when absent"},
+      {"wetness",
+       quantity_value(kDimensionless, kFromZeroToOne, "0.7"),
+       false,
+       {},
+       "strength of the wet layer; the organ's when absent"},
   };
   MappingSchema overlays{.name = "overlays", .documentation = "What is written over the picture."};
   overlays.keys = {

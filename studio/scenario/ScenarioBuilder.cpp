@@ -3,6 +3,7 @@
 #include <array>
 #include <cassert>
 
+#include "renderer/look/OrganLooks.hpp"
 #include "studio/scenario/ExpectationQuantity.hpp"
 #include "studio/scenario/FieldBuilder.hpp"
 
@@ -300,13 +301,17 @@ LightsDefinition to_lights(const CheckedValue& lights) {
           .key_direction = find_double3(lights, "key_direction")};
 }
 
+TissueLook to_tissue_look(const CheckedValue& body) {
+  TissueLook look = *find_organ_look(body.at("organ").text);
+  if (body.find("color") != nullptr) look.color = to_double3(body.at("color"));
+  if (body.find("roughness") != nullptr) look.roughness = body.at("roughness").number;
+  if (body.find("wetness") != nullptr) look.wetness = body.at("wetness").number;
+  return look;
+}
+
 LookDefinition to_look(const CheckedValue& look) {
   LookDefinition result{.background = to_double3(look.at("background")), .bodies = {}};
-  for (const CheckedMember& body : look.at("bodies").members) {
-    result.bodies[body.key] = {.color = to_double3(body.value.at("color")),
-                               .roughness = body.value.at("roughness").number,
-                               .wetness = body.value.at("wetness").number};
-  }
+  for (const CheckedMember& body : look.at("bodies").members) result.bodies[body.key] = to_tissue_look(body.value);
   return result;
 }
 

@@ -39,3 +39,4 @@ const vec3 kFillColor = vec3(0.80, 0.90, 1.0);   // a cool wall
 float square(float x) { return x * x; }
 float saturate(float x) { return clamp(x, 0.0, 1.0); }
 vec2 saturate2(vec2 x) { return clamp(x, 0.0, 1.0); }
+vec3 saturate3(vec3 x) { return clamp(x, 0.0, 1.0); }

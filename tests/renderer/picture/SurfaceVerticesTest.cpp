@@ -24,11 +24,26 @@ TEST(WallVertices, NormalsFollowThePositionsOfTheMoment) {
   }
 }
 
-TEST(WallVertices, ADentIsHollowAndABumpIsNot) {
+TEST(WallVertices, TheCurvatureOfASphereIsThatOfItsRadiusWhateverTheTriangles) {
+  for (const int divisions : {3, 4}) {
+    for (const SurfaceVertex& vertex : wall_vertices(test::sphere("organ", {}, 0.02, divisions))) {
+      // The mean edge length differs by 15 % from corner to corner.
+      EXPECT_NEAR(vertex.curvature, -50, 4);
+    }
+  }
+}
+
+TEST(WallVertices, ADentCurvesTheOtherWay) {
   SnapshotSurface sphere = test::sphere("organ", {}, 1, 3);
-  EXPECT_LT(wall_vertices(sphere)[4].hollow, 0);
   sphere.positions[4] = {0, 0, 0.7f};
-  EXPECT_GT(wall_vertices(sphere)[4].hollow, 0.1);
+  EXPECT_GT(wall_vertices(sphere)[4].curvature, 1);
+}
+
+TEST(WallVertices, AStretchedWallIsThinner) {
+  SnapshotSurface square = test::quad("sheet", {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}});
+  for (const SurfaceVertex& vertex : wall_vertices(square)) EXPECT_NEAR(vertex.thickness, 1, 1e-6);
+  for (Float3& position : square.positions) position[0] *= 2;
+  for (const SurfaceVertex& vertex : wall_vertices(square)) EXPECT_NEAR(vertex.thickness, 0.5, 1e-6);
 }
 
 TEST(WallVertices, PressureAndStretchDriveTheBloodOut) {

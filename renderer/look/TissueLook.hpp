@@ -1,0 +1,41 @@
+#pragma once
+
+#include "renderer/snapshot/Snapshot.hpp"
+
+namespace thinwall {
+
+/// The cut through a wall, from outside to inside.
+struct WallLayers {
+  Double3 outer = {0.88, 0.68, 0.60};   // sRGB, 0 to 1, like the others: serosa, or epidermis
+  Double3 middle = {0.70, 0.26, 0.22};  // muscle, or dermis
+  Double3 inner = {0.80, 0.38, 0.33};   // mucosa, or fat
+  double outer_part = 0.12;             // of the thickness
+  double inner_part = 0.25;             // of the thickness
+};
+
+/// How a wall looks. Lengths are those of the stress-free wall, so the pattern sticks to the tissue.
+struct TissueLook {
+  Double3 color = {0.72, 0.36, 0.32};  // sRGB, 0 to 1, like all colours here
+  double roughness = 0.45;             // 0 to 1, of the tissue below the wet layer
+  double wetness = 0.7;                // 0 to 1, strength of the wet layer
+  double mottling = 1;                 // 0 to 1, strength of all that makes the pattern and the fine relief
+  double patches = 0.5;                // 0 to 1, contrast of redder and paler patches
+  double patch_size = 0.011;           // metres
+  Double3 blood = {0.50, 0.11, 0.12};  // of vessels
+  double vessels = 0.5;                // 0 to 1, strength of vessels with branches
+  double vessel_spacing = 0.008;       // metres
+  double capillaries = 0.35;           // 0 to 1, strength of the finest branches
+  Double3 fat = {0.86, 0.72, 0.42};
+  double fattiness = 0;                        // 0 to 1, part of the wall that fat covers
+  Double3 through = {0.40, 0.10, 0.09};        // what shines through a thin wall
+  double clearness = 0.1;                      // 0 to 1, part of the light that the stress-free wall lets through
+  Double3 scatter = {0.0030, 0.0013, 0.0009};  // metres that red, green and blue light travel within the tissue
+  double sheen = 0.2;                          // 0 to 1, veil of the outermost layer where the look is along it
+  double relief = 0.10;                        // slope of the fine relief
+  double relief_size = 0.0013;                 // metres
+  double creases = 0;                          // 0 to 1: from rounded to furrowed relief
+  double ridges = 0;                           // slope of friction ridges, as of fingers
+  WallLayers layers = {};
+};
+
+}  // namespace thinwall

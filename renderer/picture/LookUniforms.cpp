@@ -1,0 +1,85 @@
+#include "renderer/picture/LookUniforms.hpp"
+
+#include <algorithm>
+
+#include "renderer/picture/FrameUniforms.hpp"
+
+namespace thinwall {
+namespace {
+
+Double3 mixed(const Double3& a, const Double3& b, double part) {
+  Double3 result;
+  for (std::size_t k = 0; k < 3; ++k) result[k] = (1 - part) * a[k] + part * b[k];
+  return result;
+}
+
+/// Closes the fluid where no wall is: a smooth, pale cut.
+TissueLook cap_look(TissueLook look) {
+  look.color = mixed(look.color, {0.80, 0.80, 0.80}, 0.45);
+  look.mottling *= 0.25;
+  look.clearness = 0;
+  return look;
+}
+
+/// Moist, and without the vessels of the outer side.
+TissueLook rim_look(TissueLook look) {
+  look.vessels = look.capillaries = look.clearness = look.ridges = look.creases = 0;
+  look.wetness = std::max(look.wetness, 0.7);
+  return look;
+}
+
+/// Dark and wet, folded as mucosa is.
+TissueLook lining_look(TissueLook look) {
+  look.color = mixed(look.layers.inner, {0.45, 0.10, 0.09}, 0.35);
+  look.wetness = std::max(look.wetness, 0.8);
+  look.clearness = look.fattiness = look.ridges = look.vessels = 0;
+  look.creases = 0.6;
+  look.relief = 0.16;
+  look.sheen = 0;
+  return look;
+}
+
+TissueLook side_look(const TissueLook& look, TissueSide side) {
+  switch (side) {
+    case TissueSide::kRim:
+      return rim_look(look);
+    case TissueSide::kLining:
+      return lining_look(look);
+    case TissueSide::kCap:
+      return cap_look(look);
+    case TissueSide::kOutside:
+      break;
+  }
+  return look;
+}
+
+std::array<float, 4> float4(const Double3& values, double w) {
+  return {static_cast<float>(values[0]), static_cast<float>(values[1]), static_cast<float>(values[2]),
+          static_cast<float>(w)};
+}
+
+std::array<float, 4> linear4(const Double3& color, double w) {
+  return float4({linear_from_srgb(color[0]), linear_from_srgb(color[1]), linear_from_srgb(color[2])}, w);
+}
+
+}  // namespace
+
+LookUniforms look_uniforms(const TissueLook& given, TissueSide side) {
+  const TissueLook look = side_look(given, side);
+  const bool is_rim = side == TissueSide::kRim;
+  // The layers of a rim stand in for the colours that its pattern does without.
+  const Double3& flesh = is_rim ? look.layers.outer : look.color;
+  const Double3& blood = is_rim ? look.layers.middle : look.blood;
+  const Double3& fat = is_rim ? look.layers.inner : look.fat;
+  return {.flesh = linear4(flesh, look.roughness),
+          .blood = linear4(blood, look.wetness),
+          .fat = linear4(fat, is_rim ? 0 : look.fattiness),
+          .through = linear4(look.through, look.clearness),
+          .scatter = float4(look.scatter, look.sheen),
+          .vessels = float4({look.vessels, 1 / look.vessel_spacing, look.capillaries}, look.mottling),
+          .relief = float4({look.relief, 1 / look.relief_size, look.creases}, look.ridges),
+          .pattern = float4({look.patches, 1 / look.patch_size, is_rim ? look.layers.outer_part : 0},
+                            is_rim ? 1 - look.layers.inner_part : 0)};
+}
+
+}  // namespace thinwall

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+
+#include "renderer/picture/View.hpp"
+
+namespace thinwall {
+
+/// What of a body is seen.
+enum class TissueSide {
+  kOutside,
+  kRim,     // where the wall is cut through or ends
+  kLining,  // the inner side
+  kCap      // closes the fluid where no wall is
+};
+
+/// A part's look as the shader reads it: the block `Look` of shaders/tissue.vert, in the std140 layout. Colours are
+/// linear, lengths in metres.
+struct LookUniforms {
+  std::array<float, 4> flesh{};    // w: roughness
+  std::array<float, 4> blood{};    // w: wetness
+  std::array<float, 4> fat{};      // w: part that is covered
+  std::array<float, 4> through{};  // w: clearness
+  std::array<float, 4> scatter{};  // w: sheen
+  std::array<float, 4> vessels{};  // strength, 1 / spacing, strength of the capillaries, strength of the whole pattern
+  std::array<float, 4> relief{};   // slope, 1 / size, creases, ridges
+  std::array<float, 4> pattern{};  // contrast of the patches, 1 / their size; zw of rims: where the layers meet, else 0
+};
+
+LookUniforms look_uniforms(const TissueLook& look, TissueSide side);
+
+}  // namespace thinwall

@@ -1,0 +1,115 @@
+#include "frame.glsl"
+#include "look.glsl"
+#include "noise.glsl"
+
+in LookOfVertices { LOOK_FIELDS(flat) };
+
+// What the tissue is like at a place of the stress-free wall.
+struct Skin {
+  vec3 albedo;
+  vec3 bump;        // slope of the fine relief, to be taken from the normal
+  float lost_bump;  // square of the slope that is too fine to be seen
+  float film;       // strength of the wet layer
+};
+
+// Part of a pattern with waves of 1 / `frequency` metres that pixels of `footprint` metres still show; the rest would
+// sparkle when it moves.
+float resolved(float frequency, float footprint) { return 1.0 - smoothstep(0.2, 0.55, frequency * footprint); }
+
+// 1 in the middle of a vessel of `width` (half, in waves of the field) that runs where the noise in `field` is `level`,
+// with soft sides, for vessels lie below the surface.
+float vessel(vec4 field, float level, float width, float blur) {
+  float slope = max(length(field.xyz), 0.9);
+  float away = abs(field.w - level) / (slope * (width + blur));
+  return width / (width + blur) / (1.0 + square(square(away)) + 0.3 * square(away));
+}
+
+struct Vessels {
+  float trunks;
+  float branches;
+};
+
+// Branches of a tree: trunks run where coarse noise passes through zero; on either side of a trunk the branches follow
+// another level of finer noise, so that they end at the trunk instead of crossing it, and they thin out away from it.
+Vessels vessels_at(vec4 coarse, vec4 fine, vec4 broad, float footprint) {
+  float blur = 0.5 * footprint * vessels.y;
+  float trunk_width = 0.012 + 0.016 * saturate(0.5 + broad.w);
+  float open = smoothstep(-0.45, 0.1, broad.w + 0.5 * broad.x * 0.3);
+  Vessels result;
+  result.trunks = open * vessel(coarse, 0.0, trunk_width, blur);
+  float away = abs(coarse.w);
+  float side = coarse.w > 0.0 ? 0.13 : -0.13;
+  float near = open * (1.0 - smoothstep(0.10, 0.62, away));
+  result.branches = near * vessel(fine, side, 0.030 * (1.15 - away), 4.0 * blur);
+  return result;
+}
+
+// Fat lies in lobules where broad noise is high.
+float fat_at(vec4 broad, vec4 fine) {
+  float cover = smoothstep(-0.10, 0.16, 0.8 * broad.w + 0.16 * fine.w + 2.0 * fat.w - 0.95);
+  return fat.w > 0.0 ? cover : 0.0;
+}
+
+// Layers of a wall that is cut through, by the depth in it: serosa, muscle, mucosa, or the skin's.
+vec3 layers_at(float depth, vec4 fine) {
+  float wavy = depth + 0.05 * fine.w;
+  vec3 color = mix(flesh.rgb, blood.rgb, smoothstep(-0.05, 0.05, wavy - pattern.z));
+  return mix(color, fat.rgb, smoothstep(-0.07, 0.07, wavy - pattern.w));
+}
+
+// Friction ridges run in arches, half a millimetre apart.
+vec3 ridge_bump(vec3 place, vec4 broad, float footprint) {
+  const float kRidges = 2000.0;
+  vec2 across = vec2(130.0 * place.x, 1.0);
+  float phase = kRidges * (place.y + 65.0 * square(place.x)) + 1.1 * broad.w;
+  float slope = relief.w * resolved(kRidges, footprint) * sin(2.0 * kPi * phase);
+  return slope * vec3(across, 0.0);
+}
+
+// `place`: stress-free, metres; `footprint`: what a pixel covers, metres; `thickness`: over that of the stress-free wall;
+// `depth`: in a rim from 0 outside to 1 inside.
+Skin skin_at(vec3 place, float footprint, float blanch, float thickness, float depth) {
+  vec4 broad = noise(pattern.y * place + 11.3);
+  vec4 coarse = noise(vessels.y * place + 0.10 * broad.zxy + 3.1);
+  vec4 fine = noise(2.7 * vessels.y * place + 0.12 * coarse.yzx + 7.7);
+  vec4 grain = noise(relief.y * place + 0.05 * fine.xyz);
+  vec4 dust = noise(2.9 * relief.y * place + 0.08 * grain.zxy);
+  float grain_seen = resolved(0.7 * relief.y, footprint);
+  float dust_seen = resolved(2.0 * relief.y, footprint);
+
+  Skin skin;
+  float redness = pattern.x * (0.75 * broad.w + 0.35 * coarse.w + 0.25 * fine.w + 0.12 * dust_seen * grain.w);
+  vec3 redder = flesh.rgb * mix(vec3(1.0), blood.rgb / max(flesh.rgb, 0.02), 0.45);
+  vec3 paler = 1.18 * flesh.rgb + 0.03;
+  vec3 albedo = mix(flesh.rgb, redness > 0.0 ? redder : paler, saturate(abs(redness)));
+  float fatty = fat_at(broad, fine);
+  albedo = mix(albedo, fat.rgb * (1.0 + 0.15 * fine.w), 0.9 * fatty);
+
+  // What lies behind shines through, the more the thinner the wall is (Lambert and Beer).
+  float clear = through.w > 0.0 ? exp2(thickness * log2(through.w)) : 0.0;
+  albedo = mix(albedo, through.rgb, clear * (1.0 - fatty));
+
+  Vessels tree = vessels_at(coarse, fine, broad, footprint);
+  float bloody = (1.0 - 0.85 * blanch) * (1.0 - 0.8 * fatty);
+  // The wall above a deep vessel scatters blue light back before red, which makes trunks look darker and cooler.
+  vec3 deep = mix(blood.rgb, albedo * vec3(0.42, 0.34, 0.44), 0.55);
+  albedo = mix(albedo, deep, vessels.x * 0.75 * bloody * tree.trunks);
+  albedo = mix(albedo, blood.rgb, vessels.z * 0.70 * bloody * tree.branches);
+
+  vec3 bloodless = mix(vec3(dot(albedo, vec3(0.35, 0.45, 0.20))) * vec3(1.10, 0.99, 0.88), vec3(0.70, 0.56, 0.44), 0.45);
+  albedo = mix(albedo, bloodless, 0.65 * blanch);
+  skin.albedo = mix(flesh.rgb, saturate3(albedo), vessels.w);
+  if (pattern.z > 0.0) skin.albedo = layers_at(depth, fine);
+
+  // Furrowed relief has sharp valleys where the noise passes through zero.
+  float furrow = grain.w * inversesqrt(square(grain.w) + 0.02);
+  float fine_furrow = dust.w * inversesqrt(square(dust.w) + 0.03);
+  vec3 grain_bump = grain.xyz * mix(1.0, furrow, relief.z);
+  vec3 dust_bump = dust.xyz * mix(1.0, fine_furrow, relief.z);
+  float slope = 0.4 * relief.x * vessels.w;
+  skin.bump = slope * (grain_seen * grain_bump + 0.55 * dust_seen * dust_bump + 0.30 * coarse.xyz + 1.2 * fatty * fine.xyz);
+  if (relief.w > 0.0) skin.bump += vessels.w * ridge_bump(place, broad, footprint);
+  skin.lost_bump = square(slope) * (5.0 * (1.0 - square(grain_seen)) + 1.6 * (1.0 - square(dust_seen)));
+  skin.film = blood.w * (1.0 - vessels.w * 0.35 * smoothstep(0.1, 0.7, 0.6 * coarse.w + 0.6 * fine.w));
+  return skin;
+}

@@ -1,0 +1,20 @@
+#version 450 core
+#include "screen.glsl"
+#include "look.glsl"
+
+// The whole picture, with the look of the part that is shaded.
+
+layout(std140, binding = 1) uniform Look { LOOK_FIELDS(highp) } look;
+out LookOfVertices { LOOK_FIELDS(flat) } passed;
+
+void main() {
+  cover_screen();
+  passed.flesh = look.flesh;
+  passed.blood = look.blood;
+  passed.fat = look.fat;
+  passed.through = look.through;
+  passed.scatter = look.scatter;
+  passed.vessels = look.vessels;
+  passed.relief = look.relief;
+  passed.pattern = look.pattern;
+}

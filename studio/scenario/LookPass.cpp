@@ -1,0 +1,62 @@
+#include "studio/scenario/LookPass.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <string>
+
+#include "renderer/look/OrganLooks.hpp"
+
+namespace thinwall {
+namespace {
+
+std::string in_small_letters(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return text;
+}
+
+/// What the body and its mesh are called; a line break parts them, which no organ's name holds.
+std::string names_of(const CheckedMember& body) {
+  std::string names = body.key;
+  const CheckedValue* surface = body.value.find("surface");
+  const CheckedValue* mesh = surface == nullptr ? nullptr : surface->find("mesh");
+  if (mesh != nullptr) names += '\n' + std::filesystem::path(mesh->text).stem().string();
+  return in_small_letters(names);
+}
+
+std::string organ_of(const CheckedMember& body) {
+  const std::string names = names_of(body);
+  for (const OrganLook& organ : organ_looks()) {
+    if (names.find(organ.organ) != std::string::npos) return std::string(organ.organ);
+  }
+  return std::string(organ_looks().front().organ);
+}
+
+CheckedValue& look_of(const std::string& body, CheckedValue& looks) {
+  if (looks.find(body) == nullptr) {
+    looks.members.push_back(
+        {.key = body, .location = looks.location, .value = {.location = looks.location, .given = false}});
+  }
+  return *looks.find(body);
+}
+
+}  // namespace
+
+void look_pass(CheckedValue& root) {
+  CheckedValue* look = root.find("look");
+  CheckedValue* looks = look == nullptr ? nullptr : look->find("bodies");
+  const CheckedValue* bodies = root.find("bodies");
+  if (looks == nullptr || bodies == nullptr) return;
+  for (const CheckedMember& body : bodies->members) {
+    CheckedValue& value = look_of(body.key, *looks);
+    if (value.find("organ") != nullptr) continue;
+    value.members.insert(
+        value.members.begin(),
+        {.key = "organ",
+         .location = value.location,
+         .value = {.kind = CheckedKind::kText, .location = value.location, .given = false, .text = organ_of(body)}});
+  }
+}
+
+}  // namespace thinwall

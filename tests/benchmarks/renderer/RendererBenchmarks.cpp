@@ -1,0 +1,67 @@
+#include <benchmark/benchmark.h>
+
+#include <vector>
+
+#include "renderer/picture/Renderer.hpp"
+#include "tests/renderer/picture/TestMeshes.hpp"
+
+namespace thinwall {
+namespace {
+
+/// An organ of 8 * 4 ^ divisions triangles that fills the middle of the picture, with a probe on it.
+Snapshot organ_and_probe(int divisions) {
+  Snapshot snapshot;
+  snapshot.surfaces.push_back(test::sphere("organ", {0, 0, 0.03}, 0.03, divisions));
+  SnapshotTool probe;
+  probe.kind = SnapshotToolKind::kSphere;
+  probe.radius = 0.004;
+  probe.tip = {0, 0, 0.06};
+  snapshot.tools.push_back(probe);
+  return snapshot;
+}
+
+void draw(benchmark::State& state, const Snapshot& snapshot, Tier tier) {
+  Renderer renderer(DeviceChoice{}, {1280, 720}, tier);
+  for (auto _ : state) benchmark::DoNotOptimize(renderer.draw(snapshot, {}));
+}
+
+/// Beside the whole, each pass as a counter: milliseconds of all threads.
+void tell_passes(benchmark::State& state, const Snapshot& snapshot, Tier tier) {
+  constexpr int kPictures = 12;
+  Renderer renderer(DeviceChoice{}, {1280, 720}, tier);
+  for (int k = 0; k < kPictures + 1; ++k) {
+    std::vector<PassTime> times;
+    renderer.draw_timed(snapshot, {}, times);
+    // The first picture compiles the shaders.
+    for (const PassTime& time : times) {
+      if (k > 0) state.counters[time.pass] += 1e3 * time.processor_seconds / kPictures;
+    }
+  }
+}
+
+/// `divisions`, tier.
+void organ(benchmark::State& state) {
+  const Snapshot snapshot = organ_and_probe(static_cast<int>(state.range(0)));
+  draw(state, snapshot, static_cast<Tier>(state.range(1)));
+  tell_passes(state, snapshot, static_cast<Tier>(state.range(1)));
+}
+BENCHMARK(organ)
+    ->ArgNames({"divisions", "tier"})
+    ->ArgsProduct({{4, 5}, {0, 1, 2}})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->MeasureProcessCPUTime();
+
+/// What a picture without anything in it costs: clearing, floor, read-back.
+void nothing(benchmark::State& state) {
+  draw(state, {}, static_cast<Tier>(state.range(0)));
+}
+BENCHMARK(nothing)
+    ->ArgName("tier")
+    ->DenseRange(0, 2)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->MeasureProcessCPUTime();
+
+}  // namespace
+}  // namespace thinwall

@@ -1,0 +1,166 @@
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "renderer/look/OrganLooks.hpp"
+#include "renderer/picture/Renderer.hpp"
+#include "tests/renderer/picture/TestMeshes.hpp"
+
+namespace thinwall {
+namespace {
+
+constexpr ImageSize kSize{96, 96};
+
+Image draw(const SnapshotSurface& surface, const ViewDefinition& view, Tier tier = Tier::kDraft) {
+  Snapshot snapshot;
+  snapshot.surfaces = {surface};
+  return Renderer(DeviceChoice{}, kSize, tier).draw(snapshot, view);
+}
+
+/// A sheet of 40 mm across z = 0 in `parts` x `parts` squares, each of two triangles.
+SnapshotSurface sheet(int parts) {
+  std::vector<Float3> positions;
+  std::vector<Triangle> triangles;
+  const auto row = static_cast<std::uint32_t>(parts + 1);
+  for (int j = 0; j <= parts; ++j) {
+    for (int i = 0; i <= parts; ++i) {
+      positions.push_back({0.04f * (static_cast<float>(i) / static_cast<float>(parts) - 0.5f),
+                           0.04f * (static_cast<float>(j) / static_cast<float>(parts) - 0.5f), 0});
+    }
+  }
+  for (std::uint32_t j = 0; j + 1 < row; ++j) {
+    for (std::uint32_t i = 0; i + 1 < row; ++i) {
+      const std::uint32_t a = j * row + i;
+      triangles.insert(triangles.end(), {{a, a + 1, a + row + 1}, {a, a + row + 1, a + row}});
+    }
+  }
+  return test::surface_of("organ", std::move(positions), std::move(triangles));
+}
+
+/// Seen from straight above: 28 mm of the sheet.
+ViewDefinition from_above(const char* organ) {
+  ViewDefinition view;
+  view.camera = {.position = Double3{0, 0, 0.1},
+                 .target = Double3{0, 0, 0},
+                 .up = Double3{0, 1, 0},
+                 .field_of_view = 2 * std::atan(0.14)};
+  view.look.floor = false;
+  view.look.bodies["organ"] = *find_organ_look(organ);
+  return view;
+}
+
+/// Of the whole picture, 8-bit levels.
+std::array<double, 3> mean_color(const Image& image) {
+  std::array<double, 3> sums{};
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) sums[i % 3] += image.pixels[i];
+  for (double& sum : sums) sum /= static_cast<double>(image.pixels.size() / 3);
+  return sums;
+}
+
+int largest_difference(const Image& a, const Image& b) {
+  int largest = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    largest = std::max(largest, std::abs(int{a.pixels[i]} - int{b.pixels[i]}));
+  }
+  return largest;
+}
+
+class Organ : public testing::TestWithParam<std::string> {};
+
+TEST_P(Organ, InAFurnaceIsNeverBrighterThanTheFurnace) {
+  ViewDefinition view = from_above(GetParam().c_str());
+  view.lights = {.key = 0, .fill = 0, .environment = 1, .environment_contrast = 0, .key_direction = {}};
+  const Image organ = draw(sheet(2), view);
+  TissueLook white;
+  white.color = {1, 1, 1};
+  white.mottling = 0;
+  view.look.bodies["organ"] = white;
+  const double furnace = mean_color(draw(sheet(2), view))[0] + 1.5;
+  for (const std::uint8_t level : organ.pixels) EXPECT_LE(level, furnace);
+}
+
+TEST_P(Organ, LooksTheSameHoweverItIsCutIntoTriangles) {
+  const ViewDefinition view = from_above(GetParam().c_str());
+  // Rest places that are interpolated over other triangles differ in the last bits; a level with the dithering.
+  EXPECT_LE(largest_difference(draw(sheet(1), view), draw(sheet(7), view)), 2);
+}
+
+TEST_P(Organ, KeepsItsPatternWhereTheTissueGoes) {
+  ViewDefinition view = from_above(GetParam().c_str());
+  view.lights.key_direction = Double3{0.3, 0.4, 0.8};
+  const Image before = draw(sheet(3), view);
+  SnapshotSurface moved = sheet(3);
+  for (Float3& position : moved.positions) position[0] += 0.25f;
+  // The scene's centre and size come from the rest places, so only the camera goes along.
+  view.camera.position = Double3{0.25, 0, 0.1};
+  view.camera.target = Double3{0.25, 0, 0};
+  EXPECT_LE(largest_difference(before, draw(moved, view)), 4);
+}
+
+TEST_P(Organ, HasAPatternThatIsSeenButNotLoud) {
+  const ViewDefinition view = from_above(GetParam().c_str());
+  const Image image = draw(sheet(1), view);
+  const std::array<double, 3> mean = mean_color(image);
+  double variance = 0;
+  for (std::size_t i = 1; i < image.pixels.size(); i += 3) variance += std::pow(image.pixels[i] - mean[1], 2);
+  const double deviation = std::sqrt(variance / (static_cast<double>(image.pixels.size()) / 3));
+  EXPECT_GT(deviation, 1.0);
+  EXPECT_LT(deviation, 40.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, Organ,
+                         testing::Values("tissue", "gallbladder", "stomach", "liver", "skin", "vessel", "fingerpad"),
+                         [](const auto& kind) { return kind.param; });
+
+TEST(OrganLooks, AreFoundByTheirNames) {
+  EXPECT_EQ(organ_looks().front().organ, "tissue");
+  for (const OrganLook& organ : organ_looks()) EXPECT_EQ(find_organ_look(organ.organ), &organ.look);
+  EXPECT_EQ(find_organ_look("heart"), nullptr);
+}
+
+TEST(Tissue, AStretchedWallShowsMoreOfWhatIsBehindIt) {
+  SnapshotSurface stretched = sheet(1);
+  for (Float3& position : stretched.positions) position = {2 * position[0], 2 * position[1], 0};
+  // Green behind a red wall: how much more green in the picture than of a wall that lets nothing through.
+  const auto green_gained = [](const SnapshotSurface& surface) {
+    ViewDefinition view = from_above("tissue");
+    TissueLook& look = view.look.bodies["organ"];
+    look = {.color = {0.8, 0.5, 0.4}, .patches = 0, .vessels = 0, .capillaries = 0, .through = {0.1, 0.9, 0.1}};
+    look.clearness = 0;
+    const std::array<double, 3> opaque = mean_color(draw(surface, view));
+    look.clearness = 0.1;
+    const std::array<double, 3> clear = mean_color(draw(surface, view));
+    return clear[1] / clear[0] - opaque[1] / opaque[0];
+  };
+  // Four times thinner: 0.1 ^ (1 / 4) = 56 % come through instead of 10 %.
+  EXPECT_GT(green_gained(sheet(1)), 0.02);
+  EXPECT_GT(green_gained(stretched), 2 * green_gained(sheet(1)));
+}
+
+TEST(Tissue, PalesWhereItIsPressed) {
+  const ViewDefinition view = from_above("stomach");
+  const std::array<double, 3> before = mean_color(draw(sheet(1), view));
+  SnapshotSurface pressed = sheet(1);
+  pressed.fields.push_back({.name = "contact_pressure", .unit = "Pa", .values = std::vector<float>(4, 20000)});
+  const std::array<double, 3> after = mean_color(draw(pressed, view));
+  EXPECT_LT(after[0] - after[1], 0.8 * (before[0] - before[1])) << "less red";
+}
+
+TEST(Tissue, ReliefTooFineForThePixelsIsLeftOut) {
+  ViewDefinition view = from_above("skin");
+  TissueLook& look = view.look.bodies["organ"];
+  look.patches = 0;
+  const auto deviation = [&](double size) {
+    look.relief_size = size;
+    const Image image = draw(sheet(1), view);
+    const std::array<double, 3> mean = mean_color(image);
+    double variance = 0;
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) variance += std::pow(image.pixels[i] - mean[i % 3], 2);
+    return std::sqrt(variance / static_cast<double>(image.pixels.size()));
+  };
+  // A pixel is 0.29 mm wide.
+  EXPECT_LT(deviation(0.0001), 0.5 * deviation(0.003));
+}
+
+}  // namespace
+}  // namespace thinwall

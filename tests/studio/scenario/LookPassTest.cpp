@@ -1,0 +1,46 @@
+#include "studio/scenario/LookPass.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/studio/scenario/CheckedText.hpp"
+
+namespace thinwall {
+namespace {
+
+std::string organ(const std::string& look, const std::string& surface = "{ shape: sphere }") {
+  CheckedValue root = checked_scenario("look: " + look + "\n", surface);
+  look_pass(root);
+  return root.at("look").at("bodies").at("organ").at("organ").text;
+}
+
+TEST(LookPass, TakesTheOrganFromTheNameOfTheMesh) {
+  EXPECT_EQ(organ("{}", "{ mesh: organs/gallbladder_light.obj, unit: mm }"), "gallbladder");
+  EXPECT_EQ(organ("{}", "{ mesh: Liver.ply, unit: mm }"), "liver");
+}
+
+TEST(LookPass, TakesNoOrganFromTheFolderOfTheMesh) {
+  EXPECT_EQ(organ("{}", "{ mesh: stomach/thing.obj, unit: mm }"), "tissue");
+}
+
+TEST(LookPass, TakesAnyTissueWhereNoNameSaysMore) {
+  EXPECT_EQ(organ("{}"), "tissue");
+  EXPECT_EQ(organ("{ bodies: { organ: { wetness: 0.5 } } }"), "tissue");
+}
+
+TEST(LookPass, KeepsWhatTheScenarioSays) {
+  EXPECT_EQ(organ("{ bodies: { organ: { organ: skin } } }", "{ mesh: liver.obj, unit: mm }"), "skin");
+}
+
+TEST(LookPass, TakesTheOrganFromTheNameOfTheBody) {
+  Diagnostics ignored;
+  CheckedValue root =
+      unit_pass(parse_text("thinwall: 1\nbodies:\n  Left_Stomach:\n    surface: { shape: sphere }\n"
+                           "    wall: { thickness: 1 mm, material: { law: neo_hookean, shear_modulus: 1 kPa } }\n",
+                           ignored),
+                scenario_schema(), ignored);
+  look_pass(root);
+  EXPECT_EQ(root.at("look").at("bodies").at("Left_Stomach").at("organ").text, "stomach");
+}
+
+}  // namespace
+}  // namespace thinwall
