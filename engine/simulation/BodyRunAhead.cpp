@@ -10,7 +10,7 @@ namespace thinwall {
 namespace {
 
 /// Part of the cost that lips must have released on the blade's way before a trial is worth its two solutions.
-constexpr double kLikely = 0.5;
+constexpr double kLikely = 0.35;
 
 /// Edge lengths of a piece: the shortest of these that can be cut.
 constexpr double kPieces[] = {1, 1.5, 2};
