@@ -125,6 +125,8 @@ struct BodyStepReport {
   int halvings = 0;     // how often the step was divided because it could not be solved
   int refinements = 0;  // how often it was divided to keep the error that is allowed
   double residual = 0;  // newton
+  bool slowed = false;  // whether a drag slowed flaps that nothing holds, see Body::creep
+  bool loose = false;   // whether a residual above the tolerance was taken, see NewtonOptions::takes_flaps
 };
 
 /// Part of the law's stress that a viscous wall keeps for good.
@@ -351,8 +353,9 @@ class Body {
   std::unique_ptr<CutSurface> surface_;  // none before the first cut
   BodyState state_;
   BodyStepReport report_;
-  bool snaps_ = false;   // whether a wall gives way at once, from one equilibrium to another
-  std::string failure_;  // why the last attempt failed
+  bool snaps_ = false;     // whether a wall gives way at once, from one equilibrium to another
+  bool is_loose_ = false;  // whether the last solution's residual is above the tolerance
+  std::string failure_;    // why the last attempt failed
 };
 
 }  // namespace thinwall

@@ -136,6 +136,8 @@ void Body::accept(std::span<const ToolPose> begin, double duration, const Equili
   const BodyState before = state_;
   state_.equilibrium = reached;
   find_drag(before.equilibrium.position);
+  report_.slowed = report_.slowed || state_.drag_force.size() > 0;
+  report_.loose = report_.loose || is_loose_;
   state_.volume = newton_->terms().volume;
   state_.load_factors = input.load_factors;
   update_fluids(duration, input, problem);

@@ -48,6 +48,7 @@ NewtonResult Body::solve(EquilibriumProblem& problem, EquilibriumState& state, c
   report_.newton_iterations += result.iterations;
   report_.shifted_iterations += result.shifted_iterations;
   report_.residual = result.residual;
+  is_loose_ = result.converged && result.is_loose;
   failure_ = result.reason;
   return result;
 }

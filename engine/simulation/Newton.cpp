@@ -248,6 +248,7 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
     if (result.iterations == 0) first_scale = scale;
     if (is_solved(residual, scale, options.takes_flaps && progress.stalled >= kStalledSteps, options)) {
       result.converged = !foresees || scale <= kBlowUp * first_scale;
+      result.is_loose = !is_solved(residual, scale, false, options);
       if (!result.converged) result.reason = "the wall is strained beyond measure";
       return result;
     }
@@ -274,7 +275,7 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
       progress.inexact = 0;
       continue;
     }
-    result.converged = is_solved(residual, scale, options.takes_flaps, options);
+    result.converged = result.is_loose = is_solved(residual, scale, options.takes_flaps, options);
     if (!result.converged) result.reason = obstructed("the line search found no smaller residual or energy");
     return result;
   }

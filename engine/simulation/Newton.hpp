@@ -37,6 +37,7 @@ struct NewtonResult {
   double residual = 0;                   // newton, largest component at the end
   std::vector<double> residual_history;  // newton, before each iteration and at the end
   int shifted_iterations = 0;            // iterations whose matrix had to be made convex
+  bool is_loose = false;                 // whether the residual is above the tolerance, see NewtonOptions::takes_flaps
   std::string reason;                    // why not converged
 };
 

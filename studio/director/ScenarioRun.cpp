@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 
@@ -17,6 +18,7 @@
 #include "studio/director/Schedule.hpp"
 #include "studio/director/SnapshotMaker.hpp"
 #include "studio/director/StateDigest.hpp"
+#include "studio/director/StepTally.hpp"
 #include "studio/organs/BodyBuilder.hpp"
 
 namespace thinwall {
@@ -39,7 +41,7 @@ struct ScenarioRun::Implementation {
   StepRecord record;
   std::map<std::size_t, RunningCut> runs;  // by the body's index
   long steps = 0;
-  long halved_steps = 0;
+  StepTally tally;
 
   explicit Implementation(const Scenario& the_scenario) : scenario(the_scenario) {
     for (const BodyScenario& description : scenario.bodies) {
@@ -308,7 +310,7 @@ struct ScenarioRun::Implementation {
     try {
       for (std::size_t index = 0; index < bodies.size(); ++index) {
         bodies[index]->advance(before, after, step_length(), input_of(index, next));
-        halved_steps += bodies[index]->report().halvings > 0 ? 1 : 0;
+        tally.note(*bodies[index], next);
       }
       follow_blades(after, next);
       let_needles_pierce(after, next);
@@ -387,10 +389,7 @@ std::vector<TimedText> ScenarioRun::chapters() const {
 
 std::vector<std::string> ScenarioRun::warnings() const {
   std::vector<std::string> all = implementation_->warnings;
-  if (implementation_->halved_steps > 0) {
-    all.push_back(fmt::format("{} of {} steps had to be divided to be solved", implementation_->halved_steps,
-                              implementation_->steps));
-  }
+  std::ranges::copy(implementation_->tally.warnings(implementation_->steps), std::back_inserter(all));
   for (const auto& [index, run] : implementation_->runs) all.push_back(to_text(run, *implementation_->bodies[index]));
   return all;
 }

@@ -151,9 +151,10 @@ class Drawer : RandomNumbers {
         lines = {arc(begin, between(0.15, 0.4) * kRadius, between(1.9, 2.3) * std::numbers::pi)};
         break;
       case 5: {
-        // Close to the silhouette, where the edge runs along the wall, or to a border.
-        const double aside = between(0.8, 0.99) * kRadius;
-        lines = {{{-0.5 * kRadius, aside}, {0.5 * kRadius, aside}}};
+        // Close to the silhouette, where the edge runs along the wall, or to a border. A blade that began beside the
+        // wall of a closed body would reach through it.
+        const double aside = between(0.8, 0.99) * kRadius, outside = shape_ == kSheet ? 0.5 : 1.5;
+        lines = {{{-outside * kRadius, aside}, {0.5 * kRadius, aside}}};
         break;
       }
       default:

@@ -1,0 +1,35 @@
+#include "studio/director/StepTally.hpp"
+
+#include <fmt/format.h>
+
+namespace thinwall {
+
+void StepTally::Count::add(const Body& body_of_step, double time) {
+  if (steps > 0 && time == last) return;
+  last = time;
+  if (steps++ > 0) return;
+  first = time;
+  body = body_of_step.model().definition.name;
+}
+
+void StepTally::note(const Body& body, double time) {
+  const BodyStepReport& report = body.report();
+  if (report.halvings > 0) divided_.add(body, time);
+  if (report.slowed) slowed_.add(body, time);
+  if (report.loose) loose_.add(body, time);
+}
+
+std::vector<std::string> StepTally::warnings(long steps) const {
+  std::vector<std::string> all;
+  const auto tell = [&](const Count& count, const std::string& what) {
+    if (count.steps == 0) return;
+    all.push_back(fmt::format("{} of {} steps {} (first: body `{}`, {:.4g} s)", count.steps, steps, what, count.body,
+                              count.first));
+  };
+  tell(divided_, "had to be divided to be solved");
+  tell(slowed_, "slowed flaps of a cut wall that nothing holds; what that took counts as `numerical_J`");
+  tell(loose_, "of a cut wall end with a residual above the tolerance; `residual_N` tells it");
+  return all;
+}
+
+}  // namespace thinwall
