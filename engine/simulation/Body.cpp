@@ -15,7 +15,7 @@ namespace {
 constexpr int kHalvingsBeforeRelaxing = 2;
 
 /// Halvings of a dynamic step of a cut body after which it creeps.
-constexpr int kHalvingsBeforeCreeping = 4;
+constexpr int kHalvingsBeforeCreeping = 2;
 
 /// Iterations after which a cut body that could creep does so.
 constexpr int kMostIterationsBeforeCreeping = 30;
@@ -53,6 +53,11 @@ constexpr int kEasyIterations = 20;
 
 /// Smallest part into which a step is divided to keep its error: where a tool hits the wall no step is small enough.
 constexpr double kSmallestPart = 1.0 / 256;
+
+/// Part of the largest of its energies that the integrator may take or give in a part of a step of a cut body: walls
+/// that collapse, and jets that begin at once, ask for shorter ones. Where the wall jumps none is short enough.
+constexpr double kMostUnbooked = 5e-4;
+constexpr double kSmallestUnbookedPart = 1.0 / 16;
 
 /// The share of a part of the step from `done` on.
 BodyInput part_of(const BodyInput& input, const BodyState& start, double done, double part) {
@@ -188,6 +193,13 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
   }
 }
 
+double Body::unbooked_part(const BodyState& before) const {
+  // What a drag takes up is no matter of the step's length.
+  if (!(state_.cut.has_incised || state_.cut.tool) || state_.drag_force.size() > 0) return 0;
+  const double taken = std::abs(state_.books.numerical - before.books.numerical);
+  return taken > 0 ? taken / state_.books.largest() : 0;
+}
+
 void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> end, double duration,
                    const BodyInput& input) {
   report_ = {};
@@ -203,7 +215,7 @@ void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> en
   while (done < 1) {
     const std::vector<ToolPose> to = interpolate(begin, end, done + part);
     const BodyState before = state_;
-    const int iterations = report_.newton_iterations;
+    const int iterations = report_.newton_iterations, shifted = report_.shifted_iterations;
     if (!try_step(from, to, part * duration, part_of(input, start, done, part))) {
       state_ = before;
       part *= 0.5;
@@ -215,8 +227,12 @@ void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> en
       }
       continue;
     }
-    const double error = options_.step_error > 0 ? step_error(before, part * duration) : 0;
-    if (error > options_.step_error && part > kSmallestPart) {
+    const double error = options_.step_error > 0 ? step_error(before, part * duration) / options_.step_error : 0;
+    const bool was_easy = report_.newton_iterations - iterations <= kEasyIterations;
+    // Where flaps flutter the matrix is not convex at first, and shorter steps show more of that.
+    const bool is_calm = report_.shifted_iterations == shifted && report_.halvings == 0;
+    const double unbooked = is_calm ? unbooked_part(before) / kMostUnbooked : 0;
+    if ((error > 1 && part > kSmallestPart) || (unbooked > 1 && part > kSmallestUnbookedPart)) {
       state_ = before;
       part *= 0.5;
       ++report_.refinements;
@@ -225,8 +241,7 @@ void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> en
     from = to;
     done += part;
     // Doubled only where the error allows it: it grows with the cube of the step.
-    const bool was_easy = report_.newton_iterations - iterations <= kEasyIterations;
-    if (was_easy && (options_.step_error == 0 || error < options_.step_error / 10)) part *= 2;
+    if (was_easy && std::max(error, unbooked) < 0.1) part *= 2;
     part = std::min(part, largest);
     // No part is left that only round-off makes.
     if (done + part > 1 - 1e-6 * largest) part = 1 - done;

@@ -42,6 +42,7 @@ struct EnergyBooks {
   double stored() const { return elastic + bending + kinetic + fluid + gravity + contact; }
   double spent() const { return viscous + friction + leak + fracture + jump + numerical; }
   double imbalance() const { return stored() + spent() - tool_work - script_work; }
+  double largest() const;  // of the terms, the integrator's aside
 };
 
 /// What a script does to the fluid of a chamber during a step.
@@ -266,6 +267,9 @@ class Body {
   double update_memory(double duration, const EquilibriumProblem& problem);
   double update_bending_memory(double duration, const EquilibriumProblem& problem);
   double step_error(const BodyState& before, double duration) const;
+
+  /// What the integrator took or gave in the last part of a step of a cut body, over the largest of its energies.
+  double unbooked_part(const BodyState& before) const;
   void attach(std::span<const ToolPose> begin, std::span<const ToolPose> end, EquilibriumProblem& problem) const;
   void attach_line(int tool, const ToolPose& end, EquilibriumProblem& problem) const;
   bool release(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;

@@ -1,4 +1,6 @@
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "engine/simulation/Body.hpp"
@@ -18,6 +20,15 @@ double fluid_volume_at(const BodyModel& model, double volume, double pressure, d
 }
 
 }  // namespace
+
+double EnergyBooks::largest() const {
+  double most = 0;
+  for (const double term : {elastic, bending, kinetic, fluid, gravity, contact, viscous, friction, leak, fracture, jump,
+                            tool_work, script_work}) {
+    most = std::max(most, std::abs(term));
+  }
+  return most;
+}
 
 double fluid_energy(const BodyModel& model, const BodyState& state) {
   if (model.definition.fluid.kind != FluidKind::kCompressible) return 0;

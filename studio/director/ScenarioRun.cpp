@@ -310,7 +310,7 @@ struct ScenarioRun::Implementation {
     try {
       for (std::size_t index = 0; index < bodies.size(); ++index) {
         bodies[index]->advance(before, after, step_length(), input_of(index, next));
-        tally.note(*bodies[index], next);
+        tally.note(bodies[index]->model().definition.name, bodies[index]->report(), next);
       }
       follow_blades(after, next);
       let_needles_pierce(after, next);

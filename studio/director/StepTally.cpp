@@ -4,16 +4,15 @@
 
 namespace thinwall {
 
-void StepTally::Count::add(const Body& body_of_step, double time) {
+void StepTally::Count::add(const std::string& body_of_step, double time) {
   if (steps > 0 && time == last) return;
   last = time;
   if (steps++ > 0) return;
   first = time;
-  body = body_of_step.model().definition.name;
+  body = body_of_step;
 }
 
-void StepTally::note(const Body& body, double time) {
-  const BodyStepReport& report = body.report();
+void StepTally::note(const std::string& body, const BodyStepReport& report, double time) {
   if (report.halvings > 0) divided_.add(body, time);
   if (report.slowed) slowed_.add(body, time);
   if (report.loose) loose_.add(body, time);

@@ -12,7 +12,7 @@ namespace thinwall {
 class StepTally {
  public:
   /// Counts what one body's step took. `time`: seconds, at its end.
-  void note(const Body& body, double time);
+  void note(const std::string& body, const BodyStepReport& report, double time);
 
   /// A sentence for each thing that happened. `steps`: of the run.
   std::vector<std::string> warnings(long steps) const;
@@ -23,7 +23,7 @@ class StepTally {
     double first = 0, last = 0;  // seconds
     std::string body;            // of the first
 
-    void add(const Body& body_of_step, double time);
+    void add(const std::string& body_of_step, double time);
   };
   Count divided_, slowed_, loose_;
 };

@@ -4,7 +4,7 @@
 // mesh, no step may fail, no fluid may be lost, and the books must close. Each is a function of the seed and its number
 // alone.
 //
-// usage: random_incisions [--count N] [--seed S] [--only K] [--meshes small|large]
+// usage: random_incisions [--count N] [--seed S] [--only K] [--meshes small|large] [--kept]
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -13,8 +13,10 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <iterator>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -33,6 +35,9 @@ namespace {
 
 constexpr double kRadius = 20e-3;  // metres
 constexpr double kRest = 0.5;      // seconds after the last cut
+
+/// Numbers of seed 1 that failed once.
+constexpr int kMended[] = {107, 208, 432, 438, 500, 581};
 
 struct Recipe {
   BodyDefinition body;
@@ -221,11 +226,7 @@ struct Outcome {
     halvings += body.report().halvings;
     const BodyState& state = body.state();
     const EnergyBooks& books = state.books;
-    for (const double term :
-         {books.elastic, books.bending, books.kinetic, books.fluid, books.gravity, books.contact, books.viscous,
-          books.leak, books.fracture, books.jump, books.tool_work, books.script_work}) {
-      largest = std::max(largest, std::abs(term));
-    }
+    largest = std::max(largest, books.largest());
     worst_imbalance = std::max(worst_imbalance, std::abs(books.imbalance()));
     worst_numerical = std::max(worst_numerical, -books.numerical);
     if (!state.equilibrium.position.allFinite() || !state.velocity.allFinite()) failures.push_back("not finite");
@@ -292,12 +293,12 @@ struct Tally {
   int bodies = 0, failed = 0;
 };
 
-int run_all(unsigned seed, int first, int count, bool large) {
+int run_all(unsigned seed, const std::vector<int>& numbers, bool large) {
   std::map<std::string, Tally> tallies;
   Tally all;
   int cuts = 0, uncut = 0, parted = 0, chambers = 0;
   double worst_imbalance = 0, slowest = 0, whole = 0;
-  for (int number = first; number < first + count; ++number) {
+  for (const int number : numbers) {
     const Recipe recipe = Drawer(seed, static_cast<unsigned>(number), large).draw();
     const std::clock_t begin = std::clock();
     const Outcome outcome = run(recipe);
@@ -317,7 +318,7 @@ int run_all(unsigned seed, int first, int count, bool large) {
       std::printf("FAILED --seed %u --only %d: %s\n  %s; after %d steps, %d cuts of %.1f mm, %.1f s\n", seed, number,
                   outcome.failures.front().c_str(), recipe.words.c_str(), outcome.steps, outcome.cuts,
                   outcome.length * 1e3, seconds);
-    } else if (seconds > 10 || count == 1) {
+    } else if (seconds > 10 || numbers.size() == 1) {
       std::printf("--only %d: %s; %d steps, %d halvings, %d cuts of %.1f mm, %d parts, numerical %.1e, %.1f s\n",
                   number, recipe.words.c_str(), outcome.steps, outcome.halvings, outcome.cuts, outcome.length * 1e3,
                   outcome.parts, outcome.gained(), seconds);
@@ -328,9 +329,9 @@ int run_all(unsigned seed, int first, int count, bool large) {
     std::printf("%-24s %4d bodies, %d failed\n", kind.c_str(), tally.bodies, tally.failed);
   }
   std::printf(
-      "seed %u: %d bodies from number %d on, %d failed; %d cuts, %d bodies not cut, %d in parts, %d with more chambers "
+      "seed %u: %d bodies, %d failed; %d cuts, %d bodies not cut, %d in parts, %d with more chambers "
       "than one, largest imbalance of the books %.1e; %.1f s, slowest body %.1f s\n",
-      seed, all.bodies, first, all.failed, cuts, uncut, parted, chambers, worst_imbalance, whole, slowest);
+      seed, all.bodies, all.failed, cuts, uncut, parted, chambers, worst_imbalance, whole, slowest);
   return all.failed == 0 && all.bodies > 0 ? 0 : 1;
 }
 
@@ -341,6 +342,7 @@ int main(int argc, char** argv) {
   unsigned seed = 1;
   int first = 0, count = 2000;
   bool large = false;
+  std::vector<int> numbers;
   for (int k = 1; k + 1 < argc; ++k) {
     const int value = std::atoi(argv[k + 1]);
     if (std::strcmp(argv[k], "--seed") == 0) seed = static_cast<unsigned>(value);
@@ -348,5 +350,11 @@ int main(int argc, char** argv) {
     if (std::strcmp(argv[k], "--only") == 0) first = value, count = 1;
     if (std::strcmp(argv[k], "--meshes") == 0) large = std::strcmp(argv[k + 1], "large") == 0;
   }
-  return thinwall::run_all(seed, first, count, large);
+  if (argc == 2 && std::strcmp(argv[1], "--kept") == 0) {
+    numbers.assign(std::begin(thinwall::kMended), std::end(thinwall::kMended));
+  } else {
+    numbers.resize(static_cast<std::size_t>(count));
+    std::iota(numbers.begin(), numbers.end(), first);
+  }
+  return thinwall::run_all(seed, numbers, large);
 }

@@ -1,0 +1,35 @@
+#include "studio/director/StepTally.hpp"
+
+#include <gtest/gtest.h>
+
+namespace thinwall {
+namespace {
+
+TEST(StepTally, SaysNothingOfStepsThatWereSolvedAsTheyWereAsked) {
+  StepTally tally;
+  tally.note("organ", {.newton_iterations = 5, .refinements = 2}, 0.1);
+  EXPECT_TRUE(tally.warnings(1).empty());
+}
+
+TEST(StepTally, CountsAStepOnceForAllBodiesAndNamesTheFirst) {
+  StepTally tally;
+  tally.note("organ", {}, 0.1);
+  tally.note("organ", {.halvings = 3}, 0.2);
+  tally.note("sheet", {.halvings = 1}, 0.2);
+  tally.note("sheet", {.halvings = 1}, 0.3);
+  EXPECT_EQ(tally.warnings(3),
+            std::vector<std::string>{"2 of 3 steps had to be divided to be solved (first: body `organ`, 0.2 s)"});
+}
+
+TEST(StepTally, TellsOfDragsAndLooseResidualsApart) {
+  StepTally tally;
+  tally.note("organ", {.slowed = true}, 0.1);
+  tally.note("organ", {.slowed = true, .loose = true}, 0.2);
+  const std::vector<std::string> warnings = tally.warnings(4);
+  ASSERT_EQ(warnings.size(), 2u);
+  EXPECT_EQ(warnings[0].rfind("2 of 4 steps slowed flaps", 0), 0u) << warnings[0];
+  EXPECT_EQ(warnings[1].rfind("1 of 4 steps of a cut wall end with a residual above", 0), 0u) << warnings[1];
+}
+
+}  // namespace
+}  // namespace thinwall
