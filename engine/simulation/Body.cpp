@@ -15,7 +15,7 @@ namespace {
 constexpr int kHalvingsBeforeRelaxing = 2;
 
 /// Halvings of a dynamic step of a cut body after which it creeps.
-constexpr int kHalvingsBeforeCreeping = 2;
+constexpr int kHalvingsBeforeCreeping = 4;
 
 /// Iterations after which a cut body that could creep does so.
 constexpr int kMostIterationsBeforeCreeping = 30;
@@ -195,7 +195,7 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
 
 double Body::unbooked_part(const BodyState& before) const {
   // What a drag takes up is no matter of the step's length.
-  if (!(state_.cut.has_incised || state_.cut.tool) || state_.drag_force.size() > 0) return 0;
+  if (!state_.cut.has_incised || state_.drag_force.size() > 0) return 0;
   const double taken = std::abs(state_.books.numerical - before.books.numerical);
   return taken > 0 ? taken / state_.books.largest() : 0;
 }
