@@ -18,6 +18,9 @@ struct Window {
   double top = 0.56;
 };
 
+/// Within an endoscope's field stop, for pictures of 16 by 9.
+constexpr Window kRoundWindow = {.left = -0.54, .right = 0.54, .bottom = -0.72, .top = 0.70};
+
 void orient(Camera& camera, Vector3 forward, Vector3 up) {
   camera.forward = normalized(forward);
   const Vector3 right = cross(camera.forward, up);
@@ -51,7 +54,7 @@ struct Fit {
 
 /// Moves the camera so that its window just holds all points.
 void frame(Camera& camera, const SceneExtent& extent) {
-  const Window window;
+  const Window window = camera.kind == CameraKind::kEndoscope ? kRoundWindow : Window{};
   Fit x, y;
   for (const Vector3& point : extent.rest_points) {
     const double across = dot(point, camera.right);
@@ -88,6 +91,7 @@ void require_sound(const CameraDefinition& definition) {
 Camera resolve_camera(const CameraDefinition& definition, const SceneExtent& extent, ImageSize size, double time) {
   require_sound(definition);
   Camera camera;
+  camera.kind = definition.kind;
   camera.tangent_y = std::tan(0.5 * definition.field_of_view);
   camera.tangent_x = camera.tangent_y * size.width / size.height;
   const Vector3 up = definition.up ? normalized(vector3(*definition.up)) : Vector3{0, 0, 1};

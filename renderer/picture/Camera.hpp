@@ -19,6 +19,7 @@ struct Camera {
   double tangent_y = 1;    // of half the vertical field of view
   double nearest = 0.001;  // metres along the line of sight
   double farthest = 10;    // metres along the line of sight
+  CameraKind kind = CameraKind::kPinhole;
 
   /// World to clip coordinates.
   Matrix4 matrix() const;

@@ -52,6 +52,22 @@ void light_floor(FrameUniforms& frame, const ViewDefinition& view) {
   }
 }
 
+/// The natural darkening of a lens goes with the fourth power of the cosine of the angle; endoscopes correct part of it.
+constexpr double kLensDarkening = 0.8;
+
+/// A little wider than the picture is high, as surgeons set their picture.
+double field_stop(const Camera& camera) {
+  return camera.kind == CameraKind::kEndoscope ? 1.12 * camera.tangent_y : 0;
+}
+
+/// What makes the middle of the scene as bright as lamps in the open do, wherever the endoscope is: its automatic exposure.
+double lamp_strength(const LightsDefinition& lights, const Camera& camera, const SceneExtent& extent) {
+  const Vector3 offset = extent.center - camera.position;
+  // Close to the wall the brightness of the nearest part counts.
+  const double distance = std::max(dot(offset, camera.forward), 0.25 * extent.size);
+  return 1.6 * lights.endoscope * distance * distance;
+}
+
 }  // namespace
 
 double linear_from_srgb(double value) {
@@ -67,13 +83,29 @@ Studio arrange_studio(const LightsDefinition& lights, const Camera& camera) {
   return {normalized(key), normalized(-0.70 * left + 0.75 * front + 0.30 * up), front};
 }
 
-Matrix4 key_light_matrix(const SceneExtent& extent, Vector3 toward_light) {
+Studio arrange_endoscope(const Camera& camera, const SceneExtent& extent) {
+  constexpr double kBesideTheLens = 0.004;  // metres
+  const Vector3 place = camera.position + kBesideTheLens * camera.up;
+  const Vector3 toward = normalized(place - extent.center, -camera.forward);
+  return {.key_direction = toward, .fill_direction = toward, .front = {0, -1, 0}, .lamp_place = place};
+}
+
+Matrix4 key_light_matrix(const SceneExtent& extent, const Studio& studio) {
+  const Vector3 right = perpendicular(studio.key_direction);
+  const Vector3 up = cross(studio.key_direction, right);
+  if (studio.lamp_place) {
+    const double distance = std::max(length(*studio.lamp_place - extent.center), 1e-3 * extent.size);
+    const double half = 1.35 * extent.reach;
+    // A lamp among the surfaces lights what lies before it, over a right angle.
+    const double tangent = distance > 1.5 * half ? half / std::sqrt(distance * distance - half * half) : 1.0;
+    const double nearest = std::max(0.1 * distance, distance - 2 * extent.reach);
+    return perspective_matrix(tangent, tangent, nearest, distance + 2 * extent.reach) *
+           eye_matrix(*studio.lamp_place, right, up, studio.key_direction);
+  }
   const double half = 1.35 * extent.reach;
-  const Vector3 right = perpendicular(toward_light);
-  const Vector3 up = cross(toward_light, right);
   const double distance = 8 * extent.reach;
   return parallel_matrix(half, 0, 2 * distance) *
-         eye_matrix(extent.center + distance * toward_light, right, up, toward_light);
+         eye_matrix(extent.center + distance * studio.key_direction, right, up, studio.key_direction);
 }
 
 FrameUniforms frame_uniforms(const Camera& camera, const SceneExtent& extent, const ViewDefinition& view,
@@ -82,16 +114,17 @@ FrameUniforms frame_uniforms(const Camera& camera, const SceneExtent& extent, co
   const bool with_floor = view.look.floor && !extent.rest_points.empty() && camera.position.z > extent.floor_height;
   FrameUniforms frame;
   frame.view_projection = float_matrix(camera.matrix());
-  frame.shadow_matrix = float_matrix(texture_matrix() * key_light_matrix(extent, key));
+  frame.shadow_matrix = float_matrix(texture_matrix() * key_light_matrix(extent, studio));
   frame.camera_position = float4(camera.position, 1);
   frame.ray_middle = float4(camera.forward, 0);
   frame.ray_right = float4(camera.tangent_x * camera.right, 1.0 / size.width);
   frame.ray_up = float4(camera.tangent_y * camera.up, 1.0 / size.height);
   frame.scene_center = float4(extent.center, extent.size);
   frame.floor = {static_cast<float>(extent.floor_height), with_floor ? 1.0f : 0.0f,
-                 static_cast<float>(2.0 * extent.reach), 0};
-  frame.key_direction = float4(key, view.lights.key);
-  frame.key_right = float4(perpendicular(key), 0);
+                 static_cast<float>(2.0 * extent.reach), static_cast<float>(field_stop(camera))};
+  frame.key_direction = studio.lamp_place ? float4(*studio.lamp_place, lamp_strength(view.lights, camera, extent))
+                                          : float4(key, view.lights.key);
+  frame.key_right = float4(perpendicular(key), camera.kind == CameraKind::kEndoscope ? kLensDarkening : 0);
   const Vector3 front = turned(studio.front, -0.5);
   const Vector3 back = turned(studio.front, 2.0);
   frame.panels = {static_cast<float>(front.x), static_cast<float>(front.y), static_cast<float>(back.x),
@@ -103,7 +136,10 @@ FrameUniforms frame_uniforms(const Camera& camera, const SceneExtent& extent, co
   for (std::size_t i = 0; i < 3; ++i) {
     frame.background[i] = static_cast<float>(view.look.background[i]);
   }
+  frame.background[3] = static_cast<float>(std::exp2(view.camera.exposure));
   light_floor(frame, view);
+  frame.floor_key[3] = 1.0f / static_cast<float>(size.width);
+  frame.floor_sky[3] = 1.0f / static_cast<float>(size.height);
   frame.tissue = mirrored_tissue(view.look);
   const std::size_t count = std::min(rods.size(), kMostRods);
   for (std::size_t i = 0; i < count; ++i) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "renderer/picture/Camera.hpp"
 #include "renderer/picture/SceneExtent.hpp"
@@ -25,37 +26,43 @@ struct FrameUniforms {
   FloatMatrix4 shadow_matrix{};  // world to shadow map, 0 to 1 on every axis
   Float4 camera_position{};      // metres
   Float4 scene_center{};         // w: scene size, metres
-  Float4 floor{};                // x: height; y: 1 where a floor is drawn; z: half width of its shade map, metres
-  Float4 key_direction{};        // to the light; w: strength
-  Float4 key_right{};            // of length one, horizontal, across the key light
+  Float4 floor{};                // x: height; y: 1 where a floor is drawn; z: half width of its shade map, metres;
+                                 // w: the field stop as tangent of the angle off the line of sight, 0 for none
+  Float4 key_direction{};        // to the light; w: strength. Of an endoscope's lamp the place, metres; w: strength there
+                                 // times the square of the distance
+  Float4 key_right{};            // of length one, horizontal, across the key light; w: darkening of the lens
   Float4 panels{};               // xy: horizontal direction to the front panel; zw: to the back panel
   Float4 fill_direction{};       // to the light; w: strength
   Float4
       environment{};  // x: strength; y: contrast; z: offset against self-shadow, metres; w: a pixel's height at depth 1
-  Float4 background{};                        // sRGB
-  Float4 floor_key{};                         // linear: what the lit floor shows of the key light
-  Float4 floor_sky{};                         // linear: and of the light from all around
+  Float4 background{};                        // sRGB; w: exposure
+  Float4 floor_key{};                         // linear: what the lit floor shows of the key light; w: 1 / picture width
+  Float4 floor_sky{};                         // linear: and of the light from all around; w: 1 / picture height
   std::array<Float4, kMostRods> rod_start{};  // metres; w: radius squared
   std::array<Float4, kMostRods> rod_span{};   // from start to end; w: 1 / length squared
 };
 
 /// Where the lamps stand, in the world.
 struct Studio {
-  Vector3 key_direction;  // from the scene to the key light, of length one
+  Vector3 key_direction;  // from the scene to the light that casts the shadow, of length one
   Vector3 fill_direction;
-  Vector3 front;  // horizontal, from the scene to the viewer
+  Vector3 front;                       // horizontal, from the scene to the viewer
+  std::optional<Vector3> lamp_place = {};  // of an endoscope's lamp, which then is the light that casts the shadow, metres
 };
 
 /// Lamps around a scene that `camera` shows at time zero: the key light, unless given, from the upper left in front,
 /// raking enough to show a dent. They stay when the camera moves on.
 Studio arrange_studio(const LightsDefinition& lights, const Camera& camera);
 
+/// An endoscope has its own lamp beside the lens of `camera` as it stands now, 4 mm above it.
+Studio arrange_endoscope(const Camera& camera, const SceneExtent& extent);
+
 /// Everything that follows from the view and the scene alone.
 FrameUniforms frame_uniforms(const Camera& camera, const SceneExtent& extent, const ViewDefinition& view,
                              const Studio& studio, const std::vector<ToolRod>& rods, ImageSize size);
 
-/// The light's own clip matrix: a box around the scene seen from the key light.
-Matrix4 key_light_matrix(const SceneExtent& extent, Vector3 toward_light);
+/// The clip matrix of the light that casts the shadow: the scene seen from there.
+Matrix4 key_light_matrix(const SceneExtent& extent, const Studio& studio);
 
 /// sRGB to linear, each 0 to 1 (IEC 61966-2-1).
 double linear_from_srgb(double value);

@@ -29,13 +29,17 @@ void require_drawable(ImageSize size, ImageSize drawn) {
   }
   // Software drivers do not refuse what the machine cannot hold, they die of it.
   constexpr double kMostGigabytes = 4;
-  constexpr double kBytesPerPixel = 16 + 16 + 4 + 4 + 4;  // of the textures below
+  constexpr double kBytesPerPixel = 16 + 16 + 4 + 4 + 4 + 0.5;  // of the textures below
   const double gigabytes = 1e-9 * kBytesPerPixel * drawn.width * drawn.height;
   if (gigabytes > kMostGigabytes) {
     throw PictureFailure("a picture of " + dimensions(size) + " pixels" + drawn_text + " would take " +
                          std::to_string(std::lround(gigabytes)) +
                          " GB of frames, 4 GB are allowed; choose a smaller size or a lower tier");
   }
+}
+
+int quarter(int side) {
+  return (side + 3) / 4;
 }
 
 void attach(const Framebuffer& frame, GLenum attachment, const Texture& texture) {
@@ -67,6 +71,11 @@ PictureTarget::PictureTarget(ImageSize size, Tier tier) : size_(size), drawn_(si
   glNamedFramebufferDrawBuffers(surface_.name(), 2, all);
   require_complete(surface_, "a frame of normals and positions");
 
+  backdrop_color_ = create_texture(GL_RGBA8, quarter(drawn_.width), quarter(drawn_.height), GL_LINEAR);
+  backdrop_ = create_framebuffer();
+  attach(backdrop_, GL_COLOR_ATTACHMENT0, backdrop_color_);
+  require_complete(backdrop_, "a backdrop");
+
   frame_ = create_framebuffer();
   attach(frame_, GL_COLOR_ATTACHMENT0, color_);
   attach_depth(frame_, depth_);
@@ -87,8 +96,18 @@ void PictureTarget::begin_surface() const {
   glClearNamedFramebufferfi(surface_.name(), GL_DEPTH_STENCIL, 0, 1.0f, 0);
 }
 
+void PictureTarget::begin_backdrop() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, backdrop_.name());
+  glViewport(0, 0, quarter(drawn_.width), quarter(drawn_.height));
+}
+
+void PictureTarget::bind_backdrop() const {
+  glBindTextureUnit(4, backdrop_color_.name());
+}
+
 void PictureTarget::begin_color() const {
   glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
+  glViewport(0, 0, drawn_.width, drawn_.height);
   glBindTextureUnit(2, normal_.name());
   glBindTextureUnit(3, rest_.name());
 }

@@ -19,6 +19,12 @@ class PictureTarget {
   /// Makes the colours the frame that is drawn to, and binds the other for tissue.frag.
   void begin_color() const;
 
+  /// Makes a picture of a quarter of the size the one that is drawn to, for what lies behind the scene and is blurred.
+  void begin_backdrop() const;
+
+  /// Binds the backdrop for backdrop.frag.
+  void bind_backdrop() const;
+
   /// The colours as they are now.
   const Texture& copy_of_color() const;
 
@@ -35,6 +41,8 @@ class PictureTarget {
   Texture normal_;  // and depth
   Texture rest_;    // and state
   Framebuffer surface_;
+  Texture backdrop_color_;
+  Framebuffer backdrop_;
   Texture color_;
   Texture color_copy_;
   Framebuffer frame_;

@@ -85,7 +85,11 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
   PassClock clock(times);
   const SceneExtent extent = scene_extent(snapshot);
   const Camera camera = resolve_camera(view.camera, extent, stage->target.size(), snapshot.time);
-  const Studio studio = arrange_studio(view.lights, resolve_camera(view.camera, extent, stage->target.size(), 0));
+  const bool is_inside = view.lights.endoscope > 0;
+  const Studio studio =
+      is_inside ? arrange_endoscope(camera, extent)
+                : arrange_studio(view.lights, resolve_camera(view.camera, extent, stage->target.size(), 0));
+  const Surroundings surroundings = is_inside ? Surroundings::kCavity : Surroundings::kStudio;
 
   const CurrentContext current(context);
   stage->meshes.upload(snapshot, extent, view.look);
@@ -99,7 +103,7 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
   if (stage->refined) {
     stage->floor_shade.draw(stage->meshes, studio.key_direction);
     clock.ends("floor's shade");
-    stage->shadow_map.draw(stage->meshes, key_light_matrix(extent, studio.key_direction));
+    stage->shadow_map.draw(stage->meshes, key_light_matrix(extent, studio));
   } else {
     stage->floor_shade.clear();
     stage->shadow_map.clear();
@@ -107,9 +111,9 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
   clock.ends("shadow map");
   stage->scene_pass.draw_surface(stage->meshes, stage->target);
   clock.ends("surface");
-  stage->scene_pass.shade_tissue(stage->meshes, stage->target);
+  stage->scene_pass.shade_tissue(stage->meshes, stage->target, surroundings);
   clock.ends("tissue");
-  stage->scene_pass.draw_surroundings(stage->meshes);
+  stage->scene_pass.draw_surroundings(stage->meshes, stage->target, surroundings);
   clock.ends("tools and floor");
   if (stage->refined)
     stage->outline_pass.draw(stage->meshes.outline(snapshot, camera.position), stage->target.copy_of_color());

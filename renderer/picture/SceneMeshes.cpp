@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "renderer/picture/CutLips.hpp"
 #include "renderer/picture/SurfaceVertices.hpp"
 
 namespace thinwall {
@@ -37,7 +38,8 @@ void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& 
     const SnapshotSurface& surface = snapshot.surfaces[k];
     const auto found = look.bodies.find(surface.body);
     const TissueLook body_look = found == look.bodies.end() ? TissueLook{} : found->second;
-    const std::vector<SurfaceVertex> wall = wall_vertices(surface);
+    std::vector<SurfaceVertex> wall = wall_vertices(surface);
+    for (std::size_t v = 0; v < wall.size(); ++v) wall[v].wound = nearness_[k][v];
     const WallDepth depth = wall_depth(surface, wall, borders_[k]);
     for (const BorderEdge& edge : depth.lining.empty() ? std::vector<BorderEdge>{} : borders_[k]) {
       inner_borders_.push_back({depth.lining[edge.start].position, depth.lining[edge.end].position});
@@ -71,6 +73,7 @@ void SceneMeshes::find_edges(const Snapshot& snapshot) {
   if (topologies == topologies_) return;
   std::vector<std::uint32_t> corners;
   borders_.clear();
+  nearness_.clear();
   std::uint32_t offset = 0;
   for (const SnapshotSurface& surface : snapshot.surfaces) {
     // Wall and caps together: where they meet is no border.
@@ -81,6 +84,7 @@ void SceneMeshes::find_edges(const Snapshot& snapshot) {
     }
     offset += static_cast<std::uint32_t>(surface.positions.size());
     borders_.push_back(border_edges(*surface.topology));
+    nearness_.push_back(nearness_to_cuts(*surface.topology, borders_.back()));
   }
   tissue_edges_ = mesh_edges(corners);
   topologies_ = std::move(topologies);

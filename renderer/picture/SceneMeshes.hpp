@@ -50,6 +50,7 @@ class SceneMeshes {
   std::vector<std::shared_ptr<const SnapshotTopology>> topologies_;  // that the edges belong to
   std::vector<MeshEdge> tissue_edges_;
   std::vector<std::vector<BorderEdge>> borders_;  // (surfaces)
+  std::vector<std::vector<float>> nearness_;      // (surfaces x vertices), to cuts
 };
 
 }  // namespace thinwall

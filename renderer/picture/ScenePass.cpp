@@ -19,9 +19,10 @@ void require_countable(std::size_t parts) {
 
 ScenePass::ScenePass()
     : surface_(build_program("surface.vert", "surface.frag")),
-      tissue_(build_program("tissue.vert", "tissue.frag")),
-      metal_(build_program("metal.vert", "metal.frag")),
-      floor_(build_program("screen.vert", "floor.frag")),
+      tissue_{build_program("tissue.vert", "tissue.frag"), build_program("tissue.vert", "tissue_endoscope.frag")},
+      metal_{build_program("metal.vert", "metal.frag"), build_program("metal.vert", "metal_endoscope.frag")},
+      floor_{build_program("screen.vert", "floor.frag"), build_program("screen.vert", "bed.frag")},
+      backdrop_(build_program("screen.vert", "backdrop.frag")),
       no_vertices_(create_vertex_array()),
       look_(create_buffer()) {
   glNamedBufferStorage(look_.name(), sizeof(LookUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT);
@@ -48,11 +49,12 @@ void ScenePass::draw_surface(const SceneMeshes& meshes, const PictureTarget& tar
   }
 }
 
-void ScenePass::shade_tissue(const SceneMeshes& meshes, const PictureTarget& target) const {
+void ScenePass::shade_tissue(const SceneMeshes& meshes, const PictureTarget& target,
+                             Surroundings surroundings) const {
   target.begin_color();
   glDisable(GL_DEPTH_TEST);
   glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-  glUseProgram(tissue_.name());
+  glUseProgram(tissue_[static_cast<std::size_t>(surroundings)].name());
   glBindBufferBase(GL_UNIFORM_BUFFER, 1, look_.name());
   for (std::size_t i = 0; i < meshes.parts().size(); ++i) {
     glNamedBufferSubData(look_.name(), 0, sizeof(LookUniforms), &meshes.parts()[i].look);
@@ -62,14 +64,22 @@ void ScenePass::shade_tissue(const SceneMeshes& meshes, const PictureTarget& tar
   glDisable(GL_STENCIL_TEST);
 }
 
-void ScenePass::draw_surroundings(const SceneMeshes& meshes) const {
+void ScenePass::draw_surroundings(const SceneMeshes& meshes, const PictureTarget& target,
+                                  Surroundings surroundings) const {
+  target.begin_backdrop();
+  glDisable(GL_DEPTH_TEST);
+  glUseProgram(floor_[static_cast<std::size_t>(surroundings)].name());
+  draw_screen();
+
+  target.begin_color();
   glEnable(GL_DEPTH_TEST);
-  glUseProgram(metal_.name());
+  glUseProgram(metal_[static_cast<std::size_t>(surroundings)].name());
   meshes.tools().draw();
-  // The floor comes last, at the far end of depth, so that it is computed only where it is seen.
+  // The backdrop comes last, at the far end of depth, so that it is computed only where it is seen.
   glDepthFunc(GL_EQUAL);
   glDepthMask(GL_FALSE);
-  glUseProgram(floor_.name());
+  target.bind_backdrop();
+  glUseProgram(backdrop_.name());
   draw_screen();
   glDepthMask(GL_TRUE);
 }

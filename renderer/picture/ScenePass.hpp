@@ -1,10 +1,18 @@
 #pragma once
 
+#include <array>
+
 #include "renderer/picture/GlObjects.hpp"
 #include "renderer/picture/PictureTarget.hpp"
 #include "renderer/picture/SceneMeshes.hpp"
 
 namespace thinwall {
+
+/// What lights the scene and lies around it.
+enum class Surroundings {
+  kStudio,
+  kCavity  // of a body, lit by an endoscope
+};
 
 /// Draws tissue, tools and floor, one function after the other; the Frame block and the maps must be bound.
 class ScenePass {
@@ -15,18 +23,19 @@ class ScenePass {
   void draw_surface(const SceneMeshes& meshes, const PictureTarget& target) const;
 
   /// Its colours.
-  void shade_tissue(const SceneMeshes& meshes, const PictureTarget& target) const;
+  void shade_tissue(const SceneMeshes& meshes, const PictureTarget& target, Surroundings surroundings) const;
 
   /// Tools and floor.
-  void draw_surroundings(const SceneMeshes& meshes) const;
+  void draw_surroundings(const SceneMeshes& meshes, const PictureTarget& target, Surroundings surroundings) const;
 
  private:
   void draw_screen() const;
 
   Program surface_;
-  Program tissue_;
-  Program metal_;
-  Program floor_;
+  std::array<Program, 2> tissue_;  // (surroundings)
+  std::array<Program, 2> metal_;   // (surroundings)
+  std::array<Program, 2> floor_;   // (surroundings)
+  Program backdrop_;
   VertexArray no_vertices_;
   Buffer look_;  // of the part that is shaded
 };

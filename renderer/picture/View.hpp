@@ -9,8 +9,12 @@
 
 namespace thinwall {
 
-/// A pinhole camera. What is absent is chosen so that the reference surfaces fill the picture, seen obliquely from
-/// above.
+enum class CameraKind {
+  kPinhole,
+  kEndoscope  // with a round field stop, darker towards it
+};
+
+/// What is absent is chosen so that the reference surfaces fill the picture, seen obliquely from above.
 struct CameraDefinition {
   std::optional<Double3> position = {};  // metres
   std::optional<Double3> target = {};    // metres
@@ -18,6 +22,8 @@ struct CameraDefinition {
   std::optional<Double3> up = {};      // direction
   double field_of_view = 0.5236;       // radians, vertical
   double orbit_speed = 0;              // radians / second around the upward axis through the target
+  CameraKind kind = CameraKind::kPinhole;
+  double exposure = 0;  // brighter by this power of two
 };
 
 struct LightsDefinition {
@@ -26,6 +32,7 @@ struct LightsDefinition {
   double environment = 1;                // strength of the light from all around
   double environment_contrast = 1;       // 0 to 1: from the same light from everywhere to a studio's ceiling and lamps
   std::optional<Double3> key_direction;  // from the scene to the key light
+  double endoscope = 0;  // strength of a lamp beside the lens; above zero it shines instead of key and fill light
 };
 
 struct LookDefinition {

@@ -21,7 +21,9 @@ CameraDefinition to_camera(const Json& camera) {
           .facing = find_vector(camera, "facing"),
           .up = find_vector(camera, "up"),
           .field_of_view = camera.at("field_of_view"),
-          .orbit_speed = camera.at("orbit_speed")};
+          .orbit_speed = camera.at("orbit_speed"),
+          .kind = camera.at("kind") == "endoscope" ? CameraKind::kEndoscope : CameraKind::kPinhole,
+          .exposure = camera.value("exposure", 0.0)};
 }
 
 /// Takes of before there were kinds of organs name none.
@@ -57,7 +59,8 @@ PictureSettings to_settings(const Json& scenario) {
                    .lights = {.key = lights.at("key"),
                               .fill = lights.at("fill"),
                               .environment = lights.at("environment"),
-                              .key_direction = find_vector(lights, "key_direction")},
+                              .key_direction = find_vector(lights, "key_direction"),
+                              .endoscope = lights.value("endoscope", 0.0)},
                    .look = to_look(scenario.at("look"))},
           .overlays = {.force_plot = overlays.at("force_plot"),
                        .gauge = overlays.at("gauge"),

@@ -9,8 +9,6 @@ namespace {
 constexpr std::array kLaterWords = {
     LaterWord{"camera", "follow", "`follow`"},
     LaterWord{"camera", "keyframes", "`keyframes`"},
-    LaterWord{"camera.kind", "endoscope", "`endoscope`"},
-    LaterWord{"lights", "endoscope", "`endoscope`"},
 };
 
 }  // namespace

@@ -149,6 +149,26 @@ void check_camera(const CheckedValue& root, Diagnostics& diagnostics) {
   }
 }
 
+bool is_endoscope(const CheckedValue& root) {
+  const CheckedValue* camera = root.find("camera");
+  const CheckedValue* kind = camera == nullptr ? nullptr : camera->find("kind");
+  return kind != nullptr && kind->text == "endoscope";
+}
+
+/// Inside a body there is no other light than the endoscope's.
+void check_lights(const CheckedValue& root, Diagnostics& diagnostics) {
+  const CheckedValue* lights = root.find("lights");
+  if (lights == nullptr) return;
+  const CheckedValue* endoscope = lights->find("endoscope");
+  if (endoscope == nullptr ? !is_endoscope(root) : endoscope->number <= 0) return;
+  for (const char* key : {"key", "fill", "key_direction"}) {
+    const CheckedValue* other = lights->find(key);
+    if (other == nullptr || !other->given) continue;
+    diagnostics.error(other->location, member_path("lights", key),
+                      "does not shine beside the lamp of an endoscope; leave it out, or set `lights.endoscope` to 0");
+  }
+}
+
 void check_frame(const CheckedMember& clip, const std::string& path, Diagnostics& diagnostics) {
   const CheckedValue& values = clip.value;
   auto direction = find_vector(values, "direction");
@@ -216,6 +236,7 @@ void lint_pass(const CheckedValue& root, Diagnostics& diagnostics) {
     check_boxes(*bodies, "bodies", diagnostics);
   }
   check_camera(root, diagnostics);
+  check_lights(root, diagnostics);
   const CheckedValue* timeline = root.find("timeline");
   for (std::size_t index = 0; timeline != nullptr && index < timeline->items.size(); ++index) {
     const CheckedValue& item = timeline->items[index];

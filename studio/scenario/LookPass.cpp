@@ -41,9 +41,23 @@ CheckedValue& look_of(const std::string& body, CheckedValue& looks) {
   return *looks.find(body);
 }
 
+/// An endoscope brings its lamp along.
+void light_endoscope(CheckedValue& root) {
+  CheckedValue* lights = root.find("lights");
+  const CheckedValue* camera = root.find("camera");
+  const CheckedValue* kind = camera == nullptr ? nullptr : camera->find("kind");
+  if (lights == nullptr || lights->find("endoscope") != nullptr) return;
+  const double strength = kind != nullptr && kind->text == "endoscope" ? 1 : 0;
+  lights->members.push_back(
+      {.key = "endoscope",
+       .location = lights->location,
+       .value = {.kind = CheckedKind::kNumber, .location = lights->location, .given = false, .number = strength}});
+}
+
 }  // namespace
 
 void look_pass(CheckedValue& root) {
+  light_endoscope(root);
   CheckedValue* look = root.find("look");
   CheckedValue* looks = look == nullptr ? nullptr : look->find("bodies");
   const CheckedValue* bodies = root.find("bodies");

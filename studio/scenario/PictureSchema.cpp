@@ -16,16 +16,28 @@ KeySchema shown_key(const std::string& key, const std::string& documentation) {
   return {key, boolean_value(), false, "true", documentation};
 }
 
+KeySchema angle_key(const std::string& fallback) {
+  const double half_turn = parse_quantity("180 deg").value;
+  return {"field_of_view",
+          quantity_value(kAngle, {.minimum = 0, .maximum = half_turn, .minimum_excluded = true, .maximum_excluded = true},
+                         "30 deg"),
+          false, fallback, "vertical angle of view"};
+}
+
 }  // namespace
 
 ValueSchema camera_schema() {
   const ValueSchema place = vector_value(kLength, {}, "[80 mm, -60 mm, 50 mm]");
-  const double half_turn = parse_quantity("180 deg").value;
   MappingSchema camera{
       .name = "camera",
-      .documentation = "A pinhole camera. What is absent is chosen so that the bodies fill the picture."};
+      .documentation = "What is absent is chosen so that the bodies fill the picture."};
+  camera.selector = "kind";
+  camera.cases = {
+      {"pinhole", "stands in the open", {angle_key("30 deg")}},
+      {"endoscope", "in a body: a round picture, darker towards its border", {angle_key("60 deg")}},
+  };
   camera.keys = {
-      {"kind", word_value({"pinhole"}), false, "pinhole", "how the picture is projected"},
+      {"kind", word_value({"pinhole", "endoscope"}), false, "pinhole", "how the picture is projected"},
       {"position", place, false, {}, "where the camera stands"},
       {"target", place, false, {}, "what it looks at"},
       {"facing",
@@ -34,12 +46,10 @@ ValueSchema camera_schema() {
        {},
        "the sense in which a camera without `position` looks; when absent, from the side that the tools come from"},
       {"up", direction_value(), false, {}, "what is up in the picture"},
-      {"field_of_view",
-       quantity_value(kAngle, {.minimum = 0, .maximum = half_turn, .minimum_excluded = true, .maximum_excluded = true},
-                      "30 deg"),
-       false, "30 deg", "vertical angle of view"},
       {"orbit_speed", quantity_value(kAngularSpeed, {}, "10 deg/s"), false, "0 deg/s",
        "turn around the upward axis through the target"},
+      {"exposure", quantity_value(kDimensionless, {.minimum = -10, .maximum = 10}, "0.5"), false, "0",
+       "brighter by this power of two"},
   };
   return mapping_value({camera});
 }
@@ -55,6 +65,9 @@ ValueSchema lights_schema() {
        false,
        {},
        "from the scene to the key light; chosen with the camera when absent"},
+      {"endoscope", quantity_value(kDimensionless, {.minimum = 0, .maximum = 100}, "1"), false, {},
+       "lamp beside the lens, in place of key and fill light; its light falls with the square of the distance and makes the "
+       "middle of the scene well lit. When absent, 1 with a camera of the kind `endoscope`, else 0"},
   };
   return mapping_value({lights});
 }

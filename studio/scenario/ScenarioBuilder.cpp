@@ -291,14 +291,17 @@ CameraDefinition to_camera(const CheckedValue& camera) {
           .facing = find_double3(camera, "facing"),
           .up = find_double3(camera, "up"),
           .field_of_view = camera.at("field_of_view").number,
-          .orbit_speed = camera.at("orbit_speed").number};
+          .orbit_speed = camera.at("orbit_speed").number,
+          .kind = camera.at("kind").text == "endoscope" ? CameraKind::kEndoscope : CameraKind::kPinhole,
+          .exposure = camera.at("exposure").number};
 }
 
 LightsDefinition to_lights(const CheckedValue& lights) {
   return {.key = lights.at("key").number,
           .fill = lights.at("fill").number,
           .environment = lights.at("environment").number,
-          .key_direction = find_double3(lights, "key_direction")};
+          .key_direction = find_double3(lights, "key_direction"),
+          .endoscope = lights.at("endoscope").number};
 }
 
 TissueLook to_tissue_look(const CheckedValue& body) {

@@ -1,5 +1,19 @@
 #include "frame.glsl"
 
+#ifdef ENDOSCOPE
+
+// Inside a body: what the lamp lights sends a little, reddish light back from all around.
+
+const vec3 kCavity = vec3(0.085, 0.045, 0.035);
+
+vec3 environment_light(vec3 direction, float roughness, float key_visible) {
+  return environment.x * mix(vec3(1.0), kCavity, environment.y);
+}
+
+vec3 environment_irradiance(vec3 normal) { return environment.x * mix(vec3(1.0), kCavity, environment.y); }
+
+#else
+
 // The studio as light sources seen from the scene, without a picture of it: a gradient from the floor to the ceiling, a
 // soft box where the key light is, and two tall panels that stand on the floor, one in front and one behind. `roughness`
 // (0 to 1) widens their edges, as the width of a highlight does.
@@ -52,3 +66,5 @@ vec3 environment_irradiance(vec3 normal) {
                               : mix(kHorizon, 0.8 * kGround + 0.2 * kHorizon, -normal.z);
   return environment.x * mix(vec3(1.0), light, environment.y);
 }
+
+#endif

@@ -2,7 +2,7 @@
 #define FRAME_FROM_VERTICES
 #include "tone.glsl"
 
-// The studio's floor: a pool of light around the scene that fades into the background.
+// The studio's floor: a pool of light around the scene that fades into the background. Drawn small, see backdrop.frag.
 
 layout(location = 0) in vec3 ray;
 layout(location = 0) out vec4 color;
@@ -20,7 +20,7 @@ void main() {
     vec2 place = offset / floor_plane.z;
     vec2 taken = saturate(5.0 - 5.0 * max(abs(place.x), abs(place.y))) * texture(floor_shade, 0.5 + 0.5 * place).rg;
     vec3 light = (1.0 - 0.85 * taken.r) * ((1.0 - taken.g) * pool * floor_key.rgb + floor_sky.rgb);
-    display = mix(display, displayed(light), fade);
+    display = mix(display, displayed(lens_light(ray) * light), fade);
   }
-  color = vec4(dithered(display, gl_FragCoord.xy), 1.0);
+  color = vec4(display, 1.0);
 }

@@ -34,6 +34,7 @@ layout(std140, binding = 0) uniform Frame {
 
 const float kPi = 3.14159265;
 const vec3 kKeyColor = vec3(1.0, 0.955, 0.89);   // a warm lamp
+const vec3 kLampColor = vec3(1.0, 0.97, 0.93);   // xenon behind glass fibres
 const vec3 kFillColor = vec3(0.80, 0.90, 1.0);   // a cool wall
 
 float square(float x) { return x * x; }

@@ -1,12 +1,13 @@
-#include "frame.glsl"
+#include "lamp.glsl"
 
 layout(binding = 0) uniform sampler2DShadow shadow_map;
 
 // Part of the key light that reaches `position`, 0 to 1. Five taps of two by two compared texels each, in a fixed
 // tilted square: it hides the raster, while one that is turned from pixel to pixel shows as noise. `normal` lifts the point off its own surface.
 float key_visibility(vec3 position, vec3 normal) {
-  vec3 lifted = position + environment.z * (normal + 0.6 * key_direction.xyz);
-  vec3 place = (shadow_matrix * vec4(lifted, 1.0)).xyz;
+  vec3 lifted = position + environment.z * (normal + 0.6 * lamp_direction(position));
+  vec4 projected = shadow_matrix * vec4(lifted, 1.0);
+  vec3 place = projected.xyz / projected.w;
   float texel = 1.0 / float(textureSize(shadow_map, 0).x);
   vec3 a = texel * vec3(0.45, 1.35, 0.0);
   vec3 b = texel * vec3(1.35, -0.45, 0.0);

@@ -17,3 +17,17 @@ vec3 dithered(vec3 display, vec2 pixel) {
   float noise = fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
   return display + (noise - 0.5) / 255.0;
 }
+
+// What the lens leaves of light along `ray` (of length one along the line of sight): it darkens towards the border.
+float lens_light(vec3 ray) { return background.w / square(1.0 + key_right.w * (dot(ray, ray) - 1.0)); }
+
+// 1 inside the field stop, 0 outside.
+float field_stop(vec3 ray) {
+  float radius = sqrt(max(dot(ray, ray) - 1.0, 0.0));
+  return floor_plane.w > 0.0 ? 1.0 - smoothstep(0.985, 1.0, radius / floor_plane.w) : 1.0;
+}
+
+// The colour of a pixel that sees `radiance` along `ray`.
+vec4 finished(vec3 radiance, vec3 ray, vec2 pixel) {
+  return vec4(dithered(field_stop(ray) * displayed(lens_light(ray) * radiance), pixel), 1.0);
+}

@@ -103,6 +103,47 @@ TEST_F(Shading, WhatIsReflectedIsNeverMoreThanWhatCame) {
   }
 }
 
+TEST_F(Shading, TheGlintOfALampIsNoMoreThanItsLight) {
+  // What a mirror of rough microfacets sends towards the viewer of lamps all over the hemisphere, one after the other.
+  const auto results = test::run_shader({"reflection.glsl"}, R"(
+    float alpha = 0.15 + 0.25 * float(index % 3);
+    float nv = 0.3 + 0.35 * float(index / 3);
+    vec3 view = vec3(sqrt(1.0 - nv * nv), 0.0, nv);
+    float sum = 0.0;
+    const int kSteps = 200;
+    for (int i = 0; i < kSteps; ++i) {
+      float z = (float(i) + 0.5) / float(kSteps);
+      for (int j = 0; j < kSteps; ++j) {
+        float turn = 2.0 * kPi * (float(j) + 0.5) / float(kSteps);
+        vec3 toward = vec3(sqrt(1.0 - z * z) * vec2(cos(turn), sin(turn)), z);
+        sum += glint(vec3(0, 0, 1), view, toward, alpha);
+      }
+    }
+    result = vec4(2.0 * sum / float(kSteps * kSteps), alpha, nv, 1.0);)",
+                                        9);
+  for (const auto& result : results) {
+    // Microfacets lose what bounces more than once. Both quadratures err by some 0.2 %.
+    EXPECT_LT(result[0], 1.003) << "width " << result[1] << ", cosine " << result[2];
+    const double nv = std::min(static_cast<double>(result[2]), 0.999);
+    EXPECT_NEAR(result[0], reflected_by_microfacets(nv, std::sqrt(result[1]), 1), 0.005);
+  }
+}
+
+TEST_F(Shading, AColourChartIsShownAsTheFilmCurveSays) {
+  const auto results = test::run_shader({"tone.glsl"}, R"(
+    vec3 patch_color = vec3(index % 4, (index / 4) % 4, index / 16) * vec3(0.6) + 0.01;
+    result = vec4(displayed(patch_color), 1.0);)",
+                                        64);
+  for (int index = 0; index < 64; ++index) {
+    const double patch[3] = {0.6 * (index % 4) + 0.01, 0.6 * (index / 4 % 4) + 0.01, 0.6 * (index / 16) + 0.01};
+    const double luminance = 0.2126 * patch[0] + 0.7152 * patch[1] + 0.0722 * patch[2];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double x = std::max(0.72 * (0.95 * patch[k] + 0.05 * luminance) - 0.004, 0.0);
+      EXPECT_NEAR(results[static_cast<std::size_t>(index)][k], x * (6.2 * x + 0.5) / (x * (6.2 * x + 1.7) + 0.06), 1e-5);
+    }
+  }
+}
+
 TEST_F(Shading, TheSlopeOfTheNoiseIsThatOfItsValue) {
   const auto results = test::run_shader({"frame.glsl", "noise.glsl"}, R"(
     vec3 place = vec3(0.37, -1.21, 2.53) * float(index) * 0.173;

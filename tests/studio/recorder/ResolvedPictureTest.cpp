@@ -38,6 +38,9 @@ class ResolvedPictureTest : public ::testing::Test {
     EXPECT_EQ(read.view.camera.up, camera.up);
     EXPECT_EQ(read.view.camera.field_of_view, camera.field_of_view);
     EXPECT_EQ(read.view.camera.orbit_speed, camera.orbit_speed);
+    EXPECT_EQ(read.view.camera.kind, camera.kind);
+    EXPECT_EQ(read.view.camera.exposure, camera.exposure);
+    EXPECT_EQ(read.view.lights.endoscope, scenario.view.lights.endoscope);
     EXPECT_EQ(read.view.lights.key, scenario.view.lights.key);
     EXPECT_EQ(read.view.lights.fill, scenario.view.lights.fill);
     EXPECT_EQ(read.view.lights.environment, scenario.view.lights.environment);
@@ -66,6 +69,11 @@ TEST_F(ResolvedPictureTest, DefaultsComeBackFromTheTake) {
 
 TEST_F(ResolvedPictureTest, EachSettingComesBackFromTheTake) {
   expect_the_same_from_the_take(std::string(kScenario) + kPicture);
+}
+
+TEST_F(ResolvedPictureTest, AnEndoscopeComesBackFromTheTake) {
+  expect_the_same_from_the_take(std::string(kScenario) + "camera: { kind: endoscope, exposure: 0.5 }\n");
+  expect_the_same_from_the_take(std::string(kScenario) + "lights: { endoscope: 2 }\n");
 }
 
 TEST_F(ResolvedPictureTest, AnOrganThatIsNotKnownIsRefused) {

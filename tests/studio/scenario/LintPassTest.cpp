@@ -132,5 +132,14 @@ TEST(LintPass, ADischargeOfContentsThatDoNotLeakIsTold) {
   EXPECT_EQ(warnings_of("{ discharge: 0.6 }"), Texts{});
 }
 
+TEST(LintPass, NoOtherLampShinesBesideAnEndoscopes) {
+  const std::string cure = "does not shine beside the lamp of an endoscope; leave it out, or set `lights.endoscope` to 0";
+  EXPECT_EQ(errors_of(checked_scenario("camera: { kind: endoscope }\nlights: { key: 2 }\n")),
+            Texts{"9:16: lights.key: " + cure});
+  EXPECT_EQ(errors_of(checked_scenario("lights: { endoscope: 1, fill: 0 }\n")), Texts{"8:31: lights.fill: " + cure});
+  EXPECT_EQ(errors_of(checked_scenario("camera: { kind: endoscope }\nlights: { endoscope: 0, key: 2 }\n")), Texts{});
+  EXPECT_EQ(errors_of(checked_scenario("camera: { kind: endoscope }\nlights: { environment: 2 }\n")), Texts{});
+}
+
 }  // namespace
 }  // namespace thinwall

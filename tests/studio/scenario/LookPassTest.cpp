@@ -42,5 +42,18 @@ TEST(LookPass, TakesTheOrganFromTheNameOfTheBody) {
   EXPECT_EQ(root.at("look").at("bodies").at("Left_Stomach").at("organ").text, "stomach");
 }
 
+double lamp(const std::string& sections) {
+  CheckedValue root = checked_scenario(sections);
+  look_pass(root);
+  return root.at("lights").at("endoscope").number;
+}
+
+TEST(LookPass, GivesAnEndoscopeItsLamp) {
+  EXPECT_EQ(lamp("camera: { kind: endoscope }\n"), 1);
+  EXPECT_EQ(lamp("camera: { kind: pinhole }\n"), 0);
+  EXPECT_EQ(lamp("camera: { kind: endoscope }\nlights: { endoscope: 0 }\n"), 0);
+  EXPECT_EQ(lamp("lights: { endoscope: 2 }\n"), 2);
+}
+
 }  // namespace
 }  // namespace thinwall

@@ -1,0 +1,57 @@
+#include "environment.glsl"
+#include "lamp.glsl"
+#include "reflection.glsl"
+#include "shadow.glsl"
+#include "tone.glsl"
+
+// Steel: it shows nothing but its surroundings, here the studio, the floor and the tissue below.
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 smooth_normal;
+layout(location = 2) in vec3 finish;
+
+layout(location = 0) out vec4 color;
+
+// The tissue as a ball around the scene's centre: its part of what `direction` sees, blurred; it fades up the shaft.
+float tissue_part(vec3 direction, float blur) {
+  vec3 toward = scene_center.xyz - position;
+  float distance = length(toward);
+  float sine = min(0.40 * scene_center.w / max(distance, 1e-9), 1.0);
+  float edge = sqrt(1.0 - square(sine));
+  float seen = smoothstep(edge - 0.2 - blur, edge + 0.2 + blur, dot(direction, toward) / max(distance, 1e-9));
+  return 0.85 * seen * exp(-12.0 * finish.y);
+}
+
+void main() {
+  vec3 view = normalize(camera_position.xyz - position);
+  vec3 normal = normalize(smooth_normal);
+  normal = dot(normal, view) < 0.0 ? -normal : normal;
+  // Where the normal turns within a pixel, the pixel sees as much more of the surroundings as on a rougher surface
+  // (Tokuyoshi and Kaplanyan 2019).
+  vec3 across = dFdx(normal), along = dFdy(normal);
+  float roughness = sqrt(square(finish.x) + min(0.5 * (dot(across, across) + dot(along, along)), 0.25));
+  float ring = finish.z * sin(2.0 * kPi * 90.0 * finish.y);
+  float groove = finish.z * smoothstep(0.2, 0.9, ring);
+  float nv = max(dot(normal, view), 0.02);
+
+  float visible = key_visibility(position, normal);
+  vec3 mirrored = reflect(-view, normal);
+  vec3 light = environment_light(mirrored, roughness, mix(0.25, 1.0, visible));
+#ifdef ENDOSCOPE
+  vec3 toward = lamp_direction(position);
+  vec3 tissue_light = 0.6 * tissue.rgb * lamp_light(scene_center.xyz);
+  light = mix(light, tissue_light, tissue_part(mirrored, roughness));
+  // Brushed: a sharp highlight in a wide one.
+  float highlight = 0.55 * glint(normal, view, toward, max(square(roughness), 0.02)) + 0.45 * glint(normal, view, toward, 0.45);
+  light += visible * highlight * lamp_light(position);
+#else
+  vec3 tissue_light = tissue.rgb * (0.15 + 0.8 * key_direction.w * saturate(key_direction.z));
+  light = mix(light, tissue_light * environment.x, tissue_part(mirrored, roughness));
+#endif
+
+  const vec3 steel = vec3(0.62, 0.60, 0.575);
+  vec3 reflectance = steel + (1.0 - steel) * fresnel_weight(max(nv, 0.25)) * (1.0 - roughness);
+  vec3 result = reflectance * light * (1.0 - 0.65 * groove);
+  vec3 ray = position - camera_position.xyz;
+  color = finished(result, ray / dot(ray, ray_middle.xyz), gl_FragCoord.xy);
+}

@@ -1,0 +1,92 @@
+#include "environment.glsl"
+#include "lamp.glsl"
+#include "occlusion.glsl"
+#include "pattern.glsl"
+#include "reflection.glsl"
+#include "scattering.glsl"
+#include "shadow.glsl"
+#include "tone.glsl"
+
+// Living tissue: scattering flesh with mottling and vessels below a wet layer.
+
+layout(location = 0) in vec3 ray;
+
+layout(location = 0) out vec4 color;
+
+layout(binding = 2) uniform sampler2D seen_normal;  // w: depth along the line of sight, metres
+layout(binding = 3) uniform sampler2D seen_rest;    // metres; w: see surface.frag
+
+float floor_openness(vec3 position, vec3 normal) {
+  float height = max(position.z - floor_plane.x, 0.0) / scene_center.w;
+  return 1.0 - floor_plane.y * 0.75 * saturate(0.5 - 0.6 * normal.z) * exp(-6.0 * height);
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vec4 seen = texelFetch(seen_normal, pixel, 0);
+  vec4 rest_and_state = texelFetch(seen_rest, pixel, 0);
+  vec3 position = camera_position.xyz + seen.w * ray;
+  vec3 view = -normalize(ray);
+  float squared_length = dot(seen.xyz, seen.xyz);
+  float wound = 0.5 * log2(squared_length);
+  vec3 base = seen.xyz * inversesqrt(squared_length);
+  vec3 state = fract(rest_and_state.w * vec3(1.0 / 256.0, 1.0 / 65536.0, 1.0 / 16777216.0));
+  float blanch = state.x;
+  float bend = 2.0 * state.y - 1.0;
+  float thickness = 2.0 * state.z;
+  // A smooth normal may face away where the triangle is still seen.
+  float base_nv = max(dot(base, view), 0.05);
+  Skin skin = skin_at(rest_and_state.xyz, environment.w * seen.w * inversesqrt(base_nv), blanch, thickness, wound);
+  vec3 bump = skin.bump - dot(skin.bump, base) * base;
+  vec3 normal = normalize(base - 0.6 * bump);
+  vec3 film_normal = normalize(base - 1.3 * bump);
+  float nv = max(dot(normal, view), 0.02);
+  float film_nv = max(dot(film_normal, view), 0.02);
+
+  vec3 toward = lamp_direction(position);
+  vec3 lamp = lamp_light(position);
+  float visible = key_visibility(position, base);
+#ifdef ENDOSCOPE
+  visible = mix(0.1, 1.0, visible);  // the walls of the cavity send light into shadows
+#endif
+  float hollow = max(bend, 0.0);
+  float openness = rods_openness(position, base) * floor_openness(position, base) * (1.0 - 0.55 * smoothstep(0.0, 0.8, hollow));
+
+  vec3 width = clamp(scatter.rgb * (30.0 + abs(bend) / (0.03 * scene_center.w)), 0.03, 0.7);
+  // Shadows on flesh have reddish borders too.
+  vec3 soft_visible = vec3(mix(visible, sqrt(visible), 0.6), visible, visible);
+  // Light that is caught between the walls of a crease is reddened by each.
+  vec3 open_color = pow(vec3(openness), vec3(0.85, 1.25, 1.25));
+  vec3 diffuse = lamp * soft_visible * scattered_cosine(dot(normal, toward), width);
+#ifndef ENDOSCOPE
+  vec3 fill = 0.34 * fill_direction.w * kFillColor;
+  diffuse += fill * open_color * scattered_cosine(dot(normal, fill_direction.xyz), width);
+#else
+  diffuse *= mix(vec3(1.0), open_color, 0.5);
+#endif
+  diffuse += open_color * environment_irradiance(normal);
+
+  const float reflectance = 0.028;
+  float rough = sqrt(square(flesh.w) + min(skin.lost_bump, 0.2));
+  vec2 part = reflected_part(nv, rough);
+  float veil = scatter.w * vessels.w * fresnel_weight(nv);
+  vec3 albedo = mix(skin.albedo, vec3(0.75), veil);
+  vec3 result = albedo * (1.0 - reflectance * part.x - part.y) * diffuse;
+  result += (reflectance * part.x + part.y) * openness * environment_light(reflect(-view, normal), rough, visible);
+
+  // The wet layer: water, so smooth that it mirrors the lamps; what it reflects does not reach the flesh.
+  float film = skin.film * (0.022 + 0.978 * fresnel_weight(film_nv));
+  float film_rough = sqrt(0.0025 + min(skin.lost_bump, 0.1));
+  vec3 film_light = environment_light(reflect(-view, film_normal), film_rough, visible) * mix(1.0, openness, 0.7);
+  result = mix(result, film_light, film);
+
+#ifdef ENDOSCOPE
+  float lamp_fresnel = fresnel_weight(dot(view, normalize(view + toward)));
+  float gloss = (1.0 - film) * (reflectance + (1.0 - reflectance) * lamp_fresnel) * glint(normal, view, toward, square(rough));
+  float film_alpha = sqrt(0.0014 + min(skin.lost_bump, 0.1));
+  gloss += skin.film * (0.022 + 0.978 * lamp_fresnel) * glint(film_normal, view, toward, film_alpha);
+  result += visible * gloss * lamp;
+#endif
+
+  color = finished(result, ray, gl_FragCoord.xy);
+}

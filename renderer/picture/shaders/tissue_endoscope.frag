@@ -1,0 +1,4 @@
+#version 450 core
+#define FRAME_FROM_VERTICES
+#define ENDOSCOPE
+#include "tissue.glsl"
