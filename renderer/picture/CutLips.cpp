@@ -15,7 +15,8 @@ std::vector<char> find_lips(const SnapshotTopology& topology, std::span<const Bo
   const std::vector<Float3>& rest = topology.rest_positions;
   std::vector<std::uint32_t> on_border;
   for (const BorderEdge& edge : borders) on_border.push_back(edge.start);
-  std::ranges::sort(on_border, [&](std::uint32_t a, std::uint32_t b) { return std::pair(rest[a], a) < std::pair(rest[b], b); });
+  std::ranges::sort(on_border,
+                    [&](std::uint32_t a, std::uint32_t b) { return std::pair(rest[a], a) < std::pair(rest[b], b); });
   std::vector<char> is_lip(rest.size(), 0);
   for (std::size_t i = 1; i < on_border.size(); ++i) {
     if (rest[on_border[i]] != rest[on_border[i - 1]] || on_border[i] == on_border[i - 1]) continue;

@@ -52,7 +52,8 @@ void light_floor(FrameUniforms& frame, const ViewDefinition& view) {
   }
 }
 
-/// The natural darkening of a lens goes with the fourth power of the cosine of the angle; endoscopes correct part of it.
+/// The natural darkening of a lens goes with the fourth power of the cosine of the angle; endoscopes correct part of
+/// it.
 constexpr double kLensDarkening = 0.8;
 
 /// A little wider than the picture is high, as surgeons set their picture.
@@ -60,7 +61,8 @@ double field_stop(const Camera& camera) {
   return camera.kind == CameraKind::kEndoscope ? 1.12 * camera.tangent_y : 0;
 }
 
-/// What makes the middle of the scene as bright as lamps in the open do, wherever the endoscope is: its automatic exposure.
+/// What makes the middle of the scene as bright as lamps in the open do, wherever the endoscope is: its automatic
+/// exposure.
 double lamp_strength(const LightsDefinition& lights, const Camera& camera, const SceneExtent& extent) {
   const Vector3 offset = extent.center - camera.position;
   // Close to the wall the brightness of the nearest part counts.

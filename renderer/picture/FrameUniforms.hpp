@@ -28,11 +28,11 @@ struct FrameUniforms {
   Float4 scene_center{};         // w: scene size, metres
   Float4 floor{};                // x: height; y: 1 where a floor is drawn; z: half width of its shade map, metres;
                                  // w: the field stop as tangent of the angle off the line of sight, 0 for none
-  Float4 key_direction{};        // to the light; w: strength. Of an endoscope's lamp the place, metres; w: strength there
-                                 // times the square of the distance
-  Float4 key_right{};            // of length one, horizontal, across the key light; w: darkening of the lens
-  Float4 panels{};               // xy: horizontal direction to the front panel; zw: to the back panel
-  Float4 fill_direction{};       // to the light; w: strength
+  Float4 key_direction{};   // to the light; w: strength. Of an endoscope's lamp the place, metres; w: strength there
+                            // times the square of the distance
+  Float4 key_right{};       // of length one, horizontal, across the key light; w: darkening of the lens
+  Float4 panels{};          // xy: horizontal direction to the front panel; zw: to the back panel
+  Float4 fill_direction{};  // to the light; w: strength
   Float4
       environment{};  // x: strength; y: contrast; z: offset against self-shadow, metres; w: a pixel's height at depth 1
   Float4 background{};                        // sRGB; w: exposure
@@ -46,8 +46,9 @@ struct FrameUniforms {
 struct Studio {
   Vector3 key_direction;  // from the scene to the light that casts the shadow, of length one
   Vector3 fill_direction;
-  Vector3 front;                       // horizontal, from the scene to the viewer
-  std::optional<Vector3> lamp_place = {};  // of an endoscope's lamp, which then is the light that casts the shadow, metres
+  Vector3 front;  // horizontal, from the scene to the viewer
+  std::optional<Vector3> lamp_place =
+      {};  // of an endoscope's lamp, which then is the light that casts the shadow, metres
 };
 
 /// Lamps around a scene that `camera` shows at time zero: the key light, unless given, from the upper left in front,

@@ -86,9 +86,9 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
   const SceneExtent extent = scene_extent(snapshot);
   const Camera camera = resolve_camera(view.camera, extent, stage->target.size(), snapshot.time);
   const bool is_inside = view.lights.endoscope > 0;
-  const Studio studio =
-      is_inside ? arrange_endoscope(camera, extent)
-                : arrange_studio(view.lights, resolve_camera(view.camera, extent, stage->target.size(), 0));
+  const Studio studio = is_inside
+                            ? arrange_endoscope(camera, extent)
+                            : arrange_studio(view.lights, resolve_camera(view.camera, extent, stage->target.size(), 0));
   const Surroundings surroundings = is_inside ? Surroundings::kCavity : Surroundings::kStudio;
 
   const CurrentContext current(context);

@@ -49,8 +49,7 @@ void ScenePass::draw_surface(const SceneMeshes& meshes, const PictureTarget& tar
   }
 }
 
-void ScenePass::shade_tissue(const SceneMeshes& meshes, const PictureTarget& target,
-                             Surroundings surroundings) const {
+void ScenePass::shade_tissue(const SceneMeshes& meshes, const PictureTarget& target, Surroundings surroundings) const {
   target.begin_color();
   glDisable(GL_DEPTH_TEST);
   glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);

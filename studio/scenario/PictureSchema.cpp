@@ -18,19 +18,19 @@ KeySchema shown_key(const std::string& key, const std::string& documentation) {
 
 KeySchema angle_key(const std::string& fallback) {
   const double half_turn = parse_quantity("180 deg").value;
-  return {"field_of_view",
-          quantity_value(kAngle, {.minimum = 0, .maximum = half_turn, .minimum_excluded = true, .maximum_excluded = true},
-                         "30 deg"),
-          false, fallback, "vertical angle of view"};
+  return {
+      "field_of_view",
+      quantity_value(kAngle, {.minimum = 0, .maximum = half_turn, .minimum_excluded = true, .maximum_excluded = true},
+                     "30 deg"),
+      false, fallback, "vertical angle of view"};
 }
 
 }  // namespace
 
 ValueSchema camera_schema() {
   const ValueSchema place = vector_value(kLength, {}, "[80 mm, -60 mm, 50 mm]");
-  MappingSchema camera{
-      .name = "camera",
-      .documentation = "What is absent is chosen so that the bodies fill the picture."};
+  MappingSchema camera{.name = "camera",
+                       .documentation = "What is absent is chosen so that the bodies fill the picture."};
   camera.selector = "kind";
   camera.cases = {
       {"pinhole", "stands in the open", {angle_key("30 deg")}},
@@ -65,8 +65,12 @@ ValueSchema lights_schema() {
        false,
        {},
        "from the scene to the key light; chosen with the camera when absent"},
-      {"endoscope", quantity_value(kDimensionless, {.minimum = 0, .maximum = 100}, "1"), false, {},
-       "lamp beside the lens, in place of key and fill light; its light falls with the square of the distance and makes the "
+      {"endoscope",
+       quantity_value(kDimensionless, {.minimum = 0, .maximum = 100}, "1"),
+       false,
+       {},
+       "lamp beside the lens, in place of key and fill light; its light falls with the square of the distance and "
+       "makes the "
        "middle of the scene well lit. When absent, 1 with a camera of the kind `endoscope`, else 0"},
   };
   return mapping_value({lights});

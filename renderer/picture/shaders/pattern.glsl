@@ -72,8 +72,10 @@ vec3 ridge_bump(vec3 place, vec4 broad, float footprint) {
 // `depth`: in a rim from 0 outside to 1 inside; elsewhere nearness to a cut, see CutLips.hpp.
 Skin skin_at(vec3 place, float footprint, float blanch, float thickness, float depth) {
   vec4 broad = noise(pattern.y * place + 11.3);
-  vec4 coarse = noise(vessels.y * place + 0.10 * broad.zxy + 3.1);
-  vec4 fine = noise(2.7 * vessels.y * place + 0.12 * coarse.yzx + 7.7);
+  // Drawn out, so that vessels run along and seldom close to rings.
+  vec3 drawn_out = vessels.y * vec3(0.6, 1.05, 0.95) * place;
+  vec4 coarse = noise(drawn_out + 0.10 * broad.zxy + 3.1);
+  vec4 fine = noise(2.7 * drawn_out + 0.12 * coarse.yzx + 7.7);
   vec4 grain = noise(relief.y * place + 0.05 * fine.xyz);
   vec4 dust = noise(2.9 * relief.y * place + 0.08 * grain.zxy);
   float grain_seen = resolved(0.7 * relief.y, footprint);

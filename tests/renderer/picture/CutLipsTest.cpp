@@ -7,7 +7,8 @@
 namespace thinwall {
 namespace {
 
-/// A strip of three squares of 2 mm along x, cut between the first and the second: vertices 2 and 3 have the twins 8, 9.
+/// A strip of three squares of 2 mm along x, cut between the first and the second: vertices 2 and 3 have the twins
+/// 8, 9.
 SnapshotTopology cut_strip() {
   SnapshotTopology topology;
   for (const float x : {0.0f, 0.002f, 0.004f, 0.006f}) {
@@ -31,7 +32,8 @@ TEST(CutLips, AreWhereBordersHaveTwins) {
 
 TEST(CutLips, AreNotWhereASheetEnds) {
   const SnapshotSurface sheet = test::quad("sheet", {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}});
-  for (const float nearness : nearness_to_cuts(*sheet.topology, border_edges(*sheet.topology))) EXPECT_EQ(nearness, kUncut);
+  for (const float nearness : nearness_to_cuts(*sheet.topology, border_edges(*sheet.topology)))
+    EXPECT_EQ(nearness, kUncut);
 }
 
 TEST(CutLips, KeepTheirDistanceOnCoarseTriangles) {
@@ -45,7 +47,8 @@ TEST(CutLips, KeepTheirDistanceOnCoarseTriangles) {
 TEST(CutLips, IncludeTheTipBetweenTheLips) {
   // A fan around the tip 0, open between 1 and its twin 5.
   SnapshotTopology topology;
-  topology.rest_positions = {{0, 0, 0}, {0.002f, 0, 0}, {0, 0.002f, 0}, {-0.002f, 0, 0}, {0, -0.002f, 0}, {0.002f, 0, 0}};
+  topology.rest_positions = {{0, 0, 0},       {0.002f, 0, 0},  {0, 0.002f, 0},
+                             {-0.002f, 0, 0}, {0, -0.002f, 0}, {0.002f, 0, 0}};
   topology.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}};
   const std::vector<float> nearness = nearness_to_cuts(topology, border_edges(topology));
   EXPECT_EQ(nearness[0], 1);

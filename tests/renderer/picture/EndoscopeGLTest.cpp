@@ -57,8 +57,7 @@ ViewDefinition endoscope(double distance) {
 }
 
 SnapshotSurface wall(float x, float z, float half) {
-  return test::quad("organ",
-                    {{{x - half, -half, z}, {x + half, -half, z}, {x + half, half, z}, {x - half, half, z}}});
+  return test::quad("organ", {{{x - half, -half, z}, {x + half, -half, z}, {x + half, half, z}, {x - half, half, z}}});
 }
 
 Image draw(const std::vector<SnapshotSurface>& surfaces, const ViewDefinition& view, ImageSize size = {160, 90}) {
@@ -82,9 +81,7 @@ TEST(Endoscope, ItsLightFallsWithTheSquareOfTheDistance) {
 }
 
 TEST(Endoscope, ExposesTheMiddleOfTheSceneAlikeFromAnyDistance) {
-  const auto level = [](double distance) {
-    return mean_level(draw({wall(0, 0, 0.02f)}, endoscope(distance)), 80, 45);
-  };
+  const auto level = [](double distance) { return mean_level(draw({wall(0, 0, 0.02f)}, endoscope(distance)), 80, 45); };
   // The lamp is 4 mm beside the lens, which takes 0.5 % of the light off at 80 mm.
   EXPECT_NEAR(level(0.4), level(0.2), 1.5);
   EXPECT_NEAR(level(0.4), level(0.08), 3);
@@ -103,7 +100,8 @@ TEST(Endoscope, HasARoundPictureThatIsDarkerTowardsItsBorder) {
   EXPECT_NEAR(middle, 1, 0.02);
   for (const int offset : {40, 80}) {
     const double tangent = offset / 90.0 * std::tan(0.5);
-    EXPECT_NEAR(radiance_of(mean_level(image, 160 + offset, 90)), middle / std::pow(1 + 0.8 * tangent * tangent, 2), 0.02);
+    EXPECT_NEAR(radiance_of(mean_level(image, 160 + offset, 90)), middle / std::pow(1 + 0.8 * tangent * tangent, 2),
+                0.02);
   }
   // The stop is 1.12 half heights from the middle.
   EXPECT_GT(level_at(image, 160 + 97, 90), 50);
@@ -178,9 +176,9 @@ TEST(Wounds, BleedAtTheirLips) {
     return std::array<Float3, 4>{{{from, -0.02f, 0}, {to, -0.02f, 0}, {to, 0.02f, 0}, {from, 0.02f, 0}}};
   };
   std::vector<Float3> positions;
-  for (const auto& corners : {half(-0.02f, 0), half(0, 0.02f)}) positions.insert(positions.end(), corners.begin(), corners.end());
-  const SnapshotSurface cut =
-      test::surface_of("organ", positions, {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}});
+  for (const auto& corners : {half(-0.02f, 0), half(0, 0.02f)})
+    positions.insert(positions.end(), corners.begin(), corners.end());
+  const SnapshotSurface cut = test::surface_of("organ", positions, {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}});
   ViewDefinition view = endoscope(0.06);
   view.look.bodies["organ"] = {.color = {0.8, 0.7, 0.6}, .patches = 0, .vessels = 0, .capillaries = 0};
   const Image image = draw({cut}, view, {320, 180});

@@ -139,7 +139,8 @@ TEST_F(Shading, AColourChartIsShownAsTheFilmCurveSays) {
     const double luminance = 0.2126 * patch[0] + 0.7152 * patch[1] + 0.0722 * patch[2];
     for (std::size_t k = 0; k < 3; ++k) {
       const double x = std::max(0.72 * (0.95 * patch[k] + 0.05 * luminance) - 0.004, 0.0);
-      EXPECT_NEAR(results[static_cast<std::size_t>(index)][k], x * (6.2 * x + 0.5) / (x * (6.2 * x + 1.7) + 0.06), 1e-5);
+      EXPECT_NEAR(results[static_cast<std::size_t>(index)][k], x * (6.2 * x + 0.5) / (x * (6.2 * x + 1.7) + 0.06),
+                  1e-5);
     }
   }
 }

@@ -133,7 +133,8 @@ TEST(LintPass, ADischargeOfContentsThatDoNotLeakIsTold) {
 }
 
 TEST(LintPass, NoOtherLampShinesBesideAnEndoscopes) {
-  const std::string cure = "does not shine beside the lamp of an endoscope; leave it out, or set `lights.endoscope` to 0";
+  const std::string cure =
+      "does not shine beside the lamp of an endoscope; leave it out, or set `lights.endoscope` to 0";
   EXPECT_EQ(errors_of(checked_scenario("camera: { kind: endoscope }\nlights: { key: 2 }\n")),
             Texts{"9:16: lights.key: " + cure});
   EXPECT_EQ(errors_of(checked_scenario("lights: { endoscope: 1, fill: 0 }\n")), Texts{"8:31: lights.fill: " + cure});
