@@ -20,18 +20,28 @@ Snapshot organ_and_probe(int divisions) {
   return snapshot;
 }
 
-void draw(benchmark::State& state, const Snapshot& snapshot, Tier tier) {
+ViewDefinition seen_through(bool endoscope) {
+  ViewDefinition view;
+  if (!endoscope) return view;
+  view.camera.kind = CameraKind::kEndoscope;
+  view.camera.field_of_view = 1;
+  view.lights.endoscope = 1;
+  return view;
+}
+
+void draw(benchmark::State& state, const Snapshot& snapshot, const ViewDefinition& view, Tier tier) {
   Renderer renderer(DeviceChoice{}, {1280, 720}, tier);
-  for (auto _ : state) benchmark::DoNotOptimize(renderer.draw(snapshot, {}));
+  benchmark::DoNotOptimize(renderer.draw(snapshot, view));  // the first picture compiles the shaders
+  for (auto _ : state) benchmark::DoNotOptimize(renderer.draw(snapshot, view));
 }
 
 /// Beside the whole, each pass as a counter: milliseconds of all threads.
-void tell_passes(benchmark::State& state, const Snapshot& snapshot, Tier tier) {
+void tell_passes(benchmark::State& state, const Snapshot& snapshot, const ViewDefinition& view, Tier tier) {
   constexpr int kPictures = 12;
   Renderer renderer(DeviceChoice{}, {1280, 720}, tier);
   for (int k = 0; k < kPictures + 1; ++k) {
     std::vector<PassTime> times;
-    renderer.draw_timed(snapshot, {}, times);
+    renderer.draw_timed(snapshot, view, times);
     // The first picture compiles the shaders.
     for (const PassTime& time : times) {
       if (k > 0) state.counters[time.pass] += 1e3 * time.processor_seconds / kPictures;
@@ -39,22 +49,23 @@ void tell_passes(benchmark::State& state, const Snapshot& snapshot, Tier tier) {
   }
 }
 
-/// `divisions`, tier.
+/// `divisions`, tier, whether an endoscope sees it.
 void organ(benchmark::State& state) {
   const Snapshot snapshot = organ_and_probe(static_cast<int>(state.range(0)));
-  draw(state, snapshot, static_cast<Tier>(state.range(1)));
-  tell_passes(state, snapshot, static_cast<Tier>(state.range(1)));
+  const ViewDefinition view = seen_through(state.range(2) != 0);
+  draw(state, snapshot, view, static_cast<Tier>(state.range(1)));
+  tell_passes(state, snapshot, view, static_cast<Tier>(state.range(1)));
 }
 BENCHMARK(organ)
-    ->ArgNames({"divisions", "tier"})
-    ->ArgsProduct({{4, 5}, {0, 1, 2}})
+    ->ArgNames({"divisions", "tier", "endoscope"})
+    ->ArgsProduct({{4, 5}, {0, 1, 2}, {0, 1}})
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime()
     ->MeasureProcessCPUTime();
 
 /// What a picture without anything in it costs: clearing, floor, read-back.
 void nothing(benchmark::State& state) {
-  draw(state, {}, static_cast<Tier>(state.range(0)));
+  draw(state, {}, {}, static_cast<Tier>(state.range(0)));
 }
 BENCHMARK(nothing)
     ->ArgName("tier")

@@ -112,12 +112,6 @@ INSTANTIATE_TEST_SUITE_P(Kinds, Organ,
                          testing::Values("tissue", "gallbladder", "stomach", "liver", "skin", "vessel", "fingerpad"),
                          [](const auto& kind) { return kind.param; });
 
-TEST(OrganLooks, AreFoundByTheirNames) {
-  EXPECT_EQ(organ_looks().front().organ, "tissue");
-  for (const OrganLook& organ : organ_looks()) EXPECT_EQ(find_organ_look(organ.organ), &organ.look);
-  EXPECT_EQ(find_organ_look("heart"), nullptr);
-}
-
 TEST(Tissue, AStretchedWallShowsMoreOfWhatIsBehindIt) {
   SnapshotSurface stretched = sheet(1);
   for (Float3& position : stretched.positions) position = {2 * position[0], 2 * position[1], 0};
