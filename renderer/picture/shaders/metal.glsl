@@ -12,6 +12,9 @@ layout(location = 2) in vec3 finish;
 
 layout(location = 0) out vec4 color;
 
+// What an endoscope's lamp lights around the scene, as a matte colour.
+const vec3 kSurroundings = vec3(0.20, 0.125, 0.10);
+
 // The tissue as a ball around the scene's centre: its part of what `direction` sees, blurred; it fades up the shaft.
 float tissue_part(vec3 direction, float blur) {
   vec3 toward = scene_center.xyz - position;
@@ -39,10 +42,14 @@ void main() {
   vec3 light = environment_light(mirrored, roughness, mix(0.25, 1.0, visible));
 #ifdef ENDOSCOPE
   vec3 toward = lamp_direction(position);
+  // The lamp lights what lies before the lens; behind it there is the dark that steel shows in its middle.
+  float ahead = dot(mirrored, normalize(ray_middle.xyz));
+  light *= 0.35;
+  light += kSurroundings * lamp_light(scene_center.xyz) * smoothstep(-0.25 - roughness, 0.95, ahead);
   vec3 tissue_light = 0.6 * tissue.rgb * lamp_light(scene_center.xyz);
   light = mix(light, tissue_light, tissue_part(mirrored, roughness));
   // Brushed: a sharp highlight in a wide one.
-  float highlight = 0.55 * glint(normal, view, toward, max(square(roughness), 0.02)) + 0.45 * glint(normal, view, toward, 0.45);
+  float highlight = 0.7 * glint(normal, view, toward, max(square(roughness), 0.02)) + 0.3 * glint(normal, view, toward, 0.4);
   light += visible * highlight * lamp_light(position);
 #else
   vec3 tissue_light = tissue.rgb * (0.15 + 0.8 * key_direction.w * saturate(key_direction.z));
