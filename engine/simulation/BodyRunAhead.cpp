@@ -40,6 +40,7 @@ double edge_at(const BodyModel& model, int vertex) {
 
 std::optional<Rupture> Body::try_cut(const CutPath& path, std::span<const ToolPose> poses) {
   const BodyState as_it_is = state_;
+  const double residual = report_.residual;
   std::optional<Rupture> tried;
   state_.cut.held.clear();
   if (snap(poses)) {
@@ -56,6 +57,8 @@ std::optional<Rupture> Body::try_cut(const CutPath& path, std::span<const ToolPo
     }
   }
   state_ = as_it_is;
+  // The iterations of a trial are the step's, its residual is not.
+  report_.residual = residual;
   return tried;
 }
 

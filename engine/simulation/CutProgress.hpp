@@ -36,7 +36,7 @@ struct HeldLips {
   double held = 1;    // part of the forces that still acts
   double length = 0;  // metres, rest, of the cut: the blade's way over which it is let go
   bool pays = true;   // whether what it releases pays for new cut area, or is lost
-  bool runs = false;  // whether the cut ran ahead here: let go at once, whatever the blade does
+  bool runs = false;  // whether the cut ran ahead here: let go in a few steps, whatever the blade does
 };
 
 /// A gap of the wall that a blade crosses.

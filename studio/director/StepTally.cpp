@@ -27,7 +27,7 @@ std::vector<std::string> StepTally::warnings(long steps) const {
   };
   tell(divided_, "had to be divided to be solved");
   tell(slowed_, "slowed flaps of a cut wall that nothing holds; what that took counts as `numerical_J`");
-  tell(loose_, "of a cut wall end with a residual above the tolerance; `residual_N` tells it");
+  tell(loose_, "end with a residual above the tolerance, as crumpled and buckled walls may; `residual_N` tells it");
   return all;
 }
 
