@@ -321,7 +321,7 @@ class Body {
                                                  const Eigen::VectorXd& position) const;
   void add_friction_to(EquilibriumProblem& problem, std::span<const ToolPose> begin) const;
   bool revise_friction(EquilibriumProblem& problem, std::span<const ToolPose> begin, const EquilibriumState& reached,
-                       int turn);
+                       double motion, int turn);
   bool solve_with_friction(EquilibriumProblem& problem, EquilibriumState& trial, std::span<const ToolPose> begin);
   void add_friction_to_contacts(const EquilibriumProblem& problem);
   double update_friction(const BodyState& before, std::span<const ToolPose> begin, const EquilibriumProblem& problem);

@@ -14,9 +14,11 @@ constexpr double kGive = 1e-4;
 
 /// Friction is found when the limits and normals that the solution asks for differ from those it was found with by no
 /// more than this part of the sum of all limits. Where a tool rests on more places than its balance determines, the
-/// shares of the places may go to and fro without end while their sum stands: then the other part is good enough.
+/// shares of the places may go to and fro without end while their sum stands: then the other part is good enough, and
+/// where the wall moves by no more than that part of an edge the sum alone counts.
 constexpr double kAgreement = 2e-4;
 constexpr double kRestlessAgreement = 1e-2;
+constexpr double kRestlessMotion = 1e-3;
 
 /// Parts of the way to what the last solution asked for.
 constexpr double kHalf = 0.5;
@@ -89,10 +91,11 @@ void Body::add_friction_to(EquilibriumProblem& problem, std::span<const ToolPose
 }
 
 bool Body::revise_friction(EquilibriumProblem& problem, std::span<const ToolPose> begin,
-                           const EquilibriumState& reached, int turn) {
+                           const EquilibriumState& reached, double motion, int turn) {
   std::vector<FrictionContact> wanted =
       friction_contacts(contact_solids(tools_, begin), problem, false, reached.position);
-  double limits = 0, difference = 0;  // newton
+  double limits = 0, difference = 0, given = 0;  // newton
+  for (const FrictionContact& contact : problem.friction) given += contact.potential.limit;
   std::vector<FrictionContact> revised;
   auto old = problem.friction.cbegin();
   const auto gone = [&](const FrictionContact& contact) {
@@ -118,14 +121,18 @@ bool Body::revise_friction(EquilibriumProblem& problem, std::span<const ToolPose
   }
   for (; old != problem.friction.cend(); ++old) gone(*old);
   if (difference <= (turn < kQuietTurns ? kAgreement : kRestlessAgreement) * limits) return false;
+  const bool rests = turn >= kWholeTurns && motion <= kRestlessMotion * model_->edge_length;
+  if (rests && std::abs(limits - given) <= kRestlessAgreement * limits) return false;
   problem.friction = std::move(revised);
   return true;
 }
 
 bool Body::solve_with_friction(EquilibriumProblem& problem, EquilibriumState& trial, std::span<const ToolPose> begin) {
   for (int turn = 0;; ++turn) {
+    const Eigen::VectorXd before = trial.position;
     if (!solve_step(problem, trial)) return false;
-    if (!has_friction() || !revise_friction(problem, begin, trial, turn)) return true;
+    const double motion = (trial.position - before).head(3 * model_->vertices()).lpNorm<Eigen::Infinity>();
+    if (!has_friction() || !revise_friction(problem, begin, trial, motion, turn)) return true;
     if (turn == kMostTurns) {
       failure_ = "friction and pressure of a tool do not come to agree";
       return false;

@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -17,6 +18,7 @@
 #include <numbers>
 #include <sstream>
 #include <string>
+#include <string_view>
 
 #include "engine/mesh/Shapes.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
@@ -182,10 +184,10 @@ class Drawer : RandomNumbers {
 
   /// How deep a tool may go, as a part of the body's height: a ball as deep as there is room; a point or a line pulls a
   /// spike out of the wall. A line also prescribes the stretch between itself and a border that is held, which a law
-  /// that stiffens exponentially answers with forces that no wall bears.
+  /// that stiffens without bound answers with forces that no wall bears, or not at all.
   static double deepest(int tool, const Material& material) {
-    const bool exponential = material.law->name == "fung" || material.law->name == "holzapfel";
-    if (tool == 1 && exponential) return 0.15;
+    static constexpr std::array<std::string_view, 3> kStiffening = {"fung", "holzapfel", "gent"};
+    if (tool == 1 && std::ranges::count(kStiffening, material.law->name) > 0) return 0.15;
     return tool == 2 ? 0.9 : tool == 5 ? 0.3 : 0.5;
   }
 
