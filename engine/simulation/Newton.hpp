@@ -182,8 +182,10 @@ class Newton {
                                const Residual& residual, double& shift, bool may_be_saddle, Step& step);
   void find_step(const EquilibriumProblem& problem, const EquilibriumState& state, const Residual& residual,
                  Step& step);
-  bool improve_rim(const EquilibriumProblem& problem, const EquilibriumState& state, const Step& step,
-                   Eigen::VectorXd& rim) const;
+  /// What a force, (unknowns), newton, and the constraints as they are missed (none: not at all) make with the matrix
+  /// that was factorised last; the forces at attachments are changes.
+  void solve_linear(const EquilibriumProblem& problem, const Eigen::VectorXd& force, const Residual* missed,
+                    Step& step);
   void find_contact_forces(Step& step) const;
   bool revise_contacts(const Step& step);
   std::string obstructed(const std::string& reason) const;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/simulation/OpenChambers.hpp"
+#include "engine/solver/MinimalResidual.hpp"
 
 namespace thinwall {
 namespace {
@@ -15,9 +16,14 @@ constexpr double kAnchorStiffness = 1;
 /// enough to cost no more of the factor's digits.
 constexpr double kAttachmentStiffness = 1e4;
 
-/// Of the forces on the rims of openings that the symmetric matrix leaves out, the part by which they may still change:
-/// the step's own error is of the order of its square.
+/// Turns of Uzawa's iteration after the first.
+constexpr int kUzawaTurns = 5;
+
+/// Of the forces on the rims of openings that the symmetric matrix leaves out, the part that may be missed: the step's
+/// own error is of the order of its square. What slack lips do to them outgrows what the wall does, so they are not
+/// found by repeating; so many products with them are the most that is worth its time.
 constexpr double kRimAccuracy = 1e-3;
+constexpr int kRimProducts = 30;
 
 /// Part of the contacts' push that contacts may pull in a step: those at the rim open by themselves in the next one.
 constexpr double kToleratedPull = 0.1;
@@ -171,11 +177,41 @@ bool Newton::factorize(const EquilibriumProblem& problem, const EquilibriumState
   return false;
 }
 
-bool Newton::improve_rim(const EquilibriumProblem& problem, const EquilibriumState& state, const Step& step,
-                         Eigen::VectorXd& rim) const {
-  const Eigen::VectorXd before = rim;
-  rim = rim_forces(model_, problem, terms_, state.position, state.pressure, step.position);
-  return (rim - before).norm() <= kRimAccuracy * rim.norm();
+void Newton::solve_linear(const EquilibriumProblem& problem, const Eigen::VectorXd& force, const Residual* missed,
+                          Step& step) {
+  const auto attachments = static_cast<int>(problem.attachments.size());
+  const Eigen::Index rigid = problem.hold_rigid_motions ? rigid_columns_.cols() : 0;
+  const auto fluid = static_cast<Eigen::Index>(bordering_.size());
+  const auto gap_before = [&](int k) -> Eigen::Vector3d {
+    return missed != nullptr ? missed->gaps[k] : Eigen::Vector3d::Zero();
+  };
+  step.forces.assign(attachments, Eigen::Vector3d::Zero());
+  Eigen::VectorXd multipliers;
+  double error = 0;
+  for (int turn = 0; turn == 0 || (turn <= kUzawaTurns && error > 1e-14 * model_.edge_length); ++turn) {
+    step.position = force;
+    for (int k = 0; k < attachments; ++k) {
+      const Attachment& attachment = problem.attachments[k];
+      const Eigen::Vector3d pull = step.forces[k] + attachment_stiffness_ * gap_before(k);
+      for (int a = 0; a < 3; ++a) step.position.segment<3>(3 * attachment.vertices[a]) -= attachment.weights[a] * pull;
+    }
+    clear_fixed(step.position);
+    multipliers.setZero(border_.cols());
+    for (Eigen::Index k = 0; k < fluid && missed != nullptr; ++k) multipliers[k] = missed->volume[bordering_[k]];
+    if (rigid > 0 && missed != nullptr) multipliers.segment(fluid, rigid) = -missed->rigid;
+    bordered_.solve(used_factor(), step.position, multipliers);
+    error = 0;
+    for (int k = 0; k < attachments; ++k) {
+      const Attachment& attachment = problem.attachments[k];
+      const Eigen::Vector3d gap =
+          gap_before(k) + attachment.prescribed.cwiseProduct(material_point(attachment, step.position));
+      step.forces[k] += attachment_stiffness_ * gap;
+      error = std::max(error, gap.norm());
+    }
+  }
+  step.pressure.setZero(static_cast<Eigen::Index>(problem.fluids.size()));
+  for (Eigen::Index k = 0; k < fluid; ++k) step.pressure[bordering_[k]] = multipliers[k];
+  step.rigid = multipliers.segment(fluid, rigid);
 }
 
 void Newton::find_step(const EquilibriumProblem& problem, const EquilibriumState& state, const Residual& residual,
@@ -189,38 +225,19 @@ void Newton::find_step(const EquilibriumProblem& problem, const EquilibriumState
       force.segment<3>(3 * model_.surface[contact.triangle][c]) += push * contact.gap.gradient.segment<3>(3 * c);
     }
   }
-  step.forces.assign(problem.attachments.size(), Eigen::Vector3d::Zero());
-  Eigen::VectorXd multipliers;
-  const Eigen::Index rigid = problem.hold_rigid_motions ? rigid_columns_.cols() : 0;
-  const auto fluid = static_cast<Eigen::Index>(bordering_.size());
-  Eigen::VectorXd rim = Eigen::VectorXd::Zero(force.size());  // newton, of the last turn's motion
-  for (int turn = 0;; ++turn) {
-    step.position = force + rim;
-    for (std::size_t k = 0; k < problem.attachments.size(); ++k) {
-      const Attachment& attachment = problem.attachments[k];
-      const Eigen::Vector3d pull = step.forces[k] + attachment_stiffness_ * residual.gaps[k];
-      for (int a = 0; a < 3; ++a) step.position.segment<3>(3 * attachment.vertices[a]) -= attachment.weights[a] * pull;
-    }
-    clear_fixed(step.position);
-    multipliers.setZero(border_.cols());
-    for (Eigen::Index k = 0; k < fluid; ++k) multipliers[k] = residual.volume[bordering_[k]];
-    if (rigid > 0) multipliers.segment(fluid, rigid) = -residual.rigid;
-    bordered_.solve(used_factor(), step.position, multipliers);
-    double error = 0;
-    for (std::size_t k = 0; k < problem.attachments.size(); ++k) {
-      const Attachment& attachment = problem.attachments[k];
-      const Eigen::Vector3d gap =
-          residual.gaps[k] + attachment.prescribed.cwiseProduct(material_point(attachment, step.position));
-      step.forces[k] += attachment_stiffness_ * gap;
-      error = std::max(error, gap.norm());
-    }
-    const bool rim_is_found = !model_.has_open_chambers() || improve_rim(problem, state, step, rim);
-    const bool gaps_are_closed = error <= 1e-14 * model_.edge_length || problem.attachments.empty();
-    if ((gaps_are_closed && rim_is_found) || turn == 5) break;
+  solve_linear(problem, force, &residual, step);
+  if (model_.has_open_chambers()) {
+    const auto at_rim = [&](const Eigen::VectorXd& motion) {
+      return rim_forces(model_, problem, terms_, state.position, state.pressure, motion);
+    };
+    Step part;
+    const auto answer = [&](const Eigen::VectorXd& pull) {
+      solve_linear(problem, pull, nullptr, part);
+      return at_rim(part.position);
+    };
+    force += solve_by_minimal_residual(at_rim(step.position), answer, kRimAccuracy, kRimProducts).solution;
+    solve_linear(problem, force, &residual, step);
   }
-  step.pressure.setZero(residual.volume.size());
-  for (Eigen::Index k = 0; k < fluid; ++k) step.pressure[bordering_[k]] = multipliers[k];
-  step.rigid = multipliers.segment(fluid, rigid);
   for (std::size_t k = 0; k < problem.attachments.size(); ++k) step.forces[k] += problem.attachments[k].force;
   find_contact_forces(step);
 }

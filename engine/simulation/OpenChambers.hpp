@@ -15,9 +15,10 @@ namespace thinwall {
 //     | dV/dx + ...     compliance    | | dp | = | fluid volume - V - ...   |
 //
 // and unsymmetric twice over: the border's column and row differ, which the Schur complement takes as it is; and dg/dx
-// has a skew-symmetric part, which lives on the edges of the rim alone and is small beside K (pressure times edge over
-// Young's modulus times thickness). The sparse matrix keeps the symmetric part, and the other is brought in by
-// iterating within the step (see Newton::find_step), so that steps are Newton's. Whether a step is convex is asked of
+// has a skew-symmetric part, which lives on the edges of the rim alone: small beside the stiffness of a stretched wall
+// (pressure times edge over Young's modulus times thickness), not beside that of slack lips. The sparse matrix keeps
+// the symmetric part, and the other is brought in by minimal residuals within the step (see Newton::find_step), so that
+// steps are Newton's. Whether a step is convex is asked of
 // the symmetric matrix that has the gradient of the volume as column and row. The merit function of the line search
 // takes what the cap does not bear as dead loads, frozen where the search starts.
 

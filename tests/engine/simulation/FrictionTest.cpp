@@ -196,8 +196,8 @@ TEST(Friction, UnderAPlateWhoseLoadGoesToAndFroBetweenItsEdgesIsFoundWhereTheWal
   Body body(ball, {plate}, quasi_static());
   body.settle();
   const Eigen::Vector3d aim(-1.3945e-3, 0.314572e-3, 0);
-  const auto travel = travel_to_contact(body.surface(), plate, pose_at(aim + Eigen::Vector3d(0, 0, 80e-3)),
-                                        -Eigen::Vector3d::UnitZ());
+  const auto travel =
+      travel_to_contact(body.surface(), plate, pose_at(aim + Eigen::Vector3d(0, 0, 80e-3)), -Eigen::Vector3d::UnitZ());
   ASSERT_TRUE(travel);
   const Eigen::Vector3d start = aim + Eigen::Vector3d(0, 0, 80e-3 - *travel + 0.5e-3);
   move(body, pose_at(start), start - Eigen::Vector3d(0, 0, 3e-3), 3, 1);
