@@ -1,0 +1,98 @@
+#include "renderer/picture/Lens.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace thinwall {
+namespace {
+
+/// 1 + k1 r^2 + k2 r^4 + k3 r^6 and its derivative by r^2.
+struct Radial {
+  double value = 1;
+  double slope = 0;
+};
+
+Radial radial(const LensDistortion& lens, double squared) {
+  return {1 + squared * (lens.k1 + squared * (lens.k2 + squared * lens.k3)),
+          lens.k1 + squared * (2 * lens.k2 + 3 * lens.k3 * squared)};
+}
+
+/// How fast r (1 + k1 r^2 + ...) grows with r.
+double growth(const LensDistortion& lens, double squared) {
+  const Radial part = radial(lens, squared);
+  return part.value + 2 * squared * part.slope;
+}
+
+Tangents image_of(const LensDistortion& lens, Tangents ideal) {
+  const auto [x, y] = ideal;
+  const double squared = x * x + y * y;
+  const double scale = radial(lens, squared).value;
+  return {x * scale + 2 * lens.p1 * x * y + lens.p2 * (squared + 2 * x * x),
+          y * scale + lens.p1 * (squared + 2 * y * y) + 2 * lens.p2 * x * y};
+}
+
+/// One step of Newton's method towards the ideal point whose picture is `seen`.
+Tangents improved(const LensDistortion& lens, Tangents ideal, Tangents seen) {
+  const auto [x, y] = ideal;
+  const Radial part = radial(lens, x * x + y * y);
+  const double xx = part.value + 2 * x * x * part.slope + 2 * lens.p1 * y + 6 * lens.p2 * x;
+  const double xy = 2 * x * y * part.slope + 2 * lens.p1 * x + 2 * lens.p2 * y;
+  const double yy = part.value + 2 * y * y * part.slope + 6 * lens.p1 * y + 2 * lens.p2 * x;
+  const Tangents now = image_of(lens, ideal);
+  const double dx = now[0] - seen[0];
+  const double dy = now[1] - seen[1];
+  const double determinant = xx * yy - xy * xy;
+  return {x - (yy * dx - xy * dy) / determinant, y - (xx * dy - xy * dx) / determinant};
+}
+
+/// The first zero of `growth`, a cubic in the squared radius that begins at one. All its zeros lie above a tenth of the
+/// scale below; steps of half a percent part any two of them that could matter.
+double radius_of_the_fold(const LensDistortion& lens) {
+  constexpr double kFirst = 0.01;
+  constexpr double kLast = 1e9;
+  constexpr double kStep = 1.005;
+  const double scale = std::abs(lens.k1) + std::sqrt(std::abs(lens.k2)) + std::cbrt(std::abs(lens.k3));
+  if (scale == 0) return std::numeric_limits<double>::infinity();
+  for (double units = kFirst; units < kLast; units *= kStep) {
+    if (growth(lens, units / scale) > 0) continue;
+    double low = units / kStep / scale;
+    double high = units / scale;
+    for (int halving = 0; halving < 60; ++halving) {
+      const double middle = 0.5 * (low + high);
+      (growth(lens, middle) > 0 ? low : high) = middle;
+    }
+    return std::sqrt(low);
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+Lens::Lens(const LensDistortion& distortion)
+    : distortion_(distortion), unfolded_radius_(radius_of_the_fold(distortion)) {}
+
+Tangents Lens::distorted(Tangents ideal) const {
+  return image_of(distortion_, ideal);
+}
+
+std::optional<Tangents> Lens::undistorted(Tangents seen) const {
+  constexpr int kMostSteps = 30;
+  constexpr double kAccuracy = 1e-12;
+  const double radius = std::hypot(seen[0], seen[1]);
+  // Newton's method starts on this side of the fold.
+  const double start = std::min(1.0, 0.9 * unfolded_radius_ / std::max(radius, 1e-300));
+  Tangents ideal = {start * seen[0], start * seen[1]};
+  for (int step = 0; step < kMostSteps; ++step) {
+    const Tangents next = improved(distortion_, ideal, seen);
+    if (!std::isfinite(next[0]) || !std::isfinite(next[1])) return std::nullopt;
+    const double change = std::hypot(next[0] - ideal[0], next[1] - ideal[1]);
+    ideal = next;
+    if (change > kAccuracy * (1 + radius)) continue;
+    if (std::hypot(ideal[0], ideal[1]) > unfolded_radius_) return std::nullopt;
+    return ideal;
+  }
+  return std::nullopt;
+}
+
+}  // namespace thinwall

@@ -1,0 +1,64 @@
+#include "renderer/picture/Lens.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/renderer/picture/OpenCvProjections.hpp"
+
+namespace thinwall {
+namespace {
+
+constexpr LensDistortion kBarrel{.k1 = -0.32, .k2 = 0.11, .k3 = -0.02};
+constexpr LensDistortion kSkewed{.k1 = -0.28, .k2 = 0.09, .p1 = -0.0015, .p2 = 0.0011, .k3 = -0.01};
+
+TEST(Lens, PutsPointsWhereOpenCvPutsThem) {
+  double worst = 0;
+  for (const auto& [coefficients, point, pixel] : test::kOpenCvProjections) {
+    const auto [k1, k2, p1, p2, k3] = coefficients;
+    const Lens lens({k1, k2, p1, p2, k3});
+    const Tangents seen = lens.distorted({point[0] / point[2], point[1] / point[2]});
+    worst = std::max({worst, std::abs(639.5 + test::kOpenCvFocalLength * seen[0] - pixel[0]),
+                      std::abs(359.5 + test::kOpenCvFocalLength * seen[1] - pixel[1])});
+  }
+  // The reference is written to a ten-thousandth of a pixel.
+  EXPECT_LT(worst, 1e-4);
+}
+
+TEST(Lens, GoesBackToWhereItCameFrom) {
+  for (const LensDistortion& distortion : {kBarrel, kSkewed, LensDistortion{.k1 = 0.4}, LensDistortion{}}) {
+    const Lens lens(distortion);
+    for (double x = -0.9; x <= 0.9; x += 0.15) {
+      for (double y = -0.6; y <= 0.6; y += 0.15) {
+        const auto ideal = lens.undistorted(lens.distorted({x, y}));
+        ASSERT_TRUE(ideal) << x << ", " << y;
+        EXPECT_NEAR((*ideal)[0], x, 1e-11);
+        EXPECT_NEAR((*ideal)[1], y, 1e-11);
+      }
+    }
+  }
+}
+
+TEST(Lens, FoldsWhereTheRadialPartStopsGrowing) {
+  // r - r^3 / 4 grows up to r^2 = 4 / 3, where it is 2 / 3 r.
+  const Lens lens({.k1 = -0.25});
+  EXPECT_NEAR(lens.unfolded_radius(), std::sqrt(4.0 / 3), 1e-12);
+  const double edge = 2.0 / 3 * std::sqrt(4.0 / 3);
+  EXPECT_TRUE(lens.undistorted({0.999 * edge, 0}));
+  EXPECT_FALSE(lens.undistorted({1.001 * edge, 0})) << "no ray arrives there";
+  EXPECT_FALSE(lens.undistorted({2 * edge, 2 * edge}));
+}
+
+TEST(Lens, WithoutAFoldReachesEverywhere) {
+  EXPECT_TRUE(std::isinf(Lens({}).unfolded_radius()));
+  EXPECT_TRUE(std::isinf(Lens({.k1 = 0.1, .k2 = 0.01}).unfolded_radius()));
+}
+
+TEST(Lens, TheFirstOfTwoFoldsCounts) {
+  // Growth 1 + 3 k1 s + 5 k2 s^2 with zeros at s = 1 and s = 2.
+  const Lens lens({.k1 = -0.5, .k2 = 0.1});
+  EXPECT_NEAR(lens.unfolded_radius(), 1, 1e-12);
+}
+
+}  // namespace
+}  // namespace thinwall
