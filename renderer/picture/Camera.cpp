@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "renderer/picture/CameraMove.hpp"
 #include "renderer/picture/PictureFailure.hpp"
 
 namespace thinwall {
@@ -86,26 +87,61 @@ void require_sound(const CameraDefinition& definition) {
   }
 }
 
+void set_field_of_view(Camera& camera, double angle, ImageSize size) {
+  camera.tangent_y = std::tan(0.5 * angle);
+  camera.tangent_x = camera.tangent_y * size.width / size.height;
+}
+
+/// Where the camera stands before anything moves it.
+void stand(Camera& camera, const CameraDefinition& definition, const SceneExtent& extent, Vector3 up) {
+  const Vector3 target = definition.target ? vector3(*definition.target) : extent.center;
+  if (definition.position) {
+    camera.position = vector3(*definition.position);
+    if (!(length(target - camera.position) > 0)) throw PictureFailure("the camera stands at its target; move one");
+    orient(camera, target - camera.position, up);
+    return;
+  }
+  orient(camera, definition.facing ? vector3(*definition.facing) : -oblique_direction(extent), up);
+  if (!extent.rest_points.empty()) frame(camera, extent);
+  // A given target keeps the distance; without one the window decides, which leaves the centre out of the middle.
+  const double distance = std::max(dot(extent.center - camera.position, camera.forward), extent.size);
+  if (definition.target || extent.rest_points.empty()) camera.position = target - distance * camera.forward;
+}
+
+/// Moves a camera that stands.
+CameraPose move(Camera& camera, const CameraDefinition& definition, const SceneExtent& extent, ImageSize size,
+                double time) {
+  // A framed camera looks past the centre, so that there is room for overlays: at the point level with it.
+  const double depth = dot(extent.center - camera.position, camera.forward);
+  const Vector3 aim = definition.target     ? vector3(*definition.target)
+                      : definition.position ? extent.center
+                                            : camera.position + depth * camera.forward;
+  const CameraPose own{.position = camera.position,
+                       .target = aim,
+                       .up = definition.up ? vector3(*definition.up) : Vector3{0, 0, 1},
+                       .field_of_view = definition.field_of_view};
+  const CameraPose pose = moved_pose(definition, own, time);
+  if (!(length(pose.target - pose.position) > 0)) throw PictureFailure("the camera moves into its target; keep off it");
+  camera.position = pose.position;
+  orient(camera, pose.target - pose.position, pose.up);
+  set_field_of_view(camera, pose.field_of_view, size);
+  return pose;
+}
+
 }  // namespace
 
 Camera resolve_camera(const CameraDefinition& definition, const SceneExtent& extent, ImageSize size, double time) {
   require_sound(definition);
   Camera camera;
   camera.kind = definition.kind;
-  camera.tangent_y = std::tan(0.5 * definition.field_of_view);
-  camera.tangent_x = camera.tangent_y * size.width / size.height;
-  const Vector3 up = definition.up ? normalized(vector3(*definition.up)) : Vector3{0, 0, 1};
+  set_field_of_view(camera, definition.field_of_view, size);
+  Vector3 up = definition.up ? normalized(vector3(*definition.up)) : Vector3{0, 0, 1};
+  stand(camera, definition, extent, up);
   Vector3 target = definition.target ? vector3(*definition.target) : extent.center;
-  if (definition.position) {
-    camera.position = vector3(*definition.position);
-    if (!(length(target - camera.position) > 0)) throw PictureFailure("the camera stands at its target; move one");
-    orient(camera, target - camera.position, up);
-  } else {
-    orient(camera, definition.facing ? vector3(*definition.facing) : -oblique_direction(extent), up);
-    if (!extent.rest_points.empty()) frame(camera, extent);
-    // A given target keeps the distance; without one the window decides, which leaves the centre out of the middle.
-    const double distance = std::max(dot(extent.center - camera.position, camera.forward), extent.size);
-    if (definition.target || extent.rest_points.empty()) camera.position = target - distance * camera.forward;
+  if (definition.is_moved()) {
+    const CameraPose pose = move(camera, definition, extent, size, time);
+    target = pose.target;
+    up = normalized(pose.up);
   }
   const double angle = definition.orbit_speed * time;
   if (angle != 0) {
@@ -116,6 +152,15 @@ Camera resolve_camera(const CameraDefinition& definition, const SceneExtent& ext
   camera.nearest = std::max(0.02 * depth, 1e-3 * extent.size);
   camera.farthest = depth + 20 * extent.reach;
   return camera;
+}
+
+Camera resting_camera(const CameraDefinition& definition, const SceneExtent& extent, ImageSize size) {
+  CameraDefinition resting = definition;
+  resting.keyframes.clear();
+  resting.follow.reset();
+  resting.push_ins.clear();
+  resting.orbit_speed = 0;
+  return resolve_camera(resting, extent, size, 0);
 }
 
 Matrix4 Camera::matrix() const {

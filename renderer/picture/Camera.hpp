@@ -35,4 +35,7 @@ struct Camera {
 /// pi).
 Camera resolve_camera(const CameraDefinition& definition, const SceneExtent& extent, ImageSize size, double time);
 
+/// The same camera before anything moves it.
+Camera resting_camera(const CameraDefinition& definition, const SceneExtent& extent, ImageSize size);
+
 }  // namespace thinwall

@@ -62,6 +62,13 @@ struct Stage {
   Buffer frame = create_buffer();
 };
 
+/// The view with another camera, which may bring a lamp.
+ViewDefinition seen_through(ViewDefinition view, const CameraDefinition& camera) {
+  view.camera = camera;
+  view.lights.endoscope = camera.lamp.value_or(view.lights.endoscope);
+  return view;
+}
+
 }  // namespace
 
 struct Renderer::Implementation {
@@ -74,21 +81,23 @@ struct Renderer::Implementation {
     stage.reset();
   }
 
-  Image draw(const Snapshot& snapshot, const ViewDefinition& view, std::vector<PassTime>* times);
+  Image draw(const Snapshot& snapshot, const ViewDefinition& view, const CameraDefinition& seen_by,
+             std::vector<PassTime>* times);
 
   OffscreenContext context;
   std::optional<Stage> stage;
 };
 
-Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinition& view,
-                                     std::vector<PassTime>* times) {
+Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinition& scene,
+                                     const CameraDefinition& seen_by, std::vector<PassTime>* times) {
   PassClock clock(times);
+  const ViewDefinition view = seen_through(scene, seen_by);
   const SceneExtent extent = scene_extent(snapshot);
   const Camera camera = resolve_camera(view.camera, extent, stage->target.size(), snapshot.time);
   const bool is_inside = view.lights.endoscope > 0;
   const Studio studio = is_inside
                             ? arrange_endoscope(camera, extent)
-                            : arrange_studio(view.lights, resolve_camera(view.camera, extent, stage->target.size(), 0));
+                            : arrange_studio(view.lights, resting_camera(scene.camera, extent, stage->target.size()));
   const Surroundings surroundings = is_inside ? Surroundings::kCavity : Surroundings::kStudio;
 
   const CurrentContext current(context);
@@ -130,11 +139,15 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 Image Renderer::draw(const Snapshot& snapshot, const ViewDefinition& view) {
-  return implementation_->draw(snapshot, view, nullptr);
+  return implementation_->draw(snapshot, view, view.camera, nullptr);
+}
+
+Image Renderer::draw(const Snapshot& snapshot, const ViewDefinition& view, const CameraDefinition& camera) {
+  return implementation_->draw(snapshot, view, camera, nullptr);
 }
 
 Image Renderer::draw_timed(const Snapshot& snapshot, const ViewDefinition& view, std::vector<PassTime>& times) {
-  return implementation_->draw(snapshot, view, &times);
+  return implementation_->draw(snapshot, view, view.camera, &times);
 }
 
 std::string Renderer::driver() const {

@@ -30,6 +30,9 @@ class Renderer {
   /// The picture of a snapshot: a pure function of the arguments, size and tier, whatever was drawn before.
   Image draw(const Snapshot& snapshot, const ViewDefinition& view);
 
+  /// The same scene in the same light, seen by `camera` instead of the view's.
+  Image draw(const Snapshot& snapshot, const ViewDefinition& view, const CameraDefinition& camera);
+
   /// The same picture, with the driver made to end each pass before the next begins, so that each can be timed. Appends
   /// to `times`.
   Image draw_timed(const Snapshot& snapshot, const ViewDefinition& view, std::vector<PassTime>& times);

@@ -3,28 +3,13 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "renderer/look/TissueLook.hpp"
+#include "renderer/picture/CameraDefinition.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
 
 namespace thinwall {
-
-enum class CameraKind {
-  kPinhole,
-  kEndoscope  // with a round field stop, darker towards it
-};
-
-/// What is absent is chosen so that the reference surfaces fill the picture, seen obliquely from above.
-struct CameraDefinition {
-  std::optional<Double3> position = {};  // metres
-  std::optional<Double3> target = {};    // metres
-  std::optional<Double3> facing = {};  // the sense in which a camera without position looks; obliquely down when absent
-  std::optional<Double3> up = {};      // direction
-  double field_of_view = 0.5236;       // radians, vertical
-  double orbit_speed = 0;              // radians / second around the upward axis through the target
-  CameraKind kind = CameraKind::kPinhole;
-  double exposure = 0;  // brighter by this power of two
-};
 
 struct LightsDefinition {
   double key = 1;                        // strength of the key light, which casts the shadow
@@ -47,9 +32,11 @@ enum class Tier { kDraft, kRecord, kFinal };
 
 /// All that a picture depends on besides the snapshot.
 struct ViewDefinition {
-  CameraDefinition camera;
+  CameraDefinition camera;  // also decides where lamps in the open stand
   LightsDefinition lights;
   LookDefinition look;
+  std::map<std::string, CameraDefinition> cameras = {};  // more of them, by name
+  std::vector<CameraCut> cuts = {};                      // ascending in time
 };
 
 }  // namespace thinwall

@@ -36,6 +36,7 @@ int render_take(const RenderOptions& options) {
   const RecordingPlan plan{.folder = options.out.value_or(options.take.parent_path() / "render"),
                            .description = take->description(),
                            .overlays = settings.overlays,
+                           .view = settings.view,
                            .size = options.size.value_or(settings.record.size),
                            .frames_per_second = options.frames_per_second.value_or(settings.record.frames_per_second),
                            .records = false,

@@ -47,6 +47,7 @@ int run_scenario(const RunOptions& options) {
       .folder = options.out.value_or(std::filesystem::path("out") / scenario.name),
       .description = {.name = scenario.name, .title = scenario.title, .resolved = scenario.resolved},
       .overlays = scenario.overlays,
+      .view = scenario.view,
       .size = scenario.record.size,
       .frames_per_second = scenario.record.frames_per_second,
       .pictures = options.render,

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include "renderer/image/PngFile.hpp"
-#include "renderer/overlay/Overlay.hpp"
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/RunSource.hpp"
@@ -16,7 +15,7 @@ namespace {
 
 Frame frame_at(const Scenario& scenario, double at) {
   const std::unique_ptr<MomentSource> source = simulate_scenario(scenario);
-  FrameComposer composer(scenario.title, scenario.overlays);
+  FrameComposer composer(scenario.title, scenario.overlays, scenario.view);
   double end = 0;
   while (!composer.reaches(at)) {
     throw_if_interrupted();
@@ -36,8 +35,7 @@ int make_still(const StillOptions& options) {
   // Before the simulation, so that a missing device is told at once.
   const std::unique_ptr<Painter> painter = painters(options.size.value_or(scenario.record.size));
   const Frame frame = frame_at(scenario, options.at);
-  Image image = painter->paint(frame.snapshot);
-  draw_overlay(image, frame.overlay);
+  const Image image = finished_picture(frame, *painter);
   if (options.picture.has_parent_path()) make_folder(options.picture.parent_path());
   write_png(options.picture, image);
   fmt::print(stderr, "{} shows {} at {:.4g} s\n", options.picture.string(), scenario.name, options.at);

@@ -7,7 +7,6 @@
 
 #include "engine/simulation/SimulationFailure.hpp"
 #include "renderer/image/Resize.hpp"
-#include "renderer/overlay/Overlay.hpp"
 #include "renderer/picture/PictureFailure.hpp"
 #include "studio/recorder/FrameComposer.hpp"
 #include "studio/recorder/Interruption.hpp"
@@ -29,8 +28,7 @@ std::vector<std::size_t> in_order_of_time(const std::vector<GoldenDefinition>& g
 void draw(GoldenPicture& picture, const FrameComposer& composer, Moment moment, Painter& painter) {
   try {
     Frame frame = composer.compose(picture.at);
-    picture.image = painter.paint(frame.snapshot);
-    draw_overlay(picture.image, frame.overlay);
+    picture.image = finished_picture(frame, painter);
     picture.moment = std::move(moment);
     picture.moment.snapshot = std::move(frame.snapshot);
     picture.missing.clear();
@@ -65,7 +63,7 @@ GoldenPictures golden_pictures(const Scenario& scenario, const SourceFactory& so
   std::string ending;
   try {
     const std::unique_ptr<MomentSource> source = sources(scenario);
-    FrameComposer composer(scenario.title, scenario.overlays);
+    FrameComposer composer(scenario.title, scenario.overlays, scenario.view);
     double end = 0;
     while (next < order.size()) {
       throw_if_interrupted();

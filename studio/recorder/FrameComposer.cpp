@@ -39,8 +39,8 @@ double first_pressure(const Snapshot& snapshot) {
 
 }  // namespace
 
-FrameComposer::FrameComposer(std::string title, const OverlayChoice& choice)
-    : title_(std::move(title)), choice_(choice) {}
+FrameComposer::FrameComposer(std::string title, const OverlayChoice& choice, const ViewDefinition& view)
+    : title_(std::move(title)), choice_(choice), shots_(view) {}
 
 void FrameComposer::add(Moment moment) {
   if (later_) {
@@ -50,6 +50,7 @@ void FrameComposer::add(Moment moment) {
   }
   earlier_ = std::move(later_);
   later_ = std::move(moment);
+  shots_.add(later_->snapshot);
   histories_.resize(later_->snapshot.tools.size());
   for (std::size_t i = 0; i < histories_.size(); ++i) {
     histories_[i].push_back({.time = later_->snapshot.time, .force = magnitude(later_->snapshot.tools[i].force)});
@@ -65,6 +66,7 @@ Frame FrameComposer::compose(double time) const {
   const Moment& earlier = earlier_ ? *earlier_ : *later_;
   Frame frame{.snapshot = interpolate(earlier.snapshot, later_->snapshot, time), .overlay = {}};
   frame.overlay = overlay(frame.snapshot);
+  frame.shot = shots_.shot(frame.snapshot);
   return frame;
 }
 

@@ -8,6 +8,7 @@
 #include "renderer/overlay/Overlay.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
 #include "studio/record/Moment.hpp"
+#include "studio/recorder/ShotFollower.hpp"
 #include "studio/scenario/Scenario.hpp"
 
 namespace thinwall {
@@ -16,13 +17,14 @@ namespace thinwall {
 struct Frame {
   Snapshot snapshot;
   OverlayContent overlay;
+  Shot shot = {};
 };
 
 /// Makes frames at any time from moments in order: the moment between its two neighbours, and the overlays as of then.
 /// Depends on the moments alone, so a frame is the same in a run, from its take and as a still.
 class FrameComposer {
  public:
-  FrameComposer(std::string title, const OverlayChoice& choice);
+  FrameComposer(std::string title, const OverlayChoice& choice, const ViewDefinition& view = {});
 
   /// The next moment, in order of time.
   void add(Moment moment);
@@ -39,6 +41,7 @@ class FrameComposer {
 
   std::string title_;
   OverlayChoice choice_;
+  ShotFollower shots_;
   std::optional<Moment> earlier_;
   std::optional<Moment> later_;
   std::vector<std::vector<ForceSample>> histories_;  // (tools x moments so far)

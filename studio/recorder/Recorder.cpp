@@ -19,7 +19,6 @@
 #include "renderer/overlay/ContactSheet.hpp"
 #include "renderer/overlay/EnergyPlotImage.hpp"
 #include "renderer/overlay/ForcePlotImage.hpp"
-#include "renderer/overlay/Overlay.hpp"
 #include "renderer/video/VideoWriter.hpp"
 #include "renderer/video/WebVtt.hpp"
 #include "studio/recorder/BoundedQueue.hpp"
@@ -289,7 +288,7 @@ void Pipeline::finish_records() {
 void Pipeline::render() {
   const std::unique_ptr<Painter> painter = painters_(plan_.size);
   report_.driver = painter->driver();
-  FrameComposer composer(plan_.description.title, plan_.overlays);
+  FrameComposer composer(plan_.description.title, plan_.overlays, plan_.view);
   std::size_t frame = 0;
   while (auto moment = moments_.pop()) {
     composer.add(*std::move(moment));
@@ -300,8 +299,7 @@ void Pipeline::render() {
       {
         const StageClock clock(report_.times.render);
         const Frame content = composer.compose(time);
-        picture.image = painter->paint(content.snapshot);
-        draw_overlay(picture.image, content.overlay);
+        picture.image = finished_picture(content, *painter);
         picture.force = content.overlay.force;
       }
       if (!pictures_.push(std::move(picture))) return;

@@ -20,6 +20,7 @@ struct RecordingPlan {
   std::filesystem::path folder;
   TakeDescription description;
   OverlayChoice overlays;
+  ViewDefinition view = {};  // its cameras and cuts
   ImageSize size;
   double frames_per_second = 30;
   bool records = true;            // take.h5, forces.csv, body.csv

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/look/OrganLooks.hpp"
+#include "studio/scenario/ResolvedCameras.hpp"
 #include "studio/take/TakeError.hpp"
 
 namespace thinwall {
@@ -13,17 +14,6 @@ using Json = nlohmann::json;
 std::optional<Double3> find_vector(const Json& mapping, const char* key) {
   if (!mapping.contains(key)) return std::nullopt;
   return mapping.at(key).get<Double3>();
-}
-
-CameraDefinition to_camera(const Json& camera) {
-  return {.position = find_vector(camera, "position"),
-          .target = find_vector(camera, "target"),
-          .facing = find_vector(camera, "facing"),
-          .up = find_vector(camera, "up"),
-          .field_of_view = camera.at("field_of_view"),
-          .orbit_speed = camera.at("orbit_speed"),
-          .kind = camera.at("kind") == "endoscope" ? CameraKind::kEndoscope : CameraKind::kPinhole,
-          .exposure = camera.value("exposure", 0.0)};
 }
 
 /// Takes of before there were kinds of organs name none.
@@ -55,7 +45,7 @@ PictureSettings to_settings(const Json& scenario) {
   const Json& lights = scenario.at("lights");
   const Json& overlays = scenario.at("look").at("overlays");
   const Json& record = scenario.at("record");
-  return {.view = {.camera = to_camera(scenario.at("camera")),
+  return {.view = {.camera = {},
                    .lights = {.key = lights.at("key"),
                               .fill = lights.at("fill"),
                               .environment = lights.at("environment"),
@@ -80,7 +70,9 @@ PictureSettings picture_settings(const Scenario& scenario) {
 
 PictureSettings picture_settings(const std::string& resolved) {
   try {
-    return to_settings(Json::parse(resolved));
+    PictureSettings settings = to_settings(Json::parse(resolved));
+    read_cameras(resolved, settings.view);
+    return settings;
   } catch (const Json::exception& error) {
     throw TakeError(std::string("the take's scenario cannot be read (") + error.what() + "); run the scenario again");
   }

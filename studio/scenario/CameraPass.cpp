@@ -28,22 +28,28 @@ Eigen::Vector3d over_the_shoulder(const Eigen::Vector3d& direction) {
   return Eigen::Vector3d(std::cos(azimuth), std::sin(azimuth), slope).normalized();
 }
 
+void face(CheckedValue& camera, const Eigen::Vector3d& facing) {
+  if (camera.find("position") != nullptr || camera.find("facing") != nullptr) return;
+  CheckedValue value{.kind = CheckedKind::kList, .location = camera.location, .given = false};
+  for (const double part : facing) {
+    value.items.push_back({.kind = CheckedKind::kNumber, .location = camera.location, .given = false, .number = part});
+  }
+  camera.members.push_back({.key = "facing", .location = camera.location, .value = value});
+}
+
 }  // namespace
 
 void camera_pass(CheckedValue& root) {
-  CheckedValue* camera = root.find("camera");
   const CheckedValue* timeline = root.find("timeline");
-  if (camera == nullptr || timeline == nullptr) return;
-  if (camera->find("position") != nullptr || camera->find("facing") != nullptr) return;
+  if (timeline == nullptr) return;
   const Eigen::Vector3d direction = pressing_direction(*timeline);
   // Mostly downwards, or nothing pressed: the standard view shows it.
   if (direction.isZero() || direction.z() < -0.7) return;
   const Eigen::Vector3d facing = over_the_shoulder(direction);
-  CheckedValue value{.kind = CheckedKind::kList, .location = camera->location, .given = false};
-  for (const double part : facing) {
-    value.items.push_back({.kind = CheckedKind::kNumber, .location = camera->location, .given = false, .number = part});
+  if (CheckedValue* camera = root.find("camera")) face(*camera, facing);
+  if (CheckedValue* cameras = root.find("cameras")) {
+    for (CheckedMember& member : cameras->members) face(member.value, facing);
   }
-  camera->members.push_back({.key = "facing", .location = camera->location, .value = value});
 }
 
 }  // namespace thinwall

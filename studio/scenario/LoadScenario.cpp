@@ -1,6 +1,7 @@
 #include "studio/scenario/LoadScenario.hpp"
 
 #include "studio/scenario/CameraPass.hpp"
+#include "studio/scenario/CameraReferences.hpp"
 #include "studio/scenario/Diagnostics.hpp"
 #include "studio/scenario/ExpectationPass.hpp"
 #include "studio/scenario/IncludePass.hpp"
@@ -8,6 +9,7 @@
 #include "studio/scenario/LookPass.hpp"
 #include "studio/scenario/ParameterPass.hpp"
 #include "studio/scenario/ReferencePass.hpp"
+#include "studio/scenario/ResolvedCameras.hpp"
 #include "studio/scenario/ResolvedScenario.hpp"
 #include "studio/scenario/ScenarioBuilder.hpp"
 #include "studio/scenario/Schema.hpp"
@@ -40,6 +42,7 @@ Scenario load_scenario(const std::filesystem::path& file,
   parameter_pass(root, overrides, diagnostics);
   CheckedValue checked = unit_pass(root, scenario_schema(), diagnostics);
   reference_pass(checked, diagnostics);
+  camera_references(checked, diagnostics);
   expectation_pass(checked, diagnostics);
   lint_pass(checked, diagnostics);
   diagnostics.throw_errors(file);
@@ -55,6 +58,7 @@ Scenario load_scenario(const std::filesystem::path& file,
     scenario.warnings.push_back(to_text(warning.location) + ": warning: " + warning.message);
   }
   scenario.resolved = resolved_scenario(checked, file.parent_path());
+  read_cameras(scenario.resolved, scenario.view);
   return scenario;
 }
 

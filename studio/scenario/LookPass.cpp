@@ -41,23 +41,34 @@ CheckedValue& look_of(const std::string& body, CheckedValue& looks) {
   return *looks.find(body);
 }
 
-/// An endoscope brings its lamp along.
-void light_endoscope(CheckedValue& root) {
-  CheckedValue* lights = root.find("lights");
-  const CheckedValue* camera = root.find("camera");
+double lamp_of(const CheckedValue* camera) {
   const CheckedValue* kind = camera == nullptr ? nullptr : camera->find("kind");
+  return kind != nullptr && kind->text == "endoscope" ? 1 : 0;
+}
+
+void give_lamp(CheckedValue& owner, const char* key, double strength) {
+  owner.members.push_back(
+      {.key = key,
+       .location = owner.location,
+       .value = {.kind = CheckedKind::kNumber, .location = owner.location, .given = false, .number = strength}});
+}
+
+/// An endoscope brings its lamp along, each of several its own.
+void light_endoscopes(CheckedValue& root) {
+  CheckedValue* lights = root.find("lights");
   if (lights == nullptr || lights->find("endoscope") != nullptr) return;
-  const double strength = kind != nullptr && kind->text == "endoscope" ? 1 : 0;
-  lights->members.push_back(
-      {.key = "endoscope",
-       .location = lights->location,
-       .value = {.kind = CheckedKind::kNumber, .location = lights->location, .given = false, .number = strength}});
+  give_lamp(*lights, "endoscope", lamp_of(root.find("camera")));
+  CheckedValue* cameras = root.find("cameras");
+  if (cameras == nullptr) return;
+  for (CheckedMember& camera : cameras->members) {
+    if (camera.value.find("lamp") == nullptr) give_lamp(camera.value, "lamp", lamp_of(&camera.value));
+  }
 }
 
 }  // namespace
 
 void look_pass(CheckedValue& root) {
-  light_endoscope(root);
+  light_endoscopes(root);
   CheckedValue* look = root.find("look");
   CheckedValue* looks = look == nullptr ? nullptr : look->find("bodies");
   const CheckedValue* bodies = root.find("bodies");

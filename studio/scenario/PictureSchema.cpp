@@ -16,43 +16,7 @@ KeySchema shown_key(const std::string& key, const std::string& documentation) {
   return {key, boolean_value(), false, "true", documentation};
 }
 
-KeySchema angle_key(const std::string& fallback) {
-  const double half_turn = parse_quantity("180 deg").value;
-  return {
-      "field_of_view",
-      quantity_value(kAngle, {.minimum = 0, .maximum = half_turn, .minimum_excluded = true, .maximum_excluded = true},
-                     "30 deg"),
-      false, fallback, "vertical angle of view"};
-}
-
 }  // namespace
-
-ValueSchema camera_schema() {
-  const ValueSchema place = vector_value(kLength, {}, "[80 mm, -60 mm, 50 mm]");
-  MappingSchema camera{.name = "camera",
-                       .documentation = "What is absent is chosen so that the bodies fill the picture."};
-  camera.selector = "kind";
-  camera.cases = {
-      {"pinhole", "stands in the open", {angle_key("30 deg")}},
-      {"endoscope", "in a body: a round picture, darker towards its border", {angle_key("60 deg")}},
-  };
-  camera.keys = {
-      {"kind", word_value({"pinhole", "endoscope"}), false, "pinhole", "how the picture is projected"},
-      {"position", place, false, {}, "where the camera stands"},
-      {"target", place, false, {}, "what it looks at"},
-      {"facing",
-       direction_value(),
-       false,
-       {},
-       "the sense in which a camera without `position` looks; when absent, from the side that the tools come from"},
-      {"up", direction_value(), false, {}, "what is up in the picture"},
-      {"orbit_speed", quantity_value(kAngularSpeed, {}, "10 deg/s"), false, "0 deg/s",
-       "turn around the upward axis through the target"},
-      {"exposure", quantity_value(kDimensionless, {.minimum = -10, .maximum = 10}, "0.5"), false, "0",
-       "brighter by this power of two"},
-  };
-  return mapping_value({camera});
-}
 
 ValueSchema lights_schema() {
   MappingSchema lights{.name = "lights", .documentation = "Strengths are relative to a well-lit picture."};

@@ -6,7 +6,6 @@
 #include <sstream>
 
 #include "studio/scenario/ExpectationQuantity.hpp"
-#include "studio/scenario/LaterWords.hpp"
 #include "studio/scenario/Schema.hpp"
 #include "studio/scenario/Wording.hpp"
 
@@ -75,7 +74,6 @@ class PageWriter {
     page_ << kUnits << "## Keys\n\n";
     write_alternatives({scenario_schema()});
     write_measured_quantities();
-    write_later_words();
     return page_.str();
   }
 
@@ -178,15 +176,6 @@ class PageWriter {
             << measured.documentation << " |\n";
     }
     page_ << "\n";
-  }
-
-  void write_later_words() {
-    page_ << "## Not in this version\n\nThese belong to the format, but this version cannot simulate them and says "
-             "so:\n\n";
-    for (const LaterWord& later : later_words()) {
-      const std::string where(later.where.substr(0, later.where.find('.')));
-      page_ << "- " << where << ": " << later.words << "\n";
-    }
   }
 
   std::ostringstream page_;

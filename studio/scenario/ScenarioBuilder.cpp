@@ -285,17 +285,6 @@ Clip to_clip(const CheckedValue& item) {
 
 // Picture and record.
 
-CameraDefinition to_camera(const CheckedValue& camera) {
-  return {.position = find_double3(camera, "position"),
-          .target = find_double3(camera, "target"),
-          .facing = find_double3(camera, "facing"),
-          .up = find_double3(camera, "up"),
-          .field_of_view = camera.at("field_of_view").number,
-          .orbit_speed = camera.at("orbit_speed").number,
-          .kind = camera.at("kind").text == "endoscope" ? CameraKind::kEndoscope : CameraKind::kPinhole,
-          .exposure = camera.at("exposure").number};
-}
-
 LightsDefinition to_lights(const CheckedValue& lights) {
   return {.key = lights.at("key").number,
           .fill = lights.at("fill").number,
@@ -370,7 +359,8 @@ Scenario build_scenario(const CheckedValue& root) {
   scenario.simulation.time_step = simulation.at("time_step").number;
   scenario.simulation.gravity = to_vector(simulation.at("gravity"));
   scenario.simulation.step_error = find_number(simulation, "step_error").value_or(0);
-  scenario.view = {to_camera(root.at("camera")), to_lights(root.at("lights")), to_look(root.at("look"))};
+  scenario.view.lights = to_lights(root.at("lights"));
+  scenario.view.look = to_look(root.at("look"));
   const CheckedValue& overlays = root.at("look").at("overlays");
   scenario.overlays = {.force_plot = overlays.at("force_plot").boolean,
                        .gauge = overlays.at("gauge").boolean,

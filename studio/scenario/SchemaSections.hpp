@@ -11,6 +11,8 @@ ValueSchema tools_schema();
 ValueSchema timeline_schema();
 ValueSchema simulation_schema();
 ValueSchema camera_schema();
+ValueSchema cameras_schema();
+ValueSchema cuts_schema();
 ValueSchema lights_schema();
 ValueSchema look_schema();
 ValueSchema record_schema();

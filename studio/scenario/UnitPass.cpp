@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "studio/scenario/LaterWords.hpp"
 #include "studio/scenario/ValueReader.hpp"
 #include "studio/scenario/Wording.hpp"
 #include "studio/scenario/YamlReader.hpp"
@@ -63,11 +62,6 @@ class SchemaReader {
     return value;
   }
 
-  void tell_later(const LaterWord& later, const SourceLocation& location, const std::string& path) {
-    diagnostics_.error(location, path,
-                       std::string(later.words) + " belongs to the format but this version cannot simulate it yet");
-  }
-
   // Lists.
 
   std::optional<CheckedValue> read_list(const ValueSchema& schema, const TextNode& node, const ValuePlace& place) {
@@ -125,12 +119,6 @@ class SchemaReader {
   void refuse_all_keys(const ValueSchema& schema, const TextNode& node, const ValuePlace& place) {
     std::vector<std::string> words;
     for (const MappingSchema& mapping : schema.mappings) words.push_back(mapping.keys[0].key);
-    for (const TextMember& member : node.members) {
-      if (const LaterWord* later = find_later_word(schema.mappings[0].name, member.key)) {
-        tell_later(*later, member.location, member_path(place.path, member.key));
-        return;
-      }
-    }
     for (const TextMember& member : node.members) {
       const std::string nearest = did_you_mean(member.key, words);
       if (nearest.empty() && node.members.size() > 1) continue;
@@ -205,9 +193,7 @@ class SchemaReader {
     const auto is_it = [&](const KeySchema* key) { return key->key == member.key; };
     if (std::ranges::any_of(allowed.keys, is_it)) return;
     const std::string path = member_path(place.path, member.key);
-    if (const LaterWord* later = find_later_word(schema.name, member.key)) {
-      tell_later(*later, member.location, path);
-    } else if (allowed.case_is_known) {
+    if (allowed.case_is_known) {
       // After a wrong word, which is told already, the keys that belong to the right one are not known.
       const std::string nearest = nearest_word(member.key, words_of(allowed));
       diagnostics_.error(member.location, path, "unknown key" + hint(schema, allowed, member.key, nearest));

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "studio/scenario/LaterWords.hpp"
 #include "studio/scenario/Wording.hpp"
 
 namespace thinwall {
@@ -93,15 +92,8 @@ class PlainReader {
 
   std::optional<CheckedValue> read_word() {
     if (std::ranges::find(schema_.words, text_) != schema_.words.end()) return text_value();
-    if (const LaterWord* later = find_later_word(place_.owner + "." + place_.key, text_)) {
-      return error(later_message(later->words));
-    }
     const std::string nearest = did_you_mean(text_, schema_.words);
     return error("expected " + expectation(schema_) + ", got " + describe(node_) + nearest);
-  }
-
-  static std::string later_message(std::string_view words) {
-    return std::string(words) + " belongs to the format but this version cannot simulate it yet";
   }
 
   std::optional<CheckedValue> read_boolean() {

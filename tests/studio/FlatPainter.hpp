@@ -14,7 +14,7 @@ class FlatPainter final : public Painter {
  public:
   explicit FlatPainter(ImageSize size, double gain = 1) : size_(size), gain_(gain) {}
 
-  Image paint(const Snapshot& snapshot) override {
+  Image paint(const Snapshot& snapshot, const Shot&) override {
     const double depth = snapshot.tools.empty() ? 0 : snapshot.tools.front().depth;
     const double level = gain_ * (60 + 2e4 * depth);
     Image image{.size = size_, .pixels = {}};

@@ -129,7 +129,7 @@ TEST_F(GoldenTest, ApprovingAgainReplacesTheApproval) {
 TEST_F(GoldenTest, AnotherSizeFails) {
   approve();
   GoldenPictures pictures = today();
-  pictures.pictures[0].image = FlatPainter({.width = 90, .height = 64}).paint({});
+  pictures.pictures[0].image = FlatPainter({.width = 90, .height = 64}).paint({}, {});
   const GoldenResult result = compare(pictures);
   EXPECT_EQ(result.outcome, GoldenOutcome::kFailed);
   EXPECT_NE(result.message.find("90 x 64 pixels instead of 96 x 64"), std::string::npos) << result.message;

@@ -76,9 +76,8 @@ TEST(RecorderTest, AFrameIsWhatTheComposerGivesAtItsTime) {
   FrameComposer composer("A sheet", {});
   for (std::size_t step = 0; !composer.reaches(5 / 30.0); ++step) composer.add(run.moment(step));
   const Frame frame = composer.compose(5 / 30.0);
-  Image image = FlatPainter(kSize).paint(frame.snapshot);
-  draw_overlay(image, frame.overlay);
-  EXPECT_EQ(report.frame_hashes.at(5), image_hash(image));
+  FlatPainter painter(kSize);
+  EXPECT_EQ(report.frame_hashes.at(5), image_hash(finished_picture(frame, painter)));
 }
 
 TEST(RecorderTest, FramesFromTheTakeAreThoseOfTheRun) {
@@ -164,9 +163,9 @@ TEST(RecorderTest, AMissingDeviceStopsAllAndLeavesNothingThatLooksWhole) {
 
 class FailingPainter final : public Painter {
  public:
-  Image paint(const Snapshot& snapshot) override {
+  Image paint(const Snapshot& snapshot, const Shot& shot) override {
     if (snapshot.time > 0.1) throw PictureFailure("the driver is gone");
-    return flat_.paint(snapshot);
+    return flat_.paint(snapshot, shot);
   }
   std::string driver() const override { return "failing"; }
 

@@ -55,5 +55,18 @@ TEST(LookPass, GivesAnEndoscopeItsLamp) {
   EXPECT_EQ(lamp("lights: { endoscope: 2 }\n"), 2);
 }
 
+TEST(LookPass, GivesEachOfSeveralEndoscopesItsLamp) {
+  CheckedValue root =
+      checked_scenario("cameras: { inside: { kind: endoscope }, dark: { kind: endoscope, lamp: 0 }, outside: {} }\n");
+  look_pass(root);
+  EXPECT_EQ(root.at("lights").at("endoscope").number, 0) << "the main camera is none";
+  EXPECT_EQ(root.at("cameras").at("inside").at("lamp").number, 1);
+  EXPECT_EQ(root.at("cameras").at("dark").at("lamp").number, 0);
+  EXPECT_EQ(root.at("cameras").at("outside").at("lamp").number, 0);
+  CheckedValue lit = checked_scenario("lights: { endoscope: 2 }\ncameras: { inside: { kind: endoscope } }\n");
+  look_pass(lit);
+  EXPECT_EQ(lit.at("cameras").at("inside").find("lamp"), nullptr) << "the lights' own counts";
+}
+
 }  // namespace
 }  // namespace thinwall

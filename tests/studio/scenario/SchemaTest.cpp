@@ -5,7 +5,6 @@
 #include <set>
 
 #include "engine/material/WallLaw.hpp"
-#include "studio/scenario/LaterWords.hpp"
 #include "studio/scenario/UnitPass.hpp"
 #include "tests/studio/scenario/ScenarioTestTools.hpp"
 #include "tests/studio/scenario/SchemaForms.hpp"
@@ -45,25 +44,6 @@ TEST(Schema, TheLawsOfTheEngineAreTheWordsOfMaterial) {
     if (form.mapping->name == "material") cases.push_back(form.chosen->word);
   }
   EXPECT_EQ(cases, laws);
-}
-
-TEST(Schema, WhatIsForLaterIsNotAcceptedNow) {
-  for (const LaterWord& later : later_words()) {
-    const std::size_t dot = later.where.find('.');
-    const std::string_view name = later.where.substr(0, dot);
-    bool found = false;
-    for (const SchemaForm& form : all_schema_forms()) {
-      if (form.mapping->name != name) continue;
-      found = true;
-      const std::string_view selected = dot == std::string_view::npos ? later.word : later.where.substr(dot + 1);
-      const std::vector<KeySchema> keys = form.keys();
-      const KeySchema* key = find_key(keys, selected);
-      EXPECT_EQ(key != nullptr, dot != std::string_view::npos) << later.where << " " << later.word;
-      if (key == nullptr) continue;
-      EXPECT_EQ(std::ranges::count(key->value.words, later.word), 0) << later.where << " " << later.word;
-    }
-    EXPECT_TRUE(found) << later.where;
-  }
 }
 
 TEST(Schema, RangesAreSaidInTheUnitOfTheExample) {

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "studio/scenario/LaterWords.hpp"
 #include "tests/studio/scenario/ScenarioTestTools.hpp"
 #include "tests/studio/scenario/SchemaForms.hpp"
 
@@ -121,26 +120,6 @@ TEST(UnitPass, AKeyInTheWrongPlaceSaysWhereItBelongs) {
 
 TEST(UnitPass, AMisspelledNeededKeyIsOneError) {
   EXPECT_EQ(read("palpate", "{ dept: 4 mm }").errors, Texts{"1:3: dept: unknown key, did you mean `depth`?"});
-}
-
-TEST(UnitPass, EveryWordForLaterHasItsOwnMessage) {
-  for (const LaterWord& later : later_words()) {
-    const std::string where(later.where);
-    const std::size_t dot = where.find('.');
-    const std::string name = where.substr(0, dot);
-    std::string text = "{ " + std::string(later.word) + ": 1 }";
-    if (dot != std::string::npos) {
-      const std::string value = later.word.empty() ? "{ along: [1, 0, 0] }" : std::string(later.word);
-      text = "{ " + where.substr(dot + 1) + ": " + value + " }";
-    }
-    // A clip is chosen by its verb among alternatives, which only their list knows.
-    const bool is_clip = name == "clip";
-    const Read result = is_clip ? read("scenario", "{ timeline: [" + text + "] }") : read(name, text);
-    const std::string expected =
-        std::string(later.words) + " belongs to the format but this version cannot simulate it yet";
-    const auto tells = [&](const std::string& error) { return error.ends_with(expected); };
-    EXPECT_TRUE(std::ranges::any_of(result.errors, tells)) << text;
-  }
 }
 
 TEST(UnitPass, WrongItemsKeepTheirPlaceInAList) {

@@ -1,0 +1,115 @@
+#include "studio/scenario/CameraReferences.hpp"
+
+#include <algorithm>
+
+#include "studio/scenario/TextNode.hpp"
+#include "studio/scenario/Wording.hpp"
+
+namespace thinwall {
+namespace {
+
+std::vector<std::string> names_in(const CheckedValue& root, std::string_view section) {
+  std::vector<std::string> names;
+  const CheckedValue* mapping = root.find(section);
+  if (mapping == nullptr) return names;
+  for (const CheckedMember& member : mapping->members) names.push_back(member.key);
+  return names;
+}
+
+void check_name(const CheckedValue& name, const std::string& what, const std::vector<std::string>& names,
+                const std::string& path, Diagnostics& diagnostics) {
+  if (std::ranges::find(names, name.text) != names.end()) return;
+  std::string hint = did_you_mean(name.text, names);
+  if (hint.empty()) hint = names.empty() ? "; there is none" : "; there is " + list_in_backticks(names);
+  diagnostics.error(name.location, path, "there is no " + what + " " + in_backticks(name.text) + hint);
+}
+
+/// Each item of a list is later than the one before.
+void check_order(const CheckedValue& list, const std::string& path, Diagnostics& diagnostics) {
+  for (std::size_t i = 1; i < list.items.size(); ++i) {
+    const CheckedValue* before = list.items[i - 1].find("at");
+    const CheckedValue* time = list.items[i].find("at");
+    if (before == nullptr || time == nullptr || time->number > before->number) continue;
+    diagnostics.error(time->location, item_path(path, i) + ".at", "must be later than the one before it");
+  }
+}
+
+void check_keyframes(const CheckedValue& camera, const std::string& path, Diagnostics& diagnostics) {
+  const CheckedValue* keyframes = camera.find("keyframes");
+  if (keyframes == nullptr) return;
+  check_order(*keyframes, path + ".keyframes", diagnostics);
+  const auto same = [](const CheckedValue& a, const CheckedValue& b) {
+    return std::ranges::equal(a.items, b.items, {}, &CheckedValue::number, &CheckedValue::number);
+  };
+  for (std::size_t i = 0; i < keyframes->items.size(); ++i) {
+    const CheckedValue* position = keyframes->items[i].find("position");
+    const CheckedValue* target = keyframes->items[i].find("target");
+    if (position == nullptr || target == nullptr || !same(*position, *target)) continue;
+    diagnostics.error(target->location, item_path(path + ".keyframes", i) + ".target",
+                      "the camera stands where it looks");
+  }
+}
+
+void check_push_ins(const CheckedValue& camera, const std::string& path, Diagnostics& diagnostics) {
+  const CheckedValue* push_ins = camera.find("push_in");
+  if (push_ins == nullptr) return;
+  for (std::size_t i = 0; i < push_ins->items.size(); ++i) {
+    const CheckedValue* from = push_ins->items[i].find("from");
+    const CheckedValue* until = push_ins->items[i].find("until");
+    if (from == nullptr || until == nullptr || until->number > from->number) continue;
+    diagnostics.error(until->location, item_path(path + ".push_in", i) + ".until", "must be later than `from`");
+  }
+}
+
+void resolve_follow(CheckedValue& camera, const std::vector<std::string>& tools, const std::string& path,
+                    Diagnostics& diagnostics) {
+  CheckedValue* follow = camera.find("follow");
+  if (follow == nullptr || follow->has_wrong("tool")) return;
+  if (const CheckedValue* tool = follow->find("tool")) {
+    check_name(*tool, "tool", tools, path + ".follow.tool", diagnostics);
+  } else if (tools.size() == 1) {
+    const CheckedValue only{
+        .kind = CheckedKind::kText, .location = follow->location, .given = false, .text = tools.front()};
+    follow->members.insert(follow->members.begin(), {"tool", follow->location, only});
+  } else {
+    diagnostics.error(follow->location, path + ".follow",
+                      tools.empty() ? "needs a tool, but `tools` is empty"
+                                    : "`tool` is missing; there is " + list_in_backticks(tools));
+  }
+}
+
+void check_camera(CheckedValue& camera, const std::vector<std::string>& tools, const std::string& path,
+                  Diagnostics& diagnostics) {
+  check_keyframes(camera, path, diagnostics);
+  check_push_ins(camera, path, diagnostics);
+  resolve_follow(camera, tools, path, diagnostics);
+}
+
+void check_cuts(const CheckedValue& cuts, std::vector<std::string> cameras, Diagnostics& diagnostics) {
+  std::erase(cameras, "main");
+  cameras.insert(cameras.begin(), "main");
+  check_order(cuts, "cuts", diagnostics);
+  for (std::size_t i = 0; i < cuts.items.size(); ++i) {
+    for (const char* key : {"camera", "beside", "inset"}) {
+      const CheckedValue* name = cuts.items[i].find(key);
+      if (name != nullptr) check_name(*name, "camera", cameras, item_path("cuts", i) + "." + key, diagnostics);
+    }
+  }
+}
+
+}  // namespace
+
+void camera_references(CheckedValue& root, Diagnostics& diagnostics) {
+  const std::vector<std::string> tools = names_in(root, "tools");
+  if (CheckedValue* camera = root.find("camera")) check_camera(*camera, tools, "camera", diagnostics);
+  if (CheckedValue* cameras = root.find("cameras")) {
+    for (CheckedMember& member : cameras->members) {
+      const std::string path = member_path("cameras", member.key);
+      if (member.key == "main") diagnostics.error(member.location, path, "`main` is the name of `camera`");
+      check_camera(member.value, tools, path, diagnostics);
+    }
+  }
+  if (const CheckedValue* cuts = root.find("cuts")) check_cuts(*cuts, names_in(root, "cameras"), diagnostics);
+}
+
+}  // namespace thinwall

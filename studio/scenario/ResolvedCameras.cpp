@@ -1,0 +1,87 @@
+#include "studio/scenario/ResolvedCameras.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace thinwall {
+namespace {
+
+using Json = nlohmann::json;
+
+std::optional<Double3> find_vector(const Json& mapping, const char* key) {
+  if (!mapping.contains(key)) return std::nullopt;
+  return mapping.at(key).get<Double3>();
+}
+
+std::optional<double> find_number(const Json& mapping, const char* key) {
+  if (!mapping.contains(key)) return std::nullopt;
+  return mapping.at(key).get<double>();
+}
+
+std::optional<std::string> find_text(const Json& mapping, const char* key) {
+  if (!mapping.contains(key)) return std::nullopt;
+  return mapping.at(key).get<std::string>();
+}
+
+CameraEase to_ease(const Json& mapping) {
+  return mapping.at("ease") == "linear" ? CameraEase::kLinear : CameraEase::kSmooth;
+}
+
+CameraKeyframe to_keyframe(const Json& key) {
+  return {.time = key.at("at"),
+          .position = find_vector(key, "position"),
+          .target = find_vector(key, "target"),
+          .up = find_vector(key, "up"),
+          .field_of_view = find_number(key, "field_of_view"),
+          .ease = to_ease(key)};
+}
+
+CameraDefinition to_camera(const Json& camera) {
+  CameraDefinition result{.position = find_vector(camera, "position"),
+                          .target = find_vector(camera, "target"),
+                          .facing = find_vector(camera, "facing"),
+                          .up = find_vector(camera, "up"),
+                          .field_of_view = camera.at("field_of_view"),
+                          .orbit_speed = camera.at("orbit_speed"),
+                          .kind = camera.at("kind") == "endoscope" ? CameraKind::kEndoscope : CameraKind::kPinhole,
+                          .exposure = camera.value("exposure", 0.0),
+                          .lamp = find_number(camera, "lamp")};
+  for (const Json& key : camera.value("keyframes", Json::array())) result.keyframes.push_back(to_keyframe(key));
+  for (const Json& push : camera.value("push_in", Json::array())) {
+    result.push_ins.push_back(
+        {.begin = push.at("from"), .end = push.at("until"), .factor = push.at("to"), .ease = to_ease(push)});
+  }
+  if (camera.contains("follow")) {
+    const Json& follow = camera.at("follow");
+    result.follow = {
+        .tool = follow.at("tool"), .smoothing = follow.at("smooth"), .travels = follow.at("how") == "travel"};
+  }
+  return result;
+}
+
+PictureCorner to_corner(const std::string& word) {
+  if (word == "upper_left") return PictureCorner::kUpperLeft;
+  if (word == "lower_left") return PictureCorner::kLowerLeft;
+  return word == "lower_right" ? PictureCorner::kLowerRight : PictureCorner::kUpperRight;
+}
+
+CameraCut to_cut(const Json& cut) {
+  return {.time = cut.at("at"),
+          .camera = cut.at("camera"),
+          .beside = find_text(cut, "beside"),
+          .inset = find_text(cut, "inset"),
+          .corner = to_corner(cut.at("corner"))};
+}
+
+}  // namespace
+
+void read_cameras(const std::string& resolved, ViewDefinition& view) {
+  const Json scenario = Json::parse(resolved);
+  view.camera = to_camera(scenario.at("camera"));
+  view.cameras.clear();
+  view.cuts.clear();
+  const Json cameras = scenario.value("cameras", Json::object());
+  for (const auto& [name, camera] : cameras.items()) view.cameras[name] = to_camera(camera);
+  for (const Json& cut : scenario.value("cuts", Json::array())) view.cuts.push_back(to_cut(cut));
+}
+
+}  // namespace thinwall
