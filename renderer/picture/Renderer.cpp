@@ -121,6 +121,7 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
   stage->scene_pass.draw_surface(stage->meshes, stage->target);
   clock.ends("surface");
   stage->scene_pass.shade_tissue(stage->meshes, stage->target, surroundings);
+  stage->scene_pass.mark(stage->meshes, view.highlights, snapshot.time);
   clock.ends("tissue");
   stage->scene_pass.draw_surroundings(stage->meshes, stage->target, surroundings);
   clock.ends("tools and floor");

@@ -16,6 +16,8 @@ namespace thinwall {
 
 /// A body's wall, caps, rims or lining within the buffer of all tissue.
 struct TissuePart {
+  std::string body = {};
+  TissueSide side = TissueSide::kOutside;
   LookUniforms look;
   std::size_t first_index = 0;
   std::size_t index_count = 0;

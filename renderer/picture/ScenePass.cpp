@@ -7,6 +7,8 @@
 namespace thinwall {
 namespace {
 
+constexpr double kSameTime = 1e-9;  // seconds
+
 /// Parts of a picture are told apart by a stencil of 8 bits, 0 being none.
 void require_countable(std::size_t parts) {
   if (parts > 255) {
@@ -23,6 +25,7 @@ ScenePass::ScenePass()
       metal_{build_program("metal.vert", "metal.frag"), build_program("metal.vert", "metal_endoscope.frag")},
       floor_{build_program("screen.vert", "floor.frag"), build_program("screen.vert", "bed.frag")},
       backdrop_(build_program("screen.vert", "backdrop.frag")),
+      highlight_(build_program("screen.vert", "highlight.frag")),
       no_vertices_(create_vertex_array()),
       look_(create_buffer()) {
   glNamedBufferStorage(look_.name(), sizeof(LookUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT);
@@ -60,6 +63,28 @@ void ScenePass::shade_tissue(const SceneMeshes& meshes, const PictureTarget& tar
     glStencilFunc(GL_EQUAL, static_cast<GLint>(i + 1), 0xff);
     draw_screen();
   }
+  glDisable(GL_STENCIL_TEST);
+}
+
+void ScenePass::mark(const SceneMeshes& meshes, const std::vector<HighlightDefinition>& highlights, double time) const {
+  if (highlights.empty()) return;
+  glEnable(GL_STENCIL_TEST);
+  glEnable(GL_BLEND);
+  glBlendEquation(GL_FUNC_ADD);
+  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  glUseProgram(highlight_.name());
+  for (const auto& [body, center, radius, color, begin, end] : highlights) {
+    if (time < begin - kSameTime || time > end + kSameTime) continue;
+    glUniform4f(0, static_cast<float>(center[0]), static_cast<float>(center[1]), static_cast<float>(center[2]),
+                static_cast<float>(radius));
+    glUniform3f(1, static_cast<float>(color[0]), static_cast<float>(color[1]), static_cast<float>(color[2]));
+    for (std::size_t i = 0; i < meshes.parts().size(); ++i) {
+      if (meshes.parts()[i].body != body || meshes.parts()[i].side != TissueSide::kOutside) continue;
+      glStencilFunc(GL_EQUAL, static_cast<GLint>(i + 1), 0xff);
+      draw_screen();
+    }
+  }
+  glDisable(GL_BLEND);
   glDisable(GL_STENCIL_TEST);
 }
 

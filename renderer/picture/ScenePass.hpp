@@ -25,6 +25,9 @@ class ScenePass {
   /// Its colours.
   void shade_tissue(const SceneMeshes& meshes, const PictureTarget& target, Surroundings surroundings) const;
 
+  /// What is marked of it: those of `highlights` that are shown at `time` (seconds).
+  void mark(const SceneMeshes& meshes, const std::vector<HighlightDefinition>& highlights, double time) const;
+
   /// Tools and floor.
   void draw_surroundings(const SceneMeshes& meshes, const PictureTarget& target, Surroundings surroundings) const;
 
@@ -36,6 +39,7 @@ class ScenePass {
   std::array<Program, 2> metal_;   // (surroundings)
   std::array<Program, 2> floor_;   // (surroundings)
   Program backdrop_;
+  Program highlight_;
   VertexArray no_vertices_;
   Buffer look_;  // of the part that is shaded
 };

@@ -30,6 +30,16 @@ struct LookDefinition {
 /// made to be fast without graphics hardware; final moreover at twice the resolution, four samples for each pixel.
 enum class Tier { kDraft, kRecord, kFinal };
 
+/// A part of a wall that is marked: tinted, with a ring around it.
+struct HighlightDefinition {
+  std::string body = {};
+  Double3 center = {0, 0, 0};          // metres, on the stress-free surface
+  double radius = 0.005;               // metres, of the ball of the stress-free shape that is marked
+  Double3 color = {0.40, 0.82, 0.92};  // sRGB, 0 to 1
+  double begin = 0;                    // seconds, from when it is shown
+  double end = 1e300;                  // seconds, until when
+};
+
 /// All that a picture depends on besides the snapshot.
 struct ViewDefinition {
   CameraDefinition camera;  // also decides where lamps in the open stand
@@ -37,6 +47,7 @@ struct ViewDefinition {
   LookDefinition look;
   std::map<std::string, CameraDefinition> cameras = {};  // more of them, by name
   std::vector<CameraCut> cuts = {};                      // ascending in time
+  std::vector<HighlightDefinition> highlights = {};
 };
 
 }  // namespace thinwall

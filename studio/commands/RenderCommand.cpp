@@ -37,6 +37,7 @@ int render_take(const RenderOptions& options) {
                            .description = take->description(),
                            .overlays = settings.overlays,
                            .view = settings.view,
+                           .teaching = settings.teaching,
                            .size = options.size.value_or(settings.record.size),
                            .frames_per_second = options.frames_per_second.value_or(settings.record.frames_per_second),
                            .records = false,

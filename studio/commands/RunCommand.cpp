@@ -48,6 +48,7 @@ int run_scenario(const RunOptions& options) {
       .description = {.name = scenario.name, .title = scenario.title, .resolved = scenario.resolved},
       .overlays = scenario.overlays,
       .view = scenario.view,
+      .teaching = scenario.teaching,
       .size = scenario.record.size,
       .frames_per_second = scenario.record.frames_per_second,
       .pictures = options.render,

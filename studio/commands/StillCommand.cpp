@@ -15,7 +15,7 @@ namespace {
 
 Frame frame_at(const Scenario& scenario, double at) {
   const std::unique_ptr<MomentSource> source = simulate_scenario(scenario);
-  FrameComposer composer(scenario.title, scenario.overlays, scenario.view);
+  FrameComposer composer(scenario.title, scenario.overlays, scenario.view, scenario.teaching.annotations);
   double end = 0;
   while (!composer.reaches(at)) {
     throw_if_interrupted();

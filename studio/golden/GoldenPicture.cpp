@@ -63,7 +63,7 @@ GoldenPictures golden_pictures(const Scenario& scenario, const SourceFactory& so
   std::string ending;
   try {
     const std::unique_ptr<MomentSource> source = sources(scenario);
-    FrameComposer composer(scenario.title, scenario.overlays, scenario.view);
+    FrameComposer composer(scenario.title, scenario.overlays, scenario.view, scenario.teaching.annotations);
     double end = 0;
     while (next < order.size()) {
       throw_if_interrupted();

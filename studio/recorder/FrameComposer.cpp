@@ -39,8 +39,16 @@ double first_pressure(const Snapshot& snapshot) {
 
 }  // namespace
 
-FrameComposer::FrameComposer(std::string title, const OverlayChoice& choice, const ViewDefinition& view)
-    : title_(std::move(title)), choice_(choice), shots_(view) {}
+FrameComposer::FrameComposer(std::string title, const OverlayChoice& choice, const ViewDefinition& view,
+                             const AnnotationDefinition& annotations)
+    : title_(std::move(title)),
+      choice_(choice),
+      shots_(view),
+      annotations_(std::make_shared<const AnnotationDefinition>(annotations)) {}
+
+std::optional<double> FrameComposer::last_time() const {
+  return later_ ? std::optional(later_->snapshot.time) : std::nullopt;
+}
 
 void FrameComposer::add(Moment moment) {
   if (later_) {
@@ -67,6 +75,7 @@ Frame FrameComposer::compose(double time) const {
   Frame frame{.snapshot = interpolate(earlier.snapshot, later_->snapshot, time), .overlay = {}};
   frame.overlay = overlay(frame.snapshot);
   frame.shot = shots_.shot(frame.snapshot);
+  frame.annotations = annotations_;
   return frame;
 }
 

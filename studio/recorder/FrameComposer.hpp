@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "renderer/annotation/Annotation.hpp"
+#include "renderer/annotation/Card.hpp"
 #include "renderer/overlay/Overlay.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
 #include "studio/record/Moment.hpp"
@@ -18,16 +21,23 @@ struct Frame {
   Snapshot snapshot;
   OverlayContent overlay;
   Shot shot = {};
+  std::shared_ptr<const AnnotationDefinition> annotations = {};  // of the shot's own camera; null: none
+  std::string badge = {};                                        // how the time runs; empty: as it does
+  std::optional<Card> card = {};
 };
 
 /// Makes frames at any time from moments in order: the moment between its two neighbours, and the overlays as of then.
 /// Depends on the moments alone, so a frame is the same in a run, from its take and as a still.
 class FrameComposer {
  public:
-  FrameComposer(std::string title, const OverlayChoice& choice, const ViewDefinition& view = {});
+  FrameComposer(std::string title, const OverlayChoice& choice, const ViewDefinition& view = {},
+                const AnnotationDefinition& annotations = {});
 
   /// The next moment, in order of time.
   void add(Moment moment);
+
+  /// The time of the last moment, seconds; nothing before there is one.
+  std::optional<double> last_time() const;
 
   /// Whether `time` (seconds) lies up to the last moment, which `compose` needs.
   bool reaches(double time) const;
@@ -42,6 +52,7 @@ class FrameComposer {
   std::string title_;
   OverlayChoice choice_;
   ShotFollower shots_;
+  std::shared_ptr<const AnnotationDefinition> annotations_;
   std::optional<Moment> earlier_;
   std::optional<Moment> later_;
   std::vector<std::vector<ForceSample>> histories_;  // (tools x moments so far)

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "renderer/annotation/AnnotationDrawing.hpp"
 #include "renderer/overlay/Overlay.hpp"
 #include "renderer/picture/PictureLayout.hpp"
 #include "renderer/picture/Renderer.hpp"
@@ -57,7 +58,12 @@ class RendererPainter final : public Painter {
 
 Image finished_picture(const Frame& frame, Painter& painter) {
   Image image = painter.paint(frame.snapshot, frame.shot);
+  if (frame.annotations) {
+    draw_annotations(image, main_box(frame.shot, image.size), *frame.annotations, frame.snapshot, frame.shot.camera);
+  }
   draw_overlay(image, frame.overlay);
+  if (!frame.badge.empty()) draw_badge(image, frame.badge);
+  if (frame.card) draw_card(image, *frame.card);
   return image;
 }
 

@@ -21,7 +21,7 @@ class Painter {
   virtual std::string driver() const = 0;
 };
 
-/// A frame as it is recorded: painted, with its overlays.
+/// A frame as it is recorded: painted, with annotations, overlays and card.
 Image finished_picture(const Frame& frame, Painter& painter);
 
 /// Makes a painter for pictures of a size. Throws PictureFailure when there is no device for it.

@@ -28,7 +28,9 @@
 #include "studio/recorder/OutputFolder.hpp"
 #include "studio/recorder/Progress.hpp"
 #include "studio/recorder/RecordCsv.hpp"
+#include "studio/recorder/ShownTexts.hpp"
 #include "studio/recorder/SurfaceSeries.hpp"
+#include "studio/recorder/VideoScript.hpp"
 
 namespace thinwall {
 namespace {
@@ -61,6 +63,7 @@ class Pipeline {
   static EnergyPoint energies_of(const StepRecord& record);
   void finish_records();
   void render();
+  bool show(const FrameComposer& composer, const VideoCue& cue, Painter& painter);
   void open_pictures();
   void encode();
   void wait_for_pictures();
@@ -95,6 +98,11 @@ class Pipeline {
   std::vector<TimedText> captions_;
   std::vector<ToolForces> forces_;
   std::vector<EnergyPoint> energies_;
+
+  // Of the rendering thread.
+  VideoScript script_{plan_.teaching};
+  std::optional<VideoCue> last_cue_;
+  Picture last_picture_;
 
   // Of the encoding thread, until it has ended.
   std::optional<VideoWriter> video_;
@@ -281,31 +289,43 @@ void Pipeline::finish_records() {
   if (surfaces_) surfaces_->finish();
   write_png(plan_.folder / "forces.png", force_plot_image(plan_.description.title, forces_));
   write_png(plan_.folder / "energies.png", energy_plot_image(plan_.description.title, energies_, forces_));
-  const double end = report_.simulated + 1 / plan_.frames_per_second;
-  write_web_vtt(plan_.folder / "captions.vtt", up_to(end, captions_, &VideoCaption::text));
+  const double end = script_.clock().last_shown(report_.simulated) + 1 / plan_.frames_per_second;
+  write_web_vtt(plan_.folder / "captions.vtt",
+                up_to(end, shown_captions(captions_, script_.clock()), &VideoCaption::text));
 }
 
 void Pipeline::render() {
   const std::unique_ptr<Painter> painter = painters_(plan_.size);
   report_.driver = painter->driver();
-  FrameComposer composer(plan_.description.title, plan_.overlays, plan_.view);
+  FrameComposer composer(plan_.description.title, plan_.overlays, plan_.view, plan_.teaching.annotations);
   std::size_t frame = 0;
+  std::optional<double> end;
+  const auto cue_now = [&] { return script_.at(static_cast<double>(frame) / plan_.frames_per_second, end); };
   while (auto moment = moments_.pop()) {
     composer.add(*std::move(moment));
-    for (;; ++frame) {
-      const double time = static_cast<double>(frame) / plan_.frames_per_second;
-      if (!composer.reaches(time)) break;
-      Picture picture{.image = {}, .time = time};
-      {
-        const StageClock clock(report_.times.render);
-        const Frame content = composer.compose(time);
-        picture.image = finished_picture(content, *painter);
-        picture.force = content.overlay.force;
-      }
-      if (!pictures_.push(std::move(picture))) return;
+    for (auto cue = cue_now(); composer.reaches(cue->simulation); ++frame, cue = cue_now()) {
+      if (!show(composer, *cue, *painter)) return;
     }
   }
+  end = composer.last_time();
+  for (auto cue = cue_now(); end && cue; ++frame, cue = cue_now()) {
+    if (!show(composer, *cue, *painter)) return;
+  }
   pictures_.close();
+}
+
+/// False when the encoder has stopped. A picture that shows the same as the one before is not drawn again.
+bool Pipeline::show(const FrameComposer& composer, const VideoCue& cue, Painter& painter) {
+  if (!last_cue_ || *last_cue_ != cue) {
+    const StageClock clock(report_.times.render);
+    Frame content = composer.compose(cue.simulation);
+    content.badge = cue.badge;
+    content.card = cue.card;
+    last_picture_ = {
+        .image = finished_picture(content, painter), .time = cue.simulation, .force = content.overlay.force};
+    last_cue_ = cue;
+  }
+  return pictures_.push(Picture(last_picture_));
 }
 
 /// Once there is a picture, for the same reason.
@@ -345,7 +365,8 @@ void Pipeline::finish_pictures() {
   report_.poster_time = highlights_.poster_time();
   if (video_) {
     const double end = static_cast<double>(report_.frame_hashes.size()) / plan_.frames_per_second;
-    video_->finish(up_to(end, report_.chapters, &VideoChapter::title), up_to(end, captions_, &VideoCaption::text));
+    video_->finish(up_to(end, shown_chapters(report_.chapters, script_.clock()), &VideoChapter::title),
+                   up_to(end, shown_captions(captions_, script_.clock()), &VideoCaption::text));
   }
   if (plan_.frames) rename_folder(unfinished_name(frame_folder(plan_)), frame_folder(plan_));
   write_png(plan_.folder / "poster.png", highlights_.poster());

@@ -11,6 +11,7 @@
 #include "studio/recorder/Painter.hpp"
 #include "studio/recorder/StageClock.hpp"
 #include "studio/scenario/Scenario.hpp"
+#include "studio/scenario/Teaching.hpp"
 #include "studio/take/TakeWriter.hpp"
 
 namespace thinwall {
@@ -21,6 +22,7 @@ struct RecordingPlan {
   TakeDescription description;
   OverlayChoice overlays;
   ViewDefinition view = {};  // its cameras and cuts
+  Teaching teaching = {};
   ImageSize size;
   double frames_per_second = 30;
   bool records = true;            // take.h5, forces.csv, body.csv

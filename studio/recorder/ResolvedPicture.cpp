@@ -4,6 +4,7 @@
 
 #include "renderer/look/OrganLooks.hpp"
 #include "studio/scenario/ResolvedCameras.hpp"
+#include "studio/scenario/ResolvedTeaching.hpp"
 #include "studio/take/TakeError.hpp"
 
 namespace thinwall {
@@ -65,13 +66,15 @@ PictureSettings to_settings(const Json& scenario) {
 }  // namespace
 
 PictureSettings picture_settings(const Scenario& scenario) {
-  return {.view = scenario.view, .overlays = scenario.overlays, .record = scenario.record};
+  return {
+      .view = scenario.view, .overlays = scenario.overlays, .record = scenario.record, .teaching = scenario.teaching};
 }
 
 PictureSettings picture_settings(const std::string& resolved) {
   try {
     PictureSettings settings = to_settings(Json::parse(resolved));
     read_cameras(resolved, settings.view);
+    read_teaching(resolved, settings.teaching, settings.view);
     return settings;
   } catch (const Json::exception& error) {
     throw TakeError(std::string("the take's scenario cannot be read (") + error.what() + "); run the scenario again");

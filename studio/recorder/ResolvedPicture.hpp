@@ -11,6 +11,7 @@ struct PictureSettings {
   ViewDefinition view;
   OverlayChoice overlays;
   RecordOptions record;
+  Teaching teaching = {};
 };
 
 PictureSettings picture_settings(const Scenario& scenario);

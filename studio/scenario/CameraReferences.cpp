@@ -2,27 +2,11 @@
 
 #include <algorithm>
 
+#include "studio/scenario/NameCheck.hpp"
 #include "studio/scenario/TextNode.hpp"
-#include "studio/scenario/Wording.hpp"
 
 namespace thinwall {
 namespace {
-
-std::vector<std::string> names_in(const CheckedValue& root, std::string_view section) {
-  std::vector<std::string> names;
-  const CheckedValue* mapping = root.find(section);
-  if (mapping == nullptr) return names;
-  for (const CheckedMember& member : mapping->members) names.push_back(member.key);
-  return names;
-}
-
-void check_name(const CheckedValue& name, const std::string& what, const std::vector<std::string>& names,
-                const std::string& path, Diagnostics& diagnostics) {
-  if (std::ranges::find(names, name.text) != names.end()) return;
-  std::string hint = did_you_mean(name.text, names);
-  if (hint.empty()) hint = names.empty() ? "; there is none" : "; there is " + list_in_backticks(names);
-  diagnostics.error(name.location, path, "there is no " + what + " " + in_backticks(name.text) + hint);
-}
 
 /// Each item of a list is later than the one before.
 void check_order(const CheckedValue& list, const std::string& path, Diagnostics& diagnostics) {
@@ -61,28 +45,12 @@ void check_push_ins(const CheckedValue& camera, const std::string& path, Diagnos
   }
 }
 
-void resolve_follow(CheckedValue& camera, const std::vector<std::string>& tools, const std::string& path,
-                    Diagnostics& diagnostics) {
-  CheckedValue* follow = camera.find("follow");
-  if (follow == nullptr || follow->has_wrong("tool")) return;
-  if (const CheckedValue* tool = follow->find("tool")) {
-    check_name(*tool, "tool", tools, path + ".follow.tool", diagnostics);
-  } else if (tools.size() == 1) {
-    const CheckedValue only{
-        .kind = CheckedKind::kText, .location = follow->location, .given = false, .text = tools.front()};
-    follow->members.insert(follow->members.begin(), {"tool", follow->location, only});
-  } else {
-    diagnostics.error(follow->location, path + ".follow",
-                      tools.empty() ? "needs a tool, but `tools` is empty"
-                                    : "`tool` is missing; there is " + list_in_backticks(tools));
-  }
-}
-
 void check_camera(CheckedValue& camera, const std::vector<std::string>& tools, const std::string& path,
                   Diagnostics& diagnostics) {
   check_keyframes(camera, path, diagnostics);
   check_push_ins(camera, path, diagnostics);
-  resolve_follow(camera, tools, path, diagnostics);
+  CheckedValue* follow = camera.find("follow");
+  if (follow != nullptr) resolve_name(*follow, "tool", tools, path + ".follow", diagnostics);
 }
 
 void check_cuts(const CheckedValue& cuts, std::vector<std::string> cameras, Diagnostics& diagnostics) {

@@ -11,8 +11,10 @@
 #include "studio/scenario/ReferencePass.hpp"
 #include "studio/scenario/ResolvedCameras.hpp"
 #include "studio/scenario/ResolvedScenario.hpp"
+#include "studio/scenario/ResolvedTeaching.hpp"
 #include "studio/scenario/ScenarioBuilder.hpp"
 #include "studio/scenario/Schema.hpp"
+#include "studio/scenario/TeachingReferences.hpp"
 #include "studio/scenario/UnitPass.hpp"
 #include "studio/scenario/YamlReader.hpp"
 
@@ -43,6 +45,7 @@ Scenario load_scenario(const std::filesystem::path& file,
   CheckedValue checked = unit_pass(root, scenario_schema(), diagnostics);
   reference_pass(checked, diagnostics);
   camera_references(checked, diagnostics);
+  teaching_references(checked, diagnostics);
   expectation_pass(checked, diagnostics);
   lint_pass(checked, diagnostics);
   diagnostics.throw_errors(file);
@@ -59,6 +62,7 @@ Scenario load_scenario(const std::filesystem::path& file,
   }
   scenario.resolved = resolved_scenario(checked, file.parent_path());
   read_cameras(scenario.resolved, scenario.view);
+  read_teaching(scenario.resolved, scenario.teaching, scenario.view);
   return scenario;
 }
 

@@ -14,6 +14,7 @@
 #include "renderer/image/Image.hpp"
 #include "renderer/picture/View.hpp"
 #include "studio/scenario/SourceLocation.hpp"
+#include "studio/scenario/Teaching.hpp"
 #include "studio/scenario/WallFields.hpp"
 
 namespace thinwall {
@@ -206,6 +207,7 @@ struct Scenario {
   SimulationOptions simulation = {};
   ViewDefinition view = {};
   OverlayChoice overlays = {};
+  Teaching teaching = {};
   RecordOptions record = {};
   std::vector<GoldenDefinition> goldens = {};
   std::vector<Expectation> expectations = {};

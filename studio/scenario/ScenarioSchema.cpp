@@ -36,6 +36,7 @@ MappingSchema make_scenario() {
        "which cameras are shown when, ascending in time; `camera` before the first"},
       {"lights", lights_schema(), false, "{}", "what lights the scene"},
       {"look", look_schema(), false, "{}", "appearance of tissue, background and overlays"},
+      {"teaching", teaching_schema(), false, "{}", "labels, arrows, cards, freezes and slow motion of the recording"},
       {"record", record_schema(), false, "{}", "size and kind of the recording"},
       {"golden", golden_schema(), false, "[]", "moments whose pictures are compared with approved ones"},
       {"expect", expectations_schema(), false, "[]", "what must come out of a run"},

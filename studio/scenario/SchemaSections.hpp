@@ -15,6 +15,7 @@ ValueSchema cameras_schema();
 ValueSchema cuts_schema();
 ValueSchema lights_schema();
 ValueSchema look_schema();
+ValueSchema teaching_schema();
 ValueSchema record_schema();
 ValueSchema golden_schema();
 ValueSchema recorded_points_schema();

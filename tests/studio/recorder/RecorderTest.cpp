@@ -93,6 +93,25 @@ TEST(RecorderTest, FramesFromTheTakeAreThoseOfTheRun) {
   EXPECT_FALSE(std::filesystem::exists(folder / "again" / "take.h5"));
 }
 
+TEST(RecorderTest, AFreezeHoldsThePictureAndCardsComeBeforeAndAfter) {
+  const TemporaryFolder folder;
+  SyntheticRun plain, taught;
+  const RecordingReport as_it_is = record(plain, plan_for(folder / "plain"), flat_painters());
+  RecordingPlan plan = plan_for(folder / "taught");
+  plan.teaching.freezes = {{.at = 0.1, .duration = 0.5}};
+  plan.teaching.title_card = CardScenario{.title = "Begin", .text = "", .duration = 1};
+  plan.teaching.end_card = CardScenario{.title = "End", .text = "", .duration = 1};
+  const RecordingReport report = record(taught, plan, flat_painters());
+  // 30 frames of the title, 7 of the run with 15 more while it stands still; the last of the run begins the second of
+  // the end card.
+  ASSERT_EQ(report.frame_hashes.size(), 30U + 7U + 15U + 29U);
+  EXPECT_NE(report.frame_hashes[0], as_it_is.frame_hashes[0]) << "the title card";
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(report.frame_hashes[30 + i], as_it_is.frame_hashes[i]);
+  for (std::size_t i = 34; i < 48; ++i) EXPECT_EQ(report.frame_hashes[i], report.frame_hashes[33]) << i;
+  for (std::size_t i = 4; i < 7; ++i) EXPECT_EQ(report.frame_hashes[45 + i], as_it_is.frame_hashes[i]);
+  EXPECT_NE(report.frame_hashes.back(), as_it_is.frame_hashes.back()) << "the end card";
+}
+
 TEST(RecorderTest, TheSameRunGivesTheSameFiles) {
   const TemporaryFolder folder;
   for (const char* name : {"one", "two"}) {

@@ -1,0 +1,233 @@
+#include "renderer/annotation/AnnotationDrawing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "renderer/annotation/ArrowShape.hpp"
+#include "renderer/annotation/LabelLayout.hpp"
+#include "renderer/annotation/MaterialPoint.hpp"
+#include "renderer/overlay/Font.hpp"
+#include "renderer/overlay/NumberText.hpp"
+#include "renderer/overlay/Plate.hpp"
+#include "renderer/overlay/Text.hpp"
+#include "renderer/picture/Camera.hpp"
+#include "renderer/picture/ToolShape.hpp"
+
+namespace thinwall {
+namespace {
+
+// Lengths in units of 1/720 of the picture's height.
+constexpr double kTextSize = 17;
+constexpr double kPadX = 11, kPadY = 6;
+constexpr double kArrowWidth = 6;
+constexpr double kWidestText = 230;
+constexpr Color kDark{0.02, 0.03, 0.04, 0.55};
+constexpr Color kForceColor{0.99, 0.80, 0.28};
+
+/// What all annotations of a picture need.
+struct Scene {
+  const Snapshot& snapshot;
+  const CameraDefinition& definition;
+  SceneExtent extent;
+  Camera camera;
+  OverlayGrid grid;
+  ImageSize size;  // of the part of the picture
+
+  std::optional<PixelPoint> pixel(Vector3 place) const { return camera.pixel(place, size); }
+  bool shows(PixelPoint at) const { return at[0] >= 0 && at[1] >= 0 && at[0] < size.width && at[1] < size.height; }
+};
+
+const SnapshotSurface* find_surface(const Snapshot& snapshot, const std::string& body) {
+  const auto found = std::ranges::find(snapshot.surfaces, body, &SnapshotSurface::body);
+  return found == snapshot.surfaces.end() ? nullptr : &*found;
+}
+
+std::optional<Vector3> material_place(const Snapshot& snapshot, const std::string& body, const Double3& at) {
+  const SnapshotSurface* surface = find_surface(snapshot, body);
+  if (surface == nullptr) return std::nullopt;
+  const std::optional<MaterialPoint> point = nearest_material_point(*surface->topology, at);
+  return point ? std::optional(place_of(*point, *surface)) : std::nullopt;
+}
+
+/// Outlines of what labels should keep clear of: vertices of the surfaces, tools and points along their rods.
+std::vector<PixelPoint> obstacles_of(const Scene& scene) {
+  std::vector<PixelPoint> obstacles;
+  const auto add = [&](Vector3 place) {
+    const std::optional<PixelPoint> at = scene.pixel(place);
+    if (at && scene.shows(*at)) obstacles.push_back(*at);
+  };
+  for (const SnapshotSurface& surface : scene.snapshot.surfaces) {
+    for (const Float3& position : surface.positions) add(vector3(position));
+  }
+  constexpr int kAlongRods = 64;
+  for (const SnapshotTool& tool : scene.snapshot.tools) {
+    const ToolShape shape = tool_shape(tool, scene.extent.size);
+    for (const ToolVertex& vertex : shape.vertices) add(vector3(vertex.position));
+    for (const ToolRod& rod : shape.rods) {
+      const Vector3 start = vector3(rod.start), span = vector3(rod.end) - start;
+      for (int i = 0; i <= kAlongRods; ++i) add(start + (static_cast<double>(i) / kAlongRods) * span);
+    }
+  }
+  return obstacles;
+}
+
+/// Where a label's point lay at rest when it was first shown: decides side and order once for all.
+PixelPoint first_pixel(const Scene& scene, const LabelDefinition& label) {
+  CameraDefinition camera = scene.definition;
+  camera.followed_point.reset();
+  const Camera first = resolve_camera(camera, scene.extent, scene.size, label.span.begin);
+  return first.pixel(vector3(label.at), scene.size).value_or(PixelPoint{0, 0});
+}
+
+/// The middle of the organs at that time, across the picture.
+double first_middle(const Scene& scene, const LabelDefinition& label) {
+  CameraDefinition camera = scene.definition;
+  camera.followed_point.reset();
+  const Camera first = resolve_camera(camera, scene.extent, scene.size, label.span.begin);
+  const auto middle = first.pixel(scene.extent.center, scene.size);
+  return middle ? (*middle)[0] : 0.5 * scene.size.width;
+}
+
+struct ShownLabel {
+  const LabelDefinition* definition = nullptr;
+  Text text;
+  PixelPoint anchor = {};
+  PixelPoint first = {};
+  bool hidden = false;
+  bool on_the_left = false;
+};
+
+std::vector<ShownLabel> shown_labels(const Scene& scene, const std::vector<LabelDefinition>& labels) {
+  std::vector<ShownLabel> shown;
+  for (const LabelDefinition& label : labels) {
+    if (!label.span.holds(scene.snapshot.time)) continue;
+    const std::optional<Vector3> place = material_place(scene.snapshot, label.body, label.at);
+    const std::optional<PixelPoint> anchor = place ? scene.pixel(*place) : std::nullopt;
+    if (!anchor || !scene.shows(*anchor)) continue;
+    const TextStyle style{.size = scene.grid.pixels(kTextSize), .bold = true, .color = plate_style::kText};
+    const PixelPoint first = first_pixel(scene, label);
+    const bool is_nearer_left = first[0] < first_middle(scene, label);
+    shown.push_back(
+        {.definition = &label,
+         .text = Text(label.text, style, {.width = scene.grid.pixels(kWidestText), .lines = 3}),
+         .anchor = *anchor,
+         .first = first,
+         .hidden = is_hidden(*place, scene.camera.position, scene.snapshot),
+         .on_the_left = label.side == LabelSide::kNearest ? is_nearer_left : label.side == LabelSide::kLeft});
+  }
+  std::ranges::stable_sort(shown, {}, [](const ShownLabel& label) { return label.first[1]; });
+  return shown;
+}
+
+/// Between title and panels.
+Box label_bounds(const Scene& scene) {
+  const double margin = scene.grid.pixels(plate_style::kMargin);
+  const double top = margin + scene.grid.pixels(52);
+  const double bottom = scene.size.height - margin - scene.grid.pixels(plate_style::kPanelHeight + 12);
+  return {margin, top, std::max(1.0, scene.size.width - 2 * margin), std::max(1.0, bottom - top)};
+}
+
+void draw_leader(const Canvas& canvas, const Scene& scene, const ShownLabel& label, const Box& box) {
+  const double x = label.on_the_left ? box.right() : box.x;
+  const double y = box.y + 0.5 * box.height;
+  const auto [to_x, to_y] = label.anchor;
+  const double line = std::max(1.0, scene.grid.pixels(1.8));
+  const double dot = scene.grid.pixels(4.5);
+  canvas.line(x, y, to_x, to_y, 2.4 * line, kDark);
+  canvas.fill_circle(to_x, to_y, dot + line, kDark);
+  canvas.line(x, y, to_x, to_y, line, label.hidden ? plate_style::kFaintText : plate_style::kText);
+  canvas.fill_circle(to_x, to_y, dot, label.hidden ? plate_style::kFaintText : plate_style::kText);
+  if (label.hidden) canvas.fill_circle(to_x, to_y, 0.6 * dot, {0.1, 0.1, 0.1});
+}
+
+void draw_plate(const Canvas& canvas, const Scene& scene, const Text& text, const Box& box) {
+  const double radius = scene.grid.pixels(7);
+  canvas.fill_rounded(box, radius, plate_style::kFill.with_opacity(0.82));
+  text.draw(canvas, box.x + 0.5 * (box.width - text.width()), box.y + 0.5 * (box.height - text.height()));
+}
+
+void draw_labels(const Canvas& canvas, const Scene& scene, const std::vector<LabelDefinition>& labels) {
+  const std::vector<ShownLabel> shown = shown_labels(scene, labels);
+  if (shown.empty()) return;
+  std::vector<LabelWish> wishes;
+  for (const ShownLabel& label : shown) {
+    wishes.push_back({.anchor = label.anchor,
+                      .width = label.text.width() + 2 * scene.grid.pixels(kPadX),
+                      .height = label.text.height() + 2 * scene.grid.pixels(kPadY),
+                      .on_the_left = label.on_the_left});
+  }
+  const std::vector<Box> boxes = lay_out_labels(wishes, {.bounds = label_bounds(scene),
+                                                         .obstacles = obstacles_of(scene),
+                                                         .gap = scene.grid.pixels(8),
+                                                         .distance = scene.grid.pixels(26)});
+  for (std::size_t i = 0; i < shown.size(); ++i) draw_leader(canvas, scene, shown[i], boxes[i]);
+  for (std::size_t i = 0; i < shown.size(); ++i) draw_plate(canvas, scene, shown[i].text, boxes[i]);
+}
+
+/// Centred beyond an arrow's end, away from the other end.
+void draw_arrow_text(const Canvas& canvas, const Scene& scene, const std::string& words, PixelPoint end,
+                     PixelPoint other) {
+  const Text text(words, {.size = scene.grid.pixels(kTextSize), .bold = true, .color = plate_style::kText},
+                  {.width = scene.grid.pixels(kWidestText), .lines = 2});
+  const double width = text.width() + 2 * scene.grid.pixels(kPadX);
+  const double height = text.height() + 2 * scene.grid.pixels(kPadY);
+  const double length = std::max(1e-9, std::hypot(end[0] - other[0], end[1] - other[1]));
+  const PixelPoint away = {(end[0] - other[0]) / length, (end[1] - other[1]) / length};
+  const double off = scene.grid.pixels(8) + 0.5 * (std::abs(away[0]) * width + std::abs(away[1]) * height);
+  const Box bounds = label_bounds(scene);
+  const double x =
+      std::clamp(end[0] + off * away[0] - 0.5 * width, bounds.x, std::max(bounds.x, bounds.right() - width));
+  const double y = end[1] + off * away[1] - 0.5 * height;
+  draw_plate(canvas, scene, text, {x, y, width, height});
+}
+
+void draw_arrows(const Canvas& canvas, const Scene& scene, const std::vector<ArrowDefinition>& arrows) {
+  for (const ArrowDefinition& arrow : arrows) {
+    if (!arrow.span.holds(scene.snapshot.time)) continue;
+    const std::optional<Vector3> place = material_place(scene.snapshot, arrow.body, arrow.at);
+    if (!place) continue;
+    const std::optional<PixelPoint> tip = scene.pixel(*place);
+    const std::optional<PixelPoint> tail = scene.pixel(*place - arrow.length * vector3(arrow.direction));
+    if (!tip || !tail || !scene.shows(*tip)) continue;
+    draw_arrow(canvas, *tail, *tip, scene.grid.pixels(kArrowWidth), plate_style::kCurve);
+    if (!arrow.text.empty()) draw_arrow_text(canvas, scene, arrow.text, *tail, *tip);
+  }
+}
+
+void draw_force_arrows(const Canvas& canvas, const Scene& scene, const std::vector<ForceArrowDefinition>& arrows) {
+  for (const ForceArrowDefinition& arrow : arrows) {
+    const auto tool = std::ranges::find(scene.snapshot.tools, arrow.tool, &SnapshotTool::name);
+    if (tool == scene.snapshot.tools.end() || !arrow.span.holds(scene.snapshot.time)) continue;
+    const Vector3 force = vector3(tool->force);
+    const std::optional<PixelPoint> tail = scene.pixel(vector3(tool->tip));
+    const std::optional<PixelPoint> tip = scene.pixel(vector3(tool->tip) + (arrow.length / arrow.full) * force);
+    if (!tail || !tip || !scene.shows(*tail)) continue;
+    // An arrow that grows from nothing has words once it is an arrow.
+    if (std::hypot((*tip)[0] - (*tail)[0], (*tip)[1] - (*tail)[1]) < scene.grid.pixels(10)) continue;
+    draw_arrow(canvas, *tail, *tip, scene.grid.pixels(kArrowWidth), kForceColor);
+    draw_arrow_text(canvas, scene, force_quantity(length(force), arrow.full).text(), *tip, *tail);
+  }
+}
+
+}  // namespace
+
+void draw_annotations(Image& image, const PictureBox& box, const AnnotationDefinition& annotations,
+                      const Snapshot& snapshot, const CameraDefinition& camera) {
+  if (annotations.is_empty()) return;
+  const FontUse use;
+  const SceneExtent extent = scene_extent(snapshot);
+  const Scene scene{.snapshot = snapshot,
+                    .definition = camera,
+                    .extent = extent,
+                    .camera = resolve_camera(camera, extent, box.size, snapshot.time),
+                    .grid = OverlayGrid(image.size),
+                    .size = box.size};
+  const Canvas canvas(box.size);
+  draw_labels(canvas, scene, annotations.labels);
+  draw_arrows(canvas, scene, annotations.arrows);
+  draw_force_arrows(canvas, scene, annotations.force_arrows);
+  canvas.blend_onto(image, box.left, box.top);
+}
+
+}  // namespace thinwall

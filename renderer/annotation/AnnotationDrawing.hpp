@@ -1,0 +1,18 @@
+#pragma once
+
+#include "renderer/annotation/Annotation.hpp"
+#include "renderer/image/Image.hpp"
+#include "renderer/picture/CameraDefinition.hpp"
+#include "renderer/picture/PictureLayout.hpp"
+#include "renderer/snapshot/Snapshot.hpp"
+
+namespace thinwall {
+
+/// Writes labels and arrows over the part of a picture that `camera` has filled with `snapshot`. Labels stand beside
+/// organ and tools where there is room, between title and panels, and keep their side and order while they are shown.
+/// Points that a wall hides have a hollow dot; what is behind the camera or outside the picture is left out. Drawn on
+/// the processor like the overlays; a pure function of the arguments.
+void draw_annotations(Image& image, const PictureBox& box, const AnnotationDefinition& annotations,
+                      const Snapshot& snapshot, const CameraDefinition& camera);
+
+}  // namespace thinwall

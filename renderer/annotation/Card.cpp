@@ -1,0 +1,51 @@
+#include "renderer/annotation/Card.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/overlay/Font.hpp"
+#include "renderer/overlay/Plate.hpp"
+#include "renderer/overlay/Text.hpp"
+
+namespace thinwall {
+
+void draw_card(Image& image, const Card& card) {
+  if (card.opacity <= 0) return;
+  const FontUse use;
+  const OverlayGrid grid(image.size);
+  const double opacity = std::min(1.0, card.opacity);
+  const double width = 0.8 * image.size.width;
+  const Text title(card.title,
+                   {.size = grid.pixels(46), .bold = true, .color = plate_style::kText.with_opacity(opacity)},
+                   {.width = width, .lines = 3, .alignment = TextAlignment::kCenter});
+  const Text text(card.text, {.size = grid.pixels(24), .color = plate_style::kFaintText.with_opacity(opacity)},
+                  {.width = width, .lines = 6, .alignment = TextAlignment::kCenter});
+  const double between = card.text.empty() ? 0 : grid.pixels(40);
+  const double height = title.height() + between + (card.text.empty() ? 0 : text.height());
+  const Canvas canvas(image.size);
+  canvas.fill({0.02, 0.03, 0.04, 0.84 * opacity});
+  const double top = 0.5 * (image.size.height - height);
+  title.draw(canvas, 0.5 * (image.size.width - title.width()), top);
+  if (!card.text.empty()) {
+    const double middle = top + title.height() + 0.5 * between;
+    const double half = grid.pixels(36);
+    canvas.line(0.5 * image.size.width - half, middle, 0.5 * image.size.width + half, middle,
+                std::max(1.0, grid.pixels(2)), plate_style::kCurve.with_opacity(opacity));
+    text.draw(canvas, 0.5 * (image.size.width - text.width()), top + title.height() + between);
+  }
+  canvas.blend_onto(image, 0, 0);
+}
+
+void draw_badge(Image& image, const std::string& words) {
+  const FontUse use;
+  const OverlayGrid grid(image.size);
+  const Text text(words, {.size = grid.pixels(15), .bold = true, .color = plate_style::kCurve});
+  const double padding = grid.pixels(plate_style::kPadding);
+  const Plate plate(grid, {static_cast<int>(std::ceil(text.width() + 2 * padding)), grid.whole(32)});
+  text.draw(plate, padding, 0.5 * (plate.size().height - text.height()));
+  const int margin = grid.whole(plate_style::kMargin);
+  const int beside_the_time = margin + grid.whole(122);
+  plate.blend_onto(image, image.size.width - beside_the_time - plate.size().width, margin + grid.whole(4));
+}
+
+}  // namespace thinwall

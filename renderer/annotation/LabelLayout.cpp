@@ -1,0 +1,102 @@
+#include "renderer/annotation/LabelLayout.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace thinwall {
+namespace {
+
+/// Labels that stand one below the other without a gap to spare.
+struct Stack {
+  std::size_t count = 0;
+  double wanted = 0;  // sum over its labels of where each would have the stack begin
+  double height = 0;  // with a gap below each
+  double top() const { return wanted / static_cast<double>(count); }
+};
+
+/// Tops that keep the order, do not overlap, and are nearest to the wanted ones: neighbours that overlap are joined
+/// until none do (pool adjacent violators).
+std::vector<double> spread(const std::vector<double>& wanted, const std::vector<double>& heights) {
+  std::vector<Stack> stacks;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    stacks.push_back({.count = 1, .wanted = wanted[i], .height = heights[i]});
+    while (stacks.size() > 1 &&
+           stacks[stacks.size() - 2].top() + stacks[stacks.size() - 2].height > stacks.back().top()) {
+      const Stack lower = stacks.back();
+      stacks.pop_back();
+      Stack& upper = stacks.back();
+      upper.wanted += lower.wanted - static_cast<double>(lower.count) * upper.height;
+      upper.count += lower.count;
+      upper.height += lower.height;
+    }
+  }
+  std::vector<double> tops;
+  for (const Stack& stack : stacks) {
+    double top = stack.top();
+    for (std::size_t i = 0; i < stack.count; ++i) {
+      tops.push_back(top);
+      top += heights[tops.size() - 1];
+    }
+  }
+  return tops;
+}
+
+/// Pushes labels down from the upper bound and up from the lower one; when there are too many the upper bound counts.
+void keep_inside(std::vector<double>& tops, const std::vector<double>& heights, double gap, const Box& bounds) {
+  double lowest = bounds.bottom() + gap;
+  for (std::size_t i = tops.size(); i-- > 0;) {
+    tops[i] = std::min(tops[i], lowest - heights[i]);
+    lowest = tops[i];
+  }
+  double highest = bounds.y;
+  for (std::size_t i = 0; i < tops.size(); ++i) {
+    tops[i] = std::max(tops[i], highest);
+    highest = tops[i] + heights[i];
+  }
+}
+
+/// The x beyond which obstacles keep a label of the given span of heights. Obstacles above and below count less the
+/// farther they are, so that the result changes steadily.
+double free_edge(const LabelRoom& room, double top, double bottom, bool on_the_left) {
+  const double sign = on_the_left ? 1 : -1;
+  double edge = std::numeric_limits<double>::max();
+  for (const PixelPoint& obstacle : room.obstacles) {
+    const double off = std::max({0.0, top - room.gap - obstacle[1], obstacle[1] - bottom - room.gap});
+    edge = std::min(edge, sign * obstacle[0] + 2 * off);
+  }
+  return sign * edge;
+}
+
+double left_of(const LabelWish& wish, const LabelRoom& room, double top) {
+  double edge = free_edge(room, top, top + wish.height, wish.on_the_left);
+  // Never on the wrong side of its anchor, also where nothing stands in the way.
+  edge = wish.on_the_left ? std::min(edge, wish.anchor[0]) : std::max(edge, wish.anchor[0]);
+  const double left = wish.on_the_left ? edge - room.distance - wish.width : edge + room.distance;
+  return std::max(room.bounds.x, std::min(left, room.bounds.right() - wish.width));
+}
+
+}  // namespace
+
+std::vector<Box> lay_out_labels(const std::vector<LabelWish>& wishes, const LabelRoom& room) {
+  std::vector<Box> boxes(wishes.size());
+  for (const bool on_the_left : {true, false}) {
+    std::vector<std::size_t> members;
+    std::vector<double> wanted, heights;
+    for (std::size_t i = 0; i < wishes.size(); ++i) {
+      if (wishes[i].on_the_left != on_the_left) continue;
+      members.push_back(i);
+      wanted.push_back(wishes[i].anchor[1] - 0.5 * wishes[i].height);
+      heights.push_back(wishes[i].height + room.gap);
+    }
+    std::vector<double> tops = spread(wanted, heights);
+    keep_inside(tops, heights, room.gap, room.bounds);
+    for (std::size_t k = 0; k < members.size(); ++k) {
+      const LabelWish& wish = wishes[members[k]];
+      boxes[members[k]] = {left_of(wish, room, tops[k]), tops[k], wish.width, wish.height};
+    }
+  }
+  return boxes;
+}
+
+}  // namespace thinwall

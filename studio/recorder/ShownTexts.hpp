@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "studio/record/TimedText.hpp"
+#include "studio/recorder/VideoClock.hpp"
+
+namespace thinwall {
+
+/// Captions in the time of the video: each holds as the frames show it, after a freeze at its begin and with one at its
+/// end.
+std::vector<TimedText> shown_captions(std::vector<TimedText> captions, const VideoClock& clock);
+
+/// Chapters in the time of the video: a freeze, and with it a title card, belongs to the chapter that begins there.
+std::vector<TimedText> shown_chapters(std::vector<TimedText> chapters, const VideoClock& clock);
+
+}  // namespace thinwall

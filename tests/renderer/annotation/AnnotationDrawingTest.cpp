@@ -1,0 +1,117 @@
+#include "renderer/annotation/AnnotationDrawing.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "renderer/annotation/Card.hpp"
+#include "renderer/picture/Camera.hpp"
+#include "tests/renderer/picture/TestMeshes.hpp"
+
+namespace thinwall {
+namespace {
+
+constexpr ImageSize kSize{1280, 720};
+
+Snapshot scene(double stretch = 1) {
+  Snapshot snapshot;
+  snapshot.surfaces.push_back(test::sphere("organ", {0, 0, 0}, 0.02, 3));
+  for (Float3& position : snapshot.surfaces[0].positions) position[0] *= static_cast<float>(stretch);
+  SnapshotTool& tool = snapshot.tools.emplace_back();
+  tool.name = "probe";
+  tool.tip = {0, 0, 0.02};
+  tool.force = {0, 0, 0.5};
+  return snapshot;
+}
+
+CameraDefinition from_the_front() {
+  CameraDefinition camera;
+  camera.position = Double3{0, -0.12, 0};
+  camera.target = Double3{0, 0, 0};
+  return camera;
+}
+
+Image black() {
+  return {.size = kSize, .pixels = std::vector<std::uint8_t>(3UL * kSize.width * kSize.height, 0)};
+}
+
+int level(const Image& image, double x, double y) {
+  const auto pixel = static_cast<std::size_t>(std::lround(y - 0.5)) * static_cast<std::size_t>(kSize.width) +
+                     static_cast<std::size_t>(std::lround(x - 0.5));
+  return image.pixels[3 * pixel];
+}
+
+Image drawn(const AnnotationDefinition& annotations, const Snapshot& snapshot) {
+  Image image = black();
+  draw_annotations(image, {.size = kSize}, annotations, snapshot, from_the_front());
+  return image;
+}
+
+AnnotationDefinition label_at(Double3 at) {
+  AnnotationDefinition annotations;
+  annotations.labels.push_back({.text = "Fundus", .body = "organ", .at = at, .span = {.begin = 0.5, .end = 2}});
+  return annotations;
+}
+
+TEST(AnnotationDrawing, ALabelsDotIsWhereItsMaterialPointIsSeen) {
+  for (const double stretch : {1.0, 1.3}) {
+    Snapshot snapshot = scene(stretch);
+    snapshot.time = 1;
+    // A vertex of the sphere, which stretches along x.
+    const double side = 0.02 * std::sqrt(0.5);
+    const Image image = drawn(label_at({side, -side, 0}), snapshot);
+    const Camera camera = resolve_camera(from_the_front(), scene_extent(snapshot), kSize, 1);
+    const auto pixel = camera.pixel({side * stretch, -side, 0}, kSize);
+    ASSERT_TRUE(pixel);
+    EXPECT_GT(level(image, (*pixel)[0], (*pixel)[1]), 220);
+    EXPECT_EQ(level(image, (*pixel)[0] - 12, (*pixel)[1]), 0) << "the leader goes the other way";
+  }
+}
+
+TEST(AnnotationDrawing, APointBehindAWallHasAHollowDot) {
+  Snapshot snapshot = scene();
+  snapshot.time = 1;
+  const Image image = drawn(label_at({0, 0.02, 0}), snapshot);
+  EXPECT_LT(level(image, 0.5 * kSize.width, 0.5 * kSize.height), 60);
+  EXPECT_GT(level(image, 0.5 * kSize.width - 4, 0.5 * kSize.height), 120);
+}
+
+TEST(AnnotationDrawing, ALabelIsShownInItsSpanOnly) {
+  for (const auto& [time, shown] :
+       {std::pair{0.49, false}, std::pair{0.5, true}, std::pair{2.0, true}, std::pair{2.01, false}}) {
+    Snapshot snapshot = scene();
+    snapshot.time = time;
+    EXPECT_EQ(drawn(label_at({0.02, 0, 0}), snapshot).pixels != black().pixels, shown) << time;
+  }
+}
+
+TEST(AnnotationDrawing, AForceArrowEndsWhereItsLengthSays) {
+  const Snapshot snapshot = scene();
+  AnnotationDefinition annotations;
+  annotations.force_arrows.push_back({.tool = "probe", .full = 1, .length = 0.02});
+  const Image image = drawn(annotations, snapshot);
+  const Camera camera = resolve_camera(from_the_front(), scene_extent(snapshot), kSize, 0);
+  // Half of the full force: half of the length.
+  const auto tip = camera.pixel({0, 0, 0.03}, kSize);
+  ASSERT_TRUE(tip);
+  EXPECT_GT(level(image, (*tip)[0], (*tip)[1] + 6), 200) << "inside the head";
+  EXPECT_LT(level(image, (*tip)[0], (*tip)[1] - 6), 60) << "beyond the tip";
+}
+
+TEST(AnnotationDrawing, NothingToSayChangesNothing) {
+  EXPECT_EQ(drawn({}, scene()).pixels, black().pixels);
+}
+
+TEST(Card, DarkensThePictureAndFades) {
+  Image bright{.size = kSize, .pixels = std::vector<std::uint8_t>(3UL * kSize.width * kSize.height, 200)};
+  Image full = bright;
+  draw_card(full, {.title = "Title", .text = "and more"});
+  // 84 % of a nearly black layer; its opacity, its colour and the sum are rounded to whole levels.
+  EXPECT_NEAR(level(full, 10, 10), 0.16 * 200 + 0.84 * 0.02 * 255, 2);
+  Image gone = bright;
+  draw_card(gone, {.title = "Title", .opacity = 0});
+  EXPECT_EQ(gone.pixels, bright.pixels);
+}
+
+}  // namespace
+}  // namespace thinwall

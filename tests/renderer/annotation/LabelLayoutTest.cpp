@@ -1,0 +1,87 @@
+#include "renderer/annotation/LabelLayout.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace thinwall {
+namespace {
+
+constexpr Box kBounds{20, 60, 600, 240};
+
+bool overlap(const Box& a, const Box& b) {
+  return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
+}
+
+/// A disc in the middle of the bounds.
+std::vector<PixelPoint> disc(double radius) {
+  std::vector<PixelPoint> points;
+  for (int i = 0; i < 720; ++i) {
+    const double angle = i * 3.14159265358979 / 360;
+    points.push_back({320 + radius * std::cos(angle), 180 + radius * std::sin(angle)});
+  }
+  return points;
+}
+
+LabelWish wish(double x, double y, bool left) {
+  return {.anchor = {x, y}, .width = 90, .height = 30, .on_the_left = left};
+}
+
+TEST(LabelLayout, ALabelStandsLevelWithItsAnchorBesideTheObstacles) {
+  const auto boxes = lay_out_labels({wish(300, 180, true), wish(340, 180, false)},
+                                    {.bounds = kBounds, .obstacles = disc(100), .gap = 8, .distance = 24});
+  EXPECT_NEAR(boxes[0].y + 15, 180, 1e-9);
+  EXPECT_NEAR(boxes[0].right(), 220 - 24, 0.1);
+  EXPECT_NEAR(boxes[1].x, 420 + 24, 0.1);
+}
+
+TEST(LabelLayout, LabelsOfOneSideAreOrderedApartAndAsNearToTheirAnchorsAsCanBe) {
+  const auto boxes = lay_out_labels({wish(300, 170, true), wish(300, 172, true), wish(300, 180, true)},
+                                    {.bounds = kBounds, .obstacles = disc(50), .gap = 8, .distance = 24});
+  // Three stacked at a pitch of 38 with the mean of their anchors, 174, in the middle.
+  EXPECT_NEAR(boxes[0].y + 15, 174 - 38, 1e-9);
+  EXPECT_NEAR(boxes[1].y + 15, 174, 1e-9);
+  EXPECT_NEAR(boxes[2].y + 15, 174 + 38, 1e-9);
+}
+
+TEST(LabelLayout, LabelsStayInsideTheBounds) {
+  std::vector<LabelWish> wishes;
+  for (int i = 0; i < 6; ++i) wishes.push_back(wish(100, 290 + i, i % 2 == 0));
+  const auto boxes = lay_out_labels(wishes, {.bounds = kBounds, .obstacles = disc(110), .gap = 8, .distance = 24});
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    EXPECT_GE(boxes[i].x, kBounds.x);
+    EXPECT_GE(boxes[i].y, kBounds.y);
+    EXPECT_LE(boxes[i].right(), kBounds.right());
+    EXPECT_LE(boxes[i].bottom(), kBounds.bottom() + 1e-9);
+    for (std::size_t k = 0; k < i; ++k) EXPECT_FALSE(overlap(boxes[i], boxes[k])) << i << " and " << k;
+  }
+}
+
+TEST(LabelLayout, CoversNoObstacleWhereThereIsRoom) {
+  const auto obstacles = disc(110);
+  for (double y = 80; y < 290; y += 7) {
+    for (const bool left : {true, false}) {
+      const Box box = lay_out_labels({wish(320, y, left)}, {.bounds = kBounds, .obstacles = obstacles})[0];
+      for (const PixelPoint& point : obstacles) {
+        EXPECT_FALSE(point[0] > box.x && point[0] < box.right() && point[1] > box.y && point[1] < box.bottom()) << y;
+      }
+    }
+  }
+}
+
+TEST(LabelLayout, MovesSteadily) {
+  const auto obstacles = disc(110);
+  Box before =
+      lay_out_labels({wish(320, 80, true), wish(320, 180, true)}, {.bounds = kBounds, .obstacles = obstacles})[0];
+  for (double y = 80; y < 290; y += 0.25) {
+    const auto boxes =
+        lay_out_labels({wish(320, y, true), wish(320, 180, true)}, {.bounds = kBounds, .obstacles = obstacles});
+    // The edge yields by at most 2 pixels across for one up or down.
+    EXPECT_LE(std::abs(boxes[0].x - before.x), 0.5 + 1e-9) << y;
+    EXPECT_LE(std::abs(boxes[0].y - before.y), 0.25 + 1e-9) << y;
+    before = boxes[0];
+  }
+}
+
+}  // namespace
+}  // namespace thinwall
