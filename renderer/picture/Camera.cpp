@@ -134,6 +134,7 @@ Camera resolve_camera(const CameraDefinition& definition, const SceneExtent& ext
   require_sound(definition);
   Camera camera;
   camera.kind = definition.kind;
+  camera.lens = Lens(definition.lens);
   set_field_of_view(camera, definition.field_of_view, size);
   Vector3 up = definition.up ? normalized(vector3(*definition.up)) : Vector3{0, 0, 1};
   stand(camera, definition, extent, up);
@@ -148,10 +149,49 @@ Camera resolve_camera(const CameraDefinition& definition, const SceneExtent& ext
     camera.position = target + turned(camera.position - target, up, angle);
     orient(camera, turned(camera.forward, up, angle), up);
   }
+  // A little wider than the picture is high, as surgeons set their picture.
+  if (camera.kind == CameraKind::kEndoscope) camera.field_stop = 1.12 * camera.tangent_y;
   const double depth = length(extent.center - camera.position);
   camera.nearest = std::max(0.02 * depth, 1e-3 * extent.size);
   camera.farthest = depth + 20 * extent.reach;
   return camera;
+}
+
+Camera behind_the_lens(const Camera& camera) {
+  if (camera.lens.distortion() == LensDistortion{}) return camera;
+  const auto ideal_of = [&](Tangents seen) {
+    const std::optional<Tangents> ideal = camera.lens.undistorted(seen);
+    if (!ideal) {
+      throw PictureFailure(
+          "the camera's lens folds its picture over before the border; take smaller coefficients or a smaller field of "
+          "view");
+    }
+    return *ideal;
+  };
+  // What the field stop covers needs no picture.
+  const double stop = camera.field_stop > 0 ? camera.field_stop : std::numeric_limits<double>::max();
+  const double x = std::min(camera.tangent_x, stop);
+  const double y = std::min(camera.tangent_y, stop);
+  Camera pinhole = camera;
+  pinhole.lens = Lens();
+  double widening = 0;
+  constexpr int kAlongTheBorder = 64;
+  for (int i = -kAlongTheBorder; i <= kAlongTheBorder; ++i) {
+    const double part = static_cast<double>(i) / kAlongTheBorder;
+    for (const Tangents& seen : {Tangents{x, part * y}, {-x, part * y}, {part * x, y}, {part * x, -y}}) {
+      // Corners that the stop covers are left out.
+      const double radius = std::hypot(seen[0], seen[1]);
+      const double kept = std::min(1.0, stop / radius);
+      const Tangents ideal = ideal_of({kept * seen[0], kept * seen[1]});
+      widening = std::max({widening, std::abs(ideal[0]) / camera.tangent_x, std::abs(ideal[1]) / camera.tangent_y});
+    }
+  }
+  // Between the places that were looked at the border may reach a little further.
+  widening *= 1.002;
+  pinhole.tangent_x *= widening;
+  pinhole.tangent_y *= widening;
+  if (camera.field_stop > 0) pinhole.field_stop = ideal_of({camera.field_stop, 0})[0];
+  return pinhole;
 }
 
 Camera resting_camera(const CameraDefinition& definition, const SceneExtent& extent, ImageSize size) {
@@ -171,8 +211,11 @@ std::optional<std::array<double, 2>> Camera::pixel(Vector3 point, ImageSize size
   const Vector3 offset = point - position;
   const double depth = dot(offset, forward);
   if (!(depth > 0)) return std::nullopt;
-  return std::array<double, 2>{0.5 * size.width * (1 + dot(offset, right) / (depth * tangent_x)),
-                               0.5 * size.height * (1 - dot(offset, up) / (depth * tangent_y))};
+  const Tangents ideal = {dot(offset, right) / depth, -dot(offset, up) / depth};
+  if (std::hypot(ideal[0], ideal[1]) > lens.unfolded_radius()) return std::nullopt;
+  const Tangents seen = lens.distorted(ideal);
+  return std::array<double, 2>{0.5 * size.width * (1 + seen[0] / tangent_x),
+                               0.5 * size.height * (1 + seen[1] / tangent_y)};
 }
 
 }  // namespace thinwall

@@ -20,12 +20,14 @@ struct Camera {
   double nearest = 0.001;  // metres along the line of sight
   double farthest = 10;    // metres along the line of sight
   CameraKind kind = CameraKind::kPinhole;
+  double field_stop = 0;  // tangent of the angle off the line of sight that the lens lets through; 0: all
+  Lens lens = Lens();
 
-  /// World to clip coordinates.
+  /// World to clip coordinates, without the lens's distortion.
   Matrix4 matrix() const;
 
-  /// Where a point lands, in pixels from the upper left corner of the picture, x to the right and y down; nothing for
-  /// points behind the camera.
+  /// Where a point lands through the lens, in pixels from the upper left corner of the picture, x to the right and y
+  /// down; nothing for points behind the camera.
   std::optional<std::array<double, 2>> pixel(Vector3 point, ImageSize size) const;
 };
 
@@ -34,6 +36,10 @@ struct Camera {
 /// at the lower right. Throws PictureFailure when position and target coincide or the field of view is not inside (0,
 /// pi).
 Camera resolve_camera(const CameraDefinition& definition, const SceneExtent& extent, ImageSize size, double time);
+
+/// The pinhole at the camera's place whose picture holds all that its lens brings into the camera's, with the field
+/// stop as it is seen there. Throws PictureFailure when the lens folds the picture over.
+Camera behind_the_lens(const Camera& camera);
 
 /// The same camera before anything moves it.
 Camera resting_camera(const CameraDefinition& definition, const SceneExtent& extent, ImageSize size);

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "renderer/picture/Lens.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
 
 namespace thinwall {
@@ -57,6 +59,11 @@ struct CameraDefinition {
   std::optional<Double3> followed_point = {};  // metres, where the followed tool is seen to be; set for each picture
   std::vector<CameraPushIn> push_ins = {};
   std::optional<double> lamp = {};  // strength of the lamp beside its lens; the light's `endoscope` when absent
+
+  LensDistortion lens = {};
+  bool auto_exposure = false;  // by how bright the walls before it are lit
+  double noise = 0;            // of its sensor, standard deviation at mid-grey, 8-bit levels
+  std::uint32_t seed = 1;      // of the noise
 
   /// Whether anything but an orbit moves it.
   bool is_moved() const { return !keyframes.empty() || follow || !push_ins.empty(); }

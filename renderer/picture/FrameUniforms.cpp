@@ -56,11 +56,6 @@ void light_floor(FrameUniforms& frame, const ViewDefinition& view) {
 /// it.
 constexpr double kLensDarkening = 0.8;
 
-/// A little wider than the picture is high, as surgeons set their picture.
-double field_stop(const Camera& camera) {
-  return camera.kind == CameraKind::kEndoscope ? 1.12 * camera.tangent_y : 0;
-}
-
 /// What makes the middle of the scene as bright as lamps in the open do, wherever the endoscope is: its automatic
 /// exposure.
 double lamp_strength(const LightsDefinition& lights, const Camera& camera, const SceneExtent& extent) {
@@ -123,7 +118,7 @@ FrameUniforms frame_uniforms(const Camera& camera, const SceneExtent& extent, co
   frame.ray_up = float4(camera.tangent_y * camera.up, 1.0 / size.height);
   frame.scene_center = float4(extent.center, extent.size);
   frame.floor = {static_cast<float>(extent.floor_height), with_floor ? 1.0f : 0.0f,
-                 static_cast<float>(2.0 * extent.reach), static_cast<float>(field_stop(camera))};
+                 static_cast<float>(2.0 * extent.reach), static_cast<float>(camera.field_stop)};
   frame.key_direction = studio.lamp_place ? float4(*studio.lamp_place, lamp_strength(view.lights, camera, extent))
                                           : float4(key, view.lights.key);
   frame.key_right = float4(perpendicular(key), camera.kind == CameraKind::kEndoscope ? kLensDarkening : 0);

@@ -27,7 +27,7 @@ struct LensDistortion {
 /// A lens as a map of the picture's plane, forward and back.
 class Lens {
  public:
-  explicit Lens(const LensDistortion& distortion);
+  explicit Lens(const LensDistortion& distortion = {});
 
   /// Where the lens puts the ideal point of a pinhole.
   Tangents distorted(Tangents ideal) const;

@@ -60,7 +60,7 @@ PictureTarget::PictureTarget(ImageSize size, Tier tier) : size_(size), drawn_(si
   depth_ = create_renderbuffer(GL_DEPTH24_STENCIL8, drawn_.width, drawn_.height);
   normal_ = texture(GL_RGBA32F);
   rest_ = texture(GL_RGBA32F);
-  color_ = texture(GL_RGBA8);
+  color_ = create_texture(GL_RGBA8, drawn_.width, drawn_.height, GL_LINEAR);
   color_copy_ = texture(GL_RGBA8);
 
   surface_ = create_framebuffer();
@@ -80,6 +80,9 @@ PictureTarget::PictureTarget(ImageSize size, Tier tier) : size_(size), drawn_(si
   attach(frame_, GL_COLOR_ATTACHMENT0, color_);
   attach_depth(frame_, depth_);
   require_complete(frame_, "a frame of " + dimensions(drawn_));
+  lens_ = create_framebuffer();
+  attach(lens_, GL_COLOR_ATTACHMENT0, color_copy_);
+  require_complete(lens_, "a frame behind the lens");
   if (drawn_ != size_) {
     small_color_ = create_texture(GL_RGBA8, size_.width, size_.height, GL_NEAREST);
     small_ = create_framebuffer();
@@ -118,17 +121,24 @@ const Texture& PictureTarget::copy_of_color() const {
   return color_copy_;
 }
 
-Image PictureTarget::finish() const {
+void PictureTarget::begin_lens() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, lens_.name());
+  glViewport(0, 0, drawn_.width, drawn_.height);
+  glBindTextureUnit(0, color_.name());
+}
+
+Image PictureTarget::finish(bool through_lens) const {
   const bool halves = drawn_ != size_;
+  const GLuint drawn_to = through_lens ? lens_.name() : frame_.name();
   if (halves) {
     // Half the size with linear filtering takes the mean of two by two pixels.
-    glBlitNamedFramebuffer(frame_.name(), small_.name(), 0, 0, drawn_.width, drawn_.height, 0, 0, size_.width,
-                           size_.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    glBlitNamedFramebuffer(drawn_to, small_.name(), 0, 0, drawn_.width, drawn_.height, 0, 0, size_.width, size_.height,
+                           GL_COLOR_BUFFER_BIT, GL_LINEAR);
   }
   const std::size_t width = static_cast<std::size_t>(size_.width);
   const std::size_t height = static_cast<std::size_t>(size_.height);
   std::vector<std::uint8_t> upside_down(4 * width * height);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, halves ? small_.name() : frame_.name());
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, halves ? small_.name() : drawn_to);
   glReadPixels(0, 0, size_.width, size_.height, GL_RGBA, GL_UNSIGNED_BYTE, upside_down.data());
   require_no_gl_error("drawing a picture of " + dimensions(size_));
 

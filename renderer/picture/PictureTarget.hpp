@@ -28,8 +28,12 @@ class PictureTarget {
   /// The colours as they are now.
   const Texture& copy_of_color() const;
 
-  /// Reads the picture.
-  Image finish() const;
+  /// Makes the frame behind the lens the one that is drawn to, and binds the colours for lens.frag. It takes the place
+  /// of the copy of the colours.
+  void begin_lens() const;
+
+  /// Reads the picture, or the one behind the lens.
+  Image finish(bool through_lens = false) const;
 
   ImageSize size() const { return size_; }
   ImageSize drawn_size() const { return drawn_; }  // larger than size() with Tier::kFinal
@@ -46,6 +50,7 @@ class PictureTarget {
   Texture color_;
   Texture color_copy_;
   Framebuffer frame_;
+  Framebuffer lens_;  // draws to color_copy_
   Texture small_color_;
   Framebuffer small_;
 };

@@ -1,13 +1,17 @@
 #include "renderer/picture/Renderer.hpp"
 
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <optional>
 
 #include "renderer/device/OffscreenContext.hpp"
+#include "renderer/image/SensorNoise.hpp"
 #include "renderer/picture/Camera.hpp"
+#include "renderer/picture/Exposure.hpp"
 #include "renderer/picture/FloorShade.hpp"
 #include "renderer/picture/FrameUniforms.hpp"
+#include "renderer/picture/LensPass.hpp"
 #include "renderer/picture/OutlinePass.hpp"
 #include "renderer/picture/PictureTarget.hpp"
 #include "renderer/picture/SceneExtent.hpp"
@@ -57,10 +61,16 @@ struct Stage {
   SceneMeshes meshes;
   ScenePass scene_pass;
   OutlinePass outline_pass;
+  LensPass lens_pass;
   FloorShade floor_shade;
   ShadowMap shadow_map;
   Buffer frame = create_buffer();
 };
+
+/// What tells the noise of one moment from that of another: its nanoseconds.
+std::uint64_t moment_of(const Snapshot& snapshot) {
+  return static_cast<std::uint64_t>(std::llround(1e9 * snapshot.time));
+}
 
 /// The view with another camera, which may bring a lamp.
 ViewDefinition seen_through(ViewDefinition view, const CameraDefinition& camera) {
@@ -94,6 +104,7 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
   const ViewDefinition view = seen_through(scene, seen_by);
   const SceneExtent extent = scene_extent(snapshot);
   const Camera camera = resolve_camera(view.camera, extent, stage->target.size(), snapshot.time);
+  const Camera pinhole = behind_the_lens(camera);
   const bool is_inside = view.lights.endoscope > 0;
   const Studio studio = is_inside
                             ? arrange_endoscope(camera, extent)
@@ -102,8 +113,10 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
 
   const CurrentContext current(context);
   stage->meshes.upload(snapshot, extent, view.look);
-  const FrameUniforms frame =
-      frame_uniforms(camera, extent, view, studio, stage->meshes.rods(), stage->target.drawn_size());
+  FrameUniforms frame = frame_uniforms(pinhole, extent, view, studio, stage->meshes.rods(), stage->target.drawn_size());
+  if (view.camera.auto_exposure) {
+    frame.background[3] *= static_cast<float>(std::exp2(metered_exposure(snapshot, view, pinhole, frame, is_inside)));
+  }
   glNamedBufferSubData(stage->frame.name(), 0, sizeof(frame), &frame);
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, stage->frame.name());
 
@@ -128,7 +141,13 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
   if (stage->refined)
     stage->outline_pass.draw(stage->meshes.outline(snapshot, camera.position), stage->target.copy_of_color());
   clock.ends("outline");
-  Image image = stage->target.finish();
+  const bool through_lens = camera.lens.distortion() != LensDistortion{};
+  if (through_lens) {
+    stage->lens_pass.draw(stage->target, camera, pinhole);
+    clock.ends("lens");
+  }
+  Image image = stage->target.finish(through_lens);
+  if (view.camera.noise > 0) add_sensor_noise(image, view.camera.noise, view.camera.seed, moment_of(snapshot));
   clock.ends("read-back");
   return image;
 }

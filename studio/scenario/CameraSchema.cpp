@@ -51,6 +51,19 @@ ValueSchema follow_value() {
   return mapping_value({follow});
 }
 
+ValueSchema lens_value() {
+  const Range range{.minimum = -10, .maximum = 10};
+  MappingSchema lens{.name = "lens",
+                     .documentation =
+                         "Distortion with OpenCV's coefficients: of the radial polynomial 1 + k1 r^2 + k2 "
+                         "r^4 + k3 r^6, and tangential ones. The field of view is that of the picture."};
+  for (const char* key : {"k1", "k2", "p1", "p2", "k3"}) {
+    lens.keys.push_back(
+        {key, quantity_value(kDimensionless, range, "-0.2"), false, "0", key[0] == 'k' ? "radial" : "tangential"});
+  }
+  return mapping_value({lens});
+}
+
 ValueSchema push_in_value() {
   MappingSchema push_in{.name = "push_in", .documentation = "Goes nearer to the target, and stays there."};
   push_in.keys = {
@@ -92,6 +105,13 @@ MappingSchema camera_mapping(const std::string& name, const std::string& documen
       {"keyframes", keyframes_value(), false, "[]",
        "where the camera is at times, ascending; between two it goes round the target on the shorter arc"},
       {"follow", follow_value(), false, {}, "keeps a tool's tip in the middle of the picture"},
+      {"lens", lens_value(), false, {}, "how the lens bends rays off the pinhole's; not at all when absent"},
+      {"auto_exposure", boolean_value(), false, "false",
+       "exposes for the walls that are seen, as the picture's light and place ask, by at most two powers of two; "
+       "`exposure` comes on top"},
+      {"noise", quantity_value(kDimensionless, {.minimum = 0, .maximum = 50}, "1.5"), false, "0",
+       "noise of the sensor: standard deviation at mid-grey in 8-bit levels; less towards black and white"},
+      {"seed", integer_value(0, 2147483647, "1"), false, "1", "of the noise"},
       {"push_in", push_in_value(), false, "[]", "goes nearer to the target, one time after the other"},
   };
   return camera;

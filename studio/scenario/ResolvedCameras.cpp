@@ -44,7 +44,15 @@ CameraDefinition to_camera(const Json& camera) {
                           .orbit_speed = camera.at("orbit_speed"),
                           .kind = camera.at("kind") == "endoscope" ? CameraKind::kEndoscope : CameraKind::kPinhole,
                           .exposure = camera.value("exposure", 0.0),
-                          .lamp = find_number(camera, "lamp")};
+                          .lamp = find_number(camera, "lamp"),
+                          .auto_exposure = camera.value("auto_exposure", false),
+                          .noise = camera.value("noise", 0.0),
+                          .seed = camera.value("seed", 1U)};
+  if (camera.contains("lens")) {
+    const Json& lens = camera.at("lens");
+    result.lens = {
+        .k1 = lens.at("k1"), .k2 = lens.at("k2"), .p1 = lens.at("p1"), .p2 = lens.at("p2"), .k3 = lens.at("k3")};
+  }
   for (const Json& key : camera.value("keyframes", Json::array())) result.keyframes.push_back(to_keyframe(key));
   for (const Json& push : camera.value("push_in", Json::array())) {
     result.push_ins.push_back(

@@ -50,7 +50,7 @@ TEST(Lens, FoldsWhereTheRadialPartStopsGrowing) {
 }
 
 TEST(Lens, WithoutAFoldReachesEverywhere) {
-  EXPECT_TRUE(std::isinf(Lens({}).unfolded_radius()));
+  EXPECT_TRUE(std::isinf(Lens().unfolded_radius()));
   EXPECT_TRUE(std::isinf(Lens({.k1 = 0.1, .k2 = 0.01}).unfolded_radius()));
 }
 

@@ -21,6 +21,10 @@ TEST(CameraReferences, ALeftOutToolIsTheOnlyOne) {
 
 TEST(CameraReferences, AScenarioKeepsItsCamerasMovesAndCuts) {
   const Scenario scenario = load_scenario(scenario_test_folder() / "valid/everything.yaml", {});
+  EXPECT_EQ(scenario.view.camera.lens, (LensDistortion{.k1 = -0.2, .k2 = 0.05, .p1 = 0.001, .p2 = -0.001, .k3 = 0.01}));
+  EXPECT_TRUE(scenario.view.camera.auto_exposure);
+  EXPECT_EQ(scenario.view.camera.noise, 1.5);
+  EXPECT_EQ(scenario.view.camera.seed, 7U);
   const CameraDefinition& close = scenario.view.cameras.at("close");
   EXPECT_EQ(close.kind, CameraKind::kEndoscope);
   EXPECT_EQ(close.lamp, 0.8);

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "renderer/picture/Camera.hpp"
+#include "renderer/picture/FrameUniforms.hpp"
+#include "renderer/picture/View.hpp"
+#include "renderer/snapshot/Snapshot.hpp"
+
+namespace thinwall {
+
+/// By which power of two a camera with automatic exposure makes its picture brighter: what brings the mean brightness
+/// of the walls that it sees to that of a well-lit picture, at most two stops either way. Metered from the triangles
+/// that face the camera inside the picture, each by the part of the picture that it fills and by the light of the lamp
+/// that it receives; nothing but the arguments counts, so the exposure is the same in any order of pictures. Zero where
+/// no wall is seen.
+double metered_exposure(const Snapshot& snapshot, const ViewDefinition& view, const Camera& camera,
+                        const FrameUniforms& frame, bool has_endoscope_lamp);
+
+}  // namespace thinwall
