@@ -111,7 +111,7 @@ MappingSchema camera_mapping(const std::string& name, const std::string& documen
        "`exposure` comes on top"},
       {"noise", quantity_value(kDimensionless, {.minimum = 0, .maximum = 50}, "1.5"), false, "0",
        "noise of the sensor: standard deviation at mid-grey in 8-bit levels; less towards black and white"},
-      {"seed", integer_value(0, 2147483647, "1"), false, "1", "of the noise"},
+      {"seed", integer_value(0, 999999, "1"), false, "1", "of the noise"},
       {"push_in", push_in_value(), false, "[]", "goes nearer to the target, one time after the other"},
   };
   return camera;
