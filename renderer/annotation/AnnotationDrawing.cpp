@@ -35,7 +35,14 @@ struct Scene {
   ImageSize size;  // of the part of the picture
 
   std::optional<PixelPoint> pixel(Vector3 place) const { return camera.pixel(place, size); }
-  bool shows(PixelPoint at) const { return at[0] >= 0 && at[1] >= 0 && at[0] < size.width && at[1] < size.height; }
+
+  /// Whether a place lies in the picture, within the field stop of an endoscope.
+  bool shows(PixelPoint at) const {
+    const double x = (2 * at[0] / size.width - 1) * camera.tangent_x;
+    const double y = (2 * at[1] / size.height - 1) * camera.tangent_y;
+    if (camera.field_stop > 0 && std::hypot(x, y) > camera.field_stop) return false;
+    return std::abs(x) <= camera.tangent_x && std::abs(y) <= camera.tangent_y;
+  }
 };
 
 const SnapshotSurface* find_surface(const Snapshot& snapshot, const std::string& body) {

@@ -85,6 +85,19 @@ TEST(AnnotationDrawing, ALabelIsShownInItsSpanOnly) {
   }
 }
 
+TEST(AnnotationDrawing, WhatTheFieldStopCoversHasNoLabel) {
+  Snapshot snapshot = scene();
+  snapshot.time = 1;
+  CameraDefinition camera = from_the_front();
+  camera.target = Double3{-0.035, 0, 0};  // the point lies near the right border, beyond the round picture
+  for (const CameraKind kind : {CameraKind::kPinhole, CameraKind::kEndoscope}) {
+    camera.kind = kind;
+    Image image = black();
+    draw_annotations(image, {.size = kSize}, label_at({0.01414, -0.01414, 0}), snapshot, camera);
+    EXPECT_EQ(image.pixels != black().pixels, kind == CameraKind::kPinhole);
+  }
+}
+
 TEST(AnnotationDrawing, AForceArrowEndsWhereItsLengthSays) {
   const Snapshot snapshot = scene();
   AnnotationDefinition annotations;
