@@ -81,17 +81,22 @@ int wait_for(pid_t process) {
 
 // A socket instead of a pipe, because a send to a closed socket can be told not to raise SIGPIPE. What the program says
 // goes into files in memory: a pipe that nobody empties would stop it.
-Program::Program(const std::vector<std::string>& arguments) {
+Program::Program(const std::vector<std::string>& arguments, ProgramOutput output)
+    : streamed_(output == ProgramOutput::kStreamed) {
   std::array<int, 2> ends{-1, -1};
   int code = socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) == 0 ? 0 : errno;
   input_ = ends[0];
-  output_ = memfd_create("output", MFD_CLOEXEC);
+  std::array<int, 2> stream{-1, -1};
+  if (streamed_ && code == 0 && pipe2(stream.data(), O_CLOEXEC) != 0) code = errno;
+  output_ = streamed_ ? stream[0] : memfd_create("output", MFD_CLOEXEC);
   errors_ = memfd_create("errors", MFD_CLOEXEC);
   if (code == 0 && (output_ < 0 || errors_ < 0)) code = errno;
   if (code == 0) {
-    code = SpawnSettings(ends[1], output_, errors_).spawn(process_, arguments);
+    code = SpawnSettings(ends[1], streamed_ ? stream[1] : output_, errors_).spawn(process_, arguments);
     close(ends[1]);
   }
+  // The stream ends when the program does, so no end of it may stay open here.
+  if (stream[1] >= 0) close(stream[1]);
   if (code == 0) return;
   process_ = -1;
   end_input();
@@ -103,12 +108,18 @@ Program::Program(const std::vector<std::string>& arguments) {
 
 Program::~Program() {
   end_input();
+  if (streamed_) end_output();
   if (process_ > 0) {
     kill(process_, SIGKILL);
     wait_for(process_);
   }
-  close(output_);
+  end_output();
   close(errors_);
+}
+
+void Program::end_output() {
+  if (output_ >= 0) close(output_);
+  output_ = -1;
 }
 
 void Program::end_input() {
@@ -126,11 +137,23 @@ bool Program::send(std::span<const std::uint8_t> bytes) {
   return true;
 }
 
+std::size_t Program::receive(std::span<std::uint8_t> bytes) {
+  std::size_t received = 0;
+  while (received < bytes.size()) {
+    const ssize_t count = read(output_, bytes.data() + received, bytes.size() - received);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) break;
+    received += static_cast<std::size_t>(count);
+  }
+  return received;
+}
+
 ProgramResult Program::finish() {
   end_input();
+  if (streamed_) end_output();
   const int exit_code = wait_for(process_);
   process_ = -1;
-  return {.exit_code = exit_code, .output = text_in(output_), .errors = text_in(errors_)};
+  return {.exit_code = exit_code, .output = streamed_ ? "" : text_in(output_), .errors = text_in(errors_)};
 }
 
 ProgramResult run_program(const std::vector<std::string>& arguments) {

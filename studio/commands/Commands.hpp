@@ -8,6 +8,7 @@
 #include "renderer/device/DeviceChoice.hpp"
 #include "renderer/image/Image.hpp"
 #include "studio/commands/Arguments.hpp"
+#include "studio/comparison/FileComparison.hpp"
 
 namespace thinwall {
 
@@ -69,6 +70,15 @@ struct GoldenOptions {
 };
 int test_goldens(const GoldenOptions& options);
 int approve_goldens(const GoldenOptions& options);
+
+struct CompareOptions {
+  std::filesystem::path first;  // two files, or two folders
+  std::filesystem::path second;
+  FileComparisonOptions comparison;
+  std::optional<std::filesystem::path> difference;  // where the picture of the difference goes; of folders, a folder
+  bool json = false;
+};
+int compare(const CompareOptions& options);
 
 struct DoctorOptions {
   DeviceChoice device;

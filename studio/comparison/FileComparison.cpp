@@ -1,0 +1,213 @@
+#include "studio/comparison/FileComparison.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstring>
+#include <future>
+
+#include "renderer/image/PngFile.hpp"
+#include "renderer/metric/ErrorPicture.hpp"
+#include "studio/comparison/PictureFile.hpp"
+#include "studio/comparison/VideoComparison.hpp"
+
+namespace thinwall {
+namespace {
+
+PictureOptions picture_options(const FileComparisonOptions& options, ImageSize size) {
+  PictureOptions result{.limits = options.limits, .wanted = options.wanted, .mask = {}, .flip = options.flip};
+  if (!options.mask) return result;
+  const Image mask = read_media(*options.mask).image;
+  if (mask.size != size) {
+    throw ImageUnreadable(fmt::format("the mask {} has {} x {} pixels, the pictures have {} x {}",
+                                      options.mask->string(), mask.size.width, mask.size.height, size.width,
+                                      size.height));
+  }
+  result.mask = mask_of(mask);
+  return result;
+}
+
+/// Finer than 8 bits, and transparency: what the ladder, which sees 8-bit colours over white, does not.
+void judge_depth(FileComparison& result, const MediaFile& first, const MediaFile& second, const PictureLimits& limits) {
+  const DeepDifference difference = compare_deep(first.deep ? *first.deep : deepened(first.image),
+                                                 second.deep ? *second.deep : deepened(second.image));
+  if (difference.largest == 0) return;
+  const bool within = limits.any() && (!limits.largest || difference.largest <= *limits.largest) &&
+                      (!limits.mean || difference.mean <= *limits.mean);
+  if (!within) result.outcome = FileOutcome::kDiffers;
+  if (within && result.outcome == FileOutcome::kEqual) result.outcome = FileOutcome::kWithin;
+  result.verdict += fmt::format("; with 16 bits and transparency: largest difference {:.4g} levels, mean {:.4g}",
+                                difference.largest, difference.mean);
+}
+
+void judge_pictures(FileComparison& result, const MediaFile& first, const MediaFile& second,
+                    const FileComparisonOptions& options) {
+  PictureComparison comparison = climb_ladder(first.image, second.image, picture_options(options, first.image.size));
+  result.verdict = comparison.verdict;
+  const bool same_size = comparison.difference.verdict != ImageVerdict::kSizeMismatch;
+  if (comparison.rung != "bytes") result.outcome = comparison.within ? FileOutcome::kWithin : FileOutcome::kDiffers;
+  if (same_size && (first.deep || second.deep) && !options.mask) judge_depth(result, first, second, options.limits);
+  if (same_size && result.outcome == FileOutcome::kDiffers) {
+    result.details = describe(comparison.difference) + "\n" + difference_text(first.image, second.image);
+  }
+  if (same_size && options.wants_picture) {
+    const bool by_flip = comparison.flip && !comparison.flip->map.empty();
+    result.heat =
+        by_flip ? error_picture(first.image, comparison.flip->map) : difference_picture(first.image, second.image);
+  }
+  result.picture = std::move(comparison);
+}
+
+/// Grey numbers as three equal channels, for FLIP.
+FloatImage as_colors(const FloatImage& image) {
+  if (image.channels == 3) return image;
+  FloatImage result{.size = image.size, .channels = 3, .values = {}};
+  result.values.reserve(image.values.size() * 3);
+  for (const float value : image.values) result.values.insert(result.values.end(), 3, value);
+  return result;
+}
+
+void judge_high_range(FileComparison& result, const MediaFile& first, const MediaFile& second,
+                      const FileComparisonOptions& options) {
+  const FloatImage& a = first.numbers;
+  const FloatImage& b = second.numbers;
+  // By their bits, so that what is not a number equals itself.
+  if (a.channels == b.channels && std::memcmp(a.values.data(), b.values.data(), a.values.size() * sizeof(float)) == 0) {
+    result.verdict = "equal";
+    return;
+  }
+  result.high_range = flip_high_range(as_colors(a), as_colors(b), options.flip);
+  const PictureLimits& limits = options.limits;
+  const bool judged = limits.flip || limits.flip_99;
+  const bool within = judged && (!limits.flip || result.high_range->mean <= *limits.flip) &&
+                      (!limits.flip_99 || result.high_range->percentile_99 <= *limits.flip_99);
+  result.outcome = within ? FileOutcome::kWithin : FileOutcome::kDiffers;
+  result.verdict = fmt::format("HDR-FLIP {:.6f}, 99th percentile {:.4f}, largest {:.4f}", result.high_range->mean,
+                               result.high_range->percentile_99, result.high_range->largest);
+  if (options.wants_picture) {
+    const auto count = result.high_range->map.size() * 3;
+    result.heat =
+        error_picture({.size = a.size, .pixels = std::vector<std::uint8_t>(count, 0)}, result.high_range->map);
+  }
+}
+
+/// The channels that a layer has, of the three of its file.
+FloatImage layer_of(const MediaFile& file, LayerKind kind) {
+  const int channels = layer_channels(kind);
+  if (file.kind == MediaKind::kPicture) {
+    // Ids are often kept as colours of a picture: the three of them make a number.
+    FloatImage ids{.size = file.image.size, .channels = 1, .values = {}};
+    for (std::size_t i = 0; i < file.image.pixels.size(); i += 3) {
+      ids.values.push_back(
+          static_cast<float>(file.image.pixels[i] + 256 * file.image.pixels[i + 1] + 65536 * file.image.pixels[i + 2]));
+    }
+    return ids;
+  }
+  const FloatImage& from = file.numbers;
+  if (from.channels == channels) return from;
+  FloatImage layer{.size = from.size, .channels = channels, .values = {}};
+  for (std::size_t i = 0; i < from.values.size(); i += static_cast<std::size_t>(from.channels)) {
+    for (int c = 0; c < channels; ++c)
+      layer.values.push_back(from.values[i + static_cast<std::size_t>(c % from.channels)]);
+  }
+  return layer;
+}
+
+void judge_layers(FileComparison& result, const MediaFile& first, const MediaFile& second, const LayerChoice& choice) {
+  result.kind = layer_name(choice.kind);
+  const bool is_ids = choice.kind == LayerKind::kIds;
+  if (first.kind == MediaKind::kPicture && !is_ids) {
+    result.outcome = FileOutcome::kUnreadable;
+    result.verdict = "a layer of " + result.kind + " has to be a file of floating-point numbers: EXR or PFM";
+    return;
+  }
+  const LayerDifference difference =
+      compare_layers(layer_of(first, choice.kind), layer_of(second, choice.kind), choice.kind, choice.tolerance);
+  const double pixels = static_cast<double>(first.size().width) * first.size().height;
+  const double fraction = static_cast<double>(difference.failing) / pixels;
+  const bool equal = difference.failing == 0 && difference.largest == 0;
+  if (!equal) result.outcome = fraction <= choice.failing ? FileOutcome::kWithin : FileOutcome::kDiffers;
+  const std::string figures = is_ids ? fmt::format("smallest overlap {:.4f} of id {}", difference.smallest_overlap,
+                                                   difference.smallest_overlap_id)
+                                     : fmt::format("largest difference {:.4g} {}, mean {:.4g}", difference.largest,
+                                                   choice.kind == LayerKind::kDepth  ? "m"
+                                                   : choice.kind == LayerKind::kFlow ? "px"
+                                                                                     : "degrees",
+                                                   difference.mean);
+  result.verdict =
+      equal ? "equal"
+            : fmt::format("{}; {} of {} pixels fail, {} of them show something in one only; worst at ({}, {})", figures,
+                          difference.failing, pixels, difference.only_in_one, difference.worst[0], difference.worst[1]);
+  result.layer = difference;
+}
+
+void judge(FileComparison& result, const MediaFile& first, const MediaFile& second,
+           const FileComparisonOptions& options) {
+  result.kind = kind_name(first.kind);
+  if (first.kind != second.kind) {
+    result.outcome = FileOutcome::kDiffers;
+    result.verdict = fmt::format("a {} and a {} cannot be equal", kind_name(first.kind), kind_name(second.kind));
+    return;
+  }
+  if (first.size() != second.size()) {
+    result.outcome = FileOutcome::kDiffers;
+    result.verdict = fmt::format("{} x {} pixels instead of {} x {}", second.size().width, second.size().height,
+                                 first.size().width, first.size().height);
+    return;
+  }
+  if (options.layer && first.kind != MediaKind::kVideo) return judge_layers(result, first, second, *options.layer);
+  switch (first.kind) {
+    case MediaKind::kPicture:
+      return judge_pictures(result, first, second, options);
+    case MediaKind::kHighRange:
+      return judge_high_range(result, first, second, options);
+    case MediaKind::kVideo:
+      return judge_videos(result, first.probe, second.probe, picture_options(options, first.size()), options);
+  }
+}
+
+}  // namespace
+
+std::string outcome_name(FileOutcome outcome) {
+  switch (outcome) {
+    case FileOutcome::kEqual:
+      return "equal";
+    case FileOutcome::kWithin:
+      return "within the limits";
+    case FileOutcome::kDiffers:
+      return "differs";
+    case FileOutcome::kOnlyInFirst:
+      return "only in the first";
+    case FileOutcome::kOnlyInSecond:
+      return "only in the second";
+    case FileOutcome::kUnreadable:
+      return "unreadable";
+  }
+  return "";
+}
+
+FileComparison compare_files(const std::filesystem::path& first, const std::filesystem::path& second,
+                             const FileComparisonOptions& options) {
+  FileComparison result{.first = first, .second = second};
+  std::future<MediaFile> other = std::async(std::launch::async, [&] { return read_media(second); });
+  std::optional<MediaFile> one;
+  std::optional<MediaFile> two;
+  const auto note = [&](const ImageUnreadable& error) {
+    result.outcome = FileOutcome::kUnreadable;
+    result.verdict += (result.verdict.empty() ? "" : "; ") + std::string(error.what());
+  };
+  try {
+    one = read_media(first);
+  } catch (const ImageUnreadable& error) {
+    note(error);
+  }
+  try {
+    two = other.get();
+  } catch (const ImageUnreadable& error) {
+    note(error);
+  }
+  if (one && two) judge(result, *one, *two, options);
+  return result;
+}
+
+}  // namespace thinwall

@@ -1,0 +1,200 @@
+#include "studio/comparison/FileComparison.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/studio/comparison/MediaFiles.hpp"
+
+namespace thinwall {
+namespace {
+
+class FileComparisonTest : public ::testing::Test {
+ protected:
+  std::filesystem::path picture(const std::string& name, const Image& image) {
+    write_png(folder_ / name, image);
+    return folder_ / name;
+  }
+  std::filesystem::path video(const std::string& name, const std::vector<int>& shifts) {
+    write_video(folder_ / name, shifts);
+    return folder_ / name;
+  }
+  std::filesystem::path numbers(const std::string& name, const std::vector<float>& values, bool grey) {
+    const int width = static_cast<int>(values.size()) / (grey ? 1 : 3);
+    std::string bytes = std::string(grey ? "Pf" : "PF") + "\n" + std::to_string(width) + " 1\n-1.0\n";
+    bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float));
+    write_bytes(folder_ / name, bytes);
+    return folder_ / name;
+  }
+
+  TemporaryFolder folder_;
+  Image image_ = shaded_image(kMediaSize);
+};
+
+TEST_F(FileComparisonTest, OtherBytesWithTheSamePixelsAreEqual) {
+  const auto first = picture("a.png", image_);
+  write_png(folder_ / "b.png", image_, PngEffort::kSmall);
+  ASSERT_NE(file_bytes(first), file_bytes(folder_ / "b.png"));
+  EXPECT_EQ(compare_files(first, folder_ / "b.png").outcome, FileOutcome::kEqual);
+}
+
+TEST_F(FileComparisonTest, OneLevelIsADifferenceUnlessALimitAllowsIt) {
+  Image changed = image_;
+  changed.pixels[500] ^= 1;
+  const auto first = picture("a.png", image_);
+  const auto second = picture("b.png", changed);
+  const FileComparison result = compare_files(first, second);
+  EXPECT_EQ(result.outcome, FileOutcome::kDiffers);
+  EXPECT_NE(result.details.find("difference 1"), std::string::npos) << result.details;
+  FileComparisonOptions options;
+  options.limits.largest = 1;
+  EXPECT_EQ(compare_files(first, second, options).outcome, FileOutcome::kWithin);
+}
+
+TEST_F(FileComparisonTest, TransparencyAloneIsADifference) {
+  const auto first = picture("a.png", tinted(image_, 99, 99, 99));
+  convert(first, {"-vf", "format=rgba,colorchannelmixer=aa=0.5"}, folder_ / "b.png");
+  const FileComparison result = compare_files(first, folder_ / "b.png");
+  EXPECT_EQ(result.outcome, FileOutcome::kDiffers);
+  EXPECT_NE(result.verdict.find("transparency"), std::string::npos) << result.verdict;
+}
+
+TEST_F(FileComparisonTest, AnUnreadableFileIsAnOutcomeOfItsOwn) {
+  const auto first = picture("a.png", image_);
+  const FileComparison result = compare_files(first, folder_ / "none.png");
+  EXPECT_EQ(result.outcome, FileOutcome::kUnreadable);
+  EXPECT_NE(result.verdict.find("none.png: no such file"), std::string::npos);
+  write_bytes(folder_ / "broken.png", file_bytes(first).substr(0, 400));
+  EXPECT_EQ(compare_files(folder_ / "broken.png", folder_ / "broken.png").outcome, FileOutcome::kUnreadable);
+}
+
+TEST_F(FileComparisonTest, AnotherSizeOrKindDiffers) {
+  const auto first = picture("a.png", image_);
+  EXPECT_EQ(compare_files(first, picture("b.png", shaded_image({96, 160}))).outcome, FileOutcome::kDiffers);
+  const FileComparison kinds = compare_files(first, video("v.mkv", {0, 1}));
+  EXPECT_EQ(kinds.outcome, FileOutcome::kDiffers);
+  EXPECT_EQ(kinds.verdict, "a picture and a video cannot be equal");
+}
+
+TEST_F(FileComparisonTest, TheMaskTakesPlacesOut) {
+  Image changed = image_;
+  Image mask = image_;
+  for (std::uint8_t& level : mask.pixels) level = 255;
+  for (int i = 0; i < 300; ++i) changed.pixels[static_cast<std::size_t>(i)] ^= 64;
+  const auto first = picture("a.png", image_);
+  const auto second = picture("b.png", changed);
+  FileComparisonOptions options;
+  options.mask = picture("mask.png", mask);
+  EXPECT_EQ(compare_files(first, second, options).outcome, FileOutcome::kDiffers);
+  for (int i = 0; i < 300; ++i) mask.pixels[static_cast<std::size_t>(i)] = 0;
+  options.mask = picture("mask.png", mask);
+  EXPECT_EQ(compare_files(first, second, options).outcome, FileOutcome::kEqual);
+  options.mask = picture("mask.png", shaded_image({3, 3}));
+  EXPECT_THROW(compare_files(first, second, options), ImageUnreadable);
+}
+
+TEST_F(FileComparisonTest, EqualVideosAreEqualWhateverTheirContainer) {
+  const auto first = video("a.mkv", {0, 1, 2, 3, 4});
+  convert(first, {"-c", "copy"}, folder_ / "b.nut");
+  // This container keeps no tags of colours.
+  const FileComparison result = compare_files(first, folder_ / "b.nut", {.pixels_only = true});
+  EXPECT_EQ(result.outcome, FileOutcome::kEqual) << result.verdict;
+  ASSERT_TRUE(result.video);
+  EXPECT_EQ(result.video->equal_frames, 5U);
+}
+
+TEST_F(FileComparisonTest, AChangedFrameIsNamedWithItsTime) {
+  const FileComparison result =
+      compare_files(video("a.mkv", {0, 1, 2, 3, 4}), video("b.mkv", {0, 1, 2, 9, 4}), {.wants_picture = true});
+  EXPECT_EQ(result.outcome, FileOutcome::kDiffers);
+  ASSERT_TRUE(result.video);
+  ASSERT_EQ(result.video->different.size(), 1U);
+  EXPECT_EQ(result.video->different[0].frame, 3U);
+  EXPECT_NEAR(result.video->different[0].time, 0.12, 1e-9);
+  EXPECT_TRUE(result.heat);
+}
+
+TEST_F(FileComparisonTest, AFrameThatWasDroppedIsFound) {
+  const FileComparison result = compare_files(video("a.mkv", {0, 1, 2, 3, 4, 5}), video("b.mkv", {0, 1, 3, 4, 5}));
+  EXPECT_EQ(result.outcome, FileOutcome::kDiffers);
+  EXPECT_NE(result.verdict.find("5 frames instead of 6: frame 2 is missing, all others are equal"), std::string::npos)
+      << result.verdict;
+  // No limit of pixels excuses another length.
+  FileComparisonOptions options;
+  options.limits.largest = 255;
+  EXPECT_EQ(compare_files(folder_ / "a.mkv", folder_ / "b.mkv", options).outcome, FileOutcome::kDiffers);
+}
+
+TEST_F(FileComparisonTest, AnotherSpeedDiffersUnlessPixelsAloneCount) {
+  const auto first = video("a.mkv", {0, 1, 2, 3});
+  convert(first, {"-vf", "setpts=2*PTS", "-c:v", "ffv1"}, folder_ / "b.mkv");
+  const FileComparison result = compare_files(first, folder_ / "b.mkv");
+  EXPECT_EQ(result.outcome, FileOutcome::kDiffers);
+  EXPECT_NE(result.verdict.find("frame 1 is shown at 0.0800 s instead of 0.0400 s"), std::string::npos)
+      << result.verdict;
+  EXPECT_EQ(compare_files(first, folder_ / "b.mkv", {.pixels_only = true}).outcome, FileOutcome::kEqual);
+}
+
+TEST_F(FileComparisonTest, CaptionsAndChaptersCount) {
+  const auto record = [&](const std::string& name, const std::string& caption, const std::string& chapter) {
+    VideoWriter writer(folder_ / name, {.size = kMediaSize, .frames_per_second = 25});
+    for (int i = 0; i < 10; ++i) writer.write(shaded_image(kMediaSize, i));
+    writer.finish({{0, 0.4, chapter}}, {{0, 0.4, caption}});
+    return folder_ / name;
+  };
+  const auto first = record("a.mp4", "Pressing", "Palpation");
+  EXPECT_EQ(compare_files(first, record("same.mp4", "Pressing", "Palpation")).outcome, FileOutcome::kEqual);
+  EXPECT_NE(compare_files(first, record("b.mp4", "Presing", "Palpation")).verdict.find("the captions differ"),
+            std::string::npos);
+  EXPECT_NE(compare_files(first, record("c.mp4", "Pressing", "Incision")).verdict.find("the chapters differ"),
+            std::string::npos);
+}
+
+TEST_F(FileComparisonTest, AVideoCutShortIsUnreadable) {
+  const auto first = video("a.mkv", {0, 1, 2, 3, 4, 5, 6, 7});
+  std::filesystem::copy_file(first, folder_ / "b.mkv");
+  cut_short(folder_ / "b.mkv", 0.6);
+  EXPECT_EQ(compare_files(first, folder_ / "b.mkv").outcome, FileOutcome::kUnreadable);
+}
+
+TEST_F(FileComparisonTest, PicturesOfHighRangeAreComparedByHdrFlip) {
+  const auto first = numbers("a.pfm", std::vector<float>(30, 0.5F), false);
+  std::vector<float> brighter(30, 0.5F);
+  brighter[4] = 40;
+  const auto second = numbers("b.pfm", brighter, false);
+  EXPECT_EQ(compare_files(first, first).outcome, FileOutcome::kEqual);
+  const FileComparison result = compare_files(first, second);
+  EXPECT_EQ(result.outcome, FileOutcome::kDiffers);
+  ASSERT_TRUE(result.high_range);
+  EXPECT_GT(result.high_range->mean, 0.01);
+}
+
+TEST_F(FileComparisonTest, LayersAreComparedByTheirOwnRules) {
+  const auto first = numbers("a.pfm", {0.1F, 0.1F, 0.2F}, true);
+  const auto second = numbers("b.pfm", {0.1F, 0.1002F, 0.2F}, true);
+  FileComparisonOptions options;
+  options.layer = LayerChoice{.kind = LayerKind::kDepth, .tolerance = {.difference = 1e-4}};
+  const FileComparison result = compare_files(first, second, options);
+  EXPECT_EQ(result.outcome, FileOutcome::kDiffers);
+  EXPECT_EQ(result.kind, "depth");
+  options.layer->tolerance.difference = 1e-3;
+  EXPECT_EQ(compare_files(first, second, options).outcome, FileOutcome::kWithin);
+}
+
+TEST_F(FileComparisonTest, FoldersArePairedByTheirPaths) {
+  for (const char* folder : {"one/deep", "two/deep"}) std::filesystem::create_directories(folder_ / folder);
+  picture("one/a.png", image_);
+  picture("two/a.png", image_);
+  picture("one/deep/b.png", image_);
+  picture("two/deep/b.png", shaded_image(kMediaSize, 1));
+  picture("one/c.png", image_);
+  picture("two/d.png", image_);
+  picture("two/.hidden.png", image_);
+  const std::vector<FileComparison> results = compare_folders(folder_ / "one", folder_ / "two");
+  ASSERT_EQ(results.size(), 4U);
+  EXPECT_EQ(results[0].outcome, FileOutcome::kEqual);
+  EXPECT_EQ(results[1].outcome, FileOutcome::kOnlyInFirst);
+  EXPECT_EQ(results[2].outcome, FileOutcome::kOnlyInSecond);
+  EXPECT_EQ(results[3].outcome, FileOutcome::kDiffers);
+}
+
+}  // namespace
+}  // namespace thinwall
