@@ -44,6 +44,8 @@ class CommandLine {
   void add_still();
   void add_compare();
   void add_golden();
+  CLI::App* add_golden_command(CLI::App& golden, const std::string& name, const std::string& documentation,
+                               int (*action)(const GoldenOptions&));
   void add_doctor();
   void add_later(CLI::App& parent, const std::string& path, const std::string& name);
 
@@ -277,29 +279,53 @@ void CommandLine::add_compare() {
   command->add_flag("--json", compare_.options.json, "say the result as JSON on standard output");
 }
 
+CLI::App* CommandLine::add_golden_command(CLI::App& golden, const std::string& name, const std::string& documentation,
+                                          int (*action)(const GoldenOptions&)) {
+  CLI::App* command = add_command(golden, name, documentation, [this, action] {
+    golden_.device = device_choice(texts_.device);
+    golden_.device_text = texts_.device;
+    return action(golden_);
+  });
+  command->add_option(
+      "SCENARIO", golden_.scenarios,
+      "scenario files or names, each perhaps with a moment: NAME@1.5s; all that have goldens when absent");
+  return command;
+}
+
 void CommandLine::add_golden() {
   CLI::App* golden = app_.add_subcommand("golden", "compare scenarios with approved pictures");
   golden->require_subcommand(1);
-  const auto add = [&](const std::string& name, const std::string& documentation, int (*action)(const GoldenOptions&)) {
-    CLI::App* command = add_command(*golden, name, documentation, [this, action] {
-      golden_.device = device_choice(texts_.device);
-      return action(golden_);
-    });
-    command->add_option("SCENARIO", golden_.scenarios,
-                        "scenario files or names; test: all that have goldens when absent");
+  CLI::App* test = add_golden_command(*golden, "test", "compare, and write no golden", test_goldens);
+  CLI::App* report = add_golden_command(*golden, "report", "compare, and write a page to look at", report_goldens);
+  CLI::App* review = add_golden_command(*golden, "review", "one failed golden after the other: accept, reject or skip",
+                                        review_goldens);
+  CLI::App* approve = add_golden_command(
+      *golden, "approve", "make today's pictures of the named scenarios the golden ones", approve_goldens);
+  CLI::App* list = add_golden_command(*golden, "list", "what goldens there are", list_goldens);
+  add_golden_command(*golden, "why", "who approved a golden and why, and what its scenario has changed since",
+                     explain_goldens);
+  for (CLI::App* command : {test, report, review, approve}) {
     add_device(*command);
     add_threads(*command);
-    return command;
-  };
-  CLI::App* test = add("test", "compare, and write no golden", test_goldens);
-  test->add_option("--out", golden_.out, "where pictures that failed are put, to be looked at")
-      ->type_name("DIR")
-      ->capture_default_str();
-  test->add_flag("--json", golden_.json, "say the result as JSON on standard output");
-  CLI::App* approve = add("approve", "make today's pictures of the named scenarios the golden ones", approve_goldens);
-  approve->add_option("--why", golden_.why, "what has changed and why that is right")->type_name("TEXT");
-  for (const char* later : {"review", "report", "list", "why"})
-    add_later(*golden, std::string("golden ") + later, later);
+    command->add_option("--jobs", golden_.jobs, "scenarios at once; as many as there are cores when absent")
+        ->type_name("N")
+        ->check(CLI::Range(1, 256));
+  }
+  for (CLI::App* command : {test, report, review}) {
+    command->add_option("--out", golden_.out, "where the report and pictures that failed are put, to be looked at")
+        ->type_name("DIR")
+        ->capture_default_str();
+  }
+  for (CLI::App* command : {test, report, list}) {
+    command->add_flag("--json", golden_.json, "say the result as JSON on standard output");
+  }
+  for (CLI::App* command : {test, report}) {
+    command->add_flag("--all", golden_.all, "also what has not changed since it was good");
+  }
+  test->add_option("--junit", golden_.junit, "write the results as JUnit XML")->type_name("FILE");
+  for (CLI::App* command : {review, approve}) {
+    command->add_option("--why", golden_.why, "what has changed and why that is right")->type_name("TEXT");
+  }
 }
 
 void CommandLine::add_doctor() {

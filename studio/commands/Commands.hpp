@@ -9,6 +9,7 @@
 #include "renderer/image/Image.hpp"
 #include "studio/commands/Arguments.hpp"
 #include "studio/comparison/FileComparison.hpp"
+#include "studio/golden/GoldenRun.hpp"
 
 namespace thinwall {
 
@@ -62,14 +63,25 @@ struct StillOptions {
 int make_still(const StillOptions& options);
 
 struct GoldenOptions {
-  std::vector<std::string> scenarios;  // files, or names in the folder of scenarios
+  std::vector<std::string> scenarios;  // files, or names in the folder of scenarios, perhaps with "@1.5s"
   DeviceChoice device;
+  std::string device_text = "auto";
   std::filesystem::path out = "out/golden";  // where pictures that failed are put, to be looked at
-  std::string why;                           // approve only
+  std::string why;                           // approve and review
+  std::filesystem::path junit;               // test: the results as JUnit XML; nowhere when empty
+  int jobs = 0;                              // scenarios at once; 0: as many as there are cores
+  bool all = false;                          // test: also what has not changed since it was good
   bool json = false;
 };
 int test_goldens(const GoldenOptions& options);
+int report_goldens(const GoldenOptions& options);
 int approve_goldens(const GoldenOptions& options);
+int review_goldens(const GoldenOptions& options);
+int list_goldens(const GoldenOptions& options);
+int explain_goldens(const GoldenOptions& options);
+
+/// Makes today's picture the golden and tells the figures before and after; false when it is as approved or missing.
+bool approve_golden(const JudgedScenario& judged, std::size_t index, const std::string& why);
 
 struct CompareOptions {
   std::filesystem::path first;  // two files, or two folders

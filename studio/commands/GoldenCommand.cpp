@@ -6,192 +6,171 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/image/PngFile.hpp"
+#include "renderer/image/WholeFile.hpp"
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/ExitCode.hpp"
-#include "studio/commands/RunSource.hpp"
-#include "studio/golden/GoldenComparison.hpp"
+#include "studio/commands/GoldenScenarios.hpp"
 #include "studio/golden/GoldenRenewal.hpp"
+#include "studio/golden/GoldenReport.hpp"
+#include "studio/golden/JUnitReport.hpp"
 #include "studio/recorder/OutputFolder.hpp"
-#include "studio/scenario/LoadScenario.hpp"
 
 namespace thinwall {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The folder that holds scenes/ and golden_images/.
-std::filesystem::path home() {
-  const char* home = std::getenv("THINWALL_HOME");
-  return home != nullptr ? home : ".";
-}
-
-std::filesystem::path golden_folder(const std::string& scenario) {
-  return home() / "golden_images" / scenario;
-}
-
-std::vector<std::filesystem::path> all_scenes() {
-  std::vector<std::filesystem::path> files;
-  if (!std::filesystem::is_directory(home() / "scenes")) return files;
-  for (const auto& entry : std::filesystem::directory_iterator(home() / "scenes")) {
-    if (entry.path().extension() == ".yaml") files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-/// The named scenarios (a file, or a name in scenes/), or all; those that have goldens.
-std::vector<Scenario> scenarios_with_goldens(const std::vector<std::string>& names) {
-  std::vector<std::filesystem::path> files;
-  for (const std::string& name : names) {
-    const std::filesystem::path scene = home() / "scenes" / (name + ".yaml");
-    const bool is_name = !std::filesystem::exists(name) && std::filesystem::exists(scene);
-    files.push_back(is_name ? scene : std::filesystem::path(name));
-  }
-  if (names.empty()) files = all_scenes();
-  std::vector<Scenario> scenarios;
-  for (const std::filesystem::path& file : files) {
-    Scenario scenario = load_scenario(file, {});
-    if (!scenario.goldens.empty()) {
-      scenarios.push_back(std::move(scenario));
-    } else if (!names.empty()) {
-      throw UsageError(file.string() + ": this scenario has no `golden:` list, so there is nothing to compare");
-    }
-  }
-  if (scenarios.empty())
-    throw UsageError("no scenario with a `golden:` list was found in " + (home() / "scenes").string());
-  return scenarios;
-}
-
-/// A scenario with all that is known of its goldens today.
-struct Judged {
-  Scenario scenario;
-  GoldenPictures pictures;
-  std::vector<GoldenResult> results;  // (scenario.goldens)
-};
-
-Judged judge(Scenario scenario, const DeviceChoice& device) {
-  Judged judged{.scenario = std::move(scenario), .pictures = {}, .results = {}};
-  const Scenario& s = judged.scenario;
-  judged.pictures = golden_pictures(s, simulate_scenario, renderer_painters(device, s.record.tier, s.view));
-  for (std::size_t i = 0; i < s.goldens.size(); ++i) {
-    if (!judged.pictures.no_device.empty()) {
-      GoldenResult skipped;
-      skipped.scenario = s.name;
-      skipped.at = s.goldens[i].at;
-      skipped.outcome = GoldenOutcome::kSkipped;
-      skipped.message = judged.pictures.no_device;
-      judged.results.push_back(std::move(skipped));
-    } else {
-      judged.results.push_back(compare_with_golden(s.name, s.goldens[i], judged.pictures.pictures[i],
-                                                   judged.pictures.driver, golden_folder(s.name)));
-    }
-  }
-  return judged;
-}
-
-void print_result(const GoldenResult& result) {
-  fmt::print(stderr, "{}: {} at {:g} s{}{}\n", outcome_name(result.outcome), result.scenario, result.at,
-             result.message.empty() ? "" : ": ", result.message);
+void print_result(const JudgedScenario& judged, std::size_t index) {
+  const GoldenResult& result = judged.results[index];
+  fmt::print(stderr, "{}: {} at {:g} s{}{}{}\n", outcome_name(result.outcome), result.scenario, result.at,
+             result.message.empty() ? "" : ": ", result.message, judged.from_cache ? " (unchanged since)" : "");
+  if (judged.attributions[index]) fmt::print(stderr, "  cause: {}\n", judged.attributions[index]->sentence);
   if (!result.details.empty()) fmt::print(stderr, "{}\n", result.details);
 }
 
-/// Today's picture and the difference, to be looked at; nothing of it is a golden.
-void keep_for_looking(const GoldenResult& result, const GoldenPicture& picture, const std::filesystem::path& out) {
+void keep_picture(const std::filesystem::path& file, const std::string& words, const Image& image) {
+  write_png(file, image);
+  fmt::print(stderr, "  {}: {}\n", words, file.string());
+}
+
+/// Today's picture and what helps to see why, to be looked at; nothing of it is a golden.
+void keep_for_looking(const JudgedScenario& judged, std::size_t index, const std::filesystem::path& out) {
+  const GoldenResult& result = judged.results[index];
   if (result.outcome != GoldenOutcome::kFailed && result.outcome != GoldenOutcome::kGoldenMissing) return;
+  const Image& today = judged.pictures.pictures[index].image;
   make_folder(out / result.scenario);
-  const std::string stem = fmt::format("at_{:.4g}s", result.at);
-  const std::filesystem::path today = out / result.scenario / (stem + ".today.png");
-  write_png(today, picture.image);
-  fmt::print(stderr, "  today's picture: {}\n", today.string());
+  const std::string stem = (out / result.scenario / fmt::format("at_{:.4g}s", result.at)).string();
+  keep_picture(stem + ".today.png", "today's picture", today);
+  const std::optional<Attribution>& attribution = judged.attributions[index];
+  if (attribution && attribution->golden_state) {
+    keep_picture(stem + ".golden_state.png", "the golden's state, drawn today", *attribution->golden_state);
+  }
+  if (attribution && attribution->golden_look) {
+    keep_picture(stem + ".golden_look.png", "today's state in the golden's look", *attribution->golden_look);
+  }
   if (result.outcome != GoldenOutcome::kFailed || result.difference.verdict != ImageVerdict::kDifferent) return;
   const std::vector<GoldenApproval> approvals = read_approvals(golden_folder(result.scenario));
   const GoldenApproval* approval = find_approval(approvals, result.at, result.driver);
   const Image golden = read_png(golden_folder(result.scenario) / approval->image);
-  const std::filesystem::path difference = out / result.scenario / (stem + ".difference.png");
-  write_png(difference, difference_picture(golden, picture.image));
-  fmt::print(stderr, "  difference: {}\n", difference.string());
+  keep_picture(stem + ".difference.png", "difference", difference_picture(golden, today));
 }
 
-Json to_json(const GoldenResult& result) {
-  return {{"scenario", result.scenario},
-          {"at_s", result.at},
-          {"outcome", outcome_name(result.outcome)},
-          {"rung", result.rung},
-          {"largest", result.difference.largest},
-          {"mean", result.difference.mean},
-          {"failing_fraction", result.difference.failing_fraction},
-          {"state", result.state.explanation},
-          {"driver", result.driver},
-          {"golden_driver", result.golden_driver},
-          {"message", result.message}};
+Json to_json(const JudgedScenario& judged, std::size_t index) {
+  const GoldenResult& result = judged.results[index];
+  Json json = {{"scenario", result.scenario},
+               {"at_s", result.at},
+               {"outcome", outcome_name(result.outcome)},
+               {"rung", result.rung},
+               {"largest", result.difference.largest},
+               {"mean", result.difference.mean},
+               {"failing_fraction", result.difference.failing_fraction},
+               {"state", result.state.explanation},
+               {"driver", result.driver},
+               {"golden_driver", result.golden_driver},
+               {"message", result.message},
+               {"from_cache", judged.from_cache}};
+  if (const std::optional<Attribution>& attribution = judged.attributions[index]) {
+    json["changed"] = stage_name(attribution->stage);
+    json["cause"] = attribution->sentence;
+    if (attribution->history.changed) {
+      json["first_step"] = attribution->history.step;
+      json["first_time_s"] = attribution->history.time;
+      json["quantity"] = attribution->history.quantity;
+      json["before"] = attribution->history.before;
+      json["after"] = attribution->history.after;
+    }
+  }
+  return json;
 }
 
-int exit_code(const std::vector<GoldenResult>& results) {
-  const auto any = [&](auto... outcomes) {
-    return std::any_of(results.begin(), results.end(),
-                       [&](const GoldenResult& result) { return ((result.outcome == outcomes) || ...); });
-  };
-  if (any(GoldenOutcome::kFailed, GoldenOutcome::kResultMissing, GoldenOutcome::kGoldenMissing)) return kExitRegression;
+int exit_code(const std::map<GoldenOutcome, int>& counts) {
+  const auto any = [&](GoldenOutcome outcome) { return counts.at(outcome) > 0; };
+  if (any(GoldenOutcome::kFailed) || any(GoldenOutcome::kResultMissing) || any(GoldenOutcome::kGoldenMissing)) {
+    return kExitRegression;
+  }
   // Nothing was compared, which is no success.
-  if (any(GoldenOutcome::kSkipped)) return kExitNoPicture;
-  return kExitGood;
+  return any(GoldenOutcome::kSkipped) ? kExitNoPicture : kExitGood;
 }
 
-std::map<GoldenOutcome, int> counts(const std::vector<GoldenResult>& results) {
+std::map<GoldenOutcome, int> counts(const std::vector<JudgedScenario>& all) {
   std::map<GoldenOutcome, int> counts;
   for (const auto outcome : {GoldenOutcome::kOk, GoldenOutcome::kFailed, GoldenOutcome::kResultMissing,
                              GoldenOutcome::kGoldenMissing, GoldenOutcome::kSkipped}) {
-    counts[outcome] = static_cast<int>(std::count_if(
-        results.begin(), results.end(), [&](const GoldenResult& result) { return result.outcome == outcome; }));
+    counts[outcome] = 0;
+  }
+  for (const JudgedScenario& judged : all) {
+    for (const GoldenResult& result : judged.results) ++counts[result.outcome];
   }
   return counts;
 }
 
-void print_summary(const std::vector<GoldenResult>& results, bool json) {
+void print_summary(const std::vector<JudgedScenario>& all, bool json) {
   std::string line;
   Json json_counts = Json::object();
-  for (const auto& [outcome, count] : counts(results)) {
+  for (const auto& [outcome, count] : counts(all)) {
     line += fmt::format("{}{} {}", line.empty() ? "" : ", ", count, outcome_name(outcome));
     json_counts[outcome_name(outcome)] = count;
   }
   fmt::print(stderr, "{}\n", line);
   if (!json) return;
   Json list = Json::array();
-  for (const GoldenResult& result : results) list.push_back(to_json(result));
+  for (const JudgedScenario& judged : all) {
+    for (std::size_t i = 0; i < judged.results.size(); ++i) list.push_back(to_json(judged, i));
+  }
   fmt::print("{}\n",
              Json{{"goldens", list}, {"counts", json_counts}}.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
-bool is_continuous_integration() {
-  const char* ci = std::getenv("CI");
-  const std::string value = ci != nullptr ? ci : "";
-  return !value.empty() && value != "false" && value != "0";
+std::vector<JudgedScenario> judge_and_print(const GoldenOptions& options) {
+  std::optional<std::filesystem::path> cache;
+  if (!options.all) cache = options.out / "unchanged.json";
+  return judge_scenarios(named_goldens(options.scenarios).scenarios,
+                         golden_run(options.device, options.device_text, options.jobs, cache),
+                         [&](const JudgedScenario& judged) {
+                           for (std::size_t i = 0; i < judged.results.size(); ++i) {
+                             print_result(judged, i);
+                             keep_for_looking(judged, i, options.out);
+                           }
+                         });
 }
 
-void renew(const Judged& judged, std::size_t index, const std::string& who, const std::string& why) {
-  const GoldenPicture& picture = judged.pictures.pictures[index];
-  const std::filesystem::path folder = golden_folder(judged.scenario.name);
-  renew_golden(judged.scenario, picture, judged.pictures.driver, folder, who, why);
-  const GoldenResult after = compare_with_golden(judged.scenario.name, judged.scenario.goldens[index], picture,
-                                                 judged.pictures.driver, folder);
-  fmt::print(stderr, "  before: {}: {}\n  after:  {}: {}\n", outcome_name(judged.results[index].outcome),
-             judged.results[index].message, outcome_name(after.outcome), after.message);
+std::filesystem::path write_report(const std::vector<JudgedScenario>& all, const GoldenOptions& options) {
+  make_folder(options.out);
+  const std::filesystem::path page = options.out / "index.html";
+  write_whole_file(page, golden_report(all, golden_root()));
+  return page;
 }
 
 }  // namespace
 
 int test_goldens(const GoldenOptions& options) {
-  std::vector<GoldenResult> results;
-  for (Scenario& scenario : scenarios_with_goldens(options.scenarios)) {
-    const Judged judged = judge(std::move(scenario), options.device);
-    for (std::size_t i = 0; i < judged.results.size(); ++i) {
-      print_result(judged.results[i]);
-      keep_for_looking(judged.results[i], judged.pictures.pictures[i], options.out);
-      results.push_back(judged.results[i]);
-    }
-  }
-  print_summary(results, options.json);
-  return exit_code(results);
+  const std::vector<JudgedScenario> all = judge_and_print(options);
+  const int code = exit_code(counts(all));
+  if (!options.junit.empty()) write_whole_file(options.junit, junit_report(all));
+  if (std::getenv("GITHUB_ACTIONS") != nullptr) fmt::print(stderr, "{}", github_annotations(all));
+  if (code != kExitGood) fmt::print(stderr, "report: {}\n", write_report(all, options).string());
+  print_summary(all, options.json);
+  return code;
+}
+
+int report_goldens(const GoldenOptions& options) {
+  const std::vector<JudgedScenario> all = judge_and_print(options);
+  fmt::print(stderr, "report: {}\n", write_report(all, options).string());
+  print_summary(all, options.json);
+  return exit_code(counts(all));
+}
+
+bool approve_golden(const JudgedScenario& judged, std::size_t index, const std::string& why) {
+  const GoldenResult& before = judged.results[index];
+  if (before.outcome != GoldenOutcome::kFailed && before.outcome != GoldenOutcome::kGoldenMissing) return false;
+  const GoldenPicture& picture = judged.pictures.pictures[index];
+  const std::filesystem::path folder = golden_folder(judged.scenario.name);
+  renew_golden(judged.scenario, picture, judged.pictures.driver, folder, approver(), why);
+  const GoldenResult after = compare_with_golden(judged.scenario.name, judged.scenario.goldens[index], picture,
+                                                 judged.pictures.driver, folder);
+  fmt::print(stderr, "approved: {} at {:g} s\n  before: {}: {}\n  after:  {}: {}\n", before.scenario, before.at,
+             outcome_name(before.outcome), before.message, outcome_name(after.outcome), after.message);
+  return true;
 }
 
 int approve_goldens(const GoldenOptions& options) {
@@ -200,23 +179,29 @@ int approve_goldens(const GoldenOptions& options) {
     throw UsageError("golden approve: say with --why what has changed and why that is right");
   }
   if (options.scenarios.empty()) throw UsageError("golden approve: name the scenarios to approve");
-  const std::string who = approver();
-  bool all_there = true;
-  for (Scenario& scenario : scenarios_with_goldens(options.scenarios)) {
-    const Judged judged = judge(std::move(scenario), options.device);
-    for (std::size_t i = 0; i < judged.results.size(); ++i) {
-      const GoldenResult& result = judged.results[i];
-      if (result.outcome == GoldenOutcome::kFailed || result.outcome == GoldenOutcome::kGoldenMissing) {
-        fmt::print(stderr, "approved: {} at {:g} s\n", result.scenario, result.at);
-        renew(judged, i, who, options.why);
-      } else {
-        print_result(result);
-        all_there = all_there && result.outcome == GoldenOutcome::kOk;
-      }
+  const NamedGoldens named = named_goldens(options.scenarios);
+  const std::vector<JudgedScenario> all = judge_scenarios(
+      named.scenarios, golden_run(options.device, options.device_text, options.jobs, {}), [](const JudgedScenario&) {});
+  bool any_result_missing = false;
+  int approved = 0;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (!all[k].pictures.no_device.empty()) {
+      print_result(all[k], 0);
+      return kExitNoPicture;
     }
-    if (!judged.pictures.no_device.empty()) return kExitNoPicture;
+    for (std::size_t i = 0; i < all[k].results.size(); ++i) {
+      if (!named.means(k, all[k].results[i].at)) continue;
+      if (approve_golden(all[k], i, options.why)) {
+        ++approved;
+        continue;
+      }
+      print_result(all[k], i);
+      any_result_missing = any_result_missing || all[k].results[i].outcome != GoldenOutcome::kOk;
+    }
   }
-  return all_there ? kExitGood : kExitRegression;
+  if (any_result_missing) return kExitRegression;
+  if (approved == 0) throw UsageError("golden approve: nothing of what was named has changed, so nothing was approved");
+  return kExitGood;
 }
 
 }  // namespace thinwall

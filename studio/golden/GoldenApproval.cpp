@@ -38,7 +38,10 @@ std::vector<GoldenApproval> read_approvals(const std::filesystem::path& folder) 
                            .state = golden.at("state"),
                            .state_digest = golden.at("state_digest"),
                            .who = golden.at("who"),
-                           .why = golden.at("why")});
+                           .why = golden.at("why"),
+                           .history = golden.value("history", ""),
+                           .scene_hash = golden.value("scene_hash", ""),
+                           .overlay = golden.contains("overlay") ? golden.at("overlay").dump() : ""});
     }
   } catch (const Json::exception& error) {
     throw GoldenError(file.string() + ": cannot be read (" + error.what() + ")");
@@ -56,6 +59,10 @@ void write_approvals(const std::filesystem::path& folder, const std::vector<Gold
                        {"state_digest", approval.state_digest},
                        {"who", approval.who},
                        {"why", approval.why}});
+    Json& golden = goldens.back();
+    if (!approval.history.empty()) golden["history"] = approval.history;
+    if (!approval.scene_hash.empty()) golden["scene_hash"] = approval.scene_hash;
+    if (!approval.overlay.empty()) golden["overlay"] = Json::parse(approval.overlay);
   }
   const Json json = {{"approval_version", kApprovalVersion}, {"goldens", goldens}};
   write_whole_file(folder / kFile, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");

@@ -16,6 +16,10 @@ struct GoldenApproval {
   std::string state_digest;  // of the simulation at that time
   std::string who;
   std::string why;
+  // What tells later which stage has changed; empty in approvals of earlier versions.
+  std::string history = {};     // file name: the main quantities step by step
+  std::string scene_hash = {};  // of the picture without overlays
+  std::string overlay = {};     // JSON: what is written over the picture
 };
 
 /// A golden folder that cannot be read: the message names file and reason. Exit code 2.

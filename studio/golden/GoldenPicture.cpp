@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "engine/simulation/SimulationFailure.hpp"
+#include "renderer/image/ImageHash.hpp"
 #include "renderer/image/Resize.hpp"
 #include "renderer/picture/PictureFailure.hpp"
 #include "studio/recorder/FrameComposer.hpp"
@@ -25,10 +26,31 @@ std::vector<std::size_t> in_order_of_time(const std::vector<GoldenDefinition>& g
   return order;
 }
 
+/// Remembers the hash of what was painted, before anything is written over it.
+class HashingPainter final : public Painter {
+ public:
+  explicit HashingPainter(Painter& painter) : painter_(painter) {}
+  Image paint(const Snapshot& snapshot, const Shot& shot) override {
+    Image image = painter_.paint(snapshot, shot);
+    hash_ = image_hash(image);
+    return image;
+  }
+  std::string driver() const override { return painter_.driver(); }
+  const std::string& last() const { return hash_; }
+
+ private:
+  Painter& painter_;
+  std::string hash_;
+};
+
 void draw(GoldenPicture& picture, const FrameComposer& composer, Moment moment, Painter& painter) {
   try {
     Frame frame = composer.compose(picture.at);
-    picture.image = finished_picture(frame, painter);
+    HashingPainter hashing(painter);
+    picture.image = finished_picture(frame, hashing);
+    picture.scene_hash = hashing.last();
+    picture.overlay = std::move(frame.overlay);
+    picture.shot = std::move(frame.shot);
     picture.moment = std::move(moment);
     picture.moment.snapshot = std::move(frame.snapshot);
     picture.missing.clear();
@@ -65,15 +87,19 @@ GoldenPictures golden_pictures(const Scenario& scenario, const SourceFactory& so
     const std::unique_ptr<MomentSource> source = sources(scenario);
     FrameComposer composer(scenario.title, scenario.overlays, scenario.view, scenario.teaching.annotations);
     double end = 0;
+    GoldenHistory history;
+    std::size_t step = 0;
     while (next < order.size()) {
       throw_if_interrupted();
       std::optional<Moment> moment = source->next();
       if (!moment) break;
       end = moment->snapshot.time;
       composer.add(*moment);
+      add_step(history, step++, moment->record);
       for (; next < order.size() && composer.reaches(result.pictures[order[next]].at); ++next) {
         GoldenPicture& picture = result.pictures[order[next]];
         picture.state_digest = source->state_digest();
+        picture.history = history;
         draw(picture, composer, *moment, *painter);
       }
     }

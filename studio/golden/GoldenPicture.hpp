@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "renderer/image/Image.hpp"
+#include "renderer/overlay/Overlay.hpp"
+#include "studio/golden/GoldenHistory.hpp"
 #include "studio/record/Moment.hpp"
 #include "studio/recorder/Painter.hpp"
 #include "studio/scenario/Scenario.hpp"
@@ -20,8 +22,12 @@ struct GoldenPicture {
   double at = 0;        // seconds
   std::string missing;  // why there is none; empty when there is one
   Image image;
-  Moment moment;             // what it shows
-  std::string state_digest;  // of the first step that reaches `at`
+  Moment moment;                // what it shows
+  std::string state_digest;     // of the first step that reaches `at`
+  std::string scene_hash = {};  // of the picture without overlays
+  OverlayContent overlay = {};  // what is written over it
+  Shot shot = {};               // what sees it
+  GoldenHistory history = {};   // of the steps up to `at`
 };
 
 struct GoldenPictures {

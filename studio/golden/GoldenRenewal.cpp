@@ -4,8 +4,10 @@
 #include <cstdlib>
 
 #include "renderer/image/PngFile.hpp"
+#include "renderer/image/WholeFile.hpp"
 #include "renderer/picture/PictureFailure.hpp"
 #include "renderer/video/Program.hpp"
+#include "studio/golden/OverlayRecord.hpp"
 #include "studio/recorder/OutputFolder.hpp"
 #include "studio/take/TakeWriter.hpp"
 
@@ -22,13 +24,17 @@ void renew_golden(const Scenario& scenario, const GoldenPicture& picture, const 
                                .state = stem + ".state.h5",
                                .state_digest = picture.state_digest,
                                .who = who,
-                               .why = why};
+                               .why = why,
+                               .history = stem + ".history.csv",
+                               .scene_hash = picture.scene_hash,
+                               .overlay = overlay_record(picture.overlay)};
   {
     TakeWriter state(folder / renewed.state,
                      {.name = scenario.name, .title = scenario.title, .resolved = scenario.resolved});
     state.write(picture.moment);
     state.finish({.complete = false, .warnings = {}, .state_digest = picture.state_digest});
   }
+  write_whole_file(folder / renewed.history, history_text(picture.history));
   write_png(folder / renewed.image, picture.image, PngEffort::kSmall);
   const GoldenApproval* before = find_approval(approvals, picture.at, driver);
   if (before != nullptr && before->driver == driver) {

@@ -106,6 +106,33 @@ TEST_F(ProgramGLTest, AGoldenIsMissingThenApprovedThenComparedThenFails) {
   EXPECT_EQ(nlohmann::json::parse(end.output)["counts"]["failed"], 1);
   EXPECT_NE(end.messages.find("so the picture has changed"), std::string::npos) << end.messages;
   EXPECT_TRUE(std::filesystem::exists(folder_ / "out/golden/small/at_0.12s.difference.png"));
+  EXPECT_EQ(nlohmann::json::parse(end.output)["goldens"][0]["changed"], "look");
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "out/golden/index.html"));
+}
+
+TEST_F(ProgramGLTest, AGoldenIsReviewedListedExplainedAndNotApprovedTwice) {
+  const auto answer = [&](const std::string& answers, const std::vector<std::string>& arguments) {
+    write_bytes(folder_ / "answers", answers);
+    return run_thinwall(arguments, {.folder = folder_.path(),
+                                    .environment = {{"THINWALL_HOME", folder_.path()}, {"CI", "false"}},
+                                    .input = folder_ / "answers"});
+  };
+  EXPECT_EQ(answer("r\n", {"golden", "review"}).exit_code, 1);
+  EXPECT_EQ(answer("", {"golden", "review"}).exit_code, 1) << "the end of the input is no approval";
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "golden_images"));
+  EXPECT_EQ(answer("what\na\n\nit is right\n", {"golden", "review"}).exit_code, 0);
+  const ProgramEnd twice = run({"golden", "approve", "small@120ms", "--why", "again"});
+  EXPECT_EQ(twice.exit_code, 2);
+  EXPECT_NE(twice.messages.find("nothing of what was named has changed"), std::string::npos) << twice.messages;
+  EXPECT_EQ(run({"golden", "approve", "small@130ms", "--why", "again"}).exit_code, 2);
+  const ProgramEnd list = run({"golden", "list", "--json"});
+  EXPECT_EQ(nlohmann::json::parse(list.output)["goldens"][0]["drivers"].size(), 1U);
+  EXPECT_NE(run({"golden", "why", "small"}).output.find("it is right"), std::string::npos);
+  EXPECT_EQ(run({"golden", "why"}).exit_code, 2);
+  expect_good({"golden", "report"});
+  EXPECT_NE(run({"golden", "test", "--junit", "junit.xml"}).messages.find("unchanged since"), std::string::npos);
+  EXPECT_NE(file_bytes(folder_ / "junit.xml").find("tests=\"1\" failures=\"0\""), std::string::npos);
+  EXPECT_EQ(run({"golden", "test", "--all"}).messages.find("unchanged since"), std::string::npos);
 }
 
 TEST_F(ProgramGLTest, ADoctorTellsWhatIsThere) {

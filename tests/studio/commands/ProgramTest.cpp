@@ -65,7 +65,6 @@ TEST_F(ProgramTest, BadUsageIsToldWithExitCode2) {
 
 TEST_F(ProgramTest, WhatBelongsToLaterVersionsIsNotAcceptedSilently) {
   expect_bad_usage({"haptic", "small.yaml"}, "haptic: this command is not in this version");
-  expect_bad_usage({"golden", "review"}, "golden review: this command is not in this version");
   expect_bad_usage({"run", "small.yaml", "--aov"}, "--aov: this option is not in this version");
 }
 

@@ -26,6 +26,7 @@ struct ProgramSetting {
   std::filesystem::path folder;                    // that it runs in
   std::map<std::string, std::string> environment;  // added to ours
   rlim_t largest_file = RLIM_INFINITY;             // bytes
+  std::filesystem::path input = {};                // what it reads; ours when empty
 };
 
 /// The thinwall program, running.
@@ -53,6 +54,7 @@ class RunningProgram {
     const int messages = open((said_ / "messages").c_str(), O_CREAT | O_WRONLY, 0600);
     dup2(output, 1);
     dup2(messages, 2);
+    if (!setting.input.empty()) dup2(open(setting.input.c_str(), O_RDONLY), 0);
     if (!setting.folder.empty() && chdir(setting.folder.c_str()) != 0) _exit(99);
     for (const auto& [name, value] : setting.environment) setenv(name.c_str(), value.c_str(), 1);
     const struct rlimit limit = {setting.largest_file, setting.largest_file};

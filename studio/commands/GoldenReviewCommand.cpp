@@ -1,0 +1,196 @@
+#include <fmt/format.h>
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "renderer/image/WholeFile.hpp"
+#include "renderer/picture/PictureFailure.hpp"
+#include "renderer/video/Program.hpp"
+#include "studio/commands/Commands.hpp"
+#include "studio/commands/ExitCode.hpp"
+#include "studio/commands/GoldenScenarios.hpp"
+#include "studio/golden/GoldenReport.hpp"
+#include "studio/recorder/OutputFolder.hpp"
+#include "studio/take/TakeError.hpp"
+#include "studio/take/TakeReader.hpp"
+
+namespace thinwall {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+enum class Answer { kAccept, kReject, kSkip, kQuit };
+
+/// Asks until an answer is one; the end of the input is the wish to end.
+Answer ask() {
+  std::string line;
+  for (;;) {
+    fmt::print(stderr, "  [a]ccept, [r]eject, [s]kip or [q]uit? ");
+    if (!std::getline(std::cin, line)) return Answer::kQuit;
+    if (line == "a" || line == "accept") return Answer::kAccept;
+    if (line == "r" || line == "reject") return Answer::kReject;
+    if (line == "s" || line == "skip") return Answer::kSkip;
+    if (line == "q" || line == "quit") return Answer::kQuit;
+  }
+}
+
+std::string ask_why(const std::string& given) {
+  std::string why = given;
+  while (why.find_first_not_of(" \t") == std::string::npos) {
+    fmt::print(stderr, "  why is the new picture right? ");
+    if (!std::getline(std::cin, why)) return "";
+  }
+  return why;
+}
+
+bool needs_review(const GoldenResult& result) {
+  return result.outcome == GoldenOutcome::kFailed || result.outcome == GoldenOutcome::kGoldenMissing;
+}
+
+/// What a review has come to.
+struct Tally {
+  int accepted = 0;
+  int rejected = 0;
+  int left = 0;
+};
+
+/// False when the user wants to end.
+bool review_one(const JudgedScenario& judged, std::size_t index, const std::string& why, Tally& tally) {
+  const GoldenResult& result = judged.results[index];
+  fmt::print(stderr, "{}: {} at {:g} s\n  {}\n  {}\n", outcome_name(result.outcome), result.scenario, result.at,
+             cause_line(judged, index), result.message);
+  switch (ask()) {
+    case Answer::kAccept: {
+      const std::string reason = ask_why(why);
+      if (reason.empty()) return false;
+      approve_golden(judged, index, reason);
+      ++tally.accepted;
+      return true;
+    }
+    case Answer::kReject:
+      ++tally.rejected;
+      return true;
+    case Answer::kSkip:
+      ++tally.left;
+      return true;
+    case Answer::kQuit:
+      break;
+  }
+  return false;
+}
+
+/// What the scenario says differently since a golden was approved, without simulating.
+std::vector<ScenarioChange> changes_since(const GoldenApproval& approval, const Scenario& scenario) {
+  try {
+    const TakeReader take(golden_folder(scenario.name) / approval.state);
+    return compare_scenarios(take.description().resolved, scenario.resolved);
+  } catch (const TakeError&) {
+    return {};
+  }
+}
+
+/// Who changed the goldens of a scenario and when, as git tells it; empty where there is no git.
+std::string history_by_git(const std::string& scenario) {
+  try {
+    const std::filesystem::path folder = golden_folder(scenario);
+    const ProgramResult log = run_program(
+        {"git", "-C", folder.string(), "log", "--date=short", "--format=    %ad %h %an: %s", "--", "approval.json"});
+    return log.exit_code == 0 ? log.output : "";
+  } catch (const PictureFailure&) {
+    return "";
+  }
+}
+
+void explain(const Scenario& scenario, const GoldenDefinition& golden, const std::vector<GoldenApproval>& approvals) {
+  fmt::print("{} at {:g} s\n  allowed: largest difference {:g}, mean {:g} levels: {}\n", scenario.name, golden.at,
+             golden.max, golden.mean, golden.why);
+  bool any = false;
+  for (const GoldenApproval& approval : approvals) {
+    if (std::abs(approval.at - golden.at) > 1e-9) continue;
+    any = true;
+    fmt::print("  approved by {}: {}\n    on {}\n    {}\n", approval.who, approval.why, approval.driver,
+               (golden_folder(scenario.name) / approval.image).string());
+    for (const ScenarioChange& change : changes_since(approval, scenario)) {
+      fmt::print("    the scenario has changed since: {}\n", to_text(change));
+    }
+  }
+  if (!any) fmt::print("  no picture is approved\n");
+}
+
+}  // namespace
+
+int review_goldens(const GoldenOptions& options) {
+  if (is_continuous_integration()) throw UsageError("golden review: goldens are approved by a person, not in CI");
+  const NamedGoldens named = named_goldens(options.scenarios);
+  const std::vector<JudgedScenario> all =
+      judge_scenarios(named.scenarios, golden_run(options.device, options.device_text, options.jobs, {}),
+                      [](const JudgedScenario& judged) { fmt::print(stderr, "compared: {}\n", judged.scenario.name); });
+  make_folder(options.out);
+  write_whole_file(options.out / "index.html", golden_report(all, golden_root()));
+  fmt::print(stderr, "the pictures: {}\n", (options.out / "index.html").string());
+  Tally tally;
+  bool goes_on = true;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    for (std::size_t i = 0; i < all[k].results.size(); ++i) {
+      const GoldenResult& result = all[k].results[i];
+      if (result.outcome == GoldenOutcome::kOk || !named.means(k, result.at)) continue;
+      if (!needs_review(result)) {
+        fmt::print(stderr, "{}: {} at {:g} s: {}\n", outcome_name(result.outcome), result.scenario, result.at,
+                   result.message);
+        ++tally.left;
+      } else if (goes_on) {
+        goes_on = review_one(all[k], i, options.why, tally);
+        if (!goes_on) ++tally.left;
+      } else {
+        ++tally.left;
+      }
+    }
+  }
+  fmt::print(stderr, "{} accepted, {} rejected, {} left\n", tally.accepted, tally.rejected, tally.left);
+  return tally.rejected + tally.left > 0 ? kExitRegression : kExitGood;
+}
+
+int list_goldens(const GoldenOptions& options) {
+  Json list = Json::array();
+  for (const Scenario& scenario : named_goldens(options.scenarios).scenarios) {
+    const std::vector<GoldenApproval> approvals = read_approvals(golden_folder(scenario.name));
+    for (const GoldenDefinition& golden : scenario.goldens) {
+      Json drivers = Json::array();
+      for (const GoldenApproval& approval : approvals) {
+        if (std::abs(approval.at - golden.at) < 1e-9) drivers.push_back(approval.driver);
+      }
+      if (!options.json) {
+        fmt::print("{:<32} {:>8} s  largest {:g}, mean {:g}  {}\n", scenario.name, fmt::format("{:g}", golden.at),
+                   golden.max, golden.mean,
+                   drivers.empty()
+                       ? "no picture is approved"
+                       : fmt::format("approved for {} driver{}", drivers.size(), drivers.size() > 1 ? "s" : ""));
+      }
+      list.push_back({{"scenario", scenario.name},
+                      {"at_s", golden.at},
+                      {"max", golden.max},
+                      {"mean", golden.mean},
+                      {"why", golden.why},
+                      {"drivers", drivers}});
+    }
+  }
+  if (options.json) fmt::print("{}\n", Json{{"goldens", list}}.dump(2, ' ', false, Json::error_handler_t::replace));
+  return kExitGood;
+}
+
+int explain_goldens(const GoldenOptions& options) {
+  if (options.scenarios.empty()) throw UsageError("golden why: name a scenario");
+  const NamedGoldens named = named_goldens(options.scenarios);
+  for (std::size_t k = 0; k < named.scenarios.size(); ++k) {
+    const Scenario& scenario = named.scenarios[k];
+    const std::vector<GoldenApproval> approvals = read_approvals(golden_folder(scenario.name));
+    for (const GoldenDefinition& golden : scenario.goldens) {
+      if (named.means(k, golden.at)) explain(scenario, golden, approvals);
+    }
+    const std::string history = history_by_git(scenario.name);
+    if (!history.empty()) fmt::print("  changes of the approval:\n{}", history);
+  }
+  return kExitGood;
+}
+
+}  // namespace thinwall

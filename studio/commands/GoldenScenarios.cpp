@@ -1,0 +1,114 @@
+#include "studio/commands/GoldenScenarios.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "renderer/picture/PictureFailure.hpp"
+#include "studio/commands/Arguments.hpp"
+#include "studio/commands/ExitCode.hpp"
+#include "studio/commands/RunSource.hpp"
+#include "studio/golden/GoldenCache.hpp"
+#include "studio/recorder/ResolvedPicture.hpp"
+#include "studio/scenario/LoadScenario.hpp"
+
+namespace thinwall {
+namespace {
+
+/// The folder that holds scenes/ and golden_images/.
+std::filesystem::path home() {
+  const char* home = std::getenv("THINWALL_HOME");
+  return home != nullptr ? home : ".";
+}
+
+std::vector<std::string> all_scenes() {
+  std::vector<std::string> files;
+  if (!std::filesystem::is_directory(home() / "scenes")) return files;
+  for (const auto& entry : std::filesystem::directory_iterator(home() / "scenes")) {
+    if (entry.path().extension() == ".yaml") files.push_back(entry.path().string());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// "NAME@1.5s" -> "NAME" and 1.5; a file whose name has an @ in it is a file.
+std::pair<std::string, std::optional<double>> name_and_time(const std::string& text) {
+  const std::size_t at = text.rfind('@');
+  if (at == std::string::npos || std::filesystem::exists(text)) return {text, std::nullopt};
+  return {text.substr(0, at), parse_time(text.substr(at + 1))};
+}
+
+void check_time(const Scenario& scenario, double at) {
+  const bool there = std::any_of(scenario.goldens.begin(), scenario.goldens.end(),
+                                 [&](const GoldenDefinition& golden) { return std::abs(golden.at - at) < 1e-9; });
+  if (!there) throw UsageError(scenario.name + ": this scenario has no golden at that time; see thinwall golden list");
+}
+
+/// The driver that draws here, as it names itself; why there is none, when there is none.
+std::string driver_here(const DeviceChoice& device) {
+  try {
+    return renderer_painters(device, Tier::kDraft, {})({.width = 8, .height = 8})->driver();
+  } catch (const PictureFailure& failure) {
+    return failure.what();
+  }
+}
+
+}  // namespace
+
+std::filesystem::path golden_root() {
+  return home() / "golden_images";
+}
+
+std::filesystem::path golden_folder(const std::string& scenario) {
+  return golden_root() / scenario;
+}
+
+bool NamedGoldens::means(std::size_t scenario, double at) const {
+  return !times[scenario] || std::abs(*times[scenario] - at) < 1e-9;
+}
+
+NamedGoldens named_goldens(const std::vector<std::string>& names) {
+  NamedGoldens named;
+  for (const std::string& text : names.empty() ? all_scenes() : names) {
+    const auto [name, time] = name_and_time(text);
+    const std::filesystem::path scene = home() / "scenes" / (name + ".yaml");
+    const bool is_name = !std::filesystem::exists(name) && std::filesystem::exists(scene);
+    const std::filesystem::path file = is_name ? scene : std::filesystem::path(name);
+    Scenario scenario = load_scenario(file, {});
+    if (scenario.goldens.empty() && !names.empty()) {
+      throw UsageError(file.string() + ": this scenario has no `golden:` list, so there is nothing to compare");
+    }
+    if (scenario.goldens.empty()) continue;
+    if (time) check_time(scenario, *time);
+    named.scenarios.push_back(std::move(scenario));
+    named.times.push_back(time);
+  }
+  if (named.scenarios.empty()) {
+    throw UsageError("no scenario with a `golden:` list was found in " + (home() / "scenes").string());
+  }
+  return named;
+}
+
+GoldenRunOptions golden_run(const DeviceChoice& device, const std::string& device_text, int jobs,
+                            const std::optional<std::filesystem::path>& cache) {
+  GoldenRunOptions options{.sources = simulate_scenario,
+                           .painters =
+                               [device](const std::string& resolved) {
+                                 const PictureSettings settings = picture_settings(resolved);
+                                 return renderer_painters(device, settings.record.tier, settings.view);
+                               },
+                           .goldens = golden_root(),
+                           .cache = cache,
+                           .program = "",
+                           .jobs = jobs};
+  if (cache) options.program = file_hash("/proc/self/exe") + " " + device_text + " " + driver_here(device);
+  return options;
+}
+
+bool is_continuous_integration() {
+  const char* ci = std::getenv("CI");
+  const std::string value = ci != nullptr ? ci : "";
+  return !value.empty() && value != "false" && value != "0";
+}
+
+}  // namespace thinwall

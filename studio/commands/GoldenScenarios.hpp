@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/device/DeviceChoice.hpp"
+#include "studio/golden/GoldenRun.hpp"
+#include "studio/scenario/Scenario.hpp"
+
+namespace thinwall {
+
+/// The folder that holds the goldens of a scenario.
+std::filesystem::path golden_folder(const std::string& scenario);
+
+/// The folder that holds a folder of goldens for each scenario.
+std::filesystem::path golden_root();
+
+/// Which goldens are meant: scenario files, names in the folder of scenarios, each perhaps with "@1.5s" behind it for
+/// one moment of it. All that have goldens when none is named. Throws UsageError.
+struct NamedGoldens {
+  std::vector<Scenario> scenarios;
+  std::vector<std::optional<double>> times;  // (scenarios), seconds; all of a scenario when absent
+
+  /// Whether the golden of that time belongs to what was named.
+  bool means(std::size_t scenario, double at) const;
+};
+NamedGoldens named_goldens(const std::vector<std::string>& names);
+
+/// How goldens are made on this machine. With `cached` results that were good are remembered in `out`.
+GoldenRunOptions golden_run(const DeviceChoice& device, const std::string& device_text, int jobs,
+                            const std::optional<std::filesystem::path>& cache);
+
+/// True in continuous integration, where nobody approves anything.
+bool is_continuous_integration();
+
+}  // namespace thinwall

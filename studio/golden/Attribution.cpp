@@ -1,0 +1,179 @@
+#include "studio/golden/Attribution.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "renderer/image/ImageHash.hpp"
+#include "renderer/picture/PictureFailure.hpp"
+#include "studio/golden/OverlayRecord.hpp"
+#include "studio/take/TakeError.hpp"
+#include "studio/take/TakeReader.hpp"
+
+namespace thinwall {
+namespace {
+
+/// What the golden's take holds; empty when it cannot be read.
+struct StoredState {
+  std::optional<Moment> moment;
+  std::string resolved;
+};
+
+StoredState stored_state(const std::filesystem::path& file) {
+  try {
+    const TakeReader take(file);
+    if (take.times().empty()) return {};
+    return {.moment = take.moment(0), .resolved = take.description().resolved};
+  } catch (const TakeError&) {
+    return {};
+  }
+}
+
+std::string list(const std::vector<ScenarioChange>& changes, ScenarioStage stage) {
+  constexpr std::size_t kMost = 3;
+  std::string text;
+  std::size_t count = 0;
+  for (const ScenarioChange& change : changes) {
+    if (change.stage != stage) continue;
+    if (++count <= kMost) text += (text.empty() ? "" : ", ") + to_text(change);
+  }
+  if (count > kMost) text += fmt::format(" and {} more", count - kMost);
+  return text;
+}
+
+std::string joined(const std::vector<std::string>& parts) {
+  std::string text;
+  for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
+  return text;
+}
+
+/// Nothing when there is no device any more.
+std::optional<Image> drawn(const Snapshot& snapshot, const GoldenPicture& today, const PainterFactory& painters) {
+  try {
+    return painters(today.image.size)->paint(snapshot, today.shot);
+  } catch (const PictureFailure&) {
+    return std::nullopt;
+  }
+}
+
+struct Evidence {
+  const GoldenPicture& picture;
+  const GoldenResult& result;
+  const GoldenApproval& approval;
+  Attribution& attribution;
+  bool same_driver() const { return approval.driver == result.driver; }
+  /// Only where the approval kept it, and the same driver drew.
+  bool knows_scene() const { return same_driver() && !approval.scene_hash.empty() && !picture.scene_hash.empty(); }
+};
+
+bool physics_changed(const Evidence& evidence) {
+  if (evidence.result.state.verdict == StateVerdict::kEqual) return false;
+  return evidence.result.state.verdict == StateVerdict::kChanged || evidence.attribution.history.changed;
+}
+
+void tell_physics(const Evidence& evidence, Attribution& attribution) {
+  attribution.stage = ChangedStage::kPhysics;
+  attribution.sentence = "physics changed";
+  if (attribution.history.changed) {
+    attribution.sentence += " " + attribution.history.sentence;
+  }
+  if (evidence.result.state.verdict == StateVerdict::kChanged) {
+    attribution.sentence += "; " + evidence.result.state.explanation;
+  }
+  const std::string asked = list(attribution.scenario, ScenarioStage::kPhysics);
+  attribution.sentence += asked.empty() ? "; the scenario asks for the same, so the engine has changed"
+                                        : "; the scenario has changed: " + asked;
+  if (!evidence.knows_scene() || !attribution.golden_state) return;
+  const bool same_drawing = image_hash(*attribution.golden_state) == evidence.approval.scene_hash;
+  attribution.sentence += same_drawing ? "; the renderer draws the golden's state as before"
+                                       : "; the golden's state is drawn differently too";
+}
+
+void tell_picture(const Evidence& evidence, Attribution& attribution) {
+  const std::string look = list(attribution.scenario, ScenarioStage::kLook);
+  const bool same_scene = evidence.knows_scene() && evidence.picture.scene_hash == evidence.approval.scene_hash;
+  if (same_scene) {
+    attribution.stage = ChangedStage::kOverlay;
+    const std::string words = joined(attribution.overlay);
+    attribution.sentence = words.empty() ? "overlay drawn differently, its texts and the picture below are identical"
+                                         : "overlay changed: " + words + "; the picture below is identical";
+    return;
+  }
+  if (!look.empty()) {
+    attribution.stage = ChangedStage::kLook;
+    attribution.sentence = "look changed, state identical: " + look;
+    return;
+  }
+  if (!attribution.overlay.empty() && !evidence.knows_scene()) {
+    attribution.stage = ChangedStage::kOverlay;
+    attribution.sentence = "overlay changed: " + joined(attribution.overlay);
+    return;
+  }
+  attribution.stage = ChangedStage::kRenderer;
+  attribution.sentence = evidence.same_driver() ? "renderer changed, state and look identical"
+                                                : "renderer or driver changed, state and look identical";
+  if (!evidence.approval.state.empty() && evidence.result.state.verdict == StateVerdict::kUnknown) {
+    attribution.stage = ChangedStage::kUnknown;
+    attribution.sentence = "it is open what has changed: " + evidence.result.state.explanation;
+  }
+}
+
+}  // namespace
+
+std::string stage_name(ChangedStage stage) {
+  switch (stage) {
+    case ChangedStage::kNothing:
+      return "nothing";
+    case ChangedStage::kPhysics:
+      return "physics";
+    case ChangedStage::kLook:
+      return "look";
+    case ChangedStage::kRenderer:
+      return "renderer";
+    case ChangedStage::kOverlay:
+      return "overlay";
+    case ChangedStage::kUnknown:
+      return "unknown";
+  }
+  return "";
+}
+
+HistoryChange history_change(const GoldenPicture& picture, const GoldenApproval& approval,
+                             const std::filesystem::path& folder) {
+  if (approval.history.empty()) return {};
+  const std::filesystem::path file = folder / approval.history;
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return {};
+  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  return compare_histories(parse_history(text, file.string()), picture.history);
+}
+
+Attribution attribute(const Scenario& scenario, const GoldenPicture& picture, const GoldenResult& result,
+                      const std::filesystem::path& folder, const ViewPainters& painters) {
+  Attribution attribution;
+  const std::vector<GoldenApproval> approvals = read_approvals(folder);
+  const GoldenApproval* approval = find_approval(approvals, result.at, result.driver);
+  if (approval == nullptr || !picture.missing.empty()) {
+    attribution.sentence = "there is nothing to compare with";
+    return attribution;
+  }
+  const StoredState golden = stored_state(folder / approval->state);
+  attribution.history = history_change(picture, *approval, folder);
+  attribution.scenario = compare_scenarios(golden.resolved, scenario.resolved);
+  attribution.overlay = compare_overlays(approval->overlay, overlay_record(picture.overlay));
+  const Evidence evidence{picture, result, *approval, attribution};
+  if (physics_changed(evidence)) {
+    if (golden.moment) attribution.golden_state = drawn(golden.moment->snapshot, picture, painters(scenario.resolved));
+    tell_physics(evidence, attribution);
+  } else {
+    tell_picture(evidence, attribution);
+  }
+  if (!list(attribution.scenario, ScenarioStage::kLook).empty() && !golden.resolved.empty()) {
+    attribution.golden_look = drawn(picture.moment.snapshot, picture, painters(golden.resolved));
+  }
+  return attribution;
+}
+
+}  // namespace thinwall

@@ -1,0 +1,126 @@
+#include "studio/golden/GoldenCache.hpp"
+
+#include <fmt/format.h>
+#include <xxhash.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "renderer/image/WholeFile.hpp"
+#include "studio/recorder/OutputFolder.hpp"
+
+namespace thinwall {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string hash_of(const std::string& bytes) {
+  const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
+  return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
+}
+
+/// Every file that a scenario names stands under one of these keys.
+void collect_files(const nlohmann::json& json, std::set<std::string>& files) {
+  if (!json.is_structured()) return;
+  for (const auto& [name, value] : json.items()) {
+    if (value.is_string() && (name == "mesh" || name == "file")) files.insert(value.get<std::string>());
+    collect_files(value, files);
+  }
+}
+
+Json to_json(const GoldenResult& result) {
+  return {{"at_s", result.at},
+          {"rung", result.rung},
+          {"message", result.message},
+          {"driver", result.driver},
+          {"golden_driver", result.golden_driver},
+          {"largest", result.difference.largest},
+          {"mean", result.difference.mean}};
+}
+
+GoldenResult to_result(const Json& json, const std::string& scenario) {
+  GoldenResult result;
+  result.scenario = scenario;
+  result.at = json.at("at_s");
+  result.rung = json.at("rung");
+  result.message = json.at("message");
+  result.driver = json.at("driver");
+  result.golden_driver = json.at("golden_driver");
+  result.difference.largest = json.at("largest");
+  result.difference.mean = json.at("mean");
+  return result;
+}
+
+}  // namespace
+
+std::string file_hash(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) return "";
+  return hash_of({std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()});
+}
+
+GoldenCache::GoldenCache(std::filesystem::path file, std::string program)
+    : file_(std::move(file)), program_(std::move(program)) {
+  std::ifstream stream(file_);
+  const Json json = Json::parse(stream, nullptr, false);
+  if (!json.is_object()) return;
+  try {
+    for (const auto& [scenario, stored] : json.items()) {
+      Entry entry{.key = stored.at("key"), .results = {}};
+      for (const Json& result : stored.at("results")) entry.results.push_back(to_result(result, scenario));
+      entries_[scenario] = std::move(entry);
+    }
+  } catch (const Json::exception&) {
+    // Of another version: everything is made anew.
+    entries_.clear();
+  }
+}
+
+std::string GoldenCache::key(const Scenario& scenario, const std::filesystem::path& goldens) const {
+  std::string parts = program_ + "\n" + scenario.resolved + "\n";
+  std::set<std::string> files;
+  collect_files(nlohmann::json::parse(scenario.resolved, nullptr, false), files);
+  for (const std::string& name : files) {
+    const std::filesystem::path path(name);
+    const std::string hash = file_hash(path.is_absolute() ? path : scenario.file.parent_path() / path);
+    if (hash.empty()) return "";
+    parts += name + " " + hash + "\n";
+  }
+  std::set<std::filesystem::path> approved;
+  if (std::filesystem::is_directory(goldens)) {
+    for (const auto& entry : std::filesystem::directory_iterator(goldens)) approved.insert(entry.path());
+  }
+  for (const std::filesystem::path& path : approved) parts += path.filename().string() + " " + file_hash(path) + "\n";
+  return hash_of(parts);
+}
+
+std::vector<GoldenResult> GoldenCache::find(const Scenario& scenario, const std::string& key) const {
+  const std::lock_guard guard(lock_);
+  const auto entry = entries_.find(scenario.name);
+  if (key.empty() || entry == entries_.end() || entry->second.key != key) return {};
+  return entry->second.results;
+}
+
+void GoldenCache::keep(const Scenario& scenario, const std::string& key, const std::vector<GoldenResult>& results) {
+  const std::lock_guard guard(lock_);
+  entries_.erase(scenario.name);
+  const bool all_ok = std::all_of(results.begin(), results.end(),
+                                  [](const GoldenResult& result) { return result.outcome == GoldenOutcome::kOk; });
+  if (!key.empty() && all_ok) entries_[scenario.name] = {.key = key, .results = results};
+}
+
+void GoldenCache::write() const {
+  Json json = Json::object();
+  for (const auto& [scenario, entry] : entries_) {
+    Json results = Json::array();
+    for (const GoldenResult& result : entry.results) results.push_back(to_json(result));
+    json[scenario] = {{"key", entry.key}, {"results", results}};
+  }
+  if (file_.has_parent_path()) make_folder(file_.parent_path());
+  write_whole_file(file_, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace thinwall

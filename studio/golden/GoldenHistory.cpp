@@ -1,0 +1,175 @@
+#include "studio/golden/GoldenHistory.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include "studio/golden/GoldenApproval.hpp"
+
+namespace thinwall {
+namespace {
+
+std::vector<std::string_view> split(std::string_view text, char at) {
+  std::vector<std::string_view> parts;
+  while (true) {
+    const std::size_t end = text.find(at);
+    parts.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+double number_of(std::string_view text, const std::string& file) {
+  double value = 0;
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (result.ec != std::errc() || result.ptr != text.data() + text.size()) {
+    throw GoldenError(fmt::format("{}: \"{}\" is no number", file, text));
+  }
+  return value;
+}
+
+double spent(const BodyRecord& body) {
+  return body.viscous + body.friction + body.fracture + body.leak + body.jump;
+}
+
+/// "probe.force_N" -> "force of probe", "N"
+std::pair<std::string, std::string> spoken(const std::string& column) {
+  const std::size_t dot = column.rfind('.');
+  const std::size_t unit = column.rfind('_');
+  std::string quantity = column.substr(dot + 1, unit - dot - 1);
+  std::replace(quantity.begin(), quantity.end(), '_', ' ');
+  return {quantity + " of " + column.substr(0, dot), column.substr(unit + 1)};
+}
+
+/// How far two numbers are apart on the scale of their column.
+double relative(double before, double after, double scale) {
+  return scale > 0 ? std::abs(after - before) / scale : 0;
+}
+
+/// The largest number of each column in both.
+std::vector<double> scales(const GoldenHistory& golden, const GoldenHistory& today) {
+  std::vector<double> scale(golden.columns.size(), 0);
+  for (const GoldenHistory* history : {&golden, &today}) {
+    for (const GoldenHistory::Row& row : history->rows) {
+      for (std::size_t c = 0; c < scale.size(); ++c) scale[c] = std::max(scale[c], std::abs(row.values[c]));
+    }
+  }
+  return scale;
+}
+
+struct LargestChange {
+  std::size_t column = 0;
+  double relative = 0;
+};
+
+LargestChange largest_change(const GoldenHistory::Row& before, const GoldenHistory::Row& after,
+                             const std::vector<double>& scale) {
+  LargestChange largest;
+  for (std::size_t c = 0; c < scale.size(); ++c) {
+    const double change = relative(before.values[c], after.values[c], scale[c]);
+    if (change > largest.relative) largest = {c, change};
+  }
+  return largest;
+}
+
+void tell(HistoryChange& change, double end) {
+  const auto [name, unit] = spoken(change.quantity);
+  const std::string percent =
+      change.before != 0 ? fmt::format(" ({:+.2g} %)", 100 * (change.after - change.before) / std::abs(change.before))
+                         : std::string();
+  change.sentence =
+      fmt::format("from step {} on ({:.4g} s), first in the {}; at {:.4g} s the {} is {:.4g} {} instead of {:.4g} {}{}",
+                  change.step, change.time, spoken(change.first).first, end, name, change.after, unit, change.before,
+                  unit, percent);
+}
+
+}  // namespace
+
+void add_step(GoldenHistory& history, std::size_t step, const StepRecord& record) {
+  GoldenHistory::Row row{.step = step, .time = record.time, .values = {}};
+  const bool first = history.rows.empty();
+  const auto add = [&](const std::string& owner, const char* quantity, double value) {
+    if (first) history.columns.push_back(owner + "." + quantity);
+    row.values.push_back(value);
+  };
+  for (const ToolRecord& tool : record.tools) {
+    add(tool.tool, "force_N", tool.force.norm());
+    add(tool.tool, "depth_m", tool.depth);
+    add(tool.tool, "contact_area_m2", tool.contact_area);
+  }
+  for (const BodyRecord& body : record.bodies) {
+    add(body.body, "volume_m3", body.volume);
+    add(body.body, "pressure_Pa", body.pressure);
+    add(body.body, "elastic_energy_J", body.elastic + body.bending);
+    add(body.body, "spent_energy_J", spent(body));
+    add(body.body, "cut_length_m", body.cut_length);
+    add(body.body, "open_area_m2", body.open_area);
+  }
+  if (!first && row.values.size() != history.columns.size()) row.values.resize(history.columns.size(), 0);
+  history.rows.push_back(std::move(row));
+}
+
+std::string history_text(const GoldenHistory& history) {
+  std::string text = "step,time_s";
+  for (const std::string& column : history.columns) text += "," + column;
+  text += "\n";
+  const std::size_t stride = (history.rows.size() + kHistoryRows - 1) / kHistoryRows;
+  for (std::size_t i = 0; i < history.rows.size(); ++i) {
+    if (i % stride != 0 && i + 1 != history.rows.size()) continue;
+    const GoldenHistory::Row& row = history.rows[i];
+    text += fmt::format("{},{:.9g}", row.step, row.time);
+    for (const double value : row.values) text += fmt::format(",{:.9g}", value);
+    text += "\n";
+  }
+  return text;
+}
+
+GoldenHistory parse_history(const std::string& text, const std::string& file) {
+  GoldenHistory history;
+  std::vector<std::string_view> lines = split(text, '\n');
+  if (!lines.empty() && lines.back().empty()) lines.pop_back();
+  if (lines.empty() || !lines.front().starts_with("step,time_s"))
+    throw GoldenError(file + ": is no history of a golden");
+  const std::vector<std::string_view> head = split(lines.front(), ',');
+  history.columns.assign(head.begin() + 2, head.end());
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const std::vector<std::string_view> cells = split(lines[i], ',');
+    if (cells.size() != head.size()) throw GoldenError(fmt::format("{}:{}: has {} cells", file, i + 1, cells.size()));
+    GoldenHistory::Row row{
+        .step = static_cast<std::size_t>(number_of(cells[0], file)), .time = number_of(cells[1], file), .values = {}};
+    for (std::size_t c = 2; c < cells.size(); ++c) row.values.push_back(number_of(cells[c], file));
+    history.rows.push_back(std::move(row));
+  }
+  return history;
+}
+
+HistoryChange compare_histories(const GoldenHistory& golden, const GoldenHistory& today) {
+  HistoryChange change;
+  if (golden.rows.empty() || today.rows.empty() || golden.columns != today.columns) return change;
+  change.comparable = true;
+  const std::vector<double> scale = scales(golden, today);
+  auto now = today.rows.begin();
+  for (const GoldenHistory::Row& before : golden.rows) {
+    while (now != today.rows.end() && now->step < before.step) ++now;
+    if (now == today.rows.end()) break;
+    if (now->step != before.step) continue;
+    const LargestChange largest = largest_change(before, *now, scale);
+    if (!change.changed && largest.relative > kSameHistory) {
+      change.changed = true;
+      change.step = before.step;
+      change.time = before.time;
+      change.first = golden.columns[largest.column];
+    }
+    if (!change.changed) continue;
+    change.quantity = golden.columns[largest.column];
+    change.before = before.values[largest.column];
+    change.after = now->values[largest.column];
+    tell(change, before.time);
+  }
+  return change;
+}
+
+}  // namespace thinwall

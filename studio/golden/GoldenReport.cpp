@@ -1,0 +1,136 @@
+#include "studio/golden/GoldenReport.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "renderer/image/PngFile.hpp"
+#include "renderer/image/Resize.hpp"
+#include "renderer/metric/ErrorPicture.hpp"
+#include "renderer/metric/Flip.hpp"
+#include "studio/golden/ReportPage.hpp"
+
+namespace thinwall {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr ImageSize kThumbnail{.width = 160, .height = 120};
+
+std::string base64(std::span<const std::uint8_t> bytes) {
+  constexpr char kLetters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t left = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t group = static_cast<std::uint32_t>(bytes[i]) << 16;
+    if (left > 1) group |= static_cast<std::uint32_t>(bytes[i + 1]) << 8;
+    if (left > 2) group |= bytes[i + 2];
+    for (std::size_t k = 0; k < 4; ++k) text += k <= left ? kLetters[group >> (18 - 6 * k) & 63] : '=';
+  }
+  return text;
+}
+
+std::string as_url(const Image& image) {
+  return "data:image/png;base64," + base64(encode_png(image, PngEffort::kSmall));
+}
+
+std::string thumbnail(const Image& image) {
+  return as_url(resize(image, size_that_fits(image.size, kThumbnail)));
+}
+
+/// The approved picture of a result; an empty one when there is none.
+Image approved_picture(const GoldenResult& result, const std::vector<GoldenApproval>& approvals,
+                       const std::filesystem::path& folder) {
+  const std::string& driver = result.golden_driver.empty() ? result.driver : result.golden_driver;
+  const GoldenApproval* approval = find_approval(approvals, result.at, driver);
+  if (approval == nullptr || !std::filesystem::exists(folder / approval->image)) return {};
+  try {
+    return read_png(folder / approval->image);
+  } catch (const ImageUnreadable& error) {
+    throw GoldenError(error.what());
+  }
+}
+
+Json pictures_to_compare(const Image& golden, const Image& today, const std::optional<Attribution>& attribution) {
+  Json pictures = Json::object();
+  if (!golden.pixels.empty()) pictures["golden"] = as_url(golden);
+  if (!today.pixels.empty()) pictures["today"] = as_url(today);
+  if (!golden.pixels.empty() && golden.size == today.size) {
+    pictures["difference"] = as_url(difference_picture(golden, today));
+    pictures["flip"] = as_url(error_picture(golden, flip(golden, today).map));
+  }
+  if (attribution && attribution->golden_state) pictures["golden_state"] = as_url(*attribution->golden_state);
+  if (attribution && attribution->golden_look) pictures["golden_look"] = as_url(*attribution->golden_look);
+  return pictures;
+}
+
+Json history_of(const std::vector<GoldenApproval>& approvals, double at) {
+  Json list = Json::array();
+  for (const GoldenApproval& approval : approvals) {
+    if (std::abs(approval.at - at) > 1e-9) continue;
+    list.push_back({{"who", approval.who}, {"why", approval.why}, {"driver", approval.driver}});
+  }
+  return list;
+}
+
+Json entry(const JudgedScenario& judged, std::size_t index, const std::filesystem::path& folder) {
+  const GoldenResult& result = judged.results[index];
+  const GoldenDefinition& definition = judged.scenario.goldens[index];
+  const std::optional<Attribution>& attribution = judged.attributions[index];
+  const std::vector<GoldenApproval> approvals = read_approvals(folder);
+  const Image golden = approved_picture(result, approvals, folder);
+  Json json = {{"scenario", result.scenario},
+               {"title", judged.scenario.title},
+               {"at", result.at},
+               {"outcome", outcome_name(result.outcome)},
+               {"message", result.message},
+               {"cause", result.outcome == GoldenOutcome::kOk ? "" : cause_line(judged, index)},
+               {"stage", attribution ? stage_name(attribution->stage) : ""},
+               {"details", result.details},
+               {"max", definition.max},
+               {"mean", definition.mean},
+               {"why", definition.why},
+               {"largest", result.difference.largest},
+               {"mean_difference", result.difference.mean},
+               {"driver", result.driver},
+               {"approvals", history_of(approvals, result.at)}};
+  if (result.outcome == GoldenOutcome::kOk) {
+    if (!golden.pixels.empty()) json["thumbnail"] = thumbnail(golden);
+    return json;
+  }
+  const bool has_today = index < judged.pictures.pictures.size();
+  const Image today = has_today ? judged.pictures.pictures[index].image : Image{};
+  if (!golden.pixels.empty() || !today.pixels.empty()) {
+    json["thumbnail"] = thumbnail(today.pixels.empty() ? golden : today);
+  }
+  json["pictures"] = pictures_to_compare(golden, today, attribution);
+  if (attribution) {
+    Json changes = Json::array();
+    for (const ScenarioChange& change : attribution->scenario) changes.push_back(to_text(change));
+    json["scenario_changes"] = changes;
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string golden_report(const std::vector<JudgedScenario>& scenarios, const std::filesystem::path& goldens) {
+  Json list = Json::array();
+  for (const JudgedScenario& judged : scenarios) {
+    for (std::size_t i = 0; i < judged.results.size(); ++i) {
+      list.push_back(entry(judged, i, goldens / judged.scenario.name));
+    }
+  }
+  std::string data = list.dump(-1, ' ', true, Json::error_handler_t::replace);
+  // Nothing in the data may end the script that holds it.
+  for (std::size_t at = data.find("</"); at != std::string::npos; at = data.find("</", at)) data.replace(at, 2, "<\\/");
+  std::string page(report_page());
+  const std::string mark = "/*DATA*/[]";
+  page.replace(page.find(mark), mark.size(), data);
+  return page;
+}
+
+}  // namespace thinwall

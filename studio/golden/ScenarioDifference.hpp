@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace thinwall {
+
+/// Which part of the way from a scenario to a picture a key of it belongs to.
+enum class ScenarioStage { kPhysics, kLook, kOverlay, kNone };
+
+/// A value of a scenario that is not what it was.
+struct ScenarioChange {
+  ScenarioStage stage = ScenarioStage::kNone;
+  std::string key;     // "bodies.organ.wall.material.shear_modulus"
+  std::string before;  // as JSON; empty when it is new
+  std::string after;   // as JSON; empty when it is gone
+};
+
+/// "bodies.organ.wall.thickness 0.001 instead of 0.0008"
+std::string to_text(const ScenarioChange& change);
+
+/// What differs between two resolved scenarios (JSON texts), in order of their keys. Nothing when one of them is none.
+std::vector<ScenarioChange> compare_scenarios(const std::string& before, const std::string& after);
+
+}  // namespace thinwall

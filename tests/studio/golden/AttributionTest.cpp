@@ -1,0 +1,109 @@
+#include "studio/golden/Attribution.hpp"
+
+#include <gtest/gtest.h>
+
+#include "renderer/image/ImageHash.hpp"
+#include "studio/golden/OverlayRecord.hpp"
+#include "tests/studio/golden/GoldenScene.hpp"
+
+namespace thinwall {
+namespace {
+
+class AttributionTest : public ::testing::Test {
+ protected:
+  void SetUp() override { scene_.approve(); }
+  Attribution attribution_of(const JudgedScenario& judged) {
+    EXPECT_EQ(judged.results[0].outcome, GoldenOutcome::kFailed) << judged.results[0].message;
+    return judged.attributions[0].value_or(Attribution{});
+  }
+  void expect_words(const Attribution& attribution, const std::string& words) {
+    EXPECT_NE(attribution.sentence.find(words), std::string::npos) << attribution.sentence;
+  }
+
+  GoldenScene scene_;
+};
+
+TEST_F(AttributionTest, WhatHasNotChangedHasNoCause) {
+  const JudgedScenario judged = scene_.judge(golden_scene());
+  EXPECT_EQ(judged.results[0].outcome, GoldenOutcome::kOk);
+  EXPECT_FALSE(judged.attributions[0]);
+}
+
+TEST_F(AttributionTest, AChangedEngineIsToldWithStepQuantityAndAmount) {
+  const Attribution attribution = attribution_of(scene_.judge(golden_scene(), synthetic_source({.depth = 0.005})));
+  EXPECT_EQ(attribution.stage, ChangedStage::kPhysics);
+  EXPECT_EQ(attribution.history.step, 1U);
+  expect_words(attribution, "physics changed from step 1 on");
+  expect_words(attribution, "(+25 %)");
+  expect_words(attribution, "the scenario asks for the same, so the engine has changed");
+  expect_words(attribution, "the renderer draws the golden's state as before");
+}
+
+TEST_F(AttributionTest, AChangedMaterialIsNamed) {
+  const Attribution attribution =
+      attribution_of(scene_.judge(golden_scene(1, "20400.0"), synthetic_source({.depth = 0.005})));
+  EXPECT_EQ(attribution.stage, ChangedStage::kPhysics);
+  expect_words(attribution, "bodies.organ.shear_modulus 20400.0 instead of 20000.0");
+}
+
+TEST_F(AttributionTest, AChangedRendererIsToldWithTheStateIdentical) {
+  const Attribution attribution = attribution_of(scene_.judge(golden_scene(), synthetic_source(), view_painters(1.1)));
+  EXPECT_EQ(attribution.stage, ChangedStage::kRenderer);
+  EXPECT_EQ(attribution.sentence, "renderer changed, state and look identical");
+}
+
+TEST_F(AttributionTest, AChangedRendererBesideChangedPhysicsIsToldToo) {
+  const Attribution attribution =
+      attribution_of(scene_.judge(golden_scene(), synthetic_source({.depth = 0.005}), view_painters(1.1)));
+  EXPECT_EQ(attribution.stage, ChangedStage::kPhysics);
+  expect_words(attribution, "the golden's state is drawn differently too");
+}
+
+TEST_F(AttributionTest, AChangedLookIsNamedAndDrawnAsItWas) {
+  const Attribution attribution = attribution_of(scene_.judge(golden_scene(1.2)));
+  EXPECT_EQ(attribution.stage, ChangedStage::kLook);
+  expect_words(attribution, "look changed, state identical: lights.key 1.2 instead of 1.0");
+  ASSERT_TRUE(attribution.golden_look);
+  EXPECT_EQ(image_hash(*attribution.golden_look), read_approvals(scene_.folder())[0].scene_hash);
+}
+
+TEST_F(AttributionTest, AChangedTextIsNamed) {
+  Scenario scenario = golden_scene();
+  scenario.title = "A sheat";
+  const Attribution attribution = attribution_of(scene_.judge(scenario));
+  EXPECT_EQ(attribution.stage, ChangedStage::kOverlay);
+  EXPECT_EQ(attribution.sentence,
+            "overlay changed: title \"A sheat\" instead of \"A sheet\"; the picture below is identical");
+}
+
+TEST_F(AttributionTest, AnApprovalWithoutEvidenceStillTellsStateFromPicture) {
+  std::vector<GoldenApproval> approvals = read_approvals(scene_.folder());
+  approvals[0].history = approvals[0].scene_hash = approvals[0].overlay = "";
+  write_approvals(scene_.folder(), approvals);
+  EXPECT_EQ(attribution_of(scene_.judge(golden_scene(), synthetic_source(), view_painters(1.1))).stage,
+            ChangedStage::kRenderer);
+  EXPECT_EQ(attribution_of(scene_.judge(golden_scene(), synthetic_source({.depth = 0.006}))).stage,
+            ChangedStage::kPhysics);
+}
+
+TEST_F(AttributionTest, PhysicsThatChangesWithinTheLimitsIsMentioned) {
+  const JudgedScenario judged = scene_.judge(golden_scene(), synthetic_source({.depth = 0.004002}));
+  ASSERT_EQ(judged.results[0].outcome, GoldenOutcome::kOk) << judged.results[0].message;
+  EXPECT_NE(judged.results[0].message.find("within the limits, though physics changed from step 2 on"),
+            std::string::npos)
+      << judged.results[0].message;
+}
+
+TEST(OverlayRecord, NumbersCountFromWhatIsShownOfThem) {
+  OverlayContent content{.title = "A", .caption = "", .phase = "", .tool = "", .force = 0.25, .history = {}};
+  const std::string golden = overlay_record(content);
+  content.force = 0.2500001;
+  EXPECT_TRUE(compare_overlays(golden, overlay_record(content)).empty());
+  content.force = 0.26;
+  EXPECT_EQ(compare_overlays(golden, overlay_record(content)),
+            std::vector<std::string>{"force_N 0.26 instead of 0.25"});
+  EXPECT_TRUE(compare_overlays("", golden).empty());
+}
+
+}  // namespace
+}  // namespace thinwall

@@ -1,0 +1,69 @@
+#include "studio/golden/GoldenCache.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/studio/golden/GoldenScene.hpp"
+
+namespace thinwall {
+namespace {
+
+class GoldenCacheTest : public ::testing::Test {
+ protected:
+  void SetUp() override { scene_.approve(); }
+  JudgedScenario judge(const Scenario& scenario, const std::string& program = "1",
+                       const SourceFactory& sources = synthetic_source()) {
+    GoldenRunOptions options = scene_.options(sources, view_painters());
+    options.cache = scene_.temporary() / "cache.json";
+    options.program = program;
+    return std::move(judge_scenarios({scenario}, options, [](const JudgedScenario&) {}).front());
+  }
+
+  GoldenScene scene_;
+};
+
+TEST_F(GoldenCacheTest, WhatWasGoodIsNotMadeAgain) {
+  EXPECT_FALSE(judge(golden_scene()).from_cache);
+  const JudgedScenario again = judge(golden_scene());
+  EXPECT_TRUE(again.from_cache);
+  EXPECT_EQ(again.results[0].outcome, GoldenOutcome::kOk);
+  EXPECT_EQ(again.results[0].message, "equal");
+}
+
+TEST_F(GoldenCacheTest, AnotherProgramScenarioOrGoldenIsMadeAnew) {
+  judge(golden_scene());
+  EXPECT_FALSE(judge(golden_scene(), "2").from_cache);
+  judge(golden_scene());
+  EXPECT_FALSE(judge(golden_scene(1, "20001.0")).from_cache);
+  judge(golden_scene());
+  write_bytes(scene_.folder() / "approval.json", file_bytes(scene_.folder() / "approval.json") + " ");
+  EXPECT_FALSE(judge(golden_scene()).from_cache);
+}
+
+TEST_F(GoldenCacheTest, AFileThatTheScenarioNamesCounts) {
+  Scenario scenario = golden_scene();
+  scenario.file = scene_.temporary() / "scene.yaml";
+  scenario.resolved = R"({"mesh": "organ.obj", "lights": {"key": 1}})";
+  judge(scenario);
+  EXPECT_FALSE(judge(scenario).from_cache) << "a file that is not found is never taken as unchanged";
+  write_bytes(scene_.temporary() / "organ.obj", "v 0 0 0");
+  judge(scenario);
+  EXPECT_TRUE(judge(scenario).from_cache);
+  write_bytes(scene_.temporary() / "organ.obj", "v 0 0 1");
+  EXPECT_FALSE(judge(scenario).from_cache);
+}
+
+TEST_F(GoldenCacheTest, AFailureIsNeverRemembered) {
+  judge(golden_scene());
+  const SourceFactory deeper = synthetic_source({.depth = 0.006});
+  EXPECT_EQ(judge(golden_scene(1, "2.0"), "1", deeper).results[0].outcome, GoldenOutcome::kFailed);
+  EXPECT_EQ(judge(golden_scene(1, "2.0"), "1", deeper).results[0].outcome, GoldenOutcome::kFailed);
+}
+
+TEST_F(GoldenCacheTest, ABrokenCacheIsNone) {
+  judge(golden_scene());
+  write_bytes(scene_.temporary() / "cache.json", "{\"sheet\": 3");
+  EXPECT_FALSE(judge(golden_scene()).from_cache);
+}
+
+}  // namespace
+}  // namespace thinwall

@@ -1,0 +1,67 @@
+#include "studio/golden/GoldenHistory.hpp"
+
+#include <gtest/gtest.h>
+
+#include "studio/golden/GoldenApproval.hpp"
+
+namespace thinwall {
+namespace {
+
+GoldenHistory history(std::size_t steps, double force_from_step_5 = 1) {
+  GoldenHistory history;
+  for (std::size_t step = 0; step < steps; ++step) {
+    const double time = 0.01 * static_cast<double>(step);
+    ToolRecord probe{.tool = "probe", .phase = "contact"};
+    probe.force.z() = 3 * time * (step >= 5 ? force_from_step_5 : 1);
+    BodyRecord organ{.body = "organ", .volume = 1e-5, .pressure = 100};
+    add_step(history, step, {.time = time, .tools = {probe}, .bodies = {organ}});
+  }
+  return history;
+}
+
+TEST(GoldenHistory, ComesBackFromItsText) {
+  const GoldenHistory written = history(20);
+  const GoldenHistory read = parse_history(history_text(written), "h.csv");
+  EXPECT_EQ(read.columns, written.columns);
+  ASSERT_EQ(read.rows.size(), 20U);
+  EXPECT_FALSE(compare_histories(read, written).changed);
+  EXPECT_TRUE(compare_histories(read, written).comparable);
+}
+
+TEST(GoldenHistory, StaysSmallAndKeepsItsLastStep) {
+  const GoldenHistory read = parse_history(history_text(history(2000)), "h.csv");
+  EXPECT_LE(read.rows.size(), kHistoryRows + 1);
+  EXPECT_EQ(read.rows.back().step, 1999U);
+  EXPECT_FALSE(compare_histories(read, history(2000)).changed);
+}
+
+TEST(GoldenHistory, NamesTheFirstStepTheQuantityAndTheAmount) {
+  const HistoryChange change = compare_histories(history(20), history(20, 1.031));
+  EXPECT_TRUE(change.changed);
+  EXPECT_EQ(change.step, 5U);
+  EXPECT_DOUBLE_EQ(change.time, 0.05);
+  EXPECT_EQ(change.quantity, "probe.force_N");
+  EXPECT_EQ(change.sentence,
+            "from step 5 on (0.05 s), first in the force of probe; at 0.19 s the force of probe is 0.5877 N instead of "
+            "0.57 N (+3.1 %)");
+}
+
+TEST(GoldenHistory, RoundingOfOtherMachinesIsNoChange) {
+  EXPECT_FALSE(compare_histories(history(20), history(20, 1 + 1e-7)).changed);
+  EXPECT_TRUE(compare_histories(history(20), history(20, 1 + 1e-4)).changed);
+}
+
+TEST(GoldenHistory, OtherQuantitiesCannotBeCompared) {
+  GoldenHistory other = history(20);
+  other.columns[0] = "blade.force_N";
+  EXPECT_FALSE(compare_histories(history(20), other).comparable);
+}
+
+TEST(GoldenHistory, ABrokenTextIsAnErrorThatNamesTheFile) {
+  EXPECT_THROW(parse_history("nothing", "h.csv"), GoldenError);
+  EXPECT_THROW(parse_history("step,time_s,a\n1,2\n", "h.csv"), GoldenError);
+  EXPECT_THROW(parse_history("step,time_s,a\n1,2,x\n", "h.csv"), GoldenError);
+}
+
+}  // namespace
+}  // namespace thinwall

@@ -1,0 +1,40 @@
+#include "studio/golden/ScenarioDifference.hpp"
+
+#include <gtest/gtest.h>
+
+namespace thinwall {
+namespace {
+
+TEST(ScenarioDifference, EqualScenariosHaveNone) {
+  EXPECT_TRUE(compare_scenarios(R"({"a": {"b": [1, 2]}})", R"({"a": {"b": [1, 2]}})").empty());
+}
+
+TEST(ScenarioDifference, NamesKeyAndBothValuesAndTheStage) {
+  const auto changes = compare_scenarios(
+      R"({"bodies": {"organ": {"wall": {"thickness": 0.001}}}, "lights": {"key": 1}, "timeline": [{"caption": "a"}]})",
+      R"({"bodies": {"organ": {"wall": {"thickness": 0.002}}}, "lights": {"key": 2}, "timeline": [{"caption": "b"}]})");
+  ASSERT_EQ(changes.size(), 3U);
+  EXPECT_EQ(to_text(changes[0]), "bodies.organ.wall.thickness 0.002 instead of 0.001");
+  EXPECT_EQ(changes[0].stage, ScenarioStage::kPhysics);
+  EXPECT_EQ(changes[1].stage, ScenarioStage::kLook);
+  EXPECT_EQ(changes[2].key, "timeline.0.caption");
+  EXPECT_EQ(changes[2].stage, ScenarioStage::kOverlay);
+}
+
+TEST(ScenarioDifference, KeysComeAndGo) {
+  const auto changes = compare_scenarios(R"({"tools": {"a": {"radius": 1}}})", R"({"tools": {"a": {"length": 2}}})");
+  ASSERT_EQ(changes.size(), 2U);
+  EXPECT_EQ(to_text(changes[0]), "tools.a.radius is gone, it was 1");
+  EXPECT_EQ(to_text(changes[1]), "tools.a.length 2, which was not there");
+}
+
+TEST(ScenarioDifference, AnotherNumberOfClipsIsOneChange) {
+  EXPECT_EQ(compare_scenarios(R"({"timeline": [{"a": 1}]})", R"({"timeline": [{"a": 1}, {"b": 2}]})").size(), 1U);
+}
+
+TEST(ScenarioDifference, WhatIsNoScenarioTellsNothing) {
+  EXPECT_TRUE(compare_scenarios("", "{}").empty());
+}
+
+}  // namespace
+}  // namespace thinwall
