@@ -307,11 +307,11 @@ void CommandLine::add_golden() {
   for (CLI::App* command : {test, report, review, approve}) {
     add_device(*command);
     add_threads(*command);
+  }
+  for (CLI::App* command : {test, report, review}) {
     command->add_option("--jobs", golden_.jobs, "scenarios at once; as many as there are cores when absent")
         ->type_name("N")
         ->check(CLI::Range(1, 256));
-  }
-  for (CLI::App* command : {test, report, review}) {
     command->add_option("--out", golden_.out, "where the report and pictures that failed are put, to be looked at")
         ->type_name("DIR")
         ->capture_default_str();

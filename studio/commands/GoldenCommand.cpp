@@ -122,10 +122,7 @@ void print_summary(const std::vector<JudgedScenario>& all, bool json) {
 }
 
 std::vector<JudgedScenario> judge_and_print(const GoldenOptions& options) {
-  std::optional<std::filesystem::path> cache;
-  if (!options.all) cache = options.out / "unchanged.json";
-  return judge_scenarios(named_goldens(options.scenarios).scenarios,
-                         golden_run(options.device, options.device_text, options.jobs, cache),
+  return judge_scenarios(named_goldens(options.scenarios).scenarios, golden_run(options, true),
                          [&](const JudgedScenario& judged) {
                            for (std::size_t i = 0; i < judged.results.size(); ++i) {
                              print_result(judged, i);
@@ -180,8 +177,8 @@ int approve_goldens(const GoldenOptions& options) {
   }
   if (options.scenarios.empty()) throw UsageError("golden approve: name the scenarios to approve");
   const NamedGoldens named = named_goldens(options.scenarios);
-  const std::vector<JudgedScenario> all = judge_scenarios(
-      named.scenarios, golden_run(options.device, options.device_text, options.jobs, {}), [](const JudgedScenario&) {});
+  const std::vector<JudgedScenario> all =
+      judge_scenarios(named.scenarios, golden_run(options, false), [](const JudgedScenario&) {});
   bool any_result_missing = false;
   int approved = 0;
   for (std::size_t k = 0; k < all.size(); ++k) {

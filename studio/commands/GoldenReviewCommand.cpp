@@ -123,7 +123,7 @@ int review_goldens(const GoldenOptions& options) {
   if (is_continuous_integration()) throw UsageError("golden review: goldens are approved by a person, not in CI");
   const NamedGoldens named = named_goldens(options.scenarios);
   const std::vector<JudgedScenario> all =
-      judge_scenarios(named.scenarios, golden_run(options.device, options.device_text, options.jobs, {}),
+      judge_scenarios(named.scenarios, golden_run(options, true),
                       [](const JudgedScenario& judged) { fmt::print(stderr, "compared: {}\n", judged.scenario.name); });
   make_folder(options.out);
   write_whole_file(options.out / "index.html", golden_report(all, golden_root()));

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <thread>
 
 #include "renderer/picture/PictureFailure.hpp"
+#include "renderer/video/Program.hpp"
 #include "studio/commands/Arguments.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/RunSource.hpp"
@@ -14,6 +16,8 @@
 
 namespace thinwall {
 namespace {
+
+constexpr const char* kCache = "unchanged.json";  // in the folder for what is to be looked at
 
 /// The folder that holds scenes/ and golden_images/.
 std::filesystem::path home() {
@@ -89,20 +93,28 @@ NamedGoldens named_goldens(const std::vector<std::string>& names) {
   return named;
 }
 
-GoldenRunOptions golden_run(const DeviceChoice& device, const std::string& device_text, int jobs,
-                            const std::optional<std::filesystem::path>& cache) {
-  GoldenRunOptions options{.sources = simulate_scenario,
-                           .painters =
-                               [device](const std::string& resolved) {
-                                 const PictureSettings settings = picture_settings(resolved);
-                                 return renderer_painters(device, settings.record.tier, settings.view);
-                               },
-                           .goldens = golden_root(),
-                           .cache = cache,
-                           .program = "",
-                           .jobs = jobs};
-  if (cache) options.program = file_hash("/proc/self/exe") + " " + device_text + " " + driver_here(device);
-  return options;
+GoldenRunOptions golden_run(const GoldenOptions& options, bool keeps) {
+  GoldenRunOptions run{.sources = simulate_scenario,
+                       .painters =
+                           [device = options.device](const std::string& resolved) {
+                             const PictureSettings settings = picture_settings(resolved);
+                             return renderer_painters(device, settings.record.tier, settings.view);
+                           },
+                       .goldens = golden_root(),
+                       .cache = {},
+                       .program = ""};
+  if (!keeps) return run;
+  run.cache = options.out / kCache;
+  run.anew = options.all;
+  run.program = file_hash("/proc/self/exe") + " " + options.device_text + " " + driver_here(options.device);
+  run.jobs = options.jobs > 0 ? options.jobs : static_cast<int>(std::thread::hardware_concurrency());
+  run.in_other_process = [options](const Scenario& scenario) {
+    const std::filesystem::path out = options.out / "jobs" / scenario.name;
+    run_program({std::filesystem::read_symlink("/proc/self/exe"), "golden", "test", scenario.file, "--all", "--jobs",
+                 "1", "--device", options.device_text, "--out", out});
+    return out / kCache;
+  };
+  return run;
 }
 
 bool is_continuous_integration() {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/device/DeviceChoice.hpp"
+#include "studio/commands/Commands.hpp"
 #include "studio/golden/GoldenRun.hpp"
 #include "studio/scenario/Scenario.hpp"
 
@@ -29,9 +29,9 @@ struct NamedGoldens {
 };
 NamedGoldens named_goldens(const std::vector<std::string>& names);
 
-/// How goldens are made on this machine. With `cached` results that were good are remembered in `out`.
-GoldenRunOptions golden_run(const DeviceChoice& device, const std::string& device_text, int jobs,
-                            const std::optional<std::filesystem::path>& cache);
+/// How goldens are made on this machine. With `keeps` what is good is remembered in the options' folder, and several
+/// scenarios are tested at once.
+GoldenRunOptions golden_run(const GoldenOptions& options, bool keeps);
 
 /// True in continuous integration, where nobody approves anything.
 bool is_continuous_integration();

@@ -62,21 +62,26 @@ std::string file_hash(const std::filesystem::path& file) {
   return hash_of({std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()});
 }
 
-GoldenCache::GoldenCache(std::filesystem::path file, std::string program)
-    : file_(std::move(file)), program_(std::move(program)) {
-  std::ifstream stream(file_);
+GoldenCache::GoldenCache(const std::filesystem::path& file, std::string program) : program_(std::move(program)) {
+  take_over(file);
+}
+
+void GoldenCache::take_over(const std::filesystem::path& file) {
+  std::ifstream stream(file);
   const Json json = Json::parse(stream, nullptr, false);
   if (!json.is_object()) return;
+  std::map<std::string, Entry> entries;
   try {
     for (const auto& [scenario, stored] : json.items()) {
       Entry entry{.key = stored.at("key"), .results = {}};
       for (const Json& result : stored.at("results")) entry.results.push_back(to_result(result, scenario));
-      entries_[scenario] = std::move(entry);
+      entries[scenario] = std::move(entry);
     }
   } catch (const Json::exception&) {
     // Of another version: everything is made anew.
-    entries_.clear();
+    return;
   }
+  for (auto& [scenario, entry] : entries) entries_[scenario] = std::move(entry);
 }
 
 std::string GoldenCache::key(const Scenario& scenario, const std::filesystem::path& goldens) const {
@@ -98,29 +103,27 @@ std::string GoldenCache::key(const Scenario& scenario, const std::filesystem::pa
 }
 
 std::vector<GoldenResult> GoldenCache::find(const Scenario& scenario, const std::string& key) const {
-  const std::lock_guard guard(lock_);
   const auto entry = entries_.find(scenario.name);
   if (key.empty() || entry == entries_.end() || entry->second.key != key) return {};
   return entry->second.results;
 }
 
 void GoldenCache::keep(const Scenario& scenario, const std::string& key, const std::vector<GoldenResult>& results) {
-  const std::lock_guard guard(lock_);
   entries_.erase(scenario.name);
   const bool all_ok = std::all_of(results.begin(), results.end(),
                                   [](const GoldenResult& result) { return result.outcome == GoldenOutcome::kOk; });
   if (!key.empty() && all_ok) entries_[scenario.name] = {.key = key, .results = results};
 }
 
-void GoldenCache::write() const {
+void GoldenCache::write_to(const std::filesystem::path& file) const {
   Json json = Json::object();
   for (const auto& [scenario, entry] : entries_) {
     Json results = Json::array();
     for (const GoldenResult& result : entry.results) results.push_back(to_json(result));
     json[scenario] = {{"key", entry.key}, {"results", results}};
   }
-  if (file_.has_parent_path()) make_folder(file_.parent_path());
-  write_whole_file(file_, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  if (file.has_parent_path()) make_folder(file.parent_path());
+  write_whole_file(file, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace thinwall

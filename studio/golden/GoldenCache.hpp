@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <map>
-#include <mutex>
 #include <string>
 #include <vector>
 
@@ -16,7 +15,7 @@ class GoldenCache {
  public:
   /// `program`: a hash of what simulates and draws, device and driver included. A file that cannot be read counts as
   /// empty.
-  GoldenCache(std::filesystem::path file, std::string program);
+  GoldenCache(const std::filesystem::path& file, std::string program);
 
   /// Empty when a file that the scenario names is not found: then nothing is remembered.
   std::string key(const Scenario& scenario, const std::filesystem::path& goldens) const;
@@ -27,18 +26,19 @@ class GoldenCache {
   /// Keeps them when all are ok.
   void keep(const Scenario& scenario, const std::string& key, const std::vector<GoldenResult>& results);
 
+  /// Takes over what another cache of the same program has kept.
+  void take_over(const std::filesystem::path& file);
+
   /// Throws PictureFailure.
-  void write() const;
+  void write_to(const std::filesystem::path& file) const;
 
  private:
   struct Entry {
     std::string key;
     std::vector<GoldenResult> results;
   };
-  std::filesystem::path file_;
   std::string program_;
   std::map<std::string, Entry> entries_;  // by scenario
-  mutable std::mutex lock_;
 };
 
 /// 32 hexadecimal digits of the content of a file; empty when it cannot be read.

@@ -1,7 +1,5 @@
 #include "studio/golden/GoldenRun.hpp"
 
-#include <mutex>
-
 #include "renderer/metric/Tiles.hpp"
 #include "studio/golden/GoldenCache.hpp"
 
@@ -48,55 +46,45 @@ void judge(JudgedScenario& judged, const GoldenRunOptions& options) {
   }
 }
 
-/// Hands over in order what is ready.
-class InOrder {
- public:
-  InOrder(const std::vector<JudgedScenario>& all, const std::function<void(const JudgedScenario&)>& done)
-      : all_(all), done_(done), ready_(all.size(), false) {}
-
-  void finished(std::size_t index) {
-    const std::lock_guard guard(lock_);
-    ready_[index] = true;
-    for (; next_ < all_.size() && ready_[next_]; ++next_) done_(all_[next_]);
-  }
-
- private:
-  const std::vector<JudgedScenario>& all_;
-  const std::function<void(const JudgedScenario&)>& done_;
-  std::vector<bool> ready_;
-  std::size_t next_ = 0;
-  std::mutex lock_;
-};
+/// Of the scenarios that nothing is known of, finds those that are good in other processes.
+void look_in_other_processes(const std::vector<const Scenario*>& scenarios, const GoldenRunOptions& options,
+                             GoldenCache& cache) {
+  if (options.jobs < 2 || scenarios.size() < 2 || !options.in_other_process) return;
+  std::vector<std::filesystem::path> files(scenarios.size());
+  for_each_in_parallel(
+      scenarios.size(), [&](std::size_t i) { files[i] = options.in_other_process(*scenarios[i]); }, options.jobs);
+  for (const std::filesystem::path& file : files) cache.take_over(file);
+}
 
 }  // namespace
 
 std::vector<JudgedScenario> judge_scenarios(std::vector<Scenario> scenarios, const GoldenRunOptions& options,
                                             const std::function<void(const JudgedScenario&)>& done) {
-  std::vector<JudgedScenario> all;
-  for (Scenario& scenario : scenarios) {
-    all.push_back({.scenario = std::move(scenario), .pictures = {}, .results = {}, .attributions = {}});
-  }
   std::optional<GoldenCache> cache;
-  if (options.cache) cache.emplace(*options.cache, options.program);
-  InOrder order(all, done);
-  for_each_in_parallel(
-      all.size(),
-      [&](std::size_t index) {
-        JudgedScenario& judged = all[index];
-        const std::filesystem::path folder = options.goldens / judged.scenario.name;
-        const std::string key = cache ? cache->key(judged.scenario, folder) : "";
-        if (cache) judged.results = cache->find(judged.scenario, key);
-        judged.from_cache = !judged.results.empty();
-        if (judged.from_cache) {
-          judged.attributions.resize(judged.results.size());
-        } else {
-          judge(judged, options);
-          if (cache) cache->keep(judged.scenario, key, judged.results);
-        }
-        order.finished(index);
-      },
-      options.jobs);
-  if (cache) cache->write();
+  if (options.cache) cache.emplace(options.anew ? std::filesystem::path() : *options.cache, options.program);
+  std::vector<std::string> keys(scenarios.size());
+  std::vector<bool> known(scenarios.size(), false);
+  std::vector<const Scenario*> unknown;
+  for (std::size_t i = 0; cache && i < scenarios.size(); ++i) {
+    keys[i] = cache->key(scenarios[i], options.goldens / scenarios[i].name);
+    known[i] = !cache->find(scenarios[i], keys[i]).empty();
+    if (!known[i]) unknown.push_back(&scenarios[i]);
+  }
+  if (cache) look_in_other_processes(unknown, options, *cache);
+  std::vector<JudgedScenario> all;
+  for (std::size_t i = 0; i < scenarios.size(); ++i) {
+    JudgedScenario judged{.scenario = std::move(scenarios[i]), .pictures = {}, .results = {}, .attributions = {}};
+    judged.from_cache = known[i];
+    if (cache) judged.results = cache->find(judged.scenario, keys[i]);
+    if (judged.results.empty()) {
+      judge(judged, options);
+      if (cache) cache->keep(judged.scenario, keys[i], judged.results);
+    }
+    judged.attributions.resize(judged.results.size());
+    done(judged);
+    all.push_back(std::move(judged));
+  }
+  if (cache) cache->write_to(*options.cache);
   return all;
 }
 

@@ -24,13 +24,17 @@ struct GoldenRunOptions {
   SourceFactory sources;
   ViewPainters painters;
   std::filesystem::path goldens;               // the folder that holds a folder for each scenario
-  std::optional<std::filesystem::path> cache;  // a file with what was good before; absent: everything is made anew
+  std::optional<std::filesystem::path> cache;  // a file that keeps what was good; absent: nothing is kept
+  bool anew = false;                           // what was good before counts for nothing
   std::string program;                         // a hash of what simulates and draws, for the cache
-  int jobs = 0;                                // scenarios at once; 0: as many as there are cores
+  int jobs = 1;                                // scenarios at once, each in a process of its own
+  // Tests a scenario in another process, which keeps what is good in a cache of its own: that file. Processes, because
+  // the libraries for orderings and for take files must not be used by two threads at once.
+  std::function<std::filesystem::path(const Scenario&)> in_other_process = {};
 };
 
-/// Simulates, draws and compares, several scenarios at once; the results are in the order of the scenarios. `done` is
-/// called for one after the other, in that order, as soon as it and those before it are ready.
+/// Simulates, draws and compares; `done` is called for one scenario after the other. With several jobs and a cache,
+/// other processes look first which scenarios are good; only the others are made here.
 std::vector<JudgedScenario> judge_scenarios(std::vector<Scenario> scenarios, const GoldenRunOptions& options,
                                             const std::function<void(const JudgedScenario&)>& done);
 

@@ -59,6 +59,35 @@ TEST_F(GoldenCacheTest, AFailureIsNeverRemembered) {
   EXPECT_EQ(judge(golden_scene(1, "2.0"), "1", deeper).results[0].outcome, GoldenOutcome::kFailed);
 }
 
+TEST_F(GoldenCacheTest, WhatIsMadeAnewIsKeptForTheNextTime) {
+  judge(golden_scene());
+  GoldenRunOptions options = scene_.options(synthetic_source(), view_painters());
+  options.cache = scene_.temporary() / "cache.json";
+  options.anew = true;
+  EXPECT_FALSE(judge_scenarios({golden_scene()}, options, [](const JudgedScenario&) {})[0].from_cache);
+  EXPECT_TRUE(judge(golden_scene()).from_cache);
+}
+
+TEST_F(GoldenCacheTest, WhatIsGoodInAnotherProcessIsNotMadeHere) {
+  const auto test_elsewhere = [&](const Scenario& scenario) {
+    GoldenRunOptions options = scene_.options(synthetic_source(), view_painters());
+    options.cache = scene_.temporary() / (scenario.name + ".json");
+    judge_scenarios({scenario}, options, [](const JudgedScenario&) {});
+    return *options.cache;
+  };
+  GoldenRunOptions options = scene_.options(
+      [](const Scenario&) -> std::unique_ptr<MomentSource> { throw SimulationFailure("made here"); }, view_painters());
+  options.cache = scene_.temporary() / "cache.json";
+  options.jobs = 2;
+  options.in_other_process = test_elsewhere;
+  Scenario unapproved = golden_scene();
+  unapproved.name = "unapproved";
+  const auto all = judge_scenarios({golden_scene(), unapproved}, options, [](const JudgedScenario&) {});
+  EXPECT_EQ(all[0].results[0].outcome, GoldenOutcome::kOk);
+  EXPECT_FALSE(all[0].from_cache);
+  EXPECT_EQ(all[1].results[0].message, "made here");
+}
+
 TEST_F(GoldenCacheTest, ABrokenCacheIsNone) {
   judge(golden_scene());
   write_bytes(scene_.temporary() / "cache.json", "{\"sheet\": 3");
