@@ -15,13 +15,18 @@ GoldenResult skipped(const Scenario& scenario, const GoldenDefinition& golden, c
   return result;
 }
 
-/// A picture within its limits whose simulation has changed is good, but worth a word.
-void mention_history(GoldenResult& result, const GoldenPicture& picture, const std::filesystem::path& folder) {
+/// A picture within its limits whose simulation or drawing has changed is good, but worth a word.
+void mention_changes(GoldenResult& result, const GoldenPicture& picture, const std::filesystem::path& folder) {
   const std::vector<GoldenApproval> approvals = read_approvals(folder);
   const GoldenApproval* approval = find_approval(approvals, result.at, result.driver);
   if (approval == nullptr) return;
   const HistoryChange change = history_change(picture, *approval, folder);
   if (change.changed) result.message += "; within the limits, though physics changed " + change.sentence;
+  const bool is_drawn_differently =
+      approval->driver == result.driver && !approval->scene_hash.empty() && approval->scene_hash != picture.scene_hash;
+  if (result.state.verdict == StateVerdict::kEqual && is_drawn_differently) {
+    result.message += "; within the limits, though the same state is drawn differently";
+  }
 }
 
 void judge(JudgedScenario& judged, const GoldenRunOptions& options) {
@@ -39,8 +44,8 @@ void judge(JudgedScenario& judged, const GoldenRunOptions& options) {
         compare_with_golden(scenario.name, scenario.goldens[i], picture, judged.pictures.driver, folder);
     if (result.outcome == GoldenOutcome::kFailed) {
       judged.attributions[i] = attribute(scenario, picture, result, folder, options.painters);
-    } else if (result.outcome == GoldenOutcome::kOk && result.state.verdict != StateVerdict::kEqual) {
-      mention_history(result, picture, folder);
+    } else if (result.outcome == GoldenOutcome::kOk) {
+      mention_changes(result, picture, folder);
     }
     judged.results.push_back(std::move(result));
   }

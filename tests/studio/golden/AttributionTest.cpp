@@ -94,6 +94,16 @@ TEST_F(AttributionTest, PhysicsThatChangesWithinTheLimitsIsMentioned) {
       << judged.results[0].message;
 }
 
+TEST_F(AttributionTest, ARendererThatChangesWithinTheLimitsIsMentioned) {
+  Scenario scenario = golden_scene();
+  scenario.goldens[0].mean = 1;
+  const JudgedScenario judged = scene_.judge(scenario, synthetic_source(), view_painters(1.004));
+  ASSERT_EQ(judged.results[0].outcome, GoldenOutcome::kOk) << judged.results[0].message;
+  EXPECT_NE(judged.results[0].message.find("within the limits, though the same state is drawn differently"),
+            std::string::npos)
+      << judged.results[0].message;
+}
+
 TEST(OverlayRecord, NumbersCountFromWhatIsShownOfThem) {
   OverlayContent content{.title = "A", .caption = "", .phase = "", .tool = "", .force = 0.25, .history = {}};
   const std::string golden = overlay_record(content);
