@@ -207,6 +207,10 @@ class Body {
   /// Pressure between wall and tools at each vertex, (vertices), pascal: force on the vertex over its rest area.
   Eigen::VectorXd contact_pressure() const;
 
+  /// Principal Cauchy stresses in the middle plane of the wall, (2 x triangles), pascal, the larger first: what the
+  /// wall bears now, with what viscosity adds. Of a shell the part of the membrane, without that of bending.
+  Eigen::Matrix2Xd principal_stress() const;
+
  private:
   /// What a cut has replaced.
   struct Uncut {

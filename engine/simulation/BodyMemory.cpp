@@ -107,6 +107,19 @@ void Body::add_memory(double duration, EquilibriumProblem& problem) const {
   }
 }
 
+Eigen::Matrix2Xd Body::principal_stress() const {
+  Eigen::Matrix2Xd stress(2, model_->triangles());
+  const bool viscous = is_viscous(model_->definition);
+  const double lasting = lasting_part(model_->definition);
+  for (int t = 0; t < model_->triangles(); ++t) {
+    const Eigen::Vector3d strain = strain_of(*model_, t, state_.equilibrium.position);
+    Eigen::Vector3d total = law_stress(*model_, t, strain);
+    if (viscous) total = lasting * total + state_.wall.overstress[t];
+    stress.col(t) = principal_cauchy_stress(total, {1 + 2 * strain[0], 1 + 2 * strain[1], strain[2]});
+  }
+  return stress;
+}
+
 double Body::update_bending_memory(double duration, const EquilibriumProblem& problem) {
   WallHistory& wall = state_.wall;
   const double lasting = lasting_part(model_->definition);

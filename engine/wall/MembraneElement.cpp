@@ -145,18 +145,21 @@ Eigen::Vector3d green_lagrange_strain(const MembraneRest& rest, const std::array
   return green_lagrange(right_cauchy_green(deformation_gradient(rest, corners)));
 }
 
+Eigen::Vector2d principal_cauchy_stress(const Eigen::Vector3d& s, const Eigen::Vector3d& c) {
+  // Half the difference is taken from entries that vanish where the two are equal; trace and determinant would lose
+  // half the digits there.
+  const double first = s[0] * c[0] + s[2] * c[2], second = s[2] * c[2] + s[1] * c[1];
+  const double across = (s[0] * c[2] + s[2] * c[1]) * (s[2] * c[0] + s[1] * c[2]);
+  const double half_difference = std::sqrt(std::max(0.0, 0.25 * (first - second) * (first - second) + across));
+  return {0.5 * (first + second) + half_difference, 0.5 * (first + second) - half_difference};
+}
+
 double largest_tension(const MembraneRest& rest, const Material& material,
                        const std::array<Eigen::Vector3d, 3>& corners) {
   const Eigen::Vector3d c = right_cauchy_green(deformation_gradient(rest, corners));
   const Eigen::Vector3d s = material.law->respond(material.parameters, c).second_piola_kirchhoff;
-  // The principal values of F S F^T are those of S C. Half their difference is taken from entries that vanish where the
-  // two are equal; trace and determinant would lose half the digits there.
-  const double first = s[0] * c[0] + s[2] * c[2], second = s[2] * c[2] + s[1] * c[1];
-  const double across = (s[0] * c[2] + s[2] * c[1]) * (s[2] * c[0] + s[1] * c[2]);
-  const double half_difference = std::sqrt(std::max(0.0, 0.25 * (first - second) * (first - second) + across));
-  const double principal = 0.5 * (first + second) + half_difference;
   const double det_c = c[0] * c[1] - c[2] * c[2];
-  return rest.thickness * principal / std::sqrt(det_c);
+  return rest.thickness * principal_cauchy_stress(s, c)[0] / std::sqrt(det_c);
 }
 
 }  // namespace thinwall

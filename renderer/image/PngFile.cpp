@@ -50,18 +50,31 @@ void set_effort(png_structp png, PngEffort effort) {
   png_set_compression_level(png, effort == PngEffort::kFast ? 1 : 9);
 }
 
+/// What libpng needs to know of a picture.
+struct PngRows {
+  ImageSize size;
+  int bit_depth = 8;
+  int color_type = PNG_COLOR_TYPE_RGB;
+  bool is_srgb = true;
+  const std::uint8_t* first = nullptr;
+  std::size_t stride = 0;  // bytes from row to row
+  PngEffort effort = PngEffort::kFast;
+};
+
 /// False when libpng left by longjmp. Holds no object with a destructor, which a longjmp would skip.
-bool encode_rows(png_structp png, png_infop info, const Image& image, PngEffort effort) {
+bool encode_rows(png_structp png, png_infop info, const PngRows& rows) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
   png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
-  png_set_IHDR(png, info, static_cast<png_uint_32>(image.size.width), static_cast<png_uint_32>(image.size.height), 8,
-               PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
-  set_effort(png, effort);
+  png_set_IHDR(png, info, static_cast<png_uint_32>(rows.size.width), static_cast<png_uint_32>(rows.size.height),
+               rows.bit_depth, rows.color_type, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+               PNG_FILTER_TYPE_DEFAULT);
+  if (rows.is_srgb) png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+  set_effort(png, rows.effort);
   png_write_info(png, info);
-  const std::size_t stride = static_cast<std::size_t>(image.size.width) * 3;
-  for (int row = 0; row < image.size.height; ++row) {
-    png_write_row(png, image.pixels.data() + static_cast<std::size_t>(row) * stride);
+  // The format stores the high byte first.
+  if (rows.bit_depth == 16) png_set_swap(png);
+  for (int row = 0; row < rows.size.height; ++row) {
+    png_write_row(png, rows.first + static_cast<std::size_t>(row) * rows.stride);
   }
   png_write_end(png, nullptr);
   return true;
@@ -101,6 +114,31 @@ struct PngReader {
   ~PngReader() { png_image_free(&image); }
 };
 
+std::vector<std::uint8_t> encode(const PngRows& rows) {
+  PngSink sink;
+  sink.bytes.reserve(rows.stride * static_cast<std::size_t>(rows.size.height) / 4);
+  PngWriter writer(sink);
+  if (writer.info == nullptr) throw PictureFailure("cannot make a PNG picture: out of memory");
+  png_set_write_fn(writer.png, &sink, append_bytes, flush_nothing);
+  if (!encode_rows(writer.png, writer.info, rows)) {
+    throw PictureFailure(std::string("cannot make a PNG picture: ") + sink.words);
+  }
+  return std::move(sink.bytes);
+}
+
+template <typename Number>
+PngRows rows_of(const Layer<Number>& layer) {
+  const std::size_t numbers = static_cast<std::size_t>(layer.size.width) * layer.channels;
+  assert(layer.channels == 1 || layer.channels == 3);
+  assert(layer.values.size() == numbers * static_cast<std::size_t>(layer.size.height));
+  return {.size = layer.size,
+          .bit_depth = 8 * sizeof(Number),
+          .color_type = layer.channels == 1 ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB,
+          .is_srgb = false,
+          .first = reinterpret_cast<const std::uint8_t*>(layer.values.data()),
+          .stride = numbers * sizeof(Number)};
+}
+
 constexpr std::uint8_t kPngSignature[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 
 void check_signature(std::span<const std::uint8_t> bytes, const std::string& name) {
@@ -115,15 +153,19 @@ void check_signature(std::span<const std::uint8_t> bytes, const std::string& nam
 std::vector<std::uint8_t> encode_png(const Image& image, PngEffort effort) {
   assert(image.size.width > 0 && image.size.height > 0);
   assert(image.pixels.size() == static_cast<std::size_t>(image.size.width) * image.size.height * 3);
-  PngSink sink;
-  sink.bytes.reserve(image.pixels.size() / 4);
-  PngWriter writer(sink);
-  if (writer.info == nullptr) throw PictureFailure("cannot make a PNG picture: out of memory");
-  png_set_write_fn(writer.png, &sink, append_bytes, flush_nothing);
-  if (!encode_rows(writer.png, writer.info, image, effort)) {
-    throw PictureFailure(std::string("cannot make a PNG picture: ") + sink.words);
-  }
-  return std::move(sink.bytes);
+  return encode(
+      {.size = image.size,
+       .first = image.pixels.data(),
+       .stride = 3 * static_cast<std::size_t>(image.size.width),
+       .effort = effort});
+}
+
+std::vector<std::uint8_t> encode_layer_png(const ByteLayer& layer) {
+  return encode(rows_of(layer));
+}
+
+std::vector<std::uint8_t> encode_layer_png(const WordLayer& layer) {
+  return encode(rows_of(layer));
 }
 
 Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name) {

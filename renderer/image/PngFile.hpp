@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "renderer/image/Image.hpp"
+#include "renderer/image/Layer.hpp"
 #include "renderer/picture/PictureFailure.hpp"
 
 namespace thinwall {
@@ -26,6 +27,11 @@ enum class PngEffort {
 /// The picture as 8-bit RGB PNG marked as sRGB. No times or texts inside: equal pictures give equal bytes.
 /// The picture must not be empty. Throws PictureFailure when libpng refuses it.
 std::vector<std::uint8_t> encode_png(const Image& image, PngEffort effort = PngEffort::kFast);
+
+/// Whole numbers as PNG, 8 or 16 bits deep: grey for one channel, red, green and blue for three. No colour space is
+/// named, so that readers leave the numbers as they are. Equal layers give equal bytes. Throws PictureFailure.
+std::vector<std::uint8_t> encode_layer_png(const ByteLayer& layer);
+std::vector<std::uint8_t> encode_layer_png(const WordLayer& layer);
 
 /// The picture in the bytes of a PNG file: any bit depth, grey, palette, interlaced; colours brought to 8-bit sRGB,
 /// alpha laid over white. `name` is for the message only. Throws ImageUnreadable: no PNG, cut short, failed checksum,

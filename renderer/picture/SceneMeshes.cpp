@@ -5,6 +5,7 @@
 
 #include "renderer/picture/CutLips.hpp"
 #include "renderer/picture/SurfaceVertices.hpp"
+#include "renderer/picture/TissuePieces.hpp"
 
 namespace thinwall {
 
@@ -28,42 +29,21 @@ void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& 
   std::vector<std::uint32_t> indices;
   parts_.clear();
   inner_borders_.clear();
-  const auto append = [&](const SnapshotSurface& surface, TissueSide side, const std::vector<SurfaceVertex>& added,
-                          auto&& add_indices) {
-    const auto found = look.bodies.find(surface.body);
-    const TissueLook body_look = found == look.bodies.end() ? TissueLook{} : found->second;
-    const std::size_t first = indices.size();
-    add_indices(static_cast<std::uint32_t>(vertices.size()));
-    vertices.insert(vertices.end(), added.begin(), added.end());
-    if (indices.size() > first)
-      parts_.push_back({surface.body, side, look_uniforms(body_look, side), first, indices.size() - first});
-  };
   for (std::size_t k = 0; k < snapshot.surfaces.size(); ++k) {
     const SnapshotSurface& surface = snapshot.surfaces[k];
-    std::vector<SurfaceVertex> wall = wall_vertices(surface);
-    for (std::size_t v = 0; v < wall.size(); ++v) wall[v].wound = nearness_[k][v];
-    const WallDepth depth = wall_depth(surface, wall, borders_[k]);
-    for (const BorderEdge& edge : depth.lining.empty() ? std::vector<BorderEdge>{} : borders_[k]) {
-      inner_borders_.push_back({depth.lining[edge.start].position, depth.lining[edge.end].position});
+    const auto found = look.bodies.find(surface.body);
+    const TissueLook body_look = found == look.bodies.end() ? TissueLook{} : found->second;
+    for (const TissuePiece& piece : tissue_pieces(surface, borders_[k], nearness_[k])) {
+      parts_.push_back(
+          {surface.body, piece.side, look_uniforms(body_look, piece.side), indices.size(), piece.corners.size()});
+      const auto offset = static_cast<std::uint32_t>(vertices.size());
+      for (const std::uint32_t corner : piece.corners) indices.push_back(offset + corner);
+      vertices.insert(vertices.end(), piece.vertices.begin(), piece.vertices.end());
+      if (piece.side != TissueSide::kLining) continue;
+      for (const BorderEdge& edge : borders_[k]) {
+        inner_borders_.push_back({piece.vertices[edge.start].position, piece.vertices[edge.end].position});
+      }
     }
-    append(surface, TissueSide::kOutside, wall, [&](std::uint32_t offset) {
-      for (const Triangle& triangle : surface.topology->triangles) {
-        for (const std::uint32_t vertex : triangle) indices.push_back(offset + vertex);
-      }
-    });
-    append(surface, TissueSide::kCap, cap_vertices(surface), [&](std::uint32_t offset) {
-      const std::size_t corners = 3 * surface.topology->cap_triangles.size();
-      for (std::size_t i = 0; i < corners; ++i) indices.push_back(offset + static_cast<std::uint32_t>(i));
-    });
-    append(surface, TissueSide::kRim, depth.rim, [&](std::uint32_t offset) {
-      for (const std::uint32_t corner : depth.rim_corners) indices.push_back(offset + corner);
-    });
-    append(surface, TissueSide::kLining, depth.lining, [&](std::uint32_t offset) {
-      if (depth.lining.empty()) return;
-      for (const Triangle& triangle : surface.topology->triangles) {
-        for (const std::size_t corner : {0U, 2U, 1U}) indices.push_back(offset + triangle[corner]);
-      }
-    });
   }
   tissue_.upload(std::span<const SurfaceVertex>(vertices), indices);
 }

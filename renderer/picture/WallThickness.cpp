@@ -142,10 +142,12 @@ std::vector<BorderEdge> border_edges(const SnapshotTopology& topology) {
   }
   std::ranges::sort(halves);
   std::vector<BorderEdge> borders;
-  for (const Triangle& triangle : topology.triangles) {
+  for (std::uint32_t t = 0; t < topology.triangles.size(); ++t) {
+    const Triangle& triangle = topology.triangles[t];
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t start = triangle[k], end = triangle[(k + 1) % 3];
-      if (!std::ranges::binary_search(halves, Key{end, start})) borders.push_back({.start = start, .end = end});
+      if (std::ranges::binary_search(halves, Key{end, start})) continue;
+      borders.push_back({.start = start, .end = end, .triangle = t});
     }
   }
   return borders;

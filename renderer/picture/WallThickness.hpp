@@ -11,6 +11,7 @@ namespace thinwall {
 /// A triangle's edge with nothing beyond it: at a cut, or where a wall ends.
 struct BorderEdge {
   std::uint32_t start = 0, end = 0;  // vertices, in the triangle's sense
+  std::uint32_t triangle = 0;        // of the wall
 };
 
 /// The edges of the wall that belong to one triangle of wall and caps alone, in the order of the triangles.

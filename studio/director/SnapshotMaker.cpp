@@ -1,7 +1,11 @@
 #include "studio/director/SnapshotMaker.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <utility>
+
+#include "renderer/snapshot/SurfaceFields.hpp"
 
 namespace thinwall {
 namespace {
@@ -45,6 +49,29 @@ SnapshotToolKind to_kind(ToolKind kind) {
   return SnapshotToolKind::kPoint;
 }
 
+/// Digits of stresses that are kept: 13 bits, one part in 16 384, so that takes stay small.
+constexpr int kStressBits = 13;
+
+float shortened(double value) {
+  int exponent = 0;
+  const double mantissa = std::frexp(value, &exponent);
+  return static_cast<float>(std::ldexp(std::round(std::ldexp(mantissa, kStressBits)), exponent - kStressBits));
+}
+
+SnapshotField stress_field(std::string_view name, const Eigen::RowVectorXd& stress) {
+  SnapshotField field{
+      .name = std::string(name), .unit = "Pa", .location = FieldLocation::kTriangle, .values = {}};
+  for (const double value : stress) field.values.push_back(shortened(value));
+  return field;
+}
+
+/// Products of the edges of the shape without stress.
+Float3 rest_metric(const MembraneRest& rest) {
+  const Eigen::Matrix2d edges = rest.inverse_edges.inverse();
+  const Eigen::Matrix2d products = edges.transpose() * edges;
+  return to_float3({products(0, 0), products(1, 1), products(0, 1)});
+}
+
 /// Pascal, at the chamber's level; below zero only where fluid is under suction, not where air has taken its place.
 double pressure_of(const BodyState& state, Eigen::Index chamber) {
   const double pressure = state.equilibrium.pressure[chamber];
@@ -65,6 +92,7 @@ std::shared_ptr<const SnapshotTopology> snapshot_topology(const BodyModel& model
   topology->triangles = to_triangles(definition.mesh.triangles);
   topology->cap_triangles = to_triangles(definition.mesh.cap_triangles);
   for (const double thickness : definition.thickness) topology->thickness.push_back(static_cast<float>(thickness));
+  for (const MembraneRest& rest : model.rest) topology->rest_metric.push_back(rest_metric(rest));
   return topology;
 }
 
@@ -75,9 +103,12 @@ SnapshotSurface snapshot_surface(const Body& body, std::shared_ptr<const Snapsho
   for (int v = 0; v < body.model().vertices(); ++v) {
     surface.positions.push_back(to_float3(position.segment<3>(3 * v)));
   }
-  SnapshotField field{.name = "contact_pressure", .unit = "Pa", .location = FieldLocation::kVertex, .values = {}};
+  SnapshotField field{.name = std::string(kContactPressureField), .unit = "Pa", .location = FieldLocation::kVertex, .values = {}};
   for (const double pressure : body.contact_pressure()) field.values.push_back(static_cast<float>(pressure));
   surface.fields.push_back(std::move(field));
+  const Eigen::Matrix2Xd stress = body.principal_stress();
+  surface.fields.push_back(stress_field(kLargestStressField, stress.row(0)));
+  surface.fields.push_back(stress_field(kSmallestStressField, stress.row(1)));
   return surface;
 }
 

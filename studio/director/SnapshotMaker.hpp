@@ -13,7 +13,9 @@ namespace thinwall {
 /// The part of a snapshot that stays while no cut changes a body.
 std::shared_ptr<const SnapshotTopology> snapshot_topology(const BodyModel& model);
 
-/// The surface of a body as it is now, with the field `contact_pressure` (Pa, vertices).
+/// The surface of a body as it is now, with the fields `contact_pressure` (Pa, vertices), and
+/// `largest_principal_stress` and `smallest_principal_stress` (Pa, triangles; see Body::principal_stress), these to one
+/// part in 16 384.
 SnapshotSurface snapshot_surface(const Body& body, std::shared_ptr<const SnapshotTopology> topology);
 
 /// A tool with what the record says of it.

@@ -24,6 +24,7 @@
 ///     triangles          (triangles x 3) uint32, wall, counter-clockwise seen from outside
 ///     cap_triangles      (caps x 3) uint32
 ///     thickness          (triangles) float32, metres, stress-free
+///     rest_metric        (triangles x 3) float32, metres^2: see SnapshotTopology; not in older takes
 ///     positions          (steps of the epoch x vertices x 3) float32, metres
 ///     fields/FIELD       (steps of the epoch x vertices or triangles) float32; attributes unit, location
 ///   /tools/TOOL          attributes kind (the scenario's word), radius_m, length_m; width_m and thickness_m of a

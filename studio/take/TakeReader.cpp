@@ -97,6 +97,10 @@ std::shared_ptr<const SnapshotTopology> read_topology(const Handle& epoch) {
   topology->triangles = read_rows_of<Triangle>(epoch, "triangles", Element::kUint32, 3);
   topology->cap_triangles = read_rows_of<Triangle>(epoch, "cap_triangles", Element::kUint32, 3);
   topology->thickness = read_rows_of<float>(epoch, "thickness", Element::kFloat32, 1);
+  if (hdf5::has_link(epoch, "rest_metric")) {
+    topology->rest_metric = read_rows_of<Float3>(epoch, "rest_metric", Element::kFloat32, 3);
+    require(topology->rest_metric.size() == topology->triangles.size(), "rest_metric and triangles differ in number");
+  }
   for (const auto* triangles : {&topology->triangles, &topology->cap_triangles}) {
     for (const Triangle& triangle : *triangles) {
       require(*std::max_element(triangle.begin(), triangle.end()) < topology->rest_positions.size(),

@@ -46,7 +46,8 @@ void require_finite(const Snapshot& snapshot) {
 
 bool same_topology(const SnapshotTopology& a, const SnapshotTopology& b) {
   return &a == &b || (a.rest_positions == b.rest_positions && a.triangles == b.triangles &&
-                      a.cap_triangles == b.cap_triangles && a.thickness == b.thickness);
+                      a.cap_triangles == b.cap_triangles && a.thickness == b.thickness &&
+                      a.rest_metric == b.rest_metric);
 }
 
 std::string tool_kind_name(SnapshotToolKind kind) {
@@ -100,6 +101,9 @@ Epoch begin_epoch(SurfaceRows& rows, const SnapshotSurface& surface, std::size_t
   write("triangles", Element::kUint32, {topology.triangles.size(), 3}, topology.triangles.data());
   write("cap_triangles", Element::kUint32, {topology.cap_triangles.size(), 3}, topology.cap_triangles.data());
   write("thickness", Element::kFloat32, {topology.thickness.size()}, topology.thickness.data());
+  if (!topology.rest_metric.empty()) {
+    write("rest_metric", Element::kFloat32, {topology.rest_metric.size(), 3}, topology.rest_metric.data());
+  }
 
   Epoch epoch{.topology = surface.topology,
               .positions = RowWriter(group, "positions", Element::kFloat32, {surface.positions.size(), 3}, 1),

@@ -1,0 +1,103 @@
+#include "renderer/ground_truth/SceneGeometry.hpp"
+
+#include <cstddef>
+
+#include "renderer/picture/CutLips.hpp"
+#include "renderer/picture/TissuePieces.hpp"
+#include "renderer/picture/ToolShape.hpp"
+
+namespace thinwall {
+namespace {
+
+PartKind part_kind(TissueSide side) {
+  switch (side) {
+    case TissueSide::kRim:
+      return PartKind::kRim;
+    case TissueSide::kLining:
+      return PartKind::kLining;
+    case TissueSide::kCap:
+      return PartKind::kCap;
+    case TissueSide::kOutside:
+      break;
+  }
+  return PartKind::kOutside;
+}
+
+/// The surface's vertex behind a piece's.
+std::uint32_t surface_vertex(const SnapshotTopology& topology, const std::vector<BorderEdge>& borders, TissueSide side,
+                             std::uint32_t vertex) {
+  if (side == TissueSide::kCap) return topology.cap_triangles[vertex / 3][vertex % 3];
+  if (side == TissueSide::kRim) return vertex % 4 < 2 ? borders[vertex / 4].start : borders[vertex / 4].end;
+  return vertex;
+}
+
+/// The wall's triangle behind a piece's.
+std::uint32_t wall_triangle(const std::vector<BorderEdge>& borders, TissueSide side, std::uint32_t triangle) {
+  if (side == TissueSide::kCap) return kNone;
+  return side == TissueSide::kRim ? borders[triangle / 2].triangle : triangle;
+}
+
+void append_part(PartKind kind, std::uint32_t owner, std::uint32_t triangles, SceneGeometry& geometry) {
+  geometry.parts.push_back({.kind = kind,
+                            .owner = owner,
+                            .first_triangle = static_cast<std::uint32_t>(geometry.triangles.size()),
+                            .triangle_count = triangles});
+}
+
+void append(const TissuePiece& piece, const SnapshotTopology& topology, std::uint32_t owner, SceneGeometry& geometry) {
+  const std::vector<BorderEdge>& borders = geometry.borders[owner];
+  const auto offset = static_cast<std::uint32_t>(geometry.points.size());
+  for (std::uint32_t v = 0; v < piece.vertices.size(); ++v) {
+    geometry.points.push_back(vector3(piece.vertices[v].position));
+    geometry.normals.push_back(vector3(piece.vertices[v].normal));
+    geometry.vertices.push_back(surface_vertex(topology, borders, piece.side, v));
+  }
+  const auto count = static_cast<std::uint32_t>(piece.corners.size() / 3);
+  append_part(part_kind(piece.side), owner, count, geometry);
+  for (std::uint32_t t = 0; t < count; ++t) {
+    const std::uint32_t* corners = &piece.corners[3 * std::size_t{t}];
+    geometry.triangles.push_back({.corners = {offset + corners[0], offset + corners[1], offset + corners[2]},
+                                  .part = static_cast<std::uint32_t>(geometry.parts.size() - 1),
+                                  .wall = wall_triangle(borders, piece.side, t)});
+  }
+}
+
+void append(const ToolShape& shape, std::uint32_t owner, SceneGeometry& geometry) {
+  const auto offset = static_cast<std::uint32_t>(geometry.points.size());
+  for (const ToolVertex& vertex : shape.vertices) {
+    geometry.points.push_back(vector3(vertex.position));
+    geometry.normals.push_back(vector3(vertex.normal));
+    geometry.vertices.push_back(kNone);
+  }
+  append_part(PartKind::kTool, owner, static_cast<std::uint32_t>(shape.indices.size() / 3), geometry);
+  for (std::size_t i = 0; i < shape.indices.size(); i += 3) {
+    geometry.triangles.push_back(
+        {.corners = {offset + shape.indices[i], offset + shape.indices[i + 1], offset + shape.indices[i + 2]},
+         .part = static_cast<std::uint32_t>(geometry.parts.size() - 1),
+         .wall = kNone});
+  }
+}
+
+}  // namespace
+
+SceneGeometry scene_geometry(const Snapshot& snapshot, const SceneExtent& extent) {
+  SceneGeometry geometry;
+  for (std::uint32_t k = 0; k < snapshot.surfaces.size(); ++k) {
+    const SnapshotSurface& surface = snapshot.surfaces[k];
+    geometry.borders.push_back(border_edges(*surface.topology));
+    const std::vector<float> nearness = nearness_to_cuts(*surface.topology, geometry.borders.back());
+    std::vector<char>& is_cut = geometry.is_cut.emplace_back();
+    for (const BorderEdge& edge : geometry.borders.back()) {
+      is_cut.push_back(nearness[edge.start] == 1 && nearness[edge.end] == 1);
+    }
+    for (const TissuePiece& piece : tissue_pieces(surface, geometry.borders.back(), nearness)) {
+      append(piece, *surface.topology, k, geometry);
+    }
+  }
+  for (std::uint32_t k = 0; k < snapshot.tools.size(); ++k) {
+    append(tool_shape(snapshot.tools[k], extent.size), k, geometry);
+  }
+  return geometry;
+}
+
+}  // namespace thinwall

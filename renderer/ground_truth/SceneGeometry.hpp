@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "renderer/picture/SceneExtent.hpp"
+#include "renderer/picture/Vector.hpp"
+#include "renderer/picture/WallThickness.hpp"
+#include "renderer/snapshot/Snapshot.hpp"
+
+namespace thinwall {
+
+/// What of a body or tool a part is.
+enum class PartKind {
+  kOutside,  // outer side of a wall
+  kCap,      // closes the fluid where no wall is
+  kRim,      // where a wall is cut through or ends
+  kLining,   // inner side of a wall, once it is open somewhere
+  kTool
+};
+
+/// A range of triangles of one kind.
+struct ScenePart {
+  PartKind kind = PartKind::kOutside;
+  std::uint32_t owner = 0;  // surface of the snapshot; of kTool the tool
+  std::uint32_t first_triangle = 0;
+  std::uint32_t triangle_count = 0;
+};
+
+inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+struct SceneTriangle {
+  std::array<std::uint32_t, 3> corners{};  // points
+  std::uint32_t part = 0;
+  std::uint32_t wall = kNone;  // triangle of the surface's wall that it belongs to; kNone of caps and tools
+};
+
+/// Every triangle that pictures of a snapshot are drawn from.
+struct SceneGeometry {
+  std::vector<Vector3> points;          // metres
+  std::vector<Vector3> normals;         // (points), of length one, as pictures are shaded
+  std::vector<std::uint32_t> vertices;  // (points) of their surface; kNone of tools
+  std::vector<SceneTriangle> triangles;
+  std::vector<ScenePart> parts;
+  std::vector<std::vector<BorderEdge>> borders;  // (surfaces)
+  std::vector<std::vector<char>> is_cut;         // (surfaces x borders), whether a cut made it
+};
+
+SceneGeometry scene_geometry(const Snapshot& snapshot, const SceneExtent& extent);
+
+}  // namespace thinwall

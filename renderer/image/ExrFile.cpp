@@ -1,0 +1,77 @@
+#include "renderer/image/ExrFile.hpp"
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfOutputFile.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <exception>
+#include <string>
+
+#include "renderer/picture/PictureFailure.hpp"
+
+namespace thinwall {
+namespace {
+
+/// A file in memory.
+class MemoryStream final : public Imf::OStream {
+ public:
+  MemoryStream() : Imf::OStream("picture") {}
+  void write(const char bytes[], int count) override {
+    const std::size_t end = place_ + static_cast<std::size_t>(count);
+    if (end > bytes_.size()) bytes_.resize(end);
+    std::copy(bytes, bytes + count, bytes_.begin() + static_cast<std::ptrdiff_t>(place_));
+    place_ = end;
+  }
+  std::uint64_t tellp() override { return place_; }
+  void seekp(std::uint64_t place) override { place_ = place; }
+  std::vector<std::uint8_t>& bytes() { return bytes_; }
+
+ private:
+  std::vector<std::uint8_t> bytes_;
+  std::size_t place_ = 0;
+};
+
+// More work makes files a few per cent smaller and takes several times as long.
+constexpr int kCompression = 1;
+
+}  // namespace
+
+std::vector<std::uint8_t> encode_exr(const FloatLayer& layer) {
+  const auto width = static_cast<std::size_t>(layer.size.width);
+  assert(layer.channels >= 1 && layer.channels <= 3);
+  assert(layer.values.size() == width * static_cast<std::size_t>(layer.size.height) * layer.channels);
+  if (!std::ranges::all_of(layer.values, [](float value) { return std::isfinite(value); })) {
+    throw PictureFailure("cannot make an OpenEXR picture: it holds a value that is not finite");
+  }
+  try {
+    Imf::Header header(layer.size.width, layer.size.height);
+    header.compression() = Imf::ZIP_COMPRESSION;
+    header.zipCompressionLevel() = kCompression;
+    Imf::FrameBuffer frame;
+    const char* const colors[] = {"R", "G", "B"};
+    for (std::size_t k = 0; k < layer.channels; ++k) {
+      const std::string name = layer.channels == 1 ? "Y" : colors[k];
+      header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+      // The library takes pointers that it could write to, and only reads.
+      char* const first = reinterpret_cast<char*>(const_cast<float*>(layer.values.data() + k));
+      const std::size_t step = sizeof(float) * layer.channels;
+      frame.insert(name, Imf::Slice(Imf::FLOAT, first, step, step * width));
+    }
+    MemoryStream stream;
+    {
+      Imf::OutputFile file(stream, header, 0);
+      file.setFrameBuffer(frame);
+      file.writePixels(layer.size.height);
+    }
+    return std::move(stream.bytes());
+  } catch (const std::exception& error) {
+    throw PictureFailure(std::string("cannot make an OpenEXR picture: ") + error.what());
+  }
+}
+
+}  // namespace thinwall

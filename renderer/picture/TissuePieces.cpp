@@ -1,0 +1,35 @@
+#include "renderer/picture/TissuePieces.hpp"
+
+#include <numeric>
+#include <utility>
+
+namespace thinwall {
+
+std::vector<TissuePiece> tissue_pieces(const SnapshotSurface& surface, std::span<const BorderEdge> borders,
+                                       std::span<const float> nearness) {
+  const std::vector<Triangle>& triangles = surface.topology->triangles;
+  TissuePiece wall{.side = TissueSide::kOutside, .vertices = wall_vertices(surface), .corners = {}};
+  for (std::size_t v = 0; v < wall.vertices.size(); ++v) wall.vertices[v].wound = nearness[v];
+  for (const Triangle& triangle : triangles) {
+    wall.corners.insert(wall.corners.end(), triangle.begin(), triangle.end());
+  }
+  TissuePiece caps{.side = TissueSide::kCap, .vertices = cap_vertices(surface), .corners = {}};
+  caps.corners.resize(caps.vertices.size());
+  std::iota(caps.corners.begin(), caps.corners.end(), 0U);
+  WallDepth depth = wall_depth(surface, wall.vertices, borders);
+  TissuePiece rim{
+      .side = TissueSide::kRim, .vertices = std::move(depth.rim), .corners = std::move(depth.rim_corners)};
+  TissuePiece lining{.side = TissueSide::kLining, .vertices = std::move(depth.lining), .corners = {}};
+  if (!lining.vertices.empty()) {
+    for (const Triangle& triangle : triangles) {
+      for (const std::size_t corner : {0U, 2U, 1U}) lining.corners.push_back(triangle[corner]);
+    }
+  }
+  std::vector<TissuePiece> pieces;
+  for (TissuePiece* piece : {&wall, &caps, &rim, &lining}) {
+    if (!piece->corners.empty()) pieces.push_back(std::move(*piece));
+  }
+  return pieces;
+}
+
+}  // namespace thinwall

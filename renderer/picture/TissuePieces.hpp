@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "renderer/picture/LookUniforms.hpp"
+#include "renderer/picture/SurfaceVertices.hpp"
+#include "renderer/picture/WallThickness.hpp"
+
+namespace thinwall {
+
+/// A body's wall, caps, rims or lining as triangles.
+struct TissuePiece {
+  TissueSide side = TissueSide::kOutside;
+  std::vector<SurfaceVertex> vertices;
+  std::vector<std::uint32_t> corners;  // (3 x triangles), into `vertices`
+};
+
+/// All that is there to be seen of a body, in the order wall, caps, rims, lining; pieces without triangles are left
+/// out. Vertices of wall and lining are those of the surface. Caps have three of their own for each triangle; rims have
+/// four for each border: the outer and the inner one at its start, then at its end. Triangles of wall, caps and lining
+/// are those of the topology; rims have two for each border. `borders`: what border_edges gives; `nearness`: what
+/// nearness_to_cuts gives.
+std::vector<TissuePiece> tissue_pieces(const SnapshotSurface& surface, std::span<const BorderEdge> borders,
+                                       std::span<const float> nearness);
+
+}  // namespace thinwall

@@ -1,0 +1,180 @@
+#include "renderer/ground_truth/GroundTruth.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/snapshot/SurfaceFields.hpp"
+#include "tests/renderer/ground_truth/RayCast.hpp"
+#include "tests/renderer/picture/TestMeshes.hpp"
+
+namespace thinwall {
+namespace {
+
+constexpr ImageSize kSize = {.width = 160, .height = 90};
+
+/// Two balls, one before the other, and a tool.
+Snapshot scene() {
+  Snapshot snapshot;
+  snapshot.surfaces = {test::sphere("near", {0, -0.02, 0}, 0.02, 3), test::sphere("far", {0.02, 0.02, 0}, 0.03, 2)};
+  snapshot.tools = {{.name = "ball", .kind = SnapshotToolKind::kSphere, .radius = 0.006, .tip = {-0.015, -0.03, 0.018}}};
+  return snapshot;
+}
+
+/// A square of 40 mm in z = 0 whose border is no cut, and a hole in its middle that a cut has made: two triangles are
+/// parted from each other along x = 0.
+SnapshotSurface cut_square(double gap) {
+  auto topology = std::make_shared<SnapshotTopology>();
+  topology->rest_positions = {{-0.02F, -0.02F, 0}, {0, -0.02F, 0}, {0.02F, -0.02F, 0}, {-0.02F, 0.02F, 0},
+                              {0, 0.02F, 0},       {0.02F, 0.02F, 0}, {0, -0.02F, 0},  {0, 0.02F, 0}};
+  topology->triangles = {{0, 1, 4}, {0, 4, 3}, {6, 2, 5}, {6, 5, 7}};
+  topology->thickness.assign(4, 0.002F);
+  std::vector<Float3> positions = topology->rest_positions;
+  for (const std::size_t v : {2U, 5U, 6U, 7U}) positions[v][0] += static_cast<float>(gap);
+  return {.body = "square", .topology = topology, .positions = positions, .fields = {}};
+}
+
+TEST(GroundTruthTest, DepthIsThatOfRaysCastAtEveryTriangle) {
+  for (const CameraKind kind : {CameraKind::kPinhole, CameraKind::kEndoscope}) {
+    ViewDefinition view;
+    view.camera.kind = kind;
+    const Snapshot snapshot = scene();
+    const SeenFrame frame(snapshot, view, kSize);
+    const GroundTruth truth = ground_truth(frame);
+    const double scene_size = scene_extent(snapshot).size;
+    double largest = 0;
+    int seen = 0;
+    for (int row = 0; row < kSize.height; row += 3) {
+      for (int column = 0; column < kSize.width; column += 3) {
+        const std::size_t pixel = static_cast<std::size_t>(row * kSize.width + column);
+        if (!frame.moment().projection.rays()[pixel]) continue;
+        const auto hit = test::cast(snapshot, frame.camera(), kSize, scene_size, column, row);
+        ASSERT_EQ(hit ? 1 + hit->owner : 0, truth.instances[pixel]) << column << " " << row;
+        if (!hit) {
+          EXPECT_EQ(truth.depth[pixel], 0);
+          continue;
+        }
+        ++seen;
+        largest = std::max(largest, std::abs(truth.depth[pixel] - hit->depth) / hit->depth);
+      }
+    }
+    EXPECT_GT(seen, 300);
+    // Doubles rounded to floats: half of 2^-23.
+    EXPECT_LT(largest, 1e-7);
+  }
+}
+
+TEST(GroundTruthTest, EveryPixelIsOneInstanceWithItsPart) {
+  const SeenFrame frame(scene(), {}, kSize);
+  const GroundTruth truth = ground_truth(frame);
+  std::array<int, 4> counts{};
+  for (std::size_t pixel = 0; pixel < truth.instances.size(); ++pixel) {
+    ASSERT_LE(truth.instances[pixel], 3);
+    ++counts[truth.instances[pixel]];
+    if (truth.instances[pixel] == 0) {
+      EXPECT_EQ(truth.parts[pixel], 0);
+      continue;
+    }
+    const PartKind kind = truth.instances[pixel] == 3 ? PartKind::kTool : PartKind::kOutside;
+    EXPECT_EQ(truth.parts[pixel], kPartKinds * (truth.instances[pixel] - 1) + 1 + static_cast<int>(kind));
+  }
+  for (const int count : counts) EXPECT_GT(count, 20);
+}
+
+TEST(GroundTruthTest, NormalsOfABallLeadFromItsMiddleAndToTheViewer) {
+  Snapshot snapshot;
+  snapshot.surfaces = {test::sphere("ball", {0, 0, 0}, 0.02, 4)};
+  const SeenFrame frame(snapshot, {}, kSize);
+  const GroundTruth truth = ground_truth(frame);
+  const Camera& camera = frame.camera();
+  const Vector3 middle = frame.moment().projection.in_camera({0, 0, 0});
+  double worst = 1;
+  for (std::size_t pixel = 0; pixel < truth.depth.size(); ++pixel) {
+    if (truth.instances[pixel] == 0) continue;
+    const auto& ray = *frame.moment().projection.rays()[pixel];
+    const double depth = truth.depth[pixel];
+    const Vector3 outward = normalized(Vector3{ray[0] * depth, ray[1] * depth, depth} - middle);
+    worst = std::min(worst, dot(outward, vector3(truth.normals[pixel])));
+    EXPECT_NEAR(length(vector3(truth.normals[pixel])), 1, 1e-6);
+  }
+  // Interpolated over triangles of 4 degrees.
+  EXPECT_GT(worst, std::cos(0.03));
+  EXPECT_GT(camera.tangent_x, 0);
+}
+
+TEST(GroundTruthTest, NothingIsSeenOutsideTheFieldStopOfAnEndoscope) {
+  ViewDefinition view;
+  view.camera.kind = CameraKind::kEndoscope;
+  Snapshot snapshot;
+  snapshot.surfaces = {test::quad("wall", {{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}})};
+  view.camera.position = Double3{0, 0, 0.1};
+  view.camera.target = Double3{0, 0, 0};
+  const GroundTruth truth = ground_truth(SeenFrame(snapshot, view, kSize));
+  EXPECT_EQ(truth.instances.front(), 0);
+  EXPECT_EQ(truth.instances[static_cast<std::size_t>(45 * 160 + 80)], 1);
+}
+
+TEST(GroundTruthTest, CutFacesAreAWoundAndTheSheetsOwnBorderIsNone) {
+  Snapshot snapshot;
+  snapshot.surfaces = {cut_square(0.004)};
+  ViewDefinition view;
+  view.camera.position = Double3{0.03, -0.05, 0.08};
+  view.camera.target = Double3{0, 0, 0};
+  const GroundTruth truth = ground_truth(SeenFrame(snapshot, view, kSize));
+  int faces = 0, border = 0;
+  for (std::size_t pixel = 0; pixel < truth.wound.size(); ++pixel) {
+    const bool is_rim = truth.parts[pixel] == 1 + static_cast<int>(PartKind::kRim);
+    faces += truth.wound[pixel] == WoundPart::kCutFace;
+    border += is_rim && truth.wound[pixel] == WoundPart::kNothing;
+    EXPECT_TRUE(is_rim || truth.wound[pixel] != WoundPart::kCutFace);
+  }
+  EXPECT_GT(faces, 30);
+  EXPECT_GT(border, 30);
+}
+
+TEST(GroundTruthTest, StressIsThatOfTheTriangleAndPressureRunsEvenly) {
+  Snapshot snapshot;
+  snapshot.surfaces = {test::quad("wall", {{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}})};
+  snapshot.surfaces[0].fields = {
+      {.name = "contact_pressure", .unit = "Pa", .location = FieldLocation::kVertex, .values = {0, 200, 200, 0}},
+      {.name = "largest_principal_stress", .unit = "Pa", .location = FieldLocation::kTriangle, .values = {300, 500}},
+      {.name = "smallest_principal_stress", .unit = "Pa", .location = FieldLocation::kTriangle, .values = {300, 0}}};
+  ViewDefinition view;
+  view.camera.position = Double3{0, 0, 3};
+  view.camera.target = Double3{0, 0, 0};
+  view.camera.up = Double3{0, 1, 0};
+  const SeenFrame frame(snapshot, view, kSize);
+  const GroundTruth truth = ground_truth(frame);
+  int seen = 0;
+  for (std::size_t pixel = 0; pixel < truth.depth.size(); ++pixel) {
+    if (truth.instances[pixel] == 0) continue;
+    ++seen;
+    const auto& ray = *frame.moment().projection.rays()[pixel];
+    const double x = 3 * ray[0], y = -3 * ray[1];
+    EXPECT_NEAR(truth.contact_pressure[pixel], 100 * (x + 1), 1e-3);
+    if (std::abs(x - y) < 1e-3) continue;
+    EXPECT_FLOAT_EQ(truth.von_mises[pixel], x > y ? 300 : 500);
+  }
+  EXPECT_GT(seen, 1000);
+  snapshot.surfaces[0].fields.clear();
+  EXPECT_TRUE(ground_truth(SeenFrame(snapshot, view, kSize)).von_mises.empty());
+}
+
+TEST(GroundTruthTest, TellsStretchesAndThicknessOverTheShapeWithoutStress) {
+  SnapshotSurface surface = test::quad("wall", {{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}});
+  auto topology = std::make_shared<SnapshotTopology>(*surface.topology);
+  topology->thickness = {0.004F, 0.004F};
+  // The first triangle has edges (2, 0) and (2, 1), the second (2, 1) and (0, 1): shrunk to a half along x.
+  topology->rest_metric = {{1, 2, 1}, {2, 1, 1}};
+  surface.topology = topology;
+  for (Float3& position : surface.positions) position[1] *= 1.5F;
+  for (const auto& [larger, smaller] : principal_stretches(surface)) {
+    EXPECT_NEAR(larger, 2, 1e-6);
+    EXPECT_NEAR(smaller, 1.5, 1e-6);
+  }
+  for (const double thickness : current_thickness(surface)) EXPECT_NEAR(thickness, 0.004 / 3, 1e-8);
+}
+
+}  // namespace
+}  // namespace thinwall

@@ -1,0 +1,212 @@
+#include "renderer/ground_truth/OpticalFlow.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "renderer/ground_truth/GroundTruth.hpp"
+#include "tests/renderer/ground_truth/RayCast.hpp"
+#include "tests/renderer/picture/TestMeshes.hpp"
+
+namespace thinwall {
+namespace {
+
+constexpr ImageSize kSize = {.width = 160, .height = 90};
+
+ViewDefinition from_above(double height) {
+  ViewDefinition view;
+  view.camera.position = Double3{0, 0, height};
+  view.camera.target = Double3{0, 0, 0};
+  view.camera.up = Double3{0, 1, 0};
+  return view;
+}
+
+int count(const OpticalFlow& flow, FlowState state) {
+  return static_cast<int>(std::ranges::count(flow.state, state));
+}
+
+/// A sheet of 40 mm in z = 0, `columns` by `rows` squares, moved by `motion`. A cut along x = 0 doubles the vertices
+/// there but for the outermost two, with even `columns` only; of a doubled vertex the first belongs to the left.
+SnapshotSurface sheet(int columns, int rows, bool is_cut, const std::function<Vector3(Vector3, bool)>& motion) {
+  auto topology = std::make_shared<SnapshotTopology>();
+  const auto vertex = [&](int column, int row) { return static_cast<std::uint32_t>(row * (columns + 1) + column); };
+  for (int row = 0; row <= rows; ++row) {
+    for (int column = 0; column <= columns; ++column) {
+      topology->rest_positions.push_back({static_cast<float>(0.04 * column / columns - 0.02),
+                                          static_cast<float>(0.04 * row / rows - 0.02), 0});
+    }
+  }
+  std::vector<std::uint32_t> right_of(topology->rest_positions.size());
+  for (std::uint32_t v = 0; v < right_of.size(); ++v) right_of[v] = v;
+  for (int row = 1; is_cut && row < rows; ++row) {
+    const std::uint32_t left = vertex(columns / 2, row);
+    right_of[left] = static_cast<std::uint32_t>(topology->rest_positions.size());
+    topology->rest_positions.push_back(topology->rest_positions[left]);
+  }
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      std::uint32_t a = vertex(column, row), b = vertex(column + 1, row);
+      std::uint32_t c = vertex(column + 1, row + 1), d = vertex(column, row + 1);
+      if (column >= columns / 2) {
+        for (std::uint32_t* corner : {&a, &b, &c, &d}) *corner = right_of[*corner];
+      }
+      topology->triangles.push_back({a, b, c});
+      topology->triangles.push_back({a, c, d});
+    }
+  }
+  topology->thickness.assign(topology->triangles.size(), 0.001F);
+  SnapshotSurface surface{.body = "sheet", .topology = topology, .positions = {}, .fields = {}};
+  for (std::uint32_t v = 0; v < topology->rest_positions.size(); ++v) {
+    const bool is_right = v >= right_of.size() || topology->rest_positions[v][0] > 1e-6F;
+    const Vector3 place = motion(vector3(topology->rest_positions[v]), is_right);
+    surface.positions.push_back(
+        {static_cast<float>(place.x), static_cast<float>(place.y), static_cast<float>(place.z)});
+  }
+  return surface;
+}
+
+TEST(OpticalFlowTest, LeadsToWhereTheMatterLandsBesideAMovingCamera) {
+  Snapshot before, after;
+  before.surfaces = {test::sphere("ball", {0, 0, 0}, 0.02, 3)};
+  before.tools = {{.name = "probe", .kind = SnapshotToolKind::kSphere, .radius = 0.006, .tip = {0, -0.012, 0.016}}};
+  after = before;
+  after.time = 0.04;
+  after.tools[0].tip = {0.001, -0.013, 0.013};
+  for (Float3& p : after.surfaces[0].positions) {
+    p = {p[0] * 1.1F, p[1] + 2 * p[0] * p[0], p[2] - 0.2F * std::abs(p[2])};
+  }
+  ViewDefinition view;
+  view.camera.orbit_speed = 1.5;
+  const SeenFrame first(before, view, kSize), second(after, view, kSize);
+  const OpticalFlow flow = optical_flow(first.moment(), second.moment());
+  const double scene_size = scene_extent(before).size;
+  double largest = 0, longest = 0;
+  int checked = 0;
+  for (int row = 0; row < kSize.height; row += 3) {
+    for (int column = 0; column < kSize.width; column += 3) {
+      const auto hit = test::cast(before, first.camera(), kSize, scene_size, column, row);
+      const std::size_t pixel = static_cast<std::size_t>(row * kSize.width + column);
+      EXPECT_EQ(hit.has_value(), flow.state[pixel] != FlowState::kNothing);
+      if (!hit) continue;
+      Vector3 place;
+      const ToolShape shape = tool_shape(after.tools[0], scene_size);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Float3 corner =
+            hit->owner == 0
+                ? after.surfaces[0].positions[after.surfaces[0].topology->triangles[hit->triangle][k]]
+                : shape.vertices[shape.indices[3 * hit->triangle + k]].position;
+        place = place + hit->weights[k] * vector3(corner);
+      }
+      const auto landed = *second.camera().pixel(place, kSize);
+      const auto [u, v] = flow.flow[pixel];
+      largest = std::max({largest, std::abs(landed[0] - (column + 0.5) - u), std::abs(landed[1] - (row + 0.5) - v)});
+      longest = std::max(longest, static_cast<double>(std::hypot(u, v)));
+      ++checked;
+    }
+  }
+  EXPECT_GT(checked, 200);
+  EXPECT_GT(longest, 3);
+  // Rounding to floats of some pixels.
+  EXPECT_LT(largest, 1e-5);
+}
+
+TEST(OpticalFlowTest, IsExactAcrossACutThatHasMeshedTheSheetAnew) {
+  const auto still = [](Vector3 p, bool) { return p; };
+  const double gap = 0.003;
+  // Linear on either side, so that triangles of any size carry it without error; nothing at the tips of the cut.
+  const auto opened = [&](Vector3 p, bool is_right) {
+    return p + Vector3{(is_right ? gap : -gap) + 0.1 * p.x, 0.05 * p.x, 0};
+  };
+  Snapshot before, after;
+  before.surfaces = {sheet(6, 4, false, still)};
+  after.surfaces = {sheet(10, 6, true, opened)};
+  const ViewDefinition view = from_above(0.1);
+  const SeenFrame first(before, view, kSize), second(after, view, kSize);
+  const OpticalFlow forward = optical_flow(first.moment(), second.moment());
+  const OpticalFlow backward = optical_flow(second.moment(), first.moment());
+  int seen = 0;
+  for (std::size_t pixel = 0; pixel < forward.state.size(); ++pixel) {
+    if (forward.state[pixel] != FlowState::kSeen) continue;
+    const auto& ray = *first.moment().projection.rays()[pixel];
+    const Vector3 place{0.1 * ray[0], -0.1 * ray[1], 0};
+    // The rows at the sheet's ends hold the tips of the cut, where both sides still meet.
+    if (std::abs(place.y) > 0.0133 || std::abs(place.x) < 1e-5) continue;
+    const Vector3 motion = opened(place, place.x > 0) - place;
+    const double pixels_per_metre = 0.5 * kSize.height / (0.1 * first.camera().tangent_y);
+    ASSERT_NEAR(forward.flow[pixel][0], pixels_per_metre * motion.x, 0.002) << place.x << " " << place.y;
+    ASSERT_NEAR(forward.flow[pixel][1], -pixels_per_metre * motion.y, 0.002) << place.x << " " << place.y;
+    ++seen;
+  }
+  EXPECT_GT(seen, 400);
+  // What the cut has laid open was not there before: its faces, and nothing of the outside.
+  const GroundTruth truth = ground_truth(second);
+  int born = 0;
+  for (std::size_t pixel = 0; pixel < backward.state.size(); ++pixel) {
+    const bool is_face = truth.wound[pixel] == WoundPart::kCutFace;
+    EXPECT_EQ(backward.state[pixel] == FlowState::kAbsent, is_face) << pixel;
+    born += is_face;
+  }
+  EXPECT_GT(born, 2);
+}
+
+TEST(OpticalFlowTest, FacesOfACutKeepTheirPlacesWhenTheCutGoesOn) {
+  const auto opened = [](double gap) {
+    return [gap](Vector3 p, bool is_right) {
+      return p + Vector3{is_right ? gap : -gap, 0, is_right ? 0.0 : 0.004};
+    };
+  };
+  Snapshot before, after;
+  before.surfaces = {sheet(6, 4, true, opened(0.002))};
+  after.surfaces = {sheet(6, 8, true, opened(0.003))};
+  ViewDefinition view = from_above(0.1);
+  view.camera.position = Double3{0.05, 0, 0.08};
+  const SeenFrame first(before, view, kSize), second(after, view, kSize);
+  const OpticalFlow flow = optical_flow(first.moment(), second.moment());
+  const GroundTruth truth = ground_truth(first);
+  int faces = 0;
+  for (std::size_t pixel = 0; pixel < truth.wound.size(); ++pixel) {
+    if (truth.wound[pixel] != WoundPart::kCutFace) continue;
+    const auto& ray = *first.moment().projection.rays()[pixel];
+    const Camera& camera = first.camera();
+    const double depth = truth.depth[pixel];
+    const Vector3 place =
+        camera.position + depth * (camera.forward + ray[0] * camera.right - ray[1] * camera.up);
+    // The left face is what the camera on the right sees of the cut. In between its tips, all of it moves by 1 mm.
+    if (std::abs(place.y) > 0.0095) continue;
+    const auto landed = *second.camera().pixel(place + Vector3{-0.001, 0, 0}, kSize);
+    const auto column = static_cast<double>(pixel % 160), row = static_cast<double>(pixel / 160);
+    EXPECT_NEAR(flow.flow[pixel][0], landed[0] - column - 0.5, 0.002);
+    EXPECT_NEAR(flow.flow[pixel][1], landed[1] - row - 0.5, 0.002);
+    ++faces;
+  }
+  EXPECT_GT(faces, 20);
+}
+
+TEST(OpticalFlowTest, TellsWhatIsHiddenAndWhatLeavesThePicture) {
+  const auto square = [](const std::string& body, float x, float z, float half) {
+    return test::quad(body, {{{x - half, -half, z}, {x + half, -half, z}, {x + half, half, z}, {x - half, half, z}}});
+  };
+  Snapshot before, after;
+  before.surfaces = {square("back", 0, 0, 0.02F), square("front", 0.04F, 0.001F, 0.005F)};
+  after = before;
+  for (Float3& p : after.surfaces[1].positions) p[0] -= 0.04F;
+  const ViewDefinition view = from_above(0.15);
+  const SeenFrame first(before, view, kSize), second(after, view, kSize);
+  const OpticalFlow forward = optical_flow(first.moment(), second.moment());
+  const OpticalFlow backward = optical_flow(second.moment(), first.moment());
+  const double half_picture = 0.15 * first.camera().tangent_y;
+  const double pixels = std::pow(0.01 * 0.5 * kSize.height / half_picture * 0.15 / 0.149, 2);
+  // What the front square comes to lie before; a row of pixels around it is open.
+  EXPECT_NEAR(count(forward, FlowState::kHidden), pixels, 4 * std::sqrt(pixels));
+  EXPECT_EQ(count(backward, FlowState::kHidden), 0);
+  EXPECT_EQ(count(forward, FlowState::kOutside), 0);
+  for (Float3& p : after.surfaces[1].positions) p[0] += 1;
+  const SeenFrame third(after, view, kSize);
+  const OpticalFlow leaving = optical_flow(first.moment(), third.moment());
+  EXPECT_EQ(count(leaving, FlowState::kOutside), std::ranges::count(ground_truth(first).instances, 2));
+}
+
+}  // namespace
+}  // namespace thinwall
