@@ -66,9 +66,9 @@ Eigen::Vector3d green_lagrange_strain(const MembraneRest& rest, const std::array
 Eigen::Matrix<double, 3, 2> deformation_gradient(const MembraneRest& rest,
                                                  const std::array<Eigen::Vector3d, 3>& corners);
 
-/// Principal Cauchy stresses in the wall's plane, the larger first, pascal: the eigenvalues of F S F^T, which are those of
-/// S C. `stress`: the second Piola-Kirchhoff stress (S11, S22, S12), pascal, `right_cauchy_green`: (C11, C22, C12). The
-/// wall keeps its volume.
+/// Principal Cauchy stresses in the wall's plane, the larger first, pascal: the eigenvalues of F S F^T, which are those
+/// of S C. `stress`: the second Piola-Kirchhoff stress (S11, S22, S12), pascal, `right_cauchy_green`: (C11, C22, C12).
+/// The wall keeps its volume.
 Eigen::Vector2d principal_cauchy_stress(const Eigen::Vector3d& stress, const Eigen::Vector3d& right_cauchy_green);
 
 /// Tension of the wall: the larger principal value of the Cauchy stress integrated over the current thickness,

@@ -29,7 +29,7 @@ Vector3 normal_at(const SeenFrame& frame, const ScenePlace& place) {
 
 /// What all pixels of one surface need to look up.
 struct SurfaceTruth {
-  std::vector<float> von_mises;                    // (triangles), pascal; empty where there is none
+  std::vector<float> von_mises;                     // (triangles), pascal; empty where there is none
   const SnapshotField* contact_pressure = nullptr;  // (vertices)
 };
 
@@ -51,11 +51,12 @@ WoundPart wound_part(const SceneGeometry& geometry, const ScenePart& part, std::
 
 }  // namespace
 
-SeenFrame::SeenFrame(Snapshot snapshot, const ViewDefinition& view, ImageSize size)
+SeenFrame::SeenFrame(Snapshot snapshot, const Shot& shot, ImageSize size, bool is_covered)
     : snapshot_(std::move(snapshot)),
-      camera_(resolve_camera(view.camera, scene_extent(snapshot_), size, snapshot_.time)),
+      part_(is_covered ? covered_part(size) : own_part(shot, size)),
+      camera_(resolve_camera(shot.camera, scene_extent(snapshot_), part_.own.size, snapshot_.time)),
       geometry_(scene_geometry(snapshot_, scene_extent(snapshot_))),
-      projection_(camera_, size),
+      projection_(camera_, part_),
       seen_(see(geometry_, projection_)) {}
 
 GroundTruth ground_truth(const SeenFrame& frame) {
@@ -79,19 +80,18 @@ GroundTruth ground_truth(const SeenFrame& frame) {
                     .wound = std::vector<WoundPart>(places.size())};
   for (std::size_t pixel = 0; pixel < places.size(); ++pixel) {
     const ScenePlace& place = places[pixel];
-    if (place.triangle == kNone) continue;
+    if (place.triangle == kNoIndex) continue;
     const SceneTriangle& triangle = geometry.triangles[place.triangle];
     const ScenePart& part = geometry.parts[triangle.part];
     truth.depth[pixel] = static_cast<float>(frame.seen().depth[pixel]);
     truth.normals[pixel] = float3(normal_at(frame, place));
     const std::size_t instance = part.owner + (part.kind == PartKind::kTool ? surfaces.size() : 0);
     truth.instances[pixel] = static_cast<std::uint16_t>(1 + instance);
-    truth.parts[pixel] =
-        static_cast<std::uint16_t>(kPartKinds * instance + 1 + static_cast<std::size_t>(part.kind));
+    truth.parts[pixel] = static_cast<std::uint16_t>(kPartKinds * instance + 1 + static_cast<std::size_t>(part.kind));
     truth.wound[pixel] = wound_part(geometry, part, place.triangle);
     if (part.kind == PartKind::kTool) continue;
     const SurfaceTruth& surface = surfaces[part.owner];
-    if (has_stress && triangle.wall != kNone) truth.von_mises[pixel] = surface.von_mises[triangle.wall];
+    if (has_stress && triangle.wall != kNoIndex) truth.von_mises[pixel] = surface.von_mises[triangle.wall];
     if (has_pressure && part.kind == PartKind::kOutside) {
       truth.contact_pressure[pixel] = pressure_at(surface, geometry, place);
     }

@@ -15,16 +15,20 @@ namespace thinwall {
 /// A moment as a picture sees it: what ground truth is taken from. Needs no graphics.
 class SeenFrame {
  public:
-  SeenFrame(Snapshot snapshot, const ViewDefinition& view, ImageSize size);
+  /// Of a shot's own camera; what others show beside it or inset counts as nothing, as does all when a card covers the
+  /// picture.
+  SeenFrame(Snapshot snapshot, const Shot& shot, ImageSize size, bool is_covered = false);
 
   const Snapshot& snapshot() const { return snapshot_; }
   const Camera& camera() const { return camera_; }
+  const PicturePart& part() const { return part_; }
   const SceneGeometry& geometry() const { return geometry_; }
   const SeenPlaces& seen() const { return seen_; }
   SeenMoment moment() const { return {snapshot_, geometry_, projection_, seen_}; }
 
  private:
   Snapshot snapshot_;
+  PicturePart part_;
   Camera camera_;
   SceneGeometry geometry_;
   Projection projection_;

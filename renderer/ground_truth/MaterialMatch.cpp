@@ -68,9 +68,8 @@ MaterialMatch::MaterialMatch(const SceneMoment& from, const SceneMoment& to) : f
       return candidate.kind == part.kind && candidate.owner == part.owner &&
              (part.kind != PartKind::kTool || candidate.triangle_count == part.triangle_count);
     });
-    other_part_.push_back(other == to.geometry.parts.end()
-                              ? kNone
-                              : static_cast<std::uint32_t>(other - to.geometry.parts.begin()));
+    other_part_.push_back(
+        other == to.geometry.parts.end() ? kNoIndex : static_cast<std::uint32_t>(other - to.geometry.parts.begin()));
   }
 }
 
@@ -79,7 +78,7 @@ MaterialMatch::MaterialMatch(MaterialMatch&&) noexcept = default;
 
 std::optional<ScenePlace> MaterialMatch::find(const ScenePlace& place) const {
   const std::uint32_t index = from_.geometry.triangles[place.triangle].part;
-  if (other_part_[index] == kNone) return std::nullopt;
+  if (other_part_[index] == kNoIndex) return std::nullopt;
   const ScenePart& part = from_.geometry.parts[index];
   const ScenePart& other = to_.geometry.parts[other_part_[index]];
   const std::uint32_t triangle = place.triangle - part.first_triangle;

@@ -33,7 +33,7 @@ class MaterialMatch {
 
   SceneMoment from_;
   SceneMoment to_;
-  std::vector<std::uint32_t> other_part_;  // (parts of `from`), kNone where there is none
+  std::vector<std::uint32_t> other_part_;  // (parts of `from`), kNoIndex where there is none
   std::vector<Surface> surfaces_;          // (surfaces)
 };
 

@@ -33,8 +33,8 @@ struct SeenMoment {
 };
 
 /// From the middle of each pixel of one picture to where its matter lands in another, exactly: by the matter's own
-/// motion and the cameras', across cuts too. Hidden is what lies behind the place that the other picture shows at the
-/// pixel where it lands.
+/// motion and the cameras', across cuts too. Hidden is what has another place of the scene before it on its ray,
+/// wherever between the middles of pixels it lands.
 OpticalFlow optical_flow(const SeenMoment& from, const SeenMoment& to);
 
 }  // namespace thinwall

@@ -33,7 +33,7 @@ std::uint32_t surface_vertex(const SnapshotTopology& topology, const std::vector
 
 /// The wall's triangle behind a piece's.
 std::uint32_t wall_triangle(const std::vector<BorderEdge>& borders, TissueSide side, std::uint32_t triangle) {
-  if (side == TissueSide::kCap) return kNone;
+  if (side == TissueSide::kCap) return kNoIndex;
   return side == TissueSide::kRim ? borders[triangle / 2].triangle : triangle;
 }
 
@@ -67,14 +67,14 @@ void append(const ToolShape& shape, std::uint32_t owner, SceneGeometry& geometry
   for (const ToolVertex& vertex : shape.vertices) {
     geometry.points.push_back(vector3(vertex.position));
     geometry.normals.push_back(vector3(vertex.normal));
-    geometry.vertices.push_back(kNone);
+    geometry.vertices.push_back(kNoIndex);
   }
   append_part(PartKind::kTool, owner, static_cast<std::uint32_t>(shape.indices.size() / 3), geometry);
   for (std::size_t i = 0; i < shape.indices.size(); i += 3) {
     geometry.triangles.push_back(
         {.corners = {offset + shape.indices[i], offset + shape.indices[i + 1], offset + shape.indices[i + 2]},
          .part = static_cast<std::uint32_t>(geometry.parts.size() - 1),
-         .wall = kNone});
+         .wall = kNoIndex});
   }
 }
 

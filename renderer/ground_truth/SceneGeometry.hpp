@@ -29,19 +29,19 @@ struct ScenePart {
   std::uint32_t triangle_count = 0;
 };
 
-inline constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+inline constexpr std::uint32_t kNoIndex = std::numeric_limits<std::uint32_t>::max();
 
 struct SceneTriangle {
   std::array<std::uint32_t, 3> corners{};  // points
   std::uint32_t part = 0;
-  std::uint32_t wall = kNone;  // triangle of the surface's wall that it belongs to; kNone of caps and tools
+  std::uint32_t wall = kNoIndex;  // triangle of the surface's wall that it belongs to; kNoIndex of caps and tools
 };
 
 /// Every triangle that pictures of a snapshot are drawn from.
 struct SceneGeometry {
   std::vector<Vector3> points;          // metres
   std::vector<Vector3> normals;         // (points), of length one, as pictures are shaded
-  std::vector<std::uint32_t> vertices;  // (points) of their surface; kNone of tools
+  std::vector<std::uint32_t> vertices;  // (points) of their surface; kNoIndex of tools
   std::vector<SceneTriangle> triangles;
   std::vector<ScenePart> parts;
   std::vector<std::vector<BorderEdge>> borders;  // (surfaces)

@@ -43,7 +43,7 @@ PixelBox pixel_box(const std::array<Vector3, 3>& corners, const Projection& proj
           .bottom = std::min(all.bottom, within(std::ceil(high[1] + margin), all.bottom))};
 }
 
-/// Weights but for their sum, and the depth times it, of the places of a triangle on rays.
+/// A triangle as rays meet it.
 struct RayTriangle {
   std::array<Vector3, 3> products;
   double determinant = 0;
@@ -51,31 +51,51 @@ struct RayTriangle {
   explicit RayTriangle(const std::array<Vector3, 3>& corners)
       : products{cross(corners[1], corners[2]), cross(corners[2], corners[0]), cross(corners[0], corners[1])},
         determinant(dot(corners[0], products[0])) {}
+
+  /// Weights of the corners but for their sum.
+  std::array<double, 3> weights(RayPoint ray) const {
+    std::array<double, 3> result;
+    for (std::size_t k = 0; k < 3; ++k) result[k] = ray[0] * products[k].x + ray[1] * products[k].y + products[k].z;
+    return result;
+  }
+  bool is_met(const std::array<double, 3>& weights) const {
+    return determinant > 0 ? weights[0] >= 0 && weights[1] >= 0 && weights[2] >= 0
+                           : weights[0] <= 0 && weights[1] <= 0 && weights[2] <= 0;
+  }
 };
 
-void see_triangle(std::uint32_t triangle, const std::array<Vector3, 3>& corners, const Projection& projection,
+double sum(const std::array<double, 3>& weights) {
+  return weights[0] + weights[1] + weights[2];
+}
+
+std::array<Vector3, 3> corners_of(const SceneGeometry& geometry, const SeenPlaces& seen, std::uint32_t triangle) {
+  const auto& [a, b, c] = geometry.triangles[triangle].corners;
+  return {seen.points[a], seen.points[b], seen.points[c]};
+}
+
+/// Pixels on a side of a tile: few triangles lie in each.
+constexpr int kTile = 8;
+
+int tiles_across(ImageSize size) {
+  return (size.width + kTile - 1) / kTile;
+}
+
+void see_triangle(std::uint32_t triangle, const RayTriangle& on_rays, const PixelBox& box, const Projection& projection,
                   SeenPlaces& seen) {
-  const RayTriangle on_rays(corners);
-  if (on_rays.determinant == 0) return;
-  const double sign = on_rays.determinant > 0 ? 1 : -1;
-  const PixelBox box = pixel_box(corners, projection);
   for (int row = box.top; row <= box.bottom; ++row) {
     for (int column = box.left; column <= box.right; ++column) {
-      const auto pixel = static_cast<std::size_t>(row) * static_cast<std::size_t>(seen.size.width) +
-                         static_cast<std::size_t>(column);
+      const auto pixel =
+          static_cast<std::size_t>(row) * static_cast<std::size_t>(seen.size.width) + static_cast<std::size_t>(column);
       const std::optional<RayPoint>& ray = projection.rays()[pixel];
       if (!ray) continue;
-      std::array<double, 3> weights;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Vector3& product = on_rays.products[k];
-        weights[k] = (*ray)[0] * product.x + (*ray)[1] * product.y + product.z;
-      }
-      if (sign * weights[0] < 0 || sign * weights[1] < 0 || sign * weights[2] < 0) continue;
-      const double sum = weights[0] + weights[1] + weights[2];
-      const double depth = on_rays.determinant / sum;
-      if (sum == 0 || !(depth >= projection.nearest() && depth < seen.depth[pixel])) continue;
+      const std::array<double, 3> weights = on_rays.weights(*ray);
+      const double whole = sum(weights);
+      if (!on_rays.is_met(weights) || whole == 0) continue;
+      const double depth = on_rays.determinant / whole;
+      if (!(depth >= projection.nearest() && depth < seen.depth[pixel])) continue;
       seen.depth[pixel] = depth;
-      seen.places[pixel] = {.triangle = triangle, .weights = {weights[0] / sum, weights[1] / sum, weights[2] / sum}};
+      seen.places[pixel] = {.triangle = triangle,
+                            .weights = {weights[0] / whole, weights[1] / whole, weights[2] / whole}};
     }
   }
 }
@@ -84,19 +104,46 @@ void see_triangle(std::uint32_t triangle, const std::array<Vector3, 3>& corners,
 
 SeenPlaces see(const SceneGeometry& geometry, const Projection& projection) {
   const std::size_t pixels = projection.rays().size();
-  SeenPlaces seen{.size = projection.size(),
+  const ImageSize size = projection.size();
+  SeenPlaces seen{.size = size,
                   .places = std::vector<ScenePlace>(pixels),
-                  .depth = std::vector<double>(pixels, std::numeric_limits<double>::infinity())};
-  std::vector<Vector3> points;
-  points.reserve(geometry.points.size());
-  for (const Vector3& point : geometry.points) points.push_back(projection.in_camera(point));
+                  .depth = std::vector<double>(pixels, std::numeric_limits<double>::infinity()),
+                  .points = {},
+                  .tiles = {}};
+  seen.points.reserve(geometry.points.size());
+  for (const Vector3& point : geometry.points) seen.points.push_back(projection.in_camera(point));
+  seen.tiles.resize(static_cast<std::size_t>(tiles_across(size) * ((size.height + kTile - 1) / kTile)));
   for (std::uint32_t t = 0; t < geometry.triangles.size(); ++t) {
-    const auto& [a, b, c] = geometry.triangles[t].corners;
-    const std::array<Vector3, 3> corners = {points[a], points[b], points[c]};
+    const std::array<Vector3, 3> corners = corners_of(geometry, seen, t);
     if (std::max({corners[0].z, corners[1].z, corners[2].z}) < projection.nearest()) continue;
-    see_triangle(t, corners, projection, seen);
+    const RayTriangle on_rays(corners);
+    if (on_rays.determinant == 0) continue;
+    const PixelBox box = pixel_box(corners, projection);
+    if (box.left > box.right || box.top > box.bottom) continue;
+    see_triangle(t, on_rays, box, projection, seen);
+    for (int row = box.top / kTile; row <= box.bottom / kTile; ++row) {
+      for (int column = box.left / kTile; column <= box.right / kTile; ++column) {
+        seen.tiles[static_cast<std::size_t>(row * tiles_across(size) + column)].push_back(t);
+      }
+    }
   }
   return seen;
+}
+
+double nearest_depth(const SceneGeometry& geometry, const SeenPlaces& seen, double nearest, PicturePoint point,
+                     RayPoint ray) {
+  const int column = std::clamp(static_cast<int>(std::floor(point[0] + 0.5)), 0, seen.size.width - 1);
+  const int row = std::clamp(static_cast<int>(std::floor(point[1] + 0.5)), 0, seen.size.height - 1);
+  double found = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t t :
+       seen.tiles[static_cast<std::size_t>(row / kTile * tiles_across(seen.size) + column / kTile)]) {
+    const RayTriangle on_rays(corners_of(geometry, seen, t));
+    const std::array<double, 3> weights = on_rays.weights(ray);
+    if (!on_rays.is_met(weights)) continue;
+    const double depth = on_rays.determinant / sum(weights);
+    if (depth >= nearest && depth < found) found = depth;
+  }
+  return found;
 }
 
 Vector3 point_at(const SceneGeometry& geometry, const ScenePlace& place) {

@@ -62,8 +62,7 @@ TriangleMatch::TriangleMatch(const RestSurface& from, const RestSurface& to) : f
 std::optional<SurfacePlace> TriangleMatch::find(const SurfacePlace& place) const {
   if (is_same_[place.triangle]) return place;
   const std::array<Vector3, 3> corners = corners_of(from_, place.triangle);
-  const Vector3 point =
-      place.weights[0] * corners[0] + place.weights[1] * corners[1] + place.weights[2] * corners[2];
+  const Vector3 point = place.weights[0] * corners[0] + place.weights[1] * corners[1] + place.weights[2] * corners[2];
   std::optional<SurfacePlace> found;
   double nearest = std::numeric_limits<double>::infinity();
   for (const std::uint32_t t : changed_) {

@@ -41,26 +41,31 @@ constexpr int kCompression = 1;
 
 }  // namespace
 
-std::vector<std::uint8_t> encode_exr(const FloatLayer& layer) {
+std::vector<std::uint8_t> encode_exr(const FloatLayer& layer, ExrNumbers numbers) {
   const auto width = static_cast<std::size_t>(layer.size.width);
-  assert(layer.channels >= 1 && layer.channels <= 3);
+  assert(layer.channels == 1 || layer.channels == 3);
   assert(layer.values.size() == width * static_cast<std::size_t>(layer.size.height) * layer.channels);
   if (!std::ranges::all_of(layer.values, [](float value) { return std::isfinite(value); })) {
     throw PictureFailure("cannot make an OpenEXR picture: it holds a value that is not finite");
   }
+  std::vector<Imath::half> halves;
+  if (numbers == ExrNumbers::kHalf) halves.assign(layer.values.begin(), layer.values.end());
+  const bool is_half = numbers == ExrNumbers::kHalf;
+  const Imf::PixelType type = is_half ? Imf::HALF : Imf::FLOAT;
+  const std::size_t bytes = is_half ? sizeof(Imath::half) : sizeof(float);
+  // The library takes a pointer that it could write to, and only reads.
+  char* const first = is_half ? reinterpret_cast<char*>(halves.data())
+                              : reinterpret_cast<char*>(const_cast<float*>(layer.values.data()));
   try {
     Imf::Header header(layer.size.width, layer.size.height);
     header.compression() = Imf::ZIP_COMPRESSION;
     header.zipCompressionLevel() = kCompression;
     Imf::FrameBuffer frame;
-    const char* const colors[] = {"R", "G", "B"};
+    constexpr const char* kColors[] = {"R", "G", "B"};
     for (std::size_t k = 0; k < layer.channels; ++k) {
-      const std::string name = layer.channels == 1 ? "Y" : colors[k];
-      header.channels().insert(name, Imf::Channel(Imf::FLOAT));
-      // The library takes pointers that it could write to, and only reads.
-      char* const first = reinterpret_cast<char*>(const_cast<float*>(layer.values.data() + k));
-      const std::size_t step = sizeof(float) * layer.channels;
-      frame.insert(name, Imf::Slice(Imf::FLOAT, first, step, step * width));
+      const char* const name = layer.channels == 1 ? "Y" : kColors[k];
+      header.channels().insert(name, Imf::Channel(type));
+      frame.insert(name, Imf::Slice(type, first + k * bytes, bytes * layer.channels, bytes * layer.channels * width));
     }
     MemoryStream stream;
     {

@@ -153,11 +153,10 @@ void check_signature(std::span<const std::uint8_t> bytes, const std::string& nam
 std::vector<std::uint8_t> encode_png(const Image& image, PngEffort effort) {
   assert(image.size.width > 0 && image.size.height > 0);
   assert(image.pixels.size() == static_cast<std::size_t>(image.size.width) * image.size.height * 3);
-  return encode(
-      {.size = image.size,
-       .first = image.pixels.data(),
-       .stride = 3 * static_cast<std::size_t>(image.size.width),
-       .effort = effort});
+  return encode({.size = image.size,
+                 .first = image.pixels.data(),
+                 .stride = 3 * static_cast<std::size_t>(image.size.width),
+                 .effort = effort});
 }
 
 std::vector<std::uint8_t> encode_layer_png(const ByteLayer& layer) {

@@ -17,8 +17,7 @@ std::vector<TissuePiece> tissue_pieces(const SnapshotSurface& surface, std::span
   caps.corners.resize(caps.vertices.size());
   std::iota(caps.corners.begin(), caps.corners.end(), 0U);
   WallDepth depth = wall_depth(surface, wall.vertices, borders);
-  TissuePiece rim{
-      .side = TissueSide::kRim, .vertices = std::move(depth.rim), .corners = std::move(depth.rim_corners)};
+  TissuePiece rim{.side = TissueSide::kRim, .vertices = std::move(depth.rim), .corners = std::move(depth.rim_corners)};
   TissuePiece lining{.side = TissueSide::kLining, .vertices = std::move(depth.lining), .corners = {}};
   if (!lining.vertices.empty()) {
     for (const Triangle& triangle : triangles) {

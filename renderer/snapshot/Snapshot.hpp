@@ -18,8 +18,8 @@ struct SnapshotTopology {
   std::vector<Triangle> triangles;      // (triangles x 3), wall, counter-clockwise seen from outside
   std::vector<Triangle> cap_triangles;  // (caps x 3)
   std::vector<float> thickness;         // (triangles), metres, stress-free
-  // (triangles x 3) or none, metres^2: products 11, 22, 12 of the edges from the first corner to the second and third, of
-  // the shape in which the triangle bears no stress. It differs from `rest_positions` under prestretch.
+  // (triangles x 3) or none, metres^2: products 11, 22, 12 of the edges from the first corner to the second and third,
+  // of the shape in which the triangle bears no stress. It differs from `rest_positions` under prestretch.
   std::vector<Float3> rest_metric = {};
 };
 

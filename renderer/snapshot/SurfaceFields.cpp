@@ -57,8 +57,7 @@ std::vector<std::array<double, 2>> principal_stretches(const SnapshotSurface& su
       rest = metric_of(topology.triangles[t], topology.rest_positions);
     }
     const Metric now = metric_of(topology.triangles[t], surface.positions);
-    const double half_trace =
-        0.5 * (rest[1] * now[0] + rest[0] * now[1] - 2 * rest[2] * now[2]) / determinant(rest);
+    const double half_trace = 0.5 * (rest[1] * now[0] + rest[0] * now[1] - 2 * rest[2] * now[2]) / determinant(rest);
     const double product = determinant(now) / determinant(rest);
     const double half_difference = std::sqrt(std::max(0.0, half_trace * half_trace - product));
     const double larger = std::sqrt(half_trace + half_difference);

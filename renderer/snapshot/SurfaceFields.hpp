@@ -9,8 +9,8 @@
 namespace thinwall {
 
 /// Names of the fields that pictures and ground truth read.
-inline constexpr std::string_view kContactPressureField = "contact_pressure";         // pascal, vertices
-inline constexpr std::string_view kLargestStressField = "largest_principal_stress";   // pascal, triangles
+inline constexpr std::string_view kContactPressureField = "contact_pressure";          // pascal, vertices
+inline constexpr std::string_view kLargestStressField = "largest_principal_stress";    // pascal, triangles
 inline constexpr std::string_view kSmallestStressField = "smallest_principal_stress";  // pascal, triangles
 
 /// The field of that name and place, or nullptr where the surface has none with a value for each vertex or triangle.

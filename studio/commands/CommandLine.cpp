@@ -54,7 +54,7 @@ class CommandLine {
   void add_device(CLI::App& command);
   void add_threads(CLI::App& command);
   void add_size(CLI::App& command);
-  void add_recording(CLI::App& command, bool& video, bool& frames, bool& surfaces, bool& json);
+  void add_recording(CLI::App& command, bool& video, bool& frames, bool& surfaces, bool& truth, bool& json);
   std::vector<std::string> commands_first(const std::vector<std::string>& arguments) const;
 
   CLI::App app_{
@@ -164,14 +164,11 @@ void CommandLine::add_size(CLI::App& command) {
   command.add_option("--size", texts_.size, "another size than the scenario's, in pixels")->type_name("WIDTHxHEIGHT");
 }
 
-void CommandLine::add_recording(CLI::App& command, bool& video, bool& frames, bool& surfaces, bool& json) {
+void CommandLine::add_recording(CLI::App& command, bool& video, bool& frames, bool& surfaces, bool& truth, bool& json) {
   command.add_flag("!--no-video", video, "make no video");
   command.add_flag("--frames", frames, "keep each picture as PNG");
   command.add_flag("--surfaces", surfaces, "keep the deforming surfaces for ParaView");
-  command
-      .add_flag_callback(
-          "--aov", [] { throw UsageError("--aov: this option is not in this version"); }, "not in this version")
-      ->group("");
+  command.add_flag("--aov", truth, "keep what each pixel shows: depth, normals, numbers, flow, stress, poses, masks");
   command.add_flag("--json", json, "say the result as JSON on standard output");
 }
 
@@ -181,6 +178,9 @@ void CommandLine::add_run() {
     run_.device = device_choice(texts_.device);
     run_.device_text = texts_.device;
     if (!texts_.out.empty()) run_.out = texts_.out;
+    if (run_.ground_truth && !run_.render) {
+      throw UsageError("--aov: it tells what the pictures show, and --no-render makes none; leave one of both away");
+    }
     return run_scenario(run_);
   });
   command->add_option("SCENARIO", run_.scenario, "the scenario file")->required();
@@ -189,7 +189,7 @@ void CommandLine::add_run() {
   add_device(*command);
   add_threads(*command);
   command->add_flag("!--no-render", run_.render, "physics and records only; needs no graphics");
-  add_recording(*command, run_.video, run_.frames, run_.surfaces, run_.json);
+  add_recording(*command, run_.video, run_.frames, run_.surfaces, run_.ground_truth, run_.json);
 }
 
 void CommandLine::add_check() {
@@ -221,7 +221,7 @@ void CommandLine::add_render() {
   add_size(*command);
   add_overrides(*command);
   add_device(*command);
-  add_recording(*command, render_.video, render_.frames, render_.surfaces, render_.json);
+  add_recording(*command, render_.video, render_.frames, render_.surfaces, render_.ground_truth, render_.json);
 }
 
 void CommandLine::add_still() {
@@ -235,6 +235,7 @@ void CommandLine::add_still() {
   command->add_option("SCENARIO", still_.scenario, "the scenario file")->required();
   command->add_option("--at", texts_.time, "when, for example 1.5s")->required()->type_name("TIME");
   command->add_option("-o", still_.picture, "the picture file")->required()->type_name("PNG");
+  command->add_flag("--aov", still_.ground_truth, "keep what each pixel shows, in NAME_ground_truth beside NAME.png");
   add_size(*command);
   add_overrides(*command);
   add_device(*command);

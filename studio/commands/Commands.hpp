@@ -25,6 +25,7 @@ struct RunOptions {
   bool video = true;
   bool frames = false;
   bool surfaces = false;
+  bool ground_truth = false;
   bool json = false;
 };
 int run_scenario(const RunOptions& options);
@@ -48,6 +49,7 @@ struct RenderOptions {
   bool video = true;
   bool frames = false;
   bool surfaces = false;
+  bool ground_truth = false;
   bool json = false;
 };
 int render_take(const RenderOptions& options);
@@ -59,6 +61,7 @@ struct StillOptions {
   Overrides overrides;
   std::optional<ImageSize> size;
   DeviceChoice device;
+  bool ground_truth = false;  // in the folder STEM_ground_truth beside the picture
 };
 int make_still(const StillOptions& options);
 

@@ -1,5 +1,6 @@
 #include <system_error>
 
+#include "renderer/snapshot/SurfaceFields.hpp"
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/Outcome.hpp"
@@ -19,6 +20,15 @@ void refuse_folder_of_the_take(const std::filesystem::path& folder, const std::f
   }
 }
 
+void require_stress(const Snapshot& snapshot, const std::filesystem::path& take) {
+  for (const SnapshotSurface& surface : snapshot.surfaces) {
+    if (!von_mises_stress(surface).empty()) continue;
+    throw TakeError(take.string() +
+                    ": the take holds no stress, which --aov tells: an older version of this program made it; run the "
+                    "scenario again");
+  }
+}
+
 }  // namespace
 
 int render_take(const RenderOptions& options) {
@@ -33,19 +43,23 @@ int render_take(const RenderOptions& options) {
   }
   if (take->times().empty())
     throw TakeError(options.take.string() + ": the take holds no step, so there is nothing to draw");
-  const RecordingPlan plan{.folder = options.out.value_or(options.take.parent_path() / "render"),
-                           .description = take->description(),
-                           .overlays = settings.overlays,
-                           .view = settings.view,
-                           .teaching = settings.teaching,
-                           .size = options.size.value_or(settings.record.size),
-                           .frames_per_second = options.frames_per_second.value_or(settings.record.frames_per_second),
-                           .records = false,
-                           .video = options.video,
-                           .frames = options.frames,
-                           .surfaces = options.surfaces,
-                           .progress = stderr};
+  RecordingPlan plan{.folder = options.out.value_or(options.take.parent_path() / "render"),
+                     .description = take->description(),
+                     .overlays = settings.overlays,
+                     .view = settings.view,
+                     .teaching = settings.teaching,
+                     .size = options.size.value_or(settings.record.size),
+                     .frames_per_second = options.frames_per_second.value_or(settings.record.frames_per_second),
+                     .records = false,
+                     .video = options.video,
+                     .frames = options.frames,
+                     .surfaces = options.surfaces,
+                     .progress = stderr};
   refuse_folder_of_the_take(plan.folder, options.take);
+  if (options.ground_truth) {
+    require_stress(take->moment(0).snapshot, options.take);
+    plan.ground_truth = true;
+  }
   TakeSource source(*take);
   const RecordingReport report =
       record(source, plan, renderer_painters(options.device, settings.record.tier, settings.view));

@@ -55,6 +55,7 @@ int run_scenario(const RunOptions& options) {
       .video = options.video && scenario.record.video,
       .frames = options.frames,
       .surfaces = options.surfaces,
+      .ground_truth = options.ground_truth,
       .progress = stderr};
   WatchedSource source(simulate_scenario(scenario), scenario.expectations);
   const RecordingReport report =

@@ -59,8 +59,7 @@ float shortened(double value) {
 }
 
 SnapshotField stress_field(std::string_view name, const Eigen::RowVectorXd& stress) {
-  SnapshotField field{
-      .name = std::string(name), .unit = "Pa", .location = FieldLocation::kTriangle, .values = {}};
+  SnapshotField field{.name = std::string(name), .unit = "Pa", .location = FieldLocation::kTriangle, .values = {}};
   for (const double value : stress) field.values.push_back(shortened(value));
   return field;
 }
@@ -103,7 +102,8 @@ SnapshotSurface snapshot_surface(const Body& body, std::shared_ptr<const Snapsho
   for (int v = 0; v < body.model().vertices(); ++v) {
     surface.positions.push_back(to_float3(position.segment<3>(3 * v)));
   }
-  SnapshotField field{.name = std::string(kContactPressureField), .unit = "Pa", .location = FieldLocation::kVertex, .values = {}};
+  SnapshotField field{
+      .name = std::string(kContactPressureField), .unit = "Pa", .location = FieldLocation::kVertex, .values = {}};
   for (const double pressure : body.contact_pressure()) field.values.push_back(static_cast<float>(pressure));
   surface.fields.push_back(std::move(field));
   const Eigen::Matrix2Xd stress = body.principal_stress();

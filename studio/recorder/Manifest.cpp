@@ -42,7 +42,8 @@ Json option_part(const ManifestContext& context, const RecordingPlan& plan) {
           {"render", plan.pictures},
           {"video", plan.pictures && plan.video},
           {"frames", plan.pictures && plan.frames},
-          {"surfaces", plan.surfaces}};
+          {"surfaces", plan.surfaces},
+          {"ground_truth", plan.pictures && plan.ground_truth}};
 }
 
 double seconds(const timeval& time) {
@@ -62,6 +63,7 @@ Json time_part(const ManifestContext& context, const RecordingReport& report) {
           {"simulate", stage(times.simulate)},
           {"write", stage(times.write)},
           {"render", stage(times.render)},
+          {"ground_truth", stage(times.truth)},
           {"encode", stage(times.encode)},
           {"total",
            {{"wall_s", times.total},
@@ -71,9 +73,9 @@ Json time_part(const ManifestContext& context, const RecordingReport& report) {
 }
 
 Json file_part(const std::filesystem::path& folder) {
-  constexpr std::array kNames = {"forces.csv", "body.csv",     "points.csv", "take.h5",
-                                 "video.mp4",  "captions.vtt", "poster.png", "contact_sheet.png",
-                                 "forces.png", "energies.png", "frames",     "surfaces"};
+  constexpr std::array kNames = {"forces.csv",   "body.csv",   "points.csv",        "take.h5",    "video.mp4",
+                                 "captions.vtt", "poster.png", "contact_sheet.png", "forces.png", "energies.png",
+                                 "frames",       "surfaces",   "ground_truth"};
   Json files = Json::array();
   for (const char* name : kNames) {
     if (std::filesystem::exists(folder / name)) files.push_back(name);

@@ -8,6 +8,7 @@
 
 #include "renderer/image/WholeFile.hpp"
 #include "renderer/picture/PictureFailure.hpp"
+#include "studio/recorder/GroundTruthSeries.hpp"
 
 namespace thinwall {
 namespace {
@@ -35,6 +36,18 @@ constexpr std::array kResultFolders = {
     ResultFolder{"surfaces", {"body_", "surfaces"}, {".vtp", ".pvd"}},
 };
 
+/// A killed recording may leave a table that is not whole.
+constexpr std::array kGroundTruthTables = {"ground_truth.json",
+                                           "annotations.json",
+                                           "cameras.csv",
+                                           "tools.csv",
+                                           "intrinsics.yml",
+                                           "ground_truth.unfinished.json",
+                                           "annotations.unfinished.json",
+                                           "cameras.unfinished.csv",
+                                           "tools.unfinished.csv",
+                                           "intrinsics.unfinished.yml"};
+
 void check(const std::error_code& error, const std::string& doing, const std::filesystem::path& path) {
   if (!error) return;
   throw PictureFailure("cannot " + doing + " " + path.string() + ": " + error.message() + "; " +
@@ -47,17 +60,25 @@ void remove_file(const std::filesystem::path& file) {
   check(error, "remove", file);
 }
 
+void require_results_only(const std::filesystem::path& folder, const ResultFolder& result) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.is_regular_file() && result.owns(entry.path())) continue;
+    throw PictureFailure(folder.string() + " holds files that no recording writes (" +
+                         entry.path().filename().string() + "); move them away or choose another --out");
+  }
+}
+
+void remove_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::remove_all(folder, error);
+  check(error, "remove", folder);
+}
+
 void remove_results(const std::filesystem::path& folder, const ResultFolder& result) {
   std::error_code error;
   if (!std::filesystem::is_directory(folder, error)) return;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (!entry.is_regular_file() || !result.owns(entry.path())) {
-      throw PictureFailure(folder.string() + " holds files that no recording writes (" +
-                           entry.path().filename().string() + "); move them away or choose another --out");
-    }
-  }
-  std::filesystem::remove_all(folder, error);
-  check(error, "remove", folder);
+  require_results_only(folder, result);
+  remove_folder(folder);
 }
 
 }  // namespace
@@ -74,11 +95,30 @@ void rename_folder(const std::filesystem::path& from, const std::filesystem::pat
   check(error, "make the folder", to);
 }
 
+void remove_ground_truth(const std::filesystem::path& folder) {
+  std::error_code error;
+  if (!std::filesystem::is_directory(folder, error)) return;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    const bool is_layer = entry.is_directory() && std::ranges::count(kGroundTruthLayers, name) > 0;
+    if (is_layer) require_results_only(entry.path(), {"", {"frame_", "frame_"}, {".exr", ".png"}});
+    const bool is_table = entry.is_regular_file() && std::ranges::count(kGroundTruthTables, name) > 0;
+    if (is_layer || is_table) continue;
+    throw PictureFailure(folder.string() + " holds files that no recording writes (" + name +
+                         "); move them away or choose another --out");
+  }
+  remove_folder(folder);
+}
+
 void prepare_output_folder(const std::filesystem::path& folder) {
   make_folder(folder);
   for (const ResultFolder& result : kResultFolders) {
     remove_results(folder / result.name, result);
     remove_results(unfinished_name(folder / result.name), result);
+  }
+  for (const std::filesystem::path& truth :
+       {folder / kGroundTruthFolder, unfinished_name(folder / kGroundTruthFolder)}) {
+    remove_ground_truth(truth);
   }
   for (const char* name : kResultFiles) {
     remove_file(folder / name);

@@ -10,9 +10,12 @@ void make_folder(const std::filesystem::path& folder);
 /// Throws PictureFailure with reason and cure.
 void rename_folder(const std::filesystem::path& from, const std::filesystem::path& to);
 
+/// Makes a folder of ground truth disappear. Throws PictureFailure, also when it holds what no recording writes.
+void remove_ground_truth(const std::filesystem::path& folder);
+
 /// Makes `folder` ready for a recording: makes it when it is not there, and removes what an earlier recording left
 /// under the names of results, finished or not, so that no two recordings are mixed. Other files stay. Throws
-/// PictureFailure, also when a folder of results (frames, surfaces) holds files that no recording writes.
+/// PictureFailure, also when a folder of results (frames, surfaces, ground_truth) holds files that no recording writes.
 void prepare_output_folder(const std::filesystem::path& folder);
 
 }  // namespace thinwall

@@ -28,6 +28,7 @@
 #include "studio/recorder/OutputFolder.hpp"
 #include "studio/recorder/Progress.hpp"
 #include "studio/recorder/RecordCsv.hpp"
+#include "studio/recorder/ResolvedPicture.hpp"
 #include "studio/recorder/ShownTexts.hpp"
 #include "studio/recorder/SurfaceSeries.hpp"
 #include "studio/recorder/VideoScript.hpp"
@@ -102,6 +103,8 @@ class Pipeline {
   // Of the rendering thread.
   VideoScript script_{plan_.teaching};
   std::optional<VideoCue> last_cue_;
+  std::optional<GroundTruthSeries> truth_;
+  Frame last_frame_;
   Picture last_picture_;
 
   // Of the encoding thread, until it has ended.
@@ -111,6 +114,11 @@ class Pipeline {
 
 std::filesystem::path frame_folder(const RecordingPlan& plan) {
   return plan.folder / "frames";
+}
+
+GroundTruthPlan truth_plan(const RecordingPlan& plan) {
+  return {
+      .folder = plan.folder / kGroundTruthFolder, .size = plan.size, .organs = tissue_kinds(plan.description.resolved)};
 }
 
 /// The texts cut off at the end of what was recorded.
@@ -311,6 +319,10 @@ void Pipeline::render() {
   for (auto cue = cue_now(); end && cue; ++frame, cue = cue_now()) {
     if (!show(composer, *cue, *painter)) return;
   }
+  if (truth_) {
+    const StageClock clock(report_.times.truth);
+    truth_->finish();
+  }
   pictures_.close();
 }
 
@@ -318,12 +330,18 @@ void Pipeline::render() {
 bool Pipeline::show(const FrameComposer& composer, const VideoCue& cue, Painter& painter) {
   if (!last_cue_ || *last_cue_ != cue) {
     const StageClock clock(report_.times.render);
-    Frame content = composer.compose(cue.simulation);
-    content.badge = cue.badge;
-    content.card = cue.card;
+    last_frame_ = composer.compose(cue.simulation);
+    last_frame_.badge = cue.badge;
+    last_frame_.card = cue.card;
     last_picture_ = {
-        .image = finished_picture(content, painter), .time = cue.simulation, .force = content.overlay.force};
+        .image = finished_picture(last_frame_, painter), .time = cue.simulation, .force = last_frame_.overlay.force};
     last_cue_ = cue;
+  }
+  if (plan_.ground_truth) {
+    const StageClock clock(report_.times.truth);
+    // Once there is a picture: the folder is then prepared.
+    if (!truth_) truth_.emplace(truth_plan(plan_));
+    truth_->add(last_frame_);
   }
   return pictures_.push(Picture(last_picture_));
 }

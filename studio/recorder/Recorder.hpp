@@ -3,11 +3,13 @@
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "renderer/image/Image.hpp"
 #include "studio/record/Moment.hpp"
+#include "studio/recorder/GroundTruthSeries.hpp"
 #include "studio/recorder/Painter.hpp"
 #include "studio/recorder/StageClock.hpp"
 #include "studio/scenario/Scenario.hpp"
@@ -30,6 +32,7 @@ struct RecordingPlan {
   bool video = true;              // video.mp4
   bool frames = false;            // frames/frame_000000.png, ...
   bool surfaces = false;          // surfaces/surfaces.pvd, ...
+  bool ground_truth = false;      // ground_truth/..., of the pictures
   std::FILE* progress = nullptr;  // where the progress is shown; null: nowhere
 };
 
@@ -37,6 +40,7 @@ struct RecordingTimes {
   StageTime simulate;  // making the moments
   StageTime write;     // take, CSV, surfaces
   StageTime render;    // pictures, with their overlays
+  StageTime truth;     // ground truth
   StageTime encode;    // hashing, conversion, handing over to the encoder; its own processor time is of another process
   double total = 0;    // seconds of wall time
 };

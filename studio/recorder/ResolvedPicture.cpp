@@ -81,4 +81,14 @@ PictureSettings picture_settings(const std::string& resolved) {
   }
 }
 
+std::map<std::string, std::string> tissue_kinds(const std::string& resolved) {
+  std::map<std::string, std::string> kinds;
+  const Json scenario = Json::parse(resolved, nullptr, false);
+  if (!scenario.is_object() || !scenario.contains("look")) return kinds;
+  for (const auto& [name, body] : scenario.at("look").at("bodies").items()) {
+    if (body.contains("organ")) kinds[name] = body.at("organ").get<std::string>();
+  }
+  return kinds;
+}
+
 }  // namespace thinwall

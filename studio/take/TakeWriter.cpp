@@ -45,9 +45,9 @@ void require_finite(const Snapshot& snapshot) {
 }
 
 bool same_topology(const SnapshotTopology& a, const SnapshotTopology& b) {
-  return &a == &b || (a.rest_positions == b.rest_positions && a.triangles == b.triangles &&
-                      a.cap_triangles == b.cap_triangles && a.thickness == b.thickness &&
-                      a.rest_metric == b.rest_metric);
+  return &a == &b ||
+         (a.rest_positions == b.rest_positions && a.triangles == b.triangles && a.cap_triangles == b.cap_triangles &&
+          a.thickness == b.thickness && a.rest_metric == b.rest_metric);
 }
 
 std::string tool_kind_name(SnapshotToolKind kind) {

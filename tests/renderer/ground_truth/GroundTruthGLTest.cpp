@@ -17,8 +17,8 @@ TEST(GroundTruthGLTest, InstancesCoverThePixelsThatPicturesShowThemAt) {
     view.camera.kind = kind;
     view.look.floor = false;
     view.look.background = {0, 0, 0};
-    const Image image = Renderer({}, kSize, Tier::kDraft).draw(snapshot, view);
-    const GroundTruth truth = ground_truth(SeenFrame(snapshot, view, kSize));
+    const Image image = Renderer({}, kSize, Tier::kDraft).draw(snapshot, view, view.camera);
+    const GroundTruth truth = ground_truth(SeenFrame(snapshot, {view.camera}, kSize));
     int differing = 0, seen = 0;
     for (std::size_t pixel = 0; pixel < truth.instances.size(); ++pixel) {
       // Nothing of the scene is quite black.

@@ -18,7 +18,8 @@ constexpr ImageSize kSize = {.width = 160, .height = 90};
 Snapshot scene() {
   Snapshot snapshot;
   snapshot.surfaces = {test::sphere("near", {0, -0.02, 0}, 0.02, 3), test::sphere("far", {0.02, 0.02, 0}, 0.03, 2)};
-  snapshot.tools = {{.name = "ball", .kind = SnapshotToolKind::kSphere, .radius = 0.006, .tip = {-0.015, -0.03, 0.018}}};
+  snapshot.tools = {
+      {.name = "ball", .kind = SnapshotToolKind::kSphere, .radius = 0.006, .tip = {-0.015, -0.03, 0.018}}};
   return snapshot;
 }
 
@@ -26,8 +27,8 @@ Snapshot scene() {
 /// parted from each other along x = 0.
 SnapshotSurface cut_square(double gap) {
   auto topology = std::make_shared<SnapshotTopology>();
-  topology->rest_positions = {{-0.02F, -0.02F, 0}, {0, -0.02F, 0}, {0.02F, -0.02F, 0}, {-0.02F, 0.02F, 0},
-                              {0, 0.02F, 0},       {0.02F, 0.02F, 0}, {0, -0.02F, 0},  {0, 0.02F, 0}};
+  topology->rest_positions = {{-0.02F, -0.02F, 0}, {0, -0.02F, 0},    {0.02F, -0.02F, 0}, {-0.02F, 0.02F, 0},
+                              {0, 0.02F, 0},       {0.02F, 0.02F, 0}, {0, -0.02F, 0},     {0, 0.02F, 0}};
   topology->triangles = {{0, 1, 4}, {0, 4, 3}, {6, 2, 5}, {6, 5, 7}};
   topology->thickness.assign(4, 0.002F);
   std::vector<Float3> positions = topology->rest_positions;
@@ -40,7 +41,7 @@ TEST(GroundTruthTest, DepthIsThatOfRaysCastAtEveryTriangle) {
     ViewDefinition view;
     view.camera.kind = kind;
     const Snapshot snapshot = scene();
-    const SeenFrame frame(snapshot, view, kSize);
+    const SeenFrame frame(snapshot, {view.camera}, kSize);
     const GroundTruth truth = ground_truth(frame);
     const double scene_size = scene_extent(snapshot).size;
     double largest = 0;
@@ -110,7 +111,7 @@ TEST(GroundTruthTest, NothingIsSeenOutsideTheFieldStopOfAnEndoscope) {
   snapshot.surfaces = {test::quad("wall", {{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}})};
   view.camera.position = Double3{0, 0, 0.1};
   view.camera.target = Double3{0, 0, 0};
-  const GroundTruth truth = ground_truth(SeenFrame(snapshot, view, kSize));
+  const GroundTruth truth = ground_truth(SeenFrame(snapshot, {view.camera}, kSize));
   EXPECT_EQ(truth.instances.front(), 0);
   EXPECT_EQ(truth.instances[static_cast<std::size_t>(45 * 160 + 80)], 1);
 }
@@ -121,7 +122,7 @@ TEST(GroundTruthTest, CutFacesAreAWoundAndTheSheetsOwnBorderIsNone) {
   ViewDefinition view;
   view.camera.position = Double3{0.03, -0.05, 0.08};
   view.camera.target = Double3{0, 0, 0};
-  const GroundTruth truth = ground_truth(SeenFrame(snapshot, view, kSize));
+  const GroundTruth truth = ground_truth(SeenFrame(snapshot, {view.camera}, kSize));
   int faces = 0, border = 0;
   for (std::size_t pixel = 0; pixel < truth.wound.size(); ++pixel) {
     const bool is_rim = truth.parts[pixel] == 1 + static_cast<int>(PartKind::kRim);
@@ -144,7 +145,7 @@ TEST(GroundTruthTest, StressIsThatOfTheTriangleAndPressureRunsEvenly) {
   view.camera.position = Double3{0, 0, 3};
   view.camera.target = Double3{0, 0, 0};
   view.camera.up = Double3{0, 1, 0};
-  const SeenFrame frame(snapshot, view, kSize);
+  const SeenFrame frame(snapshot, {view.camera}, kSize);
   const GroundTruth truth = ground_truth(frame);
   int seen = 0;
   for (std::size_t pixel = 0; pixel < truth.depth.size(); ++pixel) {
@@ -158,7 +159,7 @@ TEST(GroundTruthTest, StressIsThatOfTheTriangleAndPressureRunsEvenly) {
   }
   EXPECT_GT(seen, 1000);
   snapshot.surfaces[0].fields.clear();
-  EXPECT_TRUE(ground_truth(SeenFrame(snapshot, view, kSize)).von_mises.empty());
+  EXPECT_TRUE(ground_truth(SeenFrame(snapshot, {view.camera}, kSize)).von_mises.empty());
 }
 
 TEST(GroundTruthTest, TellsStretchesAndThicknessOverTheShapeWithoutStress) {

@@ -34,8 +34,8 @@ SnapshotSurface sheet(int columns, int rows, bool is_cut, const std::function<Ve
   const auto vertex = [&](int column, int row) { return static_cast<std::uint32_t>(row * (columns + 1) + column); };
   for (int row = 0; row <= rows; ++row) {
     for (int column = 0; column <= columns; ++column) {
-      topology->rest_positions.push_back({static_cast<float>(0.04 * column / columns - 0.02),
-                                          static_cast<float>(0.04 * row / rows - 0.02), 0});
+      topology->rest_positions.push_back(
+          {static_cast<float>(0.04 * column / columns - 0.02), static_cast<float>(0.04 * row / rows - 0.02), 0});
     }
   }
   std::vector<std::uint32_t> right_of(topology->rest_positions.size());
@@ -79,7 +79,7 @@ TEST(OpticalFlowTest, LeadsToWhereTheMatterLandsBesideAMovingCamera) {
   }
   ViewDefinition view;
   view.camera.orbit_speed = 1.5;
-  const SeenFrame first(before, view, kSize), second(after, view, kSize);
+  const SeenFrame first(before, {view.camera}, kSize), second(after, {view.camera}, kSize);
   const OpticalFlow flow = optical_flow(first.moment(), second.moment());
   const double scene_size = scene_extent(before).size;
   double largest = 0, longest = 0;
@@ -93,10 +93,9 @@ TEST(OpticalFlowTest, LeadsToWhereTheMatterLandsBesideAMovingCamera) {
       Vector3 place;
       const ToolShape shape = tool_shape(after.tools[0], scene_size);
       for (std::size_t k = 0; k < 3; ++k) {
-        const Float3 corner =
-            hit->owner == 0
-                ? after.surfaces[0].positions[after.surfaces[0].topology->triangles[hit->triangle][k]]
-                : shape.vertices[shape.indices[3 * hit->triangle + k]].position;
+        const Float3 corner = hit->owner == 0
+                                  ? after.surfaces[0].positions[after.surfaces[0].topology->triangles[hit->triangle][k]]
+                                  : shape.vertices[shape.indices[3 * hit->triangle + k]].position;
         place = place + hit->weights[k] * vector3(corner);
       }
       const auto landed = *second.camera().pixel(place, kSize);
@@ -123,7 +122,7 @@ TEST(OpticalFlowTest, IsExactAcrossACutThatHasMeshedTheSheetAnew) {
   before.surfaces = {sheet(6, 4, false, still)};
   after.surfaces = {sheet(10, 6, true, opened)};
   const ViewDefinition view = from_above(0.1);
-  const SeenFrame first(before, view, kSize), second(after, view, kSize);
+  const SeenFrame first(before, {view.camera}, kSize), second(after, {view.camera}, kSize);
   const OpticalFlow forward = optical_flow(first.moment(), second.moment());
   const OpticalFlow backward = optical_flow(second.moment(), first.moment());
   int seen = 0;
@@ -153,16 +152,14 @@ TEST(OpticalFlowTest, IsExactAcrossACutThatHasMeshedTheSheetAnew) {
 
 TEST(OpticalFlowTest, FacesOfACutKeepTheirPlacesWhenTheCutGoesOn) {
   const auto opened = [](double gap) {
-    return [gap](Vector3 p, bool is_right) {
-      return p + Vector3{is_right ? gap : -gap, 0, is_right ? 0.0 : 0.004};
-    };
+    return [gap](Vector3 p, bool is_right) { return p + Vector3{is_right ? gap : -gap, 0, is_right ? 0.0 : 0.004}; };
   };
   Snapshot before, after;
   before.surfaces = {sheet(6, 4, true, opened(0.002))};
   after.surfaces = {sheet(6, 8, true, opened(0.003))};
   ViewDefinition view = from_above(0.1);
   view.camera.position = Double3{0.05, 0, 0.08};
-  const SeenFrame first(before, view, kSize), second(after, view, kSize);
+  const SeenFrame first(before, {view.camera}, kSize), second(after, {view.camera}, kSize);
   const OpticalFlow flow = optical_flow(first.moment(), second.moment());
   const GroundTruth truth = ground_truth(first);
   int faces = 0;
@@ -171,8 +168,7 @@ TEST(OpticalFlowTest, FacesOfACutKeepTheirPlacesWhenTheCutGoesOn) {
     const auto& ray = *first.moment().projection.rays()[pixel];
     const Camera& camera = first.camera();
     const double depth = truth.depth[pixel];
-    const Vector3 place =
-        camera.position + depth * (camera.forward + ray[0] * camera.right - ray[1] * camera.up);
+    const Vector3 place = camera.position + depth * (camera.forward + ray[0] * camera.right - ray[1] * camera.up);
     // The left face is what the camera on the right sees of the cut. In between its tips, all of it moves by 1 mm.
     if (std::abs(place.y) > 0.0095) continue;
     const auto landed = *second.camera().pixel(place + Vector3{-0.001, 0, 0}, kSize);
@@ -193,7 +189,7 @@ TEST(OpticalFlowTest, TellsWhatIsHiddenAndWhatLeavesThePicture) {
   after = before;
   for (Float3& p : after.surfaces[1].positions) p[0] -= 0.04F;
   const ViewDefinition view = from_above(0.15);
-  const SeenFrame first(before, view, kSize), second(after, view, kSize);
+  const SeenFrame first(before, {view.camera}, kSize), second(after, {view.camera}, kSize);
   const OpticalFlow forward = optical_flow(first.moment(), second.moment());
   const OpticalFlow backward = optical_flow(second.moment(), first.moment());
   const double half_picture = 0.15 * first.camera().tangent_y;
@@ -203,7 +199,7 @@ TEST(OpticalFlowTest, TellsWhatIsHiddenAndWhatLeavesThePicture) {
   EXPECT_EQ(count(backward, FlowState::kHidden), 0);
   EXPECT_EQ(count(forward, FlowState::kOutside), 0);
   for (Float3& p : after.surfaces[1].positions) p[0] += 1;
-  const SeenFrame third(after, view, kSize);
+  const SeenFrame third(after, {view.camera}, kSize);
   const OpticalFlow leaving = optical_flow(first.moment(), third.moment());
   EXPECT_EQ(count(leaving, FlowState::kOutside), std::ranges::count(ground_truth(first).instances, 2));
 }

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "renderer/image/ImageHash.hpp"
@@ -73,6 +74,64 @@ TEST_F(ProgramGLTest, ATakeWithCutsGivesTheFramesOfTheRunAgainAndItsSurfacesGrow
   EXPECT_GT(surface_bytes("000010"), surface_bytes("000000"));
   expect_good({"still", "cut.yaml", "--at", "0.3 s", "-o", "still.png"});
   EXPECT_EQ(image_hash(read_png(folder_ / "still.png")), manifest("run")["frame_hashes"][9]);
+}
+
+TEST_F(ProgramGLTest, GroundTruthOfAFrameIsTheSameInARunFromItsTakeAndAlone) {
+  write_bytes(folder_ / "cut.yaml", incision_scenario());
+  expect_good({"run", "cut.yaml", "--no-video", "--aov", "--out", "run"});
+  expect_good({"render", "run/take.h5", "--no-video", "--aov"});
+  expect_good({"still", "cut.yaml", "--at", "0.3 s", "-o", "still.png", "--aov"});
+  const auto layers = folder_ / "run/ground_truth";
+  int folders = 0;
+  for (const auto& layer : std::filesystem::directory_iterator(layers)) {
+    if (!layer.is_directory()) {
+      const auto name = layer.path().filename();
+      EXPECT_EQ(file_bytes(layer.path()), file_bytes(folder_ / "run/render/ground_truth" / name)) << name;
+      continue;
+    }
+    ++folders;
+    const auto name = layer.path().filename();
+    int frames = 0;
+    for (const auto& file : std::filesystem::directory_iterator(layer)) {
+      const auto again = folder_ / "run/render/ground_truth" / name / file.path().filename();
+      EXPECT_EQ(file_bytes(file.path()), file_bytes(again)) << again;
+      ++frames;
+      if (file.path().stem() != "frame_000009") continue;
+      const std::string alone = "frame_000000" + file.path().extension().string();
+      EXPECT_EQ(file_bytes(file.path()), file_bytes(folder_ / "still_ground_truth" / name / alone)) << name;
+    }
+    EXPECT_EQ(frames, manifest("run")["frames"]) << name;
+  }
+  EXPECT_EQ(folders, 15);
+}
+
+TEST_F(ProgramGLTest, GroundTruthReplacesThatOfAnEarlierRunAndNothingElse) {
+  expect_good({"run", "scenes/small.yaml", "--no-video", "--aov", "--out", "run"});
+  expect_good({"run", "scenes/small.yaml", "--no-video", "--out", "run"});
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "run/ground_truth"));
+  std::filesystem::create_directory(folder_ / "run/ground_truth");
+  write_bytes(folder_ / "run/ground_truth/notes.txt", "mine");
+  const ProgramEnd end = run({"run", "scenes/small.yaml", "--no-video", "--aov", "--out", "run"});
+  EXPECT_EQ(end.exit_code, 4);
+  EXPECT_NE(end.messages.find("notes.txt"), std::string::npos) << end.messages;
+  EXPECT_EQ(file_bytes(folder_ / "run/ground_truth/notes.txt"), "mine");
+}
+
+TEST_F(ProgramGLTest, TheScriptForGroundTruthReadsEachLayer) {
+  expect_good({"run", "scenes/small.yaml", "--no-video", "--aov", "--out", "run"});
+  const std::string command = std::string(THINWALL_SOURCE_DIR) + "/scripts/read-ground-truth '" +
+                              (folder_ / "run/ground_truth").string() + "' 3 > '" + (folder_ / "summary.txt").string() +
+                              "'";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  const std::string summary = file_bytes(folder_ / "summary.txt");
+  for (const std::string layer :
+       {"depth ", "depth_16", "normals", "instances", "parts", "materials", "forward_flow ", "forward_flow_kitti",
+        "forward_state", "backward_flow ", "backward_flow_kitti", "backward_state", "stress", "contact_pressure",
+        "wound", "cameras.csv", "intrinsics.yml", "tools.csv"}) {
+    EXPECT_NE(summary.find("\n" + layer), std::string::npos) << layer << "\n" << summary;
+  }
+  EXPECT_NE(summary.find("as instances: True"), std::string::npos) << summary;
+  EXPECT_EQ(summary.find("as instances: False"), std::string::npos) << summary;
 }
 
 TEST_F(ProgramGLTest, ATakeCanBeRenderedInAnotherSizeAndView) {

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "engine/simulation/SimulationFailure.hpp"
+#include "renderer/snapshot/SurfaceFields.hpp"
 #include "studio/scenario/InputError.hpp"
 
 namespace thinwall {
@@ -46,6 +47,33 @@ TEST(ScenarioRun, TheFirstRecordIsTheEquilibriumAtTimeZero) {
   EXPECT_EQ(run.record().bodies.at(0).volume, run.record().bodies.at(0).fluid_volume);
   EXPECT_EQ(run.record().tools.at(0).phase, "idle");
   EXPECT_EQ(run.snapshot().surfaces.at(0).positions.size(), run.snapshot().surfaces[0].topology->rest_positions.size());
+}
+
+TEST(ScenarioRun, TheStressOfABallUnderPressureIsThatOfLaplace) {
+  Scenario scenario = ball_scenario();
+  scenario.bodies[0].surface = ShapeSource{.shape = Shape::kSphere, .radius = 0.02, .triangles = 5120};
+  scenario.bodies[0].fixed.clear();
+  scenario.bodies[0].fluid.initial_pressure = 500;
+  const ScenarioRun run(scenario);
+  const SnapshotSurface& surface = run.snapshot().surfaces.at(0);
+  const std::vector<double> thickness = current_thickness(surface);
+  const SnapshotField* largest = find_field(surface, kLargestStressField, FieldLocation::kTriangle);
+  const SnapshotField* smallest = find_field(surface, kSmallestStressField, FieldLocation::kTriangle);
+  ASSERT_TRUE(largest && smallest);
+  const double radius = std::cbrt(3 * run.record().bodies.at(0).volume / (4 * M_PI));
+  EXPECT_GT(radius, 0.0205);
+  double mean = 0, largest_error = 0;
+  for (std::size_t t = 0; t < thickness.size(); ++t) {
+    EXPECT_NEAR(thickness[t], 1e-3 * 0.02 * 0.02 / (radius * radius), 2e-5);
+    const double stress = 500 * radius / (2 * thickness[t]);
+    for (const SnapshotField* field : {largest, smallest}) {
+      mean += 0.5 * field->values[t] / stress / static_cast<double>(thickness.size());
+      largest_error = std::max(largest_error, std::abs(field->values[t] / stress - 1));
+    }
+  }
+  // Chords of 2 degrees; the triangles around the twelve vertices with five neighbours are the worst.
+  EXPECT_NEAR(mean, 1, 2e-3);
+  EXPECT_LT(largest_error, 0.05);
 }
 
 TEST(ScenarioRun, CutsArePlannedOnTheSurfaceAndTheirDurationIsKnown) {
