@@ -23,14 +23,6 @@ PartKind part_kind(TissueSide side) {
   return PartKind::kOutside;
 }
 
-/// The surface's vertex behind a piece's.
-std::uint32_t surface_vertex(const SnapshotTopology& topology, const std::vector<BorderEdge>& borders, TissueSide side,
-                             std::uint32_t vertex) {
-  if (side == TissueSide::kCap) return topology.cap_triangles[vertex / 3][vertex % 3];
-  if (side == TissueSide::kRim) return vertex % 4 < 2 ? borders[vertex / 4].start : borders[vertex / 4].end;
-  return vertex;
-}
-
 /// The wall's triangle behind a piece's.
 std::uint32_t wall_triangle(const std::vector<BorderEdge>& borders, TissueSide side, std::uint32_t triangle) {
   if (side == TissueSide::kCap) return kNoIndex;
@@ -47,11 +39,12 @@ void append_part(PartKind kind, std::uint32_t owner, std::uint32_t triangles, Sc
 void append(const TissuePiece& piece, const SnapshotTopology& topology, std::uint32_t owner, SceneGeometry& geometry) {
   const std::vector<BorderEdge>& borders = geometry.borders[owner];
   const auto offset = static_cast<std::uint32_t>(geometry.points.size());
-  for (std::uint32_t v = 0; v < piece.vertices.size(); ++v) {
-    geometry.points.push_back(vector3(piece.vertices[v].position));
-    geometry.normals.push_back(vector3(piece.vertices[v].normal));
-    geometry.vertices.push_back(surface_vertex(topology, borders, piece.side, v));
+  for (const SurfaceVertex& vertex : piece.vertices) {
+    geometry.points.push_back(vector3(vertex.position));
+    geometry.normals.push_back(vector3(vertex.normal));
   }
+  const std::vector<std::uint32_t> vertices = surface_vertices(piece, topology, borders);
+  geometry.vertices.insert(geometry.vertices.end(), vertices.begin(), vertices.end());
   const auto count = static_cast<std::uint32_t>(piece.corners.size() / 3);
   append_part(part_kind(piece.side), owner, count, geometry);
   for (std::uint32_t t = 0; t < count; ++t) {

@@ -6,6 +6,7 @@
 
 #include "renderer/overlay/Font.hpp"
 #include "renderer/overlay/GaugePlate.hpp"
+#include "renderer/overlay/LegendPlate.hpp"
 #include "renderer/overlay/Plate.hpp"
 #include "renderer/overlay/PlotPlate.hpp"
 #include "renderer/overlay/TextPlates.hpp"
@@ -70,6 +71,7 @@ void draw_overlay(Image& image, const OverlayContent& content) {
   int title_end = image.size.width - grid.whole(kMargin);
   if (content.show_time) title_end = draw_time(image, grid, content.time, content.duration) - grid.whole(kMargin);
   if (!content.title.empty()) draw_title(image, grid, content.title, title_end);
+  if (content.legend) draw_legend(image, grid, *content.legend);
   if (content.show_gauge) draw_gauge(image, grid, content, peak);
   if (content.show_force_plot) draw_force_plot(image, grid, content, peak);
   if (content.show_caption && !content.caption.empty()) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,14 @@ namespace thinwall {
 struct ForceSample {
   double time = 0;   // seconds
   double force = 0;  // newton, magnitude of what the tissue does to the tool
+};
+
+/// What the colours of a data view mean.
+struct Legend {
+  std::string title;
+  std::string unit;  // SI
+  double from = 0;   // in `unit`, of the first colour
+  double to = 1;     // in `unit`, of the last colour
 };
 
 /// What is written over a picture. A pure function of the take up to the frame's time.
@@ -28,6 +37,7 @@ struct OverlayContent {
   bool show_gauge = true;
   bool show_caption = true;
   bool show_time = true;
+  std::optional<Legend> legend = {};
 };
 
 /// Draws on the processor in one pinned font, so the bytes depend neither on the graphics driver nor on the machine's

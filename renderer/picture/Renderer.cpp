@@ -12,6 +12,7 @@
 #include "renderer/picture/FloorShade.hpp"
 #include "renderer/picture/FrameUniforms.hpp"
 #include "renderer/picture/LensPass.hpp"
+#include "renderer/picture/MeshLinePass.hpp"
 #include "renderer/picture/OutlinePass.hpp"
 #include "renderer/picture/PictureTarget.hpp"
 #include "renderer/picture/SceneExtent.hpp"
@@ -62,6 +63,7 @@ struct Stage {
   ScenePass scene_pass;
   OutlinePass outline_pass;
   LensPass lens_pass;
+  MeshLinePass mesh_lines;
   FloorShade floor_shade;
   ShadowMap shadow_map;
   Buffer frame = create_buffer();
@@ -133,11 +135,19 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
   clock.ends("shadow map");
   stage->scene_pass.draw_surface(stage->meshes, stage->target);
   clock.ends("surface");
-  stage->scene_pass.shade_tissue(stage->meshes, stage->target, surroundings);
-  stage->scene_pass.mark(stage->meshes, view.highlights, snapshot.time);
+  if (view.look.data) {
+    stage->scene_pass.shade_data(stage->target);
+  } else {
+    stage->scene_pass.shade_tissue(stage->meshes, stage->target, surroundings);
+    stage->scene_pass.mark(stage->meshes, view.highlights, snapshot.time);
+  }
   clock.ends("tissue");
   stage->scene_pass.draw_surroundings(stage->meshes, stage->target, surroundings);
   clock.ends("tools and floor");
+  if (view.look.mesh) {
+    stage->mesh_lines.draw(stage->meshes.mesh_lines(snapshot));
+    clock.ends("mesh lines");
+  }
   if (stage->refined)
     stage->outline_pass.draw(stage->meshes.outline(snapshot, camera.position), stage->target.copy_of_color());
   clock.ends("outline");

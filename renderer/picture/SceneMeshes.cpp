@@ -4,10 +4,31 @@
 #include <utility>
 
 #include "renderer/picture/CutLips.hpp"
+#include "renderer/picture/PictureFailure.hpp"
 #include "renderer/picture/SurfaceVertices.hpp"
 #include "renderer/picture/TissuePieces.hpp"
 
 namespace thinwall {
+
+namespace {
+
+/// Puts the numbers of a data view where the tissue's pattern has its places: x from 0 to 1 between the ends, y 1 where
+/// there is a number.
+void show_data(const SnapshotSurface& surface, const DataView& data, std::span<const BorderEdge> borders,
+               std::vector<TissuePiece>& pieces) {
+  const std::vector<float> values = data_values(surface, data.quantity);
+  if (!data.from || !data.to) throw PictureFailure("a data view needs both ends of its colours");
+  const double span = *data.to - *data.from;
+  for (TissuePiece& piece : pieces) {
+    const std::vector<std::uint32_t> vertices = surface_vertices(piece, *surface.topology, borders);
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+      const double number = span > 0 ? (values[vertices[v]] - *data.from) / span : 0;
+      piece.vertices[v].rest = {static_cast<float>(number), piece.side == TissueSide::kCap ? 0.0F : 1.0F, 0};
+    }
+  }
+}
+
+}  // namespace
 
 SceneMeshes::SceneMeshes()
     : tissue_(sizeof(SurfaceVertex), {{0, 3, offsetof(SurfaceVertex, position)},
@@ -33,7 +54,9 @@ void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& 
     const SnapshotSurface& surface = snapshot.surfaces[k];
     const auto found = look.bodies.find(surface.body);
     const TissueLook body_look = found == look.bodies.end() ? TissueLook{} : found->second;
-    for (const TissuePiece& piece : tissue_pieces(surface, borders_[k], nearness_[k])) {
+    std::vector<TissuePiece> pieces = tissue_pieces(surface, borders_[k], nearness_[k]);
+    if (look.data) show_data(surface, *look.data, borders_[k], pieces);
+    for (const TissuePiece& piece : pieces) {
       parts_.push_back(
           {surface.body, piece.side, look_uniforms(body_look, piece.side), indices.size(), piece.corners.size()});
       const auto offset = static_cast<std::uint32_t>(vertices.size());
@@ -88,6 +111,22 @@ void SceneMeshes::upload_tools(const Snapshot& snapshot, const SceneExtent& exte
   std::vector<Float3> positions;
   for (const ToolVertex& vertex : vertices) positions.push_back(vertex.position);
   tool_edges_ = creased_edges(positions, indices);
+}
+
+std::vector<MeshLine> SceneMeshes::mesh_lines(const Snapshot& snapshot) const {
+  std::vector<Float3> points;
+  std::vector<char> is_lip;
+  for (std::size_t k = 0; k < snapshot.surfaces.size(); ++k) {
+    const std::vector<Float3>& positions = snapshot.surfaces[k].positions;
+    points.insert(points.end(), positions.begin(), positions.end());
+    for (const float nearness : nearness_[k]) is_lip.push_back(nearness == 1);
+  }
+  std::vector<MeshLine> lines;
+  for (const MeshEdge& edge : tissue_edges_) {
+    const bool is_cut = edge.right == MeshEdge::kNone && is_lip[edge.start] && is_lip[edge.end];
+    lines.push_back({points[edge.start], points[edge.end], is_cut ? 1.0F : 0.0F});
+  }
+  return lines;
 }
 
 std::vector<OutlineSegment> SceneMeshes::outline(const Snapshot& snapshot, Vector3 eye) const {

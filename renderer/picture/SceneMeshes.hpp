@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "renderer/picture/LookUniforms.hpp"
+#include "renderer/picture/MeshLinePass.hpp"
 #include "renderer/picture/Outline.hpp"
 #include "renderer/picture/SceneExtent.hpp"
 #include "renderer/picture/ToolShape.hpp"
@@ -33,6 +34,9 @@ class SceneMeshes {
   const TriangleBuffer& tools() const { return tools_; }
   const std::vector<TissuePart>& parts() const { return parts_; }
   const std::vector<ToolRod>& rods() const { return rods_; }
+
+  /// The edges of all walls' triangles and of their caps.
+  std::vector<MeshLine> mesh_lines(const Snapshot& snapshot) const;
 
   /// Of everything that was uploaded from `snapshot`, seen from `eye`.
   std::vector<OutlineSegment> outline(const Snapshot& snapshot, Vector3 eye) const;

@@ -1,5 +1,8 @@
 #include "renderer/picture/ScenePass.hpp"
 
+#include <vector>
+
+#include "renderer/look/ColorMap.hpp"
 #include "renderer/picture/FrameUniforms.hpp"
 #include "renderer/picture/PictureFailure.hpp"
 #include "renderer/picture/ShaderProgram.hpp"
@@ -17,6 +20,21 @@ void require_countable(std::size_t parts) {
   }
 }
 
+/// More steps than any channel has levels between two of them.
+constexpr int kColorSteps = 1024;
+
+Texture color_texture() {
+  Texture texture = create_texture(GL_RGBA32F, kColorSteps, 1, GL_NEAREST);
+  std::vector<float> colors;
+  for (int step = 0; step < kColorSteps; ++step) {
+    const Double3 color = color_map(step / (kColorSteps - 1.0));
+    for (const double channel : color) colors.push_back(static_cast<float>(channel));
+    colors.push_back(1);
+  }
+  glTextureSubImage2D(texture.name(), 0, 0, 0, kColorSteps, 1, GL_RGBA, GL_FLOAT, colors.data());
+  return texture;
+}
+
 }  // namespace
 
 ScenePass::ScenePass()
@@ -26,6 +44,8 @@ ScenePass::ScenePass()
       floor_{build_program("screen.vert", "floor.frag"), build_program("screen.vert", "bed.frag")},
       backdrop_(build_program("screen.vert", "backdrop.frag")),
       highlight_(build_program("screen.vert", "highlight.frag")),
+      data_(build_program("screen.vert", "data.frag")),
+      colors_(color_texture()),
       no_vertices_(create_vertex_array()),
       look_(create_buffer()) {
   glNamedBufferStorage(look_.name(), sizeof(LookUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT);
@@ -85,6 +105,17 @@ void ScenePass::mark(const SceneMeshes& meshes, const std::vector<HighlightDefin
     }
   }
   glDisable(GL_BLEND);
+  glDisable(GL_STENCIL_TEST);
+}
+
+void ScenePass::shade_data(const PictureTarget& target) const {
+  target.begin_color();
+  glDisable(GL_DEPTH_TEST);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+  glStencilFunc(GL_NOTEQUAL, 0, 0xff);
+  glBindTextureUnit(5, colors_.name());
+  glUseProgram(data_.name());
+  draw_screen();
   glDisable(GL_STENCIL_TEST);
 }
 

@@ -22,6 +22,9 @@ class ScenePass {
   /// What is seen of the tissue, as geometry.
   void draw_surface(const SceneMeshes& meshes, const PictureTarget& target) const;
 
+  /// The numbers of a data view in its place.
+  void shade_data(const PictureTarget& target) const;
+
   /// Its colours.
   void shade_tissue(const SceneMeshes& meshes, const PictureTarget& target, Surroundings surroundings) const;
 
@@ -40,6 +43,8 @@ class ScenePass {
   std::array<Program, 2> floor_;   // (surroundings)
   Program backdrop_;
   Program highlight_;
+  Program data_;
+  Texture colors_;  // of data views
   VertexArray no_vertices_;
   Buffer look_;  // of the part that is shaded
 };

@@ -31,4 +31,15 @@ std::vector<TissuePiece> tissue_pieces(const SnapshotSurface& surface, std::span
   return pieces;
 }
 
+std::vector<std::uint32_t> surface_vertices(const TissuePiece& piece, const SnapshotTopology& topology,
+                                            std::span<const BorderEdge> borders) {
+  std::vector<std::uint32_t> vertices(piece.vertices.size());
+  for (std::uint32_t v = 0; v < vertices.size(); ++v) {
+    vertices[v] = v;
+    if (piece.side == TissueSide::kCap) vertices[v] = topology.cap_triangles[v / 3][v % 3];
+    if (piece.side == TissueSide::kRim) vertices[v] = v % 4 < 2 ? borders[v / 4].start : borders[v / 4].end;
+  }
+  return vertices;
+}
+
 }  // namespace thinwall

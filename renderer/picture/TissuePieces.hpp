@@ -25,4 +25,8 @@ struct TissuePiece {
 std::vector<TissuePiece> tissue_pieces(const SnapshotSurface& surface, std::span<const BorderEdge> borders,
                                        std::span<const float> nearness);
 
+/// The surface's vertex behind each vertex of a piece, (vertices).
+std::vector<std::uint32_t> surface_vertices(const TissuePiece& piece, const SnapshotTopology& topology,
+                                            std::span<const BorderEdge> borders);
+
 }  // namespace thinwall

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/look/DataView.hpp"
 #include "renderer/look/TissueLook.hpp"
 #include "renderer/picture/CameraDefinition.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
@@ -24,6 +25,8 @@ struct LookDefinition {
   Double3 background = {0.055, 0.065, 0.08};  // sRGB, 0 to 1
   bool floor = true;                          // below the scene, lit, in the tone of the background
   std::map<std::string, TissueLook> bodies;   // by name; others have the default look
+  std::optional<DataView> data = {};          // what colours show of walls instead of their tissue; with both ends
+  bool mesh = false;                          // whether the edges of the triangles are drawn, those of cuts stronger
 };
 
 /// How much is done for a picture: draft without shadow and anti-aliasing; record with shadow and smoothed outlines,

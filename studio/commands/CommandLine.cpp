@@ -27,6 +27,7 @@ struct Texts {
   std::string time;
   std::string out;
   std::string view;
+  std::string data;
 };
 
 using Action = std::function<int()>;
@@ -83,6 +84,18 @@ DeviceChoice device_choice(const std::string& text) {
   } catch (const std::invalid_argument& error) {
     throw UsageError("--device " + text + ": " + error.what());
   }
+}
+
+std::string data_words() {
+  std::string words;
+  for (const DataQuantityRow& row : data_quantities()) words += (words.empty() ? "" : ", ") + std::string(row.word);
+  return words;
+}
+
+DataQuantity data_quantity(const std::string& text) {
+  const DataQuantityRow* row = find_data_quantity(text);
+  if (row == nullptr) throw UsageError("--data " + text + ": there is no such quantity; choose one of " + data_words());
+  return row->quantity;
 }
 
 /// The names of options that take a value.
@@ -209,6 +222,7 @@ void CommandLine::add_render() {
     render_.device_text = texts_.device;
     if (!texts_.out.empty()) render_.out = texts_.out;
     if (!texts_.view.empty()) render_.view = texts_.view;
+    if (!texts_.data.empty()) render_.data = data_quantity(texts_.data);
     if (!texts_.size.empty()) render_.size = parse_size(texts_.size);
     return render_take(render_);
   });
@@ -217,6 +231,9 @@ void CommandLine::add_render() {
       ->type_name("DIR");
   command->add_option("--view", texts_.view, "take camera, lights, look and record from this scenario")
       ->type_name("SCENARIO");
+  command->add_option("--data", texts_.data, "show a quantity of the walls in colours: " + data_words())
+      ->type_name("QUANTITY");
+  command->add_flag("--mesh", render_.mesh, "draw the edges of the triangles, those of cuts stronger");
   command->add_option("--fps", render_.frames_per_second, "pictures per second")->check(CLI::Range(1.0, 240.0));
   add_size(*command);
   add_overrides(*command);

@@ -7,6 +7,7 @@
 
 #include "renderer/device/DeviceChoice.hpp"
 #include "renderer/image/Image.hpp"
+#include "renderer/look/DataView.hpp"
 #include "studio/commands/Arguments.hpp"
 #include "studio/comparison/FileComparison.hpp"
 #include "studio/golden/GoldenRun.hpp"
@@ -44,6 +45,8 @@ struct RenderOptions {
   Overrides overrides;                        // of its parameters
   std::optional<ImageSize> size;
   std::optional<double> frames_per_second;
+  std::optional<DataQuantity> data;  // shown instead of the tissue, with the range of the whole take
+  bool mesh = false;                 // whether the edges of triangles are drawn
   DeviceChoice device;
   std::string device_text = "auto";
   bool video = true;

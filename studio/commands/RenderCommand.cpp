@@ -2,6 +2,7 @@
 
 #include "renderer/snapshot/SurfaceFields.hpp"
 #include "studio/commands/Commands.hpp"
+#include "studio/commands/DataViewRange.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/Outcome.hpp"
 #include "studio/recorder/ResolvedPicture.hpp"
@@ -43,23 +44,23 @@ int render_take(const RenderOptions& options) {
   }
   if (take->times().empty())
     throw TakeError(options.take.string() + ": the take holds no step, so there is nothing to draw");
-  RecordingPlan plan{.folder = options.out.value_or(options.take.parent_path() / "render"),
-                     .description = take->description(),
-                     .overlays = settings.overlays,
-                     .view = settings.view,
-                     .teaching = settings.teaching,
-                     .size = options.size.value_or(settings.record.size),
-                     .frames_per_second = options.frames_per_second.value_or(settings.record.frames_per_second),
-                     .records = false,
-                     .video = options.video,
-                     .frames = options.frames,
-                     .surfaces = options.surfaces,
-                     .progress = stderr};
+  if (options.data) settings.view.look.data = DataView{.quantity = *options.data};
+  if (options.mesh) settings.view.look.mesh = true;
+  complete_data_range(*take, options.take, settings.view.look);
+  const RecordingPlan plan{.folder = options.out.value_or(options.take.parent_path() / "render"),
+                           .description = take->description(),
+                           .overlays = settings.overlays,
+                           .view = settings.view,
+                           .size = options.size.value_or(settings.record.size),
+                           .frames_per_second = options.frames_per_second.value_or(settings.record.frames_per_second),
+                           .records = false,
+                           .video = options.video,
+                           .frames = options.frames,
+                           .surfaces = options.surfaces,
+                           .ground_truth = options.ground_truth,
+                           .progress = stderr};
   refuse_folder_of_the_take(plan.folder, options.take);
-  if (options.ground_truth) {
-    require_stress(take->moment(0).snapshot, options.take);
-    plan.ground_truth = true;
-  }
+  if (options.ground_truth) require_stress(take->moment(0).snapshot, options.take);
   TakeSource source(*take);
   const RecordingReport report =
       record(source, plan, renderer_painters(options.device, settings.record.tier, settings.view));

@@ -4,6 +4,7 @@
 
 #include "renderer/image/WholeFile.hpp"
 #include "studio/commands/Commands.hpp"
+#include "studio/commands/DataViewRange.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/Outcome.hpp"
 #include "studio/commands/RunSource.hpp"
@@ -43,6 +44,7 @@ int run_scenario(const RunOptions& options) {
     const StageClock clock(preparation);
     scenario = load_scenario(options.scenario, options.overrides);
   }
+  if (options.render) require_data_range(scenario.view.look);
   const RecordingPlan plan{
       .folder = options.out.value_or(std::filesystem::path("out") / scenario.name),
       .description = {.name = scenario.name, .title = scenario.title, .resolved = scenario.resolved},

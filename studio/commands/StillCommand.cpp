@@ -7,6 +7,7 @@
 #include "renderer/image/PngFile.hpp"
 #include "renderer/image/WholeFile.hpp"
 #include "studio/commands/Commands.hpp"
+#include "studio/commands/DataViewRange.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/RunSource.hpp"
 #include "studio/recorder/FrameComposer.hpp"
@@ -61,6 +62,7 @@ std::filesystem::path truth_folder(const std::filesystem::path& picture) {
 
 int make_still(const StillOptions& options) {
   const Scenario scenario = load_scenario(options.scenario, options.overrides);
+  require_data_range(scenario.view.look);
   const PainterFactory painters = renderer_painters(options.device, scenario.record.tier, scenario.view);
   // Before the simulation, so that a missing device is told at once.
   const std::unique_ptr<Painter> painter = painters(options.size.value_or(scenario.record.size));

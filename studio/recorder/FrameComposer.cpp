@@ -37,12 +37,20 @@ double first_pressure(const Snapshot& snapshot) {
   return 0;
 }
 
+std::optional<Legend> legend_of(const LookDefinition& look) {
+  if (!look.data || !look.data->from || !look.data->to) return std::nullopt;
+  const DataQuantityRow& row = row_of(look.data->quantity);
+  return Legend{
+      .title = std::string(row.title), .unit = std::string(row.unit), .from = *look.data->from, .to = *look.data->to};
+}
+
 }  // namespace
 
 FrameComposer::FrameComposer(std::string title, const OverlayChoice& choice, const ViewDefinition& view,
                              const AnnotationDefinition& annotations)
     : title_(std::move(title)),
       choice_(choice),
+      legend_(legend_of(view.look)),
       shots_(view),
       annotations_(std::make_shared<const AnnotationDefinition>(annotations)) {}
 
@@ -90,6 +98,7 @@ OverlayContent FrameComposer::overlay(const Snapshot& snapshot) const {
   content.show_gauge = false;
   content.show_caption = choice_.captions;
   content.show_time = choice_.time;
+  content.legend = legend_;
   const SnapshotTool* tool = shown_tool(snapshot);
   if (tool == nullptr) return content;
   content.show_force_plot = choice_.force_plot;

@@ -51,6 +51,7 @@ class FrameComposer {
 
   std::string title_;
   OverlayChoice choice_;
+  std::optional<Legend> legend_;  // of the view's data
   ShotFollower shots_;
   std::shared_ptr<const AnnotationDefinition> annotations_;
   std::optional<Moment> earlier_;

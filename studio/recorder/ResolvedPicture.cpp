@@ -31,9 +31,20 @@ TissueLook to_tissue_look(const Json& body) {
   return look;
 }
 
+DataView to_data(const Json& data) {
+  const DataQuantityRow* row = find_data_quantity(data.at("shows").get<std::string>());
+  if (row == nullptr) throw TakeError("the take's scenario names a quantity that this program does not know");
+  DataView view{.quantity = row->quantity};
+  if (data.contains("from")) view.from = data.at("from");
+  if (data.contains("to")) view.to = data.at("to");
+  return view;
+}
+
 LookDefinition to_look(const Json& look) {
   LookDefinition result{.background = look.at("background").get<Double3>(), .bodies = {}};
   for (const auto& [name, body] : look.at("bodies").items()) result.bodies[name] = to_tissue_look(body);
+  if (look.contains("data")) result.data = to_data(look.at("data"));
+  result.mesh = look.value("mesh", false);
   return result;
 }
 

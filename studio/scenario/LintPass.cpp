@@ -219,6 +219,20 @@ void check_goldens(const CheckedValue& root, const std::vector<ClipTimes>& clips
   }
 }
 
+void check_data_view(const CheckedValue& root, Diagnostics& diagnostics) {
+  const CheckedValue* look = root.find("look");
+  const CheckedValue* data = look == nullptr ? nullptr : look->find("data");
+  if (data == nullptr) return;
+  const CheckedValue *from = data->find("from"), *to = data->find("to");
+  if (from != nullptr && to != nullptr && from->number >= to->number) {
+    diagnostics.error(to->location, "look.data.to", "must be more than `from`");
+  }
+  const CheckedValue* goldens = root.find("golden");
+  if (goldens != nullptr && !goldens->items.empty() && (from == nullptr || to == nullptr)) {
+    diagnostics.error(data->location, "look.data", "goldens need both ends of the colours: give `from` and `to`");
+  }
+}
+
 }  // namespace
 
 void lint_pass(const CheckedValue& root, Diagnostics& diagnostics) {
@@ -235,6 +249,7 @@ void lint_pass(const CheckedValue& root, Diagnostics& diagnostics) {
     }
     check_boxes(*bodies, "bodies", diagnostics);
   }
+  check_data_view(root, diagnostics);
   check_camera(root, diagnostics);
   check_lights(root, diagnostics);
   const CheckedValue* timeline = root.find("timeline");

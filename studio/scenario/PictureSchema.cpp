@@ -1,3 +1,4 @@
+#include "renderer/look/DataView.hpp"
 #include "renderer/look/OrganLooks.hpp"
 #include "studio/scenario/SchemaSections.hpp"
 
@@ -14,6 +15,33 @@ KeySchema strength_key(const std::string& key, const std::string& documentation)
 
 KeySchema shown_key(const std::string& key, const std::string& documentation) {
   return {key, boolean_value(), false, "true", documentation};
+}
+
+Dimension dimension_of(std::string_view unit) {
+  if (unit == "Pa") return kPressure;
+  return unit == "m" ? kLength : kDimensionless;
+}
+
+MappingSchema data_schema() {
+  MappingSchema data{.name = "data",
+                     .documentation =
+                         "A quantity in colours (viridis) with a legend. The ends of the colours are needed by "
+                         "`run`, `still` and `golden`; `render` takes those that are absent from the whole "
+                         "take, and leaves a hundredth of its values beyond each."};
+  data.selector = "shows";
+  std::vector<std::string> words;
+  for (const DataQuantityRow& row : data_quantities()) {
+    const Dimension dimension = dimension_of(row.unit);
+    const std::string example = dimension == kPressure ? "20 kPa" : dimension == kLength ? "2 mm" : "0.2";
+    const ValueSchema end = quantity_value(dimension, {}, example);
+    words.emplace_back(row.word);
+    data.cases.push_back({words.back(),
+                          std::string(row.documentation),
+                          {{"from", end, false, {}, "what the darkest colour stands for"},
+                           {"to", end, false, {}, "what the lightest colour stands for"}}});
+  }
+  data.keys = {{"shows", word_value(words), true, {}, "which quantity"}};
+  return data;
 }
 
 }  // namespace
@@ -75,6 +103,12 @@ ValueSchema look_schema() {
       {"background", color_value(), false, "[0.055, 0.065, 0.08]", "sRGB colour, each part from 0 to 1"},
       {"bodies", named_value(std::move(tissue)), false, "{}", "looks by the names of bodies"},
       {"overlays", mapping_value({overlays}), false, "{}", "what is written over the picture"},
+      {"data",
+       mapping_value({data_schema()}),
+       false,
+       {},
+       "a quantity of the walls in colours, in place of their tissue"},
+      {"mesh", boolean_value(), false, "false", "draw the edges of the triangles, those of cuts stronger"},
   };
   return mapping_value({look});
 }

@@ -304,6 +304,12 @@ TissueLook to_tissue_look(const CheckedValue& body) {
 LookDefinition to_look(const CheckedValue& look) {
   LookDefinition result{.background = to_double3(look.at("background")), .bodies = {}};
   for (const CheckedMember& body : look.at("bodies").members) result.bodies[body.key] = to_tissue_look(body.value);
+  if (const CheckedValue* data = look.find("data")) {
+    result.data = DataView{.quantity = find_data_quantity(data->at("shows").text)->quantity,
+                           .from = find_number(*data, "from"),
+                           .to = find_number(*data, "to")};
+  }
+  result.mesh = look.at("mesh").boolean;
   return result;
 }
 

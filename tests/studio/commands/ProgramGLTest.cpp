@@ -105,6 +105,22 @@ TEST_F(ProgramGLTest, GroundTruthOfAFrameIsTheSameInARunFromItsTakeAndAlone) {
   EXPECT_EQ(folders, 15);
 }
 
+TEST_F(ProgramGLTest, ATakeShowsItsNumbersInColorsWithTheRangeOfTheWhole) {
+  write_bytes(folder_ / "cut.yaml", incision_scenario());
+  expect_good({"run", "cut.yaml", "--no-render", "--out", "run"});
+  for (const std::string quantity : {"von_mises_stress", "strain", "thickness", "contact_pressure", "displacement"}) {
+    expect_good({"render", "run/take.h5", "--no-video", "--data", quantity, "--mesh", "--out", quantity});
+  }
+  EXPECT_NE(manifest("strain")["frame_hashes"], manifest("thickness")["frame_hashes"]);
+  write_bytes(folder_ / "data.yaml", incision_scenario() + "look: { data: { shows: strain } }\n");
+  const ProgramEnd end = run({"run", "data.yaml"});
+  EXPECT_EQ(end.exit_code, 2);
+  EXPECT_NE(end.messages.find("`from` and `to` are needed here"), std::string::npos) << end.messages;
+  expect_good({"render", "run/take.h5", "--no-video", "--view", "data.yaml", "--out", "viewed"});
+  write_bytes(folder_ / "fixed.yaml", incision_scenario() + "look: { data: { shows: strain, from: 0, to: 0.5 } }\n");
+  expect_good({"still", "fixed.yaml", "--at", "0.2 s", "-o", "still.png"});
+}
+
 TEST_F(ProgramGLTest, GroundTruthReplacesThatOfAnEarlierRunAndNothingElse) {
   expect_good({"run", "scenes/small.yaml", "--no-video", "--aov", "--out", "run"});
   expect_good({"run", "scenes/small.yaml", "--no-video", "--out", "run"});

@@ -1,0 +1,82 @@
+#include "renderer/overlay/LegendPlate.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "renderer/look/ColorMap.hpp"
+#include "renderer/overlay/NumberText.hpp"
+#include "renderer/overlay/Text.hpp"
+
+namespace thinwall {
+namespace {
+
+using namespace plate_style;
+
+constexpr double kTop = 82;  // below title and time
+constexpr double kWidth = 150;
+constexpr double kHeight = 300;
+constexpr double kBarTop = 64;  // below name and unit
+constexpr double kBarWidth = 22;
+constexpr int kTicks = 5;
+
+/// A unit as it is read, and how many of the SI unit it is.
+struct ShownUnit {
+  std::string unit;
+  double size = 1;
+};
+
+ShownUnit shown_unit(const std::string& unit, double largest) {
+  if (unit.empty()) return {"%", 0.01};
+  if (unit == "m") return largest < 1e-3 ? ShownUnit{"\u00b5m", 1e-6} : ShownUnit{"mm", 1e-3};
+  if (largest >= 1e6) return {"M" + unit, 1e6};
+  return largest >= 1e3 ? ShownUnit{"k" + unit, 1e3} : ShownUnit{unit, 1};
+}
+
+/// Behind the point, so that neighbouring ticks differ in their last two digits.
+int decimals_for(double step) {
+  return step > 0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(step))), 0, 6) : 1;
+}
+
+void draw_bar(const Plate& plate, const OverlayGrid& grid, const Box& bar) {
+  // Row by row of whole pixels: smoothed borders between rows would show as stripes.
+  const int top = static_cast<int>(std::lround(bar.y)), bottom = static_cast<int>(std::lround(bar.bottom()));
+  for (int row = top; row < bottom; ++row) {
+    const Double3 color = color_map((bottom - row - 0.5) / (bottom - top));
+    cairo_rectangle(plate.context(), bar.x, row, bar.width, 1);
+    set_color(plate.context(), {color[0], color[1], color[2]});
+    cairo_fill(plate.context());
+  }
+  plate.stroke_rounded(bar, 1, std::max(1.0, grid.unit), kEdge);
+}
+
+}  // namespace
+
+void draw_legend(Image& image, const OverlayGrid& grid, const Legend& legend) {
+  assert(std::isfinite(legend.from) && std::isfinite(legend.to));
+  const ShownUnit unit = shown_unit(legend.unit, std::max(std::abs(legend.from), std::abs(legend.to)));
+  const Plate plate(grid, {grid.whole(kWidth), grid.whole(kHeight)});
+  const double left = grid.pixels(kPadding);
+  const double room = plate.size().width - 2 * left;
+  const Text name(legend.title, {.size = grid.pixels(kSmallText), .bold = true, .color = kText}, {.width = room});
+  name.draw(plate, left, grid.pixels(12));
+  Text(unit.unit, {.size = grid.pixels(kSmallText), .color = kFaintText}).draw(plate, left, grid.pixels(34));
+  const Box bar{left, grid.pixels(kBarTop), grid.pixels(kBarWidth),
+                plate.size().height - grid.pixels(kBarTop + kPadding + 4)};
+  draw_bar(plate, grid, bar);
+  const double step = (legend.to - legend.from) / (kTicks - 1) / unit.size;
+  for (int tick = 0; tick < kTicks; ++tick) {
+    const double y = bar.bottom() - bar.height * tick / (kTicks - 1);
+    plate.line(bar.right(), y, bar.right() + grid.pixels(5), y, std::max(1.0, grid.unit), kFaintText);
+    const Text number(fixed_text(legend.from / unit.size + tick * step, decimals_for(step)),
+                      {.size = grid.pixels(kSmallText), .color = kText});
+    number.draw(plate, bar.right() + grid.pixels(10), y - number.height() / 2);
+  }
+  const int margin = grid.whole(kMargin);
+  plate.blend_onto(image, image.size.width - margin - plate.size().width, grid.whole(kTop));
+}
+
+}  // namespace thinwall

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "renderer/overlay/Overlay.hpp"
+#include "renderer/overlay/Plate.hpp"
+
+namespace thinwall {
+
+/// What the colours of a data view mean: a bar of them with numbers beside it and the quantity's name and unit above,
+/// at the right, below the time.
+void draw_legend(Image& image, const OverlayGrid& grid, const Legend& legend);
+
+}  // namespace thinwall

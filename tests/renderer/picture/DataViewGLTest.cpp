@@ -1,0 +1,74 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/look/ColorMap.hpp"
+#include "renderer/picture/Camera.hpp"
+#include "renderer/picture/Renderer.hpp"
+#include "tests/renderer/picture/TestMeshes.hpp"
+
+namespace thinwall {
+namespace {
+
+constexpr ImageSize kSize = {.width = 160, .height = 90};
+
+/// A square of 2 m that faces the camera, with a pressure that runs from 0 to 400 Pa along x.
+Snapshot square() {
+  Snapshot snapshot;
+  snapshot.surfaces = {test::quad("wall", {{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}})};
+  snapshot.surfaces[0].fields = {
+      {.name = "contact_pressure", .unit = "Pa", .location = FieldLocation::kVertex, .values = {0, 400, 400, 0}}};
+  return snapshot;
+}
+
+ViewDefinition facing() {
+  ViewDefinition view;
+  view.camera.position = Double3{0, 0, 5};
+  view.camera.target = Double3{0, 0, 0};
+  view.camera.up = Double3{0, 1, 0};
+  view.look.data = DataView{.quantity = DataQuantity::kContactPressure, .from = 100, .to = 300};
+  return view;
+}
+
+TEST(DataViewGLTest, AKnownFieldHasTheColorsOfTheLegendToOneLevel) {
+  const ViewDefinition view = facing();
+  for (const Tier tier : {Tier::kDraft, Tier::kRecord, Tier::kFinal}) {
+    const Image image = Renderer({}, kSize, tier).draw(square(), view, view.camera);
+    const double metres_per_pixel = 2 * 5 * std::tan(0.5 * view.camera.field_of_view) / kSize.height;
+    int largest = 0, checked = 0;
+    for (int column = 0; column < kSize.width; ++column) {
+      const double x = (column + 0.5 - 0.5 * kSize.width) * metres_per_pixel;
+      // The outermost pixels are smoothed.
+      if (std::abs(x) > 1 - 2 * metres_per_pixel) continue;
+      const double pressure = 200 * (x + 1);
+      const Double3 color = color_map((pressure - 100) / 200);
+      const std::size_t pixel = static_cast<std::size_t>(45 * kSize.width + column);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const int level = static_cast<int>(std::lround(255 * color[k]));
+        largest = std::max(largest, std::abs(level - image.pixels[3 * pixel + k]));
+      }
+      ++checked;
+    }
+    EXPECT_GT(checked, 30);
+    EXPECT_LE(largest, 1);
+  }
+}
+
+TEST(DataViewGLTest, TheMeshDarkensItsEdgesAndNothingElse) {
+  ViewDefinition view = facing();
+  Renderer renderer({}, kSize, Tier::kRecord);
+  const Image without = renderer.draw(square(), view, view.camera);
+  view.look.mesh = true;
+  const Image with = renderer.draw(square(), view, view.camera);
+  // The diagonal of the square crosses the middle of the picture from below to above on the right.
+  const auto green = [](const Image& image, int column, int row) {
+    return static_cast<int>(image.pixels[3 * static_cast<std::size_t>(row * kSize.width + column) + 1]);
+  };
+  EXPECT_LT(green(with, 80, 45) + green(with, 80, 44), green(without, 80, 45) + green(without, 80, 44));
+  EXPECT_EQ(green(with, 86, 55), green(without, 86, 55));
+  EXPECT_EQ(green(with, 74, 33), green(without, 74, 33));
+}
+
+}  // namespace
+}  // namespace thinwall
