@@ -177,7 +177,12 @@ Image Renderer::draw(const Snapshot& snapshot, const ViewDefinition& view, const
 }
 
 Image Renderer::draw_timed(const Snapshot& snapshot, const ViewDefinition& view, std::vector<PassTime>& times) {
-  return implementation_->draw(snapshot, view, view.camera, &times);
+  return draw_timed(snapshot, view, view.camera, times);
+}
+
+Image Renderer::draw_timed(const Snapshot& snapshot, const ViewDefinition& view, const CameraDefinition& camera,
+                           std::vector<PassTime>& times) {
+  return implementation_->draw(snapshot, view, camera, &times);
 }
 
 std::string Renderer::driver() const {

@@ -36,6 +36,8 @@ class Renderer {
   /// The same picture, with the driver made to end each pass before the next begins, so that each can be timed. Appends
   /// to `times`.
   Image draw_timed(const Snapshot& snapshot, const ViewDefinition& view, std::vector<PassTime>& times);
+  Image draw_timed(const Snapshot& snapshot, const ViewDefinition& view, const CameraDefinition& camera,
+                   std::vector<PassTime>& times);
 
   /// Vendor, renderer and version as the driver names itself, one line.
   std::string driver() const;

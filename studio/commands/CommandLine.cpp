@@ -32,6 +32,8 @@ struct Texts {
 
 using Action = std::function<int()>;
 
+constexpr const char* kStatsWords = "say what each pass of the pictures takes, and an empty frame";
+
 /// The parser of the whole command line. What is chosen ends up in `action`.
 class CommandLine {
  public:
@@ -55,7 +57,8 @@ class CommandLine {
   void add_device(CLI::App& command);
   void add_threads(CLI::App& command);
   void add_size(CLI::App& command);
-  void add_recording(CLI::App& command, bool& video, bool& frames, bool& surfaces, bool& truth, bool& json);
+  void add_recording(CLI::App& command, bool& video, bool& frames, bool& surfaces, bool& truth, bool& stats,
+                     bool& json);
   std::vector<std::string> commands_first(const std::vector<std::string>& arguments) const;
 
   CLI::App app_{
@@ -177,10 +180,12 @@ void CommandLine::add_size(CLI::App& command) {
   command.add_option("--size", texts_.size, "another size than the scenario's, in pixels")->type_name("WIDTHxHEIGHT");
 }
 
-void CommandLine::add_recording(CLI::App& command, bool& video, bool& frames, bool& surfaces, bool& truth, bool& json) {
+void CommandLine::add_recording(CLI::App& command, bool& video, bool& frames, bool& surfaces, bool& truth, bool& stats,
+                                bool& json) {
   command.add_flag("!--no-video", video, "make no video");
   command.add_flag("--frames", frames, "keep each picture as PNG");
   command.add_flag("--surfaces", surfaces, "keep the deforming surfaces for ParaView");
+  command.add_flag("--stats", stats, kStatsWords);
   command.add_flag("--aov", truth, "keep what each pixel shows: depth, normals, numbers, flow, stress, poses, masks");
   command.add_flag("--json", json, "say the result as JSON on standard output");
 }
@@ -202,7 +207,7 @@ void CommandLine::add_run() {
   add_device(*command);
   add_threads(*command);
   command->add_flag("!--no-render", run_.render, "physics and records only; needs no graphics");
-  add_recording(*command, run_.video, run_.frames, run_.surfaces, run_.ground_truth, run_.json);
+  add_recording(*command, run_.video, run_.frames, run_.surfaces, run_.ground_truth, run_.stats, run_.json);
 }
 
 void CommandLine::add_check() {
@@ -238,7 +243,8 @@ void CommandLine::add_render() {
   add_size(*command);
   add_overrides(*command);
   add_device(*command);
-  add_recording(*command, render_.video, render_.frames, render_.surfaces, render_.ground_truth, render_.json);
+  add_recording(*command, render_.video, render_.frames, render_.surfaces, render_.ground_truth, render_.stats,
+                render_.json);
 }
 
 void CommandLine::add_still() {
@@ -252,6 +258,7 @@ void CommandLine::add_still() {
   command->add_option("SCENARIO", still_.scenario, "the scenario file")->required();
   command->add_option("--at", texts_.time, "when, for example 1.5s")->required()->type_name("TIME");
   command->add_option("-o", still_.picture, "the picture file")->required()->type_name("PNG");
+  command->add_flag("--stats", still_.stats, kStatsWords);
   command->add_flag("--aov", still_.ground_truth, "keep what each pixel shows, in NAME_ground_truth beside NAME.png");
   add_size(*command);
   add_overrides(*command);

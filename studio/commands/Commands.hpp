@@ -27,6 +27,7 @@ struct RunOptions {
   bool frames = false;
   bool surfaces = false;
   bool ground_truth = false;
+  bool stats = false;
   bool json = false;
 };
 int run_scenario(const RunOptions& options);
@@ -53,6 +54,7 @@ struct RenderOptions {
   bool frames = false;
   bool surfaces = false;
   bool ground_truth = false;
+  bool stats = false;
   bool json = false;
 };
 int render_take(const RenderOptions& options);
@@ -65,6 +67,7 @@ struct StillOptions {
   std::optional<ImageSize> size;
   DeviceChoice device;
   bool ground_truth = false;  // in the folder STEM_ground_truth beside the picture
+  bool stats = false;
 };
 int make_still(const StillOptions& options);
 

@@ -21,6 +21,7 @@ void print_json(const ManifestContext& context, const RecordingPlan& plan, const
                                  {"state_digest", report.state_digest},
                                  {"warnings", report.warnings},
                                  {"wall_s", report.times.total}};
+  for (const PassTime& pass : report.passes) json["passes_ms"][pass.pass] = 1e3 * pass.wall_seconds;
   if (!report.failure.empty()) json["failure"] = report.failure;
   fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
 }
@@ -36,6 +37,7 @@ int conclude(const ManifestContext& context, const RecordingPlan& plan, const Re
              "encode {:.1f})\n",
              report.simulated, report.steps, report.frame_hashes.size(), plan.folder.string(), times.total,
              times.simulate.wall, times.render.wall, times.encode.wall);
+  fmt::print(stderr, "{}", pass_table(report.passes));
   if (json) print_json(context, plan, report);
   bool met = true;
   for (const ExpectationResult& result : context.expectations) {

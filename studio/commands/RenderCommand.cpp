@@ -63,7 +63,7 @@ int render_take(const RenderOptions& options) {
   if (options.ground_truth) require_stress(take->moment(0).snapshot, options.take);
   TakeSource source(*take);
   const RecordingReport report =
-      record(source, plan, renderer_painters(options.device, settings.record.tier, settings.view));
+      record(source, plan, renderer_painters(options.device, settings.record.tier, settings.view, options.stats));
   return conclude({.command = "render",
                    .source = options.take,
                    .device = options.device_text,

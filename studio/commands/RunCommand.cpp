@@ -61,7 +61,7 @@ int run_scenario(const RunOptions& options) {
       .progress = stderr};
   WatchedSource source(simulate_scenario(scenario), scenario.expectations);
   const RecordingReport report =
-      record(source, plan, renderer_painters(options.device, scenario.record.tier, scenario.view));
+      record(source, plan, renderer_painters(options.device, scenario.record.tier, scenario.view, options.stats));
   return conclude({.command = "run",
                    .source = options.scenario,
                    .device = options.device_text,

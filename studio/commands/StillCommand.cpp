@@ -25,7 +25,8 @@ namespace {
 class FramesInOrder {
  public:
   explicit FramesInOrder(const Scenario& scenario)
-      : source_(simulate_scenario(scenario)), composer_(scenario.title, scenario.overlays, scenario.view, scenario.teaching.annotations) {}
+      : source_(simulate_scenario(scenario)),
+        composer_(scenario.title, scenario.overlays, scenario.view, scenario.teaching.annotations) {}
 
   /// Nothing when the scenario ends before.
   std::optional<Frame> at(double time) {
@@ -63,7 +64,7 @@ std::filesystem::path truth_folder(const std::filesystem::path& picture) {
 int make_still(const StillOptions& options) {
   const Scenario scenario = load_scenario(options.scenario, options.overrides);
   require_data_range(scenario.view.look);
-  const PainterFactory painters = renderer_painters(options.device, scenario.record.tier, scenario.view);
+  const PainterFactory painters = renderer_painters(options.device, scenario.record.tier, scenario.view, options.stats);
   // Before the simulation, so that a missing device is told at once.
   const std::unique_ptr<Painter> painter = painters(options.size.value_or(scenario.record.size));
   const double fps = scenario.record.frames_per_second;
@@ -83,6 +84,7 @@ int make_still(const StillOptions& options) {
         {.folder = truth_folder(options.picture), .size = image.size, .organs = tissue_kinds(scenario.resolved)},
         before, *frame, frames.at(frames_later(time, 1, fps)));
   }
+  fmt::print(stderr, "{}", pass_table(painter->pass_times()));
   fmt::print(stderr, "{} shows {} at {:.4g} s\n", options.picture.string(), scenario.name, options.at);
   return kExitGood;
 }

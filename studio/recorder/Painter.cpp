@@ -1,5 +1,8 @@
 #include "studio/recorder/Painter.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <map>
 
 #include "renderer/annotation/AnnotationDrawing.hpp"
@@ -12,27 +15,46 @@ namespace {
 
 class RendererPainter final : public Painter {
  public:
-  RendererPainter(const DeviceChoice& device, ImageSize size, Tier tier, ViewDefinition view)
-      : device_(device), size_(size), tier_(tier), view_(std::move(view)) {
+  RendererPainter(const DeviceChoice& device, ImageSize size, Tier tier, ViewDefinition view, bool is_timed)
+      : device_(device), size_(size), tier_(tier), view_(std::move(view)), is_timed_(is_timed) {
     renderer_of(size_);
   }
 
   Image paint(const Snapshot& snapshot, const Shot& shot) override {
     const PictureBox own = main_box(shot, size_);
-    Image image = renderer_of(own.size).draw(snapshot, view_, shot.camera);
+    ++pictures_;
+    Image image = draw(own.size, snapshot, shot.camera);
     if (shot.beside) {
       const PictureBox box = beside_box(size_);
       Image both{.size = size_, .pixels = std::vector<std::uint8_t>(3 * pixel_count(size_))};
       paste(image, own, both);
-      paste(renderer_of(box.size).draw(snapshot, view_, *shot.beside), box, both);
+      paste(draw(box.size, snapshot, *shot.beside), box, both);
       image = std::move(both);
     }
     if (shot.inset) {
       const PictureBox box = inset_box(shot.corner, size_);
-      paste(renderer_of(box.size).draw(snapshot, view_, *shot.inset), box, image);
+      paste(draw(box.size, snapshot, *shot.inset), box, image);
       frame_box(box, image);
     }
     return image;
+  }
+
+  std::vector<PassTime> pass_times() override {
+    if (!is_timed_ || pictures_ == 0) return {};
+    std::vector<PassTime> mean = sums_;
+    for (PassTime& time : mean) {
+      time.wall_seconds /= pictures_;
+      time.processor_seconds /= pictures_;
+    }
+    std::vector<PassTime> passes;
+    renderer_of(size_).draw_timed({}, view_, passes);
+    PassTime empty{.pass = "an empty frame"};
+    for (const PassTime& time : passes) {
+      empty.wall_seconds += time.wall_seconds;
+      empty.processor_seconds += time.processor_seconds;
+    }
+    mean.push_back(empty);
+    return mean;
   }
 
   std::string driver() const override { return renderers_.at({size_.width, size_.height}).driver(); }
@@ -40,6 +62,19 @@ class RendererPainter final : public Painter {
  private:
   static std::size_t pixel_count(ImageSize size) {
     return static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+  }
+
+  Image draw(ImageSize size, const Snapshot& snapshot, const CameraDefinition& camera) {
+    if (!is_timed_) return renderer_of(size).draw(snapshot, view_, camera);
+    std::vector<PassTime> times;
+    Image image = renderer_of(size).draw_timed(snapshot, view_, camera, times);
+    for (const PassTime& time : times) {
+      const auto found = std::ranges::find(sums_, time.pass, &PassTime::pass);
+      PassTime& sum = found == sums_.end() ? sums_.emplace_back(PassTime{.pass = time.pass}) : *found;
+      sum.wall_seconds += time.wall_seconds;
+      sum.processor_seconds += time.processor_seconds;
+    }
+    return image;
   }
 
   /// A renderer draws one size.
@@ -51,6 +86,9 @@ class RendererPainter final : public Painter {
   ImageSize size_;
   Tier tier_;
   ViewDefinition view_;
+  bool is_timed_;
+  int pictures_ = 0;
+  std::vector<PassTime> sums_;                         // over all pictures, in the order of the passes
   std::map<std::pair<int, int>, Renderer> renderers_;  // by width and height
 };
 
@@ -67,8 +105,24 @@ Image finished_picture(const Frame& frame, Painter& painter) {
   return image;
 }
 
-PainterFactory renderer_painters(const DeviceChoice& device, Tier tier, const ViewDefinition& view) {
-  return [=](ImageSize size) { return std::make_unique<RendererPainter>(device, size, tier, view); };
+PainterFactory renderer_painters(const DeviceChoice& device, Tier tier, const ViewDefinition& view, bool is_timed) {
+  return [=](ImageSize size) { return std::make_unique<RendererPainter>(device, size, tier, view, is_timed); };
+}
+
+std::string pass_table(const std::vector<PassTime>& times) {
+  std::string table;
+  PassTime all{.pass = "all passes"};
+  const auto line = [](const PassTime& time) {
+    return fmt::format("{:>18} {:9.3f} ms, {:9.3f} ms of processors\n", time.pass, 1e3 * time.wall_seconds,
+                       1e3 * time.processor_seconds);
+  };
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (i + 1 == times.size()) table += line(all);
+    table += line(times[i]);
+    all.wall_seconds += times[i].wall_seconds;
+    all.processor_seconds += times[i].processor_seconds;
+  }
+  return table;
 }
 
 }  // namespace thinwall

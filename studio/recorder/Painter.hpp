@@ -3,9 +3,11 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "renderer/device/DeviceChoice.hpp"
 #include "renderer/image/Image.hpp"
+#include "renderer/picture/Renderer.hpp"
 #include "renderer/picture/View.hpp"
 #include "studio/recorder/FrameComposer.hpp"
 
@@ -19,6 +21,9 @@ class Painter {
   virtual Image paint(const Snapshot& snapshot, const Shot& shot) = 0;
   /// What draws, as it names itself.
   virtual std::string driver() const = 0;
+  /// What the passes of the pictures took in the mean, in their order, and as the last an empty frame; nothing from a
+  /// painter that does not time them.
+  virtual std::vector<PassTime> pass_times() { return {}; }
 };
 
 /// A frame as it is recorded: painted, with annotations, overlays and card.
@@ -28,6 +33,11 @@ Image finished_picture(const Frame& frame, Painter& painter);
 using PainterFactory = std::function<std::unique_ptr<Painter>(ImageSize)>;
 
 /// Painters that draw with the renderer, in the view's light and look.
-PainterFactory renderer_painters(const DeviceChoice& device, Tier tier, const ViewDefinition& view);
+/// `is_timed`: the driver is made to end each pass before the next begins, so that each can be timed.
+PainterFactory renderer_painters(const DeviceChoice& device, Tier tier, const ViewDefinition& view,
+                                 bool is_timed = false);
+
+/// A line for each pass, in milliseconds of wall and processor time.
+std::string pass_table(const std::vector<PassTime>& times);
 
 }  // namespace thinwall

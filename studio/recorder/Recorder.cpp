@@ -323,6 +323,7 @@ void Pipeline::render() {
     const StageClock clock(report_.times.truth);
     truth_->finish();
   }
+  report_.passes = painter->pass_times();
   pictures_.close();
 }
 

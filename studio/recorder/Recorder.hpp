@@ -57,6 +57,7 @@ struct RecordingReport {
   std::string state_digest;
   std::vector<TimedText> chapters;
   RecordingTimes times;
+  std::vector<PassTime> passes = {};  // of the pictures, from a painter that times them, see Painter::pass_times
 };
 
 /// Records a source into the plan's folder. Simulation, rendering and encoding run at the same time in a thread each.

@@ -121,6 +121,20 @@ TEST_F(ProgramGLTest, ATakeShowsItsNumbersInColorsWithTheRangeOfTheWhole) {
   expect_good({"still", "fixed.yaml", "--at", "0.2 s", "-o", "still.png"});
 }
 
+TEST_F(ProgramGLTest, StatisticsTellEachPassAndAnEmptyFrameAndChangeNoPicture) {
+  expect_good({"run", "scenes/small.yaml", "--no-video", "--out", "plain"});
+  const ProgramEnd end = run({"run", "scenes/small.yaml", "--no-video", "--stats", "--json", "--out", "timed"});
+  ASSERT_EQ(end.exit_code, 0) << end.messages;
+  const nlohmann::json passes = nlohmann::json::parse(end.output)["passes_ms"];
+  for (const std::string pass : {"meshes", "surface", "tissue", "tools and floor", "read-back", "an empty frame"}) {
+    EXPECT_GT(passes[pass], 0) << pass;
+    EXPECT_NE(end.messages.find(" " + pass + " "), std::string::npos) << pass;
+  }
+  EXPECT_EQ(manifest("timed")["frame_hashes"], manifest("plain")["frame_hashes"]);
+  const ProgramEnd still = run({"still", "scenes/small.yaml", "--at", "0", "-o", "still.png", "--stats"});
+  EXPECT_NE(still.messages.find("an empty frame"), std::string::npos) << still.messages;
+}
+
 TEST_F(ProgramGLTest, GroundTruthReplacesThatOfAnEarlierRunAndNothingElse) {
   expect_good({"run", "scenes/small.yaml", "--no-video", "--aov", "--out", "run"});
   expect_good({"run", "scenes/small.yaml", "--no-video", "--out", "run"});
