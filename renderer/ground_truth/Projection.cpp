@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "renderer/picture/FrameUniforms.hpp"
-
 namespace thinwall {
 
 namespace {
@@ -27,7 +25,7 @@ PicturePart covered_part(ImageSize size) {
 }
 
 Projection::Projection(const Camera& camera, const PicturePart& part)
-    : camera_(camera), part_(part), stop_(field_stop(camera)) {
+    : camera_(camera), part_(part), stop_(camera.field_stop) {
   for (int row = 0; row < part.picture.height; ++row) {
     for (int column = 0; column < part.picture.width; ++column) {
       rays_.push_back(ray({static_cast<double>(column), static_cast<double>(row)}));
@@ -42,9 +40,12 @@ Vector3 Projection::in_camera(Vector3 point) const {
 
 std::optional<PicturePoint> Projection::land(Vector3 in_camera) const {
   if (!(in_camera.z > 0)) return std::nullopt;
+  const RayPoint ideal = {in_camera.x / in_camera.z, in_camera.y / in_camera.z};
+  if (std::hypot(ideal[0], ideal[1]) > camera_.lens.unfolded_radius()) return std::nullopt;
+  const RayPoint seen = camera_.lens.distorted(ideal);
   const auto& [left, top, size] = part_.own;
-  return PicturePoint{left + 0.5 * size.width * (1 + in_camera.x / (in_camera.z * camera_.tangent_x)) - 0.5,
-                      top + 0.5 * size.height * (1 + in_camera.y / (in_camera.z * camera_.tangent_y)) - 0.5};
+  return PicturePoint{left + 0.5 * size.width * (1 + seen[0] / camera_.tangent_x) - 0.5,
+                      top + 0.5 * size.height * (1 + seen[1] / camera_.tangent_y) - 0.5};
 }
 
 std::optional<RayPoint> Projection::ray(PicturePoint point) const {
@@ -53,7 +54,7 @@ std::optional<RayPoint> Projection::ray(PicturePoint point) const {
   const RayPoint seen = {(2 * (point[0] + 0.5 - left) / size.width - 1) * camera_.tangent_x,
                          (2 * (point[1] + 0.5 - top) / size.height - 1) * camera_.tangent_y};
   if (stop_ > 0 && std::hypot(seen[0], seen[1]) > stop_) return std::nullopt;
-  return seen;
+  return camera_.lens.undistorted(seen);
 }
 
 }  // namespace thinwall

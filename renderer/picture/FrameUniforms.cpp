@@ -67,11 +67,6 @@ double lamp_strength(const LightsDefinition& lights, const Camera& camera, const
 
 }  // namespace
 
-double field_stop(const Camera& camera) {
-  // A little wider than the picture is high, as surgeons set their picture.
-  return camera.kind == CameraKind::kEndoscope ? 1.12 * camera.tangent_y : 0;
-}
-
 double linear_from_srgb(double value) {
   return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
 }

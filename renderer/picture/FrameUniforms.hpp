@@ -65,9 +65,6 @@ FrameUniforms frame_uniforms(const Camera& camera, const SceneExtent& extent, co
 /// The clip matrix of the light that casts the shadow: the scene seen from there.
 Matrix4 key_light_matrix(const SceneExtent& extent, const Studio& studio);
 
-/// The radius of an endoscope's round picture as tangent of the angle off the line of sight; 0 for a camera without.
-double field_stop(const Camera& camera);
-
 /// sRGB to linear, each 0 to 1 (IEC 61966-2-1).
 double linear_from_srgb(double value);
 

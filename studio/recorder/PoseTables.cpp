@@ -20,8 +20,9 @@ CameraMatrix camera_matrix(const Camera& camera, const PictureBox& box) {
 }
 
 /// Radial and tangential coefficients in OpenCV's order k1, k2, p1, p2, k3.
-std::array<double, 5> distortion(const Camera&) {
-  return {};
+std::array<double, 5> distortion(const Camera& camera) {
+  const LensDistortion& lens = camera.lens.distortion();
+  return {lens.k1, lens.k2, lens.p1, lens.p2, lens.k3};
 }
 
 std::string intrinsics_text(const Camera& camera, const PicturePart& part) {
