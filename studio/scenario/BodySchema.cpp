@@ -103,13 +103,12 @@ ValueSchema wall_value() {
       {"prestretch", prestretch_schema(), false, "1",
        "in-plane stretch of the given surface: each triangle's rest shape is the given one shrunk by it"},
   };
-  wall.keys.push_back(
-      {"toughness",
-       field_schema(quantity_value(kForcePerLength, kAboveZero, "0.4 kJ/m^2")),
-       false,
-       {},
-       "energy per new cut area, which is thickness times length of the cut; where a tense wall "
-       "releases more, cuts run ahead of the blade; a wall without it cannot be cut or pierced"});
+  wall.keys.push_back({"toughness",
+                       field_schema(quantity_value(kForcePerLength, kAboveZero, "0.4 kJ/m^2")),
+                       false,
+                       {},
+                       "energy per new cut area, which is thickness times length of the cut; where a tense wall "
+                       "releases more, cuts run ahead of the blade; a wall without it cannot be cut or pierced"});
   wall.keys.push_back({"viscosity", list_value(mapping_value({prony_term()})), false, "[]",
                        "Prony series of quasi-linear viscoelasticity; the fractions add up to less than 1"});
   wall.keys.push_back({"damping", mapping_value({damping()}), false, "{}", "Rayleigh damping"});
