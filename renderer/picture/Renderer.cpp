@@ -67,7 +67,44 @@ struct Stage {
   FloorShade floor_shade;
   ShadowMap shadow_map;
   Buffer frame = create_buffer();
+
+  void cast_shadows(const SceneExtent& extent, const Studio& studio, PassClock& clock);
+  void draw_scene(const Snapshot& snapshot, const ViewDefinition& view, const Camera& camera, Surroundings surroundings,
+                  PassClock& clock);
 };
+
+void Stage::cast_shadows(const SceneExtent& extent, const Studio& studio, PassClock& clock) {
+  if (refined) {
+    floor_shade.draw(meshes, studio.key_direction);
+    clock.ends("floor's shade");
+    shadow_map.draw(meshes, key_light_matrix(extent, studio));
+  } else {
+    floor_shade.clear();
+    shadow_map.clear();
+  }
+  clock.ends("shadow map");
+}
+
+void Stage::draw_scene(const Snapshot& snapshot, const ViewDefinition& view, const Camera& camera,
+                       Surroundings surroundings, PassClock& clock) {
+  scene_pass.draw_surface(meshes, target);
+  clock.ends("surface");
+  if (view.look.data) {
+    scene_pass.shade_data(target);
+  } else {
+    scene_pass.shade_tissue(meshes, target, surroundings);
+    scene_pass.mark(meshes, view.highlights, snapshot.time);
+  }
+  clock.ends("tissue");
+  scene_pass.draw_surroundings(meshes, target, surroundings);
+  clock.ends("tools and floor");
+  if (view.look.mesh) {
+    mesh_lines.draw(meshes.mesh_lines(snapshot));
+    clock.ends("mesh lines");
+  }
+  if (refined) outline_pass.draw(meshes.outline(snapshot, camera.position), target.copy_of_color());
+  clock.ends("outline");
+}
 
 /// What tells the noise of one moment from that of another: its nanoseconds.
 std::uint64_t moment_of(const Snapshot& snapshot) {
@@ -123,34 +160,8 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, stage->frame.name());
 
   clock.ends("meshes");
-
-  if (stage->refined) {
-    stage->floor_shade.draw(stage->meshes, studio.key_direction);
-    clock.ends("floor's shade");
-    stage->shadow_map.draw(stage->meshes, key_light_matrix(extent, studio));
-  } else {
-    stage->floor_shade.clear();
-    stage->shadow_map.clear();
-  }
-  clock.ends("shadow map");
-  stage->scene_pass.draw_surface(stage->meshes, stage->target);
-  clock.ends("surface");
-  if (view.look.data) {
-    stage->scene_pass.shade_data(stage->target);
-  } else {
-    stage->scene_pass.shade_tissue(stage->meshes, stage->target, surroundings);
-    stage->scene_pass.mark(stage->meshes, view.highlights, snapshot.time);
-  }
-  clock.ends("tissue");
-  stage->scene_pass.draw_surroundings(stage->meshes, stage->target, surroundings);
-  clock.ends("tools and floor");
-  if (view.look.mesh) {
-    stage->mesh_lines.draw(stage->meshes.mesh_lines(snapshot));
-    clock.ends("mesh lines");
-  }
-  if (stage->refined)
-    stage->outline_pass.draw(stage->meshes.outline(snapshot, camera.position), stage->target.copy_of_color());
-  clock.ends("outline");
+  stage->cast_shadows(extent, studio, clock);
+  stage->draw_scene(snapshot, view, camera, surroundings, clock);
   const bool through_lens = camera.lens.distortion() != LensDistortion{};
   if (through_lens) {
     stage->lens_pass.draw(stage->target, camera, pinhole);

@@ -5,17 +5,13 @@
 #include "renderer/look/OrganLooks.hpp"
 #include "studio/scenario/ResolvedCameras.hpp"
 #include "studio/scenario/ResolvedTeaching.hpp"
+#include "studio/scenario/ResolvedValues.hpp"
 #include "studio/take/TakeError.hpp"
 
 namespace thinwall {
 namespace {
 
 using Json = nlohmann::json;
-
-std::optional<Double3> find_vector(const Json& mapping, const char* key) {
-  if (!mapping.contains(key)) return std::nullopt;
-  return mapping.at(key).get<Double3>();
-}
 
 /// Takes of before there were kinds of organs name none.
 TissueLook to_tissue_look(const Json& body) {
@@ -61,7 +57,7 @@ PictureSettings to_settings(const Json& scenario) {
                    .lights = {.key = lights.at("key"),
                               .fill = lights.at("fill"),
                               .environment = lights.at("environment"),
-                              .key_direction = find_vector(lights, "key_direction"),
+                              .key_direction = find_resolved<Double3>(lights, "key_direction"),
                               .endoscope = lights.value("endoscope", 0.0)},
                    .look = to_look(scenario.at("look"))},
           .overlays = {.force_plot = overlays.at("force_plot"),

@@ -60,7 +60,8 @@ void check_cuts(const CheckedValue& cuts, std::vector<std::string> cameras, Diag
   for (std::size_t i = 0; i < cuts.items.size(); ++i) {
     for (const char* key : {"camera", "beside", "inset"}) {
       const CheckedValue* name = cuts.items[i].find(key);
-      if (name != nullptr) check_name(*name, "camera", cameras, item_path("cuts", i) + "." + key, diagnostics);
+      if (name == nullptr) continue;
+      check_name({name->text, name->location}, "camera", cameras, item_path("cuts", i) + "." + key, diagnostics);
     }
   }
 }

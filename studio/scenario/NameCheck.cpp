@@ -14,7 +14,7 @@ std::vector<std::string> names_in(const CheckedValue& root, std::string_view sec
   return names;
 }
 
-void check_name(const CheckedValue& name, const std::string& what, const std::vector<std::string>& names,
+void check_name(const WrittenName& name, const std::string& what, const std::vector<std::string>& names,
                 const std::string& path, Diagnostics& diagnostics) {
   if (std::ranges::find(names, name.text) != names.end()) return;
   std::string hint = did_you_mean(name.text, names);
@@ -26,7 +26,7 @@ void resolve_name(CheckedValue& mapping, const std::string& key, const std::vect
                   const std::string& path, Diagnostics& diagnostics) {
   if (mapping.has_wrong(key)) return;
   if (const CheckedValue* name = mapping.find(key)) {
-    check_name(*name, key, names, path + "." + key, diagnostics);
+    check_name({name->text, name->location}, key, names, path + "." + key, diagnostics);
   } else if (names.size() == 1) {
     const CheckedValue only{
         .kind = CheckedKind::kText, .location = mapping.location, .given = false, .text = names.front()};

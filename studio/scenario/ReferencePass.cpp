@@ -4,19 +4,12 @@
 #include <filesystem>
 #include <set>
 
+#include "studio/scenario/NameCheck.hpp"
 #include "studio/scenario/TextNode.hpp"
 #include "studio/scenario/Wording.hpp"
 
 namespace thinwall {
 namespace {
-
-std::vector<std::string> names_in(const CheckedValue& root, std::string_view section) {
-  std::vector<std::string> names;
-  const CheckedValue* mapping = root.find(section);
-  if (mapping == nullptr) return names;
-  for (const CheckedMember& member : mapping->members) names.push_back(member.key);
-  return names;
-}
 
 /// The groups of vertices that the surface of a shape has.
 std::vector<std::string> groups_of_shape(const CheckedValue& surface) {
@@ -76,7 +69,7 @@ class ReferenceChecker {
         if (between == nullptr) continue;
         const std::string inner = item_path(path + ".orifices", index) + ".between";
         for (const CheckedValue& name : between->items) {
-          check_name(name.text, "chamber", "chambers", names_in(*contents, "chambers"), name.location, inner);
+          check_name({name.text, name.location}, "chamber", names_in(*contents, "chambers"), inner, diagnostics_);
         }
         if (between->items[0].text == between->items[1].text) {
           diagnostics_.error(between->location, inner, "an orifice joins two different chambers");
@@ -90,7 +83,7 @@ class ReferenceChecker {
     const CheckedValue* bodies = look == nullptr ? nullptr : look->find("bodies");
     if (bodies == nullptr) return;
     for (const CheckedMember& member : bodies->members) {
-      check_name(member.key, "body", "bodies", bodies_, member.location, member_path("look.bodies", member.key));
+      check_name({member.key, member.location}, "body", bodies_, member_path("look.bodies", member.key), diagnostics_);
     }
   }
 
@@ -136,8 +129,8 @@ class ReferenceChecker {
     const CheckedValue* named = bodies->find(body->text);
     const CheckedValue* contents = named == nullptr ? nullptr : named->find("contents");
     if (contents == nullptr) return;
-    check_name(chamber->text, "chamber", "chambers", names_in(*contents, "chambers"), chamber->location,
-               member_path(path, "chamber"));
+    check_name({chamber->text, chamber->location}, "chamber", names_in(*contents, "chambers"),
+               member_path(path, "chamber"), diagnostics_);
   }
 
   /// Looks for groups everywhere below a body: the keys of regions are the only ones of that name.
@@ -156,24 +149,11 @@ class ReferenceChecker {
     }
   }
 
-  bool check_name(const std::string& name, const std::string& what, const std::string& section,
-                  const std::vector<std::string>& names, const SourceLocation& location, const std::string& path) {
-    for (const std::string& known : names) {
-      if (known == name) return true;
-    }
-    std::string hint = did_you_mean(name, names);
-    if (hint.empty())
-      hint = names.empty() ? ", " + in_backticks(section) + " is empty" : "; there is " + list_in_backticks(names);
-    diagnostics_.error(location, path, "there is no " + what + " " + in_backticks(name) + hint);
-    return false;
-  }
-
   void resolve(CheckedMember& clip, const Reference& reference, const std::vector<std::string>& names,
                const std::string& path) {
     if (clip.value.has_wrong(reference.key) || root_.find(reference.section) == nullptr) return;
     if (const CheckedValue* named = clip.value.find(reference.key)) {
-      check_name(named->text, reference.what, reference.section, names, named->location,
-                 member_path(path, reference.key));
+      check_name({named->text, named->location}, reference.what, names, member_path(path, reference.key), diagnostics_);
       if (reference.key == "tool") used_.insert(named->text);
       return;
     }

@@ -2,25 +2,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "studio/scenario/ResolvedValues.hpp"
+
 namespace thinwall {
 namespace {
 
 using Json = nlohmann::json;
-
-std::optional<Double3> find_vector(const Json& mapping, const char* key) {
-  if (!mapping.contains(key)) return std::nullopt;
-  return mapping.at(key).get<Double3>();
-}
-
-std::optional<double> find_number(const Json& mapping, const char* key) {
-  if (!mapping.contains(key)) return std::nullopt;
-  return mapping.at(key).get<double>();
-}
-
-std::optional<std::string> find_text(const Json& mapping, const char* key) {
-  if (!mapping.contains(key)) return std::nullopt;
-  return mapping.at(key).get<std::string>();
-}
 
 CameraEase to_ease(const Json& mapping) {
   return mapping.at("ease") == "linear" ? CameraEase::kLinear : CameraEase::kSmooth;
@@ -28,23 +15,23 @@ CameraEase to_ease(const Json& mapping) {
 
 CameraKeyframe to_keyframe(const Json& key) {
   return {.time = key.at("at"),
-          .position = find_vector(key, "position"),
-          .target = find_vector(key, "target"),
-          .up = find_vector(key, "up"),
-          .field_of_view = find_number(key, "field_of_view"),
+          .position = find_resolved<Double3>(key, "position"),
+          .target = find_resolved<Double3>(key, "target"),
+          .up = find_resolved<Double3>(key, "up"),
+          .field_of_view = find_resolved<double>(key, "field_of_view"),
           .ease = to_ease(key)};
 }
 
 CameraDefinition to_camera(const Json& camera) {
-  CameraDefinition result{.position = find_vector(camera, "position"),
-                          .target = find_vector(camera, "target"),
-                          .facing = find_vector(camera, "facing"),
-                          .up = find_vector(camera, "up"),
+  CameraDefinition result{.position = find_resolved<Double3>(camera, "position"),
+                          .target = find_resolved<Double3>(camera, "target"),
+                          .facing = find_resolved<Double3>(camera, "facing"),
+                          .up = find_resolved<Double3>(camera, "up"),
                           .field_of_view = camera.at("field_of_view"),
                           .orbit_speed = camera.at("orbit_speed"),
                           .kind = camera.at("kind") == "endoscope" ? CameraKind::kEndoscope : CameraKind::kPinhole,
                           .exposure = camera.value("exposure", 0.0),
-                          .lamp = find_number(camera, "lamp"),
+                          .lamp = find_resolved<double>(camera, "lamp"),
                           .auto_exposure = camera.value("auto_exposure", false),
                           .noise = camera.value("noise", 0.0),
                           .seed = camera.value("seed", 1U)};
@@ -75,8 +62,8 @@ PictureCorner to_corner(const std::string& word) {
 CameraCut to_cut(const Json& cut) {
   return {.time = cut.at("at"),
           .camera = cut.at("camera"),
-          .beside = find_text(cut, "beside"),
-          .inset = find_text(cut, "inset"),
+          .beside = find_resolved<std::string>(cut, "beside"),
+          .inset = find_resolved<std::string>(cut, "inset"),
           .corner = to_corner(cut.at("corner"))};
 }
 
