@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <mutex>
 #include <new>
 #include <numeric>
 #include <utility>
@@ -16,8 +17,14 @@
 namespace thinwall {
 namespace {
 
+/// Bodies may be solved in threads of their own, the libraries may not. Nested dissection draws from the one random
+/// number generator of the process, so that two orders at once become other orders; and Debian's serial OpenBLAS gives
+/// two threads the same working memory, so that their factors and solutions, and at times the heap, are ruined.
+std::mutex one_at_a_time;
+
 /// Fill-reducing order of the nodes.
 std::vector<int> node_order(const BlockPattern& pattern, cholmod_common& common) {
+  const std::lock_guard lock(one_at_a_time);
   const int edges = static_cast<int>(pattern.neighbours.size());
   std::vector<int> order(pattern.nodes());
   cholmod_sparse graph{};
@@ -116,6 +123,7 @@ struct SparseFactor::Implementation {
 
   bool factorize(cholmod_factor* factor, std::span<const double> values) {
     assert(static_cast<int>(values.size()) == pattern.nonzeros());
+    const std::lock_guard lock(one_at_a_time);
     // The library reads the values only; its interface lacks the const.
     matrix.x = const_cast<double*>(values.data());
     matrix.xtype = CHOLMOD_REAL;
@@ -163,6 +171,7 @@ double SparseFactor::operations() const {
 void SparseFactor::solve(Eigen::Ref<Eigen::MatrixXd> right_hand_sides) {
   Implementation& own = *implementation_;
   assert(own.current != nullptr);
+  const std::lock_guard lock(one_at_a_time);
   cholmod_dense dense{};
   dense.nrow = right_hand_sides.rows();
   dense.ncol = right_hand_sides.cols();
