@@ -181,6 +181,7 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
       const Eigen::VectorXd motion = duration * state_.velocity;
       trial.position += newton_->safe_fraction(trial.position, motion) * motion;
     }
+    if (foresight_) begin_as_foreseen(begin, end, problem, trial);
     if (!solve_with_leaks(problem, trial, begin, duration)) return false;
     if (!may_snap() && jumped_over_balls(begin, problem, trial.position)) {
       failure_ = "the wall jumped from one side of a ball to the other";
@@ -246,6 +247,7 @@ void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> en
     // No part is left that only round-off makes.
     if (done + part > 1 - 1e-6 * largest) part = 1 - done;
   }
+  foresight_.reset();
 }
 
 }  // namespace thinwall

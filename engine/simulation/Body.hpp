@@ -16,6 +16,7 @@
 #include "engine/simulation/Newton.hpp"
 #include "engine/simulation/Puncture.hpp"
 #include "engine/simulation/SimulationOptions.hpp"
+#include "engine/simulation/ToolResponse.hpp"
 #include "engine/tool/FirstContact.hpp"
 #include "engine/tool/Tool.hpp"
 #include "engine/tool/ToolSolids.hpp"
@@ -204,6 +205,12 @@ class Body {
   /// times the work that a slit costs and none fits in, or the wall finds no equilibrium on the shaft.
   std::optional<Rupture> pierce(int tool, std::span<const ToolPose> poses);
 
+  /// What the body does to a tool now, and how that changes with small motions of the tool within a step of `duration`
+  /// seconds; of friction the force alone. Nothing but the pose where the tool is farther than `reach`, metres, from
+  /// the wall. `poses`: (tools), at the end of the last step. The next step begins where this answer leads. Throws
+  /// SimulationFailure.
+  ToolResponse respond(int tool, std::span<const ToolPose> poses, double duration, double reach);
+
   /// Pressure between wall and tools at each vertex, (vertices), pascal: force on the vertex over its rest area.
   Eigen::VectorXd contact_pressure() const;
 
@@ -225,6 +232,17 @@ class Body {
     CutPath path;
     std::optional<Eigen::Vector3d> border = {};        // metres, of the wall, where the path ends there
     Eigen::Vector3d sense = Eigen::Vector3d::UnitX();  // unit, in which the blade goes over that border
+  };
+
+  /// Where the answer to a tool's motion leads, to first order.
+  struct Foresight {
+    struct Site {
+      int solid = 0, site = 0;
+      Eigen::Matrix<double, 1, 6> force_by_motion;  // newton / metre, newton
+    };
+    int tool = 0;
+    Eigen::Matrix<double, Eigen::Dynamic, 6> motion;  // (unknowns x 6), of the body by that of the tool
+    std::vector<Site> sites;
   };
 
   /// What the needles in punctures have done in a step, joule.
@@ -284,6 +302,13 @@ class Body {
   bool catch_passed_edges(EquilibriumProblem& problem, const Eigen::VectorXd& position) const;
   void prepare_cutting();
   void find_forces(std::span<const ToolPose> poses);
+  void begin_as_foreseen(std::span<const ToolPose> begin, std::span<const ToolPose> end, EquilibriumProblem& problem,
+                         EquilibriumState& trial) const;
+  EquilibriumProblem response_problem(std::span<const ToolPose> poses, double duration) const;
+  void add_contacts_to(ToolResponse& response, const EquilibriumProblem& problem, int tool);
+  /// The nearest place of the wall; along its direction that of a point. Nothing of a line.
+  WallAhead wall_ahead(int tool, const ToolPose& pose) const;
+  WallAhead stiffness_ahead(WallAhead ahead, const EquilibriumProblem& problem, int tool, const ToolPose& pose);
   /// Where a blade's edge meets the wall first.
   std::optional<SurfacePoint> place_below(int tool, const ToolPose& pose) const;
   /// From the tip, or where the blade met the wall first, to where a blade meets the wall or has left it.
@@ -361,6 +386,7 @@ class Body {
   std::unique_ptr<CutSurface> surface_;  // none before the first cut
   BodyState state_;
   BodyStepReport report_;
+  std::optional<Foresight> foresight_;  // for the next step
   bool snaps_ = false;     // whether a wall gives way at once, from one equilibrium to another
   bool is_loose_ = false;  // whether the last solution's residual is above the tolerance
   std::string failure_;    // why the last attempt failed

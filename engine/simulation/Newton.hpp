@@ -31,6 +31,12 @@ struct EquilibriumState {
   Eigen::VectorXd rigid_reaction;  // (free rigid motions), newton, multipliers of a held free body
 };
 
+/// How an equilibrium answers a small force or motion, to first order.
+struct LinearAnswer {
+  Eigen::VectorXd motion;               // (unknowns), metres
+  std::vector<Eigen::Vector3d> forces;  // (attachments), newton, changes of what the tissue does to the tools
+};
+
 struct NewtonResult {
   bool converged = false;
   int iterations = 0;
@@ -84,6 +90,15 @@ class Newton {
 
   /// Terms at a state, without solving.
   void look(const EquilibriumProblem& problem, const EquilibriumState& state) { evaluate_all(problem, state, terms_); }
+
+  /// Factorises the curvature at an equilibrium that a solve has reached, with the contacts that press, and changes
+  /// nothing else; false where it cannot be factorised.
+  bool linearize(const EquilibriumProblem& problem, const EquilibriumState& state);
+
+  /// After `linearize`: what a small force, (unknowns), newton, and small motions of the targets of the attachments,
+  /// (attachments), metres, do. Of chambers with openings the forces on the rims are left out.
+  LinearAnswer answer(const EquilibriumProblem& problem, const Eigen::VectorXd& force,
+                      std::span<const Eigen::Vector3d> attachment_motion);
 
   /// Part of a motion (3 vertices, metres) that leads to no contact of the wall with itself or its floor.
   double safe_fraction(const Eigen::VectorXd& position, const Eigen::VectorXd& motion) {

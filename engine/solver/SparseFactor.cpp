@@ -22,9 +22,17 @@ namespace {
 /// two threads the same working memory, so that their factors and solutions, and at times the heap, are ruined.
 std::mutex one_at_a_time;
 
+/// To be held while a library works. It opens parallel regions of its own for tiny loops; their threads would only spin
+/// against those that render and encode. No active level means that every region runs on the thread that meets it; each
+/// thread has a setting of its own.
+struct Turn {
+  Turn() { omp_set_max_active_levels(0); }
+  const std::lock_guard<std::mutex> lock{one_at_a_time};
+};
+
 /// Fill-reducing order of the nodes.
 std::vector<int> node_order(const BlockPattern& pattern, cholmod_common& common) {
-  const std::lock_guard lock(one_at_a_time);
+  const Turn turn;
   const int edges = static_cast<int>(pattern.neighbours.size());
   std::vector<int> order(pattern.nodes());
   cholmod_sparse graph{};
@@ -64,9 +72,6 @@ struct SparseFactor::Implementation {
 
   explicit Implementation(const BlockPattern& the_pattern, const Implementation* before = nullptr)
       : pattern(the_pattern) {
-    // The library opens parallel regions of its own for tiny loops; their threads would only spin against those that
-    // render and encode. No active level means that every region runs on the thread that meets it.
-    omp_set_max_active_levels(0);
     cholmod_start(&common);
     common.print = 0;
     common.nmethods = 1;
@@ -123,7 +128,7 @@ struct SparseFactor::Implementation {
 
   bool factorize(cholmod_factor* factor, std::span<const double> values) {
     assert(static_cast<int>(values.size()) == pattern.nonzeros());
-    const std::lock_guard lock(one_at_a_time);
+    const Turn turn;
     // The library reads the values only; its interface lacks the const.
     matrix.x = const_cast<double*>(values.data());
     matrix.xtype = CHOLMOD_REAL;
@@ -171,7 +176,7 @@ double SparseFactor::operations() const {
 void SparseFactor::solve(Eigen::Ref<Eigen::MatrixXd> right_hand_sides) {
   Implementation& own = *implementation_;
   assert(own.current != nullptr);
-  const std::lock_guard lock(one_at_a_time);
+  const Turn turn;
   cholmod_dense dense{};
   dense.nrow = right_hand_sides.rows();
   dense.ncol = right_hand_sides.cols();

@@ -28,6 +28,11 @@ struct Texts {
   std::string out;
   std::string view;
   std::string data;
+  std::string trajectory;
+  std::string peer;
+  std::string duration;
+  std::string record;
+  std::string forces = "auto";
 };
 
 using Action = std::function<int()>;
@@ -50,7 +55,7 @@ class CommandLine {
   CLI::App* add_golden_command(CLI::App& golden, const std::string& name, const std::string& documentation,
                                int (*action)(const GoldenOptions&));
   void add_doctor();
-  void add_later(CLI::App& parent, const std::string& path, const std::string& name);
+  void add_haptic();
 
   CLI::App* add_command(CLI::App& parent, const std::string& name, const std::string& documentation, Action action);
   void add_overrides(CLI::App& command);
@@ -74,6 +79,7 @@ class CommandLine {
   CompareArguments compare_;
   GoldenOptions golden_;
   DoctorOptions doctor_;
+  HapticOptions haptic_;
   Action action_;
 };
 
@@ -99,6 +105,13 @@ DataQuantity data_quantity(const std::string& text) {
   const DataQuantityRow* row = find_data_quantity(text);
   if (row == nullptr) throw UsageError("--data " + text + ": there is no such quantity; choose one of " + data_words());
   return row->quantity;
+}
+
+HapticForces haptic_forces(const std::string& text) {
+  if (text == "auto") return HapticForces::kAuto;
+  if (text == "full") return HapticForces::kFull;
+  if (text == "local") return HapticForces::kLocal;
+  throw UsageError("--forces " + text + ": there are no such forces; choose one of auto, full, local");
 }
 
 /// The names of options that take a value.
@@ -136,7 +149,7 @@ CommandLine::CommandLine() {
   add_still();
   add_golden();
   add_compare();
-  add_later(app_, "haptic", "haptic");
+  add_haptic();
   add_doctor();
   app_.footer(
       "Exit codes: 0 good, 1 a comparison or expectation failed, 2 bad usage or input, 3 the simulation failed,\n"
@@ -148,14 +161,6 @@ CLI::App* CommandLine::add_command(CLI::App& parent, const std::string& name, co
   CLI::App* command = parent.add_subcommand(name, documentation);
   command->callback([this, action = std::move(action)] { action_ = action; });
   return command;
-}
-
-void CommandLine::add_later(CLI::App& parent, const std::string& path, const std::string& name) {
-  CLI::App* command = add_command(parent, name, "not in this version", [path]() -> int {
-    throw UsageError(path + ": this command is not in this version");
-  });
-  command->group("");
-  command->allow_extras();
 }
 
 void CommandLine::add_overrides(CLI::App& command) {
@@ -351,6 +356,40 @@ void CommandLine::add_golden() {
   for (CLI::App* command : {review, approve}) {
     command->add_option("--why", golden_.why, "what has changed and why that is right")->type_name("TEXT");
   }
+}
+
+void CommandLine::add_haptic() {
+  CLI::App* command = add_command(app_, "haptic", "let a hand feel a scenario at 1 kHz, and tell how well", [this] {
+    haptic_.overrides = parse_overrides(texts_.overrides);
+    if (!texts_.trajectory.empty()) haptic_.trajectory = texts_.trajectory;
+    if (!texts_.peer.empty()) haptic_.peer = texts_.peer;
+    if (!texts_.duration.empty()) haptic_.duration = parse_time(texts_.duration);
+    haptic_.forces = haptic_forces(texts_.forces);
+    if (!texts_.record.empty()) haptic_.record = texts_.record;
+    return drive_haptics(haptic_);
+  });
+  command->add_option("SCENARIO", haptic_.scenario, "the scenario file")->required();
+  command->add_option("--tool", haptic_.tool, "what the hand holds; the first tool when absent")->type_name("NAME");
+  CLI::Option* trajectory = command
+                                ->add_option("--trajectory", texts_.trajectory,
+                                             "a recorded motion instead of the timeline's: a table with "
+                                             "time_s, x_m, y_m, z_m, such as the forces.csv of a run")
+                                ->type_name("CSV");
+  command->add_option("--peer", texts_.peer, "a driver's motion: it sends poses to this socket and receives forces")
+      ->type_name("SOCKET")
+      ->excludes(trajectory);
+  command->add_option("--for", texts_.duration, "how long at most, for example 5s")->type_name("TIME");
+  command
+      ->add_option("--forces", texts_.forces,
+                   "auto, full (solved in each tick) or local (a model of the contact, "
+                   "refreshed by solutions beside the loop)")
+      ->type_name("KIND")
+      ->capture_default_str();
+  command->add_option("--record", texts_.record, "write a table of all ticks")->type_name("CSV");
+  command->add_flag("!--no-real-time", haptic_.real_time, "do not ask for real-time scheduling");
+  add_overrides(*command);
+  add_threads(*command);
+  command->add_flag("--json", haptic_.json, "say the result as JSON on standard output");
 }
 
 void CommandLine::add_doctor() {

@@ -11,6 +11,7 @@
 #include "studio/commands/Arguments.hpp"
 #include "studio/comparison/FileComparison.hpp"
 #include "studio/golden/GoldenRun.hpp"
+#include "studio/haptics/HapticRun.hpp"
 
 namespace thinwall {
 
@@ -100,6 +101,20 @@ struct CompareOptions {
   bool json = false;
 };
 int compare(const CompareOptions& options);
+
+struct HapticOptions {
+  std::filesystem::path scenario;
+  Overrides overrides;
+  std::string tool;                                 // the first of the scenario when empty
+  std::optional<std::filesystem::path> trajectory;  // a recorded motion
+  std::optional<std::filesystem::path> peer;        // the socket of a driver
+  std::optional<double> duration;                   // seconds
+  std::optional<std::filesystem::path> record;      // where the table of the ticks goes
+  HapticForces forces = HapticForces::kAuto;
+  bool real_time = true;
+  bool json = false;
+};
+int drive_haptics(const HapticOptions& options);
 
 struct DoctorOptions {
   DeviceChoice device;

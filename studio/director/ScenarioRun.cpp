@@ -41,6 +41,7 @@ struct ScenarioRun::Implementation {
   StepRecord record;
   std::map<std::size_t, RunningCut> runs;  // by the body's index
   long steps = 0;
+  long cuts = 0;
   StepTally tally;
 
   explicit Implementation(const Scenario& the_scenario) : scenario(the_scenario) {
@@ -133,7 +134,7 @@ struct ScenarioRun::Implementation {
     }
   }
 
-  void begin_clips(double until) {
+  void begin_clips(double until, const DrivenTool* driven) {
     for (std::size_t k = 0; k < clips.size(); ++k) {
       ScheduledClip& clip = clips[k];
       if (clip.begun || clip.begin >= until - kTimeTolerance) continue;
@@ -146,7 +147,7 @@ struct ScenarioRun::Implementation {
       DirectedTool& tool = tools.at(name);
       tool.first_contact.reset();
       // A clip may begin elsewhere than the last one ended: the tool is set there and touches nothing on the way.
-      tool.pose = *beginning_of(clip.plan);
+      if (driven == nullptr || driven->index != tool.index) tool.pose = *beginning_of(clip.plan);
       if (std::holds_alternative<GraspPlan>(clip.plan)) tool.holds = true;
       if (std::holds_alternative<ReleasePlan>(clip.plan)) tool.holds = false;
       take_out_of_walls(tool);
@@ -173,7 +174,7 @@ struct ScenarioRun::Implementation {
   }
 
   /// Moves the tools to where they are at a time; returns the poses before and after, in the order of the scenario.
-  std::pair<std::vector<ToolPose>, std::vector<ToolPose>> move_tools(double until) {
+  std::pair<std::vector<ToolPose>, std::vector<ToolPose>> move_tools(double until, const DrivenTool* driven) {
     std::vector<ToolPose> before(scenario.tools.size()), after;
     for (const auto& [name, tool] : tools) before[tool.index] = tool.pose;
     for (auto& [name, tool] : tools) tool.phase = "idle";
@@ -190,6 +191,9 @@ struct ScenarioRun::Implementation {
       tool.depth = is_planned ? moment->depth : tool.depth_beyond_contact();
     }
     after.resize(before.size());
+    for (auto& [name, tool] : tools) {
+      if (driven != nullptr && driven->index == tool.index) tool.pose = driven->pose;
+    }
     for (const auto& [name, tool] : tools) after[tool.index] = tool.pose;
     return {before, after};
   }
@@ -268,6 +272,7 @@ struct ScenarioRun::Implementation {
   void take_over(const Cut& cut, std::size_t index, const SurfaceMesh& uncut) {
     carry_over(points, *bodies[index], uncut, cut);
     topologies[index] = snapshot_topology(bodies[index]->model());
+    ++cuts;
   }
 
   /// Tells once for each bare point what tip it acts like on the membrane that it touches.
@@ -302,26 +307,42 @@ struct ScenarioRun::Implementation {
     }
   }
 
-  bool step() {
-    if (time() >= end_of(clips) - kTimeTolerance) return false;
-    const double next = static_cast<double>(steps + 1) * step_length();
-    begin_clips(next);
-    const auto [before, after] = move_tools(next);
+  bool has_ended() const { return time() >= end_of(clips) - kTimeTolerance; }
+
+  void step(int count = 1, const DrivenTool* driven = nullptr) {
+    const double next = static_cast<double>(steps + count) * step_length();
+    begin_clips(next, driven);
+    const auto [before, after] = move_tools(next, driven);
     try {
       for (std::size_t index = 0; index < bodies.size(); ++index) {
-        bodies[index]->advance(before, after, step_length(), input_of(index, next));
+        bodies[index]->advance(before, after, count * step_length(), input_of(index, next));
         tally.note(bodies[index]->model().definition.name, bodies[index]->report(), next);
       }
       follow_blades(after, next);
       let_needles_pierce(after, next);
     } catch (const SimulationFailure& failure) {
-      throw SimulationFailure(fmt::format("at {:.6g} s (step {}): {}", next, steps + 1, failure.what()));
+      throw SimulationFailure(fmt::format("at {:.6g} s (step {}): {}", next, steps + count, failure.what()));
     }
-    ++steps;
+    steps += count;
     feel_grasps();
     note_bare_points();
     write_moment();
-    return true;
+  }
+
+  ToolResponse respond(int index, double duration, double reach) {
+    std::vector<ToolPose> poses(scenario.tools.size());
+    for (const auto& [name, tool] : tools) poses[tool.index] = tool.pose;
+    ToolResponse all{.pose = poses[index], .sites = {}, .ahead = {}};
+    for (const auto& body : bodies) {
+      const ToolResponse one = body->respond(index, poses, duration, reach);
+      all.force += one.force;
+      std::ranges::copy(one.sites, std::back_inserter(all.sites));
+      all.holds = all.holds || one.holds;
+      all.held_force += one.held_force;
+      all.held_by_motion += one.held_by_motion;
+      if (one.ahead.gap < all.ahead.gap) all.ahead = one.ahead;
+    }
+    return all;
   }
 
   void write_moment() {
@@ -360,7 +381,21 @@ ScenarioRun::ScenarioRun(ScenarioRun&&) noexcept = default;
 ScenarioRun& ScenarioRun::operator=(ScenarioRun&&) noexcept = default;
 
 bool ScenarioRun::step() {
-  return implementation_->step();
+  if (implementation_->has_ended()) return false;
+  implementation_->step();
+  return true;
+}
+
+void ScenarioRun::step_driven(int count, const DrivenTool& driven) {
+  implementation_->step(count, &driven);
+}
+
+ToolResponse ScenarioRun::respond(int tool, double duration, double reach) {
+  return implementation_->respond(tool, duration, reach);
+}
+
+long ScenarioRun::cuts() const {
+  return implementation_->cuts;
 }
 
 double ScenarioRun::time() const {

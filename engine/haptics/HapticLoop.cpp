@@ -1,0 +1,92 @@
+#include "engine/haptics/HapticLoop.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <optional>
+#include <thread>
+
+#include "engine/haptics/RealTimeThread.hpp"
+
+namespace thinwall {
+namespace {
+
+/// A tool that goes farther in a tick was set elsewhere: metres / second.
+constexpr double kFastestHand = 2;
+
+/// Memory for more ticks than this is not taken beforehand, seconds.
+constexpr double kLongestReserve = 600;
+
+void run(HapticDevice& device, ForceSource& source, const HapticLoopOptions& options, HapticRecord& record) {
+  record.was_real_time = options.real_time && ask_for_real_time();
+  PassivityGuard guard(options.passivity);
+  std::optional<ToolPose> before;
+  const double begin = loop_clock() + options.period;
+  for (long k = 0;; ++k) {
+    HapticTick tick{.time = static_cast<double>(k) * options.period, .pose = {}};
+    if (tick.time > options.duration) break;
+    sleep_until(begin + tick.time);
+    const double woken = loop_clock();
+    tick.woken = woken - begin - tick.time;
+    const std::optional<ToolPose> pose = device.pose_at(tick.time);
+    if (!pose) break;
+    tick.pose = *pose;
+    const Eigen::Vector3d moved = before ? tick.pose.tip - before->tip : Eigen::Vector3d::Zero().eval();
+    const bool was_set = moved.norm() > kFastestHand * options.period;
+    const Eigen::Vector3d motion = was_set ? Eigen::Vector3d::Zero().eval() : moved;
+    before = tick.pose;
+    tick.force = guard.guard(source.force(tick, motion / options.period), motion, options.period);
+    device.feel(tick.time, tick.force);
+    const double done = loop_clock();
+    tick.computed = done - woken;
+    tick.missed = done > begin + tick.time + options.period;
+    record.ticks.push_back(tick);
+    if (tick.missed) {
+      const long late = std::lround(std::floor((done - begin) / options.period)) - k - 1;
+      record.skipped += std::max(0L, late);
+      k += std::max(0L, late);
+    }
+    record.solver_failed = source.has_failed();
+    record.interrupted = options.is_interrupted && options.is_interrupted();
+    if (record.solver_failed || record.interrupted) break;
+  }
+  record.damped = guard.dissipated();
+  record.braked = guard.braked();
+}
+
+}  // namespace
+
+Eigen::Vector3d LocalForce::force(HapticTick& tick, const Eigen::Vector3d& velocity) {
+  refresh_.tell({.time = tick.time, .pose = tick.pose, .velocity = velocity});
+  if (refresh_.has_newer()) {
+    const Eigen::Vector3d given = blend_.force(tick.time, refresh_.model().force_at(tick.pose));
+    refresh_.take_newer();
+    tick.fresh = true;
+    blend_.take_over(tick.time, given, refresh_.model().force_at(tick.pose));
+  }
+  tick.age = tick.time - refresh_.model().time;
+  return blend_.force(tick.time, refresh_.model().force_at(tick.pose));
+}
+
+Eigen::Vector3d FullForce::force(HapticTick& tick, const Eigen::Vector3d&) {
+  tick.fresh = true;
+  return solver_(tick.time, tick.pose).response.force;
+}
+
+HapticRecord run_haptic_loop(HapticDevice& device, ForceSource& source, const HapticLoopOptions& options) {
+  HapticRecord record;
+  record.ticks.reserve(static_cast<std::size_t>(std::min(options.duration, kLongestReserve) / options.period) + 2);
+  std::exception_ptr failure;
+  std::thread thread([&] {
+    try {
+      run(device, source, options, record);
+    } catch (...) {
+      failure = std::current_exception();
+    }
+  });
+  thread.join();
+  if (failure) std::rethrow_exception(failure);
+  return record;
+}
+
+}  // namespace thinwall

@@ -1,0 +1,82 @@
+#include "engine/haptics/ModelRefresh.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "engine/haptics/Trajectory.hpp"
+
+namespace thinwall {
+namespace {
+
+/// How long to wait for news of the hand: a tenth of a tick.
+constexpr std::chrono::microseconds kNap{100};
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+}  // namespace
+
+ModelRefresh::ModelRefresh(FullSolver solver, const HandState& begin, const RefreshOptions& options)
+    : solver_(std::move(solver)), options_(options), maker_(options.reach, options.shortest_way) {
+  refresh(begin);
+  models_.take();
+  thread_ = std::thread([this] { refresh_on_and_on(); });
+}
+
+void ModelRefresh::tell(const HandState& hand) {
+  hands_.back() = hand;
+  hands_.publish();
+}
+
+void ModelRefresh::refresh(const HandState& hand) {
+  const Clock::time_point begin = Clock::now();
+  // The solution is wanted when it is ready, not when it begins.
+  double ahead = std::min(last_duration_, options_.foresight);
+  const double speed = hand.velocity.norm();
+  if (ahead * speed > options_.foreseen_way) ahead = options_.foreseen_way / speed;
+  ToolPose pose = hand.pose;
+  pose.tip += ahead * hand.velocity;
+  const double way = (pose.tip - reached_.tip).norm();
+  if (figures_.solutions > 0 && way > options_.most_way) pose = between(reached_, pose, options_.most_way / way);
+  reached_ = pose;
+  const double time = std::max(hand.time + ahead, solved_until_);
+  const FullAnswer answer = solver_(time, pose);
+  solved_until_ = time;
+  maker_.make(answer.response, hand.time, answer.event, models_.back());
+  models_.publish();
+  last_duration_ = seconds_since(begin);
+  ++figures_.solutions;
+  figures_.longest = std::max(figures_.longest, last_duration_);
+  figures_.total += last_duration_;
+}
+
+void ModelRefresh::refresh_on_and_on() {
+  try {
+    while (!ends_.load(std::memory_order_acquire)) {
+      if (hands_.take()) {
+        refresh(hands_.front());
+      } else {
+        std::this_thread::sleep_for(kNap);
+      }
+    }
+  } catch (...) {
+    failure_ = std::current_exception();
+    has_failed_.store(true, std::memory_order_release);
+  }
+}
+
+void ModelRefresh::stop() {
+  ends_.store(true, std::memory_order_release);
+  if (thread_.joinable()) thread_.join();
+}
+
+void ModelRefresh::finish() {
+  stop();
+  if (failure_) std::rethrow_exception(failure_);
+}
+
+}  // namespace thinwall

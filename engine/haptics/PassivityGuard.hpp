@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace thinwall {
+
+struct PassivityOptions {
+  double allowance = 2e-4;  // joule that may be given out before it is damped: what holding a force for a tick makes
+  double most_damping = 5;  // newton second / metre
+  double onset = 0.02;      // seconds in which the damping may rise from nothing to its most, so that no force jumps
+};
+
+/// Keeps the hand from being driven by what delays and holds make up: adds up the work that the tissue does on the tool
+/// and, where it gives more than it was given, brakes the tool by as much as takes that back, within a limit (energy
+/// observer and passivity controller: Hannaford and Ryu 2002, series form).
+class PassivityGuard {
+ public:
+  explicit PassivityGuard(const PassivityOptions& options) : options_(options) {}
+
+  /// Once a tick. `motion`: metres, of the tip since the last tick, on which the force given then did work; `duration`:
+  /// seconds. Gives what the hand may be given for the force wanted, newton.
+  Eigen::Vector3d guard(const Eigen::Vector3d& wanted, const Eigen::Vector3d& motion, double duration);
+
+  double absorbed() const { return absorbed_; }      // joule, that the hand has put in so far, less what it was given
+  double dissipated() const { return dissipated_; }  // joule, asked of the guard so far
+  long braked() const { return braked_; }            // ticks in which it braked
+
+ private:
+  PassivityOptions options_;
+  Eigen::Vector3d given_ = Eigen::Vector3d::Zero();
+  double absorbed_ = 0, dissipated_ = 0;
+  double damping_ = 0;  // newton second / metre
+  long braked_ = 0;
+};
+
+}  // namespace thinwall

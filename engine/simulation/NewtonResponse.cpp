@@ -1,0 +1,27 @@
+#include "engine/simulation/Newton.hpp"
+
+namespace thinwall {
+
+bool Newton::linearize(const EquilibriumProblem& problem, const EquilibriumState& state) {
+  foreseen_stress_.clear();
+  evaluate_all(problem, state, terms_);
+  open_.clear();
+  for (const ContactPoint& contact : terms_.contacts) open_.push_back(contact_force(problem, contact) == 0);
+  double shift = 0;
+  return factorize(problem, state, shift, true);
+}
+
+LinearAnswer Newton::answer(const EquilibriumProblem& problem, const Eigen::VectorXd& force,
+                            std::span<const Eigen::Vector3d> attachment_motion) {
+  Residual moved;
+  moved.volume.setZero(static_cast<Eigen::Index>(problem.fluids.size()));
+  moved.rigid.setZero(problem.hold_rigid_motions ? rigid_columns_.cols() : 0);
+  for (std::size_t k = 0; k < problem.attachments.size(); ++k) {
+    moved.gaps.push_back(-problem.attachments[k].prescribed.cwiseProduct(attachment_motion[k]));
+  }
+  Step step;
+  solve_linear(problem, force, &moved, step);
+  return {.motion = step.position, .forces = step.forces};
+}
+
+}  // namespace thinwall

@@ -1,0 +1,37 @@
+#include <fmt/format.h>
+
+#include "renderer/image/WholeFile.hpp"
+#include "studio/commands/Commands.hpp"
+#include "studio/commands/ExitCode.hpp"
+#include "studio/haptics/HapticRun.hpp"
+#include "studio/haptics/PeerDevice.hpp"
+#include "studio/recorder/Interruption.hpp"
+#include "studio/scenario/LoadScenario.hpp"
+
+namespace thinwall {
+
+int drive_haptics(const HapticOptions& options) {
+  HapticPlan plan{.scenario = load_scenario(options.scenario, options.overrides),
+                  .tool = options.tool,
+                  .trajectory = options.trajectory,
+                  .peer = options.peer,
+                  .duration = options.duration,
+                  .forces = options.forces,
+                  .real_time = options.real_time,
+                  .throw_if_interrupted = throw_if_interrupted};
+  plan.scenario.simulation.between_iterations = throw_if_interrupted;
+  HapticReport report;
+  try {
+    report = run_haptics(plan);
+  } catch (const PeerError& error) {
+    throw UsageError(fmt::format("--peer {}", error.what()));
+  }
+  fmt::print(stderr, "{}", to_text(report));
+  if (options.record) write_whole_file(*options.record, tick_table(report.record));
+  if (options.json) fmt::print("{}\n", to_json(report));
+  if (report.failure.empty()) return kExitGood;
+  fmt::print(stderr, "thinwall: the solver behind the loop failed: {}\n", report.failure);
+  return kExitSimulationFailed;
+}
+
+}  // namespace thinwall

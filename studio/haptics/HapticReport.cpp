@@ -1,0 +1,180 @@
+#include "studio/haptics/HapticReport.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace thinwall {
+namespace {
+
+double percentile(const std::vector<double>& sorted, double part) {
+  const auto rank = static_cast<std::size_t>(std::ceil(part * static_cast<double>(sorted.size())));
+  return sorted[std::min(sorted.size() - 1, rank == 0 ? 0 : rank - 1)];
+}
+
+template <typename Value>
+Percentiles of_ticks(const HapticRecord& record, const Value& value) {
+  std::vector<double> values;
+  for (const HapticTick& tick : record.ticks) values.push_back(value(tick));
+  return percentiles_of(std::move(values));
+}
+
+Percentiles latency(const HapticRecord& record) {
+  return of_ticks(record, [](const HapticTick& tick) { return tick.latency(); });
+}
+Percentiles wake_up(const HapticRecord& record) {
+  return of_ticks(record, [](const HapticTick& tick) { return tick.woken; });
+}
+Percentiles computation(const HapticRecord& record) {
+  return of_ticks(record, [](const HapticTick& tick) { return tick.computed; });
+}
+Percentiles age(const HapticRecord& record) {
+  return of_ticks(record, [](const HapticTick& tick) { return tick.age; });
+}
+
+long missed(const HapticRecord& record) {
+  return std::ranges::count_if(record.ticks, &HapticTick::missed) + record.skipped;
+}
+
+std::string row(const char* name, const Percentiles& times) {
+  return fmt::format("{:<24}{:>10.4f}{:>10.4f}{:>10.4f}{:>10.4f}\n", name, 1e3 * times.p50, 1e3 * times.p99,
+                     1e3 * times.p999, 1e3 * times.largest);
+}
+
+nlohmann::ordered_json json_of(const Percentiles& times) {
+  return {{"p50_ms", 1e3 * times.p50},
+          {"p99_ms", 1e3 * times.p99},
+          {"p99.9_ms", 1e3 * times.p999},
+          {"largest_ms", 1e3 * times.largest}};
+}
+
+double refresh_rate(const HapticReport& report) {
+  return report.duration > 0 ? static_cast<double>(report.refresh.solutions) / report.duration : 0;
+}
+
+}  // namespace
+
+Percentiles percentiles_of(std::vector<double> values) {
+  if (values.empty()) return {};
+  std::ranges::sort(values);
+  return {percentile(values, 0.5), percentile(values, 0.99), percentile(values, 0.999), values.back()};
+}
+
+ForceError force_error(const std::vector<HapticTick>& ticks, const std::vector<TimedForce>& full) {
+  ForceError error;
+  double squares = 0;
+  for (const TimedForce& right : full) {
+    // Times of both sides are multiples of what need not be the same to the last bit.
+    const auto after = std::ranges::upper_bound(ticks, right.time + 1e-9, {}, &HapticTick::time);
+    if (after == ticks.begin() || (after == ticks.end() && right.time > ticks.back().time + 1e-9)) continue;
+    const double off = ((after - 1)->force - right.force).norm();
+    error.largest_force = std::max(error.largest_force, right.force.norm());
+    if (off > error.largest) error.at = right.time;
+    error.largest = std::max(error.largest, off);
+    squares += off * off;
+    ++error.samples;
+  }
+  if (error.samples > 0) error.root_mean_square = std::sqrt(squares / static_cast<double>(error.samples));
+  return error;
+}
+
+double largest_jump(const std::vector<HapticTick>& ticks) {
+  double largest = 0;
+  for (std::size_t k = 1; k < ticks.size(); ++k) {
+    largest = std::max(largest, (ticks[k].force - ticks[k - 1].force).norm());
+  }
+  return largest;
+}
+
+double largest_change(const std::vector<TimedForce>& full, double period) {
+  double largest = 0;
+  for (std::size_t k = 1; k < full.size(); ++k) {
+    const double step = full[k].time - full[k - 1].time;
+    largest = std::max(largest, (full[k].force - full[k - 1].force).norm() * std::min(1.0, period / step));
+  }
+  return largest;
+}
+
+std::string to_text(const HapticReport& report) {
+  std::string text = fmt::format("{}: {} triangles, tool `{}`, {:.2f} s at {:.0f} Hz, {} forces\n", report.scenario,
+                                 report.triangles, report.tool, report.duration, 1 / report.period, report.forces);
+  text += report.record.was_real_time ? "real-time scheduling: yes\n"
+                                      : "real-time scheduling: not permitted (needs root, CAP_SYS_NICE or a limit "
+                                        "`rtprio`), so that wake-ups depend on what else runs\n";
+  text += fmt::format("{:<24}{:>10}{:>10}{:>10}{:>10}\n", "milliseconds", "p50", "p99", "p99.9", "largest");
+  text += row("latency", latency(report.record));
+  text += row("  wake-up jitter", wake_up(report.record));
+  text += row("  computation", computation(report.record));
+  text += row("empty loop, wake-up", wake_up(report.empty));
+  if (report.refresh.solutions > 0) text += row("age of the model", age(report.record));
+  text += fmt::format("missed deadlines: {} of {}\n", missed(report.record),
+                      static_cast<long>(report.record.ticks.size()) + report.record.skipped);
+  if (report.refresh.solutions > 0) {
+    text += fmt::format("full solutions: {} ({:.1f} per second; mean {:.2f} ms, longest {:.2f} ms)\n",
+                        report.refresh.solutions, refresh_rate(report),
+                        1e3 * report.refresh.total / static_cast<double>(report.refresh.solutions),
+                        1e3 * report.refresh.longest);
+  }
+  text += fmt::format(
+      "force error: largest {:.4g} N at {:.3f} s, {:.2f} % of the largest force of {:.4g} N; root mean square {:.2f} "
+      "%, "
+      "{} moments of the full solution\n",
+      report.error.largest, report.error.at, 100 * report.error.largest_part(), report.error.largest_force,
+      100 * report.error.mean_part(), report.error.samples);
+  text += fmt::format("largest force jump: {:.4g} N from a tick to the next (the full solution itself: {:.4g} N)\n",
+                      largest_jump(report.record.ticks), report.full_change);
+  text +=
+      fmt::format("passivity guard: braked in {} ticks, {:.3g} mJ\n", report.record.braked, 1e3 * report.record.damped);
+  return text;
+}
+
+std::string to_json(const HapticReport& report) {
+  nlohmann::ordered_json json = {{"result", report.failure.empty() ? "good" : "failed"},
+                                 {"scenario", report.scenario},
+                                 {"tool", report.tool},
+                                 {"forces", report.forces},
+                                 {"triangles", report.triangles},
+                                 {"rate_hz", 1 / report.period},
+                                 {"duration_s", report.duration},
+                                 {"ticks", report.record.ticks.size()},
+                                 {"missed_deadlines", missed(report.record)},
+                                 {"real_time", report.record.was_real_time},
+                                 {"latency", json_of(latency(report.record))},
+                                 {"wake_up", json_of(wake_up(report.record))},
+                                 {"computation", json_of(computation(report.record))},
+                                 {"empty_loop_wake_up", json_of(wake_up(report.empty))}};
+  if (report.refresh.solutions > 0) {
+    json["model_age"] = json_of(age(report.record));
+    json["full_solutions"] = {{"count", report.refresh.solutions},
+                              {"per_second", refresh_rate(report)},
+                              {"mean_ms", 1e3 * report.refresh.total / static_cast<double>(report.refresh.solutions)},
+                              {"longest_ms", 1e3 * report.refresh.longest}};
+  }
+  json["force_error"] = {{"largest_N", report.error.largest},
+                         {"root_mean_square_N", report.error.root_mean_square},
+                         {"largest_force_N", report.error.largest_force},
+                         {"largest_part", report.error.largest_part()},
+                         {"root_mean_square_part", report.error.mean_part()},
+                         {"at_s", report.error.at},
+                         {"samples", report.error.samples}};
+  json["largest_force_jump_N"] = largest_jump(report.record.ticks);
+  json["full_solution_largest_change_N"] = report.full_change;
+  json["passivity_guard"] = {{"braked_ticks", report.record.braked}, {"damped_J", report.record.damped}};
+  if (!report.failure.empty()) json["failure"] = report.failure;
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string tick_table(const HapticRecord& record) {
+  std::string table = "time_s,x_m,y_m,z_m,fx_N,fy_N,fz_N,wake_up_s,computation_s,model_age_s\n";
+  for (const HapticTick& tick : record.ticks) {
+    const Eigen::Vector3d& tip = tick.pose.tip;
+    table += fmt::format("{:.6g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.3g},{:.3g},{:.3g}\n", tick.time, tip.x(),
+                         tip.y(), tip.z(), tick.force.x(), tick.force.y(), tick.force.z(), tick.woken, tick.computed,
+                         tick.age);
+  }
+  return table;
+}
+
+}  // namespace thinwall

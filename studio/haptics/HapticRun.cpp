@@ -1,0 +1,250 @@
+#include "studio/haptics/HapticRun.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "engine/simulation/SimulationFailure.hpp"
+#include "studio/director/ScenarioRun.hpp"
+#include "studio/haptics/PeerDevice.hpp"
+#include "studio/haptics/TrajectoryFile.hpp"
+#include "studio/scenario/InputError.hpp"
+
+namespace thinwall {
+namespace {
+
+constexpr double kPeriod = 1e-3;  // seconds, of a tick
+
+/// Seconds for which the empty loop runs, at most.
+constexpr double kEmptyLoop = 2;
+
+/// Wall triangles up to which a body is solved fully in each tick unless the user says otherwise.
+constexpr int kFullTriangles = 150;
+
+/// Residual of the solver behind the loop: below what a hand feels by orders of magnitude.
+constexpr double kTolerance = 1e-6;
+
+/// Seconds for which a driver is waited for.
+constexpr double kPatience = 60;
+
+/// Seconds that a session with a driver may last without `duration`.
+constexpr double kLongestSession = 600;
+
+/// Least way for which a local model is good, metres, and the parts of it that a correction needs, that the hand's
+/// motion may be foreseen, and that the tool goes in one solution.
+constexpr double kLeastReach = 2e-3;
+constexpr double kShortestWay = 0.02;
+constexpr double kForeseenWay = 0.5;
+constexpr double kMostWay = 1;
+constexpr double kForesight = 0.06;  // seconds
+
+ToolPose pose_of(const SnapshotTool& tool) {
+  return {.tip = Eigen::Vector3d(tool.tip[0], tool.tip[1], tool.tip[2]),
+          .direction = Eigen::Vector3d(tool.direction[0], tool.direction[1], tool.direction[2]),
+          .axis = Eigen::Vector3d(tool.axis[0], tool.axis[1], tool.axis[2]),
+          .opening = tool.opening};
+}
+
+/// A motion with the forces of the full solution along it.
+struct FullSolution {
+  std::vector<TimedPose> poses;
+  std::vector<TimedForce> forces;
+
+  void note(const ScenarioRun& run, int tool) {
+    poses.push_back({.time = run.time(), .pose = pose_of(run.snapshot().tools[tool])});
+    forces.push_back({.time = run.time(), .force = run.record().tools[tool].force});
+  }
+};
+
+FullSolution play(const Scenario& scenario, int tool, double duration) {
+  FullSolution solution;
+  ScenarioRun run(scenario);
+  solution.note(run, tool);
+  while (run.time() < duration && run.step()) solution.note(run, tool);
+  return solution;
+}
+
+FullSolution play_driven(const Scenario& scenario, int tool, Trajectory motion) {
+  FullSolution solution;
+  ScenarioRun run(scenario);
+  solution.note(run, tool);
+  while (const auto pose = motion.pose_at(run.time() + scenario.simulation.time_step)) {
+    run.step_driven(1, {.index = tool, .pose = *pose});
+    solution.note(run, tool);
+  }
+  return solution;
+}
+
+int tool_index(const HapticPlan& plan) {
+  const std::vector<ToolDefinition>& tools = plan.scenario.tools;
+  if (tools.empty()) {
+    throw InputErrors({{SourceLocation{.file = plan.scenario.file}, "tools: a hand needs a tool, and none is there"}});
+  }
+  if (plan.tool.empty()) return 0;
+  for (std::size_t k = 0; k < tools.size(); ++k) {
+    if (tools[k].name == plan.tool) return static_cast<int>(k);
+  }
+  std::string names;
+  for (const ToolDefinition& tool : tools) names += (names.empty() ? "" : ", ") + tool.name;
+  throw InputErrors({{SourceLocation{.file = plan.scenario.file},
+                      fmt::format("--tool {}: no tool has that name; there are {}", plan.tool, names)}});
+}
+
+/// The scenario as the solver behind the loop steps it: by ticks.
+Scenario in_ticks(const HapticPlan& plan) {
+  Scenario scenario = plan.scenario;
+  scenario.simulation.time_step = kPeriod;
+  scenario.simulation.tolerance = std::max(scenario.simulation.tolerance, kTolerance);
+  return scenario;
+}
+
+double reach_of(const ToolDefinition& tool) {
+  return std::max({kLeastReach, tool.radius, 0.5 * tool.thickness});
+}
+
+RefreshOptions refresh_options(const ToolDefinition& tool) {
+  const double reach = reach_of(tool);
+  RefreshOptions options{.reach = reach, .shortest_way = kShortestWay * reach, .most_way = kMostWay * reach};
+  // Where a tool goes through the wall no pose may be tried that the hand does not reach.
+  const bool cuts = tool.kind == ToolKind::kNeedle || tool.kind == ToolKind::kScalpel;
+  if (cuts || tool.kind == ToolKind::kForceps) return options;
+  options.foresight = kForesight;
+  options.foreseen_way = kForeseenWay * reach;
+  return options;
+}
+
+/// The body behind the loop, as the loop sees it.
+class LoopedRun {
+ public:
+  LoopedRun(const HapticPlan& plan, int tool)
+      : run_(in_ticks(plan)), tool_(tool), reach_(reach_of(plan.scenario.tools[tool])) {}
+
+  FullAnswer solve(double time, const ToolPose& pose, bool responds) {
+    const long until = std::lround(time / kPeriod);
+    const int count = static_cast<int>(std::max(until - ticks_, ticks_ == 0 && until == 0 ? 0L : 1L));
+    const long cuts = run_.cuts();
+    if (count > 0) run_.step_driven(count, {.index = tool_, .pose = pose});
+    ticks_ += count;
+    FullAnswer answer;
+    if (responds) {
+      answer.response = run_.respond(tool_, std::max(count, 1) * kPeriod, 2 * reach_);
+    } else {
+      answer.response.force = run_.record().tools[tool_].force;
+    }
+    answer.event = run_.cuts() != cuts;
+    return answer;
+  }
+
+  int triangles() const {
+    int sum = 0;
+    for (const SnapshotSurface& surface : run_.snapshot().surfaces) sum += triangles_of(surface);
+    return sum;
+  }
+  ToolPose first_pose() const { return pose_of(run_.snapshot().tools[tool_]); }
+
+ private:
+  static int triangles_of(const SnapshotSurface& surface) {
+    return static_cast<int>(surface.topology->triangles.size());
+  }
+
+  ScenarioRun run_;
+  int tool_;
+  double reach_;
+  long ticks_ = 0;
+};
+
+/// What moves the tool.
+struct Hand {
+  std::unique_ptr<HapticDevice> device;
+  ToolPose begin;
+  double duration = 0;  // seconds
+  FullSolution known;   // of the timeline's own motion
+};
+
+Hand make_hand(const HapticPlan& plan, int tool, const ToolPose& first) {
+  Hand hand;
+  if (plan.peer) {
+    auto peer = std::make_unique<PeerDevice>(*plan.peer);
+    fmt::print(stderr, "waiting for a driver at {}\n", plan.peer->string());
+    hand.begin = peer->wait_for_first_pose(kPatience, plan.throw_if_interrupted);
+    hand.duration = plan.duration.value_or(kLongestSession);
+    hand.device = std::move(peer);
+    return hand;
+  }
+  std::vector<TimedPose> moments;
+  if (plan.trajectory) {
+    moments = read_trajectory(*plan.trajectory, first);
+  } else {
+    hand.known = play(plan.scenario, tool, plan.duration.value_or(kLongestSession));
+    moments = hand.known.poses;
+  }
+  hand.begin = moments.front().pose;
+  hand.duration = std::min(moments.back().time, plan.duration.value_or(kLongestSession));
+  hand.device = std::make_unique<Trajectory>(std::move(moments));
+  return hand;
+}
+
+std::vector<TimedPose> motion_of(const std::vector<HapticTick>& ticks) {
+  std::vector<TimedPose> moments;
+  for (const HapticTick& tick : ticks) moments.push_back({.time = tick.time, .pose = tick.pose});
+  return moments;
+}
+
+void run_loop(const HapticPlan& plan, LoopedRun& looped, int tool, Hand& hand, HapticReport& report) {
+  HapticLoopOptions options{.period = kPeriod, .duration = hand.duration, .real_time = plan.real_time};
+  options.is_interrupted = [&] {
+    try {
+      plan.throw_if_interrupted();
+    } catch (...) {
+      return true;
+    }
+    return false;
+  };
+  try {
+    if (report.forces == "full") {
+      FullForce source([&](double time, const ToolPose& pose) { return looped.solve(time, pose, false); });
+      report.record = run_haptic_loop(*hand.device, source, options);
+    } else {
+      ModelRefresh refresh([&](double time, const ToolPose& pose) { return looped.solve(time, pose, true); },
+                           {.time = 0, .pose = hand.begin}, refresh_options(plan.scenario.tools[tool]));
+      LocalForce source(refresh, options.blending);
+      report.record = run_haptic_loop(*hand.device, source, options);
+      refresh.finish();
+      report.refresh = refresh.figures();
+    }
+  } catch (const SimulationFailure& failure) {
+    report.failure = failure.what();
+  }
+}
+
+}  // namespace
+
+HapticReport run_haptics(const HapticPlan& plan) {
+  const int tool = tool_index(plan);
+  LoopedRun looped(plan, tool);
+  Hand hand = make_hand(plan, tool, looped.first_pose());
+  HapticReport report{.scenario = plan.scenario.name, .tool = plan.scenario.tools[tool].name};
+  report.triangles = looped.triangles();
+  const bool small = report.triangles <= kFullTriangles;
+  report.forces =
+      plan.forces == HapticForces::kFull || (plan.forces == HapticForces::kAuto && small) ? "full" : "local";
+  NoForce nothing;
+  Trajectory still({{.time = 0, .pose = hand.begin}, {.time = kEmptyLoop, .pose = hand.begin}});
+  report.empty = run_haptic_loop(
+      still, nothing,
+      {.period = kPeriod, .duration = std::min(kEmptyLoop, std::max(hand.duration, 0.1)), .real_time = plan.real_time});
+  run_loop(plan, looped, tool, hand, report);
+  plan.throw_if_interrupted();
+  if (report.record.ticks.empty()) return report;
+  report.duration = report.record.ticks.back().time;
+  if (hand.known.forces.empty()) {
+    hand.known = play_driven(plan.scenario, tool, Trajectory(motion_of(report.record.ticks)));
+  }
+  report.error = force_error(report.record.ticks, hand.known.forces);
+  report.full_change = largest_change(hand.known.forces, kPeriod);
+  return report;
+}
+
+}  // namespace thinwall

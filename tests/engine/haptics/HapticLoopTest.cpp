@@ -1,0 +1,88 @@
+#include "engine/haptics/HapticLoop.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "engine/haptics/Trajectory.hpp"
+
+namespace thinwall {
+namespace {
+
+std::vector<TimedPose> straight_in(double seconds, double depth) {
+  ToolPose end;
+  end.tip.z() = -depth;
+  return {{.time = 0, .pose = {}}, {.time = seconds, .pose = end}};
+}
+
+/// A wall at z = 0 that pushes as a spring, newton / metre.
+ToolResponse spring(const ToolPose& pose, double stiffness) {
+  ToolResponse response;
+  response.pose = pose;
+  if (pose.tip.z() >= 0) {
+    response.ahead = {.gap = pose.tip.z(), .normal = -Eigen::Vector3d::UnitZ(), .stiffness = stiffness};
+    return response;
+  }
+  SiteResponse& site = response.sites.emplace_back();
+  site.force = -stiffness * pose.tip.z();
+  site.normal = -Eigen::Vector3d::UnitZ();
+  site.force_by_motion[2] = -stiffness;
+  response.force = -site.force * site.normal;
+  return response;
+}
+
+TEST(HapticLoopTest, ASpringIsFeltAsASpringThroughItsLocalModels) {
+  Trajectory hand(straight_in(0.3, 3e-3));
+  ModelRefresh refresh([](double, const ToolPose& pose) { return FullAnswer{.response = spring(pose, 200)}; },
+                       {.time = 0, .pose = {}}, {.reach = 5e-3, .shortest_way = 1e-4, .most_way = 5e-3});
+  LocalForce source(refresh, 4e-3);
+  const HapticRecord record = run_haptic_loop(hand, source, {.duration = 1, .real_time = false});
+  refresh.finish();
+  ASSERT_GT(record.ticks.size(), 10U);
+  for (const HapticTick& tick : record.ticks) {
+    EXPECT_NEAR(tick.force.z(), -200 * tick.pose.tip.z(), 1e-9) << tick.time;
+  }
+  EXPECT_GT(refresh.figures().solutions, 1);
+}
+
+TEST(HapticLoopTest, ModelsThatDisagreeAreFeltWithoutAJump) {
+  Trajectory hand(straight_in(0.3, 3e-3));
+  int call = 0;
+  ModelRefresh refresh(
+      [&](double, const ToolPose& pose) { return FullAnswer{.response = spring(pose, ++call % 2 == 0 ? 100 : 300)}; },
+      {.time = 0, .pose = {}}, {.reach = 5e-3, .shortest_way = 1, .most_way = 5e-3});
+  LocalForce source(refresh, 4e-3);
+  const HapticRecord record = run_haptic_loop(hand, source, {.duration = 1, .real_time = false});
+  refresh.finish();
+  for (std::size_t k = 1; k < record.ticks.size(); ++k) {
+    const double ticks = (record.ticks[k].time - record.ticks[k - 1].time) / 1e-3;
+    // The springs differ by 0.6 N at most; a blend goes by 3/2 of that in 4 ticks at most, the springs by 3 mN a tick.
+    EXPECT_LE((record.ticks[k].force - record.ticks[k - 1].force).norm(), ticks * (0.6 * 1.5 / 4 + 0.004));
+  }
+}
+
+TEST(HapticLoopTest, ASolverThatFailsEndsTheLoopAndIsHeardOf) {
+  Trajectory hand(straight_in(5, 3e-3));
+  int call = 0;
+  ModelRefresh refresh(
+      [&](double, const ToolPose& pose) {
+        if (++call > 3) throw std::runtime_error("no equilibrium");
+        return FullAnswer{.response = spring(pose, 100)};
+      },
+      {.time = 0, .pose = {}}, {.reach = 5e-3, .shortest_way = 1, .most_way = 5e-3});
+  LocalForce source(refresh, 4e-3);
+  const HapticRecord record = run_haptic_loop(hand, source, {.duration = 5, .real_time = false});
+  EXPECT_TRUE(record.solver_failed);
+  EXPECT_LT(record.ticks.size(), 4000U);
+  EXPECT_THROW(refresh.finish(), std::runtime_error);
+}
+
+TEST(HapticLoopTest, FullForcesAreSolvedInEachTick) {
+  Trajectory hand(straight_in(0.1, 1e-3));
+  FullForce source([](double, const ToolPose& pose) { return FullAnswer{.response = spring(pose, 50)}; });
+  const HapticRecord record = run_haptic_loop(hand, source, {.duration = 1, .real_time = false});
+  for (const HapticTick& tick : record.ticks) EXPECT_DOUBLE_EQ(tick.force.z(), -50 * tick.pose.tip.z());
+}
+
+}  // namespace
+}  // namespace thinwall

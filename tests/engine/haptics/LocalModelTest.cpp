@@ -1,0 +1,148 @@
+#include "engine/haptics/LocalModel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "tests/engine/simulation/TestBodies.hpp"
+
+namespace thinwall {
+namespace {
+
+constexpr double kReach = 6e-3;  // metres
+
+/// A hemisphere that a tool has pressed to a pose.
+std::unique_ptr<Body> pressed(const ToolDefinition& tool, const ToolPose& pose) {
+  auto body = std::make_unique<Body>(pressurised_hemisphere(576, 500), std::vector{tool}, quasi_static());
+  body->settle();
+  ToolPose begin = pose;
+  begin.tip.z() = 26e-3;
+  move(*body, begin, pose.tip, 8, 0.01);
+  return body;
+}
+
+LocalModel model_of(Body& body, const ToolPose& pose, LocalModelMaker maker = {kReach, 1e-5}) {
+  LocalModel model;
+  maker.make(body.respond(0, std::vector{pose}, 0.01, kReach), 0, false, model);
+  return model;
+}
+
+/// Force of the full solution after a further motion.
+Eigen::Vector3d full_force(const ToolDefinition& tool, const ToolPose& pose, const ToolPose& further) {
+  const auto body = pressed(tool, pose);
+  body->advance(std::vector{pose}, std::vector{further}, 0.01);
+  return body->state().contacts[0].force;
+}
+
+class LocalModelTest : public ::testing::TestWithParam<ToolDefinition> {};
+
+TEST_P(LocalModelTest, GivesTheForceOfTheEquilibriumThatItWasFoundAt) {
+  const ToolPose pose = pose_at({2e-3, 1e-3, 17e-3});
+  const auto body = pressed(GetParam(), pose);
+  const Eigen::Vector3d full = body->state().contacts[0].force;
+  ASSERT_GT(full.norm(), 1e-3);
+  EXPECT_LT((model_of(*body, pose).force_at(pose) - full).norm(), 1e-6 * full.norm());
+}
+
+TEST_P(LocalModelTest, EqualsTheFullSolutionToFirstOrder) {
+  const ToolPose pose = pose_at({2e-3, 1e-3, 17e-3});
+  const auto body = pressed(GetParam(), pose);
+  const LocalModel model = model_of(*body, pose);
+  const double step = 1e-6;  // metres: the second order is then some thousandths of the first
+  for (const Eigen::Vector3d& way : {Eigen::Vector3d(0, 0, -step), Eigen::Vector3d(0, 0, step),
+                                     Eigen::Vector3d(step, 0, 0), Eigen::Vector3d(0, step, 0)}) {
+    ToolPose further = pose;
+    further.tip += way;
+    const Eigen::Vector3d change = full_force(GetParam(), pose, further) - body->state().contacts[0].force;
+    const Eigen::Vector3d expected = model.force_at(further) - model.force_at(pose);
+    EXPECT_LT((expected - change).norm(), 0.01 * change.norm()) << way.transpose() << ": " << change.transpose();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Tools, LocalModelTest,
+    ::testing::Values(sphere_tool(5e-3), point_tool(),
+                      ToolDefinition{.name = "capsule", .kind = ToolKind::kCapsule, .length = 14e-3, .radius = 4e-3}),
+    [](const auto& tool) { return tool.param.name + std::to_string(tool.index); });
+
+TEST(LocalModelTest, ATurnOfTheToolIsAnsweredToFirstOrder) {
+  const ToolDefinition capsule{.name = "capsule", .kind = ToolKind::kCapsule, .length = 14e-3, .radius = 4e-3};
+  const ToolPose pose = pose_at({2e-3, 1e-3, 17e-3});
+  const auto body = pressed(capsule, pose);
+  const LocalModel model = model_of(*body, pose);
+  ToolPose turned = pose;
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(1e-4, Eigen::Vector3d(1, 0.5, 0).normalized()).toRotationMatrix();
+  turned.direction = turn * pose.direction;
+  turned.axis = turn * pose.axis;
+  const Eigen::Vector3d change = full_force(capsule, pose, turned) - body->state().contacts[0].force;
+  EXPECT_LT((model.force_at(turned) - model.force_at(pose) - change).norm(), 0.02 * change.norm());
+}
+
+TEST(LocalModelTest, LetsGoOfAToolThatLeaves) {
+  const ToolPose pose = pose_at({2e-3, 1e-3, 17e-3});
+  const auto body = pressed(sphere_tool(5e-3), pose);
+  const LocalModel model = model_of(*body, pose);
+  ToolPose away = pose;
+  double before = model.force_at(pose).norm();
+  for (int k = 1; k <= 40; ++k) {
+    away.tip.z() = pose.tip.z() + 0.5e-3 * k;
+    const double force = model.force_at(away).norm();
+    EXPECT_LE(force, before + 1e-12);
+    before = force;
+  }
+  EXPECT_EQ(before, 0);
+}
+
+TEST(LocalModelTest, FeelsTheWallAheadWhereItBegins) {
+  Body body(pressurised_hemisphere(576, 500), {sphere_tool(5e-3)}, quasi_static());
+  body.settle();
+  const ToolPose pose = pose_at({0, 0, 24e-3});
+  const LocalModel model = model_of(body, pose);
+  ASSERT_LT(model.response.ahead.gap, 4e-3);
+  ASSERT_GT(model.response.ahead.gap, 1e-4);
+  ToolPose near = pose, in = pose;
+  near.tip.z() -= 0.99 * model.response.ahead.gap;
+  in.tip.z() -= model.response.ahead.gap + 1e-4;
+  EXPECT_TRUE(model.force_at(near).isZero());
+  const Eigen::Vector3d force = model.force_at(in);
+  EXPECT_GT(force.z(), 0);
+  EXPECT_NEAR(force.norm(), 1e-4 * model.response.ahead.stiffness, 1e-9);
+  // The first place that is met gives way as the full solution has it while it is the only one.
+  body.advance(std::vector{pose}, std::vector{near}, 0.01);
+  ToolPose further = near;
+  further.tip.z() = in.tip.z() + 0.9e-4;
+  body.advance(std::vector{near}, std::vector{further}, 0.01);
+  const double full = body.state().contacts[0].force.norm();
+  EXPECT_NEAR(model.force_at(further).norm(), full, 0.1 * full);
+}
+
+TEST(LocalModelTest, TheCorrectionMeetsTheForceFoundBefore) {
+  const ToolDefinition tool = sphere_tool(5e-3);
+  const ToolPose first = pose_at({2e-3, 1e-3, 17.5e-3}), second = pose_at({2e-3, 1e-3, 17e-3});
+  const auto body = pressed(tool, first);
+  const Eigen::Vector3d force = body->state().contacts[0].force;
+  LocalModelMaker maker(kReach, 1e-5);
+  LocalModel model;
+  maker.make(body->respond(0, std::vector{first}, 0.01, kReach), 0, false, model);
+  body->advance(std::vector{first}, std::vector{second}, 0.01);
+  maker.make(body->respond(0, std::vector{second}, 0.01, kReach), 0.01, false, model);
+  const double first_order = (model_of(*body, second).force_at(first) - force).norm();
+  EXPECT_GT(first_order, 1e-3 * force.norm());
+  // The way back along the wall is shortened a little, by its own third power.
+  EXPECT_LT((model.force_at(first) - force).norm(), 1e-6 * force.norm());
+}
+
+TEST(LocalModelTest, AStepThatBeginsWhereTheAnswerLeadsEndsInTheSameEquilibrium) {
+  const ToolDefinition tool = sphere_tool(5e-3);
+  const ToolPose pose = pose_at({2e-3, 1e-3, 17e-3});
+  ToolPose further = pose;
+  further.tip += Eigen::Vector3d(3e-4, 0, -5e-4);
+  const auto led = pressed(tool, pose);
+  led->respond(0, std::vector{pose}, 0.01, kReach);
+  led->advance(std::vector{pose}, std::vector{further}, 0.01);
+  const Eigen::Vector3d full = full_force(tool, pose, further);
+  EXPECT_LT((led->state().contacts[0].force - full).norm(), 1e-6 * full.norm());
+}
+
+}  // namespace
+}  // namespace thinwall

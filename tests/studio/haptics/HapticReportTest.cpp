@@ -1,0 +1,54 @@
+#include "studio/haptics/HapticReport.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace thinwall {
+namespace {
+
+HapticTick tick(double time, double force) {
+  HapticTick one{.time = time, .woken = 1e-5, .computed = 2e-5, .pose = {}};
+  one.force = {0, 0, force};
+  return one;
+}
+
+TEST(HapticReportTest, PercentilesAreThoseThatSoManyDoNotExceed) {
+  std::vector<double> values;
+  for (int k = 1000; k >= 1; --k) values.push_back(k);
+  const Percentiles percentiles = percentiles_of(values);
+  EXPECT_EQ(percentiles.p50, 500);
+  EXPECT_EQ(percentiles.p99, 990);
+  EXPECT_EQ(percentiles.p999, 999);
+  EXPECT_EQ(percentiles.largest, 1000);
+  EXPECT_EQ(percentiles_of({}).largest, 0);
+}
+
+TEST(HapticReportTest, TheErrorIsThatOfTheForceGivenLastBeforeEachMomentOfTheFullSolution) {
+  const std::vector<HapticTick> ticks = {tick(0, 0), tick(1e-3, 1), tick(2e-3, 2), tick(4e-3, 5)};
+  const ForceError error = force_error(
+      ticks,
+      {{.time = 1e-3, .force = {0, 0, 1.5}}, {.time = 3e-3, .force = {0, 0, 4}}, {.time = 9e-3, .force = {0, 0, 100}}});
+  EXPECT_EQ(error.samples, 2);  // the loop had ended before the third
+  EXPECT_EQ(error.largest, 2);
+  EXPECT_EQ(error.at, 3e-3);
+  EXPECT_EQ(error.largest_force, 4);
+  EXPECT_EQ(error.largest_part(), 0.5);
+  EXPECT_DOUBLE_EQ(error.root_mean_square, std::sqrt((0.25 + 4) / 2));
+  EXPECT_EQ(largest_jump(ticks), 3);
+}
+
+TEST(HapticReportTest, SkippedTicksCountAsMissed) {
+  HapticReport report{.scenario = "one", .tool = "probe", .forces = "local"};
+  report.record.ticks = {tick(0, 0), tick(3e-3, 0)};
+  report.record.ticks[0].missed = true;
+  report.record.skipped = 2;
+  EXPECT_NE(to_text(report).find("missed deadlines: 3 of 4"), std::string::npos) << to_text(report);
+  const auto json = nlohmann::json::parse(to_json(report));
+  EXPECT_EQ(json["missed_deadlines"], 3);
+  EXPECT_DOUBLE_EQ(json["latency"]["largest_ms"], 0.03);
+}
+
+}  // namespace
+}  // namespace thinwall
