@@ -219,22 +219,28 @@ void run_loop(const HapticPlan& plan, LoopedRun& looped, int tool, Hand& hand, H
   }
 }
 
+/// Ticks without any work.
+HapticRecord run_empty_loop(const HapticPlan& plan, const ToolPose& pose) {
+  NoForce nothing;
+  Trajectory still({{.time = 0, .pose = pose}, {.time = kEmptyLoop, .pose = pose}});
+  const double duration = std::min(kEmptyLoop, plan.duration.value_or(kEmptyLoop));
+  return run_haptic_loop(still, nothing, {.period = kPeriod, .duration = duration, .real_time = plan.real_time});
+}
+
 }  // namespace
 
 HapticReport run_haptics(const HapticPlan& plan) {
   const int tool = tool_index(plan);
   LoopedRun looped(plan, tool);
+  // Before a driver comes, which would not be listened to meanwhile.
+  const HapticRecord empty = run_empty_loop(plan, looped.first_pose());
   Hand hand = make_hand(plan, tool, looped.first_pose());
   HapticReport report{.scenario = plan.scenario.name, .tool = plan.scenario.tools[tool].name};
+  report.empty = empty;
   report.triangles = looped.triangles();
   const bool small = report.triangles <= kFullTriangles;
   report.forces =
       plan.forces == HapticForces::kFull || (plan.forces == HapticForces::kAuto && small) ? "full" : "local";
-  NoForce nothing;
-  Trajectory still({{.time = 0, .pose = hand.begin}, {.time = kEmptyLoop, .pose = hand.begin}});
-  report.empty = run_haptic_loop(
-      still, nothing,
-      {.period = kPeriod, .duration = std::min(kEmptyLoop, std::max(hand.duration, 0.1)), .real_time = plan.real_time});
   run_loop(plan, looped, tool, hand, report);
   plan.throw_if_interrupted();
   if (report.record.ticks.empty()) return report;
