@@ -387,9 +387,9 @@ class Body {
   BodyState state_;
   BodyStepReport report_;
   std::optional<Foresight> foresight_;  // for the next step
-  bool snaps_ = false;     // whether a wall gives way at once, from one equilibrium to another
-  bool is_loose_ = false;  // whether the last solution's residual is above the tolerance
-  std::string failure_;    // why the last attempt failed
+  bool snaps_ = false;                  // whether a wall gives way at once, from one equilibrium to another
+  bool is_loose_ = false;               // whether the last solution's residual is above the tolerance
+  std::string failure_;                 // why the last attempt failed
 };
 
 }  // namespace thinwall
