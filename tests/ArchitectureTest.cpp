@@ -56,7 +56,8 @@ bool starts_with_any(const std::string& text, const Beginnings& beginnings) {
 
 /// Headers of the language and of the operating system: no folder, or a folder of the system.
 bool is_system(const std::string& name) {
-  constexpr std::array kPosix = {"sys/", "unistd.h", "fcntl.h", "signal.h", "spawn.h", "poll.h", "pthread.h", "sched.h"};
+  constexpr std::array kPosix = {"sys/",    "unistd.h", "fcntl.h",   "signal.h",
+                                 "spawn.h", "poll.h",   "pthread.h", "sched.h"};
   return name.find('.') == std::string::npos || starts_with_any(name, kPosix);
 }
 
