@@ -124,6 +124,7 @@ struct BodyState {
 struct BodyStepReport {
   int newton_iterations = 0;
   int shifted_iterations = 0;
+  int factorisations = 0;
   int halvings = 0;     // how often the step was divided because it could not be solved
   int refinements = 0;  // how often it was divided to keep the error that is allowed
   double residual = 0;  // newton

@@ -46,6 +46,7 @@ NewtonResult Body::solve(EquilibriumProblem& problem, EquilibriumState& state, c
                       .takes_flaps = takes_flaps,
                       .between_iterations = options_.between_iterations});
   report_.newton_iterations += result.iterations;
+  report_.factorisations += result.factorisations;
   report_.shifted_iterations += result.shifted_iterations;
   report_.residual = result.residual;
   is_loose_ = result.converged && result.is_loose;

@@ -198,10 +198,12 @@ bool Newton::folds_over(const Eigen::VectorXd& before, const Eigen::VectorXd& af
 
 NewtonResult Newton::solve(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options) {
   int before = 0;
+  factorisations_ = 0;
   if (!model_.bending.empty()) {
     const Start start{
         .state = state, .attachments = problem.attachments, .solids = problem.solids, .friction = problem.friction};
     NewtonResult result = iterate(problem, state, options, true);
+    result.factorisations = factorisations_;
     if (result.converged && !folds_over(start.state.position, state.position)) return result;
     before = result.iterations;
     state = start.state;
@@ -211,6 +213,7 @@ NewtonResult Newton::solve(EquilibriumProblem& problem, EquilibriumState& state,
   }
   NewtonResult result = iterate(problem, state, options, false);
   result.iterations += before;
+  result.factorisations = factorisations_;
   return result;
 }
 
@@ -290,7 +293,8 @@ bool Newton::find_step_with_contacts(const EquilibriumProblem& problem, const Eq
     open_.push_back(contact_force(problem, contact) == 0 && may_wait);
   }
   for (int turn = 0;; ++turn) {
-    if (!factorize(problem, state, shift, may_be_saddle)) return false;
+    const bool borders = turn > 0 && !may_be_saddle && border_contacts();
+    if (!borders && !factorize(problem, state, shift, may_be_saddle)) return false;
     find_step(problem, state, residual, step);
     if (turn == kContactTurns || !revise_contacts(step)) break;
   }

@@ -43,6 +43,7 @@ struct NewtonResult {
   double residual = 0;                   // newton, largest component at the end
   std::vector<double> residual_history;  // newton, before each iteration and at the end
   int shifted_iterations = 0;            // iterations whose matrix had to be made convex
+  int factorisations = 0;                // of the matrix
   bool is_loose = false;                 // whether the residual is above the tolerance, see NewtonOptions::takes_flaps
   std::string reason;                    // why not converged
 };
@@ -58,7 +59,7 @@ struct NewtonResult {
 /// contact takes the force that equilibrium gave it last, not the one that an overlap on the way to equilibrium would
 /// ask for, which is larger by orders of magnitude and would make the matrix indefinite. A linear spring can pull, a
 /// contact cannot: when contacts would pull they are taken to be open, when open ones would be overrun they are taken
-/// to be closed, and the step is found again.
+/// to be closed, and the step is found again: the springs that differ from the factorised ones border the matrix too.
 ///
 /// A thin shell is far stiffer along itself than across, and a step that is right to first order strains it to second
 /// order, with stresses that dwarf the true ones. So a shell is first solved with the stresses as unknowns of their own
@@ -203,6 +204,9 @@ class Newton {
                     Step& step);
   void find_contact_forces(Step& step) const;
   bool revise_contacts(const Step& step);
+  /// Borders the factorised matrix with the springs of contacts that are open or closed unlike when it was factorised;
+  /// false where that is not convex.
+  bool border_contacts();
   std::string obstructed(const std::string& reason) const;
   bool search(EquilibriumProblem& problem, EquilibriumState& state, Residual& residual, const Step& step,
               double fraction);
@@ -222,8 +226,10 @@ class Newton {
   EquilibriumTerms terms_;
   EquilibriumTerms trial_terms_;
   Frozen frozen_;
-  std::vector<char> open_;      // (contacts), whether the step takes the contact to be open
-  std::vector<double> matrix_;  // (non-zeros), what is factorised
+  std::vector<char> open_;             // (contacts), whether the step takes the contact to be open
+  std::vector<char> factorised_open_;  // (contacts), the same when the matrix was factorised
+  std::vector<double> matrix_;         // (non-zeros), what is factorised
+  int factorisations_ = 0;             // in the solution under way
   // (triangles) of a shell, pascal, (S11, S22, S12); none where the curvature takes the stress as it is
   std::vector<std::array<int, 2>> hinges_;  // of a shell: triangles with an edge in common
   std::vector<Eigen::Vector3d> foreseen_stress_;
@@ -232,6 +238,8 @@ class Newton {
   Eigen::MatrixXd corner_;           // (border x border)
   std::vector<int> bordering_;       // chambers whose pressure is a multiplier, in the order of the border's columns
   int constraints_ = 0;              // columns of the border that are constraints
+  int negative_pivots_ = 0;          // of the factor in use
+  Eigen::Index own_columns_ = 0;     // of the border, without those of contacts
   Eigen::MatrixXd rigid_columns_;    // (unknowns x free rigid motions), relative mass times motion
   double attachment_stiffness_ = 0;  // newton / metre, gamma
 };

@@ -147,21 +147,62 @@ void Newton::build_matrix(const EquilibriumProblem& problem, const EquilibriumSt
 
 bool Newton::is_usable(SparseFactor& factor, std::span<const double> values, bool may_be_saddle) {
   std::optional<int> negative;
+  ++factorisations_;
   if (factor.factorize(values)) {
     negative = 0;
   } else if (constraints_ > 0 || may_be_saddle) {
     negative = factor.factorize_indefinite(values);
   }
   if (!negative) return false;
+  negative_pivots_ = *negative;
   bordered_.set(factor, *negative, border_, corner_);
   if (bordered_.negative_eigenvalues() != constraints_ && !may_be_saddle) return false;
   if (model_.has_open_chambers()) bordered_.set_unsymmetric(factor, columns_, rows_, corner_);
   return true;
 }
 
+bool Newton::border_contacts() {
+  std::vector<std::size_t> changed;
+  for (std::size_t k = 0; k < open_.size(); ++k) {
+    if (open_[k] != factorised_open_[k]) changed.push_back(k);
+  }
+  const Eigen::Index columns = own_columns_ + static_cast<Eigen::Index>(changed.size());
+  const bool is_open = model_.has_open_chambers();
+  border_.conservativeResize(Eigen::NoChange, columns);
+  corner_.conservativeResize(columns, columns);
+  corner_.rightCols(columns - own_columns_).setZero();
+  corner_.bottomRows(columns - own_columns_).setZero();
+  int springs = 0;
+  for (std::size_t k = 0; k < changed.size(); ++k) {
+    const ContactPoint& contact = terms_.contacts[changed[k]];
+    const Eigen::Index column = own_columns_ + static_cast<Eigen::Index>(k);
+    border_.col(column).setZero();
+    for (int c = 0; c < 3; ++c) {
+      border_.col(column).segment<3>(3 * model_.surface[contact.triangle][c]) += contact.gap.gradient.segment<3>(3 * c);
+    }
+    for (Eigen::Index row = 0; row < border_.rows(); ++row) {
+      if (model_.fixed[row]) border_(row, column) = 0;
+    }
+    // A spring that is added is a constraint that gives way; one that is taken away makes none.
+    corner_(column, column) = (open_[changed[k]] ? 1 : -1) / contact.potential.stiffness;
+    springs += open_[changed[k]] ? 0 : 1;
+  }
+  bordered_.set(used_factor(), negative_pivots_, border_, corner_);
+  if (bordered_.negative_eigenvalues() != constraints_ + springs) return false;
+  if (!is_open) return true;
+  for (Eigen::MatrixXd* side : {&columns_, &rows_}) {
+    side->conservativeResize(Eigen::NoChange, columns);
+    side->rightCols(columns - own_columns_) = border_.rightCols(columns - own_columns_);
+  }
+  bordered_.set_unsymmetric(used_factor(), columns_, rows_, corner_);
+  return true;
+}
+
 bool Newton::factorize(const EquilibriumProblem& problem, const EquilibriumState& state, double& shift,
                        bool may_be_saddle) {
   build_border(problem, state);
+  own_columns_ = border_.cols();
+  factorised_open_ = open_;
   folded_ = fold_matrix_.prepare(terms_.folds, self_contact_);
   bool exact = shift == 0;
   for (int attempt = 0; attempt < 20; ++attempt) {

@@ -120,6 +120,24 @@ double force_at_depth(int triangles, double depth, double& area) {
   return body.state().contacts[0].force.z();
 }
 
+TEST(SphereTool, FindsWhatItTouchesOfAShellWithoutFactorisingAgain) {
+  BodyDefinition definition = pressurised_hemisphere(1024, 300);
+  definition.model = WallModel::kShell;
+  Body body(definition, {sphere_tool(kBall)}, quasi_static());
+  body.settle();
+  const double crown = crown_of(body);
+  int iterations = 0, factorisations = 0;
+  const auto count = [&](const ToolPose&) {
+    EXPECT_EQ(body.report().shifted_iterations, 0);
+    iterations += body.report().newton_iterations;
+    factorisations += body.report().factorisations;
+  };
+  move(body, pose_at({0, 0, crown + 0.1e-3}), {0, 0, crown - 4e-3}, 8, 20e-3, count);
+  std::printf("%d iterations, %d factorisations\n", iterations, factorisations);
+  EXPECT_GT(body.state().contacts[0].force.z(), 0);
+  EXPECT_EQ(factorisations, iterations);
+}
+
 TEST(SphereTool, ForceHardlyDependsOnTheMesh) {
   // A ball of 6 mm on edges of 2.3, 1.2 and 0.6 mm.
   std::array<double, 3> force{}, area{};
