@@ -42,6 +42,8 @@ void judge_pixels(PictureComparison& result, const Image& first, const Image& se
   verdict.rung("pixels");
   verdict.figure("largest difference", result.difference.largest, limits.largest);
   verdict.figure("mean", result.difference.mean, limits.mean);
+  result.drift = drift(first, second);
+  if (limits.drift) verdict.figure("drift", result.drift.largest(), limits.drift);
   if (!limits.failing) return;
   result.failing = failing_pixels(first, second, limits.tolerance, options.mask);
   verdict.figure("failing fraction", result.failing->fraction(), limits.failing);

@@ -287,6 +287,8 @@ void CommandLine::add_compare() {
   number("--mean", limits.mean, "largest mean difference allowed, 8-bit levels")->check(CLI::Range(0.0, 255.0));
   number("--failing", limits.failing, "largest fraction of failing pixels allowed, 0 to 1")
       ->check(CLI::Range(0.0, 1.0));
+  number("--drift", limits.drift, "largest allowed change of the mean of red, green or blue, as a part of it")
+      ->check(CLI::Range(0.0, 1.0));
   number("--level", limits.tolerance.level, "levels above which a pixel fails")->check(CLI::Range(0, 255));
   number("--shift", limits.tolerance.shift, "pixels by which what a pixel shows may lie elsewhere")
       ->check(CLI::Range(0, 4));
