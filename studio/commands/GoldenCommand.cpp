@@ -12,6 +12,7 @@
 #include "studio/commands/GoldenScenarios.hpp"
 #include "studio/golden/GoldenRenewal.hpp"
 #include "studio/golden/GoldenReport.hpp"
+#include "studio/golden/GoldenVideoComparison.hpp"
 #include "studio/golden/JUnitReport.hpp"
 #include "studio/recorder/OutputFolder.hpp"
 
@@ -22,7 +23,7 @@ using Json = nlohmann::ordered_json;
 
 void print_result(const JudgedScenario& judged, std::size_t index) {
   const GoldenResult& result = judged.results[index];
-  fmt::print(stderr, "{}: {} at {:g} s{}{}{}\n", outcome_name(result.outcome), result.scenario, result.at,
+  fmt::print(stderr, "{}: {} {}{}{}{}\n", outcome_name(result.outcome), result.scenario, moment_name(result),
              result.message.empty() ? "" : ": ", result.message, judged.from_cache ? " (unchanged since)" : "");
   if (judged.attributions[index]) fmt::print(stderr, "  cause: {}\n", judged.attributions[index]->sentence);
   if (!result.details.empty()) fmt::print(stderr, "{}\n", result.details);
@@ -37,6 +38,10 @@ void keep_picture(const std::filesystem::path& file, const std::string& words, c
 void keep_for_looking(const JudgedScenario& judged, std::size_t index, const std::filesystem::path& out) {
   const GoldenResult& result = judged.results[index];
   if (result.outcome != GoldenOutcome::kFailed && result.outcome != GoldenOutcome::kGoldenMissing) return;
+  if (result.is_video) {
+    if (!judged.video->file.empty()) fmt::print(stderr, "  today's video: {}\n", judged.video->file.string());
+    return;
+  }
   const Image& today = judged.pictures.pictures[index].image;
   make_folder(out / result.scenario);
   const std::string stem = (out / result.scenario / fmt::format("at_{:.4g}s", result.at)).string();
@@ -58,17 +63,23 @@ void keep_for_looking(const JudgedScenario& judged, std::size_t index, const std
 Json to_json(const JudgedScenario& judged, std::size_t index) {
   const GoldenResult& result = judged.results[index];
   Json json = {{"scenario", result.scenario},
-               {"at_s", result.at},
+               {"at_s", result.is_video ? Json() : Json(result.at)},
+               {"video", result.is_video},
                {"outcome", outcome_name(result.outcome)},
                {"rung", result.rung},
                {"largest", result.difference.largest},
                {"mean", result.difference.mean},
+               {"drift", result.drift.largest()},
                {"failing_fraction", result.difference.failing_fraction},
                {"state", result.state.explanation},
                {"driver", result.driver},
                {"golden_driver", result.golden_driver},
                {"message", result.message},
                {"from_cache", judged.from_cache}};
+  if (result.is_video) json["different_frames"] = result.different_frames;
+  if (result.failing) json["failing_by_limits"] = *result.failing;
+  if (result.similarity) json["ssim"] = *result.similarity;
+  if (result.flip) json["flip"] = *result.flip;
   if (const std::optional<Attribution>& attribution = judged.attributions[index]) {
     json["changed"] = stage_name(attribution->stage);
     json["cause"] = attribution->sentence;
@@ -131,6 +142,40 @@ std::vector<JudgedScenario> judge_and_print(const GoldenOptions& options) {
                          });
 }
 
+/// Whether an approval of an equal picture is of an early version, which kept nothing that tells later what has
+/// changed: to renew it changes no picture.
+bool lacks_evidence(const JudgedScenario& judged, std::size_t index) {
+  const GoldenResult& result = judged.results[index];
+  if (result.is_video || result.outcome != GoldenOutcome::kOk || result.rung != "bytes") return false;
+  const std::vector<GoldenApproval> approvals = read_approvals(golden_folder(judged.scenario.name));
+  const GoldenApproval* approval = find_approval(approvals, result.at, result.driver);
+  return approval != nullptr && approval->driver == result.driver && approval->history.empty();
+}
+
+GoldenResult renew_picture(const JudgedScenario& judged, std::size_t index, const std::string& why) {
+  const GoldenPicture& picture = judged.pictures.pictures[index];
+  const std::filesystem::path folder = golden_folder(judged.scenario.name);
+  if (lacks_evidence(judged, index)) {
+    // The picture is the one that was approved then, for the reason that was given then.
+    const std::vector<GoldenApproval> approvals = read_approvals(folder);
+    const GoldenApproval before = *find_approval(approvals, picture.at, judged.pictures.driver);
+    renew_golden(judged.scenario, picture, judged.pictures.driver, folder, before.who, before.why);
+  } else {
+    renew_golden(judged.scenario, picture, judged.pictures.driver, folder, approver(), why);
+  }
+  return compare_with_golden(judged.scenario.name, judged.scenario.goldens[index], picture, judged.pictures.driver,
+                             folder);
+}
+
+GoldenResult renew_video(const JudgedScenario& judged, std::size_t index, const std::string& why) {
+  const std::filesystem::path folder = golden_folder(judged.scenario.name);
+  if (!judged.video->encoder_failure.empty()) {
+    throw UsageError("golden approve: there is no video to approve: " + judged.video->encoder_failure);
+  }
+  renew_golden_video(*judged.video, folder, approver(), why);
+  return compare_with_golden_video(judged.scenario.name, judged.scenario.goldens[index], *judged.video, folder).result;
+}
+
 std::filesystem::path write_report(const std::vector<JudgedScenario>& all, const GoldenOptions& options) {
   make_folder(options.out);
   const std::filesystem::path page = options.out / "index.html";
@@ -159,13 +204,10 @@ int report_goldens(const GoldenOptions& options) {
 
 bool approve_golden(const JudgedScenario& judged, std::size_t index, const std::string& why) {
   const GoldenResult& before = judged.results[index];
-  if (before.outcome != GoldenOutcome::kFailed && before.outcome != GoldenOutcome::kGoldenMissing) return false;
-  const GoldenPicture& picture = judged.pictures.pictures[index];
-  const std::filesystem::path folder = golden_folder(judged.scenario.name);
-  renew_golden(judged.scenario, picture, judged.pictures.driver, folder, approver(), why);
-  const GoldenResult after = compare_with_golden(judged.scenario.name, judged.scenario.goldens[index], picture,
-                                                 judged.pictures.driver, folder);
-  fmt::print(stderr, "approved: {} at {:g} s\n  before: {}: {}\n  after:  {}: {}\n", before.scenario, before.at,
+  const bool is_wrong = before.outcome == GoldenOutcome::kFailed || before.outcome == GoldenOutcome::kGoldenMissing;
+  if (!is_wrong && !lacks_evidence(judged, index)) return false;
+  const GoldenResult after = before.is_video ? renew_video(judged, index, why) : renew_picture(judged, index, why);
+  fmt::print(stderr, "approved: {} {}\n  before: {}: {}\n  after:  {}: {}\n", before.scenario, moment_name(before),
              outcome_name(before.outcome), before.message, outcome_name(after.outcome), after.message);
   return true;
 }
@@ -182,12 +224,12 @@ int approve_goldens(const GoldenOptions& options) {
   bool any_result_missing = false;
   int approved = 0;
   for (std::size_t k = 0; k < all.size(); ++k) {
-    if (!all[k].pictures.no_device.empty()) {
+    if (all[k].results.front().outcome == GoldenOutcome::kSkipped) {
       print_result(all[k], 0);
       return kExitNoPicture;
     }
     for (std::size_t i = 0; i < all[k].results.size(); ++i) {
-      if (!named.means(k, all[k].results[i].at)) continue;
+      if (!named.means(k, all[k].results[i])) continue;
       if (approve_golden(all[k], i, options.why)) {
         ++approved;
         continue;

@@ -10,6 +10,7 @@
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/GoldenScenarios.hpp"
 #include "studio/golden/GoldenReport.hpp"
+#include "studio/golden/GoldenVideoApproval.hpp"
 #include "studio/recorder/OutputFolder.hpp"
 #include "studio/take/TakeError.hpp"
 #include "studio/take/TakeReader.hpp"
@@ -57,7 +58,7 @@ struct Tally {
 /// False when the user wants to end.
 bool review_one(const JudgedScenario& judged, std::size_t index, const std::string& why, Tally& tally) {
   const GoldenResult& result = judged.results[index];
-  fmt::print(stderr, "{}: {} at {:g} s\n  {}\n  {}\n", outcome_name(result.outcome), result.scenario, result.at,
+  fmt::print(stderr, "{}: {} {}\n  {}\n  {}\n", outcome_name(result.outcome), result.scenario, moment_name(result),
              cause_line(judged, index), result.message);
   switch (ask()) {
     case Answer::kAccept: {
@@ -101,9 +102,21 @@ std::string history_by_git(const std::string& scenario) {
   }
 }
 
+void explain_video(const Scenario& scenario, const GoldenDefinition& golden) {
+  fmt::print("{} the video\n  allowed: {}: {}\n", scenario.name, limits_text(golden), golden.why);
+  const std::vector<GoldenVideoApproval> approvals = read_video_approvals(golden_folder(scenario.name));
+  for (const GoldenVideoApproval& approval : approvals) {
+    fmt::print("  approved by {}: {}\n    on {}\n    {} frames, encoded by {}\n", approval.who, approval.why,
+               approval.video.driver, approval.video.frames.size(), approval.video.encoded.program);
+    for (const ScenarioChange& change : compare_scenarios(approval.video.resolved, scenario.resolved)) {
+      fmt::print("    the scenario has changed since: {}\n", to_text(change));
+    }
+  }
+  if (approvals.empty()) fmt::print("  no video is approved\n");
+}
+
 void explain(const Scenario& scenario, const GoldenDefinition& golden, const std::vector<GoldenApproval>& approvals) {
-  fmt::print("{} at {:g} s\n  allowed: largest difference {:g}, mean {:g} levels: {}\n", scenario.name, golden.at,
-             golden.max, golden.mean, golden.why);
+  fmt::print("{} at {:g} s\n  allowed: {}: {}\n", scenario.name, golden.at, limits_text(golden), golden.why);
   bool any = false;
   for (const GoldenApproval& approval : approvals) {
     if (std::abs(approval.at - golden.at) > 1e-9) continue;
@@ -133,9 +146,9 @@ int review_goldens(const GoldenOptions& options) {
   for (std::size_t k = 0; k < all.size(); ++k) {
     for (std::size_t i = 0; i < all[k].results.size(); ++i) {
       const GoldenResult& result = all[k].results[i];
-      if (result.outcome == GoldenOutcome::kOk || !named.means(k, result.at)) continue;
+      if (result.outcome == GoldenOutcome::kOk || !named.means(k, result)) continue;
       if (!needs_review(result)) {
-        fmt::print(stderr, "{}: {} at {:g} s: {}\n", outcome_name(result.outcome), result.scenario, result.at,
+        fmt::print(stderr, "{}: {} {}: {}\n", outcome_name(result.outcome), result.scenario, moment_name(result),
                    result.message);
         ++tally.left;
       } else if (goes_on) {
@@ -150,26 +163,46 @@ int review_goldens(const GoldenOptions& options) {
   return tally.rejected + tally.left > 0 ? kExitRegression : kExitGood;
 }
 
+namespace {
+
+Json picture_drivers(const std::vector<GoldenApproval>& approvals, double at) {
+  Json drivers = Json::array();
+  for (const GoldenApproval& approval : approvals) {
+    if (std::abs(approval.at - at) < 1e-9) drivers.push_back(approval.driver);
+  }
+  return drivers;
+}
+
+Json video_drivers(const Scenario& scenario) {
+  Json drivers = Json::array();
+  for (const GoldenVideoApproval& approval : read_video_approvals(golden_folder(scenario.name))) {
+    drivers.push_back(approval.video.driver);
+  }
+  return drivers;
+}
+
+}  // namespace
+
 int list_goldens(const GoldenOptions& options) {
   Json list = Json::array();
   for (const Scenario& scenario : named_goldens(options.scenarios).scenarios) {
     const std::vector<GoldenApproval> approvals = read_approvals(golden_folder(scenario.name));
     for (const GoldenDefinition& golden : scenario.goldens) {
-      Json drivers = Json::array();
-      for (const GoldenApproval& approval : approvals) {
-        if (std::abs(approval.at - golden.at) < 1e-9) drivers.push_back(approval.driver);
-      }
+      const Json drivers = golden.video > 0 ? video_drivers(scenario) : picture_drivers(approvals, golden.at);
       if (!options.json) {
-        fmt::print("{:<32} {:>8} s  largest {:g}, mean {:g}  {}\n", scenario.name, fmt::format("{:g}", golden.at),
-                   golden.max, golden.mean,
+        fmt::print("{:<32} {:>8}  {}  {}\n", scenario.name,
+                   golden.video > 0 ? "video" : fmt::format("{:g} s", golden.at), limits_text(golden),
                    drivers.empty()
-                       ? "no picture is approved"
+                       ? "nothing is approved"
                        : fmt::format("approved for {} driver{}", drivers.size(), drivers.size() > 1 ? "s" : ""));
       }
       list.push_back({{"scenario", scenario.name},
-                      {"at_s", golden.at},
+                      {"at_s", golden.video > 0 ? Json() : Json(golden.at)},
+                      {"video", golden.video > 0},
                       {"max", golden.max},
                       {"mean", golden.mean},
+                      {"drift", golden.drift},
+                      {"limits", limits_text(golden)},
                       {"why", golden.why},
                       {"drivers", drivers}});
     }
@@ -185,7 +218,12 @@ int explain_goldens(const GoldenOptions& options) {
     const Scenario& scenario = named.scenarios[k];
     const std::vector<GoldenApproval> approvals = read_approvals(golden_folder(scenario.name));
     for (const GoldenDefinition& golden : scenario.goldens) {
-      if (named.means(k, golden.at)) explain(scenario, golden, approvals);
+      if (!named.means(k, golden)) continue;
+      if (golden.video > 0) {
+        explain_video(scenario, golden);
+      } else {
+        explain(scenario, golden, approvals);
+      }
     }
     const std::string history = history_by_git(scenario.name);
     if (!history.empty()) fmt::print("  changes of the approval:\n{}", history);

@@ -7,6 +7,7 @@
 
 #include "renderer/picture/PictureFailure.hpp"
 #include "renderer/video/Program.hpp"
+#include "renderer/video/VideoSurvey.hpp"
 #include "studio/commands/Arguments.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/RunSource.hpp"
@@ -35,17 +36,26 @@ std::vector<std::string> all_scenes() {
   return files;
 }
 
-/// "NAME@1.5s" -> "NAME" and 1.5; a file whose name has an @ in it is a file.
-std::pair<std::string, std::optional<double>> name_and_time(const std::string& text) {
+/// "NAME@1.5s" -> "NAME" and 1.5 s; a file whose name has an @ in it is a file.
+std::pair<std::string, std::optional<GoldenChoice>> name_and_choice(const std::string& text) {
   const std::size_t at = text.rfind('@');
   if (at == std::string::npos || std::filesystem::exists(text)) return {text, std::nullopt};
-  return {text.substr(0, at), parse_time(text.substr(at + 1))};
+  if (text.substr(at + 1) == "video") return {text.substr(0, at), GoldenChoice{.is_video = true}};
+  return {text.substr(0, at), GoldenChoice{.is_video = false, .at = parse_time(text.substr(at + 1))}};
 }
 
-void check_time(const Scenario& scenario, double at) {
-  const bool there = std::any_of(scenario.goldens.begin(), scenario.goldens.end(),
-                                 [&](const GoldenDefinition& golden) { return std::abs(golden.at - at) < 1e-9; });
-  if (!there) throw UsageError(scenario.name + ": this scenario has no golden at that time; see thinwall golden list");
+bool is_chosen(const std::optional<GoldenChoice>& choice, bool is_video, double at) {
+  if (!choice) return true;
+  return choice->is_video == is_video && (is_video || std::abs(choice->at - at) < 1e-9);
+}
+
+void check_choice(const Scenario& scenario, const GoldenChoice& choice) {
+  const bool there = std::any_of(scenario.goldens.begin(), scenario.goldens.end(), [&](const GoldenDefinition& golden) {
+    return is_chosen(choice, golden.video > 0, golden.at);
+  });
+  if (there) return;
+  throw UsageError(scenario.name + ": this scenario has no golden " +
+                   (choice.is_video ? "of its video" : "at that time") + "; see thinwall golden list");
 }
 
 /// The driver that draws here, as it names itself; why there is none, when there is none.
@@ -67,14 +77,18 @@ std::filesystem::path golden_folder(const std::string& scenario) {
   return golden_root() / scenario;
 }
 
-bool NamedGoldens::means(std::size_t scenario, double at) const {
-  return !times[scenario] || std::abs(*times[scenario] - at) < 1e-9;
+bool NamedGoldens::means(std::size_t scenario, const GoldenResult& result) const {
+  return is_chosen(choices[scenario], result.is_video, result.at);
+}
+
+bool NamedGoldens::means(std::size_t scenario, const GoldenDefinition& definition) const {
+  return is_chosen(choices[scenario], definition.video > 0, definition.at);
 }
 
 NamedGoldens named_goldens(const std::vector<std::string>& names) {
   NamedGoldens named;
   for (const std::string& text : names.empty() ? all_scenes() : names) {
-    const auto [name, time] = name_and_time(text);
+    const auto [name, choice] = name_and_choice(text);
     const std::filesystem::path scene = home() / "scenes" / (name + ".yaml");
     const bool is_name = !std::filesystem::exists(name) && std::filesystem::exists(scene);
     const std::filesystem::path file = is_name ? scene : std::filesystem::path(name);
@@ -83,9 +97,9 @@ NamedGoldens named_goldens(const std::vector<std::string>& names) {
       throw UsageError(file.string() + ": this scenario has no `golden:` list, so there is nothing to compare");
     }
     if (scenario.goldens.empty()) continue;
-    if (time) check_time(scenario, *time);
+    if (choice) check_choice(scenario, *choice);
     named.scenarios.push_back(std::move(scenario));
-    named.times.push_back(time);
+    named.choices.push_back(choice);
   }
   if (named.scenarios.empty()) {
     throw UsageError("no scenario with a `golden:` list was found in " + (home() / "scenes").string());
@@ -102,11 +116,13 @@ GoldenRunOptions golden_run(const GoldenOptions& options, bool keeps) {
                            },
                        .goldens = golden_root(),
                        .cache = {},
+                       .videos = options.out / "videos",
                        .program = ""};
   if (!keeps) return run;
   run.cache = options.out / kCache;
   run.anew = options.all;
-  run.program = file_hash("/proc/self/exe") + " " + options.device_text + " " + driver_here(options.device);
+  run.program = file_hash("/proc/self/exe") + " " + options.device_text + " " + driver_here(options.device) + " " +
+                survey_video().ffmpeg_version;
   run.jobs = options.jobs > 0 ? options.jobs : static_cast<int>(std::thread::hardware_concurrency());
   run.in_other_process = [options](const Scenario& scenario) {
     const std::filesystem::path out = options.out / "jobs" / scenario.name;

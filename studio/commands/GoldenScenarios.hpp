@@ -18,14 +18,21 @@ std::filesystem::path golden_folder(const std::string& scenario);
 /// The folder that holds a folder of goldens for each scenario.
 std::filesystem::path golden_root();
 
+/// One golden of a scenario.
+struct GoldenChoice {
+  bool is_video = false;
+  double at = 0;  // seconds, of a moment
+};
+
 /// Which goldens are meant: scenario files, names in the folder of scenarios, each perhaps with "@1.5s" behind it for
-/// one moment of it. All that have goldens when none is named. Throws UsageError.
+/// one moment of it, or "@video". All that have goldens when none is named. Throws UsageError.
 struct NamedGoldens {
   std::vector<Scenario> scenarios;
-  std::vector<std::optional<double>> times;  // (scenarios), seconds; all of a scenario when absent
+  std::vector<std::optional<GoldenChoice>> choices;  // (scenarios); all of a scenario when absent
 
-  /// Whether the golden of that time belongs to what was named.
-  bool means(std::size_t scenario, double at) const;
+  /// Whether a golden belongs to what was named.
+  bool means(std::size_t scenario, const GoldenResult& result) const;
+  bool means(std::size_t scenario, const GoldenDefinition& definition) const;
 };
 NamedGoldens named_goldens(const std::vector<std::string>& names);
 

@@ -9,6 +9,7 @@
 #include "renderer/image/PngFile.hpp"
 #include "renderer/metric/ErrorPicture.hpp"
 #include "renderer/video/FrameReader.hpp"
+#include "studio/comparison/FrameSequence.hpp"
 
 namespace thinwall {
 namespace {
@@ -47,26 +48,9 @@ class FramePairs {
   std::vector<std::string> hashes_[2];
 };
 
-/// Where frames are missing in the shorter one, when all others are the same: "frames 12 to 13 are missing"
-std::string missing_frames(const std::vector<std::string>& longer, const std::vector<std::string>& shorter) {
-  std::size_t begin = 0;
-  while (begin < shorter.size() && longer[begin] == shorter[begin]) ++begin;
-  const std::size_t missing = longer.size() - shorter.size();
-  const bool rest_is_equal = std::equal(shorter.begin() + static_cast<std::ptrdiff_t>(begin), shorter.end(),
-                                        longer.begin() + static_cast<std::ptrdiff_t>(begin + missing));
-  if (!rest_is_equal) return "";
-  if (missing == 1) return fmt::format("frame {} is missing, all others are equal", begin);
-  return fmt::format("frames {} to {} are missing, all others are equal", begin, begin + missing - 1);
-}
-
 void compare_lengths(VideoFigures& figures, const FramePairs& pairs) {
-  const std::vector<std::string>& a = pairs.hashes(0);
-  const std::vector<std::string>& b = pairs.hashes(1);
-  if (a.size() == b.size()) return;
-  std::string sentence = fmt::format("{} frames instead of {}", b.size(), a.size());
-  const std::string where = b.size() < a.size() ? missing_frames(a, b) : missing_frames(b, a);
-  if (!where.empty()) sentence += b.size() < a.size() ? ": " + where : ": in the first, " + where;
-  figures.other.push_back(sentence);
+  const std::string difference = length_difference(pairs.hashes(0), pairs.hashes(1));
+  if (!difference.empty()) figures.other.push_back(difference);
 }
 
 void compare_times(VideoFigures& figures, const MediaProbe& first, const MediaProbe& second) {

@@ -31,18 +31,6 @@ StoredState stored_state(const std::filesystem::path& file) {
   }
 }
 
-std::string list(const std::vector<ScenarioChange>& changes, ScenarioStage stage) {
-  constexpr std::size_t kMost = 3;
-  std::string text;
-  std::size_t count = 0;
-  for (const ScenarioChange& change : changes) {
-    if (change.stage != stage) continue;
-    if (++count <= kMost) text += (text.empty() ? "" : ", ") + to_text(change);
-  }
-  if (count > kMost) text += fmt::format(" and {} more", count - kMost);
-  return text;
-}
-
 std::string joined(const std::vector<std::string>& parts) {
   std::string text;
   for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
@@ -82,7 +70,7 @@ void tell_physics(const Evidence& evidence, Attribution& attribution) {
   if (evidence.result.state.verdict == StateVerdict::kChanged) {
     attribution.sentence += "; " + evidence.result.state.explanation;
   }
-  const std::string asked = list(attribution.scenario, ScenarioStage::kPhysics);
+  const std::string asked = list_changes(attribution.scenario, ScenarioStage::kPhysics);
   attribution.sentence += asked.empty() ? "; the scenario asks for the same, so the engine has changed"
                                         : "; the scenario has changed: " + asked;
   if (!evidence.knows_scene() || !attribution.golden_state) return;
@@ -92,7 +80,7 @@ void tell_physics(const Evidence& evidence, Attribution& attribution) {
 }
 
 void tell_picture(const Evidence& evidence, Attribution& attribution) {
-  const std::string look = list(attribution.scenario, ScenarioStage::kLook);
+  const std::string look = list_changes(attribution.scenario, ScenarioStage::kLook);
   const bool same_scene = evidence.knows_scene() && evidence.picture.scene_hash == evidence.approval.scene_hash;
   if (same_scene) {
     attribution.stage = ChangedStage::kOverlay;
@@ -134,6 +122,8 @@ std::string stage_name(ChangedStage stage) {
       return "renderer";
     case ChangedStage::kOverlay:
       return "overlay";
+    case ChangedStage::kEncoder:
+      return "encoder";
     case ChangedStage::kUnknown:
       return "unknown";
   }
@@ -170,7 +160,7 @@ Attribution attribute(const Scenario& scenario, const GoldenPicture& picture, co
   } else {
     tell_picture(evidence, attribution);
   }
-  if (!list(attribution.scenario, ScenarioStage::kLook).empty() && !golden.resolved.empty()) {
+  if (!list_changes(attribution.scenario, ScenarioStage::kLook).empty() && !golden.resolved.empty()) {
     attribution.golden_look = drawn(picture.moment.snapshot, picture, painters(golden.resolved));
   }
   return attribution;

@@ -18,10 +18,11 @@ enum class ChangedStage {
   kLook,  // camera, light or look that the scenario asks for
   kRenderer,
   kOverlay,
+  kEncoder,  // frames are the same before it
   kUnknown,
 };
 
-/// "nothing", "physics", "look", "renderer", "overlay", "unknown"
+/// "nothing", "physics", "look", "renderer", "overlay", "encoder", "unknown"
 std::string stage_name(ChangedStage stage);
 
 /// Why today's picture is not the golden one.

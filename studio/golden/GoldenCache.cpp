@@ -33,24 +33,28 @@ void collect_files(const nlohmann::json& json, std::set<std::string>& files) {
 
 Json to_json(const GoldenResult& result) {
   return {{"at_s", result.at},
+          {"is_video", result.is_video},
           {"rung", result.rung},
           {"message", result.message},
           {"driver", result.driver},
           {"golden_driver", result.golden_driver},
           {"largest", result.difference.largest},
-          {"mean", result.difference.mean}};
+          {"mean", result.difference.mean},
+          {"drift", result.drift.channels}};
 }
 
 GoldenResult to_result(const Json& json, const std::string& scenario) {
   GoldenResult result;
   result.scenario = scenario;
   result.at = json.at("at_s");
+  result.is_video = json.at("is_video");
   result.rung = json.at("rung");
   result.message = json.at("message");
   result.driver = json.at("driver");
   result.golden_driver = json.at("golden_driver");
   result.difference.largest = json.at("largest");
   result.difference.mean = json.at("mean");
+  result.drift.channels = json.at("drift");
   return result;
 }
 

@@ -76,26 +76,19 @@ StateComparison compare_with_stored_state(const std::filesystem::path& file, con
 }
 
 void judge(GoldenResult& result, const GoldenDefinition& definition, const Image& golden, const Image& today) {
+  PictureOptions options;
+  options.limits = picture_limits(definition);
+  const PictureComparison comparison = climb_ladder(golden, today, options);
+  result.rung = comparison.rung;
+  result.message = comparison.verdict;
+  result.outcome = comparison.within ? GoldenOutcome::kOk : GoldenOutcome::kFailed;
   result.difference = compare_images(golden, today, static_cast<int>(definition.max));
-  const ImageDifference& difference = result.difference;
-  if (difference.verdict == ImageVerdict::kEqual) {
-    result.rung = "bytes";
-    result.message = "equal";
-    return;
-  }
-  result.rung = "tolerance";
-  if (difference.verdict == ImageVerdict::kSizeMismatch) {
-    result.outcome = GoldenOutcome::kFailed;
-    result.message =
-        fmt::format("{} x {} pixels instead of {} x {}", difference.second_size.width, difference.second_size.height,
-                    difference.first_size.width, difference.first_size.height);
-    return;
-  }
-  const bool within = difference.largest <= definition.max && difference.mean <= definition.mean;
-  result.outcome = within ? GoldenOutcome::kOk : GoldenOutcome::kFailed;
-  result.message = fmt::format("largest difference {} (allowed {:g}), mean {:.4f} (allowed {:g}) levels",
-                               difference.largest, definition.max, difference.mean, definition.mean);
-  if (!within) result.details = describe(difference) + "\n" + difference_text(golden, today);
+  if (result.difference.verdict != ImageVerdict::kDifferent) return;
+  result.drift = comparison.drift;
+  if (comparison.failing) result.failing = comparison.failing->fraction();
+  if (comparison.structure) result.similarity = comparison.structure->mean;
+  if (comparison.flip) result.flip = comparison.flip->mean;
+  if (!comparison.within) result.details = describe(result.difference) + "\n" + difference_text(golden, today);
 }
 
 }  // namespace
@@ -114,6 +107,32 @@ std::string outcome_name(GoldenOutcome outcome) {
       return "skipped";
   }
   return "";
+}
+
+PictureLimits picture_limits(const GoldenDefinition& definition) {
+  return {.largest = definition.max,
+          .mean = definition.mean,
+          .drift = definition.drift,
+          .failing = definition.failing,
+          .tolerance = {.level = definition.level, .shift = definition.shift},
+          .structure = definition.similarity,
+          .flip = definition.flip};
+}
+
+std::string limits_text(const GoldenDefinition& definition) {
+  std::string text =
+      fmt::format("largest {:g}, mean {:g}, drift {:g}", definition.max, definition.mean, definition.drift);
+  if (definition.failing) {
+    text += fmt::format(", failing fraction {:g} by {} levels within {} pixels", *definition.failing, definition.level,
+                        definition.shift);
+  }
+  if (definition.similarity) text += fmt::format(", SSIM {:g}", *definition.similarity);
+  if (definition.flip) text += fmt::format(", FLIP {:g}", *definition.flip);
+  return text;
+}
+
+std::string moment_name(const GoldenResult& result) {
+  return result.is_video ? "the video" : fmt::format("at {:g} s", result.at);
 }
 
 StateComparison compare_states(const Snapshot& golden, const Snapshot& today, bool equal_digests) {

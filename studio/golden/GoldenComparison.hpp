@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "renderer/image/ImageDifference.hpp"
+#include "renderer/metric/Ladder.hpp"
 #include "studio/golden/GoldenApproval.hpp"
 #include "studio/golden/GoldenPicture.hpp"
 
@@ -40,19 +41,36 @@ StateComparison compare_states(const Snapshot& golden, const Snapshot& today, bo
 /// One picture of one scenario, judged.
 struct GoldenResult {
   std::string scenario;
-  double at = 0;  // seconds
+  double at = 0;          // seconds
+  bool is_video = false;  // the whole of it; then `at` has no meaning
   GoldenOutcome outcome = GoldenOutcome::kOk;
-  std::string rung;           // of the ladder, that decided: "bytes" or "tolerance"; empty when nothing was compared
+  std::string rung;  // of the ladder, that decided: "bytes", "size", "pixels", "structure", "flip"; empty when nothing
+                     // was compared
   std::string message;        // one line
   std::string details;        // many lines: map and worst pixels; for failures
   std::string driver;         // of today's picture
   std::string golden_driver;  // of the approved one
   ImageDifference difference;
+  Drift drift;
+  std::optional<double> failing = {};     // fraction of pixels, where the scenario limits it
+  std::optional<double> similarity = {};  // likewise
+  std::optional<double> flip = {};        // likewise
   StateComparison state;
+  std::vector<std::size_t> different_frames = {};  // of a video, in order
 };
 
-/// Compares a picture with what is approved in `folder`. First rung: equal bytes. Second: the thresholds of the
-/// scenario; also when the golden was drawn by another driver, which the message then says. Throws GoldenError.
+/// "at 1.5 s" or "the video"
+std::string moment_name(const GoldenResult& result);
+
+/// The limits of a golden as the ladder of comparisons has them.
+PictureLimits picture_limits(const GoldenDefinition& definition);
+
+/// "largest 8, mean 0.2, drift 0.001", and what else is limited.
+std::string limits_text(const GoldenDefinition& definition);
+
+/// Compares a picture with what is approved in `folder`. First rung: equal bytes. Then: the limits of the
+/// scenario, cheap ones first; also when the golden was drawn by another driver, which the message then says. Throws
+/// GoldenError.
 GoldenResult compare_with_golden(const std::string& scenario, const GoldenDefinition& definition,
                                  const GoldenPicture& picture, const std::string& driver,
                                  const std::filesystem::path& folder);

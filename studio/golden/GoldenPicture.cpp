@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "engine/simulation/SimulationFailure.hpp"
 #include "renderer/image/ImageHash.hpp"
@@ -17,10 +16,12 @@ namespace {
 
 constexpr ImageSize kLargest = {.width = 640, .height = 640};
 
-/// Indices of the list in the order of time.
+/// Indices of the moments of the list in the order of time.
 std::vector<std::size_t> in_order_of_time(const std::vector<GoldenDefinition>& goldens) {
-  std::vector<std::size_t> order(goldens.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < goldens.size(); ++i) {
+    if (goldens[i].video == 0) order.push_back(i);
+  }
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return goldens[a].at < goldens[b].at; });
   return order;
@@ -71,6 +72,8 @@ GoldenPictures golden_pictures(const Scenario& scenario, const SourceFactory& so
   for (const GoldenDefinition& golden : scenario.goldens) {
     result.pictures.push_back({.at = golden.at, .missing = "", .image = {}, .moment = {}, .state_digest = ""});
   }
+  const std::vector<std::size_t> order = in_order_of_time(scenario.goldens);
+  if (order.empty()) return result;
   std::unique_ptr<Painter> painter;
   try {
     painter = painters(golden_size(scenario.record.size));
@@ -79,8 +82,6 @@ GoldenPictures golden_pictures(const Scenario& scenario, const SourceFactory& so
     return result;
   }
   result.driver = painter->driver();
-
-  const std::vector<std::size_t> order = in_order_of_time(scenario.goldens);
   std::size_t next = 0;
   std::string ending;
   try {

@@ -33,7 +33,7 @@ struct GoldenPicture {
 struct GoldenPictures {
   std::string no_device;  // why nothing could be drawn here; empty when something could
   std::string driver;
-  std::vector<GoldenPicture> pictures;  // in the order of the list
+  std::vector<GoldenPicture> pictures;  // in the order of the list; one without content for a video
 };
 
 /// Pictures are made smaller than a recording's, at most 640 pixels wide: small enough to be kept, large enough to see.

@@ -1,5 +1,7 @@
 #include "studio/golden/GoldenReport.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <fstream>
 #include <iterator>
@@ -85,6 +87,8 @@ Json entry(const JudgedScenario& judged, std::size_t index, const std::filesyste
   Json json = {{"scenario", result.scenario},
                {"title", judged.scenario.title},
                {"at", result.at},
+               {"name", result.scenario + " " + moment_name(result)},
+               {"argument", result.scenario + "@" + (result.is_video ? "video" : fmt::format("{:g}s", result.at))},
                {"outcome", outcome_name(result.outcome)},
                {"message", result.message},
                {"cause", result.outcome == GoldenOutcome::kOk ? "" : cause_line(judged, index)},
@@ -92,9 +96,11 @@ Json entry(const JudgedScenario& judged, std::size_t index, const std::filesyste
                {"details", result.details},
                {"max", definition.max},
                {"mean", definition.mean},
+               {"limits", limits_text(definition)},
                {"why", definition.why},
                {"largest", result.difference.largest},
                {"mean_difference", result.difference.mean},
+               {"drift", result.drift.largest()},
                {"driver", result.driver},
                {"approvals", history_of(approvals, result.at)}};
   if (result.outcome == GoldenOutcome::kOk) {

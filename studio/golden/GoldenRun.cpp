@@ -2,6 +2,7 @@
 
 #include "renderer/metric/Tiles.hpp"
 #include "studio/golden/GoldenCache.hpp"
+#include "studio/golden/GoldenVideoComparison.hpp"
 
 namespace thinwall {
 namespace {
@@ -10,6 +11,7 @@ GoldenResult skipped(const Scenario& scenario, const GoldenDefinition& golden, c
   GoldenResult result;
   result.scenario = scenario.name;
   result.at = golden.at;
+  result.is_video = golden.video > 0;
   result.outcome = GoldenOutcome::kSkipped;
   result.message = why;
   return result;
@@ -29,12 +31,27 @@ void mention_changes(GoldenResult& result, const GoldenPicture& picture, const s
   }
 }
 
+GoldenResult judge_video(JudgedScenario& judged, std::size_t index, const GoldenRunOptions& options) {
+  const Scenario& scenario = judged.scenario;
+  const GoldenDefinition& definition = scenario.goldens[index];
+  judged.video = record_golden_video(scenario, definition.video, options.sources, options.painters(scenario.resolved),
+                                     options.videos / scenario.name);
+  VideoJudgement judgement =
+      compare_with_golden_video(scenario.name, definition, *judged.video, options.goldens / scenario.name);
+  judged.attributions[index] = std::move(judgement.attribution);
+  return std::move(judgement.result);
+}
+
 void judge(JudgedScenario& judged, const GoldenRunOptions& options) {
   const Scenario& scenario = judged.scenario;
   const std::filesystem::path folder = options.goldens / scenario.name;
   judged.pictures = golden_pictures(scenario, options.sources, options.painters(scenario.resolved));
   judged.attributions.resize(scenario.goldens.size());
   for (std::size_t i = 0; i < scenario.goldens.size(); ++i) {
+    if (scenario.goldens[i].video > 0) {
+      judged.results.push_back(judge_video(judged, i, options));
+      continue;
+    }
     if (!judged.pictures.no_device.empty()) {
       judged.results.push_back(skipped(scenario, scenario.goldens[i], judged.pictures.no_device));
       continue;
@@ -78,7 +95,8 @@ std::vector<JudgedScenario> judge_scenarios(std::vector<Scenario> scenarios, con
   if (cache) look_in_other_processes(unknown, options, *cache);
   std::vector<JudgedScenario> all;
   for (std::size_t i = 0; i < scenarios.size(); ++i) {
-    JudgedScenario judged{.scenario = std::move(scenarios[i]), .pictures = {}, .results = {}, .attributions = {}};
+    JudgedScenario judged;
+    judged.scenario = std::move(scenarios[i]);
     judged.from_cache = known[i];
     if (cache) judged.results = cache->find(judged.scenario, keys[i]);
     if (judged.results.empty()) {

@@ -8,6 +8,7 @@
 
 #include "studio/golden/Attribution.hpp"
 #include "studio/golden/GoldenComparison.hpp"
+#include "studio/golden/GoldenVideo.hpp"
 
 namespace thinwall {
 
@@ -15,6 +16,7 @@ namespace thinwall {
 struct JudgedScenario {
   Scenario scenario;
   GoldenPictures pictures;                               // none when the cache answered
+  std::optional<RecordedVideo> video = {};               // where the scenario has a golden of it
   std::vector<GoldenResult> results;                     // (scenario.goldens)
   std::vector<std::optional<Attribution>> attributions;  // (scenario.goldens), of those that failed
   bool from_cache = false;
@@ -26,8 +28,9 @@ struct GoldenRunOptions {
   std::filesystem::path goldens;               // the folder that holds a folder for each scenario
   std::optional<std::filesystem::path> cache;  // a file that keeps what was good; absent: nothing is kept
   bool anew = false;                           // what was good before counts for nothing
-  std::string program;                         // a hash of what simulates and draws, for the cache
-  int jobs = 1;                                // scenarios at once, each in a process of its own
+  std::filesystem::path videos = {};  // a folder for the videos that are recorded, one in a folder for each scenario
+  std::string program;                // a hash of what simulates and draws, for the cache
+  int jobs = 1;                       // scenarios at once, each in a process of its own
   // Tests a scenario in another process, which keeps what is good in a cache of its own: that file. Processes, because
   // the libraries for orderings and for take files must not be used by two threads at once.
   std::function<std::filesystem::path(const Scenario&)> in_other_process = {};

@@ -33,8 +33,8 @@ std::string escaped(const std::string& text) {
 
 std::string case_of(const JudgedScenario& judged, std::size_t index) {
   const GoldenResult& result = judged.results[index];
-  std::string text =
-      fmt::format("    <testcase classname=\"golden.{}\" name=\"{:g} s\"", escaped(result.scenario), result.at);
+  std::string text = fmt::format("    <testcase classname=\"golden.{}\" name=\"{}\"", escaped(result.scenario),
+                                 result.is_video ? "video" : fmt::format("{:g} s", result.at));
   if (result.outcome == GoldenOutcome::kOk) return text + "/>\n";
   if (result.outcome == GoldenOutcome::kSkipped) {
     return text + fmt::format(">\n      <skipped message=\"{}\"/>\n    </testcase>\n", escaped(result.message));
@@ -86,9 +86,9 @@ std::string github_annotations(const std::vector<JudgedScenario>& scenarios) {
       const GoldenResult& result = judged.results[i];
       if (result.outcome == GoldenOutcome::kOk) continue;
       const SourceLocation& location = judged.scenario.goldens[i].location;
-      text += fmt::format("::{} file={},line={},title={} at {:g} s: {}::{}\n",
+      text += fmt::format("::{} file={},line={},title={} {}: {}::{}\n",
                           result.outcome == GoldenOutcome::kSkipped ? "warning" : "error",
-                          judged.scenario.file.generic_string(), location.line, result.scenario, result.at,
+                          judged.scenario.file.generic_string(), location.line, result.scenario, moment_name(result),
                           outcome_name(result.outcome), for_github(cause_line(judged, i)));
     }
   }

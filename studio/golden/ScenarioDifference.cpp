@@ -16,8 +16,8 @@ ScenarioStage stage_of(const std::string& key) {
   for (const char* word : {"bodies", "tools", "timeline", "simulation"}) {
     if (first == word) return ScenarioStage::kPhysics;
   }
-  if (key.starts_with("look.overlays")) return ScenarioStage::kOverlay;
-  for (const char* word : {"camera", "cameras", "lights", "look", "record"}) {
+  if (key.starts_with("look.overlays") || first == "teaching") return ScenarioStage::kOverlay;
+  for (const char* word : {"camera", "cameras", "cuts", "lights", "look", "record"}) {
     if (first == word) return ScenarioStage::kLook;
   }
   return ScenarioStage::kNone;
@@ -70,6 +70,18 @@ std::vector<ScenarioChange> compare_scenarios(const std::string& before, const s
   std::vector<ScenarioChange> changes;
   if (first.is_object() && second.is_object()) collect("", &first, &second, changes);
   return changes;
+}
+
+std::string list_changes(const std::vector<ScenarioChange>& changes, ScenarioStage stage) {
+  constexpr std::size_t kMost = 3;
+  std::string text;
+  std::size_t count = 0;
+  for (const ScenarioChange& change : changes) {
+    if (change.stage != stage) continue;
+    if (++count <= kMost) text += (text.empty() ? "" : ", ") + to_text(change);
+  }
+  if (count > kMost) text += " and " + std::to_string(count - kMost) + " more";
+  return text;
 }
 
 }  // namespace thinwall

@@ -19,6 +19,10 @@ struct ScenarioChange {
 /// "bodies.organ.wall.thickness 0.001 instead of 0.0008"
 std::string to_text(const ScenarioChange& change);
 
+/// The first changes of a stage, one after the other: "lights.key 0.9 instead of 1.0 and 2 more". Empty when there are
+/// none.
+std::string list_changes(const std::vector<ScenarioChange>& changes, ScenarioStage stage);
+
 /// What differs between two resolved scenarios (JSON texts), in order of their keys. Nothing when one of them is none.
 std::vector<ScenarioChange> compare_scenarios(const std::string& before, const std::string& after);
 

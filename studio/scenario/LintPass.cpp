@@ -205,7 +205,12 @@ void check_goldens(const CheckedValue& root, const std::vector<ClipTimes>& clips
   if (goldens == nullptr) return;
   const std::optional<double> end = end_of_timeline(clips);
   std::vector<double> times;
+  int videos = 0;
   for (std::size_t index = 0; index < goldens->items.size(); ++index) {
+    if (const CheckedValue* video = goldens->items[index].find("video"); video != nullptr && ++videos > 1) {
+      diagnostics.error(video->location, item_path("golden", index) + ".video",
+                        "there is a golden of the video already");
+    }
     const CheckedValue* at = goldens->items[index].find("at");
     if (at == nullptr) continue;
     const std::string path = item_path("golden", index) + ".at";
@@ -216,6 +221,33 @@ void check_goldens(const CheckedValue& root, const std::vector<ClipTimes>& clips
       diagnostics.error(at->location, path, "there is a golden at this time already");
     }
     times.push_back(at->number);
+  }
+}
+
+/// A golden of the video needs one.
+void check_golden_video(const CheckedValue& root, Diagnostics& diagnostics) {
+  const CheckedValue* goldens = root.find("golden");
+  const CheckedValue* record = root.find("record");
+  const CheckedValue* is_wanted = record == nullptr ? nullptr : record->find("video");
+  if (goldens == nullptr || is_wanted == nullptr || is_wanted->boolean) return;
+  for (std::size_t index = 0; index < goldens->items.size(); ++index) {
+    const CheckedValue* video = goldens->items[index].find("video");
+    if (video == nullptr) continue;
+    diagnostics.error(video->location, item_path("golden", index) + ".video", "`record.video` says that there is none");
+  }
+}
+
+/// What excuses pixels says nothing without the fraction of those that may fail.
+void check_golden_excuses(const CheckedValue& root, Diagnostics& diagnostics) {
+  const CheckedValue* goldens = root.find("golden");
+  if (goldens == nullptr) return;
+  for (std::size_t index = 0; index < goldens->items.size(); ++index) {
+    if (goldens->items[index].find("failing") != nullptr) continue;
+    for (const char* key : {"level", "shift"}) {
+      const CheckedValue* excuse = goldens->items[index].find(key);
+      if (excuse == nullptr || excuse->number == 0) continue;
+      diagnostics.error(excuse->location, item_path("golden", index) + "." + key, "is of no use without `failing`");
+    }
   }
 }
 
@@ -269,6 +301,8 @@ void lint_pass(const CheckedValue& root, Diagnostics& diagnostics) {
   const std::vector<ClipTimes> clips = clip_times(root);
   check_overlaps(clips, diagnostics);
   check_goldens(root, clips, diagnostics);
+  check_golden_excuses(root, diagnostics);
+  check_golden_video(root, diagnostics);
 }
 
 }  // namespace thinwall

@@ -133,20 +133,54 @@ ValueSchema record_schema() {
   return mapping_value({record});
 }
 
-ValueSchema golden_schema() {
+namespace {
+
+/// The limits of a golden, in the words of `what`.
+std::vector<KeySchema> golden_limits() {
   const Range levels{.minimum = 0, .maximum = 255};
-  MappingSchema golden{.name = "golden", .documentation = "A moment whose picture is compared with an approved one."};
-  golden.keys = {
-      {"at", quantity_value(kTime, kFromZero, "1.5 s"), true, {}, "when"},
+  return {
       {"max", quantity_value(kDimensionless, levels, "8"), true, {}, "largest allowed difference, 8-bit levels"},
       {"mean",
        quantity_value(kDimensionless, levels, "0.2"),
        true,
        {},
        "largest allowed mean difference, 8-bit levels"},
+      {"drift", quantity_value(kDimensionless, kFromZeroToOne, "0.001"), false, "0.001",
+       "largest allowed change of the mean of red, green or blue, as a part of it: what a light, a gain or a hue "
+       "changes "
+       "and rounding does not"},
+      {"failing",
+       quantity_value(kDimensionless, kFromZeroToOne, "0.001"),
+       false,
+       {},
+       "largest allowed fraction of pixels that fail by `level` and `shift`"},
+      {"level", integer_value(0, 255, "2"), false, "0", "8-bit levels by which a pixel may differ without failing"},
+      {"shift", integer_value(0, 4, "1"), false, "0", "pixels by which what a pixel shows may lie elsewhere"},
+      {"ssim",
+       quantity_value(kDimensionless, {.minimum = -1, .maximum = 1}, "0.999"),
+       false,
+       {},
+       "least structural similarity, up to 1"},
+      {"flip", quantity_value(kDimensionless, kFromZeroToOne, "0.002"), false, {}, "largest allowed mean of FLIP"},
       {"why", text_value(), true, {}, "the reason for these thresholds"},
   };
-  return list_value(mapping_value({golden}));
+}
+
+}  // namespace
+
+ValueSchema golden_schema() {
+  MappingSchema moment{.name = "golden", .documentation = "A moment whose picture is compared with an approved one."};
+  moment.keys = golden_limits();
+  moment.keys.insert(moment.keys.begin(), {"at", quantity_value(kTime, kFromZero, "1.5 s"), true, {}, "when"});
+  MappingSchema video{.name = "golden_video",
+                      .documentation =
+                          "The whole video, compared frame by frame with the approved one before it is "
+                          "encoded, and after. The limits hold for the pictures that are kept."};
+  video.keys = golden_limits();
+  video.keys.insert(
+      video.keys.begin(),
+      {"video", integer_value(1, 50, "5"), true, {}, "how many of its pictures are kept, from the first to the last"});
+  return list_value(mapping_value({moment, video}));
 }
 
 }  // namespace thinwall

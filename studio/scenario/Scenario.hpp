@@ -189,9 +189,16 @@ struct RecordOptions {
 };
 
 struct GoldenDefinition {
-  double at = 0;    // seconds
-  double max = 0;   // largest allowed difference, 8-bit levels
-  double mean = 0;  // largest allowed mean difference, 8-bit levels
+  double at = 0;     // seconds; of a video 0
+  int video = 0;     // above zero: not a moment but the whole video, of which so many pictures are kept
+  double max = 0;    // largest allowed difference, 8-bit levels
+  double mean = 0;   // largest allowed mean difference, 8-bit levels
+  double drift = 1;  // largest allowed change of a colour's mean level, relative to itself
+  std::optional<double> failing = {};     // largest allowed fraction of pixels that fail
+  int level = 0;                          // by which a pixel may differ without failing, 8-bit levels
+  int shift = 0;                          // by which what it shows may lie elsewhere, pixels
+  std::optional<double> similarity = {};  // least structural similarity (SSIM)
+  std::optional<double> flip = {};        // largest mean of FLIP
   std::string why = {};
   SourceLocation location = {};
 };

@@ -325,9 +325,16 @@ RecordOptions to_record(const CheckedValue& record) {
 }
 
 GoldenDefinition to_golden(const CheckedValue& golden) {
-  return {.at = golden.at("at").number,
+  return {.at = find_number(golden, "at").value_or(0),
+          .video = static_cast<int>(find_number(golden, "video").value_or(0)),
           .max = golden.at("max").number,
           .mean = golden.at("mean").number,
+          .drift = golden.at("drift").number,
+          .failing = find_number(golden, "failing"),
+          .level = static_cast<int>(golden.at("level").number),
+          .shift = static_cast<int>(golden.at("shift").number),
+          .similarity = find_number(golden, "ssim"),
+          .flip = find_number(golden, "flip"),
           .why = golden.at("why").text,
           .location = golden.location};
 }

@@ -55,7 +55,7 @@ TEST_F(GoldenTest, ASmallDifferenceIsOkByTolerance) {
   pictures.pictures[0].image.pixels[100] ^= 4;
   const GoldenResult result = compare(pictures);
   EXPECT_EQ(result.outcome, GoldenOutcome::kOk);
-  EXPECT_EQ(result.rung, "tolerance");
+  EXPECT_EQ(result.rung, "pixels");
   EXPECT_EQ(result.difference.largest, 4);
 }
 
@@ -65,9 +65,10 @@ TEST_F(GoldenTest, OnePixelAboveTheLargestDifferenceFails) {
   pictures.pictures[0].image.pixels[100] ^= 16;
   const GoldenResult result = compare(pictures);
   EXPECT_EQ(result.outcome, GoldenOutcome::kFailed);
-  EXPECT_EQ(result.message,
-            "largest difference 16 (allowed 8), mean 0.0009 (allowed 0.2) levels; the state is the same to the last "
-            "bit, so the picture has changed: look, camera, renderer or driver");
+  EXPECT_EQ(
+      result.message,
+      "largest difference 16 (allowed 8), mean 0.0008681 (allowed 0.2), drift 3.623e-05 (allowed 1); the state is "
+      "the same to the last bit, so the picture has changed: look, camera, renderer or driver");
   EXPECT_FALSE(result.details.empty());
 }
 
@@ -78,6 +79,44 @@ TEST_F(GoldenTest, ADifferenceThatIsSmallEverywhereFailsByItsMean) {
   const GoldenResult result = compare(pictures);
   EXPECT_EQ(result.outcome, GoldenOutcome::kFailed);
   EXPECT_EQ(result.difference.largest, 1);
+}
+
+TEST_F(GoldenTest, AGainThatIsBelowTheMeanFailsByItsDrift) {
+  approve();
+  GoldenDefinition definition = example().goldens[0];
+  definition.mean = 5;
+  GoldenPictures pictures = today();
+  for (std::uint8_t& level : pictures.pictures[0].image.pixels) ++level;
+  const auto outcome = [&](double drift) {
+    definition.drift = drift;
+    return compare_with_golden("sheet", definition, pictures.pictures[0], pictures.driver, folder_.path()).outcome;
+  };
+  EXPECT_EQ(outcome(0.05), GoldenOutcome::kOk);
+  EXPECT_EQ(outcome(0.001), GoldenOutcome::kFailed);
+}
+
+TEST_F(GoldenTest, EachLimitOfAScenarioIsHeld) {
+  approve();
+  GoldenPictures pictures = today();
+  Image& image = pictures.pictures[0].image;
+  for (std::size_t i = 0; i < 600; ++i) image.pixels[i] ^= 64;
+  const auto judged = [&](GoldenDefinition definition) {
+    definition.at = 0.1;
+    definition.max = 255;
+    definition.mean = 255;
+    return compare_with_golden("sheet", definition, pictures.pictures[0], pictures.driver, folder_.path());
+  };
+  EXPECT_EQ(judged({}).outcome, GoldenOutcome::kOk);
+  const GoldenResult failing = judged({.failing = 0.01});
+  EXPECT_EQ(failing.outcome, GoldenOutcome::kFailed);
+  EXPECT_NEAR(*failing.failing, 200.0 / (96 * 64), 1e-9);
+  EXPECT_EQ(judged({.failing = 0.04}).outcome, GoldenOutcome::kOk);
+  EXPECT_EQ(judged({.failing = 0, .level = 64}).outcome, GoldenOutcome::kOk);
+  EXPECT_EQ(judged({.similarity = 0.999}).rung, "structure");
+  EXPECT_EQ(judged({.similarity = 0.999}).outcome, GoldenOutcome::kFailed);
+  EXPECT_EQ(judged({.flip = 0.001}).rung, "flip");
+  EXPECT_EQ(judged({.flip = 0.001}).outcome, GoldenOutcome::kFailed);
+  EXPECT_EQ(judged({.flip = 0.5}).outcome, GoldenOutcome::kOk);
 }
 
 TEST_F(GoldenTest, AChangedRendererIsTold) {

@@ -64,6 +64,24 @@ TEST(LintPass, GoldensLieWithinAKnownTimelineAndAtDifferentTimes) {
                    "12:11: golden[3].at: the timeline ends at 2 s"}));
 }
 
+TEST(LintPass, OneGoldenIsOfTheVideoWhereThereIsOne) {
+  EXPECT_EQ(errors_of(checked_scenario("record: { video: false }\n"
+                                       "golden:\n"
+                                       "  - { video: 3, max: 1, mean: 1, why: all }\n"
+                                       "  - { video: 5, max: 1, mean: 1, why: again }\n")),
+            (Texts{"11:14: golden[2].video: there is a golden of the video already",
+                   "10:14: golden[1].video: `record.video` says that there is none",
+                   "11:14: golden[2].video: `record.video` says that there is none"}));
+}
+
+TEST(LintPass, WhatExcusesPixelsOfAGoldenNeedsTheFractionThatMayFail) {
+  EXPECT_EQ(
+      errors_of(checked_scenario("golden:\n"
+                                 "  - { at: 0, max: 9, mean: 1, level: 2, why: some }\n"
+                                 "  - { at: 1 s, max: 9, mean: 1, failing: 0.1, level: 2, shift: 1, why: some }\n")),
+      Texts{"9:38: golden[1].level: is of no use without `failing`"});
+}
+
 TEST(LintPass, AFluidNeedsAShapeThatIsClosed) {
   for (const std::string shape : {"sheet", "disc", "annulus", "strip"}) {
     Diagnostics ignored;

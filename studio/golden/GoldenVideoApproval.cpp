@@ -1,0 +1,165 @@
+#include "studio/golden/GoldenVideoApproval.hpp"
+
+#include <fmt/format.h>
+#include <xxhash.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "renderer/image/PngFile.hpp"
+#include "renderer/image/WholeFile.hpp"
+#include "studio/recorder/OutputFolder.hpp"
+
+namespace thinwall {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kVideoApprovalVersion = 1;
+
+std::string driver_hash(const std::string& driver) {
+  return fmt::format("{:08x}", static_cast<std::uint32_t>(XXH3_64bits(driver.data(), driver.size())));
+}
+
+std::filesystem::path file_of(const std::filesystem::path& folder, const std::string& driver) {
+  return folder / ("video." + driver_hash(driver) + ".json");
+}
+
+Json to_json(const EncodedVideo& encoded) {
+  return {{"program", encoded.program},  {"decoded", encoded.decoded},   {"tags", encoded.tags},
+          {"frames", encoded.frames},    {"captions", encoded.captions}, {"chapters", encoded.chapters},
+          {"loss_levels", encoded.loss}, {"drift", encoded.drift}};
+}
+
+EncodedVideo to_encoded(const Json& json) {
+  EncodedVideo encoded;
+  encoded.program = json.at("program");
+  encoded.decoded = json.at("decoded");
+  encoded.tags = json.at("tags");
+  encoded.frames = json.at("frames");
+  encoded.captions = json.at("captions");
+  encoded.chapters = json.at("chapters");
+  encoded.loss = json.at("loss_levels");
+  encoded.drift = json.at("drift");
+  return encoded;
+}
+
+Json to_json(const GoldenVideoApproval& approval, const std::string& history) {
+  const GoldenVideo& video = approval.video;
+  Json frames = Json::array();
+  for (const VideoFrameRecord& frame : video.frames) frames.push_back(frame.hash + " " + frame.squares);
+  Json kept = Json::array();
+  for (std::size_t i = 0; i < video.kept.size(); ++i) {
+    kept.push_back({{"frame", video.kept[i]}, {"image", approval.pictures[i]}});
+  }
+  return {{"video_approval_version", kVideoApprovalVersion},
+          {"driver", video.driver},
+          {"who", approval.who},
+          {"why", approval.why},
+          {"size", {video.size.width, video.size.height}},
+          {"frames_per_second", video.frames_per_second},
+          {"state_digest", video.state_digest},
+          {"scene_hash", video.scene_hash},
+          {"history", history},
+          {"captions", video.captions},
+          {"kept", kept},
+          {"encoded", to_json(video.encoded)},
+          {"frames", frames},
+          {"resolved", Json::parse(video.resolved, nullptr, false)}};
+}
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+GoldenVideoApproval to_approval(const Json& json, const std::filesystem::path& folder) {
+  GoldenVideoApproval approval;
+  GoldenVideo& video = approval.video;
+  video.driver = json.at("driver");
+  approval.who = json.at("who");
+  approval.why = json.at("why");
+  video.size = {.width = json.at("size").at(0), .height = json.at("size").at(1)};
+  video.frames_per_second = json.at("frames_per_second");
+  video.state_digest = json.at("state_digest");
+  video.scene_hash = json.at("scene_hash");
+  video.history = text_of(folder / json.at("history").get<std::string>());
+  video.captions = json.at("captions");
+  for (const Json& kept : json.at("kept")) {
+    video.kept.push_back(kept.at("frame"));
+    approval.pictures.push_back(kept.at("image"));
+  }
+  video.encoded = to_encoded(json.at("encoded"));
+  for (const Json& frame : json.at("frames")) {
+    const std::string text = frame;
+    const std::size_t space = text.find(' ');
+    video.frames.push_back({.hash = text.substr(0, space), .squares = text.substr(std::min(text.size(), space + 1))});
+  }
+  video.resolved = json.at("resolved").dump();
+  return approval;
+}
+
+GoldenVideoApproval read_approval(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  try {
+    const Json json = Json::parse(stream);
+    if (json.at("video_approval_version") != kVideoApprovalVersion) {
+      throw GoldenError(file.string() + ": written by another version of the program");
+    }
+    return to_approval(json, file.parent_path());
+  } catch (const Json::exception& error) {
+    throw GoldenError(file.string() + ": cannot be read (" + error.what() + ")");
+  }
+}
+
+}  // namespace
+
+std::vector<GoldenVideoApproval> read_video_approvals(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  if (std::filesystem::is_directory(folder)) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      const std::string name = entry.path().filename().string();
+      if (name.starts_with("video.") && name.ends_with(".json")) files.push_back(entry.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  std::vector<GoldenVideoApproval> approvals;
+  for (const std::filesystem::path& file : files) approvals.push_back(read_approval(file));
+  return approvals;
+}
+
+std::optional<GoldenVideoApproval> find_video_approval(const std::filesystem::path& folder, const std::string& driver) {
+  const std::vector<GoldenVideoApproval> approvals = read_video_approvals(folder);
+  if (approvals.empty()) return std::nullopt;
+  const auto same = std::find_if(approvals.begin(), approvals.end(),
+                                 [&](const GoldenVideoApproval& one) { return one.video.driver == driver; });
+  return same != approvals.end() ? *same : approvals.front();
+}
+
+void renew_golden_video(const RecordedVideo& recorded, const std::filesystem::path& folder, const std::string& who,
+                        const std::string& why) {
+  make_folder(folder);
+  const GoldenVideo& video = recorded.video;
+  const std::string hash = driver_hash(video.driver);
+  std::vector<std::string> outdated;
+  for (const GoldenVideoApproval& before : read_video_approvals(folder)) {
+    if (before.video.driver == video.driver) outdated = before.pictures;
+  }
+  GoldenVideoApproval approval{.video = video, .pictures = {}, .who = who, .why = why};
+  for (std::size_t i = 0; i < video.kept.size(); ++i) {
+    approval.pictures.push_back(fmt::format("video_{:06}.{}.png", video.kept[i], hash));
+    write_png(folder / approval.pictures.back(), recorded.pictures[i], PngEffort::kSmall);
+    std::erase(outdated, approval.pictures.back());
+  }
+  const std::string history = "video." + hash + ".history.csv";
+  write_whole_file(folder / history, video.history);
+  write_whole_file(file_of(folder, video.driver),
+                   to_json(approval, history).dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  std::error_code ignored;
+  for (const std::string& name : outdated) std::filesystem::remove(folder / name, ignored);
+}
+
+}  // namespace thinwall

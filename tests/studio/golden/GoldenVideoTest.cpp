@@ -1,0 +1,229 @@
+#include <gtest/gtest.h>
+
+#include "renderer/picture/PictureFailure.hpp"
+#include "renderer/video/Program.hpp"
+#include "studio/golden/GoldenVideoComparison.hpp"
+#include "tests/studio/golden/GoldenScene.hpp"
+
+namespace thinwall {
+namespace {
+
+/// A scenario of 0.2 s with a golden of its video.
+Scenario video_scene() {
+  Scenario scenario = golden_scene();
+  scenario.record.frames_per_second = 50;
+  scenario.goldens = {{.video = 3, .max = 8, .mean = 0.2, .drift = 0.001, .why = "rounding"}};
+  return scenario;
+}
+
+class GoldenVideoTest : public ::testing::Test {
+ protected:
+  RecordedVideo recorded(const SourceFactory& sources = synthetic_source(), double gain = 1,
+                         const Scenario& scenario = video_scene()) {
+    return record_golden_video(scenario, 3, sources, flat_painters(gain), folder_ / "video");
+  }
+  void approve() { renew_golden_video(recorded(), goldens(), "someone", "it is right"); }
+  VideoJudgement judge(const RecordedVideo& video) {
+    return compare_with_golden_video("sheet", video_scene().goldens[0], video, goldens());
+  }
+  /// Replaces today's file by one that ffmpeg makes of it, and reads it as if the encoder had written it.
+  RecordedVideo encoded_anew(const std::vector<std::string>& options) {
+    const std::filesystem::path file = recorded().file;
+    const std::filesystem::path changed = folder_ / "changed.mp4";
+    std::vector<std::string> arguments = {"ffmpeg", "-v", "error", "-y", "-i", file};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    arguments.push_back(changed);
+    const ProgramResult result = run_program(arguments);
+    EXPECT_EQ(result.exit_code, 0) << result.errors;
+    RecordedVideo video = recorded();
+    std::filesystem::rename(changed, file);
+    video.video.encoded = read_encoded_video(folder_ / "video", video.video);
+    return video;
+  }
+  void expect_encoder(const RecordedVideo& video, const std::string& words) {
+    const VideoJudgement judgement = judge(video);
+    EXPECT_EQ(judgement.result.outcome, GoldenOutcome::kFailed) << words;
+    ASSERT_TRUE(judgement.attribution);
+    EXPECT_EQ(judgement.attribution->stage, ChangedStage::kEncoder);
+    EXPECT_NE(judgement.attribution->sentence.find(words), std::string::npos) << judgement.attribution->sentence;
+  }
+  std::filesystem::path goldens() const { return folder_ / "goldens"; }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(GoldenVideoTest, TheSameVideoIsOkFrameByFrame) {
+  approve();
+  const VideoJudgement judgement = judge(recorded());
+  EXPECT_EQ(judgement.result.outcome, GoldenOutcome::kOk) << judgement.result.message;
+  EXPECT_EQ(judgement.result.message, "11 frames are equal");
+  EXPECT_FALSE(judgement.attribution);
+}
+
+TEST_F(GoldenVideoTest, KeepsPicturesFromTheFirstToTheLast) {
+  approve();
+  const std::optional<GoldenVideoApproval> approval = find_video_approval(goldens(), "flat painter 1.0");
+  ASSERT_TRUE(approval);
+  EXPECT_EQ(approval->video.kept, (std::vector<std::size_t>{0, 5, 10}));
+  EXPECT_EQ(approval->pictures.size(), 3U);
+  EXPECT_EQ(kept_frames(10, 1), (std::vector<std::size_t>{5}));
+  EXPECT_EQ(kept_frames(2, 5), (std::vector<std::size_t>{0, 1}));
+  EXPECT_TRUE(kept_frames(0, 5).empty());
+}
+
+TEST_F(GoldenVideoTest, ApprovingAgainLeavesNoPictureBehind) {
+  approve();
+  RecordedVideo other = recorded();
+  other.video.kept = {4};
+  other.pictures.resize(1);
+  renew_golden_video(other, goldens(), "someone", "fewer");
+  std::size_t pictures = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(goldens())) {
+    pictures += entry.path().extension() == ".png" ? 1 : 0;
+  }
+  EXPECT_EQ(pictures, 1U);
+}
+
+TEST_F(GoldenVideoTest, WithoutAnApprovalTheGoldenIsMissing) {
+  EXPECT_EQ(judge(recorded()).result.outcome, GoldenOutcome::kGoldenMissing);
+}
+
+TEST_F(GoldenVideoTest, ASimulationThatFailsHasNoResult) {
+  approve();
+  EXPECT_EQ(judge(recorded(synthetic_source({.fail_at = 5}))).result.outcome, GoldenOutcome::kResultMissing);
+}
+
+TEST_F(GoldenVideoTest, AMissingDeviceIsASkip) {
+  const RecordedVideo video = record_golden_video(
+      video_scene(), 3, synthetic_source(),
+      [](ImageSize) -> std::unique_ptr<Painter> { throw PictureFailure("no GPU here"); }, folder_ / "video");
+  EXPECT_EQ(judge(video).result.outcome, GoldenOutcome::kSkipped);
+}
+
+TEST_F(GoldenVideoTest, AChangedSimulationIsTold) {
+  approve();
+  const VideoJudgement judgement = judge(recorded(synthetic_source({.depth = 0.005})));
+  EXPECT_EQ(judgement.result.outcome, GoldenOutcome::kFailed);
+  ASSERT_TRUE(judgement.attribution);
+  EXPECT_EQ(judgement.attribution->stage, ChangedStage::kPhysics) << judgement.attribution->sentence;
+}
+
+TEST_F(GoldenVideoTest, AChangedRendererIsTold) {
+  approve();
+  const VideoJudgement judgement = judge(recorded(synthetic_source(), 1.2));
+  ASSERT_TRUE(judgement.attribution);
+  EXPECT_EQ(judgement.attribution->stage, ChangedStage::kRenderer) << judgement.attribution->sentence;
+  EXPECT_EQ(judgement.result.different_frames.size(), 11U);
+}
+
+TEST_F(GoldenVideoTest, AFrameBetweenTheKeptOnesIsJudgedByItsParts) {
+  approve();
+  RecordedVideo video = recorded();
+  video.video.frames[3].hash = "another";
+  EXPECT_EQ(judge(video).result.outcome, GoldenOutcome::kOk) << "the same means: nobody sees it";
+  video.video.frames[3].squares.replace(0, 2, "ff");
+  const VideoJudgement judgement = judge(video);
+  EXPECT_EQ(judgement.result.outcome, GoldenOutcome::kFailed);
+  EXPECT_NE(judgement.result.message.find("frame 3 at 0.060 s: a twelfth of it differs"), std::string::npos)
+      << judgement.result.message;
+}
+
+TEST_F(GoldenVideoTest, AFrameThatIsMissingBeforeTheEncoderIsNamed) {
+  approve();
+  RecordedVideo video = recorded();
+  video.video.frames.erase(video.video.frames.begin() + 4);
+  const VideoJudgement judgement = judge(video);
+  EXPECT_EQ(judgement.result.outcome, GoldenOutcome::kFailed);
+  EXPECT_NE(judgement.result.message.find("10 frames instead of 11: frame 4 is missing"), std::string::npos)
+      << judgement.result.message;
+}
+
+TEST_F(GoldenVideoTest, ACaptionThatHasChangedIsTheOverlays) {
+  approve();
+  RecordedVideo video = recorded();
+  video.video.captions.replace(video.video.captions.find("Pressing"), 8, "Presing");
+  const VideoJudgement judgement = judge(video);
+  ASSERT_TRUE(judgement.attribution);
+  EXPECT_EQ(judgement.attribution->stage, ChangedStage::kOverlay);
+  EXPECT_NE(judgement.attribution->sentence.find("\"Presing\" instead of \"Pressing\""), std::string::npos)
+      << judgement.attribution->sentence;
+}
+
+TEST_F(GoldenVideoTest, AFrameThatTheEncoderDroppedIsTheEncoders) {
+  approve();
+  expect_encoder(encoded_anew({"-vf", "select=not(eq(n\\,4)),setpts=N/50/TB", "-c:v", "libx264", "-c:s", "copy"}),
+                 "the file holds 10 frames of 11");
+}
+
+TEST_F(GoldenVideoTest, AWrongColorRangeIsTheEncoders) {
+  approve();
+  expect_encoder(encoded_anew({"-map", "0", "-c", "copy", "-bsf:v", "h264_metadata=video_full_range_flag=1"}),
+                 "the file is tagged \"h264 yuvj420p pc");
+}
+
+TEST_F(GoldenVideoTest, ColorsThatAreConvertedByAnotherRuleButTaggedAlikeAreTheEncoders) {
+  approve();
+  expect_encoder(encoded_anew({"-map",
+                               "0:v",
+                               "-map",
+                               "0:s?",
+                               "-map_chapters",
+                               "0",
+                               "-vf",
+                               "scale=in_color_matrix=bt709:out_color_matrix=smpte170m,setparams=colorspace=bt709",
+                               "-c:v",
+                               "libx264",
+                               "-crf",
+                               "12",
+                               "-colorspace",
+                               "bt709",
+                               "-color_primaries",
+                               "bt709",
+                               "-color_trc",
+                               "bt709",
+                               "-color_range",
+                               "tv",
+                               "-c:s",
+                               "copy"}),
+                 "the decoded pixels differ");
+}
+
+TEST_F(GoldenVideoTest, AnEncoderThatFailsIsTold) {
+  approve();
+  RecordedVideo video = recorded();
+  video.encoder_failure = "ffmpeg ended with 1";
+  expect_encoder(video, "there is no video: ffmpeg ended with 1");
+}
+
+TEST_F(GoldenVideoTest, AnotherVersionOfTheEncoderIsJudgedByWhatItLoses) {
+  approve();
+  RecordedVideo video = recorded();
+  video.video.encoded.program = "another";
+  video.video.encoded.decoded = "another";
+  EXPECT_EQ(judge(video).result.outcome, GoldenOutcome::kOk);
+  video.video.encoded.loss += 3;
+  expect_encoder(video, "the encoder loses");
+}
+
+TEST_F(GoldenVideoTest, ABrokenApprovalIsAnError) {
+  approve();
+  for (const auto& entry : std::filesystem::directory_iterator(goldens())) {
+    if (entry.path().extension() == ".json") write_bytes(entry.path(), "{\"driver\": [");
+  }
+  EXPECT_THROW(judge(recorded()), GoldenError);
+}
+
+TEST_F(GoldenVideoTest, AScenarioIsJudgedByItsVideoAlone) {
+  GoldenScene scene;
+  GoldenRunOptions options = scene.options(synthetic_source(), view_painters());
+  options.videos = folder_ / "videos";
+  const auto judged = judge_scenarios({video_scene()}, options, [](const JudgedScenario&) {});
+  ASSERT_EQ(judged.front().results.size(), 1U);
+  EXPECT_EQ(judged.front().results[0].outcome, GoldenOutcome::kGoldenMissing);
+  EXPECT_EQ(moment_name(judged.front().results[0]), "the video");
+  ASSERT_TRUE(judged.front().video);
+  EXPECT_EQ(judged.front().video->video.frames.size(), 11U);
+}
+
+}  // namespace
+}  // namespace thinwall
