@@ -99,6 +99,12 @@ std::string squares_of(const Image& image) {
   return text;
 }
 
+/// The size of goldens, even in both directions, as colours of half the resolution need it.
+ImageSize video_size(ImageSize recorded) {
+  const ImageSize size = golden_size(recorded);
+  return {.width = size.width / 2 * 2, .height = size.height / 2 * 2};
+}
+
 std::filesystem::path frame_file(const std::filesystem::path& folder, std::size_t frame) {
   return folder / "frames" / fmt::format("frame_{:06}.png", frame);
 }
@@ -120,7 +126,7 @@ RecordingPlan plan_of(const Scenario& scenario, const std::filesystem::path& fol
           .overlays = scenario.overlays,
           .view = scenario.view,
           .teaching = scenario.teaching,
-          .size = golden_size(scenario.record.size),
+          .size = video_size(scenario.record.size),
           .frames_per_second = scenario.record.frames_per_second,
           .records = false,
           .pictures = true,
@@ -189,7 +195,7 @@ RecordedVideo record_golden_video(const Scenario& scenario, int kept, const Sour
                                   const PainterFactory& painters, const std::filesystem::path& folder) {
   RecordedVideo result;
   GoldenVideo& video = result.video;
-  video.size = golden_size(scenario.record.size);
+  video.size = video_size(scenario.record.size);
   video.frames_per_second = scenario.record.frames_per_second;
   video.resolved = scenario.resolved;
   try {
