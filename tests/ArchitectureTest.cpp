@@ -22,7 +22,7 @@ const std::vector<Floor>& floors() {
       {"engine", {"engine/"}, {"Eigen/", "cholmod.h", "SuiteSparse", "tbb/", "oneapi/tbb/", "omp.h"}},
       {"renderer",
        {"renderer/"},
-       {"EGL/", "epoxy/", "cairo", "pango/", "fontconfig/", "png.h", "xxhash.h", "opencv2/", "OpenEXR/"}},
+       {"EGL/", "epoxy/", "cairo", "pango/", "fontconfig/", "png.h", "xxhash.h", "opencv2/", "OpenEXR/", "zlib.h"}},
       {"studio",
        {"engine/", "renderer/", "studio/"},
        {"Eigen/", "assimp/", "yaml-cpp/", "CLI/", "spdlog/", "fmt/", "nlohmann/", "hdf5.h", "xxhash.h", "SuiteSparse",

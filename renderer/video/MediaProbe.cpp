@@ -82,14 +82,25 @@ std::vector<std::string> picture_input_options() {
   return {"-protocol_whitelist", "file,pipe", "-format_whitelist", kFormats};
 }
 
+namespace {
+
+/// What is wrong with a file in which no pictures were found. ffprobe's own words about formats that are not looked at
+/// are a list of all others.
+std::string why_nothing(const ProgramResult& result) {
+  if (result.exit_code == 0) return "no picture or video in it can be decoded; it may be cut short";
+  if (result.errors.find("whitelist") != std::string::npos) return "no picture or video";
+  return "no picture or video that ffmpeg knows (" + first_words(result.errors, result.exit_code) + ")";
+}
+
+}  // namespace
+
 MediaProbe probe_media(const std::filesystem::path& path) {
   const std::string entries =
       "stream=codec_name,width,height,pix_fmt,color_range,color_space,color_transfer,color_primaries:packet=pts_time";
   const ProgramResult result = run_program(command(
       "ffprobe", {"-select_streams", "v:0", "-show_entries", entries, "-of", "default=noprint_wrappers=1"}, path));
   if (result.exit_code != 0 || values_of(result.output, "codec_name").empty()) {
-    const std::string words = first_words(result.errors, result.exit_code);
-    throw ImageUnreadable("cannot read " + path.string() + ": no picture or video that ffmpeg knows (" + words + ")");
+    throw ImageUnreadable("cannot read " + path.string() + ": " + why_nothing(result));
   }
   const auto text = [&](const char* key) { return first_of(values_of(result.output, key)); };
   MediaProbe probe{.codec = text("codec_name"),

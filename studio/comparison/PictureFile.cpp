@@ -115,6 +115,13 @@ bool is_print_tiff(const Bytes& bytes) {
   return false;
 }
 
+/// WebP's extended header (RFC 9649, section 2.7.1) tells of an animation by its second lowest flag.
+bool is_animated_webp(const Bytes& bytes) {
+  constexpr std::size_t kFlags = 20;
+  return bytes.size() > kFlags && std::memcmp(bytes.data(), "RIFF", 4) == 0 &&
+         std::memcmp(&bytes[8], "WEBPVP8X", 8) == 0 && (bytes[kFlags] & 2) != 0;
+}
+
 bool is_high_range(const MediaProbe& probe) {
   return probe.codec == "exr" || probe.pixel_format.find("f32") != std::string::npos;
 }
@@ -218,6 +225,9 @@ MediaFile read_media(const std::filesystem::path& path) {
     refuse(path, "its colours are those of print (CMYK); save it as RGB");
   }
   if (is_print_tiff(beginning)) refuse(path, "its colours are those of print (CMYK); save it as RGB");
+  if (is_animated_webp(beginning)) {
+    refuse(path, "it is an animated WebP, which the ffmpeg program cannot decode; save it as GIF or animated PNG");
+  }
   // libpng tells of damage in clearer words, so it looks first.
   if (is_png(beginning)) file.image = read_png(path);
   file.probe = probe_media(path);

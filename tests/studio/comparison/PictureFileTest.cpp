@@ -122,6 +122,7 @@ TEST_F(PictureFileTest, WhatIsNoPictureIsToldInWords) {
   expect_refused(folder_ / "text.txt", "no picture or video");
   expect_refused(folder_ / "sound.wav", "no picture or video");
   expect_refused(folder_ / "list.m3u8", "no picture or video");
+  EXPECT_EQ(refusal(folder_ / "text.txt").find("whitelist"), std::string::npos) << "a list of all formats helps nobody";
   expect_refused("/dev/null", "no regular file");
 }
 
@@ -138,6 +139,50 @@ TEST_F(PictureFileTest, ColorsOfPrintAreRefusedWithTheCure) {
               std::string("II\x2a\x00\x08\x00\x00\x00\x01\x00\x06\x01\x03\x00\x01\x00\x00\x00\x05\x00\x00\x00", 22));
   expect_refused(folder_ / "print.jpg", "CMYK");
   expect_refused(folder_ / "print.tiff", "save it as RGB");
+}
+
+TEST_F(PictureFileTest, AnAnimatedWebpIsRefusedWithTheCure) {
+  write_video(folder_ / "a.mkv", {0, 1, 2});
+  convert(folder_ / "a.mkv", {}, folder_ / "animated.webp");
+  expect_refused(folder_ / "animated.webp", "save it as GIF or animated PNG");
+}
+
+TEST_F(PictureFileTest, VideosCutShortAreRefused) {
+  write_video(folder_ / "a.mkv", {0, 1, 2, 3});
+  for (const double part : {0.3, 0.9}) {
+    convert(folder_ / "a.mkv", {}, folder_ / "b.mp4");
+    cut_short(folder_ / "b.mp4", part);
+    EXPECT_NE(refusal(folder_ / "b.mp4"), "") << part;
+  }
+}
+
+/// Header and data with right checksums, the sizes as told.
+std::string png_of_size(std::uint32_t width, std::uint32_t height) {
+  const auto big_endian = [](std::uint32_t number) {
+    std::string bytes;
+    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(number >> shift & 0xff);
+    return bytes;
+  };
+  const auto chunk = [&](const std::string& content) {
+    std::uint32_t crc = 0xffffffff;
+    for (const char letter : content) {
+      crc ^= static_cast<std::uint8_t>(letter);
+      for (int bit = 0; bit < 8; ++bit) crc = crc >> 1 ^ (crc % 2 != 0 ? 0xedb88320U : 0U);
+    }
+    return big_endian(static_cast<std::uint32_t>(content.size() - 4)) + content + big_endian(~crc);
+  };
+  const std::string header = "IHDR" + big_endian(width) + big_endian(height) + std::string("\x08\x02\0\0\0", 5);
+  const std::string data = std::string("IDAT\x78\x9c\x03\0\0\0\0\x01", 12);
+  return "\x89PNG\r\n\x1a\n" + chunk(header) + chunk(data) + chunk("IEND");
+}
+
+TEST_F(PictureFileTest, PicturesOfNoSizeOrOfAHugeOneAreRefusedBeforeMemoryIsTaken) {
+  write_bytes(folder_ / "zero.png", png_of_size(0, 10));
+  write_bytes(folder_ / "huge.png", png_of_size(100000, 100000));
+  write_bytes(folder_ / "lacking.png", png_of_size(64, 64));
+  expect_refused(folder_ / "zero.png", "broken PNG picture");
+  expect_refused(folder_ / "huge.png", "100000 x 100000 pixels are more than the");
+  expect_refused(folder_ / "lacking.png", "broken PNG picture");
 }
 
 TEST_F(PictureFileTest, FilesCutShortAreRefused) {

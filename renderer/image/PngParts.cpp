@@ -1,0 +1,45 @@
+#include "renderer/image/PngParts.hpp"
+
+#include <zlib.h>
+
+#include <cstdint>
+#include <string_view>
+
+namespace thinwall {
+namespace {
+
+constexpr std::string_view kSignature("\x89PNG\r\n\x1a\n", 8);
+constexpr std::size_t kAroundChunk = 12;        // length, type and checksum of a part, four bytes each
+constexpr std::uint64_t kMostPixels = 1 << 26;  // of what is taken for a picture without looking closer
+
+std::uint32_t number_at(const std::string& bytes, std::size_t at) {
+  std::uint32_t number = 0;
+  for (std::size_t i = at; i < at + 4; ++i) number = number << 8 | static_cast<std::uint8_t>(bytes[i]);
+  return number;
+}
+
+}  // namespace
+
+std::optional<ImageSize> size_of_whole_png(const std::string& bytes) {
+  if (!bytes.starts_with(kSignature)) return std::nullopt;
+  ImageSize size;
+  bool has_data = false;
+  for (std::size_t at = kSignature.size(); at + kAroundChunk <= bytes.size();) {
+    const std::size_t length = number_at(bytes, at);
+    if (length > bytes.size() - at - kAroundChunk) return std::nullopt;
+    const std::string_view type = std::string_view(bytes).substr(at + 4, 4);
+    const auto checksum = crc32(0, reinterpret_cast<const Bytef*>(&bytes[at + 4]), static_cast<uInt>(length + 4));
+    if (checksum != number_at(bytes, at + 8 + length) || type == "acTL") return std::nullopt;
+    if (type == "IHDR" && length >= 8) {
+      const std::uint32_t width = number_at(bytes, at + 8), height = number_at(bytes, at + 12);
+      if (width == 0 || height == 0 || std::uint64_t{width} * height > kMostPixels) return std::nullopt;
+      size = {.width = static_cast<int>(width), .height = static_cast<int>(height)};
+    }
+    has_data = has_data || (type == "IDAT" && length > 0);
+    at += kAroundChunk + length;
+    if (type == "IEND") return has_data && size.width > 0 && at == bytes.size() ? std::optional(size) : std::nullopt;
+  }
+  return std::nullopt;
+}
+
+}  // namespace thinwall

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "renderer/image/Image.hpp"
+
+namespace thinwall {
+
+/// Width and height of a PNG picture when all parts are there, from IHDR to IEND, with at least one of IDAT, and their
+/// checksums are right (PNG specification, ISO/IEC 15948, section 5); its pixels are not decoded. Nothing for
+/// animations, for more than 64 million pixels, and for what is no such file.
+std::optional<ImageSize> size_of_whole_png(const std::string& bytes);
+
+}  // namespace thinwall
