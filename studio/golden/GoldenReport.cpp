@@ -12,6 +12,7 @@
 #include "renderer/image/Resize.hpp"
 #include "renderer/metric/ErrorPicture.hpp"
 #include "renderer/metric/Flip.hpp"
+#include "studio/golden/GoldenVideoApproval.hpp"
 #include "studio/golden/ReportPage.hpp"
 
 namespace thinwall {
@@ -69,6 +70,52 @@ Json pictures_to_compare(const Image& golden, const Image& today, const std::opt
   return pictures;
 }
 
+std::string file_url(const std::filesystem::path& file, const std::string& type) {
+  std::ifstream stream(file, std::ios::binary);
+  const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  return bytes.empty() ? "" : "data:" + type + ";base64," + base64(bytes);
+}
+
+/// Of a video: which frames differ, the pictures that are kept of the golden one beside today's, and today's file.
+Json frames_to_compare(const JudgedScenario& judged, const GoldenResult& result,
+                       const std::optional<GoldenVideoApproval>& golden, const std::filesystem::path& folder) {
+  const RecordedVideo& today = *judged.video;
+  Json json = {{"frames", today.video.frames.size()},
+               {"frames_per_second", today.video.frames_per_second},
+               {"different", result.different_frames},
+               {"kept", Json::array()},
+               {"file", file_url(today.file, "video/mp4")}};
+  for (std::size_t i = 0; i < today.video.kept.size(); ++i) {
+    const std::size_t frame = today.video.kept[i];
+    Image approved;
+    if (golden) {
+      const auto place = std::find(golden->video.kept.begin(), golden->video.kept.end(), frame);
+      const std::size_t k = static_cast<std::size_t>(place - golden->video.kept.begin());
+      if (k < golden->pictures.size()) approved = read_png(folder / golden->pictures[k]);
+    }
+    json["kept"].push_back(
+        {{"frame", frame}, {"pictures", pictures_to_compare(approved, today.pictures[i], std::nullopt)}});
+  }
+  return json;
+}
+
+/// What a video's entry has beside that of a picture.
+void add_video(Json& json, const JudgedScenario& judged, const GoldenResult& result,
+               const std::filesystem::path& folder) {
+  const std::optional<GoldenVideoApproval> golden = find_video_approval(folder, result.driver);
+  json["approvals"] = Json::array();
+  for (const GoldenVideoApproval& approval : read_video_approvals(folder)) {
+    json["approvals"].push_back({{"who", approval.who}, {"why", approval.why}, {"driver", approval.video.driver}});
+  }
+  if (golden && !golden->pictures.empty()) {
+    json["thumbnail"] = thumbnail(read_png(folder / golden->pictures[golden->pictures.size() / 2]));
+  }
+  if (result.outcome == GoldenOutcome::kOk || !judged.video || judged.video->pictures.empty()) return;
+  const std::vector<Image>& pictures = judged.video->pictures;
+  json["thumbnail"] = thumbnail(pictures[pictures.size() / 2]);
+  json["video"] = frames_to_compare(judged, result, golden, folder);
+}
+
 Json history_of(const std::vector<GoldenApproval>& approvals, double at) {
   Json list = Json::array();
   for (const GoldenApproval& approval : approvals) {
@@ -78,12 +125,19 @@ Json history_of(const std::vector<GoldenApproval>& approvals, double at) {
   return list;
 }
 
+void add_changes(Json& json, const std::optional<Attribution>& attribution) {
+  if (!attribution) return;
+  Json changes = Json::array();
+  for (const ScenarioChange& change : attribution->scenario) changes.push_back(to_text(change));
+  json["scenario_changes"] = changes;
+}
+
 Json entry(const JudgedScenario& judged, std::size_t index, const std::filesystem::path& folder) {
   const GoldenResult& result = judged.results[index];
   const GoldenDefinition& definition = judged.scenario.goldens[index];
   const std::optional<Attribution>& attribution = judged.attributions[index];
   const std::vector<GoldenApproval> approvals = read_approvals(folder);
-  const Image golden = approved_picture(result, approvals, folder);
+  const Image golden = result.is_video ? Image{} : approved_picture(result, approvals, folder);
   Json json = {{"scenario", result.scenario},
                {"title", judged.scenario.title},
                {"at", result.at},
@@ -103,6 +157,11 @@ Json entry(const JudgedScenario& judged, std::size_t index, const std::filesyste
                {"drift", result.drift.largest()},
                {"driver", result.driver},
                {"approvals", history_of(approvals, result.at)}};
+  if (result.is_video) {
+    add_video(json, judged, result, folder);
+    add_changes(json, attribution);
+    return json;
+  }
   if (result.outcome == GoldenOutcome::kOk) {
     if (!golden.pixels.empty()) json["thumbnail"] = thumbnail(golden);
     return json;
@@ -113,11 +172,7 @@ Json entry(const JudgedScenario& judged, std::size_t index, const std::filesyste
     json["thumbnail"] = thumbnail(today.pixels.empty() ? golden : today);
   }
   json["pictures"] = pictures_to_compare(golden, today, attribution);
-  if (attribution) {
-    Json changes = Json::array();
-    for (const ScenarioChange& change : attribution->scenario) changes.push_back(to_text(change));
-    json["scenario_changes"] = changes;
-  }
+  add_changes(json, attribution);
   return json;
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/video/Program.hpp"
+#include "studio/golden/GoldenVideoApproval.hpp"
 #include "studio/golden/JUnitReport.hpp"
 #include "tests/studio/golden/GoldenScene.hpp"
 
@@ -90,25 +91,73 @@ setTimeout(() => {
 }, 500);
 </script>)";
 
-TEST_F(GoldenReportTest, ABrowserShowsItAndKeysWork) {
+/// What the page says of itself after a script in it has run; empty without a browser.
+std::string facts_of(const std::filesystem::path& folder, const std::string& page) {
   const std::string program = "chromium";
   try {
     run_program({program, "--version"});
   } catch (const std::exception&) {
-    GTEST_SKIP() << "there is no chromium here";
+    return "";
   }
-  const std::filesystem::path file = scene_.temporary() / "page.html";
-  write_bytes(file, page() + kUse);
-  const ProgramResult result =
-      run_program({"timeout", "-s", "KILL", "60", program, "--headless=new", "--no-sandbox", "--disable-gpu",
-                   "--user-data-dir=" + (scene_.temporary() / "profile").string(), "--virtual-time-budget=5000",
-                   "--dump-dom", "file://" + file.string()});
+  const std::filesystem::path file = folder / "page.html";
+  write_bytes(file, page);
+  const ProgramResult result = run_program({"timeout", "-s", "KILL", "120", program, "--headless=new", "--no-sandbox",
+                                            "--disable-gpu", "--user-data-dir=" + (folder / "profile").string(),
+                                            "--virtual-time-budget=5000", "--dump-dom", "file://" + file.string()});
   const std::size_t at = result.output.find("data-result=\"");
-  ASSERT_NE(at, std::string::npos) << result.errors;
-  const std::string facts = result.output.substr(at, result.output.find('"', at + 13) - at);
+  if (at == std::string::npos) return "no result: " + result.errors;
+  return result.output.substr(at + 13, result.output.find('"', at + 13) - at - 13);
+}
+
+TEST_F(GoldenReportTest, ABrowserShowsItAndKeysWork) {
+  const std::string facts = facts_of(scene_.temporary().path(), page() + kUse);
+  if (facts.empty()) GTEST_SKIP() << "there is no chromium here";
   EXPECT_EQ(facts,
-            "data-result=\"chosen=sheet at 0.1 s;panes=2;threshold=true;amount=true;swipe=swipe;zoom=1.5;"
+            "chosen=sheet at 0.1 s;panes=2;threshold=true;amount=true;swipe=swipe;zoom=1.5;"
             "command=thinwall golden approve sheet@0.1s --why &quot;...&quot;;next=true;found=0");
+}
+
+/// Moves the slider of a video's frames.
+constexpr const char* kScrub = R"(<script>
+setTimeout(() => {
+  const facts = [];
+  const note = (name, value) => facts.push(name + "=" + value);
+  note("chosen", document.querySelector("#view h2").textContent);
+  note("panes", document.querySelectorAll("#stage canvas").length);
+  note("frames", document.querySelector("#frames").width);
+  note("file", document.querySelector("video").src.startsWith("data:video/mp4"));
+  const slider = document.querySelector("#scrub");
+  slider.value = 9;
+  slider.dispatchEvent(new Event("input"));
+  setTimeout(() => {
+    note("words", document.querySelector("#frame").textContent);
+    note("slider", document.querySelector("#scrub").value);
+    document.dispatchEvent(new KeyboardEvent("keydown", { key: "a", bubbles: true }));
+    note("command", document.querySelector("#command").textContent);
+    document.body.dataset.result = facts.join(";");
+  }, 500);
+}, 800);
+</script>)";
+
+TEST_F(GoldenReportTest, AVideoIsScrubbedInABrowser) {
+  Scenario scenario = golden_scene();
+  scenario.record.frames_per_second = 50;
+  scenario.goldens = {{.video = 3, .max = 8, .mean = 0.2, .why = "rounding"}};
+  GoldenRunOptions options = scene_.options(synthetic_source(), view_painters());
+  options.videos = scene_.temporary() / "videos";
+  const auto judge = [&] {
+    return std::move(judge_scenarios({scenario}, options, [](const JudgedScenario&) {}).front());
+  };
+  renew_golden_video(*judge().video, scene_.folder(), "someone", "it is right");
+  options.painters = view_painters(1.2);
+  const JudgedScenario judged = judge();
+  ASSERT_EQ(judged.results[0].outcome, GoldenOutcome::kFailed);
+  const std::string text = golden_report({judged}, scene_.temporary() / "goldens");
+  const std::string facts = facts_of(scene_.temporary().path(), text + kScrub);
+  if (facts.empty()) GTEST_SKIP() << "there is no chromium here";
+  EXPECT_EQ(facts,
+            "chosen=sheet the video;panes=2;frames=11;file=true;words=frame 9 at 0.180 s: differs; compared above: "
+            "frame 10;slider=9;command=thinwall golden approve sheet@video --why &quot;...&quot;");
 }
 
 }  // namespace
