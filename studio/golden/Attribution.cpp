@@ -160,6 +160,10 @@ Attribution attribute(const Scenario& scenario, const GoldenPicture& picture, co
   } else {
     tell_picture(evidence, attribution);
   }
+  if (golden.moment && result.state.verdict != StateVerdict::kEqual) {
+    attribution.layers =
+        state_layers(golden.moment->snapshot, picture.moment.snapshot, picture.shot, picture.image.size);
+  }
   if (!list_changes(attribution.scenario, ScenarioStage::kLook).empty() && !golden.resolved.empty()) {
     attribution.golden_look = drawn(picture.moment.snapshot, picture, painters(golden.resolved));
   }

@@ -8,6 +8,7 @@
 #include "studio/golden/GoldenComparison.hpp"
 #include "studio/golden/GoldenHistory.hpp"
 #include "studio/golden/ScenarioDifference.hpp"
+#include "studio/golden/StateLayers.hpp"
 
 namespace thinwall {
 
@@ -33,6 +34,7 @@ struct Attribution {
   std::vector<ScenarioChange> scenario;  // what the scenario says differently since the approval
   std::vector<std::string> overlay;      // what is written differently
   std::optional<Image> golden_state;     // the golden's state as today's renderer and look draw it, without overlays
+  std::vector<StateLayer> layers = {};   // of the golden's state and today's, where the state is not the same
   std::optional<Image> golden_look;      // today's state in the golden's light and look, without overlays
 };
 

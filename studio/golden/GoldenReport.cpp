@@ -66,6 +66,10 @@ Json pictures_to_compare(const Image& golden, const Image& today, const std::opt
     pictures["flip"] = as_url(error_picture(golden, flip(golden, today).map));
   }
   if (attribution && attribution->golden_state) pictures["golden_state"] = as_url(*attribution->golden_state);
+  for (const StateLayer& layer : attribution ? attribution->layers : std::vector<StateLayer>{}) {
+    pictures[layer.name + " golden"] = as_url(layer.golden);
+    if (!layer.today.pixels.empty()) pictures[layer.name + " today"] = as_url(layer.today);
+  }
   if (attribution && attribution->golden_look) pictures["golden_look"] = as_url(*attribution->golden_look);
   return pictures;
 }
@@ -127,6 +131,8 @@ Json history_of(const std::vector<GoldenApproval>& approvals, double at) {
 
 void add_changes(Json& json, const std::optional<Attribution>& attribution) {
   if (!attribution) return;
+  json["layers"] = Json::object();
+  for (const StateLayer& layer : attribution->layers) json["layers"][layer.name] = layer.verdict;
   Json changes = Json::array();
   for (const ScenarioChange& change : attribution->scenario) changes.push_back(to_text(change));
   json["scenario_changes"] = changes;

@@ -283,8 +283,10 @@ VideoJudgement compare_with_golden_video(const std::string& scenario, const Gold
   } else {
     result.outcome = GoldenOutcome::kFailed;
     judgement.attribution = attribute_video(golden->video, recorded.video, found);
-    result.message = joined(found.frames) + (found.frames.empty() ? "" : "; ") + joined(found.texts) +
-                     (found.texts.empty() ? "" : "; ") + joined(found.encoder);
+    std::vector<std::string> all = found.frames;
+    all.insert(all.end(), found.texts.begin(), found.texts.end());
+    all.insert(all.end(), found.encoder.begin(), found.encoder.end());
+    result.message = joined(all);
   }
   if (golden->video.driver != recorded.video.driver) {
     result.message += fmt::format("; approved on another driver ({}), so compared by tolerance", golden->video.driver);

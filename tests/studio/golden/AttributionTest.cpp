@@ -115,5 +115,28 @@ TEST(OverlayRecord, NumbersCountFromWhatIsShownOfThem) {
   EXPECT_TRUE(compare_overlays("", golden).empty());
 }
 
+TEST(StateLayersTest, TellsHowFarWhatPixelsShowHasMoved) {
+  const Snapshot golden = SyntheticRun({.depth = 0.004}).moment(20).snapshot;
+  const Snapshot today = SyntheticRun({.depth = 0.006}).moment(20).snapshot;
+  Shot shot;
+  shot.camera.position = {0, -0.06, 0.05};
+  const std::vector<StateLayer> layers = state_layers(golden, today, shot, {.width = 96, .height = 64});
+  ASSERT_EQ(layers.size(), 4U);
+  const auto verdict = [&](const std::string& name) {
+    for (const StateLayer& layer : layers) {
+      if (layer.name == name) return layer.verdict;
+    }
+    return std::string();
+  };
+  for (const char* name : {"depth", "normals", "parts", "flow"}) EXPECT_NE(verdict(name), "") << name;
+  // The middle of the sheet is dented by two millimetres more.
+  EXPECT_EQ(verdict("depth").find("largest difference 0 mm"), std::string::npos) << verdict("depth");
+  EXPECT_EQ(verdict("flow").find("largest 0 pixels"), std::string::npos) << verdict("flow");
+  const std::vector<StateLayer> same = state_layers(golden, golden, shot, {.width = 96, .height = 64});
+  EXPECT_EQ(same[0].verdict.rfind("largest difference 0 mm, mean 0 mm; 0 pixels", 0), 0U) << same[0].verdict;
+  EXPECT_EQ(same[2].verdict.rfind("smallest overlap 1.0000", 0), 0U) << same[2].verdict;
+  EXPECT_EQ(same[0].golden.pixels, same[0].today.pixels);
+}
+
 }  // namespace
 }  // namespace thinwall
