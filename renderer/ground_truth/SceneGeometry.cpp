@@ -2,7 +2,6 @@
 
 #include <cstddef>
 
-#include "renderer/picture/CutLips.hpp"
 #include "renderer/picture/TissuePieces.hpp"
 #include "renderer/picture/ToolShape.hpp"
 
@@ -17,6 +16,7 @@ PartKind part_kind(TissueSide side) {
       return PartKind::kLining;
     case TissueSide::kCap:
       return PartKind::kCap;
+    case TissueSide::kBed:  // no part of a body
     case TissueSide::kOutside:
       break;
   }
@@ -78,12 +78,12 @@ SceneGeometry scene_geometry(const Snapshot& snapshot, const SceneExtent& extent
   for (std::uint32_t k = 0; k < snapshot.surfaces.size(); ++k) {
     const SnapshotSurface& surface = snapshot.surfaces[k];
     geometry.borders.push_back(border_edges(*surface.topology));
-    const std::vector<float> nearness = nearness_to_cuts(*surface.topology, geometry.borders.back());
+    const std::vector<char> is_lip = cut_lips(*surface.topology, geometry.borders.back());
     std::vector<char>& is_cut = geometry.is_cut.emplace_back();
     for (const BorderEdge& edge : geometry.borders.back()) {
-      is_cut.push_back(nearness[edge.start] == 1 && nearness[edge.end] == 1);
+      is_cut.push_back(is_lip[edge.start] != 0 && is_lip[edge.end] != 0);
     }
-    for (const TissuePiece& piece : tissue_pieces(surface, geometry.borders.back(), nearness)) {
+    for (const TissuePiece& piece : tissue_pieces(surface, geometry.borders.back())) {
       append(piece, *surface.topology, k, geometry);
     }
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "renderer/look/FluidLooks.hpp"
+
 namespace thinwall {
 namespace {
 
@@ -42,7 +44,8 @@ const std::array kOrganLooks = {
                           .middle = {0.72, 0.36, 0.28},
                           .inner = {0.62, 0.50, 0.22},
                           .outer_part = 0.14,
-                          .inner_part = 0.30}}},
+                          .inner_part = 0.30},
+               .contents = *find_fluid_look("bile")}},
     OrganLook{"stomach",
               "pale pink and glossy with fine vessels",
               {.color = {0.80, 0.51, 0.46},
@@ -59,7 +62,8 @@ const std::array kOrganLooks = {
                .sheen = 0.4,
                .relief = 0.10,
                .relief_size = 0.0022,
-               .layers = kHollowOrgan}},
+               .layers = kHollowOrgan,
+               .contents = *find_fluid_look("gastric_juice")}},
     OrganLook{"liver",
               "brown-red under the smooth capsule of Glisson",
               {.color = {0.32, 0.155, 0.12},
@@ -77,7 +81,8 @@ const std::array kOrganLooks = {
                .sheen = 0.12,
                .relief = 0.05,
                .relief_size = 0.0030,
-               .layers = kSolidOrgan}},
+               .layers = kSolidOrgan,
+               .contents = *find_fluid_look("none")}},
     OrganLook{"skin",
               "dry, with creases and uneven redness",
               {.color = {0.83, 0.60, 0.50},
@@ -94,7 +99,9 @@ const std::array kOrganLooks = {
                .relief = 0.22,
                .relief_size = 0.0011,
                .creases = 0.9,
-               .layers = kSkinLayers}},
+               .layers = kSkinLayers,
+               .contents = *find_fluid_look("none"),
+               .bed = 0.004}},
     OrganLook{"vessel",
               "a smooth tube with fine vessels of its own",
               {.color = {0.80, 0.50, 0.46},
@@ -110,7 +117,8 @@ const std::array kOrganLooks = {
                .clearness = 0.30,
                .sheen = 0.5,
                .relief = 0.06,
-               .relief_size = 0.0009}},
+               .relief_size = 0.0009,
+               .contents = *find_fluid_look("blood")}},
     OrganLook{"fingerpad",
               "skin with friction ridges",
               {.color = {0.86, 0.61, 0.52},
@@ -128,7 +136,9 @@ const std::array kOrganLooks = {
                .relief_size = 0.0007,
                .creases = 0.5,
                .ridges = 0.30,
-               .layers = kSkinLayers}},
+               .layers = kSkinLayers,
+               .contents = *find_fluid_look("none"),
+               .bed = 0.004}},
 };
 
 }  // namespace

@@ -13,6 +13,12 @@ struct WallLayers {
   double inner_part = 0.25;             // of the thickness
 };
 
+/// What fills an organ, as it is seen where the organ is open.
+struct FluidLook {
+  Double3 color = {0.62, 0.52, 0.30};  // sRGB, 0 to 1, of a deep layer
+  double clarity = 0.006;              // metres in which a third of the light is left; 0: nothing is seen of it
+};
+
 /// How a wall looks. Lengths are those of the stress-free wall, so the pattern sticks to the tissue.
 struct TissueLook {
   Double3 color = {0.72, 0.36, 0.32};  // sRGB, 0 to 1, like all colours here
@@ -36,6 +42,9 @@ struct TissueLook {
   double creases = 0;                          // 0 to 1: from rounded to furrowed relief
   double ridges = 0;                           // slope of friction ridges, as of fingers
   WallLayers layers = {};
+  FluidLook contents = {};
+  double bleeding = 1;  // 0 to 1, how freely the wall bleeds where it is cut
+  double bed = 0;       // metres from an open sheet down to the fat and fascia that it lies on; 0: none
 };
 
 }  // namespace thinwall

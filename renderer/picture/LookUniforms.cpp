@@ -39,6 +39,25 @@ TissueLook lining_look(TissueLook look) {
   return look;
 }
 
+/// Lobules of fat with fascia between them, wet with blood.
+TissueLook bed_look(TissueLook look) {
+  look.color = {0.66, 0.38, 0.25};
+  look.blood = {0.46, 0.07, 0.07};
+  look.fat = {0.78, 0.57, 0.31};
+  look.roughness = 0.35;
+  look.wetness = 0.95;
+  look.patches = 0.95;
+  look.patch_size = 0.006;
+  look.vessels = 0.5;
+  look.vessel_spacing = 0.005;
+  look.capillaries = 0.6;
+  look.fattiness = 0.30;
+  look.clearness = look.ridges = look.creases = look.sheen = 0;
+  look.relief = 0.22;
+  look.relief_size = 0.0022;
+  return look;
+}
+
 TissueLook side_look(const TissueLook& look, TissueSide side) {
   switch (side) {
     case TissueSide::kRim:
@@ -47,6 +66,8 @@ TissueLook side_look(const TissueLook& look, TissueSide side) {
       return lining_look(look);
     case TissueSide::kCap:
       return cap_look(look);
+    case TissueSide::kBed:
+      return bed_look(look);
     case TissueSide::kOutside:
       break;
   }
@@ -79,7 +100,9 @@ LookUniforms look_uniforms(const TissueLook& given, TissueSide side) {
           .vessels = float4({look.vessels, 1 / look.vessel_spacing, look.capillaries}, look.mottling),
           .relief = float4({look.relief, 1 / look.relief_size, look.creases}, look.ridges),
           .pattern = float4({look.patches, 1 / look.patch_size, is_rim ? look.layers.outer_part : 0},
-                            is_rim ? 1 - look.layers.inner_part : 0)};
+                            is_rim                        ? 1 - look.layers.inner_part
+                            : side == TissueSide::kLining ? 1
+                                                          : 0)};
 }
 
 }  // namespace thinwall

@@ -11,7 +11,8 @@ enum class TissueSide {
   kOutside,
   kRim,     // where the wall is cut through or ends
   kLining,  // the inner side
-  kCap      // closes the fluid where no wall is
+  kCap,     // closes the fluid where no wall is
+  kBed      // what an open sheet of skin lies on
 };
 
 /// A part's look as the shader reads it: the block `Look` of shaders/tissue.vert, in the std140 layout. Colours are
@@ -24,7 +25,8 @@ struct LookUniforms {
   std::array<float, 4> scatter{};  // w: sheen
   std::array<float, 4> vessels{};  // strength, 1 / spacing, strength of the capillaries, strength of the whole pattern
   std::array<float, 4> relief{};   // slope, 1 / size, creases, ridges
-  std::array<float, 4> pattern{};  // contrast of the patches, 1 / their size; zw of rims: where the layers meet, else 0
+  std::array<float, 4>
+      pattern{};  // contrast of the patches, 1 / their size; zw of rims: where the layers meet; w of linings: 1
 };
 
 LookUniforms look_uniforms(const TissueLook& look, TissueSide side);

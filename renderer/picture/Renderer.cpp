@@ -9,7 +9,9 @@
 #include "renderer/image/SensorNoise.hpp"
 #include "renderer/picture/Camera.hpp"
 #include "renderer/picture/Exposure.hpp"
+#include "renderer/picture/FilmPass.hpp"
 #include "renderer/picture/FloorShade.hpp"
+#include "renderer/picture/FluidPass.hpp"
 #include "renderer/picture/FrameUniforms.hpp"
 #include "renderer/picture/LensPass.hpp"
 #include "renderer/picture/MeshLinePass.hpp"
@@ -61,6 +63,8 @@ struct Stage {
   PictureTarget target;
   SceneMeshes meshes;
   ScenePass scene_pass;
+  FilmPass film_pass;
+  FluidPass fluid_pass;
   OutlinePass outline_pass;
   LensPass lens_pass;
   MeshLinePass mesh_lines;
@@ -98,6 +102,14 @@ void Stage::draw_scene(const Snapshot& snapshot, const ViewDefinition& view, con
   clock.ends("tissue");
   scene_pass.draw_surroundings(meshes, target, surroundings);
   clock.ends("tools and floor");
+  if (!meshes.films().empty()) {
+    film_pass.draw(meshes.films(), surroundings);
+    clock.ends("blood and run-off");
+  }
+  if (!meshes.fluids().empty()) {
+    fluid_pass.draw(meshes.fluids(), surroundings);
+    clock.ends("fluid");
+  }
   if (view.look.mesh) {
     mesh_lines.draw(meshes.mesh_lines(snapshot));
     clock.ends("mesh lines");

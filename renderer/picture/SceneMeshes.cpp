@@ -1,12 +1,14 @@
 #include "renderer/picture/SceneMeshes.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 
-#include "renderer/picture/CutLips.hpp"
 #include "renderer/picture/PictureFailure.hpp"
 #include "renderer/picture/SurfaceVertices.hpp"
 #include "renderer/picture/TissuePieces.hpp"
+#include "renderer/picture/WoundBed.hpp"
+#include "renderer/snapshot/SurfaceFields.hpp"
 
 namespace thinwall {
 
@@ -50,12 +52,23 @@ void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& 
   std::vector<std::uint32_t> indices;
   parts_.clear();
   inner_borders_.clear();
+  fluids_.clear();
+  films_.clear();
   for (std::size_t k = 0; k < snapshot.surfaces.size(); ++k) {
     const SnapshotSurface& surface = snapshot.surfaces[k];
     const auto found = look.bodies.find(surface.body);
     const TissueLook body_look = found == look.bodies.end() ? TissueLook{} : found->second;
-    std::vector<TissuePiece> pieces = tissue_pieces(surface, borders_[k], nearness_[k]);
-    if (look.data) show_data(surface, *look.data, borders_[k], pieces);
+    std::vector<TissuePiece> pieces = tissue_pieces(surface, borders_[k]);
+    if (look.data) {
+      show_data(surface, *look.data, borders_[k], pieces);
+    } else {
+      find_fluid(snapshot, k, body_look, pieces);
+      find_films(snapshot, k, body_look, pieces);
+      if (wounds_[k] && body_look.bed > 0) {
+        TissuePiece bed = wound_bed(surface, borders_[k], is_lip_[k], body_look.bed);
+        if (!bed.corners.empty()) pieces.push_back(std::move(bed));
+      }
+    }
     for (const TissuePiece& piece : pieces) {
       parts_.push_back(
           {surface.body, piece.side, look_uniforms(body_look, piece.side), indices.size(), piece.corners.size()});
@@ -71,6 +84,43 @@ void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& 
   tissue_.upload(std::span<const SurfaceVertex>(vertices), indices);
 }
 
+/// Of surface `k`, that `pieces` were made of.
+void SceneMeshes::find_fluid(const Snapshot& snapshot, std::size_t k, const TissueLook& look,
+                             std::span<const TissuePiece> pieces) {
+  if (borders_[k].empty() || !(look.contents.clarity > 0)) return;
+  const auto lining = std::ranges::find(pieces, TissueSide::kLining, &TissuePiece::side);
+  if (lining == pieces.end()) return;
+  const std::vector<SurfaceVertex>& wall = pieces.front().vertices;
+  std::vector<Vector3> normals;
+  std::vector<double> thickness;
+  for (std::size_t v = 0; v < wall.size(); ++v) {
+    normals.push_back(vector3(wall[v].normal));
+    thickness.push_back(length(vector3(wall[v].position) - vector3(lining->vertices[v].position)));
+  }
+  const SnapshotSurface& surface = snapshot.surfaces[k];
+  FluidSurface fluid =
+      fluid_surface(snapshot, surface, find_wall_holes(surface.positions, borders_[k]), normals, thickness);
+  if (fluid.lid.empty() && fluid.level.empty()) return;
+  fluids_.push_back({.surface = std::move(fluid), .look = look.contents});
+}
+
+void SceneMeshes::find_films(const Snapshot& snapshot, std::size_t k, const TissueLook& look,
+                             std::span<const TissuePiece> pieces) {
+  if (!wounds_[k]) return;
+  const SnapshotSurface& surface = snapshot.surfaces[k];
+  const auto add = [&](Film film, const FluidLook& fluid) {
+    if (!film.corners.empty()) films_.push_back({.film = std::move(film), .look = fluid});
+  };
+  if (look.contents.clarity > 0) {
+    const double leaked = find_scalar(snapshot, surface.body, kLeakedScalar).value_or(0);
+    add(runoff_film(surface, pieces, *wounds_[k], leaked, snapshot.time), look.contents);
+  }
+  if (look.bleeding > 0) {
+    constexpr FluidLook kFreshBlood = {.color = {0.33, 0.012, 0.016}, .clarity = 0.0001};
+    add(blood_film(surface, borders_[k], pieces, *wounds_[k], look.bleeding, snapshot.time), kFreshBlood);
+  }
+}
+
 /// Edges change with the topology alone, and finding them takes longer than drawing.
 void SceneMeshes::find_edges(const Snapshot& snapshot) {
   std::vector<std::shared_ptr<const SnapshotTopology>> topologies;
@@ -78,7 +128,8 @@ void SceneMeshes::find_edges(const Snapshot& snapshot) {
   if (topologies == topologies_) return;
   std::vector<std::uint32_t> corners;
   borders_.clear();
-  nearness_.clear();
+  is_lip_.clear();
+  wounds_.clear();
   std::uint32_t offset = 0;
   for (const SnapshotSurface& surface : snapshot.surfaces) {
     // Wall and caps together: where they meet is no border.
@@ -89,7 +140,10 @@ void SceneMeshes::find_edges(const Snapshot& snapshot) {
     }
     offset += static_cast<std::uint32_t>(surface.positions.size());
     borders_.push_back(border_edges(*surface.topology));
-    nearness_.push_back(nearness_to_cuts(*surface.topology, borders_.back()));
+    is_lip_.push_back(cut_lips(*surface.topology, borders_.back()));
+    wounds_.emplace_back();
+    if (std::ranges::none_of(is_lip_.back(), [](char lip) { return lip != 0; })) continue;
+    wounds_.back() = lay_out_wounds(*surface.topology, borders_.back(), is_lip_.back(), downward(snapshot));
   }
   tissue_edges_ = mesh_edges(corners);
   topologies_ = std::move(topologies);
@@ -119,7 +173,7 @@ std::vector<MeshLine> SceneMeshes::mesh_lines(const Snapshot& snapshot) const {
   for (std::size_t k = 0; k < snapshot.surfaces.size(); ++k) {
     const std::vector<Float3>& positions = snapshot.surfaces[k].positions;
     points.insert(points.end(), positions.begin(), positions.end());
-    for (const float nearness : nearness_[k]) is_lip.push_back(nearness == 1);
+    is_lip.insert(is_lip.end(), is_lip_[k].begin(), is_lip_[k].end());
   }
   std::vector<MeshLine> lines;
   for (const MeshEdge& edge : tissue_edges_) {

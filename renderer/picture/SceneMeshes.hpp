@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -7,11 +8,14 @@
 #include "renderer/picture/MeshLinePass.hpp"
 #include "renderer/picture/Outline.hpp"
 #include "renderer/picture/SceneExtent.hpp"
+#include "renderer/picture/TissuePieces.hpp"
 #include "renderer/picture/ToolShape.hpp"
 #include "renderer/picture/TriangleBuffer.hpp"
 #include "renderer/picture/View.hpp"
 #include "renderer/picture/WallThickness.hpp"
+#include "renderer/picture/WoundFilm.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
+#include "renderer/wound/FluidSurface.hpp"
 
 namespace thinwall {
 
@@ -22,6 +26,18 @@ struct TissuePart {
   LookUniforms look;
   std::size_t first_index = 0;
   std::size_t index_count = 0;
+};
+
+/// The fluid that is seen in an opened body, and how it looks.
+struct BodyFluid {
+  FluidSurface surface;
+  FluidLook look;
+};
+
+/// A fluid on the wall of a body, and how it looks.
+struct BodyFilm {
+  Film film;
+  FluidLook look;
 };
 
 /// A snapshot's surfaces and tools on the device, as all passes draw them.
@@ -35,6 +51,10 @@ class SceneMeshes {
   const std::vector<TissuePart>& parts() const { return parts_; }
   const std::vector<ToolRod>& rods() const { return rods_; }
 
+  const std::vector<BodyFluid>& fluids() const { return fluids_; }
+
+  const std::vector<BodyFilm>& films() const { return films_; }
+
   /// The edges of all walls' triangles and of their caps.
   std::vector<MeshLine> mesh_lines(const Snapshot& snapshot) const;
 
@@ -43,6 +63,8 @@ class SceneMeshes {
 
  private:
   void upload_tissue(const Snapshot& snapshot, const LookDefinition& look);
+  void find_fluid(const Snapshot& snapshot, std::size_t k, const TissueLook& look, std::span<const TissuePiece> pieces);
+  void find_films(const Snapshot& snapshot, std::size_t k, const TissueLook& look, std::span<const TissuePiece> pieces);
   void find_edges(const Snapshot& snapshot);
   void upload_tools(const Snapshot& snapshot, const SceneExtent& extent);
 
@@ -50,13 +72,16 @@ class SceneMeshes {
   TriangleBuffer tools_;
   std::vector<TissuePart> parts_;
   std::vector<OutlineSegment> inner_borders_;  // where rims meet linings
+  std::vector<BodyFluid> fluids_;
+  std::vector<BodyFilm> films_;
   std::vector<ToolRod> rods_;
   std::vector<ToolVertex> tool_vertices_;
   std::vector<MeshEdge> tool_edges_;
   std::vector<std::shared_ptr<const SnapshotTopology>> topologies_;  // that the edges belong to
   std::vector<MeshEdge> tissue_edges_;
-  std::vector<std::vector<BorderEdge>> borders_;  // (surfaces)
-  std::vector<std::vector<float>> nearness_;      // (surfaces x vertices), to cuts
+  std::vector<std::vector<BorderEdge>> borders_;    // (surfaces)
+  std::vector<std::vector<char>> is_lip_;           // (surfaces x vertices), whether at a cut
+  std::vector<std::optional<WoundLayout>> wounds_;  // (surfaces), of those with cuts
 };
 
 }  // namespace thinwall

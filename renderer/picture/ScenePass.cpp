@@ -12,10 +12,10 @@ namespace {
 
 constexpr double kSameTime = 1e-9;  // seconds
 
-/// Parts of a picture are told apart by a stencil of 8 bits, 0 being none.
+/// Parts of a picture are told apart by 7 of a stencil's 8 bits, 0 being none; the last is the fluid's.
 void require_countable(std::size_t parts) {
-  if (parts > 255) {
-    throw PictureFailure("a picture holds at most 255 walls, caps, rims and linings of bodies, the snapshot has " +
+  if (parts > 127) {
+    throw PictureFailure("a picture holds at most 127 walls, caps, rims and linings of bodies, the snapshot has " +
                          std::to_string(parts));
   }
 }

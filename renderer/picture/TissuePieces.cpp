@@ -5,11 +5,9 @@
 
 namespace thinwall {
 
-std::vector<TissuePiece> tissue_pieces(const SnapshotSurface& surface, std::span<const BorderEdge> borders,
-                                       std::span<const float> nearness) {
+std::vector<TissuePiece> tissue_pieces(const SnapshotSurface& surface, std::span<const BorderEdge> borders) {
   const std::vector<Triangle>& triangles = surface.topology->triangles;
   TissuePiece wall{.side = TissueSide::kOutside, .vertices = wall_vertices(surface), .corners = {}};
-  for (std::size_t v = 0; v < wall.vertices.size(); ++v) wall.vertices[v].wound = nearness[v];
   for (const Triangle& triangle : triangles) {
     wall.corners.insert(wall.corners.end(), triangle.begin(), triangle.end());
   }

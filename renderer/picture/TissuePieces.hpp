@@ -20,10 +20,8 @@ struct TissuePiece {
 /// All that is there to be seen of a body, in the order wall, caps, rims, lining; pieces without triangles are left
 /// out. Vertices of wall and lining are those of the surface. Caps have three of their own for each triangle; rims have
 /// four for each border: the outer and the inner one at its start, then at its end. Triangles of wall, caps and lining
-/// are those of the topology; rims have two for each border. `borders`: what border_edges gives; `nearness`: what
-/// nearness_to_cuts gives.
-std::vector<TissuePiece> tissue_pieces(const SnapshotSurface& surface, std::span<const BorderEdge> borders,
-                                       std::span<const float> nearness);
+/// are those of the topology; rims have two for each border. `borders`: what border_edges gives.
+std::vector<TissuePiece> tissue_pieces(const SnapshotSurface& surface, std::span<const BorderEdge> borders);
 
 /// The surface's vertex behind each vertex of a piece, (vertices).
 std::vector<std::uint32_t> surface_vertices(const TissuePiece& piece, const SnapshotTopology& topology,

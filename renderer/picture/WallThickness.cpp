@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "renderer/picture/Vector.hpp"
+#include "renderer/wound/RestNormals.hpp"
 
 namespace thinwall {
 namespace {
@@ -132,27 +133,6 @@ std::vector<Vector3> outward_directions(const SnapshotSurface& surface, std::spa
 
 }  // namespace
 
-std::vector<BorderEdge> border_edges(const SnapshotTopology& topology) {
-  using Key = std::pair<std::uint32_t, std::uint32_t>;
-  std::vector<Key> halves;
-  for (const auto* triangles : {&topology.triangles, &topology.cap_triangles}) {
-    for (const Triangle& triangle : *triangles) {
-      for (std::size_t k = 0; k < 3; ++k) halves.emplace_back(triangle[k], triangle[(k + 1) % 3]);
-    }
-  }
-  std::ranges::sort(halves);
-  std::vector<BorderEdge> borders;
-  for (std::uint32_t t = 0; t < topology.triangles.size(); ++t) {
-    const Triangle& triangle = topology.triangles[t];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t start = triangle[k], end = triangle[(k + 1) % 3];
-      if (std::ranges::binary_search(halves, Key{end, start})) continue;
-      borders.push_back({.start = start, .end = end, .triangle = t});
-    }
-  }
-  return borders;
-}
-
 WallDepth wall_depth(const SnapshotSurface& surface, std::span<const SurfaceVertex> wall,
                      std::span<const BorderEdge> borders) {
   WallDepth depth;
@@ -168,6 +148,7 @@ WallDepth wall_depth(const SnapshotSurface& surface, std::span<const SurfaceVert
     vertex.curvature = -vertex.curvature;
     depth.lining.push_back(vertex);
   }
+  const std::vector<Float3> rest_normal = rest_normals(*surface.topology);
   const std::vector<Vector3> outward = outward_directions(surface, wall, borders);
   // (vertices), of the border edges that end and that begin there.
   std::vector<std::array<Vector3, 2>> around(wall.size());
@@ -186,6 +167,9 @@ WallDepth wall_depth(const SnapshotSurface& surface, std::span<const SurfaceVert
         vertex.normal = normal;
         vertex.curvature = 0;
         vertex.wound = inwards;
+        // Through the wall the pattern goes on as it does along it.
+        const double rest_depth = inwards * surface.topology->thickness[borders[k].triangle];
+        vertex.rest = float3(vector3(vertex.rest) - rest_depth * vector3(rest_normal[v]));
         depth.rim.push_back(vertex);
       }
     }

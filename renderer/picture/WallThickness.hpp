@@ -5,17 +5,9 @@
 #include <vector>
 
 #include "renderer/picture/SurfaceVertices.hpp"
+#include "renderer/snapshot/BorderEdges.hpp"
 
 namespace thinwall {
-
-/// A triangle's edge with nothing beyond it: at a cut, or where a wall ends.
-struct BorderEdge {
-  std::uint32_t start = 0, end = 0;  // vertices, in the triangle's sense
-  std::uint32_t triangle = 0;        // of the wall
-};
-
-/// The edges of the wall that belong to one triangle of wall and caps alone, in the order of the triangles.
-std::vector<BorderEdge> border_edges(const SnapshotTopology& topology);
 
 /// What a wall that is open somewhere shows besides its outer side.
 struct WallDepth {

@@ -21,7 +21,12 @@ struct SnapshotTopology {
   // (triangles x 3) or none, metres^2: products 11, 22, 12 of the edges from the first corner to the second and third,
   // of the shape in which the triangle bears no stress. It differs from `rest_positions` under prestretch.
   std::vector<Float3> rest_metric = {};
+  // (vertices) or none, seconds: when the vertex came to lie at a cut, kNeverCut where it does not. See cut_times().
+  std::vector<float> cut_times = {};
 };
+
+/// Cut time of a vertex that lies at no cut.
+inline constexpr float kNeverCut = -1;
 
 enum class FieldLocation { kVertex, kTriangle };
 
@@ -65,7 +70,8 @@ struct SnapshotScalar {
 
 /// One moment of a simulation: all that the renderer gets and all that a take stores.
 struct Snapshot {
-  double time = 0;  // seconds
+  double time = 0;              // seconds
+  Double3 gravity = {0, 0, 0};  // metres / second^2
   std::vector<SnapshotSurface> surfaces;
   std::vector<SnapshotTool> tools;
   std::vector<SnapshotScalar> scalars;

@@ -33,6 +33,14 @@ const SnapshotField* find_field(const SnapshotSurface& surface, std::string_view
   return found == surface.fields.end() ? nullptr : &*found;
 }
 
+std::optional<double> find_scalar(const Snapshot& snapshot, std::string_view body, std::string_view kind) {
+  for (const SnapshotScalar& scalar : snapshot.scalars) {
+    const std::string_view name = scalar.name;
+    if (name.size() == body.size() + kind.size() && name.starts_with(body) && name.ends_with(kind)) return scalar.value;
+  }
+  return std::nullopt;
+}
+
 std::vector<float> von_mises_stress(const SnapshotSurface& surface) {
   const SnapshotField* largest = find_field(surface, kLargestStressField, FieldLocation::kTriangle);
   const SnapshotField* smallest = find_field(surface, kSmallestStressField, FieldLocation::kTriangle);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -12,6 +13,14 @@ namespace thinwall {
 inline constexpr std::string_view kContactPressureField = "contact_pressure";          // pascal, vertices
 inline constexpr std::string_view kLargestStressField = "largest_principal_stress";    // pascal, triangles
 inline constexpr std::string_view kSmallestStressField = "smallest_principal_stress";  // pascal, triangles
+
+/// Names of a body's scalars that pictures read, behind its name.
+inline constexpr std::string_view kVolumeScalar = ".volume";             // metres^3, of the cavity
+inline constexpr std::string_view kFluidVolumeScalar = ".fluid_volume";  // metres^3, in it
+inline constexpr std::string_view kLeakedScalar = ".leaked";             // metres^3, run out
+
+/// The scalar `kind` (one of the names above) of a body, or nothing where the snapshot does not tell it.
+std::optional<double> find_scalar(const Snapshot& snapshot, std::string_view body, std::string_view kind);
 
 /// The field of that name and place, or nullptr where the surface has none with a value for each vertex or triangle.
 const SnapshotField* find_field(const SnapshotSurface& surface, std::string_view name, FieldLocation location);

@@ -232,7 +232,7 @@ struct ScenarioRun::Implementation {
       const auto cut = [&](auto&& how) {
         const SurfaceMesh uncut = body.model().definition.mesh;
         const std::optional<Cut> made = how();
-        if (made) take_over(*made, index, uncut);
+        if (made) take_over(*made, index, uncut, until);
         return made.has_value();
       };
       cut([&] { return incise(*incision, body, step); });
@@ -260,7 +260,7 @@ struct ScenarioRun::Implementation {
         const SurfaceMesh uncut = body.model().definition.mesh;
         const std::optional<Rupture> rupture = body.pierce(tool.index, after);
         if (!rupture) continue;
-        take_over(rupture->cut, index, uncut);
+        take_over(rupture->cut, index, uncut, until);
         if (clip == clips.end()) continue;
         std::get<PiercingPlan>(clip->plan).feel_rupture(until - clip->begin);
         tool.phase = "rupture";
@@ -268,10 +268,10 @@ struct ScenarioRun::Implementation {
     }
   }
 
-  /// Brings what names places of a body's surface onto the one that a cut has left.
-  void take_over(const Cut& cut, std::size_t index, const SurfaceMesh& uncut) {
+  /// Brings what names places of a body's surface onto the one that a cut has left at the end of a step.
+  void take_over(const Cut& cut, std::size_t index, const SurfaceMesh& uncut, double until) {
     carry_over(points, *bodies[index], uncut, cut);
-    topologies[index] = snapshot_topology(bodies[index]->model());
+    topologies[index] = snapshot_topology_after_cut(bodies[index]->model(), *topologies[index], until);
     ++cuts;
   }
 
@@ -348,7 +348,9 @@ struct ScenarioRun::Implementation {
   void write_moment() {
     record = {.time = time(), .tools = {}, .bodies = {}};
     record.tools.resize(scenario.tools.size());
-    snapshot = {.time = time(), .surfaces = {}, .tools = {}, .scalars = {}};
+    const Eigen::Vector3d& gravity = scenario.simulation.gravity;
+    snapshot = {
+        .time = time(), .gravity = {gravity.x(), gravity.y(), gravity.z()}, .surfaces = {}, .tools = {}, .scalars = {}};
     for (const auto& [name, tool] : tools) {
       ToolRecord& row = record.tools[tool.index];
       row = {.tool = name, .phase = tool.phase, .position = tool.pose.tip, .depth = tool.depth};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "renderer/snapshot/CutTimes.hpp"
 #include "renderer/snapshot/SurfaceFields.hpp"
 
 namespace thinwall {
@@ -82,9 +83,7 @@ double first_pressure(const BodyState& state) {
   return state.equilibrium.pressure.size() == 0 ? 0 : pressure_of(state, 0);
 }
 
-}  // namespace
-
-std::shared_ptr<const SnapshotTopology> snapshot_topology(const BodyModel& model) {
+std::shared_ptr<SnapshotTopology> topology_of(const BodyModel& model) {
   auto topology = std::make_shared<SnapshotTopology>();
   const BodyDefinition& definition = model.definition;
   for (const Eigen::Vector3d& vertex : definition.mesh.vertices) topology->rest_positions.push_back(to_float3(vertex));
@@ -92,6 +91,19 @@ std::shared_ptr<const SnapshotTopology> snapshot_topology(const BodyModel& model
   topology->cap_triangles = to_triangles(definition.mesh.cap_triangles);
   for (const double thickness : definition.thickness) topology->thickness.push_back(static_cast<float>(thickness));
   for (const MembraneRest& rest : model.rest) topology->rest_metric.push_back(rest_metric(rest));
+  return topology;
+}
+
+}  // namespace
+
+std::shared_ptr<const SnapshotTopology> snapshot_topology(const BodyModel& model) {
+  return topology_of(model);
+}
+
+std::shared_ptr<const SnapshotTopology> snapshot_topology_after_cut(const BodyModel& model,
+                                                                    const SnapshotTopology& before, double time) {
+  std::shared_ptr<SnapshotTopology> topology = topology_of(model);
+  topology->cut_times = cut_times(*topology, before, time);
   return topology;
 }
 
@@ -138,7 +150,12 @@ void add_scalars(const Body& body, std::vector<SnapshotScalar>& scalars) {
                        .unit = "Pa",
                        .value = pressure_of(body.state(), static_cast<Eigen::Index>(c))});
   }
-  scalars.push_back({.name = name + ".volume", .unit = "m^3", .value = body.state().volume.sum()});
+  const auto add_volume = [&](std::string_view kind, double volume) {
+    scalars.push_back({.name = name + std::string(kind), .unit = "m^3", .value = volume});
+  };
+  add_volume(kVolumeScalar, body.state().volume.sum());
+  add_volume(kFluidVolumeScalar, body.state().fluid_volume.sum());
+  add_volume(kLeakedScalar, body.state().leaked.sum());
 }
 
 BodyRecord body_record(const Body& body) {

@@ -13,6 +13,11 @@ namespace thinwall {
 /// The part of a snapshot that stays while no cut changes a body.
 std::shared_ptr<const SnapshotTopology> snapshot_topology(const BodyModel& model);
 
+/// The same after a cut that ends at `time` (seconds), with the times at which vertices came to lie at a cut; `before`:
+/// what was there before it.
+std::shared_ptr<const SnapshotTopology> snapshot_topology_after_cut(const BodyModel& model,
+                                                                    const SnapshotTopology& before, double time);
+
 /// The surface of a body as it is now, with the fields `contact_pressure` (Pa, vertices), and
 /// `largest_principal_stress` and `smallest_principal_stress` (Pa, triangles; see Body::principal_stress), these to one
 /// part in 16 384.
@@ -21,7 +26,8 @@ SnapshotSurface snapshot_surface(const Body& body, std::shared_ptr<const Snapsho
 /// A tool with what the record says of it.
 SnapshotTool snapshot_tool(const ToolDefinition& tool, const ToolPose& pose, const ToolRecord& record);
 
-/// Pressure and volume of a body, named `BODY.pressure` and `BODY.volume`.
+/// Pressure, volume, fluid in it and fluid that has run out of a body, named `BODY.pressure`, `BODY.volume`,
+/// `BODY.fluid_volume` and `BODY.leaked`.
 void add_scalars(const Body& body, std::vector<SnapshotScalar>& scalars);
 
 /// A row of body.csv.

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "renderer/look/FluidLooks.hpp"
 #include "renderer/look/OrganLooks.hpp"
 #include "studio/scenario/ResolvedCameras.hpp"
 #include "studio/scenario/ResolvedTeaching.hpp"
@@ -24,6 +25,12 @@ TissueLook to_tissue_look(const Json& body) {
   if (body.contains("color")) look.color = body.at("color").get<Double3>();
   if (body.contains("roughness")) look.roughness = body.at("roughness");
   if (body.contains("wetness")) look.wetness = body.at("wetness");
+  if (body.contains("contents")) {
+    const FluidLook* fluid = find_fluid_look(body.at("contents").get<std::string>());
+    if (fluid == nullptr) throw TakeError("the take's scenario names a fluid that this program does not know");
+    look.contents = *fluid;
+  }
+  if (body.contains("bleeding")) look.bleeding = body.at("bleeding");
   return look;
 }
 

@@ -1,4 +1,5 @@
 #include "renderer/look/DataView.hpp"
+#include "renderer/look/FluidLooks.hpp"
 #include "renderer/look/OrganLooks.hpp"
 #include "studio/scenario/SchemaSections.hpp"
 
@@ -77,6 +78,12 @@ ValueSchema look_schema() {
     kinds += (organs.size() == 1 ? ": `" : "; `") + organs.back() + "`, " + std::string(organ.documentation);
   }
   kinds += ". When absent, the one whose name is part of the body's name or its mesh file's, else `tissue`";
+  std::vector<std::string> fluids;
+  std::string known_fluids = "what fills it";
+  for (const NamedFluid& fluid : fluid_looks()) {
+    fluids.emplace_back(fluid.fluid);
+    known_fluids += (fluids.size() == 1 ? ": `" : "; `") + fluids.back() + "`, " + std::string(fluid.documentation);
+  }
   tissue.keys = {
       {"organ", word_value(organs), false, {}, kinds},
       {"color", color_value(), false, {}, "sRGB colour of the tissue, each part from 0 to 1; the organ's when absent"},
@@ -90,6 +97,17 @@ ValueSchema look_schema() {
        false,
        {},
        "strength of the wet layer; the organ's when absent"},
+      {"contents",
+       word_value(fluids),
+       false,
+       {},
+       known_fluids +
+           ". Seen where the body is open, up to the level that `fluid_volume_m3` gives; the organ's when absent"},
+      {"bleeding",
+       quantity_value(kDimensionless, kFromZeroToOne, "1"),
+       false,
+       {},
+       "how freely the wall bleeds where it is cut or punctured; the organ's when absent"},
   };
   MappingSchema overlays{.name = "overlays", .documentation = "What is written over the picture."};
   overlays.keys = {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cassert>
 
+#include "renderer/look/FluidLooks.hpp"
 #include "renderer/look/OrganLooks.hpp"
 #include "studio/scenario/ExpectationQuantity.hpp"
 #include "studio/scenario/FieldBuilder.hpp"
@@ -298,6 +299,8 @@ TissueLook to_tissue_look(const CheckedValue& body) {
   if (body.find("color") != nullptr) look.color = to_double3(body.at("color"));
   if (body.find("roughness") != nullptr) look.roughness = body.at("roughness").number;
   if (body.find("wetness") != nullptr) look.wetness = body.at("wetness").number;
+  if (body.find("contents") != nullptr) look.contents = *find_fluid_look(body.at("contents").text);
+  if (body.find("bleeding") != nullptr) look.bleeding = body.at("bleeding").number;
   return look;
 }
 

@@ -18,6 +18,7 @@
 ///   /warnings            (warnings) text
 ///   /time                (steps) float64, seconds
 ///   /planned_duration    (steps) float64, seconds, as known at that step
+///   /gravity             (3) float64, metres/second^2; not in older takes
 ///   /surfaces/BODY/epoch_0, epoch_1, ...
 ///                        one for each stretch of steps between changes of topology; attribute first_step
 ///     rest_positions     (vertices x 3) float32, metres, stress-free
@@ -25,6 +26,7 @@
 ///     cap_triangles      (caps x 3) uint32
 ///     thickness          (triangles) float32, metres, stress-free
 ///     rest_metric        (triangles x 3) float32, metres^2: see SnapshotTopology; not in older takes
+///     cut_times          (vertices) float32, seconds: see SnapshotTopology; only after a cut, not in older takes
 ///     positions          (steps of the epoch x vertices x 3) float32, metres
 ///     fields/FIELD       (steps of the epoch x vertices or triangles) float32; attributes unit, location
 ///   /tools/TOOL          attributes kind (the scenario's word), radius_m, length_m; width_m and thickness_m of a

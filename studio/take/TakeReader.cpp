@@ -101,6 +101,10 @@ std::shared_ptr<const SnapshotTopology> read_topology(const Handle& epoch) {
     topology->rest_metric = read_rows_of<Float3>(epoch, "rest_metric", Element::kFloat32, 3);
     require(topology->rest_metric.size() == topology->triangles.size(), "rest_metric and triangles differ in number");
   }
+  if (hdf5::has_link(epoch, "cut_times")) {
+    topology->cut_times = read_rows_of<float>(epoch, "cut_times", Element::kFloat32, 1);
+    require(topology->cut_times.size() == topology->rest_positions.size(), "cut_times and vertices differ in number");
+  }
   for (const auto* triangles : {&topology->triangles, &topology->cap_triangles}) {
     for (const Triangle& triangle : *triangles) {
       require(*std::max_element(triangle.begin(), triangle.end()) < topology->rest_positions.size(),
@@ -210,6 +214,7 @@ struct TakeReader::Implementation {
   TakeDescription description;
   TakeEnding ending;
   std::vector<double> times;
+  Double3 gravity = {0, 0, 0};  // metres / second^2
   Table planned_duration;
   std::vector<SurfaceRows> surfaces;
   std::vector<ToolRows> tools;
@@ -280,6 +285,7 @@ void TakeReader::Implementation::read_layout() {
   require(std::is_sorted(times.begin(), times.end()), "times do not ascend");
   planned_duration = read_table(file, "planned_duration", steps, 1);
   if (steps == 0) return;
+  if (hdf5::has_link(file, "gravity")) gravity = triple(read_table(file, "gravity", 3, 1).row(0));
   const Handle surface_group = hdf5::open_group(file, "surfaces");
   for (const std::string& link : hdf5::link_names(surface_group)) {
     surfaces.push_back(read_surface(hdf5::open_group(surface_group, link), steps));
@@ -318,6 +324,7 @@ StepRecord TakeReader::Implementation::read_record(std::size_t step) const {
 Moment TakeReader::Implementation::read(std::size_t step) const {
   Moment moment;
   moment.snapshot.time = times.at(step);
+  moment.snapshot.gravity = gravity;
   for (const SurfaceRows& rows : surfaces) {
     const auto after = std::upper_bound(rows.epochs.begin(), rows.epochs.end(), step,
                                         [](std::size_t s, const EpochRows& epoch) { return s < epoch.first_step; });

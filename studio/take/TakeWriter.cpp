@@ -47,7 +47,7 @@ void require_finite(const Snapshot& snapshot) {
 bool same_topology(const SnapshotTopology& a, const SnapshotTopology& b) {
   return &a == &b ||
          (a.rest_positions == b.rest_positions && a.triangles == b.triangles && a.cap_triangles == b.cap_triangles &&
-          a.thickness == b.thickness && a.rest_metric == b.rest_metric);
+          a.thickness == b.thickness && a.rest_metric == b.rest_metric && a.cut_times == b.cut_times);
 }
 
 std::string tool_kind_name(SnapshotToolKind kind) {
@@ -103,6 +103,9 @@ Epoch begin_epoch(SurfaceRows& rows, const SnapshotSurface& surface, std::size_t
   write("thickness", Element::kFloat32, {topology.thickness.size()}, topology.thickness.data());
   if (!topology.rest_metric.empty()) {
     write("rest_metric", Element::kFloat32, {topology.rest_metric.size(), 3}, topology.rest_metric.data());
+  }
+  if (!topology.cut_times.empty()) {
+    write("cut_times", Element::kFloat32, {topology.cut_times.size()}, topology.cut_times.data());
   }
 
   Epoch epoch{.topology = surface.topology,
@@ -207,6 +210,7 @@ void TakeWriter::Implementation::begin(const TakeDescription& description) {
 }
 
 void TakeWriter::Implementation::lay_out(const Moment& first) {
+  hdf5::write_array(file, "gravity", Element::kFloat64, std::array<hsize_t, 1>{3}, first.snapshot.gravity.data());
   const Handle surface_group = hdf5::create_group(file, "surfaces");
   for (const SnapshotSurface& surface : first.snapshot.surfaces) {
     surfaces.push_back({.group = hdf5::create_group(surface_group, take_layout::link_name(surface.body)), .epoch = {}});

@@ -12,8 +12,6 @@ struct Skin {
   float film;       // strength of the wet layer
 };
 
-const float kWoundReach = 0.004;  // metres, from the lips of a cut to where a vertex is no longer near it
-
 // Part of a pattern with waves of 1 / `frequency` metres that pixels of `footprint` metres still show; the rest would
 // sparkle when it moves.
 float resolved(float frequency, float footprint) { return 1.0 - smoothstep(0.2, 0.55, frequency * footprint); }
@@ -52,11 +50,15 @@ float fat_at(vec4 broad, vec4 fine) {
   return fat.w > 0.0 ? cover : 0.0;
 }
 
-// Layers of a wall that is cut through, by the depth in it: serosa, muscle, mucosa, or the skin's.
-vec3 layers_at(float depth, vec4 fine) {
-  float wavy = depth + 0.05 * fine.w;
-  vec3 color = mix(flesh.rgb, blood.rgb, smoothstep(-0.05, 0.05, wavy - pattern.z));
-  return mix(color, fat.rgb, smoothstep(-0.07, 0.07, wavy - pattern.w));
+// Layers of a wall that is cut through, by the depth in it: serosa, muscle, mucosa, or the skin's. The middle one is made of
+// bundles with vessels between them.
+vec3 layers_at(float depth, vec4 coarse, vec4 fine, vec4 grain) {
+  float wavy = depth + 0.06 * coarse.w + 0.07 * fine.w + 0.03 * grain.w;
+  float bundles = 0.6 * fine.w + 0.7 * grain.w;
+  vec3 middle = blood.rgb * (1.0 + 0.35 * bundles);
+  middle = mix(middle, middle * vec3(0.62, 0.30, 0.32), smoothstep(0.35, 0.75, abs(fine.w) + 0.4 * grain.w));
+  vec3 color = mix(flesh.rgb * (1.0 + 0.12 * grain.w), middle, smoothstep(-0.03, 0.03, wavy - pattern.z));
+  return mix(color, fat.rgb * (1.0 + 0.22 * grain.w), smoothstep(-0.06, 0.06, wavy - pattern.w));
 }
 
 // Friction ridges run in arches, half a millimetre apart.
@@ -69,7 +71,7 @@ vec3 ridge_bump(vec3 place, vec4 broad, float footprint) {
 }
 
 // `place`: stress-free, metres; `footprint`: what a pixel covers, metres; `thickness`: over that of the stress-free wall;
-// `depth`: in a rim from 0 outside to 1 inside; elsewhere nearness to a cut, see CutLips.hpp.
+// `depth`: in a rim from 0 outside to 1 inside.
 Skin skin_at(vec3 place, float footprint, float blanch, float thickness, float depth) {
   vec4 broad = noise(pattern.y * place + 11.3);
   // Drawn out, so that vessels run along and seldom close to rings.
@@ -103,19 +105,7 @@ Skin skin_at(vec3 place, float footprint, float blanch, float thickness, float d
   vec3 bloodless = mix(vec3(dot(albedo, vec3(0.35, 0.45, 0.20))) * vec3(1.10, 0.99, 0.88), vec3(0.70, 0.56, 0.44), 0.45);
   albedo = mix(albedo, bloodless, 0.65 * blanch);
   skin.albedo = mix(flesh.rgb, saturate3(albedo), vessels.w);
-  if (pattern.z > 0.0) skin.albedo = layers_at(depth, fine);
-
-  // Blood lies along the lips of a cut, dark where it is thick, and smooths what it covers.
-  float blood_part = 0.0;
-  if (pattern.z > 0.0) {
-    blood_part = 0.65 * smoothstep(-0.4, 0.6, coarse.w + 0.5 * fine.w + 0.4 * depth);
-  } else {
-    float from_lip = kWoundReach * (1.0 - depth);
-    float spread = 0.0007 * max(0.9 + 0.8 * grain_seen * grain.w + 1.0 * fine.w + 1.0 * coarse.w + 0.8 * broad.w, 0.05);
-    blood_part = 0.9 * (1.0 - smoothstep(0.5 * spread, 1.4 * spread, from_lip));
-  }
-  const vec3 kBlood = vec3(0.17, 0.006, 0.008);
-  skin.albedo = mix(skin.albedo, kBlood, blood_part);
+  if (pattern.z > 0.0) skin.albedo = layers_at(depth, coarse, fine, grain);
 
   // Furrowed relief has sharp valleys where the noise passes through zero.
   float furrow = grain.w * inversesqrt(square(grain.w) + 0.02);
@@ -126,7 +116,6 @@ Skin skin_at(vec3 place, float footprint, float blanch, float thickness, float d
   skin.bump = slope * (grain_seen * grain_bump + 0.55 * dust_seen * dust_bump + 0.30 * coarse.xyz + 1.2 * fatty * fine.xyz);
   if (relief.w > 0.0) skin.bump += vessels.w * ridge_bump(place, broad, footprint);
   skin.lost_bump = square(slope) * (5.0 * (1.0 - square(grain_seen)) + 1.6 * (1.0 - square(dust_seen)));
-  skin.bump *= 1.0 - 0.6 * blood_part;
-  skin.film = mix(blood.w, 1.0, blood_part) * (1.0 - vessels.w * 0.35 * smoothstep(0.1, 0.7, 0.6 * coarse.w + 0.6 * fine.w));
+  skin.film = blood.w * (1.0 - vessels.w * 0.35 * smoothstep(0.1, 0.7, 0.6 * coarse.w + 0.6 * fine.w));
   return skin;
 }

@@ -46,9 +46,12 @@ void main() {
   vec3 toward = lamp_direction(position);
   vec3 lamp = lamp_light(position);
   float visible = key_visibility(position, base);
+  // Light that has come into an opened organ goes from wall to wall.
+  float bounced = pattern.w > 0.0 && pattern.z == 0.0 ? 0.35 : 0.0;
 #ifdef ENDOSCOPE
-  visible = mix(0.1, 1.0, visible);  // the walls of the cavity send light into shadows
+  bounced = max(bounced, 0.1);  // the walls of the cavity send light into shadows
 #endif
+  visible = mix(bounced, 1.0, visible);
   float hollow = max(bend, 0.0);
   float openness = rods_openness(position, base) * floor_openness(position, base) * (1.0 - 0.55 * smoothstep(0.0, 0.8, hollow));
 

@@ -20,7 +20,7 @@ camera: { position: [80 mm, -60 mm, 50 mm], target: [1 mm, 2 mm, 3 mm], up: [0, 
 lights: { key: 0.9, fill: 0.8, environment: 0.7, key_direction: [0, 0, 2] }
 look:
   background: [0.1, 0.2, 0.3]
-  bodies: { organ: { organ: liver, color: [0.4, 0.5, 0.6], roughness: 0.3, wetness: 0.2 } }
+  bodies: { organ: { organ: liver, color: [0.4, 0.5, 0.6], roughness: 0.3, wetness: 0.2, contents: bile, bleeding: 0.3 } }
   overlays: { force_plot: false, gauge: false, captions: false, time: false }
 record: { size: [320, 200], fps: 25, video: false, tier: final }
 )";
@@ -51,6 +51,9 @@ class ResolvedPictureTest : public ::testing::Test {
       EXPECT_EQ(read.view.look.bodies.at(name).color, look.color);
       EXPECT_EQ(read.view.look.bodies.at(name).roughness, look.roughness);
       EXPECT_EQ(read.view.look.bodies.at(name).wetness, look.wetness);
+      EXPECT_EQ(read.view.look.bodies.at(name).contents.color, look.contents.color);
+      EXPECT_EQ(read.view.look.bodies.at(name).contents.clarity, look.contents.clarity);
+      EXPECT_EQ(read.view.look.bodies.at(name).bleeding, look.bleeding);
       EXPECT_EQ(read.view.look.bodies.at(name).blood, look.blood);
     }
     EXPECT_EQ(read.overlays.force_plot, scenario.overlays.force_plot);

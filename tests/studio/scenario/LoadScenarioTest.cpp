@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "renderer/look/FluidLooks.hpp"
 #include "renderer/look/OrganLooks.hpp"
 #include "tests/studio/scenario/ScenarioTestTools.hpp"
 
@@ -145,6 +146,8 @@ TEST(LoadScenario, ReadsEveryKey) {
   EXPECT_EQ(scenario.view.camera.position, (Double3{0.08, 0, 0.05}));
   EXPECT_EQ(scenario.view.lights.fill, 0.8);
   EXPECT_EQ(scenario.view.look.bodies.at("bladder").wetness, 0.9);
+  EXPECT_EQ(scenario.view.look.bodies.at("bladder").contents.clarity, find_fluid_look("blood")->clarity);
+  EXPECT_EQ(scenario.view.look.bodies.at("bladder").bleeding, 0.4);
   EXPECT_EQ(scenario.view.look.bodies.at("bladder").clearness, find_organ_look("gallbladder")->clearness);
   EXPECT_EQ(scenario.view.look.bodies.at("cloth").color, TissueLook{}.color);
   EXPECT_FALSE(scenario.overlays.gauge);

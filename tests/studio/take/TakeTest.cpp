@@ -43,6 +43,7 @@ void expect_equal(const SnapshotSurface& read, const SnapshotSurface& written) {
   EXPECT_EQ(read.topology->triangles, written.topology->triangles);
   EXPECT_EQ(read.topology->cap_triangles, written.topology->cap_triangles);
   EXPECT_EQ(read.topology->thickness, written.topology->thickness);
+  EXPECT_EQ(read.topology->cut_times, written.topology->cut_times);
   ASSERT_EQ(read.fields.size(), written.fields.size());
   for (std::size_t i = 0; i < read.fields.size(); ++i) {
     EXPECT_EQ(read.fields[i].name, written.fields[i].name);
@@ -54,6 +55,7 @@ void expect_equal(const SnapshotSurface& read, const SnapshotSurface& written) {
 
 void expect_equal(const Moment& read, const Moment& written) {
   EXPECT_EQ(read.snapshot.time, written.snapshot.time);
+  EXPECT_EQ(read.snapshot.gravity, written.snapshot.gravity);
   ASSERT_EQ(read.snapshot.surfaces.size(), written.snapshot.surfaces.size());
   for (std::size_t i = 0; i < read.snapshot.surfaces.size(); ++i) {
     expect_equal(read.snapshot.surfaces[i], written.snapshot.surfaces[i]);
@@ -140,6 +142,22 @@ TEST(TakeTest, KeepsAChangeOfTopology) {
   expect_equal(reader.moment(2), coarse.moment(2));
   expect_equal(reader.moment(3), fine.moment(3));
   expect_equal(reader.moment(5), fine.moment(5));
+}
+
+TEST(TakeTest, KeepsGravityAndWhenLipsWereCut) {
+  const TemporaryFolder folder;
+  Moment moment = SyntheticRun({.side = 5}).moment(0);
+  moment.snapshot.gravity = {0, 1.5, -9.7};
+  auto topology = std::make_shared<SnapshotTopology>(*moment.snapshot.surfaces[0].topology);
+  topology->cut_times.assign(topology->rest_positions.size(), kNeverCut);
+  topology->cut_times[3] = 0.25F;
+  moment.snapshot.surfaces[0].topology = topology;
+  {
+    TakeWriter writer(folder / "take.h5", kDescription);
+    writer.write(moment);
+    writer.finish({.complete = true, .warnings = {}, .state_digest = ""});
+  }
+  expect_equal(TakeReader(folder / "take.h5").moment(0), moment);
 }
 
 TEST(TakeTest, HasItsNameOnlyWhenFinished) {

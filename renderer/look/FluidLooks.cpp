@@ -1,0 +1,29 @@
+#include "renderer/look/FluidLooks.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace thinwall {
+namespace {
+
+constexpr std::array kFluidLooks = {
+    NamedFluid{"serum", "clear and straw-coloured", {}},
+    NamedFluid{"bile", "golden brown to dark green", {.color = {0.36, 0.31, 0.06}, .clarity = 0.0022}},
+    NamedFluid{"gastric_juice", "pale and slightly cloudy", {.color = {0.62, 0.58, 0.42}, .clarity = 0.010}},
+    NamedFluid{"blood", "dark red and opaque", {.color = {0.34, 0.015, 0.02}, .clarity = 0.0007}},
+    NamedFluid{"water", "clear", {.color = {0.55, 0.62, 0.62}, .clarity = 0.05}},
+    NamedFluid{"none", "nothing is seen of it, as of a gel or of solid tissue", {.color = {0, 0, 0}, .clarity = 0}},
+};
+
+}  // namespace
+
+std::span<const NamedFluid> fluid_looks() {
+  return kFluidLooks;
+}
+
+const FluidLook* find_fluid_look(std::string_view fluid) {
+  const auto row = std::ranges::find(kFluidLooks, fluid, &NamedFluid::fluid);
+  return row == kFluidLooks.end() ? nullptr : &row->look;
+}
+
+}  // namespace thinwall

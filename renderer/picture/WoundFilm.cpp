@@ -1,0 +1,228 @@
+#include "renderer/picture/WoundFilm.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "renderer/wound/Bleeding.hpp"
+
+namespace thinwall {
+namespace {
+
+constexpr double kBloodSpacing = 0.0045;  // metres between runs of blood, and of what has been in the body
+constexpr double kFluidSpacing = 0.009;
+constexpr double kLongestRun = 0.045;     // metres
+constexpr double kMargin = 0.0003;        // metres beyond a film's edge that are drawn, for its edge is uneven
+constexpr float kOnTriangles = 0.00002F;  // metres, lift of a film on the wall's own triangles
+constexpr float kAcrossTriangles = 0.0004F;
+constexpr double kFringe = 0.0009;         // metres, of blood beside a lip that bleeds freely
+constexpr double kFringeHeight = 0.00016;  // metres
+
+Float3 float3(Vector3 a) {
+  return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
+}
+
+/// Seconds since a lip was cut; some where the snapshot does not tell.
+double age_of(const SnapshotTopology& topology, std::uint32_t vertex, double time) {
+  constexpr double kUntold = 3;
+  return vertex < topology.cut_times.size() ? std::max(0.0, time - topology.cut_times[vertex]) : kUntold;
+}
+
+/// What of its blood a lip has shed, 0 to 1, early on faster than blood_shed: the first drops come at once.
+double welled(double age) {
+  return 1 - std::exp(-age / 0.5);
+}
+
+void append_coat(const SnapshotSurface& surface, const TissuePiece& wall, const WoundLayout& wounds, double bleeding,
+                 double time, Film& film) {
+  const SnapshotTopology& topology = *surface.topology;
+  const auto offset = static_cast<std::uint32_t>(film.vertices.size());
+  for (std::uint32_t v = 0; v < wall.vertices.size(); ++v) {
+    const SurfaceVertex& vertex = wall.vertices[v];
+    FilmVertex coat{
+        .position = vertex.position, .normal = vertex.normal, .rest = vertex.rest, .inward = -1, .lift = kOnTriangles};
+    const std::uint32_t lip = wounds.map.lip[v];
+    if (lip != WoundMap::kNoLip) {
+      const double age = age_of(topology, lip, time);
+      const double spread = bleeding * welled(age) * wounds.map.tapering[lip] * (1 + 0.5 * wounds.fall[lip]);
+      coat.inward = static_cast<float>(kFringe * spread - wounds.map.from_lip[v]);
+      coat.width = static_cast<float>(0.5 * kFringe);
+      coat.height = static_cast<float>(kFringeHeight);
+      coat.dry = static_cast<float>(dryness(age));
+    }
+    film.vertices.push_back(coat);
+  }
+  for (const Triangle& triangle : topology.triangles) {
+    const bool is_near = std::ranges::any_of(
+        triangle, [&](std::uint32_t v) { return film.vertices[offset + v].inward > -static_cast<float>(kMargin); });
+    if (!is_near) continue;
+    for (const std::uint32_t v : triangle) film.corners.push_back(offset + v);
+  }
+}
+
+/// On the cut itself, patchy: more of it the deeper, for it runs down there.
+void append_rim(const SnapshotTopology& topology, std::span<const BorderEdge> borders, const TissuePiece& rim,
+                const WoundLayout& wounds, double bleeding, double time, Film& film) {
+  const auto offset = static_cast<std::uint32_t>(film.vertices.size());
+  for (std::size_t v = 0; v < rim.vertices.size(); ++v) {
+    const BorderEdge& edge = borders[v / 4];
+    const std::uint32_t lip = v % 4 < 2 ? edge.start : edge.end;
+    const SurfaceVertex& vertex = rim.vertices[v];
+    FilmVertex coat{
+        .position = vertex.position, .normal = vertex.normal, .rest = vertex.rest, .inward = -1, .lift = kOnTriangles};
+    if (wounds.map.lip[lip] == lip) {
+      const double age = age_of(topology, lip, time);
+      const double amount = bleeding * welled(age) * std::sqrt(wounds.map.tapering[lip]);
+      coat.inward = static_cast<float>(0.0004 * amount * (1 + vertex.wound) - 0.00042);
+      coat.width = 0.0004F;
+      coat.height = static_cast<float>(kFringeHeight);
+      coat.dry = static_cast<float>(dryness(age));
+    }
+    film.vertices.push_back(coat);
+  }
+  for (std::size_t k = 0; k < borders.size(); ++k) {
+    if (wounds.map.lip[borders[k].start] != borders[k].start || wounds.map.lip[borders[k].end] != borders[k].end)
+      continue;
+    for (std::size_t c = 6 * k; c < 6 * k + 6; ++c) film.corners.push_back(offset + rim.corners[c]);
+  }
+}
+
+struct RunShape {
+  double half_width = 0;  // metres, of the trail
+  double length = 0;      // metres
+  double height = 0;      // metres, of the trail
+  double dry = 0;         // 0 to 1
+};
+
+/// Half the width `along` a run: a trail that wells out of the lip and ends in a drop.
+double half_width_at(double along, const RunShape& shape) {
+  const double drop = 1.7 * shape.half_width;
+  const double from_head = shape.length - along;
+  const double trail = shape.half_width * (0.85 + 0.15 * std::cos(along / 0.0031));
+  if (from_head >= 4 * drop) return trail;
+  const double into_drop = std::clamp((4 * drop - from_head) / (3 * drop), 0.0, 1.0);
+  const double body = trail + (drop - trail) * into_drop * into_drop * (3 - 2 * into_drop);
+  const double round = std::clamp(1 - from_head / drop, 0.0, 1.0);
+  return body * std::sqrt(1 - round * round);
+}
+
+void append_run(const SnapshotSurface& surface, std::span<const Float3> normals, const FluidRun& run,
+                const RunShape& shape, Film& film) {
+  const std::size_t steps = run.path.size() - 1;
+  const double length_drawn = std::min(shape.length, static_cast<double>(steps) * kRunStep);
+  if (length_drawn < kRunStep) return;
+  RunShape drawn = shape;
+  drawn.length = length_drawn;
+  // Twice as fine as the path, so that the drop is round; the last place is the head itself.
+  const auto rows = static_cast<std::size_t>(std::ceil(length_drawn / (0.5 * kRunStep))) + 1;
+  const auto on_path = [&](double along, std::span<const Float3> points) {
+    const double place = std::min(along / kRunStep, static_cast<double>(steps));
+    const auto first = std::min(static_cast<std::size_t>(place), steps - 1);
+    const double part = place - static_cast<double>(first);
+    return (1 - part) * point_at(run.path[first], *surface.topology, points) +
+           part * point_at(run.path[first + 1], *surface.topology, points);
+  };
+  const auto offset = static_cast<std::uint32_t>(film.vertices.size());
+  for (std::size_t row = 0; row < rows; ++row) {
+    const double along = std::min(0.5 * kRunStep * static_cast<double>(row), length_drawn);
+    const Vector3 middle = on_path(along, surface.positions);
+    const Vector3 normal = normalized(on_path(along, normals));
+    const double before = std::max(0.0, along - kRunStep), behind = std::min(length_drawn, along + kRunStep);
+    const Vector3 sense = normalized(on_path(behind, surface.positions) - on_path(before, surface.positions));
+    const Vector3 side = normalized(cross(normal, sense));
+    const Vector3 rest = on_path(along, surface.topology->rest_positions);
+    const double half = half_width_at(along, drawn);
+    const double height = drawn.height * half / drawn.half_width;
+    for (const double across : {-1.0, 0.0, 1.0}) {
+      const double out = across * (half + kMargin);
+      film.vertices.push_back({.position = float3(middle + out * side + 0.0001 * normal),
+                               .normal = float3(normal),
+                               .rest = float3(rest + out * side),
+                               .inward = static_cast<float>(across == 0 ? half : -kMargin),
+                               .width = static_cast<float>(std::max(half, 1e-5)),
+                               .height = static_cast<float>(height),
+                               .dry = static_cast<float>(drawn.dry),
+                               .lift = kAcrossTriangles});
+    }
+    if (row == 0) continue;
+    const std::uint32_t a = offset + 3 * static_cast<std::uint32_t>(row - 1), b = a + 3;
+    for (const std::uint32_t corner : {a, a + 1, b + 1, a, b + 1, b, a + 1, a + 2, b + 2, a + 1, b + 2, b + 1}) {
+      film.corners.push_back(corner);
+    }
+  }
+}
+
+std::vector<Float3> normals_of(const TissuePiece& wall) {
+  std::vector<Float3> normals;
+  for (const SurfaceVertex& vertex : wall.vertices) normals.push_back(vertex.normal);
+  return normals;
+}
+
+double thickness_at(const FluidRun& run, const SnapshotTopology& topology) {
+  const std::uint32_t triangle = run.path.front().triangle;
+  return triangle < topology.thickness.size() ? topology.thickness[triangle] : 0.001;
+}
+
+}  // namespace
+
+WoundLayout lay_out_wounds(const SnapshotTopology& topology, std::span<const BorderEdge> borders,
+                           std::span<const char> is_lip, Vector3 down) {
+  WoundLayout layout{.map = map_wounds(topology, borders, is_lip),
+                     .fall = std::vector<double>(is_lip.size(), 0),
+                     .blood_runs = find_runs(topology, borders, is_lip, down, kBloodSpacing, kLongestRun),
+                     .fluid_runs = find_runs(topology, borders, is_lip, down, kFluidSpacing, kLongestRun)};
+  for (const auto& [start, end, triangle] : borders) {
+    if (!is_lip[start] || !is_lip[end]) continue;
+    const Vector3 a = vector3(topology.rest_positions[start]), b = vector3(topology.rest_positions[end]);
+    for (const std::uint32_t corner : topology.triangles[triangle]) {
+      if (corner == start || corner == end) continue;
+      const double fall = dot(normalized(vector3(topology.rest_positions[corner]) - 0.5 * (a + b)), down);
+      layout.fall[start] += 0.5 * fall;
+      layout.fall[end] += 0.5 * fall;
+    }
+  }
+  return layout;
+}
+
+Film blood_film(const SnapshotSurface& surface, std::span<const BorderEdge> borders,
+                std::span<const TissuePiece> pieces, const WoundLayout& wounds, double bleeding, double time) {
+  Film film;
+  append_coat(surface, pieces.front(), wounds, bleeding, time, film);
+  const auto rim = std::ranges::find(pieces, TissueSide::kRim, &TissuePiece::side);
+  if (rim != pieces.end()) append_rim(*surface.topology, borders, *rim, wounds, bleeding, time, film);
+  const std::vector<Float3> normals = normals_of(pieces.front());
+  for (const FluidRun& run : wounds.blood_runs) {
+    const double age = time - run.born - 0.4 * run.chance;
+    const double half_width = 0.00030 + 0.00025 * run.chance;
+    const double height = 0.6 * half_width;
+    const double cut_area = kBloodSpacing * thickness_at(run, *surface.topology);
+    const double volume = bleeding * (0.5 + run.chance) * cut_area * blood_shed(age);
+    append_run(surface, normals, run,
+               {.half_width = half_width,
+                .length = run_length(volume, 2 * half_width, height, age, 0.03),
+                .height = height,
+                .dry = dryness(age)},
+               film);
+  }
+  return film;
+}
+
+Film runoff_film(const SnapshotSurface& surface, std::span<const TissuePiece> pieces, const WoundLayout& wounds,
+                 double leaked, double time) {
+  Film film;
+  if (!(leaked > 0)) return film;
+  const std::vector<Float3> normals = normals_of(pieces.front());
+  for (const FluidRun& run : wounds.fluid_runs) {
+    const double half_width = 0.0010 + 0.0007 * run.chance;
+    constexpr double kHeight = 0.0004;  // metres
+    append_run(surface, normals, run,
+               {.half_width = half_width,
+                .length = run_length(leaked, 2 * half_width, kHeight, time - run.born, 0.045),
+                .height = kHeight,
+                .dry = 0},
+               film);
+  }
+  return film;
+}
+
+}  // namespace thinwall

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "renderer/picture/TissuePieces.hpp"
+#include "renderer/wound/RunPath.hpp"
+#include "renderer/wound/WoundMap.hpp"
+
+namespace thinwall {
+
+/// What the shader of films reads of a vertex.
+struct FilmVertex {
+  Float3 position{};  // metres
+  Float3 normal{};    // of length one, outward
+  Float3 rest{};      // metres, stress-free: where its unevenness sticks
+  float inward = 0;   // metres from the film's edge inwards, negative outside
+  float width = 0;    // metres from the edge to where it is thickest
+  float height = 0;   // metres, there
+  float dry = 0;      // 0 to 1
+  float lift = 0;     // metres towards the eye by which it is drawn in front of the wall that it lies on
+};
+
+/// A fluid that lies on a wall.
+struct Film {
+  std::vector<FilmVertex> vertices;
+  std::vector<std::uint32_t> corners;  // (3 x triangles), into `vertices`
+};
+
+/// What of a wall's wounds stays while no cut changes it.
+struct WoundLayout {
+  WoundMap map;
+  std::vector<double> fall;  // (vertices), of lips: -1 to 1, how far the wall falls away from the wound
+  std::vector<FluidRun> blood_runs;
+  std::vector<FluidRun> fluid_runs;
+};
+
+/// `is_lip`: what cut_lips gives; `down`: the sense in which fluids run.
+WoundLayout lay_out_wounds(const SnapshotTopology& topology, std::span<const BorderEdge> borders,
+                           std::span<const char> is_lip, Vector3 down);
+
+/// The blood on a wall at `time` (seconds): what wells up along the lips and on the cut itself, and what runs down from
+/// there. `bleeding`: 0 to 1.
+Film blood_film(const SnapshotSurface& surface, std::span<const BorderEdge> borders,
+                std::span<const TissuePiece> pieces, const WoundLayout& wounds, double bleeding, double time);
+
+/// What has run out of a body, `leaked` (metres^3), on its wall at `time` (seconds).
+Film runoff_film(const SnapshotSurface& surface, std::span<const TissuePiece> pieces, const WoundLayout& wounds,
+                 double leaked, double time);
+
+}  // namespace thinwall

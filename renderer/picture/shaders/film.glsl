@@ -1,0 +1,66 @@
+#include "environment.glsl"
+#include "lamp.glsl"
+#include "noise.glsl"
+#include "reflection.glsl"
+#include "shadow.glsl"
+#include "tone.glsl"
+
+// A fluid that lies on a wall or runs down it: rounded towards its edge, deeper in colour where it is thick, glossy until
+// it is dry.
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 smooth_normal;
+layout(location = 2) in vec3 rest;
+layout(location = 3) in vec4 film;  // metres from the edge inwards, metres to where it is thickest, height there, dry
+
+layout(location = 0) out vec4 color;  // is blended over the pixel by its alpha
+
+layout(location = 0) uniform vec4 fluid;  // linear colour of a deep layer; w: 1 / clarity, 1 / metre
+
+void main() {
+  vec4 coarse = noise(420.0 * rest);
+  vec4 fine = noise(1300.0 * rest + 3.0);
+  float uneven = film.y * (1.3 * coarse.w + 0.25 * fine.w);
+  float inward = film.x + uneven;
+  float rise = saturate(inward / max(film.y, 1e-6));
+  float height = film.z * sqrt(rise * (2.0 - rise)) * (1.0 + 0.25 * coarse.w);
+
+  // The slope of the film over the wall, from how its height changes between pixels (Mikkelsen 2010).
+  vec3 base = normalize(smooth_normal);
+  vec3 across = dFdx(position), along = dFdy(position);
+  vec3 first = cross(along, base), second = cross(base, across);
+  float area = dot(across, first);
+  vec3 slope = (dFdx(height) * first + dFdy(height) * second) / (abs(area) > 1e-16 ? area : 1e-16);
+  slope *= min(1.0, 0.6 / max(length(slope), 1e-3));
+  vec3 from_eye = position - camera_position.xyz;
+  vec3 view = -normalize(from_eye);
+  float depth = dot(from_eye, ray_middle.xyz);
+  vec3 normal = normalize(base - slope);
+  float nv = max(dot(normal, view), 0.02);
+
+  float pixel = environment.w * depth;
+  float covered = smoothstep(0.0, max(2.0 * pixel, 0.00006), inward);
+  float left = exp(-height * fluid.w / max(nv, 0.3));
+  float dry = film.w;
+
+  vec3 toward = lamp_direction(position);
+  vec3 lamp = lamp_light(position);
+  float visible = mix(0.12, 1.0, key_visibility(position, base));
+  float cosine = saturate(0.25 + 0.75 * dot(normal, toward));
+  vec3 deep = fluid.rgb * mix(1.0, 0.45, dry);
+  vec3 body = deep * (visible * cosine * lamp + environment_irradiance(normal));
+  float gloss = 1.0 - 0.85 * dry;
+  // Where the normal turns within a pixel, the pixel mirrors as a rougher film does (Tokuyoshi and Kaplanyan 2019).
+  vec3 turn = dFdx(normal), other_turn = dFdy(normal);
+  float lost = min(0.5 * (dot(turn, turn) + dot(other_turn, other_turn)), 0.2);
+  float mirror = gloss * (0.022 + 0.978 * fresnel_weight(nv));
+  vec3 shine = mirror * mix(0.3, 1.0, visible) * environment_light(reflect(-view, normal), sqrt(0.0064 + lost), visible);
+#ifdef ENDOSCOPE
+  float lamp_mirror = gloss * (0.022 + 0.978 * fresnel_weight(dot(view, normalize(view + toward))));
+  shine += visible * lamp_mirror * glint(normal, view, toward, sqrt(0.0036 + lost)) * lamp;
+#endif
+  float opaque = 1.0 - left;
+  float alpha = max(opaque, saturate(dot(shine, vec3(0.33))));
+  vec3 light = (body * opaque + shine) / max(alpha, 1e-3);
+  color = vec4(finished(light, from_eye / depth, gl_FragCoord.xy).rgb, covered * alpha);
+}

@@ -1,0 +1,3 @@
+#version 450 core
+#define ENDOSCOPE
+#include "film.glsl"

@@ -1,0 +1,53 @@
+#include "environment.glsl"
+#include "lamp.glsl"
+#include "noise.glsl"
+#include "reflection.glsl"
+#include "shadow.glsl"
+#include "tone.glsl"
+
+// The fluid in an opened organ: a mirror over a depth that swallows what lies in it (Lambert and Beer).
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 smooth_normal;
+
+layout(location = 0) out vec4 color;  // is blended over the pixel by its alpha
+
+layout(location = 0) uniform vec4 fluid;  // linear colour of a deep layer; w: 1 / clarity, 1 / metre
+
+layout(binding = 2) uniform sampler2D seen_normal;  // w: depth of the tissue along the line of sight, metres
+
+void main() {
+  vec3 from_eye = position - camera_position.xyz;
+  vec3 view = -normalize(from_eye);
+  float depth = dot(from_eye, ray_middle.xyz);
+  float behind = texelFetch(seen_normal, ivec2(gl_FragCoord.xy), 0).w;
+  float way = max(behind / depth - 1.0, 0.0) * length(from_eye);
+  float left = exp(-way * fluid.w);
+
+  // It is hardly ever at rest.
+  vec3 coordinates = 350.0 * position;
+  vec3 waves = 0.035 * noise(coordinates).xyz + 0.02 * noise(2.7 * coordinates + 4.0).xyz;
+  vec3 base = normalize(smooth_normal);
+  base = dot(base, view) < 0.0 ? -base : base;
+  vec3 normal = normalize(base - (waves - dot(waves, base) * base));
+  float nv = max(dot(normal, view), 0.02);
+  vec3 toward = lamp_direction(position);
+  vec3 lamp = lamp_light(position);
+  float visible = key_visibility(position, base);
+
+  // Light that has come in by the opening goes from wall to wall.
+  float lit = mix(0.3, 1.0, visible) * mix(0.35, 1.0, saturate(dot(base, toward)));
+  vec3 body = fluid.rgb * (1.0 + 0.14 * noise(90.0 * position).w) * (lit * lamp + environment_irradiance(base));
+  float mirror = 0.022 + 0.978 * fresnel_weight(nv);
+  vec3 shine = mirror * mix(0.35, 1.0, visible) * environment_light(reflect(-view, normal), 0.06, visible);
+#ifdef ENDOSCOPE
+  float lamp_mirror = 0.022 + 0.978 * fresnel_weight(dot(view, normalize(view + toward)));
+  shine += visible * lamp_mirror * glint(normal, view, toward, 0.05) * lamp;
+#endif
+
+  float opaque = 1.0 - left * (1.0 - mirror);
+  vec3 ray = from_eye / depth;
+  float shining = saturate(dot(shine, vec3(0.33)));
+  float alpha = max(opaque, shining);
+  color = vec4(finished(body * (1.0 - left) / max(alpha, 1e-3) + shine / max(alpha, 1e-3), ray, gl_FragCoord.xy).rgb, alpha);
+}

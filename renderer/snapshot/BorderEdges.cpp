@@ -1,0 +1,51 @@
+#include "renderer/snapshot/BorderEdges.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace thinwall {
+
+std::vector<BorderEdge> border_edges(const SnapshotTopology& topology) {
+  using Key = std::pair<std::uint32_t, std::uint32_t>;
+  std::vector<Key> halves;
+  for (const auto* triangles : {&topology.triangles, &topology.cap_triangles}) {
+    for (const Triangle& triangle : *triangles) {
+      for (std::size_t k = 0; k < 3; ++k) halves.emplace_back(triangle[k], triangle[(k + 1) % 3]);
+    }
+  }
+  std::ranges::sort(halves);
+  std::vector<BorderEdge> borders;
+  for (std::uint32_t t = 0; t < topology.triangles.size(); ++t) {
+    const Triangle& triangle = topology.triangles[t];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t start = triangle[k], end = triangle[(k + 1) % 3];
+      if (std::ranges::binary_search(halves, Key{end, start})) continue;
+      borders.push_back({.start = start, .end = end, .triangle = t});
+    }
+  }
+  return borders;
+}
+
+std::vector<char> cut_lips(const SnapshotTopology& topology, std::span<const BorderEdge> borders) {
+  const std::vector<Float3>& rest = topology.rest_positions;
+  std::vector<std::uint32_t> on_border;
+  for (const BorderEdge& edge : borders) on_border.push_back(edge.start);
+  std::ranges::sort(on_border,
+                    [&](std::uint32_t a, std::uint32_t b) { return std::pair(rest[a], a) < std::pair(rest[b], b); });
+  std::vector<char> is_lip(rest.size(), 0);
+  for (std::size_t i = 1; i < on_border.size(); ++i) {
+    if (rest[on_border[i]] != rest[on_border[i - 1]] || on_border[i] == on_border[i - 1]) continue;
+    is_lip[on_border[i]] = is_lip[on_border[i - 1]] = 1;
+  }
+  std::vector<int> lip_neighbours(rest.size(), 0);
+  for (const BorderEdge& edge : borders) {
+    lip_neighbours[edge.start] += is_lip[edge.end];
+    lip_neighbours[edge.end] += is_lip[edge.start];
+  }
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    if (lip_neighbours[v] >= 2) is_lip[v] = 1;
+  }
+  return is_lip;
+}
+
+}  // namespace thinwall

@@ -1,0 +1,154 @@
+#include "renderer/wound/RunPath.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "renderer/wound/RestNormals.hpp"
+
+namespace thinwall {
+namespace {
+
+constexpr std::uint32_t kNone = 0xffffffff;
+constexpr double kLeastSlope = 0.25;  // sine; flatter, a drop stays
+constexpr double kUnder = 0.75;       // cosine between the outside and down, from where it drips
+constexpr double kInertia = 0.6;      // of the sense in which it already runs
+
+/// The stress-free wall as runs follow it.
+struct Slope {
+  const SnapshotTopology& topology;
+  std::vector<Float3> normals;                         // (vertices), of length one, outward
+  std::vector<std::array<std::uint32_t, 3>> opposite;  // (triangles), across the edge that faces each corner
+};
+
+std::vector<std::array<std::uint32_t, 3>> opposite_triangles(const std::vector<Triangle>& triangles) {
+  using HalfEdge = std::pair<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>;
+  std::vector<HalfEdge> halves;
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) halves.push_back({{triangles[t][k], triangles[t][(k + 1) % 3]}, t});
+  }
+  std::ranges::sort(halves);
+  std::vector<std::array<std::uint32_t, 3>> opposite(triangles.size(), {kNone, kNone, kNone});
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::pair wanted{triangles[t][(k + 2) % 3], triangles[t][(k + 1) % 3]};
+      const auto found = std::ranges::lower_bound(halves, HalfEdge{wanted, 0});
+      if (found != halves.end() && found->first == wanted) opposite[t][k] = found->second;
+    }
+  }
+  return opposite;
+}
+
+/// What the weights of a triangle change by along `way`, which is brought into its plane.
+Double3 weights_along(const Slope& slope, std::uint32_t triangle, Vector3 way) {
+  const Triangle& corners = slope.topology.triangles[triangle];
+  const Vector3 a = vector3(slope.topology.rest_positions[corners[0]]);
+  const Vector3 u = vector3(slope.topology.rest_positions[corners[1]]) - a;
+  const Vector3 v = vector3(slope.topology.rest_positions[corners[2]]) - a;
+  const Vector3 area = cross(u, v);
+  const double squared = dot(area, area);
+  if (!(squared > 0)) return {0, 0, 0};
+  const double second = dot(cross(way, v), area) / squared, third = dot(cross(u, way), area) / squared;
+  return {-second - third, second, third};
+}
+
+/// Moves a place along `way` over the edges that it meets. False where the wall ends.
+bool move(const Slope& slope, WallPlace& place, Vector3 way) {
+  double left = 1;
+  for (int crossings = 0; crossings < 32; ++crossings) {
+    const Double3 change = weights_along(slope, place.triangle, way);
+    double reach = left;
+    std::size_t leaves = 3;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!(change[k] < 0) || place.weights[k] + reach * change[k] >= 0) continue;
+      reach = std::max(0.0, -place.weights[k] / change[k]);
+      leaves = k;
+    }
+    for (std::size_t k = 0; k < 3; ++k) place.weights[k] = std::max(0.0, place.weights[k] + reach * change[k]);
+    if (leaves == 3) return true;
+    left -= reach;
+    const std::uint32_t next = slope.opposite[place.triangle][leaves];
+    if (next == kNone) return false;
+    const Triangle &from = slope.topology.triangles[place.triangle], &to = slope.topology.triangles[next];
+    Double3 weights = {0, 0, 0};
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (k == leaves) continue;
+      weights[static_cast<std::size_t>(std::ranges::find(to, from[k]) - to.begin())] = place.weights[k];
+    }
+    place = {.triangle = next, .weights = weights};
+  }
+  return false;
+}
+
+std::vector<WallPlace> follow(const Slope& slope, WallPlace place, Vector3 down, double longest) {
+  std::vector<WallPlace> path = {place};
+  Vector3 sense;
+  while (static_cast<double>(path.size()) * kRunStep < longest) {
+    const Vector3 normal = normalized(point_at(place, slope.topology, slope.normals));
+    const Vector3 fall = down - dot(down, normal) * normal;
+    if (length(fall) < kLeastSlope || dot(down, normal) > kUnder) break;
+    sense = normalized(normalized(fall) + kInertia * sense);
+    if (!move(slope, place, kRunStep * sense)) break;
+    path.push_back(place);
+  }
+  return path;
+}
+
+/// 0 to 1, from the place alone.
+double chance_of(const Float3& place) {
+  std::uint32_t bits = 2166136261U;
+  for (const float part : place) {
+    bits = (bits ^ static_cast<std::uint32_t>(std::lround(1e6F * part))) * 16777619U;
+    bits ^= bits >> 15U;
+  }
+  bits *= 2246822519U;
+  return static_cast<double>(bits >> 8U) / 16777216.0;
+}
+
+WallPlace middle_of(const BorderEdge& edge, const SnapshotTopology& topology) {
+  WallPlace place{.triangle = edge.triangle, .weights = {0, 0, 0}};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::uint32_t vertex = topology.triangles[edge.triangle][k];
+    place.weights[k] = vertex == edge.start || vertex == edge.end ? 0.5 : 0;
+  }
+  return place;
+}
+
+}  // namespace
+
+Vector3 point_at(const WallPlace& place, const SnapshotTopology& topology, std::span<const Float3> points) {
+  const Triangle& corners = topology.triangles[place.triangle];
+  Vector3 sum;
+  for (std::size_t k = 0; k < 3; ++k) sum = sum + place.weights[k] * vector3(points[corners[k]]);
+  return sum;
+}
+
+std::vector<FluidRun> find_runs(const SnapshotTopology& topology, std::span<const BorderEdge> borders,
+                                std::span<const char> is_lip, Vector3 down, double spacing, double longest) {
+  if (topology.cut_times.empty()) return {};
+  std::vector<std::pair<double, std::size_t>> lips;  // time of the cut, border
+  for (std::size_t k = 0; k < borders.size(); ++k) {
+    const auto& [start, end, triangle] = borders[k];
+    if (is_lip[start] && is_lip[end])
+      lips.emplace_back(std::max(topology.cut_times[start], topology.cut_times[end]), k);
+  }
+  if (lips.empty()) return {};
+  std::ranges::sort(lips);
+  const Slope slope{
+      .topology = topology, .normals = rest_normals(topology), .opposite = opposite_triangles(topology.triangles)};
+  std::vector<FluidRun> runs;
+  std::vector<Vector3> taken;
+  for (const auto& [time, k] : lips) {
+    const WallPlace start = middle_of(borders[k], topology);
+    const Vector3 place = point_at(start, topology, topology.rest_positions);
+    if (std::ranges::any_of(taken, [&](Vector3 other) { return length(other - place) < spacing; })) continue;
+    std::vector<WallPlace> path = follow(slope, start, down, longest);
+    if (path.size() < 4) continue;
+    taken.push_back(place);
+    runs.push_back(
+        {.path = std::move(path), .born = time, .chance = chance_of(topology.rest_positions[borders[k].start])});
+  }
+  return runs;
+}
+
+}  // namespace thinwall

@@ -1,0 +1,91 @@
+#include "renderer/picture/WoundFilm.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/renderer/picture/CutSheets.hpp"
+
+namespace thinwall {
+namespace {
+
+struct Wound {
+  explicit Wound(double steepness) : sheet(test::slit_sheet(20, 0.001, steepness)) {
+    borders = border_edges(*sheet.topology);
+    pieces = tissue_pieces(sheet, borders);
+    layout = lay_out_wounds(*sheet.topology, borders, cut_lips(*sheet.topology, borders), {0, 0, -1});
+  }
+  Film blood(double time, double bleeding = 1) const {
+    return blood_film(sheet, borders, pieces, layout, bleeding, time);
+  }
+
+  SnapshotSurface sheet;
+  std::vector<BorderEdge> borders;
+  std::vector<TissuePiece> pieces;
+  WoundLayout layout;
+};
+
+/// Metres that blood has come down.
+double lowest(const Film& film) {
+  double lowest = 0;
+  for (const std::uint32_t corner : film.corners) {
+    if (film.vertices[corner].inward > 0) lowest = std::min(lowest, double{film.vertices[corner].position[2]});
+  }
+  return -lowest;
+}
+
+TEST(WoundFilm, IsNoneWhereNothingBleeds) {
+  // Beside the fresh cut no blood has welled up yet.
+  for (const FilmVertex& vertex : Wound(0).blood(0).vertices) EXPECT_LE(vertex.inward, 0);
+  for (const FilmVertex& vertex : Wound(0).blood(10, 0).vertices) EXPECT_LE(vertex.inward, 0);
+}
+
+TEST(WoundFilm, WellsUpAlongTheLipsButNotAtTheEndsOfTheCut) {
+  const Wound wound(0);
+  const Film film = wound.blood(5);
+  const std::uint32_t middle = 10 * 21;
+  EXPECT_GT(film.vertices[middle + 10].inward, 0.0005F);
+  EXPECT_LE(film.vertices[middle + 1].inward, 0);
+  EXPECT_LE(film.vertices[middle + 19].inward, 0);
+  EXPECT_LT(film.vertices[5].inward, 0) << "far away";
+}
+
+TEST(WoundFilm, RunsDownASlopeMoreAndMore) {
+  const Wound wound(0.8);
+  double last = lowest(wound.blood(0.5));
+  for (const double time : {1.0, 2.0, 4.0}) {
+    const double now = lowest(wound.blood(time));
+    EXPECT_GT(now, last) << time;
+    last = now;
+  }
+  EXPECT_LT(last, 0.010) << "not beyond the sheet";
+}
+
+TEST(WoundFilm, IsAFunctionOfTheMomentAlone) {
+  const Wound wound(0.8);
+  const Film alone = wound.blood(2);
+  wound.blood(1);
+  const Film again = wound.blood(2);
+  ASSERT_EQ(alone.vertices.size(), again.vertices.size());
+  for (std::size_t v = 0; v < alone.vertices.size(); ++v) {
+    EXPECT_EQ(alone.vertices[v].position, again.vertices[v].position);
+    EXPECT_EQ(alone.vertices[v].inward, again.vertices[v].inward);
+  }
+}
+
+TEST(WoundFilm, DriesWithTime) {
+  const Wound wound(0);
+  const std::uint32_t lip = 10 * 21 + 10;
+  EXPECT_LT(wound.blood(1).vertices[lip].dry, 0.02F);
+  EXPECT_GT(wound.blood(120).vertices[lip].dry, 0.85F);
+}
+
+TEST(WoundFilm, RunOffNeedsALeak) {
+  const Wound wound(0.8);
+  EXPECT_TRUE(runoff_film(wound.sheet, wound.pieces, wound.layout, 0, 5).corners.empty());
+  const Film some = runoff_film(wound.sheet, wound.pieces, wound.layout, 4e-9, 5);
+  const Film much = runoff_film(wound.sheet, wound.pieces, wound.layout, 4e-7, 5);
+  EXPECT_GT(lowest(some), 0.001);
+  EXPECT_GT(lowest(much), 1.5 * lowest(some));
+}
+
+}  // namespace
+}  // namespace thinwall

@@ -1,0 +1,96 @@
+#include "renderer/wound/WoundMap.hpp"
+
+#include <gtest/gtest.h>
+
+#include "renderer/wound/Bleeding.hpp"
+#include "renderer/wound/RunPath.hpp"
+#include "tests/renderer/picture/CutSheets.hpp"
+
+namespace thinwall {
+namespace {
+
+WoundMap map_of(const SnapshotTopology& topology) {
+  const std::vector<BorderEdge> borders = border_edges(topology);
+  return map_wounds(topology, borders, cut_lips(topology, borders));
+}
+
+TEST(WoundMap, TellsTheWayToTheNearestLip) {
+  const WoundMap map = map_of(test::cut_strip());
+  for (const std::size_t lip : {2U, 3U, 8U, 9U}) EXPECT_EQ(map.from_lip[lip], 0) << lip;
+  for (const std::size_t beside : {0U, 1U, 4U, 5U}) EXPECT_NEAR(map.from_lip[beside], 0.002, 1e-9) << beside;
+  EXPECT_EQ(map.lip[0], 2U);
+  EXPECT_EQ(map.lip[4], 8U);
+}
+
+TEST(WoundMap, TapersTowardsBothEndsOfACut) {
+  const SnapshotSurface sheet = test::slit_sheet(20, 0.001, 0);
+  const WoundMap map = map_of(*sheet.topology);
+  const std::uint32_t row = 21, middle = 10 * row;
+  EXPECT_EQ(map.tapering[middle + 1], 0) << "an end";
+  EXPECT_EQ(map.tapering[middle + 19], 0) << "the other end";
+  EXPECT_EQ(map.tapering[middle + 10], 1) << "the middle";
+  for (std::uint32_t i = 1; i < 4; ++i) EXPECT_LT(map.tapering[middle + i], map.tapering[middle + i + 1]);
+}
+
+std::vector<FluidRun> runs_of(const SnapshotTopology& topology) {
+  const std::vector<BorderEdge> borders = border_edges(topology);
+  return find_runs(topology, borders, cut_lips(topology, borders), {0, 0, -1}, 0.0045, 0.03);
+}
+
+TEST(FluidRuns, FollowTheSlopeFromTheLowerLip) {
+  const SnapshotSurface sheet = test::slit_sheet(20, 0.001, 0.8);
+  const std::vector<FluidRun> runs = runs_of(*sheet.topology);
+  ASSERT_GE(runs.size(), 3U);
+  for (const FluidRun& run : runs) {
+    Vector3 last = point_at(run.path.front(), *sheet.topology, sheet.positions);
+    EXPECT_NEAR(last.y, 0, 1e-7) << "begins at the cut";
+    const double x = last.x;
+    for (std::size_t k = 1; k < run.path.size(); ++k) {
+      const Vector3 place = point_at(run.path[k], *sheet.topology, sheet.positions);
+      EXPECT_NEAR(length(place - last), kRunStep, 1e-6);
+      EXPECT_NEAR(place.z - last.z, -kRunStep * std::sin(0.8), 1e-6);
+      EXPECT_NEAR(place.x, x, 1e-6) << "straight down";
+      last = place;
+    }
+    // To the border of the sheet, 10 mm below, but for a step.
+    EXPECT_NEAR(static_cast<double>(run.path.size() - 1) * kRunStep, 0.010, kRunStep);
+  }
+}
+
+TEST(FluidRuns, AreNoneOnALevelSheetNorOnATakeThatDoesNotTellWhen) {
+  EXPECT_TRUE(runs_of(*test::slit_sheet(20, 0.001, 0).topology).empty());
+  SnapshotTopology untold = *test::slit_sheet(20, 0.001, 0.8).topology;
+  untold.cut_times.clear();
+  EXPECT_TRUE(runs_of(untold).empty());
+}
+
+TEST(FluidRuns, StayWhileTheCutGoesOn) {
+  const SnapshotSurface sheet = test::slit_sheet(20, 0.001, 0.8);
+  SnapshotTopology growing = *sheet.topology;
+  // The cut goes from -x to +x, a millimetre in a tenth of a second.
+  for (std::size_t v = 0; v < growing.cut_times.size(); ++v) {
+    if (growing.cut_times[v] != kNeverCut) growing.cut_times[v] = 100 * (growing.rest_positions[v][0] + 0.01f);
+  }
+  const std::vector<FluidRun> runs = runs_of(growing);
+  ASSERT_GE(runs.size(), 3U);
+  for (std::size_t k = 1; k < runs.size(); ++k) EXPECT_GT(runs[k].born, runs[k - 1].born);
+  const double first = point_at(runs[0].path[0], growing, growing.rest_positions).x;
+  EXPECT_LT(first, -0.007) << "where the cut began";
+}
+
+TEST(Bleeding, SlackensAndDries) {
+  EXPECT_EQ(blood_shed(-1), 0);
+  EXPECT_NEAR(blood_shed(1e-6), 0.00015e-6, 1e-16) << "at first 0.15 mm/s";
+  EXPECT_NEAR(blood_shed(1e3), 0.0006, 1e-12) << "0.6 mm in all";
+  EXPECT_EQ(dryness(0), 0);
+  EXPECT_NEAR(dryness(60), 1 - std::exp(-1.0), 1e-12);
+}
+
+TEST(Bleeding, RunsAsFarAsVolumeAndTimeAllow) {
+  EXPECT_NEAR(run_length(1e-9, 0.001, 0.0001, 100, 0.03), 0.01, 1e-12);
+  EXPECT_NEAR(run_length(1e-9, 0.001, 0.0001, 0.1, 0.03), 0.003, 1e-12);
+  EXPECT_EQ(run_length(1e-9, 0.001, 0.0001, -1, 0.03), 0);
+}
+
+}  // namespace
+}  // namespace thinwall
