@@ -149,6 +149,9 @@ Camera resolve_camera(const CameraDefinition& definition, const SceneExtent& ext
     camera.position = target + turned(camera.position - target, up, angle);
     orient(camera, turned(camera.forward, up, angle), up);
   }
+  camera.aperture = definition.aperture;
+  const double to_target = dot(target - camera.position, camera.forward);
+  camera.focus = definition.focus.value_or(std::max(to_target, 1e-3 * extent.size));
   // A little wider than the picture is high, as surgeons set their picture.
   if (camera.kind == CameraKind::kEndoscope) camera.field_stop = 1.12 * camera.tangent_y;
   const double depth = length(extent.center - camera.position);

@@ -22,6 +22,8 @@ struct Camera {
   CameraKind kind = CameraKind::kPinhole;
   double field_stop = 0;  // tangent of the angle off the line of sight that the lens lets through; 0: all
   Lens lens = Lens();
+  double aperture = 0;  // metres, 0: all is in focus
+  double focus = 1;     // metres along the line of sight
 
   /// World to clip coordinates, without the lens's distortion.
   Matrix4 matrix() const;

@@ -61,9 +61,11 @@ struct CameraDefinition {
   std::optional<double> lamp = {};  // strength of the lamp beside its lens; the light's `endoscope` when absent
 
   LensDistortion lens = {};
-  bool auto_exposure = false;  // by how bright the walls before it are lit
-  double noise = 0;            // of its sensor, standard deviation at mid-grey, 8-bit levels
-  std::uint32_t seed = 1;      // of the noise
+  double aperture = 0;               // metres, across the opening of its lens; 0: all is in focus
+  std::optional<double> focus = {};  // metres along the line of sight; to the target when absent
+  bool auto_exposure = false;        // by how bright the walls before it are lit
+  double noise = 0;                  // of its sensor, standard deviation at mid-grey, 8-bit levels
+  std::uint32_t seed = 1;            // of the noise
 
   /// Whether anything but an orbit moves it.
   bool is_moved() const { return !keyframes.empty() || follow || !push_ins.empty(); }

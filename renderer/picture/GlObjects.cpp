@@ -50,15 +50,6 @@ Texture create_texture(GLenum format, int width, int height, GLint filter) {
   return texture;
 }
 
-Renderbuffer create_renderbuffer(GLenum format, int width, int height) {
-  GLuint name = 0;
-  glCreateRenderbuffers(1, &name);
-  Renderbuffer renderbuffer(name);
-  glNamedRenderbufferStorage(name, format, width, height);
-  require_no_gl_error("the allocation of a frame of " + dimensions(width, height));
-  return renderbuffer;
-}
-
 void require_complete(const Framebuffer& framebuffer, const std::string& what) {
   const GLenum status = glCheckNamedFramebufferStatus(framebuffer.name(), GL_FRAMEBUFFER);
   if (status != GL_FRAMEBUFFER_COMPLETE) {

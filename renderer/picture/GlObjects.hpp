@@ -43,9 +43,6 @@ struct VertexArrayTraits {
 struct TextureTraits {
   static void destroy(GLuint name) { glDeleteTextures(1, &name); }
 };
-struct RenderbufferTraits {
-  static void destroy(GLuint name) { glDeleteRenderbuffers(1, &name); }
-};
 struct FramebufferTraits {
   static void destroy(GLuint name) { glDeleteFramebuffers(1, &name); }
 };
@@ -59,7 +56,6 @@ struct ShaderTraits {
 using Buffer = GlObject<BufferTraits>;
 using VertexArray = GlObject<VertexArrayTraits>;
 using Texture = GlObject<TextureTraits>;
-using Renderbuffer = GlObject<RenderbufferTraits>;
 using Framebuffer = GlObject<FramebufferTraits>;
 using Program = GlObject<ProgramTraits>;
 using Shader = GlObject<ShaderTraits>;
@@ -70,9 +66,6 @@ Framebuffer create_framebuffer();
 
 /// A texture of one level without filtering across its border. Throws PictureFailure when memory is short.
 Texture create_texture(GLenum format, int width, int height, GLint filter);
-
-/// Throws PictureFailure when memory is short.
-Renderbuffer create_renderbuffer(GLenum format, int width, int height);
 
 /// Throws PictureFailure when `framebuffer` cannot be drawn to, naming it as `what`.
 void require_complete(const Framebuffer& framebuffer, const std::string& what);

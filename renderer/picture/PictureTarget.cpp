@@ -29,13 +29,17 @@ void require_drawable(ImageSize size, ImageSize drawn) {
   }
   // Software drivers do not refuse what the machine cannot hold, they die of it.
   constexpr double kMostGigabytes = 4;
-  constexpr double kBytesPerPixel = 16 + 16 + 4 + 4 + 4 + 0.5;  // of the textures below
+  constexpr double kBytesPerPixel = 16 + 16 + 4 + 4 + 4 + 0.5 + 2;  // of the textures below
   const double gigabytes = 1e-9 * kBytesPerPixel * drawn.width * drawn.height;
   if (gigabytes > kMostGigabytes) {
     throw PictureFailure("a picture of " + dimensions(size) + " pixels" + drawn_text + " would take " +
                          std::to_string(std::lround(gigabytes)) +
                          " GB of frames, 4 GB are allowed; choose a smaller size or a lower tier");
   }
+}
+
+int half(int side) {
+  return (side + 1) / 2;
 }
 
 int quarter(int side) {
@@ -46,8 +50,8 @@ void attach(const Framebuffer& frame, GLenum attachment, const Texture& texture)
   glNamedFramebufferTexture(frame.name(), attachment, texture.name(), 0);
 }
 
-void attach_depth(const Framebuffer& frame, const Renderbuffer& depth) {
-  glNamedFramebufferRenderbuffer(frame.name(), GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER, depth.name());
+void attach_depth(const Framebuffer& frame, const Texture& depth) {
+  glNamedFramebufferTexture(frame.name(), GL_DEPTH_STENCIL_ATTACHMENT, depth.name(), 0);
 }
 
 }  // namespace
@@ -57,7 +61,7 @@ PictureTarget::PictureTarget(ImageSize size, Tier tier) : size_(size), drawn_(si
   if (tier == Tier::kFinal && std::max(size.width, size.height) < (1 << 28)) drawn_ = {2 * size.width, 2 * size.height};
   require_drawable(size_, drawn_);
   const auto texture = [&](GLenum format) { return create_texture(format, drawn_.width, drawn_.height, GL_NEAREST); };
-  depth_ = create_renderbuffer(GL_DEPTH24_STENCIL8, drawn_.width, drawn_.height);
+  depth_ = texture(GL_DEPTH24_STENCIL8);
   normal_ = texture(GL_RGBA32F);
   rest_ = texture(GL_RGBA32F);
   color_ = create_texture(GL_RGBA8, drawn_.width, drawn_.height, GL_LINEAR);
@@ -80,6 +84,15 @@ PictureTarget::PictureTarget(ImageSize size, Tier tier) : size_(size), drawn_(si
   attach(frame_, GL_COLOR_ATTACHMENT0, color_);
   attach_depth(frame_, depth_);
   require_complete(frame_, "a frame of " + dimensions(drawn_));
+  for (std::size_t k = 0; k < blurred_.size(); ++k) {
+    blurred_color_[k] = create_texture(GL_RGBA8, half(drawn_.width), half(drawn_.height), GL_LINEAR);
+    blurred_[k] = create_framebuffer();
+    attach(blurred_[k], GL_COLOR_ATTACHMENT0, blurred_color_[k]);
+    require_complete(blurred_[k], "a frame out of focus");
+  }
+  color_alone_ = create_framebuffer();
+  attach(color_alone_, GL_COLOR_ATTACHMENT0, color_);
+  require_complete(color_alone_, "a frame of colours alone");
   lens_ = create_framebuffer();
   attach(lens_, GL_COLOR_ATTACHMENT0, color_copy_);
   require_complete(lens_, "a frame behind the lens");
@@ -119,6 +132,20 @@ const Texture& PictureTarget::copy_of_color() const {
   glCopyImageSubData(color_.name(), GL_TEXTURE_2D, 0, 0, 0, 0, color_copy_.name(), GL_TEXTURE_2D, 0, 0, 0, 0,
                      drawn_.width, drawn_.height, 1);
   return color_copy_;
+}
+
+void PictureTarget::begin_blurred(std::size_t turn) const {
+  glBindFramebuffer(GL_FRAMEBUFFER, blurred_[turn].name());
+  glViewport(0, 0, half(drawn_.width), half(drawn_.height));
+  glBindTextureUnit(0, turn == 0 ? color_.name() : blurred_color_[0].name());
+  glBindTextureUnit(1, depth_.name());
+}
+
+void PictureTarget::begin_focused() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, color_alone_.name());
+  glViewport(0, 0, drawn_.width, drawn_.height);
+  glBindTextureUnit(0, blurred_color_[1].name());
+  glBindTextureUnit(1, depth_.name());
 }
 
 void PictureTarget::begin_lens() const {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "renderer/image/Image.hpp"
 #include "renderer/picture/GlObjects.hpp"
 #include "renderer/picture/View.hpp"
@@ -28,6 +30,13 @@ class PictureTarget {
   /// The colours as they are now.
   const Texture& copy_of_color() const;
 
+  /// Makes one of two pictures of half the size the one that is drawn to, and binds depth and, for the first (`turn`
+  /// 0), the colours, for the second the first, for FocusPass.
+  void begin_blurred(std::size_t turn) const;
+
+  /// Makes the colours the frame that is drawn to, and binds depth and the second picture of half the size.
+  void begin_focused() const;
+
   /// Makes the frame behind the lens the one that is drawn to, and binds the colours for lens.frag. It takes the place
   /// of the copy of the colours.
   void begin_lens() const;
@@ -41,7 +50,7 @@ class PictureTarget {
  private:
   ImageSize size_;
   ImageSize drawn_;
-  Renderbuffer depth_;
+  Texture depth_;   // and stencil
   Texture normal_;  // and depth
   Texture rest_;    // and state
   Framebuffer surface_;
@@ -50,7 +59,10 @@ class PictureTarget {
   Texture color_;
   Texture color_copy_;
   Framebuffer frame_;
-  Framebuffer lens_;  // draws to color_copy_
+  std::array<Texture, 2> blurred_color_;
+  std::array<Framebuffer, 2> blurred_;
+  Framebuffer color_alone_;  // without depth, which is read then
+  Framebuffer lens_;         // draws to color_copy_
   Texture small_color_;
   Framebuffer small_;
 };

@@ -12,6 +12,7 @@
 #include "renderer/picture/FilmPass.hpp"
 #include "renderer/picture/FloorShade.hpp"
 #include "renderer/picture/FluidPass.hpp"
+#include "renderer/picture/FocusPass.hpp"
 #include "renderer/picture/FrameUniforms.hpp"
 #include "renderer/picture/LensPass.hpp"
 #include "renderer/picture/MeshLinePass.hpp"
@@ -66,6 +67,7 @@ struct Stage {
   FilmPass film_pass;
   FluidPass fluid_pass;
   OutlinePass outline_pass;
+  FocusPass focus_pass;
   LensPass lens_pass;
   MeshLinePass mesh_lines;
   FloorShade floor_shade;
@@ -174,6 +176,10 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
   clock.ends("meshes");
   stage->cast_shadows(extent, studio, clock);
   stage->draw_scene(snapshot, view, camera, surroundings, clock);
+  if (camera.aperture > 0 && stage->refined) {
+    stage->focus_pass.draw(stage->target, pinhole);
+    clock.ends("focus");
+  }
   const bool through_lens = camera.lens.distortion() != LensDistortion{};
   if (through_lens) {
     stage->lens_pass.draw(stage->target, camera, pinhole);

@@ -106,6 +106,14 @@ MappingSchema camera_mapping(const std::string& name, const std::string& documen
        "where the camera is at times, ascending; between two it goes round the target on the shorter arc"},
       {"follow", follow_value(), false, {}, "keeps a tool's tip in the middle of the picture"},
       {"lens", lens_value(), false, {}, "how the lens bends rays off the pinhole's; not at all when absent"},
+      {"aperture", quantity_value(kLength, {.minimum = 0, .maximum = 0.1}, "0.8 mm"), false, "0 m",
+       "across the opening of the lens: the wider, the less is in focus before and behind `focus`; all is where it is "
+       "0"},
+      {"focus",
+       quantity_value(kLength, {.minimum = 0.0001, .maximum = 100}, "60 mm"),
+       false,
+       {},
+       "distance along the line of sight at which the picture is sharp; that of the target when absent"},
       {"auto_exposure", boolean_value(), false, "false",
        "exposes for the walls that are seen, as the picture's light and place ask, by at most two powers of two; "
        "`exposure` comes on top"},

@@ -32,6 +32,8 @@ CameraDefinition to_camera(const Json& camera) {
                           .kind = camera.at("kind") == "endoscope" ? CameraKind::kEndoscope : CameraKind::kPinhole,
                           .exposure = camera.value("exposure", 0.0),
                           .lamp = find_resolved<double>(camera, "lamp"),
+                          .aperture = camera.value("aperture", 0.0),
+                          .focus = find_resolved<double>(camera, "focus"),
                           .auto_exposure = camera.value("auto_exposure", false),
                           .noise = camera.value("noise", 0.0),
                           .seed = camera.value("seed", 1U)};

@@ -25,6 +25,8 @@ TEST(CameraReferences, AScenarioKeepsItsCamerasMovesAndCuts) {
   EXPECT_TRUE(scenario.view.camera.auto_exposure);
   EXPECT_EQ(scenario.view.camera.noise, 1.5);
   EXPECT_EQ(scenario.view.camera.seed, 7U);
+  EXPECT_EQ(scenario.view.camera.aperture, 0.0008);
+  EXPECT_EQ(scenario.view.camera.focus, 0.06);
   const CameraDefinition& close = scenario.view.cameras.at("close");
   EXPECT_EQ(close.kind, CameraKind::kEndoscope);
   EXPECT_EQ(close.lamp, 0.8);
