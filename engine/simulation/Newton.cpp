@@ -293,7 +293,8 @@ bool Newton::find_step_with_contacts(const EquilibriumProblem& problem, const Eq
     open_.push_back(contact_force(problem, contact) == 0 && may_wait);
   }
   for (int turn = 0;; ++turn) {
-    const bool borders = turn > 0 && !may_be_saddle && border_contacts();
+    // A membrane's matrix costs little, and without the curvature that contacts take along its needles find no way.
+    const bool borders = turn > 0 && !may_be_saddle && !model_.bending.empty() && border_contacts();
     if (!borders && !factorize(problem, state, shift, may_be_saddle)) return false;
     find_step(problem, state, residual, step);
     if (turn == kContactTurns || !revise_contacts(step)) break;

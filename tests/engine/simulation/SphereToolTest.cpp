@@ -123,6 +123,7 @@ double force_at_depth(int triangles, double depth, double& area) {
 TEST(SphereTool, FindsWhatItTouchesOfAShellWithoutFactorisingAgain) {
   BodyDefinition definition = pressurised_hemisphere(1024, 300);
   definition.model = WallModel::kShell;
+  definition.thickness.assign(definition.mesh.triangles.size(), 3e-3);
   Body body(definition, {sphere_tool(kBall)}, quasi_static());
   body.settle();
   const double crown = crown_of(body);
