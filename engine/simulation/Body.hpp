@@ -307,6 +307,9 @@ class Body {
                          EquilibriumState& trial) const;
   EquilibriumProblem response_problem(std::span<const ToolPose> poses, double duration) const;
   void add_contacts_to(ToolResponse& response, const EquilibriumProblem& problem, int tool);
+  /// What the contacts answer to a unit of one of the six motions of the tool; the wall's motion, (unknowns), metres.
+  Eigen::VectorXd add_motion_to(ToolResponse& response, const EquilibriumProblem& problem, int tool,
+                                std::span<const ContactPoint* const> pressing, int axis);
   /// The nearest place of the wall; along its direction that of a point. Nothing of a line.
   WallAhead wall_ahead(int tool, const ToolPose& pose) const;
   WallAhead stiffness_ahead(WallAhead ahead, const EquilibriumProblem& problem, int tool, const ToolPose& pose);

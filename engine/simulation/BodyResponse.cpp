@@ -87,8 +87,40 @@ ToolResponse Body::respond(int tool, std::span<const ToolPose> poses, double dur
   return response;
 }
 
-void Body::add_contacts_to(ToolResponse& response, const EquilibriumProblem& problem, int tool) {
+Eigen::VectorXd Body::add_motion_to(ToolResponse& response, const EquilibriumProblem& problem, int tool,
+                                    std::span<const ContactPoint* const> pressing, int axis) {
   const Eigen::VectorXd& position = state_.equilibrium.position;
+  const ToolMotion motion = ToolMotion::Unit(axis);
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(position.size());
+  std::vector<GapRate> rates;
+  for (std::size_t k = 0; k < pressing.size(); ++k) {
+    const ContactPoint& contact = *pressing[k];
+    const Eigen::Vector3i& triangle = model_->surface[contact.triangle];
+    rates.push_back(rate_of(contact, corners_of(triangle, position), response.pose, motion));
+    const Vector9 push =
+        response.sites[k].force * rates[k].gradient - contact.potential.stiffness * rates[k].gap * contact.gap.gradient;
+    for (int c = 0; c < 3; ++c) force.segment<3>(3 * triangle[c]) += push.segment<3>(3 * c);
+  }
+  std::vector<Eigen::Vector3d> held;
+  for (const Attachment& attachment : problem.attachments) {
+    held.push_back(attachment.tool == tool ? velocity_at(motion, response.pose, attachment.target)
+                                           : Eigen::Vector3d::Zero());
+  }
+  const LinearAnswer answer = newton_->answer(problem, force, held);
+  for (std::size_t k = 0; k < pressing.size(); ++k) {
+    const ContactPoint& contact = *pressing[k];
+    const Vector9 moved = at_corners(model_->surface[contact.triangle], answer.motion);
+    response.sites[k].force_by_motion[axis] =
+        -contact.potential.stiffness * (contact.gap.gradient.dot(moved) + rates[k].gap);
+    response.sites[k].normal_by_motion.col(axis) = sum_of(contact.gap.hessian * moved + rates[k].gradient);
+  }
+  for (std::size_t k = 0; k < problem.attachments.size(); ++k) {
+    if (problem.attachments[k].tool == tool) response.held_by_motion.col(axis) += answer.forces[k];
+  }
+  return answer.motion;
+}
+
+void Body::add_contacts_to(ToolResponse& response, const EquilibriumProblem& problem, int tool) {
   std::vector<const ContactPoint*> pressing;
   for (const ContactPoint& contact : newton_->terms().contacts) {
     const SolidContact& solid = problem.solids[contact.solid];
@@ -106,36 +138,8 @@ void Body::add_contacts_to(ToolResponse& response, const EquilibriumProblem& pro
   }
   foresight_ = Foresight{.tool = tool, .motion = {}, .sites = {}};
   foresight_->motion.resize(model_->unknowns(), 6);
-  for (int axis = 0; axis < 6; ++axis) {
-    const ToolMotion motion = ToolMotion::Unit(axis);
-    Eigen::VectorXd force = Eigen::VectorXd::Zero(position.size());
-    std::vector<GapRate> rates;
-    for (std::size_t k = 0; k < pressing.size(); ++k) {
-      const ContactPoint& contact = *pressing[k];
-      const Eigen::Vector3i& triangle = model_->surface[contact.triangle];
-      rates.push_back(rate_of(contact, corners_of(triangle, position), response.pose, motion));
-      const Vector9 push = response.sites[k].force * rates[k].gradient -
-                           contact.potential.stiffness * rates[k].gap * contact.gap.gradient;
-      for (int c = 0; c < 3; ++c) force.segment<3>(3 * triangle[c]) += push.segment<3>(3 * c);
-    }
-    std::vector<Eigen::Vector3d> held;
-    for (const Attachment& attachment : problem.attachments) {
-      held.push_back(attachment.tool == tool ? velocity_at(motion, response.pose, attachment.target)
-                                             : Eigen::Vector3d::Zero());
-    }
-    const LinearAnswer answer = newton_->answer(problem, force, held);
-    for (std::size_t k = 0; k < pressing.size(); ++k) {
-      const ContactPoint& contact = *pressing[k];
-      const Vector9 moved = at_corners(model_->surface[contact.triangle], answer.motion);
-      response.sites[k].force_by_motion[axis] =
-          -contact.potential.stiffness * (contact.gap.gradient.dot(moved) + rates[k].gap);
-      response.sites[k].normal_by_motion.col(axis) = sum_of(contact.gap.hessian * moved + rates[k].gradient);
-    }
-    foresight_->motion.col(axis) = answer.motion;
-    for (std::size_t k = 0; k < problem.attachments.size(); ++k) {
-      if (problem.attachments[k].tool == tool) response.held_by_motion.col(axis) += answer.forces[k];
-    }
-  }
+  for (int axis = 0; axis < 6; ++axis)
+    foresight_->motion.col(axis) = add_motion_to(response, problem, tool, pressing, axis);
   for (std::size_t k = 0; k < pressing.size(); ++k) {
     foresight_->sites.push_back(
         {.solid = pressing[k]->solid, .site = pressing[k]->site, .force_by_motion = response.sites[k].force_by_motion});

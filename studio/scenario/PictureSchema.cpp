@@ -69,7 +69,7 @@ ValueSchema lights_schema() {
   return mapping_value({lights});
 }
 
-ValueSchema look_schema() {
+MappingSchema tissue_schema() {
   MappingSchema tissue{.name = "tissue look", .documentation = "How the wall of a body looks."};
   std::vector<std::string> organs;
   std::string kinds = "what kind of tissue it is";
@@ -109,6 +109,10 @@ ValueSchema look_schema() {
        {},
        "how freely the wall bleeds where it is cut or punctured; the organ's when absent"},
   };
+  return tissue;
+}
+
+ValueSchema look_schema() {
   MappingSchema overlays{.name = "overlays", .documentation = "What is written over the picture."};
   overlays.keys = {
       shown_key("force_plot", "force over time"),
@@ -119,7 +123,7 @@ ValueSchema look_schema() {
   MappingSchema look{.name = "look", .documentation = "Appearance."};
   look.keys = {
       {"background", color_value(), false, "[0.055, 0.065, 0.08]", "sRGB colour, each part from 0 to 1"},
-      {"bodies", named_value(std::move(tissue)), false, "{}", "looks by the names of bodies"},
+      {"bodies", named_value(tissue_schema()), false, "{}", "looks by the names of bodies"},
       {"overlays", mapping_value({overlays}), false, "{}", "what is written over the picture"},
       {"data",
        mapping_value({data_schema()}),

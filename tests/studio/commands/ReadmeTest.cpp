@@ -52,7 +52,7 @@ TEST(ReadmeTest, NamesTheColumnsOfTheForceRecord) {
 
 TEST(ReadmeTest, NamesEachCommandOfTheProgram) {
   const std::string help = run_thinwall({"--help"}).output;
-  for (const std::string command : {"run", "check", "render", "still", "golden", "compare", "doctor"}) {
+  for (const std::string command : {"run", "check", "render", "still", "golden", "compare", "haptic", "doctor"}) {
     EXPECT_NE(help.find("  " + command + " "), std::string::npos) << command;
     EXPECT_NE(readme().find("`thinwall " + command), std::string::npos) << command;
   }
