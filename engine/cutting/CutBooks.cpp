@@ -3,14 +3,49 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
+#include <set>
 
 namespace thinwall {
 namespace {
 
+SurfacePoint without_rounding(SurfacePoint point, double no_weight) {
+  for (double& weight : point.weights) weight = weight < no_weight ? 0 : weight;
+  point.weights /= point.weights.sum();
+  return point;
+}
+
 SurfacePoint point_in(const CutPatch& patch, int facet, const Eigen::Vector3d& position, double no_weight) {
-  auto [triangle, weights] = patch.locate(facet, position);
-  for (double& weight : weights) weight = weight < no_weight ? 0 : weight;
-  return {.triangle = triangle, .weights = weights / weights.sum()};
+  const auto [triangle, weights] = patch.locate(facet, position);
+  return without_rounding({.triangle = triangle, .weights = weights}, no_weight);
+}
+
+/// The triangles before, on the facet of the vertex, that the triangles around it now come from.
+std::set<int> sources_around(const CutPatch& after, int vertex, std::span<const TriangleSource> triangles) {
+  const int facet = after.facet[after.vertex_triangle[vertex]];
+  std::set<int> around;
+  for (const PatchCorner& corner : after.fan_of(vertex).corners) {
+    if (after.facet[corner.triangle] != facet) continue;
+    const auto found = std::ranges::lower_bound(triangles, corner.triangle, {}, &TriangleSource::triangle);
+    if (found == triangles.end() || found->triangle != corner.triangle) {
+      around.insert(corner.triangle);  // it has not changed
+      continue;
+    }
+    for (const TriangleShare& share : found->before) around.insert(share.triangle);
+  }
+  return around;
+}
+
+/// The one of some triangles that has a position, by its least weight.
+SurfacePoint nearest_of(const CutPatch& patch, const std::set<int>& triangles, const Eigen::Vector3d& position) {
+  SurfacePoint nearest{.triangle = -1, .weights = Eigen::Vector3d::Zero()};
+  double least = -std::numeric_limits<double>::infinity();
+  for (const int triangle : triangles) {
+    const Eigen::Vector3d weights = patch.barycentric(triangle, position);
+    if (!(weights.minCoeff() > least)) continue;
+    least = weights.minCoeff();
+    nearest = {.triangle = triangle, .weights = weights};
+  }
+  return nearest;
 }
 
 }  // namespace
@@ -33,12 +68,13 @@ std::vector<SurfacePoint> rest_of(std::span<const PathStop> stops, const Planned
 }
 
 std::vector<VertexSource> vertex_sources(const CutPatch& before, const CutPatch& after,
-                                         std::span<const int> originals) {
+                                         std::span<const TriangleSource> triangles, std::span<const int> originals) {
   constexpr double kNoWeight = 1e-12;
   const int old = before.vertex_count(), splits_end = after.vertex_count() - static_cast<int>(originals.size());
   const auto source = [&](int vertex) {
-    const int facet = after.facet[after.vertex_triangle[vertex]];
-    return VertexSource{.vertex = vertex, .before = point_in(before, facet, after.positions[vertex], kNoWeight)};
+    const std::set<int> around = sources_around(after, vertex, triangles);
+    return VertexSource{.vertex = vertex,
+                        .before = without_rounding(nearest_of(before, around, after.positions[vertex]), kNoWeight)};
   };
   std::vector<VertexSource> sources;
   for (int v = old; v < after.vertex_count(); ++v) {

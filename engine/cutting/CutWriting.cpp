@@ -17,7 +17,7 @@ void CutSurface::add_vertices(const CutPatch& before, const CutPatch& after, std
     mesh_.vertices.push_back(after.positions[v]);
     vertex_triangle_.push_back(-1);
   }
-  result.vertices = vertex_sources(before, after, originals);
+  result.vertices = vertex_sources(before, after, result.triangles, originals);
   for (VertexSource& source : result.vertices) {
     mesh_.vertices[numbers.vertices[source.vertex]] = after.positions[source.vertex];
     source.vertex = numbers.vertices[source.vertex];

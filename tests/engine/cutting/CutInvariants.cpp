@@ -128,6 +128,24 @@ class Judge {
       expect(told[v] || before_.vertices[v] == after_.vertices[v], "vertex ", v, " moved without a word");
     }
     for (std::size_t v = old; v < after_.vertices.size(); ++v) expect(told[v], "vertex ", v, " has no source");
+    check_sides();
+  }
+
+  /// Both lips of an earlier cut have the same places, and may be far from each other: what lies on one comes from
+  /// there.
+  void check_sides() {
+    std::vector<std::set<int>> around(after_.vertices.size()), sources(after_.triangles.size());
+    for (const TriangleSource& source : cut_.triangles) {
+      for (const TriangleShare& share : source.before) sources[source.triangle].insert(share.triangle);
+    }
+    for (std::size_t t = 0; t < after_.triangles.size(); ++t) {
+      if (sources[t].empty()) sources[t].insert(static_cast<int>(t));
+      for (const int v : after_.triangles[t]) around[v].insert(sources[t].begin(), sources[t].end());
+    }
+    for (const VertexSource& source : cut_.vertices) {
+      expect(around[source.vertex].count(source.before.triangle) == 1, "vertex ", source.vertex,
+             " is said to come from a triangle that nothing around it comes from");
+    }
   }
 
   void check_triangles() {
