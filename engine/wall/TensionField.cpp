@@ -12,6 +12,10 @@ namespace {
 /// Compression below this part of the stiffness counts as none: round-off of an unstrained wall must not fold it.
 constexpr double kTautTolerance = 1e-12;
 
+/// Turns in which the depth of wrinkles of one direction is looked for: by Newton's method first, then by halving.
+constexpr int kNewtonTurns = 15;
+constexpr int kMostTurns = 80;
+
 /// The direction n of the shortening that wrinkles hide, and t across it, as what n n^T, and the symmetric part of
 /// n t^T, do to (E11, E22, 2 E12).
 struct WrinkleFrame {
@@ -36,14 +40,23 @@ struct Wrinkled {
   WallLawResponse response;  // of C + beta n n^T
 };
 
+/// Stress of a neo-Hookean wall over its modulus, (S11, S22, S12): where a law has no answer it tells whether the wall
+/// is crushed there or stretched too far.
+Eigen::Vector3d rubber_stress(const Eigen::Vector3d& c) {
+  const double d = c[0] * c[1] - c[2] * c[2];
+  return Eigen::Vector3d(1, 1, 0) - Eigen::Vector3d(c[1], c[0], -c[2]) / (d * d);
+}
+
 /// Least energy over beta for wrinkles of one direction: the root of n . S n, which grows with beta. Newton's method
 /// within a bracket.
 Wrinkled wrinkle_along(const Material& material, const Eigen::Vector3d& c, double angle) {
   Wrinkled result{.frame = wrinkle_frame(angle), .beta = 0, .response = {}};
   const auto pull = [&](double beta) {
     result.beta = beta;
-    result.response = material.law->respond(material.parameters, lengthened(c, beta, result.frame));
-    return result.response.second_piola_kirchhoff.dot(result.frame.shortening);
+    const Eigen::Vector3d hidden = lengthened(c, beta, result.frame);
+    result.response = material.law->respond(material.parameters, hidden);
+    const bool has_answer = std::isfinite(result.response.energy);
+    return (has_answer ? result.response.second_piola_kirchhoff : rubber_stress(hidden)).dot(result.frame.shortening);
   };
   if (pull(0) >= 0) return result;
   double low = 0, high = 1;
@@ -52,49 +65,76 @@ Wrinkled wrinkle_along(const Material& material, const Eigen::Vector3d& c, doubl
     high *= 2;
   }
   double beta = 0.5 * (low + high);
-  for (int turn = 0; turn < 60; ++turn) {
+  for (int turn = 0; turn < kMostTurns; ++turn) {
     const double value = pull(beta);
     const Eigen::Matrix3d& tangent = result.response.tangent;
     const double slope = 0.5 * result.frame.shortening.dot(tangent * result.frame.shortening);
     (value < 0 ? low : high) = beta;
     double next = beta - value / slope;
-    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    // A law that stiffens exponentially makes Newton's steps as short as its exponent is steep.
+    const bool is_slow = turn >= kNewtonTurns && std::abs(next - beta) > 1e-12 * (1 + beta);
+    if (is_slow || !(next > low && next < high)) next = 0.5 * (low + high);
     if (std::abs(next - beta) <= 1e-15 * (1 + beta)) break;
     beta = next;
   }
   return result;
 }
 
-/// Turns the wrinkles until the wall across them bears no shear, n . S t = 0: Newton's method on the energy that is
-/// already least in beta, with its decrease watched over.
+Eigen::Matrix2d matrix_of(const Eigen::Vector3d& tensor) {
+  Eigen::Matrix2d matrix;
+  matrix << tensor[0], tensor[2], tensor[2], tensor[1];
+  return matrix;
+}
+
+/// Newton's step, with the sizes of the eigenvalues where some are negative.
+Eigen::Vector2d descent(const Eigen::Matrix2d& second, const Eigen::Vector2d& gradient) {
+  const double mean = 0.5 * (second(0, 0) + second(1, 1)), half = 0.5 * (second(0, 0) - second(1, 1));
+  const double spread = std::hypot(half, second(0, 1));
+  if (mean - spread > 0) return -second.inverse() * gradient;
+  const double angle = 0.5 * std::atan2(second(0, 1), half);
+  const Eigen::Vector2d large(std::cos(angle), std::sin(angle)), small(-large[1], large[0]);
+  const double least = 1e-6 * (std::abs(mean) + spread);
+  return -large * (large.dot(gradient) / std::max(std::abs(mean + spread), least)) -
+         small * (small.dot(gradient) / std::max(std::abs(mean - spread), least));
+}
+
+/// Turns the wrinkles until the wall across them bears no shear. With v = sqrt(beta) n the energy of C + v v^T has the
+/// gradient S v and the second derivatives S + M^T T M, where M takes a change of v to one of (E11, E22, 2 E12). As the
+/// energy is convex in C, where S v = 0 and S has no compression it is the least. Newton's method with its decrease
+/// watched over, down to round-off: what is left of it would be noise in the forces of walls that are all but slack.
 Wrinkled wrinkle(const Material& material, const Eigen::Vector3d& c, double angle) {
   Wrinkled best = wrinkle_along(material, c, angle);
-  for (int turn = 0; turn < 40; ++turn) {
-    const Eigen::Vector3d& stress = best.response.second_piola_kirchhoff;
+  const double shear = best.response.second_piola_kirchhoff.dot(best.frame.turning);
+  if (best.beta == 0 || std::abs(shear) <= 1e-14 * best.response.tangent.norm()) return best;
+  Eigen::Vector2d v = std::sqrt(best.beta) * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+  Eigen::Vector2d gradient = matrix_of(best.response.second_piola_kirchhoff) * v;
+  for (int turn = 0; turn < kMostTurns; ++turn) {
     const Eigen::Matrix3d& tangent = best.response.tangent;
-    const WrinkleFrame& frame = best.frame;
-    const double beta = best.beta, shear = stress.dot(frame.turning);
-    if (beta == 0 || std::abs(shear) <= 1e-14 * tangent.norm()) break;
-    const double mixed = 0.5 * beta * frame.shortening.dot(tangent * frame.turning) + shear;
-    const double curvature = beta * beta * frame.turning.dot(tangent * frame.turning) +
-                             beta * stress.dot(frame.along - frame.shortening) -
-                             mixed * mixed / (0.25 * frame.shortening.dot(tangent * frame.shortening));
-    double step = curvature > 0 ? -beta * shear / curvature : -std::copysign(0.3, shear);
-    step = std::clamp(step, -0.3, 0.3);
+    const double round_off = 1e-16 * tangent.norm();
+    if (gradient.norm() <= round_off * v.norm()) break;
+    Eigen::Matrix<double, 3, 2> strain;
+    strain << v[0], 0, 0, v[1], v[1], v[0];
+    Eigen::Vector2d step =
+        descent(matrix_of(best.response.second_piola_kirchhoff) + strain.transpose() * tangent * strain, gradient);
     bool fell = false;
     for (int halving = 0; halving < 30 && !fell; ++halving, step *= 0.5) {
-      const Wrinkled trial = wrinkle_along(material, c, angle + step);
-      const double trial_shear = trial.response.second_piola_kirchhoff.dot(trial.frame.turning);
-      // Near the minimum energies no longer differ in their last digits, but the shear still falls.
-      const double noise = 1e-14 * std::abs(best.response.energy);
-      fell = trial.response.energy < best.response.energy - noise ||
-             (trial.response.energy <= best.response.energy + noise && std::abs(trial_shear) < std::abs(shear));
+      const Eigen::Vector2d w = v + step;
+      const WallLawResponse trial =
+          material.law->respond(material.parameters, c + Eigen::Vector3d(w[0] * w[0], w[1] * w[1], w[0] * w[1]));
+      const Eigen::Vector2d trial_gradient = matrix_of(trial.second_piola_kirchhoff) * w;
+      // Near the minimum energies no longer differ in their last digits, but the gradient still falls.
+      const double noise = 10 * round_off;
+      fell = trial.energy < best.response.energy - noise ||
+             (trial.energy <= best.response.energy + noise && trial_gradient.norm() < gradient.norm());
       if (!fell) continue;
-      angle += step;
-      best = trial;
+      v = w;
+      best.response = trial;
+      gradient = trial_gradient;
     }
     if (!fell) break;
   }
+  best.beta = v.squaredNorm();
+  best.frame = wrinkle_frame(std::atan2(v[1], v[0]));
   return best;
 }
 
@@ -119,14 +159,18 @@ double smallest_principal(const Eigen::Vector3d& s) {
 
 WallLawResponse relaxed(const Material& material, const Eigen::Vector3d& c) {
   const WallLawResponse taut = material.law->respond(material.parameters, c);
-  const Eigen::Vector3d& s = taut.second_piola_kirchhoff;
-  if (!std::isfinite(taut.energy) || smallest_principal(s) >= -kTautTolerance * taut.tangent.norm()) return taut;
+  // A law may end where the wall is crushed as well as where it is stretched: wrinkles spare it the first.
+  const double stiffness = taut.tangent.norm();
+  const bool has_answer = std::isfinite(taut.energy) && std::isfinite(stiffness);
+  const Eigen::Vector3d s = has_answer ? taut.second_piola_kirchhoff : rubber_stress(c);
+  if (smallest_principal(s) >= (has_answer ? -kTautTolerance * stiffness : 0)) return taut;
   if (principal_frame(c).first <= 1) {
     return {.energy = 0, .second_piola_kirchhoff = Eigen::Vector3d::Zero(), .tangent = Eigen::Matrix3d::Zero()};
   }
   // The wall shortens first where it is pressed most.
   const double angle = 0.5 * std::atan2(-2 * s[2], s[1] - s[0]);
   const Wrinkled wrinkled = wrinkle(material, c, angle);
+  if (!std::isfinite(wrinkled.response.energy)) return wrinkled.response;
   return {.energy = wrinkled.response.energy,
           .second_piola_kirchhoff = wrinkled.response.second_piola_kirchhoff,
           .tangent = relaxed_tangent(wrinkled)};
