@@ -17,6 +17,9 @@ constexpr int kHalvingsBeforeRelaxing = 2;
 /// Halvings of a dynamic step of a cut body after which it creeps.
 constexpr int kHalvingsBeforeCreeping = 4;
 
+/// Halvings of a step after which a wall that a blade presses, and has not cut yet, may crumple.
+constexpr int kHalvingsBeforeCrumpling = 4;
+
 /// Iterations after which a cut body that could creep does so.
 constexpr int kMostIterationsBeforeCreeping = 30;
 
@@ -120,10 +123,20 @@ bool Body::may_creep() const {
   if (snaps_) return false;
   const bool is_quasi_static = options_.analysis == Analysis::kQuasiStatic;
   const bool is_stuck = state_.drag > 0 || report_.halvings >= kHalvingsBeforeCreeping;
-  if (state_.cut.has_incised) return is_quasi_static || is_stuck;
+  if (state_.cut.has_incised || state_.cut.has_crumpled) return is_quasi_static || is_stuck;
   // A blade crumples a membrane that is not held behind it before it has cut it at all.
   const bool is_membrane = model_->definition.model == WallModel::kMembrane;
   return is_quasi_static && is_membrane && (surface_ || state_.cut.tool);
+}
+
+bool Body::may_crumple() const {
+  // A blade that comes from beside a membrane presses it along itself. Without bending stiffness the wall then has
+  // equilibria as fine as its mesh, and none that a solver finds.
+  const BodyDefinition& definition = model_->definition;
+  const bool has_blade =
+      std::ranges::any_of(tools_, [](const ToolDefinition& tool) { return tool.kind == ToolKind::kScalpel; });
+  return has_blade && !definition.toughness.empty() && definition.model == WallModel::kMembrane &&
+         !definition.tension_field && report_.halvings >= kHalvingsBeforeCrumpling;
 }
 
 bool Body::solve_step(EquilibriumProblem& problem, EquilibriumState& trial) {
@@ -219,6 +232,10 @@ void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> en
     const int iterations = report_.newton_iterations, shifted = report_.shifted_iterations;
     if (!try_step(from, to, part * duration, part_of(input, start, done, part))) {
       state_ = before;
+      if (may_crumple()) {
+        crumple(from);
+        continue;
+      }
       part *= 0.5;
       ++report_.halvings;
       if (part < smallest || report_.halvings > kMostHalvings) {

@@ -259,6 +259,9 @@ class Body {
   bool has_inertia() const { return options_.analysis == Analysis::kDynamic && !snaps_; }
   bool may_snap() const;
   bool may_creep() const;
+  bool may_crumple() const;
+  /// From now on the wall wrinkles infinitely finely where it is pressed along itself, as a cut one does.
+  void crumple(std::span<const ToolPose> poses);
   bool creep(EquilibriumProblem& problem, EquilibriumState& trial);
   void find_drag(const Eigen::VectorXd& before);
   bool solve_step(EquilibriumProblem& problem, EquilibriumState& trial);

@@ -37,6 +37,21 @@ void Body::prepare_cutting() {
   model_ = std::move(model);
 }
 
+void Body::crumple(std::span<const ToolPose> poses) {
+  auto model = std::make_unique<BodyModel>(*model_);
+  model->definition.tension_field = true;
+  newton_ = std::make_unique<Newton>(*model, *newton_, state_.equilibrium.position);
+  model_ = std::move(model);
+  state_.cut.has_crumpled = true;
+  const double stored = state_.books.stored();
+  find_forces(poses);
+  state_.books.jump += stored - state_.books.stored();
+  // What the wall bore along itself it gives up in a few steps.
+  hold_lips(model_->edge_length, false);
+  state_.cut.held.back().runs = true;
+  find_forces(poses);
+}
+
 Cut Body::cut(const CutPath& path, std::span<const ToolPose> poses) {
   CutOptions options;
   if (state_.cut.tool) options.deviation = tools_[*state_.cut.tool].deviation;

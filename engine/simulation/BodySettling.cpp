@@ -38,7 +38,8 @@ constexpr double kBurstVolume = 30;
 
 NewtonResult Body::solve(EquilibriumProblem& problem, EquilibriumState& state, const SolveEffort& effort) {
   const int most = options_.maximum_iterations;
-  const bool takes_flaps = effort.takes_flaps || state_.cut.has_incised || state_.cut.tool;
+  const CutProgress& cut = state_.cut;
+  const bool takes_flaps = effort.takes_flaps || cut.has_incised || cut.has_crumpled || cut.tool;
   const NewtonResult result =
       newton_->solve(problem, state,
                      {.tolerance = options_.tolerance,

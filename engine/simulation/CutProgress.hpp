@@ -75,6 +75,7 @@ struct CutProgress {
   double run = 0;                          // metres, as it is stretched, that the cut has run in this step
   double run_length = 0;                   // metres, rest, of `length`: that ran ahead of blades
   bool has_incised = false;                // whether a blade has cut the wall, that holds flaps together no more
+  bool has_crumpled = false;               // whether one has pressed it along itself: it wrinkles as cut ones do
 
   /// Whether there is wall before the blade, and it is not in a gap or beyond a border.
   bool is_in_wall() const { return tip || start; }
