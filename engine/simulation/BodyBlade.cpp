@@ -12,6 +12,10 @@ namespace {
 /// Mean edge lengths over which the energy that lips release is told to the blade.
 constexpr double kSettledEdges = 2;
 
+/// Part of what a cut costs that the forces at its lips may do on the wall before they are let go: they stand for what
+/// the wall bore across the cut, and push a piece that turns or flies away as no wall does.
+constexpr double kMostDriven = 0.5;
+
 }  // namespace
 
 double Body::cost_at(const SurfacePoint& place) const {
@@ -46,6 +50,11 @@ double Body::book_cut(const CutProgress& before, const Eigen::VectorXd& motion,
       }
       for (const HeldTurn& one : lips.turns) share -= 0.5 * lips.held * one.force * motion[one.unknown];
     }
+  }
+  for (HeldLips& lips : after.held) {
+    for (const HeldForce& one : lips.forces) lips.work += lips.held * one.force.dot(motion.segment<3>(3 * one.vertex));
+    for (const HeldTurn& one : lips.turns) lips.work += lips.held * one.force * motion[one.unknown];
+    lips.runs = lips.runs || lips.work > kMostDriven * after.cost * lips.length;
   }
   double paid = 0;  // joule, by the blade
   if (blade && blade->travel > 0) {

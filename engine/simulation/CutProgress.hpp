@@ -36,7 +36,8 @@ struct HeldLips {
   double held = 1;    // part of the forces that still acts
   double length = 0;  // metres, rest, of the cut: the blade's way over which it is let go
   bool pays = true;   // whether what it releases pays for new cut area, or is lost
-  bool runs = false;  // whether the cut ran ahead here: let go in a few steps, whatever the blade does
+  double work = 0;    // joule, that the forces have done on the wall so far: below zero while they hold it
+  bool runs = false;  // let go in a few steps, whatever the blade does: the cut ran ahead here, or they drive the wall
 };
 
 /// A gap of the wall that a blade crosses.
