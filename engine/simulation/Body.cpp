@@ -60,6 +60,7 @@ constexpr double kSmallestPart = 1.0 / 256;
 /// Part of the largest of its energies that the integrator may take or give in a part of a step of a cut body: walls
 /// that collapse, and jets that begin at once, ask for shorter ones. Where the wall jumps none is short enough.
 constexpr double kMostUnbooked = 5e-4;
+constexpr double kMostGiven = 2.5e-3;  // where it may take as much as it likes
 constexpr double kSmallestUnbookedPart = 1.0 / 16;
 
 /// The share of a part of the step from `done` on.
@@ -207,11 +208,13 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
   }
 }
 
-double Body::unbooked_part(const BodyState& before) const {
-  // What a drag takes up is no matter of the step's length.
-  if (!state_.cut.has_incised || state_.drag_force.size() > 0) return 0;
-  const double taken = std::abs(state_.books.numerical - before.books.numerical);
-  return taken > 0 ? taken / state_.books.largest() : 0;
+double Body::unbooked_part(const BodyState& before, bool is_calm) const {
+  const double taken = state_.books.numerical - before.books.numerical;
+  if (!state_.cut.has_incised || taken == 0) return 0;
+  // What a drag takes up is no matter of the step's length, nor is what flaps that flutter lose. But neither gives.
+  const bool only_gives = !is_calm || state_.drag_force.size() > 0;
+  const double largest = state_.books.largest();
+  return only_gives ? std::max(0.0, -taken / (kMostGiven * largest)) : std::abs(taken) / (kMostUnbooked * largest);
 }
 
 void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> end, double duration,
@@ -249,7 +252,7 @@ void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> en
     const bool was_easy = report_.newton_iterations - iterations <= kEasyIterations;
     // Where flaps flutter the matrix is not convex at first, and shorter steps show more of that.
     const bool is_calm = report_.shifted_iterations == shifted && report_.halvings == 0;
-    const double unbooked = is_calm ? unbooked_part(before) / kMostUnbooked : 0;
+    const double unbooked = unbooked_part(before, is_calm);
     if ((error > 1 && part > kSmallestPart) || (unbooked > 1 && part > kSmallestUnbookedPart)) {
       state_ = before;
       part *= 0.5;
