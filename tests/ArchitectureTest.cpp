@@ -19,13 +19,13 @@ struct Floor {
 
 const std::vector<Floor>& floors() {
   static const std::vector<Floor> all = {
-      {"engine", {"engine/"}, {"Eigen/", "cholmod.h", "SuiteSparse", "tbb/", "oneapi/tbb/", "omp.h"}},
+      {"engine", {"engine/"}, {"Eigen/", "metis.h", "tbb/", "oneapi/tbb/"}},
       {"renderer",
        {"renderer/"},
        {"EGL/", "epoxy/", "cairo", "pango/", "fontconfig/", "png.h", "xxhash.h", "opencv2/", "OpenEXR/", "zlib.h"}},
       {"studio",
        {"engine/", "renderer/", "studio/"},
-       {"Eigen/", "assimp/", "yaml-cpp/", "CLI/", "spdlog/", "fmt/", "nlohmann/", "hdf5.h", "xxhash.h", "SuiteSparse",
+       {"Eigen/", "assimp/", "yaml-cpp/", "CLI/", "spdlog/", "fmt/", "nlohmann/", "hdf5.h", "xxhash.h", "metis.h",
         "oneapi/tbb/"}},
   };
   return all;

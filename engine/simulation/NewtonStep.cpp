@@ -146,13 +146,9 @@ void Newton::build_matrix(const EquilibriumProblem& problem, const EquilibriumSt
 }
 
 bool Newton::is_usable(SparseFactor& factor, std::span<const double> values, bool may_be_saddle) {
-  std::optional<int> negative;
   ++factorisations_;
-  if (factor.factorize(values)) {
-    negative = 0;
-  } else if (constraints_ > 0 || may_be_saddle) {
-    negative = factor.factorize_indefinite(values);
-  }
+  const bool may_be_indefinite = constraints_ > 0 || may_be_saddle;
+  const std::optional<int> negative = factor.factorize(values, may_be_indefinite);
   if (!negative) return false;
   negative_pivots_ = *negative;
   bordered_.set(factor, *negative, border_, corner_);

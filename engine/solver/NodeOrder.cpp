@@ -1,11 +1,19 @@
 #include "engine/solver/NodeOrder.hpp"
 
+#include <metis.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
+#include <mutex>
+#include <new>
+#include <numeric>
 
 namespace thinwall {
 namespace {
+
+/// METIS draws from the one random number generator of the process: two orders at once would become other orders.
+std::mutex one_at_a_time;
 
 std::vector<int> places_of(std::span<const int> order) {
   std::vector<int> place(order.size());
@@ -52,6 +60,24 @@ int lowest_common(const OrderedTree& tree, std::vector<int> nodes) {
 }
 
 }  // namespace
+
+std::vector<int> nested_dissection(const BlockPattern& pattern) {
+  static_assert(sizeof(idx_t) == sizeof(int));
+  std::vector<int> order(pattern.nodes()), place(pattern.nodes()), begin = {0}, neighbours;
+  std::iota(order.begin(), order.end(), 0);
+  if (pattern.neighbours.empty()) return order;
+  for (std::vector<int>& own : all_neighbours(pattern)) {
+    std::ranges::sort(own);
+    neighbours.insert(neighbours.end(), own.begin(), own.end());
+    begin.push_back(static_cast<int>(neighbours.size()));
+  }
+  int nodes = pattern.nodes();
+  const std::lock_guard<std::mutex> turn(one_at_a_time);
+  if (METIS_NodeND(&nodes, begin.data(), neighbours.data(), nullptr, nullptr, order.data(), place.data()) != METIS_OK) {
+    throw std::bad_alloc();
+  }
+  return order;
+}
 
 std::vector<int> elimination_tree(const BlockPattern& pattern, std::span<const int> order) {
   const std::vector<int> place = places_of(order);

@@ -7,6 +7,9 @@
 
 namespace thinwall {
 
+/// A fill-reducing order of the nodes: nested dissection of their graph (METIS).
+std::vector<int> nested_dissection(const BlockPattern& pattern);
+
 /// Parent of each node in the elimination tree of a pattern under an order of its nodes, (nodes), -1 at a root: the
 /// first of the nodes after it that it is coupled with once those before it are eliminated (Liu 1990).
 std::vector<int> elimination_tree(const BlockPattern& pattern, std::span<const int> order);

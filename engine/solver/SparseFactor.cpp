@@ -1,139 +1,165 @@
 #include "engine/solver/SparseFactor.hpp"
 
-#include <cholmod.h>
-#include <omp.h>
-
 #include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <mutex>
-#include <new>
-#include <numeric>
 #include <utility>
 #include <vector>
 
+#include "engine/solver/FrontFactor.hpp"
 #include "engine/solver/NodeOrder.hpp"
+#include "engine/solver/SupernodeTree.hpp"
 
 namespace thinwall {
-namespace {
-
-/// Bodies may be solved in threads of their own, the libraries may not. Nested dissection draws from the one random
-/// number generator of the process, so that two orders at once become other orders; and Debian's serial OpenBLAS gives
-/// two threads the same working memory, so that their factors and solutions, and at times the heap, are ruined.
-std::mutex one_at_a_time;
-
-/// To be held while a library works. It opens parallel regions of its own for tiny loops; their threads would only spin
-/// against those that render and encode. No active level means that every region runs on the thread that meets it; each
-/// thread has a setting of its own.
-struct Turn {
-  Turn() { omp_set_max_active_levels(0); }
-  const std::lock_guard<std::mutex> lock{one_at_a_time};
-};
-
-/// Fill-reducing order of the nodes.
-std::vector<int> node_order(const BlockPattern& pattern, cholmod_common& common) {
-  const Turn turn;
-  const int edges = static_cast<int>(pattern.neighbours.size());
-  std::vector<int> order(pattern.nodes());
-  cholmod_sparse graph{};
-  std::vector<int> columns = pattern.neighbour_begin, rows = pattern.neighbours;
-  graph.nrow = graph.ncol = pattern.nodes();
-  graph.nzmax = edges;
-  graph.p = columns.data();
-  graph.i = rows.data();
-  graph.stype = -1;
-  graph.itype = CHOLMOD_INT;
-  graph.xtype = CHOLMOD_PATTERN;
-  graph.sorted = graph.packed = 1;
-  if (edges == 0) {
-    std::iota(order.begin(), order.end(), 0);
-  } else if (!cholmod_metis(&graph, nullptr, 0, 1, order.data(), &common)) {
-    throw std::bad_alloc();
-  }
-  return order;
-}
-
-}  // namespace
 
 struct SparseFactor::Implementation {
   BlockPattern pattern;
-  cholmod_common common{};
-  cholmod_sparse matrix{};
-  cholmod_factor* definite = nullptr;    // supernodal
-  cholmod_factor* indefinite = nullptr;  // simplicial, analysed on first need
-  cholmod_factor* current = nullptr;     // the one that holds the last factorisation
-  cholmod_dense* solution = nullptr;
-  cholmod_dense* workspace_y = nullptr;
-  cholmod_dense* workspace_e = nullptr;
-  std::vector<int> nodes;          // in their order
-  std::vector<int> order;          // (unknowns)
-  double operations = 0;           // of a supernodal factorisation
+  std::vector<int> nodes;  // in their order
+  SupernodeTree tree;
   double operations_per_node = 0;  // with the last order that was not taken over
+  std::vector<double> factor;      // columns of all supernodes
+  std::vector<double> signs;       // (unknowns)
+  std::vector<double> updates[2];  // that wait for the fronts above, of even and of odd depth
+  std::vector<int> waiting[2];     // their supernodes
+  std::vector<double> workspace;
+  std::vector<double> solution;  // (unknowns x kSolutions) by rows, in the order of elimination
+  std::vector<double> local;     // (unknowns of one front x kSolutions) by rows
+  bool is_factorised = false;
 
   explicit Implementation(const BlockPattern& the_pattern, const Implementation* before = nullptr)
       : pattern(the_pattern) {
-    cholmod_start(&common);
-    common.print = 0;
-    common.nmethods = 1;
-    common.method[0].ordering = CHOLMOD_GIVEN;
-    common.postorder = 1;
-    matrix.nrow = matrix.ncol = static_cast<std::size_t>(pattern.unknowns());
-    matrix.nzmax = pattern.nonzeros();
-    matrix.p = pattern.column_begin.data();
-    matrix.i = pattern.row.data();
-    matrix.stype = -1;
-    matrix.itype = CHOLMOD_INT;
-    matrix.dtype = CHOLMOD_DOUBLE;
-    matrix.sorted = matrix.packed = 1;
-    if (before != nullptr && pattern.singles == 0 && before->pattern.singles == 0) {
+    const bool takes_over = before != nullptr && pattern.singles == 0 && before->pattern.singles == 0;
+    if (takes_over) {
       set_order(extended_order(before->pattern, before->nodes, pattern));
       operations_per_node = before->operations_per_node;
-      if (operations <= kWorseOrder * operations_per_node * pattern.nodes()) return;
-      cholmod_free_factor(&definite, &common);
     }
-    set_order(node_order(pattern, common));
-    operations_per_node = operations / std::max(1, pattern.nodes());
+    if (!takes_over || tree.operations > kWorseOrder * operations_per_node * pattern.nodes()) {
+      set_order(nested_dissection(pattern));
+      operations_per_node = tree.operations / std::max(1, pattern.nodes());
+    }
+    // The last rows of the last front are read in whole lanes.
+    factor.resize(tree.factor_size + kFrontRows);
+    signs.resize(pattern.unknowns());
+    for (int k = 0; k < 2; ++k) updates[k].resize(tree.update_size[k]);
+    workspace.resize(kFrontColumns * kPanel);
+    solution.resize(static_cast<std::size_t>(pattern.unknowns()) * kSolutions);
+    local.resize(static_cast<std::size_t>(tree.largest_front + kFrontRows) * kSolutions);
   }
 
   void set_order(std::vector<int> the_nodes) {
     nodes = std::move(the_nodes);
-    order.clear();
-    for (const int node : nodes) {
-      for (int c = 0; c < pattern.unknowns_of(node); ++c) order.push_back(pattern.first_unknown(node) + c);
+    tree = make_supernode_tree(pattern, nodes);
+  }
+
+  Front front_of(const Supernode& supernode) {
+    return {.pivots = supernode.pivots,
+            .size = supernode.size,
+            .columns = factor.data() + supernode.factor_begin,
+            .stride = supernode.stride,
+            .update_stride = supernode.update_stride,
+            .signs = signs.data() + supernode.first,
+            .workspace = workspace.data()};
+  }
+
+  /// Adds what a front below has left to the front that takes it up.
+  void take_up(const Supernode& below, const double* update, const Front& front) const {
+    const RowRun* end = tree.runs.data() + below.runs_end;
+    for (const RowRun* columns = tree.runs.data() + below.runs_begin; columns != end; ++columns) {
+      for (int k = 0; k < columns->count; ++k) {
+        const int column = columns->to + k;
+        const double* source = update + (columns->from + k) * below.update_stride;
+        double* target = column < front.pivots
+                             ? front.columns + column * front.stride
+                             : front.update + (column - front.pivots) * front.update_stride - front.pivots;
+        for (int row = k; row < columns->count; ++row) target[columns->to + row] += source[columns->from + row];
+        for (const RowRun* rows = columns + 1; rows != end; ++rows) {
+          for (int row = 0; row < rows->count; ++row) target[rows->to + row] += source[rows->from + row];
+        }
+      }
     }
-    definite = analyze(CHOLMOD_SUPERNODAL, true);
-    operations = common.fl;
   }
 
-  ~Implementation() {
-    cholmod_free_dense(&solution, &common);
-    cholmod_free_dense(&workspace_y, &common);
-    cholmod_free_dense(&workspace_e, &common);
-    cholmod_free_factor(&definite, &common);
-    cholmod_free_factor(&indefinite, &common);
-    cholmod_finish(&common);
-  }
-
-  Implementation(const Implementation&) = delete;
-  Implementation& operator=(const Implementation&) = delete;
-
-  cholmod_factor* analyze(int kind, bool as_product) {
-    common.supernodal = kind;
-    common.final_ll = as_product;
-    matrix.xtype = CHOLMOD_PATTERN;
-    cholmod_factor* factor = cholmod_analyze_p(&matrix, order.data(), nullptr, 0, &common);
-    if (factor == nullptr) throw std::bad_alloc();
-    return factor;
-  }
-
-  bool factorize(cholmod_factor* factor, std::span<const double> values) {
+  std::optional<int> eliminate_all(std::span<const double> values, bool allows_negative) {
     assert(static_cast<int>(values.size()) == pattern.nonzeros());
-    const Turn turn;
-    // The library reads the values only; its interface lacks the const.
-    matrix.x = const_cast<double*>(values.data());
-    matrix.xtype = CHOLMOD_REAL;
-    if (!cholmod_factorize(&matrix, factor, &common) && common.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
-    return common.status == CHOLMOD_OK && factor->minor == factor->n;
+    is_factorised = false;
+    int negative = 0;
+    double* top[2] = {updates[0].data(), updates[1].data()};
+    for (std::vector<int>& one : waiting) one.clear();
+    for (int s = 0; s < static_cast<int>(tree.supernodes.size()); ++s) {
+      const Supernode& supernode = tree.supernodes[s];
+      const int parity = supernode.depth % 2;
+      Front front = front_of(supernode);
+      front.update = top[parity];
+      top[parity] += supernode.update_stride * (supernode.size - supernode.pivots);
+      std::fill_n(front.columns, supernode.stride * supernode.pivots, 0.0);
+      std::fill(front.update, top[parity], 0.0);
+      for (int k = supernode.entries_begin; k < supernode.entries_end; ++k) {
+        factor[tree.entries[k].place] = values[tree.entries[k].value];
+      }
+      std::vector<int>& below = waiting[1 - parity];
+      while (!below.empty() && tree.supernodes[below.back()].parent == s) {
+        const Supernode& child = tree.supernodes[below.back()];
+        top[1 - parity] -= child.update_stride * (child.size - child.pivots);
+        take_up(child, top[1 - parity], front);
+        below.pop_back();
+      }
+      const int own_negative = eliminate(front, allows_negative);
+      if (own_negative < 0) return std::nullopt;
+      negative += own_negative;
+      waiting[parity].push_back(s);
+    }
+    is_factorised = true;
+    return negative;
+  }
+
+  /// Solves for `solution`, (unknowns x sides) by rows, of which there are one or kSolutions.
+  template <int sides>
+  void go_up() {
+    for (const Supernode& supernode : tree.supernodes) {
+      const int* rows = tree.rows.data() + supernode.rows_begin;
+      double* pivots = solution.data() + supernode.first * sides;
+      double* below = std::copy_n(pivots, supernode.pivots * sides, local.data());
+      std::fill(below, local.data() + supernode.stride * sides, 0.0);
+      sides == 1 ? solve_forward(front_of(supernode), local.data())
+                 : solve_several_forward(front_of(supernode), local.data());
+      const double* from = local.data();
+      for (int k = 0; k < supernode.pivots; ++k) {
+        for (int c = 0; c < sides; ++c) *pivots++ = signs[supernode.first + k] * *from++;
+      }
+      for (int k = supernode.pivots; k < supernode.size; ++k) {
+        double* to = solution.data() + *rows++ * sides;
+        for (int c = 0; c < sides; ++c) *to++ += *from++;
+      }
+    }
+  }
+
+  template <int sides>
+  void go_down() {
+    for (auto supernode = tree.supernodes.rbegin(); supernode != tree.supernodes.rend(); ++supernode) {
+      const int* rows = tree.rows.data() + supernode->rows_begin;
+      double* pivots = solution.data() + supernode->first * sides;
+      double* to = std::copy_n(pivots, supernode->pivots * sides, local.data());
+      for (int k = supernode->pivots; k < supernode->size; ++k) {
+        to = std::copy_n(solution.data() + *rows++ * sides, sides, to);
+      }
+      std::fill(to, local.data() + supernode->stride * sides, 0.0);
+      sides == 1 ? solve_backward(front_of(*supernode), local.data())
+                 : solve_several_backward(front_of(*supernode), local.data());
+      std::copy_n(local.data(), supernode->pivots * sides, pivots);
+    }
+  }
+
+  /// Solves `sides` columns or fewer.
+  template <int sides>
+  void solve(Eigen::Ref<Eigen::MatrixXd> columns) {
+    std::fill_n(solution.begin(), columns.rows() * sides, 0.0);
+    for (Eigen::Index column = 0; column < columns.cols(); ++column) {
+      for (Eigen::Index k = 0; k < columns.rows(); ++k) solution[tree.place[k] * sides + column] = columns(k, column);
+    }
+    go_up<sides>();
+    go_down<sides>();
+    for (Eigen::Index column = 0; column < columns.cols(); ++column) {
+      for (Eigen::Index k = 0; k < columns.rows(); ++k) columns(k, column) = solution[tree.place[k] * sides + column];
+    }
   }
 };
 
@@ -144,55 +170,25 @@ SparseFactor::~SparseFactor() = default;
 SparseFactor::SparseFactor(SparseFactor&&) noexcept = default;
 SparseFactor& SparseFactor::operator=(SparseFactor&&) noexcept = default;
 
-bool SparseFactor::factorize(std::span<const double> values) {
-  Implementation& own = *implementation_;
-  if (!own.factorize(own.definite, values)) return false;
-  own.current = own.definite;
-  return true;
-}
-
-std::optional<int> SparseFactor::factorize_indefinite(std::span<const double> values) {
-  Implementation& own = *implementation_;
-  if (own.indefinite == nullptr) own.indefinite = own.analyze(CHOLMOD_SIMPLICIAL, false);
-  own.common.supernodal = CHOLMOD_SIMPLICIAL;
-  own.common.final_ll = 0;
-  if (!own.factorize(own.indefinite, values)) return std::nullopt;
-  const auto* begin = static_cast<const int*>(own.indefinite->p);
-  const auto* entries = static_cast<const double*>(own.indefinite->x);
-  int negative = 0;
-  for (std::size_t k = 0; k < own.indefinite->n; ++k) {
-    const double pivot = entries[begin[k]];  // D stands where the unit diagonal of L would
-    if (!std::isfinite(pivot) || pivot == 0) return std::nullopt;
-    negative += pivot < 0 ? 1 : 0;
-  }
-  own.current = own.indefinite;
-  return negative;
+std::optional<int> SparseFactor::factorize(std::span<const double> values, bool may_be_indefinite) {
+  return implementation_->eliminate_all(values, may_be_indefinite);
 }
 
 double SparseFactor::operations() const {
-  return implementation_->operations;
+  return implementation_->tree.operations;
 }
 
 void SparseFactor::solve(Eigen::Ref<Eigen::MatrixXd> right_hand_sides) {
-  Implementation& own = *implementation_;
-  assert(own.current != nullptr);
-  const Turn turn;
-  cholmod_dense dense{};
-  dense.nrow = right_hand_sides.rows();
-  dense.ncol = right_hand_sides.cols();
-  dense.d = right_hand_sides.outerStride();
-  dense.nzmax = dense.d * dense.ncol;
-  dense.x = right_hand_sides.data();
-  dense.xtype = CHOLMOD_REAL;
-  dense.dtype = CHOLMOD_DOUBLE;
-  if (!cholmod_solve2(CHOLMOD_A, own.current, &dense, nullptr, &own.solution, nullptr, &own.workspace_y,
-                      &own.workspace_e, &own.common)) {
-    throw std::bad_alloc();
+  assert(implementation_->is_factorised);
+  // Two of them cost as much one by one.
+  constexpr Eigen::Index kWorthwhile = 3;
+  const Eigen::Index columns = right_hand_sides.cols();
+  Eigen::Index first = 0;
+  for (; columns - first >= kWorthwhile; first += kSolutions) {
+    implementation_->solve<kSolutions>(
+        right_hand_sides.middleCols(first, std::min<Eigen::Index>(kSolutions, columns - first)));
   }
-  const auto* solved = static_cast<const double*>(own.solution->x);
-  for (Eigen::Index column = 0; column < right_hand_sides.cols(); ++column) {
-    std::copy_n(solved + column * own.solution->d, right_hand_sides.rows(), right_hand_sides.col(column).data());
-  }
+  for (; first < columns; ++first) implementation_->solve<1>(right_hand_sides.col(first));
 }
 
 }  // namespace thinwall

@@ -9,7 +9,9 @@
 
 namespace thinwall {
 
-/// Analyse once, factorize and solve often: the only place that knows the sparse direct solver.
+/// Analyse once, factorize and solve often: a multifrontal L S L^T with S = +-1 on the diagonal (Duff and Reid 1983),
+/// without interchanges. Fronts are dense and eliminated by FrontFactor; the pattern of 3 x 3 blocks is analysed as a
+/// graph of vertices. All of it runs on one thread, in an order that the pattern alone decides.
 class SparseFactor {
  public:
   /// Orders the graph of nodes by nested dissection and expands the order to their unknowns, three for each vertex,
@@ -25,13 +27,11 @@ class SparseFactor {
   SparseFactor(SparseFactor&&) noexcept;
   SparseFactor& operator=(SparseFactor&&) noexcept;
 
-  /// Supernodal L L^T; false when the matrix is not positive definite.
-  bool factorize(std::span<const double> values);
+  /// The number of negative pivots, which is that of the negative eigenvalues; nothing when a pivot vanished, or when
+  /// one was negative and the matrix may not be indefinite.
+  std::optional<int> factorize(std::span<const double> values, bool may_be_indefinite = false);
 
-  /// Simplicial L D L^T of an indefinite matrix: the number of negative pivots, or nothing when a pivot vanished.
-  std::optional<int> factorize_indefinite(std::span<const double> values);
-
-  /// Floating-point operations of a factorisation, as analysed.
+  /// Floating-point operations of a factorisation, as analysed: the squares of the columns' lengths.
   double operations() const;
 
   /// Solves with the last successful factorisation. (unknowns x right-hand sides), in place.

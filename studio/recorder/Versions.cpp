@@ -1,8 +1,8 @@
 #include "studio/recorder/Versions.hpp"
 
-#include <SuiteSparse_config.h>
 #include <fmt/format.h>
 #include <hdf5.h>
+#include <metis.h>
 #include <oneapi/tbb/version.h>
 
 #include <Eigen/Core>
@@ -14,16 +14,14 @@ std::string thinwall_version() {
 }
 
 std::string effective_licence() {
-  return "GPL-2.0-or-later, taken at version 3 (own sources: MIT; SuiteSparse's supernodal CHOLMOD: GPL-2.0-or-later; "
-         "METIS and oneTBB: Apache-2.0)";
+  return "MIT (own sources; linked: METIS and oneTBB under Apache-2.0, others under permissive licences and the LGPL)";
 }
 
 std::vector<std::pair<std::string, std::string>> component_versions() {
   return {{"thinwall", thinwall_version()},
           {"compiler", "g++ " __VERSION__},
           {"Eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
-          {"SuiteSparse",
-           fmt::format("{}.{}.{}", SUITESPARSE_MAIN_VERSION, SUITESPARSE_SUB_VERSION, SUITESPARSE_SUBSUB_VERSION)},
+          {"METIS", fmt::format("{}.{}.{}", METIS_VER_MAJOR, METIS_VER_MINOR, METIS_VER_SUBMINOR)},
           {"oneTBB", fmt::format("{}.{}.{}", TBB_VERSION_MAJOR, TBB_VERSION_MINOR, TBB_VERSION_PATCH)},
           {"HDF5", fmt::format("{}.{}.{}", H5_VERS_MAJOR, H5_VERS_MINOR, H5_VERS_RELEASE)}};
 }

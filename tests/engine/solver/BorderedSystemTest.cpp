@@ -39,7 +39,7 @@ TEST(BorderedSystem, InertiaAndSolutionAreThoseOfTheDenseMatrix) {
     whole << matrix.dense, border, border.transpose(), example.corner;
 
     SparseFactor factor(matrix.pattern);
-    const std::optional<int> negative = factor.factorize_indefinite(matrix.values);
+    const std::optional<int> negative = factor.factorize(matrix.values, true);
     ASSERT_TRUE(negative) << example.name;
     BorderedSystem system;
     system.set(factor, *negative, border, example.corner);
@@ -98,7 +98,7 @@ TEST(BorderedSystem, ColumnOfOneConstraintMakesAMatrixWithOneNegativeDirectionCo
     matrix.values[matrix.pattern.column_begin[column]] -= 0.5 * (least + next);
   }
   SparseFactor factor(matrix.pattern);
-  const std::optional<int> negative = factor.factorize_indefinite(matrix.values);
+  const std::optional<int> negative = factor.factorize(matrix.values, true);
   ASSERT_TRUE(negative);
   EXPECT_EQ(*negative, 1);
   BorderedSystem system;

@@ -16,7 +16,7 @@ int negative_eigenvalues(const Eigen::MatrixXd& matrix) {
 }
 
 TEST(SparseFactor, SolvesADefiniteMatrixLikeADenseOne) {
-  for (const int triangles : {20, 80, 320}) {
+  for (const int triangles : {20, 80, 320, 1280}) {
     const BlockMatrix matrix = random_matrix(triangles, 0.5, 3);
     SparseFactor factor(matrix.pattern);
     ASSERT_TRUE(factor.factorize(matrix.values));
@@ -52,7 +52,7 @@ TEST(SparseFactor, CountsTheNegativeEigenvaluesOfAnIndefiniteMatrixAndSolvesIt) 
   for (const double shift : {0.5, -0.4, -1.5, -4.0, -30.0}) {
     const BlockMatrix matrix = random_matrix(80, shift, 3);
     SparseFactor factor(matrix.pattern);
-    const std::optional<int> negative = factor.factorize_indefinite(matrix.values);
+    const std::optional<int> negative = factor.factorize(matrix.values, true);
     ASSERT_TRUE(negative) << shift;
     EXPECT_EQ(*negative, negative_eigenvalues(matrix.dense)) << shift;
     const Eigen::MatrixXd right = random_columns(matrix.dense.rows(), 2, 8);
@@ -69,7 +69,7 @@ TEST(SparseFactor, SaysThatASingularMatrixIsSingular) {
   const std::vector<double> zero(matrix.values.size(), 0);
   SparseFactor factor(matrix.pattern);
   EXPECT_FALSE(factor.factorize(zero));
-  EXPECT_FALSE(factor.factorize_indefinite(zero));
+  EXPECT_FALSE(factor.factorize(zero, true));
 }
 
 TEST(SparseFactor, GoesOnAfterAFailureAndBetweenTheTwoKinds) {
@@ -82,7 +82,7 @@ TEST(SparseFactor, GoesOnAfterAFailureAndBetweenTheTwoKinds) {
     factor.solve(solved);
     EXPECT_LT((definite.dense * solved - right).cwiseAbs().maxCoeff(), 1e-13);
     EXPECT_FALSE(factor.factorize(indefinite.values));
-    ASSERT_TRUE(factor.factorize_indefinite(indefinite.values));
+    ASSERT_TRUE(factor.factorize(indefinite.values, true));
     solved = right;
     factor.solve(solved);
     EXPECT_LT((indefinite.dense * solved - right).cwiseAbs().maxCoeff(), 1e-10);

@@ -130,7 +130,7 @@ bool TetrahedralSolid::factorize() {
       if (held_[column] || held_[pattern_.row[k]]) held_values_[k] = pattern_.row[k] == column ? material_.mu : 0;
     }
   }
-  return factor_.factorize(held_values_);
+  return factor_.factorize(held_values_).has_value();
 }
 
 int TetrahedralSolid::press(double height, double tolerance) {

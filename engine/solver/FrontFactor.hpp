@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+
+namespace thinwall {
+
+/// Rows in which fronts are worked on: the leading dimensions of fronts and updates are multiples of it.
+constexpr int kFrontRows = 8;
+
+/// A dense symmetric matrix of which the first unknowns are eliminated. By columns, of which only what is on and below
+/// the diagonal is read as data; what stands above it, and in rows past the last, is finite and of no meaning.
+struct Front {
+  int pivots = 0;             // unknowns to eliminate
+  int size = 0;               // all unknowns
+  double* columns = nullptr;  // (stride x pivots), the first columns: in, the matrix; out, L
+  std::ptrdiff_t stride = 0;  // of `columns`, a multiple of kFrontRows that is at least `size`
+  // (update_stride x size - pivots), the other columns from row `pivots` on: in, the matrix; out, what is left of it
+  double* update = nullptr;
+  std::ptrdiff_t update_stride = 0;  // a multiple of kFrontRows that is at least size - pivots
+  double* signs = nullptr;           // (pivots), out: 1 or -1
+  double* workspace = nullptr;       // kFrontColumns * kPanel
+};
+
+/// Columns that are worked on together, and pivots after whose elimination the columns behind them follow.
+constexpr int kFrontColumns = 6;
+constexpr int kPanel = 96;
+
+/// Eliminates the pivots: A = L S L^T with S = diag(signs), without interchanges. Gives the number of negative pivots,
+/// or -1 where a pivot vanishes or is no number, or where it is negative and that is not allowed. The order of the
+/// operations on each entry depends on the sizes alone, and no two are fused: the same bits on every processor.
+int eliminate(const Front& front, bool allows_negative);
+
+/// Solves L y = b for the pivots and takes what they bear on off the rows below them: `values`, (stride), in place.
+void solve_forward(const Front& front, double* values);
+
+/// Solves L^T x = y for the pivots, with the rows below them known: `values`, (stride), in place; what stands past the
+/// last row is zero.
+void solve_backward(const Front& front, double* values);
+
+/// The same for right-hand sides that are solved side by side: `values`, (size x kSolutions) by rows. It takes about
+/// twice the time of one.
+constexpr int kSolutions = 4;
+void solve_several_forward(const Front& front, double* values);
+void solve_several_backward(const Front& front, double* values);
+
+}  // namespace thinwall

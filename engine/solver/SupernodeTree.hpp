@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "engine/solver/BlockPattern.hpp"
+
+namespace thinwall {
+
+/// Consecutive unknowns, in their order, whose columns of the factor have the same rows, but for a few zeros: they are
+/// eliminated together in one front (Duff and Reid 1983). Fronts stand in postorder.
+struct Supernode {
+  int first = 0;                           // place of its first unknown
+  int pivots = 0;                          // unknowns that it eliminates
+  int size = 0;                            // unknowns of its front
+  int parent = -1;                         // supernode whose front takes up its update
+  int depth = 0;                           // below its root
+  int rows_begin = 0;                      // into `rows`: size - pivots of them
+  std::ptrdiff_t factor_begin = 0;         // of its columns in the factor
+  std::ptrdiff_t stride = 0;               // of its columns
+  std::ptrdiff_t update_stride = 0;        // of its update
+  int runs_begin = 0, runs_end = 0;        // into `runs`
+  int entries_begin = 0, entries_end = 0;  // into `entries`
+};
+
+/// Rows of an update that stay together in the front above.
+struct RowRun {
+  int from = 0;  // in the update
+  int to = 0;    // in the front above
+  int count = 0;
+};
+
+/// Where an entry of the matrix goes.
+struct MatrixEntry {
+  int value = 0;             // in the matrix
+  std::ptrdiff_t place = 0;  // in the factor
+};
+
+/// What the elimination of a pattern in a given order needs to know before any value is known.
+struct SupernodeTree {
+  std::vector<Supernode> supernodes;
+  std::vector<int> place;  // (unknowns), in the order of elimination
+  std::vector<int> rows;   // places below the pivots of each supernode, ascending
+  std::vector<RowRun> runs;
+  std::vector<MatrixEntry> entries;
+  std::ptrdiff_t factor_size = 0;
+  std::ptrdiff_t update_size[2] = {0, 0};  // room for the updates of even and of odd depth that wait at one time
+  int largest_front = 0;
+  double operations = 0;  // floating-point operations, without those on zeros that supernodes bring
+};
+
+/// `order` of the nodes is put in postorder of its elimination tree, which changes neither fill nor operations.
+SupernodeTree make_supernode_tree(const BlockPattern& pattern, std::span<const int> order);
+
+}  // namespace thinwall

@@ -1,0 +1,134 @@
+// Fronts: elimination of the first unknowns of dense symmetric matrices, and solutions with what it leaves.
+
+#include "engine/solver/FrontFactor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <limits>
+#include <vector>
+
+#include "tests/engine/solver/BlockMatrix.hpp"
+
+namespace thinwall {
+namespace {
+
+int up_to_rows(int rows) {
+  return (rows + kFrontRows - 1) / kFrontRows * kFrontRows;
+}
+
+/// A front with room of its own.
+struct OwnFront {
+  Eigen::MatrixXd columns, update;
+  Eigen::VectorXd signs;
+  std::vector<double> workspace = std::vector<double>(kFrontColumns * kPanel);
+  int pivots, size;
+
+  OwnFront(const Eigen::MatrixXd& matrix, int the_pivots)
+      : signs(the_pivots), pivots(the_pivots), size(static_cast<int>(matrix.rows())) {
+    const int rest = size - pivots;
+    // One column more than there is: whole lanes are read past the last row.
+    columns.setZero(up_to_rows(size), pivots + 1);
+    update.setZero(up_to_rows(rest), rest);
+    for (int c = 0; c < pivots; ++c) columns.col(c).segment(c, size - c) = matrix.col(c).tail(size - c);
+    for (int c = 0; c < rest; ++c) update.col(c).segment(c, rest - c) = matrix.col(pivots + c).tail(rest - c);
+  }
+  Front view() {
+    return {.pivots = pivots,
+            .size = size,
+            .columns = columns.data(),
+            .stride = columns.rows(),
+            .update = update.data(),
+            .update_stride = update.rows(),
+            .signs = signs.data(),
+            .workspace = workspace.data()};
+  }
+  Eigen::MatrixXd lower() const {
+    Eigen::MatrixXd l = columns.topLeftCorner(size, pivots);
+    for (int c = 0; c < pivots; ++c) l.col(c).head(c).setZero();
+    return l;
+  }
+};
+
+/// Symmetric with eigenvalues of either sign, or none below zero, and a diagonal that needs no interchanges.
+Eigen::MatrixXd random_symmetric(int size, bool definite, unsigned seed) {
+  const Eigen::MatrixXd random = random_columns(size, size, seed);
+  Eigen::MatrixXd matrix = random + random.transpose();
+  for (int k = 0; k < size; ++k) matrix(k, k) += (definite || k % 3 != 1 ? 2.5 : -2.5) * size;
+  return matrix;
+}
+
+/// Sizes around those of lanes, columns that are worked on together and panels.
+const std::vector<std::pair<int, int>> kSizes = {{1, 1},   {3, 3},   {3, 12},  {5, 6},    {6, 13},    {9, 9},
+                                                 {12, 20}, {21, 40}, {96, 96}, {97, 111}, {100, 107}, {200, 260}};
+
+TEST(FrontFactor, LeavesWhatEliminationByTheBookLeaves) {
+  for (const bool definite : {true, false}) {
+    for (const auto& [pivots, size] : kSizes) {
+      const Eigen::MatrixXd matrix = random_symmetric(size, definite, 5);
+      OwnFront front(matrix, pivots);
+      const int negative = eliminate(front.view(), true);
+      EXPECT_EQ(negative, definite ? 0 : (pivots + 1) / 3) << pivots << " of " << size;
+      const int rest = size - pivots;
+      const Eigen::MatrixXd product = front.lower() * front.signs.asDiagonal() * front.lower().transpose();
+      // Round-off of sums of `size` products; residuals seen up to 2e-15 of the largest entry.
+      const double tolerance = 1e-14 * matrix.cwiseAbs().maxCoeff();
+      EXPECT_LT((product - matrix).leftCols(pivots).cwiseAbs().maxCoeff(), tolerance) << pivots << " of " << size;
+      const Eigen::MatrixXd left = matrix.bottomRightCorner(rest, rest) - product.bottomRightCorner(rest, rest);
+      for (int c = 0; c < rest; ++c) {
+        EXPECT_LT((front.update.col(c).segment(c, rest - c) - left.col(c).tail(rest - c)).cwiseAbs().maxCoeff(),
+                  tolerance)
+            << pivots << " of " << size;
+      }
+    }
+  }
+}
+
+TEST(FrontFactor, SolvesForOneAndForSeveralRightHandSidesWithTheRowsBelow) {
+  for (const auto& [pivots, size] : kSizes) {
+    OwnFront front(random_symmetric(size, false, 6), pivots);
+    ASSERT_GE(eliminate(front.view(), true), 0);
+    const Eigen::MatrixXd lower = front.lower(), right = random_columns(size, kSolutions, 7);
+    const auto top = lower.topRows(pivots).triangularView<Eigen::Lower>();
+    Eigen::MatrixXd forward = right, backward = right;
+    forward.topRows(pivots) = top.solve(right.topRows(pivots));
+    forward.bottomRows(size - pivots) -= lower.bottomRows(size - pivots) * forward.topRows(pivots);
+    backward.topRows(pivots) -= lower.bottomRows(size - pivots).transpose() * right.bottomRows(size - pivots);
+    backward.topRows(pivots) = top.transpose().solve(backward.topRows(pivots).eval());
+    Eigen::MatrixXd rows = right.transpose();
+    solve_several_forward(front.view(), rows.data());
+    EXPECT_LT((rows.transpose() - forward).cwiseAbs().maxCoeff(), 1e-13) << pivots << " of " << size;
+    rows = right.transpose();
+    solve_several_backward(front.view(), rows.data());
+    EXPECT_LT((rows.transpose() - backward).cwiseAbs().maxCoeff(), 1e-13) << pivots << " of " << size;
+    Eigen::VectorXd one = Eigen::VectorXd::Zero(up_to_rows(size));
+    one.head(size) = right.col(0);
+    solve_forward(front.view(), one.data());
+    EXPECT_LT((one.head(size) - forward.col(0)).cwiseAbs().maxCoeff(), 1e-13) << pivots << " of " << size;
+    one.setZero();
+    one.head(size) = right.col(0);
+    solve_backward(front.view(), one.data());
+    EXPECT_LT((one.head(size) - backward.col(0)).cwiseAbs().maxCoeff(), 1e-13) << pivots << " of " << size;
+  }
+}
+
+TEST(FrontFactor, RefusesPivotsThatVanishAreNoNumbersOrMayNotBeNegative) {
+  const Eigen::MatrixXd good = random_symmetric(20, true, 8);
+  for (const int at : {0, 4, 11}) {
+    for (const double pivot : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+      Eigen::MatrixXd matrix = good;
+      matrix(at, at) = pivot;
+      EXPECT_EQ(eliminate(OwnFront(matrix, 12).view(), true), -1) << at << " " << pivot;
+    }
+    Eigen::MatrixXd matrix = good;
+    matrix.row(at).setZero();
+    matrix.col(at).setZero();
+    EXPECT_EQ(eliminate(OwnFront(matrix, 12).view(), true), -1) << at;
+    matrix(at, at) = -1;
+    EXPECT_EQ(eliminate(OwnFront(matrix, 12).view(), true), 1) << at;
+    EXPECT_EQ(eliminate(OwnFront(matrix, 12).view(), false), -1) << at;
+  }
+}
+
+}  // namespace
+}  // namespace thinwall
