@@ -5,7 +5,7 @@
 namespace thinwall {
 namespace {
 
-constexpr int kResolution = 160;  // the blur leaves nothing finer
+constexpr int kResolution = 96;  // the blur leaves nothing finer
 
 Framebuffer frame_of(const Texture& texture) {
   Framebuffer frame = create_framebuffer();

@@ -79,6 +79,7 @@ PictureTarget::PictureTarget(ImageSize size, Tier tier) : size_(size), drawn_(si
   backdrop_ = create_framebuffer();
   attach(backdrop_, GL_COLOR_ATTACHMENT0, backdrop_color_);
   require_complete(backdrop_, "a backdrop");
+  backdrop_picture_.emplace(ImageSize{quarter(drawn_.width), quarter(drawn_.height)}, drawn_);
 
   frame_ = create_framebuffer();
   attach(frame_, GL_COLOR_ATTACHMENT0, color_);
@@ -117,8 +118,13 @@ void PictureTarget::begin_backdrop() const {
   glViewport(0, 0, quarter(drawn_.width), quarter(drawn_.height));
 }
 
-void PictureTarget::bind_backdrop() const {
-  glBindTextureUnit(4, backdrop_color_.name());
+void PictureTarget::lay_backdrop(const FieldStop& stop) {
+  const ImageSize small{quarter(drawn_.width), quarter(drawn_.height)};
+  std::vector<std::uint8_t> pixels(4 * static_cast<std::size_t>(small.width) * static_cast<std::size_t>(small.height));
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, backdrop_.name());
+  glReadPixels(0, 0, small.width, small.height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+  glTextureSubImage2D(color_.name(), 0, 0, 0, drawn_.width, drawn_.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                      backdrop_picture_->enlarge(pixels, stop).data());
 }
 
 void PictureTarget::begin_color() const {

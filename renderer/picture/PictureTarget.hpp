@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "renderer/image/Image.hpp"
+#include "renderer/picture/BackdropPicture.hpp"
 #include "renderer/picture/GlObjects.hpp"
 #include "renderer/picture/View.hpp"
 
@@ -21,11 +23,12 @@ class PictureTarget {
   /// Makes the colours the frame that is drawn to, and binds the other for tissue.frag.
   void begin_color() const;
 
-  /// Makes a picture of a quarter of the size the one that is drawn to, for what lies behind the scene and is blurred.
+  /// Makes a picture of a quarter of the size the one that is drawn to, for what lies behind the scene: nothing in it
+  /// is sharp.
   void begin_backdrop() const;
 
-  /// Binds the backdrop for backdrop.frag.
-  void bind_backdrop() const;
+  /// Fills the colours with that picture; the rest is drawn over it.
+  void lay_backdrop(const FieldStop& stop);
 
   /// The colours as they are now.
   const Texture& copy_of_color() const;
@@ -56,6 +59,7 @@ class PictureTarget {
   Framebuffer surface_;
   Texture backdrop_color_;
   Framebuffer backdrop_;
+  std::optional<BackdropPicture> backdrop_picture_;
   Texture color_;
   Texture color_copy_;
   Framebuffer frame_;

@@ -57,7 +57,7 @@ struct Stage {
         shadow_map(tier == Tier::kFinal    ? 1024
                    : tier == Tier::kRecord ? 512
                                            : 1) {
-    glNamedBufferStorage(frame.name(), sizeof(FrameUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    glNamedBufferStorage(frame_block.name(), sizeof(FrameUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT);
   }
 
   bool refined;  // with shadows and smooth outlines
@@ -72,11 +72,11 @@ struct Stage {
   MeshLinePass mesh_lines;
   FloorShade floor_shade;
   ShadowMap shadow_map;
-  Buffer frame = create_buffer();
+  Buffer frame_block = create_buffer();
 
   void cast_shadows(const SceneExtent& extent, const Studio& studio, PassClock& clock);
-  void draw_scene(const Snapshot& snapshot, const ViewDefinition& view, const Camera& camera, Surroundings surroundings,
-                  PassClock& clock);
+  void draw_scene(const Snapshot& snapshot, const ViewDefinition& view, const Camera& camera,
+                  const FrameUniforms& frame, Surroundings surroundings, PassClock& clock);
 };
 
 void Stage::cast_shadows(const SceneExtent& extent, const Studio& studio, PassClock& clock) {
@@ -91,19 +91,28 @@ void Stage::cast_shadows(const SceneExtent& extent, const Studio& studio, PassCl
   clock.ends("shadow map");
 }
 
+FieldStop field_stop(const FrameUniforms& frame) {
+  const auto size = [](const Float4& a) { return std::hypot(a[0], a[1], a[2]); };
+  return {.tangent = frame.floor[3], .half_field = {size(frame.ray_right), size(frame.ray_up)}};
+}
+
 void Stage::draw_scene(const Snapshot& snapshot, const ViewDefinition& view, const Camera& camera,
-                       Surroundings surroundings, PassClock& clock) {
+                       const FrameUniforms& frame, Surroundings surroundings, PassClock& clock) {
+  scene_pass.draw_floor(target, surroundings);
+  clock.ends("floor");
+  target.lay_backdrop(field_stop(frame));
+  clock.ends("backdrop");
   scene_pass.draw_surface(meshes, target);
   clock.ends("surface");
+  scene_pass.draw_tools(meshes, target, surroundings);
+  clock.ends("tools");
   if (view.look.data) {
     scene_pass.shade_data(target);
   } else {
-    scene_pass.shade_tissue(meshes, target, surroundings);
+    scene_pass.shade_tissue(meshes, target, frame.view_projection, surroundings);
     scene_pass.mark(meshes, view.highlights, snapshot.time);
   }
   clock.ends("tissue");
-  scene_pass.draw_surroundings(meshes, target, surroundings);
-  clock.ends("tools and floor");
   if (!meshes.films().empty()) {
     film_pass.draw(meshes.films(), surroundings);
     clock.ends("blood and run-off");
@@ -170,12 +179,12 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
   if (view.camera.auto_exposure) {
     frame.background[3] *= static_cast<float>(std::exp2(metered_exposure(snapshot, view, pinhole, frame, is_inside)));
   }
-  glNamedBufferSubData(stage->frame.name(), 0, sizeof(frame), &frame);
-  glBindBufferBase(GL_UNIFORM_BUFFER, 0, stage->frame.name());
+  glNamedBufferSubData(stage->frame_block.name(), 0, sizeof(frame), &frame);
+  glBindBufferBase(GL_UNIFORM_BUFFER, 0, stage->frame_block.name());
 
   clock.ends("meshes");
   stage->cast_shadows(extent, studio, clock);
-  stage->draw_scene(snapshot, view, camera, surroundings, clock);
+  stage->draw_scene(snapshot, view, camera, frame, surroundings, clock);
   if (camera.aperture > 0 && stage->refined) {
     stage->focus_pass.draw(stage->target, pinhole);
     clock.ends("focus");

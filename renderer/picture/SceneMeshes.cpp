@@ -70,8 +70,8 @@ void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& 
       }
     }
     for (const TissuePiece& piece : pieces) {
-      parts_.push_back(
-          {surface.body, piece.side, look_uniforms(body_look, piece.side), indices.size(), piece.corners.size()});
+      parts_.push_back({surface.body, piece.side, look_uniforms(body_look, piece.side), indices.size(),
+                        piece.corners.size(), bounds_of(piece.vertices)});
       const auto offset = static_cast<std::uint32_t>(vertices.size());
       for (const std::uint32_t corner : piece.corners) indices.push_back(offset + corner);
       vertices.insert(vertices.end(), piece.vertices.begin(), piece.vertices.end());

@@ -8,6 +8,7 @@
 #include "renderer/picture/MeshLinePass.hpp"
 #include "renderer/picture/Outline.hpp"
 #include "renderer/picture/SceneExtent.hpp"
+#include "renderer/picture/ScreenArea.hpp"
 #include "renderer/picture/TissuePieces.hpp"
 #include "renderer/picture/ToolShape.hpp"
 #include "renderer/picture/TriangleBuffer.hpp"
@@ -26,6 +27,7 @@ struct TissuePart {
   LookUniforms look;
   std::size_t first_index = 0;
   std::size_t index_count = 0;
+  Bounds bounds = {};
 };
 
 /// The fluid that is seen in an opened body, and how it looks.

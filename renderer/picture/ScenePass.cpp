@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "renderer/look/ColorMap.hpp"
-#include "renderer/picture/FrameUniforms.hpp"
 #include "renderer/picture/PictureFailure.hpp"
 #include "renderer/picture/ShaderProgram.hpp"
 
@@ -35,6 +34,18 @@ Texture color_texture() {
   return texture;
 }
 
+/// Calls `draw` for the triangles that face the viewer, then for the others: of what the first hide nothing is
+/// computed.
+template <typename Draw>
+void draw_outsides_first(const Draw& draw) {
+  glEnable(GL_CULL_FACE);
+  for (const GLenum hidden : {GL_BACK, GL_FRONT}) {
+    glCullFace(hidden);
+    draw();
+  }
+  glDisable(GL_CULL_FACE);
+}
+
 }  // namespace
 
 ScenePass::ScenePass()
@@ -42,13 +53,19 @@ ScenePass::ScenePass()
       tissue_{build_program("tissue.vert", "tissue.frag"), build_program("tissue.vert", "tissue_endoscope.frag")},
       metal_{build_program("metal.vert", "metal.frag"), build_program("metal.vert", "metal_endoscope.frag")},
       floor_{build_program("screen.vert", "floor.frag"), build_program("screen.vert", "bed.frag")},
-      backdrop_(build_program("screen.vert", "backdrop.frag")),
       highlight_(build_program("screen.vert", "highlight.frag")),
       data_(build_program("screen.vert", "data.frag")),
       colors_(color_texture()),
       no_vertices_(create_vertex_array()),
       look_(create_buffer()) {
   glNamedBufferStorage(look_.name(), sizeof(LookUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT);
+}
+
+void ScenePass::draw_floor(const PictureTarget& target, Surroundings surroundings) const {
+  target.begin_backdrop();
+  glDisable(GL_DEPTH_TEST);
+  glUseProgram(floor_[static_cast<std::size_t>(surroundings)].name());
+  draw_screen();
 }
 
 void ScenePass::draw_surface(const SceneMeshes& meshes, const PictureTarget& target) const {
@@ -62,27 +79,42 @@ void ScenePass::draw_surface(const SceneMeshes& meshes, const PictureTarget& tar
   glUseProgram(surface_.name());
   for (std::size_t i = 0; i < meshes.parts().size(); ++i) {
     glStencilFunc(GL_ALWAYS, static_cast<GLint>(i + 1), 0xff);
-    // Outsides first: of what they hide nothing is computed then.
-    glEnable(GL_CULL_FACE);
-    for (const GLenum hidden : {GL_BACK, GL_FRONT}) {
-      glCullFace(hidden);
-      meshes.tissue().draw(meshes.parts()[i].first_index, meshes.parts()[i].index_count);
-    }
-    glDisable(GL_CULL_FACE);
+    draw_outsides_first([&] { meshes.tissue().draw(meshes.parts()[i].first_index, meshes.parts()[i].index_count); });
   }
 }
 
-void ScenePass::shade_tissue(const SceneMeshes& meshes, const PictureTarget& target, Surroundings surroundings) const {
+void ScenePass::draw_tools(const SceneMeshes& meshes, const PictureTarget& target, Surroundings surroundings) const {
+  target.begin_color();
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  // Of tissue behind tools nothing is shaded then.
+  glEnable(GL_STENCIL_TEST);
+  glStencilFunc(GL_ALWAYS, 0, 0xff);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+  glUseProgram(metal_[static_cast<std::size_t>(surroundings)].name());
+  glEnable(GL_CULL_FACE);
+  glCullFace(GL_BACK);
+  meshes.tools().draw();
+  glDisable(GL_CULL_FACE);
+}
+
+void ScenePass::shade_tissue(const SceneMeshes& meshes, const PictureTarget& target,
+                             const FloatMatrix4& view_projection, Surroundings surroundings) const {
   target.begin_color();
   glDisable(GL_DEPTH_TEST);
   glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
   glUseProgram(tissue_[static_cast<std::size_t>(surroundings)].name());
   glBindBufferBase(GL_UNIFORM_BUFFER, 1, look_.name());
+  glEnable(GL_SCISSOR_TEST);
   for (std::size_t i = 0; i < meshes.parts().size(); ++i) {
+    const ScreenArea area = screen_area(meshes.parts()[i].bounds, view_projection, target.drawn_size());
+    if (area.width == 0 || area.height == 0) continue;
+    glScissor(area.left, area.bottom, area.width, area.height);
     glNamedBufferSubData(look_.name(), 0, sizeof(LookUniforms), &meshes.parts()[i].look);
     glStencilFunc(GL_EQUAL, static_cast<GLint>(i + 1), 0xff);
     draw_screen();
   }
+  glDisable(GL_SCISSOR_TEST);
   glDisable(GL_STENCIL_TEST);
 }
 
@@ -117,26 +149,6 @@ void ScenePass::shade_data(const PictureTarget& target) const {
   glUseProgram(data_.name());
   draw_screen();
   glDisable(GL_STENCIL_TEST);
-}
-
-void ScenePass::draw_surroundings(const SceneMeshes& meshes, const PictureTarget& target,
-                                  Surroundings surroundings) const {
-  target.begin_backdrop();
-  glDisable(GL_DEPTH_TEST);
-  glUseProgram(floor_[static_cast<std::size_t>(surroundings)].name());
-  draw_screen();
-
-  target.begin_color();
-  glEnable(GL_DEPTH_TEST);
-  glUseProgram(metal_[static_cast<std::size_t>(surroundings)].name());
-  meshes.tools().draw();
-  // The backdrop comes last, at the far end of depth, so that it is computed only where it is seen.
-  glDepthFunc(GL_EQUAL);
-  glDepthMask(GL_FALSE);
-  target.bind_backdrop();
-  glUseProgram(backdrop_.name());
-  draw_screen();
-  glDepthMask(GL_TRUE);
 }
 
 void ScenePass::draw_screen() const {

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "renderer/picture/FrameUniforms.hpp"
 #include "renderer/picture/GlObjects.hpp"
 #include "renderer/picture/PictureTarget.hpp"
 #include "renderer/picture/SceneMeshes.hpp"
@@ -19,20 +20,24 @@ class ScenePass {
  public:
   ScenePass();
 
+  /// The floor or bed below the scene, as backdrop.
+  void draw_floor(const PictureTarget& target, Surroundings surroundings) const;
+
   /// What is seen of the tissue, as geometry.
   void draw_surface(const SceneMeshes& meshes, const PictureTarget& target) const;
+
+  /// Before the tissue is shaded, which then leaves out what they hide.
+  void draw_tools(const SceneMeshes& meshes, const PictureTarget& target, Surroundings surroundings) const;
 
   /// The numbers of a data view in its place.
   void shade_data(const PictureTarget& target) const;
 
-  /// Its colours.
-  void shade_tissue(const SceneMeshes& meshes, const PictureTarget& target, Surroundings surroundings) const;
+  /// Its colours. `view_projection`: world to clip coordinates.
+  void shade_tissue(const SceneMeshes& meshes, const PictureTarget& target, const FloatMatrix4& view_projection,
+                    Surroundings surroundings) const;
 
   /// What is marked of it: those of `highlights` that are shown at `time` (seconds).
   void mark(const SceneMeshes& meshes, const std::vector<HighlightDefinition>& highlights, double time) const;
-
-  /// Tools and floor.
-  void draw_surroundings(const SceneMeshes& meshes, const PictureTarget& target, Surroundings surroundings) const;
 
  private:
   void draw_screen() const;
@@ -41,7 +46,6 @@ class ScenePass {
   std::array<Program, 2> tissue_;  // (surroundings)
   std::array<Program, 2> metal_;   // (surroundings)
   std::array<Program, 2> floor_;   // (surroundings)
-  Program backdrop_;
   Program highlight_;
   Program data_;
   Texture colors_;  // of data views

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "renderer/picture/Vector.hpp"
 
@@ -97,7 +98,12 @@ class Builder {
                                .grip = point.grip});
   }
 
+  /// Counter-clockwise as seen from outside, where the normals point.
   void append_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    const auto position = [&](std::uint32_t i) { return vector3(shape_.vertices[i].position); };
+    const auto normal = [&](std::uint32_t i) { return vector3(shape_.vertices[i].normal); };
+    const Vector3 facing = cross(position(b) - position(a), position(c) - position(a));
+    if (dot(facing, normal(a) + normal(b) + normal(c)) < 0) std::swap(b, c);
     shape_.indices.insert(shape_.indices.end(), {a, b, c});
   }
 
@@ -236,7 +242,11 @@ ToolShape ball(const SnapshotTool& tool, double scene_size) {
 /// A round shaft with a handle that begins `back` behind the tip, thick enough to be seen and no thicker than `widest`.
 void add_handle(Builder& builder, double back, double widest, double scene_size) {
   const double radius = std::min(2.5 * probe_radius(scene_size), widest);
+  const double front = back - std::sqrt(0.5) * radius;
   std::vector<OutlinePoint> outline;
+  for (const double out : {0.0, std::sqrt(0.5) * radius}) {
+    outline.push_back({.back = front, .out = out, .normal_back = -1, .normal_out = 0});
+  }
   append_arc(outline, back, radius, 0.25 * std::numbers::pi, 0.5 * std::numbers::pi, kBrushed, 6);
   append_shaft(outline, radius, 1.7 * radius, scene_size);
   builder.turn(outline);

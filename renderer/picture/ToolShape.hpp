@@ -25,7 +25,7 @@ struct ToolRod {
 
 struct ToolShape {
   std::vector<ToolVertex> vertices;
-  std::vector<std::uint32_t> indices;  // (3 x triangles)
+  std::vector<std::uint32_t> indices;  // (3 x triangles), counter-clockwise from outside; they close volumes
   std::vector<ToolRod> rods;
 };
 

@@ -8,7 +8,7 @@
 #include "tone.glsl"
 
 // What lies below the scene inside a body: brown-red and fatty tissue, wet, that the lamp hardly reaches. Drawn small, see
-// backdrop.frag: it lies out of focus.
+// BackdropPicture.hpp: it lies out of focus.
 
 layout(location = 0) in vec3 ray;
 layout(location = 0) out vec4 color;

@@ -2,7 +2,8 @@
 #define FRAME_FROM_VERTICES
 #include "tone.glsl"
 
-// The studio's floor: a pool of light around the scene that fades into the background. Drawn small, see backdrop.frag.
+// The studio's floor: a pool of light around the scene that fades into the background. Drawn small, see
+// BackdropPicture.hpp.
 
 layout(location = 0) in vec3 ray;
 layout(location = 0) out vec4 color;

@@ -28,8 +28,9 @@ void main() {
   vec3 position = camera_position.xyz + seen.w * ray;
   vec3 view = -normalize(ray);
   float squared_length = dot(seen.xyz, seen.xyz);
-  float wound = 0.5 * log2(squared_length);
-  vec3 base = seen.xyz * inversesqrt(squared_length);
+  float over_length = inversesqrt(squared_length);
+  float wound = squared_length * over_length - 1.0;
+  vec3 base = seen.xyz * over_length;
   vec3 state = fract(rest_and_state.w * vec3(1.0 / 256.0, 1.0 / 65536.0, 1.0 / 16777216.0));
   float blanch = state.x;
   float bend = 2.0 * state.y - 1.0;

@@ -2,25 +2,31 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "renderer/picture/Vector.hpp"
 
 namespace thinwall {
 namespace {
 
 class EveryTool : public testing::TestWithParam<SnapshotToolKind> {};
+class PointedTool : public EveryTool {};
 
 SnapshotTool tool_of(SnapshotToolKind kind) {
   SnapshotTool tool;
   tool.kind = kind;
   tool.radius = 0.005;
   tool.length = 0.04;
+  tool.width = 0.02;
+  tool.thickness = 0.002;
+  tool.opening = 0.004;
   tool.tip = {0.01, -0.02, 0.03};
   tool.direction = {0.6, 0, -0.8};
   tool.axis = {0, 1, 0};
   return tool;
 }
 
-TEST_P(EveryTool, TheForemostPointAlongTheDirectionIsTheTip) {
+TEST_P(PointedTool, TheForemostPointAlongTheDirectionIsTheTip) {
   const SnapshotTool tool = tool_of(GetParam());
   const ToolShape shape = tool_shape(tool, 0.1);
   ASSERT_FALSE(shape.indices.empty());
@@ -42,8 +48,37 @@ TEST_P(EveryTool, NormalsHaveLengthOneAndIndicesNameVertices) {
   for (const std::uint32_t index : shape.indices) EXPECT_LT(index, shape.vertices.size());
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, EveryTool,
+/// What is drawn of a tool is what faces the viewer: nobody may look into it or through it.
+TEST_P(EveryTool, TrianglesFaceOutwardsAndCloseVolumes) {
+  const ToolShape shape = tool_shape(tool_of(GetParam()), 0.1);
+  Vector3 areas{};
+  double whole = 0, volume = 0;
+  for (std::size_t i = 0; i < shape.indices.size(); i += 3) {
+    std::array<Vector3, 3> corners;
+    Vector3 normal{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const ToolVertex& vertex = shape.vertices[shape.indices[i + k]];
+      corners[k] = vector3(vertex.position);
+      normal = normal + vector3(vertex.normal);
+    }
+    const Vector3 area = 0.5 * cross(corners[1] - corners[0], corners[2] - corners[0]);
+    EXPECT_GE(dot(area, normal), 0);
+    areas = areas + area;
+    whole += length(area);
+    volume += dot(area, corners[0]) / 3;
+  }
+  // Positions are single precision numbers: a missing lid of the thinnest shaft would be 1e-4 of the whole.
+  EXPECT_LT(length(areas), 1e-6 * whole);
+  EXPECT_GT(volume, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, PointedTool,
                          testing::Values(SnapshotToolKind::kPoint, SnapshotToolKind::kLine, SnapshotToolKind::kSphere));
+INSTANTIATE_TEST_SUITE_P(Kinds, EveryTool,
+                         testing::Values(SnapshotToolKind::kPoint, SnapshotToolKind::kLine, SnapshotToolKind::kSphere,
+                                         SnapshotToolKind::kCapsule, SnapshotToolKind::kPlate,
+                                         SnapshotToolKind::kNeedle, SnapshotToolKind::kScalpel,
+                                         SnapshotToolKind::kForceps));
 
 TEST(ToolShape, ABallHasItsRadiusAroundItsCentreBehindTheTip) {
   const SnapshotTool tool = tool_of(SnapshotToolKind::kSphere);

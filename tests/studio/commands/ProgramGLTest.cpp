@@ -126,7 +126,8 @@ TEST_F(ProgramGLTest, StatisticsTellEachPassAndAnEmptyFrameAndChangeNoPicture) {
   const ProgramEnd end = run({"run", "scenes/small.yaml", "--no-video", "--stats", "--json", "--out", "timed"});
   ASSERT_EQ(end.exit_code, 0) << end.messages;
   const nlohmann::json passes = nlohmann::json::parse(end.output)["passes_ms"];
-  for (const std::string pass : {"meshes", "surface", "tissue", "tools and floor", "read-back", "an empty frame"}) {
+  for (const std::string pass :
+       {"meshes", "surface", "tissue", "floor", "tools", "backdrop", "read-back", "an empty frame"}) {
     EXPECT_GT(passes[pass], 0) << pass;
     EXPECT_NE(end.messages.find(" " + pass + " "), std::string::npos) << pass;
   }

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "renderer/image/Image.hpp"
+#include "renderer/picture/SurfaceVertices.hpp"
+
+namespace thinwall {
+
+/// Pixels of a picture, counted from its lower left corner.
+struct ScreenArea {
+  int left = 0;
+  int bottom = 0;
+  int width = 0;
+  int height = 0;
+  bool operator==(const ScreenArea&) const = default;
+};
+
+/// A box along the axes, metres.
+struct Bounds {
+  Float3 least{};
+  Float3 most{};
+};
+
+/// The smallest box around `vertices`, of which there is at least one.
+Bounds bounds_of(std::span<const SurfaceVertex> vertices);
+
+/// All pixels that show something of `box`, and a border of one; everything where the box reaches behind the eye.
+/// `view_projection`: world to clip coordinates, column by column.
+ScreenArea screen_area(const Bounds& box, const std::array<float, 16>& view_projection, ImageSize size);
+
+}  // namespace thinwall

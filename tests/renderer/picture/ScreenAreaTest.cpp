@@ -1,0 +1,46 @@
+#include "renderer/picture/ScreenArea.hpp"
+
+#include <gtest/gtest.h>
+
+#include "renderer/picture/Vector.hpp"
+
+namespace thinwall {
+namespace {
+
+/// A pinhole at the origin that looks along -z, with a right angle of view.
+std::array<float, 16> right_angle() {
+  const Matrix4 matrix = perspective_matrix(1, 1, 0.01, 10);
+  std::array<float, 16> result;
+  for (std::size_t i = 0; i < 16; ++i) result[i] = static_cast<float>(matrix.values[i]);
+  return result;
+}
+
+TEST(ScreenArea, ABoxFillsWhatItsNearestFaceCoversAndABorder) {
+  const Bounds box{{-0.5F, -0.25F, -3}, {0.5F, 0.75F, -2}};
+  // The near face spans a quarter of the picture to either side: 75 to 125 of 200; upwards from -1/8 to 3/8.
+  const ScreenArea area = screen_area(box, right_angle(), {200, 160});
+  EXPECT_EQ(area, (ScreenArea{74, 69, 52, 42}));
+}
+
+TEST(ScreenArea, WhatReachesBehindTheEyeMayBeSeenAnywhere) {
+  const Bounds box{{-0.1F, -0.1F, -1}, {0.1F, 0.1F, 1}};
+  EXPECT_EQ(screen_area(box, right_angle(), {200, 160}), (ScreenArea{0, 0, 200, 160}));
+}
+
+TEST(ScreenArea, WhatLiesBesideThePictureCoversNoMoreThanItsBorder) {
+  const Bounds box{{5, 0, -2}, {6, 1, -1}};
+  EXPECT_LE(screen_area(box, right_angle(), {200, 160}).width, 1);
+}
+
+TEST(ScreenArea, BoundsHoldEveryVertex) {
+  std::vector<SurfaceVertex> vertices(3);
+  vertices[0].position = {1, 2, 3};
+  vertices[1].position = {-1, 5, 2};
+  vertices[2].position = {0, 0, 7};
+  const Bounds bounds = bounds_of(vertices);
+  EXPECT_EQ(bounds.least, (Float3{-1, 0, 2}));
+  EXPECT_EQ(bounds.most, (Float3{1, 5, 7}));
+}
+
+}  // namespace
+}  // namespace thinwall
