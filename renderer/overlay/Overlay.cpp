@@ -23,6 +23,7 @@ double peak_of(const OverlayContent& content) {
     assert(std::isfinite(sample.force) && std::isfinite(sample.time));
     peak = std::max(peak, std::abs(sample.force));
   }
+  for (const ForceSample& sample : content.other_history) peak = std::max(peak, std::abs(sample.force));
   return peak;
 }
 

@@ -29,10 +29,11 @@ struct OverlayContent {
   std::string caption;  // empty: none
   std::string phase;    // of the tool
   std::string tool;
-  double force = 0;                  // newton
-  double depth = 0;                  // metres
-  double pressure = 0;               // pascal
-  std::vector<ForceSample> history;  // ascending in time, up to `time`
+  double force = 0;                             // newton
+  double depth = 0;                             // metres
+  double pressure = 0;                          // pascal
+  std::vector<ForceSample> history;             // ascending in time, up to `time`
+  std::vector<ForceSample> other_history = {};  // of a take that this one is compared with; empty: none
   bool show_force_plot = true;
   bool show_gauge = true;
   bool show_caption = true;

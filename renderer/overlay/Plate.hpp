@@ -14,9 +14,10 @@ inline constexpr Color kText{0.97, 0.98, 0.99};
 inline constexpr Color kFaintText{0.74, 0.78, 0.82};
 inline constexpr Color kGridLine{1, 1, 1, 0.13};
 inline constexpr Color kCurve{0.40, 0.82, 0.92};
-inline constexpr double kMargin = 26;   // from the picture's edge
-inline constexpr double kPadding = 15;  // inside a plate
-inline constexpr double kRadius = 10;   // of its corners
+inline constexpr Color kOtherCurve{1.0, 0.70, 0.30};  // of a take that is compared
+inline constexpr double kMargin = 26;                 // from the picture's edge
+inline constexpr double kPadding = 15;                // inside a plate
+inline constexpr double kRadius = 10;                 // of its corners
 inline constexpr double kSmallText = 13.5;
 inline constexpr double kPanelHeight = 172;
 inline constexpr double kGaugeWidth = 268;

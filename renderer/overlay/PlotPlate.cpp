@@ -78,6 +78,23 @@ void draw_axes(const Plate& plate, const OverlayGrid& grid, const ForcePlot& plo
   }
 }
 
+/// The force of the take in the right half: a line of another colour, dashed, without a mark.
+void draw_other_curve(const Plate& plate, const OverlayGrid& grid, const ForcePlot& plot,
+                      const std::vector<ForceSample>& history) {
+  std::vector<PlotPoint> curve;
+  for (const ForceSample& sample : history) curve.push_back({sample.time, sample.force / plot.unit.newton});
+  const std::vector<PlotPoint> points = curve_in_pixels(curve, plot.time, plot.force, plot.area);
+  if (points.empty()) return;
+  cairo_t* context = plate.context();
+  trace(plate, points);
+  const double dashes[] = {grid.pixels(6), grid.pixels(4)};
+  cairo_set_dash(context, dashes, 2, 0);
+  set_color(context, plate_style::kOtherCurve);
+  cairo_set_line_width(context, std::max(1.2, grid.pixels(2)));
+  cairo_stroke(context);
+  cairo_set_dash(context, nullptr, 0, 0);
+}
+
 void draw_curve(const Plate& plate, const OverlayGrid& grid, const ForcePlot& plot, const OverlayContent& content) {
   std::vector<PlotPoint> curve;
   curve.reserve(content.history.size());
@@ -112,6 +129,7 @@ void draw_force_plot(Image& image, const OverlayGrid& grid, const OverlayContent
                      {.size = grid.pixels(kSmallText + 1), .color = plate_style::kFaintText});
   heading.draw(plate, grid.pixels(kPadding), grid.pixels(24) - heading.height() / 2);
   draw_axes(plate, grid, plot);
+  draw_other_curve(plate, grid, plot, content.other_history);
   draw_curve(plate, grid, plot, content);
   const int margin = grid.whole(plate_style::kMargin);
   plate.blend_onto(image, image.size.width - margin - plate.size().width,

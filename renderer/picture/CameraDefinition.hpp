@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -82,12 +83,17 @@ struct CameraCut {
   PictureCorner corner = PictureCorner::kUpperRight;
 };
 
+struct Snapshot;
+struct ViewDefinition;
+
 /// What is shown at a moment.
 struct Shot {
   CameraDefinition camera = {};
   std::optional<CameraDefinition> beside = {};
   std::optional<CameraDefinition> inset = {};
   PictureCorner corner = PictureCorner::kUpperRight;
+  std::shared_ptr<const Snapshot> beside_snapshot = {};    // what `beside` sees; null: what the others see
+  std::shared_ptr<const ViewDefinition> beside_view = {};  // the light and look there; null: those of the others
 };
 
 }  // namespace thinwall

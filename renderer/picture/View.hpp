@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,6 +45,8 @@ struct HighlightDefinition {
   double end = 1e300;                  // seconds, until when
 };
 
+struct TakeComparison;
+
 /// All that a picture depends on besides the snapshot.
 struct ViewDefinition {
   CameraDefinition camera;  // also decides where lamps in the open stand
@@ -51,6 +55,13 @@ struct ViewDefinition {
   std::map<std::string, CameraDefinition> cameras = {};  // more of them, by name
   std::vector<CameraCut> cuts = {};                      // ascending in time
   std::vector<HighlightDefinition> highlights = {};
+  std::shared_ptr<const TakeComparison> comparison = {};  // null: one take fills the picture
+};
+
+/// Two takes side by side.
+struct TakeComparison {
+  std::array<std::string, 2> captions = {};  // of the left and the right half
+  ViewDefinition second = {};                // of the take in the right half
 };
 
 }  // namespace thinwall

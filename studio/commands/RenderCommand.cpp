@@ -5,6 +5,7 @@
 #include "studio/commands/DataViewRange.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/Outcome.hpp"
+#include "studio/commands/SecondTake.hpp"
 #include "studio/recorder/ResolvedPicture.hpp"
 #include "studio/scenario/LoadScenario.hpp"
 #include "studio/take/TakeError.hpp"
@@ -47,6 +48,8 @@ int render_take(const RenderOptions& options) {
   if (options.data) settings.view.look.data = DataView{.quantity = *options.data};
   if (options.mesh) settings.view.look.mesh = true;
   complete_data_range(*take, options.take, settings.view.look);
+  const std::unique_ptr<MomentSource> source = replay_takes(options.take, settings.view);
+  if (options.ground_truth) refuse_truth_of_two(settings.view);
   const RecordingPlan plan{.folder = options.out.value_or(options.take.parent_path() / "render"),
                            .description = take->description(),
                            .overlays = settings.overlays,
@@ -61,9 +64,8 @@ int render_take(const RenderOptions& options) {
                            .progress = stderr};
   refuse_folder_of_the_take(plan.folder, options.take);
   if (options.ground_truth) require_stress(take->moment(0).snapshot, options.take);
-  TakeSource source(*take);
   const RecordingReport report =
-      record(source, plan, renderer_painters(options.device, settings.record.tier, settings.view, options.stats));
+      record(*source, plan, renderer_painters(options.device, settings.record.tier, settings.view, options.stats));
   return conclude({.command = "render",
                    .source = options.take,
                    .device = options.device_text,

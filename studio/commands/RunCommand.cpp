@@ -7,7 +7,7 @@
 #include "studio/commands/DataViewRange.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/Outcome.hpp"
-#include "studio/commands/RunSource.hpp"
+#include "studio/commands/SecondTake.hpp"
 #include "studio/recorder/Interruption.hpp"
 #include "studio/recorder/Painter.hpp"
 #include "studio/scenario/LoadScenario.hpp"
@@ -45,6 +45,7 @@ int run_scenario(const RunOptions& options) {
     scenario = load_scenario(options.scenario, options.overrides);
   }
   if (options.render) require_data_range(scenario.view.look);
+  if (options.ground_truth) refuse_truth_of_two(scenario.view);
   const RecordingPlan plan{
       .folder = options.out.value_or(std::filesystem::path("out") / scenario.name),
       .description = {.name = scenario.name, .title = scenario.title, .resolved = scenario.resolved},
@@ -59,9 +60,11 @@ int run_scenario(const RunOptions& options) {
       .surfaces = options.surfaces,
       .ground_truth = options.ground_truth,
       .progress = stderr};
-  WatchedSource source(simulate_scenario(scenario), scenario.expectations);
-  const RecordingReport report =
+  RecordedTakes takes = record_second_take(scenario, plan.folder);
+  WatchedSource source(std::move(takes.source), scenario.expectations);
+  RecordingReport report =
       record(source, plan, renderer_painters(options.device, scenario.record.tier, scenario.view, options.stats));
+  if (!takes.failure.empty() && report.failure.empty()) report.failure = "the second take: " + takes.failure;
   return conclude({.command = "run",
                    .source = options.scenario,
                    .device = options.device_text,

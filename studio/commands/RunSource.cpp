@@ -2,6 +2,7 @@
 
 #include "studio/director/ScenarioRun.hpp"
 #include "studio/recorder/Interruption.hpp"
+#include "studio/recorder/PairedSource.hpp"
 
 namespace thinwall {
 namespace {
@@ -36,8 +37,13 @@ class RunSource final : public MomentSource {
 
 }  // namespace
 
-std::unique_ptr<MomentSource> simulate_scenario(const Scenario& scenario) {
+std::unique_ptr<MomentSource> simulate_one_take(const Scenario& scenario) {
   return std::make_unique<RunSource>(scenario);
+}
+
+std::unique_ptr<MomentSource> simulate_scenario(const Scenario& scenario) {
+  if (!scenario.comparison) return simulate_one_take(scenario);
+  return pair_sources(simulate_one_take(scenario), simulate_one_take(*scenario.comparison->second));
 }
 
 }  // namespace thinwall

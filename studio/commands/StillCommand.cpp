@@ -9,7 +9,7 @@
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/DataViewRange.hpp"
 #include "studio/commands/ExitCode.hpp"
-#include "studio/commands/RunSource.hpp"
+#include "studio/commands/SecondTake.hpp"
 #include "studio/recorder/FrameComposer.hpp"
 #include "studio/recorder/GroundTruthSeries.hpp"
 #include "studio/recorder/Interruption.hpp"
@@ -64,6 +64,7 @@ std::filesystem::path truth_folder(const std::filesystem::path& picture) {
 int make_still(const StillOptions& options) {
   const Scenario scenario = load_scenario(options.scenario, options.overrides);
   require_data_range(scenario.view.look);
+  if (options.ground_truth) refuse_truth_of_two(scenario.view);
   const PainterFactory painters = renderer_painters(options.device, scenario.record.tier, scenario.view, options.stats);
   // Before the simulation, so that a missing device is told at once.
   const std::unique_ptr<Painter> painter = painters(options.size.value_or(scenario.record.size));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@ struct Moment {
   double planned_duration = 0;      // seconds, of the whole, as known at this step
   std::vector<TimedText> captions;  // of the clips begun so far (from a finished take: of all), in order of time
   std::vector<TimedText> chapters;  // likewise
+  std::shared_ptr<const Snapshot> second = {};  // of the take that this one is compared with, at the same time
 };
 
 /// What can be recorded or rendered: a simulation that is running, or a take.

@@ -52,7 +52,10 @@ FrameComposer::FrameComposer(std::string title, const OverlayChoice& choice, con
       choice_(choice),
       legend_(legend_of(view.look)),
       shots_(view),
-      annotations_(std::make_shared<const AnnotationDefinition>(annotations)) {}
+      annotations_(std::make_shared<const AnnotationDefinition>(annotations)),
+      comparison_(view.comparison) {
+  if (comparison_) second_shots_.emplace(comparison_->second);
+}
 
 std::optional<double> FrameComposer::last_time() const {
   return later_ ? std::optional(later_->snapshot.time) : std::nullopt;
@@ -71,6 +74,34 @@ void FrameComposer::add(Moment moment) {
   for (std::size_t i = 0; i < histories_.size(); ++i) {
     histories_[i].push_back({.time = later_->snapshot.time, .force = magnitude(later_->snapshot.tools[i].force)});
   }
+  if (comparison_ && later_->second) add_second(*later_);
+}
+
+void FrameComposer::add_second(const Moment& moment) {
+  second_shots_->add(*moment.second);
+  second_histories_.resize(moment.second->tools.size());
+  for (std::size_t i = 0; i < second_histories_.size(); ++i) {
+    // A take that has ended before the first has no more force to tell.
+    if (moment.second->time < moment.snapshot.time - kSameTime) continue;
+    second_histories_[i].push_back({.time = moment.second->time, .force = magnitude(moment.second->tools[i].force)});
+  }
+}
+
+/// The right half's snapshot, camera and light, and the force there.
+void FrameComposer::compose_second(double time, const Moment& earlier, Frame& frame) const {
+  const std::shared_ptr<const Snapshot> before = earlier.second ? earlier.second : later_->second;
+  const auto second = std::make_shared<const Snapshot>(interpolate(*before, *later_->second, time));
+  frame.shot.beside = second_shots_->shot(*second).camera;
+  frame.shot.beside_snapshot = second;
+  frame.shot.beside_view = {comparison_, &comparison_->second};
+  frame.half_captions = comparison_->captions;
+  const SnapshotTool* tool = shown_tool(frame.snapshot);
+  if (tool == nullptr) return;
+  const auto index = static_cast<std::size_t>(tool - frame.snapshot.tools.data());
+  if (index >= second_histories_.size()) return;
+  for (const ForceSample& sample : second_histories_[index]) {
+    if (sample.time < time + kSameTime) frame.overlay.other_history.push_back(sample);
+  }
 }
 
 bool FrameComposer::reaches(double time) const {
@@ -84,6 +115,7 @@ Frame FrameComposer::compose(double time) const {
   frame.overlay = overlay(frame.snapshot);
   frame.shot = shots_.shot(frame.snapshot);
   frame.annotations = annotations_;
+  if (comparison_ && later_->second) compose_second(time, earlier, frame);
   return frame;
 }
 

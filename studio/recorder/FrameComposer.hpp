@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -24,6 +25,7 @@ struct Frame {
   std::shared_ptr<const AnnotationDefinition> annotations = {};  // of the shot's own camera; null: none
   std::string badge = {};                                        // how the time runs; empty: as it does
   std::optional<Card> card = {};
+  std::array<std::string, 2> half_captions = {};  // of two takes side by side; empty: none
 };
 
 /// Makes frames at any time from moments in order: the moment between its two neighbours, and the overlays as of then.
@@ -48,6 +50,8 @@ class FrameComposer {
  private:
   OverlayContent overlay(const Snapshot& snapshot) const;
   const SnapshotTool* shown_tool(const Snapshot& snapshot) const;
+  void add_second(const Moment& moment);
+  void compose_second(double time, const Moment& earlier, Frame& frame) const;
 
   std::string title_;
   OverlayChoice choice_;
@@ -57,6 +61,9 @@ class FrameComposer {
   std::optional<Moment> earlier_;
   std::optional<Moment> later_;
   std::vector<std::vector<ForceSample>> histories_;  // (tools x moments so far)
+  std::shared_ptr<const TakeComparison> comparison_;
+  std::optional<ShotFollower> second_shots_;
+  std::vector<std::vector<ForceSample>> second_histories_;  // like `histories_`, of the second take
   std::size_t last_active_ = 0;  // the tool that last was in a phase other than idle, up to `earlier_`
 };
 

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "renderer/annotation/AnnotationDrawing.hpp"
+#include "renderer/overlay/HalfCaptions.hpp"
 #include "renderer/overlay/Overlay.hpp"
 #include "renderer/picture/PictureLayout.hpp"
 #include "renderer/picture/Renderer.hpp"
@@ -23,17 +24,18 @@ class RendererPainter final : public Painter {
   Image paint(const Snapshot& snapshot, const Shot& shot) override {
     const PictureBox own = main_box(shot, size_);
     ++pictures_;
-    Image image = draw(own.size, snapshot, shot.camera);
+    Image image = draw(own.size, snapshot, view_, shot.camera);
     if (shot.beside) {
       const PictureBox box = beside_box(size_);
       Image both{.size = size_, .pixels = std::vector<std::uint8_t>(3 * pixel_count(size_))};
       paste(image, own, both);
-      paste(draw(box.size, snapshot, *shot.beside), box, both);
+      const Snapshot& seen = shot.beside_snapshot ? *shot.beside_snapshot : snapshot;
+      paste(draw(box.size, seen, shot.beside_view ? *shot.beside_view : view_, *shot.beside), box, both);
       image = std::move(both);
     }
     if (shot.inset) {
       const PictureBox box = inset_box(shot.corner, size_);
-      paste(draw(box.size, snapshot, *shot.inset), box, image);
+      paste(draw(box.size, snapshot, view_, *shot.inset), box, image);
       frame_box(box, image);
     }
     return image;
@@ -64,10 +66,10 @@ class RendererPainter final : public Painter {
     return static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
   }
 
-  Image draw(ImageSize size, const Snapshot& snapshot, const CameraDefinition& camera) {
-    if (!is_timed_) return renderer_of(size).draw(snapshot, view_, camera);
+  Image draw(ImageSize size, const Snapshot& snapshot, const ViewDefinition& view, const CameraDefinition& camera) {
+    if (!is_timed_) return renderer_of(size).draw(snapshot, view, camera);
     std::vector<PassTime> times;
-    Image image = renderer_of(size).draw_timed(snapshot, view_, camera, times);
+    Image image = renderer_of(size).draw_timed(snapshot, view, camera, times);
     for (const PassTime& time : times) {
       const auto found = std::ranges::find(sums_, time.pass, &PassTime::pass);
       PassTime& sum = found == sums_.end() ? sums_.emplace_back(PassTime{.pass = time.pass}) : *found;
@@ -98,7 +100,12 @@ Image finished_picture(const Frame& frame, Painter& painter) {
   Image image = painter.paint(frame.snapshot, frame.shot);
   if (frame.annotations) {
     draw_annotations(image, main_box(frame.shot, image.size), *frame.annotations, frame.snapshot, frame.shot.camera);
+    if (frame.shot.beside_snapshot) {
+      draw_annotations(image, beside_box(image.size), *frame.annotations, *frame.shot.beside_snapshot,
+                       *frame.shot.beside);
+    }
   }
+  if (!frame.half_captions[0].empty()) draw_half_captions(image, frame.half_captions);
   draw_overlay(image, frame.overlay);
   if (!frame.badge.empty()) draw_badge(image, frame.badge);
   if (frame.card) draw_card(image, *frame.card);

@@ -129,6 +129,8 @@ class SchemaWriter {
         return one_of(schema.mappings);
       case ValueKind::kNamedMappings:
         return named(schema);
+      case ValueKind::kChanges:
+        return {{"type", "object"}};
       case ValueKind::kParameters:
         break;
     }

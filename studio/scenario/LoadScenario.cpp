@@ -2,6 +2,7 @@
 
 #include "studio/scenario/CameraPass.hpp"
 #include "studio/scenario/CameraReferences.hpp"
+#include "studio/scenario/ComparisonPass.hpp"
 #include "studio/scenario/Diagnostics.hpp"
 #include "studio/scenario/ExpectationPass.hpp"
 #include "studio/scenario/IncludePass.hpp"
@@ -34,20 +35,28 @@ TextNode read_root(const std::filesystem::path& file, Diagnostics& diagnostics) 
   return std::move(*root);
 }
 
-}  // namespace
+enum class WhichTake { kFirst, kSecond };
 
-Scenario load_scenario(const std::filesystem::path& file,
-                       const std::vector<std::pair<std::string, std::string>>& overrides) {
+/// One take's scenario, and what it is checked from.
+struct LoadedTake {
+  Scenario scenario;
+  CheckedValue checked;
+};
+
+LoadedTake load_take(const std::filesystem::path& file, const Overrides& overrides, WhichTake which) {
   Diagnostics diagnostics;
   TextNode root = read_root(file, diagnostics);
   include_pass(root, diagnostics);
-  parameter_pass(root, overrides, diagnostics);
+  if (which == WhichTake::kSecond) change_for_comparison(root, diagnostics);
+  parameter_pass(root, overrides, diagnostics,
+                 which == WhichTake::kFirst ? UnusedParameters::kRefused : UnusedParameters::kAllowed);
   CheckedValue checked = unit_pass(root, scenario_schema(), diagnostics);
   reference_pass(checked, diagnostics);
   camera_references(checked, diagnostics);
   teaching_references(checked, diagnostics);
   expectation_pass(checked, diagnostics);
   lint_pass(checked, diagnostics);
+  comparison_lint(checked, diagnostics);
   diagnostics.throw_errors(file);
   camera_pass(checked);
   look_pass(checked);
@@ -63,7 +72,28 @@ Scenario load_scenario(const std::filesystem::path& file,
   scenario.resolved = resolved_scenario(checked, file.parent_path());
   read_cameras(scenario.resolved, scenario.view);
   read_teaching(scenario.resolved, scenario.teaching, scenario.view);
-  return scenario;
+  return {std::move(scenario), std::move(checked)};
+}
+
+std::string caption_of(const CheckedValue& comparison, std::size_t half) {
+  return comparison.at("captions").items[half].text;
+}
+
+}  // namespace
+
+Scenario load_scenario(const std::filesystem::path& file,
+                       const std::vector<std::pair<std::string, std::string>>& overrides) {
+  LoadedTake first = load_take(file, overrides, WhichTake::kFirst);
+  const CheckedValue* comparison = first.checked.find("comparison");
+  if (comparison == nullptr) return std::move(first.scenario);
+  LoadedTake second = load_take(file, overrides_for_comparison(overrides, *comparison), WhichTake::kSecond);
+  second.scenario.goldens.clear();
+  second.scenario.expectations.clear();
+  const std::array<std::string, 2> captions{caption_of(*comparison, 0), caption_of(second.checked.at("comparison"), 1)};
+  const auto shared = std::make_shared<const Scenario>(std::move(second.scenario));
+  first.scenario.comparison = {captions, shared};
+  first.scenario.view.comparison = std::make_shared<const TakeComparison>(TakeComparison{captions, shared->view});
+  return std::move(first.scenario);
 }
 
 }  // namespace thinwall

@@ -83,10 +83,10 @@ class ParameterFiller {
   }
 
   /// Fills in the parameters themselves, used or not, so that the resolved scenario has their final texts.
-  void finish(TextMember* section) {
+  void finish(TextMember* section, UnusedParameters unused) {
     for (const std::string& name : names_) {
       Parameter& parameter = parameters_[name];
-      if (!parameter.used) {
+      if (!parameter.used && unused == UnusedParameters::kRefused) {
         diagnostics_.error(parameter.location, member_path("parameters", name), "nothing uses this parameter");
       } else if (section != nullptr) {
         section->value.find(name)->value = parameter.value;
@@ -203,7 +203,7 @@ class ParameterFiller {
 
 }  // namespace
 
-void parameter_pass(TextNode& root, const Overrides& overrides, Diagnostics& diagnostics) {
+void parameter_pass(TextNode& root, const Overrides& overrides, Diagnostics& diagnostics, UnusedParameters unused) {
   ParameterFiller filler(diagnostics);
   TextMember* section = root.find("parameters");
   if (section != nullptr) filler.read(*section);
@@ -211,7 +211,7 @@ void parameter_pass(TextNode& root, const Overrides& overrides, Diagnostics& dia
   for (TextMember& member : root.members) {
     if (member.key != "parameters") filler.fill(member.value, member.key);
   }
-  filler.finish(section);
+  filler.finish(section, unused);
 }
 
 }  // namespace thinwall

@@ -47,6 +47,30 @@ MappingSchema data_schema() {
 
 }  // namespace
 
+ValueSchema comparison_schema() {
+  ValueSchema captions = list_value(text_value(), 2);
+  captions.maximum_items = 2;
+  captions.example = "[\"Wall ${thickness} thick\", \"Wall ${thickness} thick\"]";
+  MappingSchema comparison{.name = "comparison",
+                           .documentation =
+                               "Both takes are simulated and shown side by side at the same time, until the first "
+                               "ends; goldens and expectations are the first take's."};
+  comparison.keys = {
+      {"set",
+       {.kind = ValueKind::kChanges},
+       true,
+       {},
+       "what the second take has different: parameters by their names, or values by their paths, "
+       "`bodies.organ.wall.thickness: 3 mm`, `timeline[1].palpate.depth: 6 mm`"},
+      {"captions",
+       captions,
+       true,
+       {},
+       "what is written over the left and the right half; a parameter in a caption has the value of its own take"},
+  };
+  return mapping_value({comparison});
+}
+
 ValueSchema lights_schema() {
   MappingSchema lights{.name = "lights", .documentation = "Strengths are relative to a well-lit picture."};
   lights.keys = {

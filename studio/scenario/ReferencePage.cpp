@@ -86,6 +86,7 @@ class PageWriter {
     if (is_mapping) return link(value.mappings[0]);
     if (value.kind == ValueKind::kNamedMappings) return "names, each with a " + link(value.mappings[0]);
     if (value.kind == ValueKind::kParameters) return "names with texts or lists";
+    if (value.kind == ValueKind::kChanges) return "names or paths with new values";
     if (value.kind == ValueKind::kList && value.item[0].kind == ValueKind::kMapping) {
       return "a list of " + link(value.item[0].mappings[0]);
     }

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -203,6 +205,14 @@ struct GoldenDefinition {
   SourceLocation location = {};
 };
 
+struct Scenario;
+
+/// A second take that is shown beside the first.
+struct ComparisonScenario {
+  std::array<std::string, 2> captions = {};  // of the left and the right half
+  std::shared_ptr<const Scenario> second = {};
+};
+
 /// A checked scenario: every quantity in SI, every reference resolved, every value in range.
 struct Scenario {
   std::filesystem::path file = {};
@@ -216,6 +226,7 @@ struct Scenario {
   OverlayChoice overlays = {};
   Teaching teaching = {};
   RecordOptions record = {};
+  std::optional<ComparisonScenario> comparison = {};
   std::vector<GoldenDefinition> goldens = {};
   std::vector<Expectation> expectations = {};
   std::vector<std::string> warnings = {};  // what a user should know: `file:line:column: warning: message`

@@ -101,6 +101,7 @@ std::string expectation(const ValueSchema& value) {
     case ValueKind::kMapping:
     case ValueKind::kNamedMappings:
     case ValueKind::kParameters:
+    case ValueKind::kChanges:
       return mapping_expectation(value);
   }
   return "";

@@ -23,7 +23,8 @@ enum class ValueKind {
   kList,           // of `item`
   kMapping,        // one of `mappings`, told apart by their first keys
   kNamedMappings,  // names of the user's own to `mappings[0]`
-  kParameters      // names of the user's own to texts or lists
+  kParameters,     // names of the user's own to texts or lists
+  kChanges         // parameters, or paths of values, to what stands there instead
 };
 
 struct MappingSchema;

@@ -13,6 +13,7 @@ ValueSchema simulation_schema();
 ValueSchema camera_schema();
 ValueSchema cameras_schema();
 ValueSchema cuts_schema();
+ValueSchema comparison_schema();
 ValueSchema lights_schema();
 ValueSchema look_schema();
 ValueSchema teaching_schema();

@@ -44,6 +44,7 @@ class SchemaReader {
       case ValueKind::kNamedMappings:
         return read_named(schema, node, place);
       case ValueKind::kParameters:
+      case ValueKind::kChanges:
         return as_text(node);
       default:
         break;

@@ -78,6 +78,7 @@ std::string example_text(const ValueSchema& value) {
     case ValueKind::kNamedMappings:
       return "{ somebody: " + first_form_text(value.mappings[0]) + " }";
     case ValueKind::kParameters:
+    case ValueKind::kChanges:
       return "{ size: 1 mm }";
   }
   return "";

@@ -69,9 +69,9 @@ TEST_P(SchemaMistakes, AValueOfAnotherKindIsAnErrorThatSaysWhatIsExpected) {
   for (const KeySchema& key : form().keys()) {
     const ValueSchema& value = key.value;
     const bool takes_mapping = value.kind == ValueKind::kMapping || value.kind == ValueKind::kNamedMappings ||
-                               value.kind == ValueKind::kParameters;
+                               value.kind == ValueKind::kParameters || value.kind == ValueKind::kChanges;
     // Parameters are read by a pass of their own.
-    if (value.kind == ValueKind::kParameters) continue;
+    if (value.kind == ValueKind::kParameters || value.kind == ValueKind::kChanges) continue;
     const bool takes_list = value.kind == ValueKind::kList || value.kind == ValueKind::kDirection;
     const std::string wrong = takes_mapping || takes_list ? "word" : "[1]";
     if (value.single) continue;

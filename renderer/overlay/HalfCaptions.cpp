@@ -1,0 +1,51 @@
+#include "renderer/overlay/HalfCaptions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/overlay/Font.hpp"
+#include "renderer/overlay/Plate.hpp"
+#include "renderer/overlay/Text.hpp"
+
+namespace thinwall {
+namespace {
+
+constexpr double kTop = 80;  // units, below title and time
+constexpr double kHeight = 38;
+constexpr double kMarkLength = 22;
+constexpr double kGap = 10;
+
+void draw_caption(Image& image, const OverlayGrid& grid, const std::string& caption, const Color& color, int center) {
+  const double padding = grid.pixels(plate_style::kPadding);
+  const double mark = grid.pixels(kMarkLength + kGap);
+  const double room = image.size.width / 2.0 - 2 * grid.pixels(plate_style::kMargin) - 2 * padding - mark;
+  if (room < grid.pixels(20)) return;
+  const Text text(caption, {.size = grid.pixels(19), .color = plate_style::kText}, {.width = room});
+  const Plate plate(grid, {static_cast<int>(std::ceil(text.width() + mark + 2 * padding)), grid.whole(kHeight)});
+  const double middle = plate.size().height / 2.0;
+  plate.line(padding, middle, padding + grid.pixels(kMarkLength), middle, std::max(1.5, grid.pixels(3)), color);
+  text.draw(plate, padding + mark, middle - text.height() / 2);
+  plate.blend_onto(image, center - plate.size().width / 2, grid.whole(kTop));
+}
+
+void draw_divider(Image& image) {
+  constexpr std::uint8_t kLevel = 190;
+  const int width = std::max(1, static_cast<int>(std::lround(2.0 * image.size.height / 720)));
+  const int left = std::max(0, image.size.width - image.size.width / 2 - (width + 1) / 2);
+  for (int row = 0; row < image.size.height; ++row) {
+    const std::ptrdiff_t start = 3 * (static_cast<std::ptrdiff_t>(row) * image.size.width + left);
+    std::fill_n(image.pixels.begin() + start, 3 * width, kLevel);
+  }
+}
+
+}  // namespace
+
+void draw_half_captions(Image& image, const std::array<std::string, 2>& captions) {
+  const FontUse use;
+  const OverlayGrid grid(image.size);
+  draw_divider(image);
+  draw_caption(image, grid, captions[0], plate_style::kCurve, image.size.width / 4);
+  draw_caption(image, grid, captions[1], plate_style::kOtherCurve, image.size.width - image.size.width / 4);
+}
+
+}  // namespace thinwall

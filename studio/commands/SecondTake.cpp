@@ -1,0 +1,81 @@
+#include "studio/commands/SecondTake.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "studio/commands/ExitCode.hpp"
+#include "studio/recorder/PairedSource.hpp"
+#include "studio/recorder/Recorder.hpp"
+#include "studio/recorder/ResolvedPicture.hpp"
+#include "studio/take/TakeError.hpp"
+#include "studio/take/TakeReader.hpp"
+
+namespace thinwall {
+namespace {
+
+/// A take that is read as it is shown.
+class OwnedTakeSource final : public MomentSource {
+ public:
+  explicit OwnedTakeSource(const std::filesystem::path& file) : take_(file), source_(take_) {}
+  std::optional<Moment> next() override { return source_.next(); }
+  std::vector<std::string> warnings() const override { return source_.warnings(); }
+  std::string state_digest() const override { return source_.state_digest(); }
+
+  const TakeReader& take() const { return take_; }
+
+ private:
+  TakeReader take_;
+  TakeSource source_;
+};
+
+/// The captions of the comparison in a resolved scenario; empty ones without a comparison.
+std::array<std::string, 2> captions_of(const std::string& resolved) {
+  const nlohmann::json scenario = nlohmann::json::parse(resolved, nullptr, false);
+  if (!scenario.is_object() || !scenario.contains("comparison")) return {};
+  return scenario.at("comparison").at("captions").get<std::array<std::string, 2>>();
+}
+
+}  // namespace
+
+std::filesystem::path second_take_folder(const std::filesystem::path& folder) {
+  return folder / "second_take";
+}
+
+RecordedTakes record_second_take(const Scenario& scenario, const std::filesystem::path& folder) {
+  if (!scenario.comparison) return {simulate_one_take(scenario)};
+  const Scenario& second = *scenario.comparison->second;
+  const RecordingPlan plan{.folder = second_take_folder(folder),
+                           .description = {.name = second.name, .title = second.title, .resolved = second.resolved},
+                           .overlays = second.overlays,
+                           .size = second.record.size,
+                           .frames_per_second = second.record.frames_per_second,
+                           .pictures = false,
+                           .video = false,
+                           .progress = stderr};
+  const std::unique_ptr<MomentSource> simulation = simulate_one_take(second);
+  RecordingReport report = record(*simulation, plan, {});
+  return {pair_sources(simulate_one_take(scenario), std::make_unique<OwnedTakeSource>(plan.folder / "take.h5")),
+          std::move(report.failure)};
+}
+
+std::unique_ptr<MomentSource> replay_takes(const std::filesystem::path& take, ViewDefinition& view) {
+  auto first = std::make_unique<OwnedTakeSource>(take);
+  const std::string left = captions_of(first->take().description().resolved)[0];
+  if (left.empty()) return first;
+  const std::filesystem::path file = second_take_folder(take.parent_path()) / "take.h5";
+  if (!std::filesystem::exists(file)) {
+    throw TakeError(take.string() + ": the take is compared with " + file.string() +
+                    ", which is not there; run the scenario again");
+  }
+  auto second = std::make_unique<OwnedTakeSource>(file);
+  const std::string& resolved = second->take().description().resolved;
+  view.comparison = std::make_shared<const TakeComparison>(
+      TakeComparison{{left, captions_of(resolved)[1]}, picture_settings(resolved).view});
+  return pair_sources(std::move(first), std::move(second));
+}
+
+void refuse_truth_of_two(const ViewDefinition& view) {
+  if (!view.comparison) return;
+  throw UsageError("--aov: ground truth is of one take, and the scenario's `comparison` shows two; leave it out");
+}
+
+}  // namespace thinwall

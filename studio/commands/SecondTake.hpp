@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "renderer/picture/View.hpp"
+#include "studio/commands/RunSource.hpp"
+
+namespace thinwall {
+
+/// Where a recording in `folder` keeps the take that it is compared with.
+std::filesystem::path second_take_folder(const std::filesystem::path& folder);
+
+/// Simulates the second take of a scenario with a comparison and records it there, without pictures; then the source
+/// of both takes. Without a comparison, the source of the one. `failure`: why the second take could not go on; empty
+/// when it reached its end.
+struct RecordedTakes {
+  std::unique_ptr<MomentSource> source;
+  std::string failure = {};
+};
+RecordedTakes record_second_take(const Scenario& scenario, const std::filesystem::path& folder);
+
+/// A take and, where its scenario compares, the second take beside it, which `view` then is told of.
+/// Throws TakeError when the second one is missing.
+std::unique_ptr<MomentSource> replay_takes(const std::filesystem::path& take, ViewDefinition& view);
+
+/// Ground truth is of one take: throws UsageError.
+void refuse_truth_of_two(const ViewDefinition& view);
+
+}  // namespace thinwall

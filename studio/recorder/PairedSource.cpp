@@ -1,0 +1,55 @@
+#include "studio/recorder/PairedSource.hpp"
+
+#include <algorithm>
+
+#include "studio/recorder/FrameComposer.hpp"
+
+namespace thinwall {
+namespace {
+
+class PairedSource final : public MomentSource {
+ public:
+  PairedSource(std::unique_ptr<MomentSource> first, std::unique_ptr<MomentSource> second)
+      : first_(std::move(first)), second_(std::move(second)) {}
+
+  std::optional<Moment> next() override {
+    std::optional<Moment> moment = first_->next();
+    if (moment) moment->second = second_at(moment->snapshot.time);
+    return moment;
+  }
+
+  std::vector<std::string> warnings() const override {
+    std::vector<std::string> all = first_->warnings();
+    for (const std::string& warning : second_->warnings()) all.push_back("the second take: " + warning);
+    return all;
+  }
+
+  std::string state_digest() const override { return first_->state_digest(); }
+
+ private:
+  std::shared_ptr<const Snapshot> second_at(double time) {
+    while (!ended_ && (!later_ || later_->time < time - kSameTime)) {
+      std::optional<Moment> moment = second_->next();
+      ended_ = !moment;
+      if (!moment) break;
+      earlier_ = std::move(later_);
+      later_ = std::make_shared<const Snapshot>(std::move(moment->snapshot));
+    }
+    if (!later_ || !earlier_ || later_->time <= time + kSameTime) return later_;
+    return std::make_shared<const Snapshot>(interpolate(*earlier_, *later_, time));
+  }
+
+  std::unique_ptr<MomentSource> first_;
+  std::unique_ptr<MomentSource> second_;
+  std::shared_ptr<const Snapshot> earlier_;  // of the second take
+  std::shared_ptr<const Snapshot> later_;
+  bool ended_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<MomentSource> pair_sources(std::unique_ptr<MomentSource> first, std::unique_ptr<MomentSource> second) {
+  return std::make_unique<PairedSource>(std::move(first), std::move(second));
+}
+
+}  // namespace thinwall
