@@ -28,7 +28,7 @@ OpticalFlow optical_flow(const SeenMoment& from, const SeenMoment& to) {
                           static_cast<float>((*landed)[1] - static_cast<double>(pixel / width))};
     const auto ray = to.projection.ray(*landed);
     if (!ray || point.z < to.projection.nearest()) continue;
-    const double open = nearest_depth(to.geometry, to.seen, to.projection.nearest(), *landed, *ray);
+    const double open = nearest_depth(to.seen, to.projection.nearest(), *landed, *ray);
     result.state[pixel] = open < point.z * (1 - kBehind) ? FlowState::kHidden : FlowState::kSeen;
   }
   return result;

@@ -43,27 +43,6 @@ PixelBox pixel_box(const std::array<Vector3, 3>& corners, const Projection& proj
           .bottom = std::min(all.bottom, within(std::ceil(high[1] + margin), all.bottom))};
 }
 
-/// A triangle as rays meet it.
-struct RayTriangle {
-  std::array<Vector3, 3> products;
-  double determinant = 0;
-
-  explicit RayTriangle(const std::array<Vector3, 3>& corners)
-      : products{cross(corners[1], corners[2]), cross(corners[2], corners[0]), cross(corners[0], corners[1])},
-        determinant(dot(corners[0], products[0])) {}
-
-  /// Weights of the corners but for their sum.
-  std::array<double, 3> weights(RayPoint ray) const {
-    std::array<double, 3> result;
-    for (std::size_t k = 0; k < 3; ++k) result[k] = ray[0] * products[k].x + ray[1] * products[k].y + products[k].z;
-    return result;
-  }
-  bool is_met(const std::array<double, 3>& weights) const {
-    return determinant > 0 ? weights[0] >= 0 && weights[1] >= 0 && weights[2] >= 0
-                           : weights[0] <= 0 && weights[1] <= 0 && weights[2] <= 0;
-  }
-};
-
 double sum(const std::array<double, 3>& weights) {
   return weights[0] + weights[1] + weights[2];
 }
@@ -109,14 +88,16 @@ SeenPlaces see(const SceneGeometry& geometry, const Projection& projection) {
                   .places = std::vector<ScenePlace>(pixels),
                   .depth = std::vector<double>(pixels, std::numeric_limits<double>::infinity()),
                   .points = {},
+                  .on_rays = {},
                   .tiles = {}};
   seen.points.reserve(geometry.points.size());
   for (const Vector3& point : geometry.points) seen.points.push_back(projection.in_camera(point));
+  seen.on_rays.reserve(geometry.triangles.size());
   seen.tiles.resize(static_cast<std::size_t>(tiles_across(size) * ((size.height + kTile - 1) / kTile)));
   for (std::uint32_t t = 0; t < geometry.triangles.size(); ++t) {
     const std::array<Vector3, 3> corners = corners_of(geometry, seen, t);
+    const RayTriangle& on_rays = seen.on_rays.emplace_back(corners);
     if (std::max({corners[0].z, corners[1].z, corners[2].z}) < projection.nearest()) continue;
-    const RayTriangle on_rays(corners);
     if (on_rays.determinant == 0) continue;
     const PixelBox box = pixel_box(corners, projection);
     if (box.left > box.right || box.top > box.bottom) continue;
@@ -130,14 +111,13 @@ SeenPlaces see(const SceneGeometry& geometry, const Projection& projection) {
   return seen;
 }
 
-double nearest_depth(const SceneGeometry& geometry, const SeenPlaces& seen, double nearest, PicturePoint point,
-                     RayPoint ray) {
+double nearest_depth(const SeenPlaces& seen, double nearest, PicturePoint point, RayPoint ray) {
   const int column = std::clamp(static_cast<int>(std::floor(point[0] + 0.5)), 0, seen.size.width - 1);
   const int row = std::clamp(static_cast<int>(std::floor(point[1] + 0.5)), 0, seen.size.height - 1);
   double found = std::numeric_limits<double>::infinity();
   for (const std::uint32_t t :
        seen.tiles[static_cast<std::size_t>(row / kTile * tiles_across(seen.size) + column / kTile)]) {
-    const RayTriangle on_rays(corners_of(geometry, seen, t));
+    const RayTriangle& on_rays = seen.on_rays[t];
     const std::array<double, 3> weights = on_rays.weights(ray);
     if (!on_rays.is_met(weights)) continue;
     const double depth = on_rays.determinant / sum(weights);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <oneapi/tbb/parallel_invoke.h>
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -188,9 +189,9 @@ void GroundTruthSeries::write(const SeenFrame* before, const SeenFrame& now, con
     }
   }
   const GroundTruth truth = ground_truth(now);
-  write_layers(truth);
-  write_flow(kForward, now, after);
-  write_flow(kBackward, now, before);
+  // Compressing takes the most time; no file knows of another.
+  tbb::parallel_invoke([&] { write_flow(kForward, now, after); }, [&] { write_flow(kBackward, now, before); },
+                       [&] { write_layers(truth); });
   annotations_.add(frames_, truth.size, truth.instances, materials_);
   poses_.add(frames_, snapshot.time, now.camera(), now.part(), snapshot.tools);
   ++frames_;
@@ -200,15 +201,16 @@ void GroundTruthSeries::write_layers(const GroundTruth& truth) {
   if (truth.von_mises.empty() || truth.contact_pressure.empty()) {
     throw PictureFailure("ground truth needs the stress of the walls, which the snapshot does not hold");
   }
-  write_file("depth", "exr", encode_exr(gray(truth.size, truth.depth)));
-  write_file("depth_16", "png", encode_layer_png(depth_levels(truth.size, truth.depth)));
-  write_file("normals", "exr", encode_exr(vectors(truth.size, truth.normals), ExrNumbers::kHalf));
-  write_file("instances", "png", encode_layer_png(gray(truth.size, truth.instances)));
-  write_file("parts", "png", encode_layer_png(gray(truth.size, truth.parts)));
-  write_file("materials", "png", encode_layer_png(gray(truth.size, materials_of(truth))));
-  write_file("stress", "exr", encode_exr(gray(truth.size, truth.von_mises)));
-  write_file("contact_pressure", "exr", encode_exr(gray(truth.size, truth.contact_pressure)));
-  write_file("wound", "png", encode_layer_png(words(truth.size, truth.wound)));
+  tbb::parallel_invoke(
+      [&] { write_file("depth", "exr", encode_exr(gray(truth.size, truth.depth))); },
+      [&] { write_file("depth_16", "png", encode_layer_png(depth_levels(truth.size, truth.depth))); },
+      [&] { write_file("normals", "exr", encode_exr(vectors(truth.size, truth.normals), ExrNumbers::kHalf)); },
+      [&] { write_file("instances", "png", encode_layer_png(gray(truth.size, truth.instances))); },
+      [&] { write_file("parts", "png", encode_layer_png(gray(truth.size, truth.parts))); },
+      [&] { write_file("materials", "png", encode_layer_png(gray(truth.size, materials_of(truth)))); },
+      [&] { write_file("stress", "exr", encode_exr(gray(truth.size, truth.von_mises))); },
+      [&] { write_file("contact_pressure", "exr", encode_exr(gray(truth.size, truth.contact_pressure))); },
+      [&] { write_file("wound", "png", encode_layer_png(words(truth.size, truth.wound))); });
 }
 
 void GroundTruthSeries::write_flow(const std::string& name, const SeenFrame& from, const SeenFrame* to) {
@@ -216,9 +218,9 @@ void GroundTruthSeries::write_flow(const std::string& name, const SeenFrame& fro
   OpticalFlow flow{.flow = std::vector<std::array<float, 2>>(from.seen().places.size()),
                    .state = std::vector<FlowState>(from.seen().places.size(), FlowState::kNothing)};
   if (to != nullptr) flow = optical_flow(from.moment(), to->moment());
-  write_file(name + "_flow", "exr", encode_exr(flow_vectors(size, flow)));
-  write_file(name + "_flow_kitti", "png", encode_layer_png(kitti_flow(size, flow)));
-  write_file(name + "_state", "png", encode_layer_png(words(size, flow.state)));
+  tbb::parallel_invoke([&] { write_file(name + "_flow", "exr", encode_exr(flow_vectors(size, flow))); },
+                       [&] { write_file(name + "_flow_kitti", "png", encode_layer_png(kitti_flow(size, flow))); },
+                       [&] { write_file(name + "_state", "png", encode_layer_png(words(size, flow.state))); });
 }
 
 void GroundTruthSeries::write_file(const std::string& layer, const std::string& extension,
@@ -251,6 +253,7 @@ void GroundTruthSeries::write_tables() {
                             {"frames", frames_},
                             {"size", {plan_.size.width, plan_.size.height}},
                             {"layers", layer_part()},
+                            {"left_out", {"fluid", "run-off", "blood", "bed"}},
                             {"instances", std::move(instances)},
                             {"parts", std::move(parts)},
                             {"materials", std::move(materials)}};
