@@ -61,6 +61,24 @@ TEST_F(ProgramGLTest, TheTakeGivesTheFramesOfTheRunAgain) {
   EXPECT_EQ(run({"render", "run/take.h5", "--out", "run"}).exit_code, 2);
 }
 
+TEST_F(ProgramGLTest, TwoTakesBesideOneAnotherAreTheSameInARunFromTheirTakesAndAsAStill) {
+  write_bytes(folder_ / "two.yaml", small_scenario() + "comparison: { set: { depth: 4 mm }, captions: [two, four] }\n");
+  expect_good({"run", "two.yaml", "--no-video", "--out", "run"});
+  expect_good({"render", "run/take.h5", "--no-video"});
+  EXPECT_EQ(manifest("run/render")["frame_hashes"], manifest("run")["frame_hashes"]);
+  expect_good({"still", "two.yaml", "--at", "0.12 s", "-o", "still.png"});
+  EXPECT_EQ(image_hash(read_png(folder_ / "still.png")), manifest("run")["frame_hashes"][3]);
+  expect_good({"run", "two.yaml", "--no-video", "--set", "depth=4mm", "--out", "equal"});
+  EXPECT_NE(manifest("equal")["frame_hashes"], manifest("run")["frame_hashes"]);
+  EXPECT_EQ(file_bytes(folder_ / "equal/second_take/forces.csv"), file_bytes(folder_ / "run/second_take/forces.csv"));
+  EXPECT_EQ(file_bytes(folder_ / "equal/forces.csv"), file_bytes(folder_ / "run/second_take/forces.csv"));
+  EXPECT_EQ(run({"run", "two.yaml", "--aov"}).exit_code, 2);
+  std::filesystem::remove_all(folder_ / "run/second_take");
+  const ProgramEnd end = run({"render", "run/take.h5", "--no-video", "--out", "half"});
+  EXPECT_EQ(end.exit_code, 2);
+  EXPECT_NE(end.messages.find("second_take/take.h5, which is not there"), std::string::npos) << end.messages;
+}
+
 TEST_F(ProgramGLTest, ATakeWithCutsGivesTheFramesOfTheRunAgainAndItsSurfacesGrow) {
   write_bytes(folder_ / "cut.yaml", incision_scenario());
   // Frames lie between steps, and some between the steps before and after a cut.
