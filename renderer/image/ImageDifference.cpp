@@ -5,6 +5,7 @@
 #include <cassert>
 #include <charconv>
 #include <cstdlib>
+#include <cstring>
 #include <string_view>
 
 namespace thinwall {
@@ -12,8 +13,12 @@ namespace {
 
 constexpr std::size_t kWorstCount = 10;
 
-int pixel_difference(const std::uint8_t* a, const std::uint8_t* b) {
+inline int pixel_difference(const std::uint8_t* a, const std::uint8_t* b) {
   return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
+}
+
+const std::uint8_t* row_of(const Image& image, int row) {
+  return &image.pixels[3 * static_cast<std::size_t>(row) * static_cast<std::size_t>(image.size.width)];
 }
 
 std::size_t pixel_count(const Image& image) {
@@ -66,6 +71,10 @@ std::array<std::uint8_t, 3> heat_color(int level) {
 
 }  // namespace
 
+bool row_differs(const Image& first, const Image& second, int row) {
+  return std::memcmp(row_of(first, row), row_of(second, row), 3 * static_cast<std::size_t>(first.size.width)) != 0;
+}
+
 ImageDifference compare_images(const Image& first, const Image& second, int threshold) {
   ImageDifference result{.first_size = first.size, .second_size = second.size, .threshold = threshold, .worst = {}};
   if (first.size != second.size) {
@@ -75,19 +84,20 @@ ImageDifference compare_images(const Image& first, const Image& second, int thre
   if (first.pixels == second.pixels) return result;
   result.verdict = ImageVerdict::kDifferent;
   std::int64_t sum = 0;
-  for (std::size_t i = 0; i < pixel_count(first); ++i) {
-    const std::uint8_t* a = first.pixels.data() + 3 * i;
-    const std::uint8_t* b = second.pixels.data() + 3 * i;
-    const int difference = pixel_difference(a, b);
-    if (difference == 0) continue;
-    sum += std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]);
-    result.largest = std::max(result.largest, difference);
-    if (difference > threshold) ++result.failing;
-    keep_if_worst(result.worst, {.x = static_cast<int>(i) % first.size.width,
-                                 .y = static_cast<int>(i) / first.size.width,
-                                 .first = {a[0], a[1], a[2]},
-                                 .second = {b[0], b[1], b[2]},
-                                 .difference = difference});
+  for (int y = 0; y < first.size.height; ++y) {
+    if (!row_differs(first, second, y)) continue;
+    const std::uint8_t* a = row_of(first, y);
+    const std::uint8_t* b = row_of(second, y);
+    for (int x = 0; x < first.size.width; ++x, a += 3, b += 3) {
+      const int difference = pixel_difference(a, b);
+      if (difference == 0) continue;
+      sum += std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]);
+      result.largest = std::max(result.largest, difference);
+      if (difference > threshold) ++result.failing;
+      keep_if_worst(
+          result.worst,
+          {.x = x, .y = y, .first = {a[0], a[1], a[2]}, .second = {b[0], b[1], b[2]}, .difference = difference});
+    }
   }
   const double pixels = static_cast<double>(pixel_count(first));
   result.mean = static_cast<double>(sum) / (3 * pixels);
@@ -134,11 +144,18 @@ std::string difference_text(const Image& first, const Image& second, int columns
   const int height = std::max(1, static_cast<int>(static_cast<std::int64_t>(width) * first.size.height /
                                                   (2 * static_cast<std::int64_t>(first.size.width))));
   std::vector<int> largest(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
-  for (std::int64_t y = 0; y < first.size.height; ++y) {
-    for (std::int64_t x = 0; x < first.size.width; ++x) {
-      const auto i = static_cast<std::size_t>(3 * (y * first.size.width + x));
-      const auto cell = static_cast<std::size_t>(y * height / first.size.height * width + x * width / first.size.width);
-      largest[cell] = std::max(largest[cell], pixel_difference(&first.pixels[i], &second.pixels[i]));
+  std::vector<std::size_t> column_of(static_cast<std::size_t>(first.size.width));
+  for (std::size_t x = 0; x < column_of.size(); ++x)
+    column_of[x] = x * static_cast<std::size_t>(width) / column_of.size();
+  for (int y = 0; y < first.size.height; ++y) {
+    if (!row_differs(first, second, y)) continue;
+    const std::uint8_t* a = row_of(first, y);
+    const std::uint8_t* b = row_of(second, y);
+    int* cells = &largest[static_cast<std::size_t>(std::int64_t{y} * height / first.size.height * width)];
+    for (const std::size_t column : column_of) {
+      cells[column] = std::max(cells[column], pixel_difference(a, b));
+      a += 3;
+      b += 3;
     }
   }
   std::string text;

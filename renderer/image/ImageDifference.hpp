@@ -36,6 +36,9 @@ struct ImageDifference {
   std::vector<PixelDifference> worst;  // up to ten that differ, largest difference first, then from the top left
 };
 
+/// Whether any byte of the row differs. The sizes must be equal.
+bool row_differs(const Image& first, const Image& second, int row);
+
 ImageDifference compare_images(const Image& first, const Image& second, int threshold = 0);
 
 /// One line, and one for each of the worst pixels: for a log.

@@ -7,8 +7,6 @@
 #include <csetjmp>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 
 #include "renderer/image/WholeFile.hpp"
@@ -92,16 +90,16 @@ struct PngWriter {
   ~PngWriter() { png_destroy_write_struct(&png, &info); }
 };
 
-std::vector<std::uint8_t> bytes_of_file(const std::filesystem::path& path) {
+std::string bytes_of_picture(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::exists(path, error)) throw ImageUnreadable("cannot read " + path.string() + ": no such file");
   if (std::filesystem::is_directory(path, error)) {
     throw ImageUnreadable("cannot read " + path.string() + ": it is a folder, not a picture");
   }
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw ImageUnreadable("cannot read " + path.string() + ": permission denied or disk error");
-  std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (file.bad()) throw ImageUnreadable("cannot read " + path.string() + ": the disk reports an error");
+  std::string bytes = bytes_of_file(path);
+  if (bytes.empty() && std::filesystem::file_size(path, error) > 0) {
+    throw ImageUnreadable("cannot read " + path.string() + ": permission denied or disk error");
+  }
   return bytes;
 }
 
@@ -194,7 +192,7 @@ void write_png(const std::filesystem::path& path, const Image& image, PngEffort 
 }
 
 Image read_png(const std::filesystem::path& path) {
-  return decode_png(bytes_of_file(path), path.string());
+  return decode_png(as_numbers(bytes_of_picture(path)), path.string());
 }
 
 }  // namespace thinwall

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <fstream>
 #include <system_error>
 
 #include "renderer/picture/PictureFailure.hpp"
@@ -98,6 +99,21 @@ std::string cure_for_write_error(int code) {
   }
 }
 
+std::span<const std::uint8_t> as_numbers(std::string_view bytes) {
+  return {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
+}
+
+std::string bytes_of_file(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::uintmax_t length = std::filesystem::file_size(path, error);
+  if (error) return "";
+  std::string bytes(length, '\0');
+  std::ifstream stream(path, std::ios::binary);
+  stream.read(bytes.data(), static_cast<std::streamsize>(length));
+  bytes.resize(static_cast<std::size_t>(stream.gcount()));
+  return bytes;
+}
+
 void write_whole_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
   const std::filesystem::path unfinished = unfinished_name(path);
   UnfinishedFile file(unfinished);
@@ -109,7 +125,7 @@ void write_whole_file(const std::filesystem::path& path, std::span<const std::ui
 }
 
 void write_whole_file(const std::filesystem::path& path, std::string_view text) {
-  write_whole_file(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+  write_whole_file(path, as_numbers(text));
 }
 
 }  // namespace thinwall

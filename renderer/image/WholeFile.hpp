@@ -17,6 +17,12 @@ std::filesystem::path unfinished_name(const std::filesystem::path& path);
 void write_whole_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 void write_whole_file(const std::filesystem::path& path, std::string_view text);
 
+/// What a file holds; nothing when it cannot be read.
+std::string bytes_of_file(const std::filesystem::path& path);
+
+/// The same bytes, for what reads numbers.
+std::span<const std::uint8_t> as_numbers(std::string_view bytes);
+
 /// What helps against the system error `code` (an errno value) when a file is written, e.g. "free some space ...".
 std::string cure_for_write_error(int code);
 

@@ -12,6 +12,7 @@
 
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/CompareArguments.hpp"
+#include "studio/commands/CompareLine.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/recorder/Interruption.hpp"
 #include "studio/recorder/Versions.hpp"
@@ -141,7 +142,7 @@ const CLI::App* find_command(const CLI::App& parent, const std::string& name) {
 
 CommandLine::CommandLine() {
   app_.set_version_flag("--version", version_text(), "the version, and the licence of this build");
-  app_.set_help_flag("-h,--help", "this help");
+  app_.set_help_flag("-h,--help", kHelpWords);
   app_.require_subcommand(1);
   add_run();
   add_check();
@@ -272,43 +273,9 @@ void CommandLine::add_still() {
 }
 
 void CommandLine::add_compare() {
-  CLI::App* command = add_command(app_, "compare", "two pictures, two videos or two folders of them",
-                                  [this] { return compare(compare_options(compare_)); });
-  command->add_option("A", compare_.options.first, "the first picture, video or folder: what it should be")->required();
-  command->add_option("B", compare_.options.second, "the second one: what it is")->required();
-  command->add_option("--metric", compare_.metric, "figures that are wanted: pixels, ssim, flip or all")
-      ->type_name("METRIC")
-      ->capture_default_str();
-  const auto number = [&](const std::string& name, auto& value, const std::string& documentation) {
-    return command->add_option(name, value, documentation)->type_name("NUMBER");
-  };
-  PictureLimits& limits = compare_.options.comparison.limits;
-  number("--max", limits.largest, "largest difference allowed, 8-bit levels")->check(CLI::Range(0.0, 255.0));
-  number("--mean", limits.mean, "largest mean difference allowed, 8-bit levels")->check(CLI::Range(0.0, 255.0));
-  number("--failing", limits.failing, "largest fraction of failing pixels allowed, 0 to 1")
-      ->check(CLI::Range(0.0, 1.0));
-  number("--drift", limits.drift, "largest allowed change of the mean of red, green or blue, as a part of it")
-      ->check(CLI::Range(0.0, 1.0));
-  number("--level", limits.tolerance.level, "levels above which a pixel fails")->check(CLI::Range(0, 255));
-  number("--shift", limits.tolerance.shift, "pixels by which what a pixel shows may lie elsewhere")
-      ->check(CLI::Range(0, 4));
-  number("--ssim", limits.structure, "least mean of structural similarity, up to 1")->check(CLI::Range(-1.0, 1.0));
-  number("--flip", limits.flip, "largest mean of FLIP allowed, 0 to 1")->check(CLI::Range(0.0, 1.0));
-  number("--flip-99", limits.flip_99, "largest 99th percentile of FLIP allowed, 0 to 1")->check(CLI::Range(0.0, 1.0));
-  number("--pixels-per-degree", compare_.options.comparison.flip.pixels_per_degree,
-         "of the viewer's sight, for FLIP; 67 when absent")
-      ->check(CLI::Range(5.0, 500.0));
-  command->add_option("--mask", compare_.mask, "a picture, dark where nothing counts")->type_name("PICTURE");
-  command->add_option("--layer", compare_.layer, "what the numbers are: depth, normals, ids or flow")
-      ->type_name("LAYER");
-  number("--tolerance", compare_.tolerance, "of a layer: metres, degrees or pixels above which a pixel fails");
-  number("--edge-band", compare_.edge_band, "of depth: pixels by which a silhouette may move")
-      ->check(CLI::Range(0, 16));
-  command->add_flag("--pixels-only", compare_.options.comparison.pixels_only,
-                    "of videos: times, captions, chapters and colour tags do not count");
-  command->add_option("--diff", compare_.difference, "write a picture of the difference; of folders, a folder of them")
-      ->type_name("PNG");
-  command->add_flag("--json", compare_.options.json, "say the result as JSON on standard output");
+  CLI::App* command =
+      add_command(app_, kCompareCommand, kCompareWords, [this] { return compare(compare_options(compare_)); });
+  add_compare_arguments(*command, compare_);
 }
 
 CLI::App* CommandLine::add_golden_command(CLI::App& golden, const std::string& name, const std::string& documentation,
@@ -429,15 +396,7 @@ std::vector<std::string> CommandLine::commands_first(const std::vector<std::stri
 
 int CommandLine::run(std::vector<std::string> arguments) {
   arguments = commands_first(arguments);
-  // The parser takes them from the back.
-  std::reverse(arguments.begin(), arguments.end());
-  try {
-    app_.parse(arguments);
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app_.exit(error);
-    fmt::print(stderr, "thinwall: {}\nRun with --help for more.\n", error.what());
-    return kExitBadInput;
-  }
+  if (const std::optional<int> code = parse_arguments(app_, std::move(arguments))) return *code;
   note_interruptions();
   std::optional<tbb::global_control> limit;
   if (threads_ > 0) limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads_));

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "renderer/image/Folder.hpp"
 #include "renderer/image/PngFile.hpp"
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/ExitCode.hpp"
-#include "studio/recorder/OutputFolder.hpp"
 
 namespace thinwall {
 namespace {

@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "renderer/image/Folder.hpp"
 #include "renderer/image/PngFile.hpp"
 #include "renderer/image/WholeFile.hpp"
 #include "studio/commands/Commands.hpp"
@@ -14,7 +15,6 @@
 #include "studio/golden/GoldenReport.hpp"
 #include "studio/golden/GoldenVideoComparison.hpp"
 #include "studio/golden/JUnitReport.hpp"
-#include "studio/recorder/OutputFolder.hpp"
 
 namespace thinwall {
 namespace {

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "renderer/image/Folder.hpp"
 #include "renderer/image/WholeFile.hpp"
 #include "renderer/picture/PictureFailure.hpp"
 #include "renderer/video/Program.hpp"
@@ -11,7 +12,6 @@
 #include "studio/commands/GoldenScenarios.hpp"
 #include "studio/golden/GoldenReport.hpp"
 #include "studio/golden/GoldenVideoApproval.hpp"
-#include "studio/recorder/OutputFolder.hpp"
 #include "studio/take/TakeError.hpp"
 #include "studio/take/TakeReader.hpp"
 

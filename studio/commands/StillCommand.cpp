@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "renderer/image/Folder.hpp"
 #include "renderer/image/PngFile.hpp"
 #include "renderer/image/WholeFile.hpp"
 #include "studio/commands/Commands.hpp"

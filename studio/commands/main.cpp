@@ -1,8 +1,35 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
 #include <string>
 #include <vector>
 
-#include "studio/commands/CommandLine.hpp"
+#include "studio/commands/CompareLine.hpp"
+#include "studio/commands/ExitCode.hpp"
 
+namespace {
+
+/// Goes on as the program with all commands, which stands beside this one. Comes back only when that cannot be.
+int become_studio(char** arguments) {
+  std::error_code unreadable;
+  const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe", unreadable);
+  const std::filesystem::path studio = here.parent_path() / "thinwall-studio";
+  execv(studio.c_str(), arguments);
+  fmt::print(stderr, "thinwall: cannot start {}: {}; it is built and installed together with thinwall\n",
+             studio.string(), std::strerror(errno));
+  return thinwall::kExitNoPicture;
+}
+
+}  // namespace
+
+// Loading the libraries of simulation, graphics and take files takes longer than comparing two pictures, so this
+// program compares by itself and leaves all else to the one that loads them.
 int main(int count, char** arguments) {
-  return thinwall::run_command_line(std::vector<std::string>(arguments + 1, arguments + count));
+  if (count > 1 && std::string(arguments[1]) == thinwall::kCompareCommand) {
+    return thinwall::run_compare_line(std::vector<std::string>(arguments + 1, arguments + count));
+  }
+  return become_studio(arguments);
 }

@@ -1,11 +1,11 @@
 #include "studio/comparison/IdenticalPictures.hpp"
 
 #include <cstdint>
-#include <fstream>
 #include <string>
 #include <system_error>
 
 #include "renderer/image/PngParts.hpp"
+#include "renderer/image/WholeFile.hpp"
 
 namespace thinwall {
 namespace {
@@ -14,11 +14,7 @@ constexpr std::uintmax_t kMostBytes = 1 << 28;  // of a file that is read as a w
 
 std::string bytes_of(const std::filesystem::path& path) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) return "";
-  std::string bytes(std::filesystem::file_size(path, error), '\0');
-  std::ifstream stream(path, std::ios::binary);
-  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  return static_cast<std::size_t>(stream.gcount()) == bytes.size() ? bytes : "";
+  return std::filesystem::is_regular_file(path, error) ? bytes_of_file(path) : "";
 }
 
 }  // namespace

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <span>
 #include <system_error>
 #include <vector>
 
 #include "renderer/image/PfmFile.hpp"
 #include "renderer/image/PngFile.hpp"
+#include "renderer/image/WholeFile.hpp"
 #include "renderer/video/FrameReader.hpp"
 
 namespace thinwall {
@@ -39,11 +39,6 @@ Bytes beginning_of(const std::filesystem::path& path) {
   if (!file.is_open() || file.bad()) refuse(path, "permission denied or disk error");
   bytes.resize(static_cast<std::size_t>(file.gcount()));
   return bytes;
-}
-
-Bytes all_bytes_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
 bool begins_with(const Bytes& bytes, std::initializer_list<int> signature) {
@@ -218,7 +213,7 @@ MediaFile read_media(const std::filesystem::path& path) {
   }
   if (is_pfm(beginning)) {
     file.kind = MediaKind::kHighRange;
-    file.numbers = decode_pfm(all_bytes_of(path), path.string());
+    file.numbers = decode_pfm(as_numbers(bytes_of_file(path)), path.string());
     return file;
   }
   if (begins_with(beginning, {0xff, 0xd8}) && jpeg_components(beginning) == 4) {

@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 #include "renderer/image/ImageHash.hpp"
+#include "renderer/image/WholeFile.hpp"
 #include "renderer/picture/PictureFailure.hpp"
 #include "studio/golden/OverlayRecord.hpp"
 #include "studio/take/TakeError.hpp"
@@ -134,9 +133,8 @@ HistoryChange history_change(const GoldenPicture& picture, const GoldenApproval&
                              const std::filesystem::path& folder) {
   if (approval.history.empty()) return {};
   const std::filesystem::path file = folder / approval.history;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return {};
-  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  const std::string text = bytes_of_file(file);
+  if (text.empty()) return {};
   return compare_histories(parse_history(text, file.string()), picture.history);
 }
 

@@ -5,12 +5,11 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "renderer/image/Folder.hpp"
 #include "renderer/image/WholeFile.hpp"
-#include "studio/recorder/OutputFolder.hpp"
 
 namespace thinwall {
 namespace {
@@ -61,9 +60,8 @@ GoldenResult to_result(const Json& json, const std::string& scenario) {
 }  // namespace
 
 std::string file_hash(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return "";
-  return hash_of({std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()});
+  const std::string bytes = bytes_of_file(file);
+  return bytes.empty() ? "" : hash_of(bytes);
 }
 
 GoldenCache::GoldenCache(const std::filesystem::path& file, std::string program) : program_(std::move(program)) {

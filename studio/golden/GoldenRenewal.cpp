@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "renderer/image/Folder.hpp"
 #include "renderer/image/PngFile.hpp"
 #include "renderer/image/WholeFile.hpp"
 #include "renderer/picture/PictureFailure.hpp"
 #include "renderer/video/Program.hpp"
 #include "studio/golden/OverlayRecord.hpp"
-#include "studio/recorder/OutputFolder.hpp"
 #include "studio/take/TakeWriter.hpp"
 
 namespace thinwall {

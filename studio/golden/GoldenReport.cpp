@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <span>
 
 #include "renderer/image/PngFile.hpp"
 #include "renderer/image/Resize.hpp"
+#include "renderer/image/WholeFile.hpp"
 #include "renderer/metric/ErrorPicture.hpp"
 #include "renderer/metric/Flip.hpp"
 #include "studio/golden/GoldenVideoApproval.hpp"
@@ -75,9 +74,8 @@ Json pictures_to_compare(const Image& golden, const Image& today, const std::opt
 }
 
 std::string file_url(const std::filesystem::path& file, const std::string& type) {
-  std::ifstream stream(file, std::ios::binary);
-  const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  return bytes.empty() ? "" : "data:" + type + ";base64," + base64(bytes);
+  const std::string bytes = bytes_of_file(file);
+  return bytes.empty() ? "" : "data:" + type + ";base64," + base64(as_numbers(bytes));
 }
 
 /// Of a video: which frames differ, the pictures that are kept of the golden one beside today's, and today's file.

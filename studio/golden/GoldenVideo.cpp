@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 
 #include "renderer/image/ImageDifference.hpp"
 #include "renderer/image/ImageHash.hpp"
 #include "renderer/image/PngFile.hpp"
+#include "renderer/image/WholeFile.hpp"
 #include "renderer/metric/Drift.hpp"
 #include "renderer/picture/PictureFailure.hpp"
 #include "renderer/video/FrameReader.hpp"
@@ -25,11 +24,6 @@ namespace {
 constexpr double kSameFrameTime = 1.1e-3;
 constexpr std::size_t kColumns = 4;
 constexpr std::size_t kRows = 3;
-
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
 
 /// A hash of hashes, in order.
 class HashChain {
@@ -149,7 +143,7 @@ void record_frames(RecordedVideo& result, const Scenario& scenario, const Source
   for (const std::string& hash : report.frame_hashes) {
     video.frames.push_back({.hash = hash, .squares = squares_of(read_png(frame_file(folder, video.frames.size())))});
   }
-  video.captions = text_of(folder / "captions.vtt");
+  video.captions = bytes_of_file(folder / "captions.vtt");
   video.state_digest = report.state_digest;
   video.scene_hash = chain.value();
   video.history = history_text(source.history());

@@ -5,13 +5,12 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "renderer/image/Folder.hpp"
 #include "renderer/image/PngFile.hpp"
 #include "renderer/image/WholeFile.hpp"
-#include "studio/recorder/OutputFolder.hpp"
 
 namespace thinwall {
 namespace {
@@ -71,11 +70,6 @@ Json to_json(const GoldenVideoApproval& approval, const std::string& history) {
           {"resolved", Json::parse(video.resolved, nullptr, false)}};
 }
 
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
 GoldenVideoApproval to_approval(const Json& json, const std::filesystem::path& folder) {
   GoldenVideoApproval approval;
   GoldenVideo& video = approval.video;
@@ -86,7 +80,7 @@ GoldenVideoApproval to_approval(const Json& json, const std::filesystem::path& f
   video.frames_per_second = json.at("frames_per_second");
   video.state_digest = json.at("state_digest");
   video.scene_hash = json.at("scene_hash");
-  video.history = text_of(folder / json.at("history").get<std::string>());
+  video.history = bytes_of_file(folder / json.at("history").get<std::string>());
   video.captions = json.at("captions");
   for (const Json& kept : json.at("kept")) {
     video.kept.push_back(kept.at("frame"));

@@ -8,10 +8,10 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/image/ExrFile.hpp"
+#include "renderer/image/Folder.hpp"
 #include "renderer/image/PngFile.hpp"
 #include "renderer/image/WholeFile.hpp"
 #include "renderer/look/OrganLooks.hpp"
-#include "studio/recorder/OutputFolder.hpp"
 
 namespace thinwall {
 namespace {

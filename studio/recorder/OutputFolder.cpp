@@ -6,6 +6,7 @@
 #include <string>
 #include <system_error>
 
+#include "renderer/image/Folder.hpp"
 #include "renderer/image/WholeFile.hpp"
 #include "renderer/picture/PictureFailure.hpp"
 #include "studio/recorder/GroundTruthSeries.hpp"
@@ -48,16 +49,16 @@ constexpr std::array kGroundTruthTables = {"ground_truth.json",
                                            "tools.unfinished.csv",
                                            "intrinsics.unfinished.yml"};
 
-void check(const std::error_code& error, const std::string& doing, const std::filesystem::path& path) {
+void check_removal(const std::error_code& error, const std::filesystem::path& path) {
   if (!error) return;
-  throw PictureFailure("cannot " + doing + " " + path.string() + ": " + error.message() + "; " +
+  throw PictureFailure("cannot remove " + path.string() + ": " + error.message() + "; " +
                        cure_for_write_error(error.value()));
 }
 
 void remove_file(const std::filesystem::path& file) {
   std::error_code error;
   std::filesystem::remove(file, error);
-  check(error, "remove", file);
+  check_removal(error, file);
 }
 
 void require_results_only(const std::filesystem::path& folder, const ResultFolder& result) {
@@ -71,7 +72,7 @@ void require_results_only(const std::filesystem::path& folder, const ResultFolde
 void remove_folder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::remove_all(folder, error);
-  check(error, "remove", folder);
+  check_removal(error, folder);
 }
 
 void remove_results(const std::filesystem::path& folder, const ResultFolder& result) {
@@ -82,18 +83,6 @@ void remove_results(const std::filesystem::path& folder, const ResultFolder& res
 }
 
 }  // namespace
-
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  check(error, "make the folder", folder);
-}
-
-void rename_folder(const std::filesystem::path& from, const std::filesystem::path& to) {
-  std::error_code error;
-  std::filesystem::rename(from, to, error);
-  check(error, "make the folder", to);
-}
 
 void remove_ground_truth(const std::filesystem::path& folder) {
   std::error_code error;

@@ -4,12 +4,6 @@
 
 namespace thinwall {
 
-/// Makes the folder and those above it when they are not there. Throws PictureFailure with reason and cure.
-void make_folder(const std::filesystem::path& folder);
-
-/// Throws PictureFailure with reason and cure.
-void rename_folder(const std::filesystem::path& from, const std::filesystem::path& to);
-
 /// Makes a folder of ground truth disappear. Throws PictureFailure, also when it holds what no recording writes.
 void remove_ground_truth(const std::filesystem::path& folder);
 

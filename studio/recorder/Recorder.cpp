@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "engine/simulation/SimulationFailure.hpp"
+#include "renderer/image/Folder.hpp"
 #include "renderer/image/ImageHash.hpp"
 #include "renderer/image/PngFile.hpp"
 #include "renderer/image/WholeFile.hpp"

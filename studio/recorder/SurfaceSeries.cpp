@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <span>
 
+#include "renderer/image/Folder.hpp"
 #include "renderer/image/WholeFile.hpp"
-#include "studio/recorder/OutputFolder.hpp"
 
 namespace thinwall {
 namespace {

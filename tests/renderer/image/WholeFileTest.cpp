@@ -5,18 +5,12 @@
 
 #include <csignal>
 #include <fstream>
-#include <iterator>
 
 #include "renderer/picture/PictureFailure.hpp"
 #include "tests/renderer/image/TestFolder.hpp"
 
 namespace thinwall {
 namespace {
-
-std::string text_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
 
 std::string failure_of_writing(const std::filesystem::path& path, std::string_view text) {
   try {
@@ -51,8 +45,18 @@ TEST(WholeFile, WritesTheBytesAndLeavesNothingElse) {
   const TestFolder folder;
   write_whole_file(folder / "a.txt", std::string_view("first"));
   write_whole_file(folder / "a.txt", std::string_view("second"));
-  EXPECT_EQ(text_of(folder / "a.txt"), "second");
+  EXPECT_EQ(bytes_of_file(folder / "a.txt"), "second");
   EXPECT_EQ(folder.file_count(), 1u);
+}
+
+TEST(WholeFile, ReadsAllBytesAndNothingOfWhatIsNoFile) {
+  const TestFolder folder;
+  const std::string text("a\0b\r\n\xff", 6);
+  write_whole_file(folder / "a", text);
+  EXPECT_EQ(bytes_of_file(folder / "a"), text);
+  EXPECT_EQ(as_numbers(text).back(), 255);
+  EXPECT_EQ(bytes_of_file(folder / "none"), "");
+  EXPECT_EQ(bytes_of_file(folder.path()), "");
 }
 
 TEST(WholeFile, UnfinishedNameCannotBeTakenForAWholeFile) {
@@ -64,7 +68,7 @@ TEST(WholeFile, TakesTheLeftoverOfAKilledRunAway) {
   const TestFolder folder;
   std::ofstream(folder / "a.unfinished.txt") << "a leftover that is longer";
   write_whole_file(folder / "a.txt", std::string_view("new"));
-  EXPECT_EQ(text_of(folder / "a.txt"), "new");
+  EXPECT_EQ(bytes_of_file(folder / "a.txt"), "new");
   EXPECT_EQ(folder.file_count(), 1u);
 }
 
@@ -78,7 +82,7 @@ TEST(WholeFile, FullDiskKeepsTheOldFileAndSaysWhatHelps) {
   }
   EXPECT_EQ(message, "cannot write " + (folder / "a.txt").string() +
                          ": File too large; free some space or choose a folder on another disk");
-  EXPECT_EQ(text_of(folder / "a.txt"), "old");
+  EXPECT_EQ(bytes_of_file(folder / "a.txt"), "old");
   EXPECT_EQ(folder.file_count(), 1u);
 }
 

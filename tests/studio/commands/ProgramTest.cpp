@@ -54,6 +54,44 @@ TEST_F(ProgramTest, HelpIsGoodUsage) {
   EXPECT_EQ(run({"golden", "approve", "--help"}).exit_code, 0);
 }
 
+TEST_F(ProgramTest, ToCompareIsTheSameForTheProgramThatDoesOnlyThatAndTheOneWithAllCommands) {
+  const std::string start = "P5\n2 1\n255\n";
+  write_bytes(folder_ / "a.pgm", start + "ab");
+  write_bytes(folder_ / "b.pgm", start + "aq");
+  const auto expect_same = [&](const std::vector<std::string>& arguments) {
+    std::vector<std::string> option_first{"--json", "compare"};
+    option_first.insert(option_first.end(), arguments.begin(), arguments.end());
+    std::vector<std::string> command_first{"compare", "--json"};
+    command_first.insert(command_first.end(), arguments.begin(), arguments.end());
+    const ProgramEnd of_all = run(option_first);
+    const ProgramEnd alone = run(command_first);
+    EXPECT_EQ(alone.exit_code, of_all.exit_code);
+    EXPECT_EQ(alone.output, of_all.output);
+    EXPECT_EQ(alone.messages, of_all.messages);
+    EXPECT_FALSE(alone.output.empty() && alone.messages.empty());
+  };
+  expect_same({"a.pgm", "b.pgm", "--metric", "all"});
+  expect_same({"a.pgm", "b.pgm", "--max", "900"});
+  expect_same({"--help"});
+}
+
+TEST_F(ProgramTest, ToCompareLoadsNoLibraryOfSimulationGraphicsOrTakes) {
+  const std::string tell = std::string("ldd ") + THINWALL_PROGRAM + " > " + (folder_ / "libraries").string();
+  ASSERT_EQ(std::system(tell.c_str()), 0);
+  const std::string libraries = file_bytes(folder_ / "libraries");
+  EXPECT_NE(libraries.find("libpng"), std::string::npos) << libraries;
+  for (const char* name : {"openblas", "cholmod", "hdf5", "assimp", "epoxy", "pango", "OpenEXR", "opencv", "tbb"}) {
+    EXPECT_EQ(libraries.find(name), std::string::npos) << name;
+  }
+}
+
+TEST_F(ProgramTest, SaysWhenTheProgramWithAllCommandsIsNotBesideIt) {
+  std::filesystem::copy(THINWALL_PROGRAM, folder_ / "thinwall");
+  const std::string call = (folder_ / "thinwall").string() + " doctor 2> " + (folder_ / "words").string();
+  EXPECT_EQ(WEXITSTATUS(std::system(call.c_str())), 4);
+  EXPECT_NE(file_bytes(folder_ / "words").find("thinwall-studio: No such file"), std::string::npos);
+}
+
 TEST_F(ProgramTest, BadUsageIsToldWithExitCode2) {
   expect_bad_usage({}, "subcommand is required");
   expect_bad_usage({"walk"}, "there is no command `walk`");
