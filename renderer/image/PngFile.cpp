@@ -9,6 +9,7 @@
 #include <cstring>
 #include <system_error>
 
+#include "renderer/image/PngParts.hpp"
 #include "renderer/image/WholeFile.hpp"
 
 namespace thinwall {
@@ -184,6 +185,8 @@ Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name) {
   image.pixels.resize(PNG_IMAGE_SIZE(reader.image));
   const png_color white{255, 255, 255};
   if (png_image_finish_read(&reader.image, &white, image.pixels.data(), 0, nullptr) == 0) throw broken();
+  // All pixels are there, but whatever wrote the file did not come to its end.
+  if (!has_png_end(bytes)) throw ImageUnreadable("cannot read " + name + ": cut short (its end mark is missing)");
   return image;
 }
 

@@ -2,7 +2,8 @@
 
 #include <zlib.h>
 
-#include <cstdint>
+#include <algorithm>
+#include <array>
 #include <string_view>
 
 namespace thinwall {
@@ -12,7 +13,8 @@ constexpr std::string_view kSignature("\x89PNG\r\n\x1a\n", 8);
 constexpr std::size_t kAroundChunk = 12;        // length, type and checksum of a part, four bytes each
 constexpr std::uint64_t kMostPixels = 1 << 26;  // of what is taken for a picture without looking closer
 
-std::uint32_t number_at(const std::string& bytes, std::size_t at) {
+template <typename Bytes>
+std::uint32_t number_at(const Bytes& bytes, std::size_t at) {
   std::uint32_t number = 0;
   for (std::size_t i = at; i < at + 4; ++i) number = number << 8 | static_cast<std::uint8_t>(bytes[i]);
   return number;
@@ -40,6 +42,16 @@ std::optional<ImageSize> size_of_whole_png(const std::string& bytes) {
     if (type == "IEND") return has_data && size.width > 0 && at == bytes.size() ? std::optional(size) : std::nullopt;
   }
   return std::nullopt;
+}
+
+bool has_png_end(std::span<const std::uint8_t> bytes) {
+  constexpr std::array<std::uint8_t, kAroundChunk> kEnd = {0, 0, 0, 0, 'I', 'E', 'N', 'D', 0xae, 0x42, 0x60, 0x82};
+  std::size_t at = kSignature.size();
+  while (at + kAroundChunk <= bytes.size()) {
+    if (std::ranges::equal(bytes.subspan(at, kAroundChunk), kEnd)) return true;
+    at += kAroundChunk + number_at(bytes, at);
+  }
+  return false;
 }
 
 }  // namespace thinwall

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "renderer/image/Image.hpp"
@@ -11,5 +13,8 @@ namespace thinwall {
 /// checksums are right (PNG specification, ISO/IEC 15948, section 5); its pixels are not decoded. Nothing for
 /// animations, for more than 64 million pixels, and for what is no such file.
 std::optional<ImageSize> size_of_whole_png(const std::string& bytes);
+
+/// Whether the parts reach the end mark (IEND), and it is whole. What stands behind it is not looked at.
+bool has_png_end(std::span<const std::uint8_t> bytes);
 
 }  // namespace thinwall

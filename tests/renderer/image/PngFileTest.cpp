@@ -146,18 +146,25 @@ TEST(PngFile, InterlacedEqualsPlain) {
 
 TEST(PngFile, EveryTruncationIsRefused) {
   const Bytes whole = encode_png(patterned_image({21, 13}));
-  // The last twelve bytes are the end mark, behind all pixels.
-  for (std::size_t size = 0; size + 12 < whole.size(); ++size) {
+  for (std::size_t size = 0; size < whole.size(); ++size) {
     const std::string message = failure_of_decoding(Bytes(whole.begin(), whole.begin() + static_cast<long>(size)));
     ASSERT_FALSE(message.empty()) << size << " of " << whole.size() << " bytes were accepted";
     ASSERT_TRUE(message.starts_with("cannot read a.png: ")) << message;
   }
 }
 
+TEST(PngFile, AnEndMarkThatIsMissingIsToldAsSuch) {
+  Bytes bytes = encode_png(patterned_image({21, 13}));
+  bytes.push_back(0);
+  EXPECT_EQ(failure_of_decoding(bytes), "") << "what stands behind the end mark does not count";
+  bytes.resize(bytes.size() - 13);
+  EXPECT_EQ(failure_of_decoding(bytes), "cannot read a.png: cut short (its end mark is missing)");
+}
+
 TEST(PngFile, EveryBrokenByteOfHeaderAndPixelsIsRefused) {
   const Bytes whole = encode_png(patterned_image({21, 13}));
   const auto mark = std::string(whole.begin(), whole.end()).find("IDAT");
-  for (std::size_t i = 0; i < whole.size() - 12; ++i) {
+  for (std::size_t i = 0; i < whole.size(); ++i) {
     if (i >= kHeaderEnd + 4 && i < mark) continue;  // the colour-space note: not needed for the pixels
     Bytes broken = whole;
     broken[i] ^= 0x10;
