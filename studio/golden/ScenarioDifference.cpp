@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "studio/scenario/ResolvedDefaults.hpp"
+
 namespace thinwall {
 namespace {
 
@@ -65,8 +67,8 @@ std::string to_text(const ScenarioChange& change) {
 }
 
 std::vector<ScenarioChange> compare_scenarios(const std::string& before, const std::string& after) {
-  const Json first = Json::parse(before, nullptr, false);
-  const Json second = Json::parse(after, nullptr, false);
+  const Json first = Json::parse(with_defaults(before), nullptr, false);
+  const Json second = Json::parse(with_defaults(after), nullptr, false);
   std::vector<ScenarioChange> changes;
   if (first.is_object() && second.is_object()) collect("", &first, &second, changes);
   return changes;

@@ -23,7 +23,8 @@ std::string to_text(const ScenarioChange& change);
 /// none.
 std::string list_changes(const std::vector<ScenarioChange>& changes, ScenarioStage stage);
 
-/// What differs between two resolved scenarios (JSON texts), in order of their keys. Nothing when one of them is none.
+/// What differs between two resolved scenarios (JSON texts), in order of their keys. A key that the format did not have
+/// when one of them was resolved stands there with its default. Nothing when one of them is none.
 std::vector<ScenarioChange> compare_scenarios(const std::string& before, const std::string& after);
 
 }  // namespace thinwall

@@ -28,6 +28,19 @@ TEST(ScenarioDifference, KeysComeAndGo) {
   EXPECT_EQ(to_text(changes[1]), "tools.a.length 2, which was not there");
 }
 
+TEST(ScenarioDifference, AKeyThatTheFormatDidNotHaveYetIsNoChangeWhileItHasItsDefault) {
+  const std::string before = R"({"camera": {"kind": "pinhole"}, "timeline": [{"palpate": {"depth": 0.004}}]})";
+  const std::string same = R"({"camera": {"kind": "pinhole", "aperture": 0.0, "noise": 0},
+                               "timeline": [{"palpate": {"depth": 0.004, "standoff": 0.005}}]})";
+  EXPECT_TRUE(compare_scenarios(before, same).empty());
+  EXPECT_TRUE(compare_scenarios(same, before).empty());
+  const auto changes = compare_scenarios(before, R"({"camera": {"kind": "pinhole", "aperture": 0.001},
+                                                     "timeline": [{"palpate": {"depth": 0.004, "axis": [1, 0, 0]}}]})");
+  ASSERT_EQ(changes.size(), 2U);
+  EXPECT_EQ(to_text(changes[0]), "camera.aperture 0.001 instead of 0.0");
+  EXPECT_EQ(to_text(changes[1]), "timeline.0.palpate.axis [1,0,0], which was not there") << "it has no default";
+}
+
 TEST(ScenarioDifference, AnotherNumberOfClipsIsOneChange) {
   EXPECT_EQ(compare_scenarios(R"({"timeline": [{"a": 1}]})", R"({"timeline": [{"a": 1}, {"b": 2}]})").size(), 1U);
 }

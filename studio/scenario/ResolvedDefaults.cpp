@@ -1,0 +1,65 @@
+#include "studio/scenario/ResolvedDefaults.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "studio/scenario/ResolvedScenario.hpp"
+#include "studio/scenario/Schema.hpp"
+#include "studio/scenario/UnitPass.hpp"
+
+namespace thinwall {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void fill(const ValueSchema& schema, Json& json);
+
+Json default_of(const KeySchema& key) {
+  Diagnostics none;
+  const CheckedValue read = unit_pass({.kind = NodeKind::kMapping}, {.keys = {key}}, none);
+  return Json::parse(resolved_scenario(read.at(key.key), {}));
+}
+
+void fill_keys(const std::vector<KeySchema>& keys, Json& json) {
+  for (const KeySchema& key : keys) {
+    if (json.contains(key.key)) {
+      fill(key.value, json.at(key.key));
+    } else if (key.fallback) {
+      json[key.key] = default_of(key);
+    }
+  }
+}
+
+void fill_mapping(const MappingSchema& mapping, Json& json) {
+  fill_keys(mapping.keys, json);
+  if (mapping.selector.empty() || !json.contains(mapping.selector) || !json.at(mapping.selector).is_string()) return;
+  const CaseSchema* chosen = find_case(mapping, json.at(mapping.selector).get<std::string>());
+  if (chosen != nullptr) fill_keys(chosen->keys, json);
+}
+
+void fill(const ValueSchema& schema, Json& json) {
+  if (json.is_array() && schema.kind == ValueKind::kList) {
+    for (std::size_t i = 0; i < json.size(); ++i) fill(item_of(schema, i), json[i]);
+  }
+  if (!json.is_object() || schema.mappings.empty()) return;
+  if (schema.kind == ValueKind::kNamedMappings) {
+    for (auto& [name, value] : json.items()) {
+      if (value.is_object()) fill_mapping(schema.mappings[0], value);
+    }
+    return;
+  }
+  // Of several forms the one whose first key is there.
+  for (const MappingSchema& mapping : schema.mappings) {
+    if (schema.mappings.size() == 1 || json.contains(mapping.keys[0].key)) return fill_mapping(mapping, json);
+  }
+}
+
+}  // namespace
+
+std::string with_defaults(const std::string& resolved) {
+  Json json = Json::parse(resolved, nullptr, false);
+  if (!json.is_object()) return resolved;
+  fill_mapping(scenario_schema(), json);
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace thinwall
