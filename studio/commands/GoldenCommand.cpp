@@ -11,6 +11,7 @@
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/GoldenScenarios.hpp"
+#include "studio/golden/FolderLock.hpp"
 #include "studio/golden/GoldenRenewal.hpp"
 #include "studio/golden/GoldenReport.hpp"
 #include "studio/golden/GoldenVideoComparison.hpp"
@@ -132,14 +133,13 @@ void print_summary(const std::vector<JudgedScenario>& all, bool json) {
              Json{{"goldens", list}, {"counts", json_counts}}.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
-std::vector<JudgedScenario> judge_and_print(const GoldenOptions& options) {
-  return judge_scenarios(named_goldens(options.scenarios).scenarios, golden_run(options, true),
-                         [&](const JudgedScenario& judged) {
-                           for (std::size_t i = 0; i < judged.results.size(); ++i) {
-                             print_result(judged, i);
-                             keep_for_looking(judged, i, options.out);
-                           }
-                         });
+std::vector<JudgedScenario> judge_and_print(const NamedGoldens& named, const GoldenOptions& options) {
+  return judge_scenarios(named.scenarios, golden_run(options, named.are_whole), [&](const JudgedScenario& judged) {
+    for (std::size_t i = 0; i < judged.results.size(); ++i) {
+      print_result(judged, i);
+      keep_for_looking(judged, i, options.out);
+    }
+  });
 }
 
 /// Whether an approval of an equal picture is of an early version, which kept nothing that tells later what has
@@ -177,7 +177,6 @@ GoldenResult renew_video(const JudgedScenario& judged, std::size_t index, const 
 }
 
 std::filesystem::path write_report(const std::vector<JudgedScenario>& all, const GoldenOptions& options) {
-  make_folder(options.out);
   const std::filesystem::path page = options.out / "index.html";
   write_whole_file(page, golden_report(all, golden_root()));
   return page;
@@ -186,7 +185,9 @@ std::filesystem::path write_report(const std::vector<JudgedScenario>& all, const
 }  // namespace
 
 int test_goldens(const GoldenOptions& options) {
-  const std::vector<JudgedScenario> all = judge_and_print(options);
+  const NamedGoldens named = named_goldens(options.scenarios);
+  const FolderLock lock(options.out);
+  const std::vector<JudgedScenario> all = judge_and_print(named, options);
   const int code = exit_code(counts(all));
   if (!options.junit.empty()) write_whole_file(options.junit, junit_report(all));
   if (std::getenv("GITHUB_ACTIONS") != nullptr) fmt::print(stderr, "{}", github_annotations(all));
@@ -196,7 +197,9 @@ int test_goldens(const GoldenOptions& options) {
 }
 
 int report_goldens(const GoldenOptions& options) {
-  const std::vector<JudgedScenario> all = judge_and_print(options);
+  const NamedGoldens named = named_goldens(options.scenarios);
+  const FolderLock lock(options.out);
+  const std::vector<JudgedScenario> all = judge_and_print(named, options);
   fmt::print(stderr, "report: {}\n", write_report(all, options).string());
   print_summary(all, options.json);
   return exit_code(counts(all));
@@ -219,23 +222,23 @@ int approve_goldens(const GoldenOptions& options) {
   }
   if (options.scenarios.empty()) throw UsageError("golden approve: name the scenarios to approve");
   const NamedGoldens named = named_goldens(options.scenarios);
+  const FolderLock lock(options.out);
   const std::vector<JudgedScenario> all =
       judge_scenarios(named.scenarios, golden_run(options, false), [](const JudgedScenario&) {});
   bool any_result_missing = false;
   int approved = 0;
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    if (all[k].results.front().outcome == GoldenOutcome::kSkipped) {
-      print_result(all[k], 0);
+  for (const JudgedScenario& judged : all) {
+    if (judged.results.front().outcome == GoldenOutcome::kSkipped) {
+      print_result(judged, 0);
       return kExitNoPicture;
     }
-    for (std::size_t i = 0; i < all[k].results.size(); ++i) {
-      if (!named.means(k, all[k].results[i])) continue;
-      if (approve_golden(all[k], i, options.why)) {
+    for (std::size_t i = 0; i < judged.results.size(); ++i) {
+      if (approve_golden(judged, i, options.why)) {
         ++approved;
         continue;
       }
-      print_result(all[k], i);
-      any_result_missing = any_result_missing || all[k].results[i].outcome != GoldenOutcome::kOk;
+      print_result(judged, i);
+      any_result_missing = any_result_missing || judged.results[i].outcome != GoldenOutcome::kOk;
     }
   }
   if (any_result_missing) return kExitRegression;

@@ -3,13 +3,13 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "renderer/image/Folder.hpp"
 #include "renderer/image/WholeFile.hpp"
 #include "renderer/picture/PictureFailure.hpp"
 #include "renderer/video/Program.hpp"
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/GoldenScenarios.hpp"
+#include "studio/golden/FolderLock.hpp"
 #include "studio/golden/GoldenReport.hpp"
 #include "studio/golden/GoldenVideoApproval.hpp"
 #include "studio/take/TakeError.hpp"
@@ -135,24 +135,24 @@ void explain(const Scenario& scenario, const GoldenDefinition& golden, const std
 int review_goldens(const GoldenOptions& options) {
   if (is_continuous_integration()) throw UsageError("golden review: goldens are approved by a person, not in CI");
   const NamedGoldens named = named_goldens(options.scenarios);
+  const FolderLock lock(options.out);
   const std::vector<JudgedScenario> all =
-      judge_scenarios(named.scenarios, golden_run(options, true),
+      judge_scenarios(named.scenarios, golden_run(options, named.are_whole),
                       [](const JudgedScenario& judged) { fmt::print(stderr, "compared: {}\n", judged.scenario.name); });
-  make_folder(options.out);
   write_whole_file(options.out / "index.html", golden_report(all, golden_root()));
   fmt::print(stderr, "the pictures: {}\n", (options.out / "index.html").string());
   Tally tally;
   bool goes_on = true;
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    for (std::size_t i = 0; i < all[k].results.size(); ++i) {
-      const GoldenResult& result = all[k].results[i];
-      if (result.outcome == GoldenOutcome::kOk || !named.means(k, result)) continue;
+  for (const JudgedScenario& judged : all) {
+    for (std::size_t i = 0; i < judged.results.size(); ++i) {
+      const GoldenResult& result = judged.results[i];
+      if (result.outcome == GoldenOutcome::kOk) continue;
       if (!needs_review(result)) {
         fmt::print(stderr, "{}: {} {}: {}\n", outcome_name(result.outcome), result.scenario, moment_name(result),
                    result.message);
         ++tally.left;
       } else if (goes_on) {
-        goes_on = review_one(all[k], i, options.why, tally);
+        goes_on = review_one(judged, i, options.why, tally);
         if (!goes_on) ++tally.left;
       } else {
         ++tally.left;
@@ -213,12 +213,9 @@ int list_goldens(const GoldenOptions& options) {
 
 int explain_goldens(const GoldenOptions& options) {
   if (options.scenarios.empty()) throw UsageError("golden why: name a scenario");
-  const NamedGoldens named = named_goldens(options.scenarios);
-  for (std::size_t k = 0; k < named.scenarios.size(); ++k) {
-    const Scenario& scenario = named.scenarios[k];
+  for (const Scenario& scenario : named_goldens(options.scenarios).scenarios) {
     const std::vector<GoldenApproval> approvals = read_approvals(golden_folder(scenario.name));
     for (const GoldenDefinition& golden : scenario.goldens) {
-      if (!named.means(k, golden)) continue;
       if (golden.video > 0) {
         explain_video(scenario, golden);
       } else {

@@ -36,6 +36,12 @@ std::vector<std::string> all_scenes() {
   return files;
 }
 
+/// One golden of a scenario.
+struct GoldenChoice {
+  bool is_video = false;
+  double at = 0;  // seconds, of a moment
+};
+
 /// "NAME@1.5s" -> "NAME" and 1.5 s; a file whose name has an @ in it is a file.
 std::pair<std::string, std::optional<GoldenChoice>> name_and_choice(const std::string& text) {
   const std::size_t at = text.rfind('@');
@@ -44,18 +50,14 @@ std::pair<std::string, std::optional<GoldenChoice>> name_and_choice(const std::s
   return {text.substr(0, at), GoldenChoice{.is_video = false, .at = parse_time(text.substr(at + 1))}};
 }
 
-bool is_chosen(const std::optional<GoldenChoice>& choice, bool is_video, double at) {
-  if (!choice) return true;
-  return choice->is_video == is_video && (is_video || std::abs(choice->at - at) < 1e-9);
-}
-
-void check_choice(const Scenario& scenario, const GoldenChoice& choice) {
-  const bool there = std::any_of(scenario.goldens.begin(), scenario.goldens.end(), [&](const GoldenDefinition& golden) {
-    return is_chosen(choice, golden.video > 0, golden.at);
+void leave_only(std::vector<GoldenDefinition>& goldens, const GoldenChoice& choice, const std::string& scenario) {
+  std::erase_if(goldens, [&](const GoldenDefinition& golden) {
+    const bool is_video = golden.video > 0;
+    return is_video != choice.is_video || (!is_video && std::abs(golden.at - choice.at) > 1e-9);
   });
-  if (there) return;
-  throw UsageError(scenario.name + ": this scenario has no golden " +
-                   (choice.is_video ? "of its video" : "at that time") + "; see thinwall golden list");
+  if (!goldens.empty()) return;
+  throw UsageError(scenario + ": this scenario has no golden " + (choice.is_video ? "of its video" : "at that time") +
+                   "; see thinwall golden list");
 }
 
 /// The driver that draws here, as it names itself; why there is none, when there is none.
@@ -77,14 +79,6 @@ std::filesystem::path golden_folder(const std::string& scenario) {
   return golden_root() / scenario;
 }
 
-bool NamedGoldens::means(std::size_t scenario, const GoldenResult& result) const {
-  return is_chosen(choices[scenario], result.is_video, result.at);
-}
-
-bool NamedGoldens::means(std::size_t scenario, const GoldenDefinition& definition) const {
-  return is_chosen(choices[scenario], definition.video > 0, definition.at);
-}
-
 NamedGoldens named_goldens(const std::vector<std::string>& names) {
   NamedGoldens named;
   for (const std::string& text : names.empty() ? all_scenes() : names) {
@@ -97,9 +91,9 @@ NamedGoldens named_goldens(const std::vector<std::string>& names) {
       throw UsageError(file.string() + ": this scenario has no `golden:` list, so there is nothing to compare");
     }
     if (scenario.goldens.empty()) continue;
-    if (choice) check_choice(scenario, *choice);
+    if (choice) leave_only(scenario.goldens, *choice, scenario.name);
+    named.are_whole = named.are_whole && !choice;
     named.scenarios.push_back(std::move(scenario));
-    named.choices.push_back(choice);
   }
   if (named.scenarios.empty()) {
     throw UsageError("no scenario with a `golden:` list was found in " + (home() / "scenes").string());

@@ -18,26 +18,16 @@ std::filesystem::path golden_folder(const std::string& scenario);
 /// The folder that holds a folder of goldens for each scenario.
 std::filesystem::path golden_root();
 
-/// One golden of a scenario.
-struct GoldenChoice {
-  bool is_video = false;
-  double at = 0;  // seconds, of a moment
-};
-
 /// Which goldens are meant: scenario files, names in the folder of scenarios, each perhaps with "@1.5s" behind it for
 /// one moment of it, or "@video". All that have goldens when none is named. Throws UsageError.
 struct NamedGoldens {
-  std::vector<Scenario> scenarios;
-  std::vector<std::optional<GoldenChoice>> choices;  // (scenarios); all of a scenario when absent
-
-  /// Whether a golden belongs to what was named.
-  bool means(std::size_t scenario, const GoldenResult& result) const;
-  bool means(std::size_t scenario, const GoldenDefinition& definition) const;
+  std::vector<Scenario> scenarios;  // with the goldens that are meant alone
+  bool are_whole = true;            // whether no golden of theirs was left out
 };
 NamedGoldens named_goldens(const std::vector<std::string>& names);
 
-/// How goldens are made on this machine. With `keeps` what is good is remembered in the options' folder, and several
-/// scenarios are tested at once.
+/// How goldens are made on this machine. With `keeps`, which is for whole scenarios, what is good is remembered in the
+/// options' folder, and several scenarios are tested at once.
 GoldenRunOptions golden_run(const GoldenOptions& options, bool keeps);
 
 /// True in continuous integration, where nobody approves anything.

@@ -243,6 +243,19 @@ TEST_F(ProgramGLTest, AGoldenIsReviewedListedExplainedAndNotApprovedTwice) {
   EXPECT_EQ(run({"golden", "test", "--all"}).messages.find("unchanged since"), std::string::npos);
 }
 
+TEST_F(ProgramGLTest, OfAScenarioWhoseMomentIsNamedNothingElseIsComparedApprovedOrRemembered) {
+  write_bytes(folder_ / "scenes/small.yaml", small_scenario() +
+                                                 "golden:\n  - { at: 60 ms, max: 8, mean: 0.2, why: rounding }\n"
+                                                 "  - { at: 120 ms, max: 8, mean: 0.2, why: rounding }\n");
+  expect_good({"golden", "approve", "small@120ms", "--why", "the first"});
+  const ProgramEnd one = run({"golden", "test", "small@120ms", "--json"});
+  EXPECT_EQ(one.exit_code, 0) << one.messages;
+  EXPECT_EQ(nlohmann::json::parse(one.output)["goldens"].size(), 1U);
+  const ProgramEnd all = run({"golden", "test", "small", "--json"});
+  EXPECT_EQ(all.exit_code, 1);
+  EXPECT_EQ(nlohmann::json::parse(all.output)["counts"]["golden missing"], 1);
+}
+
 TEST_F(ProgramGLTest, ADoctorTellsWhatIsThere) {
   const ProgramEnd end = run({"doctor", "--json"});
   const nlohmann::json findings = nlohmann::json::parse(end.output);

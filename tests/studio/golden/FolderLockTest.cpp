@@ -1,0 +1,51 @@
+#include "studio/golden/FolderLock.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <optional>
+
+#include "renderer/picture/PictureFailure.hpp"
+#include "studio/golden/GoldenApproval.hpp"
+#include "tests/studio/TemporaryFolder.hpp"
+
+namespace thinwall {
+namespace {
+
+std::string refusal_of(const std::filesystem::path& folder) {
+  try {
+    const FolderLock lock(folder);
+  } catch (const GoldenError& error) {
+    return error.what();
+  } catch (const PictureFailure& failure) {
+    return failure.what();
+  }
+  return "";
+}
+
+TEST(FolderLock, ASecondRunIsRefusedWithTheFirstOnesNumberUntilThatHasEnded) {
+  const TemporaryFolder folder;
+  std::optional<FolderLock> first(folder / "out");
+  const std::string words = refusal_of(folder / "out");
+  EXPECT_NE(words.find("process " + std::to_string(getpid()) + ","), std::string::npos) << words;
+  EXPECT_NE(words.find("choose another folder with --out"), std::string::npos) << words;
+  EXPECT_EQ(refusal_of(folder / "other"), "");
+  first.reset();
+  EXPECT_EQ(refusal_of(folder / "out"), "");
+}
+
+TEST(FolderLock, WhatAKilledRunLeftDoesNotCount) {
+  const TemporaryFolder folder;
+  write_bytes(folder / ".in_use", "12345678901234567890");
+  EXPECT_EQ(refusal_of(folder.path()), "");
+  EXPECT_EQ(file_bytes(folder / ".in_use"), std::to_string(getpid()));
+}
+
+TEST(FolderLock, AFolderThatCannotBeMadeIsTold) {
+  const TemporaryFolder folder;
+  write_bytes(folder / "file", "");
+  EXPECT_NE(refusal_of(folder / "file" / "out").find("cannot make the folder"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace thinwall
