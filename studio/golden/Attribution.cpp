@@ -53,10 +53,14 @@ struct Evidence {
   bool same_driver() const { return approval.driver == result.driver; }
   /// Only where the approval kept it, and the same driver drew.
   bool knows_scene() const { return same_driver() && !approval.scene_hash.empty() && !picture.scene_hash.empty(); }
+  bool shows_same_scene() const { return knows_scene() && picture.scene_hash == approval.scene_hash; }
 };
 
 bool physics_changed(const Evidence& evidence) {
-  if (evidence.result.state.verdict == StateVerdict::kEqual) return false;
+  // A state that is as before may be reached by a way that is not: then the force plot shows it, and nothing else.
+  if (evidence.result.state.verdict == StateVerdict::kEqual) {
+    return evidence.attribution.history.changed && evidence.shows_same_scene();
+  }
   return evidence.result.state.verdict == StateVerdict::kChanged || evidence.attribution.history.changed;
 }
 
@@ -80,8 +84,7 @@ void tell_physics(const Evidence& evidence, Attribution& attribution) {
 
 void tell_picture(const Evidence& evidence, Attribution& attribution) {
   const std::string look = list_changes(attribution.scenario, ScenarioStage::kLook);
-  const bool same_scene = evidence.knows_scene() && evidence.picture.scene_hash == evidence.approval.scene_hash;
-  if (same_scene) {
+  if (evidence.shows_same_scene()) {
     attribution.stage = ChangedStage::kOverlay;
     const std::string words = joined(attribution.overlay);
     attribution.sentence = words.empty() ? "overlay drawn differently, its texts and the picture below are identical"

@@ -51,19 +51,6 @@ Movement largest_movement(const SnapshotSurface& golden, const SnapshotSurface& 
   return largest;
 }
 
-std::string cause(StateVerdict verdict) {
-  switch (verdict) {
-    case StateVerdict::kEqual:
-    case StateVerdict::kClose:
-      return "so the picture has changed: look, camera, renderer or driver";
-    case StateVerdict::kChanged:
-      return "so the physics has changed";
-    case StateVerdict::kUnknown:
-      break;
-  }
-  return "so it is open whether physics or picture has changed";
-}
-
 StateComparison compare_with_stored_state(const std::filesystem::path& file, const GoldenPicture& picture,
                                           bool equal_digests) {
   try {
@@ -187,9 +174,7 @@ GoldenResult compare_with_golden(const std::string& scenario, const GoldenDefini
   }
   result.state =
       compare_with_stored_state(folder / approval->state, picture, approval->state_digest == picture.state_digest);
-  if (result.outcome == GoldenOutcome::kFailed) {
-    result.message += "; " + result.state.explanation + ", " + cause(result.state.verdict);
-  }
+  if (result.outcome == GoldenOutcome::kFailed) result.message += "; " + result.state.explanation;
   if (approval->driver != driver) {
     result.message += fmt::format("; approved on another driver ({}), so compared by tolerance", approval->driver);
   }

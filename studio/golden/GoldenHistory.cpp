@@ -60,29 +60,33 @@ std::vector<double> scales(const GoldenHistory& golden, const GoldenHistory& tod
   return scale;
 }
 
+/// The column of a step that differs most.
 struct LargestChange {
   std::size_t column = 0;
   double relative = 0;
+  double time = 0;  // seconds
+  double before = 0;
+  double after = 0;
 };
 
 LargestChange largest_change(const GoldenHistory::Row& before, const GoldenHistory::Row& after,
                              const std::vector<double>& scale) {
-  LargestChange largest;
+  LargestChange largest{.time = before.time};
   for (std::size_t c = 0; c < scale.size(); ++c) {
     const double change = relative(before.values[c], after.values[c], scale[c]);
-    if (change > largest.relative) largest = {c, change};
+    if (change > largest.relative) largest = {c, change, before.time, before.values[c], after.values[c]};
   }
   return largest;
 }
 
-void tell(HistoryChange& change, double end) {
+void tell(HistoryChange& change, double time) {
   const auto [name, unit] = spoken(change.quantity);
   const std::string percent =
       change.before != 0 ? fmt::format(" ({:+.2g} %)", 100 * (change.after - change.before) / std::abs(change.before))
                          : std::string();
   change.sentence =
       fmt::format("from step {} on ({:.4g} s), first in the {}; at {:.4g} s the {} is {:.4g} {} instead of {:.4g} {}{}",
-                  change.step, change.time, spoken(change.first).first, end, name, change.after, unit, change.before,
+                  change.step, change.time, spoken(change.first).first, time, name, change.after, unit, change.before,
                   unit, percent);
 }
 
@@ -151,24 +155,28 @@ HistoryChange compare_histories(const GoldenHistory& golden, const GoldenHistory
   if (golden.rows.empty() || today.rows.empty() || golden.columns != today.columns) return change;
   change.comparable = true;
   const std::vector<double> scale = scales(golden, today);
+  LargestChange end;
+  LargestChange peak;
   auto now = today.rows.begin();
   for (const GoldenHistory::Row& before : golden.rows) {
     while (now != today.rows.end() && now->step < before.step) ++now;
     if (now == today.rows.end()) break;
     if (now->step != before.step) continue;
-    const LargestChange largest = largest_change(before, *now, scale);
-    if (!change.changed && largest.relative > kSameHistory) {
-      change.changed = true;
-      change.step = before.step;
-      change.time = before.time;
-      change.first = golden.columns[largest.column];
-    }
-    if (!change.changed) continue;
-    change.quantity = golden.columns[largest.column];
-    change.before = before.values[largest.column];
-    change.after = now->values[largest.column];
-    tell(change, before.time);
+    end = largest_change(before, *now, scale);
+    if (end.relative > peak.relative) peak = end;
+    if (change.changed || end.relative <= kSameHistory) continue;
+    change.changed = true;
+    change.step = before.step;
+    change.time = before.time;
+    change.first = golden.columns[end.column];
   }
+  if (!change.changed) return change;
+  // What is as before at the end is told of where it was furthest from that.
+  const LargestChange& told = end.relative > kSameHistory ? end : peak;
+  change.quantity = golden.columns[told.column];
+  change.before = told.before;
+  change.after = told.after;
+  tell(change, told.time);
   return change;
 }
 

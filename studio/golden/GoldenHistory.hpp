@@ -41,7 +41,7 @@ struct HistoryChange {
   std::size_t step = 0;  // the first one that differs
   double time = 0;       // of that step, seconds
   std::string first;     // the quantity that differs most in that step
-  std::string quantity;  // the one that differs most at the end
+  std::string quantity;  // the one that differs most at the end; where none does there, in the step where one does most
   double before = 0;     // its value there, in the golden
   double after = 0;      // and today
   std::string sentence;  // "from step 120 on (0.6 s): contact force of probe 0.31 N instead of 0.3 N (+3.1 %) ..."

@@ -61,6 +61,14 @@ std::string joined(const std::vector<std::string>& sentences) {
   return text;
 }
 
+/// For a sentence that is not the only place where all of them stand.
+std::string joined_first(std::vector<std::string> sentences) {
+  constexpr std::size_t kMost = 2;
+  const std::size_t more = sentences.size() - std::min(sentences.size(), kMost);
+  if (more > 0) sentences.resize(kMost);
+  return joined(sentences) + (more > 0 ? fmt::format("; and {} more", more) : "");
+}
+
 /// Everything that is found, kept apart by where it comes from.
 struct Findings {
   std::vector<std::string> frames;   // beyond the limits, before the encoder
@@ -199,7 +207,8 @@ void tell_frames(Attribution& attribution, const GoldenVideo& golden, const Gold
                  const std::string& found) {
   const std::string physics = list_changes(attribution.scenario, ScenarioStage::kPhysics);
   const std::string look = list_changes(attribution.scenario, ScenarioStage::kLook);
-  if (golden.state_digest != today.state_digest && (attribution.history.changed || !physics.empty())) {
+  // The digest is of the last state, which may be as before after a way that was not.
+  if (attribution.history.changed || (golden.state_digest != today.state_digest && !physics.empty())) {
     attribution.stage = ChangedStage::kPhysics;
     attribution.sentence = "physics changed " + attribution.history.sentence + "; " +
                            (physics.empty() ? "the scenario asks for the same, so the engine has changed"
@@ -228,7 +237,7 @@ Attribution attribute_video(const GoldenVideo& golden, const GoldenVideo& today,
   if (!found.frames.empty()) {
     std::vector<std::string> all = found.frames;
     all.insert(all.end(), found.texts.begin(), found.texts.end());
-    tell_frames(attribution, golden, today, joined(all));
+    tell_frames(attribution, golden, today, joined_first(all));
   } else if (!found.texts.empty()) {
     attribution.stage = ChangedStage::kOverlay;
     attribution.sentence = "overlay changed: " + joined(found.texts);

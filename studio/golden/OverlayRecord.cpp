@@ -1,5 +1,7 @@
 #include "studio/golden/OverlayRecord.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -14,6 +16,10 @@ bool is_same(const Json& a, const Json& b) {
   const double first = a.get<double>();
   const double second = b.get<double>();
   return std::abs(first - second) <= kShown * std::max(std::abs(first), std::abs(second));
+}
+
+std::string shown(const Json& value) {
+  return value.is_number() ? fmt::format("{:.6g}", value.get<double>()) : value.dump();
 }
 
 }  // namespace
@@ -36,7 +42,7 @@ std::vector<std::string> compare_overlays(const std::string& golden, const std::
   if (!before.is_object() || !after.is_object()) return changes;
   for (const auto& [name, value] : after.items()) {
     if (!before.contains(name) || is_same(before.at(name), value)) continue;
-    changes.push_back(name + " " + value.dump() + " instead of " + before.at(name).dump());
+    changes.push_back(name + " " + shown(value) + " instead of " + shown(before.at(name)));
   }
   return changes;
 }

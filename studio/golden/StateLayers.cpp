@@ -96,10 +96,12 @@ StateLayer depth(const GroundTruth& golden, const GroundTruth& today) {
   const LayerDifference difference =
       compare_layers(depth_layer(golden), depth_layer(today), LayerKind::kDepth, {.difference = kDepthTolerance});
   return {.name = "depth",
-          .verdict = fmt::format("largest difference {:.3g} mm, mean {:.3g} mm; {} pixels by more than 0.1 mm, edges "
-                                 "aside, worst at ({}, {})",
-                                 1e3 * difference.largest, 1e3 * difference.mean, difference.failing,
-                                 difference.worst[0], difference.worst[1]),
+          .verdict = difference.largest == 0 && difference.failing == 0
+                         ? "equal"
+                         : fmt::format("largest difference {:.3g} mm, mean {:.3g} mm; {} pixels by more than 0.1 mm, "
+                                       "edges aside, worst at ({}, {})",
+                                       1e3 * difference.largest, 1e3 * difference.mean, difference.failing,
+                                       difference.worst[0], difference.worst[1]),
           .golden = depth_picture(golden, nearest, farthest),
           .today = depth_picture(today, nearest, farthest)};
 }

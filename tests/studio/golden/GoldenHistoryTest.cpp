@@ -46,6 +46,15 @@ TEST(GoldenHistory, NamesTheFirstStepTheQuantityAndTheAmount) {
             "0.57 N (+3.1 %)");
 }
 
+TEST(GoldenHistory, WhatEndsAsBeforeIsToldOfTheStepWhereItDiffersMost) {
+  GoldenHistory today = history(20, 1.031);
+  today.rows[12].values[0] *= 2;
+  today.rows.back() = history(20).rows.back();
+  const HistoryChange change = compare_histories(history(20), today);
+  EXPECT_EQ(change.step, 5U);
+  EXPECT_NE(change.sentence.find("; at 0.12 s the force of probe is"), std::string::npos) << change.sentence;
+}
+
 TEST(GoldenHistory, RoundingOfOtherMachinesIsNoChange) {
   EXPECT_FALSE(compare_histories(history(20), history(20, 1 + 1e-7)).changed);
   EXPECT_TRUE(compare_histories(history(20), history(20, 1 + 1e-4)).changed);

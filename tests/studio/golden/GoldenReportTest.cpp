@@ -124,7 +124,7 @@ setTimeout(() => {
   const note = (name, value) => facts.push(name + "=" + value);
   note("chosen", document.querySelector("#view h2").textContent);
   note("panes", document.querySelectorAll("#stage canvas").length);
-  note("frames", document.querySelector("#frames").width);
+  note("frames", document.querySelector("#frames").getAttribute("aria-label"));
   note("file", document.querySelector("video").src.startsWith("data:video/mp4"));
   const slider = document.querySelector("#scrub");
   slider.value = 9;
@@ -156,7 +156,8 @@ TEST_F(GoldenReportTest, AVideoIsScrubbedInABrowser) {
   const std::string facts = facts_of(scene_.temporary().path(), text + kScrub);
   if (facts.empty()) GTEST_SKIP() << "there is no chromium here";
   EXPECT_EQ(facts,
-            "chosen=sheet the video;panes=2;frames=11;file=true;words=frame 9 at 0.180 s: differs; compared above: "
+            "chosen=sheet the video;panes=2;frames=11 of 11 frames differ;file=true;words=frame 9 at 0.180 s: differs; "
+            "compared above: "
             "frame 10;slider=9;command=thinwall golden approve sheet@video --why &quot;...&quot;");
 }
 

@@ -68,7 +68,7 @@ TEST_F(GoldenTest, OnePixelAboveTheLargestDifferenceFails) {
   EXPECT_EQ(
       result.message,
       "largest difference 16 (allowed 8), mean 0.0008681 (allowed 0.2), drift 3.623e-05 (allowed 1); the state is "
-      "the same to the last bit, so the picture has changed: look, camera, renderer or driver");
+      "the same to the last bit");
   EXPECT_FALSE(result.details.empty());
 }
 
@@ -124,7 +124,7 @@ TEST_F(GoldenTest, AChangedRendererIsTold) {
   const GoldenResult result = compare(today(synthetic(), flat_painters(1.2)));
   EXPECT_EQ(result.outcome, GoldenOutcome::kFailed);
   EXPECT_EQ(result.state.verdict, StateVerdict::kEqual);
-  EXPECT_NE(result.message.find("so the picture has changed"), std::string::npos) << result.message;
+  EXPECT_TRUE(result.message.ends_with("the state is the same to the last bit")) << result.message;
 }
 
 TEST_F(GoldenTest, AChangedSimulationIsTold) {
@@ -134,7 +134,6 @@ TEST_F(GoldenTest, AChangedSimulationIsTold) {
   EXPECT_EQ(result.outcome, GoldenOutcome::kFailed);
   EXPECT_EQ(result.state.verdict, StateVerdict::kChanged);
   EXPECT_NE(result.message.find("vertex 40 of organ has moved by 0.002 m"), std::string::npos) << result.message;
-  EXPECT_NE(result.message.find("so the physics has changed"), std::string::npos) << result.message;
 }
 
 TEST_F(GoldenTest, ADriverThatIsNotKnownIsComparedByToleranceAndSaysSo) {

@@ -108,6 +108,23 @@ TEST_F(GoldenVideoTest, AChangedSimulationIsTold) {
   EXPECT_EQ(judgement.attribution->stage, ChangedStage::kPhysics) << judgement.attribution->sentence;
 }
 
+TEST_F(GoldenVideoTest, AChangedSimulationIsToldAlsoWhereItEndsInTheSameState) {
+  approve();
+  RecordedVideo video = recorded(synthetic_source({.depth = 0.005}));
+  video.video.state_digest = recorded().video.state_digest;
+  const VideoJudgement judgement = judge(video);
+  ASSERT_TRUE(judgement.attribution);
+  EXPECT_EQ(judgement.attribution->stage, ChangedStage::kPhysics) << judgement.attribution->sentence;
+}
+
+TEST_F(GoldenVideoTest, TheCauseNamesTheFirstFramesAndTheMessageAllThatAreKept) {
+  approve();
+  const VideoJudgement judgement = judge(recorded(synthetic_source(), 1.2));
+  ASSERT_TRUE(judgement.attribution);
+  EXPECT_TRUE(judgement.attribution->sentence.ends_with("; and 2 more")) << judgement.attribution->sentence;
+  EXPECT_NE(judgement.result.message.find("frame 10 at"), std::string::npos) << judgement.result.message;
+}
+
 TEST_F(GoldenVideoTest, AChangedRendererIsTold) {
   approve();
   const VideoJudgement judgement = judge(recorded(synthetic_source(), 1.2));
