@@ -1,4 +1,4 @@
-# A project that uses thinwall_add_image_test: one picture as it should be, one that is not, one within its limits.
+# A project that uses thinwall_add_image_test: pictures as they should be, not so, within limits, and not drawn at all.
 cmake_minimum_required(VERSION 3.25)
 project(image_test_user LANGUAGES NONE)
 enable_testing()
@@ -19,3 +19,7 @@ set_tests_properties(differs PROPERTIES WILL_FAIL TRUE)
 thinwall_add_image_test(NAME not_drawn COMMAND ${CMAKE_COMMAND} -E true
                         OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/none.ppm GOLDEN ${golden})
 set_tests_properties(not_drawn PROPERTIES WILL_FAIL TRUE)
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/of_an_earlier_run.ppm "P3\n1 1\n255\n10 10 10\n")
+thinwall_add_image_test(NAME not_drawn_again COMMAND ${CMAKE_COMMAND} -E true
+                        OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/of_an_earlier_run.ppm GOLDEN ${golden})
+set_tests_properties(not_drawn_again PROPERTIES WILL_FAIL TRUE)
