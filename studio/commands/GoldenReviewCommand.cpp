@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -52,14 +53,32 @@ bool needs_review(const GoldenResult& result) {
 struct Tally {
   int accepted = 0;
   int rejected = 0;
-  int left = 0;
+  int skipped = 0;
+  int left = 0;  // not asked for
 };
 
+/// What is found in a video stands in a line for each frame.
+std::string in_lines(const GoldenResult& result) {
+  std::string lines = result.message;
+  if (!result.is_video) return lines;
+  for (std::size_t at = lines.find("; "); at != std::string::npos; at = lines.find("; ", at))
+    lines.replace(at, 2, "\n  ");
+  return lines;
+}
+
+/// "2 of 5", of those that a person has to judge.
+std::string place_of(const Tally& tally, std::size_t all) {
+  return fmt::format("{} of {}", tally.accepted + tally.rejected + tally.skipped + 1, all);
+}
+
 /// False when the user wants to end.
-bool review_one(const JudgedScenario& judged, std::size_t index, const std::string& why, Tally& tally) {
+bool review_one(const JudgedScenario& judged, std::size_t index, const std::string& place, const std::string& why,
+                Tally& tally) {
   const GoldenResult& result = judged.results[index];
-  fmt::print(stderr, "{}: {} {}\n  {}\n  {}\n", outcome_name(result.outcome), result.scenario, moment_name(result),
-             cause_line(judged, index), result.message);
+  const std::string cause = cause_line(judged, index);
+  fmt::print(stderr, "\n{}, {}: {} {}\n", place, outcome_name(result.outcome), result.scenario, moment_name(result));
+  if (cause != result.message) fmt::print(stderr, "  cause: {}\n", cause);
+  fmt::print(stderr, "  {}\n", in_lines(result));
   switch (ask()) {
     case Answer::kAccept: {
       const std::string reason = ask_why(why);
@@ -72,7 +91,7 @@ bool review_one(const JudgedScenario& judged, std::size_t index, const std::stri
       ++tally.rejected;
       return true;
     case Answer::kSkip:
-      ++tally.left;
+      ++tally.skipped;
       return true;
     case Answer::kQuit:
       break;
@@ -140,7 +159,9 @@ int review_goldens(const GoldenOptions& options) {
       judge_scenarios(named.scenarios, golden_run(options, named.are_whole),
                       [](const JudgedScenario& judged) { fmt::print(stderr, "compared: {}\n", judged.scenario.name); });
   write_whole_file(options.out / "index.html", golden_report(all, golden_root()));
-  fmt::print(stderr, "the pictures: {}\n", (options.out / "index.html").string());
+  fmt::print(stderr, "look at the pictures: {}\n", (options.out / "index.html").string());
+  std::size_t to_judge = 0;
+  for (const JudgedScenario& judged : all) to_judge += std::ranges::count_if(judged.results, needs_review);
   Tally tally;
   bool goes_on = true;
   for (const JudgedScenario& judged : all) {
@@ -152,15 +173,16 @@ int review_goldens(const GoldenOptions& options) {
                    result.message);
         ++tally.left;
       } else if (goes_on) {
-        goes_on = review_one(judged, i, options.why, tally);
+        goes_on = review_one(judged, i, place_of(tally, to_judge), options.why, tally);
         if (!goes_on) ++tally.left;
       } else {
         ++tally.left;
       }
     }
   }
-  fmt::print(stderr, "{} accepted, {} rejected, {} left\n", tally.accepted, tally.rejected, tally.left);
-  return tally.rejected + tally.left > 0 ? kExitRegression : kExitGood;
+  const int left = tally.skipped + tally.left;
+  fmt::print(stderr, "{} accepted, {} rejected, {} left\n", tally.accepted, tally.rejected, left);
+  return tally.rejected + left > 0 ? kExitRegression : kExitGood;
 }
 
 namespace {

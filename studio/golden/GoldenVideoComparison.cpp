@@ -63,7 +63,7 @@ std::string joined(const std::vector<std::string>& sentences) {
 
 /// For a sentence that is not the only place where all of them stand.
 std::string joined_first(std::vector<std::string> sentences) {
-  constexpr std::size_t kMost = 2;
+  constexpr std::size_t kMost = 1;
   const std::size_t more = sentences.size() - std::min(sentences.size(), kMost);
   if (more > 0) sentences.resize(kMost);
   return joined(sentences) + (more > 0 ? fmt::format("; and {} more", more) : "");

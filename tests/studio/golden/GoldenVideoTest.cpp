@@ -117,11 +117,11 @@ TEST_F(GoldenVideoTest, AChangedSimulationIsToldAlsoWhereItEndsInTheSameState) {
   EXPECT_EQ(judgement.attribution->stage, ChangedStage::kPhysics) << judgement.attribution->sentence;
 }
 
-TEST_F(GoldenVideoTest, TheCauseNamesTheFirstFramesAndTheMessageAllThatAreKept) {
+TEST_F(GoldenVideoTest, TheCauseNamesTheFirstFrameAndTheMessageAllThatAreKept) {
   approve();
   const VideoJudgement judgement = judge(recorded(synthetic_source(), 1.2));
   ASSERT_TRUE(judgement.attribution);
-  EXPECT_TRUE(judgement.attribution->sentence.ends_with("; and 2 more")) << judgement.attribution->sentence;
+  EXPECT_TRUE(judgement.attribution->sentence.ends_with("; and 3 more")) << judgement.attribution->sentence;
   EXPECT_NE(judgement.result.message.find("frame 10 at"), std::string::npos) << judgement.result.message;
 }
 
