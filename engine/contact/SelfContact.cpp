@@ -67,7 +67,6 @@ SelfContact::SelfContact(const SelfContactDefinition& definition)
   measure_heights(definition);
   across_ = neighbours_across_cuts(triangles_, rest_position_);
   gather_stars();
-  list_near(rest_position_);
 }
 
 void SelfContact::measure_parts(const SelfContactDefinition& definition) {
@@ -125,6 +124,7 @@ void SelfContact::measure_heights(const SelfContactDefinition& definition) {
 }
 
 bool SelfContact::covers(const Eigen::VectorXd& position) const {
+  if (listings_ == 0) return false;
   const Eigen::Vector3d drift = mean_of(position, held_.size()) - mean_of(listed_position_, held_.size());
   for (std::size_t v = 0; v < held_.size(); ++v) {
     const Eigen::Index k = 3 * static_cast<Eigen::Index>(v);

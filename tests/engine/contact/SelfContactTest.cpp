@@ -154,6 +154,8 @@ TEST(SelfContact, GivesTheSameBitsWhateverItCameFrom) {
 TEST(SelfContact, KeepsItsListWhileTheWallMovesAsAWholeOrALittle) {
   Wall wall(make_sphere(20e-3, 320));
   Eigen::VectorXd gradient, position = wall.rest;
+  EXPECT_EQ(wall.contact.listings(), 0);
+  wall.evaluate(position, gradient);
   const long before = wall.contact.listings();
   for (int step = 0; step < 50; ++step) {
     position.reshaped(3, position.size() / 3).colwise() += Eigen::Vector3d(1e-3, 2e-3, -3e-3);
