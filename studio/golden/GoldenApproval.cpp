@@ -21,6 +21,10 @@ constexpr double kSameTime = 1e-9;  // seconds
 
 }  // namespace
 
+GoldenError damaged_golden(const std::string& what) {
+  return GoldenError(what + "; restore it from version control, or remove the scenario's folder and approve anew");
+}
+
 std::vector<GoldenApproval> read_approvals(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / kFile;
   if (!std::filesystem::exists(file)) return {};
@@ -44,7 +48,7 @@ std::vector<GoldenApproval> read_approvals(const std::filesystem::path& folder) 
                            .overlay = golden.contains("overlay") ? golden.at("overlay").dump() : ""});
     }
   } catch (const Json::exception& error) {
-    throw GoldenError(file.string() + ": cannot be read (" + error.what() + ")");
+    throw damaged_golden(file.string() + ": is damaged (" + error.what() + ")");
   }
   return approvals;
 }

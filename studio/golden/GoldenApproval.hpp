@@ -28,6 +28,9 @@ class GoldenError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// For a file of a golden that is damaged: `what` is wrong with it, and what helps.
+GoldenError damaged_golden(const std::string& what);
+
 /// What `folder`/approval.json holds, in its order; nothing when there is none. Throws GoldenError.
 std::vector<GoldenApproval> read_approvals(const std::filesystem::path& folder);
 

@@ -170,7 +170,7 @@ GoldenResult compare_with_golden(const std::string& scenario, const GoldenDefini
   try {
     judge(result, definition, read_png(folder / approval->image), picture.image);
   } catch (const ImageUnreadable& error) {
-    throw GoldenError(error.what());
+    throw damaged_golden(error.what());
   }
   result.state =
       compare_with_stored_state(folder / approval->state, picture, approval->state_digest == picture.state_digest);

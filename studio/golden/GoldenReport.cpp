@@ -52,7 +52,7 @@ Image approved_picture(const GoldenResult& result, const std::vector<GoldenAppro
   try {
     return read_png(folder / approval->image);
   } catch (const ImageUnreadable& error) {
-    throw GoldenError(error.what());
+    throw damaged_golden(error.what());
   }
 }
 

@@ -105,7 +105,7 @@ GoldenVideoApproval read_approval(const std::filesystem::path& file) {
     }
     return to_approval(json, file.parent_path());
   } catch (const Json::exception& error) {
-    throw GoldenError(file.string() + ": cannot be read (" + error.what() + ")");
+    throw damaged_golden(file.string() + ": is damaged (" + error.what() + ")");
   }
 }
 

@@ -282,7 +282,7 @@ VideoJudgement compare_with_golden_video(const std::string& scenario, const Gold
   try {
     found = VideoComparer(definition, *golden, recorded, folder, result).compare();
   } catch (const ImageUnreadable& error) {
-    throw GoldenError(error.what());
+    throw damaged_golden(error.what());
   }
   if (golden->video.state_digest == recorded.video.state_digest) {
     result.state = {.verdict = StateVerdict::kEqual, .explanation = "the last state is the same to the last bit"};
