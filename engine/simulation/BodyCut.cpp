@@ -42,7 +42,7 @@ void Body::crumple(std::span<const ToolPose> poses) {
   model->definition.tension_field = true;
   newton_ = std::make_unique<Newton>(*model, *newton_, state_.equilibrium.position);
   model_ = std::move(model);
-  state_.cut.has_crumpled = true;
+  state_.cut.has_crumpled = report_.crumpled = true;
   const double stored = state_.books.stored();
   find_forces(poses);
   state_.books.jump += stored - state_.books.stored();
