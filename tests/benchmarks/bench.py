@@ -15,6 +15,7 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 PROGRAMS = {
     "floor_benchmarks": "engine",
     "engine_benchmarks": "engine",
+    "sparse_factor_benchmarks": "engine",
     "cutting_benchmarks": "engine",
     "cut_body_benchmarks": "engine",
     "renderer_benchmarks": "renderer",
