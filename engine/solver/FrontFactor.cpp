@@ -142,10 +142,6 @@ int down_to_rows(int row) {
   return row / kFrontRows * kFrontRows;
 }
 
-int up_to_rows(int row) {
-  return down_to_rows(row + kFrontRows - 1);
-}
-
 /// Eliminates the pivots from `begin` to `end`, which those before bear on no more, within their own columns.
 bool eliminate_panel(const Front& front, int begin, int end, bool allows_negative) {
   const int last_row = up_to_rows(front.size);

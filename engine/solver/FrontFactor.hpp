@@ -6,9 +6,12 @@ namespace thinwall {
 
 /// Rows in which fronts are worked on: the leading dimensions of fronts and updates are multiples of it.
 constexpr int kFrontRows = 8;
+constexpr int up_to_rows(int rows) {
+  return (rows + kFrontRows - 1) / kFrontRows * kFrontRows;
+}
 
 /// A dense symmetric matrix of which the first unknowns are eliminated. By columns, of which only what is on and below
-/// the diagonal is read as data; what stands above it, and in rows past the last, is finite and of no meaning.
+/// the diagonal is read as data; what stands above it, and in rows past the last, is of no meaning.
 struct Front {
   int pivots = 0;             // unknowns to eliminate
   int size = 0;               // all unknowns

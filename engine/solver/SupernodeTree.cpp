@@ -149,10 +149,6 @@ std::vector<NodeGroup> group_nodes(const NodeTree& tree) {
   return merged;
 }
 
-int up_to_rows(int rows) {
-  return (rows + kFrontRows - 1) / kFrontRows * kFrontRows;
-}
-
 /// Where the unknowns of a front stand in it.
 class LocalPlaces {
  public:

@@ -1,6 +1,8 @@
 #include "studio/commands/SecondTake.hpp"
 
+#include <array>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "studio/commands/ExitCode.hpp"
 #include "studio/recorder/PairedSource.hpp"
@@ -27,10 +29,10 @@ class OwnedTakeSource final : public MomentSource {
   TakeSource source_;
 };
 
-/// The captions of the comparison in a resolved scenario; empty ones without a comparison.
-std::array<std::string, 2> captions_of(const std::string& resolved) {
+/// The captions of the comparison in a resolved scenario, where it has one.
+std::optional<std::array<std::string, 2>> captions_of(const std::string& resolved) {
   const nlohmann::json scenario = nlohmann::json::parse(resolved, nullptr, false);
-  if (!scenario.is_object() || !scenario.contains("comparison")) return {};
+  if (!scenario.is_object() || !scenario.contains("comparison")) return std::nullopt;
   return scenario.at("comparison").at("captions").get<std::array<std::string, 2>>();
 }
 
@@ -59,8 +61,8 @@ RecordedTakes record_second_take(const Scenario& scenario, const std::filesystem
 
 std::unique_ptr<MomentSource> replay_takes(const std::filesystem::path& take, ViewDefinition& view) {
   auto first = std::make_unique<OwnedTakeSource>(take);
-  const std::string left = captions_of(first->take().description().resolved)[0];
-  if (left.empty()) return first;
+  const auto captions = captions_of(first->take().description().resolved);
+  if (!captions) return first;
   const std::filesystem::path file = second_take_folder(take.parent_path()) / "take.h5";
   if (!std::filesystem::exists(file)) {
     throw TakeError(take.string() + ": the take is compared with " + file.string() +
@@ -68,8 +70,11 @@ std::unique_ptr<MomentSource> replay_takes(const std::filesystem::path& take, Vi
   }
   auto second = std::make_unique<OwnedTakeSource>(file);
   const std::string& resolved = second->take().description().resolved;
+  const auto own_captions = captions_of(resolved);
+  if (!own_captions)
+    throw TakeError(file.string() + ": is not the second take of a comparison; run the scenario again");
   view.comparison = std::make_shared<const TakeComparison>(
-      TakeComparison{{left, captions_of(resolved)[1]}, picture_settings(resolved).view});
+      TakeComparison{{captions->front(), own_captions->back()}, picture_settings(resolved).view});
   return pair_sources(std::move(first), std::move(second));
 }
 

@@ -13,10 +13,6 @@
 namespace thinwall {
 namespace {
 
-int up_to_rows(int rows) {
-  return (rows + kFrontRows - 1) / kFrontRows * kFrontRows;
-}
-
 /// A front with room of its own.
 struct OwnFront {
   Eigen::MatrixXd columns, update;
