@@ -18,8 +18,11 @@ ScenarioStage stage_of(const std::string& key) {
   for (const char* word : {"bodies", "tools", "timeline", "simulation"}) {
     if (first == word) return ScenarioStage::kPhysics;
   }
-  if (key.starts_with("look.overlays") || first == "teaching") return ScenarioStage::kOverlay;
-  for (const char* word : {"camera", "cameras", "cuts", "lights", "look", "record"}) {
+  for (const char* beginning : {"look.overlays", "comparison.captions", "teaching"}) {
+    if (key.starts_with(beginning)) return ScenarioStage::kOverlay;
+  }
+  // What a take is compared with is a matter of the picture: the state that a golden keeps is that of the first take.
+  for (const char* word : {"camera", "cameras", "comparison", "cuts", "lights", "look", "record"}) {
     if (first == word) return ScenarioStage::kLook;
   }
   return ScenarioStage::kNone;

@@ -21,6 +21,15 @@ TEST(ScenarioDifference, NamesKeyAndBothValuesAndTheStage) {
   EXPECT_EQ(changes[2].stage, ScenarioStage::kOverlay);
 }
 
+TEST(ScenarioDifference, WhatATakeIsComparedWithIsOfThePicture) {
+  const auto changes = compare_scenarios(R"({"comparison": {"set": {"thickness": "4 mm"}, "captions": ["a", "b"]}})",
+                                         R"({"comparison": {"set": {"thickness": "5 mm"}, "captions": ["a", "c"]}})");
+  ASSERT_EQ(changes.size(), 2U);
+  EXPECT_EQ(changes[0].stage, ScenarioStage::kOverlay);
+  EXPECT_EQ(to_text(changes[1]), "comparison.set.thickness \"5 mm\" instead of \"4 mm\"");
+  EXPECT_EQ(changes[1].stage, ScenarioStage::kLook);
+}
+
 TEST(ScenarioDifference, KeysComeAndGo) {
   const auto changes = compare_scenarios(R"({"tools": {"a": {"radius": 1}}})", R"({"tools": {"a": {"length": 2}}})");
   ASSERT_EQ(changes.size(), 2U);
