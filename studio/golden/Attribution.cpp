@@ -14,13 +14,13 @@
 namespace thinwall {
 namespace {
 
-/// What the golden's take holds; empty when it cannot be read.
+/// What the golden's takes hold; empty when they cannot be read.
 struct StoredState {
-  std::optional<Moment> moment;
+  std::optional<Moment> moment;  // with the second take's
   std::string resolved;
 };
 
-StoredState stored_state(const std::filesystem::path& file) {
+StoredState stored_take(const std::filesystem::path& file) {
   try {
     const TakeReader take(file);
     if (take.times().empty()) return {};
@@ -30,19 +30,43 @@ StoredState stored_state(const std::filesystem::path& file) {
   }
 }
 
+StoredState stored_state(const std::filesystem::path& folder, const GoldenApproval& approval) {
+  StoredState stored = stored_take(folder / approval.state);
+  if (!stored.moment || approval.second_state.empty()) return stored;
+  const StoredState second = stored_take(folder / approval.second_state);
+  if (second.moment) stored.moment->second = std::make_shared<const Moment>(*second.moment);
+  return stored;
+}
+
 std::string joined(const std::vector<std::string>& parts) {
   std::string text;
   for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
   return text;
 }
 
-/// Nothing when there is no device any more.
-std::optional<Image> drawn(const Snapshot& snapshot, const GoldenPicture& today, const PainterFactory& painters) {
+/// A moment as today's picture shows it. Nothing when there is no device any more.
+std::optional<Image> drawn(const Moment& moment, const GoldenPicture& today, const PainterFactory& painters) {
+  Shot shot = today.shot;
+  if (moment.second) shot.beside_snapshot = {moment.second, &moment.second->snapshot};
   try {
-    return painters(today.image.size)->paint(snapshot, today.shot);
+    return painters(today.image.size)->paint(moment.snapshot, shot);
   } catch (const PictureFailure&) {
     return std::nullopt;
   }
+}
+
+/// Of the first take, unless the second alone is not as it was.
+std::vector<StateLayer> changed_layers(const Moment& golden, const GoldenPicture& today,
+                                       const GoldenApproval& approval) {
+  const bool only_second = golden.second && today.moment.second && approval.state_digest == today.state_digest;
+  if (!only_second) {
+    return state_layers(golden.snapshot, today.moment.snapshot, today.shot, today.image.size);
+  }
+  const Shot shot{.camera = *today.shot.beside};
+  std::vector<StateLayer> layers =
+      state_layers(golden.second->snapshot, today.moment.second->snapshot, shot, today.image.size);
+  for (StateLayer& layer : layers) layer.verdict = "second take: " + layer.verdict;
+  return layers;
 }
 
 struct Evidence {
@@ -150,23 +174,22 @@ Attribution attribute(const Scenario& scenario, const GoldenPicture& picture, co
     attribution.sentence = "there is nothing to compare with";
     return attribution;
   }
-  const StoredState golden = stored_state(folder / approval->state);
+  const StoredState golden = stored_state(folder, *approval);
   attribution.history = history_change(picture, *approval, folder);
   attribution.scenario = compare_scenarios(golden.resolved, scenario.resolved);
   attribution.overlay = compare_overlays(approval->overlay, overlay_record(picture.overlay));
   const Evidence evidence{picture, result, *approval, attribution};
   if (physics_changed(evidence)) {
-    if (golden.moment) attribution.golden_state = drawn(golden.moment->snapshot, picture, painters(scenario.resolved));
+    if (golden.moment) attribution.golden_state = drawn(*golden.moment, picture, painters(scenario.resolved));
     tell_physics(evidence, attribution);
   } else {
     tell_picture(evidence, attribution);
   }
   if (golden.moment && result.state.verdict != StateVerdict::kEqual) {
-    attribution.layers =
-        state_layers(golden.moment->snapshot, picture.moment.snapshot, picture.shot, picture.image.size);
+    attribution.layers = changed_layers(*golden.moment, picture, *approval);
   }
   if (!list_changes(attribution.scenario, ScenarioStage::kLook).empty() && !golden.resolved.empty()) {
-    attribution.golden_look = drawn(picture.moment.snapshot, picture, painters(golden.resolved));
+    attribution.golden_look = drawn(picture.moment, picture, painters(golden.resolved));
   }
   return attribution;
 }

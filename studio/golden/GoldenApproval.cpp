@@ -45,7 +45,9 @@ std::vector<GoldenApproval> read_approvals(const std::filesystem::path& folder) 
                            .why = golden.at("why"),
                            .history = golden.value("history", ""),
                            .scene_hash = golden.value("scene_hash", ""),
-                           .overlay = golden.contains("overlay") ? golden.at("overlay").dump() : ""});
+                           .overlay = golden.contains("overlay") ? golden.at("overlay").dump() : "",
+                           .second_state = golden.value("second_state", ""),
+                           .second_state_digest = golden.value("second_state_digest", "")});
     }
   } catch (const Json::exception& error) {
     throw damaged_golden(file.string() + ": is damaged (" + error.what() + ")");
@@ -64,6 +66,10 @@ void write_approvals(const std::filesystem::path& folder, const std::vector<Gold
                        {"who", approval.who},
                        {"why", approval.why}});
     Json& golden = goldens.back();
+    if (!approval.second_state.empty()) {
+      golden["second_state"] = approval.second_state;
+      golden["second_state_digest"] = approval.second_state_digest;
+    }
     if (!approval.history.empty()) golden["history"] = approval.history;
     if (!approval.scene_hash.empty()) golden["scene_hash"] = approval.scene_hash;
     if (!approval.overlay.empty()) golden["overlay"] = Json::parse(approval.overlay);

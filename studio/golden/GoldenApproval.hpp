@@ -20,6 +20,9 @@ struct GoldenApproval {
   std::string history = {};     // file name: the main quantities step by step
   std::string scene_hash = {};  // of the picture without overlays
   std::string overlay = {};     // JSON: what is written over the picture
+  // Of two takes that are compared, as `state` and `state_digest`; empty when there is one.
+  std::string second_state = {};
+  std::string second_state_digest = {};
 };
 
 /// A golden folder that cannot be read: the message names file and reason. Exit code 2.

@@ -51,15 +51,38 @@ Movement largest_movement(const SnapshotSurface& golden, const SnapshotSurface& 
   return largest;
 }
 
-StateComparison compare_with_stored_state(const std::filesystem::path& file, const GoldenPicture& picture,
+StateComparison compare_with_stored_state(const std::filesystem::path& file, const Snapshot& today,
                                           bool equal_digests) {
   try {
     const TakeReader take(file);
     if (take.times().empty()) throw TakeError(file.string() + ": holds no step");
-    return compare_states(take.moment(0).snapshot, picture.moment.snapshot, equal_digests);
+    return compare_states(take.moment(0).snapshot, today, equal_digests);
   } catch (const TakeError& error) {
     return {.verdict = StateVerdict::kUnknown, .explanation = error.what()};
   }
+}
+
+/// What is to be told of two takes: the worse of both, in the order of the verdicts.
+StateComparison both_of(const StateComparison& first, const StateComparison& second) {
+  if (first.verdict == StateVerdict::kChanged && second.verdict == StateVerdict::kChanged) {
+    return {.verdict = StateVerdict::kChanged, .explanation = first.explanation + ", and " + second.explanation};
+  }
+  return second.verdict > first.verdict ? second : first;
+}
+
+/// Of both takes where two are compared.
+StateComparison compare_with_approval(const std::filesystem::path& folder, const GoldenApproval& approval,
+                                      const GoldenPicture& picture) {
+  StateComparison state = compare_with_stored_state(folder / approval.state, picture.moment.snapshot,
+                                                    approval.state_digest == picture.state_digest);
+  if (!picture.moment.second) return state;
+  StateComparison second = {.explanation = "nothing is approved; approve anew"};
+  if (!approval.second_state.empty()) {
+    second = compare_with_stored_state(folder / approval.second_state, picture.moment.second->snapshot,
+                                       approval.second_state_digest == picture.second_state_digest);
+  }
+  second.explanation = "in the second take " + second.explanation;
+  return both_of(state, second);
 }
 
 void judge(GoldenResult& result, const GoldenDefinition& definition, const Image& golden, const Image& today) {
@@ -172,8 +195,7 @@ GoldenResult compare_with_golden(const std::string& scenario, const GoldenDefini
   } catch (const ImageUnreadable& error) {
     throw damaged_golden(error.what());
   }
-  result.state =
-      compare_with_stored_state(folder / approval->state, picture, approval->state_digest == picture.state_digest);
+  result.state = compare_with_approval(folder, *approval, picture);
   if (result.outcome == GoldenOutcome::kFailed) result.message += "; " + result.state.explanation;
   if (approval->driver != driver) {
     result.message += fmt::format("; approved on another driver ({}), so compared by tolerance", approval->driver);

@@ -18,11 +18,11 @@ enum class GoldenOutcome { kOk, kFailed, kResultMissing, kGoldenMissing, kSkippe
 /// "ok", "failed", "result missing", "golden missing", "skipped"
 std::string outcome_name(GoldenOutcome outcome);
 
-/// What became of the simulated state since the approval.
+/// What became of the simulated state since the approval, from good to bad.
 enum class StateVerdict {
-  kUnknown,  // nothing to compare
   kEqual,    // to the last bit
   kClose,    // no vertex has moved by more than kCloseState of the surface's size
+  kUnknown,  // nothing to compare
   kChanged,
 };
 

@@ -35,13 +35,17 @@ double spent(const BodyRecord& body) {
   return body.viscous + body.friction + body.fracture + body.leak + body.jump;
 }
 
-/// "probe.force_N" -> "force of probe", "N"
+constexpr std::string_view kSecondTake = "second_take.";
+
+/// "probe.force_N" -> "force of probe", "N"; "second_take.probe.force_N" -> "force of probe in the second take", "N"
 std::pair<std::string, std::string> spoken(const std::string& column) {
   const std::size_t dot = column.rfind('.');
   const std::size_t unit = column.rfind('_');
   std::string quantity = column.substr(dot + 1, unit - dot - 1);
   std::replace(quantity.begin(), quantity.end(), '_', ' ');
-  return {quantity + " of " + column.substr(0, dot), column.substr(unit + 1)};
+  std::string owner = column.substr(0, dot);
+  if (owner.starts_with(kSecondTake)) owner = owner.substr(kSecondTake.size()) + " in the second take";
+  return {quantity + " of " + owner, column.substr(unit + 1)};
 }
 
 /// How far two numbers are apart on the scale of their column.
@@ -90,15 +94,9 @@ void tell(HistoryChange& change, double time) {
                   unit, percent);
 }
 
-}  // namespace
-
-void add_step(GoldenHistory& history, std::size_t step, const StepRecord& record) {
-  GoldenHistory::Row row{.step = step, .time = record.time, .values = {}};
-  const bool first = history.rows.empty();
-  const auto add = [&](const std::string& owner, const char* quantity, double value) {
-    if (first) history.columns.push_back(owner + "." + quantity);
-    row.values.push_back(value);
-  };
+/// Calls add(owner, quantity, value) for each value of a step.
+template <typename Add>
+void visit_quantities(const StepRecord& record, const Add& add) {
   for (const ToolRecord& tool : record.tools) {
     add(tool.tool, "force_N", tool.force.norm());
     add(tool.tool, "depth_m", tool.depth);
@@ -112,6 +110,21 @@ void add_step(GoldenHistory& history, std::size_t step, const StepRecord& record
     add(body.body, "cut_length_m", body.cut_length);
     add(body.body, "open_area_m2", body.open_area);
   }
+}
+
+}  // namespace
+
+void add_step(GoldenHistory& history, std::size_t step, const Moment& moment) {
+  GoldenHistory::Row row{.step = step, .time = moment.record.time, .values = {}};
+  const bool first = history.rows.empty();
+  std::string_view take;
+  const auto add = [&](const std::string& owner, const char* quantity, double value) {
+    if (first) history.columns.push_back(fmt::format("{}{}.{}", take, owner, quantity));
+    row.values.push_back(value);
+  };
+  visit_quantities(moment.record, add);
+  take = kSecondTake;
+  if (moment.second) visit_quantities(moment.second->record, add);
   if (!first && row.values.size() != history.columns.size()) row.values.resize(history.columns.size(), 0);
   history.rows.push_back(std::move(row));
 }

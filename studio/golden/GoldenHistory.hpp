@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "studio/record/StepRecord.hpp"
+#include "studio/record/Moment.hpp"
 
 namespace thinwall {
 
@@ -21,8 +21,8 @@ struct GoldenHistory {
 };
 
 /// Adds a step. Of each tool force and depth, of each body volume, pressure, stored and spent energy, cut and open
-/// area.
-void add_step(GoldenHistory& history, std::size_t step, const StepRecord& record);
+/// area; likewise of the take that it is compared with, in columns that begin with "second_take.".
+void add_step(GoldenHistory& history, std::size_t step, const Moment& moment);
 
 /// The history as comma-separated values with at most `kHistoryRows` rows: every k-th step, and the last one.
 std::string history_text(const GoldenHistory& history);

@@ -54,6 +54,11 @@ void draw(GoldenPicture& picture, const FrameComposer& composer, Moment moment, 
     picture.shot = std::move(frame.shot);
     picture.moment = std::move(moment);
     picture.moment.snapshot = std::move(frame.snapshot);
+    if (picture.moment.second) {
+      Moment second = *picture.moment.second;
+      second.snapshot = *picture.shot.beside_snapshot;
+      picture.moment.second = std::make_shared<const Moment>(std::move(second));
+    }
     picture.missing.clear();
   } catch (const PictureFailure& failure) {
     picture.missing = failure.what();
@@ -96,10 +101,11 @@ GoldenPictures golden_pictures(const Scenario& scenario, const SourceFactory& so
       if (!moment) break;
       end = moment->snapshot.time;
       composer.add(*moment);
-      add_step(history, step++, moment->record);
+      add_step(history, step++, *moment);
       for (; next < order.size() && composer.reaches(result.pictures[order[next]].at); ++next) {
         GoldenPicture& picture = result.pictures[order[next]];
         picture.state_digest = source->state_digest();
+        picture.second_state_digest = source->second_state_digest();
         picture.history = history;
         draw(picture, composer, *moment, *painter);
       }

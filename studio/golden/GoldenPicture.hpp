@@ -22,12 +22,13 @@ struct GoldenPicture {
   double at = 0;        // seconds
   std::string missing;  // why there is none; empty when there is one
   Image image;
-  Moment moment;                // what it shows
-  std::string state_digest;     // of the first step that reaches `at`
-  std::string scene_hash = {};  // of the picture without overlays
-  OverlayContent overlay = {};  // what is written over it
-  Shot shot = {};               // what sees it
-  GoldenHistory history = {};   // of the steps up to `at`
+  Moment moment;                         // what it shows
+  std::string state_digest;              // of the first step that reaches `at`
+  std::string second_state_digest = {};  // likewise of the take that it is compared with; empty when there is none
+  std::string scene_hash = {};           // of the picture without overlays
+  OverlayContent overlay = {};           // what is written over it
+  Shot shot = {};                        // what sees it
+  GoldenHistory history = {};            // of the steps up to `at`
 };
 
 struct GoldenPictures {

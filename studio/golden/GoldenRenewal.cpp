@@ -12,6 +12,17 @@
 #include "studio/take/TakeWriter.hpp"
 
 namespace thinwall {
+namespace {
+
+/// The moment as a take of one step.
+void write_state(const std::filesystem::path& file, const Scenario& scenario, const Moment& moment,
+                 const std::string& digest) {
+  TakeWriter state(file, {.name = scenario.name, .title = scenario.title, .resolved = scenario.resolved});
+  state.write(moment);
+  state.finish({.complete = false, .warnings = {}, .state_digest = digest});
+}
+
+}  // namespace
 
 void renew_golden(const Scenario& scenario, const GoldenPicture& picture, const std::string& driver,
                   const std::filesystem::path& folder, const std::string& who, const std::string& why) {
@@ -27,12 +38,13 @@ void renew_golden(const Scenario& scenario, const GoldenPicture& picture, const 
                                .why = why,
                                .history = stem + ".history.csv",
                                .scene_hash = picture.scene_hash,
-                               .overlay = overlay_record(picture.overlay)};
-  {
-    TakeWriter state(folder / renewed.state,
-                     {.name = scenario.name, .title = scenario.title, .resolved = scenario.resolved});
-    state.write(picture.moment);
-    state.finish({.complete = false, .warnings = {}, .state_digest = picture.state_digest});
+                               .overlay = overlay_record(picture.overlay),
+                               .second_state = picture.moment.second ? stem + ".second_state.h5" : "",
+                               .second_state_digest = picture.second_state_digest};
+  write_state(folder / renewed.state, scenario, picture.moment, picture.state_digest);
+  if (picture.moment.second) {
+    write_state(folder / renewed.second_state, *scenario.comparison->second, *picture.moment.second,
+                picture.second_state_digest);
   }
   write_whole_file(folder / renewed.history, history_text(picture.history));
   write_png(folder / renewed.image, picture.image, PngEffort::kSmall);

@@ -62,11 +62,12 @@ class HistorySource final : public MomentSource {
   explicit HistorySource(std::unique_ptr<MomentSource> source) : source_(std::move(source)) {}
   std::optional<Moment> next() override {
     std::optional<Moment> moment = source_->next();
-    if (moment) add_step(history_, step_++, moment->record);
+    if (moment) add_step(history_, step_++, *moment);
     return moment;
   }
   std::vector<std::string> warnings() const override { return source_->warnings(); }
   std::string state_digest() const override { return source_->state_digest(); }
+  std::string second_state_digest() const override { return source_->second_state_digest(); }
   const GoldenHistory& history() const { return history_; }
 
  private:
@@ -145,6 +146,7 @@ void record_frames(RecordedVideo& result, const Scenario& scenario, const Source
   }
   video.captions = bytes_of_file(folder / "captions.vtt");
   video.state_digest = report.state_digest;
+  video.second_state_digest = source.second_state_digest();
   video.scene_hash = chain.value();
   video.history = history_text(source.history());
 }

@@ -37,12 +37,13 @@ struct GoldenVideo {
   ImageSize size;
   double frames_per_second = 30;
   std::vector<VideoFrameRecord> frames;
-  std::vector<std::size_t> kept;  // indices of the frames that are kept as pictures
-  std::string captions;           // as WebVTT, before the encoder
-  std::string state_digest;       // of the simulation at its end
-  std::string scene_hash;         // of all frames without overlays
-  std::string history;            // the main quantities step by step, see `history_text`
-  std::string resolved;           // the scenario (JSON)
+  std::vector<std::size_t> kept;         // indices of the frames that are kept as pictures
+  std::string captions;                  // as WebVTT, before the encoder
+  std::string state_digest;              // of the simulation at its end
+  std::string second_state_digest = {};  // likewise of the take that it is compared with; empty when there is none
+  std::string scene_hash;                // of all frames without overlays
+  std::string history;                   // the main quantities step by step, see `history_text`
+  std::string resolved;                  // the scenario (JSON)
   EncodedVideo encoded;
 };
 

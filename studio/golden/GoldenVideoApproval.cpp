@@ -61,6 +61,7 @@ Json to_json(const GoldenVideoApproval& approval, const std::string& history) {
           {"size", {video.size.width, video.size.height}},
           {"frames_per_second", video.frames_per_second},
           {"state_digest", video.state_digest},
+          {"second_state_digest", video.second_state_digest},
           {"scene_hash", video.scene_hash},
           {"history", history},
           {"captions", video.captions},
@@ -79,6 +80,7 @@ GoldenVideoApproval to_approval(const Json& json, const std::filesystem::path& f
   video.size = {.width = json.at("size").at(0), .height = json.at("size").at(1)};
   video.frames_per_second = json.at("frames_per_second");
   video.state_digest = json.at("state_digest");
+  video.second_state_digest = json.value("second_state_digest", "");
   video.scene_hash = json.at("scene_hash");
   video.history = bytes_of_file(folder / json.at("history").get<std::string>());
   video.captions = json.at("captions");

@@ -203,12 +203,16 @@ class VideoComparer {
   Findings found_;
 };
 
+bool have_same_last_state(const GoldenVideo& golden, const GoldenVideo& today) {
+  return golden.state_digest == today.state_digest && golden.second_state_digest == today.second_state_digest;
+}
+
 void tell_frames(Attribution& attribution, const GoldenVideo& golden, const GoldenVideo& today,
                  const std::string& found) {
   const std::string physics = list_changes(attribution.scenario, ScenarioStage::kPhysics);
   const std::string look = list_changes(attribution.scenario, ScenarioStage::kLook);
   // The digest is of the last state, which may be as before after a way that was not.
-  if (attribution.history.changed || (golden.state_digest != today.state_digest && !physics.empty())) {
+  if (attribution.history.changed || (!have_same_last_state(golden, today) && !physics.empty())) {
     attribution.stage = ChangedStage::kPhysics;
     attribution.sentence = "physics changed " + attribution.history.sentence + "; " +
                            (physics.empty() ? "the scenario asks for the same, so the engine has changed"
@@ -284,7 +288,7 @@ VideoJudgement compare_with_golden_video(const std::string& scenario, const Gold
   } catch (const ImageUnreadable& error) {
     throw damaged_golden(error.what());
   }
-  if (golden->video.state_digest == recorded.video.state_digest) {
+  if (have_same_last_state(golden->video, recorded.video)) {
     result.state = {.verdict = StateVerdict::kEqual, .explanation = "the last state is the same to the last bit"};
   }
   if (found.frames.empty() && found.texts.empty() && found.encoder.empty()) {

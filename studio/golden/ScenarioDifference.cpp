@@ -21,8 +21,8 @@ ScenarioStage stage_of(const std::string& key) {
   for (const char* beginning : {"look.overlays", "comparison.captions", "teaching"}) {
     if (key.starts_with(beginning)) return ScenarioStage::kOverlay;
   }
-  // What a take is compared with is a matter of the picture: the state that a golden keeps is that of the first take.
-  for (const char* word : {"camera", "cameras", "comparison", "cuts", "lights", "look", "record"}) {
+  if (first == "comparison") return ScenarioStage::kSecondTake;
+  for (const char* word : {"camera", "cameras", "cuts", "lights", "look", "record"}) {
     if (first == word) return ScenarioStage::kLook;
   }
   return ScenarioStage::kNone;
@@ -82,7 +82,8 @@ std::string list_changes(const std::vector<ScenarioChange>& changes, ScenarioSta
   std::string text;
   std::size_t count = 0;
   for (const ScenarioChange& change : changes) {
-    if (change.stage != stage) continue;
+    const bool may_be_either = stage == ScenarioStage::kPhysics || stage == ScenarioStage::kLook;
+    if (change.stage != stage && !(change.stage == ScenarioStage::kSecondTake && may_be_either)) continue;
     if (++count <= kMost) text += (text.empty() ? "" : ", ") + to_text(change);
   }
   if (count > kMost) text += " and " + std::to_string(count - kMost) + " more";

@@ -6,7 +6,13 @@
 namespace thinwall {
 
 /// Which part of the way from a scenario to a picture a key of it belongs to.
-enum class ScenarioStage { kPhysics, kLook, kOverlay, kNone };
+enum class ScenarioStage {
+  kPhysics,
+  kLook,
+  kOverlay,
+  kSecondTake,  // a parameter of the take that this one is compared with: of its physics or its look
+  kNone,
+};
 
 /// A value of a scenario that is not what it was.
 struct ScenarioChange {
@@ -20,7 +26,7 @@ struct ScenarioChange {
 std::string to_text(const ScenarioChange& change);
 
 /// The first changes of a stage, one after the other: "lights.key 0.9 instead of 1.0 and 2 more". Empty when there are
-/// none.
+/// none. What the second take has otherwise is listed with physics and with look: its state tells which it is.
 std::string list_changes(const std::vector<ScenarioChange>& changes, ScenarioStage stage);
 
 /// What differs between two resolved scenarios (JSON texts), in order of their keys. A key that the format did not have

@@ -18,7 +18,7 @@ struct Moment {
   double planned_duration = 0;      // seconds, of the whole, as known at this step
   std::vector<TimedText> captions;  // of the clips begun so far (from a finished take: of all), in order of time
   std::vector<TimedText> chapters;  // likewise
-  std::shared_ptr<const Snapshot> second = {};  // of the take that this one is compared with, at the same time
+  std::shared_ptr<const Moment> second = {};  // of the take that this one is compared with, at the same time
 };
 
 /// What can be recorded or rendered: a simulation that is running, or a take.
@@ -35,6 +35,9 @@ class MomentSource {
 
   /// Hash of the state that the last moment was taken from, 32 hexadecimal digits.
   virtual std::string state_digest() const = 0;
+
+  /// Likewise of the take that this one is compared with; empty when there is none.
+  virtual std::string second_state_digest() const { return ""; }
 };
 
 }  // namespace thinwall

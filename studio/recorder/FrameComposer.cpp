@@ -78,19 +78,21 @@ void FrameComposer::add(Moment moment) {
 }
 
 void FrameComposer::add_second(const Moment& moment) {
-  second_shots_->add(*moment.second);
-  second_histories_.resize(moment.second->tools.size());
+  const Snapshot& second = moment.second->snapshot;
+  second_shots_->add(second);
+  second_histories_.resize(second.tools.size());
   for (std::size_t i = 0; i < second_histories_.size(); ++i) {
     // A take that has ended before the first has no more force to tell.
-    if (moment.second->time < moment.snapshot.time - kSameTime) continue;
-    second_histories_[i].push_back({.time = moment.second->time, .force = magnitude(moment.second->tools[i].force)});
+    if (second.time < moment.snapshot.time - kSameTime) continue;
+    second_histories_[i].push_back({.time = second.time, .force = magnitude(second.tools[i].force)});
   }
 }
 
 /// The right half's snapshot, camera and light, and the force there.
 void FrameComposer::compose_second(double time, const Moment& earlier, Frame& frame) const {
-  const std::shared_ptr<const Snapshot> before = earlier.second ? earlier.second : later_->second;
-  const auto second = std::make_shared<const Snapshot>(interpolate(*before, *later_->second, time));
+  const Snapshot& after = later_->second->snapshot;
+  const Snapshot& before = earlier.second ? earlier.second->snapshot : after;
+  const auto second = std::make_shared<const Snapshot>(interpolate(before, after, time));
   frame.shot.beside = second_shots_->shot(*second).camera;
   frame.shot.beside_snapshot = second;
   frame.shot.beside_view = {comparison_, &comparison_->second};

@@ -25,24 +25,27 @@ class PairedSource final : public MomentSource {
   }
 
   std::string state_digest() const override { return first_->state_digest(); }
+  std::string second_state_digest() const override { return second_->state_digest(); }
 
  private:
-  std::shared_ptr<const Snapshot> second_at(double time) {
-    while (!ended_ && (!later_ || later_->time < time - kSameTime)) {
+  std::shared_ptr<const Moment> second_at(double time) {
+    while (!ended_ && (!later_ || later_->snapshot.time < time - kSameTime)) {
       std::optional<Moment> moment = second_->next();
       ended_ = !moment;
       if (!moment) break;
       earlier_ = std::move(later_);
-      later_ = std::make_shared<const Snapshot>(std::move(moment->snapshot));
+      later_ = std::make_shared<const Moment>(std::move(*moment));
     }
-    if (!later_ || !earlier_ || later_->time <= time + kSameTime) return later_;
-    return std::make_shared<const Snapshot>(interpolate(*earlier_, *later_, time));
+    if (!later_ || !earlier_ || later_->snapshot.time <= time + kSameTime) return later_;
+    Moment between = *later_;
+    between.snapshot = interpolate(earlier_->snapshot, later_->snapshot, time);
+    return std::make_shared<const Moment>(std::move(between));
   }
 
   std::unique_ptr<MomentSource> first_;
   std::unique_ptr<MomentSource> second_;
-  std::shared_ptr<const Snapshot> earlier_;  // of the second take
-  std::shared_ptr<const Snapshot> later_;
+  std::shared_ptr<const Moment> earlier_;  // of the second take
+  std::shared_ptr<const Moment> later_;
   bool ended_ = false;
 };
 

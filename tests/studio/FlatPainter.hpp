@@ -9,17 +9,19 @@
 namespace thinwall {
 
 /// Stands in for the renderer where no GL is wanted: a ground whose brightness tells the first tool's depth, with a
-/// pattern so that shifts show. `gain` makes a renderer that has changed.
+/// pattern so that shifts show; the right half is of the second take where there is one. `gain` makes a renderer that
+/// has changed.
 class FlatPainter final : public Painter {
  public:
   explicit FlatPainter(ImageSize size, double gain = 1) : size_(size), gain_(gain) {}
 
-  Image paint(const Snapshot& snapshot, const Shot&) override {
-    const double depth = snapshot.tools.empty() ? 0 : snapshot.tools.front().depth;
-    const double level = gain_ * (60 + 2e4 * depth);
+  Image paint(const Snapshot& snapshot, const Shot& shot) override {
+    const double left = level_of(snapshot);
+    const double right = shot.beside_snapshot ? level_of(*shot.beside_snapshot) : left;
     Image image{.size = size_, .pixels = {}};
     for (int y = 0; y < size_.height; ++y) {
       for (int x = 0; x < size_.width; ++x) {
+        const double level = 2 * x < size_.width ? left : right;
         const auto shade = static_cast<std::uint8_t>(std::lround(level) + (x / 8 + y / 8) % 2 * 20);
         image.pixels.insert(image.pixels.end(), {shade, static_cast<std::uint8_t>(shade / 2), 40});
       }
@@ -29,6 +31,11 @@ class FlatPainter final : public Painter {
   std::string driver() const override { return "flat painter 1.0"; }
 
  private:
+  double level_of(const Snapshot& snapshot) const {
+    const double depth = snapshot.tools.empty() ? 0 : snapshot.tools.front().depth;
+    return gain_ * (60 + 2e4 * depth);
+  }
+
   ImageSize size_;
   double gain_;
 };

@@ -39,6 +39,66 @@ TEST_F(AttributionTest, AChangedEngineIsToldWithStepQuantityAndAmount) {
   expect_words(attribution, "the renderer draws the golden's state as before");
 }
 
+class ComparedAttributionTest : public AttributionTest {
+ protected:
+  void SetUp() override { scene_.approve(compared_scene(), synthetic_pair({}, {.depth = 0.003})); }
+  Attribution attribution_of_pair(SyntheticRunOptions first, SyntheticRunOptions second,
+                                  const Scenario& scenario = compared_scene(), double gain = 1) {
+    return attribution_of(scene_.judge(scenario, synthetic_pair(first, second), view_painters(gain)));
+  }
+};
+
+TEST_F(ComparedAttributionTest, WhatHasNotChangedIsGood) {
+  const JudgedScenario judged = scene_.judge(compared_scene(), synthetic_pair({}, {.depth = 0.003}));
+  EXPECT_EQ(judged.results[0].outcome, GoldenOutcome::kOk) << judged.results[0].message;
+  EXPECT_EQ(judged.results[0].state.verdict, StateVerdict::kEqual) << judged.results[0].state.explanation;
+}
+
+TEST_F(ComparedAttributionTest, AnEngineThatChangesTheSecondTakeAloneIsPhysics) {
+  const Attribution attribution = attribution_of_pair({}, {.depth = 0.0036});
+  EXPECT_EQ(attribution.stage, ChangedStage::kPhysics);
+  expect_words(attribution, "physics changed from step 1 on");
+  expect_words(attribution, "of probe in the second take is");
+  expect_words(attribution, "(+20 %); in the second take vertex");
+  expect_words(attribution, "the scenario asks for the same, so the engine has changed");
+  expect_words(attribution, "the renderer draws the golden's state as before");
+  ASSERT_FALSE(attribution.layers.empty());
+  EXPECT_EQ(attribution.layers[0].verdict.rfind("second take: largest difference", 0), 0U)
+      << attribution.layers[0].verdict;
+}
+
+TEST_F(ComparedAttributionTest, BothTakesAreToldWhereBothHaveChanged) {
+  const Attribution attribution = attribution_of_pair({.depth = 0.005}, {.depth = 0.0036});
+  expect_words(attribution, "physics changed from step 1 on");
+  expect_words(attribution, ", and in the second take vertex");
+}
+
+TEST_F(ComparedAttributionTest, AnotherParameterOfTheSecondTakeIsNamedAsTheCauseOfItsPhysics) {
+  const Attribution attribution = attribution_of_pair({}, {.depth = 0.0036}, compared_scene("\"3.6 mm\""));
+  EXPECT_EQ(attribution.stage, ChangedStage::kPhysics);
+  expect_words(attribution, R"(the scenario has changed: comparison.set.depth "3.6 mm" instead of "3 mm")");
+}
+
+TEST_F(ComparedAttributionTest, AParameterThatLeavesBothStatesAsTheyWereIsOfTheLook) {
+  const Attribution attribution = attribution_of_pair({}, {.depth = 0.003}, compared_scene("\"pale\""), 1.1);
+  EXPECT_EQ(attribution.stage, ChangedStage::kLook);
+  expect_words(attribution, R"(look changed, state identical: comparison.set.depth "pale" instead of "3 mm")");
+}
+
+TEST_F(ComparedAttributionTest, AChangedRendererIsToldWithBothStatesIdentical) {
+  EXPECT_EQ(attribution_of_pair({}, {.depth = 0.003}, compared_scene(), 1.1).sentence,
+            "renderer changed, state and look identical");
+}
+
+TEST_F(ComparedAttributionTest, AnApprovalOfOneTakeAloneLeavesItOpen) {
+  std::vector<GoldenApproval> approvals = read_approvals(scene_.folder());
+  approvals[0].second_state = approvals[0].history = "";
+  write_approvals(scene_.folder(), approvals);
+  const Attribution attribution = attribution_of_pair({}, {.depth = 0.0036});
+  EXPECT_EQ(attribution.stage, ChangedStage::kUnknown);
+  expect_words(attribution, "in the second take nothing is approved; approve anew");
+}
+
 TEST_F(AttributionTest, AChangedMaterialIsNamed) {
   const Attribution attribution =
       attribution_of(scene_.judge(golden_scene(1, "20400.0"), synthetic_source({.depth = 0.005})));

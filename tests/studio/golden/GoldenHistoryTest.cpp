@@ -14,7 +14,9 @@ GoldenHistory history(std::size_t steps, double force_from_step_5 = 1) {
     ToolRecord probe{.tool = "probe", .phase = "contact"};
     probe.force.z() = 3 * time * (step >= 5 ? force_from_step_5 : 1);
     BodyRecord organ{.body = "organ", .volume = 1e-5, .pressure = 100};
-    add_step(history, step, {.time = time, .tools = {probe}, .bodies = {organ}});
+    Moment moment;
+    moment.record = {.time = time, .tools = {probe}, .bodies = {organ}};
+    add_step(history, step, moment);
   }
   return history;
 }
@@ -44,6 +46,30 @@ TEST(GoldenHistory, NamesTheFirstStepTheQuantityAndTheAmount) {
   EXPECT_EQ(change.sentence,
             "from step 5 on (0.05 s), first in the force of probe; at 0.19 s the force of probe is 0.5877 N instead of "
             "0.57 N (+3.1 %)");
+}
+
+TEST(GoldenHistory, AChangeOfTheSecondTakeAloneIsToldAsSuch) {
+  const auto pair = [](double force) {
+    GoldenHistory history;
+    for (std::size_t step = 0; step < 3; ++step) {
+      Moment second;
+      second.record.tools = {{.tool = "probe", .phase = "contact"}};
+      second.record.tools[0].force.z() = step == 2 ? force : 0.1;
+      Moment moment;
+      moment.record = {
+          .time = 0.1 * static_cast<double>(step), .tools = {{.tool = "probe", .phase = "contact"}}, .bodies = {}};
+      moment.second = std::make_shared<const Moment>(second);
+      add_step(history, step, moment);
+    }
+    return history;
+  };
+  EXPECT_FALSE(compare_histories(pair(0.2), pair(0.2)).changed);
+  const HistoryChange change = compare_histories(pair(0.2), pair(0.25));
+  EXPECT_EQ(change.quantity, "second_take.probe.force_N");
+  EXPECT_EQ(
+      change.sentence,
+      "from step 2 on (0.2 s), first in the force of probe in the second take; at 0.2 s the force of probe in the "
+      "second take is 0.25 N instead of 0.2 N (+25 %)");
 }
 
 TEST(GoldenHistory, WhatEndsAsBeforeIsToldOfTheStepWhereItDiffersMost) {

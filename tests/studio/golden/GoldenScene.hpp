@@ -4,6 +4,7 @@
 
 #include "studio/golden/GoldenRenewal.hpp"
 #include "studio/golden/GoldenRun.hpp"
+#include "studio/recorder/PairedSource.hpp"
 #include "tests/studio/FlatPainter.hpp"
 #include "tests/studio/SyntheticRun.hpp"
 #include "tests/studio/TemporaryFolder.hpp"
@@ -24,6 +25,21 @@ inline Scenario golden_scene(double light = 1, const std::string& shear_modulus 
 
 inline SourceFactory synthetic_source(SyntheticRunOptions options = {}) {
   return [options](const Scenario&) { return std::make_unique<SyntheticRun>(options); };
+}
+
+/// The same with a second take beside the first, of another parameter.
+inline Scenario compared_scene(const std::string& set = "\"3 mm\"") {
+  Scenario scenario = golden_scene();
+  scenario.resolved.insert(1, R"("comparison": {"set": {"depth": )" + set + "}}, ");
+  scenario.comparison = {.second = std::make_shared<const Scenario>(scenario)};
+  scenario.view.comparison = std::make_shared<const TakeComparison>(TakeComparison{{"deep", "shallow"}, {}});
+  return scenario;
+}
+
+inline SourceFactory synthetic_pair(SyntheticRunOptions first, SyntheticRunOptions second) {
+  return [=](const Scenario&) {
+    return pair_sources(std::make_unique<SyntheticRun>(first), std::make_unique<SyntheticRun>(second));
+  };
 }
 
 /// Painters whose gain is the light that the scenario asks for, times that of the renderer.
@@ -50,8 +66,8 @@ class GoldenScene {
                        const ViewPainters& painters = view_painters()) const {
     return std::move(judge_scenarios({scenario}, options(sources, painters), [](const JudgedScenario&) {}).front());
   }
-  void approve(const Scenario& scenario = golden_scene()) const {
-    const JudgedScenario judged = judge(scenario);
+  void approve(const Scenario& scenario = golden_scene(), const SourceFactory& sources = synthetic_source()) const {
+    const JudgedScenario judged = judge(scenario, sources);
     renew_golden(scenario, judged.pictures.pictures[0], judged.pictures.driver, folder(), "someone", "it is right");
   }
   const TemporaryFolder& temporary() const { return folder_; }

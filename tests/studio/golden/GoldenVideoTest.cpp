@@ -9,8 +9,7 @@ namespace thinwall {
 namespace {
 
 /// A scenario of 0.2 s with a golden of its video.
-Scenario video_scene() {
-  Scenario scenario = golden_scene();
+Scenario video_scene(Scenario scenario = golden_scene()) {
   scenario.record.frames_per_second = 50;
   scenario.goldens = {{.video = 3, .max = 8, .mean = 0.2, .drift = 0.001, .why = "rounding"}};
   return scenario;
@@ -115,6 +114,17 @@ TEST_F(GoldenVideoTest, AChangedSimulationIsToldAlsoWhereItEndsInTheSameState) {
   const VideoJudgement judgement = judge(video);
   ASSERT_TRUE(judgement.attribution);
   EXPECT_EQ(judgement.attribution->stage, ChangedStage::kPhysics) << judgement.attribution->sentence;
+}
+
+TEST_F(GoldenVideoTest, ASecondTakeThatHasChangedAloneIsPhysicsToo) {
+  const Scenario scene = video_scene(compared_scene());
+  renew_golden_video(recorded(synthetic_pair({}, {.depth = 0.003}), 1, scene), goldens(), "someone", "it is right");
+  const VideoJudgement judgement = judge(recorded(synthetic_pair({}, {.depth = 0.0036}), 1, scene));
+  ASSERT_TRUE(judgement.attribution);
+  EXPECT_EQ(judgement.attribution->stage, ChangedStage::kPhysics) << judgement.attribution->sentence;
+  EXPECT_NE(judgement.result.state.verdict, StateVerdict::kEqual);
+  EXPECT_NE(judgement.attribution->sentence.find("in the second take"), std::string::npos)
+      << judgement.attribution->sentence;
 }
 
 TEST_F(GoldenVideoTest, TheCauseNamesTheFirstFrameAndTheMessageAllThatAreKept) {

@@ -21,13 +21,16 @@ TEST(ScenarioDifference, NamesKeyAndBothValuesAndTheStage) {
   EXPECT_EQ(changes[2].stage, ScenarioStage::kOverlay);
 }
 
-TEST(ScenarioDifference, WhatATakeIsComparedWithIsOfThePicture) {
+TEST(ScenarioDifference, WhatATakeIsComparedWithMayBeOfPhysicsOrLook) {
   const auto changes = compare_scenarios(R"({"comparison": {"set": {"thickness": "4 mm"}, "captions": ["a", "b"]}})",
                                          R"({"comparison": {"set": {"thickness": "5 mm"}, "captions": ["a", "c"]}})");
   ASSERT_EQ(changes.size(), 2U);
   EXPECT_EQ(changes[0].stage, ScenarioStage::kOverlay);
   EXPECT_EQ(to_text(changes[1]), "comparison.set.thickness \"5 mm\" instead of \"4 mm\"");
-  EXPECT_EQ(changes[1].stage, ScenarioStage::kLook);
+  EXPECT_EQ(changes[1].stage, ScenarioStage::kSecondTake);
+  EXPECT_EQ(list_changes(changes, ScenarioStage::kPhysics), to_text(changes[1]));
+  EXPECT_EQ(list_changes(changes, ScenarioStage::kLook), to_text(changes[1]));
+  EXPECT_EQ(list_changes(changes, ScenarioStage::kOverlay), to_text(changes[0]));
 }
 
 TEST(ScenarioDifference, KeysComeAndGo) {
