@@ -90,6 +90,9 @@ std::string GoldenCache::key(const Scenario& scenario, const std::filesystem::pa
   std::string parts = program_ + "\n" + scenario.resolved + "\n";
   std::set<std::string> files;
   collect_files(nlohmann::json::parse(scenario.resolved, nullptr, false), files);
+  if (scenario.comparison) {
+    collect_files(nlohmann::json::parse(scenario.comparison->second->resolved, nullptr, false), files);
+  }
   for (const std::string& name : files) {
     const std::filesystem::path path(name);
     const std::string hash = file_hash(path.is_absolute() ? path : scenario.file.parent_path() / path);
@@ -115,6 +118,10 @@ void GoldenCache::keep(const Scenario& scenario, const std::string& key, const s
   const bool all_ok = std::all_of(results.begin(), results.end(),
                                   [](const GoldenResult& result) { return result.outcome == GoldenOutcome::kOk; });
   if (!key.empty() && all_ok) entries_[scenario.name] = {.key = key, .results = results};
+}
+
+void GoldenCache::forget(const Scenario& scenario) {
+  entries_.erase(scenario.name);
 }
 
 void GoldenCache::write_to(const std::filesystem::path& file) const {

@@ -10,7 +10,7 @@
 namespace thinwall {
 
 /// Remembers which scenarios were good, by the hash of everything that goes in: program, resolved scenario, the files
-/// that it names, and the goldens. What has failed is never remembered.
+/// that it and the scenario of its second take name, and the goldens. What has failed is never remembered.
 class GoldenCache {
  public:
   /// `program`: a hash of what simulates and draws, device and driver included. A file that cannot be read counts as
@@ -25,6 +25,9 @@ class GoldenCache {
 
   /// Keeps them when all are ok.
   void keep(const Scenario& scenario, const std::string& key, const std::vector<GoldenResult>& results);
+
+  /// So that it is made anew.
+  void forget(const Scenario& scenario);
 
   /// Takes over what another cache of the same program has kept.
   void take_over(const std::filesystem::path& file);

@@ -83,11 +83,12 @@ void look_in_other_processes(const std::vector<const Scenario*>& scenarios, cons
 std::vector<JudgedScenario> judge_scenarios(std::vector<Scenario> scenarios, const GoldenRunOptions& options,
                                             const std::function<void(const JudgedScenario&)>& done) {
   std::optional<GoldenCache> cache;
-  if (options.cache) cache.emplace(options.anew ? std::filesystem::path() : *options.cache, options.program);
+  if (options.cache) cache.emplace(*options.cache, options.program);
   std::vector<std::string> keys(scenarios.size());
   std::vector<bool> known(scenarios.size(), false);
   std::vector<const Scenario*> unknown;
   for (std::size_t i = 0; cache && i < scenarios.size(); ++i) {
+    if (options.anew) cache->forget(scenarios[i]);
     keys[i] = cache->key(scenarios[i], options.goldens / scenarios[i].name);
     known[i] = !cache->find(scenarios[i], keys[i]).empty();
     if (!known[i]) unknown.push_back(&scenarios[i]);

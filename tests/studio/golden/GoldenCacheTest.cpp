@@ -59,6 +59,31 @@ TEST_F(GoldenCacheTest, AFailureIsNeverRemembered) {
   EXPECT_EQ(judge(golden_scene(1, "2.0"), "1", deeper).results[0].outcome, GoldenOutcome::kFailed);
 }
 
+TEST_F(GoldenCacheTest, AFileThatOnlyTheSecondTakeNamesCounts) {
+  Scenario scenario = golden_scene();
+  scenario.file = scene_.temporary() / "scene.yaml";
+  auto second = std::make_shared<Scenario>(scenario);
+  second->resolved = R"({"mesh": "organ.obj"})";
+  scenario.comparison = {.second = second};
+  write_bytes(scene_.temporary() / "organ.obj", "v 0 0 0");
+  judge(scenario);
+  EXPECT_TRUE(judge(scenario).from_cache);
+  write_bytes(scene_.temporary() / "organ.obj", "v 0 0 1");
+  EXPECT_FALSE(judge(scenario).from_cache);
+}
+
+TEST_F(GoldenCacheTest, WhatIsMadeAnewLeavesWhatIsKnownOfOthers) {
+  Scenario other = golden_scene();
+  other.name = "other";
+  std::filesystem::copy(scene_.folder(), scene_.folder().parent_path() / "other");
+  judge(other);
+  GoldenRunOptions options = scene_.options(synthetic_source(), view_painters());
+  options.cache = scene_.temporary() / "cache.json";
+  options.anew = true;
+  judge_scenarios({golden_scene()}, options, [](const JudgedScenario&) {});
+  EXPECT_TRUE(judge(other).from_cache);
+}
+
 TEST_F(GoldenCacheTest, WhatIsMadeAnewIsKeptForTheNextTime) {
   judge(golden_scene());
   GoldenRunOptions options = scene_.options(synthetic_source(), view_painters());
