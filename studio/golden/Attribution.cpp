@@ -110,7 +110,9 @@ void tell_picture(const Evidence& evidence, Attribution& attribution) {
   const std::string look = list_changes(attribution.scenario, ScenarioStage::kLook);
   if (evidence.shows_same_scene()) {
     attribution.stage = ChangedStage::kOverlay;
-    const std::string words = joined(attribution.overlay);
+    // What is written on the picture itself, as marks and captions of halves, is told by the scenario alone.
+    const std::string words = attribution.overlay.empty() ? list_changes(attribution.scenario, ScenarioStage::kOverlay)
+                                                          : joined(attribution.overlay);
     attribution.sentence = words.empty() ? "overlay drawn differently, its texts and the picture below are identical"
                                          : "overlay changed: " + words + "; the picture below is identical";
     return;

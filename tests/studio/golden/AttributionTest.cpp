@@ -85,6 +85,18 @@ TEST_F(ComparedAttributionTest, AParameterThatLeavesBothStatesAsTheyWereIsOfTheL
   expect_words(attribution, R"(look changed, state identical: comparison.set.depth "pale" instead of "3 mm")");
 }
 
+TEST_F(ComparedAttributionTest, ACaptionOfAHalfIsNamedFromTheScenario) {
+  Scenario scenario = compared_scene();
+  scenario.resolved.replace(scenario.resolved.find("shallow"), 7, "shalow");
+  scenario.view.comparison = std::make_shared<const TakeComparison>(TakeComparison{{"deep", "shalow"}, {}});
+  const Attribution attribution = attribution_of_pair({}, {.depth = 0.003}, scenario);
+  EXPECT_EQ(attribution.stage, ChangedStage::kOverlay);
+  EXPECT_EQ(
+      attribution.sentence,
+      R"(overlay changed: comparison.captions ["deep","shalow"] instead of ["deep","shallow"]; the picture below is )"
+      "identical");
+}
+
 TEST_F(ComparedAttributionTest, AChangedRendererIsToldWithBothStatesIdentical) {
   EXPECT_EQ(attribution_of_pair({}, {.depth = 0.003}, compared_scene(), 1.1).sentence,
             "renderer changed, state and look identical");

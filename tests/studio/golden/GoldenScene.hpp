@@ -30,7 +30,7 @@ inline SourceFactory synthetic_source(SyntheticRunOptions options = {}) {
 /// The same with a second take beside the first, of another parameter.
 inline Scenario compared_scene(const std::string& set = "\"3 mm\"") {
   Scenario scenario = golden_scene();
-  scenario.resolved.insert(1, R"("comparison": {"set": {"depth": )" + set + "}}, ");
+  scenario.resolved.insert(1, R"("comparison": {"set": {"depth": )" + set + R"(}, "captions": ["deep", "shallow"]}, )");
   scenario.comparison = {.second = std::make_shared<const Scenario>(scenario)};
   scenario.view.comparison = std::make_shared<const TakeComparison>(TakeComparison{{"deep", "shallow"}, {}});
   return scenario;
