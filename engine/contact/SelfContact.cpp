@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/contact/ContinuousCollision.hpp"
 #include "engine/contact/LipNeighbours.hpp"
 #include "engine/mesh/MeshTopology.hpp"
 
@@ -17,37 +16,12 @@ namespace {
 constexpr double kRange = 0.4;
 constexpr double kMargin = 0.1;
 
-/// Part of the stress-free distance of a pair at which it begins to feel each other.
-constexpr double kRestRange = 0.5;
-
 /// Stress-free distances below this part of the mean edge length count as touching.
 constexpr double kTouching = 1e-6;
 
 /// Part of the range below which two parts that a cut has left so are in each other: what kept them apart before, that
 /// they shared a vertex or were neighbours, the cut has ended.
 constexpr double kInEachOther = 0.02;
-
-bool share_vertex(const Eigen::Vector3i& one, const Eigen::Vector3i& other) {
-  for (const int vertex : one) {
-    if (vertex == other[0] || vertex == other[1] || vertex == other[2]) return true;
-  }
-  return false;
-}
-
-/// Whether a gap along the line between the centroids alone keeps two triangles farther apart than `reach`: cheap, and
-/// true of most that lie beside each other.
-bool clearly_apart(const std::array<Eigen::Vector3d, 3>& one, const std::array<Eigen::Vector3d, 3>& other,
-                   double reach) {
-  const Eigen::Vector3d axis = other[0] + other[1] + other[2] - one[0] - one[1] - one[2];
-  const double gap = std::min({axis.dot(other[0]), axis.dot(other[1]), axis.dot(other[2])}) -
-                     std::max({axis.dot(one[0]), axis.dot(one[1]), axis.dot(one[2])});
-  return gap > 0 && gap * gap > reach * reach * axis.squaredNorm();
-}
-
-Eigen::Vector3d mean_of(const Eigen::VectorXd& vectors, std::size_t count) {
-  const auto size = static_cast<Eigen::Index>(count);
-  return vectors.head(3 * size).reshaped(3, size).rowwise().mean();
-}
 
 }  // namespace
 
@@ -123,62 +97,6 @@ void SelfContact::measure_heights(const SelfContactDefinition& definition) {
   }
 }
 
-bool SelfContact::covers(const Eigen::VectorXd& position) const {
-  if (listings_ == 0) return false;
-  const Eigen::Vector3d drift = mean_of(position, held_.size()) - mean_of(listed_position_, held_.size());
-  for (std::size_t v = 0; v < held_.size(); ++v) {
-    const Eigen::Index k = 3 * static_cast<Eigen::Index>(v);
-    const Eigen::Vector3d moved = position.segment<3>(k) - listed_position_.segment<3>(k) - drift;
-    if (moved.squaredNorm() >= margins_[v] * margins_[v] && margins_[v] > 0) return false;
-  }
-  return true;
-}
-
-double SelfContact::margin_of(const Eigen::Vector4i& vertices) const {
-  double largest = 0;
-  for (const int vertex : vertices) largest = std::max(largest, margins_[vertex]);
-  return 2 * largest;
-}
-
-template <typename Visit>
-void SelfContact::visit_parts(int triangle, int other, const Visit& visit) const {
-  const auto apart = [](const Eigen::Vector4i& v) {
-    return v[0] != v[1] && v[0] != v[2] && v[0] != v[3] && v[1] != v[2] && v[1] != v[3];
-  };
-  const auto visit_if_free = [&](PairKind kind, const Eigen::Vector4i& vertices) {
-    const bool held = held_[vertices[0]] && held_[vertices[1]] && held_[vertices[2]] && held_[vertices[3]];
-    if (!held && apart(vertices)) visit(kind, vertices);
-  };
-  for (const auto& [one, two] : {std::array{triangle, other}, std::array{other, triangle}}) {
-    const Eigen::Vector3i& corners = triangles_[two];
-    for (const int vertex : parts_[one].vertices) {
-      visit_if_free(PairKind::kPointTriangle, {vertex, corners[0], corners[1], corners[2]});
-    }
-  }
-  for (const auto& first : parts_[triangle].edges) {
-    for (const auto& second : parts_[other].edges) {
-      visit_if_free(PairKind::kEdgeEdge, {first[0], first[1], second[0], second[1]});
-    }
-  }
-}
-
-void SelfContact::list_near(const Eigen::VectorXd& position) {
-  near_.clear();
-  tree_.fit(position);
-  const auto corners = [&](int triangle) -> std::array<Eigen::Vector3d, 3> {
-    const Eigen::Vector3i& v = triangles_[triangle];
-    return {position.segment<3>(3 * v[0]), position.segment<3>(3 * v[1]), position.segment<3>(3 * v[2])};
-  };
-  tree_.visit_near(largest_range_, kRestRange, [&](int triangle, int other, double reach) {
-    if (share_vertex(triangles_[triangle], triangles_[other])) return;
-    if (clearly_apart(corners(triangle), corners(other), reach)) return;
-    visit_parts(triangle, other,
-                [&](PairKind kind, const Eigen::Vector4i& vertices) { list_if_near(kind, vertices, position); });
-  });
-  listed_position_ = position;
-  ++listings_;
-}
-
 std::optional<NearPair> SelfContact::describe(PairKind kind, const Eigen::Vector4i& vertices) const {
   const PairCorners rest = corners_at(vertices, rest_position_);
   const double rest_distance = pair_distance(kind, rest).distance;
@@ -196,16 +114,6 @@ std::optional<NearPair> SelfContact::describe(PairKind kind, const Eigen::Vector
                   .range = std::min({thickness, largest_range_, kRestRange * rest_distance}),
                   .area = area,
                   .parallel = kind == PairKind::kEdgeEdge ? parallel_bound(rest) : 0};
-}
-
-void SelfContact::list_if_near(PairKind kind, const Eigen::Vector4i& vertices, const Eigen::VectorXd& position) {
-  const PairCorners corners = corners_at(vertices, position);
-  const double margin = margin_of(vertices);
-  if (least_distance(kind, corners) > largest_range_ + margin) return;
-  const double distance = pair_distance(kind, corners).distance;
-  if (distance > largest_range_ + margin) return;
-  const std::optional<NearPair> pair = describe(kind, vertices);
-  if (pair && distance <= pair->range + margin) near_.push_back(*pair);
 }
 
 bool SelfContact::were_neighbours(PairKind kind, const Eigen::Vector4i& vertices) const {
@@ -255,64 +163,12 @@ bool SelfContact::is_left_alone(PairKind kind, const Eigen::Vector4i& vertices, 
   return distance < kInEachOther * std::min(largest_range_, kRestRange * rest_distance);
 }
 
-double SelfContact::safe_fraction_above_floors(const Eigen::VectorXd& position, const Eigen::VectorXd& motion) const {
-  double fraction = 1;
-  for (std::size_t f = 0; f < floors_.size(); ++f) {
-    for (std::size_t v = 0; v < held_.size(); ++v) {
-      if (heights_[f][v] == 0) continue;
-      const Eigen::Index at = 3 * static_cast<Eigen::Index>(v);
-      const double height = floors_[f].normal.dot(position.segment<3>(at)) - floors_[f].height;
-      const double fall = -floors_[f].normal.dot(motion.segment<3>(at));
-      if (fall * fraction > (1 - kKeptDistance) * height) fraction = (1 - kKeptDistance) * height / fall;
-    }
-  }
-  return fraction;
-}
-
-double SelfContact::safe_fraction(const Eigen::VectorXd& position, const Eigen::VectorXd& motion) {
-  double fraction = safe_fraction_above_floors(position, motion);
-  fraction = std::min(fraction, stars_.safe_fraction(position, motion));
-  const auto fraction_of = [&](PairKind kind, const Eigen::Vector4i& vertices) {
-    return thinwall::safe_fraction(kind, corners_at(vertices, position), corners_at(vertices, motion));
-  };
-  // What is not listed stays out of range as long as the list covers both ends of the motion: one that is made for
-  // the middle covers twice its margin.
-  const Eigen::Vector3d drift = mean_of(motion, held_.size());
-  const auto is_short = [&](std::size_t v) {
-    return (motion.segment<3>(3 * static_cast<Eigen::Index>(v)) - drift).norm() < 1.8 * margins_[v] || margins_[v] == 0;
-  };
-  bool all_short = true;
-  for (std::size_t v = 0; all_short && v < held_.size(); ++v) all_short = is_short(v);
-  if (all_short && !(covers(position) && covers(position + motion))) list_near(position + 0.5 * motion);
-  if (covers(position) && covers(position + motion)) {
-    for (const NearPair& pair : near_) fraction = std::min(fraction, fraction_of(pair.kind, pair.vertices));
-    return fraction;
-  }
-  tree_.fit(position, motion);
-  tree_.visit_meeting([&](int triangle, int other) {
-    if (share_vertex(triangles_[triangle], triangles_[other])) return;
-    visit_parts(triangle, other, [&](PairKind kind, const Eigen::Vector4i& vertices) {
-      const double one = fraction_of(kind, vertices);
-      if (one >= fraction) return;
-      const double rest_distance = pair_distance(kind, corners_at(vertices, rest_position_)).distance;
-      if (!is_left_alone(kind, vertices, rest_distance)) fraction = one;
-    });
-  });
-  return fraction;
-}
-
-template <typename Visit>
-void SelfContact::visit_near(const Visit& visit) const {
-  stars_.visit_near(visit);
-  for (const NearPair& pair : near_) visit(pair);
-}
-
 void SelfContact::evaluate(const Eigen::VectorXd& position, SelfContactTerms& terms, Eigen::VectorXd& gradient) {
   terms.energy = terms.largest_force = 0;
   terms.folds.clear();
   terms.floors.clear();
   stars_.refresh(position);
-  if (!covers(position)) list_near(position);
+  if (!covers(position)) list_near(position, position);
   add_folds(position, terms, gradient);
   add_floors(position, terms, gradient);
 }
@@ -356,27 +212,6 @@ void SelfContact::add_floors(const Eigen::VectorXd& position, SelfContactTerms& 
       terms.floors.push_back(contact);
     }
   }
-}
-
-std::size_t SelfContact::listed() const {
-  std::size_t count = 0;
-  visit_near([&](const NearPair&) { ++count; });
-  return count;
-}
-
-std::vector<std::array<int, 2>> SelfContact::near_couplings() const {
-  std::vector<std::array<int, 2>> couplings;
-  visit_near([&](const NearPair& pair) {
-    for (int a = 0; a < 4; ++a) {
-      for (int b = 0; b < a; ++b) {
-        const auto [low, high] = std::minmax(pair.vertices[a], pair.vertices[b]);
-        couplings.push_back({low, high});
-      }
-    }
-  });
-  std::sort(couplings.begin(), couplings.end());
-  couplings.erase(std::unique(couplings.begin(), couplings.end()), couplings.end());
-  return couplings;
 }
 
 }  // namespace thinwall

@@ -63,10 +63,11 @@ struct SelfContactTerms {
 /// goes to zero, and `safe_fraction` keeps every motion from jumping over it, so that a wall that is free of
 /// intersections stays so.
 ///
-/// Pairs whose triangles share no vertex are listed with the margins of their vertices, parts of the edges there, and
-/// the list is kept until a vertex (less the mean motion of all) has moved by its margin; for the others see StarPairs.
-/// So a wall with nothing near pays a look at each vertex and edge only. Results do not depend on the lists: pairs out
-/// of range contribute nothing, and the others come in an order that the mesh alone determines.
+/// Pairs whose triangles share no vertex are listed with the margins of their vertices, parts of the edges there. Those
+/// of a vertex are kept until it (less the mean motion of all) has moved by its margin from where it was then, and are
+/// listed anew for where the others were: so what a few flaps do costs nothing elsewhere. For pairs that share a vertex
+/// see StarPairs. A wall with nothing near pays a look at each vertex and edge only. Results do not depend on the
+/// lists: pairs out of range contribute nothing, and the others come in an order that the mesh alone determines.
 class SelfContact {
  public:
   explicit SelfContact(const SelfContactDefinition& definition);
@@ -81,29 +82,47 @@ class SelfContact {
   /// Pairs of vertices, the lower first, that pairs listed now couple: those in contact and those that may soon be.
   std::vector<std::array<int, 2>> near_couplings() const;
 
-  /// Times that the near pairs were listed, and how many there are.
+  /// Times that near pairs were listed, of how many vertices the last time, and how many pairs there are.
   long listings() const { return listings_; }
+  std::size_t listed_anew() const;
   std::size_t listed() const;
 
  private:
+  /// Part of the stress-free distance of a pair at which it begins to feel each other.
+  static constexpr double kRestRange = 0.5;
+
   struct Parts {
     std::vector<int> vertices;
     std::vector<std::array<int, 2>> edges;
+  };
+
+  /// By the numbers of their triangles.
+  struct ListedPair {
+    int triangle, other;  // the lower first
+    NearPair pair;
   };
 
   void measure_parts(const SelfContactDefinition& definition);
   void gather_stars();
   void measure_heights(const SelfContactDefinition& definition);
   double margin_of(const Eigen::Vector4i& vertices) const;
+  Eigen::Vector3d drift_to(const Eigen::VectorXd& position) const;
+  bool is_beyond(std::size_t vertex, const Eigen::VectorXd& position, const Eigen::Vector3d& drift) const;
   bool covers(const Eigen::VectorXd& position) const;
-  void list_near(const Eigen::VectorXd& position);
+  void note_moved(const Eigen::VectorXd& from, const Eigen::VectorXd& to);
+  /// So that the list covers both; they must be near enough to each other for a list made for their middle.
+  void list_near(const Eigen::VectorXd& from, const Eigen::VectorXd& to);
   template <typename Visit>
   void visit_parts(int triangle, int other, const Visit& visit) const;
   bool were_neighbours(PairKind kind, const Eigen::Vector4i& vertices) const;
   bool is_left_alone(PairKind kind, const Eigen::Vector4i& vertices, double rest_distance) const;
   /// Nothing of parts that are left alone.
   std::optional<NearPair> describe(PairKind kind, const Eigen::Vector4i& vertices) const;
-  void list_if_near(PairKind kind, const Eigen::Vector4i& vertices, const Eigen::VectorXd& position);
+  /// Metres, in the stress-free shape: no less than the distance of the two.
+  double least_corner_distance(PairKind kind, const Eigen::Vector4i& vertices) const;
+  /// `Add`: called with the pair where it is near at the listed position.
+  template <typename Add>
+  void visit_if_near(PairKind kind, const Eigen::Vector4i& vertices, const Add& add) const;
   template <typename Visit>
   void visit_near(const Visit& visit) const;
   void add_folds(const Eigen::VectorXd& position, SelfContactTerms& terms, Eigen::VectorXd& gradient) const;
@@ -127,9 +146,38 @@ class SelfContact {
   std::vector<double> margins_;  // (vertices), metres
   TriangleTree tree_;
   StarPairs stars_;
-  std::vector<NearPair> near_;       // of triangles without a vertex in common
-  Eigen::VectorXd listed_position_;  // (3 vertices), metres, at which `near_` was listed
+  std::vector<ListedPair> near_;     // of triangles without a vertex in common, in order of both
+  Eigen::VectorXd listed_position_;  // (3 vertices), metres, for which `near_` holds all pairs
+  std::vector<char> moved_;          // (vertices), whether the last listing was for them
   long listings_ = 0;
 };
+
+template <typename Visit>
+void SelfContact::visit_parts(int triangle, int other, const Visit& visit) const {
+  const auto apart = [](const Eigen::Vector4i& v) {
+    return v[0] != v[1] && v[0] != v[2] && v[0] != v[3] && v[1] != v[2] && v[1] != v[3];
+  };
+  const auto visit_if_free = [&](PairKind kind, const Eigen::Vector4i& vertices) {
+    const bool held = held_[vertices[0]] && held_[vertices[1]] && held_[vertices[2]] && held_[vertices[3]];
+    if (!held && apart(vertices)) visit(kind, vertices);
+  };
+  for (const auto& [one, two] : {std::array{triangle, other}, std::array{other, triangle}}) {
+    const Eigen::Vector3i& corners = triangles_[two];
+    for (const int vertex : parts_[one].vertices) {
+      visit_if_free(PairKind::kPointTriangle, {vertex, corners[0], corners[1], corners[2]});
+    }
+  }
+  for (const auto& first : parts_[triangle].edges) {
+    for (const auto& second : parts_[other].edges) {
+      visit_if_free(PairKind::kEdgeEdge, {first[0], first[1], second[0], second[1]});
+    }
+  }
+}
+
+template <typename Visit>
+void SelfContact::visit_near(const Visit& visit) const {
+  stars_.visit_near(visit);
+  for (const ListedPair& listed : near_) visit(listed.pair);
+}
 
 }  // namespace thinwall

@@ -27,6 +27,7 @@ TriangleTree::TriangleTree(std::span<const Eigen::Vector3i> triangles, const Eig
   fit(position);
   rest_boxes_ = boxes_;
   margins_.resize(nodes_.size());
+  marked_.assign(nodes_.size(), 1);
   for (int k = static_cast<int>(nodes_.size()) - 1; k >= 0; --k) {
     const Node& node = nodes_[k];
     if (node.left >= 0) {
@@ -55,6 +56,18 @@ int TriangleTree::build(std::vector<int>& order, int begin, int end, const std::
   nodes_[node].left = left;
   nodes_[node].right = right;
   return node;
+}
+
+void TriangleTree::mark(std::span<const char> vertices) {
+  for (int k = static_cast<int>(nodes_.size()) - 1; k >= 0; --k) {
+    const Node& node = nodes_[k];
+    if (node.left >= 0) {
+      marked_[k] = marked_[node.left] || marked_[node.right];
+    } else {
+      const Eigen::Vector3i& corners = triangles_[node.triangle];
+      marked_[k] = vertices[corners[0]] || vertices[corners[1]] || vertices[corners[2]];
+    }
+  }
 }
 
 void TriangleTree::fit(const Eigen::VectorXd& position) {

@@ -24,9 +24,14 @@ class TriangleTree {
   void fit(const Eigen::VectorXd& position);
   void fit(const Eigen::VectorXd& position, const Eigen::VectorXd& motion);
 
-  /// Calls visit(triangle, other, reach) for all pairs of triangles whose boxes lie within reach of each other, metres:
-  /// the margins of both and `range`, or `rest_part` of what they can lie apart in the stress-free shape where that is
-  /// less. So triangles that are small in comparison with the range do not all meet each other.
+  /// From now on `visit_near` leaves out the pairs of which neither triangle has a marked vertex. At first all are.
+  /// `vertices`: whether each is marked.
+  void mark(std::span<const char> vertices);
+
+  /// Calls visit(triangle, other, reach) for all pairs of triangles, one of them marked, whose boxes lie within reach
+  /// of each other, metres: the margins of both and `range`, or `rest_part` of what they can lie apart in the
+  /// stress-free shape where that is less. So triangles that are small in comparison with the range do not all meet
+  /// each other.
   template <typename Visit>
   void visit_near(double range, double rest_part, const Visit& visit) const {
     const auto reach = [&](int a, int b) {
@@ -34,6 +39,7 @@ class TriangleTree {
       return std::min(range, rest_part * apart) + margins_[a] + margins_[b];
     };
     const auto near = [&](int a, int b) {
+      if (!marked_[a] && !marked_[b]) return false;
       const double distance = boxes_[a].squaredExteriorDistance(boxes_[b]);
       const double farthest = range + margins_[a] + margins_[b];
       if (distance == 0 || distance > farthest * farthest) return distance == 0;
@@ -69,7 +75,7 @@ class TriangleTree {
       open.pop_back();
       const Node &first = nodes_[a], &second = nodes_[b];
       if (a == b) {
-        if (first.left < 0) continue;
+        if (first.left < 0 || !near(a, a)) continue;
         open.push_back({first.left, first.left});
         open.push_back({first.right, first.right});
         open.push_back({first.left, first.right});
@@ -91,6 +97,7 @@ class TriangleTree {
   std::vector<Node> nodes_;  // parents before their children
   std::vector<Eigen::AlignedBox3d> boxes_, motions_, rest_boxes_;
   std::vector<double> margins_;  // (nodes), metres, largest of the vertices below
+  std::vector<char> marked_;     // (nodes), whether a vertex below is
 };
 
 }  // namespace thinwall

@@ -151,6 +151,38 @@ TEST(SelfContact, GivesTheSameBitsWhateverItCameFrom) {
   EXPECT_EQ(gradient, other);
 }
 
+TEST(SelfContact, ListsAnewOnlyForWhatHasMovedAndStillFindsAllAsAFreshOne) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> draw(0, 1);
+  Wall travelled(make_sphere(20e-3, 320), 2e-3);
+  Eigen::VectorXd gradient, other, position = flattened(travelled.rest, 2e-3);
+  travelled.evaluate(position, other);
+  const std::size_t vertices = travelled.mesh.vertices.size();
+  EXPECT_EQ(travelled.contact.listed_anew(), vertices);
+  std::size_t most = 0, contacts = 0;
+  for (int step = 0; step < 60; ++step) {
+    // A patch flutters while the whole drifts: each vertex by a part of its margin, so that some pairs are listed for
+    // places where one of the two no longer is.
+    const Eigen::Vector3d center = travelled.rest.segment<3>(3 * (random() % vertices));
+    for (Eigen::Index k = 0; k < position.size(); k += 3) {
+      position.segment<3>(k) += Eigen::Vector3d(1e-3, 0, 0);
+      if ((travelled.rest.segment<3>(k) - center).norm() > 8e-3) continue;
+      for (int axis = 0; axis < 3; ++axis) position[k + axis] += 0.2e-3 * draw(random);
+    }
+    Wall fresh(travelled.mesh, 2e-3);
+    const SelfContactTerms terms = fresh.evaluate(position, gradient);
+    const SelfContactTerms again = travelled.evaluate(position, other);
+    ASSERT_EQ(again.folds.size(), terms.folds.size()) << step;
+    ASSERT_EQ(again.energy, terms.energy) << step;
+    ASSERT_EQ(other, gradient) << step;
+    if (travelled.contact.listings() > 1) most = std::max(most, travelled.contact.listed_anew());
+    contacts += terms.folds.size();
+  }
+  EXPECT_GT(travelled.contact.listings(), 20);
+  EXPECT_LT(most, vertices / 2);
+  EXPECT_GT(contacts, 1000U);
+}
+
 TEST(SelfContact, KeepsItsListWhileTheWallMovesAsAWholeOrALittle) {
   Wall wall(make_sphere(20e-3, 320));
   Eigen::VectorXd gradient, position = wall.rest;

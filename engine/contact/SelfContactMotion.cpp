@@ -1,0 +1,206 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "engine/contact/ContinuousCollision.hpp"
+#include "engine/contact/SelfContact.hpp"
+
+namespace thinwall {
+namespace {
+
+bool share_vertex(const Eigen::Vector3i& one, const Eigen::Vector3i& other) {
+  for (const int vertex : one) {
+    if (vertex == other[0] || vertex == other[1] || vertex == other[2]) return true;
+  }
+  return false;
+}
+
+/// Whether a gap along the line between the centroids alone keeps two triangles farther apart than `reach`: cheap, and
+/// true of most that lie beside each other.
+bool clearly_apart(const std::array<Eigen::Vector3d, 3>& one, const std::array<Eigen::Vector3d, 3>& other,
+                   double reach) {
+  const Eigen::Vector3d axis = other[0] + other[1] + other[2] - one[0] - one[1] - one[2];
+  const double gap = std::min({axis.dot(other[0]), axis.dot(other[1]), axis.dot(other[2])}) -
+                     std::max({axis.dot(one[0]), axis.dot(one[1]), axis.dot(one[2])});
+  return gap > 0 && gap * gap > reach * reach * axis.squaredNorm();
+}
+
+Eigen::Vector3d mean_of(const Eigen::VectorXd& vectors, std::size_t count) {
+  const auto size = static_cast<Eigen::Index>(count);
+  return vectors.head(3 * size).reshaped(3, size).rowwise().mean();
+}
+
+}  // namespace
+
+Eigen::Vector3d SelfContact::drift_to(const Eigen::VectorXd& position) const {
+  return mean_of(position, held_.size()) - mean_of(listed_position_, held_.size());
+}
+
+bool SelfContact::is_beyond(std::size_t vertex, const Eigen::VectorXd& position, const Eigen::Vector3d& drift) const {
+  const Eigen::Index k = 3 * static_cast<Eigen::Index>(vertex);
+  const Eigen::Vector3d moved = position.segment<3>(k) - listed_position_.segment<3>(k) - drift;
+  return margins_[vertex] > 0 && moved.squaredNorm() >= margins_[vertex] * margins_[vertex];
+}
+
+bool SelfContact::covers(const Eigen::VectorXd& position) const {
+  if (listings_ == 0) return false;
+  const Eigen::Vector3d drift = drift_to(position);
+  for (std::size_t v = 0; v < held_.size(); ++v) {
+    if (is_beyond(v, position, drift)) return false;
+  }
+  return true;
+}
+
+void SelfContact::note_moved(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
+  if (listings_ == 0) {
+    moved_.assign(held_.size(), 1);
+    listed_position_ = 0.5 * (from + to);
+    return;
+  }
+  const Eigen::Vector3d drift_from = drift_to(from), drift_on = drift_to(to);
+  for (std::size_t v = 0; v < held_.size(); ++v) {
+    moved_[v] = is_beyond(v, from, drift_from) || is_beyond(v, to, drift_on);
+    if (!moved_[v]) continue;
+    const Eigen::Index k = 3 * static_cast<Eigen::Index>(v);
+    listed_position_.segment<3>(k) = 0.5 * (from.segment<3>(k) - drift_from + to.segment<3>(k) - drift_on);
+  }
+}
+
+double SelfContact::margin_of(const Eigen::Vector4i& vertices) const {
+  double largest = 0;
+  for (const int vertex : vertices) largest = std::max(largest, margins_[vertex]);
+  return 2 * largest;
+}
+
+double SelfContact::least_corner_distance(PairKind kind, const Eigen::Vector4i& vertices) const {
+  const int first = kind == PairKind::kPointTriangle ? 1 : 2;
+  double least = std::numeric_limits<double>::infinity();
+  for (int a = 0; a < first; ++a) {
+    for (int b = first; b < 4; ++b) {
+      const auto between = rest_position_.segment<3>(3 * vertices[a]) - rest_position_.segment<3>(3 * vertices[b]);
+      least = std::min(least, between.squaredNorm());
+    }
+  }
+  return std::sqrt(least);
+}
+
+template <typename Add>
+void SelfContact::visit_if_near(PairKind kind, const Eigen::Vector4i& vertices, const Add& add) const {
+  const PairCorners corners = corners_at(vertices, listed_position_);
+  const double margin = margin_of(vertices);
+  if (least_distance(kind, corners) > largest_range_ + margin) return;
+  const double distance = pair_distance(kind, corners).distance;
+  if (distance > std::min(largest_range_, kRestRange * least_corner_distance(kind, vertices)) + margin) return;
+  const std::optional<NearPair> pair = describe(kind, vertices);
+  if (pair && distance <= pair->range + margin) add(*pair);
+}
+
+void SelfContact::list_near(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
+  note_moved(from, to);
+  tree_.fit(listed_position_);
+  tree_.mark(moved_);
+  const auto has_moved = [&](int triangle) {
+    return std::ranges::any_of(triangles_[triangle], [&](int vertex) { return moved_[vertex] != 0; });
+  };
+  const auto corners = [&](int triangle) -> std::array<Eigen::Vector3d, 3> {
+    const Eigen::Vector3i& v = triangles_[triangle];
+    return {listed_position_.segment<3>(3 * v[0]), listed_position_.segment<3>(3 * v[1]),
+            listed_position_.segment<3>(3 * v[2])};
+  };
+  std::erase_if(near_, [&](const ListedPair& pair) { return has_moved(pair.triangle) || has_moved(pair.other); });
+  const auto kept = static_cast<std::ptrdiff_t>(near_.size());
+  tree_.visit_near(largest_range_, kRestRange, [&](int triangle, int other, double reach) {
+    if (share_vertex(triangles_[triangle], triangles_[other])) return;
+    if (clearly_apart(corners(triangle), corners(other), reach)) return;
+    const auto [low, high] = std::minmax(triangle, other);
+    visit_parts(triangle, other, [&](PairKind kind, const Eigen::Vector4i& vertices) {
+      visit_if_near(kind, vertices, [&](const NearPair& pair) { near_.push_back({low, high, pair}); });
+    });
+  });
+  const auto earlier = [](const ListedPair& one, const ListedPair& two) {
+    return std::tie(one.triangle, one.other) < std::tie(two.triangle, two.other);
+  };
+  std::stable_sort(near_.begin() + kept, near_.end(), earlier);
+  std::inplace_merge(near_.begin(), near_.begin() + kept, near_.end(), earlier);
+  ++listings_;
+}
+
+double SelfContact::safe_fraction_above_floors(const Eigen::VectorXd& position, const Eigen::VectorXd& motion) const {
+  double fraction = 1;
+  for (std::size_t f = 0; f < floors_.size(); ++f) {
+    for (std::size_t v = 0; v < held_.size(); ++v) {
+      if (heights_[f][v] == 0) continue;
+      const Eigen::Index at = 3 * static_cast<Eigen::Index>(v);
+      const double height = floors_[f].normal.dot(position.segment<3>(at)) - floors_[f].height;
+      const double fall = -floors_[f].normal.dot(motion.segment<3>(at));
+      if (fall * fraction > (1 - kKeptDistance) * height) fraction = (1 - kKeptDistance) * height / fall;
+    }
+  }
+  return fraction;
+}
+
+double SelfContact::safe_fraction(const Eigen::VectorXd& position, const Eigen::VectorXd& motion) {
+  double fraction = safe_fraction_above_floors(position, motion);
+  fraction = std::min(fraction, stars_.safe_fraction(position, motion));
+  const auto fraction_of = [&](PairKind kind, const Eigen::Vector4i& vertices) {
+    return thinwall::safe_fraction(kind, corners_at(vertices, position), corners_at(vertices, motion));
+  };
+  // What is not listed stays out of range as long as the list covers both ends of the motion: one that is made for
+  // the middle covers twice its margin.
+  const Eigen::Vector3d drift = mean_of(motion, held_.size());
+  const auto is_short = [&](std::size_t v) {
+    return (motion.segment<3>(3 * static_cast<Eigen::Index>(v)) - drift).norm() < 1.8 * margins_[v] || margins_[v] == 0;
+  };
+  bool all_short = true;
+  for (std::size_t v = 0; all_short && v < held_.size(); ++v) all_short = is_short(v);
+  const Eigen::VectorXd end = position + motion;
+  bool is_covered = covers(position) && covers(end);
+  if (all_short && !is_covered) {
+    list_near(position, end);
+    is_covered = true;
+  }
+  if (is_covered) {
+    for (const auto& [triangle, other, pair] : near_)
+      fraction = std::min(fraction, fraction_of(pair.kind, pair.vertices));
+    return fraction;
+  }
+  tree_.fit(position, motion);
+  tree_.visit_meeting([&](int triangle, int other) {
+    if (share_vertex(triangles_[triangle], triangles_[other])) return;
+    visit_parts(triangle, other, [&](PairKind kind, const Eigen::Vector4i& vertices) {
+      const double one = fraction_of(kind, vertices);
+      if (one >= fraction) return;
+      const double rest_distance = pair_distance(kind, corners_at(vertices, rest_position_)).distance;
+      if (!is_left_alone(kind, vertices, rest_distance)) fraction = one;
+    });
+  });
+  return fraction;
+}
+
+std::size_t SelfContact::listed_anew() const {
+  return static_cast<std::size_t>(std::ranges::count(moved_, 1));
+}
+
+std::size_t SelfContact::listed() const {
+  std::size_t count = 0;
+  visit_near([&](const NearPair&) { ++count; });
+  return count;
+}
+
+std::vector<std::array<int, 2>> SelfContact::near_couplings() const {
+  std::vector<std::array<int, 2>> couplings;
+  visit_near([&](const NearPair& pair) {
+    for (int a = 0; a < 4; ++a) {
+      for (int b = 0; b < a; ++b) {
+        const auto [low, high] = std::minmax(pair.vertices[a], pair.vertices[b]);
+        couplings.push_back({low, high});
+      }
+    }
+  });
+  std::sort(couplings.begin(), couplings.end());
+  couplings.erase(std::unique(couplings.begin(), couplings.end()), couplings.end());
+  return couplings;
+}
+
+}  // namespace thinwall
