@@ -126,7 +126,9 @@ void CutSurface::check_path(const CutPath& path) const {
 
 namespace {
 // Rings of triangles around the path; the outermost one stays as it is.
-constexpr int kRings = 3, kRingsOfRefinement = 2;
+constexpr int kRings = 3;
+// As many more for a refinement, which spreads where triangles cannot be divided well: as few as will do.
+constexpr std::array kRingsOfRefinement = {2, 6, 18};
 }  // namespace
 
 Eigen::Vector3d CutSurface::position_of(const SurfacePoint& point) const {
@@ -175,9 +177,9 @@ std::vector<int> CutSurface::triangles_near(const CutPath& path, int rings) cons
   return near;
 }
 
-CutPatch CutSurface::extract(const CutPath& path, const CutOptions& options, PatchNumbers& numbers) const {
+CutPatch CutSurface::extract(const CutPath& path, const CutOptions& options, int rings, PatchNumbers& numbers) const {
   CutPatch patch;
-  numbers.triangles = triangles_near(path, kRings + (options.edge_length > 0 ? kRingsOfRefinement : 0));
+  numbers.triangles = triangles_near(path, rings);
   std::vector<int>&local_triangle = numbers.local_triangle, local_vertex(mesh_.vertices.size(), -1);
   local_triangle.assign(mesh_.triangles.size(), -1);
   std::unordered_map<int, int> local_facet;
@@ -236,9 +238,9 @@ struct CutSurface::Plan {
   double deviation() const { return deviation_of(refined.stops, cut); }
 };
 
-CutSurface::Plan CutSurface::plan(const CutPath& path, const CutOptions& options) const {
+CutSurface::Plan CutSurface::start_of(const CutPath& path, const CutOptions& options, int rings) const {
   Plan plan;
-  plan.start.patch = extract(path, options, plan.numbers);
+  plan.start.patch = extract(path, options, rings, plan.numbers);
   plan.start.patch.path_goes_on = path.goes_on;
   std::vector<SurfacePoint> points = path.points;
   for (SurfacePoint& point : points) point.triangle = plan.numbers.local_triangle[point.triangle];
@@ -247,7 +249,19 @@ CutSurface::Plan CutSurface::plan(const CutPath& path, const CutOptions& options
   if (path.from) from = static_cast<int>(std::ranges::find(vertices, *path.from) - vertices.begin());
   plan.start.stops = read_path(plan.start.patch, from, points);
   plan.refined = plan.start;
-  if (options.edge_length > 0) refine_along(plan.refined.patch, plan.refined.stops, options.edge_length);
+  return plan;
+}
+
+CutSurface::Plan CutSurface::plan(const CutPath& path, const CutOptions& options) const {
+  Plan plan;
+  if (options.edge_length > 0) {
+    for (const int rings : kRingsOfRefinement) {
+      plan = start_of(path, options, kRings + rings);
+      if (refine_along(plan.refined.patch, plan.refined.stops, options.edge_length)) break;
+    }
+  } else {
+    plan = start_of(path, options, kRings);
+  }
   plan.cut = plan_cut(plan.start, plan.refined);
   return plan;
 }

@@ -66,8 +66,9 @@ class CutSurface {
   std::vector<int> fan_of(int vertex) const;
   Eigen::Vector3d position_of(const SurfacePoint& point) const;
   std::vector<int> triangles_near(const CutPath& path, int rings) const;
-  CutPatch extract(const CutPath& path, const CutOptions& options, PatchNumbers& numbers) const;
+  CutPatch extract(const CutPath& path, const CutOptions& options, int rings, PatchNumbers& numbers) const;
   double edge_length_at(const CutPath& path) const;
+  Plan start_of(const CutPath& path, const CutOptions& options, int rings) const;
   Plan plan(const CutPath& path, const CutOptions& options) const;
   Plan plan_close(const CutPath& path, const CutOptions& options) const;
   void find_facets();

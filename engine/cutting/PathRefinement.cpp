@@ -34,14 +34,29 @@ double sharpness_of_halves(const CutPatch& patch, int triangle, int side) {
   return std::max(sharpness(a, middle, c, normal), sharpness(middle, b, c, normal));
 }
 
+/// The sharpness of the worst piece of a triangle whose sides but one are split, with the better one of the diagonals
+/// between them.
+double sharpness_of_thirds(const CutPatch& patch, int triangle, int whole_side) {
+  const Eigen::Vector3i& t = patch.triangles[triangle];
+  const Eigen::Vector3d &a = patch.positions[t[whole_side]], &b = patch.positions[t[(whole_side + 1) % 3]],
+                        &c = patch.positions[t[(whole_side + 2) % 3]];
+  const Eigen::Vector3d at_a = 0.5 * (c + a), at_b = 0.5 * (b + c);
+  const auto piece = [&](const Eigen::Vector3d& one, const Eigen::Vector3d& two, const Eigen::Vector3d& three) {
+    return sharpness(one, two, three, patch.facet_normals[patch.facet[triangle]]);
+  };
+  const double from_a = std::max(piece(a, b, at_b), piece(a, at_b, at_a));
+  const double from_b = std::max(piece(a, b, at_a), piece(b, at_b, at_a));
+  return std::max(piece(at_b, c, at_a), std::min(from_a, from_b));
+}
+
 struct Marks {
   std::vector<char> refined;  // (triangles), into four
   std::set<Edge> split;
 };
 
-/// Chooses what to refine: triangles along the path, and others until of each of the rest at most one edge is split and
-/// halves it well. Where a triangle can bear neither, because it is fine already or frozen, its edges stay whole, and
-/// so do the triangles that would have split them.
+/// Chooses what to refine: triangles along the path, and others until of each of the rest at most two edges are split
+/// and divide it well. Where a triangle can bear neither, because it is fine already or frozen, its edges stay whole,
+/// and so do the triangles that would have split them.
 class Marking {
  public:
   Marking(const CutPatch& patch, std::span<const Eigen::Vector3d> line, double edge_length)
@@ -52,6 +67,8 @@ class Marking {
       if (near && scale > kLongest * edge_length) seeds_.push_back(t);
     }
   }
+
+  bool is_fine() const { return seeds_.empty(); }
 
   Marks find() {
     do {
@@ -78,8 +95,12 @@ class Marking {
     return true;
   }
 
-  bool halves_well(int t, int side) const {
-    return sharpness_of_halves(patch_, t, side) <= allowed_sharpness(patch_, t);
+  /// Whether a triangle is divided well by new vertices on some of its sides, the triangle itself not refined.
+  bool divides_well(int t, const std::vector<int>& split) const {
+    if (patch_.frozen[t] || split.size() > 2) return false;
+    const double worst = split.size() == 1 ? sharpness_of_halves(patch_, t, split[0])
+                                           : sharpness_of_thirds(patch_, t, 3 - split[0] - split[1]);
+    return worst <= allowed_sharpness(patch_, t);
   }
 
   void refine(int t) {
@@ -97,8 +118,7 @@ class Marking {
         for (int k = 0; k < 3; ++k) {
           if (marks_.split.count(edge_of(patch_, t, k))) split.push_back(k);
         }
-        const bool good = split.size() == 1 && !patch_.frozen[t] && halves_well(t, split[0]);
-        if (split.empty() || good) continue;
+        if (split.empty() || divides_well(t, split)) continue;
         if (!may_refine(t)) {
           for (const int k : split) whole_.insert(edge_of(patch_, t, k));
           return false;
@@ -111,7 +131,24 @@ class Marking {
   }
 };
 
-/// Splits the edges; between the three new vertices of a refined triangle one edge still runs to an old vertex.
+/// The vertex across a side, in the triangle beside it.
+int vertex_across(const CutPatch& patch, int triangle, int side) {
+  const int next = patch.neighbours[triangle][side];
+  return patch.triangles[next][(patch.corner_of(next, patch.triangles[triangle][(side + 1) % 3]) + 2) % 3];
+}
+
+/// Whether the two triangles at a side were less sharp with the other diagonal.
+bool is_better_flipped(const CutPatch& patch, int triangle, int side) {
+  const Eigen::Vector3i& t = patch.triangles[triangle];
+  const Eigen::Vector3d& normal = patch.facet_normals[patch.facet[triangle]];
+  const auto &a = patch.positions[t[side]], &b = patch.positions[t[(side + 1) % 3]],
+             &c = patch.positions[t[(side + 2) % 3]], &d = patch.positions[vertex_across(patch, triangle, side)];
+  const double now = std::max(sharpness(a, b, c, normal), sharpness(b, a, d, normal));
+  return std::max(sharpness(a, d, c, normal), sharpness(d, b, c, normal)) < now;
+}
+
+/// Splits the edges. Between the three new vertices of a refined triangle one edge still runs to an old vertex, and so
+/// does that between the two of one that is not refined, which may be the worse diagonal.
 std::map<Edge, int> split_edges(CutPatch& patch, const Marks& marks) {
   const int old = patch.vertex_count();
   std::map<Edge, int> middles;
@@ -128,9 +165,8 @@ std::map<Edge, int> split_edges(CutPatch& patch, const Marks& marks) {
       const auto [low, high] = edge_of(patch, t, k);
       if (low >= old || high < old || parents[high - old].first == low || parents[high - old].second == low) continue;
       if (!patch.can_flip(t, k)) continue;
-      const int n = patch.neighbours[t][k];
-      const int d = patch.triangles[n][(patch.corner_of(n, patch.triangles[t][(k + 1) % 3]) + 2) % 3];
-      if (patch.triangles[t][(k + 2) % 3] >= old && d >= old) patch.flip(t, k);
+      const int new_corners = (patch.triangles[t][(k + 2) % 3] >= old) + (vertex_across(patch, t, k) >= old);
+      if (new_corners == 2 || (new_corners == 1 && is_better_flipped(patch, t, k))) patch.flip(t, k);
     }
   }
   return middles;
@@ -158,11 +194,12 @@ void move_stops(std::vector<PathStop>& stops, const std::map<Edge, int>& middles
 
 }  // namespace
 
-void refine_along(CutPatch& patch, std::vector<PathStop>& stops, double edge_length) {
+bool refine_along(CutPatch& patch, std::vector<PathStop>& stops, double edge_length) {
   const std::vector<Eigen::Vector3d> line = corners_of(stops);
   for (;;) {
-    const Marks marks = Marking(patch, line, edge_length).find();
-    if (marks.split.empty()) return;
+    Marking marking(patch, line, edge_length);
+    const Marks marks = marking.find();
+    if (marks.split.empty()) return marking.is_fine();
     const int old_vertices = patch.vertex_count();
     std::vector<char> split_before(patch.changed.size(), 0);
     std::swap(split_before, patch.changed);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "engine/cutting/CutSurface.hpp"
 #include "engine/mesh/MeshMeasures.hpp"
@@ -95,6 +96,31 @@ TEST(CutSurface, RefinesTheWallAlongACutAndFollowsItsPathTheCloser) {
       }
     }
   }
+}
+
+TEST(CutSurface, FindsRoomForASlitMuchShorterThanTheEdgesOfAnIrregularWall) {
+  // Refinement spreads in such a wall, because few of its triangles can be halved well.
+  SurfaceMesh mesh = make_sphere(1, 720);
+  const double edge = std::sqrt(4 / std::sqrt(3.0) * wall_area(mesh) / 720);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> shift(-0.2 * edge, 0.2 * edge);
+  for (Eigen::Vector3d& vertex : mesh.vertices) {
+    vertex += Eigen::Vector3d(shift(random), shift(random), shift(random));
+    vertex = vertex.normalized().cwiseProduct(Eigen::Vector3d(1, 0.5, 0.5));
+  }
+  int slits = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); t += 18) {
+    CutSurface surface(mesh);
+    const SurfacePoint start{.triangle = static_cast<int>(t), .weights = {0.5, 0.3, 0.2}};
+    const Eigen::Vector3d to = mesh.vertices[mesh.triangles[t][1]] - mesh.vertices[mesh.triangles[t][0]];
+    const SurfaceWalk walk = walk_on(surface, start, to.normalized(), edge / 4);
+    const Cut cut = cut_well(surface, {.from = {}, .points = walk.points}, {.edge_length = edge / 16});
+    if (cut.triangles.empty()) continue;
+    ++slits;
+    EXPECT_NEAR(cut.length, edge / 4, edge / 16) << t;
+  }
+  // Of 40; 21 where triangles are only halved or refined whole.
+  EXPECT_GE(slits, 39);
 }
 
 TEST(CutSurface, RefinesOnlyWhereACutWouldLeaveItsPath) {
