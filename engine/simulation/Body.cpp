@@ -60,8 +60,37 @@ constexpr double kSmallestPart = 1.0 / 256;
 /// Part of the largest of its energies that the integrator may take or give in a part of a step of a cut body: walls
 /// that collapse, and jets that begin at once, ask for shorter ones. Where the wall jumps none is short enough.
 constexpr double kMostUnbooked = 5e-4;
-constexpr double kMostGiven = 2.5e-3;  // where it may take as much as it likes
 constexpr double kSmallestUnbookedPart = 1.0 / 16;
+
+/// What it may give any body, for no wall jumps to where it has more energy than before: a solver that found such a
+/// shape has gone astray, from less far away it finds one that is nearer.
+constexpr double kMostGiven = 2.5e-3;
+
+/// Strain below which the energy of a whole wall is none.
+constexpr double kNoStrain = 1e-6;
+
+/// The parts into which a step is divided, one after the other.
+struct StepParts {
+  double largest = 1;   // that tools and blades allow
+  double done = 0;      // of the step
+  double part = 1;      // of the step, that is tried
+  double division = 1;  // the same of the largest, but for what the end of the step takes off
+
+  void divide() {
+    part *= 0.5;
+    division *= 0.5;
+  }
+  void go_on(bool may_double) {
+    done += part;
+    if (may_double) {
+      part *= 2;
+      division = std::min(1.0, 2 * division);
+    }
+    part = std::min(part, largest);
+    // No part is left that only round-off makes.
+    if (done + part > 1 - 1e-6 * largest) part = 1 - done;
+  }
+};
 
 /// The share of a part of the step from `done` on.
 BodyInput part_of(const BodyInput& input, const BodyState& start, double done, double part) {
@@ -209,12 +238,13 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
 }
 
 double Body::unbooked_part(const BodyState& before, bool is_calm) const {
-  const double taken = state_.books.numerical - before.books.numerical;
-  if (!state_.cut.has_incised || taken == 0) return 0;
-  // What a drag takes up is no matter of the step's length, nor is what flaps that flutter lose. But neither gives.
-  const bool only_gives = !is_calm || state_.drag_force.size() > 0;
-  const double largest = state_.books.largest();
-  return only_gives ? std::max(0.0, -taken / (kMostGiven * largest)) : std::abs(taken) / (kMostUnbooked * largest);
+  const double taken = state_.books.numerical - before.books.numerical, largest = state_.books.largest();
+  const double none = kNoStrain * kNoStrain * model_->wall_stiffness * model_->rest_area;
+  const double given = std::max(0.0, -taken) / (kMostGiven * std::max(largest, none));
+  // What walls take that jump or flaps that flutter, and what a drag takes up, is no matter of the step's length.
+  const bool is_even = before.cut.has_incised && is_calm && state_.drag_force.size() == 0;
+  if (!is_even || largest == 0) return given;
+  return std::abs(taken) / (kMostUnbooked * largest);
 }
 
 void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> end, double duration,
@@ -222,51 +252,50 @@ void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> en
   report_ = {};
   state_.cut.run = 0;
   const BodyState start = state_;
-  double largest = largest_part(begin, end);
+  StepParts step{.largest = largest_part(begin, end)};
   if (input.blade && input.blade->travel > 0) {
-    largest = std::min(largest, 1 / std::ceil(input.blade->travel / (kBladeEdges * model_->edge_length)));
+    step.largest = std::min(step.largest, 1 / std::ceil(input.blade->travel / (kBladeEdges * model_->edge_length)));
   }
-  double done = 0, part = largest;
-  const double smallest = largest * std::pow(0.5, options_.maximum_halvings + 0.5);
+  step.part = step.largest;
+  const double smallest = step.largest * std::pow(0.5, options_.maximum_halvings + 0.5);
+  const double smallest_unbooked = kSmallestUnbookedPart * (start.cut.has_incised ? 1 : step.largest);
   std::vector<ToolPose> from(begin.begin(), begin.end());
-  while (done < 1) {
-    const std::vector<ToolPose> to = interpolate(begin, end, done + part);
+  while (step.done < 1) {
+    const std::vector<ToolPose> to = interpolate(begin, end, step.done + step.part);
     const BodyState before = state_;
+    state_.cut.division = step.division;
     const int iterations = report_.newton_iterations, shifted = report_.shifted_iterations;
-    if (!try_step(from, to, part * duration, part_of(input, start, done, part))) {
+    if (!try_step(from, to, step.part * duration, part_of(input, start, step.done, step.part))) {
       state_ = before;
       if (may_crumple()) {
         crumple(from);
         continue;
       }
-      part *= 0.5;
+      step.divide();
       ++report_.halvings;
-      if (part < smallest || report_.halvings > kMostHalvings) {
+      if (step.part < smallest || report_.halvings > kMostHalvings) {
         state_ = start;
         throw SimulationFailure("body `" + model_->definition.name + "`: " + failure_ +
                                 ", also with the step divided " + std::to_string(report_.halvings) + " times");
       }
       continue;
     }
-    const double error = options_.step_error > 0 ? step_error(before, part * duration) / options_.step_error : 0;
+    const double error = options_.step_error > 0 ? step_error(before, step.part * duration) / options_.step_error : 0;
     const bool was_easy = report_.newton_iterations - iterations <= kEasyIterations;
     // Where flaps flutter the matrix is not convex at first, and shorter steps show more of that.
     const bool is_calm = report_.shifted_iterations == shifted && report_.halvings == 0;
     const double unbooked = unbooked_part(before, is_calm);
-    if ((error > 1 && part > kSmallestPart) || (unbooked > 1 && part > kSmallestUnbookedPart)) {
+    if ((error > 1 && step.part > kSmallestPart) || (unbooked > 1 && step.part > smallest_unbooked)) {
       state_ = before;
-      part *= 0.5;
+      step.divide();
       ++report_.refinements;
       continue;
     }
     from = to;
-    done += part;
     // Doubled only where the error allows it: it grows with the cube of the step.
-    if (was_easy && std::max(error, unbooked) < 0.1) part *= 2;
-    part = std::min(part, largest);
-    // No part is left that only round-off makes.
-    if (done + part > 1 - 1e-6 * largest) part = 1 - done;
+    step.go_on(was_easy && std::max(error, unbooked) < 0.1);
   }
+  state_.cut.division = 1;
   foresight_.reset();
 }
 

@@ -295,7 +295,7 @@ class Body {
   double update_bending_memory(double duration, const EquilibriumProblem& problem);
   double step_error(const BodyState& before, double duration) const;
 
-  /// What the integrator took or gave in the last part of a step of a cut body, over what it may.
+  /// What the integrator took or gave in the last part of a step, over what it may.
   double unbooked_part(const BodyState& before, bool is_calm) const;
   void attach(std::span<const ToolPose> begin, std::span<const ToolPose> end, EquilibriumProblem& problem) const;
   void attach_line(int tool, const ToolPose& end, EquilibriumProblem& problem) const;

@@ -15,6 +15,15 @@
 namespace thinwall {
 namespace {
 
+/// Contents that do not run out keep their surface, whatever caps span the lips now.
+void keep_surfaces(BodyModel& model, const BodyState& state) {
+  if (!model.has_open_chambers() || model.definition.fluid.leaks) return;
+  const Eigen::VectorXd below_caps = enclosed_volumes(model, state.equilibrium.position);
+  for (Eigen::Index c = 0; c < below_caps.size(); ++c) {
+    model.chambers[static_cast<std::size_t>(c)].beyond_caps = state.volume[c] - below_caps[c];
+  }
+}
+
 /// Groups that stand for the regions where a body is held: no scenario can name them.
 std::string group_of_fixed(std::size_t region) {
   return "\nfixed " + std::to_string(region);
@@ -97,6 +106,7 @@ Cut Body::change_mesh(const CutPath& path, CutOptions options, Uncut* before) {
   if (state_.cut.gap && is_changed(state_.cut.gap->lip.triangle)) state_.cut.gap.reset();
   auto after = std::make_unique<BodyModel>(make_body_model(cut_definition(*model_, surface_->mesh(), cut)));
   state_ = carried_over(*model_, state_, *after, cut, options_.gravity);
+  keep_surfaces(*after, state_);
   // A piece that nothing holds any more stays where it has just come off.
   if (after->rigid_motions.cols() > 0) hold_rigid_motions(*after, state_.equilibrium.position);
   // What slowed the wall is from now on among the forces that hold the lips.

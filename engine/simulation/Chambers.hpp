@@ -16,6 +16,9 @@ struct ChamberModel {
   double rest_volume = 0;                           // metres^3
   Eigen::Vector3d level = Eigen::Vector3d::Zero();  // metres, centroid at rest: where the pressure is told
   std::optional<double> initial_pressure;           // pascal
+  // Metres^3 between the caps that span the lips of an opening and the surface of contents that do not run out, which
+  // is where it was when the cut changed the lips.
+  double beyond_caps = 0;
 };
 
 struct Chambers {

@@ -16,7 +16,8 @@ CutProgress let_go(const CutProgress& progress, const std::optional<BladeInput>&
   double travel = blade ? progress.progress * blade->travel : 0;
   for (HeldLips& lips : after.held) {
     const bool follows = blade && !lips.runs;
-    const double part = std::min(lips.held, follows ? travel / lips.length : kIdleRelease);
+    const double part =
+        std::min(lips.held, follows ? travel / lips.length : kIdleRelease * (lips.drives ? 1 : progress.division));
     lips.held -= part;
     if (follows) travel -= part * lips.length;
   }

@@ -38,6 +38,7 @@ struct HeldLips {
   bool pays = true;   // whether what it releases pays for new cut area, or is lost
   double work = 0;    // joule, that the forces have done on the wall so far: below zero while they hold it
   bool runs = false;  // let go in a few steps, whatever the blade does: the cut ran ahead here, or they drive the wall
+  bool drives = false;  // whether they drive the wall: let go in as many parts of steps, however short those are
 };
 
 /// A gap of the wall that a blade crosses.
@@ -75,16 +76,17 @@ struct CutProgress {
   double awaited = 0;                      // metres of the blade's way before it is asked again whether the cut runs
   double run = 0;                          // metres, as it is stretched, that the cut has run in this step
   double run_length = 0;                   // metres, rest, of `length`: that ran ahead of blades
-  bool has_incised = false;                // whether a blade has cut the wall, that holds flaps together no more
-  bool has_crumpled = false;               // whether one has pressed it along itself: it wrinkles as cut ones do
+  double division = 1;        // of the step under way: lips that no blade leads lose as much less of theirs
+  bool has_incised = false;   // whether a blade has cut the wall, that holds flaps together no more
+  bool has_crumpled = false;  // whether one has pressed it along itself: it wrinkles as cut ones do
 
   /// Whether there is wall before the blade, and it is not in a gap or beyond a border.
   bool is_in_wall() const { return tip || start; }
 };
 
 /// After a step: lips let go one after the other over what the blade cuts, taken to be the same part of its way as in
-/// the step before, or all by a fixed part where no blade goes on, as are those of cuts that ran ahead. `blade`: none
-/// in a gap of the wall.
+/// the step before, or all by a fixed part where no blade goes on, as are those of cuts that ran ahead: by less where
+/// the step is divided. `blade`: none in a gap of the wall.
 CutProgress let_go(const CutProgress& progress, const std::optional<BladeInput>& blade);
 
 /// Forces at the lips, (unknowns), newton; none where there are none.

@@ -298,6 +298,9 @@ Eigen::VectorXd enclosed_volumes(const BodyModel& model, const Eigen::VectorXd& 
   for (const OpeningModel& opening : model.openings) {
     volumes[opening.chamber] += lip_cap_of(opening.at(position)).volume;
   }
+  for (std::size_t c = 0; c < model.chambers.size(); ++c) {
+    volumes[static_cast<Eigen::Index>(c)] += model.chambers[c].beyond_caps;
+  }
   return volumes;
 }
 

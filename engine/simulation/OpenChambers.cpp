@@ -49,6 +49,9 @@ void add_to_corners(const Eigen::Vector3i& triangle, const Eigen::Matrix<double,
 
 void add_caps(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
               EquilibriumTerms& terms) {
+  for (std::size_t c = 0; c < model.chambers.size(); ++c) {
+    terms.volume[static_cast<Eigen::Index>(c)] += model.chambers[c].beyond_caps;
+  }
   for (const OpeningModel& opening : model.openings) {
     const int c = opening.chamber;
     const Eigen::Matrix3Xd lips = opening.at(position);

@@ -215,7 +215,7 @@ PartedContents parted_contents(const BodyModel& before, const SurfaceMesh& mesh,
 void carry_contents(const BodyModel& before, const BodyState& state, const BodyModel& after, const Cut& cut,
                     const Eigen::Vector3d& gravity, BodyState& carried) {
   if (!after.has_fluid()) return;
-  const std::vector<Heir> heirs = heirs_of(before, state, after, cut, gravity, carried.equilibrium.position);
+  std::vector<Heir> heirs = heirs_of(before, state, after, cut, gravity, carried.equilibrium.position);
   std::vector<double> whole(before.chambers.size(), 0);
   for (const Heir& heir : heirs) whole[heir.before] += heir.weight;
   const auto count = static_cast<Eigen::Index>(heirs.size());
@@ -225,9 +225,11 @@ void carry_contents(const BodyModel& before, const BodyState& state, const BodyM
   }
   carried.equilibrium.pressure = Eigen::VectorXd::Zero(count);
   for (Eigen::Index c = 0; c < count; ++c) {
-    const Heir& heir = heirs[c];
+    Heir& heir = heirs[c];
     const bool is_alone = heir.weight == whole[heir.before], keeps = c < state.leaked.size();
     const double share = is_alone ? 1 : heir.weight / whole[heir.before];
+    // What does not run out keeps its volume, whatever cap spans the lips from now on.
+    if (!after.definition.fluid.leaks) heir.volume = share * state.volume[heir.before];
     carried.volume[c] = heir.volume;
     carried.equilibrium.pressure[c] = heir.pressure;
     carried.reference_pressure[c] =

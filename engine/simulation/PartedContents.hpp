@@ -21,7 +21,8 @@ PartedContents parted_contents(const BodyModel& before, const SurfaceMesh& mesh,
 /// Brings the contents of a state to a cut body; `carried` has its positions already. Fluid goes with the volume below
 /// the surface that it has, and keeps its pressure. What has leaked stays with the chamber that keeps its place. What
 /// no longer finds room, because an opening spans the chamber lower than the wall did, has leaked. The fluid's motion
-/// stays the same everywhere. `gravity`: metres / second^2.
+/// stays the same everywhere. Contents that do not run out keep their volume, also where other caps span the lips.
+/// `gravity`: metres / second^2.
 void carry_contents(const BodyModel& before, const BodyState& state, const BodyModel& after, const Cut& cut,
                     const Eigen::Vector3d& gravity, BodyState& carried);
 
