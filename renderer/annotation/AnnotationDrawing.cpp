@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <limits>
+#include <utility>
 
 #include "renderer/annotation/ArrowShape.hpp"
 #include "renderer/annotation/LabelLayout.hpp"
+#include "renderer/annotation/LabelOrder.hpp"
 #include "renderer/annotation/MaterialPoint.hpp"
 #include "renderer/overlay/Font.hpp"
 #include "renderer/overlay/NumberText.hpp"
@@ -57,16 +59,13 @@ std::optional<Vector3> material_place(const Snapshot& snapshot, const std::strin
   return point ? std::optional(place_of(*point, *surface)) : std::nullopt;
 }
 
-/// Outlines of what labels should keep clear of: vertices of the surfaces, tools and points along their rods.
-std::vector<PixelPoint> obstacles_of(const Scene& scene) {
+/// Outlines of tools: vertices and points along their rods.
+std::vector<PixelPoint> tool_obstacles(const Scene& scene) {
   std::vector<PixelPoint> obstacles;
   const auto add = [&](Vector3 place) {
     const std::optional<PixelPoint> at = scene.pixel(place);
     if (at && scene.shows(*at)) obstacles.push_back(*at);
   };
-  for (const SnapshotSurface& surface : scene.snapshot.surfaces) {
-    for (const Float3& position : surface.positions) add(vector3(position));
-  }
   constexpr int kAlongRods = 64;
   for (const SnapshotTool& tool : scene.snapshot.tools) {
     const ToolShape shape = tool_shape(tool, scene.extent.size);
@@ -79,28 +78,36 @@ std::vector<PixelPoint> obstacles_of(const Scene& scene) {
   return obstacles;
 }
 
-/// Where a label's point lay at rest when it was first shown: decides side and order once for all.
-PixelPoint first_pixel(const Scene& scene, const LabelDefinition& label) {
-  CameraDefinition camera = scene.definition;
-  camera.followed_point.reset();
-  const Camera first = resolve_camera(camera, scene.extent, scene.size, label.span.begin);
-  return first.pixel(vector3(label.at), scene.size).value_or(PixelPoint{0, 0});
+/// Outlines of what labels should keep clear of: tools and vertices of the surfaces.
+std::vector<PixelPoint> obstacles_of(const Scene& scene) {
+  std::vector<PixelPoint> obstacles = tool_obstacles(scene);
+  for (const SnapshotSurface& surface : scene.snapshot.surfaces) {
+    for (const Float3& position : surface.positions) {
+      const std::optional<PixelPoint> at = scene.pixel(vector3(position));
+      if (at && scene.shows(*at)) obstacles.push_back(*at);
+    }
+  }
+  return obstacles;
 }
 
-/// The middle of the organs at that time, across the picture.
-double first_middle(const Scene& scene, const LabelDefinition& label) {
+/// Where the camera is at `time`, but for a point that it follows: decides sides and order once for all.
+Camera resting_camera_at(const Scene& scene, double time) {
   CameraDefinition camera = scene.definition;
   camera.followed_point.reset();
-  const Camera first = resolve_camera(camera, scene.extent, scene.size, label.span.begin);
-  const auto middle = first.pixel(scene.extent.center, scene.size);
-  return middle ? (*middle)[0] : 0.5 * scene.size.width;
+  return resolve_camera(camera, scene.extent, scene.size, time);
+}
+
+/// Whether a place, at rest, lies left of the middle of the organs when it is first shown.
+bool is_left_of_middle(const Scene& scene, const Double3& at, double first_shown) {
+  const Camera first = resting_camera_at(scene, first_shown);
+  const auto place = first.pixel(vector3(at), scene.size), middle = first.pixel(scene.extent.center, scene.size);
+  return (place ? (*place)[0] : 0) < (middle ? (*middle)[0] : 0.5 * scene.size.width);
 }
 
 struct ShownLabel {
   const LabelDefinition* definition = nullptr;
   Text text;
   PixelPoint anchor = {};
-  PixelPoint first = {};
   bool hidden = false;
   bool on_the_left = false;
 };
@@ -113,17 +120,14 @@ std::vector<ShownLabel> shown_labels(const Scene& scene, const std::vector<Label
     const std::optional<PixelPoint> anchor = place ? scene.pixel(*place) : std::nullopt;
     if (!anchor || !scene.shows(*anchor)) continue;
     const TextStyle style{.size = scene.grid.pixels(kTextSize), .bold = true, .color = plate_style::kText};
-    const PixelPoint first = first_pixel(scene, label);
-    const bool is_nearer_left = first[0] < first_middle(scene, label);
-    shown.push_back(
-        {.definition = &label,
-         .text = Text(label.text, style, {.width = scene.grid.pixels(kWidestText), .lines = 3}),
-         .anchor = *anchor,
-         .first = first,
-         .hidden = is_hidden(*place, scene.camera.position, scene.snapshot),
-         .on_the_left = label.side == LabelSide::kNearest ? is_nearer_left : label.side == LabelSide::kLeft});
+    const bool is_left = label.side == LabelSide::kNearest ? is_left_of_middle(scene, label.at, label.span.begin)
+                                                           : label.side == LabelSide::kLeft;
+    shown.push_back({.definition = &label,
+                     .text = Text(label.text, style, {.width = scene.grid.pixels(kWidestText), .lines = 3}),
+                     .anchor = *anchor,
+                     .hidden = is_hidden(*place, scene.camera.position, scene.snapshot),
+                     .on_the_left = is_left});
   }
-  std::ranges::stable_sort(shown, {}, [](const ShownLabel& label) { return label.first[1]; });
   return shown;
 }
 
@@ -154,9 +158,7 @@ void draw_plate(const Canvas& canvas, const Scene& scene, const Text& text, cons
   text.draw(canvas, box.x + 0.5 * (box.width - text.width()), box.y + 0.5 * (box.height - text.height()));
 }
 
-void draw_labels(const Canvas& canvas, const Scene& scene, const std::vector<LabelDefinition>& labels) {
-  const std::vector<ShownLabel> shown = shown_labels(scene, labels);
-  if (shown.empty()) return;
+std::vector<LabelWish> wishes_of(const Scene& scene, const std::vector<ShownLabel>& shown) {
   std::vector<LabelWish> wishes;
   for (const ShownLabel& label : shown) {
     wishes.push_back({.anchor = label.anchor,
@@ -164,32 +166,78 @@ void draw_labels(const Canvas& canvas, const Scene& scene, const std::vector<Lab
                       .height = label.text.height() + 2 * scene.grid.pixels(kPadY),
                       .on_the_left = label.on_the_left});
   }
-  const std::vector<Box> boxes = lay_out_labels(wishes, {.bounds = label_bounds(scene),
-                                                         .obstacles = obstacles_of(scene),
-                                                         .gap = scene.grid.pixels(8),
-                                                         .distance = scene.grid.pixels(26)});
+  return wishes;
+}
+
+/// The same labels at times while they are shown together, pointing at the wall at rest.
+std::vector<std::vector<LabelWish>> moments_of(const Scene& scene, const std::vector<ShownLabel>& shown,
+                                               const std::vector<LabelWish>& wishes) {
+  constexpr int kMoments = 5;
+  constexpr double kLongest = 10;  // seconds, of labels that stay to the end
+  double begin = 0, end = std::numeric_limits<double>::infinity();
+  for (const ShownLabel& label : shown) {
+    begin = std::max(begin, label.definition->span.begin);
+    end = std::min(end, label.definition->span.end);
+  }
+  end = std::clamp(end, begin, begin + kLongest);
+  std::vector<std::vector<LabelWish>> moments;
+  for (int k = 0; k < kMoments; ++k) {
+    const Camera camera = resting_camera_at(scene, begin + (end - begin) * k / (kMoments - 1));
+    std::vector<LabelWish>& moment = moments.emplace_back(wishes);
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+      moment[i].anchor = camera.pixel(vector3(shown[i].definition->at), scene.size).value_or(PixelPoint{0, 0});
+    }
+  }
+  return moments;
+}
+
+/// Gives where the plates are.
+std::vector<Box> draw_labels(const Canvas& canvas, const Scene& scene, const std::vector<LabelDefinition>& labels) {
+  std::vector<ShownLabel> unordered = shown_labels(scene, labels);
+  if (unordered.empty()) return {};
+  const LabelRoom room{.bounds = label_bounds(scene),
+                       .obstacles = obstacles_of(scene),
+                       .gap = scene.grid.pixels(8),
+                       .distance = scene.grid.pixels(26)};
+  std::vector<ShownLabel> shown;
+  for (const std::size_t i : order_of_labels(moments_of(scene, unordered, wishes_of(scene, unordered)), room)) {
+    shown.push_back(std::move(unordered[i]));
+  }
+  const std::vector<Box> boxes = lay_out_labels(wishes_of(scene, shown), room);
   for (std::size_t i = 0; i < shown.size(); ++i) draw_leader(canvas, scene, shown[i], boxes[i]);
   for (std::size_t i = 0; i < shown.size(); ++i) draw_plate(canvas, scene, shown[i].text, boxes[i]);
+  return boxes;
 }
 
-/// Centred beyond an arrow's end, away from the other end.
+/// Up or down, whichever is nearer, until it is clear of the plates.
+Box moved_clear(Box box, const std::vector<Box>& plates, double gap) {
+  for (const Box& plate : plates) {
+    if (box.x >= plate.right() + gap || plate.x >= box.right() + gap) continue;
+    const double up = box.bottom() + gap - plate.y, down = plate.bottom() + gap - box.y;
+    if (up > 0 && down > 0) box.y += up < down ? -up : down;
+  }
+  return box;
+}
+
+/// Level with an arrow's end, beside it and the tools, clear of the plates of labels.
 void draw_arrow_text(const Canvas& canvas, const Scene& scene, const std::string& words, PixelPoint end,
-                     PixelPoint other) {
+                     bool on_the_left, const std::vector<Box>& plates) {
   const Text text(words, {.size = scene.grid.pixels(kTextSize), .bold = true, .color = plate_style::kText},
                   {.width = scene.grid.pixels(kWidestText), .lines = 2});
-  const double width = text.width() + 2 * scene.grid.pixels(kPadX);
-  const double height = text.height() + 2 * scene.grid.pixels(kPadY);
-  const double length = std::max(1e-9, std::hypot(end[0] - other[0], end[1] - other[1]));
-  const PixelPoint away = {(end[0] - other[0]) / length, (end[1] - other[1]) / length};
-  const double off = scene.grid.pixels(8) + 0.5 * (std::abs(away[0]) * width + std::abs(away[1]) * height);
-  const Box bounds = label_bounds(scene);
-  const double x =
-      std::clamp(end[0] + off * away[0] - 0.5 * width, bounds.x, std::max(bounds.x, bounds.right() - width));
-  const double y = end[1] + off * away[1] - 0.5 * height;
-  draw_plate(canvas, scene, text, {x, y, width, height});
+  const LabelWish wish{.anchor = end,
+                       .width = text.width() + 2 * scene.grid.pixels(kPadX),
+                       .height = text.height() + 2 * scene.grid.pixels(kPadY),
+                       .on_the_left = on_the_left};
+  LabelRoom room{.bounds = label_bounds(scene),
+                 .obstacles = tool_obstacles(scene),
+                 .gap = scene.grid.pixels(6),
+                 .distance = scene.grid.pixels(12)};
+  room.obstacles.push_back(end);
+  draw_plate(canvas, scene, text, moved_clear(lay_out_labels({wish}, room).front(), plates, room.gap));
 }
 
-void draw_arrows(const Canvas& canvas, const Scene& scene, const std::vector<ArrowDefinition>& arrows) {
+void draw_arrows(const Canvas& canvas, const Scene& scene, const std::vector<ArrowDefinition>& arrows,
+                 const std::vector<Box>& plates) {
   for (const ArrowDefinition& arrow : arrows) {
     if (!arrow.span.holds(scene.snapshot.time)) continue;
     const std::optional<Vector3> place = material_place(scene.snapshot, arrow.body, arrow.at);
@@ -198,11 +246,13 @@ void draw_arrows(const Canvas& canvas, const Scene& scene, const std::vector<Arr
     const std::optional<PixelPoint> tail = scene.pixel(*place - arrow.length * vector3(arrow.direction));
     if (!tip || !tail || !scene.shows(*tip)) continue;
     draw_arrow(canvas, *tail, *tip, scene.grid.pixels(kArrowWidth), plate_style::kCurve);
-    if (!arrow.text.empty()) draw_arrow_text(canvas, scene, arrow.text, *tail, *tip);
+    if (arrow.text.empty()) continue;
+    draw_arrow_text(canvas, scene, arrow.text, *tail, is_left_of_middle(scene, arrow.at, arrow.span.begin), plates);
   }
 }
 
-void draw_force_arrows(const Canvas& canvas, const Scene& scene, const std::vector<ForceArrowDefinition>& arrows) {
+void draw_force_arrows(const Canvas& canvas, const Scene& scene, const std::vector<ForceArrowDefinition>& arrows,
+                       const std::vector<Box>& plates) {
   for (const ForceArrowDefinition& arrow : arrows) {
     const auto tool = std::ranges::find(scene.snapshot.tools, arrow.tool, &SnapshotTool::name);
     if (tool == scene.snapshot.tools.end() || !arrow.span.holds(scene.snapshot.time)) continue;
@@ -213,7 +263,7 @@ void draw_force_arrows(const Canvas& canvas, const Scene& scene, const std::vect
     // An arrow that grows from nothing has words once it is an arrow.
     if (std::hypot((*tip)[0] - (*tail)[0], (*tip)[1] - (*tail)[1]) < scene.grid.pixels(10)) continue;
     draw_arrow(canvas, *tail, *tip, scene.grid.pixels(kArrowWidth), kForceColor);
-    draw_arrow_text(canvas, scene, force_quantity(length(force), arrow.full).text(), *tip, *tail);
+    draw_arrow_text(canvas, scene, force_quantity(length(force), arrow.full).text(), *tip, false, plates);
   }
 }
 
@@ -231,9 +281,9 @@ void draw_annotations(Image& image, const PictureBox& box, const AnnotationDefin
                     .grid = OverlayGrid(image.size),
                     .size = box.size};
   const Canvas canvas(box.size);
-  draw_labels(canvas, scene, annotations.labels);
-  draw_arrows(canvas, scene, annotations.arrows);
-  draw_force_arrows(canvas, scene, annotations.force_arrows);
+  const std::vector<Box> plates = draw_labels(canvas, scene, annotations.labels);
+  draw_arrows(canvas, scene, annotations.arrows, plates);
+  draw_force_arrows(canvas, scene, annotations.force_arrows, plates);
   canvas.blend_onto(image, box.left, box.top);
 }
 

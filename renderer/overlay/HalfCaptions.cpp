@@ -14,18 +14,24 @@ constexpr double kTop = 80;  // units, below title and time
 constexpr double kHeight = 38;
 constexpr double kMarkLength = 22;
 constexpr double kGap = 10;
+constexpr double kPartOfHalf = 0.42;  // of a half's width, left of its middle
+constexpr int kMostLines = 3;
 
-void draw_caption(Image& image, const OverlayGrid& grid, const std::string& caption, const Color& color, int center) {
+/// At the left of the half that begins at `left`: the action is in its middle. The longer it is, the more lines it
+/// takes.
+void draw_caption(Image& image, const OverlayGrid& grid, const std::string& caption, const Color& color, int left) {
   const double padding = grid.pixels(plate_style::kPadding);
   const double mark = grid.pixels(kMarkLength + kGap);
-  const double room = image.size.width / 2.0 - 2 * grid.pixels(plate_style::kMargin) - 2 * padding - mark;
+  const double room = kPartOfHalf * image.size.width / 2.0 - grid.pixels(plate_style::kMargin) - 2 * padding - mark;
   if (room < grid.pixels(20)) return;
-  const Text text(caption, {.size = grid.pixels(19), .color = plate_style::kText}, {.width = room});
-  const Plate plate(grid, {static_cast<int>(std::ceil(text.width() + mark + 2 * padding)), grid.whole(kHeight)});
+  const Text text(caption, {.size = grid.pixels(19), .color = plate_style::kText},
+                  {.width = room, .lines = kMostLines});
+  const int height = std::max(grid.whole(kHeight), static_cast<int>(std::ceil(text.height() + grid.pixels(14))));
+  const Plate plate(grid, {static_cast<int>(std::ceil(text.width() + mark + 2 * padding)), height});
   const double middle = plate.size().height / 2.0;
   plate.line(padding, middle, padding + grid.pixels(kMarkLength), middle, std::max(1.5, grid.pixels(3)), color);
   text.draw(plate, padding + mark, middle - text.height() / 2);
-  plate.blend_onto(image, center - plate.size().width / 2, grid.whole(kTop));
+  plate.blend_onto(image, left + grid.whole(plate_style::kMargin), grid.whole(kTop));
 }
 
 void draw_divider(Image& image) {
@@ -44,8 +50,8 @@ void draw_half_captions(Image& image, const std::array<std::string, 2>& captions
   const FontUse use;
   const OverlayGrid grid(image.size);
   draw_divider(image);
-  draw_caption(image, grid, captions[0], plate_style::kCurve, image.size.width / 4);
-  draw_caption(image, grid, captions[1], plate_style::kOtherCurve, image.size.width - image.size.width / 4);
+  draw_caption(image, grid, captions[0], plate_style::kCurve, 0);
+  draw_caption(image, grid, captions[1], plate_style::kOtherCurve, image.size.width - image.size.width / 2);
 }
 
 }  // namespace thinwall

@@ -111,6 +111,25 @@ TEST(AnnotationDrawing, AForceArrowEndsWhereItsLengthSays) {
   EXPECT_LT(level(image, (*tip)[0], (*tip)[1] - 6), 60) << "beyond the tip";
 }
 
+TEST(AnnotationDrawing, AnArrowsWordsStandBesideTheTool) {
+  Snapshot snapshot = scene();
+  snapshot.tools[0].kind = SnapshotToolKind::kSphere;
+  snapshot.tools[0].radius = 0.004;
+  AnnotationDefinition silent;
+  silent.arrows.push_back({.text = "", .body = "organ", .at = {0, 0, 0.02}, .length = 0.012});
+  AnnotationDefinition speaking = silent;
+  speaking.arrows[0].text = "Press here";
+  const Image without = drawn(silent, snapshot), with = drawn(speaking, snapshot);
+  const Camera camera = resolve_camera(from_the_front(), scene_extent(snapshot), kSize, 0);
+  const double edge = (*camera.pixel({0.0042, 0, 0.024}, kSize))[0], shaft = (*camera.pixel({0, 0, 0.024}, kSize))[0];
+  EXPECT_NE(with.pixels, without.pixels);
+  for (int y = 0; y < kSize.height; ++y) {
+    for (double x = shaft - (edge - shaft); x < edge; x += 1) {
+      EXPECT_EQ(level(with, x, y + 0.5), level(without, x, y + 0.5)) << x << ' ' << y;
+    }
+  }
+}
+
 TEST(AnnotationDrawing, NothingToSayChangesNothing) {
   EXPECT_EQ(drawn({}, scene()).pixels, black().pixels);
 }

@@ -1,0 +1,83 @@
+#include "renderer/annotation/LabelOrder.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace thinwall {
+namespace {
+
+/// Twice the area of a triangle, its sign that of the turn from a over b to c.
+double turn(PixelPoint a, PixelPoint b, PixelPoint c) {
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
+
+bool cross_each_other(const Leader& a, const Leader& b) {
+  return turn(a.from, a.to, b.from) * turn(a.from, a.to, b.to) <= 0 &&
+         turn(b.from, b.to, a.from) * turn(b.from, b.to, a.to) <= 0;
+}
+
+std::vector<LabelWish> ordered(const std::vector<LabelWish>& wishes, const std::vector<std::size_t>& order) {
+  std::vector<LabelWish> result;
+  for (const std::size_t i : order) result.push_back(wishes[i]);
+  return result;
+}
+
+int crossings_of(const std::vector<std::vector<LabelWish>>& moments, const std::vector<std::size_t>& order,
+                 LabelRoom room) {
+  int crossings = 0;
+  for (const std::vector<LabelWish>& moment : moments) {
+    const std::vector<LabelWish> wishes = ordered(moment, order);
+    room.obstacles.clear();
+    for (const LabelWish& wish : wishes) room.obstacles.push_back(wish.anchor);
+    crossings += count_crossings(wishes, lay_out_labels(wishes, room));
+  }
+  return crossings;
+}
+
+}  // namespace
+
+Leader leader_of(const LabelWish& wish, const Box& box) {
+  return {.from = {wish.on_the_left ? box.right() : box.x, box.y + 0.5 * box.height}, .to = wish.anchor};
+}
+
+int count_crossings(const std::vector<LabelWish>& wishes, const std::vector<Box>& boxes) {
+  int crossings = 0;
+  for (std::size_t i = 0; i < wishes.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (cross_each_other(leader_of(wishes[i], boxes[i]), leader_of(wishes[k], boxes[k]))) ++crossings;
+    }
+  }
+  return crossings;
+}
+
+std::vector<std::size_t> order_of_labels(const std::vector<std::vector<LabelWish>>& moments, const LabelRoom& room) {
+  if (moments.empty()) return {};
+  std::vector<std::size_t> order(moments.front().size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::vector<double> heights(order.size(), 0);
+  for (const std::vector<LabelWish>& moment : moments) {
+    for (std::size_t i = 0; i < order.size(); ++i) heights[i] += moment[i].anchor[1];
+  }
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return heights[i]; });
+  int fewest = crossings_of(moments, order, room);
+  // Each swap that stays leaves fewer crossings, so this ends.
+  for (bool changes = fewest > 0; changes;) {
+    changes = false;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      for (std::size_t k = i + 1; k < order.size(); ++k) {
+        std::swap(order[i], order[k]);
+        const int now = crossings_of(moments, order, room);
+        if (now < fewest) {
+          fewest = now;
+          changes = true;
+        } else {
+          std::swap(order[i], order[k]);
+        }
+      }
+    }
+  }
+  return order;
+}
+
+}  // namespace thinwall

@@ -1,0 +1,53 @@
+#include "renderer/overlay/HalfCaptions.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace thinwall {
+namespace {
+
+constexpr ImageSize kSize{1280, 720};
+
+Image captioned(const std::string& left, const std::string& right) {
+  Image image{.size = kSize, .pixels = std::vector<std::uint8_t>(3UL * kSize.width * kSize.height, 128)};
+  draw_half_captions(image, {left, right});
+  return image;
+}
+
+bool is_changed(const Image& image, int x, int y) {
+  return image.pixels[3 * (static_cast<std::size_t>(y) * kSize.width + static_cast<std::size_t>(x))] != 128;
+}
+
+/// The first column right of `from` and before `to` from which on nothing is drawn.
+int right_end(const Image& image, int from, int to) {
+  int end = from;
+  for (int x = from; x < to; ++x) {
+    for (int y = 0; y < kSize.height; ++y) {
+      if (is_changed(image, x, y)) end = x + 1;
+    }
+  }
+  return end;
+}
+
+TEST(HalfCaptions, LeaveTheMiddleOfTheHalvesFree) {
+  for (const char* caption :
+       {"Wall 2 mm thick", "A wall that has been inflamed for weeks and is three times as thick"}) {
+    const Image image = captioned(caption, caption);
+    EXPECT_LT(right_end(image, 0, 630), 280) << caption;
+    EXPECT_LT(right_end(image, 650, 1280), 640 + 280) << caption;
+    EXPECT_TRUE(is_changed(image, 60, 99)) << caption;
+    EXPECT_TRUE(is_changed(image, 700, 99)) << caption;
+  }
+}
+
+TEST(HalfCaptions, StandAlikeInBothHalves) {
+  const Image image = captioned("Thin", "Thin");
+  for (int y = 60; y < 140; ++y) {
+    // The line between the halves is two pixels wide.
+    for (int x = 4; x < 280; ++x) EXPECT_EQ(is_changed(image, x, y), is_changed(image, x + 640, y)) << x << ' ' << y;
+  }
+}
+
+}  // namespace
+}  // namespace thinwall
