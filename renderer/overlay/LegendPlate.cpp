@@ -1,13 +1,12 @@
 #include "renderer/overlay/LegendPlate.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <string>
-#include <vector>
 
 #include "renderer/look/ColorMap.hpp"
+#include "renderer/overlay/Axis.hpp"
 #include "renderer/overlay/NumberText.hpp"
 #include "renderer/overlay/Text.hpp"
 
@@ -21,7 +20,7 @@ constexpr double kWidth = 150;
 constexpr double kHeight = 300;
 constexpr double kBarTop = 64;  // below name and unit
 constexpr double kBarWidth = 22;
-constexpr int kTicks = 5;
+constexpr int kMostSteps = 5;
 
 /// A unit as it is read, and how many of the SI unit it is.
 struct ShownUnit {
@@ -34,11 +33,6 @@ ShownUnit shown_unit(const std::string& unit, double largest) {
   if (unit == "m") return largest < 1e-3 ? ShownUnit{"\u00b5m", 1e-6} : ShownUnit{"mm", 1e-3};
   if (largest >= 1e6) return {"M" + unit, 1e6};
   return largest >= 1e3 ? ShownUnit{"k" + unit, 1e3} : ShownUnit{unit, 1};
-}
-
-/// Behind the point, so that neighbouring ticks differ in their last two digits.
-int decimals_for(double step) {
-  return step > 0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(step))), 0, 6) : 1;
 }
 
 void draw_bar(const Plate& plate, const OverlayGrid& grid, const Box& bar) {
@@ -67,13 +61,18 @@ void draw_legend(Image& image, const OverlayGrid& grid, const Legend& legend) {
   const Box bar{left, grid.pixels(kBarTop), grid.pixels(kBarWidth),
                 plate.size().height - grid.pixels(kBarTop + kPadding + 4)};
   draw_bar(plate, grid, bar);
-  const double step = (legend.to - legend.from) / (kTicks - 1) / unit.size;
-  for (int tick = 0; tick < kTicks; ++tick) {
-    const double y = bar.bottom() - bar.height * tick / (kTicks - 1);
+  const double from = legend.from / unit.size, to = legend.to / unit.size;
+  const auto mark = [&](double value, const std::string& words) {
+    const double y = to > from ? bar.bottom() - bar.height * (value - from) / (to - from) : bar.bottom();
     plate.line(bar.right(), y, bar.right() + grid.pixels(5), y, std::max(1.0, grid.unit), kFaintText);
-    const Text number(fixed_text(legend.from / unit.size + tick * step, decimals_for(step)),
-                      {.size = grid.pixels(kSmallText), .color = kText});
+    const Text number(words, {.size = grid.pixels(kSmallText), .color = kText});
     number.draw(plate, bar.right() + grid.pixels(10), y - number.height() / 2);
+  };
+  if (to > from) {
+    const Axis axis = exact_axis(from, to, kMostSteps);
+    for (const double tick : axis.ticks) mark(tick, axis.label(tick));
+  } else {
+    mark(from, fixed_text(from, 2));
   }
   const int margin = grid.whole(kMargin);
   plate.blend_onto(image, image.size.width - margin - plate.size().width, grid.whole(kTop));

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "renderer/look/VertexAreas.hpp"
+#include "renderer/overlay/Axis.hpp"
 #include "renderer/picture/PictureFailure.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/recorder/Interruption.hpp"
@@ -20,29 +22,51 @@ void require_data_range(const LookDefinition& look) {
 
 namespace {
 
-/// Values beyond this part are left to the end colours: at the tips of cuts and under sharp tools stress has no bound,
-/// and the rest would all be of one colour.
-constexpr double kOutermost = 0.01;
+/// Values over this part of the wall are left to the end colours: at the tips of cuts and under sharp tools stress has
+/// no bound, and the rest would all be of one colour.
+constexpr double kOutermost = 0.005;
 
-float value_at(double part, std::vector<float> values) {
+/// A number of the wall and how much of the wall it stands for. Near cuts there are many vertices on little wall.
+struct WeighedValue {
+  float value = 0;
+  float area = 0;  // metres^2, stress-free
+};
+
+/// The value below which lies `part` of the wall.
+double value_at(double part, std::vector<WeighedValue> values) {
   if (values.empty()) return 0;
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
-  std::ranges::nth_element(values, place);
-  return *place;
+  std::ranges::sort(values, {}, &WeighedValue::value);
+  double whole = 0, below = 0;
+  for (const WeighedValue& value : values) whole += value.area;
+  for (const WeighedValue& value : values) {
+    below += value.area;
+    if (below >= part * whole) return value.value;
+  }
+  return values.back().value;
 }
 
 /// (steps x vertices of all bodies)
-std::vector<float> all_values(const TakeReader& take, DataQuantity quantity, std::size_t steps) {
-  std::vector<float> all;
+std::vector<WeighedValue> all_values(const TakeReader& take, DataQuantity quantity, std::size_t steps) {
+  std::vector<WeighedValue> all;
   for (std::size_t step = 0; step < steps; ++step) {
     throw_if_interrupted();
     const Moment moment = take.moment(step);
     for (const SnapshotSurface& surface : moment.snapshot.surfaces) {
       const std::vector<float> values = data_values(surface, quantity);
-      all.insert(all.end(), values.begin(), values.end());
+      const std::vector<double> areas = vertex_areas(*surface.topology);
+      for (std::size_t v = 0; v < values.size(); ++v) all.push_back({values[v], static_cast<float>(areas[v])});
     }
   }
   return all;
+}
+
+/// Ends that are round numbers in the unit that the legend shows.
+void round_outwards(double& from, double& to) {
+  constexpr int kSteps = 5;
+  if (!(to > from)) return;
+  const Axis axis = enclosing_axis(from, to, kSteps);
+  from = axis.lowest;
+  to = axis.highest;
 }
 
 }  // namespace
@@ -51,16 +75,19 @@ void complete_data_range(const TakeReader& take, const std::filesystem::path& fi
   if (!look.data) return;
   DataView& data = *look.data;
   const std::size_t steps = data.from && data.to ? std::min<std::size_t>(1, take.times().size()) : take.times().size();
-  std::vector<float> values;
+  std::vector<WeighedValue> values;
   try {
     values = all_values(take, data.quantity, steps);
   } catch (const PictureFailure& failure) {
     throw TakeError(file.string() + ": " + failure.what());
   }
-  if (!data.from) data.from = value_at(kOutermost, values);
+  double from = data.from.value_or(value_at(kOutermost, values));
   // Most of a wall is touched by nothing.
-  std::erase(values, 0.0F);
-  if (!data.to) data.to = std::max<double>(*data.from, value_at(1 - kOutermost, std::move(values)));
+  std::erase_if(values, [](const WeighedValue& value) { return value.value == 0; });
+  double to = data.to.value_or(std::max(from, value_at(1 - kOutermost, std::move(values))));
+  round_outwards(from, to);
+  if (!data.from) data.from = from;
+  if (!data.to) data.to = to;
 }
 
 }  // namespace thinwall

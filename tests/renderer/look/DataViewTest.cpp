@@ -7,6 +7,7 @@
 #include <string>
 
 #include "renderer/look/ColorMap.hpp"
+#include "renderer/look/VertexAreas.hpp"
 #include "renderer/picture/PictureFailure.hpp"
 #include "tests/renderer/picture/TestMeshes.hpp"
 
@@ -51,6 +52,18 @@ SnapshotSurface stretched_square() {
       {.name = "largest_principal_stress", .unit = "Pa", .location = FieldLocation::kTriangle, .values = {50, 50}},
       {.name = "smallest_principal_stress", .unit = "Pa", .location = FieldLocation::kTriangle, .values = {30, 10}}};
   return surface;
+}
+
+TEST(DataViewTest, VerticesStandForAThirdOfTheTrianglesAround) {
+  const std::vector<double> areas = vertex_areas(*stretched_square().topology);
+  ASSERT_EQ(areas.size(), 4u);
+  // Two triangles of half a square each; two corners belong to both.
+  double whole = 0;
+  for (const double area : areas) {
+    EXPECT_TRUE(std::abs(area - 1.0 / 6) < 1e-12 || std::abs(area - 1.0 / 3) < 1e-12) << area;
+    whole += area;
+  }
+  EXPECT_NEAR(whole, 1, 1e-12);
 }
 
 TEST(DataViewTest, QuantitiesAreThoseOfTheWall) {
