@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::array kFluidLooks = {
     NamedFluid{"serum", "clear and straw-coloured", {}},
-    NamedFluid{"bile", "golden brown to dark green", {.color = {0.36, 0.31, 0.06}, .clarity = 0.0022}},
+    NamedFluid{"bile", "golden brown to dark green", {.color = {0.30, 0.245, 0.05}, .clarity = 0.0012}},
     NamedFluid{"gastric_juice", "pale and slightly cloudy", {.color = {0.62, 0.58, 0.42}, .clarity = 0.010}},
     NamedFluid{"blood", "dark red and opaque", {.color = {0.34, 0.015, 0.02}, .clarity = 0.0007}},
     NamedFluid{"water", "clear", {.color = {0.55, 0.62, 0.62}, .clarity = 0.05}},

@@ -19,18 +19,28 @@ void FilmPass::draw(std::span<const BodyFilm> films, Surroundings surroundings) 
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_FALSE);
+  glEnable(GL_STENCIL_TEST);
+  glStencilMask(0);
   glEnable(GL_BLEND);
   glBlendEquation(GL_FUNC_ADD);
-  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  glBlendFunc(GL_ONE, GL_SRC1_COLOR);
+  glCullFace(GL_BACK);
   glUseProgram(programs_[static_cast<std::size_t>(surroundings)].name());
-  for (const auto& [film, look] : films) {
+  for (const auto& [film, look, is_falling] : films) {
+    // A film on a wall is drawn a little in front of it, but not in front of the tools. Of a drop the near side is
+    // seen.
+    glStencilFunc(is_falling ? GL_ALWAYS : GL_NOTEQUAL, 0, 0xff);
+    (is_falling ? glEnable : glDisable)(GL_CULL_FACE);
     triangles_.upload(std::span<const FilmVertex>(film.vertices), film.corners);
     glUniform4f(0, static_cast<float>(linear_from_srgb(look.color[0])),
                 static_cast<float>(linear_from_srgb(look.color[1])),
                 static_cast<float>(linear_from_srgb(look.color[2])), static_cast<float>(1 / look.clarity));
     triangles_.draw();
   }
+  glDisable(GL_CULL_FACE);
   glDisable(GL_BLEND);
+  glStencilMask(0xff);
+  glDisable(GL_STENCIL_TEST);
   glDepthMask(GL_TRUE);
 }
 

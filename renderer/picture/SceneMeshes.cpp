@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "renderer/picture/FallingDrops.hpp"
 #include "renderer/picture/PictureFailure.hpp"
 #include "renderer/picture/SurfaceVertices.hpp"
 #include "renderer/picture/TissuePieces.hpp"
@@ -13,6 +14,11 @@
 namespace thinwall {
 
 namespace {
+
+constexpr FluidLook kFreshBlood = {.color = {0.26, 0.012, 0.014}, .clarity = 0.00016};
+
+/// Of flesh, seen as a film: hardly any depth.
+constexpr double kBareClarity = 0.00005;
 
 /// Puts the numbers of a data view where the tissue's pattern has its places: x from 0 to 1 between the ends, y 1 where
 /// there is a number.
@@ -108,15 +114,18 @@ void SceneMeshes::find_films(const Snapshot& snapshot, std::size_t k, const Tiss
                              std::span<const TissuePiece> pieces) {
   if (!wounds_[k]) return;
   const SnapshotSurface& surface = snapshot.surfaces[k];
-  const auto add = [&](Film film, const FluidLook& fluid) {
-    if (!film.corners.empty()) films_.push_back({.film = std::move(film), .look = fluid});
+  const auto add = [&](Film film, const FluidLook& fluid, bool is_falling = false) {
+    if (!film.corners.empty()) films_.push_back({.film = std::move(film), .look = fluid, .is_falling = is_falling});
   };
+  FluidLook bare = {.color = {}, .clarity = kBareClarity};
+  for (std::size_t c = 0; c < 3; ++c) bare.color[c] = 0.5 * (look.layers.outer[c] + look.layers.middle[c]);
+  add(bare_edge_film(surface, pieces, *wounds_[k]), bare);
   if (look.contents.clarity > 0) {
     const double leaked = find_scalar(snapshot, surface.body, kLeakedScalar).value_or(0);
     add(runoff_film(surface, pieces, *wounds_[k], leaked, snapshot.time), look.contents);
+    add(falling_drops(surface, *wounds_[k], downward(snapshot), leaked, snapshot.time), look.contents, true);
   }
   if (look.bleeding > 0) {
-    constexpr FluidLook kFreshBlood = {.color = {0.33, 0.012, 0.016}, .clarity = 0.0001};
     add(blood_film(surface, borders_[k], pieces, *wounds_[k], look.bleeding, snapshot.time), kFreshBlood);
   }
 }

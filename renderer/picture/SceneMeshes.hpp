@@ -36,10 +36,11 @@ struct BodyFluid {
   FluidLook look;
 };
 
-/// A fluid on the wall of a body, and how it looks.
+/// A fluid on the wall of a body or falling from it, and how it looks.
 struct BodyFilm {
   Film film;
   FluidLook look;
+  bool is_falling = false;
 };
 
 /// A snapshot's surfaces and tools on the device, as all passes draw them.

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
+#include "renderer/picture/LipShape.hpp"
 #include "renderer/picture/Vector.hpp"
 #include "renderer/wound/RestNormals.hpp"
 
@@ -100,20 +102,20 @@ constexpr int kThinnings = 6;
 
 /// Makes the wall thin where its inner side would be turned over: its thickness is more there than the radius of its
 /// bend. `thickness`: (vertices), metres.
-void thin_sharp_bends(const SnapshotSurface& surface, std::span<const SurfaceVertex> wall,
-                      std::vector<double>& thickness) {
+void thin_sharp_bends(const SnapshotSurface& surface, const LipShape& lips, std::vector<double>& thickness) {
   const auto inner = [&](std::uint32_t vertex) {
-    return vector3(wall[vertex].position) - thickness[vertex] * vector3(wall[vertex].normal);
+    return vector3(surface.positions[vertex]) + thickness[vertex] * lips.through[vertex];
   };
   for (int turn = 0; turn < kThinnings; ++turn) {
-    std::vector<char> is_bent(wall.size(), 0);
+    std::vector<char> is_bent(thickness.size(), 0);
     for (const Triangle& triangle : surface.topology->triangles) {
-      const Vector3 a = vector3(wall[triangle[0]].position), lining = inner(triangle[0]);
-      const Vector3 outwards = cross(vector3(wall[triangle[1]].position) - a, vector3(wall[triangle[2]].position) - a);
+      const Vector3 a = vector3(surface.positions[triangle[0]]), lining = inner(triangle[0]);
+      const Vector3 outwards =
+          cross(vector3(surface.positions[triangle[1]]) - a, vector3(surface.positions[triangle[2]]) - a);
       if (dot(cross(inner(triangle[1]) - lining, inner(triangle[2]) - lining), outwards) > 0) continue;
       for (const std::uint32_t vertex : triangle) is_bent[vertex] = 1;
     }
-    for (std::size_t v = 0; v < wall.size(); ++v) {
+    for (std::size_t v = 0; v < thickness.size(); ++v) {
       if (is_bent[v]) thickness[v] *= 0.5;
     }
   }
@@ -131,6 +133,24 @@ std::vector<Vector3> outward_directions(const SnapshotSurface& surface, std::spa
   return directions;
 }
 
+/// Part of its thickness by which a cut wall's inner side stands forward into the wound at most, for the outer one is
+/// drawn back: so both faces of a cut are seen from outside. What of the room before it the inner side takes.
+constexpr double kMostLean = 0.45;
+constexpr double kTakenRoom = 0.8;
+
+/// How often the depth of a rim is evened along the lip.
+constexpr int kEvenings = 3;
+
+/// (vertices), sines of the angle by which the way through a cut wall leans into the wound.
+std::vector<double> lean_of(const LipShape& lips, std::span<const double> thickness) {
+  std::vector<double> lean(thickness.size(), 0);
+  for (std::size_t v = 0; v < lean.size(); ++v) {
+    if (thickness[v] > 0) lean[v] = std::min(kMostLean, kTakenRoom * lips.room[v] / thickness[v]);
+  }
+  even_along_lips(lips, kEvenings, lean);
+  return lean;
+}
+
 }  // namespace
 
 WallDepth wall_depth(const SnapshotSurface& surface, std::span<const SurfaceVertex> wall,
@@ -139,12 +159,15 @@ WallDepth wall_depth(const SnapshotSurface& surface, std::span<const SurfaceVert
   if (borders.empty() || surface.topology->thickness.size() != surface.topology->triangles.size()) return depth;
   std::vector<double> thickness = thickness_now(surface);
   thin_around_holes(surface, borders, thickness);
-  thin_sharp_bends(surface, wall, thickness);
+  const LipShape lips = lip_shape(surface, wall, borders);
+  thin_sharp_bends(surface, lips, thickness);
+  even_along_lips(lips, kEvenings, thickness);
+  const std::vector<double> lean = lean_of(lips, thickness);
   for (std::size_t v = 0; v < wall.size(); ++v) {
     SurfaceVertex vertex = wall[v];
-    const Vector3 normal = vector3(vertex.normal);
-    vertex.position = float3(vector3(vertex.position) - thickness[v] * normal);
-    vertex.normal = float3(-normal);
+    const Vector3 through = std::sqrt(1 - lean[v] * lean[v]) * lips.through[v] + lean[v] * lips.forward[v];
+    vertex.position = float3(vector3(vertex.position) + thickness[v] * through);
+    vertex.normal = float3(-vector3(vertex.normal));
     vertex.curvature = -vertex.curvature;
     depth.lining.push_back(vertex);
   }
@@ -161,7 +184,8 @@ WallDepth wall_depth(const SnapshotSurface& surface, std::span<const SurfaceVert
     for (const auto& [v, neighbour] : {std::pair{borders[k].start, 0U}, std::pair{borders[k].end, 1U}}) {
       const Vector3 other = around[v][neighbour];
       const bool smooth = dot(other, outward[k]) > kSmoothCosine;
-      const Float3 normal = float3(smooth ? normalized(outward[k] + other) : outward[k]);
+      const Vector3 square = smooth ? normalized(outward[k] + other) : outward[k];
+      const Float3 normal = float3(std::sqrt(1 - lean[v] * lean[v]) * square - lean[v] * lips.through[v]);
       for (const auto& [side, inwards] : {std::pair{wall[v], 0.0f}, std::pair{depth.lining[v], 1.0f}}) {
         SurfaceVertex vertex = side;
         vertex.normal = normal;

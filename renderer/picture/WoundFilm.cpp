@@ -10,13 +10,21 @@ namespace thinwall {
 namespace {
 
 constexpr double kBloodSpacing = 0.0045;  // metres between runs of blood, and of what has been in the body
-constexpr double kFluidSpacing = 0.009;
+constexpr double kFluidSpacing = 0.007;
 constexpr double kLongestRun = 0.045;     // metres
+constexpr double kFirstDrops = 1e-7;      // metres^3, after which lips are wet all along
 constexpr double kMargin = 0.0003;        // metres beyond a film's edge that are drawn, for its edge is uneven
 constexpr float kOnTriangles = 0.00002F;  // metres, lift of a film on the wall's own triangles
 constexpr float kAcrossTriangles = 0.0004F;
-constexpr double kFringe = 0.0009;         // metres, of blood beside a lip that bleeds freely
-constexpr double kFringeHeight = 0.00016;  // metres
+
+/// What lies along a lip, on the outer side.
+struct Fringe {
+  double width = 0;   // metres, at its widest
+  double height = 0;  // metres
+};
+constexpr Fringe kBlood = {.width = 0.0009, .height = 0.00016};
+constexpr Fringe kWelling = {.width = 0.0016, .height = 0.0004};
+constexpr Fringe kBareEdge = {.width = 0.00045, .height = 0.0002};
 
 Float3 float3(Vector3 a) {
   return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
@@ -33,8 +41,16 @@ double welled(double age) {
   return 1 - std::exp(-age / 0.5);
 }
 
-void append_coat(const SnapshotSurface& surface, const TissuePiece& wall, const WoundLayout& wounds, double bleeding,
-                 double time, Film& film) {
+/// What of a fringe there is at a lip, and how dry that is.
+struct FringePart {
+  double spread = 0;  // of the width; 0: none
+  double dry = 0;     // 0 to 1
+};
+
+/// `part_at`: FringePart of a lip's vertex.
+template <typename PartAt>
+void append_fringe(const SnapshotSurface& surface, const TissuePiece& wall, const WoundLayout& wounds,
+                   const Fringe& fringe, const PartAt& part_at, Film& film) {
   const SnapshotTopology& topology = *surface.topology;
   const auto offset = static_cast<std::uint32_t>(film.vertices.size());
   for (std::uint32_t v = 0; v < wall.vertices.size(); ++v) {
@@ -43,12 +59,11 @@ void append_coat(const SnapshotSurface& surface, const TissuePiece& wall, const 
         .position = vertex.position, .normal = vertex.normal, .rest = vertex.rest, .inward = -1, .lift = kOnTriangles};
     const std::uint32_t lip = wounds.map.lip[v];
     if (lip != WoundMap::kNoLip) {
-      const double age = age_of(topology, lip, time);
-      const double spread = bleeding * welled(age) * wounds.map.tapering[lip] * (1 + 0.5 * wounds.fall[lip]);
-      coat.inward = static_cast<float>(kFringe * spread - wounds.map.from_lip[v]);
-      coat.width = static_cast<float>(0.5 * kFringe);
-      coat.height = static_cast<float>(kFringeHeight);
-      coat.dry = static_cast<float>(dryness(age));
+      const FringePart part = part_at(lip);
+      coat.inward = static_cast<float>(fringe.width * part.spread - wounds.map.from_lip[v]);
+      coat.width = static_cast<float>(0.5 * fringe.width);
+      coat.height = static_cast<float>(fringe.height);
+      coat.dry = static_cast<float>(part.dry);
     }
     film.vertices.push_back(coat);
   }
@@ -75,7 +90,7 @@ void append_rim(const SnapshotTopology& topology, std::span<const BorderEdge> bo
       const double amount = bleeding * welled(age) * std::sqrt(wounds.map.tapering[lip]);
       coat.inward = static_cast<float>(0.0004 * amount * (1 + vertex.wound) - 0.00042);
       coat.width = 0.0004F;
-      coat.height = static_cast<float>(kFringeHeight);
+      coat.height = static_cast<float>(kBlood.height);
       coat.dry = static_cast<float>(dryness(age));
     }
     film.vertices.push_back(coat);
@@ -87,18 +102,23 @@ void append_rim(const SnapshotTopology& topology, std::span<const BorderEdge> bo
   }
 }
 
+constexpr double kYoungWidth = 0.22;  // half the width of a trail that has just begun, over its length
+
 struct RunShape {
   double half_width = 0;  // metres, of the trail
   double length = 0;      // metres
   double height = 0;      // metres, of the trail
   double dry = 0;         // 0 to 1
+  double swell = 0;       // metres by which the swellings of the trail have come down
 };
 
-/// Half the width `along` a run: a trail that wells out of the lip and ends in a drop.
+/// Half the width `along` a run: a trail that wells out of the lip, where it is round too, and ends in a drop.
 double half_width_at(double along, const RunShape& shape) {
   const double drop = 1.7 * shape.half_width;
   const double from_head = shape.length - along;
-  const double trail = shape.half_width * (0.85 + 0.15 * std::cos(along / 0.0031));
+  const double source = std::clamp(1 - along / (1.5 * shape.half_width), 0.0, 1.0);
+  const double swelling = 0.85 + 0.15 * std::cos((along - shape.swell) / 0.0031);
+  const double trail = shape.half_width * swelling * std::sqrt(1 - source * source);
   if (from_head >= 4 * drop) return trail;
   const double into_drop = std::clamp((4 * drop - from_head) / (3 * drop), 0.0, 1.0);
   const double body = trail + (drop - trail) * into_drop * into_drop * (3 - 2 * into_drop);
@@ -113,6 +133,8 @@ void append_run(const SnapshotSurface& surface, std::span<const Float3> normals,
   if (length_drawn < kRunStep) return;
   RunShape drawn = shape;
   drawn.length = length_drawn;
+  // A run begins as a drop that grows.
+  drawn.half_width = std::min(shape.half_width, kYoungWidth * length_drawn);
   // Twice as fine as the path, so that the drop is round; the last place is the head itself.
   const auto rows = static_cast<std::size_t>(std::ceil(length_drawn / (0.5 * kRunStep))) + 1;
   const auto on_path = [&](double along, std::span<const Float3> points) {
@@ -132,7 +154,7 @@ void append_run(const SnapshotSurface& surface, std::span<const Float3> normals,
     const Vector3 side = normalized(cross(normal, sense));
     const Vector3 rest = on_path(along, surface.topology->rest_positions);
     const double half = half_width_at(along, drawn);
-    const double height = drawn.height * half / drawn.half_width;
+    const double height = shape.height * half / shape.half_width;
     for (const double across : {-1.0, 0.0, 1.0}) {
       const double out = across * (half + kMargin);
       film.vertices.push_back({.position = float3(middle + out * side + 0.0001 * normal),
@@ -187,7 +209,12 @@ WoundLayout lay_out_wounds(const SnapshotTopology& topology, std::span<const Bor
 Film blood_film(const SnapshotSurface& surface, std::span<const BorderEdge> borders,
                 std::span<const TissuePiece> pieces, const WoundLayout& wounds, double bleeding, double time) {
   Film film;
-  append_coat(surface, pieces.front(), wounds, bleeding, time, film);
+  const auto shed = [&](std::uint32_t lip) {
+    const double age = age_of(*surface.topology, lip, time);
+    const double spread = bleeding * welled(age) * wounds.map.tapering[lip] * (1 + 0.5 * wounds.fall[lip]);
+    return FringePart{.spread = spread, .dry = dryness(age)};
+  };
+  append_fringe(surface, pieces.front(), wounds, kBlood, shed, film);
   const auto rim = std::ranges::find(pieces, TissueSide::kRim, &TissuePiece::side);
   if (rim != pieces.end()) append_rim(*surface.topology, borders, *rim, wounds, bleeding, time, film);
   const std::vector<Float3> normals = normals_of(pieces.front());
@@ -207,21 +234,38 @@ Film blood_film(const SnapshotSurface& surface, std::span<const BorderEdge> bord
   return film;
 }
 
+double runoff_half_width(const FluidRun& run) {
+  return 0.0014 + 0.0012 * run.chance;
+}
+
 Film runoff_film(const SnapshotSurface& surface, std::span<const TissuePiece> pieces, const WoundLayout& wounds,
                  double leaked, double time) {
   Film film;
   if (!(leaked > 0)) return film;
+  const double welling = 1 - std::exp(-leaked / kFirstDrops);
+  const auto part = [&](std::uint32_t lip) {
+    const double spread = welling * wounds.map.tapering[lip] * (0.6 + 0.8 * std::max(0.0, wounds.fall[lip]));
+    return FringePart{.spread = spread, .dry = 0};
+  };
+  append_fringe(surface, pieces.front(), wounds, kWelling, part, film);
   const std::vector<Float3> normals = normals_of(pieces.front());
   for (const FluidRun& run : wounds.fluid_runs) {
-    const double half_width = 0.0010 + 0.0007 * run.chance;
-    constexpr double kHeight = 0.0004;  // metres
+    const double half_width = runoff_half_width(run);
     append_run(surface, normals, run,
                {.half_width = half_width,
-                .length = run_length(leaked, 2 * half_width, kHeight, time - run.born, 0.045),
-                .height = kHeight,
-                .dry = 0},
+                .length = run_length(leaked, 2 * half_width, kRunoffHeight, time - run.born, kRunoffSpeed),
+                .height = kRunoffHeight,
+                .dry = 0,
+                .swell = 0.5 * kRunoffSpeed * time},
                film);
   }
+  return film;
+}
+
+Film bare_edge_film(const SnapshotSurface& surface, std::span<const TissuePiece> pieces, const WoundLayout& wounds) {
+  Film film;
+  const auto part = [&](std::uint32_t lip) { return FringePart{.spread = wounds.map.tapering[lip], .dry = 0}; };
+  append_fringe(surface, pieces.front(), wounds, kBareEdge, part, film);
   return film;
 }
 

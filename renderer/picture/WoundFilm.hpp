@@ -44,8 +44,17 @@ WoundLayout lay_out_wounds(const SnapshotTopology& topology, std::span<const Bor
 Film blood_film(const SnapshotSurface& surface, std::span<const BorderEdge> borders,
                 std::span<const TissuePiece> pieces, const WoundLayout& wounds, double bleeding, double time);
 
-/// What has run out of a body, `leaked` (metres^3), on its wall at `time` (seconds).
+/// What has run out of a body, `leaked` (metres^3), on its wall at `time` (seconds): along the lips and down from
+/// there.
 Film runoff_film(const SnapshotSurface& surface, std::span<const TissuePiece> pieces, const WoundLayout& wounds,
                  double leaked, double time);
+
+/// How what has run out of a body runs: half of its width, its height and its speed. Metres, metres / second.
+double runoff_half_width(const FluidRun& run);
+inline constexpr double kRunoffHeight = 0.0006;
+inline constexpr double kRunoffSpeed = 0.045;
+
+/// What is bare of a wall beside its cut lips, where the outermost layer has drawn back.
+Film bare_edge_film(const SnapshotSurface& surface, std::span<const TissuePiece> pieces, const WoundLayout& wounds);
 
 }  // namespace thinwall

@@ -253,7 +253,7 @@ void GroundTruthSeries::write_tables() {
                             {"frames", frames_},
                             {"size", {plan_.size.width, plan_.size.height}},
                             {"layers", layer_part()},
-                            {"left_out", {"fluid", "run-off", "blood", "bed"}},
+                            {"left_out", {"fluid", "run-off", "drops", "blood", "bed"}},
                             {"instances", std::move(instances)},
                             {"parts", std::move(parts)},
                             {"materials", std::move(materials)}};

@@ -13,17 +13,18 @@ layout(location = 1) in vec3 smooth_normal;
 layout(location = 2) in vec3 rest;
 layout(location = 3) in vec4 film;  // metres from the edge inwards, metres to where it is thickest, height there, dry
 
-layout(location = 0) out vec4 color;  // is blended over the pixel by its alpha
+layout(location = 0, index = 0) out vec4 color;  // is added to what is left of the pixel
+layout(location = 0, index = 1) out vec4 through;  // part of each channel that is left
 
 layout(location = 0) uniform vec4 fluid;  // linear colour of a deep layer; w: 1 / clarity, 1 / metre
 
 void main() {
   vec4 coarse = noise(420.0 * rest);
   vec4 fine = noise(1300.0 * rest + 3.0);
-  float uneven = film.y * (1.3 * coarse.w + 0.25 * fine.w);
+  float uneven = film.y * (1.1 * coarse.w + 0.12 * fine.w);
   float inward = film.x + uneven;
-  float rise = saturate(inward / max(film.y, 1e-6));
-  float height = film.z * sqrt(rise * (2.0 - rise)) * (1.0 + 0.25 * coarse.w);
+  float rise = saturate((film.x + 0.4 * uneven) / max(film.y, 1e-6));
+  float height = film.z * sqrt(rise * (2.0 - rise)) * (1.0 + 0.15 * coarse.w);
 
   // The slope of the film over the wall, from how its height changes between pixels (Mikkelsen 2010).
   vec3 base = normalize(smooth_normal);
@@ -40,7 +41,9 @@ void main() {
 
   float pixel = environment.w * depth;
   float covered = smoothstep(0.0, max(2.0 * pixel, 0.00006), inward);
-  float left = exp(-height * fluid.w / max(nv, 0.3));
+  // What a deep layer swallows most a thin one swallows first: it is tinted before it is opaque.
+  vec3 swallowed = -log(clamp(fluid.rgb, 0.004, 0.9));
+  vec3 left = exp(-height * fluid.w / max(nv, 0.3) * swallowed / dot(swallowed, vec3(1.0 / 3.0)));
   float dry = film.w;
 
   vec3 toward = lamp_direction(position);
@@ -59,8 +62,11 @@ void main() {
   float lamp_mirror = gloss * (0.022 + 0.978 * fresnel_weight(dot(view, normalize(view + toward))));
   shine += visible * lamp_mirror * glint(normal, view, toward, sqrt(0.0036 + lost)) * lamp;
 #endif
-  float opaque = 1.0 - left;
-  float alpha = max(opaque, saturate(dot(shine, vec3(0.33))));
-  vec3 light = (body * opaque + shine) / max(alpha, 1e-3);
-  color = vec4(finished(light, from_eye / depth, gl_FragCoord.xy).rgb, covered * alpha);
+  // What the film mirrors is added as on film: it brightens what lies below, and never darkens it.
+  vec3 ray = from_eye / depth;
+  // Where it is steep, at its edge, a pixel would see single glints.
+  vec3 mirrored = smoothstep(0.1, 0.6, rise) * field_stop(ray) * displayed(lens_light(ray) * shine);
+  vec3 below = (1.0 - left) * finished(body, ray, gl_FragCoord.xy).rgb;
+  color = vec4(covered * (mirrored + (1.0 - mirrored) * below), 1.0);
+  through = vec4(1.0 - covered * (1.0 - (1.0 - mirrored) * left), 1.0);
 }

@@ -78,6 +78,38 @@ TEST(WoundFilm, DriesWithTime) {
   EXPECT_GT(wound.blood(120).vertices[lip].dry, 0.85F);
 }
 
+TEST(WoundFilm, TheWallIsBareAlongTheLipsFromTheStart) {
+  const Wound wound(0);
+  const Film film = bare_edge_film(wound.sheet, wound.pieces, wound.layout);
+  const std::uint32_t middle = 10 * 21;
+  EXPECT_GT(film.vertices[middle + 10].inward, 0.0003F);
+  EXPECT_LE(film.vertices[middle + 1].inward, 0) << "an end of the cut";
+  EXPECT_LT(film.vertices[5].inward, 0) << "far away";
+}
+
+TEST(WoundFilm, WhatRunsOutWetsTheLips) {
+  const Wound wound(0);
+  const std::uint32_t lip = 10 * 21 + 10;
+  const auto wet = [&](double leaked) {
+    return runoff_film(wound.sheet, wound.pieces, wound.layout, leaked, 1).vertices[lip].inward;
+  };
+  EXPECT_GT(wet(1e-6), 0.0005F);
+  EXPECT_LT(wet(1e-9), 0.1F * wet(1e-6));
+}
+
+TEST(WoundFilm, RunsAreRoundAtBothEnds) {
+  const Wound wound(0.8);
+  const Film film = wound.blood(4);
+  // Rows of three across a run: at its first and last one the trail has no width.
+  std::size_t ends = 0;
+  for (std::size_t v = 1; v + 1 < film.vertices.size(); ++v) {
+    const bool is_row = film.vertices[v].lift > 1e-4F && film.vertices[v - 1].inward < 0 &&
+                        film.vertices[v + 1].inward < 0 && film.vertices[v].inward >= 0;
+    if (is_row && film.vertices[v].inward == 0) ++ends;
+  }
+  EXPECT_EQ(ends, 2 * wound.layout.blood_runs.size());
+}
+
 TEST(WoundFilm, RunOffNeedsALeak) {
   const Wound wound(0.8);
   EXPECT_TRUE(runoff_film(wound.sheet, wound.pieces, wound.layout, 0, 5).corners.empty());

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "renderer/picture/WoundFilm.hpp"
+
+namespace thinwall {
+
+/// The drops that fall from where runs of what was in a body leave its wall, `leaked` (metres^3) by `time` (seconds):
+/// each run that has come to the end of its way lets one go at even times, for as long as there is fluid for it, and it
+/// falls freely along `down` (of length one). A pure function of the moment, as all films are.
+Film falling_drops(const SnapshotSurface& surface, const WoundLayout& wounds, Vector3 down, double leaked, double time);
+
+}  // namespace thinwall
