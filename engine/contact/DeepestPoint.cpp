@@ -53,6 +53,10 @@ double root_of_rising(const Function& slope) {
 /// Part of the way from one point to another at which the signed distance is least.
 double deepest_part(const ToolSolid& solid, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   const Eigen::Vector3d way = to - from;
+  if (solid.is_ball()) {
+    const double along = way.dot(solid.center - from);
+    return along <= 0 ? 0 : std::min(1.0, along / way.squaredNorm());
+  }
   return root_of_rising([&](double part) {
     const SignedDistance distance = signed_distance(solid, from + part * way);
     return Slope{.value = distance.normal.dot(way), .derivative = way.dot(distance.curvature * way)};

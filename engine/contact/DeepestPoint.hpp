@@ -16,7 +16,8 @@ struct DeepestPoint {
 };
 
 /// On the edge that joins two corners of a triangle. The signed distance from a convex solid is convex, so that the
-/// root of its monotone slope is enclosed and found to the last bits. Of several equally deep points it gives one.
+/// root of its monotone slope is enclosed and found to the last bits; of a ball it has a closed form. Of several
+/// equally deep points it gives one.
 DeepestPoint deepest_on_edge(const ToolSolid& solid, const std::array<Eigen::Vector3d, 3>& corners, int from, int to);
 
 /// On the whole triangle: where the deepest point of the three edges does not become deeper inwards it is the one;

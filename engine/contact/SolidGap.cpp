@@ -1,6 +1,7 @@
 #include "engine/contact/SolidGap.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -31,9 +32,19 @@ Eigen::Matrix<double, 9, 9> hessian_of(const DeepestPoint& deepest, const Signed
       coupling.block<1, 3>(k, 3 * a) = deepest.weights[a] * bent.row(k) + selected * distance.normal.transpose();
     }
   }
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> spectrum;
-  spectrum.compute(bent * edges);
+  const Eigen::Matrix2d bending = bent * edges;                   // metres
   const double flat = edges.colwise().norm().maxCoeff() / kFlat;  // metres
+  if (freedom == 1) {
+    if (bending(0, 0) > flat) hessian -= coupling.row(0).transpose() * coupling.row(0) / bending(0, 0);
+    return hessian;
+  }
+  const double half_trace = 0.5 * bending.trace();
+  const double smaller = half_trace - std::hypot(0.5 * (bending(0, 0) - bending(1, 1)), bending(0, 1));
+  if (smaller > flat) {
+    hessian -= coupling.transpose() * (bending.inverse() * coupling);
+    return hessian;
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> spectrum(bending);
   for (int k = 0; k < 2; ++k) {
     if (spectrum.eigenvalues()[k] <= flat) continue;
     const Eigen::Matrix<double, 1, 9> part = spectrum.eigenvectors().col(k).transpose() * coupling;
@@ -60,7 +71,7 @@ DeepestPoint deepest_of(const ToolSolid& solid, const std::array<Eigen::Vector3d
 }  // namespace
 
 std::optional<SolidGap> solid_gap(const ToolSolid& solid, double reach, const std::array<Eigen::Vector3d, 3>& corners,
-                                  SitePart part, int corner) {
+                                  SitePart part, int corner, GapTerms wanted) {
   if (out_of_reach(solid, reach, corners)) return std::nullopt;
   const DeepestPoint deepest = deepest_of(solid, corners, part, corner);
   const SignedDistance distance = signed_distance(
@@ -72,7 +83,11 @@ std::optional<SolidGap> solid_gap(const ToolSolid& solid, double reach, const st
   result.weights = deepest.weights;
   result.part = static_cast<SitePart>(deepest.corner_count - 1);
   for (int k = 0; k < 3; ++k) result.gradient.segment<3>(3 * k) = deepest.weights[k] * distance.normal;
-  result.hessian = hessian_of(deepest, distance, corners);
+  if (wanted == GapTerms::kHessian) {
+    result.hessian = hessian_of(deepest, distance, corners);
+  } else {
+    result.hessian.setZero();
+  }
   return result;
 }
 

@@ -12,6 +12,9 @@ namespace thinwall {
 /// Part of a triangle that keeps out of a solid.
 enum class SitePart { kCorner, kEdge, kFace };
 
+/// Whether the second derivatives of a gap are wanted too: most of its cost, and of use only where something presses.
+enum class GapTerms { kGradient, kHessian };
+
 /// The gap between a solid and a corner, an edge or the whole of a triangle, and its derivatives by the three corners
 /// (x0, y0, z0, x1, ..., z2).
 struct SolidGap {
@@ -20,7 +23,7 @@ struct SolidGap {
   Eigen::Vector3d weights = Eigen::Vector3d::Zero();  // barycentric, of the deepest point
   SitePart part = SitePart::kCorner;                  // where that lies: at a corner, within an edge, within the face
   Eigen::Matrix<double, 9, 1> gradient;               // a number
-  Eigen::Matrix<double, 9, 9> hessian;                // 1 / metre
+  Eigen::Matrix<double, 9, 9> hessian;                // 1 / metre; zero unless it was asked for
 };
 
 /// The gap of corner `corner`, of the edge from it to the next, or of the whole triangle; nothing when it exceeds
@@ -31,6 +34,6 @@ struct SolidGap {
 /// with G_a = w_a T^T H + d_a n^T, d_a the derivative of T^T by corner a (the minimum over w, differentiated twice).
 /// Along edges on which the solid is flat the deepest point stays where it is.
 std::optional<SolidGap> solid_gap(const ToolSolid& solid, double reach, const std::array<Eigen::Vector3d, 3>& corners,
-                                  SitePart part, int corner = 0);
+                                  SitePart part, int corner = 0, GapTerms wanted = GapTerms::kHessian);
 
 }  // namespace thinwall

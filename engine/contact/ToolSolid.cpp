@@ -10,6 +10,13 @@ namespace {
 /// a wall that deep inside a tool only has to be pushed out.
 constexpr double kNoDirection = 1e-12;
 
+/// `offset`: from the centre, of that length.
+SignedDistance outside_ball(const Eigen::Vector3d& offset, double length, double radius) {
+  SignedDistance distance{.value = length - radius, .normal = offset / length};
+  distance.curvature = (Eigen::Matrix3d::Identity() - distance.normal * distance.normal.transpose()) / length;
+  return distance;
+}
+
 /// In the solid's own frame, point relative to its centre.
 SignedDistance from_box(const ToolSolid& solid, const Eigen::Vector3d& point) {
   SignedDistance distance;
@@ -73,11 +80,22 @@ SignedDistance from_needle(const ToolSolid& solid, const Eigen::Vector3d& point)
 }  // namespace
 
 SignedDistance signed_distance(const ToolSolid& solid, const Eigen::Vector3d& point) {
+  if (solid.is_ball()) {
+    // A frame makes no difference to a ball; `from_box` gives the direction at the very centre.
+    const Eigen::Vector3d offset = point - solid.center;
+    const double length = offset.norm();
+    if (length > kNoDirection) return outside_ball(offset, length, solid.radius);
+  }
   const Eigen::Vector3d local = solid.frame.transpose() * (point - solid.center);
   SignedDistance distance = solid.form == ToolSolid::Form::kNeedle ? from_needle(solid, local) : from_box(solid, local);
   distance.normal = solid.frame * distance.normal;
   distance.curvature = solid.frame * distance.curvature * solid.frame.transpose();
   return distance;
+}
+
+double distance_from(const ToolSolid& solid, const Eigen::Vector3d& point) {
+  if (solid.is_ball()) return (point - solid.center).norm() - solid.radius;
+  return signed_distance(solid, point).value;
 }
 
 std::vector<ToolSolid> rims_of(const ToolSolid& solid) {

@@ -61,6 +61,9 @@ struct ToolSolid {
 /// x lies beyond the core. Of the needle: the distance from the ball, cone or cylinder on whose normal x lies.
 SignedDistance signed_distance(const ToolSolid& solid, const Eigen::Vector3d& point);
 
+/// Its value alone, metres.
+double distance_from(const ToolSolid& solid, const Eigen::Vector3d& point);
+
 /// The balls whose hull a solid is, each with the role of a corner: of a box at its corners, of a needle at its tip,
 /// its shoulder and its back end. None of a ball.
 std::vector<ToolSolid> corners_of(const ToolSolid& solid);

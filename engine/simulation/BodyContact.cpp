@@ -44,6 +44,20 @@ bool slides_along_itself(const ToolDefinition& tool, const ToolPose& begin, cons
          begin.direction.cross(motion).norm() <= kSameDirection * motion.norm();
 }
 
+/// Longest way of a vertex from one position to another, as a solid sees it that moves meanwhile, metres: no place
+/// between vertices goes farther. Positions: (unknowns), metres.
+double farthest_way(const BodyModel& model, const ToolSolid& before, const ToolSolid& after,
+                    const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
+  double farthest = 0;
+  for (int v = 0; v < model.vertices(); ++v) {
+    const Eigen::Index at = 3 * static_cast<Eigen::Index>(v);
+    const Eigen::Vector3d start = from.segment<3>(at);
+    const Eigen::Vector3d way = to.segment<3>(at) - start - displacement_of(before, after, start);
+    farthest = std::max(farthest, way.squaredNorm());
+  }
+  return std::sqrt(farthest);
+}
+
 Eigen::Vector3d prescribed_point(const Attachment& attachment, const ToolPose& pose) {
   return pose.tip + attachment.offset.x() * pose.axis.cross(pose.direction) + attachment.offset.y() * pose.axis;
 }
@@ -136,7 +150,7 @@ double Body::largest_part(std::span<const ToolPose> begin, std::span<const ToolP
       for (int v = 0; v < model_->vertices(); ++v) {
         const Eigen::Vector3d place = state_.equilibrium.position.segment<3>(3 * v);
         if (begin[tool].direction.dot(begin[tool].tip - place) > pushing) continue;
-        nearest = std::min(nearest, signed_distance(before[k], place).value);
+        nearest = std::min(nearest, distance_from(before[k], place));
       }
       if (nearest > reach) continue;
       part = std::min(part, kRoundedMotion * before[k].sharpness() / motion);
@@ -171,18 +185,20 @@ bool Body::jumped_over_balls(std::span<const ToolPose> begin, const EquilibriumP
   for (std::size_t k = 0; k < before.size(); ++k) {
     const SolidContact& after = problem.solids[k];
     if (after.solid.role != ToolSolid::Role::kWhole) continue;
+    const double farthest = farthest_way(*model_, before[k], after.solid, state_.equilibrium.position, position);
     for (const ContactSite& site : model_->sites) {
       const Eigen::Vector3i& triangle = model_->surface[site.triangle];
-      const auto near = solid_gap(before[k], before[k].sharpness() + model_->edge_length,
-                                  corners_of(triangle, state_.equilibrium.position), site.part, site.corner);
-      if (!near) continue;
+      const auto near =
+          solid_gap(before[k], before[k].sharpness() + model_->edge_length,
+                    corners_of(triangle, state_.equilibrium.position), site.part, site.corner, GapTerms::kGradient);
+      if (!near || near->gap - farthest >= -kDeepestWay * after.solid.sharpness()) continue;
       // The way of the place that was nearest, as the tool sees it.
       const Eigen::Vector3d start = place_on(*model_, site.triangle, near->weights, state_.equilibrium.position);
       const Eigen::Vector3d from = start + displacement_of(before[k], after.solid, start);
       const Eigen::Vector3d to = place_on(*model_, site.triangle, near->weights, position);
       const DeepestPoint deepest = deepest_on_edge(after.solid, {from, to, to}, 0, 1);
       const Eigen::Vector3d point = deepest.weights[0] * from + deepest.weights[1] * to;
-      if (signed_distance(after.solid, point).value < -kDeepestWay * after.solid.sharpness()) return true;
+      if (distance_from(after.solid, point) < -kDeepestWay * after.solid.sharpness()) return true;
     }
   }
   return false;
@@ -195,7 +211,8 @@ bool Body::catch_passed_edges(EquilibriumProblem& problem, const Eigen::VectorXd
     contact.catches_edges = std::ranges::any_of(model_->sites, [&](const ContactSite& site) {
       if (site.part != SitePart::kEdge) return false;
       return solid_gap(contact.solid, -SolidContact::kPassedEdgeDip * contact.dip,
-                       corners_of(model_->surface[site.triangle], position), site.part, site.corner)
+                       corners_of(model_->surface[site.triangle], position), site.part, site.corner,
+                       GapTerms::kGradient)
           .has_value();
     });
     caught = caught || contact.catches_edges;

@@ -188,7 +188,7 @@ WallAhead Body::stiffness_ahead(WallAhead ahead, const EquilibriumProblem& probl
     double least = std::numeric_limits<double>::infinity();
     for (const ToolSolid& solid : tool_solids(tools_[tool], pose)) {
       for (int v = 0; v < model_->vertices(); ++v) {
-        const double value = signed_distance(solid, state_.equilibrium.position.segment<3>(3 * v)).value;
+        const double value = distance_from(solid, state_.equilibrium.position.segment<3>(3 * v));
         if (value < least) least = value, nearest = v;
       }
     }

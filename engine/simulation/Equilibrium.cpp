@@ -25,6 +25,10 @@ constexpr int kBatch = 512;
 /// Part of an edge beyond the range of a contact within which a triangle is kept in view: a step may overrun it.
 constexpr double kContactMargin = 0.5;
 
+double square(double value) {
+  return value * value;
+}
+
 template <typename Compute, typename Add, typename Terms>
 void for_each_triangle(int triangles, std::vector<Terms>& buffer, const Compute& compute, const Add& add) {
   buffer.resize(kBatch);
@@ -102,7 +106,9 @@ void add_fluid(const BodyModel& model, const EquilibriumProblem& problem, const 
       }
     }
     if (pressure[chamber] != 0 && !model.is_open(chamber)) {
-      add_triangle(model.addresses[t], -pressure[chamber] * volume_hessian_of(corners), terms.values);
+      const double sixth = pressure[chamber] / 6;
+      add_cross_products(model.addresses[t], {sixth * corners[2], sixth * corners[0], -sixth * corners[1]},
+                         terms.values);
     }
   }
   for (Eigen::Index k = 0; k < position.size(); ++k) {
@@ -116,16 +122,21 @@ void add_fluid(const BodyModel& model, const EquilibriumProblem& problem, const 
   }
 }
 
-/// Least distance that a site can have from a solid, from those of the triangle's corners: no distance changes faster
-/// than its place.
-double nearest_possible(const std::array<Eigen::Vector3d, 3>& corners, const std::array<double, 3>& distances,
-                        const ContactSite& site) {
-  const int a = site.corner, b = (a + 1) % 3, c = (a + 2) % 3;
-  if (site.part == SitePart::kCorner) return distances[a];
-  const double ab = (corners[a] - corners[b]).norm();
-  if (site.part == SitePart::kEdge) return 0.5 * (distances[a] + distances[b] - ab);
-  const double ac = (corners[a] - corners[c]).norm(), bc = (corners[b] - corners[c]).norm();
-  return std::max({distances[a] - std::max(ab, ac), distances[b] - std::max(ab, bc), distances[c] - std::max(ac, bc)});
+/// Whether a site is farther from a solid than `reach`, metres, as the distances of the triangle's corners alone show:
+/// no distance changes faster than its place. Without a root, because it is asked of every site again and again.
+bool is_clearly_apart(const Eigen::VectorXd& position, const Eigen::Vector3i& triangle,
+                      const std::vector<double>& distances, const ContactSite& site, double reach) {
+  const int a = triangle[site.corner], b = triangle[(site.corner + 1) % 3], c = triangle[(site.corner + 2) % 3];
+  const double from_a = distances[a] - reach;
+  if (site.part == SitePart::kCorner) return from_a >= 0;
+  const auto edge = [&](int one, int other) {
+    return (position.segment<3>(3 * one) - position.segment<3>(3 * other)).squaredNorm();
+  };
+  const double from_b = distances[b] - reach, ab = edge(a, b);
+  if (site.part == SitePart::kEdge) return from_a + from_b >= 0 && square(from_a + from_b) >= ab;
+  const double from_c = distances[c] - reach, ac = edge(a, c), bc = edge(b, c);
+  return (from_a >= 0 && square(from_a) >= std::max(ab, ac)) || (from_b >= 0 && square(from_b) >= std::max(ab, bc)) ||
+         (from_c >= 0 && square(from_c) >= std::max(ac, bc));
 }
 
 void find_contacts(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
@@ -135,7 +146,7 @@ void find_contacts(const BodyModel& model, const EquilibriumProblem& problem, co
     const SolidContact& contact = problem.solids[k];
     if (contact.in_wall) continue;
     for (int v = 0; v < model.vertices(); ++v) {
-      distances[v] = signed_distance(contact.solid, position.segment<3>(3 * v)).value;
+      distances[v] = distance_from(contact.solid, position.segment<3>(3 * v));
     }
     const double near = contact.range + kContactMargin * model.edge_length;
     for (int s = 0; s < static_cast<int>(model.sites.size()); ++s) {
@@ -143,10 +154,9 @@ void find_contacts(const BodyModel& model, const EquilibriumProblem& problem, co
       if (!contact.meets(site.part) || problem.is_free(contact.tool, site.triangle)) continue;
       const Eigen::Vector3i& triangle = model.surface[site.triangle];
       const double reach = contact.forces[s] > 0 ? std::numeric_limits<double>::infinity() : near;
-      const auto corners = corners_of(triangle, position);
-      const std::array<double, 3> at_corners = {distances[triangle[0]], distances[triangle[1]], distances[triangle[2]]};
-      if (nearest_possible(corners, at_corners, site) >= reach) continue;
-      const auto gap = solid_gap(contact.solid, reach, corners, site.part, site.corner);
+      if (is_clearly_apart(position, triangle, distances, site, reach)) continue;
+      const auto gap = solid_gap(contact.solid, reach, corners_of(triangle, position), site.part, site.corner,
+                                 contact.forces[s] != 0 ? GapTerms::kHessian : GapTerms::kGradient);
       // The gap of a site whose deepest point lies on its border is that of another site.
       if (!gap || (gap->part != site.part && contact.forces[s] == 0)) continue;
       terms.contacts.push_back(

@@ -140,6 +140,21 @@ void add_triangle(const TriangleAddresses& addresses, const Eigen::Matrix<double
   }
 }
 
+void add_cross_products(const TriangleAddresses& addresses, const std::array<Eigen::Vector3d, 3>& vectors,
+                        std::span<double> values) {
+  for (int k = 0; k < 3; ++k) {
+    const std::array<int, 3>& first = addresses.block[3 + k].first;
+    // Transposed, the matrix of a cross product changes its sign.
+    const Eigen::Vector3d v = addresses.transposed[3 + k] ? Eigen::Vector3d(-vectors[k]) : vectors[k];
+    values[first[0] + 1] += v.z();
+    values[first[0] + 2] -= v.y();
+    values[first[1]] -= v.z();
+    values[first[1] + 2] += v.x();
+    values[first[2]] += v.y();
+    values[first[2] + 1] -= v.x();
+  }
+}
+
 void add_block(const BlockPattern& pattern, int vertex, int other, const Eigen::Matrix3d& block,
                std::span<double> values) {
   const BlockAddress address = block_address(pattern, vertex, other);

@@ -65,6 +65,11 @@ TriangleAddresses triangle_addresses(const BlockPattern& pattern, const Eigen::V
 void add_triangle(const TriangleAddresses& addresses, const Eigen::Matrix<double, 9, 9>& matrix,
                   std::span<double> values);
 
+/// Adds a symmetric 9 x 9 matrix of a triangle whose blocks beside the diagonal are those of cross products and whose
+/// others are zero: block (0, 1) is that of vectors[0] x, (1, 2) of vectors[1] x, (0, 2) of vectors[2] x.
+void add_cross_products(const TriangleAddresses& addresses, const std::array<Eigen::Vector3d, 3>& vectors,
+                        std::span<double> values);
+
 /// Adds a 3 x 3 block: rows belong to `vertex`, columns to `other`; of two equal vertices, the lower triangle is kept.
 void add_block(const BlockPattern& pattern, int vertex, int other, const Eigen::Matrix3d& block,
                std::span<double> values);

@@ -33,6 +33,33 @@ std::optional<SolidGap> ball_gap(const Eigen::Vector3d& center, double radius, d
   return solid_gap(ball(center, radius), reach, corners, SitePart::kFace);
 }
 
+TEST(SolidGap, IsTheSameWithoutItsHessianWhichIsThenZero) {
+  for (const Eigen::Vector3d& center : {Eigen::Vector3d(0.5, 0.3, 0.7), Eigen::Vector3d(0.7, -0.5, 0.2)}) {
+    for (const SitePart part : {SitePart::kCorner, SitePart::kEdge, SitePart::kFace}) {
+      const auto whole = solid_gap(ball(center, kRadius), kFar, some_corners(), part);
+      const auto quick = solid_gap(ball(center, kRadius), kFar, some_corners(), part, 0, GapTerms::kGradient);
+      ASSERT_TRUE(whole && quick);
+      EXPECT_EQ(quick->gap, whole->gap);
+      EXPECT_EQ(quick->gradient, whole->gradient);
+      EXPECT_TRUE(quick->hessian.isZero());
+      EXPECT_FALSE(whole->hessian.isZero());
+    }
+  }
+}
+
+TEST(SolidGap, TheClosedFormOfABallOnAnEdgeIsTheRootThatACapsuleOfNoLengthHas) {
+  // A capsule this short goes through the search for a root and differs from the ball by its own length.
+  ToolSolid capsule = ball({0.7, -0.5, 0.2}, kRadius);
+  capsule.core.z() = 1e-11;
+  ASSERT_FALSE(capsule.is_ball());
+  for (int edge = 0; edge < 3; ++edge) {
+    const DeepestPoint root = deepest_on_edge(capsule, some_corners(), edge, (edge + 1) % 3);
+    const DeepestPoint closed = deepest_on_edge(ball({0.7, -0.5, 0.2}, kRadius), some_corners(), edge, (edge + 1) % 3);
+    EXPECT_EQ(closed.corner_count, root.corner_count) << edge;
+    EXPECT_LT((closed.weights - root.weights).norm(), 1e-10) << edge;
+  }
+}
+
 struct Example {
   const char* region;
   Eigen::Vector3d center;

@@ -45,6 +45,28 @@ TEST(BlockPattern, CornersInAnyOrderGoToTheSamePlaces) {
   }
 }
 
+TEST(BlockPattern, CrossProductsAreAddedAsTheirDenseMatrixIs) {
+  const std::vector<Eigen::Vector3i> orders = {{0, 2, 3}, {0, 3, 2}, {2, 0, 3}, {2, 3, 0}, {3, 0, 2}, {3, 2, 0}};
+  const Eigen::MatrixXd drawn = random_columns(3, 3, 7);
+  const std::array<Eigen::Vector3d, 3> vectors = {drawn.col(0), drawn.col(1), drawn.col(2)};
+  Eigen::Matrix<double, 9, 9> whole = Eigen::Matrix<double, 9, 9>::Zero();
+  const int places[3][2] = {{0, 1}, {1, 2}, {0, 2}};
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Vector3d& v = vectors[k];
+    Eigen::Matrix3d block;
+    block << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+    whole.block<3, 3>(3 * places[k][0], 3 * places[k][1]) = block;
+    whole.block<3, 3>(3 * places[k][1], 3 * places[k][0]) = block.transpose();
+  }
+  for (const Eigen::Vector3i& triangle : orders) {
+    const BlockPattern pattern = make_block_pattern(4, std::vector<Eigen::Vector3i>{triangle});
+    std::vector<double> dense(pattern.nonzeros(), 0), quick(dense);
+    add_triangle(triangle_addresses(pattern, triangle), whole, dense);
+    add_cross_products(triangle_addresses(pattern, triangle), vectors, quick);
+    EXPECT_EQ(quick, dense) << triangle.transpose();
+  }
+}
+
 TEST(BlockPattern, KeepsTheLowerTriangleInAscendingRowsWithTheDiagonalFirst) {
   const BlockPattern pattern = random_matrix(80, 0, 1).pattern;
   for (int column = 0; column < 3 * pattern.vertices; ++column) {
