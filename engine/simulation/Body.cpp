@@ -224,7 +224,8 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
       const Eigen::VectorXd motion = duration * state_.velocity;
       trial.position += newton_->safe_fraction(trial.position, motion) * motion;
     }
-    if (foresight_) begin_as_foreseen(begin, end, problem, trial);
+    const bool goes_on = last_step_ && begin_as_extrapolated(begin, end, problem, trial);
+    if (foresight_ && !goes_on) begin_as_foreseen(begin, end, problem, trial);
     if (!solve_with_leaks(problem, trial, begin, duration)) return false;
     if (!may_snap() && jumped_over_balls(begin, problem, trial.position)) {
       failure_ = "the wall jumped from one side of a ball to the other";
@@ -232,6 +233,7 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
     }
     if (release(end, problem)) continue;
     if (report_.halvings < kHalvingsBeforeLettingEdgesIn && catch_passed_edges(problem, trial.position)) continue;
+    if (options_.extrapolates) note_last_step(begin, end);
     accept(begin, duration, problem, input, trial);
     return true;
   }
@@ -267,6 +269,7 @@ void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> en
     const int iterations = report_.newton_iterations, shifted = report_.shifted_iterations;
     if (!try_step(from, to, step.part * duration, part_of(input, start, step.done, step.part))) {
       state_ = before;
+      last_step_.reset();
       if (may_crumple()) {
         crumple(from);
         continue;

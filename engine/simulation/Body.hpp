@@ -247,6 +247,13 @@ class Body {
     std::vector<Site> sites;
   };
 
+  /// What the last step did to the solution.
+  struct LastStep {
+    std::vector<Eigen::Vector3d> way;  // (tools), metres, of their tips
+    EquilibriumState before;
+    std::vector<std::vector<double>> solid_forces;  // (solids x sites), newton, before it
+  };
+
   /// What the needles in punctures have done in a step, joule.
   struct ShaftBooks {
     double stored = 0, friction = 0, tool_work = 0;
@@ -309,6 +316,10 @@ class Body {
   void find_forces(std::span<const ToolPose> poses);
   void begin_as_foreseen(std::span<const ToolPose> begin, std::span<const ToolPose> end, EquilibriumProblem& problem,
                          EquilibriumState& trial) const;
+  /// Begins where the last step leads on to, as far as the tools go on as they did in it; false where they do not.
+  bool begin_as_extrapolated(std::span<const ToolPose> begin, std::span<const ToolPose> end,
+                             EquilibriumProblem& problem, EquilibriumState& trial) const;
+  void note_last_step(std::span<const ToolPose> begin, std::span<const ToolPose> end);
   EquilibriumProblem response_problem(std::span<const ToolPose> poses, double duration) const;
   void add_contacts_to(ToolResponse& response, const EquilibriumProblem& problem, int tool);
   /// What the contacts answer to a unit of one of the six motions of the tool; the wall's motion, (unknowns), metres.
@@ -395,6 +406,7 @@ class Body {
   BodyState state_;
   BodyStepReport report_;
   std::optional<Foresight> foresight_;  // for the next step
+  std::optional<LastStep> last_step_;   // if its solution is to be extrapolated
   bool snaps_ = false;                  // whether a wall gives way at once, from one equilibrium to another
   bool is_loose_ = false;               // whether the last solution's residual is above the tolerance
   std::string failure_;                 // why the last attempt failed

@@ -111,6 +111,7 @@ Cut Body::change_mesh(const CutPath& path, CutOptions options, Uncut* before) {
   if (after->rigid_motions.cols() > 0) hold_rigid_motions(*after, state_.equilibrium.position);
   // What slowed the wall is from now on among the forces that hold the lips.
   state_.drag_force.resize(0);
+  last_step_.reset();
   // An opening that has changed makes a new beginning.
   state_.outflow = {};
   auto newton = std::make_unique<Newton>(*after, *newton_, state_.equilibrium.position);

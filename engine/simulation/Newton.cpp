@@ -14,6 +14,7 @@ namespace {
 
 /// How often a step may be found again because contacts would pull or be overrun.
 constexpr int kContactTurns = 8;
+constexpr int kBorderedContactTurns = 20;  // where that costs little
 
 /// After this many iterations steps are halved at once: whole ones may go to and fro between two sets of contacts, one
 /// of which lowers the residual and the other the energy. Where the residual falls to this part so many times in a row
@@ -42,6 +43,12 @@ constexpr double kMostFolding = 1.5;
 /// below this multiple of the tolerance is the solution.
 constexpr int kStalledSteps = 8;
 constexpr double kRoundOffResidual = 1e3;
+
+/// What constraints may be missed by where forces are wanted to the last digits: part of a chamber's volume, and of the
+/// mean edge. The first grows with the tolerance of the forces, of which it is this part.
+constexpr double kVolumeTolerance = 1e-11;
+constexpr double kVolumeShare = 1e-2;
+constexpr double kGapTolerance = 1e-9;
 
 double square(double value) {
   return value * value;
@@ -170,12 +177,16 @@ bool Newton::is_solved(const Residual& residual, double force_scale, bool is_sta
                        const NewtonOptions& options) const {
   double gap = residual.contact;
   for (const Eigen::Vector3d& one : residual.gaps) gap = std::max(gap, one.norm());
+  const double volume_tolerance = std::max(kVolumeTolerance, kVolumeShare * options.tolerance);
   for (Eigen::Index c = 0; c < residual.volume.size(); ++c) {
-    if (std::abs(residual.volume[c]) > 1e-11 * std::abs(model_.chambers[c].rest_volume)) return false;
+    if (std::abs(residual.volume[c]) > volume_tolerance * std::abs(model_.chambers[c].rest_volume)) return false;
   }
+  // Where forces need not be exact no displacement needs to be that would make a force of that size.
+  const double give = options.tolerance * std::min(model_.edge_length, force_scale / model_.wall_stiffness);
+  const double gap_tolerance = std::max(kGapTolerance * model_.edge_length, give);
   const double slack = is_stalled ? kRoundOffResidual : 1;
   return std::max(residual.largest_force, residual.ghost) <= slack * options.tolerance * force_scale &&
-         gap <= slack * 1e-9 * model_.edge_length;
+         gap <= slack * gap_tolerance;
 }
 
 std::string Newton::obstructed(const std::string& reason) const {
@@ -199,6 +210,7 @@ bool Newton::folds_over(const Eigen::VectorXd& before, const Eigen::VectorXd& af
 NewtonResult Newton::solve(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options) {
   int before = 0;
   factorisations_ = 0;
+  may_border_ = options.borders_contacts || !model_.bending.empty();
   if (!model_.bending.empty()) {
     const Start start{
         .state = state, .attachments = problem.attachments, .solids = problem.solids, .friction = problem.friction};
@@ -293,11 +305,13 @@ bool Newton::find_step_with_contacts(const EquilibriumProblem& problem, const Eq
     open_.push_back(contact_force(problem, contact) == 0 && may_wait);
   }
   for (int turn = 0;; ++turn) {
-    // A membrane's matrix costs little, and without the curvature that contacts take along its needles find no way.
-    const bool borders = turn > 0 && !may_be_saddle && !model_.bending.empty() && border_contacts();
+    // A membrane's matrix costs little where time does not matter, and without the curvature that contacts take along
+    // its needles find no way.
+    const bool borders = turn > 0 && !may_be_saddle && may_border_ && border_contacts();
     if (!borders && !factorize(problem, state, shift, may_be_saddle)) return false;
     find_step(problem, state, residual, step);
-    if (turn == kContactTurns || !revise_contacts(step)) break;
+    const int most = borders && model_.bending.empty() ? kBorderedContactTurns : kContactTurns;
+    if (turn >= most || !revise_contacts(step)) break;
   }
   for (std::size_t k = 0; k < open_.size(); ++k) {
     step.contact_forces[k] = open_[k] ? 0 : std::max(0.0, step.contact_forces[k]);

@@ -21,6 +21,9 @@ struct NewtonOptions {
   // Flaps of a cut wall, and free borders, crumple without end: equilibria that are not stable, and residuals that only
   // round-off is left of, are taken too.
   bool takes_flaps = false;
+  // Whether a step is found again with the same factor where its contacts change, not in shells alone: quicker, but
+  // without the curvature that contacts take along.
+  bool borders_contacts = false;
   std::function<void()> between_iterations = {};  // called before each; what it throws goes through
 };
 
@@ -207,6 +210,8 @@ class Newton {
   /// Borders the factorised matrix with the springs of contacts that are open or closed unlike when it was factorised;
   /// false where that is not convex.
   bool border_contacts();
+  /// The border solved with the factor; a contact's column is solved once, however often it opens and closes.
+  Eigen::MatrixXd solved_border(const std::vector<std::size_t>& changed);
   std::string obstructed(const std::string& reason) const;
   bool search(EquilibriumProblem& problem, EquilibriumState& state, Residual& residual, const Step& step,
               double fraction);
@@ -230,18 +235,21 @@ class Newton {
   std::vector<char> factorised_open_;  // (contacts), the same when the matrix was factorised
   std::vector<double> matrix_;         // (non-zeros), what is factorised
   int factorisations_ = 0;             // in the solution under way
+  bool may_border_ = false;            // see NewtonOptions::borders_contacts
   // (triangles) of a shell, pascal, (S11, S22, S12); none where the curvature takes the stress as it is
   std::vector<std::array<int, 2>> hinges_;  // of a shell: triangles with an edge in common
   std::vector<Eigen::Vector3d> foreseen_stress_;
-  Eigen::MatrixXd border_;           // (unknowns x border), column and row where they are the same
-  Eigen::MatrixXd columns_, rows_;   // (unknowns x border), of bodies with open chambers
-  Eigen::MatrixXd corner_;           // (border x border)
-  std::vector<int> bordering_;       // chambers whose pressure is a multiplier, in the order of the border's columns
-  int constraints_ = 0;              // columns of the border that are constraints
-  int negative_pivots_ = 0;          // of the factor in use
-  Eigen::Index own_columns_ = 0;     // of the border, without those of contacts
-  Eigen::MatrixXd rigid_columns_;    // (unknowns x free rigid motions), relative mass times motion
-  double attachment_stiffness_ = 0;  // newton / metre, gamma
+  Eigen::MatrixXd border_;          // (unknowns x border), column and row where they are the same
+  Eigen::MatrixXd columns_, rows_;  // (unknowns x border), of bodies with open chambers
+  Eigen::MatrixXd corner_;          // (border x border)
+  std::vector<int> bordering_;      // chambers whose pressure is a multiplier, in the order of the border's columns
+  Eigen::MatrixXd solved_own_;      // (unknowns x own columns and those of `solved_contacts_`), K^-1 border
+  std::vector<std::size_t> solved_contacts_;  // since the last factorisation
+  int constraints_ = 0;                       // columns of the border that are constraints
+  int negative_pivots_ = 0;                   // of the factor in use
+  Eigen::Index own_columns_ = 0;              // of the border, without those of contacts
+  Eigen::MatrixXd rigid_columns_;             // (unknowns x free rigid motions), relative mass times motion
+  double attachment_stiffness_ = 0;           // newton / metre, gamma
 };
 
 }  // namespace thinwall

@@ -25,6 +25,9 @@ constexpr int kUzawaTurns = 5;
 constexpr double kRimAccuracy = 1e-3;
 constexpr int kRimProducts = 30;
 
+/// Contacts of a membrane that may border its matrix: more of them cost as much as to factorise it again.
+constexpr std::size_t kMostBordered = 32;
+
 /// Part of the contacts' push that contacts may pull in a step: those at the rim open by themselves in the next one.
 constexpr double kToleratedPull = 0.1;
 
@@ -162,6 +165,7 @@ bool Newton::border_contacts() {
   for (std::size_t k = 0; k < open_.size(); ++k) {
     if (open_[k] != factorised_open_[k]) changed.push_back(k);
   }
+  if (model_.bending.empty() && changed.size() > kMostBordered) return false;
   const Eigen::Index columns = own_columns_ + static_cast<Eigen::Index>(changed.size());
   const bool is_open = model_.has_open_chambers();
   border_.conservativeResize(Eigen::NoChange, columns);
@@ -183,7 +187,11 @@ bool Newton::border_contacts() {
     corner_(column, column) = (open_[changed[k]] ? 1 : -1) / contact.potential.stiffness;
     springs += open_[changed[k]] ? 0 : 1;
   }
-  bordered_.set(used_factor(), negative_pivots_, border_, corner_);
+  if (model_.bending.empty() && !is_open) {
+    bordered_.set_solved(negative_pivots_, border_, solved_border(changed), corner_);
+  } else {
+    bordered_.set(used_factor(), negative_pivots_, border_, corner_);
+  }
   if (bordered_.negative_eigenvalues() != constraints_ + springs) return false;
   if (!is_open) return true;
   for (Eigen::MatrixXd* side : {&columns_, &rows_}) {
@@ -194,11 +202,40 @@ bool Newton::border_contacts() {
   return true;
 }
 
+Eigen::MatrixXd Newton::solved_border(const std::vector<std::size_t>& changed) {
+  if (solved_contacts_.empty()) solved_own_ = bordered_.solved_columns();
+  const auto is_solved_already = [&](std::size_t contact) {
+    return std::ranges::find(solved_contacts_, contact) != solved_contacts_.end();
+  };
+  std::vector<Eigen::Index> fresh;  // columns of the border
+  for (std::size_t k = 0; k < changed.size(); ++k) {
+    if (is_solved_already(changed[k])) continue;
+    fresh.push_back(own_columns_ + static_cast<Eigen::Index>(k));
+    solved_contacts_.push_back(changed[k]);
+  }
+  if (!fresh.empty()) {
+    Eigen::MatrixXd columns(border_.rows(), static_cast<Eigen::Index>(fresh.size()));
+    for (std::size_t k = 0; k < fresh.size(); ++k) columns.col(static_cast<Eigen::Index>(k)) = border_.col(fresh[k]);
+    used_factor().solve(columns);
+    const Eigen::Index before = solved_own_.cols();
+    solved_own_.conservativeResize(border_.rows(), before + columns.cols());
+    solved_own_.rightCols(columns.cols()) = columns;
+  }
+  Eigen::MatrixXd solved(border_.rows(), border_.cols());
+  solved.leftCols(own_columns_) = solved_own_.leftCols(own_columns_);
+  for (std::size_t k = 0; k < changed.size(); ++k) {
+    const auto place = std::ranges::find(solved_contacts_, changed[k]) - solved_contacts_.begin();
+    solved.col(own_columns_ + static_cast<Eigen::Index>(k)) = solved_own_.col(own_columns_ + place);
+  }
+  return solved;
+}
+
 bool Newton::factorize(const EquilibriumProblem& problem, const EquilibriumState& state, double& shift,
                        bool may_be_saddle) {
   build_border(problem, state);
   own_columns_ = border_.cols();
   factorised_open_ = open_;
+  solved_contacts_.clear();
   folded_ = fold_matrix_.prepare(terms_.folds, self_contact_);
   bool exact = shift == 0;
   for (int attempt = 0; attempt < 20; ++attempt) {

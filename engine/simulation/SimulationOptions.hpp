@@ -13,6 +13,9 @@ struct SimulationOptions {
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // metres / second^2
   double step_error = 0;    // metres, allowed error of a step in dynamics, which is divided to keep it; 0: not judged
   double tolerance = 1e-9;  // residual force over the largest force
+  // Whether a quasi-static step begins where the one before leads on to: for tools that go on as a hand does. Of
+  // several equilibria another one may be found.
+  bool extrapolates = false;
   int maximum_iterations = 60;  // Newton iterations before a step is halved
   int maximum_halvings = 10;    // how often a step may be halved before the run fails
   // Called before each iteration. It may throw to end a long solution; the body is not to be used after that.

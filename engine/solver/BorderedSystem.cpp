@@ -2,16 +2,28 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <utility>
 
 namespace thinwall {
 
 void BorderedSystem::set(SparseFactor& factor, int negative_pivots, const Eigen::MatrixXd& border,
                          const Eigen::MatrixXd& corner) {
   negative_eigenvalues_ = negative_pivots;
+  solved_columns_ = border;
+  if (border.cols() > 0) factor.solve(solved_columns_);
+  eliminate(border, corner);
+}
+
+void BorderedSystem::set_solved(int negative_pivots, const Eigen::MatrixXd& border, Eigen::MatrixXd solved,
+                                const Eigen::MatrixXd& corner) {
+  negative_eigenvalues_ = negative_pivots;
+  solved_columns_ = std::move(solved);
+  eliminate(border, corner);
+}
+
+void BorderedSystem::eliminate(const Eigen::MatrixXd& border, const Eigen::MatrixXd& corner) {
   rows_ = border;
   if (border.cols() == 0) return;
-  solved_columns_ = border;
-  factor.solve(solved_columns_);
   const Eigen::MatrixXd schur = corner - border.transpose() * solved_columns_;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(0.5 * (schur + schur.transpose()));
   Eigen::VectorXd inverse = spectrum.eigenvalues();

@@ -19,9 +19,16 @@ class BorderedSystem {
   /// C is B. B is (unknowns x columns), D (columns x columns). `negative_pivots` is the inertia of the factor.
   void set(SparseFactor& factor, int negative_pivots, const Eigen::MatrixXd& border, const Eigen::MatrixXd& corner);
 
+  /// The same where K^-1 B is known already, (unknowns x columns).
+  void set_solved(int negative_pivots, const Eigen::MatrixXd& border, Eigen::MatrixXd solved,
+                  const Eigen::MatrixXd& corner);
+
   /// After `set`, whose inertia stays: B and C that differ.
   void set_unsymmetric(SparseFactor& factor, const Eigen::MatrixXd& columns, const Eigen::MatrixXd& rows,
                        const Eigen::MatrixXd& corner);
+
+  /// K^-1 B, (unknowns x columns).
+  const Eigen::MatrixXd& solved_columns() const { return solved_columns_; }
 
   /// Number of negative eigenvalues of the whole matrix.
   int negative_eigenvalues() const { return negative_eigenvalues_; }
@@ -30,6 +37,8 @@ class BorderedSystem {
   void solve(SparseFactor& factor, Eigen::VectorXd& f, Eigen::VectorXd& g) const;
 
  private:
+  void eliminate(const Eigen::MatrixXd& border, const Eigen::MatrixXd& corner);
+
   Eigen::MatrixXd rows_;            // C
   Eigen::MatrixXd solved_columns_;  // K^-1 B
   Eigen::MatrixXd schur_inverse_;   // S^-1

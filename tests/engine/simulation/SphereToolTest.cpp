@@ -37,6 +37,32 @@ Gaps smallest_gaps(const Body& body, const ToolPose& pose) {
   return least;
 }
 
+/// A ball pressed into a hemisphere and dragged along it in ticks of 50 micrometres.
+struct Drag {
+  Body body;
+  ToolPose pose = pose_at({-4e-3, 1e-3, 18.5e-3});
+  int iterations = 0;
+
+  explicit Drag(bool extrapolates)
+      : body(pressurised_hemisphere(256, 500), {sphere_tool(kBall)},
+             {.analysis = Analysis::kQuasiStatic, .extrapolates = extrapolates}) {
+    body.settle();
+    move(body, pose_at({-4e-3, 1e-3, 23e-3}), pose.tip, 9, 0.01);
+    pose = move(body, pose, pose.tip + Eigen::Vector3d(2e-3, 0, 0), 40, 1e-3,
+                [this](const ToolPose&) { iterations += body.report().newton_iterations; });
+  }
+};
+
+TEST(SphereTool, StepsThatBeginWhereTheLastLeadsEndInTheSameEquilibriumInFewerIterations) {
+  const Drag plain(false), extrapolated(true);
+  const Eigen::Vector3d force = plain.body.state().contacts[0].force;
+  EXPECT_LT((extrapolated.body.state().contacts[0].force - force).norm(), 1e-6 * force.norm());
+  EXPECT_LT((extrapolated.body.state().equilibrium.position - plain.body.state().equilibrium.position)
+                .lpNorm<Eigen::Infinity>(),
+            1e-9);
+  EXPECT_LT(extrapolated.iterations, plain.iterations);
+}
+
 struct Scene {
   const char* name;
   int triangles;

@@ -56,6 +56,24 @@ TEST(BorderedSystem, InertiaAndSolutionAreThoseOfTheDenseMatrix) {
   }
 }
 
+TEST(BorderedSystem, ColumnsThatAreSolvedAlreadyGiveTheSame) {
+  const BlockMatrix matrix = random_matrix(80, -0.45, 3);
+  const Eigen::Index unknowns = matrix.dense.rows();
+  const Eigen::MatrixXd border = random_columns(unknowns, 3, 11), corner = Eigen::MatrixXd::Zero(3, 3);
+  SparseFactor factor(matrix.pattern);
+  const std::optional<int> negative = factor.factorize(matrix.values, true);
+  ASSERT_TRUE(negative);
+  BorderedSystem whole, known;
+  whole.set(factor, *negative, border, corner);
+  known.set_solved(*negative, border, whole.solved_columns(), corner);
+  EXPECT_EQ(known.negative_eigenvalues(), whole.negative_eigenvalues());
+  Eigen::VectorXd f = random_columns(unknowns, 1, 12), g = random_columns(3, 1, 13), other_f = f, other_g = g;
+  whole.solve(factor, f, g);
+  known.solve(factor, other_f, other_g);
+  EXPECT_EQ(other_f, f);
+  EXPECT_EQ(other_g, g);
+}
+
 TEST(BorderedSystem, ConstraintOnADefiniteMatrixAddsOneNegativeEigenvalueEach) {
   const BlockMatrix matrix = random_matrix(80, 0.5, 3);
   SparseFactor factor(matrix.pattern);
