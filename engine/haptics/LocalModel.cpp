@@ -6,8 +6,9 @@
 namespace thinwall {
 namespace {
 
-/// Most that the correction may change, as a part of what the first order gives.
-constexpr double kMostCorrection = 0.5;
+/// Multiple of the way between two equilibria beyond the later one for which what lies between them is thought to go
+/// on.
+constexpr double kFarthestShare = 3;
 
 /// Part of the reach beyond which a model gives no more for ways along the wall: other places bear the tool there.
 constexpr double kSidewaysReach = 0.25;
@@ -66,6 +67,12 @@ Eigen::Vector3d LocalModel::limited(const Eigen::Vector3d& tip) const {
   return std::max(back, -reach) * out + sideways / std::sqrt(1 + part * part);
 }
 
+double LocalModel::share_of_way(const Eigen::Vector3d& tip) const {
+  const double length = way.norm();
+  if (length == 0) return 0;
+  return std::clamp(tip.dot(way) / (length * length), -1.0, std::min(kFarthestShare, reach / length));
+}
+
 double LocalModel::most_force(const ToolMotion& motion) const {
   const double size = response.force.norm(), back = size > 0 ? motion.head<3>().dot(response.force) / size : 0;
   const double sideways = std::sqrt(std::max(0.0, motion.head<3>().squaredNorm() - back * back));
@@ -79,14 +86,12 @@ Eigen::Vector3d LocalModel::force_at(const ToolPose& pose) const {
     const double gap = response.ahead.gap - response.ahead.normal.dot(motion.head<3>());
     return rest + (gap < 0 ? response.ahead.stiffness * std::max(gap, -reach) : 0.0) * response.ahead.normal;
   }
-  motion.head<3>() = limited(motion.head<3>());
-  Eigen::Vector3d force = response.holds ? force_of_hold(motion) : force_of_sites(motion);
-  if (!way.isZero()) {
-    const double share = std::clamp(motion.head<3>().dot(way) / way.squaredNorm(), -1.0, 1.0);
-    const Eigen::Vector3d correction = share * share * missed;
-    const double most = kMostCorrection * force.norm(), size = correction.norm();
-    force += (size > most ? most / size : 1.0) * correction;
-  }
+  const Eigen::Vector3d whole = motion.head<3>();
+  const double share = share_of_way(whole);
+  motion.head<3>() = limited(whole - share * way);
+  const Eigen::Vector3d aside = response.holds ? force_of_hold(motion) : force_of_sites(motion);
+  const Eigen::Vector3d force = aside + share * change;
+  motion.head<3>() = limited(whole);
   const double most = most_force(motion), size = force.norm();
   return size > most ? Eigen::Vector3d(most / size * force) : force;
 }
@@ -96,7 +101,7 @@ void LocalModelMaker::make(const ToolResponse& response, double time, bool event
   model.time = time;
   model.reach = reach_;
   model.way.setZero();
-  model.missed.setZero();
+  model.change.setZero();
   model.site_force = 0;
   model.stiffness = stiffness_of(response, reach_);
   Eigen::Vector3d explained = response.held_force;
@@ -109,12 +114,11 @@ void LocalModelMaker::make(const ToolResponse& response, double time, bool event
   if (response.holds) model.rest.setZero();
   if (event) has_anchor_ = false;
   const Eigen::Vector3d way = response.pose.tip - anchor_.tip;
-  if (has_anchor_ && way.norm() >= shortest_way_ && way.norm() <= reach_ && response.is_touching()) {
-    const Eigen::Vector3d first_order = model.force_at(anchor_);
-    if (!first_order.isZero()) {
-      model.way = way;
-      model.missed = anchor_force_ - first_order;
-    }
+  // A way on which the tool came to touch the wall tells nothing of how the force goes on.
+  const bool touched = !anchor_force_.isZero() && response.is_touching();
+  if (has_anchor_ && touched && way.norm() >= shortest_way_ && way.norm() <= reach_) {
+    model.way = way;
+    model.change = response.force - anchor_force_;
   }
   if (has_anchor_ && way.norm() < shortest_way_) return;
   has_anchor_ = true;

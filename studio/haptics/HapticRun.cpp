@@ -23,8 +23,8 @@ constexpr double kEmptyLoop = 2;
 /// Wall triangles up to which a body is solved fully in each tick unless the user says otherwise.
 constexpr int kFullTriangles = 150;
 
-/// Residual of the solver behind the loop: below what a hand feels by orders of magnitude.
-constexpr double kTolerance = 1e-6;
+/// Residual of the solver behind the loop, over the largest force: below what a hand feels by orders of magnitude.
+constexpr double kTolerance = 1e-4;
 
 /// Seconds for which a driver is waited for.
 constexpr double kPatience = 60;
@@ -32,12 +32,12 @@ constexpr double kPatience = 60;
 /// Seconds that a session with a driver may last without `duration`.
 constexpr double kLongestSession = 600;
 
-/// Least way for which a local model is good, metres, and the parts of it that a correction needs, that the hand's
+/// Least way for which a local model is good, metres, and the parts of it that a secant needs, that the hand's
 /// motion may be foreseen, and that the tool goes in one solution.
 constexpr double kLeastReach = 2e-3;
 constexpr double kShortestWay = 0.02;
 constexpr double kForeseenWay = 0.5;
-constexpr double kMostWay = 1;
+constexpr double kMostWay = 0.25;
 constexpr double kForesight = 0.06;  // seconds
 
 ToolPose pose_of(const SnapshotTool& tool) {
@@ -97,6 +97,7 @@ Scenario in_ticks(const HapticPlan& plan) {
   Scenario scenario = plan.scenario;
   scenario.simulation.time_step = kPeriod;
   scenario.simulation.tolerance = std::max(scenario.simulation.tolerance, kTolerance);
+  scenario.simulation.extrapolates = true;
   return scenario;
 }
 

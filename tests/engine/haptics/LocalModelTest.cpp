@@ -116,7 +116,7 @@ TEST(LocalModelTest, FeelsTheWallAheadWhereItBegins) {
   EXPECT_NEAR(model.force_at(further).norm(), full, 0.1 * full);
 }
 
-TEST(LocalModelTest, TheCorrectionMeetsTheForceFoundBefore) {
+TEST(LocalModelTest, TheSecantMeetsTheForceFoundBeforeAndGoesOnAlongTheWay) {
   const ToolDefinition tool = sphere_tool(5e-3);
   const ToolPose first = pose_at({2e-3, 1e-3, 17.5e-3}), second = pose_at({2e-3, 1e-3, 17e-3});
   const auto body = pressed(tool, first);
@@ -128,8 +128,12 @@ TEST(LocalModelTest, TheCorrectionMeetsTheForceFoundBefore) {
   maker.make(body->respond(0, std::vector{second}, 0.01, kReach), 0.01, false, model);
   const double first_order = (model_of(*body, second).force_at(first) - force).norm();
   EXPECT_GT(first_order, 1e-3 * force.norm());
-  // The way back along the wall is shortened a little, by its own third power.
   EXPECT_LT((model.force_at(first) - force).norm(), 1e-6 * force.norm());
+  // As far again the curvature of the force is all that is missed, and no more than that of the way before.
+  ToolPose further = second;
+  further.tip += second.tip - first.tip;
+  const Eigen::Vector3d full = full_force(tool, second, further);
+  EXPECT_LT((model.force_at(further) - full).norm(), 0.05 * full.norm());
 }
 
 TEST(LocalModelTest, AStepThatBeginsWhereTheAnswerLeadsEndsInTheSameEquilibrium) {
