@@ -4,6 +4,7 @@ row says how many times its floor it takes. --compare holds two builds against e
 
 import argparse
 import json
+import math
 import random
 import subprocess
 import sys
@@ -18,6 +19,8 @@ PROGRAMS = {
     "sparse_factor_benchmarks": "engine",
     "cutting_benchmarks": "engine",
     "cut_body_benchmarks": "engine",
+    "growth_benchmarks": "engine",
+    "hand_path_benchmarks": "engine",
     "renderer_benchmarks": "renderer",
     "metric_benchmarks": "renderer",
 }
@@ -151,6 +154,18 @@ def table(rows, rates, times):
     return "\n".join(lines) + "\n"
 
 
+def growth_of(rows):
+    """By which power of the triangles a step's time grows, least squares over the sizes; and the largest memory."""
+    sizes = [(math.log(int(row["name"].split("/")[1])), math.log(seconds(row))) for row in rows
+             if row["name"].startswith("GrowingPalpation/") and not row.get("error_occurred")]
+    if len(sizes) < 2:
+        return ""
+    middle = [sum(values) / len(sizes) for values in zip(*sizes)]
+    power = sum((x - middle[0]) * (y - middle[1]) for x, y in sizes) / sum((x - middle[0]) ** 2 for x, _ in sizes)
+    peak = max(row["peak_MiB"] for row in rows if row["name"].startswith("GrowingPalpation/"))
+    return f"\ngrowth of a step's time with the triangles: power {power:.2f}; largest memory {peak:.0f} MiB\n"
+
+
 def measure(options):
     out = Path(options.out)
     out.mkdir(parents=True, exist_ok=True)
@@ -163,7 +178,7 @@ def measure(options):
     if not options.filter:
         whole["benchmarks"] += recording(options.build, out)
     rates, times = floors_of(whole["benchmarks"])
-    text = table(whole["benchmarks"], rates, times)
+    text = table(whole["benchmarks"], rates, times) + growth_of(whole["benchmarks"])
     if options.real_time:
         whole["benchmarks"] += haptics(options.build, out)
     (out / "benchmarks.json").write_text(json.dumps(whole, indent=1) + "\n")
