@@ -241,6 +241,8 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
 
 double Body::unbooked_part(const BodyState& before, bool is_calm) const {
   const double taken = state_.books.numerical - before.books.numerical, largest = state_.books.largest();
+  // Load steps of an uncut wall without tools are as long as they were asked for.
+  if (!before.cut.has_incised && !has_inertia() && tools_.empty()) return 0;
   const double none = kNoStrain * kNoStrain * model_->wall_stiffness * model_->rest_area;
   const double given = std::max(0.0, -taken) / (kMostGiven * std::max(largest, none));
   // What walls take that jump or flaps that flutter, and what a drag takes up, is no matter of the step's length.
