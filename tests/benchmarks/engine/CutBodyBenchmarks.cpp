@@ -7,23 +7,13 @@
 #include <memory>
 #include <vector>
 
-#include "engine/mesh/Shapes.hpp"
-#include "tests/engine/simulation/TestBodies.hpp"
+#include "tests/benchmarks/engine/FilledBall.hpp"
 
 namespace thinwall {
 namespace {
 
 void sizes(benchmark::internal::Benchmark* benchmark) {
   benchmark->Arg(5120)->Arg(20480)->Unit(benchmark::kMillisecond);
-}
-
-/// A ball under 300 Pa whose lower third is held.
-BodyDefinition ball(int triangles) {
-  BodyDefinition body = make_body(make_sphere(20e-3, triangles), 1e-3, neo_hookean(20e3));
-  body.fluid.initial_pressure = 300;
-  body.fixed = {{.region = BelowRegion{.axis = 2, .at = -10e-3}}};
-  body.toughness = {100};
-  return body;
 }
 
 constexpr int kSteps = 16;  // through 16 mm of the wall, after two that begin the cut
@@ -35,7 +25,7 @@ struct Incision {
   std::vector<ToolPose> poses = {pose_at({-8e-3, 0.7e-3, 12e-3})};
 
   explicit Incision(int triangles, Analysis analysis)
-      : body(ball(triangles),
+      : body(filled_ball(triangles),
              {{.name = "blade", .kind = ToolKind::kScalpel, .length = 20e-3, .width = 4e-3, .thickness = 0.3e-3}},
              SimulationOptions{.analysis = analysis}) {
     body.settle();
@@ -93,13 +83,13 @@ void CutOfStep(benchmark::State& state) {
 BENCHMARK(CutOfStep)->Apply(sizes)->Iterations(kSteps);
 
 void BuildModel(benchmark::State& state) {
-  const BodyDefinition definition = ball(static_cast<int>(state.range(0)));
+  const BodyDefinition definition = filled_ball(static_cast<int>(state.range(0)));
   for (auto _ : state) benchmark::DoNotOptimize(make_body_model(definition).rest_area);
 }
 BENCHMARK(BuildModel)->Apply(sizes);
 
 void BuildNewton(benchmark::State& state) {
-  const BodyModel model = make_body_model(ball(static_cast<int>(state.range(0))));
+  const BodyModel model = make_body_model(filled_ball(static_cast<int>(state.range(0))));
   for (auto _ : state) Newton newton(model);
 }
 BENCHMARK(BuildNewton)->Apply(sizes);

@@ -9,23 +9,13 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/mesh/Shapes.hpp"
-#include "tests/engine/simulation/TestBodies.hpp"
+#include "tests/benchmarks/engine/FilledBall.hpp"
 
 namespace thinwall {
 namespace {
 
 constexpr double kFrame = 1.0 / 30;  // seconds
 constexpr double kSpeed = 15e-3;     // metres / second
-
-/// A ball under 300 Pa whose lower third is held.
-BodyDefinition ball(int triangles) {
-  BodyDefinition body = make_body(make_sphere(20e-3, triangles), 1e-3, neo_hookean(20e3));
-  body.fluid.initial_pressure = 300;
-  body.fixed = {{.region = BelowRegion{.axis = 2, .at = -10e-3}}};
-  body.toughness = {100};
-  return body;
-}
 
 double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -38,7 +28,7 @@ struct Palpation {
   double crown = 0, way = 0;  // metres
 
   Palpation(int triangles, double tolerance)
-      : body(ball(triangles), {sphere_tool(4e-3)}, {.analysis = Analysis::kDynamic, .tolerance = tolerance}) {
+      : body(filled_ball(triangles), {sphere_tool(4e-3)}, {.analysis = Analysis::kDynamic, .tolerance = tolerance}) {
     body.settle();
     for (int v = 0; v < body.model().vertices(); ++v) {
       crown = std::max(crown, body.state().equilibrium.position[3 * v + 2]);
@@ -112,7 +102,7 @@ BENCHMARK(PalpationSecond)
 void CutFrame(benchmark::State& state) {
   constexpr int kSteps = 16;
   for (auto _ : state) {
-    Body body(ball(static_cast<int>(state.range(0))),
+    Body body(filled_ball(static_cast<int>(state.range(0))),
               {{.name = "blade", .kind = ToolKind::kScalpel, .length = 20e-3, .width = 4e-3, .thickness = 0.3e-3}},
               {.analysis = Analysis::kDynamic, .tolerance = 1e-3});
     body.settle();

@@ -17,6 +17,17 @@ class GoldenCacheTest : public ::testing::Test {
     options.program = program;
     return std::move(judge_scenarios({scenario}, options, [](const JudgedScenario&) {}).front());
   }
+  /// `scenario` or its second take names organ.obj, beside it.
+  void expect_file_counts(Scenario scenario) {
+    scenario.file = scene_.temporary() / "scene.yaml";
+    judge(scenario);
+    EXPECT_FALSE(judge(scenario).from_cache) << "a file that is not found is never taken as unchanged";
+    write_bytes(scene_.temporary() / "organ.obj", "v 0 0 0");
+    judge(scenario);
+    EXPECT_TRUE(judge(scenario).from_cache);
+    write_bytes(scene_.temporary() / "organ.obj", "v 0 0 1");
+    EXPECT_FALSE(judge(scenario).from_cache);
+  }
 
   GoldenScene scene_;
 };
@@ -41,15 +52,8 @@ TEST_F(GoldenCacheTest, AnotherProgramScenarioOrGoldenIsMadeAnew) {
 
 TEST_F(GoldenCacheTest, AFileThatTheScenarioNamesCounts) {
   Scenario scenario = golden_scene();
-  scenario.file = scene_.temporary() / "scene.yaml";
   scenario.resolved = R"({"mesh": "organ.obj", "lights": {"key": 1}})";
-  judge(scenario);
-  EXPECT_FALSE(judge(scenario).from_cache) << "a file that is not found is never taken as unchanged";
-  write_bytes(scene_.temporary() / "organ.obj", "v 0 0 0");
-  judge(scenario);
-  EXPECT_TRUE(judge(scenario).from_cache);
-  write_bytes(scene_.temporary() / "organ.obj", "v 0 0 1");
-  EXPECT_FALSE(judge(scenario).from_cache);
+  expect_file_counts(scenario);
 }
 
 TEST_F(GoldenCacheTest, AFailureIsNeverRemembered) {
@@ -61,15 +65,10 @@ TEST_F(GoldenCacheTest, AFailureIsNeverRemembered) {
 
 TEST_F(GoldenCacheTest, AFileThatOnlyTheSecondTakeNamesCounts) {
   Scenario scenario = golden_scene();
-  scenario.file = scene_.temporary() / "scene.yaml";
   auto second = std::make_shared<Scenario>(scenario);
   second->resolved = R"({"mesh": "organ.obj"})";
   scenario.comparison = {.second = second};
-  write_bytes(scene_.temporary() / "organ.obj", "v 0 0 0");
-  judge(scenario);
-  EXPECT_TRUE(judge(scenario).from_cache);
-  write_bytes(scene_.temporary() / "organ.obj", "v 0 0 1");
-  EXPECT_FALSE(judge(scenario).from_cache);
+  expect_file_counts(scenario);
 }
 
 TEST_F(GoldenCacheTest, WhatIsMadeAnewLeavesWhatIsKnownOfOthers) {
