@@ -11,12 +11,6 @@ Eigen::Vector3d doubled_area_of(const std::array<Eigen::Vector3d, 3>& corners) {
   return (corners[1] - corners[0]).cross(corners[2] - corners[0]);
 }
 
-Eigen::Vector3d pressures_at(const std::array<Eigen::Vector3d, 3>& corners, const PressureField& field) {
-  PressureField even = field;
-  even.suction = true;
-  return {even.at(corners[0]), even.at(corners[1]), even.at(corners[2])};
-}
-
 Eigen::Matrix3d moments_of_whole() {
   return (Eigen::Matrix3d::Ones() + Eigen::Matrix3d::Identity()) / 24;
 }
@@ -44,50 +38,73 @@ Eigen::Matrix3d moments_of(const Eigen::Vector3d& pressures, bool suction) {
   return moments;
 }
 
-Eigen::Matrix3d cross_product_matrix(const Eigen::Vector3d& v) {
-  Eigen::Matrix3d matrix;
-  matrix << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return matrix;
+Eigen::Matrix<double, 9, 1> along(const Eigen::Vector3d& normal, const Eigen::Vector3d& shares) {
+  Eigen::Matrix<double, 9, 1> load;
+  for (int a = 0; a < 3; ++a) load.segment<3>(3 * a) = shares[a] * normal;
+  return load;
+}
+
+/// Adds v x to a block.
+void add_cross_product(const Eigen::Vector3d& v, auto&& block) {
+  block(0, 1) -= v.z();
+  block(0, 2) += v.y();
+  block(1, 0) += v.z();
+  block(1, 2) -= v.x();
+  block(2, 0) -= v.y();
+  block(2, 1) += v.x();
 }
 
 }  // namespace
 
-Eigen::Matrix<double, 9, 1> pressure_load_of(const std::array<Eigen::Vector3d, 3>& corners,
-                                             const PressureField& field) {
-  const Eigen::Vector3d normal = doubled_area_of(corners), pressures = pressures_at(corners, field);
-  const Eigen::Vector3d shares = moments_of(pressures, field.suction) * pressures;
-  Eigen::Matrix<double, 9, 1> load;
-  for (int a = 0; a < 3; ++a) load.segment<3>(3 * a) = shares[a] * normal;
-  return load;
-}
-
-Eigen::Matrix<double, 9, 1> unit_load_of(const std::array<Eigen::Vector3d, 3>& corners, const PressureField& field) {
-  const Eigen::Vector3d normal = doubled_area_of(corners);
-  const Eigen::Vector3d shares = moments_of(pressures_at(corners, field), field.suction).rowwise().sum();
-  Eigen::Matrix<double, 9, 1> load;
-  for (int a = 0; a < 3; ++a) load.segment<3>(3 * a) = shares[a] * normal;
-  return load;
-}
-
-Eigen::Vector3d squared_load_of(const std::array<Eigen::Vector3d, 3>& corners, const PressureField& field) {
-  const Eigen::Vector3d pressures = pressures_at(corners, field);
-  return 0.5 * pressures.dot(moments_of(pressures, field.suction) * pressures) * doubled_area_of(corners);
-}
-
-Eigen::Matrix<double, 9, 9> pressure_tangent_of(const std::array<Eigen::Vector3d, 3>& corners,
-                                                const PressureField& field) {
-  const Eigen::Vector3d normal = doubled_area_of(corners), pressures = pressures_at(corners, field);
+PressedTriangle::PressedTriangle(const std::array<Eigen::Vector3d, 3>& corners, const PressureField& field)
+    : normal_(doubled_area_of(corners)),
+      edges_{corners[2] - corners[1], corners[0] - corners[2], corners[1] - corners[0]},
+      slope_(field.slope) {
+  for (int k = 0; k < 3; ++k) pressures_[k] = field.at_origin + field.slope.dot(corners[k]);
   // Where the part ends within the triangle the pressure is zero, so that its change adds nothing.
-  const Eigen::Matrix3d moments = moments_of(pressures, field.suction);
-  const Eigen::Vector3d shares = moments * pressures;
+  moments_ = moments_of(pressures_, field.suction);
+  shares_ = moments_ * pressures_;
+}
+
+Eigen::Matrix<double, 9, 1> PressedTriangle::load() const {
+  return along(normal_, shares_);
+}
+
+Eigen::Matrix<double, 9, 1> PressedTriangle::unit_load() const {
+  return along(normal_, moments_.rowwise().sum());
+}
+
+Eigen::Vector3d PressedTriangle::squared_load() const {
+  return 0.5 * pressures_.dot(shares_) * normal_;
+}
+
+Eigen::Matrix<double, 9, 9> PressedTriangle::symmetric_tangent() const {
+  // The derivative of f_a by corner b is shares_a (edge_b x) + J_ab n slope^T.
+  Eigen::Matrix3d tilt;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      tilt(row, column) = 0.5 * (normal_[row] * slope_[column] + slope_[row] * normal_[column]);
+    }
+  }
   Eigen::Matrix<double, 9, 9> tangent;
-  for (int b = 0; b < 3; ++b) {
-    const Eigen::Matrix3d normal_change = cross_product_matrix(corners[(b + 2) % 3] - corners[(b + 1) % 3]);
-    for (int a = 0; a < 3; ++a) {
-      tangent.block<3, 3>(3 * a, 3 * b) = shares[a] * normal_change + moments(a, b) * normal * field.slope.transpose();
+  for (int a = 0; a < 3; ++a) {
+    for (int b = 0; b < 3; ++b) {
+      auto block = tangent.block<3, 3>(3 * a, 3 * b);
+      block = moments_(a, b) * tilt;
+      if (a != b) add_cross_product(0.5 * (shares_[a] * edges_[b] - shares_[b] * edges_[a]), block);
     }
   }
   return tangent;
+}
+
+Eigen::Matrix<double, 9, 3> moment_loads_of(const std::array<Eigen::Vector3d, 3>& corners) {
+  const Eigen::Vector3d normal = doubled_area_of(corners), sum = corners[0] + corners[1] + corners[2];
+  Eigen::Matrix<double, 9, 3> loads;
+  for (int a = 0; a < 3; ++a) {
+    const Eigen::Vector3d shares = (corners[a] + sum) / 24;
+    for (int axis = 0; axis < 3; ++axis) loads.block<3, 1>(3 * a, axis) = shares[axis] * normal;
+  }
+  return loads;
 }
 
 std::array<Eigen::Vector3d, 2> rim_load_change(const std::array<Eigen::Vector3d, 2>& ends,

@@ -201,6 +201,9 @@ class Newton {
                                const Residual& residual, double& shift, bool may_be_saddle, Step& step);
   void find_step(const EquilibriumProblem& problem, const EquilibriumState& state, const Residual& residual,
                  Step& step);
+  /// What forces at the rims of openings a step adds that the symmetric matrix leaves out, (unknowns), newton; `first`
+  /// is the step without them.
+  Eigen::VectorXd left_out_at_rims(const EquilibriumProblem& problem, const EquilibriumState& state, const Step& first);
   /// What a force, (unknowns), newton, and the constraints as they are missed (none: not at all) make with the matrix
   /// that was factorised last; the forces at attachments are changes.
   void solve_linear(const EquilibriumProblem& problem, const Eigen::VectorXd& force, const Residual* missed,

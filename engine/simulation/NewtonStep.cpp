@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "engine/simulation/OpenChambers.hpp"
-#include "engine/solver/MinimalResidual.hpp"
 
 namespace thinwall {
 namespace {
@@ -18,12 +17,6 @@ constexpr double kAttachmentStiffness = 1e4;
 
 /// Turns of Uzawa's iteration after the first.
 constexpr int kUzawaTurns = 5;
-
-/// Of the forces on the rims of openings that the symmetric matrix leaves out, the part that may be missed: the step's
-/// own error is of the order of its square. What slack lips do to them outgrows what the wall does, so they are not
-/// found by repeating; so many products with them are the most that is worth its time.
-constexpr double kRimAccuracy = 1e-3;
-constexpr int kRimProducts = 30;
 
 /// Contacts of a membrane that may border its matrix: more of them cost as much as to factorise it again.
 constexpr std::size_t kMostBordered = 32;
@@ -301,15 +294,7 @@ void Newton::find_step(const EquilibriumProblem& problem, const EquilibriumState
   }
   solve_linear(problem, force, &residual, step);
   if (model_.has_open_chambers()) {
-    const auto at_rim = [&](const Eigen::VectorXd& motion) {
-      return rim_forces(model_, problem, terms_, state.position, state.pressure, motion);
-    };
-    Step part;
-    const auto answer = [&](const Eigen::VectorXd& pull) {
-      solve_linear(problem, pull, nullptr, part);
-      return at_rim(part.position);
-    };
-    force += solve_by_minimal_residual(at_rim(step.position), answer, kRimAccuracy, kRimProducts).solution;
+    force += left_out_at_rims(problem, state, step);
     solve_linear(problem, force, &residual, step);
   }
   for (std::size_t k = 0; k < problem.attachments.size(); ++k) step.forces[k] += problem.attachments[k].force;

@@ -83,9 +83,10 @@ void add_filled(const BodyModel& model, const EquilibriumProblem& problem, const
     Eigen::Vector3d load = Eigen::Vector3d::Zero(), unit = load, squared = load;
     terms.volume_gradient.col(c).setZero();
     const auto add = [&](const std::array<Eigen::Vector3d, 3>& corners) {
-      const auto part = pressure_load_of(corners, field), one = unit_load_of(corners, field);
+      const PressedTriangle pressed(corners, field);
+      const auto part = pressed.load(), one = pressed.unit_load();
       for (int k = 0; k < 3; ++k) load += part.segment<3>(3 * k), unit += one.segment<3>(3 * k);
-      squared += squared_load_of(corners, field);
+      squared += pressed.squared_load();
       return one;
     };
     for (std::size_t t = 0; t < model.surface.size(); ++t) {
@@ -109,10 +110,9 @@ void add_moment_loads(const BodyModel& model, const EquilibriumProblem& problem,
   if (problem.fluid_inertia.empty()) return;
   const int chamber = model.chamber[triangle];
   const Eigen::Vector3d& origin = problem.fluid_inertia[chamber].origin;
+  const Eigen::Matrix<double, 9, 3> loads = moment_loads_of(relative_to(origin, corners));
   for (int axis = 0; axis < 3; ++axis) {
-    const PressureField field{.at_origin = -origin[axis], .slope = Eigen::Vector3d::Unit(axis)};
-    add_to_corners(model.surface[triangle], pressure_load_of(corners, field),
-                   terms.moment_load.col(3 * chamber + axis));
+    add_to_corners(model.surface[triangle], loads.col(axis), terms.moment_load.col(3 * chamber + axis));
   }
 }
 
@@ -127,17 +127,19 @@ void add_loads(const BodyModel& model, const EquilibriumProblem& problem, const 
     if (c < 0 || !model.is_open(c)) continue;
     const auto corners = corners_of(model.surface[t], position);
     add_moment_loads(model, problem, t, corners, terms);
-    const Eigen::Matrix<double, 9, 1> unit = unit_load_of(corners, contents[c].weight);
+    const PressedTriangle pressed(corners, contents[c].weight);
+    const Eigen::Matrix<double, 9, 1> unit = pressed.unit_load();
     add_to_corners(model.surface[t], unit, terms.pressure_load.col(c));
-    Eigen::Matrix<double, 9, 1> load = pressure_load_of(corners, contents[c].weight);
-    Eigen::Matrix<double, 9, 9> tangent = pressure_tangent_of(corners, contents[c].weight);
+    Eigen::Matrix<double, 9, 1> load = pressed.load();
+    Eigen::Matrix<double, 9, 9> tangent = pressed.symmetric_tangent();
     if (!problem.fluid_inertia.empty() && !contents[c].weight.suction) {
-      load += pressure_load_of(corners, contents[c].inertia);
-      tangent += pressure_tangent_of(corners, contents[c].inertia);
+      const PressedTriangle pushed(corners, contents[c].inertia);
+      load += pushed.load();
+      tangent += pushed.symmetric_tangent();
     }
     // The part of a pascal times the pressure comes from the columns.
     add_to_corners(model.surface[t], pressure[c] * unit - load, terms.gradient);
-    add_triangle(model.addresses[t], -0.5 * (tangent + tangent.transpose()), terms.values);
+    add_triangle(model.addresses[t], -tangent, terms.values);
     terms.largest_force = std::max(terms.largest_force, load.lpNorm<Eigen::Infinity>());
   }
   for (const OpeningModel& opening : model.openings) {

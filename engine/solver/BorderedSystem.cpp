@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <cassert>
 #include <utility>
 
 namespace thinwall {
@@ -23,6 +24,7 @@ void BorderedSystem::set_solved(int negative_pivots, const Eigen::MatrixXd& bord
 
 void BorderedSystem::eliminate(const Eigen::MatrixXd& border, const Eigen::MatrixXd& corner) {
   rows_ = border;
+  is_unsymmetric_ = false;
   if (border.cols() == 0) return;
   const Eigen::MatrixXd schur = corner - border.transpose() * solved_columns_;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(0.5 * (schur + schur.transpose()));
@@ -36,9 +38,13 @@ void BorderedSystem::eliminate(const Eigen::MatrixXd& border, const Eigen::Matri
 
 void BorderedSystem::set_unsymmetric(SparseFactor& factor, const Eigen::MatrixXd& columns, const Eigen::MatrixXd& rows,
                                      const Eigen::MatrixXd& corner) {
+  assert(!is_unsymmetric_);
+  std::swap(border_, rows_);
+  std::swap(solved_border_, solved_columns_);
+  is_unsymmetric_ = true;
   rows_ = rows;
-  if (rows.cols() == 0) return;
   solved_columns_ = columns;
+  if (rows.cols() == 0) return;
   factor.solve(solved_columns_);
   schur_inverse_ = (corner - rows.transpose() * solved_columns_).partialPivLu().inverse();
 }

@@ -30,6 +30,13 @@ class BorderedSystem {
   /// K^-1 B, (unknowns x columns).
   const Eigen::MatrixXd& solved_columns() const { return solved_columns_; }
 
+  /// The sides of the border, (unknowns x columns): B where `set` had it, and C; with K^-1 of the former.
+  const Eigen::MatrixXd& border() const { return is_unsymmetric_ ? border_ : rows_; }
+  const Eigen::MatrixXd& rows() const { return rows_; }
+  const Eigen::MatrixXd& solved_border() const { return is_unsymmetric_ ? solved_border_ : solved_columns_; }
+  /// Of D - C^T K^-1 B.
+  const Eigen::MatrixXd& schur_inverse() const { return schur_inverse_; }
+
   /// Number of negative eigenvalues of the whole matrix.
   int negative_eigenvalues() const { return negative_eigenvalues_; }
 
@@ -42,6 +49,9 @@ class BorderedSystem {
   Eigen::MatrixXd rows_;            // C
   Eigen::MatrixXd solved_columns_;  // K^-1 B
   Eigen::MatrixXd schur_inverse_;   // S^-1
+  bool is_unsymmetric_ = false;
+  Eigen::MatrixXd border_;         // the one that `set` had, where they differ
+  Eigen::MatrixXd solved_border_;  // K^-1 of it
   int negative_eigenvalues_ = 0;
 };
 

@@ -111,41 +111,39 @@ struct SparseFactor::Implementation {
     return negative;
   }
 
-  /// Solves for `solution`, (unknowns x sides) by rows, of which there are one or kSolutions.
+  /// A front's part in solving for `solution`, (unknowns x sides) by rows, of which there are one or kSolutions: from
+  /// the leaves up first.
   template <int sides>
-  void go_up() {
-    for (const Supernode& supernode : tree.supernodes) {
-      const int* rows = tree.rows.data() + supernode.rows_begin;
-      double* pivots = solution.data() + supernode.first * sides;
-      double* below = std::copy_n(pivots, supernode.pivots * sides, local.data());
-      std::fill(below, local.data() + supernode.stride * sides, 0.0);
-      sides == 1 ? solve_forward(front_of(supernode), local.data())
-                 : solve_several_forward(front_of(supernode), local.data());
-      const double* from = local.data();
-      for (int k = 0; k < supernode.pivots; ++k) {
-        for (int c = 0; c < sides; ++c) *pivots++ = signs[supernode.first + k] * *from++;
-      }
-      for (int k = supernode.pivots; k < supernode.size; ++k) {
-        double* to = solution.data() + *rows++ * sides;
-        for (int c = 0; c < sides; ++c) *to++ += *from++;
-      }
+  void go_up(const Supernode& supernode) {
+    const int* rows = tree.rows.data() + supernode.rows_begin;
+    double* pivots = solution.data() + supernode.first * sides;
+    double* below = std::copy_n(pivots, supernode.pivots * sides, local.data());
+    std::fill(below, local.data() + supernode.stride * sides, 0.0);
+    sides == 1 ? solve_forward(front_of(supernode), local.data())
+               : solve_several_forward(front_of(supernode), local.data());
+    const double* from = local.data();
+    for (int k = 0; k < supernode.pivots; ++k) {
+      for (int c = 0; c < sides; ++c) *pivots++ = signs[supernode.first + k] * *from++;
+    }
+    for (int k = supernode.pivots; k < supernode.size; ++k) {
+      double* to = solution.data() + *rows++ * sides;
+      for (int c = 0; c < sides; ++c) *to++ += *from++;
     }
   }
 
+  /// The same from the roots down, once all fronts have gone up.
   template <int sides>
-  void go_down() {
-    for (auto supernode = tree.supernodes.rbegin(); supernode != tree.supernodes.rend(); ++supernode) {
-      const int* rows = tree.rows.data() + supernode->rows_begin;
-      double* pivots = solution.data() + supernode->first * sides;
-      double* to = std::copy_n(pivots, supernode->pivots * sides, local.data());
-      for (int k = supernode->pivots; k < supernode->size; ++k) {
-        to = std::copy_n(solution.data() + *rows++ * sides, sides, to);
-      }
-      std::fill(to, local.data() + supernode->stride * sides, 0.0);
-      sides == 1 ? solve_backward(front_of(*supernode), local.data())
-                 : solve_several_backward(front_of(*supernode), local.data());
-      std::copy_n(local.data(), supernode->pivots * sides, pivots);
+  void go_down(const Supernode& supernode) {
+    const int* rows = tree.rows.data() + supernode.rows_begin;
+    double* pivots = solution.data() + supernode.first * sides;
+    double* to = std::copy_n(pivots, supernode.pivots * sides, local.data());
+    for (int k = supernode.pivots; k < supernode.size; ++k) {
+      to = std::copy_n(solution.data() + *rows++ * sides, sides, to);
     }
+    std::fill(to, local.data() + supernode.stride * sides, 0.0);
+    sides == 1 ? solve_backward(front_of(supernode), local.data())
+               : solve_several_backward(front_of(supernode), local.data());
+    std::copy_n(local.data(), supernode.pivots * sides, pivots);
   }
 
   /// Solves `sides` columns or fewer.
@@ -155,11 +153,40 @@ struct SparseFactor::Implementation {
     for (Eigen::Index column = 0; column < columns.cols(); ++column) {
       for (Eigen::Index k = 0; k < columns.rows(); ++k) solution[tree.place[k] * sides + column] = columns(k, column);
     }
-    go_up<sides>();
-    go_down<sides>();
+    for (const Supernode& supernode : tree.supernodes) go_up<sides>(supernode);
+    for (auto supernode = tree.supernodes.rbegin(); supernode != tree.supernodes.rend(); ++supernode) {
+      go_down<sides>(*supernode);
+    }
     for (Eigen::Index column = 0; column < columns.cols(); ++column) {
       for (Eigen::Index k = 0; k < columns.rows(); ++k) columns(k, column) = solution[tree.place[k] * sides + column];
     }
+  }
+
+  std::vector<int> fronts_above(std::span<const int> unknowns) const {
+    std::vector<int> front_at(pattern.unknowns());  // (places)
+    for (int s = 0; s < static_cast<int>(tree.supernodes.size()); ++s) {
+      std::fill_n(front_at.begin() + tree.supernodes[s].first, tree.supernodes[s].pivots, s);
+    }
+    std::vector<char> is_above(tree.supernodes.size(), 0);
+    for (const int unknown : unknowns) {
+      for (int s = front_at[tree.place[unknown]]; s >= 0 && !is_above[s]; s = tree.supernodes[s].parent)
+        is_above[s] = 1;
+    }
+    std::vector<int> fronts;
+    for (int s = 0; s < static_cast<int>(is_above.size()); ++s) {
+      if (is_above[s]) fronts.push_back(s);
+    }
+    return fronts;
+  }
+
+  void solve_part(const Part& part, Eigen::Ref<Eigen::VectorXd> column) {
+    for (const int s : part.fronts) {
+      std::fill_n(solution.begin() + tree.supernodes[s].first, tree.supernodes[s].pivots, 0.0);
+    }
+    for (Eigen::Index k = 0; k < column.size(); ++k) solution[tree.place[part.unknowns[k]]] = column[k];
+    for (const int s : part.fronts) go_up<1>(tree.supernodes[s]);
+    for (auto s = part.fronts.rbegin(); s != part.fronts.rend(); ++s) go_down<1>(tree.supernodes[*s]);
+    for (Eigen::Index k = 0; k < column.size(); ++k) column[k] = solution[tree.place[part.unknowns[k]]];
   }
 };
 
@@ -189,6 +216,16 @@ void SparseFactor::solve(Eigen::Ref<Eigen::MatrixXd> right_hand_sides) {
         right_hand_sides.middleCols(first, std::min<Eigen::Index>(kSolutions, columns - first)));
   }
   for (; first < columns; ++first) implementation_->solve<1>(right_hand_sides.col(first));
+}
+
+SparseFactor::Part SparseFactor::part_of(std::vector<int> unknowns) const {
+  std::vector<int> fronts = implementation_->fronts_above(unknowns);
+  return {.unknowns = std::move(unknowns), .fronts = std::move(fronts)};
+}
+
+void SparseFactor::solve_part(const Part& part, Eigen::Ref<Eigen::VectorXd> right_hand_side) {
+  assert(implementation_->is_factorised && part.unknowns.size() == static_cast<std::size_t>(right_hand_side.size()));
+  implementation_->solve_part(part, right_hand_side);
 }
 
 }  // namespace thinwall

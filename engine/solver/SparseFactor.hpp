@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "engine/solver/BlockPattern.hpp"
 
@@ -36,6 +37,17 @@ class SparseFactor {
 
   /// Solves with the last successful factorisation. (unknowns x right-hand sides), in place.
   void solve(Eigen::Ref<Eigen::MatrixXd> right_hand_sides);
+
+  /// Some unknowns, and the fronts that hold them with all that are above these.
+  struct Part {
+    std::vector<int> unknowns;
+    std::vector<int> fronts;  // ascending
+  };
+  Part part_of(std::vector<int> unknowns) const;
+
+  /// Solves for a right-hand side that is zero but at the unknowns of a part, and finds the solution there alone, which
+  /// asks for the fronts of the part only. (unknowns of the part), in place.
+  void solve_part(const Part& part, Eigen::Ref<Eigen::VectorXd> right_hand_side);
 
  private:
   struct Implementation;

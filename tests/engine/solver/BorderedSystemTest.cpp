@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include "engine/solver/BorderedPart.hpp"
 #include "tests/engine/solver/BlockMatrix.hpp"
 
 namespace thinwall {
@@ -104,6 +105,29 @@ TEST(BorderedSystem, ColumnsAndRowsMayDiffer) {
   Eigen::VectorXd solved(unknowns + 3);
   solved << f, g;
   EXPECT_LT((whole * solved - right).cwiseAbs().maxCoeff(), 1e-10);
+}
+
+TEST(BorderedPart, AnswersAtSomeUnknownsAsTheWholeSystemDoes) {
+  const BlockMatrix matrix = random_matrix(80, 0.5, 3);
+  const Eigen::Index unknowns = matrix.dense.rows();
+  const std::vector<int> part = {3, 4, 5, 60, 61, 62};
+  const Eigen::MatrixXd border = random_columns(unknowns, 2, 11), columns = random_columns(unknowns, 2, 12);
+  const Eigen::MatrixXd corner = random_columns(2, 2, 14);
+  Eigen::MatrixXd rows = border;
+  rows(part, Eigen::all) += random_columns(6, 2, 15);
+  SparseFactor factor(matrix.pattern);
+  ASSERT_TRUE(factor.factorize(matrix.values));
+  BorderedSystem system;
+  system.set(factor, 0, border, Eigen::MatrixXd::Zero(2, 2));
+  for (const bool is_unsymmetric : {false, true}) {
+    if (is_unsymmetric) system.set_unsymmetric(factor, columns, rows, corner);
+    Eigen::VectorXd f = Eigen::VectorXd::Zero(unknowns), g = Eigen::VectorXd::Zero(2);
+    f(part) = random_columns(6, 1, 16);
+    const Eigen::VectorXd answer = BorderedPart(factor, system, part).solve(f(part));
+    system.solve(factor, f, g);
+    EXPECT_LT((answer - f(part)).cwiseAbs().maxCoeff(), 1e-13) << is_unsymmetric;  // seen: 1e-15
+    EXPECT_GT(f(part).cwiseAbs().minCoeff(), 1e-3);
+  }
 }
 
 TEST(BorderedSystem, ColumnOfOneConstraintMakesAMatrixWithOneNegativeDirectionConvex) {

@@ -41,6 +41,21 @@ TEST(SparseFactor, SolvesSomeColumnsOfALargerMatrixInPlace) {
   EXPECT_LT((matrix.dense * all.middleCols(1, 2) - right.middleCols(1, 2)).cwiseAbs().maxCoeff(), 1e-13);
 }
 
+TEST(SparseFactor, SolvesForAPartOfItsUnknownsAsForAll) {
+  const BlockMatrix matrix = random_matrix(320, 0.5, 3);
+  SparseFactor factor(matrix.pattern);
+  ASSERT_TRUE(factor.factorize(matrix.values));
+  const SparseFactor::Part whole = factor.part_of({5, 17, 16, 200}), few = factor.part_of({16, 17});
+  EXPECT_LT(few.fronts.size(), whole.fronts.size());
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(matrix.dense.rows());
+  right(whole.unknowns) = random_columns(4, 1, 8);
+  Eigen::VectorXd part = right(whole.unknowns);
+  factor.solve_part(whole, part);
+  Eigen::VectorXd all = right;
+  factor.solve(all);
+  EXPECT_EQ(part, Eigen::VectorXd(all(whole.unknowns)));
+}
+
 TEST(SparseFactor, RefusesAnIndefiniteMatrixAsDefinite) {
   const BlockMatrix matrix = random_matrix(80, -1.5, 3);
   ASSERT_GT(negative_eigenvalues(matrix.dense), 0);
