@@ -239,12 +239,20 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
   }
 }
 
+double Body::script_doubt(const BodyState& before) const {
+  const Eigen::VectorXd reached = state_.fluid_volume - before.fluid_volume + state_.leaked - before.leaked;
+  const Eigen::VectorXd motion = state_.equilibrium.position - before.equilibrium.position;
+  const double of_fluids =
+      reached.cwiseAbs().dot((state_.equilibrium.pressure - before.equilibrium.pressure).cwiseAbs());
+  return 0.5 * (of_fluids + motion.cwiseAbs().dot((state_.load_force - before.load_force).cwiseAbs()));
+}
+
 double Body::unbooked_part(const BodyState& before, bool is_calm) const {
   const double taken = state_.books.numerical - before.books.numerical, largest = state_.books.largest();
-  // Load steps of an uncut wall without tools are as long as they were asked for.
-  if (!before.cut.has_incised && !has_inertia() && tools_.empty()) return 0;
   const double none = kNoStrain * kNoStrain * model_->wall_stiffness * model_->rest_area;
-  const double given = std::max(0.0, -taken) / (kMostGiven * std::max(largest, none));
+  // What holds the lips of a cut, or a dent, is among the loads, and has a measure of its own.
+  const double doubt = before.cut.held.empty() ? script_doubt(before) : 0;
+  const double given = std::max(0.0, -taken - doubt) / (kMostGiven * std::max(largest, none));
   // What walls take that jump or flaps that flutter, and what a drag takes up, is no matter of the step's length.
   const bool is_even = before.cut.has_incised && is_calm && state_.drag_force.size() == 0;
   if (!is_even || largest == 0) return given;

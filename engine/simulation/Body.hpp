@@ -302,6 +302,9 @@ class Body {
   double update_bending_memory(double duration, const EquilibriumProblem& problem);
   double step_error(const BodyState& before, double duration) const;
 
+  /// By what the work of loads and filling in the last part of a step may be off, joule: it is told by its ends, and the
+  /// way between them is known no better than that each force lay between its own at the ends.
+  double script_doubt(const BodyState& before) const;
   /// What the integrator took or gave in the last part of a step, over what it may.
   double unbooked_part(const BodyState& before, bool is_calm) const;
   void attach(std::span<const ToolPose> begin, std::span<const ToolPose> end, EquilibriumProblem& problem) const;

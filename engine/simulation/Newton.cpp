@@ -54,6 +54,12 @@ double square(double value) {
   return value * value;
 }
 
+NewtonResult failed(std::string reason, NewtonResult result) {
+  result.converged = false;
+  result.reason = std::move(reason);
+  return result;
+}
+
 }  // namespace
 
 Newton::Newton(const BodyModel& model) : Newton(model, SparseFactor(model.pattern), self_contact_of(model)) {}
@@ -229,6 +235,12 @@ NewtonResult Newton::solve(EquilibriumProblem& problem, EquilibriumState& state,
   return result;
 }
 
+void Newton::conclude(const Residual& residual, double scale, const NewtonOptions& options,
+                      NewtonResult& result) const {
+  result.converged = true;
+  result.is_loose = !is_solved(residual, scale, false, options);
+}
+
 bool Newton::begin(EquilibriumProblem& problem, EquilibriumState& state) {
   foreseen_stress_.clear();
   if (problem.start.size() == 0) problem.start = state.position;
@@ -244,10 +256,7 @@ bool Newton::begin(EquilibriumProblem& problem, EquilibriumState& state) {
 NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options,
                              bool foresees) {
   NewtonResult result;
-  if (!begin(problem, state)) {
-    result.reason = "the wall is stretched beyond its law";
-    return result;
-  }
+  if (!begin(problem, state)) return failed("the wall is stretched beyond its law", result);
   Residual residual;
   Step step;
   double shift = 0, first_scale = 0;
@@ -262,27 +271,24 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
     const double scale = force_scale(problem, terms_);
     if (result.iterations == 0) first_scale = scale;
     if (is_solved(residual, scale, options.takes_flaps && progress.stalled >= kStalledSteps, options)) {
-      result.converged = !foresees || scale <= kBlowUp * first_scale;
-      result.is_loose = !is_solved(residual, scale, false, options);
-      if (!result.converged) result.reason = "the wall is strained beyond measure";
-      return result;
+      conclude(residual, scale, options, result);
+      if (!foresees || scale <= kBlowUp * first_scale) return result;
+      return failed("the wall is strained beyond measure", result);
     }
     if (result.iterations == most) {
-      result.reason = obstructed("no convergence within " + std::to_string(options.maximum_iterations) + " iterations");
-      return result;
+      const std::string iterations = std::to_string(options.maximum_iterations);
+      return failed(obstructed("no convergence within " + iterations + " iterations"), result);
     }
     const bool may_be_saddle = options.takes_flaps && progress.inexact >= kInexactSteps;
     shift = shift > 1e-6 && !may_be_saddle ? 0.1 * shift : 0;
     if (!find_step_with_contacts(problem, state, residual, shift, may_be_saddle, step)) {
-      result.reason = "no convex step could be found";
-      return result;
+      return failed("no convex step could be found", result);
     }
     if (shift > 0) ++result.shifted_iterations;
     progress.inexact = !is_exact_ || (may_be_saddle && progress.calm > 0) ? progress.inexact + 1 : 0;
     if (foresees) {
       if (take_whole(problem, state, residual, step)) continue;
-      result.reason = "the wall is stretched beyond its law";
-      return result;
+      return failed("the wall is stretched beyond its law", result);
     }
     const bool whole = result.iterations < kWholeSteps || progress.calm >= kCalmSteps;
     if (search(problem, state, residual, step, whole ? 1 : 0.5)) continue;
@@ -290,9 +296,9 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
       progress.inexact = 0;
       continue;
     }
-    result.converged = result.is_loose = is_solved(residual, scale, options.takes_flaps, options);
-    if (!result.converged) result.reason = obstructed("the line search found no smaller residual or energy");
-    return result;
+    conclude(residual, scale, options, result);
+    if (is_solved(residual, scale, options.takes_flaps, options)) return result;
+    return failed(obstructed("the line search found no smaller residual or energy"), result);
   }
 }
 

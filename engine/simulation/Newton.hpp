@@ -190,6 +190,7 @@ class Newton {
   void border_openings(const EquilibriumProblem& problem, const EquilibriumState& state);
   void clear_fixed(Eigen::VectorXd& forces) const;
   bool is_solved(const Residual& residual, double force_scale, bool is_stalled, const NewtonOptions& options) const;
+  void conclude(const Residual& residual, double scale, const NewtonOptions& options, NewtonResult& result) const;
   double force_scale(const EquilibriumProblem& problem, const EquilibriumTerms& terms) const;
   void build_border(const EquilibriumProblem& problem, const EquilibriumState& state);
   void build_matrix(const EquilibriumProblem& problem, const EquilibriumState& state, double shift);
