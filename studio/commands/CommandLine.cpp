@@ -8,9 +8,9 @@
 #include <array>
 #include <functional>
 #include <optional>
-#include <set>
 
 #include "studio/commands/Commands.hpp"
+#include "studio/commands/CommandsFirst.hpp"
 #include "studio/commands/CompareArguments.hpp"
 #include "studio/commands/CompareLine.hpp"
 #include "studio/commands/ExitCode.hpp"
@@ -65,7 +65,6 @@ class CommandLine {
   void add_size(CLI::App& command);
   void add_recording(CLI::App& command, bool& video, bool& frames, bool& surfaces, bool& truth, bool& stats,
                      bool& json);
-  std::vector<std::string> commands_first(const std::vector<std::string>& arguments) const;
 
   CLI::App app_{
       "Thinwall: what a surgical tool does to soft tissue, simulated, rendered without a window, recorded and "
@@ -113,31 +112,6 @@ HapticForces haptic_forces(const std::string& text) {
   if (text == "full") return HapticForces::kFull;
   if (text == "local") return HapticForces::kLocal;
   throw UsageError("--forces " + text + ": there are no such forces; choose one of auto, full, local");
-}
-
-/// The names of options that take a value.
-void collect_options_with_value(const CLI::App& app, std::set<std::string>& names) {
-  for (const CLI::Option* option : app.get_options()) {
-    if (option->get_items_expected_max() == 0) continue;
-    for (const std::string& name : option->get_lnames()) names.insert("--" + name);
-    for (const std::string& name : option->get_snames()) names.insert("-" + name);
-  }
-  for (const CLI::App* command : app.get_subcommands(nullptr)) collect_options_with_value(*command, names);
-}
-
-/// The parser would only say that a command is missing.
-void refuse_unknown_command(const std::vector<std::string>& arguments) {
-  for (const std::string& argument : arguments) {
-    if (argument.empty() || argument[0] == '-') continue;
-    throw UsageError("there is no command `" + argument + "`; see thinwall --help");
-  }
-}
-
-const CLI::App* find_command(const CLI::App& parent, const std::string& name) {
-  for (const CLI::App* command : parent.get_subcommands(nullptr)) {
-    if (command->get_name() == name) return command;
-  }
-  return nullptr;
 }
 
 CommandLine::CommandLine() {
@@ -370,32 +344,8 @@ void CommandLine::add_doctor() {
   command->add_flag("--json", doctor_.json, "say the result as JSON on standard output");
 }
 
-/// The arguments with the command (and the command's command) in front: CLI11 wants them before their options, but the
-/// order of options must not matter.
-std::vector<std::string> CommandLine::commands_first(const std::vector<std::string>& arguments) const {
-  std::set<std::string> with_value;
-  collect_options_with_value(app_, with_value);
-  std::vector<std::string> first;
-  std::vector<std::string> rest;
-  const CLI::App* level = &app_;
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const std::string& argument = arguments[i];
-    const CLI::App* command = find_command(*level, argument);
-    if (command != nullptr) {
-      first.push_back(argument);
-      level = command;
-      continue;
-    }
-    rest.push_back(argument);
-    if (with_value.count(argument) > 0 && i + 1 < arguments.size()) rest.push_back(arguments[++i]);
-  }
-  if (first.empty()) refuse_unknown_command(rest);
-  first.insert(first.end(), rest.begin(), rest.end());
-  return first;
-}
-
 int CommandLine::run(std::vector<std::string> arguments) {
-  arguments = commands_first(arguments);
+  arguments = commands_first(app_, arguments);
   if (const std::optional<int> code = parse_arguments(app_, std::move(arguments))) return *code;
   note_interruptions();
   std::optional<tbb::global_control> limit;

@@ -1,0 +1,61 @@
+#include "studio/commands/CommandsFirst.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstddef>
+#include <set>
+
+#include "studio/commands/ExitCode.hpp"
+
+namespace thinwall {
+namespace {
+
+/// The names of options that take a value.
+void collect_options_with_value(const CLI::App& app, std::set<std::string>& names) {
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->get_items_expected_max() == 0) continue;
+    for (const std::string& name : option->get_lnames()) names.insert("--" + name);
+    for (const std::string& name : option->get_snames()) names.insert("-" + name);
+  }
+  for (const CLI::App* command : app.get_subcommands(nullptr)) collect_options_with_value(*command, names);
+}
+
+/// The parser would only say that a command is missing.
+void refuse_unknown_command(const std::vector<std::string>& arguments) {
+  for (const std::string& argument : arguments) {
+    if (argument.empty() || argument[0] == '-') continue;
+    throw UsageError("there is no command `" + argument + "`; see thinwall --help");
+  }
+}
+
+const CLI::App* find_command(const CLI::App& parent, const std::string& name) {
+  for (const CLI::App* command : parent.get_subcommands(nullptr)) {
+    if (command->get_name() == name) return command;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::vector<std::string> commands_first(const CLI::App& app, const std::vector<std::string>& arguments) {
+  std::set<std::string> with_value;
+  collect_options_with_value(app, with_value);
+  std::vector<std::string> first;
+  std::vector<std::string> rest;
+  const CLI::App* level = &app;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string& argument = arguments[i];
+    const CLI::App* command = find_command(*level, argument);
+    if (command != nullptr) {
+      first.push_back(argument);
+      level = command;
+      continue;
+    }
+    rest.push_back(argument);
+    if (with_value.count(argument) > 0 && i + 1 < arguments.size()) rest.push_back(arguments[++i]);
+  }
+  if (first.empty()) refuse_unknown_command(rest);
+  first.insert(first.end(), rest.begin(), rest.end());
+  return first;
+}
+
+}  // namespace thinwall
