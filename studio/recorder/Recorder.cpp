@@ -27,6 +27,7 @@
 #include "studio/recorder/Highlights.hpp"
 #include "studio/recorder/Interruption.hpp"
 #include "studio/recorder/OutputFolder.hpp"
+#include "studio/recorder/PlotPoints.hpp"
 #include "studio/recorder/Progress.hpp"
 #include "studio/recorder/RecordCsv.hpp"
 #include "studio/recorder/ResolvedPicture.hpp"
@@ -61,8 +62,6 @@ class Pipeline {
   bool take_moments();
   void open_records();
   void keep(const Moment& moment);
-  void add_forces(const StepRecord& record);
-  static EnergyPoint energies_of(const StepRecord& record);
   void finish_records();
   void render();
   bool show(const FrameComposer& composer, const VideoCue& cue, Painter& painter);
@@ -98,8 +97,7 @@ class Pipeline {
   std::optional<FrameComposer> surface_frames_;
   std::size_t next_surface_frame_ = 0;
   std::vector<TimedText> captions_;
-  std::vector<ToolForces> forces_;
-  std::vector<EnergyPoint> energies_;
+  PlotPoints plots_;
 
   // Of the rendering thread.
   VideoScript script_{plan_.teaching};
@@ -252,40 +250,11 @@ void Pipeline::keep(const Moment& moment) {
       surfaces_->write(surface_frames_->compose(time).snapshot);
     }
   }
-  add_forces(moment.record);
-  energies_.push_back(energies_of(moment.record));
+  plots_.add(moment.record);
   captions_ = moment.captions;
   report_.chapters = moment.chapters;
   report_.simulated = moment.snapshot.time;
   ++report_.steps;
-}
-
-EnergyPoint Pipeline::energies_of(const StepRecord& record) {
-  EnergyPoint point{.time = record.time};
-  for (const BodyRecord& body : record.bodies) {
-    point.stored += body.elastic + body.bending + body.kinetic + body.fluid + body.gravity + body.contact;
-    point.friction += body.friction;
-    point.fracture += body.fracture;
-    point.viscous += body.viscous;
-    point.leak += body.leak;
-    point.jump += body.jump;
-    point.numerical += body.numerical;
-    point.tool_work += body.tool_work;
-    point.script_work += body.script_work;
-  }
-  return point;
-}
-
-void Pipeline::add_forces(const StepRecord& record) {
-  forces_.resize(record.tools.size());
-  for (std::size_t i = 0; i < forces_.size(); ++i) {
-    const ToolRecord& tool = record.tools[i];
-    forces_[i].tool = tool.tool;
-    forces_[i].points.push_back({.time = record.time,
-                                 .force = {tool.force.x(), tool.force.y(), tool.force.z()},
-                                 .depth = tool.depth,
-                                 .phase = tool.phase});
-  }
 }
 
 void Pipeline::finish_records() {
@@ -296,8 +265,9 @@ void Pipeline::finish_records() {
   }
   if (csv_) csv_->finish();
   if (surfaces_) surfaces_->finish();
-  write_png(plan_.folder / "forces.png", force_plot_image(plan_.description.title, forces_));
-  write_png(plan_.folder / "energies.png", energy_plot_image(plan_.description.title, energies_, forces_));
+  write_png(plan_.folder / "forces.png", force_plot_image(plan_.description.title, plots_.forces()));
+  write_png(plan_.folder / "energies.png",
+            energy_plot_image(plan_.description.title, plots_.energies(), plots_.forces()));
   const double end = script_.clock().last_shown(report_.simulated) + 1 / plan_.frames_per_second;
   write_web_vtt(plan_.folder / "captions.vtt",
                 up_to(end, shown_captions(captions_, script_.clock()), &VideoCaption::text));

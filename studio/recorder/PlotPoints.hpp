@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "renderer/overlay/EnergyPlotImage.hpp"
+#include "renderer/overlay/ForcePlotImage.hpp"
+#include "studio/record/StepRecord.hpp"
+
+namespace thinwall {
+
+/// What the plots of a recording show of its steps.
+class PlotPoints {
+ public:
+  /// The next step, in order of time.
+  void add(const StepRecord& record);
+
+  const std::vector<ToolForces>& forces() const { return forces_; }       // (tools), each with a point per step
+  const std::vector<EnergyPoint>& energies() const { return energies_; }  // (steps), of all bodies together
+
+ private:
+  std::vector<ToolForces> forces_;
+  std::vector<EnergyPoint> energies_;
+};
+
+}  // namespace thinwall
