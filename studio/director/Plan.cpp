@@ -29,6 +29,30 @@ std::string depth_caption(const std::string& what, const Action& action) {
 
 }  // namespace
 
+Plan plan_clip(const Clip& clip, const PlannedTool& tool,
+               const std::function<const Body&(const std::string&)>& body_of) {
+  if (const auto* palpate = std::get_if<PalpateClip>(&clip.action)) {
+    return plan_palpation(*palpate, tool.definition, body_of(palpate->body).surface(), clip.location);
+  }
+  if (const auto* pierce = std::get_if<PierceClip>(&clip.action)) {
+    return plan_piercing(*pierce, tool.definition, body_of(pierce->body).surface(), clip.location);
+  }
+  if (const auto* incise = std::get_if<InciseClip>(&clip.action)) {
+    return plan_incision(*incise, tool.definition, body_of(incise->body).surface(), clip.location);
+  }
+  if (const auto* grasp = std::get_if<GraspClip>(&clip.action)) {
+    return plan_grasp(*grasp, tool.definition, body_of(grasp->body).surface(), clip.location);
+  }
+  if (const auto* fill = std::get_if<FillClip>(&clip.action)) {
+    return plan_fill(*fill, body_of(fill->body), clip.location);
+  }
+  if (const auto* move = std::get_if<MoveClip>(&clip.action)) return plan_move(*move, tool.pose, tool.holds);
+  if (const auto* release = std::get_if<ReleaseClip>(&clip.action)) {
+    return plan_release(*release, tool.definition, tool.pose);
+  }
+  return std::get<WaitClip>(clip.action);
+}
+
 double duration_of(const Plan& plan) {
   return std::visit(
       [](const auto& own) -> double {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <string>
 #include <variant>
 
 #include "studio/director/ClipPlan.hpp"
@@ -14,6 +16,18 @@ namespace thinwall {
 /// What a clip has come to, held against the bodies.
 using Plan =
     std::variant<PalpationPlan, PiercingPlan, IncisionPlan, MovePlan, GraspPlan, ReleasePlan, FillPlan, WaitClip>;
+
+/// The tool of a clip when its plan is made.
+struct PlannedTool {
+  ToolDefinition definition;
+  ToolPose pose;
+  bool holds = false;  // whether its jaws have grasped
+};
+
+/// Holds a clip against the bodies as they are. `tool`: the clip's, anything where it drives none; `body_of`: by name.
+/// Throws InputErrors as the plans do.
+Plan plan_clip(const Clip& clip, const PlannedTool& tool,
+               const std::function<const Body&(const std::string&)>& body_of);
 
 double duration_of(const Plan& plan);  // seconds
 

@@ -8,13 +8,13 @@
 #include <map>
 #include <optional>
 
-#include "engine/contact/PointRadius.hpp"
 #include "engine/simulation/Body.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
 #include "studio/director/DirectedTool.hpp"
 #include "studio/director/FollowedPoint.hpp"
 #include "studio/director/Incising.hpp"
 #include "studio/director/Plan.hpp"
+#include "studio/director/RunNotes.hpp"
 #include "studio/director/Schedule.hpp"
 #include "studio/director/SnapshotMaker.hpp"
 #include "studio/director/StateDigest.hpp"
@@ -50,7 +50,9 @@ struct ScenarioRun::Implementation {
       bodies.push_back(make_body(description, std::move(definition)));
       bodies.back()->settle(load_factors(description, 0));
       topologies.push_back(snapshot_topology(bodies.back()->model()));
-      warn_of_free_body(*bodies.back());
+      if (auto warning = free_body_warning(*bodies.back(), scenario.simulation.analysis)) {
+        warnings.push_back(*std::move(warning));
+      }
     }
     for (int k = 0; k < static_cast<int>(scenario.tools.size()); ++k) {
       tools[scenario.tools[k].name].index = k;
@@ -72,15 +74,6 @@ struct ScenarioRun::Implementation {
     }
   }
 
-  void warn_of_free_body(const Body& body) {
-    const auto free = body.model().rigid_motions.cols();
-    if (free == 0 || scenario.simulation.analysis != Analysis::kQuasiStatic) return;
-    warnings.push_back(fmt::format(
-        "body `{}`: `fixed` leaves {} rigid motions free; they are removed by constraints weighted with the mass, "
-        "which take up what the tools push",
-        body.model().definition.name, free));
-  }
-
   double step_length() const { return scenario.simulation.time_step; }
   double time() const { return static_cast<double>(steps) * step_length(); }
 
@@ -96,27 +89,10 @@ struct ScenarioRun::Implementation {
   Plan plan(const Clip& clip) const {
     const std::string name = tool_of(clip);
     const DirectedTool tool = name.empty() ? DirectedTool{} : tools.at(name);
-    const ToolDefinition definition = name.empty() ? ToolDefinition{} : scenario.tools[tool.index];
-    if (const auto* palpate = std::get_if<PalpateClip>(&clip.action)) {
-      return plan_palpation(*palpate, definition, body_named(palpate->body).surface(), clip.location);
-    }
-    if (const auto* pierce = std::get_if<PierceClip>(&clip.action)) {
-      return plan_piercing(*pierce, definition, body_named(pierce->body).surface(), clip.location);
-    }
-    if (const auto* incise = std::get_if<InciseClip>(&clip.action)) {
-      return plan_incision(*incise, definition, body_named(incise->body).surface(), clip.location);
-    }
-    if (const auto* grasp = std::get_if<GraspClip>(&clip.action)) {
-      return plan_grasp(*grasp, definition, body_named(grasp->body).surface(), clip.location);
-    }
-    if (const auto* fill = std::get_if<FillClip>(&clip.action)) {
-      return plan_fill(*fill, body_named(fill->body), clip.location);
-    }
-    if (const auto* move = std::get_if<MoveClip>(&clip.action)) return plan_move(*move, tool.pose, tool.holds);
-    if (const auto* release = std::get_if<ReleaseClip>(&clip.action)) {
-      return plan_release(*release, definition, tool.pose);
-    }
-    return std::get<WaitClip>(clip.action);
+    const PlannedTool planned{.definition = name.empty() ? ToolDefinition{} : scenario.tools[tool.index],
+                              .pose = tool.pose,
+                              .holds = tool.holds};
+    return plan_clip(clip, planned, [this](const std::string& body) -> const Body& { return body_named(body); });
   }
 
   /// Before its first clip a tool waits where that clip begins.
@@ -284,13 +260,7 @@ struct ScenarioRun::Implementation {
         DirectedTool& directed = tools.at(tool.name);
         if (tool.kind != ToolKind::kPoint || directed.noted) continue;
         directed.noted = true;
-        const SurfaceView surface = body->surface();
-        warnings.push_back(fmt::format(
-            "tool `{}`: a bare point on a membrane; on this mesh it acts like a tip of {:.3g} mm radius, and a finer "
-            "mesh lowers its force; a `radius` makes the force independent of the mesh",
-            tool.name,
-            1e3 *
-                effective_point_radius(surface.triangles, surface.position, attachment.vertices, attachment.weights)));
+        warnings.push_back(bare_point_note(tool, body->surface(), attachment));
       }
     }
   }
@@ -352,17 +322,7 @@ struct ScenarioRun::Implementation {
     snapshot = {
         .time = time(), .gravity = {gravity.x(), gravity.y(), gravity.z()}, .surfaces = {}, .tools = {}, .scalars = {}};
     for (const auto& [name, tool] : tools) {
-      ToolRecord& row = record.tools[tool.index];
-      row = {.tool = name, .phase = tool.phase, .position = tool.pose.tip, .depth = tool.depth};
-      bool touching = false;
-      for (const auto& body : bodies) {
-        const ToolContact& contact = body->state().contacts[tool.index];
-        row.force += contact.force;
-        row.contact_area += contact.area;
-        touching = touching || contact.touching;
-      }
-      if (touching && row.phase == "idle") row.phase = "hold";
-      if (touching && row.phase == "approach") row.phase = "contact";
+      record.tools[tool.index] = tool_record(name, tool, bodies);
     }
     for (std::size_t k = 0; k < bodies.size(); ++k) {
       record.bodies.push_back(body_record(*bodies[k]));

@@ -158,6 +158,21 @@ void add_scalars(const Body& body, std::vector<SnapshotScalar>& scalars) {
   add_volume(kLeakedScalar, body.state().leaked.sum());
 }
 
+ToolRecord tool_record(const std::string& name, const DirectedTool& tool,
+                       std::span<const std::unique_ptr<Body>> bodies) {
+  ToolRecord record{.tool = name, .phase = tool.phase, .position = tool.pose.tip, .depth = tool.depth};
+  bool touching = false;
+  for (const auto& body : bodies) {
+    const ToolContact& contact = body->state().contacts[tool.index];
+    record.force += contact.force;
+    record.contact_area += contact.area;
+    touching = touching || contact.touching;
+  }
+  if (touching && record.phase == "idle") record.phase = "hold";
+  if (touching && record.phase == "approach") record.phase = "contact";
+  return record;
+}
+
 BodyRecord body_record(const Body& body) {
   const BodyState& state = body.state();
   BodyRecord record;

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "engine/simulation/Body.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
+#include "studio/director/DirectedTool.hpp"
 #include "studio/record/StepRecord.hpp"
 
 namespace thinwall {
@@ -29,6 +31,11 @@ SnapshotTool snapshot_tool(const ToolDefinition& tool, const ToolPose& pose, con
 /// Pressure, volume, fluid in it and fluid that has run out of a body, named `BODY.pressure`, `BODY.volume`,
 /// `BODY.fluid_volume` and `BODY.leaked`.
 void add_scalars(const Body& body, std::vector<SnapshotScalar>& scalars);
+
+/// A row of forces.csv: the tool as it is, and what all bodies together do to it. A tool that touches holds where its
+/// clips leave it idle, and is in contact where they only let it approach.
+ToolRecord tool_record(const std::string& name, const DirectedTool& tool,
+                       std::span<const std::unique_ptr<Body>> bodies);
 
 /// A row of body.csv.
 BodyRecord body_record(const Body& body);

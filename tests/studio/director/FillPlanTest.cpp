@@ -4,22 +4,13 @@
 
 #include "studio/director/ScenarioRun.hpp"
 #include "studio/scenario/InputError.hpp"
+#include "tests/studio/director/HeldBall.hpp"
 
 namespace thinwall {
 namespace {
 
-/// A ball of 20 mm radius, held below.
 Scenario ball_scenario() {
-  BodyScenario ball{.name = "ball",
-                    .surface = ShapeSource{.shape = Shape::kSphere, .radius = 0.02, .triangles = 80},
-                    .thickness = {.standard = 1e-3},
-                    .material = {.law = find_wall_law("neo_hookean"), .parameters = {20e3}}};
-  ball.fluid.initial_pressure = 200;
-  ball.fixed = {{.region = BelowRegion{.axis = 2, .at = -0.01}}};
-  Scenario scenario{.name = "test", .title = "test"};
-  scenario.bodies = {ball};
-  scenario.simulation = {.analysis = Analysis::kQuasiStatic, .time_step = 0.03};
-  return scenario;
+  return held_ball(80, 0.03);
 }
 
 Clip fill(double added, std::optional<double> pressure = {}) {

@@ -8,22 +8,15 @@
 #include "engine/simulation/SimulationFailure.hpp"
 #include "renderer/snapshot/SurfaceFields.hpp"
 #include "studio/scenario/InputError.hpp"
+#include "tests/studio/director/HeldBall.hpp"
 
 namespace thinwall {
 namespace {
 
-/// A ball of 20 mm radius, held below, and a point above it; each test adds its clips.
+/// With a point above the ball; each test adds its clips.
 Scenario ball_scenario() {
-  BodyScenario ball{.name = "ball",
-                    .surface = ShapeSource{.shape = Shape::kSphere, .radius = 0.02, .triangles = 320},
-                    .thickness = {.standard = 1e-3},
-                    .material = {.law = find_wall_law("neo_hookean"), .parameters = {20e3}}};
-  ball.fluid.initial_pressure = 200;
-  ball.fixed = {{.region = BelowRegion{.axis = 2, .at = -0.01}}};
-  Scenario scenario{.name = "test", .title = "test"};
-  scenario.bodies = {ball};
+  Scenario scenario = held_ball(320, 0.02);
   scenario.tools = {{.name = "probe", .kind = ToolKind::kPoint}};
-  scenario.simulation = {.analysis = Analysis::kQuasiStatic, .time_step = 0.02};
   return scenario;
 }
 

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "engine/simulation/Body.hpp"
+
+namespace thinwall {
+
+// What a run tells its reader of a scenario beside the results: one sentence each.
+
+/// Nothing unless rigid motions of the body are left free that a quasi-static analysis has to remove.
+std::optional<std::string> free_body_warning(const Body& body, Analysis analysis);
+
+/// What tip a bare point acts like on the membrane that it touches, see effective_point_radius.
+std::string bare_point_note(const ToolDefinition& tool, const SurfaceView& surface, const Attachment& attachment);
+
+}  // namespace thinwall

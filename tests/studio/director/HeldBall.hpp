@@ -1,0 +1,22 @@
+#pragma once
+
+#include "studio/scenario/Scenario.hpp"
+
+namespace thinwall {
+
+/// A quasi-static scenario with a neo-Hookean `ball` of 20 mm radius at 200 Pa, held below, without tools and clips.
+/// `time_step`: seconds.
+inline Scenario held_ball(int triangles, double time_step) {
+  BodyScenario ball{.name = "ball",
+                    .surface = ShapeSource{.shape = Shape::kSphere, .radius = 0.02, .triangles = triangles},
+                    .thickness = {.standard = 1e-3},
+                    .material = {.law = find_wall_law("neo_hookean"), .parameters = {20e3}}};
+  ball.fluid.initial_pressure = 200;
+  ball.fixed = {{.region = BelowRegion{.axis = 2, .at = -0.01}}};
+  Scenario scenario{.name = "test", .title = "test"};
+  scenario.bodies = {ball};
+  scenario.simulation = {.analysis = Analysis::kQuasiStatic, .time_step = time_step};
+  return scenario;
+}
+
+}  // namespace thinwall
