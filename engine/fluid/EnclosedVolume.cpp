@@ -2,16 +2,9 @@
 
 #include <Eigen/Geometry>
 
+#include "engine/mesh/CrossProductMatrix.hpp"
+
 namespace thinwall {
-namespace {
-
-Eigen::Matrix3d cross_product_matrix(const Eigen::Vector3d& v) {
-  Eigen::Matrix3d matrix;
-  matrix << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return matrix;
-}
-
-}  // namespace
 
 double volume_of(const std::array<Eigen::Vector3d, 3>& corners) {
   return corners[0].dot(corners[1].cross(corners[2])) / 6;

@@ -3,14 +3,10 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "engine/mesh/CrossProductMatrix.hpp"
+
 namespace thinwall {
 namespace {
-
-Eigen::Matrix3d cross_product_matrix(const Eigen::Vector3d& v) {
-  Eigen::Matrix3d matrix;
-  matrix << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return matrix;
-}
 
 /// What one of the triangles, (p, q, a), adds to the gradient, and its derivative. Not symmetric by itself: only the
 /// angle between both triangles is a function of positions.
