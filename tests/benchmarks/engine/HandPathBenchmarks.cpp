@@ -101,6 +101,16 @@ struct ModelledForces {
   int models = 0, worst_tick = 0;
 };
 
+/// Where the hand will be `time` seconds after tick k, if it goes on as it moves, at most `way` metres away.
+ToolPose foreseen(const std::vector<ToolPose>& poses, std::size_t k, double time, double way) {
+  const Eigen::Vector3d velocity =
+      k > 0 ? Eigen::Vector3d((poses[k].tip - poses[k - 1].tip) / kTick) : Eigen::Vector3d(0, 0, -kSpeed);
+  if (time * velocity.norm() > way) time = way / velocity.norm();
+  ToolPose pose = poses[k];
+  pose.tip += time * velocity;
+  return pose;
+}
+
 /// The solver beside the loop takes as long as its processor time: what else the machine does is left out.
 ModelledForces follow_with_models(HandPath& path, const std::vector<ToolPose>& poses,
                                   const std::vector<Eigen::Vector3d>& forces) {
@@ -122,12 +132,7 @@ ModelledForces follow_with_models(HandPath& path, const std::vector<ToolPose>& p
       under_way = false;
     }
     if (!under_way) {
-      const Eigen::Vector3d velocity =
-          k > 0 ? Eigen::Vector3d((poses[k].tip - poses[k - 1].tip) / kTick) : Eigen::Vector3d(0, 0, -kSpeed);
-      double ahead = std::min(duration, kForesight);
-      if (ahead * velocity.norm() > kForeseenWay) ahead = kForeseenWay / velocity.norm();
-      ToolPose pose = poses[k];
-      pose.tip += ahead * velocity;
+      ToolPose pose = foreseen(poses, k, std::min(duration, kForesight), kForeseenWay);
       const double before = processor_time();
       const double way = (pose.tip - at.tip).norm();
       if (result.models > 0 && way > kMostWay) pose.tip = at.tip + kMostWay / way * (pose.tip - at.tip);

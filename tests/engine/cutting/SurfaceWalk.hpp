@@ -51,6 +51,28 @@ struct SurfaceWalk {
   bool at_border = false;
 };
 
+/// How fast each weight falls along a direction in the plane of a triangle, 1 / metre. `normal`: of twice its area.
+inline Eigen::Vector3d weight_rates(const SurfaceMesh& mesh, const Eigen::Vector3i& corners,
+                                    const Eigen::Vector3d& normal, const Eigen::Vector3d& direction) {
+  const Eigen::Vector3d &a = mesh.vertices[corners[0]], &b = mesh.vertices[corners[1]], &c = mesh.vertices[corners[2]];
+  const double twice = normal.norm();
+  const Eigen::Vector3d unit = normal / twice;
+  return {unit.cross(c - b).dot(direction) / twice, unit.cross(a - c).dot(direction) / twice,
+          unit.cross(b - a).dot(direction) / twice};
+}
+
+/// A direction unfolded over the edge from corner k of a triangle to the next one, into another triangle that has the
+/// edge's end as its corner `corner`.
+inline Eigen::Vector3d unfolded(const SurfaceMesh& mesh, const Eigen::Vector3i& corners, int k,
+                                const Eigen::Vector3i& others, int corner, const Eigen::Vector3d& direction) {
+  const Eigen::Vector3d from = mesh.vertices[corners[k]], to = mesh.vertices[corners[(k + 1) % 3]];
+  const Eigen::Vector3d edge = (to - from).normalized();
+  Eigen::Vector3d across = mesh.vertices[others[(corner + 2) % 3]] - to;
+  across = (across - across.dot(edge) * edge).normalized();
+  const double along = direction.dot(edge);
+  return along * edge + std::sqrt(std::max(0.0, 1 - along * along)) * across;
+}
+
 inline SurfaceWalk walk_on(const CutSurface& surface, SurfacePoint start, Eigen::Vector3d direction, double length) {
   const SurfaceMesh& mesh = surface.mesh();
   SurfaceWalk walk;
@@ -64,11 +86,7 @@ inline SurfaceWalk walk_on(const CutSurface& surface, SurfacePoint start, Eigen:
                           &c = mesh.vertices[corners[2]];
     const Eigen::Vector3d normal = (b - a).cross(c - a);
     direction = (direction - direction.dot(normal) / normal.squaredNorm() * normal).normalized();
-    // How fast each weight falls along the direction.
-    const double twice = normal.norm();
-    const Eigen::Vector3d unit = normal / twice;
-    const Eigen::Vector3d rate(unit.cross(c - b).dot(direction) / twice, unit.cross(a - c).dot(direction) / twice,
-                               unit.cross(b - a).dot(direction) / twice);
+    const Eigen::Vector3d rate = weight_rates(mesh, corners, normal, direction);
     double reach = length - walk.length;
     int through = -1;
     for (int k = 0; k < 3; ++k) {
@@ -96,14 +114,9 @@ inline SurfaceWalk walk_on(const CutSurface& surface, SurfacePoint start, Eigen:
       walk.at_border = true;
       break;
     }
-    const Eigen::Vector3d from = mesh.vertices[corners[through]], to = mesh.vertices[corners[(through + 1) % 3]];
-    const Eigen::Vector3d edge = (to - from).normalized();
     const Eigen::Vector3i& others = mesh.triangles[next];
     const int corner = static_cast<int>(std::ranges::find(others, corners[(through + 1) % 3]) - others.begin());
-    Eigen::Vector3d across = mesh.vertices[others[(corner + 2) % 3]] - to;
-    across = (across - across.dot(edge) * edge).normalized();
-    const double along = direction.dot(edge);
-    direction = along * edge + std::sqrt(std::max(0.0, 1 - along * along)) * across;
+    direction = unfolded(mesh, corners, through, others, corner, direction);
     Eigen::Vector3d carried = Eigen::Vector3d::Zero();
     carried[corner] = weights[(through + 1) % 3];
     carried[(corner + 1) % 3] = weights[through];

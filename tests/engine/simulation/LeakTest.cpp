@@ -1,4 +1,4 @@
-// Bodies whose wall is open: the force of the contents, what runs out, the air that comes in, and the books.
+// Bodies whose wall is open: the force of the contents, what runs out, and the books.
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "engine/mesh/Shapes.hpp"
+#include "tests/engine/simulation/LeakWatch.hpp"
 #include "tests/engine/simulation/OpenBodies.hpp"
 #include "tests/engine/simulation/TestBodies.hpp"
 
@@ -145,34 +146,6 @@ TEST(Leak, ConvergesQuadraticallyAlthoughNothingIsSymmetric) {
   expect_quadratic_convergence(true);
 }
 
-/// Books, complementarity and identity after a step.
-struct Watch {
-  double whole = 0, worst_identity = 0, worst_imbalance = 0, largest = 0, lowest_pressure = 0, most_air = 0;
-  bool both = false;  // air and pressure at once
-
-  explicit Watch(const Body& body) : whole(body.state().fluid_volume.sum()) {}
-  void note(const Body& body) {
-    const BodyState& state = body.state();
-    const double identity = (state.fluid_volume.sum() + state.leaked.sum()) / whole - 1;
-    worst_identity = std::max(worst_identity, std::abs(identity));
-    worst_imbalance = std::max(worst_imbalance, std::abs(state.books.imbalance()));
-    for (const double term : {state.books.elastic, state.books.leak, state.books.gravity, state.books.script_work,
-                              state.books.tool_work, state.books.kinetic}) {
-      largest = std::max(largest, std::abs(term));
-    }
-    lowest_pressure = std::min(lowest_pressure, state.equilibrium.pressure[0]);
-    most_air = std::max(most_air, state.air[0]);
-    both = both || (state.air[0] > 0 && state.equilibrium.pressure[0] > 1e-6);
-    EXPECT_NEAR(state.volume[0], state.fluid_volume[0] + state.air[0], 1e-9 * whole);
-  }
-  void expect_sound() const {
-    EXPECT_FALSE(both);
-    EXPECT_GT(lowest_pressure, -1e-6);
-    EXPECT_LT(worst_identity, 1e-12);
-    EXPECT_LT(worst_imbalance, 1e-9 * largest);
-  }
-};
-
 TEST(Leak, BooksCloseAndTheIntegratorHasLittleOfThem) {
   for (const FluidKind kind : {FluidKind::kIncompressible, FluidKind::kCompressible}) {
     for (const Analysis analysis : {Analysis::kQuasiStatic, Analysis::kDynamic}) {
@@ -186,7 +159,7 @@ TEST(Leak, BooksCloseAndTheIntegratorHasLittleOfThem) {
         options.analysis = analysis;
         Body body(definition, {}, options);
         body.settle();
-        Watch watch(body);
+        LeakWatch watch(body);
         const int steps = k == 0 ? 20 : 80;
         for (int step = 0; step < steps; ++step) {
           body.advance({}, {}, 0.15 / steps);
@@ -221,54 +194,6 @@ TEST(Leak, GelKeepsItsVolumeAndStillHasNoLoadOnTheLips) {
   for (int step = 0; step < 5; ++step) body.advance({}, {}, 0.1, filling(body, volume * (1 - 0.03 * (step + 1))));
   EXPECT_LT(body.state().equilibrium.pressure[0], 0);
   EXPECT_EQ(body.state().air[0], 0);
-}
-
-/// A shell that springs back without pressure, pressed from the side and let go.
-BodyDefinition springy_ball() {
-  BodyDefinition definition = open_ball(320, 100);
-  definition.model = WallModel::kShell;
-  definition.thickness.assign(definition.thickness.size(), 2e-3);
-  definition.fixed = {{.region = BelowRegion{.axis = 2, .at = -15e-3}}};
-  return definition;
-}
-
-TEST(Leak, AirComesInWhenTheWallSpringsBackAndGoesOutFreely) {
-  Body body(springy_ball(), {sphere_tool(6e-3)}, quasi_static());
-  body.settle();
-  Watch watch(body);
-  const auto note = [&](const ToolPose&) { watch.note(body); };
-  const Eigen::Vector3d far(28e-3, 0, 0), deep(10e-3, 0, 0);
-  ToolPose pose = pose_at(far, -Eigen::Vector3d::UnitX());
-  pose = move(body, pose, deep, 20, 0.01, note);
-  pose = move(body, pose, deep, 20, 0.02, note);
-  const double pressed_out = body.state().leaked[0];
-  EXPECT_GT(pressed_out, 1e-6);
-  EXPECT_EQ(watch.most_air, 0);
-  pose = move(body, pose, far, 20, 0.01, note);
-  const double air = body.state().air[0];
-  EXPECT_GT(air, 1e-6);
-  EXPECT_NEAR(body.state().equilibrium.pressure[0], 0, 1e-9);
-  // Half way there is still air inside, and no fluid leaves.
-  pose = move(body, pose, 0.5 * (far + deep), 10, 0.02, note);
-  EXPECT_EQ(body.state().leaked[0], pressed_out);
-  EXPECT_LT(body.state().air[0], air);
-  pose = move(body, pose, deep - Eigen::Vector3d(4e-3, 0, 0), 20, 0.01, note);
-  EXPECT_EQ(body.state().air[0], 0);
-  EXPECT_GT(body.state().equilibrium.pressure[0], 10);
-  EXPECT_GT(body.state().leaked[0], pressed_out);
-  watch.expect_sound();
-}
-
-TEST(Leak, AirAndPressureTakeTurnsInMotionToo) {
-  Body body(springy_ball(), {sphere_tool(6e-3)}, dynamic());
-  body.settle();
-  Watch watch(body);
-  const auto note = [&](const ToolPose&) { watch.note(body); };
-  const Eigen::Vector3d far(28e-3, 0, 0), deep(10e-3, 0, 0);
-  ToolPose pose = move(body, pose_at(far, -Eigen::Vector3d::UnitX()), deep, 20, 0.01, note);
-  pose = move(body, pose, far, 20, 0.005, note);
-  EXPECT_GT(body.state().air[0], 0.5e-6);
-  watch.expect_sound();
 }
 
 TEST(Leak, DrainsARigidBodyToTheHeightOfItsLipsAsTorricelliSays) {
@@ -310,36 +235,13 @@ TEST(Leak, DrainsARigidBodyToTheHeightOfItsLipsAsTorricelliSays) {
   EXPECT_NEAR(body.state().fluid_volume[0] + body.state().air[0], body.state().volume[0], 1e-15);
 }
 
-TEST(Leak, AirLiesAboveTheFluidUnderGravityAndTheBooksClose) {
-  // A shell pressed and let go.
-  BodyDefinition definition = springy_ball();
-  SimulationOptions options = quasi_static();
-  options.gravity = {0, 0, -9.81};
-  Body body(definition, {sphere_tool(6e-3)}, options);
-  body.settle();
-  Watch watch(body);
-  const Eigen::Vector3d far(32e-3, 0, 0), deep(10e-3, 0, 0);
-  const auto note = [&](const ToolPose&) {
-    watch.note(body);
-    watch.lowest_pressure = 0;  // that at the level, which the surface may be below
-    watch.both = false;
-  };
-  const ToolPose pose = move(body, pose_at(far, -Eigen::Vector3d::UnitX()), deep, 20, 0.02, note);
-  move(body, pose, far, 20, 0.02, note);
-  EXPECT_GT(body.state().air[0], 1e-7);
-  watch.expect_sound();
-  const double surface = body.model().chambers[0].level.z() + body.state().equilibrium.pressure[0] / (1010 * 9.81);
-  EXPECT_LT(surface, lip_cap_of(body.model().openings[0].at(body.state().equilibrium.position)).center.z());
-  std::printf("numerical %.1e, leak %.1e J\n", body.state().books.numerical, body.state().books.leak);
-}
-
 TEST(Leak, FluidAndLeakedKeepTheirSumOverAThousandSteps) {
   BodyDefinition definition = open_ball(80, kPressure);
   definition.fixed = {{.region = BelowRegion{.axis = 2, .at = -15e-3}}};
   definition.fluid.discharge = 0.05;
   Body body(definition, {}, dynamic());
   body.settle();
-  Watch watch(body);
+  LeakWatch watch(body);
   for (int step = 0; step < 1000; ++step) {
     body.advance({}, {}, 0.002);
     watch.note(body);

@@ -141,45 +141,8 @@ class Drawer : RandomNumbers {
     recipe.kind += std::string(" ") + kNames[kind];
     words_ << ", " << kNames[kind];
     const double step = between(0.3, 1.5) * edge_, duration = step / between(0.01, 0.3);
-    std::vector<std::vector<Eigen::Vector2d>> lines;
     const Eigen::Vector2d begin = place(0.5), end = place(0.6);
-    switch (kind) {
-      case 0:
-        lines = {{begin, end}};
-        break;
-      case 1:
-        lines = {arc(begin, between(0.2, 0.5) * kRadius, between(0.5, 1.6) * std::numbers::pi)};
-        break;
-      case 2: {
-        const Eigen::Vector2d aside = begin + (pick(2) == 0 ? 0.0 : 0.25) * place(1);
-        lines = {{begin, end, aside, place(0.6)}};
-        break;
-      }
-      case 3: {
-        const Eigen::Vector2d middle = place(0.3), way = place(1).normalized() * 0.4 * kRadius;
-        const Eigen::Vector2d across = Eigen::Rotation2Dd(between(0.3, 2.8)) * way;
-        lines = {{middle - way, middle + way}, {middle - across, middle + (pick(3) == 0 ? 0.1 : 1.0) * across}};
-        break;
-      }
-      case 4:
-        lines = {arc(begin, between(0.15, 0.4) * kRadius, between(1.9, 2.3) * std::numbers::pi)};
-        break;
-      case 5: {
-        // Close to the silhouette, where the edge runs along the wall, or to a border. A blade that began beside the
-        // wall of a closed body would reach through it.
-        const double aside = between(0.8, 0.99) * kRadius, outside = shape_ == kSheet ? 0.5 : 1.5;
-        lines = {{{-outside * kRadius, aside}, {0.5 * kRadius, aside}}};
-        break;
-      }
-      default:
-        lines = {{begin, {between(-0.5, 0.5) * kRadius, 1.2 * kRadius}}};
-        if (pick(2) == 0 && shape_ == kSheet) {
-          // From the border: an edge that comes from beside it would push it, not cut it.
-          std::ranges::reverse(lines[0]);
-          lines[0].front().y() = 0.99 * kRadius;
-        }
-        if (pick(3) == 0) lines[0].push_back({between(-0.5, 0.5) * kRadius, -1.2 * kRadius});
-    }
+    const std::vector<std::vector<Eigen::Vector2d>> lines = draw_lines(kind, begin, end);
     // So deep that the blade's edge goes through the wall above, also where the contents have lifted it.
     const double depth = shape_ == kSheet ? -5e-3 : kind == 5 ? 1e-3 : 0.4 * kRadius;
     for (const std::vector<Eigen::Vector2d>& line : lines) {
@@ -190,6 +153,44 @@ class Drawer : RandomNumbers {
     recipe.rest_steps = 10 + pick(10);
     words_ << " at " << begin.transpose() * 1e3 << " mm to " << end.transpose() * 1e3 << " mm by " << step * 1e3
            << " mm in " << duration * 1e3 << " ms";
+  }
+
+  /// The strokes of a kind of incision, seen from above. The blade begins or ends elsewhere where the kind asks.
+  std::vector<std::vector<Eigen::Vector2d>> draw_lines(int kind, const Eigen::Vector2d& begin,
+                                                       const Eigen::Vector2d& end) {
+    switch (kind) {
+      case 0:
+        return {{begin, end}};
+      case 1:
+        return {arc(begin, between(0.2, 0.5) * kRadius, between(0.5, 1.6) * std::numbers::pi)};
+      case 2: {
+        const Eigen::Vector2d aside = begin + (pick(2) == 0 ? 0.0 : 0.25) * place(1);
+        return {{begin, end, aside, place(0.6)}};
+      }
+      case 3: {
+        const Eigen::Vector2d middle = place(0.3), way = place(1).normalized() * 0.4 * kRadius;
+        const Eigen::Vector2d across = Eigen::Rotation2Dd(between(0.3, 2.8)) * way;
+        return {{middle - way, middle + way}, {middle - across, middle + (pick(3) == 0 ? 0.1 : 1.0) * across}};
+      }
+      case 4:
+        return {arc(begin, between(0.15, 0.4) * kRadius, between(1.9, 2.3) * std::numbers::pi)};
+      case 5: {
+        // Close to the silhouette, where the edge runs along the wall, or to a border. A blade that began beside the
+        // wall of a closed body would reach through it.
+        const double aside = between(0.8, 0.99) * kRadius, outside = shape_ == kSheet ? 0.5 : 1.5;
+        return {{{-outside * kRadius, aside}, {0.5 * kRadius, aside}}};
+      }
+      default: {
+        std::vector<Eigen::Vector2d> line = {begin, {between(-0.5, 0.5) * kRadius, 1.2 * kRadius}};
+        if (pick(2) == 0 && shape_ == kSheet) {
+          // From the border: an edge that comes from beside it would push it, not cut it.
+          std::ranges::reverse(line);
+          line.front().y() = 0.99 * kRadius;
+        }
+        if (pick(3) == 0) line.push_back({between(-0.5, 0.5) * kRadius, -1.2 * kRadius});
+        return {line};
+      }
+    }
   }
 
   /// Within a circle of a part of the radius.

@@ -56,9 +56,8 @@ TEST(LoadScenario, ReadsTheExampleOfTheFormat) {
       << scenario.warnings[0];
 }
 
-TEST(LoadScenario, ReadsEveryKey) {
+TEST(LoadScenario, ReadsEveryKeyOfABody) {
   const Scenario scenario = load_scenario(kValid / "everything.yaml", {});
-  EXPECT_EQ(scenario.title, "Everything at \"2 kPa\"");
   const BodyScenario& bladder = scenario.bodies[0];
   EXPECT_EQ(std::get<MeshFileSource>(bladder.surface).file, kValid / "parts/tetrahedron.obj");
   EXPECT_EQ(std::get<MeshFileSource>(bladder.surface).unit, 0.03);
@@ -81,11 +80,21 @@ TEST(LoadScenario, ReadsEveryKey) {
   EXPECT_EQ(bladder.toughness->regions.at(0).value, 350);
   EXPECT_TRUE(bladder.fluid.leaks);
   EXPECT_EQ(bladder.fluid.discharge, 0.65);
+  EXPECT_EQ(bladder.viscosity.at(1).time, 2.0);
+  EXPECT_EQ(bladder.damping.stiffness_time, 1e-3);
+  EXPECT_EQ(bladder.fluid.chambers.at(1).initial_pressure, 1000.0);
+  EXPECT_EQ(bladder.fluid.orifices.at(0).to, 1);
+  EXPECT_EQ(bladder.loads.at(0).over.at(2), std::pair(2.0, -0.5));
   const BodyScenario& cloth = scenario.bodies[1];
   EXPECT_EQ(std::get<ShapeSource>(cloth.surface).inner_radius, 0.005);
   EXPECT_EQ(cloth.fluid.kind, FluidKind::kNone);
   EXPECT_FALSE(cloth.toughness);
   EXPECT_TRUE(std::holds_alternative<BoundaryRegion>(cloth.fixed[0].region));
+  EXPECT_EQ(cloth.loads.at(1).load.kind, LoadKind::kDeadLineForce);
+}
+
+TEST(LoadScenario, ReadsEveryKeyOfTools) {
+  const Scenario scenario = load_scenario(kValid / "everything.yaml", {});
   EXPECT_EQ(scenario.tools[1].kind, ToolKind::kLine);
   EXPECT_EQ(scenario.tools[1].length, 0.025);
   EXPECT_EQ(scenario.tools[2].radius, 0.002);
@@ -94,6 +103,10 @@ TEST(LoadScenario, ReadsEveryKey) {
   EXPECT_EQ(scenario.tools[3].kind, ToolKind::kSphere);
   EXPECT_EQ(scenario.tools[3].radius, 0.001);
   EXPECT_EQ(scenario.tools[3].friction, 0.2);
+}
+
+TEST(LoadScenario, ReadsEveryKeyOfClipsThatMoveTools) {
+  const Scenario scenario = load_scenario(kValid / "everything.yaml", {});
   const Clip& first = scenario.timeline[0];
   EXPECT_EQ(first.caption, "Press by 4 mm");
   EXPECT_EQ(first.chapter, "Palpation");
@@ -112,6 +125,10 @@ TEST(LoadScenario, ReadsEveryKey) {
   EXPECT_EQ(grasp.grip, 0.4);
   EXPECT_EQ(grasp.duration, 1);
   EXPECT_EQ(std::get<ReleaseClip>(scenario.timeline[4].action).duration, 0.4);
+}
+
+TEST(LoadScenario, ReadsEveryKeyOfClipsThatCutFillAndWait) {
+  const Scenario scenario = load_scenario(kValid / "everything.yaml", {});
   const PierceClip& pierce = std::get<PierceClip>(scenario.timeline[5].action);
   EXPECT_EQ(pierce.tool, "pin");
   EXPECT_EQ(pierce.depth, 12e-3);
@@ -133,15 +150,14 @@ TEST(LoadScenario, ReadsEveryKey) {
   EXPECT_FALSE(incise.withdraw);
   EXPECT_EQ(std::get<FillClip>(scenario.timeline[7].action).added, 5e-6);
   EXPECT_EQ(std::get<FillClip>(scenario.timeline[8].action).pressure, 500.0);
-  EXPECT_EQ(bladder.viscosity.at(1).time, 2.0);
-  EXPECT_EQ(bladder.damping.stiffness_time, 1e-3);
-  EXPECT_EQ(bladder.fluid.chambers.at(1).initial_pressure, 1000.0);
-  EXPECT_EQ(bladder.fluid.orifices.at(0).to, 1);
-  EXPECT_EQ(bladder.loads.at(0).over.at(2), std::pair(2.0, -0.5));
-  EXPECT_EQ(cloth.loads.at(1).load.kind, LoadKind::kDeadLineForce);
+  EXPECT_EQ(std::get<WaitClip>(scenario.timeline[9].action).duration, 0.5);
+}
+
+TEST(LoadScenario, ReadsEveryKeyOfTheSimulationAndThePicture) {
+  const Scenario scenario = load_scenario(kValid / "everything.yaml", {});
+  EXPECT_EQ(scenario.title, "Everything at \"2 kPa\"");
   EXPECT_EQ(scenario.simulation.gravity.z(), -9.81);
   EXPECT_EQ(scenario.simulation.step_error, 1e-5);
-  EXPECT_EQ(std::get<WaitClip>(scenario.timeline[9].action).duration, 0.5);
   EXPECT_EQ(scenario.simulation.analysis, Analysis::kQuasiStatic);
   EXPECT_EQ(scenario.view.camera.position, (Double3{0.08, 0, 0.05}));
   EXPECT_EQ(scenario.view.lights.fill, 0.8);

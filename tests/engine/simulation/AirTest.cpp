@@ -1,0 +1,86 @@
+// Bodies with openings that spring back: the air that comes in, and goes out before the fluid.
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "tests/engine/simulation/LeakWatch.hpp"
+#include "tests/engine/simulation/OpenBodies.hpp"
+#include "tests/engine/simulation/TestBodies.hpp"
+
+namespace thinwall {
+namespace {
+
+/// A shell that springs back without pressure, pressed from the side and let go.
+BodyDefinition springy_ball() {
+  BodyDefinition definition = open_ball(320, 100);
+  definition.model = WallModel::kShell;
+  definition.thickness.assign(definition.thickness.size(), 2e-3);
+  definition.fixed = {{.region = BelowRegion{.axis = 2, .at = -15e-3}}};
+  return definition;
+}
+
+TEST(AirInAnOpenBody, ComesInWhenTheWallSpringsBackAndGoesOutFreely) {
+  Body body(springy_ball(), {sphere_tool(6e-3)}, quasi_static());
+  body.settle();
+  LeakWatch watch(body);
+  const auto note = [&](const ToolPose&) { watch.note(body); };
+  const Eigen::Vector3d far(28e-3, 0, 0), deep(10e-3, 0, 0);
+  ToolPose pose = pose_at(far, -Eigen::Vector3d::UnitX());
+  pose = move(body, pose, deep, 20, 0.01, note);
+  pose = move(body, pose, deep, 20, 0.02, note);
+  const double pressed_out = body.state().leaked[0];
+  EXPECT_GT(pressed_out, 1e-6);
+  EXPECT_EQ(watch.most_air, 0);
+  pose = move(body, pose, far, 20, 0.01, note);
+  const double air = body.state().air[0];
+  EXPECT_GT(air, 1e-6);
+  EXPECT_NEAR(body.state().equilibrium.pressure[0], 0, 1e-9);
+  // Half way there is still air inside, and no fluid leaves.
+  pose = move(body, pose, 0.5 * (far + deep), 10, 0.02, note);
+  EXPECT_EQ(body.state().leaked[0], pressed_out);
+  EXPECT_LT(body.state().air[0], air);
+  pose = move(body, pose, deep - Eigen::Vector3d(4e-3, 0, 0), 20, 0.01, note);
+  EXPECT_EQ(body.state().air[0], 0);
+  EXPECT_GT(body.state().equilibrium.pressure[0], 10);
+  EXPECT_GT(body.state().leaked[0], pressed_out);
+  watch.expect_sound();
+}
+
+TEST(AirInAnOpenBody, TakesTurnsWithPressureInMotionToo) {
+  Body body(springy_ball(), {sphere_tool(6e-3)}, dynamic());
+  body.settle();
+  LeakWatch watch(body);
+  const auto note = [&](const ToolPose&) { watch.note(body); };
+  const Eigen::Vector3d far(28e-3, 0, 0), deep(10e-3, 0, 0);
+  ToolPose pose = move(body, pose_at(far, -Eigen::Vector3d::UnitX()), deep, 20, 0.01, note);
+  pose = move(body, pose, far, 20, 0.005, note);
+  EXPECT_GT(body.state().air[0], 0.5e-6);
+  watch.expect_sound();
+}
+
+TEST(AirInAnOpenBody, LiesAboveTheFluidUnderGravityAndTheBooksClose) {
+  // A shell pressed and let go.
+  BodyDefinition definition = springy_ball();
+  SimulationOptions options = quasi_static();
+  options.gravity = {0, 0, -9.81};
+  Body body(definition, {sphere_tool(6e-3)}, options);
+  body.settle();
+  LeakWatch watch(body);
+  const Eigen::Vector3d far(32e-3, 0, 0), deep(10e-3, 0, 0);
+  const auto note = [&](const ToolPose&) {
+    watch.note(body);
+    watch.lowest_pressure = 0;  // that at the level, which the surface may be below
+    watch.both = false;
+  };
+  const ToolPose pose = move(body, pose_at(far, -Eigen::Vector3d::UnitX()), deep, 20, 0.02, note);
+  move(body, pose, far, 20, 0.02, note);
+  EXPECT_GT(body.state().air[0], 1e-7);
+  watch.expect_sound();
+  const double surface = body.model().chambers[0].level.z() + body.state().equilibrium.pressure[0] / (1010 * 9.81);
+  EXPECT_LT(surface, lip_cap_of(body.model().openings[0].at(body.state().equilibrium.position)).center.z());
+  std::printf("numerical %.1e, leak %.1e J\n", body.state().books.numerical, body.state().books.leak);
+}
+
+}  // namespace
+}  // namespace thinwall
