@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer/picture/Float3.hpp"
+
 namespace thinwall {
 namespace {
 
@@ -11,10 +13,6 @@ constexpr double kPeriod = 0.11;    // seconds between two drops of a run
 constexpr double kFall = 9.81;      // metres / second^2
 constexpr double kFarthest = 0.08;  // metres, below which nothing of a scene is
 constexpr int kRings = 8, kSpokes = 14;
-
-Float3 float3(Vector3 a) {
-  return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
-}
 
 /// Longer along its way the faster it is, at the same volume.
 void append_drop(Vector3 middle, Vector3 down, double stretch, Film& film) {

@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/picture/Float3.hpp"
 #include "renderer/picture/Vector.hpp"
 
 namespace thinwall {
 namespace {
-
-Float3 float3(Vector3 a) {
-  return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
-}
 
 double angle_between(Vector3 a, Vector3 b) {
   return std::atan2(length(cross(a, b)), dot(a, b));

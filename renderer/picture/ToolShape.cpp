@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "renderer/picture/Float3.hpp"
 #include "renderer/picture/Vector.hpp"
 
 namespace thinwall {
@@ -82,10 +83,6 @@ class Builder {
   }
 
  private:
-  static Float3 float3(Vector3 a) {
-    return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
-  }
-
   Vector3 place(const OutlinePoint& point, double along_axis) const {
     return tip_ - point.back * direction_ + point.out * side_ + along_axis * axis_;
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "renderer/picture/Float3.hpp"
 #include "renderer/picture/LipShape.hpp"
 #include "renderer/picture/Vector.hpp"
 #include "renderer/wound/RestNormals.hpp"
@@ -16,10 +17,6 @@ constexpr double kSmoothCosine = 0.5;
 
 /// Thickness over that at rest that a wall grows to at most: one that is crushed further wrinkles instead.
 constexpr double kThickest = 1.5;
-
-Float3 float3(Vector3 a) {
-  return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
-}
 
 double area_of(const Triangle& triangle, const std::vector<Float3>& positions) {
   const Vector3 a = vector3(positions[triangle[0]]);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "renderer/picture/Float3.hpp"
 #include "renderer/picture/Vector.hpp"
 #include "renderer/wound/RestNormals.hpp"
 
@@ -13,10 +14,6 @@ constexpr double kStrip = 2;
 
 /// Metres between the lowest part of the sheet and the bed.
 constexpr double kGap = 0.001;
-
-Float3 float3(Vector3 a) {
-  return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
-}
 
 double lowest_hanging(const SnapshotSurface& surface, std::span<const Float3> normals) {
   const SnapshotTopology& topology = *surface.topology;

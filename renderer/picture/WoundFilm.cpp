@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "renderer/picture/Float3.hpp"
 #include "renderer/wound/Bleeding.hpp"
 
 namespace thinwall {
@@ -25,10 +26,6 @@ struct Fringe {
 constexpr Fringe kBlood = {.width = 0.0009, .height = 0.00016};
 constexpr Fringe kWelling = {.width = 0.0016, .height = 0.0004};
 constexpr Fringe kBareEdge = {.width = 0.00045, .height = 0.0002};
-
-Float3 float3(Vector3 a) {
-  return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
-}
 
 /// Seconds since a lip was cut; some where the snapshot does not tell.
 double age_of(const SnapshotTopology& topology, std::uint32_t vertex, double time) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "renderer/picture/Float3.hpp"
 #include "renderer/snapshot/SurfaceFields.hpp"
 
 namespace thinwall {
@@ -14,10 +15,6 @@ constexpr double kBelowLips = 0.45;
 
 /// Air that is less than this part of a cavity is rounding.
 constexpr double kLeastAir = 1e-6;
-
-Float3 float3(Vector3 a) {
-  return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
-}
 
 std::vector<Triangle> closed_cavity(const SnapshotTopology& topology, std::span<const WallHole> holes) {
   std::vector<Triangle> closed = topology.triangles;
