@@ -26,6 +26,9 @@ class BackdropPicture {
   /// the field stop; it stays valid until the next call.
   std::span<const std::uint8_t> enlarge(std::span<const std::uint8_t> small, const FieldStop& stop);
 
+  /// What enlarge has given last.
+  std::span<const std::uint8_t> pixels() const { return pixels_; }
+
  private:
   void widen(const std::uint8_t* row, std::vector<std::int16_t>& wide) const;
   void stop_down(int row, const FieldStop& stop);

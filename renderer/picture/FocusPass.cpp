@@ -11,7 +11,7 @@ FocusPass::FocusPass()
       no_vertices_(create_vertex_array()) {}
 
 void FocusPass::draw(const PictureTarget& target, const Camera& pinhole) const {
-  const double pixels = 0.5 * target.drawn_size().height / pinhole.tangent_y;  // of a tangent of 1
+  const double pixels = 0.5 * target.size().height / pinhole.tangent_y;  // of a tangent of 1
   const double span = pinhole.farthest - pinhole.nearest;
   const auto use = [&](const Program& program) {
     glUseProgram(program.name());

@@ -149,4 +149,17 @@ FrameUniforms frame_uniforms(const Camera& camera, const SceneExtent& extent, co
   return frame;
 }
 
+FrameUniforms sampled_off_middle(FrameUniforms frame, std::array<double, 2> shift, ImageSize size) {
+  const std::array<int, 2> sides{size.width, size.height};
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const auto clip = static_cast<float>(2 * shift[axis] / sides[axis]);
+    frame.sample_shift[axis] = clip;
+    // What was seen there comes to the middle.
+    for (std::size_t column = 0; column < 4; ++column) {
+      frame.view_projection[4 * column + axis] -= clip * frame.view_projection[4 * column + 3];
+    }
+  }
+  return frame;
+}
+
 }  // namespace thinwall

@@ -23,6 +23,7 @@ struct FrameUniforms {
   Float4 ray_right{};            // w: 1 / picture width
   Float4 ray_up{};               // w: 1 / picture height
   Float4 tissue{};               // linear colour that metal mirrors
+  Float4 sample_shift{};         // xy: where in its pixel the picture is sampled, off the middle, in clip coordinates
   FloatMatrix4 shadow_matrix{};  // world to shadow map, 0 to 1 on every axis
   Float4 camera_position{};      // metres
   Float4 scene_center{};         // w: scene size, metres
@@ -61,6 +62,9 @@ Studio arrange_endoscope(const Camera& camera, const SceneExtent& extent);
 /// Everything that follows from the view and the scene alone.
 FrameUniforms frame_uniforms(const Camera& camera, const SceneExtent& extent, const ViewDefinition& view,
                              const Studio& studio, const std::vector<ToolRod>& rods, ImageSize size);
+
+/// The same, sampled at `shift` (pixels, right and up) off the middles of the pixels of a picture of `size`.
+FrameUniforms sampled_off_middle(FrameUniforms frame, std::array<double, 2> shift, ImageSize size);
 
 /// The clip matrix of the light that casts the shadow: the scene seen from there.
 Matrix4 key_light_matrix(const SceneExtent& extent, const Studio& studio);

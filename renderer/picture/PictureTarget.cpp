@@ -13,7 +13,7 @@ std::string dimensions(ImageSize size) {
   return std::to_string(size.width) + " x " + std::to_string(size.height);
 }
 
-void require_drawable(ImageSize size, ImageSize drawn) {
+void require_drawable(ImageSize size) {
   if (size.width < 1 || size.height < 1) {
     throw PictureFailure("a picture of " + dimensions(size) + " pixels cannot be made: width and height start at 1");
   }
@@ -21,20 +21,18 @@ void require_drawable(ImageSize size, ImageSize drawn) {
   glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
   glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
   const int limit = std::min({largest, viewport[0], viewport[1]});
-  const std::string drawn_text = drawn == size ? "" : ", drawn at " + dimensions(drawn) + " for tier final,";
-  if (drawn.width > limit || drawn.height > limit) {
-    throw PictureFailure("a picture of " + dimensions(size) + " pixels" + drawn_text +
-                         " is beyond this driver's limit of " + std::to_string(limit) +
-                         " on a side; choose a smaller size" + (drawn_text.empty() ? "" : " or tier record"));
+  if (size.width > limit || size.height > limit) {
+    throw PictureFailure("a picture of " + dimensions(size) + " pixels is beyond this driver's limit of " +
+                         std::to_string(limit) + " on a side; choose a smaller size");
   }
   // Software drivers do not refuse what the machine cannot hold, they die of it.
   constexpr double kMostGigabytes = 4;
   constexpr double kBytesPerPixel = 16 + 16 + 4 + 4 + 4 + 0.5 + 2;  // of the textures below
-  const double gigabytes = 1e-9 * kBytesPerPixel * drawn.width * drawn.height;
+  const double gigabytes = 1e-9 * kBytesPerPixel * size.width * size.height;
   if (gigabytes > kMostGigabytes) {
-    throw PictureFailure("a picture of " + dimensions(size) + " pixels" + drawn_text + " would take " +
+    throw PictureFailure("a picture of " + dimensions(size) + " pixels would take " +
                          std::to_string(std::lround(gigabytes)) +
-                         " GB of frames, 4 GB are allowed; choose a smaller size or a lower tier");
+                         " GB of frames, 4 GB are allowed; choose a smaller size");
   }
 }
 
@@ -56,15 +54,13 @@ void attach_depth(const Framebuffer& frame, const Texture& depth) {
 
 }  // namespace
 
-PictureTarget::PictureTarget(ImageSize size, Tier tier) : size_(size), drawn_(size) {
-  // Sizes far beyond any limit must not overflow on their way to the message.
-  if (tier == Tier::kFinal && std::max(size.width, size.height) < (1 << 28)) drawn_ = {2 * size.width, 2 * size.height};
-  require_drawable(size_, drawn_);
-  const auto texture = [&](GLenum format) { return create_texture(format, drawn_.width, drawn_.height, GL_NEAREST); };
+PictureTarget::PictureTarget(ImageSize size) : size_(size) {
+  require_drawable(size_);
+  const auto texture = [&](GLenum format) { return create_texture(format, size_.width, size_.height, GL_NEAREST); };
   depth_ = texture(GL_DEPTH24_STENCIL8);
   normal_ = texture(GL_RGBA32F);
   rest_ = texture(GL_RGBA32F);
-  color_ = create_texture(GL_RGBA8, drawn_.width, drawn_.height, GL_LINEAR);
+  color_ = create_texture(GL_RGBA8, size_.width, size_.height, GL_LINEAR);
   color_copy_ = texture(GL_RGBA8);
 
   surface_ = create_framebuffer();
@@ -75,18 +71,18 @@ PictureTarget::PictureTarget(ImageSize size, Tier tier) : size_(size), drawn_(si
   glNamedFramebufferDrawBuffers(surface_.name(), 2, all);
   require_complete(surface_, "a frame of normals and positions");
 
-  backdrop_color_ = create_texture(GL_RGBA8, quarter(drawn_.width), quarter(drawn_.height), GL_LINEAR);
+  backdrop_color_ = create_texture(GL_RGBA8, quarter(size_.width), quarter(size_.height), GL_LINEAR);
   backdrop_ = create_framebuffer();
   attach(backdrop_, GL_COLOR_ATTACHMENT0, backdrop_color_);
   require_complete(backdrop_, "a backdrop");
-  backdrop_picture_.emplace(ImageSize{quarter(drawn_.width), quarter(drawn_.height)}, drawn_);
+  backdrop_picture_.emplace(ImageSize{quarter(size_.width), quarter(size_.height)}, size_);
 
   frame_ = create_framebuffer();
   attach(frame_, GL_COLOR_ATTACHMENT0, color_);
   attach_depth(frame_, depth_);
-  require_complete(frame_, "a frame of " + dimensions(drawn_));
+  require_complete(frame_, "a frame of " + dimensions(size_));
   for (std::size_t k = 0; k < blurred_.size(); ++k) {
-    blurred_color_[k] = create_texture(GL_RGBA8, half(drawn_.width), half(drawn_.height), GL_LINEAR);
+    blurred_color_[k] = create_texture(GL_RGBA8, half(size_.width), half(size_.height), GL_LINEAR);
     blurred_[k] = create_framebuffer();
     attach(blurred_[k], GL_COLOR_ATTACHMENT0, blurred_color_[k]);
     require_complete(blurred_[k], "a frame out of focus");
@@ -97,81 +93,103 @@ PictureTarget::PictureTarget(ImageSize size, Tier tier) : size_(size), drawn_(si
   lens_ = create_framebuffer();
   attach(lens_, GL_COLOR_ATTACHMENT0, color_copy_);
   require_complete(lens_, "a frame behind the lens");
-  if (drawn_ != size_) {
-    small_color_ = create_texture(GL_RGBA8, size_.width, size_.height, GL_NEAREST);
-    small_ = create_framebuffer();
-    attach(small_, GL_COLOR_ATTACHMENT0, small_color_);
-    require_complete(small_, "a frame of " + dimensions(size_));
-  }
 }
 
-void PictureTarget::begin_surface() const {
-  glBindFramebuffer(GL_FRAMEBUFFER, surface_.name());
-  glViewport(0, 0, drawn_.width, drawn_.height);
+void PictureTarget::clear_depth() const {
   glDepthMask(GL_TRUE);
   glStencilMask(0xff);
   glClearNamedFramebufferfi(surface_.name(), GL_DEPTH_STENCIL, 0, 1.0f, 0);
 }
 
+void PictureTarget::clear_depth(const FinePixels& fine) const {
+  glDepthMask(GL_TRUE);
+  glStencilMask(0xff);
+  glClearNamedFramebufferfi(surface_.name(), GL_DEPTH_STENCIL, 0, 0.0f, 0);
+  constexpr std::uint32_t kFarthest = 0xffffff00, kNearest = 0;  // 24 bits of depth, 8 of stencil
+  std::vector<std::uint32_t> depth(fine.is_corner.size());
+  for (std::size_t i = 0; i < depth.size(); ++i) depth[i] = fine.is_corner[i] ? kFarthest : kNearest;
+  const auto& [left, bottom, width, height] = fine.area;
+  glTextureSubImage2D(depth_.name(), 0, left, bottom, width, height, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8,
+                      depth.data());
+}
+
+void PictureTarget::keep_depth() {
+  if (!kept_depth_) kept_depth_ = create_texture(GL_DEPTH24_STENCIL8, size_.width, size_.height, GL_NEAREST);
+  glCopyImageSubData(depth_.name(), GL_TEXTURE_2D, 0, 0, 0, 0, kept_depth_->name(), GL_TEXTURE_2D, 0, 0, 0, 0,
+                     size_.width, size_.height, 1);
+}
+
+std::vector<std::uint8_t> PictureTarget::read_color(const ScreenArea& area) const {
+  const auto& [left, bottom, width, height] = area;
+  std::vector<std::uint8_t> pixels(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, frame_.name());
+  glReadPixels(left, bottom, width, height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+  return pixels;
+}
+
+void PictureTarget::write_color(const ScreenArea& area, std::span<const std::uint8_t> pixels) const {
+  const auto& [left, bottom, width, height] = area;
+  glTextureSubImage2D(color_.name(), 0, left, bottom, width, height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+}
+
+void PictureTarget::begin_surface() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, surface_.name());
+  glViewport(0, 0, size_.width, size_.height);
+}
+
 void PictureTarget::begin_backdrop() const {
   glBindFramebuffer(GL_FRAMEBUFFER, backdrop_.name());
-  glViewport(0, 0, quarter(drawn_.width), quarter(drawn_.height));
+  glViewport(0, 0, quarter(size_.width), quarter(size_.height));
 }
 
 void PictureTarget::lay_backdrop(const FieldStop& stop) {
-  const ImageSize small{quarter(drawn_.width), quarter(drawn_.height)};
+  const ImageSize small{quarter(size_.width), quarter(size_.height)};
   std::vector<std::uint8_t> pixels(4 * static_cast<std::size_t>(small.width) * static_cast<std::size_t>(small.height));
   glBindFramebuffer(GL_READ_FRAMEBUFFER, backdrop_.name());
   glReadPixels(0, 0, small.width, small.height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
-  glTextureSubImage2D(color_.name(), 0, 0, 0, drawn_.width, drawn_.height, GL_RGBA, GL_UNSIGNED_BYTE,
+  glTextureSubImage2D(color_.name(), 0, 0, 0, size_.width, size_.height, GL_RGBA, GL_UNSIGNED_BYTE,
                       backdrop_picture_->enlarge(pixels, stop).data());
 }
 
 void PictureTarget::begin_color() const {
   glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
-  glViewport(0, 0, drawn_.width, drawn_.height);
+  glViewport(0, 0, size_.width, size_.height);
   glBindTextureUnit(2, normal_.name());
   glBindTextureUnit(3, rest_.name());
 }
 
 const Texture& PictureTarget::copy_of_color() const {
   glCopyImageSubData(color_.name(), GL_TEXTURE_2D, 0, 0, 0, 0, color_copy_.name(), GL_TEXTURE_2D, 0, 0, 0, 0,
-                     drawn_.width, drawn_.height, 1);
+                     size_.width, size_.height, 1);
   return color_copy_;
 }
 
 void PictureTarget::begin_blurred(std::size_t turn) const {
   glBindFramebuffer(GL_FRAMEBUFFER, blurred_[turn].name());
-  glViewport(0, 0, half(drawn_.width), half(drawn_.height));
+  glViewport(0, 0, half(size_.width), half(size_.height));
   glBindTextureUnit(0, turn == 0 ? color_.name() : blurred_color_[0].name());
-  glBindTextureUnit(1, depth_.name());
+  glBindTextureUnit(1, (kept_depth_ ? *kept_depth_ : depth_).name());
 }
 
 void PictureTarget::begin_focused() const {
   glBindFramebuffer(GL_FRAMEBUFFER, color_alone_.name());
-  glViewport(0, 0, drawn_.width, drawn_.height);
+  glViewport(0, 0, size_.width, size_.height);
   glBindTextureUnit(0, blurred_color_[1].name());
-  glBindTextureUnit(1, depth_.name());
+  glBindTextureUnit(1, (kept_depth_ ? *kept_depth_ : depth_).name());
 }
 
 void PictureTarget::begin_lens() const {
   glBindFramebuffer(GL_FRAMEBUFFER, lens_.name());
-  glViewport(0, 0, drawn_.width, drawn_.height);
+  glViewport(0, 0, size_.width, size_.height);
   glBindTextureUnit(0, color_.name());
 }
 
 Image PictureTarget::finish(bool through_lens) const {
-  const bool halves = drawn_ != size_;
   const GLuint drawn_to = through_lens ? lens_.name() : frame_.name();
-  if (halves) {
-    // Half the size with linear filtering takes the mean of two by two pixels.
-    glBlitNamedFramebuffer(drawn_to, small_.name(), 0, 0, drawn_.width, drawn_.height, 0, 0, size_.width, size_.height,
-                           GL_COLOR_BUFFER_BIT, GL_LINEAR);
-  }
   const std::size_t width = static_cast<std::size_t>(size_.width);
   const std::size_t height = static_cast<std::size_t>(size_.height);
   std::vector<std::uint8_t> upside_down(4 * width * height);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, halves ? small_.name() : drawn_to);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_to);
   glReadPixels(0, 0, size_.width, size_.height, GL_RGBA, GL_UNSIGNED_BYTE, upside_down.data());
   require_no_gl_error("drawing a picture of " + dimensions(size_));
 

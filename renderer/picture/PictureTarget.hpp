@@ -2,11 +2,13 @@
 
 #include <array>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "renderer/image/Image.hpp"
 #include "renderer/picture/BackdropPicture.hpp"
+#include "renderer/picture/FinePixels.hpp"
 #include "renderer/picture/GlObjects.hpp"
-#include "renderer/picture/View.hpp"
 
 namespace thinwall {
 
@@ -15,9 +17,12 @@ namespace thinwall {
 class PictureTarget {
  public:
   /// Throws PictureFailure for sizes that are not positive, beyond the driver's limits, or that need too much memory.
-  PictureTarget(ImageSize size, Tier tier);
+  explicit PictureTarget(ImageSize size);
 
-  /// Empties depth and stencil and makes the frame of what is seen of the tissue the one that is drawn to.
+  /// Empties depth and stencil.
+  void clear_depth() const;
+
+  /// Makes the frame of what is seen of the tissue the one that is drawn to.
   void begin_surface() const;
 
   /// Makes the colours the frame that is drawn to, and binds the other for tissue.frag.
@@ -29,6 +34,21 @@ class PictureTarget {
 
   /// Fills the colours with that picture; the rest is drawn over it.
   void lay_backdrop(const FieldStop& stop);
+
+  /// The picture that lay_backdrop has made: (4 x width x height), as of read_color.
+  std::span<const std::uint8_t> backdrop() const { return backdrop_picture_->pixels(); }
+
+  /// The colours within `area`: (4 x area.width x area.height), RGBA, from the lower left corner, row by row.
+  std::vector<std::uint8_t> read_color(const ScreenArea& area) const;
+
+  /// Puts colours back, as of read_color.
+  void write_color(const ScreenArea& area, std::span<const std::uint8_t> pixels) const;
+
+  /// Empties depth and stencil of the corners of fine pixels, and puts all else so near that nothing is drawn there.
+  void clear_depth(const FinePixels& fine) const;
+
+  /// Keeps depth as it is now for begin_blurred and begin_focused, whatever is drawn until then.
+  void keep_depth();
 
   /// The colours as they are now.
   const Texture& copy_of_color() const;
@@ -48,12 +68,11 @@ class PictureTarget {
   Image finish(bool through_lens = false) const;
 
   ImageSize size() const { return size_; }
-  ImageSize drawn_size() const { return drawn_; }  // larger than size() with Tier::kFinal
 
  private:
   ImageSize size_;
-  ImageSize drawn_;
-  Texture depth_;   // and stencil
+  Texture depth_;  // and stencil
+  std::optional<Texture> kept_depth_;
   Texture normal_;  // and depth
   Texture rest_;    // and state
   Framebuffer surface_;
@@ -67,8 +86,6 @@ class PictureTarget {
   std::array<Framebuffer, 2> blurred_;
   Framebuffer color_alone_;  // without depth, which is read then
   Framebuffer lens_;         // draws to color_copy_
-  Texture small_color_;
-  Framebuffer small_;
 };
 
 }  // namespace thinwall

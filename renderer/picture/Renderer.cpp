@@ -1,5 +1,7 @@
 #include "renderer/picture/Renderer.hpp"
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -10,6 +12,7 @@
 #include "renderer/picture/Camera.hpp"
 #include "renderer/picture/Exposure.hpp"
 #include "renderer/picture/FilmPass.hpp"
+#include "renderer/picture/FinePixels.hpp"
 #include "renderer/picture/FloorShade.hpp"
 #include "renderer/picture/FluidPass.hpp"
 #include "renderer/picture/FocusPass.hpp"
@@ -49,18 +52,26 @@ class PassClock {
   std::clock_t processor_ = std::clock();
 };
 
+/// What a picture shows, besides the frame's uniforms.
+struct SceneView {
+  const Snapshot& snapshot;
+  const ViewDefinition& view;
+  Surroundings surroundings = Surroundings::kStudio;
+  std::vector<OutlineSegment> outline = {};
+};
+
 /// All that lives in the context, in the order in which it can be made.
 struct Stage {
-  Stage(ImageSize size, Tier tier)
-      : refined(tier != Tier::kDraft),
-        target(size, tier),
+  Stage(ImageSize size, Tier drawn_tier)
+      : tier(drawn_tier),
+        target(size),
         shadow_map(tier == Tier::kFinal    ? 1024
                    : tier == Tier::kRecord ? 512
                                            : 1) {
     glNamedBufferStorage(frame_block.name(), sizeof(FrameUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT);
   }
 
-  bool refined;  // with shadows and smooth outlines
+  Tier tier;
   PictureTarget target;
   SceneMeshes meshes;
   ScenePass scene_pass;
@@ -73,14 +84,21 @@ struct Stage {
   FloorShade floor_shade;
   ShadowMap shadow_map;
   Buffer frame_block = create_buffer();
+  std::vector<std::uint8_t> bare;  // the picture without fluids; empty where there are none, and but for Tier::kFinal
 
   void cast_shadows(const SceneExtent& extent, const Studio& studio, PassClock& clock);
-  void draw_scene(const Snapshot& snapshot, const ViewDefinition& view, const Camera& camera,
-                  const FrameUniforms& frame, Surroundings surroundings, PassClock& clock);
+  void draw_backdrop(const FrameUniforms& frame, Surroundings surroundings, PassClock& clock);
+  void draw_scene(const SceneView& scene, const FrameUniforms& frame, PassClock& clock);
+  void draw_fluids(const SceneView& scene, PassClock& clock);
+  void draw_fine_pixels(const SceneView& scene, const FrameUniforms& frame);
+  std::vector<std::uint8_t> read_picture() const {
+    return target.read_color({0, 0, target.size().width, target.size().height});
+  }
+  void use(const FrameUniforms& frame) const { glNamedBufferSubData(frame_block.name(), 0, sizeof(frame), &frame); }
 };
 
 void Stage::cast_shadows(const SceneExtent& extent, const Studio& studio, PassClock& clock) {
-  if (refined) {
+  if (tier != Tier::kDraft) {
     floor_shade.draw(meshes, studio.key_direction);
     clock.ends("floor's shade");
     shadow_map.draw(meshes, key_light_matrix(extent, studio));
@@ -96,37 +114,68 @@ FieldStop field_stop(const FrameUniforms& frame) {
   return {.tangent = frame.floor[3], .half_field = {size(frame.ray_right), size(frame.ray_up)}};
 }
 
-void Stage::draw_scene(const Snapshot& snapshot, const ViewDefinition& view, const Camera& camera,
-                       const FrameUniforms& frame, Surroundings surroundings, PassClock& clock) {
+void Stage::draw_backdrop(const FrameUniforms& frame, Surroundings surroundings, PassClock& clock) {
   scene_pass.draw_floor(target, surroundings);
   clock.ends("floor");
   target.lay_backdrop(field_stop(frame));
   clock.ends("backdrop");
-  scene_pass.draw_surface(meshes, target);
-  clock.ends("surface");
-  scene_pass.draw_tools(meshes, target, surroundings);
-  clock.ends("tools");
-  if (view.look.data) {
-    scene_pass.shade_data(target);
-  } else {
-    scene_pass.shade_tissue(meshes, target, frame.view_projection, surroundings);
-    scene_pass.mark(meshes, view.highlights, snapshot.time);
-  }
-  clock.ends("tissue");
+}
+
+void Stage::draw_fluids(const SceneView& scene, PassClock& clock) {
   if (!meshes.films().empty()) {
-    film_pass.draw(meshes.films(), surroundings);
+    film_pass.draw(meshes.films(), scene.surroundings);
     clock.ends("blood and run-off");
   }
   if (!meshes.fluids().empty()) {
-    fluid_pass.draw(meshes.fluids(), surroundings);
+    fluid_pass.draw(meshes.fluids(), scene.surroundings);
     clock.ends("fluid");
   }
-  if (view.look.mesh) {
-    mesh_lines.draw(meshes.mesh_lines(snapshot));
+}
+
+/// Over the backdrop; depth and stencil tell where.
+void Stage::draw_scene(const SceneView& scene, const FrameUniforms& frame, PassClock& clock) {
+  shadow_map.bind();
+  scene_pass.draw_surface(meshes, target);
+  clock.ends("surface");
+  scene_pass.draw_tools(meshes, target, scene.surroundings);
+  clock.ends("tools");
+  if (scene.view.look.data) {
+    scene_pass.shade_data(target);
+  } else {
+    scene_pass.shade_tissue(meshes, target, frame.view_projection, scene.surroundings);
+    scene_pass.mark(meshes, scene.view.highlights, scene.snapshot.time);
+  }
+  clock.ends("tissue");
+  const bool has_fluids = !meshes.films().empty() || !meshes.fluids().empty();
+  if (tier == Tier::kFinal) bare = has_fluids ? read_picture() : std::vector<std::uint8_t>();
+  draw_fluids(scene, clock);
+  if (scene.view.look.mesh) {
+    mesh_lines.draw(meshes.mesh_lines(scene.snapshot));
     clock.ends("mesh lines");
   }
-  if (refined) outline_pass.draw(meshes.outline(snapshot, camera.position), target.copy_of_color());
+  if (tier != Tier::kDraft) outline_pass.draw(scene.outline, target.copy_of_color());
   clock.ends("outline");
+}
+
+/// Draws the scene again for the corners of the pixels whose middles are not enough. Elsewhere the picture stays, so
+/// that what is seen of a pixel's neighbour is there.
+void Stage::draw_fine_pixels(const SceneView& scene, const FrameUniforms& frame) {
+  const ImageSize size = target.size();
+  const std::vector<std::uint8_t> picture = read_picture();
+  const FinePixels fine = find_fine_pixels(picture, bare, size);
+  if (fine.is_fine.empty()) return;
+  const std::vector<std::uint8_t> middles = cut_out(picture, size, fine.area);
+  std::vector<std::uint8_t> ground = cut_out(target.backdrop(), size, fine.area);
+  for (std::size_t i = 0; i < fine.is_corner.size(); ++i) {
+    if (!fine.is_corner[i]) std::copy_n(middles.data() + 4 * i, 4, ground.data() + 4 * i);
+  }
+  const FrameUniforms shifted = sampled_off_middle(frame, {0.5, 0.5}, size);
+  use(shifted);
+  target.write_color(fine.area, ground);
+  target.clear_depth(fine);
+  PassClock untimed(nullptr);
+  draw_scene(scene, shifted, untimed);
+  target.write_color(fine.area, with_corners(fine, middles, target.read_color(fine.area)));
 }
 
 /// What tells the noise of one moment from that of another: its nanoseconds.
@@ -175,17 +224,27 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
 
   const CurrentContext current(context);
   stage->meshes.upload(snapshot, extent, view.look);
-  FrameUniforms frame = frame_uniforms(pinhole, extent, view, studio, stage->meshes.rods(), stage->target.drawn_size());
+  FrameUniforms frame = frame_uniforms(pinhole, extent, view, studio, stage->meshes.rods(), stage->target.size());
   if (view.camera.auto_exposure) {
     frame.background[3] *= static_cast<float>(std::exp2(metered_exposure(snapshot, view, pinhole, frame, is_inside)));
   }
-  glNamedBufferSubData(stage->frame_block.name(), 0, sizeof(frame), &frame);
+  stage->use(frame);
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, stage->frame_block.name());
 
   clock.ends("meshes");
   stage->cast_shadows(extent, studio, clock);
-  stage->draw_scene(snapshot, view, camera, frame, surroundings, clock);
-  if (camera.aperture > 0 && stage->refined) {
+  stage->draw_backdrop(frame, surroundings, clock);
+  SceneView shown{.snapshot = snapshot, .view = view, .surroundings = surroundings};
+  if (stage->tier != Tier::kDraft) shown.outline = stage->meshes.outline(snapshot, camera.position);
+  stage->target.clear_depth();
+  stage->draw_scene(shown, frame, clock);
+  const bool has_focus = camera.aperture > 0 && stage->tier != Tier::kDraft;
+  if (stage->tier == Tier::kFinal) {
+    if (has_focus) stage->target.keep_depth();
+    stage->draw_fine_pixels(shown, frame);
+    clock.ends("fine pixels");
+  }
+  if (has_focus) {
     stage->focus_pass.draw(stage->target, pinhole);
     clock.ends("focus");
   }

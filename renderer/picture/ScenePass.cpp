@@ -74,6 +74,7 @@ void ScenePass::draw_surface(const SceneMeshes& meshes, const PictureTarget& tar
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
   glDepthMask(GL_TRUE);
+  glStencilMask(0xff);
   glEnable(GL_STENCIL_TEST);
   glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
   glUseProgram(surface_.name());
@@ -107,7 +108,7 @@ void ScenePass::shade_tissue(const SceneMeshes& meshes, const PictureTarget& tar
   glBindBufferBase(GL_UNIFORM_BUFFER, 1, look_.name());
   glEnable(GL_SCISSOR_TEST);
   for (std::size_t i = 0; i < meshes.parts().size(); ++i) {
-    const ScreenArea area = screen_area(meshes.parts()[i].bounds, view_projection, target.drawn_size());
+    const ScreenArea area = screen_area(meshes.parts()[i].bounds, view_projection, target.size());
     if (area.width == 0 || area.height == 0) continue;
     glScissor(area.left, area.bottom, area.width, area.height);
     glNamedBufferSubData(look_.name(), 0, sizeof(LookUniforms), &meshes.parts()[i].look);

@@ -42,6 +42,9 @@ void ShadowMap::clear() const {
   glDepthMask(GL_TRUE);
   const float farthest = 1;
   glClearNamedFramebufferfv(frame_.name(), GL_DEPTH, 0, &farthest);
+}
+
+void ShadowMap::bind() const {
   glBindTextureUnit(0, depth_.name());
 }
 

@@ -12,11 +12,14 @@ class ShadowMap {
   /// `resolution` in texels on a side.
   explicit ShadowMap(int resolution);
 
-  /// Draws the map anew and binds it where shadow.glsl reads it.
+  /// Draws the map anew.
   void draw(const SceneMeshes& meshes, const Matrix4& light_matrix) const;
 
-  /// Binds a map without shadows.
+  /// Makes a map without shadows.
   void clear() const;
+
+  /// Binds the map where shadow.glsl reads it.
+  void bind() const;
 
  private:
   int resolution_;

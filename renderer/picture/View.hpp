@@ -32,7 +32,7 @@ struct LookDefinition {
 };
 
 /// How much is done for a picture: draft without shadow and anti-aliasing; record with shadow and smoothed outlines,
-/// made to be fast without graphics hardware; final moreover at twice the resolution, four samples for each pixel.
+/// made to be fast without graphics hardware; final moreover with finer shadows, and five samples where pixels differ.
 enum class Tier { kDraft, kRecord, kFinal };
 
 /// A part of a wall that is marked: tinted, with a ring around it.

@@ -172,7 +172,8 @@ ValueSchema record_schema() {
       {"fps", quantity_value(kDimensionless, {.minimum = 1, .maximum = 240}, "30"), false, "30", "pictures per second"},
       {"video", boolean_value(), false, "true", "whether a video is made"},
       {"tier", word_value({"draft", "record", "final"}), false, "record",
-       "draft: without shadow and anti-aliasing; record: with both; final: at twice the resolution on top"},
+       "draft: without shadow and anti-aliasing; record: with both; final: moreover with finer shadows, and with "
+       "highlights, edges and fluids of five samples for each pixel"},
       {"points", recorded_points_schema(), false, "{}",
        "points of walls whose motion is written to points.csv, by name"},
   };

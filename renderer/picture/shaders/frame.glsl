@@ -28,6 +28,7 @@ layout(std140, binding = 0) uniform Frame {
   vec4 ray_right;
   vec4 ray_up;
   vec4 tissue;
+  vec4 sample_shift;
   SHARED_FIELDS(highp)
 };
 #endif

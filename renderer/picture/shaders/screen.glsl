@@ -23,6 +23,7 @@ void cover_screen() {
   taken.rod_span = rod_span;
 
   vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
-  ray = ray_middle.xyz + corner.x * ray_right.xyz + corner.y * ray_up.xyz;
+  vec2 place = corner + sample_shift.xy;
+  ray = ray_middle.xyz + place.x * ray_right.xyz + place.y * ray_up.xyz;
   gl_Position = vec4(corner, 1.0, 1.0);
 }

@@ -1,0 +1,116 @@
+#include "renderer/picture/FinePixels.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "renderer/picture/FrameUniforms.hpp"
+
+namespace thinwall {
+namespace {
+
+constexpr ImageSize kSize{70, 6};
+
+std::size_t at(int column, int row, int width = kSize.width) {
+  return static_cast<std::size_t>(row * width + column);
+}
+
+std::vector<std::uint8_t> even_picture(std::uint8_t level) {
+  return std::vector<std::uint8_t>(4 * static_cast<std::size_t>(kSize.width) * static_cast<std::size_t>(kSize.height),
+                                   level);
+}
+
+TEST(FinePixels, AreNoneWhereNeighboursHardlyDiffer) {
+  std::vector<std::uint8_t> pixels = even_picture(100);
+  for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = static_cast<std::uint8_t>(100 + 7 * (i / 4 % 2));
+  const FinePixels fine = find_fine_pixels(pixels, {}, kSize);
+  EXPECT_EQ(fine.area, ScreenArea{});
+  EXPECT_TRUE(fine.is_fine.empty());
+}
+
+TEST(FinePixels, AreAStepsBothSidesInAnyChannelAndWantTheirFourCorners) {
+  for (const int column : {3, 40, 66}) {
+    for (const std::size_t channel : {0U, 1U, 2U}) {
+      std::vector<std::uint8_t> pixels = even_picture(100);
+      pixels[4 * at(column, 2) + channel] = 130;
+      const FinePixels fine = find_fine_pixels(pixels, {}, kSize);
+      // A cross of five, and a border of one for the corners on the left and below.
+      ASSERT_EQ(fine.area, (ScreenArea{column - 2, 0, 4, 4}));
+      EXPECT_EQ(fine.is_fine, (std::vector<std::uint8_t>{0, 0, 0, 0,  //
+                                                         0, 0, 1, 0,  //
+                                                         0, 1, 1, 1,  //
+                                                         0, 0, 1, 0}));
+      EXPECT_EQ(fine.is_corner, (std::vector<std::uint8_t>{0, 1, 1, 0,  //
+                                                           1, 1, 1, 1,  //
+                                                           1, 1, 1, 1,  //
+                                                           0, 1, 1, 0}));
+    }
+  }
+}
+
+TEST(FinePixels, AreThoseThatShowFluid) {
+  const std::vector<std::uint8_t> bare = even_picture(100);
+  std::vector<std::uint8_t> pixels = bare;
+  pixels[4 * at(20, 3)] = 102;
+  pixels[4 * at(30, 3)] = 103;
+  const FinePixels fine = find_fine_pixels(pixels, bare, kSize);
+  EXPECT_EQ(fine.area, (ScreenArea{29, 2, 2, 2}));
+  EXPECT_EQ(fine.is_fine, (std::vector<std::uint8_t>{0, 0, 0, 1}));
+}
+
+TEST(FinePixels, AreFoundInPicturesOfOnePixelsWidth) {
+  EXPECT_TRUE(find_fine_pixels(std::vector<std::uint8_t>(4, 7), {}, {1, 1}).is_fine.empty());
+  const std::vector<std::uint8_t> pixels{0, 0, 0, 255, 90, 90, 90, 255, 90, 90, 90, 255};
+  EXPECT_EQ(find_fine_pixels(pixels, {}, {1, 3}).is_fine, (std::vector<std::uint8_t>{1, 1}));
+}
+
+TEST(FinePixels, AreHalfTheirMiddleAndAnEighthEachCornerOthersStay) {
+  FinePixels fine{.area = {5, 7, 3, 2}, .is_fine = {0, 0, 0, 0, 1, 0}, .is_corner = {1, 1, 0, 1, 1, 0}};
+  std::vector<std::uint8_t> middles(24, 50), corners(24, 0);
+  middles[4 * 4] = 80;
+  const std::array<std::size_t, 4> around{0, 1, 3, 4};
+  for (std::size_t k = 0; k < 4; ++k) corners[4 * around[k]] = static_cast<std::uint8_t>(8 * (k + 1));
+  const std::vector<std::uint8_t> mixed = with_corners(fine, middles, corners);
+  for (std::size_t i = 0; i < mixed.size(); ++i) {
+    const int expected = i == 16 ? 50 : i / 4 == 4 ? 25 : 50;  // 80 / 2 + (8 + 16 + 24 + 32) / 8
+    EXPECT_EQ(mixed[i], expected) << i;
+  }
+}
+
+TEST(FinePixels, AreCutOutOfAPictureRowByRow) {
+  std::vector<std::uint8_t> pixels = even_picture(0);
+  for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = static_cast<std::uint8_t>(i / 4 % 251);
+  const std::vector<std::uint8_t> part = cut_out(pixels, kSize, {68, 4, 2, 2});
+  ASSERT_EQ(part.size(), 16U);
+  for (int k = 0; k < 4; ++k) {
+    EXPECT_EQ(part[4 * static_cast<std::size_t>(k)], at(68 + k % 2, 4 + k / 2) % 251);
+  }
+}
+
+TEST(FinePixels, AreSampledWhereTheShiftSays) {
+  CameraDefinition definition;
+  definition.position = Double3{0.1, -0.2, 0.15};
+  definition.target = Double3{0, 0, 0};
+  const ImageSize size{640, 360};
+  const Camera camera = resolve_camera(definition, SceneExtent{}, size, 0);
+  FrameUniforms frame;
+  const Matrix4 matrix = camera.matrix();
+  for (std::size_t i = 0; i < 16; ++i) frame.view_projection[i] = static_cast<float>(matrix.values[i]);
+  const FrameUniforms shifted = sampled_off_middle(frame, {0.5, 0.25}, size);
+  const Vector3 point{0.01, 0.02, -0.01};
+  const auto window = [&](const FloatMatrix4& m) {
+    std::array<double, 4> clip{};
+    for (std::size_t row = 0; row < 4; ++row) {
+      clip[row] = m[row] * point.x + m[4 + row] * point.y + m[8 + row] * point.z + static_cast<double>(m[12 + row]);
+    }
+    return std::array{0.5 * (1 + clip[0] / clip[3]) * size.width, 0.5 * (1 + clip[1] / clip[3]) * size.height};
+  };
+  // What lay half a pixel to the right lies in the middle; floats leave 1e-4 of a pixel.
+  EXPECT_NEAR(window(shifted.view_projection)[0], window(frame.view_projection)[0] - 0.5, 2e-4);
+  EXPECT_NEAR(window(shifted.view_projection)[1], window(frame.view_projection)[1] - 0.25, 2e-4);
+  EXPECT_FLOAT_EQ(shifted.sample_shift[0], 1.0F / 640);
+  EXPECT_FLOAT_EQ(shifted.sample_shift[1], 0.5F / 360);
+}
+
+}  // namespace
+}  // namespace thinwall
