@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <string>
 
 #include "renderer/picture/PictureFailure.hpp"
@@ -142,13 +143,15 @@ void PictureTarget::begin_backdrop() const {
   glViewport(0, 0, quarter(size_.width), quarter(size_.height));
 }
 
-void PictureTarget::lay_backdrop(const FieldStop& stop) {
+void PictureTarget::read_backdrop() {
   const ImageSize small{quarter(size_.width), quarter(size_.height)};
-  std::vector<std::uint8_t> pixels(4 * static_cast<std::size_t>(small.width) * static_cast<std::size_t>(small.height));
+  small_backdrop_.resize(4 * static_cast<std::size_t>(small.width) * static_cast<std::size_t>(small.height));
   glBindFramebuffer(GL_READ_FRAMEBUFFER, backdrop_.name());
-  glReadPixels(0, 0, small.width, small.height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
-  glTextureSubImage2D(color_.name(), 0, 0, 0, size_.width, size_.height, GL_RGBA, GL_UNSIGNED_BYTE,
-                      backdrop_picture_->enlarge(pixels, stop).data());
+  glReadPixels(0, 0, small.width, small.height, GL_RGBA, GL_UNSIGNED_BYTE, small_backdrop_.data());
+}
+
+void PictureTarget::lay_backdrop(const FieldStop& stop) {
+  write_color({0, 0, size_.width, size_.height}, backdrop_picture_->enlarge(small_backdrop_, stop));
 }
 
 void PictureTarget::begin_color() const {
@@ -184,24 +187,22 @@ void PictureTarget::begin_lens() const {
   glBindTextureUnit(0, color_.name());
 }
 
-Image PictureTarget::finish(bool through_lens) const {
+Image PictureTarget::finish(bool through_lens) {
   const GLuint drawn_to = through_lens ? lens_.name() : frame_.name();
   const std::size_t width = static_cast<std::size_t>(size_.width);
   const std::size_t height = static_cast<std::size_t>(size_.height);
-  std::vector<std::uint8_t> upside_down(4 * width * height);
+  read_back_.resize(4 * width * height);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_to);
-  glReadPixels(0, 0, size_.width, size_.height, GL_RGBA, GL_UNSIGNED_BYTE, upside_down.data());
+  glReadPixels(0, 0, size_.width, size_.height, GL_RGBA, GL_UNSIGNED_BYTE, read_back_.data());
   require_no_gl_error("drawing a picture of " + dimensions(size_));
 
   Image image{.size = size_, .pixels = std::vector<std::uint8_t>(3 * width * height)};
   for (std::size_t row = 0; row < height; ++row) {
-    const std::uint8_t* from = upside_down.data() + 4 * width * (height - 1 - row);
+    const std::uint8_t* from = read_back_.data() + 4 * width * (height - 1 - row);
     std::uint8_t* to = image.pixels.data() + 3 * width * row;
-    for (std::size_t column = 0; column < width; ++column) {
-      to[3 * column] = from[4 * column];
-      to[3 * column + 1] = from[4 * column + 1];
-      to[3 * column + 2] = from[4 * column + 2];
-    }
+    // Four bytes at once; the next pixel takes the place of the fourth.
+    for (std::size_t column = 0; column + 1 < width; ++column) std::memcpy(to + 3 * column, from + 4 * column, 4);
+    std::memcpy(to + 3 * (width - 1), from + 4 * (width - 1), 3);
   }
   return image;
 }

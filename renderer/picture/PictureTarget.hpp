@@ -32,7 +32,10 @@ class PictureTarget {
   /// is sharp.
   void begin_backdrop() const;
 
-  /// Fills the colours with that picture; the rest is drawn over it.
+  /// Reads that picture, as soon as it is drawn.
+  void read_backdrop();
+
+  /// Fills the colours with what was read; the rest is drawn over it.
   void lay_backdrop(const FieldStop& stop);
 
   /// The picture that lay_backdrop has made: (4 x width x height), as of read_color.
@@ -65,7 +68,7 @@ class PictureTarget {
   void begin_lens() const;
 
   /// Reads the picture, or the one behind the lens.
-  Image finish(bool through_lens = false) const;
+  Image finish(bool through_lens = false);
 
   ImageSize size() const { return size_; }
 
@@ -86,6 +89,9 @@ class PictureTarget {
   std::array<Framebuffer, 2> blurred_;
   Framebuffer color_alone_;  // without depth, which is read then
   Framebuffer lens_;         // draws to color_copy_
+  // Memory that is used again: what is new to a process takes the processor as long as filling it does.
+  std::vector<std::uint8_t> small_backdrop_;  // (4 x width x height of the backdrop)
+  std::vector<std::uint8_t> read_back_;       // (4 x width x height)
 };
 
 }  // namespace thinwall

@@ -87,7 +87,8 @@ struct Stage {
   std::vector<std::uint8_t> bare;  // the picture without fluids; empty where there are none, and but for Tier::kFinal
 
   void cast_shadows(const SceneExtent& extent, const Studio& studio, PassClock& clock);
-  void draw_backdrop(const FrameUniforms& frame, Surroundings surroundings, PassClock& clock);
+  void draw_backdrop(Surroundings surroundings, PassClock& clock);
+  void draw_surface(PassClock& clock);
   void draw_scene(const SceneView& scene, const FrameUniforms& frame, PassClock& clock);
   void draw_fluids(const SceneView& scene, PassClock& clock);
   void draw_fine_pixels(const SceneView& scene, const FrameUniforms& frame);
@@ -114,11 +115,10 @@ FieldStop field_stop(const FrameUniforms& frame) {
   return {.tangent = frame.floor[3], .half_field = {size(frame.ray_right), size(frame.ray_up)}};
 }
 
-void Stage::draw_backdrop(const FrameUniforms& frame, Surroundings surroundings, PassClock& clock) {
+void Stage::draw_backdrop(Surroundings surroundings, PassClock& clock) {
   scene_pass.draw_floor(target, surroundings);
+  target.read_backdrop();
   clock.ends("floor");
-  target.lay_backdrop(field_stop(frame));
-  clock.ends("backdrop");
 }
 
 void Stage::draw_fluids(const SceneView& scene, PassClock& clock) {
@@ -132,11 +132,17 @@ void Stage::draw_fluids(const SceneView& scene, PassClock& clock) {
   }
 }
 
-/// Over the backdrop; depth and stencil tell where.
+/// What is seen of the tissue; depth and stencil tell where. It does not touch the colours, so that these can be filled
+/// while the driver's threads work on it.
+void Stage::draw_surface(PassClock& clock) {
+  scene_pass.draw_surface(meshes, target);
+  glFlush();
+  clock.ends("surface");
+}
+
+/// Over the backdrop, all that is seen with the surface.
 void Stage::draw_scene(const SceneView& scene, const FrameUniforms& frame, PassClock& clock) {
   shadow_map.bind();
-  scene_pass.draw_surface(meshes, target);
-  clock.ends("surface");
   scene_pass.draw_tools(meshes, target, scene.surroundings);
   clock.ends("tools");
   if (scene.view.look.data) {
@@ -174,6 +180,7 @@ void Stage::draw_fine_pixels(const SceneView& scene, const FrameUniforms& frame)
   target.write_color(fine.area, ground);
   target.clear_depth(fine);
   PassClock untimed(nullptr);
+  draw_surface(untimed);
   draw_scene(scene, shifted, untimed);
   target.write_color(fine.area, with_corners(fine, middles, target.read_color(fine.area)));
 }
@@ -233,10 +240,13 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
 
   clock.ends("meshes");
   stage->cast_shadows(extent, studio, clock);
-  stage->draw_backdrop(frame, surroundings, clock);
+  stage->draw_backdrop(surroundings, clock);
+  stage->target.clear_depth();
+  stage->draw_surface(clock);
+  stage->target.lay_backdrop(field_stop(frame));
+  clock.ends("backdrop");
   SceneView shown{.snapshot = snapshot, .view = view, .surroundings = surroundings};
   if (stage->tier != Tier::kDraft) shown.outline = stage->meshes.outline(snapshot, camera.position);
-  stage->target.clear_depth();
   stage->draw_scene(shown, frame, clock);
   const bool has_focus = camera.aperture > 0 && stage->tier != Tier::kDraft;
   if (stage->tier == Tier::kFinal) {
