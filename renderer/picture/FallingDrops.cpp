@@ -4,13 +4,14 @@
 #include <numbers>
 
 #include "renderer/picture/Float3.hpp"
+#include "renderer/wound/FluidLevel.hpp"
 
 namespace thinwall {
 namespace {
 
 constexpr double kRadius = 0.0013;  // metres: about 10 microlitres, what water lets go from a surface
 constexpr double kPeriod = 0.11;    // seconds between two drops of a run
-constexpr double kFall = 9.81;      // metres / second^2
+constexpr double kEarth = 9.81;     // metres / second^2
 constexpr double kFarthest = 0.08;  // metres, below which nothing of a scene is
 constexpr int kRings = 8, kSpokes = 14;
 
@@ -45,9 +46,12 @@ void append_drop(Vector3 middle, Vector3 down, double stretch, Film& film) {
 
 }  // namespace
 
-Film falling_drops(const SnapshotSurface& surface, const WoundLayout& wounds, Vector3 down, double leaked,
+Film falling_drops(const SnapshotSurface& surface, const WoundLayout& wounds, Vector3 gravity, double leaked,
                    double time) {
   Film film;
+  const double strength = length(gravity);
+  const Vector3 down = normalized(gravity);
+  const double longest = std::sqrt(2 * kFarthest / strength);
   constexpr double kVolume = 4.0 / 3 * std::numbers::pi * kRadius * kRadius * kRadius;
   for (const FluidRun& run : wounds.fluid_runs) {
     const double way = static_cast<double>(run.path.size() - 1) * kRunStep;
@@ -56,15 +60,19 @@ Film falling_drops(const SnapshotSurface& surface, const WoundLayout& wounds, Ve
     const double left = leaked / static_cast<double>(wounds.fluid_runs.size()) - way * shape;
     const double arrival = run.born + way / kRunoffSpeed + kPeriod * run.chance;
     const Vector3 end = point_at(run.path.back(), *surface.topology, surface.positions);
-    const double longest = std::sqrt(2 * kFarthest / kFall);
     for (int n = std::max(0, static_cast<int>((time - longest - arrival) / kPeriod)); n * kVolume < left; ++n) {
       const double falling = time - arrival - n * kPeriod;
       if (falling < 0) break;
-      const double fallen = 0.5 * kFall * falling * falling;
+      const double fallen = 0.5 * strength * falling * falling;
       if (fallen < kFarthest) append_drop(end + (kRadius + fallen) * down, down, 1 + 0.3 * falling / longest, film);
     }
   }
   return film;
+}
+
+Vector3 gravity_of_drops(const Snapshot& snapshot) {
+  const Vector3 gravity = vector3(snapshot.gravity);
+  return length(gravity) > 0 ? gravity : kEarth * downward(snapshot);
 }
 
 }  // namespace thinwall

@@ -123,7 +123,7 @@ void SceneMeshes::find_films(const Snapshot& snapshot, std::size_t k, const Tiss
   if (look.contents.clarity > 0) {
     const double leaked = find_scalar(snapshot, surface.body, kLeakedScalar).value_or(0);
     add(runoff_film(surface, pieces, *wounds_[k], leaked, snapshot.time), look.contents);
-    add(falling_drops(surface, *wounds_[k], downward(snapshot), leaked, snapshot.time), look.contents, true);
+    add(falling_drops(surface, *wounds_[k], gravity_of_drops(snapshot), leaked, snapshot.time), look.contents, true);
   }
   if (look.bleeding > 0) {
     add(blood_film(surface, borders_[k], pieces, *wounds_[k], look.bleeding, snapshot.time), kFreshBlood);

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "tests/renderer/picture/CutSheets.hpp"
 
@@ -17,7 +19,7 @@ struct Leak {
     const std::vector<BorderEdge> borders = border_edges(*sheet.topology);
     layout = lay_out_wounds(*sheet.topology, borders, cut_lips(*sheet.topology, borders), {0, 0, -1});
   }
-  Film drops(double leaked, double time) const { return falling_drops(sheet, layout, {0, 0, -1}, leaked, time); }
+  Film drops(double leaked, double time) const { return falling_drops(sheet, layout, gravity, leaked, time); }
 
   /// Heights of the drops' middles, each of the same number of vertices.
   std::vector<double> heights(double leaked, double time) const {
@@ -35,6 +37,7 @@ struct Leak {
 
   SnapshotSurface sheet;
   WoundLayout layout;
+  Vector3 gravity{0, 0, -9.81};
 };
 
 TEST(FallingDrops, NeedALeakAndTheTimeToRunDown) {
@@ -45,18 +48,40 @@ TEST(FallingDrops, NeedALeakAndTheTimeToRunDown) {
   EXPECT_FALSE(leak.drops(kPlenty, 1).corners.empty());
 }
 
-TEST(FallingDrops, FallFreely) {
-  const Leak leak;
-  // The lowest drop that is there at both times has been there since the first.
-  double time = 1;
-  while (leak.heights(kPlenty, time).size() != leak.heights(kPlenty, time + 0.02).size()) time += 0.005;
-  const std::vector<double> before = leak.heights(kPlenty, time), middle = leak.heights(kPlenty, time + 0.01),
-                            after = leak.heights(kPlenty, time + 0.02);
-  ASSERT_EQ(before.size(), after.size());
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    // The mean of a drop's vertices lies in its middle to what single precision keeps of 0.1 m.
-    EXPECT_NEAR(before[i] - 2 * middle[i] + after[i], -9.81 * 0.01 * 0.01, 2e-7);
+TEST(FallingDrops, FallFreelyWithTheGravityThereIs) {
+  for (const double strength : {9.81, 1.62}) {
+    Leak leak;
+    leak.gravity = {0, 0, -strength};
+    // At a moment when none comes or goes: no place in the list then holds a higher drop than before.
+    double time = 1;
+    std::vector<double> before, middle, after;
+    const auto are_the_same = [](const std::vector<double>& earlier, const std::vector<double>& later) {
+      return earlier.size() == later.size() &&
+             std::equal(later.begin(), later.end(), earlier.begin(), [](double a, double b) { return a < b; });
+    };
+    do {
+      time += 0.005;
+      before = leak.heights(kPlenty, time);
+      middle = leak.heights(kPlenty, time + 0.01);
+      after = leak.heights(kPlenty, time + 0.02);
+    } while (time < 2 && !(are_the_same(before, middle) && are_the_same(middle, after)));
+    ASSERT_EQ(before.size(), after.size());
+    ASSERT_FALSE(before.empty());
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      // The mean of a drop's vertices lies in its middle to what single precision keeps of 0.1 m.
+      EXPECT_NEAR(before[i] - 2 * middle[i] + after[i], -strength * 0.01 * 0.01, 2e-7);
+    }
   }
+}
+
+TEST(FallingDrops, FallAlongTheSnapshotsGravityAndDownwardsOnEarthWithoutOne) {
+  Snapshot snapshot;
+  snapshot.gravity = {0, 3, -4};
+  EXPECT_EQ(gravity_of_drops(snapshot).y, 3);
+  EXPECT_EQ(gravity_of_drops(snapshot).z, -4);
+  snapshot.gravity = {};
+  EXPECT_EQ(gravity_of_drops(snapshot).y, 0);
+  EXPECT_NEAR(gravity_of_drops(snapshot).z, -9.81, 1e-12);
 }
 
 TEST(FallingDrops, AreNoMoreThanWhatHasLeaked) {
