@@ -311,16 +311,20 @@ void Newton::find_contact_forces(Step& step) const {
 
 bool Newton::revise_contacts(const Step& step) {
   double push = 0, wrong = 0;  // newton
+  double farthest = 0;         // metres, by which a contact that is wrong is overrun, or would be drawn back
   for (std::size_t k = 0; k < open_.size(); ++k) {
     const double force = step.contact_forces[k];
     const bool presses = force > 0;
     if (presses == static_cast<bool>(open_[k])) {
       wrong += std::abs(force);
+      farthest = std::max(farthest, std::abs(force) / terms_.contacts[k].potential.stiffness);
     } else if (presses) {
       push += force;
     }
   }
-  if (wrong <= kToleratedPull * push) return false;
+  // What the last steps leave wrong no later one mends.
+  const bool goes_on = farthest <= step.position.lpNorm<Eigen::Infinity>();
+  if (wrong <= kToleratedPull * push && goes_on) return false;
   for (std::size_t k = 0; k < open_.size(); ++k) open_[k] = step.contact_forces[k] <= 0;
   return true;
 }
