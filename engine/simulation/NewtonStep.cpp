@@ -86,7 +86,9 @@ void Newton::border_openings(const EquilibriumProblem& problem, const Equilibriu
     const OpeningEquation equation =
         opening_equation(model_, problem, terms_, chamber, state.position, state.pressure, true);
     columns_.col(column) = -terms_.pressure_load.col(chamber);
-    corner_(column, column) -= terms_.filled_by_pressure[chamber];
+    // Where a crumpled wall lies inside out at the surface it would sink as the pressure rises: the step seeks a level
+    // where it does not.
+    corner_(column, column) -= std::abs(terms_.filled_by_pressure[chamber]);
     const bool has_air = problem.fluids[chamber].vent >= 0;
     // Where there is air the pressure is given: for the question of convexity it is no constraint of the volume.
     if (has_air) {
