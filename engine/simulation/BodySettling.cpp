@@ -27,6 +27,10 @@ constexpr double kLeastDrag = 1e-5;
 constexpr int kMostDraggedIterations = 20;
 constexpr int kEasyIterations = 8;
 
+/// Halvings of a step in motion after which equilibria are taken that are not stable: where a wall buckles faster than
+/// steps can tell, the way that it is on leads on through such ones until it has left it.
+constexpr int kHalvingsBeforeSaddles = 4;
+
 /// Parts in which the weight is put on where it cannot be at once.
 constexpr int kWeightParts = 8;
 
@@ -39,7 +43,8 @@ constexpr double kBurstVolume = 30;
 NewtonResult Body::solve(EquilibriumProblem& problem, EquilibriumState& state, const SolveEffort& effort) {
   const int most = options_.maximum_iterations;
   const CutProgress& cut = state_.cut;
-  const bool takes_flaps = effort.takes_flaps || cut.has_incised || cut.has_crumpled || cut.tool;
+  const bool buckles = has_inertia() && report_.halvings >= kHalvingsBeforeSaddles;
+  const bool takes_flaps = effort.takes_flaps || cut.has_incised || cut.has_crumpled || cut.tool || buckles;
   const NewtonResult result =
       newton_->solve(problem, state,
                      {.tolerance = options_.tolerance,
