@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/cutting/CutSurface.hpp"
+#include "engine/fluid/PressureLoad.hpp"
 #include "engine/simulation/BodyModel.hpp"
 #include "engine/simulation/CutProgress.hpp"
 #include "engine/simulation/Equilibrium.hpp"
@@ -141,6 +142,16 @@ double fluid_energy(const BodyModel& model, const BodyState& state);
 
 /// Integral of x, from its level, over each chamber, (3 x chambers), metres^4.
 Eigen::Matrix3Xd first_moments(const BodyModel& model, const Eigen::VectorXd& position);
+
+/// Where the moments of the fluid in a chamber count from, metres: its level, or its lips where it runs out.
+Eigen::Vector3d moment_origin(const BodyModel& model, const BodyState& state, int chamber);
+
+/// Mass of the fluid in a chamber over the square of the volume that it moves with, kg / metre^6: beside air that is
+/// the whole of the contents.
+double moment_mass(const BodyModel& model, const BodyState& state, int chamber);
+
+/// What the inertia of its fluid adds to the pressure in a chamber.
+PressureField pressure_of_inertia(const BodyModel& model, const BodyState& state, int chamber);
 
 /// How hard an equilibrium is tried.
 struct SolveEffort {
@@ -380,9 +391,7 @@ class Body {
   void add_fluid_inertia_as_it_is(EquilibriumProblem& problem) const;
   void start_fluid_motion();
   void update_fluid_motion(double duration, double previous_step, const EquilibriumProblem& problem);
-  Eigen::Vector3d motion_origin(int chamber) const;
   double motion_scale(int chamber, double volume) const;
-  double filling(int chamber) const;
   double fluid_kinetic_energy() const;
   double gravity_energy() const;
   double rate(const OrificeDefinition& orifice, const BodyState& state) const;

@@ -57,7 +57,7 @@ LipState lip_state_of(const BodyModel& model, const BodyState& state, const Eige
   return {.center = cap.center,
           .area = cap.area.norm(),
           .pressure = field.at(cap.center),
-          .load = lip_load_of(lips, field)};
+          .load = lip_load_of(lips, field) + lip_load_of(lips, pressure_of_inertia(model, state, c))};
 }
 
 /// What a volume of fluid that leaves takes along beside the work of its pressure, joule / metre^3: its motion, and

@@ -20,17 +20,36 @@ void Body::add_inertia(double duration, EquilibriumProblem& problem) const {
   problem.inertia_target = -((factor + rate) * velocity_part + acceleration_part) / problem.inertia;
 }
 
-double Body::filling(int chamber) const {
-  const double volume = state_.volume[chamber], fluid = state_.fluid_volume[chamber];
-  // Beside air the fluid moves with the whole of the contents.
-  return model_->is_open(chamber) ? fluid / (volume * volume) : 1 / fluid;
+Eigen::Vector3d moment_origin(const BodyModel& model, const BodyState& state, int chamber) {
+  const Eigen::Vector3d& level = model.chambers[chamber].level;
+  if (!model.is_open(chamber) || !model.definition.fluid.leaks) return level;
+  double whole = 0;
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  for (std::size_t k = 0; k < model.openings.size(); ++k) {
+    if (model.openings[k].chamber != chamber) continue;
+    const double area = state.open_area[static_cast<Eigen::Index>(k)];
+    origin += area * model.openings[k].at(state.equilibrium.position).rowwise().mean();
+    whole += area;
+  }
+  return whole > 0 ? Eigen::Vector3d(origin / whole) : level;
+}
+
+double moment_mass(const BodyModel& model, const BodyState& state, int chamber) {
+  const double volume = state.volume[chamber], fluid = state.fluid_volume[chamber];
+  return model.definition.fluid.density * (model.is_open(chamber) ? fluid / (volume * volume) : 1 / fluid);
+}
+
+PressureField pressure_of_inertia(const BodyModel& model, const BodyState& state, int chamber) {
+  if (state.fluid_motion.empty()) return {};
+  const Eigen::Vector3d push = moment_mass(model, state, chamber) * state.fluid_motion[chamber].acceleration;
+  return {.at_origin = push.dot(moment_origin(model, state, chamber)), .slope = -push};
 }
 
 double Body::fluid_kinetic_energy() const {
   double energy = 0;
   for (std::size_t c = 0; c < state_.fluid_motion.size(); ++c) {
-    energy += 0.5 * model_->definition.fluid.density * filling(static_cast<int>(c)) *
-              state_.fluid_motion[c].velocity.squaredNorm();
+    const double mass = moment_mass(*model_, state_, static_cast<int>(c));
+    energy += 0.5 * mass * state_.fluid_motion[c].velocity.squaredNorm();
   }
   return energy;
 }
@@ -44,20 +63,6 @@ void Body::start_fluid_motion() {
     motion.moment = motion.previous_moment = moments.col(chamber);
     motion.volume = motion.previous_volume = state_.volume[chamber];
   }
-}
-
-Eigen::Vector3d Body::motion_origin(int chamber) const {
-  const Eigen::Vector3d& level = model_->chambers[chamber].level;
-  if (!may_leak(chamber)) return level;
-  double whole = 0;
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-  for (std::size_t k = 0; k < model_->openings.size(); ++k) {
-    if (model_->openings[k].chamber != chamber) continue;
-    const double area = state_.open_area[static_cast<Eigen::Index>(k)];
-    origin += area * model_->openings[k].at(state_.equilibrium.position).rowwise().mean();
-    whole += area;
-  }
-  return whole > 0 ? Eigen::Vector3d(origin / whole) : level;
 }
 
 double Body::motion_scale(int chamber, double volume) const {
@@ -76,7 +81,7 @@ void Body::add_fluid_inertia(double duration, EquilibriumProblem& problem) const
   for (std::size_t c = 0; c < state_.fluid_motion.size(); ++c) {
     const FluidMotion& motion = state_.fluid_motion[c];
     const int index = static_cast<int>(c);
-    const Eigen::Vector3d origin = motion_origin(index);
+    const Eigen::Vector3d origin = moment_origin(*model_, state_, index);
     // Fluid that leaves goes through the lips: seen from there it takes nothing of the moment along.
     const Eigen::Vector3d shift = origin - model_->chambers[c].level;
     const Eigen::Vector3d velocity_part =
@@ -88,7 +93,7 @@ void Body::add_fluid_inertia(double duration, EquilibriumProblem& problem) const
         (difference.before * motion_scale(index, motion.volume) * motion.velocity +
          difference.earlier * motion_scale(index, motion.previous_volume) * motion.previous_velocity) /
         duration;
-    problem.fluid_inertia.push_back({.factor = model_->definition.fluid.density * filling(index) * rate * rate,
+    problem.fluid_inertia.push_back({.factor = moment_mass(*model_, state_, index) * rate * rate,
                                      .target = -(rate * velocity_part + acceleration_part) / (rate * rate),
                                      .origin = origin});
   }
@@ -98,11 +103,10 @@ void Body::add_fluid_inertia_as_it_is(EquilibriumProblem& problem) const {
   for (std::size_t c = 0; c < state_.fluid_motion.size(); ++c) {
     const FluidMotion& motion = state_.fluid_motion[c];
     const int chamber = static_cast<int>(c);
-    const Eigen::Vector3d origin = motion_origin(chamber);
+    const Eigen::Vector3d origin = moment_origin(*model_, state_, chamber);
     const Eigen::Vector3d moment = motion.moment - motion.volume * (origin - model_->chambers[c].level);
-    problem.fluid_inertia.push_back({.factor = model_->definition.fluid.density * filling(chamber),
-                                     .target = moment - motion.acceleration,
-                                     .origin = origin});
+    problem.fluid_inertia.push_back(
+        {.factor = moment_mass(*model_, state_, chamber), .target = moment - motion.acceleration, .origin = origin});
   }
 }
 

@@ -196,6 +196,31 @@ TEST(Leak, GelKeepsItsVolumeAndStillHasNoLoadOnTheLips) {
   EXPECT_EQ(body.state().air[0], 0);
 }
 
+TEST(Leak, BooksCountWhatTheInertiaOfTheContentsDoesAtTheLips) {
+  // A gel that is swayed: pushed to a side and back, evenly enough for the integrator to be of second order.
+  BodyDefinition definition = open_ball(320, 50, 2);
+  definition.fixed = {{.region = BelowRegion{.axis = 2, .at = -15e-3}}};
+  definition.fluid.leaks = false;
+  definition.loads.push_back(
+      {.kind = LoadKind::kDeadForce, .region = AboveRegion{.axis = 2, .at = 5e-3}, .vector = {0.02, 0, 0}});
+  double numerical[3];
+  for (int k = 0; k < 3; ++k) {
+    Body body(definition, {}, dynamic());
+    body.settle({0});
+    const int steps = 40 << k;
+    for (int step = 1; step <= steps; ++step) {
+      const double push = std::sin(std::numbers::pi * step / steps);
+      body.advance({}, {}, 0.2 / steps, {.load_factors = {push * push}, .fluids = {}});
+    }
+    const EnergyBooks& books = body.state().books;
+    EXPECT_LT(std::abs(books.imbalance()), 1e-9 * books.largest());
+    numerical[k] = std::abs(books.numerical) / books.largest();
+  }
+  std::printf("numerical / largest %.1e, %.1e, %.1e\n", numerical[0], numerical[1], numerical[2]);
+  EXPECT_LT(numerical[1], numerical[0] / 3.5);  // second order: without that work it does not fall
+  EXPECT_LT(numerical[2], numerical[1] / 3.5);
+}
+
 TEST(Leak, DrainsARigidBodyToTheHeightOfItsLipsAsTorricelliSays) {
   // Air comes in at the top, fluid leaves at the side. Surface of a ball at height z: pi (R^2 - z^2).
   const double radius = 20e-3, gravity = 9.81;
