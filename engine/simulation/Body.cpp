@@ -23,6 +23,9 @@ constexpr int kHalvingsBeforeCrumpling = 4;
 /// Iterations after which a cut body that could creep does so.
 constexpr int kMostIterationsBeforeCreeping = 30;
 
+/// Iterations after which an equilibrium that is tried for its energy alone is found with springs.
+constexpr int kMostTrialIterations = 20;
+
 /// Iterations within which a solution fails that had a hopeless beginning.
 constexpr int kHopelessIterations = 2;
 
@@ -175,6 +178,7 @@ bool Body::solve_step(EquilibriumProblem& problem, EquilibriumState& trial) {
   // What may not creep any more, as once the blade has left, no drag slows.
   if (!may_creep()) state_.drag = 0;
   if (may_creep()) effort.most_iterations = kMostIterationsBeforeCreeping;
+  if (trial_tolerance_) effort.most_iterations = kMostTrialIterations;
   const int iterations = report_.newton_iterations;
   if (state_.drag == 0 && solve(problem, trial, effort).converged) return true;
   const bool was_hopeless = state_.drag == 0 && report_.newton_iterations - iterations <= kHopelessIterations;

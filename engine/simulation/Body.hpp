@@ -417,11 +417,12 @@ class Body {
   std::unique_ptr<CutSurface> surface_;  // none before the first cut
   BodyState state_;
   BodyStepReport report_;
-  std::optional<Foresight> foresight_;  // for the next step
-  std::optional<LastStep> last_step_;   // if its solution is to be extrapolated
-  bool snaps_ = false;                  // whether a wall gives way at once, from one equilibrium to another
-  bool is_loose_ = false;               // whether the last solution's residual is above the tolerance
-  std::string failure_;                 // why the last attempt failed
+  std::optional<Foresight> foresight_;     // for the next step
+  std::optional<LastStep> last_step_;      // if its solution is to be extrapolated
+  bool snaps_ = false;                     // whether a wall gives way at once, from one equilibrium to another
+  std::optional<double> trial_tolerance_;  // for forces, while an equilibrium is tried for its energy alone
+  bool is_loose_ = false;                  // whether the last solution's residual is above the tolerance
+  std::string failure_;                    // why the last attempt failed
 };
 
 }  // namespace thinwall

@@ -12,6 +12,9 @@ namespace {
 /// Part of the cost that lips must have released on the blade's way before a trial is worth its two solutions.
 constexpr double kLikely = 0.35;
 
+/// Residual force over the largest force at which a trial is at rest: its energy is then right to the square of that.
+constexpr double kTrialTolerance = 1e-5;
+
 /// Edge lengths of a piece: the shortest of these that can be cut.
 constexpr double kPieces[] = {1, 1.5, 2};
 
@@ -43,6 +46,7 @@ std::optional<Rupture> Body::try_cut(const CutPath& path, std::span<const ToolPo
   const double residual = report_.residual;
   std::optional<Rupture> tried;
   state_.cut.held.clear();
+  trial_tolerance_ = std::max(options_.tolerance, kTrialTolerance);
   if (snap(poses)) {
     const double imbalance = state_.books.imbalance(),
                  cost = cost_at(point_at(model_->definition.mesh.triangles, *path.from));
@@ -56,6 +60,7 @@ std::optional<Rupture> Body::try_cut(const CutPath& path, std::span<const ToolPo
       if (!is_at_rest) tried.reset();
     }
   }
+  trial_tolerance_.reset();
   state_ = as_it_is;
   // The iterations of a trial are the step's, its residual is not.
   report_.residual = residual;

@@ -13,6 +13,9 @@ namespace {
 /// How often `relax` solves with springs before it gives up.
 constexpr int kRelaxationTurns = 100;
 
+/// Springs below which a body may find its equilibrium without any.
+constexpr double kWeakSprings = 1e-3;
+
 /// Springs that hold so much that a body which does not even follow them has no equilibrium at hand.
 constexpr double kStiffestSprings = 1e4;
 
@@ -47,7 +50,7 @@ NewtonResult Body::solve(EquilibriumProblem& problem, EquilibriumState& state, c
   const bool takes_flaps = effort.takes_flaps || cut.has_incised || cut.has_crumpled || cut.tool || buckles;
   const NewtonResult result =
       newton_->solve(problem, state,
-                     {.tolerance = options_.tolerance,
+                     {.tolerance = trial_tolerance_.value_or(options_.tolerance),
                       .maximum_iterations = std::min(effort.most_iterations.value_or(most), most),
                       .takes_flaps = takes_flaps,
                       .borders_contacts = options_.extrapolates,
@@ -72,10 +75,12 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state) {
     EquilibriumProblem held = problem;
     held.inertia = springs * model_->wall_stiffness / model_->mass.mean();
     held.inertia_target = state.position;
-    if (solve(held, trial, {.takes_flaps = true}).converged) {
+    if (const NewtonResult held_result = solve(held, trial, {.takes_flaps = true}); held_result.converged) {
       state = trial;
       problem.attachments = held.attachments;
       problem.solids = held.solids;
+      // What such weak springs hold back is no energy that matters.
+      if (trial_tolerance_ && springs < kWeakSprings) return held_result;
       springs *= 0.25;
     } else {
       springs *= 8;
@@ -84,7 +89,7 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state) {
     if (model_->has_fluid() && enclosed_volumes(*model_, state.position).sum() > kBurstVolume * model_->rest_volume) {
       break;
     }
-    if (springs < 1e-3 && turn % 4 == 3) {
+    if (springs < kWeakSprings && turn % 4 == 3) {
       trial = state;
       held = problem;
       const NewtonResult result = solve(held, trial, {.takes_flaps = true});
