@@ -46,7 +46,8 @@ std::size_t farthest_from_middle(std::span<const std::uint32_t> loop, std::span<
 std::vector<Triangle> strip_across(std::vector<std::uint32_t> loop, std::span<const Float3> positions) {
   // Against the sense of the border, so that each edge of the lid meets its edge of the wall.
   std::ranges::reverse(loop);
-  std::ranges::rotate(loop, loop.begin() + static_cast<std::ptrdiff_t>(farthest_from_middle(loop, positions)));
+  const auto first = static_cast<std::ptrdiff_t>(farthest_from_middle(loop, positions));
+  std::rotate(loop.begin(), loop.begin() + first, loop.end());
   const auto distance = [&](std::size_t a, std::size_t b) {
     return length(vector3(positions[loop[a]]) - vector3(positions[loop[b]]));
   };
