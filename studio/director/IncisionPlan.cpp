@@ -68,7 +68,7 @@ std::string to_words(const Eigen::Vector3d& point) {
 
 /// A point of the path, which goes on straight beyond its ends.
 Eigen::Vector3d point_at(const SurfacePath& path, double along, double reach) {
-  const Eigen::Vector3d point = path.at(along).position;
+  Eigen::Vector3d point = path.at(along).position;
   const double beyond = along < 0 ? along : std::max(0.0, along - path.length());
   if (beyond == 0) return point;
   const double step = std::min(reach, path.length());

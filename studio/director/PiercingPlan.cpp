@@ -30,7 +30,7 @@ ToolMoment PiercingPlan::at(double time) const {
 
 PiercingPlan plan_piercing(const PierceClip& clip, const ToolDefinition& tool, const SurfaceView& surface,
                            const SourceLocation& location) {
-  const PiercingPlan plan{plan_palpation(clip, tool, surface, location, "pierce"), {}};
+  PiercingPlan plan{plan_palpation(clip, tool, surface, location, "pierce"), {}};
   const auto refuse = [&](const std::string& why) { throw InputErrors({{location, "pierce: " + why}}); };
   const ToolPose& pose = plan.begin;
   const double width =

@@ -229,7 +229,7 @@ struct ScenarioRun::Implementation {
       for (std::size_t index = 0; index < bodies.size(); ++index) {
         Body& body = *bodies[index];
         const bool is_in_wall = std::ranges::any_of(
-            body.state().punctures, [&](const Puncture& puncture) { return puncture.tool == tool.index; });
+            body.state().punctures, [own = tool.index](const Puncture& puncture) { return puncture.tool == own; });
         const bool pierces =
             clip != clips.end() && std::get<PiercingPlan>(clip->plan).clip.body == body.model().definition.name;
         if (!is_in_wall && !pierces) continue;
@@ -267,9 +267,9 @@ struct ScenarioRun::Implementation {
 
   /// Lets jaws that close feel what lies between them.
   void feel_grasps() {
-    for (std::size_t k = 0; k < clips.size(); ++k) {
-      auto* grasp = std::get_if<GraspPlan>(&clips[k].plan);
-      if (grasp == nullptr || !clips[k].begun) continue;
+    for (ScheduledClip& clip : clips) {
+      auto* grasp = std::get_if<GraspPlan>(&clip.plan);
+      if (grasp == nullptr || !clip.begun) continue;
       const DirectedTool& tool = tools.at(grasp->clip.tool);
       double squeeze = 0;
       for (const auto& body : bodies) squeeze += body->squeeze(tool.index, tool.pose);

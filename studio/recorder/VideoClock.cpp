@@ -23,7 +23,7 @@ double freeze_at(double time, const std::vector<Freeze>& freezes) {
 
 }  // namespace
 
-VideoClock::VideoClock(std::vector<Freeze> freezes, std::vector<SlowMotion> slow_motions) {
+VideoClock::VideoClock(const std::vector<Freeze>& freezes, const std::vector<SlowMotion>& slow_motions) {
   std::set<double> bends = {0};
   for (const Freeze& freeze : freezes) bends.insert(freeze.at);
   for (const SlowMotion& slow : slow_motions) bends.insert({slow.begin, slow.end});

@@ -19,7 +19,7 @@ struct VideoMoment {
 class VideoClock {
  public:
   /// Freezes at the same time add up. Slow motions may touch but not overlap.
-  explicit VideoClock(std::vector<Freeze> freezes = {}, std::vector<SlowMotion> slow_motions = {});
+  explicit VideoClock(const std::vector<Freeze>& freezes = {}, const std::vector<SlowMotion>& slow_motions = {});
 
   /// What is shown at `video_time` (seconds, from 0).
   VideoMoment at(double video_time) const;
