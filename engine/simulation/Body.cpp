@@ -63,7 +63,7 @@ constexpr double kSmallestPart = 1.0 / 256;
 /// Part of the largest of its energies that the integrator may take or give in a part of a step of a cut body: walls
 /// that collapse, and jets that begin at once, ask for shorter ones. Where the wall jumps none is short enough.
 constexpr double kMostUnbooked = 5e-4;
-constexpr double kSmallestUnbookedPart = 1.0 / 16;
+constexpr double kSmallestUnbookedPart = 1.0 / 64;
 
 /// What it may give any body, for no wall jumps to where it has more energy than before: a solver that found such a
 /// shape has gone astray, from less far away it finds one that is nearer.
