@@ -3,129 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
-#include "renderer/picture/Float3.hpp"
+#include "renderer/picture/ToolBuilder.hpp"
 #include "renderer/picture/Vector.hpp"
 
 namespace thinwall {
 namespace {
-
-constexpr float kPolished = 0.10f;  // roughness of a ball or a tip
-constexpr float kBrushed = 0.24f;   // of a shaft
-
-/// A point of an outline: `back` metres from the tip against the direction, `out` metres from the middle.
-struct OutlinePoint {
-  double back = 0;
-  double out = 0;
-  double normal_back = 0;  // outward normal in the same plane, not of length one
-  double normal_out = 1;
-  float roughness = kBrushed;
-  float grip = 0;
-};
-
-class Builder {
- public:
-  Builder(const SnapshotTool& tool, double scene_size)
-      : tip_(vector3(tool.tip)), direction_(normalized(vector3(tool.direction), {0, 0, -1})), scene_size_(scene_size) {
-    const Vector3 axis = vector3(tool.axis) - dot(vector3(tool.axis), direction_) * direction_;
-    axis_ = length(axis) > 1e-9 ? normalized(axis) : perpendicular(direction_);
-    side_ = cross(axis_, direction_);
-  }
-
-  /// The surface that `outline` sweeps around the line through the tip along the direction.
-  void turn(const std::vector<OutlinePoint>& outline) {
-    constexpr int kSegments = 40;
-    const auto first = static_cast<std::uint32_t>(shape_.vertices.size());
-    for (const OutlinePoint& point : outline) {
-      for (int i = 0; i <= kSegments; ++i) {
-        const double angle = 2 * std::numbers::pi * (i % kSegments) / kSegments;
-        const Vector3 radial = std::cos(angle) * side_ + std::sin(angle) * axis_;
-        append(tip_ - point.back * direction_ + point.out * radial,
-               normalized(point.normal_out * radial - point.normal_back * direction_), point);
-      }
-    }
-    stitch(first, static_cast<std::uint32_t>(outline.size()), kSegments + 1);
-  }
-
-  /// The closed `outline` drawn out along the axis, centred on the tip, with flat ends.
-  void draw_out(const std::vector<OutlinePoint>& outline, double span) {
-    const auto first = static_cast<std::uint32_t>(shape_.vertices.size());
-    for (const double end : {-0.5 * span, 0.5 * span}) {
-      for (const OutlinePoint& point : outline) {
-        append(place(point, end), normalized(point.normal_out * side_ - point.normal_back * direction_), point);
-      }
-    }
-    stitch(first, 2, static_cast<std::uint32_t>(outline.size()));
-    for (const double end : {-0.5 * span, 0.5 * span}) {
-      const auto fan = static_cast<std::uint32_t>(shape_.vertices.size());
-      for (const OutlinePoint& point : outline) append(place(point, end), end > 0 ? axis_ : -axis_, point);
-      for (std::uint32_t i = 2; i < outline.size(); ++i) append_triangle(fan, fan + i - 1, fan + i);
-    }
-  }
-
-  void add_rod(double back_from, double back_to, double radius) {
-    add_rod(tip_ - back_from * direction_, tip_ - back_to * direction_, radius);
-  }
-
-  void add_rod_along_axis(double back, double span, double radius) {
-    const Vector3 middle = tip_ - back * direction_;
-    add_rod(middle - 0.5 * span * axis_, middle + 0.5 * span * axis_, radius);
-  }
-
-  ToolShape take() { return std::move(shape_); }
-
-  void add(const ToolShape& other) {
-    const auto first = static_cast<std::uint32_t>(shape_.vertices.size());
-    shape_.vertices.insert(shape_.vertices.end(), other.vertices.begin(), other.vertices.end());
-    for (const std::uint32_t index : other.indices) shape_.indices.push_back(first + index);
-    shape_.rods.insert(shape_.rods.end(), other.rods.begin(), other.rods.end());
-  }
-
- private:
-  Vector3 place(const OutlinePoint& point, double along_axis) const {
-    return tip_ - point.back * direction_ + point.out * side_ + along_axis * axis_;
-  }
-
-  void append(Vector3 position, Vector3 normal, const OutlinePoint& point) {
-    shape_.vertices.push_back({.position = float3(position),
-                               .normal = float3(normal),
-                               .roughness = point.roughness,
-                               .along = static_cast<float>(point.back / scene_size_),
-                               .grip = point.grip});
-  }
-
-  /// Counter-clockwise as seen from outside, where the normals point.
-  void append_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    const auto position = [&](std::uint32_t i) { return vector3(shape_.vertices[i].position); };
-    const auto normal = [&](std::uint32_t i) { return vector3(shape_.vertices[i].normal); };
-    const Vector3 facing = cross(position(b) - position(a), position(c) - position(a));
-    if (dot(facing, normal(a) + normal(b) + normal(c)) < 0) std::swap(b, c);
-    shape_.indices.insert(shape_.indices.end(), {a, b, c});
-  }
-
-  /// Triangles between consecutive rows of `columns` vertices.
-  void stitch(std::uint32_t first, std::uint32_t rows, std::uint32_t columns) {
-    for (std::uint32_t row = 0; row + 1 < rows; ++row) {
-      for (std::uint32_t column = 0; column + 1 < columns; ++column) {
-        const std::uint32_t corner = first + row * columns + column;
-        append_triangle(corner, corner + 1, corner + columns);
-        append_triangle(corner + 1, corner + columns + 1, corner + columns);
-      }
-    }
-  }
-
-  void add_rod(Vector3 start, Vector3 end, double radius) {
-    shape_.rods.push_back({float3(start), float3(end), static_cast<float>(radius)});
-  }
-
-  Vector3 tip_;
-  Vector3 direction_;
-  Vector3 axis_;
-  Vector3 side_;
-  double scene_size_;
-  ToolShape shape_;
-};
 
 /// Part of a circle around `center_back` on the middle line, from angle `from` to `to` (0 at the tip, pi at the back).
 void append_arc(std::vector<OutlinePoint>& outline, double center_back, double radius, double from, double to,
@@ -194,7 +77,7 @@ double probe_radius(double scene_size) {
 
 ToolShape probe(const SnapshotTool& tool, double scene_size) {
   const double radius = probe_radius(scene_size);
-  Builder builder(tool, scene_size);
+  ToolBuilder builder(tool, scene_size);
   std::vector<OutlinePoint> outline;
   append_arc(outline, radius, radius, 0, 0.5 * std::numbers::pi, kPolished, 10);
   append_shaft(outline, 1.25 * radius, 3 * radius, scene_size);
@@ -206,7 +89,7 @@ ToolShape probe(const SnapshotTool& tool, double scene_size) {
 ToolShape straight_edge(const SnapshotTool& tool, double scene_size) {
   const double radius = 0.6 * probe_radius(scene_size);
   const double height = 0.09 * scene_size;
-  Builder builder(tool, scene_size);
+  ToolBuilder builder(tool, scene_size);
   std::vector<OutlinePoint> outline;
   append_arc(outline, radius, radius, -0.5 * std::numbers::pi, 0.5 * std::numbers::pi, kBrushed, 12);
   append_arc(outline, height - radius, radius, 0.5 * std::numbers::pi, 1.5 * std::numbers::pi, kBrushed, 12);
@@ -225,7 +108,7 @@ ToolShape ball(const SnapshotTool& tool, double scene_size) {
   const double radius = std::max(tool.radius, 0.0);
   const double slim = std::min(0.3 * radius, 0.02 * scene_size);
   const double joint = radius > 0 ? std::numbers::pi - std::asin(1.4 * slim / radius) : 0;
-  Builder builder(tool, scene_size);
+  ToolBuilder builder(tool, scene_size);
   std::vector<OutlinePoint> outline;
   append_arc(outline, radius, radius, 0, joint, kPolished, 32);
   append_fillet(outline, slim);
@@ -237,7 +120,7 @@ ToolShape ball(const SnapshotTool& tool, double scene_size) {
 }
 
 /// A round shaft with a handle that begins `back` behind the tip, thick enough to be seen and no thicker than `widest`.
-void add_handle(Builder& builder, double back, double widest, double scene_size) {
+void add_handle(ToolBuilder& builder, double back, double widest, double scene_size) {
   const double radius = std::min(2.5 * probe_radius(scene_size), widest);
   const double front = back - std::sqrt(0.5) * radius;
   std::vector<OutlinePoint> outline;
@@ -268,7 +151,7 @@ std::vector<OutlinePoint> rectangle(double middle, double width, double length, 
 
 ToolShape rod(const SnapshotTool& tool, double scene_size) {
   const double radius = tool.radius, length = std::max(tool.length, 2 * radius);
-  Builder builder(tool, scene_size);
+  ToolBuilder builder(tool, scene_size);
   // The rod itself is turned about y': a tool of its own that lies across.
   const Vector3 direction = normalized(vector3(tool.direction), {0, 0, -1});
   const Vector3 axis = normalized(vector3(tool.axis), perpendicular(direction));
@@ -277,7 +160,7 @@ ToolShape rod(const SnapshotTool& tool, double scene_size) {
   across.tip = {end.x, end.y, end.z};
   across.direction = {axis.x, axis.y, axis.z};
   across.axis = tool.direction;
-  Builder lying(across, scene_size);
+  ToolBuilder lying(across, scene_size);
   std::vector<OutlinePoint> outline;
   append_arc(outline, radius, radius, 0, 0.5 * std::numbers::pi, kPolished, 12);
   append_arc(outline, length - radius, radius, 0.5 * std::numbers::pi, std::numbers::pi, kPolished, 12);
@@ -289,7 +172,7 @@ ToolShape rod(const SnapshotTool& tool, double scene_size) {
 }
 
 ToolShape plate(const SnapshotTool& tool, double scene_size) {
-  Builder builder(tool, scene_size);
+  ToolBuilder builder(tool, scene_size);
   const double rounding = std::min({1e-4, 0.25 * tool.thickness, 0.25 * tool.width, 0.25 * tool.length});
   builder.draw_out(rectangle(0, tool.width, tool.thickness, rounding), tool.length);
   builder.add_rod_along_axis(tool.thickness, tool.length, 0.5 * tool.thickness);
@@ -301,7 +184,7 @@ ToolShape needle(const SnapshotTool& tool, double scene_size) {
   // As the engine shapes it: a tip of 0.4 radii, a cone of four, a shaft.
   const double radius = tool.radius, tip = 0.4 * radius, shoulder = tip + 4 * radius;
   const double lean = std::asin((radius - tip) / (shoulder - tip));
-  Builder builder(tool, scene_size);
+  ToolBuilder builder(tool, scene_size);
   std::vector<OutlinePoint> outline;
   append_arc(outline, tip, tip, 0, 0.5 * std::numbers::pi - lean, kPolished, 10);
   append_arc(outline, shoulder, radius, 0.5 * std::numbers::pi - lean, 0.5 * std::numbers::pi, kPolished, 6);
@@ -313,16 +196,30 @@ ToolShape needle(const SnapshotTool& tool, double scene_size) {
   return builder.take();
 }
 
+/// Ground from both sides to an edge as wide as the engine's, with shoulders that narrow to the handle.
 ToolShape blade(const SnapshotTool& tool, double scene_size) {
-  Builder builder(tool, scene_size);
-  builder.draw_out(rectangle(0, tool.thickness, tool.length, 0.5 * tool.thickness), tool.width);
+  constexpr double kShoulder = 0.6;  // part of the length from which the blade narrows
+  constexpr int kSteps = 8;
+  const double thick = 0.5 * tool.thickness, wide = 0.5 * tool.width;
+  const double ground = std::min(0.7 * wide, 0.25 * tool.length), edge = 0.04 * thick;
+  std::vector<FlatSection> sections = {
+      {.back = 0, .half_thickness = edge, .half_width = wide},
+      {.back = ground, .half_thickness = thick, .half_width = wide, .roughness = kPolished}};
+  for (int k = 0; k <= kSteps; ++k) {
+    const double t = static_cast<double>(k) / kSteps;
+    sections.push_back({.back = (kShoulder + t * (1 - kShoulder)) * tool.length,
+                        .half_thickness = thick,
+                        .half_width = wide * (1 - 0.45 * t * t * (3 - 2 * t))});
+  }
+  ToolBuilder builder(tool, scene_size);
+  builder.join(sections);
   builder.add_rod_along_axis(0.5 * tool.thickness, tool.width, 0.5 * tool.thickness);
   add_handle(builder, tool.length, 0.4 * tool.width, scene_size);
   return builder.take();
 }
 
 ToolShape jaws(const SnapshotTool& tool, double scene_size) {
-  Builder builder(tool, scene_size);
+  ToolBuilder builder(tool, scene_size);
   const double rounding = std::min({0.3 * tool.thickness, 0.25 * tool.width, 0.25 * tool.length});
   const double aside = 0.5 * (tool.opening + tool.thickness);
   for (const double side : {-1.0, 1.0}) {

@@ -94,6 +94,27 @@ TEST(ToolShape, ABallHasItsRadiusAroundItsCentreBehindTheTip) {
   EXPECT_GT(on_the_ball, 1000);
 }
 
+TEST(ToolShape, ABladeIsSharpAtAnEdgeOfItsWidthAndNarrowerAtItsHandle) {
+  SnapshotTool tool;
+  tool.kind = SnapshotToolKind::kScalpel;
+  tool.direction = {0, 0, -1};
+  tool.axis = {0, 1, 0};
+  tool.width = 6e-3;
+  tool.length = 20e-3;
+  tool.thickness = 0.4e-3;
+  const auto most_at = [&](int axis, double height) {
+    double most = 0;
+    for (const ToolVertex& vertex : tool_shape(tool, 0.1).vertices) {
+      if (std::abs(vertex.position[2] - height) < 1e-6) most = std::max<double>(most, std::abs(vertex.position[axis]));
+    }
+    return most;
+  };
+  EXPECT_NEAR(most_at(1, 0), 3e-3, 1e-8);
+  EXPECT_LT(most_at(0, 0), 0.01e-3);
+  EXPECT_NEAR(most_at(0, 12e-3), 0.2e-3, 1e-8);
+  EXPECT_LT(most_at(1, 20e-3), 2.8e-3);
+}
+
 TEST(ToolShape, AStraightEdgeSpansItsLengthAlongTheAxis) {
   const SnapshotTool tool = tool_of(SnapshotToolKind::kLine);
   double low = 1, high = -1;

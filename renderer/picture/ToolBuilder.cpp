@@ -1,0 +1,134 @@
+#include "renderer/picture/ToolBuilder.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "renderer/picture/Float3.hpp"
+
+namespace thinwall {
+
+ToolBuilder::ToolBuilder(const SnapshotTool& tool, double scene_size)
+    : tip_(vector3(tool.tip)), direction_(normalized(vector3(tool.direction), {0, 0, -1})), scene_size_(scene_size) {
+  const Vector3 axis = vector3(tool.axis) - dot(vector3(tool.axis), direction_) * direction_;
+  axis_ = length(axis) > 1e-9 ? normalized(axis) : perpendicular(direction_);
+  side_ = cross(axis_, direction_);
+}
+
+void ToolBuilder::turn(const std::vector<OutlinePoint>& outline) {
+  constexpr int kSegments = 40;
+  const auto first = static_cast<std::uint32_t>(shape_.vertices.size());
+  for (const OutlinePoint& point : outline) {
+    for (int i = 0; i <= kSegments; ++i) {
+      const double angle = 2 * std::numbers::pi * (i % kSegments) / kSegments;
+      const Vector3 radial = std::cos(angle) * side_ + std::sin(angle) * axis_;
+      append(tip_ - point.back * direction_ + point.out * radial,
+             normalized(point.normal_out * radial - point.normal_back * direction_), point);
+    }
+  }
+  stitch(first, static_cast<std::uint32_t>(outline.size()), kSegments + 1);
+}
+
+void ToolBuilder::draw_out(const std::vector<OutlinePoint>& outline, double span) {
+  const auto first = static_cast<std::uint32_t>(shape_.vertices.size());
+  for (const double end : {-0.5 * span, 0.5 * span}) {
+    for (const OutlinePoint& point : outline) {
+      append(place(point, end), normalized(point.normal_out * side_ - point.normal_back * direction_), point);
+    }
+  }
+  stitch(first, 2, static_cast<std::uint32_t>(outline.size()));
+  for (const double end : {-0.5 * span, 0.5 * span}) {
+    const auto fan = static_cast<std::uint32_t>(shape_.vertices.size());
+    for (const OutlinePoint& point : outline) append(place(point, end), end > 0 ? axis_ : -axis_, point);
+    for (std::uint32_t i = 2; i < outline.size(); ++i) append_triangle(fan, fan + i - 1, fan + i);
+  }
+}
+
+void ToolBuilder::join(const std::vector<FlatSection>& sections) {
+  const auto corner = [&](const FlatSection& section, double x, double y) {
+    return tip_ - section.back * direction_ + x * section.half_thickness * side_ + y * section.half_width * axis_;
+  };
+  for (std::size_t k = 1; k < sections.size(); ++k) {
+    const FlatSection &front = sections[k - 1], &rear = sections[k];
+    for (const double sense : {-1.0, 1.0}) {
+      append_face({corner(front, sense, -1), corner(front, sense, 1), corner(rear, sense, 1), corner(rear, sense, -1)},
+                  sense * side_, rear);
+      append_face({corner(front, -1, sense), corner(front, 1, sense), corner(rear, 1, sense), corner(rear, -1, sense)},
+                  sense * axis_, rear);
+    }
+  }
+  for (const FlatSection* end : {&sections.front(), &sections.back()}) {
+    append_face({corner(*end, -1, -1), corner(*end, 1, -1), corner(*end, 1, 1), corner(*end, -1, 1)},
+                end == &sections.front() ? direction_ : -direction_, *end);
+  }
+}
+
+void ToolBuilder::add_rod(double back_from, double back_to, double radius) {
+  add_rod(tip_ - back_from * direction_, tip_ - back_to * direction_, radius);
+}
+
+void ToolBuilder::add_rod_along_axis(double back, double span, double radius) {
+  const Vector3 middle = tip_ - back * direction_;
+  add_rod(middle - 0.5 * span * axis_, middle + 0.5 * span * axis_, radius);
+}
+
+ToolShape ToolBuilder::take() {
+  return std::move(shape_);
+}
+
+void ToolBuilder::add(const ToolShape& other) {
+  const auto first = static_cast<std::uint32_t>(shape_.vertices.size());
+  shape_.vertices.insert(shape_.vertices.end(), other.vertices.begin(), other.vertices.end());
+  for (const std::uint32_t index : other.indices) shape_.indices.push_back(first + index);
+  shape_.rods.insert(shape_.rods.end(), other.rods.begin(), other.rods.end());
+}
+
+Vector3 ToolBuilder::place(const OutlinePoint& point, double along_axis) const {
+  return tip_ - point.back * direction_ + point.out * side_ + along_axis * axis_;
+}
+
+/// A plane face with the given corners, one after the other, whose normal is nearest to `outwards`.
+void ToolBuilder::append_face(const std::array<Vector3, 4>& corners, Vector3 outwards, const FlatSection& section) {
+  const auto first = static_cast<std::uint32_t>(shape_.vertices.size());
+  const Vector3 normal = normalized(cross(corners[2] - corners[0], corners[3] - corners[1]));
+  for (const Vector3& corner : corners) {
+    const OutlinePoint point{.back = section.back, .roughness = section.roughness};
+    append(corner, dot(normal, outwards) < 0 ? -normal : normal, point);
+  }
+  append_triangle(first, first + 1, first + 2);
+  append_triangle(first, first + 2, first + 3);
+}
+
+void ToolBuilder::append(Vector3 position, Vector3 normal, const OutlinePoint& point) {
+  shape_.vertices.push_back({.position = float3(position),
+                             .normal = float3(normal),
+                             .roughness = point.roughness,
+                             .along = static_cast<float>(point.back / scene_size_),
+                             .grip = point.grip});
+}
+
+/// Counter-clockwise as seen from outside, where the normals point.
+void ToolBuilder::append_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  const auto position = [&](std::uint32_t i) { return vector3(shape_.vertices[i].position); };
+  const auto normal = [&](std::uint32_t i) { return vector3(shape_.vertices[i].normal); };
+  const Vector3 facing = cross(position(b) - position(a), position(c) - position(a));
+  if (dot(facing, normal(a) + normal(b) + normal(c)) < 0) std::swap(b, c);
+  shape_.indices.insert(shape_.indices.end(), {a, b, c});
+}
+
+/// Triangles between consecutive rows of `columns` vertices.
+void ToolBuilder::stitch(std::uint32_t first, std::uint32_t rows, std::uint32_t columns) {
+  for (std::uint32_t row = 0; row + 1 < rows; ++row) {
+    for (std::uint32_t column = 0; column + 1 < columns; ++column) {
+      const std::uint32_t corner = first + row * columns + column;
+      append_triangle(corner, corner + 1, corner + columns);
+      append_triangle(corner + 1, corner + columns + 1, corner + columns);
+    }
+  }
+}
+
+void ToolBuilder::add_rod(Vector3 start, Vector3 end, double radius) {
+  shape_.rods.push_back({float3(start), float3(end), static_cast<float>(radius)});
+}
+
+}  // namespace thinwall
