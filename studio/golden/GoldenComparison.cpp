@@ -162,11 +162,16 @@ StateComparison compare_states(const Snapshot& golden, const Snapshot& today, bo
     const Movement movement = largest_movement(before, now);
     if (i == 0 || movement.relative() > largest.relative()) largest = movement;
   }
-  const bool close = largest.relative() <= kCloseState;
-  return {.verdict = close ? StateVerdict::kClose : StateVerdict::kChanged,
-          .explanation =
-              fmt::format("vertex {} of {} has moved by {:.3g} m, {:.2g} of the surface's size{}", largest.vertex,
-                          largest.body, largest.distance, largest.relative(), close ? ", which is no change" : "")};
+  if (largest.relative() <= kCloseState) {
+    return {.verdict = StateVerdict::kClose,
+            .explanation = largest.distance == 0
+                               ? "no vertex has moved"
+                               : fmt::format("no vertex has moved by more than {:.2g} m, {:.2g} of the surface's size",
+                                             largest.distance, largest.relative())};
+  }
+  return {.verdict = StateVerdict::kChanged,
+          .explanation = fmt::format("vertex {} of {} has moved by {:.3g} m, {:.2g} of the surface's size",
+                                     largest.vertex, largest.body, largest.distance, largest.relative())};
 }
 
 GoldenResult compare_with_golden(const std::string& scenario, const GoldenDefinition& definition,

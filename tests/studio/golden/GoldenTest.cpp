@@ -247,6 +247,8 @@ TEST(StateComparisonTest, MovementsFarBelowAPixelAreNoChange) {
   Snapshot moved = golden;
   moved.surfaces[0].positions[7][0] += 1e-8F;
   EXPECT_EQ(compare_states(golden, moved, false).verdict, StateVerdict::kClose);
+  EXPECT_TRUE(compare_states(golden, moved, false).explanation.starts_with("no vertex has moved by more than "));
+  EXPECT_EQ(compare_states(golden, golden, false).explanation, "no vertex has moved");
   moved.surfaces[0].positions[7][0] += 1e-5F;
   EXPECT_EQ(compare_states(golden, moved, false).verdict, StateVerdict::kChanged);
 }
