@@ -175,9 +175,12 @@ bool Body::may_crumple() const {
 bool Body::solve_step(EquilibriumProblem& problem, EquilibriumState& trial) {
   EquilibriumProblem again = problem;
   SolveEffort effort;
-  // What may not creep any more, as once the blade has left, no drag slows.
-  if (!may_creep()) state_.drag = 0;
-  if (may_creep()) effort.most_iterations = kMostIterationsBeforeCreeping;
+  if (may_creep()) {
+    effort.most_iterations = kMostIterationsBeforeCreeping;
+  } else {
+    // What may not creep any more, as once the blade has left, no drag slows.
+    state_.drag = 0;
+  }
   if (trial_tolerance_) effort.most_iterations = kMostTrialIterations;
   const int iterations = report_.newton_iterations;
   if (state_.drag == 0 && solve(problem, trial, effort).converged) return true;

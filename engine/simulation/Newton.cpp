@@ -54,6 +54,12 @@ double square(double value) {
   return value * value;
 }
 
+NewtonResult solved(bool is_loose, NewtonResult result) {
+  result.converged = true;
+  result.is_loose = is_loose;
+  return result;
+}
+
 NewtonResult failed(std::string reason, NewtonResult result) {
   result.converged = false;
   result.reason = std::move(reason);
@@ -72,6 +78,7 @@ Newton::Newton(const BodyModel& model, SparseFactor factor, const SelfContactDef
       factor_(std::move(factor)),
       self_contact_(self_contact),
       fold_matrix_(model),
+      rims_(rim_unknowns(model)),
       rigid_columns_(model.rigid_motions) {
   const double mean_mass = model.mass.mean();
   for (Eigen::Index k = 0; k < rigid_columns_.rows(); ++k) rigid_columns_.row(k) *= model.mass[k] / mean_mass;
@@ -235,12 +242,6 @@ NewtonResult Newton::solve(EquilibriumProblem& problem, EquilibriumState& state,
   return result;
 }
 
-void Newton::conclude(const Residual& residual, double scale, const NewtonOptions& options,
-                      NewtonResult& result) const {
-  result.converged = true;
-  result.is_loose = !is_solved(residual, scale, false, options);
-}
-
 bool Newton::begin(EquilibriumProblem& problem, EquilibriumState& state) {
   foreseen_stress_.clear();
   if (problem.start.size() == 0) problem.start = state.position;
@@ -271,9 +272,8 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
     const double scale = force_scale(problem, terms_);
     if (result.iterations == 0) first_scale = scale;
     if (is_solved(residual, scale, options.takes_flaps && progress.stalled >= kStalledSteps, options)) {
-      conclude(residual, scale, options, result);
-      if (!foresees || scale <= kBlowUp * first_scale) return result;
-      return failed("the wall is strained beyond measure", result);
+      if (foresees && scale > kBlowUp * first_scale) return failed("the wall is strained beyond measure", result);
+      return solved(!is_solved(residual, scale, false, options), result);
     }
     if (result.iterations == most) {
       const std::string iterations = std::to_string(options.maximum_iterations);
@@ -296,8 +296,7 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
       progress.inexact = 0;
       continue;
     }
-    conclude(residual, scale, options, result);
-    if (is_solved(residual, scale, options.takes_flaps, options)) return result;
+    if (is_solved(residual, scale, options.takes_flaps, options)) return solved(true, result);
     return failed(obstructed("the line search found no smaller residual or energy"), result);
   }
 }

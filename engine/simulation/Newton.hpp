@@ -190,7 +190,6 @@ class Newton {
   void border_openings(const EquilibriumProblem& problem, const EquilibriumState& state);
   void clear_fixed(Eigen::VectorXd& forces) const;
   bool is_solved(const Residual& residual, double force_scale, bool is_stalled, const NewtonOptions& options) const;
-  void conclude(const Residual& residual, double scale, const NewtonOptions& options, NewtonResult& result) const;
   double force_scale(const EquilibriumProblem& problem, const EquilibriumTerms& terms) const;
   void build_border(const EquilibriumProblem& problem, const EquilibriumState& state);
   void build_matrix(const EquilibriumProblem& problem, const EquilibriumState& state, double shift);
@@ -229,8 +228,9 @@ class Newton {
   SparseFactor factor_;
   SelfContact self_contact_;
   FoldMatrix fold_matrix_;
-  bool is_exact_ = true;  // whether the matrix in use is the curvature as it is
-  bool folded_ = false;   // whether the last factorisation is the fold matrix's
+  std::vector<int> rims_;  // unknowns at the lips of openings, ascending
+  bool is_exact_ = true;   // whether the matrix in use is the curvature as it is
+  bool folded_ = false;    // whether the last factorisation is the fold matrix's
   BorderedSystem bordered_;
   EquilibriumTerms terms_;
   EquilibriumTerms trial_terms_;

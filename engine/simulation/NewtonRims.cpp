@@ -1,6 +1,4 @@
-#include <algorithm>
 #include <optional>
-#include <vector>
 
 #include "engine/simulation/Newton.hpp"
 #include "engine/simulation/OpenChambers.hpp"
@@ -16,51 +14,39 @@ namespace {
 constexpr double kRimAccuracy = 1e-3;
 constexpr int kRimProducts = 30;
 
-/// Ascending, each once.
-std::vector<int> rim_unknowns(const BodyModel& model) {
-  std::vector<int> unknowns;
-  for (const OpeningModel& opening : model.openings) {
-    for (const int vertex : opening.lips) unknowns.insert(unknowns.end(), {3 * vertex, 3 * vertex + 1, 3 * vertex + 2});
-  }
-  std::ranges::sort(unknowns);
-  unknowns.erase(std::ranges::unique(unknowns).begin(), unknowns.end());
-  return unknowns;
-}
-
 }  // namespace
 
 Eigen::VectorXd Newton::left_out_at_rims(const EquilibriumProblem& problem, const EquilibriumState& state,
                                          const Step& first) {
-  const std::vector<int> rims = rim_unknowns(model_);
   Eigen::VectorXd motion = Eigen::VectorXd::Zero(state.position.size());
   const auto at_rims = [&]() -> Eigen::VectorXd {
     Eigen::VectorXd forces = rim_forces(model_, problem, terms_, state.position, state.pressure, motion);
     clear_fixed(forces);
-    return forces(rims);
+    return forces(rims_);
   };
-  motion(rims) = first.position(rims);
+  motion(rims_) = first.position(rims_);
   const Eigen::VectorXd pull = at_rims();
   LinearMap answer;
   Step part;
   std::optional<BorderedPart> system;
   if (problem.attachments.empty()) {
-    system.emplace(used_factor(), bordered_, rims);
+    system.emplace(used_factor(), bordered_, rims_);
     answer = [&](const Eigen::VectorXd& forces) {
-      motion(rims) = system->solve(forces);
+      motion(rims_) = system->solve(forces);
       return at_rims();
     };
   } else {
     // Points that are held to tools are found by repeating, which asks for the whole.
     answer = [&](const Eigen::VectorXd& forces) {
       Eigen::VectorXd whole = Eigen::VectorXd::Zero(motion.size());
-      whole(rims) = forces;
+      whole(rims_) = forces;
       solve_linear(problem, whole, nullptr, part);
-      motion(rims) = part.position(rims);
+      motion(rims_) = part.position(rims_);
       return at_rims();
     };
   }
   Eigen::VectorXd left_out = Eigen::VectorXd::Zero(motion.size());
-  left_out(rims) = solve_by_minimal_residual(pull, answer, kRimAccuracy, kRimProducts).solution;
+  left_out(rims_) = solve_by_minimal_residual(pull, answer, kRimAccuracy, kRimProducts).solution;
   return left_out;
 }
 

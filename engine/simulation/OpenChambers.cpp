@@ -175,6 +175,16 @@ void add_open_chambers(const BodyModel& model, const EquilibriumProblem& problem
   }
 }
 
+std::vector<int> rim_unknowns(const BodyModel& model) {
+  std::vector<int> unknowns;
+  for (const OpeningModel& opening : model.openings) {
+    for (const int vertex : opening.lips) unknowns.insert(unknowns.end(), {3 * vertex, 3 * vertex + 1, 3 * vertex + 2});
+  }
+  std::ranges::sort(unknowns);
+  unknowns.erase(std::ranges::unique(unknowns).begin(), unknowns.end());
+  return unknowns;
+}
+
 Eigen::VectorXd rim_forces(const BodyModel& model, const EquilibriumProblem& problem, const EquilibriumTerms& terms,
                            const Eigen::VectorXd& position, const Eigen::VectorXd& pressure,
                            const Eigen::VectorXd& motion) {

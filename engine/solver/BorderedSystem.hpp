@@ -34,7 +34,7 @@ class BorderedSystem {
   const Eigen::MatrixXd& border() const { return is_unsymmetric_ ? border_ : rows_; }
   const Eigen::MatrixXd& rows() const { return rows_; }
   const Eigen::MatrixXd& solved_border() const { return is_unsymmetric_ ? solved_border_ : solved_columns_; }
-  /// Of D - C^T K^-1 B.
+  /// (D - C^T K^-1 B)^-1, (columns x columns).
   const Eigen::MatrixXd& schur_inverse() const { return schur_inverse_; }
 
   /// Number of negative eigenvalues of the whole matrix.

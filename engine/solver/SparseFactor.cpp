@@ -15,6 +15,7 @@ struct SparseFactor::Implementation {
   BlockPattern pattern;
   std::vector<int> nodes;  // in their order
   SupernodeTree tree;
+  std::vector<int> front_at;       // (unknowns), of their places
   double operations_per_node = 0;  // with the last order that was not taken over
   std::vector<double> factor;      // columns of all supernodes
   std::vector<double> signs;       // (unknowns)
@@ -48,6 +49,10 @@ struct SparseFactor::Implementation {
   void set_order(std::vector<int> the_nodes) {
     nodes = std::move(the_nodes);
     tree = make_supernode_tree(pattern, nodes);
+    front_at.resize(pattern.unknowns());
+    for (int s = 0; s < static_cast<int>(tree.supernodes.size()); ++s) {
+      std::fill_n(front_at.begin() + tree.supernodes[s].first, tree.supernodes[s].pivots, s);
+    }
   }
 
   Front front_of(const Supernode& supernode) {
@@ -163,10 +168,6 @@ struct SparseFactor::Implementation {
   }
 
   std::vector<int> fronts_above(std::span<const int> unknowns) const {
-    std::vector<int> front_at(pattern.unknowns());  // (places)
-    for (int s = 0; s < static_cast<int>(tree.supernodes.size()); ++s) {
-      std::fill_n(front_at.begin() + tree.supernodes[s].first, tree.supernodes[s].pivots, s);
-    }
     std::vector<char> is_above(tree.supernodes.size(), 0);
     for (const int unknown : unknowns) {
       for (int s = front_at[tree.place[unknown]]; s >= 0 && !is_above[s]; s = tree.supernodes[s].parent)
