@@ -25,7 +25,12 @@ constexpr double kInEachOther = 0.02;
 
 }  // namespace
 
-SelfContact::SelfContact(const SelfContactDefinition& definition)
+SelfContact::SelfContact(const SelfContactDefinition& definition) : SelfContact(definition, nullptr) {}
+
+SelfContact::SelfContact(const SelfContactDefinition& definition, const SelfContact& before)
+    : SelfContact(definition, &before) {}
+
+SelfContact::SelfContact(const SelfContactDefinition& definition, const SelfContact* before)
     : triangles_(definition.triangles.begin(), definition.triangles.end()),
       rest_position_(definition.position),
       placement_(definition.placement),
@@ -40,7 +45,10 @@ SelfContact::SelfContact(const SelfContactDefinition& definition)
   tree_ = TriangleTree(triangles_, rest_position_, margins_);
   measure_heights(definition);
   across_ = neighbours_across_cuts(triangles_, rest_position_);
-  gather_stars();
+  left_alone_.assign(vertices, 0);
+  is_new_ = before != nullptr ? has_changed_since(*before) : std::vector<char>(vertices, 1);
+  gather_stars(before != nullptr ? &before->stars_ : nullptr);
+  if (before != nullptr) carry_list(*before);
 }
 
 void SelfContact::measure_parts(const SelfContactDefinition& definition) {
@@ -78,6 +86,7 @@ void SelfContact::measure_parts(const SelfContactDefinition& definition) {
     parts_[triangles_at(topology, static_cast<int>(e)).front()].edges.push_back(topology.edges[e]);
   }
   edge_length_ /= std::max<double>(1, static_cast<double>(topology.edges.size()));
+  if (definition.edge_length > 0) edge_length_ = definition.edge_length;
   largest_range_ = std::min(thickest, kRange * edge_length_);
   for (int v = 0; v < vertices; ++v) {
     if (ends[v] > 0) margins_[v] /= ends[v];
@@ -97,10 +106,15 @@ void SelfContact::measure_heights(const SelfContactDefinition& definition) {
   }
 }
 
-std::optional<NearPair> SelfContact::describe(PairKind kind, const Eigen::Vector4i& vertices) const {
+std::optional<NearPair> SelfContact::describe(PairKind kind, const Eigen::Vector4i& vertices) {
   const PairCorners rest = corners_at(vertices, rest_position_);
   const double rest_distance = pair_distance(kind, rest).distance;
-  if (is_left_alone(kind, vertices, rest_distance)) return std::nullopt;
+  if (is_left_alone(kind, vertices, rest_distance)) {
+    if (is_in_each_other(kind, vertices, rest_distance)) {
+      for (const int vertex : vertices) left_alone_[vertex] = 1;
+    }
+    return std::nullopt;
+  }
   double thickness = 0, area = 0;
   for (const int vertex : vertices) thickness += 0.25 * vertex_thickness_[vertex];
   // Each place of the wall is counted by its points and by its edges (three to a point), and once from either side.
@@ -129,10 +143,18 @@ bool SelfContact::were_neighbours(PairKind kind, const Eigen::Vector4i& vertices
   return false;
 }
 
-void SelfContact::gather_stars() {
+void SelfContact::gather_stars(const StarPairs* before) {
+  // A star is known where none of its vertices is new.
+  std::vector<char> anew = is_new_;
+  for (const Eigen::Vector3i& triangle : triangles_) {
+    const bool is_known = !is_new_[triangle[0]] && !is_new_[triangle[1]] && !is_new_[triangle[2]];
+    for (const int vertex : triangle) anew[vertex] = anew[vertex] || !is_known;
+  }
   std::vector<std::vector<int>> around(held_.size());
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
-    for (const int vertex : triangles_[t]) around[vertex].push_back(static_cast<int>(t));
+    for (const int vertex : triangles_[t]) {
+      if (anew[vertex]) around[vertex].push_back(static_cast<int>(t));
+    }
   }
   std::vector<std::vector<NearPair>> pairs(held_.size());
   for (std::size_t v = 0; v < around.size(); ++v) {
@@ -153,11 +175,16 @@ void SelfContact::gather_stars() {
   }
   std::vector<double> margins = margins_;
   for (double& margin : margins) margin *= 2;
-  stars_ = StarPairs(triangles_, std::move(pairs), margins, rest_position_);
+  stars_ = StarPairs(triangles_, std::move(pairs), margins, placement_.size() > 0 ? placement_ : rest_position_);
+  if (before != nullptr) stars_.keep(*before, anew);
 }
 
 bool SelfContact::is_left_alone(PairKind kind, const Eigen::Vector4i& vertices, double rest_distance) const {
-  if (rest_distance < kTouching * edge_length_ || were_neighbours(kind, vertices)) return true;
+  return rest_distance < kTouching * edge_length_ || were_neighbours(kind, vertices) ||
+         is_in_each_other(kind, vertices, rest_distance);
+}
+
+bool SelfContact::is_in_each_other(PairKind kind, const Eigen::Vector4i& vertices, double rest_distance) const {
   if (placement_.size() == 0) return false;
   const double distance = pair_distance(kind, corners_at(vertices, placement_)).distance;
   return distance < kInEachOther * std::min(largest_range_, kRestRange * rest_distance);

@@ -29,6 +29,7 @@ struct SelfContactDefinition {
   std::vector<FloorPlane> floors;
   double pressure = 1;  // pascal, of the potentials: the scale at which two parts lie on each other at half the range
   Eigen::VectorXd placement = {};  // (3 vertices) or none, metres, where the wall is after a cut
+  double edge_length = 0;          // metres, by which ranges are measured; 0: the mean of the mesh
 };
 
 /// Two parts of the wall within range of each other.
@@ -61,16 +62,23 @@ struct SelfContactTerms {
 /// together, the lips of a wound slide over each other by an edge rather than jam in the wall's plane. Parts that a cut
 /// leaves all but in each other are left alone too, until the next cut. The force grows without bound as the distance
 /// goes to zero, and `safe_fraction` keeps every motion from jumping over it, so that a wall that is free of
-/// intersections stays so.
+/// intersections stays so. The mean edge is that of the wall as it was whole: a cut changes no range elsewhere.
 ///
 /// Pairs whose triangles share no vertex are listed with the margins of their vertices, parts of the edges there. Those
 /// of a vertex are kept until it (less the mean motion of all) has moved by its margin from where it was then, and are
 /// listed anew for where the others were: so what a few flaps do costs nothing elsewhere. For pairs that share a vertex
-/// see StarPairs. A wall with nothing near pays a look at each vertex and edge only. Results do not depend on the
-/// lists: pairs out of range contribute nothing, and the others come in an order that the mesh alone determines.
+/// see StarPairs. After a cut what is known of parts that it has not changed is kept. A wall with nothing near pays a
+/// look at each vertex and edge only. Results do not depend on the lists: pairs out of range contribute nothing, and
+/// the others come in an order that the mesh alone determines.
 class SelfContact {
  public:
   explicit SelfContact(const SelfContactDefinition& definition);
+
+  /// After a cut: `before` knows the wall as it was, whose vertices come first, with the same edge length.
+  SelfContact(const SelfContactDefinition& definition, const SelfContact& before);
+
+  /// Metres, by which ranges are measured.
+  double edge_length() const { return edge_length_; }
 
   /// Fraction, from 0 to 1, of the motion (3 vertices, metres) that the wall may go from `position` without meeting
   /// itself or a floor.
@@ -102,8 +110,11 @@ class SelfContact {
     NearPair pair;
   };
 
+  SelfContact(const SelfContactDefinition& definition, const SelfContact* before);
   void measure_parts(const SelfContactDefinition& definition);
-  void gather_stars();
+  void gather_stars(const StarPairs* before);
+  std::vector<char> has_changed_since(const SelfContact& before) const;
+  void carry_list(const SelfContact& before);
   void measure_heights(const SelfContactDefinition& definition);
   double margin_of(const Eigen::Vector4i& vertices) const;
   Eigen::Vector3d drift_to(const Eigen::VectorXd& position) const;
@@ -115,14 +126,15 @@ class SelfContact {
   template <typename Visit>
   void visit_parts(int triangle, int other, const Visit& visit) const;
   bool were_neighbours(PairKind kind, const Eigen::Vector4i& vertices) const;
+  bool is_in_each_other(PairKind kind, const Eigen::Vector4i& vertices, double rest_distance) const;
   bool is_left_alone(PairKind kind, const Eigen::Vector4i& vertices, double rest_distance) const;
   /// Nothing of parts that are left alone.
-  std::optional<NearPair> describe(PairKind kind, const Eigen::Vector4i& vertices) const;
+  std::optional<NearPair> describe(PairKind kind, const Eigen::Vector4i& vertices);
   /// Metres, in the stress-free shape: no less than the distance of the two.
   double least_corner_distance(PairKind kind, const Eigen::Vector4i& vertices) const;
   /// `Add`: called with the pair where it is near at the listed position.
   template <typename Add>
-  void visit_if_near(PairKind kind, const Eigen::Vector4i& vertices, const Add& add) const;
+  void visit_if_near(PairKind kind, const Eigen::Vector4i& vertices, const Add& add);
   template <typename Visit>
   void visit_near(const Visit& visit) const;
   void add_folds(const Eigen::VectorXd& position, SelfContactTerms& terms, Eigen::VectorXd& gradient) const;
@@ -142,13 +154,15 @@ class SelfContact {
       heights_;  // (floors x vertices), metres, stress-free; zero where the floor is not felt
   double pressure_ = 1;
   double largest_range_ = 0;     // metres
-  double edge_length_ = 0;       // metres, mean
+  double edge_length_ = 0;       // metres
   std::vector<double> margins_;  // (vertices), metres
   TriangleTree tree_;
   StarPairs stars_;
   std::vector<ListedPair> near_;     // of triangles without a vertex in common, in order of both
   Eigen::VectorXd listed_position_;  // (3 vertices), metres, for which `near_` holds all pairs
   std::vector<char> moved_;          // (vertices), whether the last listing was for them
+  std::vector<char> is_new_;         // (vertices), whether nothing is known of pairs around them
+  std::vector<char> left_alone_;     // (vertices), whether parts with them are left alone until the next cut
   long listings_ = 0;
 };
 

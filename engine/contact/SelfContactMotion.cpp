@@ -47,20 +47,20 @@ bool SelfContact::covers(const Eigen::VectorXd& position) const {
   if (listings_ == 0) return false;
   const Eigen::Vector3d drift = drift_to(position);
   for (std::size_t v = 0; v < held_.size(); ++v) {
-    if (is_beyond(v, position, drift)) return false;
+    if (is_new_[v] || is_beyond(v, position, drift)) return false;
   }
   return true;
 }
 
 void SelfContact::note_moved(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
+  moved_.assign(held_.size(), 1);
   if (listings_ == 0) {
-    moved_.assign(held_.size(), 1);
     listed_position_ = 0.5 * (from + to);
     return;
   }
   const Eigen::Vector3d drift_from = drift_to(from), drift_on = drift_to(to);
   for (std::size_t v = 0; v < held_.size(); ++v) {
-    moved_[v] = is_beyond(v, from, drift_from) || is_beyond(v, to, drift_on);
+    moved_[v] = is_new_[v] || is_beyond(v, from, drift_from) || is_beyond(v, to, drift_on);
     if (!moved_[v]) continue;
     const Eigen::Index k = 3 * static_cast<Eigen::Index>(v);
     listed_position_.segment<3>(k) = 0.5 * (from.segment<3>(k) - drift_from + to.segment<3>(k) - drift_on);
@@ -86,7 +86,7 @@ double SelfContact::least_corner_distance(PairKind kind, const Eigen::Vector4i& 
 }
 
 template <typename Add>
-void SelfContact::visit_if_near(PairKind kind, const Eigen::Vector4i& vertices, const Add& add) const {
+void SelfContact::visit_if_near(PairKind kind, const Eigen::Vector4i& vertices, const Add& add) {
   const PairCorners corners = corners_at(vertices, listed_position_);
   const double margin = margin_of(vertices);
   if (least_distance(kind, corners) > largest_range_ + margin) return;
@@ -123,6 +123,7 @@ void SelfContact::list_near(const Eigen::VectorXd& from, const Eigen::VectorXd& 
   };
   std::stable_sort(near_.begin() + kept, near_.end(), earlier);
   std::inplace_merge(near_.begin(), near_.begin() + kept, near_.end(), earlier);
+  is_new_.assign(held_.size(), 0);
   ++listings_;
 }
 

@@ -1,6 +1,7 @@
 #include "engine/contact/StarPairs.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -20,6 +21,7 @@ StarPairs::StarPairs(std::span<const Eigen::Vector3i> triangles, std::vector<std
   std::vector<std::vector<int>> rings(pairs.size());
   for (const Eigen::Vector3i& triangle : triangles) {
     for (int k = 0; k < 3; ++k) {
+      if (pairs[triangle[k]].empty()) continue;
       rings[triangle[k]].push_back(triangle[(k + 1) % 3]);
       rings[triangle[k]].push_back(triangle[(k + 2) % 3]);
     }
@@ -36,6 +38,18 @@ StarPairs::StarPairs(std::span<const Eigen::Vector3i> triangles, std::vector<std
     star.pairs = std::move(pairs[v]);
     measure(position, star);
   }
+}
+
+void StarPairs::keep(const StarPairs& other, std::span<const char> without) {
+  std::vector<Star> own = std::exchange(stars_, {});
+  stars_.reserve(own.size() + other.stars_.size());
+  auto next = own.begin();
+  for (const Star& star : other.stars_) {
+    if (without[star.center]) continue;
+    for (; next != own.end() && next->center < star.center; ++next) stars_.push_back(std::move(*next));
+    stars_.push_back(star);
+  }
+  std::move(next, own.end(), std::back_inserter(stars_));
 }
 
 void StarPairs::measure(const Eigen::VectorXd& position, Star& star) const {

@@ -21,6 +21,10 @@ class StarPairs {
   StarPairs(std::span<const Eigen::Vector3i> triangles, std::vector<std::vector<NearPair>> pairs,
             std::span<const double> margins, const Eigen::VectorXd& position);
 
+  /// Takes the stars over that another has at vertices that are not named, and that this one has not; `without`:
+  /// (vertices), those of the other first.
+  void keep(const StarPairs& other, std::span<const char> without);
+
   /// Finds out which pairs are near; the others are out of range at this position.
   void refresh(const Eigen::VectorXd& position);
 

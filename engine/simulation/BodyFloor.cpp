@@ -44,7 +44,7 @@ std::optional<FloorPlane> floor_of(const BodyModel& model, const std::vector<Eig
 
 }  // namespace
 
-SelfContactDefinition self_contact_of(const BodyModel& model, const Eigen::VectorXd& placement) {
+SelfContactDefinition self_contact_of(const BodyModel& model, const Eigen::VectorXd& placement, double edge_length) {
   // A wall that bears a strain of 1 over the whole body: the pressure of a balloon of that wall, but for a factor.
   const double radius = std::sqrt(model.rest_area / (4 * std::numbers::pi));
   SelfContactDefinition definition{.triangles = model.definition.mesh.triangles,
@@ -52,7 +52,8 @@ SelfContactDefinition self_contact_of(const BodyModel& model, const Eigen::Vecto
                                    .thickness = model.definition.thickness,
                                    .fixed = {model.fixed.begin(), model.fixed.begin() + 3 * model.vertices()},
                                    .floors = {},
-                                   .pressure = model.wall_stiffness / radius};
+                                   .pressure = model.wall_stiffness / radius,
+                                   .edge_length = edge_length};
   if (placement.size() > 0) definition.placement = placement.head(3 * model.vertices());
   const std::vector<Eigen::Vector3i>& caps = model.definition.mesh.cap_triangles;
   const MeshTopology topology = topology_of(model.vertices(), caps);

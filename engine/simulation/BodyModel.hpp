@@ -82,8 +82,10 @@ inline std::array<Eigen::Vector3d, 3> relative_to(const Eigen::Vector3d& origin,
 
 /// What the body's wall must know of itself to keep out of its own way. Floors are the planes of flat caps whose
 /// vertices are fixed along the normal, where the whole stress-free wall lies on one side: what the body stands on.
-/// `placement`: (unknowns) or none, metres, where the wall is after a cut.
-SelfContactDefinition self_contact_of(const BodyModel& model, const Eigen::VectorXd& placement = {});
+/// After a cut: `placement`, (unknowns), metres, where the wall is, and the edge length that the ranges of the whole
+/// wall were measured by, metres.
+SelfContactDefinition self_contact_of(const BodyModel& model, const Eigen::VectorXd& placement = {},
+                                      double edge_length = 0);
 
 /// The three corners of a triangle. `position`: (3 vertices), metres.
 std::array<Eigen::Vector3d, 3> corners_of(const Eigen::Vector3i& triangle, const Eigen::VectorXd& position);

@@ -68,15 +68,17 @@ NewtonResult failed(std::string reason, NewtonResult result) {
 
 }  // namespace
 
-Newton::Newton(const BodyModel& model) : Newton(model, SparseFactor(model.pattern), self_contact_of(model)) {}
+Newton::Newton(const BodyModel& model)
+    : Newton(model, SparseFactor(model.pattern), SelfContact(self_contact_of(model))) {}
 
 Newton::Newton(const BodyModel& model, const Newton& before, const Eigen::VectorXd& position)
-    : Newton(model, SparseFactor(model.pattern, before.factor_), self_contact_of(model, position)) {}
+    : Newton(model, SparseFactor(model.pattern, before.factor_),
+             SelfContact(self_contact_of(model, position, before.self_contact_.edge_length()), before.self_contact_)) {}
 
-Newton::Newton(const BodyModel& model, SparseFactor factor, const SelfContactDefinition& self_contact)
+Newton::Newton(const BodyModel& model, SparseFactor factor, SelfContact self_contact)
     : model_(model),
       factor_(std::move(factor)),
-      self_contact_(self_contact),
+      self_contact_(std::move(self_contact)),
       fold_matrix_(model),
       rims_(rim_unknowns(model)),
       rigid_columns_(model.rigid_motions) {

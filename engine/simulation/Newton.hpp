@@ -167,7 +167,7 @@ class Newton {
     std::vector<FrictionContact> friction;
   };
 
-  Newton(const BodyModel& model, SparseFactor factor, const SelfContactDefinition& self_contact);
+  Newton(const BodyModel& model, SparseFactor factor, SelfContact self_contact);
   /// Completes the unknowns and evaluates there; false where the wall is beyond its law.
   bool begin(EquilibriumProblem& problem, EquilibriumState& state);
   NewtonResult iterate(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options,

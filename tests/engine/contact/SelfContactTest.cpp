@@ -57,6 +57,19 @@ Eigen::VectorXd flattened(const Eigen::VectorXd& rest, double gap) {
   return position;
 }
 
+/// What the contact of a wall that has been cut knows from before, with the ranges of the whole wall.
+SelfContact carried_over(Wall& cut, const Eigen::VectorXd& placement, const SelfContact& before) {
+  return SelfContact({.triangles = cut.mesh.triangles,
+                      .position = cut.rest,
+                      .thickness = cut.thickness,
+                      .fixed = cut.fixed,
+                      .floors = {},
+                      .pressure = 1e3,
+                      .placement = placement,
+                      .edge_length = before.edge_length()},
+                     before);
+}
+
 /// Distances of all parts that share no vertex, tried one by one.
 std::set<std::array<int, 4>> pairs_within(const SurfaceMesh& mesh, const Eigen::VectorXd& position, double reach) {
   const auto at = [&](int v) -> Eigen::Vector3d { return position.segment<3>(3 * v); };
@@ -270,6 +283,51 @@ TEST(SelfContact, LetsTheLipsOfACutSlideOverEachOtherByAnEdge) {
   EXPECT_LT(wall.contact.safe_fraction(above, below - above), 0.5);
 }
 
+TEST(SelfContact, KnowsAfterACutWhatAFreshOneFindsOut) {
+  const HalvedSheet halves;
+  Wall whole(make_sheet(40e-3, 40e-3, 512)), cut(halves.mesh);
+  // Folded over along y = 0, with a ripple so that nothing lies on anything.
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> ripple(-0.15e-3, 0.15e-3);
+  const auto folded = [&](const Eigen::VectorXd& rest) {
+    Eigen::VectorXd position = rest;
+    for (Eigen::Index v = 0; v < rest.size() / 3; ++v) {
+      const double y = rest[3 * v + 1];
+      position.segment<3>(3 * v) +=
+          Eigen::Vector3d(ripple(random), y < 0 ? -2 * y : 0, (y < 0 ? 0.7e-3 : 0) + ripple(random));
+    }
+    return position;
+  };
+  // A shell has further unknowns behind the positions.
+  Eigen::VectorXd before = folded(whole.rest), gradient;
+  before.conservativeResizeLike(Eigen::VectorXd::Constant(before.size() + 100, 0.1));
+  whole.evaluate(before, gradient);
+  const Eigen::VectorXd placement = folded(cut.rest);
+  SelfContact known = carried_over(cut, placement, whole.contact);
+  SelfContact fresh({.triangles = cut.mesh.triangles,
+                     .position = cut.rest,
+                     .thickness = cut.thickness,
+                     .fixed = cut.fixed,
+                     .floors = {},
+                     .pressure = 1e3,
+                     .placement = placement,
+                     .edge_length = whole.contact.edge_length()});
+  for (int k = 0; k < 5; ++k) {
+    const Eigen::VectorXd position = k == 0 ? placement : folded(cut.rest);
+    SelfContactTerms one, other;
+    Eigen::VectorXd of_one = Eigen::VectorXd::Zero(position.size()), of_other = of_one;
+    known.evaluate(position, one, of_one);
+    fresh.evaluate(position, other, of_other);
+    EXPECT_GT(one.folds.size(), 100U);
+    EXPECT_EQ(one.folds.size(), other.folds.size());
+    EXPECT_EQ(one.energy, other.energy);
+    EXPECT_EQ(of_one, of_other);
+    if (k == 0) {
+      EXPECT_LT(known.listed_anew(), fresh.listed_anew());
+    }
+  }
+}
+
 TEST(SelfContact, LeavesPartsAloneThatACutHasLeftInEachOther) {
   // Two sheets that are a centimetre apart at rest; the upper one is brought down onto the other and through it.
   SurfaceMesh sheets = make_sheet(20e-3, 20e-3, 100);
@@ -297,6 +355,14 @@ TEST(SelfContact, LeavesPartsAloneThatACutHasLeftInEachOther) {
   after.evaluate(pressed, terms, gradient);
   for (const FoldContact& fold : terms.folds) EXPECT_GT(fold.pair.closest.distance, 1e-5);
   EXPECT_EQ(after.safe_fraction(pressed, 1e-3 * motion), 1);
+  // Until the next cut, by when they have come out of each other.
+  const Eigen::VectorXd apart = pressed - 0.03 * motion;
+  SelfContact later = carried_over(wall, apart, after);
+  gradient.setZero();
+  later.evaluate(apart, terms, gradient);
+  EXPECT_GT(
+      std::ranges::count_if(terms.folds, [](const FoldContact& fold) { return fold.pair.closest.distance < 3.2e-5; }),
+      50);
 }
 
 TEST(SelfContact, StopsTheWallAboveItsFloor) {
