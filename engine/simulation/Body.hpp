@@ -267,7 +267,9 @@ class Body {
   void leave_punctures(std::span<const ToolPose> poses);
   bool is_clear_of(const Puncture& puncture, const ToolPose& pose) const;
   bool open_on_shaft(std::span<const ToolPose> poses);
-  void hold_lips(double length, bool pays);
+  /// Where the mesh or what presses on the wall has changed: the forces that are missing now hold it as it is, and are
+  /// let go with the cut's length, metres, rest; `pays`: see HeldLips.
+  void hold_as_it_is(double length, bool pays, std::span<const ToolPose> poses);
   void hold_dent(int tool, std::span<const ToolPose> poses);
   /// Cost of new cut area per length, newton: of the triangle, at a vertex the mean of those around.
   double cost_at(const SurfacePoint& place) const;

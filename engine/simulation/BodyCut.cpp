@@ -52,13 +52,9 @@ void Body::crumple(std::span<const ToolPose> poses) {
   newton_ = std::make_unique<Newton>(*model, *newton_, state_.equilibrium.position);
   model_ = std::move(model);
   state_.cut.has_crumpled = report_.crumpled = true;
-  const double stored = state_.books.stored();
-  find_forces(poses);
-  state_.books.jump += stored - state_.books.stored();
+  hold_as_it_is(model_->edge_length, false, poses);
   // What the wall bore along itself it gives up in a few steps.
-  hold_lips(model_->edge_length, false);
   state_.cut.held.back().runs = true;
-  find_forces(poses);
 }
 
 Cut Body::cut(const CutPath& path, std::span<const ToolPose> poses) {
@@ -75,12 +71,7 @@ Cut Body::cut(const CutPath& path, std::span<const ToolPose> poses) {
   // The blade goes its way over the wall as it is stretched now.
   const double length = length_of(cut.lips, state_.equilibrium.position);
   if (length > 0) state_.cut.cost *= cut.length / length;
-  const double stored = state_.books.stored();
-  find_forces(poses);
-  // Flips of edges and lumped masses change what is stored by a trifle.
-  state_.books.jump += stored - state_.books.stored();
-  hold_lips(cut.length, true);
-  find_forces(poses);
+  hold_as_it_is(cut.length, true, poses);
   return cut;
 }
 
@@ -153,7 +144,11 @@ void Body::find_forces(std::span<const ToolPose> poses) {
   book_stored(on_shafts);
 }
 
-void Body::hold_lips(double length, bool pays) {
+void Body::hold_as_it_is(double length, bool pays, std::span<const ToolPose> poses) {
+  const double stored = state_.books.stored();
+  find_forces(poses);
+  // Flips of edges and lumped masses change what is stored by a trifle.
+  state_.books.jump += stored - state_.books.stored();
   HeldLips held{.forces = {}, .length = length, .pays = pays};
   const Eigen::VectorXd left_over =
       state_.static_force +
@@ -167,6 +162,14 @@ void Body::hold_lips(double length, bool pays) {
   }
   for (int k = 3 * model_->vertices(); k < model_->unknowns(); ++k) {
     if (!model_->fixed[k] && left_over[k] != 0) held.turns.push_back({.unknown = k, .force = left_over[k]});
+  }
+  for (const HeldForce& one : held.forces) {
+    state_.load_force.segment<3>(3 * one.vertex) += one.force;
+    state_.static_force.segment<3>(3 * one.vertex) -= one.force;
+  }
+  for (const HeldTurn& one : held.turns) {
+    state_.load_force[one.unknown] += one.force;
+    state_.static_force[one.unknown] -= one.force;
   }
   state_.cut.held.push_back(std::move(held));
 }
@@ -224,11 +227,7 @@ void Body::hold_dent(int tool, std::span<const ToolPose> poses) {
   }
   if (!is_dented) return;
   // What held the dent goes over to the first cut, of the blade's width: the energy of the dent pays for it.
-  const double stored = state_.books.stored();
-  find_forces(poses);
-  state_.books.jump += stored - state_.books.stored();
-  hold_lips(tools_[tool].width, true);
-  find_forces(poses);
+  hold_as_it_is(tools_[tool].width, true, poses);
 }
 
 std::optional<Body::WayOn> Body::way_to_border(const ToolPose& pose) const {

@@ -84,9 +84,7 @@ Eigen::Matrix3Xd first_moments(const BodyModel& model, const Eigen::VectorXd& po
     const int c = model.chamber[t];
     if (c < 0) continue;
     const auto corners = relative_to(model.chambers[c].level, corners_of(model.surface[t], position));
-    for (int axis = 0; axis < 3; ++axis) {
-      moments(axis, c) += fluid_moment_of(corners, Eigen::Vector3d::Unit(axis)).value;
-    }
+    moments.col(c) += first_moment_of(corners).value;
   }
   if (!model.has_fluid()) return moments;
   for (const OpeningModel& opening : model.openings) {

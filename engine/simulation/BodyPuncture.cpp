@@ -173,11 +173,7 @@ void Body::leave_punctures(std::span<const ToolPose> poses) {
     if (is_clear_of(puncture, pose)) puncture.tool.reset();
   }
   if (!left) return;
-  const double stored = state_.books.stored();
-  find_forces(poses);
-  state_.books.jump += stored - state_.books.stored();
-  hold_lips(model_->edge_length, false);
-  find_forces(poses);
+  hold_as_it_is(model_->edge_length, false, poses);
   measure_openings();
 }
 
