@@ -21,17 +21,6 @@ std::vector<int> places_of(std::span<const int> order) {
   return place;
 }
 
-std::vector<std::vector<int>> all_neighbours(const BlockPattern& pattern) {
-  std::vector<std::vector<int>> all(pattern.nodes());
-  for (int node = 0; node < pattern.nodes(); ++node) {
-    for (int k = pattern.neighbour_begin[node]; k < pattern.neighbour_begin[node + 1]; ++k) {
-      all[node].push_back(pattern.neighbours[k]);
-      all[pattern.neighbours[k]].push_back(node);
-    }
-  }
-  return all;
-}
-
 /// A tree whose nodes stand in an order with children before their parents.
 struct OrderedTree {
   std::vector<int> parent;
@@ -61,30 +50,47 @@ int lowest_common(const OrderedTree& tree, std::vector<int> nodes) {
 
 }  // namespace
 
+NodeGraph graph_of(const BlockPattern& pattern) {
+  const int nodes = pattern.nodes();
+  NodeGraph graph{.begin = std::vector<int>(nodes + 1, 0), .neighbours = {}};
+  for (int node = 0; node < nodes; ++node) {
+    const int begin = pattern.neighbour_begin[node], end = pattern.neighbour_begin[node + 1];
+    graph.begin[node + 1] += end - begin;
+    for (int k = begin; k < end; ++k) ++graph.begin[pattern.neighbours[k] + 1];
+  }
+  std::partial_sum(graph.begin.begin(), graph.begin.end(), graph.begin.begin());
+  graph.neighbours.resize(graph.begin.back());
+  std::vector<int> next(graph.begin.begin(), graph.begin.end() - 1);
+  for (int node = 0; node < nodes; ++node) {
+    for (int k = pattern.neighbour_begin[node]; k < pattern.neighbour_begin[node + 1]; ++k) {
+      const int other = pattern.neighbours[k];
+      graph.neighbours[next[node]++] = other;
+      graph.neighbours[next[other]++] = node;
+    }
+  }
+  return graph;
+}
+
 std::vector<int> nested_dissection(const BlockPattern& pattern) {
   static_assert(sizeof(idx_t) == sizeof(int));
-  std::vector<int> order(pattern.nodes()), place(pattern.nodes()), begin = {0}, neighbours;
+  std::vector<int> order(pattern.nodes()), place(pattern.nodes());
   std::iota(order.begin(), order.end(), 0);
   if (pattern.neighbours.empty()) return order;
-  for (std::vector<int>& own : all_neighbours(pattern)) {
-    std::ranges::sort(own);
-    neighbours.insert(neighbours.end(), own.begin(), own.end());
-    begin.push_back(static_cast<int>(neighbours.size()));
-  }
+  NodeGraph graph = graph_of(pattern);
   int nodes = pattern.nodes();
   const std::lock_guard<std::mutex> turn(one_at_a_time);
-  if (METIS_NodeND(&nodes, begin.data(), neighbours.data(), nullptr, nullptr, order.data(), place.data()) != METIS_OK) {
+  if (METIS_NodeND(&nodes, graph.begin.data(), graph.neighbours.data(), nullptr, nullptr, order.data(), place.data()) !=
+      METIS_OK) {
     throw std::bad_alloc();
   }
   return order;
 }
 
-std::vector<int> elimination_tree(const BlockPattern& pattern, std::span<const int> order) {
+std::vector<int> elimination_tree(const NodeGraph& graph, std::span<const int> order) {
   const std::vector<int> place = places_of(order);
-  const std::vector<std::vector<int>> neighbours = all_neighbours(pattern);
   std::vector<int> parent(order.size(), -1), reached(order.size(), -1);
   for (const int node : order) {
-    for (int below : neighbours[node]) {
+    for (int below : graph.around(node)) {
       if (place[below] >= place[node]) continue;
       // Up to the root of what is eliminated so far, with the path cut short for the next time.
       while (reached[below] != -1 && reached[below] != node) {
@@ -103,8 +109,8 @@ std::vector<int> elimination_tree(const BlockPattern& pattern, std::span<const i
 
 std::vector<int> extended_order(const BlockPattern& before, std::span<const int> order, const BlockPattern& after) {
   assert(static_cast<int>(order.size()) == before.nodes() && after.nodes() >= before.nodes());
-  const OrderedTree tree{.parent = elimination_tree(before, order), .place = places_of(order)};
-  const std::vector<std::vector<int>> neighbours = all_neighbours(after);
+  const OrderedTree tree{.parent = elimination_tree(graph_of(before), order), .place = places_of(order)};
+  const NodeGraph graph = graph_of(after);
   const int known = before.nodes();
   std::vector<int> anchor(after.nodes(), -1);  // known node after which a node comes
   std::vector<char> moves(after.nodes(), 0);
@@ -113,7 +119,7 @@ std::vector<int> extended_order(const BlockPattern& before, std::span<const int>
     moves[node] = node >= known;
   }
   for (int node = 0; node < known; ++node) {
-    for (const int other : neighbours[node]) {
+    for (const int other : graph.around(node)) {
       if (other >= known || tree.place[other] < tree.place[node] || moves[other]) continue;
       moves[node] = moves[node] || !tree.is_above(other, node);
     }
@@ -122,7 +128,7 @@ std::vector<int> extended_order(const BlockPattern& before, std::span<const int>
   for (int node = 0; node < after.nodes(); ++node) {
     if (!moves[node]) continue;
     std::vector<int> around;
-    for (const int other : neighbours[node]) {
+    for (const int other : graph.around(node)) {
       if (anchor[other] >= 0) around.push_back(anchor[other]);
     }
     if (node < known) around.push_back(node);

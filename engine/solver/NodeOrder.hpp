@@ -7,12 +7,23 @@
 
 namespace thinwall {
 
+/// The graph of a pattern's nodes, both ways.
+struct NodeGraph {
+  std::vector<int> begin;       // (nodes + 1), into `neighbours`
+  std::vector<int> neighbours;  // of each node, ascending
+
+  std::span<const int> around(int node) const {
+    return std::span<const int>(neighbours).subspan(begin[node], begin[node + 1] - begin[node]);
+  }
+};
+NodeGraph graph_of(const BlockPattern& pattern);
+
 /// A fill-reducing order of the nodes: nested dissection of their graph (METIS).
 std::vector<int> nested_dissection(const BlockPattern& pattern);
 
-/// Parent of each node in the elimination tree of a pattern under an order of its nodes, (nodes), -1 at a root: the
-/// first of the nodes after it that it is coupled with once those before it are eliminated (Liu 1990).
-std::vector<int> elimination_tree(const BlockPattern& pattern, std::span<const int> order);
+/// Parent of each node in the elimination tree of a graph under an order of its nodes, (nodes), -1 at a root: the first
+/// of the nodes after it that it is coupled with once those before it are eliminated (Liu 1990).
+std::vector<int> elimination_tree(const NodeGraph& graph, std::span<const int> order);
 
 /// An order for a pattern that has grown, from a good one of the pattern before, whose nodes come first. Couplings that
 /// are new stay cheap when they join a node with those above or below it in the elimination tree of the order before: a

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -17,10 +18,11 @@ struct SparseFactor::Implementation {
   SupernodeTree tree;
   std::vector<int> front_at;       // (unknowns), of their places
   double operations_per_node = 0;  // with the last order that was not taken over
-  std::vector<double> factor;      // columns of all supernodes
-  std::vector<double> signs;       // (unknowns)
-  std::vector<double> updates[2];  // that wait for the fronts above, of even and of odd depth
-  std::vector<int> waiting[2];     // their supernodes
+  // Neither is cleared before each elimination clears what it uses of them.
+  std::unique_ptr<double[]> factor;      // columns of all supernodes
+  std::unique_ptr<double[]> updates[2];  // that wait for the fronts above, of even and of odd depth
+  std::vector<double> signs;             // (unknowns)
+  std::vector<int> waiting[2];           // their supernodes
   std::vector<double> workspace;
   std::vector<double> solution;  // (unknowns x kSolutions) by rows, in the order of elimination
   std::vector<double> local;     // (unknowns of one front x kSolutions) by rows
@@ -38,9 +40,10 @@ struct SparseFactor::Implementation {
       operations_per_node = tree.operations / std::max(1, pattern.nodes());
     }
     // The last rows of the last front are read in whole lanes.
-    factor.resize(tree.factor_size + kFrontRows);
+    factor = std::make_unique_for_overwrite<double[]>(tree.factor_size + kFrontRows);
+    std::fill_n(factor.get() + tree.factor_size, kFrontRows, 0.0);
     signs.resize(pattern.unknowns());
-    for (int k = 0; k < 2; ++k) updates[k].resize(tree.update_size[k]);
+    for (int k = 0; k < 2; ++k) updates[k] = std::make_unique_for_overwrite<double[]>(tree.update_size[k]);
     workspace.resize(kFrontColumns * kPanel);
     solution.resize(static_cast<std::size_t>(pattern.unknowns()) * kSolutions);
     local.resize(static_cast<std::size_t>(tree.largest_front + kFrontRows) * kSolutions);
@@ -58,7 +61,7 @@ struct SparseFactor::Implementation {
   Front front_of(const Supernode& supernode) {
     return {.pivots = supernode.pivots,
             .size = supernode.size,
-            .columns = factor.data() + supernode.factor_begin,
+            .columns = factor.get() + supernode.factor_begin,
             .stride = supernode.stride,
             .update_stride = supernode.update_stride,
             .signs = signs.data() + supernode.first,
@@ -87,7 +90,7 @@ struct SparseFactor::Implementation {
     assert(static_cast<int>(values.size()) == pattern.nonzeros());
     is_factorised = false;
     int negative = 0;
-    double* top[2] = {updates[0].data(), updates[1].data()};
+    double* top[2] = {updates[0].get(), updates[1].get()};
     for (std::vector<int>& one : waiting) one.clear();
     for (int s = 0; s < static_cast<int>(tree.supernodes.size()); ++s) {
       const Supernode& supernode = tree.supernodes[s];

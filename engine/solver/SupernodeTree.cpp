@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <numeric>
+#include <utility>
 
 #include "engine/solver/FrontFactor.hpp"
 #include "engine/solver/NodeOrder.hpp"
@@ -17,55 +18,77 @@ struct Relaxation {
 };
 constexpr Relaxation kRelaxations[] = {{12, 0.5}, {24, 0.3}, {60, 0.1}, {1 << 30, 0.05}};
 
-/// The elimination tree in postorder and the rows that each node's column gets. Nodes are named by their place.
-struct NodeTree {
-  std::vector<int> node;               // (nodes), at each place
-  std::vector<int> parent;             // (nodes), -1 at a root
-  std::vector<std::vector<int>> rows;  // (nodes), places after the node's own, ascending
-  std::vector<int> unknowns;           // (nodes)
+/// Rows of each node's column below it, as nodes.
+struct FilledRows {
+  std::vector<std::size_t> begin;  // (nodes), into `rows`
+  std::vector<int> count;          // (nodes)
+  std::vector<int> rows;
+
+  std::span<const int> of(int node) const { return std::span<const int>(rows).subspan(begin[node], count[node]); }
 };
 
-/// Rows of each node's column below it, as nodes.
-std::vector<std::vector<int>> filled_rows(const BlockPattern& pattern, std::span<const int> order,
-                                          const std::vector<int>& parent) {
+/// The children of each node in the order of elimination.
+struct ChildLists {
+  std::vector<int> begin;  // (nodes + 1), into `children`
+  std::vector<int> children;
+
+  ChildLists(std::span<const int> order, const std::vector<int>& parent)
+      : begin(order.size() + 1, 0), children(order.size()) {
+    for (const int above : parent) {
+      if (above >= 0) ++begin[above + 1];
+    }
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    std::vector<int> next(begin.begin(), begin.end() - 1);
+    for (const int node : order) {
+      if (parent[node] >= 0) children[next[parent[node]]++] = node;
+    }
+  }
+  std::span<int> of(int node) { return std::span<int>(children).subspan(begin[node], begin[node + 1] - begin[node]); }
+};
+
+/// The elimination tree in postorder. Nodes are named by their place.
+struct NodeTree {
+  std::vector<int> node;            // (nodes), at each place
+  std::vector<int> place;           // (nodes)
+  std::vector<int> parent;          // (nodes), -1 at a root
+  std::vector<int> unknowns;        // (nodes)
+  std::vector<int> rows;            // (nodes), that its column gets below it, as nodes
+  std::vector<int> unknowns_below;  // (nodes), the same as unknowns
+};
+
+FilledRows filled_rows(const NodeGraph& graph, std::span<const int> order, ChildLists& children) {
   std::vector<int> place(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) place[order[k]] = static_cast<int>(k);
-  std::vector<std::vector<int>> rows(order.size()), children(order.size());
-  for (int node = 0; node < pattern.nodes(); ++node) {
-    if (parent[node] >= 0) children[parent[node]].push_back(node);
-    for (int k = pattern.neighbour_begin[node]; k < pattern.neighbour_begin[node + 1]; ++k) {
-      const int other = pattern.neighbours[k];
-      if (place[node] < place[other]) {
-        rows[node].push_back(other);
-      } else {
-        rows[other].push_back(node);
-      }
-    }
-  }
+  FilledRows filled{
+      .begin = std::vector<std::size_t>(order.size()), .count = std::vector<int>(order.size()), .rows = {}};
   std::vector<int> seen(order.size(), -1);
   for (const int node : order) {
+    filled.begin[node] = filled.rows.size();
     seen[node] = node;
-    for (const int row : rows[node]) seen[row] = node;
-    for (const int child : children[node]) {
-      for (const int row : rows[child]) {
+    for (const int other : graph.around(node)) {
+      if (place[other] < place[node]) continue;
+      seen[other] = node;
+      filled.rows.push_back(other);
+    }
+    for (const int child : children.of(node)) {
+      const std::size_t begin = filled.begin[child], end = begin + filled.count[child];
+      for (std::size_t k = begin; k < end; ++k) {
+        const int row = filled.rows[k];
         if (seen[row] == node) continue;
         seen[row] = node;
-        rows[node].push_back(row);
+        filled.rows.push_back(row);
       }
     }
+    filled.count[node] = static_cast<int>(filled.rows.size() - filled.begin[node]);
   }
-  return rows;
+  return filled;
 }
 
 /// The tree's nodes, each after its children, of which the one with the most rows comes last: it is the likeliest to
 /// share a front with its parent.
-std::vector<int> postorder(std::span<const int> order, const std::vector<int>& parent,
-                           const std::vector<std::vector<int>>& rows) {
-  std::vector<std::vector<int>> children(order.size());
+std::vector<int> postorder(std::span<const int> order, const std::vector<int>& parent, const FilledRows& filled,
+                           ChildLists& children) {
   std::vector<int> waiting, result;
-  for (const int node : order) {
-    if (parent[node] >= 0) children[parent[node]].push_back(node);
-  }
   // Taken down from the roots with each node before its children, the last child first, and then turned round.
   for (const int node : order) {
     if (parent[node] < 0) waiting.push_back(node);
@@ -74,26 +97,27 @@ std::vector<int> postorder(std::span<const int> order, const std::vector<int>& p
     const int node = waiting.back();
     waiting.pop_back();
     result.push_back(node);
-    std::ranges::stable_sort(children[node], {}, [&](int child) { return rows[child].size(); });
-    waiting.insert(waiting.end(), children[node].begin(), children[node].end());
+    const std::span<int> below = children.of(node);
+    std::ranges::stable_sort(below, {}, [&](int child) { return filled.count[child]; });
+    waiting.insert(waiting.end(), below.begin(), below.end());
   }
   std::ranges::reverse(result);
   return result;
 }
 
-NodeTree make_node_tree(const BlockPattern& pattern, std::span<const int> order) {
-  const std::vector<int> parent = elimination_tree(pattern, order);
-  std::vector<std::vector<int>> rows = filled_rows(pattern, order, parent);
+NodeTree make_node_tree(const BlockPattern& pattern, std::span<const int> order, const std::vector<int>& parent,
+                        const FilledRows& filled, ChildLists& children) {
   NodeTree tree;
-  tree.node = postorder(order, parent, rows);
-  std::vector<int> place(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) place[tree.node[k]] = static_cast<int>(k);
+  tree.node = postorder(order, parent, filled, children);
+  tree.place.resize(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) tree.place[tree.node[k]] = static_cast<int>(k);
   for (const int node : tree.node) {
-    tree.parent.push_back(parent[node] < 0 ? -1 : place[parent[node]]);
+    tree.parent.push_back(parent[node] < 0 ? -1 : tree.place[parent[node]]);
     tree.unknowns.push_back(pattern.unknowns_of(node));
-    for (int& row : rows[node]) row = place[row];
-    std::ranges::sort(rows[node]);
-    tree.rows.push_back(std::move(rows[node]));
+    tree.rows.push_back(filled.count[node]);
+    int below = 0;
+    for (const int row : filled.of(node)) below += pattern.unknowns_of(row);
+    tree.unknowns_below.push_back(below);
   }
   return tree;
 }
@@ -110,20 +134,15 @@ double entries_of(const NodeGroup& group) {
   return 0.5 * group.pivots * (group.pivots + 1.0) + static_cast<double>(group.pivots) * group.rows;
 }
 
-int unknowns_of(const NodeTree& tree, const std::vector<int>& nodes) {
-  return std::accumulate(nodes.begin(), nodes.end(), 0, [&](int sum, int node) { return sum + tree.unknowns[node]; });
-}
-
 /// Nodes whose columns have the same rows, and then chains of such groups with few zeros.
 std::vector<NodeGroup> group_nodes(const NodeTree& tree) {
   std::vector<NodeGroup> groups;
   for (int node = 0; node < static_cast<int>(tree.node.size()); ++node) {
-    const bool joins =
-        node > 0 && tree.parent[node - 1] == node && tree.rows[node - 1].size() == tree.rows[node].size() + 1;
+    const bool joins = node > 0 && tree.parent[node - 1] == node && tree.rows[node - 1] == tree.rows[node] + 1;
     if (!joins) groups.push_back({.begin = node});
     groups.back().end = node + 1;
     groups.back().pivots += tree.unknowns[node];
-    groups.back().rows = unknowns_of(tree, tree.rows[node]);
+    groups.back().rows = tree.unknowns_below[node];
   }
   std::vector<NodeGroup> merged;
   for (NodeGroup group : groups) {
@@ -166,8 +185,8 @@ class LocalPlaces {
   std::vector<int> local_;  // (unknowns), of the front that was entered last where it has them
 };
 
-void add_supernodes(const NodeTree& tree, SupernodeTree& result) {
-  std::vector<int> first(tree.node.size() + 1, 0), group_of(tree.node.size());
+void add_supernodes(const NodeTree& tree, const FilledRows& filled, SupernodeTree& result) {
+  std::vector<int> first(tree.node.size() + 1, 0), group_of(tree.node.size()), rows;
   std::partial_sum(tree.unknowns.begin(), tree.unknowns.end(), first.begin() + 1);
   const std::vector<NodeGroup> groups = group_nodes(tree);
   for (const NodeGroup& group : groups) {
@@ -181,7 +200,10 @@ void add_supernodes(const NodeTree& tree, SupernodeTree& result) {
                         .factor_begin = result.factor_size,
                         .stride = up_to_rows(group.pivots + group.rows),
                         .update_stride = up_to_rows(group.rows)};
-    for (const int row : tree.rows[group.end - 1]) {
+    rows.clear();
+    for (const int row : filled.of(tree.node[group.end - 1])) rows.push_back(tree.place[row]);
+    std::ranges::sort(rows);
+    for (const int row : rows) {
       for (int k = first[row]; k < first[row + 1]; ++k) result.rows.push_back(k);
     }
     result.factor_size += supernode.stride * supernode.pivots;
@@ -195,44 +217,87 @@ void add_supernodes(const NodeTree& tree, SupernodeTree& result) {
     result.supernodes[k].depth = result.supernodes[group_of[above]].depth + 1;
   }
   for (std::size_t node = 0; node < tree.node.size(); ++node) {
-    const int rows = unknowns_of(tree, tree.rows[node]);
-    for (int k = 1; k <= tree.unknowns[node]; ++k) result.operations += static_cast<double>(rows + k) * (rows + k);
+    const int below = tree.unknowns_below[node];
+    for (int k = 1; k <= tree.unknowns[node]; ++k) result.operations += static_cast<double>(below + k) * (below + k);
+  }
+}
+
+/// A block of the matrix: two coupled nodes, or one with itself.
+struct NodeCoupling {
+  int node = 0;    // in whose columns it stands
+  int other = 0;   // in whose rows
+  int offset = 0;  // of its rows in the first column, from the node's own on
+};
+
+/// The couplings that are entered into each supernode: those of the earlier of the two nodes.
+struct CouplingLists {
+  std::vector<int> begin;  // (supernodes + 1), into `couplings`
+  std::vector<NodeCoupling> couplings;
+
+  CouplingLists(const BlockPattern& pattern, const SupernodeTree& tree) : begin(tree.supernodes.size() + 1, 0) {
+    std::vector<int> supernode_of(pattern.unknowns());
+    for (std::size_t s = 0; s < tree.supernodes.size(); ++s) {
+      const Supernode& supernode = tree.supernodes[s];
+      std::fill_n(supernode_of.begin() + supernode.first, supernode.pivots, static_cast<int>(s));
+    }
+    const auto taken_up_by = [&](int node, int other) {
+      return supernode_of[std::min(tree.place[pattern.first_unknown(node)], tree.place[pattern.first_unknown(other)])];
+    };
+    const auto for_each = [&](const auto& visit) {
+      for (int node = 0; node < pattern.nodes(); ++node) {
+        visit(NodeCoupling{.node = node, .other = node, .offset = 0});
+        int offset = pattern.unknowns_of(node);
+        for (int k = pattern.neighbour_begin[node]; k < pattern.neighbour_begin[node + 1]; ++k) {
+          visit(NodeCoupling{.node = node, .other = pattern.neighbours[k], .offset = offset});
+          offset += pattern.unknowns_of(pattern.neighbours[k]);
+        }
+      }
+    };
+    for_each([&](const NodeCoupling& one) { ++begin[taken_up_by(one.node, one.other) + 1]; });
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    couplings.resize(begin.back());
+    std::vector<int> next(begin.begin(), begin.end() - 1);
+    for_each([&](const NodeCoupling& one) { couplings[next[taken_up_by(one.node, one.other)]++] = one; });
+  }
+};
+
+/// `local`: of the supernode.
+void add_block(const BlockPattern& pattern, const NodeCoupling& coupling, const Supernode& supernode,
+               const LocalPlaces& local, SupernodeTree& tree) {
+  const int column = pattern.first_unknown(coupling.node), row = pattern.first_unknown(coupling.other);
+  const int columns = pattern.unknowns_of(coupling.node), rows = pattern.unknowns_of(coupling.other);
+  const int at_column = local[tree.place[column]], at_row = local[tree.place[row]];
+  const bool turned = tree.place[row] < tree.place[column];
+  for (int c = 0; c < columns; ++c) {
+    // A column begins with its diagonal.
+    for (int r = coupling.node == coupling.other ? c : 0; r < rows; ++r) {
+      const std::ptrdiff_t in_column = turned ? at_row + r : at_column + c,
+                           in_row = turned ? at_column + c : at_row + r;
+      tree.entries.push_back({.value = pattern.column_begin[column + c] + coupling.offset + r - c,
+                              .place = supernode.factor_begin + in_column * supernode.stride + in_row});
+    }
   }
 }
 
 void add_entries(const BlockPattern& pattern, SupernodeTree& tree) {
-  const int unknowns = pattern.unknowns();
-  std::vector<int> supernode_of(unknowns);
-  for (std::size_t s = 0; s < tree.supernodes.size(); ++s) {
-    const Supernode& supernode = tree.supernodes[s];
-    std::fill_n(supernode_of.begin() + supernode.first, supernode.pivots, static_cast<int>(s));
+  const CouplingLists lists(pattern, tree);
+  const auto supernodes = static_cast<int>(tree.supernodes.size());
+  std::vector<int> first_child(supernodes, -1), next_child(supernodes, -1);
+  for (int s = supernodes - 1; s >= 0; --s) {
+    const int parent = tree.supernodes[s].parent;
+    if (parent >= 0) next_child[s] = std::exchange(first_child[parent], s);
   }
-  struct Coupling {
-    int value, column, row;  // places
-  };
-  std::vector<std::vector<Coupling>> couplings(tree.supernodes.size());
-  for (int column = 0; column < unknowns; ++column) {
-    for (int k = pattern.column_begin[column]; k < pattern.column_begin[column + 1]; ++k) {
-      const auto [earlier, later] = std::minmax({tree.place[column], tree.place[pattern.row[k]]});
-      couplings[supernode_of[earlier]].push_back({k, earlier, later});
-    }
-  }
-  std::vector<std::vector<int>> children(tree.supernodes.size());
-  for (std::size_t s = 0; s < tree.supernodes.size(); ++s) {
-    if (tree.supernodes[s].parent >= 0) children[tree.supernodes[s].parent].push_back(static_cast<int>(s));
-  }
-  LocalPlaces local(unknowns);
-  for (std::size_t s = 0; s < tree.supernodes.size(); ++s) {
+  tree.entries.reserve(pattern.nonzeros());
+  LocalPlaces local(pattern.unknowns());
+  for (int s = 0; s < supernodes; ++s) {
     Supernode& supernode = tree.supernodes[s];
     local.enter(tree, supernode);
     supernode.entries_begin = static_cast<int>(tree.entries.size());
-    for (const Coupling& coupling : couplings[s]) {
-      tree.entries.push_back(
-          {.value = coupling.value,
-           .place = supernode.factor_begin + local[coupling.column] * supernode.stride + local[coupling.row]});
+    for (int k = lists.begin[s]; k < lists.begin[s + 1]; ++k) {
+      add_block(pattern, lists.couplings[k], supernode, local, tree);
     }
     supernode.entries_end = static_cast<int>(tree.entries.size());
-    for (const int child : children[s]) {
+    for (int child = first_child[s]; child >= 0; child = next_child[child]) {
       Supernode& below = tree.supernodes[child];
       below.runs_begin = static_cast<int>(tree.runs.size());
       for (int row = 0; row < below.size - below.pivots; ++row) {
@@ -266,14 +331,18 @@ void find_update_room(SupernodeTree& tree) {
 
 SupernodeTree make_supernode_tree(const BlockPattern& pattern, std::span<const int> order) {
   assert(static_cast<int>(order.size()) == pattern.nodes());
-  const NodeTree nodes = make_node_tree(pattern, order);
+  const NodeGraph graph = graph_of(pattern);
+  const std::vector<int> parent = elimination_tree(graph, order);
+  ChildLists children(order, parent);
+  const FilledRows filled = filled_rows(graph, order, children);
+  const NodeTree nodes = make_node_tree(pattern, order, parent, filled, children);
   SupernodeTree tree;
   tree.place.resize(pattern.unknowns());
   int place = 0;
   for (const int node : nodes.node) {
     for (int k = 0; k < pattern.unknowns_of(node); ++k) tree.place[pattern.first_unknown(node) + k] = place++;
   }
-  add_supernodes(nodes, tree);
+  add_supernodes(nodes, filled, tree);
   add_entries(pattern, tree);
   find_update_room(tree);
   return tree;
