@@ -1,7 +1,7 @@
 #include "engine/contact/ContactSites.hpp"
 
 #include <algorithm>
-#include <map>
+#include <utility>
 
 namespace thinwall {
 
@@ -9,16 +9,24 @@ std::vector<ContactSite> contact_sites(int vertices, std::span<const Eigen::Vect
                                        std::span<const double> areas) {
   std::vector<ContactSite> corners(vertices), edges;
   std::vector<char> used(vertices, 0);
-  std::map<std::pair<int, int>, std::size_t> edge_index;
+  // Edges by their lower vertex, in chains.
+  std::vector<int> last_edge(vertices, -1), edge_before, higher_vertex;
   for (int t = 0; t < static_cast<int>(triangles.size()); ++t) {
     for (int k = 0; k < 3; ++k) {
       const int vertex = triangles[t][k];
       if (!used[vertex]) corners[vertex] = {.part = SitePart::kCorner, .triangle = t, .corner = k, .area = 0};
       used[vertex] = 1;
       corners[vertex].area += areas[t] / 3;
-      const auto [place, is_new] = edge_index.emplace(std::minmax(vertex, triangles[t][(k + 1) % 3]), edges.size());
-      if (is_new) edges.push_back({.part = SitePart::kEdge, .triangle = t, .corner = k, .area = 0});
-      edges[place->second].area += areas[t] / 3;
+      const auto [low, high] = std::minmax(vertex, triangles[t][(k + 1) % 3]);
+      int edge = last_edge[low];
+      while (edge >= 0 && higher_vertex[edge] != high) edge = edge_before[edge];
+      if (edge < 0) {
+        edge = static_cast<int>(edges.size());
+        edges.push_back({.part = SitePart::kEdge, .triangle = t, .corner = k, .area = 0});
+        higher_vertex.push_back(high);
+        edge_before.push_back(std::exchange(last_edge[low], edge));
+      }
+      edges[edge].area += areas[t] / 3;
     }
   }
   std::vector<ContactSite> sites;

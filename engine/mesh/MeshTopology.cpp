@@ -4,6 +4,7 @@
 #include <cassert>
 #include <map>
 #include <numeric>
+#include <tuple>
 
 namespace thinwall {
 namespace {
@@ -15,25 +16,34 @@ struct HalfEdge {
   bool ascending = true;  // it goes from the lower vertex to the higher
 };
 
-std::vector<HalfEdge> sorted_half_edges(std::span<const Eigen::Vector3i> triangles) {
-  std::vector<HalfEdge> half_edges;
-  half_edges.reserve(3 * triangles.size());
+/// By their vertices, the lower first, then by their triangles.
+std::vector<HalfEdge> sorted_half_edges(int vertex_count, std::span<const Eigen::Vector3i> triangles) {
+  std::vector<std::size_t> begin(static_cast<std::size_t>(vertex_count) + 1, 0);
+  const auto ends_of = [&](int t, int k) { return std::minmax({triangles[t][k], triangles[t][(k + 1) % 3]}); };
+  for (int t = 0; t < static_cast<int>(triangles.size()); ++t) {
+    for (int k = 0; k < 3; ++k) ++begin[static_cast<std::size_t>(ends_of(t, k).first) + 1];
+  }
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<HalfEdge> half_edges(3 * triangles.size());
+  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
   for (int t = 0; t < static_cast<int>(triangles.size()); ++t) {
     for (int k = 0; k < 3; ++k) {
-      const int from = triangles[t][k];
-      const int to = triangles[t][(k + 1) % 3];
-      assert(from != to);
-      half_edges.push_back({{std::min(from, to), std::max(from, to)}, t, k, from < to});
+      const auto [low, high] = ends_of(t, k);
+      assert(low != high);
+      half_edges[next[low]++] = {{low, high}, t, k, low == triangles[t][k]};
     }
   }
-  std::sort(half_edges.begin(), half_edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
-    return std::tie(a.vertices, a.triangle, a.corner) < std::tie(b.vertices, b.triangle, b.corner);
-  });
+  for (int v = 0; v < vertex_count; ++v) {
+    const auto at = [&](std::size_t k) { return half_edges.begin() + static_cast<std::ptrdiff_t>(k); };
+    std::sort(at(begin[v]), at(begin[v + 1]), [](const HalfEdge& a, const HalfEdge& b) {
+      return std::tie(a.vertices[1], a.triangle, a.corner) < std::tie(b.vertices[1], b.triangle, b.corner);
+    });
+  }
   return half_edges;
 }
 
-void collect_edges(std::span<const Eigen::Vector3i> triangles, MeshTopology& topology) {
-  const std::vector<HalfEdge> half_edges = sorted_half_edges(triangles);
+void collect_edges(int vertex_count, std::span<const Eigen::Vector3i> triangles, MeshTopology& topology) {
+  const std::vector<HalfEdge> half_edges = sorted_half_edges(vertex_count, triangles);
   topology.triangle_edges.resize(triangles.size());
   for (std::size_t begin = 0; begin < half_edges.size();) {
     std::size_t end = begin;
@@ -79,9 +89,9 @@ void collect_components(MeshTopology& topology) {
   }
 }
 
-/// One fan: its triangles are joined across the edges at the vertex, and at most one gap is left.
-bool is_one_fan(int vertex, std::span<const int> fan, const MeshTopology& topology) {
-  std::vector<int> reached = {fan.front()};
+/// One fan: its triangles are joined across the edges at the vertex, and at most one gap is left. `reached`: memory.
+bool is_one_fan(int vertex, std::span<const int> fan, const MeshTopology& topology, std::vector<int>& reached) {
+  reached.assign(1, fan.front());
   int open_edges = 0;
   for (std::size_t i = 0; i < reached.size(); ++i) {
     for (const int edge : topology.triangle_edges[reached[i]]) {
@@ -99,15 +109,21 @@ bool is_one_fan(int vertex, std::span<const int> fan, const MeshTopology& topolo
 }
 
 void check_vertices(int vertex_count, std::span<const Eigen::Vector3i> triangles, MeshTopology& topology) {
-  std::vector<std::vector<int>> fans(vertex_count);
+  std::vector<int> fan_begin(static_cast<std::size_t>(vertex_count) + 1, 0), fans(3 * triangles.size()), reached;
+  for (const Eigen::Vector3i& triangle : triangles) {
+    for (const int vertex : triangle) ++fan_begin[vertex + 1];
+  }
+  std::partial_sum(fan_begin.begin(), fan_begin.end(), fan_begin.begin());
+  std::vector<int> next(fan_begin.begin(), fan_begin.end() - 1);
   for (int t = 0; t < static_cast<int>(triangles.size()); ++t) {
-    for (int k = 0; k < 3; ++k) fans[triangles[t][k]].push_back(t);
+    for (const int vertex : triangles[t]) fans[next[vertex]++] = t;
   }
   int used = 0;
   for (int v = 0; v < vertex_count; ++v) {
-    if (fans[v].empty()) continue;
+    const auto fan = std::span<const int>(fans).subspan(fan_begin[v], fan_begin[v + 1] - fan_begin[v]);
+    if (fan.empty()) continue;
     ++used;
-    if (!is_one_fan(v, fans[v], topology)) topology.non_manifold_vertices.push_back(v);
+    if (!is_one_fan(v, fan, topology, reached)) topology.non_manifold_vertices.push_back(v);
   }
   topology.euler_characteristic =
       used - static_cast<int>(topology.edges.size()) + static_cast<int>(topology.triangle_edges.size());
@@ -142,7 +158,7 @@ void collect_boundary_loops(std::span<const Eigen::Vector3i> triangles, MeshTopo
 
 MeshTopology topology_of(int vertex_count, std::span<const Eigen::Vector3i> triangles) {
   MeshTopology topology;
-  collect_edges(triangles, topology);
+  collect_edges(vertex_count, triangles, topology);
   collect_components(topology);
   check_vertices(vertex_count, triangles, topology);
   collect_boundary_loops(triangles, topology);
