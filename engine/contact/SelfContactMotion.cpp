@@ -113,8 +113,8 @@ void SelfContact::list_near(const Eigen::VectorXd& from, const Eigen::VectorXd& 
   tree_.visit_near(largest_range_, kRestRange, [&](int triangle, int other, double reach) {
     if (share_vertex(triangles_[triangle], triangles_[other])) return;
     if (clearly_apart(corners(triangle), corners(other), reach)) return;
-    const auto [low, high] = std::minmax(triangle, other);
-    visit_parts(triangle, other, [&](PairKind kind, const Eigen::Vector4i& vertices) {
+    const int low = std::min(triangle, other), high = std::max(triangle, other);
+    visit_parts(low, high, [&](PairKind kind, const Eigen::Vector4i& vertices) {
       visit_if_near(kind, vertices, [&](const NearPair& pair) { near_.push_back({low, high, pair}); });
     });
   });

@@ -1,7 +1,8 @@
 #include "engine/contact/TriangleTree.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <cstddef>
+#include <utility>
 
 namespace thinwall {
 namespace {
@@ -17,11 +18,13 @@ Eigen::AlignedBox3d box_of(const Eigen::Vector3i& triangle, const Eigen::VectorX
 TriangleTree::TriangleTree(std::span<const Eigen::Vector3i> triangles, const Eigen::VectorXd& position,
                            std::span<const double> margins)
     : triangles_(triangles.begin(), triangles.end()) {
-  std::vector<Eigen::Vector3d> centers;
-  for (const Eigen::Vector3i& triangle : triangles_) centers.push_back(box_of(triangle, position).center());
-  std::vector<int> order(triangles_.size());
-  std::iota(order.begin(), order.end(), 0);
-  if (!order.empty()) build(order, 0, static_cast<int>(order.size()), centers);
+  std::vector<Leaf> leaves;
+  leaves.reserve(triangles_.size());
+  nodes_.reserve(2 * triangles_.size());
+  for (const Eigen::Vector3i& triangle : triangles_) {
+    leaves.push_back({.center = box_of(triangle, position).center(), .triangle = static_cast<int>(leaves.size())});
+  }
+  if (!leaves.empty()) build(leaves);
   boxes_.resize(nodes_.size());
   motions_.resize(nodes_.size());
   fit(position);
@@ -38,21 +41,23 @@ TriangleTree::TriangleTree(std::span<const Eigen::Vector3i> triangles, const Eig
   }
 }
 
-int TriangleTree::build(std::vector<int>& order, int begin, int end, const std::vector<Eigen::Vector3d>& centers) {
+int TriangleTree::build(std::span<Leaf> leaves) {
   const int node = static_cast<int>(nodes_.size());
-  nodes_.push_back({.size = end - begin});
-  if (end - begin == 1) {
-    nodes_[node].triangle = order[begin];
+  nodes_.push_back({.size = static_cast<int>(leaves.size())});
+  if (leaves.size() == 1) {
+    nodes_[node].triangle = leaves.front().triangle;
     return node;
   }
   Eigen::AlignedBox3d spread;
-  for (int k = begin; k < end; ++k) spread.extend(centers[order[k]]);
+  for (const Leaf& leaf : leaves) spread.extend(leaf.center);
   Eigen::Index axis;
   spread.sizes().maxCoeff(&axis);
-  const int middle = (begin + end) / 2;
-  std::nth_element(order.begin() + begin, order.begin() + middle, order.begin() + end,
-                   [&](int a, int b) { return std::pair(centers[a][axis], a) < std::pair(centers[b][axis], b); });
-  const int left = build(order, begin, middle, centers), right = build(order, middle, end, centers);
+  const std::size_t middle = leaves.size() / 2;
+  std::nth_element(leaves.begin(), leaves.begin() + static_cast<std::ptrdiff_t>(middle), leaves.end(),
+                   [&](const Leaf& a, const Leaf& b) {
+                     return std::pair(a.center[axis], a.triangle) < std::pair(b.center[axis], b.triangle);
+                   });
+  const int left = build(leaves.first(middle)), right = build(leaves.subspan(middle));
   nodes_[node].left = left;
   nodes_[node].right = right;
   return node;

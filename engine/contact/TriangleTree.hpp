@@ -57,13 +57,17 @@ class TriangleTree {
   }
 
  private:
+  struct Leaf {
+    Eigen::Vector3d center;  // metres, of its box in the stress-free shape
+    int triangle = 0;
+  };
   struct Node {
     int left = -1, right = -1;  // nodes; none at a leaf
     int triangle = -1;          // at a leaf
     int size = 1;               // triangles below
   };
 
-  int build(std::vector<int>& order, int begin, int end, const std::vector<Eigen::Vector3d>& centers);
+  int build(std::span<Leaf> leaves);
   double squared_travel(int a, int b) const;
 
   template <typename Near, typename Visit>

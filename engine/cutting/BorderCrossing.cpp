@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -20,16 +21,24 @@ struct BorderSide {
 };
 
 std::vector<BorderSide> border_sides(const SurfaceView& surface) {
-  std::vector<std::pair<int, int>> halves;
+  // The sides that start at each vertex, by their ends.
+  std::vector<int> begin(static_cast<std::size_t>(surface.position.size() / 3) + 1, 0);
   for (const Eigen::Vector3i& t : surface.triangles) {
-    for (int k = 0; k < 3; ++k) halves.emplace_back(t[k], t[(k + 1) % 3]);
+    for (const int vertex : t) ++begin[vertex + 1];
   }
-  std::ranges::sort(halves);
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<int> ends(begin.back()), next(begin.begin(), begin.end() - 1);
+  for (const Eigen::Vector3i& t : surface.triangles) {
+    for (int k = 0; k < 3; ++k) ends[next[t[k]]++] = t[(k + 1) % 3];
+  }
+  const auto has_side = [&](int from, int to) {
+    return std::find(ends.begin() + begin[from], ends.begin() + begin[from + 1], to) != ends.begin() + begin[from + 1];
+  };
   std::vector<BorderSide> sides;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const Eigen::Vector3i& corners = surface.triangles[t];
     for (int k = 0; k < 3; ++k) {
-      const std::pair<int, int> opposite(surface.triangles[t][(k + 1) % 3], surface.triangles[t][k]);
-      if (!std::ranges::binary_search(halves, opposite)) sides.push_back({static_cast<int>(t), k});
+      if (!has_side(corners[(k + 1) % 3], corners[k])) sides.push_back({static_cast<int>(t), k});
     }
   }
   return sides;
