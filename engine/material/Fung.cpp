@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/material/CollapseGuard.hpp"
 #include "engine/material/IsotropicResponse.hpp"
 #include "engine/material/WallLawRows.hpp"
 
@@ -15,6 +16,10 @@ constexpr std::array<LawParameter, 5> kParameters = {{
     {"a4", "", 0, true, 1e6, std::nullopt, "Stiffening in shear; a1 + a2 - 2 a3 for the same in every direction."},
 }};
 
+double initial_modulus(std::span<const double> p) {
+  return p[0] * (p[1] - p[3] * p[3] / p[2]);
+}
+
 WallLawResponse respond(std::span<const double> p, const Eigen::Vector3d& c) {
   const Eigen::Vector3d strain(0.5 * (c[0] - 1), 0.5 * (c[1] - 1), c[2]);  // (E11, E22, 2 E12)
   Eigen::Matrix3d form;                                                    // Q = e . form e
@@ -27,11 +32,8 @@ WallLawResponse respond(std::span<const double> p, const Eigen::Vector3d& c) {
   response.second_piola_kirchhoff = factor * slope;
   response.tangent = factor * (2 * form + slope * slope.transpose());
   if (!response.tangent.allFinite()) return beyond_the_law();
+  guard_against_collapse(initial_modulus(p), c, response);
   return response;
-}
-
-double initial_modulus(std::span<const double> p) {
-  return p[0] * (p[1] - p[3] * p[3] / p[2]);
 }
 
 std::string complaint(std::span<const double> p) {
@@ -43,8 +45,12 @@ std::string complaint(std::span<const double> p) {
 
 const WallLaw kFung = {
     .name = "fung",
-    .formula = "W = c/2 (exp(a1 E11^2 + a2 E22^2 + 2 a3 E11 E22 + a4 E12^2) - 1)",
-    .source = "Fung, Fronek and Patitucci 1979; Tong and Fung 1976; axis 1 along `fibres`",
+    .formula =
+        "W = c/2 (exp(a1 E11^2 + a2 E22^2 + 2 a3 E11 E22 + a4 E12^2) - 1), and "
+        "c (a1 - a3^2/a2)/10 ln(1/(2 det C))^3 where det C < 1/2",
+    .source =
+        "Fung, Fronek and Patitucci 1979; Tong and Fung 1976; axis 1 along `fibres`; the last term keeps a wall "
+        "that is pressed from shrinking to nothing",
     .parameters = kParameters,
     .has_fibres = true,
     .respond = respond,

@@ -32,8 +32,8 @@ const std::vector<Example>& examples() {
 }
 
 const std::vector<Eigen::Vector3d>& strains() {
-  static const std::vector<Eigen::Vector3d> all = {
-      {1, 1, 0}, {1.3, 0.9, 0.1}, {2.2, 1.7, -0.4}, {0.6, 0.8, 0.2}, {4, 0.5, 0.3}};
+  static const std::vector<Eigen::Vector3d> all = {{1, 1, 0},       {1.3, 0.9, 0.1}, {2.2, 1.7, -0.4},
+                                                   {0.6, 0.8, 0.2}, {4, 0.5, 0.3},   {0.3, 0.4, 0.1}};
   return all;
 }
 
@@ -92,6 +92,42 @@ TEST(WallLaw, InitialModulusIsTheSlopeOfUniaxialStress) {
   }
 }
 
+/// C22 at which a wall of a given C11 is free of stress across.
+double free_width(const Example& example, double first) {
+  double least = 1e-9, most = 100;
+  for (int halving = 0; halving < 200; ++halving) {
+    const double middle = std::sqrt(least * most);
+    const WallLawResponse response = respond(example, {first, middle, 0});
+    const bool is_narrow = std::isfinite(response.energy) ? response.second_piola_kirchhoff[1] < 0 : middle < 1;
+    (is_narrow ? least : most) = middle;
+  }
+  return std::sqrt(least * most);
+}
+
+TEST(WallLaw, PressedTogetherAWallPushesBackTheMoreTheSmallerItIs) {
+  // A linear law by itself pushes less and less below a stretch of 1 / sqrt(3), and nothing at last.
+  std::vector<Example> all = examples();
+  for (const double nu : {-0.9, 0.0, 0.2, 0.4}) all.push_back({"st_venant_kirchhoff", {30e3, nu}});
+  for (const Example& example : all) {
+    double force = 0;  // newton / metre^2 of rest
+    for (double stretch = 0.97; stretch > 0.1; stretch *= 0.97) {
+      const double first = stretch * stretch;
+      const double pushed =
+          -stretch * respond(example, {first, free_width(example, first), 0}).second_piola_kirchhoff[0];
+      EXPECT_GT(pushed, force) << example.law << " " << (example.parameters.size() > 1 ? example.parameters[1] : 0)
+                               << " at " << stretch;
+      force = pushed;
+    }
+  }
+}
+
+TEST(WallLaw, DrawnOutAWallKeepsAWidth) {
+  // A linear law by itself has none left at a stretch of sqrt(1 + 1 / nu), 1.87 here.
+  std::vector<Example> all = examples();
+  for (const double nu : {0.4, 0.45}) all.push_back({"st_venant_kirchhoff", {30e3, nu}});
+  for (const Example& example : all) EXPECT_GT(free_width(example, 4), 0.01) << example.law;
+}
+
 TEST(NeoHookean, UniaxialStressFollowsTheClosedForm) {
   // sigma = mu (lambda^2 - 1/lambda), with the stretch across free: S11 = sigma / lambda^2.
   for (const double stretch : {0.7, 1.0, 1.5, 2.5}) {
@@ -119,6 +155,13 @@ TEST(MooneyRivlin, WithoutItsSecondTermIsNeoHookean) {
   }
 }
 
+/// What keeps a wall from shrinking to nothing, of a law with this modulus.
+HyperDual written_guard(double modulus, const HyperDual& det) {
+  if (det.value >= 0.5) return 0;
+  const HyperDual depth = log(0.5 / det);
+  return 0.1 * modulus * depth * depth * depth;
+}
+
 /// The energies as the literature writes them, in principal stretches, invariants and strains.
 HyperDual written_energy(const Example& example, const DualVector& c) {
   const std::vector<double>& p = example.parameters;
@@ -127,14 +170,15 @@ HyperDual written_energy(const Example& example, const DualVector& c) {
   const HyperDual i1 = trace + 1 / det, i2 = trace / det + det;
   const HyperDual e11 = 0.5 * (c[0] - 1), e22 = 0.5 * (c[1] - 1), e12 = 0.5 * c[2];
   if (law == "st_venant_kirchhoff") {
-    return 0.5 * p[0] / (1 - p[1] * p[1]) * (e11 * e11 + e22 * e22 + 2 * p[1] * e11 * e22 + 2 * (1 - p[1]) * e12 * e12);
+    const HyperDual form = e11 * e11 + e22 * e22 + 2 * p[1] * e11 * e22 + 2 * (1 - p[1]) * e12 * e12;
+    return 0.5 * p[0] / (1 - p[1] * p[1]) * form + written_guard(p[0], det);
   }
   if (law == "neo_hookean") return 0.5 * p[0] * (i1 - 3);
   if (law == "mooney_rivlin") return p[0] * (i1 - 3) + p[1] * (i2 - 3);
   if (law == "gent") return -0.5 * p[0] * p[1] * log(1 - (i1 - 3) / p[1]);
   if (law == "fung") {
     const HyperDual q = p[1] * e11 * e11 + p[2] * e22 * e22 + 2 * p[3] * e11 * e22 + p[4] * e12 * e12;
-    return 0.5 * p[0] * (exp(q) - 1);
+    return 0.5 * p[0] * (exp(q) - 1) + written_guard(p[0] * (p[1] - p[3] * p[3] / p[2]), det);
   }
   if (law == "ogden") {
     const HyperDual root = sqrt(0.25 * (c[0] - c[1]) * (c[0] - c[1]) + c[2] * c[2]);
