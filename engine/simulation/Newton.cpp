@@ -311,14 +311,18 @@ bool Newton::find_step_with_contacts(const EquilibriumProblem& problem, const Eq
     const bool may_wait = contact_law(contact) <= 0 || model_.sites[contact.site].part != SitePart::kCorner;
     open_.push_back(contact_force(problem, contact) == 0 && may_wait);
   }
+  begin_shafts(problem, state);
+  bool are_shafts_revised = false;
   for (int turn = 0;; ++turn) {
     // A membrane's matrix costs little where time does not matter, and without the curvature that contacts take along
     // its needles find no way.
-    const bool borders = turn > 0 && !may_be_saddle && may_border_ && border_contacts();
+    const bool borders = turn > 0 && !are_shafts_revised && !may_be_saddle && may_border_ && border_contacts();
     if (!borders && !factorize(problem, state, shift, may_be_saddle)) return false;
     find_step(problem, state, residual, step);
     const int most = borders && model_.bending.empty() ? kBorderedContactTurns : kContactTurns;
-    if (turn >= most || !revise_contacts(step)) break;
+    if (turn >= most) break;
+    are_shafts_revised = revise_shafts(problem, state, step);
+    if (!revise_contacts(step) && !are_shafts_revised) break;
   }
   for (std::size_t k = 0; k < open_.size(); ++k) {
     step.contact_forces[k] = open_[k] ? 0 : std::max(0.0, step.contact_forces[k]);

@@ -215,6 +215,14 @@ class Newton {
   bool border_contacts();
   /// The border solved with the factor; a contact's column is solved once, however often it opens and closes.
   Eigen::MatrixXd solved_border(const std::vector<std::size_t>& changed);
+  /// Which branches of their laws lips on needles follow, see NewtonShafts.cpp: as they are, in the matrix and in the
+  /// force from which a step is taken, and again after it.
+  void begin_shafts(const EquilibriumProblem& problem, const EquilibriumState& state);
+  template <typename Visit>
+  void visit_changed_shafts(const EquilibriumProblem& problem, const EquilibriumState& state, const Visit& visit) const;
+  void add_changed_shafts(const EquilibriumProblem& problem, const EquilibriumState& state);
+  Eigen::VectorXd changed_shaft_force(const EquilibriumProblem& problem, const EquilibriumState& state) const;
+  bool revise_shafts(const EquilibriumProblem& problem, const EquilibriumState& state, const Step& step);
   std::string obstructed(const std::string& reason) const;
   bool search(EquilibriumProblem& problem, EquilibriumState& state, Residual& residual, const Step& step,
               double fraction);
@@ -237,6 +245,7 @@ class Newton {
   Frozen frozen_;
   std::vector<char> open_;             // (contacts), whether the step takes the contact to be open
   std::vector<char> factorised_open_;  // (contacts), the same when the matrix was factorised
+  std::vector<ShaftBranch> branches_;  // (vertices of lips on shafts), that the step takes them to follow
   std::vector<double> matrix_;         // (non-zeros), what is factorised
   int factorisations_ = 0;             // in the solution under way
   bool may_border_ = false;            // see NewtonOptions::borders_contacts

@@ -7,6 +7,7 @@ bool Newton::linearize(const EquilibriumProblem& problem, const EquilibriumState
   evaluate_all(problem, state, terms_);
   open_.clear();
   for (const ContactPoint& contact : terms_.contacts) open_.push_back(contact_force(problem, contact) == 0);
+  begin_shafts(problem, state);
   double shift = 0;
   return factorize(problem, state, shift, true);
 }

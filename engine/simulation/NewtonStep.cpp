@@ -106,6 +106,7 @@ void Newton::border_openings(const EquilibriumProblem& problem, const Equilibriu
 void Newton::build_matrix(const EquilibriumProblem& problem, const EquilibriumState& state, double shift) {
   matrix_ = terms_.values;
   add_foreseen(problem, state.position);
+  add_changed_shafts(problem, state);
   double diagonal = 0;
   for (std::size_t k = 0; k < model_.diagonal_entries.size(); ++k) {
     double& value = matrix_[model_.diagonal_entries[k]];
@@ -285,7 +286,7 @@ void Newton::solve_linear(const EquilibriumProblem& problem, const Eigen::Vector
 
 void Newton::find_step(const EquilibriumProblem& problem, const EquilibriumState& state, const Residual& residual,
                        Step& step) {
-  Eigen::VectorXd force = -residual.force;
+  Eigen::VectorXd force = changed_shaft_force(problem, state) - residual.force;
   // The step is taken from the contact's law, not from the multiplier that enters the residual.
   for (std::size_t k = 0; k < terms_.contacts.size(); ++k) {
     const ContactPoint& contact = terms_.contacts[k];

@@ -15,8 +15,13 @@ constexpr double kGuide = 0.01;
 
 }  // namespace
 
-ShaftTerms ShaftContact::at(const ShaftPoint& point, const Eigen::Vector3d& place) const {
-  if (!point.touches) return {};
+/// Where a vertex is seen from the needle.
+struct ShaftContact::View {
+  Eigen::Vector3d along, around, by_place;   // the last: of the overlap
+  double overlap = 0, astray = 0, slip = 0;  // metres, the first less than zero beside the needle
+};
+
+ShaftContact::View ShaftContact::view(const ShaftPoint& point, const Eigen::Vector3d& place) const {
   const Eigen::Vector3d along = frame.col(2);
   const Eigen::Vector3d outwards = std::cos(point.angle) * frame.col(0) + std::sin(point.angle) * frame.col(1);
   const double behind = behind_tip(place), whole = spread * radius;
@@ -24,23 +29,42 @@ ShaftTerms ShaftContact::at(const ShaftPoint& point, const Eigen::Vector3d& plac
   const double wanted = whole * std::clamp(behind / cone, 0.0, 1.0);
   const double slope = on_cone ? whole / cone : 0;  // of the radius, by the distance behind the tip
   const Eigen::Vector3d around = along.cross(outwards);
-  const double overlap = std::max(0.0, wanted - outwards.dot(place - tip)), astray = around.dot(place - tip);
-  const Eigen::Vector3d by_place = -(outwards + slope * along);
+  return {.along = along,
+          .around = around,
+          .by_place = -(outwards + slope * along),
+          .overlap = wanted - outwards.dot(place - tip),
+          .astray = around.dot(place - tip),
+          .slip = behind - point.anchor};
+}
+
+ShaftBranch ShaftContact::branch_at(const ShaftPoint& point, const Eigen::Vector3d& place) const {
+  const View seen = view(point, place);
+  return {.presses = seen.overlap > 0, .slides = std::abs(seen.slip) <= give ? 0 : seen.slip > 0 ? 1 : -1};
+}
+
+ShaftTerms ShaftContact::along(const ShaftBranch& branch, const ShaftPoint& point, const Eigen::Vector3d& place) const {
+  if (!point.touches) return {};
+  const View seen = view(point, place);
+  const double guide = kGuide * stiffness, spring = point.limit / give;
   ShaftTerms terms;
-  terms.squeeze = stiffness * overlap;
-  const double guide = kGuide * stiffness;
-  terms.energy = terms.stored = 0.5 * (terms.squeeze * overlap + guide * astray * astray);
-  terms.gradient = terms.squeeze * by_place + guide * astray * around;
-  terms.hessian = guide * around * around.transpose();
-  if (overlap > 0) terms.hessian += stiffness * by_place * by_place.transpose();
-  if (point.limit == 0) return terms;
-  const double slip = behind - point.anchor;
-  const double elastic = std::clamp(slip, -give, give), spring = point.limit / give;
+  terms.squeeze = branch.presses ? stiffness * seen.overlap : 0;
+  terms.friction = branch.slides == 0 ? spring * seen.slip : branch.slides * point.limit;
+  terms.gradient = terms.squeeze * seen.by_place + guide * seen.astray * seen.around - terms.friction * seen.along;
+  terms.hessian = guide * seen.around * seen.around.transpose();
+  if (branch.presses) terms.hessian += stiffness * seen.by_place * seen.by_place.transpose();
+  if (branch.slides == 0) terms.hessian += spring * seen.along * seen.along.transpose();
+  return terms;
+}
+
+ShaftTerms ShaftContact::at(const ShaftPoint& point, const Eigen::Vector3d& place) const {
+  if (!point.touches) return {};
+  const View seen = view(point, place);
+  ShaftTerms terms = along(branch_at(point, place), point, place);
+  const double overlap = std::max(0.0, seen.overlap), elastic = std::clamp(seen.slip, -give, give);
+  const double spring = point.limit / give;
+  terms.stored = 0.5 * stiffness * (overlap * overlap + kGuide * seen.astray * seen.astray);
   terms.stored += 0.5 * spring * elastic * elastic;
-  terms.energy += 0.5 * spring * elastic * elastic + point.limit * (std::abs(slip) - std::abs(elastic));
-  terms.friction = spring * elastic;
-  terms.gradient -= terms.friction * along;
-  if (std::abs(slip) <= give) terms.hessian += spring * along * along.transpose();
+  terms.energy = terms.stored + point.limit * (std::abs(seen.slip) - std::abs(elastic));
   return terms;
 }
 
@@ -56,19 +80,23 @@ double ShaftContact::stored(const Eigen::VectorXd& position) const {
   return sum;
 }
 
+void add_vertex(const BodyModel& model, int vertex, const Eigen::Matrix3d& hessian, std::span<double> values) {
+  const SurfacePoint place = point_at(model.definition.mesh.triangles, vertex);
+  Eigen::Index corner = 0;
+  place.weights.maxCoeff(&corner);
+  Eigen::Matrix<double, 9, 9> whole = Eigen::Matrix<double, 9, 9>::Zero();
+  whole.block<3, 3>(3 * corner, 3 * corner) = hessian;
+  add_triangle(model.addresses[place.triangle], whole, values);
+}
+
 void add_shafts(const BodyModel& model, const std::vector<ShaftContact>& shafts, const Eigen::VectorXd& position,
                 EquilibriumTerms& terms) {
   for (const ShaftContact& shaft : shafts) {
     for (const ShaftPoint& point : shaft.points) {
       const ShaftTerms own = shaft.at(point, position.segment<3>(3 * point.vertex));
-      const SurfacePoint place = point_at(model.definition.mesh.triangles, point.vertex);
-      Eigen::Index corner = 0;
-      place.weights.maxCoeff(&corner);
-      Eigen::Matrix<double, 9, 9> hessian = Eigen::Matrix<double, 9, 9>::Zero();
-      hessian.block<3, 3>(3 * corner, 3 * corner) = own.hessian;
       terms.gradient.segment<3>(3 * point.vertex) += own.gradient;
       terms.friction += own.energy;
-      add_triangle(model.addresses[place.triangle], hessian, terms.values);
+      add_vertex(model, point.vertex, own.hessian, terms.values);
       terms.largest_force = std::max(terms.largest_force, own.gradient.lpNorm<Eigen::Infinity>());
     }
   }

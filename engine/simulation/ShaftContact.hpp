@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "engine/simulation/BodyModel.hpp"
@@ -29,6 +30,14 @@ struct ShaftTerms {
   Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();   // newton / metre
 };
 
+/// Which of its laws a vertex of the lips follows: each is linear where the other two of its kind are not.
+struct ShaftBranch {
+  bool presses = false;  // whether the wall there squeezes the needle
+  int slides = 0;        // 1 backwards along the needle, -1 forwards, 0 where friction holds it
+
+  bool operator==(const ShaftBranch&) const = default;
+};
+
 /// A needle in the wall during a solution. A slit of twice its radius that is spread on a round shaft: its vertices,
 /// evenly spread in angle as they were along the slit, are each kept out of the needle's tangent plane there by a stiff
 /// spring, kept from running together around it by a soft one, and slide along the needle under Coulomb's law. With z
@@ -50,11 +59,21 @@ struct ShaftContact {
   /// Metres behind the tip, less than zero in front of it.
   double behind_tip(const Eigen::Vector3d& place) const { return -frame.col(2).dot(place - tip); }
   ShaftTerms at(const ShaftPoint& point, const Eigen::Vector3d& place) const;
+  ShaftBranch branch_at(const ShaftPoint& point, const Eigen::Vector3d& place) const;
+  /// As if the vertex followed one branch everywhere: what a step to where it does may be taken from. Without energies.
+  ShaftTerms along(const ShaftBranch& branch, const ShaftPoint& point, const Eigen::Vector3d& place) const;
   /// What the wall does to the needle, newton. `position`: (unknowns), metres.
   Eigen::Vector3d force(const Eigen::VectorXd& position) const;
   /// Energy that comes back, joule.
   double stored(const Eigen::VectorXd& position) const;
+
+ private:
+  struct View;
+  View view(const ShaftPoint& point, const Eigen::Vector3d& place) const;
 };
+
+/// Adds the second derivatives by one vertex. `values`: (non-zeros), newton / metre.
+void add_vertex(const BodyModel& model, int vertex, const Eigen::Matrix3d& hessian, std::span<double> values);
 
 /// Adds energy, gradient and Hessian of all of them.
 void add_shafts(const BodyModel& model, const std::vector<ShaftContact>& shafts, const Eigen::VectorXd& position,

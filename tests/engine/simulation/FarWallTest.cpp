@@ -30,7 +30,8 @@ BodyDefinition taut_sheet(double toughness) {
 /// Looks at the books of a body after each step.
 class BookKeeper {
  public:
-  explicit BookKeeper(const Body& body) : body_(body), fluid_(body.state().fluid_volume) {}
+  explicit BookKeeper(const Body& body, double numerical = 0.005)
+      : body_(body), numerical_(numerical), fluid_(body.state().fluid_volume) {}
 
   void look() {
     const EnergyBooks& books = body_.state().books;
@@ -39,7 +40,7 @@ class BookKeeper {
     }
     // Solutions end at residuals of 1e-9 of the largest force; a rupture leaves up to 5e-9 open.
     EXPECT_LT(std::abs(books.imbalance()), 1e-7 * largest_);
-    EXPECT_LT(std::abs(books.numerical), 0.005 * largest_);
+    EXPECT_LT(std::abs(books.numerical), numerical_ * largest_);
     for (Eigen::Index c = 0; c < fluid_.size(); ++c) {
       EXPECT_NEAR(body_.state().fluid_volume[c] + body_.state().leaked[c], fluid_[c], 1e-9 * fluid_[c]);
     }
@@ -47,6 +48,7 @@ class BookKeeper {
 
  private:
   const Body& body_;
+  double numerical_;  // part of the largest term that the integrator may take
   Eigen::VectorXd fluid_;
   double largest_ = 0;  // joule, of the terms so far
 };
@@ -131,6 +133,41 @@ TEST(ANeedleInAShell, DentsRupturesSlidesAndLeavesAHoleUnderBooksThatClose) {
   needle.move(body, -5e-3, look);
   EXPECT_EQ(needle.forces.back(), 0);
   EXPECT_GT(body.state().leaked[0], 0);
+}
+
+TEST(ANeedleInASoftToughShell, GoesThroughAndSlidesOnItsShaft) {
+  // What the wall stores until it gives way draws it out to some times its length, and the shaft presses the lips
+  // together: the linear law, which is for small strain, must bear both.
+  BodyDefinition definition = make_body(make_annulus(5e-3, 12.5e-3, 320), 0.5e-3, st_venant_kirchhoff(50e3, 0.4));
+  definition.model = WallModel::kShell;
+  definition.fluid.kind = FluidKind::kNone;
+  definition.fixed = {{.region = BoundaryRegion{}, .axes = {true, true, true}}};
+  definition.toughness = {200};
+  SimulationOptions options = quasi_static();
+  options.gravity = {0, 0, -9.81};
+  Body body(std::move(definition), {test_needle(0.2)}, options);
+  body.settle();
+  BookKeeper keeper(body, 1);
+  int iterations = 0;
+  const auto look = [&] {
+    keeper.look();
+    iterations += body.report().newton_iterations;
+  };
+  DrivenNeedle needle{.at = {-8.6e-3, 1.7e-3, 1e-3}, .step = 0.15e-3};
+  ASSERT_TRUE(needle.move_to_rupture(body, 1, 8e-3, look));
+  const double peak = needle.forces.back();
+  std::printf("%d iterations until the wall gave way\n", iterations);
+  // A law that collapses under the shaft takes 2300, and leaves lips that have none of their width.
+  EXPECT_LT(iterations, 1000);
+  iterations = 0;
+  needle.move(body, needle.depth + 3e-3, look);
+  EXPECT_GT(needle.forces.back(), 0);
+  EXPECT_LT(needle.forces.back(), 0.1 * peak);
+  // The slack wall sags and buckles where the tip meets it, whatever the steps: 0.011 seen.
+  EXPECT_LT(std::abs(body.state().books.numerical), 0.02 * body.state().books.tool_work);
+  // Which lips stick and which slide is found with each step; without that some fifty iterations a step go to and fro.
+  std::printf("%d iterations in 20 steps on the shaft\n", iterations);
+  EXPECT_LT(iterations, 300);
 }
 
 TEST(ANeedleInASheetThatHoldsNothing, DentsRupturesSlidesAndLeavesAHoleUnderBooksThatClose) {
