@@ -230,6 +230,7 @@ std::optional<Rupture> Body::pierce(int tool, std::span<const ToolPose> poses) {
   const auto path = slit_path(*model_, *place, poses[tool], radius);
   const EnergyBooks books = state_.books;
   const std::vector<ToolContact> felt = state_.contacts;
+  const double residual = report_.residual;
   Rupture rupture;
   Uncut before;
   for (const double edge : kSlitEdges) {
@@ -251,6 +252,7 @@ std::optional<Rupture> Body::pierce(int tool, std::span<const ToolPose> poses) {
   }
   if (!is_opened || rupture.released < rupture.cost) {
     put_back(std::move(before));
+    report_.residual = residual;
     state_.pressing[tool].awaited =
         work + (is_opened ? kMissingPart * (rupture.cost - rupture.released) : kRetryPart * 2 * radius * cost);
     if (!is_slit) refuse("a slit of its width runs into a border there; aim farther from borders and cuts");
