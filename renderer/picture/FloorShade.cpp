@@ -53,8 +53,8 @@ void FloorShade::lay(const SceneMeshes& meshes, Vector3 along) const {
   glProgramUniform3f(cover_program_.name(), 0, static_cast<float>(along.x), static_cast<float>(along.y),
                      static_cast<float>(along.z));
   glUseProgram(cover_program_.name());
-  meshes.tissue().draw();
-  meshes.tools().draw();
+  // What lies lowest hides the rest.
+  meshes.draw_nearest(GL_FRONT, {});
 }
 
 void FloorShade::clear() const {

@@ -56,8 +56,9 @@ class PassClock {
 struct SceneView {
   const Snapshot& snapshot;
   const ViewDefinition& view;
+  Vector3 eye;  // metres
   Surroundings surroundings = Surroundings::kStudio;
-  std::vector<OutlineSegment> outline = {};
+  std::optional<std::vector<OutlineSegment>> outline = {};
 };
 
 /// All that lives in the context, in the order in which it can be made.
@@ -88,10 +89,11 @@ struct Stage {
 
   void cast_shadows(const SceneExtent& extent, const Studio& studio, PassClock& clock);
   void draw_backdrop(Surroundings surroundings, PassClock& clock);
-  void draw_surface(PassClock& clock);
-  void draw_scene(const SceneView& scene, const FrameUniforms& frame, PassClock& clock);
+  void draw_surface(const FrameUniforms& frame, PassClock& clock);
+  void draw_scene(SceneView& scene, const FrameUniforms& frame, PassClock& clock);
+  void find_outline(SceneView& scene);
   void draw_fluids(const SceneView& scene, PassClock& clock);
-  void draw_fine_pixels(const SceneView& scene, const FrameUniforms& frame);
+  void draw_fine_pixels(SceneView& scene, const FrameUniforms& frame);
   std::vector<std::uint8_t> read_picture() const {
     return target.read_color({0, 0, target.size().width, target.size().height});
   }
@@ -134,14 +136,21 @@ void Stage::draw_fluids(const SceneView& scene, PassClock& clock) {
 
 /// What is seen of the tissue; depth and stencil tell where. It does not touch the colours, so that these can be filled
 /// while the driver's threads work on it.
-void Stage::draw_surface(PassClock& clock) {
-  scene_pass.draw_surface(meshes, target);
+void Stage::draw_surface(const FrameUniforms& frame, PassClock& clock) {
+  scene_pass.draw_surface(meshes, target, frame.view_projection);
   glFlush();
   clock.ends("surface");
 }
 
+/// While the driver's threads work on what has been drawn so far.
+void Stage::find_outline(SceneView& scene) {
+  if (scene.outline) return;
+  glFlush();
+  scene.outline = meshes.outline(scene.snapshot, scene.eye);
+}
+
 /// Over the backdrop, all that is seen with the surface.
-void Stage::draw_scene(const SceneView& scene, const FrameUniforms& frame, PassClock& clock) {
+void Stage::draw_scene(SceneView& scene, const FrameUniforms& frame, PassClock& clock) {
   shadow_map.bind();
   scene_pass.draw_tools(meshes, target, scene.surroundings);
   clock.ends("tools");
@@ -151,6 +160,7 @@ void Stage::draw_scene(const SceneView& scene, const FrameUniforms& frame, PassC
     scene_pass.shade_tissue(meshes, target, frame.view_projection, scene.surroundings);
     scene_pass.mark(meshes, scene.view.highlights, scene.snapshot.time);
   }
+  if (tier != Tier::kDraft) find_outline(scene);
   clock.ends("tissue");
   const bool has_fluids = !meshes.films().empty() || !meshes.fluids().empty();
   if (tier == Tier::kFinal) bare = has_fluids ? read_picture() : std::vector<std::uint8_t>();
@@ -159,13 +169,13 @@ void Stage::draw_scene(const SceneView& scene, const FrameUniforms& frame, PassC
     mesh_lines.draw(meshes.mesh_lines(scene.snapshot));
     clock.ends("mesh lines");
   }
-  if (tier != Tier::kDraft) outline_pass.draw(scene.outline, target.copy_of_color());
+  if (tier != Tier::kDraft) outline_pass.draw(*scene.outline, target.copy_of_color());
   clock.ends("outline");
 }
 
 /// Draws the scene again for the corners of the pixels whose middles are not enough. Elsewhere the picture stays, so
 /// that what is seen of a pixel's neighbour is there.
-void Stage::draw_fine_pixels(const SceneView& scene, const FrameUniforms& frame) {
+void Stage::draw_fine_pixels(SceneView& scene, const FrameUniforms& frame) {
   const ImageSize size = target.size();
   const std::vector<std::uint8_t> picture = read_picture();
   const FinePixels fine = find_fine_pixels(picture, bare, size);
@@ -180,7 +190,7 @@ void Stage::draw_fine_pixels(const SceneView& scene, const FrameUniforms& frame)
   target.write_color(fine.area, ground);
   target.clear_depth(fine);
   PassClock untimed(nullptr);
-  draw_surface(untimed);
+  draw_surface(shifted, untimed);
   draw_scene(scene, shifted, untimed);
   target.write_color(fine.area, with_corners(fine, middles, target.read_color(fine.area)));
 }
@@ -242,11 +252,10 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
   stage->cast_shadows(extent, studio, clock);
   stage->draw_backdrop(surroundings, clock);
   stage->target.clear_depth();
-  stage->draw_surface(clock);
+  stage->draw_surface(frame, clock);
   stage->target.lay_backdrop(field_stop(frame));
   clock.ends("backdrop");
-  SceneView shown{.snapshot = snapshot, .view = view, .surroundings = surroundings};
-  if (stage->tier != Tier::kDraft) shown.outline = stage->meshes.outline(snapshot, camera.position);
+  SceneView shown{.snapshot = snapshot, .view = view, .eye = camera.position, .surroundings = surroundings};
   stage->draw_scene(shown, frame, clock);
   const bool has_focus = camera.aperture > 0 && stage->tier != Tier::kDraft;
   if (stage->tier == Tier::kFinal) {

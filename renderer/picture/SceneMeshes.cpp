@@ -75,9 +75,14 @@ void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& 
         if (!bed.corners.empty()) pieces.push_back(std::move(bed));
       }
     }
+    if (pieces.empty()) continue;
+    const bool is_closed = encloses_its_inside(surface, borders_[k], pieces);
+    Bounds body_bounds = bounds_of(pieces.front().vertices);
+    for (const TissuePiece& piece : pieces) body_bounds = around(body_bounds, bounds_of(piece.vertices));
     for (const TissuePiece& piece : pieces) {
       parts_.push_back({surface.body, piece.side, look_uniforms(body_look, piece.side), indices.size(),
-                        piece.corners.size(), bounds_of(piece.vertices)});
+                        piece.corners.size(), bounds_of(piece.vertices), is_closed && piece.side != TissueSide::kBed,
+                        body_bounds});
       const auto offset = static_cast<std::uint32_t>(vertices.size());
       for (const std::uint32_t corner : piece.corners) indices.push_back(offset + corner);
       vertices.insert(vertices.end(), piece.vertices.begin(), piece.vertices.end());
@@ -88,6 +93,24 @@ void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& 
     }
   }
   tissue_.upload(std::span<const SurfaceVertex>(vertices), indices);
+}
+
+void SceneMeshes::draw_nearest(GLenum hidden, const std::array<float, 16>& matrix) const {
+  glCullFace(hidden);
+  for (std::size_t i = 0; i < parts_.size();) {
+    const auto shows_one_side = [&](const TissuePart& part) {
+      return part.is_closed && (hidden == GL_FRONT || lies_ahead(part.body_bounds, matrix));
+    };
+    const bool one_side = shows_one_side(parts_[i]);
+    const std::size_t first = parts_[i].first_index;
+    std::size_t count = 0;
+    for (; i < parts_.size() && shows_one_side(parts_[i]) == one_side; ++i) count += parts_[i].index_count;
+    (one_side ? glEnable : glDisable)(GL_CULL_FACE);
+    tissue_.draw(first, count);
+  }
+  glEnable(GL_CULL_FACE);
+  tools_.draw();
+  glDisable(GL_CULL_FACE);
 }
 
 /// Of surface `k`, that `pieces` were made of.

@@ -28,6 +28,8 @@ struct TissuePart {
   std::size_t first_index = 0;
   std::size_t index_count = 0;
   Bounds bounds = {};
+  bool is_closed = false;  // seen from outside `body_bounds`, its triangles that face away are hidden
+  Bounds body_bounds = {};
 };
 
 /// The fluid that is seen in an opened body, and how it looks.
@@ -51,6 +53,11 @@ class SceneMeshes {
 
   const TriangleBuffer& tissue() const { return tissue_; }
   const TriangleBuffer& tools() const { return tools_; }
+
+  /// Draws tissue and tools for a pass in which the nearest counts, without the sides that are hidden: GL_BACK as seen
+  /// through `matrix` (world to clip coordinates); GL_FRONT as seen from the far end of a parallel view.
+  void draw_nearest(GLenum hidden, const std::array<float, 16>& matrix) const;
+
   const std::vector<TissuePart>& parts() const { return parts_; }
   const std::vector<ToolRod>& rods() const { return rods_; }
 

@@ -34,18 +34,6 @@ Texture color_texture() {
   return texture;
 }
 
-/// Calls `draw` for the triangles that face the viewer, then for the others: of what the first hide nothing is
-/// computed.
-template <typename Draw>
-void draw_outsides_first(const Draw& draw) {
-  glEnable(GL_CULL_FACE);
-  for (const GLenum hidden : {GL_BACK, GL_FRONT}) {
-    glCullFace(hidden);
-    draw();
-  }
-  glDisable(GL_CULL_FACE);
-}
-
 }  // namespace
 
 ScenePass::ScenePass()
@@ -68,7 +56,8 @@ void ScenePass::draw_floor(const PictureTarget& target, Surroundings surrounding
   draw_screen();
 }
 
-void ScenePass::draw_surface(const SceneMeshes& meshes, const PictureTarget& target) const {
+void ScenePass::draw_surface(const SceneMeshes& meshes, const PictureTarget& target,
+                             const FloatMatrix4& view_projection) const {
   require_countable(meshes.parts().size());
   target.begin_surface();
   glEnable(GL_DEPTH_TEST);
@@ -78,10 +67,18 @@ void ScenePass::draw_surface(const SceneMeshes& meshes, const PictureTarget& tar
   glEnable(GL_STENCIL_TEST);
   glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
   glUseProgram(surface_.name());
+  glEnable(GL_CULL_FACE);
   for (std::size_t i = 0; i < meshes.parts().size(); ++i) {
+    const TissuePart& part = meshes.parts()[i];
     glStencilFunc(GL_ALWAYS, static_cast<GLint>(i + 1), 0xff);
-    draw_outsides_first([&] { meshes.tissue().draw(meshes.parts()[i].first_index, meshes.parts()[i].index_count); });
+    // The triangles that face the viewer first: of what they hide nothing is computed.
+    glCullFace(GL_BACK);
+    meshes.tissue().draw(part.first_index, part.index_count);
+    if (part.is_closed && lies_ahead(part.body_bounds, view_projection)) continue;
+    glCullFace(GL_FRONT);
+    meshes.tissue().draw(part.first_index, part.index_count);
   }
+  glDisable(GL_CULL_FACE);
 }
 
 void ScenePass::draw_tools(const SceneMeshes& meshes, const PictureTarget& target, Surroundings surroundings) const {

@@ -23,8 +23,8 @@ class ScenePass {
   /// The floor or bed below the scene, as backdrop.
   void draw_floor(const PictureTarget& target, Surroundings surroundings) const;
 
-  /// What is seen of the tissue, as geometry.
-  void draw_surface(const SceneMeshes& meshes, const PictureTarget& target) const;
+  /// What is seen of the tissue, as geometry. `view_projection`, here and below: world to clip coordinates.
+  void draw_surface(const SceneMeshes& meshes, const PictureTarget& target, const FloatMatrix4& view_projection) const;
 
   /// Before the tissue is shaded, which then leaves out what they hide.
   void draw_tools(const SceneMeshes& meshes, const PictureTarget& target, Surroundings surroundings) const;
@@ -32,7 +32,7 @@ class ScenePass {
   /// The numbers of a data view in its place.
   void shade_data(const PictureTarget& target) const;
 
-  /// Its colours. `view_projection`: world to clip coordinates.
+  /// Its colours.
   void shade_tissue(const SceneMeshes& meshes, const PictureTarget& target, const FloatMatrix4& view_projection,
                     Surroundings surroundings) const;
 

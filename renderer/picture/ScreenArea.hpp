@@ -26,6 +26,12 @@ struct Bounds {
 /// The smallest box around `vertices`, of which there is at least one.
 Bounds bounds_of(std::span<const SurfaceVertex> vertices);
 
+/// The smallest box around both.
+Bounds around(const Bounds& a, const Bounds& b);
+
+/// Whether all of `box` lies beyond the near plane of a view, so that it is seen from outside.
+bool lies_ahead(const Bounds& box, const std::array<float, 16>& view_projection);
+
 /// All pixels that show something of `box`, and a border of one; everything where the box reaches behind the eye.
 /// `view_projection`: world to clip coordinates, column by column.
 ScreenArea screen_area(const Bounds& box, const std::array<float, 16>& view_projection, ImageSize size);

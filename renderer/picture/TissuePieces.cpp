@@ -1,7 +1,11 @@
 #include "renderer/picture/TissuePieces.hpp"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
+
+#include "renderer/picture/Float3.hpp"
+#include "renderer/picture/Vector.hpp"
 
 namespace thinwall {
 
@@ -27,6 +31,20 @@ std::vector<TissuePiece> tissue_pieces(const SnapshotSurface& surface, std::span
     if (!piece->corners.empty()) pieces.push_back(std::move(*piece));
   }
   return pieces;
+}
+
+bool encloses_its_inside(const SnapshotSurface& surface, std::span<const BorderEdge> borders,
+                         std::span<const TissuePiece> pieces) {
+  if (!borders.empty()) return std::ranges::find(pieces, TissueSide::kLining, &TissuePiece::side) != pieces.end();
+  double volume = 0;
+  for (const auto* triangles : {&surface.topology->triangles, &surface.topology->cap_triangles}) {
+    for (const Triangle& triangle : *triangles) {
+      const Vector3 from = vector3(surface.positions[triangle[0]]);
+      const Vector3 to = vector3(surface.positions[triangle[1]]), last = vector3(surface.positions[triangle[2]]);
+      volume += dot(from, cross(to, last));
+    }
+  }
+  return volume > 0;
 }
 
 std::vector<std::uint32_t> surface_vertices(const TissuePiece& piece, const SnapshotTopology& topology,

@@ -23,6 +23,11 @@ struct TissuePiece {
 /// are those of the topology; rims have two for each border. `borders`: what border_edges gives.
 std::vector<TissuePiece> tissue_pieces(const SnapshotSurface& surface, std::span<const BorderEdge> borders);
 
+/// Whether `pieces` of the surface close it, with their front sides outwards: walls without a border, and those whose
+/// thickness is drawn.
+bool encloses_its_inside(const SnapshotSurface& surface, std::span<const BorderEdge> borders,
+                         std::span<const TissuePiece> pieces);
+
 /// The surface's vertex behind each vertex of a piece, (vertices).
 std::vector<std::uint32_t> surface_vertices(const TissuePiece& piece, const SnapshotTopology& topology,
                                             std::span<const BorderEdge> borders);

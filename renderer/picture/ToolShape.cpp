@@ -110,7 +110,7 @@ ToolShape ball(const SnapshotTool& tool, double scene_size) {
   const double joint = radius > 0 ? std::numbers::pi - std::asin(1.4 * slim / radius) : 0;
   ToolBuilder builder(tool, scene_size);
   std::vector<OutlinePoint> outline;
-  append_arc(outline, radius, radius, 0, joint, kPolished, 32);
+  append_arc(outline, radius, radius, 0, joint, kPolished, 18);
   append_fillet(outline, slim);
   append_shaft(outline, slim, std::min(1.5 * slim, 0.03 * scene_size), scene_size);
   builder.turn(outline);

@@ -2,22 +2,24 @@
 // a slope, and what the four corners around a place say is blended with weights that vanish, with their first three
 // derivatives, where a corner's neighbourhood ends.
 
-uint hash(uvec3 cell) {
-  // Multiply and fold; integers, so that every driver gives the same.
-  uint h = cell.x * 0x8da6b343u ^ cell.y * 0xd8163841u ^ cell.z * 0xcb1ab31fu;
-  h = (h ^ (h >> 15)) * 0x2c1b3c6du;
-  return h ^ (h >> 13);
-}
+const uvec3 kPrimes = uvec3(0x8da6b343u, 0xd8163841u, 0xcb1ab31fu);
 
-// Gradient in xyz, value in w, of the corner `cell` at `offset` from it.
+// Gradient in xyz, value in w, of the corner at `offset` from the place, in units that noise() takes back. `cell`: the
+// corner's whole numbers times kPrimes.
 vec4 corner_part(uvec3 cell, vec3 offset) {
-  uint h = hash(cell);
-  vec3 slope = vec3(uvec3(h, h >> 10, h >> 20) & 1023u) * (2.0 / 1023.0) - 1.0;
+  // Multiply and fold; integers, so that every driver gives the same.
+  uint h = cell.x ^ cell.y ^ cell.z;
+  h = (h ^ (h >> 15)) * 0x2c1b3c6du;
+  h ^= h >> 13;
+  vec3 slope = vec3(ivec3(uvec3(h, h >> 10, h >> 20) & 1023u)) - 511.5;
   float height = dot(slope, offset);
   float reach = max(0.5 - dot(offset, offset), 0.0);
   float cubed = reach * reach * reach;
-  return vec4(cubed * (reach * slope - 8.0 * height * offset), cubed * reach * height);
+  float fourth = cubed * reach;
+  return vec4(fourth * slope - (8.0 * cubed * height) * offset, fourth * height);
 }
+
+uvec3 primes_where(vec3 taken) { return mix(uvec3(0u), kPrimes, greaterThan(taken, vec3(0.5))); }
 
 // Gradient in xyz, value in w, about -1 to 1; waves are some 1.5 long.
 vec4 noise(vec3 place) {
@@ -28,8 +30,8 @@ vec4 noise(vec3 place) {
   vec3 second = 1.0 - first.zxy;
   vec3 near = min(first, second);
   vec3 far = max(first, second);
-  uvec3 corner = uvec3(ivec3(cell));
-  vec4 sum = corner_part(corner, a) + corner_part(corner + uvec3(near), a - near + 1.0 / 6.0) +
-             corner_part(corner + uvec3(far), a - far + 1.0 / 3.0) + corner_part(corner + 1u, a - 0.5);
-  return 68.0 * sum;
+  uvec3 corner = uvec3(ivec3(cell)) * kPrimes;
+  vec4 sum = corner_part(corner, a) + corner_part(corner + primes_where(near), a - near + 1.0 / 6.0) +
+             corner_part(corner + primes_where(far), a - far + 1.0 / 3.0) + corner_part(corner + kPrimes, a - 0.5);
+  return (68.0 / 511.5) * sum;
 }

@@ -32,6 +32,19 @@ TEST(ScreenArea, WhatLiesBesideThePictureCoversNoMoreThanItsBorder) {
   EXPECT_LE(screen_area(box, right_angle(), {200, 160}).width, 1);
 }
 
+TEST(ScreenArea, ABoxLiesAheadWhereNoCornerComesNearerThanTheNearPlane) {
+  EXPECT_TRUE(lies_ahead({{-1, -1, -3}, {1, 1, -2}}, right_angle()));
+  EXPECT_TRUE(lies_ahead({{5, 5, -3}, {6, 6, -2}}, right_angle())) << "beside the picture is ahead too";
+  EXPECT_FALSE(lies_ahead({{-1, -1, -3}, {1, 1, -0.005F}}, right_angle()));
+  EXPECT_FALSE(lies_ahead({{-1, -1, -1}, {1, 1, 1}}, right_angle())) << "the eye is inside";
+}
+
+TEST(ScreenArea, TheBoxAroundTwoHoldsBoth) {
+  const Bounds bounds = around({{0, 0, 0}, {1, 1, 1}}, {{-1, 0.5F, 0.5F}, {0.5F, 2, 0.6F}});
+  EXPECT_EQ(bounds.least, (Float3{-1, 0, 0}));
+  EXPECT_EQ(bounds.most, (Float3{1, 2, 1}));
+}
+
 TEST(ScreenArea, BoundsHoldEveryVertex) {
   std::vector<SurfaceVertex> vertices(3);
   vertices[0].position = {1, 2, 3};

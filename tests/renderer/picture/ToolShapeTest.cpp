@@ -91,7 +91,7 @@ TEST(ToolShape, ABallHasItsRadiusAroundItsCentreBehindTheTip) {
     ++on_the_ball;
     EXPECT_GT(dot(normalized(offset), vector3(vertex.normal)), 0.9);
   }
-  EXPECT_GT(on_the_ball, 1000);
+  EXPECT_GT(on_the_ball, 600);
 }
 
 TEST(ToolShape, ABladeIsSharpAtAnEdgeOfItsWidthAndNarrowerAtItsHandle) {

@@ -1,0 +1,56 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "renderer/picture/Renderer.hpp"
+#include "tests/renderer/picture/TestMeshes.hpp"
+
+namespace thinwall {
+namespace {
+
+constexpr ImageSize kSize{64, 64};
+
+/// Of a ball of 30 mm around the origin, seen from `place` on the x axis, metres, towards +x. Nothing else is there.
+Image picture_from(double place, bool faces_inwards, Tier tier) {
+  SnapshotSurface ball = test::sphere("organ", {0, 0, 0}, 0.03, 3);
+  if (faces_inwards) {
+    auto topology = std::make_shared<SnapshotTopology>(*ball.topology);
+    for (Triangle& triangle : topology->triangles) std::swap(triangle[1], triangle[2]);
+    ball.topology = topology;
+  }
+  Snapshot snapshot;
+  snapshot.surfaces = {ball};
+  ViewDefinition view;
+  view.camera.position = Double3{place, 0, 0};
+  view.camera.target = Double3{place + 0.1, 0, 0};
+  view.camera.field_of_view = 0.3;
+  view.look.floor = false;
+  view.look.background = {0, 1, 0};
+  return Renderer(DeviceChoice{}, kSize, tier).draw(snapshot, view);
+}
+
+/// Pixels, of all, that are as green as the background.
+int background_of(const Image& image) {
+  int count = 0;
+  for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
+    count += image.pixels[i + 1] > 200 && image.pixels[i] < 50 ? 1 : 0;
+  }
+  return count;
+}
+
+/// Triangles that face away are left out where others hide them; from within an organ they are all that is seen.
+TEST(ClosedBody, IsSeenFromInsideAndOutside) {
+  for (const Tier tier : {Tier::kDraft, Tier::kRecord, Tier::kFinal}) {
+    EXPECT_EQ(background_of(picture_from(0, false, tier)), 0) << "from the middle";
+    EXPECT_EQ(background_of(picture_from(-0.029, false, tier)), 0) << "from just behind the wall";
+    EXPECT_EQ(background_of(picture_from(-0.09, false, tier)), 0) << "from outside, where it fills the picture";
+  }
+}
+
+TEST(ClosedBody, ThatFacesInwardsIsSeenAllTheSame) {
+  EXPECT_EQ(background_of(picture_from(-0.09, true, Tier::kRecord)), 0);
+  EXPECT_EQ(background_of(picture_from(0, true, Tier::kRecord)), 0);
+}
+
+}  // namespace
+}  // namespace thinwall
