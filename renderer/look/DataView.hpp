@@ -43,6 +43,8 @@ struct DataView {
   DataQuantity quantity = DataQuantity::kVonMisesStress;
   std::optional<double> from = {};
   std::optional<double> to = {};
+  bool goes_on_below = false;  // the wall has more beyond the ends, in their colours
+  bool goes_on_above = false;
 };
 
 /// (vertices), in the quantity's unit; what belongs to triangles as the mean of those around, weighted by their area at

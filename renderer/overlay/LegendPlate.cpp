@@ -21,6 +21,7 @@ constexpr double kHeight = 300;
 constexpr double kBarTop = 64;  // below name and unit
 constexpr double kBarWidth = 22;
 constexpr int kMostSteps = 5;
+constexpr double kSame = 1e-6;  // of the range
 
 /// A unit as it is read, and how many of the SI unit it is.
 struct ShownUnit {
@@ -70,7 +71,13 @@ void draw_legend(Image& image, const OverlayGrid& grid, const Legend& legend) {
   };
   if (to > from) {
     const Axis axis = exact_axis(from, to, kMostSteps);
-    for (const double tick : axis.ticks) mark(tick, axis.label(tick));
+    for (const double tick : axis.ticks) {
+      const bool is_first = tick <= from + kSame * (to - from), is_last = tick >= to - kSame * (to - from);
+      const char* sign = is_first && legend.goes_on_below  ? "\u2264 "
+                         : is_last && legend.goes_on_above ? "\u2265 "
+                                                           : "";
+      mark(tick, sign + axis.label(tick));
+    }
   } else {
     mark(from, fixed_text(from, 2));
   }

@@ -16,9 +16,11 @@ struct ForceSample {
 /// What the colours of a data view mean.
 struct Legend {
   std::string title;
-  std::string unit;  // SI
-  double from = 0;   // in `unit`, of the first colour
-  double to = 1;     // in `unit`, of the last colour
+  std::string unit;            // SI
+  double from = 0;             // in `unit`, of the first colour
+  double to = 1;               // in `unit`, of the last colour
+  bool goes_on_below = false;  // the first colour also stands for less
+  bool goes_on_above = false;  // the last colour also stands for more
 };
 
 /// What is written over a picture. A pure function of the take up to the frame's time.

@@ -22,9 +22,10 @@ void require_data_range(const LookDefinition& look) {
 
 namespace {
 
-/// Values over this part of the wall are left to the end colours: at the tips of cuts and under sharp tools stress has
-/// no bound, and the rest would all be of one colour.
-constexpr double kOutermost = 0.005;
+/// Values over these parts of the wall are left to the end colours: at the tips of cuts and under sharp tools stress
+/// has no bound, and the rest would all be of one colour.
+constexpr double kLowest = 0.005;
+constexpr double kHighest = 0.01;
 
 /// A number of the wall and how much of the wall it stands for. Near cuts there are many vertices on little wall.
 struct WeighedValue {
@@ -81,13 +82,21 @@ void complete_data_range(const TakeReader& take, const std::filesystem::path& fi
   } catch (const PictureFailure& failure) {
     throw TakeError(file.string() + ": " + failure.what());
   }
-  double from = data.from.value_or(value_at(kOutermost, values));
+  if (values.empty()) values.push_back({});
+  const auto ends = std::ranges::minmax(values, {}, &WeighedValue::value);
+  double from = data.from.value_or(value_at(kLowest, values));
   // Most of a wall is touched by nothing.
   std::erase_if(values, [](const WeighedValue& value) { return value.value == 0; });
-  double to = data.to.value_or(std::max(from, value_at(1 - kOutermost, std::move(values))));
+  double to = data.to.value_or(std::max(from, value_at(1 - kHighest, values)));
   round_outwards(from, to);
-  if (!data.from) data.from = from;
-  if (!data.to) data.to = to;
+  if (!data.from) {
+    data.from = from;
+    data.goes_on_below = ends.min.value < from;
+  }
+  if (!data.to) {
+    data.to = to;
+    data.goes_on_above = ends.max.value > to;
+  }
 }
 
 }  // namespace thinwall

@@ -11,9 +11,9 @@ namespace thinwall {
 /// ended.
 void require_data_range(const LookDefinition& look);
 
-/// Gives a data view the ends that it lacks, from the whole take: a hundredth of all values lies below the first, and a
-/// hundredth of those that are not zero above the last. Throws TakeError where the take does not hold what is to be
-/// shown.
+/// Gives a data view the ends that it lacks, from the whole take, and says whether values lie beyond them: over 0.5 %
+/// of the wall below the first at most, and over 1 % of where they are not zero above the last. Throws TakeError where
+/// the take does not hold what is to be shown.
 void complete_data_range(const TakeReader& take, const std::filesystem::path& file, LookDefinition& look);
 
 }  // namespace thinwall

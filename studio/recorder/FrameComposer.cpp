@@ -40,8 +40,12 @@ double first_pressure(const Snapshot& snapshot) {
 std::optional<Legend> legend_of(const LookDefinition& look) {
   if (!look.data || !look.data->from || !look.data->to) return std::nullopt;
   const DataQuantityRow& row = row_of(look.data->quantity);
-  return Legend{
-      .title = std::string(row.title), .unit = std::string(row.unit), .from = *look.data->from, .to = *look.data->to};
+  return Legend{.title = std::string(row.title),
+                .unit = std::string(row.unit),
+                .from = *look.data->from,
+                .to = *look.data->to,
+                .goes_on_below = look.data->goes_on_below,
+                .goes_on_above = look.data->goes_on_above};
 }
 
 }  // namespace

@@ -212,5 +212,24 @@ TEST(Overlay, TakesPicturesOfAnySize) {
   }
 }
 
+TEST(Overlay, ALegendTellsOfAnEndThatStandsForMore) {
+  OverlayContent content = nothing();
+  content.legend = Legend{.title = "Von Mises stress", .unit = "Pa", .from = 0, .to = 20e3};
+  const Image exact = overlaid(content);
+  content.legend->goes_on_above = true;
+  const Image open = overlaid(content);
+  int first = kSize.height, last = -1;
+  for (int row = 0; row < kSize.height; ++row) {
+    const auto begin = static_cast<std::ptrdiff_t>(row) * kSize.width * 3, end = begin + kSize.width * 3;
+    if (std::equal(exact.pixels.begin() + begin, exact.pixels.begin() + end, open.pixels.begin() + begin)) continue;
+    first = std::min(first, row);
+    last = row;
+  }
+  // The number at the upper end of the colours alone.
+  EXPECT_GT(first, 120);
+  EXPECT_LT(last, 170);
+  EXPECT_LE(first, last);
+}
+
 }  // namespace
 }  // namespace thinwall
