@@ -142,7 +142,7 @@ void SceneMeshes::find_films(const Snapshot& snapshot, std::size_t k, const Tiss
   };
   FluidLook bare = {.color = {}, .clarity = kBareClarity};
   for (std::size_t c = 0; c < 3; ++c) bare.color[c] = 0.5 * (look.layers.outer[c] + look.layers.middle[c]);
-  add(bare_edge_film(surface, pieces, *wounds_[k]), bare);
+  add(bare_edge_film(surface, pieces, *wounds_[k], snapshot.time), bare);
   if (look.contents.clarity > 0) {
     const double leaked = find_scalar(snapshot, surface.body, kLeakedScalar).value_or(0);
     add(runoff_film(surface, pieces, *wounds_[k], leaked, snapshot.time), look.contents);

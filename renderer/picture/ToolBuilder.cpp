@@ -16,7 +16,7 @@ ToolBuilder::ToolBuilder(const SnapshotTool& tool, double scene_size)
 }
 
 void ToolBuilder::turn(const std::vector<OutlinePoint>& outline) {
-  constexpr int kSegments = 40;
+  constexpr int kSegments = 32;
   const auto first = static_cast<std::uint32_t>(shape_.vertices.size());
   for (const OutlinePoint& point : outline) {
     for (int i = 0; i <= kSegments; ++i) {
@@ -44,6 +44,10 @@ void ToolBuilder::draw_out(const std::vector<OutlinePoint>& outline, double span
   }
 }
 
+/// Sine of the angle by which the faces of a flat tool turn to their middle at their borders: they are hollow ground,
+/// and so mirror more than one place.
+constexpr double kHollow = 0.22;
+
 void ToolBuilder::join(const std::vector<FlatSection>& sections) {
   const auto corner = [&](const FlatSection& section, double x, double y) {
     return tip_ - section.back * direction_ + x * section.half_thickness * side_ + y * section.half_width * axis_;
@@ -52,14 +56,14 @@ void ToolBuilder::join(const std::vector<FlatSection>& sections) {
     const FlatSection &front = sections[k - 1], &rear = sections[k];
     for (const double sense : {-1.0, 1.0}) {
       append_face({corner(front, sense, -1), corner(front, sense, 1), corner(rear, sense, 1), corner(rear, sense, -1)},
-                  sense * side_, rear);
+                  sense * side_, rear, kHollow);
       append_face({corner(front, -1, sense), corner(front, 1, sense), corner(rear, 1, sense), corner(rear, -1, sense)},
-                  sense * axis_, rear);
+                  sense * axis_, rear, 0);
     }
   }
   for (const FlatSection* end : {&sections.front(), &sections.back()}) {
     append_face({corner(*end, -1, -1), corner(*end, 1, -1), corner(*end, 1, 1), corner(*end, -1, 1)},
-                end == &sections.front() ? direction_ : -direction_, *end);
+                end == &sections.front() ? direction_ : -direction_, *end, 0);
   }
 }
 
@@ -88,12 +92,15 @@ Vector3 ToolBuilder::place(const OutlinePoint& point, double along_axis) const {
 }
 
 /// A plane face with the given corners, one after the other, whose normal is nearest to `outwards`.
-void ToolBuilder::append_face(const std::array<Vector3, 4>& corners, Vector3 outwards, const FlatSection& section) {
+void ToolBuilder::append_face(const std::array<Vector3, 4>& corners, Vector3 outwards, const FlatSection& section,
+                              double hollow) {
   const auto first = static_cast<std::uint32_t>(shape_.vertices.size());
-  const Vector3 normal = normalized(cross(corners[2] - corners[0], corners[3] - corners[1]));
+  const Vector3 across = normalized(cross(corners[2] - corners[0], corners[3] - corners[1]));
+  const Vector3 normal = dot(across, outwards) < 0 ? -across : across;
   for (const Vector3& corner : corners) {
-    const OutlinePoint point{.back = section.back, .roughness = section.roughness};
-    append(corner, dot(normal, outwards) < 0 ? -normal : normal, point);
+    const double aside = dot(corner - tip_, axis_);
+    const OutlinePoint point{.back = dot(tip_ - corner, direction_), .roughness = section.roughness};
+    append(corner, normalized(normal - (aside > 0 ? hollow : -hollow) * axis_), point);
   }
   append_triangle(first, first + 1, first + 2);
   append_triangle(first, first + 2, first + 3);

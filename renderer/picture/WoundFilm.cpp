@@ -75,6 +75,7 @@ void append_fringe(const SnapshotSurface& surface, const TissuePiece& wall, cons
 /// On the cut itself, patchy: more of it the deeper, for it runs down there.
 void append_rim(const SnapshotTopology& topology, std::span<const BorderEdge> borders, const TissuePiece& rim,
                 const WoundLayout& wounds, double bleeding, double time, Film& film) {
+  const std::vector<double> tapering = wounds.map.tapering(time);
   const auto offset = static_cast<std::uint32_t>(film.vertices.size());
   for (std::size_t v = 0; v < rim.vertices.size(); ++v) {
     const BorderEdge& edge = borders[v / 4];
@@ -84,7 +85,7 @@ void append_rim(const SnapshotTopology& topology, std::span<const BorderEdge> bo
         .position = vertex.position, .normal = vertex.normal, .rest = vertex.rest, .inward = -1, .lift = kOnTriangles};
     if (wounds.map.lip[lip] == lip) {
       const double age = age_of(topology, lip, time);
-      const double amount = bleeding * welled(age) * std::sqrt(wounds.map.tapering[lip]);
+      const double amount = bleeding * welled(age) * std::sqrt(tapering[lip]);
       coat.inward = static_cast<float>(0.0004 * amount * (1 + vertex.wound) - 0.00042);
       coat.width = 0.0004F;
       coat.height = static_cast<float>(kBlood.height);
@@ -206,9 +207,10 @@ WoundLayout lay_out_wounds(const SnapshotTopology& topology, std::span<const Bor
 Film blood_film(const SnapshotSurface& surface, std::span<const BorderEdge> borders,
                 std::span<const TissuePiece> pieces, const WoundLayout& wounds, double bleeding, double time) {
   Film film;
+  const std::vector<double> tapering = wounds.map.tapering(time);
   const auto shed = [&](std::uint32_t lip) {
     const double age = age_of(*surface.topology, lip, time);
-    const double spread = bleeding * welled(age) * wounds.map.tapering[lip] * (1 + 0.5 * wounds.fall[lip]);
+    const double spread = bleeding * welled(age) * tapering[lip] * (1 + 0.5 * wounds.fall[lip]);
     return FringePart{.spread = spread, .dry = dryness(age)};
   };
   append_fringe(surface, pieces.front(), wounds, kBlood, shed, film);
@@ -240,8 +242,9 @@ Film runoff_film(const SnapshotSurface& surface, std::span<const TissuePiece> pi
   Film film;
   if (!(leaked > 0)) return film;
   const double welling = 1 - std::exp(-leaked / kFirstDrops);
+  const std::vector<double> tapering = wounds.map.tapering(time);
   const auto part = [&](std::uint32_t lip) {
-    const double spread = welling * wounds.map.tapering[lip] * (0.6 + 0.8 * std::max(0.0, wounds.fall[lip]));
+    const double spread = welling * tapering[lip] * (0.6 + 0.8 * std::max(0.0, wounds.fall[lip]));
     return FringePart{.spread = spread, .dry = 0};
   };
   append_fringe(surface, pieces.front(), wounds, kWelling, part, film);
@@ -259,9 +262,11 @@ Film runoff_film(const SnapshotSurface& surface, std::span<const TissuePiece> pi
   return film;
 }
 
-Film bare_edge_film(const SnapshotSurface& surface, std::span<const TissuePiece> pieces, const WoundLayout& wounds) {
+Film bare_edge_film(const SnapshotSurface& surface, std::span<const TissuePiece> pieces, const WoundLayout& wounds,
+                    double time) {
   Film film;
-  const auto part = [&](std::uint32_t lip) { return FringePart{.spread = wounds.map.tapering[lip], .dry = 0}; };
+  const std::vector<double> tapering = wounds.map.tapering(time);
+  const auto part = [&](std::uint32_t lip) { return FringePart{.spread = tapering[lip], .dry = 0}; };
   append_fringe(surface, pieces.front(), wounds, kBareEdge, part, film);
   return film;
 }

@@ -16,9 +16,11 @@ double distance(const SnapshotTopology& topology, std::uint32_t a, std::uint32_t
   return length(vector3(topology.rest_positions[b]) - vector3(topology.rest_positions[a]));
 }
 
+using Edges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
 /// Lets what is known at some places of a graph spread along edges until no way is shorter: `pass` takes an edge's ends
 /// and tells whether it has shortened one. Wounds are small, so few sweeps do.
-template <typename Edges, typename Pass>
+template <typename Pass>
 void sweep(const Edges& edges, const Pass& pass) {
   for (bool changes = true; changes;) {
     changes = false;
@@ -26,45 +28,78 @@ void sweep(const Edges& edges, const Pass& pass) {
   }
 }
 
-std::vector<double> taper_lips(const SnapshotTopology& topology, std::span<const BorderEdge> borders,
-                               std::span<const char> is_lip) {
+/// The vertex beside `vertex` along `edges` that is not `other`; `vertex` where there is none.
+std::uint32_t beside(const Edges& edges, std::uint32_t vertex, std::uint32_t other) {
+  for (const auto& [start, end] : edges) {
+    if (start == vertex && end != other) return end;
+    if (end == vertex && start != other) return start;
+  }
+  return vertex;
+}
+
+CutEnd cut_end(const SnapshotTopology& topology, const Edges& edges, std::uint32_t vertex) {
+  const std::uint32_t lip = beside(edges, vertex, vertex);
+  const std::uint32_t before = beside(edges, lip, vertex);
+  CutEnd end{.last_edge = distance(topology, vertex, lip)};
+  if (topology.cut_times.empty()) return end;
+  end.reached = topology.cut_times[lip];
+  const double took = end.reached - topology.cut_times[before];
+  if (took > 0 && end.reached >= 0) end.speed = distance(topology, lip, before) / took;
+  return end;
+}
+
+void find_ends(const SnapshotTopology& topology, std::span<const BorderEdge> borders, std::span<const char> is_lip,
+               WoundMap& map) {
   std::map<Float3, int> copies;  // of lips, at each stress-free place
   for (const BorderEdge& edge : borders) {
     if (is_lip[edge.start]) ++copies[topology.rest_positions[edge.start]];
   }
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-  double whole = 0;
+  Edges edges;
   for (const BorderEdge& edge : borders) {
     if (!is_lip[edge.start] || !is_lip[edge.end]) continue;
     edges.emplace_back(edge.start, edge.end);
-    whole += distance(topology, edge.start, edge.end);
+    map.length += distance(topology, edge.start, edge.end);
   }
-  std::vector<double> from_end(is_lip.size(), std::numeric_limits<double>::infinity());
+  map.from_end.assign(is_lip.size(), std::numeric_limits<double>::infinity());
+  map.end_of.assign(is_lip.size(), 0);
   for (const auto& [start, end] : edges) {
-    if (copies[topology.rest_positions[start]] == 1) from_end[start] = 0;
+    if (copies[topology.rest_positions[start]] != 1) continue;
+    map.from_end[start] = 0;
+    map.end_of[start] = static_cast<std::uint32_t>(map.ends.size());
+    map.ends.push_back(cut_end(topology, edges, start));
   }
-  sweep(edges, [&](std::uint32_t a, std::uint32_t b) {
-    const double way = distance(topology, a, b) * (1 + 1e-12);
-    if (from_end[b] > from_end[a] + way) {
-      from_end[b] = from_end[a] + way;
-    } else if (from_end[a] > from_end[b] + way) {
-      from_end[a] = from_end[b] + way;
-    } else {
-      return false;
-    }
+  const auto pass = [&](std::uint32_t from, std::uint32_t to) {
+    const double way = map.from_end[from] + distance(topology, from, to) * (1 + 1e-12);
+    if (!(map.from_end[to] > way)) return false;
+    map.from_end[to] = way;
+    map.end_of[to] = map.end_of[from];
     return true;
-  });
-  const double taper = std::min(kLongestTaper, kTaperPart * std::max(whole, 1e-9));
-  std::ranges::transform(from_end, from_end.begin(), [&](double away) { return std::min(1.0, away / taper); });
-  return from_end;
+  };
+  sweep(edges, [&](std::uint32_t a, std::uint32_t b) { return pass(a, b) || pass(b, a); });
 }
 
 }  // namespace
 
+double CutEnd::short_by(double time) const {
+  return speed > 0 ? std::clamp(last_edge - speed * (time - reached), 0.0, last_edge) : 0;
+}
+
+std::vector<double> WoundMap::tapering(double time) const {
+  double cut = length;
+  for (const CutEnd& end : ends) cut -= 2 * end.short_by(time);
+  const double taper = std::min(kLongestTaper, kTaperPart * std::max(cut, 1e-9));
+  std::vector<double> parts(from_end.size(), 1);
+  for (std::size_t v = 0; v < parts.size(); ++v) {
+    if (!std::isfinite(from_end[v])) continue;
+    parts[v] = std::clamp((from_end[v] - ends[end_of[v]].short_by(time)) / taper, 0.0, 1.0);
+  }
+  return parts;
+}
+
 WoundMap map_wounds(const SnapshotTopology& topology, std::span<const BorderEdge> borders,
                     std::span<const char> is_lip) {
   WoundMap map;
-  map.tapering = taper_lips(topology, borders, is_lip);
+  find_ends(topology, borders, is_lip, map);
   map.from_lip.assign(is_lip.size(), std::numeric_limits<double>::infinity());
   map.lip.assign(is_lip.size(), WoundMap::kNoLip);
   for (std::uint32_t v = 0; v < is_lip.size(); ++v) {
@@ -72,7 +107,7 @@ WoundMap map_wounds(const SnapshotTopology& topology, std::span<const BorderEdge
     map.from_lip[v] = 0;
     map.lip[v] = v;
   }
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  Edges edges;
   for (const Triangle& triangle : topology.triangles) {
     for (std::size_t k = 0; k < 3; ++k) edges.emplace_back(triangle[k], triangle[(k + 1) % 3]);
   }

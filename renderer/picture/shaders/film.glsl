@@ -19,19 +19,29 @@ layout(location = 0, index = 1) out vec4 through;  // part of each channel that 
 layout(location = 0) uniform vec4 fluid;  // linear colour of a deep layer; w: 1 / clarity, 1 / metre
 
 void main() {
-  vec4 coarse = noise(420.0 * rest);
-  vec4 fine = noise(1300.0 * rest + 3.0);
-  float uneven = film.y * (1.1 * coarse.w + 0.12 * fine.w);
+  // Its own tension keeps its edge from turning sharply.
+  const float kWaves = 190.0, kFineWaves = 640.0;  // 1 / metre
+  vec4 coarse = noise(kWaves * rest);
+  vec4 fine = noise(kFineWaves * rest + 3.0);
+  float width = max(film.y, 1e-6);
+  float uneven = film.y * (0.55 * coarse.w + 0.10 * fine.w);
   float inward = film.x + uneven;
-  float rise = saturate((film.x + 0.4 * uneven) / max(film.y, 1e-6));
-  float height = film.z * sqrt(rise * (2.0 - rise)) * (1.0 + 0.15 * coarse.w);
+  float rise = saturate((film.x + 0.5 * uneven) / width);
+  float dome = sqrt(rise * (2.0 - rise));
+  float height = film.z * dome * (1.0 + 0.15 * coarse.w);
 
-  // The slope of the film over the wall, from how its height changes between pixels (Mikkelsen 2010).
+  // The slope of the film over the wall, from how its height changes between pixels (Mikkelsen 2010). What the noise
+  // adds is told by its gradient: differences of it would stay the same over each two by two pixels.
+  vec3 uneven_change = film.y * (0.55 * kWaves * coarse.xyz + 0.10 * kFineWaves * fine.xyz);
+  float steep = rise < 1.0 ? film.z * (1.0 - rise) / (max(dome, 0.2) * width) : 0.0;
+  vec2 height_change = steep * (vec2(dFdx(film.x), dFdy(film.x)) +
+                                0.5 * vec2(dot(uneven_change, dFdx(rest)), dot(uneven_change, dFdy(rest)))) +
+                       0.15 * kWaves * film.z * dome * vec2(dot(coarse.xyz, dFdx(rest)), dot(coarse.xyz, dFdy(rest)));
   vec3 base = normalize(smooth_normal);
   vec3 across = dFdx(position), along = dFdy(position);
   vec3 first = cross(along, base), second = cross(base, across);
   float area = dot(across, first);
-  vec3 slope = (dFdx(height) * first + dFdy(height) * second) / (abs(area) > 1e-16 ? area : 1e-16);
+  vec3 slope = (height_change.x * first + height_change.y * second) / (abs(area) > 1e-16 ? area : 1e-16);
   slope *= min(1.0, 0.6 / max(length(slope), 1e-3));
   vec3 from_eye = position - camera_position.xyz;
   vec3 view = -normalize(from_eye);

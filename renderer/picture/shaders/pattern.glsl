@@ -33,14 +33,17 @@ struct Vessels {
 // another level of finer noise, so that they end at the trunk instead of crossing it, and they thin out away from it.
 Vessels vessels_at(vec4 coarse, vec4 fine, vec4 broad, float footprint) {
   float blur = 0.5 * footprint * vessels.y;
-  float trunk_width = 0.012 + 0.016 * saturate(0.5 + broad.w);
-  float open = smoothstep(-0.45, 0.1, broad.w + 0.5 * broad.x * 0.3);
+  float open = smoothstep(-0.45, 0.1, broad.w + 0.15 * broad.x);
+  // Here they lie at the surface, there they go deeper, thinner and softer to the eye: so no line is drawn out evenly,
+  // and rings do not close.
+  float up = smoothstep(-0.70, 0.55, 0.55 * broad.y + 0.45 * fine.w);
+  float trunk_width = (0.010 + 0.016 * saturate(0.5 + broad.w)) * mix(0.55, 1.15, up);
   Vessels result;
-  result.trunks = open * vessel(coarse, 0.0, trunk_width, blur);
+  result.trunks = open * mix(0.30, 1.0, up) * vessel(coarse, 0.0, trunk_width, blur + 0.030 * (1.0 - up));
   float away = abs(coarse.w);
   float side = coarse.w > 0.0 ? 0.13 : -0.13;
-  float near = open * (1.0 - smoothstep(0.10, 0.62, away));
-  result.branches = near * vessel(fine, side, 0.030 * (1.15 - away), 4.0 * blur);
+  float near = open * (1.0 - smoothstep(0.10, 0.62, away)) * smoothstep(-0.7, 0.3, broad.z + 0.6 * coarse.x);
+  result.branches = near * vessel(fine, side, 0.026 * (1.15 - away), 4.0 * blur + 0.015);
   return result;
 }
 

@@ -50,7 +50,7 @@ void main() {
   // Light that has come into an opened organ goes from wall to wall.
   float bounced = pattern.w > 0.0 && pattern.z == 0.0 ? 0.35 : 0.0;
 #ifdef ENDOSCOPE
-  bounced = max(bounced, 0.1);  // the walls of the cavity send light into shadows
+  bounced = max(bounced, 0.18);  // the walls of the cavity send light into shadows
 #endif
   visible = mix(bounced, 1.0, visible);
   float hollow = max(bend, 0.0);

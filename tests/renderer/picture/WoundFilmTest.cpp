@@ -80,7 +80,7 @@ TEST(WoundFilm, DriesWithTime) {
 
 TEST(WoundFilm, TheWallIsBareAlongTheLipsFromTheStart) {
   const Wound wound(0);
-  const Film film = bare_edge_film(wound.sheet, wound.pieces, wound.layout);
+  const Film film = bare_edge_film(wound.sheet, wound.pieces, wound.layout, 1);
   const std::uint32_t middle = 10 * 21;
   EXPECT_GT(film.vertices[middle + 10].inward, 0.0003F);
   EXPECT_LE(film.vertices[middle + 1].inward, 0) << "an end of the cut";

@@ -26,10 +26,27 @@ TEST(WoundMap, TapersTowardsBothEndsOfACut) {
   const SnapshotSurface sheet = test::slit_sheet(20, 0.001, 0);
   const WoundMap map = map_of(*sheet.topology);
   const std::uint32_t row = 21, middle = 10 * row;
-  EXPECT_EQ(map.tapering[middle + 1], 0) << "an end";
-  EXPECT_EQ(map.tapering[middle + 19], 0) << "the other end";
-  EXPECT_EQ(map.tapering[middle + 10], 1) << "the middle";
-  for (std::uint32_t i = 1; i < 4; ++i) EXPECT_LT(map.tapering[middle + i], map.tapering[middle + i + 1]);
+  const std::vector<double> tapering = map.tapering(1);
+  EXPECT_EQ(tapering[middle + 1], 0) << "an end";
+  EXPECT_EQ(tapering[middle + 19], 0) << "the other end";
+  EXPECT_EQ(tapering[middle + 10], 1) << "the middle";
+  for (std::uint32_t i = 1; i < 4; ++i) EXPECT_LT(tapering[middle + i], tapering[middle + i + 1]);
+}
+
+TEST(WoundMap, ItsTaperingGoesOnWithACutBetweenTheVertices) {
+  const SnapshotSurface sheet = test::slit_sheet(20, 0.001, 0);
+  SnapshotTopology topology = *sheet.topology;
+  // From vertex to vertex in 0.1 s.
+  for (std::size_t v = 0; v < topology.cut_times.size(); ++v) {
+    if (topology.cut_times[v] < 0) continue;
+    topology.cut_times[v] = static_cast<float>(100 * (topology.rest_positions[v][0] + 0.01));
+  }
+  const WoundMap map = map_of(topology);
+  const std::uint32_t last = 10 * 21 + 18;  // before the end, reached after 1.8 s
+  EXPECT_NEAR(map.tapering(1.8)[last], 0, 1e-4) << "the end is still there";
+  EXPECT_NEAR(map.tapering(1.85)[last], 0.5 * map.tapering(1.9)[last], 0.01);
+  EXPECT_NEAR(map.tapering(1.9)[last], map.tapering(5)[last], 1e-4) << "it went no farther";
+  EXPECT_GT(map.tapering(5)[last], 0.1);
 }
 
 std::vector<FluidRun> runs_of(const SnapshotTopology& topology) {
