@@ -8,7 +8,7 @@ namespace {
 
 /// Multiple of the way between two equilibria beyond the later one for which what lies between them is thought to go
 /// on.
-constexpr double kFarthestShare = 3;
+constexpr double kFarthestShare = 6;
 
 /// Part of the reach beyond which a model gives no more for ways along the wall: other places bear the tool there.
 constexpr double kSidewaysReach = 0.25;
@@ -112,18 +112,21 @@ void LocalModelMaker::make(const ToolResponse& response, double time, bool event
   model.rest = response.force - explained;
   // What a hold does is all that it does.
   if (response.holds) model.rest.setZero();
-  if (event) has_anchor_ = false;
-  const Eigen::Vector3d way = response.pose.tip - anchor_.tip;
-  // A way on which the tool came to touch the wall tells nothing of how the force goes on.
-  const bool touched = !anchor_force_.isZero() && response.is_touching();
-  if (has_anchor_ && touched && way.norm() >= shortest_way_ && way.norm() <= reach_) {
-    model.way = way;
-    model.change = response.force - anchor_force_;
+  if (event) anchors_.clear();
+  // Of the equilibria before the nearest that is far enough; what lies between tells too little.
+  if (anchors_.size() == 2 && (response.pose.tip - anchors_[1].tip).norm() >= shortest_way_)
+    anchors_.erase(anchors_.begin());
+  if (!anchors_.empty()) {
+    const Eigen::Vector3d way = response.pose.tip - anchors_[0].tip;
+    // A way on which the tool came to touch the wall tells nothing of how the force goes on.
+    const bool touched = !anchors_[0].force.isZero() && response.is_touching();
+    if (touched && way.norm() >= shortest_way_ && way.norm() <= reach_) {
+      model.way = way;
+      model.change = response.force - anchors_[0].force;
+    }
   }
-  if (has_anchor_ && way.norm() < shortest_way_) return;
-  has_anchor_ = true;
-  anchor_ = response.pose;
-  anchor_force_ = response.force;
+  const bool is_far = anchors_.empty() || (response.pose.tip - anchors_.back().tip).norm() >= shortest_way_;
+  if (is_far) anchors_.push_back({.tip = response.pose.tip, .force = response.force});
 }
 
 }  // namespace thinwall

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "engine/simulation/ToolResponse.hpp"
 
@@ -47,10 +48,14 @@ class LocalModelMaker {
   void make(const ToolResponse& response, double time, bool event, LocalModel& model);
 
  private:
+  /// An equilibrium before.
+  struct Anchor {
+    Eigen::Vector3d tip;    // metres
+    Eigen::Vector3d force;  // newton
+  };
+
   double reach_, shortest_way_;
-  bool has_anchor_ = false;
-  ToolPose anchor_;
-  Eigen::Vector3d anchor_force_ = Eigen::Vector3d::Zero();
+  std::vector<Anchor> anchors_;  // two at most, the older one first
 };
 
 }  // namespace thinwall

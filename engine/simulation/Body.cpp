@@ -261,7 +261,9 @@ double Body::unbooked_part(const BodyState& before, bool is_calm) const {
   const double none = kNoStrain * kNoStrain * model_->wall_stiffness * model_->rest_area;
   // What holds the lips of a cut, or a dent, is among the loads, and has a measure of its own.
   const double doubt = before.cut.held.empty() ? script_doubt(before) : 0;
-  const double given = std::max(0.0, -taken - doubt) / (kMostGiven * std::max(largest, none));
+  // Forces of a loose tolerance tell their work no better.
+  const double most_given = std::max(kMostGiven, options_.tolerance);
+  const double given = std::max(0.0, -taken - doubt) / (most_given * std::max(largest, none));
   // What walls take that jump or flaps that flutter, and what a drag takes up, is no matter of the step's length.
   const bool is_even = before.cut.has_incised && is_calm && state_.drag_force.size() == 0;
   if (!is_even || largest == 0) return given;

@@ -76,7 +76,9 @@ ToolResponse Body::respond(int tool, std::span<const ToolPose> poses, double dur
   if (!touches && ahead.gap > reach) return response;
   foresight_.reset();
   const EquilibriumProblem problem = response_problem(poses, duration);
-  if (!newton_->linearize(problem, state_.equilibrium)) {
+  // With inertia the factor is that of a part of the step.
+  const bool reuses_factor = touches && options_.extrapolates && !has_inertia();
+  if (!newton_->linearize(problem, state_.equilibrium, reuses_factor)) {
     throw SimulationFailure("body `" + model_->definition.name + "`: its answer to a tool cannot be found");
   }
   if (touches) {
@@ -122,7 +124,7 @@ Eigen::VectorXd Body::add_motion_to(ToolResponse& response, const EquilibriumPro
 
 void Body::add_contacts_to(ToolResponse& response, const EquilibriumProblem& problem, int tool) {
   std::vector<const ContactPoint*> pressing;
-  for (const ContactPoint& contact : newton_->terms().contacts) {
+  for (const ContactPoint& contact : newton_->factorised_contacts()) {
     const SolidContact& solid = problem.solids[contact.solid];
     if (solid.tool == tool && solid.forces[contact.site] > 0) pressing.push_back(&contact);
   }

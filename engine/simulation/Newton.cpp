@@ -14,7 +14,7 @@ namespace {
 
 /// How often a step may be found again because contacts would pull or be overrun.
 constexpr int kContactTurns = 8;
-constexpr int kBorderedContactTurns = 20;  // where that costs little
+constexpr int kBorderedContactTurns = 40;  // where that costs little
 
 /// After this many iterations steps are halved at once: whole ones may go to and fro between two sets of contacts, one
 /// of which lowers the residual and the other the energy. Where the residual falls to this part so many times in a row
@@ -200,7 +200,8 @@ bool Newton::is_solved(const Residual& residual, double force_scale, bool is_sta
   const double give = options.tolerance * std::min(model_.edge_length, force_scale / model_.wall_stiffness);
   const double gap_tolerance = std::max(kGapTolerance * model_.edge_length, give);
   const double slack = is_stalled ? kRoundOffResidual : 1;
-  return std::max(residual.largest_force, residual.ghost) <= slack * options.tolerance * force_scale &&
+  const double ghost = options.trusts_gaps ? 0 : residual.ghost;
+  return std::max(residual.largest_force, ghost) <= slack * options.tolerance * force_scale &&
          gap <= slack * gap_tolerance;
 }
 
@@ -225,6 +226,8 @@ bool Newton::folds_over(const Eigen::VectorXd& before, const Eigen::VectorXd& af
 NewtonResult Newton::solve(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options) {
   int before = 0;
   factorisations_ = 0;
+  stepped_to_.resize(0);
+  may_be_one_by_one_ = options.borders_contacts;
   may_border_ = options.borders_contacts || !model_.bending.empty();
   if (!model_.bending.empty()) {
     const Start start{
@@ -293,7 +296,11 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
       return failed("the wall is stretched beyond its law", result);
     }
     const bool whole = result.iterations < kWholeSteps || progress.calm >= kCalmSteps;
-    if (search(problem, state, residual, step, whole ? 1 : 0.5)) continue;
+    if (search(problem, state, residual, step, whole ? 1 : 0.5)) {
+      stepped_to_ = state.position;
+      continue;
+    }
+    stepped_to_.resize(0);
     if (may_be_saddle) {
       progress.inexact = 0;
       continue;
@@ -313,6 +320,9 @@ bool Newton::find_step_with_contacts(const EquilibriumProblem& problem, const Eq
   }
   begin_shafts(problem, state);
   bool are_shafts_revised = false;
+  ContactTurns turns;
+  turns.may_be_one_by_one = may_be_one_by_one_;
+  for (const ContactPoint& contact : terms_.contacts) turns.forces.push_back(contact_force(problem, contact));
   for (int turn = 0;; ++turn) {
     // A membrane's matrix costs little where time does not matter, and without the curvature that contacts take along
     // its needles find no way.
@@ -322,7 +332,7 @@ bool Newton::find_step_with_contacts(const EquilibriumProblem& problem, const Eq
     const int most = borders && model_.bending.empty() ? kBorderedContactTurns : kContactTurns;
     if (turn >= most) break;
     are_shafts_revised = revise_shafts(problem, state, step);
-    if (!revise_contacts(step) && !are_shafts_revised) break;
+    if (!revise_contacts(step, turns) && !are_shafts_revised) break;
   }
   for (std::size_t k = 0; k < open_.size(); ++k) {
     step.contact_forces[k] = open_[k] ? 0 : std::max(0.0, step.contact_forces[k]);

@@ -21,9 +21,12 @@ struct NewtonOptions {
   // Flaps of a cut wall, and free borders, crumple without end: equilibria that are not stable, and residuals that only
   // round-off is left of, are taken too.
   bool takes_flaps = false;
-  // Whether a step is found again with the same factor where its contacts change, not in shells alone: quicker, but
-  // without the curvature that contacts take along.
+  // Whether a step is found again with the same factor where its contacts change, not in shells alone, and one by one
+  // where they go in circles: quicker, but without the curvature that contacts take along.
   bool borders_contacts = false;
+  // Whether a contact that bears a force is told to be right by its gap alone, as one that bears none is: a gap that is
+  // wide by less than matters then keeps its force, however stiff it is.
+  bool trusts_gaps = false;
   std::function<void()> between_iterations = {};  // called before each; what it throws goes through
 };
 
@@ -96,13 +99,19 @@ class Newton {
   void look(const EquilibriumProblem& problem, const EquilibriumState& state) { evaluate_all(problem, state, terms_); }
 
   /// Factorises the curvature at an equilibrium that a solve has reached, with the contacts that press, and changes
-  /// nothing else; false where it cannot be factorised.
-  bool linearize(const EquilibriumProblem& problem, const EquilibriumState& state);
+  /// nothing else; false where it cannot be factorised. With `reuses_factor` that of the last step of the solve will
+  /// do, if it ended with one: it is off by what that step changed.
+  bool linearize(const EquilibriumProblem& problem, const EquilibriumState& state, bool reuses_factor = false);
 
   /// After `linearize`: what a small force, (unknowns), newton, and small motions of the targets of the attachments,
   /// (attachments), metres, do. Of chambers with openings the forces on the rims are left out.
   LinearAnswer answer(const EquilibriumProblem& problem, const Eigen::VectorXd& force,
                       std::span<const Eigen::Vector3d> attachment_motion);
+
+  /// After `linearize`: the contacts as the factorised curvature has them.
+  const std::vector<ContactPoint>& factorised_contacts() const {
+    return answers_as_factorised_ ? trial_terms_.contacts : terms_.contacts;
+  }
 
   /// Part of a motion (3 vertices, metres) that leads to no contact of the wall with itself or its floor.
   double safe_fraction(const Eigen::VectorXd& position, const Eigen::VectorXd& motion) {
@@ -143,6 +152,17 @@ class Newton {
     double least_force = std::numeric_limits<double>::infinity();  // newton
 
     void note(const Residual& residual);
+  };
+
+  /// How the search for the contacts of a step gets on: all that are wrong are changed at once, until that leaves no
+  /// fewer wrong, as it may go in circles; then from the beginning one at a time, on a way on which no force ever pulls
+  /// and the energy falls (Lawson and Hanson 1974, non-negative least squares).
+  struct ContactTurns {
+    bool may_be_one_by_one = false;
+    bool one_by_one = false;
+    int fewest_wrong = std::numeric_limits<int>::max();
+    int without_gain = 0;        // turns in a row that left no fewer wrong
+    std::vector<double> forces;  // (contacts), newton, of the way
   };
 
   /// Of the constraints in the merit function, above their multipliers.
@@ -209,7 +229,8 @@ class Newton {
   void solve_linear(const EquilibriumProblem& problem, const Eigen::VectorXd& force, const Residual* missed,
                     Step& step);
   void find_contact_forces(Step& step) const;
-  bool revise_contacts(const Step& step);
+  bool revise_contacts(const Step& step, ContactTurns& turns);
+  bool change_one_contact(const Step& step, ContactTurns& turns);
   /// Borders the factorised matrix with the springs of contacts that are open or closed unlike when it was factorised;
   /// false where that is not convex.
   bool border_contacts();
@@ -241,7 +262,9 @@ class Newton {
   bool folded_ = false;    // whether the last factorisation is the fold matrix's
   BorderedSystem bordered_;
   EquilibriumTerms terms_;
-  EquilibriumTerms trial_terms_;
+  EquilibriumTerms trial_terms_;        // after a step those that it began with
+  Eigen::VectorXd stepped_to_;          // (unknowns) or none, metres, where the last solve ended if with a step
+  bool answers_as_factorised_ = false;  // whether answers are those of where that step began
   Frozen frozen_;
   std::vector<char> open_;             // (contacts), whether the step takes the contact to be open
   std::vector<char> factorised_open_;  // (contacts), the same when the matrix was factorised
@@ -249,6 +272,7 @@ class Newton {
   std::vector<double> matrix_;         // (non-zeros), what is factorised
   int factorisations_ = 0;             // in the solution under way
   bool may_border_ = false;            // see NewtonOptions::borders_contacts
+  bool may_be_one_by_one_ = false;     // see ContactTurns
   // (triangles) of a shell, pascal, (S11, S22, S12); none where the curvature takes the stress as it is
   std::vector<std::array<int, 2>> hinges_;  // of a shell: triangles with an edge in common
   std::vector<Eigen::Vector3d> foreseen_stress_;

@@ -2,7 +2,9 @@
 
 namespace thinwall {
 
-bool Newton::linearize(const EquilibriumProblem& problem, const EquilibriumState& state) {
+bool Newton::linearize(const EquilibriumProblem& problem, const EquilibriumState& state, bool reuses_factor) {
+  answers_as_factorised_ = reuses_factor && stepped_to_.size() > 0 && stepped_to_ == state.position;
+  if (answers_as_factorised_) return true;
   foreseen_stress_.clear();
   evaluate_all(problem, state, terms_);
   open_.clear();

@@ -312,15 +312,17 @@ void Newton::find_contact_forces(Step& step) const {
   }
 }
 
-bool Newton::revise_contacts(const Step& step) {
+bool Newton::revise_contacts(const Step& step, ContactTurns& turns) {
   double push = 0, wrong = 0;  // newton
   double farthest = 0;         // metres, by which a contact that is wrong is overrun, or would be drawn back
+  int count = 0;               // of those that are wrong
   for (std::size_t k = 0; k < open_.size(); ++k) {
     const double force = step.contact_forces[k];
     const bool presses = force > 0;
     if (presses == static_cast<bool>(open_[k])) {
       wrong += std::abs(force);
       farthest = std::max(farthest, std::abs(force) / terms_.contacts[k].potential.stiffness);
+      ++count;
     } else if (presses) {
       push += force;
     }
@@ -328,7 +330,41 @@ bool Newton::revise_contacts(const Step& step) {
   // What the last steps leave wrong no later one mends.
   const bool goes_on = farthest <= step.position.lpNorm<Eigen::Infinity>();
   if (wrong <= kToleratedPull * push && goes_on) return false;
+  if (turns.one_by_one) return change_one_contact(step, turns);
+  turns.without_gain = count < turns.fewest_wrong ? 0 : turns.without_gain + 1;
+  turns.fewest_wrong = std::min(turns.fewest_wrong, count);
+  if (turns.may_be_one_by_one && turns.without_gain > 0) {
+    turns.one_by_one = true;
+    open_ = factorised_open_;
+    return true;
+  }
   for (std::size_t k = 0; k < open_.size(); ++k) open_[k] = step.contact_forces[k] <= 0;
+  return true;
+}
+
+bool Newton::change_one_contact(const Step& step, ContactTurns& turns) {
+  double part = 1;  // of the way from the forces so far to the step's on which none pulls
+  for (std::size_t k = 0; k < open_.size(); ++k) {
+    const double from = turns.forces[k], to = step.contact_forces[k];
+    if (!open_[k] && to < 0) part = std::min(part, from / (from - to));
+  }
+  double farthest = 0;  // metres
+  std::size_t worst = open_.size();
+  for (std::size_t k = 0; k < open_.size(); ++k) {
+    const double from = turns.forces[k], to = step.contact_forces[k];
+    if (open_[k]) {
+      const double way = to / terms_.contacts[k].potential.stiffness;
+      if (way > farthest) worst = k;
+      farthest = std::max(farthest, way);
+      continue;
+    }
+    turns.forces[k] = std::max(0.0, from + part * (to - from));
+    // Those that stop the way let go.
+    if (to < 0 && from <= part * (from - to) * (1 + 1e-12)) open_[k] = 1, turns.forces[k] = 0;
+  }
+  if (part < 1) return true;
+  if (worst == open_.size()) return false;
+  open_[worst] = 0;
   return true;
 }
 

@@ -35,7 +35,7 @@ constexpr double kLongestSession = 600;
 /// Least way for which a local model is good, metres, and the parts of it that a secant needs, that the hand's
 /// motion may be foreseen, and that the tool goes in one solution.
 constexpr double kLeastReach = 2e-3;
-constexpr double kShortestWay = 0.02;
+constexpr double kShortestWay = 0.04;
 constexpr double kForeseenWay = 0.5;
 constexpr double kMostWay = 0.25;
 constexpr double kForesight = 0.06;  // seconds

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include "engine/mesh/Shapes.hpp"
 #include "tests/engine/simulation/TestBodies.hpp"
 
 namespace thinwall {
@@ -134,6 +135,72 @@ TEST(LocalModelTest, TheSecantMeetsTheForceFoundBeforeAndGoesOnAlongTheWay) {
   further.tip += second.tip - first.tip;
   const Eigen::Vector3d full = full_force(tool, second, further);
   EXPECT_LT((model.force_at(further) - full).norm(), 0.05 * full.norm());
+}
+
+TEST(LocalModelTest, AfterAShortWayTheSecantIsThatOfTheLongerWayBefore) {
+  const ToolDefinition tool = sphere_tool(5e-3);
+  const ToolPose first = pose_at({2e-3, 1e-3, 17.5e-3});
+  const auto body = pressed(tool, first);
+  const Eigen::Vector3d force = body->state().contacts[0].force;
+  LocalModelMaker maker(kReach, 3e-4);
+  LocalModel model;
+  maker.make(body->respond(0, std::vector{first}, 0.01, kReach), 0, false, model);
+  ToolPose before = first;
+  for (const double depth : {4e-4, 5e-4}) {
+    ToolPose pose = first;
+    pose.tip.z() -= depth;
+    body->advance(std::vector{before}, std::vector{pose}, 0.01);
+    maker.make(body->respond(0, std::vector{pose}, 0.01, kReach), 0.01, false, model);
+    EXPECT_LT((model.force_at(first) - force).norm(), 1e-6 * force.norm()) << depth;
+    before = pose;
+  }
+}
+
+/// A hemisphere into which a ball is pressed, and along which it is dragged, in long steps as the solver behind a hand
+/// makes them.
+struct Dragged {
+  int iterations = 0, factorisations = 0, divisions = 0;
+  ToolResponse response;
+
+  Dragged(double tolerance, bool extrapolates, double way) {
+    BodyDefinition definition = make_body(make_hemisphere(25e-3, 2500), 1.5e-3, neo_hookean(30e3));
+    definition.fluid.initial_pressure = 400;
+    definition.fixed = {fixed_group("base")};
+    Body body(definition, {sphere_tool(6e-3)},
+              {.analysis = Analysis::kQuasiStatic, .tolerance = tolerance, .extrapolates = extrapolates});
+    body.settle();
+    const double step = 5e-4;  // metres
+    ToolPose pose = move(body, pose_at({-8e-3, 1e-3, 24.5e-3}), {-8e-3, 1e-3, 19.5e-3}, 10, 5e-3);
+    const int steps = static_cast<int>(std::lround(way / step));
+    pose = move(body, pose, pose.tip + Eigen::Vector3d(way, 0, 0), steps, 5e-3, [&](const ToolPose&) {
+      iterations += body.report().newton_iterations;
+      factorisations += body.report().factorisations;
+      divisions += body.report().halvings + body.report().refinements;
+    });
+    response = body.respond(0, std::vector{pose}, 5e-3, kReach);
+  }
+
+  Eigen::Matrix3d stiffness() const {
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    for (const SiteResponse& site : response.sites) {
+      sum += site.normal * site.force_by_motion.head<3>() + site.force * site.normal_by_motion.leftCols<3>();
+    }
+    return sum;
+  }
+};
+
+TEST(LocalModelTest, TheFactorOfTheLastStepTellsTheSameAnswerAsOneOfItsOwn) {
+  const Dragged plain(1e-9, false, 5e-3), reused(1e-4, true, 5e-3);
+  // The last step went some micrometres on a ball of 6 mm: a thousandth of the curvature.
+  EXPECT_LT((reused.stiffness() - plain.stiffness()).norm(), 0.01 * plain.stiffness().norm());
+  EXPECT_LT((reused.response.force - plain.response.force).norm(), 1e-3 * plain.response.force.norm());
+}
+
+TEST(LocalModelTest, PlacesThatComeToBearAndLetGoLeadNoStepAstray) {
+  const Dragged dragged(1e-4, true, 20e-3);
+  EXPECT_EQ(dragged.divisions, 0);
+  EXPECT_LE(dragged.iterations, 4 * 40);
+  EXPECT_EQ(dragged.factorisations, dragged.iterations) << "a matrix had to be made convex";
 }
 
 TEST(LocalModelTest, AStepThatBeginsWhereTheAnswerLeadsEndsInTheSameEquilibrium) {
