@@ -68,6 +68,19 @@ Eigen::Vector3d LocalForce::force(HapticTick& tick, const Eigen::Vector3d& veloc
   return blend_.force(tick.time, refresh_.model().force_at(tick.pose));
 }
 
+Eigen::Vector3d CorrectedForce::force(HapticTick& tick, const Eigen::Vector3d& velocity) {
+  const Eigen::Vector3d coarse = coarse_.force(tick, velocity);
+  refresh_.tell({.time = tick.time, .pose = tick.pose, .velocity = velocity});
+  // One that takes over before the last has done so would leave it undone.
+  if (refresh_.has_newer() && tick.time >= blended_) {
+    const Eigen::Vector3d given = blend_.force(tick.time, refresh_.correction().of(coarse));
+    refresh_.take_newer();
+    blended_ = tick.time + blending_;
+    blend_.take_over(tick.time, given, refresh_.correction().of(coarse));
+  }
+  return coarse + blend_.force(tick.time, refresh_.correction().of(coarse));
+}
+
 Eigen::Vector3d FullForce::force(HapticTick& tick, const Eigen::Vector3d&) {
   tick.fresh = true;
   return solver_(tick.time, tick.pose).response.force;

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/haptics/CorrectionRefresh.hpp"
 #include "engine/haptics/ForceBlend.hpp"
 #include "engine/haptics/HapticDevice.hpp"
 #include "engine/haptics/ModelRefresh.hpp"
@@ -64,6 +65,23 @@ class LocalForce final : public ForceSource {
 
  private:
   ModelRefresh& refresh_;
+  ForceBlend blend_;
+};
+
+/// Gives the force of the local model of a coarse body, corrected by what a fine body gives beyond it.
+class CorrectedForce final : public ForceSource {
+ public:
+  /// `blending`: seconds in which a newer correction takes over.
+  CorrectedForce(LocalForce& coarse, CorrectionRefresh& refresh, double blending)
+      : coarse_(coarse), refresh_(refresh), blending_(blending), blend_(blending) {}
+  Eigen::Vector3d force(HapticTick& tick, const Eigen::Vector3d& velocity) override;
+  bool has_failed() const override { return coarse_.has_failed() || refresh_.has_failed(); }
+
+ private:
+  LocalForce& coarse_;
+  CorrectionRefresh& refresh_;
+  double blending_;     // seconds
+  double blended_ = 0;  // seconds, when the correction in use has taken over
   ForceBlend blend_;
 };
 

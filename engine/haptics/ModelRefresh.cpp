@@ -9,9 +9,6 @@
 namespace thinwall {
 namespace {
 
-/// How long to wait for news of the hand: a tenth of a tick.
-constexpr std::chrono::microseconds kNap{100};
-
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin) {
@@ -24,12 +21,7 @@ ModelRefresh::ModelRefresh(FullSolver solver, const HandState& begin, const Refr
     : solver_(std::move(solver)), options_(options), maker_(options.reach, options.shortest_way) {
   refresh(begin);
   models_.take();
-  thread_ = std::thread([this] { refresh_on_and_on(); });
-}
-
-void ModelRefresh::tell(const HandState& hand) {
-  hands_.back() = hand;
-  hands_.publish();
+  follower_.emplace([this](const HandState& hand) { refresh(hand); });
 }
 
 void ModelRefresh::refresh(const HandState& hand) {
@@ -49,34 +41,7 @@ void ModelRefresh::refresh(const HandState& hand) {
   maker_.make(answer.response, hand.time, answer.event, models_.back());
   models_.publish();
   last_duration_ = seconds_since(begin);
-  ++figures_.solutions;
-  figures_.longest = std::max(figures_.longest, last_duration_);
-  figures_.total += last_duration_;
-}
-
-void ModelRefresh::refresh_on_and_on() {
-  try {
-    while (!ends_.load(std::memory_order_acquire)) {
-      if (hands_.take()) {
-        refresh(hands_.front());
-      } else {
-        std::this_thread::sleep_for(kNap);
-      }
-    }
-  } catch (...) {
-    failure_ = std::current_exception();
-    has_failed_.store(true, std::memory_order_release);
-  }
-}
-
-void ModelRefresh::stop() {
-  ends_.store(true, std::memory_order_release);
-  if (thread_.joinable()) thread_.join();
-}
-
-void ModelRefresh::finish() {
-  stop();
-  if (failure_) std::rethrow_exception(failure_);
+  figures_.note(last_duration_);
 }
 
 }  // namespace thinwall

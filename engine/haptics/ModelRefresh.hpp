@@ -1,21 +1,13 @@
 #pragma once
 
-#include <atomic>
-#include <exception>
 #include <functional>
-#include <thread>
+#include <optional>
 
+#include "engine/haptics/HandFollower.hpp"
 #include "engine/haptics/LocalModel.hpp"
 #include "engine/haptics/TripleBuffer.hpp"
 
 namespace thinwall {
-
-/// Where the hand was last.
-struct HandState {
-  double time = 0;  // seconds since the beginning
-  ToolPose pose;
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  // metres / second
-};
 
 /// What a full solution gives.
 struct FullAnswer {
@@ -34,52 +26,37 @@ struct RefreshOptions {
   double foreseen_way = 0;  // metres, most that it may be foreseen to go
 };
 
-struct RefreshFigures {
-  long solutions = 0;
-  double longest = 0;  // seconds
-  double total = 0;    // seconds
-};
-
 /// The slow side of a haptic loop: a thread that solves fully for where the hand is, again and again, and leaves the
 /// local model of each solution where the fast side finds it. Neither waits for the other.
 class ModelRefresh {
  public:
   /// Begins with a model of where the hand is at time zero, found before the constructor returns.
   ModelRefresh(FullSolver solver, const HandState& begin, const RefreshOptions& options);
-  ~ModelRefresh() { stop(); }
-  ModelRefresh(const ModelRefresh&) = delete;
-  ModelRefresh& operator=(const ModelRefresh&) = delete;
 
   // Of the fast side.
-  void tell(const HandState& hand);
+  void tell(const HandState& hand) { follower_->tell(hand); }
   bool has_newer() const { return models_.has_fresh(); }
   bool take_newer() { return models_.take(); }
   const LocalModel& model() const { return models_.front(); }
-  bool has_failed() const { return has_failed_.load(std::memory_order_acquire); }
+  bool has_failed() const { return follower_->has_failed(); }
 
   /// Waits for the solution under way, and throws what a solution threw.
-  void finish();
+  void finish() { follower_->finish(); }
   /// After `finish`.
   const RefreshFigures& figures() const { return figures_; }
 
  private:
-  void stop();
-  void refresh_on_and_on();
   void refresh(const HandState& hand);
 
   FullSolver solver_;
   RefreshOptions options_;
   LocalModelMaker maker_;
-  TripleBuffer<HandState> hands_;
   TripleBuffer<LocalModel> models_;
   RefreshFigures figures_;
-  ToolPose reached_;          // of the last solution
-  double last_duration_ = 0;  // seconds
-  double solved_until_ = 0;   // seconds
-  std::atomic<bool> ends_ = false;
-  std::atomic<bool> has_failed_ = false;
-  std::exception_ptr failure_;
-  std::thread thread_;
+  ToolPose reached_;                      // of the last solution
+  double last_duration_ = 0;              // seconds
+  double solved_until_ = 0;               // seconds
+  std::optional<HandFollower> follower_;  // last, so that it ends first
 };
 
 }  // namespace thinwall

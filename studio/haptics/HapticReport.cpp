@@ -50,8 +50,22 @@ nlohmann::ordered_json json_of(const Percentiles& times) {
           {"largest_ms", 1e3 * times.largest}};
 }
 
-double refresh_rate(const HapticReport& report) {
-  return report.duration > 0 ? static_cast<double>(report.refresh.solutions) / report.duration : 0;
+double rate(const HapticReport& report, const RefreshFigures& figures) {
+  return report.duration > 0 ? static_cast<double>(figures.solutions) / report.duration : 0;
+}
+
+std::string solutions(const HapticReport& report, const std::string& name, const RefreshFigures& figures) {
+  if (figures.solutions == 0) return {};
+  return fmt::format("{}: {} ({:.1f} per second; mean {:.2f} ms, longest {:.2f} ms)\n", name, figures.solutions,
+                     rate(report, figures), 1e3 * figures.total / static_cast<double>(figures.solutions),
+                     1e3 * figures.longest);
+}
+
+nlohmann::ordered_json json_of(const HapticReport& report, const RefreshFigures& figures) {
+  return {{"count", figures.solutions},
+          {"per_second", rate(report, figures)},
+          {"mean_ms", 1e3 * figures.total / static_cast<double>(figures.solutions)},
+          {"longest_ms", 1e3 * figures.longest}};
 }
 
 }  // namespace
@@ -111,12 +125,11 @@ std::string to_text(const HapticReport& report) {
   if (report.refresh.solutions > 0) text += row("age of the model", age(report.record));
   text += fmt::format("missed deadlines: {} of {}\n", missed(report.record),
                       static_cast<long>(report.record.ticks.size()) + report.record.skipped);
-  if (report.refresh.solutions > 0) {
-    text += fmt::format("full solutions: {} ({:.1f} per second; mean {:.2f} ms, longest {:.2f} ms)\n",
-                        report.refresh.solutions, refresh_rate(report),
-                        1e3 * report.refresh.total / static_cast<double>(report.refresh.solutions),
-                        1e3 * report.refresh.longest);
-  }
+  const bool is_led = report.coarse_triangles > 0;
+  text += solutions(
+      report, is_led ? fmt::format("solutions of a body of {} triangles", report.coarse_triangles) : "full solutions",
+      report.refresh);
+  text += solutions(report, "full solutions that correct it", report.corrections);
   text += fmt::format(
       "force error: largest {:.4g} N at {:.3f} s, {:.2f} % of the largest force of {:.4g} N; root mean square {:.2f} "
       "%, "
@@ -147,10 +160,11 @@ std::string to_json(const HapticReport& report) {
                                  {"empty_loop_wake_up", json_of(wake_up(report.empty))}};
   if (report.refresh.solutions > 0) {
     json["model_age"] = json_of(age(report.record));
-    json["full_solutions"] = {{"count", report.refresh.solutions},
-                              {"per_second", refresh_rate(report)},
-                              {"mean_ms", 1e3 * report.refresh.total / static_cast<double>(report.refresh.solutions)},
-                              {"longest_ms", 1e3 * report.refresh.longest}};
+    json[report.coarse_triangles > 0 ? "coarse_solutions" : "full_solutions"] = json_of(report, report.refresh);
+  }
+  if (report.coarse_triangles > 0) {
+    json["coarse_triangles"] = report.coarse_triangles;
+    json["full_solutions"] = json_of(report, report.corrections);
   }
   json["force_error"] = {{"largest_N", report.error.largest},
                          {"root_mean_square_N", report.error.root_mean_square},

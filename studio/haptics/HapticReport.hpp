@@ -46,8 +46,10 @@ struct HapticReport {
   double period = 1e-3;                               // seconds
   double duration = 0;                                // seconds, that the loop ran
   HapticRecord record = {};
-  HapticRecord empty = {};      // of the empty loop
-  RefreshFigures refresh = {};  // none of full forces
+  HapticRecord empty = {};          // of the empty loop
+  RefreshFigures refresh = {};      // none of full forces
+  int coarse_triangles = 0;         // of a coarse body that leads the fine one; 0: none
+  RefreshFigures corrections = {};  // of the coarse body's force by the fine one
   ForceError error = {};
   double full_change = 0;    // newton, largest of the full solution within a tick
   std::string failure = {};  // why the solver failed

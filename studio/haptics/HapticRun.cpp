@@ -1,13 +1,16 @@
 #include "studio/haptics/HapticRun.hpp"
 
 #include <fmt/format.h>
+#include <oneapi/tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include "engine/simulation/SimulationFailure.hpp"
 #include "studio/director/ScenarioRun.hpp"
+#include "studio/haptics/CoarseScenario.hpp"
 #include "studio/haptics/PeerDevice.hpp"
 #include "studio/haptics/TrajectoryFile.hpp"
 #include "studio/scenario/InputError.hpp"
@@ -26,6 +29,16 @@ constexpr int kFullTriangles = 150;
 /// Residual of the solver behind the loop, over the largest force: below what a hand feels by orders of magnitude.
 constexpr double kTolerance = 1e-4;
 
+/// The same where solutions make local models: it leaves some thousandths of the force, less than models do.
+constexpr double kLocalTolerance = 3e-2;
+
+/// Triangles of a coarse wall, which is solved some hundred times a second: some hundredths of the force are their
+/// doing.
+constexpr int kCoarseTriangles = 2500;
+
+/// Seconds in which a newer correction of a coarse body's force takes over.
+constexpr double kCorrectionBlending = 20e-3;
+
 /// Seconds for which a driver is waited for.
 constexpr double kPatience = 60;
 
@@ -39,6 +52,9 @@ constexpr double kShortestWay = 0.04;
 constexpr double kForeseenWay = 0.5;
 constexpr double kMostWay = 0.25;
 constexpr double kForesight = 0.06;  // seconds
+
+/// Part of the reach that the tool goes in a solution of a fine body.
+constexpr double kMostFineWay = 0.1;
 
 ToolPose pose_of(const SnapshotTool& tool) {
   return {.tip = Eigen::Vector3d(tool.tip[0], tool.tip[1], tool.tip[2]),
@@ -93,10 +109,9 @@ int tool_index(const HapticPlan& plan) {
 }
 
 /// The scenario as the solver behind the loop steps it: by ticks.
-Scenario in_ticks(const HapticPlan& plan) {
-  Scenario scenario = plan.scenario;
+Scenario in_ticks(Scenario scenario, double tolerance) {
   scenario.simulation.time_step = kPeriod;
-  scenario.simulation.tolerance = std::max(scenario.simulation.tolerance, kTolerance);
+  scenario.simulation.tolerance = std::max(scenario.simulation.tolerance, tolerance);
   scenario.simulation.extrapolates = true;
   return scenario;
 }
@@ -105,12 +120,16 @@ double reach_of(const ToolDefinition& tool) {
   return std::max({kLeastReach, tool.radius, 0.5 * tool.thickness});
 }
 
+/// Whether it may go through the wall or take hold of it.
+bool changes_wall(const ToolDefinition& tool) {
+  return tool.kind == ToolKind::kNeedle || tool.kind == ToolKind::kScalpel || tool.kind == ToolKind::kForceps;
+}
+
 RefreshOptions refresh_options(const ToolDefinition& tool) {
   const double reach = reach_of(tool);
   RefreshOptions options{.reach = reach, .shortest_way = kShortestWay * reach, .most_way = kMostWay * reach};
   // Where a tool goes through the wall no pose may be tried that the hand does not reach.
-  const bool cuts = tool.kind == ToolKind::kNeedle || tool.kind == ToolKind::kScalpel;
-  if (cuts || tool.kind == ToolKind::kForceps) return options;
+  if (changes_wall(tool)) return options;
   options.foresight = kForesight;
   options.foreseen_way = kForeseenWay * reach;
   return options;
@@ -119,8 +138,8 @@ RefreshOptions refresh_options(const ToolDefinition& tool) {
 /// The body behind the loop, as the loop sees it.
 class LoopedRun {
  public:
-  LoopedRun(const HapticPlan& plan, int tool)
-      : run_(in_ticks(plan)), tool_(tool), reach_(reach_of(plan.scenario.tools[tool])) {}
+  LoopedRun(const Scenario& scenario, int tool, double tolerance)
+      : run_(in_ticks(scenario, tolerance)), tool_(tool), reach_(reach_of(scenario.tools[tool])) {}
 
   FullAnswer solve(double time, const ToolPose& pose, bool responds) {
     const long until = std::lround(time / kPeriod);
@@ -193,7 +212,34 @@ std::vector<TimedPose> motion_of(const std::vector<HapticTick>& ticks) {
   return moments;
 }
 
-void run_loop(const HapticPlan& plan, LoopedRun& looped, int tool, Hand& hand, HapticReport& report) {
+/// The force of a coarse body at each tick, and what the body itself gives beyond it as often as it can be solved.
+void run_corrected(const HapticPlan& plan, const Scenario& coarse, LoopedRun& looped, int tool, Hand& hand,
+                   const HapticLoopOptions& options, HapticReport& report) {
+  // Both solvers have a processor of their own: neither may take the other's for a part of its sums.
+  const tbb::global_control one_each(tbb::global_control::max_allowed_parallelism, 1);
+  const ToolDefinition& definition = plan.scenario.tools[tool];
+  LoopedRun leading(coarse, tool, kLocalTolerance), beside(coarse, tool, kTolerance);
+  report.coarse_triangles = leading.triangles();
+  const HandState begin{.time = 0, .pose = hand.begin};
+  CorrectionRefresh corrections(
+      [&](double time, const ToolPose& pose) {
+        return ForcePair{.fine = looped.solve(time, pose, false).response.force,
+                         .coarse = beside.solve(time, pose, false).response.force};
+      },
+      begin, kMostFineWay * reach_of(definition));
+  ModelRefresh refresh([&](double time, const ToolPose& pose) { return leading.solve(time, pose, true); }, begin,
+                       refresh_options(definition));
+  LocalForce source(refresh, options.blending);
+  CorrectedForce corrected(source, corrections, kCorrectionBlending);
+  report.record = run_haptic_loop(*hand.device, corrected, options);
+  refresh.finish();
+  corrections.finish();
+  report.refresh = refresh.figures();
+  report.corrections = corrections.figures();
+}
+
+void run_loop(const HapticPlan& plan, const Scenario* coarse, LoopedRun& looped, int tool, Hand& hand,
+              HapticReport& report) {
   HapticLoopOptions options{.period = kPeriod, .duration = hand.duration, .real_time = plan.real_time};
   options.is_interrupted = [&] {
     try {
@@ -204,7 +250,9 @@ void run_loop(const HapticPlan& plan, LoopedRun& looped, int tool, Hand& hand, H
     return false;
   };
   try {
-    if (report.forces == "full") {
+    if (report.forces == "local" && coarse != nullptr) {
+      run_corrected(plan, *coarse, looped, tool, hand, options, report);
+    } else if (report.forces == "full") {
       FullForce source([&](double time, const ToolPose& pose) { return looped.solve(time, pose, false); });
       report.record = run_haptic_loop(*hand.device, source, options);
     } else {
@@ -232,17 +280,20 @@ HapticRecord run_empty_loop(const HapticPlan& plan, const ToolPose& pose) {
 
 HapticReport run_haptics(const HapticPlan& plan) {
   const int tool = tool_index(plan);
-  LoopedRun looped(plan, tool);
+  std::optional<LoopedRun> looped(std::in_place, plan.scenario, tool, kTolerance);
   // Before a driver comes, which would not be listened to meanwhile.
-  const HapticRecord empty = run_empty_loop(plan, looped.first_pose());
-  Hand hand = make_hand(plan, tool, looped.first_pose());
+  const HapticRecord empty = run_empty_loop(plan, looped->first_pose());
+  Hand hand = make_hand(plan, tool, looped->first_pose());
   HapticReport report{.scenario = plan.scenario.name, .tool = plan.scenario.tools[tool].name};
   report.empty = empty;
-  report.triangles = looped.triangles();
+  report.triangles = looped->triangles();
   const bool small = report.triangles <= kFullTriangles;
   report.forces =
       plan.forces == HapticForces::kFull || (plan.forces == HapticForces::kAuto && small) ? "full" : "local";
-  run_loop(plan, looped, tool, hand, report);
+  std::optional<Scenario> coarse;
+  if (!changes_wall(plan.scenario.tools[tool])) coarse = coarse_scenario(plan.scenario, kCoarseTriangles);
+  if (report.forces == "local" && !coarse) looped.emplace(plan.scenario, tool, kLocalTolerance);
+  run_loop(plan, coarse ? &*coarse : nullptr, *looped, tool, hand, report);
   plan.throw_if_interrupted();
   if (report.record.ticks.empty()) return report;
   report.duration = report.record.ticks.back().time;

@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <vector>
 
+#include "engine/haptics/CorrectionRefresh.hpp"
 #include "engine/haptics/ForceBlend.hpp"
 #include "engine/haptics/LocalModel.hpp"
 #include "engine/mesh/Shapes.hpp"
@@ -17,9 +19,11 @@
 namespace thinwall {
 namespace {
 
-constexpr double kTick = 1e-3;         // seconds
-constexpr double kSpeed = 50e-3;       // metres / second
-constexpr double kTolerance = 1e-4;    // residual over the largest force, at every tick
+constexpr double kTick = 1e-3;            // seconds
+constexpr double kSpeed = 50e-3;          // metres / second
+constexpr double kTolerance = 1e-4;       // residual over the largest force, at every tick
+constexpr double kModelTolerance = 3e-2;  // the same of solutions that make local models
+constexpr int kCoarseTriangles = 2500;
 constexpr double kDepth = 5e-3;        // metres
 constexpr double kDrag = 20e-3;        // metres
 constexpr double kWithdrawal = 15e-3;  // metres
@@ -52,9 +56,9 @@ struct HandPath {
   double factorisations = 0, halvings = 0;
   ToolPose start = {};  // where it touches first
 
-  explicit HandPath(int triangles)
+  explicit HandPath(int triangles, double tolerance = kTolerance)
       : body(hemisphere(triangles), {sphere_tool(6e-3)},
-             {.analysis = Analysis::kQuasiStatic, .tolerance = kTolerance, .extrapolates = true}) {
+             {.analysis = Analysis::kQuasiStatic, .tolerance = tolerance, .extrapolates = true}) {
     body.settle();
   }
 
@@ -71,6 +75,15 @@ struct HandPath {
     forces.push_back(body.state().contacts[0].force);
     factorisations += body.report().factorisations;
     halvings += body.report().halvings;
+  }
+
+  /// In one step; seconds that the processor took.
+  double go_to(const ToolPose& pose) {
+    const std::vector<ToolPose> from = poses;
+    poses[0] = pose;
+    const double before = processor_time();
+    body.advance(from, poses, kTick);
+    return processor_time() - before;
   }
 
   void move(const Eigen::Vector3d& way) {
@@ -111,10 +124,45 @@ ToolPose foreseen(const std::vector<ToolPose>& poses, std::size_t k, double time
   return pose;
 }
 
+/// A fine body, and a coarse one at the same poses, that correct the force of another coarse one.
+struct Correction {
+  static constexpr double kBlending = 20e-3;  // seconds
+  static constexpr double kMostWay = 0.6e-3;  // metres
+
+  HandPath fine, coarse;
+  ForceBlend blend{kBlending};
+  ForceCorrection in_use = {}, next = {};
+  double ready = 0;  // seconds
+  int solutions = 0;
+
+  Correction(int triangles, int coarse_triangles, const ToolPose& start) : fine(triangles), coarse(coarse_triangles) {
+    fine.poses = coarse.poses = {start};
+  }
+
+  Eigen::Vector3d corrected(double time, const ToolPose& hand, const Eigen::Vector3d& force) {
+    if (solutions > 0 && ready <= time) {
+      const Eigen::Vector3d given = blend.force(time, in_use.of(force));
+      in_use = next;
+      blend.take_over(time, given, in_use.of(force));
+    }
+    if (ready <= time) solve(time, hand);
+    return force + blend.force(time, in_use.of(force));
+  }
+
+  void solve(double time, ToolPose hand) {
+    const Eigen::Vector3d way = hand.tip - fine.poses[0].tip;
+    if (way.norm() > kMostWay) hand.tip = fine.poses[0].tip + kMostWay / way.norm() * way;
+    ready = time + fine.go_to(hand) + coarse.go_to(hand);
+    const Eigen::Vector3d forces[] = {fine.body.state().contacts[0].force, coarse.body.state().contacts[0].force};
+    next = {.difference = forces[0] - forces[1], .coarse = forces[1].norm()};
+    ++solutions;
+  }
+};
+
 /// The solver beside the loop takes as long as its processor time: what else the machine does is left out.
 ModelledForces follow_with_models(HandPath& path, const std::vector<ToolPose>& poses,
-                                  const std::vector<Eigen::Vector3d>& forces) {
-  constexpr double kReach = 6e-3, kShortestWay = 0.02 * kReach, kForesight = 0.06, kForeseenWay = 0.5 * kReach;
+                                  const std::vector<Eigen::Vector3d>& forces, Correction* correction) {
+  constexpr double kReach = 6e-3, kShortestWay = 0.04 * kReach, kForesight = 0.06, kForeseenWay = 0.5 * kReach;
   constexpr double kMostWay = 0.25 * kReach;
   ModelledForces result;
   LocalModelMaker maker(kReach, kShortestWay);
@@ -149,7 +197,9 @@ ModelledForces follow_with_models(HandPath& path, const std::vector<ToolPose>& p
         under_way = false;
       }
     }
-    const double error = (blend.force(time, model.force_at(poses[k])) - forces[k]).norm();
+    Eigen::Vector3d given = blend.force(time, model.force_at(poses[k]));
+    if (correction != nullptr) given = correction->corrected(time, poses[k], given);
+    const double error = (given - forces[k]).norm();
     if (error > result.largest_error) result.worst_tick = static_cast<int>(k);
     result.largest_error = std::max(result.largest_error, error);
     result.mean_error += error * error / static_cast<double>(poses.size());
@@ -202,10 +252,15 @@ BENCHMARK(HandPathTick)
 void HandPathModel(benchmark::State& state) {
   for (auto _ : state) {
     const int triangles = static_cast<int>(state.range(0));
-    HandPath full(triangles), modelled(triangles);
+    const bool is_led = triangles > 1.4 * kCoarseTriangles;
+    HandPath full(triangles), modelled(is_led ? kCoarseTriangles : triangles, kModelTolerance);
     full.play();
     modelled.poses = {full.start};
-    const ModelledForces result = follow_with_models(modelled, full.reached, full.forces);
+    std::optional<Correction> correction;
+    if (is_led) correction.emplace(triangles, kCoarseTriangles, full.start);
+    const ModelledForces result =
+        follow_with_models(modelled, full.reached, full.forces, correction ? &*correction : nullptr);
+    if (correction) state.counters["corrections"] = correction->solutions;
     state.SetIterationTime(result.seconds);
     state.counters["error_percent"] = 100 * result.largest_error / result.largest_force;
     state.counters["rms_percent"] = 100 * result.mean_error / result.largest_force;
