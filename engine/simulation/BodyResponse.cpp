@@ -124,9 +124,12 @@ Eigen::VectorXd Body::add_motion_to(ToolResponse& response, const EquilibriumPro
 
 void Body::add_contacts_to(ToolResponse& response, const EquilibriumProblem& problem, int tool) {
   std::vector<const ContactPoint*> pressing;
-  for (const ContactPoint& contact : newton_->factorised_contacts()) {
-    const SolidContact& solid = problem.solids[contact.solid];
-    if (solid.tool == tool && solid.forces[contact.site] > 0) pressing.push_back(&contact);
+  const std::vector<ContactPoint>& contacts = newton_->factorised_contacts();
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const SolidContact& solid = problem.solids[contacts[k].solid];
+    // What the last step let go, but for a part of its force, answers no motion.
+    const bool presses = solid.forces[contacts[k].site] > 0 && !newton_->is_factorised_open(k);
+    if (solid.tool == tool && presses) pressing.push_back(&contacts[k]);
   }
   for (const ContactPoint* contact : pressing) {
     SiteResponse& site = response.sites.emplace_back();

@@ -44,6 +44,9 @@ constexpr double kMostFolding = 1.5;
 constexpr int kStalledSteps = 8;
 constexpr double kRoundOffResidual = 1e3;
 
+/// Part of the mean edge below which a step leaves the curvature as good as it was.
+constexpr double kSmallStep = 0.05;
+
 /// What constraints may be missed by where forces are wanted to the last digits: part of a chamber's volume, and of the
 /// mean edge. The first grows with the tolerance of the forces, of which it is this part.
 constexpr double kVolumeTolerance = 1e-11;
@@ -297,7 +300,8 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
     }
     const bool whole = result.iterations < kWholeSteps || progress.calm >= kCalmSteps;
     if (search(problem, state, residual, step, whole ? 1 : 0.5)) {
-      stepped_to_ = state.position;
+      const bool is_small = step.position.lpNorm<Eigen::Infinity>() < kSmallStep * model_.edge_length;
+      if (is_exact_ && is_small) stepped_to_ = state.position;
       continue;
     }
     stepped_to_.resize(0);

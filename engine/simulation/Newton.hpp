@@ -108,10 +108,11 @@ class Newton {
   LinearAnswer answer(const EquilibriumProblem& problem, const Eigen::VectorXd& force,
                       std::span<const Eigen::Vector3d> attachment_motion);
 
-  /// After `linearize`: the contacts as the factorised curvature has them.
+  /// After `linearize`: the contacts as the factorised curvature has them, and whether it takes one to be open.
   const std::vector<ContactPoint>& factorised_contacts() const {
     return answers_as_factorised_ ? trial_terms_.contacts : terms_.contacts;
   }
+  bool is_factorised_open(std::size_t contact) const { return open_[contact]; }
 
   /// Part of a motion (3 vertices, metres) that leads to no contact of the wall with itself or its floor.
   double safe_fraction(const Eigen::VectorXd& position, const Eigen::VectorXd& motion) {
