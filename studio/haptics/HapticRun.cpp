@@ -29,8 +29,9 @@ constexpr int kFullTriangles = 150;
 /// Residual of the solver behind the loop, over the largest force: below what a hand feels by orders of magnitude.
 constexpr double kTolerance = 1e-4;
 
-/// The same where solutions make local models: it leaves some thousandths of the force, less than models do.
-constexpr double kLocalTolerance = 3e-2;
+/// The same where solutions make local models: it leaves less of the force than models do, and looser ones let some
+/// solutions go astray.
+constexpr double kLocalTolerance = 1e-3;
 
 /// Triangles of a coarse wall, which is solved some hundred times a second: some hundredths of the force are their
 /// doing.

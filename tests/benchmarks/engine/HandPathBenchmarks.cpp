@@ -22,7 +22,7 @@ namespace {
 constexpr double kTick = 1e-3;            // seconds
 constexpr double kSpeed = 50e-3;          // metres / second
 constexpr double kTolerance = 1e-4;       // residual over the largest force, at every tick
-constexpr double kModelTolerance = 3e-2;  // the same of solutions that make local models
+constexpr double kModelTolerance = 1e-3;  // the same of solutions that make local models
 constexpr int kCoarseTriangles = 2500;
 constexpr double kDepth = 5e-3;        // metres
 constexpr double kDrag = 20e-3;        // metres
