@@ -15,8 +15,7 @@ void LensPass::draw(const PictureTarget& target, const Camera& camera, const Cam
   glUniform1f(1, static_cast<float>(k3));
   glUniform4f(2, static_cast<float>(camera.tangent_x), static_cast<float>(camera.tangent_y),
               static_cast<float>(pinhole.tangent_x), static_cast<float>(pinhole.tangent_y));
-  glUniform2f(3, 1.0F / static_cast<float>(target.size().width),
-              1.0F / static_cast<float>(target.size().height));
+  glUniform2f(3, 1.0F / static_cast<float>(target.size().width), 1.0F / static_cast<float>(target.size().height));
   glBindVertexArray(no_vertices_.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
