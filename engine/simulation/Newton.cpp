@@ -12,10 +12,6 @@
 namespace thinwall {
 namespace {
 
-/// How often a step may be found again because contacts would pull or be overrun.
-constexpr int kContactTurns = 8;
-constexpr int kBorderedContactTurns = 40;  // where that costs little
-
 /// After this many iterations steps are halved at once: whole ones may go to and fro between two sets of contacts, one
 /// of which lowers the residual and the other the energy. Where the residual falls to this part so many times in a row
 /// there is one set, and whole ones lead to the end.
@@ -312,36 +308,6 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
     if (is_solved(residual, scale, options.takes_flaps, options)) return solved(true, result);
     return failed(obstructed("the line search found no smaller residual or energy"), result);
   }
-}
-
-bool Newton::find_step_with_contacts(const EquilibriumProblem& problem, const EquilibriumState& state,
-                                     const Residual& residual, double& shift, bool may_be_saddle, Step& step) {
-  open_.clear();
-  for (const ContactPoint& contact : terms_.contacts) {
-    // Edges and faces bear what vertices leave to them: whether that is so the step itself shows.
-    const bool may_wait = contact_law(contact) <= 0 || model_.sites[contact.site].part != SitePart::kCorner;
-    open_.push_back(contact_force(problem, contact) == 0 && may_wait);
-  }
-  begin_shafts(problem, state);
-  bool are_shafts_revised = false;
-  ContactTurns turns;
-  turns.may_be_one_by_one = may_be_one_by_one_;
-  for (const ContactPoint& contact : terms_.contacts) turns.forces.push_back(contact_force(problem, contact));
-  for (int turn = 0;; ++turn) {
-    // A membrane's matrix costs little where time does not matter, and without the curvature that contacts take along
-    // its needles find no way.
-    const bool borders = turn > 0 && !are_shafts_revised && !may_be_saddle && may_border_ && border_contacts();
-    if (!borders && !factorize(problem, state, shift, may_be_saddle)) return false;
-    find_step(problem, state, residual, step);
-    const int most = borders && model_.bending.empty() ? kBorderedContactTurns : kContactTurns;
-    if (turn >= most) break;
-    are_shafts_revised = revise_shafts(problem, state, step);
-    if (!revise_contacts(step, turns) && !are_shafts_revised) break;
-  }
-  for (std::size_t k = 0; k < open_.size(); ++k) {
-    step.contact_forces[k] = open_[k] ? 0 : std::max(0.0, step.contact_forces[k]);
-  }
-  return true;
 }
 
 void Newton::Progress::note(const Residual& residual) {
