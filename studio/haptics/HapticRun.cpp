@@ -33,9 +33,9 @@ constexpr double kTolerance = 1e-4;
 /// solutions go astray.
 constexpr double kLocalTolerance = 1e-3;
 
-/// Triangles of a coarse wall, which is solved some hundred times a second: some hundredths of the force are their
-/// doing.
-constexpr int kCoarseTriangles = 2500;
+/// Triangles of a coarse wall, which is solved some two hundred times a second: of fewer the force is uneven where the
+/// tool is dragged, more are late where it turns.
+constexpr int kCoarseTriangles = 1900;
 
 /// Seconds in which a newer correction of a coarse body's force takes over.
 constexpr double kCorrectionBlending = 20e-3;
@@ -55,7 +55,7 @@ constexpr double kMostWay = 0.25;
 constexpr double kForesight = 0.06;  // seconds
 
 /// Part of the reach that the tool goes in a solution of a fine body.
-constexpr double kMostFineWay = 0.1;
+constexpr double kMostFineWay = 0.25;
 
 ToolPose pose_of(const SnapshotTool& tool) {
   return {.tip = Eigen::Vector3d(tool.tip[0], tool.tip[1], tool.tip[2]),
