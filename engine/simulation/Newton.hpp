@@ -245,6 +245,7 @@ class Newton {
   void add_changed_shafts(const EquilibriumProblem& problem, const EquilibriumState& state);
   Eigen::VectorXd changed_shaft_force(const EquilibriumProblem& problem, const EquilibriumState& state) const;
   bool revise_shafts(const EquilibriumProblem& problem, const EquilibriumState& state, const Step& step);
+  bool bears_as_factorised(const EquilibriumProblem& problem) const;
   std::string obstructed(const std::string& reason) const;
   bool search(EquilibriumProblem& problem, EquilibriumState& state, Residual& residual, const Step& step,
               double fraction);

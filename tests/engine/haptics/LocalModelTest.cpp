@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <random>
 
 #include "engine/mesh/Shapes.hpp"
 #include "tests/engine/simulation/TestBodies.hpp"
@@ -201,6 +203,41 @@ TEST(LocalModelTest, PlacesThatComeToBearAndLetGoLeadNoStepAstray) {
   EXPECT_EQ(dragged.divisions, 0);
   EXPECT_LE(dragged.iterations, 4 * 40);
   EXPECT_EQ(dragged.factorisations, dragged.iterations) << "a matrix had to be made convex";
+}
+
+/// Newton / metre, largest of the answers that a ball gets that goes into a hemisphere and out of it by uneven steps.
+double largest_stiffness(unsigned seed) {
+  BodyDefinition definition = make_body(make_hemisphere(25e-3, 1024), 1.5e-3, neo_hookean(30e3));
+  definition.fluid.initial_pressure = 400;
+  definition.fixed = {fixed_group("base")};
+  Body body(definition, {sphere_tool(6e-3)},
+            {.analysis = Analysis::kQuasiStatic, .tolerance = 1e-3, .extrapolates = true});
+  body.settle();
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> step(0.02e-3, 0.2e-3);
+  ToolPose pose = pose_at({2e-3, 1e-3, 25e-3});
+  double largest = 0;
+  for (const double sense : {-1.0, 1.0}) {
+    for (double way = 0; way < 4e-3;) {
+      ToolPose next = pose;
+      const double length = step(random);
+      next.tip.z() += sense * length;
+      way += length;
+      body.advance(std::vector{pose}, std::vector{next}, 1e-3);
+      pose = next;
+      Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
+      for (const SiteResponse& site : body.respond(0, std::vector{pose}, 1e-3, kReach).sites) {
+        stiffness += site.normal * site.force_by_motion.head<3>();
+      }
+      largest = std::max(largest, stiffness.norm());
+    }
+  }
+  return largest;
+}
+
+TEST(LocalModelTest, PlacesThatBearNothingAnyMoreDoNotHoldTheWallInItsAnswer) {
+  // 41 seen; 920 to 2 690 where a place that has just let go is taken for a spring, as at these steps.
+  for (const unsigned seed : {18U, 141U, 162U}) EXPECT_LT(largest_stiffness(seed), 60) << seed;
 }
 
 TEST(LocalModelTest, AStepThatBeginsWhereTheAnswerLeadsEndsInTheSameEquilibrium) {
