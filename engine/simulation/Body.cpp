@@ -95,6 +95,12 @@ struct StepParts {
   }
 };
 
+/// The part of the step in which a blade goes over few edges.
+double part_of_blade(const BodyInput& input, double edge_length) {
+  const bool moves = input.blade && input.blade->travel > 0;
+  return moves ? 1 / std::ceil(input.blade->travel / (kBladeEdges * edge_length)) : 1;
+}
+
 /// The share of a part of the step from `done` on.
 BodyInput part_of(const BodyInput& input, const BodyState& start, double done, double part) {
   BodyInput share = input;
@@ -275,10 +281,7 @@ void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> en
   report_ = {};
   state_.cut.run = 0;
   const BodyState start = state_;
-  StepParts step{.largest = largest_part(begin, end)};
-  if (input.blade && input.blade->travel > 0) {
-    step.largest = std::min(step.largest, 1 / std::ceil(input.blade->travel / (kBladeEdges * model_->edge_length)));
-  }
+  StepParts step{.largest = std::min(largest_part(begin, end), part_of_blade(input, model_->edge_length))};
   step.part = step.largest;
   const double smallest = step.largest * std::pow(0.5, options_.maximum_halvings + 0.5);
   const double smallest_unbooked = kSmallestUnbookedPart * (start.cut.has_incised ? 1 : step.largest);

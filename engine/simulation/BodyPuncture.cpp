@@ -217,7 +217,7 @@ bool Body::open_on_shaft(std::span<const ToolPose> poses) {
 
 std::optional<Rupture> Body::pierce(int tool, std::span<const ToolPose> poses) {
   leave_punctures(poses);
-  const double radius = tools_[tool].radius, work = state_.pressing[tool].work;
+  const double radius = tools_[tool].radius, work = state_.pressing[tool].work, residual = report_.residual;
   const auto place = pressed_place(*model_, state_.equilibrium.position, poses[tool], radius, free_triangles(tool));
   if (!place) return std::nullopt;
   const double cost = model_->cut_cost(place->triangle);  // newton
@@ -230,7 +230,6 @@ std::optional<Rupture> Body::pierce(int tool, std::span<const ToolPose> poses) {
   const auto path = slit_path(*model_, *place, poses[tool], radius);
   const EnergyBooks books = state_.books;
   const std::vector<ToolContact> felt = state_.contacts;
-  const double residual = report_.residual;
   Rupture rupture;
   Uncut before;
   for (const double edge : kSlitEdges) {

@@ -127,7 +127,7 @@ ToolPose foreseen(const std::vector<ToolPose>& poses, std::size_t k, double time
 /// A fine body, and a coarse one at the same poses, that correct the force of another coarse one.
 struct Correction {
   static constexpr double kBlending = 20e-3;  // seconds
-  static constexpr double kMostWay = 0.6e-3;  // metres
+  static constexpr double kMostWay = 1.5e-3;  // metres
 
   HandPath fine, coarse;
   ForceBlend blend{kBlending};

@@ -57,17 +57,16 @@ Eigen::VectorXd flattened(const Eigen::VectorXd& rest, double gap) {
   return position;
 }
 
-/// What the contact of a wall that has been cut knows from before, with the ranges of the whole wall.
-SelfContact carried_over(Wall& cut, const Eigen::VectorXd& placement, const SelfContact& before) {
-  return SelfContact({.triangles = cut.mesh.triangles,
-                      .position = cut.rest,
-                      .thickness = cut.thickness,
-                      .fixed = cut.fixed,
-                      .floors = {},
-                      .pressure = 1e3,
-                      .placement = placement,
-                      .edge_length = before.edge_length()},
-                     before);
+/// A wall that has been cut, with the ranges of the whole wall where an edge length is given.
+SelfContactDefinition after_a_cut(const Wall& cut, const Eigen::VectorXd& placement, double edge_length = 0) {
+  return {.triangles = cut.mesh.triangles,
+          .position = cut.rest,
+          .thickness = cut.thickness,
+          .fixed = cut.fixed,
+          .floors = {},
+          .pressure = 1e3,
+          .placement = placement,
+          .edge_length = edge_length};
 }
 
 /// Distances of all parts that share no vertex, tried one by one.
@@ -303,15 +302,8 @@ TEST(SelfContact, KnowsAfterACutWhatAFreshOneFindsOut) {
   before.conservativeResizeLike(Eigen::VectorXd::Constant(before.size() + 100, 0.1));
   whole.evaluate(before, gradient);
   const Eigen::VectorXd placement = folded(cut.rest);
-  SelfContact known = carried_over(cut, placement, whole.contact);
-  SelfContact fresh({.triangles = cut.mesh.triangles,
-                     .position = cut.rest,
-                     .thickness = cut.thickness,
-                     .fixed = cut.fixed,
-                     .floors = {},
-                     .pressure = 1e3,
-                     .placement = placement,
-                     .edge_length = whole.contact.edge_length()});
+  const SelfContactDefinition definition = after_a_cut(cut, placement, whole.contact.edge_length());
+  SelfContact known(definition, whole.contact), fresh(definition);
   for (int k = 0; k < 5; ++k) {
     const Eigen::VectorXd position = k == 0 ? placement : folded(cut.rest);
     SelfContactTerms one, other;
@@ -343,13 +335,7 @@ TEST(SelfContact, LeavesPartsAloneThatACutHasLeftInEachOther) {
   Eigen::VectorXd gradient;
   EXPECT_GT(wall.evaluate(pressed, gradient).energy, 0);
   EXPECT_LT(wall.contact.safe_fraction(pressed, motion), 1);
-  SelfContact after({.triangles = wall.mesh.triangles,
-                     .position = wall.rest,
-                     .thickness = wall.thickness,
-                     .fixed = wall.fixed,
-                     .floors = {},
-                     .pressure = 1e3,
-                     .placement = pressed});
+  SelfContact after(after_a_cut(wall, pressed));
   SelfContactTerms terms;
   gradient.setZero();
   after.evaluate(pressed, terms, gradient);
@@ -357,7 +343,7 @@ TEST(SelfContact, LeavesPartsAloneThatACutHasLeftInEachOther) {
   EXPECT_EQ(after.safe_fraction(pressed, 1e-3 * motion), 1);
   // Until the next cut, by when they have come out of each other.
   const Eigen::VectorXd apart = pressed - 0.03 * motion;
-  SelfContact later = carried_over(wall, apart, after);
+  SelfContact later(after_a_cut(wall, apart, after.edge_length()), after);
   gradient.setZero();
   later.evaluate(apart, terms, gradient);
   EXPECT_GT(
