@@ -19,7 +19,6 @@ bool FoldMatrix::prepare(const SelfContactTerms& folds, const SelfContact& conta
   if (!has_room(folds)) {
     extended_ = extend_block_pattern(model_.pattern, contact.near_couplings());
     factor_.emplace(extended_.pattern);
-    ++analyses_;
   }
   return true;
 }

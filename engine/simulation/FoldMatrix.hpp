@@ -26,9 +26,6 @@ class FoldMatrix {
 
   SparseFactor& factor() { return *factor_; }
 
-  /// Times that the pattern was analysed.
-  int analyses() const { return analyses_; }
-
  private:
   bool has_room(const SelfContactTerms& folds) const;
 
@@ -36,7 +33,6 @@ class FoldMatrix {
   ExtendedPattern extended_;
   std::optional<SparseFactor> factor_;
   std::vector<double> values_;
-  int analyses_ = 0;
 };
 
 /// Adds the curvature of contacts with floors, which lies in the body's own pattern.

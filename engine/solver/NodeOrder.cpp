@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
+#include <iterator>
 #include <mutex>
 #include <new>
 #include <numeric>
+#include <utility>
 
 namespace thinwall {
 namespace {
@@ -25,16 +27,34 @@ std::vector<int> places_of(std::span<const int> order) {
 struct OrderedTree {
   std::vector<int> parent;
   std::vector<int> place;
+  std::vector<int> first, size;  // of the subtree of each node: where it begins in a walk from the roots, and its nodes
+
+  OrderedTree(std::vector<int> the_parent, std::span<const int> order)
+      : parent(std::move(the_parent)), place(places_of(order)), first(order.size()), size(order.size(), 1) {
+    int roots = 0;  // nodes of the trees so far
+    for (const int node : order) {
+      if (parent[node] >= 0) size[parent[node]] += size[node];
+    }
+    std::vector<int> next(order.size());  // where the subtree of the next child begins
+    for (std::size_t k = order.size(); k-- > 0;) {
+      const int node = order[k];
+      int& begin = parent[node] >= 0 ? next[parent[node]] : roots;
+      first[node] = begin;
+      begin += size[node];
+      next[node] = first[node] + 1;
+    }
+  }
+
+  /// Whether the one lies above the other or is it.
+  bool is_above(int upper, int lower) const {
+    return first[upper] <= first[lower] && first[lower] < first[upper] + size[upper];
+  }
 
   /// The lowest node that lies above both or is one of them; -1 where there is none.
   int meeting_of(int one, int other) const {
-    while (one != other && one >= 0 && other >= 0) {
-      int& lower = place[one] < place[other] ? one : other;
-      lower = parent[lower];
-    }
-    return one == other ? one : -1;
+    while (one >= 0 && !is_above(one, other)) one = parent[one];
+    return one;
   }
-  bool is_above(int upper, int lower) const { return meeting_of(upper, lower) == upper; }
 };
 
 /// The lowest node of which all the others lie above or below.
@@ -50,20 +70,22 @@ int lowest_common(const OrderedTree& tree, std::vector<int> nodes) {
 
 }  // namespace
 
-NodeGraph graph_of(const BlockPattern& pattern) {
-  const int nodes = pattern.nodes();
+NodeGraph graph_of(const BlockPattern& pattern, int nodes) {
+  // Larger neighbours ascend: those beyond the nodes come last.
+  const auto larger = [&](int node) {
+    const auto begin = pattern.neighbours.begin() + pattern.neighbour_begin[node];
+    const auto end = pattern.neighbours.begin() + pattern.neighbour_begin[node + 1];
+    return std::span<const int>(begin, nodes == pattern.nodes() ? end : std::lower_bound(begin, end, nodes));
+  };
   NodeGraph graph{.begin = std::vector<int>(nodes + 1, 0), .neighbours = {}};
   for (int node = 0; node < nodes; ++node) {
-    const int begin = pattern.neighbour_begin[node], end = pattern.neighbour_begin[node + 1];
-    graph.begin[node + 1] += end - begin;
-    for (int k = begin; k < end; ++k) ++graph.begin[pattern.neighbours[k] + 1];
+    for (const int other : larger(node)) ++graph.begin[node + 1], ++graph.begin[other + 1];
   }
   std::partial_sum(graph.begin.begin(), graph.begin.end(), graph.begin.begin());
   graph.neighbours.resize(graph.begin.back());
   std::vector<int> next(graph.begin.begin(), graph.begin.end() - 1);
   for (int node = 0; node < nodes; ++node) {
-    for (int k = pattern.neighbour_begin[node]; k < pattern.neighbour_begin[node + 1]; ++k) {
-      const int other = pattern.neighbours[k];
+    for (const int other : larger(node)) {
       graph.neighbours[next[node]++] = other;
       graph.neighbours[next[other]++] = node;
     }
@@ -71,19 +93,8 @@ NodeGraph graph_of(const BlockPattern& pattern) {
   return graph;
 }
 
-std::vector<int> nested_dissection(const BlockPattern& pattern) {
-  static_assert(sizeof(idx_t) == sizeof(int));
-  std::vector<int> order(pattern.nodes()), place(pattern.nodes());
-  std::iota(order.begin(), order.end(), 0);
-  if (pattern.neighbours.empty()) return order;
-  NodeGraph graph = graph_of(pattern);
-  int nodes = pattern.nodes();
-  const std::lock_guard<std::mutex> turn(one_at_a_time);
-  if (METIS_NodeND(&nodes, graph.begin.data(), graph.neighbours.data(), nullptr, nullptr, order.data(), place.data()) !=
-      METIS_OK) {
-    throw std::bad_alloc();
-  }
-  return order;
+NodeGraph graph_of(const BlockPattern& pattern) {
+  return graph_of(pattern, pattern.nodes());
 }
 
 std::vector<int> elimination_tree(const NodeGraph& graph, std::span<const int> order) {
@@ -107,14 +118,16 @@ std::vector<int> elimination_tree(const NodeGraph& graph, std::span<const int> o
   return parent;
 }
 
-std::vector<int> extended_order(const BlockPattern& before, std::span<const int> order, const BlockPattern& after) {
-  assert(static_cast<int>(order.size()) == before.nodes() && after.nodes() >= before.nodes());
-  const OrderedTree tree{.parent = elimination_tree(graph_of(before), order), .place = places_of(order)};
-  const NodeGraph graph = graph_of(after);
+namespace {
+
+/// An order for a graph that has grown, see `extended_order`.
+std::vector<int> grown_order(const NodeGraph& before, std::span<const int> order, const NodeGraph& graph) {
   const int known = before.nodes();
-  std::vector<int> anchor(after.nodes(), -1);  // known node after which a node comes
-  std::vector<char> moves(after.nodes(), 0);
-  for (int node = 0; node < after.nodes(); ++node) {
+  assert(static_cast<int>(order.size()) == known && graph.nodes() >= known);
+  const OrderedTree tree(elimination_tree(before, order), order);
+  std::vector<int> anchor(graph.nodes(), -1);  // known node after which a node comes
+  std::vector<char> moves(graph.nodes(), 0);
+  for (int node = 0; node < graph.nodes(); ++node) {
     if (node < known) anchor[node] = node;
     moves[node] = node >= known;
   }
@@ -125,7 +138,7 @@ std::vector<int> extended_order(const BlockPattern& before, std::span<const int>
     }
   }
   std::vector<std::vector<int>> followers(known);
-  for (int node = 0; node < after.nodes(); ++node) {
+  for (int node = 0; node < graph.nodes(); ++node) {
     if (!moves[node]) continue;
     std::vector<int> around;
     for (const int other : graph.around(node)) {
@@ -141,6 +154,33 @@ std::vector<int> extended_order(const BlockPattern& before, std::span<const int>
     extended.insert(extended.end(), followers[node].begin(), followers[node].end());
   }
   return extended;
+}
+
+}  // namespace
+
+std::vector<int> nested_dissection(const BlockPattern& pattern) {
+  static_assert(sizeof(idx_t) == sizeof(int));
+  int vertices = pattern.vertices;
+  NodeGraph graph = graph_of(pattern, vertices);
+  std::vector<int> order(vertices), place(vertices);
+  std::iota(order.begin(), order.end(), 0);
+  if (!graph.neighbours.empty()) {
+    const std::lock_guard<std::mutex> turn(one_at_a_time);
+    if (METIS_NodeND(&vertices, graph.begin.data(), graph.neighbours.data(), nullptr, nullptr, order.data(),
+                     place.data()) != METIS_OK) {
+      throw std::bad_alloc();
+    }
+  }
+  return pattern.singles == 0 ? order : grown_order(graph, order, graph_of(pattern));
+}
+
+std::vector<int> extended_order(const BlockPattern& before, std::span<const int> order, const BlockPattern& after) {
+  assert(static_cast<int>(order.size()) == before.nodes() && after.vertices >= before.vertices);
+  std::vector<int> of_vertices;
+  std::ranges::copy_if(order, std::back_inserter(of_vertices), [&](int node) { return node < before.vertices; });
+  const NodeGraph vertices = graph_of(after, after.vertices);
+  of_vertices = grown_order(graph_of(before, before.vertices), of_vertices, vertices);
+  return after.singles == 0 ? of_vertices : grown_order(vertices, of_vertices, graph_of(after));
 }
 
 }  // namespace thinwall

@@ -7,28 +7,32 @@
 
 namespace thinwall {
 
-/// The graph of a pattern's nodes, both ways.
+/// The graph of a pattern's nodes, or of the first of them, both ways.
 struct NodeGraph {
   std::vector<int> begin;       // (nodes + 1), into `neighbours`
   std::vector<int> neighbours;  // of each node, ascending
 
+  int nodes() const { return static_cast<int>(begin.size()) - 1; }
   std::span<const int> around(int node) const {
     return std::span<const int>(neighbours).subspan(begin[node], begin[node + 1] - begin[node]);
   }
 };
 NodeGraph graph_of(const BlockPattern& pattern);
+NodeGraph graph_of(const BlockPattern& pattern, int nodes);
 
-/// A fill-reducing order of the nodes: nested dissection of their graph (METIS).
+/// A fill-reducing order of the nodes: nested dissection of the vertices' graph (METIS), which single unknowns join as
+/// further nodes do in `extended_order`: a quarter of the time that dissecting all takes, for as few operations.
 std::vector<int> nested_dissection(const BlockPattern& pattern);
 
 /// Parent of each node in the elimination tree of a graph under an order of its nodes, (nodes), -1 at a root: the first
 /// of the nodes after it that it is coupled with once those before it are eliminated (Liu 1990).
 std::vector<int> elimination_tree(const NodeGraph& graph, std::span<const int> order);
 
-/// An order for a pattern that has grown, from a good one of the pattern before, whose nodes come first. Couplings that
-/// are new stay cheap when they join a node with those above or below it in the elimination tree of the order before: a
-/// further node comes right after the lowest node of which all that it is coupled with lie above or below, and nodes
-/// that are newly coupled across branches of the tree make room in the same way. Couplings that are gone do no harm.
+/// An order for a pattern that has grown, from a good one of the pattern before, whose vertices come first. Couplings
+/// that are new stay cheap when they join a node with those above or below it in the elimination tree of the order
+/// before: a further node comes right after the lowest node of which all that it is coupled with lie above or below,
+/// and vertices that are newly coupled across branches of the tree make room in the same way. Couplings that are gone
+/// do no harm. Single unknowns are numbered anew by whoever makes a pattern, and join the vertices anew.
 std::vector<int> extended_order(const BlockPattern& before, std::span<const int> order, const BlockPattern& after);
 
 }  // namespace thinwall

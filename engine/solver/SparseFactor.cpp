@@ -30,12 +30,11 @@ struct SparseFactor::Implementation {
 
   explicit Implementation(const BlockPattern& the_pattern, const Implementation* before = nullptr)
       : pattern(the_pattern) {
-    const bool takes_over = before != nullptr && pattern.singles == 0 && before->pattern.singles == 0;
-    if (takes_over) {
+    if (before != nullptr) {
       set_order(extended_order(before->pattern, before->nodes, pattern));
       operations_per_node = before->operations_per_node;
     }
-    if (!takes_over || tree.operations > kWorseOrder * operations_per_node * pattern.nodes()) {
+    if (before == nullptr || tree.operations > kWorseOrder * operations_per_node * pattern.nodes()) {
       set_order(nested_dissection(pattern));
       operations_per_node = tree.operations / std::max(1, pattern.nodes());
     }

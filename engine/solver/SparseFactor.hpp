@@ -19,9 +19,9 @@ class SparseFactor {
   /// which costs a third of ordering the unknowns.
   explicit SparseFactor(const BlockPattern& pattern);
 
-  /// Takes over the order of an earlier pattern, whose vertices come first, and puts further ones where they fit in
-  /// (see `extended_order`), as long as that costs no more than `kWorseOrder` times the operations per unknown that the
-  /// last order of its own cost, and both patterns have no single unknowns.
+  /// Takes over the order of an earlier pattern, whose vertices come first, and puts further ones and the single
+  /// unknowns where they fit in (see `extended_order`), as long as that costs no more than `kWorseOrder` times the
+  /// operations per node that the last order of its own cost.
   SparseFactor(const BlockPattern& pattern, const SparseFactor& before);
   static constexpr double kWorseOrder = 1.25;
   ~SparseFactor();

@@ -24,8 +24,8 @@ struct Incision {
   Body body;
   std::vector<ToolPose> poses = {pose_at({-8e-3, 0.7e-3, 12e-3})};
 
-  explicit Incision(int triangles, Analysis analysis)
-      : body(filled_ball(triangles),
+  Incision(int triangles, Analysis analysis, WallModel model = WallModel::kMembrane)
+      : body(filled_ball(triangles, model),
              {{.name = "blade", .kind = ToolKind::kScalpel, .length = 20e-3, .width = 4e-3, .thickness = 0.3e-3}},
              SimulationOptions{.analysis = analysis}) {
     body.settle();
@@ -69,8 +69,8 @@ BENCHMARK_CAPTURE(IncisionStep, dynamic, Analysis::kDynamic)->Apply(sizes)->Iter
 BENCHMARK_CAPTURE(IncisionStep, quasi_static, Analysis::kQuasiStatic)->Apply(sizes)->Iterations(kSteps);
 
 /// The cut of such a step alone: trace, cut, state and solver carried over.
-void CutOfStep(benchmark::State& state) {
-  Incision incision(static_cast<int>(state.range(0)), Analysis::kDynamic);
+void CutOfStep(benchmark::State& state, WallModel model) {
+  Incision incision(static_cast<int>(state.range(0)), Analysis::kDynamic, model);
   double cuts = 0;
   for (auto _ : state) {
     state.PauseTiming();
@@ -80,7 +80,8 @@ void CutOfStep(benchmark::State& state) {
   }
   state.counters["cuts"] = benchmark::Counter(cuts, benchmark::Counter::kAvgIterations);
 }
-BENCHMARK(CutOfStep)->Apply(sizes)->Iterations(kSteps);
+BENCHMARK_CAPTURE(CutOfStep, membrane, WallModel::kMembrane)->Apply(sizes)->Iterations(kSteps);
+BENCHMARK_CAPTURE(CutOfStep, shell, WallModel::kShell)->Arg(5120)->Unit(benchmark::kMillisecond)->Iterations(kSteps);
 
 void BuildModel(benchmark::State& state) {
   const BodyDefinition definition = filled_ball(static_cast<int>(state.range(0)));
@@ -88,11 +89,12 @@ void BuildModel(benchmark::State& state) {
 }
 BENCHMARK(BuildModel)->Apply(sizes);
 
-void BuildNewton(benchmark::State& state) {
-  const BodyModel model = make_body_model(filled_ball(static_cast<int>(state.range(0))));
+void BuildNewton(benchmark::State& state, WallModel wall) {
+  const BodyModel model = make_body_model(filled_ball(static_cast<int>(state.range(0)), wall));
   for (auto _ : state) Newton newton(model);
 }
-BENCHMARK(BuildNewton)->Apply(sizes);
+BENCHMARK_CAPTURE(BuildNewton, membrane, WallModel::kMembrane)->Apply(sizes);
+BENCHMARK_CAPTURE(BuildNewton, shell, WallModel::kShell)->Apply(sizes);
 
 }  // namespace
 }  // namespace thinwall
