@@ -9,6 +9,7 @@
 #include "renderer/image/PngFile.hpp"
 #include "renderer/picture/PictureFailure.hpp"
 #include "studio/golden/GoldenApproval.hpp"
+#include "studio/recorder/FolderLock.hpp"
 #include "studio/recorder/Interruption.hpp"
 #include "studio/scenario/InputError.hpp"
 #include "studio/take/TakeError.hpp"
@@ -37,6 +38,8 @@ int exit_code_of(const std::function<int()>& command) {
   } catch (const TakeError& error) {
     return say(kExitBadInput, error.what());
   } catch (const GoldenError& error) {
+    return say(kExitBadInput, error.what());
+  } catch (const FolderInUse& error) {
     return say(kExitBadInput, error.what());
   } catch (const ImageUnreadable& error) {
     return say(kExitBadInput, error.what());

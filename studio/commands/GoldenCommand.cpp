@@ -11,11 +11,11 @@
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/GoldenScenarios.hpp"
-#include "studio/golden/FolderLock.hpp"
 #include "studio/golden/GoldenRenewal.hpp"
 #include "studio/golden/GoldenReport.hpp"
 #include "studio/golden/GoldenVideoComparison.hpp"
 #include "studio/golden/JUnitReport.hpp"
+#include "studio/recorder/FolderLock.hpp"
 
 namespace thinwall {
 namespace {

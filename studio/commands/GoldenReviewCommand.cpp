@@ -10,9 +10,9 @@
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/GoldenScenarios.hpp"
-#include "studio/golden/FolderLock.hpp"
 #include "studio/golden/GoldenReport.hpp"
 #include "studio/golden/GoldenVideoApproval.hpp"
+#include "studio/recorder/FolderLock.hpp"
 #include "studio/take/TakeError.hpp"
 #include "studio/take/TakeReader.hpp"
 

@@ -6,6 +6,7 @@
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/Outcome.hpp"
 #include "studio/commands/SecondTake.hpp"
+#include "studio/recorder/FolderLock.hpp"
 #include "studio/recorder/ResolvedPicture.hpp"
 #include "studio/scenario/LoadScenario.hpp"
 #include "studio/take/TakeError.hpp"
@@ -64,6 +65,7 @@ int render_take(const RenderOptions& options) {
                            .progress = stderr};
   refuse_folder_of_the_take(plan.folder, options.take);
   if (options.ground_truth) require_stress(take->moment(0).snapshot, options.take);
+  const FolderLock lock(plan.folder);
   const RecordingReport report =
       record(*source, plan, renderer_painters(options.device, settings.record.tier, settings.view, options.stats));
   return conclude({.command = "render",

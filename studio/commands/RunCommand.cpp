@@ -8,6 +8,7 @@
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/Outcome.hpp"
 #include "studio/commands/SecondTake.hpp"
+#include "studio/recorder/FolderLock.hpp"
 #include "studio/recorder/Interruption.hpp"
 #include "studio/recorder/Painter.hpp"
 #include "studio/scenario/LoadScenario.hpp"
@@ -60,6 +61,7 @@ int run_scenario(const RunOptions& options) {
       .surfaces = options.surfaces,
       .ground_truth = options.ground_truth,
       .progress = stderr};
+  const FolderLock lock(plan.folder);
   RecordedTakes takes = record_second_take(scenario, plan.folder);
   WatchedSource source(std::move(takes.source), scenario.expectations);
   RecordingReport report =

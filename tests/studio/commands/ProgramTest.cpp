@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/mount.h>
 
 #include <algorithm>
@@ -264,6 +265,18 @@ TEST_F(ProgramTest, ProgressIsALinePerTenPerCentWhereThereIsNoTerminal) {
   EXPECT_NE(end.messages.find("recording 100 %"), std::string::npos) << end.messages;
   EXPECT_EQ(end.messages.find('\r'), std::string::npos);
   EXPECT_EQ(end.output, "");
+}
+
+TEST_F(ProgramTest, AFolderThatAnotherRunWritesToIsBadUsageAndStaysAsItIs) {
+  std::filesystem::create_directory(folder_ / "out");
+  write_bytes(folder_ / "out" / "forces.csv", "of the other run");
+  const int other = open((folder_ / "out" / ".in_use").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600);
+  ASSERT_EQ(flock(other, LOCK_EX), 0);
+  expect_bad_usage({"run", "small.yaml", "--no-render", "--out", "out"}, "works in out; wait until it has ended");
+  EXPECT_EQ(file_bytes(folder_ / "out" / "forces.csv"), "of the other run");
+  close(other);
+  EXPECT_EQ(run({"run", "small.yaml", "--no-render", "--out", "out"}).exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out" / ".in_use"));
 }
 
 TEST_F(ProgramTest, AFolderThatCannotBeWrittenEndsWith4) {

@@ -1,4 +1,4 @@
-#include "studio/golden/FolderLock.hpp"
+#include "studio/recorder/FolderLock.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "renderer/picture/PictureFailure.hpp"
-#include "studio/golden/GoldenApproval.hpp"
 #include "tests/studio/TemporaryFolder.hpp"
 
 namespace thinwall {
@@ -15,7 +14,7 @@ namespace {
 std::string refusal_of(const std::filesystem::path& folder) {
   try {
     const FolderLock lock(folder);
-  } catch (const GoldenError& error) {
+  } catch (const FolderInUse& error) {
     return error.what();
   } catch (const PictureFailure& failure) {
     return failure.what();
@@ -37,8 +36,16 @@ TEST(FolderLock, ASecondRunIsRefusedWithTheFirstOnesNumberUntilThatHasEnded) {
 TEST(FolderLock, WhatAKilledRunLeftDoesNotCount) {
   const TemporaryFolder folder;
   write_bytes(folder / ".in_use", "12345678901234567890");
-  EXPECT_EQ(refusal_of(folder.path()), "");
+  const FolderLock lock(folder.path());
   EXPECT_EQ(file_bytes(folder / ".in_use"), std::to_string(getpid()));
+}
+
+TEST(FolderLock, NothingOfItStaysInTheFolder) {
+  const TemporaryFolder folder;
+  std::optional<FolderLock> lock(folder.path());
+  EXPECT_TRUE(std::filesystem::exists(folder / ".in_use"));
+  lock.reset();
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 TEST(FolderLock, AFolderThatCannotBeMadeIsTold) {
