@@ -8,6 +8,14 @@ double DirectedTool::depth_beyond_contact() const {
   return first_contact ? std::max(0.0, (pose.tip - *first_contact).dot(pose.direction)) : 0;
 }
 
+void DirectedTool::begin_clip(const ToolPose& beginning) {
+  constexpr double kSamePlace = 1e-9;  // metres
+  const bool goes_on = depth > 0 && !holds && (beginning.tip - pose.tip).norm() < kSamePlace;
+  first_contact.reset();
+  if (goes_on) first_contact = pose.tip - depth * pose.direction;
+  pose = beginning;
+}
+
 void DirectedTool::find_first_contact(const ToolDefinition& definition, std::span<const std::unique_ptr<Body>> bodies,
                                       const ToolPose& next) {
   if (first_contact) return;

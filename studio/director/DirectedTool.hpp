@@ -17,9 +17,13 @@ struct DirectedTool {
   bool holds = false;                            // whether its jaws have grasped
   bool noted = false;                            // whether it has been told what tip a bare point acts like
   double depth = 0;                              // metres
-  std::optional<Eigen::Vector3d> first_contact;  // metres, of the tip, of the move that is playing
+  std::optional<Eigen::Vector3d> first_contact;  // metres, of the tip, that a move counts its depth from
 
   double depth_beyond_contact() const;  // metres
+
+  /// Sets the tool where a clip begins. Where it already is, pressing a wall, it goes on from the contact that it has;
+  /// what its jaws hold comes along instead.
+  void begin_clip(const ToolPose& beginning);
 
   /// Notes where the tip is when the moving tool first meets a surface on its way to the next pose.
   void find_first_contact(const ToolDefinition& definition, std::span<const std::unique_ptr<Body>> bodies,

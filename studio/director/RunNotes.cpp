@@ -10,9 +10,9 @@ std::optional<std::string> free_body_warning(const Body& body, Analysis analysis
   const auto free = body.model().rigid_motions.cols();
   if (free == 0 || analysis != Analysis::kQuasiStatic) return std::nullopt;
   return fmt::format(
-      "body `{}`: `fixed` leaves {} rigid motions free; they are removed by constraints weighted with the mass, "
-      "which take up what the tools push",
-      body.model().definition.name, free);
+      "body `{}`: `fixed` leaves {} rigid motion{} free, removed by constraints weighted with the mass, which take up "
+      "what the tools push",
+      body.model().definition.name, free, free == 1 ? "" : "s");
 }
 
 std::string bare_point_note(const ToolDefinition& tool, const SurfaceView& surface, const Attachment& attachment) {

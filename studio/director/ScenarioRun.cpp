@@ -121,9 +121,9 @@ struct ScenarioRun::Implementation {
       const std::string name = tool_of(scenario.timeline[k]);
       if (name.empty()) continue;
       DirectedTool& tool = tools.at(name);
-      tool.first_contact.reset();
       // A clip may begin elsewhere than the last one ended: the tool is set there and touches nothing on the way.
-      if (driven == nullptr || driven->index != tool.index) tool.pose = *beginning_of(clip.plan);
+      const bool is_driven = driven != nullptr && driven->index == tool.index;
+      tool.begin_clip(is_driven ? tool.pose : *beginning_of(clip.plan));
       if (std::holds_alternative<GraspPlan>(clip.plan)) tool.holds = true;
       if (std::holds_alternative<ReleasePlan>(clip.plan)) tool.holds = false;
       take_out_of_walls(tool);

@@ -188,6 +188,28 @@ TEST(ScenarioRun, AMoveThroughTheWallTouchesItAndCountsItsDepth) {
   EXPECT_GT(tool.force.z(), 0);
 }
 
+TEST(ScenarioRun, AMoveOfAToolThatPressesCountsItsDepthFromTheContactThatItHas) {
+  Scenario scenario = ball_scenario();
+  Clip pressed = palpation(0.001);
+  std::get<PalpateClip>(pressed.action).withdraw = false;
+  MoveClip deeper{.tool = "probe", .to = {}, .direction = Eigen::Vector3d(0, 0, -1), .duration = 0.2};
+  scenario.timeline = {pressed};
+  ScenarioRun palpated(scenario);
+  while (palpated.step()) {
+  }
+  const Eigen::Vector3d tip = palpated.record().tools.at(0).position;
+  deeper.to = tip - Eigen::Vector3d(0, 0, 0.001);
+  MoveClip back = deeper;
+  back.to = tip + Eigen::Vector3d(0, 0, 0.001);
+  scenario.timeline = {pressed, {.action = deeper}, {.action = back}};
+  ScenarioRun run(scenario);
+  double largest = 0;
+  while (run.step()) largest = std::max(largest, run.record().tools.at(0).depth);
+  // The turn lies between two steps, of 0.05 mm at most there.
+  EXPECT_NEAR(largest, 0.004, 5e-5);
+  EXPECT_NEAR(run.record().tools.at(0).depth, 0.002, 1e-9);
+}
+
 TEST(ScenarioRun, ClipsThatTurnOutToOverlapAreRefused) {
   Scenario scenario = ball_scenario();
   scenario.timeline = {palpation(0.001), palpation(0.002)};
