@@ -9,7 +9,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from oracles import (axisymmetric_membrane, drum, fingerpad, fluids, hencky, inflated_sphere,  # noqa: E402
+from oracles import (axisymmetric_membrane, belt, drum, fingerpad, fluids, hencky, inflated_sphere,  # noqa: E402
                      published_shells, slit, spherical_shell, strips, viscoelasticity, wall_laws)
 
 # mu = 2 makes c1 = mu / 2 the unit.
@@ -245,6 +245,26 @@ class PublishedShells(unittest.TestCase):
 
     def test_a_moment_of_two_pi_stiffnesses_per_length_closes_the_circle(self):
         self.assertAlmostEqual(published_shells.roll_up(3.0, 12.0, 2 * np.pi * 3.0 / 12.0), 2 * np.pi, 12)
+
+
+class Belt(unittest.TestCase):
+    def test_even_tensions_bear_the_rod(self):
+        """A rod without radius 3 below the ends, which are 4 to either side: each tension bears 3/5 of itself."""
+        found = belt.sides(np.array([0.0, -3.0]), 0.0, (np.array([4.0, 0.0]), np.array([-4.0, 0.0])), np.array([0.0, 6.0]))
+        self.assertAlmostEqual(found.first, 5, 12)
+        self.assertAlmostEqual(found.second, 5, 12)
+        self.assertAlmostEqual(found.wrap, 2 * np.arctan2(3, 4), 12)
+
+    def test_belt_meets_the_rod_at_right_angles_to_its_radius(self):
+        centre, end, radius = np.array([1.0, -2.0]), np.array([5.0, 0.0]), 0.7
+        along = belt.tangent(centre, radius, end, 1)
+        touched = end - along * np.sqrt((end - centre) @ (end - centre) - radius**2)
+        self.assertAlmostEqual(np.linalg.norm(touched - centre), radius, 12)
+        self.assertAlmostEqual((touched - centre) @ along, 0, 12)
+        self.assertLess(touched[1], centre[1])
+
+    def test_half_a_turn_of_a_ships_rope(self):
+        self.assertAlmostEqual(belt.sliding_ratio(0.3, np.pi), 2.5663, 4)
 
 
 if __name__ == "__main__":

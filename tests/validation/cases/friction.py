@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from oracles import belt
 from suite.case import Case, Comparison, Quantity
 from suite.program import Program
 
@@ -32,7 +33,25 @@ def compare_drag(program: Program, triangles: int) -> Comparison:
     return Comparison(quantities)
 
 
+ROD = 6e-3  # metres, radius
+ENDS = (np.array([50e-3, 0.0]), np.array([-50e-3, 0.0]))  # metres, of the belt
+
+
+def compare_belt(program: Program, triangles: int) -> Comparison:
+    rod = program.run("belt_over_rod", triangles=triangles).tool("rod")
+    # The belt sticks over the first two millimetres.
+    sliding = np.flatnonzero(rod["y_m"] > 3e-3)
+    sides = [belt.sides(np.array([rod["y_m"][k], rod["z_m"][k] + ROD]), ROD, ENDS, np.array([rod["fy_N"][k], rod["fz_N"][k]]))
+             for k in sliding]
+    return Comparison([Quantity(
+        "tension behind the rod over the one ahead", "place of the rod, mm", "", 1e3 * rod["y_m"][sliding],
+        np.array([each.second / each.first for each in sides]),
+        np.array([belt.sliding_ratio(COEFFICIENT, each.wrap) for each in sides]))])
+
+
 CASES = [
     Case("drag_of_a_sphere", "A ball dragged over a stretched sheet", "Coulomb's law",
          "drag over normal force, energy spent, both ways", 0.01, (1024, 4096, 9216), compare_drag, quick=(4096,)),
+    Case("belt_over_rod", "A belt over a rough rod", "Euler and Eytelwein", "ratio of the tensions beside the rod", 0.003,
+         (400, 800, 1600), compare_belt, quick=(400,), quick_bar=0.01),
 ]
