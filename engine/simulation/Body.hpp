@@ -110,8 +110,9 @@ class Body {
   /// The wall is then at rest in that equilibrium, and slides along the shaft under friction from then on; what was
   /// released beyond the cost is a jump. A puncture lets nothing through while the needle is in it, and is left open
   /// when its tip has gone back out. To be called after each step in which the needle may press or go back. `poses`:
-  /// (tools), at the end of the step. Throws as `cut` does, and SimulationFailure where the needle has done several
-  /// times the work that a slit costs and none fits in, or the wall finds no equilibrium on the shaft.
+  /// (tools), at the end of the step. Where a cut or a border leaves no room for the slit it is made beside the
+  /// needle's point, and the wall drawn onto the shaft. Throws as `cut` does, and SimulationFailure where the needle
+  /// has done several times the work that a slit costs and none fits in, or the wall finds no equilibrium on the shaft.
   std::optional<Rupture> pierce(int tool, std::span<const ToolPose> poses);
 
   /// What the body does to a tool now, and how that changes with small motions of the tool within a step of `duration`
@@ -267,6 +268,8 @@ class Body {
   void leave_punctures(std::span<const ToolPose> poses);
   bool is_clear_of(const Puncture& puncture, const ToolPose& pose) const;
   bool open_on_shaft(std::span<const ToolPose> poses);
+  bool make_slit(const CutPath& path, double radius, Cut& cut, Uncut& before);
+  void book_rupture(int tool, const Rupture& rupture, const std::vector<ToolContact>& felt);
   /// Where the mesh or what presses on the wall has changed: the forces that are missing now hold it as it is, and are
   /// let go with the cut's length, metres, rest; `pays`: see HeldLips.
   void hold_as_it_is(double length, bool pays, std::span<const ToolPose> poses);

@@ -11,6 +11,7 @@
 #include "engine/simulation/CutTransfer.hpp"
 #include "engine/simulation/FrictionContact.hpp"
 #include "engine/simulation/RigidMotions.hpp"
+#include "engine/simulation/SimulationFailure.hpp"
 
 namespace thinwall {
 namespace {
@@ -134,6 +135,11 @@ void Body::find_forces(std::span<const ToolPose> poses) {
   add_solids(poses, problem);
   add_shafts_to(poses, problem);
   newton_->look(problem, state_.equilibrium);
+  if (!std::isfinite(newton_->terms().elastic)) {
+    throw SimulationFailure("body `" + model_->definition.name +
+                            "`: triangles that a cut leaves are stretched beyond what the wall's law allows; give the "
+                            "body more triangles, or the law a larger limit");
+  }
   // What the tools felt during the step stays what it was.
   const std::vector<ToolContact> contacts = state_.contacts, solid_contacts = state_.solid_contacts;
   update_forces(problem);

@@ -127,6 +127,7 @@ void Body::track_pressing(const BodyState& before, std::span<const ToolPose> beg
       touches = touches || state_.solid_contacts[first + k].touching;
     }
     Pressing& pressing = state_.pressing[tool];
+    pressing.recedes = motion.dot(begin[tool].direction) < 0;
     if (touches) pressing.work -= 0.5 * force.dot(motion);
     if (!touches) pressing = {};
   }
@@ -215,56 +216,66 @@ bool Body::open_on_shaft(std::span<const ToolPose> poses) {
   return true;
 }
 
+bool Body::make_slit(const CutPath& path, double radius, Cut& cut, Uncut& before) {
+  for (const double edge : kSlitEdges) {
+    if (before.model) put_back(std::exchange(before, {}));
+    cut = change_mesh(path, {.edge_length = edge * radius}, &before);
+    if (std::abs(cut.length - 2 * radius) <= kSlitGive * 2 * radius) break;
+  }
+  const bool is_slit = !cut.triangles.empty() && cut.lips.size() == 1 && cut.lips[0].left.size() > 2;
+  if (!is_slit && before.model) put_back(std::exchange(before, {}));
+  return is_slit;
+}
+
 std::optional<Rupture> Body::pierce(int tool, std::span<const ToolPose> poses) {
   leave_punctures(poses);
-  const double radius = tools_[tool].radius, work = state_.pressing[tool].work, residual = report_.residual;
+  Pressing& pressing = state_.pressing[tool];
+  if (pressing.recedes) return std::nullopt;
+  const double radius = tools_[tool].radius, work = pressing.work, residual = report_.residual;
   const auto place = pressed_place(*model_, state_.equilibrium.position, poses[tool], radius, free_triangles(tool));
   if (!place) return std::nullopt;
   const double cost = model_->cut_cost(place->triangle);  // newton
-  if (work < std::max(kLeastWork * 2 * radius * cost, state_.pressing[tool].awaited)) return std::nullopt;
-  const auto refuse = [&](const std::string& why) {
-    if (work < kMostWork * 2 * radius * cost) return;
+  if (work < std::max(kLeastWork * 2 * radius * cost, pressing.awaited)) return std::nullopt;
+  const auto await = [&](double more, const std::string& why) {
+    state_.pressing[tool].awaited = work + more;
+    if (why.empty() || work < kMostWork * 2 * radius * cost) return;
     throw SimulationFailure("body `" + model_->definition.name + "`: needle `" + tools_[tool].name +
                             "` presses hard enough to go through the wall, but " + why);
   };
-  const auto path = slit_path(*model_, *place, poses[tool], radius);
   const EnergyBooks books = state_.books;
   const std::vector<ToolContact> felt = state_.contacts;
   Rupture rupture;
   Uncut before;
-  for (const double edge : kSlitEdges) {
-    if (before.model) put_back(std::exchange(before, {}));
-    if (path) rupture.cut = change_mesh(*path, {.edge_length = edge * radius}, &before);
-    if (std::abs(rupture.cut.length - 2 * radius) <= kSlitGive * 2 * radius) break;
-  }
-  if (rupture.cut.triangles.empty()) {
-    refuse("no slit of its width fits in there; aim farther from borders and cuts");
+  const auto fits = [&](const CutPath& path) { return make_slit(path, radius, rupture.cut, before); };
+  if (!try_slits(*model_, *place, poses[tool], radius, fits)) {
+    await(kRetryPart * 2 * radius * cost, "no slit of its width fits in there; aim farther from borders and cuts");
     return std::nullopt;
   }
-  const bool is_slit = rupture.cut.lips.size() == 1 && rupture.cut.lips[0].left.size() > 2;
-  bool is_opened = false;
-  if (is_slit) {
-    rupture.cost = cost * rupture.cut.length;
-    state_.punctures.push_back(puncture_of(*model_, rupture.cut, tool, poses[tool], radius));
-    is_opened = open_on_shaft(poses);
-    rupture.released = books.imbalance() - state_.books.imbalance();
-  }
+  rupture.cost = cost * rupture.cut.length;
+  state_.punctures.push_back(puncture_of(*model_, rupture.cut, tool, poses[tool], radius));
+  const bool is_opened = open_on_shaft(poses);
+  rupture.released = books.imbalance() - state_.books.imbalance();
   if (!is_opened || rupture.released < rupture.cost) {
     put_back(std::move(before));
     report_.residual = residual;
-    state_.pressing[tool].awaited =
-        work + (is_opened ? kMissingPart * (rupture.cost - rupture.released) : kRetryPart * 2 * radius * cost);
-    if (!is_slit) refuse("a slit of its width runs into a border there; aim farther from borders and cuts");
-    if (!is_opened) refuse("the wall around it finds no equilibrium: " + failure_);
+    if (is_opened) {
+      await(kMissingPart * (rupture.cost - rupture.released), {});
+    } else {
+      await(kRetryPart * 2 * radius * cost, "the wall around it finds no equilibrium: " + failure_);
+    }
     return std::nullopt;
   }
+  book_rupture(tool, rupture, felt);
+  return rupture;
+}
+
+void Body::book_rupture(int tool, const Rupture& rupture, const std::vector<ToolContact>& felt) {
   // The tools felt the wall as it was until now.
   state_.contacts = felt;
   const double kinetic = come_to_rest();
   state_.books.fracture += rupture.cost;
   state_.books.jump += rupture.released + kinetic - rupture.cost;
   state_.pressing[tool] = {};
-  return rupture;
 }
 
 void Body::put_back(Uncut before) {

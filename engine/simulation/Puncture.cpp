@@ -20,6 +20,18 @@ namespace {
 /// the wall lay before it gave way.
 constexpr double kFreeRadii = 4;
 
+/// How far beside its point a needle makes its way where a cut or a border leaves no room for a slit there, radii: the
+/// wall around the slit is then drawn onto the shaft. In so many directions.
+constexpr double kBeside[] = {1, 1.5, 2};
+constexpr int kSides = 8;
+
+/// How far the wall must be whole beyond the middle of such a slit, radii, along it and across.
+constexpr double kClearEnds = 1.5;
+constexpr double kClearSides = 0.75;
+
+/// Chord over length of a way that meets no border, which ends would be brought to.
+constexpr double kStraight = 0.9;
+
 SurfaceView rest_view(const BodyModel& model) {
   return {.triangles = model.definition.mesh.triangles, .position = model.rest_position, .open = true};
 }
@@ -28,6 +40,35 @@ Eigen::Vector3d rest_normal(const BodyModel& model, int triangle) {
   const auto corners = corners_of(model.surface[triangle], model.rest_position);
   return (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
 }
+
+/// What slits of a needle's width are laid on.
+struct SlitFinder {
+  SurfaceView view;
+  std::vector<Eigen::Vector3d> normals;  // (vertices)
+  double radius = 0;                     // metres
+
+  /// From one end to the other, so far on both sides of a place; nothing where a gap of the wall lies between.
+  std::optional<CutPath> between(const Eigen::Vector3d& middle, const Eigen::Vector3d& along, double reach) const {
+    const auto from = project(view, middle - reach * along, {}, radius).point;
+    const auto to = project(view, middle + reach * along, {}, radius).point;
+    if (!from || !to) return std::nullopt;
+    const SurfaceTrace way = trace(view, normals, *from, *to);
+    if (way.pieces.size() != 1) return std::nullopt;
+    return CutPath{.from = {}, .points = way.pieces.front().points};
+  }
+
+  /// Whether neither a border nor a cut comes near a slit that would be made there.
+  bool is_whole(const Eigen::Vector3d& middle, const Eigen::Vector3d& along, const Eigen::Vector3d& across) const {
+    for (const auto& [axis, reach] : {std::pair(along, kClearEnds * radius), std::pair(across, kClearSides * radius)}) {
+      const auto way = between(middle, axis, reach);
+      if (!way) return false;
+      if ((position_of(view, way->points.back()) - position_of(view, way->points.front())).norm() <
+          kStraight * 2 * reach)
+        return false;
+    }
+    return true;
+  }
+};
 
 /// On which side of a line through a vertex the triangles that have it lie, metres along `side`.
 double side_of(const BodyModel& model, int vertex, const Eigen::Vector3d& side) {
@@ -67,21 +108,33 @@ std::optional<SurfacePoint> pressed_place(const BodyModel& model, const Eigen::V
   return place;
 }
 
-std::optional<CutPath> slit_path(const BodyModel& model, const SurfacePoint& place, const ToolPose& pose,
-                                 double radius) {
-  const SurfaceView view = rest_view(model);
+bool try_slits(const BodyModel& model, const SurfacePoint& place, const ToolPose& pose, double radius,
+               const std::function<bool(const CutPath&)>& fits) {
+  const SlitFinder finder{.view = rest_view(model), .normals = vertex_normals(rest_view(model)), .radius = radius};
   const Eigen::Vector3d middle = place_on(model, place.triangle, place.weights, model.rest_position);
   const Eigen::Vector3d normal = rest_normal(model, place.triangle);
-  const std::vector<Eigen::Vector3d> normals = vertex_normals(view);
-  for (const Eigen::Vector3d& axis : {pose.axis, Eigen::Vector3d(pose.axis.cross(pose.direction))}) {
-    const Eigen::Vector3d along = (axis - normal * normal.dot(axis)).normalized();
-    const auto from = project(view, middle - radius * along, {}, radius).point;
-    const auto to = project(view, middle + radius * along, {}, radius).point;
-    if (!from || !to) continue;
-    const SurfaceTrace way = trace(view, normals, *from, *to);
-    if (way.pieces.size() == 1) return CutPath{.from = {}, .points = way.pieces.front().points};
+  const auto on_wall = [&](const Eigen::Vector3d& axis) {
+    return Eigen::Vector3d((axis - normal * normal.dot(axis)).normalized());
+  };
+  const std::array<Eigen::Vector3d, 2> axes = {on_wall(pose.axis), on_wall(pose.axis.cross(pose.direction))};
+  const auto is_taken = [&](const Eigen::Vector3d& at, const Eigen::Vector3d& along) {
+    const auto path = finder.between(at, along, radius);
+    return path && fits(*path);
+  };
+  if (is_taken(middle, axes[0]) || is_taken(middle, axes[1])) return true;
+  for (const double shift : kBeside) {
+    for (int side = 0; side < kSides; ++side) {
+      const double angle = 2 * std::numbers::pi * side / kSides;
+      const Eigen::Vector3d aside = std::cos(angle) * axes[1] + std::sin(angle) * axes[0];
+      const auto found = project(finder.view, middle + shift * radius * aside, {}, radius).point;
+      if (!found) continue;
+      const Eigen::Vector3d beside = position_of(finder.view, *found);
+      for (int k = 0; k < 2; ++k) {
+        if (finder.is_whole(beside, axes[k], axes[1 - k]) && is_taken(beside, axes[k])) return true;
+      }
+    }
   }
-  return std::nullopt;
+  return false;
 }
 
 Puncture puncture_of(const BodyModel& model, const Cut& slit, int tool, const ToolPose& pose, double radius) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -27,8 +28,9 @@ struct Puncture {
 
 /// How hard a tool has pressed since it touched last.
 struct Pressing {
-  double work = 0;     // joule, by the tool on the wall
-  double awaited = 0;  // joule, before which no puncture by a needle can be worth its cost
+  double work = 0;       // joule, by the tool on the wall
+  double awaited = 0;    // joule, before which no puncture by a needle can be worth its cost
+  bool recedes = false;  // whether the tool has gone back in the last step
 };
 
 /// A wall that has given way.
@@ -43,10 +45,11 @@ struct Rupture {
 std::optional<SurfacePoint> pressed_place(const BodyModel& model, const Eigen::VectorXd& position, const ToolPose& pose,
                                           double radius, const std::vector<char>& is_free);
 
-/// A slit of a needle's width around a place, on the rest shape, along y' of the needle or, where the wall ends there,
-/// along x'. Nothing where neither fits.
-std::optional<CutPath> slit_path(const BodyModel& model, const SurfacePoint& place, const ToolPose& pose,
-                                 double radius);
+/// Goes through slits of a needle's width around a place, on the rest shape, until `fits` takes one; false where it
+/// takes none. First along y' of the needle, then along x'; where cuts or borders leave no room for either, beside the
+/// place, by two radii at most, where the wall is whole around them.
+bool try_slits(const BodyModel& model, const SurfacePoint& place, const ToolPose& pose, double radius,
+               const std::function<bool(const CutPath&)>& fits);
 
 /// The lips of a slit on the shaft that made it. `model`: as cut.
 Puncture puncture_of(const BodyModel& model, const Cut& slit, int tool, const ToolPose& pose, double radius);

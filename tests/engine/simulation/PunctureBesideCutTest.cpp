@@ -1,0 +1,72 @@
+// Needles that meet a wall where a cut leaves no room for a slit of their width.
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "engine/cutting/SurfaceNormals.hpp"
+#include "engine/cutting/SurfacePath.hpp"
+#include "engine/cutting/SurfaceTrace.hpp"
+#include "engine/mesh/Shapes.hpp"
+#include "tests/engine/simulation/DrivenNeedle.hpp"
+#include "tests/engine/simulation/TestBodies.hpp"
+
+namespace thinwall {
+namespace {
+
+BodyDefinition tough_sheet() {
+  BodyDefinition definition = make_body(make_sheet(40e-3, 40e-3, 400), 1e-3, neo_hookean(20e3));
+  definition.fluid.kind = FluidKind::kNone;
+  definition.fixed = {{.region = BoundaryRegion{}}};
+  definition.toughness = {50};
+  return definition;
+}
+
+void cut_between(Body& body, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  const SurfaceView surface = body.surface();
+  const auto begin = project(surface, from, {}, 1e-3).point, end = project(surface, to, {}, 1e-3).point;
+  const SurfaceTrace way = trace(surface, vertex_normals(surface), *begin, *end);
+  body.cut({.from = {}, .points = way.pieces.front().points}, std::vector{pose_at({0, 0, 5e-3})});
+  body.leave_cut();
+}
+
+Body cut_sheet() {
+  Body body(tough_sheet(), {test_needle(0.2)}, quasi_static());
+  body.settle();
+  cut_between(body, {-3e-3, -3e-3, 0}, {3e-3, 3e-3, 0});
+  for (int k = 0; k < 4; ++k) {
+    body.advance(std::vector{pose_at({0, 0, 5e-3})}, std::vector{pose_at({0, 0, 5e-3})}, 5e-3);
+  }
+  return body;
+}
+
+TEST(ANeedleBesideACut, MakesItsWayWhereTheCutLeavesRoom) {
+  // At the end of the cut, which is askew to the needle's axes, and farther ahead: no slit fits in there.
+  for (const Eigen::Vector3d& place : {Eigen::Vector3d(3.3e-3, 2.7e-3, 0), Eigen::Vector3d(3.3e-3, 3.1e-3, 0)}) {
+    SCOPED_TRACE(place.transpose());
+    Body body = cut_sheet();
+    DrivenNeedle needle{.at = place};
+    ASSERT_TRUE(needle.move_to_rupture(body, 1, 15e-3));
+    EXPECT_NEAR(needle.ruptures[0].cut.length, 2 * 0.5e-3, 0.02e-3);
+    const std::vector<ShaftPoint>& lips = body.state().punctures.front().points;
+    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+    for (const ShaftPoint& point : lips) {
+      middle += body.model().rest_position.segment<3>(3 * point.vertex) / static_cast<double>(lips.size());
+    }
+    const double beside = (middle - place).head<2>().norm();
+    EXPECT_GT(beside, 0.5 * 0.5e-3);
+    EXPECT_LT(beside, 2.1 * 0.5e-3);
+    EXPECT_LT(std::abs(body.state().books.imbalance()), 1e-9 * body.state().books.largest());
+  }
+}
+
+TEST(ANeedleBesideACut, GoesIntoTheOpenCutAndOutAgainWithoutANewHole) {
+  Body body = cut_sheet();
+  DrivenNeedle needle{.at = {2.5e-3, 2.5e-3, 0}};
+  EXPECT_FALSE(needle.move_to_rupture(body, 1, 12e-3));
+  needle.move(body, -1e-3);
+  EXPECT_TRUE(needle.ruptures.empty());
+}
+
+}  // namespace
+}  // namespace thinwall
