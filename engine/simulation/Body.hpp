@@ -169,6 +169,7 @@ class Body {
 
   NewtonResult solve(EquilibriumProblem& problem, EquilibriumState& state, const SolveEffort& effort = {});
   NewtonResult relax(EquilibriumProblem& problem, EquilibriumState& state);
+  NewtonResult burst();
   void solve_statics();
   bool load_slowly(const EquilibriumProblem& whole, EquilibriumState& trial);
   std::string describe_failure() const;

@@ -16,6 +16,9 @@
 namespace thinwall {
 namespace {
 
+/// Mean edges by which a cut waits for the blade to come farther, where what it would leave is beyond the wall's law.
+constexpr double kMostAwaited = 3;
+
 /// Contents that do not run out keep their surface, whatever caps span the lips now.
 void keep_surfaces(BodyModel& model, const BodyState& state) {
   if (!model.has_open_chambers() || model.definition.fluid.leaks) return;
@@ -61,7 +64,8 @@ void Body::crumple(std::span<const ToolPose> poses) {
 Cut Body::cut(const CutPath& path, std::span<const ToolPose> poses) {
   CutOptions options;
   if (state_.cut.tool) options.deviation = tools_[*state_.cut.tool].deviation;
-  const Cut cut = change_mesh(path, options);
+  Uncut before;
+  Cut cut = change_mesh(path, options, &before);
   if (cut.triangles.empty()) return cut;
   state_.cut.has_incised = true;
   state_.cut.start.reset();
@@ -73,7 +77,14 @@ Cut Body::cut(const CutPath& path, std::span<const ToolPose> poses) {
   const double length = length_of(cut.lips, state_.equilibrium.position);
   if (length > 0) state_.cut.cost *= cut.length / length;
   hold_as_it_is(cut.length, true, poses);
-  return cut;
+  if (std::isfinite(state_.books.elastic)) return cut;
+  if (cut.length > kMostAwaited * model_->edge_length) {
+    throw SimulationFailure("body `" + model_->definition.name +
+                            "`: triangles that a cut leaves are stretched beyond what the wall's law allows; give the "
+                            "body more triangles, or the law a larger limit");
+  }
+  put_back(std::move(before));
+  return {};
 }
 
 Cut Body::change_mesh(const CutPath& path, CutOptions options, Uncut* before) {
@@ -135,11 +146,6 @@ void Body::find_forces(std::span<const ToolPose> poses) {
   add_solids(poses, problem);
   add_shafts_to(poses, problem);
   newton_->look(problem, state_.equilibrium);
-  if (!std::isfinite(newton_->terms().elastic)) {
-    throw SimulationFailure("body `" + model_->definition.name +
-                            "`: triangles that a cut leaves are stretched beyond what the wall's law allows; give the "
-                            "body more triangles, or the law a larger limit");
-  }
   // What the tools felt during the step stays what it was.
   const std::vector<ToolContact> contacts = state_.contacts, solid_contacts = state_.solid_contacts;
   update_forces(problem);

@@ -65,6 +65,13 @@ NewtonResult Body::solve(EquilibriumProblem& problem, EquilibriumState& state, c
   return result;
 }
 
+NewtonResult Body::burst() {
+  NewtonResult failed;
+  failed.reason = failure_ =
+      "it bursts: it grows without end, past " + std::to_string(static_cast<int>(kBurstVolume)) + " times its volume";
+  return failed;
+}
+
 NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state) {
   // Pseudo-inertia: springs, in units of the wall's stiffness, tie every vertex to where it is. A slack or a buckling
   // wall has directions without stiffness in which Newton's steps make no sense; the springs give them some, and are
@@ -88,7 +95,7 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state) {
       if (springs > kStiffestSprings) break;
     }
     if (model_->has_fluid() && enclosed_volumes(*model_, state.position).sum() > kBurstVolume * model_->rest_volume) {
-      break;
+      return burst();
     }
     if (springs < kWeakSprings && turn % 4 == 3) {
       trial = state;
@@ -191,7 +198,11 @@ std::string Body::describe_failure() const {
     message << joint << *chamber.initial_pressure << " Pa";
     joint = " and ";
   }
-  message << ": " << failure_ << "; a wall holds only so much pressure: take a lower one, or a thicker or stiffer wall";
+  const bool has_weight = !options_.gravity.isZero();
+  if (has_weight) message << joint << "its weight";
+  message << ": " << failure_ << "; a wall holds only so much: take a lower pressure, ";
+  if (has_weight) message << "lighter contents (`density`), or hold more of the body (`fixed`), ";
+  message << "or a thicker or stiffer wall";
   return message.str();
 }
 

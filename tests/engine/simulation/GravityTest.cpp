@@ -8,6 +8,7 @@
 
 #include "engine/fluid/FluidWeight.hpp"
 #include "engine/mesh/Shapes.hpp"
+#include "engine/simulation/SimulationFailure.hpp"
 #include "tests/engine/simulation/TestBodies.hpp"
 
 namespace thinwall {
@@ -105,6 +106,21 @@ TEST(Gravity, BallOfFluidOnItsFixedBottomSags) {
   };
   EXPECT_LT(highest(body), highest(light) - 1e-3);
   EXPECT_LT(body.state().books.gravity, light.state().books.elastic);
+}
+
+TEST(Gravity, BallTooHeavyForItsWallIsSaidToBurstWithWhatHelps) {
+  BodyDefinition definition = make_body(make_sphere(20e-3, 200), 1e-3, neo_hookean(5e3));
+  definition.fluid.initial_pressure = 400;
+  definition.fixed = {{.region = BelowRegion{.axis = 2, .at = -15e-3}}};
+  Body body(definition, {}, heavy(quasi_static()));
+  try {
+    body.settle();
+    FAIL() << "it bears " << body.state().volume[0] << " m^3";
+  } catch (const SimulationFailure& failure) {
+    const std::string what = failure.what();
+    EXPECT_NE(what.find("under 400 Pa and its weight: it bursts"), std::string::npos) << what;
+    EXPECT_NE(what.find("lighter contents (`density`)"), std::string::npos) << what;
+  }
 }
 
 }  // namespace
