@@ -12,6 +12,10 @@ namespace {
 /// Mean edge lengths over which the energy that lips release is told to the blade.
 constexpr double kSettledEdges = 2;
 
+/// Mean edge lengths that a blade has been charged for beyond what has been cut, from which on it cuts nothing: it goes
+/// back along its own wound.
+constexpr double kMostLead = 2;
+
 /// Part of what a cut costs that the forces at its lips may do on the wall before they are let go: they stand for what
 /// the wall bore across the cut, and push a piece that turns or flies away as no wall does.
 constexpr double kMostDriven = 0.5;
@@ -60,7 +64,8 @@ double Body::book_cut(const CutProgress& before, const Eigen::VectorXd& motion,
   double paid = 0;  // joule, by the blade
   if (blade && blade->travel > 0) {
     const double advance = std::max(0.0, blade->travel - way_of_wall(*blade, motion));
-    const double open = std::min(after.ahead, advance), cut = advance - open;
+    const bool cuts = after.due > -kMostLead * model_->edge_length * after.cost;
+    const double open = std::min(after.ahead, advance), cut = cuts ? advance - open : 0;
     paid = 0.5 * (before.push + after.push) * blade->travel;
     after.progress = advance / blade->travel;
     after.ahead -= open;
@@ -69,8 +74,8 @@ double Body::book_cut(const CutProgress& before, const Eigen::VectorXd& motion,
     // Lips open by fits and starts, so what they release is smoothed and settled over the lengths of some triangles.
     const double length = kSettledEdges * model_->edge_length, share = std::min(1.0, cut / length);
     if (cut > 0) after.given += share * (released / cut - after.given);
-    after.resistance =
-        after.ahead > 0 ? 0 : std::clamp(after.cost - after.given + after.owed / length, 0.0, after.cost);
+    const bool is_free = after.ahead > 0 || !cuts;
+    after.resistance = is_free ? 0 : std::clamp(after.cost - after.given + after.owed / length, 0.0, after.cost);
     state_.contacts[blade->tool].force -= after.push * blade->direction;
     state_.contacts[blade->tool].touching = true;
   } else {

@@ -65,6 +65,20 @@ TEST(ABladeInAStretchedSheet, GoesOnBehindAnEarlierCutThatItCrosses) {
   }
 }
 
+TEST(ABladeThatGoesBackAlongItsCut, IsChargedForWhatItCutsAlone) {
+  // There, and back at an angle of one degree, so near to the cut that nothing is left to be cut between.
+  Body body(stretched_sheet(1.0), {test_blade()}, quasi_static());
+  body.settle();
+  draw_blade(body, stroke_through({{-9e-3, 0.2e-3}, {9e-3, 0.2e-3}, {-9e-3, 0.5e-3}}));
+  const double cost = body.model().cut_cost(0) * body.state().cut.length, edge = body.model().edge_length;
+  EXPECT_GT(body.state().books.tool_work, 0.8 * cost);
+  EXPECT_LT(body.state().books.tool_work, cost + 4 * edge * body.model().cut_cost(0));
+  EXPECT_NEAR(body.state().books.fracture, cost, 0.02 * cost);
+  EXPECT_LT(std::abs(body.state().books.imbalance()), 1e-9 * body.state().books.largest());
+  std::printf("blade %.4f, cost %.4f mJ of %.2f mm, edge %.2f mm\n", 1e3 * body.state().books.tool_work, 1e3 * cost,
+              1e3 * body.state().cut.length, 1e3 * edge);
+}
+
 TEST(ABladeInAShellInMotion, CrossesAnEarlierCutWithoutTroubleForTheSolver) {
   BodyDefinition definition = stretched_sheet(1.05);
   definition.model = WallModel::kShell;
