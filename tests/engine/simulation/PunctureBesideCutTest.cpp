@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "engine/cutting/SurfaceNormals.hpp"
@@ -41,23 +42,21 @@ Body cut_sheet() {
 }
 
 TEST(ANeedleBesideACut, MakesItsWayWhereTheCutLeavesRoom) {
-  // At the end of the cut, which is askew to the needle's axes, and farther ahead: no slit fits in there.
-  for (const Eigen::Vector3d& place : {Eigen::Vector3d(3.3e-3, 2.7e-3, 0), Eigen::Vector3d(3.3e-3, 3.1e-3, 0)}) {
-    SCOPED_TRACE(place.transpose());
-    Body body = cut_sheet();
-    DrivenNeedle needle{.at = place};
-    ASSERT_TRUE(needle.move_to_rupture(body, 1, 15e-3));
-    EXPECT_NEAR(needle.ruptures[0].cut.length, 2 * 0.5e-3, 0.02e-3);
-    const std::vector<ShaftPoint>& lips = body.state().punctures.front().points;
-    Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    for (const ShaftPoint& point : lips) {
-      middle += body.model().rest_position.segment<3>(3 * point.vertex) / static_cast<double>(lips.size());
-    }
-    const double beside = (middle - place).head<2>().norm();
-    EXPECT_GT(beside, 0.5 * 0.5e-3);
-    EXPECT_LT(beside, 2.1 * 0.5e-3);
-    EXPECT_LT(std::abs(body.state().books.imbalance()), 1e-9 * body.state().books.largest());
+  // At the end of a cut that is askew to the needle's axes, where no slit fits in.
+  const Eigen::Vector3d place(3.3e-3, 2.7e-3, 0);
+  Body body = cut_sheet();
+  DrivenNeedle needle{.at = place};
+  ASSERT_TRUE(needle.move_to_rupture(body, 1, 15e-3));
+  EXPECT_NEAR(needle.ruptures[0].cut.length, 2 * 0.5e-3, 0.02e-3);
+  const std::vector<ShaftPoint>& lips = body.state().punctures.front().points;
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const ShaftPoint& point : lips) {
+    middle += body.model().rest_position.segment<3>(3 * point.vertex) / static_cast<double>(lips.size());
   }
+  const double beside = (middle - place).head<2>().norm();
+  EXPECT_GT(beside, 0.5 * 0.5e-3);
+  EXPECT_LT(beside, 2.1 * 0.5e-3);
+  EXPECT_LT(std::abs(body.state().books.imbalance()), 1e-9 * body.state().books.largest());
 }
 
 TEST(ANeedleBesideACut, GoesIntoTheOpenCutAndOutAgainWithoutANewHole) {
