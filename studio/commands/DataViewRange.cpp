@@ -1,6 +1,8 @@
 #include "studio/commands/DataViewRange.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 #include <vector>
 
 #include "renderer/look/VertexAreas.hpp"
@@ -27,23 +29,44 @@ namespace {
 constexpr double kLowest = 0.005;
 constexpr double kHighest = 0.01;
 
+/// And so are values farther above the upper quartile than this times the distance of the quartiles (Tukey's
+/// fence): what a few triangles bear at a cut or in a thin duct must not make the rest of the wall dark. No more of the
+/// wall than the second is left out by that.
+constexpr double kFence = 1.5;
+constexpr double kMostBeyond = 0.05;
+
 /// A number of the wall and how much of the wall it stands for. Near cuts there are many vertices on little wall.
 struct WeighedValue {
   float value = 0;
-  float area = 0;  // metres^2, stress-free
+  float area = 0;        // metres^2, stress-free
+  bool is_held = false;  // at its stress-free place: what is fixed of a wall under prestretch bears it for ever
 };
 
-/// The value below which lies `part` of the wall.
-double value_at(double part, std::vector<WeighedValue> values) {
-  if (values.empty()) return 0;
+/// The values below which lie `parts` of the wall.
+template <std::size_t N>
+std::array<double, N> values_at(const std::array<double, N>& parts, std::vector<WeighedValue> values) {
+  std::array<double, N> found{};
+  if (values.empty()) return found;
   std::ranges::sort(values, {}, &WeighedValue::value);
-  double whole = 0, below = 0;
+  double whole = 0;
   for (const WeighedValue& value : values) whole += value.area;
-  for (const WeighedValue& value : values) {
-    below += value.area;
-    if (below >= part * whole) return value.value;
+  for (std::size_t k = 0; k < N; ++k) {
+    double below = 0;
+    found[k] = values.back().value;
+    for (const WeighedValue& value : values) {
+      below += value.area;
+      if (below < parts[k] * whole) continue;
+      found[k] = value.value;
+      break;
+    }
   }
-  return values.back().value;
+  return found;
+}
+
+double upper_end(std::vector<WeighedValue> values) {
+  const auto [first, third, most, highest] =
+      values_at<4>({0.25, 0.75, 1 - kMostBeyond, 1 - kHighest}, std::move(values));
+  return std::min(highest, std::max(most, third + kFence * (third - first)));
 }
 
 /// (steps x vertices of all bodies)
@@ -55,7 +78,10 @@ std::vector<WeighedValue> all_values(const TakeReader& take, DataQuantity quanti
     for (const SnapshotSurface& surface : moment.snapshot.surfaces) {
       const std::vector<float> values = data_values(surface, quantity);
       const std::vector<double> areas = vertex_areas(*surface.topology);
-      for (std::size_t v = 0; v < values.size(); ++v) all.push_back({values[v], static_cast<float>(areas[v])});
+      for (std::size_t v = 0; v < values.size(); ++v) {
+        const bool is_held = surface.positions[v] == surface.topology->rest_positions[v];
+        all.push_back({values[v], static_cast<float>(areas[v]), is_held});
+      }
     }
   }
   return all;
@@ -84,10 +110,13 @@ void complete_data_range(const TakeReader& take, const std::filesystem::path& fi
   }
   if (values.empty()) values.push_back({});
   const auto ends = std::ranges::minmax(values, {}, &WeighedValue::value);
-  double from = data.from.value_or(value_at(kLowest, values));
+  if (std::ranges::any_of(values, [](const WeighedValue& value) { return !value.is_held; })) {
+    std::erase_if(values, [](const WeighedValue& value) { return value.is_held; });
+  }
+  double from = data.from.value_or(values_at<1>({kLowest}, values)[0]);
   // Most of a wall is touched by nothing.
   std::erase_if(values, [](const WeighedValue& value) { return value.value == 0; });
-  double to = data.to.value_or(std::max(from, value_at(1 - kHighest, values)));
+  double to = data.to.value_or(std::max(from, upper_end(values)));
   round_outwards(from, to);
   if (!data.from) {
     data.from = from;

@@ -12,8 +12,8 @@ namespace thinwall {
 void require_data_range(const LookDefinition& look);
 
 /// Gives a data view the ends that it lacks, from the whole take, and says whether values lie beyond them: over 0.5 %
-/// of the wall below the first at most, and over 1 % of where they are not zero above the last. Throws TakeError where
-/// the take does not hold what is to be shown.
+/// of the wall below the first at most, and over 5 % of where they are not zero above the last. What is held fast at
+/// its stress-free place does not count. Throws TakeError where the take does not hold what is to be shown.
 void complete_data_range(const TakeReader& take, const std::filesystem::path& file, LookDefinition& look);
 
 }  // namespace thinwall

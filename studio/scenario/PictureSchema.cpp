@@ -28,7 +28,7 @@ MappingSchema data_schema() {
                      .documentation =
                          "A quantity in colours (viridis) with a legend. The ends of the colours are needed by "
                          "`run`, `still` and `golden`; `render` takes those that are absent from the whole "
-                         "take, rounded; what half a hundredth of the wall bears lies beyond each."};
+                         "take, rounded; what little of the wall bears, and what is held fast, may lie beyond."};
   data.selector = "shows";
   std::vector<std::string> words;
   for (const DataQuantityRow& row : data_quantities()) {
