@@ -21,22 +21,22 @@ struct FluidLook {
 
 /// How a wall looks. Lengths are those of the stress-free wall, so the pattern sticks to the tissue.
 struct TissueLook {
-  Double3 color = {0.72, 0.36, 0.32};  // sRGB, 0 to 1, like all colours here
+  Double3 color = {0.68, 0.37, 0.32};  // sRGB, 0 to 1, like all colours here
   double roughness = 0.45;             // 0 to 1, of the tissue below the wet layer
   double wetness = 0.7;                // 0 to 1, strength of the wet layer
   double mottling = 1;                 // 0 to 1, strength of all that makes the pattern and the fine relief
-  double patches = 0.5;                // 0 to 1, contrast of redder and paler patches
-  double patch_size = 0.011;           // metres
+  double patches = 0.85;               // 0 to 1, contrast of redder and paler patches
+  double patch_size = 0.013;           // metres
   Double3 blood = {0.50, 0.11, 0.12};  // of vessels
-  double vessels = 0.5;                // 0 to 1, strength of vessels with branches
-  double vessel_spacing = 0.008;       // metres
-  double capillaries = 0.35;           // 0 to 1, strength of the finest branches
+  double vessels = 0.85;               // 0 to 1, strength of vessels with branches
+  double vessel_spacing = 0.0095;      // metres
+  double capillaries = 0.65;           // 0 to 1, strength of the finest branches
   Double3 fat = {0.86, 0.72, 0.42};
   double fattiness = 0;                        // 0 to 1, part of the wall that fat covers
   Double3 through = {0.40, 0.10, 0.09};        // what shines through a thin wall
-  double clearness = 0.1;                      // 0 to 1, part of the light that the stress-free wall lets through
+  double clearness = 0.2;                      // 0 to 1, part of the light that the stress-free wall lets through
   Double3 scatter = {0.0030, 0.0013, 0.0009};  // metres that red, green and blue light travel within the tissue
-  double sheen = 0.2;                          // 0 to 1, veil of the outermost layer where the look is along it
+  double sheen = 0.3;                          // 0 to 1, veil of the outermost layer where the look is along it
   double relief = 0.10;                        // slope of the fine relief
   double relief_size = 0.0013;                 // metres
   double creases = 0;                          // 0 to 1: from rounded to furrowed relief

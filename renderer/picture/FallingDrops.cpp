@@ -59,7 +59,7 @@ Film falling_drops(const SnapshotSurface& surface, const WoundLayout& wounds, Ve
     const double shape = 2 * runoff_half_width(run) * kRunoffHeight;
     const double left = leaked / static_cast<double>(wounds.fluid_runs.size()) - way * shape;
     const double arrival = run.born + way / kRunoffSpeed + kPeriod * run.chance;
-    const Vector3 end = point_at(run.path.back(), *surface.topology, surface.positions);
+    const Vector3 end = point_at(run.path.back(), surface.positions);
     for (int n = std::max(0, static_cast<int>((time - longest - arrival) / kPeriod)); n * kVolume < left; ++n) {
       const double falling = time - arrival - n * kPeriod;
       if (falling < 0) break;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace thinwall {
 namespace {
@@ -87,8 +88,13 @@ Studio arrange_endoscope(const Camera& camera, const SceneExtent& extent) {
   return {.key_direction = toward, .fill_direction = toward, .front = {0, -1, 0}, .lamp_place = place};
 }
 
-Matrix4 key_light_matrix(const SceneExtent& extent, const Studio& studio) {
-  const Vector3 right = perpendicular(studio.key_direction);
+/// The clip matrix of a light that sees the whole reach of the scene.
+Matrix4 whole_light_matrix(const SceneExtent& extent, const Studio& studio) {
+  // The shadows of upright tools would lie along the map's raster, whose steps are widest there; across it they are
+  // finest, and the taps of shadow.glsl stand evenly.
+  constexpr double kTurn = 0.25 * std::numbers::pi;
+  const Vector3 level = perpendicular(studio.key_direction);
+  const Vector3 right = std::cos(kTurn) * level + std::sin(kTurn) * cross(studio.key_direction, level);
   const Vector3 up = cross(studio.key_direction, right);
   if (studio.lamp_place) {
     const double distance = std::max(length(*studio.lamp_place - extent.center), 1e-3 * extent.size);
@@ -103,6 +109,42 @@ Matrix4 key_light_matrix(const SceneExtent& extent, const Studio& studio) {
   const double distance = 8 * extent.reach;
   return parallel_matrix(half, 0, 2 * distance) *
          eye_matrix(extent.center + distance * studio.key_direction, right, up, studio.key_direction);
+}
+
+/// Narrows a light's view to what the tissue takes of it at rest, and as much more as it has grown: the shadow's raster
+/// is finer then, and stays still while the scene moves a little.
+Matrix4 narrowed_to_tissue(const Matrix4& matrix, const SceneExtent& extent) {
+  constexpr double kMargin = 1.15;
+  std::array<double, 2> low{1, 1}, high{-1, -1};
+  for (const Vector3& point : extent.rest_points) {
+    std::array<double, 4> clip;
+    for (int row = 0; row < 4; ++row) {
+      clip[static_cast<std::size_t>(row)] =
+          matrix(row, 0) * point.x + matrix(row, 1) * point.y + matrix(row, 2) * point.z + matrix(row, 3);
+    }
+    // A lamp among the tissue has no such part of its view.
+    if (!(clip[3] > 0)) return matrix;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      low[axis] = std::min(low[axis], clip[axis] / clip[3]);
+      high[axis] = std::max(high[axis], clip[axis] / clip[3]);
+    }
+  }
+  if (!(high[0] > low[0]) || !(high[1] > low[1])) return matrix;
+  const double grown = extent.reach / (0.5 * extent.size);
+  Matrix4 result = matrix;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double middle = 0.5 * (low[axis] + high[axis]);
+    const double half = std::clamp(0.5 * kMargin * grown * (high[axis] - low[axis]), 0.05, 1.0);
+    const int row = static_cast<int>(axis);
+    for (int column = 0; column < 4; ++column) {
+      result(row, column) = (matrix(row, column) - middle * matrix(3, column)) / half;
+    }
+  }
+  return result;
+}
+
+Matrix4 key_light_matrix(const SceneExtent& extent, const Studio& studio) {
+  return narrowed_to_tissue(whole_light_matrix(extent, studio), extent);
 }
 
 FrameUniforms frame_uniforms(const Camera& camera, const SceneExtent& extent, const ViewDefinition& view,

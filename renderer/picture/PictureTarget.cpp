@@ -114,10 +114,19 @@ void PictureTarget::clear_depth(const FinePixels& fine) const {
                       depth.data());
 }
 
+void PictureTarget::copy_depth(std::optional<Texture>& to) const {
+  if (!to) to = create_texture(GL_DEPTH24_STENCIL8, size_.width, size_.height, GL_NEAREST);
+  glCopyImageSubData(depth_.name(), GL_TEXTURE_2D, 0, 0, 0, 0, to->name(), GL_TEXTURE_2D, 0, 0, 0, 0, size_.width,
+                     size_.height, 1);
+}
+
 void PictureTarget::keep_depth() {
-  if (!kept_depth_) kept_depth_ = create_texture(GL_DEPTH24_STENCIL8, size_.width, size_.height, GL_NEAREST);
-  glCopyImageSubData(depth_.name(), GL_TEXTURE_2D, 0, 0, 0, 0, kept_depth_->name(), GL_TEXTURE_2D, 0, 0, 0, 0,
-                     size_.width, size_.height, 1);
+  copy_depth(kept_depth_);
+}
+
+void PictureTarget::keep_tissue_depth() {
+  copy_depth(tissue_depth_);
+  glBindTextureUnit(4, tissue_depth_->name());
 }
 
 std::vector<std::uint8_t> PictureTarget::read_color(const ScreenArea& area) const {

@@ -53,6 +53,9 @@ class PictureTarget {
   /// Keeps depth as it is now for begin_blurred and begin_focused, whatever is drawn until then.
   void keep_depth();
 
+  /// Keeps depth as it is now for the tools, which mirror what lies there.
+  void keep_tissue_depth();
+
   /// The colours as they are now.
   const Texture& copy_of_color() const;
 
@@ -73,11 +76,14 @@ class PictureTarget {
   ImageSize size() const { return size_; }
 
  private:
+  void copy_depth(std::optional<Texture>& to) const;
+
   ImageSize size_;
   Texture depth_;  // and stencil
   std::optional<Texture> kept_depth_;
-  Texture normal_;  // and depth
-  Texture rest_;    // and state
+  std::optional<Texture> tissue_depth_;  // without tools
+  Texture normal_;                       // and depth
+  Texture rest_;                         // and state
   Framebuffer surface_;
   Texture backdrop_color_;
   Framebuffer backdrop_;

@@ -146,7 +146,7 @@ void Stage::draw_surface(const FrameUniforms& frame, PassClock& clock) {
 void Stage::find_outline(SceneView& scene) {
   if (scene.outline) return;
   glFlush();
-  scene.outline = meshes.outline(scene.snapshot, scene.eye);
+  scene.outline = meshes.outline(scene.eye);
 }
 
 /// Over the backdrop, all that is seen with the surface.
@@ -166,7 +166,7 @@ void Stage::draw_scene(SceneView& scene, const FrameUniforms& frame, PassClock& 
   if (tier == Tier::kFinal) bare = has_fluids ? read_picture() : std::vector<std::uint8_t>();
   draw_fluids(scene, clock);
   if (scene.view.look.mesh) {
-    mesh_lines.draw(meshes.mesh_lines(scene.snapshot));
+    mesh_lines.draw(meshes.mesh_lines());
     clock.ends("mesh lines");
   }
   if (tier != Tier::kDraft) outline_pass.draw(*scene.outline, target.copy_of_color());
@@ -253,6 +253,7 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
   stage->draw_backdrop(surroundings, clock);
   stage->target.clear_depth();
   stage->draw_surface(frame, clock);
+  if (!snapshot.tools.empty()) stage->target.keep_tissue_depth();
   stage->target.lay_backdrop(field_stop(frame));
   clock.ends("backdrop");
   SceneView shown{.snapshot = snapshot, .view = view, .eye = camera.position, .surroundings = surroundings};

@@ -6,6 +6,7 @@
 
 #include "renderer/picture/FallingDrops.hpp"
 #include "renderer/picture/PictureFailure.hpp"
+#include "renderer/picture/SmoothLipPieces.hpp"
 #include "renderer/picture/SurfaceVertices.hpp"
 #include "renderer/picture/TissuePieces.hpp"
 #include "renderer/picture/WoundBed.hpp"
@@ -45,10 +46,13 @@ SceneMeshes::SceneMeshes()
                                       {3, 4, offsetof(SurfaceVertex, blanch)}}),
       tools_(sizeof(ToolVertex), {{0, 3, offsetof(ToolVertex, position)},
                                   {1, 3, offsetof(ToolVertex, normal)},
-                                  {2, 3, offsetof(ToolVertex, roughness)}}) {}
+                                  {2, 3, offsetof(ToolVertex, roughness)},
+                                  {3, 2, offsetof(ToolVertex, side)}}) {}
 
 void SceneMeshes::upload(const Snapshot& snapshot, const SceneExtent& extent, const LookDefinition& look) {
-  find_edges(snapshot);
+  // Numbers and edges of the mesh are shown as they are.
+  find_edges(snapshot, look.data.has_value() || look.mesh);
+  smooth_surfaces(snapshot);
   upload_tissue(snapshot, look);
   upload_tools(snapshot, extent);
 }
@@ -61,12 +65,13 @@ void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& 
   fluids_.clear();
   films_.clear();
   for (std::size_t k = 0; k < snapshot.surfaces.size(); ++k) {
-    const SnapshotSurface& surface = snapshot.surfaces[k];
+    const SnapshotSurface& surface = drawn_[k];
     const auto found = look.bodies.find(surface.body);
     const TissueLook body_look = found == look.bodies.end() ? TissueLook{} : found->second;
-    std::vector<TissuePiece> pieces = tissue_pieces(surface, borders_[k]);
+    std::vector<TissuePiece> pieces =
+        smooth_lipped_pieces(snapshot.surfaces[k], mesh_borders_[k], lips_[k], surface, borders_[k]);
     if (look.data) {
-      show_data(surface, *look.data, borders_[k], pieces);
+      show_data(snapshot.surfaces[k], *look.data, borders_[k], pieces);
     } else {
       find_fluid(snapshot, k, body_look, pieces);
       find_films(snapshot, k, body_look, pieces);
@@ -126,7 +131,7 @@ void SceneMeshes::find_fluid(const Snapshot& snapshot, std::size_t k, const Tiss
     normals.push_back(vector3(wall[v].normal));
     thickness.push_back(length(vector3(wall[v].position) - vector3(lining->vertices[v].position)));
   }
-  const SnapshotSurface& surface = snapshot.surfaces[k];
+  const SnapshotSurface& surface = drawn_[k];
   FluidSurface fluid =
       fluid_surface(snapshot, surface, find_wall_holes(surface.positions, borders_[k]), normals, thickness);
   if (fluid.lid.empty() && fluid.level.empty()) return;
@@ -136,7 +141,7 @@ void SceneMeshes::find_fluid(const Snapshot& snapshot, std::size_t k, const Tiss
 void SceneMeshes::find_films(const Snapshot& snapshot, std::size_t k, const TissueLook& look,
                              std::span<const TissuePiece> pieces) {
   if (!wounds_[k]) return;
-  const SnapshotSurface& surface = snapshot.surfaces[k];
+  const SnapshotSurface& surface = drawn_[k];
   const auto add = [&](Film film, const FluidLook& fluid, bool is_falling = false) {
     if (!film.corners.empty()) films_.push_back({.film = std::move(film), .look = fluid, .is_falling = is_falling});
   };
@@ -154,31 +159,55 @@ void SceneMeshes::find_films(const Snapshot& snapshot, std::size_t k, const Tiss
 }
 
 /// Edges change with the topology alone, and finding them takes longer than drawing.
-void SceneMeshes::find_edges(const Snapshot& snapshot) {
+void SceneMeshes::find_edges(const Snapshot& snapshot, bool draws_mesh) {
   std::vector<std::shared_ptr<const SnapshotTopology>> topologies;
   for (const SnapshotSurface& surface : snapshot.surfaces) topologies.push_back(surface.topology);
-  if (topologies == topologies_) return;
+  if (topologies == topologies_ && draws_mesh == draws_mesh_) return;
   std::vector<std::uint32_t> corners;
   borders_.clear();
+  mesh_borders_.clear();
   is_lip_.clear();
   wounds_.clear();
+  lips_.clear();
   std::uint32_t offset = 0;
-  for (const SnapshotSurface& surface : snapshot.surfaces) {
+  for (const auto& topology : topologies) {
+    borders_.push_back(border_edges(*topology));
+    mesh_borders_.push_back(borders_.back());
+    is_lip_.push_back(cut_lips(*topology, borders_.back()));
+    wounds_.emplace_back();
+    lips_.push_back({.topology = topology, .points = {}});
+    if (std::ranges::any_of(is_lip_.back(), [](char lip) { return lip != 0; })) {
+      WoundLayout layout = lay_out_wounds(*topology, borders_.back(), is_lip_.back(), downward(snapshot));
+      if (!draws_mesh) lips_.back() = smooth_lips(topology, borders_.back(), is_lip_.back());
+      layout.map = refined(std::move(layout.map), lips_.back());
+      layout.fall = refined(std::move(layout.fall), lips_.back());
+      wounds_.back() = std::move(layout);
+      borders_.back() = border_edges(*lips_.back().topology);
+      is_lip_.back().resize(lips_.back().topology->rest_positions.size(), 1);
+    }
     // Wall and caps together: where they meet is no border.
-    for (const auto* triangles : {&surface.topology->triangles, &surface.topology->cap_triangles}) {
+    const SnapshotTopology& drawn = *lips_.back().topology;
+    for (const auto* triangles : {&drawn.triangles, &drawn.cap_triangles}) {
       for (const Triangle& triangle : *triangles) {
         for (const std::uint32_t vertex : triangle) corners.push_back(offset + vertex);
       }
     }
-    offset += static_cast<std::uint32_t>(surface.positions.size());
-    borders_.push_back(border_edges(*surface.topology));
-    is_lip_.push_back(cut_lips(*surface.topology, borders_.back()));
-    wounds_.emplace_back();
-    if (std::ranges::none_of(is_lip_.back(), [](char lip) { return lip != 0; })) continue;
-    wounds_.back() = lay_out_wounds(*surface.topology, borders_.back(), is_lip_.back(), downward(snapshot));
+    offset += static_cast<std::uint32_t>(drawn.rest_positions.size());
   }
   tissue_edges_ = mesh_edges(corners);
   topologies_ = std::move(topologies);
+  draws_mesh_ = draws_mesh;
+}
+
+void SceneMeshes::smooth_surfaces(const Snapshot& snapshot) {
+  drawn_.clear();
+  for (std::size_t k = 0; k < snapshot.surfaces.size(); ++k) {
+    const SnapshotSurface& surface = snapshot.surfaces[k];
+    drawn_.push_back({.body = surface.body,
+                      .topology = lips_[k].topology,
+                      .positions = smooth_positions(lips_[k], surface.positions),
+                      .fields = {}});
+  }
 }
 
 void SceneMeshes::upload_tools(const Snapshot& snapshot, const SceneExtent& extent) {
@@ -199,11 +228,11 @@ void SceneMeshes::upload_tools(const Snapshot& snapshot, const SceneExtent& exte
   tool_edges_ = creased_edges(positions, indices);
 }
 
-std::vector<MeshLine> SceneMeshes::mesh_lines(const Snapshot& snapshot) const {
+std::vector<MeshLine> SceneMeshes::mesh_lines() const {
   std::vector<Float3> points;
   std::vector<char> is_lip;
-  for (std::size_t k = 0; k < snapshot.surfaces.size(); ++k) {
-    const std::vector<Float3>& positions = snapshot.surfaces[k].positions;
+  for (std::size_t k = 0; k < drawn_.size(); ++k) {
+    const std::vector<Float3>& positions = drawn_[k].positions;
     points.insert(points.end(), positions.begin(), positions.end());
     is_lip.insert(is_lip.end(), is_lip_[k].begin(), is_lip_[k].end());
   }
@@ -215,9 +244,9 @@ std::vector<MeshLine> SceneMeshes::mesh_lines(const Snapshot& snapshot) const {
   return lines;
 }
 
-std::vector<OutlineSegment> SceneMeshes::outline(const Snapshot& snapshot, Vector3 eye) const {
+std::vector<OutlineSegment> SceneMeshes::outline(Vector3 eye) const {
   std::vector<Vector3> points;
-  for (const SnapshotSurface& surface : snapshot.surfaces) {
+  for (const SnapshotSurface& surface : drawn_) {
     for (const Float3& position : surface.positions) points.push_back(vector3(position));
   }
   std::vector<OutlineSegment> segments = inner_borders_;

@@ -17,6 +17,7 @@
 #include "renderer/picture/WoundFilm.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
 #include "renderer/wound/FluidSurface.hpp"
+#include "renderer/wound/SmoothLips.hpp"
 
 namespace thinwall {
 
@@ -66,16 +67,17 @@ class SceneMeshes {
   const std::vector<BodyFilm>& films() const { return films_; }
 
   /// The edges of all walls' triangles and of their caps.
-  std::vector<MeshLine> mesh_lines(const Snapshot& snapshot) const;
+  std::vector<MeshLine> mesh_lines() const;
 
-  /// Of everything that was uploaded from `snapshot`, seen from `eye`.
-  std::vector<OutlineSegment> outline(const Snapshot& snapshot, Vector3 eye) const;
+  /// Of everything that was uploaded, seen from `eye`.
+  std::vector<OutlineSegment> outline(Vector3 eye) const;
 
  private:
   void upload_tissue(const Snapshot& snapshot, const LookDefinition& look);
   void find_fluid(const Snapshot& snapshot, std::size_t k, const TissueLook& look, std::span<const TissuePiece> pieces);
   void find_films(const Snapshot& snapshot, std::size_t k, const TissueLook& look, std::span<const TissuePiece> pieces);
-  void find_edges(const Snapshot& snapshot);
+  void find_edges(const Snapshot& snapshot, bool draws_mesh);
+  void smooth_surfaces(const Snapshot& snapshot);
   void upload_tools(const Snapshot& snapshot, const SceneExtent& extent);
 
   TriangleBuffer tissue_;
@@ -88,10 +90,14 @@ class SceneMeshes {
   std::vector<ToolVertex> tool_vertices_;
   std::vector<MeshEdge> tool_edges_;
   std::vector<std::shared_ptr<const SnapshotTopology>> topologies_;  // that the edges belong to
+  bool draws_mesh_ = false;                                          // and what they were found for
+  std::vector<SmoothLips> lips_;                                     // (surfaces)
+  std::vector<SnapshotSurface> drawn_;                               // (surfaces), with smooth lips
   std::vector<MeshEdge> tissue_edges_;
-  std::vector<std::vector<BorderEdge>> borders_;    // (surfaces)
-  std::vector<std::vector<char>> is_lip_;           // (surfaces x vertices), whether at a cut
-  std::vector<std::optional<WoundLayout>> wounds_;  // (surfaces), of those with cuts
+  std::vector<std::vector<BorderEdge>> borders_;       // (surfaces), as drawn
+  std::vector<std::vector<BorderEdge>> mesh_borders_;  // (surfaces), of the given mesh
+  std::vector<std::vector<char>> is_lip_;              // (surfaces x vertices), whether at a cut
+  std::vector<std::optional<WoundLayout>> wounds_;     // (surfaces), of those with cuts
 };
 
 }  // namespace thinwall

@@ -10,15 +10,22 @@
 namespace thinwall {
 
 std::vector<TissuePiece> tissue_pieces(const SnapshotSurface& surface, std::span<const BorderEdge> borders) {
+  std::vector<SurfaceVertex> wall = wall_vertices(surface);
+  const WallWays ways = wall_ways(surface, wall, borders);
+  return tissue_pieces(surface, borders, std::move(wall), ways);
+}
+
+std::vector<TissuePiece> tissue_pieces(const SnapshotSurface& surface, std::span<const BorderEdge> borders,
+                                       std::vector<SurfaceVertex> wall_vertices, const WallWays& ways) {
   const std::vector<Triangle>& triangles = surface.topology->triangles;
-  TissuePiece wall{.side = TissueSide::kOutside, .vertices = wall_vertices(surface), .corners = {}};
+  TissuePiece wall{.side = TissueSide::kOutside, .vertices = std::move(wall_vertices), .corners = {}};
   for (const Triangle& triangle : triangles) {
     wall.corners.insert(wall.corners.end(), triangle.begin(), triangle.end());
   }
   TissuePiece caps{.side = TissueSide::kCap, .vertices = cap_vertices(surface), .corners = {}};
   caps.corners.resize(caps.vertices.size());
   std::iota(caps.corners.begin(), caps.corners.end(), 0U);
-  WallDepth depth = wall_depth(surface, wall.vertices, borders);
+  WallDepth depth = wall_depth(surface, wall.vertices, borders, ways);
   TissuePiece rim{.side = TissueSide::kRim, .vertices = std::move(depth.rim), .corners = std::move(depth.rim_corners)};
   TissuePiece lining{.side = TissueSide::kLining, .vertices = std::move(depth.lining), .corners = {}};
   if (!lining.vertices.empty()) {

@@ -23,6 +23,10 @@ struct TissuePiece {
 /// are those of the topology; rims have two for each border. `borders`: what border_edges gives.
 std::vector<TissuePiece> tissue_pieces(const SnapshotSurface& surface, std::span<const BorderEdge> borders);
 
+/// The same of given vertices of the wall and ways through it.
+std::vector<TissuePiece> tissue_pieces(const SnapshotSurface& surface, std::span<const BorderEdge> borders,
+                                       std::vector<SurfaceVertex> wall, const WallWays& ways);
+
 /// Whether `pieces` of the surface close it, with their front sides outwards: walls without a border, and those whose
 /// thickness is drawn.
 bool encloses_its_inside(const SnapshotSurface& surface, std::span<const BorderEdge> borders,

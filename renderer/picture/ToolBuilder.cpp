@@ -48,22 +48,36 @@ void ToolBuilder::draw_out(const std::vector<OutlinePoint>& outline, double span
 /// and so mirror more than one place.
 constexpr double kHollow = 0.22;
 
+/// Part of its thickness and, as length, of its half width by which the long edges of a flat tool are ground off.
+constexpr double kChamfer = 0.5;
+constexpr double kChamferWidth = 0.12;
+
 void ToolBuilder::join(const std::vector<FlatSection>& sections) {
-  const auto corner = [&](const FlatSection& section, double x, double y) {
-    return tip_ - section.back * direction_ + x * section.half_thickness * side_ + y * section.half_width * axis_;
+  // Corners of a section, from the middle of one broad face around to the other: x' and y' over its half sides.
+  constexpr std::array<std::array<double, 2>, 4> kQuarter = {
+      {{1, -1 + kChamferWidth}, {1, 1 - kChamferWidth}, {1 - kChamfer, 1}, {kChamfer - 1, 1}}};
+  constexpr std::size_t kCorners = 2 * kQuarter.size();
+  const auto corner = [&](const FlatSection& section, std::size_t k) {
+    const double sense = k % kCorners < kQuarter.size() ? 1 : -1;
+    const auto [x, y] = kQuarter[k % kQuarter.size()];
+    return tip_ - section.back * direction_ + sense * x * section.half_thickness * side_ +
+           sense * y * section.half_width * axis_;
   };
   for (std::size_t k = 1; k < sections.size(); ++k) {
     const FlatSection &front = sections[k - 1], &rear = sections[k];
-    for (const double sense : {-1.0, 1.0}) {
-      append_face({corner(front, sense, -1), corner(front, sense, 1), corner(rear, sense, 1), corner(rear, sense, -1)},
-                  sense * side_, rear, kHollow);
-      append_face({corner(front, -1, sense), corner(front, 1, sense), corner(rear, 1, sense), corner(rear, -1, sense)},
-                  sense * axis_, rear, 0);
+    for (std::size_t c = 0; c < kCorners; ++c) {
+      const Vector3 middle = 0.25 * (corner(front, c) + corner(front, c + 1) + corner(rear, c) + corner(rear, c + 1));
+      const Vector3 outwards = middle - (tip_ + dot(middle - tip_, direction_) * direction_);
+      const bool is_broad = c % kQuarter.size() == 0;
+      append_face({corner(front, c), corner(front, c + 1), corner(rear, c + 1), corner(rear, c)}, outwards,
+                  is_broad ? rear.roughness : kPolished, is_broad ? kHollow : 0);
     }
   }
   for (const FlatSection* end : {&sections.front(), &sections.back()}) {
-    append_face({corner(*end, -1, -1), corner(*end, 1, -1), corner(*end, 1, 1), corner(*end, -1, 1)},
-                end == &sections.front() ? direction_ : -direction_, *end, 0);
+    const auto fan = static_cast<std::uint32_t>(shape_.vertices.size());
+    const Vector3 outwards = end == &sections.front() ? direction_ : -direction_;
+    for (std::size_t c = 0; c < kCorners; ++c) append(corner(*end, c), outwards, {.back = end->back});
+    for (std::uint32_t c = 2; c < kCorners; ++c) append_triangle(fan, fan + c - 1, fan + c);
   }
 }
 
@@ -92,14 +106,13 @@ Vector3 ToolBuilder::place(const OutlinePoint& point, double along_axis) const {
 }
 
 /// A plane face with the given corners, one after the other, whose normal is nearest to `outwards`.
-void ToolBuilder::append_face(const std::array<Vector3, 4>& corners, Vector3 outwards, const FlatSection& section,
-                              double hollow) {
+void ToolBuilder::append_face(const std::array<Vector3, 4>& corners, Vector3 outwards, float roughness, double hollow) {
   const auto first = static_cast<std::uint32_t>(shape_.vertices.size());
   const Vector3 across = normalized(cross(corners[2] - corners[0], corners[3] - corners[1]));
   const Vector3 normal = dot(across, outwards) < 0 ? -across : across;
   for (const Vector3& corner : corners) {
     const double aside = dot(corner - tip_, axis_);
-    const OutlinePoint point{.back = dot(tip_ - corner, direction_), .roughness = section.roughness};
+    const OutlinePoint point{.back = dot(tip_ - corner, direction_), .roughness = roughness};
     append(corner, normalized(normal - (aside > 0 ? hollow : -hollow) * axis_), point);
   }
   append_triangle(first, first + 1, first + 2);
@@ -111,7 +124,9 @@ void ToolBuilder::append(Vector3 position, Vector3 normal, const OutlinePoint& p
                              .normal = float3(normal),
                              .roughness = point.roughness,
                              .along = static_cast<float>(point.back / scene_size_),
-                             .grip = point.grip});
+                             .grip = point.grip,
+                             .side = static_cast<float>(dot(position - tip_, side_) / scene_size_),
+                             .aside = static_cast<float>(dot(position - tip_, axis_) / scene_size_)});
 }
 
 /// Counter-clockwise as seen from outside, where the normals point.

@@ -22,7 +22,7 @@ struct OutlinePoint {
   float grip = 0;
 };
 
-/// A section of a flat tool across its direction: a rectangle about the middle line.
+/// A section of a flat tool across its direction: a rectangle about the middle line, its corners ground off.
 struct FlatSection {
   double back = 0;            // metres from the tip
   double half_thickness = 0;  // metres, along x'
@@ -55,7 +55,7 @@ class ToolBuilder {
 
  private:
   Vector3 place(const OutlinePoint& point, double along_axis) const;
-  void append_face(const std::array<Vector3, 4>& corners, Vector3 outwards, const FlatSection& section, double hollow);
+  void append_face(const std::array<Vector3, 4>& corners, Vector3 outwards, float roughness, double hollow);
   void append(Vector3 position, Vector3 normal, const OutlinePoint& point);
   void append_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
   void stitch(std::uint32_t first, std::uint32_t rows, std::uint32_t columns);

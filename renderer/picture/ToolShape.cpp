@@ -10,6 +10,9 @@
 namespace thinwall {
 namespace {
 
+/// Rings of a handle over the scene's size, as in shaders/metal.glsl.
+constexpr double kRingsOverScene = 90;
+
 /// Part of a circle around `center_back` on the middle line, from angle `from` to `to` (0 at the tip, pi at the back).
 void append_arc(std::vector<OutlinePoint>& outline, double center_back, double radius, double from, double to,
                 float roughness, int steps) {
@@ -119,6 +122,26 @@ ToolShape ball(const SnapshotTool& tool, double scene_size) {
   return builder.take();
 }
 
+/// From the outline's last point, of a handle's front: a collar between two grooves, then rings for the fingers.
+void append_grip(std::vector<OutlinePoint>& outline, double out, double scene_size) {
+  const double start = outline.back().back;
+  const double depth = 0.12 * out, groove = 0.35 * out;
+  for (const double back : {0.8, 2.2}) {
+    const double front = start + back * out;
+    outline.push_back({.back = front, .out = out});
+    append_taper(outline, front + 0.5 * groove, out - depth, 4);
+    append_taper(outline, front + groove, out, 4);
+  }
+  const double rings = outline.back().back + 0.6 * out;
+  const double step = 1.0 / kRingsOverScene;
+  // Whole rings, so that they begin and end smoothly.
+  const double first = std::ceil(rings / scene_size / step) * step, last = first + 24 * step;
+  for (const double back : {first, first + 0.5 * step, last - 0.5 * step, last}) {
+    const bool ringed = back > first && back < last;
+    outline.push_back({.back = back * scene_size, .out = out, .grip = ringed ? 1.0f : 0.0f});
+  }
+}
+
 /// A round shaft with a handle that begins `back` behind the tip, thick enough to be seen and no thicker than `widest`.
 void add_handle(ToolBuilder& builder, double back, double widest, double scene_size) {
   const double radius = std::min(2.5 * probe_radius(scene_size), widest);
@@ -128,6 +151,7 @@ void add_handle(ToolBuilder& builder, double back, double widest, double scene_s
     outline.push_back({.back = front, .out = out, .normal_back = -1, .normal_out = 0});
   }
   append_arc(outline, back, radius, 0.25 * std::numbers::pi, 0.5 * std::numbers::pi, kBrushed, 6);
+  append_grip(outline, radius, scene_size);
   append_shaft(outline, radius, 1.7 * radius, scene_size);
   builder.turn(outline);
   builder.add_rod(back, outline.back().back, radius);

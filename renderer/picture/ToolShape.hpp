@@ -14,6 +14,8 @@ struct ToolVertex {
   float roughness = 0;  // 0 to 1
   float along = 0;      // distance from the tip against the direction, in units of the scene's size
   float grip = 0;       // 0 to 1: how deep the rings of the handle are
+  float side = 0;       // distances from the middle line along x' and y', in units of the scene's size
+  float aside = 0;
 };
 
 /// A round rod, for the shade that a tool leaves on what is near.

@@ -150,19 +150,34 @@ std::vector<double> lean_of(const LipShape& lips, std::span<const double> thickn
 
 }  // namespace
 
-WallDepth wall_depth(const SnapshotSurface& surface, std::span<const SurfaceVertex> wall,
-                     std::span<const BorderEdge> borders) {
-  WallDepth depth;
-  if (borders.empty() || surface.topology->thickness.size() != surface.topology->triangles.size()) return depth;
+WallWays wall_ways(const SnapshotSurface& surface, std::span<const SurfaceVertex> wall,
+                   std::span<const BorderEdge> borders) {
+  if (borders.empty() || surface.topology->thickness.size() != surface.topology->triangles.size()) return {};
   std::vector<double> thickness = thickness_now(surface);
   thin_around_holes(surface, borders, thickness);
-  const LipShape lips = lip_shape(surface, wall, borders);
+  LipShape lips = lip_shape(surface, wall, borders);
   thin_sharp_bends(surface, lips, thickness);
   even_along_lips(lips, kEvenings, thickness);
-  const std::vector<double> lean = lean_of(lips, thickness);
+  std::vector<double> lean = lean_of(lips, thickness);
+  return {.thickness = std::move(thickness),
+          .lean = std::move(lean),
+          .through = std::move(lips.through),
+          .forward = std::move(lips.forward)};
+}
+
+WallDepth wall_depth(const SnapshotSurface& surface, std::span<const SurfaceVertex> wall,
+                     std::span<const BorderEdge> borders) {
+  return wall_depth(surface, wall, borders, wall_ways(surface, wall, borders));
+}
+
+WallDepth wall_depth(const SnapshotSurface& surface, std::span<const SurfaceVertex> wall,
+                     std::span<const BorderEdge> borders, const WallWays& ways) {
+  WallDepth depth;
+  if (ways.thickness.empty()) return depth;
+  const auto& [thickness, lean, way_through, forward] = ways;
   for (std::size_t v = 0; v < wall.size(); ++v) {
     SurfaceVertex vertex = wall[v];
-    const Vector3 through = std::sqrt(1 - lean[v] * lean[v]) * lips.through[v] + lean[v] * lips.forward[v];
+    const Vector3 through = std::sqrt(1 - lean[v] * lean[v]) * way_through[v] + lean[v] * forward[v];
     vertex.position = float3(vector3(vertex.position) + thickness[v] * through);
     vertex.normal = float3(-vector3(vertex.normal));
     vertex.curvature = -vertex.curvature;
@@ -182,7 +197,7 @@ WallDepth wall_depth(const SnapshotSurface& surface, std::span<const SurfaceVert
       const Vector3 other = around[v][neighbour];
       const bool smooth = dot(other, outward[k]) > kSmoothCosine;
       const Vector3 square = smooth ? normalized(outward[k] + other) : outward[k];
-      const Float3 normal = float3(std::sqrt(1 - lean[v] * lean[v]) * square - lean[v] * lips.through[v]);
+      const Float3 normal = float3(std::sqrt(1 - lean[v] * lean[v]) * square - lean[v] * way_through[v]);
       for (const auto& [side, inwards] : {std::pair{wall[v], 0.0f}, std::pair{depth.lining[v], 1.0f}}) {
         SurfaceVertex vertex = side;
         vertex.normal = normal;

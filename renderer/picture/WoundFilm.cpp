@@ -139,8 +139,7 @@ void append_run(const SnapshotSurface& surface, std::span<const Float3> normals,
     const double place = std::min(along / kRunStep, static_cast<double>(steps));
     const auto first = std::min(static_cast<std::size_t>(place), steps - 1);
     const double part = place - static_cast<double>(first);
-    return (1 - part) * point_at(run.path[first], *surface.topology, points) +
-           part * point_at(run.path[first + 1], *surface.topology, points);
+    return (1 - part) * point_at(run.path[first], points) + part * point_at(run.path[first + 1], points);
   };
   const auto offset = static_cast<std::uint32_t>(film.vertices.size());
   for (std::size_t row = 0; row < rows; ++row) {

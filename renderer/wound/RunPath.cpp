@@ -75,7 +75,7 @@ bool move(const Slope& slope, WallPlace& place, Vector3 way) {
       if (k == leaves) continue;
       weights[static_cast<std::size_t>(std::ranges::find(to, from[k]) - to.begin())] = place.weights[k];
     }
-    place = {.triangle = next, .weights = weights};
+    place = {.triangle = next, .corners = to, .weights = weights};
   }
   return false;
 }
@@ -84,7 +84,7 @@ std::vector<WallPlace> follow(const Slope& slope, WallPlace place, Vector3 down,
   std::vector<WallPlace> path = {place};
   Vector3 sense;
   while (static_cast<double>(path.size()) * kRunStep < longest) {
-    const Vector3 normal = normalized(point_at(place, slope.topology, slope.normals));
+    const Vector3 normal = normalized(point_at(place, slope.normals));
     const Vector3 fall = down - dot(down, normal) * normal;
     if (length(fall) < kLeastSlope || dot(down, normal) > kUnder) break;
     sense = normalized(normalized(fall) + kInertia * sense);
@@ -106,9 +106,9 @@ double chance_of(const Float3& place) {
 }
 
 WallPlace middle_of(const BorderEdge& edge, const SnapshotTopology& topology) {
-  WallPlace place{.triangle = edge.triangle, .weights = {0, 0, 0}};
+  WallPlace place{.triangle = edge.triangle, .corners = topology.triangles[edge.triangle], .weights = {0, 0, 0}};
   for (std::size_t k = 0; k < 3; ++k) {
-    const std::uint32_t vertex = topology.triangles[edge.triangle][k];
+    const std::uint32_t vertex = place.corners[k];
     place.weights[k] = vertex == edge.start || vertex == edge.end ? 0.5 : 0;
   }
   return place;
@@ -116,10 +116,9 @@ WallPlace middle_of(const BorderEdge& edge, const SnapshotTopology& topology) {
 
 }  // namespace
 
-Vector3 point_at(const WallPlace& place, const SnapshotTopology& topology, std::span<const Float3> points) {
-  const Triangle& corners = topology.triangles[place.triangle];
+Vector3 point_at(const WallPlace& place, std::span<const Float3> points) {
   Vector3 sum;
-  for (std::size_t k = 0; k < 3; ++k) sum = sum + place.weights[k] * vector3(points[corners[k]]);
+  for (std::size_t k = 0; k < 3; ++k) sum = sum + place.weights[k] * vector3(points[place.corners[k]]);
   return sum;
 }
 
@@ -140,7 +139,7 @@ std::vector<FluidRun> find_runs(const SnapshotTopology& topology, std::span<cons
   std::vector<Vector3> taken;
   for (const auto& [time, k] : lips) {
     const WallPlace start = middle_of(borders[k], topology);
-    const Vector3 place = point_at(start, topology, topology.rest_positions);
+    const Vector3 place = point_at(start, topology.rest_positions);
     if (std::ranges::any_of(taken, [&](Vector3 other) { return length(other - place) < spacing; })) continue;
     std::vector<WallPlace> path = follow(slope, start, down, longest);
     if (path.size() < 4) continue;

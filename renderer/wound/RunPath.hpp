@@ -12,6 +12,7 @@ namespace thinwall {
 /// A place of a wall: a triangle and the weights of its corners, which sum to 1.
 struct WallPlace {
   std::uint32_t triangle = 0;
+  Triangle corners = {0, 0, 0};  // vertices of that triangle
   Double3 weights = {1, 0, 0};
 };
 
@@ -32,6 +33,6 @@ std::vector<FluidRun> find_runs(const SnapshotTopology& topology, std::span<cons
                                 std::span<const char> is_lip, Vector3 down, double spacing, double longest);
 
 /// A point between the corners of a place's triangle.
-Vector3 point_at(const WallPlace& place, const SnapshotTopology& topology, std::span<const Float3> points);
+Vector3 point_at(const WallPlace& place, std::span<const Float3> points);
 
 }  // namespace thinwall

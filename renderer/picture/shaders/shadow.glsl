@@ -9,11 +9,13 @@ float key_visibility(vec3 position, vec3 normal) {
   vec4 projected = shadow_matrix * vec4(lifted, 1.0);
   vec3 place = projected.xyz / projected.w;
   float texel = 1.0 / float(textureSize(shadow_map, 0).x);
-  vec3 a = texel * vec3(0.6, 1.7, 0.0);
-  vec3 b = texel * vec3(1.7, -0.6, 0.0);
+  vec3 a = texel * vec3(0.7, 1.9, 0.0);
+  vec3 b = texel * vec3(1.9, -0.7, 0.0);
   float light = 0.2 * (texture(shadow_map, place) + texture(shadow_map, place + a) + texture(shadow_map, place - a) +
                        texture(shadow_map, place + b) + texture(shadow_map, place - b));
+  // Steep at neither end, or the raster would show where the shadow begins.
+  light = light * light * (3.0 - 2.0 * light);
   // Towards the border of the map the shadow fades, so that a long shaft's does not end in a line.
   vec2 border = abs(2.0 * place.xy - 1.0);
-  return mix(light, 1.0, smoothstep(0.80, 0.98, max(border.x, border.y)));
+  return mix(light, 1.0, smoothstep(0.90, 0.99, max(border.x, border.y)));
 }

@@ -59,11 +59,11 @@ TEST(FluidRuns, FollowTheSlopeFromTheLowerLip) {
   const std::vector<FluidRun> runs = runs_of(*sheet.topology);
   ASSERT_GE(runs.size(), 3U);
   for (const FluidRun& run : runs) {
-    Vector3 last = point_at(run.path.front(), *sheet.topology, sheet.positions);
+    Vector3 last = point_at(run.path.front(), sheet.positions);
     EXPECT_NEAR(last.y, 0, 1e-7) << "begins at the cut";
     const double x = last.x;
     for (std::size_t k = 1; k < run.path.size(); ++k) {
-      const Vector3 place = point_at(run.path[k], *sheet.topology, sheet.positions);
+      const Vector3 place = point_at(run.path[k], sheet.positions);
       EXPECT_NEAR(length(place - last), kRunStep, 1e-6);
       EXPECT_NEAR(place.z - last.z, -kRunStep * std::sin(0.8), 1e-6);
       EXPECT_NEAR(place.x, x, 1e-6) << "straight down";
@@ -91,7 +91,7 @@ TEST(FluidRuns, StayWhileTheCutGoesOn) {
   const std::vector<FluidRun> runs = runs_of(growing);
   ASSERT_GE(runs.size(), 3U);
   for (std::size_t k = 1; k < runs.size(); ++k) EXPECT_GT(runs[k].born, runs[k - 1].born);
-  const double first = point_at(runs[0].path[0], growing, growing.rest_positions).x;
+  const double first = point_at(runs[0].path[0], growing.rest_positions).x;
   EXPECT_LT(first, -0.007) << "where the cut began";
 }
 

@@ -1,0 +1,139 @@
+#include "renderer/wound/SmoothLips.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/renderer/picture/CutSheets.hpp"
+
+namespace thinwall {
+namespace {
+
+constexpr double kRadius = 0.006;  // metres
+
+/// A slit sheet whose upper lip is pulled into an arc; its vertices lie on the circle.
+SnapshotSurface arched_slit() {
+  SnapshotSurface sheet = test::slit_sheet(10, 0.001, 0);
+  for (std::uint32_t v = 121; v < sheet.positions.size(); ++v) {
+    const double x = sheet.topology->rest_positions[v][0];
+    sheet.positions[v][1] = static_cast<float>(std::sqrt(kRadius * kRadius - x * x) - 0.8 * kRadius);
+  }
+  return sheet;
+}
+
+struct Smoothed {
+  explicit Smoothed(const SnapshotSurface& surface)
+      : borders(border_edges(*surface.topology)),
+        is_lip(cut_lips(*surface.topology, borders)),
+        lips(smooth_lips(surface.topology, borders, is_lip)),
+        positions(smooth_positions(lips, surface.positions)) {}
+  std::vector<BorderEdge> borders;
+  std::vector<char> is_lip;
+  SmoothLips lips;
+  std::vector<Float3> positions;
+};
+
+double area(const SnapshotTopology& topology, const std::vector<Float3>& points) {
+  double sum = 0;
+  for (const Triangle& triangle : topology.triangles) {
+    const Vector3 a = vector3(points[triangle[0]]);
+    sum += 0.5 * length(cross(vector3(points[triangle[1]]) - a, vector3(points[triangle[2]]) - a));
+  }
+  return sum;
+}
+
+TEST(SmoothLips, PassThroughTheVerticesOfTheMeshExactly) {
+  const SnapshotSurface sheet = arched_slit();
+  const Smoothed smooth(sheet);
+  ASSERT_GT(smooth.lips.points.size(), 20U);
+  ASSERT_EQ(smooth.positions.size(), sheet.positions.size() + smooth.lips.points.size());
+  EXPECT_TRUE(std::equal(sheet.positions.begin(), sheet.positions.end(), smooth.positions.begin()));
+}
+
+/// An edge of 1 mm leaves a circle of 6 mm by 21 um in its middle, a curve through the circle's tangents by 0.04 um;
+/// the last edges of the slit, beside the corners at its ends, know the circle at one end only.
+TEST(SmoothLips, FollowACircleFarMoreCloselyThanTheEdgesOfTheMesh) {
+  const SnapshotSurface sheet = arched_slit();
+  const Smoothed smooth(sheet);
+  int on_the_arc = 0;
+  for (std::size_t k = 0; k < smooth.lips.points.size(); ++k) {
+    const LipPoint& point = smooth.lips.points[k];
+    if (point.start < 121 || point.end < 121 || point.before < 121 || point.after < 121) continue;
+    const Float3& place = smooth.positions[sheet.positions.size() + k];
+    EXPECT_NEAR(std::hypot(place[0], place[1] + 0.8 * kRadius), kRadius, 0.2e-6) << k;
+    ++on_the_arc;
+  }
+  EXPECT_GE(on_the_arc, 9);
+}
+
+TEST(SmoothLips, LeaveAStraightLipStraightAndTheRestShapeAsItIs) {
+  const SnapshotSurface sheet = test::slit_sheet(10, 0.001, 0);
+  const Smoothed smooth(sheet);
+  for (std::size_t v = sheet.positions.size(); v < smooth.positions.size(); ++v) {
+    EXPECT_NEAR(smooth.positions[v][1], 0, 1e-9);
+  }
+  // Positions are single precision numbers of up to 5 mm.
+  EXPECT_NEAR(area(*smooth.lips.topology, smooth.lips.topology->rest_positions),
+              area(*sheet.topology, sheet.topology->rest_positions), 1e-9);
+  EXPECT_EQ(smooth.lips.topology->thickness.size(), smooth.lips.topology->triangles.size());
+  EXPECT_EQ(smooth.lips.topology->cut_times.size(), smooth.positions.size());
+}
+
+TEST(SmoothLips, LeaveNoHoleBesideTheLips) {
+  const SnapshotSurface sheet = test::slit_sheet(10, 0.001, 0);
+  const Smoothed smooth(sheet);
+  const std::size_t added = smooth.lips.points.size() / 3;
+  EXPECT_EQ(border_edges(*smooth.lips.topology).size(), smooth.borders.size() + 3 * added);
+}
+
+TEST(SmoothLips, AreLipsOfTheFinerSurfaceToo) {
+  const Smoothed smooth(test::slit_sheet(10, 0.001, 0));
+  const std::vector<char> is_lip = cut_lips(*smooth.lips.topology, border_edges(*smooth.lips.topology));
+  for (std::size_t v = smooth.is_lip.size(); v < is_lip.size(); ++v) EXPECT_TRUE(is_lip[v]) << v;
+}
+
+TEST(SmoothLips, NeverLeaveAnEdgeByMoreThanAFifthOfItsLength) {
+  SnapshotSurface sheet = test::slit_sheet(10, 0.001, 0);
+  for (std::uint32_t v = 121; v < sheet.positions.size(); v += 2) sheet.positions[v][1] += 0.0008F;
+  const Smoothed smooth(sheet);
+  for (std::size_t k = 0; k < smooth.lips.points.size(); ++k) {
+    const LipPoint& point = smooth.lips.points[k];
+    const Vector3 a = vector3(sheet.positions[point.start]), b = vector3(sheet.positions[point.end]);
+    const Vector3 straight = (1 - point.part) * a + point.part * b;
+    EXPECT_LE(length(vector3(smooth.positions[sheet.positions.size() + k]) - straight), 0.2001 * length(b - a));
+  }
+}
+
+TEST(SmoothLips, AreNoneWhereNothingIsCut) {
+  SnapshotTopology whole;
+  whole.rest_positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  whole.triangles = {{0, 1, 2}};
+  const SnapshotSurface sheet{.body = "organ",
+                              .topology = std::make_shared<SnapshotTopology>(whole),
+                              .positions = whole.rest_positions,
+                              .fields = {}};
+  const Smoothed smooth(sheet);
+  EXPECT_TRUE(smooth.lips.points.empty());
+  EXPECT_EQ(smooth.lips.topology, sheet.topology);
+}
+
+TEST(SmoothLips, TheirMapOfWoundsGoesOnBetweenTheVertices) {
+  const SnapshotSurface sheet = test::slit_sheet(10, 0.001, 0);
+  const Smoothed smooth(sheet);
+  const WoundMap coarse = map_wounds(*sheet.topology, smooth.borders, smooth.is_lip);
+  const WoundMap fine = refined(coarse, smooth.lips);
+  ASSERT_EQ(fine.lip.size(), smooth.positions.size());
+  EXPECT_EQ(fine.ends.size(), coarse.ends.size());
+  for (std::size_t k = 0; k < smooth.lips.points.size(); ++k) {
+    const LipPoint& point = smooth.lips.points[k];
+    const std::size_t v = sheet.positions.size() + k;
+    EXPECT_EQ(fine.lip[v], v);
+    EXPECT_EQ(fine.from_lip[v], 0);
+    EXPECT_NEAR(fine.from_end[v],
+                (1 - point.part) * coarse.from_end[point.start] + point.part * coarse.from_end[point.end], 1e-15);
+  }
+}
+
+}  // namespace
+}  // namespace thinwall
