@@ -75,8 +75,6 @@ TEST(ABladeThatGoesBackAlongItsCut, IsChargedForWhatItCutsAlone) {
   EXPECT_LT(body.state().books.tool_work, cost + 4 * edge * body.model().cut_cost(0));
   EXPECT_NEAR(body.state().books.fracture, cost, 0.02 * cost);
   EXPECT_LT(std::abs(body.state().books.imbalance()), 1e-9 * body.state().books.largest());
-  std::printf("blade %.4f, cost %.4f mJ of %.2f mm, edge %.2f mm\n", 1e3 * body.state().books.tool_work, 1e3 * cost,
-              1e3 * body.state().cut.length, 1e3 * edge);
 }
 
 TEST(ABladeInAShellInMotion, CrossesAnEarlierCutWithoutTroubleForTheSolver) {
