@@ -72,7 +72,7 @@ TEST(FluidBody, PressureBeyondTheLimitPointIsRefusedWithWords) {
     const std::string words = failure.what();
     EXPECT_NE(words.find("`body`"), std::string::npos) << words;
     EXPECT_NE(words.find("2000 Pa"), std::string::npos) << words;
-    EXPECT_NE(words.find("take a lower one, or a thicker or stiffer wall"), std::string::npos) << words;
+    EXPECT_NE(words.find("take a lower pressure, or a thicker or stiffer wall"), std::string::npos) << words;
   }
 }
 
