@@ -63,6 +63,14 @@ class LegFinder {
       for (const int to : ends) add_between(c, from, to);
     }
     if (curve.curve->closed) return;
+    add_whole(c);
+    for (const int k : begins) add_outward(c, k);
+    for (const int k : ends) add_inward(c, k);
+  }
+
+  /// Legs along a whole curve, both ways.
+  void add_whole(int c) {
+    const MeasuredCurve& curve = curves_[c];
     const int last = curve.size() - 1;
     add({.from = departure_from(c, false),
          .to = arrival_at(c, true),
@@ -77,46 +85,53 @@ class LegFinder {
          .first = last,
          .count = last + 1,
          .step = -1});
-    for (const int k : begins) {
-      const double back = (begin_ - curve.positions[k]).norm() + curve.lengths[k];
-      const double forth = (begin_ - curve.positions[k + 1]).norm() + curve.whole - curve.lengths[k + 1];
-      const int triangle = curve.curve->triangles[k];
-      add({.from = kBegin,
-           .to = arrival_at(c, false),
-           .cost = back,
-           .curve = c,
-           .first = k,
-           .count = k + 1,
-           .step = -1,
-           .triangle_at_from = triangle});
-      add({.from = kBegin,
-           .to = arrival_at(c, true),
-           .cost = forth,
-           .curve = c,
-           .first = k + 1,
-           .count = last - k,
-           .triangle_at_from = triangle});
-    }
-    for (const int k : ends) {
-      const double forth = (end_ - curve.positions[k]).norm() + curve.lengths[k];
-      const double back = (end_ - curve.positions[k + 1]).norm() + curve.whole - curve.lengths[k + 1];
-      const int triangle = curve.curve->triangles[k];
-      add({.from = departure_from(c, false),
-           .to = kEnd,
-           .cost = forth,
-           .curve = c,
-           .first = 0,
-           .count = k + 1,
-           .triangle_at_to = triangle});
-      add({.from = departure_from(c, true),
-           .to = kEnd,
-           .cost = back,
-           .curve = c,
-           .first = last,
-           .count = last - k,
-           .step = -1,
-           .triangle_at_to = triangle});
-    }
+  }
+
+  /// Legs from the beginning, which lies at a segment of a curve, to both of the curve's ends.
+  void add_outward(int c, int k) {
+    const MeasuredCurve& curve = curves_[c];
+    const double back = (begin_ - curve.positions[k]).norm() + curve.lengths[k];
+    const double forth = (begin_ - curve.positions[k + 1]).norm() + curve.whole - curve.lengths[k + 1];
+    const int triangle = curve.curve->triangles[k];
+    add({.from = kBegin,
+         .to = arrival_at(c, false),
+         .cost = back,
+         .curve = c,
+         .first = k,
+         .count = k + 1,
+         .step = -1,
+         .triangle_at_from = triangle});
+    add({.from = kBegin,
+         .to = arrival_at(c, true),
+         .cost = forth,
+         .curve = c,
+         .first = k + 1,
+         .count = curve.size() - 1 - k,
+         .triangle_at_from = triangle});
+  }
+
+  /// Legs from both ends of a curve to the end, which lies at a segment of it.
+  void add_inward(int c, int k) {
+    const MeasuredCurve& curve = curves_[c];
+    const int last = curve.size() - 1;
+    const double forth = (end_ - curve.positions[k]).norm() + curve.lengths[k];
+    const double back = (end_ - curve.positions[k + 1]).norm() + curve.whole - curve.lengths[k + 1];
+    const int triangle = curve.curve->triangles[k];
+    add({.from = departure_from(c, false),
+         .to = kEnd,
+         .cost = forth,
+         .curve = c,
+         .first = 0,
+         .count = k + 1,
+         .triangle_at_to = triangle});
+    add({.from = departure_from(c, true),
+         .to = kEnd,
+         .cost = back,
+         .curve = c,
+         .first = last,
+         .count = last - k,
+         .step = -1,
+         .triangle_at_to = triangle});
   }
 
   /// Legs between the two points on one curve, from a segment to another one.
