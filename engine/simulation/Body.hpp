@@ -115,10 +115,10 @@ class Body {
   /// has done several times the work that a slit costs and none fits in, or the wall finds no equilibrium on the shaft.
   std::optional<Rupture> pierce(int tool, std::span<const ToolPose> poses);
 
-  /// What the body does to a tool now, and how that changes with small motions of the tool within a step of `duration`
-  /// seconds; of friction the force alone. Nothing but the pose where the tool is farther than `reach`, metres, from
-  /// the wall. `poses`: (tools), at the end of the last step. The next step begins where this answer leads. Throws
-  /// SimulationFailure.
+  /// What the body does to a tool now, and how that changes with small motions of the tool, while fluid flows for
+  /// `duration` seconds and a wall in motion follows; of friction the force alone. Nothing but the pose where the tool
+  /// is farther than `reach`, metres, from the wall. `poses`: (tools), at the end of the last step. The next step
+  /// begins where this answer leads. Throws SimulationFailure.
   ToolResponse respond(int tool, std::span<const ToolPose> poses, double duration, double reach);
 
   /// Pressure between wall and tools at each vertex, (vertices), pascal: force on the vertex over its rest area.

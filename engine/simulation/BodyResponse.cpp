@@ -7,6 +7,11 @@
 namespace thinwall {
 namespace {
 
+/// Seconds within which a body in motion answers a hand: so long that the wall follows, and its inertia counts only
+/// where nothing else holds the body. A tool that goes on as it did takes the wall along, which asks for no force; as
+/// an answer within a step of the solver it would be the inertia of a wall that is thrown.
+constexpr double kAnswerTime = 0.1;
+
 using Vector9 = Eigen::Matrix<double, 9, 1>;
 
 /// Velocity of a point that goes with a tool.
@@ -63,7 +68,7 @@ ToolMotion motion_between(const ToolPose& from, const ToolPose& to) {
 EquilibriumProblem Body::response_problem(std::span<const ToolPose> poses, double duration) const {
   EquilibriumProblem problem = make_problem(poses, duration, {.load_factors = state_.load_factors, .fluids = {}});
   problem.attachments = state_.attachments;
-  if (has_inertia()) add_inertia(duration, problem);
+  if (has_inertia()) add_inertia(kAnswerTime, problem);
   return problem;
 }
 

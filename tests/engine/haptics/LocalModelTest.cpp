@@ -252,5 +252,23 @@ TEST(LocalModelTest, AStepThatBeginsWhereTheAnswerLeadsEndsInTheSameEquilibrium)
   EXPECT_LT((led->state().contacts[0].force - full).norm(), 1e-6 * full.norm());
 }
 
+TEST(LocalModelTest, AToolThatGoesOnIntoABodyInMotionFeelsTheWallFollow) {
+  const double step = 1e-3, way = 5e-5;  // 50 mm/s
+  for (const ToolDefinition& tool : {point_tool(), sphere_tool(5e-3)}) {
+    Body body(pressurised_hemisphere(256, 400), {tool}, {.analysis = Analysis::kDynamic});
+    body.settle();
+    ToolPose pose = move(body, pose_at({0, 1e-3, 21.5e-3}), {0, 1e-3, 17e-3}, 90, step);
+    const Eigen::Vector3d before = body.state().contacts[0].force;
+    LocalModel model;
+    LocalModelMaker(kReach, 1e-5).make(body.respond(0, std::vector{pose}, step, kReach), 0, false, model);
+    pose = move(body, pose, pose.tip - Eigen::Vector3d(0, 0, 6 * way), 6, step);
+    const Eigen::Vector3d felt = model.force_at(pose), full = body.state().contacts[0].force;
+    ASSERT_GT((full - before).norm(), 0.05 * full.norm());
+    // The wall swings a little on its way.
+    EXPECT_LT((felt - full).norm(), 0.05 * full.norm())
+        << tool.name << ": " << felt.transpose() << ", " << full.transpose();
+  }
+}
+
 }  // namespace
 }  // namespace thinwall
