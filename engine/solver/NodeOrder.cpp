@@ -124,6 +124,7 @@ namespace {
 std::vector<int> grown_order(const NodeGraph& before, std::span<const int> order, const NodeGraph& graph) {
   const int known = before.nodes();
   assert(static_cast<int>(order.size()) == known && graph.nodes() >= known);
+  assert(known > 0 || graph.nodes() == 0);
   const OrderedTree tree(elimination_tree(before, order), order);
   std::vector<int> anchor(graph.nodes(), -1);  // known node after which a node comes
   std::vector<char> moves(graph.nodes(), 0);

@@ -89,7 +89,7 @@ struct Stage {
 
   void cast_shadows(const SceneExtent& extent, const Studio& studio, PassClock& clock);
   void draw_backdrop(Surroundings surroundings, PassClock& clock);
-  void draw_surface(const FrameUniforms& frame, PassClock& clock);
+  void draw_surface(const FrameUniforms& frame, bool has_tools, PassClock& clock);
   void draw_scene(SceneView& scene, const FrameUniforms& frame, PassClock& clock);
   void find_outline(SceneView& scene);
   void draw_fluids(const SceneView& scene, PassClock& clock);
@@ -134,11 +134,12 @@ void Stage::draw_fluids(const SceneView& scene, PassClock& clock) {
   }
 }
 
-/// What is seen of the tissue; depth and stencil tell where. It does not touch the colours, so that these can be filled
-/// while the driver's threads work on it.
-void Stage::draw_surface(const FrameUniforms& frame, PassClock& clock) {
+/// What is seen of the tissue; depth and stencil tell where, and tools mirror it. It does not touch the colours, so
+/// that these can be filled while the driver's threads work on it.
+void Stage::draw_surface(const FrameUniforms& frame, bool has_tools, PassClock& clock) {
   scene_pass.draw_surface(meshes, target, frame.view_projection);
   glFlush();
+  if (has_tools) target.keep_tissue_depth();
   clock.ends("surface");
 }
 
@@ -190,7 +191,7 @@ void Stage::draw_fine_pixels(SceneView& scene, const FrameUniforms& frame) {
   target.write_color(fine.area, ground);
   target.clear_depth(fine);
   PassClock untimed(nullptr);
-  draw_surface(shifted, untimed);
+  draw_surface(shifted, false, untimed);
   draw_scene(scene, shifted, untimed);
   target.write_color(fine.area, with_corners(fine, middles, target.read_color(fine.area)));
 }
@@ -252,8 +253,7 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
   stage->cast_shadows(extent, studio, clock);
   stage->draw_backdrop(surroundings, clock);
   stage->target.clear_depth();
-  stage->draw_surface(frame, clock);
-  if (!snapshot.tools.empty()) stage->target.keep_tissue_depth();
+  stage->draw_surface(frame, !snapshot.tools.empty(), clock);
   stage->target.lay_backdrop(field_stop(frame));
   clock.ends("backdrop");
   SceneView shown{.snapshot = snapshot, .view = view, .eye = camera.position, .surroundings = surroundings};

@@ -166,11 +166,6 @@ WallWays wall_ways(const SnapshotSurface& surface, std::span<const SurfaceVertex
 }
 
 WallDepth wall_depth(const SnapshotSurface& surface, std::span<const SurfaceVertex> wall,
-                     std::span<const BorderEdge> borders) {
-  return wall_depth(surface, wall, borders, wall_ways(surface, wall, borders));
-}
-
-WallDepth wall_depth(const SnapshotSurface& surface, std::span<const SurfaceVertex> wall,
                      std::span<const BorderEdge> borders, const WallWays& ways) {
   WallDepth depth;
   if (ways.thickness.empty()) return depth;

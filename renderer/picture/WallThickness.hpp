@@ -33,10 +33,6 @@ WallWays wall_ways(const SnapshotSurface& surface, std::span<const SurfaceVertex
 /// thickness is drawn thinner there, as is one around a hole that is small beside its thickness. `wall`: what
 /// wall_vertices gives for the surface. Where two pieces of a border meet at less than 60 degrees the rim is smooth.
 WallDepth wall_depth(const SnapshotSurface& surface, std::span<const SurfaceVertex> wall,
-                     std::span<const BorderEdge> borders);
-
-/// The same by given ways of the wall.
-WallDepth wall_depth(const SnapshotSurface& surface, std::span<const SurfaceVertex> wall,
                      std::span<const BorderEdge> borders, const WallWays& ways);
 
 }  // namespace thinwall

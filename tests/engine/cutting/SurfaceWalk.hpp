@@ -73,6 +73,21 @@ inline Eigen::Vector3d unfolded(const SurfaceMesh& mesh, const Eigen::Vector3i& 
   return along * edge + std::sqrt(std::max(0.0, 1 - along * along)) * across;
 }
 
+/// The side that a way meets within `reach`, by the rates of its weights, and not the one that it came by; -1 where it
+/// meets none. `reach` becomes the way there.
+inline int side_ahead(const Eigen::Vector3d& weights, const Eigen::Vector3d& rate, int entered, double& reach) {
+  int through = -1;
+  for (int k = 0; k < 3; ++k) {
+    const int side = (k + 1) % 3;  // opposite corner k
+    if (rate[k] >= 0 || side == entered) continue;
+    const double to_side = std::max(0.0, -weights[k] / rate[k]);
+    if (to_side > reach) continue;
+    reach = to_side;
+    through = side;
+  }
+  return through;
+}
+
 inline SurfaceWalk walk_on(const CutSurface& surface, SurfacePoint start, Eigen::Vector3d direction, double length) {
   const SurfaceMesh& mesh = surface.mesh();
   SurfaceWalk walk;
@@ -88,15 +103,7 @@ inline SurfaceWalk walk_on(const CutSurface& surface, SurfacePoint start, Eigen:
     direction = (direction - direction.dot(normal) / normal.squaredNorm() * normal).normalized();
     const Eigen::Vector3d rate = weight_rates(mesh, corners, normal, direction);
     double reach = length - walk.length;
-    int through = -1;
-    for (int k = 0; k < 3; ++k) {
-      const int side = (k + 1) % 3;  // opposite corner k
-      if (rate[k] >= 0 || side == entered) continue;
-      const double to_side = std::max(0.0, -weights[k] / rate[k]);
-      if (to_side > reach) continue;
-      reach = to_side;
-      through = side;
-    }
+    const int through = side_ahead(weights, rate, entered, reach);
     weights += reach * rate;
     walk.length += reach;
     if (through < 0) {

@@ -264,7 +264,7 @@ TEST(LocalModelTest, AToolThatGoesOnIntoABodyInMotionFeelsTheWallFollow) {
     pose = move(body, pose, pose.tip - Eigen::Vector3d(0, 0, 6 * way), 6, step);
     const Eigen::Vector3d felt = model.force_at(pose), full = body.state().contacts[0].force;
     ASSERT_GT((full - before).norm(), 0.05 * full.norm());
-    // The wall swings a little on its way.
+    // The wall swings a little on its way. Seen: 0.015; 0.7 and more where it was taken to be thrown.
     EXPECT_LT((felt - full).norm(), 0.05 * full.norm())
         << tool.name << ": " << felt.transpose() << ", " << full.transpose();
   }

@@ -77,7 +77,8 @@ TEST(LipShape, GoesEvenlyThroughAWrinkledLip) {
 
 TEST(LipShape, BothFacesOfACutAreSeenFromOutsideAndDoNotMeet) {
   const OpenSlit slit;
-  const WallDepth depth = wall_depth(slit.surface, slit.wall, slit.borders);
+  const WallDepth depth =
+      wall_depth(slit.surface, slit.wall, slit.borders, wall_ways(slit.surface, slit.wall, slit.borders));
   std::size_t seen = 0;
   for (std::size_t i = 0; i < depth.rim.size(); ++i) {
     const BorderEdge& edge = slit.borders[i / 4];

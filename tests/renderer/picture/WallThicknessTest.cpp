@@ -21,7 +21,9 @@ SnapshotSurface square(float thickness) {
 }
 
 WallDepth depth_of(const SnapshotSurface& surface) {
-  return wall_depth(surface, wall_vertices(surface), border_edges(*surface.topology));
+  const std::vector<SurfaceVertex> wall = wall_vertices(surface);
+  const std::vector<BorderEdge> borders = border_edges(*surface.topology);
+  return wall_depth(surface, wall, borders, wall_ways(surface, wall, borders));
 }
 
 TEST(BorderEdges, AreThoseOfOneTriangleAndNotWhereACapBegins) {
