@@ -19,16 +19,21 @@ struct InvariantDerivatives {
 /// S = 2 (W_1 1 + W_d cof C) and its derivative.
 /// With e = (E11, E22, 2 E12): dI1/de = 2 (1, 1, 0), dd/de = 2 cof C, d(cof C)/de constant.
 inline WallLawResponse isotropic_response(const InvariantDerivatives& w, const Eigen::Vector3d& c) {
-  const Eigen::Vector3d identity(1, 1, 0);
-  const Eigen::Vector3d cofactor(c[1], c[0], -c[2]);
-  Eigen::Matrix3d cofactor_derivative;
-  cofactor_derivative << 0, 2, 0, 2, 0, 0, 0, 0, -1;
+  const double first = c[1], second = c[0], shear = -c[2];  // of cof C
   WallLawResponse response;
   response.energy = w.energy;
-  response.second_piola_kirchhoff = 2 * (w.by_trace * identity + w.by_det * cofactor);
-  response.tangent = 4 * w.trace_trace * identity * identity.transpose() +
-                     4 * w.trace_det * (identity * cofactor.transpose() + cofactor * identity.transpose()) +
-                     4 * w.det_det * cofactor * cofactor.transpose() + 2 * w.by_det * cofactor_derivative;
+  response.second_piola_kirchhoff = {2 * (w.by_trace + w.by_det * first), 2 * (w.by_trace + w.by_det * second),
+                                     2 * w.by_det * shear};
+  const double first_first = 4 * (w.trace_trace + 2 * w.trace_det * first + w.det_det * first * first);
+  const double second_second = 4 * (w.trace_trace + 2 * w.trace_det * second + w.det_det * second * second);
+  const double first_second =
+      4 * (w.trace_trace + w.trace_det * (first + second) + w.det_det * first * second + w.by_det);
+  const double first_shear = 4 * shear * (w.trace_det + w.det_det * first);
+  const double second_shear = 4 * shear * (w.trace_det + w.det_det * second);
+  const double shear_shear = 4 * w.det_det * shear * shear - 2 * w.by_det;
+  response.tangent << first_first, first_second, first_shear,  //
+      first_second, second_second, second_shear,               //
+      first_shear, second_shear, shear_shear;
   return response;
 }
 

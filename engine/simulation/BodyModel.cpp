@@ -153,11 +153,6 @@ void fix(BodyModel& model) {
 
 }  // namespace
 
-std::array<Eigen::Vector3d, 3> corners_of(const Eigen::Vector3i& triangle, const Eigen::VectorXd& position) {
-  return {position.segment<3>(3 * triangle[0]), position.segment<3>(3 * triangle[1]),
-          position.segment<3>(3 * triangle[2])};
-}
-
 Eigen::Matrix3Xd OpeningModel::at(const Eigen::VectorXd& position) const {
   Eigen::Matrix3Xd points(3, lips.size());
   for (std::size_t k = 0; k < lips.size(); ++k)

@@ -88,6 +88,9 @@ SelfContactDefinition self_contact_of(const BodyModel& model, const Eigen::Vecto
                                       double edge_length = 0);
 
 /// The three corners of a triangle. `position`: (3 vertices), metres.
-std::array<Eigen::Vector3d, 3> corners_of(const Eigen::Vector3i& triangle, const Eigen::VectorXd& position);
+inline std::array<Eigen::Vector3d, 3> corners_of(const Eigen::Vector3i& triangle, const Eigen::VectorXd& position) {
+  return {position.segment<3>(3 * triangle[0]), position.segment<3>(3 * triangle[1]),
+          position.segment<3>(3 * triangle[2])};
+}
 
 }  // namespace thinwall

@@ -14,6 +14,7 @@
 #include "engine/shell/BendingPatches.hpp"
 #include "engine/simulation/LoadTerms.hpp"
 #include "engine/simulation/OpenChambers.hpp"
+#include "engine/wall/MembraneLanes.hpp"
 
 namespace thinwall {
 namespace {
@@ -25,53 +26,65 @@ constexpr int kBatch = 512;
 /// Part of an edge beyond the range of a contact within which a triangle is kept in view: a step may overrun it.
 constexpr double kContactMargin = 0.5;
 
+/// Edges beyond that within which the distances of vertices from a solid are found exactly.
+constexpr double kFarAway = 4;
+
 double square(double value) {
   return value * value;
 }
 
+/// Computes the terms of `count` members side by side, and adds them one after the other, `batch` at a time.
 template <typename Compute, typename Add, typename Terms>
-void for_each_triangle(int triangles, std::vector<Terms>& buffer, const Compute& compute, const Add& add) {
-  buffer.resize(kBatch);
-  for (int begin = 0; begin < triangles; begin += kBatch) {
-    const int end = std::min(triangles, begin + kBatch);
-    tbb::parallel_for(tbb::blocked_range<int>(begin, end, 64), [&](const tbb::blocked_range<int>& range) {
-      for (int t = range.begin(); t < range.end(); ++t) buffer[t - begin] = compute(t);
+void for_each(int count, int batch, std::vector<Terms>& buffer, const Compute& compute, const Add& add) {
+  buffer.resize(batch);
+  for (int begin = 0; begin < count; begin += batch) {
+    const int end = std::min(count, begin + batch);
+    tbb::parallel_for(tbb::blocked_range<int>(begin, end, batch / 8), [&](const tbb::blocked_range<int>& range) {
+      for (int k = range.begin(); k < range.end(); ++k) compute(k, buffer[k - begin]);
     });
-    // Added in the order of the triangles, so that the number of threads cannot change a bit.
-    for (int t = begin; t < end; ++t) add(t, buffer[t - begin]);
+    // Added in their order, so that the number of threads cannot change a bit.
+    for (int k = begin; k < end; ++k) add(k, buffer[k - begin]);
   }
 }
 
-void add_gradient(const Eigen::Vector3i& triangle, const Eigen::Matrix<double, 9, 1>& part, Eigen::VectorXd& whole) {
-  for (int k = 0; k < 3; ++k) whole.segment<3>(3 * triangle[k]) += part.segment<3>(3 * k);
+void add_lane(const BodyModel& model, int triangle, const MembraneLanes& part, int lane, EquilibriumTerms& terms) {
+  terms.elastic += part.energy[lane];
+  terms.strain_energy += part.strain_energy[lane];
+  for (int k = 0; k < 9; ++k) terms.gradient[3 * model.surface[triangle][k / 3] + k % 3] += part.gradient[k][lane];
+  add_triangle(model.addresses[triangle], &part.hessian[0][0][lane], kLanes, terms.values);
+  terms.largest_force = std::max(terms.largest_force, part.largest_force[lane]);
 }
 
 void add_wall(const BodyModel& model, const WallMemory& memory, const Eigen::VectorXd& position,
               EquilibriumTerms& terms) {
-  thread_local std::vector<MembraneTerms> buffer;
-  for_each_triangle(
-      model.triangles(), buffer,
-      [&](int t) {
-        MembraneMemory of_triangle = memory.of(t);
-        of_triangle.tension_field = model.definition.tension_field;
-        return membrane_terms(model.rest[t], model.material(t), corners_of(model.surface[t], position), of_triangle);
-      },
-      [&](int t, const MembraneTerms& part) {
-        terms.elastic += part.energy;
-        terms.strain_energy += part.strain_energy;
-        add_gradient(model.surface[t], part.gradient, terms.gradient);
-        add_triangle(model.addresses[t], part.hessian, terms.values);
-        terms.largest_force = std::max(terms.largest_force, part.gradient.cwiseAbs().maxCoeff());
-      });
+  thread_local std::vector<MembraneLanes> buffer;
+  const int triangles = model.triangles();
+  for_each((triangles + kLanes - 1) / kLanes, kBatch / kLanes, buffer,
+           [&](int group, MembraneLanes& part) {
+             std::array<MembraneTriangle, kLanes> members;
+             const int first = kLanes * group, count = std::min(kLanes, triangles - first);
+             for (int k = 0; k < count; ++k) {
+               members[k] = {.rest = &model.rest[first + k],
+                             .material = &model.material(first + k),
+                             .corners = corners_of(model.surface[first + k], position),
+                             .memory = memory.of(first + k)};
+               members[k].memory.tension_field = model.definition.tension_field;
+             }
+             membrane_lanes({members.data(), static_cast<std::size_t>(count)}, part);
+           },
+           [&](int group, const MembraneLanes& part) {
+             const int first = kLanes * group, end = std::min(first + kLanes, triangles);
+             for (int t = first; t < end; ++t) add_lane(model, t, part, t - first, terms);
+           });
 }
 
 void add_bending(const BodyModel& model, const WallMemory& memory, const Eigen::VectorXd& position,
                  EquilibriumTerms& terms) {
   thread_local std::vector<BendingTerms> buffer;
-  for_each_triangle(
-      static_cast<int>(model.bending.size()), buffer,
-      [&](int t) {
-        return bending_terms(model.bending[t], patch_of(model.bending[t], position, model.vertices()),
+  for_each(
+      static_cast<int>(model.bending.size()), kBatch, buffer,
+      [&](int t, BendingTerms& part) {
+        part = bending_terms(model.bending[t], patch_of(model.bending[t], position, model.vertices()),
                              memory.of_bending(t));
       },
       [&](int t, const BendingTerms& part) {
@@ -91,8 +104,9 @@ void add_fluid(const BodyModel& model, const EquilibriumProblem& problem, const 
     const int chamber = model.chamber[t];
     if (chamber < 0) continue;
     const auto corners = corners_of(model.surface[t], position);
-    terms.volume[chamber] += volume_of(corners);
     const Eigen::Matrix<double, 9, 1> gradient = volume_gradient_of(corners);
+    // Of its corners the volume is linear in each.
+    terms.volume[chamber] += corners[0].dot(gradient.head<3>());
     for (int k = 0; k < 3; ++k) {
       terms.volume_gradient.col(chamber).segment<3>(3 * model.surface[t][k]) += gradient.segment<3>(3 * k);
     }
@@ -145,10 +159,14 @@ void find_contacts(const BodyModel& model, const EquilibriumProblem& problem, co
   for (int k = 0; k < static_cast<int>(problem.solids.size()); ++k) {
     const SolidContact& contact = problem.solids[k];
     if (contact.in_wall) continue;
-    for (int v = 0; v < model.vertices(); ++v) {
-      distances[v] = distance_from(contact.solid, position.segment<3>(3 * v));
-    }
     const double near = contact.range + kContactMargin * model.edge_length;
+    for (int v = 0; v < model.vertices(); ++v) {
+      // Far away the distance from a ball around the solid says enough, and is quicker found.
+      const double bound = (position.segment<3>(3 * v) - contact.solid.center).norm() - contact.solid.extent();
+      distances[v] = bound > near + kFarAway * model.edge_length
+                         ? bound
+                         : distance_from(contact.solid, position.segment<3>(3 * v));
+    }
     for (int s = 0; s < static_cast<int>(model.sites.size()); ++s) {
       const ContactSite& site = model.sites[s];
       if (!contact.meets(site.part) || problem.is_free(contact.tool, site.triangle)) continue;

@@ -7,8 +7,6 @@
 namespace thinwall {
 namespace {
 
-constexpr std::array<std::array<int, 2>, 6> kCorners = {{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}}};
-
 BlockPattern pattern_of(std::vector<std::vector<int>> larger, int singles) {
   BlockPattern pattern{.vertices = static_cast<int>(larger.size()) - singles,
                        .singles = singles,
@@ -113,7 +111,7 @@ int entry_address(const BlockPattern& pattern, int unknown, int other) {
 TriangleAddresses triangle_addresses(const BlockPattern& pattern, const Eigen::Vector3i& triangle) {
   TriangleAddresses addresses{};
   for (int k = 0; k < 6; ++k) {
-    const int vertex = triangle[kCorners[k][0]], other = triangle[kCorners[k][1]];
+    const int vertex = triangle[kBlockCorners[k][0]], other = triangle[kBlockCorners[k][1]];
     addresses.block[k] = block_address(pattern, vertex, other);
     addresses.transposed[k] = vertex < other;
   }
@@ -123,7 +121,7 @@ TriangleAddresses triangle_addresses(const BlockPattern& pattern, const Eigen::V
 void add_triangle(const TriangleAddresses& addresses, const Eigen::Matrix<double, 9, 9>& matrix,
                   std::span<double> values) {
   for (int k = 0; k < 6; ++k) {
-    const int i = 3 * kCorners[k][0], j = 3 * kCorners[k][1];
+    const int i = 3 * kBlockCorners[k][0], j = 3 * kBlockCorners[k][1];
     const std::array<int, 3>& first = addresses.block[k].first;
     if (addresses.block[k].diagonal) {
       for (int column = 0; column < 3; ++column) {
@@ -136,6 +134,19 @@ void add_triangle(const TriangleAddresses& addresses, const Eigen::Matrix<double
               addresses.transposed[k] ? matrix(i + column, j + row) : matrix(i + row, j + column);
         }
       }
+    }
+  }
+}
+
+void add_triangle(const TriangleAddresses& addresses, const double* blocks, int stride, std::span<double> values) {
+  for (int k = 0; k < 6; ++k, blocks += 9 * stride) {
+    const bool diagonal = addresses.block[k].diagonal;
+    const int along = addresses.transposed[k] ? 3 * stride : stride,
+              across = addresses.transposed[k] ? stride : 3 * stride;
+    for (int column = 0; column < 3; ++column) {
+      const double* from = blocks + column * across;
+      double* to = values.data() + addresses.block[k].first[column] - (diagonal ? column : 0);
+      for (int row = diagonal ? column : 0; row < 3; ++row) to[row] += from[row * along];
     }
   }
 }

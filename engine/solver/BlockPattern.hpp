@@ -53,8 +53,11 @@ BlockAddress block_address(const BlockPattern& pattern, int vertex, int other);
 /// Where the entry of two coupled unknowns lies in the value array. Asserts that they are coupled.
 int entry_address(const BlockPattern& pattern, int unknown, int other);
 
-/// The six addresses of a triangle's blocks: (0,0) (1,1) (2,2) (0,1) (1,2) (0,2), and whether an off-diagonal block
-/// must be transposed because its first vertex is the smaller one.
+/// The corners that the six blocks of a triangle couple, in their order.
+constexpr std::array<std::array<int, 2>, 6> kBlockCorners = {{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}}};
+
+/// The addresses of a triangle's blocks, and whether an off-diagonal block must be transposed because its first vertex
+/// is the smaller one.
 struct TriangleAddresses {
   std::array<BlockAddress, 6> block;
   std::array<bool, 6> transposed;
@@ -64,6 +67,10 @@ TriangleAddresses triangle_addresses(const BlockPattern& pattern, const Eigen::V
 /// Adds a symmetric 9 x 9 matrix of a triangle to the values.
 void add_triangle(const TriangleAddresses& addresses, const Eigen::Matrix<double, 9, 9>& matrix,
                   std::span<double> values);
+
+/// The same of a matrix by its blocks: (6 x 9 numbers, `stride` apart), each block by columns, of those on the diagonal
+/// the lower triangle.
+void add_triangle(const TriangleAddresses& addresses, const double* blocks, int stride, std::span<double> values);
 
 /// Adds a symmetric 9 x 9 matrix of a triangle whose blocks beside the diagonal are those of cross products and whose
 /// others are zero: block (0, 1) is that of vectors[0] x, (1, 2) of vectors[1] x, (0, 2) of vectors[2] x.

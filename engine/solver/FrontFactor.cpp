@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/solver/FrontLanes.hpp"
+#include "engine/solver/Lanes.hpp"
 
 namespace thinwall {
 namespace {

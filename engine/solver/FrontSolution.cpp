@@ -1,5 +1,5 @@
 #include "engine/solver/FrontFactor.hpp"
-#include "engine/solver/FrontLanes.hpp"
+#include "engine/solver/Lanes.hpp"
 
 namespace thinwall {
 namespace {

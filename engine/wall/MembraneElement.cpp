@@ -6,6 +6,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "engine/solver/BlockPattern.hpp"
+#include "engine/wall/MembraneLanes.hpp"
 #include "engine/wall/TensionField.hpp"
 
 namespace thinwall {
@@ -94,32 +96,32 @@ Eigen::Matrix<double, 3, 2> deformation_gradient(const MembraneRest& rest,
   return edges * rest.inverse_edges;
 }
 
+MembraneResponse membrane_response(const Material& material, const Eigen::Vector3d& right_cauchy_green,
+                                   const MembraneMemory& memory) {
+  MembraneResponse response{.whole = wall_response(material, right_cauchy_green, memory.tension_field),
+                            .strain_energy = 0};
+  response.strain_energy = response.whole.energy;
+  remember(memory, material, green_lagrange(right_cauchy_green), response.whole);
+  return response;
+}
+
 MembraneTerms membrane_terms(const MembraneRest& rest, const Material& material,
                              const std::array<Eigen::Vector3d, 3>& corners, const MembraneMemory& memory) {
-  const Eigen::Matrix<double, 3, 2> f = deformation_gradient(rest, corners);
-  WallLawResponse response = wall_response(material, right_cauchy_green(f), memory.tension_field);
-  const double law_energy = response.energy;
-  remember(memory, material, green_lagrange(right_cauchy_green(f)), response);
-  const double volume = rest.area * rest.thickness;
-  const ShapeGradients gradients = shape_gradients(rest);
-  const Eigen::Vector3d& s = response.second_piola_kirchhoff;
-
-  // Rows of the strain-displacement matrix: variations of (E11, E22, 2 E12) by the nine coordinates.
-  Eigen::Matrix<double, 3, 9> strain_displacement;
-  for (int a = 0; a < 3; ++a) {
-    strain_displacement.block<1, 3>(0, 3 * a) = gradients(0, a) * f.col(0).transpose();
-    strain_displacement.block<1, 3>(1, 3 * a) = gradients(1, a) * f.col(1).transpose();
-    strain_displacement.block<1, 3>(2, 3 * a) =
-        gradients(1, a) * f.col(0).transpose() + gradients(0, a) * f.col(1).transpose();
+  MembraneLanes lanes;
+  const MembraneTriangle triangle{.rest = &rest, .material = &material, .corners = corners, .memory = memory};
+  membrane_lanes({&triangle, 1}, lanes);
+  MembraneTerms terms{
+      .energy = lanes.energy[0], .strain_energy = lanes.strain_energy[0], .gradient = {}, .hessian = {}};
+  for (int k = 0; k < 9; ++k) terms.gradient[k] = lanes.gradient[k][0];
+  for (int block = 0; block < 6; ++block) {
+    const auto [i, j] = kBlockCorners[block];
+    for (int column = 0; column < 3; ++column) {
+      for (int row = i == j ? column : 0; row < 3; ++row) {
+        const double value = lanes.hessian[block][3 * column + row][0];
+        terms.hessian(3 * i + row, 3 * j + column) = terms.hessian(3 * j + column, 3 * i + row) = value;
+      }
+    }
   }
-  MembraneTerms terms;
-  terms.energy = volume * response.energy;
-  terms.strain_energy = volume * law_energy;
-  // Lazy products: these matrices are too small for the blocked kernels that Eigen would choose.
-  terms.gradient = volume * strain_displacement.transpose().lazyProduct(s);
-  const Eigen::Matrix<double, 3, 9> stiff = (volume * response.tangent).lazyProduct(strain_displacement);
-  terms.hessian = strain_displacement.transpose().lazyProduct(stiff);
-  add_geometric_stiffness(gradients, volume * s, terms.hessian);
   return terms;
 }
 
@@ -128,8 +130,7 @@ MembraneStress membrane_stress(const MembraneRest& rest, const Material& materia
                                const std::array<Eigen::Vector3d, 3>& motion, const MembraneMemory& memory) {
   const Eigen::Matrix<double, 3, 2> f = deformation_gradient(rest, corners);
   const Eigen::Matrix2d product = f.transpose() * deformation_gradient(rest, motion);
-  WallLawResponse response = wall_response(material, right_cauchy_green(f), memory.tension_field);
-  remember(memory, material, green_lagrange(right_cauchy_green(f)), response);
+  const WallLawResponse response = membrane_response(material, right_cauchy_green(f), memory).whole;
   const Eigen::Vector3d strain(product(0, 0), product(1, 1), product(0, 1) + product(1, 0));
   return {.now = response.second_piola_kirchhoff,
           .foreseen = response.second_piola_kirchhoff + response.tangent * strain};

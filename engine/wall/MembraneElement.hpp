@@ -32,6 +32,14 @@ struct MembraneMemory {
   bool tension_field = false;                            // the law's answer is relaxed, see TensionField.hpp
 };
 
+/// What a triangle of the wall answers for C = (C11, C22, C12).
+struct MembraneResponse {
+  WallLawResponse whole;  // memory included
+  double strain_energy;   // joule / metre^3, of the wall law alone
+};
+MembraneResponse membrane_response(const Material& material, const Eigen::Vector3d& right_cauchy_green,
+                                   const MembraneMemory& memory);
+
 /// Energy of a triangle and its derivatives with respect to the corners (x0, y0, z0, x1, ..., z2).
 struct MembraneTerms {
   double energy;                         // joule
@@ -42,7 +50,7 @@ struct MembraneTerms {
 
 /// Total Lagrangian membrane triangle: deformation gradient F = [x1 - x0, x2 - x0] Dm^-1 (3 x 2), C = F^T F,
 /// energy A0 h W(C); gradient A0 h F S grad N; Hessian from the tangent dS/dE and the geometric term of S
-/// (Bonet and Wood 2008, chapters 8 and 9).
+/// (Bonet and Wood 2008, chapters 8 and 9). Of many triangles see MembraneLanes.hpp.
 MembraneTerms membrane_terms(const MembraneRest& rest, const Material& material,
                              const std::array<Eigen::Vector3d, 3>& corners, const MembraneMemory& memory = {});
 

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/material/PrincipalResponse.hpp"
-
 namespace thinwall {
 namespace {
 
@@ -48,17 +46,21 @@ Eigen::Vector3d rubber_stress(const Eigen::Vector3d& c) {
 }
 
 /// Least energy over beta for wrinkles of one direction: the root of n . S n, which grows with beta. Newton's method
-/// within a bracket.
-Wrinkled wrinkle_along(const Material& material, const Eigen::Vector3d& c, double angle) {
-  Wrinkled result{.frame = wrinkle_frame(angle), .beta = 0, .response = {}};
+/// within a bracket. `taut`: the law's answer for C itself.
+Wrinkled wrinkle_along(const Material& material, const Eigen::Vector3d& c, double angle, const WallLawResponse& taut) {
+  Wrinkled result{.frame = wrinkle_frame(angle), .beta = 0, .response = taut};
+  const auto pull_of_response = [&] {
+    const bool has_answer = std::isfinite(result.response.energy);
+    return (has_answer ? result.response.second_piola_kirchhoff
+                       : rubber_stress(lengthened(c, result.beta, result.frame)))
+        .dot(result.frame.shortening);
+  };
   const auto pull = [&](double beta) {
     result.beta = beta;
-    const Eigen::Vector3d hidden = lengthened(c, beta, result.frame);
-    result.response = material.law->respond(material.parameters, hidden);
-    const bool has_answer = std::isfinite(result.response.energy);
-    return (has_answer ? result.response.second_piola_kirchhoff : rubber_stress(hidden)).dot(result.frame.shortening);
+    result.response = material.law->respond(material.parameters, lengthened(c, beta, result.frame));
+    return pull_of_response();
   };
-  if (pull(0) >= 0) return result;
+  if (pull_of_response() >= 0) return result;
   double low = 0, high = 1;
   while (pull(high) < 0 && high < 1e6) {
     low = high;
@@ -102,8 +104,8 @@ Eigen::Vector2d descent(const Eigen::Matrix2d& second, const Eigen::Vector2d& gr
 /// gradient S v and the second derivatives S + M^T T M, where M takes a change of v to one of (E11, E22, 2 E12). As the
 /// energy is convex in C, where S v = 0 and S has no compression it is the least. Newton's method with its decrease
 /// watched over, down to round-off: what is left of it would be noise in the forces of walls that are all but slack.
-Wrinkled wrinkle(const Material& material, const Eigen::Vector3d& c, double angle) {
-  Wrinkled best = wrinkle_along(material, c, angle);
+Wrinkled wrinkle(const Material& material, const Eigen::Vector3d& c, double angle, const WallLawResponse& taut) {
+  Wrinkled best = wrinkle_along(material, c, angle, taut);
   const double shear = best.response.second_piola_kirchhoff.dot(best.frame.turning);
   if (best.beta == 0 || std::abs(shear) <= 1e-14 * best.response.tangent.norm()) return best;
   Eigen::Vector2d v = std::sqrt(best.beta) * Eigen::Vector2d(std::cos(angle), std::sin(angle));
@@ -153,8 +155,12 @@ Eigen::Matrix3d relaxed_tangent(const Wrinkled& wrinkled) {
   return tangent - stress * resistance.inverse() * stress.transpose();
 }
 
-double smallest_principal(const Eigen::Vector3d& s) {
-  return 0.5 * (s[0] + s[1]) - std::hypot(0.5 * (s[0] - s[1]), s[2]);
+double largest_principal(const Eigen::Vector3d& tensor) {
+  return 0.5 * (tensor[0] + tensor[1]) + std::hypot(0.5 * (tensor[0] - tensor[1]), tensor[2]);
+}
+
+double smallest_principal(const Eigen::Vector3d& tensor) {
+  return 0.5 * (tensor[0] + tensor[1]) - std::hypot(0.5 * (tensor[0] - tensor[1]), tensor[2]);
 }
 
 WallLawResponse relaxed(const Material& material, const Eigen::Vector3d& c) {
@@ -164,12 +170,12 @@ WallLawResponse relaxed(const Material& material, const Eigen::Vector3d& c) {
   const bool has_answer = std::isfinite(taut.energy) && std::isfinite(stiffness);
   const Eigen::Vector3d s = has_answer ? taut.second_piola_kirchhoff : rubber_stress(c);
   if (smallest_principal(s) >= (has_answer ? -kTautTolerance * stiffness : 0)) return taut;
-  if (principal_frame(c).first <= 1) {
+  if (largest_principal(c) <= 1) {
     return {.energy = 0, .second_piola_kirchhoff = Eigen::Vector3d::Zero(), .tangent = Eigen::Matrix3d::Zero()};
   }
   // The wall shortens first where it is pressed most.
   const double angle = 0.5 * std::atan2(-2 * s[2], s[1] - s[0]);
-  const Wrinkled wrinkled = wrinkle(material, c, angle);
+  const Wrinkled wrinkled = wrinkle(material, c, angle, taut);
   if (!std::isfinite(wrinkled.response.energy)) return wrinkled.response;
   return {.energy = wrinkled.response.energy,
           .second_piola_kirchhoff = wrinkled.response.second_piola_kirchhoff,

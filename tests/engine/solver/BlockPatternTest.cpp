@@ -45,6 +45,28 @@ TEST(BlockPattern, CornersInAnyOrderGoToTheSamePlaces) {
   }
 }
 
+TEST(BlockPattern, BlocksAreAddedAsTheirDenseMatrixIs) {
+  const std::vector<Eigen::Vector3i> orders = {{0, 2, 3}, {0, 3, 2}, {2, 0, 3}, {2, 3, 0}, {3, 0, 2}, {3, 2, 0}};
+  Eigen::Matrix<double, 9, 9> whole = random_columns(9, 9, 6);
+  whole = (whole + whole.transpose()).eval();
+  constexpr int kStride = 3;
+  std::vector<double> blocks;
+  for (const auto& [i, j] : kBlockCorners) {
+    for (int k = 0; k < 9; ++k) {
+      // Between them stands what belongs to others, and above the diagonal what nobody asks for.
+      const bool wanted = i != j || k % 3 >= k / 3;
+      blocks.insert(blocks.end(), {wanted ? whole(3 * i + k % 3, 3 * j + k / 3) : 1e9, 1e9, 1e9});
+    }
+  }
+  for (const Eigen::Vector3i& triangle : orders) {
+    const BlockPattern pattern = make_block_pattern(4, std::vector<Eigen::Vector3i>{triangle});
+    std::vector<double> dense(pattern.nonzeros(), 0), by_blocks(dense);
+    add_triangle(triangle_addresses(pattern, triangle), whole, dense);
+    add_triangle(triangle_addresses(pattern, triangle), blocks.data(), kStride, by_blocks);
+    EXPECT_EQ(by_blocks, dense) << triangle.transpose();
+  }
+}
+
 TEST(BlockPattern, CrossProductsAreAddedAsTheirDenseMatrixIs) {
   const std::vector<Eigen::Vector3i> orders = {{0, 2, 3}, {0, 3, 2}, {2, 0, 3}, {2, 3, 0}, {3, 0, 2}, {3, 2, 0}};
   const Eigen::MatrixXd drawn = random_columns(3, 3, 7);

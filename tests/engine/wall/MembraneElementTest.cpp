@@ -54,12 +54,12 @@ std::vector<Placement> placements() {
           {"turned and stretched", moved(rest, some_rotation() * large, {0.01, -0.02, 0.03})}};
 }
 
-/// Energy of a membrane triangle by the metrics g and G of the current and rest edges: C has the invariants
-/// tr G^-1 g and det g / det G. No deformation gradient, no plane of reference.
 Prestretch evenly(double stretch) {
   return {.first = stretch, .second = stretch};
 }
 
+/// Energy of a membrane triangle by the metrics g and G of the current and rest edges: C has the invariants
+/// tr G^-1 g and det g / det G. No deformation gradient, no plane of reference.
 HyperDual energy_by_metrics(const Material& material, const Corners& rest, double prestretch,
                             const std::array<DualVector, 3>& corners) {
   const Eigen::Vector3d rest_1 = (rest[1] - rest[0]) / prestretch, rest_2 = (rest[2] - rest[0]) / prestretch;
