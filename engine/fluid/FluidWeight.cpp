@@ -1,20 +1,43 @@
 #include "engine/fluid/FluidWeight.hpp"
 
 #include "engine/fluid/EnclosedVolume.hpp"
+#include "engine/mesh/CrossProductMatrix.hpp"
 
 namespace thinwall {
 
+namespace {
+
+/// The mean of g . x over the tetrahedron is its value at the centroid, a quarter of the sum of the corners.
+double mean_of(const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Vector3d& gravity) {
+  return 0.25 * gravity.dot(corners[0] + corners[1] + corners[2]);
+}
+
+}  // namespace
+
+double fluid_moment_value(const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Vector3d& gravity) {
+  return mean_of(corners, gravity) * volume_of(corners);
+}
+
 FluidMoment fluid_moment_of(const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Vector3d& gravity) {
-  // The mean of g . x over the tetrahedron is its value at the centroid, a quarter of the sum of the corners.
-  const double volume = volume_of(corners);
-  const double mean = 0.25 * gravity.dot(corners[0] + corners[1] + corners[2]);
-  const Eigen::Matrix<double, 9, 1> volume_gradient = volume_gradient_of(corners);
-  Eigen::Matrix<double, 9, 1> mean_gradient;
-  mean_gradient << 0.25 * gravity, 0.25 * gravity, 0.25 * gravity;
-  return {.value = mean * volume,
-          .gradient = mean * volume_gradient + volume * mean_gradient,
-          .hessian = mean * volume_hessian_of(corners) + volume_gradient * mean_gradient.transpose() +
-                     mean_gradient * volume_gradient.transpose()};
+  const double volume = volume_of(corners), mean = mean_of(corners, gravity);
+  const Eigen::Matrix<double, 9, 1> by_volume = volume_gradient_of(corners);
+  const Eigen::Vector3d quarter = 0.25 * gravity;  // of the mean by each corner
+  FluidMoment moment{.value = mean * volume, .gradient = mean * by_volume, .hessian = {}};
+  // Of the volume's Hessian, below the diagonal.
+  const std::array<Eigen::Matrix3d, 3> turning = {cross_product_matrix(corners[2]) / 6,
+                                                  -cross_product_matrix(corners[1]) / 6,
+                                                  cross_product_matrix(corners[0]) / 6};
+  for (int a = 0; a < 3; ++a) {
+    moment.gradient.segment<3>(3 * a) += volume * quarter;
+    for (int b = 0; b <= a; ++b) {
+      Eigen::Matrix3d block = by_volume.segment<3>(3 * a).lazyProduct(quarter.transpose());
+      block += quarter.lazyProduct(by_volume.segment<3>(3 * b).transpose());
+      if (a != b) block += mean * turning[a + b - 1];
+      moment.hessian.block<3, 3>(3 * a, 3 * b) = block;
+      if (a != b) moment.hessian.block<3, 3>(3 * b, 3 * a) = block.transpose();
+    }
+  }
+  return moment;
 }
 
 FirstMoment first_moment_of(const std::array<Eigen::Vector3d, 3>& corners) {

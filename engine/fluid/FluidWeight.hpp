@@ -14,6 +14,7 @@ struct FluidMoment {
   Eigen::Matrix<double, 9, 9> hessian;   // symmetric
 };
 FluidMoment fluid_moment_of(const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Vector3d& gravity);
+double fluid_moment_value(const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Vector3d& gravity);
 
 /// The same integral of x itself, without second derivatives.
 struct FirstMoment {

@@ -101,11 +101,11 @@ void add_fluid_weight(const BodyModel& model, const EquilibriumProblem& problem,
     if (model.is_open(chamber)) {
       // Load and curvature are those of `add_open_chambers`.
       const bool whole = heavy && !problem.fluids[chamber].has_surface;
-      if (whole) terms.gravity -= density * fluid_moment_of(corners, problem.gravity).value;
+      if (whole) terms.gravity -= density * fluid_moment_value(corners, problem.gravity);
       continue;
     }
     const FluidMoment moment = fluid_moment_of(corners, push[chamber]);
-    if (heavy) terms.gravity -= density * fluid_moment_of(corners, problem.gravity).value;
+    if (heavy) terms.gravity -= density * fluid_moment_value(corners, problem.gravity);
     add_corners(model.surface[t], moment.gradient, terms.gradient);
     add_triangle(model.addresses[t], moment.hessian, terms.values);
     terms.largest_force = std::max(terms.largest_force, moment.gradient.lpNorm<Eigen::Infinity>());

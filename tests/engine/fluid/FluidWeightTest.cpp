@@ -35,6 +35,7 @@ TEST(FluidWeight, IsThatOfTheFirstMomentAlongGravity) {
   const FirstMoment first = first_moment_of(corners);
   const FluidMoment moment = fluid_moment_of(corners, kGravity);
   EXPECT_NEAR(moment.value, kGravity.dot(first.value), 1e-14);
+  EXPECT_EQ(moment.value, fluid_moment_value(corners, kGravity));
   EXPECT_LT((moment.gradient - first.gradient * kGravity).norm(), 1e-14);
 }
 
