@@ -89,7 +89,10 @@ void Body::attach(std::span<const ToolPose> begin, std::span<const ToolPose> end
     const bool attached = std::any_of(problem.attachments.begin(), problem.attachments.end(),
                                       [&](const Attachment& attachment) { return attachment.tool == tool; });
     if (attached) continue;
-    if (const auto hit = first_entry_on_segment(surface(), begin[tool].tip, end[tool].tip)) {
+    auto hit = first_entry_on_segment(surface(), begin[tool].tip, end[tool].tip);
+    // Let go of, a wall may spring back farther than the tool has gone.
+    if (!hit) hit = overrun_by(surface(), state_.previous_position, begin[tool].tip, begin[tool].direction);
+    if (hit) {
       Attachment attachment{.tool = tool, .vertices = model_->surface[hit->triangle], .weights = hit->weights};
       attachment.prescribed = free_axes(*model_, attachment);
       if (attachment.prescribed.isZero()) {

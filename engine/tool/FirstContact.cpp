@@ -142,6 +142,23 @@ std::optional<SurfaceEntry> first_entry_on_segment(const SurfaceView& surface, c
   return best;
 }
 
+std::optional<SurfaceEntry> overrun_by(const SurfaceView& surface, const Eigen::VectorXd& before,
+                                       const Eigen::Vector3d& point, const Eigen::Vector3d& direction) {
+  const SurfaceView earlier{.triangles = surface.triangles, .position = before, .open = surface.open};
+  std::optional<SurfaceEntry> best;
+  for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
+    const auto hit = entry(corners_of(surface, t), point, direction, surface.open);
+    if (!hit || hit->travel > 0 || (best && hit->travel <= best->travel)) continue;
+    const Corners corners = corners_of(earlier, t);
+    Eigen::Vector3d was = -point;
+    for (int k = 0; k < 3; ++k) was += hit->weights[k] * corners[k];
+    if (was.dot(direction) <= 0) continue;
+    best = hit;
+    best->triangle = t;
+  }
+  return best;
+}
+
 std::optional<double> travel_to_contact(const SurfaceView& surface, const ToolDefinition& tool, const ToolPose& pose,
                                         const Eigen::Vector3d& motion) {
   if (tool.kind == ToolKind::kPoint) {

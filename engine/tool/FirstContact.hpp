@@ -31,6 +31,13 @@ std::optional<SurfaceEntry> first_entry(const SurfaceView& surface, const Eigen:
 std::optional<SurfaceEntry> first_entry_on_segment(const SurfaceView& surface, const Eigen::Vector3d& begin,
                                                    const Eigen::Vector3d& end);
 
+/// The place of a surface that came from ahead of a point to behind it, as one that springs back does over a tool that
+/// waits: it meets the line through `point` along the unit `direction` with its outer side, no farther than at the
+/// point, and was ahead of it where it was `before`: (3 vertices), metres. Nothing when there is none; the nearest
+/// where there are more.
+std::optional<SurfaceEntry> overrun_by(const SurfaceView& surface, const Eigen::VectorXd& before,
+                                       const Eigen::Vector3d& point, const Eigen::Vector3d& direction);
+
 /// How far a tool can travel from a pose along the unit vector `motion` until it first touches the surface, metres;
 /// nothing when it never does. A tool that already touches gives a travel of zero or less. Exact: a solid meets faces,
 /// edges and corners, from either side of the surface; a line meets the curve in which its plane of motion cuts it.

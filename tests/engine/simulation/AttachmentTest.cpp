@@ -49,6 +49,19 @@ TEST(Attachment, APointPressedOnAHeldPointIsRefusedWithWords) {
   }
 }
 
+TEST(Attachment, AWallThatSpringsBackOverAPointIsHeldByIt) {
+  Body body(pressurised_hemisphere(256, 400), {point_tool()}, dynamic());
+  body.settle();
+  const double top = 0.020;
+  const ToolPose pressed = move(body, pose_at({0, 0, top + 1e-3}), {0, 0, top - 5e-3}, 12, 0.01);
+  // Faster back than the wall can follow, and then no farther.
+  const ToolPose waiting = move(body, pressed, {0, 0, top - 3e-3}, 1, 1e-3);
+  EXPECT_FALSE(body.state().contacts[0].touching);
+  move(body, waiting, waiting.tip, 200, 1e-3);
+  EXPECT_TRUE(body.state().contacts[0].touching);
+  EXPECT_GT(body.state().contacts[0].force.z(), 0);
+}
+
 TEST(Attachment, AToolSetElsewhereLetsGo) {
   Body body(tube(), {point_tool()}, quasi_static());
   body.settle();

@@ -48,6 +48,24 @@ TEST(FirstEntry, MeetsEdgesDiagonalsAndVerticesWithoutSlippingThrough) {
   }
 }
 
+TEST(Overrun, IsByAWallThatWasAheadOfThePointAndIsBehind) {
+  const TestSurface cube(unit_cube());
+  const Eigen::Vector3d inside(0.3, 0.4, 0.9);
+  const auto moved_from = [&](double z) {
+    Eigen::VectorXd before = cube.view().position;
+    for (Eigen::Index v = 0; v < before.size() / 3; ++v) before[3 * v + 2] += z;
+    return before;
+  };
+  const auto hit = overrun_by(cube.view(), moved_from(-0.2), inside, kDown);
+  ASSERT_TRUE(hit);
+  EXPECT_NEAR(hit->travel, -0.1, 1e-15);
+  EXPECT_LT((cube.point(hit->triangle, hit->weights) - Eigen::Vector3d(0.3, 0.4, 1)).norm(), 1e-15);
+  EXPECT_FALSE(overrun_by(cube.view(), moved_from(-0.05), inside, kDown)) << "it was behind the point before";
+  EXPECT_FALSE(overrun_by(cube.view(), moved_from(0), inside, kDown)) << "it did not move";
+  EXPECT_FALSE(overrun_by(cube.view(), moved_from(-0.2), {0.3, 0.4, 1.1}, kDown)) << "it is ahead still";
+  EXPECT_FALSE(overrun_by(cube.view(), moved_from(-0.2), {1.3, 0.4, 0.9}, kDown)) << "it is beside";
+}
+
 TEST(FirstEntry, GivesNothingForALineThatMisses) {
   const TestSurface cube(unit_cube());
   EXPECT_FALSE(first_entry(cube.view(), {1.001, 0.5, 3}, kDown));
