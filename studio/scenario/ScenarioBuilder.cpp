@@ -375,6 +375,7 @@ Scenario build_scenario(const CheckedValue& root) {
   scenario.simulation.time_step = simulation.at("time_step").number;
   scenario.simulation.gravity = to_vector(simulation.at("gravity"));
   scenario.simulation.step_error = find_number(simulation, "step_error").value_or(0);
+  scenario.simulation.tolerance = simulation.at("tolerance").number;
   scenario.view.lights = to_lights(root.at("lights"));
   scenario.view.look = to_look(root.at("look"));
   const CheckedValue& overlays = root.at("look").at("overlays");

@@ -158,6 +158,7 @@ TEST(LoadScenario, ReadsEveryKeyOfTheSimulationAndThePicture) {
   EXPECT_EQ(scenario.title, "Everything at \"2 kPa\"");
   EXPECT_EQ(scenario.simulation.gravity.z(), -9.81);
   EXPECT_EQ(scenario.simulation.step_error, 1e-5);
+  EXPECT_EQ(scenario.simulation.tolerance, 1e-6);
   EXPECT_EQ(scenario.simulation.analysis, Analysis::kQuasiStatic);
   EXPECT_EQ(scenario.view.camera.position, (Double3{0.08, 0, 0.05}));
   EXPECT_EQ(scenario.view.lights.fill, 0.8);
