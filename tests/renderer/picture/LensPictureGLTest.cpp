@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "renderer/picture/Camera.hpp"
@@ -78,6 +79,27 @@ TEST(LensPicture, ALensThatBendsNothingChangesNothing) {
 TEST(LensPicture, ALensThatFoldsThePictureIsRefused) {
   Renderer renderer(DeviceChoice{}, kSize, Tier::kDraft);
   EXPECT_THROW(renderer.draw(plate(0, 0), through({.k1 = -1})), PictureFailure);
+}
+
+TEST(LensPicture, BeyondTheFieldStopNothingIsSeenWhereTheLensFolds) {
+  // The picture's corners are at a tangent of 1.11, but r (1 - 0.2 r^2) never exceeds 0.86.
+  Renderer renderer(DeviceChoice{}, kSize, Tier::kDraft);
+  ViewDefinition view = through({.k1 = -0.2});
+  view.camera.kind = CameraKind::kEndoscope;
+  view.look.background = {1, 1, 1};
+  const Image image = renderer.draw(plate(0, 0), view);
+  const Camera camera = resolve_camera(view.camera, scene_extent(plate(0, 0)), kSize, 0);
+  int bright = 0;
+  for (int row = 0; row < kSize.height; ++row) {
+    for (int column = 0; column < kSize.width; ++column) {
+      const double x = (2 * (column + 0.5) / kSize.width - 1) * camera.tangent_x;
+      const double y = (2 * (row + 0.5) / kSize.height - 1) * camera.tangent_y;
+      if (std::hypot(x, y) < 1.1 * camera.field_stop) continue;
+      const auto pixel = image.pixels.begin() + 3 * static_cast<std::ptrdiff_t>(row * kSize.width + column);
+      bright += *std::max_element(pixel, pixel + 3) > 8 ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(bright, 0);
 }
 
 TEST(LensPicture, NoiseDependsOnSeedAndMomentAlone) {
