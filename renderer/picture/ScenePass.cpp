@@ -5,11 +5,10 @@
 #include "renderer/look/ColorMap.hpp"
 #include "renderer/picture/PictureFailure.hpp"
 #include "renderer/picture/ShaderProgram.hpp"
+#include "renderer/snapshot/SameTime.hpp"
 
 namespace thinwall {
 namespace {
-
-constexpr double kSameTime = 1e-9;  // seconds
 
 /// Parts of a picture are told apart by 7 of a stencil's 8 bits, 0 being none; the last is the fluid's.
 void require_countable(std::size_t parts) {

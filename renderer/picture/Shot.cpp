@@ -1,6 +1,7 @@
 #include "renderer/picture/Shot.hpp"
 
 #include "renderer/picture/PictureFailure.hpp"
+#include "renderer/snapshot/SameTime.hpp"
 
 namespace thinwall {
 namespace {
@@ -15,7 +16,6 @@ CameraDefinition camera_named(const ViewDefinition& view, const std::string& nam
 }  // namespace
 
 Shot shot_at(const ViewDefinition& view, double time) {
-  constexpr double kSameTime = 1e-9;  // seconds, what rounding leaves of a sum of time steps
   const CameraCut* shown = nullptr;
   for (const CameraCut& cut : view.cuts) {
     if (cut.time <= time + kSameTime) shown = &cut;

@@ -7,6 +7,7 @@
 #include "renderer/image/Folder.hpp"
 #include "renderer/image/PngFile.hpp"
 #include "renderer/image/WholeFile.hpp"
+#include "renderer/snapshot/SameTime.hpp"
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/DataViewRange.hpp"
 #include "studio/commands/ExitCode.hpp"

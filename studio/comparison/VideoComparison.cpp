@@ -15,7 +15,7 @@ namespace thinwall {
 namespace {
 
 // Containers keep times in ticks of a thousandth of a second.
-constexpr double kSameTime = 1.1e-3;
+constexpr double kSameFrameTime = 1.1e-3;
 
 /// Both frames of a number, while both videos last.
 class FramePairs {
@@ -56,7 +56,7 @@ void compare_lengths(VideoFigures& figures, const FramePairs& pairs) {
 void compare_times(VideoFigures& figures, const MediaProbe& first, const MediaProbe& second) {
   const std::size_t count = std::min(first.times.size(), second.times.size());
   for (std::size_t i = 0; i < count; ++i) {
-    if (std::abs(first.times[i] - second.times[i]) <= kSameTime) continue;
+    if (std::abs(first.times[i] - second.times[i]) <= kSameFrameTime) continue;
     figures.other.push_back(
         fmt::format("frame {} is shown at {:.4f} s instead of {:.4f} s", i, second.times[i], first.times[i]));
     return;

@@ -6,17 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/snapshot/SameTime.hpp"
 #include "studio/director/BodyExtent.hpp"
 #include "studio/scenario/InputError.hpp"
 
 namespace thinwall {
-namespace {
-
-/// Times closer than this are the same, seconds.
-constexpr double kSameTime = 1e-9;
-
-}  // namespace
-
 ToolMoment PiercingPlan::at(double time) const {
   ToolMoment moment = PalpationPlan::at(time);
   const auto is_now = [&](double rupture) { return std::abs(rupture - time) <= kSameTime; };

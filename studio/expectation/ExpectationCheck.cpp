@@ -5,13 +5,11 @@
 #include <algorithm>
 #include <cassert>
 
+#include "renderer/snapshot/SameTime.hpp"
 #include "studio/scenario/ExpectationQuantity.hpp"
 
 namespace thinwall {
 namespace {
-
-/// Times closer than this are the same: what rounding leaves between sums of steps and of durations.
-constexpr double kSameTime = 1e-9;  // seconds
 
 double measure(const Expectation& expectation, const MeasuredQuantity& quantity, const StepRecord& record) {
   for (const ToolRecord& tool : record.tools) {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/image/WholeFile.hpp"
+#include "renderer/snapshot/SameTime.hpp"
 
 namespace thinwall {
 namespace {
@@ -16,8 +17,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kApprovalVersion = 1;
 constexpr const char* kFile = "approval.json";
-// Times come from the text of a scenario; closer ones are the same.
-constexpr double kSameTime = 1e-9;  // seconds
 
 }  // namespace
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "renderer/snapshot/SameTime.hpp"
+
 namespace thinwall {
 namespace {
 

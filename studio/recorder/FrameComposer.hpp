@@ -67,7 +67,4 @@ class FrameComposer {
   std::size_t last_active_ = 0;  // the tool that last was in a phase other than idle, up to `earlier_`
 };
 
-/// Times closer than this are the same: what rounding leaves between a sum of time steps and frame / fps.
-inline constexpr double kSameTime = 1e-9;  // seconds
-
 }  // namespace thinwall

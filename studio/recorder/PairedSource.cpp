@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "renderer/snapshot/SameTime.hpp"
 #include "studio/recorder/FrameComposer.hpp"
 
 namespace thinwall {

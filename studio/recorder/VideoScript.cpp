@@ -4,11 +4,12 @@
 
 #include <algorithm>
 
+#include "renderer/snapshot/SameTime.hpp"
+
 namespace thinwall {
 namespace {
 
-constexpr double kFade = 0.4;       // seconds
-constexpr double kSameTime = 1e-9;  // seconds
+constexpr double kFade = 0.4;  // seconds
 
 /// A title card is a freeze at the beginning.
 std::vector<Freeze> with_title(std::vector<Freeze> freezes, const std::optional<CardScenario>& title) {
