@@ -280,14 +280,14 @@ void CommandLine::add_golden() {
   for (CLI::App* command : {test, report, review, approve}) {
     add_device(*command);
     add_threads(*command);
+    command->add_option("--out", golden_.out, "where the report and pictures that failed are put, to be looked at")
+        ->type_name("DIR")
+        ->capture_default_str();
   }
   for (CLI::App* command : {test, report, review}) {
     command->add_option("--jobs", golden_.jobs, "scenarios at once; as many as there are cores when absent")
         ->type_name("N")
         ->check(CLI::Range(1, 256));
-    command->add_option("--out", golden_.out, "where the report and pictures that failed are put, to be looked at")
-        ->type_name("DIR")
-        ->capture_default_str();
   }
   for (CLI::App* command : {test, report, list}) {
     command->add_flag("--json", golden_.json, "say the result as JSON on standard output");

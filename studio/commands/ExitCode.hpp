@@ -19,7 +19,8 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Runs a command, says on stderr why it could not do its work, and gives the exit code.
+/// Runs a command, says on stderr why it could not do its work, and gives the exit code. Standard streams that are
+/// closed are replaced by /dev/null before.
 int exit_code_of(const std::function<int()>& command);
 
 }  // namespace thinwall

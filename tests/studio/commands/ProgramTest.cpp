@@ -4,43 +4,15 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <thread>
 
 #include "studio/take/TakeReader.hpp"
-#include "tests/studio/commands/RunningProgram.hpp"
+#include "tests/studio/commands/ProgramFixture.hpp"
 
 namespace thinwall {
 namespace {
-
-class ProgramTest : public ::testing::Test {
- protected:
-  ProgramTest() { write_bytes(folder_ / "small.yaml", small_scenario()); }
-
-  ProgramEnd run(const std::vector<std::string>& arguments, ProgramSetting setting = {}) {
-    setting.folder = folder_.path();
-    // The tests themselves may run in CI, where the program refuses what a person must do.
-    setting.environment.insert({"CI", "false"});
-    return run_thinwall(arguments, setting);
-  }
-  void expect_bad_usage(const std::vector<std::string>& arguments, const std::string& words) {
-    const ProgramEnd end = run(arguments);
-    EXPECT_EQ(end.exit_code, 2) << end.messages;
-    EXPECT_NE(end.messages.find(words), std::string::npos) << end.messages;
-  }
-  bool any_looks_finished(const std::string& name) const {
-    if (!std::filesystem::exists(folder_ / name)) return false;
-    for (const auto& entry : std::filesystem::directory_iterator(folder_ / name)) {
-      if (entry.path().filename().string().find(".unfinished") == std::string::npos) return true;
-    }
-    return false;
-  }
-  nlohmann::json manifest(const std::string& out) const {
-    return nlohmann::json::parse(file_bytes(folder_ / out / "manifest.json"));
-  }
-
-  TemporaryFolder folder_;
-};
 
 TEST_F(ProgramTest, SaysItsVersionAndLicence) {
   const ProgramEnd end = run({"--version"});
@@ -307,6 +279,27 @@ TEST_F(ProgramTest, ALimitOnFileSizesIsLikeAFullDisk) {
   EXPECT_FALSE(any_looks_finished("out"));
 }
 
+TEST_F(ProgramTest, WithoutStandardStreamsItLeavesWhatItLeavesWithThem) {
+  ASSERT_EQ(run({"run", "small.yaml", "--no-render", "--out", "first"}).exit_code, 0);
+  const std::string command = "cd '" + folder_.path().string() +
+                              "' && '" THINWALL_PROGRAM
+                              "' run small.yaml --no-render --json --out second 0<&- 1>&- 2>&-";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  for (const char* file : {"take.h5", "forces.csv", "body.csv"}) {
+    EXPECT_EQ(file_bytes(folder_ / "second" / file), file_bytes(folder_ / "first" / file)) << file;
+  }
+}
+
+TEST_F(ProgramTest, ResultsThatStandardOutputDoesNotTakeEndWith4) {
+  const std::string start = "cd '" + folder_.path().string() + "' && '" THINWALL_PROGRAM "' ";
+  for (const char* command : {"check small.yaml --json", "run small.yaml --no-render --json --out out"}) {
+    const int status = std::system((start + command + " >/dev/full 2>messages").c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 4) << command;
+    const std::string messages = file_bytes(folder_ / "messages");
+    EXPECT_NE(messages.find("No space left on device"), std::string::npos) << messages;
+  }
+}
+
 TEST_F(ProgramTest, ADeviceThatIsNotThereEndsWith4) {
   const ProgramEnd end = run({"run", "small.yaml", "--device", "99", "--out", "out"});
   EXPECT_EQ(end.exit_code, 4) << end.messages;
@@ -343,6 +336,24 @@ TEST_F(ProgramTest, AnInterruptMidwayEndsWith130AndATerminateSignalWith143) {
   }
 }
 
+TEST_F(ProgramTest, GoldensAreApprovedInAnotherFolderThanOneInUse) {
+  std::filesystem::create_directory(folder_ / "out");
+  const int other = open((folder_ / "out" / ".in_use").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600);
+  ASSERT_EQ(flock(other, LOCK_EX), 0);
+  write_bytes(folder_ / "golden.yaml", small_scenario() + "golden: [ { at: 0.1 s, max: 8, mean: 0.2, why: first } ]\n");
+  const std::vector<std::string> approve = {"golden", "approve", "golden.yaml", "--device", "99", "--why", "new"};
+  const auto approve_in = [&](const std::string& out) {
+    std::vector<std::string> arguments = approve;
+    arguments.insert(arguments.end(), {"--out", out});
+    return run(arguments);
+  };
+  EXPECT_EQ(approve_in("out").exit_code, 2);
+  const ProgramEnd elsewhere = approve_in("elsewhere");
+  EXPECT_EQ(elsewhere.messages.find("wait until it has ended"), std::string::npos) << elsewhere.messages;
+  EXPECT_EQ(elsewhere.exit_code, 4) << "there is no device 99";
+  close(other);
+}
+
 TEST_F(ProgramTest, GoldensAreApprovedOnlyByNameWithAReasonAndByAPerson) {
   expect_bad_usage({"golden", "approve", "small.yaml"}, "say with --why");
   expect_bad_usage({"golden", "approve", "--why", " ", "small.yaml"}, "say with --why");
@@ -357,44 +368,6 @@ TEST_F(ProgramTest, ToCompareNothingIsAnError) {
   const ProgramSetting empty_home{.folder = {}, .environment = {{"THINWALL_HOME", folder_.path()}}};
   EXPECT_EQ(run({"golden", "test"}, empty_home).exit_code, 2);
   expect_bad_usage({"golden", "test", "small.yaml"}, "has no `golden:` list");
-}
-
-TEST_F(ProgramTest, HapticTellsItsFiguresAndWhatTheHandWasGiven) {
-  for (const char* forces : {"full", "local"}) {
-    const ProgramEnd end = run({"haptic", "small.yaml", "--json", "--forces", forces, "--record", "ticks.csv"});
-    ASSERT_EQ(end.exit_code, 0) << end.messages;
-    const nlohmann::json report = nlohmann::json::parse(end.output);
-    EXPECT_EQ(report["forces"], forces);
-    EXPECT_EQ(report["tool"], "probe");
-    for (const char* figure : {"p50_ms", "p99_ms", "p99.9_ms", "largest_ms"}) {
-      EXPECT_GT(report["latency"][figure], 0) << figure;
-      EXPECT_TRUE(report["empty_loop_wake_up"].contains(figure)) << figure;
-    }
-    EXPECT_LE(report["latency"]["p50_ms"], report["latency"]["largest_ms"]);
-    EXPECT_TRUE(report["missed_deadlines"].is_number());
-    EXPECT_TRUE(report["largest_force_jump_N"].is_number());
-    EXPECT_GT(report["force_error"]["largest_force_N"], 0);
-    EXPECT_GT(report["force_error"]["samples"], 2);
-    EXPECT_NE(end.messages.find("force error"), std::string::npos) << end.messages;
-    const std::string table = file_bytes(folder_ / "ticks.csv");
-    EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(table, '\n')), report["ticks"].get<std::size_t>() + 1);
-  }
-}
-
-TEST_F(ProgramTest, TheForcesOfARunAreAHandsMotion) {
-  ASSERT_EQ(run({"run", "small.yaml", "--no-render", "--out", "first"}).exit_code, 0);
-  const ProgramEnd end = run({"haptic", "small.yaml", "--trajectory", "first/forces.csv", "--json"});
-  ASSERT_EQ(end.exit_code, 0) << end.messages;
-  EXPECT_GT(nlohmann::json::parse(end.output)["force_error"]["largest_force_N"], 0);
-}
-
-TEST_F(ProgramTest, HapticRefusesWhatMakesNoSense) {
-  expect_bad_usage({"haptic"}, "SCENARIO is required");
-  expect_bad_usage({"haptic", "small.yaml", "--forces", "strong"}, "auto, full, local");
-  expect_bad_usage({"haptic", "small.yaml", "--tool", "spoon"}, "probe");
-  expect_bad_usage({"haptic", "small.yaml", "--trajectory", "missing.csv"}, "missing.csv");
-  expect_bad_usage({"haptic", "small.yaml", "--peer", "missing/socket"}, "missing/socket");
-  expect_bad_usage({"haptic", "small.yaml", "--peer", "a", "--trajectory", "b"}, "--trajectory");
 }
 
 }  // namespace
