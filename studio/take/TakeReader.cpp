@@ -1,7 +1,12 @@
 #include "studio/take/TakeReader.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <fstream>
 #include <utility>
 
@@ -19,6 +24,15 @@ using hdf5::Handle;
 
 Double3 triple(const double* values) {
   return {values[0], values[1], values[2]};
+}
+
+/// Who writes an HDF5 file holds its lock.
+bool is_being_written(const std::filesystem::path& file) {
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool is_locked = ::flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(descriptor);
+  return is_locked;
 }
 
 }  // namespace
@@ -61,6 +75,9 @@ void TakeReader::Implementation::open() {
   try {
     file = hdf5::open_file(path);
   } catch (const hdf5::Failure& failure) {
+    if (is_being_written(path)) {
+      throw TakeError(path.string() + ": a run is still writing this take; wait until it has ended");
+    }
     throw TakeError(path.string() + ": the take is cut short or damaged (" + failure.what() +
                     "); run the scenario again");
   }

@@ -79,18 +79,18 @@ struct Epoch {
   std::vector<RowWriter> fields;  // (field_names)
 };
 
-struct SurfaceRows {
+struct SurfaceWriter {
   Handle group;
   int epochs = 0;
   Epoch epoch;
 };
 
-struct PhasedRows {
+struct PhasedWriter {
   RowWriter values;
   RowWriter phase;
 };
 
-Epoch begin_epoch(SurfaceRows& rows, const SnapshotSurface& surface, std::size_t step) {
+Epoch begin_epoch(SurfaceWriter& rows, const SnapshotSurface& surface, std::size_t step) {
   const SnapshotTopology& topology = *surface.topology;
   const Handle group = hdf5::create_group(rows.group, "epoch_" + std::to_string(rows.epochs++));
   hdf5::write_attribute(group, "first_step", static_cast<std::int64_t>(step));
@@ -125,7 +125,7 @@ Epoch begin_epoch(SurfaceRows& rows, const SnapshotSurface& surface, std::size_t
   return epoch;
 }
 
-void write_surface(SurfaceRows& rows, const SnapshotSurface& surface, std::size_t step) {
+void write_surface(SurfaceWriter& rows, const SnapshotSurface& surface, std::size_t step) {
   if (surface.positions.empty() || surface.positions.size() != surface.topology->rest_positions.size()) {
     throw std::invalid_argument("the surface of " + surface.body + " does not fit its topology");
   }
@@ -166,11 +166,11 @@ struct TakeWriter::Implementation {
   RowWriter time;
   RowWriter planned_duration;
   std::size_t steps = 0;
-  std::vector<SurfaceRows> surfaces;
-  std::vector<PhasedRows> tools;
+  std::vector<SurfaceWriter> surfaces;
+  std::vector<PhasedWriter> tools;
   std::vector<RowWriter> openings;  // (tools), of forceps only
   std::vector<RowWriter> scalars;
-  std::vector<PhasedRows> tool_records;
+  std::vector<PhasedWriter> tool_records;
   std::vector<RowWriter> body_records;
   std::vector<TimedText> captions;
   std::vector<TimedText> chapters;

@@ -1,6 +1,9 @@
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <hdf5.h>
+#include <sys/file.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
@@ -281,6 +284,17 @@ TEST(TakeTest, SaysThatATakeIsCutShortWhereverItIsCut) {
     const std::string complaint = complaint_about(folder / "cut.h5");
     EXPECT_NE(complaint.find("cut.h5: the take is cut short or damaged ("), std::string::npos) << part << complaint;
   }
+}
+
+TEST(TakeTest, SaysThatATakeIsStillBeingWritten) {
+  const TemporaryFolder folder;
+  write_take(folder / "take.h5", {.steps = 2});
+  const int writer = open((folder / "take.h5").c_str(), O_RDWR | O_CLOEXEC);
+  ASSERT_EQ(flock(writer, LOCK_EX), 0);
+  EXPECT_EQ(complaint_about(folder / "take.h5"),
+            (folder / "take.h5").string() + ": a run is still writing this take; wait until it has ended");
+  close(writer);
+  EXPECT_EQ(complaint_about(folder / "take.h5"), "");
 }
 
 TEST(TakeTest, NoticesAFlippedByteInThePositions) {
