@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <string_view>
 
 #include "studio/golden/GoldenApproval.hpp"
@@ -48,18 +49,41 @@ std::pair<std::string, std::string> spoken(const std::string& column) {
   return {quantity + " of " + owner, column.substr(unit + 1)};
 }
 
-/// How far two numbers are apart on the scale of their column.
+/// How far two numbers are apart on the scale of their column; not at all where that is 0.
 double relative(double before, double after, double scale) {
   return scale > 0 ? std::abs(after - before) / scale : 0;
 }
 
-/// The largest number of each column in both.
+std::string_view unit_of(std::string_view column) {
+  return column.substr(column.rfind('_') + 1);
+}
+
+/// Parts of the largest number with the same unit below which a column holds what rounding leaves of sums that cancel.
+constexpr double kRounding = 1e-9;
+
+/// A column whose numbers stay below this is at rest or unstrained, whatever the body's size: 1 pN through 1 mm is 1
+/// fJ.
+double still_of(std::string_view unit) {
+  if (unit == "N") return 1e-12;
+  if (unit == "J") return 1e-15;
+  if (unit == "Pa") return 1e-6;
+  return 0;  // sizes come from the mesh, and are as small as it is
+}
+
+/// The largest number of each column in both; 0 for a column that holds nothing but rounding.
 std::vector<double> scales(const GoldenHistory& golden, const GoldenHistory& today) {
   std::vector<double> scale(golden.columns.size(), 0);
-  for (const GoldenHistory* history : {&golden, &today}) {
-    for (const GoldenHistory::Row& row : history->rows) {
-      for (std::size_t c = 0; c < scale.size(); ++c) scale[c] = std::max(scale[c], std::abs(row.values[c]));
+  std::map<std::string_view, double> largest;  // (units)
+  for (std::size_t c = 0; c < scale.size(); ++c) {
+    for (const GoldenHistory* history : {&golden, &today}) {
+      for (const GoldenHistory::Row& row : history->rows) scale[c] = std::max(scale[c], std::abs(row.values[c]));
     }
+    double& of_unit = largest[unit_of(golden.columns[c])];
+    of_unit = std::max(of_unit, scale[c]);
+  }
+  for (std::size_t c = 0; c < scale.size(); ++c) {
+    const std::string_view unit = unit_of(golden.columns[c]);
+    if (scale[c] <= std::max(still_of(unit), kRounding * largest[unit])) scale[c] = 0;
   }
   return scale;
 }

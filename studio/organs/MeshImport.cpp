@@ -95,7 +95,7 @@ class MeshImport {
     note_if(weld_vertices(surface_, tolerance), "vertex", "vertices",
             fmt::format("welded to others nearer than {:.3g} {}", tolerance, origin_.unit_name));
     note_if(remove_collapsed_triangles(surface_), "triangle", "triangles", "with a corner twice removed");
-    note_if(remove_repeated_triangles(surface_), "triangle", "triangles", "that repeat others removed");
+    note_if(remove_repeated_triangles(surface_), "triangle", "triangles", "with the corners of another removed");
     note_if(remove_flat_triangles(surface_, tolerance), "triangle", "triangles",
             fmt::format("lower than {:.3g} {} merged into neighbours or removed", tolerance, origin_.unit_name));
     if (surface_.triangles.empty()) refuse("all its triangles are flat or collapsed to a point: nothing is left");

@@ -86,6 +86,29 @@ TEST(GoldenHistory, RoundingOfOtherMachinesIsNoChange) {
   EXPECT_TRUE(compare_histories(history(20), history(20, 1 + 1e-4)).changed);
 }
 
+GoldenHistory history_with_friction(double friction, double elastic) {
+  GoldenHistory history;
+  for (std::size_t step = 0; step < 3; ++step) {
+    Moment moment;
+    moment.record = {.time = 0.1 * static_cast<double>(step),
+                     .tools = {},
+                     .bodies = {{.body = "organ", .volume = 1e-5, .elastic = elastic, .friction = friction}}};
+    add_step(history, step, moment);
+  }
+  return history;
+}
+
+TEST(GoldenHistory, WhatRoundingLeavesIsNoChange) {
+  const auto changes = [](double before, double after, double elastic) {
+    return compare_histories(history_with_friction(before, elastic), history_with_friction(after, elastic)).changed;
+  };
+  EXPECT_FALSE(changes(1.7e-29, 1.9e-29, 1e-3)) << "beside the energy of the wall";
+  EXPECT_FALSE(changes(1.7e-29, 1.9e-29, 0)) << "of a wall at rest";
+  EXPECT_FALSE(changes(0, 1.9e-29, 1e-3)) << "where there was none";
+  EXPECT_TRUE(changes(1.7e-9, 1.9e-9, 1e-3)) << "a small part of the wall's energy is one";
+  EXPECT_TRUE(changes(0, 1e-6, 1e-3)) << "what is new is one";
+}
+
 TEST(GoldenHistory, OtherQuantitiesCannotBeCompared) {
   GoldenHistory other = history(20);
   other.columns[0] = "blade.force_N";

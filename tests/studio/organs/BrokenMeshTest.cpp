@@ -173,7 +173,8 @@ const MendedMesh kMended[] = {
       "68 triangles, 36 vertices, closed, 3 x 3 x 2 mm, smallest angle 45 deg, groups `wall`"}},
     {"doubled.obj",
      1000,
-     {"21 vertices welded to others nearer than 1.73e-05 units of the file", "12 triangles that repeat others removed",
+     {"21 vertices welded to others nearer than 1.73e-05 units of the file",
+      "12 triangles with the corners of another removed",
       "12 triangles, 8 vertices, closed, 10 x 10 x 10 mm, smallest angle 45 deg, groups `wall`"}},
 };
 

@@ -86,7 +86,7 @@ TEST(MeshImport, DebrisIsRemovedAndToldWithAllElseThatWasDone) {
   const ImportedMesh cube = import(file, 0.01);
   const std::string name = "mesh `" + file.generic_string() + "`: ";
   const std::vector<std::string> expected = {
-      name + "2 triangles that repeat others removed",
+      name + "2 triangles with the corners of another removed",
       name + "1 separate part with 1 triangle removed, 0.083 % of the area",
       name + "2 triangles turned to agree with the others",
       name + "12 triangles, 8 vertices, closed, 10 x 10 x 10 mm, smallest angle 45 deg, groups `wall`",
