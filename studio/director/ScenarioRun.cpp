@@ -13,6 +13,7 @@
 #include "studio/director/DirectedTool.hpp"
 #include "studio/director/FollowedPoint.hpp"
 #include "studio/director/Incising.hpp"
+#include "studio/director/MeetingBodies.hpp"
 #include "studio/director/Plan.hpp"
 #include "studio/director/RunNotes.hpp"
 #include "studio/director/Schedule.hpp"
@@ -37,6 +38,7 @@ struct ScenarioRun::Implementation {
   std::vector<ScheduledClip> clips;
   std::vector<FollowedPoint> points;
   std::vector<std::string> warnings;
+  MeetingBodies meetings;
   Snapshot snapshot;
   StepRecord record;
   std::map<std::size_t, RunningCut> runs;  // by the body's index
@@ -329,6 +331,7 @@ struct ScenarioRun::Implementation {
       snapshot.surfaces.push_back(snapshot_surface(*bodies[k], topologies[k]));
       add_scalars(*bodies[k], snapshot.scalars);
     }
+    std::ranges::copy(meetings.notes(bodies, time()), std::back_inserter(warnings));
     for (const FollowedPoint& point : points) record.points.push_back(point.record());
     for (std::size_t k = 0; k < scenario.tools.size(); ++k) {
       const DirectedTool& tool = tools.at(scenario.tools[k].name);

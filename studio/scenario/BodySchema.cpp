@@ -232,7 +232,9 @@ ValueSchema region_schema() {
 }
 
 ValueSchema bodies_schema() {
-  MappingSchema body{.name = "body", .documentation = "A thin wall and what it encloses."};
+  MappingSchema body{
+      .name = "body",
+      .documentation = "A thin wall and what it encloses. Tools press on bodies; bodies do not feel each other."};
   body.keys = {
       {"surface", surface_value(), true, {}, "the stress-free surface"},
       {"wall", wall_value(), true, {}, "the wall"},

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -40,6 +41,21 @@ TEST(ScenarioRun, TheFirstRecordIsTheEquilibriumAtTimeZero) {
   EXPECT_EQ(run.record().bodies.at(0).volume, run.record().bodies.at(0).fluid_volume);
   EXPECT_EQ(run.record().tools.at(0).phase, "idle");
   EXPECT_EQ(run.snapshot().surfaces.at(0).positions.size(), run.snapshot().surfaces[0].topology->rest_positions.size());
+}
+
+TEST(ScenarioRun, BodiesThatMayPassThroughEachOtherAreToldOnce) {
+  Scenario scenario = ball_scenario();
+  BodyScenario other = scenario.bodies[0];
+  other.name = "other";
+  scenario.bodies.push_back(other);
+  scenario.timeline = {palpation(0.001)};
+  ScenarioRun run(scenario);
+  run.step();
+  const std::vector<std::string> warnings = run.warnings();
+  const auto tells = [](const std::string& warning) {
+    return warning.find("bodies `ball` and `other` come so near from") != std::string::npos;
+  };
+  EXPECT_EQ(std::ranges::count_if(warnings, tells), 1);
 }
 
 TEST(ScenarioRun, TheStressOfABallUnderPressureIsThatOfLaplace) {
