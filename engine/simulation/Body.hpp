@@ -93,6 +93,11 @@ class Body {
   /// `goes_on`: whether the blade will come farther, so that the cut may wait rather than end beside its way.
   std::optional<Cut> follow_blade(int tool, std::span<const ToolPose> poses, bool goes_on = true);
 
+  /// Takes a blade that stands between the lips of an opening for one that has gone in: it cuts on from the lip that
+  /// lies ahead of it. `way`: unit, of the blade. Nothing happens where wall lies on the line of the blade's edge, or a
+  /// mean edge length below it, or no lip lies ahead.
+  void enter_gap(int tool, const ToolPose& pose, const Eigen::Vector3d& way);
+
   /// Lets the cut of the blade in the wall run on before it, by the length of about one edge, where that pays: where
   /// the wall at rest, with all lips free, would release more energy than the new area costs. The lips are then let go
   /// in some steps; what they release beyond the cost is a jump. Nothing where it does not pay, where lips have

@@ -282,6 +282,20 @@ void Body::find_gap(const Cut& cut, const Eigen::Vector3d& left, const Eigen::Ve
   if (lip) state_.cut.gap = GapBeyond{.lip = snapped_to_edges(surface(), *lip), .way = way};
 }
 
+void Body::enter_gap(int tool, const ToolPose& pose, const Eigen::Vector3d& way) {
+  const double length = tools_[tool].length;
+  const SurfaceView wall = surface();
+  const Eigen::Vector3d top = pose.tip - length * pose.direction;
+  if (first_entry_on_segment(wall, top, pose.tip + model_->edge_length * pose.direction)) return;
+  const Eigen::Vector3d across = (way - way.dot(pose.direction) * pose.direction).normalized();
+  const auto lip = border_beyond(
+      wall,
+      {.left = pose.tip, .way = across, .line = pose.direction, .above = -length, .overlap = model_->edge_length});
+  if (!lip) return;
+  state_.cut.tool = tool;
+  state_.cut.gap = GapBeyond{.lip = snapped_to_edges(wall, *lip), .way = across};
+}
+
 bool Body::come_out_of_gap(const ToolPose& pose) {
   if (!state_.cut.gap) return false;
   const GapBeyond& gap = *state_.cut.gap;

@@ -7,6 +7,12 @@
 #include <numbers>
 
 namespace thinwall {
+namespace {
+
+/// A surface winds around a point more often than this where the point lies inside.
+constexpr double kInside = 0.5;
+
+}  // namespace
 
 double extent_along(const SurfaceView& surface, const Eigen::Vector3d& direction) {
   double least = std::numeric_limits<double>::infinity(), most = -least;
@@ -30,6 +36,10 @@ double winding_number(const SurfaceView& surface, const Eigen::Vector3d& point) 
     sum += 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
   }
   return sum / (4 * std::numbers::pi);
+}
+
+bool is_inside(const SurfaceView& surface, const Eigen::Vector3d& point) {
+  return !surface.open && winding_number(surface, point) > kInside;
 }
 
 }  // namespace thinwall

@@ -13,4 +13,7 @@ double extent_along(const SurfaceView& surface, const Eigen::Vector3d& direction
 /// (sum of the solid angles of its triangles over 4 pi, each after Van Oosterom and Strackee 1983).
 double winding_number(const SurfaceView& surface, const Eigen::Vector3d& point);
 
+/// Whether a surface that encloses something winds around a point more than half a time.
+bool is_inside(const SurfaceView& surface, const Eigen::Vector3d& point);
+
 }  // namespace thinwall

@@ -26,6 +26,16 @@ void enter(Body& body, const BladeStep& step, double thickness) {
   body.follow_blade(step.tool, through);
 }
 
+/// The path begins where an earlier cut gapes.
+void enter_gap(const IncisionPlan& plan, Body& body, const BladeStep& step, double thickness) {
+  const double next = plan.progress(2 * step.end - step.begin);
+  const Eigen::Vector3d way = plan.path.at(next).position - plan.path.at(plan.progress(step.begin)).position;
+  if (next <= 0 || way.norm() == 0) return;
+  ToolPose blade = step.after[static_cast<std::size_t>(step.tool)];
+  blade.tip += thickness * blade.direction;
+  body.enter_gap(step.tool, blade, way.normalized());
+}
+
 }  // namespace
 
 double cost_of_entry(const Body& body, const IncisionPlan& plan, const ToolDefinition& blade) {
@@ -47,7 +57,9 @@ std::optional<Cut> incise(IncisionPlan& plan, Body& body, const BladeStep& step)
     if (plan.entered || plan.goes_out(step.end)) return std::nullopt;
     const bool must_go_on = plan.progress(2 * step.end - step.begin) > 0;
     if (body.state().pressing[tool].work < plan.entry_cost && !must_go_on) return std::nullopt;
-    enter(body, step, body.model().rest[static_cast<std::size_t>(first_triangle(plan))].thickness);
+    const double thickness = body.model().rest[static_cast<std::size_t>(first_triangle(plan))].thickness;
+    enter(body, step, thickness);
+    if (!is_in_wall(body, step.tool)) enter_gap(plan, body, step, thickness);
     if (is_in_wall(body, step.tool)) plan.feel_entry(step.end);
     return std::nullopt;
   }

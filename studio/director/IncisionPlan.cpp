@@ -27,9 +27,6 @@ constexpr double kNoHeading = 0.1;
 /// A blade turns by at most this while it goes on by its width, radians.
 constexpr double kTurnPerWidth = 4;
 
-/// A surface winds around a point more than this often where the point lies inside.
-constexpr double kInside = 0.5;
-
 std::string to_words(const Eigen::Vector3d& point) {
   return fmt::format("[{:.4g}, {:.4g}, {:.4g}] m", point.x(), point.y(), point.z());
 }
@@ -201,7 +198,7 @@ IncisionPlan plan_incision(const InciseClip& clip, const ToolDefinition& tool, c
   plan.begin = plan.pose_below(0);
   plan.begin.tip -= (clip.standoff + clip.depth) * plan.begin.direction;
   plan.begin.opening = tool.opening;
-  if (!surface.open && winding_number(surface, plan.begin.tip) > kInside) {
+  if (is_inside(surface, plan.begin.tip)) {
     throw InputErrors(
         {{location, fmt::format("incise: {:.3g} mm above path[1] blade `{}` would start inside body `{}`; a smaller "
                                 "`standoff` or another first point lets it start outside",

@@ -106,6 +106,18 @@ std::string tool_of(const Clip& clip) {
       clip.action);
 }
 
+std::string body_of(const Clip& clip) {
+  return std::visit(
+      [](const auto& action) -> std::string {
+        if constexpr (requires { action.standoff; }) {
+          return action.body;
+        } else {
+          return "";
+        }
+      },
+      clip.action);
+}
+
 std::string standard_caption(const Clip& clip) {
   if (const auto* fill = std::get_if<FillClip>(&clip.action)) return fill_caption(*fill);
   if (std::holds_alternative<GraspClip>(clip.action)) return "Grasping";

@@ -43,6 +43,9 @@ bool knows_depth(const Plan& plan);
 /// The tool that a clip drives; empty when it drives none.
 std::string tool_of(const Clip& clip);
 
+/// The body whose wall a clip's tool is brought to; empty where there is none.
+std::string body_of(const Clip& clip);
+
 /// What is shown while a clip lasts that has no caption of its own; empty for most.
 std::string standard_caption(const Clip& clip);
 

@@ -24,4 +24,11 @@ std::string bare_point_note(const ToolDefinition& tool, const SurfaceView& surfa
       tool.name, 1e3 * radius);
 }
 
+std::string kept_way_note(std::size_t number, double begin, const InputErrors& missed) {
+  return fmt::format(
+      "timeline[{}]: from {:.4g} s the tool goes the way that it had when the run began, as the wall is no longer "
+      "where it was: {}",
+      number, begin, missed.diagnostics().front().message);
+}
+
 }  // namespace thinwall

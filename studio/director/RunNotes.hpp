@@ -4,6 +4,7 @@
 #include <string>
 
 #include "engine/simulation/Body.hpp"
+#include "studio/scenario/InputError.hpp"
 
 namespace thinwall {
 
@@ -14,5 +15,9 @@ std::optional<std::string> free_body_warning(const Body& body, Analysis analysis
 
 /// What tip a bare point acts like on the membrane that it touches, see effective_point_radius.
 std::string bare_point_note(const ToolDefinition& tool, const SurfaceView& surface, const Attachment& attachment);
+
+/// That a clip goes the way that it had when the run began, see kept_way. `number`: of the clip, from 1. `begin`:
+/// seconds. `missed`: why it found none.
+std::string kept_way_note(std::size_t number, double begin, const InputErrors& missed);
 
 }  // namespace thinwall

@@ -13,6 +13,7 @@
 #include "studio/director/DirectedTool.hpp"
 #include "studio/director/FollowedPoint.hpp"
 #include "studio/director/Incising.hpp"
+#include "studio/director/KeptWay.hpp"
 #include "studio/director/MeetingBodies.hpp"
 #include "studio/director/Plan.hpp"
 #include "studio/director/RunNotes.hpp"
@@ -97,6 +98,21 @@ struct ScenarioRun::Implementation {
     return plan_clip(clip, planned, [this](const std::string& body) -> const Body& { return body_named(body); });
   }
 
+  /// The plan of a clip that begins, on the wall as it is now, or as it was where that has none for it any more.
+  Plan plan_begun(std::size_t index) {
+    const Clip& clip = scenario.timeline[index];
+    try {
+      return plan(clip);
+    } catch (const InputErrors& missed) {
+      const std::string tool = tool_of(clip), body = body_of(clip);
+      if (tool.empty() || body.empty()) throw;
+      auto kept = kept_way(clips[index].plan, scenario.tools[tools.at(tool).index], body_named(body).surface());
+      if (!kept) throw;
+      warnings.push_back(kept_way_note(index + 1, clips[index].begin, missed));
+      return *std::move(kept);
+    }
+  }
+
   /// Before its first clip a tool waits where that clip begins.
   void place_tools() {
     for (auto& [name, tool] : tools) {
@@ -117,7 +133,7 @@ struct ScenarioRun::Implementation {
       ScheduledClip& clip = clips[k];
       if (clip.begun || clip.begin >= until - kTimeTolerance) continue;
       clip.begun = true;
-      clip.plan = plan(scenario.timeline[k]);
+      clip.plan = plan_begun(k);
       schedule(scenario.timeline, clips);
       refuse_overlaps(scenario.timeline, clips);
       const std::string name = tool_of(scenario.timeline[k]);

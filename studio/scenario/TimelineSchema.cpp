@@ -37,7 +37,11 @@ KeySchema axis_key() {
 
 MappingSchema palpate() {
   return clip(
-      "palpate", "Presses a body and lets go.",
+      "palpate",
+      "Presses a body and lets go. Where the line of approach meets no wall any more when the clip starts, as over a "
+      "cut that gapes, the tool goes the way that it had when the run began, which a note tells; depth then counts "
+      "from "
+      "what it touches, at the latest from where the wall was.",
       {kTool,
        kBody,
        {"at", vector_value(kLength, {}, "[0, 0, 20 mm]"), false, "[0, 0, 0]", "a point of the line of approach"},
@@ -68,7 +72,9 @@ MappingSchema pierce() {
       "the slit costs (toughness times thickness times width). From then on it slides along the needle under the "
       "tool's "
       "`friction` and lets nothing through; the puncture stays open when the needle has left. Where the body is less "
-      "deep than `depth` the needle goes through its far wall too. Errors are a depth larger than the needle is long, "
+      "deep than `depth` the needle goes through its far wall too. Where the line of approach meets no wall any more "
+      "when the clip starts, as over a cut that gapes, the needle goes the way that it had when the run began, as with "
+      "`palpate`. Errors are a depth larger than the needle is long, "
       "and a needle as thick as the body is wide across its way; a needle that presses where no slit fits in, as next "
       "to a border, ends the run.");
 }
@@ -115,7 +121,9 @@ MappingSchema incise() {
       "the blade, along the path and straight on beyond its end, until it does not or comes to a border or another "
       "cut, in each step by about the blade's width at most (or two triangles' edges); what is beyond the cost is "
       "`jump_J`, and the blade feels nothing until it is where the cut has run to. The run says that it did and by "
-      "how much. Errors are points out of reach or not joined by the wall, a depth larger than "
+      "how much. Where a point has no wall any more when the clip starts, as over a cut that gapes, the blade goes the "
+      "way that it had when the run began, which a note tells, and cuts on from the lip ahead of it. Errors are points "
+      "out of reach or not joined by the wall, a depth larger than "
       "the blade is high or the body measures there, and a blade that would start inside the body or touch it "
       "already.");
 }
