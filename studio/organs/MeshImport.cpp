@@ -4,12 +4,14 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <map>
 #include <numbers>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include "engine/mesh/MeshMeasures.hpp"
 #include "engine/mesh/MeshTopology.hpp"
@@ -38,6 +40,24 @@ constexpr double kMostMoved = 0.5;
 
 /// How far `remesh` may change the volume.
 constexpr double kMostVolumeChange = 0.05;
+
+/// Metres across beyond which a surface is no organ and its `unit` doubted, and those of one to which another unit that
+/// is named instead should lead.
+constexpr double kTooSmall = 1e-3, kTooLarge = 2;
+constexpr double kSmallOrgan = 5e-3, kLargeOrgan = 1;
+
+/// A line that doubts the unit of a file whose surface is so far across, metres; empty where that may be.
+std::string doubt_of_unit(double across, double unit) {
+  if (across >= kTooSmall && across <= kTooLarge) return {};
+  constexpr std::array<std::pair<double, const char*>, 3> kUnits = {{{1e-3, "mm"}, {1e-2, "cm"}, {1, "m"}}};
+  std::string cure;
+  for (const auto& [length, name] : kUnits) {
+    const double instead = across / unit * length;
+    if (!cure.empty() || instead < kSmallOrgan || instead > kLargeOrgan) continue;
+    cure = fmt::format("; with `unit: {}` it is {:.3g} mm", name, 1e3 * instead);
+  }
+  return fmt::format("is {:.3g} m across, which no organ is: see whether `unit` is the file's{}", across, cure);
+}
 
 class MeshImport {
  public:
@@ -288,6 +308,8 @@ class MeshImport {
         "{}: {} triangles, {} vertices, {}, {:.3g} x {:.3g} x {:.3g} mm, smallest angle {:.2g} deg, groups {}",
         origin_.name, mesh.triangles.size(), mesh.vertices.size(), is_closed(topology) ? "closed" : "open", size[0],
         size[1], size[2], quality_of(mesh).least_angle * 180 / std::numbers::pi, list_in_backticks(names)));
+    const std::string doubt = doubt_of_unit((high - low).maxCoeff(), origin_.unit);
+    if (!doubt.empty()) notes_.push_back(fmt::format("{} {}", origin_.name, doubt));
   }
 
   const std::filesystem::path& file_;

@@ -39,6 +39,18 @@ TEST(MeshImport, PolygonsAreTriangulatedAndUnitsApplied) {
   EXPECT_NO_THROW(check_closed_for_fluid(cube.mesh, {}));
 }
 
+TEST(MeshImport, ASizeThatNoOrganHasIsToldWithTheUnitThatMayBeMeant) {
+  std::string vertices = kCubeVertices;
+  for (std::size_t k = 0; (k = vertices.find(" 1", k)) != std::string::npos;) vertices.replace(k, 2, " 30");
+  const std::filesystem::path cube = write_file("sized.obj", vertices + kCubeSides + kCubeEnds);
+  const auto last_note = [&](double unit) { return import(cube, unit).notes.back(); };
+  const std::string name = "mesh `" + cube.generic_string() + "` is ";
+  const std::string advice = " m across, which no organ is: see whether `unit` is the file's";
+  EXPECT_EQ(last_note(1), name + "30" + advice + "; with `unit: mm` it is 30 mm");
+  EXPECT_EQ(last_note(1e-6), name + "3e-05" + advice + "; with `unit: mm` it is 30 mm");
+  EXPECT_NE(last_note(0.05).find("groups"), std::string::npos) << "1.5 m may be a whole belly";
+}
+
 TEST(MeshImport, GroupsOfFacesBecomeGroupsOfVertices) {
   const std::string text = kCubeVertices + "g sides\n" + kCubeSides + "g lid\nf 5 6 7 8\ng sides\nf 1 4 3 2\n";
   const SurfaceMesh mesh = import(write_file("groups.obj", text)).mesh;
