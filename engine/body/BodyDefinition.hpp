@@ -46,7 +46,7 @@ struct FluidDefinition {
 };
 
 /// An opening of the wall: the lips in the sense of the wall's triangles there. A slit has them in pairs that may lie
-/// on each other. What the wall and its caps leave open beside it makes no chamber.
+/// on each other. What the wall and its caps leave open beside it makes no chamber. Without contents: what cuts left.
 struct Opening {
   std::vector<int> lips = {};  // vertices, each once, at least three
 };

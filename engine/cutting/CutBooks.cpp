@@ -91,7 +91,7 @@ std::vector<std::vector<int>> split_borders(const CutPatch& before, const CutPat
   std::vector<std::vector<int>> chains;
   for (int t = 0; t < before.triangle_count(); ++t) {
     for (int k = 0; k < 3; ++k) {
-      if (before.frozen[t] || before.neighbours[t][k] != CutPatch::kBorder) continue;
+      if (before.frozen[t] || !CutPatch::is_open(before.neighbours[t][k])) continue;
       const int from = before.triangles[t][k], to = before.triangles[t][(k + 1) % 3];
       if (after.side_between(from, to).triangle >= 0) continue;
       std::vector<int> chain = {from};
@@ -134,7 +134,7 @@ void count_changes(const CutPatch& before, const CutPatch& after, Cut& result) {
   const auto borders = [](const CutPatch& patch) {
     int count = 0;
     for (const Eigen::Vector3i& around : patch.neighbours) {
-      count += static_cast<int>((around.array() == CutPatch::kBorder).count());
+      count += static_cast<int>(std::ranges::count_if(around, CutPatch::is_open));
     }
     return count;
   };

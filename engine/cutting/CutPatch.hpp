@@ -32,8 +32,10 @@ struct PatchFan {
 /// triangle joins its corners k and k + 1. A facet is a flat piece of the original surface; only within it are edges
 /// flipped and vertices moved.
 struct CutPatch {
-  static constexpr int kBorder = -1;  // neighbour across an open edge
+  static constexpr int kBorder = -1;  // neighbour across an open edge that was there before any cut
   static constexpr int kFrame = -2;   // neighbour outside the patch
+  static constexpr int kLip = -3;     // neighbour across an open edge that a cut made
+  static constexpr bool is_open(int neighbour) { return neighbour == kBorder || neighbour == kLip; }
 
   std::vector<Eigen::Vector3d> positions;      // (vertices x 3), metres, rest
   std::vector<Eigen::Vector3d> placement;      // (first vertices x 3) or none, metres, where those of the surface are

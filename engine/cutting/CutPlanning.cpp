@@ -146,7 +146,7 @@ PlannedCut plan_along_edges(const CutPatch& patch, std::span<const PathStop> sto
     const int u = plan.vertices[i], v = plan.vertices[i + 1];
     PatchCorner side = plan.patch.side_between(u, v);
     if (side.triangle < 0) side = plan.patch.side_between(v, u);
-    if (plan.patch.neighbours[side.triangle][side.corner] != CutPatch::kBorder) plan.patch.set_on_path(u, v);
+    if (!CutPatch::is_open(plan.patch.neighbours[side.triangle][side.corner])) plan.patch.set_on_path(u, v);
   }
   if (!drop_closed_edges(plan.patch)) return {.patch = patch, .vertices = {}, .triangles = {}};
   plan.reached_stop = static_cast<int>(stops.size()) - 1;

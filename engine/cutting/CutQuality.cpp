@@ -73,7 +73,7 @@ double least_meeting_angle_at(const CutPatch& patch, int vertex) {
     const PatchCorner& corner = fan.corners[(start + i) % count];
     sum += angle_at(patch, corner);
     const bool to_path = patch.on_path[corner.triangle][(corner.corner + 2) % 3] != 0;
-    const bool to_border = patch.neighbours[corner.triangle][(corner.corner + 2) % 3] == CutPatch::kBorder;
+    const bool to_border = CutPatch::is_open(patch.neighbours[corner.triangle][(corner.corner + 2) % 3]);
     if (!to_path && !to_border) continue;
     if (to_path || from_path) least = std::min(least, sum);
     sum = 0;

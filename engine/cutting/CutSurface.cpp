@@ -199,7 +199,7 @@ CutPatch CutSurface::extract(const CutPath& path, const CutOptions& options, int
       }
       corners[k] = local_vertex[vertex];
       const int next = neighbours_[t][k];
-      around[k] = next < 0 ? CutPatch::kBorder : local_triangle[next] >= 0 ? local_triangle[next] : CutPatch::kFrame;
+      around[k] = next < 0 ? next : local_triangle[next] >= 0 ? local_triangle[next] : CutPatch::kFrame;
     }
     for (const int vertex : mesh_.triangles[t]) {
       outermost =

@@ -38,8 +38,10 @@ class CutSurface {
   /// (wall triangles), the connected piece of the wall that each belongs to.
   std::span<const int> components() const { return component_; }
   int component_count() const { return component_count_; }
-  /// (wall triangles x 3), the triangle across the side from corner k to corner k + 1; -1 at an open edge.
+  /// (wall triangles x 3), the triangle across the side from corner k to corner k + 1; less than zero at an open edge.
   std::span<const Eigen::Vector3i> neighbours() const { return neighbours_; }
+  /// Whether the side from corner k to corner k + 1 is open because a cut opened it.
+  bool is_lip(int triangle, int side) const { return neighbours_[triangle][side] == CutPatch::kLip; }
 
   /// Cuts along a path on the surface as it is now and says what changed; nothing where the path has no length or is
   /// too short to be cut yet: then `rest` is the whole path. A path that comes back along itself or along an open

@@ -105,8 +105,8 @@ OpenedLips open_lips(CutPatch& patch, std::span<const int> path) {
       }
       if (lips.left.empty()) add(begin_left, begin_right);
       add(l[(left.corner + 1) % 3], r[right.corner]);
-      patch.neighbours[left.triangle][left.corner] = CutPatch::kBorder;
-      patch.neighbours[right.triangle][right.corner] = CutPatch::kBorder;
+      patch.neighbours[left.triangle][left.corner] = CutPatch::kLip;
+      patch.neighbours[right.triangle][right.corner] = CutPatch::kLip;
     }
     opened.lips.push_back(std::move(lips));
   }

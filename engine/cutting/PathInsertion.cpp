@@ -172,7 +172,7 @@ class Inserter {
     PatchCorner side = patch_.side_between(u, v);
     if (side.triangle < 0) side = patch_.side_between(v, u);
     if (side.triangle < 0) return false;
-    if (patch_.neighbours[side.triangle][side.corner] != CutPatch::kBorder) {
+    if (!CutPatch::is_open(patch_.neighbours[side.triangle][side.corner])) {
       if (!may_split(side)) return false;
       patch_.set_on_path(u, v);
     }

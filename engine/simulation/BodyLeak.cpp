@@ -258,7 +258,10 @@ bool Body::solve_with_leaks(EquilibriumProblem& problem, EquilibriumState& trial
 }
 
 void Body::update_leaks(double duration, const EquilibriumProblem& problem) {
-  if (!model_->has_open_chambers()) return;
+  if (!model_->has_open_chambers()) {
+    measure_openings();
+    return;
+  }
   const std::vector<double> flown = outflow_of(duration, problem, state_.equilibrium);
   for (std::size_t k = 0; k < flown.size(); ++k) {
     const int c = model_->openings[k].chamber;

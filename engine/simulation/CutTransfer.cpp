@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "engine/cutting/Gapes.hpp"
 #include "engine/mesh/MeshTopology.hpp"
 #include "engine/shell/BendingPatches.hpp"
 #include "engine/simulation/PartedContents.hpp"
@@ -284,8 +285,9 @@ int main_source(const TriangleSource& source) {
   return std::ranges::max_element(source.before, {}, &TriangleShare::share)->triangle;
 }
 
-BodyDefinition cut_definition(const BodyModel& model, const SurfaceMesh& mesh, const Cut& cut) {
+BodyDefinition cut_definition(const BodyModel& model, const CutSurface& surface, const Cut& cut) {
   const BodyDefinition& before = model.definition;
+  const SurfaceMesh& mesh = surface.mesh();
   BodyDefinition after = before;
   after.mesh = mesh;
   if (model.has_fluid()) {
@@ -293,6 +295,9 @@ BodyDefinition cut_definition(const BodyModel& model, const SurfaceMesh& mesh, c
     after.openings = std::move(contents.openings);
     after.fluid.chambers = std::move(contents.chambers);
     after.fluid.other_chambers = false;
+  } else {
+    after.openings.clear();
+    for (std::vector<int>& gape : gapes_of(surface)) after.openings.push_back({.lips = std::move(gape)});
   }
   after.tension_field = before.model == WallModel::kMembrane;
   const std::size_t triangles = mesh.triangles.size();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine/cutting/Cut.hpp"
+#include "engine/cutting/CutSurface.hpp"
 #include "engine/simulation/Body.hpp"
 
 namespace thinwall {
@@ -8,9 +9,9 @@ namespace thinwall {
 /// The definition of a body after a cut: the mesh as cut, and what is given for each triangle carried over to the
 /// triangles that lie in its place: thickness as the mean by rest area, the rest from the triangle with the largest
 /// share. A membrane bears no compression from then on (tension field): its lips are free to go slack, and would buckle
-/// as finely as the mesh allows. Parts of the wall hold contents as PartedContents says. Asserts that `mesh` is that of
-/// the surface after `cut`.
-BodyDefinition cut_definition(const BodyModel& before, const SurfaceMesh& mesh, const Cut& cut);
+/// as finely as the mesh allows. Parts of the wall hold contents as PartedContents says; the openings of a wall without
+/// contents are its gapes, see gapes_of. Asserts that `surface` is the one after `cut`.
+BodyDefinition cut_definition(const BodyModel& before, const CutSurface& surface, const Cut& cut);
 
 /// The state of a body after a cut that nothing has moved in yet. Vertices take position, velocity and acceleration of
 /// the place on the surface before where they lie; both nodes of a lip those of the one node that they come from. What

@@ -177,6 +177,7 @@ void add_open_chambers(const BodyModel& model, const EquilibriumProblem& problem
 
 std::vector<int> rim_unknowns(const BodyModel& model) {
   std::vector<int> unknowns;
+  if (!model.has_open_chambers()) return unknowns;
   for (const OpeningModel& opening : model.openings) {
     for (const int vertex : opening.lips) unknowns.insert(unknowns.end(), {3 * vertex, 3 * vertex + 1, 3 * vertex + 2});
   }

@@ -27,7 +27,7 @@ namespace thinwall {
 void add_open_chambers(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
                        const Eigen::VectorXd& pressure, EquilibriumTerms& terms);
 
-/// The unknowns of the vertices at the lips of openings, ascending, each once.
+/// The unknowns of the vertices at the lips of chambers' openings, ascending, each once.
 std::vector<int> rim_unknowns(const BodyModel& model);
 
 /// What the skew-symmetric part of the load's derivative gives for a motion, both (unknowns): newton and metres.

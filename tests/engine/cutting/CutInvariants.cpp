@@ -83,7 +83,7 @@ class Judge {
         for (const int other : triangles_at(is, is.triangle_edges[t][k])) {
           if (other != static_cast<int>(t)) neighbour = other;
         }
-        expect(neighbour == surface_.neighbours()[t][k], "neighbour across side ", k, " of triangle ", t);
+        expect(neighbour == std::max(-1, surface_.neighbours()[t][k]), "neighbour across side ", k, " of triangle ", t);
       }
     }
   }

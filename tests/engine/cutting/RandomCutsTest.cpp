@@ -101,6 +101,25 @@ struct Statistics {
   std::vector<double> deviations;
 };
 
+/// Lengths of open sides at rest: of lips, and of what was open before any cut.
+struct BorderLengths {
+  double lips = 0, others = 0;
+};
+
+BorderLengths border_lengths(const CutSurface& surface) {
+  BorderLengths lengths;
+  const SurfaceMesh& mesh = surface.mesh();
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      if (surface.neighbours()[t][k] >= 0) continue;
+      const Eigen::Vector3i& corners = mesh.triangles[t];
+      (surface.is_lip(t, k) ? lengths.lips : lengths.others) +=
+          (mesh.vertices[corners[(k + 1) % 3]] - mesh.vertices[corners[k]]).norm();
+    }
+  }
+  return lengths;
+}
+
 class Incision {
  public:
   Incision(CutSurface& surface, Dice& dice, Statistics& statistics, unsigned seed)
@@ -140,6 +159,7 @@ class Incision {
   bool cut(CutPath& path, double edge) {
     const SurfaceMesh before = surface_.mesh();
     const Eigen::Vector3d end = position_of(before, path.points.back());
+    const BorderLengths borders = border_lengths(surface_);
     const auto start = std::chrono::steady_clock::now();
     const Cut cut = surface_.cut(path, options_);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -150,6 +170,9 @@ class Incision {
     statistics_.edge_paths += cut.counts.edge_paths;
     statistics_.separated += static_cast<int>(cut.separated.size());
     statistics_.deviations.push_back(cut.deviation / edge);
+    const BorderLengths now = border_lengths(surface_);
+    EXPECT_NEAR(now.lips, borders.lips + 2 * cut.length, 1e-11 * (1 + now.lips)) << "in seed " << seed_;
+    EXPECT_NEAR(now.others, borders.others, 1e-11 * (1 + borders.others)) << "in seed " << seed_;
     const std::vector<std::string> broken = broken_rules(before, surface_, cut);
     statistics_.failed += !broken.empty();
     for (const std::string& rule : broken)

@@ -65,6 +65,7 @@ struct Slit {
   double opening = 0;   // metres, half, in the middle
   double miss = 0;      // largest difference of the half-opening from Griffith's, over the largest of his
   double released = 0;  // joule
+  double area = 0;      // metres^2, that the body tells
 };
 
 Slit opened_slit(const Body& body, const Lips& lips) {
@@ -100,6 +101,7 @@ Slit open_slit(double half, int segments) {
   for (int k = 0; k < 5; ++k) body.advance({}, {}, 0.01);
   Slit slit = opened_slit(body, cut.lips.front());
   slit.released = before - body.state().books.stored();
+  slit.area = body.state().open_area.sum();
   return slit;
 }
 
@@ -115,7 +117,7 @@ double compliance_of_stretched_sheet() {
 TEST(SlitInAStretchedSheet, OpensAndReleasesEnergyAsGriffithFound) {
   // Lengths are those of the slit as it is open, thicknesses those of the stretched sheet.
   const double thickness = kThickness / (kStretch * kStretch);
-  std::vector<double> openings, rates, misses;
+  std::vector<double> openings, rates, misses, areas;
   double shortening = 0;
   for (const int segments : {20, 40, 80}) {
     const Slit slit = open_slit(kHalf, segments), longer = open_slit(1.1 * kHalf, segments);
@@ -125,10 +127,12 @@ TEST(SlitInAStretchedSheet, OpensAndReleasesEnergyAsGriffithFound) {
     openings.push_back(slit.opening / (2 * kStress / kModulus * slit.half));
     rates.push_back(rate / (kStress * kStress * std::numbers::pi * mean_half / kModulus));
     misses.push_back(slit.miss);
+    areas.push_back(slit.area / (std::numbers::pi * slit.half * slit.half * 2 * kStress / kModulus));
     shortening = slit.half / kHalf;
     std::printf(
-        "%d segments: opens by %.4f, misses the ellipse by %.4f, releases %.4f of Griffith's, half length %.4f\n",
-        segments, openings.back(), misses.back(), rates.back(), shortening);
+        "%d segments: opens by %.4f, misses the ellipse by %.4f, releases %.4f of Griffith's, half length %.4f, area "
+        "%.4f of his\n",
+        segments, openings.back(), misses.back(), rates.back(), shortening, areas.back());
   }
   // Linear triangles that suit the solution: second order, save for the tip.
   EXPECT_GT(openings[1], openings[0]);
@@ -136,10 +140,13 @@ TEST(SlitInAStretchedSheet, OpensAndReleasesEnergyAsGriffithFound) {
   EXPECT_LT(rates[2] - rates[1], 0.4 * (rates[1] - rates[0]));
   EXPECT_LT(misses[2], 0.02);
   EXPECT_NEAR(rates[2], 1, 0.03);
+  EXPECT_LT(areas[2] - areas[1], 0.4 * (areas[1] - areas[0]));
+  EXPECT_NEAR(areas[2], 1, 0.02);
   // What is left is the stretch itself, as Griffith's sheet is not stretched: per length before it opened, which it was
   // by this part longer.
   const double limit = openings[2] + (openings[2] - openings[1]) / 3, rate_limit = rates[2] + (rates[2] - rates[1]) / 3;
   EXPECT_NEAR(limit * shortening, compliance_of_stretched_sheet(), 0.005);
+  EXPECT_NEAR((areas[2] + (areas[2] - areas[1]) / 3) * shortening, compliance_of_stretched_sheet(), 0.005);
   EXPECT_NEAR(rate_limit * shortening * shortening, compliance_of_stretched_sheet(), 0.01);
 }
 
