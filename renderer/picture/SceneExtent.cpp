@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "renderer/picture/PictureFailure.hpp"
+#include "renderer/snapshot/CutOutPieces.hpp"
 
 namespace thinwall {
 namespace {
@@ -50,6 +51,16 @@ double floor_below(Vector3 low, Vector3 high, double lowest_now) {
   return std::min(low.z - gap, lowest_now);
 }
 
+/// The floor does not go down with what was cut out and falls.
+double lowest_standing(const SnapshotSurface& surface) {
+  const std::vector<std::uint32_t> pieces = cut_out_pieces(*surface.topology);
+  double lowest = std::numeric_limits<double>::max();
+  for (std::size_t v = 0; v < surface.positions.size(); ++v) {
+    if (pieces[v] == kHeldPiece) lowest = std::min(lowest, static_cast<double>(surface.positions[v][2]));
+  }
+  return lowest;
+}
+
 /// Coarse steps keep the light's box, and with it the shadow's raster, still while the scene moves a little.
 double round_up_coarsely(double reach, double base) {
   constexpr double kStep = 1.25;
@@ -72,8 +83,7 @@ SceneExtent scene_extent(const Snapshot& snapshot) {
       low = {std::min(low.x, point.x), std::min(low.y, point.y), std::min(low.z, point.z)};
       high = {std::max(high.x, point.x), std::max(high.y, point.y), std::max(high.z, point.z)};
     }
-    for (const Float3& position : surface.positions)
-      lowest_now = std::min(lowest_now, static_cast<double>(position[2]));
+    lowest_now = std::min(lowest_now, lowest_standing(surface));
   }
   if (extent.rest_points.empty()) return extent;
 

@@ -12,7 +12,7 @@ struct SceneExtent {
   std::vector<Vector3> rest_points;  // all stress-free vertices: the same in every snapshot of a take
   Vector3 center;                    // metres, of the box around the rest points
   double size = 0.1;                 // metres, diagonal of that box; 0.1 where there is no surface
-  double floor_height = 0;           // metres, z of the floor below everything
+  double floor_height = 0;           // metres, z of the floor below everything but pieces that were cut out and fall
   double reach = 0.05;  // metres, radius around `center` of the current surfaces, rounded up in coarse steps
 };
 

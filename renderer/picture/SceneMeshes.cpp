@@ -76,7 +76,7 @@ void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& 
       find_fluid(snapshot, k, body_look, pieces);
       find_films(snapshot, k, body_look, pieces);
       if (wounds_[k] && body_look.bed > 0) {
-        TissuePiece bed = wound_bed(surface, borders_[k], is_lip_[k], body_look.bed);
+        TissuePiece bed = wound_bed(surface, borders_[k], is_lip_[k], body_look.bed, snapshot.time);
         if (!bed.corners.empty()) pieces.push_back(std::move(bed));
       }
     }

@@ -4,6 +4,7 @@
 
 #include "renderer/picture/Float3.hpp"
 #include "renderer/picture/Vector.hpp"
+#include "renderer/snapshot/CutOutPieces.hpp"
 #include "renderer/wound/RestNormals.hpp"
 
 namespace thinwall {
@@ -15,21 +16,53 @@ constexpr double kStrip = 2;
 /// Metres between the lowest part of the sheet and the bed.
 constexpr double kGap = 0.001;
 
-double lowest_hanging(const SnapshotSurface& surface, std::span<const Float3> normals) {
+/// What the bed gives way to a piece that was cut free, over its depth.
+constexpr double kMostRoom = 2;
+
+/// What is left of the room that the bed made for a piece, seconds after that was cut free.
+double room_left(double age) {
+  constexpr double kClosing = 0.25;  // seconds
+  const double t = std::clamp(age / kClosing, 0.0, 1.0);
+  return 1 - t * t * (3 - 2 * t);
+}
+
+/// (vertices), part of its depth below the stress-free sheet to which the bed makes room for a vertex.
+std::vector<double> parts_of_room(const SnapshotTopology& topology, std::span<const std::uint32_t> pieces,
+                                  double time) {
+  // A piece is free when the last of its border is cut.
+  std::vector<double> freed(pieces.size(), kNeverCut);
+  for (std::size_t v = 0; v < topology.cut_times.size() && v < pieces.size(); ++v) {
+    if (pieces[v] == kHeldPiece) continue;
+    freed[pieces[v]] = std::max(freed[pieces[v]], static_cast<double>(topology.cut_times[v]));
+  }
+  std::vector<double> parts;
+  for (const std::uint32_t piece : pieces) {
+    const bool is_untold = piece != kHeldPiece && freed[piece] == kNeverCut;
+    parts.push_back(piece == kHeldPiece ? 1 : is_untold ? 0 : room_left(time - freed[piece]));
+  }
+  return parts;
+}
+
+/// Metres below the stress-free sheet.
+double depth_of_bed(const SnapshotSurface& surface, std::span<const Float3> normals,
+                    std::span<const std::uint32_t> pieces, double depth, double time) {
   const SnapshotTopology& topology = *surface.topology;
+  const std::vector<double> parts = parts_of_room(topology, pieces, time);
   double lowest = 0;
   for (std::size_t v = 0; v < normals.size(); ++v) {
-    lowest =
-        std::max(lowest, dot(vector3(topology.rest_positions[v]) - vector3(surface.positions[v]), vector3(normals[v])));
+    const double hanging =
+        dot(vector3(topology.rest_positions[v]) - vector3(surface.positions[v]), vector3(normals[v]));
+    const double most = pieces[v] == kHeldPiece ? hanging : kMostRoom * depth;
+    lowest = std::max(lowest, parts[v] * std::min(hanging, most));
   }
   const double thickness = topology.thickness.empty() ? 0 : *std::ranges::max_element(topology.thickness);
-  return lowest + thickness + kGap;
+  return std::max(depth, lowest + thickness + kGap);
 }
 
 }  // namespace
 
 TissuePiece wound_bed(const SnapshotSurface& surface, std::span<const BorderEdge> borders, std::span<const char> is_lip,
-                      double depth) {
+                      double depth, double time) {
   const SnapshotTopology& topology = *surface.topology;
   std::vector<Vector3> ends;  // of the sheet
   for (const BorderEdge& edge : borders) {
@@ -38,7 +71,7 @@ TissuePiece wound_bed(const SnapshotSurface& surface, std::span<const BorderEdge
   TissuePiece bed{.side = TissueSide::kBed, .vertices = {}, .corners = {}};
   if (ends.empty()) return bed;
   const std::vector<Float3> normals = rest_normals(topology);
-  const double below = std::max(depth, lowest_hanging(surface, normals));
+  const double below = depth_of_bed(surface, normals, cut_out_pieces(topology, borders, is_lip), depth, time);
   std::vector<char> is_kept;
   for (std::size_t v = 0; v < normals.size(); ++v) {
     const Vector3 place = vector3(topology.rest_positions[v]);

@@ -58,4 +58,29 @@ inline SnapshotSurface slit_sheet(int parts, double square, double steepness) {
   return {.body = "organ", .topology = topology, .positions = topology->rest_positions, .fields = {}};
 }
 
+/// A level sheet in `parts` x `parts` squares of `square` metres, out of whose middle `patch` x `patch` of them are
+/// cut. The patch has the last (patch + 1)^2 vertices.
+inline SnapshotSurface patched_sheet(int parts, double square, int patch) {
+  std::vector<Float3> places;
+  std::vector<Triangle> triangles;
+  const auto add = [&](int from, int to, const auto& has) {
+    const auto offset = static_cast<std::uint32_t>(places.size()), row = static_cast<std::uint32_t>(to - from + 1);
+    for (int j = from; j <= to; ++j) {
+      for (int i = from; i <= to; ++i)
+        places.push_back({static_cast<float>(square * i), static_cast<float>(square * j), 0});
+    }
+    for (int j = from; j < to; ++j) {
+      for (int i = from; i < to; ++i) {
+        const std::uint32_t a =
+            offset + static_cast<std::uint32_t>(j - from) * row + static_cast<std::uint32_t>(i - from);
+        if (has(i, j)) triangles.insert(triangles.end(), {{a, a + 1, a + row + 1}, {a, a + row + 1, a + row}});
+      }
+    }
+  };
+  const auto is_patch = [&](int i, int j) { return std::abs(2 * i + 1) < patch && std::abs(2 * j + 1) < patch; };
+  add(-parts / 2, parts / 2, [&](int i, int j) { return !is_patch(i, j); });
+  add(-patch / 2, patch / 2, is_patch);
+  return surface_of("organ", places, triangles);
+}
+
 }  // namespace thinwall::test

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "renderer/picture/PictureFailure.hpp"
-#include "tests/renderer/picture/TestMeshes.hpp"
+#include "tests/renderer/picture/CutSheets.hpp"
 
 namespace thinwall {
 namespace {
@@ -31,6 +31,13 @@ TEST(SceneExtent, TheFloorGivesWayToWhatIsPressedThroughIt) {
   SnapshotSurface sphere = test::sphere("organ", {}, 1, 1);
   sphere.positions[5] = {0, 0, -3};
   EXPECT_EQ(scene_extent(snapshot_of(sphere)).floor_height, -3);
+}
+
+TEST(SceneExtent, TheFloorStaysWhereItIsWhenAPieceFalls) {
+  SnapshotSurface sheet = test::patched_sheet(40, 0.001, 8);
+  const double before = scene_extent(snapshot_of(sheet)).floor_height;
+  for (std::size_t v = sheet.positions.size() - 81; v < sheet.positions.size(); ++v) sheet.positions[v][2] = -0.05f;
+  EXPECT_EQ(scene_extent(snapshot_of(sheet)).floor_height, before);
 }
 
 TEST(SceneExtent, SmallMotionLeavesTheReachAsItIs) {

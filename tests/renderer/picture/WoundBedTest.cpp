@@ -2,14 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include "tests/renderer/picture/CutSheets.hpp"
 
 namespace thinwall {
 namespace {
 
-TissuePiece bed_of(const SnapshotSurface& sheet, double depth) {
+TissuePiece bed_of(const SnapshotSurface& sheet, double depth, double time = 1) {
   const std::vector<BorderEdge> borders = border_edges(*sheet.topology);
-  return wound_bed(sheet, borders, cut_lips(*sheet.topology, borders), depth);
+  return wound_bed(sheet, borders, cut_lips(*sheet.topology, borders), depth, time);
 }
 
 TEST(WoundBed, LiesBelowTheSheetAndAwayFromItsBorders) {
@@ -27,6 +29,28 @@ TEST(WoundBed, MakesRoomForWhatHangsDown) {
   sheet.positions[20 * 41 + 20][2] = -0.006f;
   // 6 mm, the wall's 2 and a gap of 1.
   for (const SurfaceVertex& vertex : bed_of(sheet, 0.004).vertices) EXPECT_NEAR(vertex.position[2], -0.009, 1e-7);
+}
+
+/// Of a sheet whose patch was cut free at one second, seconds later.
+double depth_below(double hanging, double later) {
+  SnapshotSurface sheet = test::patched_sheet(40, 0.001, 8);
+  auto topology = std::make_shared<SnapshotTopology>(*sheet.topology);
+  topology->cut_times.assign(topology->rest_positions.size(), kNeverCut);
+  for (std::size_t v = sheet.positions.size() - 81; v < sheet.positions.size(); ++v) {
+    sheet.positions[v][2] = static_cast<float>(-hanging);
+    topology->cut_times[v] = 1;
+  }
+  sheet.topology = topology;
+  return -static_cast<double>(bed_of(sheet, 0.004, 1 + later).vertices.front().position[2]);
+}
+
+TEST(WoundBed, ComesBackToItsPlaceFromAPieceThatFalls) {
+  // The gap is 1 mm, and there is no thickness.
+  EXPECT_NEAR(depth_below(0.006, 0), 0.007, 1e-8) << "as before it was free";
+  EXPECT_NEAR(depth_below(0.007, 0.125), 0.0045, 1e-8) << "half way";
+  EXPECT_NEAR(depth_below(0.2, 0.125), 0.005, 1e-8) << "no deeper than eight millimetres, of which half are left";
+  EXPECT_NEAR(depth_below(0.2, 0.25), 0.004, 1e-8);
+  EXPECT_NEAR(depth_below(0.2, 3), 0.004, 1e-8);
 }
 
 TEST(WoundBed, IsNoneBelowAClosedWall) {
