@@ -17,17 +17,19 @@ constexpr double kCorner = -0.3, kSmooth = 0.3;
 /// How far the curve leaves an edge at most, over the edge's length.
 constexpr double kMostBulge = 0.2;
 
-/// (vertices), the next ones along the borders; kNone where there is none, or more than one.
-std::vector<std::uint32_t> next_along(std::size_t vertices, std::span<const BorderEdge> borders, bool backwards) {
-  std::vector<std::uint32_t> next(vertices, LipPoint::kNone);
-  std::vector<int> counts(vertices, 0);
+/// (vertices), the next ones along the lips; kNone where there is none, or more than one, or the lip ends at a border
+/// that was there before the cut.
+std::vector<std::uint32_t> next_along(std::span<const char> is_lip, std::span<const BorderEdge> borders,
+                                      bool backwards) {
+  std::vector<std::uint32_t> next(is_lip.size(), LipPoint::kNone);
+  std::vector<int> counts(is_lip.size(), 0);
   for (const BorderEdge& edge : borders) {
     const auto [from, to] = backwards ? std::pair{edge.end, edge.start} : std::pair{edge.start, edge.end};
     next[from] = to;
     ++counts[from];
   }
-  for (std::size_t v = 0; v < vertices; ++v) {
-    if (counts[v] != 1) next[v] = LipPoint::kNone;
+  for (std::size_t v = 0; v < next.size(); ++v) {
+    if (counts[v] != 1 || !is_lip[next[v]]) next[v] = LipPoint::kNone;
   }
   return next;
 }
@@ -95,9 +97,8 @@ SmoothLips smooth_lips(const std::shared_ptr<const SnapshotTopology>& topology, 
   auto finer = std::make_shared<SnapshotTopology>(*topology);
   // The rest shapes are told by the positions here.
   finer->rest_metric.clear();
-  const std::size_t vertices = is_lip.size();
-  const std::vector<std::uint32_t> next = next_along(vertices, borders, false);
-  const std::vector<std::uint32_t> previous = next_along(vertices, borders, true);
+  const std::vector<std::uint32_t> next = next_along(is_lip, borders, false);
+  const std::vector<std::uint32_t> previous = next_along(is_lip, borders, true);
   std::vector<char> is_done(topology->triangles.size(), 0);
   for (const BorderEdge& edge : borders) {
     // A triangle with two edges at lips is a fan from one corner only.

@@ -12,8 +12,9 @@ namespace thinwall {
 /// A place on the curve that a cut's lip is drawn as, between two of its vertices.
 struct LipPoint {
   static constexpr std::uint32_t kNone = 0xffffffff;
-  std::uint32_t before = kNone, start = 0, end = 0, after = kNone;  // vertices along the border, kNone where it forks
-  double part = 0;                                                  // of the way from `start` to `end`
+  std::uint32_t before = kNone, start = 0, end = 0,
+                after = kNone;  // vertices along the lip, kNone where it forks or ends
+  double part = 0;              // of the way from `start` to `end`
 };
 
 /// A surface whose lips are finer, so that they can be drawn as curves instead of as the edges of the mesh.

@@ -196,8 +196,9 @@ TEST(Wounds, BleedAtTheirLips) {
     }
     return red_lips / red_away;
   };
-  // Seen: 1.18 with blood, 0.99 without.
-  EXPECT_GT(redder(1), 1.12 * redder(0));
+  // Seen: 1.80 with blood, in which the lamp's glint takes some of the red; 1.05 without, of the edge that is bare.
+  // Lips that leave the straight line between their ends, where the sheet's borders turn, bring this down to 1.18.
+  EXPECT_GT(redder(1), 1.6 * redder(0));
 }
 
 }  // namespace

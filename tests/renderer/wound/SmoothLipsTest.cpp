@@ -80,6 +80,19 @@ TEST(SmoothLips, LeaveAStraightLipStraightAndTheRestShapeAsItIs) {
   EXPECT_EQ(smooth.lips.topology->cut_times.size(), smooth.positions.size());
 }
 
+TEST(SmoothLips, StayStraightWhereACutRunsOutOfASheet) {
+  // The borders of the strip meet the lips at right angles; they are not how these go on.
+  const SnapshotTopology strip = test::cut_strip();
+  const Smoothed smooth({.body = "organ",
+                         .topology = std::make_shared<SnapshotTopology>(strip),
+                         .positions = strip.rest_positions,
+                         .fields = {}});
+  ASSERT_EQ(smooth.lips.points.size(), 6U);
+  for (std::size_t v = strip.rest_positions.size(); v < smooth.positions.size(); ++v) {
+    EXPECT_EQ(smooth.positions[v][0], 0.002F) << v;
+  }
+}
+
 TEST(SmoothLips, LeaveNoHoleBesideTheLips) {
   const SnapshotSurface sheet = test::slit_sheet(10, 0.001, 0);
   const Smoothed smooth(sheet);
