@@ -10,8 +10,7 @@
 namespace thinwall {
 namespace {
 
-/// Rings of a handle over the scene's size, as in shaders/metal.glsl.
-constexpr double kRingsOverScene = 90;
+#include "renderer/picture/shaders/tool_rings.glsl"
 
 /// Part of a circle around `center_back` on the middle line, from angle `from` to `to` (0 at the tip, pi at the back).
 void append_arc(std::vector<OutlinePoint>& outline, double center_back, double radius, double from, double to,
@@ -133,7 +132,7 @@ void append_grip(std::vector<OutlinePoint>& outline, double out, double scene_si
     append_taper(outline, front + groove, out, 4);
   }
   const double rings = outline.back().back + 0.6 * out;
-  const double step = 1.0 / kRingsOverScene;
+  const double step = 1.0 / kToolRings;
   // Whole rings, so that they begin and end smoothly.
   const double first = std::ceil(rings / scene_size / step) * step, last = first + 24 * step;
   for (const double back : {first, first + 0.5 * step, last - 0.5 * step, last}) {

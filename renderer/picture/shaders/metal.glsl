@@ -4,6 +4,7 @@
 #include "reflection.glsl"
 #include "shadow.glsl"
 #include "tone.glsl"
+#include "tool_rings.glsl"
 
 // Steel: it shows nothing but its surroundings, here the studio or the cavity, the floor, and the tissue that is seen.
 
@@ -119,9 +120,9 @@ void main() {
 
   // Rings of the handle, and the marks that grinding has left; neither is finer than the pixels.
   float pixel = environment.w * dot(from_eye, ray_middle.xyz) / scene_center.w;
-  const float kRings = 90.0, kMarks = 560.0;  // over the scene's size
-  float turn = 2.0 * kPi * kRings * finish.y;
-  float ring = finish.z * (1.0 - smoothstep(0.2, 0.5, kRings * pixel));
+  const float kMarks = 560.0;  // over the scene's size
+  float turn = 2.0 * kPi * kToolRings * finish.y;
+  float ring = finish.z * (1.0 - smoothstep(0.2, 0.5, kToolRings * pixel));
   float groove = finish.z * smoothstep(0.2, 0.9, sin(turn));
   vec4 marks = noise(vec3(kMarks * finish.y, 14.0 * aside));
   vec4 wear = noise(vec3(16.0 * finish.y, 40.0 * aside) + 7.0);
