@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "renderer/look/DataScale.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
 
 namespace thinwall {
@@ -43,6 +44,7 @@ struct DataView {
   DataQuantity quantity = DataQuantity::kVonMisesStress;
   std::optional<double> from = {};
   std::optional<double> to = {};
+  DataScale scale = DataScale::kLinear;
   bool goes_on_below = false;  // the wall has more beyond the ends, in their colours
   bool goes_on_above = false;
 };

@@ -6,8 +6,7 @@
 #include <string>
 
 #include "renderer/look/ColorMap.hpp"
-#include "renderer/overlay/Axis.hpp"
-#include "renderer/overlay/NumberText.hpp"
+#include "renderer/overlay/LegendTicks.hpp"
 #include "renderer/overlay/Text.hpp"
 
 namespace thinwall {
@@ -20,7 +19,6 @@ constexpr double kWidth = 150;
 constexpr double kHeight = 300;
 constexpr double kBarTop = 64;  // below name and unit
 constexpr double kBarWidth = 22;
-constexpr int kMostSteps = 5;
 constexpr double kSame = 1e-6;  // of the range
 
 /// A unit as it is read, and how many of the SI unit it is.
@@ -63,23 +61,15 @@ void draw_legend(Image& image, const OverlayGrid& grid, const Legend& legend) {
                 plate.size().height - grid.pixels(kBarTop + kPadding + 4)};
   draw_bar(plate, grid, bar);
   const double from = legend.from / unit.size, to = legend.to / unit.size;
-  const auto mark = [&](double value, const std::string& words) {
-    const double y = to > from ? bar.bottom() - bar.height * (value - from) / (to - from) : bar.bottom();
+  for (const LegendTick& tick : legend_ticks(from, to, legend.scale)) {
+    const double y = bar.bottom() - bar.height * tick.place;
     plate.line(bar.right(), y, bar.right() + grid.pixels(5), y, std::max(1.0, grid.unit), kFaintText);
-    const Text number(words, {.size = grid.pixels(kSmallText), .color = kText});
+    const bool is_first = tick.value <= from + kSame * (to - from), is_last = tick.value >= to - kSame * (to - from);
+    const char* sign = to > from && is_first && legend.goes_on_below  ? "\u2264 "
+                       : to > from && is_last && legend.goes_on_above ? "\u2265 "
+                                                                      : "";
+    const Text number(sign + tick.label, {.size = grid.pixels(kSmallText), .color = kText});
     number.draw(plate, bar.right() + grid.pixels(10), y - number.height() / 2);
-  };
-  if (to > from) {
-    const Axis axis = exact_axis(from, to, kMostSteps);
-    for (const double tick : axis.ticks) {
-      const bool is_first = tick <= from + kSame * (to - from), is_last = tick >= to - kSame * (to - from);
-      const char* sign = is_first && legend.goes_on_below  ? "\u2264 "
-                         : is_last && legend.goes_on_above ? "\u2265 "
-                                                           : "";
-      mark(tick, sign + axis.label(tick));
-    }
-  } else {
-    mark(from, fixed_text(from, 2));
   }
   const int margin = grid.whole(kMargin);
   plate.blend_onto(image, image.size.width - margin - plate.size().width, grid.whole(kTop));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "renderer/image/Image.hpp"
+#include "renderer/look/DataScale.hpp"
 
 namespace thinwall {
 
@@ -16,9 +17,10 @@ struct ForceSample {
 /// What the colours of a data view mean.
 struct Legend {
   std::string title;
-  std::string unit;            // SI
-  double from = 0;             // in `unit`, of the first colour
-  double to = 1;               // in `unit`, of the last colour
+  std::string unit;  // SI
+  double from = 0;   // in `unit`, of the first colour
+  double to = 1;     // in `unit`, of the last colour
+  DataScale scale = DataScale::kLinear;
   bool goes_on_below = false;  // the first colour also stands for less
   bool goes_on_above = false;  // the last colour also stands for more
 };

@@ -156,7 +156,7 @@ void Stage::draw_scene(SceneView& scene, const FrameUniforms& frame, PassClock& 
   scene_pass.draw_tools(meshes, target, scene.surroundings);
   clock.ends("tools");
   if (scene.view.look.data) {
-    scene_pass.shade_data(target);
+    scene_pass.shade_data(target, scene.view.look.data->scale);
   } else {
     scene_pass.shade_tissue(meshes, target, frame.view_projection, scene.surroundings);
     scene_pass.mark(meshes, scene.view.highlights, scene.snapshot.time);

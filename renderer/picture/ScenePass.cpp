@@ -137,13 +137,14 @@ void ScenePass::mark(const SceneMeshes& meshes, const std::vector<HighlightDefin
   glDisable(GL_STENCIL_TEST);
 }
 
-void ScenePass::shade_data(const PictureTarget& target) const {
+void ScenePass::shade_data(const PictureTarget& target, DataScale scale) const {
   target.begin_color();
   glDisable(GL_DEPTH_TEST);
   glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
   glStencilFunc(GL_NOTEQUAL, 0, 0xff);
   glBindTextureUnit(5, colors_.name());
   glUseProgram(data_.name());
+  glUniform1i(0, scale == DataScale::kRoot ? 1 : 0);
   draw_screen();
   glDisable(GL_STENCIL_TEST);
 }

@@ -30,7 +30,7 @@ class ScenePass {
   void draw_tools(const SceneMeshes& meshes, const PictureTarget& target, Surroundings surroundings) const;
 
   /// The numbers of a data view in its place.
-  void shade_data(const PictureTarget& target) const;
+  void shade_data(const PictureTarget& target, DataScale scale) const;
 
   /// Its colours.
   void shade_tissue(const SceneMeshes& meshes, const PictureTarget& target, const FloatMatrix4& view_projection,

@@ -53,4 +53,34 @@ double parse_time(const std::string& text) {
   return time.value;
 }
 
+std::string data_words() {
+  std::string words;
+  for (const DataQuantityRow& row : data_quantities()) words += (words.empty() ? "" : ", ") + std::string(row.word);
+  return words;
+}
+
+DataQuantity parse_data_quantity(const std::string& text) {
+  const DataQuantityRow* row = find_data_quantity(text);
+  if (row == nullptr) throw UsageError("--data " + text + ": there is no such quantity; choose one of " + data_words());
+  return row->quantity;
+}
+
+DataScale parse_data_scale(const std::string& text) {
+  const DataScale* scale = find_data_scale(text);
+  if (scale == nullptr) {
+    std::string words;
+    for (const auto& [word, of_word] : kDataScales) words += (words.empty() ? "" : ", ") + std::string(word);
+    throw UsageError("--data-scale " + text + ": there is no such scale; choose one of " + words);
+  }
+  return *scale;
+}
+
+Quantity parse_data_end(const std::string& option, const std::string& text) {
+  try {
+    return parse_quantity(text);
+  } catch (const QuantityError& error) {
+    throw UsageError(option + " " + text + ": " + error.what());
+  }
+}
+
 }  // namespace thinwall

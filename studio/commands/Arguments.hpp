@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "renderer/image/Image.hpp"
+#include "renderer/look/DataView.hpp"
+#include "studio/scenario/Quantity.hpp"
 
 namespace thinwall {
 
@@ -18,5 +20,17 @@ ImageSize parse_size(const std::string& text);
 
 /// `1.5 s`, `300 ms`, or a bare number of seconds; seconds, not negative. Throws UsageError.
 double parse_time(const std::string& text);
+
+/// All quantities that `--data` can show, parted by commas.
+std::string data_words();
+
+/// Such a quantity by its word. Throws UsageError.
+DataQuantity parse_data_quantity(const std::string& text);
+
+/// `linear` or `root`. Throws UsageError.
+DataScale parse_data_scale(const std::string& text);
+
+/// `20 kPa`, `2 mm`, `0.3` as what `option` says of the colours of data. Throws UsageError.
+Quantity parse_data_end(const std::string& option, const std::string& text);
 
 }  // namespace thinwall

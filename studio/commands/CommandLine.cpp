@@ -29,6 +29,9 @@ struct Texts {
   std::string out;
   std::string view;
   std::string data;
+  std::string data_scale;
+  std::string data_from;
+  std::string data_to;
   std::string trajectory;
   std::string peer;
   std::string duration;
@@ -93,18 +96,6 @@ DeviceChoice device_choice(const std::string& text) {
   } catch (const std::invalid_argument& error) {
     throw UsageError("--device " + text + ": " + error.what());
   }
-}
-
-std::string data_words() {
-  std::string words;
-  for (const DataQuantityRow& row : data_quantities()) words += (words.empty() ? "" : ", ") + std::string(row.word);
-  return words;
-}
-
-DataQuantity data_quantity(const std::string& text) {
-  const DataQuantityRow* row = find_data_quantity(text);
-  if (row == nullptr) throw UsageError("--data " + text + ": there is no such quantity; choose one of " + data_words());
-  return row->quantity;
 }
 
 HapticForces haptic_forces(const std::string& text) {
@@ -207,7 +198,11 @@ void CommandLine::add_render() {
     render_.device_text = texts_.device;
     if (!texts_.out.empty()) render_.out = texts_.out;
     if (!texts_.view.empty()) render_.view = texts_.view;
-    if (!texts_.data.empty()) render_.data = data_quantity(texts_.data);
+    if (!texts_.data.empty()) render_.data = parse_data_quantity(texts_.data);
+    DataViewChanges& changes = render_.data_changes;
+    if (!texts_.data_scale.empty()) changes.scale = parse_data_scale(texts_.data_scale);
+    if (!texts_.data_from.empty()) changes.from = parse_data_end("--data-from", texts_.data_from);
+    if (!texts_.data_to.empty()) changes.to = parse_data_end("--data-to", texts_.data_to);
     if (!texts_.size.empty()) render_.size = parse_size(texts_.size);
     return render_take(render_);
   });
@@ -218,6 +213,14 @@ void CommandLine::add_render() {
       ->type_name("SCENARIO");
   command->add_option("--data", texts_.data, "show a quantity of the walls in colours: " + data_words())
       ->type_name("QUANTITY");
+  command->add_option("--data-from", texts_.data_from, "what the darkest colour of the data stands for: 5kPa")
+      ->type_name("VALUE");
+  command->add_option("--data-to", texts_.data_to, "what the lightest colour of the data stands for: 20kPa")
+      ->type_name("VALUE");
+  command
+      ->add_option("--data-scale", texts_.data_scale,
+                   "how colours go with the data: linear, or root, which shows the low end")
+      ->type_name("SCALE");
   command->add_flag("--mesh", render_.mesh, "draw the edges of the triangles, those of cuts stronger");
   command->add_option("--fps", render_.frames_per_second, "pictures per second")->check(CLI::Range(1.0, 240.0));
   add_size(*command);

@@ -9,6 +9,7 @@
 #include "renderer/image/Image.hpp"
 #include "renderer/look/DataView.hpp"
 #include "studio/commands/Arguments.hpp"
+#include "studio/commands/DataViewRange.hpp"
 #include "studio/comparison/FileComparison.hpp"
 #include "studio/golden/GoldenRun.hpp"
 #include "studio/haptics/HapticRun.hpp"
@@ -48,6 +49,7 @@ struct RenderOptions {
   std::optional<ImageSize> size;
   std::optional<double> frames_per_second;
   std::optional<DataQuantity> data;  // shown instead of the tissue, with the range of the whole take
+  DataViewChanges data_changes;      // of that, or of the scenario's own data view
   bool mesh = false;                 // whether the edges of triangles are drawn
   DeviceChoice device;
   std::string device_text = "auto";

@@ -1,5 +1,7 @@
 #include "studio/commands/DataViewRange.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -23,6 +25,29 @@ void require_data_range(const LookDefinition& look) {
 }
 
 namespace {
+
+/// A number of the quantity in SI units, in words.
+std::string in_words(double value, const DataQuantityRow& row) {
+  return fmt::format("{:.4g}", value) + (row.unit.empty() ? "" : " " + std::string(row.unit));
+}
+
+double end_value(const std::string& option, const Quantity& end, const DataQuantityRow& row) {
+  const Dimension wanted = row.unit.empty() ? kDimensionless : parse_unit(row.unit).dimension;
+  const bool is_zero = end.value == 0 && end.dimension == kDimensionless;
+  if (end.dimension == wanted || is_zero) return end.value;
+  throw UsageError(fmt::format("{}: {} is {}, this is {}; write a value such as {}", option, row.word,
+                               dimension_name(wanted), dimension_name(end.dimension), dimension_example(wanted)));
+}
+
+[[noreturn]] void refuse_ends(const DataView& data, double from, double to) {
+  const DataQuantityRow& row = row_of(data.quantity);
+  const bool lacks_to = data.from.has_value();
+  throw UsageError(fmt::format(
+      "data view: the colours of {} would begin at {} and end at {}, one of which is what the take's wall bears; give "
+      "the {} end of the colours "
+      "too, or another {}",
+      row.word, in_words(from, row), in_words(to, row), lacks_to ? "upper" : "lower", lacks_to ? "lower" : "upper"));
+}
 
 /// Values over these parts of the wall are left to the end colours: at the tips of cuts and under sharp tools stress
 /// has no bound, and the rest would all be of one colour.
@@ -98,6 +123,28 @@ void round_outwards(double& from, double& to) {
 
 }  // namespace
 
+void change_data_view(const DataViewChanges& changes, LookDefinition& look) {
+  if (!changes.from && !changes.to && !changes.scale) return;
+  if (!look.data) {
+    throw UsageError(
+        std::string(changes.from ? "--data-from"
+                    : changes.to ? "--data-to"
+                                 : "--data-scale") +
+        ": the pictures show no quantity in colours; name one with --data, or with --view a scenario whose "
+        "`look` has `data`");
+  }
+  DataView& data = *look.data;
+  const DataQuantityRow& row = row_of(data.quantity);
+  if (changes.from) data.from = end_value("--data-from", *changes.from, row);
+  if (changes.to) data.to = end_value("--data-to", *changes.to, row);
+  if (changes.scale) data.scale = *changes.scale;
+  if (data.from && data.to && *data.from >= *data.to) {
+    throw UsageError(fmt::format("{}: the colours begin at {} and end at {}; the end must be more than the beginning",
+                                 changes.to ? "--data-to" : "--data-from", in_words(*data.from, row),
+                                 in_words(*data.to, row)));
+  }
+}
+
 void complete_data_range(const TakeReader& take, const std::filesystem::path& file, LookDefinition& look) {
   if (!look.data) return;
   DataView& data = *look.data;
@@ -116,7 +163,9 @@ void complete_data_range(const TakeReader& take, const std::filesystem::path& fi
   double from = data.from.value_or(values_at<1>({kLowest}, values)[0]);
   // Most of a wall is touched by nothing.
   std::erase_if(values, [](const WeighedValue& value) { return value.value == 0; });
-  double to = data.to.value_or(std::max(from, upper_end(values)));
+  double to = data.to.value_or(upper_end(values));
+  if (data.from.has_value() != data.to.has_value() && from > to) refuse_ends(data, from, to);
+  to = std::max(from, to);
   round_outwards(from, to);
   if (!data.from) {
     data.from = from;

@@ -47,6 +47,7 @@ int render_take(const RenderOptions& options) {
   if (take->times().empty())
     throw TakeError(options.take.string() + ": the take holds no step, so there is nothing to draw");
   if (options.data) settings.view.look.data = DataView{.quantity = *options.data};
+  change_data_view(options.data_changes, settings.view.look);
   if (options.mesh) settings.view.look.mesh = true;
   complete_data_range(*take, options.take, settings.view.look);
   const std::unique_ptr<MomentSource> source = replay_takes(options.take, settings.view);

@@ -46,6 +46,7 @@ std::optional<Legend> legend_of(const LookDefinition& look) {
                 .unit = std::string(row.unit),
                 .from = *look.data->from,
                 .to = *look.data->to,
+                .scale = look.data->scale,
                 .goes_on_below = look.data->goes_on_below,
                 .goes_on_above = look.data->goes_on_above};
 }

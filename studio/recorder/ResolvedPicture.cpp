@@ -37,7 +37,9 @@ TissueLook to_tissue_look(const Json& body) {
 DataView to_data(const Json& data) {
   const DataQuantityRow* row = find_data_quantity(data.at("shows").get<std::string>());
   if (row == nullptr) throw TakeError("the take's scenario names a quantity that this program does not know");
-  DataView view{.quantity = row->quantity};
+  const DataScale* scale = find_data_scale(data.value("scale", "linear"));
+  if (scale == nullptr) throw TakeError("the take's scenario names a scale of colours that this program does not know");
+  DataView view{.quantity = row->quantity, .scale = *scale};
   if (data.contains("from")) view.from = data.at("from");
   if (data.contains("to")) view.to = data.at("to");
   return view;

@@ -41,7 +41,13 @@ MappingSchema data_schema() {
                           {{"from", end, false, {}, "what the darkest colour stands for"},
                            {"to", end, false, {}, "what the lightest colour stands for"}}});
   }
-  data.keys = {{"shows", word_value(words), true, {}, "which quantity"}};
+  std::vector<std::string> scales;
+  for (const auto& [word, scale] : kDataScales) scales.emplace_back(word);
+  data.keys = {
+      {"shows", word_value(words), true, {}, "which quantity"},
+      {"scale", word_value(scales), false, "linear",
+       "linear: colours go evenly with the quantity; root: with the square root of its place between the ends, "
+       "which shows the low end where few reach the high one"}};
   return data;
 }
 

@@ -310,7 +310,8 @@ LookDefinition to_look(const CheckedValue& look) {
   if (const CheckedValue* data = look.find("data")) {
     result.data = DataView{.quantity = find_data_quantity(data->at("shows").text)->quantity,
                            .from = find_number(*data, "from"),
-                           .to = find_number(*data, "to")};
+                           .to = find_number(*data, "to"),
+                           .scale = of_word(data->at("scale").text, kDataScales)};
   }
   result.mesh = look.at("mesh").boolean;
   return result;

@@ -7,6 +7,8 @@
 
 layout(location = 0) in vec3 ray;
 
+layout(location = 0) uniform bool by_root;  // colours go with the square root of the number
+
 layout(location = 0) out vec4 color;
 
 layout(binding = 2) uniform sampler2D seen_normal;
@@ -20,7 +22,9 @@ void main() {
   vec2 number = texelFetch(seen_rest, pixel, 0).xy;
   vec3 normal = normalize(texelFetch(seen_normal, pixel, 0).xyz);
   int last = textureSize(colors, 0).x - 1;
-  vec3 shown = texelFetch(colors, ivec2(int(0.5 + float(last) * saturate(number.x)), 0), 0).rgb;
+  // Of the number between vertices, not at them: a root does not go evenly.
+  float place = by_root ? sqrt(saturate(number.x)) : saturate(number.x);
+  vec3 shown = texelFetch(colors, ivec2(int(0.5 + float(last) * place), 0), 0).rgb;
   float facing = dot(normal, -normalize(ray));
   float shade = mix(0.5, 1.0, smoothstep(0.0, 0.55, facing));
   color = vec4(field_stop(ray) * shade * (number.y > 0.5 ? shown : kNoNumber), 1.0);

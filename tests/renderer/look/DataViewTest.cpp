@@ -29,6 +29,17 @@ TEST(DataViewTest, ColorsAreThoseOfViridis) {
   EXPECT_EQ(color_map(7), color_map(1));
 }
 
+TEST(DataViewTest, TheRootScaleGivesTheLowestQuarterHalfOfTheColors) {
+  EXPECT_EQ(color_place(0.25, DataScale::kLinear), 0.25);
+  EXPECT_EQ(color_place(0.25, DataScale::kRoot), 0.5);
+  for (const DataScale scale : {DataScale::kLinear, DataScale::kRoot}) {
+    EXPECT_EQ(color_place(0, scale), 0);
+    EXPECT_EQ(color_place(-2, scale), 0);
+    EXPECT_EQ(color_place(1, scale), 1);
+    EXPECT_EQ(color_place(9, scale), 1);
+  }
+}
+
 TEST(DataViewTest, ColorsBecomeLighterAllTheWay) {
   double before = -1;
   for (int step = 0; step <= 100; ++step) {

@@ -212,6 +212,20 @@ TEST(Overlay, TakesPicturesOfAnySize) {
   }
 }
 
+TEST(Overlay, ALegendOfARootScaleHasTheSameColorsAndItsNumbersElsewhere) {
+  OverlayContent content = nothing();
+  content.legend = Legend{.title = "Von Mises stress", .unit = "Pa", .from = 0, .to = 20e3};
+  const Image linear = overlaid(content);
+  content.legend->scale = DataScale::kRoot;
+  const Image root = overlaid(content);
+  int first = kSize.width;
+  for (std::size_t i = 0; i < root.pixels.size(); ++i) {
+    if (linear.pixels[i] != root.pixels[i]) first = std::min(first, static_cast<int>(i / 3 % kSize.width));
+  }
+  // Margin and width of the plate, its padding and the bar lie before the marks.
+  EXPECT_NEAR(first, kSize.width - 26 - 150 + 15 + 22, 1);
+}
+
 TEST(Overlay, ALegendTellsOfAnEndThatStandsForMore) {
   OverlayContent content = nothing();
   content.legend = Legend{.title = "Von Mises stress", .unit = "Pa", .from = 0, .to = 20e3};

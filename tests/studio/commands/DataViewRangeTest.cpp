@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "renderer/picture/View.hpp"
+#include "studio/commands/ExitCode.hpp"
 #include "studio/take/TakeReader.hpp"
 #include "studio/take/TakeWriter.hpp"
 #include "tests/studio/TemporaryFolder.hpp"
@@ -14,8 +17,9 @@ namespace thinwall {
 namespace {
 
 /// The ends that a view of displacements takes from equal triangles, each as far from its stress-free place as said,
-/// metres.
-DataView range_of(const std::vector<float>& displacements) {
+/// metres, beside those that it has.
+DataView range_of(const std::vector<float>& displacements,
+                  const DataView& view = {.quantity = DataQuantity::kDisplacement}) {
   auto topology = std::make_shared<SnapshotTopology>();
   SnapshotSurface surface{.body = "organ", .topology = topology, .positions = {}, .fields = {}};
   for (const float displacement : displacements) {
@@ -35,7 +39,7 @@ DataView range_of(const std::vector<float>& displacements) {
   writer.write(moment);
   writer.finish({.complete = true, .warnings = {}, .state_digest = std::string(32, '0')});
   LookDefinition look;
-  look.data = DataView{.quantity = DataQuantity::kDisplacement};
+  look.data = view;
   complete_data_range(TakeReader(folder / "take.h5"), folder / "take.h5", look);
   return *look.data;
 }
@@ -75,6 +79,62 @@ TEST(DataViewRange, DoesNotCountWhatIsHeldAtItsStressFreePlace) {
   const DataView view = range_of(values);
   EXPECT_NEAR(view.from.value(), 0.001, 1e-9);
   EXPECT_TRUE(view.goes_on_below);
+}
+
+TEST(DataViewRange, RefusesAnEndBeyondAllThatTheWallBears) {
+  const std::vector<float> values = evenly(100, 0.001F, 0.002F);
+  EXPECT_THROW(range_of(values, {.quantity = DataQuantity::kDisplacement, .from = 0.003}), UsageError);
+  EXPECT_THROW(range_of(values, {.quantity = DataQuantity::kDisplacement, .to = 0.0005}), UsageError);
+  EXPECT_NEAR(range_of(values, {.quantity = DataQuantity::kDisplacement, .from = 0.0015}).to.value(), 0.002, 1e-9);
+}
+
+DataView changed(const DataViewChanges& changes, const std::optional<DataView>& view) {
+  LookDefinition look;
+  look.data = view;
+  change_data_view(changes, look);
+  return *look.data;
+}
+
+void expect_refused(const DataViewChanges& changes, const std::optional<DataView>& view, const std::string& words) {
+  try {
+    changed(changes, view);
+    FAIL() << words;
+  } catch (const UsageError& error) {
+    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+  }
+}
+
+TEST(DataViewRange, ACommandLineChangesEachEndAndTheScaleAlone) {
+  const DataView view{.quantity = DataQuantity::kThickness, .from = 0.001, .to = 0.002};
+  const DataView lower = changed({.from = Quantity{}}, view);
+  EXPECT_EQ(lower.from, 0);
+  EXPECT_EQ(lower.to, 0.002);
+  EXPECT_EQ(lower.scale, DataScale::kLinear);
+  EXPECT_EQ(changed({.to = Quantity{0.003, kLength}}, view).to, 0.003);
+  const DataView root = changed({.scale = DataScale::kRoot}, view);
+  EXPECT_EQ(root.scale, DataScale::kRoot);
+  EXPECT_EQ(root.from, 0.001);
+  EXPECT_FALSE(changed({.to = Quantity{0.003, kLength}}, DataView{.quantity = DataQuantity::kThickness}).from);
+}
+
+TEST(DataViewRange, AChangeWithoutADataViewIsRefusedWithItsCure) {
+  const std::string cure = ": the pictures show no quantity in colours; name one with --data";
+  expect_refused({.from = Quantity{}}, std::nullopt, "--data-from" + cure);
+  expect_refused({.to = Quantity{}}, std::nullopt, "--data-to" + cure);
+  expect_refused({.scale = DataScale::kLinear}, std::nullopt, "--data-scale" + cure);
+  LookDefinition look;
+  EXPECT_NO_THROW(change_data_view({}, look));
+}
+
+TEST(DataViewRange, AChangeOfAnotherDimensionOrInTheWrongOrderIsRefused) {
+  const DataView view{.quantity = DataQuantity::kThickness, .from = 0.001, .to = 0.002};
+  expect_refused({.to = Quantity{1, kPressure}}, view, "--data-to: thickness is a length, this is a pressure");
+  expect_refused({.to = Quantity{3, kDimensionless}}, view, "thickness is a length, this is a plain number");
+  expect_refused({.from = Quantity{1, kLength}}, DataView{.quantity = DataQuantity::kStrain},
+                 "strain is a plain number");
+  expect_refused({.from = Quantity{0.002, kLength}}, view,
+                 "--data-from: the colours begin at 0.002 m and end at 0.002 m");
+  expect_refused({.from = Quantity{3, kLength}, .to = Quantity{2, kLength}}, view, "must be more than the beginning");
 }
 
 }  // namespace

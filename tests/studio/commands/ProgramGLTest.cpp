@@ -130,6 +130,12 @@ TEST_F(ProgramGLTest, ATakeShowsItsNumbersInColorsWithTheRangeOfTheWhole) {
     expect_good({"render", "run/take.h5", "--no-video", "--data", quantity, "--mesh", "--out", quantity});
   }
   EXPECT_NE(manifest("strain")["frame_hashes"], manifest("thickness")["frame_hashes"]);
+  expect_good({"render", "run/take.h5", "--no-video", "--data", "strain", "--mesh", "--data-from", "-5%", "--data-to",
+               "0.3", "--data-scale", "root", "--out", "changed"});
+  EXPECT_NE(manifest("strain")["frame_hashes"], manifest("changed")["frame_hashes"]);
+  const ProgramEnd without = run({"render", "run/take.h5", "--data-scale", "root"});
+  EXPECT_EQ(without.exit_code, 2);
+  EXPECT_NE(without.messages.find("name one with --data, or with --view"), std::string::npos) << without.messages;
   write_bytes(folder_ / "data.yaml", incision_scenario() + "look: { data: { shows: strain } }\n");
   const ProgramEnd end = run({"run", "data.yaml"});
   EXPECT_EQ(end.exit_code, 2);

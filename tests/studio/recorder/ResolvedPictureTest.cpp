@@ -22,6 +22,7 @@ look:
   background: [0.1, 0.2, 0.3]
   bodies: { organ: { organ: liver, color: [0.4, 0.5, 0.6], roughness: 0.3, wetness: 0.2, contents: bile, bleeding: 0.3 } }
   overlays: { force_plot: false, gauge: false, captions: false, time: false }
+  data: { shows: thickness, from: 1 mm, to: 2 mm, scale: root }
 record: { size: [320, 200], fps: 25, video: false, tier: final }
 )";
 
@@ -46,6 +47,13 @@ class ResolvedPictureTest : public ::testing::Test {
     EXPECT_EQ(read.view.lights.environment, scenario.view.lights.environment);
     EXPECT_EQ(read.view.lights.key_direction, scenario.view.lights.key_direction);
     EXPECT_EQ(read.view.look.background, scenario.view.look.background);
+    EXPECT_EQ(read.view.look.data.has_value(), scenario.view.look.data.has_value());
+    if (const auto& data = scenario.view.look.data; data && read.view.look.data) {
+      EXPECT_EQ(read.view.look.data->quantity, data->quantity);
+      EXPECT_EQ(read.view.look.data->from, data->from);
+      EXPECT_EQ(read.view.look.data->to, data->to);
+      EXPECT_EQ(read.view.look.data->scale, data->scale);
+    }
     ASSERT_EQ(read.view.look.bodies.size(), scenario.view.look.bodies.size());
     for (const auto& [name, look] : scenario.view.look.bodies) {
       EXPECT_EQ(read.view.look.bodies.at(name).color, look.color);
@@ -87,6 +95,20 @@ TEST_F(ResolvedPictureTest, AnOrganThatIsNotKnownIsRefused) {
   ASSERT_NE(place, std::string::npos);
   resolved.replace(place, 8, "\"gizzard\"");
   EXPECT_THROW(picture_settings(resolved), TakeError);
+}
+
+TEST_F(ResolvedPictureTest, ADataViewOfBeforeThereWereScalesIsLinearAndUnknownScalesAreRefused) {
+  const TemporaryFolder folder;
+  write_bytes(folder / "s.yaml", std::string(kScenario) + kPicture);
+  const std::string resolved = load_scenario(folder / "s.yaml", {}).resolved;
+  const std::string words = R"("scale": "root")";
+  const std::size_t place = resolved.find(words);
+  ASSERT_NE(place, std::string::npos) << resolved;
+  std::string before = resolved, later = resolved;
+  before.replace(place, words.size(), R"("other": "root")");
+  EXPECT_EQ(picture_settings(before).view.look.data.value().scale, DataScale::kLinear);
+  later.replace(place, words.size(), R"("scale": "cube")");
+  EXPECT_THROW(picture_settings(later), TakeError);
 }
 
 TEST_F(ResolvedPictureTest, ATakeWithoutAScenarioIsRefused) {

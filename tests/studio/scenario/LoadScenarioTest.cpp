@@ -167,6 +167,7 @@ TEST(LoadScenario, ReadsEveryKeyOfTheSimulationAndThePicture) {
   EXPECT_EQ(scenario.view.look.bodies.at("bladder").bleeding, 0.4);
   EXPECT_EQ(scenario.view.look.bodies.at("bladder").clearness, find_organ_look("gallbladder")->clearness);
   EXPECT_EQ(scenario.view.look.bodies.at("cloth").color, TissueLook{}.color);
+  EXPECT_EQ(scenario.view.look.data.value().scale, DataScale::kRoot);
   EXPECT_FALSE(scenario.overlays.gauge);
   EXPECT_TRUE(scenario.overlays.captions);
   EXPECT_EQ(scenario.record.size, (ImageSize{640, 480}));
