@@ -29,6 +29,9 @@ Matrix4 texture_matrix() {
 }
 
 Float4 mirrored_tissue(const LookDefinition& look) {
+  // Beside the colours of numbers no other may be taken for one.
+  constexpr float kGrey = 0.3F;
+  if (look.data) return {kGrey, kGrey, kGrey, 0};
   const TissueLook tissue = look.bodies.empty() ? TissueLook{} : look.bodies.begin()->second;
   return {static_cast<float>(linear_from_srgb(tissue.color[0])), static_cast<float>(linear_from_srgb(tissue.color[1])),
           static_cast<float>(linear_from_srgb(tissue.color[2])), 1};

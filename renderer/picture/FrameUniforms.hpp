@@ -22,7 +22,7 @@ struct FrameUniforms {
   Float4 ray_middle{};           // line of sight; with ray_right and ray_up times clip coordinates, a pixel's ray
   Float4 ray_right{};            // w: 1 / picture width
   Float4 ray_up{};               // w: 1 / picture height
-  Float4 tissue{};               // linear colour that metal mirrors
+  Float4 tissue{};               // linear colour that metal mirrors; w: 1, in data views 0, where metal is grey
   Float4 sample_shift{};         // xy: where in its pixel the picture is sampled, off the middle, in clip coordinates
   FloatMatrix4 shadow_matrix{};  // world to shadow map, 0 to 1 on every axis
   Float4 camera_position{};      // metres

@@ -160,5 +160,6 @@ void main() {
   const vec3 steel = vec3(0.62, 0.60, 0.575);
   vec3 reflectance = steel + (1.0 - steel) * fresnel_weight(max(nv, 0.25)) * (1.0 - roughness);
   vec3 result = reflectance * light * (1.0 - 0.5 * groove) * (1.0 + 0.10 * wear.w);
+  if (tissue.w == 0.0) result = vec3(dot(result, vec3(0.2126, 0.7152, 0.0722)));
   color = finished(result, from_eye / dot(from_eye, ray_middle.xyz), gl_FragCoord.xy);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "renderer/look/ColorMap.hpp"
 #include "renderer/picture/Camera.hpp"
@@ -64,6 +65,40 @@ TEST(DataViewGLTest, AKnownFieldHasTheColorsOfTheLegendToOneLevel) {
       SCOPED_TRACE(scale == DataScale::kRoot ? "root" : "linear");
       expect_colors_of_the_legend(tier, scale);
     }
+  }
+}
+
+/// The largest difference of two channels of the pixels in which two pictures differ, 8-bit levels, and how many these
+/// are.
+std::pair<int, int> colors_of_the_difference(const Image& image, const Image& other) {
+  int largest = 0, count = 0;
+  for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
+    const auto begin = image.pixels.begin() + static_cast<std::ptrdiff_t>(i);
+    if (std::equal(begin, begin + 3, other.pixels.begin() + static_cast<std::ptrdiff_t>(i))) continue;
+    const auto [least, most] = std::minmax({begin[0], begin[1], begin[2]});
+    largest = std::max(largest, most - least);
+    ++count;
+  }
+  return {largest, count};
+}
+
+TEST(DataViewGLTest, ToolsAreGreyBesideTheColorsOfNumbersAndOnlyThere) {
+  Snapshot with_tool = square();
+  with_tool.tools = {{.name = "probe", .kind = SnapshotToolKind::kSphere, .radius = 0.3, .tip = {0.2, 0.1, 0.1}}};
+  ViewDefinition view = facing();
+  view.look.floor = false;
+  Renderer renderer({}, kSize, Tier::kDraft);
+  for (const double endoscope : {0.0, 1.0}) {
+    view.lights.endoscope = endoscope;
+    view.look.data = facing().look.data;
+    const auto in_data = colors_of_the_difference(renderer.draw(with_tool, view, view.camera),
+                                                  renderer.draw(square(), view, view.camera));
+    EXPECT_LE(in_data.first, 1) << endoscope;
+    EXPECT_GT(in_data.second, 100) << endoscope;
+    view.look.data.reset();
+    const auto in_nature = colors_of_the_difference(renderer.draw(with_tool, view, view.camera),
+                                                    renderer.draw(square(), view, view.camera));
+    EXPECT_GT(in_nature.first, 20) << endoscope;
   }
 }
 
