@@ -26,7 +26,7 @@ double draw_phase(const Plate& plate, const OverlayGrid& grid, const std::string
   return pill.x;
 }
 
-void draw_force(const Plate& plate, const OverlayGrid& grid, const Quantity& force) {
+void draw_force(const Plate& plate, const OverlayGrid& grid, const QuantityText& force) {
   const double baseline = grid.pixels(90);
   const double room = plate.size().width - grid.pixels(2 * kPadding + 40);
   TextStyle style{.size = grid.pixels(48), .bold = true, .color = plate_style::kText};
@@ -39,7 +39,7 @@ void draw_force(const Plate& plate, const OverlayGrid& grid, const Quantity& for
       .draw_on_baseline(plate, grid.pixels(kPadding + 6) + number.width(), baseline);
 }
 
-void draw_value(const Plate& plate, const OverlayGrid& grid, double x, const char* name, const Quantity& value) {
+void draw_value(const Plate& plate, const OverlayGrid& grid, double x, const char* name, const QuantityText& value) {
   const double room = plate.size().width / 2.0 - grid.pixels(kPadding);
   Text(name, {.size = grid.pixels(kSmallText), .color = plate_style::kFaintText})
       .draw_on_baseline(plate, x, grid.pixels(129));

@@ -27,18 +27,18 @@ std::string fixed_text(double value, int decimals) {
   return value < 0 && !is_zero ? "\u2212" + digits : digits;
 }
 
-Quantity force_quantity(double newton, double peak) {
+QuantityText force_quantity(double newton, double peak) {
   const double largest = std::max(std::abs(newton), std::abs(peak));
   if (largest >= 1e4) return {fixed_text(newton / 1e3, decimals_for(largest / 1e3, 0, 2)), "kN"};
   return {fixed_text(newton, decimals_for(largest, 1, 3)), "N"};
 }
 
-Quantity depth_quantity(double metres) {
+QuantityText depth_quantity(double metres) {
   const double millimetres = metres * 1e3;
   return {fixed_text(millimetres, decimals_for(millimetres, 0, 2)), "mm"};
 }
 
-Quantity pressure_quantity(double pascal) {
+QuantityText pressure_quantity(double pascal) {
   if (std::abs(pascal) >= 1e6) return {fixed_text(pascal / 1e6, decimals_for(pascal / 1e6, 0, 2)), "MPa"};
   if (std::abs(pascal) >= 1e3) return {fixed_text(pascal / 1e3, decimals_for(pascal / 1e3, 0, 2)), "kPa"};
   return {fixed_text(pascal, std::abs(pascal) >= 100 ? 0 : 1), "Pa"};

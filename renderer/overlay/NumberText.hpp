@@ -5,7 +5,7 @@
 namespace thinwall {
 
 /// A number with its unit as shown on pictures.
-struct Quantity {
+struct QuantityText {
   std::string number;
   std::string unit;
   std::string text() const { return number + " " + unit; }
@@ -16,10 +16,10 @@ struct Quantity {
 std::string fixed_text(double value, int decimals);
 
 /// Newton, from 10 kN on kilonewton; as many decimals as make three digits of `peak`, at least what `value` needs.
-Quantity force_quantity(double newton, double peak);
+QuantityText force_quantity(double newton, double peak);
 /// Millimetres.
-Quantity depth_quantity(double metres);
+QuantityText depth_quantity(double metres);
 /// Pascal, from 1 kPa on kilopascal, from 1 MPa on megapascal.
-Quantity pressure_quantity(double pascal);
+QuantityText pressure_quantity(double pascal);
 
 }  // namespace thinwall
