@@ -65,6 +65,9 @@ constexpr double kSmallestPart = 1.0 / 256;
 constexpr double kMostUnbooked = 5e-4;
 constexpr double kSmallestUnbookedPart = 1.0 / 64;
 
+/// The smallest part of a step that is divided because needles would work more than they may.
+constexpr double kSmallestNeedlePart = 1.0 / 1024;
+
 /// What it may give any body, for no wall jumps to where it has more energy than before: a solver that found such a
 /// shape has gone astray, from less far away it finds one that is nearer.
 constexpr double kMostGiven = 2.5e-3;
@@ -280,12 +283,14 @@ void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> en
                    const BodyInput& input) {
   report_ = {};
   state_.cut.run = 0;
+  note_piercing(input.needles);
   const BodyState start = state_;
   StepParts step{.largest = std::min(largest_part(begin, end), part_of_blade(input, model_->edge_length))};
   step.part = step.largest;
   const double smallest = step.largest * std::pow(0.5, options_.maximum_halvings + 0.5);
   const double smallest_unbooked = kSmallestUnbookedPart * (start.cut.has_incised ? 1 : step.largest);
   std::vector<ToolPose> from(begin.begin(), begin.end());
+  bool needles_ask = false;
   while (step.done < 1) {
     const std::vector<ToolPose> to = interpolate(begin, end, step.done + step.part);
     const BodyState before = state_;
@@ -301,7 +306,8 @@ void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> en
       step.divide();
       ++report_.halvings;
       if (step.part < smallest || report_.halvings > kMostHalvings) {
-        state_ = start;
+        // What has given way cannot be mended.
+        if (report_.ruptures.empty()) state_ = start;
         throw SimulationFailure("body `" + model_->definition.name + "`: " + failure_ +
                                 ", also with the step divided " + std::to_string(report_.halvings) + " times");
       }
@@ -318,11 +324,21 @@ void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> en
       ++report_.refinements;
       continue;
     }
+    if (step.part > kSmallestNeedlePart && needles_overshoot(before, to)) {
+      state_ = before;
+      step.divide();
+      ++report_.refinements;
+      needles_ask = true;
+      continue;
+    }
+    go_through_held_wall(from, to);
+    if (needles_ask) pierce_within_step(to);
     from = to;
     // Doubled only where the error allows it: it grows with the cube of the step.
     step.go_on(was_easy && std::max(error, unbooked) < 0.1);
   }
   state_.cut.division = 1;
+  tell_ruptures_within_step();
   foresight_.reset();
 }
 

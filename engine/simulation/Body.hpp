@@ -34,6 +34,17 @@ struct BodyInput {
   std::vector<double> load_factors;      // (loads) at the end of the step; 1 where it is shorter
   std::vector<FluidInput> fluids;        // (chambers); nothing where it is shorter
   std::optional<BladeInput> blade = {};  // that is in the wall
+  std::vector<int> needles = {};         // tools, that pierce: what they then do within the step, see StepRupture
+};
+
+/// A wall that has given way to a needle within a step. Under a needle that pierces, a step is divided where it would
+/// work far more than a slit costs, and what has given way is asked for after each part. A wall that is held in its way
+/// gives way at once, when its tip has gone in; it pays for that slit, evenly over its cone, and feels so much.
+struct StepRupture {
+  int tool = 0;
+  SurfaceMesh uncut;  // the wall until then
+  Rupture rupture = {};
+  std::optional<ToolContact> felt = {};  // by the needle until then; nothing of what was held
 };
 
 /// What the last step took.
@@ -47,6 +58,7 @@ struct BodyStepReport {
   bool slowed = false;    // whether a drag slowed flaps that nothing holds, see Body::creep
   bool loose = false;     // whether a residual above the tolerance was taken, see NewtonOptions::takes_flaps
   bool crumpled = false;  // whether a blade crumpled the wall, which wrinkles infinitely finely from now on
+  std::vector<StepRupture> ruptures = {};  // in their order
 };
 
 /// How hard an equilibrium is tried.
@@ -265,6 +277,14 @@ class Body {
   Cut change_mesh(const CutPath& path, CutOptions options, Uncut* before = nullptr);
   void put_back(Uncut before);
   void add_shafts_to(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;
+  void note_piercing(std::span<const int> needles);
+  void add_passed_to(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;
+  bool needles_overshoot(const BodyState& before, std::span<const ToolPose> poses) const;
+  void pierce_within_step(std::span<const ToolPose> poses);
+  void tell_ruptures_within_step();
+  void go_through_held_wall(std::span<const ToolPose> begin, std::span<const ToolPose> end);
+  void slit_held_wall(int tool, const SurfacePoint& place, std::span<const ToolPose> poses);
+  void pay_for_held_slits(std::span<const ToolPose> begin, std::span<const ToolPose> end);
   bool is_sealed(int opening) const;
   std::vector<char> free_triangles(int tool) const;
   ShaftBooks book_shafts(const EquilibriumProblem& problem, std::span<const ToolPose> begin);

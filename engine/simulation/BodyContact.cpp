@@ -163,6 +163,7 @@ double Body::largest_part(std::span<const ToolPose> begin, std::span<const ToolP
 }
 
 void Body::add_solids(std::span<const ToolPose> poses, EquilibriumProblem& problem) const {
+  add_passed_to(poses, problem);
   for (int tool = 0; tool < static_cast<int>(tools_.size()); ++tool) {
     const double largest_pressure =
         state_.reference_pressure.size() > 0 ? state_.reference_pressure.lpNorm<Eigen::Infinity>() : 0;

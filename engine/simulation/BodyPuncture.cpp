@@ -27,9 +27,6 @@ constexpr double kSlitGive = 0.02;
 /// Parts in which a slit is spread on the shaft while a wall gives way.
 constexpr int kSpreadParts = 4;
 
-/// Part of the cone from the tip on, on which a wall no longer lies on the needle: it is too thin there to be felt.
-constexpr double kTip = 0.1;
-
 /// A wall gives way in this part of a time step: at once, but for what viscous walls remember.
 constexpr double kAtOnce = 1e-9;
 
@@ -165,7 +162,7 @@ void Body::leave_punctures(std::span<const ToolPose> poses) {
     for (ShaftPoint& point : puncture.points) {
       const Eigen::Vector3d place = state_.equilibrium.position.segment<3>(3 * point.vertex);
       const double behind = pose.direction.dot(pose.tip - place);
-      if (!point.touches || behind > kTip * needle_cone(tools_[*puncture.tool])) continue;
+      if (!point.touches || behind > kNeedleTip * needle_cone(tools_[*puncture.tool])) continue;
       point.touches = false;
       left = true;
     }

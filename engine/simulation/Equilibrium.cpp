@@ -170,6 +170,7 @@ void find_contacts(const BodyModel& model, const EquilibriumProblem& problem, co
     for (int s = 0; s < static_cast<int>(model.sites.size()); ++s) {
       const ContactSite& site = model.sites[s];
       if (!contact.meets(site.part) || problem.is_free(contact.tool, site.triangle)) continue;
+      if (problem.passes(contact.tool, s)) continue;
       const Eigen::Vector3i& triangle = model.surface[site.triangle];
       const double reach = contact.forces[s] > 0 ? std::numeric_limits<double>::infinity() : near;
       if (is_clearly_apart(position, triangle, distances, site, reach)) continue;

@@ -141,9 +141,11 @@ struct EquilibriumProblem {
   std::vector<FrictionContact> friction;  // where tools with friction press; fixed during a solution
   std::vector<ShaftContact> shafts;       // needles that are in the wall
   std::vector<std::vector<char>> free;    // (tools x triangles) or none: whether a needle's shaft lets the wall be
+  std::vector<std::vector<char>> passed;  // (tools x sites) or none: whether a needle goes through it unfelt
   std::vector<char> sealed;               // (openings) or none: whether a needle keeps it shut
 
   bool is_free(int tool, int triangle) const { return !free.empty() && !free[tool].empty() && free[tool][triangle]; }
+  bool passes(int tool, int site) const { return !passed.empty() && !passed[tool].empty() && passed[tool][site]; }
   bool is_sealed(int opening) const { return !sealed.empty() && sealed[opening]; }
 };
 

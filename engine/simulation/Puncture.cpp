@@ -152,7 +152,9 @@ Puncture puncture_of(const BodyModel& model, const Cut& slit, int tool, const To
   Puncture puncture{.tool = tool, .reach = kFreeRadii * radius};
   const auto add = [&](int vertex, double part, double side) {
     const Eigen::Vector2d place = -std::cos(part) * forwards + side * std::sin(part) * leftwards;
-    puncture.points.push_back({.vertex = vertex, .angle = std::atan2(place.y(), place.x())});
+    const char* fixed = &model.fixed[3 * vertex];
+    puncture.points.push_back(
+        {.vertex = vertex, .angle = std::atan2(place.y(), place.x()), .is_held = fixed[0] && fixed[1] && fixed[2]});
   };
   for (std::size_t k = 0; k < left.size(); ++k) {
     const double part = std::numbers::pi * along[k] / along.back();

@@ -14,6 +14,9 @@
 
 namespace thinwall {
 
+/// Part of a needle's cone from the tip on, on which a wall no longer lies on it: it is too thin there to be felt.
+inline constexpr double kNeedleTip = 0.1;
+
 /// A hole that a needle has made.
 struct Puncture {
   std::optional<int> tool = {};         // that is in it, or so near that the wall around it must still be let be
@@ -21,6 +24,8 @@ struct Puncture {
   double reach = 0;                     // metres, rest: the wall this near is free on the needle
   std::vector<ShaftPoint> points = {};  // its lips
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  // newton, on the needle
+  double due = 0;   // joule, that the needle pays for a slit in a wall that is held, while its cone spreads it
+  double paid = 0;  // part of that
 
   /// Whether the needle is in it and lets nothing through.
   bool is_sealed() const;

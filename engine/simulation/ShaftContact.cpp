@@ -43,7 +43,7 @@ ShaftBranch ShaftContact::branch_at(const ShaftPoint& point, const Eigen::Vector
 }
 
 ShaftTerms ShaftContact::along(const ShaftBranch& branch, const ShaftPoint& point, const Eigen::Vector3d& place) const {
-  if (!point.touches) return {};
+  if (!point.touches || point.is_held) return {};
   const View seen = view(point, place);
   const double guide = kGuide * stiffness, spring = point.limit / give;
   ShaftTerms terms;
@@ -57,7 +57,7 @@ ShaftTerms ShaftContact::along(const ShaftBranch& branch, const ShaftPoint& poin
 }
 
 ShaftTerms ShaftContact::at(const ShaftPoint& point, const Eigen::Vector3d& place) const {
-  if (!point.touches) return {};
+  if (!point.touches || point.is_held) return {};
   const View seen = view(point, place);
   ShaftTerms terms = along(branch_at(point, place), point, place);
   const double overlap = std::max(0.0, seen.overlap), elastic = std::clamp(seen.slip, -give, give);

@@ -13,9 +13,10 @@ struct EquilibriumTerms;
 /// A vertex of a puncture's lips, which lies on the needle that is in it.
 struct ShaftPoint {
   int vertex = 0;
-  double angle = 0;     // radians about the needle's z', from its x'
-  bool touches = true;  // until it has come off the tip
-  double anchor = 0;    // metres along the needle, from its tip backwards: where the place would be without slip
+  double angle = 0;      // radians about the needle's z', from its x'
+  bool touches = true;   // until it has come off the tip
+  bool is_held = false;  // cannot move: it has made way for the needle, and does nothing to it
+  double anchor = 0;     // metres along the needle, from its tip backwards: where the place would be without slip
   double limit = 0;  // newton, of friction: coefficient times the force with which the wall squeezed in the last step
   double friction = 0;  // newton, on the wall, forwards along the needle, at the end of the last step
 };

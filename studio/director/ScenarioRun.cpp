@@ -198,6 +198,11 @@ struct ScenarioRun::Implementation {
     input.fluids.resize(bodies[index]->model().chambers.size());
     for (const ScheduledClip& clip : clips) {
       if (!clip.begun || clip.end <= time() + kTimeTolerance) continue;
+      if (const auto* piercing = std::get_if<PiercingPlan>(&clip.plan)) {
+        if (piercing->clip.body == scenario.bodies[index].name) {
+          input.needles.push_back(tools.at(piercing->clip.tool).index);
+        }
+      }
       if (const auto* fill = std::get_if<FillPlan>(&clip.plan)) {
         if (fill->clip.body != scenario.bodies[index].name) continue;
         fill->add_to(input, time() - clip.begin, until - clip.begin);
@@ -236,28 +241,47 @@ struct ScenarioRun::Implementation {
     }
   }
 
+  /// The clip that drives a needle through a wall, if one does.
+  ScheduledClip* piercing_by(const std::string& tool) {
+    const auto found = std::ranges::find_if(clips, [&](const ScheduledClip& one) {
+      const auto* piercing = std::get_if<PiercingPlan>(&one.plan);
+      return piercing != nullptr && one.begun && one.end > time() + kTimeTolerance && piercing->clip.tool == tool;
+    });
+    return found == clips.end() ? nullptr : &*found;
+  }
+
+  void feel_rupture(const std::string& tool, double until) {
+    ScheduledClip* clip = piercing_by(tool);
+    if (clip == nullptr) return;
+    std::get<PiercingPlan>(clip->plan).feel_rupture(until - clip->begin);
+    tools.at(tool).phase = "rupture";
+  }
+
+  /// Takes over where the wall has given way to needles within a step.
+  void take_over_ruptures(std::size_t index, double until) {
+    for (const StepRupture& one : bodies[index]->report().ruptures) {
+      take_over(one.rupture.cut, index, one.uncut, until);
+      feel_rupture(scenario.tools[one.tool].name, until);
+    }
+  }
+
   /// Lets the needles of a step pierce, and those that an earlier clip has left in a wall come out.
   void let_needles_pierce(std::span<const ToolPose> after, double until) {
     for (auto& [name, tool] : tools) {
       if (scenario.tools[tool.index].kind != ToolKind::kNeedle) continue;
-      const auto clip = std::ranges::find_if(clips, [&, name = name](const ScheduledClip& one) {
-        const auto* piercing = std::get_if<PiercingPlan>(&one.plan);
-        return piercing != nullptr && one.begun && one.end > time() + kTimeTolerance && piercing->clip.tool == name;
-      });
+      const ScheduledClip* clip = piercing_by(name);
       for (std::size_t index = 0; index < bodies.size(); ++index) {
         Body& body = *bodies[index];
         const bool is_in_wall = std::ranges::any_of(
             body.state().punctures, [own = tool.index](const Puncture& puncture) { return puncture.tool == own; });
         const bool pierces =
-            clip != clips.end() && std::get<PiercingPlan>(clip->plan).clip.body == body.model().definition.name;
+            clip != nullptr && std::get<PiercingPlan>(clip->plan).clip.body == body.model().definition.name;
         if (!is_in_wall && !pierces) continue;
         const SurfaceMesh uncut = body.model().definition.mesh;
         const std::optional<Rupture> rupture = body.pierce(tool.index, after);
         if (!rupture) continue;
         take_over(rupture->cut, index, uncut, until);
-        if (clip == clips.end()) continue;
-        std::get<PiercingPlan>(clip->plan).feel_rupture(until - clip->begin);
-        tool.phase = "rupture";
+        feel_rupture(name, until);
       }
     }
   }
@@ -304,6 +328,7 @@ struct ScenarioRun::Implementation {
     try {
       for (std::size_t index = 0; index < bodies.size(); ++index) {
         bodies[index]->advance(before, after, count * step_length(), input_of(index, next));
+        take_over_ruptures(index, next);
         tally.note(bodies[index]->model().definition.name, bodies[index]->report(), next);
       }
       follow_blades(after, next);

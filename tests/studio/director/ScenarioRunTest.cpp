@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "engine/simulation/SimulationFailure.hpp"
 #include "renderer/snapshot/SurfaceFields.hpp"
@@ -343,6 +346,33 @@ TEST(ScenarioRun, JawsStopWhereTheyHoldFirmlyEnough) {
   std::printf("stopped at %.3f mm\n", 1e3 * run.snapshot().tools.at(0).opening);
   EXPECT_GT(run.snapshot().tools.at(0).opening, 0.0025);
   EXPECT_LT(run.snapshot().tools.at(0).opening, 0.009);
+}
+
+TEST(ScenarioRun, TellsThatAHeldWallHasGivenWayToANeedleWithinAStep) {
+  Scenario scenario = held_ball(320, 0.02);
+  scenario.bodies[0].toughness = Field<double>{.standard = 400};
+  scenario.bodies[0].fixed.push_back({.region = SphereRegion{.center = {0, 0, 0.02}, .radius = 0.008}});
+  scenario.tools = {{.name = "needle", .kind = ToolKind::kNeedle, .length = 0.06, .radius = 0.0005}};
+  PierceClip clip;
+  clip.tool = "needle";
+  clip.body = "ball";
+  clip.at = {0.001, 0.0003, 0.02};
+  clip.depth = 0.004;
+  clip.speed = 0.05;
+  clip.standoff = 0.002;
+  scenario.timeline = {{.action = clip}};
+  ScenarioRun run(scenario);
+  const std::size_t triangles = run.snapshot().surfaces.at(0).topology->triangles.size();
+  std::vector<std::string> phases;
+  while (run.step()) {
+    const std::string& phase = run.record().tools.at(0).phase;
+    if (phases.empty() || phases.back() != phase) phases.push_back(phase);
+    EXPECT_LT(run.record().tools.at(0).force.norm(), 0.4 / 1.8);  // 0.4 mJ over nine tenths of a cone of 2 mm
+  }
+  const std::vector<std::string> in = {"approach", "contact", "rupture", "sliding"};
+  EXPECT_TRUE(std::ranges::equal(in, std::span(phases).first(std::min<std::size_t>(4, phases.size()))));
+  EXPECT_EQ(run.cuts(), 1);
+  EXPECT_GT(run.snapshot().surfaces.at(0).topology->triangles.size(), triangles);
 }
 
 }  // namespace
