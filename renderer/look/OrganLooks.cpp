@@ -70,6 +70,8 @@ const std::array kOrganLooks = {
               {.color = {0.32, 0.155, 0.12},
                .roughness = 0.36,
                .wetness = 0.9,
+               // So large and smooth that it would show whole lamps.
+               .lamp_size = 0.35,
                .patches = 0.45,
                .patch_size = 0.022,
                .blood = {0.30, 0.06, 0.06},
@@ -80,7 +82,7 @@ const std::array kOrganLooks = {
                .clearness = 0.05,
                .scatter = {0.0018, 0.0006, 0.0004},
                .sheen = 0.05,
-               .relief = 0.025,
+               .relief = 0.040,
                .relief_size = 0.0030,
                .layers = kSolidOrgan,
                .contents = *find_fluid_look("none")}},

@@ -24,6 +24,7 @@ struct TissueLook {
   Double3 color = {0.68, 0.37, 0.32};  // sRGB, 0 to 1, like all colours here
   double roughness = 0.45;             // 0 to 1, of the tissue below the wet layer
   double wetness = 0.7;                // 0 to 1, strength of the wet layer
+  double lamp_size = 1;                // of the studio's lamps as the wet layer mirrors them, over what they are
   double mottling = 1;                 // 0 to 1, strength of all that makes the pattern and the fine relief
   double patches = 0.85;               // 0 to 1, contrast of redder and paler patches
   double patch_size = 0.013;           // metres

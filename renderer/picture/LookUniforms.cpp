@@ -102,7 +102,8 @@ LookUniforms look_uniforms(const TissueLook& given, TissueSide side) {
           .pattern = float4({look.patches, 1 / look.patch_size, is_rim ? look.layers.outer_part : 0},
                             is_rim                        ? 1 - look.layers.inner_part
                             : side == TissueSide::kLining ? 1
-                                                          : 0)};
+                                                          : 0),
+          .lamp_size = static_cast<float>(look.lamp_size)};
 }
 
 }  // namespace thinwall

@@ -27,6 +27,7 @@ struct LookUniforms {
   std::array<float, 4> relief{};   // slope, 1 / size, creases, ridges
   std::array<float, 4>
       pattern{};  // contrast of the patches, 1 / their size; zw of rims: where the layers meet; w of linings: 1
+  alignas(16) float lamp_size = 1;
 };
 
 LookUniforms look_uniforms(const TissueLook& look, TissueSide side);

@@ -10,6 +10,10 @@ vec3 environment_light(vec3 direction, float roughness, float key_visible) {
   return environment.x * mix(vec3(1.0), kCavity, environment.y);
 }
 
+vec3 environment_light(vec3 direction, float roughness, float key_visible, float lamp_size) {
+  return environment_light(direction, roughness, key_visible);
+}
+
 vec3 environment_irradiance(vec3 normal) { return environment.x * mix(vec3(1.0), kCavity, environment.y); }
 
 #else
@@ -48,16 +52,21 @@ float panel(vec3 direction, vec2 toward, vec2 half_size, float blur) {
 }
 
 // Radiance from `direction`; `key_visible` is the part of the key light that is not shadowed. Blurred over a larger
-// angle the same light is dimmer.
-vec3 environment_light(vec3 direction, float roughness, float key_visible) {
+// angle the same light is dimmer. `lamp_size`: of box and panels, over what they are;
+// a smaller box is brighter.
+vec3 environment_light(vec3 direction, float roughness, float key_visible, float lamp_size) {
   float blur = 0.02 + 1.1 * roughness;
-  float box = key_box(direction, vec2(0.27, 0.19), blur) / (1.0 + 18.0 * square(blur));
-  float front = panel(direction, panels.xy, vec2(0.17, 1.5), blur) / (1.0 + 5.0 * blur);
-  float back = panel(direction, panels.zw, vec2(0.16, 1.5), blur) / (1.0 + 4.0 * blur);
+  float box = key_box(direction, lamp_size * vec2(0.27, 0.19), blur) / (1.0 + 18.0 * square(blur));
+  float front = panel(direction, panels.xy, lamp_size * vec2(0.17, 1.5), blur) / (1.0 + 5.0 * blur);
+  float back = panel(direction, panels.zw, lamp_size * vec2(0.16, 1.5), blur) / (1.0 + 4.0 * blur);
   vec3 light = gradient(direction.z);
-  light += (24.0 * key_visible * box + 1.3 * front) * key_direction.w * kKeyColor;
+  light += (24.0 / lamp_size * key_visible * box + 1.3 * front) * key_direction.w * kKeyColor;
   light += 1.7 * fill_direction.w * back * kFillColor;
   return environment.x * mix(vec3(1.0), light, environment.y);
+}
+
+vec3 environment_light(vec3 direction, float roughness, float key_visible) {
+  return environment_light(direction, roughness, key_visible, 1.0);
 }
 
 // Light from all around on a white matte surface; box and panels count as key and fill light instead.

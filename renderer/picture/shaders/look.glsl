@@ -8,4 +8,5 @@
   how vec4 scatter; \
   how vec4 vessels; \
   how vec4 relief; \
-  how vec4 pattern;
+  how vec4 pattern; \
+  how float lamp_size;

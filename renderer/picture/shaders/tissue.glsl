@@ -81,7 +81,7 @@ void main() {
   // The wet layer: water, so smooth that it mirrors the lamps; what it reflects does not reach the flesh.
   float film = skin.film * (0.022 + 0.978 * fresnel_weight(film_nv));
   float film_rough = sqrt(0.0025 + min(skin.lost_bump, 0.1));
-  vec3 film_light = environment_light(reflect(-view, film_normal), film_rough, visible) * mix(1.0, openness, 0.7);
+  vec3 film_light = environment_light(reflect(-view, film_normal), film_rough, visible, lamp_size) * mix(1.0, openness, 0.7);
   result = mix(result, film_light, film);
 
 #ifdef ENDOSCOPE

@@ -17,4 +17,5 @@ void main() {
   passed.vessels = look.vessels;
   passed.relief = look.relief;
   passed.pattern = look.pattern;
+  passed.lamp_size = look.lamp_size;
 }
