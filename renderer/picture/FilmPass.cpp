@@ -39,6 +39,8 @@ void FilmPass::draw(std::span<const BodyFilm> films, Surroundings surroundings) 
   }
   glDisable(GL_CULL_FACE);
   glDisable(GL_BLEND);
+  // A second source is allowed where one buffer is drawn to; drivers refuse it elsewhere even while nothing is blended.
+  glBlendFunc(GL_ONE, GL_ZERO);
   glStencilMask(0xff);
   glDisable(GL_STENCIL_TEST);
   glDepthMask(GL_TRUE);

@@ -47,6 +47,15 @@ std::array<int, 3> middle_of(const Image& image) {
   return {image.pixels[pixel], image.pixels[pixel + 1], image.pixels[pixel + 2]};
 }
 
+TEST(Wound, IsDrawnAsOftenAsItIsAskedForInADraft) {
+  Snapshot snapshot;
+  snapshot.surfaces = {test::slit_sheet(10, 0.001, 0)};
+  snapshot.time = 1;
+  Renderer renderer(DeviceChoice{}, kSize, Tier::kDraft);
+  const Image first = renderer.draw(snapshot, from_above());
+  EXPECT_EQ(renderer.draw(snapshot, from_above()).pixels, first.pixels);
+}
+
 TEST(Wound, ShowsTheFluidInAnOpenedOrgan) {
   Renderer renderer(DeviceChoice{}, kSize, Tier::kRecord);
   const std::array<int, 3> dry = middle_of(renderer.draw(open_bowl(0), from_above()));
