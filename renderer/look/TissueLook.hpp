@@ -15,8 +15,9 @@ struct WallLayers {
 
 /// What fills an organ, as it is seen where the organ is open.
 struct FluidLook {
-  Double3 color = {0.62, 0.52, 0.30};  // sRGB, 0 to 1, of a deep layer
-  double clarity = 0.006;              // metres in which a third of the light is left; 0: nothing is seen of it
+  Double3 color = {0.86, 0.74, 0.40};  // sRGB, 0 to 1, of a deep layer
+  double clarity = 0.035;              // metres in which a third of the light is left; 0: nothing is seen of it
+  double cloudiness = 0.05;            // 0 to 1, part of what a layer takes of the light that it sends back
 };
 
 /// How a wall looks. Lengths are those of the stress-free wall, so the pattern sticks to the tissue.

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "renderer/picture/FrameUniforms.hpp"
+#include "renderer/picture/FluidUniforms.hpp"
 #include "renderer/picture/ShaderProgram.hpp"
 
 namespace thinwall {
@@ -32,9 +32,7 @@ void FilmPass::draw(std::span<const BodyFilm> films, Surroundings surroundings) 
     glStencilFunc(is_falling ? GL_ALWAYS : GL_NOTEQUAL, 0, 0xff);
     (is_falling ? glEnable : glDisable)(GL_CULL_FACE);
     triangles_.upload(std::span<const FilmVertex>(film.vertices), film.corners);
-    glUniform4f(0, static_cast<float>(linear_from_srgb(look.color[0])),
-                static_cast<float>(linear_from_srgb(look.color[1])),
-                static_cast<float>(linear_from_srgb(look.color[2])), static_cast<float>(1 / look.clarity));
+    set_fluid_look(look);
     triangles_.draw();
   }
   glDisable(GL_CULL_FACE);

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <numeric>
 
-#include "renderer/picture/FrameUniforms.hpp"
+#include "renderer/picture/FluidUniforms.hpp"
 #include "renderer/picture/ShaderProgram.hpp"
 
 namespace thinwall {
@@ -11,12 +11,6 @@ namespace {
 
 /// The bit of the stencil that no part's number uses, see ScenePass.
 constexpr GLuint kWithin = 0x80;
-
-void set_look(const FluidLook& look) {
-  glUniform4f(0, static_cast<float>(linear_from_srgb(look.color[0])),
-              static_cast<float>(linear_from_srgb(look.color[1])), static_cast<float>(linear_from_srgb(look.color[2])),
-              static_cast<float>(1 / look.clarity));
-}
 
 }  // namespace
 
@@ -42,11 +36,11 @@ void FluidPass::draw(std::span<const BodyFluid> fluids, Surroundings surrounding
   glEnable(GL_STENCIL_TEST);
   glEnable(GL_BLEND);
   glBlendEquation(GL_FUNC_ADD);
-  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  glBlendFunc(GL_ONE, GL_SRC1_COLOR);
   glUseProgram(programs_[static_cast<std::size_t>(surroundings)].name());
   std::size_t first = 0;
   for (const BodyFluid& fluid : fluids) {
-    set_look(fluid.look);
+    set_fluid_look(fluid.look);
     // Where no tissue is behind, nothing tells how deep the fluid is.
     glStencilMask(0);
     glStencilFunc(GL_NOTEQUAL, 0, 0xff);

@@ -16,7 +16,7 @@ namespace thinwall {
 
 namespace {
 
-constexpr FluidLook kFreshBlood = {.color = {0.26, 0.012, 0.014}, .clarity = 0.00016};
+constexpr FluidLook kFreshBlood = {.color = {0.26, 0.012, 0.014}, .clarity = 0.00016, .cloudiness = 1};
 
 /// Of flesh, seen as a film: hardly any depth.
 constexpr double kBareClarity = 0.00005;
@@ -145,7 +145,7 @@ void SceneMeshes::find_films(const Snapshot& snapshot, std::size_t k, const Tiss
   const auto add = [&](Film film, const FluidLook& fluid, bool is_falling = false) {
     if (!film.corners.empty()) films_.push_back({.film = std::move(film), .look = fluid, .is_falling = is_falling});
   };
-  FluidLook bare = {.color = {}, .clarity = kBareClarity};
+  FluidLook bare = {.color = {}, .clarity = kBareClarity, .cloudiness = 1};
   for (std::size_t c = 0; c < 3; ++c) bare.color[c] = 0.5 * (look.layers.outer[c] + look.layers.middle[c]);
   add(bare_edge_film(surface, pieces, *wounds_[k], snapshot.time), bare);
   if (look.contents.clarity > 0) {

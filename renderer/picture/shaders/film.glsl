@@ -17,6 +17,7 @@ layout(location = 0, index = 0) out vec4 color;  // is added to what is left of 
 layout(location = 0, index = 1) out vec4 through;  // part of each channel that is left
 
 layout(location = 0) uniform vec4 fluid;  // linear colour of a deep layer; w: 1 / clarity, 1 / metre
+layout(location = 1) uniform float cloudiness;  // part of what it takes of the light that it sends back
 
 void main() {
   // Its own tension keeps its edge from turning sharply.
@@ -76,7 +77,7 @@ void main() {
   vec3 ray = from_eye / depth;
   // Where it is steep, at its edge, a pixel would see single glints.
   vec3 mirrored = smoothstep(0.1, 0.6, rise) * field_stop(ray) * displayed(lens_light(ray) * shine);
-  vec3 below = (1.0 - left) * finished(body, ray, gl_FragCoord.xy).rgb;
+  vec3 below = cloudiness * (1.0 - left) * finished(body, ray, gl_FragCoord.xy).rgb;
   color = vec4(covered * (mirrored + (1.0 - mirrored) * below), 1.0);
   through = vec4(1.0 - covered * (1.0 - (1.0 - mirrored) * left), 1.0);
 }

@@ -10,9 +10,11 @@
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 smooth_normal;
 
-layout(location = 0) out vec4 color;  // is blended over the pixel by its alpha
+layout(location = 0, index = 0) out vec4 color;  // is added to what is left of the pixel
+layout(location = 0, index = 1) out vec4 through;  // part of each channel that is left
 
 layout(location = 0) uniform vec4 fluid;  // linear colour of a deep layer; w: 1 / clarity, 1 / metre
+layout(location = 1) uniform float cloudiness;  // part of what it takes of the light that it sends back
 
 layout(binding = 2) uniform sampler2D seen_normal;  // w: depth of the tissue along the line of sight, metres
 
@@ -22,7 +24,11 @@ void main() {
   float depth = dot(from_eye, ray_middle.xyz);
   float behind = texelFetch(seen_normal, ivec2(gl_FragCoord.xy), 0).w;
   float way = max(behind / depth - 1.0, 0.0) * length(from_eye);
-  float left = exp(-way * fluid.w);
+  // What is cloudy hides what lies in it, what is clear tints it: it takes its part of the light, which is shown by a power
+  // of about 1 / 2.2.
+  vec3 swallowed = -log(clamp(fluid.rgb, 0.004, 0.9));
+  vec3 tint = swallowed / dot(swallowed, vec3(1.0 / 3.0)) / 2.2;
+  vec3 left = exp(-way * fluid.w * mix(tint, vec3(1.0), cloudiness));
 
   // It is hardly ever at rest.
   vec3 coordinates = 350.0 * position;
@@ -45,9 +51,11 @@ void main() {
   shine += visible * lamp_mirror * glint(normal, view, toward, 0.05) * lamp;
 #endif
 
-  float opaque = 1.0 - left * (1.0 - mirror);
+  vec3 opaque = 1.0 - left * (1.0 - mirror);
   vec3 ray = from_eye / depth;
   float shining = saturate(dot(shine, vec3(0.33)));
-  float alpha = max(opaque, shining);
-  color = vec4(finished(body * (1.0 - left) / max(alpha, 1e-3) + shine / max(alpha, 1e-3), ray, gl_FragCoord.xy).rgb, alpha);
+  vec3 alpha = max(opaque, shining);
+  vec3 sent = (cloudiness * body * (1.0 - left) + shine) / max(alpha, 1e-3);
+  color = vec4(alpha * finished(sent, ray, gl_FragCoord.xy).rgb, 1.0);
+  through = vec4(1.0 - alpha, 1.0);
 }
