@@ -29,15 +29,15 @@ Vector3 normal_at(const SeenFrame& frame, const ScenePlace& place) {
 
 /// What all pixels of one surface need to look up.
 struct SurfaceTruth {
-  std::vector<float> von_mises;                     // (triangles), pascal; empty where there is none
-  const SnapshotField* contact_pressure = nullptr;  // (vertices)
+  std::vector<float> von_mises;         // (triangles of the mesh), pascal; empty where there is none
+  std::vector<float> contact_pressure;  // (vertices as drawn), pascal; empty where there is none
 };
 
 float pressure_at(const SurfaceTruth& surface, const SceneGeometry& geometry, const ScenePlace& place) {
   double pressure = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::uint32_t vertex = geometry.vertices[geometry.triangles[place.triangle].corners[k]];
-    pressure += place.weights[k] * surface.contact_pressure->values[vertex];
+    pressure += place.weights[k] * surface.contact_pressure[vertex];
   }
   return static_cast<float>(pressure);
 }
@@ -51,11 +51,11 @@ WoundPart wound_part(const SceneGeometry& geometry, const ScenePart& part, std::
 
 }  // namespace
 
-SeenFrame::SeenFrame(Snapshot snapshot, const Shot& shot, ImageSize size, bool is_covered)
+SeenFrame::SeenFrame(Snapshot snapshot, const Shot& shot, ImageSize size, DrawnLips lips, bool is_covered)
     : snapshot_(std::move(snapshot)),
       part_(is_covered ? covered_part(size) : own_part(shot, size)),
       camera_(resolve_camera(shot.camera, scene_extent(snapshot_), part_.own.size, snapshot_.time)),
-      geometry_(scene_geometry(snapshot_, scene_extent(snapshot_))),
+      geometry_(scene_geometry(snapshot_, scene_extent(snapshot_), lips)),
       projection_(camera_, part_),
       seen_(see(geometry_, projection_)) {}
 
@@ -65,10 +65,13 @@ GroundTruth ground_truth(const SeenFrame& frame) {
   std::vector<SurfaceTruth> surfaces;
   bool has_stress = true, has_pressure = true;
   for (const SnapshotSurface& surface : frame.snapshot().surfaces) {
-    surfaces.push_back({.von_mises = von_mises_stress(surface),
-                        .contact_pressure = find_field(surface, kContactPressureField, FieldLocation::kVertex)});
+    const SnapshotField* pressure = find_field(surface, kContactPressureField, FieldLocation::kVertex);
+    const SmoothLips& lips = geometry.drawn[surfaces.size()].lips;
+    surfaces.push_back(
+        {.von_mises = von_mises_stress(surface),
+         .contact_pressure = pressure == nullptr ? std::vector<float>() : refined(pressure->values, lips)});
     has_stress = has_stress && !surfaces.back().von_mises.empty();
-    has_pressure = has_pressure && surfaces.back().contact_pressure != nullptr;
+    has_pressure = has_pressure && pressure != nullptr;
   }
   GroundTruth truth{.size = frame.seen().size,
                     .depth = std::vector<float>(places.size()),

@@ -14,23 +14,22 @@ bool is_same(const SnapshotTopology& a, const SnapshotTopology& b) {
          (a.rest_positions == b.rest_positions && a.triangles == b.triangles && a.cap_triangles == b.cap_triangles);
 }
 
-/// A place of a rim: on a border, part of its length from its start, part of the depth from outside.
+/// A place of a rim.
 struct RimPlace {
-  std::uint32_t border = 0;
-  double along = 0;  // 0 to 1
-  double depth = 0;  // 0 to 1
+  BorderPlace place;
+  double depth = 0;  // 0 to 1, from outside
 };
 
 /// The two triangles of a border join outer start, inner start, outer end, and outer end, inner start, inner end.
 RimPlace rim_place(std::uint32_t triangle, const std::array<double, 3>& weights) {
-  if (triangle % 2 == 0) return {.border = triangle / 2, .along = weights[2], .depth = weights[1]};
-  return {.border = triangle / 2, .along = weights[0] + weights[2], .depth = weights[1] + weights[2]};
+  if (triangle % 2 == 0) return {.place = {triangle / 2, weights[2]}, .depth = weights[1]};
+  return {.place = {triangle / 2, weights[0] + weights[2]}, .depth = weights[1] + weights[2]};
 }
 
 ScenePlace on_rim(const RimPlace& place, std::uint32_t first_triangle) {
-  const double s = place.along, d = place.depth;
-  if (s + d <= 1) return {.triangle = first_triangle + 2 * place.border, .weights = {1 - s - d, d, s}};
-  return {.triangle = first_triangle + 2 * place.border + 1, .weights = {1 - d, 1 - s, s + d - 1}};
+  const double s = place.place.along, d = place.depth;
+  if (s + d <= 1) return {.triangle = first_triangle + 2 * place.place.border, .weights = {1 - s - d, d, s}};
+  return {.triangle = first_triangle + 2 * place.place.border + 1, .weights = {1 - d, 1 - s, s + d - 1}};
 }
 
 struct RestEdge {
@@ -90,11 +89,14 @@ std::optional<ScenePlace> MaterialMatch::find(const ScenePlace& place) const {
   const auto& [first, second, third] = place.weights;
   const Surface& surface = surfaces_[part.owner];
   const TriangleMatch& match = part.kind == PartKind::kCap ? *surface.caps : *surface.wall;
-  const auto found = match.find(
-      {.triangle = triangle, .weights = turned ? std::array{first, third, second} : std::array{first, second, third}});
+  const SurfacePlace drawn{.triangle = triangle,
+                           .weights = turned ? std::array{first, third, second} : std::array{first, second, third}};
+  const bool is_cap = part.kind == PartKind::kCap;
+  const auto found = match.find(is_cap ? drawn : mesh_place(from_.geometry.drawn[part.owner], drawn));
   if (!found) return std::nullopt;
-  const auto& [a, b, c] = found->weights;
-  return ScenePlace{.triangle = other.first_triangle + found->triangle,
+  const SurfacePlace there = is_cap ? *found : drawn_place(to_.geometry.drawn[part.owner], *found);
+  const auto& [a, b, c] = there.weights;
+  return ScenePlace{.triangle = other.first_triangle + there.triangle,
                     .weights = turned ? std::array{a, c, b} : std::array{a, b, c}};
 }
 
@@ -103,10 +105,13 @@ std::optional<ScenePlace> MaterialMatch::find_on_rim(const ScenePlace& place, co
                                                      const ScenePart& other) const {
   const SnapshotTopology& before = *from_.snapshot.surfaces[part.owner].topology;
   const SnapshotTopology& after = *to_.snapshot.surfaces[part.owner].topology;
+  const DrawnTopology& drawn_before = from_.geometry.drawn[part.owner];
+  const DrawnTopology& drawn_after = to_.geometry.drawn[part.owner];
   RimPlace rim = rim_place(place.triangle - part.first_triangle, place.weights);
-  const RestEdge edge = rest_edge(before, from_.geometry.borders[part.owner][rim.border]);
-  const Vector3 point = edge.start + rim.along * edge.span;
-  const std::vector<BorderEdge>& candidates = to_.geometry.borders[part.owner];
+  const BorderPlace on_mesh = mesh_place(drawn_before, rim.place);
+  const RestEdge edge = rest_edge(before, drawn_before.mesh_borders[on_mesh.border]);
+  const Vector3 point = edge.start + on_mesh.along * edge.span;
+  const std::vector<BorderEdge>& candidates = drawn_after.mesh_borders;
   double nearest = kSameBorder * length(edge.span);
   bool found = false;
   for (std::uint32_t k = 0; k < candidates.size(); ++k) {
@@ -117,11 +122,11 @@ std::optional<ScenePlace> MaterialMatch::find_on_rim(const ScenePlace& place, co
     const double distance = length(candidate.start + along * candidate.span - point);
     if (distance >= nearest) continue;
     nearest = distance;
-    rim.border = k;
-    rim.along = along;
+    rim.place = {.border = k, .along = along};
     found = true;
   }
   if (!found) return std::nullopt;
+  rim.place = drawn_place(drawn_after, rim.place);
   return on_rim(rim, other.first_triangle);
 }
 

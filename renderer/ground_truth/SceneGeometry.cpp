@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "renderer/picture/TissuePieces.hpp"
+#include "renderer/picture/DrawnPieces.hpp"
 #include "renderer/picture/ToolShape.hpp"
 
 namespace thinwall {
@@ -23,10 +23,10 @@ PartKind part_kind(TissueSide side) {
   return PartKind::kOutside;
 }
 
-/// The wall's triangle behind a piece's.
-std::uint32_t wall_triangle(const std::vector<BorderEdge>& borders, TissueSide side, std::uint32_t triangle) {
+/// The mesh's triangle behind a piece's.
+std::uint32_t wall_triangle(const DrawnTopology& drawn, TissueSide side, std::uint32_t triangle) {
   if (side == TissueSide::kCap) return kNoIndex;
-  return side == TissueSide::kRim ? borders[triangle / 2].triangle : triangle;
+  return drawn.parts[side == TissueSide::kRim ? drawn.borders[triangle / 2].triangle : triangle].triangle;
 }
 
 void append_part(PartKind kind, std::uint32_t owner, std::uint32_t triangles, SceneGeometry& geometry) {
@@ -36,14 +36,14 @@ void append_part(PartKind kind, std::uint32_t owner, std::uint32_t triangles, Sc
                             .triangle_count = triangles});
 }
 
-void append(const TissuePiece& piece, const SnapshotTopology& topology, std::uint32_t owner, SceneGeometry& geometry) {
-  const std::vector<BorderEdge>& borders = geometry.borders[owner];
+void append(const TissuePiece& piece, std::uint32_t owner, SceneGeometry& geometry) {
+  const DrawnTopology& drawn = geometry.drawn[owner];
   const auto offset = static_cast<std::uint32_t>(geometry.points.size());
   for (const SurfaceVertex& vertex : piece.vertices) {
     geometry.points.push_back(vector3(vertex.position));
     geometry.normals.push_back(vector3(vertex.normal));
   }
-  const std::vector<std::uint32_t> vertices = surface_vertices(piece, topology, borders);
+  const std::vector<std::uint32_t> vertices = surface_vertices(piece, drawn.topology(), drawn.borders);
   geometry.vertices.insert(geometry.vertices.end(), vertices.begin(), vertices.end());
   const auto count = static_cast<std::uint32_t>(piece.corners.size() / 3);
   append_part(part_kind(piece.side), owner, count, geometry);
@@ -51,7 +51,7 @@ void append(const TissuePiece& piece, const SnapshotTopology& topology, std::uin
     const std::uint32_t* corners = &piece.corners[3 * std::size_t{t}];
     geometry.triangles.push_back({.corners = {offset + corners[0], offset + corners[1], offset + corners[2]},
                                   .part = static_cast<std::uint32_t>(geometry.parts.size() - 1),
-                                  .wall = wall_triangle(borders, piece.side, t)});
+                                  .wall = wall_triangle(drawn, piece.side, t)});
   }
 }
 
@@ -73,18 +73,18 @@ void append(const ToolShape& shape, std::uint32_t owner, SceneGeometry& geometry
 
 }  // namespace
 
-SceneGeometry scene_geometry(const Snapshot& snapshot, const SceneExtent& extent) {
+SceneGeometry scene_geometry(const Snapshot& snapshot, const SceneExtent& extent, DrawnLips lips) {
   SceneGeometry geometry;
   for (std::uint32_t k = 0; k < snapshot.surfaces.size(); ++k) {
     const SnapshotSurface& surface = snapshot.surfaces[k];
-    geometry.borders.push_back(border_edges(*surface.topology));
-    const std::vector<char> is_lip = cut_lips(*surface.topology, geometry.borders.back());
+    geometry.drawn.push_back(drawn_topology(surface.topology, lips));
+    const DrawnTopology& drawn = geometry.drawn.back();
     std::vector<char>& is_cut = geometry.is_cut.emplace_back();
-    for (const BorderEdge& edge : geometry.borders.back()) {
-      is_cut.push_back(is_lip[edge.start] != 0 && is_lip[edge.end] != 0);
+    for (const BorderEdge& edge : drawn.borders) {
+      is_cut.push_back(drawn.is_lip[edge.start] != 0 && drawn.is_lip[edge.end] != 0);
     }
-    for (const TissuePiece& piece : tissue_pieces(surface, geometry.borders.back())) {
-      append(piece, *surface.topology, k, geometry);
+    for (const TissuePiece& piece : drawn_pieces(surface, drawn, drawn_surface(drawn, surface))) {
+      append(piece, k, geometry);
     }
   }
   for (std::uint32_t k = 0; k < snapshot.tools.size(); ++k) {

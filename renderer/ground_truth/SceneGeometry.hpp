@@ -9,6 +9,7 @@
 #include "renderer/picture/Vector.hpp"
 #include "renderer/picture/WallThickness.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
+#include "renderer/wound/DrawnTopology.hpp"
 
 namespace thinwall {
 
@@ -34,20 +35,20 @@ inline constexpr std::uint32_t kNoIndex = std::numeric_limits<std::uint32_t>::ma
 struct SceneTriangle {
   std::array<std::uint32_t, 3> corners{};  // points
   std::uint32_t part = 0;
-  std::uint32_t wall = kNoIndex;  // triangle of the surface's wall that it belongs to; kNoIndex of caps and tools
+  std::uint32_t wall = kNoIndex;  // triangle of the surface's mesh that it is a part of; kNoIndex of caps and tools
 };
 
-/// Every triangle that pictures of a snapshot are drawn from.
+/// Every triangle that pictures of a snapshot are drawn from, the same that these have.
 struct SceneGeometry {
   std::vector<Vector3> points;          // metres
   std::vector<Vector3> normals;         // (points), of length one, as pictures are shaded
-  std::vector<std::uint32_t> vertices;  // (points) of their surface; kNoIndex of tools
+  std::vector<std::uint32_t> vertices;  // (points) of their surface as it is drawn; kNoIndex of tools
   std::vector<SceneTriangle> triangles;
   std::vector<ScenePart> parts;
-  std::vector<std::vector<BorderEdge>> borders;  // (surfaces)
-  std::vector<std::vector<char>> is_cut;         // (surfaces x borders), whether a cut made it
+  std::vector<DrawnTopology> drawn;       // (surfaces)
+  std::vector<std::vector<char>> is_cut;  // (surfaces x borders as drawn), whether a cut made it
 };
 
-SceneGeometry scene_geometry(const Snapshot& snapshot, const SceneExtent& extent);
+SceneGeometry scene_geometry(const Snapshot& snapshot, const SceneExtent& extent, DrawnLips lips);
 
 }  // namespace thinwall

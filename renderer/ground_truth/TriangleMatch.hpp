@@ -8,6 +8,7 @@
 
 #include "renderer/picture/Vector.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
+#include "renderer/snapshot/SurfacePlace.hpp"
 
 namespace thinwall {
 
@@ -15,12 +16,6 @@ namespace thinwall {
 struct RestSurface {
   const std::vector<Float3>& positions;    // (vertices x 3), metres
   const std::vector<Triangle>& triangles;  // (triangles x 3)
-};
-
-/// A place on a triangle of a surface.
-struct SurfacePlace {
-  std::uint32_t triangle = 0;
-  std::array<double, 3> weights{};  // of its corners, sum 1
 };
 
 /// Finds the places of one stress-free surface on another, which cuts have made of it or before it: both cover the same

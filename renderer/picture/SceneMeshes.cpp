@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <utility>
 
+#include "renderer/picture/DrawnPieces.hpp"
 #include "renderer/picture/FallingDrops.hpp"
 #include "renderer/picture/PictureFailure.hpp"
-#include "renderer/picture/SmoothLipPieces.hpp"
 #include "renderer/picture/SurfaceVertices.hpp"
 #include "renderer/picture/TissuePieces.hpp"
 #include "renderer/picture/WoundBed.hpp"
@@ -50,8 +50,7 @@ SceneMeshes::SceneMeshes()
                                   {3, 2, offsetof(ToolVertex, side)}}) {}
 
 void SceneMeshes::upload(const Snapshot& snapshot, const SceneExtent& extent, const LookDefinition& look) {
-  // Numbers and edges of the mesh are shown as they are.
-  find_edges(snapshot, look.data.has_value() || look.mesh);
+  find_edges(snapshot, drawn_lips(look));
   smooth_surfaces(snapshot);
   upload_tissue(snapshot, look);
   upload_tools(snapshot, extent);
@@ -68,20 +67,20 @@ void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& 
     const SnapshotSurface& surface = drawn_[k];
     const auto found = look.bodies.find(surface.body);
     const TissueLook body_look = found == look.bodies.end() ? TissueLook{} : found->second;
-    std::vector<TissuePiece> pieces =
-        smooth_lipped_pieces(snapshot.surfaces[k], mesh_borders_[k], lips_[k], surface, borders_[k]);
+    const DrawnTopology& drawn = drawn_topologies_[k];
+    std::vector<TissuePiece> pieces = drawn_pieces(snapshot.surfaces[k], drawn, surface);
     if (look.data) {
-      show_data(snapshot.surfaces[k], *look.data, borders_[k], pieces);
+      show_data(snapshot.surfaces[k], *look.data, drawn.borders, pieces);
     } else {
       find_fluid(snapshot, k, body_look, pieces);
       find_films(snapshot, k, body_look, pieces);
       if (wounds_[k] && body_look.bed > 0) {
-        TissuePiece bed = wound_bed(surface, borders_[k], is_lip_[k], body_look.bed, snapshot.time);
+        TissuePiece bed = wound_bed(surface, drawn.borders, drawn.is_lip, body_look.bed, snapshot.time);
         if (!bed.corners.empty()) pieces.push_back(std::move(bed));
       }
     }
     if (pieces.empty()) continue;
-    const bool is_closed = encloses_its_inside(surface, borders_[k], pieces);
+    const bool is_closed = encloses_its_inside(surface, drawn.borders, pieces);
     Bounds body_bounds = bounds_of(pieces.front().vertices);
     for (const TissuePiece& piece : pieces) body_bounds = around(body_bounds, bounds_of(piece.vertices));
     for (const TissuePiece& piece : pieces) {
@@ -92,7 +91,7 @@ void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& 
       for (const std::uint32_t corner : piece.corners) indices.push_back(offset + corner);
       vertices.insert(vertices.end(), piece.vertices.begin(), piece.vertices.end());
       if (piece.side != TissueSide::kLining) continue;
-      for (const BorderEdge& edge : borders_[k]) {
+      for (const BorderEdge& edge : drawn.borders) {
         inner_borders_.push_back({piece.vertices[edge.start].position, piece.vertices[edge.end].position});
       }
     }
@@ -121,7 +120,8 @@ void SceneMeshes::draw_nearest(GLenum hidden, const std::array<float, 16>& matri
 /// Of surface `k`, that `pieces` were made of.
 void SceneMeshes::find_fluid(const Snapshot& snapshot, std::size_t k, const TissueLook& look,
                              std::span<const TissuePiece> pieces) {
-  if (borders_[k].empty() || !(look.contents.clarity > 0)) return;
+  const std::vector<BorderEdge>& borders = drawn_topologies_[k].borders;
+  if (borders.empty() || !(look.contents.clarity > 0)) return;
   const auto lining = std::ranges::find(pieces, TissueSide::kLining, &TissuePiece::side);
   if (lining == pieces.end()) return;
   const std::vector<SurfaceVertex>& wall = pieces.front().vertices;
@@ -133,7 +133,7 @@ void SceneMeshes::find_fluid(const Snapshot& snapshot, std::size_t k, const Tiss
   }
   const SnapshotSurface& surface = drawn_[k];
   FluidSurface fluid =
-      fluid_surface(snapshot, surface, find_wall_holes(surface.positions, borders_[k]), normals, thickness);
+      fluid_surface(snapshot, surface, find_wall_holes(surface.positions, borders), normals, thickness);
   if (fluid.lid.empty() && fluid.level.empty()) return;
   fluids_.push_back({.surface = std::move(fluid), .look = look.contents});
 }
@@ -154,39 +154,32 @@ void SceneMeshes::find_films(const Snapshot& snapshot, std::size_t k, const Tiss
     add(falling_drops(surface, *wounds_[k], gravity_of_drops(snapshot), leaked, snapshot.time), look.contents, true);
   }
   if (look.bleeding > 0) {
-    add(blood_film(surface, borders_[k], pieces, *wounds_[k], look.bleeding, snapshot.time), kFreshBlood);
+    add(blood_film(surface, drawn_topologies_[k].borders, pieces, *wounds_[k], look.bleeding, snapshot.time),
+        kFreshBlood);
   }
 }
 
 /// Edges change with the topology alone, and finding them takes longer than drawing.
-void SceneMeshes::find_edges(const Snapshot& snapshot, bool draws_mesh) {
+void SceneMeshes::find_edges(const Snapshot& snapshot, DrawnLips lips) {
   std::vector<std::shared_ptr<const SnapshotTopology>> topologies;
   for (const SnapshotSurface& surface : snapshot.surfaces) topologies.push_back(surface.topology);
-  if (topologies == topologies_ && draws_mesh == draws_mesh_) return;
+  if (topologies == topologies_ && lips == lips_) return;
   std::vector<std::uint32_t> corners;
-  borders_.clear();
-  mesh_borders_.clear();
-  is_lip_.clear();
+  drawn_topologies_.clear();
   wounds_.clear();
-  lips_.clear();
   std::uint32_t offset = 0;
   for (const auto& topology : topologies) {
-    borders_.push_back(border_edges(*topology));
-    mesh_borders_.push_back(borders_.back());
-    is_lip_.push_back(cut_lips(*topology, borders_.back()));
+    const DrawnTopology& surface = drawn_topologies_.emplace_back(drawn_topology(topology, lips));
     wounds_.emplace_back();
-    lips_.push_back({.topology = topology, .points = {}});
-    if (std::ranges::any_of(is_lip_.back(), [](char lip) { return lip != 0; })) {
-      WoundLayout layout = lay_out_wounds(*topology, borders_.back(), is_lip_.back(), downward(snapshot));
-      if (!draws_mesh) lips_.back() = smooth_lips(topology, borders_.back(), is_lip_.back());
-      layout.map = refined(std::move(layout.map), lips_.back());
-      layout.fall = refined(std::move(layout.fall), lips_.back());
+    const std::span<const char> is_lip(surface.is_lip.data(), topology->rest_positions.size());
+    if (std::ranges::any_of(is_lip, [](char lip) { return lip != 0; })) {
+      WoundLayout layout = lay_out_wounds(*topology, surface.mesh_borders, is_lip, downward(snapshot));
+      layout.map = refined(std::move(layout.map), surface.lips);
+      layout.fall = refined(std::move(layout.fall), surface.lips);
       wounds_.back() = std::move(layout);
-      borders_.back() = border_edges(*lips_.back().topology);
-      is_lip_.back().resize(lips_.back().topology->rest_positions.size(), 1);
     }
     // Wall and caps together: where they meet is no border.
-    const SnapshotTopology& drawn = *lips_.back().topology;
+    const SnapshotTopology& drawn = surface.topology();
     for (const auto* triangles : {&drawn.triangles, &drawn.cap_triangles}) {
       for (const Triangle& triangle : *triangles) {
         for (const std::uint32_t vertex : triangle) corners.push_back(offset + vertex);
@@ -196,17 +189,13 @@ void SceneMeshes::find_edges(const Snapshot& snapshot, bool draws_mesh) {
   }
   tissue_edges_ = mesh_edges(corners);
   topologies_ = std::move(topologies);
-  draws_mesh_ = draws_mesh;
+  lips_ = lips;
 }
 
 void SceneMeshes::smooth_surfaces(const Snapshot& snapshot) {
   drawn_.clear();
   for (std::size_t k = 0; k < snapshot.surfaces.size(); ++k) {
-    const SnapshotSurface& surface = snapshot.surfaces[k];
-    drawn_.push_back({.body = surface.body,
-                      .topology = lips_[k].topology,
-                      .positions = smooth_positions(lips_[k], surface.positions),
-                      .fields = {}});
+    drawn_.push_back(drawn_surface(drawn_topologies_[k], snapshot.surfaces[k]));
   }
 }
 
@@ -234,7 +223,7 @@ std::vector<MeshLine> SceneMeshes::mesh_lines() const {
   for (std::size_t k = 0; k < drawn_.size(); ++k) {
     const std::vector<Float3>& positions = drawn_[k].positions;
     points.insert(points.end(), positions.begin(), positions.end());
-    is_lip.insert(is_lip.end(), is_lip_[k].begin(), is_lip_[k].end());
+    is_lip.insert(is_lip.end(), drawn_topologies_[k].is_lip.begin(), drawn_topologies_[k].is_lip.end());
   }
   std::vector<MeshLine> lines;
   for (const MeshEdge& edge : tissue_edges_) {

@@ -16,8 +16,8 @@
 #include "renderer/picture/WallThickness.hpp"
 #include "renderer/picture/WoundFilm.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
+#include "renderer/wound/DrawnTopology.hpp"
 #include "renderer/wound/FluidSurface.hpp"
-#include "renderer/wound/SmoothLips.hpp"
 
 namespace thinwall {
 
@@ -76,7 +76,7 @@ class SceneMeshes {
   void upload_tissue(const Snapshot& snapshot, const LookDefinition& look);
   void find_fluid(const Snapshot& snapshot, std::size_t k, const TissueLook& look, std::span<const TissuePiece> pieces);
   void find_films(const Snapshot& snapshot, std::size_t k, const TissueLook& look, std::span<const TissuePiece> pieces);
-  void find_edges(const Snapshot& snapshot, bool draws_mesh);
+  void find_edges(const Snapshot& snapshot, DrawnLips lips);
   void smooth_surfaces(const Snapshot& snapshot);
   void upload_tools(const Snapshot& snapshot, const SceneExtent& extent);
 
@@ -90,14 +90,11 @@ class SceneMeshes {
   std::vector<ToolVertex> tool_vertices_;
   std::vector<MeshEdge> tool_edges_;
   std::vector<std::shared_ptr<const SnapshotTopology>> topologies_;  // that the edges belong to
-  bool draws_mesh_ = false;                                          // and what they were found for
-  std::vector<SmoothLips> lips_;                                     // (surfaces)
-  std::vector<SnapshotSurface> drawn_;                               // (surfaces), with smooth lips
+  DrawnLips lips_ = DrawnLips::kCurves;                              // and what they were found for
+  std::vector<DrawnTopology> drawn_topologies_;                      // (surfaces)
+  std::vector<SnapshotSurface> drawn_;                               // (surfaces), as drawn
   std::vector<MeshEdge> tissue_edges_;
-  std::vector<std::vector<BorderEdge>> borders_;       // (surfaces), as drawn
-  std::vector<std::vector<BorderEdge>> mesh_borders_;  // (surfaces), of the given mesh
-  std::vector<std::vector<char>> is_lip_;              // (surfaces x vertices), whether at a cut
-  std::vector<std::optional<WoundLayout>> wounds_;     // (surfaces), of those with cuts
+  std::vector<std::optional<WoundLayout>> wounds_;  // (surfaces), of those with cuts
 };
 
 }  // namespace thinwall

@@ -9,12 +9,6 @@
 
 namespace thinwall {
 
-std::vector<TissuePiece> tissue_pieces(const SnapshotSurface& surface, std::span<const BorderEdge> borders) {
-  std::vector<SurfaceVertex> wall = wall_vertices(surface);
-  const WallWays ways = wall_ways(surface, wall, borders);
-  return tissue_pieces(surface, borders, std::move(wall), ways);
-}
-
 std::vector<TissuePiece> tissue_pieces(const SnapshotSurface& surface, std::span<const BorderEdge> borders,
                                        std::vector<SurfaceVertex> wall_vertices, const WallWays& ways) {
   const std::vector<Triangle>& triangles = surface.topology->triangles;

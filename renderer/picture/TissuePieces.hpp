@@ -20,10 +20,8 @@ struct TissuePiece {
 /// All that is there to be seen of a body, in the order wall, caps, rims, lining; pieces without triangles are left
 /// out. Vertices of wall and lining are those of the surface. Caps have three of their own for each triangle; rims have
 /// four for each border: the outer and the inner one at its start, then at its end. Triangles of wall, caps and lining
-/// are those of the topology; rims have two for each border. `borders`: what border_edges gives.
-std::vector<TissuePiece> tissue_pieces(const SnapshotSurface& surface, std::span<const BorderEdge> borders);
-
-/// The same of given vertices of the wall and ways through it.
+/// are those of the topology; rims have two for each border. `borders`: what border_edges gives; `wall` and `ways`: its
+/// vertices and the ways through it.
 std::vector<TissuePiece> tissue_pieces(const SnapshotSurface& surface, std::span<const BorderEdge> borders,
                                        std::vector<SurfaceVertex> wall, const WallWays& ways);
 

@@ -11,6 +11,7 @@
 #include "renderer/look/TissueLook.hpp"
 #include "renderer/picture/CameraDefinition.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
+#include "renderer/wound/DrawnTopology.hpp"
 
 namespace thinwall {
 
@@ -30,6 +31,11 @@ struct LookDefinition {
   std::optional<DataView> data = {};          // what colours show of walls instead of their tissue; with both ends
   bool mesh = false;                          // whether the edges of the triangles are drawn, those of cuts stronger
 };
+
+/// Numbers and edges of the mesh are shown as they are; everything else has curves for lips.
+inline DrawnLips drawn_lips(const LookDefinition& look) {
+  return look.data || look.mesh ? DrawnLips::kEdges : DrawnLips::kCurves;
+}
 
 /// How much is done for a picture: draft without shadow and anti-aliasing; record with shadow and smoothed outlines,
 /// made to be fast without graphics hardware; final moreover with finer shadows, and five samples where pixels differ.

@@ -9,8 +9,6 @@
 namespace thinwall {
 namespace {
 
-constexpr std::uint32_t kPieces = 4;  // that an edge of a lip is drawn as
-
 /// Cosines of the angle by which a lip turns at a vertex: below the first it has a corner there, above the second none.
 constexpr double kCorner = -0.3, kSmooth = 0.3;
 
@@ -74,25 +72,26 @@ Float3 between(const Float3& a, const Float3& b, double part) {
 }
 
 /// Cuts the triangle beside `edge` into a fan whose outer corners are the edge's ends and the points from `first` on.
-void append_fan(const BorderEdge& edge, std::uint32_t first, SnapshotTopology& topology) {
+LipFan append_fan(const BorderEdge& edge, std::uint32_t first, SnapshotTopology& topology) {
   Triangle& triangle = topology.triangles[edge.triangle];
-  std::uint32_t apex = triangle[0];
-  for (const std::uint32_t corner : triangle) {
-    if (corner != edge.start && corner != edge.end) apex = corner;
-  }
+  const auto corner = static_cast<std::uint32_t>(std::ranges::find(triangle, edge.start) - triangle.begin());
+  const std::uint32_t apex = triangle[(corner + 2) % 3];
+  const LipFan fan{
+      .triangle = edge.triangle, .corner = corner, .added = static_cast<std::uint32_t>(topology.triangles.size())};
   triangle = {edge.start, first, apex};
-  for (std::uint32_t k = 1; k < kPieces; ++k) {
-    const std::uint32_t from = first + k - 1, to = k + 1 < kPieces ? from + 1 : edge.end;
+  for (std::uint32_t k = 1; k < kLipPieces; ++k) {
+    const std::uint32_t from = first + k - 1, to = k + 1 < kLipPieces ? from + 1 : edge.end;
     topology.triangles.push_back({from, to, apex});
     if (edge.triangle < topology.thickness.size()) topology.thickness.push_back(topology.thickness[edge.triangle]);
   }
+  return fan;
 }
 
 }  // namespace
 
 SmoothLips smooth_lips(const std::shared_ptr<const SnapshotTopology>& topology, std::span<const BorderEdge> borders,
                        std::span<const char> is_lip) {
-  SmoothLips lips{.topology = topology, .points = {}};
+  SmoothLips lips{.topology = topology, .points = {}, .fans = {}};
   if (std::ranges::none_of(is_lip, [](char lip) { return lip != 0; })) return lips;
   auto finer = std::make_shared<SnapshotTopology>(*topology);
   // The rest shapes are told by the positions here.
@@ -105,8 +104,8 @@ SmoothLips smooth_lips(const std::shared_ptr<const SnapshotTopology>& topology, 
     if (!is_lip[edge.start] || !is_lip[edge.end] || is_done[edge.triangle]) continue;
     is_done[edge.triangle] = 1;
     const auto first = static_cast<std::uint32_t>(finer->rest_positions.size());
-    for (std::uint32_t k = 1; k < kPieces; ++k) {
-      const double part = static_cast<double>(k) / kPieces;
+    for (std::uint32_t k = 1; k < kLipPieces; ++k) {
+      const double part = static_cast<double>(k) / kLipPieces;
       lips.points.push_back({.before = previous[edge.start],
                              .start = edge.start,
                              .end = edge.end,
@@ -120,7 +119,7 @@ SmoothLips smooth_lips(const std::shared_ptr<const SnapshotTopology>& topology, 
                                      ? std::max(start, end)
                                      : static_cast<float>((1 - part) * start + part * end));
     }
-    append_fan(edge, first, *finer);
+    lips.fans.push_back(append_fan(edge, first, *finer));
   }
   lips.topology = std::move(finer);
   return lips;

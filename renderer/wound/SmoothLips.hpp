@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -17,12 +18,23 @@ struct LipPoint {
   double part = 0;              // of the way from `start` to `end`
 };
 
+inline constexpr std::uint32_t kLipPieces = 4;  // that an edge of a lip is drawn as
+
+/// A triangle at a lip that is drawn as several, from the corner opposite the lip.
+struct LipFan {
+  std::uint32_t triangle = 0;  // of the given surface, and the number of the first piece
+  std::uint32_t corner = 0;    // of that triangle, where the lip's edge starts: 0, 1 or 2
+  std::uint32_t added = 0;     // number of the second piece; the others follow
+};
+
 /// A surface whose lips are finer, so that they can be drawn as curves instead of as the edges of the mesh.
 struct SmoothLips {
   /// Its vertices are those of the given surface and, after them, one for each of `points`. A triangle at a lip is
-  /// several from its opposite corner, of which the first keeps its number.
+  /// several from its opposite corner, of which the first keeps its number; each has the lip's points as its first two
+  /// corners.
   std::shared_ptr<const SnapshotTopology> topology;
   std::vector<LipPoint> points;
+  std::vector<LipFan> fans;
 };
 
 /// Kept as it is where nothing is cut: no `points`, and the given topology. `borders`, `is_lip`: what border_edges and

@@ -83,9 +83,11 @@ int make_still(const StillOptions& options) {
   if (options.ground_truth) {
     remove_ground_truth(truth_folder(options.picture));
     remove_ground_truth(unfinished_name(truth_folder(options.picture)));
-    GroundTruthSeries::write_still(
-        {.folder = truth_folder(options.picture), .size = image.size, .organs = tissue_kinds(scenario.resolved)},
-        before, *frame, frames.at(frames_later(time, 1, fps)));
+    GroundTruthSeries::write_still({.folder = truth_folder(options.picture),
+                                    .size = image.size,
+                                    .organs = tissue_kinds(scenario.resolved),
+                                    .lips = drawn_lips(scenario.view.look)},
+                                   before, *frame, frames.at(frames_later(time, 1, fps)));
   }
   fmt::print(stderr, "{}", pass_table(painter->pass_times()));
   fmt::print(stderr, "{} shows {} at {:.4g} s\n", options.picture.string(), scenario.name, options.at);

@@ -116,8 +116,10 @@ std::filesystem::path frame_folder(const RecordingPlan& plan) {
 }
 
 GroundTruthPlan truth_plan(const RecordingPlan& plan) {
-  return {
-      .folder = plan.folder / kGroundTruthFolder, .size = plan.size, .organs = tissue_kinds(plan.description.resolved)};
+  return {.folder = plan.folder / kGroundTruthFolder,
+          .size = plan.size,
+          .organs = tissue_kinds(plan.description.resolved),
+          .lips = drawn_lips(plan.view.look)};
 }
 
 /// The texts cut off at the end of what was recorded.

@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "renderer/ground_truth/GroundTruth.hpp"
 #include "renderer/picture/Renderer.hpp"
-#include "tests/renderer/picture/TestMeshes.hpp"
+#include "tests/renderer/picture/CutSheets.hpp"
 
 namespace thinwall {
 namespace {
@@ -44,6 +47,54 @@ double part_that_differs(const Image& image, const GroundTruth& truth) {
     differing += (brightness > 40) != is_something;
   }
   return static_cast<double>(differing) / seen;
+}
+
+/// A slit sheet whose lips are pulled apart into a lens of 6 mm with large triangles: its edges leave the curves by
+/// several pixels.
+Snapshot gaping_sheet() {
+  SnapshotSurface sheet = test::slit_sheet(10, 0.002, 0);
+  for (std::size_t v = 0; v < sheet.positions.size(); ++v) {
+    const double x = sheet.topology->rest_positions[v][0], y = sheet.topology->rest_positions[v][1];
+    const double side = v >= 121 || y > 0 ? 1 : -1;
+    const double gap = 0.003 * std::max(0.0, 1 - x * x / 0.000064) * (1 - std::abs(y) / 0.01);
+    sheet.positions[v][1] += static_cast<float>(side * gap);
+  }
+  Snapshot snapshot;
+  snapshot.surfaces = {sheet};
+  return snapshot;
+}
+
+/// Pixels at which the tissue of the picture and that of the truth differ: tissue has the same colour on any ground.
+int tissue_that_differs(const Snapshot& snapshot, ViewDefinition view, DrawnLips lips) {
+  constexpr ImageSize kSize = {.width = 640, .height = 360};
+  Renderer renderer({}, kSize, Tier::kDraft);
+  view.look.floor = false;
+  view.look.background = {0.1, 0.1, 0.1};
+  const Image dark = renderer.draw(snapshot, view, view.camera);
+  view.look.background = {0.9, 0.9, 0.9};
+  const Image light = renderer.draw(snapshot, view, view.camera);
+  const GroundTruth truth = ground_truth(SeenFrame(snapshot, {view.camera}, kSize, lips));
+  int differing = 0;
+  for (std::size_t pixel = 0; pixel < truth.instances.size(); ++pixel) {
+    const bool is_tissue = light.pixels[3 * pixel] - dark.pixels[3 * pixel] < 100;
+    differing += is_tissue != (truth.instances[pixel] != 0);
+  }
+  return differing;
+}
+
+TEST(GroundTruthGLTest, LipsOfWoundsLieWhereThePictureHasThem) {
+  const Snapshot snapshot = gaping_sheet();
+  ViewDefinition view;
+  view.camera = {.position = Double3{0, 0, 0.03}, .target = Double3{0, 0, 0}, .up = Double3{0, 1, 0}};
+  TissueLook look;
+  look.bleeding = look.bed = look.contents.clarity = 0;
+  view.look.bodies["organ"] = look;
+  // Drivers place corners in steps of 1/256 of a pixel.
+  EXPECT_LE(tissue_that_differs(snapshot, view, DrawnLips::kCurves), 3);
+  EXPECT_GT(tissue_that_differs(snapshot, view, DrawnLips::kEdges), 50);
+  view.look.mesh = true;
+  EXPECT_EQ(drawn_lips(view.look), DrawnLips::kEdges);
+  EXPECT_LE(tissue_that_differs(snapshot, view, drawn_lips(view.look)), 3);
 }
 
 TEST(GroundTruthGLTest, ALensBendsTheTruthAsItBendsThePicture) {

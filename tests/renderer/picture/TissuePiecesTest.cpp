@@ -2,14 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/picture/DrawnPieces.hpp"
 #include "tests/renderer/picture/CutSheets.hpp"
 
 namespace thinwall {
 namespace {
 
 bool is_closed(const SnapshotSurface& surface) {
-  const std::vector<BorderEdge> borders = border_edges(*surface.topology);
-  return encloses_its_inside(surface, borders, tissue_pieces(surface, borders));
+  const DrawnTopology drawn = drawn_topology(surface.topology, DrawnLips::kEdges);
+  return encloses_its_inside(surface, drawn.borders, drawn_pieces(surface, drawn, surface));
 }
 
 /// The same with all triangles turned over.

@@ -1,4 +1,4 @@
-#include "renderer/picture/SmoothLipPieces.hpp"
+#include "renderer/picture/DrawnPieces.hpp"
 
 #include <utility>
 
@@ -34,18 +34,17 @@ WallWays refined(WallWays ways, const SmoothLips& lips) {
 
 }  // namespace
 
-std::vector<TissuePiece> smooth_lipped_pieces(const SnapshotSurface& surface, std::span<const BorderEdge> borders,
-                                              const SmoothLips& lips, const SnapshotSurface& smooth,
-                                              std::span<const BorderEdge> smooth_borders) {
-  std::vector<SurfaceVertex> wall = wall_vertices(surface);
-  WallWays ways = refined(wall_ways(surface, wall, borders), lips);
-  for (const LipPoint& point : lips.points) {
+std::vector<TissuePiece> drawn_pieces(const SnapshotSurface& mesh, const DrawnTopology& drawn,
+                                      const SnapshotSurface& shown) {
+  std::vector<SurfaceVertex> wall = wall_vertices(mesh);
+  WallWays ways = refined(wall_ways(mesh, wall, drawn.mesh_borders), drawn.lips);
+  for (const LipPoint& point : drawn.lips.points) {
     SurfaceVertex vertex = between(wall[point.start], wall[point.end], point.part);
-    vertex.position = smooth.positions[wall.size()];
-    vertex.rest = smooth.topology->rest_positions[wall.size()];
+    vertex.position = shown.positions[wall.size()];
+    vertex.rest = shown.topology->rest_positions[wall.size()];
     wall.push_back(vertex);
   }
-  return tissue_pieces(smooth, smooth_borders, std::move(wall), ways);
+  return tissue_pieces(shown, drawn.borders, std::move(wall), ways);
 }
 
 }  // namespace thinwall
