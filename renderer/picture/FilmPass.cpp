@@ -4,6 +4,7 @@
 
 #include "renderer/picture/FluidUniforms.hpp"
 #include "renderer/picture/ShaderProgram.hpp"
+#include "renderer/picture/TwoSourceBlending.hpp"
 
 namespace thinwall {
 
@@ -21,9 +22,7 @@ void FilmPass::draw(std::span<const BodyFilm> films, Surroundings surroundings) 
   glDepthMask(GL_FALSE);
   glEnable(GL_STENCIL_TEST);
   glStencilMask(0);
-  glEnable(GL_BLEND);
-  glBlendEquation(GL_FUNC_ADD);
-  glBlendFunc(GL_ONE, GL_SRC1_COLOR);
+  const TwoSourceBlending blending;
   glCullFace(GL_BACK);
   glUseProgram(programs_[static_cast<std::size_t>(surroundings)].name());
   for (const auto& [film, look, is_falling] : films) {
@@ -36,9 +35,6 @@ void FilmPass::draw(std::span<const BodyFilm> films, Surroundings surroundings) 
     triangles_.draw();
   }
   glDisable(GL_CULL_FACE);
-  glDisable(GL_BLEND);
-  // A second source is allowed where one buffer is drawn to; drivers refuse it elsewhere even while nothing is blended.
-  glBlendFunc(GL_ONE, GL_ZERO);
   glStencilMask(0xff);
   glDisable(GL_STENCIL_TEST);
   glDepthMask(GL_TRUE);

@@ -5,6 +5,7 @@
 
 #include "renderer/picture/FluidUniforms.hpp"
 #include "renderer/picture/ShaderProgram.hpp"
+#include "renderer/picture/TwoSourceBlending.hpp"
 
 namespace thinwall {
 namespace {
@@ -34,9 +35,7 @@ void FluidPass::draw(std::span<const BodyFluid> fluids, Surroundings surrounding
   glDepthFunc(GL_LESS);
   glDepthMask(GL_FALSE);
   glEnable(GL_STENCIL_TEST);
-  glEnable(GL_BLEND);
-  glBlendEquation(GL_FUNC_ADD);
-  glBlendFunc(GL_ONE, GL_SRC1_COLOR);
+  const TwoSourceBlending blending;
   glUseProgram(programs_[static_cast<std::size_t>(surroundings)].name());
   std::size_t first = 0;
   for (const BodyFluid& fluid : fluids) {
@@ -62,7 +61,6 @@ void FluidPass::draw(std::span<const BodyFluid> fluids, Surroundings surrounding
   }
   glStencilMask(0xff);
   glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-  glDisable(GL_BLEND);
   glDisable(GL_STENCIL_TEST);
   glDepthMask(GL_TRUE);
 }

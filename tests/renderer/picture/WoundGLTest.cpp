@@ -48,12 +48,14 @@ std::array<int, 3> middle_of(const Image& image) {
 }
 
 TEST(Wound, IsDrawnAsOftenAsItIsAskedForInADraft) {
-  Snapshot snapshot;
-  snapshot.surfaces = {test::slit_sheet(10, 0.001, 0)};
-  snapshot.time = 1;
-  Renderer renderer(DeviceChoice{}, kSize, Tier::kDraft);
-  const Image first = renderer.draw(snapshot, from_above());
-  EXPECT_EQ(renderer.draw(snapshot, from_above()).pixels, first.pixels);
+  Snapshot slit;
+  slit.surfaces = {test::slit_sheet(10, 0.001, 0)};
+  slit.time = 1;
+  for (const Snapshot& snapshot : {slit, open_bowl(0.5)}) {
+    Renderer renderer(DeviceChoice{}, kSize, Tier::kDraft);
+    const Image first = renderer.draw(snapshot, from_above());
+    EXPECT_EQ(renderer.draw(snapshot, from_above()).pixels, first.pixels);
+  }
 }
 
 TEST(Wound, ShowsTheFluidInAnOpenedOrgan) {
