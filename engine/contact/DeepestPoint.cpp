@@ -59,7 +59,8 @@ double deepest_part(const ToolSolid& solid, const Eigen::Vector3d& from, const E
   }
   return root_of_rising([&](double part) {
     const SignedDistance distance = signed_distance(solid, from + part * way);
-    return Slope{.value = distance.normal.dot(way), .derivative = way.dot(distance.curvature * way)};
+    return Slope{.value = distance.normal.dot(way) + solid.crown * (part - 0.5),
+                 .derivative = way.dot(distance.curvature * way) + solid.crown};
   });
 }
 

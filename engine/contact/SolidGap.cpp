@@ -12,7 +12,7 @@ namespace {
 constexpr double kFlat = 1e3;
 
 Eigen::Matrix<double, 9, 9> hessian_of(const DeepestPoint& deepest, const SignedDistance& distance,
-                                       const std::array<Eigen::Vector3d, 3>& corners) {
+                                       const std::array<Eigen::Vector3d, 3>& corners, double crown) {
   Eigen::Matrix<double, 9, 9> hessian;
   for (int a = 0; a < 3; ++a) {
     for (int b = 0; b < 3; ++b) {
@@ -35,7 +35,8 @@ Eigen::Matrix<double, 9, 9> hessian_of(const DeepestPoint& deepest, const Signed
   const Eigen::Matrix2d bending = bent * edges;                   // metres
   const double flat = edges.colwise().norm().maxCoeff() / kFlat;  // metres
   if (freedom == 1) {
-    if (bending(0, 0) > flat) hessian -= coupling.row(0).transpose() * coupling.row(0) / bending(0, 0);
+    const double bend = bending(0, 0) + crown;
+    if (crown > 0 || bend > flat) hessian -= coupling.row(0).transpose() * coupling.row(0) / bend;
     return hessian;
   }
   const double half_trace = 0.5 * bending.trace();
@@ -79,12 +80,16 @@ std::optional<SolidGap> solid_gap(const ToolSolid& solid, double reach, const st
   if (distance.value >= reach) return std::nullopt;
   SolidGap result;
   result.gap = distance.value;
+  if (solid.crown > 0 && part == SitePart::kEdge) {
+    const double off_middle = deepest.weights[(corner + 1) % 3] - 0.5;
+    result.gap += 0.5 * solid.crown * off_middle * off_middle;
+  }
   result.normal = distance.normal;
   result.weights = deepest.weights;
   result.part = static_cast<SitePart>(deepest.corner_count - 1);
   for (int k = 0; k < 3; ++k) result.gradient.segment<3>(3 * k) = deepest.weights[k] * distance.normal;
   if (wanted == GapTerms::kHessian) {
-    result.hessian = hessian_of(deepest, distance, corners);
+    result.hessian = hessian_of(deepest, distance, corners, solid.crown);
   } else {
     result.hessian.setZero();
   }

@@ -6,6 +6,10 @@
 namespace thinwall {
 namespace {
 
+/// Crown of an edge over the radius of the rim of a box that it lies on. A blade, thin as its rims are round, needs
+/// none.
+constexpr double kCrown = 4e-3;
+
 /// Nearer to a centre or an axis than this, metres, the normal is taken along x' and the curvature as at this distance:
 /// a wall that deep inside a tool only has to be pushed out.
 constexpr double kNoDirection = 1e-12;
@@ -110,6 +114,7 @@ std::vector<ToolSolid> rims_of(const ToolSolid& solid) {
         ToolSolid rim = solid;
         rim.role = ToolSolid::Role::kRim;
         rim.core[one] = rim.core[other] = 0;
+        if (solid.core.minCoeff() > 0) rim.crown = kCrown * rim.radius;
         rim.center +=
             solid.frame.col(one) * first * solid.core[one] + solid.frame.col(other) * second * solid.core[other];
         rims.push_back(rim);

@@ -40,6 +40,7 @@ struct ToolSolid {
   double radius = 0;                                    // metres
   double tip_radius = 0;                                // metres, needle
   double shoulder = 0;                                  // metres along z' from the centre, needle
+  double crown = 0;                                     // metres, of edges that lie on a rim: see deepest_on_edge
 
   /// Whether the solid belongs to a body or hull before it.
   bool is_part() const { return role == Role::kRim || role == Role::kCorner; }

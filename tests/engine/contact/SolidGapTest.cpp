@@ -88,6 +88,45 @@ std::vector<Example> examples() {
           {"corner 1", {1.7, 0.1, 0.1}, 1, corner(1)},   {"corner 2", {0.1, 1.4, 0.3}, 1, corner(2)}};
 }
 
+/// The rim of a jaw along y, and the gap of an edge above it that is tilted by `slope`.
+ToolSolid rim(double crown) {
+  ToolSolid solid;
+  solid.role = ToolSolid::Role::kRim;
+  solid.crown = crown;
+  solid.core.y() = 1.5e-3;
+  solid.radius = 0.5e-3;
+  return solid;
+}
+
+Corners edge_over_rim(double slope) {
+  return {Eigen::Vector3d(0, -4e-3, 0.49e-3 - 4e-3 * slope), Eigen::Vector3d(0, 4e-3, 0.49e-3 + 4e-3 * slope),
+          Eigen::Vector3d(3e-3, 0, 1e-3)};
+}
+
+SolidGap gap_over_rim(const Corners& corners, double crown = 4e-3 * 0.5e-3) {
+  return *solid_gap(rim(crown), kFar, corners, SitePart::kEdge);
+}
+
+TEST(RimGap, GoesSmoothlyFromEndToEndOfTheRimAsAnEdgeAlongItTilts) {
+  EXPECT_NEAR(gap_over_rim(edge_over_rim(0)).weights[0], 0.5, 1e-12);
+  for (const double slope : {-1e-2, -1.01e-4, -3e-5, 1e-9, 2e-5, 5e-5, 1e-3}) {
+    const SolidGap gap = gap_over_rim(edge_over_rim(slope));
+    // The deeper end is that which tilts towards the rim.
+    EXPECT_GT((gap.weights[0] - 0.5) * slope, 0);
+    EXPECT_NEAR(gap.gap, gap_over_rim(edge_over_rim(slope), 0).gap, 5.1e-4 * 0.5e-3);
+    constexpr double kStep = 1e-9;  // metres
+    for (int k = 0; k < 6; ++k) {
+      Corners less = edge_over_rim(slope), more = less;
+      less[k / 3][k % 3] -= kStep;
+      more[k / 3][k % 3] += kStep;
+      const SolidGap below = gap_over_rim(less), above = gap_over_rim(more);
+      EXPECT_NEAR((above.gap - below.gap) / (2 * kStep), gap.gradient[k], 1e-6) << slope << " " << k;
+      const Eigen::Matrix<double, 9, 1> change = (above.gradient - below.gradient) / (2 * kStep);
+      EXPECT_LT((change - gap.hessian.col(k)).norm(), 1e-3 * (1 + gap.hessian.norm())) << slope << " " << k;
+    }
+  }
+}
+
 TEST(BallGap, GapGradientAndHessianAgreeWithExactDerivativesOfTheDistanceInEveryRegion) {
   // Both are exact; residuals seen below 3e-15.
   for (const Example& example : examples()) {

@@ -348,6 +348,38 @@ TEST(ScenarioRun, JawsStopWhereTheyHoldFirmlyEnough) {
   EXPECT_LT(run.snapshot().tools.at(0).opening, 0.009);
 }
 
+TEST(ScenarioRun, SmallJawsGraspATenseCoarseBalloonAndMoveIt) {
+  // Edges of the wall lie along rims of the jaws, and are longer than these.
+  Scenario scenario = held_ball(200, 0.01);
+  BodyScenario& ball = scenario.bodies[0];
+  ball.thickness = {.standard = 0.8e-3};
+  ball.material = {.law = find_wall_law("mooney_rivlin"), .parameters = {20e3, 4e3}};
+  ball.prestretch = {.standard = {.first = 1.3, .second = 1.3}};
+  ball.fluid.initial_pressure = 300;
+  ball.fixed = {{.region = BelowRegion{.axis = 2, .at = -0.015}}};
+  scenario.simulation.analysis = Analysis::kDynamic;
+  scenario.tools = {{.name = "grip",
+                     .kind = ToolKind::kForceps,
+                     .length = 0.015,
+                     .width = 0.004,
+                     .thickness = 0.002,
+                     .opening = 0.008}};
+  scenario.timeline = {{.action = GraspClip{.tool = "grip",
+                                            .body = "ball",
+                                            .at = {0, 0, 0.02},
+                                            .depth = 0.003,
+                                            .speed = 0.02,
+                                            .standoff = 0.002,
+                                            .to = 0.003,
+                                            .duration = 0.5}},
+                       {.action = MoveClip{.tool = "grip", .to = {0, 0.008, 0.023}, .duration = 0.5}}};
+  ScenarioRun run(scenario);
+  while (run.step()) {
+  }
+  EXPECT_NEAR(run.snapshot().tools.at(0).opening, 0.003, 1e-9);
+  EXPECT_GT(run.record().bodies.at(0).volume, 0);
+}
+
 TEST(ScenarioRun, TellsThatAHeldWallHasGivenWayToANeedleWithinAStep) {
   Scenario scenario = held_ball(320, 0.02);
   scenario.bodies[0].toughness = Field<double>{.standard = 400};
