@@ -10,6 +10,7 @@
 
 #include "engine/simulation/Body.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
+#include "studio/director/BodyInputs.hpp"
 #include "studio/director/DirectedTool.hpp"
 #include "studio/director/FollowedPoint.hpp"
 #include "studio/director/Incising.hpp"
@@ -192,31 +193,6 @@ struct ScenarioRun::Implementation {
     return {before, after};
   }
 
-  /// What the script puts into a body until the end of the next step.
-  BodyInput input_of(std::size_t index, double until) const {
-    BodyInput input{.load_factors = load_factors(scenario.bodies[index], until), .fluids = {}};
-    input.fluids.resize(bodies[index]->model().chambers.size());
-    for (const ScheduledClip& clip : clips) {
-      if (!clip.begun || clip.end <= time() + kTimeTolerance) continue;
-      if (const auto* piercing = std::get_if<PiercingPlan>(&clip.plan)) {
-        if (piercing->clip.body == scenario.bodies[index].name) {
-          input.needles.push_back(tools.at(piercing->clip.tool).index);
-        }
-      }
-      if (const auto* fill = std::get_if<FillPlan>(&clip.plan)) {
-        if (fill->clip.body != scenario.bodies[index].name) continue;
-        fill->add_to(input, time() - clip.begin, until - clip.begin);
-      }
-      if (const auto* incision = std::get_if<IncisionPlan>(&clip.plan)) {
-        if (incision->clip.body != scenario.bodies[index].name) continue;
-        const BladeStep step{
-            .tool = tools.at(incision->clip.tool).index, .begin = time() - clip.begin, .end = until - clip.begin};
-        if (!input.blade) input.blade = blade_input(*incision, *bodies[index], step);
-      }
-    }
-    return input;
-  }
-
   /// Lets the blades of a step cut.
   void follow_blades(std::span<const ToolPose> after, double until) {
     for (ScheduledClip& clip : clips) {
@@ -327,7 +303,8 @@ struct ScenarioRun::Implementation {
     const auto [before, after] = move_tools(next, driven);
     try {
       for (std::size_t index = 0; index < bodies.size(); ++index) {
-        bodies[index]->advance(before, after, count * step_length(), input_of(index, next));
+        const BodyInput input = input_of(scenario.bodies[index], *bodies[index], clips, tools, time(), next);
+        bodies[index]->advance(before, after, count * step_length(), input);
         take_over_ruptures(index, next);
         tally.note(bodies[index]->model().definition.name, bodies[index]->report(), next);
       }
