@@ -236,6 +236,8 @@ void Body::hold_dent(int tool, std::span<const ToolPose> poses) {
     is_dented = is_dented || std::ranges::any_of(state_.solid_forces[k], [](double force) { return force > 0; });
     std::ranges::fill(state_.solid_forces[k], 0);
     state_.friction[k].clear();
+    // From here on the tool does no work there.
+    state_.solid_contacts[k] = {};
   }
   if (!is_dented) return;
   // What held the dent goes over to the first cut, of the blade's width: the energy of the dent pays for it.
