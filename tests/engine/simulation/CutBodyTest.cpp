@@ -7,11 +7,13 @@
 #include <functional>
 #include <numbers>
 #include <numeric>
+#include <string>
 #include <vector>
 
 #include "engine/cutting/SurfaceNormals.hpp"
 #include "engine/cutting/SurfaceTrace.hpp"
 #include "engine/mesh/Shapes.hpp"
+#include "engine/simulation/SimulationFailure.hpp"
 #include "tests/engine/simulation/TestBodies.hpp"
 
 namespace thinwall {
@@ -264,6 +266,48 @@ TEST(ACutThatGoesOnFromAnOpenWound, LeavesAGelTheVolumeThatItHas) {
   rest(body, 1);
   EXPECT_LT(body.state().books.stored(), stored);
   EXPECT_LT(std::abs(body.state().books.numerical - numerical), 1e-3 * stored);
+}
+
+/// A coarse sheet with a thin stripe along y that is stretched almost as far as its law allows.
+BodyDefinition sheet_near_its_limit() {
+  BodyDefinition definition = stretched_sheet(120, 1.25);
+  definition.materials = {{find_wall_law("gent"), {20e3, 1.1}}};
+  for (std::size_t t = 0; t < definition.thickness.size(); ++t) {
+    double middle = 0;
+    for (const int corner : definition.mesh.triangles[t]) middle += definition.mesh.vertices[corner].x() / 3;
+    if (std::abs(middle) < 6e-3) definition.thickness[t] = 0.1e-3;
+  }
+  return definition;
+}
+
+TEST(ACutThatWouldLeaveTrianglesBeyondTheLaw, WaitsForTheBladeToComeFarther) {
+  Body body(sheet_near_its_limit(), {}, quasi_static());
+  body.settle();
+  const Eigen::VectorXd position = body.state().equilibrium.position;
+  const double elastic = body.state().books.elastic;
+  // Of 2.8 mean edges.
+  EXPECT_TRUE(body.cut(path_between(body, {1.3e-3, -0.4e-3, 0}, {-4.7e-3, -14.8e-3, 0}), {}).triangles.empty());
+  EXPECT_EQ(body.state().cut.length, 0);
+  EXPECT_EQ(body.state().equilibrium.position, position);
+  EXPECT_EQ(body.state().books.elastic, elastic);
+  const Cut elsewhere = body.cut(path_between(body, {9e-3, -10e-3, 0}, {14e-3, 8e-3, 0}), {});
+  EXPECT_GT(elsewhere.length, 12e-3);
+  rest(body, 4);
+  EXPECT_TRUE(std::isfinite(body.state().books.elastic));
+}
+
+TEST(ACutThatWouldLeaveTrianglesBeyondTheLaw, SaysWhatHelpsOnceItIsLongerThanThreeEdges) {
+  Body body(sheet_near_its_limit(), {}, quasi_static());
+  body.settle();
+  try {
+    // Of 3.5 mean edges.
+    body.cut(path_between(body, {8.1e-3, -1.4e-3, 0}, {-4.8e-3, 14.3e-3, 0}), {});
+    FAIL() << "it is cut by " << body.state().cut.length << " m";
+  } catch (const SimulationFailure& failure) {
+    const std::string what = failure.what();
+    EXPECT_NE(what.find("beyond what the wall's law allows"), std::string::npos) << what;
+    EXPECT_NE(what.find("give the body more triangles"), std::string::npos) << what;
+  }
 }
 
 TEST(LipsThatNoBladeLeads, AreLetGoByAsMuchLessAsAStepIsDivided) {
