@@ -34,12 +34,15 @@ struct Scene {
   SceneExtent extent;
   Camera camera;
   OverlayGrid grid;
-  ImageSize size;  // of the part of the picture
+  ImageSize size;            // of the part of the picture
+  std::optional<Box> inset;  // of another picture, in this part
 
   std::optional<PixelPoint> pixel(Vector3 place) const { return camera.pixel(place, size); }
 
-  /// Whether a place lies in the picture, within the field stop of an endoscope.
+  /// Whether a place lies in the picture, within the field stop of an endoscope, and not under an inset.
   bool shows(PixelPoint at) const {
+    if (inset && at[0] > inset->x && at[0] < inset->right() && at[1] > inset->y && at[1] < inset->bottom())
+      return false;
     const double x = (2 * at[0] / size.width - 1) * camera.tangent_x;
     const double y = (2 * at[1] / size.height - 1) * camera.tangent_y;
     if (camera.field_stop > 0 && std::hypot(x, y) > camera.field_stop) return false;
@@ -198,7 +201,8 @@ std::vector<Box> draw_labels(const Canvas& canvas, const Scene& scene, const std
   const LabelRoom room{.bounds = label_bounds(scene),
                        .obstacles = obstacles_of(scene),
                        .gap = scene.grid.pixels(8),
-                       .distance = scene.grid.pixels(26)};
+                       .distance = scene.grid.pixels(26),
+                       .taken = scene.inset};
   std::vector<ShownLabel> shown;
   for (const std::size_t i : order_of_labels(moments_of(scene, unordered, wishes_of(scene, unordered)), room)) {
     shown.push_back(std::move(unordered[i]));
@@ -209,12 +213,15 @@ std::vector<Box> draw_labels(const Canvas& canvas, const Scene& scene, const std
   return boxes;
 }
 
-/// Up or down, whichever is nearer, until it is clear of the plates.
-Box moved_clear(Box box, const std::vector<Box>& plates, double gap) {
+/// Up or down, whichever is nearer and inside the bounds, until it is clear of the plates.
+Box moved_clear(Box box, const std::vector<Box>& plates, double gap, const Box& bounds) {
   for (const Box& plate : plates) {
     if (box.x >= plate.right() + gap || plate.x >= box.right() + gap) continue;
     const double up = box.bottom() + gap - plate.y, down = plate.bottom() + gap - box.y;
-    if (up > 0 && down > 0) box.y += up < down ? -up : down;
+    if (up <= 0 || down <= 0) continue;
+    const bool fits_above = box.y - up >= bounds.y, fits_below = box.bottom() + down <= bounds.bottom();
+    const bool goes_up = fits_above == fits_below ? up < down : fits_above;
+    box.y += goes_up ? -up : down;
   }
   return box;
 }
@@ -233,7 +240,7 @@ void draw_arrow_text(const Canvas& canvas, const Scene& scene, const std::string
                  .gap = scene.grid.pixels(6),
                  .distance = scene.grid.pixels(12)};
   room.obstacles.push_back(end);
-  draw_plate(canvas, scene, text, moved_clear(lay_out_labels({wish}, room).front(), plates, room.gap));
+  draw_plate(canvas, scene, text, moved_clear(lay_out_labels({wish}, room).front(), plates, room.gap, room.bounds));
 }
 
 void draw_arrows(const Canvas& canvas, const Scene& scene, const std::vector<ArrowDefinition>& arrows,
@@ -267,10 +274,30 @@ void draw_force_arrows(const Canvas& canvas, const Scene& scene, const std::vect
   }
 }
 
+/// An inset's place from the upper left of a part of the picture; none where it lies outside of the part.
+std::optional<Box> inset_within(const PictureBox& part, const std::optional<PictureBox>& inset) {
+  if (!inset) return std::nullopt;
+  const Box place{static_cast<double>(inset->left - part.left), static_cast<double>(inset->top - part.top),
+                  static_cast<double>(inset->size.width), static_cast<double>(inset->size.height)};
+  const bool is_outside =
+      place.right() <= 0 || place.bottom() <= 0 || place.x >= part.size.width || place.y >= part.size.height;
+  return is_outside ? std::nullopt : std::optional(place);
+}
+
+/// What is drawn from now on leaves `inset` as it is.
+void keep_off(const Canvas& canvas, ImageSize size, const Box& inset) {
+  cairo_rectangle(canvas.context(), 0, 0, size.width, size.height);
+  cairo_rectangle(canvas.context(), inset.x, inset.y, inset.width, inset.height);
+  cairo_set_fill_rule(canvas.context(), CAIRO_FILL_RULE_EVEN_ODD);
+  cairo_clip(canvas.context());
+  cairo_set_fill_rule(canvas.context(), CAIRO_FILL_RULE_WINDING);
+}
+
 }  // namespace
 
 void draw_annotations(Image& image, const PictureBox& box, const AnnotationDefinition& annotations,
-                      const Snapshot& snapshot, const CameraDefinition& camera) {
+                      const Snapshot& snapshot, const CameraDefinition& camera,
+                      const std::optional<PictureBox>& inset) {
   if (annotations.is_empty()) return;
   const FontUse use;
   const SceneExtent extent = scene_extent(snapshot);
@@ -279,9 +306,12 @@ void draw_annotations(Image& image, const PictureBox& box, const AnnotationDefin
                     .extent = extent,
                     .camera = resolve_camera(camera, extent, box.size, snapshot.time),
                     .grid = OverlayGrid(image.size),
-                    .size = box.size};
+                    .size = box.size,
+                    .inset = inset_within(box, inset)};
   const Canvas canvas(box.size);
-  const std::vector<Box> plates = draw_labels(canvas, scene, annotations.labels);
+  if (scene.inset) keep_off(canvas, box.size, *scene.inset);
+  std::vector<Box> plates = draw_labels(canvas, scene, annotations.labels);
+  if (scene.inset) plates.push_back(*scene.inset);
   draw_arrows(canvas, scene, annotations.arrows, plates);
   draw_force_arrows(canvas, scene, annotations.force_arrows, plates);
   canvas.blend_onto(image, box.left, box.top);

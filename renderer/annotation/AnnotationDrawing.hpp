@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "renderer/annotation/Annotation.hpp"
 #include "renderer/image/Image.hpp"
 #include "renderer/picture/CameraDefinition.hpp"
@@ -11,8 +13,10 @@ namespace thinwall {
 /// Writes labels and arrows over the part of a picture that `camera` has filled with `snapshot`. Labels stand beside
 /// organ and tools where there is room, between title and panels, and keep their side and order while they are shown.
 /// Points that a wall hides have a hollow dot; what is behind the camera or outside the picture is left out. Drawn on
-/// the processor like the overlays; a pure function of the arguments.
+/// the processor like the overlays; a pure function of the arguments. `inset`: the part of the whole picture that a
+/// small one covers; nothing is drawn on it, and what lies under it is left out.
 void draw_annotations(Image& image, const PictureBox& box, const AnnotationDefinition& annotations,
-                      const Snapshot& snapshot, const CameraDefinition& camera);
+                      const Snapshot& snapshot, const CameraDefinition& camera,
+                      const std::optional<PictureBox>& inset = {});
 
 }  // namespace thinwall

@@ -68,11 +68,42 @@ double free_edge(const LabelRoom& room, double top, double bottom, bool on_the_l
   return sign * edge;
 }
 
+bool is_taken_on_the_left(const LabelRoom& room) {
+  return room.taken->x + room.taken->right() < room.bounds.x + room.bounds.right();
+}
+
+/// Whether labels of a side, at most this wide, find no place beside what is taken.
+bool is_side_taken(const LabelRoom& room, bool on_the_left, double widest) {
+  if (is_taken_on_the_left(room) == on_the_left) return true;
+  const double beside = on_the_left ? room.taken->x - room.bounds.x : room.bounds.right() - room.taken->right();
+  return beside < widest + room.gap;
+}
+
+/// The bounds above or below what is taken, whichever are higher.
+Box free_heights(const LabelRoom& room) {
+  Box free = room.bounds;
+  const double above = room.taken->y - room.gap - free.y;
+  const double below = free.bottom() - room.taken->bottom() - room.gap;
+  if (below >= above) free.y = free.bottom() - std::max(0.0, below);
+  free.height = std::max({0.0, above, below});
+  return free;
+}
+
+/// Beside what is taken, when the label stands at its height or on the other side of the bounds.
+double beside_taken(const LabelWish& wish, const LabelRoom& room, double left, double top) {
+  const bool is_level = top < room.taken->bottom() + room.gap && top + wish.height + room.gap > room.taken->y;
+  const bool is_left = is_taken_on_the_left(room);
+  if (!is_level && is_left == wish.on_the_left) return left;
+  return is_left ? std::max(left, room.taken->right() + room.gap)
+                 : std::min(left, room.taken->x - room.gap - wish.width);
+}
+
 double left_of(const LabelWish& wish, const LabelRoom& room, double top) {
   double edge = free_edge(room, top, top + wish.height, wish.on_the_left);
   // Never on the wrong side of its anchor, also where nothing stands in the way.
   edge = wish.on_the_left ? std::min(edge, wish.anchor[0]) : std::max(edge, wish.anchor[0]);
-  const double left = wish.on_the_left ? edge - room.distance - wish.width : edge + room.distance;
+  double left = wish.on_the_left ? edge - room.distance - wish.width : edge + room.distance;
+  if (room.taken) left = beside_taken(wish, room, left, top);
   return std::max(room.bounds.x, std::min(left, room.bounds.right() - wish.width));
 }
 
@@ -83,14 +114,17 @@ std::vector<Box> lay_out_labels(const std::vector<LabelWish>& wishes, const Labe
   for (const bool on_the_left : {true, false}) {
     std::vector<std::size_t> members;
     std::vector<double> wanted, heights;
+    double widest = 0;
     for (std::size_t i = 0; i < wishes.size(); ++i) {
       if (wishes[i].on_the_left != on_the_left) continue;
       members.push_back(i);
       wanted.push_back(wishes[i].anchor[1] - 0.5 * wishes[i].height);
       heights.push_back(wishes[i].height + room.gap);
+      widest = std::max(widest, wishes[i].width);
     }
+    const bool is_taken = room.taken && is_side_taken(room, on_the_left, widest);
     std::vector<double> tops = spread(wanted, heights);
-    keep_inside(tops, heights, room.gap, room.bounds);
+    keep_inside(tops, heights, room.gap, is_taken ? free_heights(room) : room.bounds);
     for (std::size_t k = 0; k < members.size(); ++k) {
       const LabelWish& wish = wishes[members[k]];
       boxes[members[k]] = {left_of(wish, room, tops[k]), tops[k], wish.width, wish.height};

@@ -3,6 +3,7 @@
 #include <cairo.h>
 
 #include "renderer/image/Image.hpp"
+#include "renderer/overlay/Box.hpp"
 
 namespace thinwall {
 
@@ -13,16 +14,6 @@ struct Color {
   double blue = 0;
   double opacity = 1;
   Color with_opacity(double value) const { return {red, green, blue, value}; }
-};
-
-/// A rectangle in pixels, from the top left.
-struct Box {
-  double x = 0;
-  double y = 0;
-  double width = 0;
-  double height = 0;
-  double right() const { return x + width; }
-  double bottom() const { return y + height; }
 };
 
 /// A transparent surface to draw on with cairo, on the processor.

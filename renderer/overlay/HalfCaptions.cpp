@@ -19,7 +19,8 @@ constexpr int kMostLines = 3;
 
 /// At the left of the half that begins at `left`: the action is in its middle. The longer it is, the more lines it
 /// takes.
-void draw_caption(Image& image, const OverlayGrid& grid, const std::string& caption, const Color& color, int left) {
+void draw_caption(Image& image, const OverlayGrid& grid, const std::string& caption, const Color& color, int left,
+                  const std::optional<Box>& inset) {
   const double padding = grid.pixels(plate_style::kPadding);
   const double mark = grid.pixels(kMarkLength + kGap);
   const double room = kPartOfHalf * image.size.width / 2.0 - grid.pixels(plate_style::kMargin) - 2 * padding - mark;
@@ -31,7 +32,10 @@ void draw_caption(Image& image, const OverlayGrid& grid, const std::string& capt
   const double middle = plate.size().height / 2.0;
   plate.line(padding, middle, padding + grid.pixels(kMarkLength), middle, std::max(1.5, grid.pixels(3)), color);
   text.draw(plate, padding + mark, middle - text.height() / 2);
-  plate.blend_onto(image, left + grid.whole(plate_style::kMargin), grid.whole(kTop));
+  const Box wanted{static_cast<double>(left + grid.whole(plate_style::kMargin)), static_cast<double>(grid.whole(kTop)),
+                   static_cast<double>(plate.size().width), static_cast<double>(plate.size().height)};
+  const double top = inset && wanted.overlaps(*inset) ? inset->bottom() + grid.pixels(kGap) : wanted.y;
+  plate.blend_onto(image, static_cast<int>(wanted.x), static_cast<int>(std::lround(top)));
 }
 
 void draw_divider(Image& image) {
@@ -46,12 +50,12 @@ void draw_divider(Image& image) {
 
 }  // namespace
 
-void draw_half_captions(Image& image, const std::array<std::string, 2>& captions) {
+void draw_half_captions(Image& image, const std::array<std::string, 2>& captions, const std::optional<Box>& inset) {
   const FontUse use;
   const OverlayGrid grid(image.size);
   draw_divider(image);
-  draw_caption(image, grid, captions[0], plate_style::kCurve, 0);
-  draw_caption(image, grid, captions[1], plate_style::kOtherCurve, image.size.width - image.size.width / 2);
+  draw_caption(image, grid, captions[0], plate_style::kCurve, 0, inset);
+  draw_caption(image, grid, captions[1], plate_style::kOtherCurve, image.size.width - image.size.width / 2, inset);
 }
 
 }  // namespace thinwall

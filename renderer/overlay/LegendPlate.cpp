@@ -48,16 +48,16 @@ void draw_bar(const Plate& plate, const OverlayGrid& grid, const Box& bar) {
 
 }  // namespace
 
-void draw_legend(Image& image, const OverlayGrid& grid, const Legend& legend) {
+void draw_legend(Image& image, const OverlayGrid& grid, const Legend& legend, const std::optional<Box>& inset) {
   assert(std::isfinite(legend.from) && std::isfinite(legend.to));
   const ShownUnit unit = shown_unit(legend.unit, std::max(std::abs(legend.from), std::abs(legend.to)));
   const Plate plate(grid, {grid.whole(kWidth), grid.whole(kHeight)});
-  const double left = grid.pixels(kPadding);
-  const double room = plate.size().width - 2 * left;
+  const double padding = grid.pixels(kPadding);
+  const double room = plate.size().width - 2 * padding;
   const Text name(legend.title, {.size = grid.pixels(kSmallText), .bold = true, .color = kText}, {.width = room});
-  name.draw(plate, left, grid.pixels(12));
-  Text(unit.unit, {.size = grid.pixels(kSmallText), .color = kFaintText}).draw(plate, left, grid.pixels(34));
-  const Box bar{left, grid.pixels(kBarTop), grid.pixels(kBarWidth),
+  name.draw(plate, padding, grid.pixels(12));
+  Text(unit.unit, {.size = grid.pixels(kSmallText), .color = kFaintText}).draw(plate, padding, grid.pixels(34));
+  const Box bar{padding, grid.pixels(kBarTop), grid.pixels(kBarWidth),
                 plate.size().height - grid.pixels(kBarTop + kPadding + 4)};
   draw_bar(plate, grid, bar);
   const double from = legend.from / unit.size, to = legend.to / unit.size;
@@ -72,7 +72,12 @@ void draw_legend(Image& image, const OverlayGrid& grid, const Legend& legend) {
     number.draw(plate, bar.right() + grid.pixels(10), y - number.height() / 2);
   }
   const int margin = grid.whole(kMargin);
-  plate.blend_onto(image, image.size.width - margin - plate.size().width, grid.whole(kTop));
+  const Box place{static_cast<double>(image.size.width - margin - plate.size().width),
+                  static_cast<double>(grid.whole(kTop)), static_cast<double>(plate.size().width),
+                  static_cast<double>(plate.size().height)};
+  const bool is_taken = inset && place.overlaps(*inset);
+  const double left = is_taken ? inset->x - grid.pixels(kPadding) - place.width : place.x;
+  plate.blend_onto(image, static_cast<int>(left), static_cast<int>(place.y));
 }
 
 }  // namespace thinwall

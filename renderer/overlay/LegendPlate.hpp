@@ -1,12 +1,14 @@
 #pragma once
 
+#include <optional>
+
 #include "renderer/overlay/Overlay.hpp"
 #include "renderer/overlay/Plate.hpp"
 
 namespace thinwall {
 
 /// What the colours of a data view mean: a bar of them with numbers beside it and the quantity's name and unit above,
-/// at the right, below the time.
-void draw_legend(Image& image, const OverlayGrid& grid, const Legend& legend);
+/// at the right, below the time; left of an `inset` that has its place.
+void draw_legend(Image& image, const OverlayGrid& grid, const Legend& legend, const std::optional<Box>& inset);
 
 }  // namespace thinwall

@@ -27,8 +27,8 @@ double peak_of(const OverlayContent& content) {
   return peak;
 }
 
-/// Between gauge and plot where that is wide enough to read, else above them.
-CaptionSpace caption_space(const OverlayGrid& grid, const OverlayContent& content) {
+/// Between gauge and plot where that is wide enough to read, else above them, and above an inset that stands there.
+CaptionSpace caption_space(const OverlayGrid& grid, const OverlayContent& content, const std::optional<Box>& inset) {
   constexpr double kGap = 22;
   constexpr double kWidest = 800;
   constexpr double kNarrowest = 420;
@@ -42,7 +42,12 @@ CaptionSpace caption_space(const OverlayGrid& grid, const OverlayContent& conten
   if (gauge + plot == 0 || beside >= grid.pixels(kNarrowest)) {
     return {center, bottom, static_cast<int>(std::min(beside, whole)), grid.whole(kPanelHeight)};
   }
-  return {center, bottom - grid.whole(kPanelHeight) - grid.whole(kGap), static_cast<int>(whole), grid.whole(90)};
+  CaptionSpace above{center, bottom - grid.whole(kPanelHeight) - grid.whole(kGap), static_cast<int>(whole),
+                     grid.whole(90)};
+  const Box place{center - whole / 2, static_cast<double>(above.bottom - above.height), whole,
+                  static_cast<double>(above.height)};
+  if (inset && place.overlaps(*inset)) above.bottom = static_cast<int>(inset->y - grid.pixels(kGap));
+  return above;
 }
 
 }  // namespace
@@ -65,18 +70,18 @@ Plate::Plate(const OverlayGrid& grid, ImageSize size) : Canvas(size) {
   stroke_rounded(inner, radius - edge / 2, edge, kEdge);
 }
 
-void draw_overlay(Image& image, const OverlayContent& content) {
+void draw_overlay(Image& image, const OverlayContent& content, const std::optional<Box>& inset) {
   const FontUse use;
   const OverlayGrid grid(image.size);
   const double peak = peak_of(content);
   int title_end = image.size.width - grid.whole(kMargin);
   if (content.show_time) title_end = draw_time(image, grid, content.time, content.duration) - grid.whole(kMargin);
   if (!content.title.empty()) draw_title(image, grid, content.title, title_end);
-  if (content.legend) draw_legend(image, grid, *content.legend);
+  if (content.legend) draw_legend(image, grid, *content.legend, inset);
   if (content.show_gauge) draw_gauge(image, grid, content, peak);
   if (content.show_force_plot) draw_force_plot(image, grid, content, peak);
   if (content.show_caption && !content.caption.empty()) {
-    draw_caption(image, grid, content.caption, caption_space(grid, content));
+    draw_caption(image, grid, content.caption, caption_space(grid, content, inset));
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "renderer/image/Image.hpp"
 #include "renderer/look/DataScale.hpp"
+#include "renderer/overlay/Box.hpp"
 
 namespace thinwall {
 
@@ -47,7 +48,8 @@ struct OverlayContent {
 
 /// Draws on the processor in one pinned font, so the bytes depend neither on the graphics driver nor on the machine's
 /// fonts. Scales with the picture's height, in narrow pictures with its width. All numbers must be finite. Long texts
-/// wrap, become smaller, and are cut with an ellipsis at last. Throws PictureFailure when the font is missing.
-void draw_overlay(Image& image, const OverlayContent& content);
+/// wrap, become smaller, and are cut with an ellipsis at last. Legend and caption stand beside and above an `inset`
+/// that has their place. Throws PictureFailure when the font is missing.
+void draw_overlay(Image& image, const OverlayContent& content, const std::optional<Box>& inset = {});
 
 }  // namespace thinwall

@@ -94,19 +94,29 @@ class RendererPainter final : public Painter {
   std::map<std::pair<int, int>, Renderer> renderers_;  // by width and height
 };
 
+Box canvas_box(const PictureBox& box) {
+  return {static_cast<double>(box.left), static_cast<double>(box.top), static_cast<double>(box.size.width),
+          static_cast<double>(box.size.height)};
+}
+
 }  // namespace
 
 Image finished_picture(const Frame& frame, Painter& painter) {
   Image image = painter.paint(frame.snapshot, frame.shot);
+  std::optional<PictureBox> inset;
+  if (frame.shot.inset) inset = inset_box(frame.shot.corner, image.size);
   if (frame.annotations) {
-    draw_annotations(image, main_box(frame.shot, image.size), *frame.annotations, frame.snapshot, frame.shot.camera);
+    draw_annotations(image, main_box(frame.shot, image.size), *frame.annotations, frame.snapshot, frame.shot.camera,
+                     inset);
     if (frame.shot.beside_snapshot) {
       draw_annotations(image, beside_box(image.size), *frame.annotations, *frame.shot.beside_snapshot,
-                       *frame.shot.beside);
+                       *frame.shot.beside, inset);
     }
   }
-  if (!frame.half_captions[0].empty()) draw_half_captions(image, frame.half_captions);
-  draw_overlay(image, frame.overlay);
+  std::optional<Box> taken;
+  if (inset) taken = canvas_box(*inset);
+  if (!frame.half_captions[0].empty()) draw_half_captions(image, frame.half_captions, taken);
+  draw_overlay(image, frame.overlay, taken);
   if (!frame.badge.empty()) draw_badge(image, frame.badge);
   if (frame.card) draw_card(image, *frame.card);
   return image;

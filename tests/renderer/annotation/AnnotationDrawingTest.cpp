@@ -130,6 +130,39 @@ TEST(AnnotationDrawing, AnArrowsWordsStandBesideTheTool) {
   }
 }
 
+TEST(AnnotationDrawing, LeavesAnInsetInAnyCornerAsItIs) {
+  Snapshot snapshot = scene();
+  snapshot.time = 1;
+  AnnotationDefinition annotations;
+  for (const double side : {-1.0, 1.0}) {
+    for (const double height : {-0.018, 0.0, 0.018}) {
+      annotations.labels.push_back({.text = "A long name of a part", .body = "organ", .at = {side * 0.02, 0, height}});
+      annotations.arrows.push_back({.text = "Press", .body = "organ", .at = {side * 0.02, 0, height}, .length = 0.05});
+    }
+  }
+  for (const PictureCorner corner :
+       {PictureCorner::kUpperLeft, PictureCorner::kUpperRight, PictureCorner::kLowerLeft, PictureCorner::kLowerRight}) {
+    const PictureBox inset = inset_box(corner, kSize);
+    Image image = black();
+    draw_annotations(image, {.size = kSize}, annotations, snapshot, from_the_front(), inset);
+    EXPECT_NE(image.pixels, black().pixels);
+    int changed = 0;
+    for (int y = inset.top; y < inset.top + inset.size.height; ++y) {
+      for (int x = inset.left; x < inset.left + inset.size.width; ++x) changed += level(image, x + 0.5, y + 0.5) > 0;
+    }
+    EXPECT_EQ(changed, 0);
+  }
+}
+
+TEST(AnnotationDrawing, WhatLiesUnderAnInsetHasNoLabel) {
+  Snapshot snapshot = scene();
+  snapshot.time = 1;
+  const PictureBox over_the_middle{.left = 400, .top = 200, .size = {480, 320}};
+  Image image = black();
+  draw_annotations(image, {.size = kSize}, label_at({0, -0.02, 0}), snapshot, from_the_front(), over_the_middle);
+  EXPECT_EQ(image.pixels, black().pixels);
+}
+
 TEST(AnnotationDrawing, NothingToSayChangesNothing) {
   EXPECT_EQ(drawn({}, scene()).pixels, black().pixels);
 }

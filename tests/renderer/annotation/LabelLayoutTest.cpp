@@ -9,10 +9,6 @@ namespace {
 
 constexpr Box kBounds{20, 60, 600, 240};
 
-bool overlap(const Box& a, const Box& b) {
-  return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
-}
-
 /// A disc in the middle of the bounds.
 std::vector<PixelPoint> disc(double radius) {
   std::vector<PixelPoint> points;
@@ -53,7 +49,7 @@ TEST(LabelLayout, LabelsStayInsideTheBounds) {
     EXPECT_GE(boxes[i].y, kBounds.y);
     EXPECT_LE(boxes[i].right(), kBounds.right());
     EXPECT_LE(boxes[i].bottom(), kBounds.bottom() + 1e-9);
-    for (std::size_t k = 0; k < i; ++k) EXPECT_FALSE(overlap(boxes[i], boxes[k])) << i << " and " << k;
+    for (std::size_t k = 0; k < i; ++k) EXPECT_FALSE(boxes[i].overlaps(boxes[k])) << i << " and " << k;
   }
 }
 
@@ -80,6 +76,42 @@ TEST(LabelLayout, MovesSteadily) {
     EXPECT_LE(std::abs(boxes[0].x - before.x), 0.5 + 1e-9) << y;
     EXPECT_LE(std::abs(boxes[0].y - before.y), 0.25 + 1e-9) << y;
     before = boxes[0];
+  }
+}
+
+TEST(LabelLayout, LabelsKeepClearOfWhatIsTakenInAnyCorner) {
+  for (const Box& taken :
+       {Box{20, 60, 190, 110}, Box{430, 60, 190, 110}, Box{20, 190, 190, 110}, Box{430, 190, 190, 110}}) {
+    // Up to eight on a side are too many for the heights that are left.
+    for (int count = 1; count <= 16; ++count) {
+      std::vector<LabelWish> wishes;
+      for (int i = 0; i < count; ++i) wishes.push_back(wish(320, 70 + 220.0 * i / count, i % 2 == 0));
+      const auto boxes =
+          lay_out_labels(wishes, {.bounds = kBounds, .obstacles = disc(110), .gap = 8, .distance = 24, .taken = taken});
+      for (std::size_t i = 0; i < boxes.size(); ++i) {
+        EXPECT_FALSE(boxes[i].overlaps(taken)) << taken.x << ' ' << taken.y << ": " << i << " of " << count;
+        EXPECT_GE(boxes[i].x, kBounds.x);
+        EXPECT_LE(boxes[i].right(), kBounds.right());
+      }
+    }
+  }
+}
+
+TEST(LabelLayout, OnTheSideOfWhatIsTakenALabelStandsBelowItAndBesideTheObstacles) {
+  const auto boxes = lay_out_labels(
+      {wish(220, 100, true)},
+      {.bounds = kBounds, .obstacles = disc(100), .gap = 8, .distance = 24, .taken = Box{20, 60, 190, 110}});
+  EXPECT_NEAR(boxes[0].y, 178, 1e-9);
+  EXPECT_NEAR(boxes[0].right(), 220 - 24, 0.5);
+}
+
+TEST(LabelLayout, WhereTheOtherSideIsTooNarrowItsLabelsKeepTheirHeightsClearToo) {
+  const Box narrow{20, 60, 280, 240}, taken{20, 60, 220, 100};
+  const auto boxes = lay_out_labels({wish(100, 80, false), wish(150, 90, true)},
+                                    {.bounds = narrow, .obstacles = {}, .gap = 8, .distance = 24, .taken = taken});
+  for (const Box& box : boxes) {
+    EXPECT_FALSE(box.overlaps(taken));
+    EXPECT_LE(box.right(), narrow.right());
   }
 }
 

@@ -9,9 +9,9 @@ namespace {
 
 constexpr ImageSize kSize{1280, 720};
 
-Image captioned(const std::string& left, const std::string& right) {
+Image captioned(const std::string& left, const std::string& right, const std::optional<Box>& inset = {}) {
   Image image{.size = kSize, .pixels = std::vector<std::uint8_t>(3UL * kSize.width * kSize.height, 128)};
-  draw_half_captions(image, {left, right});
+  draw_half_captions(image, {left, right}, inset);
   return image;
 }
 
@@ -46,6 +46,18 @@ TEST(HalfCaptions, StandAlikeInBothHalves) {
   for (int y = 60; y < 140; ++y) {
     // The line between the halves is two pixels wide.
     for (int x = 4; x < 280; ++x) EXPECT_EQ(is_changed(image, x, y), is_changed(image, x + 640, y)) << x << ' ' << y;
+  }
+}
+
+TEST(HalfCaptions, StandBelowAnInsetThatHasTheirPlace) {
+  for (const Box& inset : {Box{26, 78, 384, 216}, Box{870, 78, 384, 216}}) {
+    const Image image = captioned("Thin", "Thick", inset);
+    for (int y = 78; y < 294; ++y) {
+      for (int x = static_cast<int>(inset.x); x < inset.right(); ++x) ASSERT_FALSE(is_changed(image, x, y));
+    }
+    // An inset at the left moves the left caption; one at the right leaves both, which stand left of it.
+    EXPECT_EQ(is_changed(image, 60, 313), inset.x < 640);
+    EXPECT_TRUE(is_changed(image, 700, 99));
   }
 }
 

@@ -245,5 +245,28 @@ TEST(Overlay, ALegendTellsOfAnEndThatStandsForMore) {
   EXPECT_LE(first, last);
 }
 
+TEST(Overlay, LeavesAnInsetAsItIs) {
+  struct Place {
+    ImageSize size;
+    Box inset;
+  };
+  // Wide, with the legend at the inset's height; narrow, with the caption above the panels.
+  for (const auto& [size, inset] : {Place{{1280, 720}, {870, 78, 384, 216}}, Place{{1280, 720}, {870, 294, 384, 216}},
+                                    Place{{720, 720}, {26, 294, 216, 216}}}) {
+    OverlayContent content = some_content();
+    content.legend = Legend{.title = "Stress", .unit = "Pa", .from = 0, .to = 1000};
+    Image image = plain_image(size, 90, 60, 50);
+    const Image before = image;
+    draw_overlay(image, content, inset);
+    int changed = 0;
+    for (int y = static_cast<int>(inset.y); y < inset.bottom(); ++y) {
+      const auto row = 3 * (static_cast<std::ptrdiff_t>(y) * size.width + static_cast<std::ptrdiff_t>(inset.x));
+      changed += !std::equal(image.pixels.begin() + row, image.pixels.begin() + row + 3 * static_cast<int>(inset.width),
+                             before.pixels.begin() + row);
+    }
+    EXPECT_EQ(changed, 0) << size.width << ' ' << inset.y;
+  }
+}
+
 }  // namespace
 }  // namespace thinwall
