@@ -13,6 +13,7 @@
 #include "studio/commands/ExitCode.hpp"
 #include "studio/recorder/Interruption.hpp"
 #include "studio/take/TakeError.hpp"
+#include "studio/take/TakeReader.hpp"
 
 namespace thinwall {
 
@@ -94,10 +95,10 @@ double upper_end(std::vector<WeighedValue> values) {
   return std::min(highest, std::max(most, third + kFence * (third - first)));
 }
 
-/// (steps x vertices of all bodies)
-std::vector<WeighedValue> all_values(const TakeReader& take, DataQuantity quantity, std::size_t steps) {
-  std::vector<WeighedValue> all;
-  for (std::size_t step = 0; step < steps; ++step) {
+/// Adds those of a take: (steps x vertices of all bodies). Of the first step alone when `is_first_enough`.
+void add_values(const TakeReader& take, DataQuantity quantity, bool is_first_enough, std::vector<WeighedValue>& all) {
+  const std::size_t steps = take.times().size();
+  for (std::size_t step = 0; step < (is_first_enough ? std::min<std::size_t>(1, steps) : steps); ++step) {
     throw_if_interrupted();
     const Moment moment = take.moment(step);
     for (const SnapshotSurface& surface : moment.snapshot.surfaces) {
@@ -107,6 +108,17 @@ std::vector<WeighedValue> all_values(const TakeReader& take, DataQuantity quanti
         const bool is_held = surface.positions[v] == surface.topology->rest_positions[v];
         all.push_back({values[v], static_cast<float>(areas[v]), is_held});
       }
+    }
+  }
+}
+
+std::vector<WeighedValue> all_values(const std::vector<std::filesystem::path>& takes, const DataView& data) {
+  std::vector<WeighedValue> all;
+  for (const std::filesystem::path& file : takes) {
+    try {
+      add_values(TakeReader(file), data.quantity, data.from && data.to, all);
+    } catch (const PictureFailure& failure) {
+      throw TakeError(file.string() + ": " + failure.what());
     }
   }
   return all;
@@ -145,16 +157,10 @@ void change_data_view(const DataViewChanges& changes, LookDefinition& look) {
   }
 }
 
-void complete_data_range(const TakeReader& take, const std::filesystem::path& file, LookDefinition& look) {
+void complete_data_range(const std::vector<std::filesystem::path>& takes, LookDefinition& look) {
   if (!look.data) return;
   DataView& data = *look.data;
-  const std::size_t steps = data.from && data.to ? std::min<std::size_t>(1, take.times().size()) : take.times().size();
-  std::vector<WeighedValue> values;
-  try {
-    values = all_values(take, data.quantity, steps);
-  } catch (const PictureFailure& failure) {
-    throw TakeError(file.string() + ": " + failure.what());
-  }
+  std::vector<WeighedValue> values = all_values(takes, data);
   if (values.empty()) values.push_back({});
   const auto ends = std::ranges::minmax(values, {}, &WeighedValue::value);
   if (std::ranges::any_of(values, [](const WeighedValue& value) { return !value.is_held; })) {

@@ -2,10 +2,10 @@
 
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "renderer/picture/View.hpp"
 #include "studio/scenario/Quantity.hpp"
-#include "studio/take/TakeReader.hpp"
 
 namespace thinwall {
 
@@ -24,10 +24,11 @@ void change_data_view(const DataViewChanges& changes, LookDefinition& look);
 /// ended.
 void require_data_range(const LookDefinition& look);
 
-/// Gives a data view the ends that it lacks, from the whole take, and says whether values lie beyond them: over 0.5 %
-/// of the wall below the first at most, and over 5 % of where they are not zero above the last. What is held fast at
-/// its stress-free place does not count. Throws TakeError where the take does not hold what is to be shown, UsageError
-/// where the end that is there lies beyond all that the wall bears, so that the two would be in the wrong order.
-void complete_data_range(const TakeReader& take, const std::filesystem::path& file, LookDefinition& look);
+/// Gives a data view the ends that it lacks, from the whole of all takes that it shows, and says whether values lie
+/// beyond them: over 0.5 % of the wall below the first at most, and over 5 % of where they are not zero above the last.
+/// What is held fast at its stress-free place does not count. Throws TakeError where a take does not hold what is to be
+/// shown, UsageError where the end that is there lies beyond all that the wall bears, so that the two would be in the
+/// wrong order.
+void complete_data_range(const std::vector<std::filesystem::path>& takes, LookDefinition& look);
 
 }  // namespace thinwall

@@ -49,8 +49,9 @@ int render_take(const RenderOptions& options) {
   if (options.data) settings.view.look.data = DataView{.quantity = *options.data};
   change_data_view(options.data_changes, settings.view.look);
   if (options.mesh) settings.view.look.mesh = true;
-  complete_data_range(*take, options.take, settings.view.look);
-  const std::unique_ptr<MomentSource> source = replay_takes(options.take, settings.view);
+  const std::vector<std::filesystem::path> takes = takes_shown(options.take);
+  complete_data_range(takes, settings.view.look);
+  const std::unique_ptr<MomentSource> source = replay_takes(takes, settings.view);
   if (options.ground_truth) refuse_truth_of_two(settings.view);
   const RecordingPlan plan{.folder = options.out.value_or(options.take.parent_path() / "render"),
                            .description = take->description(),

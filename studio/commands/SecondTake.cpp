@@ -3,6 +3,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 
 #include "studio/commands/ExitCode.hpp"
 #include "studio/recorder/PairedSource.hpp"
@@ -59,22 +60,27 @@ RecordedTakes record_second_take(const Scenario& scenario, const std::filesystem
           std::move(report.failure)};
 }
 
-std::unique_ptr<MomentSource> replay_takes(const std::filesystem::path& take, ViewDefinition& view) {
-  auto first = std::make_unique<OwnedTakeSource>(take);
+std::vector<std::filesystem::path> takes_shown(const std::filesystem::path& take) {
+  if (!captions_of(TakeReader(take).description().resolved)) return {take};
+  const std::filesystem::path second = second_take_folder(take.parent_path()) / "take.h5";
+  if (std::filesystem::exists(second)) return {take, second};
+  throw TakeError(take.string() + ": the take is compared with " + second.string() +
+                  ", which is not there; run the scenario again");
+}
+
+std::unique_ptr<MomentSource> replay_takes(const std::vector<std::filesystem::path>& takes, ViewDefinition& view) {
+  auto first = std::make_unique<OwnedTakeSource>(takes.front());
+  if (takes.size() == 1) return first;
+  auto second = std::make_unique<OwnedTakeSource>(takes.back());
   const auto captions = captions_of(first->take().description().resolved);
-  if (!captions) return first;
-  const std::filesystem::path file = second_take_folder(take.parent_path()) / "take.h5";
-  if (!std::filesystem::exists(file)) {
-    throw TakeError(take.string() + ": the take is compared with " + file.string() +
-                    ", which is not there; run the scenario again");
-  }
-  auto second = std::make_unique<OwnedTakeSource>(file);
   const std::string& resolved = second->take().description().resolved;
   const auto own_captions = captions_of(resolved);
   if (!own_captions)
-    throw TakeError(file.string() + ": is not the second take of a comparison; run the scenario again");
-  view.comparison = std::make_shared<const TakeComparison>(
-      TakeComparison{{captions->front(), own_captions->back()}, picture_settings(resolved).view});
+    throw TakeError(takes.back().string() + ": is not the second take of a comparison; run the scenario again");
+  TakeComparison comparison{{captions->front(), own_captions->back()}, picture_settings(resolved).view};
+  comparison.second.look.data = view.look.data;
+  comparison.second.look.mesh = view.look.mesh;
+  view.comparison = std::make_shared<const TakeComparison>(std::move(comparison));
   return pair_sources(std::move(first), std::move(second));
 }
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "renderer/picture/View.hpp"
 #include "studio/commands/RunSource.hpp"
@@ -21,9 +22,12 @@ struct RecordedTakes {
 };
 RecordedTakes record_second_take(const Scenario& scenario, const std::filesystem::path& folder);
 
-/// A take and, where its scenario compares, the second take beside it, which `view` then is told of.
-/// Throws TakeError when the second one is missing.
-std::unique_ptr<MomentSource> replay_takes(const std::filesystem::path& take, ViewDefinition& view);
+/// A take and, where its scenario compares, the second one. Throws TakeError when the second one is missing.
+std::vector<std::filesystem::path> takes_shown(const std::filesystem::path& take);
+
+/// What takes_shown gives, side by side where they are two; `view` then is told of the second, which shows the same
+/// numbers and edges of the mesh as the first.
+std::unique_ptr<MomentSource> replay_takes(const std::vector<std::filesystem::path>& takes, ViewDefinition& view);
 
 /// Ground truth is of one take: throws UsageError.
 void refuse_truth_of_two(const ViewDefinition& view);

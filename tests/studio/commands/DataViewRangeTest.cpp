@@ -9,17 +9,14 @@
 
 #include "renderer/picture/View.hpp"
 #include "studio/commands/ExitCode.hpp"
-#include "studio/take/TakeReader.hpp"
 #include "studio/take/TakeWriter.hpp"
 #include "tests/studio/TemporaryFolder.hpp"
 
 namespace thinwall {
 namespace {
 
-/// The ends that a view of displacements takes from equal triangles, each as far from its stress-free place as said,
-/// metres, beside those that it has.
-DataView range_of(const std::vector<float>& displacements,
-                  const DataView& view = {.quantity = DataQuantity::kDisplacement}) {
+/// A take of equal triangles, each as far from its stress-free place as said, metres.
+void write_take(const std::filesystem::path& file, const std::vector<float>& displacements) {
   auto topology = std::make_shared<SnapshotTopology>();
   SnapshotSurface surface{.body = "organ", .topology = topology, .positions = {}, .fields = {}};
   for (const float displacement : displacements) {
@@ -34,13 +31,19 @@ DataView range_of(const std::vector<float>& displacements,
   Moment moment;
   moment.snapshot.surfaces = {surface};
   moment.record.bodies = {{.body = "organ"}};
-  const TemporaryFolder folder;
-  TakeWriter writer(folder / "take.h5", {.name = "organ", .title = "An organ", .resolved = R"({"thinwall":1})"});
+  TakeWriter writer(file, {.name = "organ", .title = "An organ", .resolved = R"({"thinwall":1})"});
   writer.write(moment);
   writer.finish({.complete = true, .warnings = {}, .state_digest = std::string(32, '0')});
+}
+
+/// The ends that a view of displacements takes from such a take, beside those that it has.
+DataView range_of(const std::vector<float>& displacements,
+                  const DataView& view = {.quantity = DataQuantity::kDisplacement}) {
+  const TemporaryFolder folder;
+  write_take(folder / "take.h5", displacements);
   LookDefinition look;
   look.data = view;
-  complete_data_range(TakeReader(folder / "take.h5"), folder / "take.h5", look);
+  complete_data_range({folder / "take.h5"}, look);
   return *look.data;
 }
 
@@ -56,6 +59,17 @@ TEST(DataViewRange, HoldsAllThatAnEvenWallBears) {
   const DataView view = range_of(evenly(100, 0.001F, 0.002F));
   EXPECT_NEAR(view.from.value(), 0.001, 1e-9);
   EXPECT_NEAR(view.to.value(), 0.002, 1e-9);
+}
+
+TEST(DataViewRange, HoldsWhatTheWallsOfAllTakesBear) {
+  const TemporaryFolder folder;
+  write_take(folder / "one.h5", evenly(100, 0.001F, 0.002F));
+  write_take(folder / "two.h5", evenly(100, 0.003F, 0.004F));
+  LookDefinition look;
+  look.data = DataView{.quantity = DataQuantity::kDisplacement};
+  complete_data_range({folder / "one.h5", folder / "two.h5"}, look);
+  EXPECT_NEAR(look.data->from.value(), 0.001, 1e-9);
+  EXPECT_NEAR(look.data->to.value(), 0.004, 1e-9);
 }
 
 TEST(DataViewRange, LeavesOutTheLittleThatBearsManyTimesAsMuch) {
