@@ -16,6 +16,10 @@ constexpr double kSettledEdges = 2;
 /// back along its own wound.
 constexpr double kMostLead = 2;
 
+/// How much farther than its own way a blade may seem to go through a wall that springs back against it: lips are let
+/// go by that way, and such a wall would spring back the faster the more is let go, however short the steps.
+constexpr double kMostProgress = 8;
+
 /// Part of what a cut costs that the forces at its lips may do on the wall before they are let go: they stand for what
 /// the wall bore across the cut, and push a piece that turns or flies away as no wall does.
 constexpr double kMostDriven = 0.5;
@@ -67,7 +71,7 @@ double Body::book_cut(const CutProgress& before, const Eigen::VectorXd& motion,
     const bool cuts = after.due > -kMostLead * model_->edge_length * after.cost;
     const double open = std::min(after.ahead, advance), cut = cuts ? advance - open : 0;
     paid = 0.5 * (before.push + after.push) * blade->travel;
-    after.progress = advance / blade->travel;
+    after.progress = std::min(advance / blade->travel, kMostProgress);
     after.ahead -= open;
     after.awaited = std::max(0.0, after.awaited - advance);
     after.owed += after.cost * cut - paid - released;

@@ -16,6 +16,9 @@ struct BladeStroke {
   Eigen::Vector3d direction = -Eigen::Vector3d::UnitZ();  // unit, into the wall
   double step = 1e-3;                                     // metres of way
   double duration = 5e-3;                                 // seconds, of a step
+  // Whether the blade comes down on a wall that it would stand in, unmet by its middle: a wall in motion would be flung
+  // out of it.
+  bool comes_down = false;
 };
 
 /// Draws the blade that is the only tool of a body through its wall, from one point to the next one, and lets the

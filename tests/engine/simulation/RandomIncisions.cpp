@@ -46,8 +46,8 @@ constexpr Case kMended[] = {{1, 107},  {1, 186},  {1, 191},  {1, 208},  {1, 217}
                             {1, 594},  {1, 603},  {1, 661},  {1, 767},  {1, 804},  {1, 807},  {1, 835},  {1, 865},
                             {1, 866},  {1, 872},  {1, 892},  {1, 896},  {1, 931},  {1, 979},  {1, 1007}, {1, 1059},
                             {1, 1136}, {1, 1207}, {1, 1214}, {1, 1224}, {1, 1337}, {1, 1397}, {1, 1350}, {1, 1459},
-                            {1, 1564}, {1, 1698}, {1, 1821}, {1, 1837}, {1, 1987}, {2, 63},   {2, 128},  {2, 170},
-                            {3, 209},  {3, 220},  {3, 335},  {3, 408},  {4, 9},    {5, 14},   {7, 1}};
+                            {1, 1460}, {1, 1564}, {1, 1698}, {1, 1821}, {1, 1837}, {1, 1987}, {2, 63},   {2, 128},
+                            {2, 170},  {3, 209},  {3, 220},  {3, 335},  {3, 408},  {4, 9},    {5, 14},   {7, 1}};
 
 struct Recipe {
   BodyDefinition body;
@@ -147,7 +147,10 @@ class Drawer : RandomNumbers {
     // So deep that the blade's edge goes through the wall above, also where the contents have lifted it.
     const double depth = shape_ == kSheet ? -5e-3 : kind == 5 ? 1e-3 : 0.4 * kRadius;
     for (const std::vector<Eigen::Vector2d>& line : lines) {
-      BladeStroke stroke{.points = {}, .step = step, .duration = duration};
+      BladeStroke stroke{.points = {},
+                         .step = step,
+                         .duration = duration,
+                         .comes_down = recipe.options.analysis == Analysis::kDynamic};
       for (const Eigen::Vector2d& point : line) stroke.points.emplace_back(point.x(), point.y(), depth);
       recipe.strokes.push_back(stroke);
     }
