@@ -277,7 +277,8 @@ class Body {
   Cut change_mesh(const CutPath& path, CutOptions options, Uncut* before = nullptr);
   void put_back(Uncut before);
   void add_shafts_to(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;
-  void note_piercing(std::span<const int> needles);
+  void note_piercing(std::span<const int> needles, std::span<const ToolPose> poses);
+  bool is_out_of_wall(int tool, const ToolPose& pose) const;
   void add_passed_to(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;
   bool needles_overshoot(const BodyState& before, std::span<const ToolPose> poses) const;
   void pierce_within_step(std::span<const ToolPose> poses);

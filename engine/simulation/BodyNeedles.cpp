@@ -2,13 +2,14 @@
 // a stiff wall would let them work far more than a slit costs.
 //
 // A wall that cannot give way before a needle bears any force, and stores none of its work: no energy balance says when
-// it gives way. So a needle that pierces does not feel what is held in its way. It goes in at once, and pays for the
-// slit as its cone spreads it: the cost, evenly over the length of the cone. That is what the needle feels there,
-// whatever the step. What cannot move does not squeeze its shaft.
+// it gives way. So a needle that pierces does not feel what is held in its way, until it is out of it again. It goes in
+// at once, and pays for the slit as its cone spreads it: the cost, evenly over the length of the cone. That is what the
+// needle feels there, whatever the step. What cannot move does not squeeze its shaft.
 
 #include <algorithm>
 #include <utility>
 
+#include "engine/contact/SolidGap.hpp"
 #include "engine/simulation/Body.hpp"
 #include "engine/simulation/HeldWall.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
@@ -22,11 +23,28 @@ constexpr double kMostPartWork = 0.5;
 
 }  // namespace
 
-void Body::note_piercing(std::span<const int> needles) {
+void Body::note_piercing(std::span<const int> needles, std::span<const ToolPose> poses) {
+  std::erase_if(state_.piercing, [&](int tool) {
+    return std::ranges::find(needles, tool) == needles.end() && is_out_of_wall(tool, poses[tool]);
+  });
   for (const int tool : needles) {
     const auto at = std::ranges::lower_bound(state_.piercing, tool);
     if (at == state_.piercing.end() || *at != tool) state_.piercing.insert(at, tool);
   }
+}
+
+bool Body::is_out_of_wall(int tool, const ToolPose& pose) const {
+  if (std::ranges::any_of(state_.punctures, [&](const Puncture& one) { return one.tool == tool; })) return false;
+  const ToolSolid needle = tool_solids(tools_[tool], pose).front();
+  const Eigen::VectorXd& position = state_.equilibrium.position;
+  const std::vector<char> passed = sites_in_the_way(*model_, position, needle, held_against(*model_, pose.direction));
+  for (std::size_t s = 0; s < passed.size(); ++s) {
+    const ContactSite& site = model_->sites[s];
+    if (!passed[s]) continue;
+    const auto corners = corners_of(model_->surface[site.triangle], position);
+    if (solid_gap(needle, 0, corners, site.part, site.corner, GapTerms::kGradient)) return false;
+  }
+  return true;
 }
 
 void Body::add_passed_to(std::span<const ToolPose> poses, EquilibriumProblem& problem) const {

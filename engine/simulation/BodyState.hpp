@@ -94,7 +94,7 @@ struct BodyState {
   Eigen::VectorXd drag_force;  // (unknowns) or none, newton, on the wall
   std::vector<Puncture> punctures;
   std::vector<Pressing> pressing;  // (tools)
-  std::vector<int> piercing;  // tools, ascending: needles that have been told to pierce, and feel nothing held since
+  std::vector<int> piercing;  // tools, ascending: needles that pierce, or are not yet out of what they have pierced
   EnergyBooks books;
 };
 

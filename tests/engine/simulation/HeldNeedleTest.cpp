@@ -100,6 +100,32 @@ TEST(ANeedleThatPiercesAHeldWall, GoesThroughTheFarWallTooWhereThatIsHeld) {
   EXPECT_NEAR(body.state().books.fracture, cost, 1e-9 * cost);
 }
 
+TEST(ANeedleThatHasPiercedAHeldWall, FeelsWhatIsHeldAgainOnceItIsOut) {
+  for (const bool comes_out : {false, true}) {
+    Body body(held_ball(320, 8e-3), {test_needle(0)}, quasi_static());
+    body.settle();
+    move_needle(body, {1e-3, 0.3e-3}, kRadius + 1e-3, kRadius - 3e-3, 0.2e-3);
+    // What is no piercing any more moves the needle on, back, and against the wall where that is whole.
+    const auto go = [&](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+      const std::vector<ToolPose> begin = {pose_at(from)}, end = {pose_at(to)};
+      body.advance(begin, end, 5e-3);
+      body.pierce(0, end);
+      return body.state().contacts[0].force.norm();
+    };
+    const Eigen::Vector3d in(1e-3, 0.3e-3, kRadius - 3e-3), out(1e-3, 0.3e-3, kRadius + 2e-3);
+    EXPECT_EQ(go(in, in - Eigen::Vector3d(0, 0, 0.2e-3)), 0);
+    EXPECT_EQ(go(in, comes_out ? out : in), 0);
+    EXPECT_EQ(body.state().punctures.front().tool.has_value(), !comes_out);
+    body.advance(std::vector<ToolPose>{pose_at(comes_out ? out : in)},
+                 std::vector<ToolPose>{pose_at(comes_out ? out : in)}, 5e-3);
+    EXPECT_EQ(body.state().piercing.empty(), comes_out);
+    if (!comes_out) continue;
+    const SurfaceEntry wall = *first_entry(body.surface(), {-3e-3, 0.3e-3, 2 * kRadius}, -Eigen::Vector3d::UnitZ());
+    const Eigen::Vector3d above(-3e-3, 0.3e-3, 2 * kRadius - wall.travel + 0.05e-3);
+    EXPECT_GT(go(above, above - Eigen::Vector3d(0, 0, 0.06e-3)), 0);
+  }
+}
+
 TEST(ANeedleThatPiercesNextToAHeldWall, FeelsForcesOfTheSizeOfItsSlitsCost) {
   // From triangles that are held all over one held vertex to such as are free.
   const double cost = kToughness * kThickness * 1e-3;
