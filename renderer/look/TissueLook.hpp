@@ -15,8 +15,8 @@ struct WallLayers {
 
 /// What fills an organ, as it is seen where the organ is open.
 struct FluidLook {
-  Double3 color = {0.86, 0.74, 0.40};  // sRGB, 0 to 1, of a deep layer
-  double clarity = 0.035;              // metres in which a third of the light is left; 0: nothing is seen of it
+  Double3 color = {0.95, 0.88, 0.66};  // sRGB, 0 to 1, of a deep layer
+  double clarity = 0.08;               // metres in which a third of the light is left; 0: nothing is seen of it
   double cloudiness = 0.05;            // 0 to 1, part of what a layer takes of the light that it sends back
 };
 

@@ -108,11 +108,12 @@ struct RunShape {
   double height = 0;      // metres, of the trail
   double dry = 0;         // 0 to 1
   double swell = 0;       // metres by which the swellings of the trail have come down
+  double drop = 1.7;      // half the width of the drop at its end, over that of the trail
 };
 
 /// Half the width `along` a run: a trail that wells out of the lip, where it is round too, and ends in a drop.
 double half_width_at(double along, const RunShape& shape) {
-  const double drop = 1.7 * shape.half_width;
+  const double drop = shape.drop * shape.half_width;
   const double from_head = shape.length - along;
   const double source = std::clamp(1 - along / (1.5 * shape.half_width), 0.0, 1.0);
   const double swelling = 0.85 + 0.15 * std::cos((along - shape.swell) / 0.0031);
@@ -171,6 +172,24 @@ void append_run(const SnapshotSurface& surface, std::span<const Float3> normals,
   }
 }
 
+/// A run of blood: a thin line at first, that grows wider with what comes after it.
+RunShape blood_run(double full_half_width, double volume, double age) {
+  constexpr double kDepth = 0.6;      // over half the width
+  constexpr double kSlender = 0.05;   // half the width over the length, of a line that has just begun
+  constexpr double kLineEnds = 0.02;  // metres, length from which on it ends in a whole drop
+  constexpr double kMostDrop = 0.7;   // by which that is wider than the line
+  constexpr double kSpeed = 0.03;     // metres/second
+  const double half_width = std::min(full_half_width, std::cbrt(kSlender * volume / (2 * kDepth)));
+  if (!(half_width > 0)) return {};
+  const double height = kDepth * half_width;
+  const double length = run_length(volume, 2 * half_width, height, age, kSpeed);
+  return {.half_width = half_width,
+          .length = length,
+          .height = height,
+          .dry = dryness(age),
+          .drop = 1 + kMostDrop * std::min(1.0, length / kLineEnds)};
+}
+
 std::vector<Float3> normals_of(const TissuePiece& wall) {
   std::vector<Float3> normals;
   for (const SurfaceVertex& vertex : wall.vertices) normals.push_back(vertex.normal);
@@ -218,16 +237,9 @@ Film blood_film(const SnapshotSurface& surface, std::span<const BorderEdge> bord
   const std::vector<Float3> normals = normals_of(pieces.front());
   for (const FluidRun& run : wounds.blood_runs) {
     const double age = time - run.born - 0.4 * run.chance;
-    const double half_width = 0.00030 + 0.00025 * run.chance;
-    const double height = 0.6 * half_width;
     const double cut_area = kBloodSpacing * thickness_at(run, *surface.topology);
     const double volume = bleeding * (0.5 + run.chance) * cut_area * blood_shed(age);
-    append_run(surface, normals, run,
-               {.half_width = half_width,
-                .length = run_length(volume, 2 * half_width, height, age, 0.03),
-                .height = height,
-                .dry = dryness(age)},
-               film);
+    append_run(surface, normals, run, blood_run(0.00030 + 0.00025 * run.chance, volume, age), film);
   }
   return film;
 }

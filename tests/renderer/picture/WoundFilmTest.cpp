@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "renderer/picture/DrawnPieces.hpp"
 #include "tests/renderer/picture/CutSheets.hpp"
 
@@ -51,13 +53,28 @@ TEST(WoundFilm, WellsUpAlongTheLipsButNotAtTheEndsOfTheCut) {
 
 TEST(WoundFilm, RunsDownASlopeMoreAndMore) {
   const Wound wound(0.8);
-  double last = lowest(wound.blood(0.5));
-  for (const double time : {1.0, 2.0, 4.0}) {
+  double last = lowest(wound.blood(0.2));
+  for (const double time : {0.3, 0.45, 0.7}) {
     const double now = lowest(wound.blood(time));
     EXPECT_GT(now, last) << time;
     last = now;
   }
-  EXPECT_LT(last, 0.010) << "not beyond the sheet";
+  EXPECT_LT(lowest(wound.blood(4)), 0.010) << "not beyond the sheet";
+}
+
+TEST(WoundFilm, BeginsAsThinLinesThatEndInNoKnobs) {
+  constexpr double kSteepness = 0.8;
+  const Wound wound(kSteepness);
+  for (const double time : {0.3, 0.5, 0.7}) {
+    const Film film = wound.blood(time);
+    double half_width = 0;
+    for (const FilmVertex& vertex : film.vertices) {
+      const bool is_run = vertex.lift > 0.0001F;
+      if (is_run) half_width = std::max(half_width, double{vertex.inward});
+    }
+    EXPECT_GT(half_width, 0) << time;
+    EXPECT_LT(half_width, 0.1 * lowest(film) / std::sin(kSteepness)) << time;
+  }
 }
 
 TEST(WoundFilm, IsAFunctionOfTheMomentAlone) {
