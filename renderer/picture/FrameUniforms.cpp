@@ -44,13 +44,12 @@ Vector3 turned(Vector3 a, double angle) {
 
 /// Lit by the key light the floor is some brighter than the background that it fades into.
 void light_floor(FrameUniforms& frame, const ViewDefinition& view) {
-  constexpr double kKeyColor[] = {1.0, 0.955, 0.89};  // as in shaders/frame.glsl
   constexpr double kSkyIrradiance[] = {0.33, 0.36, 0.41};
   const double contrast = view.lights.environment_contrast;
   for (std::size_t i = 0; i < 3; ++i) {
     const double albedo = 3.2 * linear_from_srgb(view.look.background[i]) + 0.004;
     const double sky = view.lights.environment * (1 - contrast + contrast * kSkyIrradiance[i]);
-    const double key = 2.1 * view.lights.key * std::max(0.0f, frame.key_direction[2]) * kKeyColor[i];
+    const double key = 2.1 * view.lights.key * std::max(0.0f, frame.key_direction[2]);
     frame.floor_key[i] = static_cast<float>(albedo * key);
     frame.floor_sky[i] = static_cast<float>(albedo * sky);
   }

@@ -36,9 +36,9 @@ struct FrameUniforms {
   Float4 fill_direction{};  // to the light; w: strength
   Float4
       environment{};  // x: strength; y: contrast; z: offset against self-shadow, metres; w: a pixel's height at depth 1
-  Float4 background{};                        // sRGB; w: exposure
-  Float4 floor_key{};                         // linear: what the lit floor shows of the key light; w: 1 / picture width
-  Float4 floor_sky{};                         // linear: and of the light from all around; w: 1 / picture height
+  Float4 background{};  // sRGB; w: exposure
+  Float4 floor_key{};   // linear: what the lit floor shows of a white key light; w: 1 / picture width
+  Float4 floor_sky{};   // linear: and of the light from all around; w: 1 / picture height
   std::array<Float4, kMostRods> rod_start{};  // metres; w: radius squared
   std::array<Float4, kMostRods> rod_span{};   // from start to end; w: 1 / length squared
 };

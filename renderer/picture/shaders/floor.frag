@@ -20,7 +20,7 @@ void main() {
     float pool = 0.15 + 1.1 * fade * fade * fade;
     vec2 place = offset / floor_plane.z;
     vec2 taken = saturate(5.0 - 5.0 * max(abs(place.x), abs(place.y))) * texture(floor_shade, 0.5 + 0.5 * place).rg;
-    vec3 light = (1.0 - 0.85 * taken.r) * ((1.0 - taken.g) * pool * floor_key.rgb + floor_sky.rgb);
+    vec3 light = (1.0 - 0.85 * taken.r) * ((1.0 - taken.g) * pool * kKeyColor * floor_key.rgb + floor_sky.rgb);
     display = mix(display, displayed(lens_light(ray) * light), fade);
   }
   color = vec4(display, 1.0);
