@@ -16,21 +16,26 @@ void sizes(benchmark::internal::Benchmark* benchmark) {
   benchmark->Arg(5120)->Arg(20480)->Unit(benchmark::kMillisecond);
 }
 
-constexpr int kSteps = 16;  // through 16 mm of the wall, after two that begin the cut
-constexpr double kTravel = 1e-3, kStep = 1.0 / 60;
+constexpr int kSteps = 16;  // after those that begin the cut
+constexpr double kStep = 1.0 / 60;
 
-/// A blade that has begun to cut a ball and goes on over its crown by a millimetre a step.
+/// What a blade goes on by in a step, metres: at 60 mm/s, and at the 20 mm/s of a scalpel that is drawn.
+constexpr double kFast = 1e-3, kDrawn = 1e-3 / 3;
+
+/// A blade that has begun to cut a ball and goes on over its crown.
 struct Incision {
+  double travel;  // metres, in a step
   Body body;
   std::vector<ToolPose> poses = {pose_at({-8e-3, 0.7e-3, 12e-3})};
 
-  Incision(int triangles, Analysis analysis, WallModel model = WallModel::kMembrane)
-      : body(filled_ball(triangles, model),
+  Incision(int triangles, Analysis analysis, WallModel model = WallModel::kMembrane, double of_step = kFast)
+      : travel(of_step),
+        body(filled_ball(triangles, model),
              {{.name = "blade", .kind = ToolKind::kScalpel, .length = 20e-3, .width = 4e-3, .thickness = 0.3e-3}},
              SimulationOptions{.analysis = analysis}) {
     body.settle();
     body.follow_blade(0, poses);
-    for (int k = 0; k < 2; ++k) {
+    for (double way = 0; way < 1.5 * kFast; way += travel) {
       move();
       cut();
     }
@@ -38,23 +43,23 @@ struct Incision {
 
   void move() {
     const std::vector<ToolPose> from = poses;
-    poses[0].tip.x() += kTravel;
+    poses[0].tip.x() += travel;
     BodyInput input;
-    input.blade = BladeInput{.tool = 0, .travel = kTravel, .direction = Eigen::Vector3d::UnitX()};
+    input.blade = BladeInput{.tool = 0, .travel = travel, .direction = Eigen::Vector3d::UnitX()};
     body.advance(from, poses, kStep, input);
   }
 
   bool cut() { return body.follow_blade(0, poses).has_value(); }
 };
 
-void IncisionStep(benchmark::State& state, Analysis analysis) {
+void IncisionStep(benchmark::State& state, Analysis analysis, double travel) {
   double iterations = 0, cuts = 0;
   std::unique_ptr<Incision> incision;
   int left = 0;
   for (auto _ : state) {
     if (left-- == 0) {
       state.PauseTiming();
-      incision = std::make_unique<Incision>(static_cast<int>(state.range(0)), analysis);
+      incision = std::make_unique<Incision>(static_cast<int>(state.range(0)), analysis, WallModel::kMembrane, travel);
       left = kSteps - 1;
       state.ResumeTiming();
     }
@@ -65,8 +70,10 @@ void IncisionStep(benchmark::State& state, Analysis analysis) {
   state.counters["iterations"] = benchmark::Counter(iterations, benchmark::Counter::kAvgIterations);
   state.counters["cuts"] = benchmark::Counter(cuts, benchmark::Counter::kAvgIterations);
 }
-BENCHMARK_CAPTURE(IncisionStep, dynamic, Analysis::kDynamic)->Apply(sizes)->Iterations(kSteps);
-BENCHMARK_CAPTURE(IncisionStep, quasi_static, Analysis::kQuasiStatic)->Apply(sizes)->Iterations(kSteps);
+BENCHMARK_CAPTURE(IncisionStep, dynamic, Analysis::kDynamic, kFast)->Apply(sizes)->Iterations(kSteps);
+BENCHMARK_CAPTURE(IncisionStep, dynamic_drawn, Analysis::kDynamic, kDrawn)->Apply(sizes)->Iterations(kSteps);
+BENCHMARK_CAPTURE(IncisionStep, quasi_static, Analysis::kQuasiStatic, kFast)->Apply(sizes)->Iterations(kSteps);
+BENCHMARK_CAPTURE(IncisionStep, quasi_static_drawn, Analysis::kQuasiStatic, kDrawn)->Apply(sizes)->Iterations(kSteps);
 
 /// The cut of such a step alone: trace, cut, state and solver carried over.
 void CutOfStep(benchmark::State& state, WallModel model) {
