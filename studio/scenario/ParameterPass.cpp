@@ -44,7 +44,7 @@ class ParameterFiller {
     for (const TextMember& member : mapping.members) {
       const std::string path = member_path("parameters", member.key);
       if (!is_name(member.key)) {
-        diagnostics_.error(member.location, path, "a name has letters, digits, `_` and `-` and begins with a letter");
+        diagnostics_.error(member.location, path, name_mistake(member.key));
       } else if (!is_plain(member.value)) {
         diagnostics_.error(member.location, path,
                            "expected a default, a text or a list, got " + describe(member.value));

@@ -116,11 +116,19 @@ class SchemaReader {
     return std::nullopt;
   }
 
+  static bool is_key_of_any(const ValueSchema& schema, const std::string& word) {
+    return std::ranges::any_of(schema.mappings, [&](const MappingSchema& mapping) {
+      return std::ranges::any_of(mapping.keys, [&](const KeySchema& key) { return key.key == word; });
+    });
+  }
+
   /// None of the keys that tell the alternatives apart is there.
   void refuse_all_keys(const ValueSchema& schema, const TextNode& node, const ValuePlace& place) {
     std::vector<std::string> words;
     for (const MappingSchema& mapping : schema.mappings) words.push_back(mapping.keys[0].key);
     for (const TextMember& member : node.members) {
+      // A key that an alternative does have is no mistake: what tells the alternatives apart is missing.
+      if (is_key_of_any(schema, member.key)) continue;
       const std::string nearest = did_you_mean(member.key, words);
       if (nearest.empty() && node.members.size() > 1) continue;
       diagnostics_.error(member.location, member_path(place.path, member.key),
@@ -142,8 +150,7 @@ class SchemaReader {
     for (const TextMember& member : node.members) {
       const ValuePlace inner{member_path(place.path, member.key), place.owner, place.key, member.location};
       if (!is_name(member.key)) {
-        diagnostics_.error(member.location, inner.path,
-                           "a name has letters, digits, `_` and `-` and begins with a letter");
+        diagnostics_.error(member.location, inner.path, name_mistake(member.key));
         continue;
       }
       const ValueSchema mapping{.kind = ValueKind::kMapping, .mappings = {schema.mappings[0]}};

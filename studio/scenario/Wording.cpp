@@ -53,6 +53,16 @@ std::string quoted(std::string_view text, std::size_t longest) {
   return out + (end < text.size() ? "...`" : "`");
 }
 
+bool has_form_of_name(std::string_view text) {
+  const auto is_letter = [](char character) {
+    return (character >= 'a' && character <= 'z') || (character >= 'A' && character <= 'Z') || character == '_';
+  };
+  if (text.empty() || !is_letter(text.front())) return false;
+  return std::ranges::all_of(text, [&](char character) {
+    return is_letter(character) || (character >= '0' && character <= '9') || character == '-';
+  });
+}
+
 }  // namespace
 
 std::string in_backticks(std::string_view text) {
@@ -90,13 +100,13 @@ std::string did_you_mean(std::string_view mistyped, std::span<const std::string>
 }
 
 bool is_name(std::string_view text) {
-  const auto is_letter = [](char character) {
-    return (character >= 'a' && character <= 'z') || (character >= 'A' && character <= 'Z') || character == '_';
-  };
-  if (text.empty() || text.size() > kLongestCompared || !is_letter(text.front())) return false;
-  return std::ranges::all_of(text, [&](char character) {
-    return is_letter(character) || (character >= '0' && character <= '9') || character == '-';
-  });
+  return text.size() <= kLongestCompared && has_form_of_name(text);
+}
+
+std::string name_mistake(std::string_view text) {
+  if (!has_form_of_name(text)) return "a name has letters, digits, `_` and `-` and begins with a letter";
+  return "a name has at most " + std::to_string(kLongestCompared) + " characters, this one has " +
+         std::to_string(text.size());
 }
 
 }  // namespace thinwall

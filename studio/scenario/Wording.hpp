@@ -23,7 +23,10 @@ std::string nearest_word(std::string_view mistyped, std::span<const std::string>
 /// ", did you mean `word`?" or "".
 std::string did_you_mean(std::string_view mistyped, std::span<const std::string> words);
 
-/// Whether a text may name a body, a tool or a parameter: letters, digits, `_` and `-`, a letter or `_` first.
+/// Whether a text may name a body, a tool or a parameter: 1 to 64 letters, digits, `_` and `-`, a letter or `_` first.
 bool is_name(std::string_view text);
+
+/// What is wrong with a text that may not: its length where that is all, else what names are made of.
+std::string name_mistake(std::string_view text);
 
 }  // namespace thinwall

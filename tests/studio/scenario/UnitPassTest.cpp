@@ -107,6 +107,27 @@ TEST(UnitPass, AKeyOfAnotherCaseSaysWhereItBelongs) {
             Texts{"1:3: bulk_modulus: unknown key for `fluid: incompressible`, it belongs to `compressible`"});
 }
 
+TEST(UnitPass, AlternativesWithoutTheKeyThatTellsThemApartSayWhatIsMissing) {
+  const std::string head = "{ surface: { shape: sphere }, wall: { thickness: 1 mm, material: { law: neo_hookean, ";
+  const Read without = read("body", head + "shear_modulus: 1 kPa } }, loads: [ { region: { group: wall } } ] }");
+  EXPECT_EQ(without.errors, Texts{"1:121: loads[1]: one of `pressure`, `force`, `line_force`, `moment`, `traction`, "
+                                  "`body_force` is missing"});
+  const Read mistyped =
+      read("body", head + "shear_modulus: 1 kPa } }, loads: [ { region: { group: wall }, presure: 0 } ] }");
+  EXPECT_EQ(mistyped.errors, Texts{"1:148: loads[1].presure: unknown key, did you mean `pressure`?"});
+}
+
+TEST(UnitPass, ANameThatIsTooLongSaysHowLongItMayBe) {
+  const std::string body =
+      ": { surface: { shape: sphere }, wall: { thickness: 1 mm, material: { law: neo_hookean, "
+      "shear_modulus: 1 kPa } } } } }";
+  const std::string head = "{ thinwall: 1, bodies: { ";
+  EXPECT_EQ(read("scenario", head + std::string(64, 'b') + body).errors, Texts{});
+  const Read longer = read("scenario", head + std::string(65, 'b') + body);
+  ASSERT_EQ(longer.errors.size(), 1U);
+  EXPECT_TRUE(longer.errors[0].ends_with("a name has at most 64 characters, this one has 65")) << longer.errors[0];
+}
+
 TEST(UnitPass, AWrongWordIsOneErrorAndItsKeysAreNotJudged) {
   EXPECT_EQ(read("material", "{ law: neo_hokean, shear_modulus: 20 kPa }").errors.size(), 1U);
 }
