@@ -33,7 +33,7 @@ A scenario is a YAML file. This page and `scenario.schema.json` come from the ta
   A mapping of another kind (another law, shape, tool, fluid) replaces the farther one as a whole.
 - Paths are relative to the file that names them.
 - `true` and `false` are the only booleans. YAML tags and merge keys (`<<`) are not allowed; anchors and aliases are.
-- A file has at most 1 MiB, 100 000 values and 64 levels.
+- A file has at most 1 MiB, 100 000 values and 64 levels, a text 10 000 bytes.
 
 ## Units
 

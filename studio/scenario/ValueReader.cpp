@@ -9,6 +9,9 @@
 namespace thinwall {
 namespace {
 
+/// Bytes; a take keeps titles where it has room for 64 kB.
+constexpr std::size_t kLongestText = 10000;
+
 std::string trimmed(std::string text) {
   const auto is_space = [](char character) { return character == ' ' || character == '\n' || character == '\t'; };
   while (!text.empty() && is_space(text.back())) text.pop_back();
@@ -37,7 +40,7 @@ class PlainReader {
     text_ = trimmed(node_.text);
     switch (schema_.kind) {
       case ValueKind::kText:
-        return text_.empty() ? refuse_value("an empty text") : std::optional(text_value());
+        return read_text();
       case ValueKind::kPath:
         return read_path();
       case ValueKind::kWord:
@@ -64,6 +67,15 @@ class PlainReader {
     CheckedValue value = value_of(CheckedKind::kText);
     value.text = text_;
     return value;
+  }
+
+  std::optional<CheckedValue> read_text() {
+    if (text_.empty()) return refuse_value("an empty text");
+    if (text_.size() > kLongestText) {
+      return refuse_value("one of " + std::to_string(text_.size()) + " bytes; a text has at most " +
+                          std::to_string(kLongestText));
+    }
+    return text_value();
   }
 
   /// A quantity as the user wrote it, on one line.

@@ -128,6 +128,16 @@ TEST(UnitPass, ANameThatIsTooLongSaysHowLongItMayBe) {
   EXPECT_TRUE(longer.errors[0].ends_with("a name has at most 64 characters, this one has 65")) << longer.errors[0];
 }
 
+TEST(UnitPass, ATextThatNoTakeHasRoomForSaysHowLongItMayBe) {
+  const std::string body =
+      ", bodies: { ball: { surface: { shape: sphere }, wall: { thickness: 1 mm, material: { law: neo_hookean, "
+      "shear_modulus: 1 kPa } } } } }";
+  const std::string head = "{ thinwall: 1, title: ";
+  EXPECT_EQ(read("scenario", head + std::string(10000, 't') + body).errors, Texts{});
+  EXPECT_EQ(read("scenario", head + std::string(10001, 't') + body).errors,
+            Texts{"1:23: title: expected a text, got one of 10001 bytes; a text has at most 10000"});
+}
+
 TEST(UnitPass, AWrongWordIsOneErrorAndItsKeysAreNotJudged) {
   EXPECT_EQ(read("material", "{ law: neo_hokean, shear_modulus: 20 kPa }").errors.size(), 1U);
 }
