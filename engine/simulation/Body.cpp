@@ -279,6 +279,13 @@ double Body::unbooked_part(const BodyState& before, bool is_calm) const {
   return std::abs(taken) / (kMostUnbooked * largest);
 }
 
+void Body::give_up(const BodyState& start) {
+  // What has given way cannot be mended.
+  if (report_.ruptures.empty()) state_ = start;
+  throw SimulationFailure("body `" + model_->definition.name + "`: " + failure_ + ", also with the step divided " +
+                          std::to_string(report_.halvings) + " times");
+}
+
 void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> end, double duration,
                    const BodyInput& input) {
   report_ = {};
@@ -305,12 +312,7 @@ void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> en
       }
       step.divide();
       ++report_.halvings;
-      if (step.part < smallest || report_.halvings > kMostHalvings) {
-        // What has given way cannot be mended.
-        if (report_.ruptures.empty()) state_ = start;
-        throw SimulationFailure("body `" + model_->definition.name + "`: " + failure_ +
-                                ", also with the step divided " + std::to_string(report_.halvings) + " times");
-      }
+      if (step.part < smallest || report_.halvings > kMostHalvings) give_up(start);
       continue;
     }
     const double error = options_.step_error > 0 ? step_error(before, step.part * duration) / options_.step_error : 0;
@@ -318,17 +320,13 @@ void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> en
     // Where flaps flutter the matrix is not convex at first, and shorter steps show more of that.
     const bool is_calm = report_.shifted_iterations == shifted && report_.halvings == 0;
     const double unbooked = unbooked_part(before, is_calm);
-    if ((error > 1 && step.part > kSmallestPart) || (unbooked > 1 && step.part > smallest_unbooked)) {
+    const bool is_coarse = (error > 1 && step.part > kSmallestPart) || (unbooked > 1 && step.part > smallest_unbooked);
+    const bool overshoots = !is_coarse && step.part > kSmallestNeedlePart && needles_overshoot(before, to);
+    if (is_coarse || overshoots) {
       state_ = before;
       step.divide();
       ++report_.refinements;
-      continue;
-    }
-    if (step.part > kSmallestNeedlePart && needles_overshoot(before, to)) {
-      state_ = before;
-      step.divide();
-      ++report_.refinements;
-      needles_ask = true;
+      needles_ask = needles_ask || overshoots;
       continue;
     }
     go_through_held_wall(from, to);
