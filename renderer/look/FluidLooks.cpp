@@ -7,7 +7,7 @@ namespace thinwall {
 namespace {
 
 constexpr std::array kFluidLooks = {
-    NamedFluid{"serum", "clear and straw-coloured", {}},
+    NamedFluid{"serum", "clear, hardly straw-coloured", {}},
     NamedFluid{
         "bile", "golden brown to dark green", {.color = {0.30, 0.245, 0.05}, .clarity = 0.0012, .cloudiness = 1}},
     NamedFluid{
