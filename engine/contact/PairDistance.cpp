@@ -9,6 +9,9 @@
 namespace thinwall {
 namespace {
 
+/// Metres; keeps a quotient a number where both centres are the same.
+constexpr double kSmallestLength = 1e-300;
+
 void measure(const PairCorners& corners, PairDistance& closest) {
   closest.offset.setZero();
   for (int k = 0; k < 4; ++k) closest.offset += closest.weights[k] * corners[k];
@@ -82,11 +85,14 @@ PairDistance pair_distance(PairKind kind, const PairCorners& corners) {
 
 double least_distance(PairKind kind, const PairCorners& corners) {
   if (kind == PairKind::kEdgeEdge) {
-    const Eigen::Vector3d between = corners[0] + corners[1] - corners[2] - corners[3];
-    return 0.5 * (between.norm() - (corners[1] - corners[0]).norm() - (corners[3] - corners[2]).norm());
+    const Eigen::Vector3d axis = corners[0] + corners[1] - corners[2] - corners[3];
+    const double low = std::min(axis.dot(corners[0] - corners[2]), axis.dot(corners[0] - corners[3]));
+    return std::min(low, low + axis.dot(corners[1] - corners[0])) / std::max(axis.norm(), kSmallestLength);
   }
-  const double edges = std::max((corners[2] - corners[1]).squaredNorm(), (corners[3] - corners[1]).squaredNorm());
-  return (corners[0] - corners[1]).norm() - std::sqrt(edges);
+  const Eigen::Vector3d axis = 3 * corners[0] - corners[1] - corners[2] - corners[3];
+  const double low = std::min(
+      {axis.dot(corners[0] - corners[1]), axis.dot(corners[0] - corners[2]), axis.dot(corners[0] - corners[3])});
+  return low / std::max(axis.norm(), kSmallestLength);
 }
 
 Eigen::Matrix<double, 12, 1> distance_gradient(const PairDistance& closest) {

@@ -27,7 +27,8 @@ struct PairDistance {
 /// are not unique and the derivatives below jump; EdgeMollifier smooths that away.
 PairDistance pair_distance(PairKind kind, const PairCorners& corners);
 
-/// No more than that distance, metres, at a fraction of its price: that of balls around the two.
+/// No more than that distance, metres, at a fraction of its price: the gap along the line between the centres of the
+/// two, below zero where they overlap along it.
 double least_distance(PairKind kind, const PairCorners& corners);
 
 /// Derivatives of the distance by the corners (x0, y0, z0, x1, ..., z3); for distances above zero. With the offset r,

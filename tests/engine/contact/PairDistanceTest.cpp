@@ -84,6 +84,32 @@ TEST(PairDistance, IsTheSmallestOverAllPlaces) {
   }
 }
 
+TEST(PairDistance, IsNeverBelowTheGapBetweenTheCentres) {
+  std::mt19937 random(17);
+  for (const PairKind kind : kKinds) {
+    int apart = 0;
+    for (int k = 0; k < 5000; ++k) {
+      PairCorners corners = random_corners(random);
+      // From within each other to well apart.
+      const Eigen::Vector3d away = 4e-4 * k * Eigen::Vector3d::UnitX();
+      corners[0] += away;
+      if (kind == PairKind::kEdgeEdge) corners[1] += away;
+      const double least = least_distance(kind, corners), distance = pair_distance(kind, corners).distance;
+      // Rounding only: they are equal where two corners face each other along the centres' line.
+      EXPECT_LE(least, distance + 1e-14);
+      if (least > 0.5 * distance) ++apart;
+    }
+    EXPECT_GT(apart, 1000);
+  }
+}
+
+TEST(PairDistance, IsTheGapBetweenTheCentresWherePartsFaceEachOther) {
+  const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(), z = Eigen::Vector3d::UnitZ();
+  EXPECT_DOUBLE_EQ(least_distance(PairKind::kEdgeEdge, {x, -x, y + 2 * z, 2 * z - y}), 2);
+  EXPECT_DOUBLE_EQ(least_distance(PairKind::kPointTriangle, {3 * z, x + y, x - y, -2 * x}), 3);
+  EXPECT_EQ(least_distance(PairKind::kEdgeEdge, {x, -x, y, -y}), 0);
+}
+
 TEST(PairDistance, OffsetIsWhatTheWeightsCombine) {
   std::mt19937 random(4);
   for (const PairKind kind : kKinds) {
