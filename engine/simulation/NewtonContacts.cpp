@@ -75,19 +75,18 @@ bool Newton::border_contacts() {
     corner_(column, column) = (open_[changed[k]] ? 1 : -1) / contact.potential.stiffness;
     springs += open_[changed[k]] ? 0 : 1;
   }
-  if (model_.bending.empty() && !is_open) {
+  if (is_open) {
+    for (Eigen::MatrixXd* side : {&columns_, &rows_}) {
+      side->conservativeResize(Eigen::NoChange, columns);
+      side->rightCols(columns - own_columns_) = border_.rightCols(columns - own_columns_);
+    }
+    bordered_.set_unsymmetric(used_factor(), negative_pivots_, border_, columns_, rows_, corner_);
+  } else if (model_.bending.empty()) {
     bordered_.set_solved(negative_pivots_, border_, solved_border(changed), corner_);
   } else {
     bordered_.set(used_factor(), negative_pivots_, border_, corner_);
   }
-  if (bordered_.negative_eigenvalues() != constraints_ + springs) return false;
-  if (!is_open) return true;
-  for (Eigen::MatrixXd* side : {&columns_, &rows_}) {
-    side->conservativeResize(Eigen::NoChange, columns);
-    side->rightCols(columns - own_columns_) = border_.rightCols(columns - own_columns_);
-  }
-  bordered_.set_unsymmetric(used_factor(), columns_, rows_, corner_);
-  return true;
+  return bordered_.negative_eigenvalues() == constraints_ + springs;
 }
 
 Eigen::MatrixXd Newton::solved_border(const std::vector<std::size_t>& changed) {

@@ -144,10 +144,12 @@ bool Newton::is_usable(SparseFactor& factor, std::span<const double> values, boo
   const std::optional<int> negative = factor.factorize(values, may_be_indefinite);
   if (!negative) return false;
   negative_pivots_ = *negative;
-  bordered_.set(factor, *negative, border_, corner_);
-  if (bordered_.negative_eigenvalues() != constraints_ && !may_be_saddle) return false;
-  if (model_.has_open_chambers()) bordered_.set_unsymmetric(factor, columns_, rows_, corner_);
-  return true;
+  if (model_.has_open_chambers()) {
+    bordered_.set_unsymmetric(factor, *negative, border_, columns_, rows_, corner_);
+  } else {
+    bordered_.set(factor, *negative, border_, corner_);
+  }
+  return bordered_.negative_eigenvalues() == constraints_ || may_be_saddle;
 }
 
 bool Newton::factorize(const EquilibriumProblem& problem, const EquilibriumState& state, double& shift,

@@ -2,7 +2,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <cassert>
 #include <utility>
 
 namespace thinwall {
@@ -15,10 +14,10 @@ void BorderedSystem::set(SparseFactor& factor, int negative_pivots, const Eigen:
   eliminate(border, corner);
 }
 
-void BorderedSystem::set_solved(int negative_pivots, const Eigen::MatrixXd& border, Eigen::MatrixXd solved,
-                                const Eigen::MatrixXd& corner) {
+void BorderedSystem::set_solved(int negative_pivots, const Eigen::MatrixXd& border,
+                                const Eigen::Ref<const Eigen::MatrixXd>& solved, const Eigen::MatrixXd& corner) {
   negative_eigenvalues_ = negative_pivots;
-  solved_columns_ = std::move(solved);
+  solved_columns_ = solved;
   eliminate(border, corner);
 }
 
@@ -36,16 +35,19 @@ void BorderedSystem::eliminate(const Eigen::MatrixXd& border, const Eigen::Matri
   schur_inverse_ = spectrum.eigenvectors() * inverse.asDiagonal() * spectrum.eigenvectors().transpose();
 }
 
-void BorderedSystem::set_unsymmetric(SparseFactor& factor, const Eigen::MatrixXd& columns, const Eigen::MatrixXd& rows,
+void BorderedSystem::set_unsymmetric(SparseFactor& factor, int negative_pivots, const Eigen::MatrixXd& border,
+                                     const Eigen::MatrixXd& columns, const Eigen::MatrixXd& rows,
                                      const Eigen::MatrixXd& corner) {
-  assert(!is_unsymmetric_);
+  solved_both_.resize(border.rows(), border.cols() + columns.cols());
+  solved_both_ << border, columns;
+  if (solved_both_.cols() > 0) factor.solve(solved_both_);
+  set_solved(negative_pivots, border, solved_both_.leftCols(border.cols()), corner);
   std::swap(border_, rows_);
   std::swap(solved_border_, solved_columns_);
   is_unsymmetric_ = true;
   rows_ = rows;
-  solved_columns_ = columns;
+  solved_columns_ = solved_both_.rightCols(columns.cols());
   if (rows.cols() == 0) return;
-  factor.solve(solved_columns_);
   schur_inverse_ = (corner - rows.transpose() * solved_columns_).partialPivLu().inverse();
 }
 

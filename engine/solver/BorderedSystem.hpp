@@ -20,17 +20,18 @@ class BorderedSystem {
   void set(SparseFactor& factor, int negative_pivots, const Eigen::MatrixXd& border, const Eigen::MatrixXd& corner);
 
   /// The same where K^-1 B is known already, (unknowns x columns).
-  void set_solved(int negative_pivots, const Eigen::MatrixXd& border, Eigen::MatrixXd solved,
+  void set_solved(int negative_pivots, const Eigen::MatrixXd& border, const Eigen::Ref<const Eigen::MatrixXd>& solved,
                   const Eigen::MatrixXd& corner);
 
-  /// After `set`, whose inertia stays: B and C that differ.
-  void set_unsymmetric(SparseFactor& factor, const Eigen::MatrixXd& columns, const Eigen::MatrixXd& rows,
-                       const Eigen::MatrixXd& corner);
+  /// B and C that differ, `columns` and `rows`; the inertia is that with `border` on either side. Border and columns
+  /// are solved for together.
+  void set_unsymmetric(SparseFactor& factor, int negative_pivots, const Eigen::MatrixXd& border,
+                       const Eigen::MatrixXd& columns, const Eigen::MatrixXd& rows, const Eigen::MatrixXd& corner);
 
   /// K^-1 B, (unknowns x columns).
   const Eigen::MatrixXd& solved_columns() const { return solved_columns_; }
 
-  /// The sides of the border, (unknowns x columns): B where `set` had it, and C; with K^-1 of the former.
+  /// The sides of the border, (unknowns x columns): the one that the inertia is of, and C; with K^-1 of the former.
   const Eigen::MatrixXd& border() const { return is_unsymmetric_ ? border_ : rows_; }
   const Eigen::MatrixXd& rows() const { return rows_; }
   const Eigen::MatrixXd& solved_border() const { return is_unsymmetric_ ? solved_border_ : solved_columns_; }
@@ -50,8 +51,9 @@ class BorderedSystem {
   Eigen::MatrixXd solved_columns_;  // K^-1 B
   Eigen::MatrixXd schur_inverse_;   // S^-1
   bool is_unsymmetric_ = false;
-  Eigen::MatrixXd border_;         // the one that `set` had, where they differ
+  Eigen::MatrixXd border_;         // the one that the inertia is of, where they differ
   Eigen::MatrixXd solved_border_;  // K^-1 of it
+  Eigen::MatrixXd solved_both_;    // K^-1 of it and of B
   int negative_eigenvalues_ = 0;
 };
 

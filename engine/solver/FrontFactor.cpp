@@ -8,7 +8,7 @@
 namespace thinwall {
 namespace {
 
-static_assert(kFrontRows == 2 * kLanes);
+static_assert(kFrontRows == kWideLanes && kFrontRows == 2 * kLanes);
 
 /// Columns of a panel that is eliminated: `rows` points at the first row that is wanted.
 struct Eliminated {
@@ -17,37 +17,38 @@ struct Eliminated {
   int count;
 };
 
-/// target -= eliminated * factors for kFrontRows rows and `columns` columns; `factors`, (columns x eliminated).
-template <int columns>
+/// target -= eliminated * factors for as many rows as `tiles` of `Some` lanes hold and `columns` columns; `factors`,
+/// (columns x eliminated).
+template <typename Some, int tiles, int columns>
 [[gnu::always_inline]] inline void subtract_product(const Eliminated& eliminated, const double* factors, double* target,
                                                     std::ptrdiff_t stride) {
-  Lanes upper[columns], lower[columns];
+  Some values[tiles][columns];
+#pragma GCC unroll 2
+  for (int t = 0; t < tiles; ++t) {
 #pragma GCC unroll 6
-  for (int c = 0; c < columns; ++c) {
-    load(target + c * stride, upper[c]);
-    load(target + c * stride + kLanes, lower[c]);
+    for (int c = 0; c < columns; ++c) load(target + c * stride + t * kLanesOf<Some>, values[t][c]);
   }
   const double* rows = eliminated.rows;
   for (int p = 0; p < eliminated.count; ++p, rows += eliminated.stride, factors += columns) {
-    Lanes first, second;
-    load(rows, first);
-    load(rows + kLanes, second);
+    Some row[tiles];
+#pragma GCC unroll 2
+    for (int t = 0; t < tiles; ++t) load(rows + t * kLanesOf<Some>, row[t]);
 #pragma GCC unroll 6
     for (int c = 0; c < columns; ++c) {
-      upper[c] -= first * factors[c];
-      lower[c] -= second * factors[c];
+#pragma GCC unroll 2
+      for (int t = 0; t < tiles; ++t) values[t][c] -= row[t] * factors[c];
     }
   }
+#pragma GCC unroll 2
+  for (int t = 0; t < tiles; ++t) {
 #pragma GCC unroll 6
-  for (int c = 0; c < columns; ++c) {
-    store(upper[c], target + c * stride);
-    store(lower[c], target + c * stride + kLanes);
+    for (int c = 0; c < columns; ++c) store(values[t][c], target + c * stride + t * kLanesOf<Some>);
   }
 }
 
 /// What some eliminated columns take from `columns` columns from row `begin` to `end`, both multiples of kFrontRows.
 /// `of_columns` are the entries of the eliminated columns in the rows that the target's columns have.
-template <int columns>
+template <typename Some, int columns>
 [[gnu::always_inline]] inline void take_off(const Eliminated& eliminated, const double* of_columns, const double* signs,
                                             int begin, int end, double* target, std::ptrdiff_t stride,
                                             double* workspace) {
@@ -56,29 +57,51 @@ template <int columns>
 #pragma GCC unroll 6
     for (int c = 0; c < columns; ++c) *factors++ = signs[p] * of_columns[p * eliminated.stride + c];
   }
-  for (int row = begin; row < end; row += kFrontRows) {
-    subtract_product<columns>({eliminated.rows + row, eliminated.stride, eliminated.count}, workspace, target + row,
-                              stride);
+  const auto from = [&](int row) { return Eliminated{eliminated.rows + row, eliminated.stride, eliminated.count}; };
+  constexpr int kRows = 2 * kLanesOf<Some>;
+  int row = begin;
+  for (; row + kRows <= end; row += kRows) {
+    subtract_product<Some, 2, columns>(from(row), workspace, target + row, stride);
+  }
+  if (row < end) subtract_product<Some, 1, columns>(from(row), workspace, target + row, stride);
+}
+
+template <typename Some>
+[[gnu::always_inline]] inline void take_off_some(const Eliminated& eliminated, const double* of_columns,
+                                                 const double* signs, int columns, int begin, int end, double* target,
+                                                 std::ptrdiff_t stride, double* workspace) {
+  switch (columns) {
+    case 1:
+      return take_off<Some, 1>(eliminated, of_columns, signs, begin, end, target, stride, workspace);
+    case 2:
+      return take_off<Some, 2>(eliminated, of_columns, signs, begin, end, target, stride, workspace);
+    case 3:
+      return take_off<Some, 3>(eliminated, of_columns, signs, begin, end, target, stride, workspace);
+    case 4:
+      return take_off<Some, 4>(eliminated, of_columns, signs, begin, end, target, stride, workspace);
+    case 5:
+      return take_off<Some, 5>(eliminated, of_columns, signs, begin, end, target, stride, workspace);
+    default:
+      return take_off<Some, kFrontColumns>(eliminated, of_columns, signs, begin, end, target, stride, workspace);
   }
 }
 
-THINWALL_FOR_ALL_PROCESSORS void take_off_columns(const Eliminated& eliminated, const double* of_columns,
-                                                  const double* signs, int columns, int begin, int end, double* target,
-                                                  std::ptrdiff_t stride, double* workspace) {
-  switch (columns) {
-    case 1:
-      return take_off<1>(eliminated, of_columns, signs, begin, end, target, stride, workspace);
-    case 2:
-      return take_off<2>(eliminated, of_columns, signs, begin, end, target, stride, workspace);
-    case 3:
-      return take_off<3>(eliminated, of_columns, signs, begin, end, target, stride, workspace);
-    case 4:
-      return take_off<4>(eliminated, of_columns, signs, begin, end, target, stride, workspace);
-    case 5:
-      return take_off<5>(eliminated, of_columns, signs, begin, end, target, stride, workspace);
-    default:
-      return take_off<kFrontColumns>(eliminated, of_columns, signs, begin, end, target, stride, workspace);
-  }
+#ifdef THINWALL_FOR_PROCESSORS
+THINWALL_FOR_PROCESSORS("arch=x86-64-v4")
+void take_off_columns(const Eliminated& eliminated, const double* of_columns, const double* signs, int columns,
+                      int begin, int end, double* target, std::ptrdiff_t stride, double* workspace) {
+  take_off_some<WideLanes>(eliminated, of_columns, signs, columns, begin, end, target, stride, workspace);
+}
+THINWALL_FOR_PROCESSORS("avx2")
+void take_off_columns(const Eliminated& eliminated, const double* of_columns, const double* signs, int columns,
+                      int begin, int end, double* target, std::ptrdiff_t stride, double* workspace) {
+  take_off_some<Lanes>(eliminated, of_columns, signs, columns, begin, end, target, stride, workspace);
+}
+THINWALL_FOR_PROCESSORS("default")
+#endif
+void take_off_columns(const Eliminated& eliminated, const double* of_columns, const double* signs, int columns,
+                      int begin, int end, double* target, std::ptrdiff_t stride, double* workspace) {
+  take_off_some<Lanes>(eliminated, of_columns, signs, columns, begin, end, target, stride, workspace);
 }
 
 /// Factorises the diagonal block of some columns that no earlier pivot bears on any more; false where it cannot be.

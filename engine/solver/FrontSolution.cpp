@@ -4,8 +4,6 @@
 namespace thinwall {
 namespace {
 
-static_assert(kSolutions == kLanes);
-
 /// Pivots that a solution takes together.
 constexpr int kSolved = 4;
 
@@ -72,68 +70,132 @@ template <int columns>
   }
 }
 
-/// What `columns` pivots, whose solution is `known`, (columns x kSolutions), bear on in the rows from `begin` to `end`.
-template <int columns>
+/// Several solutions side by side, as many as `parts` of `Some` lanes hold: `known`, `values` and `pivots` have a row
+/// of them each.
+template <typename Some, int parts>
+struct Sides {
+  static constexpr int kCount = parts * kLanesOf<Some>;
+  Some part[parts];
+};
+
+template <typename Some, int parts>
+[[gnu::always_inline]] inline void load_sides(const double* from, Sides<Some, parts>& sides) {
+  for (int p = 0; p < parts; ++p) load(from + p * kLanesOf<Some>, sides.part[p]);
+}
+
+template <typename Some, int parts>
+[[gnu::always_inline]] inline void store_sides(const Sides<Some, parts>& sides, double* to) {
+  for (int p = 0; p < parts; ++p) store(sides.part[p], to + p * kLanesOf<Some>);
+}
+
+template <typename Some, int parts>
+[[gnu::always_inline]] inline void subtract_scaled(const Sides<Some, parts>& sides, double scale,
+                                                   Sides<Some, parts>& from) {
+  for (int p = 0; p < parts; ++p) from.part[p] -= sides.part[p] * scale;
+}
+
+/// What `columns` pivots, whose solution is `known`, bear on in the rows from `begin` to `end`.
+template <int columns, typename All>
 [[gnu::always_inline]] inline void subtract_known(const double* matrix, std::ptrdiff_t stride, const double* known,
                                                   int begin, int end, double* values) {
-  Lanes factors[columns];
+  All factors[columns];
 #pragma GCC unroll 4
-  for (int c = 0; c < columns; ++c) load(known + c * kSolutions, factors[c]);
+  for (int c = 0; c < columns; ++c) load_sides(known + c * All::kCount, factors[c]);
   for (int row = begin; row < end; ++row) {
-    Lanes value;
-    load(values + row * kSolutions, value);
+    All value;
+    load_sides(values + row * All::kCount, value);
 #pragma GCC unroll 4
-    for (int c = 0; c < columns; ++c) value -= factors[c] * matrix[c * stride + row];
-    store(value, values + row * kSolutions);
+    for (int c = 0; c < columns; ++c) subtract_scaled(factors[c], matrix[c * stride + row], value);
+    store_sides(value, values + row * All::kCount);
   }
 }
 
 /// What the rows from `begin` to `end`, which are known, bear on in `columns` pivots.
-template <int columns>
+template <int columns, typename All>
 [[gnu::always_inline]] inline void subtract_rows(const double* matrix, std::ptrdiff_t stride, const double* values,
                                                  int begin, int end, double* pivots) {
-  Lanes sums[columns];
+  All sums[columns];
 #pragma GCC unroll 4
-  for (int c = 0; c < columns; ++c) load(pivots + c * kSolutions, sums[c]);
+  for (int c = 0; c < columns; ++c) load_sides(pivots + c * All::kCount, sums[c]);
   for (int row = begin; row < end; ++row) {
-    Lanes value;
-    load(values + row * kSolutions, value);
+    All value;
+    load_sides(values + row * All::kCount, value);
 #pragma GCC unroll 4
-    for (int c = 0; c < columns; ++c) sums[c] -= value * matrix[c * stride + row];
+    for (int c = 0; c < columns; ++c) subtract_scaled(value, matrix[c * stride + row], sums[c]);
   }
 #pragma GCC unroll 4
-  for (int c = 0; c < columns; ++c) store(sums[c], pivots + c * kSolutions);
+  for (int c = 0; c < columns; ++c) store_sides(sums[c], pivots + c * All::kCount);
+}
+
+template <typename All>
+[[gnu::always_inline]] inline void divide(double pivot, double* values) {
+  All value;
+  load_sides(values, value);
+  for (auto& part : value.part) part /= pivot;
+  store_sides(value, values);
 }
 
 /// One pivot after the other, from the first or from the last on.
-template <int columns>
+template <int columns, typename All>
 [[gnu::always_inline]] inline void forward_several(const Front& front, int column, double* values) {
   const double* matrix = front.columns + column * front.stride;
-  double* pivots = values + column * kSolutions;
+  double* pivots = values + column * All::kCount;
   for (int c = 0; c < columns; ++c) {
-    Lanes value;
-    load(pivots + c * kSolutions, value);
-    value /= matrix[c * front.stride + column + c];
-    store(value, pivots + c * kSolutions);
-    subtract_known<1>(matrix + c * front.stride, front.stride, pivots + c * kSolutions, column + c + 1,
-                      column + columns, values);
+    divide<All>(matrix[c * front.stride + column + c], pivots + c * All::kCount);
+    subtract_known<1, All>(matrix + c * front.stride, front.stride, pivots + c * All::kCount, column + c + 1,
+                           column + columns, values);
   }
-  subtract_known<columns>(matrix, front.stride, pivots, column + columns, front.size, values);
+  subtract_known<columns, All>(matrix, front.stride, pivots, column + columns, front.size, values);
 }
 
-template <int columns>
+template <int columns, typename All>
 [[gnu::always_inline]] inline void backward_several(const Front& front, int column, double* values) {
   const double* matrix = front.columns + column * front.stride;
-  double* pivots = values + column * kSolutions;
-  subtract_rows<columns>(matrix, front.stride, values, column + columns, front.size, pivots);
+  double* pivots = values + column * All::kCount;
+  subtract_rows<columns, All>(matrix, front.stride, values, column + columns, front.size, pivots);
   for (int c = columns - 1; c >= 0; --c) {
-    subtract_rows<1>(matrix + c * front.stride, front.stride, values, column + c + 1, column + columns,
-                     pivots + c * kSolutions);
-    Lanes value;
-    load(pivots + c * kSolutions, value);
-    value /= matrix[c * front.stride + column + c];
-    store(value, pivots + c * kSolutions);
+    subtract_rows<1, All>(matrix + c * front.stride, front.stride, values, column + c + 1, column + columns,
+                          pivots + c * All::kCount);
+    divide<All>(matrix[c * front.stride + column + c], pivots + c * All::kCount);
   }
+}
+
+template <typename All>
+[[gnu::always_inline]] inline void forward_all(const Front& front, double* values) {
+  const int whole = front.pivots / kSolved * kSolved;
+  for (int column = 0; column < whole; column += kSolved) forward_several<kSolved, All>(front, column, values);
+  for (int column = whole; column < front.pivots; ++column) forward_several<1, All>(front, column, values);
+}
+
+template <typename All>
+[[gnu::always_inline]] inline void backward_all(const Front& front, double* values) {
+  const int whole = front.pivots / kSolved * kSolved;
+  for (int column = front.pivots - 1; column >= whole; --column) backward_several<1, All>(front, column, values);
+  for (int column = whole - kSolved; column >= 0; column -= kSolved) {
+    backward_several<kSolved, All>(front, column, values);
+  }
+}
+
+enum class Direction { kForward, kBackward };
+
+template <typename All>
+[[gnu::always_inline]] inline void solve_all(const Front& front, Direction direction, double* values) {
+  direction == Direction::kForward ? forward_all<All>(front, values) : backward_all<All>(front, values);
+}
+
+#ifdef THINWALL_FOR_PROCESSORS
+THINWALL_FOR_PROCESSORS("arch=x86-64-v4")
+void solve_eight(const Front& front, Direction direction, double* values) {
+  solve_all<Sides<WideLanes, 1>>(front, direction, values);
+}
+THINWALL_FOR_PROCESSORS("avx2")
+void solve_eight(const Front& front, Direction direction, double* values) {
+  solve_all<Sides<Lanes, 2>>(front, direction, values);
+}
+THINWALL_FOR_PROCESSORS("default")
+#endif
+void solve_eight(const Front& front, Direction direction, double* values) {
+  solve_all<Sides<Lanes, 2>>(front, direction, values);
 }
 
 }  // namespace
@@ -150,16 +212,20 @@ THINWALL_FOR_ALL_PROCESSORS void solve_backward(const Front& front, double* valu
   for (int column = whole - kSolved; column >= 0; column -= kSolved) backward_single<kSolved>(front, column, values);
 }
 
-THINWALL_FOR_ALL_PROCESSORS void solve_several_forward(const Front& front, double* values) {
-  const int whole = front.pivots / kSolved * kSolved;
-  for (int column = 0; column < whole; column += kSolved) forward_several<kSolved>(front, column, values);
-  for (int column = whole; column < front.pivots; ++column) forward_several<1>(front, column, values);
+THINWALL_FOR_ALL_PROCESSORS void solve_four_forward(const Front& front, double* values) {
+  forward_all<Sides<Lanes, 1>>(front, values);
 }
 
-THINWALL_FOR_ALL_PROCESSORS void solve_several_backward(const Front& front, double* values) {
-  const int whole = front.pivots / kSolved * kSolved;
-  for (int column = front.pivots - 1; column >= whole; --column) backward_several<1>(front, column, values);
-  for (int column = whole - kSolved; column >= 0; column -= kSolved) backward_several<kSolved>(front, column, values);
+THINWALL_FOR_ALL_PROCESSORS void solve_four_backward(const Front& front, double* values) {
+  backward_all<Sides<Lanes, 1>>(front, values);
+}
+
+void solve_eight_forward(const Front& front, double* values) {
+  solve_eight(front, Direction::kForward, values);
+}
+
+void solve_eight_backward(const Front& front, double* values) {
+  solve_eight(front, Direction::kBackward, values);
 }
 
 }  // namespace thinwall

@@ -7,10 +7,46 @@
 #include <vector>
 
 #include "engine/solver/FrontFactor.hpp"
+#include "engine/solver/Lanes.hpp"
 #include "engine/solver/NodeOrder.hpp"
 #include "engine/solver/SupernodeTree.hpp"
 
 namespace thinwall {
+namespace {
+
+/// Adds what a front below has left, `update`, to the front that takes it up, by the runs of its rows.
+THINWALL_FOR_ALL_PROCESSORS void take_up(std::span<const RowRun> runs, const double* update,
+                                         std::ptrdiff_t update_stride, const Front& front) {
+  for (std::size_t first = 0; first < runs.size(); ++first) {
+    const RowRun& columns = runs[first];
+    for (int k = 0; k < columns.count; ++k) {
+      const int column = columns.to + k;
+      const double* source = update + (columns.from + k) * update_stride;
+      double* target = column < front.pivots
+                           ? front.columns + column * front.stride
+                           : front.update + (column - front.pivots) * front.update_stride - front.pivots;
+      for (int row = k; row < columns.count; ++row) target[columns.to + row] += source[columns.from + row];
+      for (const RowRun& rows : runs.subspan(first + 1)) {
+        for (int row = 0; row < rows.count; ++row) target[rows.to + row] += source[rows.from + row];
+      }
+    }
+  }
+}
+
+/// Right-hand sides that are solved side by side, at most.
+constexpr int kMostSides = 8;
+
+using FrontSolution = void (*)(const Front&, double*);
+template <int sides>
+constexpr FrontSolution forward_of() {
+  return sides == 1 ? solve_forward : sides == 4 ? solve_four_forward : solve_eight_forward;
+}
+template <int sides>
+constexpr FrontSolution backward_of() {
+  return sides == 1 ? solve_backward : sides == 4 ? solve_four_backward : solve_eight_backward;
+}
+
+}  // namespace
 
 struct SparseFactor::Implementation {
   BlockPattern pattern;
@@ -24,8 +60,8 @@ struct SparseFactor::Implementation {
   std::vector<double> signs;             // (unknowns)
   std::vector<int> waiting[2];           // their supernodes
   std::vector<double> workspace;
-  std::vector<double> solution;  // (unknowns x kSolutions) by rows, in the order of elimination
-  std::vector<double> local;     // (unknowns of one front x kSolutions) by rows
+  std::vector<double> solution;  // (unknowns x kMostSides) by rows, in the order of elimination
+  std::vector<double> local;     // (unknowns of one front x kMostSides) by rows
   bool is_factorised = false;
 
   explicit Implementation(const BlockPattern& the_pattern, const Implementation* before = nullptr)
@@ -44,8 +80,8 @@ struct SparseFactor::Implementation {
     signs.resize(pattern.unknowns());
     for (int k = 0; k < 2; ++k) updates[k] = std::make_unique_for_overwrite<double[]>(tree.update_size[k]);
     workspace.resize(kFrontColumns * kPanel);
-    solution.resize(static_cast<std::size_t>(pattern.unknowns()) * kSolutions);
-    local.resize(static_cast<std::size_t>(tree.largest_front + kFrontRows) * kSolutions);
+    solution.resize(static_cast<std::size_t>(pattern.unknowns()) * kMostSides);
+    local.resize(static_cast<std::size_t>(tree.largest_front + kFrontRows) * kMostSides);
   }
 
   void set_order(std::vector<int> the_nodes) {
@@ -65,24 +101,6 @@ struct SparseFactor::Implementation {
             .update_stride = supernode.update_stride,
             .signs = signs.data() + supernode.first,
             .workspace = workspace.data()};
-  }
-
-  /// Adds what a front below has left to the front that takes it up.
-  void take_up(const Supernode& below, const double* update, const Front& front) const {
-    const RowRun* end = tree.runs.data() + below.runs_end;
-    for (const RowRun* columns = tree.runs.data() + below.runs_begin; columns != end; ++columns) {
-      for (int k = 0; k < columns->count; ++k) {
-        const int column = columns->to + k;
-        const double* source = update + (columns->from + k) * below.update_stride;
-        double* target = column < front.pivots
-                             ? front.columns + column * front.stride
-                             : front.update + (column - front.pivots) * front.update_stride - front.pivots;
-        for (int row = k; row < columns->count; ++row) target[columns->to + row] += source[columns->from + row];
-        for (const RowRun* rows = columns + 1; rows != end; ++rows) {
-          for (int row = 0; row < rows->count; ++row) target[rows->to + row] += source[rows->from + row];
-        }
-      }
-    }
   }
 
   std::optional<int> eliminate_all(std::span<const double> values, bool allows_negative) {
@@ -106,7 +124,7 @@ struct SparseFactor::Implementation {
       while (!below.empty() && tree.supernodes[below.back()].parent == s) {
         const Supernode& child = tree.supernodes[below.back()];
         top[1 - parity] -= child.update_stride * (child.size - child.pivots);
-        take_up(child, top[1 - parity], front);
+        take_up(tree.runs_of(child), top[1 - parity], child.update_stride, front);
         below.pop_back();
       }
       const int own_negative = eliminate(front, allows_negative);
@@ -118,16 +136,15 @@ struct SparseFactor::Implementation {
     return negative;
   }
 
-  /// A front's part in solving for `solution`, (unknowns x sides) by rows, of which there are one or kSolutions: from
-  /// the leaves up first.
+  /// A front's part in solving for `solution`, (unknowns x sides) by rows, of which there are 1, 4 or 8: from the
+  /// leaves up first.
   template <int sides>
   void go_up(const Supernode& supernode) {
     const int* rows = tree.rows.data() + supernode.rows_begin;
     double* pivots = solution.data() + supernode.first * sides;
     double* below = std::copy_n(pivots, supernode.pivots * sides, local.data());
     std::fill(below, local.data() + supernode.stride * sides, 0.0);
-    sides == 1 ? solve_forward(front_of(supernode), local.data())
-               : solve_several_forward(front_of(supernode), local.data());
+    forward_of<sides>()(front_of(supernode), local.data());
     const double* from = local.data();
     for (int k = 0; k < supernode.pivots; ++k) {
       for (int c = 0; c < sides; ++c) *pivots++ = signs[supernode.first + k] * *from++;
@@ -148,8 +165,7 @@ struct SparseFactor::Implementation {
       to = std::copy_n(solution.data() + *rows++ * sides, sides, to);
     }
     std::fill(to, local.data() + supernode.stride * sides, 0.0);
-    sides == 1 ? solve_backward(front_of(supernode), local.data())
-               : solve_several_backward(front_of(supernode), local.data());
+    backward_of<sides>()(front_of(supernode), local.data());
     std::copy_n(local.data(), supernode.pivots * sides, pivots);
   }
 
@@ -210,13 +226,15 @@ double SparseFactor::operations() const {
 
 void SparseFactor::solve(Eigen::Ref<Eigen::MatrixXd> right_hand_sides) {
   assert(implementation_->is_factorised);
-  // Two of them cost as much one by one.
-  constexpr Eigen::Index kWorthwhile = 3;
   const Eigen::Index columns = right_hand_sides.cols();
   Eigen::Index first = 0;
-  for (; columns - first >= kWorthwhile; first += kSolutions) {
-    implementation_->solve<kSolutions>(
-        right_hand_sides.middleCols(first, std::min<Eigen::Index>(kSolutions, columns - first)));
+  for (; columns - first > 4; first += kMostSides) {
+    implementation_->solve<kMostSides>(
+        right_hand_sides.middleCols(first, std::min<Eigen::Index>(kMostSides, columns - first)));
+  }
+  // Two of them cost as much one by one.
+  for (; columns - first > 2; first += 4) {
+    implementation_->solve<4>(right_hand_sides.middleCols(first, std::min<Eigen::Index>(4, columns - first)));
   }
   for (; first < columns; ++first) implementation_->solve<1>(right_hand_sides.col(first));
 }

@@ -48,6 +48,10 @@ struct SupernodeTree {
   std::ptrdiff_t update_size[2] = {0, 0};  // room for the updates of even and of odd depth that wait at one time
   int largest_front = 0;
   double operations = 0;  // floating-point operations, without those on zeros that supernodes bring
+
+  std::span<const RowRun> runs_of(const Supernode& supernode) const {
+    return std::span(runs).subspan(supernode.runs_begin, supernode.runs_end - supernode.runs_begin);
+  }
 };
 
 /// `order` of the nodes is put in postorder of its elimination tree, which changes neither fill nor operations.

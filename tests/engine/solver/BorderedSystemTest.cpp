@@ -96,8 +96,7 @@ TEST(BorderedSystem, ColumnsAndRowsMayDiffer) {
   SparseFactor factor(matrix.pattern);
   ASSERT_TRUE(factor.factorize(matrix.values));
   BorderedSystem system;
-  system.set(factor, 0, columns, Eigen::MatrixXd::Zero(3, 3));
-  system.set_unsymmetric(factor, columns, rows, corner);
+  system.set_unsymmetric(factor, 0, random_columns(unknowns, 3, 15), columns, rows, corner);
   EXPECT_EQ(system.negative_eigenvalues(), 3);  // of the symmetric one
   const Eigen::VectorXd right = random_columns(unknowns + 3, 1, 12);
   Eigen::VectorXd f = right.head(unknowns), g = right.tail(3);
@@ -120,7 +119,7 @@ TEST(BorderedPart, AnswersAtSomeUnknownsAsTheWholeSystemDoes) {
   BorderedSystem system;
   system.set(factor, 0, border, Eigen::MatrixXd::Zero(2, 2));
   for (const bool is_unsymmetric : {false, true}) {
-    if (is_unsymmetric) system.set_unsymmetric(factor, columns, rows, corner);
+    if (is_unsymmetric) system.set_unsymmetric(factor, 0, border, columns, rows, corner);
     Eigen::VectorXd f = Eigen::VectorXd::Zero(unknowns), g = Eigen::VectorXd::Zero(2);
     f(part) = random_columns(6, 1, 16);
     const Eigen::VectorXd answer = BorderedPart(factor, system, part).solve(f(part));

@@ -80,23 +80,27 @@ TEST(FrontFactor, LeavesWhatEliminationByTheBookLeaves) {
   }
 }
 
-TEST(FrontFactor, SolvesForOneAndForSeveralRightHandSidesWithTheRowsBelow) {
+TEST(FrontFactor, SolvesForOneFourAndEightRightHandSidesWithTheRowsBelow) {
   for (const auto& [pivots, size] : kSizes) {
     OwnFront front(random_symmetric(size, false, 6), pivots);
     ASSERT_GE(eliminate(front.view(), true), 0);
-    const Eigen::MatrixXd lower = front.lower(), right = random_columns(size, kSolutions, 7);
+    const Eigen::MatrixXd lower = front.lower(), right = random_columns(size, 8, 7);
     const auto top = lower.topRows(pivots).triangularView<Eigen::Lower>();
     Eigen::MatrixXd forward = right, backward = right;
     forward.topRows(pivots) = top.solve(right.topRows(pivots));
     forward.bottomRows(size - pivots) -= lower.bottomRows(size - pivots) * forward.topRows(pivots);
     backward.topRows(pivots) -= lower.bottomRows(size - pivots).transpose() * right.bottomRows(size - pivots);
     backward.topRows(pivots) = top.transpose().solve(backward.topRows(pivots).eval());
-    Eigen::MatrixXd rows = right.transpose();
-    solve_several_forward(front.view(), rows.data());
-    EXPECT_LT((rows.transpose() - forward).cwiseAbs().maxCoeff(), 1e-13) << pivots << " of " << size;
-    rows = right.transpose();
-    solve_several_backward(front.view(), rows.data());
-    EXPECT_LT((rows.transpose() - backward).cwiseAbs().maxCoeff(), 1e-13) << pivots << " of " << size;
+    Eigen::MatrixXd four = right.leftCols(4).transpose(), eight = right.transpose();
+    solve_four_forward(front.view(), four.data());
+    solve_eight_forward(front.view(), eight.data());
+    EXPECT_LT((eight.transpose() - forward).cwiseAbs().maxCoeff(), 1e-13) << pivots << " of " << size;
+    EXPECT_EQ(four, eight.topRows(4)) << pivots << " of " << size;
+    four = right.leftCols(4).transpose(), eight = right.transpose();
+    solve_four_backward(front.view(), four.data());
+    solve_eight_backward(front.view(), eight.data());
+    EXPECT_LT((eight.transpose() - backward).cwiseAbs().maxCoeff(), 1e-13) << pivots << " of " << size;
+    EXPECT_EQ(four, eight.topRows(4)) << pivots << " of " << size;
     Eigen::VectorXd one = Eigen::VectorXd::Zero(up_to_rows(size));
     one.head(size) = right.col(0);
     solve_forward(front.view(), one.data());
