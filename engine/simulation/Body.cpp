@@ -128,7 +128,7 @@ BodyInput part_of(const BodyInput& input, const BodyState& start, double done, d
 Body::Body(BodyDefinition definition, std::vector<ToolDefinition> tools, SimulationOptions options)
     : model_(std::make_unique<const BodyModel>(make_body_model(std::move(definition)))),
       tools_(std::move(tools)),
-      options_(options),
+      options_(std::move(options)),
       newton_(std::make_unique<Newton>(*model_)) {
   const Eigen::Index unknowns = model_->rest_position.size();
   state_.equilibrium.position = model_->rest_position;

@@ -87,7 +87,7 @@ template <typename Some>
 }
 
 #ifdef THINWALL_FOR_PROCESSORS
-THINWALL_FOR_PROCESSORS("arch=x86-64-v4")
+THINWALL_FOR_PROCESSORS("avx512f")
 void take_off_columns(const Eliminated& eliminated, const double* of_columns, const double* signs, int columns,
                       int begin, int end, double* target, std::ptrdiff_t stride, double* workspace) {
   take_off_some<WideLanes>(eliminated, of_columns, signs, columns, begin, end, target, stride, workspace);

@@ -184,7 +184,7 @@ template <typename All>
 }
 
 #ifdef THINWALL_FOR_PROCESSORS
-THINWALL_FOR_PROCESSORS("arch=x86-64-v4")
+THINWALL_FOR_PROCESSORS("avx512f")
 void solve_eight(const Front& front, Direction direction, double* values) {
   solve_all<Sides<WideLanes, 1>>(front, direction, values);
 }

@@ -198,7 +198,7 @@ struct SparseFactor::Implementation {
     return fronts;
   }
 
-  void solve_part(const Part& part, Eigen::Ref<Eigen::VectorXd> column) {
+  void solve_part(const Part& part, Eigen::Ref<Eigen::VectorXd>& column) {
     for (const int s : part.fronts) {
       std::fill_n(solution.begin() + tree.supernodes[s].first, tree.supernodes[s].pivots, 0.0);
     }
