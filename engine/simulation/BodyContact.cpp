@@ -190,12 +190,14 @@ bool Body::jumped_over_balls(std::span<const ToolPose> begin, const EquilibriumP
     const SolidContact& after = problem.solids[k];
     if (after.solid.role != ToolSolid::Role::kWhole) continue;
     const double farthest = farthest_way(*model_, before[k], after.solid, state_.equilibrium.position, position);
+    // Places farther away cannot have come so deep.
+    const double reach =
+        std::min(before[k].sharpness() + model_->edge_length, farthest - kDeepestWay * after.solid.sharpness());
     for (const ContactSite& site : model_->sites) {
       const Eigen::Vector3i& triangle = model_->surface[site.triangle];
-      const auto near =
-          solid_gap(before[k], before[k].sharpness() + model_->edge_length,
-                    corners_of(triangle, state_.equilibrium.position), site.part, site.corner, GapTerms::kGradient);
-      if (!near || near->gap - farthest >= -kDeepestWay * after.solid.sharpness()) continue;
+      const auto near = solid_gap(before[k], reach, corners_of(triangle, state_.equilibrium.position), site.part,
+                                  site.corner, GapTerms::kGradient);
+      if (!near || near->gap >= reach) continue;
       // The way of the place that was nearest, as the tool sees it.
       const Eigen::Vector3d start = place_on(*model_, site.triangle, near->weights, state_.equilibrium.position);
       const Eigen::Vector3d from = start + displacement_of(before[k], after.solid, start);
