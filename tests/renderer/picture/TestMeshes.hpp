@@ -53,4 +53,33 @@ inline SnapshotSurface sphere(const std::string& body, Vector3 center, double ra
   return surface_of(body, std::move(positions), std::move(triangles));
 }
 
+/// The same of 8 * parts ^ 2 triangles: each edge of the octahedron is divided into `parts`.
+inline SnapshotSurface divided_sphere(const std::string& body, Vector3 center, double radius, int parts) {
+  std::map<std::array<int, 3>, std::uint32_t> numbers;
+  std::vector<Float3> positions;
+  const auto vertex = [&](const std::array<int, 3>& place) {
+    const auto [found, is_new] = numbers.try_emplace(place, static_cast<std::uint32_t>(positions.size()));
+    if (is_new) {
+      const Vector3 point = center + radius * normalized(Vector3{1.0 * place[0], 1.0 * place[1], 1.0 * place[2]});
+      positions.push_back({static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.z)});
+    }
+    return found->second;
+  };
+  std::vector<Triangle> triangles;
+  for (int face = 0; face < 8; ++face) {
+    const int x = face & 1 ? -1 : 1, y = face & 2 ? -1 : 1, z = face & 4 ? -1 : 1;
+    const auto at = [&](int i, int j) { return vertex({x * i, y * j, z * (parts - i - j)}); };
+    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+      triangles.push_back(x * y * z > 0 ? Triangle{a, b, c} : Triangle{a, c, b});
+    };
+    for (int i = 0; i < parts; ++i) {
+      for (int j = 0; i + j < parts; ++j) {
+        add(at(i, j), at(i + 1, j), at(i, j + 1));
+        if (i + j + 1 < parts) add(at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+      }
+    }
+  }
+  return surface_of(body, std::move(positions), std::move(triangles));
+}
+
 }  // namespace thinwall::test
