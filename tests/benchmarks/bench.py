@@ -3,9 +3,12 @@
 row says how many times its floor it takes. --compare holds two builds against each other in interleaved runs."""
 
 import argparse
+import contextlib
 import json
 import math
+import os
 import random
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -107,6 +110,37 @@ def recording(build, out):
     return [{"name": f"Recording/{Path(SCENE).stem}", "real_time": wall, "time_unit": "s", "floor_s": alone, "floor_is": "ffmpeg alone"}]
 
 
+@contextlib.contextmanager
+def display():
+    """The name of an X display without a screen, once it is ready."""
+    told, tells = os.pipe()
+    server = subprocess.Popen(["Xvfb", "-displayfd", str(tells), "-screen", "0", "1280x720x24", "-nolisten", "tcp", "-noreset"],
+                              pass_fds=[tells], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    os.close(tells)
+    try:
+        with os.fdopen(told) as number:
+            yield ":" + number.readline().strip()
+    finally:
+        server.terminate()
+        server.wait()
+
+
+def peer_pictures():
+    """Pictures of the same size and of as many triangles by VTK, which Debian has; it asks for a display."""
+    has_vtk = subprocess.run([sys.executable, "-c", "import vtk"], stderr=subprocess.DEVNULL).returncode == 0
+    if not has_vtk or not shutil.which("Xvfb"):
+        print("pictures by VTK are left out: apt-get install python3-vtk9 xvfb", file=sys.stderr)
+        return []
+    print("VTK ...", file=sys.stderr)
+    with display() as name:
+        done = subprocess.run([sys.executable, str(ROOT / "tests/benchmarks/peers/vtk_frames.py")], stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE, text=True, env={**os.environ, "DISPLAY": name})
+    if done.returncode != 0:
+        print(f"pictures by VTK are left out: {done.stderr.strip()[-300:]}", file=sys.stderr)
+        return []
+    return json.loads(done.stdout)
+
+
 def haptics(build, out):
     """Rows of the haptic loop: the percentiles are what counts, not the mean."""
     rows = []
@@ -177,6 +211,7 @@ def measure(options):
         whole["benchmarks"] += part["benchmarks"]
     if not options.filter:
         whole["benchmarks"] += recording(options.build, out)
+        whole["benchmarks"] += peer_pictures()
     rates, times = floors_of(whole["benchmarks"])
     text = table(whole["benchmarks"], rates, times) + growth_of(whole["benchmarks"])
     if options.real_time:
