@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/mesh/Shapes.hpp"
+#include "engine/simulation/Chambers.hpp"
 #include "studio/organs/ClosedCheck.hpp"
 #include "studio/organs/HoleFilling.hpp"
 #include "studio/organs/MeshImport.hpp"
@@ -106,6 +107,26 @@ void check_closed(const SurfaceMesh& mesh, const SurfaceSource& source, const Su
   }
 }
 
+/// That each chamber's point names a closed part of its own.
+void check_chambers(const BodyScenario& body, const SurfaceMesh& mesh) {
+  std::vector<Eigen::Vector3i> surface = mesh.triangles;
+  surface.insert(surface.end(), mesh.cap_triangles.begin(), mesh.cap_triangles.end());
+  FluidDefinition fluid = body.fluid;
+  fluid.chambers.clear();
+  for (const ChamberDefinition& chamber : body.fluid.chambers) {
+    const std::size_t k = fluid.chambers.size();
+    fluid.chambers.push_back(chamber);
+    try {
+      find_chambers(mesh.vertices, surface, fluid);
+    } catch (const std::invalid_argument& refusal) {
+      const SourceLocation& location = k < body.chamber_locations.size() ? body.chamber_locations[k] : body.location;
+      throw InputErrors(
+          {{location, fmt::format("bodies.{}.contents.chambers.{}.at: {}; move it into the part that is meant",
+                                  body.name, chamber.name, refusal.what())}});
+    }
+  }
+}
+
 void check_fixed(const BodyScenario& body, RegionMembers& regions) {
   for (std::size_t i = 0; i < body.fixed.size(); ++i) {
     const std::string path = fmt::format("bodies.{}.fixed[{}].region", body.name, i + 1);
@@ -149,6 +170,7 @@ BodyDefinition build_body(const BodyScenario& body, std::vector<std::string>& no
                             .fixed = body.fixed};
   if (body.fluid.kind != FluidKind::kNone) {
     check_closed(definition.mesh, body.surface, origin, std::max(1, static_cast<int>(body.fluid.chambers.size())));
+    check_chambers(body, definition.mesh);
   }
   RegionMembers regions(definition.mesh);
   WallFieldResolver fields(body, regions, notes);

@@ -224,6 +224,27 @@ void check_goldens(const CheckedValue& root, const std::vector<ClipTimes>& clips
   }
 }
 
+/// Steps of no run that ends: months of computing, and a take that no disk holds.
+constexpr double kMostSteps = 1e7;
+
+/// Seconds; a step below this is what is at fault, otherwise it is the clip.
+constexpr double kShortStep = 1e-6;
+
+void check_step_count(const CheckedValue& root, const std::vector<ClipTimes>& clips, Diagnostics& diagnostics) {
+  const CheckedValue* simulation = root.find("simulation");
+  const CheckedValue* step = simulation == nullptr ? nullptr : simulation->find("time_step");
+  if (step == nullptr || !(step->number > 0)) return;
+  const auto longest = std::ranges::max_element(
+      clips, {}, [](const ClipTimes& clip) { return clip.start.value_or(0) + clip.shortest_duration; });
+  if (longest == clips.end()) return;
+  const double seconds = longest->start.value_or(0) + longest->shortest_duration, steps = seconds / step->number;
+  if (steps <= kMostSteps) return;
+  const bool is_short = step->given && step->number < kShortStep;
+  diagnostics.error(is_short ? step->location : longest->location, is_short ? "simulation.time_step" : longest->path,
+                    "the run would take " + format_like(steps, "1") + " steps or more, 10 million are allowed; " +
+                        (is_short ? "take a longer `time_step`" : "let the clip end sooner"));
+}
+
 /// A golden of the video needs one.
 void check_golden_video(const CheckedValue& root, Diagnostics& diagnostics) {
   const CheckedValue* goldens = root.find("golden");
@@ -300,6 +321,7 @@ void lint_pass(const CheckedValue& root, Diagnostics& diagnostics) {
   check_cuts(root, diagnostics);
   const std::vector<ClipTimes> clips = clip_times(root);
   check_overlaps(clips, diagnostics);
+  check_step_count(root, clips, diagnostics);
   check_goldens(root, clips, diagnostics);
   check_golden_excuses(root, diagnostics);
   check_golden_video(root, diagnostics);

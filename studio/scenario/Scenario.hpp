@@ -67,7 +67,8 @@ struct BodyScenario {
   RayleighDamping damping = {};
   std::vector<FixedRegion> fixed = {};
   std::vector<LoadScenario> loads = {};
-  std::vector<SourceLocation> fixed_locations = {};  // (fixed)
+  std::vector<SourceLocation> fixed_locations = {};    // (fixed)
+  std::vector<SourceLocation> chamber_locations = {};  // (chambers of `fluid`), of their points
 };
 
 enum class Ease { kLinear, kSmooth };

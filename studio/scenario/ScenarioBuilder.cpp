@@ -119,11 +119,14 @@ void read_loads(const CheckedValue& loads, BodyScenario& body) {
   }
 }
 
-void read_chambers(const CheckedValue& contents, FluidDefinition& fluid) {
+void read_chambers(const CheckedValue& contents, BodyScenario& body) {
+  FluidDefinition& fluid = body.fluid;
   const CheckedValue* chambers = contents.find("chambers");
   if (chambers == nullptr) return;
   for (const CheckedMember& chamber : chambers->members) {
-    fluid.chambers.push_back({chamber.key, to_vector(chamber.value.at("at")), find_number(chamber.value, "pressure")});
+    const CheckedValue& at = chamber.value.at("at");
+    fluid.chambers.push_back({chamber.key, to_vector(at), find_number(chamber.value, "pressure")});
+    body.chamber_locations.push_back(at.location);
   }
   const auto index_of = [&](const std::string& name) {
     int index = 0;
@@ -161,7 +164,7 @@ BodyScenario to_body(const CheckedMember& member) {
   body.fluid.bulk_modulus = find_number(contents, "bulk_modulus").value_or(body.fluid.bulk_modulus);
   if (const CheckedValue* leaks = contents.find("leaks")) body.fluid.leaks = leaks->boolean;
   body.fluid.discharge = find_number(contents, "discharge").value_or(body.fluid.discharge);
-  read_chambers(contents, body.fluid);
+  read_chambers(contents, body);
   for (const CheckedValue& term : wall.at("viscosity").items) {
     body.viscosity.push_back({.fraction = term.at("fraction").number, .time = term.at("time").number});
   }

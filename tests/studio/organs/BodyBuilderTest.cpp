@@ -68,6 +68,23 @@ TEST(BodyBuilder, LaterThicknessRegionWins) {
   EXPECT_GT(std::count(body.thickness.begin(), body.thickness.end(), 1e-3), 10);
 }
 
+TEST(BodyBuilder, ChambersWhosePointsNameNoPartOfTheirOwnAreTold) {
+  BodyScenario scenario = hemisphere();
+  scenario.fluid.chambers = {{"bulb", {0, 0, 0.01}}, {"neck", {0, 0, 0.03}}};
+  scenario.chamber_locations = {{"scene.yaml", 9, 20}, {"scene.yaml", 10, 20}};
+  EXPECT_EQ(
+      refusal_of(scenario),
+      "scene.yaml:10:20: error: bodies.organ.contents.chambers.neck.at: chamber `neck`: its point lies in no closed "
+      "part; move it into the part that is meant");
+  scenario.fluid.chambers[1].inside = {0, 0, 0.005};
+  EXPECT_EQ(
+      refusal_of(scenario),
+      "scene.yaml:10:20: error: bodies.organ.contents.chambers.neck.at: chambers `bulb` and `neck`: their points lie "
+      "in the same closed part; move it into the part that is meant");
+  scenario.fluid.chambers.pop_back();
+  EXPECT_EQ(refusal_of(scenario), "accepted");
+}
+
 TEST(BodyBuilder, RegionsThatHoldNothingAreAllTold) {
   BodyScenario scenario = hemisphere();
   scenario.thickness.regions = {{GroupRegion{"bace"}, 2e-3, {"scene.yaml", 8, 11}},

@@ -54,6 +54,20 @@ TEST(LintPass, AClipAfterAPalpationBeginsAtAnUnknownTime) {
   EXPECT_FALSE(end_of_timeline(clips));
 }
 
+TEST(LintPass, RunsOfMoreThanTenMillionStepsAreErrorsOfTheStepOrOfTheClip) {
+  EXPECT_EQ(errors_of(checked_scenario("timeline: [ wait: { for: 2 s } ]\n"
+                                       "simulation: { time_step: 1e-15 s }\n")),
+            Texts{"9:26: simulation.time_step: the run would take 2e+15 steps or more, 10 million are allowed; take a "
+                  "longer `time_step`"});
+  EXPECT_EQ(
+      timeline_errors("  - wait: { for: 1 s }\n"
+                      "  - palpate: { tool: probe, body: organ, depth: 5 mm, speed: 1e-12 mm/s }\n"),
+      Texts{"10:5: timeline[2].palpate: the run would take 2e+15 steps or more, 10 million are allowed; let the clip "
+            "end sooner"});
+  EXPECT_EQ(errors_of(checked_scenario("timeline: [ wait: { for: 9.9 s } ]\nsimulation: { time_step: 1 us }\n")),
+            Texts{});
+}
+
 TEST(LintPass, GoldensLieWithinAKnownTimelineAndAtDifferentTimes) {
   EXPECT_EQ(errors_of(checked_scenario("timeline: [ wait: { for: 2 s } ]\n"
                                        "golden:\n"
