@@ -112,7 +112,7 @@ Cut Body::change_mesh(const CutPath& path, CutOptions options, Uncut* before) {
   keep_surfaces(*after, state_);
   // A piece that nothing holds any more stays where it has just come off.
   if (after->rigid_motions.cols() > 0) hold_rigid_motions(*after, state_.equilibrium.position);
-  // What slowed the wall is from now on among the forces that hold the lips.
+  // Forces and ways of the step before are those of another mesh.
   state_.drag_force.resize(0);
   last_step_.reset();
   // An opening that has changed makes a new beginning.
@@ -162,6 +162,8 @@ void Body::hold_as_it_is(double length, bool pays, std::span<const ToolPose> pos
   // Flips of edges and lumped masses change what is stored by a trifle.
   state_.books.jump += stored - state_.books.stored();
   HeldLips held{.forces = {}, .length = length, .pays = pays};
+  // What slowed the wall is among them from now on.
+  state_.drag_force.resize(0);
   const Eigen::VectorXd left_over =
       state_.static_force +
       model_->mass.cwiseProduct(state_.acceleration + model_->definition.damping.mass_rate * state_.velocity);
