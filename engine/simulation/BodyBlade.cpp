@@ -62,7 +62,7 @@ double Body::book_cut(const CutProgress& before, const Eigen::VectorXd& motion,
   for (HeldLips& lips : after.held) {
     for (const HeldForce& one : lips.forces) lips.work += lips.held * one.force.dot(motion.segment<3>(3 * one.vertex));
     for (const HeldTurn& one : lips.turns) lips.work += lips.held * one.force * motion[one.unknown];
-    lips.drives = lips.drives || lips.work > kMostDriven * after.cost * lips.length;
+    lips.drives = lips.work > kMostDriven * after.cost * lips.length;
     lips.runs = lips.runs || lips.drives;
   }
   double paid = 0;  // joule, by the blade
