@@ -65,6 +65,10 @@ constexpr double kSmallestPart = 1.0 / 256;
 constexpr double kMostUnbooked = 5e-4;
 constexpr double kSmallestUnbookedPart = 1.0 / 64;
 
+/// How much smaller a part may be in which a wall that is being let go of jumps and gives energy: the way is that of
+/// the jump, however short the part, but the less is let go the better its work is known.
+constexpr double kSmallerWhereHeld = 1.0 / 16;
+
 /// The smallest part of a step that is divided because needles would work more than they may.
 constexpr double kSmallestNeedlePart = 1.0 / 1024;
 
@@ -268,18 +272,27 @@ double Body::script_doubt(const BodyState& before) const {
   return 0.5 * (of_fluids + motion.cwiseAbs().dot((state_.load_force - before.load_force).cwiseAbs()));
 }
 
-double Body::unbooked_part(const BodyState& before, bool is_calm) const {
+double Body::given_part(const BodyState& before) const {
   const double taken = state_.books.numerical - before.books.numerical, largest = state_.books.largest();
   const double none = kNoStrain * kNoStrain * model_->wall_stiffness * model_->rest_area;
   // What holds the lips of a cut, or a dent, is among the loads, and has a measure of its own.
   const double doubt = before.cut.held.empty() ? script_doubt(before) : 0;
   // Forces of a loose tolerance tell their work no better.
   const double most_given = std::max(kMostGiven, options_.tolerance);
-  const double given = std::max(0.0, -taken - doubt) / (most_given * std::max(largest, none));
+  return std::max(0.0, -taken - doubt) / (most_given * std::max(largest, none));
+}
+
+double Body::unbooked_part(const BodyState& before, bool is_calm) const {
+  const double taken = state_.books.numerical - before.books.numerical, largest = state_.books.largest();
   // What walls take that jump or flaps that flutter, and what a drag takes up, is no matter of the step's length.
   const bool is_even = before.cut.has_incised && is_calm && state_.drag_force.size() == 0;
-  if (!is_even || largest == 0) return given;
+  if (!is_even || largest == 0) return given_part(before);
   return std::abs(taken) / (kMostUnbooked * largest);
+}
+
+double Body::smallest_unbooked_part(const BodyState& before, double largest_part) const {
+  const bool springs_back = !before.cut.held.empty() && given_part(before) > 1;
+  return kSmallestUnbookedPart * (before.cut.has_incised ? 1 : largest_part) * (springs_back ? kSmallerWhereHeld : 1);
 }
 
 void Body::give_up(const BodyState& start) {
@@ -298,7 +311,6 @@ void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> en
   StepParts step{.largest = std::min(largest_part(begin, end), part_of_blade(input, model_->edge_length))};
   step.part = step.largest;
   const double smallest = step.largest * std::pow(0.5, options_.maximum_halvings + 0.5);
-  const double smallest_unbooked = kSmallestUnbookedPart * (start.cut.has_incised ? 1 : step.largest);
   std::vector<ToolPose> from(begin.begin(), begin.end());
   bool needles_ask = false;
   while (step.done < 1) {
@@ -323,7 +335,8 @@ void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> en
     // Where flaps flutter the matrix is not convex at first, and shorter steps show more of that.
     const bool is_calm = report_.shifted_iterations == shifted && report_.halvings == 0;
     const double unbooked = unbooked_part(before, is_calm);
-    const bool is_coarse = (error > 1 && step.part > kSmallestPart) || (unbooked > 1 && step.part > smallest_unbooked);
+    const bool is_coarse = (error > 1 && step.part > kSmallestPart) ||
+                           (unbooked > 1 && step.part > smallest_unbooked_part(before, step.largest));
     const bool overshoots = !is_coarse && step.part > kSmallestNeedlePart && needles_overshoot(before, to);
     if (is_coarse || overshoots) {
       state_ = before;

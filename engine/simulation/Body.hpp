@@ -232,8 +232,12 @@ class Body {
   /// By what the work of loads and filling in the last part of a step may be off, joule: it is told by its ends, and
   /// the way between them is known no better than that each force lay between its own at the ends.
   double script_doubt(const BodyState& before) const;
+  /// What the integrator gave in the last part of a step, over what it may.
+  double given_part(const BodyState& before) const;
   /// What the integrator took or gave in the last part of a step, over what it may.
   double unbooked_part(const BodyState& before, bool is_calm) const;
+  /// The smallest part of a step that is divided for that. `largest_part`: that tools and blades allow.
+  double smallest_unbooked_part(const BodyState& before, double largest_part) const;
   void attach(std::span<const ToolPose> begin, std::span<const ToolPose> end, EquilibriumProblem& problem) const;
   void attach_line(int tool, const ToolPose& end, EquilibriumProblem& problem) const;
   bool release(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;
