@@ -66,7 +66,8 @@ constexpr double kMostUnbooked = 5e-4;
 constexpr double kSmallestUnbookedPart = 1.0 / 64;
 
 /// How much smaller a part may be in which a wall that is being let go of jumps and gives energy: the way is that of
-/// the jump, however short the part, but the less is let go the better its work is known.
+/// the jump, however short the part, but the less is let go the better its work is known. Energy that this work does
+/// not account for no such part mends.
 constexpr double kSmallerWhereHeld = 1.0 / 16;
 
 /// The smallest part of a step that is divided because needles would work more than they may.
@@ -291,8 +292,9 @@ double Body::unbooked_part(const BodyState& before, bool is_calm) const {
 }
 
 double Body::smallest_unbooked_part(const BodyState& before, double largest_part) const {
-  const bool springs_back = !before.cut.held.empty() && given_part(before) > 1;
-  return kSmallestUnbookedPart * (before.cut.has_incised ? 1 : largest_part) * (springs_back ? kSmallerWhereHeld : 1);
+  const double given = before.books.numerical - state_.books.numerical;
+  const bool jumps_held = !before.cut.held.empty() && given_part(before) > 1 && given < 2 * script_doubt(before);
+  return kSmallestUnbookedPart * (before.cut.has_incised ? 1 : largest_part) * (jumps_held ? kSmallerWhereHeld : 1);
 }
 
 void Body::give_up(const BodyState& start) {
