@@ -169,7 +169,9 @@ WallLawResponse relaxed(const Material& material, const Eigen::Vector3d& c) {
   const double stiffness = taut.tangent.norm();
   const bool has_answer = std::isfinite(taut.energy) && std::isfinite(stiffness);
   const Eigen::Vector3d s = has_answer ? taut.second_piola_kirchhoff : rubber_stress(c);
-  if (smallest_principal(s) >= (has_answer ? -kTautTolerance * stiffness : 0)) return taut;
+  // A wall crushed to a line is stiff beyond measure, and what is round-off beside that would be compression.
+  const double width = std::clamp(smallest_principal(c), 0.0, 1.0);
+  if (smallest_principal(s) >= (has_answer ? -kTautTolerance * width * stiffness : 0)) return taut;
   if (largest_principal(c) <= 1) {
     return {.energy = 0, .second_piola_kirchhoff = Eigen::Vector3d::Zero(), .tangent = Eigen::Matrix3d::Zero()};
   }

@@ -57,6 +57,23 @@ TEST(TensionField, SlackWallHasNothingButItsResidualStiffness) {
   }
 }
 
+TEST(TensionField, WallCrushedToALineBearsNoCompression) {
+  // Slack, and in uniaxial tension, whatever the width: the law itself presses back without bound there.
+  for (const Material& material : materials()) {
+    const double scale = material.law->initial_modulus(material.parameters);
+    const WallLawResponse wide = tension_field_response(material, metric(1.2, 0.3, 0));
+    for (const double width : {1e-5, 1e-6, 1e-7}) {
+      const Eigen::Vector3d slack = metric(0.9, width, 0);
+      EXPECT_NEAR(tension_field_response(material, slack).energy, residual_energy(material, slack), 1e-15)
+          << material.law->name << " " << width;
+      const WallLawResponse field = tension_field_response(material, metric(1.2, width, 0));
+      EXPECT_NEAR(field.second_piola_kirchhoff[0], wide.second_piola_kirchhoff[0], 1e-4 * scale)
+          << material.law->name << " " << width;
+      EXPECT_NEAR(field.second_piola_kirchhoff[1], 0, 1e-4 * scale) << material.law->name << " " << width;
+    }
+  }
+}
+
 TEST(TensionField, WrinkledRubberIsInUniaxialTensionWhateverItsWidth) {
   // S = mu (1 - l^-3) along the wrinkles (neo-Hookean uniaxial tension), and nothing across.
   const Material rubber{find_wall_law("neo_hookean"), {20e3}};
