@@ -247,7 +247,7 @@ double deviation_of(std::span<const PathStop> stops, const PlannedCut& plan) {
 PlannedCut plan_cut(const PatchPath& before, const PatchPath& refined) {
   const CutPatch& patch = refined.patch;
   const std::vector<PathStop>& stops = refined.stops;
-  const PlannedCut nothing{.patch = patch, .vertices = {}, .triangles = {}};
+  PlannedCut nothing{.patch = patch, .vertices = {}, .triangles = {}};
   if (stops.size() < 2) return nothing;
   PlannedCut plan = plan_with_nodes(before.patch, patch, stops);
   if (!plan.vertices.empty()) {

@@ -1,6 +1,7 @@
 #include "engine/cutting/LipOpening.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <set>
 
 namespace thinwall {
@@ -44,6 +45,7 @@ struct Renumbering {
 void split_fan(CutPatch& patch, int vertex, OpenedLips& opened, std::vector<Renumbering>& renumberings) {
   const PatchFan fan = patch.fan_of(vertex);
   const int count = static_cast<int>(fan.corners.size());
+  assert(count > 0);
   const auto begins_on_path = [&](int i) {
     const PatchCorner& corner = fan.corners[i % count];
     return patch.on_path[corner.triangle][corner.corner] != 0;

@@ -43,7 +43,7 @@ WallLawResponse respond(std::span<const double> parameters, const Eigen::Vector3
   for (std::size_t k = 0; k + 1 < parameters.size(); k += 2) {
     add_term(parameters[k], parameters[k + 1], frame, derivatives);
   }
-  const WallLawResponse response = principal_response(derivatives, frame);
+  WallLawResponse response = principal_response(derivatives, frame);
   if (!response.tangent.allFinite() || !std::isfinite(response.energy)) return beyond_the_law();
   return response;
 }

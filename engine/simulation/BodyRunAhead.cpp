@@ -94,7 +94,7 @@ std::optional<Cut> Body::run_ahead(std::span<const ToolPose> poses, const std::f
 }
 
 std::optional<Cut> Body::run(const WayOn& way, const ToolPose& pose, double lead, std::span<const ToolPose> poses) {
-  const std::optional<Cut> cut = go_on(way, pose, poses);
+  std::optional<Cut> cut = go_on(way, pose, poses);
   if (!cut) return std::nullopt;
   CutProgress& progress = state_.cut;
   progress.held.back().runs = true;

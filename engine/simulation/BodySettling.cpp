@@ -48,14 +48,13 @@ NewtonResult Body::solve(EquilibriumProblem& problem, EquilibriumState& state, c
   const CutProgress& cut = state_.cut;
   const bool buckles = has_inertia() && report_.halvings >= kHalvingsBeforeSaddles;
   const bool takes_flaps = effort.takes_flaps || cut.has_incised || cut.has_crumpled || cut.tool || buckles;
-  const NewtonResult result =
-      newton_->solve(problem, state,
-                     {.tolerance = trial_tolerance_.value_or(options_.tolerance),
-                      .maximum_iterations = std::min(effort.most_iterations.value_or(most), most),
-                      .takes_flaps = takes_flaps,
-                      .borders_contacts = options_.extrapolates,
-                      .trusts_gaps = options_.extrapolates,
-                      .between_iterations = options_.between_iterations});
+  NewtonResult result = newton_->solve(problem, state,
+                                       {.tolerance = trial_tolerance_.value_or(options_.tolerance),
+                                        .maximum_iterations = std::min(effort.most_iterations.value_or(most), most),
+                                        .takes_flaps = takes_flaps,
+                                        .borders_contacts = options_.extrapolates,
+                                        .trusts_gaps = options_.extrapolates,
+                                        .between_iterations = options_.between_iterations});
   report_.newton_iterations += result.iterations;
   report_.factorisations += result.factorisations;
   report_.shifted_iterations += result.shifted_iterations;
@@ -83,7 +82,7 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state) {
     EquilibriumProblem held = problem;
     held.inertia = springs * model_->wall_stiffness / model_->mass.mean();
     held.inertia_target = state.position;
-    if (const NewtonResult held_result = solve(held, trial, {.takes_flaps = true}); held_result.converged) {
+    if (NewtonResult held_result = solve(held, trial, {.takes_flaps = true}); held_result.converged) {
       state = trial;
       problem.attachments = held.attachments;
       problem.solids = held.solids;
@@ -100,7 +99,7 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state) {
     if (springs < kWeakSprings && turn % 4 == 3) {
       trial = state;
       held = problem;
-      const NewtonResult result = solve(held, trial, {.takes_flaps = true});
+      NewtonResult result = solve(held, trial, {.takes_flaps = true});
       if (!result.converged) continue;
       state = trial;
       problem = held;

@@ -84,7 +84,7 @@ void add_filled(const BodyModel& model, const EquilibriumProblem& problem, const
     terms.volume_gradient.col(c).setZero();
     const auto add = [&](const std::array<Eigen::Vector3d, 3>& corners) {
       const PressedTriangle pressed(corners, field);
-      const auto part = pressed.load(), one = pressed.unit_load();
+      auto part = pressed.load(), one = pressed.unit_load();
       for (int k = 0; k < 3; ++k) load += part.segment<3>(3 * k), unit += one.segment<3>(3 * k);
       squared += pressed.squared_load();
       return one;

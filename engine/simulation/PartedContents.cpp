@@ -96,7 +96,7 @@ double volume_below_surface(const BodyModel& model, const Eigen::VectorXd& posit
                             const PressureField& field) {
   Eigen::Vector3d load = Eigen::Vector3d::Zero();
   const auto add = [&](const std::array<Eigen::Vector3d, 3>& corners) -> Eigen::Matrix<double, 9, 1> {
-    const Eigen::Matrix<double, 9, 1> part = pressure_load_of(corners, field);
+    Eigen::Matrix<double, 9, 1> part = pressure_load_of(corners, field);
     for (int k = 0; k < 3; ++k) load += part.segment<3>(3 * k);
     return part;
   };

@@ -164,7 +164,7 @@ double smallest_principal(const Eigen::Vector3d& tensor) {
 }
 
 WallLawResponse relaxed(const Material& material, const Eigen::Vector3d& c) {
-  const WallLawResponse taut = material.law->respond(material.parameters, c);
+  WallLawResponse taut = material.law->respond(material.parameters, c);
   // A law may end where the wall is crushed as well as where it is stretched: wrinkles spare it the first.
   const double stiffness = taut.tangent.norm();
   const bool has_answer = std::isfinite(taut.energy) && std::isfinite(stiffness);

@@ -207,7 +207,7 @@ std::vector<Box> draw_labels(const Canvas& canvas, const Scene& scene, const std
   for (const std::size_t i : order_of_labels(moments_of(scene, unordered, wishes_of(scene, unordered)), room)) {
     shown.push_back(std::move(unordered[i]));
   }
-  const std::vector<Box> boxes = lay_out_labels(wishes_of(scene, shown), room);
+  std::vector<Box> boxes = lay_out_labels(wishes_of(scene, shown), room);
   for (std::size_t i = 0; i < shown.size(); ++i) draw_leader(canvas, scene, shown[i], boxes[i]);
   for (std::size_t i = 0; i < shown.size(); ++i) draw_plate(canvas, scene, shown[i].text, boxes[i]);
   return boxes;

@@ -24,8 +24,9 @@ OpticalFlow optical_flow(const SeenMoment& from, const SeenMoment& to) {
     result.state[pixel] = FlowState::kOutside;
     const auto landed = to.projection.land(point);
     if (!landed) continue;
-    result.flow[pixel] = {static_cast<float>((*landed)[0] - static_cast<double>(pixel % width)),
-                          static_cast<float>((*landed)[1] - static_cast<double>(pixel / width))};
+    const std::size_t column = pixel % width, row = pixel / width;
+    result.flow[pixel] = {static_cast<float>((*landed)[0] - static_cast<double>(column)),
+                          static_cast<float>((*landed)[1] - static_cast<double>(row))};
     const auto ray = to.projection.ray(*landed);
     if (!ray || point.z < to.projection.nearest()) continue;
     const double open = nearest_depth(to.seen, to.projection.nearest(), *landed, *ray);

@@ -115,7 +115,7 @@ void BackdropPicture::stop_down(int row, const FieldStop& stop) {
       const double part = let_through(std::hypot((column + 0.5 - middle) * across, y));
       for (int channel = 0; channel < 3; ++channel) {
         std::uint8_t& level = pixels[4 * column + channel];
-        level = static_cast<std::uint8_t>(part * level + 0.5);
+        level = static_cast<std::uint8_t>(std::lround(part * level));
       }
     }
   };
