@@ -46,7 +46,8 @@ class PlainReader {
       case ValueKind::kWord:
         return read_word();
       case ValueKind::kName:
-        return is_name(text_) ? std::optional(text_value()) : refuse_value(describe(node_));
+        return is_name(text_) ? std::optional(text_value())
+                              : refuse_value(describe(node_) + "; " + name_mistake(text_));
       case ValueKind::kBoolean:
         return read_boolean();
       case ValueKind::kInteger:
