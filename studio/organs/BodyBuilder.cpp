@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <stdexcept>
@@ -127,6 +128,19 @@ void check_chambers(const BodyScenario& body, const SurfaceMesh& mesh) {
   }
 }
 
+/// A wall thicker than the organ is one of a wrong unit; twice that leaves room for patches of a few triangles.
+void check_thickness(const BodyScenario& body, const BodyDefinition& definition) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& vertex : definition.mesh.vertices) box.extend(vertex);
+  const double thickest = *std::ranges::max_element(definition.thickness), extent = box.sizes().maxCoeff();
+  if (thickest <= 2 * extent) return;
+  const std::string message = fmt::format(
+      "bodies.{}.wall.thickness: {:.4g} mm is more than twice the surface's extent, {:.4g} mm; set the unit of "
+      "either right",
+      body.name, 1e3 * thickest, 1e3 * extent);
+  throw InputErrors({{body.thickness.location, message}});
+}
+
 void check_fixed(const BodyScenario& body, RegionMembers& regions) {
   for (std::size_t i = 0; i < body.fixed.size(); ++i) {
     const std::string path = fmt::format("bodies.{}.fixed[{}].region", body.name, i + 1);
@@ -176,6 +190,7 @@ BodyDefinition build_body(const BodyScenario& body, std::vector<std::string>& no
   WallFieldResolver fields(body, regions, notes);
   definition.thickness = fields.thickness();
   definition.toughness = fields.toughness();
+  check_thickness(body, definition);
   definition.materials = fields.materials();
   definition.fibres = fields.fibres();
   definition.prestretch = fields.prestretch();

@@ -68,6 +68,18 @@ TEST(BodyBuilder, LaterThicknessRegionWins) {
   EXPECT_GT(std::count(body.thickness.begin(), body.thickness.end(), 1e-3), 10);
 }
 
+TEST(BodyBuilder, AWallThickerThanTwiceTheOrganIsRefused) {
+  BodyScenario scenario = hemisphere();
+  scenario.thickness.standard = 1;
+  scenario.thickness.location = {"scene.yaml", 6, 18};
+  EXPECT_EQ(refusal_of(scenario),
+            "scene.yaml:6:18: error: bodies.organ.wall.thickness: 1000 mm is more than twice the surface's extent, 40 "
+            "mm; set "
+            "the unit of either right");
+  scenario.thickness.standard = 0.079;
+  EXPECT_EQ(refusal_of(scenario), "accepted");
+}
+
 TEST(BodyBuilder, ChambersWhosePointsNameNoPartOfTheirOwnAreTold) {
   BodyScenario scenario = hemisphere();
   scenario.fluid.chambers = {{"bulb", {0, 0, 0.01}}, {"neck", {0, 0, 0.03}}};
