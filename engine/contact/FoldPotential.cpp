@@ -5,27 +5,35 @@
 namespace thinwall {
 namespace {
 
-/// The factor that fades out parallel edges, by the squared cross product of the edges.
+/// The factor that fades out parallel edges and crushed triangles, by the squared cross product of the edges.
 struct Mollifier {
   double factor = 1, slope = 0, curvature = 0;
 };
 
-Eigen::Vector3d first_edge(const PairCorners& corners) {
-  return corners[1] - corners[0];
-}
-Eigen::Vector3d second_edge(const PairCorners& corners) {
-  return corners[3] - corners[2];
+/// The two edges, or two sides of the triangle, each from its first corner to its second.
+struct PairEdges {
+  std::array<int, 2> first, second;
+};
+
+PairEdges edges_of(PairKind kind) {
+  if (kind == PairKind::kEdgeEdge) return {.first = {0, 1}, .second = {2, 3}};
+  return {.first = {1, 2}, .second = {1, 3}};
 }
 
-double squared_cross(const PairCorners& corners) {
-  const Eigen::Vector3d u = first_edge(corners), v = second_edge(corners);
+Eigen::Vector3d edge_at(const std::array<int, 2>& edge, const PairCorners& corners) {
+  return corners[edge[1]] - corners[edge[0]];
+}
+
+double squared_cross(PairKind kind, const PairCorners& corners) {
+  const PairEdges edges = edges_of(kind);
+  const Eigen::Vector3d u = edge_at(edges.first, corners), v = edge_at(edges.second, corners);
   const double uv = u.dot(v);
   return u.squaredNorm() * v.squaredNorm() - uv * uv;
 }
 
 Mollifier mollifier(const FoldPair& pair) {
-  if (pair.kind != PairKind::kEdgeEdge) return {};
-  const double ratio = squared_cross(pair.corners) / pair.parallel;
+  if (pair.parallel == 0) return {};
+  const double ratio = squared_cross(pair.kind, pair.corners) / pair.parallel;
   if (ratio >= 1) return {};
   return {.factor = (2 - ratio) * ratio,
           .slope = 2 * (1 - ratio) / pair.parallel,
@@ -33,31 +41,34 @@ Mollifier mollifier(const FoldPair& pair) {
 }
 
 /// Spreads derivatives by the two edges over the four corners.
-Eigen::Matrix<double, 12, 6> edges_by_corners() {
+Eigen::Matrix<double, 12, 6> edges_by_corners(PairKind kind) {
+  const PairEdges edges = edges_of(kind);
   Eigen::Matrix<double, 12, 6> spread = Eigen::Matrix<double, 12, 6>::Zero();
   for (int k = 0; k < 3; ++k) {
-    spread(k, k) = spread(6 + k, 3 + k) = -1;
-    spread(3 + k, k) = spread(9 + k, 3 + k) = 1;
+    spread(3 * edges.first[0] + k, k) = spread(3 * edges.second[0] + k, 3 + k) = -1;
+    spread(3 * edges.first[1] + k, k) = spread(3 * edges.second[1] + k, 3 + k) = 1;
   }
   return spread;
 }
 
-Eigen::Matrix<double, 12, 1> cross_gradient(const PairCorners& corners) {
-  const Eigen::Vector3d u = first_edge(corners), v = second_edge(corners);
+Eigen::Matrix<double, 12, 1> cross_gradient(PairKind kind, const PairCorners& corners) {
+  const PairEdges edges = edges_of(kind);
+  const Eigen::Vector3d u = edge_at(edges.first, corners), v = edge_at(edges.second, corners);
   Eigen::Matrix<double, 6, 1> by_edges;
   by_edges << 2 * (v.squaredNorm() * u - u.dot(v) * v), 2 * (u.squaredNorm() * v - u.dot(v) * u);
-  return edges_by_corners() * by_edges;
+  return edges_by_corners(kind) * by_edges;
 }
 
-Eigen::Matrix<double, 12, 12> cross_hessian(const PairCorners& corners) {
-  const Eigen::Vector3d u = first_edge(corners), v = second_edge(corners);
+Eigen::Matrix<double, 12, 12> cross_hessian(PairKind kind, const PairCorners& corners) {
+  const PairEdges edges = edges_of(kind);
+  const Eigen::Vector3d u = edge_at(edges.first, corners), v = edge_at(edges.second, corners);
   const Eigen::Matrix3d identity = Eigen::Matrix3d::Identity();
   Eigen::Matrix<double, 6, 6> by_edges;
   by_edges.topLeftCorner<3, 3>() = 2 * (v.squaredNorm() * identity - v * v.transpose());
   by_edges.bottomRightCorner<3, 3>() = 2 * (u.squaredNorm() * identity - u * u.transpose());
   by_edges.topRightCorner<3, 3>() = 4 * u * v.transpose() - 2 * v * u.transpose() - 2 * u.dot(v) * identity;
   by_edges.bottomLeftCorner<3, 3>() = by_edges.topRightCorner<3, 3>().transpose();
-  const Eigen::Matrix<double, 12, 6> spread = edges_by_corners();
+  const Eigen::Matrix<double, 12, 6> spread = edges_by_corners(kind);
   return spread * by_edges * spread.transpose();
 }
 
@@ -77,7 +88,7 @@ FoldTerms FoldPair::terms() const {
   const Mollifier fade = mollifier(*this);
   FoldTerms result{.energy = fade.factor * barrier.energy,
                    .gradient = fade.factor * barrier.slope * distance_gradient(closest)};
-  if (fade.slope != 0) result.gradient += fade.slope * barrier.energy * cross_gradient(corners);
+  if (fade.slope != 0) result.gradient += fade.slope * barrier.energy * cross_gradient(kind, corners);
   return result;
 }
 
@@ -88,8 +99,8 @@ Eigen::Matrix<double, 12, 12> FoldPair::hessian() const {
   Eigen::Matrix<double, 12, 12> result = fade.factor * (barrier.curvature * approach * approach.transpose() +
                                                         barrier.slope * distance_hessian(closest, corners));
   if (fade.slope == 0) return result;
-  const Eigen::Matrix<double, 12, 1> turn = cross_gradient(corners);
-  result += barrier.energy * (fade.curvature * turn * turn.transpose() + fade.slope * cross_hessian(corners));
+  const Eigen::Matrix<double, 12, 1> turn = cross_gradient(kind, corners);
+  result += barrier.energy * (fade.curvature * turn * turn.transpose() + fade.slope * cross_hessian(kind, corners));
   const Eigen::Matrix<double, 12, 12> mixed = fade.slope * barrier.slope * turn * approach.transpose();
   result += mixed + mixed.transpose();
   return result;
@@ -100,8 +111,9 @@ Eigen::Matrix<double, 12, 12> FoldPair::convex_hessian() const {
   return mollifier(*this).factor * potential.at(closest.distance).curvature * approach * approach.transpose();
 }
 
-double parallel_bound(const PairCorners& rest_corners) {
-  return 1e-3 * first_edge(rest_corners).squaredNorm() * second_edge(rest_corners).squaredNorm();
+double parallel_bound(PairKind kind, const PairCorners& rest_corners) {
+  const PairEdges edges = edges_of(kind);
+  return 1e-3 * edge_at(edges.first, rest_corners).squaredNorm() * edge_at(edges.second, rest_corners).squaredNorm();
 }
 
 }  // namespace thinwall

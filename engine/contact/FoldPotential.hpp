@@ -35,13 +35,15 @@ struct FoldTerms {
 
 /// A pair in contact. Two edges that are nearly parallel fade out: with c the squared cross product of the edges and
 /// e = `parallel`, the potential is multiplied by (2 - c/e) c/e where c < e, so that it stays smooth where the closest
-/// points are not unique. Their end points, as points against triangles, take over there.
+/// points are not unique. Their end points, as points against triangles, take over there. So does a triangle that is
+/// crushed to a line, by the cross product of two sides: where its third corner goes over from one side of that line to
+/// the other the force jumps from some corners to others. Its sides, as edges against edges, take over there.
 struct FoldPair {
   PairKind kind = PairKind::kPointTriangle;
   PairCorners corners;
   PairDistance closest;
   FoldPotential potential;
-  double parallel = 0;  // metres^4; edges only
+  double parallel = 0;  // metres^4; nothing fades out where it is 0
 
   FoldTerms terms() const;
   /// The second derivatives.
@@ -50,7 +52,8 @@ struct FoldPair {
   Eigen::Matrix<double, 12, 12> convex_hessian() const;
 };
 
-/// `parallel` of two edges with the given stress-free corners: 1e-3 of the squared product of their lengths.
-double parallel_bound(const PairCorners& rest_corners);
+/// `parallel` of two edges, or two sides of the triangle, with the given stress-free corners: 1e-3 of the squared
+/// product of their lengths.
+double parallel_bound(PairKind kind, const PairCorners& rest_corners);
 
 }  // namespace thinwall

@@ -10,7 +10,7 @@ struct NearPair {
   Eigen::Vector4i vertices = Eigen::Vector4i::Zero();
   double range = 0;     // metres, below which they push
   double area = 0;      // metres^2, that the pair stands for
-  double parallel = 0;  // metres^4, see FoldPair; edges only
+  double parallel = 0;  // metres^4, see FoldPair
 };
 
 /// The parts at a position, or their motions. `vectors`: (3 vertices).

@@ -127,7 +127,7 @@ std::optional<NearPair> SelfContact::describe(PairKind kind, const Eigen::Vector
                   .vertices = vertices,
                   .range = std::min({thickness, largest_range_, kRestRange * rest_distance}),
                   .area = area,
-                  .parallel = kind == PairKind::kEdgeEdge ? parallel_bound(rest) : 0};
+                  .parallel = parallel_bound(kind, rest)};
 }
 
 bool SelfContact::were_neighbours(PairKind kind, const Eigen::Vector4i& vertices) const {

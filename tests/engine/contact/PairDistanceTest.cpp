@@ -196,11 +196,11 @@ TEST(FoldPair, HasTheDerivativesOfItsDifferences) {
   for (const PairKind kind : kKinds) {
     for (int k = 0; k < 200; ++k) {
       const PairCorners corners = random_corners(random);
-      // Half of the edges count as nearly parallel.
+      // Half of the edges count as nearly parallel, and half of the triangles as crushed.
       const double parallel = k % 2 ? 1e-3 : 4;
       const FoldPair pair = make_pair_at(kind, corners, 1.5, parallel);
       if (pair.closest.distance < 0.1 || pair.closest.distance > 1.4) continue;
-      (kind == PairKind::kEdgeEdge && parallel == 4 ? fading : whole) += 1;
+      (parallel == 4 ? fading : whole) += 1;
       const auto value = [&](const PairCorners& moved) {
         return make_pair_at(kind, moved, 1.5, parallel).terms().energy;
       };
@@ -250,6 +250,21 @@ TEST(FoldPair, OfEdgesFadesSmoothlyAsTheyBecomeParallel) {
   EXPECT_LT((turned(1e-6).gradient - turned(-1e-6).gradient).norm(), 1e-3 * whole);
   EXPECT_GT(turned(0.04).gradient.norm(), 0.9 * whole);
   EXPECT_EQ(turned(0).energy, 0);
+}
+
+TEST(FoldPair, OfACrushedTriangleFadesSmoothlyAsItsCornerPassesItsSide) {
+  // A point in the plane of a triangle whose third corner comes through the side that the point lies at: without the
+  // fading that corner would be pushed all at once.
+  const auto passed = [](double beyond) {
+    const PairCorners corners = {Eigen::Vector3d(0.4, -0.1, 0), Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 0, 0),
+                                 Eigen::Vector3d(0.5, -beyond, 0)};
+    return make_pair_at(PairKind::kPointTriangle, corners, 0.2, 1e-3).terms();
+  };
+  const double whole = passed(-0.5).gradient.norm();
+  EXPECT_LT(passed(1e-6).gradient.norm(), 1e-3 * whole);
+  EXPECT_LT((passed(1e-6).gradient - passed(-1e-6).gradient).norm(), 1e-3 * whole);
+  EXPECT_NEAR(passed(-0.04).gradient.norm(), whole, 1e-12 * whole);
+  EXPECT_EQ(passed(0).energy, 0);
 }
 
 TEST(FoldPotential, EndsSmoothlyAtItsRangeAndGrowsWithoutBound) {
