@@ -66,7 +66,7 @@ struct FrameReader::Implementation {
   bool ended = false;
 };
 
-FrameReader::FrameReader(std::filesystem::path path, ImageSize size, FramePixels pixels)
+FrameReader::FrameReader(const std::filesystem::path& path, ImageSize size, FramePixels pixels)
     : implementation_(new Implementation{.path = path,
                                          .bytes = frame_bytes(size, pixels),
                                          .program = Program(command(path, pixels), ProgramOutput::kStreamed)}) {}

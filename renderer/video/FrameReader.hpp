@@ -26,7 +26,7 @@ std::size_t frame_bytes(ImageSize size, FramePixels pixels);
 class FrameReader {
  public:
   /// `size` as `probe_media` tells it. Throws PictureFailure when there is no ffmpeg.
-  FrameReader(std::filesystem::path path, ImageSize size, FramePixels pixels);
+  FrameReader(const std::filesystem::path& path, ImageSize size, FramePixels pixels);
 
   /// The next frame into `frame`, which has the size of one. False at the end. Throws ImageUnreadable with ffmpeg's
   /// words when the file is cut short or damaged.

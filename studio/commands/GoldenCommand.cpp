@@ -177,7 +177,7 @@ GoldenResult renew_video(const JudgedScenario& judged, std::size_t index, const 
 }
 
 std::filesystem::path write_report(const std::vector<JudgedScenario>& all, const GoldenOptions& options) {
-  const std::filesystem::path page = options.out / "index.html";
+  std::filesystem::path page = options.out / "index.html";
   write_whole_file(page, golden_report(all, golden_root()));
   return page;
 }
