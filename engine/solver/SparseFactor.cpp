@@ -1,11 +1,16 @@
 #include "engine/solver/SparseFactor.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <memory>
+#include <numeric>
 #include <utility>
 #include <vector>
 
+#include "engine/solver/EliminationSchedule.hpp"
 #include "engine/solver/FrontFactor.hpp"
 #include "engine/solver/Lanes.hpp"
 #include "engine/solver/NodeOrder.hpp"
@@ -52,16 +57,16 @@ struct SparseFactor::Implementation {
   BlockPattern pattern;
   std::vector<int> nodes;  // in their order
   SupernodeTree tree;
+  EliminationSchedule schedule;
   std::vector<int> front_at;       // (unknowns), of their places
   double operations_per_node = 0;  // with the last order that was not taken over
   // Neither is cleared before each elimination clears what it uses of them.
-  std::unique_ptr<double[]> factor;      // columns of all supernodes
-  std::unique_ptr<double[]> updates[2];  // that wait for the fronts above, of even and of odd depth
-  std::vector<double> signs;             // (unknowns)
-  std::vector<int> waiting[2];           // their supernodes
-  std::vector<double> workspace;
-  std::vector<double> solution;  // (unknowns x kMostSides) by rows, in the order of elimination
-  std::vector<double> local;     // (unknowns of one front x kMostSides) by rows
+  std::unique_ptr<double[]> factor;   // columns of all supernodes
+  std::unique_ptr<double[]> updates;  // that wait for the fronts above
+  std::vector<double> signs;          // (unknowns)
+  std::vector<int> negative;          // (tasks), pivots below zero; -1 where one cannot be
+  std::vector<double> solution;       // (unknowns x kMostSides) by rows, in the order of elimination
+  std::vector<double> local;          // (unknowns of one front x kMostSides) by rows
   bool is_factorised = false;
 
   explicit Implementation(const BlockPattern& the_pattern, const Implementation* before = nullptr)
@@ -78,8 +83,9 @@ struct SparseFactor::Implementation {
     factor = std::make_unique_for_overwrite<double[]>(tree.factor_size + kFrontRows);
     std::fill_n(factor.get() + tree.factor_size, kFrontRows, 0.0);
     signs.resize(pattern.unknowns());
-    for (int k = 0; k < 2; ++k) updates[k] = std::make_unique_for_overwrite<double[]>(tree.update_size[k]);
-    workspace.resize(kFrontColumns * kPanel);
+    schedule = make_elimination_schedule(tree);
+    updates = std::make_unique_for_overwrite<double[]>(schedule.update_size);
+    negative.resize(schedule.tasks.size());
     solution.resize(static_cast<std::size_t>(pattern.unknowns()) * kMostSides);
     local.resize(static_cast<std::size_t>(tree.largest_front + kFrontRows) * kMostSides);
   }
@@ -99,41 +105,59 @@ struct SparseFactor::Implementation {
             .columns = factor.get() + supernode.factor_begin,
             .stride = supernode.stride,
             .update_stride = supernode.update_stride,
-            .signs = signs.data() + supernode.first,
-            .workspace = workspace.data()};
+            .signs = signs.data() + supernode.first};
+  }
+
+  /// Eliminates supernode s, whose children are done; gives what `eliminate` does.
+  int eliminate_one(int s, std::span<const double> values, bool allows_negative, double* workspace) {
+    const Supernode& supernode = tree.supernodes[s];
+    Front front = front_of(supernode);
+    front.update = updates.get() + schedule.update_begin[s];
+    front.workspace = workspace;
+    std::fill_n(front.columns, supernode.stride * supernode.pivots, 0.0);
+    std::fill_n(front.update, supernode.update_stride * (supernode.size - supernode.pivots), 0.0);
+    for (int k = supernode.entries_begin; k < supernode.entries_end; ++k) {
+      factor[tree.entries[k].place] = values[tree.entries[k].value];
+    }
+    for (int child = supernode.last_child; child >= 0; child = tree.supernodes[child].previous_sibling) {
+      const Supernode& below = tree.supernodes[child];
+      take_up(tree.runs_of(below), updates.get() + schedule.update_begin[child], below.update_stride, front);
+    }
+    return eliminate(front, allows_negative);
+  }
+
+  /// The same of consecutive ones.
+  int eliminate_range(int begin, int end, std::span<const double> values, bool allows_negative) {
+    std::array<double, kFrontColumns * kPanel> workspace;
+    int all = 0;
+    for (int s = begin; s < end; ++s) {
+      const int own = eliminate_one(s, values, allows_negative, workspace.data());
+      if (own < 0) return -1;
+      all += own;
+    }
+    return all;
+  }
+
+  void eliminate_task(int task, std::span<const double> values, bool allows_negative) {
+    const EliminationTask& own = schedule.tasks[task];
+    eliminate_tasks(own.waits_for, values, allows_negative);
+    const bool is_possible = std::ranges::none_of(own.waits_for, [&](int before) { return negative[before] < 0; });
+    negative[task] = is_possible ? eliminate_range(own.begin, own.end, values, allows_negative) : -1;
+  }
+
+  void eliminate_tasks(std::span<const int> tasks, std::span<const double> values, bool allows_negative) {
+    if (tasks.size() == 1) return eliminate_task(tasks[0], values, allows_negative);
+    tbb::parallel_for(std::size_t{0}, tasks.size(),
+                      [&](std::size_t k) { eliminate_task(tasks[k], values, allows_negative); });
   }
 
   std::optional<int> eliminate_all(std::span<const double> values, bool allows_negative) {
     assert(static_cast<int>(values.size()) == pattern.nonzeros());
     is_factorised = false;
-    int negative = 0;
-    double* top[2] = {updates[0].get(), updates[1].get()};
-    for (std::vector<int>& one : waiting) one.clear();
-    for (int s = 0; s < static_cast<int>(tree.supernodes.size()); ++s) {
-      const Supernode& supernode = tree.supernodes[s];
-      const int parity = supernode.depth % 2;
-      Front front = front_of(supernode);
-      front.update = top[parity];
-      top[parity] += supernode.update_stride * (supernode.size - supernode.pivots);
-      std::fill_n(front.columns, supernode.stride * supernode.pivots, 0.0);
-      std::fill(front.update, top[parity], 0.0);
-      for (int k = supernode.entries_begin; k < supernode.entries_end; ++k) {
-        factor[tree.entries[k].place] = values[tree.entries[k].value];
-      }
-      std::vector<int>& below = waiting[1 - parity];
-      while (!below.empty() && tree.supernodes[below.back()].parent == s) {
-        const Supernode& child = tree.supernodes[below.back()];
-        top[1 - parity] -= child.update_stride * (child.size - child.pivots);
-        take_up(tree.runs_of(child), top[1 - parity], child.update_stride, front);
-        below.pop_back();
-      }
-      const int own_negative = eliminate(front, allows_negative);
-      if (own_negative < 0) return std::nullopt;
-      negative += own_negative;
-      waiting[parity].push_back(s);
-    }
+    eliminate_tasks(schedule.last, values, allows_negative);
+    if (std::ranges::any_of(negative, [](int count) { return count < 0; })) return std::nullopt;
     is_factorised = true;
-    return negative;
+    return std::accumulate(negative.begin(), negative.end(), 0);
   }
 
   /// A front's part in solving for `solution`, (unknowns x sides) by rows, of which there are 1, 4 or 8: from the

@@ -12,7 +12,8 @@ namespace thinwall {
 
 /// Analyse once, factorize and solve often: a multifrontal L S L^T with S = +-1 on the diagonal (Duff and Reid 1983),
 /// without interchanges. Fronts are dense and eliminated by FrontFactor; the pattern of 3 x 3 blocks is analysed as a
-/// graph of vertices. All of it runs on one thread, in an order that the pattern alone decides.
+/// graph of vertices. The threads that there are share a factorisation (see EliminationSchedule), one solves; what is
+/// computed from what, and in which order, the pattern alone decides.
 class SparseFactor {
  public:
   /// Orders the graph of nodes by nested dissection and expands the order to their unknowns, three for each vertex,

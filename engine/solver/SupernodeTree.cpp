@@ -216,6 +216,10 @@ void add_supernodes(const NodeTree& tree, const FilledRows& filled, SupernodeTre
     result.supernodes[k].parent = group_of[above];
     result.supernodes[k].depth = result.supernodes[group_of[above]].depth + 1;
   }
+  for (int k = 0; k < static_cast<int>(groups.size()); ++k) {
+    const int parent = result.supernodes[k].parent;
+    if (parent >= 0) result.supernodes[k].previous_sibling = std::exchange(result.supernodes[parent].last_child, k);
+  }
   for (std::size_t node = 0; node < tree.node.size(); ++node) {
     const int below = tree.unknowns_below[node];
     for (int k = 1; k <= tree.unknowns[node]; ++k) result.operations += static_cast<double>(below + k) * (below + k);
@@ -311,22 +315,6 @@ void add_entries(const BlockPattern& pattern, SupernodeTree& tree) {
   }
 }
 
-/// Room for the updates, which wait in two stacks: those of a front's children lie on top of one when its own goes on
-/// top of the other.
-void find_update_room(SupernodeTree& tree) {
-  std::ptrdiff_t used[2] = {0, 0};
-  std::vector<std::ptrdiff_t> of_children(tree.supernodes.size(), 0);
-  for (std::size_t s = 0; s < tree.supernodes.size(); ++s) {
-    const Supernode& supernode = tree.supernodes[s];
-    const std::ptrdiff_t own = supernode.update_stride * (supernode.size - supernode.pivots);
-    const int parity = supernode.depth % 2;
-    used[parity] += own;
-    tree.update_size[parity] = std::max(tree.update_size[parity], used[parity]);
-    used[1 - parity] -= of_children[s];
-    if (supernode.parent >= 0) of_children[supernode.parent] += own;
-  }
-}
-
 }  // namespace
 
 SupernodeTree make_supernode_tree(const BlockPattern& pattern, std::span<const int> order) {
@@ -344,7 +332,6 @@ SupernodeTree make_supernode_tree(const BlockPattern& pattern, std::span<const i
   }
   add_supernodes(nodes, filled, tree);
   add_entries(pattern, tree);
-  find_update_room(tree);
   return tree;
 }
 

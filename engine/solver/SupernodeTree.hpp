@@ -15,6 +15,8 @@ struct Supernode {
   int pivots = 0;                          // unknowns that it eliminates
   int size = 0;                            // unknowns of its front
   int parent = -1;                         // supernode whose front takes up its update
+  int last_child = -1;                     // supernode, of those whose updates it takes up
+  int previous_sibling = -1;               // supernode, with the same parent
   int depth = 0;                           // below its root
   int rows_begin = 0;                      // into `rows`: size - pivots of them
   std::ptrdiff_t factor_begin = 0;         // of its columns in the factor
@@ -45,7 +47,6 @@ struct SupernodeTree {
   std::vector<RowRun> runs;
   std::vector<MatrixEntry> entries;
   std::ptrdiff_t factor_size = 0;
-  std::ptrdiff_t update_size[2] = {0, 0};  // room for the updates of even and of odd depth that wait at one time
   int largest_front = 0;
   double operations = 0;  // floating-point operations, without those on zeros that supernodes bring
 

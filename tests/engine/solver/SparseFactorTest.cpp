@@ -1,6 +1,7 @@
 #include "engine/solver/SparseFactor.hpp"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -102,6 +103,23 @@ TEST(SparseFactor, GoesOnAfterAFailureAndBetweenTheTwoKinds) {
     factor.solve(solved);
     EXPECT_LT((indefinite.dense * solved - right).cwiseAbs().maxCoeff(), 1e-10);
   }
+}
+
+TEST(SparseFactor, AnyNumberOfThreadsGivesEqualBits) {
+  const BlockMatrix matrix = random_matrix(1280, -0.5, 3);
+  const Eigen::VectorXd right = random_columns(matrix.dense.rows(), 1, 8);
+  std::vector<Eigen::VectorXd> solved;
+  for (const std::size_t threads : {1, 2, 4}) {
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    SparseFactor factor(matrix.pattern);
+    for (int turn = 0; turn < 20; ++turn) {
+      const std::optional<int> negative = factor.factorize(matrix.values, true);
+      ASSERT_TRUE(negative);
+      solved.emplace_back(right);
+      factor.solve(solved.back());
+    }
+  }
+  for (const Eigen::VectorXd& one : solved) EXPECT_EQ(one, solved.front());
 }
 
 TEST(SparseFactor, EqualValuesGiveEqualBits) {

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "engine/solver/SupernodeTree.hpp"
+
+namespace thinwall {
+
+/// Consecutive supernodes that are eliminated one after the other, once the tasks that it waits for are done.
+struct EliminationTask {
+  int begin = 0, end = 0;      // supernodes
+  std::vector<int> waits_for;  // tasks, of which none waits for another one: they may go side by side
+};
+
+/// How a tree is eliminated by several threads: subtrees of a fair part of the work each, and one by one the fronts
+/// above them. What each front computes, and from what, is the same with any number of threads.
+struct EliminationSchedule {
+  std::vector<EliminationTask> tasks;
+  std::vector<int> last;                     // tasks that no other waits for
+  std::vector<std::ptrdiff_t> update_begin;  // (supernodes), where each leaves its update for the front above
+  std::ptrdiff_t update_size = 0;            // room for all of them
+};
+EliminationSchedule make_elimination_schedule(const SupernodeTree& tree);
+
+}  // namespace thinwall
