@@ -308,7 +308,8 @@ void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> en
                    const BodyInput& input) {
   report_ = {};
   state_.cut.run = 0;
-  note_piercing(input.needles, begin);
+  note_passing(input.needles, begin, state_.piercing);
+  note_passing(input.blades, begin, state_.incising);
   const BodyState start = state_;
   StepParts step{.largest = std::min(largest_part(begin, end), part_of_blade(input, model_->edge_length))};
   step.part = step.largest;

@@ -35,6 +35,7 @@ struct BodyInput {
   std::vector<FluidInput> fluids;        // (chambers); nothing where it is shorter
   std::optional<BladeInput> blade = {};  // that is in the wall
   std::vector<int> needles = {};         // tools, that pierce: what they then do within the step, see StepRupture
+  std::vector<int> blades = {};          // tools, that incise, in the wall or not yet: what is held does not stop them
 };
 
 /// A wall that has given way to a needle within a step. Under a needle that pierces, a step is divided where it would
@@ -282,7 +283,8 @@ class Body {
   Cut change_mesh(const CutPath& path, CutOptions options, Uncut* before = nullptr);
   void put_back(Uncut before);
   void add_shafts_to(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;
-  void note_piercing(std::span<const int> needles, std::span<const ToolPose> poses);
+  /// Adds tools to those that pass what is held in their way, and takes off those that are out of it.
+  void note_passing(std::span<const int> tools, std::span<const ToolPose> poses, std::vector<int>& passing) const;
   bool is_out_of_wall(int tool, const ToolPose& pose) const;
   void add_passed_to(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;
   bool needles_overshoot(const BodyState& before, std::span<const ToolPose> poses) const;

@@ -4,7 +4,8 @@
 // A wall that cannot give way before a needle bears any force, and stores none of its work: no energy balance says when
 // it gives way. So a needle that pierces does not feel what is held in its way, until it is out of it again. It goes in
 // at once, and pays for the slit as its cone spreads it: the cost, evenly over the length of the cone. That is what the
-// needle feels there, whatever the step. What cannot move does not squeeze its shaft.
+// needle feels there, whatever the step. What cannot move does not squeeze its shaft. Nor does a blade that incises feel
+// what is held, until it is out of it: it dents what is free beside it, and goes in by the work that this asks.
 
 #include <algorithm>
 #include <utility>
@@ -23,13 +24,13 @@ constexpr double kMostPartWork = 0.5;
 
 }  // namespace
 
-void Body::note_piercing(std::span<const int> needles, std::span<const ToolPose> poses) {
-  std::erase_if(state_.piercing, [&](int tool) {
-    return std::ranges::find(needles, tool) == needles.end() && is_out_of_wall(tool, poses[tool]);
+void Body::note_passing(std::span<const int> tools, std::span<const ToolPose> poses, std::vector<int>& passing) const {
+  std::erase_if(passing, [&](int tool) {
+    return std::ranges::find(tools, tool) == tools.end() && is_out_of_wall(tool, poses[tool]);
   });
-  for (const int tool : needles) {
-    const auto at = std::ranges::lower_bound(state_.piercing, tool);
-    if (at == state_.piercing.end() || *at != tool) state_.piercing.insert(at, tool);
+  for (const int tool : tools) {
+    const auto at = std::ranges::lower_bound(passing, tool);
+    if (at == passing.end() || *at != tool) passing.insert(at, tool);
   }
 }
 
@@ -48,12 +49,14 @@ bool Body::is_out_of_wall(int tool, const ToolPose& pose) const {
 }
 
 void Body::add_passed_to(std::span<const ToolPose> poses, EquilibriumProblem& problem) const {
-  if (state_.piercing.empty()) return;
+  if (state_.piercing.empty() && state_.incising.empty()) return;
   problem.passed.resize(tools_.size());
-  for (const int tool : state_.piercing) {
-    const ToolSolid needle = tool_solids(tools_[tool], poses[tool]).front();
-    problem.passed[tool] =
-        sites_in_the_way(*model_, state_.equilibrium.position, needle, held_against(*model_, poses[tool].direction));
+  for (const std::vector<int>* passing : {&state_.piercing, &state_.incising}) {
+    for (const int tool : *passing) {
+      const ToolSolid solid = tool_solids(tools_[tool], poses[tool]).front();
+      problem.passed[tool] =
+          sites_in_the_way(*model_, state_.equilibrium.position, solid, held_against(*model_, poses[tool].direction));
+    }
   }
 }
 

@@ -95,6 +95,7 @@ struct BodyState {
   std::vector<Puncture> punctures;
   std::vector<Pressing> pressing;  // (tools)
   std::vector<int> piercing;  // tools, ascending: needles that pierce, or are not yet out of what they have pierced
+  std::vector<int> incising;  // the same of blades
   EnergyBooks books;
 };
 

@@ -17,7 +17,9 @@ BodyInput input_of(const BodyScenario& scenario, const Body& body, std::span<con
       if (fill->clip.body == scenario.name) fill->add_to(input, begin - clip.begin, end - clip.begin);
     }
     if (const auto* incision = std::get_if<IncisionPlan>(&clip.plan)) {
-      if (incision->clip.body != scenario.name || input.blade) continue;
+      if (incision->clip.body != scenario.name) continue;
+      input.blades.push_back(tools.at(incision->clip.tool).index);
+      if (input.blade) continue;
       const BladeStep step{
           .tool = tools.at(incision->clip.tool).index, .begin = begin - clip.begin, .end = end - clip.begin};
       input.blade = blade_input(*incision, body, step);

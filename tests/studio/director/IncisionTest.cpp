@@ -171,6 +171,22 @@ TEST(Incision, OfATenseWallRunsAheadOfTheBladeAndSaysSo) {
   EXPECT_NE(all.find("s on the cut of blade `blade` ran ahead, by "), std::string::npos) << all;
 }
 
+TEST(Incision, GoesIntoABorderThatIsHeldAndFeelsWhatToughnessAsks) {
+  Scenario scenario = sheet_scenario(1.1);
+  auto& clip = std::get<InciseClip>(scenario.timeline[0].action);
+  clip.path = {{0, -0.02, 0}, {0, 0, 0}};
+  clip.speed = 0.04;
+  ScenarioRun run(scenario);
+  double strongest = 0;
+  while (run.step()) strongest = std::max(strongest, run.record().tools.at(0).force.norm());
+  const BodyRecord body = run.record().bodies.at(0);
+  std::printf("%.3g N, %.3g m cut\n", strongest, body.cut_length);
+  EXPECT_GT(body.cut_length, 0.018);
+  EXPECT_NEAR(body.fracture, kToughness * kThickness * body.cut_length, 0.01 * body.fracture);
+  // What cannot make way bears any force: before the blade went in it was 1e5 N.
+  EXPECT_LT(strongest, 5 * kToughness * kThickness);
+}
+
 TEST(Incision, TwiceTheSameGivesTheSameDigest) {
   std::vector<std::string> digests;
   for (int k = 0; k < 2; ++k) {
