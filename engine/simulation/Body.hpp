@@ -307,6 +307,9 @@ class Body {
   /// Where the mesh or what presses on the wall has changed: the forces that are missing now hold it as it is, and are
   /// let go with the cut's length, metres, rest; `pays`: see HeldLips.
   void hold_as_it_is(double length, bool pays, std::span<const ToolPose> poses);
+  /// Takes off what holds lips all that would move a part of the wall as a whole which nothing holds: what was left of
+  /// the wall between it and the rest bore that, and is cut.
+  void let_free_parts_go();
   void hold_dent(int tool, std::span<const ToolPose> poses);
   /// Cost of new cut area per length, newton: of the triangle, at a vertex the mean of those around.
   double cost_at(const SurfacePoint& place) const;

@@ -1,3 +1,4 @@
+#include <Eigen/QR>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -77,6 +78,7 @@ Cut Body::cut(const CutPath& path, std::span<const ToolPose> poses) {
   const double length = length_of(cut.lips, state_.equilibrium.position);
   if (length > 0) state_.cut.cost *= cut.length / length;
   hold_as_it_is(cut.length, true, poses);
+  let_free_parts_go();
   if (std::isfinite(state_.books.elastic)) return cut;
   if (cut.length > kMostAwaited * model_->edge_length) {
     throw SimulationFailure("body `" + model_->definition.name +
@@ -186,6 +188,41 @@ void Body::hold_as_it_is(double length, bool pays, std::span<const ToolPose> pos
     state_.static_force[one.unknown] -= one.force;
   }
   state_.cut.held.push_back(std::move(held));
+}
+
+void Body::let_free_parts_go() {
+  const Eigen::MatrixXd& motions = model_->rigid_motions;
+  if (motions.cols() == 0) return;
+  const Eigen::VectorXd& mass = model_->mass;
+  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> inertia(motions.transpose() * mass.asDiagonal() *
+                                                                        motions);
+  Eigen::VectorXd whole = Eigen::VectorXd::Zero(model_->unknowns());  // metres / second^2
+  for (HeldLips& lips : state_.cut.held) {
+    Eigen::VectorXd forces = Eigen::VectorXd::Zero(model_->unknowns());
+    for (const HeldForce& one : lips.forces) forces.segment<3>(3 * one.vertex) += one.force;
+    const Eigen::VectorXd acceleration = motions * inertia.solve(motions.transpose() * forces);
+    if (acceleration.isZero(0)) continue;
+    const Eigen::VectorXd lost = mass.cwiseProduct(acceleration);
+    forces -= lost;
+    lips.forces.clear();
+    for (int v = 0; v < model_->vertices(); ++v) {
+      const HeldForce one{.vertex = v, .force = forces.segment<3>(3 * v)};
+      if (!one.force.isZero(0)) lips.forces.push_back(one);
+    }
+    state_.load_force -= lips.held * lost;
+    state_.static_force += lips.held * lost;
+    whole += lips.held * acceleration;
+  }
+  if (!has_inertia() || whole.isZero(0)) return;
+  state_.acceleration -= whole;
+  // The steps to come see the one before, in which such a part still hung together with the rest, by its velocity.
+  const Eigen::VectorXd change =
+      state_.velocity - state_.previous_velocity - state_.previous_step * state_.acceleration;
+  const Eigen::VectorXd as_a_whole = motions * inertia.solve(motions.transpose() * mass.cwiseProduct(change));
+  for (int v = 0; v < model_->vertices(); ++v) {
+    if (whole.segment<3>(3 * v).isZero(0)) continue;
+    state_.previous_velocity.segment<3>(3 * v) += as_a_whole.segment<3>(3 * v);
+  }
 }
 
 std::optional<Cut> Body::follow_blade(int tool, std::span<const ToolPose> poses, bool goes_on) {

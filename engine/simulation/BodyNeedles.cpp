@@ -4,8 +4,8 @@
 // A wall that cannot give way before a needle bears any force, and stores none of its work: no energy balance says when
 // it gives way. So a needle that pierces does not feel what is held in its way, until it is out of it again. It goes in
 // at once, and pays for the slit as its cone spreads it: the cost, evenly over the length of the cone. That is what the
-// needle feels there, whatever the step. What cannot move does not squeeze its shaft. Nor does a blade that incises feel
-// what is held, until it is out of it: it dents what is free beside it, and goes in by the work that this asks.
+// needle feels there, whatever the step. What cannot move does not squeeze its shaft. Nor does a blade that incises
+// feel what is held, until it is out of it: it dents what is free beside it, and goes in by the work that this asks.
 
 #include <algorithm>
 #include <utility>

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -118,8 +119,37 @@ TEST(APieceCutOutOfASheet, FallsFreelyUnderGravity) {
   const int disc = before[0].mass < before[1].mass ? 0 : 1;
   rest(body, 30, 5e-3);
   const Piece after = pieces_of(body)[disc];
-  // The lips are let go in the first steps.
-  EXPECT_NEAR(after.velocity.z(), -9.81 * 0.15, 0.15 * 9.81 * 0.15);
+  EXPECT_NEAR(after.velocity.z(), -9.81 * 0.15, 0.01 * 9.81 * 0.15);
+}
+
+TEST(AFlapThatIsCutOff, GoesOnAsItWentThen) {
+  // A corner of a sheet that two sides hold: cut on one side, and on the other before the first lips are wholly free.
+  BodyDefinition definition = stretched_sheet(600, 1.1);
+  definition.fixed = {{.region = BelowRegion{.axis = 0, .at = -19.9e-3}},
+                      {.region = AboveRegion{.axis = 1, .at = 19.9e-3}}};
+  Body body(definition, {}, options_of(Analysis::kDynamic));
+  body.settle();
+  const auto cut_from = [&](const Eigen::Vector3d& border, const Eigen::Vector3d& end) {
+    const PathResult way = surface_path(body.surface(), std::array{border, end}, {}, 30e-3);
+    EXPECT_FALSE(way.problem);
+    return body.cut({.from = {}, .points = way.path.pieces.front().points}, {});
+  };
+  const Cut first = cut_from({4e-3, -30e-3, 0}, {4e-3, -2e-3, 0});
+  ASSERT_TRUE(first.tip);
+  rest(body, 3, 1e-3);
+  const Eigen::Vector3d tip = body.state().equilibrium.position.segment<3>(3 * *first.tip);
+  cut_from({30e-3, tip.y(), 0}, tip);
+  const std::vector<Piece> before = pieces_of(body);
+  ASSERT_EQ(before.size(), 2u);
+  const int flap = before[0].mass < before[1].mass ? 0 : 1;
+  double gained = 0;  // metres / second
+  for (int k = 0; k < 20; ++k) {
+    rest(body, 1, 1e-3);
+    gained = std::max(gained, (pieces_of(body)[flap].velocity - before[flap].velocity).norm());
+  }
+  std::printf("at %.2g m/s it gained %.2g m/s\n", before[flap].velocity.norm(), gained);
+  EXPECT_GT(before[flap].velocity.norm(), 1e-3);
+  EXPECT_LT(gained, 1e-6 * before[flap].velocity.norm());
 }
 
 TEST(ASheetCutInTwo, IsHeldOrFallsWhereNothingHoldsIt) {
@@ -141,7 +171,7 @@ TEST(ASheetCutInTwo, IsHeldOrFallsWhereNothingHoldsIt) {
     if (analysis == Analysis::kQuasiStatic) {
       EXPECT_LT(moved.norm(), 1e-9);
     } else {
-      EXPECT_LT(moved.z(), -0.5 * 9.81 * 0.08 * 0.08);
+      EXPECT_NEAR(moved.z(), -0.5 * 9.81 * 0.1 * 0.1, 0.05 * 0.5 * 9.81 * 0.1 * 0.1);
     }
   }
 }
