@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -110,6 +111,18 @@ std::optional<SurfacePoint> border_beyond(const SurfaceView& surface, const Blad
     found = crossing->place;
   }
   return found;
+}
+
+double distance_from_border(const SurfaceView& surface, const Eigen::Vector3d& point) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const BorderSide& side : border_sides(surface)) {
+    const Eigen::Vector3i& corners = surface.triangles[static_cast<std::size_t>(side.triangle)];
+    const Eigen::Vector3d from = surface.position.segment<3>(3 * corners[side.corner]);
+    const Eigen::Vector3d way = surface.position.segment<3>(3 * corners[(side.corner + 1) % 3]) - from;
+    const double part = std::clamp((point - from).dot(way) / way.squaredNorm(), 0.0, 1.0);
+    nearest = std::min(nearest, (from + part * way - point).norm());
+  }
+  return nearest;
 }
 
 Eigen::Vector3d way_ahead(const SurfaceView& surface, int tip) {

@@ -29,6 +29,9 @@ struct BladeInGap {
 /// more than 15 degrees, that is nearest to where it left. Nothing where there is none.
 std::optional<SurfacePoint> border_beyond(const SurfaceView& surface, const BladeInGap& blade);
 
+/// Metres from a point to the nearest place of an open border; infinity where a surface has none.
+double distance_from_border(const SurfaceView& surface, const Eigen::Vector3d& point);
+
 /// The sense in which a cut with this tip leads on: away from the borders that meet there, not of unit length; zero
 /// where the vertex is at no border.
 Eigen::Vector3d way_ahead(const SurfaceView& surface, int tip);

@@ -269,6 +269,10 @@ class Body {
   std::optional<WayOn> way_on(int tool, const ToolPose& pose) const;
   /// From the tip to the open border that the blade has left the wall over; nothing where it has not.
   std::optional<WayOn> way_to_border(const ToolPose& pose) const;
+  /// Whether a blade goes back in its own wound: behind the tip, and over no wall but its lips.
+  bool is_in_wound(int tool, const ToolPose& pose) const;
+  /// From the lip over which a blade has come out of its own wound to where it meets the wall.
+  std::optional<WayOn> way_out_of_wound(int tool, const ToolPose& pose) const;
   std::optional<Cut> go_on(const WayOn& way, const ToolPose& pose, std::span<const ToolPose> poses);
   /// What the wall releases, joule, at rest with all lips free, where the cut goes on along a path, and what that
   /// costs; nothing where it finds no equilibrium or is not cut. Changes nothing.

@@ -20,6 +20,11 @@ namespace {
 /// Mean edges by which a cut waits for the blade to come farther, where what it would leave is beyond the wall's law.
 constexpr double kMostAwaited = 3;
 
+/// The part of a vector across a unit line.
+Eigen::Vector3d across(const Eigen::Vector3d& vector, const Eigen::Vector3d& line) {
+  return vector - vector.dot(line) * line;
+}
+
 /// Contents that do not run out keep their surface, whatever caps span the lips now.
 void keep_surfaces(BodyModel& model, const BodyState& state) {
   if (!model.has_open_chambers() || model.definition.fluid.leaks) return;
@@ -237,7 +242,10 @@ std::optional<Cut> Body::follow_blade(int tool, std::span<const ToolPose> poses,
     }
     return std::nullopt;
   }
+  progress.is_in_wound = is_in_wound(tool, pose);
+  if (progress.is_in_wound) return std::nullopt;
   std::optional<WayOn> way = way_on(tool, pose);
+  if (!way) way = way_out_of_wound(tool, pose);
   if (!way) return std::nullopt;
   way->path.goes_on = goes_on && !way->border;
   return go_on(*way, pose, poses);
@@ -248,6 +256,35 @@ std::optional<SurfacePoint> Body::place_below(int tool, const ToolPose& pose) co
   const auto entry = first_entry_on_segment(wall, pose.tip - tools_[tool].length * pose.direction, pose.tip);
   if (!entry) return std::nullopt;
   return snapped_to_edges(wall, {.triangle = entry->triangle, .weights = entry->weights});
+}
+
+bool Body::is_in_wound(int tool, const ToolPose& pose) const {
+  if (!state_.cut.tip) return false;
+  const SurfaceView wall = surface();
+  const Eigen::Vector3d tip = state_.equilibrium.position.segment<3>(3 * *state_.cut.tip);
+  if ((pose.tip - tip).dot(across(way_ahead(wall, *state_.cut.tip), pose.direction)) >= 0) return false;
+  const std::optional<SurfacePoint> place = place_below(tool, pose);
+  if (!place) return true;
+  // The flanks of a blade part the lips of a wound that does not gape.
+  const Eigen::Vector3d met = place_on(*model_, place->triangle, place->weights, state_.equilibrium.position);
+  return distance_from_border(wall, met) <= 0.5 * tools_[tool].thickness;
+}
+
+std::optional<Body::WayOn> Body::way_out_of_wound(int tool, const ToolPose& pose) const {
+  const std::optional<SurfacePoint> target = place_below(tool, pose);
+  if (!target || !state_.cut.tip) return std::nullopt;
+  const SurfaceView wall = surface();
+  const Eigen::Vector3d tip = state_.equilibrium.position.segment<3>(3 * *state_.cut.tip);
+  const Eigen::Vector3d to = place_on(*model_, target->triangle, target->weights, state_.equilibrium.position);
+  const Eigen::Vector3d ahead = across(way_ahead(wall, *state_.cut.tip), pose.direction).normalized();
+  const double before = (to - tip).dot(ahead);  // metres
+  if (before >= 0) return std::nullopt;
+  // Beside where the blade is, towards the middle of the wound.
+  const auto lip = first_border(wall, to, tip + before * ahead, pose.direction);
+  if (!lip) return std::nullopt;
+  const SurfaceTrace way = trace(wall, vertex_normals(wall), snapped_to_edges(wall, *lip), *target);
+  if (way.pieces.size() != 1) return std::nullopt;
+  return WayOn{.path = {.from = {}, .points = way.pieces.front().points}};
 }
 
 std::optional<Body::WayOn> Body::way_on(int tool, const ToolPose& pose) const {
@@ -354,6 +391,7 @@ void Body::leave_cut() {
   state_.books.fracture += due;
   state_.books.jump -= due;
   state_.cut.gap.reset();
+  state_.cut.is_in_wound = false;
   state_.cut.tool.reset();
   state_.cut.tip.reset();
   state_.cut.start.reset();

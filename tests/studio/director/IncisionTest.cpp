@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <string>
 
 #include "studio/director/ScenarioRun.hpp"
@@ -185,6 +186,44 @@ TEST(Incision, GoesIntoABorderThatIsHeldAndFeelsWhatToughnessAsks) {
   EXPECT_NEAR(body.fracture, kToughness * kThickness * body.cut_length, 0.01 * body.fracture);
   // What cannot make way bears any force: before the blade went in it was 1e5 N.
   EXPECT_LT(strongest, 5 * kToughness * kThickness);
+}
+
+TEST(Incision, CutsNothingAndFeelsNothingWhereItGoesBackInItsOwnWound) {
+  Scenario scenario = sheet_scenario(1.1);
+  auto& clip = std::get<InciseClip>(scenario.timeline[0].action);
+  clip.path = {{-0.007, 0, 0}, {0.007, 0, 0}, {-0.005, 0, 0}};
+  constexpr double kEdge = 1.6e-3;  // metres, of the triangles: so far it may still be beyond the tip
+  ScenarioRun run(scenario);
+  double last = -1, turned = 0, strongest = 0;  // metres, metres, newton
+  while (run.step()) {
+    const ToolRecord& tool = run.record().tools.at(0);
+    if (tool.phase != "cutting") continue;
+    const double x = tool.position.x();
+    if (x < last) turned += last - x;
+    last = x;
+    if (turned > kEdge) strongest = std::max(strongest, tool.force.norm());
+  }
+  const BodyRecord body = run.record().bodies.at(0);
+  std::printf("%.3g m cut, %.3g N on the way back\n", body.cut_length, strongest);
+  EXPECT_GT(turned, 0.011);
+  EXPECT_NEAR(body.cut_length, 0.014, 2e-3);
+  EXPECT_EQ(strongest, 0);
+  // What the dent had stored, and what the blade was ahead by when it turned: 12 % are seen.
+  EXPECT_LT(std::abs(body.jump), 0.2 * body.fracture);
+}
+
+TEST(Incision, GoesOnIntoTheWallBesideItsWoundWhereItTurnsBackSharply) {
+  Scenario scenario = sheet_scenario(1.1);
+  auto& clip = std::get<InciseClip>(scenario.timeline[0].action);
+  const double turn = 150 * std::numbers::pi / 180, arm = 0.012;
+  const Eigen::Vector3d corner(0.006, 0, 0);
+  clip.path = {{-0.006, 0, 0}, corner, corner + arm * Eigen::Vector3d(std::cos(turn), std::sin(turn), 0)};
+  ScenarioRun run(scenario);
+  while (run.step()) {
+  }
+  std::printf("%.3g m cut\n", run.record().bodies.at(0).cut_length);
+  // Near the corner the wound gapes beside the first arm, and the blade is in it.
+  EXPECT_GT(run.record().bodies.at(0).cut_length, 1.7 * arm);
 }
 
 TEST(Incision, TwiceTheSameGivesTheSameDigest) {
