@@ -34,10 +34,11 @@ double fluid_energy(const BodyModel& model, const BodyState& state) {
   if (model.definition.fluid.kind != FluidKind::kCompressible) return 0;
   double energy = 0;
   for (Eigen::Index c = 0; c < state.volume.size(); ++c) {
-    // Beside air the fluid does not fill the chamber, and is without pressure.
-    const double excess =
-        state.air[c] > 0 ? state.reference_pressure[c] * state.fluid_volume[c] / model.definition.fluid.bulk_modulus
-                         : state.volume[c] - state.fluid_volume[c];
+    // Beside air the fluid does not fill the chamber.
+    const double beyond_reference = bulk_pressure_of(state, static_cast<int>(c)) - state.reference_pressure[c];
+    const double excess = state.air[c] > 0
+                              ? -beyond_reference * state.fluid_volume[c] / model.definition.fluid.bulk_modulus
+                              : state.volume[c] - state.fluid_volume[c];
     energy += -state.reference_pressure[c] * excess +
               0.5 * model.definition.fluid.bulk_modulus * excess * excess / state.fluid_volume[c];
   }

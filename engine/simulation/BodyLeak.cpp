@@ -69,8 +69,7 @@ double carried_energy(const BodyModel& model, const BodyState& state, int chambe
     energy += 0.5 * fluid.density * (state.fluid_motion[chamber].velocity / state.volume[chamber]).squaredNorm();
   }
   if (fluid.kind == FluidKind::kCompressible) {
-    const double pressure = state.air[chamber] > 0 ? 0 : state.equilibrium.pressure[chamber];
-    const double excess = pressure - state.reference_pressure[chamber];
+    const double excess = bulk_pressure_of(state, chamber) - state.reference_pressure[chamber];
     energy -= 0.5 * excess * excess / fluid.bulk_modulus;
   }
   return energy;
@@ -184,7 +183,7 @@ std::vector<double> Body::outflow_of(double duration, const EquilibriumProblem& 
 
 double Body::fluid_held(const EquilibriumProblem& problem, int chamber, const EquilibriumState& reached) const {
   const FluidProblem& fluid = problem.fluids[chamber];
-  return newton_->terms().volume[chamber] / fluid.held(fluid.has_surface ? 0 : reached.pressure[chamber]);
+  return newton_->terms().volume[chamber] / fluid.held(reached.pressure[chamber]);
 }
 
 double Body::fluid_left(const EquilibriumProblem& problem, int chamber, const EquilibriumState& reached,

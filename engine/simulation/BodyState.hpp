@@ -102,6 +102,12 @@ struct BodyState {
 /// Part of the law's stress that a viscous wall keeps for good.
 double lasting_part(const BodyDefinition& definition);
 
+/// What a compressible fluid in a chamber is under, pascal.
+inline double bulk_pressure_of(const BodyState& state, int chamber) {
+  const double pressure = state.equilibrium.pressure[chamber];
+  return state.air[chamber] > 0 ? bulk_pressure_beside_air(pressure) : pressure;
+}
+
 /// Energy of a compressible fluid from its volume at the reference pressure, joule, all chambers; zero for others.
 double fluid_energy(const BodyModel& model, const BodyState& state);
 

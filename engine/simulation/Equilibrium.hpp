@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <vector>
 
 #include "engine/contact/ContactPotential.hpp"
@@ -71,6 +72,13 @@ enum class FluidMode {
   kCompressible     // pressure = reference + bulk modulus (fluid volume - volume) / fluid volume
 };
 
+/// What a compressible fluid is under that has air above it, pascal, where the pressure at its chamber's level is
+/// `at_level`: that, or nothing where the surface lies below. So it fills as much when air has just come in as just
+/// before, and never more than without pressure.
+inline double bulk_pressure_beside_air(double at_level) {
+  return std::max(0.0, at_level);
+}
+
 /// The fluid of a chamber.
 struct FluidProblem {
   FluidMode mode = FluidMode::kIncompressible;
@@ -86,14 +94,16 @@ struct FluidProblem {
   bool is_multiplier() const { return mode != FluidMode::kGivenPressure; }
   /// Whether it is found from the volume.
   bool seeks_volume() const { return is_multiplier() && vent < 0; }
+  /// What a compressible fluid is under, pascal, where the chamber's pressure is `at`.
+  double bulk_pressure(double at) const { return has_surface ? bulk_pressure_beside_air(at) : at; }
   /// Space that a volume of fluid fills at a pressure, pascal, over that at its reference pressure.
-  double held(double at) const { return mode == FluidMode::kCompressible ? 1 - (at - pressure) / bulk_modulus : 1; }
-  /// Space that it fills at the reference pressure, metres^3, or without pressure where it has a free surface.
-  double space() const { return has_surface ? fluid_volume * held(0) : fluid_volume; }
-  /// Volume by which a compressible fluid gives way to a pascal, metres^3; zero for others.
-  double compliance() const {
-    return has_surface ? 0 : mode == FluidMode::kCompressible ? fluid_volume / bulk_modulus : 0;
-  }
+  double held(double at) const { return 1 - (bulk_pressure(at) - pressure) * yielding(); }
+  /// Space that it fills at a pressure, pascal, metres^3.
+  double space(double at) const { return fluid_volume * held(at); }
+  /// Volume by which a compressible fluid gives way to a pascal more, metres^3; zero for others.
+  double compliance(double at) const { return bulk_pressure(at) == at ? fluid_volume * yielding() : 0; }
+  /// 1 / pascal: part of its volume by which a compressible fluid gives way to a pascal.
+  double yielding() const { return mode == FluidMode::kCompressible ? 1 / bulk_modulus : 0; }
 };
 
 /// Inertia of the fluid in a chamber, which moves as a whole: its momentum is density times the rate of its first

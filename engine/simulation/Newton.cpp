@@ -153,7 +153,7 @@ void Newton::compute_volume_residual(const EquilibriumProblem& problem, const Eq
     const FluidProblem& fluid = problem.fluids[c];
     if (!fluid.is_multiplier()) continue;
     if (fluid.vent < 0) {
-      residual.volume[c] = filled[c] - fluid.space() + fluid.compliance() * (state.pressure[c] - fluid.pressure);
+      residual.volume[c] = filled[c] - fluid.space(state.pressure[c]);
     }
     const int chamber = static_cast<int>(c);
     if (!model_.is_open(chamber)) continue;

@@ -31,7 +31,7 @@ double Newton::merit(const EquilibriumProblem& problem, const EquilibriumState& 
     const FluidProblem& fluid = problem.fluids[c];
     if (fluid.mode == FluidMode::kGivenPressure) value -= fluid.pressure * terms.volume[c];
     if (fluid.vent >= 0) value -= frozen_.pressure[c] * terms.volume[c];
-    if (fluid.vent < 0) value += 0.5 * fluid.compliance() * square(state.pressure[c]);
+    if (fluid.vent < 0) value += 0.5 * fluid.compliance(state.pressure[c]) * square(state.pressure[c]);
   }
   if (model_.has_open_chambers()) value += frozen_.lip_force.dot(state.position - frozen_.position);
   for (const Eigen::Vector3d& gap : residual.gaps) value += weights.force * gap.norm();
@@ -53,7 +53,7 @@ double Newton::merit_slope(const EquilibriumProblem& problem, const EquilibriumS
   for (std::size_t c = 0; c < problem.fluids.size(); ++c) {
     if (problem.fluids[c].seeks_volume()) smooth += state.pressure[c] * terms_.volume_gradient.col(c);
     if (problem.fluids[c].vent >= 0) continue;
-    slope += problem.fluids[c].compliance() * state.pressure[c] * step.pressure[c];
+    slope += problem.fluids[c].compliance(state.pressure[c]) * state.pressure[c] * step.pressure[c];
     if (problem.fluids[c].has_surface) slope += terms_.filled_by_pressure[c] * state.pressure[c] * step.pressure[c];
   }
   slope += smooth.dot(step.position);

@@ -26,7 +26,7 @@ void Newton::border_fluids(const EquilibriumProblem& problem, const EquilibriumS
     const int chamber = bordering_[k];
     column[chamber] = static_cast<int>(k);
     border_.col(k) = -terms_.volume_gradient.col(chamber);
-    corner_(k, k) = -problem.fluids[chamber].compliance();
+    corner_(k, k) = -problem.fluids[chamber].compliance(state.pressure[chamber]);
   }
   if (problem.orifice_time == 0) return;
   for (const OrificeDefinition& orifice : model_.definition.fluid.orifices) {

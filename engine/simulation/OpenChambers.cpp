@@ -223,9 +223,9 @@ OpeningEquation opening_equation(const BodyModel& model, const EquilibriumProble
   const FluidProblem& fluid = problem.fluids[chamber];
   OpeningEquation equation;
   // The fluid that leaves would have filled less space than at the pressure at which it is counted.
-  const bool yields = fluid.mode == FluidMode::kCompressible && !fluid.has_surface;
-  const double yielding = yields ? 1 / fluid.bulk_modulus : 0;  // 1 / pascal
-  const double held = fluid.held(fluid.has_surface ? 0 : pressure[chamber]);
+  const double at = pressure[chamber];
+  const double yielding = fluid.bulk_pressure(at) == at ? fluid.yielding() : 0;  // 1 / pascal
+  const double held = fluid.held(at);
   if (with_derivatives) equation.by_position.setZero(position.size());
   for (int k = 0; k < static_cast<int>(model.openings.size()); ++k) {
     const OpeningModel& opening = model.openings[k];

@@ -139,7 +139,7 @@ std::vector<Heir> heirs_of(const BodyModel& before, const BodyState& state, cons
 /// Space that the fluid of a chamber fills over its volume at the reference pressure.
 double expansion(const BodyModel& model, const BodyState& state, int chamber, bool has_air) {
   if (model.definition.fluid.kind != FluidKind::kCompressible) return 1;
-  const double pressure = has_air ? 0 : state.equilibrium.pressure[chamber];
+  const double at = state.equilibrium.pressure[chamber], pressure = has_air ? bulk_pressure_beside_air(at) : at;
   return 1 - (pressure - state.reference_pressure[chamber]) / model.definition.fluid.bulk_modulus;
 }
 
@@ -232,8 +232,12 @@ void carry_contents(const BodyModel& before, const BodyState& state, const BodyM
     if (!after.definition.fluid.leaks) heir.volume = share * state.volume[heir.before];
     carried.volume[c] = heir.volume;
     carried.equilibrium.pressure[c] = heir.pressure;
+    // At another level the fluid is as dense as before.
+    const double at = state.equilibrium.pressure[heir.before];
+    const bool has_air = state.air[heir.before] > 0;
     carried.reference_pressure[c] =
-        state.reference_pressure[heir.before] + heir.pressure - state.equilibrium.pressure[heir.before];
+        state.reference_pressure[heir.before] +
+        (has_air ? bulk_pressure_beside_air(heir.pressure) - bulk_pressure_beside_air(at) : heir.pressure - at);
     carried.fluid_volume[c] = share * state.fluid_volume[heir.before];
     carried.leaked[c] = keeps ? state.leaked[c] : 0;
     spill(after, static_cast<int>(c), state.air[heir.before] > 0, gravity, carried);

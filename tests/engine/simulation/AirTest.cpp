@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "tests/engine/simulation/LeakWatch.hpp"
@@ -80,6 +82,70 @@ TEST(AirInAnOpenBody, LiesAboveTheFluidUnderGravityAndTheBooksClose) {
   const double surface = body.model().chambers[0].level.z() + body.state().equilibrium.pressure[0] / (1010 * 9.81);
   EXPECT_LT(surface, lip_cap_of(body.model().openings[0].at(body.state().equilibrium.position)).center.z());
   std::printf("numerical %.1e, leak %.1e J\n", body.state().books.numerical, body.state().books.leak);
+}
+
+/// Stiff enough to stand up while its contents are drawn off; the lips at the top are 19 mm above the level, and the
+/// fluid stands 20 Pa above them.
+BodyDefinition ball_of_soft_fluid() {
+  BodyDefinition definition = springy_ball();
+  fix_lips(definition);
+  definition.materials = {neo_hookean(200e3)};
+  definition.fluid.kind = FluidKind::kCompressible;
+  definition.fluid.bulk_modulus = 20e3;
+  definition.fluid.initial_pressure = 210;
+  return definition;
+}
+
+SimulationOptions heavy(SimulationOptions options) {
+  options.gravity = {0, 0, -9.81};
+  return options;
+}
+
+/// Space that the fluid below the air fills, metres^3: beside air it is under the pressure at the level, or none.
+double filled_by_fluid(const BodyState& state) {
+  const double pressure = std::max(0.0, state.equilibrium.pressure[0]);
+  return state.fluid_volume[0] * (1 - (pressure - 210) / 20e3);
+}
+
+TEST(AirAboveACompressibleFluid, ComesInWithoutAJumpHoweverShortTheStep) {
+  for (const double step : {5e-3, 2.5e-3, 1.25e-3}) {
+    Body body(ball_of_soft_fluid(), {}, heavy(dynamic()));
+    body.settle();
+    double largest_fall = 0, most_kinetic = 0, worst_imbalance = 0, before = 210;
+    for (int k = 0; (k + 0.5) * step < 0.1; ++k) {
+      const double drawn = 200e-6 * (k + 0.5) * step * step;
+      body.advance({}, {}, step, {.load_factors = {}, .fluids = {{.added = -drawn, .pressure = {}}}});
+      const double pressure = body.state().equilibrium.pressure[0];
+      largest_fall = std::max(largest_fall, std::abs(pressure - before));
+      most_kinetic = std::max(most_kinetic, body.state().books.kinetic);
+      worst_imbalance = std::max(worst_imbalance, std::abs(body.state().books.imbalance()));
+      before = pressure;
+    }
+    // Air in place of nearly all that was drawn off, a millilitre.
+    EXPECT_NEAR(body.state().air[0], 0.93e-6, 0.02e-6);
+    EXPECT_LT(largest_fall, 20);
+    EXPECT_LT(most_kinetic, 2e-8);
+    EXPECT_LT(worst_imbalance, 1e-15);
+    EXPECT_LT(std::abs(body.state().books.numerical), 1e-7);
+  }
+}
+
+TEST(AirAboveACompressibleFluid, LeavesItAsDenseAsThePressureMakesItDownToNone) {
+  Body body(ball_of_soft_fluid(), {}, heavy(quasi_static()));
+  body.settle();
+  double worst = 0;
+  bool above_level = false, below_level = false;
+  for (int step = 0; step < 24; ++step) {
+    body.advance({}, {}, 1, {.load_factors = {}, .fluids = {{.added = -1e-6, .pressure = {}}}});
+    const BodyState& state = body.state();
+    if (state.air[0] == 0) continue;
+    (state.equilibrium.pressure[0] > 0 ? above_level : below_level) = true;
+    worst = std::max(worst, std::abs(state.volume[0] - state.air[0] - filled_by_fluid(state)));
+    EXPECT_LT(std::abs(state.books.imbalance()), 1e-12);
+  }
+  EXPECT_TRUE(above_level);
+  EXPECT_TRUE(below_level);
+  EXPECT_LT(worst, 1e-14);
 }
 
 }  // namespace
