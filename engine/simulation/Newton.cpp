@@ -289,7 +289,8 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
       return failed("no convex step could be found", result);
     }
     if (shift > 0) ++result.shifted_iterations;
-    progress.inexact = !is_exact_ || (may_be_saddle && progress.calm > 0) ? progress.inexact + 1 : 0;
+    progress.takes_saddle = may_be_saddle && is_exact_;
+    if (!progress.takes_saddle) progress.inexact = is_exact_ ? 0 : progress.inexact + 1;
     if (foresees) {
       if (take_whole(problem, state, residual, step)) continue;
       return failed("the wall is stretched beyond its law", result);
@@ -313,6 +314,8 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
 void Newton::Progress::note(const Residual& residual) {
   calm = residual.measure < kCalmFall * last_measure ? calm + 1 : 0;
   last_measure = residual.measure;
+  // The matrix as it is serves as long as the residual falls with it.
+  if (takes_saddle) inexact = calm > 0 ? inexact + 1 : 0;
   stalled = residual.largest_force < kCalmFall * least_force ? 0 : stalled + 1;
   least_force = std::min(least_force, residual.largest_force);
 }

@@ -146,10 +146,11 @@ class Newton {
   };
   /// How a solution gets on from iteration to iteration.
   struct Progress {
-    int calm = 0;             // iterations in a row by which the residual fell
-    int inexact = 0;          // iterations in a row whose matrix had to be made convex
-    int stalled = 0;          // iterations since the largest force was least
-    double last_measure = 0;  // newton
+    int calm = 0;               // iterations in a row by which the residual fell
+    int inexact = 0;            // iterations in a row whose matrix had to be made convex, or was taken though it is not
+    bool takes_saddle = false;  // whether the last one took the matrix as it is
+    int stalled = 0;            // iterations since the largest force was least
+    double last_measure = 0;    // newton
     double least_force = std::numeric_limits<double>::infinity();  // newton
 
     void note(const Residual& residual);
