@@ -26,11 +26,13 @@ SurfacePoint snapped_to_edges(const SurfaceView& surface, SurfacePoint point);
 /// inward normals; of two ways the shorter one. Topologically exact, as `plane_section` says; both ways to count
 /// vertices in the plane are tried.
 ///
-/// Where the curve comes to the surface's border it goes straight on to where the curve begins again, forwards to
-/// within 75 degrees at both lips or by less than half the length of the triangles there (lips may overlap); a gap
-/// counts three times its length. Then each piece begins and ends at border edges, but for the two points. Points
-/// follow one another without repeating; the first of all and the last are the given ones, brought to the edge or
-/// corner that they touch. A piece is one point alone where the given point lies on the lip, or the two are the same.
+/// Where the curve comes to the surface's border it goes straight on to where the curve begins again: forwards to
+/// within 75 degrees at both lips, by their last triangles or seen from as far as the gap is wide, on a closed surface
+/// also as seen along the line from one point to the other (lips may hang in); or by less than half the length of the
+/// triangles there (lips may overlap). A gap counts three times its length. Then each piece begins and ends at border
+/// edges, but for the two points. Points follow one another without repeating; the first of all and the last are the
+/// given ones, brought to the edge or corner that they touch. A piece is one point alone where the given point lies on
+/// the lip, or the two are the same.
 ///
 /// `normals`: from `vertex_normals`.
 SurfaceTrace trace(const SurfaceView& surface, const std::vector<Eigen::Vector3d>& normals, const SurfacePoint& from,

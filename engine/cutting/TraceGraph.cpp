@@ -10,6 +10,7 @@ namespace {
 constexpr double kGapCost = 3;      // times the length of a gap
 constexpr double kForwards = 0.25;  // cosine of the largest angle between a curve and the gap that it crosses
 constexpr double kOverlap = 0.5;    // of the longest side of a triangle at the lip: so far a gap may go backwards
+constexpr double kNoWay = 1e-3;     // of that side: points of a curve nearer to its lip tell no direction
 
 /// A curve with the positions of its points and the length along it.
 struct MeasuredCurve {
@@ -159,18 +160,18 @@ class LegFinder {
     if (closed || to < from) add_way(from, (to + 1) % size, -1);
   }
 
-  /// Where a curve ends and the unit vector along which it leaves the surface there; zero for a curve without length.
+  /// Where a curve ends.
   struct Lip {
+    int curve = 0;
+    bool at_last = false;
     int arrival = 0, departure = 0;  // stations
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
-    Eigen::Vector3d outward = Eigen::Vector3d::Zero();
     double side = 0;  // metres, longest side of the triangle there
   };
 
   Lip lip_of(int c, bool at_last) const {
     const MeasuredCurve& curve = curves_[c];
-    const int size = curve.size();
-    Lip lip{.arrival = arrival_at(c, at_last), .departure = departure_from(c, at_last)};
+    Lip lip{.curve = c, .at_last = at_last, .arrival = arrival_at(c, at_last), .departure = departure_from(c, at_last)};
     lip.position = at_last ? curve.positions.back() : curve.positions.front();
     const Eigen::Vector3i& vertices =
         surface_.triangles[at_last ? curve.curve->triangles.back() : curve.curve->triangles.front()];
@@ -179,14 +180,33 @@ class LegFinder {
           surface_.position.segment<3>(3 * vertices[k]) - surface_.position.segment<3>(3 * vertices[(k + 1) % 3]);
       lip.side = std::max(lip.side, side.norm());
     }
-    for (int k = 1; k < size; ++k) {
-      // Points that follow each other closely, as around a vertex, tell no direction.
-      const Eigen::Vector3d way = lip.position - curve.positions[at_last ? size - 1 - k : k];
-      if (way.norm() < 1e-3 * lip.side) continue;
-      lip.outward = way.normalized();
-      break;
-    }
     return lip;
+  }
+
+  /// Unit vector along which a curve leaves the surface, from the first point of it that is `reach` (metres) from the
+  /// lip; zero without one.
+  Eigen::Vector3d outward(const Lip& lip, double reach) const {
+    const MeasuredCurve& curve = curves_[lip.curve];
+    const int size = curve.size();
+    for (int k = 1; k < size; ++k) {
+      const Eigen::Vector3d way = lip.position - curve.positions[lip.at_last ? size - 1 - k : k];
+      if (way.norm() >= reach) return way.normalized();
+    }
+    return Eigen::Vector3d::Zero();
+  }
+
+  bool leads_forwards(const Lip& from, const Lip& to, const Eigen::Vector3d& gap) const {
+    const double length = gap.norm();
+    const auto goes_on = [&](const Eigen::Vector3d& out, const Eigen::Vector3d& in) {
+      return gap.dot(out) >= kForwards * length && gap.dot(in) >= kForwards * length;
+    };
+    // Points that follow each other closely, as around a vertex, tell no direction; a lip may be crumpled, which from
+    // as far as the gap is wide is not seen.
+    if (goes_on(outward(from, kNoWay * from.side), -outward(to, kNoWay * to.side))) return true;
+    if (goes_on(outward(from, length), -outward(to, length))) return true;
+    // All borders of a closed body are lips, which may hang in: then the two points tell the direction.
+    const Eigen::Vector3d way = (end_ - begin_).stableNormalized();
+    return !surface_.open && goes_on(way, way);
   }
 
   void add_gaps() {
@@ -201,8 +221,7 @@ class LegFinder {
         if (from.arrival == to.arrival) continue;
         const Eigen::Vector3d gap = to.position - from.position;
         const double length = gap.norm();
-        const bool forwards = gap.dot(from.outward) >= kForwards * length && -gap.dot(to.outward) >= kForwards * length;
-        if (!forwards && length > kOverlap * std::min(from.side, to.side)) continue;
+        if (length > kOverlap * std::min(from.side, to.side) && !leads_forwards(from, to, gap)) continue;
         add({.from = from.arrival, .to = to.departure, .cost = kGapCost * length});
       }
     }

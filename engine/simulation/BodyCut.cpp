@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "engine/cutting/BorderCrossing.hpp"
-#include "engine/cutting/SurfaceNormals.hpp"
 #include "engine/cutting/SurfaceTrace.hpp"
 #include "engine/simulation/Body.hpp"
 #include "engine/simulation/CutTransfer.hpp"
@@ -19,11 +18,6 @@ namespace {
 
 /// Mean edges by which a cut waits for the blade to come farther, where what it would leave is beyond the wall's law.
 constexpr double kMostAwaited = 3;
-
-/// The part of a vector across a unit line.
-Eigen::Vector3d across(const Eigen::Vector3d& vector, const Eigen::Vector3d& line) {
-  return vector - vector.dot(line) * line;
-}
 
 /// Contents that do not run out keep their surface, whatever caps span the lips now.
 void keep_surfaces(BodyModel& model, const BodyState& state) {
@@ -246,56 +240,12 @@ std::optional<Cut> Body::follow_blade(int tool, std::span<const ToolPose> poses,
   if (progress.is_in_wound) return std::nullopt;
   std::optional<WayOn> way = way_on(tool, pose);
   if (!way) way = way_out_of_wound(tool, pose);
-  if (!way) return std::nullopt;
+  if (!way) {
+    begin_anew_far_off(tool, pose);
+    return std::nullopt;
+  }
   way->path.goes_on = goes_on && !way->border;
   return go_on(*way, pose, poses);
-}
-
-std::optional<SurfacePoint> Body::place_below(int tool, const ToolPose& pose) const {
-  const SurfaceView wall = surface();
-  const auto entry = first_entry_on_segment(wall, pose.tip - tools_[tool].length * pose.direction, pose.tip);
-  if (!entry) return std::nullopt;
-  return snapped_to_edges(wall, {.triangle = entry->triangle, .weights = entry->weights});
-}
-
-bool Body::is_in_wound(int tool, const ToolPose& pose) const {
-  if (!state_.cut.tip) return false;
-  const SurfaceView wall = surface();
-  const Eigen::Vector3d tip = state_.equilibrium.position.segment<3>(3 * *state_.cut.tip);
-  if ((pose.tip - tip).dot(across(way_ahead(wall, *state_.cut.tip), pose.direction)) >= 0) return false;
-  const std::optional<SurfacePoint> place = place_below(tool, pose);
-  if (!place) return true;
-  // The flanks of a blade part the lips of a wound that does not gape.
-  const Eigen::Vector3d met = place_on(*model_, place->triangle, place->weights, state_.equilibrium.position);
-  return distance_from_border(wall, met) <= 0.5 * tools_[tool].thickness;
-}
-
-std::optional<Body::WayOn> Body::way_out_of_wound(int tool, const ToolPose& pose) const {
-  const std::optional<SurfacePoint> target = place_below(tool, pose);
-  if (!target || !state_.cut.tip) return std::nullopt;
-  const SurfaceView wall = surface();
-  const Eigen::Vector3d tip = state_.equilibrium.position.segment<3>(3 * *state_.cut.tip);
-  const Eigen::Vector3d to = place_on(*model_, target->triangle, target->weights, state_.equilibrium.position);
-  const Eigen::Vector3d ahead = across(way_ahead(wall, *state_.cut.tip), pose.direction).normalized();
-  const double before = (to - tip).dot(ahead);  // metres
-  if (before >= 0) return std::nullopt;
-  // Beside where the blade is, towards the middle of the wound.
-  const auto lip = first_border(wall, to, tip + before * ahead, pose.direction);
-  if (!lip) return std::nullopt;
-  const SurfaceTrace way = trace(wall, vertex_normals(wall), snapped_to_edges(wall, *lip), *target);
-  if (way.pieces.size() != 1) return std::nullopt;
-  return WayOn{.path = {.from = {}, .points = way.pieces.front().points}};
-}
-
-std::optional<Body::WayOn> Body::way_on(int tool, const ToolPose& pose) const {
-  const SurfaceView wall = surface();
-  const std::optional<SurfacePoint> target = place_below(tool, pose);
-  if (!target) return way_to_border(pose);
-  const std::optional<int> tip = state_.cut.tip;
-  const SurfacePoint from = tip ? point_at(wall.triangles, *tip) : *state_.cut.start;
-  const SurfaceTrace way = trace(wall, vertex_normals(wall), from, *target);
-  if (way.pieces.size() != 1) return way_to_border(pose);
-  return WayOn{.path = {.from = tip, .points = way.pieces.front().points}};
 }
 
 std::optional<Cut> Body::go_on(const WayOn& way, const ToolPose& pose, std::span<const ToolPose> poses) {
@@ -318,24 +268,6 @@ void Body::hold_dent(int tool, std::span<const ToolPose> poses) {
   if (!is_dented) return;
   // What held the dent goes over to the first cut, of the blade's width: the energy of the dent pays for it.
   hold_as_it_is(tools_[tool].width, true, poses);
-}
-
-std::optional<Body::WayOn> Body::way_to_border(const ToolPose& pose) const {
-  if (!state_.cut.tip) return std::nullopt;
-  const int tip = *state_.cut.tip;
-  const SurfaceView wall = surface();
-  const Eigen::Vector3d from = state_.equilibrium.position.segment<3>(3 * tip);
-  const Eigen::Vector3d to = pose.tip + (from - pose.tip).dot(pose.direction) * pose.direction;
-  // In its own wound, behind the tip, the blade has left no wall.
-  if ((to - from).dot(way_ahead(wall, tip)) <= 0) return std::nullopt;
-  const auto border = first_border(wall, from, to, pose.direction);
-  if (!border) return std::nullopt;
-  const SurfaceTrace way =
-      trace(wall, vertex_normals(wall), point_at(wall.triangles, tip), snapped_to_edges(wall, *border));
-  if (way.pieces.size() != 1) return std::nullopt;
-  return WayOn{.path = {.from = tip, .points = way.pieces.front().points},
-               .border = place_on(*model_, border->triangle, border->weights, state_.equilibrium.position),
-               .sense = (to - from).normalized()};
 }
 
 void Body::begin_cut(const SurfacePoint& place) {

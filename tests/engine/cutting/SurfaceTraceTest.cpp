@@ -142,6 +142,36 @@ TEST(SurfaceTrace, OnAClosedBodyCrossesTheWoundRatherThanGoAround) {
   EXPECT_LT(length_of(sphere.view(), pieces[0]) + length_of(sphere.view(), pieces[1]), 0.0095);
 }
 
+/// A slit mesh whose lips have been moved: the left one by `left`, the right one by `right`.
+SurfaceMesh with_lips_moved(SurfaceMesh mesh, double gape, const Eigen::Vector3d& left, const Eigen::Vector3d& right) {
+  for (Eigen::Vector3d& v : mesh.vertices) {
+    const bool at_lip = std::abs(v.y()) < 0.0099 && v.z() > -1e-9;
+    if (at_lip && std::abs(std::abs(v.x()) - 0.5 * gape * std::sqrt(1 - v.y() * v.y() / 1e-4)) < 1e-12) {
+      v += v.x() < 0 ? left : right;
+    }
+  }
+  return mesh;
+}
+
+TEST(SurfaceTrace, CrossesAWoundWithACrumpledLip) {
+  // The left lip is folded back over the triangles behind it, by more than they measure.
+  const TestSurface sheet(with_lips_moved(slit_sheet(2e-4), 2e-4, {-4.5e-3, 0, 1e-4}, {0, 0, 0}), true);
+  const Eigen::Vector3d from(-0.0131, 0.0012, 0), to(0.0149, 0.0017, 0);
+  const auto pieces = way_between(sheet.view(), from, to);
+  ASSERT_EQ(pieces.size(), 2U);
+  EXPECT_NEAR(position_of(sheet.view(), pieces[1].points.front()).x(), 1e-4, 1e-5);
+}
+
+TEST(SurfaceTrace, OnAClosedBodyCrossesAWoundWhoseLipsHangIn) {
+  const double gape = 4e-3;
+  const Eigen::Vector3d down(0, 0, -5e-3);
+  const TestSurface sphere(with_lips_moved(slit_sphere(gape), gape, down, down));
+  const auto pieces = way_between(sphere.view(), {-0.006, 0.0003, 0.019}, {0.007, 0.0003, 0.0187});
+  ASSERT_EQ(pieces.size(), 2U);
+  // Down one lip and up the other, rather than 0.11 m around.
+  EXPECT_LT(length_of(sphere.view(), pieces[0]) + length_of(sphere.view(), pieces[1]), 0.03);
+}
+
 TEST(SurfaceTrace, CrossesAStripBetweenTwoWounds) {
   // Sheets side by side, a millimetre apart.
   SurfaceMesh mesh;

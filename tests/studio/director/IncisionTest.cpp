@@ -121,6 +121,29 @@ TEST(Incision, TheWallDentsThenIsCutAlongThePathAndCostsWhatItsToughnessAsks) {
   EXPECT_GT(run.snapshot().surfaces[0].positions.size(), uncut + 8) << "lips have nodes of their own";
 }
 
+TEST(Incision, OverAnEarlierWoundThatGapesGoesStraightOnAndNotAroundTheBody) {
+  BodyScenario ball = wall("ball", {.shape = Shape::kSphere, .radius = 0.02, .triangles = 720});
+  ball.thickness = {.standard = 6e-4};
+  ball.material.parameters = {60e3};
+  ball.fluid.initial_pressure = 1000;
+  ball.fixed = {{.region = BelowRegion{.axis = 2, .at = -0.015}}};
+  Scenario scenario = scenario_of(ball);
+  scenario.tools[0].length = 0.014;
+  scenario.tools[0].friction = 0.1;
+  scenario.simulation.time_step = 0.005;
+  InciseClip incision{.tool = "blade", .body = "ball", .depth = 0.003, .speed = 0.04};
+  incision.path = {{-0.008, 0, 0.025}, {0.008, 0, 0.025}};
+  InciseClip crossing = incision;
+  crossing.path = {{0, -0.008, 0.025}, {0, 0.008, 0.025}};
+  crossing.direction = -Eigen::Vector3d::UnitZ();
+  scenario.timeline = {{.action = incision}, {.action = crossing}};
+  ScenarioRun run(scenario);
+  while (run.step()) continue;
+  // Twice 16 mm, of the wall as it is stretched by the pressure; beyond the wound the body measures 0.1 m around.
+  EXPECT_GT(run.record().bodies.at(0).cut_length, 0.02);
+  EXPECT_LT(run.record().bodies.at(0).cut_length, 0.036);
+}
+
 TEST(Incision, TheBladeStaysItsDepthBelowThePathAlongTheInwardNormal) {
   ScenarioRun run(ball_scenario());
   int cutting = 0;

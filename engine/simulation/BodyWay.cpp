@@ -1,0 +1,112 @@
+// Where a blade in the wall of a body is, and along which way over the wall it has come there.
+
+#include "engine/cutting/BorderCrossing.hpp"
+#include "engine/cutting/SurfaceNormals.hpp"
+#include "engine/cutting/SurfaceTrace.hpp"
+#include "engine/simulation/Body.hpp"
+
+namespace thinwall {
+namespace {
+
+/// Mean edges by which a blade is off a cut's tip or beginning, without a way from there to it, when it begins another
+/// cut.
+constexpr double kLeftBehind = 2;
+
+/// A way longer than this times the distance of its ends, and an edge more, is not what a blade goes in a step: it
+/// leads around a flap or the body.
+constexpr double kMostDetour = 1.5;
+
+/// The part of a vector across a unit line.
+Eigen::Vector3d across(const Eigen::Vector3d& vector, const Eigen::Vector3d& line) {
+  return vector - vector.dot(line) * line;
+}
+
+/// Whether a way goes over no gap and leads where it ends without a detour. `edge`: metres, of the wall.
+bool is_direct(const SurfaceView& wall, const SurfaceTrace& way, double edge) {
+  if (way.pieces.size() != 1) return false;
+  const std::vector<SurfacePoint>& points = way.pieces.front().points;
+  double length = 0;
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    length += (position_of(wall, points[k]) - position_of(wall, points[k - 1])).norm();
+  }
+  return length <= kMostDetour * (position_of(wall, points.back()) - position_of(wall, points.front())).norm() + edge;
+}
+
+}  // namespace
+
+std::optional<SurfacePoint> Body::place_below(int tool, const ToolPose& pose) const {
+  const SurfaceView wall = surface();
+  const auto entry = first_entry_on_segment(wall, pose.tip - tools_[tool].length * pose.direction, pose.tip);
+  if (!entry) return std::nullopt;
+  return snapped_to_edges(wall, {.triangle = entry->triangle, .weights = entry->weights});
+}
+
+bool Body::is_in_wound(int tool, const ToolPose& pose) const {
+  if (!state_.cut.tip) return false;
+  const SurfaceView wall = surface();
+  const Eigen::Vector3d tip = state_.equilibrium.position.segment<3>(3 * *state_.cut.tip);
+  if ((pose.tip - tip).dot(across(way_ahead(wall, *state_.cut.tip), pose.direction)) >= 0) return false;
+  const std::optional<SurfacePoint> place = place_below(tool, pose);
+  if (!place) return true;
+  // The flanks of a blade part the lips of a wound that does not gape.
+  const Eigen::Vector3d met = place_on(*model_, place->triangle, place->weights, state_.equilibrium.position);
+  return distance_from_border(wall, met) <= 0.5 * tools_[tool].thickness;
+}
+
+std::optional<Body::WayOn> Body::way_out_of_wound(int tool, const ToolPose& pose) const {
+  const std::optional<SurfacePoint> target = place_below(tool, pose);
+  if (!target || !state_.cut.tip) return std::nullopt;
+  const SurfaceView wall = surface();
+  const Eigen::Vector3d tip = state_.equilibrium.position.segment<3>(3 * *state_.cut.tip);
+  const Eigen::Vector3d to = place_on(*model_, target->triangle, target->weights, state_.equilibrium.position);
+  const Eigen::Vector3d ahead = across(way_ahead(wall, *state_.cut.tip), pose.direction).normalized();
+  const double before = (to - tip).dot(ahead);  // metres
+  if (before >= 0) return std::nullopt;
+  // Beside where the blade is, towards the middle of the wound.
+  const auto lip = first_border(wall, to, tip + before * ahead, pose.direction);
+  if (!lip) return std::nullopt;
+  const SurfaceTrace way = trace(wall, vertex_normals(wall), snapped_to_edges(wall, *lip), *target);
+  if (way.pieces.size() != 1) return std::nullopt;
+  return WayOn{.path = {.from = {}, .points = way.pieces.front().points}};
+}
+
+std::optional<Body::WayOn> Body::way_on(int tool, const ToolPose& pose) const {
+  const SurfaceView wall = surface();
+  const std::optional<SurfacePoint> target = place_below(tool, pose);
+  if (!target) return way_to_border(pose);
+  const std::optional<int> tip = state_.cut.tip;
+  const SurfacePoint from = tip ? point_at(wall.triangles, *tip) : *state_.cut.start;
+  const SurfaceTrace way = trace(wall, vertex_normals(wall), from, *target);
+  if (!is_direct(wall, way, model_->edge_length)) return way_to_border(pose);
+  return WayOn{.path = {.from = tip, .points = way.pieces.front().points}};
+}
+
+std::optional<Body::WayOn> Body::way_to_border(const ToolPose& pose) const {
+  if (!state_.cut.tip) return std::nullopt;
+  const int tip = *state_.cut.tip;
+  const SurfaceView wall = surface();
+  const Eigen::Vector3d from = state_.equilibrium.position.segment<3>(3 * tip);
+  const Eigen::Vector3d to = pose.tip + (from - pose.tip).dot(pose.direction) * pose.direction;
+  // In its own wound, behind the tip, the blade has left no wall.
+  if ((to - from).dot(way_ahead(wall, tip)) <= 0) return std::nullopt;
+  const auto border = first_border(wall, from, to, pose.direction);
+  if (!border) return std::nullopt;
+  const SurfaceTrace way =
+      trace(wall, vertex_normals(wall), point_at(wall.triangles, tip), snapped_to_edges(wall, *border));
+  if (!is_direct(wall, way, model_->edge_length)) return std::nullopt;
+  return WayOn{.path = {.from = tip, .points = way.pieces.front().points},
+               .border = place_on(*model_, border->triangle, border->weights, state_.equilibrium.position),
+               .sense = (to - from).normalized()};
+}
+
+void Body::begin_anew_far_off(int tool, const ToolPose& pose) {
+  const std::optional<SurfacePoint> place = place_below(tool, pose);
+  if (!place) return;
+  const SurfaceView wall = surface();
+  const SurfacePoint from = state_.cut.tip ? point_at(wall.triangles, *state_.cut.tip) : *state_.cut.start;
+  if ((position_of(wall, *place) - position_of(wall, from)).norm() <= kLeftBehind * model_->edge_length) return;
+  state_.cut.tip.reset();
+  begin_cut(*place);
+}
+
+}  // namespace thinwall
