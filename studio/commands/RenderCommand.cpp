@@ -1,4 +1,8 @@
+#include <fmt/format.h>
+
+#include <string>
 #include <system_error>
+#include <vector>
 
 #include "renderer/snapshot/SurfaceFields.hpp"
 #include "studio/commands/Commands.hpp"
@@ -30,6 +34,19 @@ void require_stress(const Snapshot& snapshot, const std::filesystem::path& take)
                     ": the take holds no stress, which --aov tells: an older version of this program made it; run the "
                     "scenario again");
   }
+}
+
+/// What is to be told of takes whose runs failed or were stopped before their end.
+std::vector<std::string> early_ends(const std::vector<std::filesystem::path>& takes) {
+  std::vector<std::string> told;
+  for (const std::filesystem::path& file : takes) {
+    const TakeReader take(file);
+    if (take.ending().complete) continue;
+    told.push_back(
+        fmt::format("the take {} ends early, {}: its run failed or was stopped; run the scenario again", file.string(),
+                    take.times().empty() ? "without any step" : fmt::format("at {:.4g} s", take.times().back())));
+  }
+  return told;
 }
 
 }  // namespace
@@ -68,13 +85,16 @@ int render_take(const RenderOptions& options) {
   refuse_folder_of_the_take(plan.folder, options.take);
   if (options.ground_truth) require_stress(take->moment(0).snapshot, options.take);
   const FolderLock lock(plan.folder);
-  const RecordingReport report =
+  RecordingReport report =
       record(*source, plan, renderer_painters(options.device, settings.record.tier, settings.view, options.stats));
+  const std::vector<std::string> early = early_ends(takes);
+  report.warnings.insert(report.warnings.end(), early.begin(), early.end());
   return conclude({.command = "render",
                    .source = options.take,
                    .device = options.device_text,
                    .overrides = options.overrides,
-                   .preparation = preparation.wall},
+                   .preparation = preparation.wall,
+                   .take_complete = early.empty()},
                   plan, report, options.json);
 }
 

@@ -106,6 +106,7 @@ Json expectation_part(const std::vector<ExpectationResult>& results) {
 
 std::string result_words(const ManifestContext& context, const RecordingReport& report) {
   if (!report.failure.empty()) return "the simulation failed";
+  if (!context.take_complete) return "the take ends early";
   const bool met = std::ranges::all_of(context.expectations, &ExpectationResult::passed);
   return met ? "ok" : "an expectation failed";
 }
@@ -128,7 +129,7 @@ std::string manifest(const ManifestContext& context, const RecordingPlan& plan, 
   manifest["command"] = context.command;
   manifest["source"] = context.source.generic_string();
   manifest["result"] = result_words(context, report);
-  manifest["complete"] = report.failure.empty();
+  manifest["complete"] = report.failure.empty() && context.take_complete;
   if (!report.failure.empty()) manifest["failure"] = report.failure;
   manifest["steps"] = report.steps;
   manifest["simulated_s"] = report.simulated;

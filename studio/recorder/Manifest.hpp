@@ -18,9 +18,10 @@ struct ManifestContext {
   std::vector<std::pair<std::string, std::string>> overrides;  // of `--set`
   double preparation = 0;                                      // seconds, reading and checking
   std::vector<ExpectationResult> expectations = {};            // of the scenario
+  bool take_complete = true;  // whether each take that is shown again reached the end of its run
 };
 
-/// "ok", "the simulation failed", "an expectation failed"
+/// "ok", "the simulation failed", "the take ends early", "an expectation failed"
 std::string result_words(const ManifestContext& context, const RecordingReport& report);
 
 /// 32 hexadecimal digits: XXH3 (128 bits) of the text.

@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "renderer/image/ImageHash.hpp"
 #include "renderer/image/PngFile.hpp"
@@ -61,6 +64,26 @@ TEST_F(ProgramGLTest, TheTakeGivesTheFramesOfTheRunAgain) {
   expect_good({"render", "run/take.h5", "--no-video"});
   EXPECT_EQ(manifest("run/render")["frame_hashes"], manifest("run")["frame_hashes"]);
   EXPECT_EQ(run({"render", "run/take.h5", "--out", "run"}).exit_code, 2);
+}
+
+TEST_F(ProgramGLTest, OfATakeThatEndsEarlyThePicturesAreMadeAndItIsSaidThatTheyEndEarly) {
+  write_bytes(folder_ / "scenes" / "long.yaml", small_scenario("  - wait: { for: 1000 s }\n"));
+  RunningProgram program({"run", "scenes/long.yaml", "--no-render", "--out", "run"},
+                         {.folder = folder_.path(), .environment = {}});
+  const std::filesystem::path rows = folder_ / "run" / "forces.unfinished.csv";
+  std::error_code none;
+  while (!std::filesystem::exists(rows) || std::filesystem::file_size(rows, none) < 10'000) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  program.send_signal(SIGTERM);
+  ASSERT_EQ(program.wait().exit_code, 143);
+  const ProgramEnd end = run({"render", "run/take.unfinished.h5", "--no-video", "--out", "again"});
+  EXPECT_EQ(end.exit_code, 0) << end.messages;
+  EXPECT_NE(end.messages.find("note: the take run/take.unfinished.h5 ends early, at "), std::string::npos)
+      << end.messages;
+  EXPECT_EQ(manifest("again")["complete"], false);
+  EXPECT_EQ(manifest("again")["result"], "the take ends early");
+  EXPECT_EQ(manifest("again")["warnings"].size(), 1U);
 }
 
 TEST_F(ProgramGLTest, TwoTakesBesideOneAnotherAreTheSameInARunFromTheirTakesAndAsAStill) {
