@@ -170,6 +170,9 @@ void CommandLine::add_run() {
     if (run_.ground_truth && !run_.render) {
       throw UsageError("--aov: it tells what the pictures show, and --no-render makes none; leave one of both away");
     }
+    if (run_.frames && !run_.render) {
+      throw UsageError("--frames: it keeps the pictures, and --no-render makes none; leave one of both away");
+    }
     return run_scenario(run_);
   });
   command->add_option("SCENARIO", run_.scenario, "the scenario file")->required();

@@ -77,6 +77,8 @@ TEST_F(ProgramTest, BadUsageIsToldWithExitCode2) {
   expect_bad_usage({"render", "take.h5", "--data", "strain", "--data-scale", "log"}, "choose one of linear, root");
   expect_bad_usage({"render", "take.h5", "--data", "strain", "--data-from", "3 cows"}, "--data-from 3 cows: unknown");
   expect_bad_usage({"run", "small.yaml", "--aov", "--no-render"}, "--no-render makes none");
+  expect_bad_usage({"run", "small.yaml", "--frames", "--no-render"},
+                   "--frames: it keeps the pictures, and --no-render");
 }
 
 TEST_F(ProgramTest, ToCompareTellsItsVerdictByTheExitCode) {
