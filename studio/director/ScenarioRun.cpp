@@ -12,6 +12,7 @@
 #include "engine/simulation/SimulationFailure.hpp"
 #include "studio/director/BodyInputs.hpp"
 #include "studio/director/DirectedTool.hpp"
+#include "studio/director/DrainCheck.hpp"
 #include "studio/director/FollowedPoint.hpp"
 #include "studio/director/Incising.hpp"
 #include "studio/director/KeptWay.hpp"
@@ -66,6 +67,8 @@ struct ScenarioRun::Implementation {
     for (const Clip& clip : scenario.timeline) clips.push_back({.plan = plan(clip)});
     schedule(scenario.timeline, clips);
     refuse_overlaps(scenario.timeline, clips);
+    refuse_overdrawn(scenario.timeline, clips,
+                     [this](const std::string& body) -> const Body& { return body_named(body); });
     place_tools();
     write_moment();
   }

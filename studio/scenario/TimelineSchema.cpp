@@ -196,9 +196,10 @@ MappingSchema fill(const std::string& verb, const std::string& documentation, co
 }  // namespace
 
 ValueSchema timeline_schema() {
-  return list_value(mapping_value({palpate(), pierce(), incise(), grasp(), move(), release(),
-                                   fill("inflate", "Fills fluid into a body.", "volume to be filled in"),
-                                   fill("drain", "Takes fluid out of a body.", "volume to be taken out"), wait()}));
+  return list_value(mapping_value(
+      {palpate(), pierce(), incise(), grasp(), move(), release(),
+       fill("inflate", "Fills fluid into a body.", "volume to be filled in"),
+       fill("drain", "Takes fluid out of a body: less than it holds then.", "volume to be taken out"), wait()}));
 }
 
 namespace {

@@ -52,6 +52,31 @@ TEST(FillPlan, ABodyWithoutFluidOrChamberOfThatNameIsRefused) {
   EXPECT_THROW(ScenarioRun{scenario}, InputErrors);
 }
 
+TEST(FillPlan, MoreThanTheContentsCannotBeDrained) {
+  Scenario scenario = ball_scenario();
+  scenario.timeline = {fill(0)};
+  const double held = ScenarioRun(scenario).record().bodies.at(0).fluid_volume;
+  scenario.timeline = {fill(-0.9 * held), fill(0.3 * held), fill(-0.3 * held)};
+  EXPECT_NO_THROW(ScenarioRun{scenario});
+  scenario.timeline.back() = fill(-0.41 * held);
+  scenario.timeline.back().location.line = 7;
+  try {
+    ScenarioRun run(scenario);
+    FAIL() << "drained more than there is";
+  } catch (const InputErrors& refusal) {
+    ASSERT_EQ(refusal.diagnostics().size(), 1U);
+    EXPECT_EQ(refusal.diagnostics()[0].location.line, 7);
+    EXPECT_NE(refusal.diagnostics()[0].message.find("body `ball` holds"), std::string::npos) << refusal.what();
+  }
+  // The order is that of time; after a pressure has been reached the volume is not known beforehand.
+  scenario.timeline = {fill(-0.9 * held), fill(1.5 * held)};
+  scenario.timeline[0].start = 0.1;
+  scenario.timeline[1].start = 0;
+  EXPECT_NO_THROW(ScenarioRun{scenario});
+  scenario.timeline = {fill(0, 500), fill(-1.1 * held)};
+  EXPECT_NO_THROW(ScenarioRun{scenario});
+}
+
 TEST(FillPlan, LoadsFollowTheirPointsStraightAndEvenBeyondThem) {
   BodyScenario body;
   body.loads = {{.over = {{1, 0}, {2, 1}, {4, -1}}}, {}};
