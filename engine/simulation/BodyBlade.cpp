@@ -24,6 +24,16 @@ constexpr double kMostProgress = 8;
 /// the wall bore across the cut, and push a piece that turns or flies away as no wall does.
 constexpr double kMostDriven = 0.5;
 
+/// What the forces at held lips have done on the wall by a motion, (unknowns), metres.
+void note_work(const Eigen::VectorXd& motion, CutProgress& cut) {
+  for (HeldLips& lips : cut.held) {
+    for (const HeldForce& one : lips.forces) lips.work += lips.held * one.force.dot(motion.segment<3>(3 * one.vertex));
+    for (const HeldTurn& one : lips.turns) lips.work += lips.held * one.force * motion[one.unknown];
+    lips.drives = lips.work > kMostDriven * cut.cost * lips.length;
+    lips.runs = lips.runs || lips.drives;
+  }
+}
+
 }  // namespace
 
 double Body::cost_at(const SurfacePoint& place) const {
@@ -59,12 +69,7 @@ double Body::book_cut(const CutProgress& before, const Eigen::VectorXd& motion,
       for (const HeldTurn& one : lips.turns) share -= 0.5 * lips.held * one.force * motion[one.unknown];
     }
   }
-  for (HeldLips& lips : after.held) {
-    for (const HeldForce& one : lips.forces) lips.work += lips.held * one.force.dot(motion.segment<3>(3 * one.vertex));
-    for (const HeldTurn& one : lips.turns) lips.work += lips.held * one.force * motion[one.unknown];
-    lips.drives = lips.work > kMostDriven * after.cost * lips.length;
-    lips.runs = lips.runs || lips.drives;
-  }
+  note_work(motion, after);
   double paid = 0;  // joule, by the blade
   if (blade && blade->travel > 0) {
     const double advance = std::max(0.0, blade->travel - way_of_wall(*blade, motion));

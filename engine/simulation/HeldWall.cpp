@@ -38,7 +38,7 @@ std::vector<char> held_against(const BodyModel& model, const Eigen::Vector3d& di
   return held;
 }
 
-std::vector<char> sites_in_the_way(const BodyModel& model, const Eigen::VectorXd& position, const ToolSolid& needle,
+std::vector<char> sites_in_the_way(const BodyModel& model, const Eigen::VectorXd& position, const ToolSolid& tool,
                                    const std::vector<char>& held) {
   std::vector<char> in_the_way(model.sites.size(), 0);
   std::vector<char> is_met(model.vertices(), 0);
@@ -50,7 +50,7 @@ std::vector<char> sites_in_the_way(const BodyModel& model, const Eigen::VectorXd
     in_the_way[s] = 1;
     if (site.part == SitePart::kFace) continue;
     const auto corners = corners_of(model.surface[site.triangle], position);
-    if (!solid_gap(needle, 0, corners, site.part, site.corner, GapTerms::kGradient)) continue;
+    if (!solid_gap(tool, 0, corners, site.part, site.corner, GapTerms::kGradient)) continue;
     if (site.part == SitePart::kCorner) is_met[vertices[0]] = 1;
     if (site.part == SitePart::kEdge) met_edges.insert(std::minmax(vertices[0], vertices[1]));
   }

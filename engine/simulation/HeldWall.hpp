@@ -14,10 +14,10 @@ namespace thinwall {
 /// fixed there.
 std::vector<char> held_against(const BodyModel& model, const Eigen::Vector3d& direction);
 
-/// (sites), which parts of the wall cannot make way for a needle: vertices, edges and triangles all of whose vertices
-/// are held, and those that hang on such a vertex or edge which the needle has come to. `position`: (unknowns), metres;
-/// `held`: (vertices).
-std::vector<char> sites_in_the_way(const BodyModel& model, const Eigen::VectorXd& position, const ToolSolid& needle,
+/// (sites), which parts of the wall cannot make way for a needle or a blade: vertices, edges and triangles all of whose
+/// vertices are held, and those that hang on such a vertex or edge which the tool has come to. `position`: (unknowns),
+/// metres; `held`: (vertices).
+std::vector<char> sites_in_the_way(const BodyModel& model, const Eigen::VectorXd& position, const ToolSolid& tool,
                                    const std::vector<char>& held);
 
 /// Where a segment goes through a triangle that has a held corner: the first along the segment; nothing where it goes

@@ -1,12 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "renderer/image/ImageHash.hpp"
 #include "renderer/image/PngFile.hpp"
@@ -68,18 +66,10 @@ TEST_F(ProgramGLTest, TheTakeGivesTheFramesOfTheRunAgain) {
 
 TEST_F(ProgramGLTest, OfATakeThatEndsEarlyThePicturesAreMadeAndItIsSaidThatTheyEndEarly) {
   write_bytes(folder_ / "scenes" / "long.yaml", small_scenario("  - wait: { for: 1000 s }\n"));
-  RunningProgram program({"run", "scenes/long.yaml", "--no-render", "--out", "run"},
-                         {.folder = folder_.path(), .environment = {}});
-  const std::filesystem::path rows = folder_ / "run" / "forces.unfinished.csv";
-  std::error_code none;
-  while (!std::filesystem::exists(rows) || std::filesystem::file_size(rows, none) < 10'000) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  program.send_signal(SIGTERM);
-  ASSERT_EQ(program.wait().exit_code, 143);
-  const ProgramEnd end = run({"render", "run/take.unfinished.h5", "--no-video", "--out", "again"});
+  ASSERT_EQ(run_stopped_midway(folder_.path(), "scenes/long.yaml", SIGTERM).exit_code, 143);
+  const ProgramEnd end = run({"render", "out/take.unfinished.h5", "--no-video", "--out", "again"});
   EXPECT_EQ(end.exit_code, 0) << end.messages;
-  EXPECT_NE(end.messages.find("note: the take run/take.unfinished.h5 ends early, at "), std::string::npos)
+  EXPECT_NE(end.messages.find("note: the take out/take.unfinished.h5 ends early, at "), std::string::npos)
       << end.messages;
   EXPECT_EQ(manifest("again")["complete"], false);
   EXPECT_EQ(manifest("again")["result"], "the take ends early");

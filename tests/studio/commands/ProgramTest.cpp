@@ -3,10 +3,8 @@
 #include <sys/mount.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "studio/take/TakeReader.hpp"
 #include "tests/studio/commands/ProgramFixture.hpp"
@@ -167,6 +165,23 @@ TEST_F(ProgramTest, AnOverrideThatCannotBeUsedIsBadInput) {
   expect_bad_usage({"check", "--set", "depth=3kg", "small.yaml"}, "small.yaml:");
 }
 
+TEST_F(ProgramTest, CheckTellsWhereItIsNotKnownWhatThereIsToDrainAndGoesOn) {
+  write_bytes(folder_ / "bursts.yaml",
+              "thinwall: 1\n"
+              "bodies:\n"
+              "  ball:\n"
+              "    surface: { shape: sphere, radius: 20 mm, triangles: 20 }\n"
+              "    wall: { thickness: 1 mm, material: { law: neo_hookean, shear_modulus: 20 kPa } }\n"
+              "    contents: { pressure: 50 kPa }\n"
+              "timeline:\n"
+              "  - drain: { body: ball, by: 1 ml, for: 1 s }\n");
+  const ProgramEnd end = run({"check", "bursts.yaml", "small.yaml"});
+  EXPECT_EQ(end.exit_code, 0) << end.messages;
+  EXPECT_NE(end.messages.find("bursts.yaml: note: what there is to drain is not known: body `ball`"), std::string::npos)
+      << end.messages;
+  EXPECT_NE(end.messages.find("small.yaml: good"), std::string::npos) << end.messages;
+}
+
 TEST_F(ProgramTest, CheckTellsAllMistakesAsJson) {
   write_bytes(folder_ / "bad.yaml", "thinwall: 1\nbodys: {}\n");
   const ProgramEnd end = run({"check", "--json", "small.yaml", "bad.yaml"});
@@ -321,16 +336,7 @@ TEST_F(ProgramTest, ABrokenTakeIsBadInput) {
 TEST_F(ProgramTest, AnInterruptMidwayEndsWith130AndATerminateSignalWith143) {
   write_bytes(folder_ / "long.yaml", small_scenario("  - wait: { for: 1000 s }\n"));
   for (const auto& [signal, code] : {std::pair(SIGINT, 130), std::pair(SIGTERM, 143)}) {
-    RunningProgram program({"run", "long.yaml", "--no-render", "--out", "out"},
-                           {.folder = folder_.path(), .environment = {}});
-    // Midway is once a buffer full of rows has reached the disk.
-    const std::filesystem::path rows = folder_ / "out" / "forces.unfinished.csv";
-    std::error_code none;
-    while (!std::filesystem::exists(rows) || std::filesystem::file_size(rows, none) < 10'000) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    program.send_signal(signal);
-    EXPECT_EQ(program.wait().exit_code, code);
+    EXPECT_EQ(run_stopped_midway(folder_.path(), "long.yaml", signal).exit_code, code);
     EXPECT_FALSE(any_looks_finished("out"));
     // What was reached is still there to be looked at.
     const TakeReader take(folder_ / "out" / "take.unfinished.h5");

@@ -6,9 +6,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "tests/studio/TemporaryFolder.hpp"
@@ -72,6 +74,19 @@ class RunningProgram {
 
 inline ProgramEnd run_thinwall(const std::vector<std::string>& arguments, const ProgramSetting& setting = {}) {
   return RunningProgram(arguments, setting).wait();
+}
+
+/// Runs a scenario of a folder that takes long into its folder `out`, and sends it a signal midway: once a buffer full
+/// of rows has reached the disk.
+inline ProgramEnd run_stopped_midway(const std::filesystem::path& folder, const std::string& scenario, int signal) {
+  RunningProgram program({"run", scenario, "--no-render", "--out", "out"}, {.folder = folder, .environment = {}});
+  const std::filesystem::path rows = folder / "out" / "forces.unfinished.csv";
+  std::error_code none;
+  while (!std::filesystem::exists(rows) || std::filesystem::file_size(rows, none) < 10'000) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  program.send_signal(signal);
+  return program.wait();
 }
 
 /// A scenario that takes little time: the coarsest hemisphere under a probe.

@@ -207,7 +207,7 @@ TEST(Incision, GoesIntoABorderThatIsHeldAndFeelsWhatToughnessAsks) {
   std::printf("%.3g N, %.3g m cut\n", strongest, body.cut_length);
   EXPECT_GT(body.cut_length, 0.018);
   EXPECT_NEAR(body.fracture, kToughness * kThickness * body.cut_length, 0.01 * body.fracture);
-  // What cannot make way bears any force: before the blade went in it was 1e5 N.
+  // The dent beside the border asks for 0.38 N. What cannot make way bears any force: where it is felt, 1e5 N.
   EXPECT_LT(strongest, 5 * kToughness * kThickness);
 }
 
@@ -245,7 +245,8 @@ TEST(Incision, GoesOnIntoTheWallBesideItsWoundWhereItTurnsBackSharply) {
   while (run.step()) {
   }
   std::printf("%.3g m cut\n", run.record().bodies.at(0).cut_length);
-  // Near the corner the wound gapes beside the first arm, and the blade is in it.
+  // 22.3 mm of 24 are seen: near the corner the wound gapes beside the first arm, and the blade is in it. Where it
+  // passes through the wall instead, 11.8 mm.
   EXPECT_GT(run.record().bodies.at(0).cut_length, 1.7 * arm);
 }
 
