@@ -21,23 +21,31 @@ double fluid_moment_value(const std::array<Eigen::Vector3d, 3>& corners, const E
 FluidMoment fluid_moment_of(const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Vector3d& gravity) {
   const double volume = volume_of(corners), mean = mean_of(corners, gravity);
   const Eigen::Matrix<double, 9, 1> by_volume = volume_gradient_of(corners);
+  FluidMoment moment{.value = mean * volume, .gradient = mean * by_volume};
+  for (int a = 0; a < 3; ++a) moment.gradient.segment<3>(3 * a) += volume * (0.25 * gravity);
+  return moment;
+}
+
+Eigen::Matrix<double, 9, 9> fluid_moment_hessian(const std::array<Eigen::Vector3d, 3>& corners,
+                                                 const Eigen::Vector3d& gravity) {
+  const double mean = mean_of(corners, gravity);
+  const Eigen::Matrix<double, 9, 1> by_volume = volume_gradient_of(corners);
   const Eigen::Vector3d quarter = 0.25 * gravity;  // of the mean by each corner
-  FluidMoment moment{.value = mean * volume, .gradient = mean * by_volume, .hessian = {}};
+  Eigen::Matrix<double, 9, 9> hessian;
   // Of the volume's Hessian, below the diagonal.
   const std::array<Eigen::Matrix3d, 3> turning = {cross_product_matrix(corners[2]) / 6,
                                                   -cross_product_matrix(corners[1]) / 6,
                                                   cross_product_matrix(corners[0]) / 6};
   for (int a = 0; a < 3; ++a) {
-    moment.gradient.segment<3>(3 * a) += volume * quarter;
     for (int b = 0; b <= a; ++b) {
       Eigen::Matrix3d block = by_volume.segment<3>(3 * a).lazyProduct(quarter.transpose());
       block += quarter.lazyProduct(by_volume.segment<3>(3 * b).transpose());
       if (a != b) block += mean * turning[a + b - 1];
-      moment.hessian.block<3, 3>(3 * a, 3 * b) = block;
-      if (a != b) moment.hessian.block<3, 3>(3 * b, 3 * a) = block.transpose();
+      hessian.block<3, 3>(3 * a, 3 * b) = block;
+      if (a != b) hessian.block<3, 3>(3 * b, 3 * a) = block.transpose();
     }
   }
-  return moment;
+  return hessian;
 }
 
 FirstMoment first_moment_of(const std::array<Eigen::Vector3d, 3>& corners) {

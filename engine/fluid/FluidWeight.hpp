@@ -5,15 +5,16 @@
 
 namespace thinwall {
 
-/// Integral of g . x over the tetrahedron of the origin and an oriented triangle, with its derivatives. Over a closed
+/// Integral of g . x over the tetrahedron of the origin and an oriented triangle, with its derivative. Over a closed
 /// surface the sum is the integral over what it encloses; minus density times it is the fluid's energy in gravity g,
 /// and its gradient is the load of the hydrostatic pressure density g . x.
 struct FluidMoment {
   double value;                          // g's unit times metre^4
   Eigen::Matrix<double, 9, 1> gradient;  // by the corners (x0, y0, z0, x1, ..., z2)
-  Eigen::Matrix<double, 9, 9> hessian;   // symmetric
 };
 FluidMoment fluid_moment_of(const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Vector3d& gravity);
+Eigen::Matrix<double, 9, 9> fluid_moment_hessian(const std::array<Eigen::Vector3d, 3>& corners,
+                                                 const Eigen::Vector3d& gravity);
 double fluid_moment_value(const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Vector3d& gravity);
 
 /// The same integral of x itself, without second derivatives.

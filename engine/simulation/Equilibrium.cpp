@@ -51,7 +51,7 @@ void add_lane(const BodyModel& model, int triangle, const MembraneLanes& part, i
   terms.elastic += part.energy[lane];
   terms.strain_energy += part.strain_energy[lane];
   for (int k = 0; k < 9; ++k) terms.gradient[3 * model.surface[triangle][k / 3] + k % 3] += part.gradient[k][lane];
-  add_triangle(model.addresses[triangle], &part.hessian[0][0][lane], kLanes, terms.values);
+  if (terms.has_hessian()) add_triangle(model.addresses[triangle], &part.hessian[0][0][lane], kLanes, terms.values);
   terms.largest_force = std::max(terms.largest_force, part.largest_force[lane]);
 }
 
@@ -70,7 +70,7 @@ void add_wall(const BodyModel& model, const WallMemory& memory, const Eigen::Vec
                              .memory = memory.of(first + k)};
                members[k].memory.tension_field = model.definition.tension_field;
              }
-             membrane_lanes({members.data(), static_cast<std::size_t>(count)}, part);
+             membrane_lanes({members.data(), static_cast<std::size_t>(count)}, terms.has_hessian(), part);
            },
            [&](int group, const MembraneLanes& part) {
              const int first = kLanes * group, end = std::min(first + kLanes, triangles);
@@ -92,7 +92,7 @@ void add_bending(const BodyModel& model, const WallMemory& memory, const Eigen::
         terms.bending_energy += part.bending_energy;
         const std::array<int, 21> unknowns = unknowns_of(model.bending[t], model.vertices());
         for (int k = 0; k < 21; ++k) terms.gradient[unknowns[k]] += part.gradient[k];
-        add_dense(model.bending_addresses[t], part.hessian, terms.values);
+        if (terms.has_hessian()) add_dense(model.bending_addresses[t], part.hessian, terms.values);
         terms.largest_force = std::max(terms.largest_force, part.gradient.cwiseAbs().maxCoeff());
       });
 }
@@ -119,7 +119,7 @@ void add_fluid(const BodyModel& model, const EquilibriumProblem& problem, const 
             moment.gradient.block<3, 3>(3 * k, 0);
       }
     }
-    if (pressure[chamber] != 0 && !model.is_open(chamber)) {
+    if (terms.has_hessian() && pressure[chamber] != 0 && !model.is_open(chamber)) {
       const double sixth = pressure[chamber] / 6;
       add_cross_products(model.addresses[t], {sixth * corners[2], sixth * corners[0], -sixth * corners[1]},
                          terms.values);
@@ -207,7 +207,7 @@ Eigen::Vector3d material_point(const Attachment& attachment, const Eigen::Vector
 }
 
 void evaluate(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
-              const Eigen::VectorXd& pressure, EquilibriumTerms& terms) {
+              const Eigen::VectorXd& pressure, bool with_hessian, EquilibriumTerms& terms) {
   terms.elastic = terms.strain_energy = terms.bending = terms.bending_energy = terms.gravity = terms.load_work =
       terms.friction = terms.largest_force = 0;
   terms.gradient.setZero(position.size());
@@ -217,7 +217,7 @@ void evaluate(const BodyModel& model, const EquilibriumProblem& problem, const E
   const auto moving = static_cast<Eigen::Index>(problem.fluid_inertia.size());
   terms.moment.setZero(3, moving);
   terms.moment_gradient.setZero(position.size(), 3 * moving);
-  terms.values.assign(model.pattern.nonzeros(), 0);
+  terms.values.assign(with_hessian ? model.pattern.nonzeros() : 0, 0);
   terms.contacts.clear();
   add_wall(model, problem.memory, position, terms);
   add_bending(model, problem.memory, position, terms);

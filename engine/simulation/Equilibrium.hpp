@@ -199,19 +199,22 @@ struct EquilibriumTerms {
   Eigen::MatrixXd pressure_load;       // (unknowns x chambers), metres^2, of bodies with open chambers
   Eigen::MatrixXd moment_load;         // (unknowns x 3 chambers), metres^3, likewise
   Eigen::VectorXd lip_force;           // (unknowns), newton, what the pressure would do to the caps over openings
-  std::vector<double> values;          // (non-zeros), newton / metre: Hessian of all that less pressure times volume
-  double largest_force = 0;            // newton, of a single term: the scale of the residual
+  std::vector<double> values;  // (non-zeros) or none, newton / metre: Hessian of all that less pressure times volume
+  double largest_force = 0;    // newton, of a single term: the scale of the residual
   std::vector<ContactPoint> contacts;  // sites near a solid, or with a force on them
   SelfContactTerms folds;              // the wall against itself and its floors: Newton adds them to the gradient
+
+  bool has_hessian() const { return !values.empty(); }
 
   /// Load of a pascal in each chamber: the gradient of the volume where the chamber is closed.
   const Eigen::MatrixXd& load_of_pressure() const { return lips.empty() ? volume_gradient : pressure_load; }
 };
 
 /// Fills `terms`, reusing its memory; where the wall has collapsed its energy is not finite. `position`: (3 vertices),
-/// metres. `pressure`: (chambers), of the Hessian, pascal.
+/// metres. `pressure`: (chambers), of the Hessian, pascal. Without `with_hessian` that is left out; all else is equal
+/// to the bit.
 void evaluate(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
-              const Eigen::VectorXd& pressure, EquilibriumTerms& terms);
+              const Eigen::VectorXd& pressure, bool with_hessian, EquilibriumTerms& terms);
 
 /// What the forces of the problem add up to on one of its solids, at contacts found by `evaluate`. The area, that of a
 /// body with its corners and none of a corner, grows

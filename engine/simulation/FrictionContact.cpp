@@ -44,7 +44,7 @@ void add_friction(const BodyModel& model, const std::vector<FrictionContact>& co
       }
     }
     terms.friction += own.energy;
-    add_triangle(model.addresses[contact.triangle], hessian, terms.values);
+    if (terms.has_hessian()) add_triangle(model.addresses[contact.triangle], hessian, terms.values);
     terms.largest_force = std::max(terms.largest_force, contact.potential.limit);
   }
 }

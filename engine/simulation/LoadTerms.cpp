@@ -22,7 +22,9 @@ void add_follower_pressure(const BodyModel& model, const LoadModel& load, double
     const Eigen::Vector3d force = pressure / 6 * (corners[1] - corners[0]).cross(corners[2] - corners[0]);
     for (const int vertex : model.surface[t]) terms.load_force.segment<3>(3 * vertex) += force;
     terms.load_work += pressure * volume_of(corners);
-    add_triangle(model.addresses[t], -pressure * volume_hessian_of(corners), terms.values);
+    if (terms.has_hessian()) {
+      add_triangle(model.addresses[t], -pressure * volume_hessian_of(corners), terms.values);
+    }
   }
 }
 
@@ -67,7 +69,7 @@ void add_moment(const BodyModel& model, const EquilibriumProblem& problem, const
       terms.load_force[turned] += moment * lever.turn;
       terms.load_work += moment * lever.turn * position[turned];
     }
-    add_triangle(model.addresses[lever.triangle], hessian, terms.values);
+    if (terms.has_hessian()) add_triangle(model.addresses[lever.triangle], hessian, terms.values);
   }
 }
 
@@ -107,7 +109,9 @@ void add_fluid_weight(const BodyModel& model, const EquilibriumProblem& problem,
     const FluidMoment moment = fluid_moment_of(corners, push[chamber]);
     if (heavy) terms.gravity -= density * fluid_moment_value(corners, problem.gravity);
     add_corners(model.surface[t], moment.gradient, terms.gradient);
-    add_triangle(model.addresses[t], moment.hessian, terms.values);
+    if (terms.has_hessian()) {
+      add_triangle(model.addresses[t], fluid_moment_hessian(corners, push[chamber]), terms.values);
+    }
     terms.largest_force = std::max(terms.largest_force, moment.gradient.lpNorm<Eigen::Infinity>());
   }
 }

@@ -40,6 +40,11 @@ constexpr double kMostFolding = 1.5;
 constexpr int kStalledSteps = 8;
 constexpr double kRoundOffResidual = 1e3;
 
+/// Where a step brought the residual down to this part, and to this multiple of the tolerance, the next one is found
+/// with the same factor: it is off by what the step changed.
+constexpr double kSteepFall = 0.3;
+constexpr double kNearTheEnd = 30;
+
 /// Part of the mean edge below which a step leaves the curvature as good as it was.
 constexpr double kSmallStep = 0.05;
 
@@ -91,8 +96,9 @@ Newton::Newton(const BodyModel& model, SparseFactor factor, SelfContact self_con
   }
 }
 
-void Newton::evaluate_all(const EquilibriumProblem& problem, const EquilibriumState& state, EquilibriumTerms& terms) {
-  evaluate(model_, problem, state.position, state.pressure, terms);
+void Newton::evaluate_all(const EquilibriumProblem& problem, const EquilibriumState& state, bool with_hessian,
+                          EquilibriumTerms& terms) {
+  evaluate(model_, problem, state.position, state.pressure, with_hessian, terms);
   self_contact_.evaluate(state.position, terms.folds, terms.gradient);
   terms.largest_force = std::max(terms.largest_force, terms.folds.largest_force);
 }
@@ -254,7 +260,7 @@ bool Newton::begin(EquilibriumProblem& problem, EquilibriumState& state) {
     if (!problem.fluids[c].is_multiplier()) state.pressure[c] = problem.fluids[c].pressure;
   }
   if (state.rigid_reaction.size() != rigid_columns_.cols()) state.rigid_reaction.setZero(rigid_columns_.cols());
-  evaluate_all(problem, state, terms_);
+  evaluate_all(problem, state, true, terms_);
   return std::isfinite(terms_.elastic);
 }
 
@@ -283,6 +289,8 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
       const std::string iterations = std::to_string(options.maximum_iterations);
       return failed(obstructed("no convergence within " + iterations + " iterations"), result);
     }
+    keeps_factor_ = may_keep_factor(problem, residual, options.tolerance * scale, progress);
+    may_end_ = keeps_factor_ || options.borders_contacts || progress.foresees_end(residual, options.tolerance * scale);
     const bool may_be_saddle = options.takes_flaps && progress.inexact >= kInexactSteps;
     shift = shift > 1e-6 && !may_be_saddle ? 0.1 * shift : 0;
     if (!find_step_with_contacts(problem, state, residual, shift, may_be_saddle, step)) {
@@ -302,13 +310,23 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
       continue;
     }
     stepped_to_.resize(0);
-    if (may_be_saddle) {
-      progress.inexact = 0;
-      continue;
-    }
+    if (may_be_saddle) progress.inexact = 0;
+    if (may_be_saddle || keeps_factor_) continue;
     if (is_solved(residual, scale, options.takes_flaps, options)) return solved(true, result);
     return failed(obstructed("the line search found no smaller residual or energy"), result);
   }
+}
+
+bool Newton::may_keep_factor(const EquilibriumProblem& problem, const Residual& residual, double tolerance,
+                             const Progress& progress) {
+  const bool is_fresh = factorisations_ > 0 && !keeps_factor_ && is_exact_;
+  if (!may_be_one_by_one_ || !is_fresh || folded_ || terms_.folds.energy > 0 || !problem.shafts.empty()) return false;
+  const double force = residual.largest_force;
+  return force <= kNearTheEnd * tolerance && force <= kSteepFall * progress.last_force && find_factorised_contacts();
+}
+
+bool Newton::Progress::foresees_end(const Residual& residual, double tolerance) const {
+  return residual.largest_force * residual.largest_force <= tolerance * last_force;
 }
 
 void Newton::Progress::note(const Residual& residual) {
@@ -318,6 +336,8 @@ void Newton::Progress::note(const Residual& residual) {
   if (takes_saddle) inexact = calm > 0 ? inexact + 1 : 0;
   stalled = residual.largest_force < kCalmFall * least_force ? 0 : stalled + 1;
   least_force = std::min(least_force, residual.largest_force);
+  last_force = force;
+  force = residual.largest_force;
 }
 
 }  // namespace thinwall

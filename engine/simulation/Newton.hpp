@@ -22,7 +22,8 @@ struct NewtonOptions {
   // round-off is left of, are taken too.
   bool takes_flaps = false;
   // Whether a step is found again with the same factor where its contacts change, not in shells alone, and one by one
-  // where they go in circles: quicker, but without the curvature that contacts take along.
+  // where they go in circles; and whether the last step may be found with the factor of the one before: quicker, but
+  // without the curvature that contacts take along, and right to the tolerance rather than to round-off.
   bool borders_contacts = false;
   // Whether a contact that bears a force is told to be right by its gap alone, as one that bears none is: a gap that is
   // wide by less than matters then keeps its force, however stiff it is.
@@ -96,7 +97,9 @@ class Newton {
   NewtonResult solve(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options);
 
   /// Terms at a state, without solving.
-  void look(const EquilibriumProblem& problem, const EquilibriumState& state) { evaluate_all(problem, state, terms_); }
+  void look(const EquilibriumProblem& problem, const EquilibriumState& state) {
+    evaluate_all(problem, state, false, terms_);
+  }
 
   /// Factorises the curvature at an equilibrium that a solve has reached, with the contacts that press, and changes
   /// nothing else; false where it cannot be factorised. With `reuses_factor` that of the last step of the solve will
@@ -109,9 +112,7 @@ class Newton {
                       std::span<const Eigen::Vector3d> attachment_motion);
 
   /// After `linearize`: the contacts as the factorised curvature has them, and whether it takes one to be open.
-  const std::vector<ContactPoint>& factorised_contacts() const {
-    return answers_as_factorised_ ? trial_terms_.contacts : terms_.contacts;
-  }
+  const std::vector<ContactPoint>& factorised_contacts() const { return factorised_contacts_; }
   bool is_factorised_open(std::size_t contact) const { return open_[contact]; }
 
   /// Part of a motion (3 vertices, metres) that leads to no contact of the wall with itself or its floor.
@@ -151,9 +152,13 @@ class Newton {
     bool takes_saddle = false;  // whether the last one took the matrix as it is
     int stalled = 0;            // iterations since the largest force was least
     double last_measure = 0;    // newton
+    double force = 0;           // newton, largest now
+    double last_force = 0;      // newton, the same before the last iteration
     double least_force = std::numeric_limits<double>::infinity();  // newton
 
     void note(const Residual& residual);
+    /// Whether a step by which the residual falls as it did by the last one, or faster, would be the last one.
+    bool foresees_end(const Residual& residual, double tolerance) const;
   };
 
   /// How the search for the contacts of a step gets on: all that are wrong are changed at once, until that leaves no
@@ -194,13 +199,19 @@ class Newton {
   bool begin(EquilibriumProblem& problem, EquilibriumState& state);
   NewtonResult iterate(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options,
                        bool foresees);
+  /// Whether the next step may do with the factor of the last one. `tolerance`: newton.
+  bool may_keep_factor(const EquilibriumProblem& problem, const Residual& residual, double tolerance,
+                       const Progress& progress);
+  /// Makes the factorised contacts those that are there now; false where one is not that is a spring in the matrix.
+  bool find_factorised_contacts();
   bool folds_over(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const;
   void foresee(const EquilibriumProblem& problem, const Eigen::VectorXd& position, const Eigen::VectorXd& motion);
   void add_foreseen(const EquilibriumProblem& problem, const Eigen::VectorXd& position);
   void place(const Start& start, const Step& step, double fraction, EquilibriumProblem& problem,
              EquilibriumState& state);
   bool take_whole(EquilibriumProblem& problem, EquilibriumState& state, Residual& residual, const Step& step);
-  void evaluate_all(const EquilibriumProblem& problem, const EquilibriumState& state, EquilibriumTerms& terms);
+  void evaluate_all(const EquilibriumProblem& problem, const EquilibriumState& state, bool with_hessian,
+                    EquilibriumTerms& terms);
   double contact_force(const EquilibriumProblem& problem, const ContactPoint& contact) const;
   double contact_law(const ContactPoint& contact) const;
   double gap_change(const ContactPoint& contact, const Eigen::VectorXd& motion) const;
@@ -265,17 +276,19 @@ class Newton {
   bool folded_ = false;    // whether the last factorisation is the fold matrix's
   BorderedSystem bordered_;
   EquilibriumTerms terms_;
-  EquilibriumTerms trial_terms_;        // after a step those that it began with
-  Eigen::VectorXd stepped_to_;          // (unknowns) or none, metres, where the last solve ended if with a step
-  bool answers_as_factorised_ = false;  // whether answers are those of where that step began
+  EquilibriumTerms trial_terms_;
+  Eigen::VectorXd stepped_to_;  // (unknowns) or none, metres, where the last solve ended if with a step
   Frozen frozen_;
-  std::vector<char> open_;             // (contacts), whether the step takes the contact to be open
-  std::vector<char> factorised_open_;  // (contacts), the same when the matrix was factorised
-  std::vector<ShaftBranch> branches_;  // (vertices of lips on shafts), that the step takes them to follow
-  std::vector<double> matrix_;         // (non-zeros), what is factorised
-  int factorisations_ = 0;             // in the solution under way
-  bool may_border_ = false;            // see NewtonOptions::borders_contacts
-  bool may_be_one_by_one_ = false;     // see ContactTurns
+  std::vector<char> open_;                         // (contacts), whether the step takes the contact to be open
+  std::vector<char> factorised_open_;              // (contacts), the same when the matrix was factorised
+  std::vector<ContactPoint> factorised_contacts_;  // as they were then
+  std::vector<ShaftBranch> branches_;              // (vertices of lips on shafts), that the step takes them to follow
+  std::vector<double> matrix_;                     // (non-zeros), what is factorised
+  int factorisations_ = 0;                         // in the solution under way
+  bool keeps_factor_ = false;       // whether the step under way is found with the factor of the one before
+  bool may_end_ = false;            // whether that may be the last step: the Hessian is not asked for then
+  bool may_border_ = false;         // see NewtonOptions::borders_contacts
+  bool may_be_one_by_one_ = false;  // see ContactTurns
   // (triangles) of a shell, pascal, (S11, S22, S12); none where the curvature takes the stress as it is
   std::vector<std::array<int, 2>> hinges_;  // of a shell: triangles with an edge in common
   std::vector<Eigen::Vector3d> foreseen_stress_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace thinwall {
 namespace {
@@ -34,7 +35,8 @@ bool Newton::find_step_with_contacts(const EquilibriumProblem& problem, const Eq
   for (int turn = 0;; ++turn) {
     // A membrane's matrix costs little where time does not matter, and without the curvature that contacts take along
     // its needles find no way.
-    const bool borders = turn > 0 && !are_shafts_revised && !may_be_saddle && may_border_ && border_contacts();
+    const bool has_factor = keeps_factor_ || turn > 0;
+    const bool borders = has_factor && !are_shafts_revised && !may_be_saddle && may_border_ && border_contacts();
     if (!borders && !factorize(problem, state, shift, may_be_saddle)) return false;
     find_step(problem, state, residual, step);
     const int most = borders && model_.bending.empty() ? kBorderedContactTurns : kContactTurns;
@@ -46,6 +48,26 @@ bool Newton::find_step_with_contacts(const EquilibriumProblem& problem, const Eq
     step.contact_forces[k] = open_[k] ? 0 : std::max(0.0, step.contact_forces[k]);
   }
   return true;
+}
+
+bool Newton::find_factorised_contacts() {
+  const std::vector<ContactPoint> factorised = std::exchange(factorised_contacts_, terms_.contacts);
+  const std::vector<char> open = std::exchange(factorised_open_, std::vector<char>(terms_.contacts.size(), 1));
+  solved_contacts_.clear();
+  bool are_there = true;
+  std::size_t k = 0;
+  // Both are in the order of their solids and sites.
+  for (std::size_t old = 0; old < factorised.size(); ++old) {
+    const auto place = [](const ContactPoint& contact) { return std::pair(contact.solid, contact.site); };
+    while (k < factorised_contacts_.size() && place(factorised_contacts_[k]) < place(factorised[old])) ++k;
+    if (k < factorised_contacts_.size() && place(factorised_contacts_[k]) == place(factorised[old])) {
+      factorised_contacts_[k] = factorised[old];
+      factorised_open_[k] = open[old];
+    } else {
+      are_there = are_there && open[old];
+    }
+  }
+  return are_there;
 }
 
 bool Newton::border_contacts() {
@@ -62,7 +84,7 @@ bool Newton::border_contacts() {
   corner_.bottomRows(columns - own_columns_).setZero();
   int springs = 0;
   for (std::size_t k = 0; k < changed.size(); ++k) {
-    const ContactPoint& contact = terms_.contacts[changed[k]];
+    const ContactPoint& contact = factorised_contacts_[changed[k]];
     const Eigen::Index column = own_columns_ + static_cast<Eigen::Index>(k);
     border_.col(column).setZero();
     for (int c = 0; c < 3; ++c) {
@@ -90,7 +112,7 @@ bool Newton::border_contacts() {
 }
 
 Eigen::MatrixXd Newton::solved_border(const std::vector<std::size_t>& changed) {
-  if (solved_contacts_.empty()) solved_own_ = bordered_.solved_columns();
+  if (solved_contacts_.empty()) solved_own_ = bordered_.solved_columns().leftCols(own_columns_);
   const auto is_solved_already = [&](std::size_t contact) {
     return std::ranges::find(solved_contacts_, contact) != solved_contacts_.end();
   };
@@ -119,9 +141,9 @@ Eigen::MatrixXd Newton::solved_border(const std::vector<std::size_t>& changed) {
 
 void Newton::find_contact_forces(Step& step) const {
   step.contact_forces.clear();
-  for (const ContactPoint& contact : terms_.contacts) {
-    const double opening = gap_change(contact, step.position);
-    step.contact_forces.push_back(contact_law(contact) - contact.potential.stiffness * opening);
+  for (std::size_t k = 0; k < terms_.contacts.size(); ++k) {
+    const double opening = gap_change(factorised_contacts_[k], step.position);
+    step.contact_forces.push_back(contact_law(terms_.contacts[k]) - terms_.contacts[k].potential.stiffness * opening);
   }
 }
 

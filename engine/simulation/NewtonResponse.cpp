@@ -4,19 +4,17 @@ namespace thinwall {
 
 bool Newton::bears_as_factorised(const EquilibriumProblem& problem) const {
   // A contact that bears nothing any more and yet is a spring in the matrix would hold the wall where it is.
-  const std::vector<ContactPoint>& contacts = trial_terms_.contacts;
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    if (!open_[k] && contact_force(problem, contacts[k]) == 0) return false;
+  for (std::size_t k = 0; k < factorised_contacts_.size(); ++k) {
+    if (!open_[k] && contact_force(problem, factorised_contacts_[k]) == 0) return false;
   }
   return true;
 }
 
 bool Newton::linearize(const EquilibriumProblem& problem, const EquilibriumState& state, bool reuses_factor) {
-  answers_as_factorised_ =
-      reuses_factor && stepped_to_.size() > 0 && stepped_to_ == state.position && bears_as_factorised(problem);
-  if (answers_as_factorised_) return true;
+  const bool is_there = stepped_to_.size() > 0 && stepped_to_ == state.position;
+  if (reuses_factor && is_there && bears_as_factorised(problem)) return true;
   foreseen_stress_.clear();
-  evaluate_all(problem, state, terms_);
+  evaluate_all(problem, state, true, terms_);
   open_.clear();
   for (const ContactPoint& contact : terms_.contacts) open_.push_back(contact_force(problem, contact) == 0);
   begin_shafts(problem, state);

@@ -119,7 +119,7 @@ void Newton::place(const Start& start, const Step& step, double fraction, Equili
   }
   problem.friction = start.friction;
   advance_estimates(model_, start.state.position, step.position, fraction, problem.friction);
-  evaluate_all(problem, state, trial_terms_);
+  evaluate_all(problem, state, !may_end_, trial_terms_);
 }
 
 bool Newton::take_whole(EquilibriumProblem& problem, EquilibriumState& state, Residual& residual, const Step& step) {

@@ -154,9 +154,11 @@ bool Newton::is_usable(SparseFactor& factor, std::span<const double> values, boo
 
 bool Newton::factorize(const EquilibriumProblem& problem, const EquilibriumState& state, double& shift,
                        bool may_be_saddle) {
+  if (!terms_.has_hessian()) evaluate_all(problem, state, true, terms_);
   build_border(problem, state);
   own_columns_ = border_.cols();
   factorised_open_ = open_;
+  factorised_contacts_ = terms_.contacts;
   solved_contacts_.clear();
   folded_ = fold_matrix_.prepare(terms_.folds, self_contact_);
   bool exact = shift == 0;
@@ -217,8 +219,10 @@ void Newton::find_step(const EquilibriumProblem& problem, const EquilibriumState
   for (std::size_t k = 0; k < terms_.contacts.size(); ++k) {
     const ContactPoint& contact = terms_.contacts[k];
     const double push = (open_[k] ? 0 : contact_law(contact)) - contact_force(problem, contact);
+    // Along its spring in the matrix: with another the stiffness would make an error of it.
+    const ContactPoint& spring = open_[k] ? contact : factorised_contacts_[k];
     for (int c = 0; c < 3; ++c) {
-      force.segment<3>(3 * model_.surface[contact.triangle][c]) += push * contact.gap.gradient.segment<3>(3 * c);
+      force.segment<3>(3 * model_.surface[contact.triangle][c]) += push * spring.gap.gradient.segment<3>(3 * c);
     }
   }
   solve_linear(problem, force, &residual, step);

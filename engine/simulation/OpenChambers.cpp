@@ -1,6 +1,7 @@
 #include "engine/simulation/OpenChambers.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "engine/fluid/FluidWeight.hpp"
 
@@ -131,15 +132,17 @@ void add_loads(const BodyModel& model, const EquilibriumProblem& problem, const 
     const Eigen::Matrix<double, 9, 1> unit = pressed.unit_load();
     add_to_corners(model.surface[t], unit, terms.pressure_load.col(c));
     Eigen::Matrix<double, 9, 1> load = pressed.load();
-    Eigen::Matrix<double, 9, 9> tangent = pressed.symmetric_tangent();
+    std::optional<PressedTriangle> pushed;
     if (!problem.fluid_inertia.empty() && !contents[c].weight.suction) {
-      const PressedTriangle pushed(corners, contents[c].inertia);
-      load += pushed.load();
-      tangent += pushed.symmetric_tangent();
+      load += pushed.emplace(corners, contents[c].inertia).load();
     }
     // The part of a pascal times the pressure comes from the columns.
     add_to_corners(model.surface[t], pressure[c] * unit - load, terms.gradient);
-    add_triangle(model.addresses[t], -tangent, terms.values);
+    if (terms.has_hessian()) {
+      Eigen::Matrix<double, 9, 9> tangent = pressed.symmetric_tangent();
+      if (pushed) tangent += pushed->symmetric_tangent();
+      add_triangle(model.addresses[t], -tangent, terms.values);
+    }
     terms.largest_force = std::max(terms.largest_force, load.lpNorm<Eigen::Infinity>());
   }
   for (const OpeningModel& opening : model.openings) {

@@ -96,7 +96,7 @@ void add_shafts(const BodyModel& model, const std::vector<ShaftContact>& shafts,
       const ShaftTerms own = shaft.at(point, position.segment<3>(3 * point.vertex));
       terms.gradient.segment<3>(3 * point.vertex) += own.gradient;
       terms.friction += own.energy;
-      add_vertex(model, point.vertex, own.hessian, terms.values);
+      if (terms.has_hessian()) add_vertex(model, point.vertex, own.hessian, terms.values);
       terms.largest_force = std::max(terms.largest_force, own.gradient.lpNorm<Eigen::Infinity>());
     }
   }

@@ -109,7 +109,7 @@ MembraneTerms membrane_terms(const MembraneRest& rest, const Material& material,
                              const std::array<Eigen::Vector3d, 3>& corners, const MembraneMemory& memory) {
   MembraneLanes lanes;
   const MembraneTriangle triangle{.rest = &rest, .material = &material, .corners = corners, .memory = memory};
-  membrane_lanes({&triangle, 1}, lanes);
+  membrane_lanes({&triangle, 1}, true, lanes);
   MembraneTerms terms{
       .energy = lanes.energy[0], .strain_energy = lanes.strain_energy[0], .gradient = {}, .hessian = {}};
   for (int k = 0; k < 9; ++k) terms.gradient[k] = lanes.gradient[k][0];

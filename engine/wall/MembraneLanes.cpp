@@ -59,9 +59,9 @@ THINWALL_FOR_ALL_PROCESSORS void find_strain(const Lanes* corners, const Rest& r
   strain.c[2] = f[0] * s[0] + f[1] * s[1] + f[2] * s[2];
 }
 
-THINWALL_FOR_ALL_PROCESSORS void find_terms(const Rest& rest, const Strain& strain, const Response& response,
-                                            MembraneLanes& terms) {
-  Lanes largest = {}, blocks[6][9];
+THINWALL_FOR_ALL_PROCESSORS void find_forces(const Rest& rest, const Strain& strain, const Response& response,
+                                             MembraneLanes& terms) {
+  Lanes largest = {};
   for (int k = 0; k < 3; ++k) {
     const Lanes along = response.stress[0] * strain.first[k] + response.stress[2] * strain.second[k];
     const Lanes across = response.stress[2] * strain.first[k] + response.stress[1] * strain.second[k];
@@ -74,6 +74,11 @@ THINWALL_FOR_ALL_PROCESSORS void find_terms(const Rest& rest, const Strain& stra
     }
   }
   store(largest, terms.largest_force.data());
+}
+
+THINWALL_FOR_ALL_PROCESSORS void find_hessian(const Rest& rest, const Strain& strain, const Response& response,
+                                              MembraneLanes& terms) {
+  Lanes blocks[6][9];
   couple<true>(strain, response, rest.one, rest.one, blocks[1]);
   couple<true>(strain, response, rest.two, rest.two, blocks[2]);
   couple<false>(strain, response, rest.one, rest.two, blocks[4]);
@@ -99,7 +104,7 @@ THINWALL_FOR_ALL_PROCESSORS void find_terms(const Rest& rest, const Strain& stra
 
 }  // namespace
 
-void membrane_lanes(std::span<const MembraneTriangle> triangles, MembraneLanes& terms) {
+void membrane_lanes(std::span<const MembraneTriangle> triangles, bool with_hessian, MembraneLanes& terms) {
   assert(!triangles.empty() && triangles.size() <= kLanes);
   const int last = static_cast<int>(triangles.size()) - 1;
   Rest rest;
@@ -133,7 +138,8 @@ void membrane_lanes(std::span<const MembraneTriangle> triangles, MembraneLanes& 
     response.d02[lane] = volume * tangent(0, 2);
     response.d12[lane] = volume * tangent(1, 2);
   }
-  find_terms(rest, strain, response, terms);
+  find_forces(rest, strain, response, terms);
+  if (with_hessian) find_hessian(rest, strain, response, terms);
 }
 
 }  // namespace thinwall

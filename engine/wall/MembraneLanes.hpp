@@ -32,7 +32,8 @@ struct MembraneLanes {
 /// The terms of one to kLanes triangles; lanes beyond them repeat the last. What a triangle gets does not depend on the
 /// others. With F = (f0, f1), shape gradients g_a and the tangent D in (E11, E22, 2 E12), the block (a, b) of the
 /// Hessian is F m F^T + (g_a . S g_b) 1, where m is D contracted with g_a and g_b (Bonet and Wood 2008, section 9.4);
-/// the blocks of the first corner follow from the others, as a triangle that moves as a whole bears no force.
-void membrane_lanes(std::span<const MembraneTriangle> triangles, MembraneLanes& terms);
+/// the blocks of the first corner follow from the others, as a triangle that moves as a whole bears no force. Without
+/// `with_hessian` that is left as it was.
+void membrane_lanes(std::span<const MembraneTriangle> triangles, bool with_hessian, MembraneLanes& terms);
 
 }  // namespace thinwall

@@ -34,7 +34,7 @@ void Evaluate(benchmark::State& state) {
   const EquilibriumProblem problem = filled(model);
   EquilibriumTerms terms;
   for (auto _ : state) {
-    evaluate(model, problem, model.rest_position, Eigen::VectorXd::Constant(1, 300), terms);
+    evaluate(model, problem, model.rest_position, Eigen::VectorXd::Constant(1, 300), true, terms);
     benchmark::DoNotOptimize(terms.elastic);
   }
   // Each value is read and written, what belongs to a triangle is read: all of it once.
@@ -46,7 +46,7 @@ BENCHMARK(Evaluate)->Apply(sizes);
 /// The matrix of a wall stretched by a tenth.
 std::vector<double> stretched_matrix(const BodyModel& model) {
   EquilibriumTerms terms;
-  evaluate(model, filled(model), 1.1 * model.rest_position, Eigen::VectorXd::Zero(1), terms);
+  evaluate(model, filled(model), 1.1 * model.rest_position, Eigen::VectorXd::Zero(1), true, terms);
   std::vector<double> values = terms.values;
   for (const int entry : model.diagonal_entries) values[entry] += 1e-3 * model.wall_stiffness;
   return values;

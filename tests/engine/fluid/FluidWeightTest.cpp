@@ -26,7 +26,7 @@ TEST(FluidWeight, GradientAndHessianAgreeWithExactDerivatives) {
   const FluidMoment moment = fluid_moment_of(corners, kGravity);
   EXPECT_NEAR(moment.value, exact.value, 1e-15);
   EXPECT_LT((moment.gradient - exact.gradient).cwiseAbs().maxCoeff(), 1e-14);
-  EXPECT_LT((moment.hessian - exact.hessian).cwiseAbs().maxCoeff(), 1e-14);
+  EXPECT_LT((fluid_moment_hessian(corners, kGravity) - exact.hessian).cwiseAbs().maxCoeff(), 1e-14);
 }
 
 TEST(FluidWeight, IsThatOfTheFirstMomentAlongGravity) {

@@ -111,7 +111,7 @@ TEST(Loads, PressureFollowsAFreeWall) {
   for (int v = 0; v < model.vertices(); ++v) position[3 * v + 2] = 3 * std::pow(position[3 * v + 1], 2) + 0.4;
   problem.start = position;
   EquilibriumTerms terms;
-  evaluate(model, problem, position, {}, terms);
+  evaluate(model, problem, position, {}, true, terms);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero(), exact = Eigen::Vector3d::Zero();
   for (int v = 0; v < model.vertices(); ++v) sum += terms.load_force.segment<3>(3 * v);
   for (const Eigen::Vector3i& triangle : model.surface) {
@@ -130,7 +130,7 @@ TEST(Loads, MomentHasNoForceAndItsOwnTorque) {
   EquilibriumProblem problem;
   problem.start = model.rest_position;
   EquilibriumTerms terms;
-  evaluate(model, problem, model.rest_position, {}, terms);
+  evaluate(model, problem, model.rest_position, {}, true, terms);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero(), torque = Eigen::Vector3d::Zero();
   for (int v = 0; v < model.vertices(); ++v) {
     const Eigen::Vector3d force = terms.load_force.segment<3>(3 * v);
@@ -153,12 +153,12 @@ TEST(Loads, HessianIsTheSlopeOfTheGradient) {
   problem.start = model.rest_position;
   const Eigen::VectorXd pressure = Eigen::VectorXd::Constant(1, 300), position = 1.1 * model.rest_position;
   EquilibriumTerms terms, ahead, behind;
-  evaluate(model, problem, position, pressure, terms);
+  evaluate(model, problem, position, pressure, true, terms);
   const Eigen::VectorXd way = Eigen::VectorXd::NullaryExpr(
       position.size(), [&](Eigen::Index k) { return model.fixed[k] ? 0 : std::sin(7.0 * static_cast<double>(k)); });
   const double h = 1e-8;
-  evaluate(model, problem, position + h * way, pressure, ahead);
-  evaluate(model, problem, position - h * way, pressure, behind);
+  evaluate(model, problem, position + h * way, pressure, true, ahead);
+  evaluate(model, problem, position - h * way, pressure, true, behind);
   const auto force = [&](const EquilibriumTerms& one) {
     return (one.gradient - one.volume_gradient * pressure).eval();
   };

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/mesh/Shapes.hpp"
+#include "tests/engine/simulation/OpenBodies.hpp"
 #include "tests/engine/simulation/TestBodies.hpp"
 
 namespace thinwall {
@@ -136,6 +137,31 @@ TEST(Newton, SaysWhyItStoppedAndLeavesTheBestStateReached) {
   EXPECT_FALSE(result.converged);
   EXPECT_EQ(result.reason, "no convergence within 1 iterations");
   EXPECT_TRUE(state.position.allFinite());
+}
+
+TEST(Equilibrium, TermsAreTheSameWithoutTheHessian) {
+  // A shell that is heavy and moves, one chamber full and one open.
+  BodyDefinition filled = make_body(make_sphere(20e-3, 320), 1e-3, neo_hookean(20e3));
+  filled.model = WallModel::kShell;
+  for (const BodyDefinition& definition : {filled, open_ball(320, 200)}) {
+    const BodyModel model = make_body_model(definition);
+    EquilibriumProblem problem;
+    problem.fluids = {{}};
+    problem.gravity = {1, 2, -9};
+    problem.fluid_inertia = {{.factor = 1e6, .target = Eigen::Vector3d(1e-9, 2e-9, 0)}};
+    const Eigen::VectorXd position = 1.1 * model.rest_position, pressure = Eigen::VectorXd::Constant(1, 250);
+    EquilibriumTerms whole, forces;
+    evaluate(model, problem, position, pressure, true, whole);
+    evaluate(model, problem, position, pressure, false, forces);
+    EXPECT_TRUE(whole.has_hessian());
+    EXPECT_FALSE(forces.has_hessian());
+    EXPECT_EQ(forces.gradient, whole.gradient);
+    EXPECT_EQ(forces.elastic + forces.bending + forces.gravity, whole.elastic + whole.bending + whole.gravity);
+    EXPECT_EQ(forces.volume_gradient, whole.volume_gradient);
+    EXPECT_EQ(forces.moment_gradient, whole.moment_gradient);
+    EXPECT_EQ(forces.load_of_pressure(), whole.load_of_pressure());
+    EXPECT_EQ(forces.largest_force, whole.largest_force);
+  }
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ TEST(MembraneLanes, ATriangleGetsTheSameBesideOthersAsAlone) {
   const UnlikeTriangles unlike;
   for (std::size_t count = 1; count <= unlike.all().size(); ++count) {
     MembraneLanes lanes;
-    membrane_lanes(std::span(unlike.all()).first(count), lanes);
+    membrane_lanes(std::span(unlike.all()).first(count), true, lanes);
     for (std::size_t k = 0; k < count; ++k) {
       const MembraneTriangle& triangle = unlike.all()[k];
       const MembraneTerms alone = membrane_terms(*triangle.rest, *triangle.material, triangle.corners, triangle.memory);
@@ -55,6 +55,18 @@ TEST(MembraneLanes, ATriangleGetsTheSameBesideOthersAsAlone) {
       for (int i = 0; i < 9; ++i) EXPECT_EQ(lanes.hessian[5][i][k], alone.hessian(i % 3, 6 + i / 3));
     }
   }
+}
+
+TEST(MembraneLanes, ForcesAreTheSameWithoutTheHessian) {
+  const UnlikeTriangles unlike;
+  MembraneLanes whole, forces;
+  for (auto& block : forces.hessian) block.fill(OfLanes{});
+  membrane_lanes(unlike.all(), true, whole);
+  membrane_lanes(unlike.all(), false, forces);
+  EXPECT_EQ(forces.energy, whole.energy);
+  EXPECT_EQ(forces.gradient, whole.gradient);
+  EXPECT_EQ(forces.largest_force, whole.largest_force);
+  for (const auto& block : forces.hessian) EXPECT_EQ(block[0], OfLanes{});
 }
 
 TEST(MembraneLanes, ATriangleThatMovesAsAWholeBearsNoForce) {

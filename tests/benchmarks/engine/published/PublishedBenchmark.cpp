@@ -90,7 +90,7 @@ Figures measure_membrane(int n, bool counts) {
   problem.fluids = {{.fluid_volume = body.state().fluid_volume[0]}};
   EquilibriumTerms terms;
   const auto assemble = [&] {
-    evaluate(model, problem, body.state().equilibrium.position, body.state().equilibrium.pressure, terms);
+    evaluate(model, problem, body.state().equilibrium.position, body.state().equilibrium.pressure, true, terms);
   };
   assemble();
   SparseFactor factor(model.pattern);
