@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 
 namespace thinwall {
 namespace {
@@ -52,6 +53,20 @@ void place_updates(const SupernodeTree& tree, const EliminationTask& task, Elimi
   schedule.update_size += most[0] + most[1];
 }
 
+/// Which rows of a subtree's fronts lie above it.
+void place_beyond(const SupernodeTree& tree, const EliminationTask& task, EliminationSchedule& schedule) {
+  const Supernode& last = tree.supernodes[task.end - 1];
+  for (int s = task.begin; s < task.end; ++s) {
+    const Supernode& supernode = tree.supernodes[s];
+    const std::span<const int> rows =
+        std::span(tree.rows).subspan(supernode.rows_begin, supernode.size - supernode.pivots);
+    const auto beyond = std::ranges::lower_bound(rows, last.first + last.pivots);
+    schedule.rows_within[s] = static_cast<int>(beyond - rows.begin());
+    schedule.beyond_begin[s] = schedule.beyond_size;
+    schedule.beyond_size += rows.end() - beyond;
+  }
+}
+
 }  // namespace
 
 EliminationSchedule make_elimination_schedule(const SupernodeTree& tree) {
@@ -60,6 +75,8 @@ EliminationSchedule make_elimination_schedule(const SupernodeTree& tree) {
   const double most = std::max(kWorthSharing, kLargestPart * subtrees.all);
   EliminationSchedule schedule;
   schedule.update_begin.resize(tree.supernodes.size());
+  schedule.rows_within.resize(tree.supernodes.size());
+  schedule.beyond_begin.resize(tree.supernodes.size());
   std::vector<std::vector<int>> below(supernodes + 1);  // tasks, by the front that waits for them; last: by none
   double gathered = 0;                                  // operations of the last task
   int gathered_for = -1;                                // front that waits for it, where more may join it
@@ -84,7 +101,10 @@ EliminationSchedule make_elimination_schedule(const SupernodeTree& tree) {
     schedule.tasks.push_back({.begin = subtrees.first[s], .end = s + 1, .waits_for = {}});
   }
   schedule.last = below[supernodes];
-  for (const EliminationTask& task : schedule.tasks) place_updates(tree, task, schedule);
+  for (const EliminationTask& task : schedule.tasks) {
+    place_updates(tree, task, schedule);
+    if (task.is_subtree()) place_beyond(tree, task, schedule);
+  }
   return schedule;
 }
 

@@ -11,15 +11,22 @@ namespace thinwall {
 struct EliminationTask {
   int begin = 0, end = 0;      // supernodes
   std::vector<int> waits_for;  // tasks, of which none waits for another one: they may go side by side
+
+  bool is_subtree() const { return waits_for.empty(); }
 };
 
 /// How a tree is eliminated by several threads: subtrees of a fair part of the work each, and one by one the fronts
-/// above them. What each front computes, and from what, is the same with any number of threads.
+/// above them. What each front computes, and from what, is the same with any number of threads. In a solution subtrees
+/// go side by side too: what their fronts bring to rows above waits until they are done, and is then added in the order
+/// of the fronts, as one after the other would add it.
 struct EliminationSchedule {
   std::vector<EliminationTask> tasks;
   std::vector<int> last;                     // tasks that no other waits for
   std::vector<std::ptrdiff_t> update_begin;  // (supernodes), where each leaves its update for the front above
   std::ptrdiff_t update_size = 0;            // room for all of them
+  std::vector<int> rows_within;              // (supernodes), rows below its pivots that its own task eliminates
+  std::vector<std::ptrdiff_t> beyond_begin;  // (supernodes), where what it brings to its other rows waits
+  std::ptrdiff_t beyond_size = 0;            // room for all of it
 };
 EliminationSchedule make_elimination_schedule(const SupernodeTree& tree);
 

@@ -41,6 +41,9 @@ THINWALL_FOR_ALL_PROCESSORS void take_up(std::span<const RowRun> runs, const dou
 /// Right-hand sides that are solved side by side, at most.
 constexpr int kMostSides = 8;
 
+/// Numbers of the factor, times sides, from which on several threads solve: handing over costs some microseconds.
+constexpr std::ptrdiff_t kWorthSharing = 400'000;
+
 using FrontSolution = void (*)(const Front&, double*);
 template <int sides>
 constexpr FrontSolution forward_of() {
@@ -61,12 +64,15 @@ struct SparseFactor::Implementation {
   std::vector<int> front_at;       // (unknowns), of their places
   double operations_per_node = 0;  // with the last order that was not taken over
   // Neither is cleared before each elimination clears what it uses of them.
-  std::unique_ptr<double[]> factor;   // columns of all supernodes
-  std::unique_ptr<double[]> updates;  // that wait for the fronts above
-  std::vector<double> signs;          // (unknowns)
-  std::vector<int> negative;          // (tasks), pivots below zero; -1 where one cannot be
-  std::vector<double> solution;       // (unknowns x kMostSides) by rows, in the order of elimination
-  std::vector<double> local;          // (unknowns of one front x kMostSides) by rows
+  std::unique_ptr<double[]> factor;         // columns of all supernodes
+  std::unique_ptr<double[]> updates;        // that wait for the fronts above
+  std::vector<double> signs;                // (unknowns)
+  std::vector<int> negative;                // (tasks), pivots below zero; -1 where one cannot be
+  std::vector<double> solution;             // (unknowns x kMostSides) by rows, in the order of elimination
+  std::vector<double> local;                // (unknowns of one front x kMostSides) by rows
+  std::vector<std::vector<double>> locals;  // (tasks), the same of subtrees that are solved side by side
+  std::vector<double> beyond;               // (rows beyond subtrees x kMostSides) by rows, see EliminationSchedule
+  std::vector<int> subtrees;                // tasks
   bool is_factorised = false;
 
   explicit Implementation(const BlockPattern& the_pattern, const Implementation* before = nullptr)
@@ -88,6 +94,20 @@ struct SparseFactor::Implementation {
     negative.resize(schedule.tasks.size());
     solution.resize(static_cast<std::size_t>(pattern.unknowns()) * kMostSides);
     local.resize(static_cast<std::size_t>(tree.largest_front + kFrontRows) * kMostSides);
+    if (tree.factor_size * kMostSides >= kWorthSharing) make_room_for_sharing();
+  }
+
+  void make_room_for_sharing() {
+    locals.resize(schedule.tasks.size());
+    for (int task = 0; task < static_cast<int>(schedule.tasks.size()); ++task) {
+      const EliminationTask& own = schedule.tasks[task];
+      if (!own.is_subtree()) continue;
+      std::ptrdiff_t largest = 0;
+      for (int s = own.begin; s < own.end; ++s) largest = std::max(largest, tree.supernodes[s].stride);
+      locals[task].resize(largest * kMostSides);
+      subtrees.push_back(task);
+    }
+    beyond.resize(schedule.beyond_size * kMostSides);
   }
 
   void set_order(std::vector<int> the_nodes) {
@@ -161,36 +181,91 @@ struct SparseFactor::Implementation {
   }
 
   /// A front's part in solving for `solution`, (unknowns x sides) by rows, of which there are 1, 4 or 8: from the
-  /// leaves up first.
+  /// leaves up first. Rows past the first `within` get nothing yet: what they would get is given.
   template <int sides>
-  void go_up(const Supernode& supernode) {
-    const int* rows = tree.rows.data() + supernode.rows_begin;
+  const double* go_up(const Supernode& supernode, int within, double* front) {
     double* pivots = solution.data() + supernode.first * sides;
-    double* below = std::copy_n(pivots, supernode.pivots * sides, local.data());
-    std::fill(below, local.data() + supernode.stride * sides, 0.0);
-    forward_of<sides>()(front_of(supernode), local.data());
-    const double* from = local.data();
+    double* below = std::copy_n(pivots, supernode.pivots * sides, front);
+    std::fill(below, front + supernode.stride * sides, 0.0);
+    forward_of<sides>()(front_of(supernode), front);
+    const double* from = front;
     for (int k = 0; k < supernode.pivots; ++k) {
       for (int c = 0; c < sides; ++c) *pivots++ = signs[supernode.first + k] * *from++;
     }
-    for (int k = supernode.pivots; k < supernode.size; ++k) {
-      double* to = solution.data() + *rows++ * sides;
+    return add_to_rows<sides>(supernode, 0, within, from);
+  }
+
+  template <int sides>
+  void go_up(const Supernode& supernode) {
+    go_up<sides>(supernode, supernode.size - supernode.pivots, local.data());
+  }
+
+  /// Adds to a front's rows below its pivots from one to another; gives the end of what was added.
+  template <int sides>
+  const double* add_to_rows(const Supernode& supernode, int begin, int end, const double* from) {
+    const int* rows = tree.rows.data() + supernode.rows_begin;
+    for (int k = begin; k < end; ++k) {
+      double* to = solution.data() + rows[k] * sides;
       for (int c = 0; c < sides; ++c) *to++ += *from++;
     }
+    return from;
   }
 
   /// The same from the roots down, once all fronts have gone up.
   template <int sides>
-  void go_down(const Supernode& supernode) {
+  void go_down(const Supernode& supernode, double* front) {
     const int* rows = tree.rows.data() + supernode.rows_begin;
     double* pivots = solution.data() + supernode.first * sides;
-    double* to = std::copy_n(pivots, supernode.pivots * sides, local.data());
+    double* to = std::copy_n(pivots, supernode.pivots * sides, front);
     for (int k = supernode.pivots; k < supernode.size; ++k) {
       to = std::copy_n(solution.data() + *rows++ * sides, sides, to);
     }
-    std::fill(to, local.data() + supernode.stride * sides, 0.0);
-    backward_of<sides>()(front_of(supernode), local.data());
-    std::copy_n(local.data(), supernode.pivots * sides, pivots);
+    std::fill(to, front + supernode.stride * sides, 0.0);
+    backward_of<sides>()(front_of(supernode), front);
+    std::copy_n(front, supernode.pivots * sides, pivots);
+  }
+
+  /// All fronts, up and down.
+  template <int sides>
+  void go_through() {
+    for (const Supernode& supernode : tree.supernodes) go_up<sides>(supernode);
+    for (auto supernode = tree.supernodes.rbegin(); supernode != tree.supernodes.rend(); ++supernode) {
+      go_down<sides>(*supernode, local.data());
+    }
+  }
+
+  /// The same with subtrees side by side: equal to the bit.
+  template <int sides>
+  void go_through_shared() {
+    tbb::parallel_for(std::size_t{0}, subtrees.size(), [&](std::size_t k) { go_up_subtree<sides>(subtrees[k]); });
+    for (const EliminationTask& task : schedule.tasks) {
+      for (int s = task.begin; s < task.end; ++s) {
+        const Supernode& supernode = tree.supernodes[s];
+        if (!task.is_subtree()) {
+          go_up<sides>(supernode);
+        } else {
+          add_to_rows<sides>(supernode, schedule.rows_within[s], supernode.size - supernode.pivots,
+                             beyond.data() + schedule.beyond_begin[s] * sides);
+        }
+      }
+    }
+    for (auto task = schedule.tasks.rbegin(); task != schedule.tasks.rend(); ++task) {
+      if (!task->is_subtree()) go_down<sides>(tree.supernodes[task->begin], local.data());
+    }
+    tbb::parallel_for(std::size_t{0}, subtrees.size(), [&](std::size_t k) {
+      const EliminationTask& task = schedule.tasks[subtrees[k]];
+      for (int s = task.end - 1; s >= task.begin; --s) go_down<sides>(tree.supernodes[s], locals[subtrees[k]].data());
+    });
+  }
+
+  template <int sides>
+  void go_up_subtree(int task) {
+    for (int s = schedule.tasks[task].begin; s < schedule.tasks[task].end; ++s) {
+      const Supernode& supernode = tree.supernodes[s];
+      const int within = schedule.rows_within[s], rows = supernode.size - supernode.pivots;
+      const double* left = go_up<sides>(supernode, within, locals[task].data());
+      std::copy_n(left, (rows - within) * sides, beyond.data() + schedule.beyond_begin[s] * sides);
+    }
   }
 
   /// Solves `sides` columns or fewer.
@@ -200,10 +275,8 @@ struct SparseFactor::Implementation {
     for (Eigen::Index column = 0; column < columns.cols(); ++column) {
       for (Eigen::Index k = 0; k < columns.rows(); ++k) solution[tree.place[k] * sides + column] = columns(k, column);
     }
-    for (const Supernode& supernode : tree.supernodes) go_up<sides>(supernode);
-    for (auto supernode = tree.supernodes.rbegin(); supernode != tree.supernodes.rend(); ++supernode) {
-      go_down<sides>(*supernode);
-    }
+    const bool is_shared = tree.factor_size * sides >= kWorthSharing;
+    is_shared ? go_through_shared<sides>() : go_through<sides>();
     for (Eigen::Index column = 0; column < columns.cols(); ++column) {
       for (Eigen::Index k = 0; k < columns.rows(); ++k) columns(k, column) = solution[tree.place[k] * sides + column];
     }
@@ -228,7 +301,7 @@ struct SparseFactor::Implementation {
     }
     for (Eigen::Index k = 0; k < column.size(); ++k) solution[tree.place[part.unknowns[k]]] = column[k];
     for (const int s : part.fronts) go_up<1>(tree.supernodes[s]);
-    for (auto s = part.fronts.rbegin(); s != part.fronts.rend(); ++s) go_down<1>(tree.supernodes[*s]);
+    for (auto s = part.fronts.rbegin(); s != part.fronts.rend(); ++s) go_down<1>(tree.supernodes[*s], local.data());
     for (Eigen::Index k = 0; k < column.size(); ++k) column[k] = solution[tree.place[part.unknowns[k]]];
   }
 };

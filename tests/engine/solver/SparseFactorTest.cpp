@@ -107,8 +107,8 @@ TEST(SparseFactor, GoesOnAfterAFailureAndBetweenTheTwoKinds) {
 
 TEST(SparseFactor, AnyNumberOfThreadsGivesEqualBits) {
   const BlockMatrix matrix = random_matrix(1280, -0.5, 3);
-  const Eigen::VectorXd right = random_columns(matrix.dense.rows(), 1, 8);
-  std::vector<Eigen::VectorXd> solved;
+  const Eigen::MatrixXd right = random_columns(matrix.dense.rows(), 8, 8);
+  std::vector<Eigen::MatrixXd> solved;
   for (const std::size_t threads : {1, 2, 4}) {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
     SparseFactor factor(matrix.pattern);
@@ -119,7 +119,19 @@ TEST(SparseFactor, AnyNumberOfThreadsGivesEqualBits) {
       factor.solve(solved.back());
     }
   }
-  for (const Eigen::VectorXd& one : solved) EXPECT_EQ(one, solved.front());
+  for (const Eigen::MatrixXd& one : solved) EXPECT_EQ(one, solved.front());
+}
+
+TEST(SparseFactor, SubtreesSolvedSideBySideGiveTheBitsOfFrontsSolvedOneAfterTheOther) {
+  // Four columns of this size are solved by one thread, eight are worth sharing.
+  const BlockMatrix matrix = random_matrix(720, -0.5, 3);
+  const Eigen::MatrixXd right = random_columns(matrix.dense.rows(), 8, 8);
+  SparseFactor factor(matrix.pattern);
+  ASSERT_TRUE(factor.factorize(matrix.values, true));
+  Eigen::MatrixXd eight = right, four = right.rightCols(4);
+  factor.solve(eight);
+  factor.solve(four);
+  EXPECT_EQ(eight.rightCols(4), four);
 }
 
 TEST(SparseFactor, EqualValuesGiveEqualBits) {
