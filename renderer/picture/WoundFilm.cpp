@@ -1,10 +1,9 @@
 #include "renderer/picture/WoundFilm.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "renderer/picture/Float3.hpp"
+#include "renderer/picture/RunFilm.hpp"
 #include "renderer/wound/Bleeding.hpp"
 
 namespace thinwall {
@@ -14,9 +13,7 @@ constexpr double kBloodSpacing = 0.0045;  // metres between runs of blood, and o
 constexpr double kFluidSpacing = 0.007;
 constexpr double kLongestRun = 0.045;     // metres
 constexpr double kFirstDrops = 1e-7;      // metres^3, after which lips are wet all along
-constexpr double kMargin = 0.0003;        // metres beyond a film's edge that are drawn, for its edge is uneven
 constexpr float kOnTriangles = 0.00002F;  // metres, lift of a film on the wall's own triangles
-constexpr float kAcrossTriangles = 0.0004F;
 
 /// What lies along a lip, on the outer side.
 struct Fringe {
@@ -66,7 +63,7 @@ void append_fringe(const SnapshotSurface& surface, const TissuePiece& wall, cons
   }
   for (const Triangle& triangle : topology.triangles) {
     const bool is_near = std::ranges::any_of(
-        triangle, [&](std::uint32_t v) { return film.vertices[offset + v].inward > -static_cast<float>(kMargin); });
+        triangle, [&](std::uint32_t v) { return film.vertices[offset + v].inward > -static_cast<float>(kFilmMargin); });
     if (!is_near) continue;
     for (const std::uint32_t v : triangle) film.corners.push_back(offset + v);
   }
@@ -97,78 +94,6 @@ void append_rim(const SnapshotTopology& topology, std::span<const BorderEdge> bo
     if (wounds.map.lip[borders[k].start] != borders[k].start || wounds.map.lip[borders[k].end] != borders[k].end)
       continue;
     for (std::size_t c = 6 * k; c < 6 * k + 6; ++c) film.corners.push_back(offset + rim.corners[c]);
-  }
-}
-
-constexpr double kYoungWidth = 0.22;  // half the width of a trail that has just begun, over its length
-
-struct RunShape {
-  double half_width = 0;  // metres, of the trail
-  double length = 0;      // metres
-  double height = 0;      // metres, of the trail
-  double dry = 0;         // 0 to 1
-  double swell = 0;       // metres by which the swellings of the trail have come down
-  double drop = 1.7;      // half the width of the drop at its end, over that of the trail
-};
-
-/// Half the width `along` a run: a trail that wells out of the lip, where it is round too, and ends in a drop.
-double half_width_at(double along, const RunShape& shape) {
-  const double drop = shape.drop * shape.half_width;
-  const double from_head = shape.length - along;
-  const double source = std::clamp(1 - along / (1.5 * shape.half_width), 0.0, 1.0);
-  const double swelling = 0.85 + 0.15 * std::cos((along - shape.swell) / 0.0031);
-  const double trail = shape.half_width * swelling * std::sqrt(1 - source * source);
-  if (from_head >= 4 * drop) return trail;
-  const double into_drop = std::clamp((4 * drop - from_head) / (3 * drop), 0.0, 1.0);
-  const double body = trail + (drop - trail) * into_drop * into_drop * (3 - 2 * into_drop);
-  const double round = std::clamp(1 - from_head / drop, 0.0, 1.0);
-  return body * std::sqrt(1 - round * round);
-}
-
-void append_run(const SnapshotSurface& surface, std::span<const Float3> normals, const FluidRun& run,
-                const RunShape& shape, Film& film) {
-  const std::size_t steps = run.path.size() - 1;
-  const double length_drawn = std::min(shape.length, static_cast<double>(steps) * kRunStep);
-  if (length_drawn < kRunStep) return;
-  RunShape drawn = shape;
-  drawn.length = length_drawn;
-  // A run begins as a drop that grows.
-  drawn.half_width = std::min(shape.half_width, kYoungWidth * length_drawn);
-  // Twice as fine as the path, so that the drop is round; the last place is the head itself.
-  const auto rows = static_cast<std::size_t>(std::ceil(length_drawn / (0.5 * kRunStep))) + 1;
-  const auto on_path = [&](double along, std::span<const Float3> points) {
-    const double place = std::min(along / kRunStep, static_cast<double>(steps));
-    const auto first = std::min(static_cast<std::size_t>(place), steps - 1);
-    const double part = place - static_cast<double>(first);
-    return (1 - part) * point_at(run.path[first], points) + part * point_at(run.path[first + 1], points);
-  };
-  const auto offset = static_cast<std::uint32_t>(film.vertices.size());
-  for (std::size_t row = 0; row < rows; ++row) {
-    const double along = std::min(0.5 * kRunStep * static_cast<double>(row), length_drawn);
-    const Vector3 middle = on_path(along, surface.positions);
-    const Vector3 normal = normalized(on_path(along, normals));
-    const double before = std::max(0.0, along - kRunStep), behind = std::min(length_drawn, along + kRunStep);
-    const Vector3 sense = normalized(on_path(behind, surface.positions) - on_path(before, surface.positions));
-    const Vector3 side = normalized(cross(normal, sense));
-    const Vector3 rest = on_path(along, surface.topology->rest_positions);
-    const double half = half_width_at(along, drawn);
-    const double height = shape.height * half / shape.half_width;
-    for (const double across : {-1.0, 0.0, 1.0}) {
-      const double out = across * (half + kMargin);
-      film.vertices.push_back({.position = float3(middle + out * side + 0.0001 * normal),
-                               .normal = float3(normal),
-                               .rest = float3(rest + out * side),
-                               .inward = static_cast<float>(across == 0 ? half : -kMargin),
-                               .width = static_cast<float>(std::max(half, 1e-5)),
-                               .height = static_cast<float>(height),
-                               .dry = static_cast<float>(drawn.dry),
-                               .lift = kAcrossTriangles});
-    }
-    if (row == 0) continue;
-    const std::uint32_t a = offset + 3 * static_cast<std::uint32_t>(row - 1), b = a + 3;
-    for (const std::uint32_t corner : {a, a + 1, b + 1, a, b + 1, b, a + 1, a + 2, b + 2, a + 1, b + 2, b + 1}) {
-      film.corners.push_back(corner);
-    }
   }
 }
 

@@ -3,29 +3,12 @@
 #include <span>
 #include <vector>
 
+#include "renderer/picture/Film.hpp"
 #include "renderer/picture/TissuePieces.hpp"
 #include "renderer/wound/RunPath.hpp"
 #include "renderer/wound/WoundMap.hpp"
 
 namespace thinwall {
-
-/// What the shader of films reads of a vertex.
-struct FilmVertex {
-  Float3 position{};  // metres
-  Float3 normal{};    // of length one, outward
-  Float3 rest{};      // metres, stress-free: where its unevenness sticks
-  float inward = 0;   // metres from the film's edge inwards, negative outside
-  float width = 0;    // metres from the edge to where it is thickest
-  float height = 0;   // metres, there
-  float dry = 0;      // 0 to 1
-  float lift = 0;     // metres towards the eye by which it is drawn in front of the wall that it lies on
-};
-
-/// A fluid that lies on a wall.
-struct Film {
-  std::vector<FilmVertex> vertices;
-  std::vector<std::uint32_t> corners;  // (3 x triangles), into `vertices`
-};
 
 /// What of a wall's wounds stays while no cut changes it.
 struct WoundLayout {

@@ -23,16 +23,6 @@ std::vector<Triangle> closed_cavity(const SnapshotTopology& topology, std::span<
   return closed;
 }
 
-/// Of all triangles of a lid, so that it is seen as one surface.
-Vector3 lid_normal(const WallHole& hole, std::span<const Float3> positions) {
-  Vector3 sum;
-  for (const auto& [a, b, c] : hole.lid) {
-    const Vector3 first = vector3(positions[a]);
-    sum = sum + cross(vector3(positions[b]) - first, vector3(positions[c]) - first);
-  }
-  return normalized(sum);
-}
-
 using LidCorner = std::array<Vector3, 2>;  // place and normal
 
 /// The part of a triangle below the level, as a fan.
@@ -77,8 +67,8 @@ FluidSurface fluid_surface(const Snapshot& snapshot, const SnapshotSurface& surf
   }
   const double below_lips = air > 0 ? kBelowLips : kBelowLipsOfFull;
   for (const WallHole& hole : holes) {
-    const Vector3 outward = lid_normal(hole, surface.positions);
-    for (const Triangle& triangle : hole.lid) {
+    const auto [mouth, outward] = mouth_of(hole, surface.positions);
+    for (const Triangle& triangle : mouth) {
       std::array<LidCorner, 3> corners;
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t v = triangle[k];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "renderer/wound/RestNormals.hpp"
@@ -13,6 +14,16 @@ constexpr std::uint32_t kNone = 0xffffffff;
 constexpr double kLeastSlope = 0.25;  // sine; flatter, a drop stays
 constexpr double kUnder = 0.75;       // cosine between the outside and down, from where it drips
 constexpr double kInertia = 0.6;      // of the sense in which it already runs
+
+/// A run finds its way between what it wets and what it does not: it swerves from the slope, in long and short bends.
+struct Bend {
+  double angle = 0;   // radians, at most
+  double length = 0;  // metres
+  double turns = 0;   // by which runs differ, times their chance
+};
+constexpr std::array kBends = {Bend{.angle = 0.34, .length = 0.0105, .turns = 1},
+                               Bend{.angle = 0.22, .length = 0.0041, .turns = 3}};
+constexpr double kStraight = 0.003;  // metres, over which it begins to swerve
 
 /// The stress-free wall as runs follow it.
 struct Slope {
@@ -80,14 +91,25 @@ bool move(const Slope& slope, WallPlace& place, Vector3 way) {
   return false;
 }
 
-std::vector<WallPlace> follow(const Slope& slope, WallPlace place, Vector3 down, double longest) {
+/// Radians by which a run of that `chance` has turned off the slope after `along` metres.
+double swerve(double along, double chance) {
+  double angle = 0;
+  for (const Bend& bend : kBends) {
+    angle += bend.angle * std::sin(2 * std::numbers::pi * (along / bend.length + bend.turns * chance));
+  }
+  return std::min(1.0, along / kStraight) * angle;
+}
+
+std::vector<WallPlace> follow(const Slope& slope, WallPlace place, Vector3 down, double longest, double chance) {
   std::vector<WallPlace> path = {place};
   Vector3 sense;
   while (static_cast<double>(path.size()) * kRunStep < longest) {
     const Vector3 normal = normalized(point_at(place, slope.normals));
     const Vector3 fall = down - dot(down, normal) * normal;
     if (length(fall) < kLeastSlope || dot(down, normal) > kUnder) break;
-    sense = normalized(normalized(fall) + kInertia * sense);
+    const double angle = swerve(static_cast<double>(path.size() - 1) * kRunStep, chance);
+    const Vector3 ahead = normalized(fall);
+    sense = normalized(std::cos(angle) * ahead + std::sin(angle) * cross(normal, ahead) + kInertia * sense);
     if (!move(slope, place, kRunStep * sense)) break;
     path.push_back(place);
   }
@@ -141,11 +163,11 @@ std::vector<FluidRun> find_runs(const SnapshotTopology& topology, std::span<cons
     const WallPlace start = middle_of(borders[k], topology);
     const Vector3 place = point_at(start, topology.rest_positions);
     if (std::ranges::any_of(taken, [&](Vector3 other) { return length(other - place) < spacing; })) continue;
-    std::vector<WallPlace> path = follow(slope, start, down, longest);
+    const double chance = chance_of(topology.rest_positions[borders[k].start]);
+    std::vector<WallPlace> path = follow(slope, start, down, longest, chance);
     if (path.size() < 4) continue;
     taken.push_back(place);
-    runs.push_back(
-        {.path = std::move(path), .born = time, .chance = chance_of(topology.rest_positions[borders[k].start])});
+    runs.push_back({.path = std::move(path), .born = time, .chance = chance});
   }
   return runs;
 }

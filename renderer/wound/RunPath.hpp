@@ -27,8 +27,8 @@ inline constexpr double kRunStep = 0.0008;  // metres
 
 /// Runs that begin at the lips, at least `spacing` (metres, stress-free) from each other, where the wall falls away
 /// from the wound along `down` (of length one). Older lips go first, so that runs stay while a cut goes on. Each
-/// follows the slope of the stress-free wall for at most `longest` metres, to where the wall is level, turns under, or
-/// ends.
+/// follows the slope of the stress-free wall, from which it swerves a little to both sides, for at most `longest`
+/// metres, to where the wall is level, turns under, or ends.
 std::vector<FluidRun> find_runs(const SnapshotTopology& topology, std::span<const BorderEdge> borders,
                                 std::span<const char> is_lip, Vector3 down, double spacing, double longest);
 

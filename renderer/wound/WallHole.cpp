@@ -1,9 +1,9 @@
 #include "renderer/wound/WallHole.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
-
-#include "renderer/picture/Vector.hpp"
+#include <utility>
 
 namespace thinwall {
 namespace {
@@ -65,7 +65,50 @@ std::vector<Triangle> strip_across(std::vector<std::uint32_t> loop, std::span<co
   return lid;
 }
 
+/// Of a lid, so that it is seen as one surface.
+Vector3 mean_normal(std::span<const Triangle> lid, std::span<const Float3> positions) {
+  Vector3 sum;
+  for (const auto& [a, b, c] : lid) {
+    const Vector3 first = vector3(positions[a]);
+    sum = sum + cross(vector3(positions[b]) - first, vector3(positions[c]) - first);
+  }
+  return normalized(sum);
+}
+
+/// How far a border's vertex may lie off the plane of its hole, over the hole's radius, before it counts as that of a
+/// flap that stands out.
+constexpr double kFlap = 0.3;
+
+/// Without the vertices of flaps.
+std::vector<std::uint32_t> without_flaps(const WallHole& hole, std::span<const Float3> positions) {
+  const Vector3 normal = mean_normal(hole.lid, positions);
+  Vector3 sum;
+  std::vector<double> heights;
+  for (const std::uint32_t vertex : hole.loop) {
+    sum = sum + vector3(positions[vertex]);
+    heights.push_back(dot(vector3(positions[vertex]), normal));
+  }
+  const Vector3 middle = (1.0 / static_cast<double>(hole.loop.size())) * sum;
+  double radius = 0;
+  for (const std::uint32_t vertex : hole.loop) radius = std::max(radius, length(vector3(positions[vertex]) - middle));
+  std::vector<double> sorted = heights;
+  std::ranges::nth_element(sorted, sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2));
+  const double plane = sorted[sorted.size() / 2];
+  std::vector<std::uint32_t> kept;
+  for (std::size_t k = 0; k < heights.size(); ++k) {
+    if (std::abs(heights[k] - plane) <= kFlap * radius) kept.push_back(hole.loop[k]);
+  }
+  return kept;
+}
+
 }  // namespace
+
+HoleMouth mouth_of(const WallHole& hole, std::span<const Float3> positions) {
+  const std::vector<std::uint32_t> edge = without_flaps(hole, positions);
+  std::vector<Triangle> lid = edge.size() < 3 ? hole.lid : strip_across(edge, positions);
+  const Vector3 outward = mean_normal(lid, positions);
+  return {.lid = std::move(lid), .outward = outward};
+}
 
 std::vector<WallHole> find_wall_holes(std::span<const Float3> positions, std::span<const BorderEdge> borders) {
   std::vector<WallHole> holes;

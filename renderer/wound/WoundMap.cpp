@@ -78,6 +78,36 @@ void find_ends(const SnapshotTopology& topology, std::span<const BorderEdge> bor
   sweep(edges, [&](std::uint32_t a, std::uint32_t b) { return pass(a, b) || pass(b, a); });
 }
 
+/// Metres from a place to an edge at rest.
+double from_edge(Vector3 place, const SnapshotTopology& topology, const BorderEdge& edge) {
+  const Vector3 start = vector3(topology.rest_positions[edge.start]);
+  const Vector3 span = vector3(topology.rest_positions[edge.end]) - start, way = place - start;
+  const double squared = dot(span, span);
+  const double along = squared > 0 ? std::clamp(dot(way, span) / squared, 0.0, 1.0) : 0;
+  return length(way - along * span);
+}
+
+/// (vertices), metres to the lip that ways along edges of triangles lead to, straight: those ways are longer, each
+/// by as much as the triangles happen to lie.
+std::vector<double> straight_ways(const SnapshotTopology& topology, std::span<const BorderEdge> borders,
+                                  std::span<const char> is_lip, const WoundMap& map) {
+  // Vertices of lips, and the two edges beside each: more where lips touch.
+  std::multimap<std::uint32_t, const BorderEdge*> beside_vertex;
+  for (const BorderEdge& edge : borders) {
+    if (!is_lip[edge.start] || !is_lip[edge.end]) continue;
+    for (const std::uint32_t vertex : {edge.start, edge.end}) beside_vertex.emplace(vertex, &edge);
+  }
+  std::vector<double> ways = map.from_lip;
+  for (std::size_t v = 0; v < ways.size(); ++v) {
+    if (map.lip[v] == WoundMap::kNoLip || ways[v] == 0) continue;
+    const auto [begin, end] = beside_vertex.equal_range(map.lip[v]);
+    for (auto edge = begin; edge != end; ++edge) {
+      ways[v] = std::min(ways[v], from_edge(vector3(topology.rest_positions[v]), topology, *edge->second));
+    }
+  }
+  return ways;
+}
+
 }  // namespace
 
 double CutEnd::short_by(double time) const {
@@ -120,6 +150,7 @@ WoundMap map_wounds(const SnapshotTopology& topology, std::span<const BorderEdge
     return true;
   };
   sweep(edges, [&](std::uint32_t a, std::uint32_t b) { return spread(a, b) || spread(b, a); });
+  map.from_lip = straight_ways(topology, borders, is_lip, map);
   return map;
 }
 

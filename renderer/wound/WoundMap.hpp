@@ -24,7 +24,7 @@ struct CutEnd {
 /// Where the vertices of a stress-free wall lie with respect to its wounds.
 struct WoundMap {
   static constexpr std::uint32_t kNoLip = 0xffffffff;
-  std::vector<double> from_lip;    // (vertices), metres along edges to the nearest lip; of those far away, infinite
+  std::vector<double> from_lip;    // (vertices), metres to the nearest lip at rest; of those far away, infinite
   std::vector<std::uint32_t> lip;  // (vertices), the vertex of that lip, or kNoLip
   std::vector<CutEnd> ends;
   std::vector<double> from_end;       // (vertices), of lips: metres along them to the nearest end; infinite without one

@@ -128,6 +128,23 @@ TEST(WoundFilm, RunsAreRoundAtBothEnds) {
   EXPECT_EQ(ends, 2 * wound.layout.blood_runs.size());
 }
 
+/// The edge of a drop is where `inward` is zero; the shader draws it only where triangles reach beyond.
+TEST(WoundFilm, TheDropAtTheEndOfARunIsDrawnWhole) {
+  const Film film = Wound(0.8).blood(4);
+  std::size_t heads = 0;
+  for (std::size_t v = 2; v + 4 < film.vertices.size(); v += 1) {
+    const bool is_head = film.vertices[v].lift > 1e-4F && film.vertices[v].inward == 0 &&
+                         film.vertices[v - 3].inward > 0 && film.vertices[v - 1].inward < 0;
+    if (!is_head) continue;
+    ++heads;
+    EXPECT_LT(film.vertices[v + 3].inward, 0);
+    const Vector3 beyond = vector3(film.vertices[v + 3].position) - vector3(film.vertices[v].position);
+    EXPECT_NEAR(length(beyond), 0.0003, 1e-6);
+    EXPECT_LT(beyond.z, 0);
+  }
+  EXPECT_EQ(heads, Wound(0.8).layout.blood_runs.size());
+}
+
 TEST(WoundFilm, RunOffNeedsALeak) {
   const Wound wound(0.8);
   EXPECT_TRUE(runoff_film(wound.sheet, wound.pieces, wound.layout, 0, 5).corners.empty());

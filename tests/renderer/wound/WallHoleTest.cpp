@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "renderer/wound/FluidLevel.hpp"
 #include "tests/renderer/picture/TestMeshes.hpp"
 
@@ -61,6 +63,24 @@ TEST(WallHole, LidOfABentSlitStaysBetweenItsLips) {
       EXPECT_LT(length(vector3(positions[triangle[k]]) - vector3(positions[triangle[(k + 1) % 3]])), 0.25);
     }
   }
+}
+
+TEST(WallHole, ItsMouthIsTheLidWhereNoFlapStandsOut) {
+  const SnapshotSurface open = bowl(0.5);
+  const std::vector<WallHole> holes = find_wall_holes(open.positions, border_edges(*open.topology));
+  const HoleMouth mouth = mouth_of(holes[0], open.positions);
+  EXPECT_EQ(mouth.lid, holes[0].lid);
+  EXPECT_GT(mouth.outward.z, 0.99);
+}
+
+TEST(WallHole, ItsMouthLeavesOutAFlapThatStandsUp) {
+  SnapshotSurface open = bowl(0.5);
+  const std::vector<WallHole> holes = find_wall_holes(open.positions, border_edges(*open.topology));
+  const std::uint32_t tip = holes[0].loop[5];
+  open.positions[tip][2] += 0.8F;
+  const HoleMouth mouth = mouth_of(find_wall_holes(open.positions, border_edges(*open.topology))[0], open.positions);
+  EXPECT_EQ(mouth.lid.size(), holes[0].lid.size() - 1);
+  for (const Triangle& triangle : mouth.lid) EXPECT_EQ(std::ranges::count(triangle, tip), 0);
 }
 
 }  // namespace

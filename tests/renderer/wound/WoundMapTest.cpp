@@ -22,6 +22,21 @@ TEST(WoundMap, TellsTheWayToTheNearestLip) {
   EXPECT_EQ(map.lip[4], 8U);
 }
 
+TEST(WoundMap, ItsWaysAreStraightHoweverTheTrianglesLie) {
+  SnapshotTopology sheet = *test::slit_sheet(20, 0.001, 0).topology;
+  // No edge of a triangle is square to the slit any more, which lies along y = 0.
+  for (Float3& place : sheet.rest_positions) place[0] += 0.37F * place[1];
+  const WoundMap map = map_of(sheet);
+  int beside = 0;
+  for (std::size_t v = 0; v < sheet.rest_positions.size(); ++v) {
+    const auto& [x, y, z] = sheet.rest_positions[v];
+    if (std::abs(x) > 0.006F || std::abs(y) > 0.0025F) continue;
+    EXPECT_NEAR(map.from_lip[v], std::abs(y), 1e-9) << x << " " << y;
+    beside += y != 0;
+  }
+  EXPECT_GT(beside, 40);
+}
+
 TEST(WoundMap, TapersTowardsBothEndsOfACut) {
   const SnapshotSurface sheet = test::slit_sheet(20, 0.001, 0);
   const WoundMap map = map_of(*sheet.topology);
@@ -58,6 +73,7 @@ TEST(FluidRuns, FollowTheSlopeFromTheLowerLip) {
   const SnapshotSurface sheet = test::slit_sheet(20, 0.001, 0.8);
   const std::vector<FluidRun> runs = runs_of(*sheet.topology);
   ASSERT_GE(runs.size(), 3U);
+  double most_swerve = 0;
   for (const FluidRun& run : runs) {
     Vector3 last = point_at(run.path.front(), sheet.positions);
     EXPECT_NEAR(last.y, 0, 1e-7) << "begins at the cut";
@@ -65,13 +81,15 @@ TEST(FluidRuns, FollowTheSlopeFromTheLowerLip) {
     for (std::size_t k = 1; k < run.path.size(); ++k) {
       const Vector3 place = point_at(run.path[k], sheet.positions);
       EXPECT_NEAR(length(place - last), kRunStep, 1e-6);
-      EXPECT_NEAR(place.z - last.z, -kRunStep * std::sin(0.8), 1e-6);
-      EXPECT_NEAR(place.x, x, 1e-6) << "straight down";
+      EXPECT_LT(place.z - last.z, -0.8 * kRunStep * std::sin(0.8)) << "downwards";
+      EXPECT_LT(std::abs(place.x - x), 0.002) << "about the way of the slope";
+      most_swerve = std::max(most_swerve, std::abs(place.x - x));
       last = place;
     }
-    // To the border of the sheet, 10 mm below, but for a step.
-    EXPECT_NEAR(static_cast<double>(run.path.size() - 1) * kRunStep, 0.010, kRunStep);
+    // To the border of the sheet, 10 mm below, but for what its bends take.
+    EXPECT_NEAR(static_cast<double>(run.path.size() - 1) * kRunStep, 0.0105, 2 * kRunStep);
   }
+  EXPECT_GT(most_swerve, 0.0003) << "no run is drawn with a ruler";
 }
 
 TEST(FluidRuns, AreNoneOnALevelSheetNorOnATakeThatDoesNotTellWhen) {
