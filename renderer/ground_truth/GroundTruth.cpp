@@ -66,10 +66,10 @@ GroundTruth ground_truth(const SeenFrame& frame) {
   bool has_stress = true, has_pressure = true;
   for (const SnapshotSurface& surface : frame.snapshot().surfaces) {
     const SnapshotField* pressure = find_field(surface, kContactPressureField, FieldLocation::kVertex);
-    const SmoothLips& lips = geometry.drawn[surfaces.size()].lips;
+    const SmoothSurface& smooth = geometry.drawn[surfaces.size()].smooth;
     surfaces.push_back(
         {.von_mises = von_mises_stress(surface),
-         .contact_pressure = pressure == nullptr ? std::vector<float>() : refined(pressure->values, lips)});
+         .contact_pressure = pressure == nullptr ? std::vector<float>() : refined(pressure->values, smooth)});
     has_stress = has_stress && !surfaces.back().von_mises.empty();
     has_pressure = has_pressure && pressure != nullptr;
   }

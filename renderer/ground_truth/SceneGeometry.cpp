@@ -26,7 +26,7 @@ PartKind part_kind(TissueSide side) {
 /// The mesh's triangle behind a piece's.
 std::uint32_t wall_triangle(const DrawnTopology& drawn, TissueSide side, std::uint32_t triangle) {
   if (side == TissueSide::kCap) return kNoIndex;
-  return drawn.parts[side == TissueSide::kRim ? drawn.borders[triangle / 2].triangle : triangle].triangle;
+  return drawn.parts()[side == TissueSide::kRim ? drawn.borders[triangle / 2].triangle : triangle].triangle;
 }
 
 void append_part(PartKind kind, std::uint32_t owner, std::uint32_t triangles, SceneGeometry& geometry) {

@@ -16,19 +16,19 @@ SurfaceVertex between(const SurfaceVertex& a, const SurfaceVertex& b, double par
           .wound = number(&SurfaceVertex::wound)};
 }
 
-void refine(std::vector<Vector3>& directions, const SmoothLips& lips) {
-  for (const LipPoint& point : lips.points) {
+void refine(std::vector<Vector3>& directions, const SmoothSurface& smooth) {
+  for (const CurvePoint& point : smooth.points) {
     const Vector3 a = directions[point.start], b = directions[point.end];
     directions.push_back(normalized((1 - point.part) * a + point.part * b, a));
   }
 }
 
-WallWays refined(WallWays ways, const SmoothLips& lips) {
+WallWays refined(WallWays ways, const SmoothSurface& smooth) {
   if (ways.thickness.empty()) return ways;
-  ways.thickness = refined(std::move(ways.thickness), lips);
-  ways.lean = refined(std::move(ways.lean), lips);
-  refine(ways.through, lips);
-  refine(ways.forward, lips);
+  ways.thickness = refined(std::move(ways.thickness), smooth);
+  ways.lean = refined(std::move(ways.lean), smooth);
+  refine(ways.through, smooth);
+  refine(ways.forward, smooth);
   return ways;
 }
 
@@ -37,8 +37,8 @@ WallWays refined(WallWays ways, const SmoothLips& lips) {
 std::vector<TissuePiece> drawn_pieces(const SnapshotSurface& mesh, const DrawnTopology& drawn,
                                       const SnapshotSurface& shown) {
   std::vector<SurfaceVertex> wall = wall_vertices(mesh);
-  WallWays ways = refined(wall_ways(mesh, wall, drawn.mesh_borders), drawn.lips);
-  for (const LipPoint& point : drawn.lips.points) {
+  WallWays ways = refined(wall_ways(mesh, wall, drawn.mesh_borders), drawn.smooth);
+  for (const CurvePoint& point : drawn.smooth.points) {
     SurfaceVertex vertex = between(wall[point.start], wall[point.end], point.part);
     vertex.position = shown.positions[wall.size()];
     vertex.rest = shown.topology->rest_positions[wall.size()];

@@ -174,8 +174,8 @@ void SceneMeshes::find_edges(const Snapshot& snapshot, DrawnLips lips) {
     const std::span<const char> is_lip(surface.is_lip.data(), topology->rest_positions.size());
     if (std::ranges::any_of(is_lip, [](char lip) { return lip != 0; })) {
       WoundLayout layout = lay_out_wounds(*topology, surface.mesh_borders, is_lip, downward(snapshot));
-      layout.map = refined(std::move(layout.map), surface.lips);
-      layout.fall = refined(std::move(layout.fall), surface.lips);
+      layout.map = refined(std::move(layout.map), surface.smooth);
+      layout.fall = refined(std::move(layout.fall), surface.smooth);
       wounds_.back() = std::move(layout);
     }
     // Wall and caps together: where they meet is no border.

@@ -5,16 +5,12 @@
 
 #include "renderer/picture/Float3.hpp"
 #include "renderer/picture/Vector.hpp"
+#include "renderer/wound/VertexNormals.hpp"
 
 namespace thinwall {
 namespace {
 
-double angle_between(Vector3 a, Vector3 b) {
-  return std::atan2(length(cross(a, b)), dot(a, b));
-}
-
 struct Sums {
-  Vector3 normal;        // of the triangles around, weighted by their angles at the vertex
   double area = 0;       // of the triangles around
   double rest_area = 0;  // of the triangles around, stress-free
   Vector3 neighbours;    // sum of the neighbours' positions
@@ -22,7 +18,6 @@ struct Sums {
   int neighbour_count = 0;
 };
 
-/// Angle weights (Thürmer and Wüthrich 1998) make the normal independent of how the surface is cut into triangles.
 std::vector<Sums> sum_over_triangles(const SnapshotSurface& surface) {
   std::vector<Sums> sums(surface.positions.size());
   for (const Triangle& triangle : surface.topology->triangles) {
@@ -31,14 +26,12 @@ std::vector<Sums> sum_over_triangles(const SnapshotSurface& surface) {
       now[corner] = vector3(surface.positions[triangle[corner]]);
       rest[corner] = vector3(surface.topology->rest_positions[triangle[corner]]);
     }
-    const Vector3 product = cross(now[1] - now[0], now[2] - now[0]);
-    const double area = 0.5 * length(product);
+    const double area = 0.5 * length(cross(now[1] - now[0], now[2] - now[0]));
     const double rest_area = 0.5 * length(cross(rest[1] - rest[0], rest[2] - rest[0]));
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const Vector3 next = now[(corner + 1) % 3] - now[corner];
       const Vector3 previous = now[(corner + 2) % 3] - now[corner];
       Sums& sum = sums[triangle[corner]];
-      if (area > 0) sum.normal = sum.normal + (angle_between(next, previous) / (2 * area)) * product;
       sum.area += area;
       sum.rest_area += rest_area;
       sum.neighbours = sum.neighbours + now[(corner + 1) % 3] + now[(corner + 2) % 3];
@@ -99,19 +92,19 @@ std::vector<double> spread(const std::vector<double>& values, const std::vector<
 
 std::vector<SurfaceVertex> wall_vertices(const SnapshotSurface& surface) {
   const std::vector<Sums> sums = sum_over_triangles(surface);
+  const std::vector<Vector3> normals = vertex_normals(surface.positions, surface.topology->triangles);
   const SnapshotField* pressure = vertex_field(surface, "contact_pressure");
   std::vector<SurfaceVertex> vertices(surface.positions.size());
   std::vector<double> blanch(vertices.size()), curvature(vertices.size());
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const Vector3 normal = normalized(sums[i].normal);
     const double area_ratio = sums[i].rest_area > 0 ? sums[i].area / sums[i].rest_area : 1;
     vertices[i].position = surface.positions[i];
-    vertices[i].normal = float3(normal);
+    vertices[i].normal = float3(normals[i]);
     vertices[i].rest = surface.topology->rest_positions[i];
     vertices[i].thickness = static_cast<float>(1 / std::max(area_ratio, 1e-6));
     const double pressed = pressure ? blanch_of_pressure(pressure->values[i]) : 0;
     blanch[i] = 1 - (1 - pressed) * (1 - blanch_of_stretch(area_ratio));
-    curvature[i] = curvature_of(sums[i], vector3(surface.positions[i]), normal);
+    curvature[i] = curvature_of(sums[i], vector3(surface.positions[i]), normals[i]);
   }
   blanch = spread(blanch, surface.topology->triangles);
   curvature = spread(curvature, surface.topology->triangles);

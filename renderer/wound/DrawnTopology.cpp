@@ -3,57 +3,60 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace thinwall {
 namespace {
 
-std::vector<DrawnTopology::Part> whole_triangles(std::size_t count) {
-  std::vector<DrawnTopology::Part> parts(count);
-  for (std::uint32_t t = 0; t < count; ++t) parts[t].triangle = t;
-  return parts;
+void find_triangles(DrawnTopology& drawn) {
+  drawn.first_part.assign(drawn.smooth.mesh->triangles.size() + 1, 0);
+  for (const TrianglePart& part : drawn.parts()) ++drawn.first_part[part.triangle + 1];
+  std::partial_sum(drawn.first_part.begin(), drawn.first_part.end(), drawn.first_part.begin());
 }
 
-void find_triangles(const SnapshotTopology& mesh, DrawnTopology& drawn) {
-  drawn.parts = whole_triangles(drawn.topology().triangles.size());
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) drawn.triangles_of.emplace_back().fill(t);
-  for (const LipFan& fan : drawn.lips.fans) {
-    for (std::uint32_t piece = 0; piece < kLipPieces; ++piece) {
-      const std::uint32_t t = piece == 0 ? fan.triangle : fan.added + piece - 1;
-      drawn.parts[t] = {.triangle = fan.triangle, .corner = fan.corner, .piece = piece};
-      drawn.triangles_of[fan.triangle][piece] = t;
-    }
-  }
+/// Part of the way along an edge of the mesh at which a drawn vertex lies.
+double part_of(const DrawnTopology& drawn, std::uint32_t vertex, std::uint32_t start) {
+  const std::size_t of_mesh = drawn.smooth.mesh->rest_positions.size();
+  if (vertex < of_mesh) return vertex == start ? 0 : 1;
+  const CurvePoint& point = drawn.smooth.points[vertex - of_mesh];
+  return point.start == start ? point.part : 1 - point.part;
 }
 
-void find_borders(const SnapshotTopology& mesh, DrawnTopology& drawn) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> of_ends;
+void find_borders(DrawnTopology& drawn) {
+  using Ends = std::pair<std::uint32_t, std::uint32_t>;
+  std::map<Ends, std::uint32_t> of_ends;
   for (std::uint32_t k = 0; k < drawn.mesh_borders.size(); ++k) {
     of_ends[{drawn.mesh_borders[k].start, drawn.mesh_borders[k].end}] = k;
   }
+  const std::size_t of_mesh = drawn.smooth.mesh->rest_positions.size();
   drawn.borders_of.resize(drawn.mesh_borders.size());
   for (std::uint32_t k = 0; k < drawn.borders.size(); ++k) {
     const BorderEdge& edge = drawn.borders[k];
-    const DrawnTopology::Part& part = drawn.parts[edge.triangle];
-    const Triangle& triangle = drawn.topology().triangles[edge.triangle];
-    const bool is_piece = part.corner != DrawnTopology::kWhole && edge.start == triangle[0] && edge.end == triangle[1];
-    if (!is_piece) {
-      const std::uint32_t border = of_ends.at({edge.start, edge.end});
-      drawn.border_parts.push_back({.border = border});
-      drawn.borders_of[border].fill(k);
-      continue;
+    Ends ends{edge.start, edge.end};
+    if (const std::uint32_t added = std::max(edge.start, edge.end); added >= of_mesh) {
+      const CurvePoint& point = drawn.smooth.points[added - of_mesh];
+      ends = {point.start, point.end};
+      if (!of_ends.contains(ends)) std::swap(ends.first, ends.second);
     }
-    const Triangle& corners = mesh.triangles[part.triangle];
-    const std::uint32_t border = of_ends.at({corners[part.corner], corners[(part.corner + 1) % 3]});
-    constexpr double kPiece = 1.0 / kLipPieces;
-    drawn.border_parts.push_back({.border = border, .from = kPiece * part.piece, .to = kPiece * (part.piece + 1)});
-    drawn.borders_of[border][part.piece] = k;
+    const std::uint32_t border = of_ends.at(ends);
+    drawn.border_parts.push_back(
+        {.border = border, .from = part_of(drawn, edge.start, ends.first), .to = part_of(drawn, edge.end, ends.first)});
+    drawn.borders_of[border].push_back(k);
+  }
+  for (std::vector<std::uint32_t>& pieces : drawn.borders_of) {
+    std::ranges::sort(pieces, {}, [&](std::uint32_t k) { return drawn.border_parts[k].from; });
   }
 }
 
-/// The piece of an edge in which a part of its length lies.
-std::uint32_t piece_at(double along) {
-  return static_cast<std::uint32_t>(std::clamp(std::floor(kLipPieces * along), 0.0, kLipPieces - 1.0));
+/// Weights of a part's corners at a place with `weights` of its triangle's.
+std::array<double, 3> within(const TrianglePart& part, const std::array<double, 3>& weights) {
+  const auto column = [&](std::size_t corner) {
+    return Vector3{part.corners[corner][0], part.corners[corner][1], part.corners[corner][2]};
+  };
+  const Vector3 a = column(0), b = column(1), c = column(2), place{weights[0], weights[1], weights[2]};
+  const double whole = dot(a, cross(b, c));
+  return {dot(place, cross(b, c)) / whole, dot(place, cross(c, a)) / whole, dot(place, cross(a, b)) / whole};
 }
 
 }  // namespace
@@ -62,31 +65,28 @@ DrawnTopology drawn_topology(const std::shared_ptr<const SnapshotTopology>& mesh
   DrawnTopology drawn;
   drawn.mesh_borders = border_edges(*mesh);
   drawn.is_lip = cut_lips(*mesh, drawn.mesh_borders);
-  drawn.lips = {.topology = mesh, .points = {}, .fans = {}};
-  if (lips == DrawnLips::kCurves) drawn.lips = smooth_lips(mesh, drawn.mesh_borders, drawn.is_lip);
-  drawn.borders = drawn.lips.points.empty() ? drawn.mesh_borders : border_edges(drawn.topology());
-  drawn.is_lip.resize(drawn.topology().rest_positions.size(), 1);
-  find_triangles(*mesh, drawn);
-  find_borders(*mesh, drawn);
+  drawn.smooth =
+      lips == DrawnLips::kCurves ? smooth_surface(mesh, drawn.mesh_borders, drawn.is_lip) : unsmoothed_surface(mesh);
+  drawn.borders = drawn.smooth.points.empty() ? drawn.mesh_borders : border_edges(drawn.topology());
+  for (const CurvePoint& point : drawn.smooth.points) drawn.is_lip.push_back(point.is_lip);
+  find_triangles(drawn);
+  find_borders(drawn);
   return drawn;
 }
 
 SnapshotSurface drawn_surface(const DrawnTopology& drawn, const SnapshotSurface& mesh) {
   return {.body = mesh.body,
-          .topology = drawn.lips.topology,
-          .positions = smooth_positions(drawn.lips, mesh.positions),
+          .topology = drawn.smooth.topology,
+          .positions = smooth_positions(drawn.smooth, mesh.positions),
           .fields = {}};
 }
 
 SurfacePlace mesh_place(const DrawnTopology& drawn, const SurfacePlace& place) {
-  const DrawnTopology::Part& part = drawn.parts[place.triangle];
-  if (part.corner == DrawnTopology::kWhole) return {.triangle = part.triangle, .weights = place.weights};
-  const double from = static_cast<double>(part.piece) / kLipPieces, to = (part.piece + 1.0) / kLipPieces;
-  const auto& [first, second, apex] = place.weights;
+  const TrianglePart& part = drawn.parts()[place.triangle];
   SurfacePlace result{.triangle = part.triangle};
-  result.weights[part.corner] = (1 - from) * first + (1 - to) * second;
-  result.weights[(part.corner + 1) % 3] = from * first + to * second;
-  result.weights[(part.corner + 2) % 3] = apex;
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    for (std::size_t k = 0; k < 3; ++k) result.weights[k] += place.weights[corner] * part.corners[corner][k];
+  }
   return result;
 }
 
@@ -96,22 +96,27 @@ BorderPlace mesh_place(const DrawnTopology& drawn, const BorderPlace& place) {
 }
 
 SurfacePlace drawn_place(const DrawnTopology& drawn, const SurfacePlace& place) {
-  const auto& pieces = drawn.triangles_of[place.triangle];
-  const std::uint32_t corner = drawn.parts[pieces[0]].corner;
-  if (corner == DrawnTopology::kWhole) return {.triangle = pieces[0], .weights = place.weights};
-  const double start = place.weights[corner], end = place.weights[(corner + 1) % 3];
-  const double on_lip = start + end;
-  const double along = on_lip > 0 ? end / on_lip : 0;
-  const std::uint32_t piece = piece_at(along);
-  const double beyond = kLipPieces * along - piece;
-  return {.triangle = pieces[piece],
-          .weights = {on_lip * (1 - beyond), on_lip * beyond, place.weights[(corner + 2) % 3]}};
+  const std::uint32_t first = drawn.first_part[place.triangle], end = drawn.first_part[place.triangle + 1];
+  if (end == first + 1) return {.triangle = first, .weights = place.weights};
+  SurfacePlace found;
+  double inside = -1;
+  for (std::uint32_t t = first; t < end; ++t) {
+    const std::array<double, 3> weights = within(drawn.parts()[t], place.weights);
+    const double least = std::ranges::min(weights);
+    if (least <= inside) continue;
+    inside = least;
+    found = {.triangle = t, .weights = weights};
+  }
+  for (double& weight : found.weights) weight = std::max(weight, 0.0);
+  return found;
 }
 
 BorderPlace drawn_place(const DrawnTopology& drawn, const BorderPlace& place) {
-  const std::uint32_t border = drawn.borders_of[place.border][piece_at(place.along)];
-  const DrawnTopology::BorderPart& part = drawn.border_parts[border];
-  return {.border = border, .along = (place.along - part.from) / (part.to - part.from)};
+  const std::vector<std::uint32_t>& pieces = drawn.borders_of[place.border];
+  const auto count = static_cast<double>(pieces.size());
+  const auto piece = static_cast<std::size_t>(std::clamp(std::floor(count * place.along), 0.0, count - 1));
+  const DrawnTopology::BorderPart& part = drawn.border_parts[pieces[piece]];
+  return {.border = pieces[piece], .along = (place.along - part.from) / (part.to - part.from)};
 }
 
 }  // namespace thinwall

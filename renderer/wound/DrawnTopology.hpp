@@ -1,16 +1,15 @@
 #pragma once
 
-#include <array>
 #include <memory>
 #include <vector>
 
 #include "renderer/snapshot/BorderEdges.hpp"
 #include "renderer/snapshot/SurfacePlace.hpp"
-#include "renderer/wound/SmoothLips.hpp"
+#include "renderer/wound/SmoothSurface.hpp"
 
 namespace thinwall {
 
-/// What the lips of wounds are drawn as.
+/// What the edges of round walls and the lips of wounds are drawn as.
 enum class DrawnLips {
   kCurves,  // through the vertices of the mesh
   kEdges    // of the mesh
@@ -19,29 +18,22 @@ enum class DrawnLips {
 /// The triangles that a surface is drawn from, and what of its mesh they show. Pictures and their ground truth have
 /// them from here, so that both have the same outlines.
 struct DrawnTopology {
-  /// Of a triangle that is drawn: the mesh's that it is a part of.
-  struct Part {
-    std::uint32_t triangle = 0;     // of the mesh
-    std::uint32_t corner = kWhole;  // where the lip's edge starts that it is cut into a fan along; kWhole: not cut
-    std::uint32_t piece = 0;        // of the fan, from that corner on
-  };
   /// Of a border that is drawn: the mesh's that it is a part of.
   struct BorderPart {
     std::uint32_t border = 0;  // of the mesh
     double from = 0, to = 1;   // parts of its length
   };
-  static constexpr std::uint32_t kWhole = 3;
 
-  SmoothLips lips;                       // with the topology that is drawn; its vertices begin with the mesh's
-  std::vector<BorderEdge> mesh_borders;  // of the mesh
-  std::vector<BorderEdge> borders;       // as drawn
-  std::vector<char> is_lip;              // (vertices as drawn), whether at a cut
-  std::vector<Part> parts;               // (triangles of the wall as drawn)
-  std::vector<BorderPart> border_parts;  // (borders)
-  std::vector<std::array<std::uint32_t, kLipPieces>> triangles_of;  // (triangles of the mesh), piece after piece
-  std::vector<std::array<std::uint32_t, kLipPieces>> borders_of;    // (borders of the mesh), piece after piece
+  SmoothSurface smooth;                   // with the topology that is drawn; its vertices begin with the mesh's
+  std::vector<BorderEdge> mesh_borders;   // of the mesh
+  std::vector<BorderEdge> borders;        // as drawn
+  std::vector<char> is_lip;               // (vertices as drawn), whether at a cut
+  std::vector<BorderPart> border_parts;   // (borders)
+  std::vector<std::uint32_t> first_part;  // (triangles of the mesh + 1), first of the triangles drawn of each
+  std::vector<std::vector<std::uint32_t>> borders_of;  // (borders of the mesh), as drawn, in their order along it
 
-  const SnapshotTopology& topology() const { return *lips.topology; }
+  const SnapshotTopology& topology() const { return *smooth.topology; }
+  const std::vector<TrianglePart>& parts() const { return smooth.parts; }  // (triangles of the wall as drawn)
 };
 
 DrawnTopology drawn_topology(const std::shared_ptr<const SnapshotTopology>& mesh, DrawnLips lips);

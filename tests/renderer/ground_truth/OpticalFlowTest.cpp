@@ -82,20 +82,21 @@ TEST(OpticalFlowTest, LeadsToWhereTheMatterLandsBesideAMovingCamera) {
   const SeenFrame first(before, {view.camera}, kSize), second(after, {view.camera}, kSize);
   const OpticalFlow flow = optical_flow(first.moment(), second.moment());
   const double scene_size = scene_extent(before).size;
+  const Snapshot shown_before = test::as_drawn(before), shown_after = test::as_drawn(after);
+  const SnapshotSurface& ball = shown_after.surfaces[0];
   double largest = 0, longest = 0;
   int checked = 0;
   for (int row = 0; row < kSize.height; row += 3) {
     for (int column = 0; column < kSize.width; column += 3) {
-      const auto hit = test::cast(before, first.camera(), kSize, scene_size, column, row);
+      const auto hit = test::cast(shown_before, first.camera(), kSize, scene_size, column, row);
       const std::size_t pixel = static_cast<std::size_t>(row * kSize.width + column);
       EXPECT_EQ(hit.has_value(), flow.state[pixel] != FlowState::kNothing);
       if (!hit) continue;
       Vector3 place;
       const ToolShape shape = tool_shape(after.tools[0], scene_size);
       for (std::size_t k = 0; k < 3; ++k) {
-        const Float3 corner = hit->owner == 0
-                                  ? after.surfaces[0].positions[after.surfaces[0].topology->triangles[hit->triangle][k]]
-                                  : shape.vertices[shape.indices[3 * hit->triangle + k]].position;
+        const Float3 corner = hit->owner == 0 ? ball.positions[ball.topology->triangles[hit->triangle][k]]
+                                              : shape.vertices[shape.indices[3 * hit->triangle + k]].position;
         place = place + hit->weights[k] * vector3(corner);
       }
       const auto landed = *second.camera().pixel(place, kSize);

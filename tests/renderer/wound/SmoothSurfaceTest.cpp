@@ -1,4 +1,4 @@
-#include "renderer/wound/SmoothLips.hpp"
+#include "renderer/wound/SmoothSurface.hpp"
 
 #include <gtest/gtest.h>
 
@@ -26,11 +26,11 @@ struct Smoothed {
   explicit Smoothed(const SnapshotSurface& surface)
       : borders(border_edges(*surface.topology)),
         is_lip(cut_lips(*surface.topology, borders)),
-        lips(smooth_lips(surface.topology, borders, is_lip)),
+        lips(smooth_surface(surface.topology, borders, is_lip)),
         positions(smooth_positions(lips, surface.positions)) {}
   std::vector<BorderEdge> borders;
   std::vector<char> is_lip;
-  SmoothLips lips;
+  SmoothSurface lips;
   std::vector<Float3> positions;
 };
 
@@ -43,7 +43,7 @@ double area(const SnapshotTopology& topology, const std::vector<Float3>& points)
   return sum;
 }
 
-TEST(SmoothLips, PassThroughTheVerticesOfTheMeshExactly) {
+TEST(SmoothSurface, PassThroughTheVerticesOfTheMeshExactly) {
   const SnapshotSurface sheet = arched_slit();
   const Smoothed smooth(sheet);
   ASSERT_GT(smooth.lips.points.size(), 20U);
@@ -53,12 +53,12 @@ TEST(SmoothLips, PassThroughTheVerticesOfTheMeshExactly) {
 
 /// An edge of 1 mm leaves a circle of 6 mm by 21 um in its middle, a curve through the circle's tangents by 0.04 um;
 /// the last edges of the slit, beside the corners at its ends, know the circle at one end only.
-TEST(SmoothLips, FollowACircleFarMoreCloselyThanTheEdgesOfTheMesh) {
+TEST(SmoothSurface, FollowACircleFarMoreCloselyThanTheEdgesOfTheMesh) {
   const SnapshotSurface sheet = arched_slit();
   const Smoothed smooth(sheet);
   int on_the_arc = 0;
   for (std::size_t k = 0; k < smooth.lips.points.size(); ++k) {
-    const LipPoint& point = smooth.lips.points[k];
+    const CurvePoint& point = smooth.lips.points[k];
     if (point.start < 121 || point.end < 121 || point.before < 121 || point.after < 121) continue;
     const Float3& place = smooth.positions[sheet.positions.size() + k];
     EXPECT_NEAR(std::hypot(place[0], place[1] + 0.8 * kRadius), kRadius, 0.2e-6) << k;
@@ -67,7 +67,7 @@ TEST(SmoothLips, FollowACircleFarMoreCloselyThanTheEdgesOfTheMesh) {
   EXPECT_GE(on_the_arc, 9);
 }
 
-TEST(SmoothLips, LeaveAStraightLipStraightAndTheRestShapeAsItIs) {
+TEST(SmoothSurface, LeaveAStraightLipStraightAndTheRestShapeAsItIs) {
   const SnapshotSurface sheet = test::slit_sheet(10, 0.001, 0);
   const Smoothed smooth(sheet);
   for (std::size_t v = sheet.positions.size(); v < smooth.positions.size(); ++v) {
@@ -80,7 +80,7 @@ TEST(SmoothLips, LeaveAStraightLipStraightAndTheRestShapeAsItIs) {
   EXPECT_EQ(smooth.lips.topology->cut_times.size(), smooth.positions.size());
 }
 
-TEST(SmoothLips, StayStraightWhereACutRunsOutOfASheet) {
+TEST(SmoothSurface, StayStraightWhereACutRunsOutOfASheet) {
   // The borders of the strip meet the lips at right angles; they are not how these go on.
   const SnapshotTopology strip = test::cut_strip();
   const Smoothed smooth({.body = "organ",
@@ -93,20 +93,20 @@ TEST(SmoothLips, StayStraightWhereACutRunsOutOfASheet) {
   }
 }
 
-TEST(SmoothLips, LeaveNoHoleBesideTheLips) {
+TEST(SmoothSurface, LeaveNoHoleBesideTheLips) {
   const SnapshotSurface sheet = test::slit_sheet(10, 0.001, 0);
   const Smoothed smooth(sheet);
   const std::size_t added = smooth.lips.points.size() / 3;
   EXPECT_EQ(border_edges(*smooth.lips.topology).size(), smooth.borders.size() + 3 * added);
 }
 
-TEST(SmoothLips, AreLipsOfTheFinerSurfaceToo) {
+TEST(SmoothSurface, AreLipsOfTheFinerSurfaceToo) {
   const Smoothed smooth(test::slit_sheet(10, 0.001, 0));
   const std::vector<char> is_lip = cut_lips(*smooth.lips.topology, border_edges(*smooth.lips.topology));
   for (std::size_t v = smooth.is_lip.size(); v < is_lip.size(); ++v) EXPECT_TRUE(is_lip[v]) << v;
 }
 
-TEST(SmoothLips, NeverLeaveAnEdgeByMoreThanAFifthOfItsLength) {
+TEST(SmoothSurface, NeverLeaveAnEdgeByMoreThanAFifthOfItsLength) {
   SnapshotSurface sheet = test::slit_sheet(10, 0.001, 0);
   // A lip that turns by 70 degrees at both ends of an edge, close to which its neighbours lie.
   sheet.positions[123] = {-0.0005F, 0, 0};
@@ -115,14 +115,14 @@ TEST(SmoothLips, NeverLeaveAnEdgeByMoreThanAFifthOfItsLength) {
   sheet.positions[125] = {0.000534F, -0.000094F, 0};
   const Smoothed smooth(sheet);
   for (std::size_t k = 0; k < smooth.lips.points.size(); ++k) {
-    const LipPoint& point = smooth.lips.points[k];
+    const CurvePoint& point = smooth.lips.points[k];
     const Vector3 a = vector3(sheet.positions[point.start]), b = vector3(sheet.positions[point.end]);
     const Vector3 straight = (1 - point.part) * a + point.part * b;
     EXPECT_LE(length(vector3(smooth.positions[sheet.positions.size() + k]) - straight), 0.2001 * length(b - a));
   }
 }
 
-TEST(SmoothLips, AreNoneWhereNothingIsCut) {
+TEST(SmoothSurface, AreNoneWhereNothingIsCut) {
   SnapshotTopology whole;
   whole.rest_positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   whole.triangles = {{0, 1, 2}};
@@ -135,7 +135,40 @@ TEST(SmoothLips, AreNoneWhereNothingIsCut) {
   EXPECT_EQ(smooth.lips.topology, sheet.topology);
 }
 
-TEST(SmoothLips, TheirMapOfWoundsGoesOnBetweenTheVertices) {
+TEST(SmoothSurface, IsRoundThroughTheVerticesOfABall) {
+  const SnapshotSurface ball = test::sphere("ball", {0, 0, 0}, 0.02, 2);
+  const Smoothed smooth(ball);
+  // 128 triangles of 8 mm: the middles of their edges lie 0.4 mm and more below the ball.
+  ASSERT_EQ(smooth.lips.points.size(), 192U);
+  EXPECT_TRUE(std::equal(ball.positions.begin(), ball.positions.end(), smooth.positions.begin()));
+  for (std::size_t v = ball.positions.size(); v < smooth.positions.size(); ++v) {
+    EXPECT_NEAR(length(vector3(smooth.positions[v])), 0.02, 0.00015);
+  }
+  EXPECT_TRUE(border_edges(*smooth.lips.topology).empty()) << "no cracks";
+  EXPECT_EQ(smooth.lips.topology->triangles.size(), 4 * ball.topology->triangles.size());
+}
+
+TEST(SmoothSurface, IsTheMeshItselfWhereThatIsFineOrFlat) {
+  const SnapshotSurface ball = test::sphere("ball", {0, 0, 0}, 0.02, 5);
+  EXPECT_EQ(Smoothed(ball).lips.topology, ball.topology);
+  const SnapshotSurface square = test::quad("sheet", {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}});
+  EXPECT_EQ(Smoothed(square).lips.topology, square.topology);
+}
+
+TEST(SmoothSurface, LeavesTheEdgesOfCapsStraight) {
+  const SnapshotSurface ball = test::sphere("ball", {0, 0, 0}, 0.02, 2);
+  SnapshotTopology capped = *ball.topology;
+  capped.cap_triangles = {capped.triangles.back()};
+  capped.triangles.pop_back();
+  const Smoothed smooth({.body = "organ",
+                         .topology = std::make_shared<SnapshotTopology>(capped),
+                         .positions = ball.positions,
+                         .fields = {}});
+  ASSERT_FALSE(smooth.lips.points.empty());
+  EXPECT_TRUE(border_edges(*smooth.lips.topology).empty());
+}
+
+TEST(SmoothSurface, TheirMapOfWoundsGoesOnBetweenTheVertices) {
   const SnapshotSurface sheet = test::slit_sheet(10, 0.001, 0);
   const Smoothed smooth(sheet);
   const WoundMap coarse = map_wounds(*sheet.topology, smooth.borders, smooth.is_lip);
@@ -143,7 +176,7 @@ TEST(SmoothLips, TheirMapOfWoundsGoesOnBetweenTheVertices) {
   ASSERT_EQ(fine.lip.size(), smooth.positions.size());
   EXPECT_EQ(fine.ends.size(), coarse.ends.size());
   for (std::size_t k = 0; k < smooth.lips.points.size(); ++k) {
-    const LipPoint& point = smooth.lips.points[k];
+    const CurvePoint& point = smooth.lips.points[k];
     const std::size_t v = sheet.positions.size() + k;
     EXPECT_EQ(fine.lip[v], v);
     EXPECT_EQ(fine.from_lip[v], 0);
