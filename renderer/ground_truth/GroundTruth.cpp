@@ -51,11 +51,11 @@ WoundPart wound_part(const SceneGeometry& geometry, const ScenePart& part, std::
 
 }  // namespace
 
-SeenFrame::SeenFrame(Snapshot snapshot, const Shot& shot, ImageSize size, DrawnLips lips, bool is_covered)
+SeenFrame::SeenFrame(Snapshot snapshot, const Shot& shot, ImageSize size, DrawnEdges edges, bool is_covered)
     : snapshot_(std::move(snapshot)),
       part_(is_covered ? covered_part(size) : own_part(shot, size)),
       camera_(resolve_camera(shot.camera, scene_extent(snapshot_), part_.own.size, snapshot_.time)),
-      geometry_(scene_geometry(snapshot_, scene_extent(snapshot_), lips)),
+      geometry_(scene_geometry(snapshot_, scene_extent(snapshot_), edges)),
       projection_(camera_, part_),
       seen_(see(geometry_, projection_)) {}
 

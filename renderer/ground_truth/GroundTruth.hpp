@@ -15,9 +15,9 @@ namespace thinwall {
 /// A moment as a picture sees it: what ground truth is taken from. Needs no graphics.
 class SeenFrame {
  public:
-  /// Of a shot's own camera, with the lips of wounds as the picture has them; what others show beside it or inset
-  /// counts as nothing, as does all when a card covers the picture.
-  SeenFrame(Snapshot snapshot, const Shot& shot, ImageSize size, DrawnLips lips = DrawnLips::kCurves,
+  /// Of a shot's own camera, with the edges that the picture has; what others show beside it or inset counts as
+  /// nothing, as does all when a card covers the picture.
+  SeenFrame(Snapshot snapshot, const Shot& shot, ImageSize size, DrawnEdges edges = DrawnEdges::kCurvedLips,
             bool is_covered = false);
 
   const Snapshot& snapshot() const { return snapshot_; }

@@ -73,11 +73,11 @@ void append(const ToolShape& shape, std::uint32_t owner, SceneGeometry& geometry
 
 }  // namespace
 
-SceneGeometry scene_geometry(const Snapshot& snapshot, const SceneExtent& extent, DrawnLips lips) {
+SceneGeometry scene_geometry(const Snapshot& snapshot, const SceneExtent& extent, DrawnEdges edges) {
   SceneGeometry geometry;
   for (std::uint32_t k = 0; k < snapshot.surfaces.size(); ++k) {
     const SnapshotSurface& surface = snapshot.surfaces[k];
-    geometry.drawn.push_back(drawn_topology(surface.topology, lips));
+    geometry.drawn.push_back(drawn_topology(surface.topology, edges));
     const DrawnTopology& drawn = geometry.drawn.back();
     std::vector<char>& is_cut = geometry.is_cut.emplace_back();
     for (const BorderEdge& edge : drawn.borders) {

@@ -49,6 +49,6 @@ struct SceneGeometry {
   std::vector<std::vector<char>> is_cut;  // (surfaces x borders as drawn), whether a cut made it
 };
 
-SceneGeometry scene_geometry(const Snapshot& snapshot, const SceneExtent& extent, DrawnLips lips);
+SceneGeometry scene_geometry(const Snapshot& snapshot, const SceneExtent& extent, DrawnEdges edges);
 
 }  // namespace thinwall

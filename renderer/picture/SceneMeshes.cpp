@@ -50,7 +50,7 @@ SceneMeshes::SceneMeshes()
                                   {3, 2, offsetof(ToolVertex, side)}}) {}
 
 void SceneMeshes::upload(const Snapshot& snapshot, const SceneExtent& extent, const LookDefinition& look) {
-  find_edges(snapshot, drawn_lips(look));
+  find_edges(snapshot, drawn_edges(look));
   smooth_surfaces(snapshot);
   upload_tissue(snapshot, look);
   upload_tools(snapshot, extent);
@@ -160,16 +160,16 @@ void SceneMeshes::find_films(const Snapshot& snapshot, std::size_t k, const Tiss
 }
 
 /// Edges change with the topology alone, and finding them takes longer than drawing.
-void SceneMeshes::find_edges(const Snapshot& snapshot, DrawnLips lips) {
+void SceneMeshes::find_edges(const Snapshot& snapshot, DrawnEdges edges) {
   std::vector<std::shared_ptr<const SnapshotTopology>> topologies;
   for (const SnapshotSurface& surface : snapshot.surfaces) topologies.push_back(surface.topology);
-  if (topologies == topologies_ && lips == lips_) return;
+  if (topologies == topologies_ && edges == edges_) return;
   std::vector<std::uint32_t> corners;
   drawn_topologies_.clear();
   wounds_.clear();
   std::uint32_t offset = 0;
   for (const auto& topology : topologies) {
-    const DrawnTopology& surface = drawn_topologies_.emplace_back(drawn_topology(topology, lips));
+    const DrawnTopology& surface = drawn_topologies_.emplace_back(drawn_topology(topology, edges));
     wounds_.emplace_back();
     const std::span<const char> is_lip(surface.is_lip.data(), topology->rest_positions.size());
     if (std::ranges::any_of(is_lip, [](char lip) { return lip != 0; })) {
@@ -189,7 +189,7 @@ void SceneMeshes::find_edges(const Snapshot& snapshot, DrawnLips lips) {
   }
   tissue_edges_ = mesh_edges(corners);
   topologies_ = std::move(topologies);
-  lips_ = lips;
+  edges_ = edges;
 }
 
 void SceneMeshes::smooth_surfaces(const Snapshot& snapshot) {

@@ -76,7 +76,7 @@ class SceneMeshes {
   void upload_tissue(const Snapshot& snapshot, const LookDefinition& look);
   void find_fluid(const Snapshot& snapshot, std::size_t k, const TissueLook& look, std::span<const TissuePiece> pieces);
   void find_films(const Snapshot& snapshot, std::size_t k, const TissueLook& look, std::span<const TissuePiece> pieces);
-  void find_edges(const Snapshot& snapshot, DrawnLips lips);
+  void find_edges(const Snapshot& snapshot, DrawnEdges edges);
   void smooth_surfaces(const Snapshot& snapshot);
   void upload_tools(const Snapshot& snapshot, const SceneExtent& extent);
 
@@ -90,7 +90,7 @@ class SceneMeshes {
   std::vector<ToolVertex> tool_vertices_;
   std::vector<MeshEdge> tool_edges_;
   std::vector<std::shared_ptr<const SnapshotTopology>> topologies_;  // that the edges belong to
-  DrawnLips lips_ = DrawnLips::kCurves;                              // and what they were found for
+  DrawnEdges edges_ = DrawnEdges::kCurves;                           // and what they were found for
   std::vector<DrawnTopology> drawn_topologies_;                      // (surfaces)
   std::vector<SnapshotSurface> drawn_;                               // (surfaces), as drawn
   std::vector<MeshEdge> tissue_edges_;

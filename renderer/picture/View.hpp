@@ -30,11 +30,13 @@ struct LookDefinition {
   std::map<std::string, TissueLook> bodies;   // by name; others have the default look
   std::optional<DataView> data = {};          // what colours show of walls instead of their tissue; with both ends
   bool mesh = false;                          // whether the edges of the triangles are drawn, those of cuts stronger
+  bool flat_triangles = false;                // whether round walls are drawn as the mesh has them
 };
 
 /// Numbers and edges of the mesh are shown as they are; everything else has curves for lips.
-inline DrawnLips drawn_lips(const LookDefinition& look) {
-  return look.data || look.mesh ? DrawnLips::kEdges : DrawnLips::kCurves;
+inline DrawnEdges drawn_edges(const LookDefinition& look) {
+  if (look.data || look.mesh) return DrawnEdges::kStraight;
+  return look.flat_triangles ? DrawnEdges::kCurvedLips : DrawnEdges::kCurves;
 }
 
 /// How much is done for a picture: draft without shadow and anti-aliasing; record with shadow and smoothed outlines,

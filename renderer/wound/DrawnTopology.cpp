@@ -61,12 +61,13 @@ std::array<double, 3> within(const TrianglePart& part, const std::array<double, 
 
 }  // namespace
 
-DrawnTopology drawn_topology(const std::shared_ptr<const SnapshotTopology>& mesh, DrawnLips lips) {
+DrawnTopology drawn_topology(const std::shared_ptr<const SnapshotTopology>& mesh, DrawnEdges edges) {
   DrawnTopology drawn;
   drawn.mesh_borders = border_edges(*mesh);
   drawn.is_lip = cut_lips(*mesh, drawn.mesh_borders);
-  drawn.smooth =
-      lips == DrawnLips::kCurves ? smooth_surface(mesh, drawn.mesh_borders, drawn.is_lip) : unsmoothed_surface(mesh);
+  drawn.smooth = edges == DrawnEdges::kStraight
+                     ? unsmoothed_surface(mesh)
+                     : smooth_surface(mesh, drawn.mesh_borders, drawn.is_lip, edges == DrawnEdges::kCurves);
   drawn.borders = drawn.smooth.points.empty() ? drawn.mesh_borders : border_edges(drawn.topology());
   for (const CurvePoint& point : drawn.smooth.points) drawn.is_lip.push_back(point.is_lip);
   find_triangles(drawn);

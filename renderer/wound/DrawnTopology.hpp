@@ -9,10 +9,11 @@
 
 namespace thinwall {
 
-/// What the edges of round walls and the lips of wounds are drawn as.
-enum class DrawnLips {
-  kCurves,  // through the vertices of the mesh
-  kEdges    // of the mesh
+/// Which edges of the mesh are drawn as curves through its vertices.
+enum class DrawnEdges {
+  kCurves,      // those of round walls, and the lips of wounds
+  kCurvedLips,  // the lips of wounds: the wall elsewhere is where its triangles are
+  kStraight     // none
 };
 
 /// The triangles that a surface is drawn from, and what of its mesh they show. Pictures and their ground truth have
@@ -36,7 +37,7 @@ struct DrawnTopology {
   const std::vector<TrianglePart>& parts() const { return smooth.parts; }  // (triangles of the wall as drawn)
 };
 
-DrawnTopology drawn_topology(const std::shared_ptr<const SnapshotTopology>& mesh, DrawnLips lips);
+DrawnTopology drawn_topology(const std::shared_ptr<const SnapshotTopology>& mesh, DrawnEdges edges);
 
 /// The positions of `mesh`, whose topology `drawn` was made of, on what is drawn; without fields.
 SnapshotSurface drawn_surface(const DrawnTopology& drawn, const SnapshotSurface& mesh);

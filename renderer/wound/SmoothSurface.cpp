@@ -207,7 +207,7 @@ SmoothSurface unsmoothed_surface(const std::shared_ptr<const SnapshotTopology>& 
 }
 
 SmoothSurface smooth_surface(const std::shared_ptr<const SnapshotTopology>& mesh, std::span<const BorderEdge> borders,
-                             std::span<const char> is_lip) {
+                             std::span<const char> is_lip, bool rounds_walls) {
   Refinement refinement(mesh);
   if (std::ranges::any_of(is_lip, [](char lip) { return lip != 0; })) {
     const std::vector<std::uint32_t> next = next_along(is_lip, borders, false);
@@ -218,6 +218,7 @@ SmoothSurface smooth_surface(const std::shared_ptr<const SnapshotTopology>& mesh
                      kLipPieces);
     }
   }
+  if (!rounds_walls) return std::move(refinement).result();
   for (const auto& [start, end] : round_edges(*mesh)) {
     if (!refinement.has({start, end})) refinement.add({.start = start, .end = end}, kEdgePieces);
   }

@@ -44,10 +44,10 @@ struct SmoothSurface {
   std::vector<TrianglePart> parts;  // (triangles of `topology`)
 };
 
-/// Lips of cuts are made finer, and edges of round walls but for those at caps. The mesh itself with no `points` where
-/// there are none. `borders`, `is_lip`: what border_edges and cut_lips give.
+/// Lips of cuts are made finer, and with `rounds_walls` edges of round walls but for those at caps. The mesh itself
+/// with no `points` where there are none. `borders`, `is_lip`: what border_edges and cut_lips give.
 SmoothSurface smooth_surface(const std::shared_ptr<const SnapshotTopology>& mesh, std::span<const BorderEdge> borders,
-                             std::span<const char> is_lip);
+                             std::span<const char> is_lip, bool rounds_walls);
 
 /// The mesh as it is.
 SmoothSurface unsmoothed_surface(const std::shared_ptr<const SnapshotTopology>& mesh);

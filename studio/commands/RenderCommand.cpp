@@ -69,7 +69,7 @@ int render_take(const RenderOptions& options) {
   const std::vector<std::filesystem::path> takes = takes_shown(options.take);
   complete_data_range(takes, settings.view.look);
   const std::unique_ptr<MomentSource> source = replay_takes(takes, settings.view);
-  if (options.ground_truth) refuse_truth_of_two(settings.view);
+  if (options.ground_truth) prepare_truth(settings.view);
   const RecordingPlan plan{.folder = options.out.value_or(options.take.parent_path() / "render"),
                            .description = take->description(),
                            .overlays = settings.overlays,

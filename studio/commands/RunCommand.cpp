@@ -46,7 +46,7 @@ int run_scenario(const RunOptions& options) {
     scenario = load_scenario(options.scenario, options.overrides);
   }
   if (options.render) require_data_range(scenario.view.look);
-  if (options.ground_truth) refuse_truth_of_two(scenario.view);
+  if (options.ground_truth) prepare_truth(scenario.view);
   const RecordingPlan plan{
       .folder = options.out.value_or(std::filesystem::path("out") / scenario.name),
       .description = {.name = scenario.name, .title = scenario.title, .resolved = scenario.resolved},

@@ -84,9 +84,11 @@ std::unique_ptr<MomentSource> replay_takes(const std::vector<std::filesystem::pa
   return pair_sources(std::move(first), std::move(second));
 }
 
-void refuse_truth_of_two(const ViewDefinition& view) {
-  if (!view.comparison) return;
-  throw UsageError("--aov: ground truth is of one take, and the scenario's `comparison` shows two; leave it out");
+void prepare_truth(ViewDefinition& view) {
+  if (view.comparison) {
+    throw UsageError("--aov: ground truth is of one take, and the scenario's `comparison` shows two; leave it out");
+  }
+  view.look.flat_triangles = true;
 }
 
 }  // namespace thinwall

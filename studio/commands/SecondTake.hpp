@@ -29,7 +29,8 @@ std::vector<std::filesystem::path> takes_shown(const std::filesystem::path& take
 /// numbers and edges of the mesh as the first.
 std::unique_ptr<MomentSource> replay_takes(const std::vector<std::filesystem::path>& takes, ViewDefinition& view);
 
-/// Ground truth is of one take: throws UsageError.
-void refuse_truth_of_two(const ViewDefinition& view);
+/// For pictures with ground truth: walls are drawn as the triangles of the mesh, where researchers find them. Throws
+/// UsageError where two takes are shown.
+void prepare_truth(ViewDefinition& view);
 
 }  // namespace thinwall

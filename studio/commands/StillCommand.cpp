@@ -64,9 +64,9 @@ std::filesystem::path truth_folder(const std::filesystem::path& picture) {
 }  // namespace
 
 int make_still(const StillOptions& options) {
-  const Scenario scenario = load_scenario(options.scenario, options.overrides);
+  Scenario scenario = load_scenario(options.scenario, options.overrides);
   require_data_range(scenario.view.look);
-  if (options.ground_truth) refuse_truth_of_two(scenario.view);
+  if (options.ground_truth) prepare_truth(scenario.view);
   const PainterFactory painters = renderer_painters(options.device, scenario.record.tier, scenario.view, options.stats);
   // Before the simulation, so that a missing device is told at once.
   const std::unique_ptr<Painter> painter = painters(options.size.value_or(scenario.record.size));
@@ -86,7 +86,7 @@ int make_still(const StillOptions& options) {
     GroundTruthSeries::write_still({.folder = truth_folder(options.picture),
                                     .size = image.size,
                                     .organs = tissue_kinds(scenario.resolved),
-                                    .lips = drawn_lips(scenario.view.look)},
+                                    .edges = drawn_edges(scenario.view.look)},
                                    before, *frame, frames.at(frames_later(time, 1, fps)));
   }
   fmt::print(stderr, "{}", pass_table(painter->pass_times()));

@@ -151,7 +151,7 @@ GroundTruthSeries::GroundTruthSeries(GroundTruthPlan plan) : plan_(std::move(pla
 }
 
 void GroundTruthSeries::add(const Frame& frame) {
-  auto next = std::make_unique<SeenFrame>(frame.snapshot, frame.shot, plan_.size, plan_.lips, frame.card.has_value());
+  auto next = std::make_unique<SeenFrame>(frame.snapshot, frame.shot, plan_.size, plan_.edges, frame.card.has_value());
   if (now_) write(before_.get(), *now_, next.get());
   before_ = std::move(now_);
   now_ = std::move(next);
@@ -167,7 +167,7 @@ void GroundTruthSeries::write_still(GroundTruthPlan plan, const std::optional<Fr
                                     const std::optional<Frame>& after) {
   GroundTruthSeries series(std::move(plan));
   const auto seen = [&](const Frame& frame) {
-    return std::make_unique<SeenFrame>(frame.snapshot, frame.shot, series.plan_.size, series.plan_.lips,
+    return std::make_unique<SeenFrame>(frame.snapshot, frame.shot, series.plan_.size, series.plan_.edges,
                                        frame.card.has_value());
   };
   const auto earlier = before ? seen(*before) : nullptr, later = after ? seen(*after) : nullptr;

@@ -20,7 +20,7 @@ struct GroundTruthPlan {
   std::filesystem::path folder;  // that will be made
   ImageSize size;
   std::map<std::string, std::string> organs = {};  // kinds of tissue by the names of bodies
-  DrawnLips lips = DrawnLips::kCurves;             // as in the pictures
+  DrawnEdges edges = DrawnEdges::kCurvedLips;      // as in the pictures
 };
 
 /// Ground truth of a recording: a folder for each layer with a file for each frame, and what tells of all frames

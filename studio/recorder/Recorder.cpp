@@ -119,7 +119,7 @@ GroundTruthPlan truth_plan(const RecordingPlan& plan) {
   return {.folder = plan.folder / kGroundTruthFolder,
           .size = plan.size,
           .organs = tissue_kinds(plan.description.resolved),
-          .lips = drawn_lips(plan.view.look)};
+          .edges = drawn_edges(plan.view.look)};
 }
 
 /// The texts cut off at the end of what was recorded.

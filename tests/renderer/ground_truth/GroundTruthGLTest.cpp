@@ -19,6 +19,7 @@ TEST(GroundTruthGLTest, InstancesCoverThePixelsThatPicturesShowThemAt) {
     ViewDefinition view;
     view.camera.kind = kind;
     view.look.floor = false;
+    view.look.flat_triangles = true;
     view.look.background = {0, 0, 0};
     const Image image = Renderer({}, kSize, Tier::kDraft).draw(snapshot, view, view.camera);
     const GroundTruth truth = ground_truth(SeenFrame(snapshot, {view.camera}, kSize));
@@ -65,7 +66,7 @@ Snapshot gaping_sheet() {
 }
 
 /// Pixels at which the tissue of the picture and that of the truth differ: tissue has the same colour on any ground.
-int tissue_that_differs(const Snapshot& snapshot, ViewDefinition view, DrawnLips lips) {
+int tissue_that_differs(const Snapshot& snapshot, ViewDefinition view, DrawnEdges edges) {
   constexpr ImageSize kSize = {.width = 640, .height = 360};
   Renderer renderer({}, kSize, Tier::kDraft);
   view.look.floor = false;
@@ -73,7 +74,7 @@ int tissue_that_differs(const Snapshot& snapshot, ViewDefinition view, DrawnLips
   const Image dark = renderer.draw(snapshot, view, view.camera);
   view.look.background = {0.9, 0.9, 0.9};
   const Image light = renderer.draw(snapshot, view, view.camera);
-  const GroundTruth truth = ground_truth(SeenFrame(snapshot, {view.camera}, kSize, lips));
+  const GroundTruth truth = ground_truth(SeenFrame(snapshot, {view.camera}, kSize, edges));
   int differing = 0;
   for (std::size_t pixel = 0; pixel < truth.instances.size(); ++pixel) {
     const bool is_tissue = light.pixels[3 * pixel] - dark.pixels[3 * pixel] < 100;
@@ -90,11 +91,11 @@ TEST(GroundTruthGLTest, LipsOfWoundsLieWhereThePictureHasThem) {
   look.bleeding = look.bed = look.contents.clarity = 0;
   view.look.bodies["organ"] = look;
   // Drivers place corners in steps of 1/256 of a pixel.
-  EXPECT_LE(tissue_that_differs(snapshot, view, DrawnLips::kCurves), 3);
-  EXPECT_GT(tissue_that_differs(snapshot, view, DrawnLips::kEdges), 50);
+  EXPECT_LE(tissue_that_differs(snapshot, view, DrawnEdges::kCurves), 3);
+  EXPECT_GT(tissue_that_differs(snapshot, view, DrawnEdges::kStraight), 50);
   view.look.mesh = true;
-  EXPECT_EQ(drawn_lips(view.look), DrawnLips::kEdges);
-  EXPECT_LE(tissue_that_differs(snapshot, view, drawn_lips(view.look)), 3);
+  EXPECT_EQ(drawn_edges(view.look), DrawnEdges::kStraight);
+  EXPECT_LE(tissue_that_differs(snapshot, view, drawn_edges(view.look)), 3);
 }
 
 TEST(GroundTruthGLTest, ALensBendsTheTruthAsItBendsThePicture) {

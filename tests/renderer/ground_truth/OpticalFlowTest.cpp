@@ -82,21 +82,20 @@ TEST(OpticalFlowTest, LeadsToWhereTheMatterLandsBesideAMovingCamera) {
   const SeenFrame first(before, {view.camera}, kSize), second(after, {view.camera}, kSize);
   const OpticalFlow flow = optical_flow(first.moment(), second.moment());
   const double scene_size = scene_extent(before).size;
-  const Snapshot shown_before = test::as_drawn(before), shown_after = test::as_drawn(after);
-  const SnapshotSurface& ball = shown_after.surfaces[0];
   double largest = 0, longest = 0;
   int checked = 0;
   for (int row = 0; row < kSize.height; row += 3) {
     for (int column = 0; column < kSize.width; column += 3) {
-      const auto hit = test::cast(shown_before, first.camera(), kSize, scene_size, column, row);
+      const auto hit = test::cast(before, first.camera(), kSize, scene_size, column, row);
       const std::size_t pixel = static_cast<std::size_t>(row * kSize.width + column);
       EXPECT_EQ(hit.has_value(), flow.state[pixel] != FlowState::kNothing);
       if (!hit) continue;
       Vector3 place;
       const ToolShape shape = tool_shape(after.tools[0], scene_size);
       for (std::size_t k = 0; k < 3; ++k) {
-        const Float3 corner = hit->owner == 0 ? ball.positions[ball.topology->triangles[hit->triangle][k]]
-                                              : shape.vertices[shape.indices[3 * hit->triangle + k]].position;
+        const Float3 corner = hit->owner == 0
+                                  ? after.surfaces[0].positions[after.surfaces[0].topology->triangles[hit->triangle][k]]
+                                  : shape.vertices[shape.indices[3 * hit->triangle + k]].position;
         place = place + hit->weights[k] * vector3(corner);
       }
       const auto landed = *second.camera().pixel(place, kSize);
@@ -113,7 +112,7 @@ TEST(OpticalFlowTest, LeadsToWhereTheMatterLandsBesideAMovingCamera) {
 }
 
 /// `straight`: metres from the middle of the cut, up to where its lips are drawn straight.
-void expect_exact_across_the_cut(DrawnLips lips, double straight) {
+void expect_exact_across_the_cut(DrawnEdges edges, double straight) {
   const auto still = [](Vector3 p, bool) { return p; };
   const double gap = 0.003;
   // Linear on either side, so that triangles of any size carry it without error; nothing at the tips of the cut.
@@ -124,7 +123,7 @@ void expect_exact_across_the_cut(DrawnLips lips, double straight) {
   before.surfaces = {sheet(6, 4, false, still)};
   after.surfaces = {sheet(10, 6, true, opened)};
   const ViewDefinition view = from_above(0.1);
-  const SeenFrame first(before, {view.camera}, kSize, lips), second(after, {view.camera}, kSize, lips);
+  const SeenFrame first(before, {view.camera}, kSize, edges), second(after, {view.camera}, kSize, edges);
   const OpticalFlow forward = optical_flow(first.moment(), second.moment());
   const OpticalFlow backward = optical_flow(second.moment(), first.moment());
   int seen = 0;
@@ -153,9 +152,9 @@ void expect_exact_across_the_cut(DrawnLips lips, double straight) {
 }
 
 TEST(OpticalFlowTest, IsExactAcrossACutThatHasMeshedTheSheetAnew) {
-  expect_exact_across_the_cut(DrawnLips::kEdges, 0.0133);
+  expect_exact_across_the_cut(DrawnEdges::kStraight, 0.0133);
   // A curve leaves the edges beside those that end at the tips.
-  expect_exact_across_the_cut(DrawnLips::kCurves, 0.0066);
+  expect_exact_across_the_cut(DrawnEdges::kCurvedLips, 0.0066);
 }
 
 TEST(OpticalFlowTest, FacesOfACutKeepTheirPlacesWhenTheCutGoesOn) {

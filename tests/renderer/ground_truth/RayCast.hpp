@@ -9,7 +9,6 @@
 #include "renderer/picture/Camera.hpp"
 #include "renderer/picture/ToolShape.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
-#include "renderer/wound/DrawnTopology.hpp"
 
 namespace thinwall::test {
 
@@ -40,14 +39,6 @@ inline void cast(Vector3 origin, Vector3 direction, const std::array<Vector3, 3>
 inline Vector3 ray_direction(const Camera& camera, ImageSize size, double x, double y) {
   return camera.forward + (2 * x / size.width - 1) * camera.tangent_x * camera.right -
          (2 * y / size.height - 1) * camera.tangent_y * camera.up;
-}
-
-/// With the triangles that pictures of it are drawn from in place of those of its meshes.
-inline Snapshot as_drawn(Snapshot snapshot) {
-  for (SnapshotSurface& surface : snapshot.surfaces) {
-    surface = drawn_surface(drawn_topology(surface.topology, DrawnLips::kCurves), surface);
-  }
-  return snapshot;
 }
 
 /// What the middle of a pixel shows of walls and tools, by trying every triangle.

@@ -9,7 +9,7 @@ namespace thinwall {
 namespace {
 
 bool is_closed(const SnapshotSurface& surface) {
-  const DrawnTopology drawn = drawn_topology(surface.topology, DrawnLips::kEdges);
+  const DrawnTopology drawn = drawn_topology(surface.topology, DrawnEdges::kStraight);
   return encloses_its_inside(surface, drawn.borders, drawn_pieces(surface, drawn, surface));
 }
 

@@ -13,7 +13,7 @@ namespace {
 struct Wound {
   explicit Wound(double steepness) : sheet(test::slit_sheet(20, 0.001, steepness)) {
     borders = border_edges(*sheet.topology);
-    pieces = drawn_pieces(sheet, drawn_topology(sheet.topology, DrawnLips::kEdges), sheet);
+    pieces = drawn_pieces(sheet, drawn_topology(sheet.topology, DrawnEdges::kStraight), sheet);
     layout = lay_out_wounds(*sheet.topology, borders, cut_lips(*sheet.topology, borders), {0, 0, -1});
   }
   Film blood(double time, double bleeding = 1) const {

@@ -35,7 +35,7 @@ std::shared_ptr<const SnapshotTopology> rolled_slit_sheet() {
 
 TEST(DrawnTopology, APlaceOfTheMeshIsDrawnWhereItsMatterLies) {
   const auto mesh = rolled_slit_sheet();
-  const DrawnTopology drawn = drawn_topology(mesh, DrawnLips::kCurves);
+  const DrawnTopology drawn = drawn_topology(mesh, DrawnEdges::kCurves);
   ASSERT_GT(drawn.parts().size(), 2 * mesh->triangles.size());
   for (std::uint32_t t = 0; t < mesh->triangles.size(); ++t) {
     for (const auto& weights : kWeights) {
@@ -52,7 +52,7 @@ TEST(DrawnTopology, APlaceOfTheMeshIsDrawnWhereItsMatterLies) {
 
 TEST(DrawnTopology, EachDrawnTriangleShowsItsOwnPartOfTheMesh) {
   const auto mesh = rolled_slit_sheet();
-  const DrawnTopology drawn = drawn_topology(mesh, DrawnLips::kCurves);
+  const DrawnTopology drawn = drawn_topology(mesh, DrawnEdges::kCurves);
   ASSERT_EQ(drawn.parts().size(), drawn.topology().triangles.size());
   for (std::uint32_t t = 0; t < drawn.parts().size(); ++t) {
     const SurfacePlace place{t, {0.25, 0.35, 0.4}};
@@ -64,7 +64,7 @@ TEST(DrawnTopology, EachDrawnTriangleShowsItsOwnPartOfTheMesh) {
 
 TEST(DrawnTopology, PlacesOfBordersKeepTheirMatterToo) {
   const auto mesh = rolled_slit_sheet();
-  const DrawnTopology drawn = drawn_topology(mesh, DrawnLips::kCurves);
+  const DrawnTopology drawn = drawn_topology(mesh, DrawnEdges::kCurves);
   EXPECT_GT(drawn.borders.size(), drawn.mesh_borders.size());
   for (std::uint32_t k = 0; k < drawn.mesh_borders.size(); ++k) {
     for (const double along : {0.0, 0.2, 0.25, 0.6, 1.0}) {
@@ -77,13 +77,16 @@ TEST(DrawnTopology, PlacesOfBordersKeepTheirMatterToo) {
   }
 }
 
-TEST(DrawnTopology, IsTheMeshItselfWhereEdgesAreAskedForOrNothingIsCutNorCoarse) {
+TEST(DrawnTopology, IsTheMeshItselfWhereItsTrianglesAreAskedForOrNothingIsCutNorCoarse) {
   const auto cut = test::slit_sheet(8, 0.001, 0).topology;
-  EXPECT_EQ(drawn_topology(cut, DrawnLips::kEdges).smooth.topology, cut);
+  EXPECT_EQ(drawn_topology(cut, DrawnEdges::kStraight).smooth.topology, cut);
   const auto whole = test::sphere("ball", {0, 0, 0}, 0.02, 5).topology;
-  EXPECT_EQ(drawn_topology(whole, DrawnLips::kCurves).smooth.topology, whole);
+  EXPECT_EQ(drawn_topology(whole, DrawnEdges::kCurves).smooth.topology, whole);
+  const auto coarse = test::sphere("ball", {0, 0, 0}, 0.02, 3).topology;
+  EXPECT_NE(drawn_topology(coarse, DrawnEdges::kCurves).smooth.topology, coarse);
+  EXPECT_EQ(drawn_topology(coarse, DrawnEdges::kCurvedLips).smooth.topology, coarse);
   const SurfacePlace place{7, {0.5, 0.25, 0.25}};
-  EXPECT_EQ(drawn_place(drawn_topology(whole, DrawnLips::kCurves), place).weights, place.weights);
+  EXPECT_EQ(drawn_place(drawn_topology(whole, DrawnEdges::kCurves), place).weights, place.weights);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ struct Smoothed {
   explicit Smoothed(const SnapshotSurface& surface)
       : borders(border_edges(*surface.topology)),
         is_lip(cut_lips(*surface.topology, borders)),
-        lips(smooth_surface(surface.topology, borders, is_lip)),
+        lips(smooth_surface(surface.topology, borders, is_lip, true)),
         positions(smooth_positions(lips, surface.positions)) {}
   std::vector<BorderEdge> borders;
   std::vector<char> is_lip;
