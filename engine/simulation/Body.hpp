@@ -220,6 +220,9 @@ class Body {
   double book_leaks(const BodyState& before);
   bool counts_memory(const EquilibriumProblem& problem, int opening) const;
   double outflow_share(const EquilibriumProblem& problem, int opening, double duration) const;
+  /// Speed at which the fluid comes to the lips of an opening as both move, metres / second; zero where it stays
+  /// behind.
+  double approach_to(int opening) const;
   void let_air_in(int chamber, int opening, double duration, EquilibriumProblem& problem) const;
   double fluid_left(const EquilibriumProblem& problem, int chamber, const EquilibriumState& reached,
                     double duration) const;

@@ -1,11 +1,12 @@
 // What runs out of a body through openings of its wall, and the air that comes in.
 //
-// Fluid leaves by FlowMemory's rule. A chamber ends each step in one of three states: filled, with a pressure at its
-// openings that is not negative; drained, where the pressure at the highest opening is zero and as much has left as the
-// wall has pressed out; or with air that came in there. Without gravity the pressure is then zero and the volume free;
-// under gravity the air lies above the fluid, see OpenChambers, and fluid leaves through lips that are below its
-// surface. States are tried until one holds. In a filled chamber fluid may hang from the wall under suction, as below
-// an opening at the bottom; air that has come in ends that.
+// Fluid leaves by FlowMemory's rule, seen from the lips: those that draw back over it let it out without pressure. A
+// chamber ends each step in one of three states: filled, with a pressure at its openings that is not negative; drained,
+// where the pressure at the highest opening is zero and as much has left as the wall has pressed out; or with air that
+// came in there. Without gravity the pressure is then zero and the volume free; under gravity the air lies above the
+// fluid, see OpenChambers, and fluid leaves through lips that are below its surface. States are tried until one holds.
+// In a filled chamber fluid may hang from the wall under suction, as below an opening at the bottom; air that has come
+// in ends that.
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -133,10 +134,22 @@ void Body::let_air_in(int chamber, int opening, double duration, EquilibriumProb
   fluid.vent = -1;
 }
 
+double Body::approach_to(int opening) const {
+  const int c = model_->openings[opening].chamber;
+  if (state_.fluid_motion.empty() || state_.volume[c] <= 0) return 0;
+  const Eigen::Matrix3Xd lips = model_->openings[opening].at(state_.equilibrium.position);
+  const Eigen::Vector3d area = lip_cap_of(lips).area;
+  if (area.isZero()) return 0;
+  const Eigen::Matrix3Xd sweep = lip_load_of(lips, {.at_origin = 1});  // (3 x lips), metres^2
+  const double swept = sweep.cwiseProduct(model_->openings[opening].at(state_.velocity)).sum();
+  return std::max(0.0, (state_.fluid_motion[c].velocity.dot(area) / state_.volume[c] - swept) / area.norm());
+}
+
 void Body::add_leaks(double duration, EquilibriumProblem& problem) const {
   if (!model_->has_open_chambers()) return;
   std::vector<int> lowest(problem.fluids.size(), -1);
   std::vector<double> least(problem.fluids.size(), 0);
+  problem.approach.assign(model_->openings.size(), 0);
   for (int k = 0; k < static_cast<int>(model_->openings.size()); ++k) {
     const int c = model_->openings[k].chamber;
     FluidProblem& fluid = problem.fluids[c];
@@ -145,6 +158,7 @@ void Body::add_leaks(double duration, EquilibriumProblem& problem) const {
     fluid.outflow_time = state_.outflow.time(duration);
     fluid.vent_compliance = std::abs(model_->chambers[c].rest_volume) / pressure_scale(*model_);
     if (is_sealed(k)) continue;
+    problem.approach[k] = approach_to(k);
     const double pressure = lip_state_of(*model_, state_, options_.gravity, model_->openings[k]).pressure;
     if (lowest[c] < 0 || pressure < least[c]) lowest[c] = k, least[c] = pressure;
   }
@@ -167,16 +181,21 @@ std::vector<double> Body::outflow_of(double duration, const EquilibriumProblem& 
     if (problem.fluids[c].vent == k || problem.is_sealed(k)) continue;
     const double time = counts_memory(problem, k) ? state_.outflow.time(duration) : duration;
     const double pressure = lip_pressure(*model_, problem, terms, k, reached.pressure);
-    const double now = time * outflow(*model_, terms.lips[k].area.norm(), std::max(0.0, pressure)).rate;
+    if (problem.fluids[c].has_surface && pressure <= 0) continue;  // the lips are dry
+    const double now =
+        time * outflow(*model_, terms.lips[k].area.norm(), std::max(0.0, pressure), problem.approach_to(k)).rate;
     flown[k] += now;
     left[c] -= now;
   }
-  // Where the pressure is zero as much has left as the wall has pressed out, at most what the step before leads to.
+  // Where the pressure is zero as much has left as the wall has pressed out, at most what the step before leads to and
+  // what goes by itself through lips that draw back.
   for (int c = 0; c < static_cast<int>(problem.fluids.size()); ++c) {
     const int vent = problem.fluids[c].vent;
     if (vent < 0) continue;
     const double share = outflow_share(problem, vent, duration);
-    flown[vent] = std::clamp(share + left[c] - fluid_held(problem, c, reached), 0.0, share);
+    const double by_itself = state_.outflow.time(duration) *
+                             outflow(*model_, terms.lips[vent].area.norm(), 0, problem.approach_to(vent)).rate;
+    flown[vent] = std::clamp(share + left[c] - fluid_held(problem, c, reached), 0.0, share + by_itself);
   }
   return flown;
 }

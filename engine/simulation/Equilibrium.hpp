@@ -152,10 +152,12 @@ struct EquilibriumProblem {
   std::vector<ShaftContact> shafts;       // needles that are in the wall
   std::vector<std::vector<char>> free;    // (tools x triangles) or none: whether a needle's shaft lets the wall be
   std::vector<std::vector<char>> passed;  // (tools x sites) or none: whether a needle goes through it unfelt
+  std::vector<double> approach;           // (openings) or none, metres / second, at which fluid comes to the lips
   std::vector<char> sealed;               // (openings) or none: whether a needle keeps it shut
 
   bool is_free(int tool, int triangle) const { return !free.empty() && !free[tool].empty() && free[tool][triangle]; }
   bool passes(int tool, int site) const { return !passed.empty() && !passed[tool].empty() && passed[tool][site]; }
+  double approach_to(int opening) const { return approach.empty() ? 0 : approach[opening]; }
   bool is_sealed(int opening) const { return !sealed.empty() && sealed[opening]; }
 };
 

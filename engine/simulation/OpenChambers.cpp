@@ -216,8 +216,9 @@ double lip_pressure(const BodyModel& model, const EquilibriumProblem& problem, c
   return pressure[chamber] + model.definition.fluid.density * problem.gravity.dot(height);
 }
 
-Flow outflow(const BodyModel& model, double area, double lip_pressure) {
-  return orifice_flow(model.definition.fluid.discharge, area, model.definition.fluid.density, lip_pressure);
+Flow outflow(const BodyModel& model, double area, double lip_pressure, double approach) {
+  const FluidDefinition& fluid = model.definition.fluid;
+  return approached_orifice_flow(fluid.discharge, area, fluid.density, lip_pressure, approach);
 }
 
 OpeningEquation opening_equation(const BodyModel& model, const EquilibriumProblem& problem,
@@ -245,11 +246,11 @@ OpeningEquation opening_equation(const BodyModel& model, const EquilibriumProble
       const Eigen::Vector3d& area = terms.lips[k].area;
       if (problem.is_sealed(k)) continue;
       if (fluid.has_surface && at_lips <= 0) continue;  // the lips are dry
-      const Flow flow = outflow(model, area.norm(), at_lips);
+      const Flow flow = outflow(model, area.norm(), at_lips, problem.approach_to(k));
       equation.value += fluid.outflow_time * flow.rate * held;
       equation.by_pressure += fluid.outflow_time * (flow.slope * held - flow.rate * yielding);
       if (with_derivatives) {
-        const double by_area = fluid.outflow_time * outflow(model, 1, at_lips).rate * held;
+        const double by_area = fluid.outflow_time * outflow(model, 1, at_lips, problem.approach_to(k)).rate * held;
         by_lips = by_area * open_area_gradient(opening.at(position), area);
         by_lips.colwise() += fluid.outflow_time * flow.slope * held * slope;
       }

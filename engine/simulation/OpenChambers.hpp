@@ -40,7 +40,8 @@ double lip_pressure(const BodyModel& model, const EquilibriumProblem& problem, c
                     int opening, const Eigen::VectorXd& pressure);
 
 /// Flow out through an opening under a pressure there; backwards where that is negative, which no solution is.
-Flow outflow(const BodyModel& model, double area, double lip_pressure);
+/// `approach`: metres / second, at which the fluid comes to the lips.
+Flow outflow(const BodyModel& model, double area, double lip_pressure, double approach);
 
 /// The equation of an open chamber beside that of a closed one: the flow out, or the condition of a chamber with air in
 /// it. Volume in metres^3, and its derivatives by the chamber's pressure and the position.

@@ -162,9 +162,10 @@ ValueSchema contents_value() {
   const KeySchema leaks{"leaks", boolean_value(), false, "true",
                         "whether fluid flows out where the wall is open and air in where it sucks; `false` for a gel, "
                         "which holds together"};
-  const KeySchema discharge{"discharge", discharge_value(), false, "0.61",
-                            "of openings of the wall: flow over area times the root of twice the pressure over the "
-                            "density"};
+  const KeySchema discharge{
+      "discharge", discharge_value(), false, "0.61",
+      "of openings of the wall: flow over area times the root of twice the pressure over the "
+      "density, seen from lips at rest; lips that draw back over the fluid let it out as they go"};
   contents.selector = "fluid";
   contents.cases = {
       {"none", "no fluid: an open surface", {}},

@@ -322,6 +322,36 @@ TEST(Leak, OfOneChamberLeavesTheOther) {
   }
 }
 
+/// A slack bag whose mouth is pulled down over what it holds.
+void expect_a_jet_of_lips_that_draw_back(int rings, double force) {
+  BodyDefinition definition = open_ball(320, 0, rings);
+  definition.fixed = {{.region = BelowRegion{.axis = 2, .at = -15e-3}}};
+  definition.thickness.assign(definition.thickness.size(), 0.2e-3);
+  definition.materials = {neo_hookean(2e3)};
+  definition.loads = {{.kind = LoadKind::kDeadForce, .region = GroupRegion{"lips"}, .vector = {0, 0, -force}}};
+  Body body(definition, {}, dynamic());
+  body.settle({0});
+  LeakWatch watch(body);
+  double leak = 0, fallen = 0;
+  for (int step = 0; step < 200; ++step) {
+    body.advance({}, {}, 0.002, {.load_factors = {std::min(1.0, step / 50.0)}, .fluids = {}});
+    watch.note(body);
+    fallen = std::max(fallen, leak - body.state().books.leak);
+    leak = body.state().books.leak;
+  }
+  std::printf("%.1f of %.1f ml leaked, energy of the jet %.2e J, in a step at most %.1e J less\n",
+              1e6 * body.state().leaked[0], 1e6 * watch.whole, leak, fallen);
+  watch.expect_sound();
+  EXPECT_GT(body.state().leaked[0], 0.1 * watch.whole);
+  EXPECT_LT(fallen, 1e-2 * leak);
+}
+
+TEST(Leak, OfLipsThatDrawBackTakesNoEnergyFromNothing) {
+  expect_a_jet_of_lips_that_draw_back(2, 5e-3);
+  expect_a_jet_of_lips_that_draw_back(3, 5e-3);
+  expect_a_jet_of_lips_that_draw_back(4, 1e-3);
+}
+
 TEST(Leak, AFreeBodyRecoilsFromItsJet) {
   BodyDefinition definition = open_ball(320, kPressure);
   definition.fixed.clear();
