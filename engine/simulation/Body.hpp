@@ -224,6 +224,8 @@ class Body {
   /// behind.
   double approach_to(int opening) const;
   void let_air_in(int chamber, int opening, double duration, EquilibriumProblem& problem) const;
+  /// What may leave a chamber in the step, metres^3.
+  double fluid_at_hand(const EquilibriumProblem& problem, int chamber, double duration) const;
   double fluid_left(const EquilibriumProblem& problem, int chamber, const EquilibriumState& reached,
                     double duration) const;
   void add_memory(double duration, EquilibriumProblem& problem) const;

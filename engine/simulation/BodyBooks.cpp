@@ -52,6 +52,7 @@ double Body::rate(const OrificeDefinition& orifice, const BodyState& state) cons
 double Body::gravity_energy() const {
   double energy = newton_->terms().gravity + state_.leaked_gravity;
   for (Eigen::Index c = 0; c < state_.volume.size(); ++c) {
+    if (state_.fluid_volume[c] == 0) continue;
     energy -= model_->definition.fluid.density * options_.gravity.dot(model_->chambers[c].level) *
               (state_.volume[c] - state_.air[c]);
   }

@@ -4,13 +4,15 @@
 // chamber ends each step in one of three states: filled, with a pressure at its openings that is not negative; drained,
 // where the pressure at the highest opening is zero and as much has left as the wall has pressed out; or with air that
 // came in there. Without gravity the pressure is then zero and the volume free; under gravity the air lies above the
-// fluid, see OpenChambers, and fluid leaves through lips that are below its surface. States are tried until one holds.
-// In a filled chamber fluid may hang from the wall under suction, as below an opening at the bottom; air that has come
-// in ends that.
+// fluid, see OpenChambers, and fluid leaves through lips that are below its surface. A chamber with nothing left in it
+// is empty, whatever wall and caps enclose: less than nothing where a wall is turned inside out. States are tried until
+// one holds. In a filled chamber fluid may hang from the wall under suction, as below an opening at the bottom; air
+// that has come in ends that.
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/fluid/FluidWeight.hpp"
 #include "engine/simulation/Body.hpp"
@@ -40,6 +42,18 @@ double pressure_scale(const BodyModel& model) {
   return model.wall_stiffness / std::sqrt(model.rest_area);
 }
 
+/// Metres^3 that count as none in a chamber.
+double no_volume(const BodyModel& model, int chamber) {
+  return kNoVolume * std::abs(model.chambers[chamber].rest_volume);
+}
+
+/// Lets all that a chamber holds leave it.
+void empty(int opening, FluidProblem& fluid) {
+  fluid.vent = opening;
+  fluid.fluid_volume = 0;
+  fluid.is_empty = fluid.has_surface = true;
+}
+
 /// An opening at a state.
 struct LipState {
   Eigen::Vector3d center;  // metres
@@ -53,8 +67,11 @@ LipState lip_state_of(const BodyModel& model, const BodyState& state, const Eige
   const int c = opening.chamber;
   const Eigen::Matrix3Xd lips = opening.at(state.equilibrium.position);
   const LipCap cap = lip_cap_of(lips);
-  PressureField field{.slope = model.definition.fluid.density * gravity, .suction = state.air[c] == 0};
-  field.at_origin = state.equilibrium.pressure[c] - field.slope.dot(model.chambers[c].level);
+  PressureField field;
+  if (state.fluid_volume[c] > 0) {
+    field = {.slope = model.definition.fluid.density * gravity, .suction = state.air[c] == 0};
+    field.at_origin = state.equilibrium.pressure[c] - field.slope.dot(model.chambers[c].level);
+  }
   return {.center = cap.center,
           .area = cap.area.norm(),
           .pressure = field.at(cap.center),
@@ -163,8 +180,21 @@ void Body::add_leaks(double duration, EquilibriumProblem& problem) const {
     if (lowest[c] < 0 || pressure < least[c]) lowest[c] = k, least[c] = pressure;
   }
   for (int c = 0; c < static_cast<int>(problem.fluids.size()); ++c) {
-    if (lowest[c] >= 0 && state_.air[c] > 0) let_air_in(c, lowest[c], duration, problem);
+    if (lowest[c] < 0) continue;
+    if (fluid_at_hand(problem, c, duration) <= no_volume(*model_, c)) {
+      empty(lowest[c], problem.fluids[c]);
+    } else if (state_.air[c] > 0) {
+      let_air_in(c, lowest[c], duration, problem);
+    }
   }
+}
+
+double Body::fluid_at_hand(const EquilibriumProblem& problem, int chamber, double duration) const {
+  double whole = problem.fluids[chamber].fluid_volume;
+  for (int k = 0; k < static_cast<int>(model_->openings.size()); ++k) {
+    if (model_->openings[k].chamber == chamber) whole += outflow_share(problem, k, duration);
+  }
+  return whole;
 }
 
 std::vector<double> Body::outflow_of(double duration, const EquilibriumProblem& problem,
@@ -192,10 +222,15 @@ std::vector<double> Body::outflow_of(double duration, const EquilibriumProblem& 
   for (int c = 0; c < static_cast<int>(problem.fluids.size()); ++c) {
     const int vent = problem.fluids[c].vent;
     if (vent < 0) continue;
+    if (problem.fluids[c].is_empty) {
+      flown[vent] = state_.fluid_volume[c];
+      continue;
+    }
     const double share = outflow_share(problem, vent, duration);
     const double by_itself = state_.outflow.time(duration) *
                              outflow(*model_, terms.lips[vent].area.norm(), 0, problem.approach_to(vent)).rate;
-    flown[vent] = std::clamp(share + left[c] - fluid_held(problem, c, reached), 0.0, share + by_itself);
+    const double most = std::max(0.0, share + std::min(by_itself, left[c]));
+    flown[vent] = std::clamp(share + left[c] - fluid_held(problem, c, reached), 0.0, most);
   }
   return flown;
 }
@@ -219,20 +254,23 @@ bool Body::revise_vents(EquilibriumProblem& problem, const EquilibriumState& rea
   bool revised = false;
   for (int c = 0; c < static_cast<int>(problem.fluids.size()); ++c) {
     FluidProblem& fluid = problem.fluids[c];
-    // With a free surface all that may be is: air above, none, and lips that are dry or not.
-    if (!may_leak(c) || !fluid.is_multiplier() || fluid.has_surface) continue;
+    if (!may_leak(c) || !fluid.is_multiplier() || fluid.is_empty) continue;
     int lowest = -1;
-    double pressure = -kNoPressure * pressure_scale(*model_);
+    double pressure = std::numeric_limits<double>::infinity();
     for (int k = 0; k < static_cast<int>(model_->openings.size()); ++k) {
       if (model_->openings[k].chamber != c || problem.is_sealed(k)) continue;
       const double at_lips = lip_pressure(*model_, problem, newton_->terms(), k, reached.pressure);
       if (at_lips < pressure) lowest = k, pressure = at_lips;
     }
-    const double missing =
-        lowest < 0 && fluid.vent >= 0 ? fluid_held(problem, c, reached) - fluid_left(problem, c, reached, duration) : 0;
-    const double none = kNoVolume * std::abs(model_->chambers[c].rest_volume);
-    if (lowest >= 0) {
+    const bool draws = !fluid.has_surface && pressure < -kNoPressure * pressure_scale(*model_);
+    const double none = no_volume(*model_, c), left = fluid_left(problem, c, reached, duration);
+    const double missing = fluid.vent >= 0 ? fluid_held(problem, c, reached) - left : 0;
+    if (draws) {
       fluid.vent = lowest;
+    } else if (lowest >= 0 && left <= none) {
+      empty(lowest, fluid);
+    } else if (fluid.has_surface) {
+      continue;  // all that may be is: air above, none, and lips that are dry or not
     } else if (missing < -none) {
       fluid.vent = -1;
     } else if (missing > none && !options_.gravity.isZero()) {
@@ -293,7 +331,7 @@ void Body::update_leaks(double duration, const EquilibriumProblem& problem) {
     if (problem.fluids[c].vent < 0 && !problem.fluids[c].has_surface) continue;
     const double held = fluid_held(problem, c, state_.equilibrium);
     const double air = (held - state_.fluid_volume[c]) * state_.volume[c] / held;
-    if (air > kNoVolume * std::abs(model_->chambers[c].rest_volume)) state_.air[c] = air;
+    if (air > no_volume(*model_, c)) state_.air[c] = air;
   }
   measure_openings();
 }
@@ -307,8 +345,10 @@ double Body::book_leaks(const BodyState& before) {
     const LipState last = lip_state_of(*model_, state_, options_.gravity, opening);
     const double flown = state_.outflow.volumes[k];
     lost += 0.5 * (first.pressure + last.pressure) * flown;
+    // What empties a chamber is the last that goes.
+    const BodyState& after = state_.fluid_volume[opening.chamber] > 0 ? state_ : before;
     lost += flown *
-            (carried_energy(*model_, before, opening.chamber) + carried_energy(*model_, state_, opening.chamber)) / 2;
+            (carried_energy(*model_, before, opening.chamber) + carried_energy(*model_, after, opening.chamber)) / 2;
     const Eigen::Matrix3Xd motion = opening.at(state_.equilibrium.position) - opening.at(before.equilibrium.position);
     lost += 0.5 * (first.load + last.load).cwiseProduct(motion).sum();
     const double weight = model_->definition.fluid.density * options_.gravity.dot(0.5 * (first.center + last.center));

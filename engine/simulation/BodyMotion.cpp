@@ -5,6 +5,18 @@
 #include "engine/simulation/Body.hpp"
 
 namespace thinwall {
+namespace {
+
+/// Part of the volume of a chamber that is empty whose mass moves all the same: its moment is an unknown.
+constexpr double kLeastFluid = 1e-10;
+
+double moving_mass(const BodyModel& model, const BodyState& state, int chamber) {
+  const double least = kLeastFluid * model.definition.fluid.density / std::abs(model.chambers[chamber].rest_volume);
+  return std::max(least, moment_mass(model, state, chamber));
+}
+
+}  // namespace
+
 void Body::add_inertia(double duration, EquilibriumProblem& problem) const {
   const BackwardDifference difference = backward_difference(duration, state_.previous_step);
   const double factor = difference.now / duration;
@@ -93,7 +105,7 @@ void Body::add_fluid_inertia(double duration, EquilibriumProblem& problem) const
         (difference.before * motion_scale(index, motion.volume) * motion.velocity +
          difference.earlier * motion_scale(index, motion.previous_volume) * motion.previous_velocity) /
         duration;
-    problem.fluid_inertia.push_back({.factor = moment_mass(*model_, state_, index) * rate * rate,
+    problem.fluid_inertia.push_back({.factor = moving_mass(*model_, state_, index) * rate * rate,
                                      .target = -(rate * velocity_part + acceleration_part) / (rate * rate),
                                      .origin = origin});
   }
@@ -106,7 +118,7 @@ void Body::add_fluid_inertia_as_it_is(EquilibriumProblem& problem) const {
     const Eigen::Vector3d origin = moment_origin(*model_, state_, chamber);
     const Eigen::Vector3d moment = motion.moment - motion.volume * (origin - model_->chambers[c].level);
     problem.fluid_inertia.push_back(
-        {.factor = moment_mass(*model_, state_, chamber), .target = moment - motion.acceleration, .origin = origin});
+        {.factor = moving_mass(*model_, state_, chamber), .target = moment - motion.acceleration, .origin = origin});
   }
 }
 

@@ -15,6 +15,7 @@ struct ContentsPressure {
 };
 
 PressureField weight_field(const BodyModel& model, const EquilibriumProblem& problem, int chamber, double pressure) {
+  if (problem.fluids[chamber].is_empty) return {};
   const Eigen::Vector3d slope = model.definition.fluid.density * problem.gravity;
   return {.at_origin = pressure - slope.dot(model.chambers[chamber].level),
           .slope = slope,
@@ -79,7 +80,7 @@ void add_filled(const BodyModel& model, const EquilibriumProblem& problem, const
   terms.filled = terms.volume;
   terms.filled_by_pressure.setZero(terms.volume.size());
   for (int c = 0; c < static_cast<int>(problem.fluids.size()); ++c) {
-    if (!problem.fluids[c].has_surface) continue;
+    if (!problem.fluids[c].has_surface || problem.fluids[c].is_empty) continue;
     const PressureField field = weight_field(model, problem, c, pressure[c]);
     Eigen::Vector3d load = Eigen::Vector3d::Zero(), unit = load, squared = load;
     terms.volume_gradient.col(c).setZero();

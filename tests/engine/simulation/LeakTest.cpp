@@ -352,6 +352,44 @@ TEST(Leak, OfLipsThatDrawBackTakesNoEnergyFromNothing) {
   expect_a_jet_of_lips_that_draw_back(4, 1e-3);
 }
 
+/// A bag that is turned inside out through its mouth.
+void expect_to_empty(BodyDefinition definition, const Eigen::Vector3d& gravity) {
+  definition.fixed = {{.region = BelowRegion{.axis = 2, .at = -15e-3}}};
+  SimulationOptions options = dynamic();
+  options.gravity = gravity;
+  Body body(definition, {}, options);
+  body.settle({0});
+  LeakWatch watch(body);
+  double least = watch.whole, least_motion = 0;
+  for (int step = 0; step < 200; ++step) {
+    body.advance({}, {}, 0.002, {.load_factors = {std::min(1.0, step / 50.0)}, .fluids = {}});
+    watch.note_sums(body);
+    least = std::min(least, body.state().fluid_volume[0]);
+    least_motion = std::min(least_motion, body.state().books.kinetic);
+  }
+  std::printf("%.1f of %.1f ml leaked, %.1f ml enclosed, numerical %.1e J of %.1e J\n", 1e6 * body.state().leaked[0],
+              1e6 * watch.whole, 1e6 * body.state().volume[0], body.state().books.numerical,
+              body.state().books.largest());
+  EXPECT_EQ(least, 0);
+  EXPECT_EQ(least_motion, 0);
+  EXPECT_LT(body.state().volume[0], 0);
+  EXPECT_LT(watch.worst_identity, 1e-12);
+  EXPECT_LT(watch.worst_imbalance, 2e-8 * watch.largest);
+}
+
+TEST(Leak, LeavesNoLessThanNothing) {
+  for (const int rings : {3, 4}) {
+    BodyDefinition soft = open_ball(320, 0, rings);
+    soft.thickness.assign(soft.thickness.size(), 0.2e-3);
+    soft.materials = {neo_hookean(2e3)};
+    soft.loads = {{.kind = LoadKind::kDeadForce, .region = GroupRegion{"lips"}, .vector = {0, 0, -0.02}}};
+    expect_to_empty(soft, Eigen::Vector3d::Zero());
+    BodyDefinition stiff = open_ball(320, 0, rings);
+    stiff.loads = {{.kind = LoadKind::kDeadForce, .region = GroupRegion{"lips"}, .vector = {0, 0, -1}}};
+    expect_to_empty(stiff, {0, 0, -9.81});
+  }
+}
+
 TEST(Leak, AFreeBodyRecoilsFromItsJet) {
   BodyDefinition definition = open_ball(320, kPressure);
   definition.fixed.clear();

@@ -16,7 +16,7 @@ struct LeakWatch {
   bool both = false;  // air and pressure at once
 
   explicit LeakWatch(const Body& body) : whole(body.state().fluid_volume.sum()) {}
-  void note(const Body& body) {
+  void note_sums(const Body& body) {
     const BodyState& state = body.state();
     const double identity = (state.fluid_volume.sum() + state.leaked.sum()) / whole - 1;
     worst_identity = std::max(worst_identity, std::abs(identity));
@@ -25,6 +25,10 @@ struct LeakWatch {
                               state.books.tool_work, state.books.kinetic}) {
       largest = std::max(largest, std::abs(term));
     }
+  }
+  void note(const Body& body) {
+    note_sums(body);
+    const BodyState& state = body.state();
     lowest_pressure = std::min(lowest_pressure, state.equilibrium.pressure[0]);
     most_air = std::max(most_air, state.air[0]);
     both = both || (state.air[0] > 0 && state.equilibrium.pressure[0] > 1e-6);
