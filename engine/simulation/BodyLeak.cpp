@@ -337,7 +337,7 @@ void Body::update_leaks(double duration, const EquilibriumProblem& problem) {
 }
 
 double Body::book_leaks(const BodyState& before) {
-  if (!model_->has_open_chambers()) return 0;
+  if (!model_->has_open_chambers() || !model_->definition.fluid.leaks) return 0;
   double lost = 0;
   for (std::size_t k = 0; k < model_->openings.size(); ++k) {
     const OpeningModel& opening = model_->openings[k];

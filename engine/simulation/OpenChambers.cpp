@@ -8,6 +8,9 @@
 namespace thinwall {
 namespace {
 
+/// Part of a motion by whose central difference the load on a cap is differentiated: it is a cubic.
+constexpr double kDifference = 1e-3;
+
 /// Pressure of the contents of a chamber under their weight, and what their inertia adds: that of a fluid below a
 /// surface is taken to be spread over the whole chamber. Without a surface `weight` holds the sum of both.
 struct ContentsPressure {
@@ -128,10 +131,12 @@ void add_loads(const BodyModel& model, const EquilibriumProblem& problem, const 
     const int c = model.chamber[t];
     if (c < 0 || !model.is_open(c)) continue;
     const auto corners = corners_of(model.surface[t], position);
-    add_moment_loads(model, problem, t, corners, terms);
     const PressedTriangle pressed(corners, contents[c].weight);
     const Eigen::Matrix<double, 9, 1> unit = pressed.unit_load();
-    add_to_corners(model.surface[t], unit, terms.pressure_load.col(c));
+    if (model.definition.fluid.leaks) {
+      add_moment_loads(model, problem, t, corners, terms);
+      add_to_corners(model.surface[t], unit, terms.pressure_load.col(c));
+    }
     Eigen::Matrix<double, 9, 1> load = pressed.load();
     std::optional<PressedTriangle> pushed;
     if (!problem.fluid_inertia.empty() && !contents[c].weight.suction) {
@@ -149,7 +154,12 @@ void add_loads(const BodyModel& model, const EquilibriumProblem& problem, const 
   for (const OpeningModel& opening : model.openings) {
     const Eigen::Matrix3Xd lips = opening.at(position);
     const ContentsPressure& of = contents[opening.chamber];
-    add_to_lips(opening, lip_load_of(lips, of.weight) + lip_load_of(lips, of.inertia), terms.lip_force);
+    const Eigen::Matrix3Xd load = lip_load_of(lips, of.weight) + lip_load_of(lips, of.inertia);
+    if (model.definition.fluid.leaks) {
+      add_to_lips(opening, load, terms.lip_force);
+    } else {
+      add_to_lips(opening, pressure[opening.chamber] * lip_load_of(lips, {.at_origin = 1}) - load, terms.gradient);
+    }
   }
 }
 
@@ -164,7 +174,7 @@ void add_open_chambers(const BodyModel& model, const EquilibriumProblem& problem
   terms.pressure_load = terms.volume_gradient;
   terms.moment_load = terms.moment_gradient;
   for (int c = 0; c < static_cast<int>(problem.fluids.size()); ++c) {
-    if (!model.is_open(c)) continue;
+    if (!model.is_open(c) || !model.definition.fluid.leaks) continue;
     terms.pressure_load.col(c).setZero();
     if (terms.moment_load.cols() > 0) terms.moment_load.middleCols<3>(3 * c).setZero();
   }
@@ -197,6 +207,13 @@ Eigen::VectorXd rim_forces(const BodyModel& model, const EquilibriumProblem& pro
   for (const OpeningModel& opening : model.openings) {
     const ContentsPressure contents =
         contents_pressure(model, problem, terms, opening.chamber, pressure[opening.chamber]);
+    if (!model.definition.fluid.leaks) {
+      const Eigen::Matrix3Xd lips = opening.at(position), moved = kDifference * opening.at(motion);
+      for (const PressureField& field : {contents.weight, contents.inertia}) {
+        const Eigen::Matrix3Xd change = lip_load_of(lips + moved, field) - lip_load_of(lips - moved, field);
+        add_to_lips(opening, change / (2 * kDifference), forces);
+      }
+    }
     for (std::size_t k = 0; k < opening.lips.size(); ++k) {
       const int first = opening.lips[k], second = opening.lips[(k + 1) % opening.lips.size()];
       for (const PressureField& field : {contents.weight, contents.inertia}) {

@@ -7,9 +7,16 @@
 
 namespace thinwall {
 
-// Chambers whose wall has openings. A cap over the lips closes the volume, but the pressure bears on wall and caps
-// alone: the load is not pressure times the gradient of the volume, and no gradient of anything. With the load g of a
-// unit of pressure, the constraint V(x) + outflow = fluid volume and the stiffness K, Newton's step is
+// Chambers whose wall has openings. A cap over the lips closes the volume.
+//
+// What cannot leave, a gel, holds together and to the lips: they bear what the pressure does to the cap, so that the
+// load is the gradient of the volume as in a closed chamber, the wall pushes itself nowhere, and no energy is lost at
+// the lips. The cap's derivative, which couples all lips of an opening, is brought in like the skew-symmetric part
+// below.
+//
+// Of a fluid that leaves the pressure bears on the wall alone: the load is not pressure times the gradient of the
+// volume, and no gradient of anything. With the load g of a unit of pressure, the constraint V(x) + outflow = fluid
+// volume and the stiffness K, Newton's step is
 //
 //     | K - p dg/dx     -g            | | dx |   | -forces                  |
 //     | dV/dx + ...     compliance    | | dp | = | fluid volume - V - ...   |
@@ -30,7 +37,8 @@ void add_open_chambers(const BodyModel& model, const EquilibriumProblem& problem
 /// The unknowns of the vertices at the lips of chambers' openings, ascending, each once.
 std::vector<int> rim_unknowns(const BodyModel& model);
 
-/// What the skew-symmetric part of the load's derivative gives for a motion, both (unknowns): newton and metres.
+/// What the load's derivative gives for a motion but for the part that the sparse matrix keeps, both (unknowns): newton
+/// and metres.
 Eigen::VectorXd rim_forces(const BodyModel& model, const EquilibriumProblem& problem, const EquilibriumTerms& terms,
                            const Eigen::VectorXd& position, const Eigen::VectorXd& pressure,
                            const Eigen::VectorXd& motion);

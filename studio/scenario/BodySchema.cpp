@@ -161,7 +161,7 @@ ValueSchema contents_value() {
   const KeySchema orifices{"orifices", list_value(mapping_value({orifice()})), false, "[]", "holes between chambers"};
   const KeySchema leaks{"leaks", boolean_value(), false, "true",
                         "whether fluid flows out where the wall is open and air in where it sucks; `false` for a gel, "
-                        "which holds together"};
+                        "which holds together and to the lips"};
   const KeySchema discharge{
       "discharge", discharge_value(), false, "0.61",
       "of openings of the wall: flow over area times the root of twice the pressure over the "
