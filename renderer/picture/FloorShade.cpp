@@ -6,6 +6,7 @@ namespace thinwall {
 namespace {
 
 constexpr int kResolution = 96;  // the blur leaves nothing finer
+constexpr int kFine = 2 * kResolution;
 
 Framebuffer frame_of(const Texture& texture) {
   Framebuffer frame = create_framebuffer();
@@ -22,8 +23,10 @@ void empty(const Framebuffer& frame) {
 }  // namespace
 
 FloorShade::FloorShade()
-    : cover_(create_texture(GL_RG8, kResolution, kResolution, GL_LINEAR)),
+    : fine_(create_texture(GL_RG8, kFine, kFine, GL_LINEAR)),
+      cover_(create_texture(GL_RG8, kResolution, kResolution, GL_LINEAR)),
       blurred_(create_texture(GL_RG8, kResolution, kResolution, GL_LINEAR)),
+      fine_frame_(frame_of(fine_)),
       cover_frame_(frame_of(cover_)),
       blurred_frame_(frame_of(blurred_)),
       cover_program_(build_program("cover.vert", "cover.frag")),
@@ -31,10 +34,10 @@ FloorShade::FloorShade()
       no_vertices_(create_vertex_array()) {}
 
 void FloorShade::draw(const SceneMeshes& meshes, Vector3 toward_light) const {
-  glViewport(0, 0, kResolution, kResolution);
+  glViewport(0, 0, kFine, kFine);
   glDisable(GL_DEPTH_TEST);
-  glBindFramebuffer(GL_FRAMEBUFFER, cover_frame_.name());
-  empty(cover_frame_);
+  glBindFramebuffer(GL_FRAMEBUFFER, fine_frame_.name());
+  empty(fine_frame_);
   glEnable(GL_BLEND);
   glBlendEquation(GL_MAX);
   glColorMask(GL_TRUE, GL_FALSE, GL_FALSE, GL_FALSE);
@@ -44,6 +47,9 @@ void FloorShade::draw(const SceneMeshes& meshes, Vector3 toward_light) const {
   if (toward_light.z > 0.05) lay(meshes, toward_light);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glDisable(GL_BLEND);
+  glBlitNamedFramebuffer(fine_frame_.name(), cover_frame_.name(), 0, 0, kFine, kFine, 0, 0, kResolution, kResolution,
+                         GL_COLOR_BUFFER_BIT, GL_LINEAR);
+  glViewport(0, 0, kResolution, kResolution);
   blur(cover_, blurred_frame_, 1, 0);
   blur(blurred_, cover_frame_, 0, 1);
   glBindTextureUnit(1, cover_.name());

@@ -21,8 +21,10 @@ class FloorShade {
   void lay(const SceneMeshes& meshes, Vector3 along) const;
   void blur(const Texture& from, const Framebuffer& to, int across, int along) const;
 
+  Texture fine_;  // before it is made smaller: a cell that is covered in part takes a part of the light
   Texture cover_;
   Texture blurred_;
+  Framebuffer fine_frame_;
   Framebuffer cover_frame_;
   Framebuffer blurred_frame_;
   Program cover_program_;

@@ -33,7 +33,7 @@ std::vector<double> tiles_of(const Image& image) {
 // What was seen, and a quarter more for another driver's rounding.
 constexpr double kDryJolt = 0.5;
 constexpr double kBloodJolt = 0.75;  // 2.1 where blood's borders move on by an edge of the lips at once
-constexpr double kLightJolt = 2.0;   // 1.6: the shade on the floor has cells, whose light changes at once
+constexpr double kLightJolt = 0.95;  // 1.6 where the cells of the shade on the floor are twice as large
 
 struct Unrest {
   double change = 0;  // levels, the largest of a tile from a frame to the next
