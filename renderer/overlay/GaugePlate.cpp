@@ -61,7 +61,9 @@ void draw_gauge(Image& image, const OverlayGrid& grid, const OverlayContent& con
   const double line = grid.pixels(107);
   plate.line(left, line, plate.size().width - left, line, std::max(1.0, grid.unit), plate_style::kGridLine);
   draw_value(plate, grid, left, "Depth", depth_quantity(content.depth));
-  draw_value(plate, grid, plate.size().width / 2.0, "Pressure", pressure_quantity(content.pressure));
+  if (content.pressure) {
+    draw_value(plate, grid, plate.size().width / 2.0, "Pressure", pressure_quantity(*content.pressure));
+  }
   const int margin = grid.whole(plate_style::kMargin);
   plate.blend_onto(image, margin, image.size.height - margin - plate.size().height);
 }

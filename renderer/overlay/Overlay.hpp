@@ -36,7 +36,7 @@ struct OverlayContent {
   std::string tool;
   double force = 0;                             // newton
   double depth = 0;                             // metres
-  double pressure = 0;                          // pascal
+  std::optional<double> pressure = 0;           // pascal; none where no body has contents
   std::vector<ForceSample> history;             // ascending in time, up to `time`
   std::vector<ForceSample> other_history = {};  // of a take that this one is compared with; empty: none
   bool show_force_plot = true;

@@ -15,6 +15,7 @@ inline constexpr std::string_view kLargestStressField = "largest_principal_stres
 inline constexpr std::string_view kSmallestStressField = "smallest_principal_stress";  // pascal, triangles
 
 /// Names of a body's scalars that pictures read, behind its name.
+inline constexpr std::string_view kPressureScalar = ".pressure";         // pascal, of the first chamber
 inline constexpr std::string_view kVolumeScalar = ".volume";             // metres^3, of the cavity
 inline constexpr std::string_view kFluidVolumeScalar = ".fluid_volume";  // metres^3, in it
 inline constexpr std::string_view kLeakedScalar = ".leaked";             // metres^3, run out

@@ -142,7 +142,7 @@ SnapshotTool snapshot_tool(const ToolDefinition& tool, const ToolPose& pose, con
 
 void add_scalars(const Body& body, std::vector<SnapshotScalar>& scalars) {
   const std::string& name = body.model().definition.name;
-  scalars.push_back({.name = name + ".pressure", .unit = "Pa", .value = first_pressure(body.state())});
+  scalars.push_back({.name = name + std::string(kPressureScalar), .unit = "Pa", .value = first_pressure(body.state())});
   for (std::size_t c = 0; c < body.model().chambers.size(); ++c) {
     const std::string& chamber = body.model().chambers[c].name;
     if (chamber.empty()) continue;

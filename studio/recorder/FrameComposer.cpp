@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "renderer/snapshot/SameTime.hpp"
+#include "renderer/snapshot/SurfaceFields.hpp"
 
 namespace thinwall {
 namespace {
@@ -28,15 +29,13 @@ std::string text_at(double time, const std::vector<TimedText>& texts) {
   return text;
 }
 
-bool ends_with(const std::string& text, const std::string& ending) {
-  return text.size() >= ending.size() && text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
-}
-
-double first_pressure(const Snapshot& snapshot) {
-  for (const SnapshotScalar& scalar : snapshot.scalars) {
-    if (ends_with(scalar.name, ".pressure")) return scalar.value;
+/// Of the first body that has contents: an open sheet has no volume.
+std::optional<double> first_pressure(const Snapshot& snapshot) {
+  for (const SnapshotSurface& surface : snapshot.surfaces) {
+    if (find_scalar(snapshot, surface.body, kVolumeScalar) == 0.0) continue;
+    if (const auto pressure = find_scalar(snapshot, surface.body, kPressureScalar)) return pressure;
   }
-  return 0;
+  return std::nullopt;
 }
 
 std::optional<Legend> legend_of(const LookDefinition& look) {

@@ -188,6 +188,22 @@ TEST(Overlay, PlotShowsTheHistoryAndNothingElseDoes) {
   }
 }
 
+TEST(Overlay, TellsNoPressureWhereNothingHasContents) {
+  OverlayContent content = some_content();
+  const Image with = overlaid(content);
+  content.pressure.reset();
+  const Image without = overlaid(content);
+  int differ = 0;
+  for (std::size_t i = 0; i < with.pixels.size(); ++i) {
+    if (with.pixels[i] == without.pixels[i]) continue;
+    ++differ;
+    const double across = static_cast<double>(i / 3 % kSize.width) / kSize.width;
+    const double down = static_cast<double>(i / 3) / (static_cast<double>(kSize.width) * kSize.height);
+    EXPECT_TRUE(across > 0.12 && across < 0.23 && down > 0.87 && down < 0.95) << "beside the number and its name";
+  }
+  EXPECT_GT(differ, 500);
+}
+
 TEST(Overlay, TakesEmptyAndExtremeContent) {
   OverlayContent content = some_content();
   content.history.clear();
@@ -197,7 +213,8 @@ TEST(Overlay, TakesEmptyAndExtremeContent) {
   overlaid(content);
   for (const double value : {1e-300, 1e-9, 1e6, 1e15, -1e15}) {
     content = some_content();
-    content.force = content.depth = content.pressure = value;
+    content.force = content.depth = value;
+    content.pressure = value;
     content.duration = std::abs(value);
     for (ForceSample& sample : content.history) sample.force = value;
     content.tool = std::string(100, 'x');

@@ -20,7 +20,25 @@ TEST(FrameComposerTest, AFrameLiesBetweenItsNeighbours) {
   const double mean = 0.5 * (run.moment(7).snapshot.tools[0].depth + run.moment(8).snapshot.tools[0].depth);
   EXPECT_DOUBLE_EQ(frame.overlay.depth, mean);
   EXPECT_DOUBLE_EQ(frame.overlay.force, 100 * mean);
-  EXPECT_DOUBLE_EQ(frame.overlay.pressure, 1e5 * mean);
+  ASSERT_TRUE(frame.overlay.pressure);
+  EXPECT_DOUBLE_EQ(*frame.overlay.pressure, 1e5 * mean);
+}
+
+TEST(FrameComposerTest, TellsThePressureOfTheFirstBodyThatHasContents) {
+  Moment moment = SyntheticRun().moment(0);
+  SnapshotSurface organ = moment.snapshot.surfaces[0];
+  moment.snapshot.surfaces[0].body = "sheet";
+  organ.body = "organ";
+  moment.snapshot.scalars = {{"sheet.pressure", "Pa", 0}, {"sheet.volume", "m^3", 0}};
+  FrameComposer open("", {});
+  open.add(moment);
+  EXPECT_FALSE(open.compose(0).overlay.pressure) << "an open sheet has none";
+  moment.snapshot.surfaces.push_back(organ);
+  moment.snapshot.scalars.push_back({"organ.pressure", "Pa", 700});
+  moment.snapshot.scalars.push_back({"organ.volume", "m^3", 1e-5});
+  FrameComposer both("", {});
+  both.add(moment);
+  EXPECT_EQ(both.compose(0).overlay.pressure, 700);
 }
 
 TEST(FrameComposerTest, KnowsHowFarItReaches) {
