@@ -55,11 +55,17 @@ int render_take(const RenderOptions& options) {
   StageTime preparation;
   std::optional<TakeReader> take;
   PictureSettings settings;
+  std::optional<ViewDefinition> second_view;  // of the take that this one is compared with
   {
     const StageClock clock(preparation);
     take.emplace(options.take);
-    settings = options.view ? picture_settings(load_scenario(*options.view, options.overrides))
-                            : picture_settings(take->description().resolved);
+    if (options.view) {
+      const Scenario view = load_scenario(*options.view, options.overrides);
+      settings = picture_settings(view);
+      second_view = view.comparison ? picture_settings(*view.comparison->second).view : settings.view;
+    } else {
+      settings = picture_settings(take->description().resolved);
+    }
   }
   if (take->times().empty())
     throw TakeError(options.take.string() + ": the take holds no step, so there is nothing to draw");
@@ -68,7 +74,7 @@ int render_take(const RenderOptions& options) {
   if (options.mesh) settings.view.look.mesh = true;
   const std::vector<std::filesystem::path> takes = takes_shown(options.take);
   complete_data_range(takes, settings.view.look);
-  const std::unique_ptr<MomentSource> source = replay_takes(takes, settings.view);
+  const std::unique_ptr<MomentSource> source = replay_takes(takes, settings.view, second_view);
   if (options.ground_truth) prepare_truth(settings.view);
   const RecordingPlan plan{.folder = options.out.value_or(options.take.parent_path() / "render"),
                            .description = take->description(),

@@ -68,7 +68,8 @@ std::vector<std::filesystem::path> takes_shown(const std::filesystem::path& take
                   ", which is not there; run the scenario again");
 }
 
-std::unique_ptr<MomentSource> replay_takes(const std::vector<std::filesystem::path>& takes, ViewDefinition& view) {
+std::unique_ptr<MomentSource> replay_takes(const std::vector<std::filesystem::path>& takes, ViewDefinition& view,
+                                           const std::optional<ViewDefinition>& second_view) {
   auto first = std::make_unique<OwnedTakeSource>(takes.front());
   if (takes.size() == 1) return first;
   auto second = std::make_unique<OwnedTakeSource>(takes.back());
@@ -77,7 +78,8 @@ std::unique_ptr<MomentSource> replay_takes(const std::vector<std::filesystem::pa
   const auto own_captions = captions_of(resolved);
   if (!own_captions)
     throw TakeError(takes.back().string() + ": is not the second take of a comparison; run the scenario again");
-  TakeComparison comparison{{captions->front(), own_captions->back()}, picture_settings(resolved).view};
+  TakeComparison comparison{{captions->front(), own_captions->back()},
+                            second_view ? *second_view : picture_settings(resolved).view};
   comparison.second.look.data = view.look.data;
   comparison.second.look.mesh = view.look.mesh;
   view.comparison = std::make_shared<const TakeComparison>(std::move(comparison));

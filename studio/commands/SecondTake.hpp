@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,9 +26,10 @@ RecordedTakes record_second_take(const Scenario& scenario, const std::filesystem
 /// A take and, where its scenario compares, the second one. Throws TakeError when the second one is missing.
 std::vector<std::filesystem::path> takes_shown(const std::filesystem::path& take);
 
-/// What takes_shown gives, side by side where they are two; `view` then is told of the second, which shows the same
-/// numbers and edges of the mesh as the first.
-std::unique_ptr<MomentSource> replay_takes(const std::vector<std::filesystem::path>& takes, ViewDefinition& view);
+/// What takes_shown gives, side by side where they are two; `view` then is told of the second, which is seen as
+/// `second_view` says, or as it was recorded, and shows the same numbers and edges of the mesh as the first.
+std::unique_ptr<MomentSource> replay_takes(const std::vector<std::filesystem::path>& takes, ViewDefinition& view,
+                                           const std::optional<ViewDefinition>& second_view);
 
 /// For pictures with ground truth: walls are drawn as the triangles of the mesh, where researchers find them. Throws
 /// UsageError where two takes are shown.
