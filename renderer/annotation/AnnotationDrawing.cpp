@@ -34,8 +34,9 @@ struct Scene {
   SceneExtent extent;
   Camera camera;
   OverlayGrid grid;
-  ImageSize size;            // of the part of the picture
-  std::optional<Box> inset;  // of another picture, in this part
+  ImageSize size;             // of the part of the picture
+  std::optional<Box> inset;   // of another picture, in this part
+  std::optional<Box> legend;  // in this part
 
   std::optional<PixelPoint> pixel(Vector3 place) const { return camera.pixel(place, size); }
 
@@ -194,6 +195,14 @@ std::vector<std::vector<LabelWish>> moments_of(const Scene& scene, const std::ve
   return moments;
 }
 
+/// By an inset and a legend.
+std::optional<Box> taken_in(const Scene& scene) {
+  if (!scene.inset || !scene.legend) return scene.inset ? scene.inset : scene.legend;
+  const Box &a = *scene.inset, &b = *scene.legend;
+  const double left = std::min(a.x, b.x), top = std::min(a.y, b.y);
+  return Box{left, top, std::max(a.right(), b.right()) - left, std::max(a.bottom(), b.bottom()) - top};
+}
+
 /// Gives where the plates are.
 std::vector<Box> draw_labels(const Canvas& canvas, const Scene& scene, const std::vector<LabelDefinition>& labels) {
   std::vector<ShownLabel> unordered = shown_labels(scene, labels);
@@ -202,7 +211,7 @@ std::vector<Box> draw_labels(const Canvas& canvas, const Scene& scene, const std
                        .obstacles = obstacles_of(scene),
                        .gap = scene.grid.pixels(8),
                        .distance = scene.grid.pixels(26),
-                       .taken = scene.inset};
+                       .taken = taken_in(scene)};
   std::vector<ShownLabel> shown;
   for (const std::size_t i : order_of_labels(moments_of(scene, unordered, wishes_of(scene, unordered)), room)) {
     shown.push_back(std::move(unordered[i]));
@@ -240,7 +249,10 @@ void draw_arrow_text(const Canvas& canvas, const Scene& scene, const std::string
                  .gap = scene.grid.pixels(6),
                  .distance = scene.grid.pixels(12)};
   room.obstacles.push_back(end);
-  draw_plate(canvas, scene, text, moved_clear(lay_out_labels({wish}, room).front(), plates, room.gap, room.bounds));
+  Box box = moved_clear(lay_out_labels({wish}, room).front(), plates, room.gap, room.bounds);
+  // A legend is high, so that a text beside it stays nearer to its arrow than one above or below.
+  if (scene.legend && box.overlaps(*scene.legend)) box.x = scene.legend->x - room.gap - box.width;
+  draw_plate(canvas, scene, text, box);
 }
 
 void draw_arrows(const Canvas& canvas, const Scene& scene, const std::vector<ArrowDefinition>& arrows,
@@ -274,14 +286,19 @@ void draw_force_arrows(const Canvas& canvas, const Scene& scene, const std::vect
   }
 }
 
-/// An inset's place from the upper left of a part of the picture; none where it lies outside of the part.
-std::optional<Box> inset_within(const PictureBox& part, const std::optional<PictureBox>& inset) {
-  if (!inset) return std::nullopt;
-  const Box place{static_cast<double>(inset->left - part.left), static_cast<double>(inset->top - part.top),
-                  static_cast<double>(inset->size.width), static_cast<double>(inset->size.height)};
+/// A place of the whole picture from the upper left of a part of it; none where it lies outside of the part.
+std::optional<Box> place_within(const PictureBox& part, const std::optional<Box>& whole) {
+  if (!whole) return std::nullopt;
+  const Box place{whole->x - part.left, whole->y - part.top, whole->width, whole->height};
   const bool is_outside =
       place.right() <= 0 || place.bottom() <= 0 || place.x >= part.size.width || place.y >= part.size.height;
   return is_outside ? std::nullopt : std::optional(place);
+}
+
+std::optional<Box> box_of(const std::optional<PictureBox>& inset) {
+  if (!inset) return std::nullopt;
+  return Box{static_cast<double>(inset->left), static_cast<double>(inset->top), static_cast<double>(inset->size.width),
+             static_cast<double>(inset->size.height)};
 }
 
 /// What is drawn from now on leaves `inset` as it is.
@@ -296,8 +313,8 @@ void keep_off(const Canvas& canvas, ImageSize size, const Box& inset) {
 }  // namespace
 
 void draw_annotations(Image& image, const PictureBox& box, const AnnotationDefinition& annotations,
-                      const Snapshot& snapshot, const CameraDefinition& camera,
-                      const std::optional<PictureBox>& inset) {
+                      const Snapshot& snapshot, const CameraDefinition& camera, const std::optional<PictureBox>& inset,
+                      const std::optional<Box>& legend) {
   if (annotations.is_empty()) return;
   const FontUse use;
   const SceneExtent extent = scene_extent(snapshot);
@@ -307,7 +324,8 @@ void draw_annotations(Image& image, const PictureBox& box, const AnnotationDefin
                     .camera = resolve_camera(camera, extent, box.size, snapshot.time),
                     .grid = OverlayGrid(image.size),
                     .size = box.size,
-                    .inset = inset_within(box, inset)};
+                    .inset = place_within(box, box_of(inset)),
+                    .legend = place_within(box, legend)};
   const Canvas canvas(box.size);
   if (scene.inset) keep_off(canvas, box.size, *scene.inset);
   std::vector<Box> plates = draw_labels(canvas, scene, annotations.labels);

@@ -48,6 +48,13 @@ void draw_bar(const Plate& plate, const OverlayGrid& grid, const Box& bar) {
 
 }  // namespace
 
+Box legend_place(const OverlayGrid& grid, const std::optional<Box>& inset) {
+  const double width = grid.whole(kWidth), height = grid.whole(kHeight);
+  Box place{grid.size.width - grid.whole(kMargin) - width, static_cast<double>(grid.whole(kTop)), width, height};
+  if (inset && place.overlaps(*inset)) place.x = inset->x - grid.pixels(kPadding) - width;
+  return place;
+}
+
 void draw_legend(Image& image, const OverlayGrid& grid, const Legend& legend, const std::optional<Box>& inset) {
   assert(std::isfinite(legend.from) && std::isfinite(legend.to));
   const ShownUnit unit = shown_unit(legend.unit, std::max(std::abs(legend.from), std::abs(legend.to)));
@@ -71,13 +78,8 @@ void draw_legend(Image& image, const OverlayGrid& grid, const Legend& legend, co
     const Text number(sign + tick.label, {.size = grid.pixels(kSmallText), .color = kText});
     number.draw(plate, bar.right() + grid.pixels(10), y - number.height() / 2);
   }
-  const int margin = grid.whole(kMargin);
-  const Box place{static_cast<double>(image.size.width - margin - plate.size().width),
-                  static_cast<double>(grid.whole(kTop)), static_cast<double>(plate.size().width),
-                  static_cast<double>(plate.size().height)};
-  const bool is_taken = inset && place.overlaps(*inset);
-  const double left = is_taken ? inset->x - grid.pixels(kPadding) - place.width : place.x;
-  plate.blend_onto(image, static_cast<int>(left), static_cast<int>(place.y));
+  const Box place = legend_place(grid, inset);
+  plate.blend_onto(image, static_cast<int>(place.x), static_cast<int>(place.y));
 }
 
 }  // namespace thinwall

@@ -7,8 +7,10 @@
 
 namespace thinwall {
 
-/// What the colours of a data view mean: a bar of them with numbers beside it and the quantity's name and unit above,
-/// at the right, below the time; left of an `inset` that has its place.
+/// Where a legend stands: at the right, below the time; left of an `inset` that has its place.
+Box legend_place(const OverlayGrid& grid, const std::optional<Box>& inset);
+
+/// What the colours of a data view mean: a bar of them with numbers beside it and the quantity's name and unit above.
 void draw_legend(Image& image, const OverlayGrid& grid, const Legend& legend, const std::optional<Box>& inset);
 
 }  // namespace thinwall

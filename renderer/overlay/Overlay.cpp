@@ -70,6 +70,10 @@ Plate::Plate(const OverlayGrid& grid, ImageSize size) : Canvas(size) {
   stroke_rounded(inner, radius - edge / 2, edge, kEdge);
 }
 
+std::optional<Box> place_of_legend(const OverlayContent& content, ImageSize size, const std::optional<Box>& inset) {
+  return content.legend ? std::optional(legend_place(OverlayGrid(size), inset)) : std::nullopt;
+}
+
 void draw_overlay(Image& image, const OverlayContent& content, const std::optional<Box>& inset) {
   const FontUse use;
   const OverlayGrid grid(image.size);

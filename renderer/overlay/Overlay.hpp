@@ -52,4 +52,7 @@ struct OverlayContent {
 /// that has their place. Throws PictureFailure when the font is missing.
 void draw_overlay(Image& image, const OverlayContent& content, const std::optional<Box>& inset = {});
 
+/// Where draw_overlay puts the legend in a picture of `size`; none where there is no legend.
+std::optional<Box> place_of_legend(const OverlayContent& content, ImageSize size, const std::optional<Box>& inset);
+
 }  // namespace thinwall

@@ -105,16 +105,17 @@ Image finished_picture(const Frame& frame, Painter& painter) {
   Image image = painter.paint(frame.snapshot, frame.shot);
   std::optional<PictureBox> inset;
   if (frame.shot.inset) inset = inset_box(frame.shot.corner, image.size);
-  if (frame.annotations) {
-    draw_annotations(image, main_box(frame.shot, image.size), *frame.annotations, frame.snapshot, frame.shot.camera,
-                     inset);
-    if (frame.shot.beside_snapshot) {
-      draw_annotations(image, beside_box(image.size), *frame.annotations, *frame.shot.beside_snapshot,
-                       *frame.shot.beside, inset);
-    }
-  }
   std::optional<Box> taken;
   if (inset) taken = canvas_box(*inset);
+  const std::optional<Box> legend = place_of_legend(frame.overlay, image.size, taken);
+  if (frame.annotations) {
+    draw_annotations(image, main_box(frame.shot, image.size), *frame.annotations, frame.snapshot, frame.shot.camera,
+                     inset, legend);
+    if (frame.shot.beside_snapshot) {
+      draw_annotations(image, beside_box(image.size), *frame.annotations, *frame.shot.beside_snapshot,
+                       *frame.shot.beside, inset, legend);
+    }
+  }
   if (!frame.half_captions[0].empty()) draw_half_captions(image, frame.half_captions, taken);
   draw_overlay(image, frame.overlay, taken);
   if (!frame.badge.empty()) draw_badge(image, frame.badge);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "renderer/annotation/Card.hpp"
+#include "renderer/overlay/LegendPlate.hpp"
 #include "renderer/picture/Camera.hpp"
 #include "tests/renderer/picture/TestMeshes.hpp"
 
@@ -152,6 +153,28 @@ TEST(AnnotationDrawing, LeavesAnInsetInAnyCornerAsItIs) {
     }
     EXPECT_EQ(changed, 0);
   }
+}
+
+TEST(AnnotationDrawing, LabelsAndTextsOfArrowsKeepClearOfALegend) {
+  Snapshot snapshot = scene(1.9);  // nearly up to the legend
+  snapshot.time = 1;
+  AnnotationDefinition annotations;
+  for (const double height : {-0.012, 0.0, 0.012}) {
+    annotations.labels.push_back({.text = "A long name of a part", .body = "organ", .at = {0.016, 0, height}});
+  }
+  annotations.arrows.push_back({.text = "A long text beside", .body = "organ", .at = {0.016, 0, 0.012}});
+  const Box legend = legend_place(OverlayGrid(kSize), {});
+  const auto inked = [&](const std::optional<Box>& told) {
+    Image image = black();
+    draw_annotations(image, {.size = kSize}, annotations, snapshot, from_the_front(), {}, told);
+    int count = 0;
+    for (int y = static_cast<int>(legend.y); y < legend.bottom(); ++y) {
+      for (int x = static_cast<int>(legend.x); x < legend.right(); ++x) count += level(image, x + 0.5, y + 0.5) > 0;
+    }
+    return count;
+  };
+  EXPECT_GT(inked({}), 1000) << "they would stand there";
+  EXPECT_EQ(inked(legend), 0);
 }
 
 TEST(AnnotationDrawing, WhatLiesUnderAnInsetHasNoLabel) {
