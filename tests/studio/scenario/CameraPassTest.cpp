@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "tests/studio/scenario/CheckedText.hpp"
@@ -45,6 +47,40 @@ TEST(CameraPass, LooksUpAtToolsThatPressFromBelow) {
 TEST(CameraPass, KeepsWhatTheScenarioSays) {
   EXPECT_FALSE(facing("[0, 1, 0]", "{ position: [1 m, 0, 0] }"));
   EXPECT_EQ(*facing("[0, 1, 0]", "{ facing: [0, 0, -1] }"), Eigen::Vector3d(0, 0, -1));
+}
+
+/// The same for a cut along a path in a body of a shape.
+std::optional<Eigen::Vector3d> facing_cut(const std::string& shape, const std::string& path,
+                                          const std::string& more = "") {
+  CheckedValue root = checked_scenario(
+      "timeline:\n  - incise: { tool: blade, body: organ, depth: 1 mm, path: " + path + more + " }\ncamera: {}\n",
+      shape);
+  camera_pass(root);
+  const CheckedValue* value = root.at("camera").find("facing");
+  if (value == nullptr) return std::nullopt;
+  return Eigen::Vector3d(value->items[0].number, value->items[1].number, value->items[2].number);
+}
+
+TEST(CameraPass, LooksIntoAWoundWhereverItIsCutInARoundShape) {
+  const std::string ball = "{ shape: sphere, radius: 20 mm }";
+  for (const auto& [path, inward] : {std::pair{"[[-20 mm, 8 mm, 0], [-20 mm, -8 mm, 0]]", Eigen::Vector3d(1, 0, 0)},
+                                     std::pair{"[[8 mm, 20 mm, 0], [-8 mm, 20 mm, 0]]", Eigen::Vector3d(0, -1, 0)},
+                                     std::pair{"[[-8 mm, 0, -20 mm], [8 mm, 0, -20 mm]]", Eigen::Vector3d(0, 0, 1)}}) {
+    const auto view = facing_cut(ball, path);
+    ASSERT_TRUE(view) << path;
+    EXPECT_NEAR(view->norm(), 1, 1e-12);
+    EXPECT_NEAR(view->dot(inward), std::cos(std::numbers::pi / 6), 1e-12) << path;
+    EXPECT_TRUE(inward.z() != 0 || view->z() < 0) << "from above";
+  }
+  EXPECT_FALSE(facing_cut(ball, "[[-8 mm, 0, 20 mm], [8 mm, 0, 20 mm]]")) << "the standard view shows the top";
+}
+
+TEST(CameraPass, KnowsWhereABladeGoesInByItsDirectionAlsoInAMesh) {
+  const std::string path = "[[-20 mm, 8 mm, 0], [-20 mm, -8 mm, 0]]", mesh = "{ mesh: organ.obj, unit: mm }";
+  const auto view = facing_cut(mesh, path, ", direction: [1, 0, 0]");
+  ASSERT_TRUE(view);
+  EXPECT_GT(view->x(), 0.8);
+  EXPECT_FALSE(facing_cut(mesh, path)) << "nothing tells where the inside is";
 }
 
 }  // namespace
