@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "renderer/ground_truth/Openings.hpp"
 #include "renderer/snapshot/SurfaceFields.hpp"
 
 namespace thinwall {
@@ -81,9 +82,13 @@ GroundTruth ground_truth(const SeenFrame& frame) {
                     .von_mises = std::vector<float>(has_stress ? places.size() : 0),
                     .contact_pressure = std::vector<float>(has_pressure ? places.size() : 0),
                     .wound = std::vector<WoundPart>(places.size())};
+  const std::vector<char> through = rays_through_openings(frame.snapshot(), geometry, frame.moment().projection);
   for (std::size_t pixel = 0; pixel < places.size(); ++pixel) {
     const ScenePlace& place = places[pixel];
-    if (place.triangle == kNoIndex) continue;
+    if (place.triangle == kNoIndex) {
+      if (through[pixel]) truth.wound[pixel] = WoundPart::kThrough;
+      continue;
+    }
     const SceneTriangle& triangle = geometry.triangles[place.triangle];
     const ScenePart& part = geometry.parts[triangle.part];
     truth.depth[pixel] = static_cast<float>(frame.seen().depth[pixel]);

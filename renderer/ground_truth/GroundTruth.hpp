@@ -40,11 +40,12 @@ class SeenFrame {
 enum class WoundPart : std::uint8_t {
   kNothing,
   kCutFace,  // the thickness of a wall at a cut
-  kInside    // the inner side of a wall, seen through an opening
+  kInside,   // the inner side of a wall, seen through an opening
+  kThrough   // nothing of the scene, seen through an opening within a wall: the bed below cut skin
 };
 
 /// What the middle of each pixel shows, (height x width), first row on top; nothing is blended. Where nothing is seen
-/// (behind the scene, its floor and the surroundings of an endoscope included) all is zero.
+/// (behind the scene, its floor and the surroundings of an endoscope included) all is zero but for WoundPart::kThrough.
 struct GroundTruth {
   ImageSize size;
   std::vector<float> depth;                   // metres along the line of sight

@@ -125,7 +125,11 @@ Json layer_part() {
           {"backward_state", state},
           {"stress", {{"unit", "Pa"}, {"content", "von Mises"}}},
           {"contact_pressure", {{"unit", "Pa"}}},
-          {"wound", {{"0", "none"}, {"1", "face of a cut"}, {"2", "inside, seen through an opening"}}}};
+          {"wound",
+           {{"0", "none"},
+            {"1", "face of a cut"},
+            {"2", "inside, seen through an opening"},
+            {"3", "nothing of the scene, seen through an opening"}}}};
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "renderer/snapshot/SurfaceFields.hpp"
 #include "tests/renderer/ground_truth/RayCast.hpp"
+#include "tests/renderer/picture/CutSheets.hpp"
 #include "tests/renderer/picture/TestMeshes.hpp"
 
 namespace thinwall {
@@ -132,6 +133,42 @@ TEST(GroundTruthTest, CutFacesAreAWoundAndTheSheetsOwnBorderIsNone) {
   }
   EXPECT_GT(faces, 30);
   EXPECT_GT(border, 30);
+}
+
+/// A slit of 18 mm whose lips stand apart by up to 6 mm: a lens of circular arcs, nearly.
+TEST(GroundTruthTest, WhatIsSeenThroughAnOpeningIsAWoundToo) {
+  SnapshotSurface sheet = test::slit_sheet(20, 0.001, 0);
+  const auto is_slit = [](float x) { return std::abs(x) < 0.0085F; };
+  for (std::size_t v = 0; v < sheet.positions.size(); ++v) {
+    auto& [x, y, z] = sheet.positions[v];
+    const float opened = 0.003F * std::max(0.0F, 1 - x * x / 0.000081F);
+    // Twins come last; they are of the side of +y.
+    if (y == 0 && is_slit(x))
+      y = v < 21 * 21 ? -opened : opened;
+    else if (y != 0)
+      y += (y > 0 ? 1.0F : -1.0F) * opened * std::max(0.0F, 1 - std::abs(y) / 0.01F);
+  }
+  Snapshot snapshot;
+  snapshot.surfaces = {sheet};
+  ViewDefinition view;
+  view.camera.position = Double3{0, 0, 0.05};
+  view.camera.target = Double3{0, 0, 0};
+  const SeenFrame frame(snapshot, {view.camera}, kSize);
+  const GroundTruth truth = ground_truth(frame);
+  int through = 0, outside = 0;
+  const Camera& camera = frame.camera();
+  for (std::size_t pixel = 0; pixel < truth.wound.size(); ++pixel) {
+    const bool is_through = truth.wound[pixel] == WoundPart::kThrough;
+    through += is_through;
+    outside += !is_through && truth.instances[pixel] == 0;
+    EXPECT_TRUE(!is_through || (truth.instances[pixel] == 0 && truth.depth[pixel] == 0));
+  }
+  // Two thirds of length times width, of pixels that are so large there; the faces of the cut hide a part of it.
+  const double pixel_size = 2 * camera.tangent_y * 0.05 / kSize.height;
+  const double whole = 2.0 / 3 * 0.018 * 0.006 / (pixel_size * pixel_size);
+  EXPECT_GT(through, 0.4 * whole);
+  EXPECT_LT(through, 1.02 * whole);
+  EXPECT_GT(outside, through) << "beside the sheet is no wound";
 }
 
 TEST(GroundTruthTest, StressIsThatOfTheTriangleAndPressureRunsEvenly) {
