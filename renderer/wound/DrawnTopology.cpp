@@ -15,37 +15,50 @@ void find_triangles(DrawnTopology& drawn) {
   std::partial_sum(drawn.first_part.begin(), drawn.first_part.end(), drawn.first_part.begin());
 }
 
-/// Part of the way along an edge of the mesh at which a drawn vertex lies.
-double part_of(const DrawnTopology& drawn, std::uint32_t vertex, std::uint32_t start) {
-  const std::size_t of_mesh = drawn.smooth.mesh->rest_positions.size();
-  if (vertex < of_mesh) return vertex == start ? 0 : 1;
-  const CurvePoint& point = drawn.smooth.points[vertex - of_mesh];
-  return point.start == start ? point.part : 1 - point.part;
-}
-
-void find_borders(DrawnTopology& drawn) {
-  using Ends = std::pair<std::uint32_t, std::uint32_t>;
-  std::map<Ends, std::uint32_t> of_ends;
+/// (borders of the mesh), their points as they are drawn, from the start on.
+std::vector<std::vector<std::uint32_t>> points_of_borders(const DrawnTopology& drawn) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> of_ends;
   for (std::uint32_t k = 0; k < drawn.mesh_borders.size(); ++k) {
     of_ends[{drawn.mesh_borders[k].start, drawn.mesh_borders[k].end}] = k;
   }
-  const std::size_t of_mesh = drawn.smooth.mesh->rest_positions.size();
-  drawn.borders_of.resize(drawn.mesh_borders.size());
-  for (std::uint32_t k = 0; k < drawn.borders.size(); ++k) {
-    const BorderEdge& edge = drawn.borders[k];
-    Ends ends{edge.start, edge.end};
-    if (const std::uint32_t added = std::max(edge.start, edge.end); added >= of_mesh) {
-      const CurvePoint& point = drawn.smooth.points[added - of_mesh];
-      ends = {point.start, point.end};
-      if (!of_ends.contains(ends)) std::swap(ends.first, ends.second);
-    }
-    const std::uint32_t border = of_ends.at(ends);
-    drawn.border_parts.push_back(
-        {.border = border, .from = part_of(drawn, edge.start, ends.first), .to = part_of(drawn, edge.end, ends.first)});
-    drawn.borders_of[border].push_back(k);
+  std::vector<std::vector<std::uint32_t>> points(drawn.mesh_borders.size());
+  auto vertex = static_cast<std::uint32_t>(drawn.smooth.mesh->rest_positions.size());
+  for (const CurvePoint& point : drawn.smooth.points) {
+    const auto along = of_ends.find({point.start, point.end}), against = of_ends.find({point.end, point.start});
+    if (along != of_ends.end()) points[along->second].push_back(vertex);
+    if (against != of_ends.end()) points[against->second].insert(points[against->second].begin(), vertex);
+    ++vertex;
   }
-  for (std::vector<std::uint32_t>& pieces : drawn.borders_of) {
-    std::ranges::sort(pieces, {}, [&](std::uint32_t k) { return drawn.border_parts[k].from; });
+  return points;
+}
+
+/// The part of a triangle of the mesh that has an edge.
+std::uint32_t part_at(const DrawnTopology& drawn, std::uint32_t triangle, std::uint32_t start, std::uint32_t end) {
+  const std::uint32_t last = drawn.first_part[triangle + 1] - 1;
+  for (std::uint32_t t = drawn.first_part[triangle]; t < last; ++t) {
+    const Triangle& corners = drawn.topology().triangles[t];
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (corners[k] == start && corners[(k + 1) % 3] == end) return t;
+    }
+  }
+  return last;
+}
+
+/// From those of the mesh: searching all triangles for edges without a neighbour takes longer than drawing.
+void find_borders(DrawnTopology& drawn) {
+  const std::vector<std::vector<std::uint32_t>> points = points_of_borders(drawn);
+  for (std::uint32_t k = 0; k < drawn.mesh_borders.size(); ++k) {
+    const auto& [start, end, triangle] = drawn.mesh_borders[k];
+    const auto pieces = static_cast<std::uint32_t>(points[k].size() + 1);
+    std::vector<std::uint32_t>& numbers = drawn.borders_of.emplace_back();
+    for (std::uint32_t piece = 0; piece < pieces; ++piece) {
+      const std::uint32_t from = piece == 0 ? start : points[k][piece - 1];
+      const std::uint32_t to = piece + 1 == pieces ? end : points[k][piece];
+      numbers.push_back(static_cast<std::uint32_t>(drawn.borders.size()));
+      drawn.borders.push_back({.start = from, .end = to, .triangle = part_at(drawn, triangle, from, to)});
+      drawn.border_parts.push_back(
+          {.border = k, .from = static_cast<double>(piece) / pieces, .to = static_cast<double>(piece + 1) / pieces});
+    }
   }
 }
 
@@ -68,7 +81,6 @@ DrawnTopology drawn_topology(const std::shared_ptr<const SnapshotTopology>& mesh
   drawn.smooth = edges == DrawnEdges::kStraight
                      ? unsmoothed_surface(mesh)
                      : smooth_surface(mesh, drawn.mesh_borders, drawn.is_lip, edges == DrawnEdges::kCurves);
-  drawn.borders = drawn.smooth.points.empty() ? drawn.mesh_borders : border_edges(drawn.topology());
   for (const CurvePoint& point : drawn.smooth.points) drawn.is_lip.push_back(point.is_lip);
   find_triangles(drawn);
   find_borders(drawn);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/renderer/picture/CutSheets.hpp"
@@ -75,6 +76,17 @@ TEST(DrawnTopology, PlacesOfBordersKeepTheirMatterToo) {
       EXPECT_NEAR(mesh_place(drawn, shown).along, along, 1e-12);
     }
   }
+}
+
+TEST(DrawnTopology, ItsBordersAreThoseOfItsTriangles) {
+  const DrawnTopology drawn = drawn_topology(rolled_slit_sheet(), DrawnEdges::kCurves);
+  const auto sorted = [](const std::vector<BorderEdge>& borders) {
+    std::vector<Triangle> edges;
+    for (const auto& [start, end, triangle] : borders) edges.push_back({start, end, triangle});
+    std::ranges::sort(edges);
+    return edges;
+  };
+  EXPECT_EQ(sorted(drawn.borders), sorted(border_edges(drawn.topology())));
 }
 
 TEST(DrawnTopology, IsTheMeshItselfWhereItsTrianglesAreAskedForOrNothingIsCutNorCoarse) {
