@@ -16,6 +16,11 @@ constexpr double kSettledEdges = 2;
 /// back along its own wound.
 constexpr double kMostLead = 2;
 
+/// Mean edge lengths of what has been cut that a blade may be in arrears with, as the mesh is cut some way at a time.
+/// Where a flap turns against the blade, or folds, more is cut than it goes: it pays the rest over so many edges.
+constexpr double kArrears = 1;
+constexpr double kArrearsPaid = 0.5;
+
 /// How much farther than its own way a blade may seem to go through a wall that springs back against it: lips are let
 /// go by that way, and such a wall would spring back the faster the more is let go, however short the steps.
 constexpr double kMostProgress = 8;
@@ -32,6 +37,13 @@ void note_work(const Eigen::VectorXd& motion, CutProgress& cut) {
     lips.drives = lips.work > kMostDriven * cut.cost * lips.length;
     lips.runs = lips.runs || lips.drives;
   }
+}
+
+/// What of the cut area neither is paid for nor will be by lips that are still held, joule.
+double unpaid(const CutProgress& cut) {
+  double to_come = 0;
+  for (const HeldLips& lips : cut.held) to_come += lips.pays ? lips.held * lips.length * std::max(0.0, cut.given) : 0;
+  return cut.due - to_come;
 }
 
 }  // namespace
@@ -87,17 +99,22 @@ double Body::book_cut(const CutProgress& before, const Eigen::VectorXd& motion,
     if (cut > 0) after.given += share * (released / cut - after.given);
     const bool is_free = after.ahead > 0 || !cuts;
     after.resistance = is_free ? 0 : std::clamp(after.cost - after.given + after.owed / length, 0.0, after.cost);
+    const double arrears = unpaid(after) / model_->edge_length - kArrears * after.cost;  // newton
+    if (!is_free && arrears > 0) after.resistance += arrears / kArrearsPaid;
     state_.contacts[blade->tool].force -= after.push * blade->direction;
     state_.contacts[blade->tool].touching = true;
   } else {
     after.owed -= released;
   }
   // What the wall releases beyond the cost lightens the blade's work ahead; where there is none left it is lost.
-  const double surplus = blade && after.resistance > 0 ? 0 : std::max(0.0, -after.owed);
-  after.owed += surplus;
+  const double credit = blade && after.resistance > 0 ? 0 : std::max(0.0, -after.owed);
+  after.owed += credit;
+  after.due -= paid + released;
+  // Where a blade cut more than it went, it pays for that first.
+  const double surplus = after.tool ? std::min(credit, std::max(0.0, -after.due)) : credit;
   EnergyBooks& books = state_.books;
   books.fracture += paid + released - surplus;
-  after.due -= paid + released - surplus;
+  after.due += surplus;
   books.jump += surplus + lost;
   books.tool_work += paid;
   state_.cut = after;
