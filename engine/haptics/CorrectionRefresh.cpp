@@ -4,7 +4,7 @@
 #include <chrono>
 #include <utility>
 
-#include "engine/haptics/Trajectory.hpp"
+#include "engine/tool/PoseBetween.hpp"
 
 namespace thinwall {
 

@@ -27,7 +27,4 @@ class Trajectory final : public HapticDevice {
   std::vector<TimedPose> moments_;
 };
 
-/// Poses between two: tip and opening straight, the frame by the shortest turn; `part` from 0 to 1.
-ToolPose between(const ToolPose& begin, const ToolPose& end, double part);
-
 }  // namespace thinwall

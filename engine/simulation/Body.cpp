@@ -1,12 +1,12 @@
 #include "engine/simulation/Body.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <utility>
 
 #include "engine/simulation/SimulationFailure.hpp"
+#include "engine/tool/PoseBetween.hpp"
 
 namespace thinwall {
 namespace {
@@ -35,15 +35,7 @@ constexpr int kHalvingsBeforeLettingEdgesIn = 2;
 
 std::vector<ToolPose> interpolate(std::span<const ToolPose> begin, std::span<const ToolPose> end, double fraction) {
   std::vector<ToolPose> poses(begin.begin(), begin.end());
-  for (std::size_t k = 0; k < poses.size(); ++k) {
-    poses[k].tip += fraction * (end[k].tip - begin[k].tip);
-    poses[k].direction += fraction * (end[k].direction - begin[k].direction);
-    poses[k].direction.normalize();
-    poses[k].axis += fraction * (end[k].axis - begin[k].axis);
-    poses[k].axis -= poses[k].direction * poses[k].direction.dot(poses[k].axis);
-    poses[k].axis.normalize();
-    poses[k].opening += fraction * (end[k].opening - begin[k].opening);
-  }
+  for (std::size_t k = 0; k < poses.size(); ++k) poses[k] = between(begin[k], end[k], fraction);
   return poses;
 }
 

@@ -3,6 +3,7 @@
 
 #include "engine/simulation/Body.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
+#include "engine/tool/PoseBetween.hpp"
 
 namespace thinwall {
 namespace {
@@ -46,12 +47,6 @@ Vector9 at_corners(const Eigen::Vector3i& triangle, const Eigen::VectorXd& motio
 
 Eigen::Vector3d sum_of(const Vector9& corners) {
   return corners.head<3>() + corners.segment<3>(3) + corners.tail<3>();
-}
-
-Eigen::Matrix3d frame_of(const ToolPose& pose) {
-  Eigen::Matrix3d frame;
-  frame << pose.axis.cross(pose.direction), pose.axis, pose.direction;
-  return frame;
 }
 
 }  // namespace

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/tool/PoseBetween.hpp"
 #include "studio/scenario/InputError.hpp"
+#include "studio/scenario/Parallel.hpp"
 
 namespace thinwall {
 namespace {
@@ -13,6 +15,19 @@ namespace {
 /// 0 to 1 with the ease of a clip: `smooth` starts and ends at rest (3 t^2 - 2 t^3).
 double eased(Ease ease, double part) {
   return ease == Ease::kSmooth ? part * part * (3 - 2 * part) : part;
+}
+
+/// The tool as it is, turned as the clip says.
+ToolPose attitude_given(const MoveClip& clip, const ToolPose& now, const SourceLocation& location) {
+  ToolPose pose = clip.direction ? turned_to(now, clip.direction->normalized()) : now;
+  if (!clip.axis) return pose;
+  if (are_parallel(*clip.axis, pose.direction)) {
+    throw InputErrors({{location, fmt::format("move: the axis lies along the direction that tool `{}` has; give it a "
+                                              "`direction` too, or another `axis`",
+                                              clip.tool)}});
+  }
+  pose.axis = make_pose(pose.tip, pose.direction, clip.axis).axis;
+  return pose;
 }
 
 }  // namespace
@@ -92,19 +107,22 @@ PalpationPlan plan_palpation(const PalpateClip& clip, const ToolDefinition& tool
 
 ToolMoment MovePlan::at(double time) const {
   const double part = eased(clip.ease, std::clamp(time / clip.duration, 0.0, 1.0));
-  ToolMoment moment{.pose = end, .phase = "approach"};
-  moment.pose.tip = begin.tip + part * (end.tip - begin.tip);
-  return moment;
+  return {.pose = between(begin, end, part), .phase = "approach"};
 }
 
-MovePlan plan_move(const MoveClip& clip, const ToolPose& now, bool keeps_frame) {
+MovePlan plan_move(const MoveClip& clip, const ToolPose& now, bool is_first, const SourceLocation& location) {
   const Eigen::Vector3d from = clip.from.value_or(now.tip);
-  const Eigen::Vector3d way = clip.to - from;
-  const bool turns = way.norm() > 0 && !keeps_frame;
-  const Eigen::Vector3d direction = clip.direction ? *clip.direction : (turns ? way : now.direction);
-  const std::optional<Eigen::Vector3d> axis = keeps_frame && !clip.axis ? now.axis : clip.axis;
-  MovePlan plan{.clip = clip, .begin = make_pose(from, direction, axis), .end = make_pose(clip.to, direction, axis)};
-  plan.begin.opening = plan.end.opening = now.opening;
+  MovePlan plan{.clip = clip, .begin = now, .end = now};
+  if (is_first) {
+    const Eigen::Vector3d way = clip.to - from;
+    plan.end = make_pose(clip.to, clip.direction.value_or(way.norm() > 0 ? way : now.direction), clip.axis);
+    plan.end.opening = now.opening;
+  } else {
+    plan.end = attitude_given(clip, now, location);
+  }
+  if (is_first || (from - now.tip).norm() > kSamePlace) plan.begin = plan.end;
+  plan.begin.tip = from;
+  plan.end.tip = clip.to;
   return plan;
 }
 

@@ -54,7 +54,7 @@ PalpationPlan plan_palpation(const PalpateClip& clip, const ToolDefinition& tool
 double free_travel(const ToolPose& pose, const ToolDefinition& tool, const SurfaceView& surface, double standoff,
                    const ClipWords& words, const SourceLocation& location);
 
-/// A straight motion.
+/// A straight motion, in which the tool turns evenly from its attitude at the beginning to that at the end.
 struct MovePlan {
   MoveClip clip;
   ToolPose begin, end;
@@ -63,9 +63,14 @@ struct MovePlan {
   ToolMoment at(double time) const;                  // the phase is left to who knows whether the tool touches
 };
 
-/// `now`: where the tool is, unless the clip says where it begins. `keeps_frame`: a tool that holds something does not
-/// turn unless the clip says so.
-MovePlan plan_move(const MoveClip& clip, const ToolPose& now, bool keeps_frame = false);
+/// `now`: the tool as an earlier clip has left it, whose attitude is kept where the clip gives none, and turned where
+/// it does. A tool's first clip has its attitude throughout, with the direction of the motion where it gives none; so
+/// has one that is set elsewhere (`from`). Throws InputErrors at `location` when the given axis lies along the
+/// direction that is kept.
+MovePlan plan_move(const MoveClip& clip, const ToolPose& now, bool is_first, const SourceLocation& location = {});
+
+/// Two places of a tool that are the same but for rounding.
+constexpr double kSamePlace = 1e-9;  // metres
 
 /// The frame of a tool that moves along `direction`: y' is `axis` made perpendicular to it, by default world y, or
 /// world x where the direction is parallel to y.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "studio/director/ClipPlan.hpp"
+
 namespace thinwall {
 
 double DirectedTool::depth_beyond_contact() const {
@@ -9,11 +11,11 @@ double DirectedTool::depth_beyond_contact() const {
 }
 
 void DirectedTool::begin_clip(const ToolPose& beginning) {
-  constexpr double kSamePlace = 1e-9;  // metres
   const bool goes_on = depth > 0 && !holds && (beginning.tip - pose.tip).norm() < kSamePlace;
   first_contact.reset();
   if (goes_on) first_contact = pose.tip - depth * pose.direction;
   pose = beginning;
+  has_begun = true;
 }
 
 void DirectedTool::find_first_contact(const ToolDefinition& definition, std::span<const std::unique_ptr<Body>> bodies,

@@ -14,6 +14,7 @@ struct DirectedTool {
   int index = 0;
   ToolPose pose;
   std::string phase = "idle";
+  bool has_begun = false;                        // whether a clip has driven it: it has an attitude to keep
   bool holds = false;                            // whether its jaws have grasped
   bool noted = false;                            // whether it has been told what tip a bare point acts like
   double depth = 0;                              // metres

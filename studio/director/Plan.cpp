@@ -46,7 +46,9 @@ Plan plan_clip(const Clip& clip, const PlannedTool& tool,
   if (const auto* fill = std::get_if<FillClip>(&clip.action)) {
     return plan_fill(*fill, body_of(fill->body), clip.location);
   }
-  if (const auto* move = std::get_if<MoveClip>(&clip.action)) return plan_move(*move, tool.pose, tool.holds);
+  if (const auto* move = std::get_if<MoveClip>(&clip.action)) {
+    return plan_move(*move, tool.pose, tool.is_first, clip.location);
+  }
   if (const auto* release = std::get_if<ReleaseClip>(&clip.action)) {
     return plan_release(*release, tool.definition, tool.pose);
   }

@@ -21,7 +21,7 @@ using Plan =
 struct PlannedTool {
   ToolDefinition definition;
   ToolPose pose;
-  bool holds = false;  // whether its jaws have grasped
+  bool is_first = true;  // whether no clip has driven it yet
 };
 
 /// Holds a clip against the bodies as they are. `tool`: the clip's, anything where it drives none; `body_of`: by name.

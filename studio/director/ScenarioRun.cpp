@@ -69,6 +69,7 @@ struct ScenarioRun::Implementation {
     refuse_overlaps(scenario.timeline, clips);
     refuse_overdrawn(scenario.timeline, clips,
                      [this](const std::string& body) -> const Body& { return body_named(body); });
+    foresee_moves(scenario.timeline, clips);
     place_tools();
     write_moment();
   }
@@ -98,7 +99,7 @@ struct ScenarioRun::Implementation {
     const DirectedTool tool = name.empty() ? DirectedTool{} : tools.at(name);
     const PlannedTool planned{.definition = name.empty() ? ToolDefinition{} : scenario.tools[tool.index],
                               .pose = tool.pose,
-                              .holds = tool.holds};
+                              .is_first = !tool.has_begun};
     return plan_clip(clip, planned, [this](const std::string& body) -> const Body& { return body_named(body); });
   }
 

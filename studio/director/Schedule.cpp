@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <numeric>
 #include <string>
 
 #include "studio/scenario/InputError.hpp"
@@ -31,6 +33,22 @@ void refuse_overlaps(std::span<const Clip> timeline, std::span<const ScheduledCl
                         "drives it from {:.4g} s to {:.4g} s; start one after the other has ended",
                         k + 1, tool, clips[k].begin, clips[k].end, other + 1, clips[other].begin, clips[other].end)}});
     }
+  }
+}
+
+void foresee_moves(std::span<const Clip> timeline, std::span<ScheduledClip> clips) {
+  std::vector<std::size_t> order(clips.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t k) { return clips[k].begin; });
+  std::map<std::string, ToolPose> left;
+  for (const std::size_t k : order) {
+    const std::string tool = tool_of(timeline[k]);
+    if (tool.empty()) continue;
+    const auto* move = std::get_if<MoveClip>(&timeline[k].action);
+    if (move != nullptr && left.contains(tool)) {
+      clips[k].plan = plan_move(*move, left.at(tool), false, timeline[k].location);
+    }
+    left[tool] = moment_of(clips[k].plan, duration_of(clips[k].plan))->pose;
   }
 }
 

@@ -26,6 +26,10 @@ void schedule(std::span<const Clip> timeline, std::span<ScheduledClip> clips);
 /// once only here. Throws InputErrors then.
 void refuse_overlaps(std::span<const Clip> timeline, std::span<const ScheduledClip> clips);
 
+/// Plans moves from where the clips before them leave their tools, as far as that is known at time zero. `clips` have
+/// been scheduled. Throws InputErrors as `plan_move` does.
+void foresee_moves(std::span<const Clip> timeline, std::span<ScheduledClip> clips);
+
 /// When the last clip ends, seconds.
 double end_of(std::span<const ScheduledClip> clips);
 

@@ -75,6 +75,16 @@ bool certainly_overlap(const ClipTimes& a, const ClipTimes& b) {
          *b.start < *a.start + a.shortest_duration - kTolerance;
 }
 
+bool is_first_of_its_tool(const std::vector<ClipTimes>& clips, std::size_t index) {
+  const ClipTimes& clip = clips[index];
+  for (std::size_t other = 0; other < clips.size(); ++other) {
+    if (other == index || clips[other].tool != clip.tool) continue;
+    const bool is_known = clip.start && clips[other].start;
+    if (is_known ? *clips[other].start < *clip.start : other < index) return false;
+  }
+  return true;
+}
+
 std::optional<double> end_of_timeline(const std::vector<ClipTimes>& clips) {
   std::optional<double> end;
   for (const ClipTimes& clip : clips) {

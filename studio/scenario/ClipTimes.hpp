@@ -25,6 +25,10 @@ std::vector<ClipTimes> clip_times(const CheckedValue& root);
 /// Whether the two drive at one time for certain.
 bool certainly_overlap(const ClipTimes& a, const ClipTimes& b);
 
+/// Whether no other clip of the same tool begins before it, as far as that is known; in the order of the file where it
+/// is not.
+bool is_first_of_its_tool(const std::vector<ClipTimes>& clips, std::size_t index);
+
 /// When the last clip ends, seconds; empty when that is not known or there is no clip.
 std::optional<double> end_of_timeline(const std::vector<ClipTimes>& clips);
 

@@ -1,6 +1,5 @@
 #include "studio/scenario/LintPass.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <optional>
 
@@ -9,6 +8,7 @@
 #include "studio/scenario/FieldLint.hpp"
 #include "studio/scenario/GraspLint.hpp"
 #include "studio/scenario/MaterialLint.hpp"
+#include "studio/scenario/Parallel.hpp"
 #include "studio/scenario/Quantity.hpp"
 #include "studio/scenario/TextNode.hpp"
 #include "studio/scenario/Wording.hpp"
@@ -16,18 +16,11 @@
 namespace thinwall {
 namespace {
 
-/// Sine of the smallest angle that is not taken for parallel: a thousandth of a degree.
-constexpr double kParallel = 1.7e-5;
-
 /// The three numbers of a member, when they are there and right.
 std::optional<Eigen::Vector3d> find_vector(const CheckedValue& mapping, std::string_view key) {
   const CheckedValue* list = mapping.find(key);
   if (list == nullptr || list->items.size() != 3) return std::nullopt;
   return Eigen::Vector3d(list->items[0].number, list->items[1].number, list->items[2].number);
-}
-
-bool are_parallel(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return a.normalized().cross(b.normalized()).norm() < kParallel;
 }
 
 void check_shape(const CheckedMember& body, const std::string& path, Diagnostics& diagnostics) {
@@ -169,12 +162,13 @@ void check_lights(const CheckedValue& root, Diagnostics& diagnostics) {
   }
 }
 
-void check_frame(const CheckedMember& clip, const std::string& path, Diagnostics& diagnostics) {
+/// `is_first`: whether no earlier clip has given the tool an attitude, which a move would keep.
+void check_frame(const CheckedMember& clip, const std::string& path, bool is_first, Diagnostics& diagnostics) {
   const CheckedValue& values = clip.value;
   auto direction = find_vector(values, "direction");
   const auto from = find_vector(values, "from");
   const auto to = find_vector(values, "to");
-  if (clip.key == "move" && !direction && !values.has_wrong("direction") && from && to) {
+  if (clip.key == "move" && is_first && !direction && !values.has_wrong("direction") && from && to) {
     if (*from == *to) {
       diagnostics.error(clip.location, path, "`direction` is missing: `from` and `to` are the same point");
       return;
@@ -306,11 +300,12 @@ void lint_pass(const CheckedValue& root, Diagnostics& diagnostics) {
   check_camera(root, diagnostics);
   check_lights(root, diagnostics);
   const CheckedValue* timeline = root.find("timeline");
-  for (std::size_t index = 0; timeline != nullptr && index < timeline->items.size(); ++index) {
+  const std::vector<ClipTimes> clips = clip_times(root);
+  for (std::size_t index = 0, clip = 0; timeline != nullptr && index < timeline->items.size(); ++index) {
     const CheckedValue& item = timeline->items[index];
     if (item.members.empty()) continue;
     const std::string path = member_path(item_path("timeline", index), item.members[0].key);
-    check_frame(item.members[0], path, diagnostics);
+    check_frame(item.members[0], path, is_first_of_its_tool(clips, clip++), diagnostics);
     check_fill(item.members[0], path, diagnostics);
     if (item.members[0].key == "palpate") check_bare_point(root, item.members[0], path, diagnostics);
   }
@@ -319,7 +314,6 @@ void lint_pass(const CheckedValue& root, Diagnostics& diagnostics) {
   }
   check_grasps(root, diagnostics);
   check_cuts(root, diagnostics);
-  const std::vector<ClipTimes> clips = clip_times(root);
   check_overlaps(clips, diagnostics);
   check_step_count(root, clips, diagnostics);
   check_goldens(root, clips, diagnostics);

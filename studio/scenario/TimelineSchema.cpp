@@ -133,20 +133,31 @@ MappingSchema incise() {
 
 MappingSchema move() {
   const std::string point = "[0, 0, 25 mm]";
-  return clip("move", "Takes a tool from one place to another, through what stands in its way.",
-              {kTool,
-               {"body", name_value(), false, {}, "the body that a point or line may touch; the only one when absent"},
-               {"from", vector_value(kLength, {}, point), false, {}, "where it starts; where it is when absent"},
-               {"to", vector_value(kLength, {}, point), true, {}, "where it ends"},
-               {"direction",
-                direction_value(),
-                false,
-                {},
-                "z' of the tool; that of the motion when absent, for closed jaws as they are"},
-               axis_key(),
-               {"for", quantity_value(kTime, kAboveZero, "1 s"), false, "1 s", "how long it takes"},
-               {"ease", word_value({"linear", "smooth"}), false, "smooth",
-                "at constant speed, or starting and ending at rest"}});
+  return clip(
+      "move", "Takes a tool from one place to another, through what stands in its way.",
+      {kTool,
+       {"body", name_value(), false, {}, "the body that a point or line may touch; the only one when absent"},
+       {"from", vector_value(kLength, {}, point), false, {}, "where it starts; where it is when absent"},
+       {"to", vector_value(kLength, {}, point), true, {}, "where it ends"},
+       {"direction",
+        direction_value(),
+        false,
+        {},
+        "z' of the tool at the end; when absent it keeps the one it has, and takes that of the motion in its first "
+        "clip"},
+       {"axis",
+        direction_value(),
+        false,
+        {},
+        "y' of the tool at the end, made perpendicular to the direction; when absent it turns no farther about "
+        "z', and is world y in the tool's first clip"},
+       {"for", quantity_value(kTime, kAboveZero, "1 s"), false, "1 s", "how long it takes"},
+       {"ease", word_value({"linear", "smooth"}), false, "smooth",
+        "at constant speed, or starting and ending at rest"}},
+      " The tool turns on its way, with the same `ease` and by the shortest turn, from the attitude that it has to the "
+      "one given; where `to` is where it is, on the spot. Half a turn goes in the positive sense about its y' where "
+      "`direction` alone is given, about its x' where `axis` is turned round too, and about its z' where `axis` alone "
+      "is. In its first clip, and where `from` sets it elsewhere, it has the attitude given from the start.");
 }
 
 MappingSchema grasp() {

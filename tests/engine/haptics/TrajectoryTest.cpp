@@ -23,9 +23,10 @@ TEST(TrajectoryTest, GoesStraightFromMomentToMomentAndEnds) {
 TEST(TrajectoryTest, FramesTurnTheShortestWayAndStayFrames) {
   ToolPose begin, end;
   end.direction = Eigen::Vector3d(std::sin(1.0), 0, -std::cos(1.0));
-  const ToolPose half = between(begin, end, 0.5);
-  EXPECT_TRUE(half.direction.isApprox(Eigen::Vector3d(std::sin(0.5), 0, -std::cos(0.5))));
-  EXPECT_TRUE(half.axis.isApprox(Eigen::Vector3d::UnitY()));
+  Trajectory trajectory({{.time = 0, .pose = begin}, {.time = 2, .pose = end}});
+  const auto half = trajectory.pose_at(1);
+  EXPECT_TRUE(half->direction.isApprox(Eigen::Vector3d(std::sin(0.5), 0, -std::cos(0.5))));
+  EXPECT_TRUE(half->axis.isApprox(Eigen::Vector3d::UnitY()));
 }
 
 }  // namespace

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <cmath>
 #include <numbers>
 
 #include "engine/mesh/Shapes.hpp"
+#include "engine/tool/PoseBetween.hpp"
 #include "studio/director/GraspPlan.hpp"
 #include "studio/scenario/InputError.hpp"
 
@@ -111,13 +113,20 @@ TEST(ClipPlan, ToolFrameFollowsTheDefaultAxes) {
 
 TEST(ClipPlan, AMoveEasesFromRestToRestOrRunsEvenly) {
   MoveClip clip{.tool = "probe", .to = {0.01, 0, 0}, .duration = 2, .ease = Ease::kSmooth};
-  const MovePlan smooth = plan_move(clip, {});
+  const MovePlan smooth = plan_move(clip, {}, true);
   EXPECT_NEAR(smooth.at(0.02).pose.tip.x(), 0.01 * 3 * 1e-4, 1e-7) << "3 t^2 at first";
   EXPECT_NEAR(smooth.at(1).pose.tip.x(), 0.005, 1e-15);
   EXPECT_NEAR(smooth.at(5).pose.tip.x(), 0.01, 1e-15);
   clip.ease = Ease::kLinear;
-  EXPECT_NEAR(plan_move(clip, {}).at(0.5).pose.tip.x(), 0.0025, 1e-15);
-  EXPECT_LT((plan_move(clip, {}).begin.direction - Eigen::Vector3d::UnitX()).norm(), 1e-15) << "that of the motion";
+  EXPECT_NEAR(plan_move(clip, {}, true).at(0.5).pose.tip.x(), 0.0025, 1e-15);
+}
+
+TEST(ClipPlan, AToolsFirstMoveHasTheDirectionOfTheMotionThroughout) {
+  const MoveClip clip{.tool = "probe", .to = {0.01, 0, 0}, .duration = 2};
+  const MovePlan plan = plan_move(clip, {}, true);
+  for (const double time : {0.0, 0.7, 2.0}) {
+    EXPECT_LT((plan.at(time).pose.direction - Eigen::Vector3d::UnitX()).norm(), 1e-15) << time;
+  }
 }
 
 TEST(ClipPlan, JawsReachOverTheWallThenCloseAndOpenAgain) {
@@ -151,12 +160,109 @@ TEST(ClipPlan, JawsReachOverTheWallThenCloseAndOpenAgain) {
   EXPECT_EQ(release.at(0.5).pose.tip, plan.at(1.5).pose.tip);
 }
 
-TEST(ClipPlan, ToolsThatHoldSomethingKeepTheirFrameOnTheMove) {
+TEST(ClipPlan, LaterMovesKeepTheAttitudeToTheLastBitUnlessTheClipGivesAnother) {
+  const ToolPose now = make_pose({0, 0, 0}, {0, 0.6, -0.8}, Eigen::Vector3d(1, 0.3, 0));
+  MoveClip clip{.tool = "grip", .to = {0, 0, 0.01}};
+  for (const bool says_the_same : {false, true}) {
+    if (says_the_same) clip.direction = now.direction;
+    const MovePlan plan = plan_move(clip, now, false);
+    for (const double time : {0.0, 0.3, 1.0}) {
+      EXPECT_EQ(plan.at(time).pose.direction, now.direction);
+      EXPECT_EQ(plan.at(time).pose.axis, now.axis);
+    }
+  }
+}
+
+/// Angle between two vectors, radians.
+double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+TEST(ClipPlan, AMoveTurnsTheToolEvenlyAlongItsWayWithItsEase) {
+  const ToolPose now = make_pose({0, 0, 0.02}, {0, 0, -1}, {});
+  MoveClip clip{.tool = "rod",
+                .to = {0, 0, 0.03},
+                .direction = Eigen::Vector3d(std::sin(1.2), 0, -std::cos(1.2)),
+                .duration = 2,
+                .ease = Ease::kLinear};
+  for (int k = 0; k <= 8; ++k) {
+    const ToolPose pose = plan_move(clip, now, false).at(0.25 * k).pose;
+    EXPECT_NEAR(angle_between(now.direction, pose.direction), 1.2 * k / 8, 1e-15) << k;
+    EXPECT_LT((pose.axis - now.axis).norm(), 1e-15) << "the turn is about y'";
+    EXPECT_NEAR(pose.tip.z(), 0.02 + 0.01 * k / 8, 1e-15);
+  }
+  clip.ease = Ease::kSmooth;
+  EXPECT_NEAR(angle_between(now.direction, plan_move(clip, now, false).at(0.5).pose.direction), 1.2 * 5 / 32, 1e-15);
+}
+
+TEST(ClipPlan, ATurnOfDirectionAndAxisGoesAboutOneLineAndKeepsTheFrame) {
+  const ToolPose now = make_pose({0, 0, 0}, {0.3, -0.2, -1}, Eigen::Vector3d(1, 0.4, 0));
+  const MoveClip clip{.tool = "rod",
+                      .to = {0, 0, 0},
+                      .direction = Eigen::Vector3d(-1, 0.5, 0.7).normalized(),
+                      .axis = Eigen::Vector3d(0.2, -1, 0.9),
+                      .ease = Ease::kLinear};
+  const MovePlan plan = plan_move(clip, now, false);
+  const auto turn = [&](double from, double to) {
+    return Eigen::AngleAxisd(Eigen::Matrix3d(frame_of(plan.at(to).pose) * frame_of(plan.at(from).pose).transpose()));
+  };
+  const Eigen::AngleAxisd whole = turn(0, 1);
+  for (int k = 0; k < 10; ++k) {
+    const Eigen::AngleAxisd part = turn(0.1 * k, 0.1 * (k + 1));
+    EXPECT_NEAR(part.angle(), 0.1 * whole.angle(), 1e-14);
+    EXPECT_LT((part.axis() - whole.axis()).norm(), 1e-13);
+    const Eigen::Matrix3d frame = frame_of(plan.at(0.1 * k + 0.05).pose);
+    EXPECT_LT((frame.transpose() * frame - Eigen::Matrix3d::Identity()).norm(), 1e-15);
+  }
+  EXPECT_EQ(plan.at(1).pose.direction, *clip.direction);
+  EXPECT_NEAR(plan.at(1).pose.axis.dot(clip.axis->normalized()),
+              std::sqrt(1 - std::pow(clip.axis->normalized().dot(*clip.direction), 2)), 1e-15);
+}
+
+TEST(ClipPlan, HalfATurnGoesAboutYOfTheToolInThePositiveSense) {
   const ToolPose now = make_pose({0, 0, 0}, {0, 0.6, -0.8}, Eigen::Vector3d(1, 0, 0));
-  const MoveClip clip{.tool = "grip", .to = {0, 0, 0.01}};
-  EXPECT_EQ(plan_move(clip, now, true).end.direction, now.direction);
-  EXPECT_EQ(plan_move(clip, now, true).end.axis, now.axis);
-  EXPECT_EQ(plan_move(clip, now).end.direction, Eigen::Vector3d(0, 0, 1));
+  MoveClip clip{.tool = "rod", .to = {0, 0, 0}, .direction = -now.direction, .ease = Ease::kLinear};
+  for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    const ToolPose pose = plan_move(clip, now, false).at(part).pose;
+    const Eigen::AngleAxisd turn(part * std::numbers::pi, now.axis);
+    EXPECT_LT((pose.direction - turn * now.direction).norm(), 1e-15) << part;
+    EXPECT_LT((pose.axis - now.axis).norm(), 1e-15) << part;
+  }
+  clip.axis = -now.axis;  // both: about x'
+  const Eigen::Vector3d across = now.axis.cross(now.direction);
+  EXPECT_LT((plan_move(clip, now, false).at(0.5).pose.direction -
+             Eigen::AngleAxisd(std::numbers::pi / 2, across) * now.direction)
+                .norm(),
+            1e-15);
+  clip.direction.reset();  // the axis alone: about z'
+  EXPECT_LT((plan_move(clip, now, false).at(0.5).pose.axis -
+             Eigen::AngleAxisd(std::numbers::pi / 2, now.direction) * now.axis)
+                .norm(),
+            1e-15);
+}
+
+TEST(ClipPlan, AToolThatIsSetElsewhereHasTheGivenAttitudeFromTheStart) {
+  const ToolPose now = make_pose({0, 0, 0.03}, {0, 0, -1}, {});
+  MoveClip clip{.tool = "plate",
+                .from = Eigen::Vector3d(0, 0, -0.03),
+                .to = {0, 0, -0.02},
+                .direction = Eigen::Vector3d(0, 0, 1)};
+  EXPECT_EQ(plan_move(clip, now, false).begin.direction, *clip.direction);
+  clip.from = now.tip;
+  EXPECT_EQ(plan_move(clip, now, false).begin.direction, now.direction);
+}
+
+TEST(ClipPlan, AnAxisAlongTheDirectionThatIsKeptIsRefused) {
+  const ToolPose now = make_pose({0, 0, 0.03}, {0, 0, -1}, {});
+  const MoveClip clip{.tool = "rod", .to = {0, 0, 0.02}, .axis = Eigen::Vector3d(0, 0, 2)};
+  try {
+    plan_move(clip, now, false, {.file = "a.yaml", .line = 7, .column = 5});
+    FAIL() << "no error";
+  } catch (const InputErrors& errors) {
+    EXPECT_EQ(to_text(errors.diagnostics().at(0)),
+              "a.yaml:7:5: error: move: the axis lies along the direction that tool `rod` has; give it a `direction` "
+              "too, or another `axis`");
+  }
 }
 
 }  // namespace
