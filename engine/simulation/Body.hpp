@@ -231,6 +231,8 @@ class Body {
   void add_memory(double duration, EquilibriumProblem& problem) const;
   void start_memory();
   void find_strains();
+  /// What damping bears now is gone, as at rest.
+  void stop_damping();
   double update_memory(double duration, const EquilibriumProblem& problem);
   double update_bending_memory(double duration, const EquilibriumProblem& problem);
   double step_error(const BodyState& before, double duration) const;

@@ -169,8 +169,9 @@ void Body::update_books(const BodyState& before, std::span<const ToolPose> begin
   const double kinetic_work = 0.5 * model_->mass.cwiseProduct(before.acceleration + state_.acceleration).dot(motion);
   const double static_work =
       0.5 * (before.static_force + state_.static_force).dot(motion) + solid_work + load_work + fluid_work;
-  const double damping_loss = 0.5 * model_->definition.damping.mass_rate *
-                              model_->mass.cwiseProduct(before.velocity + state_.velocity).dot(motion);
+  const double mass_rate = snaps_ ? 0 : model_->definition.damping.mass_rate;
+  const double damping_loss =
+      0.5 * mass_rate * model_->mass.cwiseProduct(before.velocity + state_.velocity).dot(motion);
   books.numerical +=
       kinetic_work + static_work - wall_loss - friction_loss - leak_loss - (books.stored() - before.books.stored());
   for (const Eigen::VectorXd* drag : {&before.drag_force, &std::as_const(state_).drag_force}) {

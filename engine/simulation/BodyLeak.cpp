@@ -350,7 +350,8 @@ double Body::book_leaks(const BodyState& before) {
     lost += flown *
             (carried_energy(*model_, before, opening.chamber) + carried_energy(*model_, after, opening.chamber)) / 2;
     const Eigen::Matrix3Xd motion = opening.at(state_.equilibrium.position) - opening.at(before.equilibrium.position);
-    lost += 0.5 * (first.load + last.load).cwiseProduct(motion).sum();
+    // What fills an opening lets no jet through: the fluid presses on it as on a piston, and spends nothing.
+    if (!is_sealed(static_cast<int>(k))) lost += 0.5 * (first.load + last.load).cwiseProduct(motion).sum();
     const double weight = model_->definition.fluid.density * options_.gravity.dot(0.5 * (first.center + last.center));
     state_.leaked_gravity -= weight * flown;
   }

@@ -80,6 +80,15 @@ void Body::start_memory() {
   wall.overmoment = unbent;
 }
 
+void Body::stop_damping() {
+  WallHistory& wall = state_.wall;
+  if (model_->definition.damping.stiffness_time == 0) return;
+  for (int t = 0; t < model_->triangles(); ++t) {
+    wall.overstress[t].setZero();
+    for (const std::vector<Eigen::Vector3d>& branch : wall.branch_stress) wall.overstress[t] += branch[t];
+  }
+}
+
 void Body::add_memory(double duration, EquilibriumProblem& problem) const {
   const BodyDefinition& definition = model_->definition;
   if (!is_viscous(definition)) return;

@@ -106,6 +106,41 @@ TEST(ANeedleThatPierces, DentsRupturesSlidesAndLeavesAHoleUnderBooksThatClose) {
   }
 }
 
+/// A needle that goes through a damped wall: nothing that was spent comes back.
+void expect_spent_for_good(const RayleighDamping& damping, Analysis analysis) {
+  SimulationOptions options;
+  options.analysis = analysis;
+  BodyDefinition definition = tough_hemisphere(400, 200);
+  definition.damping = damping;
+  Body body(definition, {needle(0.2)}, options);
+  body.settle();
+  Passage passage;
+  EnergyBooks last;
+  const auto after = [&] {
+    const EnergyBooks& books = body.state().books;
+    EXPECT_GE(books.viscous, last.viscous);
+    EXPECT_GE(books.friction, last.friction);
+    EXPECT_GE(books.jump, last.jump);
+    EXPECT_TRUE(books.leak == 0 || body.state().leaked[0] > 0) << books.leak;
+    EXPECT_LT(std::abs(books.imbalance()), 1e-9 * books.elastic);
+    EXPECT_LT(std::abs(books.numerical), 0.005 * books.elastic);
+    last = books;
+  };
+  double height = 22e-3;
+  while (passage.ruptures.empty() && height > 10e-3) {
+    move_needle(body, height, height - 0.2e-3, 0.2e-3, passage, true, after);
+  }
+  ASSERT_EQ(passage.ruptures.size(), 1u);
+  std::printf("viscous %.3e, jump %.3e J at the rupture\n", last.viscous, last.jump);
+  move_needle(body, height, height - 3e-3, 0.2e-3, passage, true, after);
+}
+
+TEST(ANeedleThatPierces, GivesBackNothingThatADampedWallHasSpent) {
+  expect_spent_for_good({.stiffness_time = 20e-3}, Analysis::kQuasiStatic);
+  expect_spent_for_good({.stiffness_time = 20e-3}, Analysis::kDynamic);
+  expect_spent_for_good({.mass_rate = 500}, Analysis::kDynamic);
+}
+
 TEST(ANeedleThatPierces, FeelsWhatItFeelsOnAnUncutWallUntilItRuptures) {
   Body pierced(tough_hemisphere(400, 200), {needle(0)}, quasi_static());
   Body dented(tough_hemisphere(400, 200), {needle(0)}, quasi_static());
