@@ -15,6 +15,7 @@
 #include "studio/director/DrainCheck.hpp"
 #include "studio/director/FollowedPoint.hpp"
 #include "studio/director/Incising.hpp"
+#include "studio/director/IntegratorEnergy.hpp"
 #include "studio/director/KeptWay.hpp"
 #include "studio/director/MeetingBodies.hpp"
 #include "studio/director/Plan.hpp"
@@ -48,6 +49,7 @@ struct ScenarioRun::Implementation {
   long steps = 0;
   long cuts = 0;
   StepTally tally;
+  IntegratorEnergy integrator_energy;
 
   explicit Implementation(const Scenario& the_scenario) : scenario(the_scenario) {
     for (const BodyScenario& description : scenario.bodies) {
@@ -350,6 +352,7 @@ struct ScenarioRun::Implementation {
     }
     for (std::size_t k = 0; k < bodies.size(); ++k) {
       record.bodies.push_back(body_record(*bodies[k]));
+      integrator_energy.note(*bodies[k], time());
       snapshot.surfaces.push_back(snapshot_surface(*bodies[k], topologies[k]));
       add_scalars(*bodies[k], snapshot.scalars);
     }
@@ -412,6 +415,7 @@ std::vector<TimedText> ScenarioRun::chapters() const {
 std::vector<std::string> ScenarioRun::warnings() const {
   std::vector<std::string> all = implementation_->warnings;
   std::ranges::copy(implementation_->tally.warnings(implementation_->steps), std::back_inserter(all));
+  std::ranges::copy(implementation_->integrator_energy.warnings(), std::back_inserter(all));
   for (const auto& [index, run] : implementation_->runs) all.push_back(to_text(run, *implementation_->bodies[index]));
   return all;
 }

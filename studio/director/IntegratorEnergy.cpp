@@ -1,0 +1,59 @@
+#include "studio/director/IntegratorEnergy.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace thinwall {
+namespace {
+
+/// Part of the largest other term above which results are in doubt: forces, which are energies over ways, are then off
+/// by as much, more than meshes and materials usually leave them.
+constexpr double kMostPart = 0.1;
+
+/// Part of the whole in one step from which on that step is to blame, not all of them.
+constexpr double kOneStep = 0.3;
+
+/// Strain below which the energy of a whole wall is none.
+constexpr double kNoStrain = 1e-6;
+
+}  // namespace
+
+void IntegratorEnergy::note(const Body& body, double time) {
+  const BodyModel& model = body.model();
+  const double none = kNoStrain * kNoStrain * model.wall_stiffness * model.rest_area;
+  note(model.definition.name, body.state().books, none, time);
+}
+
+void IntegratorEnergy::note(const std::string& body, const EnergyBooks& books, double none, double time) {
+  const auto [place, is_first] = watches_.try_emplace(body);
+  Watch& watch = place->second;
+  if (is_first) watch.gravity = books.gravity;
+  watch.none = none;
+  EnergyBooks since = books;
+  since.gravity -= watch.gravity;
+  watch.largest = std::max(watch.largest, since.largest());
+  const double step = books.numerical - watch.last;
+  watch.last = books.numerical;
+  if (std::abs(step) > std::abs(watch.jump)) watch.jump = step, watch.at = time;
+  if (std::abs(books.numerical) > std::abs(watch.most)) watch.most = books.numerical;
+}
+
+std::vector<std::string> IntegratorEnergy::warnings() const {
+  std::vector<std::string> all;
+  for (const auto& [body, watch] : watches_) {
+    if (std::abs(watch.most) <= std::max(watch.none, kMostPart * watch.largest)) continue;
+    const bool jumped = std::abs(watch.jump) > kOneStep * std::abs(watch.most);
+    all.push_back(fmt::format(
+        "body `{}`: `numerical_J`, what the integrator takes, comes to {:.3g} J, {:.0f} % of the largest other energy: "
+        "results are in doubt; {} ({:.3g} J) in the step to {:.4g} s; {}",
+        body, watch.most, 100 * std::abs(watch.most) / watch.largest,
+        jumped ? "it jumped" : "it grew over many steps, most", watch.jump, watch.at,
+        jumped ? "move or turn the tool more slowly there, or take a shorter `time_step`"
+               : "take a shorter `time_step`, in dynamics or a `step_error`"));
+  }
+  return all;
+}
+
+}  // namespace thinwall
