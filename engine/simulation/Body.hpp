@@ -247,7 +247,7 @@ class Body {
   /// The smallest part of a step that is divided for that. `largest_part`: that tools and blades allow.
   double smallest_unbooked_part(const BodyState& before, double largest_part) const;
   void attach(std::span<const ToolPose> begin, std::span<const ToolPose> end, EquilibriumProblem& problem) const;
-  void attach_line(int tool, const ToolPose& end, EquilibriumProblem& problem) const;
+  void attach_line(int tool, const ToolPose& begin, const ToolPose& end, EquilibriumProblem& problem) const;
   bool release(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;
   double largest_part(std::span<const ToolPose> begin, std::span<const ToolPose> end) const;
   void add_solids(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;

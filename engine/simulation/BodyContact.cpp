@@ -36,6 +36,10 @@ constexpr double kSamePlace = 1e-9;  // metres
 /// The same for unit vectors.
 constexpr double kSameDirection = 1e-9;
 
+/// A place farther behind a line than so many times what both have moved was never in its way: to take hold of it would
+/// draw it there in one step. More than once, as a line that goes sideways meets what lies on slopes.
+constexpr double kPassedWays = 2;
+
 /// Whether a needle moves along itself alone: then it is its point that pushes, and its shaft only slides.
 bool slides_along_itself(const ToolDefinition& tool, const ToolPose& begin, const ToolPose& end) {
   const Eigen::Vector3d motion = end.tip - begin.tip;
@@ -84,7 +88,7 @@ void Body::attach(std::span<const ToolPose> begin, std::span<const ToolPose> end
     return (prescribed_point(attachment, begin[attachment.tool]) - attachment.target).norm() > kSamePlace;
   });
   for (int tool = 0; tool < static_cast<int>(tools_.size()); ++tool) {
-    if (tools_[tool].kind == ToolKind::kLine) attach_line(tool, end[tool], problem);
+    if (tools_[tool].kind == ToolKind::kLine) attach_line(tool, begin[tool], end[tool], problem);
     if (tools_[tool].kind != ToolKind::kPoint) continue;
     const bool attached = std::any_of(problem.attachments.begin(), problem.attachments.end(),
                                       [&](const Attachment& attachment) { return attachment.tool == tool; });
@@ -107,13 +111,15 @@ void Body::attach(std::span<const ToolPose> begin, std::span<const ToolPose> end
   }
 }
 
-void Body::attach_line(int tool, const ToolPose& end, EquilibriumProblem& problem) const {
-  // What lies this far behind the line was never in its way.
-  const double reach = 2 * model_->edge_length;
+void Body::attach_line(int tool, const ToolPose& begin, const ToolPose& end, EquilibriumProblem& problem) const {
+  const double moved = (end.tip - begin.tip).norm();
   for (const LineCrossing& crossing : line_crossings(surface(), tools_[tool], end)) {
-    if (crossing.travel > 0 || crossing.travel < -reach) continue;
+    if (crossing.travel > 0) continue;
     Attachment attachment{.tool = tool, .vertices = model_->surface[crossing.triangle], .weights = crossing.weights};
-    const Eigen::Vector3d offset = material_point(attachment, state_.equilibrium.position) - end.tip;
+    const Eigen::Vector3d place = material_point(attachment, state_.equilibrium.position);
+    const double sprung = (place - material_point(attachment, state_.previous_position)).norm();
+    if (crossing.travel < -kPassedWays * (moved + sprung)) continue;
+    const Eigen::Vector3d offset = place - end.tip;
     attachment.prescribed = free_axes(*model_, attachment);
     attachment.offset = {offset.dot(end.axis.cross(end.direction)), crossing.along};
     const bool crowded =

@@ -62,6 +62,17 @@ TEST(Attachment, AWallThatSpringsBackOverAPointIsHeldByIt) {
   EXPECT_GT(body.state().contacts[0].force.z(), 0);
 }
 
+TEST(Attachment, ALineTakesNoHoldOfAWallThatWasNeverInItsWay) {
+  Body body(tube(), {line_tool(0.02)}, quasi_static());
+  body.settle();
+  // Set under the crown, then moved on by less than it lies under it.
+  const ToolPose inside = pose_at({0, 0, 0.0085});
+  body.advance(std::vector{inside}, std::vector{inside}, 0.02);
+  EXPECT_FALSE(body.state().contacts[0].touching);
+  move(body, inside, {0, 0, 0.008}, 5, 0.02);
+  EXPECT_FALSE(body.state().contacts[0].touching);
+}
+
 TEST(Attachment, AToolSetElsewhereLetsGo) {
   Body body(tube(), {point_tool()}, quasi_static());
   body.settle();
