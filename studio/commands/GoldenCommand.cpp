@@ -193,7 +193,7 @@ int test_goldens(const GoldenOptions& options) {
   if (std::getenv("GITHUB_ACTIONS") != nullptr) fmt::print(stderr, "{}", github_annotations(all));
   if (code != kExitGood) fmt::print(stderr, "report: {}\n", write_report(all, options).string());
   print_summary(all, options.json);
-  return code;
+  return tell_broken(named, code);
 }
 
 int report_goldens(const GoldenOptions& options) {
@@ -202,7 +202,7 @@ int report_goldens(const GoldenOptions& options) {
   const std::vector<JudgedScenario> all = judge_and_print(named, options);
   fmt::print(stderr, "report: {}\n", write_report(all, options).string());
   print_summary(all, options.json);
-  return exit_code(counts(all));
+  return tell_broken(named, exit_code(counts(all)));
 }
 
 bool approve_golden(const JudgedScenario& judged, std::size_t index, const std::string& why) {

@@ -182,7 +182,7 @@ int review_goldens(const GoldenOptions& options) {
   }
   const int left = tally.skipped + tally.left;
   fmt::print(stderr, "{} accepted, {} rejected, {} left\n", tally.accepted, tally.rejected, left);
-  return tally.rejected + left > 0 ? kExitRegression : kExitGood;
+  return tell_broken(named, tally.rejected + left > 0 ? kExitRegression : kExitGood);
 }
 
 namespace {
@@ -207,7 +207,8 @@ Json video_drivers(const Scenario& scenario) {
 
 int list_goldens(const GoldenOptions& options) {
   Json list = Json::array();
-  for (const Scenario& scenario : named_goldens(options.scenarios).scenarios) {
+  const NamedGoldens named = named_goldens(options.scenarios);
+  for (const Scenario& scenario : named.scenarios) {
     const std::vector<GoldenApproval> approvals = read_approvals(golden_folder(scenario.name));
     for (const GoldenDefinition& golden : scenario.goldens) {
       const Json drivers = golden.video > 0 ? video_drivers(scenario) : picture_drivers(approvals, golden.at);
@@ -230,7 +231,7 @@ int list_goldens(const GoldenOptions& options) {
     }
   }
   if (options.json) fmt::print("{}\n", Json{{"goldens", list}}.dump(2, ' ', false, Json::error_handler_t::replace));
-  return kExitGood;
+  return tell_broken(named, kExitGood);
 }
 
 int explain_goldens(const GoldenOptions& options) {

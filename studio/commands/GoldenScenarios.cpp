@@ -1,8 +1,11 @@
 #include "studio/commands/GoldenScenarios.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <thread>
 
 #include "renderer/picture/PictureFailure.hpp"
@@ -13,7 +16,9 @@
 #include "studio/commands/RunSource.hpp"
 #include "studio/golden/GoldenCache.hpp"
 #include "studio/recorder/ResolvedPicture.hpp"
+#include "studio/scenario/IncludePass.hpp"
 #include "studio/scenario/LoadScenario.hpp"
+#include "studio/scenario/YamlReader.hpp"
 
 namespace thinwall {
 namespace {
@@ -26,11 +31,11 @@ std::filesystem::path home() {
   return home != nullptr ? home : ".";
 }
 
-std::vector<std::string> all_scenes() {
-  std::vector<std::string> files;
+std::vector<std::filesystem::path> all_scenes() {
+  std::vector<std::filesystem::path> files;
   if (!std::filesystem::is_directory(home() / "scenes")) return files;
   for (const auto& entry : std::filesystem::directory_iterator(home() / "scenes")) {
-    if (entry.path().extension() == ".yaml") files.push_back(entry.path().string());
+    if (entry.path().extension() == ".yaml") files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
   return files;
@@ -60,6 +65,52 @@ void leave_only(std::vector<GoldenDefinition>& goldens, const GoldenChoice& choi
                    "; see thinwall golden list");
 }
 
+/// Whether a file that is no scenario by itself asks for goldens, itself or by what it includes. One that cannot be
+/// parsed may do so.
+bool may_ask_for_goldens(const std::filesystem::path& file) {
+  Diagnostics ignored;
+  std::optional<TextNode> root = read_yaml_file(file, ignored);
+  if (!root) return true;
+  include_pass(*root, ignored);
+  return root->find("golden") != nullptr;
+}
+
+bool includes(const std::filesystem::path& file, const std::filesystem::path& other) {
+  Diagnostics ignored;
+  const std::optional<TextNode> root = read_yaml_file(file, ignored);
+  const TextMember* include = root ? root->find("include") : nullptr;
+  if (include == nullptr) return false;
+  const auto is_other = [&](const TextNode& item) {
+    std::error_code failure;
+    return std::filesystem::equivalent(file.parent_path() / item.text, other, failure);
+  };
+  const TextNode& value = include->value;
+  return value.kind == NodeKind::kText ? is_other(value) : std::ranges::any_of(value.items, is_other);
+}
+
+/// Whether a file that cannot be read as a scenario should be one, and have goldens.
+bool should_have_goldens(const std::filesystem::path& file, const std::vector<std::filesystem::path>& all) {
+  if (std::filesystem::is_directory(golden_folder(file.stem().string()))) return true;
+  return may_ask_for_goldens(file) && std::ranges::none_of(all, [&](const auto& one) { return includes(one, file); });
+}
+
+/// All scenarios of the folder that have goldens.
+NamedGoldens goldens_of_folder() {
+  const std::vector<std::filesystem::path> all = all_scenes();
+  NamedGoldens named;
+  for (const std::filesystem::path& file : all) {
+    try {
+      Scenario scenario = load_scenario(file, {});
+      if (!scenario.goldens.empty()) named.scenarios.push_back(std::move(scenario));
+    } catch (const InputErrors& errors) {
+      if (should_have_goldens(file, all)) std::ranges::copy(errors.diagnostics(), std::back_inserter(named.broken));
+    }
+  }
+  if (!named.scenarios.empty()) return named;
+  if (!named.broken.empty()) throw InputErrors(named.broken);
+  throw UsageError("no scenario with a `golden:` list was found in " + (home() / "scenes").string());
+}
+
 /// The driver that draws here, as it names itself; why there is none, when there is none.
 std::string driver_here(const DeviceChoice& device) {
   try {
@@ -79,24 +130,27 @@ std::filesystem::path golden_folder(const std::string& scenario) {
   return golden_root() / scenario;
 }
 
+int tell_broken(const NamedGoldens& named, int code) {
+  if (named.broken.empty()) return code;
+  fmt::print(stderr, "{}\n", InputErrors(named.broken).what());
+  return kExitBadInput;
+}
+
 NamedGoldens named_goldens(const std::vector<std::string>& names) {
+  if (names.empty()) return goldens_of_folder();
   NamedGoldens named;
-  for (const std::string& text : names.empty() ? all_scenes() : names) {
+  for (const std::string& text : names) {
     const auto [name, choice] = name_and_choice(text);
     const std::filesystem::path scene = home() / "scenes" / (name + ".yaml");
     const bool is_name = !std::filesystem::exists(name) && std::filesystem::exists(scene);
     const std::filesystem::path file = is_name ? scene : std::filesystem::path(name);
     Scenario scenario = load_scenario(file, {});
-    if (scenario.goldens.empty() && !names.empty()) {
+    if (scenario.goldens.empty()) {
       throw UsageError(file.string() + ": this scenario has no `golden:` list, so there is nothing to compare");
     }
-    if (scenario.goldens.empty()) continue;
     if (choice) leave_only(scenario.goldens, *choice, scenario.name);
     named.are_whole = named.are_whole && !choice;
     named.scenarios.push_back(std::move(scenario));
-  }
-  if (named.scenarios.empty()) {
-    throw UsageError("no scenario with a `golden:` list was found in " + (home() / "scenes").string());
   }
   return named;
 }

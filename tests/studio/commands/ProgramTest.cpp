@@ -374,6 +374,32 @@ TEST_F(ProgramTest, GoldensAreApprovedOnlyByNameWithAReasonAndByAPerson) {
   EXPECT_NE(end.messages.find("not in CI"), std::string::npos) << end.messages;
 }
 
+TEST_F(ProgramTest, GoldensOfAllScenariosLeaveOutFragmentsAndStopAtNoBrokenOne) {
+  const std::filesystem::path scenes = folder_ / "scenes";
+  std::filesystem::create_directory(scenes);
+  const std::string golden = "golden: [ { at: 0.1 s, max: 8, mean: 0.2, why: first } ]\n";
+  write_bytes(scenes / "good.yaml", small_scenario() + golden);
+  write_bytes(scenes / "fragment.yaml", "camera: { kind: endoscope }\n");
+  write_bytes(scenes / "base.yaml", "parameters: { speed: 20 mm/s }\n" + golden);
+  const ProgramSetting home{.folder = {}, .environment = {{"THINWALL_HOME", folder_.path()}}};
+  write_bytes(scenes / "user.yaml", "include: [fragment.yaml, base.yaml]\n" +
+                                        small_scenario("  - palpate: { depth: 1 mm, speed: \"${speed}\" }\n"));
+  ProgramEnd end = run({"golden", "list"}, home);
+  EXPECT_EQ(end.exit_code, 0) << end.messages;
+  for (const char* name : {"good", "user"}) EXPECT_NE(end.output.find(name), std::string::npos) << end.output;
+  EXPECT_EQ(end.messages, "") << "a fragment and a base that others include are no scenarios";
+  write_bytes(scenes / "bad.yaml", "bodies: 3\n" + golden);
+  for (const char* verb : {"list", "test", "report"}) {
+    end = run({"golden", verb}, home);
+    EXPECT_EQ(end.exit_code, 2) << verb;
+    EXPECT_NE(end.messages.find("bad.yaml:1:"), std::string::npos) << end.messages;
+    for (const char* name : {"fragment.yaml:", "base.yaml:"}) {
+      EXPECT_EQ(end.messages.find(name), std::string::npos) << end.messages;
+    }
+    EXPECT_NE((end.output + end.messages).find("good"), std::string::npos) << verb;
+  }
+}
+
 TEST_F(ProgramTest, ToCompareNothingIsAnError) {
   const ProgramSetting empty_home{.folder = {}, .environment = {{"THINWALL_HOME", folder_.path()}}};
   EXPECT_EQ(run({"golden", "test"}, empty_home).exit_code, 2);
