@@ -61,13 +61,16 @@ std::string_view unit_of(std::string_view column) {
 /// Parts of the largest number with the same unit below which a column holds what rounding leaves of sums that cancel.
 constexpr double kRounding = 1e-9;
 
-/// A column whose numbers stay below this is at rest or unstrained, whatever the body's size: 1 pN through 1 mm is 1
-/// fJ.
+/// A column whose numbers stay below this is at rest, unstrained or untouched, whatever the body's size: 1 pN through
+/// 1 mm is 1 fJ, 1 pm is less than an atom, and 1 pm on 1 mm and 1 um cubed are less than any contact and any organ.
 double still_of(std::string_view unit) {
   if (unit == "N") return 1e-12;
   if (unit == "J") return 1e-15;
   if (unit == "Pa") return 1e-6;
-  return 0;  // sizes come from the mesh, and are as small as it is
+  if (unit == "m") return 1e-12;
+  if (unit == "m2") return 1e-15;
+  if (unit == "m3") return 1e-18;
+  return 0;
 }
 
 /// The largest number of each column in both; 0 for a column that holds nothing but rounding.
@@ -112,10 +115,12 @@ void tell(HistoryChange& change, double time) {
   const std::string percent =
       change.before != 0 ? fmt::format(" ({:+.2g} %)", 100 * (change.after - change.before) / std::abs(change.before))
                          : std::string();
-  change.sentence =
-      fmt::format("from step {} on ({:.4g} s), first in the {}; at {:.4g} s the {} is {:.4g} {} instead of {:.4g} {}{}",
-                  change.step, change.time, spoken(change.first).first, time, name, change.after, unit, change.before,
-                  unit, percent);
+  const bool are_alike = fmt::format("{:.4g}", change.after) == fmt::format("{:.4g}", change.before);
+  const int digits = are_alike ? 9 : 4;  // of nine a history is written in
+  change.sentence = fmt::format(
+      "from step {} on ({:.4g} s), first in the {}; at {:.4g} s the {} is {:.{}g} {} instead of {:.{}g} {}{}",
+      change.step, change.time, spoken(change.first).first, time, name, change.after, digits, unit, change.before,
+      digits, unit, percent);
 }
 
 /// Calls add(owner, quantity, value) for each value of a step.

@@ -109,6 +109,33 @@ TEST(GoldenHistory, WhatRoundingLeavesIsNoChange) {
   EXPECT_TRUE(changes(0, 1e-6, 1e-3)) << "what is new is one";
 }
 
+GoldenHistory history_with_depth(double depth, double contact_area, double volume) {
+  GoldenHistory history;
+  Moment moment;
+  ToolRecord probe;
+  probe.tool = "probe";
+  probe.depth = depth;
+  probe.contact_area = contact_area;
+  moment.record = {.time = 0.1, .tools = {probe}, .bodies = {{.body = "organ", .volume = volume}}};
+  add_step(history, 1, moment);
+  return history;
+}
+
+TEST(GoldenHistory, ASmallChangeIsToldInAsManyDigitsAsShowIt) {
+  const HistoryChange change =
+      compare_histories(history_with_friction(1e-3, 2e-3), history_with_friction(1.00006e-3, 2e-3));
+  EXPECT_NE(change.sentence.find("0.00100006 J instead of 0.001 J"), std::string::npos) << change.sentence;
+}
+
+TEST(GoldenHistory, DepthsAreasAndVolumesOfRoundingAloneAreNoChange) {
+  const GoldenHistory golden = history_with_depth(1.735e-18, 1e-17, 2e-20);
+  EXPECT_FALSE(compare_histories(golden, history_with_depth(8.674e-19, 3e-17, -1e-20)).changed)
+      << "of a tool that has come back to where it touched, on an open sheet";
+  EXPECT_TRUE(compare_histories(golden, history_with_depth(1e-9, 1e-17, 2e-20)).changed);
+  EXPECT_TRUE(compare_histories(golden, history_with_depth(1.735e-18, 1e-12, 2e-20)).changed);
+  EXPECT_TRUE(compare_histories(golden, history_with_depth(1.735e-18, 1e-17, 1e-15)).changed);
+}
+
 TEST(GoldenHistory, OtherQuantitiesCannotBeCompared) {
   GoldenHistory other = history(20);
   other.columns[0] = "blade.force_N";
