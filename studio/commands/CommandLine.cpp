@@ -239,6 +239,9 @@ void CommandLine::add_still() {
     still_.device = device_choice(texts_.device);
     still_.at = parse_time(texts_.time);
     if (!texts_.size.empty()) still_.size = parse_size(texts_.size);
+    if (still_.picture.extension() != ".png") {
+      throw UsageError("-o " + still_.picture.string() + ": the picture is a PNG file; let its name end with .png");
+    }
     return make_still(still_);
   });
   command->add_option("SCENARIO", still_.scenario, "the scenario file")->required();

@@ -4,12 +4,22 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/recorder/Interruption.hpp"
 
 namespace thinwall {
+namespace {
+
+/// Every range holds "nan", as no comparison with it is true.
+std::string refuse_nan(const std::string& text) {
+  return std::isnan(std::strtod(text.c_str(), nullptr)) ? text + " is no number" : "";
+}
+
+}  // namespace
 
 void add_compare_arguments(CLI::App& command, CompareArguments& arguments) {
   command.add_option("A", arguments.options.first, "the first picture, video or folder: what it should be")->required();
@@ -18,7 +28,7 @@ void add_compare_arguments(CLI::App& command, CompareArguments& arguments) {
       ->type_name("METRIC")
       ->capture_default_str();
   const auto number = [&](const std::string& name, auto& value, const std::string& documentation) {
-    return command.add_option(name, value, documentation)->type_name("NUMBER");
+    return command.add_option(name, value, documentation)->type_name("NUMBER")->check(refuse_nan);
   };
   PictureLimits& limits = arguments.options.comparison.limits;
   number("--max", limits.largest, "largest difference allowed, 8-bit levels")->check(CLI::Range(0.0, 255.0));

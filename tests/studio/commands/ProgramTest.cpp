@@ -96,6 +96,7 @@ TEST_F(ProgramTest, ToCompareTellsItsVerdictByTheExitCode) {
   expect_bad_usage({"compare", "a.pfm"}, "B is required");
   expect_bad_usage({"compare", "a.pfm", "b.pfm", "--metric", "beauty"}, "write pixels, ssim, flip or all");
   expect_bad_usage({"compare", "a.pfm", "b.pfm", "--max", "300"}, "--max");
+  for (const char* text : {"nan", "-NaN"}) expect_bad_usage({"compare", "a.pfm", "b.pfm", "--mean", text}, "--mean");
   EXPECT_EQ(run({"compare", "a.pfm", "."}).exit_code, 1);
 }
 
@@ -372,6 +373,11 @@ TEST_F(ProgramTest, GoldensAreApprovedOnlyByNameWithAReasonAndByAPerson) {
       run({"golden", "approve", "--why", "new", "small.yaml"}, {.folder = {}, .environment = {{"CI", "true"}}});
   EXPECT_EQ(end.exit_code, 2);
   EXPECT_NE(end.messages.find("not in CI"), std::string::npos) << end.messages;
+}
+
+TEST_F(ProgramTest, AStillIsAPngFileByItsName) {
+  expect_bad_usage({"still", "small.yaml", "--at", "0.1s", "-o", "still.xyz"}, "let its name end with .png");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "still.xyz"));
 }
 
 TEST_F(ProgramTest, GoldensOfAllScenariosLeaveOutFragmentsAndStopAtNoBrokenOne) {
