@@ -40,10 +40,11 @@ constexpr double kMostFolding = 1.5;
 constexpr int kStalledSteps = 8;
 constexpr double kRoundOffResidual = 1e3;
 
-/// Where a step brought the residual down to this part, and to this multiple of the tolerance, the next one is found
-/// with the same factor: it is off by what the step changed.
+/// Where a step brought the residual down to this part, to this multiple of the tolerance, and to this part of the
+/// largest force, the next one is found with the same factor: it is off by what the step changed.
 constexpr double kSteepFall = 0.3;
 constexpr double kNearTheEnd = 30;
+constexpr double kSmallResidual = 3e-3;
 
 /// Part of the mean edge below which a step leaves the curvature as good as it was.
 constexpr double kSmallStep = 0.05;
@@ -289,7 +290,8 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
       const std::string iterations = std::to_string(options.maximum_iterations);
       return failed(obstructed("no convergence within " + iterations + " iterations"), result);
     }
-    keeps_factor_ = may_keep_factor(problem, residual, options.tolerance * scale, progress);
+    const double near = std::min(kNearTheEnd * options.tolerance, kSmallResidual) * scale;
+    keeps_factor_ = may_keep_factor(problem, residual, near, progress);
     may_end_ = keeps_factor_ || options.borders_contacts || progress.foresees_end(residual, options.tolerance * scale);
     const bool may_be_saddle = options.takes_flaps && progress.inexact >= kInexactSteps;
     shift = shift > 1e-6 && !may_be_saddle ? 0.1 * shift : 0;
@@ -317,12 +319,12 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
   }
 }
 
-bool Newton::may_keep_factor(const EquilibriumProblem& problem, const Residual& residual, double tolerance,
+bool Newton::may_keep_factor(const EquilibriumProblem& problem, const Residual& residual, double near,
                              const Progress& progress) {
   const bool is_fresh = factorisations_ > 0 && !keeps_factor_ && is_exact_;
   if (!may_be_one_by_one_ || !is_fresh || folded_ || terms_.folds.energy > 0 || !problem.shafts.empty()) return false;
   const double force = residual.largest_force;
-  return force <= kNearTheEnd * tolerance && force <= kSteepFall * progress.last_force && find_factorised_contacts();
+  return force <= near && force <= kSteepFall * progress.last_force && find_factorised_contacts();
 }
 
 bool Newton::Progress::foresees_end(const Residual& residual, double tolerance) const {

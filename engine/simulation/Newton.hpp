@@ -199,8 +199,8 @@ class Newton {
   bool begin(EquilibriumProblem& problem, EquilibriumState& state);
   NewtonResult iterate(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options,
                        bool foresees);
-  /// Whether the next step may do with the factor of the last one. `tolerance`: newton.
-  bool may_keep_factor(const EquilibriumProblem& problem, const Residual& residual, double tolerance,
+  /// Whether the next step may do with the factor of the last one, which a residual below `near`, newton, allows.
+  bool may_keep_factor(const EquilibriumProblem& problem, const Residual& residual, double near,
                        const Progress& progress);
   /// Makes the factorised contacts those that are there now; false where one is not that is a spring in the matrix.
   bool find_factorised_contacts();
