@@ -53,12 +53,13 @@ struct BodyStepReport {
   int newton_iterations = 0;
   int shifted_iterations = 0;
   int factorisations = 0;
-  int halvings = 0;       // how often the step was divided because it could not be solved
-  int refinements = 0;    // how often it was divided to keep the error that is allowed
-  double residual = 0;    // newton
-  bool slowed = false;    // whether a drag slowed flaps that nothing holds, see Body::creep
-  bool loose = false;     // whether a residual above the tolerance was taken, see NewtonOptions::takes_flaps
-  bool crumpled = false;  // whether a blade crumpled the wall, which wrinkles infinitely finely from now on
+  int halvings = 0;           // how often the step was divided because it could not be solved
+  int refinements = 0;        // how often it was divided to keep the error that is allowed
+  double residual = 0;        // newton
+  double residual_share = 0;  // largest of the step's solutions, over the largest force there
+  bool slowed = false;        // whether a drag slowed flaps that nothing holds, see Body::creep
+  bool loose = false;         // whether a residual above the tolerance was taken, see NewtonOptions::takes_flaps
+  bool crumpled = false;      // whether a blade crumpled the wall, which wrinkles infinitely finely from now on
   std::vector<StepRupture> ruptures = {};  // in their order
 };
 

@@ -59,6 +59,9 @@ NewtonResult Body::solve(EquilibriumProblem& problem, EquilibriumState& state, c
   report_.factorisations += result.factorisations;
   report_.shifted_iterations += result.shifted_iterations;
   report_.residual = result.residual;
+  if (result.converged) {
+    report_.residual_share = std::max(report_.residual_share, result.residual / result.force_scale);
+  }
   is_loose_ = result.converged && result.is_loose;
   failure_ = result.reason;
   return result;

@@ -36,9 +36,10 @@ constexpr double kMostFolding = 1.5;
 
 /// A wall pressed upon itself may be so stiff that the round-off of its coordinates alone makes forces above the
 /// tolerance, and where it buckles a force may fall without end: so many iterations after it was least, a residual
-/// below this multiple of the tolerance is the solution.
+/// below this multiple of the tolerance is the solution, but never above this part of the largest force.
 constexpr int kStalledSteps = 8;
 constexpr double kRoundOffResidual = 1e3;
+constexpr double kLooseResidual = 1e-2;
 
 /// Where a step brought the residual down to this part, to this multiple of the tolerance, and to this part of the
 /// largest force, the next one is found with the same factor: it is off by what the step changed.
@@ -205,7 +206,8 @@ bool Newton::is_solved(const Residual& residual, double force_scale, bool is_sta
   // Where forces need not be exact no displacement needs to be that would make a force of that size.
   const double give = options.tolerance * std::min(model_.edge_length, force_scale / model_.wall_stiffness);
   const double gap_tolerance = std::max(kGapTolerance * model_.edge_length, give);
-  const double slack = is_stalled ? kRoundOffResidual : 1;
+  const double loose = std::max(1.0, std::min(kRoundOffResidual, kLooseResidual / options.tolerance));
+  const double slack = is_stalled ? loose : 1;
   const double ghost = options.trusts_gaps ? 0 : residual.ghost;
   return std::max(residual.largest_force, ghost) <= slack * options.tolerance * force_scale &&
          gap <= slack * gap_tolerance;
@@ -281,6 +283,7 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
     result.residual = residual.largest_force;
     result.residual_history.push_back(residual.largest_force);
     const double scale = force_scale(problem, terms_);
+    result.force_scale = scale;
     if (result.iterations == 0) first_scale = scale;
     if (is_solved(residual, scale, options.takes_flaps && progress.stalled >= kStalledSteps, options)) {
       if (foresees && scale > kBlowUp * first_scale) return failed("the wall is strained beyond measure", result);

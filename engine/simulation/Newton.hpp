@@ -48,6 +48,7 @@ struct NewtonResult {
   bool converged = false;
   int iterations = 0;
   double residual = 0;                   // newton, largest component at the end
+  double force_scale = 0;                // newton, of which the tolerance is a part
   std::vector<double> residual_history;  // newton, before each iteration and at the end
   int shifted_iterations = 0;            // iterations whose matrix had to be made convex
   int factorisations = 0;                // of the matrix

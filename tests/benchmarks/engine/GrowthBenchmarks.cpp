@@ -98,7 +98,7 @@ BENCHMARK(PalpationSecond)
     ->Unit(benchmark::kSecond);
 
 /// A blade that goes on through the wall by half a millimetre a picture, contact and one cut in each step; the mean of
-/// the steps, and the longest.
+/// the steps, the longest, and the largest residual that was taken, over the largest force.
 void CutFrame(benchmark::State& state) {
   constexpr int kSteps = 16;
   for (auto _ : state) {
@@ -108,7 +108,7 @@ void CutFrame(benchmark::State& state) {
     body.settle();
     std::vector<ToolPose> poses = {pose_at({-8e-3, 0.7e-3, 12e-3})};
     body.follow_blade(0, poses);
-    double whole = 0, longest = 0, cuts = 0;
+    double whole = 0, longest = 0, cuts = 0, residual = 0;
     for (int k = -2; k < kSteps; ++k) {
       const double travel = k < 0 ? 1e-3 : kSpeed * kFrame;
       const std::vector<ToolPose> from = poses;
@@ -123,10 +123,12 @@ void CutFrame(benchmark::State& state) {
       whole += taken;
       longest = std::max(longest, taken);
       cuts += has_cut;
+      residual = std::max(residual, body.report().residual_share);
     }
     state.SetIterationTime(whole / kSteps);
     state.counters["longest_ms"] = 1e3 * longest;
     state.counters["cuts"] = cuts / kSteps;
+    state.counters["residual"] = residual;
   }
 }
 BENCHMARK(CutFrame)->Arg(320)->Arg(720)->Arg(1280)->Arg(5120)->UseManualTime()->Iterations(1)->Unit(
