@@ -54,14 +54,6 @@ Eigen::Matrix<double, 9, 9> hessian_of(const DeepestPoint& deepest, const Signed
   return hessian;
 }
 
-bool out_of_reach(const ToolSolid& solid, double reach, const std::array<Eigen::Vector3d, 3>& corners) {
-  const Eigen::Vector3d centroid = (corners[0] + corners[1] + corners[2]) / 3;
-  double extent = 0;
-  for (const Eigen::Vector3d& corner : corners) extent = std::max(extent, (corner - centroid).squaredNorm());
-  const double distance = solid.extent() + reach + std::sqrt(extent);
-  return (centroid - solid.center).squaredNorm() > distance * distance;
-}
-
 DeepestPoint deepest_of(const ToolSolid& solid, const std::array<Eigen::Vector3d, 3>& corners, SitePart part,
                         int corner) {
   if (part == SitePart::kFace) return deepest_on_triangle(solid, corners);
@@ -71,9 +63,17 @@ DeepestPoint deepest_of(const ToolSolid& solid, const std::array<Eigen::Vector3d
 
 }  // namespace
 
+bool is_out_of_reach(const ToolSolid& solid, double reach, const std::array<Eigen::Vector3d, 3>& corners) {
+  const Eigen::Vector3d centroid = (corners[0] + corners[1] + corners[2]) / 3;
+  double extent = 0;
+  for (const Eigen::Vector3d& corner : corners) extent = std::max(extent, (corner - centroid).squaredNorm());
+  const double distance = solid.extent() + reach + std::sqrt(extent);
+  return (centroid - solid.center).squaredNorm() > distance * distance;
+}
+
 std::optional<SolidGap> solid_gap(const ToolSolid& solid, double reach, const std::array<Eigen::Vector3d, 3>& corners,
                                   SitePart part, int corner, GapTerms wanted) {
-  if (out_of_reach(solid, reach, corners)) return std::nullopt;
+  if (is_out_of_reach(solid, reach, corners)) return std::nullopt;
   const DeepestPoint deepest = deepest_of(solid, corners, part, corner);
   const SignedDistance distance = signed_distance(
       solid, deepest.weights[0] * corners[0] + deepest.weights[1] * corners[1] + deepest.weights[2] * corners[2]);

@@ -26,6 +26,9 @@ struct SolidGap {
   Eigen::Matrix<double, 9, 9> hessian;                // 1 / metre; zero unless it was asked for
 };
 
+/// Whether the balls around a solid and a triangle show that no gap of its parts is below `reach`, metres.
+bool is_out_of_reach(const ToolSolid& solid, double reach, const std::array<Eigen::Vector3d, 3>& corners);
+
 /// The gap of corner `corner`, of the edge from it to the next, or of the whole triangle; nothing when it exceeds
 /// `reach`, metres. The deepest point moves as the triangle does, so that a flat face may slide and roll on a ball
 /// without resistance, and the wall as a whole stays outside, not its vertices only.

@@ -199,7 +199,13 @@ bool Body::jumped_over_balls(std::span<const ToolPose> begin, const EquilibriumP
     // Places farther away cannot have come so deep.
     const double reach =
         std::min(before[k].sharpness() + model_->edge_length, farthest - kDeepestWay * after.solid.sharpness());
+    thread_local std::vector<char> is_near;  // (triangles), asked of each once: it has several sites
+    is_near.resize(model_->surface.size());
+    std::ranges::transform(model_->surface, is_near.begin(), [&](const Eigen::Vector3i& triangle) {
+      return !is_out_of_reach(before[k], reach, corners_of(triangle, state_.equilibrium.position));
+    });
     for (const ContactSite& site : model_->sites) {
+      if (!is_near[site.triangle]) continue;
       const Eigen::Vector3i& triangle = model_->surface[site.triangle];
       const auto near = solid_gap(before[k], reach, corners_of(triangle, state_.equilibrium.position), site.part,
                                   site.corner, GapTerms::kGradient);

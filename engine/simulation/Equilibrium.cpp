@@ -153,9 +153,21 @@ bool is_clearly_apart(const Eigen::VectorXd& position, const Eigen::Vector3i& tr
          (from_c >= 0 && square(from_c) >= std::max(ac, bc));
 }
 
+/// Whether all parts of a triangle are, which is asked of each once: it has several sites.
+bool is_clearly_apart(const Eigen::VectorXd& position, const Eigen::Vector3i& triangle,
+                      const std::vector<double>& distances, double reach) {
+  const auto [a, b, c] = corners_of(triangle, position);
+  const double nearest = std::min({distances[triangle[0]], distances[triangle[1]], distances[triangle[2]]}) - reach;
+  const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  return nearest >= 0 && square(nearest) >= longest;
+}
+
 void find_contacts(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
                    EquilibriumTerms& terms) {
-  std::vector<double> distances(model.vertices());
+  thread_local std::vector<double> distances;  // (vertices), metres
+  thread_local std::vector<char> are_apart;    // (triangles)
+  distances.resize(model.vertices());
+  are_apart.resize(model.surface.size());
   for (int k = 0; k < static_cast<int>(problem.solids.size()); ++k) {
     const SolidContact& contact = problem.solids[k];
     if (contact.in_wall) continue;
@@ -167,8 +179,12 @@ void find_contacts(const BodyModel& model, const EquilibriumProblem& problem, co
                          ? bound
                          : distance_from(contact.solid, position.segment<3>(3 * v));
     }
+    std::ranges::transform(model.surface, are_apart.begin(), [&](const Eigen::Vector3i& triangle) {
+      return is_clearly_apart(position, triangle, distances, near);
+    });
     for (int s = 0; s < static_cast<int>(model.sites.size()); ++s) {
       const ContactSite& site = model.sites[s];
+      if (are_apart[site.triangle] && contact.forces[s] <= 0) continue;
       if (!contact.meets(site.part) || problem.is_free(contact.tool, site.triangle)) continue;
       if (problem.passes(contact.tool, s)) continue;
       const Eigen::Vector3i& triangle = model.surface[site.triangle];
