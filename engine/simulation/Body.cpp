@@ -305,9 +305,9 @@ void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> en
   const BodyState start = state_;
   StepParts step{.largest = std::min(largest_part(begin, end), part_of_blade(input, model_->edge_length))};
   step.part = step.largest;
-  const double smallest = step.largest * std::pow(0.5, options_.maximum_halvings + 0.5);
   std::vector<ToolPose> from(begin.begin(), begin.end());
   bool needles_ask = false;
+  int failed = 0;  // in a row
   while (step.done < 1) {
     const std::vector<ToolPose> to = interpolate(begin, end, step.done + step.part);
     const BodyState before = state_;
@@ -322,9 +322,10 @@ void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> en
       }
       step.divide();
       ++report_.halvings;
-      if (step.part < smallest || report_.halvings > kMostHalvings) give_up(start);
+      if (++failed > options_.maximum_halvings || report_.halvings > kMostHalvings) give_up(start);
       continue;
     }
+    failed = 0;
     const double error = options_.step_error > 0 ? step_error(before, step.part * duration) / options_.step_error : 0;
     const bool was_easy = report_.newton_iterations - iterations <= kEasyIterations;
     // Where flaps flutter the matrix is not convex at first, and shorter steps show more of that.

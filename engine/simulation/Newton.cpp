@@ -290,6 +290,7 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
       return solved(!is_solved(residual, scale, false, options), result);
     }
     if (result.iterations == most) {
+      if (is_solved(residual, scale, options.takes_flaps, options)) return solved(true, result);
       const std::string iterations = std::to_string(options.maximum_iterations);
       return failed(obstructed("no convergence within " + iterations + " iterations"), result);
     }

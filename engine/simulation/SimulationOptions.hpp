@@ -17,7 +17,7 @@ struct SimulationOptions {
   // several equilibria another one may be found.
   bool extrapolates = false;
   int maximum_iterations = 60;  // Newton iterations before a step is halved
-  int maximum_halvings = 10;    // how often a step may be halved before the run fails
+  int maximum_halvings = 10;    // how often in a row a step may be halved before the run fails
   // Called before each iteration. It may throw to end a long solution; the body is not to be used after that.
   std::function<void()> between_iterations = {};
 };
