@@ -273,6 +273,9 @@ class Body {
   WallAhead stiffness_ahead(WallAhead ahead, const EquilibriumProblem& problem, int tool, const ToolPose& pose);
   /// Where a blade's edge meets the wall first.
   std::optional<SurfacePoint> place_below(int tool, const ToolPose& pose) const;
+  /// Where the wall presses a blade most that has worked on it as much as a cut of its width costs: what it meets with
+  /// its edge from the front it would push before it for ever. Nothing before that.
+  std::optional<SurfacePoint> place_before(int tool, const ToolPose& pose) const;
   /// From the tip, or where the blade met the wall first, to where a blade meets the wall or has left it.
   std::optional<WayOn> way_on(int tool, const ToolPose& pose) const;
   /// From the tip to the open border that the blade has left the wall over; nothing where it has not.

@@ -229,7 +229,9 @@ std::optional<Cut> Body::follow_blade(int tool, std::span<const ToolPose> poses,
   CutProgress& progress = state_.cut;
   if (progress.ahead > 0 || come_out_of_gap(pose)) return std::nullopt;
   if (!progress.is_in_wall()) {
-    if (const auto place = place_below(tool, pose); place && !progress.gap) {
+    auto place = place_below(tool, pose);
+    if (!place) place = place_before(tool, pose);
+    if (place && !progress.gap) {
       progress.tool = tool;
       begin_cut(*place);
       hold_dent(tool, poses);

@@ -1,5 +1,9 @@
 // Where a blade in the wall of a body is, and along which way over the wall it has come there.
 
+#include <algorithm>
+#include <limits>
+
+#include "engine/contact/SolidGap.hpp"
 #include "engine/cutting/BorderCrossing.hpp"
 #include "engine/cutting/SurfaceNormals.hpp"
 #include "engine/cutting/SurfaceTrace.hpp"
@@ -39,6 +43,27 @@ std::optional<SurfacePoint> Body::place_below(int tool, const ToolPose& pose) co
   const auto entry = first_entry_on_segment(wall, pose.tip - tools_[tool].length * pose.direction, pose.tip);
   if (!entry) return std::nullopt;
   return snapped_to_edges(wall, {.triangle = entry->triangle, .weights = entry->weights});
+}
+
+std::optional<SurfacePoint> Body::place_before(int tool, const ToolPose& pose) const {
+  const std::vector<ToolSolid> solids = contact_solids(tools_[tool], pose);
+  const std::size_t first = std::ranges::find(solids_, tool) - solids_.begin();
+  double most = 0;  // newton
+  std::optional<SurfacePoint> place;
+  for (std::size_t k = 0; k < solids.size(); ++k) {
+    const std::vector<double>& forces = state_.solid_forces[first + k];
+    for (std::size_t s = 0; s < forces.size(); ++s) {
+      if (forces[s] <= most) continue;
+      const ContactSite& site = model_->sites[s];
+      const auto corners = corners_of(model_->surface[site.triangle], state_.equilibrium.position);
+      const auto gap = solid_gap(solids[k], std::numeric_limits<double>::infinity(), corners, site.part, site.corner,
+                                 GapTerms::kGradient);
+      most = forces[s];
+      place = SurfacePoint{.triangle = site.triangle, .weights = gap->weights};
+    }
+  }
+  if (!place || state_.pressing[tool].work < cost_at(*place) * tools_[tool].width) return std::nullopt;
+  return snapped_to_edges(surface(), *place);
 }
 
 bool Body::is_in_wound(int tool, const ToolPose& pose) const {

@@ -259,6 +259,37 @@ TEST(ABladeThatOpensABodyToAWideTolerance, LeavesResidualsNearItWhereFlapsGiveWa
   EXPECT_LE(share, 10 * kTolerance);
 }
 
+TEST(ABladeThatMeetsAWallWithItsEdgeFromTheFront, CutsItOnceItHasWorkedAsMuchAsThatCosts) {
+  constexpr double kToughness = 100, kStep = 0.5e-3;
+  for (const WallModel model : {WallModel::kMembrane, WallModel::kShell}) {
+    BodyDefinition definition = pressurised_hemisphere(576, 600);
+    definition.toughness = {kToughness};
+    definition.model = model;
+    const double cost = kToughness * definition.thickness[0] * blade().width;
+    Body body(definition, {blade()}, quasi_static());
+    body.settle();
+    // Beside the wall, and upright: no part of it ever stands through the wall that it pushes.
+    std::vector<ToolPose> poses = {pose_at({-22e-3, 0.3e-3, 4e-3})};
+    double work = 0, most = 0;
+    while (!body.state().cut.tool && poses[0].tip.x() < 0) {
+      EXPECT_LT(body.state().pressing[0].work, cost);
+      const std::vector<ToolPose> next = {pose_at(poses[0].tip + Eigen::Vector3d(kStep, 0, 0))};
+      body.advance(poses, next, 5e-3);
+      poses = next;
+      work = body.state().pressing[0].work;
+      most = std::max(most, body.state().contacts[0].force.norm());
+      body.follow_blade(0, poses);
+    }
+    ASSERT_TRUE(body.state().cut.tool);
+    EXPECT_GE(work, cost);
+    EXPECT_LT(work, cost + most * kStep);
+    draw_blade(body, poses[0].tip, poses[0].tip + Eigen::Vector3d(8e-3, 0, 0), 16);
+    std::printf("%.3g N, %.3g of %.3g J, cut by %.3g m\n", most, work, cost, body.state().cut.length);
+    EXPECT_GT(body.state().cut.length, 5e-3);
+    EXPECT_LT(std::abs(body.state().books.imbalance()), 1e-9 * body.state().books.largest());
+  }
+}
+
 TEST(ACutThatGoesOnFromAnOpenWound, LeavesAGelTheVolumeThatItHas) {
   // The cap over the lips is another one from then on: in this wound it spans a part in a thousand less or more.
   BodyDefinition definition = pressurised_hemisphere(1024, 600);
