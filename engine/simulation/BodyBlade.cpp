@@ -85,8 +85,8 @@ double Body::book_cut(const CutProgress& before, const Eigen::VectorXd& motion,
   double paid = 0;  // joule, by the blade
   if (blade && blade->travel > 0) {
     const double advance = std::max(0.0, blade->travel - way_of_wall(*blade, motion));
-    // In its own wound it pays for what has been cut ahead of it, and no more.
-    const double lead = after.is_in_wound ? 0 : kMostLead * model_->edge_length * after.cost;
+    // In its own wound, and where no wall is before it, it pays for what has been cut ahead of it, and no more.
+    const double lead = after.is_in_wound || after.is_off_wall ? 0 : kMostLead * model_->edge_length * after.cost;
     const bool cuts = after.due > -lead;
     const double open = std::min(after.ahead, advance), cut = cuts ? advance - open : 0;
     paid = 0.5 * (before.push + after.push) * blade->travel;

@@ -239,10 +239,13 @@ std::optional<Cut> Body::follow_blade(int tool, std::span<const ToolPose> poses,
     return std::nullopt;
   }
   progress.is_in_wound = is_in_wound(tool, pose);
+  progress.is_off_wall = false;
   if (progress.is_in_wound) return std::nullopt;
   std::optional<WayOn> way = way_on(tool, pose);
   if (!way) way = way_out_of_wound(tool, pose);
   if (!way) {
+    // Before its first cut the wall is dented, and what dents it is the blade.
+    progress.is_off_wall = progress.tip.has_value();
     begin_anew_far_off(tool, pose);
     return std::nullopt;
   }
@@ -325,7 +328,7 @@ void Body::leave_cut() {
   state_.books.fracture += due;
   state_.books.jump -= due;
   state_.cut.gap.reset();
-  state_.cut.is_in_wound = false;
+  state_.cut.is_in_wound = state_.cut.is_off_wall = false;
   state_.cut.tool.reset();
   state_.cut.tip.reset();
   state_.cut.start.reset();

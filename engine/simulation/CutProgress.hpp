@@ -64,6 +64,7 @@ struct CutProgress {
   std::optional<int> tip = {};             // vertex where the cut goes on
   std::optional<GapBeyond> gap = {};       // that the blade is in
   bool is_in_wound = false;                // whether the blade goes back in its own wound, in which it cuts nothing
+  bool is_off_wall = false;                // whether it has no wall before it, as where that gives way from under it
   std::vector<HeldLips> held = {};         // in the order of the cuts: lips that are not free yet
   double cost = 0;                         // newton: of new cut area per length, as it is stretched now, at the tip
   double resistance = 0;                   // newton

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <variant>
 #include <vector>
 
-#include "studio/director/Schedule.hpp"
+#include "engine/tool/FirstContact.hpp"
 
 namespace thinwall {
 namespace {
@@ -77,6 +79,40 @@ std::optional<Cut> run_ahead(const IncisionPlan& plan, Body& body, const BladeSt
   if (!is_in_wall(body, step.tool) || plan.goes_out(step.end)) return std::nullopt;
   const double passed = plan.progress(step.end);
   return body.run_ahead(step.after, [&](double way) { return plan.pose_ahead(passed + way); });
+}
+
+void note_wall_below(IncisionPlan& plan, const Body& body, const ToolDefinition& blade, const BladeStep& step) {
+  // Before its first cut the wall may be dented.
+  if (!is_in_wall(body, step.tool) || !body.state().cut.tip || plan.goes_out(step.end)) return;
+  const double travel = plan.progress(step.end) - plan.progress(step.begin);
+  if (travel <= 0) return;
+  if (body.state().cut.length != plan.passed_over.cut) plan.passed_over = {};
+  const ToolPose& pose = step.after[static_cast<std::size_t>(step.tool)];
+  const Eigen::Vector3d reach = blade.length * pose.direction;
+  const SurfaceView wall = body.surface();
+  if (first_entry_on_segment(wall, pose.tip - reach, pose.tip)) return;
+  if (!first_entry_on_segment(wall, pose.tip, pose.tip + reach)) return;
+  PassedOver& passed = plan.passed_over;
+  const double cut = body.state().cut.length;
+  if (passed.length == 0 || passed.cut != cut) passed = {.since = step.begin, .cut = cut};
+  passed.length += travel;
+}
+
+std::vector<std::string> passed_over_notes(std::span<const ScheduledClip> clips,
+                                           std::span<const ToolDefinition> tools) {
+  std::vector<std::string> notes;
+  for (const ScheduledClip& clip : clips) {
+    const auto* plan = std::get_if<IncisionPlan>(&clip.plan);
+    if (plan == nullptr) continue;
+    const auto blade = std::ranges::find(tools, plan->clip.tool, &ToolDefinition::name);
+    const PassedOver& passed = plan->passed_over;
+    if (passed.length <= blade->width) continue;
+    notes.push_back(fmt::format(
+        "body `{}`: from {:.4g} s on blade `{}` passed above the wall over {:.3g} of the {:.3g} mm of its path, and "
+        "cut nothing there: the wall had given way from under it; more `depth` reaches it",
+        plan->clip.body, clip.begin + passed.since, plan->clip.tool, 1e3 * passed.length, 1e3 * plan->path.length()));
+  }
+  return notes;
 }
 
 std::string to_text(const RunningCut& run, const Body& body) {

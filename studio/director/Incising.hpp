@@ -3,9 +3,11 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "engine/simulation/Body.hpp"
 #include "studio/director/IncisionPlan.hpp"
+#include "studio/director/Schedule.hpp"
 
 namespace thinwall {
 
@@ -37,6 +39,14 @@ struct RunningCut {
   std::string blade;  // the first one
   double since = 0;   // seconds, of time
 };
+
+/// After a step: notes in `plan` how much of its path the blade passed above the wall since its first cut: where its
+/// edge met no wall, and there was some below its tip, no deeper than the blade is long. Over an open wound there is
+/// none.
+void note_wall_below(IncisionPlan& plan, const Body& body, const ToolDefinition& blade, const BladeStep& step);
+
+/// Sentences for the user: which blades have passed above a wall by more than their width.
+std::vector<std::string> passed_over_notes(std::span<const ScheduledClip> clips, std::span<const ToolDefinition> tools);
 
 /// A sentence for the user.
 std::string to_text(const RunningCut& run, const Body& body);

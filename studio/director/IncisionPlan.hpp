@@ -8,6 +8,14 @@
 
 namespace thinwall {
 
+/// Where a blade in its depth met no wall, as that had given way from under it, since the last cut: a cut that goes on
+/// goes from its tip to the blade.
+struct PassedOver {
+  double since = 0;   // seconds since the clip began
+  double length = 0;  // metres of the path
+  double cut = 0;     // metres, that the body had been cut then
+};
+
 /// A blade that comes from the stand-off above the first point of its path, presses in along the inward normal, follows
 /// the path at its depth below it, rests, and goes back along the inward normal at the path's end.
 struct IncisionPlan {
@@ -18,6 +26,7 @@ struct IncisionPlan {
   double to_contact = 0;               // metres from the stand-off to first contact
   std::optional<double> entered = {};  // seconds since the clip began, when the blade had gone in, once it has
   double entry_cost = 0;               // joule that the blade has to put into the dent before it goes in
+  PassedOver passed_over = {};
 
   double duration() const;                  // seconds
   ToolMoment at(double time) const;         // `time`: seconds since the clip began, limited to its duration

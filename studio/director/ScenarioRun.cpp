@@ -220,6 +220,7 @@ struct ScenarioRun::Implementation {
       while (cut([&] { return run_ahead(*incision, body, step); })) {
         runs.try_emplace(index, RunningCut{.blade = incision->clip.tool, .since = until});
       }
+      note_wall_below(*incision, body, scenario.tools[step.tool], step);
     }
   }
 
@@ -417,6 +418,8 @@ std::vector<std::string> ScenarioRun::warnings() const {
   std::ranges::copy(implementation_->tally.warnings(implementation_->steps), std::back_inserter(all));
   std::ranges::copy(implementation_->integrator_energy.warnings(), std::back_inserter(all));
   for (const auto& [index, run] : implementation_->runs) all.push_back(to_text(run, *implementation_->bodies[index]));
+  std::ranges::copy(passed_over_notes(implementation_->clips, implementation_->scenario.tools),
+                    std::back_inserter(all));
   return all;
 }
 

@@ -195,6 +195,60 @@ TEST(Incision, OfATenseWallRunsAheadOfTheBladeAndSaysSo) {
   EXPECT_NE(all.find("s on the cut of blade `blade` ran ahead, by "), std::string::npos) << all;
 }
 
+/// Where blades passed above walls, as a run tells it.
+std::string notes_of_walls_below(const ScenarioRun& run) {
+  std::string all;
+  for (const std::string& warning : run.warnings()) {
+    if (warning.find("passed above the wall") != std::string::npos) all += warning + "\n";
+  }
+  return all;
+}
+
+TEST(Incision, SaysThatTheWallHasGivenWayFromUnderTheBladeWhereAnOrganEmptiesAndNotOverAnOpenWound) {
+  Scenario scenario = ball_scenario();
+  BodyScenario& ball = scenario.bodies[0];
+  ball.thickness = {.standard = 6e-4};
+  ball.material.parameters = {60e3};
+  ball.fluid.initial_pressure = 1000;
+  ball.fixed = {{.region = BelowRegion{.axis = 2, .at = -0.015}}};
+  auto& clip = std::get<InciseClip>(scenario.timeline[0].action);
+  {
+    // There and back, in its own wound.
+    clip.path = {{-0.006, 0, 0.02}, {0.006, 0, 0.02}, {-0.004, 0, 0.02}};
+    ScenarioRun run(scenario);
+    while (run.step()) {
+    }
+    EXPECT_EQ(notes_of_walls_below(run), "");
+  }
+  constexpr double kLoop = 0.007;  // metres, radius
+  clip.path.clear();
+  for (int k = 0; k <= 12; ++k) {
+    const double angle = 2 * std::numbers::pi * k / 12;
+    clip.path.emplace_back(kLoop * std::cos(angle), kLoop * std::sin(angle), 0.02);
+  }
+  clip.speed = 0.04;
+  std::get<ShapeSource>(ball.surface).triangles = 700;
+  ball.toughness = Field<double>{.standard = 150};
+  scenario.tools[0].length = 0.014;
+  scenario.tools[0].friction = 0.1;
+  scenario.simulation.time_step = 5e-3;
+  clip.standoff = 0.005;
+  ScenarioRun run(scenario);
+  double most = 0, given_back = 0;  // joule
+  while (run.step()) {
+    const double fracture = run.record().bodies.at(0).fracture;
+    most = std::max(most, fracture);
+    given_back = std::max(given_back, most - fracture);
+  }
+  const std::string note = notes_of_walls_below(run);
+  std::printf("%.3g m cut, %.3g of %.3g J given back; %s", run.record().bodies.at(0).cut_length, given_back, most,
+              note.c_str());
+  // Above the wall the blade pays for nothing that it does not cut; while it cuts it pays a part of an edge ahead.
+  EXPECT_LT(given_back, 0.06 * most);
+  EXPECT_LT(run.record().bodies.at(0).cut_length, 0.8 * 2 * std::numbers::pi * kLoop) << "or it is not the case meant";
+  EXPECT_NE(note.find("body `ball`: from "), std::string::npos) << note;
+}
+
 TEST(Incision, GoesIntoABorderThatIsHeldAndFeelsWhatToughnessAsks) {
   Scenario scenario = sheet_scenario(1.1);
   auto& clip = std::get<InciseClip>(scenario.timeline[0].action);
