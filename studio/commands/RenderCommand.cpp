@@ -61,7 +61,9 @@ int render_take(const RenderOptions& options) {
     take.emplace(options.take);
     if (options.view) {
       const Scenario view = load_scenario(*options.view, options.overrides);
+      const Teaching taught = picture_settings(take->description().resolved).teaching;
       settings = picture_settings(view);
+      settings.teaching = taught;
       second_view = view.comparison ? picture_settings(*view.comparison->second).view : settings.view;
     } else {
       settings = picture_settings(take->description().resolved);
@@ -80,6 +82,7 @@ int render_take(const RenderOptions& options) {
                            .description = take->description(),
                            .overlays = settings.overlays,
                            .view = settings.view,
+                           .teaching = settings.teaching,
                            .size = options.size.value_or(settings.record.size),
                            .frames_per_second = options.frames_per_second.value_or(settings.record.frames_per_second),
                            .records = false,

@@ -94,6 +94,21 @@ TEST_F(ProgramGLTest, TwoTakesBesideOneAnotherAreTheSameInARunFromTheirTakesAndA
   EXPECT_NE(end.messages.find("second_take/take.h5, which is not there"), std::string::npos) << end.messages;
 }
 
+TEST_F(ProgramGLTest, ATakeGivesTheLessonOfTheRunAgainAlsoInAnotherView) {
+  const std::string view = small_scenario();
+  write_bytes(folder_ / "view.yaml", view);
+  write_bytes(
+      folder_ / "lesson.yaml",
+      view + "teaching: { labels: [ { text: Crown, at: [0, 0, 25 mm] } ], freezes: [ { at: 60 ms, for: 200 ms } ] }\n");
+  expect_good({"run", "lesson.yaml", "--no-video", "--out", "run"});
+  expect_good({"render", "run/take.h5", "--no-video", "--out", "again"});
+  expect_good({"render", "run/take.h5", "--no-video", "--view", "view.yaml", "--out", "viewed"});
+  expect_good({"run", "view.yaml", "--no-video", "--out", "bare"});
+  EXPECT_EQ(manifest("again")["frame_hashes"], manifest("run")["frame_hashes"]);
+  EXPECT_EQ(manifest("viewed")["frame_hashes"], manifest("run")["frame_hashes"]);
+  EXPECT_NE(manifest("bare")["frame_hashes"], manifest("run")["frame_hashes"]);
+}
+
 TEST_F(ProgramGLTest, ATakeWithCutsGivesTheFramesOfTheRunAgainAndItsSurfacesGrow) {
   write_bytes(folder_ / "cut.yaml", incision_scenario());
   // Frames lie between steps, and some between the steps before and after a cut.
