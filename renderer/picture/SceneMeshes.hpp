@@ -78,11 +78,14 @@ class SceneMeshes {
   void find_films(const Snapshot& snapshot, std::size_t k, const TissueLook& look, std::span<const TissuePiece> pieces);
   void find_edges(const Snapshot& snapshot, DrawnEdges edges);
   void smooth_surfaces(const Snapshot& snapshot);
+  void find_beds(const Snapshot& snapshot, const LookDefinition& look);
+  std::optional<Snapshot> laid_on_beds(const Snapshot& snapshot) const;
   void upload_tools(const Snapshot& snapshot, const SceneExtent& extent);
 
   TriangleBuffer tissue_;
   TriangleBuffer tools_;
   std::vector<TissuePart> parts_;
+  std::vector<double> bed_depths_;             // (surfaces), metres below the stress-free sheet; 0: there is none
   std::vector<OutlineSegment> inner_borders_;  // where rims meet linings
   std::vector<BodyFluid> fluids_;
   std::vector<BodyFilm> films_;

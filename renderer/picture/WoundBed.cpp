@@ -43,26 +43,50 @@ std::vector<double> parts_of_room(const SnapshotTopology& topology, std::span<co
   return parts;
 }
 
-/// Metres below the stress-free sheet.
-double depth_of_bed(const SnapshotSurface& surface, std::span<const Float3> normals,
-                    std::span<const std::uint32_t> pieces, double depth, double time) {
-  const SnapshotTopology& topology = *surface.topology;
-  const std::vector<double> parts = parts_of_room(topology, pieces, time);
-  double lowest = 0;
-  for (std::size_t v = 0; v < normals.size(); ++v) {
-    const double hanging =
-        dot(vector3(topology.rest_positions[v]) - vector3(surface.positions[v]), vector3(normals[v]));
-    const double most = pieces[v] == kHeldPiece ? hanging : kMostRoom * depth;
-    lowest = std::max(lowest, parts[v] * std::min(hanging, most));
-  }
-  const double thickness = topology.thickness.empty() ? 0 : *std::ranges::max_element(topology.thickness);
-  return std::max(depth, lowest + thickness + kGap);
+double most_thickness(const SnapshotTopology& topology) {
+  return topology.thickness.empty() ? 0 : *std::ranges::max_element(topology.thickness);
+}
+
+/// Metres by which a vertex is below its stress-free place.
+double hanging_of(const SnapshotSurface& surface, std::span<const Float3> normals, std::size_t v) {
+  return dot(vector3(surface.topology->rest_positions[v]) - vector3(surface.positions[v]), vector3(normals[v]));
 }
 
 }  // namespace
 
+double bed_depth(const SnapshotSurface& surface, std::span<const BorderEdge> borders, std::span<const char> is_lip,
+                 double depth, double time) {
+  const SnapshotTopology& topology = *surface.topology;
+  const std::vector<Float3> normals = rest_normals(topology);
+  const std::vector<std::uint32_t> pieces = cut_out_pieces(topology, borders, is_lip);
+  const std::vector<double> parts = parts_of_room(topology, pieces, time);
+  double lowest = 0;
+  for (std::size_t v = 0; v < normals.size(); ++v) {
+    const double hanging = hanging_of(surface, normals, v);
+    const double most = pieces[v] == kHeldPiece ? hanging : kMostRoom * depth;
+    lowest = std::max(lowest, parts[v] * std::min(hanging, most));
+  }
+  return std::max(depth, lowest + most_thickness(topology) + kGap);
+}
+
+std::vector<Float3> laid_on_bed(const SnapshotSurface& surface, std::span<const BorderEdge> borders,
+                                std::span<const char> is_lip, double below) {
+  const SnapshotTopology& topology = *surface.topology;
+  const std::vector<std::uint32_t> pieces = cut_out_pieces(topology, borders, is_lip);
+  if (std::ranges::all_of(pieces, [](std::uint32_t piece) { return piece == kHeldPiece; })) return surface.positions;
+  const std::vector<Float3> normals = rest_normals(topology);
+  const double most = below - most_thickness(topology) - kGap;
+  std::vector<Float3> positions = surface.positions;
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    if (pieces[v] == kHeldPiece) continue;
+    const double deeper = hanging_of(surface, normals, v) - most;
+    if (deeper > 0) positions[v] = float3(vector3(positions[v]) + deeper * vector3(normals[v]));
+  }
+  return positions;
+}
+
 TissuePiece wound_bed(const SnapshotSurface& surface, std::span<const BorderEdge> borders, std::span<const char> is_lip,
-                      double depth, double time) {
+                      double below) {
   const SnapshotTopology& topology = *surface.topology;
   std::vector<Vector3> ends;  // of the sheet
   for (const BorderEdge& edge : borders) {
@@ -71,7 +95,6 @@ TissuePiece wound_bed(const SnapshotSurface& surface, std::span<const BorderEdge
   TissuePiece bed{.side = TissueSide::kBed, .vertices = {}, .corners = {}};
   if (ends.empty()) return bed;
   const std::vector<Float3> normals = rest_normals(topology);
-  const double below = depth_of_bed(surface, normals, cut_out_pieces(topology, borders, is_lip), depth, time);
   std::vector<char> is_kept;
   for (std::size_t v = 0; v < normals.size(); ++v) {
     const Vector3 place = vector3(topology.rest_positions[v]);

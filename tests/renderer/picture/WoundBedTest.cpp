@@ -11,7 +11,8 @@ namespace {
 
 TissuePiece bed_of(const SnapshotSurface& sheet, double depth, double time = 1) {
   const std::vector<BorderEdge> borders = border_edges(*sheet.topology);
-  return wound_bed(sheet, borders, cut_lips(*sheet.topology, borders), depth, time);
+  const std::vector<char> is_lip = cut_lips(*sheet.topology, borders);
+  return wound_bed(sheet, borders, is_lip, bed_depth(sheet, borders, is_lip, depth, time));
 }
 
 TEST(WoundBed, LiesBelowTheSheetAndAwayFromItsBorders) {
@@ -51,6 +52,23 @@ TEST(WoundBed, ComesBackToItsPlaceFromAPieceThatFalls) {
   EXPECT_NEAR(depth_below(0.2, 0.125), 0.005, 1e-8) << "no deeper than eight millimetres, of which half are left";
   EXPECT_NEAR(depth_below(0.2, 0.25), 0.004, 1e-8);
   EXPECT_NEAR(depth_below(0.2, 3), 0.004, 1e-8);
+}
+
+TEST(WoundBed, BearsWhatWasCutFreeAndFallsAndLeavesTheRestWhereItIs) {
+  SnapshotSurface sheet = test::patched_sheet(40, 0.001, 8);
+  const std::size_t patch = sheet.positions.size() - 81;
+  for (std::size_t v = patch; v < sheet.positions.size(); ++v) {
+    sheet.positions[v][2] = v % 2 == 0 ? -0.0025F : -0.2F;
+  }
+  sheet.positions[20][2] = -0.01F;
+  const std::vector<BorderEdge> borders = border_edges(*sheet.topology);
+  const std::vector<Float3> laid = laid_on_bed(sheet, borders, cut_lips(*sheet.topology, borders), 0.004);
+  ASSERT_EQ(laid.size(), sheet.positions.size());
+  for (std::size_t v = 0; v < patch; ++v) EXPECT_EQ(laid[v], sheet.positions[v]);
+  for (std::size_t v = patch; v < laid.size(); ++v) {
+    // The gap is 1 mm, and there is no thickness.
+    EXPECT_NEAR(laid[v][2], v % 2 == 0 ? -0.0025 : -0.003, 1e-7) << v;
+  }
 }
 
 TEST(WoundBed, IsNoneBelowAClosedWall) {
