@@ -39,10 +39,12 @@ struct Wrinkled {
 };
 
 /// Stress of a neo-Hookean wall over its modulus, (S11, S22, S12): where a law has no answer it tells whether the wall
-/// is crushed there or stretched too far.
+/// is crushed there or stretched too far. Of a wall crushed to a line, where it has no bound, what it has the ratios
+/// of.
 Eigen::Vector3d rubber_stress(const Eigen::Vector3d& c) {
   const double d = c[0] * c[1] - c[2] * c[2];
-  return Eigen::Vector3d(1, 1, 0) - Eigen::Vector3d(c[1], c[0], -c[2]) / (d * d);
+  const Eigen::Vector3d push(c[1], c[0], -c[2]);
+  return d == 0 ? Eigen::Vector3d(-push) : Eigen::Vector3d(Eigen::Vector3d(1, 1, 0) - push / (d * d));
 }
 
 /// Least energy over beta for wrinkles of one direction: the root of n . S n, which grows with beta. Newton's method

@@ -74,6 +74,20 @@ TEST(TensionField, WallCrushedToALineBearsNoCompression) {
   }
 }
 
+TEST(TensionField, WallCrushedToALineToTheLastBitBearsTheTensionAlongIt) {
+  for (const Material& material : materials()) {
+    const Eigen::Vector3d line(1, 0.25, 0.5);  // stretched by 1.118 along it, and no width at all
+    ASSERT_EQ(line[0] * line[1] - line[2] * line[2], 0);
+    const WallLawResponse crushed = tension_field_response(material, line);
+    const WallLawResponse narrow = tension_field_response(material, line + 1e-9 * Eigen::Vector3d(0.25, 1, -0.5));
+    EXPECT_GT(narrow.energy, 0);
+    EXPECT_NEAR(crushed.energy, narrow.energy, 1e-6 * narrow.energy) << material.law->name;
+    EXPECT_LT((crushed.second_piola_kirchhoff - narrow.second_piola_kirchhoff).norm(),
+              1e-6 * narrow.second_piola_kirchhoff.norm())
+        << material.law->name;
+  }
+}
+
 TEST(TensionField, WrinkledRubberIsInUniaxialTensionWhateverItsWidth) {
   // S = mu (1 - l^-3) along the wrinkles (neo-Hookean uniaxial tension), and nothing across.
   const Material rubber{find_wall_law("neo_hookean"), {20e3}};
