@@ -21,7 +21,13 @@ ToolMoment GraspPlan::at(double time) const {
   return moment;
 }
 
-void GraspPlan::feel(double squeeze, double opening) {
+void GraspPlan::feel(double squeeze, double opening, double time) {
+  largest_squeeze = std::max(largest_squeeze, squeeze);
+  if (squeeze > 0) {
+    lost.reset();
+  } else if (largest_squeeze > 0 && !lost) {
+    lost = time;
+  }
   if (clip.grip > 0 && !stopped && squeeze >= clip.grip) stopped = opening;
 }
 
@@ -31,7 +37,8 @@ GraspPlan plan_grasp(const GraspClip& clip, const ToolDefinition& tool, const Su
   const SurfaceEntry hit = meet_on_approach({"grasp", clip.at, direction, clip.body}, surface, location);
   GraspPlan plan{.clip = clip,
                  .begin = make_pose(clip.at + (hit.travel - clip.standoff) * direction, direction, clip.axis),
-                 .stopped = {}};
+                 .stopped = {},
+                 .lost = {}};
   plan.begin.opening = tool.opening;
   return plan;
 }

@@ -11,11 +11,14 @@ struct GraspPlan {
   GraspClip clip;
   ToolPose begin;                 // at the stand-off, open
   std::optional<double> stopped;  // metres, opening at which the jaws held firmly enough, once they do
+  double largest_squeeze = 0;     // newton, that the jaws have felt
+  std::optional<double> lost;     // seconds, time of the run since which they have held nothing any more
 
   double duration() const;           // seconds
   ToolMoment at(double time) const;  // `time`: seconds since the clip began, limited to its duration
-  /// Stops the jaws at `opening` when they squeeze with at least the grip of the clip, newton.
-  void feel(double squeeze, double opening);
+  /// Stops the jaws at `opening` when they squeeze with at least the grip of the clip, newton, and notes since when
+  /// they have squeezed nothing any more. `time`: of the run, seconds.
+  void feel(double squeeze, double opening, double time);
 };
 
 /// Finds where the line of approach meets the wall. Throws InputErrors at `location` when it misses the body.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/tool/FirstContact.hpp"
+#include "studio/scenario/InputError.hpp"
 
 namespace thinwall {
 namespace {
@@ -42,6 +43,17 @@ void enter_gap(const IncisionPlan& plan, Body& body, const BladeStep& step, doub
 
 double cost_of_entry(const Body& body, const IncisionPlan& plan, const ToolDefinition& blade) {
   return body.model().cut_cost(first_triangle(plan)) * blade.width;
+}
+
+void begin_incision(IncisionPlan& plan, const Body& body, std::span<const ToolDefinition> tools, int tool,
+                    const SourceLocation& location) {
+  if (const auto other = body.state().cut.tool) {
+    throw InputErrors(
+        {{location, fmt::format("incise: blade `{}` is still in body `{}` when `{}` is to cut it; let the first go out "
+                                "(`withdraw`) before the second begins",
+                                tools[*other].name, plan.clip.body, plan.clip.tool)}});
+  }
+  plan.entry_cost = cost_of_entry(body, plan, tools[tool]);
 }
 
 std::optional<BladeInput> blade_input(const IncisionPlan& plan, const Body& body, const BladeStep& step) {

@@ -5,6 +5,42 @@
 #include "engine/contact/PointRadius.hpp"
 
 namespace thinwall {
+namespace {
+
+std::optional<std::string> piercing_note(std::size_t number, const PiercingPlan& plan) {
+  if (!plan.ruptures.empty()) return std::nullopt;
+  return fmt::format(
+      "timeline[{}]: needle `{}` has gone its whole depth of {:.4g} mm and no wall has given way to it; body `{}` is "
+      "not pierced, unless the needle went in where it was open",
+      number, plan.clip.tool, 1e3 * plan.clip.depth, plan.clip.body);
+}
+
+std::optional<std::string> grasp_note(std::size_t number, const GraspPlan& plan) {
+  const GraspClip& clip = plan.clip;
+  const std::string which = fmt::format("timeline[{}]: forceps `{}` have ", number, clip.tool);
+  if (plan.largest_squeeze == 0) {
+    return which + fmt::format(
+                       "closed to {:.4g} mm and squeezed nothing; for a wall between the jaws go deeper, turn `axis`, "
+                       "or close further",
+                       1e3 * clip.to);
+  }
+  if (plan.lost) {
+    return which + fmt::format(
+                       "held nothing any more since {:.4g} s, after squeezing with {:.3g} N at most; to hold the wall "
+                       "go deeper, close further, or give the tool more `friction`",
+                       *plan.lost, plan.largest_squeeze);
+  }
+  if (clip.grip > 0 && !plan.stopped) {
+    return which +
+           fmt::format(
+               "closed to {:.4g} mm and squeezed with {:.3g} N at most, less than `grip` = {:.4g} N; go deeper, "
+               "close further, or ask for less",
+               1e3 * clip.to, plan.largest_squeeze, clip.grip);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
 
 std::optional<std::string> free_body_warning(const Body& body, Analysis analysis) {
   const auto free = body.model().rigid_motions.cols();
@@ -29,6 +65,28 @@ std::string kept_way_note(std::size_t number, double begin, const InputErrors& m
       "timeline[{}]: from {:.4g} s the tool goes the way that it had when the run began, as the wall is no longer "
       "where it was: {}",
       number, begin, missed.diagnostics().front().message);
+}
+
+std::optional<std::string> fill_note(std::size_t number, const FillPlan& plan) {
+  const FillClip& clip = plan.clip;
+  if (!clip.pressure) return std::nullopt;
+  const double rise = *clip.pressure - plan.begin_pressure;
+  if (clip.drains ? rise <= 0 : rise >= 0) return std::nullopt;
+  return fmt::format("timeline[{}]: {} to {:.4g} Pa {} body `{}`, whose pressure is {:.4g} Pa when the clip begins",
+                     number, clip.drains ? "drain" : "inflate", *clip.pressure, clip.drains ? "fills" : "drains",
+                     clip.body, plan.begin_pressure);
+}
+
+std::vector<std::string> ended_clip_notes(std::span<const ScheduledClip> clips, double time) {
+  std::vector<std::string> notes;
+  for (std::size_t k = 0; k < clips.size(); ++k) {
+    if (!clips[k].begun || clips[k].end > time + kTimeTolerance) continue;
+    std::optional<std::string> note;
+    if (const auto* piercing = std::get_if<PiercingPlan>(&clips[k].plan)) note = piercing_note(k + 1, *piercing);
+    if (const auto* grasp = std::get_if<GraspPlan>(&clips[k].plan)) note = grasp_note(k + 1, *grasp);
+    if (note) notes.push_back(*std::move(note));
+  }
+  return notes;
 }
 
 }  // namespace thinwall

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "engine/simulation/Body.hpp"
+#include "studio/director/Schedule.hpp"
 #include "studio/scenario/InputError.hpp"
 
 namespace thinwall {
@@ -19,5 +22,13 @@ std::string bare_point_note(const ToolDefinition& tool, const SurfaceView& surfa
 /// That a clip goes the way that it had when the run began, see kept_way. `number`: of the clip, from 1. `begin`:
 /// seconds. `missed`: why it found none.
 std::string kept_way_note(std::size_t number, double begin, const InputErrors& missed);
+
+/// Tells that a clip which is to inflate a chamber to a pressure has to drain it, or the other way round; nothing where
+/// it does as its verb says. `number`: of the clip, from 1.
+std::optional<std::string> fill_note(std::size_t number, const FillPlan& plan);
+
+/// Of the clips that have ended by `time`, seconds: needles that no wall has given way to, and jaws that have closed on
+/// nothing, have not reached their grip, or have lost the wall that they held. `clips`: (timeline).
+std::vector<std::string> ended_clip_notes(std::span<const ScheduledClip> clips, double time);
 
 }  // namespace thinwall

@@ -13,7 +13,9 @@
 #include "studio/director/BodyInputs.hpp"
 #include "studio/director/DirectedTool.hpp"
 #include "studio/director/DrainCheck.hpp"
+#include "studio/director/FirstPoses.hpp"
 #include "studio/director/FollowedPoint.hpp"
+#include "studio/director/Grasping.hpp"
 #include "studio/director/Incising.hpp"
 #include "studio/director/IntegratorEnergy.hpp"
 #include "studio/director/KeptWay.hpp"
@@ -27,12 +29,6 @@
 #include "studio/organs/BodyBuilder.hpp"
 
 namespace thinwall {
-namespace {
-
-/// Where tools wait that no clip drives: they must touch nothing.
-const Eigen::Vector3d kOutOfTheWay(0, 0, 100);  // metres
-
-}  // namespace
 
 struct ScenarioRun::Implementation {
   Scenario scenario;
@@ -72,7 +68,7 @@ struct ScenarioRun::Implementation {
     refuse_overdrawn(scenario.timeline, clips,
                      [this](const std::string& body) -> const Body& { return body_named(body); });
     foresee_moves(scenario.timeline, clips);
-    place_tools();
+    set_first_poses(scenario.timeline, clips, tools);
     write_moment();
   }
 
@@ -120,21 +116,6 @@ struct ScenarioRun::Implementation {
     }
   }
 
-  /// Before its first clip a tool waits where that clip begins.
-  void place_tools() {
-    for (auto& [name, tool] : tools) {
-      std::optional<std::size_t> first;
-      for (std::size_t k = 0; k < clips.size(); ++k) {
-        if (tool_of(scenario.timeline[k]) == name && (!first || clips[k].begin < clips[*first].begin)) first = k;
-      }
-      if (!first) {
-        tool.pose.tip = kOutOfTheWay;
-        continue;
-      }
-      tool.pose = *beginning_of(clips[*first].plan);
-    }
-  }
-
   void begin_clips(double until, const DrivenTool* driven) {
     for (std::size_t k = 0; k < clips.size(); ++k) {
       ScheduledClip& clip = clips[k];
@@ -143,6 +124,9 @@ struct ScenarioRun::Implementation {
       clip.plan = plan_begun(k);
       schedule(scenario.timeline, clips);
       refuse_overlaps(scenario.timeline, clips);
+      if (const auto* fill = std::get_if<FillPlan>(&clip.plan)) {
+        if (auto note = fill_note(k + 1, *fill)) warnings.push_back(*std::move(note));
+      }
       const std::string name = tool_of(scenario.timeline[k]);
       if (name.empty()) continue;
       DirectedTool& tool = tools.at(name);
@@ -152,7 +136,10 @@ struct ScenarioRun::Implementation {
       if (std::holds_alternative<GraspPlan>(clip.plan)) tool.holds = true;
       if (std::holds_alternative<ReleasePlan>(clip.plan)) tool.holds = false;
       take_out_of_walls(tool);
-      if (auto* incision = std::get_if<IncisionPlan>(&clip.plan)) prepare_incision(*incision, scenario.timeline[k]);
+      if (auto* incision = std::get_if<IncisionPlan>(&clip.plan)) {
+        begin_incision(*incision, body_named(incision->clip.body), scenario.tools, tool.index,
+                       scenario.timeline[k].location);
+      }
     }
   }
 
@@ -161,17 +148,6 @@ struct ScenarioRun::Implementation {
     for (const auto& body : bodies) {
       if (body->state().cut.tool == tool.index) body->leave_cut();
     }
-  }
-
-  void prepare_incision(IncisionPlan& incision, const Clip& clip) const {
-    const Body& body = *bodies[body_index(incision.clip.body)];
-    if (const auto other = body.state().cut.tool) {
-      throw InputErrors(
-          {{clip.location, fmt::format("incise: blade `{}` is still in body `{}` when `{}` is to cut it; let the first "
-                                       "go out (`withdraw`) before the second begins",
-                                       scenario.tools[*other].name, incision.clip.body, incision.clip.tool)}});
-    }
-    incision.entry_cost = cost_of_entry(body, incision, scenario.tools[tools.at(incision.clip.tool).index]);
   }
 
   /// Moves the tools to where they are at a time; returns the poses before and after, in the order of the scenario.
@@ -290,18 +266,6 @@ struct ScenarioRun::Implementation {
     }
   }
 
-  /// Lets jaws that close feel what lies between them.
-  void feel_grasps() {
-    for (ScheduledClip& clip : clips) {
-      auto* grasp = std::get_if<GraspPlan>(&clip.plan);
-      if (grasp == nullptr || !clip.begun) continue;
-      const DirectedTool& tool = tools.at(grasp->clip.tool);
-      double squeeze = 0;
-      for (const auto& body : bodies) squeeze += body->squeeze(tool.index, tool.pose);
-      grasp->feel(squeeze, tool.pose.opening);
-    }
-  }
-
   bool has_ended() const { return time() >= end_of(clips) - kTimeTolerance; }
 
   void step(int count = 1, const DrivenTool* driven = nullptr) {
@@ -321,7 +285,7 @@ struct ScenarioRun::Implementation {
       throw SimulationFailure(fmt::format("at {:.6g} s (step {}): {}", next, steps + count, failure.what()));
     }
     steps += count;
-    feel_grasps();
+    feel_grasps(clips, tools, bodies, next);
     note_bare_points();
     write_moment();
   }
@@ -417,6 +381,7 @@ std::vector<std::string> ScenarioRun::warnings() const {
   std::vector<std::string> all = implementation_->warnings;
   std::ranges::copy(implementation_->tally.warnings(implementation_->steps), std::back_inserter(all));
   std::ranges::copy(implementation_->integrator_energy.warnings(), std::back_inserter(all));
+  std::ranges::copy(ended_clip_notes(implementation_->clips, time()), std::back_inserter(all));
   for (const auto& [index, run] : implementation_->runs) all.push_back(to_text(run, *implementation_->bodies[index]));
   std::ranges::copy(passed_over_notes(implementation_->clips, implementation_->scenario.tools),
                     std::back_inserter(all));

@@ -142,6 +142,7 @@ struct FillClip {
   std::optional<std::string> chamber = {};  // the only one when absent
   double added = 0;                         // metres^3, less than zero when drained
   std::optional<double> pressure = {};      // pascal, to be reached, instead of `added`
+  bool drains = false;                      // what its verb says
   double duration = 1;                      // seconds
 };
 

@@ -264,6 +264,7 @@ FillClip to_fill(const CheckedValue& clip, double sense) {
           .chamber = find_text(clip, "chamber"),
           .added = sense * find_number(clip, "by").value_or(0),
           .pressure = find_number(clip, "to"),
+          .drains = sense < 0,
           .duration = clip.at("for").number};
 }
 

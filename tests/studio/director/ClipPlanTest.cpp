@@ -150,9 +150,9 @@ TEST(ClipPlan, JawsReachOverTheWallThenCloseAndOpenAgain) {
   EXPECT_NEAR(plan.at(1.05).pose.opening, 0.0055, 1e-12);
   EXPECT_EQ(plan.at(1.05).phase, "grasp");
   EXPECT_NEAR(plan.at(1.5).pose.opening, 0.001, 1e-12);
-  plan.feel(0.4, 0.007);
-  plan.feel(0.6, 0.004);
-  plan.feel(0.9, 0.003);
+  plan.feel(0.4, 0.007, 1.1);
+  plan.feel(0.6, 0.004, 1.2);
+  plan.feel(0.9, 0.003, 1.3);
   EXPECT_NEAR(plan.at(1.5).pose.opening, 0.004, 1e-12);
 
   const ReleasePlan release = plan_release({.tool = "grip", .duration = 0.5}, forceps, plan.at(1.5).pose);

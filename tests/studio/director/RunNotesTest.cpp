@@ -1,0 +1,60 @@
+#include "studio/director/RunNotes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "studio/director/ScenarioRun.hpp"
+#include "tests/studio/director/HeldBall.hpp"
+
+namespace thinwall {
+namespace {
+
+bool tells(const ScenarioRun& run, const std::string& words) {
+  const std::vector<std::string> warnings = run.warnings();
+  return std::ranges::any_of(warnings, [&](const std::string& one) { return one.find(words) != std::string::npos; });
+}
+
+TEST(RunNotes, TellThatANeedleHasGoneItsDepthWithoutPiercing) {
+  for (const double toughness : {1.0, 1e5}) {
+    Scenario scenario = held_ball(80, 0.02);
+    scenario.bodies[0].toughness = Field<double>{.standard = toughness};
+    scenario.tools = {{.name = "needle", .kind = ToolKind::kNeedle, .length = 0.06, .radius = 0.0005}};
+    PierceClip clip;
+    clip.tool = "needle";
+    clip.body = "ball";
+    clip.at = {0.001, 0.0003, 0.02};
+    clip.depth = 0.002;
+    clip.speed = 0.05;
+    scenario.timeline = {{.action = clip}};
+    ScenarioRun run(scenario);
+    EXPECT_FALSE(tells(run, "no wall has given way")) << "before it has";
+    while (run.step()) {
+    }
+    EXPECT_EQ(tells(run, "timeline[1]: needle `needle` has gone its whole depth of 2 mm and no wall has given way"),
+              run.cuts() == 0);
+    EXPECT_EQ(run.cuts() == 0, toughness > 1e3);
+  }
+}
+
+TEST(RunNotes, TellThatInflatingDrainsOrDrainingFills) {
+  const auto told = [](double pressure, bool drains) {
+    Scenario scenario = held_ball(80, 0.02);
+    scenario.timeline = {
+        {.action = FillClip{.body = "ball", .pressure = pressure, .drains = drains, .duration = 0.04}}};
+    ScenarioRun run(scenario);
+    run.step();
+    return std::pair(tells(run, "timeline[1]: inflate to 100 Pa drains body `ball`, whose pressure is 200 Pa"),
+                     tells(run, "timeline[1]: drain to 300 Pa fills body `ball`"));
+  };
+  EXPECT_EQ(told(100, false), std::pair(true, false));
+  EXPECT_EQ(told(300, true), std::pair(false, true));
+  EXPECT_EQ(told(300, false), std::pair(false, false));
+  EXPECT_EQ(told(100, true), std::pair(false, false));
+}
+
+}  // namespace
+}  // namespace thinwall
