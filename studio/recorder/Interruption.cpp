@@ -17,6 +17,9 @@ void note(int signal) {
 Interrupted::Interrupted(int signal)
     : std::runtime_error(signal == SIGINT ? "interrupted" : "terminated"), signal_(signal) {}
 
+Interrupted::Interrupted(const Interrupted& cause, const std::string& consequence)
+    : std::runtime_error(cause.what() + ("; " + consequence)), signal_(cause.signal_) {}
+
 void note_interruptions() {
   std::signal(SIGINT, note);
   std::signal(SIGTERM, note);

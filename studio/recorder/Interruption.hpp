@@ -1,6 +1,7 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
 
 namespace thinwall {
 
@@ -8,6 +9,8 @@ namespace thinwall {
 class Interrupted : public std::runtime_error {
  public:
   explicit Interrupted(int signal);
+  /// `consequence`: what the user has to know, a sentence without its end.
+  Interrupted(const Interrupted& cause, const std::string& consequence);
   int exit_code() const { return 128 + signal_; }
 
  private:

@@ -55,10 +55,12 @@ void check_removal(const std::error_code& error, const std::filesystem::path& pa
                        cure_for_write_error(error.value()));
 }
 
-void remove_file(const std::filesystem::path& file) {
+/// Says whether there was one.
+bool remove_file(const std::filesystem::path& file) {
   std::error_code error;
-  std::filesystem::remove(file, error);
+  const bool was_there = std::filesystem::remove(file, error);
   check_removal(error, file);
+  return was_there;
 }
 
 void require_results_only(const std::filesystem::path& folder, const ResultFolder& result) {
@@ -99,7 +101,7 @@ void remove_ground_truth(const std::filesystem::path& folder) {
   remove_folder(folder);
 }
 
-void prepare_output_folder(const std::filesystem::path& folder) {
+bool prepare_output_folder(const std::filesystem::path& folder) {
   make_folder(folder);
   for (const ResultFolder& result : kResultFolders) {
     remove_results(folder / result.name, result);
@@ -109,10 +111,12 @@ void prepare_output_folder(const std::filesystem::path& folder) {
        {folder / kGroundTruthFolder, unfinished_name(folder / kGroundTruthFolder)}) {
     remove_ground_truth(truth);
   }
+  bool had_results = false;
   for (const char* name : kResultFiles) {
-    remove_file(folder / name);
+    had_results = remove_file(folder / name) || had_results;
     remove_file(unfinished_name(folder / name));
   }
+  return had_results;
 }
 
 }  // namespace thinwall

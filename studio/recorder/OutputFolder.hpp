@@ -8,8 +8,9 @@ namespace thinwall {
 void remove_ground_truth(const std::filesystem::path& folder);
 
 /// Makes `folder` ready for a recording: makes it when it is not there, and removes what an earlier recording left
-/// under the names of results, finished or not, so that no two recordings are mixed. Other files stay. Throws
-/// PictureFailure, also when a folder of results (frames, surfaces, ground_truth) holds files that no recording writes.
-void prepare_output_folder(const std::filesystem::path& folder);
+/// under the names of results, finished or not, so that no two recordings are mixed. Other files stay. Says
+/// whether there were finished ones. Throws PictureFailure, also when a folder of results (frames, surfaces,
+/// ground_truth) holds files that no recording writes.
+bool prepare_output_folder(const std::filesystem::path& folder);
 
 }  // namespace thinwall

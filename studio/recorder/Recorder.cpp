@@ -20,6 +20,7 @@
 #include "renderer/overlay/ContactSheet.hpp"
 #include "renderer/overlay/EnergyPlotImage.hpp"
 #include "renderer/overlay/ForcePlotImage.hpp"
+#include "renderer/picture/PictureFailure.hpp"
 #include "renderer/video/VideoWriter.hpp"
 #include "renderer/video/WebVtt.hpp"
 #include "studio/recorder/BoundedQueue.hpp"
@@ -58,6 +59,7 @@ class Pipeline {
   RecordingReport run();
 
  private:
+  [[noreturn]] void throw_error() const;
   void simulate();
   bool take_moments();
   void open_records();
@@ -91,6 +93,7 @@ class Pipeline {
 
   // Of the simulating thread.
   bool records_open_ = false;
+  bool replaces_results_ = false;  // of an earlier recording
   std::optional<TakeWriter> take_;
   std::optional<RecordCsv> csv_;
   std::optional<SurfaceSeries> surfaces_;
@@ -182,10 +185,24 @@ RecordingReport Pipeline::run() {
     }
   }
   progress_.end();
-  if (error_) std::rethrow_exception(error_);
+  if (error_) throw_error();
   if (plan_.pictures) finish_pictures();
   report_.times.total = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return std::move(report_);
+}
+
+/// Where earlier results had to make room for a recording that was not finished, the user is told.
+void Pipeline::throw_error() const {
+  if (!replaces_results_) std::rethrow_exception(error_);
+  const std::string consequence =
+      "the earlier results in " + plan_.folder.string() + " had been removed, and this run has not finished new ones";
+  try {
+    std::rethrow_exception(error_);
+  } catch (const Interrupted& interrupted) {
+    throw Interrupted(interrupted, consequence);
+  } catch (const PictureFailure& failure) {
+    throw PictureFailure(failure.what() + ("; " + consequence));
+  }
 }
 
 void Pipeline::simulate() {
@@ -205,7 +222,7 @@ void Pipeline::simulate() {
 void Pipeline::open_records() {
   if (records_open_) return;
   records_open_ = true;
-  prepare_output_folder(plan_.folder);
+  replaces_results_ = prepare_output_folder(plan_.folder);
   if (plan_.records) {
     take_.emplace(plan_.folder / "take.h5", plan_.description);
     csv_.emplace(plan_.folder);

@@ -347,6 +347,17 @@ TEST_F(ProgramTest, AnInterruptMidwayEndsWith130AndATerminateSignalWith143) {
   }
 }
 
+TEST_F(ProgramTest, AnInterruptSaysThatEarlierResultsAreGoneWhereTheyAre) {
+  write_bytes(folder_ / "long.yaml", small_scenario("  - wait: { for: 1000 s }\n"));
+  const std::string gone = "terminated; the earlier results in out had been removed";
+  const auto terminated = [&] { return run_stopped_midway(folder_.path(), "long.yaml", SIGTERM).messages; };
+  EXPECT_EQ(terminated().find(gone), std::string::npos);
+  std::filesystem::remove_all(folder_ / "out");
+  std::filesystem::create_directory(folder_ / "out");
+  write_bytes(folder_ / "out" / "forces.csv", "of an earlier run");
+  EXPECT_NE(terminated().find(gone), std::string::npos);
+}
+
 TEST_F(ProgramTest, GoldensAreApprovedInAnotherFolderThanOneInUse) {
   std::filesystem::create_directory(folder_ / "out");
   const int other = open((folder_ / "out" / ".in_use").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600);
