@@ -194,8 +194,8 @@ RecordingReport Pipeline::run() {
 /// Where earlier results had to make room for a recording that was not finished, the user is told.
 void Pipeline::throw_error() const {
   if (!replaces_results_) std::rethrow_exception(error_);
-  const std::string consequence =
-      "the earlier results in " + plan_.folder.string() + " had been removed, and this run has not finished new ones";
+  const std::string consequence = "the earlier results in " + plan_.folder.string() +
+                                  " had been removed, and this run has not finished all of its own";
   try {
     std::rethrow_exception(error_);
   } catch (const Interrupted& interrupted) {
