@@ -120,7 +120,7 @@ MappingSchema chamber() {
   chamber.keys = {
       {"at", vector_value(kLength, {}, "[0, 0, 10 mm]"), true, {}, "a point in it, of the stress-free shape"},
       {"pressure",
-       quantity_value(kPressure, {}, "2 kPa"),
+       quantity_value(kPressure, kFluidPressures, "2 kPa"),
        false,
        {},
        "as that of the contents, which it stands for when absent"},
@@ -145,7 +145,7 @@ MappingSchema orifice() {
 
 ValueSchema contents_value() {
   const KeySchema pressure{"pressure",
-                           quantity_value(kPressure, {}, "2 kPa"),
+                           quantity_value(kPressure, kFluidPressures, "2 kPa"),
                            false,
                            {},
                            "pressure above the surroundings at time zero, at the level of the stress-free chamber's "

@@ -23,7 +23,7 @@ MappingSchema load(const std::string& kind, ValueSchema value, const std::string
 
 ValueSchema loads_schema() {
   return list_value(mapping_value({
-      load("pressure", quantity_value(kPressure, {}, "2 kPa"),
+      load("pressure", quantity_value(kPressure, kFluidPressures, "2 kPa"),
            "pressure along the wall's outer normal; follows the wall as it moves"),
       load("force", vector_value(kForce, {}, "[0, 0, -1 N]"), "force in all, spread evenly; keeps its direction"),
       load("line_force", vector_value(kForcePerLength, {}, "[0, 0, 60 N/m]"),

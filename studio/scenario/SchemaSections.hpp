@@ -35,6 +35,8 @@ ValueSchema field_schema(ValueSchema number);
 
 /// Shorthands for the values of the table.
 inline constexpr Range kAboveZero{.minimum = 0, .minimum_excluded = true};
+/// Pressures of fluids, pascal: beyond what any wall holds.
+inline constexpr Range kFluidPressures{.minimum = -1e9, .maximum = 1e9};
 inline constexpr Range kFromZero{.minimum = 0};
 inline constexpr Range kFromZeroToOne{.minimum = 0, .maximum = 1};
 

@@ -200,7 +200,11 @@ MappingSchema fill(const std::string& verb, const std::string& documentation, co
               {kBody,
                {"chamber", name_value(), false, {}, "which chamber; may be left out when the body has one only"},
                {"by", quantity_value(kVolume, kAboveZero, "5 ml"), false, {}, by},
-               {"to", quantity_value(kPressure, {}, "2 kPa"), false, {}, "pressure to be reached, instead of `by`"},
+               {"to",
+                quantity_value(kPressure, kFluidPressures, "2 kPa"),
+                false,
+                {},
+                "pressure to be reached, instead of `by`"},
                {"for", quantity_value(kTime, kAboveZero, "2 s"), false, "1 s", "how long it takes, at an even rate"}});
 }
 
