@@ -19,4 +19,20 @@ inline Scenario held_ball(int triangles, double time_step) {
   return scenario;
 }
 
+/// The same with a needle that goes into the crown. `toughness`: joule / metre^2. `depth`: metres.
+inline Scenario pierced_ball(int triangles, double toughness, double depth) {
+  Scenario scenario = held_ball(triangles, 0.02);
+  scenario.bodies[0].toughness = Field<double>{.standard = toughness};
+  scenario.tools = {{.name = "needle", .kind = ToolKind::kNeedle, .length = 0.06, .radius = 0.0005}};
+  PierceClip clip;
+  clip.tool = "needle";
+  clip.body = "ball";
+  clip.at = {0.001, 0.0003, 0.02};
+  clip.depth = depth;
+  clip.speed = 0.05;
+  clip.standoff = 0.002;
+  scenario.timeline = {{.action = clip}};
+  return scenario;
+}
+
 }  // namespace thinwall

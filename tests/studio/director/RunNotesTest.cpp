@@ -20,17 +20,7 @@ bool tells(const ScenarioRun& run, const std::string& words) {
 
 TEST(RunNotes, TellThatANeedleHasGoneItsDepthWithoutPiercing) {
   for (const double toughness : {1.0, 1e5}) {
-    Scenario scenario = held_ball(80, 0.02);
-    scenario.bodies[0].toughness = Field<double>{.standard = toughness};
-    scenario.tools = {{.name = "needle", .kind = ToolKind::kNeedle, .length = 0.06, .radius = 0.0005}};
-    PierceClip clip;
-    clip.tool = "needle";
-    clip.body = "ball";
-    clip.at = {0.001, 0.0003, 0.02};
-    clip.depth = 0.002;
-    clip.speed = 0.05;
-    scenario.timeline = {{.action = clip}};
-    ScenarioRun run(scenario);
+    ScenarioRun run(pierced_ball(80, toughness, 0.002));
     EXPECT_FALSE(tells(run, "no wall has given way")) << "before it has";
     while (run.step()) {
     }

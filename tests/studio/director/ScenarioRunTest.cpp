@@ -346,18 +346,8 @@ TEST(ScenarioRun, TwiceTheSameScenarioGivesTheSameDigestToTheLastBit) {
 }
 
 TEST(ScenarioRun, TellsThatAHeldWallHasGivenWayToANeedleWithinAStep) {
-  Scenario scenario = held_ball(320, 0.02);
-  scenario.bodies[0].toughness = Field<double>{.standard = 400};
+  Scenario scenario = pierced_ball(320, 400, 0.004);
   scenario.bodies[0].fixed.push_back({.region = SphereRegion{.center = {0, 0, 0.02}, .radius = 0.008}});
-  scenario.tools = {{.name = "needle", .kind = ToolKind::kNeedle, .length = 0.06, .radius = 0.0005}};
-  PierceClip clip;
-  clip.tool = "needle";
-  clip.body = "ball";
-  clip.at = {0.001, 0.0003, 0.02};
-  clip.depth = 0.004;
-  clip.speed = 0.05;
-  clip.standoff = 0.002;
-  scenario.timeline = {{.action = clip}};
   ScenarioRun run(scenario);
   const std::size_t triangles = run.snapshot().surfaces.at(0).topology->triangles.size();
   std::vector<std::string> phases;
