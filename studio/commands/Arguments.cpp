@@ -39,17 +39,18 @@ ImageSize parse_size(const std::string& text) {
   return size;
 }
 
-double parse_time(const std::string& text) {
+double parse_time(const std::string& option, const std::string& text) {
+  const std::string given = option + text;
   Quantity time;
   try {
     time = parse_quantity(text);
   } catch (const QuantityError& error) {
-    throw UsageError("--at " + text + ": " + error.what());
+    throw UsageError(given + ": " + error.what());
   }
   if (time.dimension != kTime && time.dimension != Dimension{}) {
-    throw UsageError("--at " + text + ": this is " + dimension_name(time.dimension) + ", not a time; write 1.5s");
+    throw UsageError(given + ": this is " + dimension_name(time.dimension) + ", not a time; write 1.5s");
   }
-  if (time.value < 0) throw UsageError("--at " + text + ": a scenario begins at 0 s");
+  if (time.value < 0) throw UsageError(given + ": a scenario begins at 0 s");
   return time.value;
 }
 

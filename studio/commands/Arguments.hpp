@@ -18,8 +18,9 @@ Overrides parse_overrides(const std::vector<std::string>& texts);
 /// `1280x720`; even sides from 16 to 8192, as videos need them. Throws UsageError.
 ImageSize parse_size(const std::string& text);
 
-/// `1.5 s`, `300 ms`, or a bare number of seconds; seconds, not negative. Throws UsageError.
-double parse_time(const std::string& text);
+/// `1.5 s`, `300 ms`, or a bare number of seconds; seconds, not negative. Throws UsageError, which begins with `option`
+/// (`--at `) and the text.
+double parse_time(const std::string& option, const std::string& text);
 
 /// All quantities that `--data` can show, parted by commas.
 std::string data_words();

@@ -237,7 +237,7 @@ void CommandLine::add_still() {
   CLI::App* command = add_command(app_, "still", "one picture of a scenario", [this] {
     still_.overrides = parse_overrides(texts_.overrides);
     still_.device = device_choice(texts_.device);
-    still_.at = parse_time(texts_.time);
+    still_.at = parse_time("--at ", texts_.time);
     if (!texts_.size.empty()) still_.size = parse_size(texts_.size);
     if (still_.picture.extension() != ".png") {
       throw UsageError("-o " + still_.picture.string() + ": the picture is a PNG file; let its name end with .png");
@@ -315,7 +315,7 @@ void CommandLine::add_haptic() {
     haptic_.overrides = parse_overrides(texts_.overrides);
     if (!texts_.trajectory.empty()) haptic_.trajectory = texts_.trajectory;
     if (!texts_.peer.empty()) haptic_.peer = texts_.peer;
-    if (!texts_.duration.empty()) haptic_.duration = parse_time(texts_.duration);
+    if (!texts_.duration.empty()) haptic_.duration = parse_time("--for ", texts_.duration);
     haptic_.forces = haptic_forces(texts_.forces);
     if (!texts_.record.empty()) haptic_.record = texts_.record;
     return drive_haptics(haptic_);

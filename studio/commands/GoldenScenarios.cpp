@@ -52,7 +52,8 @@ std::pair<std::string, std::optional<GoldenChoice>> name_and_choice(const std::s
   const std::size_t at = text.rfind('@');
   if (at == std::string::npos || std::filesystem::exists(text)) return {text, std::nullopt};
   if (text.substr(at + 1) == "video") return {text.substr(0, at), GoldenChoice{.is_video = true}};
-  return {text.substr(0, at), GoldenChoice{.is_video = false, .at = parse_time(text.substr(at + 1))}};
+  return {text.substr(0, at),
+          GoldenChoice{.is_video = false, .at = parse_time(text.substr(0, at + 1), text.substr(at + 1))}};
 }
 
 void leave_only(std::vector<GoldenDefinition>& goldens, const GoldenChoice& choice, const std::string& scenario) {

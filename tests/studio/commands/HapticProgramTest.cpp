@@ -42,6 +42,7 @@ TEST_F(HapticProgramTest, TheForcesOfARunAreAHandsMotion) {
 TEST_F(HapticProgramTest, RefusesWhatMakesNoSense) {
   expect_bad_usage({"haptic"}, "SCENARIO is required");
   expect_bad_usage({"haptic", "small.yaml", "--forces", "strong"}, "auto, full, local");
+  expect_bad_usage({"haptic", "small.yaml", "--for", "3 mm"}, "--for 3 mm: this is");
   expect_bad_usage({"haptic", "small.yaml", "--tool", "spoon"}, "probe");
   expect_bad_usage({"haptic", "small.yaml", "--trajectory", "missing.csv"}, "missing.csv");
   expect_bad_usage({"haptic", "small.yaml", "--peer", "missing/socket"}, "missing/socket");
