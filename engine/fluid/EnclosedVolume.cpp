@@ -16,6 +16,19 @@ Eigen::Matrix<double, 9, 1> volume_gradient_of(const std::array<Eigen::Vector3d,
   return gradient;
 }
 
+THINWALL_FOR_ALL_PROCESSORS void volume_gradients_of(const double (&corners)[9][kLanes],
+                                                     double (&gradients)[9][kLanes]) {
+  Lanes at[9];
+  for (int k = 0; k < 9; ++k) load(corners[k], at[k]);
+  for (int corner = 0; corner < 3; ++corner) {
+    const Lanes *next = at + 3 * ((corner + 1) % 3), *last = at + 3 * ((corner + 2) % 3);
+    for (int k = 0; k < 3; ++k) {
+      const int one = (k + 1) % 3, other = (k + 2) % 3;
+      store((next[one] * last[other] - next[other] * last[one]) / 6, gradients[3 * corner + k]);
+    }
+  }
+}
+
 Eigen::Matrix<double, 9, 9> volume_hessian_of(const std::array<Eigen::Vector3d, 3>& corners) {
   Eigen::Matrix<double, 9, 9> hessian = Eigen::Matrix<double, 9, 9>::Zero();
   const auto set = [&](int row, int column, const Eigen::Matrix3d& block) {

@@ -97,28 +97,46 @@ void add_bending(const BodyModel& model, const WallMemory& memory, const Eigen::
       });
 }
 
+/// Volume and its gradient of a triangle, as lane `lane` of `gradients` has it.
+void add_volume(const BodyModel& model, int triangle, const Eigen::Vector3d& first_corner,
+                const double (&gradients)[9][kLanes], int lane, EquilibriumTerms& terms) {
+  const int chamber = model.chamber[triangle];
+  // Of its corners the volume is linear in each.
+  terms.volume[chamber] +=
+      first_corner.dot(Eigen::Vector3d(gradients[0][lane], gradients[1][lane], gradients[2][lane]));
+  double* whole = terms.volume_gradient.col(chamber).data();
+  for (int k = 0; k < 9; ++k) whole[3 * model.surface[triangle][k / 3] + k % 3] += gradients[k][lane];
+}
+
+void add_fluid_inertia(const BodyModel& model, const FluidInertia& inertia, int triangle,
+                       const std::array<Eigen::Vector3d, 3>& corners, EquilibriumTerms& terms) {
+  const int chamber = model.chamber[triangle];
+  const FirstMoment moment = first_moment_of(relative_to(inertia.origin, corners));
+  terms.moment.col(chamber) += moment.value;
+  for (int k = 0; k < 3; ++k) {
+    terms.moment_gradient.block<3, 3>(3 * model.surface[triangle][k], 3 * chamber) +=
+        moment.gradient.block<3, 3>(3 * k, 0);
+  }
+}
+
 void add_fluid(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
                const Eigen::VectorXd& pressure, EquilibriumTerms& terms) {
   const bool has_inertia = terms.moment.cols() > 0;
-  for (std::size_t t = 0; t < model.surface.size(); ++t) {
+  const int triangles = static_cast<int>(model.surface.size());
+  double of_corners[9][kLanes] = {}, gradients[9][kLanes];
+  for (int t = 0; t < triangles; ++t) {
+    const int lane = t % kLanes;
+    if (lane == 0) {
+      for (int k = 0; k < std::min(kLanes, triangles - t); ++k) {
+        for (int c = 0; c < 9; ++c) of_corners[c][k] = position[3 * model.surface[t + k][c / 3] + c % 3];
+      }
+      volume_gradients_of(of_corners, gradients);
+    }
     const int chamber = model.chamber[t];
     if (chamber < 0) continue;
     const auto corners = corners_of(model.surface[t], position);
-    const Eigen::Matrix<double, 9, 1> gradient = volume_gradient_of(corners);
-    // Of its corners the volume is linear in each.
-    terms.volume[chamber] += corners[0].dot(gradient.head<3>());
-    for (int k = 0; k < 3; ++k) {
-      terms.volume_gradient.col(chamber).segment<3>(3 * model.surface[t][k]) += gradient.segment<3>(3 * k);
-    }
-    if (has_inertia) {
-      const auto from_origin = relative_to(problem.fluid_inertia[chamber].origin, corners);
-      const FirstMoment moment = first_moment_of(from_origin);
-      terms.moment.col(chamber) += moment.value;
-      for (int k = 0; k < 3; ++k) {
-        terms.moment_gradient.block<3, 3>(3 * model.surface[t][k], 3 * chamber) +=
-            moment.gradient.block<3, 3>(3 * k, 0);
-      }
-    }
+    add_volume(model, t, corners[0], gradients, lane, terms);
+    if (has_inertia) add_fluid_inertia(model, problem.fluid_inertia[chamber], t, corners, terms);
     if (terms.has_hessian() && pressure[chamber] != 0 && !model.is_open(chamber)) {
       const double sixth = pressure[chamber] / 6;
       add_cross_products(model.addresses[t], {sixth * corners[2], sixth * corners[0], -sixth * corners[1]},

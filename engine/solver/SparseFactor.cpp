@@ -187,6 +187,8 @@ struct SparseFactor::Implementation {
     double* pivots = solution.data() + supernode.first * sides;
     double* below = std::copy_n(pivots, supernode.pivots * sides, front);
     std::fill(below, front + supernode.stride * sides, 0.0);
+    // What a contact pushes is nothing to most fronts.
+    if (std::all_of(front, below, [](double value) { return value == 0; })) return below + within * sides;
     forward_of<sides>()(front_of(supernode), front);
     const double* from = front;
     for (int k = 0; k < supernode.pivots; ++k) {

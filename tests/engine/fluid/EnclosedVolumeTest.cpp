@@ -38,6 +38,21 @@ Total total_of(const SurfaceMesh& mesh, const Eigen::Vector3d& shift) {
   return total;
 }
 
+TEST(EnclosedVolume, GradientsOfTrianglesSideBySideAreThoseOfEachToTheBit) {
+  std::array<Corners, kLanes> triangles;
+  double corners[9][kLanes], gradients[9][kLanes];
+  for (int lane = 0; lane < kLanes; ++lane) {
+    triangles[lane] = some_corners();
+    triangles[lane][lane % 3] *= 1.0 / (lane + 3);
+    for (int k = 0; k < 9; ++k) corners[k][lane] = triangles[lane][k / 3][k % 3];
+  }
+  volume_gradients_of(corners, gradients);
+  for (int lane = 0; lane < kLanes; ++lane) {
+    const auto alone = volume_gradient_of(triangles[lane]);
+    for (int k = 0; k < 9; ++k) EXPECT_EQ(gradients[k][lane], alone[k]) << "component " << k << " of lane " << lane;
+  }
+}
+
 TEST(EnclosedVolume, CubeAndTetrahedronHaveTheVolumesOfTheSchoolbook) {
   SurfaceMesh tetrahedron;
   tetrahedron.vertices = {{0, 0, 0}, {3, 0, 0}, {0, 2, 0}, {0, 0, 5}};

@@ -42,6 +42,23 @@ TEST(SparseFactor, SolvesSomeColumnsOfALargerMatrixInPlace) {
   EXPECT_LT((matrix.dense * all.middleCols(1, 2) - right.middleCols(1, 2)).cwiseAbs().maxCoeff(), 1e-13);
 }
 
+TEST(SparseFactor, ForcesOnFewUnknownsReachAllAsADenseSolutionHasThem) {
+  const BlockMatrix matrix = random_matrix(320, 0.5, 3);
+  SparseFactor factor(matrix.pattern);
+  ASSERT_TRUE(factor.factorize(matrix.values));
+  const Eigen::Index size = matrix.dense.rows();
+  for (const Eigen::Index sides : {1, 4, 8}) {
+    for (Eigen::Index first = 0; first + sides <= size; first += sides) {
+      Eigen::MatrixXd right = Eigen::MatrixXd::Zero(size, sides);
+      for (Eigen::Index k = 0; k < sides; ++k) right(first + k, k) = 1;
+      Eigen::MatrixXd solved = right;
+      factor.solve(solved);
+      // Residuals seen 2e-15.
+      EXPECT_LT((matrix.dense * solved - right).cwiseAbs().maxCoeff(), 1e-13) << first << " of " << sides;
+    }
+  }
+}
+
 TEST(SparseFactor, SolvesForAPartOfItsUnknownsAsForAll) {
   const BlockMatrix matrix = random_matrix(320, 0.5, 3);
   SparseFactor factor(matrix.pattern);
