@@ -35,7 +35,7 @@ constexpr double kLocalTolerance = 1e-3;
 
 /// Triangles of a coarse wall, which is solved some two hundred times a second: of fewer the force is uneven where the
 /// tool is dragged, more are late where it turns.
-constexpr int kCoarseTriangles = 1900;
+constexpr int kCoarseTriangles = 2100;
 
 /// Seconds in which a newer correction of a coarse body's force takes over.
 constexpr double kCorrectionBlending = 20e-3;
