@@ -189,12 +189,24 @@ void Body::add_solids(std::span<const ToolPose> poses, EquilibriumProblem& probl
   }
 }
 
+namespace {
+
+/// Whether a solid is a ball that nothing may go through at once: a whole one, or the point of a needle that goes
+/// forwards; on its way back it is drawn through its hole. `solids`: those of all tools, parts after what they are of.
+bool is_guarded_ball(std::span<const ToolSolid> solids, std::size_t solid, const ToolSolid& after) {
+  if (solids[solid].role == ToolSolid::Role::kWhole) return true;
+  const bool is_point = solid > 0 && solids[solid - 1].form == ToolSolid::Form::kNeedle && solids[solid].is_part();
+  return is_point && (after.center - solids[solid].center).dot(after.frame.col(2)) > 0;
+}
+
+}  // namespace
+
 bool Body::jumped_over_balls(std::span<const ToolPose> begin, const EquilibriumProblem& problem,
                              const Eigen::VectorXd& position) const {
   const std::vector<ToolSolid> before = contact_solids(tools_, begin);
   for (std::size_t k = 0; k < before.size(); ++k) {
     const SolidContact& after = problem.solids[k];
-    if (after.solid.role != ToolSolid::Role::kWhole) continue;
+    if (!is_guarded_ball(before, k, after.solid)) continue;
     const double farthest = farthest_way(*model_, before[k], after.solid, state_.equilibrium.position, position);
     // Places farther away cannot have come so deep.
     const double reach =
@@ -204,8 +216,10 @@ bool Body::jumped_over_balls(std::span<const ToolPose> begin, const EquilibriumP
     std::ranges::transform(model_->surface, is_near.begin(), [&](const Eigen::Vector3i& triangle) {
       return !is_out_of_reach(before[k], reach, corners_of(triangle, state_.equilibrium.position));
     });
-    for (const ContactSite& site : model_->sites) {
+    for (int s = 0; s < static_cast<int>(model_->sites.size()); ++s) {
+      const ContactSite& site = model_->sites[s];
       if (!is_near[site.triangle]) continue;
+      if (problem.is_free(after.tool, site.triangle) || problem.passes(after.tool, s)) continue;
       const Eigen::Vector3i& triangle = model_->surface[site.triangle];
       const auto near = solid_gap(before[k], reach, corners_of(triangle, state_.equilibrium.position), site.part,
                                   site.corner, GapTerms::kGradient);

@@ -43,6 +43,10 @@ constexpr double kMissingPart = 0.8;
 /// The same as a part of the slit's cost, where the wall has found no equilibrium on the shaft.
 constexpr double kRetryPart = 0.1;
 
+/// Slits around which the wall may find no equilibrium on the shaft before the needle is let go on: where one along the
+/// one axis of the needle jams, one along the other may not.
+constexpr int kMostJams = 2;
+
 }  // namespace
 
 void Body::add_shafts_to(std::span<const ToolPose> poses, EquilibriumProblem& problem) const {
@@ -241,27 +245,36 @@ std::optional<Rupture> Body::pierce(int tool, std::span<const ToolPose> poses) {
     throw SimulationFailure("body `" + model_->definition.name + "`: needle `" + tools_[tool].name +
                             "` presses hard enough to go through the wall, but " + why);
   };
+  // The slits are sought on the model, which this replaces.
+  if (!surface_) prepare_cutting();
   const EnergyBooks books = state_.books;
   const std::vector<ToolContact> felt = state_.contacts;
   Rupture rupture;
   Uncut before;
-  const auto fits = [&](const CutPath& path) { return make_slit(path, radius, rupture.cut, before); };
-  if (!try_slits(*model_, *place, poses[tool], radius, fits)) {
-    await(kRetryPart * 2 * radius * cost, "no slit of its width fits in there; aim farther from borders and cuts");
+  bool is_opened = false;
+  int jams = 0;
+  const auto fits = [&](const CutPath& path) {
+    if (!make_slit(path, radius, rupture.cut, before)) return false;
+    state_.punctures.push_back(puncture_of(*model_, rupture.cut, tool, poses[tool], radius));
+    is_opened = open_on_shaft(poses);
+    if (is_opened) return true;
+    put_back(std::exchange(before, {}));
+    report_.residual = residual;
+    return ++jams == kMostJams;
+  };
+  try_slits(*model_, *place, poses[tool], radius, fits);
+  if (!is_opened) {
+    await(kRetryPart * 2 * radius * cost,
+          jams > 0 ? "the wall around it finds no equilibrium: " + failure_
+                   : "no slit of its width fits in there; aim farther from borders and cuts");
     return std::nullopt;
   }
   rupture.cost = cost * rupture.cut.length;
-  state_.punctures.push_back(puncture_of(*model_, rupture.cut, tool, poses[tool], radius));
-  const bool is_opened = open_on_shaft(poses);
   rupture.released = books.imbalance() - state_.books.imbalance();
-  if (!is_opened || rupture.released < rupture.cost) {
+  if (rupture.released < rupture.cost) {
     put_back(std::move(before));
     report_.residual = residual;
-    if (is_opened) {
-      await(kMissingPart * (rupture.cost - rupture.released), {});
-    } else {
-      await(kRetryPart * 2 * radius * cost, "the wall around it finds no equilibrium: " + failure_);
-    }
+    await(kMissingPart * (rupture.cost - rupture.released), {});
     return std::nullopt;
   }
   book_rupture(tool, rupture, felt);
