@@ -14,7 +14,8 @@ ToolMoment GraspPlan::at(double time) const {
   ToolMoment moment{.pose = begin, .phase = "approach"};
   moment.pose.tip += std::min(in, std::max(0.0, time) * clip.speed) * begin.direction;
   if (time <= arrival) return moment;
-  moment.phase = "grasp";
+  // The tip stands still while the jaws close.
+  moment.phase = "hold";
   const double part = std::clamp((time - arrival) / clip.duration, 0.0, 1.0);
   moment.pose.opening = begin.opening + part * (clip.to - begin.opening);
   if (stopped) moment.pose.opening = std::max(moment.pose.opening, *stopped);
@@ -44,7 +45,7 @@ GraspPlan plan_grasp(const GraspClip& clip, const ToolDefinition& tool, const Su
 }
 
 ToolMoment ReleasePlan::at(double time) const {
-  ToolMoment moment{.pose = begin, .phase = "release"};
+  ToolMoment moment{.pose = begin, .phase = "withdrawal"};
   const double part = std::clamp(time / clip.duration, 0.0, 1.0);
   moment.pose.opening = begin.opening + part * (opening - begin.opening);
   return moment;

@@ -148,7 +148,7 @@ TEST(ClipPlan, JawsReachOverTheWallThenCloseAndOpenAgain) {
   EXPECT_EQ(plan.at(0.3).phase, "approach");
   EXPECT_NEAR(plan.at(1.05).pose.tip.z(), -0.002, 1e-12);
   EXPECT_NEAR(plan.at(1.05).pose.opening, 0.0055, 1e-12);
-  EXPECT_EQ(plan.at(1.05).phase, "grasp");
+  EXPECT_EQ(plan.at(1.05).phase, "hold");
   EXPECT_NEAR(plan.at(1.5).pose.opening, 0.001, 1e-12);
   plan.feel(0.4, 0.007, 1.1);
   plan.feel(0.6, 0.004, 1.2);

@@ -79,7 +79,7 @@ TEST(Grasping, JawsLiftTheWallTheyHoldUntilTheyLetGo) {
   std::printf("lifted by %.2f mm, pulled with %.3f N\n", 1e3 * (highest - rest), pull);
   EXPECT_GT(highest, rest + 2e-3);
   EXPECT_LT(pull, -0.03) << "the tissue holds the tool back";
-  for (const char* phase : {"grasp", "release"}) EXPECT_GT(steps_in_phase[phase], 5) << phase;
+  for (const char* phase : {"hold", "withdrawal"}) EXPECT_GT(steps_in_phase[phase], 5) << phase;
   EXPECT_NEAR(run.record().points.at(0).position.z(), rest, 0.2e-3);
   EXPECT_EQ(run.record().tools.at(0).force.norm(), 0);
   EXPECT_EQ(run.snapshot().tools.at(0).opening, 0.01);
