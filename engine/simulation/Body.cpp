@@ -244,9 +244,8 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
     if (!solve_with_leaks(problem, trial, begin, duration)) return false;
     if (!may_snap() && jumped_over_balls(begin, problem, trial.position)) {
       failure_ =
-          "the wall jumped from one side of a ball, or of a needle's point, to the other, as where it is pressed "
-          "against "
-          "what is held; press it less deep";
+          "the wall jumped over a ball or over a needle's point, as where it is pressed against what is held; press it "
+          "less deep";
       return false;
     }
     if (release(end, problem)) continue;

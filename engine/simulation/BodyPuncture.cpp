@@ -245,7 +245,7 @@ std::optional<Rupture> Body::pierce(int tool, std::span<const ToolPose> poses) {
     throw SimulationFailure("body `" + model_->definition.name + "`: needle `" + tools_[tool].name +
                             "` presses hard enough to go through the wall, but " + why);
   };
-  // The slits are sought on the model, which this replaces.
+  // The first cut of a body replaces its model, on which the slits are sought.
   if (!surface_) prepare_cutting();
   const EnergyBooks books = state_.books;
   const std::vector<ToolContact> felt = state_.contacts;
