@@ -24,8 +24,10 @@ constexpr double kSlitEdges[] = {0.5, 0.25};
 /// Part of the needle's width that a slit may be longer or shorter: it costs that much more or less.
 constexpr double kSlitGive = 0.02;
 
-/// Parts in which a slit is spread on the shaft while a wall gives way.
-constexpr int kSpreadParts = 4;
+/// Parts of a needle's radius in which a slit is spread on the shaft while a wall gives way: at first, and at least
+/// where the wall jams.
+constexpr double kSpreadStep = 0.25;
+constexpr double kLeastSpreadStep = 0.05;
 
 /// A wall gives way in this part of a time step: at once, but for what viscous walls remember.
 constexpr double kAtOnce = 1e-9;
@@ -205,16 +207,23 @@ bool Body::open_on_shaft(std::span<const ToolPose> poses) {
     }
     std::erase_if(state_.friction[solid], [&](const FrictionMemory& memory) { return is_free[memory.triangle]; });
   }
-  for (int part = 0; part <= kSpreadParts; ++part) {
-    state_.punctures.back().spread = static_cast<double>(part) / kSpreadParts;
-    if (!snap(poses)) return false;
-    // Friction begins with what the needle does from now on.
-    for (ShaftPoint& point : state_.punctures.back().points) {
-      point.anchor =
-          poses[tool].direction.dot(poses[tool].tip - state_.equilibrium.position.segment<3>(3 * point.vertex));
-      point.friction = 0;
-      if (part < kSpreadParts) point.limit = 0;
+  double reached = 0, next = 0, step = kSpreadStep;
+  while (reached < 1) {
+    state_.punctures.back().spread = next;
+    if (snap(poses)) {
+      reached = next;
+      // Friction begins with what the needle does from now on.
+      for (ShaftPoint& point : state_.punctures.back().points) {
+        point.anchor =
+            poses[tool].direction.dot(poses[tool].tip - state_.equilibrium.position.segment<3>(3 * point.vertex));
+        point.friction = 0;
+        if (reached < 1) point.limit = 0;
+      }
+    } else {
+      step *= 0.5;
+      if (next == 0 || step < kLeastSpreadStep) return false;
     }
+    next = std::min(1.0, reached + step);
   }
   return true;
 }
