@@ -42,7 +42,7 @@ THINWALL_FOR_ALL_PROCESSORS void take_up(std::span<const RowRun> runs, const dou
 constexpr int kMostSides = 8;
 
 /// Numbers of the factor, times sides, from which on several threads solve: handing over costs some microseconds.
-constexpr std::ptrdiff_t kWorthSharing = 400'000;
+constexpr std::ptrdiff_t kWorthSharing = 60'000;
 
 using FrontSolution = void (*)(const Front&, double*);
 template <int sides>
