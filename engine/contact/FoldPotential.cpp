@@ -111,6 +111,18 @@ Eigen::Matrix<double, 12, 12> FoldPair::convex_hessian() const {
   return mollifier(*this).factor * potential.at(closest.distance).curvature * approach * approach.transpose();
 }
 
+std::optional<FoldPair> fold_of(const NearPair& near, const Eigen::VectorXd& position, double pressure) {
+  const PairCorners corners = corners_at(near.vertices, position);
+  if (least_distance(near.kind, corners) >= near.range) return {};
+  const PairDistance closest = pair_distance(near.kind, corners);
+  if (closest.distance >= near.range) return {};
+  return FoldPair{.kind = near.kind,
+                  .corners = corners,
+                  .closest = closest,
+                  .potential = {.range = near.range, .pressure = pressure, .area = near.area},
+                  .parallel = near.parallel};
+}
+
 double parallel_bound(PairKind kind, const PairCorners& rest_corners) {
   const PairEdges edges = edges_of(kind);
   return 1e-3 * edge_at(edges.first, rest_corners).squaredNorm() * edge_at(edges.second, rest_corners).squaredNorm();

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
+#include "engine/contact/NearPair.hpp"
 #include "engine/contact/PairDistance.hpp"
 
 namespace thinwall {
@@ -51,6 +53,10 @@ struct FoldPair {
   /// Their convex part along the shortest way: positive semi-definite, of rank one.
   Eigen::Matrix<double, 12, 12> convex_hessian() const;
 };
+
+/// The pair at a position, (3 vertices), metres, with a potential of that pressure, pascal; nothing where it is out of
+/// range.
+std::optional<FoldPair> fold_of(const NearPair& near, const Eigen::VectorXd& position, double pressure);
 
 /// `parallel` of two edges, or two sides of the triangle, with the given stress-free corners: 1e-3 of the squared
 /// product of their lengths.

@@ -202,21 +202,13 @@ void SelfContact::evaluate(const Eigen::VectorXd& position, SelfContactTerms& te
 
 void SelfContact::add_folds(const Eigen::VectorXd& position, SelfContactTerms& terms, Eigen::VectorXd& gradient) const {
   visit_near([&](const NearPair& near) {
-    const PairCorners corners = corners_at(near.vertices, position);
-    if (least_distance(near.kind, corners) >= near.range) return;
-    const PairDistance closest = pair_distance(near.kind, corners);
-    if (closest.distance >= near.range) return;
-    const FoldContact contact{.vertices = near.vertices,
-                              .pair = {.kind = near.kind,
-                                       .corners = corners,
-                                       .closest = closest,
-                                       .potential = {.range = near.range, .pressure = pressure_, .area = near.area},
-                                       .parallel = near.parallel}};
-    const FoldTerms part = contact.pair.terms();
+    const auto pair = fold_of(near, position, pressure_);
+    if (!pair) return;
+    const FoldTerms part = pair->terms();
     terms.energy += part.energy;
     for (int k = 0; k < 4; ++k) gradient.segment<3>(3 * near.vertices[k]) += part.gradient.segment<3>(3 * k);
     terms.largest_force = std::max(terms.largest_force, part.gradient.cwiseAbs().maxCoeff());
-    terms.folds.push_back(contact);
+    terms.folds.push_back({.vertices = near.vertices, .pair = *pair});
   });
 }
 

@@ -90,6 +90,12 @@ class SelfContact {
   /// Pairs of vertices, the lower first, that pairs listed now couple: those in contact and those that may soon be.
   std::vector<std::array<int, 2>> near_couplings() const;
 
+  /// Pairs listed now that have a marked vertex. `marked`: (vertices).
+  std::vector<NearPair> near_pairs_of(std::span<const char> marked) const;
+
+  /// Pascal, of the potentials.
+  double pressure() const { return pressure_; }
+
   /// Times that near pairs were listed, of how many vertices the last time, and how many pairs there are.
   long listings() const { return listings_; }
   std::size_t listed_anew() const;

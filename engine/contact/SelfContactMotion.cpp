@@ -189,6 +189,15 @@ std::size_t SelfContact::listed() const {
   return count;
 }
 
+std::vector<NearPair> SelfContact::near_pairs_of(std::span<const char> marked) const {
+  std::vector<NearPair> pairs;
+  visit_near([&](const NearPair& pair) {
+    const Eigen::Vector4i& v = pair.vertices;
+    if (marked[v[0]] || marked[v[1]] || marked[v[2]] || marked[v[3]]) pairs.push_back(pair);
+  });
+  return pairs;
+}
+
 std::vector<std::array<int, 2>> SelfContact::near_couplings() const {
   std::vector<std::array<int, 2>> couplings;
   visit_near([&](const NearPair& pair) {

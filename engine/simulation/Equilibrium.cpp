@@ -14,6 +14,7 @@
 #include "engine/shell/BendingPatches.hpp"
 #include "engine/simulation/LoadTerms.hpp"
 #include "engine/simulation/OpenChambers.hpp"
+#include "engine/simulation/WallTriangle.hpp"
 #include "engine/wall/MembraneLanes.hpp"
 
 namespace thinwall {
@@ -63,13 +64,7 @@ void add_wall(const BodyModel& model, const WallMemory& memory, const Eigen::Vec
            [&](int group, MembraneLanes& part) {
              std::array<MembraneTriangle, kLanes> members;
              const int first = kLanes * group, count = std::min(kLanes, triangles - first);
-             for (int k = 0; k < count; ++k) {
-               members[k] = {.rest = &model.rest[first + k],
-                             .material = &model.material(first + k),
-                             .corners = corners_of(model.surface[first + k], position),
-                             .memory = memory.of(first + k)};
-               members[k].memory.tension_field = model.definition.tension_field;
-             }
+             for (int k = 0; k < count; ++k) members[k] = wall_triangle(model, memory, position, first + k);
              membrane_lanes({members.data(), static_cast<std::size_t>(count)}, terms.has_hessian(), part);
            },
            [&](int group, const MembraneLanes& part) {

@@ -51,9 +51,11 @@ constexpr double kSmallResidual = 3e-3;
 constexpr double kSmallStep = 0.05;
 
 /// What constraints may be missed by where forces are wanted to the last digits: part of a chamber's volume, and of the
-/// mean edge. The first grows with the tolerance of the forces, of which it is this part.
+/// mean edge. The first grows with the tolerance of the forces, of which it is this part, or that one where a larger
+/// residual of the forces is taken as no step gains anything: one that closes the volume alone would not either.
 constexpr double kVolumeTolerance = 1e-11;
 constexpr double kVolumeShare = 1e-2;
+constexpr double kStalledVolumeShare = 1e-1;
 constexpr double kGapTolerance = 1e-9;
 
 double square(double value) {
@@ -199,7 +201,8 @@ bool Newton::is_solved(const Residual& residual, double force_scale, bool is_sta
                        const NewtonOptions& options) const {
   double gap = residual.contact;
   for (const Eigen::Vector3d& one : residual.gaps) gap = std::max(gap, one.norm());
-  const double volume_tolerance = std::max(kVolumeTolerance, kVolumeShare * options.tolerance);
+  const double volume_share = is_stalled ? kStalledVolumeShare : kVolumeShare;
+  const double volume_tolerance = std::max(kVolumeTolerance, volume_share * options.tolerance);
   for (Eigen::Index c = 0; c < residual.volume.size(); ++c) {
     if (std::abs(residual.volume[c]) > volume_tolerance * std::abs(model_.chambers[c].rest_volume)) return false;
   }
@@ -267,6 +270,15 @@ bool Newton::begin(EquilibriumProblem& problem, EquilibriumState& state) {
   return std::isfinite(terms_.elastic);
 }
 
+double Newton::note_residual(const EquilibriumProblem& problem, const EquilibriumState& state, Residual& residual,
+                             NewtonResult& result) const {
+  compute_residual(problem, state, terms_, residual);
+  result.residual = residual.largest_force;
+  result.residual_history.push_back(residual.largest_force);
+  result.force_scale = force_scale(problem, terms_);
+  return result.force_scale;
+}
+
 NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options,
                              bool foresees) {
   NewtonResult result;
@@ -278,12 +290,8 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
   const int most = foresees ? std::min(kForeseeingSteps, options.maximum_iterations) : options.maximum_iterations;
   for (;; ++result.iterations) {
     if (options.between_iterations) options.between_iterations();
-    compute_residual(problem, state, terms_, residual);
+    const double scale = note_residual(problem, state, residual, result);
     progress.note(residual);
-    result.residual = residual.largest_force;
-    result.residual_history.push_back(residual.largest_force);
-    const double scale = force_scale(problem, terms_);
-    result.force_scale = scale;
     if (result.iterations == 0) first_scale = scale;
     if (is_solved(residual, scale, options.takes_flaps && progress.stalled >= kStalledSteps, options)) {
       if (foresees && scale > kBlowUp * first_scale) return failed("the wall is strained beyond measure", result);
@@ -313,6 +321,7 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
     if (search(problem, state, residual, step, whole ? 1 : 0.5)) {
       const bool is_small = step.position.lpNorm<Eigen::Infinity>() < kSmallStep * model_.edge_length;
       if (is_exact_ && is_small) stepped_to_ = state.position;
+      if (may_relax_patches(problem, options, result.iterations)) relax_patches(problem, state, options);
       continue;
     }
     stepped_to_.resize(0);

@@ -84,7 +84,7 @@ struct NewtonResult {
 /// alone is indefinite while the whole is convex, so K is then factorised as L D L^T and the inertia is counted; only
 /// when the count is wrong is K shifted. In a cut wall, where that goes on for some steps, the matrix is taken as it
 /// is: an equilibrium that symmetry keeps is found though it is not stable. How chambers with openings are treated
-/// stands in OpenChambers.
+/// stands in OpenChambers, and how slack flaps are solved by themselves in NewtonPatch.cpp.
 class Newton {
  public:
   explicit Newton(const BodyModel& model);
@@ -200,6 +200,9 @@ class Newton {
   bool begin(EquilibriumProblem& problem, EquilibriumState& state);
   NewtonResult iterate(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options,
                        bool foresees);
+  /// What is left where `terms_` were found, and gives the scale of the forces there, newton.
+  double note_residual(const EquilibriumProblem& problem, const EquilibriumState& state, Residual& residual,
+                       NewtonResult& result) const;
   /// Whether the next step may do with the factor of the last one, which a residual below `near`, newton, allows.
   bool may_keep_factor(const EquilibriumProblem& problem, const Residual& residual, double near,
                        const Progress& progress);
@@ -262,6 +265,11 @@ class Newton {
   std::string obstructed(const std::string& reason) const;
   bool search(EquilibriumProblem& problem, EquilibriumState& state, Residual& residual, const Step& step,
               double fraction);
+  bool may_relax_patches(const EquilibriumProblem& problem, const NewtonOptions& options, int iterations) const;
+  /// Solves what is left of a residual in few vertices with the others held, patch by patch, while that helps.
+  void relax_patches(const EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options);
+  /// False, with all as it was, where there is no patch or the whole gains little. `goal`: newton, of the gradient.
+  bool relax_patch(const EquilibriumProblem& problem, EquilibriumState& state, double goal, Residual& residual);
   void freeze(const EquilibriumProblem& problem, const EquilibriumState& state);
   double merit(const EquilibriumProblem& problem, const EquilibriumState& state, const EquilibriumTerms& terms,
                const Residual& residual, const Weights& weights) const;

@@ -97,41 +97,58 @@ BENCHMARK(PalpationSecond)
     ->Iterations(1)
     ->Unit(benchmark::kSecond);
 
-/// A blade that goes on through the wall by half a millimetre a picture, contact and one cut in each step; the mean of
-/// the steps, the longest, and the largest residual that was taken, over the largest force.
-void CutFrame(benchmark::State& state) {
+struct CutFrames {
+  double whole = 0, longest = 0;  // seconds
+  int steps = 0, cuts = 0;
+  double residual = 0;  // largest that was taken, over the largest force
+};
+
+/// A blade that goes on through the wall, `aside` metres beside the middle.
+void cut_frames(int triangles, double aside, CutFrames& frames) {
   constexpr int kSteps = 16;
-  for (auto _ : state) {
-    Body body(filled_ball(static_cast<int>(state.range(0))),
-              {{.name = "blade", .kind = ToolKind::kScalpel, .length = 20e-3, .width = 4e-3, .thickness = 0.3e-3}},
-              {.analysis = Analysis::kDynamic, .tolerance = 1e-3});
-    body.settle();
-    std::vector<ToolPose> poses = {pose_at({-8e-3, 0.7e-3, 12e-3})};
-    body.follow_blade(0, poses);
-    double whole = 0, longest = 0, cuts = 0, residual = 0;
-    for (int k = -2; k < kSteps; ++k) {
-      const double travel = k < 0 ? 1e-3 : kSpeed * kFrame;
-      const std::vector<ToolPose> from = poses;
-      poses[0].tip.x() += travel;
-      BodyInput input;
-      input.blade = BladeInput{.tool = 0, .travel = travel, .direction = Eigen::Vector3d::UnitX()};
-      const auto begin = std::chrono::steady_clock::now();
-      body.advance(from, poses, kFrame, input);
-      const bool has_cut = body.follow_blade(0, poses).has_value();
-      const double taken = seconds_since(begin);
-      if (k < 0) continue;
-      whole += taken;
-      longest = std::max(longest, taken);
-      cuts += has_cut;
-      residual = std::max(residual, body.report().residual_share);
-    }
-    state.SetIterationTime(whole / kSteps);
-    state.counters["longest_ms"] = 1e3 * longest;
-    state.counters["cuts"] = cuts / kSteps;
-    state.counters["residual"] = residual;
+  Body body(filled_ball(triangles),
+            {{.name = "blade", .kind = ToolKind::kScalpel, .length = 20e-3, .width = 4e-3, .thickness = 0.3e-3}},
+            {.analysis = Analysis::kDynamic, .tolerance = 1e-3});
+  body.settle();
+  std::vector<ToolPose> poses = {pose_at({-8e-3, aside, 12e-3})};
+  body.follow_blade(0, poses);
+  for (int k = -2; k < kSteps; ++k) {
+    const double travel = k < 0 ? 1e-3 : kSpeed * kFrame;
+    const std::vector<ToolPose> from = poses;
+    poses[0].tip.x() += travel;
+    BodyInput input;
+    input.blade = BladeInput{.tool = 0, .travel = travel, .direction = Eigen::Vector3d::UnitX()};
+    const auto begin = std::chrono::steady_clock::now();
+    body.advance(from, poses, kFrame, input);
+    const bool has_cut = body.follow_blade(0, poses).has_value();
+    const double taken = seconds_since(begin);
+    if (k < 0) continue;
+    ++frames.steps;
+    frames.whole += taken;
+    frames.longest = std::max(frames.longest, taken);
+    frames.cuts += has_cut;
+    frames.residual = std::max(frames.residual, body.report().residual_share);
   }
 }
-BENCHMARK(CutFrame)->Arg(320)->Arg(720)->Arg(1280)->Arg(5120)->UseManualTime()->Iterations(1)->Unit(
+
+/// A blade that goes on through the wall by half a millimetre a picture, contact and one cut in each step, on eight
+/// ways beside each other, as chance has a say in how slack lips lie: the mean of the steps, the longest, and the
+/// largest residual that was taken.
+void CutFrame(benchmark::State& state) {
+  constexpr int kWays = 8;
+  constexpr double kBetweenWays = 0.4e-3;  // metres
+  for (auto _ : state) {
+    CutFrames frames;
+    for (int way = 0; way < kWays; ++way) {
+      cut_frames(static_cast<int>(state.range(0)), kBetweenWays * (way - 1.25), frames);
+    }
+    state.SetIterationTime(frames.whole / frames.steps);
+    state.counters["longest_ms"] = 1e3 * frames.longest;
+    state.counters["cuts"] = static_cast<double>(frames.cuts) / frames.steps;
+    state.counters["residual"] = frames.residual;
+  }
+}
+BENCHMARK(CutFrame)->Arg(320)->Arg(720)->Arg(1280)->Arg(5120)->Arg(6480)->UseManualTime()->Iterations(1)->Unit(
     benchmark::kMillisecond);
 
 }  // namespace
