@@ -22,6 +22,9 @@ struct Window {
 /// Within an endoscope's field stop, for pictures of 16 by 9.
 constexpr Window kRoundWindow = {.left = -0.54, .right = 0.54, .bottom = -0.72, .top = 0.70};
 
+/// At which the standard view looks down, radians.
+constexpr double kElevation = 33 * std::numbers::pi / 180;
+
 void orient(Camera& camera, Vector3 forward, Vector3 up) {
   camera.forward = normalized(forward);
   const Vector3 right = cross(camera.forward, up);
@@ -30,7 +33,7 @@ void orient(Camera& camera, Vector3 forward, Vector3 up) {
 }
 
 /// From the front, a little from the right and from above; elongated bodies lie across the picture.
-Vector3 oblique_direction(const SceneExtent& extent) {
+Vector3 oblique_direction(const SceneExtent& extent, double elevation) {
   double xx = 0, yy = 0, xy = 0;
   for (const Vector3& point : extent.rest_points) {
     const Vector3 offset = point - extent.center;
@@ -41,7 +44,6 @@ Vector3 oblique_direction(const SceneExtent& extent) {
   // Long in x or round: seen from the front (-y). Long in y: seen from the right (+x).
   const bool long_in_y = yy > 1.2 * xx && yy - xx > std::abs(xy);
   const double azimuth = (long_in_y ? -20.0 : -65.0) * std::numbers::pi / 180;
-  const double elevation = 33.0 * std::numbers::pi / 180;
   return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation)};
 }
 
@@ -101,7 +103,10 @@ void stand(Camera& camera, const CameraDefinition& definition, const SceneExtent
     orient(camera, target - camera.position, up);
     return;
   }
-  orient(camera, definition.facing ? vector3(*definition.facing) : -oblique_direction(extent), up);
+  orient(camera,
+         definition.facing ? vector3(*definition.facing)
+                           : -oblique_direction(extent, definition.elevation.value_or(kElevation)),
+         up);
   if (!extent.rest_points.empty()) frame(camera, extent);
   // A given target keeps the distance; without one the window decides, which leaves the centre out of the middle.
   const double distance = std::max(dot(extent.center - camera.position, camera.forward), extent.size);

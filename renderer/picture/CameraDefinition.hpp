@@ -50,9 +50,10 @@ struct CameraDefinition {
   std::optional<Double3> position = {};  // metres
   std::optional<Double3> target = {};    // metres
   std::optional<Double3> facing = {};  // the sense in which a camera without position looks; obliquely down when absent
-  std::optional<Double3> up = {};      // direction
-  double field_of_view = 0.5236;       // radians, vertical
-  double orbit_speed = 0;              // radians / second around the upward axis through the target
+  std::optional<double> elevation = {};  // radians, down which a camera without both looks; 33 degrees when absent
+  std::optional<Double3> up = {};        // direction
+  double field_of_view = 0.5236;         // radians, vertical
+  double orbit_speed = 0;                // radians / second around the upward axis through the target
   CameraKind kind = CameraKind::kPinhole;
   double exposure = 0;                         // brighter by this power of two
   std::vector<CameraKeyframe> keyframes = {};  // ascending in time

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -31,8 +32,10 @@ std::string shape_of(const CheckedValue& root, const CheckedValue& clip) {
   return shape != nullptr ? shape->text : std::string();
 }
 
-/// Into a round shape, which stands around the origin, where a path of a cut lies; zero for others.
+/// Into a round shape, which stands around the origin, where a path of a cut lies; downwards into a flat one; zero for
+/// others.
 Vector3d inward_at(const CheckedValue& path, const std::string& shape) {
+  if (shape == "sheet" || shape == "disc" || shape == "annulus" || shape == "strip") return -Vector3d::UnitZ();
   Vector3d sum = Vector3d::Zero();
   for (const CheckedValue& point : path.items) {
     if (point.items.size() == 3) sum += vector(point);
@@ -86,13 +89,27 @@ Vector3d into_the_wound(const Vector3d& direction) {
   return std::cos(off) * direction + std::sin(off) * square.normalized();
 }
 
-void face(CheckedValue& camera, const Vector3d& facing) {
-  if (camera.find("position") != nullptr || camera.find("facing") != nullptr) return;
-  CheckedValue value{.kind = CheckedKind::kList, .location = camera.location, .given = false};
-  for (const double part : facing) {
-    value.items.push_back({.kind = CheckedKind::kNumber, .location = camera.location, .given = false, .number = part});
+/// Steeply down onto a wound, radians: from the standard height what opens on top of a round body lies at its horizon.
+constexpr double kElevationAboveWounds = 55 * std::numbers::pi / 180;
+
+CheckedValue number_value(double number, const SourceLocation& location) {
+  return {.kind = CheckedKind::kNumber, .location = location, .given = false, .number = number};
+}
+
+/// Towards `facing`, or down onto a wound.
+void turn(CheckedValue& camera, const std::optional<Vector3d>& facing) {
+  for (const char* key : {"position", "facing", "elevation"}) {
+    if (camera.find(key) != nullptr) return;
   }
-  camera.members.push_back({.key = "facing", .location = camera.location, .value = value});
+  if (!facing) {
+    camera.members.push_back({.key = "elevation",
+                              .location = camera.location,
+                              .value = number_value(kElevationAboveWounds, camera.location)});
+    return;
+  }
+  CheckedValue list{.kind = CheckedKind::kList, .location = camera.location, .given = false};
+  for (const double part : *facing) list.items.push_back(number_value(part, camera.location));
+  camera.members.push_back({.key = "facing", .location = camera.location, .value = list});
 }
 
 }  // namespace
@@ -101,12 +118,14 @@ void camera_pass(CheckedValue& root) {
   const CheckedValue* timeline = root.find("timeline");
   if (timeline == nullptr) return;
   const auto [direction, cuts] = approach_of(root, *timeline);
-  // Mostly downwards, or nothing pressed: the standard view shows it.
-  if (direction.isZero() || direction.z() < -0.7) return;
-  const Vector3d facing = cuts ? into_the_wound(direction) : over_the_shoulder(direction);
-  if (CheckedValue* camera = root.find("camera")) face(*camera, facing);
+  const bool is_down = direction.z() < -0.7;
+  // The standard view shows what presses downwards.
+  if (direction.isZero() || (is_down && !cuts)) return;
+  std::optional<Vector3d> facing;
+  if (!is_down) facing = cuts ? into_the_wound(direction) : over_the_shoulder(direction);
+  if (CheckedValue* camera = root.find("camera")) turn(*camera, facing);
   if (CheckedValue* cameras = root.find("cameras")) {
-    for (CheckedMember& member : cameras->members) face(member.value, facing);
+    for (CheckedMember& member : cameras->members) turn(member.value, facing);
   }
 }
 

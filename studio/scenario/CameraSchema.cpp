@@ -11,6 +11,10 @@ ValueSchema angle_value() {
       kAngle, {.minimum = 0, .maximum = half_turn, .minimum_excluded = true, .maximum_excluded = true}, "30 deg");
 }
 
+ValueSchema elevation_value() {
+  return quantity_value(kAngle, {.minimum = 0, .maximum = parse_quantity("89 deg").value}, "45 deg");
+}
+
 ValueSchema place_value() {
   return vector_value(kLength, {}, "[80 mm, -60 mm, 50 mm]");
 }
@@ -96,7 +100,15 @@ MappingSchema camera_mapping(const std::string& name, const std::string& documen
        direction_value(),
        false,
        {},
-       "the sense in which a camera without `position` looks; when absent, from the side that the tools come from"},
+       "the sense in which a camera without `position` looks; when absent, from the side that the tools come from, at "
+       "the "
+       "`elevation` if there is one"},
+      {"elevation",
+       elevation_value(),
+       false,
+       {},
+       "how steeply a camera without `position` and `facing` looks down: 0 deg from the side, 89 deg from above; when "
+       "absent 33 deg, and 55 deg where blades cut a round or flat shape from above, or along a `direction` downwards"},
       {"up", direction_value(), false, {}, "what is up in the picture"},
       {"orbit_speed", quantity_value(kAngularSpeed, {}, "10 deg/s"), false, "0 deg/s",
        "turn around the upward axis through the target"},

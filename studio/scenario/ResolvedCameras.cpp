@@ -26,6 +26,7 @@ CameraDefinition to_camera(const Json& camera) {
   CameraDefinition result{.position = find_resolved<Double3>(camera, "position"),
                           .target = find_resolved<Double3>(camera, "target"),
                           .facing = find_resolved<Double3>(camera, "facing"),
+                          .elevation = find_resolved<double>(camera, "elevation"),
                           .up = find_resolved<Double3>(camera, "up"),
                           .field_of_view = camera.at("field_of_view"),
                           .orbit_speed = camera.at("orbit_speed"),

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "renderer/picture/PictureFailure.hpp"
@@ -54,6 +55,14 @@ TEST(Camera, TheMatrixAgreesWithThePixel) {
   EXPECT_NEAR((*pixel)[0], 0.5 * kSize.width * (1 + clip[0] / clip[3]), 1e-9);
   EXPECT_NEAR((*pixel)[1], 0.5 * kSize.height * (1 - clip[1] / clip[3]), 1e-9);
   EXPECT_LT(std::abs(clip[2]), clip[3]) << "between the nearest and the farthest depth";
+}
+
+TEST(Camera, LooksDownAsSteeplyAsItIsTold) {
+  for (const double elevation : {0.0, 0.4, 1.5}) {
+    const Camera camera = resolve_camera({.elevation = elevation}, box(0.03f, 0.02f, 0.01f), kSize, 0);
+    EXPECT_NEAR(camera.forward.z, -std::sin(elevation), 1e-12);
+    EXPECT_GT(camera.up.z, 0);
+  }
 }
 
 TEST(Camera, ByDefaultAllRestPointsAreSeenAndFillTheRoomBetweenTheOverlays) {

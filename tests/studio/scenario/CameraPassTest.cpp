@@ -49,13 +49,19 @@ TEST(CameraPass, KeepsWhatTheScenarioSays) {
   EXPECT_EQ(*facing("[0, 1, 0]", "{ facing: [0, 0, -1] }"), Eigen::Vector3d(0, 0, -1));
 }
 
-/// The same for a cut along a path in a body of a shape.
+CheckedValue after_cut(const std::string& shape, const std::string& path, const std::string& more,
+                       const std::string& camera) {
+  CheckedValue root = checked_scenario("timeline:\n  - incise: { tool: blade, body: organ, depth: 1 mm, path: " + path +
+                                           more + " }\ncamera: " + camera + "\n",
+                                       shape);
+  camera_pass(root);
+  return root;
+}
+
+/// Where the camera faces for a cut along a path in a body of a shape.
 std::optional<Eigen::Vector3d> facing_cut(const std::string& shape, const std::string& path,
                                           const std::string& more = "") {
-  CheckedValue root = checked_scenario(
-      "timeline:\n  - incise: { tool: blade, body: organ, depth: 1 mm, path: " + path + more + " }\ncamera: {}\n",
-      shape);
-  camera_pass(root);
+  const CheckedValue root = after_cut(shape, path, more, "{}");
   const CheckedValue* value = root.at("camera").find("facing");
   if (value == nullptr) return std::nullopt;
   return Eigen::Vector3d(value->items[0].number, value->items[1].number, value->items[2].number);
@@ -72,7 +78,23 @@ TEST(CameraPass, LooksIntoAWoundWhereverItIsCutInARoundShape) {
     EXPECT_NEAR(view->dot(inward), std::cos(std::numbers::pi / 6), 1e-12) << path;
     EXPECT_TRUE(inward.z() != 0 || view->z() < 0) << "from above";
   }
-  EXPECT_FALSE(facing_cut(ball, "[[-8 mm, 0, 20 mm], [8 mm, 0, 20 mm]]")) << "the standard view shows the top";
+}
+
+TEST(CameraPass, LooksSteeplyDownOntoAWoundThatIsCutFromAbove) {
+  const auto elevation = [](const std::string& shape, const std::string& more = "", const std::string& camera = "{}") {
+    const CheckedValue root = after_cut(shape, "[[-8 mm, 0, 20 mm], [8 mm, 0, 20 mm]]", more, camera);
+    const CheckedValue* value = root.at("camera").find("elevation");
+    return value != nullptr ? value->number : 0;
+  };
+  const double steep = 55 * std::numbers::pi / 180;
+  const std::string mesh = "{ mesh: organ.obj, unit: mm }";
+  EXPECT_DOUBLE_EQ(elevation("{ shape: hemisphere, radius: 20 mm }"), steep);
+  EXPECT_DOUBLE_EQ(elevation("{ shape: sheet, width: 40 mm, length: 40 mm }"), steep);
+  EXPECT_DOUBLE_EQ(elevation(mesh, ", direction: [0.1, 0, -1]"), steep);
+  EXPECT_EQ(elevation(mesh), 0) << "nothing tells from where it is cut";
+  EXPECT_EQ(elevation(mesh, ", direction: [0, 0, -1]", "{ position: [1 m, 0, 0] }"), 0);
+  EXPECT_DOUBLE_EQ(elevation("{ shape: hemisphere, radius: 20 mm }", "", "{ elevation: 20 deg }"),
+                   20 * std::numbers::pi / 180);
 }
 
 TEST(CameraPass, KnowsWhereABladeGoesInByItsDirectionAlsoInAMesh) {
