@@ -57,17 +57,19 @@ void ToolBuilder::join(const std::vector<FlatSection>& sections) {
   constexpr std::array<std::array<double, 2>, 4> kQuarter = {
       {{1, -1 + kChamferWidth}, {1, 1 - kChamferWidth}, {1 - kChamfer, 1}, {kChamfer - 1, 1}}};
   constexpr std::size_t kCorners = 2 * kQuarter.size();
+  const auto middle_of = [&](const FlatSection& section) {
+    return tip_ - section.back * direction_ + section.middle * side_;
+  };
   const auto corner = [&](const FlatSection& section, std::size_t k) {
     const double sense = k % kCorners < kQuarter.size() ? 1 : -1;
     const auto [x, y] = kQuarter[k % kQuarter.size()];
-    return tip_ - section.back * direction_ + sense * x * section.half_thickness * side_ +
-           sense * y * section.half_width * axis_;
+    return middle_of(section) + sense * x * section.half_thickness * side_ + sense * y * section.half_width * axis_;
   };
   for (std::size_t k = 1; k < sections.size(); ++k) {
     const FlatSection &front = sections[k - 1], &rear = sections[k];
     for (std::size_t c = 0; c < kCorners; ++c) {
       const Vector3 middle = 0.25 * (corner(front, c) + corner(front, c + 1) + corner(rear, c) + corner(rear, c + 1));
-      const Vector3 outwards = middle - (tip_ + dot(middle - tip_, direction_) * direction_);
+      const Vector3 outwards = middle - 0.5 * (middle_of(front) + middle_of(rear));
       const bool is_broad = c % kQuarter.size() == 0;
       append_face({corner(front, c), corner(front, c + 1), corner(rear, c + 1), corner(rear, c)}, outwards,
                   is_broad ? rear.roughness : kPolished, is_broad ? kHollow : 0);

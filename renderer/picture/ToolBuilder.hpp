@@ -22,9 +22,10 @@ struct OutlinePoint {
   float grip = 0;
 };
 
-/// A section of a flat tool across its direction: a rectangle about the middle line, its corners ground off.
+/// A section of a flat tool across its direction: a rectangle, its corners ground off.
 struct FlatSection {
   double back = 0;            // metres from the tip
+  double middle = 0;          // metres along x' from the middle line
   double half_thickness = 0;  // metres, along x'
   double half_width = 0;      // metres, along y'
   float roughness = kBrushed;

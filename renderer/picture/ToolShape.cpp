@@ -241,18 +241,46 @@ ToolShape blade(const SnapshotTool& tool, double scene_size) {
   return builder.take();
 }
 
+/// One jaw of forceps and the arm that it sits on: thinner towards its end, with teeth across its inner face, none of
+/// which stands out of what the engine presses with. `side`: -1 or 1, along x'. `joint`: metres from the tip to where
+/// the arms meet.
+std::vector<FlatSection> jaw(const SnapshotTool& tool, double side, double joint) {
+  constexpr double kToothed = 0.4;  // part of its length that has teeth
+  constexpr int kArmSteps = 10;
+  const double thick = tool.thickness, length = tool.length, inner = 0.5 * tool.opening;
+  const double tooth = std::clamp(0.5 * thick, length / 60, length / 12), depth = std::min(0.35 * tooth, 0.1 * thick);
+  std::vector<FlatSection> sections;
+  const auto add = [&](double back, double low, double high) {
+    sections.push_back({.back = back,
+                        .middle = side * (inner + 0.5 * (low + high)),
+                        .half_thickness = 0.5 * (high - low),
+                        .half_width = 0.5 * tool.width});
+  };
+  const auto outside = [&](double back) { return thick * std::min(1.0, 0.55 + 0.45 * back / (0.35 * length)); };
+  const int teeth = static_cast<int>(kToothed * length / tooth);
+  for (int k = 0; k < teeth; ++k) {
+    const double back = k * tooth;
+    add(back, 0, outside(back));
+    add(back + 0.85 * tooth, depth, outside(back + 0.85 * tooth));
+  }
+  add(teeth * tooth, 0, outside(teeth * tooth));
+  add(length, 0, thick);
+  for (int k = 1; k <= kArmSteps; ++k) {
+    const double t = static_cast<double>(k) / kArmSteps, bent = t * t * (3 - 2 * t);
+    sections.push_back({.back = length + t * (joint - length),
+                        .middle = (1 - bent) * side * (inner + 0.5 * thick) + bent * side * 0.4 * thick,
+                        .half_thickness = 0.5 * thick * (1 - 0.2 * bent),
+                        .half_width = 0.5 * tool.width * (1 - 0.35 * bent)});
+  }
+  return sections;
+}
+
 ToolShape jaws(const SnapshotTool& tool, double scene_size) {
   ToolBuilder builder(tool, scene_size);
-  const double rounding = std::min({0.3 * tool.thickness, 0.25 * tool.width, 0.25 * tool.length});
-  const double aside = 0.5 * (tool.opening + tool.thickness);
-  for (const double side : {-1.0, 1.0}) {
-    builder.draw_out(rectangle(side * aside, tool.thickness, tool.length, rounding), tool.width);
-  }
-  // A block behind the jaws joins them, as wide as they may open.
-  std::vector<OutlinePoint> block = rectangle(0, tool.opening + 2 * tool.thickness, 2 * tool.thickness, rounding);
-  for (OutlinePoint& point : block) point.back += tool.length - tool.thickness;
-  builder.draw_out(block, tool.width);
-  add_handle(builder, tool.length + tool.thickness, 0.45 * tool.width, scene_size);
+  // Where they meet does not move as they close.
+  const double joint = 2 * tool.length;
+  for (const double side : {-1.0, 1.0}) builder.join(jaw(tool, side, joint));
+  add_handle(builder, joint, 0.35 * tool.width, scene_size);
   return builder.take();
 }
 

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <vector>
 
 #include "renderer/picture/Vector.hpp"
 
@@ -92,6 +95,39 @@ TEST(ToolShape, ABallHasItsRadiusAroundItsCentreBehindTheTip) {
     EXPECT_GT(dot(normalized(offset), vector3(vertex.normal)), 0.9);
   }
   EXPECT_GT(on_the_ball, 600);
+}
+
+TEST(ToolShape, JawsStayWithinWhatPressesAndMeetBehindIt) {
+  SnapshotTool tool;
+  tool.kind = SnapshotToolKind::kForceps;
+  tool.direction = {0, 0, -1};
+  tool.axis = {0, 1, 0};
+  tool.length = 30e-3;
+  tool.width = 6e-3;
+  tool.thickness = 2e-3;
+  const auto shape_at = [&](double opening) {
+    tool.opening = opening;
+    return tool_shape(tool, 0.1);
+  };
+  const ToolShape open = shape_at(10e-3), closed = shape_at(1e-3);
+  double innermost = 1, outermost = 0;
+  for (const ToolVertex& vertex : open.vertices) {
+    const double aside = std::abs(vertex.position[0]);
+    if (vertex.position[2] > tool.length + 1e-9) continue;
+    innermost = std::min(innermost, aside);
+    outermost = std::max(outermost, aside);
+    EXPECT_LE(std::abs(vertex.position[1]), 0.5 * tool.width + 1e-9);
+  }
+  EXPECT_NEAR(innermost, 5e-3, 1e-9);
+  EXPECT_NEAR(outermost, 7e-3, 1e-9);
+  const auto behind = [&](const ToolShape& shape) {
+    std::vector<Float3> vertices;
+    for (const ToolVertex& vertex : shape.vertices) {
+      if (vertex.position[2] > 2 * tool.length - 1e-9) vertices.push_back(vertex.position);
+    }
+    return vertices;
+  };
+  EXPECT_EQ(behind(open), behind(closed)) << "the handle stays as they close";
 }
 
 TEST(ToolShape, ABladeIsSharpAtAnEdgeOfItsWidthAndNarrowerAtItsHandle) {
