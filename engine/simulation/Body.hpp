@@ -213,7 +213,8 @@ class Body {
   std::vector<double> outflow_of(double duration, const EquilibriumProblem& problem,
                                  const EquilibriumState& reached) const;
   double fluid_held(const EquilibriumProblem& problem, int chamber, const EquilibriumState& reached) const;
-  bool revise_vents(EquilibriumProblem& problem, const EquilibriumState& reached, double duration) const;
+  /// `turn`: how often vents have been revised in this solution.
+  bool revise_vents(EquilibriumProblem& problem, const EquilibriumState& reached, double duration, int turn) const;
   bool draw_air(EquilibriumProblem& problem, EquilibriumState& trial, std::span<const ToolPose> begin);
   bool solve_with_leaks(EquilibriumProblem& problem, EquilibriumState& trial, std::span<const ToolPose> begin,
                         double duration);

@@ -31,6 +31,10 @@ constexpr int kHastyVentTurns = 1;
 constexpr double kAirPart = 0.01;  // of the rest volume
 constexpr int kMostAirParts = 40;
 
+/// Halvings of the step after which a chamber that turns from filled to drained and back all the same is drained: the
+/// wall snaps there, and what it has no room for any more leaves at once.
+constexpr int kHalvingsBeforePressingOut = 4;
+
 /// Pressure below zero, over the wall's scale of pressure, that counts as none: what the solver leaves is 1e-11 of it.
 constexpr double kNoPressure = 1e-9;
 
@@ -229,7 +233,7 @@ std::vector<double> Body::outflow_of(double duration, const EquilibriumProblem& 
     const double share = outflow_share(problem, vent, duration);
     const double by_itself = state_.outflow.time(duration) *
                              outflow(*model_, terms.lips[vent].area.norm(), 0, problem.approach_to(vent)).rate;
-    const double most = std::max(0.0, share + std::min(by_itself, left[c]));
+    const double most = std::max(0.0, share + (problem.fluids[c].presses_out ? left[c] : std::min(by_itself, left[c])));
     flown[vent] = std::clamp(share + left[c] - fluid_held(problem, c, reached), 0.0, most);
   }
   return flown;
@@ -250,7 +254,8 @@ double Body::fluid_left(const EquilibriumProblem& problem, int chamber, const Eq
   return left;
 }
 
-bool Body::revise_vents(EquilibriumProblem& problem, const EquilibriumState& reached, double duration) const {
+bool Body::revise_vents(EquilibriumProblem& problem, const EquilibriumState& reached, double duration, int turn) const {
+  const bool goes_in_circles = turn >= kMostVentTurns - 1 && report_.halvings >= kHalvingsBeforePressingOut;
   bool revised = false;
   for (int c = 0; c < static_cast<int>(problem.fluids.size()); ++c) {
     FluidProblem& fluid = problem.fluids[c];
@@ -271,6 +276,9 @@ bool Body::revise_vents(EquilibriumProblem& problem, const EquilibriumState& rea
       empty(lowest, fluid);
     } else if (fluid.has_surface) {
       continue;  // all that may be is: air above, none, and lips that are dry or not
+    } else if (missing < -none && goes_in_circles) {
+      fluid.presses_out = true;
+      continue;
     } else if (missing < -none) {
       fluid.vent = -1;
     } else if (missing > none && !options_.gravity.isZero()) {
@@ -304,7 +312,7 @@ bool Body::solve_with_leaks(EquilibriumProblem& problem, EquilibriumState& trial
                             double duration) {
   for (int turn = 0;; ++turn) {
     if (!solve_with_friction(problem, trial, begin)) return false;
-    if (!model_->has_open_chambers() || !revise_vents(problem, trial, duration)) return true;
+    if (!model_->has_open_chambers() || !revise_vents(problem, trial, duration, turn)) return true;
     if (turn >= kHastyVentTurns && !draw_air(problem, trial, begin)) return false;
     if (turn == kMostVentTurns) {
       failure_ = "fluid and air of an open chamber do not come to agree";

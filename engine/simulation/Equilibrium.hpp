@@ -87,6 +87,7 @@ struct FluidProblem {
   double bulk_modulus = 0;     // pascal
   double outflow_time = 0;     // seconds for which fluid leaves through openings under the pressure that is sought
   int vent = -1;               // opening at which there may be air, so that the pressure there is zero; or -1
+  bool presses_out = false;    // what the wall has no room for leaves at the vent at once, as where it snaps
   bool is_empty = false;       // all of it leaves: there is none, and no pressure, whatever wall and caps enclose
   bool has_surface = false;    // under gravity: there is air above the fluid, which pulls at nothing
   double vent_compliance = 0;  // metres^3 / pascal, gives that condition the unit of a volume
