@@ -9,6 +9,7 @@
 #include "engine/simulation/SimulationFailure.hpp"
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/ExitCode.hpp"
+#include "studio/commands/Outcome.hpp"
 #include "studio/director/ScenarioRun.hpp"
 #include "studio/organs/BodyBuilder.hpp"
 #include "studio/scenario/InputError.hpp"
@@ -59,7 +60,7 @@ int check_scenarios(const CheckOptions& options) {
     try {
       const Scenario scenario = load_scenario(file, options.overrides);
       warnings = scenario.warnings;
-      for (const std::string& warning : warnings) fmt::print(stderr, "{}\n", warning);
+      tell_warnings(scenario);
       notes = check_bodies(scenario);
       check_drains(scenario, notes);
       for (const std::string& note : notes) fmt::print(stderr, "{}: note: {}\n", file.string(), note);

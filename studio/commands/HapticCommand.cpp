@@ -3,6 +3,7 @@
 #include "renderer/image/WholeFile.hpp"
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/ExitCode.hpp"
+#include "studio/commands/Outcome.hpp"
 #include "studio/haptics/HapticRun.hpp"
 #include "studio/haptics/PeerDevice.hpp"
 #include "studio/recorder/Interruption.hpp"
@@ -19,6 +20,7 @@ int drive_haptics(const HapticOptions& options) {
                   .forces = options.forces,
                   .real_time = options.real_time,
                   .throw_if_interrupted = throw_if_interrupted};
+  tell_warnings(plan.scenario);
   plan.scenario.simulation.between_iterations = throw_if_interrupted;
   HapticReport report;
   try {

@@ -19,7 +19,7 @@ void print_json(const ManifestContext& context, const RecordingPlan& plan, const
                                  {"simulated_s", report.simulated},
                                  {"frames", report.frame_hashes.size()},
                                  {"state_digest", report.state_digest},
-                                 {"warnings", report.warnings},
+                                 {"warnings", all_warnings(context, report)},
                                  {"wall_s", report.times.total}};
   for (const PassTime& pass : report.passes) json["passes_ms"][pass.pass] = 1e3 * pass.wall_seconds;
   if (!report.failure.empty()) json["failure"] = report.failure;
@@ -27,6 +27,10 @@ void print_json(const ManifestContext& context, const RecordingPlan& plan, const
 }
 
 }  // namespace
+
+void tell_warnings(const Scenario& scenario) {
+  for (const std::string& warning : scenario.warnings) fmt::print(stderr, "{}\n", warning);
+}
 
 int conclude(const ManifestContext& context, const RecordingPlan& plan, const RecordingReport& report, bool json) {
   write_whole_file(plan.folder / "manifest.json", manifest(context, plan, report));

@@ -2,8 +2,12 @@
 
 #include "studio/recorder/Manifest.hpp"
 #include "studio/recorder/Recorder.hpp"
+#include "studio/scenario/Scenario.hpp"
 
 namespace thinwall {
+
+/// Says on stderr what a user should know of a scenario that can be run, a line each.
+void tell_warnings(const Scenario& scenario);
 
 /// Ends a recording: writes manifest.json, says in a few lines on stderr what was made (as JSON on stdout when `json`),
 /// and gives the exit code.

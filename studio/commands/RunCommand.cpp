@@ -45,6 +45,7 @@ int run_scenario(const RunOptions& options) {
     const StageClock clock(preparation);
     scenario = load_scenario(options.scenario, options.overrides);
   }
+  tell_warnings(scenario);
   if (options.render) require_data_range(scenario.view.look);
   if (options.ground_truth) prepare_truth(scenario.view);
   const RecordingPlan plan{
@@ -71,6 +72,7 @@ int run_scenario(const RunOptions& options) {
                    .source = options.scenario,
                    .device = options.device_text,
                    .overrides = options.overrides,
+                   .warnings = scenario.warnings,
                    .preparation = preparation.wall,
                    .expectations = source.results()},
                   plan, report, options.json);

@@ -11,6 +11,7 @@
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/DataViewRange.hpp"
 #include "studio/commands/ExitCode.hpp"
+#include "studio/commands/Outcome.hpp"
 #include "studio/commands/SecondTake.hpp"
 #include "studio/recorder/FrameComposer.hpp"
 #include "studio/recorder/GroundTruthSeries.hpp"
@@ -65,6 +66,7 @@ std::filesystem::path truth_folder(const std::filesystem::path& picture) {
 
 int make_still(const StillOptions& options) {
   Scenario scenario = load_scenario(options.scenario, options.overrides);
+  tell_warnings(scenario);
   require_data_range(scenario.view.look);
   if (options.ground_truth) prepare_truth(scenario.view);
   const PainterFactory painters = renderer_painters(options.device, scenario.record.tier, scenario.view, options.stats);

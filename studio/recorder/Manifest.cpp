@@ -111,6 +111,12 @@ std::string result_words(const ManifestContext& context, const RecordingReport& 
   return met ? "ok" : "an expectation failed";
 }
 
+std::vector<std::string> all_warnings(const ManifestContext& context, const RecordingReport& report) {
+  std::vector<std::string> all = context.warnings;
+  all.insert(all.end(), report.warnings.begin(), report.warnings.end());
+  return all;
+}
+
 std::string text_hash(const std::string& text) {
   XXH128_canonical_t canonical;
   XXH128_canonicalFromHash(&canonical, XXH3_128bits(text.data(), text.size()));
@@ -134,7 +140,7 @@ std::string manifest(const ManifestContext& context, const RecordingPlan& plan, 
   manifest["steps"] = report.steps;
   manifest["simulated_s"] = report.simulated;
   manifest["frames"] = report.frame_hashes.size();
-  manifest["warnings"] = report.warnings;
+  manifest["warnings"] = all_warnings(context, report);
   manifest["expectations"] = expectation_part(context.expectations);
   manifest["state_digest"] = report.state_digest;
   manifest["files"] = file_part(plan.folder);

@@ -16,6 +16,7 @@ struct ManifestContext {
   std::filesystem::path source;                                // the scenario or take, as it was named
   std::string device;                                          // as asked for
   std::vector<std::pair<std::string, std::string>> overrides;  // of `--set`
+  std::vector<std::string> warnings = {};                      // of the scenario, as it was read
   double preparation = 0;                                      // seconds, reading and checking
   std::vector<ExpectationResult> expectations = {};            // of the scenario
   bool take_complete = true;  // whether each take that is shown again reached the end of its run
@@ -23,6 +24,9 @@ struct ManifestContext {
 
 /// "ok", "the simulation failed", "the take ends early", "an expectation failed"
 std::string result_words(const ManifestContext& context, const RecordingReport& report);
+
+/// What a user should know: of the scenario as it was read, then of what came of it.
+std::vector<std::string> all_warnings(const ManifestContext& context, const RecordingReport& report);
 
 /// 32 hexadecimal digits: XXH3 (128 bits) of the text.
 std::string text_hash(const std::string& text);

@@ -197,6 +197,22 @@ TEST_F(ProgramTest, CheckTellsAllMistakesAsJson) {
       << errors;
 }
 
+TEST_F(ProgramTest, WhatCheckWarnsOfARunTellsAndKeepsToo) {
+  std::string scenario = file_bytes(folder_ / "small.yaml");
+  const std::string tools = "tools:\n";
+  ASSERT_NE(scenario.find(tools), std::string::npos) << scenario;
+  scenario.replace(scenario.find(tools), tools.size(), tools + "  spare: { kind: sphere }\n");
+  write_bytes(folder_ / "spare.yaml", scenario);
+  const std::string warning = "warning: tools.spare: no clip uses this tool";
+  const ProgramEnd checked = run({"check", "spare.yaml"});
+  EXPECT_NE(checked.messages.find(warning), std::string::npos) << checked.messages;
+  const ProgramEnd end = run({"run", "spare.yaml", "--no-render", "--json"});
+  EXPECT_EQ(end.exit_code, 0);
+  EXPECT_NE(end.messages.find(warning), std::string::npos) << end.messages;
+  EXPECT_NE(nlohmann::json::parse(end.output).at("warnings").dump().find(warning), std::string::npos) << end.output;
+  EXPECT_NE(manifest("out/spare").at("warnings").dump().find(warning), std::string::npos);
+}
+
 TEST_F(ProgramTest, RunsWithoutGraphics) {
   const ProgramEnd end = run({"run", "small.yaml", "--no-render", "--json", "--set", "depth=1mm"});
   ASSERT_EQ(end.exit_code, 0) << end.messages;
