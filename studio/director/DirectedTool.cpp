@@ -11,7 +11,7 @@ double DirectedTool::depth_beyond_contact() const {
 }
 
 void DirectedTool::begin_clip(const ToolPose& beginning) {
-  const bool goes_on = depth > 0 && !holds && (beginning.tip - pose.tip).norm() < kSamePlace;
+  const bool goes_on = depth > 0 && (beginning.tip - pose.tip).norm() < kSamePlace;
   first_contact.reset();
   if (goes_on) first_contact = pose.tip - depth * pose.direction;
   pose = beginning;

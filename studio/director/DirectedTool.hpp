@@ -22,8 +22,7 @@ struct DirectedTool {
 
   double depth_beyond_contact() const;  // metres
 
-  /// Sets the tool where a clip begins. Where it already is, pressing a wall, it goes on from the contact that it has;
-  /// what its jaws hold comes along instead.
+  /// Sets the tool where a clip begins. Where it already is, pressing a wall, it goes on from the contact that it has.
   void begin_clip(const ToolPose& beginning);
 
   /// Notes where the tip is when the moving tool first meets a surface on its way to the next pose.

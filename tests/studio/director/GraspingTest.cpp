@@ -86,6 +86,23 @@ TEST(Grasping, JawsLiftTheWallTheyHoldUntilTheyLetGo) {
   EXPECT_EQ(told_of(run, 1), "") << "the jaws have let go by themselves";
 }
 
+TEST(Grasping, TheDepthOfALiftIsTheTravelSinceFirstContact) {
+  Scenario scenario = grasping_scenario();
+  scenario.timeline.resize(2);
+  ScenarioRun run(scenario);
+  double touched = 0, squeezed = 0;  // metres: height of the tips at first contact, depth with closed jaws
+  while (run.step()) {
+    const ToolRecord& tool = run.record().tools.at(0);
+    if (tool.phase == "hold") {
+      squeezed = tool.depth;
+      touched = tool.position.z() + tool.depth;
+    } else if (squeezed > 0) {
+      EXPECT_NEAR(tool.depth, std::max(0.0, touched - tool.position.z()), 1e-12) << run.time();
+    }
+  }
+  EXPECT_GT(squeezed, 2e-3);
+}
+
 TEST(Grasping, JawsStopWhereTheyHoldFirmlyEnough) {
   Scenario scenario = grasping_scenario();
   std::get<GraspClip>(scenario.timeline[0].action).grip = 0.05;
