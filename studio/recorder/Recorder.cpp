@@ -289,7 +289,7 @@ void Pipeline::finish_records() {
             energy_plot_image(plan_.description.title, plots_.energies(), plots_.forces()));
   const double end = script_.clock().last_shown(report_.simulated) + 1 / plan_.frames_per_second;
   write_web_vtt(plan_.folder / "captions.vtt",
-                up_to(end, shown_captions(captions_, script_.clock()), &VideoCaption::text));
+                up_to(end, shown_captions(captions_, script_.clock(), script_.title_duration()), &VideoCaption::text));
 }
 
 void Pipeline::render() {
@@ -374,8 +374,9 @@ void Pipeline::finish_pictures() {
   report_.poster_time = highlights_.poster_time();
   if (video_) {
     const double end = static_cast<double>(report_.frame_hashes.size()) / plan_.frames_per_second;
-    video_->finish(up_to(end, shown_chapters(report_.chapters, script_.clock()), &VideoChapter::title),
-                   up_to(end, shown_captions(captions_, script_.clock()), &VideoCaption::text));
+    video_->finish(
+        up_to(end, shown_chapters(report_.chapters, script_.clock()), &VideoChapter::title),
+        up_to(end, shown_captions(captions_, script_.clock(), script_.title_duration()), &VideoCaption::text));
   }
   if (plan_.frames) rename_folder(unfinished_name(frame_folder(plan_)), frame_folder(plan_));
   write_png(plan_.folder / "poster.png", highlights_.poster());

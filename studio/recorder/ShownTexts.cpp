@@ -1,10 +1,12 @@
 #include "studio/recorder/ShownTexts.hpp"
 
+#include "renderer/snapshot/SameTime.hpp"
+
 namespace thinwall {
 
-std::vector<TimedText> shown_captions(std::vector<TimedText> captions, const VideoClock& clock) {
+std::vector<TimedText> shown_captions(std::vector<TimedText> captions, const VideoClock& clock, double title) {
   for (TimedText& caption : captions) {
-    caption.begin = clock.last_shown(caption.begin);
+    caption.begin = caption.begin < kSameTime ? title : clock.last_shown(caption.begin);
     caption.end = clock.last_shown(caption.end);
   }
   return captions;

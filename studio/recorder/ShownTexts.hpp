@@ -8,8 +8,9 @@
 namespace thinwall {
 
 /// Captions in the time of the video: each holds as the frames show it, after a freeze at its begin and with one at its
-/// end.
-std::vector<TimedText> shown_captions(std::vector<TimedText> captions, const VideoClock& clock);
+/// end. Before the caption of the first moment there is none, so that it holds from where a title card of `title`
+/// seconds ends, also in a freeze.
+std::vector<TimedText> shown_captions(std::vector<TimedText> captions, const VideoClock& clock, double title = 0);
 
 /// Chapters in the time of the video: a freeze, and with it a title card, belongs to the chapter that begins there.
 std::vector<TimedText> shown_chapters(std::vector<TimedText> chapters, const VideoClock& clock);

@@ -28,6 +28,7 @@ class VideoScript {
   std::optional<VideoCue> at(double video_time, std::optional<double> end = {}) const;
 
   const VideoClock& clock() const { return clock_; }
+  double title_duration() const { return title_card_ ? title_card_->duration : 0; }  // seconds
 
  private:
   std::optional<CardScenario> title_card_;

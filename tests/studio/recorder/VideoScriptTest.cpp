@@ -57,12 +57,18 @@ TEST(VideoScript, WithoutTeachingShowsTheSimulationAsItIs) {
 
 TEST(ShownTexts, CaptionsAndChaptersFollowTheVideosTime) {
   const VideoClock clock({{.at = 0, .duration = 3}, {.at = 1, .duration = 2}}, {});
-  const auto captions = shown_captions({{0, 1, "one"}, {1, 2, "two"}}, clock);
+  const auto captions = shown_captions({{0, 1, "one"}, {1, 2, "two"}}, clock, 3);
   EXPECT_EQ(captions[0], (TimedText{3, 6, "one"})) << "after the title card, with the freeze at its end";
   EXPECT_EQ(captions[1], (TimedText{6, 7, "two"}));
   const auto chapters = shown_chapters({{0, 1, "one"}, {1, 2, "two"}}, clock);
   EXPECT_EQ(chapters[0], (TimedText{0, 4, "one"}));
   EXPECT_EQ(chapters[1], (TimedText{4, 7, "two"}));
+}
+
+TEST(ShownTexts, TheFirstCaptionHoldsInAFreezeAtTheBeginningAsTheFramesShowIt) {
+  const VideoClock clock({{.at = 0, .duration = 2}, {.at = 0, .duration = 3}}, {});
+  EXPECT_EQ(shown_captions({{0, 1, "one"}}, clock, 2)[0], (TimedText{2, 6, "one"})) << "a card of 2 s, a freeze of 3 s";
+  EXPECT_EQ(shown_captions({{0, 1, "one"}}, clock)[0], (TimedText{0, 6, "one"})) << "two freezes";
 }
 
 }  // namespace
