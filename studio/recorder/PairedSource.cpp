@@ -21,7 +21,11 @@ class PairedSource final : public MomentSource {
 
   std::vector<std::string> warnings() const override {
     std::vector<std::string> all = first_->warnings();
-    for (const std::string& warning : second_->warnings()) all.push_back("the second take: " + warning);
+    for (const std::string& warning : second_->warnings()) {
+      const std::string told = "the second take: " + warning;
+      // A recorded first take has kept what was told of the pair.
+      if (std::ranges::find(all, told) == all.end()) all.push_back(told);
+    }
     return all;
   }
 

@@ -27,6 +27,23 @@ TEST(PairedSource, EqualStepsArePairedToTheLastBit) {
   EXPECT_NE(pair->second_state_digest(), pair->state_digest());
 }
 
+/// As a take tells it whose recording had shown a pair.
+class RecordedFirst final : public MomentSource {
+ public:
+  std::optional<Moment> next() override { return std::nullopt; }
+  std::vector<std::string> warnings() const override {
+    return {"the first is recorded", "the second take: the sheet is a formula"};
+  }
+  std::string state_digest() const override { return ""; }
+};
+
+TEST(PairedSource, WhatARecordedFirstTakeTellsOfTheSecondIsToldOnce) {
+  const std::vector<std::string> both = {"the sheet is a formula", "the second take: the sheet is a formula"};
+  EXPECT_EQ(pair_of({}, {})->warnings(), both);
+  const auto replayed = pair_sources(std::make_unique<RecordedFirst>(), std::make_unique<SyntheticRun>());
+  EXPECT_EQ(replayed->warnings(), RecordedFirst().warnings());
+}
+
 TEST(PairedSource, OtherStepsAreMetBetweenTheirNeighbours) {
   const auto pair = pair_of({}, {.time_step = 0.008, .steps = 26});
   const SyntheticRun coarse({.time_step = 0.008, .steps = 26});
