@@ -14,17 +14,23 @@ std::array<float, 3> float3(Vector3 a) {
   return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
 }
 
-/// In the camera's axes, towards the viewer, whichever side of the triangle is seen.
+/// In the camera's axes, towards the viewer, whichever side of the triangle is seen. What is between the vertices'
+/// normals may turn away from the viewer near an outline: there it is across the line of sight, as on the outline.
 Vector3 normal_at(const SeenFrame& frame, const ScenePlace& place) {
   const SceneGeometry& geometry = frame.geometry();
   const auto& corners = geometry.triangles[place.triangle].corners;
-  Vector3 sum;
-  for (std::size_t k = 0; k < 3; ++k) sum = sum + place.weights[k] * geometry.normals[corners[k]];
+  Vector3 sum, point;
+  for (std::size_t k = 0; k < 3; ++k) {
+    sum = sum + place.weights[k] * geometry.normals[corners[k]];
+    point = point + place.weights[k] * geometry.points[corners[k]];
+  }
   const Vector3 face = cross(geometry.points[corners[1]] - geometry.points[corners[0]],
                              geometry.points[corners[2]] - geometry.points[corners[0]]);
   const Camera& camera = frame.camera();
   const bool is_front = dot(face, camera.position - geometry.points[corners[0]]) >= 0;
-  const Vector3 normal = normalized(is_front ? sum : -sum);
+  Vector3 normal = normalized(is_front ? sum : -sum);
+  const Vector3 sight = normalized(point - camera.position);
+  if (const double away = dot(normal, sight); away > 0) normal = normalized(normal - away * sight);
   return {dot(normal, camera.right), -dot(normal, camera.up), dot(normal, camera.forward)};
 }
 

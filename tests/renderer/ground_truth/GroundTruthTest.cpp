@@ -105,6 +105,22 @@ TEST(GroundTruthTest, NormalsOfABallLeadFromItsMiddleAndToTheViewer) {
   EXPECT_GT(camera.tangent_x, 0);
 }
 
+TEST(GroundTruthTest, NoNormalOfACoarseBallLeadsAwayFromTheViewer) {
+  Snapshot snapshot;
+  snapshot.surfaces = {test::sphere("ball", {0, 0, 0}, 0.02, 1)};
+  const SeenFrame frame(snapshot, {}, kSize, DrawnEdges::kStraight);
+  const GroundTruth truth = ground_truth(frame);
+  int on_outline = 0;
+  for (std::size_t pixel = 0; pixel < truth.depth.size(); ++pixel) {
+    if (truth.instances[pixel] == 0) continue;
+    const auto& ray = *frame.moment().projection.rays()[pixel];
+    const double away = dot(normalized(Vector3{ray[0], ray[1], 1}), vector3(truth.normals[pixel]));
+    EXPECT_LT(away, 1e-7) << pixel;
+    if (away > -1e-7) ++on_outline;
+  }
+  EXPECT_GT(on_outline, 10) << "the triangles are coarse enough that some would";
+}
+
 TEST(GroundTruthTest, NothingIsSeenOutsideTheFieldStopOfAnEndoscope) {
   ViewDefinition view;
   view.camera.kind = CameraKind::kEndoscope;
