@@ -13,7 +13,11 @@ namespace thinwall {
 std::vector<Eigen::Vector3d> vertex_normals(const SurfaceView& surface);
 
 /// Outer unit normal at a point, between those of the vertices around it; that of the triangle where they cancel out.
+/// `normals`: from `vertex_normals`.
 Eigen::Vector3d smooth_normal(const SurfaceView& surface, const std::vector<Eigen::Vector3d>& normals,
                               const SurfacePoint& point);
+
+/// The same where no other normals are wanted: from the triangles around the point alone.
+Eigen::Vector3d smooth_normal(const SurfaceView& surface, const SurfacePoint& point);
 
 }  // namespace thinwall

@@ -128,7 +128,7 @@ PathResult surface_path(const SurfaceView& surface, std::span<const Eigen::Vecto
   if (brought.empty()) return {};
   bool from_behind = false;
   if (surface.open && direction) {
-    const Eigen::Vector3d outward = smooth_normal(surface, vertex_normals(surface), brought.front());
+    const Eigen::Vector3d outward = smooth_normal(surface, brought.front());
     from_behind = outward.dot(*direction) > 0;
   }
   return path_through(surface, brought, from_behind);
@@ -140,7 +140,7 @@ PathResult path_through(const SurfaceView& surface, std::span<const SurfacePoint
   const std::vector<Eigen::Vector3d> normals = vertex_normals(surface);
   SurfacePath path;
   for (int k = 1; k < static_cast<int>(points.size()); ++k) {
-    SurfaceTrace way = trace(surface, normals, points[k - 1], points[k]);
+    SurfaceTrace way = trace(surface, points[k - 1], points[k]);
     if (way.refusal != TraceRefusal::kNone) {
       const auto kind =
           way.refusal == TraceRefusal::kAlongNormal ? PathProblem::Kind::kAlongNormal : PathProblem::Kind::kNotJoined;

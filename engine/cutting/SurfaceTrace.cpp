@@ -131,15 +131,14 @@ SurfacePoint snapped_to_edges(const SurfaceView& surface, SurfacePoint point) {
   return point;
 }
 
-SurfaceTrace trace(const SurfaceView& surface, const std::vector<Eigen::Vector3d>& normals, const SurfacePoint& from,
-                   const SurfacePoint& to) {
+SurfaceTrace trace(const SurfaceView& surface, const SurfacePoint& from, const SurfacePoint& to) {
   const SurfacePoint begin = snapped_to_edges(surface, from), end = snapped_to_edges(surface, to);
   const Eigen::Vector3d start = position_of(surface, begin), way = position_of(surface, end) - start;
   if (way.norm() <= kSamePoint * scale_of(surface)) return {.pieces = {{.points = {begin}, .triangles = {}}}};
   if (const int triangle = common_triangle(surface, begin, end); triangle >= 0) {
     return {.pieces = {{.points = {begin, end}, .triangles = {triangle}}}};
   }
-  const Eigen::Vector3d mean = smooth_normal(surface, normals, begin) + smooth_normal(surface, normals, end);
+  const Eigen::Vector3d mean = smooth_normal(surface, begin) + smooth_normal(surface, end);
   const Eigen::Vector3d across = way.normalized().cross(mean);
   if (across.norm() < kNoPlane) return {.pieces = {}, .refusal = TraceRefusal::kAlongNormal};
   const CuttingPlane plane{.point = start, .normal = across.normalized()};

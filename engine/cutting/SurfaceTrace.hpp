@@ -33,9 +33,6 @@ SurfacePoint snapped_to_edges(const SurfaceView& surface, SurfacePoint point);
 /// edges, but for the two points. Points follow one another without repeating; the first of all and the last are the
 /// given ones, brought to the edge or corner that they touch. A piece is one point alone where the given point lies on
 /// the lip, or the two are the same.
-///
-/// `normals`: from `vertex_normals`.
-SurfaceTrace trace(const SurfaceView& surface, const std::vector<Eigen::Vector3d>& normals, const SurfacePoint& from,
-                   const SurfacePoint& to);
+SurfaceTrace trace(const SurfaceView& surface, const SurfacePoint& from, const SurfacePoint& to);
 
 }  // namespace thinwall

@@ -42,31 +42,40 @@ std::vector<HalfEdge> sorted_half_edges(int vertex_count, std::span<const Eigen:
   return half_edges;
 }
 
-void collect_edges(int vertex_count, std::span<const Eigen::Vector3i> triangles, MeshTopology& topology) {
+}  // namespace
+
+MeshEdges edges_of(int vertex_count, std::span<const Eigen::Vector3i> triangles) {
   const std::vector<HalfEdge> half_edges = sorted_half_edges(vertex_count, triangles);
-  topology.triangle_edges.resize(triangles.size());
+  MeshEdges mesh;
+  mesh.triangle_edges.resize(triangles.size());
+  mesh.edges.reserve(half_edges.size() / 2);
+  mesh.edge_triangle_begin.reserve(half_edges.size() / 2 + 1);
+  mesh.edge_triangles.reserve(half_edges.size());
   for (std::size_t begin = 0; begin < half_edges.size();) {
     std::size_t end = begin;
-    const int edge = static_cast<int>(topology.edges.size());
-    topology.edges.push_back(half_edges[begin].vertices);
-    topology.edge_triangle_begin.push_back(static_cast<int>(begin));
+    const int edge = static_cast<int>(mesh.edges.size());
+    mesh.edges.push_back(half_edges[begin].vertices);
+    mesh.edge_triangle_begin.push_back(static_cast<int>(begin));
     while (end < half_edges.size() && half_edges[end].vertices == half_edges[begin].vertices) {
-      topology.edge_triangles.push_back(half_edges[end].triangle);
-      topology.triangle_edges[half_edges[end].triangle][half_edges[end].corner] = edge;
+      mesh.edge_triangles.push_back(half_edges[end].triangle);
+      mesh.triangle_edges[half_edges[end].triangle][half_edges[end].corner] = edge;
       ++end;
     }
     const std::size_t count = end - begin;
-    if (count == 1) topology.open_edges.push_back(edge);
-    if (count > 2) topology.crowded_edges.push_back(edge);
+    if (count == 1) mesh.open_edges.push_back(edge);
+    if (count > 2) mesh.crowded_edges.push_back(edge);
     if (count == 2 && half_edges[begin].ascending == half_edges[begin + 1].ascending) {
-      topology.contrary_edges.push_back(edge);
+      mesh.contrary_edges.push_back(edge);
     }
     begin = end;
   }
-  topology.edge_triangle_begin.push_back(static_cast<int>(half_edges.size()));
+  mesh.edge_triangle_begin.push_back(static_cast<int>(half_edges.size()));
+  return mesh;
 }
 
-void collect_components(MeshTopology& topology) {
+namespace {
+
+void collect_components(MeshPieces& topology) {
   const int triangle_count = static_cast<int>(topology.triangle_edges.size());
   topology.triangle_component.assign(triangle_count, -1);
   std::vector<int> waiting;
@@ -129,7 +138,7 @@ void check_vertices(int vertex_count, std::span<const Eigen::Vector3i> triangles
       used - static_cast<int>(topology.edges.size()) + static_cast<int>(topology.triangle_edges.size());
 }
 
-void collect_boundary_loops(std::span<const Eigen::Vector3i> triangles, MeshTopology& topology) {
+void collect_boundary_loops(std::span<const Eigen::Vector3i> triangles, MeshPieces& topology) {
   std::map<int, std::vector<int>> following;  // vertex -> the ends of open edges that start there
   for (const int edge : topology.open_edges) {
     const int t = triangles_at(topology, edge).front();
@@ -156,12 +165,16 @@ void collect_boundary_loops(std::span<const Eigen::Vector3i> triangles, MeshTopo
 
 }  // namespace
 
+MeshPieces pieces_of(int vertex_count, std::span<const Eigen::Vector3i> triangles) {
+  MeshPieces pieces{edges_of(vertex_count, triangles), {}, {}, 0};
+  collect_components(pieces);
+  collect_boundary_loops(triangles, pieces);
+  return pieces;
+}
+
 MeshTopology topology_of(int vertex_count, std::span<const Eigen::Vector3i> triangles) {
-  MeshTopology topology;
-  collect_edges(vertex_count, triangles, topology);
-  collect_components(topology);
+  MeshTopology topology{pieces_of(vertex_count, triangles), {}, 0};
   check_vertices(vertex_count, triangles, topology);
-  collect_boundary_loops(triangles, topology);
   return topology;
 }
 

@@ -26,12 +26,12 @@ Eigen::Vector3d outwards(const SurfaceMesh& mesh, const Eigen::Vector3i& corners
   return arm - along * along.dot(arm);
 }
 
-void add_side(const SurfaceMesh& mesh, const MeshTopology& topology, const std::vector<char>& clamped, int triangle,
-              int side, double turn_length, BendingRest& result) {
+void add_side(const SurfaceMesh& mesh, const MeshEdges& edges, const std::vector<char>& clamped, int triangle, int side,
+              double turn_length, BendingRest& result) {
   const Eigen::Vector3i& corners = mesh.triangles[triangle];
   const int a = corners[side], b = corners[(side + 1) % 3];
-  result.edges[side] = topology.triangle_edges[triangle][side];
-  const auto triangles = triangles_at(topology, result.edges[side]);
+  result.edges[side] = edges.triangle_edges[triangle][side];
+  const auto triangles = triangles_at(edges, result.edges[side]);
   BendingSide& own = result.sides[side];
   if (triangles.size() == 2) {
     const bool first = triangles[0] == triangle;
@@ -66,7 +66,7 @@ std::array<int, 21> unknowns_of(const BendingRest& rest, int vertices) {
   return unknowns;
 }
 
-std::vector<BendingRest> make_bending_rests(const SurfaceMesh& mesh, const MeshTopology& topology,
+std::vector<BendingRest> make_bending_rests(const SurfaceMesh& mesh, const MeshEdges& edges,
                                             std::span<const MembraneRest> rest, std::span<const Material> materials,
                                             const std::vector<char>& clamped, double turn_length) {
   std::vector<BendingRest> triangles;
@@ -78,7 +78,7 @@ std::vector<BendingRest> make_bending_rests(const SurfaceMesh& mesh, const MeshT
                          .area = rest[t].area};
     weigh_sides(rest[t], triangle);
     BendingPatch given;
-    for (int side = 0; side < 3; ++side) add_side(mesh, topology, clamped, t, side, turn_length, triangle);
+    for (int side = 0; side < 3; ++side) add_side(mesh, edges, clamped, t, side, turn_length, triangle);
     for (int k = 0; k < 6; ++k) given.position[k] = mesh.vertices[triangle.vertices[k]];
     const Eigen::Vector3d angles = side_angles(triangle, given);
     for (int side = 0; side < 3; ++side) triangle.sides[side].rest_angle = angles[side];

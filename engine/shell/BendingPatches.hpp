@@ -16,7 +16,7 @@ namespace thinwall {
 /// symmetry. The lengths of the sides are those of each triangle's rest shape; the bending stiffness is thickness^3 /
 /// 12 times the tangent of the unstrained law. `turn_length`: metres, that makes a length of a side's angle, so that
 /// all unknowns are alike. `rest`, `materials`: (triangles); a single material stands for all.
-std::vector<BendingRest> make_bending_rests(const SurfaceMesh& mesh, const MeshTopology& topology,
+std::vector<BendingRest> make_bending_rests(const SurfaceMesh& mesh, const MeshEdges& edges,
                                             std::span<const MembraneRest> rest, std::span<const Material> materials,
                                             const std::vector<char>& clamped, double turn_length);
 

@@ -30,6 +30,7 @@ void add_wall(BodyModel& model) {
   const int triangles = static_cast<int>(definition.mesh.triangles.size());
   assert(static_cast<int>(definition.thickness.size()) == triangles);
   model.mass.setZero(model.rest_position.size());
+  model.rest.reserve(triangles);
   double stiffness = 0, edges = 0;
   for (int t = 0; t < triangles; ++t) {
     const auto corners = corners_of(definition.mesh.triangles[t], model.rest_position);
@@ -55,9 +56,8 @@ void add_bending(BodyModel& model) {
     for (const int vertex : vertices_in(region.region, mesh)) clamped[vertex] = 1;
   }
   const int vertices = model.vertices();
-  const MeshTopology topology = topology_of(vertices, mesh.triangles);
-  model.bending =
-      make_bending_rests(mesh, topology, model.rest, model.definition.materials, clamped, model.edge_length);
+  const MeshEdges edges = edges_of(vertices, mesh.triangles);
+  model.bending = make_bending_rests(mesh, edges, model.rest, model.definition.materials, clamped, model.edge_length);
   std::vector<std::array<int, 2>> couplings;
   for (const BendingRest& patch : model.bending) {
     std::array<int, 9> nodes;
@@ -67,8 +67,8 @@ void add_bending(BodyModel& model) {
       for (int j = i + 1; j < 9; ++j) couplings.push_back({nodes[i], nodes[j]});
     }
   }
-  const int edges = static_cast<int>(topology.edges.size());
-  model.pattern = extend_block_pattern(model.pattern, couplings, edges).pattern;
+  const int turns = static_cast<int>(edges.edges.size());
+  model.pattern = extend_block_pattern(model.pattern, couplings, turns).pattern;
   model.rest_position.conservativeResizeLike(Eigen::VectorXd::Zero(model.unknowns()));
   model.mass.conservativeResizeLike(Eigen::VectorXd::Zero(model.unknowns()));
   for (const BendingRest& patch : model.bending) {
@@ -142,6 +142,7 @@ void fix(BodyModel& model) {
       }
     }
   }
+  model.diagonal_entries.reserve(unknowns);
   for (int column = 0; column < unknowns; ++column) {
     const int begin = model.pattern.column_begin[column];
     model.diagonal_entries.push_back(begin);
@@ -172,6 +173,7 @@ BodyModel make_body_model(BodyDefinition definition) {
   add_wall(model);
   model.pattern = make_block_pattern(vertices, model.surface);
   if (model.definition.model == WallModel::kShell) add_bending(model);
+  model.addresses.reserve(model.surface.size());
   for (const Eigen::Vector3i& triangle : model.surface) {
     model.addresses.push_back(triangle_addresses(model.pattern, triangle));
   }

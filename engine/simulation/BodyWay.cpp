@@ -5,7 +5,6 @@
 
 #include "engine/contact/SolidGap.hpp"
 #include "engine/cutting/BorderCrossing.hpp"
-#include "engine/cutting/SurfaceNormals.hpp"
 #include "engine/cutting/SurfaceTrace.hpp"
 #include "engine/simulation/Body.hpp"
 
@@ -90,7 +89,7 @@ std::optional<Body::WayOn> Body::way_out_of_wound(int tool, const ToolPose& pose
   // Beside where the blade is, towards the middle of the wound.
   const auto lip = first_border(wall, to, tip + before * ahead, pose.direction);
   if (!lip) return std::nullopt;
-  const SurfaceTrace way = trace(wall, vertex_normals(wall), snapped_to_edges(wall, *lip), *target);
+  const SurfaceTrace way = trace(wall, snapped_to_edges(wall, *lip), *target);
   if (way.pieces.size() != 1) return std::nullopt;
   return WayOn{.path = {.from = {}, .points = way.pieces.front().points}};
 }
@@ -101,7 +100,7 @@ std::optional<Body::WayOn> Body::way_on(int tool, const ToolPose& pose) const {
   if (!target) return way_to_border(pose);
   const std::optional<int> tip = state_.cut.tip;
   const SurfacePoint from = tip ? point_at(wall.triangles, *tip) : *state_.cut.start;
-  const SurfaceTrace way = trace(wall, vertex_normals(wall), from, *target);
+  const SurfaceTrace way = trace(wall, from, *target);
   if (!is_direct(wall, way, model_->edge_length)) return way_to_border(pose);
   return WayOn{.path = {.from = tip, .points = way.pieces.front().points}};
 }
@@ -116,8 +115,7 @@ std::optional<Body::WayOn> Body::way_to_border(const ToolPose& pose) const {
   if ((to - from).dot(way_ahead(wall, tip)) <= 0) return std::nullopt;
   const auto border = first_border(wall, from, to, pose.direction);
   if (!border) return std::nullopt;
-  const SurfaceTrace way =
-      trace(wall, vertex_normals(wall), point_at(wall.triangles, tip), snapped_to_edges(wall, *border));
+  const SurfaceTrace way = trace(wall, point_at(wall.triangles, tip), snapped_to_edges(wall, *border));
   if (!is_direct(wall, way, model_->edge_length)) return std::nullopt;
   return WayOn{.path = {.from = tip, .points = way.pieces.front().points},
                .border = place_on(*model_, border->triangle, border->weights, state_.equilibrium.position),

@@ -61,8 +61,8 @@ class TurnMap {
     if (before.bending.empty()) return;
     for (const VertexSource& source : cut.vertices) places_[source.vertex] = &source.before;
     for (const TriangleSource& source : cut.triangles) triangles_[source.triangle] = &source;
-    const MeshTopology old_edges = topology_of(before.vertices(), before.definition.mesh.triangles);
-    const MeshTopology new_edges = topology_of(after.vertices(), after.definition.mesh.triangles);
+    const MeshEdges old_edges = edges_of(before.vertices(), before.definition.mesh.triangles);
+    const MeshEdges new_edges = edges_of(after.vertices(), after.definition.mesh.triangles);
     sources_.resize(new_edges.edges.size());
     for (std::size_t e = 0; e < new_edges.edges.size(); ++e) {
       const std::set<int> supports = supports_of(new_edges.edges[e]);

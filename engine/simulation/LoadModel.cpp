@@ -20,12 +20,12 @@ struct RegionEdge {
 std::vector<RegionEdge> edges_in(const Region& region, const SurfaceMesh& mesh) {
   std::vector<char> inside(mesh.vertices.size(), 0);
   for (const int vertex : vertices_in(region, mesh)) inside[vertex] = 1;
-  const MeshTopology topology = topology_of(static_cast<int>(mesh.vertices.size()), mesh.triangles);
+  const MeshEdges edges = edges_of(static_cast<int>(mesh.vertices.size()), mesh.triangles);
   std::vector<RegionEdge> open, all;
-  for (int edge = 0; edge < static_cast<int>(topology.edges.size()); ++edge) {
-    const auto [a, b] = topology.edges[edge];
+  for (int edge = 0; edge < static_cast<int>(edges.edges.size()); ++edge) {
+    const auto [a, b] = edges.edges[edge];
     if (!inside[a] || !inside[b]) continue;
-    const auto triangles = triangles_at(topology, edge);
+    const auto triangles = triangles_at(edges, edge);
     all.push_back({{a, b}, triangles[0], edge, (mesh.vertices[a] - mesh.vertices[b]).norm()});
     if (triangles.size() == 1) open.push_back(all.back());
   }

@@ -23,7 +23,7 @@ struct Part {
   int first_triangle = -1;
   int before = -1;  // chamber that its wall belonged to
   double volume = 0, area = 0, open_area = 0;
-  std::vector<int> loops;  // into the topology's
+  std::vector<int> loops;  // into the pieces's
 
   bool is_bowl() const { return area >= kBowl * open_area; }
 };
@@ -45,11 +45,11 @@ class ChamberBefore {
 };
 
 std::vector<Part> parts_of(const SurfaceMesh& mesh, const std::vector<Eigen::Vector3i>& surface,
-                           const MeshTopology& topology, const ChamberBefore& chamber_before) {
-  std::vector<Part> parts(static_cast<std::size_t>(topology.component_count));
+                           const MeshPieces& pieces, const ChamberBefore& chamber_before) {
+  std::vector<Part> parts(static_cast<std::size_t>(pieces.component_count));
   std::vector<int> part_of_vertex(mesh.vertices.size(), -1);
   for (std::size_t t = 0; t < surface.size(); ++t) {
-    Part& part = parts[topology.triangle_component[t]];
+    Part& part = parts[pieces.triangle_component[t]];
     const auto triangle = static_cast<int>(t);
     if (part.first_triangle < 0 && t < mesh.triangles.size()) {
       part.first_triangle = triangle;
@@ -59,10 +59,10 @@ std::vector<Part> parts_of(const SurfaceMesh& mesh, const std::vector<Eigen::Vec
                                                     mesh.vertices[surface[t][2]]};
     part.volume += volume_of(corners);
     part.area += 0.5 * (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
-    for (const int vertex : surface[t]) part_of_vertex[vertex] = topology.triangle_component[t];
+    for (const int vertex : surface[t]) part_of_vertex[vertex] = pieces.triangle_component[t];
   }
-  for (std::size_t k = 0; k < topology.boundary_loops.size(); ++k) {
-    const std::vector<int>& loop = topology.boundary_loops[k];
+  for (std::size_t k = 0; k < pieces.boundary_loops.size(); ++k) {
+    const std::vector<int>& loop = pieces.boundary_loops[k];
     Part& part = parts[part_of_vertex[loop.front()]];
     Eigen::Matrix3Xd lips(3, loop.size());
     for (std::size_t i = 0; i < loop.size(); ++i) lips.col(static_cast<Eigen::Index>(i)) = mesh.vertices[loop[i]];
@@ -191,8 +191,8 @@ void carry_motion(const BodyModel& before, const BodyState& state, const BodyMod
 
 PartedContents parted_contents(const BodyModel& before, const SurfaceMesh& mesh, const Cut& cut) {
   const std::vector<Eigen::Vector3i> surface = closed_surface(mesh);
-  const MeshTopology topology = topology_of(static_cast<int>(mesh.vertices.size()), surface);
-  const std::vector<Part> parts = parts_of(mesh, surface, topology, ChamberBefore(before, cut));
+  const MeshPieces pieces = pieces_of(static_cast<int>(mesh.vertices.size()), surface);
+  const std::vector<Part> parts = parts_of(mesh, surface, pieces, ChamberBefore(before, cut));
   std::vector<int> holders = keepers(parts, before.chambers.size());
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const int chamber = parts[k].before;
@@ -207,7 +207,7 @@ PartedContents parted_contents(const BodyModel& before, const SurfaceMesh& mesh,
     chamber.initial_pressure = before.chambers[part.before].initial_pressure;
     if (c < before.chambers.size()) chamber.name = before.chambers[c].name;
     contents.chambers.push_back(chamber);
-    for (const int loop : part.loops) contents.openings.push_back({.lips = topology.boundary_loops[loop]});
+    for (const int loop : part.loops) contents.openings.push_back({.lips = pieces.boundary_loops[loop]});
   }
   return contents;
 }

@@ -8,7 +8,6 @@
 #include <limits>
 #include <numbers>
 
-#include "engine/cutting/SurfaceNormals.hpp"
 #include "engine/cutting/SurfacePath.hpp"
 #include "engine/cutting/SurfaceTrace.hpp"
 #include "engine/simulation/FrictionContact.hpp"
@@ -44,15 +43,14 @@ Eigen::Vector3d rest_normal(const BodyModel& model, int triangle) {
 /// What slits of a needle's width are laid on.
 struct SlitFinder {
   SurfaceView view;
-  std::vector<Eigen::Vector3d> normals;  // (vertices)
-  double radius = 0;                     // metres
+  double radius = 0;  // metres
 
   /// From one end to the other, so far on both sides of a place; nothing where a gap of the wall lies between.
   std::optional<CutPath> between(const Eigen::Vector3d& middle, const Eigen::Vector3d& along, double reach) const {
     const auto from = project(view, middle - reach * along, {}, radius).point;
     const auto to = project(view, middle + reach * along, {}, radius).point;
     if (!from || !to) return std::nullopt;
-    const SurfaceTrace way = trace(view, normals, *from, *to);
+    const SurfaceTrace way = trace(view, *from, *to);
     if (way.pieces.size() != 1) return std::nullopt;
     return CutPath{.from = {}, .points = way.pieces.front().points};
   }
@@ -110,7 +108,7 @@ std::optional<SurfacePoint> pressed_place(const BodyModel& model, const Eigen::V
 
 bool try_slits(const BodyModel& model, const SurfacePoint& place, const ToolPose& pose, double radius,
                const std::function<bool(const CutPath&)>& fits) {
-  const SlitFinder finder{.view = rest_view(model), .normals = vertex_normals(rest_view(model)), .radius = radius};
+  const SlitFinder finder{.view = rest_view(model), .radius = radius};
   const Eigen::Vector3d middle = place_on(model, place.triangle, place.weights, model.rest_position);
   const Eigen::Vector3d normal = rest_normal(model, place.triangle);
   const auto on_wall = [&](const Eigen::Vector3d& axis) {

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "engine/cutting/CutSurface.hpp"
-#include "engine/cutting/SurfaceNormals.hpp"
 #include "engine/cutting/SurfaceTrace.hpp"
 #include "engine/mesh/MeshMeasures.hpp"
 #include "engine/mesh/Shapes.hpp"
@@ -104,9 +103,8 @@ void TraceStep(benchmark::State& state) {
   const NextStep step(CutSurface(make_sphere(1, static_cast<int>(state.range(0)))), 1);
   const Eigen::VectorXd position = positions_of(step.surface.mesh());
   const SurfaceView view{.triangles = step.surface.mesh().triangles, .position = position};
-  const auto normals = vertex_normals(view);
   for (auto _ : state) {
-    benchmark::DoNotOptimize(trace(view, normals, step.path.points.front(), step.end).pieces.size());
+    benchmark::DoNotOptimize(trace(view, step.path.points.front(), step.end).pieces.size());
   }
 }
 BENCHMARK(TraceStep)->Apply(sizes);

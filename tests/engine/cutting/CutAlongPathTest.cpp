@@ -8,7 +8,6 @@
 
 #include "engine/cutting/CarriedPoints.hpp"
 #include "engine/cutting/CutSurface.hpp"
-#include "engine/cutting/SurfaceNormals.hpp"
 #include "engine/cutting/SurfacePath.hpp"
 #include "engine/mesh/Shapes.hpp"
 #include "tests/engine/cutting/CurveChecks.hpp"
@@ -119,7 +118,7 @@ TEST(CutAlongPath, ABladeThatGoesOnByTinyStepsLeavesItsPathByAFifthOfAnEdge) {
       const TestSurface now(wall.mesh(), true);
       const auto below = [&](const Eigen::Vector3d& point) { return *project(now.view(), point, {}, 1).point; };
       const SurfacePoint from = next.from ? below(wall.mesh().vertices[*next.from]) : below(begin);
-      const SurfaceTrace way = trace(now.view(), vertex_normals(now.view()), from, below(begin + travel * along));
+      const SurfaceTrace way = trace(now.view(), from, below(begin + travel * along));
       const Cut cut = wall.cut({.from = next.from, .points = way.pieces.front().points, .goes_on = true});
       if (cut.tip) next.from = cut.tip;
       length += cut.length;
@@ -152,7 +151,7 @@ TEST(CutAlongPath, ABladeThatGoesOnByTinyStepsCrossesAnEarlierCut) {
       const Eigen::Vector3d place = begin + travel * along;
       if (!tip && !start) start = place;
       const SurfacePoint from = tip ? below(wall.mesh().vertices[*tip]) : below(*start);
-      const SurfaceTrace way = trace(now.view(), vertex_normals(now.view()), from, below(place));
+      const SurfaceTrace way = trace(now.view(), from, below(place));
       if (way.pieces.empty()) continue;
       const Cut cut = wall.cut({.from = tip, .points = way.pieces.front().points, .goes_on = true});
       if (cut.triangles.empty()) continue;

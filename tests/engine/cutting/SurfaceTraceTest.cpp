@@ -21,7 +21,7 @@ namespace {
 std::vector<SurfaceCurve> way_between(const SurfaceView& surface, const Eigen::Vector3d& from,
                                       const Eigen::Vector3d& to) {
   const SurfacePoint begin = *project(surface, from, {}, 1).point, end = *project(surface, to, {}, 1).point;
-  const SurfaceTrace found = trace(surface, vertex_normals(surface), begin, end);
+  const SurfaceTrace found = trace(surface, begin, end);
   EXPECT_EQ(found.refusal, TraceRefusal::kNone);
   for (const SurfaceCurve& piece : found.pieces) expect_connected(surface, piece, 1e-12 * scale_of(surface));
   if (!found.pieces.empty()) {
@@ -196,11 +196,10 @@ TEST(SurfaceTrace, TellsWhyThereIsNoWay) {
   add_mesh(other, spheres);
   const TestSurface two(spheres);
   const auto point = [&](const Eigen::Vector3d& near) { return *project(two.view(), near, {}, 1).point; };
-  const auto normals = vertex_normals(two.view());
-  const SurfaceTrace apart = trace(two.view(), normals, point({0, 0.001, 0.01}), point({0.03, 0.002, 0.01}));
+  const SurfaceTrace apart = trace(two.view(), point({0, 0.001, 0.01}), point({0.03, 0.002, 0.01}));
   EXPECT_EQ(apart.refusal, TraceRefusal::kNotJoined);
   EXPECT_TRUE(apart.pieces.empty());
-  const SurfaceTrace through = trace(two.view(), normals, point({0, 0, 0.01}), point({0, 0, -0.01}));
+  const SurfaceTrace through = trace(two.view(), point({0, 0, 0.01}), point({0, 0, -0.01}));
   EXPECT_EQ(through.refusal, TraceRefusal::kAlongNormal);
 }
 
@@ -221,12 +220,11 @@ TEST(SurfaceTrace, RandomWaysLieInTheirPlaneAndHoldTogether) {
       return point;
     };
     const SurfacePoint from = any_point(), to = any_point();
-    const auto normals = vertex_normals(view);
-    const SurfaceTrace found = trace(view, normals, from, to);
+    const SurfaceTrace found = trace(view, from, to);
     if (found.refusal != TraceRefusal::kNone) continue;
     ++whole;
     const Eigen::Vector3d start = position_of(view, from), way = position_of(view, to) - start;
-    const Eigen::Vector3d mean = smooth_normal(view, normals, from) + smooth_normal(view, normals, to);
+    const Eigen::Vector3d mean = smooth_normal(view, from) + smooth_normal(view, to);
     const Eigen::Vector3d across = way.cross(mean).normalized();
     ASSERT_FALSE(found.pieces.empty());
     for (const SurfaceCurve& piece : found.pieces) {

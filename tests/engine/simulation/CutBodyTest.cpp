@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "engine/cutting/SurfaceNormals.hpp"
 #include "engine/cutting/SurfaceTrace.hpp"
 #include "engine/mesh/Shapes.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
@@ -25,7 +24,7 @@ CutPath path_between(const Body& body, const Eigen::Vector3d& from, const Eigen:
   const auto below = [&](const Eigen::Vector3d& point) -> SurfacePoint {
     return *first_entry(surface, point, -Eigen::Vector3d::UnitZ());
   };
-  return {.from = {}, .points = trace(surface, vertex_normals(surface), below(from), below(to)).pieces.front().points};
+  return {.from = {}, .points = trace(surface, below(from), below(to)).pieces.front().points};
 }
 
 void rest(Body& body, int steps) {
@@ -304,7 +303,7 @@ TEST(ACutThatGoesOnFromAnOpenWound, LeavesAGelTheVolumeThatItHas) {
   const SurfaceView surface = body.surface();
   const SurfacePoint beyond = *first_entry(surface, {6e-3, 1e-3, 30e-3}, -Eigen::Vector3d::UnitZ());
   const SurfacePoint tip = point_at(surface.triangles, *first.tip);
-  CutPath path{.from = first.tip, .points = trace(surface, vertex_normals(surface), tip, beyond).pieces.front().points};
+  CutPath path{.from = first.tip, .points = trace(surface, tip, beyond).pieces.front().points};
   body.cut(path, {});
   EXPECT_NEAR(body.state().volume[0], fluid, 1e-10 * fluid);
   EXPECT_EQ(body.state().fluid_volume[0], fluid);

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/cutting/SurfaceNormals.hpp"
 #include "engine/cutting/SurfacePath.hpp"
 #include "engine/cutting/SurfaceTrace.hpp"
 #include "engine/mesh/Shapes.hpp"
@@ -26,7 +25,7 @@ BodyDefinition tough_sheet() {
 void cut_between(Body& body, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   const SurfaceView surface = body.surface();
   const auto begin = project(surface, from, {}, 1e-3).point, end = project(surface, to, {}, 1e-3).point;
-  const SurfaceTrace way = trace(surface, vertex_normals(surface), *begin, *end);
+  const SurfaceTrace way = trace(surface, *begin, *end);
   body.cut({.from = {}, .points = way.pieces.front().points}, std::vector{pose_at({0, 0, 5e-3})});
   body.leave_cut();
 }

@@ -10,7 +10,6 @@
 #include <optional>
 #include <vector>
 
-#include "engine/cutting/SurfaceNormals.hpp"
 #include "engine/cutting/SurfaceTrace.hpp"
 #include "engine/mesh/Shapes.hpp"
 #include "tests/engine/simulation/DrawnBlade.hpp"
@@ -208,7 +207,7 @@ TEST(ACutThatRunsAhead, EndsAtAnEarlierCutAndLetsTheBladeGoOnBeyondIt) {
   const auto below = [&](double y) -> SurfacePoint {
     return *first_entry(surface, Eigen::Vector3d(4e-3, y, 0), -Eigen::Vector3d::UnitZ());
   };
-  const SurfaceTrace across = trace(surface, vertex_normals(surface), below(-6e-3), below(6e-3));
+  const SurfaceTrace across = trace(surface, below(-6e-3), below(6e-3));
   const std::vector<ToolPose> away = {pose_at({0, 0, 1})};
   body.cut({.from = {}, .points = across.pieces.front().points}, away);
   body.leave_cut();
