@@ -11,6 +11,10 @@ std::vector<ContactSite> contact_sites(int vertices, std::span<const Eigen::Vect
   std::vector<char> used(vertices, 0);
   // Edges by their lower vertex, in chains.
   std::vector<int> last_edge(vertices, -1), edge_before, higher_vertex;
+  const std::size_t most_edges = 3 * triangles.size();
+  edges.reserve(most_edges);
+  edge_before.reserve(most_edges);
+  higher_vertex.reserve(most_edges);
   for (int t = 0; t < static_cast<int>(triangles.size()); ++t) {
     for (int k = 0; k < 3; ++k) {
       const int vertex = triangles[t][k];
@@ -30,6 +34,7 @@ std::vector<ContactSite> contact_sites(int vertices, std::span<const Eigen::Vect
     }
   }
   std::vector<ContactSite> sites;
+  sites.reserve(corners.size() + edges.size() + triangles.size());
   for (int v = 0; v < vertices; ++v) {
     if (used[v]) sites.push_back(corners[v]);
   }

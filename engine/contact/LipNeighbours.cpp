@@ -1,31 +1,63 @@
 #include "engine/contact/LipNeighbours.hpp"
 
 #include <algorithm>
-#include <array>
+#include <bit>
+#include <cstdint>
 #include <utility>
 
 namespace thinwall {
 namespace {
 
-/// (vertices), the others that have the same place, ascending.
-std::vector<std::vector<int>> doubles_of(std::span<const Eigen::Vector3i> triangles, const Eigen::VectorXd& position) {
-  const auto place = [&](int v) { return std::array{position[3 * v], position[3 * v + 1], position[3 * v + 2]}; };
-  std::vector<std::vector<int>> doubles(position.size() / 3);
-  std::vector<int> by_place;
-  std::vector<char> is_used(doubles.size(), 0);
-  for (const Eigen::Vector3i& triangle : triangles) {
-    for (const int v : triangle) {
-      if (!std::exchange(is_used[v], 1)) by_place.push_back(v);
-    }
-  }
-  std::ranges::sort(by_place, [&](int a, int b) { return std::pair(place(a), a) < std::pair(place(b), b); });
-  for (std::size_t begin = 0, end = 0; begin < by_place.size(); begin = end) {
-    for (end = begin + 1; end < by_place.size() && place(by_place[end]) == place(by_place[begin]);) ++end;
-    for (std::size_t a = begin; a < end; ++a) {
-      for (std::size_t b = begin; b < end; ++b) {
-        if (a != b) doubles[by_place[a]].push_back(by_place[b]);
+/// Vertices that triangles use, by their places: those of one place in chains.
+class PlaceTable {
+ public:
+  PlaceTable(std::span<const Eigen::Vector3i> triangles, const Eigen::VectorXd& position)
+      : position_(position), chain_(position.size() / 3, -1), is_used_(chain_.size(), 0) {
+    heads_.assign(std::bit_ceil(2 * chain_.size() + 1), -1);
+    for (const Eigen::Vector3i& triangle : triangles) {
+      for (const int vertex : triangle) {
+        if (!std::exchange(is_used_[vertex], 1)) chain_[vertex] = std::exchange(heads_[slot_of(vertex)], vertex);
       }
     }
+  }
+
+  bool is_used(int vertex) const { return is_used_[vertex] != 0; }
+
+  /// The others in the same place, in no order that counts.
+  template <typename Visit>
+  void visit_doubles(int vertex, const Visit& visit) const {
+    for (int other = heads_[slot_of(vertex)]; other >= 0; other = chain_[other]) {
+      if (other != vertex && place_of(other) == place_of(vertex)) visit(other);
+    }
+  }
+
+ private:
+  Eigen::Vector3d place_of(int vertex) const { return position_.segment<3>(3 * vertex); }
+
+  std::size_t slot_of(int vertex) const {
+    std::uint64_t hash = 0;
+    for (const double coordinate : place_of(vertex)) {
+      // Zeros of either sign are the same place.
+      hash = (hash ^ std::bit_cast<std::uint64_t>(coordinate + 0.0)) * 0x9e3779b97f4a7c15U;
+      hash ^= hash >> 29;
+    }
+    return hash & (heads_.size() - 1);
+  }
+
+  const Eigen::VectorXd& position_;
+  std::vector<int> chain_;  // (vertices), the next one of the slot
+  std::vector<char> is_used_;
+  std::vector<int> heads_;  // of the slots
+};
+
+/// (vertices), the others that have the same place, ascending.
+std::vector<std::vector<int>> doubles_of(std::span<const Eigen::Vector3i> triangles, const Eigen::VectorXd& position) {
+  const PlaceTable table(triangles, position);
+  std::vector<std::vector<int>> doubles(position.size() / 3);
+  for (int vertex = 0; vertex < static_cast<int>(doubles.size()); ++vertex) {
+    if (!table.is_used(vertex)) continue;
+    table.visit_doubles(vertex, [&](int other) { doubles[vertex].push_back(other); });
+    std::ranges::sort(doubles[vertex]);
   }
   return doubles;
 }

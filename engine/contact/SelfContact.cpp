@@ -42,7 +42,8 @@ SelfContact::SelfContact(const SelfContactDefinition& definition, const SelfCont
     held_[v] = definition.fixed[3 * v] && definition.fixed[3 * v + 1] && definition.fixed[3 * v + 2];
   }
   measure_parts(definition);
-  tree_ = TriangleTree(triangles_, rest_position_, margins_);
+  tree_ = before == nullptr ? TriangleTree(triangles_, rest_position_, margins_)
+                            : TriangleTree(triangles_, rest_position_, margins_, before->tree_);
   measure_heights(definition);
   across_ = neighbours_across_cuts(triangles_, rest_position_);
   left_alone_.assign(vertices, 0);
@@ -65,27 +66,27 @@ void SelfContact::measure_parts(const SelfContactDefinition& definition) {
     for (const int vertex : triangles_[t]) {
       vertex_area_[vertex] += third;
       vertex_thickness_[vertex] += third * definition.thickness[t];
-      if (!claimed[vertex]) parts_[t].vertices.push_back(vertex);
+      if (!claimed[vertex]) parts_[t].add_vertex(vertex);
       claimed[vertex] = 1;
     }
   }
   for (int v = 0; v < vertices; ++v) {
     if (vertex_area_[v] > 0) vertex_thickness_[v] /= vertex_area_[v];
   }
-  const MeshTopology topology = topology_of(vertices, triangles_);
+  const MeshEdges mesh = edges_of(vertices, triangles_);
   margins_.assign(vertices, 0);
   std::vector<int> ends(vertices, 0);
-  for (std::size_t e = 0; e < topology.edges.size(); ++e) {
-    const auto& [low, high] = topology.edges[e];
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
+    const auto& [low, high] = mesh.edges[e];
     const double length = (rest_position_.segment<3>(3 * high) - rest_position_.segment<3>(3 * low)).norm();
     edge_length_ += length;
     for (const int vertex : {low, high}) {
       margins_[vertex] += kMargin * length;
       ++ends[vertex];
     }
-    parts_[triangles_at(topology, static_cast<int>(e)).front()].edges.push_back(topology.edges[e]);
+    parts_[triangles_at(mesh, static_cast<int>(e)).front()].add_edge(mesh.edges[e]);
   }
-  edge_length_ /= std::max<double>(1, static_cast<double>(topology.edges.size()));
+  edge_length_ /= std::max<double>(1, static_cast<double>(mesh.edges.size()));
   if (definition.edge_length > 0) edge_length_ = definition.edge_length;
   largest_range_ = std::min(thickest, kRange * edge_length_);
   for (int v = 0; v < vertices; ++v) {

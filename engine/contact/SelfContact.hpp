@@ -105,9 +105,16 @@ class SelfContact {
   /// Part of the stress-free distance of a pair at which it begins to feel each other.
   static constexpr double kRestRange = 0.5;
 
+  /// Vertices and edges that a triangle answers for: up to three of each.
   struct Parts {
-    std::vector<int> vertices;
-    std::vector<std::array<int, 2>> edges;
+    std::array<int, 3> corners;
+    std::array<std::array<int, 2>, 3> sides;
+    int corner_count = 0, side_count = 0;
+
+    void add_vertex(int vertex) { corners[corner_count++] = vertex; }
+    void add_edge(const std::array<int, 2>& edge) { sides[side_count++] = edge; }
+    std::span<const int> vertices() const { return std::span(corners).first(corner_count); }
+    std::span<const std::array<int, 2>> edges() const { return std::span(sides).first(side_count); }
   };
 
   /// By the numbers of their triangles.
@@ -151,7 +158,7 @@ class SelfContact {
   Eigen::VectorXd rest_position_;         // (3 vertices), metres
   Eigen::VectorXd placement_;             // (3 vertices) or none, metres, as the wall was after a cut
   std::vector<char> held_;                // (vertices), whether no unknown of it moves
-  std::vector<Parts> parts_;              // (triangles), vertices and edges that the triangle answers for
+  std::vector<Parts> parts_;              // (triangles)
   std::vector<std::vector<int>> across_;  // (vertices), on the other lip of a cut: joined to it before, ascending
   std::vector<double> vertex_area_;       // (vertices), metres^2
   std::vector<double> vertex_thickness_;  // (vertices), metres
@@ -183,12 +190,12 @@ void SelfContact::visit_parts(int triangle, int other, const Visit& visit) const
   };
   for (const auto& [one, two] : {std::array{triangle, other}, std::array{other, triangle}}) {
     const Eigen::Vector3i& corners = triangles_[two];
-    for (const int vertex : parts_[one].vertices) {
+    for (const int vertex : parts_[one].vertices()) {
       visit_if_free(PairKind::kPointTriangle, {vertex, corners[0], corners[1], corners[2]});
     }
   }
-  for (const auto& first : parts_[triangle].edges) {
-    for (const auto& second : parts_[other].edges) {
+  for (const auto& first : parts_[triangle].edges()) {
+    for (const auto& second : parts_[other].edges()) {
       visit_if_free(PairKind::kEdgeEdge, {first[0], first[1], second[0], second[1]});
     }
   }

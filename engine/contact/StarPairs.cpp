@@ -1,7 +1,6 @@
 #include "engine/contact/StarPairs.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -30,34 +29,48 @@ StarPairs::StarPairs(std::span<const Eigen::Vector3i> triangles, std::vector<std
     if (pairs[v].empty()) continue;
     std::sort(rings[v].begin(), rings[v].end());
     rings[v].erase(std::unique(rings[v].begin(), rings[v].end()), rings[v].end());
-    Star& star = stars_.emplace_back();
-    star.center = static_cast<int>(v);
-    star.margin = margins[v];
-    star.ring = std::move(rings[v]);
-    star.offsets.resize(star.ring.size());
-    star.pairs = std::move(pairs[v]);
-    measure(position, star);
+    append({.center = static_cast<int>(v),
+            .margin = margins[v],
+            .pairs = std::make_shared<const std::vector<NearPair>>(std::move(pairs[v]))},
+           rings[v]);
+    measure(position, stars_.back());
   }
+}
+
+void StarPairs::append(Star star, std::span<const int> ring) {
+  star.begin = static_cast<int>(ring_.size());
+  ring_.insert(ring_.end(), ring.begin(), ring.end());
+  star.end = static_cast<int>(ring_.size());
+  offsets_.resize(ring_.size());
+  stars_.push_back(std::move(star));
+}
+
+void StarPairs::append(const StarPairs& other, const Star& star) {
+  append(star, std::span(other.ring_).subspan(star.begin, star.end - star.begin));
+  std::copy(other.offsets_.begin() + star.begin, other.offsets_.begin() + star.end,
+            offsets_.begin() + stars_.back().begin);
 }
 
 void StarPairs::keep(const StarPairs& other, std::span<const char> without) {
-  std::vector<Star> own = std::exchange(stars_, {});
-  stars_.reserve(own.size() + other.stars_.size());
-  auto next = own.begin();
+  const StarPairs own = std::exchange(*this, {});
+  stars_.reserve(own.stars_.size() + other.stars_.size());
+  ring_.reserve(own.ring_.size() + other.ring_.size());
+  offsets_.reserve(ring_.capacity());
+  auto next = own.stars_.begin();
   for (const Star& star : other.stars_) {
     if (without[star.center]) continue;
-    for (; next != own.end() && next->center < star.center; ++next) stars_.push_back(std::move(*next));
-    stars_.push_back(star);
+    for (; next != own.stars_.end() && next->center < star.center; ++next) append(own, *next);
+    append(other, star);
   }
-  std::move(next, own.end(), std::back_inserter(stars_));
+  for (; next != own.stars_.end(); ++next) append(own, *next);
 }
 
-void StarPairs::measure(const Eigen::VectorXd& position, Star& star) const {
-  for (std::size_t k = 0; k < star.ring.size(); ++k) star.offsets[k] = offset_at(position, star.center, star.ring[k]);
+void StarPairs::measure(const Eigen::VectorXd& position, Star& star) {
+  for (int k = star.begin; k < star.end; ++k) offsets_[k] = offset_at(position, star.center, ring_[k]);
   star.near.clear();
   star.slack = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < star.pairs.size(); ++k) {
-    const NearPair& pair = star.pairs[k];
+  for (std::size_t k = 0; k < star.pairs->size(); ++k) {
+    const NearPair& pair = (*star.pairs)[k];
     const double room = pair_distance(pair.kind, corners_at(pair.vertices, position)).distance - pair.range;
     if (room < star.margin) {
       star.near.push_back(static_cast<int>(k));
@@ -71,8 +84,8 @@ void StarPairs::refresh(const Eigen::VectorXd& position) {
   for (Star& star : stars_) {
     // Two vertices of a star move relative to each other by twice what they move relative to the centre at most.
     const double allowed = 0.25 * star.slack * star.slack;
-    for (std::size_t k = 0; k < star.ring.size(); ++k) {
-      if ((offset_at(position, star.center, star.ring[k]) - star.offsets[k]).squaredNorm() < allowed) continue;
+    for (int k = star.begin; k < star.end; ++k) {
+      if ((offset_at(position, star.center, ring_[k]) - offsets_[k]).squaredNorm() < allowed) continue;
       measure(position, star);
       break;
     }
@@ -88,15 +101,15 @@ double StarPairs::safe_fraction(const Eigen::VectorXd& position, const Eigen::Ve
   for (const Star& star : stars_) {
     const double allowed = 0.25 * star.slack * star.slack;
     bool covered = true;
-    for (std::size_t k = 0; covered && k < star.ring.size(); ++k) {
-      const Eigen::Vector3d before = offset_at(position, star.center, star.ring[k]) - star.offsets[k];
-      const Eigen::Vector3d after = before + offset_at(motion, star.center, star.ring[k]);
+    for (int k = star.begin; covered && k < star.end; ++k) {
+      const Eigen::Vector3d before = offset_at(position, star.center, ring_[k]) - offsets_[k];
+      const Eigen::Vector3d after = before + offset_at(motion, star.center, ring_[k]);
       covered = before.squaredNorm() < allowed && after.squaredNorm() < allowed;
     }
     if (covered) {
-      for (const int pair : star.near) limit(star.pairs[pair]);
+      for (const int pair : star.near) limit((*star.pairs)[pair]);
     } else {
-      for (const NearPair& pair : star.pairs) limit(pair);
+      for (const NearPair& pair : *star.pairs) limit(pair);
     }
   }
   return fraction;

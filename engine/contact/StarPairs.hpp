@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -32,7 +33,7 @@ class StarPairs {
   template <typename Visit>
   void visit_near(const Visit& visit) const {
     for (const Star& star : stars_) {
-      for (const int pair : star.near) visit(star.pairs[pair]);
+      for (const int pair : star.near) visit((*star.pairs)[pair]);
     }
   }
 
@@ -42,17 +43,20 @@ class StarPairs {
  private:
   struct Star {
     int center = 0;
-    double margin = 0;                     // metres
-    std::vector<int> ring;                 // vertices joined to the centre
-    std::vector<Eigen::Vector3d> offsets;  // (ring), metres, from the centre, when the distances were taken
-    std::vector<NearPair> pairs;
-    std::vector<int> near;  // into `pairs`
-    double slack = 0;       // metres, by which the distances of the others exceed their ranges at least
+    int begin = 0, end = 0;                              // into `ring_`: the vertices joined to the centre
+    double margin = 0;                                   // metres
+    double slack = 0;                                    // metres, by which pairs that are not near exceed their ranges
+    std::shared_ptr<const std::vector<NearPair>> pairs;  // shared with the wall before a cut
+    std::vector<int> near = {};                          // into `pairs`
   };
 
-  void measure(const Eigen::VectorXd& position, Star& star) const;
+  void append(Star star, std::span<const int> ring);
+  void append(const StarPairs& other, const Star& star);
+  void measure(const Eigen::VectorXd& position, Star& star);
 
   std::vector<Star> stars_;
+  std::vector<int> ring_;                 // vertices, star by star
+  std::vector<Eigen::Vector3d> offsets_;  // (ring), metres, from the centre, when the distances were taken
 };
 
 }  // namespace thinwall

@@ -1,6 +1,7 @@
 #include "engine/contact/TriangleTree.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <utility>
 
@@ -18,15 +19,27 @@ Eigen::AlignedBox3d box_of(const Eigen::Vector3i& triangle, const Eigen::VectorX
 TriangleTree::TriangleTree(std::span<const Eigen::Vector3i> triangles, const Eigen::VectorXd& position,
                            std::span<const double> margins)
     : triangles_(triangles.begin(), triangles.end()) {
-  std::vector<Leaf> leaves;
-  leaves.reserve(triangles_.size());
-  nodes_.reserve(2 * triangles_.size());
-  for (const Eigen::Vector3i& triangle : triangles_) {
-    leaves.push_back({.center = box_of(triangle, position).center(), .triangle = static_cast<int>(leaves.size())});
+  build(position);
+  measure(position, margins);
+}
+
+TriangleTree::TriangleTree(std::span<const Eigen::Vector3i> triangles, const Eigen::VectorXd& position,
+                           std::span<const double> margins, const TriangleTree& before)
+    : triangles_(triangles.begin(), triangles.end()) {
+  assert(triangles_.size() >= before.triangles_.size());
+  if (4 * triangles_.size() > 5 * before.built_count_) {
+    build(position);
+  } else {
+    nodes_ = before.nodes_;
+    leaf_of_ = before.leaf_of_;
+    built_count_ = before.built_count_;
+    put_in_further(before.triangles_.size(), static_cast<std::size_t>(position.size() / 3));
   }
-  if (!leaves.empty()) build(leaves);
+  measure(position, margins);
+}
+
+void TriangleTree::measure(const Eigen::VectorXd& position, std::span<const double> margins) {
   boxes_.resize(nodes_.size());
-  motions_.resize(nodes_.size());
   fit(position);
   rest_boxes_ = boxes_;
   margins_.resize(nodes_.size());
@@ -41,11 +54,24 @@ TriangleTree::TriangleTree(std::span<const Eigen::Vector3i> triangles, const Eig
   }
 }
 
+void TriangleTree::build(const Eigen::VectorXd& position) {
+  std::vector<Leaf> leaves;
+  leaves.reserve(triangles_.size());
+  nodes_.reserve(2 * triangles_.size());
+  for (const Eigen::Vector3i& triangle : triangles_) {
+    leaves.push_back({.center = box_of(triangle, position).center(), .triangle = static_cast<int>(leaves.size())});
+  }
+  leaf_of_.resize(triangles_.size());
+  built_count_ = triangles_.size();
+  if (!leaves.empty()) build(leaves);
+}
+
 int TriangleTree::build(std::span<Leaf> leaves) {
   const int node = static_cast<int>(nodes_.size());
   nodes_.push_back({.size = static_cast<int>(leaves.size())});
   if (leaves.size() == 1) {
     nodes_[node].triangle = leaves.front().triangle;
+    leaf_of_[leaves.front().triangle] = node;
     return node;
   }
   Eigen::AlignedBox3d spread;
@@ -61,6 +87,40 @@ int TriangleTree::build(std::span<Leaf> leaves) {
   nodes_[node].left = left;
   nodes_[node].right = right;
   return node;
+}
+
+/// In place of the neighbour's leaf: a node with both.
+void TriangleTree::put_in(int triangle, int neighbour) {
+  const int leaf = leaf_of_[neighbour], moved = static_cast<int>(nodes_.size());
+  nodes_.push_back({.triangle = neighbour});
+  nodes_.push_back({.triangle = triangle});
+  nodes_[leaf] = {.left = moved, .right = moved + 1};
+  leaf_of_[neighbour] = moved;
+  leaf_of_.push_back(moved + 1);
+}
+
+void TriangleTree::put_in_further(std::size_t known, std::size_t vertices) {
+  std::vector<char> is_asked(vertices, 0);
+  for (std::size_t t = known; t < triangles_.size(); ++t) {
+    for (const int vertex : triangles_[t]) is_asked[vertex] = 1;
+  }
+  std::vector<int> at(vertices, -1);  // the first triangle at each vertex that is asked for
+  const auto enter = [&](std::size_t t) {
+    for (const int vertex : triangles_[t]) {
+      if (is_asked[vertex] && at[vertex] < 0) at[vertex] = static_cast<int>(t);
+    }
+  };
+  for (std::size_t t = 0; t < known; ++t) enter(t);
+  for (std::size_t t = known; t < triangles_.size(); ++t) {
+    int neighbour = 0;
+    for (const int vertex : triangles_[t]) neighbour = std::max(neighbour, at[vertex]);
+    put_in(static_cast<int>(t), neighbour);
+    enter(t);
+  }
+  for (int k = static_cast<int>(nodes_.size()) - 1; k >= 0; --k) {
+    Node& node = nodes_[k];
+    if (node.left >= 0) node.size = nodes_[node.left].size + nodes_[node.right].size;
+  }
 }
 
 void TriangleTree::mark(std::span<const char> vertices) {
@@ -85,6 +145,7 @@ void TriangleTree::fit(const Eigen::VectorXd& position) {
 
 void TriangleTree::fit(const Eigen::VectorXd& position, const Eigen::VectorXd& motion) {
   fit(position);
+  motions_.resize(nodes_.size());
   for (int k = static_cast<int>(nodes_.size()) - 1; k >= 0; --k) {
     const Node& node = nodes_[k];
     motions_[k] =

@@ -11,7 +11,7 @@ namespace thinwall {
 
 /// Boxes around the triangles of a moving surface, nested by a binary tree that is built once: triangles that lie
 /// beside each other in the stress-free shape stay so. Pairs of triangles come in an order that the shape of the tree
-/// alone determines, so that sums over near pairs are the same whatever is left out.
+/// alone determines.
 class TriangleTree {
  public:
   TriangleTree() = default;
@@ -19,6 +19,12 @@ class TriangleTree {
   /// `position`: (3 vertices), metres, of the stress-free shape. `margins`: (vertices), metres.
   TriangleTree(std::span<const Eigen::Vector3i> triangles, const Eigen::VectorXd& position,
                std::span<const double> margins);
+
+  /// The same for a surface that has changed since `before` was built, whose triangles come first: each keeps its place
+  /// in the tree, and further ones are put beside one that they share a vertex with. Built anew once their number has
+  /// grown by a quarter. The pairs come in another order then.
+  TriangleTree(std::span<const Eigen::Vector3i> triangles, const Eigen::VectorXd& position,
+               std::span<const double> margins, const TriangleTree& before);
 
   /// Fits the boxes to where the vertices are, and to how they move (metres, from there).
   void fit(const Eigen::VectorXd& position);
@@ -67,7 +73,11 @@ class TriangleTree {
     int size = 1;               // triangles below
   };
 
+  void build(const Eigen::VectorXd& position);
   int build(std::span<Leaf> leaves);
+  void put_in(int triangle, int neighbour);
+  void put_in_further(std::size_t known, std::size_t vertices);
+  void measure(const Eigen::VectorXd& position, std::span<const double> margins);
   double squared_travel(int a, int b) const;
 
   template <typename Near, typename Visit>
@@ -98,10 +108,13 @@ class TriangleTree {
   }
 
   std::vector<Eigen::Vector3i> triangles_;
-  std::vector<Node> nodes_;  // parents before their children
-  std::vector<Eigen::AlignedBox3d> boxes_, motions_, rest_boxes_;
-  std::vector<double> margins_;  // (nodes), metres, largest of the vertices below
-  std::vector<char> marked_;     // (nodes), whether a vertex below is
+  std::vector<Node> nodes_;      // parents before their children
+  std::vector<int> leaf_of_;     // (triangles), nodes
+  std::size_t built_count_ = 0;  // triangles when the tree was built
+  std::vector<Eigen::AlignedBox3d> boxes_, rest_boxes_;
+  std::vector<Eigen::AlignedBox3d> motions_;  // empty until a motion is asked for
+  std::vector<double> margins_;               // (nodes), metres, largest of the vertices below
+  std::vector<char> marked_;                  // (nodes), whether a vertex below is
 };
 
 }  // namespace thinwall
