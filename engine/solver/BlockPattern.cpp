@@ -2,30 +2,53 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
 #include <utility>
 
 namespace thinwall {
 namespace {
 
-BlockPattern pattern_of(std::vector<std::vector<int>> larger, int singles) {
-  BlockPattern pattern{.vertices = static_cast<int>(larger.size()) - singles,
+/// Couplings of each node with larger ones, in any order and as often as they come.
+struct Couplings {
+  std::vector<int> begin;   // (nodes + 1), into `larger`
+  std::vector<int> larger;  // nodes
+
+  /// `for_each`: calls what it is given with each coupling, the lower node first; it is called twice.
+  template <typename ForEach>
+  Couplings(int nodes, const ForEach& for_each) : begin(static_cast<std::size_t>(nodes) + 1, 0) {
+    for_each([&](int low, int) { ++begin[low + 1]; });
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    larger.resize(begin.back());
+    std::vector<int> next(begin.begin(), begin.end() - 1);
+    for_each([&](int low, int high) { larger[next[low]++] = high; });
+  }
+};
+
+BlockPattern pattern_of(Couplings couplings, int singles) {
+  const int nodes = static_cast<int>(couplings.begin.size()) - 1;
+  BlockPattern pattern{.vertices = nodes - singles,
                        .singles = singles,
                        .neighbour_begin = {0},
                        .neighbours = {},
                        .column_begin = {0},
                        .row = {}};
-  for (int node = 0; node < pattern.nodes(); ++node) {
-    std::vector<int>& list = larger[node];
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-    pattern.neighbours.insert(pattern.neighbours.end(), list.begin(), list.end());
+  pattern.neighbour_begin.reserve(couplings.begin.size());
+  for (int node = 0; node < nodes; ++node) {
+    const auto begin = couplings.larger.begin() + couplings.begin[node];
+    const auto end = couplings.larger.begin() + couplings.begin[node + 1];
+    std::sort(begin, end);
+    pattern.neighbours.insert(pattern.neighbours.end(), begin, std::unique(begin, end));
     pattern.neighbour_begin.push_back(static_cast<int>(pattern.neighbours.size()));
+  }
+  pattern.column_begin.reserve(static_cast<std::size_t>(pattern.unknowns()) + 1);
+  // Nine for each pair of vertices, and the triangle of each with itself.
+  pattern.row.reserve(9 * pattern.neighbours.size() + 6 * static_cast<std::size_t>(nodes));
+  for (int node = 0; node < nodes; ++node) {
     for (int column = 0; column < pattern.unknowns_of(node); ++column) {
       for (int k = column; k < pattern.unknowns_of(node); ++k) pattern.row.push_back(pattern.first_unknown(node) + k);
-      for (const int neighbour : list) {
-        for (int k = 0; k < pattern.unknowns_of(neighbour); ++k) {
-          pattern.row.push_back(pattern.first_unknown(neighbour) + k);
-        }
+      for (int at = pattern.neighbour_begin[node]; at < pattern.neighbour_begin[node + 1]; ++at) {
+        const int first = pattern.first_unknown(pattern.neighbours[at]);
+        for (int k = 0; k < pattern.unknowns_of(pattern.neighbours[at]); ++k) pattern.row.push_back(first + k);
       }
       pattern.column_begin.push_back(static_cast<int>(pattern.row.size()));
     }
@@ -41,28 +64,30 @@ std::span<const int> larger_neighbours(const BlockPattern& pattern, int vertex) 
 }  // namespace
 
 BlockPattern make_block_pattern(int vertices, std::span<const Eigen::Vector3i> triangles) {
-  std::vector<std::vector<int>> larger(vertices);
-  for (const Eigen::Vector3i& triangle : triangles) {
-    for (int k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax(triangle[k], triangle[(k + 1) % 3]);
-      larger[low].push_back(high);
+  const auto for_each = [&](const auto& visit) {
+    for (const Eigen::Vector3i& triangle : triangles) {
+      for (int k = 0; k < 3; ++k) {
+        const auto [low, high] = std::minmax({triangle[k], triangle[(k + 1) % 3]});
+        visit(low, high);
+      }
     }
-  }
-  return pattern_of(std::move(larger), 0);
+  };
+  return pattern_of(Couplings(vertices, for_each), 0);
 }
 
 ExtendedPattern extend_block_pattern(const BlockPattern& pattern, std::span<const std::array<int, 2>> couplings,
                                      int further_singles) {
-  std::vector<std::vector<int>> larger(pattern.nodes() + further_singles);
-  for (int node = 0; node < pattern.nodes(); ++node) {
-    const std::span<const int> list = larger_neighbours(pattern, node);
-    larger[node].assign(list.begin(), list.end());
-  }
-  for (const auto& [one, other] : couplings) {
-    const auto [low, high] = std::minmax(one, other);
-    if (low != high) larger[low].push_back(high);
-  }
-  ExtendedPattern extended{.pattern = pattern_of(std::move(larger), pattern.singles + further_singles), .entries = {}};
+  const auto for_each = [&](const auto& visit) {
+    for (int node = 0; node < pattern.nodes(); ++node) {
+      for (const int other : larger_neighbours(pattern, node)) visit(node, other);
+    }
+    for (const auto& [one, other] : couplings) {
+      if (one != other) visit(std::min(one, other), std::max(one, other));
+    }
+  };
+  ExtendedPattern extended{
+      .pattern = pattern_of(Couplings(pattern.nodes() + further_singles, for_each), pattern.singles + further_singles),
+      .entries = {}};
   extended.entries.reserve(pattern.nonzeros());
   for (int column = 0; column < pattern.unknowns(); ++column) {
     int at = extended.pattern.column_begin[column];

@@ -120,12 +120,25 @@ std::vector<int> elimination_tree(const NodeGraph& graph, std::span<const int> o
 
 namespace {
 
-/// An order for a graph that has grown, see `extended_order`.
-std::vector<int> grown_order(const NodeGraph& before, std::span<const int> order, const NodeGraph& graph) {
-  const int known = before.nodes();
+/// The graph without all nodes but the first.
+NodeGraph first_nodes(const NodeGraph& graph, int nodes) {
+  NodeGraph first{.begin = {0}, .neighbours = {}};
+  for (int node = 0; node < nodes; ++node) {
+    for (const int other : graph.around(node)) {
+      if (other < nodes) first.neighbours.push_back(other);
+    }
+    first.begin.push_back(static_cast<int>(first.neighbours.size()));
+  }
+  return first;
+}
+
+/// An order for a graph that has grown, see `extended_order`; `before` has no single unknowns.
+std::vector<int> grown_order(const GraphBefore& before, const NodeGraph& graph) {
+  const std::span<const int> order = before.order;
+  const int known = before.graph.nodes();
   assert(static_cast<int>(order.size()) == known && graph.nodes() >= known);
   assert(known > 0 || graph.nodes() == 0);
-  const OrderedTree tree(elimination_tree(before, order), order);
+  const OrderedTree tree(before.parent, order);
   std::vector<int> anchor(graph.nodes(), -1);  // known node after which a node comes
   std::vector<char> moves(graph.nodes(), 0);
   for (int node = 0; node < graph.nodes(); ++node) {
@@ -172,16 +185,22 @@ std::vector<int> nested_dissection(const BlockPattern& pattern) {
       throw std::bad_alloc();
     }
   }
-  return pattern.singles == 0 ? order : grown_order(graph, order, graph_of(pattern));
+  if (pattern.singles == 0) return order;
+  return grown_order({.graph = graph, .order = order, .parent = elimination_tree(graph, order), .vertices = vertices},
+                     graph_of(pattern));
 }
 
-std::vector<int> extended_order(const BlockPattern& before, std::span<const int> order, const BlockPattern& after) {
-  assert(static_cast<int>(order.size()) == before.nodes() && after.vertices >= before.vertices);
-  std::vector<int> of_vertices;
-  std::ranges::copy_if(order, std::back_inserter(of_vertices), [&](int node) { return node < before.vertices; });
-  const NodeGraph vertices = graph_of(after, after.vertices);
-  of_vertices = grown_order(graph_of(before, before.vertices), of_vertices, vertices);
-  return after.singles == 0 ? of_vertices : grown_order(vertices, of_vertices, graph_of(after));
+std::vector<int> extended_order(const GraphBefore& before, const NodeGraph& after, int vertices) {
+  assert(before.vertices <= before.graph.nodes() && before.vertices <= vertices && vertices <= after.nodes());
+  if (before.graph.nodes() == before.vertices && after.nodes() == vertices) return grown_order(before, after);
+  const NodeGraph graph = first_nodes(before.graph, before.vertices), grown = first_nodes(after, vertices);
+  std::vector<int> order;
+  std::ranges::copy_if(before.order, std::back_inserter(order), [&](int node) { return node < before.vertices; });
+  const std::vector<int> of_vertices = grown_order(
+      {.graph = graph, .order = order, .parent = elimination_tree(graph, order), .vertices = before.vertices}, grown);
+  return grown_order(
+      {.graph = grown, .order = of_vertices, .parent = elimination_tree(grown, of_vertices), .vertices = vertices},
+      after);
 }
 
 }  // namespace thinwall

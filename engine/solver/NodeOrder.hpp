@@ -28,11 +28,18 @@ std::vector<int> nested_dissection(const BlockPattern& pattern);
 /// of the nodes after it that it is coupled with once those before it are eliminated (Liu 1990).
 std::vector<int> elimination_tree(const NodeGraph& graph, std::span<const int> order);
 
-/// An order for a pattern that has grown, from a good one of the pattern before, whose vertices come first. Couplings
-/// that are new stay cheap when they join a node with those above or below it in the elimination tree of the order
-/// before: a further node comes right after the lowest node of which all that it is coupled with lie above or below,
-/// and vertices that are newly coupled across branches of the tree make room in the same way. Couplings that are gone
-/// do no harm. Single unknowns are numbered anew by whoever makes a pattern, and join the vertices anew.
-std::vector<int> extended_order(const BlockPattern& before, std::span<const int> order, const BlockPattern& after);
+/// An order for a graph that has grown, `after`, from a good one of the graph before, whose vertices come first, and
+/// the elimination tree under that order. Couplings that are new stay cheap when they join a node with those above or
+/// below it in the tree: a further node comes right after the lowest node of which all that it is coupled with lie
+/// above or below, and vertices that are newly coupled across branches of the tree make room in the same way. Couplings
+/// that are gone do no harm. Single unknowns, those beyond the first `vertices_before` and `vertices_after` nodes, are
+/// numbered anew by whoever makes a pattern, and join the vertices anew.
+struct GraphBefore {
+  const NodeGraph& graph;
+  std::span<const int> order;      // (nodes)
+  const std::vector<int>& parent;  // (nodes), see `elimination_tree`
+  int vertices = 0;
+};
+std::vector<int> extended_order(const GraphBefore& before, const NodeGraph& after, int vertices);
 
 }  // namespace thinwall

@@ -44,6 +44,12 @@ constexpr int kMostSides = 8;
 /// Numbers of the factor, times sides, from which on several threads solve: handing over costs some microseconds.
 constexpr std::ptrdiff_t kWorthSharing = 60'000;
 
+/// A task that is one, and where its fronts are solved.
+struct Subtree {
+  int task = 0;
+  std::ptrdiff_t local_begin = 0;  // into what all of them have for that
+};
+
 using FrontSolution = void (*)(const Front&, double*);
 template <int sides>
 constexpr FrontSolution forward_of() {
@@ -57,63 +63,74 @@ constexpr FrontSolution backward_of() {
 }  // namespace
 
 struct SparseFactor::Implementation {
-  BlockPattern pattern;
-  std::vector<int> nodes;  // in their order
+  int vertices = 0, unknowns = 0, nonzeros = 0;
+  NodeGraph graph;
+  std::vector<int> nodes;   // in their order
+  std::vector<int> parent;  // (nodes), in the elimination tree
   SupernodeTree tree;
   EliminationSchedule schedule;
   std::vector<int> front_at;       // (unknowns), of their places
   double operations_per_node = 0;  // with the last order that was not taken over
-  // Neither is cleared before each elimination clears what it uses of them.
-  std::unique_ptr<double[]> factor;         // columns of all supernodes
-  std::unique_ptr<double[]> updates;        // that wait for the fronts above
-  std::vector<double> signs;                // (unknowns)
-  std::vector<int> negative;                // (tasks), pivots below zero; -1 where one cannot be
-  std::vector<double> solution;             // (unknowns x kMostSides) by rows, in the order of elimination
-  std::vector<double> local;                // (unknowns of one front x kMostSides) by rows
-  std::vector<std::vector<double>> locals;  // (tasks), the same of subtrees that are solved side by side
-  std::vector<double> beyond;               // (rows beyond subtrees x kMostSides) by rows, see EliminationSchedule
-  std::vector<int> subtrees;                // tasks
+  // None of the numbers is cleared before what is used of them is.
+  std::unique_ptr<double[]> factor;    // columns of all supernodes
+  std::unique_ptr<double[]> updates;   // that wait for the fronts above
+  std::vector<double> signs;           // (unknowns)
+  std::vector<int> negative;           // (tasks), pivots below zero; -1 where one cannot be
+  std::unique_ptr<double[]> solution;  // (unknowns x kMostSides) by rows, in the order of elimination
+  std::unique_ptr<double[]> local;     // (unknowns of one front x kMostSides) by rows
+  std::unique_ptr<double[]> locals;    // the same of subtrees that are solved side by side
+  std::unique_ptr<double[]> beyond;    // (rows beyond subtrees x kMostSides) by rows, see EliminationSchedule
+  std::vector<Subtree> subtrees;
   bool is_factorised = false;
 
-  explicit Implementation(const BlockPattern& the_pattern, const Implementation* before = nullptr)
-      : pattern(the_pattern) {
+  explicit Implementation(const BlockPattern& pattern, const Implementation* before = nullptr)
+      : vertices(pattern.vertices),
+        unknowns(pattern.unknowns()),
+        nonzeros(pattern.nonzeros()),
+        graph(graph_of(pattern)) {
     if (before != nullptr) {
-      set_order(extended_order(before->pattern, before->nodes, pattern));
+      set_order(
+          pattern,
+          extended_order(
+              {.graph = before->graph, .order = before->nodes, .parent = before->parent, .vertices = before->vertices},
+              graph, vertices));
       operations_per_node = before->operations_per_node;
     }
     if (before == nullptr || tree.operations > kWorseOrder * operations_per_node * pattern.nodes()) {
-      set_order(nested_dissection(pattern));
+      set_order(pattern, nested_dissection(pattern));
       operations_per_node = tree.operations / std::max(1, pattern.nodes());
     }
     // The last rows of the last front are read in whole lanes.
     factor = std::make_unique_for_overwrite<double[]>(tree.factor_size + kFrontRows);
     std::fill_n(factor.get() + tree.factor_size, kFrontRows, 0.0);
-    signs.resize(pattern.unknowns());
+    signs.resize(unknowns);
     schedule = make_elimination_schedule(tree);
     updates = std::make_unique_for_overwrite<double[]>(schedule.update_size);
     negative.resize(schedule.tasks.size());
-    solution.resize(static_cast<std::size_t>(pattern.unknowns()) * kMostSides);
-    local.resize(static_cast<std::size_t>(tree.largest_front + kFrontRows) * kMostSides);
+    solution = std::make_unique_for_overwrite<double[]>(static_cast<std::size_t>(unknowns) * kMostSides);
+    local = std::make_unique_for_overwrite<double[]>((tree.largest_front + kFrontRows) * kMostSides);
     if (tree.factor_size * kMostSides >= kWorthSharing) make_room_for_sharing();
   }
 
   void make_room_for_sharing() {
-    locals.resize(schedule.tasks.size());
+    std::ptrdiff_t room = 0;
     for (int task = 0; task < static_cast<int>(schedule.tasks.size()); ++task) {
       const EliminationTask& own = schedule.tasks[task];
       if (!own.is_subtree()) continue;
       std::ptrdiff_t largest = 0;
       for (int s = own.begin; s < own.end; ++s) largest = std::max(largest, tree.supernodes[s].stride);
-      locals[task].resize(largest * kMostSides);
-      subtrees.push_back(task);
+      subtrees.push_back({.task = task, .local_begin = room});
+      room += largest * kMostSides;
     }
-    beyond.resize(schedule.beyond_size * kMostSides);
+    locals = std::make_unique_for_overwrite<double[]>(room);
+    beyond = std::make_unique_for_overwrite<double[]>(schedule.beyond_size * kMostSides);
   }
 
-  void set_order(std::vector<int> the_nodes) {
-    nodes = std::move(the_nodes);
-    tree = make_supernode_tree(pattern, nodes);
-    front_at.resize(pattern.unknowns());
+  void set_order(const BlockPattern& pattern, std::vector<int> order) {
+    nodes = std::move(order);
+    parent = elimination_tree(graph, nodes);
+    tree = make_supernode_tree(pattern, graph, nodes, parent);
+    front_at.resize(unknowns);
     for (int s = 0; s < static_cast<int>(tree.supernodes.size()); ++s) {
       std::fill_n(front_at.begin() + tree.supernodes[s].first, tree.supernodes[s].pivots, s);
     }
@@ -136,9 +153,7 @@ struct SparseFactor::Implementation {
     front.workspace = workspace;
     std::fill_n(front.columns, supernode.stride * supernode.pivots, 0.0);
     std::fill_n(front.update, supernode.update_stride * (supernode.size - supernode.pivots), 0.0);
-    for (int k = supernode.entries_begin; k < supernode.entries_end; ++k) {
-      factor[tree.entries[k].place] = values[tree.entries[k].value];
-    }
+    enter_values(tree, supernode, values.data(), factor.get());
     for (int child = supernode.last_child; child >= 0; child = tree.supernodes[child].previous_sibling) {
       const Supernode& below = tree.supernodes[child];
       take_up(tree.runs_of(below), updates.get() + schedule.update_begin[child], below.update_stride, front);
@@ -172,7 +187,7 @@ struct SparseFactor::Implementation {
   }
 
   std::optional<int> eliminate_all(std::span<const double> values, bool allows_negative) {
-    assert(static_cast<int>(values.size()) == pattern.nonzeros());
+    assert(static_cast<int>(values.size()) == nonzeros);
     is_factorised = false;
     eliminate_tasks(schedule.last, values, allows_negative);
     if (std::ranges::any_of(negative, [](int count) { return count < 0; })) return std::nullopt;
@@ -184,7 +199,7 @@ struct SparseFactor::Implementation {
   /// leaves up first. Rows past the first `within` get nothing yet: what they would get is given.
   template <int sides>
   const double* go_up(const Supernode& supernode, int within, double* front) {
-    double* pivots = solution.data() + supernode.first * sides;
+    double* pivots = solution.get() + supernode.first * sides;
     double* below = std::copy_n(pivots, supernode.pivots * sides, front);
     std::fill(below, front + supernode.stride * sides, 0.0);
     // What a contact pushes is nothing to most fronts.
@@ -199,7 +214,7 @@ struct SparseFactor::Implementation {
 
   template <int sides>
   void go_up(const Supernode& supernode) {
-    go_up<sides>(supernode, supernode.size - supernode.pivots, local.data());
+    go_up<sides>(supernode, supernode.size - supernode.pivots, local.get());
   }
 
   /// Adds to a front's rows below its pivots from one to another; gives the end of what was added.
@@ -207,7 +222,7 @@ struct SparseFactor::Implementation {
   const double* add_to_rows(const Supernode& supernode, int begin, int end, const double* from) {
     const int* rows = tree.rows.data() + supernode.rows_begin;
     for (int k = begin; k < end; ++k) {
-      double* to = solution.data() + rows[k] * sides;
+      double* to = solution.get() + rows[k] * sides;
       for (int c = 0; c < sides; ++c) *to++ += *from++;
     }
     return from;
@@ -217,10 +232,10 @@ struct SparseFactor::Implementation {
   template <int sides>
   void go_down(const Supernode& supernode, double* front) {
     const int* rows = tree.rows.data() + supernode.rows_begin;
-    double* pivots = solution.data() + supernode.first * sides;
+    double* pivots = solution.get() + supernode.first * sides;
     double* to = std::copy_n(pivots, supernode.pivots * sides, front);
     for (int k = supernode.pivots; k < supernode.size; ++k) {
-      to = std::copy_n(solution.data() + *rows++ * sides, sides, to);
+      to = std::copy_n(solution.get() + *rows++ * sides, sides, to);
     }
     std::fill(to, front + supernode.stride * sides, 0.0);
     backward_of<sides>()(front_of(supernode), front);
@@ -232,7 +247,7 @@ struct SparseFactor::Implementation {
   void go_through() {
     for (const Supernode& supernode : tree.supernodes) go_up<sides>(supernode);
     for (auto supernode = tree.supernodes.rbegin(); supernode != tree.supernodes.rend(); ++supernode) {
-      go_down<sides>(*supernode, local.data());
+      go_down<sides>(*supernode, local.get());
     }
   }
 
@@ -247,33 +262,35 @@ struct SparseFactor::Implementation {
           go_up<sides>(supernode);
         } else {
           add_to_rows<sides>(supernode, schedule.rows_within[s], supernode.size - supernode.pivots,
-                             beyond.data() + schedule.beyond_begin[s] * sides);
+                             beyond.get() + schedule.beyond_begin[s] * sides);
         }
       }
     }
     for (auto task = schedule.tasks.rbegin(); task != schedule.tasks.rend(); ++task) {
-      if (!task->is_subtree()) go_down<sides>(tree.supernodes[task->begin], local.data());
+      if (!task->is_subtree()) go_down<sides>(tree.supernodes[task->begin], local.get());
     }
     tbb::parallel_for(std::size_t{0}, subtrees.size(), [&](std::size_t k) {
-      const EliminationTask& task = schedule.tasks[subtrees[k]];
-      for (int s = task.end - 1; s >= task.begin; --s) go_down<sides>(tree.supernodes[s], locals[subtrees[k]].data());
+      const EliminationTask& task = schedule.tasks[subtrees[k].task];
+      double* front = locals.get() + subtrees[k].local_begin;
+      for (int s = task.end - 1; s >= task.begin; --s) go_down<sides>(tree.supernodes[s], front);
     });
   }
 
   template <int sides>
-  void go_up_subtree(int task) {
-    for (int s = schedule.tasks[task].begin; s < schedule.tasks[task].end; ++s) {
+  void go_up_subtree(const Subtree& subtree) {
+    const EliminationTask& task = schedule.tasks[subtree.task];
+    for (int s = task.begin; s < task.end; ++s) {
       const Supernode& supernode = tree.supernodes[s];
       const int within = schedule.rows_within[s], rows = supernode.size - supernode.pivots;
-      const double* left = go_up<sides>(supernode, within, locals[task].data());
-      std::copy_n(left, (rows - within) * sides, beyond.data() + schedule.beyond_begin[s] * sides);
+      const double* left = go_up<sides>(supernode, within, locals.get() + subtree.local_begin);
+      std::copy_n(left, (rows - within) * sides, beyond.get() + schedule.beyond_begin[s] * sides);
     }
   }
 
   /// Solves `sides` columns or fewer.
   template <int sides>
   void solve(Eigen::Ref<Eigen::MatrixXd> columns) {
-    std::fill_n(solution.begin(), columns.rows() * sides, 0.0);
+    std::fill_n(solution.get(), columns.rows() * sides, 0.0);
     for (Eigen::Index column = 0; column < columns.cols(); ++column) {
       for (Eigen::Index k = 0; k < columns.rows(); ++k) solution[tree.place[k] * sides + column] = columns(k, column);
     }
@@ -284,9 +301,9 @@ struct SparseFactor::Implementation {
     }
   }
 
-  std::vector<int> fronts_above(std::span<const int> unknowns) const {
+  std::vector<int> fronts_above(std::span<const int> of_unknowns) const {
     std::vector<char> is_above(tree.supernodes.size(), 0);
-    for (const int unknown : unknowns) {
+    for (const int unknown : of_unknowns) {
       for (int s = front_at[tree.place[unknown]]; s >= 0 && !is_above[s]; s = tree.supernodes[s].parent)
         is_above[s] = 1;
     }
@@ -299,11 +316,11 @@ struct SparseFactor::Implementation {
 
   void solve_part(const Part& part, Eigen::Ref<Eigen::VectorXd>& column) {
     for (const int s : part.fronts) {
-      std::fill_n(solution.begin() + tree.supernodes[s].first, tree.supernodes[s].pivots, 0.0);
+      std::fill_n(solution.get() + tree.supernodes[s].first, tree.supernodes[s].pivots, 0.0);
     }
     for (Eigen::Index k = 0; k < column.size(); ++k) solution[tree.place[part.unknowns[k]]] = column[k];
     for (const int s : part.fronts) go_up<1>(tree.supernodes[s]);
-    for (auto s = part.fronts.rbegin(); s != part.fronts.rend(); ++s) go_down<1>(tree.supernodes[*s], local.data());
+    for (auto s = part.fronts.rbegin(); s != part.fronts.rend(); ++s) go_down<1>(tree.supernodes[*s], local.get());
     for (Eigen::Index k = 0; k < column.size(); ++k) column[k] = solution[tree.place[part.unknowns[k]]];
   }
 };

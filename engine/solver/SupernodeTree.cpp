@@ -266,24 +266,34 @@ struct CouplingLists {
 };
 
 /// `local`: of the supernode.
-void add_block(const BlockPattern& pattern, const NodeCoupling& coupling, const Supernode& supernode,
-               const LocalPlaces& local, SupernodeTree& tree) {
+MatrixBlock block_of(const BlockPattern& pattern, const NodeCoupling& coupling, const Supernode& supernode,
+                     const LocalPlaces& local, const SupernodeTree& tree) {
   const int column = pattern.first_unknown(coupling.node), row = pattern.first_unknown(coupling.other);
-  const int columns = pattern.unknowns_of(coupling.node), rows = pattern.unknowns_of(coupling.other);
-  const int at_column = local[tree.place[column]], at_row = local[tree.place[row]];
-  const bool turned = tree.place[row] < tree.place[column];
+  const bool is_turned = tree.place[row] < tree.place[column];
+  const std::ptrdiff_t at_column = local[tree.place[column]], at_row = local[tree.place[row]];
+  return {.value = pattern.column_begin[column] + coupling.offset,
+          .first_length = pattern.column_begin[column + 1] - pattern.column_begin[column],
+          .place = supernode.factor_begin +
+                   (is_turned ? at_row * supernode.stride + at_column : at_column * supernode.stride + at_row),
+          .columns = static_cast<char>(pattern.unknowns_of(coupling.node)),
+          .rows = static_cast<char>(pattern.unknowns_of(coupling.other)),
+          .is_diagonal = coupling.node == coupling.other,
+          .is_turned = is_turned};
+}
+
+template <int columns, int rows>
+void enter_block(const MatrixBlock& block, std::ptrdiff_t stride, const double* values, double* factor) {
+  const std::ptrdiff_t column_step = block.is_turned ? 1 : stride, row_step = block.is_turned ? stride : 1;
+  int from = block.value;
+  // A diagonal block's columns begin with the diagonal.
   for (int c = 0; c < columns; ++c) {
-    // A column begins with its diagonal.
-    for (int r = coupling.node == coupling.other ? c : 0; r < rows; ++r) {
-      const std::ptrdiff_t in_column = turned ? at_row + r : at_column + c,
-                           in_row = turned ? at_column + c : at_row + r;
-      tree.entries.push_back({.value = pattern.column_begin[column + c] + coupling.offset + r - c,
-                              .place = supernode.factor_begin + in_column * supernode.stride + in_row});
-    }
+    double* to = factor + block.place + c * column_step;
+    for (int r = block.is_diagonal ? c : 0; r < rows; ++r) to[r * row_step] = values[from + r - c];
+    from += block.first_length - c;
   }
 }
 
-void add_entries(const BlockPattern& pattern, SupernodeTree& tree) {
+void add_blocks(const BlockPattern& pattern, SupernodeTree& tree) {
   const CouplingLists lists(pattern, tree);
   const auto supernodes = static_cast<int>(tree.supernodes.size());
   std::vector<int> first_child(supernodes, -1), next_child(supernodes, -1);
@@ -291,16 +301,16 @@ void add_entries(const BlockPattern& pattern, SupernodeTree& tree) {
     const int parent = tree.supernodes[s].parent;
     if (parent >= 0) next_child[s] = std::exchange(first_child[parent], s);
   }
-  tree.entries.reserve(pattern.nonzeros());
+  tree.blocks.reserve(lists.couplings.size());
   LocalPlaces local(pattern.unknowns());
   for (int s = 0; s < supernodes; ++s) {
     Supernode& supernode = tree.supernodes[s];
     local.enter(tree, supernode);
-    supernode.entries_begin = static_cast<int>(tree.entries.size());
+    supernode.blocks_begin = lists.begin[s];
+    supernode.blocks_end = lists.begin[s + 1];
     for (int k = lists.begin[s]; k < lists.begin[s + 1]; ++k) {
-      add_block(pattern, lists.couplings[k], supernode, local, tree);
+      tree.blocks.push_back(block_of(pattern, lists.couplings[k], supernode, local, tree));
     }
-    supernode.entries_end = static_cast<int>(tree.entries.size());
     for (int child = first_child[s]; child >= 0; child = next_child[child]) {
       Supernode& below = tree.supernodes[child];
       below.runs_begin = static_cast<int>(tree.runs.size());
@@ -318,9 +328,13 @@ void add_entries(const BlockPattern& pattern, SupernodeTree& tree) {
 }  // namespace
 
 SupernodeTree make_supernode_tree(const BlockPattern& pattern, std::span<const int> order) {
-  assert(static_cast<int>(order.size()) == pattern.nodes());
   const NodeGraph graph = graph_of(pattern);
-  const std::vector<int> parent = elimination_tree(graph, order);
+  return make_supernode_tree(pattern, graph, order, elimination_tree(graph, order));
+}
+
+SupernodeTree make_supernode_tree(const BlockPattern& pattern, const NodeGraph& graph, std::span<const int> order,
+                                  const std::vector<int>& parent) {
+  assert(static_cast<int>(order.size()) == pattern.nodes() && graph.nodes() == pattern.nodes());
   ChildLists children(order, parent);
   const FilledRows filled = filled_rows(graph, order, children);
   const NodeTree nodes = make_node_tree(pattern, order, parent, filled, children);
@@ -331,8 +345,21 @@ SupernodeTree make_supernode_tree(const BlockPattern& pattern, std::span<const i
     for (int k = 0; k < pattern.unknowns_of(node); ++k) tree.place[pattern.first_unknown(node) + k] = place++;
   }
   add_supernodes(nodes, filled, tree);
-  add_entries(pattern, tree);
+  add_blocks(pattern, tree);
   return tree;
+}
+
+void enter_values(const SupernodeTree& tree, const Supernode& supernode, const double* values, double* factor) {
+  for (int k = supernode.blocks_begin; k < supernode.blocks_end; ++k) {
+    const MatrixBlock& block = tree.blocks[k];
+    if (block.columns == 3) {
+      block.rows == 3 ? enter_block<3, 3>(block, supernode.stride, values, factor)
+                      : enter_block<3, 1>(block, supernode.stride, values, factor);
+    } else {
+      block.rows == 3 ? enter_block<1, 3>(block, supernode.stride, values, factor)
+                      : enter_block<1, 1>(block, supernode.stride, values, factor);
+    }
+  }
 }
 
 }  // namespace thinwall

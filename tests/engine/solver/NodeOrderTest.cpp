@@ -95,7 +95,10 @@ TEST(NodeOrder, OfAPatternThatHasGrownKeepsAllNodesAndFactorsNearlyAsCheap) {
     // The same where nodes are numbered anyhow.
     std::vector<int> order(before);
     std::iota(order.begin(), order.end(), 0);
-    std::vector<int> extended = extended_order(old_pattern, order, pattern);
+    const NodeGraph old_graph = graph_of(old_pattern);
+    std::vector<int> extended = extended_order(
+        {.graph = old_graph, .order = order, .parent = elimination_tree(old_graph, order), .vertices = before},
+        graph_of(pattern), sphere.vertices);
     std::ranges::sort(extended);
     ASSERT_EQ(extended.size(), static_cast<std::size_t>(sphere.vertices));
     for (int node = 0; node < sphere.vertices; ++node) EXPECT_EQ(extended[node], node);

@@ -36,6 +36,25 @@ std::vector<std::set<int>> filled(const BlockPattern& pattern, const std::vector
   return rows;
 }
 
+/// With a single unknown for every third vertex, coupled with it, the next one, and the single unknown before.
+BlockPattern with_singles(const BlockPattern& pattern) {
+  std::vector<std::array<int, 2>> couplings;
+  const int singles = pattern.vertices / 3;
+  for (int k = 0; k < singles; ++k) {
+    const int own = pattern.vertices + k;
+    couplings.push_back({3 * k, own});
+    couplings.push_back({3 * k + 1, own});
+    if (k > 0) couplings.push_back({own - 1, own});
+  }
+  return extend_block_pattern(pattern, couplings, singles).pattern;
+}
+
+/// The unknowns of a value of the matrix.
+std::array<int, 2> unknowns_at(const BlockPattern& pattern, int value) {
+  const auto column = std::ranges::upper_bound(pattern.column_begin, value) - pattern.column_begin.begin() - 1;
+  return {static_cast<int>(column), pattern.row[value]};
+}
+
 TEST(SupernodeTree, HasRoomForAllThatEliminationFillsAndCountsItsOperations) {
   const BlockPattern pattern = sphere_pattern(320);
   const SupernodeTree tree = make_supernode_tree(pattern, nested_dissection(pattern));
@@ -79,7 +98,30 @@ TEST(SupernodeTree, CoversAllUnknownsInPostorder) {
   }
   EXPECT_EQ(next, pattern.unknowns());
   EXPECT_EQ(waiting.size(), 1U);
-  EXPECT_EQ(tree.entries.size(), static_cast<std::size_t>(pattern.nonzeros()));
+}
+
+TEST(SupernodeTree, EntersEachValueOfTheMatrixWhereItsUnknownsMeet) {
+  for (const BlockPattern& pattern : {sphere_pattern(320), with_singles(sphere_pattern(80))}) {
+    const SupernodeTree tree = make_supernode_tree(pattern, nested_dissection(pattern));
+    std::vector<double> values(pattern.nonzeros()), factor(tree.factor_size, 0.0);
+    std::iota(values.begin(), values.end(), 1.0);
+    for (const Supernode& supernode : tree.supernodes) enter_values(tree, supernode, values.data(), factor.data());
+    EXPECT_EQ(std::ranges::count_if(factor, [](double value) { return value != 0; }), pattern.nonzeros());
+    for (const Supernode& supernode : tree.supernodes) {
+      std::vector<int> rows(supernode.pivots);
+      std::iota(rows.begin(), rows.end(), supernode.first);
+      rows.insert(rows.end(), tree.rows.begin() + supernode.rows_begin,
+                  tree.rows.begin() + supernode.rows_begin + supernode.size - supernode.pivots);
+      for (int column = 0; column < supernode.pivots; ++column) {
+        for (int row = 0; row < supernode.size; ++row) {
+          const double value = factor[supernode.factor_begin + column * supernode.stride + row];
+          if (value == 0) continue;
+          const auto [one, other] = unknowns_at(pattern, static_cast<int>(value) - 1);
+          EXPECT_EQ(std::minmax({tree.place[one], tree.place[other]}), std::minmax({rows[column], rows[row]}));
+        }
+      }
+    }
+  }
 }
 
 }  // namespace
