@@ -1,5 +1,7 @@
 #include "engine/simulation/Newton.hpp"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -80,8 +82,21 @@ Newton::Newton(const BodyModel& model)
     : Newton(model, SparseFactor(model.pattern), SelfContact(self_contact_of(model))) {}
 
 Newton::Newton(const BodyModel& model, const Newton& before, const Eigen::VectorXd& position)
-    : Newton(model, SparseFactor(model.pattern, before.factor_),
-             SelfContact(self_contact_of(model, position, before.self_contact_.edge_length()), before.self_contact_)) {}
+    : Newton(model, carried_parts(model, before, position)) {}
+
+Newton::Newton(const BodyModel& model, CarriedParts parts)
+    : Newton(model, *std::move(parts.factor), *std::move(parts.self_contact)) {}
+
+Newton::CarriedParts Newton::carried_parts(const BodyModel& model, const Newton& before,
+                                           const Eigen::VectorXd& position) {
+  CarriedParts parts;
+  tbb::parallel_invoke([&] { parts.factor.emplace(model.pattern, before.factor_); },
+                       [&] {
+                         const SelfContact& old = before.self_contact_;
+                         parts.self_contact.emplace(self_contact_of(model, position, old.edge_length()), old);
+                       });
+  return parts;
+}
 
 Newton::Newton(const BodyModel& model, SparseFactor factor, SelfContact self_contact)
     : model_(model),
@@ -93,9 +108,9 @@ Newton::Newton(const BodyModel& model, SparseFactor factor, SelfContact self_con
   const double mean_mass = model.mass.mean();
   for (Eigen::Index k = 0; k < rigid_columns_.rows(); ++k) rigid_columns_.row(k) *= model.mass[k] / mean_mass;
   if (model.bending.empty()) return;
-  const MeshTopology topology = topology_of(model.vertices(), model.surface);
-  for (int edge = 0; edge < static_cast<int>(topology.edges.size()); ++edge) {
-    const auto sides = triangles_at(topology, edge);
+  const MeshEdges mesh = edges_of(model.vertices(), model.surface);
+  for (int edge = 0; edge < static_cast<int>(mesh.edges.size()); ++edge) {
+    const auto sides = triangles_at(mesh, edge);
     if (sides.size() == 2) hinges_.push_back({sides[0], sides[1]});
   }
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -195,7 +196,15 @@ class Newton {
     std::vector<FrictionContact> friction;
   };
 
+  /// What a cut wall takes over from the one before, made side by side.
+  struct CarriedParts {
+    std::optional<SparseFactor> factor;
+    std::optional<SelfContact> self_contact;
+  };
+
   Newton(const BodyModel& model, SparseFactor factor, SelfContact self_contact);
+  Newton(const BodyModel& model, CarriedParts parts);
+  static CarriedParts carried_parts(const BodyModel& model, const Newton& before, const Eigen::VectorXd& position);
   /// Completes the unknowns and evaluates there; false where the wall is beyond its law.
   bool begin(EquilibriumProblem& problem, EquilibriumState& state);
   NewtonResult iterate(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options,

@@ -7,6 +7,9 @@
 #include <memory>
 #include <vector>
 
+#include "engine/cutting/SurfacePath.hpp"
+#include "engine/cutting/SurfaceTrace.hpp"
+#include "engine/simulation/CutTransfer.hpp"
 #include "tests/benchmarks/engine/FilledBall.hpp"
 
 namespace thinwall {
@@ -89,6 +92,41 @@ void CutOfStep(benchmark::State& state, WallModel model) {
 }
 BENCHMARK_CAPTURE(CutOfStep, membrane, WallModel::kMembrane)->Apply(sizes)->Iterations(kSteps);
 BENCHMARK_CAPTURE(CutOfStep, shell, WallModel::kShell)->Arg(5120)->Unit(benchmark::kMillisecond)->Iterations(kSteps);
+
+/// What of it depends on the topology, done again by itself: the way traced, the wall cut, and the model, the solver's
+/// order and the pairs of parts brought up to it. Without the forces in the new wall.
+void TopologyOfCut(benchmark::State& state) {
+  const BodyModel model = make_body_model(filled_ball(static_cast<int>(state.range(0))));
+  const Eigen::VectorXd& position = model.rest_position;
+  CutSurface surface(model.definition.mesh);
+  const Newton newton(model);
+  const SurfaceView wall{.triangles = model.definition.mesh.triangles, .position = position};
+  const auto place = [&](double x) {
+    return *project(wall, Eigen::Vector3d(x, 0.7e-3, 1), Eigen::Vector3d(0, 0, -1), 2).point;
+  };
+  // From a tip within the wall, as each step but the first goes on.
+  CutOptions options;
+  for (int v = 0; v < model.vertices(); ++v) options.placement.push_back(position.segment<3>(3 * v));
+  const Cut before = surface.cut({.points = trace(wall, place(-8e-3), place(0)).pieces.front().points}, options);
+  const BodyModel begun = make_body_model(cut_definition(model, surface, before));
+  const Newton begun_newton(begun, newton, begun.rest_position);
+  const SurfaceView begun_wall{.triangles = begun.definition.mesh.triangles, .position = begun.rest_position};
+  options.placement.clear();
+  for (int v = 0; v < begun.vertices(); ++v) options.placement.push_back(begun.rest_position.segment<3>(3 * v));
+  const SurfacePoint tip = point_at(begun_wall.triangles, *before.tip);
+  const SurfacePoint next = *project(begun_wall, Eigen::Vector3d(kFast, 0.7e-3, 1), Eigen::Vector3d(0, 0, -1), 2).point;
+  for (auto _ : state) {
+    state.PauseTiming();
+    auto to_cut = std::make_unique<CutSurface>(surface);
+    state.ResumeTiming();
+    const SurfaceTrace way = trace(begun_wall, tip, next);
+    const Cut cut = to_cut->cut({.from = before.tip, .points = way.pieces.front().points}, options);
+    const BodyModel after = make_body_model(cut_definition(begun, *to_cut, cut));
+    const Newton carried(after, begun_newton, after.rest_position);
+    benchmark::DoNotOptimize(&carried);
+  }
+}
+BENCHMARK(TopologyOfCut)->Apply(sizes)->UseRealTime();
 
 void BuildModel(benchmark::State& state) {
   const BodyDefinition definition = filled_ball(static_cast<int>(state.range(0)));
