@@ -143,9 +143,10 @@ class Newton {
     std::vector<Eigen::Vector3d> gaps;  // (attachments), metres, material point minus target
     double contact = 0;                 // metres, largest gap by which a contact misses its law
     double ghost = 0;                   // newton, largest force left at a contact that is open
+    double opening = 0;                 // metres, by which such contacts are open at most
     double largest_force = 0;           // newton
-    double measure =
-        0;  // newton, of all: displacements by which constraints are missed count with the wall's stiffness
+    double measure = 0;  // newton, of all: displacements by which constraints are missed count with the wall's
+                         // stiffness
   };
   /// How a solution gets on from iteration to iteration.
   struct Progress {
