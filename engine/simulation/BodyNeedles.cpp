@@ -106,6 +106,8 @@ void Body::slit_held_wall(int tool, const SurfacePoint& place, std::span<const T
     throw SimulationFailure("body `" + model_->definition.name + "`: needle `" + tools_[tool].name +
                             "` goes into a wall that is held fast there, but " + why);
   };
+  // The first cut of a body replaces its model, on which the slits are sought.
+  if (!surface_) prepare_cutting();
   const double radius = tools_[tool].radius, residual = report_.residual, cost = model_->cut_cost(place.triangle);
   const EnergyBooks books = state_.books;
   const std::vector<ToolContact> felt = state_.contacts;

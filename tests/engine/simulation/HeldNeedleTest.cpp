@@ -159,5 +159,17 @@ TEST(ANeedleWhoseStepsAreLong, HasThemDividedBeforeItWorksFarMoreThanASlitCosts)
   EXPECT_GT(way.largest, 0);
 }
 
+TEST(ANeedleThatPiercesAHeldWall, GoesInOnABorderAsTheFirstThatCutsTheBody) {
+  const double half = 20e-3;
+  BodyDefinition definition = make_body(make_sheet(2 * half, 2 * half, 400), 0.5e-3, neo_hookean(100e3));
+  definition.fluid.kind = FluidKind::kNone;
+  definition.toughness = {100};
+  definition.fixed = {{.region = BoundaryRegion{}}};
+  Body body(std::move(definition), {test_needle(0.2)}, {});
+  body.settle();
+  EXPECT_EQ(move_needle(body, {half, 0}, 1e-3, -4e-3, 0.5e-3).ruptures, 1);
+  EXPECT_GT(body.state().cut.length, 0);
+}
+
 }  // namespace
 }  // namespace thinwall
