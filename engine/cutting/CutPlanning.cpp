@@ -17,6 +17,9 @@ namespace {
 
 constexpr int kMostTrials = 12;
 
+/// Choice of the node in the middle of an edge that is cut alone.
+constexpr int kHalved = -1;
+
 /// One way to bring the path into the patch.
 struct Trial {
   CutPatch patch;
@@ -49,8 +52,27 @@ std::vector<int> find_troubles(const CutPatch& patch) {
   return troubles;
 }
 
-Trial try_nodes(const CutPatch& patch, std::span<const PathStop> stops, const RefusedChoices& refused) {
+/// A cut along one edge between places that stay single does not open: it opens in the middle of the edge.
+void halve_single_edge(const CutPatch& patch, std::vector<PathNode>& nodes) {
+  if (nodes.size() != 2) return;
+  const PatchPlace &from = nodes[0].place, &to = nodes[1].place;
+  if (from.kind != PlaceKind::kVertex || to.kind != PlaceKind::kVertex) return;
+  if (!patch.are_joined(from.vertex, to.vertex)) return;
+  PathNode middle = nodes.front();
+  middle.choice = kHalved;
+  middle.place = {.kind = PlaceKind::kSide,
+                  .from = from.vertex,
+                  .to = to.vertex,
+                  .along = 0.5,
+                  .position = 0.5 * (from.position + to.position)};
+  middle.wanted = middle.place.position;
+  nodes.insert(nodes.begin() + 1, middle);
+}
+
+Trial try_nodes(const CutPatch& patch, std::span<const PathStop> stops, const RefusedChoices& refused,
+                bool halves_edges) {
   Trial trial{.patch = patch, .nodes = snap_path(patch, stops, refused), .path = {}, .troubles = {}};
+  if (halves_edges) halve_single_edge(patch, trial.nodes);
   if (trial.nodes.size() < 2) {
     trial.empty = true;
     return trial;
@@ -172,11 +194,13 @@ std::vector<int> worse_than_before(const CutPatch& before, const CutPatch& patch
   return worse;
 }
 
-/// Snaps, inserts and improves until the rule is kept; without vertices where that cannot be.
-PlannedCut plan_with_nodes(const CutPatch& before, const CutPatch& patch, std::span<const PathStop> stops) {
+/// Snaps, inserts and improves until the rule is kept; without vertices where that cannot be. `halves_edges`: see
+/// halve_single_edge.
+PlannedCut plan_with_nodes(const CutPatch& before, const CutPatch& patch, std::span<const PathStop> stops,
+                           bool halves_edges) {
   RefusedChoices refused;
   for (int i = 0; i < kMostTrials; ++i) {
-    Trial trial = try_nodes(patch, stops, refused);
+    Trial trial = try_nodes(patch, stops, refused, halves_edges);
     if (trial.empty) break;
     if (trial.path.complete && trial.troubles.empty()) {
       std::vector<TriangleSource> sources = overlaps(before, trial.patch);
@@ -249,12 +273,14 @@ PlannedCut plan_cut(const PatchPath& before, const PatchPath& refined) {
   const std::vector<PathStop>& stops = refined.stops;
   PlannedCut nothing{.patch = patch, .vertices = {}, .triangles = {}};
   if (stops.size() < 2) return nothing;
-  PlannedCut plan = plan_with_nodes(before.patch, patch, stops);
+  PlannedCut plan = plan_with_nodes(before.patch, patch, stops, false);
+  if (plan.vertices.empty()) {
+    if (may_wait(patch, stops)) return nothing;
+    plan = plan_with_nodes(before.patch, patch, stops, true);
+  }
   if (!plan.vertices.empty()) {
     const double bound = kSnappingBound * longest_edge_at(plan.patch, plan.vertices);
     if (deviation_of(stops, plan) <= bound) return plan;
-  } else if (may_wait(patch, stops)) {
-    return nothing;
   }
   PlannedCut along = plan_along_edges(patch, stops);
   along.triangles = overlaps(before.patch, along.patch);

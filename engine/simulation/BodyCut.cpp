@@ -19,6 +19,11 @@ namespace {
 /// Mean edges by which a cut waits for the blade to come farther, where what it would leave is beyond the wall's law.
 constexpr double kMostAwaited = 3;
 
+/// A path shorter than the triangles is cut into smaller ones of this part of it, where it is at least so many mean
+/// edges long.
+constexpr double kPartOfShortPath = 0.5;
+constexpr double kShortestPath = 0.1;
+
 /// Contents that do not run out keep their surface, whatever caps span the lips now.
 void keep_surfaces(BodyModel& model, const BodyState& state) {
   if (!model.has_open_chambers() || model.definition.fluid.leaks) return;
@@ -26,6 +31,21 @@ void keep_surfaces(BodyModel& model, const BodyState& state) {
   for (Eigen::Index c = 0; c < below_caps.size(); ++c) {
     model.chambers[static_cast<std::size_t>(c)].beyond_caps = state.volume[c] - below_caps[c];
   }
+}
+
+/// Whether a path neither goes on from a cut nor will go on.
+bool is_whole(const CutPath& path) {
+  return !path.from && !path.goes_on;
+}
+
+/// Edges of triangles that a short path can be cut into, metres; 0 where it is hardly longer than a point.
+double edge_for_short_path(const BodyModel& model, const CutPath& path) {
+  const SurfaceView rest{.triangles = model.definition.mesh.triangles, .position = model.rest_position};
+  double length = 0;
+  for (std::size_t k = 1; k < path.points.size(); ++k) {
+    length += (position_of(rest, path.points[k]) - position_of(rest, path.points[k - 1])).norm();
+  }
+  return length < kShortestPath * model.edge_length ? 0 : kPartOfShortPath * length;
 }
 
 /// Groups that stand for the regions where a body is held: no scenario can name them.
@@ -66,6 +86,10 @@ Cut Body::cut(const CutPath& path, std::span<const ToolPose> poses) {
   if (state_.cut.tool) options.deviation = tools_[*state_.cut.tool].deviation;
   Uncut before;
   Cut cut = change_mesh(path, options, &before);
+  if (cut.triangles.empty() && is_whole(path)) {
+    options.edge_length = edge_for_short_path(*model_, path);
+    if (options.edge_length > 0) cut = change_mesh(path, options, &before);
+  }
   if (cut.triangles.empty()) return cut;
   state_.cut.has_incised = true;
   state_.cut.start.reset();

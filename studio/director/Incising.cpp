@@ -54,6 +54,7 @@ void begin_incision(IncisionPlan& plan, const Body& body, std::span<const ToolDe
                                 tools[*other].name, plan.clip.body, plan.clip.tool)}});
   }
   plan.entry_cost = cost_of_entry(body, plan, tools[tool]);
+  plan.edge_length = body.model().edge_length;
 }
 
 std::optional<BladeInput> blade_input(const IncisionPlan& plan, const Body& body, const BladeStep& step) {

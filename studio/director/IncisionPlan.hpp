@@ -27,6 +27,8 @@ struct IncisionPlan {
   std::optional<double> entered = {};  // seconds since the clip began, when the blade had gone in, once it has
   double entry_cost = 0;               // joule that the blade has to put into the dent before it goes in
   PassedOver passed_over = {};
+  double edge_length = 0;  // metres, mean, of the body's triangles
+  double cut = 0;          // metres, rest, that the clip has cut so far
 
   double duration() const;                  // seconds
   ToolMoment at(double time) const;         // `time`: seconds since the clip began, limited to its duration

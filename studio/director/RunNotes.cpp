@@ -15,6 +15,21 @@ std::optional<std::string> piercing_note(std::size_t number, const PiercingPlan&
       number, plan.clip.tool, 1e3 * plan.clip.depth, plan.clip.body);
 }
 
+std::optional<std::string> incision_note(std::size_t number, const IncisionPlan& plan) {
+  if (plan.cut > 0) return std::nullopt;
+  const std::string which = fmt::format("timeline[{}]: blade `{}` has gone its whole path of {:.4g} mm and cut nothing",
+                                        number, plan.clip.tool, 1e3 * plan.path.length());
+  if (plan.path.length() >= plan.edge_length) {
+    return which +
+           fmt::format(" of body `{}`, which gave way to it or was open there; hold the body (`fixed`), or go deeper",
+                       plan.clip.body);
+  }
+  return which + fmt::format(
+                     "; body `{}` has triangles with edges of {:.3g} mm: a cut asks for a longer path or more "
+                     "triangles",
+                     plan.clip.body, 1e3 * plan.edge_length);
+}
+
 std::optional<std::string> grasp_note(std::size_t number, const GraspPlan& plan) {
   const GraspClip& clip = plan.clip;
   const std::string which = fmt::format("timeline[{}]: forceps `{}` have ", number, clip.tool);
@@ -83,6 +98,7 @@ std::vector<std::string> ended_clip_notes(std::span<const ScheduledClip> clips, 
     if (!clips[k].begun || clips[k].end > time + kTimeTolerance) continue;
     std::optional<std::string> note;
     if (const auto* piercing = std::get_if<PiercingPlan>(&clips[k].plan)) note = piercing_note(k + 1, *piercing);
+    if (const auto* incision = std::get_if<IncisionPlan>(&clips[k].plan)) note = incision_note(k + 1, *incision);
     if (const auto* grasp = std::get_if<GraspPlan>(&clips[k].plan)) note = grasp_note(k + 1, *grasp);
     if (note) notes.push_back(*std::move(note));
   }

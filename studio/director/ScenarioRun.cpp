@@ -189,7 +189,10 @@ struct ScenarioRun::Implementation {
       const auto cut = [&](auto&& how) {
         const SurfaceMesh uncut = body.model().definition.mesh;
         const std::optional<Cut> made = how();
-        if (made) take_over(*made, index, uncut, until);
+        if (made) {
+          take_over(*made, index, uncut, until);
+          incision->cut += made->length;
+        }
         return made.has_value();
       };
       cut([&] { return incise(*incision, body, step); });

@@ -316,5 +316,28 @@ TEST(CutSurface, GivesTheSameMeshEachTime) {
   EXPECT_EQ(first.mesh().triangles, second.mesh().triangles);
 }
 
+TEST(CutSurface, ACutAlongOneEdgeWithinTheWallOpensInItsMiddle) {
+  CutSurface surface(make_sphere(1, 320));
+  const SurfaceMesh mesh = surface.mesh();
+  double length = 0;
+  CutPath path;
+  path.goes_on = true;
+  // The longest of all edges: a path shorter than the edges around would wait.
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const int next = (k + 1) % 3;
+      const double edge = (mesh.vertices[mesh.triangles[t][next]] - mesh.vertices[mesh.triangles[t][k]]).norm();
+      if (edge <= length) continue;
+      length = edge;
+      path.points = {{.triangle = t, .weights = Eigen::Vector3d::Unit(k)},
+                     {.triangle = t, .weights = Eigen::Vector3d::Unit(next)}};
+    }
+  }
+  const Cut cut = cut_well(surface, path);
+  EXPECT_NEAR(cut.length, length, 0.05 * length);
+  ASSERT_EQ(cut.lips.size(), 1U);
+  EXPECT_EQ(cut.lips[0].left.size(), 3U);
+}
+
 }  // namespace
 }  // namespace thinwall

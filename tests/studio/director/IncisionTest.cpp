@@ -249,6 +249,33 @@ TEST(Incision, SaysThatTheWallHasGivenWayFromUnderTheBladeWhereAnOrganEmptiesAnd
   EXPECT_NE(note.find("body `ball`: from "), std::string::npos) << note;
 }
 
+TEST(Incision, CutsPathsThatAreShorterThanTheTrianglesAndTellsOfBladesThatCutNothing) {
+  const auto note_of = [](double length, double& cut) {
+    Scenario scenario = ball_scenario();
+    std::get<ShapeSource>(scenario.bodies[0].surface).triangles = 320;  // edges of 6 mm
+    std::get<InciseClip>(scenario.timeline[0].action).path = {{0, 0, 0.02}, {length, 0, 0.02}};
+    ScenarioRun run(scenario);
+    while (run.step()) {
+    }
+    cut = run.record().bodies.at(0).cut_length;
+    std::string note;
+    for (const std::string& warning : run.warnings()) {
+      if (warning.find("cut nothing") != std::string::npos) note += warning;
+    }
+    return note;
+  };
+  double cut = 0;
+  for (const double length : {0.002, 0.004, 0.006}) {
+    SCOPED_TRACE(length);
+    EXPECT_EQ(note_of(length, cut), "");
+    EXPECT_NEAR(cut, length, 0.3 * length);
+  }
+  const std::string note = note_of(0.00005, cut);
+  EXPECT_EQ(note.find("timeline[1]: blade `blade` has gone its whole path of 0."), 0U) << note;
+  EXPECT_NE(note.find(" mm and cut nothing; body `ball` has triangles with edges of "), std::string::npos) << note;
+  EXPECT_EQ(cut, 0);
+}
+
 TEST(Incision, GoesIntoABorderThatIsHeldAndFeelsWhatToughnessAsks) {
   Scenario scenario = sheet_scenario(1.1);
   auto& clip = std::get<InciseClip>(scenario.timeline[0].action);
