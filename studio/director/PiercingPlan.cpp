@@ -6,11 +6,33 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/tool/FirstContact.hpp"
 #include "renderer/snapshot/SameTime.hpp"
 #include "studio/director/BodyExtent.hpp"
 #include "studio/scenario/InputError.hpp"
 
 namespace thinwall {
+namespace {
+
+/// Radii of a needle in an edge of the wall at most: smaller triangles are made for its slit, and each halving of them
+/// makes the steps with it slower.
+constexpr double kMostRadii = 2000;
+
+/// Of the triangle that the line of approach meets first, metres; 0 where it meets none.
+double longest_edge_ahead(const SurfaceView& surface, const ToolPose& pose) {
+  const auto hit = first_entry(surface, pose.tip, pose.direction);
+  if (!hit) return 0;
+  double longest = 0;
+  const Eigen::Vector3i& vertices = surface.triangles[static_cast<std::size_t>(hit->triangle)];
+  for (int k = 0; k < 3; ++k) {
+    const auto from = surface.position.segment<3>(3 * vertices[k]);
+    longest = std::max(longest, (surface.position.segment<3>(3 * vertices[(k + 1) % 3]) - from).norm());
+  }
+  return longest;
+}
+
+}  // namespace
+
 ToolMoment PiercingPlan::at(double time) const {
   ToolMoment moment = PalpationPlan::at(time);
   const auto is_now = [&](double rupture) { return std::abs(rupture - time) <= kSameTime; };
@@ -34,6 +56,13 @@ PiercingPlan plan_piercing(const PierceClip& clip, const ToolDefinition& tool, c
         fmt::format("needle `{}` is {:.3g} mm thick, and body `{}` is only {:.3g} mm wide across its way; give it a "
                     "smaller `radius`",
                     clip.tool, 2e3 * tool.radius, clip.body, 1e3 * width));
+  }
+  const double edge = longest_edge_ahead(surface, plan.begin);
+  if (kMostRadii * tool.radius < edge) {
+    refuse(fmt::format(
+        "needle `{}` is {:.3g} mm thick, and the triangles that it meets have edges of {:.3g} mm, which a slit of its "
+        "width cannot be cut into; give it a larger `radius`, or the body more triangles",
+        clip.tool, 2e3 * tool.radius, 1e3 * edge));
   }
   if (clip.depth > tool.length) {
     refuse(

@@ -16,7 +16,7 @@ struct PiercingPlan : PalpationPlan {
 };
 
 /// As `plan_palpation`. Throws InputErrors at `location` also when the needle is thicker than the body is wide across
-/// its way, or goes deeper than it is long.
+/// its way, thinner than triangles can be cut for it, or goes deeper than it is long.
 PiercingPlan plan_piercing(const PierceClip& clip, const ToolDefinition& tool, const SurfaceView& surface,
                            const SourceLocation& location);
 

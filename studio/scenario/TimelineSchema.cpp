@@ -78,7 +78,8 @@ MappingSchema pierce() {
       "approach meets no wall any more "
       "when the clip starts, as over a cut that gapes, the needle goes the way that it had when the run began, as with "
       "`palpate`. Errors are a depth larger than the needle is long, "
-      "and a needle as thick as the body is wide across its way; a needle that presses where no slit fits in, as next "
+      "a needle as thick as the body is wide across its way, and one thinner than a thousandth of the triangles' "
+      "edges; a needle that presses where no slit fits in, as next "
       "to a border, ends the run.");
 }
 

@@ -106,6 +106,12 @@ TEST(PiercingPlan, RefusesNeedlesThatAreTooThickOrTooShort) {
   EXPECT_EQ(message_of([&] { plan_piercing(needle_clip(), thick, body.view(), kPlace); }),
             "a.yaml:7:5: error: pierce: needle `needle` is 42 mm thick, and body `ball` is only 40 mm wide across its "
             "way; give it a smaller `radius`");
+  ToolDefinition thin = kNeedle;
+  thin.radius = 0.5e-6;
+  const std::string thinner = message_of([&] { plan_piercing(needle_clip(), thin, body.view(), kPlace); });
+  EXPECT_NE(thinner.find("needle `needle` is 0.001 mm thick, and the triangles that it meets have edges of 3.24 mm"),
+            std::string::npos)
+      << thinner;
   PierceClip deep = needle_clip();
   deep.depth = 0.05;
   EXPECT_EQ(message_of([&] { plan_piercing(deep, kNeedle, body.view(), kPlace); }),
