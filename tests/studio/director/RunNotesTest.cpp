@@ -30,6 +30,29 @@ TEST(RunNotes, TellThatANeedleHasGoneItsDepthWithoutPiercing) {
   }
 }
 
+TEST(RunNotes, TellThatAToolTouchesBetweenTwoStepsOnly) {
+  for (const double hold : {0.0, 0.05}) {
+    Scenario scenario = held_ball(80, 0.02);
+    scenario.tools = {{.name = "finger", .kind = ToolKind::kSphere, .radius = 0.003}};
+    PalpateClip clip;
+    clip.tool = "finger";
+    clip.body = "ball";
+    clip.at = {0, 0, 0.02};
+    clip.depth = 1e-5;
+    clip.speed = 0.05;
+    clip.hold = hold;
+    clip.standoff = 0.0025;
+    scenario.timeline = {{.action = clip}};
+    ScenarioRun run(scenario);
+    while (run.step()) {
+    }
+    EXPECT_EQ(tells(run,
+                    "timeline[1]: tool `finger` touches body `ball` between two steps only, which nothing feels: it "
+                    "goes 0.01 mm deep and 1 mm in a step"),
+              hold == 0);
+  }
+}
+
 TEST(RunNotes, TellThatInflatingDrainsOrDrainingFills) {
   const auto told = [](double pressure, bool drains) {
     Scenario scenario = held_ball(80, 0.02);
