@@ -44,7 +44,12 @@ void RegionMembers::check_found(const std::vector<int>& found, const char* what,
                                 const std::string& path, const SourceLocation& location) {
   if (!found.empty()) return;
   if (std::holds_alternative<BoundaryRegion>(region)) {
-    errors_.push_back({location, fmt::format("{}: holds no {}: the wall has no open edges", path, what)});
+    const bool is_open = !vertices_in(region, mesh_).empty();
+    errors_.push_back(
+        {location, fmt::format("{}: holds no {}: {}", path, what,
+                               is_open ? "none has all three corners on open edges; take `plane`, `box` or "
+                                         "`sphere` for the triangles beside them"
+                                       : "the wall has no open edges")});
   } else {
     errors_.push_back(
         {location, fmt::format("{}: holds no {} of the surface, which spans {}", path, what, bounds_of(mesh_))});

@@ -122,6 +122,17 @@ TEST(BodyBuilder, BoundaryOfAClosedWallIsEmptyAndTold) {
             "scene.yaml:3:3: error: bodies.organ.fixed[1].region: holds no vertex: the wall has no open edges");
 }
 
+TEST(BodyBuilder, BoundaryWithoutTrianglesIsToldAsSuch) {
+  BodyScenario scenario = hemisphere();
+  scenario.surface = ShapeSource{.shape = Shape::kDisc, .radius = 0.02, .triangles = 300};
+  scenario.fluid.kind = FluidKind::kNone;
+  scenario.thickness.regions = {{BoundaryRegion{}, 2e-3, {"scene.yaml", 8, 11}}};
+  const std::string told = refusal_of(scenario);
+  EXPECT_NE(told.find("holds no wall triangle: none has all three corners on open edges; take `plane`"),
+            std::string::npos)
+      << told;
+}
+
 TEST(BodyBuilder, FluidInAnOpenShapeIsRefusedAndNoneIsAccepted) {
   BodyScenario scenario = hemisphere();
   scenario.surface = ShapeSource{.shape = Shape::kDisc, .radius = 0.02, .triangles = 6};
