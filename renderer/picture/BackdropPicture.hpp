@@ -13,6 +13,7 @@ namespace thinwall {
 struct FieldStop {
   double tangent = 0;                  // of the angle off the line of sight; 0: there is none
   std::array<double, 2> half_field{};  // tangents at the middle of the right and of the upper border
+  bool operator==(const FieldStop&) const = default;
 };
 
 /// Enlarges what lies behind a scene from the small picture that it is drawn in, and breaks the bands of its slow

@@ -28,7 +28,7 @@ void require_drawable(ImageSize size) {
   }
   // Software drivers do not refuse what the machine cannot hold, they die of it.
   constexpr double kMostGigabytes = 4;
-  constexpr double kBytesPerPixel = 16 + 16 + 4 + 4 + 4 + 0.5 + 2;  // of the textures below
+  constexpr double kBytesPerPixel = 16 + 16 + 8 + 8 + 4 + 4 + 4 + 0.5 + 2;  // of the textures below
   const double gigabytes = 1e-9 * kBytesPerPixel * size.width * size.height;
   if (gigabytes > kMostGigabytes) {
     throw PictureFailure("a picture of " + dimensions(size) + " pixels would take " +
@@ -72,6 +72,17 @@ PictureTarget::PictureTarget(ImageSize size) : size_(size) {
   glNamedFramebufferDrawBuffers(surface_.name(), 2, all);
   require_complete(surface_, "a frame of normals and positions");
 
+  tool_normal_ = texture(GL_RGBA16F);
+  tool_axis_ = texture(GL_RGBA16F);
+  tools_ = create_framebuffer();
+  attach(tools_, GL_COLOR_ATTACHMENT0, rest_);
+  attach(tools_, GL_COLOR_ATTACHMENT1, tool_normal_);
+  attach(tools_, GL_COLOR_ATTACHMENT2, tool_axis_);
+  attach_depth(tools_, depth_);
+  const GLenum all_of_tools[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2};
+  glNamedFramebufferDrawBuffers(tools_.name(), 3, all_of_tools);
+  require_complete(tools_, "a frame of what is seen of tools");
+
   backdrop_color_ = create_texture(GL_RGBA8, quarter(size_.width), quarter(size_.height), GL_LINEAR);
   backdrop_ = create_framebuffer();
   attach(backdrop_, GL_COLOR_ATTACHMENT0, backdrop_color_);
@@ -114,6 +125,18 @@ void PictureTarget::clear_depth(const FinePixels& fine) const {
                       depth.data());
 }
 
+bool PictureTarget::clear_depth(const FieldStop& stop) const {
+  if (!stop_depth_ || stop != kept_stop_) return false;
+  glCopyImageSubData(stop_depth_->name(), GL_TEXTURE_2D, 0, 0, 0, 0, depth_.name(), GL_TEXTURE_2D, 0, 0, 0, 0,
+                     size_.width, size_.height, 1);
+  return true;
+}
+
+void PictureTarget::keep_stop(const FieldStop& stop) {
+  copy_depth(stop_depth_);
+  kept_stop_ = stop;
+}
+
 void PictureTarget::copy_depth(std::optional<Texture>& to) const {
   if (!to) to = create_texture(GL_DEPTH24_STENCIL8, size_.width, size_.height, GL_NEAREST);
   glCopyImageSubData(depth_.name(), GL_TEXTURE_2D, 0, 0, 0, 0, to->name(), GL_TEXTURE_2D, 0, 0, 0, 0, size_.width,
@@ -147,6 +170,11 @@ void PictureTarget::begin_surface() const {
   glViewport(0, 0, size_.width, size_.height);
 }
 
+void PictureTarget::begin_tools() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, tools_.name());
+  glViewport(0, 0, size_.width, size_.height);
+}
+
 void PictureTarget::begin_backdrop() const {
   glBindFramebuffer(GL_FRAMEBUFFER, backdrop_.name());
   glViewport(0, 0, quarter(size_.width), quarter(size_.height));
@@ -168,6 +196,8 @@ void PictureTarget::begin_color() const {
   glViewport(0, 0, size_.width, size_.height);
   glBindTextureUnit(2, normal_.name());
   glBindTextureUnit(3, rest_.name());
+  glBindTextureUnit(6, tool_normal_.name());
+  glBindTextureUnit(7, tool_axis_.name());
 }
 
 const Texture& PictureTarget::copy_of_color() const {

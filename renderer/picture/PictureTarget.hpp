@@ -12,8 +12,8 @@
 
 namespace thinwall {
 
-/// The frames that a picture is drawn to, and the way from there to an Image. Two frames share depth and stencil: one
-/// takes what is seen of the tissue (normal, rest position, depth), the other the colours.
+/// The frames that a picture is drawn to, and the way from there to an Image. Three frames share depth and stencil: one
+/// takes what is seen of the tissue (normal, rest position, depth), one what is seen of the tools, one the colours.
 class PictureTarget {
  public:
   /// Throws PictureFailure for sizes that are not positive, beyond the driver's limits, or that need too much memory.
@@ -22,10 +22,21 @@ class PictureTarget {
   /// Empties depth and stencil.
   void clear_depth() const;
 
+  /// Empties them but for what keep_stop has kept for the same stop; false where there is no such.
+  bool clear_depth(const FieldStop& stop) const;
+
+  /// Keeps depth as it is now, with nothing drawn but the field stop: each picture begins with it, and copying is
+  /// cheaper than drawing.
+  void keep_stop(const FieldStop& stop);
+
   /// Makes the frame of what is seen of the tissue the one that is drawn to.
   void begin_surface() const;
 
-  /// Makes the colours the frame that is drawn to, and binds the other for tissue.frag.
+  /// Makes the frame of what is seen of the tools the one that is drawn to. It takes rest positions of tissue away
+  /// where tools hide it, but leaves the normals, for metal mirrors tissue that it hides.
+  void begin_tools() const;
+
+  /// Makes the colours the frame that is drawn to, and binds the others for tissue.frag and metal.frag.
   void begin_color() const;
 
   /// Makes a picture of a quarter of the size the one that is drawn to, for what lies behind the scene: nothing in it
@@ -80,11 +91,16 @@ class PictureTarget {
 
   ImageSize size_;
   Texture depth_;  // and stencil
+  std::optional<Texture> stop_depth_;
+  FieldStop kept_stop_;
   std::optional<Texture> kept_depth_;
   std::optional<Texture> tissue_depth_;  // without tools
   Texture normal_;                       // and depth
-  Texture rest_;                         // and state
+  Texture rest_;                         // and state; of tools the place
   Framebuffer surface_;
+  Texture tool_normal_;
+  Texture tool_axis_;
+  Framebuffer tools_;
   Texture backdrop_color_;
   Framebuffer backdrop_;
   std::optional<BackdropPicture> backdrop_picture_;

@@ -89,7 +89,8 @@ struct Stage {
 
   void cast_shadows(const SceneExtent& extent, const Studio& studio, PassClock& clock);
   void draw_backdrop(Surroundings surroundings, PassClock& clock);
-  void draw_surface(const FrameUniforms& frame, bool has_tools, PassClock& clock);
+  void clear_depth(const FieldStop& stop);
+  void draw_surface(const FrameUniforms& frame, PassClock& clock);
   void draw_scene(SceneView& scene, const FrameUniforms& frame, PassClock& clock);
   void find_outline(SceneView& scene);
   void draw_fluids(const SceneView& scene, PassClock& clock);
@@ -134,12 +135,19 @@ void Stage::draw_fluids(const SceneView& scene, PassClock& clock) {
   }
 }
 
+void Stage::clear_depth(const FieldStop& stop) {
+  if (target.clear_depth(stop)) return;
+  target.clear_depth();
+  if (!(stop.tangent > 0)) return;
+  scene_pass.close_field_stop(target);
+  target.keep_stop(stop);
+}
+
 /// What is seen of the tissue; depth and stencil tell where, and tools mirror it. It does not touch the colours, so
 /// that these can be filled while the driver's threads work on it.
-void Stage::draw_surface(const FrameUniforms& frame, bool has_tools, PassClock& clock) {
+void Stage::draw_surface(const FrameUniforms& frame, PassClock& clock) {
   scene_pass.draw_surface(meshes, target, frame.view_projection);
   glFlush();
-  if (has_tools) target.keep_tissue_depth();
   clock.ends("surface");
 }
 
@@ -153,7 +161,7 @@ void Stage::find_outline(SceneView& scene) {
 /// Over the backdrop, all that is seen with the surface.
 void Stage::draw_scene(SceneView& scene, const FrameUniforms& frame, PassClock& clock) {
   shadow_map.bind();
-  scene_pass.draw_tools(meshes, target, scene.surroundings);
+  scene_pass.draw_tools(meshes, target, frame.view_projection, scene.surroundings);
   clock.ends("tools");
   if (scene.view.look.data) {
     scene_pass.shade_data(target, scene.view.look.data->scale);
@@ -191,7 +199,7 @@ void Stage::draw_fine_pixels(SceneView& scene, const FrameUniforms& frame) {
   target.write_color(fine.area, ground);
   target.clear_depth(fine);
   PassClock untimed(nullptr);
-  draw_surface(shifted, false, untimed);
+  draw_surface(shifted, untimed);
   draw_scene(scene, shifted, untimed);
   target.write_color(fine.area, with_corners(fine, middles, target.read_color(fine.area)));
 }
@@ -252,9 +260,10 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
   clock.ends("meshes");
   stage->cast_shadows(extent, studio, clock);
   stage->draw_backdrop(surroundings, clock);
-  stage->target.clear_depth();
-  stage->draw_surface(frame, !snapshot.tools.empty(), clock);
+  stage->clear_depth(field_stop(frame));
+  stage->draw_surface(frame, clock);
   stage->target.lay_backdrop(field_stop(frame));
+  if (!snapshot.tools.empty()) stage->target.keep_tissue_depth();
   clock.ends("backdrop");
   SceneView shown{.snapshot = snapshot, .view = view, .eye = camera.position, .surroundings = surroundings};
   stage->draw_scene(shown, frame, clock);

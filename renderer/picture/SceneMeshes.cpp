@@ -236,8 +236,9 @@ std::optional<Snapshot> SceneMeshes::laid_on_beds(const Snapshot& snapshot) cons
 
 void SceneMeshes::upload_tools(const Snapshot& snapshot, const SceneExtent& extent) {
   std::vector<ToolVertex>& vertices = tool_vertices_;
-  std::vector<std::uint32_t> indices;
+  std::vector<std::uint32_t>& indices = tool_corners_;
   vertices.clear();
+  indices.clear();
   rods_.clear();
   for (const SnapshotTool& tool : snapshot.tools) {
     const ToolShape shape = tool_shape(tool, extent.size);
@@ -250,6 +251,10 @@ void SceneMeshes::upload_tools(const Snapshot& snapshot, const SceneExtent& exte
   std::vector<Float3> positions;
   for (const ToolVertex& vertex : vertices) positions.push_back(vertex.position);
   tool_edges_ = creased_edges(positions, indices);
+}
+
+ScreenArea SceneMeshes::tool_area(const std::array<float, 16>& view_projection, ImageSize size) const {
+  return screen_area(tool_vertices_, tool_corners_, view_projection, size);
 }
 
 std::vector<MeshLine> SceneMeshes::mesh_lines() const {

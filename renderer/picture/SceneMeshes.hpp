@@ -62,6 +62,9 @@ class SceneMeshes {
   const std::vector<TissuePart>& parts() const { return parts_; }
   const std::vector<ToolRod>& rods() const { return rods_; }
 
+  /// All pixels that show something of the tools. `view_projection`: world to clip coordinates.
+  ScreenArea tool_area(const std::array<float, 16>& view_projection, ImageSize size) const;
+
   const std::vector<BodyFluid>& fluids() const { return fluids_; }
 
   const std::vector<BodyFilm>& films() const { return films_; }
@@ -91,6 +94,7 @@ class SceneMeshes {
   std::vector<BodyFilm> films_;
   std::vector<ToolRod> rods_;
   std::vector<ToolVertex> tool_vertices_;
+  std::vector<std::uint32_t> tool_corners_;  // (3 x triangles)
   std::vector<MeshEdge> tool_edges_;
   std::vector<std::shared_ptr<const SnapshotTopology>> topologies_;  // that the edges belong to
   DrawnEdges edges_ = DrawnEdges::kCurves;                           // and what they were found for

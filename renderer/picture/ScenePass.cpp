@@ -10,13 +10,20 @@
 namespace thinwall {
 namespace {
 
-/// Parts of a picture are told apart by 7 of a stencil's 8 bits, 0 being none; the last is the fluid's.
+/// Parts of a picture are told apart by 7 of a stencil's 8 bits, 0 being none; the last is that of tools, then the
+/// fluid's.
 void require_countable(std::size_t parts) {
   if (parts > 127) {
     throw PictureFailure("a picture holds at most 127 walls, caps, rims and linings of bodies, the snapshot has " +
                          std::to_string(parts));
   }
 }
+
+/// Pixels of tools until they are shaded: the bit of the stencil that no part's number uses.
+constexpr GLint kTools = 0x80;
+
+/// Of the ring around the field stop, as stop.vert has them.
+constexpr GLsizei kStopVertices = 2 * (64 + 1);
 
 /// More steps than any channel has levels between two of them.
 constexpr int kColorSteps = 1024;
@@ -37,6 +44,8 @@ Texture color_texture() {
 
 ScenePass::ScenePass()
     : surface_(build_program("surface.vert", "surface.frag")),
+      tool_(build_program("tool.vert", "tool.frag")),
+      field_stop_(build_program("stop.vert", "")),
       tissue_{build_program("tissue.vert", "tissue.frag"), build_program("tissue.vert", "tissue_endoscope.frag")},
       metal_{build_program("metal.vert", "metal.frag"), build_program("metal.vert", "metal_endoscope.frag")},
       floor_{build_program("screen.vert", "floor.frag"), build_program("screen.vert", "bed.frag")},
@@ -53,6 +62,17 @@ void ScenePass::draw_floor(const PictureTarget& target, Surroundings surrounding
   glDisable(GL_DEPTH_TEST);
   glUseProgram(floor_[static_cast<std::size_t>(surroundings)].name());
   draw_screen();
+}
+
+void ScenePass::close_field_stop(const PictureTarget& target) const {
+  target.begin_surface();
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_ALWAYS);
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  glUseProgram(field_stop_.name());
+  glBindVertexArray(no_vertices_.name());
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, kStopVertices);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 void ScenePass::draw_surface(const SceneMeshes& meshes, const PictureTarget& target,
@@ -80,19 +100,31 @@ void ScenePass::draw_surface(const SceneMeshes& meshes, const PictureTarget& tar
   glDisable(GL_CULL_FACE);
 }
 
-void ScenePass::draw_tools(const SceneMeshes& meshes, const PictureTarget& target, Surroundings surroundings) const {
-  target.begin_color();
+void ScenePass::draw_tools(const SceneMeshes& meshes, const PictureTarget& target, const FloatMatrix4& view_projection,
+                           Surroundings surroundings) const {
+  target.begin_tools();
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LESS);
-  // Of tissue behind tools nothing is shaded then.
   glEnable(GL_STENCIL_TEST);
-  glStencilFunc(GL_ALWAYS, 0, 0xff);
+  glStencilFunc(GL_ALWAYS, kTools, 0xff);
   glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-  glUseProgram(metal_[static_cast<std::size_t>(surroundings)].name());
+  glUseProgram(tool_.name());
   glEnable(GL_CULL_FACE);
   glCullFace(GL_BACK);
   meshes.tools().draw();
   glDisable(GL_CULL_FACE);
+
+  target.begin_color();
+  glDisable(GL_DEPTH_TEST);
+  // What is shaded counts as empty from then on: of tissue behind tools nothing is shaded, and no fluid lies on them.
+  glStencilFunc(GL_EQUAL, kTools, 0xff);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_ZERO);
+  glUseProgram(metal_[static_cast<std::size_t>(surroundings)].name());
+  glEnable(GL_SCISSOR_TEST);
+  const ScreenArea area = meshes.tool_area(view_projection, target.size());
+  glScissor(area.left, area.bottom, area.width, area.height);
+  draw_screen();
+  glDisable(GL_SCISSOR_TEST);
 }
 
 void ScenePass::shade_tissue(const SceneMeshes& meshes, const PictureTarget& target,

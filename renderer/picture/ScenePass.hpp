@@ -23,11 +23,15 @@ class ScenePass {
   /// The floor or bed below the scene, as backdrop.
   void draw_floor(const PictureTarget& target, Surroundings surroundings) const;
 
+  /// Keeps all that is drawn from then on within the field stop of an endoscope: outside it depth is as near as can be.
+  void close_field_stop(const PictureTarget& target) const;
+
   /// What is seen of the tissue, as geometry. `view_projection`, here and below: world to clip coordinates.
   void draw_surface(const SceneMeshes& meshes, const PictureTarget& target, const FloatMatrix4& view_projection) const;
 
   /// Before the tissue is shaded, which then leaves out what they hide.
-  void draw_tools(const SceneMeshes& meshes, const PictureTarget& target, Surroundings surroundings) const;
+  void draw_tools(const SceneMeshes& meshes, const PictureTarget& target, const FloatMatrix4& view_projection,
+                  Surroundings surroundings) const;
 
   /// The numbers of a data view in its place.
   void shade_data(const PictureTarget& target, DataScale scale) const;
@@ -43,6 +47,8 @@ class ScenePass {
   void draw_screen() const;
 
   Program surface_;
+  Program tool_;
+  Program field_stop_;
   std::array<Program, 2> tissue_;  // (surroundings)
   std::array<Program, 2> metal_;   // (surroundings)
   std::array<Program, 2> floor_;   // (surroundings)

@@ -5,6 +5,7 @@
 
 #include "renderer/image/Image.hpp"
 #include "renderer/picture/SurfaceVertices.hpp"
+#include "renderer/picture/ToolShape.hpp"
 
 namespace thinwall {
 
@@ -35,5 +36,10 @@ bool lies_ahead(const Bounds& box, const std::array<float, 16>& view_projection)
 /// All pixels that show something of `box`, and a border of one; everything where the box reaches behind the eye.
 /// `view_projection`: world to clip coordinates, column by column.
 ScreenArea screen_area(const Bounds& box, const std::array<float, 16>& view_projection, ImageSize size);
+
+/// The same of triangles, and only of what of them lies before the eye: of a tool that is held from behind it, as much
+/// as is seen. `corners`: (3 x triangles), into `vertices`.
+ScreenArea screen_area(std::span<const ToolVertex> vertices, std::span<const std::uint32_t> corners,
+                       const std::array<float, 16>& view_projection, ImageSize size);
 
 }  // namespace thinwall

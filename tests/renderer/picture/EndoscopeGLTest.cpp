@@ -134,6 +134,20 @@ TEST(Endoscope, APictureIsTheSameAloneAndInASequence) {
   EXPECT_NE(in_sequence.pixels, renderer.draw(snapshot, {}).pixels);
 }
 
+TEST(Endoscope, AFieldStopIsThatOfThePictureNotOfTheOneBefore) {
+  const std::vector<SnapshotSurface> surfaces = {wall(0, 0, 0.1F)};
+  Snapshot snapshot;
+  snapshot.surfaces = surfaces;
+  const ViewDefinition wide = endoscope(0.1);
+  ViewDefinition narrow = wide;
+  narrow.camera.field_of_view = 0.6;
+  Renderer renderer(DeviceChoice{}, {160, 90}, Tier::kRecord);
+  renderer.draw(snapshot, wide);
+  EXPECT_EQ(renderer.draw(snapshot, narrow).pixels, draw(surfaces, narrow).pixels);
+  EXPECT_EQ(renderer.draw(snapshot, {}).pixels, draw(surfaces, {}).pixels);
+  EXPECT_EQ(renderer.draw(snapshot, wide).pixels, draw(surfaces, wide).pixels);
+}
+
 /// Largest second difference in time of the mean level of tiles of 10 x 10 pixels.
 double roughest_tile(const std::vector<Image>& frames) {
   const auto tile_mean = [](const Image& image, int x, int y) {

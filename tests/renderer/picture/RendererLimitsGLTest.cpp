@@ -78,7 +78,7 @@ TEST(Renderer, ImpossibleSizesAreRefusedWithTheReason) {
   EXPECT_EQ(wide.find("a picture of 2000000000 x 10 pixels is beyond this driver's limit of "), 0u) << wide;
   EXPECT_NE(wide.find("choose a smaller size"), std::string::npos) << wide;
   EXPECT_EQ(failure_of({10000, 10000}, Tier::kFinal),
-            "a picture of 10000 x 10000 pixels would take 5 GB of frames, 4 GB are allowed; choose a smaller size");
+            "a picture of 10000 x 10000 pixels would take 6 GB of frames, 4 GB are allowed; choose a smaller size");
 }
 
 /// 64-bit FNV-1a.

@@ -27,6 +27,22 @@ TEST(ScreenArea, WhatReachesBehindTheEyeMayBeSeenAnywhere) {
   EXPECT_EQ(screen_area(box, right_angle(), {200, 160}), (ScreenArea{0, 0, 200, 160}));
 }
 
+TEST(ScreenArea, OfATriangleThatReachesBehindTheEyeCountsWhatIsSeen) {
+  std::vector<ToolVertex> vertices(3);
+  vertices[0].position = {0, 0, -2};
+  vertices[1].position = {0, 1, -2};
+  vertices[2].position = {0.5F, 0, 1};
+  // From the middle upwards by half of the upper half, and to the right on without end.
+  const std::vector<std::uint32_t> corners = {0, 1, 2};
+  const ScreenArea area = screen_area(vertices, corners, right_angle(), {200, 160});
+  EXPECT_EQ(area.left, 99);
+  EXPECT_EQ(area.left + area.width, 200);
+  EXPECT_EQ(area.bottom, 79);
+  // All of it behind the eye is not seen.
+  for (ToolVertex& vertex : vertices) vertex.position[2] = 1;
+  EXPECT_EQ(screen_area(vertices, corners, right_angle(), {200, 160}), ScreenArea{});
+}
+
 TEST(ScreenArea, WhatLiesBesideThePictureCoversNoMoreThanItsBorder) {
   const Bounds box{{5, 0, -2}, {6, 1, -1}};
   EXPECT_LE(screen_area(box, right_angle(), {200, 160}).width, 1);

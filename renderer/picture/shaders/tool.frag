@@ -1,0 +1,35 @@
+#version 450 core
+
+// What is seen of the tools, for metal.frag, as surface.frag is of the tissue: many of their triangles are so slender that
+// a pixel would be shaded for several. What tells from pixel to pixel is found here, within each triangle.
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 smooth_normal;
+layout(location = 2) in vec2 finish;  // roughness, depth of the rings
+layout(location = 3) in vec4 place;   // along the tool and off its middle line, in units of the scene's size; depth, metres
+
+layout(location = 0) out vec4 seen_place;   // as it came
+layout(location = 1) out vec4 seen_normal;  // xyz, of length 1 + roughness; w: roughness as the pixel sees it
+layout(location = 2) out vec4 seen_axis;    // xyz: along the tool, of length one, or zero; w: depth of the rings
+
+// Along the tool, in the triangle's plane, from how the distance along it changes between pixels (Mikkelsen 2010); not
+// of length one, and zero where it does not change.
+vec3 along_tool(vec3 normal) {
+  vec3 across_pixels = dFdx(position), up_pixels = dFdy(position);
+  vec3 plane = cross(across_pixels, up_pixels);
+  vec3 axis = dFdx(place.x) * cross(up_pixels, plane) + dFdy(place.x) * cross(plane, across_pixels);
+  axis -= dot(axis, normal) * normal;
+  float size = length(axis);
+  return size > 0.0 ? axis / size : vec3(0.0);
+}
+
+void main() {
+  vec3 normal = normalize(smooth_normal);
+  // Where the normal turns within a pixel, the pixel sees as much more of the surroundings as on a rougher surface
+  // (Tokuyoshi and Kaplanyan 2019).
+  vec3 across = dFdx(normal), up = dFdy(normal);
+  float roughness = sqrt(finish.x * finish.x + min(0.5 * (dot(across, across) + dot(up, up)), 0.04));
+  seen_place = place;
+  seen_normal = vec4((1.0 + finish.x) * normal, roughness);
+  seen_axis = vec4(along_tool(normal), finish.y);
+}
