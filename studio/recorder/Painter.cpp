@@ -23,7 +23,7 @@ class RendererPainter final : public Painter {
 
   Image paint(const Snapshot& snapshot, const Shot& shot) override {
     const PictureBox own = main_box(shot, size_);
-    ++pictures_;
+    picture_.clear();
     Image image = draw(own.size, snapshot, view_, shot.camera);
     if (shot.beside) {
       const PictureBox box = beside_box(size_);
@@ -38,16 +38,14 @@ class RendererPainter final : public Painter {
       paste(draw(box.size, snapshot, view_, *shot.inset), box, image);
       frame_box(box, image);
     }
+    for (const PassTime& time : picture_) times_[time.pass].push_back(time);
     return image;
   }
 
   std::vector<PassTime> pass_times() override {
-    if (!is_timed_ || pictures_ == 0) return {};
-    std::vector<PassTime> mean = sums_;
-    for (PassTime& time : mean) {
-      time.wall_seconds /= pictures_;
-      time.processor_seconds /= pictures_;
-    }
+    if (times_.empty()) return {};
+    std::vector<PassTime> medians;
+    for (const std::string& pass : order_) medians.push_back(median_of(times_.at(pass)));
     std::vector<PassTime> passes;
     renderer_of(size_).draw_timed({}, view_, passes);
     PassTime empty{.pass = "an empty frame"};
@@ -55,8 +53,8 @@ class RendererPainter final : public Painter {
       empty.wall_seconds += time.wall_seconds;
       empty.processor_seconds += time.processor_seconds;
     }
-    mean.push_back(empty);
-    return mean;
+    medians.push_back(empty);
+    return medians;
   }
 
   std::string driver() const override { return renderers_.at({size_.width, size_.height}).driver(); }
@@ -68,15 +66,30 @@ class RendererPainter final : public Painter {
 
   Image draw(ImageSize size, const Snapshot& snapshot, const ViewDefinition& view, const CameraDefinition& camera) {
     if (!is_timed_) return renderer_of(size).draw(snapshot, view, camera);
+    // A renderer's first picture makes the driver compile its shaders.
+    const bool is_new = !renderers_.contains({size.width, size.height});
+    if (is_new) renderer_of(size).draw(snapshot, view, camera);
     std::vector<PassTime> times;
     Image image = renderer_of(size).draw_timed(snapshot, view, camera, times);
     for (const PassTime& time : times) {
-      const auto found = std::ranges::find(sums_, time.pass, &PassTime::pass);
-      PassTime& sum = found == sums_.end() ? sums_.emplace_back(PassTime{.pass = time.pass}) : *found;
+      if (std::ranges::find(order_, time.pass) == order_.end()) order_.push_back(time.pass);
+      const auto found = std::ranges::find(picture_, time.pass, &PassTime::pass);
+      PassTime& sum = found == picture_.end() ? picture_.emplace_back(PassTime{.pass = time.pass}) : *found;
       sum.wall_seconds += time.wall_seconds;
       sum.processor_seconds += time.processor_seconds;
     }
     return image;
+  }
+
+  /// In a median neither the pictures count in which the driver still compiles nor those that another load held up.
+  static PassTime median_of(std::vector<PassTime> times) {
+    PassTime median = times.front();
+    const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+    for (double PassTime::*seconds : {&PassTime::wall_seconds, &PassTime::processor_seconds}) {
+      std::ranges::nth_element(times, middle, {}, seconds);
+      median.*seconds = (*middle).*seconds;
+    }
+    return median;
   }
 
   /// A renderer draws one size.
@@ -89,9 +102,10 @@ class RendererPainter final : public Painter {
   Tier tier_;
   ViewDefinition view_;
   bool is_timed_;
-  int pictures_ = 0;
-  std::vector<PassTime> sums_;                         // over all pictures, in the order of the passes
-  std::map<std::pair<int, int>, Renderer> renderers_;  // by width and height
+  std::vector<PassTime> picture_;                       // of the picture that is painted, all its cameras together
+  std::map<std::string, std::vector<PassTime>> times_;  // by pass, of the pictures that have it
+  std::vector<std::string> order_;                      // of the passes
+  std::map<std::pair<int, int>, Renderer> renderers_;   // by width and height
 };
 
 Box canvas_box(const PictureBox& box) {

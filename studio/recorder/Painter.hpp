@@ -21,8 +21,8 @@ class Painter {
   virtual Image paint(const Snapshot& snapshot, const Shot& shot) = 0;
   /// What draws, as it names itself.
   virtual std::string driver() const = 0;
-  /// What the passes of the pictures took in the mean, in their order, and as the last an empty frame; nothing from a
-  /// painter that does not time them.
+  /// What the passes of the pictures took, the median of those that have them, in their order, and as the last an empty
+  /// frame; nothing from a painter that does not time them.
   virtual std::vector<PassTime> pass_times() { return {}; }
 };
 
