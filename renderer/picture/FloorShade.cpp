@@ -1,5 +1,7 @@
 #include "renderer/picture/FloorShade.hpp"
 
+#include <array>
+
 #include "renderer/picture/ShaderProgram.hpp"
 
 namespace thinwall {
@@ -59,8 +61,12 @@ void FloorShade::lay(const SceneMeshes& meshes, Vector3 along) const {
   glProgramUniform3f(cover_program_.name(), 0, static_cast<float>(along.x), static_cast<float>(along.y),
                      static_cast<float>(along.z));
   glUseProgram(cover_program_.name());
-  // What lies lowest hides the rest.
-  meshes.draw_nearest(GL_FRONT, {});
+  // What lies lowest hides the rest. Where on the floor it stands counts here, not in which units.
+  std::array<float, 16> laid{};
+  laid[0] = laid[5] = laid[15] = 1;
+  laid[8] = static_cast<float>(-along.x / along.z);
+  laid[9] = static_cast<float>(-along.y / along.z);
+  meshes.draw_nearest(GL_FRONT, laid);
 }
 
 void FloorShade::clear() const {

@@ -7,6 +7,7 @@
 #include "renderer/picture/DrawnPieces.hpp"
 #include "renderer/picture/FallingDrops.hpp"
 #include "renderer/picture/PictureFailure.hpp"
+#include "renderer/picture/SeenLining.hpp"
 #include "renderer/picture/SurfaceVertices.hpp"
 #include "renderer/picture/TissuePieces.hpp"
 #include "renderer/picture/WoundBed.hpp"
@@ -60,8 +61,10 @@ void SceneMeshes::upload(const Snapshot& snapshot, const SceneExtent& extent, co
 }
 
 void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& look) {
-  std::vector<SurfaceVertex> vertices;
-  std::vector<std::uint32_t> indices;
+  std::vector<SurfaceVertex>& vertices = tissue_vertices_;
+  std::vector<std::uint32_t>& indices = tissue_corners_;
+  vertices.clear();
+  indices.clear();
   parts_.clear();
   inner_borders_.clear();
   fluids_.clear();
@@ -86,10 +89,14 @@ void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& 
     const bool is_closed = encloses_its_inside(surface, drawn.borders, pieces);
     Bounds body_bounds = bounds_of(pieces.front().vertices);
     for (const TissuePiece& piece : pieces) body_bounds = around(body_bounds, bounds_of(piece.vertices));
+    const auto rim = std::ranges::find(pieces, TissueSide::kRim, &TissuePiece::side);
     for (const TissuePiece& piece : pieces) {
       parts_.push_back({surface.body, piece.side, look_uniforms(body_look, piece.side), indices.size(),
                         piece.corners.size(), bounds_of(piece.vertices), is_closed && piece.side != TissueSide::kBed,
                         body_bounds});
+      if (is_closed && piece.side == TissueSide::kLining && rim != pieces.end()) {
+        parts_.back().opening = bounds_of(rim->vertices);
+      }
       const auto offset = static_cast<std::uint32_t>(vertices.size());
       for (const std::uint32_t corner : piece.corners) indices.push_back(offset + corner);
       vertices.insert(vertices.end(), piece.vertices.begin(), piece.vertices.end());
@@ -102,17 +109,33 @@ void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& 
   tissue_.upload(std::span<const SurfaceVertex>(vertices), indices);
 }
 
+bool SceneMeshes::is_seen_through_opening(const TissuePart& part, const std::array<float, 16>& matrix) {
+  return part.opening && lies_ahead(part.body_bounds, matrix);
+}
+
+void SceneMeshes::draw_seen_lining(const TissuePart& part, const std::array<float, 16>& matrix) const {
+  const auto corners = std::span(tissue_corners_).subspan(part.first_index, part.index_count);
+  tissue_.draw_others(seen_lining(tissue_vertices_, corners, *part.opening, matrix));
+}
+
 void SceneMeshes::draw_nearest(GLenum hidden, const std::array<float, 16>& matrix) const {
   glCullFace(hidden);
+  const auto shows_one_side = [&](const TissuePart& part) {
+    return part.is_closed && (hidden == GL_FRONT || lies_ahead(part.body_bounds, matrix));
+  };
   for (std::size_t i = 0; i < parts_.size();) {
-    const auto shows_one_side = [&](const TissuePart& part) {
-      return part.is_closed && (hidden == GL_FRONT || lies_ahead(part.body_bounds, matrix));
-    };
     const bool one_side = shows_one_side(parts_[i]);
+    (one_side ? glEnable : glDisable)(GL_CULL_FACE);
+    if (one_side && parts_[i].opening) {
+      draw_seen_lining(parts_[i++], matrix);
+      continue;
+    }
+    const auto goes_along = [&](const TissuePart& part) {
+      return shows_one_side(part) == one_side && !(one_side && part.opening);
+    };
     const std::size_t first = parts_[i].first_index;
     std::size_t count = 0;
-    for (; i < parts_.size() && shows_one_side(parts_[i]) == one_side; ++i) count += parts_[i].index_count;
-    (one_side ? glEnable : glDisable)(GL_CULL_FACE);
+    for (; i < parts_.size() && goes_along(parts_[i]); ++i) count += parts_[i].index_count;
     tissue_.draw(first, count);
   }
   glEnable(GL_CULL_FACE);

@@ -31,6 +31,7 @@ struct TissuePart {
   Bounds bounds = {};
   bool is_closed = false;  // seen from outside `body_bounds`, its triangles that face away are hidden
   Bounds body_bounds = {};
+  std::optional<Bounds> opening = {};  // of the lining of a closed body: through which alone it is seen from outside
 };
 
 /// The fluid that is seen in an opened body, and how it looks.
@@ -53,10 +54,18 @@ class SceneMeshes {
   void upload(const Snapshot& snapshot, const SceneExtent& extent, const LookDefinition& look);
 
   const TriangleBuffer& tissue() const { return tissue_; }
+
+  /// Whether the part is the lining of a closed body that is seen from outside it through `matrix` (world to clip
+  /// coordinates).
+  static bool is_seen_through_opening(const TissuePart& part, const std::array<float, 16>& matrix);
+
+  /// Draws what of such a part may be seen.
+  void draw_seen_lining(const TissuePart& part, const std::array<float, 16>& matrix) const;
+
   const TriangleBuffer& tools() const { return tools_; }
 
-  /// Draws tissue and tools for a pass in which the nearest counts, without the sides that are hidden: GL_BACK as seen
-  /// through `matrix` (world to clip coordinates); GL_FRONT as seen from the far end of a parallel view.
+  /// Draws tissue and tools for a pass in which the nearest counts, without the sides that are hidden, as seen through
+  /// `matrix` (world to clip coordinates): GL_BACK; GL_FRONT from the far end of a parallel view, all of it ahead.
   void draw_nearest(GLenum hidden, const std::array<float, 16>& matrix) const;
 
   const std::vector<TissuePart>& parts() const { return parts_; }
@@ -86,6 +95,9 @@ class SceneMeshes {
   void upload_tools(const Snapshot& snapshot, const SceneExtent& extent);
 
   TriangleBuffer tissue_;
+  // Memory that is used again: what is new to a process takes the processor as long as filling it does.
+  std::vector<SurfaceVertex> tissue_vertices_;
+  std::vector<std::uint32_t> tissue_corners_;  // (3 x triangles)
   TriangleBuffer tools_;
   std::vector<TissuePart> parts_;
   std::vector<double> bed_depths_;             // (surfaces), metres below the stress-free sheet; 0: there is none

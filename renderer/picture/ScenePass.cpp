@@ -90,6 +90,11 @@ void ScenePass::draw_surface(const SceneMeshes& meshes, const PictureTarget& tar
   for (std::size_t i = 0; i < meshes.parts().size(); ++i) {
     const TissuePart& part = meshes.parts()[i];
     glStencilFunc(GL_ALWAYS, static_cast<GLint>(i + 1), 0xff);
+    if (SceneMeshes::is_seen_through_opening(part, view_projection)) {
+      glCullFace(GL_BACK);
+      meshes.draw_seen_lining(part, view_projection);
+      continue;
+    }
     // The triangles that face the viewer first: of what they hide nothing is computed.
     glCullFace(GL_BACK);
     meshes.tissue().draw(part.first_index, part.index_count);
@@ -136,10 +141,12 @@ void ScenePass::shade_tissue(const SceneMeshes& meshes, const PictureTarget& tar
   glBindBufferBase(GL_UNIFORM_BUFFER, 1, look_.name());
   glEnable(GL_SCISSOR_TEST);
   for (std::size_t i = 0; i < meshes.parts().size(); ++i) {
-    const ScreenArea area = screen_area(meshes.parts()[i].bounds, view_projection, target.size());
+    const TissuePart& part = meshes.parts()[i];
+    const bool has_window = SceneMeshes::is_seen_through_opening(part, view_projection);
+    const ScreenArea area = screen_area(has_window ? *part.opening : part.bounds, view_projection, target.size());
     if (area.width == 0 || area.height == 0) continue;
     glScissor(area.left, area.bottom, area.width, area.height);
-    glNamedBufferSubData(look_.name(), 0, sizeof(LookUniforms), &meshes.parts()[i].look);
+    glNamedBufferSubData(look_.name(), 0, sizeof(LookUniforms), &part.look);
     glStencilFunc(GL_EQUAL, static_cast<GLint>(i + 1), 0xff);
     draw_screen();
   }

@@ -29,12 +29,16 @@ class TriangleBuffer {
   void draw(std::size_t first, std::size_t count) const;
   void draw() const { draw(0, index_count_); }
 
+  /// Draws triangles of other `indices` than those that were uploaded.
+  void draw_others(std::span<const std::uint32_t> indices) const;
+
  private:
   void upload_bytes(const void* vertices, std::size_t bytes, std::span<const std::uint32_t> indices);
 
   VertexArray array_;
   Buffer vertices_;
   Buffer indices_;
+  Buffer others_;
   std::size_t index_count_ = 0;
 };
 
