@@ -44,6 +44,9 @@ Steel steel_at(ivec2 pixel) {
 // What an endoscope's lamp lights around the scene, as a matte colour.
 const vec3 kSurroundings = vec3(0.125, 0.050, 0.036);
 
+// Part of a lamp's light that the fine scratches of brushed steel send everywhere: it is grey between its highlights.
+const float kScratched = 0.055;
+
 // The tissue as a ball around the scene's centre: its part of what `direction` sees, blurred; it fades up the shaft.
 float tissue_part(Steel steel, vec3 direction) {
   vec3 toward = scene_center.xyz - steel.position;
@@ -130,12 +133,15 @@ void main() {
   const float kMarks = 560.0;  // over the scene's size
   float turn = 2.0 * kPi * kToolRings * steel.along;
   float ring = steel.ring_depth * (1.0 - smoothstep(0.2, 0.5, kToolRings * pixel));
-  float groove = steel.ring_depth * smoothstep(0.2, 0.9, sin(turn));
+  // Lands with a groove between them: only its flanks lean.
+  float flank = saturate(2.0 * sin(turn) - 0.9);
+  float groove = steel.ring_depth * flank * flank * (3.0 - 2.0 * flank);
+  float lean = 4.0 * flank * (1.0 - flank) * cos(turn);
   vec4 marks = noise(vec3(kMarks * steel.along, 14.0 * steel.aside));
   vec4 wear = noise(vec3(16.0 * steel.along, 40.0 * steel.aside) + 7.0);
   float marked = (1.0 - smoothstep(0.15, 0.5, kMarks * pixel)) * steel.finish;
   vec3 smooth_mirrored = reflect(-view, normal);
-  normal = normalize(normal + (0.25 * marked * marks.x + 0.30 * ring * cos(turn)) * axis);
+  normal = normalize(normal + (0.25 * marked * marks.x + 0.55 * ring * lean) * axis);
   float nv = max(dot(normal, view), 0.02);
 
   float visible = key_visibility(position, normal);
@@ -151,17 +157,21 @@ void main() {
 #else
   vec3 tissue_light = tissue.rgb * (0.15 + 0.8 * key_direction.w * saturate(key_direction.z)) * environment.x;
 #endif
-  light = mix(light, tissue_light, 0.6 * tissue_part(steel, mirrored));
+  light = mix(light, tissue_light, 0.35 * tissue_part(steel, mirrored));
   vec4 sent = mirrored_tissue(steel, smooth_mirrored);
   // The rougher, the more of it is lost among all else.
-  light = mix(light, mix(0.72, 0.36, saturate(7.0 * (steel.finish - 0.10))) * sent.rgb, sent.w) * (1.0 + marked * marks.w);
+  float brushed = saturate(7.0 * (steel.finish - 0.10));
+  light = mix(light, mix(0.72, 0.45, brushed) * sent.rgb, mix(1.0, 0.45, brushed) * sent.w) * (1.0 + marked * marks.w);
 #ifdef ENDOSCOPE
   // Brushed: a sharp highlight in a streak.
   float highlight = 0.55 * glint(normal, view, toward, max(square(roughness), 0.02)) +
-                    0.06 * glint(normal, view, toward, 0.35) + 0.30 * streak(normal, axis, view, toward);
+                    0.06 * glint(normal, view, toward, 0.35) + 0.30 * streak(normal, axis, view, toward) +
+                    kScratched * brushed * saturate(dot(normal, toward));
   light += visible * highlight * (1.0 + 0.9 * marked * marks.w) * lamp_light(position);
 #else
-  light += 0.25 * mix(0.25, 1.0, visible) * streak(normal, axis, view, key_direction.xyz) * lamp_light(position);
+  float highlight = 0.25 * streak(normal, axis, view, key_direction.xyz) +
+                    kScratched * brushed * saturate(dot(normal, key_direction.xyz));
+  light += mix(0.25, 1.0, visible) * highlight * lamp_light(position);
 #endif
 
   const vec3 kSteel = vec3(0.62, 0.60, 0.575);
