@@ -66,6 +66,7 @@ struct BodyStepReport {
 /// How hard an equilibrium is tried.
 struct SolveEffort {
   std::optional<int> most_iterations = {};  // if fewer than the options'
+  std::optional<double> tolerance = {};     // if looser than the options'
   bool takes_flaps = false;                 // see NewtonOptions; always in cut walls
 };
 
@@ -187,7 +188,7 @@ class Body {
   };
 
   NewtonResult solve(EquilibriumProblem& problem, EquilibriumState& state, const SolveEffort& effort = {});
-  NewtonResult relax(EquilibriumProblem& problem, EquilibriumState& state);
+  NewtonResult relax(EquilibriumProblem& problem, EquilibriumState& state, bool is_eager = false);
   NewtonResult burst();
   void solve_statics();
   bool load_slowly(const EquilibriumProblem& whole, EquilibriumState& trial);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -10,8 +11,32 @@
 namespace thinwall {
 namespace {
 
-/// How often `relax` solves with springs before it gives up.
-constexpr int kRelaxationTurns = 100;
+/// How `relax` goes on.
+struct RelaxationPace {
+  int turns = 0;            // how often it solves with springs before it gives up
+  SolveEffort effort = {};  // of a solution on the way
+  int easy_iterations = 0;  // up to which springs are weakened after a solution
+  double weakened = 0;      // factor by which they are
+  double stiffened = 0;     // factor by which they are made stiffer after none
+  double lead = 0;          // part of the last turn's motion by which the springs of the next lead on
+};
+
+/// Where tools press: every solution on the way is one.
+constexpr RelaxationPace kCareful = {.turns = 100,
+                                     .effort = {.takes_flaps = true},
+                                     .easy_iterations = std::numeric_limits<int>::max(),
+                                     .weakened = 0.25,
+                                     .stiffened = 8};
+
+/// At the start: on its way no solution needs to be exact, nor to be found at any cost. With springs that do not lead
+/// on, a wall of an organ that buckles under its pressure takes three times as many iterations; with a larger part it
+/// runs past.
+constexpr RelaxationPace kEager = {.turns = 300,
+                                   .effort = {.most_iterations = 25, .tolerance = 1e-3, .takes_flaps = true},
+                                   .easy_iterations = 10,
+                                   .weakened = 0.4,
+                                   .stiffened = 4,
+                                   .lead = 0.7};
 
 /// Springs below which a body may find its equilibrium without any.
 constexpr double kWeakSprings = 1e-3;
@@ -48,8 +73,9 @@ NewtonResult Body::solve(EquilibriumProblem& problem, EquilibriumState& state, c
   const CutProgress& cut = state_.cut;
   const bool buckles = has_inertia() && report_.halvings >= kHalvingsBeforeSaddles;
   const bool takes_flaps = effort.takes_flaps || cut.has_incised || cut.has_crumpled || cut.tool || buckles;
+  const double tolerance = trial_tolerance_.value_or(options_.tolerance);
   NewtonResult result = newton_->solve(problem, state,
-                                       {.tolerance = trial_tolerance_.value_or(options_.tolerance),
+                                       {.tolerance = std::max(effort.tolerance.value_or(0), tolerance),
                                         .maximum_iterations = std::min(effort.most_iterations.value_or(most), most),
                                         .takes_flaps = takes_flaps,
                                         .borders_contacts = options_.extrapolates,
@@ -74,26 +100,32 @@ NewtonResult Body::burst() {
   return failed;
 }
 
-NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state) {
+NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state, bool is_eager) {
   // Pseudo-inertia: springs, in units of the wall's stiffness, tie every vertex to where it is. A slack or a buckling
   // wall has directions without stiffness in which Newton's steps make no sense; the springs give them some, and are
   // weakened as long as the solution follows.
+  const RelaxationPace& pace = is_eager ? kEager : kCareful;
   const std::string before = failure_;
   double springs = 1;
-  for (int turn = 0; turn < kRelaxationTurns; ++turn) {
+  Eigen::VectorXd lead = Eigen::VectorXd::Zero(state.position.size());  // (unknowns), metres
+  for (int turn = 0; turn < pace.turns; ++turn) {
     EquilibriumState trial = state;
     EquilibriumProblem held = problem;
     held.inertia = springs * model_->wall_stiffness / model_->mass.mean();
-    held.inertia_target = state.position;
-    if (NewtonResult held_result = solve(held, trial, {.takes_flaps = true}); held_result.converged) {
+    held.inertia_target = state.position + lead;
+    const bool is_on_the_way = springs >= kWeakSprings;
+    const SolveEffort effort = is_on_the_way ? pace.effort : SolveEffort{.takes_flaps = true};
+    if (NewtonResult held_result = solve(held, trial, effort); held_result.converged) {
+      lead = pace.lead * (trial.position - state.position);
       state = trial;
       problem.attachments = held.attachments;
       problem.solids = held.solids;
       // What such weak springs hold back is no energy that matters.
       if (trial_tolerance_ && springs < kWeakSprings) return held_result;
-      springs *= 0.25;
+      if (held_result.iterations <= pace.easy_iterations || !is_on_the_way) springs *= pace.weakened;
     } else {
-      springs *= 8;
+      lead.setZero();
+      springs *= pace.stiffened;
       if (springs > kStiffestSprings) break;
     }
     if (model_->has_fluid() && enclosed_volumes(*model_, state.position).sum() > kBurstVolume * model_->rest_volume) {
@@ -182,12 +214,16 @@ void Body::solve_statics() {
   problem.gravity = options_.gravity;
   problem.load_factors = state_.load_factors;
   problem.hold_rigid_motions = model_->rigid_motions.cols() > 0;
-  EquilibriumProblem again = problem;
+  const EquilibriumProblem whole = problem;
   EquilibriumState trial = state_.equilibrium;
-  if (!solve(problem, trial).converged) {
+  bool is_found = solve(problem, trial).converged;
+  for (const bool is_eager : {true, false}) {
+    if (is_found) break;
+    problem = whole;
     trial = state_.equilibrium;
-    if (!relax(again, trial).converged && !load_slowly(again, trial)) throw SimulationFailure(describe_failure());
+    is_found = relax(problem, trial, is_eager).converged;
   }
+  if (!is_found && !load_slowly(whole, trial)) throw SimulationFailure(describe_failure());
   state_.equilibrium = trial;
 }
 

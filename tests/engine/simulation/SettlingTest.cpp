@@ -1,0 +1,45 @@
+// A body that begins under a pressure finds its equilibrium, also where its wall buckles on the way there.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "engine/mesh/Shapes.hpp"
+#include "tests/engine/simulation/TestBodies.hpp"
+
+namespace thinwall {
+namespace {
+
+/// A ball of 20 mm with `lobes` bulges around it, as deep as a tenth of its radius.
+SurfaceMesh lobed_ball(int lobes, int triangles) {
+  SurfaceMesh mesh = make_sphere(20e-3, triangles);
+  for (Eigen::Vector3d& at : mesh.vertices) {
+    const double around = std::atan2(at.y(), at.x()), up = std::acos(at.z() / at.norm());
+    at *= 1 + 0.1 * std::cos(lobes * around) * std::sin(up) + 0.1 * std::cos(lobes * up);
+  }
+  return mesh;
+}
+
+struct Ball {
+  int lobes = 0, triangles = 0;
+  double thickness = 0;  // metres
+};
+
+TEST(Settling, AWallThatBucklesOnItsWayTakesHundredsOfIterationsNotThousands) {
+  int iterations = 0;
+  for (const auto& [lobes, triangles, thickness] : {Ball{9, 500, 1e-3}, {7, 800, 0.5e-3}, {7, 1200, 1e-3}}) {
+    BodyDefinition definition = make_body(lobed_ball(lobes, triangles), thickness, neo_hookean(10e3));
+    definition.fluid.initial_pressure = 10;
+    Body body(definition, {}, quasi_static());
+    body.settle();
+    iterations += body.report().newton_iterations;
+    EXPECT_GT(body.state().fluid_volume[0], 1.03 * body.model().rest_volume);
+  }
+  std::printf("%d iterations\n", iterations);
+  // Seen 665; with springs that do not lead on, and solutions with them that are sought exactly, 1631.
+  EXPECT_LT(iterations, 900);
+}
+
+}  // namespace
+}  // namespace thinwall
