@@ -14,8 +14,8 @@ std::optional<std::string> passing_note(std::size_t number, const PalpationPlan&
     if (plan.at(static_cast<double>(step) * time_step - begin).depth > 0) return std::nullopt;
   }
   return fmt::format(
-      "timeline[{}]: tool `{}` touches body `{}` between two steps only, which nothing feels: it goes {:.3g} mm deep and "
-      "{:.3g} mm in a step; take a shorter `time_step`, a lower `speed` or a `hold`",
+      "timeline[{}]: tool `{}` touches body `{}` between two steps only, which nothing feels: "
+      "it goes {:.3g} mm deep and {:.3g} mm in a step; take a shorter `time_step`, a lower `speed` or a `hold`",
       number, plan.clip.tool, plan.clip.body, 1e3 * plan.clip.depth, 1e3 * plan.clip.speed * time_step);
 }
 
