@@ -51,6 +51,11 @@ constexpr double kMostDrag = 1e2;
 constexpr double kEasedDrag = 0.25;
 constexpr double kLeastDrag = 1e-5;
 
+/// What is too much after so many halvings of a step: it holds a wall alike in a long step and in a short one, so that
+/// to halve the step on helps no more.
+constexpr double kHoldingDrag = 1e4;
+constexpr int kHalvingsBeforeHolding = 6;
+
 /// Iterations after which stronger springs are cheaper, and up to which they are eased.
 constexpr int kMostDraggedIterations = 20;
 constexpr int kEasyIterations = 8;
@@ -154,7 +159,8 @@ bool Body::creep(EquilibriumProblem& problem, EquilibriumState& trial) {
   // can rest, over as many steps as that takes, and the springs are eased from step to step. In motion they slow down
   // flaps that flutter faster than steps can tell. What they take up counts as spent by the integrator.
   const EquilibriumProblem whole = problem;
-  for (double drag = state_.drag > 0 ? state_.drag : kFirstDrag; drag < kMostDrag; drag *= 8) {
+  const double most = report_.halvings < kHalvingsBeforeHolding ? kMostDrag : kHoldingDrag;
+  for (double drag = state_.drag > 0 ? state_.drag : kFirstDrag; drag < most; drag *= 8) {
     trial = state_.equilibrium;
     EquilibriumProblem held = whole;
     const double springs = drag * model_->wall_stiffness / model_->mass.mean();
