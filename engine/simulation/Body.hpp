@@ -189,6 +189,7 @@ class Body {
 
   NewtonResult solve(EquilibriumProblem& problem, EquilibriumState& state, const SolveEffort& effort = {});
   NewtonResult relax(EquilibriumProblem& problem, EquilibriumState& state, bool is_eager = false);
+  bool has_burst(const EquilibriumState& state) const;
   NewtonResult burst();
   void solve_statics();
   bool load_slowly(const EquilibriumProblem& whole, EquilibriumState& trial);

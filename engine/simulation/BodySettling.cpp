@@ -98,6 +98,10 @@ NewtonResult Body::solve(EquilibriumProblem& problem, EquilibriumState& state, c
   return result;
 }
 
+bool Body::has_burst(const EquilibriumState& state) const {
+  return model_->has_fluid() && enclosed_volumes(*model_, state.position).sum() > kBurstVolume * model_->rest_volume;
+}
+
 NewtonResult Body::burst() {
   NewtonResult failed;
   failed.reason = failure_ =
@@ -133,9 +137,7 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state, b
       springs *= pace.stiffened;
       if (springs > kStiffestSprings) break;
     }
-    if (model_->has_fluid() && enclosed_volumes(*model_, state.position).sum() > kBurstVolume * model_->rest_volume) {
-      return burst();
-    }
+    if (has_burst(state)) return burst();
     if (springs < kWeakSprings && turn % 4 == 3) {
       trial = state;
       held = problem;
@@ -222,14 +224,15 @@ void Body::solve_statics() {
   problem.hold_rigid_motions = model_->rigid_motions.cols() > 0;
   const EquilibriumProblem whole = problem;
   EquilibriumState trial = state_.equilibrium;
-  bool is_found = solve(problem, trial).converged;
+  bool is_found = solve(problem, trial).converged, bursts = false;
   for (const bool is_eager : {true, false}) {
-    if (is_found) break;
+    if (is_found || bursts) break;
     problem = whole;
     trial = state_.equilibrium;
     is_found = relax(problem, trial, is_eager).converged;
+    bursts = !is_found && has_burst(trial);
   }
-  if (!is_found && !load_slowly(whole, trial)) throw SimulationFailure(describe_failure());
+  if (!is_found && (bursts || !load_slowly(whole, trial))) throw SimulationFailure(describe_failure());
   state_.equilibrium = trial;
 }
 
