@@ -71,8 +71,8 @@ void ToolBuilder::join(const std::vector<FlatSection>& sections) {
       const Vector3 middle = 0.25 * (corner(front, c) + corner(front, c + 1) + corner(rear, c) + corner(rear, c + 1));
       const Vector3 outwards = middle - 0.5 * (middle_of(front) + middle_of(rear));
       const bool is_broad = c % kQuarter.size() == 0;
-      append_face({corner(front, c), corner(front, c + 1), corner(rear, c + 1), corner(rear, c)}, outwards,
-                  is_broad ? rear.roughness : kPolished, is_broad ? kHollow : 0);
+      append_face({corner(front, c), corner(front, c + 1), corner(rear, c + 1), corner(rear, c)}, outwards, rear,
+                  is_broad);
     }
   }
   for (const FlatSection* end : {&sections.front(), &sections.back()}) {
@@ -81,6 +81,16 @@ void ToolBuilder::join(const std::vector<FlatSection>& sections) {
     for (std::size_t c = 0; c < kCorners; ++c) append(corner(*end, c), outwards, {.back = end->back});
     for (std::uint32_t c = 2; c < kCorners; ++c) append_triangle(fan, fan + c - 1, fan + c);
   }
+}
+
+void ToolBuilder::add_quad(const std::array<Vector3, 4>& corners, const std::array<Vector3, 4>& normals,
+                           float roughness) {
+  const auto first = static_cast<std::uint32_t>(shape_.vertices.size());
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    append(tip_ + turned(corners[k]), normalized(turned(normals[k])), {.back = corners[k].z, .roughness = roughness});
+  }
+  append_triangle(first, first + 1, first + 2);
+  append_triangle(first, first + 2, first + 3);
 }
 
 void ToolBuilder::add_rod(double back_from, double back_to, double radius) {
@@ -103,18 +113,26 @@ void ToolBuilder::add(const ToolShape& other) {
   shape_.rods.insert(shape_.rods.end(), other.rods.begin(), other.rods.end());
 }
 
+Vector3 ToolBuilder::turned(Vector3 local) const {
+  return local.x * side_ + local.y * axis_ - local.z * direction_;
+}
+
 Vector3 ToolBuilder::place(const OutlinePoint& point, double along_axis) const {
   return tip_ - point.back * direction_ + point.out * side_ + along_axis * axis_;
 }
 
 /// A plane face with the given corners, one after the other, whose normal is nearest to `outwards`.
-void ToolBuilder::append_face(const std::array<Vector3, 4>& corners, Vector3 outwards, float roughness, double hollow) {
+void ToolBuilder::append_face(const std::array<Vector3, 4>& corners, Vector3 outwards, const FlatSection& section,
+                              bool is_broad) {
+  const double hollow = is_broad ? kHollow : 0;
   const auto first = static_cast<std::uint32_t>(shape_.vertices.size());
   const Vector3 across = normalized(cross(corners[2] - corners[0], corners[3] - corners[1]));
   const Vector3 normal = dot(across, outwards) < 0 ? -across : across;
   for (const Vector3& corner : corners) {
     const double aside = dot(corner - tip_, axis_);
-    const OutlinePoint point{.back = dot(tip_ - corner, direction_), .roughness = roughness};
+    const OutlinePoint point{.back = dot(tip_ - corner, direction_),
+                             .roughness = is_broad ? section.roughness : kPolished,
+                             .grip = is_broad ? section.grip : 0};
     append(corner, normalized(normal - (aside > 0 ? hollow : -hollow) * axis_), point);
   }
   append_triangle(first, first + 1, first + 2);

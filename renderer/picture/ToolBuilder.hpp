@@ -29,6 +29,7 @@ struct FlatSection {
   double half_thickness = 0;  // metres, along x'
   double half_width = 0;      // metres, along y'
   float roughness = kBrushed;
+  float grip = 0;  // of its broad faces, from the section before on
 };
 
 /// Puts the shape of a tool together where the tool is.
@@ -46,6 +47,10 @@ class ToolBuilder {
   /// The flat faces between sections, from the tip backwards, and those that close both ends.
   void join(const std::vector<FlatSection>& sections);
 
+  /// A face with the given corners, one after the other, and outward normals, not of length one; both along x', along
+  /// y' and backwards, from the tip.
+  void add_quad(const std::array<Vector3, 4>& corners, const std::array<Vector3, 4>& normals, float roughness);
+
   /// Rods stand for the tool in shade and reflections: one along the direction, and one along the axis.
   void add_rod(double back_from, double back_to, double radius);
   void add_rod_along_axis(double back, double span, double radius);
@@ -55,8 +60,9 @@ class ToolBuilder {
   ToolShape take();
 
  private:
+  Vector3 turned(Vector3 local) const;
   Vector3 place(const OutlinePoint& point, double along_axis) const;
-  void append_face(const std::array<Vector3, 4>& corners, Vector3 outwards, float roughness, double hollow);
+  void append_face(const std::array<Vector3, 4>& corners, Vector3 outwards, const FlatSection& section, bool is_broad);
   void append(Vector3 position, Vector3 normal, const OutlinePoint& point);
   void append_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
   void stitch(std::uint32_t first, std::uint32_t rows, std::uint32_t columns);

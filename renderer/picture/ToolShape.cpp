@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer/picture/ScalpelShape.hpp"
 #include "renderer/picture/ToolBuilder.hpp"
 #include "renderer/picture/Vector.hpp"
 
@@ -219,28 +220,6 @@ ToolShape needle(const SnapshotTool& tool, double scene_size) {
   return builder.take();
 }
 
-/// Ground from both sides to an edge as wide as the engine's, with shoulders that narrow to the handle.
-ToolShape blade(const SnapshotTool& tool, double scene_size) {
-  constexpr double kShoulder = 0.6;  // part of the length from which the blade narrows
-  constexpr int kSteps = 8;
-  const double thick = 0.5 * tool.thickness, wide = 0.5 * tool.width;
-  const double ground = std::min(0.7 * wide, 0.25 * tool.length), edge = 0.04 * thick;
-  std::vector<FlatSection> sections = {
-      {.back = 0, .half_thickness = edge, .half_width = wide},
-      {.back = ground, .half_thickness = thick, .half_width = wide, .roughness = kPolished}};
-  for (int k = 0; k <= kSteps; ++k) {
-    const double t = static_cast<double>(k) / kSteps;
-    sections.push_back({.back = (kShoulder + t * (1 - kShoulder)) * tool.length,
-                        .half_thickness = thick,
-                        .half_width = wide * (1 - 0.45 * t * t * (3 - 2 * t))});
-  }
-  ToolBuilder builder(tool, scene_size);
-  builder.join(sections);
-  builder.add_rod_along_axis(0.5 * tool.thickness, tool.width, 0.5 * tool.thickness);
-  add_handle(builder, tool.length, 0.4 * tool.width, scene_size);
-  return builder.take();
-}
-
 /// One jaw of forceps and the arm that it sits on: thinner towards its end, with teeth across its inner face, none of
 /// which stands out of what the engine presses with. `side`: -1 or 1, along x'. `joint`: metres from the tip to where
 /// the arms meet.
@@ -301,7 +280,7 @@ ToolShape tool_shape(const SnapshotTool& tool, double scene_size) {
     case SnapshotToolKind::kNeedle:
       return needle(tool, scene_size);
     case SnapshotToolKind::kScalpel:
-      return blade(tool, scene_size);
+      return scalpel_shape(tool, scene_size);
     case SnapshotToolKind::kForceps:
       return jaws(tool, scene_size);
   }

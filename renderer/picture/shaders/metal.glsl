@@ -105,7 +105,14 @@ vec4 mirrored_tissue(Steel steel, vec3 direction) {
     step *= kGrowth;
   }
   if (pixel.x < 0.0) return vec4(0.0);
-  float near = exp2(-9.0 * max(way + to_go, 0.0) / scene_center.w);
+  float far = max(way + to_go, 0.0) / scene_center.w;
+  const float kReach = 0.22;  // of all steps
+  float near = exp2(-9.0 * far) * (1.0 - smoothstep(0.5 * kReach, kReach, far));
+  // Where it meets the tissue, rather than at the step beyond, which flat faces would show as blocks.
+  vec3 met = start + (way + clamp(to_go, -step, step)) * go;
+  vec2 met_pixel = clamp(met.xy / met.z * size, vec2(0.0), size - 1.0);
+  float met_depth = texelFetch(tissue_depth, ivec2(met_pixel), 0).x;
+  pixel = met.z > 0.0 && met_depth > 0.0 && met_depth < 1.0 ? met_pixel : pixel;
   vec3 normal = normalize(texelFetch(seen_normal, ivec2(pixel), 0).xyz);
   return vec4(lit_tissue(steel.position + way * direction, normal), near);
 }
@@ -139,7 +146,7 @@ void main() {
   float lean = 4.0 * flank * (1.0 - flank) * cos(turn);
   vec4 marks = noise(vec3(kMarks * steel.along, 14.0 * steel.aside));
   vec4 wear = noise(vec3(16.0 * steel.along, 40.0 * steel.aside) + 7.0);
-  float marked = (1.0 - smoothstep(0.15, 0.5, kMarks * pixel)) * steel.finish;
+  float marked = (1.0 - smoothstep(0.15, 0.5, kMarks * pixel)) * 1.7 * max(steel.finish - 0.10, 0.0);
   vec3 smooth_mirrored = reflect(-view, normal);
   normal = normalize(normal + (0.25 * marked * marks.x + 0.55 * ring * lean) * axis);
   float nv = max(dot(normal, view), 0.02);

@@ -130,7 +130,7 @@ TEST(ToolShape, JawsStayWithinWhatPressesAndMeetBehindIt) {
   EXPECT_EQ(behind(open), behind(closed)) << "the handle stays as they close";
 }
 
-TEST(ToolShape, ABladeIsSharpAtAnEdgeOfItsWidthAndNarrowerAtItsHandle) {
+TEST(ToolShape, ABladeIsSharpAtItsTipHasABellyInFrontAndStaysWithinWhatCuts) {
   SnapshotTool tool;
   tool.kind = SnapshotToolKind::kScalpel;
   tool.direction = {0, 0, -1};
@@ -138,17 +138,40 @@ TEST(ToolShape, ABladeIsSharpAtAnEdgeOfItsWidthAndNarrowerAtItsHandle) {
   tool.width = 6e-3;
   tool.length = 20e-3;
   tool.thickness = 0.4e-3;
-  const auto most_at = [&](int axis, double height) {
-    double most = 0;
-    for (const ToolVertex& vertex : tool_shape(tool, 0.1).vertices) {
-      if (std::abs(vertex.position[2] - height) < 1e-6) most = std::max<double>(most, std::abs(vertex.position[axis]));
-    }
-    return most;
-  };
-  EXPECT_NEAR(most_at(1, 0), 3e-3, 1e-8);
-  EXPECT_LT(most_at(0, 0), 0.01e-3);
-  EXPECT_NEAR(most_at(0, 12e-3), 0.2e-3, 1e-8);
-  EXPECT_LT(most_at(1, 20e-3), 2.8e-3);
+  const ToolShape shape = tool_shape(tool, 0.1);
+  double lowest = 1, thickest_at_edge = 0, widest = 0, thickest = 0;
+  std::vector<double> belly;  // y' of the edge, from the tip up
+  for (const ToolVertex& vertex : shape.vertices) {
+    const auto [x, y, z] = vertex.position;
+    lowest = std::min<double>(lowest, z);
+    if (z < 1e-9) thickest_at_edge = std::max<double>(thickest_at_edge, std::abs(x));
+    if (z > tool.length - 1e-9) continue;
+    widest = std::max<double>(widest, std::abs(y));
+    thickest = std::max<double>(thickest, std::abs(x));
+    if (y >= 0 && std::abs(x) < 0.01e-3) belly.push_back(y);
+  }
+  EXPECT_NEAR(lowest, 0, 1e-9) << "the edge goes through the tip";
+  EXPECT_LT(thickest_at_edge, 0.01e-3);
+  EXPECT_NEAR(widest, 3e-3, 1e-8);
+  EXPECT_NEAR(thickest, 0.2e-3, 1e-8);
+  ASSERT_FALSE(belly.empty());
+  EXPECT_NEAR(*std::ranges::min_element(belly), 0, 1e-9);
+  EXPECT_NEAR(*std::ranges::max_element(belly), 3e-3, 1e-8);
+}
+
+TEST(ToolShape, TheHandleOfABladeIsFlatAndHasGrooves) {
+  SnapshotTool tool = tool_of(SnapshotToolKind::kScalpel);
+  tool.direction = {0, 0, -1};
+  tool.width = 4e-3;
+  double wide = 0, thick = 0, grip = 0;
+  for (const ToolVertex& vertex : tool_shape(tool, 0.1).vertices) {
+    wide = std::max<double>(wide, std::abs(vertex.position[1] - tool.tip[1]));
+    thick = std::max<double>(thick, std::abs(vertex.position[0] - tool.tip[0]));
+    grip = std::max<double>(grip, vertex.grip);
+  }
+  EXPECT_NEAR(wide, 4e-3, 1e-8);
+  EXPECT_LT(thick, 0.5 * wide);
+  EXPECT_EQ(grip, 1);
 }
 
 TEST(ToolShape, AStraightEdgeSpansItsLengthAlongTheAxis) {
