@@ -1,7 +1,6 @@
 #include "renderer/picture/Outline.hpp"
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
 namespace thinwall {
@@ -32,17 +31,6 @@ std::vector<MeshEdge> mesh_edges(std::span<const std::uint32_t> corners) {
   for (std::size_t i = 0; i < halves.size(); ++i) {
     MeshEdge edge = halves[i].edge;
     if (i + 1 < halves.size() && halves[i + 1].key == halves[i].key) edge.right = halves[++i].edge.left;
-    edges.push_back(edge);
-  }
-  return edges;
-}
-
-std::vector<MeshEdge> creased_edges(std::span<const Float3> positions, std::span<const std::uint32_t> corners) {
-  std::set<std::pair<Float3, Float3>> borders;
-  std::vector<MeshEdge> edges;
-  for (const MeshEdge& edge : mesh_edges(corners)) {
-    const Float3 &start = positions[edge.start], &end = positions[edge.end];
-    if (edge.right == MeshEdge::kNone && !borders.insert(std::minmax(start, end)).second) continue;
     edges.push_back(edge);
   }
   return edges;

@@ -22,10 +22,6 @@ struct MeshEdge {
 /// Each edge once, in the order of its vertices; `corners` is (3 x triangles).
 std::vector<MeshEdge> mesh_edges(std::span<const std::uint32_t> corners);
 
-/// As mesh_edges, for a mesh whose faces have corners of their own where the shading has a crease: of several borders
-/// in one place, to the last bit, there is one. `positions`: (vertices).
-std::vector<MeshEdge> creased_edges(std::span<const Float3> positions, std::span<const std::uint32_t> corners);
-
 /// A straight piece of what divides a body from what is seen behind it.
 struct OutlineSegment {
   Float3 start{};  // metres

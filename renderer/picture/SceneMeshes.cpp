@@ -271,9 +271,7 @@ void SceneMeshes::upload_tools(const Snapshot& snapshot, const SceneExtent& exte
     rods_.insert(rods_.end(), shape.rods.begin(), shape.rods.end());
   }
   tools_.upload(std::span<const ToolVertex>(vertices), indices);
-  std::vector<Float3> positions;
-  for (const ToolVertex& vertex : vertices) positions.push_back(vertex.position);
-  tool_edges_ = creased_edges(positions, indices);
+  tool_outline_.set(vertices, indices);
 }
 
 ScreenArea SceneMeshes::tool_area(const std::array<float, 16>& view_projection, ImageSize size) const {
@@ -304,8 +302,7 @@ std::vector<OutlineSegment> SceneMeshes::outline(Vector3 eye) const {
   std::vector<OutlineSegment> segments = inner_borders_;
   append_outline(
       tissue_edges_, [&](std::uint32_t i) { return points[i]; }, eye, segments);
-  append_outline(
-      tool_edges_, [&](std::uint32_t i) { return vector3(tool_vertices_[i].position); }, eye, segments);
+  tool_outline_.append(tool_vertices_, eye, segments);
   return segments;
 }
 

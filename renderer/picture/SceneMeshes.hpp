@@ -10,6 +10,7 @@
 #include "renderer/picture/SceneExtent.hpp"
 #include "renderer/picture/ScreenArea.hpp"
 #include "renderer/picture/TissuePieces.hpp"
+#include "renderer/picture/ToolOutline.hpp"
 #include "renderer/picture/ToolShape.hpp"
 #include "renderer/picture/TriangleBuffer.hpp"
 #include "renderer/picture/View.hpp"
@@ -107,7 +108,7 @@ class SceneMeshes {
   std::vector<ToolRod> rods_;
   std::vector<ToolVertex> tool_vertices_;
   std::vector<std::uint32_t> tool_corners_;  // (3 x triangles)
-  std::vector<MeshEdge> tool_edges_;
+  ToolOutline tool_outline_;
   std::vector<std::shared_ptr<const SnapshotTopology>> topologies_;  // that the edges belong to
   DrawnEdges edges_ = DrawnEdges::kCurves;                           // and what they were found for
   std::vector<DrawnTopology> drawn_topologies_;                      // (surfaces)

@@ -146,7 +146,7 @@ void main() {
   float lean = 4.0 * flank * (1.0 - flank) * cos(turn);
   vec4 marks = noise(vec3(kMarks * steel.along, 14.0 * steel.aside));
   vec4 wear = noise(vec3(16.0 * steel.along, 40.0 * steel.aside) + 7.0);
-  float marked = (1.0 - smoothstep(0.15, 0.5, kMarks * pixel)) * 1.7 * max(steel.finish - 0.10, 0.0);
+  float marked = (1.0 - smoothstep(0.08, 0.32, kMarks * pixel)) * 1.7 * max(steel.finish - 0.10, 0.0);
   vec3 smooth_mirrored = reflect(-view, normal);
   normal = normalize(normal + (0.25 * marked * marks.x + 0.55 * ring * lean) * axis);
   float nv = max(dot(normal, view), 0.02);

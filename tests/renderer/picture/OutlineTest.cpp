@@ -29,14 +29,6 @@ TEST(MeshEdges, AClosedSurfaceHasThreeEdgesForTwoTrianglesAndNoBorder) {
   for (const MeshEdge& edge : edges) EXPECT_NE(edge.right, MeshEdge::kNone);
 }
 
-TEST(MeshEdges, ACreaseOfTheShadingIsThereOnce) {
-  // Two triangles of a square that share two places, but no vertex.
-  const std::vector<Float3> positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-  const std::vector<std::uint32_t> corners = {0, 1, 2, 3, 4, 5};
-  EXPECT_EQ(mesh_edges(corners).size(), 6u);
-  EXPECT_EQ(creased_edges(positions, corners).size(), 5u);
-}
-
 TEST(Outline, OfAnOctahedronFromAboveItsTipIsItsBelt) {
   const std::vector<OutlineSegment> outline = outline_of(test::sphere("organ", {}, 1, 0), {0.1, 0.05, 9});
   EXPECT_EQ(outline.size(), 4u);
