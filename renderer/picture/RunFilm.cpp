@@ -64,12 +64,13 @@ struct RunCourse {
 void append_row(const RunCourse& course, const RunShape& shape, double along, double ahead, Film& film) {
   const std::vector<Float3>& now = course.surface.positions;
   const Vector3 normal = normalized(course.at(along, course.normals));
-  const double before = std::max(0.0, along - kRunStep), behind = std::min(shape.length, along + kRunStep);
+  // As far as it is wide: in a sharper bend rows would cross.
+  const double half = half_width_at(along, shape), reach = std::max(kRunStep, 1.5 * shape.half_width);
+  const double before = std::max(0.0, along - reach), behind = std::min(shape.length, along + reach);
   const Vector3 sense = normalized(course.at(behind, now) - course.at(before, now));
   const Vector3 side = normalized(cross(normal, sense));
   const Vector3 middle = course.at(along, now) + ahead * sense;
   const Vector3 rest = course.at(along, course.surface.topology->rest_positions) + ahead * sense;
-  const double half = half_width_at(along, shape);
   for (const double across : {-1.0, 0.0, 1.0}) {
     const double out = across * (half + kFilmMargin);
     film.vertices.push_back({.position = float3(middle + out * side + 0.0001 * normal),

@@ -25,25 +25,29 @@ void main() {
   vec4 coarse = noise(kWaves * rest);
   vec4 fine = noise(kFineWaves * rest + 3.0);
   float width = max(film.y, 1e-6);
-  float uneven = film.y * (0.55 * coarse.w + 0.10 * fine.w);
+  float uneven = width * (0.55 * coarse.w + 0.10 * fine.w);
   float inward = film.x + uneven;
-  float rise = saturate((film.x + 0.5 * uneven) / width);
-  float dome = sqrt(rise * (2.0 - rise));
-  float height = film.z * dome * (1.0 + 0.15 * coarse.w);
+  // It meets the wall at the same angle everywhere: lower where it is narrower, and thin at its edge.
+  float local = width + uneven;
+  float rise = saturate(inward / local), fall = 1.0 - rise;
+  float cap = 1.0 - fall * fall * fall;
+  float height = film.z * cap * (local / width + 0.15 * coarse.w);
 
   // The slope of the film over the wall, from how its height changes between pixels (Mikkelsen 2010). What the noise
   // adds is told by its gradient: differences of it would stay the same over each two by two pixels.
-  vec3 uneven_change = film.y * (0.55 * kWaves * coarse.xyz + 0.10 * kFineWaves * fine.xyz);
-  float steep = rise < 1.0 ? film.z * (1.0 - rise) / (max(dome, 0.2) * width) : 0.0;
-  vec2 height_change = steep * (vec2(dFdx(film.x), dFdy(film.x)) +
-                                0.5 * vec2(dot(uneven_change, dFdx(rest)), dot(uneven_change, dFdy(rest)))) +
-                       0.15 * kWaves * film.z * dome * vec2(dot(coarse.xyz, dFdx(rest)), dot(coarse.xyz, dFdy(rest)));
+  vec3 uneven_change = width * 0.55 * kWaves * coarse.xyz;
+  vec2 inward_change = vec2(dFdx(film.x), dFdy(film.x));
+  vec2 local_change = vec2(dot(uneven_change, dFdx(rest)), dot(uneven_change, dFdy(rest)));
+  vec2 coarse_change = kWaves * vec2(dot(coarse.xyz, dFdx(rest)), dot(coarse.xyz, dFdy(rest)));
+  vec2 height_change = film.z / width * (3.0 * fall * fall * (inward_change + fall * local_change) + cap * local_change) +
+                       0.15 * film.z * cap * coarse_change;
   vec3 base = normalize(smooth_normal);
   vec3 across = dFdx(position), along = dFdy(position);
   vec3 first = cross(along, base), second = cross(base, across);
   float area = dot(across, first);
   vec3 slope = (height_change.x * first + height_change.y * second) / (abs(area) > 1e-16 ? area : 1e-16);
-  slope *= min(1.0, 0.6 / max(length(slope), 1e-3));
+  const float kSteepest = 0.6;
+  slope *= inversesqrt(1.0 + dot(slope, slope) / square(kSteepest));
   vec3 from_eye = position - camera_position.xyz;
   vec3 view = -normalize(from_eye);
   float depth = dot(from_eye, ray_middle.xyz);
@@ -76,7 +80,7 @@ void main() {
   // What the film mirrors is added as on film: it brightens what lies below, and never darkens it.
   vec3 ray = from_eye / depth;
   // Where it is steep, at its edge, a pixel would see single glints.
-  vec3 mirrored = smoothstep(0.1, 0.6, rise) * field_stop(ray) * displayed(lens_light(ray) * shine);
+  vec3 mirrored = smoothstep(0.0, 0.2, rise) * field_stop(ray) * displayed(lens_light(ray) * shine);
   vec3 below = cloudiness * (1.0 - left) * finished(body, ray, gl_FragCoord.xy).rgb;
   color = vec4(covered * (mirrored + (1.0 - mirrored) * below), 1.0);
   through = vec4(1.0 - covered * (1.0 - (1.0 - mirrored) * left), 1.0);
