@@ -19,8 +19,9 @@ constexpr float kOnTriangles = 0.00002F;  // metres, lift of a film on the wall'
 struct Fringe {
   double width = 0;   // metres, at its widest
   double height = 0;  // metres
+  float beads = 0;    // 0 to 1
 };
-constexpr Fringe kBlood = {.width = 0.0009, .height = 0.00016};
+constexpr Fringe kBlood = {.width = 0.0009, .height = 0.00016, .beads = 1};
 constexpr Fringe kWelling = {.width = 0.0016, .height = 0.0004};
 constexpr Fringe kBareEdge = {.width = 0.00045, .height = 0.0002};
 
@@ -49,8 +50,12 @@ void append_fringe(const SnapshotSurface& surface, const TissuePiece& wall, cons
   const auto offset = static_cast<std::uint32_t>(film.vertices.size());
   for (std::uint32_t v = 0; v < wall.vertices.size(); ++v) {
     const SurfaceVertex& vertex = wall.vertices[v];
-    FilmVertex coat{
-        .position = vertex.position, .normal = vertex.normal, .rest = vertex.rest, .inward = -1, .lift = kOnTriangles};
+    FilmVertex coat{.position = vertex.position,
+                    .normal = vertex.normal,
+                    .rest = vertex.rest,
+                    .inward = -1,
+                    .lift = kOnTriangles,
+                    .beads = fringe.beads};
     const std::uint32_t lip = wounds.map.lip[v];
     if (lip != WoundMap::kNoLip) {
       const FringePart part = part_at(lip);
@@ -78,8 +83,12 @@ void append_rim(const SnapshotTopology& topology, std::span<const BorderEdge> bo
     const BorderEdge& edge = borders[v / 4];
     const std::uint32_t lip = v % 4 < 2 ? edge.start : edge.end;
     const SurfaceVertex& vertex = rim.vertices[v];
-    FilmVertex coat{
-        .position = vertex.position, .normal = vertex.normal, .rest = vertex.rest, .inward = -1, .lift = kOnTriangles};
+    FilmVertex coat{.position = vertex.position,
+                    .normal = vertex.normal,
+                    .rest = vertex.rest,
+                    .inward = -1,
+                    .lift = kOnTriangles,
+                    .beads = 0.2F * kBlood.beads};
     if (wounds.map.lip[lip] == lip) {
       const double age = age_of(topology, lip, time);
       const double amount = bleeding * welled(age) * std::sqrt(tapering[lip]);

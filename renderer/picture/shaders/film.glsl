@@ -13,6 +13,8 @@ layout(location = 1) in vec3 smooth_normal;
 layout(location = 2) in vec3 rest;
 layout(location = 3) in vec4 film;  // metres from the edge inwards, metres to where it is thickest, height there, dry
 
+layout(location = 4) in float beads;  // 0 to 1: how far it has gathered in beads
+
 layout(location = 0, index = 0) out vec4 color;  // is added to what is left of the pixel
 layout(location = 0, index = 1) out vec4 through;  // part of each channel that is left
 
@@ -25,22 +27,29 @@ void main() {
   vec4 coarse = noise(kWaves * rest);
   vec4 fine = noise(kFineWaves * rest + 3.0);
   float width = max(film.y, 1e-6);
-  float uneven = width * (0.55 * coarse.w + 0.10 * fine.w);
+  // Blood that clots clings to a lip in beads.
+  const float kBeadFoot = -0.15, kBeadCrown = 0.55;  // of the noise
+  float climb = saturate((fine.w - kBeadFoot) / (kBeadCrown - kBeadFoot));
+  float bead = beads * climb * climb * (3.0 - 2.0 * climb);
+  vec3 bead_change = beads * 6.0 * climb * (1.0 - climb) / (kBeadCrown - kBeadFoot) * kFineWaves * fine.xyz;
+  float uneven = width * (0.55 * coarse.w + 0.10 * fine.w + 0.22 * bead);
   float inward = film.x + uneven;
   // It meets the wall at the same angle everywhere: lower where it is narrower, and thin at its edge.
   float local = width + uneven;
   float rise = saturate(inward / local), fall = 1.0 - rise;
   float cap = 1.0 - fall * fall * fall;
-  float height = film.z * cap * (local / width + 0.15 * coarse.w);
+  const float kBeadHeight = 0.9;  // over that of the film
+  float height = film.z * cap * (local / width + 0.15 * coarse.w + kBeadHeight * bead);
 
   // The slope of the film over the wall, from how its height changes between pixels (Mikkelsen 2010). What the noise
   // adds is told by its gradient: differences of it would stay the same over each two by two pixels.
-  vec3 uneven_change = width * 0.55 * kWaves * coarse.xyz;
+  vec3 uneven_change = width * (0.55 * kWaves * coarse.xyz + 0.22 * bead_change);
   vec2 inward_change = vec2(dFdx(film.x), dFdy(film.x));
   vec2 local_change = vec2(dot(uneven_change, dFdx(rest)), dot(uneven_change, dFdy(rest)));
-  vec2 coarse_change = kWaves * vec2(dot(coarse.xyz, dFdx(rest)), dot(coarse.xyz, dFdy(rest)));
+  vec3 lumpy = 0.15 * kWaves * coarse.xyz + kBeadHeight * bead_change;
+  vec2 lumpy_change = vec2(dot(lumpy, dFdx(rest)), dot(lumpy, dFdy(rest)));
   vec2 height_change = film.z / width * (3.0 * fall * fall * (inward_change + fall * local_change) + cap * local_change) +
-                       0.15 * film.z * cap * coarse_change;
+                       film.z * cap * lumpy_change;
   vec3 base = normalize(smooth_normal);
   vec3 across = dFdx(position), along = dFdy(position);
   vec3 first = cross(along, base), second = cross(base, across);

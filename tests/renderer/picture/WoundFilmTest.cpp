@@ -115,6 +115,20 @@ TEST(WoundFilm, WhatRunsOutWetsTheLips) {
   EXPECT_LT(wet(1e-9), 0.1F * wet(1e-6));
 }
 
+TEST(WoundFilm, BloodClingsToLipsInBeadsWhichNothingThatRunsDoes) {
+  const Wound wound(0.8);
+  const auto most_beads = [](const Film& film, bool of_runs) {
+    float most = 0;
+    for (const FilmVertex& vertex : film.vertices) {
+      if ((vertex.lift > 0.0001F) == of_runs) most = std::max(most, vertex.beads);
+    }
+    return most;
+  };
+  EXPECT_EQ(most_beads(wound.blood(1), false), 1);
+  EXPECT_EQ(most_beads(wound.blood(1), true), 0);
+  EXPECT_EQ(most_beads(runoff_film(wound.sheet, wound.pieces, wound.layout, 1e-6, 1), false), 0);
+}
+
 TEST(WoundFilm, RunsAreRoundAtBothEnds) {
   const Wound wound(0.8);
   const Film film = wound.blood(4);
