@@ -22,6 +22,9 @@ layout(location = 0) uniform vec4 fluid;  // linear colour of a deep layer; w: 1
 layout(location = 1) uniform float cloudiness;  // part of what it takes of the light that it sends back
 
 void main() {
+  vec3 from_eye = position - camera_position.xyz;
+  float depth = dot(from_eye, ray_middle.xyz);
+  float pixel = environment.w * depth;
   // Its own tension keeps its edge from turning sharply.
   const float kWaves = 190.0, kFineWaves = 640.0;  // 1 / metre
   vec4 coarse = noise(kWaves * rest);
@@ -30,9 +33,11 @@ void main() {
   // Blood that clots clings to a lip in beads.
   const float kBeadFoot = -0.15, kBeadCrown = 0.55;  // of the noise
   float climb = saturate((fine.w - kBeadFoot) / (kBeadCrown - kBeadFoot));
-  float bead = beads * climb * climb * (3.0 - 2.0 * climb);
-  vec3 bead_change = beads * 6.0 * climb * (1.0 - climb) / (kBeadCrown - kBeadFoot) * kFineWaves * fine.xyz;
-  float uneven = width * (0.55 * coarse.w + 0.10 * fine.w + 0.22 * bead);
+  // Here many, there none, and none finer than the pixels.
+  float clotted = beads * smoothstep(-0.35, 0.45, coarse.w) * (1.0 - smoothstep(0.2, 0.5, kFineWaves * pixel));
+  float bead = clotted * climb * climb * (3.0 - 2.0 * climb);
+  vec3 bead_change = clotted * 6.0 * climb * (1.0 - climb) / (kBeadCrown - kBeadFoot) * kFineWaves * fine.xyz;
+  float uneven = width * (0.55 * coarse.w + 0.10 * fine.w + 0.15 * bead);
   float inward = film.x + uneven;
   // It meets the wall at the same angle everywhere: lower where it is narrower, and thin at its edge.
   float local = width + uneven;
@@ -43,7 +48,7 @@ void main() {
 
   // The slope of the film over the wall, from how its height changes between pixels (Mikkelsen 2010). What the noise
   // adds is told by its gradient: differences of it would stay the same over each two by two pixels.
-  vec3 uneven_change = width * (0.55 * kWaves * coarse.xyz + 0.22 * bead_change);
+  vec3 uneven_change = width * (0.55 * kWaves * coarse.xyz + 0.15 * bead_change);
   vec2 inward_change = vec2(dFdx(film.x), dFdy(film.x));
   vec2 local_change = vec2(dot(uneven_change, dFdx(rest)), dot(uneven_change, dFdy(rest)));
   vec3 lumpy = 0.15 * kWaves * coarse.xyz + kBeadHeight * bead_change;
@@ -57,13 +62,10 @@ void main() {
   vec3 slope = (height_change.x * first + height_change.y * second) / (abs(area) > 1e-16 ? area : 1e-16);
   const float kSteepest = 0.6;
   slope *= inversesqrt(1.0 + dot(slope, slope) / square(kSteepest));
-  vec3 from_eye = position - camera_position.xyz;
   vec3 view = -normalize(from_eye);
-  float depth = dot(from_eye, ray_middle.xyz);
   vec3 normal = normalize(base - slope);
   float nv = max(dot(normal, view), 0.02);
 
-  float pixel = environment.w * depth;
   float covered = smoothstep(0.0, max(2.0 * pixel, 0.00006), inward);
   // What a deep layer swallows most a thin one swallows first: it is tinted before it is opaque.
   vec3 swallowed = -log(clamp(fluid.rgb, 0.004, 0.9));
