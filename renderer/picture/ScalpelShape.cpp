@@ -202,14 +202,13 @@ void add_handle(ToolBuilder& builder, const Blade& blade, double scene_size) {
   const auto add = [&](double back, double half_width, float grip = 0) {
     sections.push_back({.back = back, .half_thickness = thick, .half_width = half_width, .grip = grip});
   };
-  const double start = neck + 1.1 * wide, full = start + 2.6 * handle;
+  const double start = neck + 1.1 * wide, full = start + 2.2 * handle;
   for (int k = 0; k <= kWidening; ++k) {
     const double t = static_cast<double>(k) / kWidening;
-    add(std::lerp(start, full, t), std::lerp(1.15 * wide, handle, smooth_step(t)));
+    add(std::lerp(start, full, t), std::lerp(1.15 * wide, handle, smooth_step(t)), t > 0.4 ? 1.0F : 0.0F);
   }
-  const double grooves = full + 0.5 * handle, end = full + std::max(1.1 * scene_size, 12 * handle);
-  add(grooves, handle);
-  add(grooves + 7 * handle, 0.94 * handle, 1);
+  const double end = full + std::max(1.1 * scene_size, 12 * handle);
+  add(full + 6 * handle, 0.94 * handle, 1);
   for (int k = 0; k < kRound; ++k) {
     const double angle = 0.5 * std::numbers::pi * k / kRound;
     add(end - handle * (1 - std::sin(angle)), handle * std::cos(angle));
