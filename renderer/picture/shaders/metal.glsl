@@ -119,19 +119,21 @@ vec4 mirrored_tissue(Steel steel, vec3 direction) {
 
 // What a lamp's light leaves of a streak on brushed steel: fine grooves run around the tool and spread what they mirror
 // along it (after Ward 1992). In the units of glint().
-float streak(vec3 normal, vec3 axis, vec3 view, vec3 toward) {
-  const float kAcross = 0.11, kAlong = 0.55;  // widths of the slopes across the tool and along it
+float streak(vec3 normal, vec3 axis, vec3 view, vec3 toward, float turned) {
+  // Widths of the slopes across the tool, where more the more the normal turns within the pixel, and along it.
+  const float kAlong = 0.55;
+  float across = sqrt(square(0.11) + turned);
   vec3 halfway = normalize(view + toward);
   float nl = saturate(dot(normal, toward)), nv = max(dot(normal, view), 0.1), nh = max(dot(normal, halfway), 0.1);
-  float along = dot(axis, halfway) / kAlong, aside = dot(cross(normal, axis), halfway) / kAcross;
-  float part = exp(-(along * along + aside * aside) / square(nh)) * sqrt(nl / nv) / (4.0 * kAcross * kAlong);
+  float along = dot(axis, halfway) / kAlong, aside = dot(cross(normal, axis), halfway) / across;
+  float part = exp(-(along * along + aside * aside) / square(nh)) * sqrt(nl / nv) / (4.0 * across * kAlong);
   return dot(axis, axis) > 0.0 ? part : 0.0;
 }
 
 void main() {
   Steel steel = steel_at(ivec2(gl_FragCoord.xy));
   vec3 position = steel.position, axis = steel.axis;
-  float roughness = steel.roughness;
+  float roughness = steel.roughness, turned = max(square(roughness) - square(steel.finish), 0.0);
   vec3 view = -normalize(ray);
   vec3 normal = dot(steel.normal, view) < 0.0 ? -steel.normal : steel.normal;
 
@@ -172,11 +174,11 @@ void main() {
 #ifdef ENDOSCOPE
   // Brushed: a sharp highlight in a streak.
   float highlight = 0.55 * glint(normal, view, toward, max(square(roughness), 0.02)) +
-                    0.06 * glint(normal, view, toward, 0.35) + 0.30 * streak(normal, axis, view, toward) +
+                    0.06 * glint(normal, view, toward, 0.35) + 0.30 * streak(normal, axis, view, toward, turned) +
                     kScratched * brushed * saturate(dot(normal, toward));
   light += visible * highlight * (1.0 + 0.9 * marked * marks.w) * lamp_light(position);
 #else
-  float highlight = 0.25 * streak(normal, axis, view, key_direction.xyz) +
+  float highlight = 0.25 * streak(normal, axis, view, key_direction.xyz, turned) +
                     kScratched * brushed * saturate(dot(normal, key_direction.xyz));
   light += mix(0.25, 1.0, visible) * highlight * lamp_light(position);
 #endif

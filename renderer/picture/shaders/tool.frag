@@ -28,7 +28,7 @@ void main() {
   // Where the normal turns within a pixel, the pixel sees as much more of the surroundings as on a rougher surface
   // (Tokuyoshi and Kaplanyan 2019).
   vec3 across = dFdx(normal), up = dFdy(normal);
-  float roughness = sqrt(finish.x * finish.x + min(0.5 * (dot(across, across) + dot(up, up)), 0.04));
+  float roughness = sqrt(finish.x * finish.x + min(0.5 * (dot(across, across) + dot(up, up)), 0.2));
   seen_place = place;
   seen_normal = vec4((1.0 + finish.x) * normal, roughness);
   seen_axis = vec4(along_tool(normal), finish.y);
