@@ -90,6 +90,7 @@ struct Stage {
   void cast_shadows(const SceneExtent& extent, const Studio& studio, PassClock& clock);
   void draw_backdrop(Surroundings surroundings, PassClock& clock);
   void clear_depth(const FieldStop& stop);
+  void lay_backdrop(const FieldStop& stop, bool has_tools, PassClock& clock);
   void draw_surface(const FrameUniforms& frame, PassClock& clock);
   void draw_scene(SceneView& scene, const FrameUniforms& frame, PassClock& clock);
   void find_outline(SceneView& scene);
@@ -141,6 +142,13 @@ void Stage::clear_depth(const FieldStop& stop) {
   if (!(stop.tangent > 0)) return;
   scene_pass.close_field_stop(target);
   target.keep_stop(stop);
+}
+
+/// Before tools are drawn, which mirror the tissue that has been.
+void Stage::lay_backdrop(const FieldStop& stop, bool has_tools, PassClock& clock) {
+  target.lay_backdrop(stop);
+  if (has_tools) target.keep_tissue_depth();
+  clock.ends("backdrop");
 }
 
 /// What is seen of the tissue; depth and stencil tell where, and tools mirror it. It does not touch the colours, so
@@ -262,9 +270,7 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
   stage->draw_backdrop(surroundings, clock);
   stage->clear_depth(field_stop(frame));
   stage->draw_surface(frame, clock);
-  stage->target.lay_backdrop(field_stop(frame));
-  if (!snapshot.tools.empty()) stage->target.keep_tissue_depth();
-  clock.ends("backdrop");
+  stage->lay_backdrop(field_stop(frame), !snapshot.tools.empty(), clock);
   SceneView shown{.snapshot = snapshot, .view = view, .eye = camera.position, .surroundings = surroundings};
   stage->draw_scene(shown, frame, clock);
   const bool has_focus = camera.aperture > 0 && stage->tier != Tier::kDraft;

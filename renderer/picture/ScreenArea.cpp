@@ -2,16 +2,29 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace thinwall {
 namespace {
 
-using Clip = std::array<double, 4>;
+/// First and past-the-last pixel between two places from -1 to 1 of a side of `count` pixels, with the border.
+std::array<int, 2> pixels_between(double least, double most, int count) {
+  const auto pixel = [&](double place) { return std::clamp(0.5 * (place + 1), -1.0, 2.0) * count; };
+  return {std::clamp(static_cast<int>(std::floor(pixel(least))) - 1, 0, count),
+          std::clamp(static_cast<int>(std::ceil(pixel(most))) + 1, 0, count)};
+}
 
-Clip clip_place(const Float3& place, const std::array<float, 16>& matrix) {
-  Clip clip{};
+ScreenArea pixels_of(const ScreenFrame& frame, ImageSize size) {
+  if (frame.least[0] > frame.most[0]) return {};
+  const auto [left, right] = pixels_between(frame.least[0], frame.most[0], size.width);
+  const auto [bottom, top] = pixels_between(frame.least[1], frame.most[1], size.height);
+  return {left, bottom, right - left, top - bottom};
+}
+
+}  // namespace
+
+ClipPlace clip_place(const Float3& place, const std::array<float, 16>& matrix) {
+  ClipPlace clip{};
   for (std::size_t k = 0; k < 4; ++k) {
     clip[k] = static_cast<double>(matrix[12 + k]);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -21,44 +34,23 @@ Clip clip_place(const Float3& place, const std::array<float, 16>& matrix) {
   return clip;
 }
 
-/// Of a corner of the box; bit k of `which` chooses the end on axis k.
-Clip clip_corner(const Bounds& box, unsigned which, const std::array<float, 16>& matrix) {
+ClipPlace clip_corner(const Bounds& box, unsigned which, const std::array<float, 16>& matrix) {
   Float3 corner{};
   for (std::size_t axis = 0; axis < 3; ++axis) corner[axis] = (which >> axis & 1U) ? box.most[axis] : box.least[axis];
   return clip_place(corner, matrix);
 }
 
-/// Nearer to the eye's plane, in clip coordinates, nothing has a place on the screen.
-constexpr double kNearest = 1e-6;
-
-/// Grows around places on the screen, -1 to 1 on both axes.
-struct Frame {
-  static constexpr double kFar = std::numeric_limits<double>::max();
-  std::array<double, 2> least{kFar, kFar}, most{-kFar, -kFar};
-
-  void add(const Clip& clip) {
-    for (std::size_t k = 0; k < 2; ++k) {
-      least[k] = std::min(least[k], clip[k] / clip[3]);
-      most[k] = std::max(most[k], clip[k] / clip[3]);
-    }
+void ScreenFrame::add(const ClipPlace& place) {
+  for (std::size_t k = 0; k < 2; ++k) {
+    least[k] = std::min(least[k], place[k] / place[3]);
+    most[k] = std::max(most[k], place[k] / place[3]);
   }
-};
-
-/// First and past-the-last pixel between two places from -1 to 1 of a side of `count` pixels, with the border.
-std::array<int, 2> pixels_between(double least, double most, int count) {
-  const auto pixel = [&](double place) { return std::clamp(0.5 * (place + 1), -1.0, 2.0) * count; };
-  return {std::clamp(static_cast<int>(std::floor(pixel(least))) - 1, 0, count),
-          std::clamp(static_cast<int>(std::ceil(pixel(most))) + 1, 0, count)};
 }
 
-ScreenArea pixels_of(const Frame& frame, ImageSize size) {
-  if (frame.least[0] > frame.most[0]) return {};
-  const auto [left, right] = pixels_between(frame.least[0], frame.most[0], size.width);
-  const auto [bottom, top] = pixels_between(frame.least[1], frame.most[1], size.height);
-  return {left, bottom, right - left, top - bottom};
+bool ScreenFrame::meets(const ScreenFrame& other) const {
+  return least[0] <= other.most[0] && other.least[0] <= most[0] && least[1] <= other.most[1] &&
+         other.least[1] <= most[1];
 }
-
-}  // namespace
 
 Bounds bounds_of(std::span<const SurfaceVertex> vertices) {
   Bounds bounds{vertices.front().position, vertices.front().position};
@@ -82,17 +74,17 @@ Bounds around(const Bounds& a, const Bounds& b) {
 
 bool lies_ahead(const Bounds& box, const std::array<float, 16>& view_projection) {
   for (unsigned which = 0; which < 8; ++which) {
-    const Clip clip = clip_corner(box, which, view_projection);
+    const ClipPlace clip = clip_corner(box, which, view_projection);
     if (!(clip[2] > -clip[3])) return false;
   }
   return true;
 }
 
 ScreenArea screen_area(const Bounds& box, const std::array<float, 16>& view_projection, ImageSize size) {
-  Frame frame;
+  ScreenFrame frame;
   for (unsigned which = 0; which < 8; ++which) {
-    const Clip clip = clip_corner(box, which, view_projection);
-    if (!(clip[3] > kNearest)) return {0, 0, size.width, size.height};
+    const ClipPlace clip = clip_corner(box, which, view_projection);
+    if (!(clip[3] > kNearestPlace)) return {0, 0, size.width, size.height};
     frame.add(clip);
   }
   return pixels_of(frame, size);
@@ -100,18 +92,18 @@ ScreenArea screen_area(const Bounds& box, const std::array<float, 16>& view_proj
 
 ScreenArea screen_area(std::span<const ToolVertex> vertices, std::span<const std::uint32_t> corners,
                        const std::array<float, 16>& view_projection, ImageSize size) {
-  std::vector<Clip> clips;
+  std::vector<ClipPlace> clips;
   clips.reserve(vertices.size());
-  Frame frame;
+  ScreenFrame frame;
   for (const ToolVertex& vertex : vertices) {
     clips.push_back(clip_place(vertex.position, view_projection));
-    if (clips.back()[3] > kNearest) frame.add(clips.back());
+    if (clips.back()[3] > kNearestPlace) frame.add(clips.back());
   }
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Clip &from = clips[corners[i]], &to = clips[corners[i % 3 == 2 ? i - 2 : i + 1]];
-    if ((from[3] > kNearest) == (to[3] > kNearest)) continue;
-    const double part = (kNearest - from[3]) / (to[3] - from[3]);
-    Clip between{0, 0, 0, kNearest};
+    const ClipPlace &from = clips[corners[i]], &to = clips[corners[i % 3 == 2 ? i - 2 : i + 1]];
+    if ((from[3] > kNearestPlace) == (to[3] > kNearestPlace)) continue;
+    const double part = (kNearestPlace - from[3]) / (to[3] - from[3]);
+    ClipPlace between{0, 0, 0, kNearestPlace};
     for (std::size_t k = 0; k < 2; ++k) between[k] = from[k] + part * (to[k] - from[k]);
     frame.add(between);
   }

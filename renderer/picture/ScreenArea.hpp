@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <limits>
 #include <span>
 
 #include "renderer/image/Image.hpp"
@@ -29,6 +31,28 @@ Bounds bounds_of(std::span<const SurfaceVertex> vertices);
 
 /// The smallest box around both.
 Bounds around(const Bounds& a, const Bounds& b);
+
+/// x, y, z, w; what lies behind the eye has w below zero.
+using ClipPlace = std::array<double, 4>;
+
+/// `matrix`: world to clip coordinates, column by column.
+ClipPlace clip_place(const Float3& place, const std::array<float, 16>& matrix);
+
+/// Of a corner of `box`; bit k of `which` chooses the end on axis k.
+ClipPlace clip_corner(const Bounds& box, unsigned which, const std::array<float, 16>& matrix);
+
+/// Nearer to the eye's plane, in w, nothing has a place on the screen.
+constexpr double kNearestPlace = 1e-6;
+
+/// The smallest around places on the screen, -1 to 1 on both axes.
+struct ScreenFrame {
+  static constexpr double kFar = std::numeric_limits<double>::max();
+  std::array<double, 2> least{kFar, kFar}, most{-kFar, -kFar};
+
+  /// `place` has one on the screen.
+  void add(const ClipPlace& place);
+  bool meets(const ScreenFrame& other) const;
+};
 
 /// Whether all of `box` lies beyond the near plane of a view, so that it is seen from outside.
 bool lies_ahead(const Bounds& box, const std::array<float, 16>& view_projection);

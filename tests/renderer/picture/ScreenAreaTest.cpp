@@ -2,18 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/picture/Vector.hpp"
+#include "tests/renderer/picture/RightAngle.hpp"
 
 namespace thinwall {
 namespace {
-
-/// A pinhole at the origin that looks along -z, with a right angle of view.
-std::array<float, 16> right_angle() {
-  const Matrix4 matrix = perspective_matrix(1, 1, 0.01, 10);
-  std::array<float, 16> result;
-  for (std::size_t i = 0; i < 16; ++i) result[i] = static_cast<float>(matrix.values[i]);
-  return result;
-}
 
 TEST(ScreenArea, ABoxFillsWhatItsNearestFaceCoversAndABorder) {
   const Bounds box{{-0.5F, -0.25F, -3}, {0.5F, 0.75F, -2}};
