@@ -4,21 +4,22 @@
 // mesh, no step may fail, no fluid may be lost, and the books must close. Each is a function of the seed and its number
 // alone.
 //
-// usage: random_incisions [--count N] [--seed S] [--only K] [--meshes small|large] [--kept]
+// usage: random_incisions [--seed N] [--count N | --only N] [--meshes small|large] | --kept
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <ctime>
 #include <iterator>
 #include <map>
 #include <numbers>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/mesh/Shapes.hpp"
@@ -369,20 +370,33 @@ int run_all(const std::vector<Case>& cases, bool large) {
 }  // namespace thinwall
 
 int main(int argc, char** argv) {
+  const std::span<char*> words(argv + 1, static_cast<std::size_t>(argc - 1));
   unsigned seed = 1;
   int first = 0, count = 2000;
-  bool large = false;
-  std::vector<thinwall::Case> cases;
-  for (int k = 1; k + 1 < argc; ++k) {
-    const int value = std::atoi(argv[k + 1]);
-    if (std::strcmp(argv[k], "--seed") == 0) seed = static_cast<unsigned>(value);
-    if (std::strcmp(argv[k], "--count") == 0) count = value;
-    if (std::strcmp(argv[k], "--only") == 0) first = value, count = 1;
-    if (std::strcmp(argv[k], "--meshes") == 0) large = std::strcmp(argv[k + 1], "large") == 0;
+  bool large = false, kept = false;
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    const std::string_view option = words[k], given = k + 1 < words.size() ? words[k + 1] : "";
+    const int value = std::atoi(std::string(given).c_str());
+    kept = kept || option == "--kept";
+    if (option == "--kept") continue;
+    if (option == "--seed" && !given.empty()) {
+      seed = static_cast<unsigned>(value);
+    } else if (option == "--count" && value > 0) {
+      count = value;
+    } else if (option == "--only" && !given.empty()) {
+      first = value;
+      count = 1;
+    } else if (option == "--meshes" && (given == "small" || given == "large")) {
+      large = given == "large";
+    } else {
+      std::fputs("usage: random_incisions [--seed N] [--count N | --only N] [--meshes small|large] | --kept\n", stderr);
+      return 2;
+    }
+    ++k;
   }
-  if (argc == 2 && std::strcmp(argv[1], "--kept") == 0) {
-    cases.assign(std::begin(thinwall::kMended), std::end(thinwall::kMended));
-  } else {
+  std::vector<thinwall::Case> cases(std::begin(thinwall::kMended), std::end(thinwall::kMended));
+  if (!kept) {
+    cases.clear();
     for (int number = first; number < first + count; ++number) cases.push_back({seed, number});
   }
   return thinwall::run_all(cases, large);
