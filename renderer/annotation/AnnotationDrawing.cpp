@@ -24,6 +24,7 @@ constexpr double kTextSize = 17;
 constexpr double kPadX = 11, kPadY = 6;
 constexpr double kArrowWidth = 6;
 constexpr double kWidestText = 230;
+constexpr double kSamePlace = 1e-9;  // pixels, by which plates that touch may overlap
 constexpr Color kDark{0.02, 0.03, 0.04, 0.55};
 constexpr Color kForceColor{0.99, 0.80, 0.28};
 
@@ -222,22 +223,36 @@ std::vector<Box> draw_labels(const Canvas& canvas, const Scene& scene, const std
   return boxes;
 }
 
-/// Up or down, whichever is nearer and inside the bounds, until it is clear of the plates.
-Box moved_clear(Box box, const std::vector<Box>& plates, double gap, const Box& bounds) {
+/// The place nearest to `box` that is clear of all plates and inside the bounds: above or below where there is one,
+/// else beside it, else wherever it is clear.
+Box moved_clear(const Box& box, const std::vector<Box>& plates, double gap, const Box& bounds) {
+  const auto is_clear = [&](const Box& place) {
+    return std::ranges::none_of(plates, [&](const Box& plate) {
+      return place.x + kSamePlace < plate.right() + gap && plate.x + kSamePlace < place.right() + gap &&
+             place.y + kSamePlace < plate.bottom() + gap && plate.y + kSamePlace < place.bottom() + gap;
+    });
+  };
+  if (is_clear(box)) return box;
+  Box nearest = box;
+  double least = std::numeric_limits<double>::infinity();
+  const double beside = bounds.height, outside = 2 * (bounds.width + bounds.height);
+  const auto consider = [&](double x, double y, double cost) {
+    const Box place{x, y, box.width, box.height};
+    const bool is_inside =
+        x >= bounds.x && place.right() <= bounds.right() && y >= bounds.y && place.bottom() <= bounds.bottom();
+    cost += std::abs(x - box.x) + std::abs(y - box.y) + (is_inside ? 0 : outside);
+    if (cost < least && is_clear(place)) least = cost, nearest = place;
+  };
   for (const Box& plate : plates) {
-    if (box.x >= plate.right() + gap || plate.x >= box.right() + gap) continue;
-    const double up = box.bottom() + gap - plate.y, down = plate.bottom() + gap - box.y;
-    if (up <= 0 || down <= 0) continue;
-    const bool fits_above = box.y - up >= bounds.y, fits_below = box.bottom() + down <= bounds.bottom();
-    const bool goes_up = fits_above == fits_below ? up < down : fits_above;
-    box.y += goes_up ? -up : down;
+    for (const double y : {plate.bottom() + gap, plate.y - gap - box.height}) consider(box.x, y, 0);
+    for (const double x : {plate.x - gap - box.width, plate.right() + gap}) consider(x, box.y, beside);
   }
-  return box;
+  return nearest;
 }
 
-/// Level with an arrow's end, beside it and the tools, clear of the plates of labels.
+/// Level with an arrow's end, beside it and the tools, clear of the plates, of which it becomes one.
 void draw_arrow_text(const Canvas& canvas, const Scene& scene, const std::string& words, PixelPoint end,
-                     bool on_the_left, const std::vector<Box>& plates) {
+                     bool on_the_left, std::vector<Box>& plates) {
   const Text text(words, {.size = scene.grid.pixels(kTextSize), .bold = true, .color = plate_style::kText},
                   {.width = scene.grid.pixels(kWidestText), .lines = 2});
   const LabelWish wish{.anchor = end,
@@ -253,10 +268,11 @@ void draw_arrow_text(const Canvas& canvas, const Scene& scene, const std::string
   // A legend is high, so that a text beside it stays nearer to its arrow than one above or below.
   if (scene.legend && box.overlaps(*scene.legend)) box.x = scene.legend->x - room.gap - box.width;
   draw_plate(canvas, scene, text, box);
+  plates.push_back(box);
 }
 
 void draw_arrows(const Canvas& canvas, const Scene& scene, const std::vector<ArrowDefinition>& arrows,
-                 const std::vector<Box>& plates) {
+                 std::vector<Box>& plates) {
   for (const ArrowDefinition& arrow : arrows) {
     if (!arrow.span.holds(scene.snapshot.time)) continue;
     const std::optional<Vector3> place = material_place(scene.snapshot, arrow.body, arrow.at);
@@ -271,7 +287,7 @@ void draw_arrows(const Canvas& canvas, const Scene& scene, const std::vector<Arr
 }
 
 void draw_force_arrows(const Canvas& canvas, const Scene& scene, const std::vector<ForceArrowDefinition>& arrows,
-                       const std::vector<Box>& plates) {
+                       std::vector<Box>& plates) {
   for (const ForceArrowDefinition& arrow : arrows) {
     const auto tool = std::ranges::find(scene.snapshot.tools, arrow.tool, &SnapshotTool::name);
     if (tool == scene.snapshot.tools.end() || !arrow.span.holds(scene.snapshot.time)) continue;

@@ -1,7 +1,6 @@
 #include "renderer/annotation/Card.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "renderer/overlay/Font.hpp"
 #include "renderer/overlay/Plate.hpp"
@@ -34,18 +33,6 @@ void draw_card(Image& image, const Card& card) {
     text.draw(canvas, 0.5 * (image.size.width - text.width()), top + title.height() + between);
   }
   canvas.blend_onto(image, 0, 0);
-}
-
-void draw_badge(Image& image, const std::string& words) {
-  const FontUse use;
-  const OverlayGrid grid(image.size);
-  const Text text(words, {.size = grid.pixels(15), .bold = true, .color = plate_style::kCurve});
-  const double padding = grid.pixels(plate_style::kPadding);
-  const Plate plate(grid, {static_cast<int>(std::ceil(text.width() + 2 * padding)), grid.whole(32)});
-  text.draw(plate, padding, 0.5 * (plate.size().height - text.height()));
-  const int margin = grid.whole(plate_style::kMargin);
-  const int beside_the_time = margin + grid.whole(122);
-  plate.blend_onto(image, image.size.width - beside_the_time - plate.size().width, margin + grid.whole(4));
 }
 
 }  // namespace thinwall

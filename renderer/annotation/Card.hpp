@@ -17,7 +17,4 @@ struct Card {
 /// Darkens the picture and writes the card over it. Long texts wrap.
 void draw_card(Image& image, const Card& card);
 
-/// A few words left of the time, as "slow motion".
-void draw_badge(Image& image, const std::string& words);
-
 }  // namespace thinwall

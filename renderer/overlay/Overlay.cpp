@@ -78,9 +78,10 @@ void draw_overlay(Image& image, const OverlayContent& content, const std::option
   const FontUse use;
   const OverlayGrid grid(image.size);
   const double peak = peak_of(content);
-  int title_end = image.size.width - grid.whole(kMargin);
-  if (content.show_time) title_end = draw_time(image, grid, content.time, content.duration) - grid.whole(kMargin);
-  if (!content.title.empty()) draw_title(image, grid, content.title, title_end);
+  int end = image.size.width;  // of what is still free at the top
+  if (content.show_time) end = draw_time(image, grid, content.time, content.duration);
+  if (!content.badge.empty()) end = draw_badge(image, grid, content.badge, end - grid.whole(8));
+  if (!content.title.empty()) draw_title(image, grid, content.title, end - grid.whole(kMargin));
   if (content.legend) draw_legend(image, grid, *content.legend, inset);
   if (content.show_gauge) draw_gauge(image, grid, content, peak);
   if (content.show_force_plot) draw_force_plot(image, grid, content, peak);

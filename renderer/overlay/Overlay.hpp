@@ -31,8 +31,9 @@ struct OverlayContent {
   double time = 0;      // seconds
   double duration = 0;  // seconds, planned length of the whole
   std::string title;
-  std::string caption;  // empty: none
-  std::string phase;    // of the tool
+  std::string badge = {};  // how the time runs, "slow motion"; empty: as it does
+  std::string caption;     // empty: none
+  std::string phase;       // of the tool
   std::string tool;
   double force = 0;                             // newton
   double depth = 0;                             // metres

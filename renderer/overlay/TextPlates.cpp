@@ -97,6 +97,18 @@ int draw_time(Image& image, const OverlayGrid& grid, double time, double duratio
   return left;
 }
 
+int draw_badge(Image& image, const OverlayGrid& grid, const std::string& words, int right) {
+  const Text text(words, {.size = grid.pixels(15), .bold = true, .color = plate_style::kCurve});
+  const double padding = grid.pixels(plate_style::kPadding);
+  const Plate plate(grid, {static_cast<int>(std::ceil(text.width() + 2 * padding)), grid.whole(32)});
+  text.draw(plate, padding, 0.5 * (plate.size().height - text.height()));
+  const int margin = grid.whole(plate_style::kMargin);
+  // At one place while times are short.
+  const int left = std::min(image.size.width - margin - grid.whole(122), right) - plate.size().width;
+  plate.blend_onto(image, left, margin + grid.whole(4));
+  return left;
+}
+
 void draw_title(Image& image, const OverlayGrid& grid, const std::string& title, int right) {
   thread_local RememberedPlate memory;
   const int left = grid.whole(plate_style::kMargin);

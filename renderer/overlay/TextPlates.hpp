@@ -10,6 +10,9 @@ namespace thinwall {
 /// The time of the frame, top right; gives the plate's left edge in pixels.
 int draw_time(Image& image, const OverlayGrid& grid, double time, double duration);
 
+/// A few words before `right` (pixels), left of the time, as "slow motion"; gives the plate's left edge in pixels.
+int draw_badge(Image& image, const OverlayGrid& grid, const std::string& words, int right);
+
 /// The title, top left, cut with an ellipsis before `right` (pixels).
 void draw_title(Image& image, const OverlayGrid& grid, const std::string& title, int right);
 

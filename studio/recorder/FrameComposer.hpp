@@ -23,7 +23,6 @@ struct Frame {
   OverlayContent overlay;
   Shot shot = {};
   std::shared_ptr<const AnnotationDefinition> annotations = {};  // of the shot's own camera; null: none
-  std::string badge = {};                                        // how the time runs; empty: as it does
   std::optional<Card> card = {};
   std::array<std::string, 2> half_captions = {};  // of two takes side by side; empty: none
 };

@@ -132,7 +132,6 @@ Image finished_picture(const Frame& frame, Painter& painter) {
   }
   if (!frame.half_captions[0].empty()) draw_half_captions(image, frame.half_captions, taken);
   draw_overlay(image, frame.overlay, taken);
-  if (!frame.badge.empty()) draw_badge(image, frame.badge);
   if (frame.card) draw_card(image, *frame.card);
   return image;
 }

@@ -322,7 +322,7 @@ bool Pipeline::show(const FrameComposer& composer, const VideoCue& cue, Painter&
   if (!last_cue_ || *last_cue_ != cue) {
     const StageClock clock(report_.times.render);
     last_frame_ = composer.compose(cue.simulation);
-    last_frame_.badge = cue.badge;
+    last_frame_.overlay.badge = cue.badge;
     last_frame_.card = cue.card;
     last_picture_ = {
         .image = finished_picture(last_frame_, painter), .time = cue.simulation, .force = last_frame_.overlay.force};

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "renderer/annotation/Card.hpp"
@@ -129,6 +130,24 @@ TEST(AnnotationDrawing, AnArrowsWordsStandBesideTheTool) {
       EXPECT_EQ(level(with, x, y + 0.5), level(without, x, y + 0.5)) << x << ' ' << y;
     }
   }
+}
+
+TEST(AnnotationDrawing, TextsOfArrowsAtOnePlaceKeepClearOfEachOther) {
+  Snapshot snapshot = scene();
+  snapshot.time = 1;
+  const auto inked = [&](const std::vector<std::string>& texts) {
+    AnnotationDefinition annotations;
+    for (const std::string& text : texts) {
+      annotations.arrows.push_back({.text = text, .body = "organ", .at = {0.02, 0, 0}, .length = 0.012});
+    }
+    const Image image = drawn(annotations, snapshot);
+    return image.pixels.size() - static_cast<std::size_t>(std::ranges::count(image.pixels, 0));
+  };
+  const std::size_t arrow = inked({""}), one = inked({"Press here"}) - arrow;
+  EXPECT_GT(one, 1000);
+  // Rims of plates may lie between pixels.
+  const std::size_t three = inked({"Press here", "Press here", "Press here"}) - arrow;
+  EXPECT_NEAR(static_cast<double>(three), 3.0 * static_cast<double>(one), 0.1 * static_cast<double>(one));
 }
 
 TEST(AnnotationDrawing, LeavesAnInsetInAnyCornerAsItIs) {

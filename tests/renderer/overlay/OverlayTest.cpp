@@ -262,6 +262,24 @@ TEST(Overlay, ALegendTellsOfAnEndThatStandsForMore) {
   EXPECT_LE(first, last);
 }
 
+TEST(Overlay, ALongTitleEndsBeforeTheBadge) {
+  OverlayContent content = nothing();
+  content.show_time = true;
+  content.badge = "Slow motion \u00d70.25";
+  const Image badge = overlaid(content);
+  content.title =
+      "A title that is so long that it would reach to the right border of the picture, and under all else "
+      "that stands at the top of it";
+  const Image both = overlaid(content);
+  const int from = 960;  // pixels, left of the badge
+  for (int y = 0; y < 80; ++y) {
+    const auto row = 3 * (static_cast<std::ptrdiff_t>(y) * kSize.width);
+    EXPECT_TRUE(std::equal(both.pixels.begin() + row + 3 * from, both.pixels.begin() + row + 3 * kSize.width,
+                           badge.pixels.begin() + row + 3 * from))
+        << y;
+  }
+}
+
 TEST(Overlay, LeavesAnInsetAsItIs) {
   struct Place {
     ImageSize size;
