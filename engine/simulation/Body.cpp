@@ -227,6 +227,7 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
                     const BodyInput& input) {
   EquilibriumProblem problem = make_problem(end, duration, input);
   attach(begin, end, problem);
+  refuse_held_places(problem);
   add_friction_to(problem, begin);
   EquilibriumState trial;
   for (;;) {

@@ -255,6 +255,8 @@ class Body {
   bool release(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;
   double largest_part(std::span<const ToolPose> begin, std::span<const ToolPose> end) const;
   void add_solids(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;
+  /// Throws SimulationFailure where a solid stands in a place of the wall that cannot give way along its normal.
+  void refuse_held_places(const EquilibriumProblem& problem) const;
   bool jumped_over_balls(std::span<const ToolPose> begin, const EquilibriumProblem& problem,
                          const Eigen::VectorXd& position) const;
   bool catch_passed_edges(EquilibriumProblem& problem, const Eigen::VectorXd& position) const;

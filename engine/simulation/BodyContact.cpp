@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "engine/contact/DeepestPoint.hpp"
+#include "engine/contact/SolidGap.hpp"
 #include "engine/simulation/Body.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
 
@@ -29,6 +30,9 @@ constexpr double kRoundedMotion = 0.9;
 /// A place of the wall whose straight way in one solution leads deeper into a ball than this part of its radius did not
 /// slide around it but went through.
 constexpr double kDeepestWay = 0.5;
+
+/// Part of a unit vector along an axis that is rounding.
+constexpr double kNoPart = 1e-9;
 
 /// Two places of a tool that are the same but for rounding.
 constexpr double kSamePlace = 1e-9;  // metres
@@ -79,6 +83,17 @@ Eigen::Vector3d free_axes(const BodyModel& model, const Attachment& attachment) 
   return free;
 }
 
+/// Whether no vertex of a triangle that a gap hangs on may move along its normal.
+bool is_rigid(const BodyModel& model, const Eigen::Vector3i& triangle, const SolidGap& gap) {
+  for (int k = 0; k < 3; ++k) {
+    if (gap.weights[k] == 0) continue;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!model.fixed[3 * triangle[k] + axis] && std::abs(gap.normal[axis]) > kNoPart) return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 void Body::attach(std::span<const ToolPose> begin, std::span<const ToolPose> end, EquilibriumProblem& problem) const {
@@ -127,6 +142,25 @@ void Body::attach_line(int tool, const ToolPose& begin, const ToolPose& end, Equ
           return other.tool == tool && std::abs(other.offset.y() - crossing.along) < 0.25 * model_->edge_length;
         });
     if (!crowded) problem.attachments.push_back(attachment);
+  }
+}
+
+void Body::refuse_held_places(const EquilibriumProblem& problem) const {
+  // Where neither can give way, the force of a contact is as large as its multipliers have had time to grow.
+  for (const SolidContact& contact : problem.solids) {
+    for (const int s : model_->held_sites) {
+      const ContactSite& site = model_->sites[s];
+      if (!contact.meets(site.part)) continue;
+      if (problem.is_free(contact.tool, site.triangle) || problem.passes(contact.tool, s)) continue;
+      const Eigen::Vector3i& triangle = model_->surface[site.triangle];
+      const double reach = contact.potential(site).onset - 2 * contact.range;
+      const auto gap = solid_gap(contact.solid, reach, corners_of(triangle, state_.equilibrium.position), site.part,
+                                 site.corner, GapTerms::kGradient);
+      if (!gap || !is_rigid(*model_, triangle, *gap)) continue;
+      throw SimulationFailure("tool `" + tools_[contact.tool].name + "` presses on a part of body `" +
+                              model_->definition.name +
+                              "` that `fixed` holds and that cannot give way; press it less deep or beside that part");
+    }
   }
 }
 

@@ -82,6 +82,19 @@ void add_sites(BodyModel& model) {
   model.sites = contact_sites(model.vertices(), model.definition.mesh.triangles, areas);
 }
 
+void add_held_sites(BodyModel& model) {
+  for (int s = 0; s < static_cast<int>(model.sites.size()); ++s) {
+    const ContactSite& site = model.sites[s];
+    const int count = site.part == SitePart::kCorner ? 1 : (site.part == SitePart::kEdge ? 2 : 3);
+    bool is_held = true;
+    for (int k = 0; k < count; ++k) {
+      const int vertex = model.surface[site.triangle][(site.corner + k) % 3];
+      is_held = is_held && (model.fixed[3 * vertex] || model.fixed[3 * vertex + 1] || model.fixed[3 * vertex + 2]);
+    }
+    if (is_held) model.held_sites.push_back(s);
+  }
+}
+
 void add_openings(BodyModel& model) {
   for (const Opening& opening : model.definition.openings) {
     assert(opening.lips.size() >= 3);
@@ -182,6 +195,7 @@ BodyModel make_body_model(BodyDefinition definition) {
   if (model.has_fluid()) add_fluid(model);
   add_loads(model);
   fix(model);
+  add_held_sites(model);
   hold_rigid_motions(model, model.rest_position);
   return model;
 }

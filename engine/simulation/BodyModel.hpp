@@ -37,6 +37,7 @@ struct BodyModel {
   std::vector<BendingRest> bending;                   // (triangles) of a shell; none for a membrane
   std::vector<DenseAddresses<21>> bending_addresses;  // (triangles) of a shell
   std::vector<ContactSite> sites;                     // what keeps out of tools: vertices, edges, triangles of the wall
+  std::vector<int> held_sites;                        // sites each vertex of which is fixed along some axis
   Eigen::VectorXd mass;                               // (unknowns), kg, lumped, of the wall; none of turns
   std::vector<ChamberModel> chambers;                 // named ones first; none without fluid
   std::vector<int> chamber;                           // (triangles + caps), index; -1: in none; empty without fluid

@@ -183,7 +183,9 @@ ValueSchema fixed_value() {
   MappingSchema fixed{.name = "fixed",
                       .documentation =
                           "Vertices that keep their stress-free positions. A flat cap that is held along its normal is "
-                          "a floor: the wall does not pass its plane, where all of it lies on one side."};
+                          "a floor: the wall does not pass its plane, where all of it lies on one side. A tool that is "
+                          "pressed against what cannot give way along its way ends the run; needles that pierce and "
+                          "blades that incise go through."};
   fixed.keys = {
       {"region", region_schema(), true, {}, "which vertices"},
       {"axes", {.kind = ValueKind::kAxes}, false, "xyz", "along which axes"},

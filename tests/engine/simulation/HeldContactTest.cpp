@@ -1,0 +1,54 @@
+// A tool that comes upon what `fixed` holds: two things that cannot give way have no force between them that means
+// anything.
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "engine/mesh/Shapes.hpp"
+#include "engine/simulation/SimulationFailure.hpp"
+#include "tests/engine/simulation/TestBodies.hpp"
+
+namespace thinwall {
+namespace {
+
+/// A ball of 5 mm in the way down to 2 mm below a stretched sheet of 60 mm that is held at its border, `aside` metres
+/// from the middle.
+void press(double aside, const BodyDefinition& sheet) {
+  Body body(sheet, {sphere_tool(5e-3)}, quasi_static());
+  body.settle();
+  move(body, pose_at({aside, 0, 1e-3}), {aside, 0, -2e-3}, 8, 0.02);
+  EXPECT_LT(body.state().contacts[0].force.norm(), 1);
+}
+
+BodyDefinition held_sheet() {
+  BodyDefinition sheet = make_body(make_sheet(60e-3, 60e-3, 800), 1e-3, neo_hookean(100e3));
+  sheet.fluid.kind = FluidKind::kNone;
+  sheet.prestretch = {{.first = 1.2, .second = 1.2}};
+  sheet.fixed = {{.region = BoundaryRegion{}}};
+  return sheet;
+}
+
+TEST(HeldContact, ABallThatMeetsTheHeldBorderEndsTheRun) {
+  for (const double aside : {27e-3, 29e-3}) {
+    try {
+      press(aside, held_sheet());
+      ADD_FAILURE() << "at " << aside << " m";
+    } catch (const SimulationFailure& failure) {
+      EXPECT_NE(std::string(failure.what()).find("`fixed` holds"), std::string::npos) << failure.what();
+    }
+  }
+}
+
+TEST(HeldContact, ABallBesideTheHeldBorderPresses) {
+  EXPECT_NO_THROW(press(24e-3, held_sheet()));
+}
+
+TEST(HeldContact, AWallThatIsHeldAcrossTheToolsWayOnlyGivesWay) {
+  BodyDefinition sheet = held_sheet();
+  sheet.fixed.push_back({.region = AboveRegion{.axis = 0, .at = -1}, .axes = {true, true, false}});
+  EXPECT_NO_THROW(press(0, sheet));
+}
+
+}  // namespace
+}  // namespace thinwall
