@@ -10,8 +10,9 @@ vec4 corner_part(uvec3 cell, vec3 offset) {
   // Multiply and fold; integers, so that every driver gives the same.
   uint h = cell.x ^ cell.y ^ cell.z;
   h = (h ^ (h >> 15)) * 0x2c1b3c6du;
-  h ^= h >> 13;
-  vec3 slope = vec3(ivec3(uvec3(h, h >> 10, h >> 20) & 1023u)) - 511.5;
+  h ^= (h >> 13) ^ 0x20080200u;
+  // Three times ten bits, each shifted to the top of a whole number with a sign; what lies below is too little to count.
+  vec3 slope = vec3(ivec3(h << 22, h << 12, h << 2));
   float height = dot(slope, offset);
   float reach = max(0.5 - dot(offset, offset), 0.0);
   float cubed = reach * reach * reach;
@@ -33,5 +34,5 @@ vec4 noise(vec3 place) {
   uvec3 corner = uvec3(ivec3(cell)) * kPrimes;
   vec4 sum = corner_part(corner, a) + corner_part(corner + primes_where(near), a - near + 1.0 / 6.0) +
              corner_part(corner + primes_where(far), a - far + 1.0 / 3.0) + corner_part(corner + kPrimes, a - 0.5);
-  return (68.0 / 511.5) * sum;
+  return (68.0 / 511.5 / 4194304.0) * sum;
 }
