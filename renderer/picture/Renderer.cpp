@@ -174,7 +174,7 @@ void Stage::draw_scene(SceneView& scene, const FrameUniforms& frame, PassClock& 
   if (scene.view.look.data) {
     scene_pass.shade_data(target, scene.view.look.data->scale);
   } else {
-    scene_pass.shade_tissue(meshes, target, frame.view_projection, scene.surroundings);
+    scene_pass.shade_tissue(meshes, target, frame, scene.surroundings, tier != Tier::kDraft);
     scene_pass.mark(meshes, scene.view.highlights, scene.snapshot.time);
   }
   if (tier != Tier::kDraft) find_outline(scene);

@@ -46,7 +46,6 @@ ScenePass::ScenePass()
     : surface_(build_program("surface.vert", "surface.frag")),
       tool_(build_program("tool.vert", "tool.frag")),
       field_stop_(build_program("stop.vert", "")),
-      tissue_{build_program("tissue.vert", "tissue.frag"), build_program("tissue.vert", "tissue_endoscope.frag")},
       metal_{build_program("metal.vert", "metal.frag"), build_program("metal.vert", "metal_endoscope.frag")},
       floor_{build_program("screen.vert", "floor.frag"), build_program("screen.vert", "bed.frag")},
       highlight_(build_program("screen.vert", "highlight.frag")),
@@ -132,12 +131,12 @@ void ScenePass::draw_tools(const SceneMeshes& meshes, const PictureTarget& targe
   glDisable(GL_SCISSOR_TEST);
 }
 
-void ScenePass::shade_tissue(const SceneMeshes& meshes, const PictureTarget& target,
-                             const FloatMatrix4& view_projection, Surroundings surroundings) const {
+void ScenePass::shade_tissue(const SceneMeshes& meshes, const PictureTarget& target, const FrameUniforms& frame,
+                             Surroundings surroundings, bool has_shadows) {
+  const FloatMatrix4& view_projection = frame.view_projection;
   target.begin_color();
   glDisable(GL_DEPTH_TEST);
   glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-  glUseProgram(tissue_[static_cast<std::size_t>(surroundings)].name());
   glBindBufferBase(GL_UNIFORM_BUFFER, 1, look_.name());
   glEnable(GL_SCISSOR_TEST);
   for (std::size_t i = 0; i < meshes.parts().size(); ++i) {
@@ -146,6 +145,9 @@ void ScenePass::shade_tissue(const SceneMeshes& meshes, const PictureTarget& tar
     const ScreenArea area = screen_area(has_window ? *part.opening : part.bounds, view_projection, target.size());
     if (area.width == 0 || area.height == 0) continue;
     glScissor(area.left, area.bottom, area.width, area.height);
+    const float smallest_footprint = frame.environment[3] * nearest_depth(part.bounds, view_projection);
+    const TissueScene scene{surroundings, has_shadows, meshes.rods().size(), smallest_footprint};
+    glUseProgram(tissue_.program_for(part.look, scene).name());
     glNamedBufferSubData(look_.name(), 0, sizeof(LookUniforms), &part.look);
     glStencilFunc(GL_EQUAL, static_cast<GLint>(i + 1), 0xff);
     draw_screen();

@@ -6,14 +6,9 @@
 #include "renderer/picture/GlObjects.hpp"
 #include "renderer/picture/PictureTarget.hpp"
 #include "renderer/picture/SceneMeshes.hpp"
+#include "renderer/picture/TissuePrograms.hpp"
 
 namespace thinwall {
-
-/// What lights the scene and lies around it.
-enum class Surroundings {
-  kStudio,
-  kCavity  // of a body, lit by an endoscope
-};
 
 /// Draws tissue, tools and floor, one function after the other; the Frame block and the maps must be bound.
 class ScenePass {
@@ -36,9 +31,9 @@ class ScenePass {
   /// The numbers of a data view in its place.
   void shade_data(const PictureTarget& target, DataScale scale) const;
 
-  /// Its colours.
-  void shade_tissue(const SceneMeshes& meshes, const PictureTarget& target, const FloatMatrix4& view_projection,
-                    Surroundings surroundings) const;
+  /// Its colours. `has_shadows`: whether the shadow map holds any.
+  void shade_tissue(const SceneMeshes& meshes, const PictureTarget& target, const FrameUniforms& frame,
+                    Surroundings surroundings, bool has_shadows);
 
   /// What is marked of it: those of `highlights` that are shown at `time` (seconds).
   void mark(const SceneMeshes& meshes, const std::vector<HighlightDefinition>& highlights, double time) const;
@@ -49,9 +44,9 @@ class ScenePass {
   Program surface_;
   Program tool_;
   Program field_stop_;
-  std::array<Program, 2> tissue_;  // (surroundings)
-  std::array<Program, 2> metal_;   // (surroundings)
-  std::array<Program, 2> floor_;   // (surroundings)
+  TissuePrograms tissue_;
+  std::array<Program, 2> metal_;  // (surroundings)
+  std::array<Program, 2> floor_;  // (surroundings)
   Program highlight_;
   Program data_;
   Texture colors_;  // of data views

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace thinwall {
@@ -78,6 +79,12 @@ bool lies_ahead(const Bounds& box, const std::array<float, 16>& view_projection)
     if (!(clip[2] > -clip[3])) return false;
   }
   return true;
+}
+
+float nearest_depth(const Bounds& box, const std::array<float, 16>& view_projection) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (unsigned which = 0; which < 8; ++which) nearest = std::min(nearest, clip_corner(box, which, view_projection)[3]);
+  return static_cast<float>(std::max(nearest, 0.0));
 }
 
 ScreenArea screen_area(const Bounds& box, const std::array<float, 16>& view_projection, ImageSize size) {

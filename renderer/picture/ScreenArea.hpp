@@ -57,6 +57,9 @@ struct ScreenFrame {
 /// Whether all of `box` lies beyond the near plane of a view, so that it is seen from outside.
 bool lies_ahead(const Bounds& box, const std::array<float, 16>& view_projection);
 
+/// Depth along the line of sight, metres, below which nothing of the box lies; at least 0.
+float nearest_depth(const Bounds& box, const std::array<float, 16>& view_projection);
+
 /// All pixels that show something of `box`, and a border of one; everything where the box reaches behind the eye.
 /// `view_projection`: world to clip coordinates, column by column.
 ScreenArea screen_area(const Bounds& box, const std::array<float, 16>& view_projection, ImageSize size);

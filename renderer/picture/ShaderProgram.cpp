@@ -75,17 +75,24 @@ std::string program_log(GLuint program) {
   return log;
 }
 
-Shader compile_file(GLenum stage, const std::string& name) {
+Shader compile_file(GLenum stage, const std::string& name, const std::string& defines) {
   const std::string_view text = shader_file(name);
   if (text.empty()) throw PictureFailure("there is no shader file '" + std::string(kFolder) + name + "'");
-  return compile_shader(stage, name, text);
+  return compile_shader(stage, name, text, defines);
+}
+
+/// Puts `defines` behind the first line, which says the version; the numbers of the lines that follow stay.
+void insert_defines(const std::string& defines, std::string& text) {
+  if (defines.empty()) return;
+  text.insert(text.find('\n') + 1, defines + "#line 2 0\n");
 }
 
 }  // namespace
 
-Shader compile_shader(GLenum stage, const std::string& name, std::string_view text) {
+Shader compile_shader(GLenum stage, const std::string& name, std::string_view text, const std::string& defines) {
   ExpandedShader expanded;
   expand(name, text, expanded);
+  insert_defines(defines, expanded.text);
   Shader shader(glCreateShader(stage));
   const char* source = expanded.text.c_str();
   glShaderSource(shader.name(), 1, &source, nullptr);
@@ -99,13 +106,13 @@ Shader compile_shader(GLenum stage, const std::string& name, std::string_view te
   return shader;
 }
 
-Program build_program(const std::string& vertex, const std::string& fragment) {
+Program build_program(const std::string& vertex, const std::string& fragment, const std::string& defines) {
   Program program(glCreateProgram());
-  const Shader vertex_shader = compile_file(GL_VERTEX_SHADER, vertex);
+  const Shader vertex_shader = compile_file(GL_VERTEX_SHADER, vertex, {});
   glAttachShader(program.name(), vertex_shader.name());
   Shader fragment_shader;
   if (!fragment.empty()) {
-    fragment_shader = compile_file(GL_FRAGMENT_SHADER, fragment);
+    fragment_shader = compile_file(GL_FRAGMENT_SHADER, fragment, defines);
     glAttachShader(program.name(), fragment_shader.name());
   }
   glLinkProgram(program.name());

@@ -8,11 +8,13 @@ float rod_openness(vec4 start, vec4 span, vec3 position, vec3 normal) {
   return 1.0 - 0.75 * facing * min(1.0, 1.4 * start.w / distance_squared);
 }
 
-// Part of the light from all around that the tools' rods leave over, 0 to 1: each counts as the ball of its radius at
-// the nearest point of its middle line.
+// Part of the light from all around that the tools' rods, ROD_COUNT of them, leave over, 0 to 1: each counts as the ball of
+// its radius at the nearest point of its middle line.
 float rods_openness(vec3 position, vec3 normal) {
   // Written out: llvmpipe takes ten times as long for a loop over an array of uniforms.
-  return rod_openness(rod_start[0], rod_span[0], position, normal) *
-         rod_openness(rod_start[1], rod_span[1], position, normal) *
-         rod_openness(rod_start[2], rod_span[2], position, normal);
+  float open = 1.0;
+  if (ROD_COUNT > 0) open *= rod_openness(rod_start[0], rod_span[0], position, normal);
+  if (ROD_COUNT > 1) open *= rod_openness(rod_start[1], rod_span[1], position, normal);
+  if (ROD_COUNT > 2) open *= rod_openness(rod_start[2], rod_span[2], position, normal);
+  return open;
 }

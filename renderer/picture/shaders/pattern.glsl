@@ -50,7 +50,7 @@ Vessels vessels_at(vec4 coarse, vec4 fine, vec4 broad, float footprint) {
 // Fat lies in lobules where broad noise is high.
 float fat_at(vec4 broad, vec4 fine) {
   float cover = smoothstep(-0.10, 0.16, 0.8 * broad.w + 0.16 * fine.w + 2.0 * fat.w - 0.95);
-  return fat.w > 0.0 ? cover : 0.0;
+  return FATTY ? cover : 0.0;
 }
 
 // Layers of a wall that is cut through, by the depth in it: serosa, muscle, mucosa, or the skin's. The middle one is made of
@@ -82,7 +82,7 @@ Skin skin_at(vec3 place, float footprint, float blanch, float thickness, float d
   vec4 coarse = noise(drawn_out + 0.10 * broad.zxy + 3.1);
   vec4 fine = noise(2.7 * drawn_out + 0.12 * coarse.yzx + 7.7);
   vec4 grain = noise(relief.y * place + 0.05 * fine.xyz);
-  vec4 dust = noise(2.9 * relief.y * place + 0.08 * grain.zxy);
+  vec4 dust = DUSTED ? noise(2.9 * relief.y * place + 0.08 * grain.zxy) : vec4(0.0);
   float grain_seen = resolved(0.7 * relief.y, footprint);
   float dust_seen = resolved(2.0 * relief.y, footprint);
 
@@ -95,7 +95,7 @@ Skin skin_at(vec3 place, float footprint, float blanch, float thickness, float d
   albedo = mix(albedo, fat.rgb * (1.0 + 0.15 * fine.w), 0.9 * fatty);
 
   // What lies behind shines through, the more the thinner the wall is (Lambert and Beer).
-  float clear = through.w > 0.0 ? exp2(thickness * log2(through.w)) : 0.0;
+  float clear = CLEAR ? exp2(thickness * through.w) : 0.0;
   albedo = mix(albedo, through.rgb, clear * (1.0 - fatty));
 
   Vessels tree = vessels_at(coarse, fine, broad, footprint);
@@ -108,16 +108,16 @@ Skin skin_at(vec3 place, float footprint, float blanch, float thickness, float d
   vec3 bloodless = mix(vec3(dot(albedo, vec3(0.35, 0.45, 0.20))) * vec3(1.10, 0.99, 0.88), vec3(0.70, 0.56, 0.44), 0.45);
   albedo = mix(albedo, bloodless, 0.65 * blanch);
   skin.albedo = mix(flesh.rgb, saturate3(albedo), vessels.w);
-  if (pattern.z > 0.0) skin.albedo = layers_at(depth, coarse, fine, grain);
+  if (LAYERED) skin.albedo = layers_at(depth, coarse, fine, grain);
 
   // Furrowed relief has sharp valleys where the noise passes through zero.
   float furrow = grain.w * inversesqrt(square(grain.w) + 0.02);
   float fine_furrow = dust.w * inversesqrt(square(dust.w) + 0.03);
-  vec3 grain_bump = grain.xyz * mix(1.0, furrow, relief.z);
-  vec3 dust_bump = dust.xyz * mix(1.0, fine_furrow, relief.z);
+  vec3 grain_bump = CREASED ? grain.xyz * mix(1.0, furrow, relief.z) : grain.xyz;
+  vec3 dust_bump = CREASED ? dust.xyz * mix(1.0, fine_furrow, relief.z) : dust.xyz;
   float slope = 0.4 * relief.x * vessels.w;
   skin.bump = slope * (grain_seen * grain_bump + 0.55 * dust_seen * dust_bump + 0.30 * coarse.xyz + 1.2 * fatty * fine.xyz);
-  if (relief.w > 0.0) skin.bump += vessels.w * ridge_bump(place, broad, footprint);
+  if (RIDGED) skin.bump += vessels.w * ridge_bump(place, broad, footprint);
   skin.lost_bump = square(slope) * (5.0 * (1.0 - square(grain_seen)) + 1.6 * (1.0 - square(dust_seen)));
   skin.film = blood.w * (1.0 - vessels.w * 0.35 * smoothstep(0.1, 0.7, 0.6 * coarse.w + 0.6 * fine.w));
   return skin;

@@ -12,7 +12,8 @@ void main() {
   passed.flesh = look.flesh;
   passed.blood = look.blood;
   passed.fat = look.fat;
-  passed.through = look.through;
+  // Pixels raise it to a power.
+  passed.through = vec4(look.through.rgb, log2(max(look.through.w, 1e-6)));
   passed.scatter = look.scatter;
   passed.vessels = look.vessels;
   passed.relief = look.relief;

@@ -1,0 +1,44 @@
+#include "renderer/picture/TissuePrograms.hpp"
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+#include "renderer/picture/FrameUniforms.hpp"
+#include "renderer/picture/ShaderProgram.hpp"
+
+namespace thinwall {
+namespace {
+
+/// As `dust_seen` of pattern.glsl: from there on it is zero.
+constexpr float kUnseenDust = 0.55F;
+constexpr float kDustWaves = 2.0F;  // to those of the relief
+
+}  // namespace
+
+std::string tissue_defines(const LookUniforms& look, const TissueScene& scene) {
+  std::ostringstream lines;
+  lines << std::boolalpha;
+  const auto define = [&lines](const char* name, auto value) { lines << "#define " << name << ' ' << value << '\n'; };
+  define("LAYERED", look.pattern[2] > 0);
+  define("FATTY", look.fat[3] > 0);
+  define("CLEAR", look.through[3] > 0);
+  define("CREASED", look.relief[2] > 0);
+  define("RIDGED", look.relief[3] > 0);
+  define("DUSTED", kDustWaves * look.relief[1] * scene.smallest_footprint < kUnseenDust);
+  define("SHADOWED", scene.has_shadows);
+  define("ROD_COUNT", std::min(scene.rods, kMostRods));
+  return lines.str();
+}
+
+const Program& TissuePrograms::program_for(const LookUniforms& look, const TissueScene& scene) {
+  const bool is_cavity = scene.surroundings == Surroundings::kCavity;
+  std::map<std::string, Program>& programs = programs_[is_cavity ? 1 : 0];
+  const std::string defines = tissue_defines(look, scene);
+  const auto found = programs.find(defines);
+  if (found != programs.end()) return found->second;
+  Program program = build_program("tissue.vert", is_cavity ? "tissue_endoscope.frag" : "tissue.frag", defines);
+  return programs.emplace(defines, std::move(program)).first->second;
+}
+
+}  // namespace thinwall

@@ -1,0 +1,47 @@
+#include "renderer/picture/TissuePrograms.hpp"
+
+#include <gtest/gtest.h>
+
+#include "renderer/look/OrganLooks.hpp"
+
+namespace thinwall {
+namespace {
+
+bool says(const std::string& defines, const char* line) {
+  return defines.find(std::string("#define ") + line + '\n') != std::string::npos;
+}
+
+LookUniforms look_of(const char* organ, TissueSide side = TissueSide::kOutside) {
+  return look_uniforms(*find_organ_look(organ), side);
+}
+
+TEST(TissuePrograms, APartDoesWhatItsLookHas) {
+  const std::string fingerpad = tissue_defines(look_of("fingerpad"), {});
+  EXPECT_TRUE(says(fingerpad, "RIDGED true"));
+  EXPECT_TRUE(says(fingerpad, "CREASED true"));
+  EXPECT_TRUE(says(fingerpad, "FATTY false"));
+  const std::string gallbladder = tissue_defines(look_of("gallbladder"), {});
+  EXPECT_TRUE(says(gallbladder, "FATTY true"));
+  EXPECT_TRUE(says(gallbladder, "CLEAR true"));
+  EXPECT_TRUE(says(gallbladder, "RIDGED false"));
+}
+
+TEST(TissuePrograms, OnlyACutShowsLayers) {
+  EXPECT_TRUE(says(tissue_defines(look_of("stomach", TissueSide::kRim), {}), "LAYERED true"));
+  EXPECT_TRUE(says(tissue_defines(look_of("stomach", TissueSide::kLining), {}), "LAYERED false"));
+}
+
+TEST(TissuePrograms, WhatIsTooFineForThePixelsIsLeftOut) {
+  const LookUniforms look = look_of("fingerpad");
+  const float size = 1 / look.relief[1];
+  EXPECT_TRUE(says(tissue_defines(look, {.smallest_footprint = 0.27F * size}), "DUSTED true"));
+  EXPECT_TRUE(says(tissue_defines(look, {.smallest_footprint = 0.28F * size}), "DUSTED false"));
+}
+
+TEST(TissuePrograms, NoMoreRodsCountThanTheFrameTells) {
+  EXPECT_TRUE(says(tissue_defines({}, {.rods = 2}), "ROD_COUNT 2"));
+  EXPECT_TRUE(says(tissue_defines({}, {.rods = 9}), "ROD_COUNT 3"));
+}
+
+}  // namespace
+}  // namespace thinwall
