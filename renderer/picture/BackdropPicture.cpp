@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace thinwall {
 namespace {
@@ -80,12 +81,26 @@ void BackdropPicture::widen(const std::uint8_t* row, std::vector<std::int16_t>& 
   }
 }
 
+void BackdropPicture::find_changes(std::span<const std::uint8_t> small, const FieldStop& stop) {
+  const bool is_comparable = enlarged_.size() == small.size() && stop == kept_stop_;
+  const std::size_t width = 4 * static_cast<std::size_t>(small_.width);
+  has_changed_.resize(static_cast<std::size_t>(small_.height));
+  for (std::size_t row = 0; row < has_changed_.size(); ++row) {
+    has_changed_[row] = !is_comparable || std::memcmp(&small[row * width], &enlarged_[row * width], width) != 0 ? 1 : 0;
+  }
+  enlarged_.assign(small.begin(), small.end());
+  kept_stop_ = stop;
+}
+
 std::span<const std::uint8_t> BackdropPicture::enlarge(std::span<const std::uint8_t> small, const FieldStop& stop) {
   const std::size_t width = 4 * static_cast<std::size_t>(size_.width);
   const std::size_t small_width = 4 * static_cast<std::size_t>(small_.width);
+  find_changes(small, stop);
+  const auto has_changed = [&](int row) { return has_changed_[static_cast<std::size_t>(row)] != 0; };
   int held = -1;  // the first of the two rows that are held
   for (int row = 0; row < size_.height; ++row) {
     const Place& place = rows_[static_cast<std::size_t>(row)];
+    if (!has_changed(place.first) && !has_changed(place.second)) continue;
     if (place.first != held) {
       if (place.first == held + 1 && held >= 0) {
         std::swap(wide_[0], wide_[1]);

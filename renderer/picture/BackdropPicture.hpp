@@ -24,13 +24,15 @@ class BackdropPicture {
   BackdropPicture(ImageSize small, ImageSize size);
 
   /// `small`: (4 x width x height), RGBA, row by row. The result is as large as the picture, opaque, and black outside
-  /// the field stop; it stays valid until the next call.
+  /// the field stop; it stays valid until the next call. Rows that would be as they were the last time are left as they
+  /// are: where camera and lamps stand still, little changes behind a scene.
   std::span<const std::uint8_t> enlarge(std::span<const std::uint8_t> small, const FieldStop& stop);
 
   /// What enlarge has given last.
   std::span<const std::uint8_t> pixels() const { return pixels_; }
 
  private:
+  void find_changes(std::span<const std::uint8_t> small, const FieldStop& stop);
   void widen(const std::uint8_t* row, std::vector<std::int16_t>& wide) const;
   void stop_down(int row, const FieldStop& stop);
 
@@ -49,6 +51,9 @@ class BackdropPicture {
   std::vector<std::int16_t> dither_;               // (kDitherRows x 4 width), like `wide_`
   std::array<std::vector<std::int16_t>, 2> wide_;  // (4 width), rows of the small picture widened, 2^7 for a level
   std::vector<std::uint8_t> pixels_;               // (4 x width x height)
+  std::vector<std::uint8_t> enlarged_;             // the small picture that `pixels_` was made of
+  FieldStop kept_stop_;                            // and the stop
+  std::vector<char> has_changed_;                  // (height of the small picture), since then
 };
 
 }  // namespace thinwall

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace thinwall {
 namespace {
@@ -53,6 +55,22 @@ TEST(BackdropPicture, ASizeThatIsNoMultipleReachesFromBorderToBorder) {
   for (int row = 0; row < 11; ++row) {
     EXPECT_NEAR(pixels[4 * (17 * static_cast<std::size_t>(row))], 10, 1);
     EXPECT_NEAR(pixels[4 * (17 * static_cast<std::size_t>(row) + 16)], 90, 1);
+  }
+}
+
+TEST(BackdropPicture, WhatHasBeenEnlargedBeforeLeavesNothingBehind) {
+  const ImageSize small{40, 20}, size{160, 80};
+  const FieldStop wide{.tangent = 0.7, .half_field = {0.8, 0.4}}, narrow{.tangent = 0.5, .half_field = {0.8, 0.4}};
+  const std::vector<std::uint8_t> first = slope(small, 4, 3);
+  std::vector<std::uint8_t> second = first;
+  for (const int row : {0, 7, 8, 19}) second[4 * (40 * static_cast<std::size_t>(row) + 21)] = 200;
+  BackdropPicture used(small, size);
+  const std::pair<const std::vector<std::uint8_t>*, FieldStop> pictures[] = {
+      {&first, wide}, {&second, wide}, {&first, narrow}, {&first, {}}, {&first, {}}, {&second, {}}};
+  for (const auto& [picture, stop] : pictures) {
+    const auto again = used.enlarge(*picture, stop);
+    BackdropPicture fresh(small, size);
+    EXPECT_TRUE(std::ranges::equal(again, fresh.enlarge(*picture, stop)));
   }
 }
 
