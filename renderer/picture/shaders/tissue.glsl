@@ -47,7 +47,7 @@ void main() {
 
   vec3 toward = lamp_direction(position);
   vec3 lamp = lamp_light(position);
-  float visible = SHADOWED ? key_visibility(position, base) : 1.0;
+  float visible = SHADOW_TAPS > 0 ? key_visibility(position, base) : 1.0;
   // Light that has come into an opened organ goes from wall to wall.
   float bounced = pattern.w > 0.0 && pattern.z == 0.0 ? 0.35 : 0.0;
 #ifdef ENDOSCOPE

@@ -38,6 +38,11 @@ TEST(TissuePrograms, WhatIsTooFineForThePixelsIsLeftOut) {
   EXPECT_TRUE(says(tissue_defines(look, {.smallest_footprint = 0.28F * size}), "DUSTED false"));
 }
 
+TEST(TissuePrograms, WhereNoShadowIsCastNoneIsLookedUp) {
+  EXPECT_TRUE(says(tissue_defines({}, {.shadow_taps = 0}), "SHADOW_TAPS 0"));
+  EXPECT_TRUE(says(tissue_defines({}, {.shadow_taps = 4}), "SHADOW_TAPS 4"));
+}
+
 TEST(TissuePrograms, NoMoreRodsCountThanTheFrameTells) {
   EXPECT_TRUE(says(tissue_defines({}, {.rods = 2}), "ROD_COUNT 2"));
   EXPECT_TRUE(says(tissue_defines({}, {.rods = 9}), "ROD_COUNT 3"));
