@@ -5,6 +5,12 @@
 #include "renderer/picture/ShaderProgram.hpp"
 
 namespace thinwall {
+namespace {
+
+/// The bit of the stencil that no part's number uses, see ScenePass: pixels that are smoothed.
+constexpr GLuint kSmoothed = 0x80;
+
+}  // namespace
 
 OutlinePass::OutlinePass()
     : program_(build_program("outline.vert", "outline.frag")),
@@ -26,6 +32,11 @@ void OutlinePass::draw(std::span<const OutlineSegment> outline, const Texture& p
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_FALSE);
+  // Where a round wall folds over within a pixel, several lines run through it, and each would take its part.
+  glEnable(GL_STENCIL_TEST);
+  glStencilMask(kSmoothed);
+  glStencilFunc(GL_NOTEQUAL, kSmoothed, kSmoothed);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
   glEnable(GL_BLEND);
   glBlendEquation(GL_FUNC_ADD);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
@@ -34,6 +45,9 @@ void OutlinePass::draw(std::span<const OutlineSegment> outline, const Texture& p
   glBindVertexArray(array_.name());
   glDrawArraysInstanced(GL_LINES, 0, 2, static_cast<GLsizei>(outline.size()));
   glDisable(GL_BLEND);
+  glStencilMask(0xff);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+  glDisable(GL_STENCIL_TEST);
   glDepthMask(GL_TRUE);
 }
 

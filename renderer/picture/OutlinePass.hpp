@@ -14,7 +14,8 @@ class OutlinePass {
  public:
   OutlinePass();
 
-  /// Draws to the current frame, whose colours without smoothing are in `picture`; the Frame block must be bound.
+  /// Draws to the current frame, whose colours without smoothing are in `picture`; the Frame block must be bound. The
+  /// first line that runs through a pixel smooths it.
   void draw(std::span<const OutlineSegment> outline, const Texture& picture) const;
 
  private:

@@ -303,6 +303,11 @@ std::vector<OutlineSegment> SceneMeshes::outline(Vector3 eye) const {
   append_outline(
       tissue_edges_, [&](std::uint32_t i) { return points[i]; }, eye, segments);
   tool_outline_.append(tool_vertices_, eye, segments);
+  const auto squared_distance = [&](const OutlineSegment& segment) {
+    const Vector3 offset = 0.5 * (vector3(segment.start) + vector3(segment.end)) - eye;
+    return dot(offset, offset);
+  };
+  std::ranges::stable_sort(segments, {}, squared_distance);
   return segments;
 }
 

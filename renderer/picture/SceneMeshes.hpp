@@ -82,7 +82,7 @@ class SceneMeshes {
   /// The edges of all walls' triangles and of their caps.
   std::vector<MeshLine> mesh_lines() const;
 
-  /// Of everything that was uploaded, seen from `eye`.
+  /// Of everything that was uploaded, seen from `eye`, the nearest first.
   std::vector<OutlineSegment> outline(Vector3 eye) const;
 
  private:

@@ -150,16 +150,19 @@ TEST(Renderer, ATriangleLandsWhereTheCameraProjectsItWithTheFirstRowOnTop) {
   EXPECT_NEAR(y_sum / weight, 50 - 50 * 0.6, 0.1);
 }
 
+/// A square turned by a little, so that its edges cross the raster at a slant. Seen from the right it is the same
+/// however far away.
+SnapshotSurface slanting_square(const std::string& body, float distance) {
+  const float c = 0.5f * distance * std::cos(0.2f), s = 0.5f * distance * std::sin(0.2f), x = 1 - distance;
+  return test::quad(body, {{{x, -c + s, -c - s}, {x, c + s, -c + s}, {x, c - s, c + s}, {x, -c - s, c - s}}});
+}
+
 TEST(Renderer, EdgesAreSmoothAndCoverTheRightAreaExceptInDraft) {
   ViewDefinition view = furnace();
   view.look.bodies["organ"] = plain({1, 1, 1});
-  // A square turned by a little, so that its edges cross the raster at a slant.
-  const float c = 0.5f * std::cos(0.2f), s = 0.5f * std::sin(0.2f);
-  const auto square =
-      test::quad("organ", {{{0, -c + s, -c - s}, {0, c + s, -c + s}, {0, c - s, c + s}, {0, -c - s, c - s}}});
   const double full = displayed(1);
   const auto measure = [&](Tier tier) {
-    const Image image = draw(snapshot_of({square}), view, {200, 200}, tier);
+    const Image image = draw(snapshot_of({slanting_square("organ", 1)}), view, {200, 200}, tier);
     int between = 0;
     double area = 0;
     for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
@@ -177,13 +180,10 @@ TEST(Renderer, EdgesAreSmoothAndCoverTheRightAreaExceptInDraft) {
   EXPECT_GT(measure(Tier::kFinal).first, 300);
 }
 
-TEST(Renderer, ASmoothEdgeLiesWhereTheGeometryPutsItInEachColumn) {
+void expect_smooth_columns(const std::vector<SnapshotSurface>& squares) {
   ViewDefinition view = furnace();
-  view.look.bodies["organ"] = plain({1, 1, 1});
-  const float c = 0.5f * std::cos(0.2f), s = 0.5f * std::sin(0.2f);
-  const auto square =
-      test::quad("organ", {{{0, -c + s, -c - s}, {0, c + s, -c + s}, {0, c - s, c + s}, {0, -c - s, c - s}}});
-  const Image image = draw(snapshot_of({square}), view, {200, 200});
+  for (const SnapshotSurface& square : squares) view.look.bodies[square.body] = plain({1, 1, 1});
+  const Image image = draw(snapshot_of(squares), view, {200, 200});
   // Where a column meets the two long sides only, it cuts 100 / cos(0.2) pixels out of the square.
   for (int x = 70; x < 130; ++x) {
     double sum = 0;
@@ -191,6 +191,14 @@ TEST(Renderer, ASmoothEdgeLiesWhereTheGeometryPutsItInEachColumn) {
     // Rounding a hundred pixels to 8 bits with dithering, and two of them in between, leaves 0.02.
     EXPECT_NEAR(sum, 100 / std::cos(0.2), 0.03) << "column " << x;
   }
+}
+
+TEST(Renderer, ASmoothEdgeLiesWhereTheGeometryPutsItInEachColumn) {
+  expect_smooth_columns({slanting_square("organ", 1)});
+}
+
+TEST(Renderer, EdgesBehindEachOtherAreAsSmoothAsOne) {
+  expect_smooth_columns({slanting_square("organ", 1), slanting_square("second", 1.1f), slanting_square("third", 1.2f)});
 }
 
 class ToolTip : public testing::TestWithParam<SnapshotToolKind> {};
