@@ -38,7 +38,7 @@ void main() {
   float thickness = 2.0 * state.z;
   // A smooth normal may face away where the triangle is still seen.
   float base_nv = max(dot(base, view), 0.05);
-  Skin skin = skin_at(rest_and_state.xyz, environment.w * seen.w * inversesqrt(base_nv), blanch, thickness, wound);
+  Skin skin = skin_at(rest_and_state.xyz, environment.w * seen.w / base_nv, blanch, thickness, wound);
   vec3 bump = skin.bump - dot(skin.bump, base) * base;
   vec3 normal = normalize(base - 0.6 * bump);
   vec3 film_normal = normalize(base - 1.3 * bump);
