@@ -14,7 +14,7 @@ namespace {
 
 // All in metres; places are (x', y', back from the tip), as in ToolBuilder::add_quad.
 
-constexpr float kBlade = 0.19f;   // roughness of its faces
+constexpr float kBlade = 0.14f;   // roughness of its faces
 constexpr float kGround = 0.14f;  // and of its bevels
 
 double smooth_step(double t) {

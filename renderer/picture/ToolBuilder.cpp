@@ -78,7 +78,8 @@ void ToolBuilder::join(const std::vector<FlatSection>& sections) {
   for (const FlatSection* end : {&sections.front(), &sections.back()}) {
     const auto fan = static_cast<std::uint32_t>(shape_.vertices.size());
     const Vector3 outwards = end == &sections.front() ? direction_ : -direction_;
-    for (std::size_t c = 0; c < kCorners; ++c) append(corner(*end, c), outwards, {.back = end->back});
+    for (std::size_t c = 0; c < kCorners; ++c)
+      append(corner(*end, c), outwards, {.back = end->back, .roughness = -kBrushed});
     for (std::uint32_t c = 2; c < kCorners; ++c) append_triangle(fan, fan + c - 1, fan + c);
   }
 }
@@ -87,7 +88,7 @@ void ToolBuilder::add_quad(const std::array<Vector3, 4>& corners, const std::arr
                            float roughness) {
   const auto first = static_cast<std::uint32_t>(shape_.vertices.size());
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    append(tip_ + turned(corners[k]), normalized(turned(normals[k])), {.back = corners[k].z, .roughness = roughness});
+    append(tip_ + turned(corners[k]), normalized(turned(normals[k])), {.back = corners[k].z, .roughness = -roughness});
   }
   append_triangle(first, first + 1, first + 2);
   append_triangle(first, first + 2, first + 3);
@@ -131,7 +132,7 @@ void ToolBuilder::append_face(const std::array<Vector3, 4>& corners, Vector3 out
   for (const Vector3& corner : corners) {
     const double aside = dot(corner - tip_, axis_);
     const OutlinePoint point{.back = dot(tip_ - corner, direction_),
-                             .roughness = is_broad ? section.roughness : kPolished,
+                             .roughness = is_broad ? -section.roughness : -kPolished,
                              .grip = is_broad ? section.grip : 0};
     append(corner, normalized(normal - (aside > 0 ? hollow : -hollow) * axis_), point);
   }

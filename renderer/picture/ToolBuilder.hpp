@@ -18,7 +18,7 @@ struct OutlinePoint {
   double out = 0;
   double normal_back = 0;  // outward normal in the same plane, not of length one
   double normal_out = 1;
-  float roughness = kBrushed;
+  float roughness = kBrushed;  // below 0 that of a flat face
   float grip = 0;
 };
 
@@ -48,7 +48,7 @@ class ToolBuilder {
   void join(const std::vector<FlatSection>& sections);
 
   /// A face with the given corners, one after the other, and outward normals, not of length one; both along x', along
-  /// y' and backwards, from the tip.
+  /// y' and backwards, from the tip. It counts as flat.
   void add_quad(const std::array<Vector3, 4>& corners, const std::array<Vector3, 4>& normals, float roughness);
 
   /// Rods stand for the tool in shade and reflections: one along the direction, and one along the axis.

@@ -11,7 +11,7 @@ namespace thinwall {
 struct ToolVertex {
   Float3 position{};    // metres
   Float3 normal{};      // of length one, outward
-  float roughness = 0;  // 0 to 1
+  float roughness = 0;  // 0 to 1; of flat faces below 0
   float along = 0;      // distance from the tip against the direction, in units of the scene's size
   float grip = 0;       // 0 to 1: how deep the rings of the handle are
   float side = 0;       // distances from the middle line along x' and y', in units of the scene's size

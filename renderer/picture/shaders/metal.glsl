@@ -29,6 +29,7 @@ struct Steel {
   vec3 normal;       // smooth
   float finish;      // roughness
   float roughness;   // as much more of it as the normal turns within the pixel
+  float flatness;    // 1 on flat faces, 0 on round ones
   vec3 axis;         // along the tool, or zero where nothing tells
   float ring_depth;  // 0 to 1
 };
@@ -37,12 +38,14 @@ Steel steel_at(ivec2 pixel) {
   vec4 place = texelFetch(tool_place, pixel, 0), normal = texelFetch(tool_normal, pixel, 0);
   vec4 axis = texelFetch(tool_axis, pixel, 0);
   float size = length(normal.xyz);
-  return Steel(camera_position.xyz + place.w * ray, place.w, place.x, place.yz, normal.xyz / size, size - 1.0, normal.w,
-               axis.xyz, axis.w);
+  return Steel(camera_position.xyz + place.w * ray, place.w, place.x, place.yz, normal.xyz / size, size - 1.0,
+               abs(normal.w), normal.w < 0.0 ? 1.0 : 0.0, axis.xyz, axis.w);
 }
 
-// What an endoscope's lamp lights around the scene, as a matte colour.
+// What an endoscope's lamp lights around the scene, as matte colours: all of it, hollows, and what glistens.
 const vec3 kSurroundings = vec3(0.125, 0.050, 0.036);
+const vec3 kHollow = vec3(0.040, 0.024, 0.021);
+const vec3 kGlistening = vec3(0.95, 0.89, 0.87);
 
 // Part of a lamp's light that the fine scratches of brushed steel send everywhere: it is grey between its highlights.
 const float kScratched = 0.055;
@@ -130,10 +133,35 @@ float streak(vec3 normal, vec3 axis, vec3 view, vec3 toward, float turned) {
   return dot(axis, axis) > 0.0 ? part : 0.0;
 }
 
+// What comes from `mirrored`, but for what the picture shows; `smooth_mirrored` is that without marks.
+vec3 surroundings_light(Steel steel, vec3 view, vec3 mirrored, vec3 smooth_mirrored, float visible) {
+  float roughness = steel.roughness, flatness = steel.flatness;
+  vec3 light = environment_light(mirrored, roughness, mix(0.25, 1.0, visible));
+  // A flat face shows a small part of what is around, which is as far away as the scene is large: light and dark in turns.
+  vec3 seen_there = 9.0 * (steel.position - scene_center.xyz) / scene_center.w + 3.0 * mix(smooth_mirrored, mirrored, 0.3);
+  float around = noise(mix(1.6 * mirrored, seen_there, flatness) + 5.0).w;
+  float lit_there = smoothstep(-0.20 - roughness, 0.30 + roughness, around);
+#ifdef ENDOSCOPE
+  // The lamp lights what lies before the lens; behind it there is the dark that steel shows in its middle.
+  float ahead = dot(mirrored, line_of_sight.xyz);
+  light *= 0.12;
+  light += mix(kSurroundings * (1.0 + 0.8 * around), mix(kHollow, kGlistening, lit_there), flatness) *
+           lamp_light(scene_center.xyz) * smoothstep(-0.15 - roughness, 0.95, ahead);
+  vec3 tissue_light = 0.45 * tissue.rgb * lamp_light(scene_center.xyz);
+#else
+  // The front of the room, which a flat face shows that looks at the viewer.
+  float toward_viewer = smoothstep(-0.3, 0.7, dot(mirrored.xy, view.xy));
+  light += flatness * environment.x * environment.y * key_direction.w * toward_viewer * mix(0.14, 0.38, lit_there) * kFillColor;
+  vec3 tissue_light = tissue.rgb * (0.15 + 0.8 * key_direction.w * saturate(key_direction.z)) * environment.x;
+#endif
+  return mix(light, tissue_light, mix(0.35, 0.15, flatness) * tissue_part(steel, mirrored));
+}
+
 void main() {
   Steel steel = steel_at(ivec2(gl_FragCoord.xy));
   vec3 position = steel.position, axis = steel.axis;
   float roughness = steel.roughness, turned = max(square(roughness) - square(steel.finish), 0.0);
+  float flatness = steel.flatness;
   vec3 view = -normalize(ray);
   vec3 normal = dot(steel.normal, view) < 0.0 ? -steel.normal : steel.normal;
 
@@ -155,26 +183,23 @@ void main() {
 
   float visible = key_visibility(position, normal);
   vec3 mirrored = reflect(-view, normal);
-  vec3 light = environment_light(mirrored, roughness, mix(0.25, 1.0, visible));
-#ifdef ENDOSCOPE
-  vec3 toward = lamp_direction(position);
-  // The lamp lights what lies before the lens; behind it there is the dark that steel shows in its middle.
-  float ahead = dot(mirrored, line_of_sight.xyz);
-  light *= 0.12;
-  light += kSurroundings * lamp_light(scene_center.xyz) * smoothstep(-0.15 - roughness, 0.95, ahead) * (1.0 + 0.8 * noise(1.6 * mirrored + 5.0).w);
-  vec3 tissue_light = 0.45 * tissue.rgb * lamp_light(scene_center.xyz);
-#else
-  vec3 tissue_light = tissue.rgb * (0.15 + 0.8 * key_direction.w * saturate(key_direction.z)) * environment.x;
-#endif
-  light = mix(light, tissue_light, 0.35 * tissue_part(steel, mirrored));
+  vec3 light = surroundings_light(steel, view, mirrored, smooth_mirrored, visible);
   vec4 sent = mirrored_tissue(steel, smooth_mirrored);
+  // Beside what the lamps do to a flat face it is pale.
+#ifdef ENDOSCOPE
+  sent.w *= mix(1.0, 0.3, flatness);
+#else
+  sent.w *= mix(1.0, 0.6, flatness);
+#endif
   // The rougher, the more of it is lost among all else.
   float brushed = saturate(7.0 * (steel.finish - 0.10));
   light = mix(light, mix(0.72, 0.45, brushed) * sent.rgb, mix(1.0, 0.45, brushed) * sent.w) * (1.0 + marked * marks.w);
 #ifdef ENDOSCOPE
-  // Brushed: a sharp highlight in a streak.
-  float highlight = 0.55 * glint(normal, view, toward, max(square(roughness), 0.02)) +
-                    0.06 * glint(normal, view, toward, 0.35) + 0.30 * streak(normal, axis, view, toward, turned) +
+  vec3 toward = lamp_direction(position);
+  // Brushed: a sharp highlight in a streak, and a wide one that makes flat faces grey which are turned away from the lamp.
+  float highlight = mix(0.55, 0.40, flatness) * glint(normal, view, toward, max(square(roughness), 0.02)) +
+                    mix(0.06, 0.30, flatness) * glint(normal, view, toward, mix(0.35, 0.50, brushed)) +
+                    mix(0.30, 0.20, flatness) * streak(normal, axis, view, toward, turned) +
                     kScratched * brushed * saturate(dot(normal, toward));
   light += visible * highlight * (1.0 + 0.9 * marked * marks.w) * lamp_light(position);
 #else

@@ -5,11 +5,11 @@
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 smooth_normal;
-layout(location = 2) in vec2 finish;  // roughness, depth of the rings
+layout(location = 2) in vec2 finish;  // roughness, of flat faces below 0; depth of the rings
 layout(location = 3) in vec4 place;   // along the tool and off its middle line, in units of the scene's size; depth, metres
 
 layout(location = 0) out vec4 seen_place;   // as it came
-layout(location = 1) out vec4 seen_normal;  // xyz, of length 1 + roughness; w: roughness as the pixel sees it
+layout(location = 1) out vec4 seen_normal;  // xyz, of length 1 + roughness; w: roughness as the pixel sees it, below 0 on flat faces
 layout(location = 2) out vec4 seen_axis;    // xyz: along the tool, of length one, or zero; w: depth of the rings
 
 // Along the tool, in the triangle's plane, from how the distance along it changes between pixels (Mikkelsen 2010); not
@@ -30,6 +30,6 @@ void main() {
   vec3 across = dFdx(normal), up = dFdy(normal);
   float roughness = sqrt(finish.x * finish.x + min(0.5 * (dot(across, across) + dot(up, up)), 0.2));
   seen_place = place;
-  seen_normal = vec4((1.0 + finish.x) * normal, roughness);
+  seen_normal = vec4((1.0 + abs(finish.x)) * normal, finish.x < 0.0 ? -roughness : roughness);
   seen_axis = vec4(along_tool(normal), finish.y);
 }

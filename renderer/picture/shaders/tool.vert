@@ -3,7 +3,7 @@
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
-layout(location = 2) in vec3 finish;  // roughness, distance along the tool, depth of the rings
+layout(location = 2) in vec3 finish;  // roughness, of flat faces below 0; distance along the tool, depth of the rings
 layout(location = 3) in vec2 aside;   // distances from its middle line
 
 layout(location = 0) out vec3 out_position;

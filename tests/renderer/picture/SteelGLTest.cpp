@@ -1,0 +1,76 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "renderer/look/OrganLooks.hpp"
+#include "renderer/picture/Camera.hpp"
+#include "renderer/picture/Renderer.hpp"
+#include "renderer/picture/SceneExtent.hpp"
+#include "tests/renderer/picture/TestMeshes.hpp"
+
+namespace thinwall {
+namespace {
+
+constexpr ImageSize kSize{640, 360};
+constexpr double kLength = 0.014;  // of a blade, metres
+
+/// A scalpel that stands upright on a wall, its flat side to the viewer.
+Snapshot scalpel_on_a_wall() {
+  Snapshot snapshot;
+  snapshot.surfaces = {
+      test::quad("organ", {{{-0.03f, -0.03f, 0}, {0.03f, -0.03f, 0}, {0.03f, 0.03f, 0}, {-0.03f, 0.03f, 0}}})};
+  SnapshotTool scalpel;
+  scalpel.kind = SnapshotToolKind::kScalpel;
+  scalpel.length = kLength;
+  scalpel.width = 0.005;
+  scalpel.thickness = 0.0005;
+  scalpel.axis = {1, 0, 0};
+  snapshot.tools.push_back(scalpel);
+  return snapshot;
+}
+
+ViewDefinition from_the_front(const char* organ) {
+  ViewDefinition view;
+  view.camera = {.position = Double3{0.01, -0.05, 0.035}, .target = Double3{0, 0, 0.01}, .up = Double3{0, 0, 1}};
+  view.look.bodies["organ"] = *find_organ_look(organ);
+  return view;
+}
+
+/// Of the middle of the scalpel's blade and of what it is mounted on, 8-bit levels.
+std::array<double, 3> color_of_steel(const ViewDefinition& view) {
+  const Snapshot snapshot = scalpel_on_a_wall();
+  const Image image = Renderer(DeviceChoice{}, kSize, Tier::kRecord).draw(snapshot, view);
+  const Camera camera = resolve_camera(view.camera, scene_extent(snapshot), kSize, 0);
+  std::array<double, 3> sums{};
+  constexpr int kPlaces = 40;
+  for (int k = 0; k < kPlaces; ++k) {
+    const double back = kLength * (0.4 + 0.9 * k / kPlaces);
+    const auto pixel = camera.pixel({-0.0008, 0, back}, kSize);
+    const std::size_t first =
+        3 * (static_cast<std::size_t>((*pixel)[1]) * kSize.width + static_cast<std::size_t>((*pixel)[0]));
+    for (std::size_t c = 0; c < 3; ++c) sums[c] += image.pixels[first + c] / double{kPlaces};
+  }
+  return sums;
+}
+
+TEST(Steel, IsGreyAndBrightUnderAnEndoscopesLamp) {
+  for (const char* organ : {"gallbladder", "liver"}) {
+    ViewDefinition view = from_the_front(organ);
+    view.camera.kind = CameraKind::kEndoscope;
+    view.lights.endoscope = 1;
+    const std::array<double, 3> color = color_of_steel(view);
+    // Seen: 106 and 9 % between the colours; 70 and 18 % where flat faces show nothing but hollows and the organ.
+    EXPECT_GT(color[1], 90) << organ;
+    EXPECT_LT(std::ranges::max(color) - std::ranges::min(color), 0.12 * color[0]) << organ;
+  }
+}
+
+TEST(Steel, ShowsTheFrontOfTheRoomWhereItIsTurnedAwayFromTheKeyLight) {
+  ViewDefinition view = from_the_front("skin");
+  view.lights.key_direction = Double3{0.3, 0.6, 0.8};
+  // Seen: 154; 128 of the floor alone.
+  EXPECT_GT(color_of_steel(view)[1], 142);
+}
+
+}  // namespace
+}  // namespace thinwall
