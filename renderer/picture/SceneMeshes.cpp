@@ -78,6 +78,7 @@ void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& 
     if (look.data) {
       show_data(snapshot.surfaces[k], *look.data, drawn.borders, pieces);
     } else {
+      cover_open_borders(drawn.borders, drawn.is_lip, pieces);
       find_fluid(snapshot, k, body_look, pieces);
       find_films(snapshot, k, body_look, pieces);
       if (bed_depths_[k] > 0) {

@@ -48,6 +48,20 @@ bool encloses_its_inside(const SnapshotSurface& surface, std::span<const BorderE
   return volume > 0;
 }
 
+/// Before where the outer layer ends, however wavy that is.
+constexpr float kCovered = -0.1F;
+
+void cover_open_borders(std::span<const BorderEdge> borders, std::span<const char> is_lip,
+                        std::span<TissuePiece> pieces) {
+  for (TissuePiece& piece : pieces) {
+    if (piece.side != TissueSide::kRim) continue;
+    for (std::size_t v = 0; v < piece.vertices.size(); ++v) {
+      const BorderEdge& border = borders[v / 4];
+      if (!is_lip[border.start] || !is_lip[border.end]) piece.vertices[v].wound = kCovered;
+    }
+  }
+}
+
 std::vector<std::uint32_t> surface_vertices(const TissuePiece& piece, const SnapshotTopology& topology,
                                             std::span<const BorderEdge> borders) {
   std::vector<std::uint32_t> vertices(piece.vertices.size());

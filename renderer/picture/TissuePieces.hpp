@@ -30,6 +30,11 @@ std::vector<TissuePiece> tissue_pieces(const SnapshotSurface& surface, std::span
 bool encloses_its_inside(const SnapshotSurface& surface, std::span<const BorderEdge> borders,
                          std::span<const TissuePiece> pieces);
 
+/// Where a wall ends without a cut, its outer layer goes on over its thickness. `borders` and `is_lip` are those that
+/// the pieces were made of.
+void cover_open_borders(std::span<const BorderEdge> borders, std::span<const char> is_lip,
+                        std::span<TissuePiece> pieces);
+
 /// The surface's vertex behind each vertex of a piece, (vertices).
 std::vector<std::uint32_t> surface_vertices(const TissuePiece& piece, const SnapshotTopology& topology,
                                             std::span<const BorderEdge> borders);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "renderer/picture/DrawnPieces.hpp"
 #include "tests/renderer/picture/CutSheets.hpp"
 
@@ -36,6 +38,23 @@ TEST(TissuePieces, ASheetIsClosedByTheThicknessThatIsDrawn) {
   topology->thickness.clear();
   thin.topology = topology;
   EXPECT_FALSE(is_closed(thin)) << "nothing is behind its triangles";
+}
+
+TEST(TissuePieces, LayersAreBareAtCutsAndCoveredWhereASheetEnds) {
+  const SnapshotSurface sheet = test::slit_sheet(6, 0.002, 0);
+  const DrawnTopology drawn = drawn_topology(sheet.topology, DrawnEdges::kStraight);
+  std::vector<TissuePiece> pieces = drawn_pieces(sheet, drawn, sheet);
+  cover_open_borders(drawn.borders, drawn.is_lip, pieces);
+  const auto rim = std::ranges::find(pieces, TissueSide::kRim, &TissuePiece::side);
+  ASSERT_NE(rim, pieces.end());
+  int bare = 0, covered = 0;
+  for (std::size_t k = 0; k < drawn.borders.size(); ++k) {
+    const bool is_cut = drawn.is_lip[drawn.borders[k].start] && drawn.is_lip[drawn.borders[k].end];
+    (is_cut ? bare : covered) += 1;
+    EXPECT_EQ(rim->vertices[4 * k + 1].wound > 0, is_cut) << "the inner start of border " << k;
+  }
+  EXPECT_GT(bare, 0);
+  EXPECT_GT(covered, 0);
 }
 
 }  // namespace
