@@ -17,11 +17,14 @@ struct Skin {
 float resolved(float frequency, float footprint) { return 1.0 - smoothstep(0.2, 0.55, frequency * footprint); }
 
 // 1 in the middle of a vessel of `width` (half, in waves of the field) that runs where the noise in `field` is `level`,
-// with soft sides, for vessels lie below the surface.
+// with soft sides, for vessels lie below the surface. Such lines close to rings. Small ones do around tops and hollows,
+// where the field is flat; of large ones is left out where the field falls along one direction.
 float vessel(vec4 field, float level, float width, float blur) {
-  float slope = max(length(field.xyz), 0.9);
-  float away = abs(field.w - level) / (slope * (width + blur));
-  return width / (width + blur) / (1.0 + square(square(away)) + 0.3 * square(away));
+  const vec3 kDownstream = vec3(0.48, 0.64, 0.60);
+  float slope = length(field.xyz);
+  float open = smoothstep(0.7, 1.2, slope) * smoothstep(-0.90, -0.55, dot(field.xyz, kDownstream) / max(slope, 0.1));
+  float away = abs(field.w - level) / (max(slope, 0.9) * (width + blur));
+  return open * width / (width + blur) / (1.0 + square(square(away)) + 0.3 * square(away));
 }
 
 struct Vessels {
@@ -34,8 +37,7 @@ struct Vessels {
 Vessels vessels_at(vec4 coarse, vec4 fine, vec4 broad, float footprint) {
   float blur = 0.5 * footprint * vessels.y;
   float open = smoothstep(-0.45, 0.1, broad.w + 0.15 * broad.x);
-  // Here they lie at the surface, there they go deeper, thinner and softer to the eye: so no line is drawn out evenly,
-  // and rings do not close.
+  // Here they lie at the surface, there they go deeper, thinner and softer to the eye: so no line is drawn out evenly.
   float up = smoothstep(-0.70, 0.55, 0.55 * broad.y + 0.45 * fine.w);
   float trunk_width = (0.010 + 0.016 * saturate(0.5 + broad.w)) * mix(0.55, 1.15, up);
   Vessels result;
