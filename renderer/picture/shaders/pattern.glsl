@@ -21,10 +21,11 @@ float resolved(float frequency, float footprint) { return 1.0 - smoothstep(0.2, 
 // where the field is flat; of large ones is left out where the field falls along one direction.
 float vessel(vec4 field, float level, float width, float blur) {
   const vec3 kDownstream = vec3(0.48, 0.64, 0.60);
-  float slope = length(field.xyz);
-  float open = smoothstep(0.7, 1.2, slope) * smoothstep(-0.90, -0.55, dot(field.xyz, kDownstream) / max(slope, 0.1));
-  float away = abs(field.w - level) / (max(slope, 0.9) * (width + blur));
-  return open * width / (width + blur) / (1.0 + square(square(away)) + 0.3 * square(away));
+  float squared = max(dot(field.xyz, field.xyz), 0.01), over_slope = inversesqrt(squared);
+  float open = saturate(1.8 * squared * over_slope - 1.2) * saturate(2.9 * over_slope * dot(field.xyz, kDownstream) + 2.6);
+  float over_width = 1.0 / (width + blur);
+  float away = square((field.w - level) * min(over_slope, 1.1) * over_width);
+  return open * width * over_width / (1.0 + square(away) + 0.3 * away);
 }
 
 struct Vessels {
