@@ -14,7 +14,7 @@ struct SurfaceVertex {
   float blanch = 0;     // 0 to 1: how far pressure and stretch have driven the blood out
   float curvature = 0;  // 1 / metre, mean of both directions: positive in a dent, negative on a bulge
   float thickness = 1;  // of now over stress-free, as the area there tells
-  float wound = 0;      // within a rim the depth, from 0 outside to 1 inside
+  float wound = 0;      // within a rim the depth, from 0 outside to 1 inside; below 0 where the outer layer covers it
 };
 
 /// Vertices of the wall, numbered as in the surface.
