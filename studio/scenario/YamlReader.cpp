@@ -252,6 +252,17 @@ void refuse_what_is_no_text(std::string_view text) {
   }
 }
 
+/// The first line up to `last` whose indentation has a tab in it, which YAML does not allow; 0: none.
+int tabbed_line(const std::string& text, int last) {
+  std::istringstream stream(text);
+  std::string line;
+  for (int number = 1; number <= last && std::getline(stream, line); ++number) {
+    const std::size_t end = line.find_first_not_of(" \t");
+    if (line.substr(0, end).find('\t') != std::string::npos) return number;
+  }
+  return 0;
+}
+
 TextNode parse(const std::string& text, const std::filesystem::path& file, Diagnostics& diagnostics) {
   refuse_what_is_no_text(text);
   Places places(text);
@@ -267,6 +278,9 @@ TextNode parse(const std::string& text, const std::filesystem::path& file, Diagn
     }
   } catch (const YAML::Exception& error) {
     const SourceLocation place = places.at(error.mark, file);
+    if (const int tabbed = tabbed_line(text, place.line)) {
+      throw Refusal{tabbed, 1, "this line is indented with a tab, which YAML does not allow; indent it with spaces"};
+    }
     throw Refusal{place.line, place.column, "this is no YAML: " + error.msg};
   }
   return std::move(builder.root);

@@ -87,6 +87,14 @@ TEST(YamlReader, WhatIsNoTextIsRefusedAtItsFirstByte) {
   EXPECT_EQ(first_error(std::string("a: \0", 4)), "1:4: not a text file: a control character stands here");
 }
 
+TEST(YamlReader, TabsThatIndentAreNamedWhereTheFirstOfThemIs) {
+  const std::string tab = ": this line is indented with a tab, which YAML does not allow; indent it with spaces";
+  EXPECT_EQ(first_error("a:\n\tb:\n\t\tc: 1\n"), "2:1" + tab);
+  EXPECT_EQ(first_error("a:\n  b:\n  \tc:\n  \t\td: 1\n"), "3:1" + tab);
+  // Elsewhere they are blanks.
+  EXPECT_EQ(first_error("a:\t1\nb: [1,\t2]\n"), "");
+}
+
 TEST(YamlReader, WhatIsNoReadableFileIsRefused) {
   const std::filesystem::path folder = std::filesystem::temp_directory_path();
   Diagnostics diagnostics;
