@@ -292,8 +292,10 @@ double Body::smallest_unbooked_part(const BodyState& before, double largest_part
 void Body::give_up(const BodyState& start) {
   // What has given way cannot be mended.
   if (report_.ruptures.empty()) state_ = start;
+  const bool is_held_all_over = std::ranges::all_of(model_->fixed, [](char fixed) { return fixed != 0; });
   throw SimulationFailure("body `" + model_->definition.name + "`: " + failure_ + ", also with the step divided " +
-                          std::to_string(report_.halvings) + " times");
+                          std::to_string(report_.halvings) + " times" +
+                          (is_held_all_over ? "; `fixed` holds all of it, so that nothing gives way to a tool" : ""));
 }
 
 void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> end, double duration,

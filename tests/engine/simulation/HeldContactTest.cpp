@@ -40,6 +40,19 @@ TEST(HeldContact, ABallThatMeetsTheHeldBorderEndsTheRun) {
   }
 }
 
+TEST(HeldContact, ABodyThatIsHeldAllOverSaysSo) {
+  BodyDefinition ball = make_body(make_sphere(20e-3, 320), 1e-3, neo_hookean(50e3));
+  ball.fixed = {{.region = AboveRegion{.axis = 2, .at = -1}}};
+  Body body(ball, {sphere_tool(5e-3)}, quasi_static());
+  body.settle();
+  try {
+    move(body, pose_at({0, 0, 20.5e-3}), {0, 0, 20e-3}, 5, 0.02);
+    ADD_FAILURE();
+  } catch (const SimulationFailure& failure) {
+    EXPECT_NE(std::string(failure.what()).find("`fixed` holds"), std::string::npos) << failure.what();
+  }
+}
+
 TEST(HeldContact, ABallBesideTheHeldBorderPresses) {
   EXPECT_NO_THROW(press(24e-3, held_sheet()));
 }
