@@ -289,9 +289,7 @@ double Body::smallest_unbooked_part(const BodyState& before, double largest_part
   return kSmallestUnbookedPart * (before.cut.has_incised ? 1 : largest_part) * (jumps_held ? kSmallerWhereHeld : 1);
 }
 
-void Body::give_up(const BodyState& start) {
-  // What has given way cannot be mended.
-  if (report_.ruptures.empty()) state_ = start;
+void Body::give_up() const {
   const bool is_held_all_over = std::ranges::all_of(model_->fixed, [](char fixed) { return fixed != 0; });
   throw SimulationFailure("body `" + model_->definition.name + "`: " + failure_ + ", also with the step divided " +
                           std::to_string(report_.halvings) + " times" +
@@ -304,6 +302,24 @@ void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> en
   state_.cut.run = 0;
   note_passing(input.needles, begin, state_.piercing);
   note_passing(input.blades, begin, state_.incising);
+  const BodyState start = state_;
+  try {
+    advance_in_parts(begin, end, duration, input);
+  } catch (const SimulationFailure&) {
+    // What has given way cannot be mended.
+    if (report_.ruptures.empty()) {
+      state_ = start;
+      last_step_.reset();
+    }
+    throw;
+  }
+  state_.cut.division = 1;
+  tell_ruptures_within_step();
+  foresight_.reset();
+}
+
+void Body::advance_in_parts(std::span<const ToolPose> begin, std::span<const ToolPose> end, double duration,
+                            const BodyInput& input) {
   const BodyState start = state_;
   StepParts step{.largest = std::min(largest_part(begin, end), part_of_blade(input, model_->edge_length))};
   step.part = step.largest;
@@ -324,7 +340,7 @@ void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> en
       }
       step.divide();
       ++report_.halvings;
-      if (++failed > options_.maximum_halvings || report_.halvings > kMostHalvings) give_up(start);
+      if (++failed > options_.maximum_halvings || report_.halvings > kMostHalvings) give_up();
       continue;
     }
     failed = 0;
@@ -349,9 +365,6 @@ void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> en
     // Doubled only where the error allows it: it grows with the cube of the step.
     step.go_on(was_easy && std::max(error, unbooked) < 0.1);
   }
-  state_.cut.division = 1;
-  tell_ruptures_within_step();
-  foresight_.reset();
 }
 
 }  // namespace thinwall

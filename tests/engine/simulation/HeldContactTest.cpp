@@ -40,6 +40,15 @@ TEST(HeldContact, ABallThatMeetsTheHeldBorderEndsTheRun) {
   }
 }
 
+TEST(HeldContact, AStepThatIsRefusedPartWayLeavesTheBodyAsItWas) {
+  Body body(held_sheet(), {sphere_tool(5e-3)}, quasi_static());
+  body.settle();
+  const Eigen::VectorXd before = body.state().equilibrium.position;
+  const std::vector<ToolPose> above = {pose_at({15e-3, 0, 2e-3})}, below = {pose_at({28e-3, 0, -2e-3})};
+  EXPECT_THROW(body.advance(above, below, 0.02), SimulationFailure);
+  EXPECT_EQ((body.state().equilibrium.position - before).lpNorm<Eigen::Infinity>(), 0);
+}
+
 TEST(HeldContact, ABodyThatIsHeldAllOverSaysSo) {
   BodyDefinition ball = make_body(make_sphere(20e-3, 320), 1e-3, neo_hookean(50e3));
   ball.fixed = {{.region = AboveRegion{.axis = 2, .at = -1}}};
