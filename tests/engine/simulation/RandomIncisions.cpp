@@ -26,6 +26,7 @@
 #include "engine/simulation/SimulationFailure.hpp"
 #include "tests/engine/cutting/CutInvariants.hpp"
 #include "tests/engine/simulation/DrawnBlade.hpp"
+#include "tests/engine/simulation/MendedIncisions.hpp"
 #include "tests/engine/simulation/RandomMaterials.hpp"
 #include "tests/engine/simulation/RandomNumbers.hpp"
 #include "tests/engine/simulation/TestBodies.hpp"
@@ -35,22 +36,6 @@ namespace {
 
 constexpr double kRadius = 20e-3;  // metres
 constexpr double kRest = 0.5;      // seconds after the last cut
-
-struct Case {
-  unsigned seed;
-  int number;
-};
-
-/// What failed once.
-constexpr Case kMended[] = {
-    {1, 107},    {1, 186},  {1, 191},    {1, 208},    {1, 217},     {1, 218},     {1, 244},    {1, 326},    {1, 335},
-    {1, 350},    {1, 360},  {1, 373},    {1, 438},    {1, 441},     {1, 500},     {1, 581},    {1, 594},    {1, 603},
-    {1, 661},    {1, 767},  {1, 804},    {1, 807},    {1, 835},     {1, 865},     {1, 866},    {1, 872},    {1, 892},
-    {1, 896},    {1, 931},  {1, 979},    {1, 1007},   {1, 1059},    {1, 1136},    {1, 1207},   {1, 1214},   {1, 1224},
-    {1, 1337},   {1, 1397}, {1, 1350},   {1, 1459},   {1, 1460},    {1, 1564},    {1, 1698},   {1, 1821},   {1, 1837},
-    {1, 1987},   {2, 63},   {2, 128},    {2, 170},    {3, 209},     {3, 220},     {3, 335},    {3, 408},    {4, 9},
-    {5, 14},     {7, 1},    {101, 49},   {202, 503},  {303, 169},   {303, 800},   {303, 1128}, {303, 1316}, {303, 1930},
-    {303, 1936}, {808, 42}, {2211, 157}, {2211, 732}, {2211, 1257}, {2211, 1302}, {2301, 628}, {2401, 1209}};
 
 struct Recipe {
   BodyDefinition body;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "renderer/look/OrganLooks.hpp"
 #include "renderer/picture/Camera.hpp"
