@@ -1,7 +1,6 @@
 // A blade in the wall of a body: what it costs to go on, and who pays for what it cuts.
 
 #include <algorithm>
-#include <utility>
 
 #include "engine/simulation/Body.hpp"
 #include "engine/simulation/FrictionContact.hpp"
@@ -46,6 +45,23 @@ double unpaid(const CutProgress& cut) {
   return cut.due - to_come;
 }
 
+/// Work of the wall against what holds its lips, joule.
+struct LipWork {
+  double released = 0;  // of lips that pay for new cut area
+  double lost = 0;      // of the others
+};
+
+/// Adds the work against half the forces of `cut`: half those before a step and half those after it make its work.
+void add_half_work(const CutProgress& cut, const Eigen::VectorXd& motion, LipWork& work) {
+  for (const HeldLips& lips : cut.held) {
+    double& share = lips.pays ? work.released : work.lost;
+    for (const HeldForce& one : lips.forces) {
+      share -= 0.5 * lips.held * one.force.dot(motion.segment<3>(3 * one.vertex));
+    }
+    for (const HeldTurn& one : lips.turns) share -= 0.5 * lips.held * one.force * motion[one.unknown];
+  }
+}
+
 }  // namespace
 
 double Body::cost_at(const SurfacePoint& place) const {
@@ -71,16 +87,9 @@ double Body::way_of_wall(const BladeInput& blade, const Eigen::VectorXd& motion)
 double Body::book_cut(const CutProgress& before, const Eigen::VectorXd& motion,
                       const std::optional<BladeInput>& blade) {
   CutProgress after = let_go(before, blade);
-  double released = 0, lost = 0;  // joule, by the wall
-  for (const CutProgress* progress : {&before, &std::as_const(after)}) {
-    for (const HeldLips& lips : progress->held) {
-      double& share = lips.pays ? released : lost;
-      for (const HeldForce& one : lips.forces) {
-        share -= 0.5 * lips.held * one.force.dot(motion.segment<3>(3 * one.vertex));
-      }
-      for (const HeldTurn& one : lips.turns) share -= 0.5 * lips.held * one.force * motion[one.unknown];
-    }
-  }
+  LipWork lips;
+  add_half_work(before, motion, lips);
+  add_half_work(after, motion, lips);
   note_work(motion, after);
   double paid = 0;  // joule, by the blade
   if (blade && blade->travel > 0) {
@@ -93,10 +102,10 @@ double Body::book_cut(const CutProgress& before, const Eigen::VectorXd& motion,
     after.progress = std::min(advance / blade->travel, kMostProgress);
     after.ahead -= open;
     after.awaited = std::max(0.0, after.awaited - advance);
-    after.owed += after.cost * cut - paid - released;
+    after.owed += after.cost * cut - paid - lips.released;
     // Lips open by fits and starts, so what they release is smoothed and settled over the lengths of some triangles.
     const double length = kSettledEdges * model_->edge_length, share = std::min(1.0, cut / length);
-    if (cut > 0) after.given += share * (released / cut - after.given);
+    if (cut > 0) after.given += share * (lips.released / cut - after.given);
     const bool is_free = after.ahead > 0 || !cuts;
     after.resistance = is_free ? 0 : std::clamp(after.cost - after.given + after.owed / length, 0.0, after.cost);
     const double arrears = unpaid(after) / model_->edge_length - kArrears * after.cost;  // newton
@@ -104,21 +113,21 @@ double Body::book_cut(const CutProgress& before, const Eigen::VectorXd& motion,
     state_.contacts[blade->tool].force -= after.push * blade->direction;
     state_.contacts[blade->tool].touching = true;
   } else {
-    after.owed -= released;
+    after.owed -= lips.released;
   }
   // What the wall releases beyond the cost lightens the blade's work ahead; where there is none left it is lost.
   const double credit = blade && after.resistance > 0 ? 0 : std::max(0.0, -after.owed);
   after.owed += credit;
-  after.due -= paid + released;
+  after.due -= paid + lips.released;
   // Where a blade cut more than it went, it pays for that first.
   const double surplus = after.tool ? std::min(credit, std::max(0.0, -after.due)) : credit;
   EnergyBooks& books = state_.books;
-  books.fracture += paid + released - surplus;
+  books.fracture += paid + lips.released - surplus;
   after.due += surplus;
-  books.jump += surplus + lost;
+  books.jump += surplus + lips.lost;
   books.tool_work += paid;
   state_.cut = after;
-  return -released - lost;
+  return -lips.released - lips.lost;
 }
 
 }  // namespace thinwall

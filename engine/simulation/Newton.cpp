@@ -338,8 +338,7 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
     }
     const bool whole = result.iterations < kWholeSteps || progress.calm >= kCalmSteps;
     if (search(problem, state, residual, step, whole ? 1 : 0.5)) {
-      const bool is_small = step.position.lpNorm<Eigen::Infinity>() < kSmallStep * model_.edge_length;
-      if (is_exact_ && is_small) stepped_to_ = state.position;
+      note_step(step, state);
       if (may_relax_patches(problem, options, result.iterations)) relax_patches(problem, state, options);
       continue;
     }
@@ -349,6 +348,11 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
     if (is_solved(residual, scale, options.takes_flaps, options)) return solved(true, result);
     return failed(obstructed("the line search found no smaller residual or energy"), result);
   }
+}
+
+void Newton::note_step(const Step& step, const EquilibriumState& state) {
+  const bool is_small = step.position.lpNorm<Eigen::Infinity>() < kSmallStep * model_.edge_length;
+  if (is_exact_ && is_small) stepped_to_ = state.position;
 }
 
 bool Newton::may_keep_factor(const EquilibriumProblem& problem, const Residual& residual, double near,

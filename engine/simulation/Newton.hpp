@@ -213,6 +213,8 @@ class Newton {
   /// What is left where `terms_` were found, and gives the scale of the forces there, newton.
   double note_residual(const EquilibriumProblem& problem, const EquilibriumState& state, Residual& residual,
                        NewtonResult& result) const;
+  /// Notes where a step ended whose curvature is as good there.
+  void note_step(const Step& step, const EquilibriumState& state);
   /// Whether the next step may do with the factor of the last one, which a residual below `near`, newton, allows.
   bool may_keep_factor(const EquilibriumProblem& problem, const Residual& residual, double near,
                        const Progress& progress);
