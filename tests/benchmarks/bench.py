@@ -14,6 +14,7 @@ import sys
 import tempfile
 import time
 from pathlib import Path
+from statistics import median
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 PROGRAMS = {
@@ -31,6 +32,7 @@ UNITS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1}
 # A step cannot take less than one evaluation and one factorisation of its size.
 STEP_PARTS = {"PalpationStep": ("Evaluate", "Factorize")}
 SCENE = "scenes/palpation_hemisphere.yaml"
+INCISION = "tests/benchmarks/scenes/incision_gallbladder_5000.yaml"
 HAPTIC = "scenes/haptic_hemisphere.yaml"
 HAPTIC_CASES = [(64, "full"), (256, "full"), (1024, "full"), (2500, "full"), (2500, "local"), (10000, "local"), (20000, "local")]
 
@@ -85,16 +87,42 @@ def floor_of(row, rates, times):
     return None
 
 
+def run_scene(build, scene, folder):
+    """What the whole program reports of a scene; nothing where it fails."""
+    done = subprocess.run([str(Path(build) / "bin/thinwall"), "run", str(ROOT / scene), "--out", str(folder), "--json"],
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    if done.returncode != 0:
+        print(f"the recording of {scene} is left out: {done.stderr.strip()[-300:]}", file=sys.stderr)
+        return None
+    return json.loads(done.stdout)
+
+
+def incision(build, out):
+    """The whole program, video included, on an incision of 5 000 triangles; its floor is its playing time."""
+    report = run_scene(build, INCISION, out / "incision")
+    if not report:
+        return []
+    return [{"name": f"Recording/{Path(INCISION).stem}", "real_time": report["wall_s"], "time_unit": "s",
+             "floor_s": report["simulated_s"], "floor_is": "its playing time"}]
+
+
+def start_of_program(build, turns=20):
+    """What it takes to be told the version, the median."""
+    taken = []
+    for _ in range(turns):
+        begin = time.monotonic()
+        subprocess.run([str(Path(build) / "bin/thinwall"), "--version"], stdout=subprocess.DEVNULL, check=True)
+        taken.append(time.monotonic() - begin)
+    return [{"name": "Version", "real_time": median(taken), "time_unit": "s"}]
+
+
 def recording(build, out):
     """The whole program on a scene, and ffmpeg alone on the same pictures."""
-    program = str(Path(build) / "bin/thinwall")
     folder = out / "recording"
-    done = subprocess.run([program, "run", str(ROOT / SCENE), "--out", str(folder), "--json"], stdout=subprocess.PIPE,
-                          stderr=subprocess.PIPE, text=True)
-    if done.returncode != 0:
-        print(f"the recording is left out: {done.stderr.strip()[-300:]}", file=sys.stderr)
+    report = run_scene(build, SCENE, folder)
+    if not report:
         return []
-    wall = json.loads(done.stdout)["wall_s"]
+    wall = report["wall_s"]
     raw = out / "pictures.raw"
     video = folder / "video.mp4"
     size = subprocess.run(["ffprobe", "-v", "error", "-select_streams", "v", "-show_entries", "stream=width,height,r_frame_rate",
@@ -210,7 +238,9 @@ def measure(options):
         whole["context"] = whole["context"] or part["context"]
         whole["benchmarks"] += part["benchmarks"]
     if not options.filter:
+        whole["benchmarks"] += start_of_program(options.build)
         whole["benchmarks"] += recording(options.build, out)
+        whole["benchmarks"] += incision(options.build, out)
         whole["benchmarks"] += peer_pictures()
     rates, times = floors_of(whole["benchmarks"])
     text = table(whole["benchmarks"], rates, times) + growth_of(whole["benchmarks"])
@@ -224,12 +254,6 @@ def measure(options):
 def interval_of_ratio(first, second, turns=2000):
     """Ratio of the medians, and the interval that holds 95 % of those of resampled runs (bootstrap)."""
     chance = random.Random(1)
-
-    def median(values):
-        values = sorted(values)
-        middle = len(values) // 2
-        return values[middle] if len(values) % 2 else 0.5 * (values[middle - 1] + values[middle])
-
     ratios = sorted(median(chance.choices(second, k=len(second))) / median(chance.choices(first, k=len(first))) for _ in range(turns))
     return median(second) / median(first), ratios[int(0.025 * turns)], ratios[int(0.975 * turns)]
 
