@@ -142,6 +142,11 @@ constexpr std::uint8_t kPngSignature[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a
 
 void check_signature(std::span<const std::uint8_t> bytes, const std::string& name) {
   if (bytes.empty()) throw ImageUnreadable("cannot read " + name + ": the file is empty");
+  constexpr std::string_view kPointer = "version https://git-lfs";
+  if (bytes.size() > kPointer.size() && std::memcmp(bytes.data(), kPointer.data(), kPointer.size()) == 0) {
+    throw ImageUnreadable("cannot read " + name +
+                          ": a pointer of Git LFS stands in place of the picture, which `git lfs pull` fetches");
+  }
   if (bytes.size() < sizeof(kPngSignature) || std::memcmp(bytes.data(), kPngSignature, sizeof(kPngSignature)) != 0) {
     throw ImageUnreadable("cannot read " + name + ": not a PNG picture; save it as PNG");
   }

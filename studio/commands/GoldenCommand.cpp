@@ -97,6 +97,7 @@ Json to_json(const JudgedScenario& judged, std::size_t index) {
 
 int exit_code(const std::map<GoldenOutcome, int>& counts) {
   const auto any = [&](GoldenOutcome outcome) { return counts.at(outcome) > 0; };
+  if (any(GoldenOutcome::kBroken)) return kExitBadInput;
   if (any(GoldenOutcome::kFailed) || any(GoldenOutcome::kResultMissing) || any(GoldenOutcome::kGoldenMissing)) {
     return kExitRegression;
   }
@@ -107,7 +108,7 @@ int exit_code(const std::map<GoldenOutcome, int>& counts) {
 std::map<GoldenOutcome, int> counts(const std::vector<JudgedScenario>& all) {
   std::map<GoldenOutcome, int> counts;
   for (const auto outcome : {GoldenOutcome::kOk, GoldenOutcome::kFailed, GoldenOutcome::kResultMissing,
-                             GoldenOutcome::kGoldenMissing, GoldenOutcome::kSkipped}) {
+                             GoldenOutcome::kGoldenMissing, GoldenOutcome::kSkipped, GoldenOutcome::kBroken}) {
     counts[outcome] = 0;
   }
   for (const JudgedScenario& judged : all) {
@@ -225,7 +226,7 @@ int approve_goldens(const GoldenOptions& options) {
   const FolderLock lock(options.out);
   const std::vector<JudgedScenario> all =
       judge_scenarios(named.scenarios, golden_run(options, false), [](const JudgedScenario&) {});
-  bool any_result_missing = false;
+  int code = kExitGood;
   int approved = 0;
   for (const JudgedScenario& judged : all) {
     if (judged.results.front().outcome == GoldenOutcome::kSkipped) {
@@ -238,10 +239,14 @@ int approve_goldens(const GoldenOptions& options) {
         continue;
       }
       print_result(judged, i);
-      any_result_missing = any_result_missing || judged.results[i].outcome != GoldenOutcome::kOk;
+      if (judged.results[i].outcome == GoldenOutcome::kBroken) {
+        code = kExitBadInput;
+      } else if (judged.results[i].outcome != GoldenOutcome::kOk && code == kExitGood) {
+        code = kExitRegression;
+      }
     }
   }
-  if (any_result_missing) return kExitRegression;
+  if (code != kExitGood) return code;
   if (approved == 0) throw UsageError("golden approve: nothing of what was named has changed, so nothing was approved");
   return kExitGood;
 }

@@ -182,6 +182,10 @@ int review_goldens(const GoldenOptions& options) {
   }
   const int left = tally.skipped + tally.left;
   fmt::print(stderr, "{} accepted, {} rejected, {} left\n", tally.accepted, tally.rejected, left);
+  const auto is_broken = [](const GoldenResult& result) { return result.outcome == GoldenOutcome::kBroken; };
+  const bool any_broken = std::ranges::any_of(
+      all, [&](const JudgedScenario& judged) { return std::ranges::any_of(judged.results, is_broken); });
+  if (any_broken) return tell_broken(named, kExitBadInput);
   return tell_broken(named, tally.rejected + left > 0 ? kExitRegression : kExitGood);
 }
 

@@ -115,6 +115,8 @@ std::string outcome_name(GoldenOutcome outcome) {
       return "golden missing";
     case GoldenOutcome::kSkipped:
       return "skipped";
+    case GoldenOutcome::kBroken:
+      return "broken";
   }
   return "";
 }

@@ -13,9 +13,16 @@
 
 namespace thinwall {
 
-enum class GoldenOutcome { kOk, kFailed, kResultMissing, kGoldenMissing, kSkipped };
+enum class GoldenOutcome {
+  kOk,
+  kFailed,
+  kResultMissing,
+  kGoldenMissing,
+  kSkipped,
+  kBroken,  // the scenario cannot be run as it is, or what is approved cannot be read
+};
 
-/// "ok", "failed", "result missing", "golden missing", "skipped"
+/// "ok", "failed", "result missing", "golden missing", "skipped", "broken"
 std::string outcome_name(GoldenOutcome outcome);
 
 /// What became of the simulated state since the approval, from good to bad.

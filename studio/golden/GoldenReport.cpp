@@ -140,7 +140,9 @@ Json entry(const JudgedScenario& judged, std::size_t index, const std::filesyste
   const GoldenResult& result = judged.results[index];
   const GoldenDefinition& definition = judged.scenario.goldens[index];
   const std::optional<Attribution>& attribution = judged.attributions[index];
-  const std::vector<GoldenApproval> approvals = read_approvals(folder);
+  // What is approved may be the very thing that cannot be read.
+  const bool is_broken = result.outcome == GoldenOutcome::kBroken;
+  const std::vector<GoldenApproval> approvals = is_broken ? std::vector<GoldenApproval>() : read_approvals(folder);
   const Image golden = result.is_video ? Image{} : approved_picture(result, approvals, folder);
   Json json = {{"scenario", result.scenario},
                {"title", judged.scenario.title},
@@ -161,6 +163,7 @@ Json entry(const JudgedScenario& judged, std::size_t index, const std::filesyste
                {"drift", result.drift.largest()},
                {"driver", result.driver},
                {"approvals", history_of(approvals, result.at)}};
+  if (is_broken) return json;
   if (result.is_video) {
     add_video(json, judged, result, folder);
     add_changes(json, attribution);

@@ -3,16 +3,18 @@
 #include "renderer/metric/Tiles.hpp"
 #include "studio/golden/GoldenCache.hpp"
 #include "studio/golden/GoldenVideoComparison.hpp"
+#include "studio/scenario/InputError.hpp"
 
 namespace thinwall {
 namespace {
 
-GoldenResult skipped(const Scenario& scenario, const GoldenDefinition& golden, const std::string& why) {
+GoldenResult without_comparison(const Scenario& scenario, const GoldenDefinition& golden, GoldenOutcome outcome,
+                                const std::string& why) {
   GoldenResult result;
   result.scenario = scenario.name;
   result.at = golden.at;
   result.is_video = golden.video > 0;
-  result.outcome = GoldenOutcome::kSkipped;
+  result.outcome = outcome;
   result.message = why;
   return result;
 }
@@ -53,7 +55,8 @@ void judge(JudgedScenario& judged, const GoldenRunOptions& options) {
       continue;
     }
     if (!judged.pictures.no_device.empty()) {
-      judged.results.push_back(skipped(scenario, scenario.goldens[i], judged.pictures.no_device));
+      judged.results.push_back(
+          without_comparison(scenario, scenario.goldens[i], GoldenOutcome::kSkipped, judged.pictures.no_device));
       continue;
     }
     const GoldenPicture& picture = judged.pictures.pictures[i];
@@ -65,6 +68,25 @@ void judge(JudgedScenario& judged, const GoldenRunOptions& options) {
       mention_changes(result, picture, folder);
     }
     judged.results.push_back(std::move(result));
+  }
+}
+
+/// Of a scenario that cannot be judged: each of its goldens is broken. No other shall go untested for it.
+void tell_broken(JudgedScenario& judged, const std::string& why) {
+  judged.attributions.clear();
+  judged.results.clear();
+  for (const GoldenDefinition& golden : judged.scenario.goldens) {
+    judged.results.push_back(without_comparison(judged.scenario, golden, GoldenOutcome::kBroken, why));
+  }
+}
+
+void judge_or_tell_why_not(JudgedScenario& judged, const GoldenRunOptions& options) {
+  try {
+    judge(judged, options);
+  } catch (const InputErrors& errors) {
+    tell_broken(judged, errors.what());
+  } catch (const GoldenError& error) {
+    tell_broken(judged, error.what());
   }
 }
 
@@ -101,7 +123,7 @@ std::vector<JudgedScenario> judge_scenarios(std::vector<Scenario> scenarios, con
     judged.from_cache = known[i];
     if (cache) judged.results = cache->find(judged.scenario, keys[i]);
     if (judged.results.empty()) {
-      judge(judged, options);
+      judge_or_tell_why_not(judged, options);
       if (cache) cache->keep(judged.scenario, keys[i], judged.results);
     }
     judged.attributions.resize(judged.results.size());

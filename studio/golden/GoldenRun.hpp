@@ -36,8 +36,9 @@ struct GoldenRunOptions {
   std::function<std::filesystem::path(const Scenario&)> in_other_process = {};
 };
 
-/// Simulates, draws and compares; `done` is called for one scenario after the other. With several jobs and a cache,
-/// other processes look first which scenarios are good; only the others are made here.
+/// Simulates, draws and compares; the goldens of a scenario whose files or approvals are wrong are broken; `done` is
+/// called for one scenario after the other. With several jobs and a cache, other processes look first which scenarios
+/// are good; only the others are made here.
 std::vector<JudgedScenario> judge_scenarios(std::vector<Scenario> scenarios, const GoldenRunOptions& options,
                                             const std::function<void(const JudgedScenario&)>& done);
 

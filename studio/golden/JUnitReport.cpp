@@ -71,7 +71,7 @@ std::string junit_report(const std::vector<JudgedScenario>& scenarios) {
     };
     text += fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\">\n",
                         escaped(judged.scenario.name), judged.results.size(), count(GoldenOutcome::kFailed),
-                        count(GoldenOutcome::kResultMissing, GoldenOutcome::kGoldenMissing),
+                        count(GoldenOutcome::kResultMissing, GoldenOutcome::kGoldenMissing, GoldenOutcome::kBroken),
                         count(GoldenOutcome::kSkipped));
     for (std::size_t i = 0; i < judged.results.size(); ++i) text += case_of(judged, i);
     text += "  </testsuite>\n";

@@ -8,7 +8,7 @@
 namespace thinwall {
 
 /// The results as JUnit XML, which build servers show: a suite for each scenario, a case for each golden. What is
-/// missing is an error, what differs a failure.
+/// missing or broken is an error, what differs a failure.
 std::string junit_report(const std::vector<JudgedScenario>& scenarios);
 
 /// A line for each golden that is not ok in the form in which GitHub puts notes beside a pull request.

@@ -182,6 +182,8 @@ TEST(PngFile, OtherFilesAreNamedForWhatTheyAre) {
   const TestFolder folder;
   EXPECT_EQ(failure_of_decoding({}), "cannot read a.png: the file is empty");
   EXPECT_EQ(failure_of_decoding({0xff, 0xd8, 0xff, 0xe0}), "cannot read a.png: not a PNG picture; save it as PNG");
+  const std::string pointer = "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n";
+  EXPECT_NE(failure_of_decoding(Bytes(pointer.begin(), pointer.end())).find("`git lfs pull`"), std::string::npos);
   const auto failure_of = [](const std::filesystem::path& path) {
     try {
       read_png(path);

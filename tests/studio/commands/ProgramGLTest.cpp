@@ -306,6 +306,31 @@ TEST_F(ProgramGLTest, AGoldenIsMissingThenApprovedThenComparedThenFails) {
   EXPECT_TRUE(std::filesystem::exists(folder_ / "out/golden/index.html"));
 }
 
+TEST_F(ProgramGLTest, AGoldenThatCannotBeReadAndAScenarioThatCannotBeRunStopNoOther) {
+  const std::string golden = "golden: [ { at: 120 ms, max: 8, mean: 0.2, why: rounding } ]\n";
+  for (const char* name : {"another", "zet"}) {
+    write_bytes(folder_ / "scenes" / (std::string(name) + ".yaml"), small_scenario() + golden);
+  }
+  expect_good({"golden", "approve", "another", "small", "zet", "--why", "the first"});
+  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "golden_images/another")) {
+    if (entry.path().extension() == ".png") std::filesystem::resize_file(entry, 100);
+  }
+  write_bytes(folder_ / "scenes/small.yaml",
+              small_scenario("  - palpate: { at: [0, 0, 100 mm], depth: 1 mm, direction: [1, 0, 0] }\n") + golden);
+  for (const char* jobs : {"1", "3"}) {
+    const ProgramEnd end = run({"golden", "test", "--all", "--json", "--jobs", jobs, "--junit", "junit.xml"});
+    EXPECT_EQ(end.exit_code, 2) << end.messages;
+    const nlohmann::json result = nlohmann::json::parse(end.output);
+    EXPECT_EQ(result["counts"]["broken"], 2);
+    EXPECT_EQ(result["counts"]["ok"], 1) << end.messages;
+    EXPECT_NE(end.messages.find("broken: another at 0.12 s: cannot read "), std::string::npos) << end.messages;
+    EXPECT_NE(end.messages.find("small.yaml:"), std::string::npos) << end.messages;
+  }
+  EXPECT_NE(file_bytes(folder_ / "junit.xml").find("<error type=\"broken\" message=\"cannot read "), std::string::npos);
+  EXPECT_NE(file_bytes(folder_ / "out/golden/index.html").find("misses body"), std::string::npos);
+  EXPECT_EQ(run({"golden", "approve", "small", "zet", "--why", "again"}).exit_code, 2);
+}
+
 TEST_F(ProgramGLTest, AGoldenIsReviewedListedExplainedAndNotApprovedTwice) {
   const auto answer = [&](const std::string& answers, const std::vector<std::string>& arguments) {
     write_bytes(folder_ / "answers", answers);
