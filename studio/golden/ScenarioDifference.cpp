@@ -14,7 +14,7 @@ ScenarioStage stage_of(const std::string& key) {
   for (const char* word : {"caption", "chapter", "title"}) {
     if (key == word || key.ends_with(std::string(".") + word)) return ScenarioStage::kOverlay;
   }
-  const std::string first = key.substr(0, key.find('.'));
+  const std::string first = key.substr(0, key.find_first_of(".["));
   for (const char* word : {"bodies", "tools", "timeline", "simulation"}) {
     if (first == word) return ScenarioStage::kPhysics;
   }
@@ -51,7 +51,8 @@ void collect(const std::string& key, const Json* before, const Json* after, std:
   if (both && before->is_array() && after->is_array() && before->size() == after->size() && !before->empty() &&
       before->front().is_structured()) {
     for (std::size_t i = 0; i < before->size(); ++i) {
-      collect(below(std::to_string(i)), &before->at(i), &after->at(i), changes);
+      // Items count from 1, as in messages and in the paths of a comparison.
+      collect(key + "[" + std::to_string(i + 1) + "]", &before->at(i), &after->at(i), changes);
     }
     return;
   }

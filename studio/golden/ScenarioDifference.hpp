@@ -17,7 +17,7 @@ enum class ScenarioStage {
 /// A value of a scenario that is not what it was.
 struct ScenarioChange {
   ScenarioStage stage = ScenarioStage::kNone;
-  std::string key;     // "bodies.organ.wall.material.shear_modulus"
+  std::string key;     // "bodies.organ.wall.thickness", "timeline[1].palpate.depth"
   std::string before;  // as JSON; empty when it is new
   std::string after;   // as JSON; empty when it is gone
 };

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "renderer/video/Program.hpp"
 #include "studio/recorder/RecordCsv.hpp"
 #include "tests/studio/commands/RunningProgram.hpp"
 
@@ -44,6 +45,18 @@ TEST(ReadmeTest, ItsScenariosAreGoodAndRun) {
   EXPECT_EQ(cut.exit_code, 0) << cut.messages;
   const ProgramEnd puncture = run_thinwall({"run", "puncture.yaml", "--no-render"}, here);
   EXPECT_EQ(puncture.exit_code, 0) << puncture.messages;
+}
+
+TEST(ReadmeTest, TheScriptLeavesTheFolderOfScenesAndGoldensToWhoNamesOne) {
+  const TemporaryFolder folder;
+  for (const char* made : {"scripts", "bin"}) std::filesystem::create_directory(folder / made);
+  std::filesystem::copy(kRoot / "scripts/thinwall", folder / "scripts/thinwall");
+  write_bytes(folder / "scripts/build_functions", "build=$root\nbuild_targets() { :; }\n");
+  write_bytes(folder / "bin/thinwall", "#!/bin/sh\nprintf '%s %s' \"$THINWALL_HOME\" \"$1\"\n");
+  std::filesystem::permissions(folder / "bin/thinwall", std::filesystem::perms::owner_all);
+  const std::string script = (folder / "scripts/thinwall").string();
+  EXPECT_EQ(run_program({"env", "-u", "THINWALL_HOME", script, "golden"}).output, folder.path().string() + " golden");
+  EXPECT_EQ(run_program({"env", "THINWALL_HOME=mine", script, "golden"}).output, "mine golden");
 }
 
 TEST(ReadmeTest, NamesTheColumnsOfTheForceRecord) {

@@ -17,7 +17,7 @@ TEST(ScenarioDifference, NamesKeyAndBothValuesAndTheStage) {
   EXPECT_EQ(to_text(changes[0]), "bodies.organ.wall.thickness 0.002 instead of 0.001");
   EXPECT_EQ(changes[0].stage, ScenarioStage::kPhysics);
   EXPECT_EQ(changes[1].stage, ScenarioStage::kLook);
-  EXPECT_EQ(changes[2].key, "timeline.0.caption");
+  EXPECT_EQ(changes[2].key, "timeline[1].caption");
   EXPECT_EQ(changes[2].stage, ScenarioStage::kOverlay);
 }
 
@@ -50,7 +50,8 @@ TEST(ScenarioDifference, AKeyThatTheFormatDidNotHaveYetIsNoChangeWhileItHasItsDe
                                                      "timeline": [{"palpate": {"depth": 0.004, "axis": [1, 0, 0]}}]})");
   ASSERT_EQ(changes.size(), 2U);
   EXPECT_EQ(to_text(changes[0]), "camera.aperture 0.001 instead of 0.0");
-  EXPECT_EQ(to_text(changes[1]), "timeline.0.palpate.axis [1,0,0], which was not there") << "it has no default";
+  EXPECT_EQ(to_text(changes[1]), "timeline[1].palpate.axis [1,0,0], which was not there") << "it has no default";
+  EXPECT_EQ(changes[1].stage, ScenarioStage::kPhysics);
 }
 
 TEST(ScenarioDifference, AnotherNumberOfClipsIsOneChange) {
