@@ -21,6 +21,7 @@ void print_json(const ManifestContext& context, const RecordingPlan& plan, const
                                  {"state_digest", report.state_digest},
                                  {"warnings", all_warnings(context, report)},
                                  {"wall_s", report.times.total}};
+  if (!context.expectations.empty()) json["expectations"] = expectation_part(context.expectations);
   for (const PassTime& pass : report.passes) json["passes_ms"][pass.pass] = 1e3 * pass.wall_seconds;
   if (!report.failure.empty()) json["failure"] = report.failure;
   fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));

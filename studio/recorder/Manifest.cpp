@@ -83,6 +83,21 @@ Json file_part(const std::filesystem::path& folder) {
   return files;
 }
 
+}  // namespace
+
+std::string result_words(const ManifestContext& context, const RecordingReport& report) {
+  if (!report.failure.empty()) return "the simulation failed";
+  if (!context.take_complete) return "the take ends early";
+  const bool met = std::ranges::all_of(context.expectations, &ExpectationResult::passed);
+  return met ? "ok" : "an expectation failed";
+}
+
+std::vector<std::string> all_warnings(const ManifestContext& context, const RecordingReport& report) {
+  std::vector<std::string> all = context.warnings;
+  all.insert(all.end(), report.warnings.begin(), report.warnings.end());
+  return all;
+}
+
 Json expectation_part(const std::vector<ExpectationResult>& results) {
   Json part = Json::array();
   for (const ExpectationResult& result : results) {
@@ -100,21 +115,6 @@ Json expectation_part(const std::vector<ExpectationResult>& results) {
     part.push_back(std::move(row));
   }
   return part;
-}
-
-}  // namespace
-
-std::string result_words(const ManifestContext& context, const RecordingReport& report) {
-  if (!report.failure.empty()) return "the simulation failed";
-  if (!context.take_complete) return "the take ends early";
-  const bool met = std::ranges::all_of(context.expectations, &ExpectationResult::passed);
-  return met ? "ok" : "an expectation failed";
-}
-
-std::vector<std::string> all_warnings(const ManifestContext& context, const RecordingReport& report) {
-  std::vector<std::string> all = context.warnings;
-  all.insert(all.end(), report.warnings.begin(), report.warnings.end());
-  return all;
 }
 
 std::string text_hash(const std::string& text) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,6 +28,9 @@ std::string result_words(const ManifestContext& context, const RecordingReport& 
 
 /// What a user should know: of the scenario as it was read, then of what came of it.
 std::vector<std::string> all_warnings(const ManifestContext& context, const RecordingReport& report);
+
+/// What came of each of a scenario's expectations, in its order.
+nlohmann::ordered_json expectation_part(const std::vector<ExpectationResult>& results);
 
 /// 32 hexadecimal digits: XXH3 (128 bits) of the text.
 std::string text_hash(const std::string& text);

@@ -110,7 +110,7 @@ TEST_F(ProgramTest, ExpectationsAreCheckedByEveryRunAndAFailedOneIsExitCode1) {
   const ProgramEnd met = run({"run", "met.yaml", "--no-render", "--out", "met"});
   EXPECT_EQ(met.exit_code, 0) << met.messages;
   EXPECT_NE(met.messages.find("met.yaml:18:5: met: pressure of body `organ` is "), std::string::npos) << met.messages;
-  const ProgramEnd missed = run({"run", "missed.yaml", "--no-render", "--out", "missed"});
+  const ProgramEnd missed = run({"run", "missed.yaml", "--no-render", "--json", "--out", "missed"});
   EXPECT_EQ(missed.exit_code, 1) << missed.messages;
   EXPECT_NE(missed.messages.find("missed.yaml:18:5: FAILED: pressure"), std::string::npos) << missed.messages;
   EXPECT_TRUE(std::filesystem::exists(folder_ / "missed" / "take.h5")) << "its files are whole nevertheless";
@@ -120,6 +120,7 @@ TEST_F(ProgramTest, ExpectationsAreCheckedByEveryRunAndAFailedOneIsExitCode1) {
   EXPECT_EQ(results[1].at("passed"), false);
   EXPECT_EQ(results[1].at("within"), nlohmann::json({8999., 9001.}));
   EXPECT_EQ(manifest("missed").at("result"), "an expectation failed");
+  EXPECT_EQ(nlohmann::json::parse(missed.output).at("expectations"), results);
 }
 
 TEST_F(ProgramTest, IncisionsThatCannotBeAreBadInputWithThePlaceAndTheCure) {
