@@ -106,7 +106,7 @@ struct InciseClip {
 
 struct MoveClip {
   std::string tool = {};
-  std::optional<std::string> body = {};           // the one that a point or line may touch; the only one when absent
+  std::optional<std::string> body = {};           // for readers alone: a tool touches each body in its way
   std::optional<Eigen::Vector3d> from = {};       // metres; where the tool is when absent
   Eigen::Vector3d to = Eigen::Vector3d::Zero();   // metres
   std::optional<Eigen::Vector3d> direction = {};  // unit; that of the motion when absent

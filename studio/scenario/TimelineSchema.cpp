@@ -139,7 +139,11 @@ MappingSchema move() {
   return clip(
       "move", "Takes a tool from one place to another, through what stands in its way.",
       {kTool,
-       {"body", name_value(), false, {}, "the body that a point or line may touch; the only one when absent"},
+       {"body",
+        name_value(),
+        false,
+        {},
+        "which body is meant, for readers: a tool touches each body that is in its way"},
        {"from", vector_value(kLength, {}, point), false, {}, "where it starts; where it is when absent"},
        {"to", vector_value(kLength, {}, point), true, {}, "where it ends"},
        {"direction",
