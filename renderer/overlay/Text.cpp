@@ -78,6 +78,10 @@ bool Text::is_cut() const {
   return pango_layout_is_ellipsized(layout_.get()) != FALSE;
 }
 
+int Text::unknown_letters() const {
+  return pango_layout_get_unknown_glyphs_count(layout_.get());
+}
+
 // As outlines: cairo would place glyph pictures at whole pixels, which makes small text uneven.
 void Text::draw(const Canvas& canvas, double x, double y) const {
   PangoRectangle logical;

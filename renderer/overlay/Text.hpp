@@ -37,6 +37,7 @@ class Text {
   int lines() const;
   bool has_broken_word() const;  // whether a line ends inside a word
   bool is_cut() const;           // whether an ellipsis stands for a part
+  int unknown_letters() const;   // how many the font has no shape for, which boxes with their numbers stand for
 
   /// With its top left at the place.
   void draw(const Canvas& canvas, double x, double y) const;

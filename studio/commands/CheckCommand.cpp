@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "studio/commands/Outcome.hpp"
 #include "studio/director/ScenarioRun.hpp"
 #include "studio/organs/BodyBuilder.hpp"
+#include "studio/recorder/FontNotes.hpp"
 #include "studio/scenario/InputError.hpp"
 #include "studio/scenario/LoadScenario.hpp"
 
@@ -58,7 +60,8 @@ int check_scenarios(const CheckOptions& options) {
     nlohmann::ordered_json errors = nlohmann::ordered_json::array();
     std::vector<std::string> notes, warnings;
     try {
-      const Scenario scenario = load_scenario(file, options.overrides);
+      Scenario scenario = load_scenario(file, options.overrides);
+      std::ranges::copy(font_notes(scenario), std::back_inserter(scenario.warnings));
       warnings = scenario.warnings;
       tell_warnings(scenario);
       notes = check_bodies(scenario);

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "renderer/image/WholeFile.hpp"
@@ -9,6 +11,7 @@
 #include "studio/commands/Outcome.hpp"
 #include "studio/commands/SecondTake.hpp"
 #include "studio/recorder/FolderLock.hpp"
+#include "studio/recorder/FontNotes.hpp"
 #include "studio/recorder/Interruption.hpp"
 #include "studio/recorder/Painter.hpp"
 #include "studio/scenario/LoadScenario.hpp"
@@ -45,6 +48,7 @@ int run_scenario(const RunOptions& options) {
     const StageClock clock(preparation);
     scenario = load_scenario(options.scenario, options.overrides);
   }
+  std::ranges::copy(font_notes(scenario), std::back_inserter(scenario.warnings));
   tell_warnings(scenario);
   if (options.render) require_data_range(scenario.view.look);
   if (options.ground_truth) prepare_truth(scenario.view);

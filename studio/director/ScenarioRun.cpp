@@ -57,6 +57,7 @@ struct ScenarioRun::Implementation {
         warnings.push_back(*std::move(warning));
       }
     }
+    std::ranges::copy(thick_wall_notes(scenario, bodies), std::back_inserter(warnings));
     for (int k = 0; k < static_cast<int>(scenario.tools.size()); ++k) {
       tools[scenario.tools[k].name].index = k;
       tools[scenario.tools[k].name].pose.opening = scenario.tools[k].opening;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/overlay/Letters.hpp"
 #include "renderer/picture/PictureFailure.hpp"
 #include "tests/renderer/image/TestFolder.hpp"
 #include "tests/renderer/image/TestImages.hpp"
@@ -57,6 +58,11 @@ TEST(Text, OtherScriptsAreDrawn) {
     const Image image = drawn(Text(word, {.size = 20}));
     EXPECT_NE(image.pixels, plain_image(image.size, 0, 0, 0).pixels) << word;
   }
+}
+
+TEST(Text, LettersThatTheFontHasNoShapeForAreNamedOnce) {
+  EXPECT_EQ(letters_without_shape("Wall 2 mm \u2013 \u00b5m, \u03b1"), "");
+  EXPECT_EQ(letters_without_shape("\u6bd4 a \u6bd4 \u8f03"), "\u6bd4\u8f03");
 }
 
 TEST(Text, BoldIsAnotherFont) {

@@ -123,6 +123,18 @@ TEST_F(ProgramTest, ExpectationsAreCheckedByEveryRunAndAFailedOneIsExitCode1) {
   EXPECT_EQ(nlohmann::json::parse(missed.output).at("expectations"), results);
 }
 
+TEST_F(ProgramTest, TextsWithLettersThatTheFontHasNotAreTold) {
+  const std::string clip = "  - palpate: { depth: 1 mm, caption: \"\u80c6 pressed\" }\n";
+  write_bytes(folder_ / "letters.yaml", small_scenario(clip));
+  const ProgramEnd end = run({"run", "letters.yaml", "--no-render", "--out", "letters"});
+  EXPECT_EQ(end.exit_code, 0) << end.messages;
+  const std::string note =
+      "letters.yaml: warning: timeline[2].palpate.caption: the font of pictures has no shape for \u80c6,";
+  EXPECT_NE(end.messages.find(note), std::string::npos) << end.messages;
+  EXPECT_NE(manifest("letters").at("warnings").dump().find(note), std::string::npos);
+  EXPECT_NE(run({"check", "letters.yaml"}).messages.find(note), std::string::npos);
+}
+
 TEST_F(ProgramTest, IncisionsThatCannotBeAreBadInputWithThePlaceAndTheCure) {
   const auto expect_refused = [&](const std::string& incise, const std::string& words) {
     write_bytes(folder_ / "cut.yaml", incision_scenario(incise));

@@ -53,6 +53,25 @@ TEST(RunNotes, TellThatAToolTouchesBetweenTwoStepsOnly) {
   }
 }
 
+TEST(RunNotes, TellOfWallsThatAreThickerThanAToolOrTheBodyHasRoomFor) {
+  for (const double thickness : {1e-3, 4e-3, 21e-3}) {
+    Scenario scenario = held_ball(80, 0.02);
+    scenario.bodies[0].thickness = {.standard = thickness};
+    scenario.tools = {{.name = "finger", .kind = ToolKind::kSphere, .radius = 0.003}};
+    PalpateClip clip;
+    clip.tool = "finger";
+    clip.body = "ball";
+    clip.at = {0, 0, 0.02};
+    clip.depth = 1e-5;
+    scenario.timeline = {{.action = clip}, {.action = clip}};
+    const ScenarioRun run(scenario);
+    EXPECT_EQ(tells(run, "tool `finger` has a radius of 3 mm, less than the wall of body `ball` is thick"),
+              thickness > 0.003);
+    EXPECT_EQ(tells(run, "less than two walls of 21 mm"), thickness > 0.02);
+    EXPECT_LE(run.warnings().size(), 3U) << "each once, and the shape's";
+  }
+}
+
 TEST(RunNotes, TellThatInflatingDrainsOrDrainingFills) {
   const auto told = [](double pressure, bool drains) {
     Scenario scenario = held_ball(80, 0.02);
