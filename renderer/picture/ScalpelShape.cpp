@@ -76,9 +76,9 @@ void add_flat(ToolBuilder& builder, const std::array<Vector3, 4>& corners, Vecto
   builder.add_quad(corners, {normal, normal, normal, normal}, roughness);
 }
 
-void add_blade(ToolBuilder& builder, const Blade& blade) {
+void add_blade(ToolBuilder& builder, const Blade& blade, BladeEdge edge) {
   const std::vector<EdgePlace> places = edge_places(blade);
-  const double edge_thick = 0.04 * blade.thick;
+  const double edge_thick = edge == BladeEdge::kSharp ? 0 : 0.04 * blade.thick;
   const auto at = [](Vector3 place, double x) { return Vector3{x, place.y, place.z}; };
   const auto on_back = [&](double x, double back) { return Vector3{x, blade.back_side(back), back}; };
   // Hollow, so that its faces mirror more than one place.
@@ -102,10 +102,12 @@ void add_blade(ToolBuilder& builder, const Blade& blade) {
           {hollow(sense, low_inner), hollow(sense, high_inner), hollow(sense, high_back), hollow(sense, low_back)},
           kBlade);
     }
-    add_flat(
-        builder,
-        {at(low.edge, -edge_thick), at(low.edge, edge_thick), at(high.edge, edge_thick), at(high.edge, -edge_thick)},
-        -low.inward - high.inward, kGround);
+    if (edge == BladeEdge::kGround) {
+      add_flat(
+          builder,
+          {at(low.edge, -edge_thick), at(low.edge, edge_thick), at(high.edge, edge_thick), at(high.edge, -edge_thick)},
+          -low.inward - high.inward, kGround);
+    }
     const double from = k == 1 ? 0 : low.inner.z, to = high.inner.z;
     const double from_thick = k == 1 ? edge_thick : blade.thick;
     add_flat(
@@ -219,10 +221,10 @@ void add_handle(ToolBuilder& builder, const Blade& blade, double scene_size) {
 
 }  // namespace
 
-ToolShape scalpel_shape(const SnapshotTool& tool, double scene_size) {
+ToolShape scalpel_shape(const SnapshotTool& tool, double scene_size, BladeEdge edge) {
   const Blade blade(tool);
   ToolBuilder builder(tool, scene_size);
-  add_blade(builder, blade);
+  add_blade(builder, blade, edge);
   add_mount(builder, blade);
   builder.add_rod_along_axis(0.5 * tool.thickness, tool.width, 0.5 * tool.thickness);
   add_handle(builder, blade, scene_size);

@@ -265,7 +265,7 @@ ToolShape jaws(const SnapshotTool& tool, double scene_size) {
 
 }  // namespace
 
-ToolShape tool_shape(const SnapshotTool& tool, double scene_size) {
+ToolShape tool_shape(const SnapshotTool& tool, double scene_size, BladeEdge edge) {
   switch (tool.kind) {
     case SnapshotToolKind::kPoint:
       return probe(tool, scene_size);
@@ -280,7 +280,7 @@ ToolShape tool_shape(const SnapshotTool& tool, double scene_size) {
     case SnapshotToolKind::kNeedle:
       return needle(tool, scene_size);
     case SnapshotToolKind::kScalpel:
-      return scalpel_shape(tool, scene_size);
+      return scalpel_shape(tool, scene_size, edge);
     case SnapshotToolKind::kForceps:
       return jaws(tool, scene_size);
   }

@@ -159,6 +159,30 @@ TEST(ToolShape, ABladeIsSharpAtItsTipHasABellyInFrontAndStaysWithinWhatCuts) {
   EXPECT_NEAR(*std::ranges::max_element(belly), 3e-3, 1e-8);
 }
 
+TEST(ToolShape, ASharpEdgeIsALineAndLeavesTheBladeClosed) {
+  SnapshotTool tool = tool_of(SnapshotToolKind::kScalpel);
+  tool.tip = {};
+  tool.direction = {0, 0, -1};
+  const ToolShape ground = tool_shape(tool, 0.1), sharp = tool_shape(tool, 0.1, BladeEdge::kSharp);
+  const auto beside_the_edge = [&](const ToolShape& shape) {
+    return std::ranges::count_if(shape.vertices, [&](const ToolVertex& vertex) {
+      const double aside = std::abs(vertex.position[0]);
+      return vertex.position[2] < tool.length && aside > 1e-9 && aside < 0.05 * tool.thickness;
+    });
+  };
+  EXPECT_GT(beside_the_edge(ground), 0);
+  EXPECT_EQ(beside_the_edge(sharp), 0);
+  Vector3 areas{};
+  double whole = 0;
+  for (std::size_t i = 0; i < sharp.indices.size(); i += 3) {
+    const auto corner = [&](std::size_t k) { return vector3(sharp.vertices[sharp.indices[i + k]].position); };
+    const Vector3 area = 0.5 * cross(corner(1) - corner(0), corner(2) - corner(0));
+    areas = areas + area;
+    whole += length(area);
+  }
+  EXPECT_LT(length(areas), 1e-6 * whole);
+}
+
 TEST(ToolShape, TheHandleOfABladeIsFlatAndHasGrooves) {
   SnapshotTool tool = tool_of(SnapshotToolKind::kScalpel);
   tool.direction = {0, 0, -1};
