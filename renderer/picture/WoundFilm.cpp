@@ -13,6 +13,7 @@ constexpr double kBloodSpacing = 0.0045;  // metres between runs of blood, and o
 constexpr double kFluidSpacing = 0.007;
 constexpr double kLongestRun = 0.045;     // metres
 constexpr double kFirstDrops = 1e-7;      // metres^3, after which lips are wet all along
+constexpr float kFringeMargin = 0.0005F;  // metres beyond its edge that are drawn, where blood gathers
 constexpr float kOnTriangles = 0.00002F;  // metres, lift of a film on the wall's own triangles
 
 /// What lies along a lip, on the outer side.
@@ -23,7 +24,7 @@ struct Fringe {
 };
 constexpr Fringe kBlood = {.width = 0.0009, .height = 0.00016, .beads = 1};
 constexpr Fringe kWelling = {.width = 0.0016, .height = 0.0004};
-constexpr Fringe kBareEdge = {.width = 0.00045, .height = 0.0002};
+constexpr Fringe kBareEdge = {.width = 0.00032, .height = 0.0002};
 
 /// Seconds since a lip was cut; some where the snapshot does not tell.
 double age_of(const SnapshotTopology& topology, std::uint32_t vertex, double time) {
@@ -68,7 +69,7 @@ void append_fringe(const SnapshotSurface& surface, const TissuePiece& wall, cons
   }
   for (const Triangle& triangle : topology.triangles) {
     const bool is_near = std::ranges::any_of(
-        triangle, [&](std::uint32_t v) { return film.vertices[offset + v].inward > -static_cast<float>(kFilmMargin); });
+        triangle, [&](std::uint32_t v) { return film.vertices[offset + v].inward > -kFringeMargin; });
     if (!is_near) continue;
     for (const std::uint32_t v : triangle) film.corners.push_back(offset + v);
   }

@@ -37,7 +37,9 @@ void main() {
   float clotted = beads * smoothstep(-0.35, 0.45, coarse.w) * (1.0 - smoothstep(0.2, 0.5, kFineWaves * pixel));
   float bead = clotted * climb * climb * (3.0 - 2.0 * climb);
   vec3 bead_change = clotted * 6.0 * climb * (1.0 - climb) / (kBeadCrown - kBeadFoot) * kFineWaves * fine.xyz;
-  float uneven = width * (0.55 * coarse.w + 0.10 * fine.w + 0.15 * bead);
+  // It wells up here more, there less, and between hardly at all: a lip is never painted evenly.
+  float wells = smoothstep(-0.35, 0.45, coarse.w + 0.35 * fine.w);
+  float uneven = width * (0.55 * coarse.w + 0.10 * fine.w + 0.15 * bead + beads * mix(-1.1, 0.1, wells));
   float inward = film.x + uneven;
   // It meets the wall at the same angle everywhere: lower where it is narrower, and thin at its edge.
   float local = width + uneven;
