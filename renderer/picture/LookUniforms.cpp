@@ -32,7 +32,7 @@ TissueLook rim_look(TissueLook look) {
 TissueLook lining_look(TissueLook look) {
   look.color = mixed(look.layers.inner, {0.45, 0.10, 0.09}, 0.35);
   look.wetness = std::max(look.wetness, 0.8);
-  look.clearness = look.fattiness = look.ridges = look.vessels = 0;
+  look.clearness = look.fattiness = look.ridges = look.vessels = look.capillaries = 0;
   look.creases = 0.6;
   look.relief = 0.16;
   look.sheen = 0;
@@ -74,6 +74,10 @@ TissueLook side_look(const TissueLook& look, TissueSide side) {
   return look;
 }
 
+Double3 double3(Vector3 values) {
+  return {values.x, values.y, values.z};
+}
+
 std::array<float, 4> float4(const Double3& values, double w) {
   return {static_cast<float>(values[0]), static_cast<float>(values[1]), static_cast<float>(values[2]),
           static_cast<float>(w)};
@@ -85,7 +89,7 @@ std::array<float, 4> linear4(const Double3& color, double w) {
 
 }  // namespace
 
-LookUniforms look_uniforms(const TissueLook& given, TissueSide side) {
+LookUniforms look_uniforms(const TissueLook& given, TissueSide side, const VesselTree& tree) {
   const TissueLook look = side_look(given, side);
   const bool is_rim = side == TissueSide::kRim;
   // The layers of a rim stand in for the colours that its pattern does without.
@@ -103,6 +107,10 @@ LookUniforms look_uniforms(const TissueLook& given, TissueSide side) {
                             is_rim                        ? 1 - look.layers.inner_part
                             : side == TissueSide::kLining ? 1
                                                           : 0),
+          .tree_middle = float4(double3(tree.middle), 1 / tree.half_length),
+          .tree_along = float4(double3(tree.along), vessel_trunks(tree, look.vessel_spacing)),
+          .tree_across = float4(double3(tree.across), 0.045 * look.vessel_spacing),
+          .tree_aside = float4(double3(cross(tree.along, tree.across)), 0),
           .lamp_size = static_cast<float>(look.lamp_size)};
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "renderer/picture/VesselTree.hpp"
 #include "renderer/picture/View.hpp"
 
 namespace thinwall {
@@ -27,9 +28,13 @@ struct LookUniforms {
   std::array<float, 4> relief{};   // slope, 1 / size, creases, ridges
   std::array<float, 4>
       pattern{};  // contrast of the patches, 1 / their size; zw of rims: where the layers meet; w of linings: 1
+  std::array<float, 4> tree_middle{};  // metres; w: 1 / half of the tree's length
+  std::array<float, 4> tree_along{};   // of length one; w: number of trunks
+  std::array<float, 4> tree_across{};  // of length one; w: half the width of a trunk, metres
+  std::array<float, 4> tree_aside{};   // of length one, perpendicular to both
   alignas(16) float lamp_size = 1;
 };
 
-LookUniforms look_uniforms(const TissueLook& look, TissueSide side);
+LookUniforms look_uniforms(const TissueLook& look, TissueSide side, const VesselTree& tree = {});
 
 }  // namespace thinwall

@@ -92,9 +92,9 @@ void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& 
     for (const TissuePiece& piece : pieces) body_bounds = around(body_bounds, bounds_of(piece.vertices));
     const auto rim = std::ranges::find(pieces, TissueSide::kRim, &TissuePiece::side);
     for (const TissuePiece& piece : pieces) {
-      parts_.push_back({surface.body, piece.side, look_uniforms(body_look, piece.side), indices.size(),
-                        piece.corners.size(), bounds_of(piece.vertices), is_closed && piece.side != TissueSide::kBed,
-                        body_bounds});
+      parts_.push_back({surface.body, piece.side, look_uniforms(body_look, piece.side, vessel_trees_[k]),
+                        indices.size(), piece.corners.size(), bounds_of(piece.vertices),
+                        is_closed && piece.side != TissueSide::kBed, body_bounds});
       if (is_closed && piece.side == TissueSide::kLining && rim != pieces.end()) {
         parts_.back().opening = bounds_of(rim->vertices);
       }
@@ -194,10 +194,12 @@ void SceneMeshes::find_edges(const Snapshot& snapshot, DrawnEdges edges) {
   std::vector<std::uint32_t> corners;
   drawn_topologies_.clear();
   wounds_.clear();
+  vessel_trees_.clear();
   std::uint32_t offset = 0;
   for (const auto& topology : topologies) {
     const DrawnTopology& surface = drawn_topologies_.emplace_back(drawn_topology(topology, edges));
     wounds_.emplace_back();
+    vessel_trees_.push_back(vessel_tree(*topology));
     const std::span<const char> is_lip(surface.is_lip.data(), topology->rest_positions.size());
     if (std::ranges::any_of(is_lip, [](char lip) { return lip != 0; })) {
       WoundLayout layout = lay_out_wounds(*topology, surface.mesh_borders, is_lip, downward(snapshot));

@@ -114,6 +114,7 @@ class SceneMeshes {
   std::vector<DrawnTopology> drawn_topologies_;                      // (surfaces)
   std::vector<SnapshotSurface> drawn_;                               // (surfaces), as drawn
   std::vector<MeshEdge> tissue_edges_;
+  std::vector<VesselTree> vessel_trees_;            // (surfaces)
   std::vector<std::optional<WoundLayout>> wounds_;  // (surfaces), of those with cuts
 };
 

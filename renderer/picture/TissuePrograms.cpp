@@ -22,6 +22,7 @@ std::string tissue_defines(const LookUniforms& look, const TissueScene& scene) {
   const auto define = [&lines](const char* name, auto value) { lines << "#define " << name << ' ' << value << '\n'; };
   define("LAYERED", look.pattern[2] > 0);
   define("FATTY", look.fat[3] > 0);
+  define("VESSELED", std::max(look.vessels[0], look.vessels[2]) > 0);
   define("CLEAR", look.through[3] > 0);
   define("CREASED", look.relief[2] > 0);
   define("RIDGED", look.relief[3] > 0);

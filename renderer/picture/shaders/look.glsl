@@ -9,4 +9,8 @@
   how vec4 vessels; \
   how vec4 relief; \
   how vec4 pattern; \
+  how vec4 tree_middle; \
+  how vec4 tree_along; \
+  how vec4 tree_across; \
+  how vec4 tree_aside; \
   how float lamp_size;

@@ -16,37 +16,68 @@ struct Skin {
 // sparkle when it moves.
 float resolved(float frequency, float footprint) { return 1.0 - smoothstep(0.2, 0.55, frequency * footprint); }
 
-// 1 in the middle of a vessel of `width` (half, in waves of the field) that runs where the noise in `field` is `level`,
-// with soft sides, for vessels lie below the surface. Such lines close to rings. Small ones do around tops and hollows,
-// where the field is flat; of large ones is left out where the field falls along one direction.
-float vessel(vec4 field, float level, float width, float blur) {
-  const vec3 kDownstream = vec3(0.48, 0.64, 0.60);
-  float squared = max(dot(field.xyz, field.xyz), 0.01), over_slope = inversesqrt(squared);
-  float open = saturate(1.8 * squared * over_slope - 1.2) * saturate(2.9 * over_slope * dot(field.xyz, kDownstream) + 2.6);
-  float over_width = 1.0 / (width + blur);
-  float away = square((field.w - level) * min(over_slope, 1.1) * over_width);
-  return open * width * over_width / (1.0 + square(away) + 0.3 * away);
-}
+// The tree of vessels, see VesselTree.hpp. Around its line the wall is divided into as many fields as there are trunks;
+// in the middle of each runs a vessel, that forks into the middles of the two halves of its field, and so on. So no
+// vessel ever meets another, and all fork at sharp angles.
 
 struct Vessels {
   float trunks;
   float branches;
 };
 
-// Branches of a tree: trunks run where coarse noise passes through zero; on either side of a trunk the branches follow
-// another level of finer noise, so that they end at the trunk instead of crossing it, and they thin out away from it.
-Vessels vessels_at(vec4 coarse, vec4 fine, vec4 broad, float footprint) {
-  float blur = 0.5 * footprint * vessels.y;
-  float open = smoothstep(-0.45, 0.1, broad.w + 0.15 * broad.x);
-  // Here they lie at the surface, there they go deeper, thinner and softer to the eye: so no line is drawn out evenly.
-  float up = smoothstep(-0.70, 0.55, 0.55 * broad.y + 0.45 * fine.w);
-  float trunk_width = (0.010 + 0.016 * saturate(0.5 + broad.w)) * mix(0.55, 1.15, up);
+// Part of the light that meets a vessel of half the width `width`, seen `away` from its middle, with soft sides.
+float vessel(float away, float width, float blur) {
+  float wide = width + blur, squared_wide = wide * wide, squared_away = away * away;
+  return width * wide * squared_wide / (squared_wide * squared_wide + squared_away * squared_away);
+}
+
+// The angle of `side` in turns, -0.5 to 0.5, within 0.001: arcs of tangents take as long as a noise.
+float turns(vec2 side, float over_sum) {
+  float part = side.y * over_sum, rise = abs(part);
+  part *= 1.0 - 0.363 * (1.0 - rise) * (1.0 - 2.0 * rise);
+  return 0.25 * (side.x < 0.0 ? (side.y < 0.0 ? -2.0 : 2.0) - part : part);
+}
+
+Vessels vessels_at(vec3 place, vec4 coarse, vec4 fine, vec4 broad, float footprint) {
+  vec3 from_middle = place - tree_middle.xyz;
+  float onward = dot(from_middle, tree_along.xyz);
+  vec2 side = vec2(dot(from_middle, tree_across.xyz), dot(from_middle, tree_aside.xyz));
+  float over_sum = 1.0 / max(abs(side.x) + abs(side.y), 1e-4);
+
+  // Noise bends the fields, and with them the vessels.
+  const float kSway = 0.10, kBend = 0.045, kCurl = 0.012;
+  float field = tree_along.w * turns(side, over_sum) + kSway * broad.w + kBend * coarse.w + kCurl * fine.w;
+  // The farther from the slender end the oftener it has forked, and the thinner it is.
+  const float kForks = 3.0;
+  float grown = clamp(0.6 * kForks + 0.5 * kForks * onward * tree_middle.w + 0.3 * broad.w, 0.0, kForks - 0.001);
+  float forks = floor(grown), part = grown - forks;
+  float fields = forks > 1.5 ? 4.0 : 1.0 + forks;
+  float inside = fract(field * fields) - 0.5;
+  float apart = 0.25 * part * part * (3.0 - 2.0 * part);
+  // Metres from one vessel's field to the next's; that noise bends them changes it little.
+  float room = 2.0 * kPi / tree_along.w * length(side) / fields;
+  float beside = (abs(inside) - apart) * room;
+  float width = tree_across.w * (1.0 - 0.24 * grown);
+
+  // Here they lie at the surface, there they go deeper, softer to the eye; where fields end close together, none is left.
+  float up = smoothstep(-0.6, 0.5, 0.6 * broad.y + 0.4 * coarse.x);
+  float blur = 0.5 * footprint, over_width = 1.0 / width;
+  float shown = (0.55 + 0.45 * up) * saturate(0.1 * room * over_width - 0.4);
   Vessels result;
-  result.trunks = open * mix(0.30, 1.0, up) * vessel(coarse, 0.0, trunk_width, blur + 0.030 * (1.0 - up));
-  float away = abs(coarse.w);
-  float side = coarse.w > 0.0 ? 0.13 : -0.13;
-  float near = open * (1.0 - smoothstep(0.10, 0.62, away)) * smoothstep(-0.7, 0.3, broad.z + 0.6 * coarse.x);
-  result.branches = near * vessel(fine, side, 0.026 * (1.15 - away), 4.0 * blur + 0.015);
+  result.trunks = shown * vessel(beside, width, blur + 0.45 * tree_across.w * (1.0 - up));
+
+  // Small ones leave them forward, now on this side, now on that, and end before they reach the next field's.
+  const vec2 kForward = vec2(0.45, -0.80);  // waves over the spacing, along the wall and away from the vessel
+  const float kWaves = 0.918;               // its length
+  float out_there = abs(beside);
+  float wave = vessels.y * (kForward.x * onward + kForward.y * out_there) + (inside * beside < 0.0 ? 0.0 : 0.5) +
+               0.12 * coarse.w + 0.03 * fine.w;
+  float end = (abs(inside) > apart ? 0.5 - apart : apart) * room;
+  float left = saturate(1.0 - 1.2 * out_there / max(end, 1e-6));
+  float there = smoothstep(-0.35, 0.15, broad.x + 0.5 * coarse.z) * saturate(2.0 * out_there * over_width - 1.4) *
+                saturate(3.0 * left);
+  float nearest = (fract(wave) - 0.5) / (kWaves * vessels.y);
+  result.branches = there * vessel(nearest, tree_across.w * (0.12 + 0.24 * left), blur + 0.13 * tree_across.w);
   return result;
 }
 
@@ -101,10 +132,10 @@ Skin skin_at(vec3 place, float footprint, float blanch, float thickness, float d
   float clear = CLEAR ? exp2(thickness * through.w) : 0.0;
   albedo = mix(albedo, through.rgb, clear * (1.0 - fatty));
 
-  Vessels tree = vessels_at(coarse, fine, broad, footprint);
+  Vessels tree = VESSELED ? vessels_at(place, coarse, fine, broad, footprint) : Vessels(0.0, 0.0);
   float bloody = (1.0 - 0.85 * blanch) * (1.0 - 0.8 * fatty);
   // The wall above a deep vessel scatters blue light back before red, which makes trunks look darker and cooler.
-  vec3 deep = mix(blood.rgb, albedo * vec3(0.42, 0.34, 0.44), 0.55);
+  vec3 deep = mix(blood.rgb, albedo * vec3(0.42, 0.34, 0.44), 0.40);
   albedo = mix(albedo, deep, vessels.x * 0.75 * bloody * tree.trunks);
   albedo = mix(albedo, blood.rgb, vessels.z * 0.70 * bloody * tree.branches);
 

@@ -18,5 +18,9 @@ void main() {
   passed.vessels = look.vessels;
   passed.relief = look.relief;
   passed.pattern = look.pattern;
+  passed.tree_middle = look.tree_middle;
+  passed.tree_along = look.tree_along;
+  passed.tree_across = look.tree_across;
+  passed.tree_aside = look.tree_aside;
   passed.lamp_size = look.lamp_size;
 }

@@ -152,6 +152,28 @@ double highlight_of(double lamp_size) {
   return count;
 }
 
+TEST(Tissue, HasVesselsThatRunAlongTheBody) {
+  ViewDefinition view = from_above("tissue");
+  view.camera.field_of_view = 2 * std::atan(0.18);
+  TissueLook& look = view.look.bodies["organ"];
+  look.patches = look.relief = look.clearness = look.wetness = 0;
+  look.vessels = look.capillaries = 1;
+  look.vessel_spacing = 0.004;
+  const Image image = draw(sheet(1), view);
+  // The body's line goes from left to right.
+  double along = 0, across = 0;
+  for (int row = 1; row < kSize.height; ++row) {
+    for (int column = 1; column < kSize.width; ++column) {
+      const int pixel = 3 * (row * kSize.width + column) + 1;
+      const auto level = [&](int i) { return double{1.0} * image.pixels[static_cast<std::size_t>(i)]; };
+      along += std::abs(level(pixel) - level(pixel - 3));
+      across += std::abs(level(pixel) - level(pixel - 3 * kSize.width));
+    }
+  }
+  RecordProperty("ratio", std::to_string(across / along));
+  EXPECT_GT(across, 2 * along);
+}
+
 TEST(Tissue, MirrorsASmallerLampInASmallerHighlight) {
   const double whole = highlight_of(1), half = highlight_of(0.5);
   ASSERT_GT(half, 20);

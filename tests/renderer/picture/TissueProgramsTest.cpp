@@ -23,6 +23,9 @@ TEST(TissuePrograms, APartDoesWhatItsLookHas) {
   const std::string gallbladder = tissue_defines(look_of("gallbladder"), {});
   EXPECT_TRUE(says(gallbladder, "FATTY true"));
   EXPECT_TRUE(says(gallbladder, "CLEAR true"));
+  EXPECT_TRUE(says(gallbladder, "VESSELED true"));
+  EXPECT_TRUE(says(fingerpad, "VESSELED false"));
+  EXPECT_TRUE(says(tissue_defines(look_of("gallbladder", TissueSide::kLining), {}), "VESSELED false"));
   EXPECT_TRUE(says(gallbladder, "RIDGED false"));
 }
 
