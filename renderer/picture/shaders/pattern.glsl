@@ -62,7 +62,7 @@ Vessels vessels_at(vec3 place, vec4 coarse, vec4 fine, vec4 broad, float footpri
   // Here they lie at the surface, there they go deeper, softer to the eye; where fields end close together, none is left.
   float up = smoothstep(-0.6, 0.5, 0.6 * broad.y + 0.4 * coarse.x);
   float blur = 0.5 * footprint, over_width = 1.0 / width;
-  float shown = (0.55 + 0.45 * up) * saturate(0.1 * room * over_width - 0.4);
+  float shown = (0.55 + 0.45 * up) * saturate(4.0 * room * vessels.y - 1.5);
   Vessels result;
   result.trunks = shown * vessel(beside, width, blur + 0.45 * tree_across.w * (1.0 - up));
 
