@@ -31,7 +31,7 @@ float vessel(float away, float width, float blur) {
   return width * wide * squared_wide / (squared_wide * squared_wide + squared_away * squared_away);
 }
 
-// The angle of `side` in turns, -0.5 to 0.5, within 0.001: arcs of tangents take as long as a noise.
+// The angle of `side` in turns, -0.5 to 0.5, within 0.003: arcs of tangents take as long as a noise.
 float turns(vec2 side, float over_sum) {
   float part = side.y * over_sum, rise = abs(part);
   part *= 1.0 - 0.363 * (1.0 - rise) * (1.0 - 2.0 * rise);
