@@ -26,13 +26,13 @@ class JoinedVertices {
   std::vector<int> parent_;
 };
 
-struct Part {
+struct MovablePart {
   std::vector<int> vertices;
   Eigen::MatrixXd motions;  // (unknowns x free), zero elsewhere
 };
 
 /// The six rigid motions about the centroid, each as displacements of the vertices of the part.
-Eigen::MatrixXd all_rigid_motions(const Part& part, const Eigen::VectorXd& position) {
+Eigen::MatrixXd all_rigid_motions(const MovablePart& part, const Eigen::VectorXd& position) {
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
   for (const int v : part.vertices) {
     centroid += position.segment<3>(3 * v) / static_cast<double>(part.vertices.size());
@@ -51,7 +51,7 @@ Eigen::MatrixXd all_rigid_motions(const Part& part, const Eigen::VectorXd& posit
 }
 
 /// Combinations of the rigid motions that move no fixed unknown: the null space of the motions seen by these.
-void find_free_motions(const BodyModel& model, const Eigen::VectorXd& position, Part& part) {
+void find_free_motions(const BodyModel& model, const Eigen::VectorXd& position, MovablePart& part) {
   const Eigen::MatrixXd motions = all_rigid_motions(part, position);
   Eigen::Matrix<double, 6, 6> seen = Eigen::Matrix<double, 6, 6>::Zero();
   for (const int v : part.vertices) {
@@ -75,7 +75,7 @@ void find_free_motions(const BodyModel& model, const Eigen::VectorXd& position, 
   part.motions = motions * spectrum.eigenvectors().leftCols(free);
 }
 
-void choose_anchors(const Part& part, const Eigen::VectorXd& position, BodyModel& model) {
+void choose_anchors(const MovablePart& part, const Eigen::VectorXd& position, BodyModel& model) {
   const auto place = [&](int vertex) -> Eigen::Vector3d { return position.segment<3>(3 * vertex); };
   const auto farthest = [&](auto distance) {
     int best = part.vertices.front();
@@ -111,7 +111,7 @@ std::vector<int> wall_parts(const BodyModel& model) {
 
 void hold_rigid_motions(BodyModel& model, const Eigen::VectorXd& position) {
   const std::vector<int> part_of = wall_parts(model);
-  std::vector<Part> parts;
+  std::vector<MovablePart> parts;
   for (int v = 0; v < model.vertices(); ++v) {
     if (part_of[v] >= static_cast<int>(parts.size())) parts.resize(static_cast<std::size_t>(part_of[v]) + 1);
     parts[part_of[v]].vertices.push_back(v);
@@ -119,7 +119,7 @@ void hold_rigid_motions(BodyModel& model, const Eigen::VectorXd& position) {
   model.held_position = position;
   model.anchors.clear();
   Eigen::Index free = 0;
-  for (Part& part : parts) {
+  for (MovablePart& part : parts) {
     if (part.vertices.empty()) continue;
     find_free_motions(model, position, part);
     if (part.motions.cols() > 0) choose_anchors(part, position, model);
@@ -127,7 +127,7 @@ void hold_rigid_motions(BodyModel& model, const Eigen::VectorXd& position) {
   }
   model.rigid_motions.resize(position.size(), free);
   free = 0;
-  for (const Part& part : parts) {
+  for (const MovablePart& part : parts) {
     model.rigid_motions.middleCols(free, part.motions.cols()) = part.motions;
     free += part.motions.cols();
   }

@@ -7,7 +7,7 @@
 namespace thinwall {
 namespace {
 
-using Json = nlohmann::json;
+using SortedJson = nlohmann::json;
 
 /// By the first word of the key, and by words that are written over the picture wherever they stand.
 ScenarioStage stage_of(const std::string& key) {
@@ -28,14 +28,15 @@ ScenarioStage stage_of(const std::string& key) {
   return ScenarioStage::kNone;
 }
 
-std::string value_text(const Json& json) {
-  std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+std::string value_text(const SortedJson& json) {
+  std::string text = json.dump(-1, ' ', false, SortedJson::error_handler_t::replace);
   constexpr std::size_t kLongest = 60;
   if (text.size() > kLongest) text = text.substr(0, kLongest) + "...";
   return text;
 }
 
-void collect(const std::string& key, const Json* before, const Json* after, std::vector<ScenarioChange>& changes) {
+void collect(const std::string& key, const SortedJson* before, const SortedJson* after,
+             std::vector<ScenarioChange>& changes) {
   if (before != nullptr && after != nullptr && *before == *after) return;
   const bool both = before != nullptr && after != nullptr;
   const auto below = [&](const std::string& name) { return key.empty() ? name : key + "." + name; };
@@ -71,8 +72,8 @@ std::string to_text(const ScenarioChange& change) {
 }
 
 std::vector<ScenarioChange> compare_scenarios(const std::string& before, const std::string& after) {
-  const Json first = Json::parse(with_defaults(before), nullptr, false);
-  const Json second = Json::parse(with_defaults(after), nullptr, false);
+  const SortedJson first = SortedJson::parse(with_defaults(before), nullptr, false);
+  const SortedJson second = SortedJson::parse(with_defaults(after), nullptr, false);
   std::vector<ScenarioChange> changes;
   if (first.is_object() && second.is_object()) collect("", &first, &second, changes);
   return changes;

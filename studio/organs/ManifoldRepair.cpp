@@ -34,10 +34,6 @@ class UnionFind {
   std::vector<int> parent_;
 };
 
-MeshTopology topology_of_surface(const RawSurface& surface) {
-  return topology_of(static_cast<int>(surface.vertices.size()), surface.triangles);
-}
-
 Eigen::Vector3d middle_of(const RawSurface& surface, const std::array<int, 2>& edge) {
   return (surface.vertices[edge[0]] + surface.vertices[edge[1]]) / 2;
 }

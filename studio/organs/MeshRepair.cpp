@@ -62,10 +62,6 @@ class KeptVertices {
   std::unordered_map<Cell, std::vector<int>, CellHash> cells_;
 };
 
-MeshTopology topology_of_surface(const RawSurface& surface) {
-  return topology_of(static_cast<int>(surface.vertices.size()), surface.triangles);
-}
-
 /// The corner at which the longest edge starts.
 int longest_edge(const RawSurface& surface, const Eigen::Vector3i& t) {
   const auto length = [&](int k) { return (surface.vertices[t[(k + 1) % 3]] - surface.vertices[t[k]]).norm(); };
@@ -194,6 +190,10 @@ std::vector<std::vector<int>> triangles_by_component(const MeshTopology& topolog
 }
 
 }  // namespace
+
+MeshTopology topology_of_surface(const RawSurface& surface) {
+  return topology_of(static_cast<int>(surface.vertices.size()), surface.triangles);
+}
 
 double extent_of(const RawSurface& surface) {
   if (surface.vertices.empty()) return 0;

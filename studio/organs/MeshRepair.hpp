@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/mesh/MeshTopology.hpp"
+
 namespace thinwall {
 
 /// A surface under repair; each step keeps the order of what stays.
@@ -12,6 +14,9 @@ struct RawSurface {
   std::vector<Eigen::Vector3i> triangles;  // (triangles x 3)
   std::vector<int> parts;                  // (triangles), which part of the file each comes from
 };
+
+/// Which triangles meet where, as they are.
+MeshTopology topology_of_surface(const RawSurface& surface);
 
 /// Length of the bounding box's diagonal; 0 without vertices.
 double extent_of(const RawSurface& surface);

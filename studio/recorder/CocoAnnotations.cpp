@@ -9,19 +9,19 @@
 namespace thinwall {
 namespace {
 
-struct Box {
+struct PixelBounds {
   int left = 0, top = 0, right = -1, bottom = -1;  // pixels, the last ones included
   std::size_t area = 0;                            // pixels
 };
 
-std::vector<Box> boxes_of(ImageSize size, const std::vector<std::uint16_t>& instances, std::size_t count) {
-  std::vector<Box> boxes(count, {.left = size.width, .top = size.height});
+std::vector<PixelBounds> boxes_of(ImageSize size, const std::vector<std::uint16_t>& instances, std::size_t count) {
+  std::vector<PixelBounds> boxes(count, {.left = size.width, .top = size.height});
   for (int row = 0; row < size.height; ++row) {
     for (int column = 0; column < size.width; ++column) {
       const std::uint16_t instance = instances[static_cast<std::size_t>(row) * static_cast<std::size_t>(size.width) +
                                                static_cast<std::size_t>(column)];
       if (instance == 0) continue;
-      Box& box = boxes[instance - 1U];
+      PixelBounds& box = boxes[instance - 1U];
       box.left = std::min(box.left, column);
       box.right = std::max(box.right, column);
       box.top = std::min(box.top, row);
@@ -57,9 +57,9 @@ void CocoAnnotations::add(std::size_t frame, ImageSize size, const std::vector<s
                           const std::vector<std::uint16_t>& category_of) {
   images_.push_back(fmt::format(R"({{"id": {}, "width": {}, "height": {}, "file_name": "frame_{:06}.png"}})", frame,
                                 size.width, size.height, frame));
-  const std::vector<Box> boxes = boxes_of(size, instances, category_of.size());
+  const std::vector<PixelBounds> boxes = boxes_of(size, instances, category_of.size());
   for (std::size_t k = 0; k < boxes.size(); ++k) {
-    const Box& box = boxes[k];
+    const PixelBounds& box = boxes[k];
     if (box.area == 0) continue;
     annotations_.push_back(
         fmt::format(R"({{"id": {}, "image_id": {}, "category_id": {}, "instance": {}, "iscrowd": 0, "area": {}, )"

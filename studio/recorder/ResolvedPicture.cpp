@@ -12,10 +12,10 @@
 namespace thinwall {
 namespace {
 
-using Json = nlohmann::json;
+using SortedJson = nlohmann::json;
 
 /// Takes of before there were kinds of organs name none.
-TissueLook to_tissue_look(const Json& body) {
+TissueLook to_tissue_look(const SortedJson& body) {
   TissueLook look;
   if (body.contains("organ")) {
     const TissueLook* organ = find_organ_look(body.at("organ").get<std::string>());
@@ -34,7 +34,7 @@ TissueLook to_tissue_look(const Json& body) {
   return look;
 }
 
-DataView to_data(const Json& data) {
+DataView to_data(const SortedJson& data) {
   const DataQuantityRow* row = find_data_quantity(data.at("shows").get<std::string>());
   if (row == nullptr) throw TakeError("the take's scenario names a quantity that this program does not know");
   const DataScale* scale = find_data_scale(data.value("scale", "linear"));
@@ -45,7 +45,7 @@ DataView to_data(const Json& data) {
   return view;
 }
 
-LookDefinition to_look(const Json& look) {
+LookDefinition to_look(const SortedJson& look) {
   LookDefinition result{.background = look.at("background").get<Double3>(), .bodies = {}};
   for (const auto& [name, body] : look.at("bodies").items()) result.bodies[name] = to_tissue_look(body);
   if (look.contains("data")) result.data = to_data(look.at("data"));
@@ -58,10 +58,10 @@ Tier to_tier(const std::string& word) {
   return word == "final" ? Tier::kFinal : Tier::kRecord;
 }
 
-PictureSettings to_settings(const Json& scenario) {
-  const Json& lights = scenario.at("lights");
-  const Json& overlays = scenario.at("look").at("overlays");
-  const Json& record = scenario.at("record");
+PictureSettings to_settings(const SortedJson& scenario) {
+  const SortedJson& lights = scenario.at("lights");
+  const SortedJson& overlays = scenario.at("look").at("overlays");
+  const SortedJson& record = scenario.at("record");
   return {.view = {.camera = {},
                    .lights = {.key = lights.at("key"),
                               .fill = lights.at("fill"),
@@ -88,18 +88,18 @@ PictureSettings picture_settings(const Scenario& scenario) {
 
 PictureSettings picture_settings(const std::string& resolved) {
   try {
-    PictureSettings settings = to_settings(Json::parse(resolved));
+    PictureSettings settings = to_settings(SortedJson::parse(resolved));
     read_cameras(resolved, settings.view);
     read_teaching(resolved, settings.teaching, settings.view);
     return settings;
-  } catch (const Json::exception& error) {
+  } catch (const SortedJson::exception& error) {
     throw TakeError(std::string("the take's scenario cannot be read (") + error.what() + "); run the scenario again");
   }
 }
 
 std::map<std::string, std::string> tissue_kinds(const std::string& resolved) {
   std::map<std::string, std::string> kinds;
-  const Json scenario = Json::parse(resolved, nullptr, false);
+  const SortedJson scenario = SortedJson::parse(resolved, nullptr, false);
   if (!scenario.is_object() || !scenario.contains("look")) return kinds;
   for (const auto& [name, body] : scenario.at("look").at("bodies").items()) {
     if (body.contains("organ")) kinds[name] = body.at("organ").get<std::string>();

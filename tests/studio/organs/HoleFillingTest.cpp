@@ -12,10 +12,6 @@
 namespace thinwall {
 namespace {
 
-MeshTopology topology_of_surface(const RawSurface& surface) {
-  return topology_of(static_cast<int>(surface.vertices.size()), surface.triangles);
-}
-
 RawSurface ball(int triangles) {
   const SurfaceMesh mesh = make_sphere(1, triangles);
   return {mesh.vertices, mesh.triangles, std::vector<int>(mesh.triangles.size(), 3)};

@@ -13,10 +13,6 @@
 namespace thinwall {
 namespace {
 
-MeshTopology topology_of_surface(const RawSurface& surface) {
-  return topology_of(static_cast<int>(surface.vertices.size()), surface.triangles);
-}
-
 using Block = std::array<int, 3>;
 
 /// The faces between unit blocks and the space around them, with shared corners.
