@@ -94,8 +94,7 @@ std::optional<std::string> thick_wall_note(const Body& body) {
   if (2 * thickest <= width) return std::nullopt;
   return fmt::format(
       "body `{}` is {:.3g} mm wide, less than two walls of {:.3g} mm: the wall is drawn and its volume counted where "
-      "no "
-      "room is for it; see whether `thickness` and the `unit` of the mesh are meant so",
+      "no room is for it; see whether `thickness` and the `unit` of the mesh are meant so",
       body.model().definition.name, 1e3 * width, 1e3 * thickest);
 }
 

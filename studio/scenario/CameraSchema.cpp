@@ -101,8 +101,7 @@ MappingSchema camera_mapping(const std::string& name, const std::string& documen
        false,
        {},
        "the sense in which a camera without `position` looks; when absent, from the side that the tools come from, at "
-       "the "
-       "`elevation` if there is one"},
+       "the `elevation` if there is one"},
       {"elevation",
        elevation_value(),
        false,
