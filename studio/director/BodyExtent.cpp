@@ -26,6 +26,14 @@ double extent_along(const SurfaceView& surface, const Eigen::Vector3d& direction
   return surface.triangles.empty() ? 0 : most - least;
 }
 
+Eigen::AlignedBox3d box_of(const SurfaceView& surface) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3i& triangle : surface.triangles) {
+    for (const int vertex : triangle) box.extend(surface.position.segment<3>(3 * vertex));
+  }
+  return box;
+}
+
 double winding_number(const SurfaceView& surface, const Eigen::Vector3d& point) {
   double sum = 0;
   for (const Eigen::Vector3i& vertices : surface.triangles) {

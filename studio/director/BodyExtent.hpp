@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "engine/tool/FirstContact.hpp"
 
@@ -8,6 +9,9 @@ namespace thinwall {
 
 /// How much a surface measures along a unit vector, metres.
 double extent_along(const SurfaceView& surface, const Eigen::Vector3d& direction);
+
+/// The box that a surface spans, metres.
+Eigen::AlignedBox3d box_of(const SurfaceView& surface);
 
 /// How often a surface winds around a point: 1 inside a closed one, 0 outside; in between where the surface has holes
 /// (sum of the solid angles of its triangles over 4 pi, each after Van Oosterom and Strackee 1983).

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "engine/tool/PoseBetween.hpp"
+#include "studio/director/BodyExtent.hpp"
+#include "studio/organs/SpanWords.hpp"
 #include "studio/scenario/InputError.hpp"
 #include "studio/scenario/Parallel.hpp"
 
@@ -71,11 +73,12 @@ SurfaceEntry meet_on_approach(const LineOfApproach& line, const SurfaceView& sur
   const Eigen::Vector3d &at = line.at, &direction = line.direction;
   const auto hit = first_entry(surface, at, direction);
   if (hit) return *hit;
-  throw InputErrors({{location, fmt::format("{}: the line of approach through at = [{:.4g}, {:.4g}, {:.4g}] m "
-                                            "along direction = [{:.3g}, {:.3g}, {:.3g}] misses body `{}`; move `at` "
-                                            "or turn `direction` so that the line meets its wall from outside",
-                                            line.verb, at.x(), at.y(), at.z(), direction.x(), direction.y(),
-                                            direction.z(), line.body)}});
+  throw InputErrors({{location, fmt::format("{}: the line of approach through at = [{:.4g}, {:.4g}, {:.4g}] mm "
+                                            "along direction = [{:.3g}, {:.3g}, {:.3g}] misses body `{}`, which spans "
+                                            "{}; move `at` or turn `direction` so that the line meets its wall from "
+                                            "outside",
+                                            line.verb, 1e3 * at.x(), 1e3 * at.y(), 1e3 * at.z(), direction.x(),
+                                            direction.y(), direction.z(), line.body, span_words(box_of(surface)))}});
 }
 
 double free_travel(const ToolPose& pose, const ToolDefinition& tool, const SurfaceView& surface, double standoff,

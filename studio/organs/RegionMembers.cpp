@@ -2,24 +2,16 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-
+#include "studio/organs/SpanWords.hpp"
 #include "studio/scenario/Wording.hpp"
 
 namespace thinwall {
 namespace {
 
-/// "x -20 ... 20, y -20 ... 20, z 0 ... 20 mm"
-std::string bounds_of(const SurfaceMesh& mesh) {
-  std::string text;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto [low, high] =
-        std::minmax_element(mesh.vertices.begin(), mesh.vertices.end(),
-                            [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a[axis] < b[axis]; });
-    text += fmt::format("{}{} {:.4g} ... {:.4g}", axis == 0 ? "" : ", ", "xyz"[axis], 1e3 * (*low)[axis] + 0.0,
-                        1e3 * (*high)[axis] + 0.0);
-  }
-  return text + " mm";
+Eigen::AlignedBox3d box_of(const SurfaceMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& vertex : mesh.vertices) box.extend(vertex);
+  return box;
 }
 
 }  // namespace
@@ -51,8 +43,8 @@ void RegionMembers::check_found(const std::vector<int>& found, const char* what,
                                          "`sphere` for the triangles beside them"
                                        : "the wall has no open edges")});
   } else {
-    errors_.push_back(
-        {location, fmt::format("{}: holds no {} of the surface, which spans {}", path, what, bounds_of(mesh_))});
+    errors_.push_back({location, fmt::format("{}: holds no {} of the surface, which spans {}", path, what,
+                                             span_words(box_of(mesh_)))});
   }
 }
 

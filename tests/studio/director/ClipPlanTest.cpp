@@ -96,9 +96,9 @@ TEST(ClipPlan, ALineThatMissesTheBodyIsAnErrorWithPlaceAndCure) {
     FAIL() << "no error";
   } catch (const InputErrors& errors) {
     EXPECT_EQ(to_text(errors.diagnostics().at(0)),
-              "a.yaml:7:5: error: palpate: the line of approach through at = [0.2, 0.002, 0.5] m along direction = "
-              "[0, 0, -1] misses body `table`; move `at` or turn `direction` so that the line meets its wall from "
-              "outside");
+              "a.yaml:7:5: error: palpate: the line of approach through at = [200, 2, 500] mm along direction = "
+              "[0, 0, -1] misses body `table`, which spans x -40 ... 40, y -40 ... 40, z 0 ... 0 mm; move `at` or turn "
+              "`direction` so that the line meets its wall from outside");
   }
 }
 
