@@ -49,26 +49,35 @@ std::vector<std::string> early_ends(const std::vector<std::filesystem::path>& ta
   return told;
 }
 
+/// What a take is drawn with: as it was recorded, or as another scenario looks at it.
+struct DrawnAs {
+  PictureSettings settings;
+  std::optional<ViewDefinition> second_view;  // of the take that this one is compared with
+};
+
+DrawnAs drawn_as(const RenderOptions& options, const TakeReader& take) {
+  DrawnAs drawn{.settings = picture_settings(take.description().resolved), .second_view = {}};
+  if (!options.view) return drawn;
+  const Scenario view = load_scenario(*options.view, options.overrides);
+  const Teaching taught = drawn.settings.teaching;
+  drawn.settings = picture_settings(view);
+  drawn.settings.teaching = taught;
+  drawn.second_view = view.comparison ? picture_settings(*view.comparison->second).view : drawn.settings.view;
+  return drawn;
+}
+
 }  // namespace
 
 int render_take(const RenderOptions& options) {
   StageTime preparation;
   std::optional<TakeReader> take;
-  PictureSettings settings;
-  std::optional<ViewDefinition> second_view;  // of the take that this one is compared with
+  DrawnAs drawn;
   {
     const StageClock clock(preparation);
     take.emplace(options.take);
-    if (options.view) {
-      const Scenario view = load_scenario(*options.view, options.overrides);
-      const Teaching taught = picture_settings(take->description().resolved).teaching;
-      settings = picture_settings(view);
-      settings.teaching = taught;
-      second_view = view.comparison ? picture_settings(*view.comparison->second).view : settings.view;
-    } else {
-      settings = picture_settings(take->description().resolved);
-    }
+    drawn = drawn_as(options, *take);
   }
+  PictureSettings& settings = drawn.settings;
   if (take->times().empty())
     throw TakeError(options.take.string() + ": the take holds no step, so there is nothing to draw");
   if (options.data) settings.view.look.data = DataView{.quantity = *options.data};
@@ -76,7 +85,7 @@ int render_take(const RenderOptions& options) {
   if (options.mesh) settings.view.look.mesh = true;
   const std::vector<std::filesystem::path> takes = takes_shown(options.take);
   complete_data_range(takes, settings.view.look);
-  const std::unique_ptr<MomentSource> source = replay_takes(takes, settings.view, second_view);
+  const std::unique_ptr<MomentSource> source = replay_takes(takes, settings.view, drawn.second_view);
   if (options.ground_truth) prepare_truth(settings.view);
   const RecordingPlan plan{.folder = options.out.value_or(options.take.parent_path() / "render"),
                            .description = take->description(),

@@ -1,0 +1,115 @@
+// What runs leave, say and end with where they cannot go on.
+
+#include <gtest/gtest.h>
+#include <sys/file.h>
+#include <sys/mount.h>
+
+#include <cstdlib>
+
+#include "studio/take/TakeReader.hpp"
+#include "tests/studio/commands/ProgramFixture.hpp"
+
+namespace thinwall {
+namespace {
+
+TEST_F(ProgramTest, AFolderThatAnotherRunWritesToIsBadUsageAndStaysAsItIs) {
+  std::filesystem::create_directory(folder_ / "out");
+  write_bytes(folder_ / "out" / "forces.csv", "of the other run");
+  const int other = open((folder_ / "out" / ".in_use").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600);
+  ASSERT_EQ(flock(other, LOCK_EX), 0);
+  expect_bad_usage({"run", "small.yaml", "--no-render", "--out", "out"}, "works in out; wait until it has ended");
+  EXPECT_EQ(file_bytes(folder_ / "out" / "forces.csv"), "of the other run");
+  close(other);
+  EXPECT_EQ(run({"run", "small.yaml", "--no-render", "--out", "out"}).exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out" / ".in_use"));
+}
+
+TEST_F(ProgramTest, AFolderThatCannotBeWrittenEndsWith4) {
+  write_bytes(folder_ / "file", "");
+  const ProgramEnd end = run({"run", "small.yaml", "--no-render", "--out", "file/out"});
+  EXPECT_EQ(end.exit_code, 4);
+  EXPECT_NE(end.messages.find("cannot make the folder file/out"), std::string::npos) << end.messages;
+}
+
+TEST_F(ProgramTest, AFullDiskEndsWith4AndNothingLooksWhole) {
+  std::filesystem::create_directory(folder_ / "disk");
+  if (mount("tmpfs", (folder_ / "disk").c_str(), "tmpfs", 0, "size=64k") != 0) {
+    GTEST_SKIP() << "only root can make a small disk to fill";
+  }
+  const ProgramEnd end = run({"run", "small.yaml", "--no-render", "--out", "disk/out"});
+  const bool looks_finished = any_looks_finished("disk/out");
+  umount((folder_ / "disk").c_str());
+  EXPECT_EQ(end.exit_code, 4) << end.messages;
+  EXPECT_NE(end.messages.find("No space left on device"), std::string::npos) << end.messages;
+  EXPECT_FALSE(looks_finished);
+}
+
+TEST_F(ProgramTest, ALimitOnFileSizesIsLikeAFullDisk) {
+  const ProgramEnd end = run({"run", "small.yaml", "--no-render", "--out", "out"},
+                             {.folder = {}, .environment = {}, .largest_file = 8192});
+  EXPECT_EQ(end.exit_code, 4) << end.messages;
+  EXPECT_NE(end.messages.find("File too large"), std::string::npos) << end.messages;
+  EXPECT_FALSE(any_looks_finished("out"));
+}
+
+TEST_F(ProgramTest, WithoutStandardStreamsItLeavesWhatItLeavesWithThem) {
+  ASSERT_EQ(run({"run", "small.yaml", "--no-render", "--out", "first"}).exit_code, 0);
+  const std::string command = "cd '" + folder_.path().string() +
+                              "' && '" THINWALL_PROGRAM
+                              "' run small.yaml --no-render --json --out second 0<&- 1>&- 2>&-";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  for (const char* file : {"take.h5", "forces.csv", "body.csv"}) {
+    EXPECT_EQ(file_bytes(folder_ / "second" / file), file_bytes(folder_ / "first" / file)) << file;
+  }
+}
+
+TEST_F(ProgramTest, ResultsThatStandardOutputDoesNotTakeEndWith4) {
+  const std::string start = "cd '" + folder_.path().string() + "' && '" THINWALL_PROGRAM "' ";
+  for (const char* command : {"check small.yaml --json", "run small.yaml --no-render --json --out out"}) {
+    const int status = std::system((start + command + " >/dev/full 2>messages").c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 4) << command;
+    const std::string messages = file_bytes(folder_ / "messages");
+    EXPECT_NE(messages.find("No space left on device"), std::string::npos) << messages;
+  }
+}
+
+TEST_F(ProgramTest, ADeviceThatIsNotThereEndsWith4) {
+  const ProgramEnd end = run({"run", "small.yaml", "--device", "99", "--out", "out"});
+  EXPECT_EQ(end.exit_code, 4) << end.messages;
+  // The simulation may have ended before; its records are whole then, but the recording is not.
+  for (const char* file : {"video.mp4", "poster.png", "manifest.json"}) {
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "out" / file)) << file;
+  }
+}
+
+TEST_F(ProgramTest, ABrokenTakeIsBadInput) {
+  write_bytes(folder_ / "take.h5", "no take");
+  expect_bad_usage({"render", "take.h5"}, "take.h5: this is no take");
+}
+
+TEST_F(ProgramTest, AnInterruptMidwayEndsWith130AndATerminateSignalWith143) {
+  write_bytes(folder_ / "long.yaml", small_scenario("  - wait: { for: 1000 s }\n"));
+  for (const auto& [signal, code] : {std::pair(SIGINT, 130), std::pair(SIGTERM, 143)}) {
+    EXPECT_EQ(run_stopped_midway(folder_.path(), "long.yaml", signal).exit_code, code);
+    EXPECT_FALSE(any_looks_finished("out"));
+    // What was reached is still there to be looked at.
+    const TakeReader take(folder_ / "out" / "take.unfinished.h5");
+    EXPECT_FALSE(take.ending().complete);
+    EXPECT_GT(take.times().size(), 10U);
+    std::filesystem::remove_all(folder_ / "out");
+  }
+}
+
+TEST_F(ProgramTest, AnInterruptSaysThatEarlierResultsAreGoneWhereTheyAre) {
+  write_bytes(folder_ / "long.yaml", small_scenario("  - wait: { for: 1000 s }\n"));
+  const std::string gone = "terminated; the earlier results in out had been removed";
+  const auto terminated = [&] { return run_stopped_midway(folder_.path(), "long.yaml", SIGTERM).messages; };
+  EXPECT_EQ(terminated().find(gone), std::string::npos);
+  std::filesystem::remove_all(folder_ / "out");
+  std::filesystem::create_directory(folder_ / "out");
+  write_bytes(folder_ / "out" / "forces.csv", "of an earlier run");
+  EXPECT_NE(terminated().find(gone), std::string::npos);
+}
+
+}  // namespace
+}  // namespace thinwall
