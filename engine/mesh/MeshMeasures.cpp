@@ -25,6 +25,12 @@ std::array<double, 3> angles_of(std::span<const Eigen::Vector3d> vertices, const
 
 }  // namespace
 
+Eigen::AlignedBox3d bounding_box(std::span<const Eigen::Vector3d> points) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& point : points) box.extend(point);
+  return box;
+}
+
 std::vector<double> triangle_areas(std::span<const Eigen::Vector3d> vertices,
                                    std::span<const Eigen::Vector3i> triangles) {
   std::vector<double> areas;

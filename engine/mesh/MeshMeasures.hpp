@@ -1,12 +1,16 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <span>
 #include <vector>
 
 #include "engine/mesh/SurfaceMesh.hpp"
 
 namespace thinwall {
+
+/// The box around points, metres; empty without any.
+Eigen::AlignedBox3d bounding_box(std::span<const Eigen::Vector3d> points);
 
 /// Area of each triangle, (triangles), metres^2.
 std::vector<double> triangle_areas(std::span<const Eigen::Vector3d> vertices,

@@ -304,7 +304,7 @@ void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> en
   note_passing(input.blades, begin, state_.incising);
   const BodyState start = state_;
   try {
-    advance_in_parts(begin, end, duration, input);
+    advance_in_parts(start, begin, end, duration, input);
   } catch (const SimulationFailure&) {
     // What has given way cannot be mended.
     if (report_.ruptures.empty()) {
@@ -318,9 +318,8 @@ void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> en
   foresight_.reset();
 }
 
-void Body::advance_in_parts(std::span<const ToolPose> begin, std::span<const ToolPose> end, double duration,
-                            const BodyInput& input) {
-  const BodyState start = state_;
+void Body::advance_in_parts(const BodyState& start, std::span<const ToolPose> begin, std::span<const ToolPose> end,
+                            double duration, const BodyInput& input) {
   StepParts step{.largest = std::min(largest_part(begin, end), part_of_blade(input, model_->edge_length))};
   step.part = step.largest;
   std::vector<ToolPose> from(begin.begin(), begin.end());

@@ -205,9 +205,9 @@ class Body {
   bool solve_step(EquilibriumProblem& problem, EquilibriumState& trial);
   bool try_step(std::span<const ToolPose> begin, std::span<const ToolPose> end, double duration,
                 const BodyInput& input);
-  /// The way of `advance`, in parts where that is asked for; throws part way.
-  void advance_in_parts(std::span<const ToolPose> begin, std::span<const ToolPose> end, double duration,
-                        const BodyInput& input);
+  /// The way of `advance` from `start`, in parts where that is asked for; throws part way.
+  void advance_in_parts(const BodyState& start, std::span<const ToolPose> begin, std::span<const ToolPose> end,
+                        double duration, const BodyInput& input);
   [[noreturn]] void give_up() const;
   EquilibriumProblem make_problem(std::span<const ToolPose> end, double duration, const BodyInput& input) const;
   void add_fluids(double duration, const BodyInput& input, EquilibriumProblem& problem) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace thinwall {
 namespace {
@@ -109,7 +110,7 @@ VesselTree vessel_tree(const SnapshotTopology& topology) {
 
 double vessel_trunks(const VesselTree& tree, double spacing) {
   constexpr double kBranches = 3;  // of a trunk, side by side, where most of it has branched
-  const double around = 2 * 3.14159265358979 * tree.radius;
+  const double around = 2 * std::numbers::pi * tree.radius;
   return std::clamp(std::round(around / (kBranches * spacing)), 2.0, 64.0);
 }
 

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "engine/contact/PointRadius.hpp"
+#include "engine/mesh/MeshMeasures.hpp"
 
 namespace thinwall {
 namespace {
@@ -87,9 +87,7 @@ std::optional<std::string> small_tool_note(const ToolDefinition& tool, const Bod
 std::optional<std::string> thick_wall_note(const Body& body) {
   const SurfaceMesh& mesh = body.model().definition.mesh;
   if (body.model().chambers.empty() || mesh.vertices.empty()) return std::nullopt;
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& position : mesh.vertices) box.extend(position);
-  const double width = box.sizes().minCoeff();
+  const double width = bounding_box(mesh.vertices).sizes().minCoeff();
   const double thickest = largest_thickness(body);
   if (2 * thickest <= width) return std::nullopt;
   return fmt::format(

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "engine/mesh/MeshMeasures.hpp"
 #include "engine/mesh/Shapes.hpp"
 #include "engine/simulation/Chambers.hpp"
 #include "studio/organs/ClosedCheck.hpp"
@@ -130,9 +131,8 @@ void check_chambers(const BodyScenario& body, const SurfaceMesh& mesh) {
 
 /// A wall thicker than the organ is one of a wrong unit; twice that leaves room for patches of a few triangles.
 void check_thickness(const BodyScenario& body, const BodyDefinition& definition) {
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& vertex : definition.mesh.vertices) box.extend(vertex);
-  const double thickest = *std::ranges::max_element(definition.thickness), extent = box.sizes().maxCoeff();
+  const double thickest = *std::ranges::max_element(definition.thickness);
+  const double extent = bounding_box(definition.mesh.vertices).sizes().maxCoeff();
   if (thickest <= 2 * extent) return;
   const std::string message = fmt::format(
       "bodies.{}.wall.thickness: {:.4g} mm is more than twice the surface's extent, {:.4g} mm; set the unit of "

@@ -197,13 +197,7 @@ MeshTopology topology_of_surface(const RawSurface& surface) {
 
 double extent_of(const RawSurface& surface) {
   if (surface.vertices.empty()) return 0;
-  Eigen::Vector3d low = surface.vertices.front();
-  Eigen::Vector3d high = low;
-  for (const Eigen::Vector3d& v : surface.vertices) {
-    low = low.cwiseMin(v);
-    high = high.cwiseMax(v);
-  }
-  return (high - low).norm();
+  return bounding_box(surface.vertices).sizes().norm();
 }
 
 int keep_marked(RawSurface& surface, const std::vector<bool>& keep) {

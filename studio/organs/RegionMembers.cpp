@@ -2,20 +2,11 @@
 
 #include <fmt/core.h>
 
+#include "engine/mesh/MeshMeasures.hpp"
 #include "studio/organs/SpanWords.hpp"
 #include "studio/scenario/Wording.hpp"
 
 namespace thinwall {
-namespace {
-
-Eigen::AlignedBox3d box_of(const SurfaceMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& vertex : mesh.vertices) box.extend(vertex);
-  return box;
-}
-
-}  // namespace
-
 std::vector<int> RegionMembers::triangles(const Region& region, const std::string& path,
                                           const SourceLocation& location) {
   if (!is_known(region, path, location)) return {};
@@ -44,7 +35,7 @@ void RegionMembers::check_found(const std::vector<int>& found, const char* what,
                                        : "the wall has no open edges")});
   } else {
     errors_.push_back({location, fmt::format("{}: holds no {} of the surface, which spans {}", path, what,
-                                             span_words(box_of(mesh_)))});
+                                             span_words(bounding_box(mesh_.vertices)))});
   }
 }
 

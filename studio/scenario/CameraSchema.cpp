@@ -83,15 +83,19 @@ ValueSchema push_in_value() {
   return list_value(mapping_value({push_in}));
 }
 
-MappingSchema camera_mapping(const std::string& name, const std::string& documentation) {
-  MappingSchema camera{.name = name, .documentation = documentation};
-  camera.selector = "kind";
-  camera.cases = {
+std::vector<CaseSchema> camera_kinds() {
+  return {
       {"pinhole", "stands in the open", {{"field_of_view", angle_value(), false, "30 deg", kAngleWords}}},
       {"endoscope",
        "in a body: a round picture, darker towards its border",
        {{"field_of_view", angle_value(), false, "60 deg", kAngleWords}}},
   };
+}
+
+MappingSchema camera_mapping(const std::string& name, const std::string& documentation) {
+  MappingSchema camera{.name = name, .documentation = documentation};
+  camera.selector = "kind";
+  camera.cases = camera_kinds();
   camera.keys = {
       {"kind", word_value({"pinhole", "endoscope"}), false, "pinhole", "how the picture is projected"},
       {"position", place_value(), false, {}, "where the camera stands"},

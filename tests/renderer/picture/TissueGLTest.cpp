@@ -165,12 +165,13 @@ TEST(Tissue, HasVesselsThatRunAlongTheBody) {
   for (int row = 1; row < kSize.height; ++row) {
     for (int column = 1; column < kSize.width; ++column) {
       const int pixel = 3 * (row * kSize.width + column) + 1;
-      const auto level = [&](int i) { return double{1.0} * image.pixels[static_cast<std::size_t>(i)]; };
+      const auto level = [&](int i) { return static_cast<double>(image.pixels[static_cast<std::size_t>(i)]); };
       along += std::abs(level(pixel) - level(pixel - 3));
       across += std::abs(level(pixel) - level(pixel - 3 * kSize.width));
     }
   }
   RecordProperty("ratio", std::to_string(across / along));
+  // Seen: 2.6, as side vessels leave trunks at angles; vessels that run anywhere made 0.6.
   EXPECT_GT(across, 2 * along);
 }
 

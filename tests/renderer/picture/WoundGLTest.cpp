@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+
 #include "renderer/look/FluidLooks.hpp"
 #include "renderer/look/OrganLooks.hpp"
 #include "renderer/picture/Renderer.hpp"
@@ -101,16 +104,21 @@ TEST(Wound, IsAlikeWhateverWasDrawnBefore) {
   EXPECT_EQ(renderer.draw(open_bowl(0.5), from_above()).pixels, first.pixels);
 }
 
-TEST(Wound, BleedsAlongACutAndNotWithoutOne) {
+/// A sheet with a slit, `time` seconds after it was cut: as it bleeds, and as it would be without blood.
+std::pair<Image, Image> draw_slit(const std::string& organ, double time, ImageSize size) {
   Snapshot snapshot;
   snapshot.surfaces = {test::slit_sheet(20, 0.002, 0)};
-  snapshot.time = 5;
+  snapshot.time = time;
   ViewDefinition view = from_above();
-  view.look.bodies["organ"] = *find_organ_look("stomach");
-  Renderer renderer(DeviceChoice{}, kSize, Tier::kRecord);
-  const Image bleeding = renderer.draw(snapshot, view);
+  view.look.bodies["organ"] = *find_organ_look(organ);
+  Renderer renderer(DeviceChoice{}, size, Tier::kRecord);
+  Image bleeding = renderer.draw(snapshot, view);
   view.look.bodies["organ"].bleeding = 0;
-  const Image dry = renderer.draw(snapshot, view);
+  return {std::move(bleeding), renderer.draw(snapshot, view)};
+}
+
+TEST(Wound, BleedsAlongACutAndNotWithoutOne) {
+  const auto [bleeding, dry] = draw_slit("stomach", 5, kSize);
   std::size_t reddened = 0;
   for (std::size_t pixel = 0; pixel < bleeding.pixels.size(); pixel += 3) {
     if (bleeding.pixels[pixel + 1] + 30 < dry.pixels[pixel + 1]) ++reddened;
@@ -121,15 +129,7 @@ TEST(Wound, BleedsAlongACutAndNotWithoutOne) {
 }
 
 TEST(Wound, BloodPaintsNoEvenRibbonAlongALip) {
-  Snapshot snapshot;
-  snapshot.surfaces = {test::slit_sheet(20, 0.002, 0)};
-  snapshot.time = 8;
-  ViewDefinition view = from_above();
-  view.look.bodies["organ"] = *find_organ_look("skin");
-  Renderer renderer(DeviceChoice{}, {384, 384}, Tier::kRecord);
-  const Image bleeding = renderer.draw(snapshot, view);
-  view.look.bodies["organ"].bleeding = 0;
-  const Image dry = renderer.draw(snapshot, view);
+  const auto [bleeding, dry] = draw_slit("skin", 8, {384, 384});
   // Of the middle half of the cut, 19 pixels a millimetre: how many columns have blood 0.45 mm above it.
   int bloody = 0, columns = 0;
   for (int column = 96; column < 288; ++column, ++columns) {

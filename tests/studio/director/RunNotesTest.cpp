@@ -18,6 +18,14 @@ bool tells(const ScenarioRun& run, const std::string& words) {
   return std::ranges::any_of(warnings, [&](const std::string& one) { return one.find(words) != std::string::npos; });
 }
 
+const PalpateClip kTouch = {.tool = "finger", .body = "ball", .at = {0, 0, 0.02}, .depth = 1e-5};
+
+Scenario touched_ball() {
+  Scenario scenario = held_ball(80, 0.02);
+  scenario.tools = {{.name = "finger", .kind = ToolKind::kSphere, .radius = 0.003}};
+  return scenario;
+}
+
 TEST(RunNotes, TellThatANeedleHasGoneItsDepthWithoutPiercing) {
   for (const double toughness : {1.0, 1e5}) {
     ScenarioRun run(pierced_ball(80, toughness, 0.002));
@@ -32,13 +40,8 @@ TEST(RunNotes, TellThatANeedleHasGoneItsDepthWithoutPiercing) {
 
 TEST(RunNotes, TellThatAToolTouchesBetweenTwoStepsOnly) {
   for (const double hold : {0.0, 0.05}) {
-    Scenario scenario = held_ball(80, 0.02);
-    scenario.tools = {{.name = "finger", .kind = ToolKind::kSphere, .radius = 0.003}};
-    PalpateClip clip;
-    clip.tool = "finger";
-    clip.body = "ball";
-    clip.at = {0, 0, 0.02};
-    clip.depth = 1e-5;
+    Scenario scenario = touched_ball();
+    PalpateClip clip = kTouch;
     clip.speed = 0.05;
     clip.hold = hold;
     clip.standoff = 0.0025;
@@ -55,15 +58,9 @@ TEST(RunNotes, TellThatAToolTouchesBetweenTwoStepsOnly) {
 
 TEST(RunNotes, TellOfWallsThatAreThickerThanAToolOrTheBodyHasRoomFor) {
   for (const double thickness : {1e-3, 4e-3, 21e-3}) {
-    Scenario scenario = held_ball(80, 0.02);
+    Scenario scenario = touched_ball();
     scenario.bodies[0].thickness = {.standard = thickness};
-    scenario.tools = {{.name = "finger", .kind = ToolKind::kSphere, .radius = 0.003}};
-    PalpateClip clip;
-    clip.tool = "finger";
-    clip.body = "ball";
-    clip.at = {0, 0, 0.02};
-    clip.depth = 1e-5;
-    scenario.timeline = {{.action = clip}, {.action = clip}};
+    scenario.timeline = {{.action = kTouch}, {.action = kTouch}};
     const ScenarioRun run(scenario);
     EXPECT_EQ(tells(run, "tool `finger` has a radius of 3 mm, less than the wall of body `ball` is thick"),
               thickness > 0.003);
