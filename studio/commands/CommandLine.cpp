@@ -86,10 +86,6 @@ class CommandLine {
   Action action_;
 };
 
-std::string version_text() {
-  return "thinwall " + thinwall_version() + "\nlicence of this build: " + effective_licence();
-}
-
 DeviceChoice device_choice(const std::string& text) {
   try {
     return parse_device_choice(text);

@@ -9,6 +9,7 @@
 
 #include "studio/commands/CompareLine.hpp"
 #include "studio/commands/ExitCode.hpp"
+#include "studio/recorder/Versions.hpp"
 
 namespace {
 
@@ -26,8 +27,14 @@ int become_studio(char** arguments) {
 }  // namespace
 
 // Loading the libraries of simulation, graphics and take files takes longer than comparing two pictures, so this
-// program compares by itself and leaves all else to the one that loads them.
+// program compares and says its version by itself and leaves all else to the one that loads them.
 int main(int count, char** arguments) {
+  if (count == 2 && std::string(arguments[1]) == "--version") {
+    return thinwall::exit_code_of([] {
+      fmt::print("{}\n", thinwall::version_text());
+      return thinwall::kExitGood;
+    });
+  }
   if (count > 1 && std::string(arguments[1]) == thinwall::kCompareCommand) {
     return thinwall::run_compare_line(std::vector<std::string>(arguments + 1, arguments + count));
   }

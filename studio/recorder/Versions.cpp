@@ -17,6 +17,10 @@ std::string effective_licence() {
   return "MIT (own sources; linked: METIS and oneTBB under Apache-2.0, others under permissive licences and the LGPL)";
 }
 
+std::string version_text() {
+  return "thinwall " + thinwall_version() + "\nlicence of this build: " + effective_licence();
+}
+
 std::vector<std::pair<std::string, std::string>> component_versions() {
   return {{"thinwall", thinwall_version()},
           {"compiler", "g++ " __VERSION__},

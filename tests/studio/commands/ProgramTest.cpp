@@ -60,6 +60,9 @@ TEST_F(ProgramTest, SaysWhenTheProgramWithAllCommandsIsNotBesideIt) {
   const std::string call = (folder_ / "thinwall").string() + " doctor 2> " + (folder_ / "words").string();
   EXPECT_EQ(WEXITSTATUS(std::system(call.c_str())), 4);
   EXPECT_NE(file_bytes(folder_ / "words").find("thinwall-studio: No such file"), std::string::npos);
+  const std::string version = (folder_ / "thinwall").string() + " --version > " + (folder_ / "version").string();
+  EXPECT_EQ(WEXITSTATUS(std::system(version.c_str())), 0) << "this it says by itself";
+  EXPECT_EQ(file_bytes(folder_ / "version"), run({"--json", "--version"}).output) << "as the other does";
 }
 
 TEST_F(ProgramTest, BadUsageIsToldWithExitCode2) {
