@@ -61,12 +61,6 @@ struct SceneView {
   std::optional<std::vector<OutlineSegment>> outline = {};
 };
 
-/// Of the shadow map for a pixel of tissue.
-std::size_t shadow_taps(Tier tier) {
-  if (tier == Tier::kDraft) return 0;
-  return tier == Tier::kRecord ? 4 : 5;
-}
-
 /// All that lives in the context, in the order in which it can be made.
 struct Stage {
   Stage(ImageSize size, Tier drawn_tier)
@@ -180,7 +174,7 @@ void Stage::draw_scene(SceneView& scene, const FrameUniforms& frame, PassClock& 
   if (scene.view.look.data) {
     scene_pass.shade_data(target, scene.view.look.data->scale);
   } else {
-    scene_pass.shade_tissue(meshes, target, frame, scene.surroundings, shadow_taps(tier));
+    scene_pass.shade_tissue(meshes, target, frame, scene.surroundings, tier != Tier::kDraft);
     scene_pass.mark(meshes, scene.view.highlights, scene.snapshot.time);
   }
   if (tier != Tier::kDraft) find_outline(scene);

@@ -132,7 +132,7 @@ void ScenePass::draw_tools(const SceneMeshes& meshes, const PictureTarget& targe
 }
 
 void ScenePass::shade_tissue(const SceneMeshes& meshes, const PictureTarget& target, const FrameUniforms& frame,
-                             Surroundings surroundings, std::size_t shadow_taps) {
+                             Surroundings surroundings, bool is_shadowed) {
   const FloatMatrix4& view_projection = frame.view_projection;
   target.begin_color();
   glDisable(GL_DEPTH_TEST);
@@ -146,7 +146,7 @@ void ScenePass::shade_tissue(const SceneMeshes& meshes, const PictureTarget& tar
     if (area.width == 0 || area.height == 0) continue;
     glScissor(area.left, area.bottom, area.width, area.height);
     const float smallest_footprint = frame.environment[3] * nearest_depth(part.bounds, view_projection);
-    const TissueScene scene{surroundings, shadow_taps, meshes.rods().size(), smallest_footprint};
+    const TissueScene scene{surroundings, is_shadowed, meshes.rods().size(), smallest_footprint};
     glUseProgram(tissue_.program_for(part.look, scene).name());
     glNamedBufferSubData(look_.name(), 0, sizeof(LookUniforms), &part.look);
     glStencilFunc(GL_EQUAL, static_cast<GLint>(i + 1), 0xff);

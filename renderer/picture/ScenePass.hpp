@@ -31,9 +31,9 @@ class ScenePass {
   /// The numbers of a data view in its place.
   void shade_data(const PictureTarget& target, DataScale scale) const;
 
-  /// Its colours. `shadow_taps`: as of TissueScene.
+  /// Its colours. `is_shadowed`: as of TissueScene.
   void shade_tissue(const SceneMeshes& meshes, const PictureTarget& target, const FrameUniforms& frame,
-                    Surroundings surroundings, std::size_t shadow_taps);
+                    Surroundings surroundings, bool is_shadowed);
 
   /// What is marked of it: those of `highlights` that are shown at `time` (seconds).
   void mark(const SceneMeshes& meshes, const std::vector<HighlightDefinition>& highlights, double time) const;

@@ -27,7 +27,7 @@ std::string tissue_defines(const LookUniforms& look, const TissueScene& scene) {
   define("CREASED", look.relief[2] > 0);
   define("RIDGED", look.relief[3] > 0);
   define("DUSTED", kDustWaves * look.relief[1] * scene.smallest_footprint < kUnseenDust);
-  define("SHADOW_TAPS", scene.shadow_taps);
+  define("SHADOWED", scene.is_shadowed);
   define("ROD_COUNT", std::min(scene.rods, kMostRods));
   return lines.str();
 }

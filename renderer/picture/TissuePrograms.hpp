@@ -19,7 +19,7 @@ enum class Surroundings {
 /// What shading a part of the tissue has to reckon with, beside its look.
 struct TissueScene {
   Surroundings surroundings = Surroundings::kStudio;
-  std::size_t shadow_taps = 5;   // of the shadow map for a pixel, 4 or 5; 0 where it is empty
+  bool is_shadowed = true;       // false where the shadow map is empty
   std::size_t rods = 0;          // of tools, that shade what is near
   float smallest_footprint = 0;  // metres: no pixel of the part covers less of it
 };

@@ -17,6 +17,10 @@ layout(location = 0) out vec4 color;
 layout(binding = 2) uniform sampler2D seen_normal;  // w: depth along the line of sight, metres
 layout(binding = 3) uniform sampler2D seen_rest;    // metres; w: see surface.frag
 
+// By how much more red light than other comes to the border of a shadow: little, for in flesh red goes hardly farther
+// than the border is wide.
+const float kRedBorder = 0.25;
+
 float floor_openness(vec3 position, vec3 normal) {
   float height = max(position.z - floor_plane.x, 0.0) / scene_center.w;
   return 1.0 - floor_plane.y * 0.75 * saturate(0.5 - 0.6 * normal.z) * exp(-6.0 * height);
@@ -47,7 +51,7 @@ void main() {
 
   vec3 toward = lamp_direction(position);
   vec3 lamp = lamp_light(position);
-  float visible = SHADOW_TAPS > 0 ? key_visibility(position, base) : 1.0;
+  float visible = SHADOWED ? key_visibility(position, base) : 1.0;
   // Light that has come into an opened organ goes from wall to wall.
   float bounced = pattern.w > 0.0 && pattern.z == 0.0 ? 0.35 : 0.0;
 #ifdef ENDOSCOPE
@@ -59,7 +63,7 @@ void main() {
 
   vec3 width = clamp(scatter.rgb * (30.0 + abs(bend) / (0.03 * scene_center.w)), 0.03, 0.7);
   // Shadows on flesh have reddish borders too.
-  vec3 soft_visible = vec3(mix(visible, sqrt(visible), 0.6), visible, visible);
+  vec3 soft_visible = vec3(visible * (1.0 + kRedBorder * (1.0 - visible)), visible, visible);
   // Light that is caught between the walls of a crease is reddened by each.
   // Powers of 0.85 (within 0.003) and 1.25 from two roots.
   float root = sqrt(openness), second_root = sqrt(root);

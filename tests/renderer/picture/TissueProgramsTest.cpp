@@ -42,8 +42,8 @@ TEST(TissuePrograms, WhatIsTooFineForThePixelsIsLeftOut) {
 }
 
 TEST(TissuePrograms, WhereNoShadowIsCastNoneIsLookedUp) {
-  EXPECT_TRUE(says(tissue_defines({}, {.shadow_taps = 0}), "SHADOW_TAPS 0"));
-  EXPECT_TRUE(says(tissue_defines({}, {.shadow_taps = 4}), "SHADOW_TAPS 4"));
+  EXPECT_TRUE(says(tissue_defines({}, {.is_shadowed = false}), "SHADOWED false"));
+  EXPECT_TRUE(says(tissue_defines({}, {.is_shadowed = true}), "SHADOWED true"));
 }
 
 TEST(TissuePrograms, NoMoreRodsCountThanTheFrameTells) {
