@@ -17,7 +17,7 @@ struct FilmVertex {
   float height = 0;   // metres, there
   float dry = 0;      // 0 to 1
   float lift = 0;     // metres towards the eye by which it is drawn in front of the wall that it lies on
-  float beads = 0;    // 0 to 1: how far it has gathered in beads
+  float coat = 0;     // 0: ends in an edge, as drops do; 1: thins to nothing, thickness as of inward / width
 };
 
 /// A fluid that lies on a wall.

@@ -23,13 +23,13 @@ void FilmPass::draw(std::span<const BodyFilm> films, Surroundings surroundings) 
   glEnable(GL_STENCIL_TEST);
   glStencilMask(0);
   const TwoSourceBlending blending;
+  glEnable(GL_CULL_FACE);
   glCullFace(GL_BACK);
   glUseProgram(programs_[static_cast<std::size_t>(surroundings)].name());
   for (const auto& [film, look, is_falling] : films) {
-    // A film on a wall is drawn a little in front of it, but not in front of the tools. Of a drop the near side is
-    // seen.
+    // A film on a wall is drawn a little in front of it, but not in front of the tools. What faces away is left out:
+    // the far side of a drop, and a cut's face where it would show along the edge that hides it.
     glStencilFunc(is_falling ? GL_ALWAYS : GL_NOTEQUAL, 0, 0xff);
-    (is_falling ? glEnable : glDisable)(GL_CULL_FACE);
     triangles_.upload(std::span<const FilmVertex>(film.vertices), film.corners);
     set_fluid_look(look);
     triangles_.draw();

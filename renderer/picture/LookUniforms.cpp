@@ -24,17 +24,21 @@ TissueLook cap_look(TissueLook look) {
 /// Moist, and without the vessels of the outer side.
 TissueLook rim_look(TissueLook look) {
   look.vessels = look.capillaries = look.clearness = look.ridges = look.creases = 0;
-  look.wetness = std::max(look.wetness, 0.7);
+  look.wetness = std::max(look.wetness, 0.95);
+  look.roughness = std::min(look.roughness, 0.35);
+  // Cut fibres and lobules are uneven, which breaks what they mirror.
+  look.relief = std::max(look.relief, 0.35);
   return look;
 }
 
 /// Dark and wet, folded as mucosa is.
 TissueLook lining_look(TissueLook look) {
   look.color = mixed(look.layers.inner, {0.45, 0.10, 0.09}, 0.35);
-  look.wetness = std::max(look.wetness, 0.8);
+  look.wetness = std::max(look.wetness, 0.95);
   look.clearness = look.fattiness = look.ridges = look.vessels = look.capillaries = 0;
-  look.creases = 0.6;
+  look.creases = 0.35;
   look.relief = 0.16;
+  look.relief_size = std::max(look.relief_size, 0.002);
   look.sheen = 0;
   return look;
 }

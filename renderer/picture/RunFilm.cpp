@@ -102,7 +102,7 @@ void append_run(const SnapshotSurface& surface, std::span<const Float3> normals,
   const auto end = static_cast<std::uint32_t>(film.vertices.size());
   for (std::uint32_t b = first + 3; b < end; b += 3) {
     const std::uint32_t a = b - 3;
-    for (const std::uint32_t corner : {a, a + 1, b + 1, a, b + 1, b, a + 1, a + 2, b + 2, a + 1, b + 2, b + 1}) {
+    for (const std::uint32_t corner : {a, b + 1, a + 1, a, b, b + 1, a + 1, b + 2, a + 2, a + 1, b + 1, b + 2}) {
       film.corners.push_back(corner);
     }
   }

@@ -79,12 +79,12 @@ void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& 
       show_data(snapshot.surfaces[k], *look.data, drawn.borders, pieces);
     } else {
       cover_open_borders(drawn.borders, drawn.is_lip, pieces);
-      find_fluid(snapshot, k, body_look, pieces);
-      find_films(snapshot, k, body_look, pieces);
       if (bed_depths_[k] > 0) {
         TissuePiece bed = wound_bed(surface, drawn.borders, drawn.is_lip, bed_depths_[k]);
         if (!bed.corners.empty()) pieces.push_back(std::move(bed));
       }
+      find_fluid(snapshot, k, body_look, pieces);
+      find_films(snapshot, k, body_look, pieces);
     }
     if (pieces.empty()) continue;
     const bool is_closed = encloses_its_inside(surface, drawn.borders, pieces);
@@ -175,14 +175,14 @@ void SceneMeshes::find_films(const Snapshot& snapshot, std::size_t k, const Tiss
   FluidLook bare = {.color = {}, .clarity = kBareClarity, .cloudiness = 1};
   for (std::size_t c = 0; c < 3; ++c) bare.color[c] = 0.5 * (look.layers.outer[c] + look.layers.middle[c]);
   add(bare_edge_film(surface, pieces, *wounds_[k], snapshot.time), bare);
+  const double leaked = look.contents.clarity > 0 ? find_scalar(snapshot, surface.body, kLeakedScalar).value_or(0) : 0;
   if (look.contents.clarity > 0) {
-    const double leaked = find_scalar(snapshot, surface.body, kLeakedScalar).value_or(0);
     add(runoff_film(surface, pieces, *wounds_[k], leaked, snapshot.time), look.contents);
     add(falling_drops(surface, *wounds_[k], gravity_of_drops(snapshot), leaked, snapshot.time), look.contents, true);
   }
   if (look.bleeding > 0) {
-    add(blood_film(surface, drawn_topologies_[k].borders, pieces, *wounds_[k], look.bleeding, snapshot.time),
-        kFreshBlood);
+    const Bleeding bleeding{.strength = look.bleeding, .leaked = leaked};
+    add(blood_film(surface, drawn_topologies_[k].borders, pieces, *wounds_[k], bleeding, snapshot.time), kFreshBlood);
   }
 }
 

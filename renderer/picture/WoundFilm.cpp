@@ -3,28 +3,48 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/picture/Float3.hpp"
 #include "renderer/picture/RunFilm.hpp"
 #include "renderer/wound/Bleeding.hpp"
 
 namespace thinwall {
 namespace {
 
-constexpr double kBloodSpacing = 0.0045;  // metres between runs of blood, and of what has been in the body
+constexpr double kBloodSpacing = 0.014;  // metres between runs of blood, and of what has been in the body
 constexpr double kFluidSpacing = 0.007;
+constexpr double kBloodFrom = 0.009;      // metres of a lip whose blood goes into a run; the rest stays in the wound
 constexpr double kLongestRun = 0.045;     // metres
 constexpr double kFirstDrops = 1e-7;      // metres^3, after which lips are wet all along
-constexpr float kFringeMargin = 0.0005F;  // metres beyond its edge that are drawn, where blood gathers
+constexpr float kFringeMargin = 0.0005F;  // metres beyond its edge that are drawn, for that is uneven
 constexpr float kOnTriangles = 0.00002F;  // metres, lift of a film on the wall's own triangles
+
+/// Fullness (inward / width) of a coat, below which the unevenness of film.glsl leaves nothing of it.
+constexpr double kNoCoat = -1.6;
 
 /// What lies along a lip, on the outer side.
 struct Fringe {
-  double width = 0;   // metres, at its widest
+  double width = 0;   // metres, at its widest; of a coat, over which its fullness falls by one
   double height = 0;  // metres
-  float beads = 0;    // 0 to 1
+  double spare = 0;   // fullness that a coat lacks at the lip itself: the more, the fewer places it reaches
+  float coat = 0;     // as of FilmVertex
 };
-constexpr Fringe kBlood = {.width = 0.0009, .height = 0.00016, .beads = 1};
-constexpr Fringe kWelling = {.width = 0.0016, .height = 0.0004};
-constexpr Fringe kBareEdge = {.width = 0.00032, .height = 0.0002};
+/// Blood stays in a wound that gapes but for the few places where it comes over the lip; closed lips leave it no room.
+constexpr Fringe kBlood = {.width = 0.0012, .height = 0.00015, .spare = 0.85, .coat = 1};
+constexpr Fringe kWelling = {.width = 0.0012, .height = 0.0004, .spare = 0.6, .coat = 1};
+constexpr Fringe kBareEdge = {.width = 0.00025, .height = 0.0001, .spare = 0.2, .coat = 1};
+
+constexpr double kPressedOut = 0.75;  // fullness that closed lips have more
+constexpr double kRoom = 0.0010;      // metres between lips, by which a third of that is left
+
+/// Blood on the faces of a cut: they bleed below the outermost layer, and it runs down them. And on the ground of the
+/// wound, where it gathers along the middle, which is deepest.
+constexpr double kFaceTop = 0.65, kFaceGrowth = 1.25;  // fullness outside, and what is added to the inside
+constexpr double kLowerLip = 0.35;                     // and what to a lip from which the wall falls away
+constexpr double kGround = 0.95, kGroundMiddle = 0.8;  // fullness all over the ground, and what is added in the middle
+constexpr double kMiddle = 0.004;                      // metres, half the width of that
+constexpr double kGroundEnds = 0.009;                  // metres from the cut, about where there is none any more
+constexpr double kFaceHeight = 0.00016;                // metres, where the fullness is about one
+constexpr double kDrawnOut = 0.55;                     // how much of the way down a face its pattern is long
 
 /// Seconds since a lip was cut; some where the snapshot does not tell.
 double age_of(const SnapshotTopology& topology, std::uint32_t vertex, double time) {
@@ -34,7 +54,7 @@ double age_of(const SnapshotTopology& topology, std::uint32_t vertex, double tim
 
 /// What of its blood a lip has shed, 0 to 1, early on faster than blood_shed: the first drops come at once.
 double welled(double age) {
-  return 1 - std::exp(-age / 0.5);
+  return 1 - std::exp(-age / 0.35);
 }
 
 /// What of a fringe there is at a lip, and how dry that is.
@@ -47,63 +67,108 @@ struct FringePart {
 template <typename PartAt>
 void append_fringe(const SnapshotSurface& surface, const TissuePiece& wall, const WoundLayout& wounds,
                    const Fringe& fringe, const PartAt& part_at, Film& film) {
-  const SnapshotTopology& topology = *surface.topology;
+  const bool is_coat = fringe.coat > 0;
+  const double width = is_coat ? fringe.width : 0.5 * fringe.width;
+  const double margin = is_coat ? -kNoCoat * fringe.width : kFringeMargin;
   const auto offset = static_cast<std::uint32_t>(film.vertices.size());
   for (std::uint32_t v = 0; v < wall.vertices.size(); ++v) {
     const SurfaceVertex& vertex = wall.vertices[v];
-    FilmVertex coat{.position = vertex.position,
-                    .normal = vertex.normal,
-                    .rest = vertex.rest,
-                    .inward = -1,
-                    .lift = kOnTriangles,
-                    .beads = fringe.beads};
+    FilmVertex layer{.position = vertex.position,
+                     .normal = vertex.normal,
+                     .rest = vertex.rest,
+                     .inward = -1,
+                     .width = static_cast<float>(width),
+                     .height = static_cast<float>(fringe.height),
+                     .lift = kOnTriangles,
+                     .coat = fringe.coat};
     const std::uint32_t lip = wounds.map.lip[v];
     if (lip != WoundMap::kNoLip) {
       const FringePart part = part_at(lip);
-      coat.inward = static_cast<float>(fringe.width * part.spread - wounds.map.from_lip[v]);
-      coat.width = static_cast<float>(0.5 * fringe.width);
-      coat.height = static_cast<float>(fringe.height);
-      coat.dry = static_cast<float>(part.dry);
+      layer.inward = static_cast<float>(fringe.width * (part.spread - fringe.spare) - wounds.map.from_lip[v]);
+      layer.dry = static_cast<float>(part.dry);
     }
-    film.vertices.push_back(coat);
+    film.vertices.push_back(layer);
   }
-  for (const Triangle& triangle : topology.triangles) {
-    const bool is_near = std::ranges::any_of(
-        triangle, [&](std::uint32_t v) { return film.vertices[offset + v].inward > -kFringeMargin; });
+  for (const Triangle& triangle : surface.topology->triangles) {
+    const bool is_near =
+        std::ranges::any_of(triangle, [&](std::uint32_t v) { return film.vertices[offset + v].inward > -margin; });
     if (!is_near) continue;
     for (const std::uint32_t v : triangle) film.corners.push_back(offset + v);
   }
 }
 
-/// On the cut itself, patchy: more of it the deeper, for it runs down there.
-void append_rim(const SnapshotTopology& topology, std::span<const BorderEdge> borders, const TissuePiece& rim,
-                const WoundLayout& wounds, double bleeding, double time, Film& film) {
+/// A coat of blood on a vertex of the wound. `fullness`: below kNoCoat none.
+FilmVertex blood_coat(const SurfaceVertex& vertex, double fullness, double dry) {
+  return {.position = vertex.position,
+          .normal = vertex.normal,
+          .rest = vertex.rest,
+          .inward = static_cast<float>(std::max(fullness, 2 * kNoCoat)),
+          .width = 1,
+          .height = static_cast<float>(kFaceHeight),
+          .dry = static_cast<float>(dry),
+          .lift = kOnTriangles,
+          .coat = 1};
+}
+
+/// What has welled up of a lip's blood at its place, 0 to about 1.
+struct Shed {
+  std::vector<double> amount;  // (vertices), of lips
+  std::vector<double> dry;     // (vertices), of lips
+};
+
+Shed shed_blood(const SnapshotTopology& topology, const WoundLayout& wounds, double bleeding, double time) {
   const std::vector<double> tapering = wounds.map.tapering(time);
+  Shed shed{.amount = std::vector<double>(tapering.size(), 0), .dry = std::vector<double>(tapering.size(), 0)};
+  for (std::uint32_t v = 0; v < tapering.size(); ++v) {
+    if (wounds.map.lip[v] != v) continue;
+    const double age = age_of(topology, v, time);
+    shed.amount[v] = std::cbrt(bleeding) * welled(age) * std::sqrt(tapering[v]);
+    shed.dry[v] = dryness(age);
+  }
+  return shed;
+}
+
+void append_rim(std::span<const BorderEdge> borders, const TissuePiece& rim, const WoundLayout& wounds,
+                const Shed& shed, Film& film) {
   const auto offset = static_cast<std::uint32_t>(film.vertices.size());
   for (std::size_t v = 0; v < rim.vertices.size(); ++v) {
     const BorderEdge& edge = borders[v / 4];
     const std::uint32_t lip = v % 4 < 2 ? edge.start : edge.end;
-    const SurfaceVertex& vertex = rim.vertices[v];
-    FilmVertex coat{.position = vertex.position,
-                    .normal = vertex.normal,
-                    .rest = vertex.rest,
-                    .inward = -1,
-                    .lift = kOnTriangles,
-                    .beads = 0.2F * kBlood.beads};
-    if (wounds.map.lip[lip] == lip) {
-      const double age = age_of(topology, lip, time);
-      const double amount = bleeding * welled(age) * std::sqrt(tapering[lip]);
-      coat.inward = static_cast<float>(0.0004 * amount * (1 + vertex.wound) - 0.00042);
-      coat.width = 0.0004F;
-      coat.height = static_cast<float>(kBlood.height);
-      coat.dry = static_cast<float>(dryness(age));
-    }
+    const double depth = v % 2 == 0 ? 0 : 1;
+    const double most = kFaceTop + kFaceGrowth * depth + kLowerLip * wounds.fall[lip];
+    FilmVertex coat = blood_coat(rim.vertices[v], shed.amount[lip] * (1 + most) - 1, shed.dry[lip]);
+    // What runs down is drawn out that way.
+    const Vector3 outer = vector3(rim.vertices[v - v % 2].rest);
+    coat.rest = float3(outer + kDrawnOut * (vector3(coat.rest) - outer));
     film.vertices.push_back(coat);
   }
   for (std::size_t k = 0; k < borders.size(); ++k) {
     if (wounds.map.lip[borders[k].start] != borders[k].start || wounds.map.lip[borders[k].end] != borders[k].end)
       continue;
     for (std::size_t c = 6 * k; c < 6 * k + 6; ++c) film.corners.push_back(offset + rim.corners[c]);
+  }
+}
+
+/// On the ground of a wound. `bed`: its vertices are the wall's.
+void append_ground(const TissuePiece& bed, const WoundLayout& wounds, const Shed& shed, Film& film) {
+  const auto offset = static_cast<std::uint32_t>(film.vertices.size());
+  for (std::uint32_t v = 0; v < bed.vertices.size(); ++v) {
+    const std::uint32_t lip = wounds.map.lip[v];
+    double fullness = 2 * kNoCoat, dry = 0;
+    if (lip != WoundMap::kNoLip) {
+      const double away = wounds.map.from_lip[v] / kMiddle, far = wounds.map.from_lip[v] / kGroundEnds;
+      const double most = kGround + kGroundMiddle * std::exp(-away * away) + kNoCoat * std::pow(far, 4);
+      fullness = shed.amount[lip] * (1 + most) - 1;
+      dry = shed.dry[lip];
+    }
+    film.vertices.push_back(blood_coat(bed.vertices[v], fullness, dry));
+  }
+  for (std::size_t c = 0; c + 3 <= bed.corners.size(); c += 3) {
+    const auto triangle = std::span(bed.corners).subspan(c, 3);
+    const bool is_bloody = std::ranges::any_of(
+        triangle, [&](std::uint32_t v) { return film.vertices[offset + v].inward > static_cast<float>(kNoCoat); });
+    if (!is_bloody) continue;
+    for (const std::uint32_t v : triangle) film.corners.push_back(offset + v);
   }
 }
 
@@ -158,22 +223,27 @@ WoundLayout lay_out_wounds(const SnapshotTopology& topology, std::span<const Bor
 }
 
 Film blood_film(const SnapshotSurface& surface, std::span<const BorderEdge> borders,
-                std::span<const TissuePiece> pieces, const WoundLayout& wounds, double bleeding, double time) {
+                std::span<const TissuePiece> pieces, const WoundLayout& wounds, const Bleeding& bleeding, double time) {
   Film film;
   const std::vector<double> tapering = wounds.map.tapering(time);
-  const auto shed = [&](std::uint32_t lip) {
-    const double age = age_of(*surface.topology, lip, time);
-    const double spread = bleeding * welled(age) * tapering[lip] * (1 + 0.5 * wounds.fall[lip]);
-    return FringePart{.spread = spread, .dry = dryness(age)};
+  const Shed shed = shed_blood(*surface.topology, wounds, bleeding.strength, time);
+  const std::vector<double> gapes = lip_gapes(surface, wounds.map);
+  const auto over_lip = [&](std::uint32_t lip) {
+    const double most = 1 + 0.5 * wounds.fall[lip] + kPressedOut * std::exp(-gapes[lip] / kRoom);
+    return FringePart{.spread = shed.amount[lip] * std::sqrt(tapering[lip]) * most, .dry = shed.dry[lip]};
   };
-  append_fringe(surface, pieces.front(), wounds, kBlood, shed, film);
-  const auto rim = std::ranges::find(pieces, TissueSide::kRim, &TissuePiece::side);
-  if (rim != pieces.end()) append_rim(*surface.topology, borders, *rim, wounds, bleeding, time, film);
+  append_fringe(surface, pieces.front(), wounds, kBlood, over_lip, film);
+  for (const TissuePiece& piece : pieces) {
+    if (piece.side == TissueSide::kRim) append_rim(borders, piece, wounds, shed, film);
+    if (piece.side == TissueSide::kBed) append_ground(piece, wounds, shed, film);
+  }
+  // What runs out of the body washes away what would run beside it.
+  const double left = std::exp(-bleeding.leaked / kFirstDrops);
   const std::vector<Float3> normals = normals_of(pieces.front());
   for (const FluidRun& run : wounds.blood_runs) {
     const double age = time - run.born - 0.4 * run.chance;
-    const double cut_area = kBloodSpacing * thickness_at(run, *surface.topology);
-    const double volume = bleeding * (0.5 + run.chance) * cut_area * blood_shed(age);
+    const double cut_area = kBloodFrom * thickness_at(run, *surface.topology);
+    const double volume = left * bleeding.strength * (0.5 + run.chance) * cut_area * blood_shed(age);
     append_run(surface, normals, run, blood_run(0.00030 + 0.00025 * run.chance, volume, age), film);
   }
   return film;
@@ -190,7 +260,8 @@ Film runoff_film(const SnapshotSurface& surface, std::span<const TissuePiece> pi
   const double welling = 1 - std::exp(-leaked / kFirstDrops);
   const std::vector<double> tapering = wounds.map.tapering(time);
   const auto part = [&](std::uint32_t lip) {
-    const double spread = welling * tapering[lip] * (0.6 + 0.8 * std::max(0.0, wounds.fall[lip]));
+    // It leaves over the lower lip, and hardly wets the upper one.
+    const double spread = welling * tapering[lip] * (1 + 0.6 * wounds.fall[lip]);
     return FringePart{.spread = spread, .dry = 0};
   };
   append_fringe(surface, pieces.front(), wounds, kWelling, part, film);

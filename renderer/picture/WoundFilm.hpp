@@ -22,10 +22,15 @@ struct WoundLayout {
 WoundLayout lay_out_wounds(const SnapshotTopology& topology, std::span<const BorderEdge> borders,
                            std::span<const char> is_lip, Vector3 down);
 
-/// The blood on a wall at `time` (seconds): what wells up along the lips and on the cut itself, and what runs down from
-/// there. `bleeding`: 0 to 1.
+struct Bleeding {
+  double strength = 1;  // 0 to 1, how freely the wall bleeds
+  double leaked = 0;    // metres^3 that have run out of the body
+};
+
+/// The blood of a wound at `time` (seconds): a coat on the faces of the cut and on the ground of the wound, a little of
+/// it on the outer side of the lips, and what runs down from there.
 Film blood_film(const SnapshotSurface& surface, std::span<const BorderEdge> borders,
-                std::span<const TissuePiece> pieces, const WoundLayout& wounds, double bleeding, double time);
+                std::span<const TissuePiece> pieces, const WoundLayout& wounds, const Bleeding& bleeding, double time);
 
 /// What has run out of a body, `leaked` (metres^3), on its wall at `time` (seconds): along the lips and down from
 /// there.

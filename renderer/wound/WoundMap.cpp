@@ -1,9 +1,11 @@
 #include "renderer/wound/WoundMap.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 namespace thinwall {
 namespace {
@@ -152,6 +154,27 @@ WoundMap map_wounds(const SnapshotTopology& topology, std::span<const BorderEdge
   sweep(edges, [&](std::uint32_t a, std::uint32_t b) { return spread(a, b) || spread(b, a); });
   map.from_lip = straight_ways(topology, borders, is_lip, map);
   return map;
+}
+
+std::vector<double> lip_gapes(const SnapshotSurface& surface, const WoundMap& map) {
+  // To the micrometre: where lips are drawn as curves, each has been computed for itself.
+  using Place = std::array<long, 3>;
+  std::vector<std::pair<Place, std::uint32_t>> lips;
+  for (std::uint32_t v = 0; v < map.lip.size(); ++v) {
+    if (map.lip[v] != v) continue;
+    const Float3& rest = surface.topology->rest_positions[v];
+    lips.push_back({{std::lround(1e6F * rest[0]), std::lround(1e6F * rest[1]), std::lround(1e6F * rest[2])}, v});
+  }
+  std::ranges::sort(lips);
+  std::vector<double> gapes(map.lip.size(), 0);
+  for (std::size_t k = 1; k < lips.size(); ++k) {
+    if (lips[k].first != lips[k - 1].first) continue;
+    const std::uint32_t a = lips[k - 1].second, b = lips[k].second;
+    const double gape = length(vector3(surface.positions[b]) - vector3(surface.positions[a]));
+    gapes[a] = std::max(gapes[a], gape);
+    gapes[b] = std::max(gapes[b], gape);
+  }
+  return gapes;
 }
 
 }  // namespace thinwall

@@ -9,7 +9,7 @@
 namespace thinwall {
 
 /// How far from a lip a vertex counts as near a wound, metres on the stress-free wall.
-inline constexpr double kWoundReach = 0.004;
+inline constexpr double kWoundReach = 0.009;
 
 /// Where both lips of a cut meet in one vertex. While a cut goes on its end moves from vertex to vertex; in between it
 /// lies where the last edge's speed brings it.
@@ -40,5 +40,9 @@ struct WoundMap {
 /// into itself are none.
 WoundMap map_wounds(const SnapshotTopology& topology, std::span<const BorderEdge> borders,
                     std::span<const char> is_lip);
+
+/// (vertices), metres, of lips: how far they are from the other lip's vertex of the same stress-free place; 0 without
+/// one.
+std::vector<double> lip_gapes(const SnapshotSurface& surface, const WoundMap& map);
 
 }  // namespace thinwall

@@ -5,15 +5,15 @@
 #include "shadow.glsl"
 #include "tone.glsl"
 
-// A fluid that lies on a wall or runs down it: rounded towards its edge, deeper in colour where it is thick, glossy until
-// it is dry.
+// A fluid that lies on a wall or runs down it: rounded towards its edge, or a coat that thins to nothing; deeper in colour
+// where it is thick, glossy until it is dry.
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 smooth_normal;
 layout(location = 2) in vec3 rest;
 layout(location = 3) in vec4 film;  // metres from the edge inwards, metres to where it is thickest, height there, dry
 
-layout(location = 4) in float beads;  // 0 to 1: how far it has gathered in beads
+layout(location = 4) in float coat;  // 0: ends in an edge; 1: thins to nothing, see Film.hpp
 
 layout(location = 0, index = 0) out vec4 color;  // is added to what is left of the pixel
 layout(location = 0, index = 1) out vec4 through;  // part of each channel that is left
@@ -30,33 +30,43 @@ void main() {
   vec4 coarse = noise(kWaves * rest);
   vec4 fine = noise(kFineWaves * rest + 3.0);
   float width = max(film.y, 1e-6);
-  // Blood that clots clings to a lip in beads.
-  const float kBeadFoot = -0.15, kBeadCrown = 0.55;  // of the noise
-  float climb = saturate((fine.w - kBeadFoot) / (kBeadCrown - kBeadFoot));
-  // Here many, there none, and none finer than the pixels.
-  float clotted = beads * smoothstep(-0.35, 0.45, coarse.w) * (1.0 - smoothstep(0.2, 0.5, kFineWaves * pixel));
-  float bead = clotted * climb * climb * (3.0 - 2.0 * climb);
-  vec3 bead_change = clotted * 6.0 * climb * (1.0 - climb) / (kBeadCrown - kBeadFoot) * kFineWaves * fine.xyz;
-  // It wells up here more, there less, and between hardly at all: a lip is never painted evenly.
-  float wells = smoothstep(-0.35, 0.45, coarse.w + 0.35 * fine.w);
-  float uneven = width * (0.55 * coarse.w + 0.10 * fine.w + 0.15 * bead + beads * mix(-1.1, 0.1, wells));
+  float uneven = width * (0.55 * coarse.w + 0.10 * fine.w);
   float inward = film.x + uneven;
   // It meets the wall at the same angle everywhere: lower where it is narrower, and thin at its edge.
   float local = width + uneven;
   float rise = saturate(inward / local), fall = 1.0 - rise;
   float cap = 1.0 - fall * fall * fall;
-  const float kBeadHeight = 0.9;  // over that of the film
-  float height = film.z * cap * (local / width + 0.15 * coarse.w + kBeadHeight * bead);
+  float drop_height = film.z * cap * (local / width + 0.15 * coarse.w);
+
+  // A coat is as thick as what wells up and runs together makes it: here much, there hardly any. Where it wells up it
+  // stands in beads, none finer than the pixels.
+  const float kPatches = 0.90, kStreaks = 0.30, kBeads = 0.12;  // over the thickness where `film.x` is `film.y`
+  const float kBeadFoot = 0.05, kBeadCrown = 0.65;             // of the noise
+  float seen = 1.0 - smoothstep(0.2, 0.5, kFineWaves * pixel);
+  float climb = saturate((fine.w - kBeadFoot) / (kBeadCrown - kBeadFoot));
+  float bead = seen * climb * climb * (3.0 - 2.0 * climb);
+  vec3 bead_change = seen * 6.0 * climb * (1.0 - climb) / (kBeadCrown - kBeadFoot) * kFineWaves * fine.xyz;
+  float fullness = film.x / width + kPatches * coarse.w + kStreaks * seen * fine.w + kBeads * bead;
+  vec3 full_change = kPatches * kWaves * coarse.xyz + kStreaks * seen * kFineWaves * fine.xyz + kBeads * bead_change;
+  // Grows from nothing without an edge, then by as much as there is more.
+  const float kFade = 0.5;
+  float full = max(fullness, 0.0), over = 1.0 / (full + kFade);
+  float coat_height = film.z * full * full * over;
+  float height = mix(drop_height, coat_height, coat);
 
   // The slope of the film over the wall, from how its height changes between pixels (Mikkelsen 2010). What the noise
   // adds is told by its gradient: differences of it would stay the same over each two by two pixels.
-  vec3 uneven_change = width * (0.55 * kWaves * coarse.xyz + 0.15 * bead_change);
+  vec3 uneven_change = width * (0.55 * kWaves * coarse.xyz + 0.10 * kFineWaves * fine.xyz);
   vec2 inward_change = vec2(dFdx(film.x), dFdy(film.x));
-  vec2 local_change = vec2(dot(uneven_change, dFdx(rest)), dot(uneven_change, dFdy(rest)));
-  vec3 lumpy = 0.15 * kWaves * coarse.xyz + kBeadHeight * bead_change;
-  vec2 lumpy_change = vec2(dot(lumpy, dFdx(rest)), dot(lumpy, dFdy(rest)));
-  vec2 height_change = film.z / width * (3.0 * fall * fall * (inward_change + fall * local_change) + cap * local_change) +
-                       film.z * cap * lumpy_change;
+  vec3 rest_across = dFdx(rest), rest_along = dFdy(rest);
+  vec2 local_change = vec2(dot(uneven_change, rest_across), dot(uneven_change, rest_along));
+  vec3 lumpy = 0.15 * kWaves * coarse.xyz;
+  vec2 lumpy_change = vec2(dot(lumpy, rest_across), dot(lumpy, rest_along));
+  vec2 drop_change = film.z / width * (3.0 * fall * fall * (inward_change + fall * local_change) + cap * local_change) +
+                     film.z * cap * lumpy_change;
+  vec2 coat_change = film.z * full * (full + 2.0 * kFade) * over * over *
+                     (inward_change / width + vec2(dot(full_change, rest_across), dot(full_change, rest_along)));
+  vec2 height_change = mix(drop_change, coat_change, coat);
   vec3 base = normalize(smooth_normal);
   vec3 across = dFdx(position), along = dFdy(position);
   vec3 first = cross(along, base), second = cross(base, across);
@@ -65,10 +75,16 @@ void main() {
   const float kSteepest = 0.6;
   slope *= inversesqrt(1.0 + dot(slope, slope) / square(kSteepest));
   vec3 view = -normalize(from_eye);
-  vec3 normal = normalize(base - slope);
-  float nv = max(dot(normal, view), 0.02);
+  // A coat follows what is fine in the wall below it, so its highlights are broken; where it is deep it is level.
+  const float kFollowed = 0.18;  // slope
+  vec3 relief = coat * kFollowed / (1.0 + full * full) * fine.xyz;
+  vec3 normal = normalize(base - slope - (relief - dot(relief, base) * base));
+  // Along a coat its unevenness hides what would mirror most.
+  const float kLeastCoatCosine = 0.3;
+  float nv = max(dot(normal, view), mix(0.02, kLeastCoatCosine, coat));
 
-  float covered = smoothstep(0.0, max(2.0 * pixel, 0.00006), inward);
+  const float kWets = 0.00005;  // metres that mirror as any more do
+  float covered = mix(smoothstep(0.0, max(2.0 * pixel, 0.00006), inward), smoothstep(0.0, kWets, coat_height), coat);
   // What a deep layer swallows most a thin one swallows first: it is tinted before it is opaque.
   vec3 swallowed = -log(clamp(fluid.rgb, 0.004, 0.9));
   vec3 left = exp(-height * fluid.w / max(nv, 0.3) * swallowed / dot(swallowed, vec3(1.0 / 3.0)));
@@ -85,7 +101,9 @@ void main() {
   vec3 turn = dFdx(normal), other_turn = dFdy(normal);
   float lost = min(0.5 * (dot(turn, turn) + dot(other_turn, other_turn)), 0.2);
   float mirror = gloss * (0.022 + 0.978 * fresnel_weight(nv));
-  vec3 shine = mirror * mix(0.3, 1.0, visible) * environment_light(reflect(-view, normal), sqrt(0.0064 + lost), visible);
+  // In the shadow of a wound less of the room is seen than in that of a tool.
+  float seen_room = mix(mix(0.3, 0.12, coat), 1.0, visible);
+  vec3 shine = mirror * seen_room * environment_light(reflect(-view, normal), sqrt(0.0064 + lost), visible);
 #ifdef ENDOSCOPE
   float lamp_mirror = gloss * (0.022 + 0.978 * fresnel_weight(dot(view, normalize(view + toward))));
   shine += visible * lamp_mirror * glint(normal, view, toward, sqrt(0.0036 + lost)) * lamp;
@@ -93,7 +111,7 @@ void main() {
   // What the film mirrors is added as on film: it brightens what lies below, and never darkens it.
   vec3 ray = from_eye / depth;
   // Where it is steep, at its edge, a pixel would see single glints.
-  vec3 mirrored = smoothstep(0.0, 0.2, rise) * field_stop(ray) * displayed(lens_light(ray) * shine);
+  vec3 mirrored = mix(smoothstep(0.0, 0.2, rise), 1.0, coat) * field_stop(ray) * displayed(lens_light(ray) * shine);
   vec3 below = cloudiness * (1.0 - left) * finished(body, ray, gl_FragCoord.xy).rgb;
   color = vec4(covered * (mirrored + (1.0 - mirrored) * below), 1.0);
   through = vec4(1.0 - covered * (1.0 - (1.0 - mirrored) * left), 1.0);

@@ -5,20 +5,20 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 rest;
 layout(location = 3) in vec4 film;  // inward, width, height, dry
-layout(location = 4) in vec2 lie;  // lift, beads
+layout(location = 4) in vec2 lie;  // lift, coat
 
 layout(location = 0) out vec3 out_position;
 layout(location = 1) out vec3 out_normal;
 layout(location = 2) out vec3 out_rest;
 layout(location = 3) out vec4 out_film;
-layout(location = 4) out float out_beads;
+layout(location = 4) out float out_coat;
 
 void main() {
   out_position = position;
   out_normal = normal;
   out_rest = rest;
   out_film = film;
-  out_beads = lie.y;
+  out_coat = lie.y;
   gl_Position = view_projection * vec4(position, 1.0);
   // What lies on a wall of flat triangles dips below it between them.
   vec3 toward_eye = lie.x * normalize(camera_position.xyz - position);

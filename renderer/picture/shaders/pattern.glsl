@@ -90,12 +90,18 @@ float fat_at(vec4 broad, vec4 fine) {
 // Layers of a wall that is cut through, by the depth in it: serosa, muscle, mucosa, or the skin's. The middle one is made of
 // bundles with vessels between them.
 vec3 layers_at(float depth, vec4 coarse, vec4 fine, vec4 grain) {
-  float wavy = depth + 0.06 * coarse.w + 0.07 * fine.w + 0.03 * grain.w;
+  float wavy = depth + 0.05 * coarse.w + 0.06 * fine.w + 0.05 * grain.w;
   float bundles = 0.6 * fine.w + 0.7 * grain.w;
   vec3 middle = blood.rgb * (1.0 + 0.35 * bundles);
   middle = mix(middle, middle * vec3(0.62, 0.30, 0.32), smoothstep(0.35, 0.75, abs(fine.w) + 0.4 * grain.w));
   vec3 color = mix(flesh.rgb * (1.0 + 0.12 * grain.w), middle, smoothstep(-0.03, 0.03, wavy - pattern.z));
-  return mix(color, fat.rgb * (1.0 + 0.22 * grain.w), smoothstep(-0.06, 0.06, wavy - pattern.w));
+  // The innermost one is lobular: its lobules reach outwards here more, there less, with reddish walls between them.
+  // Walls lie where the grain passes through zero.
+  float lobule = smoothstep(0.0, 0.22, abs(grain.w));
+  vec3 inner = fat.rgb * mix(vec3(0.78, 0.52, 0.48), vec3(1.0 + 0.25 * coarse.w), lobule);
+  const float kHills = 0.22, kLobules = 0.30, kMeanGrain = 0.25;  // of the thickness; the last of abs(grain.w)
+  float lobular = wavy + kHills * coarse.w + kLobules * (abs(grain.w) - kMeanGrain);
+  return mix(color, inner, smoothstep(-0.10, 0.10, lobular - pattern.w));
 }
 
 // Friction ridges run in arches, half a millimetre apart.
@@ -150,6 +156,8 @@ Skin skin_at(vec3 place, float footprint, float blanch, float thickness, float d
   vec3 grain_bump = CREASED ? grain.xyz * mix(1.0, furrow, relief.z) : grain.xyz;
   vec3 dust_bump = CREASED ? dust.xyz * mix(1.0, fine_furrow, relief.z) : dust.xyz;
   float slope = 0.4 * relief.x * vessels.w;
+  // Where its outer layer covers it, a wall ends smooth.
+  if (LAYERED) slope *= mix(0.35, 1.0, smoothstep(-0.08, 0.0, depth));
   skin.bump = slope * (grain_seen * grain_bump + 0.55 * dust_seen * dust_bump + 0.30 * coarse.xyz + 1.2 * fatty * fine.xyz);
   if (RIDGED) skin.bump += vessels.w * ridge_bump(place, broad, footprint);
   skin.lost_bump = square(slope) * (5.0 * (1.0 - square(grain_seen)) + 1.6 * (1.0 - square(dust_seen)));

@@ -21,6 +21,11 @@ layout(binding = 3) uniform sampler2D seen_rest;    // metres; w: see surface.fr
 // than the border is wide.
 const float kRedBorder = 0.25;
 
+// Deep in a cut: what is left of light that has been at the other face, which is red, and what part of the room is seen.
+const vec3 kFromFace = vec3(0.92, 0.62, 0.55);
+const float kSeenRoom = 0.4;
+const float kLeastFaceCosine = 0.3;  // so uneven is a face that along it its bumps hide what would mirror most
+
 float floor_openness(vec3 position, vec3 normal) {
   float height = max(position.z - floor_plane.x, 0.0) / scene_center.w;
   return 1.0 - floor_plane.y * 0.75 * saturate(0.5 - 0.6 * normal.z) * exp(-6.0 * height);
@@ -47,7 +52,7 @@ void main() {
   vec3 normal = normalize(base - 0.6 * bump);
   vec3 film_normal = normalize(base - 1.3 * bump);
   float nv = max(dot(normal, view), 0.02);
-  float film_nv = max(dot(film_normal, view), 0.02);
+  float film_nv = max(dot(film_normal, view), LAYERED ? kLeastFaceCosine : 0.02);
 
   vec3 toward = lamp_direction(position);
   vec3 lamp = lamp_light(position);
@@ -76,6 +81,11 @@ void main() {
   diffuse *= mix(vec3(1.0), open_color, 0.5);
 #endif
   diffuse += open_color * environment_irradiance(normal);
+  vec3 around = vec3(openness);
+  if (LAYERED) {
+    diffuse *= mix(vec3(1.0), kFromFace, saturate(wound));
+    around *= mix(vec3(1.0), kSeenRoom * kFromFace, saturate(0.3 + wound));
+  }
 
   const float reflectance = 0.028;
   float rough = sqrt(square(flesh.w) + min(skin.lost_bump, 0.2));
@@ -83,12 +93,12 @@ void main() {
   float veil = scatter.w * vessels.w * fresnel_weight(nv);
   vec3 albedo = mix(skin.albedo, vec3(0.75), veil);
   vec3 result = albedo * (1.0 - reflectance * part.x - part.y) * diffuse;
-  result += (reflectance * part.x + part.y) * openness * environment_light(reflect(-view, normal), rough, visible);
+  result += (reflectance * part.x + part.y) * around * environment_light(reflect(-view, normal), rough, visible);
 
   // The wet layer: water, so smooth that it mirrors the lamps; what it reflects does not reach the flesh.
   float film = skin.film * (0.022 + 0.978 * fresnel_weight(film_nv));
   float film_rough = sqrt(0.0025 + min(skin.lost_bump, 0.1));
-  vec3 film_light = environment_light(reflect(-view, film_normal), film_rough, visible, lamp_size) * mix(1.0, openness, 0.7);
+  vec3 film_light = environment_light(reflect(-view, film_normal), film_rough, visible, lamp_size) * mix(vec3(1.0), around, 0.7);
   result = mix(result, film_light, film);
 
 #ifdef ENDOSCOPE

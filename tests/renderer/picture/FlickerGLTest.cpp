@@ -32,7 +32,7 @@ std::vector<double> tiles_of(const Image& image) {
 
 // What was seen, and a quarter more for another driver's rounding.
 constexpr double kDryJolt = 0.5;
-constexpr double kBloodJolt = 0.75;  // 2.1 where blood's borders move on by an edge of the lips at once
+constexpr double kBloodJolt = 0.55;  // 2.2 where faces that are turned away show blood along their lips
 constexpr double kLightJolt = 0.95;  // 1.6 where the cells of the shade on the floor are twice as large
 
 struct Unrest {

@@ -34,7 +34,7 @@ TEST(RunFilm, RowsDoNotCrossInABend) {
     ASSERT_FALSE(film.corners.empty());
     for (std::size_t i = 0; i < film.corners.size(); i += 3) {
       const auto corner = [&](std::size_t k) { return vector3(film.vertices[film.corners[i + k]].position); };
-      EXPECT_LE(cross(corner(1) - corner(0), corner(2) - corner(0)).z, 0) << "triangle " << i / 3 << ", " << turn;
+      EXPECT_GE(cross(corner(1) - corner(0), corner(2) - corner(0)).z, 0) << "triangle " << i / 3 << ", " << turn;
     }
   }
 }

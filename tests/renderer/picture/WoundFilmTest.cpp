@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "renderer/picture/DrawnPieces.hpp"
 #include "tests/renderer/picture/CutSheets.hpp"
@@ -17,7 +19,7 @@ struct Wound {
     layout = lay_out_wounds(*sheet.topology, borders, cut_lips(*sheet.topology, borders), {0, 0, -1});
   }
   Film blood(double time, double bleeding = 1) const {
-    return blood_film(sheet, borders, pieces, layout, bleeding, time);
+    return blood_film(sheet, borders, pieces, layout, {.strength = bleeding}, time);
   }
 
   SnapshotSurface sheet;
@@ -41,14 +43,57 @@ TEST(WoundFilm, IsNoneWhereNothingBleeds) {
   for (const FilmVertex& vertex : Wound(0).blood(10, 0).vertices) EXPECT_LE(vertex.inward, 0);
 }
 
+/// Fullness of a coat, see Film.hpp.
+double fullness(const FilmVertex& vertex) {
+  return vertex.inward / vertex.width;
+}
+
 TEST(WoundFilm, WellsUpAlongTheLipsButNotAtTheEndsOfTheCut) {
   const Wound wound(0);
   const Film film = wound.blood(5);
   const std::uint32_t middle = 10 * 21;
-  EXPECT_GT(film.vertices[middle + 10].inward, 0.0005F);
-  EXPECT_LE(film.vertices[middle + 1].inward, 0);
-  EXPECT_LE(film.vertices[middle + 19].inward, 0);
-  EXPECT_LT(film.vertices[5].inward, 0) << "far away";
+  EXPECT_GT(fullness(film.vertices[middle + 10]), 0.5);
+  EXPECT_LT(fullness(film.vertices[middle + 1]), -0.5);
+  EXPECT_LT(fullness(film.vertices[middle + 19]), -0.5);
+  EXPECT_LT(fullness(film.vertices[5]), -2) << "far away";
+}
+
+TEST(WoundFilm, LipsThatGapeHoldTheirBlood) {
+  Wound wound(0);
+  const std::uint32_t middle = 10 * 21 + 10;
+  const double closed = fullness(wound.blood(5).vertices[middle]);
+  wound.sheet.positions[middle][1] -= 0.003F;
+  const double open = fullness(wound.blood(5).vertices[middle]);
+  EXPECT_LT(open, closed - 0.5);
+  EXPECT_GT(open, -0.5) << "here and there it comes over them";
+}
+
+TEST(WoundFilm, CoatsTheFacesOfACutMoreTheDeeper) {
+  const Wound wound(0);
+  const Film film = wound.blood(2);
+  const std::size_t wall = wound.pieces.front().vertices.size();
+  const auto& rim = *std::ranges::find(wound.pieces, TissueSide::kRim, &TissuePiece::side);
+  int faces = 0;
+  for (std::size_t v = 0; v < rim.vertices.size(); v += 2) {
+    const FilmVertex &outer = film.vertices[wall + v], &inner = film.vertices[wall + v + 1];
+    if (fullness(inner) < 0) continue;
+    ++faces;
+    EXPECT_EQ(outer.coat, 1);
+    EXPECT_GT(fullness(inner), fullness(outer) + 0.3) << v;
+  }
+  EXPECT_GT(faces, 40);
+}
+
+TEST(WoundFilm, GathersInTheMiddleOfTheGroundOfAWound) {
+  Wound wound(0);
+  const auto& wall = wound.pieces.front();
+  wound.pieces.push_back({.side = TissueSide::kBed, .vertices = wall.vertices, .corners = wall.corners});
+  const std::size_t ground = wall.vertices.size() + wound.pieces[1].vertices.size();
+  const Film film = wound.blood(5);
+  const auto at = [&](std::uint32_t row) { return fullness(film.vertices[ground + row * 21 + 10]); };
+  EXPECT_GT(at(10), at(6) + 0.4);
+  EXPECT_GT(at(6), 0.5) << "4 mm away";
+  EXPECT_LT(at(0), -1) << "10 mm away, where no wound is";
 }
 
 TEST(WoundFilm, RunsDownASlopeMoreAndMore) {
@@ -100,33 +145,68 @@ TEST(WoundFilm, TheWallIsBareAlongTheLipsFromTheStart) {
   const Wound wound(0);
   const Film film = bare_edge_film(wound.sheet, wound.pieces, wound.layout, 1);
   const std::uint32_t middle = 10 * 21;
-  EXPECT_GT(film.vertices[middle + 10].inward, 0.0003F);
-  EXPECT_LE(film.vertices[middle + 1].inward, 0) << "an end of the cut";
-  EXPECT_LT(film.vertices[5].inward, 0) << "far away";
+  EXPECT_GT(fullness(film.vertices[middle + 10]), 0.7);
+  EXPECT_LE(fullness(film.vertices[middle + 1]), 0) << "an end of the cut";
+  EXPECT_LT(fullness(film.vertices[5]), -2) << "far away";
 }
 
 TEST(WoundFilm, WhatRunsOutWetsTheLips) {
   const Wound wound(0);
   const std::uint32_t lip = 10 * 21 + 10;
   const auto wet = [&](double leaked) {
-    return runoff_film(wound.sheet, wound.pieces, wound.layout, leaked, 1).vertices[lip].inward;
+    return fullness(runoff_film(wound.sheet, wound.pieces, wound.layout, leaked, 1).vertices[lip]);
   };
-  EXPECT_GT(wet(1e-6), 0.0005F);
-  EXPECT_LT(wet(1e-9), 0.1F * wet(1e-6));
+  EXPECT_GT(wet(1e-6), 0.3);
+  EXPECT_LT(wet(1e-9), -0.5);
 }
 
-TEST(WoundFilm, BloodClingsToLipsInBeadsWhichNothingThatRunsDoes) {
+TEST(WoundFilm, WhatRunsOutOfTheBodyLeavesOverTheLowerLip) {
   const Wound wound(0.8);
-  const auto most_beads = [](const Film& film, bool of_runs) {
-    float most = 0;
-    for (const FilmVertex& vertex : film.vertices) {
-      if ((vertex.lift > 0.0001F) == of_runs) most = std::max(most, vertex.beads);
-    }
-    return most;
+  const Film film = runoff_film(wound.sheet, wound.pieces, wound.layout, 1e-6, 1);
+  const std::uint32_t lower = 10 * 21 + 10;
+  std::uint32_t upper = lower;
+  for (std::uint32_t v = lower + 1; v < wound.sheet.positions.size(); ++v) {
+    if (wound.sheet.positions[v] == wound.sheet.positions[lower]) upper = v;
+  }
+  EXPECT_GT(fullness(film.vertices[lower]), fullness(film.vertices[upper]) + 0.5);
+}
+
+TEST(WoundFilm, WhatRunsOutOfTheBodyWashesBloodAway) {
+  const Wound wound(0.8);
+  const auto blood = [&](double leaked) {
+    return blood_film(wound.sheet, wound.borders, wound.pieces, wound.layout, {.leaked = leaked}, 2);
   };
-  EXPECT_EQ(most_beads(wound.blood(1), false), 1);
-  EXPECT_EQ(most_beads(wound.blood(1), true), 0);
-  EXPECT_EQ(most_beads(runoff_film(wound.sheet, wound.pieces, wound.layout, 1e-6, 1), false), 0);
+  const auto runs = [](const Film& film) {
+    return std::ranges::count_if(film.vertices, [](const FilmVertex& vertex) { return vertex.coat == 0; });
+  };
+  EXPECT_GT(runs(blood(0)), 0);
+  EXPECT_EQ(runs(blood(2e-6)), 0);
+}
+
+TEST(WoundFilm, WhatLiesOnAWallThinsToNothingWhileWhatRunsHasAnEdge) {
+  const Wound wound(0.8);
+  const auto coats = [](const Film& film, bool of_runs) {
+    std::set<float> values;
+    for (const FilmVertex& vertex : film.vertices) {
+      if ((vertex.lift > 0.0001F) == of_runs) values.insert(vertex.coat);
+    }
+    return values;
+  };
+  for (const Film& film : {wound.blood(1), runoff_film(wound.sheet, wound.pieces, wound.layout, 1e-6, 1)}) {
+    EXPECT_EQ(coats(film, false), std::set<float>{1});
+    EXPECT_EQ(coats(film, true), std::set<float>{0});
+  }
+}
+
+TEST(WoundFilm, ItsTrianglesFaceOutwards) {
+  const Wound wound(0.8);
+  const Film film = wound.blood(4);
+  for (std::size_t c = 0; c < film.corners.size(); c += 3) {
+    const auto at = [&](std::size_t k) { return vector3(film.vertices[film.corners[c + k]].position); };
+    const Vector3 area = cross(at(1) - at(0), at(2) - at(0));
+    const Vector3 normal = vector3(film.vertices[film.corners[c]].normal);
+    EXPECT_GE(dot(area, normal), -1e-3 * length(area)) << c / 3;
+  }
 }
 
 TEST(WoundFilm, RunsAreRoundAtBothEnds) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "renderer/wound/Bleeding.hpp"
 #include "renderer/wound/RunPath.hpp"
 #include "tests/renderer/picture/CutSheets.hpp"
@@ -35,6 +37,19 @@ TEST(WoundMap, ItsWaysAreStraightHoweverTheTrianglesLie) {
     beside += y != 0;
   }
   EXPECT_GT(beside, 40);
+}
+
+TEST(WoundMap, TellsHowFarLipsGape) {
+  SnapshotSurface sheet = test::slit_sheet(20, 0.001, 0);
+  const WoundMap map = map_of(*sheet.topology);
+  const std::uint32_t middle = 10 * 21 + 10;
+  EXPECT_EQ(lip_gapes(sheet, map)[middle], 0) << "closed";
+  sheet.positions[middle][1] -= 0.003F;
+  const std::vector<double> gapes = lip_gapes(sheet, map);
+  EXPECT_NEAR(gapes[middle], 0.003, 1e-8);
+  EXPECT_EQ(std::ranges::count(gapes, gapes[middle]), 2) << "both lips";
+  EXPECT_EQ(gapes[middle + 2], 0);
+  EXPECT_EQ(gapes[5], 0) << "no lip";
 }
 
 TEST(WoundMap, TapersTowardsBothEndsOfACut) {
