@@ -113,7 +113,7 @@ LookUniforms look_uniforms(const TissueLook& given, TissueSide side, const Vesse
                                                           : 0),
           .tree_middle = float4(double3(tree.middle), 1 / tree.half_length),
           .tree_along = float4(double3(tree.along), vessel_trunks(tree, look.vessel_spacing)),
-          .tree_across = float4(double3(tree.across), 0.045 * look.vessel_spacing),
+          .tree_across = float4(double3(tree.across), 0.036 * look.vessel_spacing),
           .tree_aside = float4(double3(cross(tree.along, tree.across)), 0),
           .lamp_size = static_cast<float>(look.lamp_size)};
 }

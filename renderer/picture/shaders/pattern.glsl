@@ -64,7 +64,7 @@ Vessels vessels_at(vec3 place, vec4 coarse, vec4 fine, vec4 broad, float footpri
   float blur = 0.5 * footprint, over_width = 1.0 / width;
   float shown = (0.55 + 0.45 * up) * saturate(4.0 * room * vessels.y - 1.5);
   Vessels result;
-  result.trunks = shown * vessel(beside, width, blur + 0.45 * tree_across.w * (1.0 - up));
+  result.trunks = shown * vessel(beside, width, blur + 0.22 * tree_across.w * (1.0 - up));
 
   // Small ones leave them forward, now on this side, now on that, and end before they reach the next field's.
   const vec2 kForward = vec2(0.45, -0.80);  // waves over the spacing, along the wall and away from the vessel
@@ -77,7 +77,7 @@ Vessels vessels_at(vec3 place, vec4 coarse, vec4 fine, vec4 broad, float footpri
   float there = smoothstep(-0.35, 0.15, broad.x + 0.5 * coarse.z) * saturate(2.0 * out_there * over_width - 1.4) *
                 saturate(3.0 * left);
   float nearest = (fract(wave) - 0.5) / (kWaves * vessels.y);
-  result.branches = there * vessel(nearest, tree_across.w * (0.12 + 0.24 * left), blur + 0.13 * tree_across.w);
+  result.branches = there * vessel(nearest, tree_across.w * (0.14 + 0.28 * left), blur + 0.06 * tree_across.w);
   return result;
 }
 
@@ -142,8 +142,8 @@ Skin skin_at(vec3 place, float footprint, float blanch, float thickness, float d
   float bloody = (1.0 - 0.85 * blanch) * (1.0 - 0.8 * fatty);
   // The wall above a deep vessel scatters blue light back before red, which makes trunks look darker and cooler.
   vec3 deep = mix(blood.rgb, albedo * vec3(0.42, 0.34, 0.44), 0.40);
-  albedo = mix(albedo, deep, vessels.x * 0.75 * bloody * tree.trunks);
-  albedo = mix(albedo, blood.rgb, vessels.z * 0.70 * bloody * tree.branches);
+  albedo = mix(albedo, deep, vessels.x * 0.90 * bloody * tree.trunks);
+  albedo = mix(albedo, blood.rgb, vessels.z * 0.85 * bloody * tree.branches);
 
   vec3 bloodless = mix(vec3(dot(albedo, vec3(0.35, 0.45, 0.20))) * vec3(1.10, 0.99, 0.88), vec3(0.70, 0.56, 0.44), 0.45);
   albedo = mix(albedo, bloodless, 0.65 * blanch);
