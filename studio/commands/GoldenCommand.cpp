@@ -64,7 +64,7 @@ void keep_for_looking(const JudgedScenario& judged, std::size_t index, const std
 Json to_json(const JudgedScenario& judged, std::size_t index) {
   const GoldenResult& result = judged.results[index];
   Json json = {{"scenario", result.scenario},
-               {"at_s", result.is_video ? Json() : Json(result.at)},
+               {"at_s", result.is_video || result.is_scenario ? Json() : Json(result.at)},
                {"video", result.is_video},
                {"outcome", outcome_name(result.outcome)},
                {"rung", result.rung},
@@ -117,30 +117,32 @@ std::map<GoldenOutcome, int> counts(const std::vector<JudgedScenario>& all) {
   return counts;
 }
 
-void print_summary(const std::vector<JudgedScenario>& all, bool json) {
+void print_summary(const std::vector<JudgedScenario>& all, const std::vector<std::string>& notes, bool json) {
   std::string line;
   Json json_counts = Json::object();
   for (const auto& [outcome, count] : counts(all)) {
     line += fmt::format("{}{} {}", line.empty() ? "" : ", ", count, outcome_name(outcome));
     json_counts[outcome_name(outcome)] = count;
   }
+  for (const std::string& note : notes) fmt::print(stderr, "{}\n", note);
   fmt::print(stderr, "{}\n", line);
   if (!json) return;
   Json list = Json::array();
   for (const JudgedScenario& judged : all) {
     for (std::size_t i = 0; i < judged.results.size(); ++i) list.push_back(to_json(judged, i));
   }
-  fmt::print("{}\n",
-             Json{{"goldens", list}, {"counts", json_counts}}.dump(2, ' ', false, Json::error_handler_t::replace));
+  const Json result = {{"goldens", list}, {"counts", json_counts}, {"notes", notes}};
+  fmt::print("{}\n", result.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
 std::vector<JudgedScenario> judge_and_print(const NamedGoldens& named, const GoldenOptions& options) {
-  return judge_scenarios(named.scenarios, golden_run(options, named.are_whole), [&](const JudgedScenario& judged) {
+  const auto print = [&](const JudgedScenario& judged) {
     for (std::size_t i = 0; i < judged.results.size(); ++i) {
       print_result(judged, i);
       keep_for_looking(judged, i, options.out);
     }
-  });
+  };
+  return judge_named(named, options, print);
 }
 
 /// Whether an approval of an equal picture is of an early version, which kept nothing that tells later what has
@@ -193,8 +195,8 @@ int test_goldens(const GoldenOptions& options) {
   if (!options.junit.empty()) write_whole_file(options.junit, junit_report(all));
   if (std::getenv("GITHUB_ACTIONS") != nullptr) fmt::print(stderr, "{}", github_annotations(all));
   if (code != kExitGood) fmt::print(stderr, "report: {}\n", write_report(all, options).string());
-  print_summary(all, options.json);
-  return tell_broken(named, code);
+  print_summary(all, golden_notes(named), options.json);
+  return code;
 }
 
 int report_goldens(const GoldenOptions& options) {
@@ -202,8 +204,8 @@ int report_goldens(const GoldenOptions& options) {
   const FolderLock lock(options.out);
   const std::vector<JudgedScenario> all = judge_and_print(named, options);
   fmt::print(stderr, "report: {}\n", write_report(all, options).string());
-  print_summary(all, options.json);
-  return tell_broken(named, exit_code(counts(all)));
+  print_summary(all, golden_notes(named), options.json);
+  return exit_code(counts(all));
 }
 
 bool approve_golden(const JudgedScenario& judged, std::size_t index, const std::string& why) {
@@ -223,6 +225,7 @@ int approve_goldens(const GoldenOptions& options) {
   }
   if (options.scenarios.empty()) throw UsageError("golden approve: name the scenarios to approve");
   const NamedGoldens named = named_goldens(options.scenarios);
+  refuse_broken(named);
   const FolderLock lock(options.out);
   const std::vector<JudgedScenario> all =
       judge_scenarios(named.scenarios, golden_run(options, false), [](const JudgedScenario&) {});

@@ -155,9 +155,8 @@ int review_goldens(const GoldenOptions& options) {
   if (is_continuous_integration()) throw UsageError("golden review: goldens are approved by a person, not in CI");
   const NamedGoldens named = named_goldens(options.scenarios);
   const FolderLock lock(options.out);
-  const std::vector<JudgedScenario> all =
-      judge_scenarios(named.scenarios, golden_run(options, named.are_whole),
-                      [](const JudgedScenario& judged) { fmt::print(stderr, "compared: {}\n", judged.scenario.name); });
+  const std::vector<JudgedScenario> all = judge_named(
+      named, options, [](const JudgedScenario& judged) { fmt::print(stderr, "compared: {}\n", judged.scenario.name); });
   write_whole_file(options.out / "index.html", golden_report(all, golden_root()));
   fmt::print(stderr, "look at the pictures: {}\n", (options.out / "index.html").string());
   std::size_t to_judge = 0;
@@ -185,8 +184,8 @@ int review_goldens(const GoldenOptions& options) {
   const auto is_broken = [](const GoldenResult& result) { return result.outcome == GoldenOutcome::kBroken; };
   const bool any_broken = std::ranges::any_of(
       all, [&](const JudgedScenario& judged) { return std::ranges::any_of(judged.results, is_broken); });
-  if (any_broken) return tell_broken(named, kExitBadInput);
-  return tell_broken(named, tally.rejected + left > 0 ? kExitRegression : kExitGood);
+  if (any_broken) return kExitBadInput;
+  return tally.rejected + left > 0 ? kExitRegression : kExitGood;
 }
 
 namespace {
@@ -234,13 +233,21 @@ int list_goldens(const GoldenOptions& options) {
                       {"drivers", drivers}});
     }
   }
-  if (options.json) fmt::print("{}\n", Json{{"goldens", list}}.dump(2, ' ', false, Json::error_handler_t::replace));
-  return tell_broken(named, kExitGood);
+  const std::vector<std::string> notes = golden_notes(named);
+  for (const std::string& note : notes) fmt::print(stderr, "{}\n", note);
+  if (options.json) {
+    const Json result = {{"goldens", list}, {"notes", notes}};
+    fmt::print("{}\n", result.dump(2, ' ', false, Json::error_handler_t::replace));
+  }
+  for (const BrokenScenario& broken : named.broken) fmt::print(stderr, "{}\n", broken.errors.what());
+  return named.broken.empty() ? kExitGood : kExitBadInput;
 }
 
 int explain_goldens(const GoldenOptions& options) {
   if (options.scenarios.empty()) throw UsageError("golden why: name a scenario");
-  for (const Scenario& scenario : named_goldens(options.scenarios).scenarios) {
+  const NamedGoldens named = named_goldens(options.scenarios);
+  refuse_broken(named);
+  for (const Scenario& scenario : named.scenarios) {
     const std::vector<GoldenApproval> approvals = read_approvals(golden_folder(scenario.name));
     for (const GoldenDefinition& golden : scenario.goldens) {
       if (golden.video > 0) {

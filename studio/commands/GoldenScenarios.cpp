@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
+#include <set>
 #include <thread>
 
 #include "renderer/picture/PictureFailure.hpp"
@@ -15,6 +16,7 @@
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/RunSource.hpp"
 #include "studio/golden/GoldenCache.hpp"
+#include "studio/golden/UnaskedGoldens.hpp"
 #include "studio/recorder/ResolvedPicture.hpp"
 #include "studio/scenario/IncludePass.hpp"
 #include "studio/scenario/LoadScenario.hpp"
@@ -98,18 +100,33 @@ bool should_have_goldens(const std::filesystem::path& file, const std::vector<st
 /// All scenarios of the folder that have goldens.
 NamedGoldens goldens_of_folder() {
   const std::vector<std::filesystem::path> all = all_scenes();
-  NamedGoldens named;
+  NamedGoldens named{.are_all = true};
   for (const std::filesystem::path& file : all) {
     try {
       Scenario scenario = load_scenario(file, {});
       if (!scenario.goldens.empty()) named.scenarios.push_back(std::move(scenario));
     } catch (const InputErrors& errors) {
-      if (should_have_goldens(file, all)) std::ranges::copy(errors.diagnostics(), std::back_inserter(named.broken));
+      if (should_have_goldens(file, all)) named.broken.push_back({file, errors});
     }
   }
-  if (!named.scenarios.empty()) return named;
-  if (!named.broken.empty()) throw InputErrors(named.broken);
+  if (!named.scenarios.empty() || !named.broken.empty()) return named;
   throw UsageError("no scenario with a `golden:` list was found in " + (home() / "scenes").string());
+}
+
+/// Adds the scenario of a file, with the goldens chosen alone, or that it cannot be read.
+void add_named(NamedGoldens& named, const std::filesystem::path& file, const std::optional<GoldenChoice>& choice) {
+  try {
+    Scenario scenario = load_scenario(file, {});
+    if (scenario.goldens.empty()) {
+      throw UsageError(file.string() + ": this scenario has no `golden:` list, so there is nothing to compare");
+    }
+    if (choice) leave_only(scenario.goldens, *choice, scenario.name);
+    named.are_whole = named.are_whole && !choice;
+    named.scenarios.push_back(std::move(scenario));
+  } catch (const InputErrors& errors) {
+    if (!std::filesystem::exists(file)) throw;  // a wrong name is no scenario
+    named.broken.push_back({file, errors});
+  }
 }
 
 /// The driver that draws here, as it names itself; why there is none, when there is none.
@@ -131,10 +148,27 @@ std::filesystem::path golden_folder(const std::string& scenario) {
   return golden_root() / scenario;
 }
 
-int tell_broken(const NamedGoldens& named, int code) {
-  if (named.broken.empty()) return code;
-  fmt::print(stderr, "{}\n", InputErrors(named.broken).what());
-  return kExitBadInput;
+void refuse_broken(const NamedGoldens& named) {
+  std::vector<Diagnostic> mistakes;
+  for (const BrokenScenario& broken : named.broken) {
+    std::ranges::copy(broken.errors.diagnostics(), std::back_inserter(mistakes));
+  }
+  if (!mistakes.empty()) throw InputErrors(std::move(mistakes));
+}
+
+std::vector<std::string> golden_notes(const NamedGoldens& named) {
+  std::vector<std::string> notes;
+  if (named.are_whole) {
+    for (const Scenario& scenario : named.scenarios) {
+      std::ranges::copy(unasked_goldens(scenario, golden_folder(scenario.name)), std::back_inserter(notes));
+    }
+  }
+  if (!named.are_all) return notes;
+  std::set<std::string> names;
+  for (const Scenario& scenario : named.scenarios) names.insert(scenario.name);
+  for (const BrokenScenario& broken : named.broken) names.insert(broken.file.stem().string());
+  std::ranges::copy(unasked_folders(golden_root(), names), std::back_inserter(notes));
+  return notes;
 }
 
 NamedGoldens named_goldens(const std::vector<std::string>& names) {
@@ -145,13 +179,7 @@ NamedGoldens named_goldens(const std::vector<std::string>& names) {
     const std::filesystem::path scene = home() / "scenes" / (name + ".yaml");
     const bool is_name = !std::filesystem::exists(name) && std::filesystem::exists(scene);
     const std::filesystem::path file = is_name ? scene : std::filesystem::path(name);
-    Scenario scenario = load_scenario(file, {});
-    if (scenario.goldens.empty()) {
-      throw UsageError(file.string() + ": this scenario has no `golden:` list, so there is nothing to compare");
-    }
-    if (choice) leave_only(scenario.goldens, *choice, scenario.name);
-    named.are_whole = named.are_whole && !choice;
-    named.scenarios.push_back(std::move(scenario));
+    add_named(named, file, choice);
   }
   return named;
 }
@@ -180,6 +208,16 @@ GoldenRunOptions golden_run(const GoldenOptions& options, bool keeps) {
     return out / kCache;
   };
   return run;
+}
+
+std::vector<JudgedScenario> judge_named(const NamedGoldens& named, const GoldenOptions& options,
+                                        const std::function<void(const JudgedScenario&)>& done) {
+  std::vector<JudgedScenario> all = judge_scenarios(named.scenarios, golden_run(options, named.are_whole), done);
+  for (const BrokenScenario& broken : named.broken) {
+    all.push_back(unreadable_scenario(broken.file, broken.errors));
+    done(all.back());
+  }
+  return all;
 }
 
 bool is_continuous_integration() {

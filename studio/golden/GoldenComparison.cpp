@@ -144,6 +144,7 @@ std::string limits_text(const GoldenDefinition& definition) {
 }
 
 std::string moment_name(const GoldenResult& result) {
+  if (result.is_scenario) return "as a whole";
   return result.is_video ? "the video" : fmt::format("at {:g} s", result.at);
 }
 

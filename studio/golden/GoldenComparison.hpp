@@ -48,8 +48,9 @@ StateComparison compare_states(const Snapshot& golden, const Snapshot& today, bo
 /// One picture of one scenario, judged.
 struct GoldenResult {
   std::string scenario;
-  double at = 0;          // seconds
-  bool is_video = false;  // the whole of it; then `at` has no meaning
+  double at = 0;             // seconds
+  bool is_video = false;     // the whole of it; then `at` has no meaning
+  bool is_scenario = false;  // which cannot be read, so that nobody knows its goldens; likewise
   GoldenOutcome outcome = GoldenOutcome::kOk;
   std::string rung;  // of the ladder, that decided: "bytes", "size", "pixels", "structure", "flip"; empty when nothing
                      // was compared
@@ -66,7 +67,7 @@ struct GoldenResult {
   std::vector<std::size_t> different_frames = {};  // of a video, in order
 };
 
-/// "at 1.5 s" or "the video"
+/// "at 1.5 s", "the video" or "as a whole"
 std::string moment_name(const GoldenResult& result);
 
 /// The limits of a golden as the ladder of comparisons has them.

@@ -3,7 +3,6 @@
 #include "renderer/metric/Tiles.hpp"
 #include "studio/golden/GoldenCache.hpp"
 #include "studio/golden/GoldenVideoComparison.hpp"
-#include "studio/scenario/InputError.hpp"
 
 namespace thinwall {
 namespace {
@@ -132,6 +131,17 @@ std::vector<JudgedScenario> judge_scenarios(std::vector<Scenario> scenarios, con
   }
   if (cache) cache->write_to(*options.cache);
   return all;
+}
+
+JudgedScenario unreadable_scenario(const std::filesystem::path& file, const InputErrors& errors) {
+  JudgedScenario judged;
+  judged.scenario.name = file.stem().string();
+  judged.scenario.file = file;
+  judged.scenario.goldens = {{.location = errors.diagnostics().front().location}};
+  tell_broken(judged, errors.what());
+  judged.results.front().is_scenario = true;
+  judged.attributions.resize(1);
+  return judged;
 }
 
 std::string cause_line(const JudgedScenario& judged, std::size_t index) {

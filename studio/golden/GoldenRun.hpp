@@ -9,6 +9,7 @@
 #include "studio/golden/Attribution.hpp"
 #include "studio/golden/GoldenComparison.hpp"
 #include "studio/golden/GoldenVideo.hpp"
+#include "studio/scenario/InputError.hpp"
 
 namespace thinwall {
 
@@ -21,6 +22,9 @@ struct JudgedScenario {
   std::vector<std::optional<Attribution>> attributions;  // (scenario.goldens), of those that failed
   bool from_cache = false;
 };
+
+/// Of a scenario that has goldens and cannot be read: one result, which is broken, for whatever goldens it has.
+JudgedScenario unreadable_scenario(const std::filesystem::path& file, const InputErrors& errors);
 
 struct GoldenRunOptions {
   SourceFactory sources;

@@ -105,7 +105,11 @@ GoldenVideoApproval read_approval(const std::filesystem::path& file) {
     if (json.at("video_approval_version") != kVideoApprovalVersion) {
       throw GoldenError(file.string() + ": written by another version of the program");
     }
-    return to_approval(json, file.parent_path());
+    GoldenVideoApproval approval = to_approval(json, file.parent_path());
+    approval.files = approval.pictures;
+    approval.files.push_back(json.at("history"));
+    approval.files.push_back(file.filename().string());
+    return approval;
   } catch (const Json::exception& error) {
     throw damaged_golden(file.string() + ": is damaged (" + error.what() + ")");
   }

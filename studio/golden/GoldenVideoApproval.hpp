@@ -16,6 +16,7 @@ struct GoldenVideoApproval {
   std::vector<std::string> pictures;  // (video.kept): file names in the scenario's golden folder
   std::string who;
   std::string why;
+  std::vector<std::string> files = {};  // all of it in that folder, by their names
 };
 
 /// Of that driver; else of the first other one, in order of the files' names; none when no video is approved. Throws

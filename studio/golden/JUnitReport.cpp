@@ -31,10 +31,15 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
+std::string case_name(const GoldenResult& result) {
+  if (result.is_scenario) return "scenario";
+  return result.is_video ? "video" : fmt::format("{:g} s", result.at);
+}
+
 std::string case_of(const JudgedScenario& judged, std::size_t index) {
   const GoldenResult& result = judged.results[index];
-  std::string text = fmt::format("    <testcase classname=\"golden.{}\" name=\"{}\"", escaped(result.scenario),
-                                 result.is_video ? "video" : fmt::format("{:g} s", result.at));
+  std::string text =
+      fmt::format("    <testcase classname=\"golden.{}\" name=\"{}\"", escaped(result.scenario), case_name(result));
   if (result.outcome == GoldenOutcome::kOk) return text + "/>\n";
   if (result.outcome == GoldenOutcome::kSkipped) {
     return text + fmt::format(">\n      <skipped message=\"{}\"/>\n    </testcase>\n", escaped(result.message));

@@ -9,33 +9,10 @@
 #include "renderer/image/ImageHash.hpp"
 #include "renderer/image/PngFile.hpp"
 #include "renderer/video/VideoProbe.hpp"
-#include "tests/studio/commands/RunningProgram.hpp"
+#include "tests/studio/commands/ProgramGLFixture.hpp"
 
 namespace thinwall {
 namespace {
-
-class ProgramGLTest : public ::testing::Test {
- protected:
-  ProgramGLTest() {
-    std::filesystem::create_directory(folder_ / "scenes");
-    write_bytes(folder_ / "scenes/small.yaml",
-                small_scenario() + "golden: [ { at: 120 ms, max: 8, mean: 0.2, why: rounding of the driver } ]\n");
-  }
-
-  ProgramEnd run(const std::vector<std::string>& arguments) {
-    return run_thinwall(
-        arguments, {.folder = folder_.path(), .environment = {{"THINWALL_HOME", folder_.path()}, {"CI", "false"}}});
-  }
-  void expect_good(const std::vector<std::string>& arguments) {
-    const ProgramEnd end = run(arguments);
-    ASSERT_EQ(end.exit_code, 0) << end.messages;
-  }
-  nlohmann::json manifest(const std::string& out) const {
-    return nlohmann::json::parse(file_bytes(folder_ / out / "manifest.json"));
-  }
-
-  TemporaryFolder folder_;
-};
 
 TEST_F(ProgramGLTest, ARunLeavesEachFileOfTheContract) {
   expect_good({"run", "scenes/small.yaml", "--frames", "--surfaces"});
@@ -286,87 +263,6 @@ TEST_F(ProgramGLTest, AStillIsTheFrameOfThatTime) {
   EXPECT_EQ(image_hash(read_png(folder_ / "still.png")), manifest("run")["frame_hashes"][3]);
   EXPECT_EQ(run({"still", "scenes/small.yaml", "--at", "1000s", "-o", "late.png"}).exit_code, 2);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "late.png"));
-}
-
-TEST_F(ProgramGLTest, AGoldenIsMissingThenApprovedThenComparedThenFails) {
-  EXPECT_EQ(run({"golden", "test"}).exit_code, 1);
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "golden_images")) << "a test wrote a golden";
-  expect_good({"golden", "approve", "small", "--why", "the first"});
-  expect_good({"golden", "test", "--json"});
-  write_bytes(
-      folder_ / "scenes/small.yaml",
-      small_scenario() + "lights: { key: 0.5 }\ngolden: [ { at: 120 ms, max: 8, mean: 0.2, why: rounding } ]\n");
-  const ProgramEnd end = run({"golden", "test", "--json"});
-  EXPECT_EQ(end.exit_code, 1);
-  EXPECT_EQ(nlohmann::json::parse(end.output)["counts"]["failed"], 1);
-  EXPECT_NE(end.messages.find("cause: look changed, state identical: lights.key 0.5 instead of 1.0"), std::string::npos)
-      << end.messages;
-  EXPECT_TRUE(std::filesystem::exists(folder_ / "out/golden/small/at_0.12s.difference.png"));
-  EXPECT_EQ(nlohmann::json::parse(end.output)["goldens"][0]["changed"], "look");
-  EXPECT_TRUE(std::filesystem::exists(folder_ / "out/golden/index.html"));
-}
-
-TEST_F(ProgramGLTest, AGoldenThatCannotBeReadAndAScenarioThatCannotBeRunStopNoOther) {
-  const std::string golden = "golden: [ { at: 120 ms, max: 8, mean: 0.2, why: rounding } ]\n";
-  for (const char* name : {"another", "zet"}) {
-    write_bytes(folder_ / "scenes" / (std::string(name) + ".yaml"), small_scenario() + golden);
-  }
-  expect_good({"golden", "approve", "another", "small", "zet", "--why", "the first"});
-  for (const auto& entry : std::filesystem::directory_iterator(folder_ / "golden_images/another")) {
-    if (entry.path().extension() == ".png") std::filesystem::resize_file(entry, 100);
-  }
-  write_bytes(folder_ / "scenes/small.yaml",
-              small_scenario("  - palpate: { at: [0, 0, 100 mm], depth: 1 mm, direction: [1, 0, 0] }\n") + golden);
-  for (const char* jobs : {"1", "3"}) {
-    const ProgramEnd end = run({"golden", "test", "--all", "--json", "--jobs", jobs, "--junit", "junit.xml"});
-    EXPECT_EQ(end.exit_code, 2) << end.messages;
-    const nlohmann::json result = nlohmann::json::parse(end.output);
-    EXPECT_EQ(result["counts"]["broken"], 2);
-    EXPECT_EQ(result["counts"]["ok"], 1) << end.messages;
-    EXPECT_NE(end.messages.find("broken: another at 0.12 s: cannot read "), std::string::npos) << end.messages;
-    EXPECT_NE(end.messages.find("small.yaml:"), std::string::npos) << end.messages;
-  }
-  EXPECT_NE(file_bytes(folder_ / "junit.xml").find("<error type=\"broken\" message=\"cannot read "), std::string::npos);
-  EXPECT_NE(file_bytes(folder_ / "out/golden/index.html").find("misses body"), std::string::npos);
-  EXPECT_EQ(run({"golden", "approve", "small", "zet", "--why", "again"}).exit_code, 2);
-}
-
-TEST_F(ProgramGLTest, AGoldenIsReviewedListedExplainedAndNotApprovedTwice) {
-  const auto answer = [&](const std::string& answers, const std::vector<std::string>& arguments) {
-    write_bytes(folder_ / "answers", answers);
-    return run_thinwall(arguments, {.folder = folder_.path(),
-                                    .environment = {{"THINWALL_HOME", folder_.path()}, {"CI", "false"}},
-                                    .input = folder_ / "answers"});
-  };
-  EXPECT_EQ(answer("r\n", {"golden", "review"}).exit_code, 1);
-  EXPECT_EQ(answer("", {"golden", "review"}).exit_code, 1) << "the end of the input is no approval";
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "golden_images"));
-  EXPECT_EQ(answer("what\na\n\nit is right\n", {"golden", "review"}).exit_code, 0);
-  const ProgramEnd twice = run({"golden", "approve", "small@120ms", "--why", "again"});
-  EXPECT_EQ(twice.exit_code, 2);
-  EXPECT_NE(twice.messages.find("nothing of what was named has changed"), std::string::npos) << twice.messages;
-  EXPECT_EQ(run({"golden", "approve", "small@130ms", "--why", "again"}).exit_code, 2);
-  const ProgramEnd list = run({"golden", "list", "--json"});
-  EXPECT_EQ(nlohmann::json::parse(list.output)["goldens"][0]["drivers"].size(), 1U);
-  EXPECT_NE(run({"golden", "why", "small"}).output.find("it is right"), std::string::npos);
-  EXPECT_EQ(run({"golden", "why"}).exit_code, 2);
-  expect_good({"golden", "report"});
-  EXPECT_NE(run({"golden", "test", "--junit", "junit.xml"}).messages.find("unchanged since"), std::string::npos);
-  EXPECT_NE(file_bytes(folder_ / "junit.xml").find("tests=\"1\" failures=\"0\""), std::string::npos);
-  EXPECT_EQ(run({"golden", "test", "--all"}).messages.find("unchanged since"), std::string::npos);
-}
-
-TEST_F(ProgramGLTest, OfAScenarioWhoseMomentIsNamedNothingElseIsComparedApprovedOrRemembered) {
-  write_bytes(folder_ / "scenes/small.yaml", small_scenario() +
-                                                 "golden:\n  - { at: 60 ms, max: 8, mean: 0.2, why: rounding }\n"
-                                                 "  - { at: 120 ms, max: 8, mean: 0.2, why: rounding }\n");
-  expect_good({"golden", "approve", "small@120ms", "--why", "the first"});
-  const ProgramEnd one = run({"golden", "test", "small@120ms", "--json"});
-  EXPECT_EQ(one.exit_code, 0) << one.messages;
-  EXPECT_EQ(nlohmann::json::parse(one.output)["goldens"].size(), 1U);
-  const ProgramEnd all = run({"golden", "test", "small", "--json"});
-  EXPECT_EQ(all.exit_code, 1);
-  EXPECT_EQ(nlohmann::json::parse(all.output)["counts"]["golden missing"], 1);
 }
 
 TEST_F(ProgramGLTest, ADoctorTellsWhatIsThere) {
