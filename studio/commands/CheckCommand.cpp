@@ -11,6 +11,7 @@
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/Outcome.hpp"
+#include "studio/director/RunNotes.hpp"
 #include "studio/director/ScenarioRun.hpp"
 #include "studio/organs/BodyBuilder.hpp"
 #include "studio/recorder/FontNotes.hpp"
@@ -27,7 +28,8 @@ std::vector<std::string> check_bodies(const Scenario& scenario) {
   std::vector<Diagnostic> mistakes;
   for (const BodyScenario& body : scenario.bodies) {
     try {
-      build_body(body, notes);
+      const BodyDefinition definition = build_body(body, notes);
+      std::ranges::copy(thick_wall_notes(scenario, definition), std::back_inserter(notes));
     } catch (const InputErrors& errors) {
       mistakes.insert(mistakes.end(), errors.diagnostics().begin(), errors.diagnostics().end());
     }

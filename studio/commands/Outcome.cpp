@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "renderer/image/WholeFile.hpp"
@@ -33,9 +34,15 @@ void tell_warnings(const Scenario& scenario) {
   for (const std::string& warning : scenario.warnings) fmt::print(stderr, "{}\n", warning);
 }
 
+void tell_note(const std::string& note) {
+  fmt::print(stderr, "thinwall: note: {}\n", note);
+}
+
 int conclude(const ManifestContext& context, const RecordingPlan& plan, const RecordingReport& report, bool json) {
   write_whole_file(plan.folder / "manifest.json", manifest(context, plan, report));
-  for (const std::string& warning : report.warnings) fmt::print(stderr, "thinwall: note: {}\n", warning);
+  for (const std::string& warning : report.warnings) {
+    if (std::ranges::find(context.told, warning) == context.told.end()) tell_note(warning);
+  }
   const RecordingTimes& times = report.times;
   fmt::print(stderr,
              "{:.2f} s in {} steps and {} frames, recorded in {} within {:.1f} s (simulate {:.1f}, render {:.1f}, "

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "studio/recorder/Manifest.hpp"
 #include "studio/recorder/Recorder.hpp"
 #include "studio/scenario/Scenario.hpp"
@@ -8,6 +10,9 @@ namespace thinwall {
 
 /// Says on stderr what a user should know of a scenario that can be run, a line each.
 void tell_warnings(const Scenario& scenario);
+
+/// Says on stderr what a user should know of a run.
+void tell_note(const std::string& note);
 
 /// Ends a recording: writes manifest.json, says in a few lines on stderr what was made (as JSON on stdout when `json`),
 /// and gives the exit code.

@@ -19,7 +19,8 @@
 namespace thinwall {
 namespace {
 
-/// Lets the expectations see every moment that passes.
+/// Lets the expectations see every moment that passes. What is known before the first step is said then: the steps may
+/// take long, and a wrong unit shows by it.
 class WatchedSource final : public MomentSource {
  public:
   WatchedSource(std::unique_ptr<MomentSource> source, std::vector<Expectation> expectations)
@@ -28,15 +29,21 @@ class WatchedSource final : public MomentSource {
   std::optional<Moment> next() override {
     std::optional<Moment> moment = source_->next();
     if (moment) check_.add(moment->record);
+    if (!has_begun_) told_ = source_->warnings();
+    if (!has_begun_) std::ranges::for_each(told_, tell_note);
+    has_begun_ = true;
     return moment;
   }
   std::vector<std::string> warnings() const override { return source_->warnings(); }
   std::string state_digest() const override { return source_->state_digest(); }
+  const std::vector<std::string>& told() const { return told_; }
   std::vector<ExpectationResult> results() const { return check_.results(); }
 
  private:
   std::unique_ptr<MomentSource> source_;
   ExpectationCheck check_;
+  std::vector<std::string> told_;
+  bool has_begun_ = false;
 };
 
 }  // namespace
@@ -77,6 +84,7 @@ int run_scenario(const RunOptions& options) {
                    .device = options.device_text,
                    .overrides = options.overrides,
                    .warnings = scenario.warnings,
+                   .told = source.told(),
                    .preparation = preparation.wall,
                    .expectations = source.results()},
                   plan, report, options.json);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include "renderer/image/Folder.hpp"
@@ -13,6 +14,7 @@
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/Outcome.hpp"
 #include "studio/commands/SecondTake.hpp"
+#include "studio/recorder/FontNotes.hpp"
 #include "studio/recorder/FrameComposer.hpp"
 #include "studio/recorder/GroundTruthSeries.hpp"
 #include "studio/recorder/Interruption.hpp"
@@ -66,6 +68,7 @@ std::filesystem::path truth_folder(const std::filesystem::path& picture) {
 
 int make_still(const StillOptions& options) {
   Scenario scenario = load_scenario(options.scenario, options.overrides);
+  std::ranges::copy(font_notes(scenario), std::back_inserter(scenario.warnings));
   tell_warnings(scenario);
   require_data_range(scenario.view.look);
   if (options.ground_truth) prepare_truth(scenario.view);

@@ -70,46 +70,44 @@ std::optional<std::string> grasp_note(std::size_t number, const GraspPlan& plan)
   return std::nullopt;
 }
 
-double largest_thickness(const Body& body) {
-  return std::ranges::max(body.model().definition.thickness);
+double largest_thickness(const BodyDefinition& body) {
+  return std::ranges::max(body.thickness);
 }
 
-std::optional<std::string> small_tool_note(const ToolDefinition& tool, const Body& body) {
+std::optional<std::string> small_tool_note(const ToolDefinition& tool, const BodyDefinition& body) {
   const double thickest = largest_thickness(body);
   const bool is_round = tool.kind == ToolKind::kSphere || tool.kind == ToolKind::kCapsule;
   if (!is_round || tool.radius >= thickest) return std::nullopt;
   return fmt::format(
       "tool `{}` has a radius of {:.3g} mm, less than the wall of body `{}` is thick ({:.3g} mm): a thin wall is not "
       "pressed together across its thickness, so the dent within the wall and its part of the force are missing",
-      tool.name, 1e3 * tool.radius, body.model().definition.name, 1e3 * thickest);
+      tool.name, 1e3 * tool.radius, body.name, 1e3 * thickest);
 }
 
-std::optional<std::string> thick_wall_note(const Body& body) {
-  const SurfaceMesh& mesh = body.model().definition.mesh;
-  if (body.model().chambers.empty() || mesh.vertices.empty()) return std::nullopt;
+std::optional<std::string> thick_wall_note(const BodyDefinition& body) {
+  const SurfaceMesh& mesh = body.mesh;
+  if (body.fluid.kind == FluidKind::kNone || mesh.vertices.empty()) return std::nullopt;
   const double width = bounding_box(mesh.vertices).sizes().minCoeff();
   const double thickest = largest_thickness(body);
   if (2 * thickest <= width) return std::nullopt;
   return fmt::format(
       "body `{}` is {:.3g} mm wide, less than two walls of {:.3g} mm: the wall is drawn and its volume counted where "
       "no room is for it; see whether `thickness` and the `unit` of the mesh are meant so",
-      body.model().definition.name, 1e3 * width, 1e3 * thickest);
+      body.name, 1e3 * width, 1e3 * thickest);
 }
 
 }  // namespace
 
-std::vector<std::string> thick_wall_notes(const Scenario& scenario, std::span<const std::unique_ptr<Body>> bodies) {
+std::vector<std::string> thick_wall_notes(const Scenario& scenario, const BodyDefinition& body) {
   std::vector<std::string> notes;
   const auto add = [&](std::optional<std::string> note) {
     if (note && std::ranges::find(notes, *note) == notes.end()) notes.push_back(*std::move(note));
   };
-  for (const auto& body : bodies) {
-    add(thick_wall_note(*body));
-    for (const Clip& clip : scenario.timeline) {
-      const auto* palpate = std::get_if<PalpateClip>(&clip.action);
-      if (palpate == nullptr || palpate->body != body->model().definition.name) continue;
-      add(small_tool_note(*std::ranges::find(scenario.tools, palpate->tool, &ToolDefinition::name), *body));
-    }
+  add(thick_wall_note(body));
+  for (const Clip& clip : scenario.timeline) {
+    const auto* palpate = std::get_if<PalpateClip>(&clip.action);
+    if (palpate == nullptr || palpate->body != body.name) continue;
+    add(small_tool_note(*std::ranges::find(scenario.tools, palpate->tool, &ToolDefinition::name), body));
   }
   return notes;
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -21,8 +20,8 @@ std::optional<std::string> free_body_warning(const Body& body, Analysis analysis
 std::string bare_point_note(const ToolDefinition& tool, const SurfaceView& surface, const Attachment& attachment);
 
 /// That a body which encloses a fluid is less wide than two walls are thick, and that a round tool is smaller than the
-/// wall that a palpation presses is thick: each once. `bodies`: of the scenario.
-std::vector<std::string> thick_wall_notes(const Scenario& scenario, std::span<const std::unique_ptr<Body>> bodies);
+/// wall that a palpation presses is thick.
+std::vector<std::string> thick_wall_notes(const Scenario& scenario, const BodyDefinition& body);
 
 /// That a clip goes the way that it had when the run began, see kept_way. `number`: of the clip, from 1. `begin`:
 /// seconds. `missed`: why it found none.

@@ -18,6 +18,7 @@ struct ManifestContext {
   std::string device;                                          // as asked for
   std::vector<std::pair<std::string, std::string>> overrides;  // of `--set`
   std::vector<std::string> warnings = {};                      // of the scenario, as it was read
+  std::vector<std::string> told = {};                          // of the notes, those that have been said already
   double preparation = 0;                                      // seconds, reading and checking
   std::vector<ExpectationResult> expectations = {};            // of the scenario
   bool take_complete = true;  // whether each take that is shown again reached the end of its run

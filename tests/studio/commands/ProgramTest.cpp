@@ -137,6 +137,27 @@ TEST_F(ProgramTest, TextsWithLettersThatTheFontHasNotAreTold) {
   EXPECT_NE(run({"check", "letters.yaml"}).messages.find(note), std::string::npos);
 }
 
+TEST_F(ProgramTest, NotesThatAreKnownBeforeTheFirstStepAreToldBeforeIt) {
+  const ProgramEnd end = run({"run", "small.yaml", "--no-render", "--out", "out"});
+  const std::size_t note = end.messages.find("thinwall: note: ");
+  EXPECT_LT(note, end.messages.find("recording 0 %")) << end.messages;
+  const std::string size = "64 triangles (64 wanted)";
+  EXPECT_EQ(end.messages.find(size), end.messages.rfind(size)) << "told twice";
+}
+
+TEST_F(ProgramTest, CheckTellsOfThickWallsAndAStillOfLettersThatTheFontHasNot) {
+  std::string text = small_scenario();
+  text.replace(text.find("thickness: 1 mm"), 15, "thickness: 21 mm");
+  text.replace(text.find("A small hemisphere"), 18, "半球");
+  write_bytes(folder_ / "thick.yaml", text);
+  const std::string checked = run({"check", "thick.yaml"}).messages;
+  EXPECT_NE(checked.find("thick.yaml: note: body `organ` is 20 mm wide, less than two walls of 21 mm"),
+            std::string::npos)
+      << checked;
+  const std::string still = run({"still", "thick.yaml", "--at", "0s", "-o", "a.png", "--device", "99"}).messages;
+  EXPECT_NE(still.find("the font of pictures has no shape for"), std::string::npos) << still;
+}
+
 TEST_F(ProgramTest, IncisionsThatCannotBeAreBadInputWithThePlaceAndTheCure) {
   const auto expect_refused = [&](const std::string& incise, const std::string& words) {
     write_bytes(folder_ / "cut.yaml", incision_scenario(incise));
