@@ -122,13 +122,20 @@ std::string chapter_metadata(const std::vector<VideoChapter>& chapters) {
   return text;
 }
 
+/// Why ffmpeg could not write, from what it says; nothing where it says no such thing.
+std::optional<int> write_error_in(const std::string& words) {
+  const auto says = [&](const char* text) { return words.find(text) != std::string::npos; };
+  if (says("No space left")) return ENOSPC;
+  if (says("File too large")) return EFBIG;
+  if (says("Disk quota")) return EDQUOT;
+  if (says("Permission denied")) return EACCES;
+  return std::nullopt;
+}
+
 /// What helps, from what ffmpeg says.
 std::string cure_for(const std::string& words) {
   const auto says = [&](const char* text) { return words.find(text) != std::string::npos; };
-  if (says("No space left")) return cure_for_write_error(ENOSPC);
-  if (says("File too large")) return cure_for_write_error(EFBIG);
-  if (says("Disk quota")) return cure_for_write_error(EDQUOT);
-  if (says("Permission denied")) return cure_for_write_error(EACCES);
+  if (const std::optional<int> error = write_error_in(words)) return cure_for_write_error(*error);
   if (says("libx264")) return "install an ffmpeg that has the encoder libx264 (on Debian: apt-get install ffmpeg)";
   return "see what `thinwall doctor` says about video";
 }
@@ -213,7 +220,10 @@ struct VideoWriter::Implementation {
     write_whole_file(names.chapters, chapter_metadata(chapters));
     if (has_captions) write_whole_file(names.captions, captions_text);
     const ProgramResult result = run_program(remux_arguments(names, has_captions));
-    if (result.exit_code != 0) fail("ffmpeg failed to finish the file " + ending(result));
+    // With a disk that is full when the file is ended, ffmpeg says so and reports success.
+    if (result.exit_code != 0 || write_error_in(result.errors)) {
+      fail("ffmpeg failed to finish the file " + ending(result));
+    }
     if (has_captions) disable_caption_tracks(names.result);
   }
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <sys/mount.h>
 
+#include <cstdint>
 #include <fstream>
 
 #include "renderer/picture/PictureFailure.hpp"
@@ -145,6 +146,43 @@ TEST(VideoFailure, FullDiskIsReportedWithTheCure) {
   EXPECT_NE(message.find("No space left on device"), std::string::npos) << message;
   EXPECT_NE(message.find("; free some space or choose a folder on another disk"), std::string::npos) << message;
   EXPECT_EQ(left, 0u);
+}
+
+/// A recording that no encoder makes small; what is said of it, empty when all goes well.
+std::string failure_of_noise(const files::path& path) {
+  constexpr ImageSize kNoiseSize{320, 240};
+  std::uint32_t state = 1;
+  try {
+    VideoWriter writer(path, {.size = kNoiseSize});
+    for (int frame = 0; frame < 20; ++frame) {
+      Image image = plain_image(kNoiseSize, 0, 0, 0);
+      for (auto& level : image.pixels) level = static_cast<std::uint8_t>((state = 1664525 * state + 1013904223) >> 24);
+      writer.write(image);
+    }
+    writer.finish({}, {{.begin = 0, .end = 0.5, .text = "Pressing"}});
+  } catch (const PictureFailure& failure) {
+    return failure.what();
+  }
+  return "";
+}
+
+TEST(VideoFailure, ADiskThatIsFullBeforeTheFileIsFinishedIsTold) {
+  const TestFolder folder;
+  ASSERT_EQ(failure_of_noise(folder / "whole.mp4"), "");
+  const std::uintmax_t whole = files::file_size(folder / "whole.mp4");
+  files::create_directory(folder / "disk");
+  for (const int percent : {120, 150, 180}) {
+    const std::string size = "size=" + std::to_string(whole * static_cast<unsigned>(percent) / 100);
+    if (mount("tmpfs", (folder / "disk").c_str(), "tmpfs", 0, size.c_str()) != 0) {
+      GTEST_SKIP() << "only root can make a small disk to fill";
+    }
+    const std::string failure = failure_of_noise(folder / "disk/a.mp4");
+    const bool is_empty = files::is_empty(folder / "disk");
+    umount((folder / "disk").c_str());
+    EXPECT_NE(failure.find("No space left on device"), std::string::npos) << percent << ": " << failure;
+    EXPECT_NE(failure.find("cannot record "), std::string::npos) << failure;
+    EXPECT_TRUE(is_empty) << percent;
+  }
 }
 
 }  // namespace
