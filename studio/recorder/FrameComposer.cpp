@@ -17,6 +17,11 @@ double magnitude(const Double3& vector) {
 
 constexpr const char* kIdle = "idle";
 
+/// Whether a clip drives the tool and it touches.
+bool works(const SnapshotTool& tool) {
+  return tool.phase != kIdle && magnitude(tool.force) > 0;
+}
+
 /// The text that holds at `time`: after its begin, up to and with its end. A run knows of a clip only once it has gone
 /// beyond the clip's begin; with the begin included, a frame at that very time would differ between run and take. Only
 /// at time zero there is no text before it, and a run knows what begins there.
@@ -70,7 +75,9 @@ std::optional<double> FrameComposer::last_time() const {
 void FrameComposer::add(Moment moment) {
   if (later_) {
     for (std::size_t i = 0; i < later_->snapshot.tools.size(); ++i) {
-      if (later_->snapshot.tools[i].phase != kIdle) last_active_ = i;
+      const bool is_at_work = works(later_->snapshot.tools[i]);
+      if (is_at_work || (later_->snapshot.tools[i].phase != kIdle && !has_worked_)) last_active_ = i;
+      has_worked_ = has_worked_ || is_at_work;
     }
   }
   earlier_ = std::move(later_);
@@ -156,7 +163,10 @@ OverlayContent FrameComposer::overlay(const Snapshot& snapshot) const {
 
 const SnapshotTool* FrameComposer::shown_tool(const Snapshot& snapshot) const {
   for (const SnapshotTool& tool : snapshot.tools) {
-    if (tool.phase != kIdle) return &tool;
+    if (works(tool)) return &tool;
+  }
+  for (const SnapshotTool& tool : snapshot.tools) {
+    if (tool.phase != kIdle && !has_worked_) return &tool;
   }
   return last_active_ < snapshot.tools.size() ? &snapshot.tools[last_active_] : nullptr;
 }

@@ -41,6 +41,31 @@ TEST(FrameComposerTest, TellsThePressureOfTheFirstBodyThatHasContents) {
   EXPECT_EQ(both.compose(0).overlay.pressure, 700);
 }
 
+TEST(FrameComposerTest, OfSeveralToolsTheOneThatTouchesIsShownElseTheLastThatDid) {
+  const SyntheticRun run;
+  FrameComposer composer("", {});
+  auto shown_after = [&, step = std::size_t{0}](const std::string& first, double first_force, const std::string& second,
+                                                double second_force) mutable {
+    Moment moment = run.moment(step++);
+    SnapshotTool tool = moment.snapshot.tools[0];
+    tool.name = "first";
+    tool.phase = first;
+    tool.force = {0, 0, first_force};
+    moment.snapshot.tools = {tool, tool};
+    moment.snapshot.tools[1].name = "second";
+    moment.snapshot.tools[1].phase = second;
+    moment.snapshot.tools[1].force = {0, 0, second_force};
+    const double time = moment.snapshot.time;
+    composer.add(std::move(moment));
+    return composer.compose(time).overlay.tool;
+  };
+  EXPECT_EQ(shown_after("idle", 0, "approach", 0), "second") << "nothing has touched";
+  EXPECT_EQ(shown_after("approach", 0, "contact", 1), "second");
+  EXPECT_EQ(shown_after("approach", 0, "withdrawal", 0), "second") << "the last that touched";
+  EXPECT_EQ(shown_after("contact", 1, "withdrawal", 0), "first");
+  EXPECT_EQ(shown_after("idle", 0, "approach", 0), "first");
+}
+
 TEST(FrameComposerTest, KnowsHowFarItReaches) {
   const SyntheticRun run;
   EXPECT_FALSE(FrameComposer("", {}).reaches(0));
