@@ -25,7 +25,7 @@ void main() {
     vec4 broad = noise(2.3 * coordinates + 4.2);
     vec4 fine = noise(8.0 * coordinates + 0.12 * broad.xyz);
     float fatty = smoothstep(-0.1, 1.0, broad.w + 0.30 * fine.w);
-    vec3 albedo = mix(vec3(0.135, 0.036, 0.026), vec3(0.30, 0.145, 0.065), fatty) * (1.0 + 0.20 * fine.w);
+    vec3 albedo = mix(vec3(0.185, 0.054, 0.040), vec3(0.36, 0.20, 0.095), fatty) * (1.0 + 0.20 * fine.w);
     vec3 bump = 0.10 * broad.xyz + 0.06 * fine.xyz;
     vec3 normal = normalize(vec3(-bump.xy, 1.0));
     vec3 view = -normalize(ray);

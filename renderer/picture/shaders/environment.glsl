@@ -4,7 +4,7 @@
 
 // Inside a body: what the lamp lights sends a little, reddish light back from all around.
 
-const vec3 kCavity = vec3(0.085, 0.045, 0.035);
+const vec3 kCavity = vec3(0.140, 0.076, 0.058);
 
 vec3 environment_light(vec3 direction, float roughness, float key_visible) {
   return environment.x * mix(vec3(1.0), kCavity, environment.y);
@@ -39,10 +39,14 @@ float soft_rectangle(vec2 distances, vec2 half_size, float blur) {
   return t.x * t.y;
 }
 
+// Light of the box's cloth, over an even one's: the lamp stands behind its middle, and the highlight has a core.
+float cloth(vec2 off_middle) { return 0.25 + 2.75 / square(1.0 + 1.6 * dot(off_middle, off_middle)); }
+
 float key_box(vec3 direction, vec2 half_size, float blur) {
   float facing = dot(direction, key_direction.xyz);
   vec2 place = vec2(dot(direction, key_right.xyz), dot(direction, cross(key_direction.xyz, key_right.xyz)));
-  return facing > 0.0 ? soft_rectangle(place / max(facing, 1e-3), half_size, blur) : 0.0;
+  place /= max(facing, 1e-3);
+  return facing > 0.0 ? cloth(place / half_size) * soft_rectangle(place, half_size, blur) : 0.0;
 }
 
 float panel(vec3 direction, vec2 toward, vec2 half_size, float blur) {

@@ -50,7 +50,8 @@ void main() {
   Skin skin = skin_at(rest_and_state.xyz, environment.w * seen.w / base_nv, blanch, thickness, wound);
   vec3 bump = skin.bump - dot(skin.bump, base) * base;
   vec3 normal = normalize(base - 0.6 * bump);
-  vec3 film_normal = normalize(base - 1.3 * bump);
+  // Seen along the wall the film's relief hides its own valleys.
+  vec3 film_normal = normalize(base - 1.3 * smoothstep(0.0, 0.7, base_nv) * bump);
   float nv = max(dot(normal, view), 0.02);
   float film_nv = max(dot(film_normal, view), LAYERED ? kLeastFaceCosine : 0.02);
 
@@ -97,7 +98,7 @@ void main() {
 
   // The wet layer: water, so smooth that it mirrors the lamps; what it reflects does not reach the flesh.
   float film = skin.film * (0.022 + 0.978 * fresnel_weight(film_nv));
-  float film_rough = sqrt(0.0025 + min(skin.lost_bump, 0.1));
+  float film_rough = sqrt(0.0064 + min(skin.lost_bump, 0.1));
   vec3 film_light = environment_light(reflect(-view, film_normal), film_rough, visible, lamp_size) * mix(vec3(1.0), around, 0.7);
   result = mix(result, film_light, film);
 
