@@ -19,19 +19,21 @@ std::filesystem::path golden_folder(const std::string& scenario);
 /// The folder that holds a folder of goldens for each scenario.
 std::filesystem::path golden_root();
 
-/// Which goldens are meant: scenario files, names in the folder of scenarios, each perhaps with "@1.5s" behind it for
-/// one moment of it, or "@video". All that have goldens when none is named; then files that others include are no
-/// scenarios where they cannot stand alone. One that cannot be read stops no other. Throws UsageError, and InputErrors
-/// where a file that is named is not there.
+/// A scenario that has goldens and cannot be read.
 struct BrokenScenario {
   std::filesystem::path file;
   InputErrors errors;
 };
+
+/// Which goldens are meant: scenario files, names in the folder of scenarios, each perhaps with "@1.5s" behind it for
+/// one moment of it, or "@video". All that have goldens when none is named; then files that others include are no
+/// scenarios where they cannot stand alone. One that cannot be read stops no other. Throws UsageError, and InputErrors
+/// where a file that is named is not there.
 struct NamedGoldens {
-  std::vector<Scenario> scenarios = {};     // with the goldens that are meant alone
-  bool are_whole = true;                    // whether no golden of theirs was left out
-  bool are_all = false;                     // of the folder of scenarios
-  std::vector<BrokenScenario> broken = {};  // those that have goldens and cannot be read
+  std::vector<Scenario> scenarios = {};  // with the goldens that are meant alone
+  bool are_whole = true;                 // whether no golden of theirs was left out
+  bool are_all = false;                  // of the folder of scenarios
+  std::vector<BrokenScenario> broken = {};
 };
 NamedGoldens named_goldens(const std::vector<std::string>& names);
 
