@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kMostStops = 2;
 // Mean radiance of a wall that the lamps, as they are tuned, show well.
-constexpr double kWellLit = 0.42;
+constexpr double kWellLit = 0.32;
 
 /// What a wall shows of light: the luminance of its colour (Rec. 709).
 double luminance_of(const LookDefinition& look, const std::string& body) {
