@@ -53,6 +53,7 @@ struct BodyStepReport {
   int newton_iterations = 0;
   int shifted_iterations = 0;
   int factorisations = 0;
+  int ascending_steps = 0;    // of Newton's, along which the line search's energy was to rise at first
   int halvings = 0;           // how often the step was divided because it could not be solved
   int refinements = 0;        // how often it was divided to keep the error that is allowed
   double residual = 0;        // newton

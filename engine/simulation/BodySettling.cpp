@@ -89,6 +89,7 @@ NewtonResult Body::solve(EquilibriumProblem& problem, EquilibriumState& state, c
   report_.newton_iterations += result.iterations;
   report_.factorisations += result.factorisations;
   report_.shifted_iterations += result.shifted_iterations;
+  report_.ascending_steps += result.ascending_steps;
   report_.residual = result.residual;
   if (result.converged) {
     report_.residual_share = std::max(report_.residual_share, result.residual / result.force_scale);

@@ -256,6 +256,7 @@ bool Newton::folds_over(const Eigen::VectorXd& before, const Eigen::VectorXd& af
 NewtonResult Newton::solve(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options) {
   int before = 0;
   factorisations_ = 0;
+  ascending_steps_ = 0;
   stepped_to_.resize(0);
   may_be_one_by_one_ = options.borders_contacts;
   may_border_ = options.borders_contacts || !model_.bending.empty();
@@ -274,6 +275,7 @@ NewtonResult Newton::solve(EquilibriumProblem& problem, EquilibriumState& state,
   NewtonResult result = iterate(problem, state, options, false);
   result.iterations += before;
   result.factorisations = factorisations_;
+  result.ascending_steps = ascending_steps_;
   return result;
 }
 

@@ -53,6 +53,7 @@ struct NewtonResult {
   std::vector<double> residual_history;  // newton, before each iteration and at the end
   int shifted_iterations = 0;            // iterations whose matrix had to be made convex
   int factorisations = 0;                // of the matrix
+  int ascending_steps = 0;               // along which the line search's energy was to rise at first
   bool is_loose = false;                 // whether the residual is above the tolerance, see NewtonOptions::takes_flaps
   std::string reason;                    // why not converged
 };
@@ -187,6 +188,8 @@ class Newton {
     Eigen::VectorXd position;   // (unknowns), metres
     Eigen::VectorXd lip_force;  // (unknowns), newton
     Eigen::VectorXd pressure;   // (chambers), pascal, of those that hold air
+    Eigen::VectorXd outflow;    // (chambers), metres^3 / pascal, by which more leaks as the pressure rises
+    Eigen::VectorXd lip_spill;  // (unknowns), newton, pressure times what leaks more as the lips go apart
   };
 
   /// Where a step begins.
@@ -306,6 +309,7 @@ class Newton {
   std::vector<ShaftBranch> branches_;              // (vertices of lips on shafts), that the step takes them to follow
   std::vector<double> matrix_;                     // (non-zeros), what is factorised
   int factorisations_ = 0;                         // in the solution under way
+  int ascending_steps_ = 0;                        // in the solution under way
   bool keeps_factor_ = false;       // whether the step under way is found with the factor of the one before
   bool may_end_ = false;            // whether that may be the last step: the Hessian is not asked for then
   bool may_border_ = false;         // see NewtonOptions::borders_contacts

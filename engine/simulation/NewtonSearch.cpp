@@ -3,12 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/simulation/OpenChambers.hpp"
+
 namespace thinwall {
 namespace {
 
 /// How often the root of the wall's area a step moves a vertex at most: a slack wall asks for steps without
 /// bound, along whose ways everything would meet everything.
 constexpr double kLongestStep = 1;
+
+/// Part of the energy below which its slope along a step has no sign.
+constexpr double kRoundOff = 1e-12;
 
 double square(double value) {
   return value * value;
@@ -17,9 +22,18 @@ double square(double value) {
 }  // namespace
 
 void Newton::freeze(const EquilibriumProblem& problem, const EquilibriumState& state) {
-  frozen_ = {.position = state.position, .lip_force = terms_.lip_force, .pressure = state.pressure};
-  for (std::size_t c = 0; c < problem.fluids.size(); ++c) {
-    if (problem.fluids[c].vent < 0) frozen_.pressure[static_cast<Eigen::Index>(c)] = 0;
+  frozen_.position = state.position;
+  frozen_.lip_force = terms_.lip_force;
+  frozen_.pressure = state.pressure;
+  frozen_.outflow.setZero(state.pressure.size());
+  frozen_.lip_spill.setZero(model_.has_open_chambers() ? state.position.size() : 0);
+  for (int c = 0; c < static_cast<int>(problem.fluids.size()); ++c) {
+    if (problem.fluids[c].vent >= 0) continue;
+    frozen_.pressure[c] = 0;
+    if (!model_.is_open(c) || !problem.fluids[c].is_multiplier()) continue;
+    const OpeningEquation equation = opening_equation(model_, problem, terms_, c, state.position, state.pressure, true);
+    frozen_.outflow[c] = equation.by_pressure;
+    frozen_.lip_spill += state.pressure[c] * equation.by_position;
   }
 }
 
@@ -30,10 +44,15 @@ double Newton::merit(const EquilibriumProblem& problem, const EquilibriumState& 
   for (std::size_t c = 0; c < problem.fluids.size(); ++c) {
     const FluidProblem& fluid = problem.fluids[c];
     if (fluid.mode == FluidMode::kGivenPressure) value -= fluid.pressure * terms.volume[c];
-    if (fluid.vent >= 0) value -= frozen_.pressure[c] * terms.volume[c];
-    if (fluid.vent < 0) value += 0.5 * fluid.compliance(state.pressure[c]) * square(state.pressure[c]);
+    if (fluid.vent >= 0) {
+      value -= frozen_.pressure[c] * terms.volume[c];
+      continue;
+    }
+    value += 0.5 * (fluid.compliance(state.pressure[c]) + frozen_.outflow[c]) * square(state.pressure[c]);
   }
-  if (model_.has_open_chambers()) value += frozen_.lip_force.dot(state.position - frozen_.position);
+  if (model_.has_open_chambers()) {
+    value += (frozen_.lip_force + frozen_.lip_spill).dot(state.position - frozen_.position);
+  }
   for (const Eigen::Vector3d& gap : residual.gaps) value += weights.force * gap.norm();
   // A contact is a spring of compliance 1 / stiffness beside a constraint that gives way by it: what violates it is the
   // part of the overlap that its force does not account for.
@@ -53,9 +72,11 @@ double Newton::merit_slope(const EquilibriumProblem& problem, const EquilibriumS
   for (std::size_t c = 0; c < problem.fluids.size(); ++c) {
     if (problem.fluids[c].seeks_volume()) smooth += state.pressure[c] * terms_.volume_gradient.col(c);
     if (problem.fluids[c].vent >= 0) continue;
-    slope += problem.fluids[c].compliance(state.pressure[c]) * state.pressure[c] * step.pressure[c];
+    const double compliance = problem.fluids[c].compliance(state.pressure[c]) + frozen_.outflow[c];
+    slope += compliance * state.pressure[c] * step.pressure[c];
     if (problem.fluids[c].has_surface) slope += terms_.filled_by_pressure[c] * state.pressure[c] * step.pressure[c];
   }
+  if (model_.has_open_chambers()) smooth += frozen_.lip_spill;
   slope += smooth.dot(step.position);
   for (std::size_t k = 0; k < residual.gaps.size(); ++k) {
     slope -= problem.attachments[k].force.dot(material_point(problem.attachments[k], step.position)) +
@@ -79,6 +100,7 @@ bool Newton::search(EquilibriumProblem& problem, EquilibriumState& state, Residu
   freeze(problem, state);
   const double before = merit(problem, state, terms_, residual, weights);
   const double slope = merit_slope(problem, state, residual, step, weights);
+  if (slope > kRoundOff * std::abs(before)) ++ascending_steps_;
   const Start start{
       .state = state, .attachments = problem.attachments, .solids = problem.solids, .friction = problem.friction};
   Residual trial;
