@@ -48,19 +48,26 @@ ToolPose make_pose(const Eigen::Vector3d& tip, const Eigen::Vector3d& direction,
 }
 
 double PalpationPlan::duration() const {
-  const double in = to_contact + clip.depth;
-  return (clip.withdraw ? 2 : 1) * in / clip.speed + clip.hold;
+  return (clip.withdraw ? 2 : 1) * arrival() + stay();
+}
+
+double PalpationPlan::arrival() const {
+  return (to_contact + clip.depth) / clip.speed;
+}
+
+double PalpationPlan::stay() const {
+  return std::max(clip.hold, rest);
 }
 
 ToolMoment PalpationPlan::at(double time) const {
   const double in = to_contact + clip.depth;  // metres
-  const double arrival = in / clip.speed;     // seconds
   double travel = std::min(in, std::max(0.0, time) * clip.speed);
   ToolMoment moment;
   moment.phase = travel < to_contact ? "approach" : "contact";
-  if (time >= arrival) moment.phase = "hold";
-  if (clip.withdraw && time > arrival + clip.hold) {
-    travel = std::max(0.0, in - (time - arrival - clip.hold) * clip.speed);
+  if (time >= arrival()) moment.phase = "hold";
+  const double leaving = arrival() + stay();  // seconds
+  if (clip.withdraw && time > leaving) {
+    travel = std::max(0.0, in - (time - leaving) * clip.speed);
     moment.phase = "withdrawal";
   }
   moment.pose = begin;

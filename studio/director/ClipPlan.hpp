@@ -23,7 +23,10 @@ struct PalpationPlan {
   PalpateClip clip;
   ToolPose begin;         // at the stand-off
   double to_contact = 0;  // metres from the stand-off to first contact
+  double rest = 0;        // seconds at full depth at least
 
+  double arrival() const;            // seconds until full depth
+  double stay() const;               // seconds there
   double duration() const;           // seconds
   ToolMoment at(double time) const;  // `time`: seconds since the clip began, limited to its duration
 };

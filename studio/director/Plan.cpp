@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
+
+#include "renderer/snapshot/SameTime.hpp"
 
 namespace thinwall {
 namespace {
@@ -53,6 +56,15 @@ Plan plan_clip(const Clip& clip, const PlannedTool& tool,
     return plan_release(*release, tool.definition, tool.pose);
   }
   return std::get<WaitClip>(clip.action);
+}
+
+Plan turning_at_step_end(Plan plan, double begin, double time_step) {
+  PalpationPlan* pressing = std::get_if<PalpationPlan>(&plan);
+  if (auto* piercing = std::get_if<PiercingPlan>(&plan)) pressing = piercing;
+  if (pressing == nullptr) return plan;
+  const double arrival = begin + pressing->arrival();
+  pressing->rest = std::max(0.0, std::ceil((arrival - kSameTime) / time_step) * time_step - arrival);
+  return plan;
 }
 
 double duration_of(const Plan& plan) {

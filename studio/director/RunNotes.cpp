@@ -10,18 +10,6 @@
 namespace thinwall {
 namespace {
 
-/// Nothing where the tool touches at the end of a step of `time_step` seconds.
-std::optional<std::string> passing_note(std::size_t number, const PalpationPlan& plan, double begin, double time_step) {
-  const double end = begin + plan.duration();
-  for (auto step = static_cast<long>(begin / time_step); static_cast<double>(step) * time_step < end; ++step) {
-    if (plan.at(static_cast<double>(step) * time_step - begin).depth > 0) return std::nullopt;
-  }
-  return fmt::format(
-      "timeline[{}]: tool `{}` touches body `{}` between two steps only, which nothing feels: "
-      "it goes {:.3g} mm deep and {:.3g} mm in a step; take a shorter `time_step`, a lower `speed` or a `hold`",
-      number, plan.clip.tool, plan.clip.body, 1e3 * plan.clip.depth, 1e3 * plan.clip.speed * time_step);
-}
-
 std::optional<std::string> piercing_note(std::size_t number, const PiercingPlan& plan) {
   if (!plan.ruptures.empty()) return std::nullopt;
   return fmt::format(
@@ -147,18 +135,12 @@ std::optional<std::string> fill_note(std::size_t number, const FillPlan& plan) {
                      clip.body, plan.begin_pressure);
 }
 
-std::vector<std::string> ended_clip_notes(std::span<const ScheduledClip> clips, double time, double time_step) {
+std::vector<std::string> ended_clip_notes(std::span<const ScheduledClip> clips, double time) {
   std::vector<std::string> notes;
   for (std::size_t k = 0; k < clips.size(); ++k) {
     if (!clips[k].begun || clips[k].end > time + kTimeTolerance) continue;
     std::optional<std::string> note;
-    if (const auto* palpation = std::get_if<PalpationPlan>(&clips[k].plan)) {
-      note = passing_note(k + 1, *palpation, clips[k].begin, time_step);
-    }
-    if (const auto* piercing = std::get_if<PiercingPlan>(&clips[k].plan)) {
-      note = passing_note(k + 1, *piercing, clips[k].begin, time_step);
-      if (!note) note = piercing_note(k + 1, *piercing);
-    }
+    if (const auto* piercing = std::get_if<PiercingPlan>(&clips[k].plan)) note = piercing_note(k + 1, *piercing);
     if (const auto* incision = std::get_if<IncisionPlan>(&clips[k].plan)) note = incision_note(k + 1, *incision);
     if (const auto* grasp = std::get_if<GraspPlan>(&clips[k].plan)) note = grasp_note(k + 1, *grasp);
     if (note) notes.push_back(*std::move(note));

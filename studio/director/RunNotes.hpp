@@ -31,9 +31,9 @@ std::string kept_way_note(std::size_t number, double begin, const InputErrors& m
 /// it does as its verb says. `number`: of the clip, from 1.
 std::optional<std::string> fill_note(std::size_t number, const FillPlan& plan);
 
-/// Of the clips that have ended by `time`, seconds: tools that touch between two steps only, needles that no wall has
-/// given way to, blades that have cut nothing, and jaws that have closed on nothing, have not reached their grip, or
-/// have lost the wall that they held. `clips`: (timeline).
-std::vector<std::string> ended_clip_notes(std::span<const ScheduledClip> clips, double time, double time_step);
+/// Of the clips that have ended by `time`, seconds: needles that no wall has given way to, blades that have cut
+/// nothing, and jaws that have closed on nothing, have not reached their grip, or have lost the wall that they held.
+/// `clips`: (timeline).
+std::vector<std::string> ended_clip_notes(std::span<const ScheduledClip> clips, double time);
 
 }  // namespace thinwall

@@ -122,7 +122,7 @@ struct ScenarioRun::Implementation {
       ScheduledClip& clip = clips[k];
       if (clip.begun || clip.begin >= until - kTimeTolerance) continue;
       clip.begun = true;
-      clip.plan = plan_begun(k);
+      clip.plan = turning_at_step_end(plan_begun(k), clip.begin, step_length());
       schedule(scenario.timeline, clips);
       refuse_overlaps(scenario.timeline, clips);
       if (const auto* fill = std::get_if<FillPlan>(&clip.plan)) {
@@ -385,8 +385,7 @@ std::vector<std::string> ScenarioRun::warnings() const {
   std::vector<std::string> all = implementation_->warnings;
   std::ranges::copy(implementation_->tally.warnings(implementation_->steps), std::back_inserter(all));
   std::ranges::copy(implementation_->integrator_energy.warnings(), std::back_inserter(all));
-  std::ranges::copy(ended_clip_notes(implementation_->clips, time(), implementation_->step_length()),
-                    std::back_inserter(all));
+  std::ranges::copy(ended_clip_notes(implementation_->clips, time()), std::back_inserter(all));
   for (const auto& [index, run] : implementation_->runs) all.push_back(to_text(run, *implementation_->bodies[index]));
   std::ranges::copy(passed_over_notes(implementation_->clips, implementation_->scenario.tools),
                     std::back_inserter(all));

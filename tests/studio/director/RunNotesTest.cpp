@@ -38,24 +38,6 @@ TEST(RunNotes, TellThatANeedleHasGoneItsDepthWithoutPiercing) {
   }
 }
 
-TEST(RunNotes, TellThatAToolTouchesBetweenTwoStepsOnly) {
-  for (const double hold : {0.0, 0.05}) {
-    Scenario scenario = touched_ball();
-    PalpateClip clip = kTouch;
-    clip.speed = 0.05;
-    clip.hold = hold;
-    clip.standoff = 0.0025;
-    scenario.timeline = {{.action = clip}};
-    ScenarioRun run(scenario);
-    while (run.step()) {
-    }
-    EXPECT_EQ(tells(run,
-                    "timeline[1]: tool `finger` touches body `ball` between two steps only, which nothing feels: it "
-                    "goes 0.01 mm deep and 1 mm in a step"),
-              hold == 0);
-  }
-}
-
 TEST(RunNotes, TellOfWallsThatAreThickerThanAToolOrTheBodyHasRoomFor) {
   for (const double thickness : {1e-3, 4e-3, 21e-3}) {
     Scenario scenario = touched_ball();

@@ -192,6 +192,27 @@ TEST(ScenarioRun, AToolThatStayedDownLetsGoWhenItIsSetElsewhere) {
   }
 }
 
+TEST(ScenarioRun, APalpationWithoutHoldReachesItsDepthAtTheEndOfAStep) {
+  Scenario scenario = ball_scenario();
+  for (const double hold : {0.0, 0.013}) {
+    for (const double speed : {0.0113, 0.0247}) {
+      Clip pressed = palpation(0.001);
+      auto& clip = std::get<PalpateClip>(pressed.action);
+      clip.speed = speed;
+      clip.hold = hold;
+      scenario.timeline = {pressed};
+      ScenarioRun run(scenario);
+      double deepest = 0, left = 0;
+      while (run.step()) {
+        deepest = std::max(deepest, run.record().tools.at(0).depth);
+        left = run.record().tools.at(0).depth;
+      }
+      EXPECT_NEAR(deepest, clip.depth, 1e-15);
+      EXPECT_EQ(left, 0);
+    }
+  }
+}
+
 TEST(ScenarioRun, AMoveThroughTheWallTouchesItAndCountsItsDepth) {
   Scenario scenario = ball_scenario();
   scenario.timeline = {{.action = MoveClip{.tool = "probe",
