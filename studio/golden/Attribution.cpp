@@ -74,6 +74,7 @@ struct Evidence {
   const GoldenResult& result;
   const GoldenApproval& approval;
   Attribution& attribution;
+  bool knows_scenario;  // what the golden's scenario asked for
   bool same_driver() const { return approval.driver == result.driver; }
   /// Only where the approval kept it, and the same driver drew.
   bool knows_scene() const { return same_driver() && !approval.scene_hash.empty() && !picture.scene_hash.empty(); }
@@ -98,8 +99,12 @@ void tell_physics(const Evidence& evidence, Attribution& attribution) {
     attribution.sentence += "; " + evidence.result.state.explanation;
   }
   const std::string asked = list_changes(attribution.scenario, ScenarioStage::kPhysics);
-  attribution.sentence += asked.empty() ? "; the scenario asks for the same, so the engine has changed"
-                                        : "; the scenario has changed: " + asked;
+  if (!evidence.knows_scenario) {
+    attribution.sentence += "; whether the scenario asks for the same is open, as the golden's cannot be read";
+  } else {
+    attribution.sentence += asked.empty() ? "; the scenario asks for the same, so the engine has changed"
+                                          : "; the scenario has changed: " + asked;
+  }
   if (!evidence.knows_scene() || !attribution.golden_state) return;
   const bool same_drawing = image_hash(*attribution.golden_state) == evidence.approval.scene_hash;
   attribution.sentence += same_drawing ? "; the renderer draws the golden's state as before"
@@ -180,7 +185,7 @@ Attribution attribute(const Scenario& scenario, const GoldenPicture& picture, co
   attribution.history = history_change(picture, *approval, folder);
   attribution.scenario = compare_scenarios(golden.resolved, scenario.resolved);
   attribution.overlay = compare_overlays(approval->overlay, overlay_record(picture.overlay));
-  const Evidence evidence{picture, result, *approval, attribution};
+  const Evidence evidence{picture, result, *approval, attribution, !golden.resolved.empty()};
   if (physics_changed(evidence)) {
     if (golden.moment) attribution.golden_state = drawn(*golden.moment, picture, painters(scenario.resolved));
     tell_physics(evidence, attribution);

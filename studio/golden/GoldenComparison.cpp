@@ -58,7 +58,8 @@ StateComparison compare_with_stored_state(const std::filesystem::path& file, con
     if (take.times().empty()) throw TakeError(file.string() + ": holds no step");
     return compare_states(take.moment(0).snapshot, today, equal_digests);
   } catch (const TakeError& error) {
-    return {.verdict = StateVerdict::kUnknown, .explanation = error.what()};
+    return {.verdict = StateVerdict::kUnknown,
+            .explanation = error.problem() + "; restore it from version control, or approve the picture anew"};
   }
 }
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <string_view>
 
+#include "renderer/snapshot/SameTime.hpp"
 #include "studio/golden/GoldenApproval.hpp"
 
 namespace thinwall {
@@ -110,17 +111,26 @@ LargestChange largest_change(const GoldenHistory::Row& before, const GoldenHisto
   return largest;
 }
 
+/// As the scenario's time steps may differ, rows belong together by their times, of nine digits in a text.
+double rounding_of_time(double time) {
+  return kSameTime + 1e-8 * time;
+}
+
+/// " (+3.1 %)"
+std::string percent_text(double before, double after) {
+  if (before == 0) return "";
+  const double percent = 100 * (after - before) / std::abs(before);
+  return std::abs(percent) < 99.5 ? fmt::format(" ({:+.2g} %)", percent) : fmt::format(" ({:+.0f} %)", percent);
+}
+
 void tell(HistoryChange& change, double time) {
   const auto [name, unit] = spoken(change.quantity);
-  const std::string percent =
-      change.before != 0 ? fmt::format(" ({:+.2g} %)", 100 * (change.after - change.before) / std::abs(change.before))
-                         : std::string();
   const bool are_alike = fmt::format("{:.4g}", change.after) == fmt::format("{:.4g}", change.before);
   const int digits = are_alike ? 9 : 4;  // of nine a history is written in
   change.sentence = fmt::format(
       "from step {} on ({:.4g} s), first in the {}; at {:.4g} s the {} is {:.{}g} {} instead of {:.{}g} {}{}",
       change.step, change.time, spoken(change.first).first, time, name, change.after, digits, unit, change.before,
-      digits, unit, percent);
+      digits, unit, percent_text(change.before, change.after));
 }
 
 /// Calls add(owner, quantity, value) for each value of a step.
@@ -201,9 +211,10 @@ HistoryChange compare_histories(const GoldenHistory& golden, const GoldenHistory
   LargestChange peak;
   auto now = today.rows.begin();
   for (const GoldenHistory::Row& before : golden.rows) {
-    while (now != today.rows.end() && now->step < before.step) ++now;
+    const double rounding = rounding_of_time(before.time);
+    while (now != today.rows.end() && now->time < before.time - rounding) ++now;
     if (now == today.rows.end()) break;
-    if (now->step != before.step) continue;
+    if (now->time > before.time + rounding) continue;
     end = largest_change(before, *now, scale);
     if (end.relative > peak.relative) peak = end;
     if (change.changed || end.relative <= kSameHistory) continue;

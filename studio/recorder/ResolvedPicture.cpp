@@ -93,7 +93,7 @@ PictureSettings picture_settings(const std::string& resolved) {
     read_teaching(resolved, settings.teaching, settings.view);
     return settings;
   } catch (const SortedJson::exception& error) {
-    throw TakeError(std::string("the take's scenario cannot be read (") + error.what() + "); run the scenario again");
+    throw TakeError(std::string("the take's scenario cannot be read (") + error.what() + ")", "run the scenario again");
   }
 }
 

@@ -78,8 +78,8 @@ void TakeReader::Implementation::open() {
     if (is_being_written(path)) {
       throw TakeError(path.string() + ": a run is still writing this take; wait until it has ended");
     }
-    throw TakeError(path.string() + ": the take is cut short or damaged (" + failure.what() +
-                    "); run the scenario again");
+    throw TakeError(path.string() + ": the take is cut short or damaged (" + failure.what() + ")",
+                    "run the scenario again");
   }
 }
 
@@ -204,7 +204,7 @@ TakeReader::TakeReader(const std::filesystem::path& file) : implementation_(std:
     implementation_->read_header();
     implementation_->read_layout();
   } catch (const hdf5::Failure& failure) {
-    throw TakeError(file.string() + ": the take is damaged (" + failure.what() + "); run the scenario again");
+    throw TakeError(file.string() + ": the take is damaged (" + failure.what() + ")", "run the scenario again");
   }
 }
 
@@ -226,8 +226,9 @@ Moment TakeReader::moment(std::size_t step) const {
   try {
     return implementation_->read(step);
   } catch (const hdf5::Failure& failure) {
-    throw TakeError(implementation_->path.string() + ": step " + std::to_string(step) + " is damaged (" +
-                    failure.what() + "); run the scenario again");
+    throw TakeError(
+        implementation_->path.string() + ": step " + std::to_string(step) + " is damaged (" + failure.what() + ")",
+        "run the scenario again");
   }
 }
 

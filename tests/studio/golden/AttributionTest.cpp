@@ -172,6 +172,20 @@ TEST_F(AttributionTest, AnApprovalWithoutEvidenceStillTellsStateFromPicture) {
             ChangedStage::kPhysics);
 }
 
+TEST_F(AttributionTest, WithoutTheGoldensStateTheEngineIsNotBlamed) {
+  const std::filesystem::path state = scene_.folder() / read_approvals(scene_.folder())[0].state;
+  std::filesystem::resize_file(state, 3000);
+  const JudgedScenario judged = scene_.judge(golden_scene(), synthetic_source({.depth = 0.006}));
+  const Attribution attribution = attribution_of(judged);
+  EXPECT_EQ(attribution.stage, ChangedStage::kPhysics);
+  expect_words(attribution, "; whether the scenario asks for the same is open, as the golden's cannot be read");
+  EXPECT_EQ(attribution.sentence.find("the engine has changed"), std::string::npos) << attribution.sentence;
+  const std::string& message = judged.results[0].message;
+  EXPECT_NE(message.find("; restore it from version control, or approve the picture anew"), std::string::npos)
+      << message;
+  EXPECT_EQ(message.find("run the scenario again"), std::string::npos) << message;
+}
+
 TEST_F(AttributionTest, PhysicsThatChangesWithinTheLimitsIsMentioned) {
   const JudgedScenario judged = scene_.judge(golden_scene(), synthetic_source({.depth = 0.004002}));
   ASSERT_EQ(judged.results[0].outcome, GoldenOutcome::kOk) << judged.results[0].message;

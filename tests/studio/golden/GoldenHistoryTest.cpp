@@ -7,10 +7,10 @@
 namespace thinwall {
 namespace {
 
-GoldenHistory history(std::size_t steps, double force_from_step_5 = 1) {
+GoldenHistory history(std::size_t steps, double force_from_step_5 = 1, double time_step = 0.01) {
   GoldenHistory history;
   for (std::size_t step = 0; step < steps; ++step) {
-    const double time = 0.01 * static_cast<double>(step);
+    const double time = time_step * static_cast<double>(step);
     ToolRecord probe{.tool = "probe", .phase = "contact"};
     probe.force.z() = 3 * time * (step >= 5 ? force_from_step_5 : 1);
     BodyRecord organ{.body = "organ", .volume = 1e-5, .pressure = 100};
@@ -46,6 +46,15 @@ TEST(GoldenHistory, NamesTheFirstStepTheQuantityAndTheAmount) {
   EXPECT_EQ(change.sentence,
             "from step 5 on (0.05 s), first in the force of probe; at 0.19 s the force of probe is 0.5877 N instead of "
             "0.57 N (+3.1 %)");
+}
+
+TEST(GoldenHistory, OtherTimeStepsAreComparedAtTheSameTimes) {
+  const GoldenHistory golden = parse_history(history_text(history(20, 1, 0.3)), "h.csv");
+  EXPECT_FALSE(compare_histories(golden, history(39, 1, 0.15)).changed);
+  const HistoryChange change = compare_histories(golden, history(39, 2, 0.15));
+  EXPECT_DOUBLE_EQ(change.time, 0.9);
+  EXPECT_NE(change.sentence.find("at 5.7 s the force of probe is 34.2 N instead of 17.1 N (+100 %)"), std::string::npos)
+      << change.sentence;
 }
 
 TEST(GoldenHistory, AChangeOfTheSecondTakeAloneIsToldAsSuch) {
