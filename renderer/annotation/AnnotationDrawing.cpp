@@ -174,9 +174,20 @@ std::vector<LabelWish> wishes_of(const Scene& scene, const std::vector<ShownLabe
   return wishes;
 }
 
+/// The outline of the walls at rest. Rows of it are not higher than labels.
+std::vector<PixelPoint> resting_outline(const Scene& scene, const Camera& camera) {
+  std::vector<PixelPoint> points;
+  for (const SnapshotSurface& surface : scene.snapshot.surfaces) {
+    for (const Float3& position : surface.topology->rest_positions) {
+      if (const auto at = camera.pixel(vector3(position), scene.size)) points.push_back(*at);
+    }
+  }
+  return outline_of(points, scene.grid.pixels(8));
+}
+
 /// The same labels at times while they are shown together, pointing at the wall at rest.
-std::vector<std::vector<LabelWish>> moments_of(const Scene& scene, const std::vector<ShownLabel>& shown,
-                                               const std::vector<LabelWish>& wishes) {
+std::vector<LabelMoment> moments_of(const Scene& scene, const std::vector<ShownLabel>& shown,
+                                    const std::vector<LabelWish>& wishes) {
   constexpr int kMoments = 5;
   constexpr double kLongest = 10;  // seconds, of labels that stay to the end
   double begin = 0, end = std::numeric_limits<double>::infinity();
@@ -185,12 +196,12 @@ std::vector<std::vector<LabelWish>> moments_of(const Scene& scene, const std::ve
     end = std::min(end, label.definition->span.end);
   }
   end = std::clamp(end, begin, begin + kLongest);
-  std::vector<std::vector<LabelWish>> moments;
+  std::vector<LabelMoment> moments;
   for (int k = 0; k < kMoments; ++k) {
     const Camera camera = resting_camera_at(scene, begin + (end - begin) * k / (kMoments - 1));
-    std::vector<LabelWish>& moment = moments.emplace_back(wishes);
+    LabelMoment& moment = moments.emplace_back(wishes, resting_outline(scene, camera));
     for (std::size_t i = 0; i < shown.size(); ++i) {
-      moment[i].anchor = camera.pixel(vector3(shown[i].definition->at), scene.size).value_or(PixelPoint{0, 0});
+      moment.wishes[i].anchor = camera.pixel(vector3(shown[i].definition->at), scene.size).value_or(PixelPoint{0, 0});
     }
   }
   return moments;

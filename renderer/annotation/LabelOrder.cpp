@@ -1,6 +1,8 @@
 #include "renderer/annotation/LabelOrder.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -23,12 +25,11 @@ std::vector<LabelWish> ordered(const std::vector<LabelWish>& wishes, const std::
   return result;
 }
 
-int crossings_of(const std::vector<std::vector<LabelWish>>& moments, const std::vector<std::size_t>& order,
-                 LabelRoom room) {
+int crossings_of(const std::vector<LabelMoment>& moments, const std::vector<std::size_t>& order, LabelRoom room) {
   int crossings = 0;
-  for (const std::vector<LabelWish>& moment : moments) {
-    const std::vector<LabelWish> wishes = ordered(moment, order);
-    room.obstacles.clear();
+  for (const LabelMoment& moment : moments) {
+    const std::vector<LabelWish> wishes = ordered(moment.wishes, order);
+    room.obstacles = moment.outline;
     for (const LabelWish& wish : wishes) room.obstacles.push_back(wish.anchor);
     crossings += count_crossings(wishes, lay_out_labels(wishes, room));
   }
@@ -51,13 +52,25 @@ int count_crossings(const std::vector<LabelWish>& wishes, const std::vector<Box>
   return crossings;
 }
 
-std::vector<std::size_t> order_of_labels(const std::vector<std::vector<LabelWish>>& moments, const LabelRoom& room) {
+std::vector<PixelPoint> outline_of(const std::vector<PixelPoint>& points, double height) {
+  std::map<double, std::pair<PixelPoint, PixelPoint>> rows;
+  for (const PixelPoint& point : points) {
+    auto& [left, right] = rows.try_emplace(std::floor(point[1] / height), point, point).first->second;
+    if (point[0] < left[0]) left = point;
+    if (point[0] > right[0]) right = point;
+  }
+  std::vector<PixelPoint> outline;
+  for (const auto& [row, ends] : rows) outline.insert(outline.end(), {ends.first, ends.second});
+  return outline;
+}
+
+std::vector<std::size_t> order_of_labels(const std::vector<LabelMoment>& moments, const LabelRoom& room) {
   if (moments.empty()) return {};
-  std::vector<std::size_t> order(moments.front().size());
+  std::vector<std::size_t> order(moments.front().wishes.size());
   std::iota(order.begin(), order.end(), 0U);
   std::vector<double> heights(order.size(), 0);
-  for (const std::vector<LabelWish>& moment : moments) {
-    for (std::size_t i = 0; i < order.size(); ++i) heights[i] += moment[i].anchor[1];
+  for (const LabelMoment& moment : moments) {
+    for (std::size_t i = 0; i < order.size(); ++i) heights[i] += moment.wishes[i].anchor[1];
   }
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return heights[i]; });
   int fewest = crossings_of(moments, order, room);

@@ -17,9 +17,19 @@ Leader leader_of(const LabelWish& wish, const Box& box);
 /// How many pairs of leaders cross or touch.
 int count_crossings(const std::vector<LabelWish>& wishes, const std::vector<Box>& boxes);
 
-/// The order, from above, in which labels are laid out so that over `moments` (the wishes of the same labels at some
-/// times) as few leaders cross as swaps of two can reach; without need that of their mean heights. It holds for
-/// all moments, so that labels do not change places while they are shown. `room`: its bounds count, not its obstacles.
-std::vector<std::size_t> order_of_labels(const std::vector<std::vector<LabelWish>>& moments, const LabelRoom& room);
+/// The same labels as at other moments, and what they stand beside then.
+struct LabelMoment {
+  std::vector<LabelWish> wishes = {};
+  std::vector<PixelPoint> outline = {};  // of the organs
+};
+
+/// The leftmost and the rightmost of the points in each row, `height` pixels high: what labels beside them keep clear
+/// of.
+std::vector<PixelPoint> outline_of(const std::vector<PixelPoint>& points, double height);
+
+/// The order, from above, in which labels are laid out so that over `moments` as few leaders cross as swaps of two can
+/// reach; without need that of their mean heights. It holds for all moments, so that labels do not change places while
+/// they are shown. `room`: its bounds count, not its obstacles.
+std::vector<std::size_t> order_of_labels(const std::vector<LabelMoment>& moments, const LabelRoom& room);
 
 }  // namespace thinwall

@@ -14,9 +14,8 @@ LabelWish wish(double x, double y, bool left = false) {
   return {.anchor = {x, y}, .width = 90, .height = 30, .on_the_left = left};
 }
 
-int crossings(const std::vector<LabelWish>& wishes, const std::vector<std::size_t>& order) {
+int crossings(const std::vector<LabelWish>& wishes, const std::vector<std::size_t>& order, LabelRoom room = kRoom) {
   std::vector<LabelWish> ordered;
-  LabelRoom room = kRoom;
   for (const std::size_t i : order) {
     ordered.push_back(wishes[i]);
     room.obstacles.push_back(wishes[i].anchor);
@@ -33,7 +32,7 @@ TEST(LabelOrder, CountsPairsOfLeadersThatCross) {
 
 TEST(LabelOrder, IsThatOfTheHeightsWhereNothingCrosses) {
   const std::vector<LabelWish> wishes = {wish(200, 250), wish(220, 90), wish(210, 170)};
-  EXPECT_EQ(order_of_labels({wishes}, kRoom), (std::vector<std::size_t>{1, 2, 0}));
+  EXPECT_EQ(order_of_labels({{.wishes = wishes}}, kRoom), (std::vector<std::size_t>{1, 2, 0}));
 }
 
 TEST(LabelOrder, LeavesTheHeightsWhereTheyWouldMakeLeadersCross) {
@@ -41,15 +40,41 @@ TEST(LabelOrder, LeavesTheHeightsWhereTheyWouldMakeLeadersCross) {
   // over the near point.
   const std::vector<LabelWish> wishes = {wish(480, 296), wish(150, 298), wish(470, 299)};
   EXPECT_GT(crossings(wishes, {0, 1, 2}), 0);
-  EXPECT_EQ(crossings(wishes, order_of_labels({wishes}, kRoom)), 0);
+  EXPECT_EQ(crossings(wishes, order_of_labels({{.wishes = wishes}}, kRoom)), 0);
+}
+
+/// Points all around and within a disc.
+std::vector<PixelPoint> disc(double x, double y, double radius) {
+  std::vector<PixelPoint> points;
+  for (int i = 0; i < 4000; ++i) {
+    const double turn = 2 * std::numbers::pi * std::fmod(i * std::numbers::phi, 1.0);
+    const double reach = radius * std::sqrt((i + 0.5) / 4000);
+    points.push_back({x + reach * std::cos(turn), y + reach * std::sin(turn)});
+  }
+  return points;
+}
+
+TEST(LabelOrder, NoneCrossWhereLabelsStandBesideAWideOrgan) {
+  // The plates stand in a column beside the organ, far from what they point at, and above the lower bound.
+  const LabelRoom room{.bounds = {26, 78, 1228, 434}, .obstacles = disc(640, 410, 272), .gap = 8, .distance = 26};
+  const std::vector<LabelWish> wishes = {wish(627, 172), wish(640, 605), wish(853, 534), wish(416, 537)};
+  const std::vector<std::size_t> order =
+      order_of_labels({{.wishes = wishes, .outline = outline_of(room.obstacles, 8)}}, room);
+  EXPECT_EQ(order.front(), 0U);
+  EXPECT_EQ(crossings(wishes, order, room), 0);
+}
+
+TEST(LabelOrder, AnOutlineKeepsTheEndsOfEachRow) {
+  EXPECT_EQ(outline_of({{5, 1}, {9, 2}, {7, 3}, {1, 9}, {4, 12}}, 8),
+            (std::vector<PixelPoint>{{5, 1}, {9, 2}, {1, 9}, {4, 12}}));
 }
 
 TEST(LabelOrder, IsOneForAllMoments) {
   // Two points that turn about each other: no order is good at all times, and the one of most of them is kept.
-  std::vector<std::vector<LabelWish>> moments;
+  std::vector<LabelMoment> moments;
   for (const double turn : {-0.9, -0.3, 0.3, 0.6, 0.9}) {
     const double up = 60 * std::sin(turn * std::numbers::pi / 2);
-    moments.push_back({wish(200, 180 + up), wish(200, 180 - up)});
+    moments.push_back({.wishes = {wish(200, 180 + up), wish(200, 180 - up)}});
   }
   EXPECT_EQ(order_of_labels(moments, kRoom), (std::vector<std::size_t>{1, 0}));
 }
@@ -63,7 +88,7 @@ TEST(LabelOrder, NoneCrossAmongPointsAnywhereOnTwoSides) {
       const double y = std::fmod((7 * scene + i + 1) * std::numbers::sqrt2, 1.0);
       wishes.push_back(wish(180 + 280 * x, 70 + 220 * y, x < 0.5));
     }
-    EXPECT_EQ(crossings(wishes, order_of_labels({wishes}, kRoom)), 0) << scene;
+    EXPECT_EQ(crossings(wishes, order_of_labels({{.wishes = wishes}}, kRoom)), 0) << scene;
   }
 }
 
