@@ -375,7 +375,7 @@ void Pipeline::finish_pictures() {
   if (video_) {
     const double end = static_cast<double>(report_.frame_hashes.size()) / plan_.frames_per_second;
     video_->finish(
-        up_to(end, shown_chapters(report_.chapters, script_.clock()), &VideoChapter::title),
+        up_to(end, shown_chapters(report_.chapters, script_.clock(), end), &VideoChapter::title),
         up_to(end, shown_captions(captions_, script_.clock(), script_.title_duration()), &VideoCaption::text));
   }
   if (plan_.frames) rename_folder(unfinished_name(frame_folder(plan_)), frame_folder(plan_));

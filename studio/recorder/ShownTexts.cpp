@@ -12,10 +12,10 @@ std::vector<TimedText> shown_captions(std::vector<TimedText> captions, const Vid
   return captions;
 }
 
-std::vector<TimedText> shown_chapters(std::vector<TimedText> chapters, const VideoClock& clock) {
-  for (TimedText& chapter : chapters) {
-    chapter.begin = clock.first_shown(chapter.begin);
-    chapter.end = clock.first_shown(chapter.end);
+std::vector<TimedText> shown_chapters(std::vector<TimedText> chapters, const VideoClock& clock, double end) {
+  for (TimedText& chapter : chapters) chapter.begin = clock.first_shown(chapter.begin);
+  for (std::size_t i = 0; i < chapters.size(); ++i) {
+    chapters[i].end = i + 1 < chapters.size() ? chapters[i + 1].begin : end;
   }
   return chapters;
 }

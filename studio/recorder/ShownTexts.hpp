@@ -12,7 +12,8 @@ namespace thinwall {
 /// seconds ends, also in a freeze.
 std::vector<TimedText> shown_captions(std::vector<TimedText> captions, const VideoClock& clock, double title = 0);
 
-/// Chapters in the time of the video: a freeze, and with it a title card, belongs to the chapter that begins there.
-std::vector<TimedText> shown_chapters(std::vector<TimedText> chapters, const VideoClock& clock);
+/// Chapters in the time of a video that lasts until `end`: a freeze, and with it a title card, belongs to the chapter
+/// that begins there, and each lasts until the next one, as clips without a chapter belong to that before them.
+std::vector<TimedText> shown_chapters(std::vector<TimedText> chapters, const VideoClock& clock, double end);
 
 }  // namespace thinwall

@@ -132,10 +132,16 @@ ValueSchema discharge_value() {
   return quantity_value(kDimensionless, {.minimum = 0, .maximum = 1, .minimum_excluded = true}, "0.61");
 }
 
+ValueSchema chamber_name(const char* example) {
+  ValueSchema value = name_value();
+  value.example = example;
+  return value;
+}
+
 MappingSchema orifice() {
   MappingSchema orifice{.name = "orifice", .documentation = "A hole through which two chambers exchange fluid."};
   orifice.keys = {
-      {"between", tuple_value({name_value(), name_value()}), true, {}, "names of the two chambers"},
+      {"between", tuple_value({chamber_name("upper"), chamber_name("lower")}), true, {}, "names of the two chambers"},
       {"area", quantity_value(kArea, kAboveZero, "2 mm^2"), true, {}, "area of the hole"},
       {"discharge", discharge_value(), false, "0.61",
        "flow over area times the root of twice the pressure's fall over the density"},

@@ -14,7 +14,11 @@ std::vector<KeySchema> with_clip_keys(std::vector<KeySchema> keys) {
                   {},
                   "when the clip begins; when the one before it ends when absent"});
   keys.push_back({"caption", text_value(), false, {}, "shown while the clip lasts"});
-  keys.push_back({"chapter", text_value(), false, {}, "title of a chapter of the video that begins with the clip"});
+  keys.push_back({"chapter",
+                  text_value(),
+                  false,
+                  {},
+                  "title of a chapter of the video that begins with the clip and lasts until the next one"});
   return keys;
 }
 

@@ -60,9 +60,15 @@ TEST(ShownTexts, CaptionsAndChaptersFollowTheVideosTime) {
   const auto captions = shown_captions({{0, 1, "one"}, {1, 2, "two"}}, clock, 3);
   EXPECT_EQ(captions[0], (TimedText{3, 6, "one"})) << "after the title card, with the freeze at its end";
   EXPECT_EQ(captions[1], (TimedText{6, 7, "two"}));
-  const auto chapters = shown_chapters({{0, 1, "one"}, {1, 2, "two"}}, clock);
+  const auto chapters = shown_chapters({{0, 1, "one"}, {1, 2, "two"}}, clock, 7);
   EXPECT_EQ(chapters[0], (TimedText{0, 4, "one"}));
   EXPECT_EQ(chapters[1], (TimedText{4, 7, "two"}));
+}
+
+TEST(ShownTexts, AChapterLastsOverClipsWithoutOneUntilTheNextOrTheEndOfTheVideo) {
+  const auto chapters = shown_chapters({{0, 1, "one"}, {2, 3, "two"}}, VideoClock({}, {}), 5);
+  EXPECT_EQ(chapters[0], (TimedText{0, 2, "one"}));
+  EXPECT_EQ(chapters[1], (TimedText{2, 5, "two"}));
 }
 
 TEST(ShownTexts, TheFirstCaptionHoldsInAFreezeAtTheBeginningAsTheFramesShowIt) {

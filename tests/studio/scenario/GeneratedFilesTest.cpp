@@ -36,6 +36,11 @@ TEST(GeneratedFiles, EveryKeyAndWordIsOnTheReferencePage) {
   }
 }
 
+TEST(GeneratedFiles, ExamplesOfListsLeaveNoItemEmpty) {
+  const std::string page = scenario_reference();
+  for (const char* gap : {"[,", ", ,", ", ]"}) EXPECT_EQ(page.find(gap), std::string::npos) << gap;
+}
+
 /// A node as an editor sees it: plain numbers and booleans have their type.
 nlohmann::json to_json(const TextNode& node) {
   nlohmann::json json;
