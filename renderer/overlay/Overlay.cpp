@@ -24,6 +24,9 @@ double peak_of(const OverlayContent& content) {
     peak = std::max(peak, std::abs(sample.force));
   }
   for (const ForceSample& sample : content.other_history) peak = std::max(peak, std::abs(sample.force));
+  for (const ToolHistory& other : content.other_tools) {
+    for (const ForceSample& sample : other.samples) peak = std::max(peak, std::abs(sample.force));
+  }
   return peak;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,13 @@ namespace thinwall {
 struct ForceSample {
   double time = 0;   // seconds
   double force = 0;  // newton, magnitude of what the tissue does to the tool
+};
+
+/// The force of one of several tools.
+struct ToolHistory {
+  std::string tool;
+  std::size_t number = 0;            // among all tools, which its colour goes by
+  std::vector<ForceSample> samples;  // ascending in time
 };
 
 /// What the colours of a data view mean.
@@ -40,6 +48,8 @@ struct OverlayContent {
   std::optional<double> pressure = 0;           // pascal; none where no body has contents
   std::vector<ForceSample> history;             // ascending in time, up to `time`
   std::vector<ForceSample> other_history = {};  // of a take that this one is compared with; empty: none
+  std::size_t tool_number = 0;                  // of `tool` among all tools
+  std::vector<ToolHistory> other_tools = {};    // that have touched, too, in order of their numbers
   bool show_force_plot = true;
   bool show_gauge = true;
   bool show_caption = true;

@@ -1,6 +1,8 @@
 #include "renderer/overlay/PlotPlate.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "renderer/overlay/Axis.hpp"
 #include "renderer/overlay/ForceCurve.hpp"
@@ -11,6 +13,14 @@ namespace {
 
 using plate_style::kPadding;
 using plate_style::kSmallText;
+
+/// Of lines of tools by their numbers; none is that of a compared take or of a force's arrow.
+constexpr Color kToolCurves[] = {plate_style::kCurve, {0.80, 0.62, 0.98}, {0.60, 0.86, 0.45},
+                                 {0.98, 0.55, 0.64},  {0.55, 0.64, 0.98}, {0.86, 0.88, 0.90}};
+
+Color tool_color(std::size_t number) {
+  return kToolCurves[number % std::size(kToolCurves)];
+}
 
 struct ForceUnit {
   double newton;
@@ -78,12 +88,46 @@ void draw_axes(const Plate& plate, const OverlayGrid& grid, const ForcePlot& plo
   }
 }
 
+std::vector<PlotPoint> points_of(const ForcePlot& plot, const std::vector<ForceSample>& history) {
+  std::vector<PlotPoint> curve;
+  curve.reserve(history.size());
+  for (const ForceSample& sample : history) curve.push_back({sample.time, sample.force / plot.unit.newton});
+  return curve_in_pixels(curve, plot.time, plot.force, plot.area);
+}
+
+void draw_other_tool(const Plate& plate, const OverlayGrid& grid, const ForcePlot& plot, const ToolHistory& tool) {
+  const std::vector<PlotPoint> points = points_of(plot, tool.samples);
+  if (points.empty()) return;
+  trace(plate, points);
+  set_color(plate.context(), tool_color(tool.number));
+  cairo_set_line_join(plate.context(), CAIRO_LINE_JOIN_ROUND);
+  cairo_set_line_width(plate.context(), std::max(1.2, grid.pixels(1.8)));
+  cairo_stroke(plate.context());
+}
+
+/// Which colour is which tool, right of the heading; each has the same share of the width at most.
+void draw_tool_names(const Plate& plate, const OverlayGrid& grid, const OverlayContent& content, double left) {
+  std::vector<std::pair<std::size_t, std::string>> tools = {{content.tool_number, content.tool}};
+  for (const ToolHistory& other : content.other_tools) tools.emplace_back(other.number, other.tool);
+  std::ranges::sort(tools);
+  const double gap = grid.pixels(12), dash = grid.pixels(12), space = grid.pixels(5);
+  double right = plate.size().width - grid.pixels(kPadding + 4);
+  const double share = (right - left) / static_cast<double>(tools.size()) - gap - dash - space;
+  if (share < grid.pixels(8)) return;
+  const double middle = grid.pixels(24);
+  for (std::size_t i = tools.size(); i-- > 0;) {
+    const Text name(tools[i].second, label_style(grid), {.width = share, .lines = 1});
+    name.draw(plate, right - name.width(), middle - name.height() / 2);
+    right -= name.width() + space;
+    plate.line(right - dash, middle, right, middle, std::max(1.5, grid.pixels(2.4)), tool_color(tools[i].first));
+    right -= dash + gap;
+  }
+}
+
 /// The force of the take in the right half: a line of another colour, dashed, without a mark.
 void draw_other_curve(const Plate& plate, const OverlayGrid& grid, const ForcePlot& plot,
                       const std::vector<ForceSample>& history) {
-  std::vector<PlotPoint> curve;
-  for (const ForceSample& sample : history) curve.push_back({sample.time, sample.force / plot.unit.newton});
-  const std::vector<PlotPoint> points = curve_in_pixels(curve, plot.time, plot.force, plot.area);
+  const std::vector<PlotPoint> points = points_of(plot, history);
   if (points.empty()) return;
   cairo_t* context = plate.context();
   trace(plate, points);
@@ -96,27 +140,25 @@ void draw_other_curve(const Plate& plate, const OverlayGrid& grid, const ForcePl
 }
 
 void draw_curve(const Plate& plate, const OverlayGrid& grid, const ForcePlot& plot, const OverlayContent& content) {
-  std::vector<PlotPoint> curve;
-  curve.reserve(content.history.size());
-  for (const ForceSample& sample : content.history) curve.push_back({sample.time, sample.force / plot.unit.newton});
-  const std::vector<PlotPoint> points = curve_in_pixels(curve, plot.time, plot.force, plot.area);
+  const std::vector<PlotPoint> points = points_of(plot, content.history);
   if (points.empty()) return;
+  const Color color = tool_color(content.tool_number);
   cairo_t* context = plate.context();
   cairo_new_path(context);
   cairo_move_to(context, points.front().x, plot.area.bottom());
   trace(plate, points);
   cairo_line_to(context, points.back().x, plot.area.bottom());
-  set_color(context, plate_style::kCurve.with_opacity(0.14));
+  set_color(context, color.with_opacity(0.14));
   cairo_fill(context);
   trace(plate, points);
-  set_color(context, plate_style::kCurve);
+  set_color(context, color);
   cairo_set_line_join(context, CAIRO_LINE_JOIN_ROUND);
   cairo_set_line_cap(context, CAIRO_LINE_CAP_ROUND);
   cairo_set_line_width(context, std::max(1.2, grid.pixels(2.2)));
   cairo_stroke(context);
   cairo_set_line_cap(context, CAIRO_LINE_CAP_BUTT);
   const PlotPoint now = points.back();
-  plate.fill_circle(now.x, now.y, grid.pixels(8), plate_style::kCurve.with_opacity(0.25));
+  plate.fill_circle(now.x, now.y, grid.pixels(8), color.with_opacity(0.25));
   plate.fill_circle(now.x, now.y, std::max(1.5, grid.pixels(4)), plate_style::kText);
 }
 
@@ -129,6 +171,10 @@ void draw_force_plot(Image& image, const OverlayGrid& grid, const OverlayContent
                      {.size = grid.pixels(kSmallText + 1), .color = plate_style::kFaintText});
   heading.draw(plate, grid.pixels(kPadding), grid.pixels(24) - heading.height() / 2);
   draw_axes(plate, grid, plot);
+  if (!content.other_tools.empty()) {
+    draw_tool_names(plate, grid, content, grid.pixels(kPadding + 12) + heading.width());
+  }
+  for (const ToolHistory& other : content.other_tools) draw_other_tool(plate, grid, plot, other);
   draw_other_curve(plate, grid, plot, content.other_history);
   draw_curve(plate, grid, plot, content);
   const int margin = grid.whole(plate_style::kMargin);

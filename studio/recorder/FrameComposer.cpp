@@ -154,11 +154,24 @@ OverlayContent FrameComposer::overlay(const Snapshot& snapshot) const {
   content.phase = tool->phase;
   content.force = magnitude(tool->force);
   content.depth = tool->depth;
-  for (const ForceSample& sample : histories_[static_cast<std::size_t>(tool - snapshot.tools.data())]) {
-    if (sample.time < snapshot.time - kSameTime) content.history.push_back(sample);
+  content.tool_number = static_cast<std::size_t>(tool - snapshot.tools.data());
+  content.history = history_of(content.tool_number, snapshot);
+  for (std::size_t i = 0; i < snapshot.tools.size(); ++i) {
+    if (i == content.tool_number) continue;
+    std::vector<ForceSample> samples = history_of(i, snapshot);
+    const bool has_touched = std::ranges::any_of(samples, [](const ForceSample& sample) { return sample.force > 0; });
+    if (has_touched) content.other_tools.push_back({snapshot.tools[i].name, i, std::move(samples)});
   }
-  content.history.push_back({.time = snapshot.time, .force = content.force});
   return content;
+}
+
+std::vector<ForceSample> FrameComposer::history_of(std::size_t tool, const Snapshot& snapshot) const {
+  std::vector<ForceSample> history;
+  for (const ForceSample& sample : histories_[tool]) {
+    if (sample.time < snapshot.time - kSameTime) history.push_back(sample);
+  }
+  history.push_back({.time = snapshot.time, .force = magnitude(snapshot.tools[tool].force)});
+  return history;
 }
 
 const SnapshotTool* FrameComposer::shown_tool(const Snapshot& snapshot) const {

@@ -49,6 +49,7 @@ class FrameComposer {
  private:
   OverlayContent overlay(const Snapshot& snapshot) const;
   const SnapshotTool* shown_tool(const Snapshot& snapshot) const;
+  std::vector<ForceSample> history_of(std::size_t tool, const Snapshot& snapshot) const;
   void add_second(const Moment& moment);
   void compose_second(double time, const Moment& earlier, Frame& frame) const;
 

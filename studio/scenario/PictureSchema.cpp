@@ -145,7 +145,7 @@ MappingSchema tissue_schema() {
 ValueSchema look_schema() {
   MappingSchema overlays{.name = "overlays", .documentation = "What is written over the picture."};
   overlays.keys = {
-      shown_key("force_plot", "force over time"),
+      shown_key("force_plot", "force over time, a line for each tool that has touched"),
       shown_key("gauge", "force, depth and pressure of the moment"),
       shown_key("captions", "captions of the clips"),
       shown_key("time", "time of the scenario"),

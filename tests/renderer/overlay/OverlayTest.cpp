@@ -188,6 +188,27 @@ TEST(Overlay, PlotShowsTheHistoryAndNothingElseDoes) {
   }
 }
 
+/// Pixels of the plot with the violet of the second tool.
+int violet(const Image& image) {
+  int count = 0;
+  for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
+    const std::uint8_t* pixel = &image.pixels[i];
+    count += pixel[2] > 170 && pixel[2] > pixel[0] + 15 && pixel[0] > pixel[1] + 15;
+  }
+  return count;
+}
+
+TEST(Overlay, SeveralToolsHaveALineAndANameEachWhoseColorsStayWhicheverIsShown) {
+  OverlayContent content = some_content();
+  EXPECT_EQ(violet(overlaid(content)), 0);
+  content.other_tools = {{.tool = "needle", .number = 1, .samples = {{0, 0}, {1, 0.1}, {2, 0.05}}}};
+  EXPECT_GT(violet(overlaid(content)), 150) << "a line and what names it";
+  std::swap(content.history, content.other_tools[0].samples);
+  std::swap(content.tool, content.other_tools[0].tool);
+  std::swap(content.tool_number, content.other_tools[0].number);
+  EXPECT_GT(violet(overlaid(content)), 150);
+}
+
 TEST(Overlay, TellsNoPressureWhereNothingHasContents) {
   OverlayContent content = some_content();
   const Image with = overlaid(content);

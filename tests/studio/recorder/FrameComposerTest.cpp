@@ -66,6 +66,30 @@ TEST(FrameComposerTest, OfSeveralToolsTheOneThatTouchesIsShownElseTheLastThatDid
   EXPECT_EQ(shown_after("idle", 0, "approach", 0), "first");
 }
 
+TEST(FrameComposerTest, EachToolThatHasTouchedHasAHistoryAndKeepsItsNumber) {
+  const auto moment = [](double time, double first, double second) {
+    Moment result;
+    result.snapshot.time = time;
+    result.snapshot.tools = {{.name = "probe", .phase = "contact", .force = {0, 0, first}},
+                             {.name = "needle", .phase = "contact", .force = {0, second, 0}}};
+    return result;
+  };
+  FrameComposer composer("", {});
+  composer.add(moment(0, 0, 0));
+  composer.add(moment(1, 3, 0));
+  EXPECT_EQ(composer.compose(1).overlay.tool_number, 0U);
+  EXPECT_TRUE(composer.compose(1).overlay.other_tools.empty()) << "the needle has not touched";
+  composer.add(moment(2, 0, 5));
+  const OverlayContent content = composer.compose(2).overlay;
+  EXPECT_EQ(content.tool, "needle");
+  EXPECT_EQ(content.tool_number, 1U);
+  ASSERT_EQ(content.other_tools.size(), 1U);
+  EXPECT_EQ(content.other_tools[0].tool, "probe");
+  EXPECT_EQ(content.other_tools[0].number, 0U);
+  ASSERT_EQ(content.other_tools[0].samples.size(), 3U);
+  EXPECT_EQ(content.other_tools[0].samples[1].force, 3);
+}
+
 TEST(FrameComposerTest, KnowsHowFarItReaches) {
   const SyntheticRun run;
   EXPECT_FALSE(FrameComposer("", {}).reaches(0));
