@@ -1,5 +1,7 @@
 #include "studio/commands/RunSource.hpp"
 
+#include "studio/commands/LongWait.hpp"
+#include "studio/commands/Outcome.hpp"
 #include "studio/director/ScenarioRun.hpp"
 #include "studio/recorder/Interruption.hpp"
 #include "studio/recorder/PairedSource.hpp"
@@ -10,12 +12,16 @@ namespace {
 class RunSource final : public MomentSource {
  public:
   explicit RunSource(const Scenario& scenario) : scenario_(scenario) {
-    // A step that is hard to solve may take minutes.
-    scenario_.simulation.between_iterations = throw_if_interrupted;
+    // A step that is hard to solve may take minutes, and the equilibrium before the first shows no progress.
+    scenario_.simulation.between_iterations = [this] {
+      throw_if_interrupted();
+      if (!run_) equilibrium_.look();
+    };
   }
 
   std::optional<Moment> next() override {
     if (!run_) {
+      equilibrium_ = equilibrium_wait();
       run_.emplace(scenario_);
     } else if (!run_->step()) {
       return std::nullopt;
@@ -31,7 +37,12 @@ class RunSource final : public MomentSource {
   std::string state_digest() const override { return run_ ? run_->state_digest() : ""; }
 
  private:
+  LongWait equilibrium_wait() const {
+    return {"`" + scenario_.name + "`: finding the equilibrium before the first step", tell_note};
+  }
+
   Scenario scenario_;
+  LongWait equilibrium_ = equilibrium_wait();
   std::optional<ScenarioRun> run_;
 };
 
