@@ -47,16 +47,18 @@ bool is_plain(const DeepImage& image) {
   return true;
 }
 
-DeepDifference compare_deep(const DeepImage& first, const DeepImage& second) {
+DeepDifference compare_deep(const DeepImage& first, const DeepImage& second, const std::vector<std::uint8_t>& mask) {
   assert(first.size == second.size);
   int largest = 0;
-  std::int64_t sum = 0;
+  std::int64_t sum = 0, counted = 0;
   for (std::size_t i = 0; i < first.values.size(); ++i) {
+    if (!mask.empty() && mask[i / 4] == 0) continue;
+    ++counted;
     const int difference = std::abs(static_cast<int>(first.values[i]) - second.values[i]);
     largest = std::max(largest, difference);
     sum += difference;
   }
-  const double count = static_cast<double>(std::max<std::size_t>(1, first.values.size()));
+  const double count = static_cast<double>(std::max<std::int64_t>(1, counted));
   return {.largest = static_cast<double>(largest) / kStep, .mean = static_cast<double>(sum) / count / kStep};
 }
 

@@ -27,7 +27,8 @@ struct DeepDifference {
   double mean = 0;     // 8-bit levels
 };
 
-/// The sizes must be equal.
-DeepDifference compare_deep(const DeepImage& first, const DeepImage& second);
+/// `mask`, when not empty, is (height x width), zero where nothing counts. The sizes must be equal.
+DeepDifference compare_deep(const DeepImage& first, const DeepImage& second,
+                            const std::vector<std::uint8_t>& mask = {});
 
 }  // namespace thinwall

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <future>
@@ -15,23 +16,38 @@
 namespace thinwall {
 namespace {
 
-PictureOptions picture_options(const FileComparisonOptions& options, ImageSize size) {
-  PictureOptions result{.limits = options.limits, .wanted = options.wanted, .mask = {}, .flip = options.flip};
-  if (!options.mask) return result;
+/// (height x width), zero where nothing counts; empty: all counts.
+std::vector<std::uint8_t> mask_for(const FileComparisonOptions& options, ImageSize size) {
+  if (!options.mask) return {};
   const Image mask = read_media(*options.mask).image;
   if (mask.size != size) {
     throw ImageUnreadable(fmt::format("the mask {} has {} x {} pixels, the pictures have {} x {}",
                                       options.mask->string(), mask.size.width, mask.size.height, size.width,
                                       size.height));
   }
-  result.mask = mask_of(mask);
-  return result;
+  return mask_of(mask);
+}
+
+PictureOptions picture_options(const FileComparisonOptions& options, ImageSize size) {
+  return {.limits = options.limits, .wanted = options.wanted, .mask = mask_for(options, size), .flip = options.flip};
+}
+
+/// The numbers of `second`, those of `first` where the mask is zero.
+FloatImage with_masked_numbers_of(FloatImage second, const FloatImage& first, const std::vector<std::uint8_t>& mask) {
+  if (first.channels != second.channels) return second;
+  const auto channels = static_cast<std::size_t>(first.channels);
+  for (std::size_t i = 0; i < mask.size(); ++i) {
+    if (mask[i] == 0) std::copy_n(&first.values[channels * i], channels, &second.values[channels * i]);
+  }
+  return second;
 }
 
 /// Finer than 8 bits, and transparency: what the ladder, which sees 8-bit colours over white, does not.
-void judge_depth(FileComparison& result, const MediaFile& first, const MediaFile& second, const PictureLimits& limits) {
+void judge_depth(FileComparison& result, const MediaFile& first, const MediaFile& second,
+                 const PictureOptions& options) {
+  const PictureLimits& limits = options.limits;
   const DeepDifference difference = compare_deep(first.deep ? *first.deep : deepened(first.image),
-                                                 second.deep ? *second.deep : deepened(second.image));
+                                                 second.deep ? *second.deep : deepened(second.image), options.mask);
   if (difference.largest == 0) return;
   const bool within = limits.any() && (!limits.largest || difference.largest <= *limits.largest) &&
                       (!limits.mean || difference.mean <= *limits.mean);
@@ -44,18 +60,20 @@ void judge_depth(FileComparison& result, const MediaFile& first, const MediaFile
 
 void judge_pictures(FileComparison& result, const MediaFile& first, const MediaFile& second,
                     const FileComparisonOptions& options) {
-  PictureComparison comparison = climb_ladder(first.image, second.image, picture_options(options, first.image.size));
+  const PictureOptions asked = picture_options(options, first.image.size);
+  PictureComparison comparison = climb_ladder(first.image, second.image, asked);
   result.verdict = comparison.verdict;
   const bool same_size = comparison.difference.verdict != ImageVerdict::kSizeMismatch;
   if (comparison.rung != "bytes") result.outcome = comparison.within ? FileOutcome::kWithin : FileOutcome::kDiffers;
-  if (same_size && (first.deep || second.deep) && !options.mask) judge_depth(result, first, second, options.limits);
+  if (same_size && (first.deep || second.deep)) judge_depth(result, first, second, asked);
+  const Image counted =
+      same_size && !asked.mask.empty() ? with_masked_pixels_of(second.image, first.image, asked.mask) : second.image;
   if (same_size && result.outcome == FileOutcome::kDiffers) {
-    result.details = describe(comparison.difference) + "\n" + difference_text(first.image, second.image);
+    result.details = describe(comparison.difference) + "\n" + difference_text(first.image, counted);
   }
   if (same_size && options.wants_picture) {
     const bool by_flip = comparison.flip && !comparison.flip->map.empty();
-    result.heat =
-        by_flip ? error_picture(first.image, comparison.flip->map) : difference_picture(first.image, second.image);
+    result.heat = by_flip ? error_picture(first.image, comparison.flip->map) : difference_picture(first.image, counted);
   }
   result.picture = std::move(comparison);
 }
@@ -71,21 +89,25 @@ FloatImage as_colors(const FloatImage& image) {
 
 void judge_high_range(FileComparison& result, const MediaFile& first, const MediaFile& second,
                       const FileComparisonOptions& options) {
+  const std::vector<std::uint8_t> mask = mask_for(options, first.size());
   const FloatImage& a = first.numbers;
-  const FloatImage& b = second.numbers;
+  const FloatImage b = with_masked_numbers_of(second.numbers, a, mask);
   // By their bits, so that what is not a number equals itself.
   if (a.channels == b.channels && std::memcmp(a.values.data(), b.values.data(), a.values.size() * sizeof(float)) == 0) {
     result.verdict = "equal";
     return;
   }
-  result.high_range = flip_high_range(as_colors(a), as_colors(b), options.flip);
+  const FloatImage colors = as_colors(a);
+  result.high_range = flip_high_range(colors, with_masked_numbers_of(as_colors(b), colors, mask), options.flip);
   const PictureLimits& limits = options.limits;
-  const bool judged = limits.flip || limits.flip_99;
+  const bool has_others = limits.largest || limits.mean || limits.drift || limits.failing || limits.structure;
+  const bool judged = (limits.flip || limits.flip_99) && !has_others;
   const bool within = judged && (!limits.flip || result.high_range->mean <= *limits.flip) &&
                       (!limits.flip_99 || result.high_range->percentile_99 <= *limits.flip_99);
   result.outcome = within ? FileOutcome::kWithin : FileOutcome::kDiffers;
   result.verdict = fmt::format("HDR-FLIP {:.6f}, 99th percentile {:.4f}, largest {:.4f}", result.high_range->mean,
                                result.high_range->percentile_99, result.high_range->largest);
+  if (has_others) result.verdict += "; of pictures of high range only --flip and --flip-99 can be limits";
   if (options.wants_picture) {
     const auto count = result.high_range->map.size() * 3;
     result.heat =
@@ -115,16 +137,18 @@ FloatImage layer_of(const MediaFile& file, LayerKind kind) {
   return layer;
 }
 
-void judge_layers(FileComparison& result, const MediaFile& first, const MediaFile& second, const LayerChoice& choice) {
+void judge_layers(FileComparison& result, const MediaFile& first, const MediaFile& second,
+                  const std::vector<std::uint8_t>& mask, const LayerChoice& choice) {
   result.kind = layer_name(choice.kind);
   const bool is_ids = choice.kind == LayerKind::kIds;
-  if (first.kind == MediaKind::kPicture && !is_ids) {
+  if (first.kind == MediaKind::kVideo || (first.kind == MediaKind::kPicture && !is_ids)) {
     result.outcome = FileOutcome::kUnreadable;
     result.verdict = "a layer of " + result.kind + " has to be a file of floating-point numbers: EXR or PFM";
     return;
   }
-  const LayerDifference difference =
-      compare_layers(layer_of(first, choice.kind), layer_of(second, choice.kind), choice.kind, choice.tolerance);
+  const FloatImage layer = layer_of(first, choice.kind);
+  const FloatImage other = with_masked_numbers_of(layer_of(second, choice.kind), layer, mask);
+  const LayerDifference difference = compare_layers(layer, other, choice.kind, choice.tolerance);
   const double pixels = static_cast<double>(first.size().width) * first.size().height;
   const double fraction = static_cast<double>(difference.failing) / pixels;
   const bool equal = difference.failing == 0 && difference.largest == 0;
@@ -157,7 +181,7 @@ void judge(FileComparison& result, const MediaFile& first, const MediaFile& seco
                                  first.size().width, first.size().height);
     return;
   }
-  if (options.layer && first.kind != MediaKind::kVideo) return judge_layers(result, first, second, *options.layer);
+  if (options.layer) return judge_layers(result, first, second, mask_for(options, first.size()), *options.layer);
   switch (first.kind) {
     case MediaKind::kPicture:
       return judge_pictures(result, first, second, options);

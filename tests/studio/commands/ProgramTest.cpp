@@ -98,6 +98,8 @@ TEST_F(ProgramTest, ToCompareTellsItsVerdictByTheExitCode) {
   expect_bad_usage({"compare", "a.pfm"}, "B is required");
   expect_bad_usage({"compare", "a.pfm", "b.pfm", "--metric", "beauty"}, "write pixels, ssim, flip or all");
   expect_bad_usage({"compare", "a.pfm", "b.pfm", "--max", "300"}, "--max");
+  expect_bad_usage({"compare", "a.pfm", "b.pfm", "--layer", "depth", "--max", "3"}, "none of pictures");
+  expect_bad_usage({"compare", "a.pfm", "b.pfm", "--layer", "depth", "--diff", "d.png"}, "no picture of what differs");
   for (const char* text : {"nan", "-NaN"}) expect_bad_usage({"compare", "a.pfm", "b.pfm", "--mean", text}, "--mean");
   EXPECT_EQ(run({"compare", "a.pfm", "."}).exit_code, 1);
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/studio/comparison/MediaFiles.hpp"
 
 namespace thinwall {
@@ -91,6 +93,38 @@ TEST_F(FileComparisonTest, TheMaskTakesPlacesOut) {
   EXPECT_THROW(compare_files(first, second, options), ImageUnreadable);
 }
 
+TEST_F(FileComparisonTest, WhatIsMaskedIsNotShownAsDifferent) {
+  Image changed = image_;
+  changed.pixels.front() ^= 64;
+  changed.pixels.back() ^= 64;
+  Image mask = tinted(image_, 255, 255, 255);
+  const auto first = picture("a.png", image_);
+  const auto second = picture("b.png", changed);
+  FileComparisonOptions options{.wants_picture = true};
+  options.mask = picture("mask.png", mask);
+  const FileComparison whole = compare_files(first, second, options);
+  for (std::size_t i = 0; i < 3; ++i) mask.pixels[i] = 0;
+  options.mask = picture("mask.png", mask);
+  const FileComparison part = compare_files(first, second, options);
+  EXPECT_EQ(part.outcome, FileOutcome::kDiffers);
+  const auto marks = [](const FileComparison& one) { return std::ranges::count(one.details, '#'); };
+  EXPECT_EQ(marks(whole) - marks(part), 1) << part.details;
+  ASSERT_TRUE(whole.heat && part.heat);
+  EXPECT_NE(std::vector(whole.heat->pixels.begin(), whole.heat->pixels.begin() + 3),
+            std::vector(part.heat->pixels.begin(), part.heat->pixels.begin() + 3));
+}
+
+TEST_F(FileComparisonTest, AMaskHidesNoSixteenBitsElsewhere) {
+  convert(picture("a.png", image_), {"-pix_fmt", "rgb48be"}, folder_ / "fine.png");
+  convert(folder_ / "fine.png", {"-vf", "format=gbrp16,lutrgb=r=val+3,format=rgb48be"}, folder_ / "other.png");
+  ASSERT_EQ(compare_files(folder_ / "fine.png", folder_ / "other.png").outcome, FileOutcome::kDiffers);
+  FileComparisonOptions options;
+  options.mask = picture("mask.png", tinted(image_, 255, 255, 255));
+  EXPECT_EQ(compare_files(folder_ / "fine.png", folder_ / "other.png", options).outcome, FileOutcome::kDiffers);
+  options.mask = picture("mask.png", tinted(image_, 0, 0, 0));
+  EXPECT_EQ(compare_files(folder_ / "fine.png", folder_ / "other.png", options).outcome, FileOutcome::kEqual);
+}
+
 TEST_F(FileComparisonTest, EqualVideosAreEqualWhateverTheirContainer) {
   const auto first = video("a.mkv", {0, 1, 2, 3, 4});
   convert(first, {"-c", "copy"}, folder_ / "b.nut");
@@ -165,6 +199,38 @@ TEST_F(FileComparisonTest, PicturesOfHighRangeAreComparedByHdrFlip) {
   EXPECT_EQ(result.outcome, FileOutcome::kDiffers);
   ASSERT_TRUE(result.high_range);
   EXPECT_GT(result.high_range->mean, 0.01);
+  FileComparisonOptions options;
+  options.limits.flip = 1;
+  EXPECT_EQ(compare_files(first, second, options).outcome, FileOutcome::kWithin);
+  options.limits.largest = 255;
+  const FileComparison judged = compare_files(first, second, options);
+  EXPECT_EQ(judged.outcome, FileOutcome::kDiffers) << "no limit that does not apply is met";
+  EXPECT_NE(judged.verdict.find("only --flip and --flip-99 can be limits"), std::string::npos) << judged.verdict;
+}
+
+TEST_F(FileComparisonTest, AMaskTakesPlacesOutOfNumbersToo) {
+  std::vector<float> values(30, 0.5F);
+  const auto first = numbers("a.pfm", values, true);
+  values[4] = 40;
+  const auto second = numbers("b.pfm", values, true);
+  Image mask{.size = {30, 1}, .pixels = std::vector<std::uint8_t>(90, 255)};
+  FileComparisonOptions options;
+  options.mask = picture("mask.png", mask);
+  EXPECT_EQ(compare_files(first, second, options).outcome, FileOutcome::kDiffers);
+  std::fill_n(&mask.pixels[12], 3, std::uint8_t{0});
+  options.mask = picture("mask.png", mask);
+  EXPECT_EQ(compare_files(first, second, options).outcome, FileOutcome::kEqual);
+  options.layer = LayerChoice{.kind = LayerKind::kDepth};
+  EXPECT_EQ(compare_files(first, second, options).outcome, FileOutcome::kEqual);
+  options.mask.reset();
+  EXPECT_EQ(compare_files(first, second, options).outcome, FileOutcome::kDiffers);
+}
+
+TEST_F(FileComparisonTest, AVideoIsNoLayer) {
+  const auto first = video("a.mkv", {0, 1});
+  const FileComparison result = compare_files(first, first, {.layer = LayerChoice{.kind = LayerKind::kDepth}});
+  EXPECT_EQ(result.outcome, FileOutcome::kUnreadable);
+  EXPECT_NE(result.verdict.find("a layer of depth has to be a file"), std::string::npos) << result.verdict;
 }
 
 TEST_F(FileComparisonTest, LayersAreComparedByTheirOwnRules) {
