@@ -169,6 +169,9 @@ void CommandLine::add_run() {
     if (run_.frames && !run_.render) {
       throw UsageError("--frames: it keeps the pictures, and --no-render makes none; leave one of both away");
     }
+    if (run_.stats && !run_.render) {
+      throw UsageError("--stats: it measures the pictures, and --no-render makes none; leave one of both away");
+    }
     return run_scenario(run_);
   });
   command->add_option("SCENARIO", run_.scenario, "the scenario file")->required();
@@ -197,6 +200,11 @@ void CommandLine::add_render() {
     render_.device_text = texts_.device;
     if (!texts_.out.empty()) render_.out = texts_.out;
     if (!texts_.view.empty()) render_.view = texts_.view;
+    if (!render_.overrides.empty() && !render_.view) {
+      throw UsageError(
+          "--set: a take holds what its run has computed; run its scenario again with --set, or name with "
+          "--view the scenario that looks at it");
+    }
     if (!texts_.data.empty()) render_.data = parse_data_quantity(texts_.data);
     DataViewChanges& changes = render_.data_changes;
     if (!texts_.data_scale.empty()) changes.scale = parse_data_scale(texts_.data_scale);

@@ -106,7 +106,7 @@ int tool_index(const HapticPlan& plan) {
   std::string names;
   for (const ToolDefinition& tool : tools) names += (names.empty() ? "" : ", ") + tool.name;
   throw InputErrors({{SourceLocation{.file = plan.scenario.file},
-                      fmt::format("--tool {}: no tool has that name; there are {}", plan.tool, names)}});
+                      fmt::format("--tool {}: no tool has that name; the scenario has {}", plan.tool, names)}});
 }
 
 /// The scenario as the solver behind the loop steps it: by ticks.
