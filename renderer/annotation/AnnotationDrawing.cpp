@@ -136,11 +136,11 @@ std::vector<ShownLabel> shown_labels(const Scene& scene, const std::vector<Label
   return shown;
 }
 
-/// Between title and panels.
+/// Between title and panels, and above captions that stand above these.
 Box label_bounds(const Scene& scene) {
   const double margin = scene.grid.pixels(plate_style::kMargin);
   const double top = margin + scene.grid.pixels(52);
-  const double bottom = scene.size.height - margin - scene.grid.pixels(plate_style::kPanelHeight + 12);
+  const double bottom = scene.size.height - height_of_panels_and_captions(scene.grid) - scene.grid.pixels(12);
   return {margin, top, std::max(1.0, scene.size.width - 2 * margin), std::max(1.0, bottom - top)};
 }
 

@@ -30,26 +30,29 @@ double peak_of(const OverlayContent& content) {
   return peak;
 }
 
+/// The width in the middle between panels of these widths.
+double width_between(const OverlayGrid& grid, double gauge, double plot) {
+  return 2 * (grid.size.width / 2 - grid.whole(kMargin) - std::max(gauge, plot));
+}
+
 /// Between gauge and plot where that is wide enough to read, else above them, and above an inset that stands there.
 CaptionSpace caption_space(const OverlayGrid& grid, const OverlayContent& content, const std::optional<Box>& inset) {
-  constexpr double kGap = 22;
   constexpr double kWidest = 800;
-  constexpr double kNarrowest = 420;
   const int margin = grid.whole(kMargin);
   const int center = grid.size.width / 2;
-  const double gauge = content.show_gauge ? grid.pixels(kGaugeWidth + kGap) : 0;
-  const double plot = content.show_force_plot ? grid.pixels(kPlotWidth + kGap) : 0;
-  const double beside = 2 * (center - margin - std::max(gauge, plot));
+  const double gauge = content.show_gauge ? grid.pixels(kGaugeWidth + kCaptionGap) : 0;
+  const double plot = content.show_force_plot ? grid.pixels(kPlotWidth + kCaptionGap) : 0;
+  const double beside = width_between(grid, gauge, plot);
   const double whole = std::min(2.0 * (center - margin), grid.pixels(kWidest));
   const int bottom = grid.size.height - margin;
-  if (gauge + plot == 0 || beside >= grid.pixels(kNarrowest)) {
+  if (gauge + plot == 0 || beside >= grid.pixels(kNarrowestCaption)) {
     return {center, bottom, static_cast<int>(std::min(beside, whole)), grid.whole(kPanelHeight)};
   }
-  CaptionSpace above{center, bottom - grid.whole(kPanelHeight) - grid.whole(kGap), static_cast<int>(whole),
-                     grid.whole(90)};
+  CaptionSpace above{center, bottom - grid.whole(kPanelHeight) - grid.whole(kCaptionGap), static_cast<int>(whole),
+                     grid.whole(kCaptionHeight)};
   const Box place{center - whole / 2, static_cast<double>(above.bottom - above.height), whole,
                   static_cast<double>(above.height)};
-  if (inset && place.overlaps(*inset)) above.bottom = static_cast<int>(inset->y - grid.pixels(kGap));
+  if (inset && place.overlaps(*inset)) above.bottom = static_cast<int>(inset->y - grid.pixels(kCaptionGap));
   return above;
 }
 
@@ -62,6 +65,13 @@ OverlayGrid::OverlayGrid(ImageSize picture) : size(picture) {
 
 int OverlayGrid::whole(double units) const {
   return std::max(1, static_cast<int>(std::lround(pixels(units))));
+}
+
+double height_of_panels_and_captions(const OverlayGrid& grid) {
+  const double panels = grid.pixels(kMargin + kPanelHeight);
+  const double beside =
+      width_between(grid, grid.pixels(kGaugeWidth + kCaptionGap), grid.pixels(kPlotWidth + kCaptionGap));
+  return beside >= grid.pixels(kNarrowestCaption) ? panels : panels + grid.pixels(kCaptionGap + kCaptionHeight);
 }
 
 Plate::Plate(const OverlayGrid& grid, ImageSize size) : Canvas(size) {

@@ -22,6 +22,9 @@ inline constexpr double kSmallText = 13.5;
 inline constexpr double kPanelHeight = 172;
 inline constexpr double kGaugeWidth = 268;
 inline constexpr double kPlotWidth = 336;
+inline constexpr double kCaptionGap = 22;         // from panels
+inline constexpr double kNarrowestCaption = 420;  // that is read with ease
+inline constexpr double kCaptionHeight = 90;      // above panels
 }  // namespace plate_style
 
 /// Where things stand in a picture.
@@ -34,6 +37,9 @@ struct OverlayGrid {
   /// Whole pixels, at least one.
   int whole(double units) const;
 };
+
+/// Pixels at the bottom of a picture that panels take, and captions where these stand above them for want of width.
+double height_of_panels_and_captions(const OverlayGrid& grid);
 
 /// A canvas with the plate's ground already on it.
 class Plate : public Canvas {

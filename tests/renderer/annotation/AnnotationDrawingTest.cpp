@@ -196,6 +196,23 @@ TEST(AnnotationDrawing, LabelsAndTextsOfArrowsKeepClearOfALegend) {
   EXPECT_EQ(inked(legend), 0);
 }
 
+TEST(AnnotationDrawing, LabelsKeepAboveCaptionsThatStandAbovePanels) {
+  constexpr ImageSize kNarrow{960, 720};
+  Snapshot snapshot = scene();
+  snapshot.time = 1;
+  Image image{.size = kNarrow, .pixels = std::vector<std::uint8_t>(3UL * kNarrow.width * kNarrow.height, 0)};
+  draw_annotations(image, {.size = kNarrow}, label_at({0, -0.01, -0.0173}), snapshot, from_the_front());
+  constexpr int kBesideTheOrgan = 740, kPanels = 522, kCaptions = kPanels - 22 - 90;
+  int above = 0, in_the_way = 0;
+  for (int y = 0; y < kPanels; ++y) {
+    for (int x = kBesideTheOrgan; x < kNarrow.width; ++x) {
+      (y < kCaptions ? above : in_the_way) += image.pixels[3 * static_cast<std::size_t>(y * kNarrow.width + x)] > 0;
+    }
+  }
+  EXPECT_GT(above, 500);
+  EXPECT_EQ(in_the_way, 0);
+}
+
 TEST(AnnotationDrawing, WhatLiesUnderAnInsetHasNoLabel) {
   Snapshot snapshot = scene();
   snapshot.time = 1;
