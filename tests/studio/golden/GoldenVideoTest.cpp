@@ -176,6 +176,19 @@ TEST_F(GoldenVideoTest, ACaptionThatHasChangedIsTheOverlays) {
       << judgement.attribution->sentence;
 }
 
+TEST_F(GoldenVideoTest, ChaptersThatTheScenarioNamesOtherwiseAreNotTheEncoders) {
+  approve();
+  RecordedVideo video = recorded();
+  video.video.encoded.chapters = "0.000000,0.200000,Anatomie";
+  expect_encoder(video, "chapters: \"0.000000,0.200000,Anatomie\"");
+  video.video.resolved.insert(1, R"("title": "Anatomie", )");
+  const VideoJudgement judgement = judge(video);
+  ASSERT_TRUE(judgement.attribution);
+  EXPECT_EQ(judgement.attribution->stage, ChangedStage::kOverlay);
+  EXPECT_NE(judgement.attribution->sentence.find("overlay changed: chapters:"), std::string::npos)
+      << judgement.attribution->sentence;
+}
+
 TEST_F(GoldenVideoTest, AFrameThatTheEncoderDroppedIsTheEncoders) {
   approve();
   expect_encoder(encoded_anew({"-vf", "select=not(eq(n\\,4)),setpts=N/50/TB", "-c:v", "libx264", "-c:s", "copy"}),
