@@ -14,6 +14,7 @@
 #include "studio/recorder/FontNotes.hpp"
 #include "studio/recorder/Interruption.hpp"
 #include "studio/recorder/Painter.hpp"
+#include "studio/scenario/LateTimes.hpp"
 #include "studio/scenario/LoadScenario.hpp"
 
 namespace thinwall {
@@ -23,24 +24,33 @@ namespace {
 /// take long, and a wrong unit shows by it.
 class WatchedSource final : public MomentSource {
  public:
-  WatchedSource(std::unique_ptr<MomentSource> source, std::vector<Expectation> expectations)
-      : source_(std::move(source)), check_(std::move(expectations)) {}
+  WatchedSource(std::unique_ptr<MomentSource> source, const Scenario& scenario)
+      : source_(std::move(source)), scenario_(scenario), check_(scenario.expectations) {}
 
   std::optional<Moment> next() override {
     std::optional<Moment> moment = source_->next();
     if (moment) check_.add(moment->record);
-    if (!has_begun_) told_ = source_->warnings();
-    if (!has_begun_) std::ranges::for_each(told_, tell_note);
+    if (!has_begun_ && moment) {
+      late_ = late_times(scenario_, moment->planned_duration);
+      told_ = warnings();
+      std::ranges::for_each(told_, tell_note);
+    }
     has_begun_ = true;
     return moment;
   }
-  std::vector<std::string> warnings() const override { return source_->warnings(); }
+  std::vector<std::string> warnings() const override {
+    std::vector<std::string> all = source_->warnings();
+    all.insert(all.end(), late_.begin(), late_.end());
+    return all;
+  }
   std::string state_digest() const override { return source_->state_digest(); }
   const std::vector<std::string>& told() const { return told_; }
   std::vector<ExpectationResult> results() const { return check_.results(); }
 
  private:
   std::unique_ptr<MomentSource> source_;
+  const Scenario& scenario_;
+  std::vector<std::string> late_;
   ExpectationCheck check_;
   std::vector<std::string> told_;
   bool has_begun_ = false;
@@ -75,7 +85,7 @@ int run_scenario(const RunOptions& options) {
       .progress = stderr};
   const FolderLock lock(plan.folder);
   RecordedTakes takes = record_second_take(scenario, plan.folder);
-  WatchedSource source(std::move(takes.source), scenario.expectations);
+  WatchedSource source(std::move(takes.source), scenario);
   RecordingReport report =
       record(source, plan, renderer_painters(options.device, scenario.record.tier, scenario.view, options.stats));
   if (!takes.failure.empty() && report.failure.empty()) report.failure = "the second take: " + takes.failure;
