@@ -1,6 +1,7 @@
 #include "studio/commands/CompareArguments.hpp"
 
 #include "studio/commands/ExitCode.hpp"
+#include "studio/recorder/Interruption.hpp"
 
 namespace thinwall {
 namespace {
@@ -25,6 +26,7 @@ LayerKind layer_kind(const std::string& word) {
 CompareOptions compare_options(const CompareArguments& arguments) {
   CompareOptions options = arguments.options;
   options.comparison.wanted = wanted_figures(arguments.metric);
+  options.comparison.between_frames = throw_if_interrupted;
   if (!arguments.mask.empty()) options.comparison.mask = arguments.mask;
   if (!arguments.difference.empty()) {
     options.difference = arguments.difference;

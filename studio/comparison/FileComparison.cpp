@@ -228,6 +228,7 @@ std::string outcome_name(FileOutcome outcome) {
 FileComparison compare_files(const std::filesystem::path& first, const std::filesystem::path& second,
                              const FileComparisonOptions& options) {
   FileComparison result{.first = first, .second = second};
+  if (options.between_frames) options.between_frames();
   if (!options.mask && !options.layer && !options.wants_picture) {
     if (const std::optional<ImageSize> size = identical_pictures(first, second))
       return of_identical(result, *size, options);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,8 +36,9 @@ struct FileComparisonOptions {
   FlipOptions flip = {};
   std::optional<std::filesystem::path> mask = {};  // a picture, dark where nothing counts
   std::optional<LayerChoice> layer = {};
-  bool pixels_only = false;    // videos: times, captions, chapters and colour tags do not count
-  bool wants_picture = false;  // of the difference
+  bool pixels_only = false;                   // videos: times, captions, chapters and colour tags do not count
+  bool wants_picture = false;                 // of the difference
+  std::function<void()> between_frames = {};  // called before each file and frame; what it throws goes through
 };
 
 /// A frame of a video that is not equal.

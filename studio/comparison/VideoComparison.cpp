@@ -95,6 +95,7 @@ FrameFigures judge_frame(const FramePairs& pairs, const PictureOptions& pictures
   if (comparison.flip) figures.flip = comparison.flip->mean;
   if (figures.mean > worst.mean) {
     worst = {.mean = figures.mean, .first = pairs.image(0), .second = pairs.image(1), .errors = {}};
+    if (!pictures.mask.empty()) worst.second = with_masked_pixels_of(worst.second, worst.first, pictures.mask);
     if (comparison.flip) worst.errors = comparison.flip->map;
   }
   return figures;
@@ -135,6 +136,7 @@ void judge_videos(FileComparison& result, const MediaProbe& first, const MediaPr
   bool within = true;
   try {
     for (std::size_t frame = 0; pairs.next(); ++frame) {
+      if (options.between_frames) options.between_frames();
       if (!pairs.both()) continue;
       if (pairs.equal()) {
         ++figures.equal_frames;

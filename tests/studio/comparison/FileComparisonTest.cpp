@@ -182,6 +182,18 @@ TEST_F(FileComparisonTest, CaptionsAndChaptersCount) {
             std::string::npos);
 }
 
+TEST_F(FileComparisonTest, CanBeStoppedBetweenFrames) {
+  const auto first = video("a.mkv", {0, 1, 2, 3});
+  const auto second = video("b.mkv", {4, 5, 6, 7});
+  int looks = 0;
+  FileComparisonOptions options;
+  options.between_frames = [&] {
+    if (++looks == 3) throw std::runtime_error("stopped");
+  };
+  EXPECT_THROW(compare_files(first, second, options), std::runtime_error);
+  EXPECT_EQ(looks, 3) << "before the file and two of its frames";
+}
+
 TEST_F(FileComparisonTest, AVideoCutShortIsUnreadable) {
   const auto first = video("a.mkv", {0, 1, 2, 3, 4, 5, 6, 7});
   std::filesystem::copy_file(first, folder_ / "b.mkv");
