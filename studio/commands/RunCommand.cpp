@@ -10,6 +10,7 @@
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/Outcome.hpp"
 #include "studio/commands/SecondTake.hpp"
+#include "studio/recorder/FarPlaces.hpp"
 #include "studio/recorder/FolderLock.hpp"
 #include "studio/recorder/FontNotes.hpp"
 #include "studio/recorder/Interruption.hpp"
@@ -31,7 +32,8 @@ class WatchedSource final : public MomentSource {
     std::optional<Moment> moment = source_->next();
     if (moment) check_.add(moment->record);
     if (!has_begun_ && moment) {
-      late_ = late_times(scenario_, moment->planned_duration);
+      misplaced_ = late_times(scenario_, moment->planned_duration);
+      std::ranges::copy(far_places(scenario_, moment->snapshot), std::back_inserter(misplaced_));
       told_ = warnings();
       std::ranges::for_each(told_, tell_note);
     }
@@ -40,7 +42,7 @@ class WatchedSource final : public MomentSource {
   }
   std::vector<std::string> warnings() const override {
     std::vector<std::string> all = source_->warnings();
-    all.insert(all.end(), late_.begin(), late_.end());
+    all.insert(all.end(), misplaced_.begin(), misplaced_.end());
     return all;
   }
   std::string state_digest() const override { return source_->state_digest(); }
@@ -50,7 +52,7 @@ class WatchedSource final : public MomentSource {
  private:
   std::unique_ptr<MomentSource> source_;
   const Scenario& scenario_;
-  std::vector<std::string> late_;
+  std::vector<std::string> misplaced_;
   ExpectationCheck check_;
   std::vector<std::string> told_;
   bool has_begun_ = false;
