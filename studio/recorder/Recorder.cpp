@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cmath>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
@@ -62,6 +60,7 @@ class Pipeline {
   [[noreturn]] void throw_error() const;
   void simulate();
   bool take_moments();
+  bool wait_for_painter();
   void open_records();
   void keep(const Moment& moment);
   void finish_records();
@@ -86,8 +85,9 @@ class Pipeline {
   BoundedQueue<Moment> moments_{kWaitingMoments};
   BoundedQueue<Picture> pictures_{kWaitingPictures};
   std::mutex mutex_;
-  std::condition_variable stage_ended_;
+  std::condition_variable stages_changed_;
   int running_stages_ = 0;
+  std::atomic<bool> has_painter_ = false;
   std::exception_ptr error_;
   std::atomic<double> planned_duration_ = 0;
 
@@ -125,21 +125,6 @@ GroundTruthPlan truth_plan(const RecordingPlan& plan) {
           .edges = drawn_edges(plan.view.look)};
 }
 
-/// The texts cut off at the end of what was recorded.
-template <typename Text, typename Member>
-std::vector<Text> up_to(double end, const std::vector<TimedText>& texts, Member Text::*text) {
-  std::vector<Text> result;
-  for (const TimedText& timed : texts) {
-    if (timed.begin >= end) continue;
-    Text copy;
-    copy.begin = timed.begin;
-    copy.end = std::min(timed.end, end);
-    copy.*text = timed.text;
-    result.push_back(std::move(copy));
-  }
-  return result;
-}
-
 template <typename Work>
 std::jthread Pipeline::stage(Work work) {
   {
@@ -154,7 +139,7 @@ std::jthread Pipeline::stage(Work work) {
     }
     const std::lock_guard lock(mutex_);
     --running_stages_;
-    stage_ended_.notify_all();
+    stages_changed_.notify_all();
   });
 }
 
@@ -162,6 +147,7 @@ void Pipeline::stop(std::exception_ptr error) {
   {
     const std::lock_guard lock(mutex_);
     if (!error_) error_ = std::move(error);
+    stages_changed_.notify_all();
   }
   moments_.abort();
   pictures_.abort();
@@ -212,13 +198,25 @@ void Pipeline::simulate() {
     report_.failure = failure.what();
   }
   moments_.close();
+  if (!wait_for_painter()) return;
   open_records();
   report_.warnings = source_.warnings();
   report_.state_digest = source_.state_digest();
   finish_records();
 }
 
-/// Only once there is something to record, so that a scenario that turns out to be wrong leaves the earlier recording.
+/// False when there is none, as on a device that cannot draw, or another stage has stopped.
+bool Pipeline::wait_for_painter() {
+  if (!plan_.pictures || records_open_) return true;
+  std::unique_lock lock(mutex_);
+  while (!stages_changed_.wait_for(lock, kBetweenLooksForSignals, [this] { return has_painter_ || error_; })) {
+    throw_if_interrupted();
+  }
+  return !error_;
+}
+
+/// Only once there is something to record and to draw with, so that a scenario or device that turns out to be wrong
+/// leaves the earlier recording.
 void Pipeline::open_records() {
   if (records_open_) return;
   records_open_ = true;
@@ -243,6 +241,7 @@ bool Pipeline::take_moments() {
       moment = source_.next();
     }
     if (!moment) return true;
+    if (!wait_for_painter()) return false;
     {
       const StageClock clock(report_.times.write);
       open_records();
@@ -295,6 +294,8 @@ void Pipeline::finish_records() {
 void Pipeline::render() {
   const std::unique_ptr<Painter> painter = painters_(plan_.size);
   report_.driver = painter->driver();
+  has_painter_ = true;
+  stages_changed_.notify_all();
   FrameComposer composer(plan_.description.title, plan_.overlays, plan_.view, plan_.teaching.annotations);
   std::size_t frame = 0;
   std::optional<double> end;
@@ -363,7 +364,7 @@ void Pipeline::encode() {
 
 void Pipeline::wait_for_pictures() {
   std::unique_lock lock(mutex_);
-  while (!stage_ended_.wait_for(lock, kBetweenLooksForSignals, [this] { return running_stages_ == 0; })) {
+  while (!stages_changed_.wait_for(lock, kBetweenLooksForSignals, [this] { return running_stages_ == 0; })) {
     throw_if_interrupted();
   }
 }

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
+#include <thread>
 
 #include "renderer/image/ImageHash.hpp"
 #include "renderer/image/PngFile.hpp"
@@ -178,6 +180,23 @@ TEST(RecorderTest, AMissingDeviceStopsAllAndLeavesNothingThatLooksWhole) {
   const auto no_device = [](ImageSize) -> std::unique_ptr<Painter> { throw PictureFailure("no device"); };
   EXPECT_THROW(record(run, plan_for(folder.path()), no_device), PictureFailure);
   EXPECT_FALSE(any_looks_finished(folder.path()));
+}
+
+TEST(RecorderTest, AMissingDeviceLeavesTheEarlierRecording) {
+  const TemporaryFolder folder;
+  write_bytes(folder / "take.h5", "of an earlier run");
+  SyntheticRun run({.steps = 100'000});
+  const auto no_device = [](ImageSize) -> std::unique_ptr<Painter> {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    throw PictureFailure("no device");
+  };
+  try {
+    record(run, plan_for(folder.path()), no_device);
+    FAIL() << "went on";
+  } catch (const PictureFailure& failure) {
+    EXPECT_STREQ(failure.what(), "no device");
+  }
+  EXPECT_EQ(file_bytes(folder / "take.h5"), "of an earlier run");
 }
 
 class FailingPainter final : public Painter {
