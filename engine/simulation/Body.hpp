@@ -280,7 +280,7 @@ class Body {
   /// The nearest place of the wall; along its direction that of a point. Nothing of a line.
   WallAhead wall_ahead(int tool, const ToolPose& pose) const;
   WallAhead stiffness_ahead(WallAhead ahead, const EquilibriumProblem& problem, int tool, const ToolPose& pose);
-  /// Where a blade's edge meets the wall first.
+  /// Where a blade's edge enters the wall: nearest to where it cuts, or to its tip where it does not yet.
   std::optional<SurfacePoint> place_below(int tool, const ToolPose& pose) const;
   /// Where the wall presses a blade most that has worked on it as much as a cut of its width costs: what it meets with
   /// its edge from the front it would push before it for ever. Nothing before that.

@@ -19,6 +19,10 @@ namespace {
 /// Mean edges by which a cut waits for the blade to come farther, where what it would leave is beyond the wall's law.
 constexpr double kMostAwaited = 3;
 
+/// Mean edges over which a blade that has gone in pays before there is wall in its way: where that does not come it
+/// gives way to the blade.
+constexpr double kDentedEdges = 0.25;
+
 /// A path shorter than the triangles is cut into smaller ones of this part of it, where it is at least so many mean
 /// edges long.
 constexpr double kPartOfShortPath = 0.5;
@@ -268,8 +272,9 @@ std::optional<Cut> Body::follow_blade(int tool, std::span<const ToolPose> poses,
   std::optional<WayOn> way = way_on(tool, pose);
   if (!way) way = way_out_of_wound(tool, pose);
   if (!way) {
-    // Before its first cut the wall is dented, and what dents it is the blade.
-    progress.is_off_wall = progress.tip.has_value();
+    // Before its first cut the wall is dented, and what dents it is the blade: but no farther than that.
+    const double most = kDentedEdges * model_->edge_length * progress.cost;  // joule
+    progress.is_off_wall = progress.tip || progress.due < -most;
     begin_anew_far_off(tool, pose);
     return std::nullopt;
   }

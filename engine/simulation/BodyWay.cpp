@@ -39,7 +39,16 @@ bool is_direct(const SurfaceView& wall, const SurfaceTrace& way, double edge) {
 
 std::optional<SurfacePoint> Body::place_below(int tool, const ToolPose& pose) const {
   const SurfaceView wall = surface();
-  const auto entry = first_entry_on_segment(wall, pose.tip - tools_[tool].length * pose.direction, pose.tip);
+  const Eigen::Vector3d top = pose.tip - tools_[tool].length * pose.direction;
+  // Behind its edge a blade may pass other lobes of the body: it cuts where its tip has gone in, and goes on from
+  // there.
+  Eigen::Vector3d near = pose.tip;
+  if (state_.cut.tip) {
+    near = state_.equilibrium.position.segment<3>(3 * *state_.cut.tip);
+  } else if (state_.cut.start) {
+    near = place_on(*model_, state_.cut.start->triangle, state_.cut.start->weights, state_.equilibrium.position);
+  }
+  const auto entry = nearest_entry_on_segment(wall, top, pose.tip, near);
   if (!entry) return std::nullopt;
   return snapped_to_edges(wall, {.triangle = entry->triangle, .weights = entry->weights});
 }

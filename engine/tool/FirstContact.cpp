@@ -127,14 +127,20 @@ std::optional<SurfaceEntry> first_entry(const SurfaceView& surface, const Eigen:
 
 std::optional<SurfaceEntry> first_entry_on_segment(const SurfaceView& surface, const Eigen::Vector3d& begin,
                                                    const Eigen::Vector3d& end) {
+  return nearest_entry_on_segment(surface, begin, end, begin - (end - begin));
+}
+
+std::optional<SurfaceEntry> nearest_entry_on_segment(const SurfaceView& surface, const Eigen::Vector3d& begin,
+                                                     const Eigen::Vector3d& end, const Eigen::Vector3d& place) {
   const double length = (end - begin).norm();
   if (length == 0) return std::nullopt;
   const Eigen::Vector3d direction = (end - begin) / length;
+  const double wanted = (place - begin).dot(direction);  // metres from `begin`
   std::optional<SurfaceEntry> best;
   for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
     const auto hit = entry(corners_of(surface, t), begin, direction, surface.open);
     const bool reached = hit && hit->travel >= -kSegmentSlack && hit->travel <= length + kSegmentSlack;
-    if (reached && (!best || hit->travel < best->travel)) {
+    if (reached && (!best || std::abs(hit->travel - wanted) < std::abs(best->travel - wanted))) {
       best = hit;
       best->triangle = t;
     }

@@ -31,6 +31,11 @@ std::optional<SurfaceEntry> first_entry(const SurfaceView& surface, const Eigen:
 std::optional<SurfaceEntry> first_entry_on_segment(const SurfaceView& surface, const Eigen::Vector3d& begin,
                                                    const Eigen::Vector3d& end);
 
+/// Of all the places where the segment from `begin` to `end` enters the surface the one nearest to `place`, or nothing;
+/// `travel` is from `begin`.
+std::optional<SurfaceEntry> nearest_entry_on_segment(const SurfaceView& surface, const Eigen::Vector3d& begin,
+                                                     const Eigen::Vector3d& end, const Eigen::Vector3d& place);
+
 /// The place of a surface that came from ahead of a point to behind it, as one that springs back does over a tool that
 /// waits: it meets the line through `point` along the unit `direction` with its outer side, no farther than at the
 /// point, and was ahead of it where it was `before`: (3 vertices), metres. Nothing when there is none; the nearest

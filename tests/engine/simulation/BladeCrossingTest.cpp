@@ -77,6 +77,19 @@ TEST(ABladeThatGoesBackAlongItsCut, IsChargedForWhatItCutsAlone) {
   EXPECT_LT(std::abs(body.state().books.imbalance()), 1e-9 * body.state().books.largest());
 }
 
+TEST(ABladeThatTheWallGivesWayTo, PaysForAPartOfAnEdgeAlone) {
+  // It goes in, and from then on above the wall.
+  Body body(stretched_sheet(1.0), {test_blade()}, quasi_static());
+  body.settle();
+  const double off = 0.05e-3;
+  BladeStroke stroke{.points = {{-9e-3, 0.2e-3, -off}, {-8.9e-3, 0.2e-3, off}, {9e-3, 0.2e-3, off}}};
+  stroke.step = 0.1e-3;
+  EXPECT_TRUE(draw_blade(body, stroke).empty());
+  const double edge = body.model().edge_length;
+  EXPECT_LT(body.state().books.tool_work, 0.5 * edge * body.model().cut_cost(0));
+  EXPECT_LT(std::abs(body.state().books.imbalance()), 1e-9 * body.state().books.largest());
+}
+
 TEST(ABladeInAShellInMotion, CrossesAnEarlierCutWithoutTroubleForTheSolver) {
   BodyDefinition definition = stretched_sheet(1.05);
   definition.model = WallModel::kShell;

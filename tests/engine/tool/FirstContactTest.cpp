@@ -117,6 +117,24 @@ TEST(FirstEntryOnSegment, ReachesFromItsBeginToItsEndAndNoFarther) {
   EXPECT_FALSE(to(3, 3));      // stands still
 }
 
+TEST(NearestEntryOnSegment, IsThatOfTheLobeAtThePlaceAndNoOtherOnTheWay) {
+  SurfaceMesh lobes = unit_cube();
+  const auto count = static_cast<int>(lobes.vertices.size());
+  for (const Eigen::Vector3d& vertex : unit_cube().vertices)
+    lobes.vertices.push_back(vertex + Eigen::Vector3d(0, 0, 3));
+  for (const Eigen::Vector3i& triangle : unit_cube().triangles) lobes.triangles.push_back(triangle.array() + count);
+  const TestSurface surface(lobes);
+  const Eigen::Vector3d begin(0.3, 0.4, 6), end(0.3, 0.4, 0.5);
+  const auto travel_near = [&](double height) {
+    return nearest_entry_on_segment(surface.view(), begin, end, {0, 0, height})->travel;
+  };
+  EXPECT_NEAR(travel_near(0.5), 5, 1e-15);
+  EXPECT_NEAR(travel_near(2.4), 5, 1e-15);
+  EXPECT_NEAR(travel_near(2.6), 2, 1e-15);
+  EXPECT_NEAR(travel_near(9), 2, 1e-15);
+  EXPECT_NEAR(first_entry_on_segment(surface.view(), begin, end)->travel, 2, 1e-15);
+}
+
 TEST(FirstEntryOnSegment, StepsThatMeetWithinRoundOffOfTheSurfaceDoNotLetTheToolThrough) {
   // Whichever step ends at the surface, it or the next one must see it.
   const SurfaceMesh mesh = make_sphere(1, 320);
