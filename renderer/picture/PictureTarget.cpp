@@ -53,6 +53,20 @@ void attach_depth(const Framebuffer& frame, const Texture& depth) {
   glNamedFramebufferTexture(frame.name(), GL_DEPTH_STENCIL_ATTACHMENT, depth.name(), 0);
 }
 
+void copy_within(const ScreenArea& area, const Texture& from, const Texture& to) {
+  const auto& [left, bottom, width, height] = area;
+  if (width == 0 || height == 0) return;
+  glCopyImageSubData(from.name(), GL_TEXTURE_2D, 0, left, bottom, 0, to.name(), GL_TEXTURE_2D, 0, left, bottom, 0,
+                     width, height, 1);
+}
+
+/// RGBA to RGB.
+void leave_out_alpha(const std::uint8_t* from, std::uint8_t* to, std::size_t pixels) {
+  // Four bytes at once; the next pixel takes the place of the fourth.
+  for (std::size_t i = 0; i + 1 < pixels; ++i) std::memcpy(to + 3 * i, from + 4 * i, 4);
+  std::memcpy(to + 3 * (pixels - 1), from + 4 * (pixels - 1), 3);
+}
+
 }  // namespace
 
 PictureTarget::PictureTarget(ImageSize size) : size_(size) {
@@ -127,28 +141,30 @@ void PictureTarget::clear_depth(const FinePixels& fine) const {
 
 bool PictureTarget::clear_depth(const FieldStop& stop) const {
   if (!stop_depth_ || stop != kept_stop_) return false;
-  glCopyImageSubData(stop_depth_->name(), GL_TEXTURE_2D, 0, 0, 0, 0, depth_.name(), GL_TEXTURE_2D, 0, 0, 0, 0,
-                     size_.width, size_.height, 1);
+  copy_within(whole(), *stop_depth_, depth_);
   return true;
 }
 
 void PictureTarget::keep_stop(const FieldStop& stop) {
-  copy_depth(stop_depth_);
+  copy_depth(whole(), stop_depth_);
   kept_stop_ = stop;
 }
 
-void PictureTarget::copy_depth(std::optional<Texture>& to) const {
+void PictureTarget::copy_depth(const ScreenArea& area, std::optional<Texture>& to) const {
   if (!to) to = create_texture(GL_DEPTH24_STENCIL8, size_.width, size_.height, GL_NEAREST);
-  glCopyImageSubData(depth_.name(), GL_TEXTURE_2D, 0, 0, 0, 0, to->name(), GL_TEXTURE_2D, 0, 0, 0, 0, size_.width,
-                     size_.height, 1);
+  copy_within(area, depth_, *to);
 }
 
 void PictureTarget::keep_depth() {
-  copy_depth(kept_depth_);
+  copy_depth(whole(), kept_depth_);
 }
 
-void PictureTarget::keep_tissue_depth() {
-  copy_depth(tissue_depth_);
+void PictureTarget::keep_tissue_depth(const ScreenArea& tissue, const FieldStop& stop) {
+  // Where tissue was in the last picture there may be none now.
+  const bool is_new = !tissue_depth_ || stop != tissue_stop_;
+  copy_depth(is_new ? whole() : around(tissue, kept_tissue_), tissue_depth_);
+  kept_tissue_ = tissue;
+  tissue_stop_ = stop;
   glBindTextureUnit(4, tissue_depth_->name());
 }
 
@@ -200,9 +216,8 @@ void PictureTarget::begin_color() const {
   glBindTextureUnit(7, tool_axis_.name());
 }
 
-const Texture& PictureTarget::copy_of_color() const {
-  glCopyImageSubData(color_.name(), GL_TEXTURE_2D, 0, 0, 0, 0, color_copy_.name(), GL_TEXTURE_2D, 0, 0, 0, 0,
-                     size_.width, size_.height, 1);
+const Texture& PictureTarget::copy_of_color(const ScreenArea& area) const {
+  copy_within(area, color_, color_copy_);
   return color_copy_;
 }
 
@@ -227,22 +242,22 @@ void PictureTarget::begin_lens() const {
 }
 
 Image PictureTarget::finish(bool through_lens) {
-  const GLuint drawn_to = through_lens ? lens_.name() : frame_.name();
   const std::size_t width = static_cast<std::size_t>(size_.width);
-  const std::size_t height = static_cast<std::size_t>(size_.height);
-  read_back_.resize(4 * width * height);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_to);
-  glReadPixels(0, 0, size_.width, size_.height, GL_RGBA, GL_UNSIGNED_BYTE, read_back_.data());
-  require_no_gl_error("drawing a picture of " + dimensions(size_));
-
-  Image image{.size = size_, .pixels = std::vector<std::uint8_t>(3 * width * height)};
-  for (std::size_t row = 0; row < height; ++row) {
-    const std::uint8_t* from = read_back_.data() + 4 * width * (height - 1 - row);
-    std::uint8_t* to = image.pixels.data() + 3 * width * row;
-    // Four bytes at once; the next pixel takes the place of the fourth.
-    for (std::size_t column = 0; column + 1 < width; ++column) std::memcpy(to + 3 * column, from + 4 * column, 4);
-    std::memcpy(to + 3 * (width - 1), from + 4 * (width - 1), 3);
+  // What was read last is still in the processor's cache when it is taken on.
+  constexpr int kRowsAtOnce = 40;
+  read_back_.resize(4 * width * kRowsAtOnce);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, through_lens ? lens_.name() : frame_.name());
+  Image image{.size = size_, .pixels = std::vector<std::uint8_t>(3 * width * static_cast<std::size_t>(size_.height))};
+  for (int bottom = 0; bottom < size_.height; bottom += kRowsAtOnce) {
+    const int rows = std::min(kRowsAtOnce, size_.height - bottom);
+    glReadPixels(0, bottom, size_.width, rows, GL_RGBA, GL_UNSIGNED_BYTE, read_back_.data());
+    for (int row = 0; row < rows; ++row) {
+      const auto from_top = static_cast<std::size_t>(size_.height - 1 - bottom - row);
+      leave_out_alpha(read_back_.data() + 4 * width * static_cast<std::size_t>(row),
+                      image.pixels.data() + 3 * width * from_top, width);
+    }
   }
+  require_no_gl_error("drawing a picture of " + dimensions(size_));
   return image;
 }
 

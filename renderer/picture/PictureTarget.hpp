@@ -64,11 +64,12 @@ class PictureTarget {
   /// Keeps depth as it is now for begin_blurred and begin_focused, whatever is drawn until then.
   void keep_depth();
 
-  /// Keeps depth as it is now for the tools, which mirror what lies there.
-  void keep_tissue_depth();
+  /// Keeps depth as it is now for the tools, which mirror what lies there. Outside `tissue` there is nothing but the
+  /// field stop.
+  void keep_tissue_depth(const ScreenArea& tissue, const FieldStop& stop);
 
-  /// The colours as they are now.
-  const Texture& copy_of_color() const;
+  /// The colours as they are now within `area`.
+  const Texture& copy_of_color(const ScreenArea& area) const;
 
   /// Makes one of two pictures of half the size the one that is drawn to, and binds depth and, for the first (`turn`
   /// 0), the colours, for the second the first, for FocusPass.
@@ -87,7 +88,8 @@ class PictureTarget {
   ImageSize size() const { return size_; }
 
  private:
-  void copy_depth(std::optional<Texture>& to) const;
+  void copy_depth(const ScreenArea& area, std::optional<Texture>& to) const;
+  ScreenArea whole() const { return {0, 0, size_.width, size_.height}; }
 
   ImageSize size_;
   Texture depth_;  // and stencil
@@ -95,6 +97,8 @@ class PictureTarget {
   FieldStop kept_stop_;
   std::optional<Texture> kept_depth_;
   std::optional<Texture> tissue_depth_;  // without tools
+  ScreenArea kept_tissue_;               // what of it is more than this
+  FieldStop tissue_stop_;                // and this
   Texture normal_;                       // and depth
   Texture rest_;                         // and state; of tools the place
   Framebuffer surface_;
@@ -113,7 +117,7 @@ class PictureTarget {
   Framebuffer lens_;         // draws to color_copy_
   // Memory that is used again: what is new to a process takes the processor as long as filling it does.
   std::vector<std::uint8_t> small_backdrop_;  // (4 x width x height of the backdrop)
-  std::vector<std::uint8_t> read_back_;       // (4 x width x height)
+  std::vector<std::uint8_t> read_back_;       // (4 x width x rows that are read at once)
 };
 
 }  // namespace thinwall

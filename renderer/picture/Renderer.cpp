@@ -87,28 +87,35 @@ struct Stage {
   Buffer frame_block = create_buffer();
   std::vector<std::uint8_t> bare;  // the picture without fluids; empty where there are none, and but for Tier::kFinal
 
-  void cast_shadows(const SceneExtent& extent, const Studio& studio, PassClock& clock);
+  void shade_floor(const Studio& studio, PassClock& clock);
+  void draw_shadow_map(const SceneExtent& extent, const Studio& studio, PassClock& clock);
   void draw_backdrop(Surroundings surroundings, PassClock& clock);
   void clear_depth(const FieldStop& stop);
-  void lay_backdrop(const FieldStop& stop, bool has_tools, PassClock& clock);
+  void lay_backdrop(const FrameUniforms& frame, bool has_tools, PassClock& clock);
   void draw_surface(const FrameUniforms& frame, PassClock& clock);
   void draw_scene(SceneView& scene, const FrameUniforms& frame, PassClock& clock);
   void find_outline(SceneView& scene);
   void draw_fluids(const SceneView& scene, PassClock& clock);
   void draw_fine_pixels(SceneView& scene, const FrameUniforms& frame);
-  std::vector<std::uint8_t> read_picture() const {
-    return target.read_color({0, 0, target.size().width, target.size().height});
-  }
+  ScreenArea outlined_area(const FrameUniforms& frame) const;
+  ScreenArea sharp_area(const FrameUniforms& frame) const;
+  bool has_fluids() const { return !meshes.films().empty() || !meshes.fluids().empty(); }
   void use(const FrameUniforms& frame) const { glNamedBufferSubData(frame_block.name(), 0, sizeof(frame), &frame); }
 };
 
-void Stage::cast_shadows(const SceneExtent& extent, const Studio& studio, PassClock& clock) {
+void Stage::shade_floor(const Studio& studio, PassClock& clock) {
   if (tier != Tier::kDraft) {
     floor_shade.draw(meshes, studio.key_direction);
-    clock.ends("floor's shade");
-    shadow_map.draw(meshes, key_light_matrix(extent, studio));
   } else {
     floor_shade.clear();
+  }
+  clock.ends("floor's shade");
+}
+
+void Stage::draw_shadow_map(const SceneExtent& extent, const Studio& studio, PassClock& clock) {
+  if (tier != Tier::kDraft) {
+    shadow_map.draw(meshes, key_light_matrix(extent, studio));
+  } else {
     shadow_map.clear();
   }
   clock.ends("shadow map");
@@ -145,9 +152,10 @@ void Stage::clear_depth(const FieldStop& stop) {
 }
 
 /// Before tools are drawn, which mirror the tissue that has been.
-void Stage::lay_backdrop(const FieldStop& stop, bool has_tools, PassClock& clock) {
+void Stage::lay_backdrop(const FrameUniforms& frame, bool has_tools, PassClock& clock) {
+  const FieldStop stop = field_stop(frame);
   target.lay_backdrop(stop);
-  if (has_tools) target.keep_tissue_depth();
+  if (has_tools) target.keep_tissue_depth(meshes.tissue_area(frame.view_projection, target.size()), stop);
   clock.ends("backdrop");
 }
 
@@ -166,6 +174,18 @@ void Stage::find_outline(SceneView& scene) {
   scene.outline = meshes.outline(scene.eye);
 }
 
+/// All pixels that show something of what has outlines.
+ScreenArea Stage::outlined_area(const FrameUniforms& frame) const {
+  return around(meshes.tissue_area(frame.view_projection, target.size()),
+                meshes.tool_area(frame.view_projection, target.size()));
+}
+
+/// All pixels that may be fine: the backdrop is smooth, but for the field stop's border.
+ScreenArea Stage::sharp_area(const FrameUniforms& frame) const {
+  const bool is_everywhere = field_stop(frame).tangent > 0 || has_fluids();
+  return is_everywhere ? ScreenArea{0, 0, target.size().width, target.size().height} : outlined_area(frame);
+}
+
 /// Over the backdrop, all that is seen with the surface.
 void Stage::draw_scene(SceneView& scene, const FrameUniforms& frame, PassClock& clock) {
   shadow_map.bind();
@@ -179,14 +199,15 @@ void Stage::draw_scene(SceneView& scene, const FrameUniforms& frame, PassClock& 
   }
   if (tier != Tier::kDraft) find_outline(scene);
   clock.ends("tissue");
-  const bool has_fluids = !meshes.films().empty() || !meshes.fluids().empty();
-  if (tier == Tier::kFinal) bare = has_fluids ? read_picture() : std::vector<std::uint8_t>();
+  if (tier == Tier::kFinal) bare = has_fluids() ? target.read_color(sharp_area(frame)) : std::vector<std::uint8_t>();
   draw_fluids(scene, clock);
   if (scene.view.look.mesh) {
     mesh_lines.draw(meshes.mesh_lines());
     clock.ends("mesh lines");
   }
-  if (tier != Tier::kDraft) outline_pass.draw(*scene.outline, target.copy_of_color());
+  if (tier != Tier::kDraft) {
+    outline_pass.draw(*scene.outline, target.copy_of_color(outlined_area(frame)));
+  }
   clock.ends("outline");
 }
 
@@ -194,10 +215,14 @@ void Stage::draw_scene(SceneView& scene, const FrameUniforms& frame, PassClock& 
 /// that what is seen of a pixel's neighbour is there.
 void Stage::draw_fine_pixels(SceneView& scene, const FrameUniforms& frame) {
   const ImageSize size = target.size();
-  const std::vector<std::uint8_t> picture = read_picture();
-  const FinePixels fine = find_fine_pixels(picture, bare, size);
+  const ScreenArea sharp = sharp_area(frame);
+  if (sharp.width == 0 || sharp.height == 0) return;
+  const std::vector<std::uint8_t> picture = target.read_color(sharp);
+  FinePixels fine = find_fine_pixels(picture, bare, {sharp.width, sharp.height});
   if (fine.is_fine.empty()) return;
-  const std::vector<std::uint8_t> middles = cut_out(picture, size, fine.area);
+  const std::vector<std::uint8_t> middles = cut_out(picture, {sharp.width, sharp.height}, fine.area);
+  fine.area.left += sharp.left;
+  fine.area.bottom += sharp.bottom;
   std::vector<std::uint8_t> ground = cut_out(target.backdrop(), size, fine.area);
   for (std::size_t i = 0; i < fine.is_corner.size(); ++i) {
     if (!fine.is_corner[i]) std::copy_n(middles.data() + 4 * i, 4, ground.data() + 4 * i);
@@ -266,11 +291,13 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, stage->frame_block.name());
 
   clock.ends("meshes");
-  stage->cast_shadows(extent, studio, clock);
+  stage->shade_floor(studio, clock);
   stage->draw_backdrop(surroundings, clock);
+  // After the backdrop was read, for which the driver finishes all that it has to do.
+  stage->draw_shadow_map(extent, studio, clock);
   stage->clear_depth(field_stop(frame));
   stage->draw_surface(frame, clock);
-  stage->lay_backdrop(field_stop(frame), !snapshot.tools.empty(), clock);
+  stage->lay_backdrop(frame, !snapshot.tools.empty(), clock);
   SceneView shown{.snapshot = snapshot, .view = view, .eye = camera.position, .surroundings = surroundings};
   stage->draw_scene(shown, frame, clock);
   const bool has_focus = camera.aperture > 0 && stage->tier != Tier::kDraft;

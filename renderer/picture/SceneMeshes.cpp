@@ -277,6 +277,12 @@ void SceneMeshes::upload_tools(const Snapshot& snapshot, const SceneExtent& exte
   tool_outline_.set(vertices, indices);
 }
 
+ScreenArea SceneMeshes::tissue_area(const std::array<float, 16>& view_projection, ImageSize size) const {
+  ScreenArea area;
+  for (const TissuePart& part : parts_) area = around(area, screen_area(part.bounds, view_projection, size));
+  return area;
+}
+
 ScreenArea SceneMeshes::tool_area(const std::array<float, 16>& view_projection, ImageSize size) const {
   return screen_area(tool_vertices_, tool_corners_, view_projection, size);
 }

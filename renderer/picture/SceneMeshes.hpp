@@ -72,6 +72,9 @@ class SceneMeshes {
   const std::vector<TissuePart>& parts() const { return parts_; }
   const std::vector<ToolRod>& rods() const { return rods_; }
 
+  /// All pixels that show something of the tissue. `view_projection`: world to clip coordinates.
+  ScreenArea tissue_area(const std::array<float, 16>& view_projection, ImageSize size) const;
+
   /// All pixels that show something of the tools. `view_projection`: world to clip coordinates.
   ScreenArea tool_area(const std::array<float, 16>& view_projection, ImageSize size) const;
 

@@ -87,6 +87,14 @@ float nearest_depth(const Bounds& box, const std::array<float, 16>& view_project
   return static_cast<float>(std::max(nearest, 0.0));
 }
 
+ScreenArea around(const ScreenArea& a, const ScreenArea& b) {
+  if (a.width == 0 || a.height == 0) return b;
+  if (b.width == 0 || b.height == 0) return a;
+  const int left = std::min(a.left, b.left), bottom = std::min(a.bottom, b.bottom);
+  const int right = std::max(a.left + a.width, b.left + b.width);
+  return {left, bottom, right - left, std::max(a.bottom + a.height, b.bottom + b.height) - bottom};
+}
+
 ScreenArea screen_area(const Bounds& box, const std::array<float, 16>& view_projection, ImageSize size) {
   ScreenFrame frame;
   for (unsigned which = 0; which < 8; ++which) {

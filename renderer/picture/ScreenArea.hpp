@@ -64,6 +64,9 @@ float nearest_depth(const Bounds& box, const std::array<float, 16>& view_project
 /// `view_projection`: world to clip coordinates, column by column.
 ScreenArea screen_area(const Bounds& box, const std::array<float, 16>& view_projection, ImageSize size);
 
+/// The smallest around both; an empty one has no place.
+ScreenArea around(const ScreenArea& a, const ScreenArea& b);
+
 /// The same of triangles, and only of what of them lies before the eye: of a tool that is held from behind it, as much
 /// as is seen. `corners`: (3 x triangles), into `vertices`.
 ScreenArea screen_area(std::span<const ToolVertex> vertices, std::span<const std::uint32_t> corners,

@@ -53,6 +53,13 @@ TEST(ScreenArea, TheBoxAroundTwoHoldsBoth) {
   EXPECT_EQ(bounds.most, (Float3{1, 2, 1}));
 }
 
+TEST(ScreenArea, TheAreaAroundTwoHoldsBothAndAnEmptyOneAddsNothing) {
+  const ScreenArea first{10, 20, 5, 6}, second{2, 24, 9, 30}, none{};
+  EXPECT_EQ(around(first, second), (ScreenArea{2, 20, 13, 34}));
+  EXPECT_EQ(around(first, none), first);
+  EXPECT_EQ(around(none, second), second);
+}
+
 TEST(ScreenArea, BoundsHoldEveryVertex) {
   std::vector<SurfaceVertex> vertices(3);
   vertices[0].position = {1, 2, 3};

@@ -73,5 +73,18 @@ TEST(Steel, ShowsTheFrontOfTheRoomWhereItIsTurnedAwayFromTheKeyLight) {
   EXPECT_GT(color_of_steel(view)[1], 142);
 }
 
+TEST(Steel, MirrorsTheTissueOfThisPictureNotOfTheOneBefore) {
+  const ViewDefinition view = from_the_front("liver");
+  const Snapshot before = scalpel_on_a_wall();
+  Snapshot after = before;
+  after.surfaces = {
+      test::quad("organ", {{{0.02f, 0.02f, 0}, {0.03f, 0.02f, 0}, {0.03f, 0.03f, 0}, {0.02f, 0.03f, 0}}})};
+  for (const Tier tier : {Tier::kRecord, Tier::kFinal}) {
+    Renderer renderer(DeviceChoice{}, kSize, tier);
+    renderer.draw(before, view);
+    EXPECT_EQ(renderer.draw(after, view).pixels, Renderer(DeviceChoice{}, kSize, tier).draw(after, view).pixels);
+  }
+}
+
 }  // namespace
 }  // namespace thinwall
