@@ -96,6 +96,7 @@ std::array<float, 4> linear4(const Double3& color, double w) {
 LookUniforms look_uniforms(const TissueLook& given, TissueSide side, const VesselTree& tree) {
   const TissueLook look = side_look(given, side);
   const bool is_rim = side == TissueSide::kRim;
+  const bool is_enclosed = side == TissueSide::kLining || side == TissueSide::kBed;
   // The layers of a rim stand in for the colours that its pattern does without.
   const Double3& flesh = is_rim ? look.layers.outer : look.color;
   const Double3& blood = is_rim ? look.layers.middle : look.blood;
@@ -108,9 +109,9 @@ LookUniforms look_uniforms(const TissueLook& given, TissueSide side, const Vesse
           .vessels = float4({look.vessels, 1 / look.vessel_spacing, look.capillaries}, look.mottling),
           .relief = float4({look.relief, 1 / look.relief_size, look.creases}, look.ridges),
           .pattern = float4({look.patches, 1 / look.patch_size, is_rim ? look.layers.outer_part : 0},
-                            is_rim                        ? 1 - look.layers.inner_part
-                            : side == TissueSide::kLining ? 1
-                                                          : 0),
+                            is_rim        ? 1 - look.layers.inner_part
+                            : is_enclosed ? 1
+                                          : 0),
           .tree_middle = float4(double3(tree.middle), 1 / tree.half_length),
           .tree_along = float4(double3(tree.along), vessel_trunks(tree, look.vessel_spacing)),
           .tree_across = float4(double3(tree.across), 0.036 * look.vessel_spacing),

@@ -92,7 +92,8 @@ void main() {
 
   vec3 toward = lamp_direction(position);
   vec3 lamp = lamp_light(position);
-  float visible = mix(0.12, 1.0, key_visibility(position, base));
+  float lit = key_visibility(position, base);
+  float visible = mix(0.12, 1.0, lit);
   float cosine = saturate(0.25 + 0.75 * dot(normal, toward));
   vec3 deep = fluid.rgb * mix(1.0, 0.45, dry);
   vec3 body = deep * (visible * cosine * lamp + environment_irradiance(normal));
@@ -101,9 +102,10 @@ void main() {
   vec3 turn = dFdx(normal), other_turn = dFdy(normal);
   float lost = min(0.5 * (dot(turn, turn) + dot(other_turn, other_turn)), 0.2);
   float mirror = gloss * (0.022 + 0.978 * fresnel_weight(nv));
-  // In the shadow of a wound less of the room is seen than in that of a tool.
-  float seen_room = mix(mix(0.3, 0.12, coat), 1.0, visible);
-  vec3 shine = mirror * seen_room * environment_light(reflect(-view, normal), sqrt(0.0064 + lost), visible);
+  // In the shadow of a tool part of the room is seen, in that of a wound the other wall, wet with blood.
+  float mirrors_key = mix(0.12, 1.0, key_mirrored(lit, base, toward));
+  vec3 seen_room = mix(mix(vec3(0.3), vec3(0.11, 0.025, 0.020), coat), vec3(1.0), mirrors_key);
+  vec3 shine = mirror * seen_room * environment_light(reflect(-view, normal), sqrt(0.0064 + lost), mirrors_key);
 #ifdef ENDOSCOPE
   float lamp_mirror = gloss * (0.022 + 0.978 * fresnel_weight(dot(view, normalize(view + toward))));
   shine += visible * lamp_mirror * glint(normal, view, toward, sqrt(0.0036 + lost)) * lamp;

@@ -42,7 +42,7 @@ void main() {
   float visible = key_visibility(position, base);
 
   // Light that has come in by the opening goes from wall to wall.
-  float lit = mix(0.3, 1.0, visible) * mix(0.35, 1.0, saturate(dot(base, toward)));
+  vec3 lit = mix(vec3(0.30, 0.22, 0.20), vec3(1.0), visible) * mix(0.35, 1.0, saturate(dot(base, toward)));
   vec3 body = fluid.rgb * (1.0 + 0.14 * noise(90.0 * position).w) * (lit * lamp + environment_irradiance(base));
   float mirror = 0.022 + 0.978 * fresnel_weight(nv);
   vec3 shine = mirror * mix(0.35, 1.0, visible) * environment_light(reflect(-view, normal), 0.06, visible);

@@ -31,3 +31,9 @@ float key_visibility(vec3 position, vec3 normal) {
   vec2 border = abs(2.0 * place.xy - 1.0);
   return mix(light, 1.0, smoothstep(0.90, 0.99, max(border.x, border.y)));
 }
+
+// The same for what mirrors the light: what is turned away from it lies in its own shade, which the map does not tell so
+// close to the border.
+float key_mirrored(float visibility, vec3 normal, vec3 toward) {
+  return visibility * smoothstep(-0.15, 0.10, dot(normal, toward));
+}

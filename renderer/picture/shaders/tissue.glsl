@@ -26,6 +26,11 @@ const vec3 kFromFace = vec3(0.92, 0.62, 0.55);
 const float kSeenRoom = 0.4;
 const float kLeastFaceCosine = 0.3;  // so uneven is a face that along it its bumps hide what would mirror most
 
+// Within wounds and opened organs: light of the lamp that comes from the walls, which are wet with blood, over the lamp's,
+// and what is mirrored where the lamp does not reach, those walls rather than the room.
+const vec3 kFromWalls = vec3(0.105, 0.027, 0.021);
+const vec3 kShadedRoom = vec3(0.45, 0.20, 0.17);
+
 float floor_openness(vec3 position, vec3 normal) {
   float height = max(position.z - floor_plane.x, 0.0) / scene_center.w;
   return 1.0 - floor_plane.y * 0.75 * saturate(0.5 - 0.6 * normal.z) * exp(-6.0 * height);
@@ -59,10 +64,11 @@ void main() {
   vec3 lamp = lamp_light(position);
   float visible = SHADOWED ? key_visibility(position, base) : 1.0;
   // Light that has come into an opened organ goes from wall to wall.
-  float bounced = pattern.w > 0.0 && pattern.z == 0.0 ? 0.35 : 0.0;
+  float bounced = ENCLOSED && !LAYERED ? 0.20 : 0.0;
 #ifdef ENDOSCOPE
   bounced = max(bounced, 0.18);  // the walls of the cavity send light into shadows
 #endif
+  float lit = ENCLOSED ? key_mirrored(visible, base, toward) : visible;
   visible = mix(bounced, 1.0, visible);
   float hollow = max(bend, 0.0);
   float openness = rods_openness(position, base) * floor_openness(position, base) * (1.0 - 0.55 * smoothstep(0.0, 0.8, hollow));
@@ -70,6 +76,7 @@ void main() {
   vec3 width = clamp(scatter.rgb * (30.0 + abs(bend) / (0.03 * scene_center.w)), 0.03, 0.7);
   // Shadows on flesh have reddish borders too.
   vec3 soft_visible = vec3(visible * (1.0 + kRedBorder * (1.0 - visible)), visible, visible);
+  if (ENCLOSED && !LAYERED) soft_visible *= mix(kFromFace, vec3(1.0), lit);
   // Light that is caught between the walls of a crease is reddened by each.
   // Powers of 0.85 (within 0.003) and 1.25 from two roots.
   float root = sqrt(openness), second_root = sqrt(root);
@@ -86,6 +93,11 @@ void main() {
   if (LAYERED) {
     diffuse *= mix(vec3(1.0), kFromFace, saturate(wound));
     around *= mix(vec3(1.0), kSeenRoom * kFromFace, saturate(0.3 + wound));
+  }
+  if (ENCLOSED) {
+    float inside = LAYERED ? smoothstep(0.0, 0.25, wound) : 1.0;
+    diffuse += inside * kFromWalls * lamp;
+    around *= mix(vec3(1.0), mix(kShadedRoom, vec3(1.0), lit), inside);
   }
 
   const float reflectance = 0.028;

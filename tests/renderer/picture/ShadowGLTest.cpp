@@ -44,5 +44,21 @@ TEST(Shadow, ItsBorderHasNoStairs) {
   EXPECT_LT(most, 0.42);
 }
 
+TEST(Shadow, WhatIsTurnedFromTheLightMirrorsNoneOfIt) {
+  const OffscreenContext context{DeviceChoice{}};
+  const CurrentContext current{context};
+  const auto results = test::run_shader({"shadow.glsl"}, R"(
+    float angle = radians(10.0 * float(index));
+    result = vec4(key_mirrored(0.8, vec3(0.0, 0.0, 1.0), vec3(sin(angle), 0.0, cos(angle))));)",
+                                        19);
+  for (int index = 0; index < 19; ++index) {
+    const float mirrored = results[static_cast<std::size_t>(index)][0];
+    // Between 80 and 100 degrees it fades.
+    if (index != 9) {
+      EXPECT_NEAR(mirrored, index < 9 ? 0.8 : 0.0, 1e-6) << 10 * index << " degrees";
+    }
+  }
+}
+
 }  // namespace
 }  // namespace thinwall

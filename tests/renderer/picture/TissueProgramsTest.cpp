@@ -34,6 +34,15 @@ TEST(TissuePrograms, OnlyACutShowsLayers) {
   EXPECT_TRUE(says(tissue_defines(look_of("stomach", TissueSide::kLining), {}), "LAYERED false"));
 }
 
+TEST(TissuePrograms, WallsOfWoundsAndOpenedOrgansAreEnclosed) {
+  for (const TissueSide side : {TissueSide::kRim, TissueSide::kLining, TissueSide::kBed}) {
+    EXPECT_TRUE(says(tissue_defines(look_of("skin", side), {}), "ENCLOSED true"));
+  }
+  for (const TissueSide side : {TissueSide::kOutside, TissueSide::kCap}) {
+    EXPECT_TRUE(says(tissue_defines(look_of("skin", side), {}), "ENCLOSED false"));
+  }
+}
+
 TEST(TissuePrograms, WhatIsTooFineForThePixelsIsLeftOut) {
   const LookUniforms look = look_of("fingerpad");
   const float size = 1 / look.relief[1];

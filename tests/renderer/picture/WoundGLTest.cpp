@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -165,7 +166,7 @@ TEST(Wound, BloodEndsOnTheSkinWithoutABorder) {
 }
 
 /// The faces of a cut through skin that gapes, seen from the side of one lip.
-Image draw_gaping(double bleeding) {
+Image draw_gaping(double bleeding, std::optional<Double3> key_direction = {}) {
   SnapshotSurface sheet = test::slit_sheet(40, 0.0005, 0);
   const std::vector<BorderEdge> borders = border_edges(*sheet.topology);
   const std::vector<char> is_lip = cut_lips(*sheet.topology, borders);
@@ -185,6 +186,7 @@ Image draw_gaping(double bleeding) {
   view.look.floor = false;
   view.look.bodies["organ"] = *find_organ_look("skin");
   view.look.bodies["organ"].bleeding = bleeding;
+  view.lights.key_direction = key_direction;
   return Renderer(DeviceChoice{}, {384, 216}, Tier::kRecord).draw(snapshot, view);
 }
 
@@ -230,6 +232,21 @@ TEST(Wound, BloodCoatsTheFaceOfACutUnevenlyAndMoreBelow) {
   EXPECT_LT(std::ranges::min(left(105)), 0.3) << "here it is thick";
   EXPECT_GT(std::ranges::max(left(105)), 0.55) << "there thin";
   EXPECT_GT(spread_of(left(105)), 0.1);
+}
+
+TEST(Wound, AFaceInTheShadeIsLitByTheOtherWhichIsRed) {
+  const Image image = draw_gaping(0, Double3{-0.3, 0.5, 0.3});
+  constexpr int kDermisFoot = 104;
+  double sum = 0;
+  for (int row = kFaceTop; row < kDermisFoot; ++row) {
+    for (int column = kFaceLeft; column < kFaceRight; ++column) {
+      const auto pixel = static_cast<std::size_t>(3 * (row * 384 + column));
+      sum += image.pixels[pixel + 2] / (image.pixels[pixel] + 1.0);
+    }
+  }
+  const double blue_over_red = sum / ((kDermisFoot - kFaceTop) * (kFaceRight - kFaceLeft));
+  RecordProperty("blue_over_red", std::to_string(blue_over_red));
+  EXPECT_LT(blue_over_red, 0.55) << "0.52 was seen, 0.59 of what light the room alone sends there";
 }
 
 }  // namespace
