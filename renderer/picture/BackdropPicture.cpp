@@ -43,6 +43,18 @@ double let_through(double radius) {
 
 }  // namespace
 
+ScreenArea area_within(const FieldStop& stop, ImageSize size) {
+  if (!(stop.tangent > 0)) return {0, 0, size.width, size.height};
+  const auto side = [&](std::size_t axis, int count) -> std::array<int, 2> {
+    const double half = 0.5 * count * std::min(stop.tangent / stop.half_field[axis], 1.0) + 2;
+    const int first = std::max(static_cast<int>(std::floor(0.5 * count - half)), 0);
+    return {first, std::min(static_cast<int>(std::ceil(0.5 * count + half)), count) - first};
+  };
+  const auto [left, width] = side(0, size.width);
+  const auto [bottom, height] = side(1, size.height);
+  return {left, bottom, width, height};
+}
+
 std::vector<BackdropPicture::Place> BackdropPicture::places(int small, int size) {
   std::vector<Place> places;
   for (int i = 0; i < size; ++i) {

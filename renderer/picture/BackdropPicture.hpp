@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "renderer/image/Image.hpp"
+#include "renderer/picture/ScreenArea.hpp"
 
 namespace thinwall {
 
@@ -15,6 +16,9 @@ struct FieldStop {
   std::array<double, 2> half_field{};  // tangents at the middle of the right and of the upper border
   bool operator==(const FieldStop&) const = default;
 };
+
+/// All pixels of a picture of `size` that show something within the stop, and a border of two.
+ScreenArea area_within(const FieldStop& stop, ImageSize size);
 
 /// Enlarges what lies behind a scene from the small picture that it is drawn in, and breaks the bands of its slow
 /// gradients by less than one level. Done by the processor: on a driver without a GPU, where it fills most of a

@@ -191,13 +191,17 @@ void PictureTarget::begin_tools() const {
   glViewport(0, 0, size_.width, size_.height);
 }
 
+ImageSize PictureTarget::backdrop_size() const {
+  return {quarter(size_.width), quarter(size_.height)};
+}
+
 void PictureTarget::begin_backdrop() const {
   glBindFramebuffer(GL_FRAMEBUFFER, backdrop_.name());
   glViewport(0, 0, quarter(size_.width), quarter(size_.height));
 }
 
 void PictureTarget::read_backdrop() {
-  const ImageSize small{quarter(size_.width), quarter(size_.height)};
+  const ImageSize small = backdrop_size();
   small_backdrop_.resize(4 * static_cast<std::size_t>(small.width) * static_cast<std::size_t>(small.height));
   glBindFramebuffer(GL_READ_FRAMEBUFFER, backdrop_.name());
   glReadPixels(0, 0, small.width, small.height, GL_RGBA, GL_UNSIGNED_BYTE, small_backdrop_.data());

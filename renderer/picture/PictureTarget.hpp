@@ -43,6 +43,8 @@ class PictureTarget {
   /// is sharp.
   void begin_backdrop() const;
 
+  ImageSize backdrop_size() const;
+
   /// Reads that picture, as soon as it is drawn.
   void read_backdrop();
 

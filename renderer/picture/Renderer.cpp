@@ -89,7 +89,7 @@ struct Stage {
 
   void shade_floor(const Studio& studio, PassClock& clock);
   void draw_shadow_map(const SceneExtent& extent, const Studio& studio, PassClock& clock);
-  void draw_backdrop(Surroundings surroundings, PassClock& clock);
+  void draw_backdrop(Surroundings surroundings, const FieldStop& stop, PassClock& clock);
   void clear_depth(const FieldStop& stop);
   void lay_backdrop(const FrameUniforms& frame, bool has_tools, PassClock& clock);
   void draw_surface(const FrameUniforms& frame, PassClock& clock);
@@ -126,8 +126,8 @@ FieldStop field_stop(const FrameUniforms& frame) {
   return {.tangent = frame.floor[3], .half_field = {size(frame.ray_right), size(frame.ray_up)}};
 }
 
-void Stage::draw_backdrop(Surroundings surroundings, PassClock& clock) {
-  scene_pass.draw_floor(target, surroundings);
+void Stage::draw_backdrop(Surroundings surroundings, const FieldStop& stop, PassClock& clock) {
+  scene_pass.draw_floor(target, surroundings, stop);
   target.read_backdrop();
   clock.ends("floor");
 }
@@ -292,7 +292,7 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
 
   clock.ends("meshes");
   stage->shade_floor(studio, clock);
-  stage->draw_backdrop(surroundings, clock);
+  stage->draw_backdrop(surroundings, field_stop(frame), clock);
   // After the backdrop was read, for which the driver finishes all that it has to do.
   stage->draw_shadow_map(extent, studio, clock);
   stage->clear_depth(field_stop(frame));

@@ -56,11 +56,15 @@ ScenePass::ScenePass()
   glNamedBufferStorage(look_.name(), sizeof(LookUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT);
 }
 
-void ScenePass::draw_floor(const PictureTarget& target, Surroundings surroundings) const {
+void ScenePass::draw_floor(const PictureTarget& target, Surroundings surroundings, const FieldStop& stop) const {
   target.begin_backdrop();
   glDisable(GL_DEPTH_TEST);
   glUseProgram(floor_[static_cast<std::size_t>(surroundings)].name());
+  glEnable(GL_SCISSOR_TEST);
+  const ScreenArea area = area_within(stop, target.backdrop_size());
+  glScissor(area.left, area.bottom, area.width, area.height);
   draw_screen();
+  glDisable(GL_SCISSOR_TEST);
 }
 
 void ScenePass::close_field_stop(const PictureTarget& target) const {

@@ -15,8 +15,8 @@ class ScenePass {
  public:
   ScenePass();
 
-  /// The floor or bed below the scene, as backdrop.
-  void draw_floor(const PictureTarget& target, Surroundings surroundings) const;
+  /// The floor or bed below the scene, as backdrop, within the field stop.
+  void draw_floor(const PictureTarget& target, Surroundings surroundings, const FieldStop& stop) const;
 
   /// Keeps all that is drawn from then on within the field stop of an endoscope: outside it depth is as near as can be.
   void close_field_stop(const PictureTarget& target) const;

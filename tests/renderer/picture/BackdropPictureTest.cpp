@@ -99,5 +99,26 @@ TEST(BackdropPicture, NothingIsSeenOutsideAFieldStopAndAllWithinIt) {
   EXPECT_GT(dark, 3000);
 }
 
+TEST(BackdropPicture, OutsideTheAreaWithinAFieldStopNothingIsShown) {
+  const ImageSize small{40, 20}, size{160, 80};
+  for (const double tangent : {0.13, 0.31, 0.5, 0.77}) {
+    const FieldStop stop{.tangent = tangent, .half_field = {0.8, 0.4}};
+    const ScreenArea area = area_within(stop, small);
+    EXPECT_LT(area.width, tangent < 0.7 ? 40 : 41);
+    const std::vector<std::uint8_t> drawn = slope(small, 4, 3);
+    std::vector<std::uint8_t> within = drawn;
+    for (int row = 0; row < 20; ++row) {
+      for (int column = 0; column < 40; ++column) {
+        const bool is_inside = column >= area.left && column < area.left + area.width && row >= area.bottom &&
+                               row < area.bottom + area.height;
+        if (!is_inside) within[4 * (40 * static_cast<std::size_t>(row) + static_cast<std::size_t>(column))] = 255;
+      }
+    }
+    BackdropPicture whole(small, size), part(small, size);
+    EXPECT_TRUE(std::ranges::equal(whole.enlarge(drawn, stop), part.enlarge(within, stop))) << tangent;
+  }
+  EXPECT_EQ(area_within({}, small), (ScreenArea{0, 0, 40, 20}));
+}
+
 }  // namespace
 }  // namespace thinwall
