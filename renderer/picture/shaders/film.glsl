@@ -96,7 +96,7 @@ void main() {
   float visible = mix(0.12, 1.0, lit);
   float cosine = saturate(0.25 + 0.75 * dot(normal, toward));
   vec3 deep = fluid.rgb * mix(1.0, 0.45, dry);
-  vec3 body = deep * (visible * cosine * lamp + environment_irradiance(normal));
+  vec3 body = deep * ((visible * cosine + coat * kFromWalls) * lamp + environment_irradiance(normal));
   float gloss = 1.0 - 0.85 * dry;
   // Where the normal turns within a pixel, the pixel mirrors as a rougher film does (Tokuyoshi and Kaplanyan 2019).
   vec3 turn = dFdx(normal), other_turn = dFdy(normal);

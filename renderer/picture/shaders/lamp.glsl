@@ -4,6 +4,9 @@
 // beside the lens, whose light falls with the square of the distance. Light is told as what a white matte surface that
 // faces it sends back.
 
+// Part of it that the walls of a wound or an opened organ, which are wet with blood, send to each other.
+const vec3 kFromWalls = vec3(0.105, 0.027, 0.021);
+
 #ifdef ENDOSCOPE
 
 vec3 lamp_direction(vec3 position) { return normalize(key_direction.xyz - position); }

@@ -26,9 +26,7 @@ const vec3 kFromFace = vec3(0.92, 0.62, 0.55);
 const float kSeenRoom = 0.4;
 const float kLeastFaceCosine = 0.3;  // so uneven is a face that along it its bumps hide what would mirror most
 
-// Within wounds and opened organs: light of the lamp that comes from the walls, which are wet with blood, over the lamp's,
-// and what is mirrored where the lamp does not reach, those walls rather than the room.
-const vec3 kFromWalls = vec3(0.105, 0.027, 0.021);
+// What is mirrored within wounds and opened organs where the lamp does not reach: the walls rather than the room.
 const vec3 kShadedRoom = vec3(0.45, 0.20, 0.17);
 
 float floor_openness(vec3 position, vec3 normal) {

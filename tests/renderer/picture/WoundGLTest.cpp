@@ -249,5 +249,18 @@ TEST(Wound, AFaceInTheShadeIsLitByTheOtherWhichIsRed) {
   EXPECT_LT(blue_over_red, 0.55) << "0.52 was seen, 0.59 of what light the room alone sends there";
 }
 
+TEST(Wound, BloodInTheShadeIsLitByTheWalls) {
+  const Image image = draw_gaping(1, Double3{-0.3, 0.5, 0.3});
+  std::vector<int> reds;
+  for (int row = kFaceTop; row < kFaceFoot; ++row) {
+    for (int column = kFaceLeft; column < kFaceRight; ++column) {
+      reds.push_back(image.pixels[static_cast<std::size_t>(3 * (row * 384 + column))]);
+    }
+  }
+  const auto darkest = reds.begin() + static_cast<std::ptrdiff_t>(reds.size() / 10);
+  std::ranges::nth_element(reds, darkest);
+  EXPECT_GT(*darkest, 65) << "levels: 69 were seen, 62 without their light";
+}
+
 }  // namespace
 }  // namespace thinwall
