@@ -1,6 +1,9 @@
 #include "renderer/annotation/Card.hpp"
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
 
 #include "renderer/overlay/Font.hpp"
 #include "renderer/overlay/Plate.hpp"
@@ -8,8 +11,23 @@
 
 namespace thinwall {
 
-void draw_card(Image& image, const Card& card) {
+namespace {
+
+/// The part `share` of `other` in place of as much of the image.
+void mix_in(Image& image, const Image& other, double share) {
+  assert(image.pixels.size() == other.pixels.size());
+  const int weight = static_cast<int>(std::lround(256 * share));
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    image.pixels[i] =
+        static_cast<std::uint8_t>((image.pixels[i] * (256 - weight) + other.pixels[i] * weight + 128) >> 8);
+  }
+}
+
+}  // namespace
+
+void draw_card(Image& image, const Image& bare, const Card& card) {
   if (card.opacity <= 0) return;
+  mix_in(image, bare, std::min(1.0, card.opacity));
   const FontUse use;
   const OverlayGrid grid(image.size);
   const double opacity = std::min(1.0, card.opacity);

@@ -14,7 +14,8 @@ struct Card {
   friend bool operator==(const Card&, const Card&) = default;
 };
 
-/// Darkens the picture and writes the card over it. Long texts wrap.
-void draw_card(Image& image, const Card& card);
+/// Darkens the picture and writes the card over it, in place of what was written over it before: as the card comes that
+/// goes. Long texts wrap. `bare`: the picture with nothing written on it, of the same size.
+void draw_card(Image& image, const Image& bare, const Card& card);
 
 }  // namespace thinwall

@@ -117,6 +117,7 @@ Box canvas_box(const PictureBox& box) {
 
 Image finished_picture(const Frame& frame, Painter& painter) {
   Image image = painter.paint(frame.snapshot, frame.shot);
+  const Image bare = frame.card ? image : Image{};
   std::optional<PictureBox> inset;
   if (frame.shot.inset) inset = inset_box(frame.shot.corner, image.size);
   std::optional<Box> taken;
@@ -132,7 +133,7 @@ Image finished_picture(const Frame& frame, Painter& painter) {
   }
   if (!frame.half_captions[0].empty()) draw_half_captions(image, frame.half_captions, taken);
   draw_overlay(image, frame.overlay, taken);
-  if (frame.card) draw_card(image, *frame.card);
+  if (frame.card) draw_card(image, bare, *frame.card);
   return image;
 }
 
