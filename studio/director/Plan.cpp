@@ -2,11 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <type_traits>
-
-#include "renderer/snapshot/SameTime.hpp"
 
 namespace thinwall {
 namespace {
@@ -58,13 +55,9 @@ Plan plan_clip(const Clip& clip, const PlannedTool& tool,
   return std::get<WaitClip>(clip.action);
 }
 
-Plan turning_at_step_end(Plan plan, double begin, double time_step) {
-  PalpationPlan* pressing = std::get_if<PalpationPlan>(&plan);
-  if (auto* piercing = std::get_if<PiercingPlan>(&plan)) pressing = piercing;
-  if (pressing == nullptr) return plan;
-  const double arrival = begin + pressing->arrival();
-  pressing->rest = std::max(0.0, std::ceil((arrival - kSameTime) / time_step) * time_step - arrival);
-  return plan;
+PalpationPlan* pressing_of(Plan& plan) {
+  if (auto* piercing = std::get_if<PiercingPlan>(&plan)) return piercing;
+  return std::get_if<PalpationPlan>(&plan);
 }
 
 double duration_of(const Plan& plan) {

@@ -29,9 +29,8 @@ struct PlannedTool {
 Plan plan_clip(const Clip& clip, const PlannedTool& tool,
                const std::function<const Body&(const std::string&)>& body_of);
 
-/// The plan with a palpation or piercing that stays at its full depth until a step ends: forces are asked for at the
-/// ends of steps only, and none would show the peak. `begin`: of the clip; both seconds.
-Plan turning_at_step_end(Plan plan, double begin, double time_step);
+/// Of a palpation or piercing; nullptr of others.
+PalpationPlan* pressing_of(Plan& plan);
 
 double duration_of(const Plan& plan);  // seconds
 

@@ -122,9 +122,10 @@ struct ScenarioRun::Implementation {
       ScheduledClip& clip = clips[k];
       if (clip.begun || clip.begin >= until - kTimeTolerance) continue;
       clip.begun = true;
-      clip.plan = turning_at_step_end(plan_begun(k), clip.begin, step_length());
+      clip.plan = plan_begun(k);
       schedule(scenario.timeline, clips);
       refuse_overlaps(scenario.timeline, clips);
+      turn_at_step_end(scenario.timeline, clips, k, step_length());
       if (const auto* fill = std::get_if<FillPlan>(&clip.plan)) {
         if (auto note = fill_note(k + 1, *fill)) warnings.push_back(*std::move(note));
       }

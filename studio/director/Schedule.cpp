@@ -3,13 +3,33 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "studio/scenario/InputError.hpp"
 
 namespace thinwall {
+namespace {
+
+/// Two clips that drive one tool at once, the later one in the timeline first; nothing where there are none.
+std::optional<std::pair<std::size_t, std::size_t>> first_overlap(std::span<const Clip> timeline,
+                                                                 std::span<const ScheduledClip> clips) {
+  for (std::size_t k = 0; k < clips.size(); ++k) {
+    const std::string tool = tool_of(timeline[k]);
+    for (std::size_t other = 0; other < k && !tool.empty(); ++other) {
+      const bool is_apart =
+          clips[k].begin >= clips[other].end - kTimeTolerance || clips[other].begin >= clips[k].end - kTimeTolerance;
+      if (tool == tool_of(timeline[other]) && !is_apart) return std::pair(k, other);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
 
 void schedule(std::span<const Clip> timeline, std::span<ScheduledClip> clips) {
   double previous_end = 0;
@@ -21,19 +41,27 @@ void schedule(std::span<const Clip> timeline, std::span<ScheduledClip> clips) {
 }
 
 void refuse_overlaps(std::span<const Clip> timeline, std::span<const ScheduledClip> clips) {
-  for (std::size_t k = 0; k < clips.size(); ++k) {
-    for (std::size_t other = 0; other < k; ++other) {
-      const std::string tool = tool_of(timeline[k]);
-      if (tool.empty() || tool != tool_of(timeline[other])) continue;
-      if (clips[k].begin >= clips[other].end - kTimeTolerance || clips[other].begin >= clips[k].end - kTimeTolerance)
-        continue;
-      throw InputErrors(
-          {{timeline[k].location,
-            fmt::format("timeline[{}]: drives tool `{}` from {:.4g} s to {:.4g} s, while timeline[{}] "
-                        "drives it from {:.4g} s to {:.4g} s; start one after the other has ended",
-                        k + 1, tool, clips[k].begin, clips[k].end, other + 1, clips[other].begin, clips[other].end)}});
-    }
-  }
+  const auto overlap = first_overlap(timeline, clips);
+  if (!overlap) return;
+  const auto [k, other] = *overlap;
+  throw InputErrors(
+      {{timeline[k].location,
+        fmt::format("timeline[{}]: drives tool `{}` from {:.4g} s to {:.4g} s, while timeline[{}] drives it from "
+                    "{:.4g} s to {:.4g} s; start one after the other has ended",
+                    k + 1, tool_of(timeline[k]), clips[k].begin, clips[k].end, other + 1, clips[other].begin,
+                    clips[other].end)}});
+}
+
+void turn_at_step_end(std::span<const Clip> timeline, std::span<ScheduledClip> clips, std::size_t index,
+                      double time_step) {
+  PalpationPlan* pressing = pressing_of(clips[index].plan);
+  if (pressing == nullptr) return;
+  const double arrival = clips[index].begin + pressing->arrival();
+  pressing->rest = std::max(0.0, std::ceil((arrival - kTimeTolerance) / time_step) * time_step - arrival);
+  schedule(timeline, clips);
+  if (!first_overlap(timeline, clips)) return;
+  pressing->rest = 0;
+  schedule(timeline, clips);
 }
 
 void foresee_moves(std::span<const Clip> timeline, std::span<ScheduledClip> clips) {

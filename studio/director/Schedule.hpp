@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -25,6 +26,12 @@ void schedule(std::span<const Clip> timeline, std::span<ScheduledClip> clips);
 /// How long a clip lasts depends on where its tool meets the wall, so two clips of one tool may be found to play at
 /// once only here. Throws InputErrors then.
 void refuse_overlaps(std::span<const Clip> timeline, std::span<const ScheduledClip> clips);
+
+/// Lets a palpation or piercing that has begun stay at its full depth until a step ends: forces are asked for at the
+/// ends of steps only, and none would show the peak. Not where clips of one tool would then play at once. `clips`: as
+/// `schedule` and `refuse_overlaps` leave them; `time_step`: seconds.
+void turn_at_step_end(std::span<const Clip> timeline, std::span<ScheduledClip> clips, std::size_t index,
+                      double time_step);
 
 /// Plans moves from where the clips before them leave their tools, as far as that is known at time zero. `clips` have
 /// been scheduled. Throws InputErrors as `plan_move` does.

@@ -213,6 +213,23 @@ TEST(ScenarioRun, APalpationWithoutHoldReachesItsDepthAtTheEndOfAStep) {
   }
 }
 
+TEST(ScenarioRun, APalpationMakesRoomForTheNextClipRatherThanStayUntilAStepEnds) {
+  Scenario scenario = ball_scenario();
+  scenario.simulation.time_step = 0.05;
+  Clip first = palpation(0.001), second = first;
+  auto& clip = std::get<PalpateClip>(first.action);
+  clip.speed = 0.0113;
+  clip.hold = 0;
+  scenario.timeline = {first};
+  const double way = 2 * (clip.depth + clip.standoff) / clip.speed;  // seconds, but for what the ball is off the wall
+  second.start = way + 0.02;
+  scenario.timeline = {first, second};
+  ScenarioRun run(scenario);
+  double end = 0;
+  while (run.step()) end = run.time();
+  EXPECT_GT(end, *second.start);
+}
+
 TEST(ScenarioRun, AMoveThroughTheWallTouchesItAndCountsItsDepth) {
   Scenario scenario = ball_scenario();
   scenario.timeline = {{.action = MoveClip{.tool = "probe",
