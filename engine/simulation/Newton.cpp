@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "engine/mesh/MeshMeasures.hpp"
 #include "engine/mesh/MeshTopology.hpp"
 #include "engine/simulation/OpenChambers.hpp"
 
@@ -104,7 +105,8 @@ Newton::Newton(const BodyModel& model, SparseFactor factor, SelfContact self_con
       self_contact_(std::move(self_contact)),
       fold_matrix_(model),
       rims_(rim_unknowns(model)),
-      rigid_columns_(model.rigid_motions) {
+      rigid_columns_(model.rigid_motions),
+      extent_(bounding_box(model.definition.mesh.vertices).diagonal().norm()) {
   const double mean_mass = model.mass.mean();
   for (Eigen::Index k = 0; k < rigid_columns_.rows(); ++k) rigid_columns_.row(k) *= model.mass[k] / mean_mass;
   if (model.bending.empty()) return;

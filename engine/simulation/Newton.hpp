@@ -327,6 +327,7 @@ class Newton {
   int negative_pivots_ = 0;                   // of the factor in use
   Eigen::Index own_columns_ = 0;              // of the border, without those of contacts
   Eigen::MatrixXd rigid_columns_;             // (unknowns x free rigid motions), relative mass times motion
+  double extent_;                             // metres, of the body at rest
   double attachment_stiffness_ = 0;           // newton / metre, gamma
 };
 

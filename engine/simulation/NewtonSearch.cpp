@@ -12,9 +12,6 @@ namespace {
 /// bound, along whose ways everything would meet everything.
 constexpr double kLongestStep = 1;
 
-/// The same of a step without line search, past which it has gone astray.
-constexpr double kStrayStep = 1;
-
 /// Part of the energy below which its slope along a step has no sign.
 constexpr double kRoundOff = 1e-12;
 
@@ -148,9 +145,8 @@ void Newton::place(const Start& start, const Step& step, double fraction, Equili
 }
 
 bool Newton::take_whole(EquilibriumProblem& problem, EquilibriumState& state, Residual& residual, const Step& step) {
-  // Asked this way round, what is not a number has gone astray too.
-  const double longest = kStrayStep * std::sqrt(model_.rest_area);
-  if (!(step.position.lpNorm<Eigen::Infinity>() <= longest)) return false;
+  // A step that is longer than the body has gone astray, and so has what is not a number.
+  if (!(step.position.lpNorm<Eigen::Infinity>() <= extent_)) return false;
   const Start start{
       .state = state, .attachments = problem.attachments, .solids = problem.solids, .friction = problem.friction};
   const double fraction = std::min(1.0, self_contact_.safe_fraction(state.position, step.position));
