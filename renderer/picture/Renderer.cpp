@@ -97,6 +97,7 @@ struct Stage {
   void find_outline(SceneView& scene);
   void draw_fluids(const SceneView& scene, PassClock& clock);
   void draw_fine_pixels(SceneView& scene, const FrameUniforms& frame);
+  Image see_through_lens(const Camera& camera, const Camera& pinhole, PassClock& clock);
   ScreenArea outlined_area(const FrameUniforms& frame) const;
   ScreenArea sharp_area(const FrameUniforms& frame) const;
   bool has_fluids() const { return !meshes.films().empty() || !meshes.fluids().empty(); }
@@ -237,6 +238,15 @@ void Stage::draw_fine_pixels(SceneView& scene, const FrameUniforms& frame) {
   target.write_color(fine.area, with_corners(fine, middles, target.read_color(fine.area)));
 }
 
+Image Stage::see_through_lens(const Camera& camera, const Camera& pinhole, PassClock& clock) {
+  const bool is_distorted = camera.lens.distortion() != LensDistortion{};
+  if (is_distorted) {
+    lens_pass.draw(target, camera, pinhole);
+    clock.ends("lens");
+  }
+  return target.finish(is_distorted);
+}
+
 /// What tells the noise of one moment from that of another: its nanoseconds.
 std::uint64_t moment_of(const Snapshot& snapshot) {
   return static_cast<std::uint64_t>(std::llround(1e9 * snapshot.time));
@@ -310,12 +320,7 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
     stage->focus_pass.draw(stage->target, pinhole);
     clock.ends("focus");
   }
-  const bool through_lens = camera.lens.distortion() != LensDistortion{};
-  if (through_lens) {
-    stage->lens_pass.draw(stage->target, camera, pinhole);
-    clock.ends("lens");
-  }
-  Image image = stage->target.finish(through_lens);
+  Image image = stage->see_through_lens(camera, pinhole, clock);
   if (view.camera.noise > 0) add_sensor_noise(image, view.camera.noise, view.camera.seed, moment_of(snapshot));
   clock.ends("read-back");
   return image;
