@@ -54,7 +54,7 @@ MappingSchema palpate() {
        {"depth", quantity_value(kLength, kAboveZero, "4 mm"), true, {}, "travel after first contact"},
        {"speed", quantity_value(kSpeed, kAboveZero, "10 mm/s"), false, "10 mm/s", "speed of the tool"},
        {"hold", quantity_value(kTime, kFromZero, "0.5 s"), false, "0 s",
-        "time at full depth, which a step ends at in any case"},
+        "time at full depth; until a step ends at least, where the tool's next clip leaves room for that"},
        {"standoff", quantity_value(kLength, kFromZero, "5 mm"), false, "5 mm",
         "distance from the surface at which the tool starts and to which it goes back"},
        {"withdraw", boolean_value(), false, "true", "whether the tool goes back"}});
@@ -70,7 +70,7 @@ MappingSchema pierce() {
        {"depth", quantity_value(kLength, kAboveZero, "12 mm"), true, {}, "travel after first contact"},
        {"speed", quantity_value(kSpeed, kAboveZero, "10 mm/s"), false, "10 mm/s", "speed of the needle"},
        {"hold", quantity_value(kTime, kFromZero, "1 s"), false, "0 s",
-        "time at full depth, which a step ends at in any case"},
+        "time at full depth; until a step ends at least, where the tool's next clip leaves room for that"},
        {"standoff", quantity_value(kLength, kFromZero, "5 mm"), false, "5 mm",
         "distance from the surface at which the needle starts and to which it goes back"},
        {"withdraw", boolean_value(), false, "true", "whether the needle goes back"}},
