@@ -42,12 +42,16 @@ Vector3 turned(Vector3 a, double angle) {
   return {std::cos(angle) * a.x - std::sin(angle) * a.y, std::sin(angle) * a.x + std::cos(angle) * a.y, a.z};
 }
 
-/// Lit by the key light the floor is some brighter than the background that it fades into.
-void light_floor(FrameUniforms& frame, const ViewDefinition& view) {
+/// Linear, of green-blue cotton that has been washed often.
+constexpr Double3 kDrapeColor = {0.040, 0.138, 0.150};
+
+/// Lit by the key light a floor is some brighter than the background that it fades into.
+void light_floor(FrameUniforms& frame, const ViewDefinition& view, Ground ground) {
   constexpr double kSkyIrradiance[] = {0.33, 0.36, 0.41};
   const double contrast = view.lights.environment_contrast;
   for (std::size_t i = 0; i < 3; ++i) {
-    const double albedo = 3.2 * linear_from_srgb(view.look.background[i]) + 0.004;
+    const double albedo =
+        ground == Ground::kDrape ? kDrapeColor[i] : 3.2 * linear_from_srgb(view.look.background[i]) + 0.004;
     const double sky = view.lights.environment * (1 - contrast + contrast * kSkyIrradiance[i]);
     const double key = 2.1 * view.lights.key * std::max(0.0f, frame.key_direction[2]);
     frame.floor_key[i] = static_cast<float>(albedo * key);
@@ -150,7 +154,7 @@ Matrix4 key_light_matrix(const SceneExtent& extent, const Studio& studio) {
 }
 
 FrameUniforms frame_uniforms(const Camera& camera, const SceneExtent& extent, const ViewDefinition& view,
-                             const Studio& studio, const std::vector<ToolRod>& rods, ImageSize size) {
+                             const Studio& studio, const std::vector<ToolRod>& rods, ImageSize size, Ground ground) {
   const Vector3 key = studio.key_direction;
   const bool with_floor = view.look.floor && !extent.rest_points.empty() && camera.position.z > extent.floor_height;
   FrameUniforms frame;
@@ -178,7 +182,7 @@ FrameUniforms frame_uniforms(const Camera& camera, const SceneExtent& extent, co
     frame.background[i] = static_cast<float>(view.look.background[i]);
   }
   frame.background[3] = static_cast<float>(std::exp2(view.camera.exposure));
-  light_floor(frame, view);
+  light_floor(frame, view, ground);
   frame.floor_key[3] = 1.0f / static_cast<float>(size.width);
   frame.floor_sky[3] = 1.0f / static_cast<float>(size.height);
   frame.tissue = mirrored_tissue(view.look);

@@ -61,7 +61,8 @@ Studio arrange_endoscope(const Camera& camera, const SceneExtent& extent);
 
 /// Everything that follows from the view and the scene alone.
 FrameUniforms frame_uniforms(const Camera& camera, const SceneExtent& extent, const ViewDefinition& view,
-                             const Studio& studio, const std::vector<ToolRod>& rods, ImageSize size);
+                             const Studio& studio, const std::vector<ToolRod>& rods, ImageSize size,
+                             Ground ground = Ground::kFloor);
 
 /// The same, sampled at `shift` (pixels, right and up) off the middles of the pixels of a picture of `size`.
 FrameUniforms sampled_off_middle(FrameUniforms frame, std::array<double, 2> shift, ImageSize size);

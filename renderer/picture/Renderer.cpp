@@ -58,6 +58,7 @@ struct SceneView {
   const ViewDefinition& view;
   Vector3 eye;  // metres
   Surroundings surroundings = Surroundings::kStudio;
+  Ground ground = Ground::kFloor;
   std::optional<std::vector<OutlineSegment>> outline = {};
 };
 
@@ -89,7 +90,7 @@ struct Stage {
 
   void shade_floor(const Studio& studio, PassClock& clock);
   void draw_shadow_map(const SceneExtent& extent, const Studio& studio, PassClock& clock);
-  void draw_backdrop(Surroundings surroundings, const FieldStop& stop, PassClock& clock);
+  void draw_backdrop(Ground ground, const FieldStop& stop, PassClock& clock);
   void clear_depth(const FieldStop& stop);
   void lay_backdrop(const FrameUniforms& frame, bool has_tools, PassClock& clock);
   void draw_surface(const FrameUniforms& frame, PassClock& clock);
@@ -127,8 +128,8 @@ FieldStop field_stop(const FrameUniforms& frame) {
   return {.tangent = frame.floor[3], .half_field = {size(frame.ray_right), size(frame.ray_up)}};
 }
 
-void Stage::draw_backdrop(Surroundings surroundings, const FieldStop& stop, PassClock& clock) {
-  scene_pass.draw_floor(target, surroundings, stop);
+void Stage::draw_backdrop(Ground ground, const FieldStop& stop, PassClock& clock) {
+  scene_pass.draw_ground(target, ground, stop);
   target.read_backdrop();
   clock.ends("floor");
 }
@@ -189,6 +190,10 @@ ScreenArea Stage::sharp_area(const FrameUniforms& frame) const {
 
 /// Over the backdrop, all that is seen with the surface.
 void Stage::draw_scene(SceneView& scene, const FrameUniforms& frame, PassClock& clock) {
+  if (scene.ground == Ground::kDrape) {
+    scene_pass.draw_weave(target);
+    clock.ends("weave");
+  }
   shadow_map.bind();
   scene_pass.draw_tools(meshes, target, frame.view_projection, scene.surroundings);
   clock.ends("tools");
@@ -259,6 +264,16 @@ ViewDefinition seen_through(ViewDefinition view, const CameraDefinition& camera)
   return view;
 }
 
+/// What lies below a scene in the open; a drape comes as near as what lies on it lets it.
+Ground lay_ground(const Snapshot& snapshot, const LookDefinition& look, const SceneMeshes& meshes,
+                  SceneExtent& extent) {
+  const Ground ground = ground_below(look, meshes.has_sheet());
+  if (ground == Ground::kDrape && !snapshot.surfaces.empty()) {
+    extent.floor_height = lying_height(snapshot, meshes.ends());
+  }
+  return ground;
+}
+
 }  // namespace
 
 struct Renderer::Implementation {
@@ -282,7 +297,7 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
                                      const CameraDefinition& seen_by, std::vector<PassTime>* times) {
   PassClock clock(times);
   const ViewDefinition view = seen_through(scene, seen_by);
-  const SceneExtent extent = scene_extent(snapshot);
+  SceneExtent extent = scene_extent(snapshot);
   const Camera camera = resolve_camera(view.camera, extent, stage->target.size(), snapshot.time);
   const Camera pinhole = behind_the_lens(camera);
   const bool is_inside = view.lights.endoscope > 0;
@@ -293,7 +308,9 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
 
   const CurrentContext current(context);
   stage->meshes.upload(snapshot, extent, view.look);
-  FrameUniforms frame = frame_uniforms(pinhole, extent, view, studio, stage->meshes.rods(), stage->target.size());
+  const Ground ground = is_inside ? Ground::kTissue : lay_ground(snapshot, view.look, stage->meshes, extent);
+  FrameUniforms frame =
+      frame_uniforms(pinhole, extent, view, studio, stage->meshes.rods(), stage->target.size(), ground);
   if (view.camera.auto_exposure) {
     frame.background[3] *= static_cast<float>(std::exp2(metered_exposure(snapshot, view, pinhole, frame, is_inside)));
   }
@@ -302,13 +319,14 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
 
   clock.ends("meshes");
   stage->shade_floor(studio, clock);
-  stage->draw_backdrop(surroundings, field_stop(frame), clock);
+  stage->draw_backdrop(ground, field_stop(frame), clock);
   // After the backdrop was read, for which the driver finishes all that it has to do.
   stage->draw_shadow_map(extent, studio, clock);
   stage->clear_depth(field_stop(frame));
   stage->draw_surface(frame, clock);
   stage->lay_backdrop(frame, !snapshot.tools.empty(), clock);
   SceneView shown{.snapshot = snapshot, .view = view, .eye = camera.position, .surroundings = surroundings};
+  if (frame.floor[1] > 0) shown.ground = ground;
   stage->draw_scene(shown, frame, clock);
   const bool has_focus = camera.aperture > 0 && stage->tier != Tier::kDraft;
   if (stage->tier == Tier::kFinal) {

@@ -61,6 +61,24 @@ double lowest_standing(const SnapshotSurface& surface) {
   return lowest;
 }
 
+/// Below the ends of a sheet, at rest and now, by as much as it is thick.
+double lowest_end(const SnapshotSurface& surface, std::span<const BorderEdge> ends) {
+  const SnapshotTopology& topology = *surface.topology;
+  double lowest = std::numeric_limits<double>::max();
+  for (const BorderEdge& end : ends) {
+    const double thickness = topology.thickness.empty() ? 0 : topology.thickness[end.triangle];
+    const float height = std::min(topology.rest_positions[end.start][2], surface.positions[end.start][2]);
+    lowest = std::min(lowest, static_cast<double>(height) - thickness);
+  }
+  return lowest;
+}
+
+double lowest_at_rest(const SnapshotTopology& topology) {
+  double lowest = std::numeric_limits<double>::max();
+  for (const Float3& position : topology.rest_positions) lowest = std::min(lowest, static_cast<double>(position[2]));
+  return lowest;
+}
+
 /// Coarse steps keep the light's box, and with it the shadow's raster, still while the scene moves a little.
 double round_up_coarsely(double reach, double base) {
   constexpr double kStep = 1.25;
@@ -96,6 +114,16 @@ SceneExtent scene_extent(const Snapshot& snapshot) {
   }
   extent.reach = round_up_coarsely(reach, 0.5 * extent.size);
   return extent;
+}
+
+double lying_height(const Snapshot& snapshot, std::span<const std::vector<BorderEdge>> ends) {
+  double lowest = std::numeric_limits<double>::max();
+  for (std::size_t k = 0; k < snapshot.surfaces.size(); ++k) {
+    const SnapshotSurface& surface = snapshot.surfaces[k];
+    lowest = std::min(lowest, ends[k].empty() ? std::min(lowest_at_rest(*surface.topology), lowest_standing(surface))
+                                              : lowest_end(surface, ends[k]));
+  }
+  return lowest;
 }
 
 }  // namespace thinwall

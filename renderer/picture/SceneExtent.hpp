@@ -1,8 +1,10 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "renderer/picture/Vector.hpp"
+#include "renderer/snapshot/BorderEdges.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
 
 namespace thinwall {
@@ -18,5 +20,9 @@ struct SceneExtent {
 
 /// Throws PictureFailure naming the body whose arrays do not fit together or are not finite.
 SceneExtent scene_extent(const Snapshot& snapshot);
+
+/// z of a cloth that the surfaces lie on, metres. A sheet touches it with its ends and may be pressed down between
+/// them, where cloth gives way. `ends`: (surfaces), their borders that no cut has made.
+double lying_height(const Snapshot& snapshot, std::span<const std::vector<BorderEdge>> ends);
 
 }  // namespace thinwall

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 #include "renderer/picture/DrawnPieces.hpp"
@@ -195,10 +196,15 @@ void SceneMeshes::find_edges(const Snapshot& snapshot, DrawnEdges edges) {
   drawn_topologies_.clear();
   wounds_.clear();
   vessel_trees_.clear();
+  ends_.clear();
   std::uint32_t offset = 0;
   for (const auto& topology : topologies) {
     const DrawnTopology& surface = drawn_topologies_.emplace_back(drawn_topology(topology, edges));
     wounds_.emplace_back();
+    ends_.emplace_back();
+    std::ranges::copy_if(surface.mesh_borders, std::back_inserter(ends_.back()), [&](const BorderEdge& edge) {
+      return !surface.is_lip[edge.start] || !surface.is_lip[edge.end];
+    });
     vessel_trees_.push_back(vessel_tree(*topology));
     const std::span<const char> is_lip(surface.is_lip.data(), topology->rest_positions.size());
     if (std::ranges::any_of(is_lip, [](char lip) { return lip != 0; })) {
@@ -258,6 +264,10 @@ std::optional<Snapshot> SceneMeshes::laid_on_beds(const Snapshot& snapshot) cons
     laid->surfaces[k].positions = std::move(positions);
   }
   return laid;
+}
+
+bool SceneMeshes::has_sheet() const {
+  return std::ranges::any_of(ends_, [](const std::vector<BorderEdge>& ends) { return !ends.empty(); });
 }
 
 void SceneMeshes::upload_tools(const Snapshot& snapshot, const SceneExtent& extent) {

@@ -78,6 +78,12 @@ class SceneMeshes {
   /// All pixels that show something of the tools. `view_projection`: world to clip coordinates.
   ScreenArea tool_area(const std::array<float, 16>& view_projection, ImageSize size) const;
 
+  /// (surfaces), their borders that no cut has made.
+  std::span<const std::vector<BorderEdge>> ends() const { return ends_; }
+
+  /// Whether any surface is a sheet, or otherwise open without a cut.
+  bool has_sheet() const;
+
   const std::vector<BodyFluid>& fluids() const { return fluids_; }
 
   const std::vector<BodyFilm>& films() const { return films_; }
@@ -115,6 +121,7 @@ class SceneMeshes {
   std::vector<std::shared_ptr<const SnapshotTopology>> topologies_;  // that the edges belong to
   DrawnEdges edges_ = DrawnEdges::kCurves;                           // and what they were found for
   std::vector<DrawnTopology> drawn_topologies_;                      // (surfaces)
+  std::vector<std::vector<BorderEdge>> ends_;                        // (surfaces), of the mesh, that no cut has made
   std::vector<SnapshotSurface> drawn_;                               // (surfaces), as drawn
   std::vector<MeshEdge> tissue_edges_;
   std::vector<VesselTree> vessel_trees_;            // (surfaces)

@@ -47,7 +47,9 @@ ScenePass::ScenePass()
       tool_(build_program("tool.vert", "tool.frag")),
       field_stop_(build_program("stop.vert", "")),
       metal_{build_program("metal.vert", "metal.frag"), build_program("metal.vert", "metal_endoscope.frag")},
-      floor_{build_program("screen.vert", "floor.frag"), build_program("screen.vert", "bed.frag")},
+      ground_{build_program("screen.vert", "floor.frag"), build_program("screen.vert", "drape.frag"),
+              build_program("screen.vert", "bed.frag")},
+      weave_(build_program("screen.vert", "weave.frag")),
       highlight_(build_program("screen.vert", "highlight.frag")),
       data_(build_program("screen.vert", "data.frag")),
       colors_(color_texture()),
@@ -56,15 +58,30 @@ ScenePass::ScenePass()
   glNamedBufferStorage(look_.name(), sizeof(LookUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT);
 }
 
-void ScenePass::draw_floor(const PictureTarget& target, Surroundings surroundings, const FieldStop& stop) const {
+void ScenePass::draw_ground(const PictureTarget& target, Ground ground, const FieldStop& stop) const {
   target.begin_backdrop();
   glDisable(GL_DEPTH_TEST);
-  glUseProgram(floor_[static_cast<std::size_t>(surroundings)].name());
+  glUseProgram(ground_[static_cast<std::size_t>(ground)].name());
   glEnable(GL_SCISSOR_TEST);
   const ScreenArea area = area_within(stop, target.backdrop_size());
   glScissor(area.left, area.bottom, area.width, area.height);
   draw_screen();
   glDisable(GL_SCISSOR_TEST);
+}
+
+void ScenePass::draw_weave(const PictureTarget& target) const {
+  target.begin_color();
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_EQUAL);
+  glDepthMask(GL_FALSE);
+  glDisable(GL_STENCIL_TEST);
+  glEnable(GL_BLEND);
+  glBlendEquation(GL_FUNC_ADD);
+  glBlendFunc(GL_ZERO, GL_SRC_COLOR);
+  glUseProgram(weave_.name());
+  draw_screen();
+  glDisable(GL_BLEND);
+  glDepthMask(GL_TRUE);
 }
 
 void ScenePass::close_field_stop(const PictureTarget& target) const {

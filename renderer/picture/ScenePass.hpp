@@ -10,13 +10,16 @@
 
 namespace thinwall {
 
-/// Draws tissue, tools and floor, one function after the other; the Frame block and the maps must be bound.
+/// Draws tissue, tools and ground, one function after the other; the Frame block and the maps must be bound.
 class ScenePass {
  public:
   ScenePass();
 
-  /// The floor or bed below the scene, as backdrop, within the field stop.
-  void draw_floor(const PictureTarget& target, Surroundings surroundings, const FieldStop& stop) const;
+  /// What lies below the scene, as backdrop, within the field stop.
+  void draw_ground(const PictureTarget& target, Ground ground, const FieldStop& stop) const;
+
+  /// The threads of a drape, where nothing lies before it: they are finer than a backdrop shows.
+  void draw_weave(const PictureTarget& target) const;
 
   /// Keeps all that is drawn from then on within the field stop of an endoscope: outside it depth is as near as can be.
   void close_field_stop(const PictureTarget& target) const;
@@ -45,8 +48,9 @@ class ScenePass {
   Program tool_;
   Program field_stop_;
   TissuePrograms tissue_;
-  std::array<Program, 2> metal_;  // (surroundings)
-  std::array<Program, 2> floor_;  // (surroundings)
+  std::array<Program, 2> metal_;   // (surroundings)
+  std::array<Program, 3> ground_;  // (kinds of ground)
+  Program weave_;
   Program highlight_;
   Program data_;
   Texture colors_;  // of data views

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "renderer/look/DataView.hpp"
+#include "renderer/look/Ground.hpp"
 #include "renderer/look/TissueLook.hpp"
 #include "renderer/picture/CameraDefinition.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
@@ -26,12 +27,18 @@ struct LightsDefinition {
 
 struct LookDefinition {
   Double3 background = {0.055, 0.065, 0.08};  // sRGB, 0 to 1
-  bool floor = true;                          // below the scene, lit, in the tone of the background
+  bool floor = true;                          // whether anything lies below the scene
+  std::optional<Ground> ground = {};          // what, in the open; as of ground_below() when absent
   std::map<std::string, TissueLook> bodies;   // by name; others have the default look
   std::optional<DataView> data = {};          // what colours show of walls instead of their tissue; with both ends
   bool mesh = false;                          // whether the edges of the triangles are drawn, those of cuts stronger
   bool flat_triangles = false;                // whether round walls are drawn as the mesh has them
 };
+
+/// In the open: sheets of tissue are seen as in an operation, unless their numbers or their mesh are shown.
+inline Ground ground_below(const LookDefinition& look, bool has_sheet) {
+  return look.ground.value_or(has_sheet && !look.data && !look.mesh ? Ground::kDrape : Ground::kFloor);
+}
 
 /// Numbers and edges of the mesh are shown as they are; everything else has curves for lips.
 inline DrawnEdges drawn_edges(const LookDefinition& look) {

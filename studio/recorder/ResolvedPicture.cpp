@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/look/FluidLooks.hpp"
+#include "renderer/look/Ground.hpp"
 #include "renderer/look/OrganLooks.hpp"
 #include "studio/scenario/ResolvedCameras.hpp"
 #include "studio/scenario/ResolvedTeaching.hpp"
@@ -45,10 +46,19 @@ DataView to_data(const SortedJson& data) {
   return view;
 }
 
+/// Takes of before there were kinds of ground name none.
+std::optional<Ground> to_ground(const SortedJson& look) {
+  if (!look.contains("ground")) return std::nullopt;
+  const Ground* ground = find_ground(look.at("ground").get<std::string>());
+  if (ground == nullptr) throw TakeError("the take's scenario names a ground that this program does not know");
+  return *ground;
+}
+
 LookDefinition to_look(const SortedJson& look) {
   LookDefinition result{.background = look.at("background").get<Double3>(), .bodies = {}};
   for (const auto& [name, body] : look.at("bodies").items()) result.bodies[name] = to_tissue_look(body);
   if (look.contains("data")) result.data = to_data(look.at("data"));
+  result.ground = to_ground(look);
   result.mesh = look.value("mesh", false);
   return result;
 }

@@ -1,5 +1,6 @@
 #include "renderer/look/DataView.hpp"
 #include "renderer/look/FluidLooks.hpp"
+#include "renderer/look/Ground.hpp"
 #include "renderer/look/OrganLooks.hpp"
 #include "studio/scenario/SchemaSections.hpp"
 
@@ -150,9 +151,20 @@ ValueSchema look_schema() {
       shown_key("captions", "captions of the clips"),
       shown_key("time", "time of the scenario"),
   };
+  std::vector<std::string> grounds;
+  for (const auto& [word, ground] : kGrounds) grounds.emplace_back(word);
   MappingSchema look{.name = "look", .documentation = "Appearance."};
   look.keys = {
       {"background", color_value(), false, "[0.055, 0.065, 0.08]", "sRGB colour, each part from 0 to 1"},
+      {"ground",
+       word_value(grounds),
+       false,
+       {},
+       "what lies below the bodies, but for what an endoscope's lamp lights: `floor`, of a studio, in the tone of the "
+       "background; `drape`, the green-blue cloth of an operation, in folds, which a sheet lies on. When absent, "
+       "`drape` "
+       "where a body is a sheet or otherwise open without a cut, and `floor` where none is, with `data` and with "
+       "`mesh`"},
       {"bodies", named_value(tissue_schema()), false, "{}", "looks by the names of bodies"},
       {"overlays", mapping_value({overlays}), false, "{}", "what is written over the picture"},
       {"data",

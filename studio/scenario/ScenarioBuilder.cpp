@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "renderer/look/FluidLooks.hpp"
+#include "renderer/look/Ground.hpp"
 #include "renderer/look/OrganLooks.hpp"
 #include "studio/scenario/ExpectationQuantity.hpp"
 #include "studio/scenario/FieldBuilder.hpp"
@@ -317,6 +318,7 @@ LookDefinition to_look(const CheckedValue& look) {
                            .to = find_number(*data, "to"),
                            .scale = of_word(data->at("scale").text, kDataScales)};
   }
+  if (const CheckedValue* ground = look.find("ground")) result.ground = of_word(ground->text, kGrounds);
   result.mesh = look.at("mesh").boolean;
   return result;
 }

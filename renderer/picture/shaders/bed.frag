@@ -2,25 +2,19 @@
 #define FRAME_FROM_VERTICES
 #define ENDOSCOPE
 #include "environment.glsl"
+#include "ground.glsl"
 #include "lamp.glsl"
 #include "noise.glsl"
 #include "reflection.glsl"
 #include "tone.glsl"
 
-// What lies below the scene inside a body: brown-red and fatty tissue, wet, that the lamp hardly reaches. Drawn small, see
-// BackdropPicture.hpp: it lies out of focus.
-
-layout(location = 0) in vec3 ray;
-layout(location = 0) out vec4 color;
-
-layout(binding = 1) uniform sampler2D floor_shade;  // part that the scene takes of the light from all around, of the lamp's
+// What lies below the scene inside a body: brown-red and fatty tissue, wet, that the lamp hardly reaches, and out of focus.
 
 void main() {
   vec3 light = vec3(0.0);
-  if (floor_plane.y > 0.0 && ray.z < 0.0) {
-    vec3 position = camera_position.xyz + (floor_plane.x - camera_position.z) / ray.z * ray;
-    vec2 place = (position.xy - scene_center.xy) / floor_plane.z;
-    vec2 taken = saturate(5.0 - 5.0 * max(abs(place.x), abs(place.y))) * texture(floor_shade, 0.5 + 0.5 * place).rg;
+  if (meets_ground()) {
+    vec3 position = place_on_ground();
+    vec2 taken = taken_light(position.xy - scene_center.xy);
     vec3 coordinates = (position - scene_center.xyz) / scene_center.w;
     vec4 broad = noise(2.3 * coordinates + 4.2);
     vec4 fine = noise(8.0 * coordinates + 0.12 * broad.xyz);

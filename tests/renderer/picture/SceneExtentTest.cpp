@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <functional>
+#include <iterator>
 #include <limits>
 
 #include "renderer/picture/PictureFailure.hpp"
@@ -47,6 +50,33 @@ TEST(SceneExtent, SmallMotionLeavesTheReachAsItIs) {
   EXPECT_EQ(scene_extent(snapshot_of(sphere)).reach, before);
   sphere.positions[4] = {0, 0, 5};
   EXPECT_GE(scene_extent(snapshot_of(sphere)).reach, 5);
+}
+
+/// z of what a patched sheet of 2 mm lies on, with its vertices moved by `move`.
+double height_below(SnapshotSurface sheet, const std::function<void(Float3&)>& move) {
+  auto topology = std::make_shared<SnapshotTopology>(*sheet.topology);
+  topology->thickness.assign(topology->triangles.size(), 0.002F);
+  sheet.topology = topology;
+  std::ranges::for_each(sheet.positions, move);
+  const std::vector<BorderEdge> borders = border_edges(*topology);
+  const std::vector<char> is_lip = cut_lips(*topology, borders);
+  std::vector<BorderEdge> ends;
+  std::ranges::copy_if(borders, std::back_inserter(ends),
+                       [&](const BorderEdge& edge) { return !is_lip[edge.start] || !is_lip[edge.end]; });
+  return lying_height(snapshot_of(sheet), std::vector<std::vector<BorderEdge>>{ends});
+}
+
+TEST(SceneExtent, ASheetLiesWithItsEndsAndGivesWayBetweenThem) {
+  const SnapshotSurface sheet = test::patched_sheet(40, 0.001, 8);
+  const auto is_end = [](const Float3& place) { return std::max(std::abs(place[0]), std::abs(place[1])) > 0.0195F; };
+  EXPECT_NEAR(height_below(sheet, [](Float3&) {}), -0.002, 1e-9);
+  EXPECT_NEAR(height_below(sheet, [&](Float3& place) { place[2] = is_end(place) ? 0 : -0.03F; }), -0.002, 1e-9);
+  EXPECT_NEAR(height_below(sheet, [&](Float3& place) { place[2] = is_end(place) ? -0.01F : 0; }), -0.012, 1e-9);
+}
+
+TEST(SceneExtent, AClosedBodyLiesWithItsLowestPoint) {
+  const Snapshot snapshot = snapshot_of(test::sphere("organ", {0, 0, 0.5}, 0.02, 2));
+  EXPECT_NEAR(lying_height(snapshot, std::vector(1, std::vector<BorderEdge>())), 0.48, 1e-7);
 }
 
 void expect_refused(const SnapshotSurface& surface, const std::string& message) {

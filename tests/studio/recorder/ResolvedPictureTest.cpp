@@ -20,6 +20,7 @@ camera: { position: [80 mm, -60 mm, 50 mm], target: [1 mm, 2 mm, 3 mm], up: [0, 
 lights: { key: 0.9, fill: 0.8, environment: 0.7, key_direction: [0, 0, 2] }
 look:
   background: [0.1, 0.2, 0.3]
+  ground: drape
   bodies: { organ: { organ: liver, color: [0.4, 0.5, 0.6], roughness: 0.3, wetness: 0.2, contents: bile, bleeding: 0.3 } }
   overlays: { force_plot: false, gauge: false, captions: false, time: false }
   data: { shows: thickness, from: 1 mm, to: 2 mm, scale: root }
@@ -47,6 +48,7 @@ class ResolvedPictureTest : public ::testing::Test {
     EXPECT_EQ(read.view.lights.environment, scenario.view.lights.environment);
     EXPECT_EQ(read.view.lights.key_direction, scenario.view.lights.key_direction);
     EXPECT_EQ(read.view.look.background, scenario.view.look.background);
+    EXPECT_EQ(read.view.look.ground, scenario.view.look.ground);
     EXPECT_EQ(read.view.look.data.has_value(), scenario.view.look.data.has_value());
     if (const auto& data = scenario.view.look.data; data && read.view.look.data) {
       EXPECT_EQ(read.view.look.data->quantity, data->quantity);
@@ -95,6 +97,20 @@ TEST_F(ResolvedPictureTest, AnOrganThatIsNotKnownIsRefused) {
   ASSERT_NE(place, std::string::npos);
   resolved.replace(place, 8, "\"gizzard\"");
   EXPECT_THROW(picture_settings(resolved), TakeError);
+}
+
+TEST_F(ResolvedPictureTest, ATakeOfBeforeThereWereGroundsNamesNoneAndUnknownOnesAreRefused) {
+  const TemporaryFolder folder;
+  write_bytes(folder / "s.yaml", std::string(kScenario) + kPicture);
+  const std::string resolved = load_scenario(folder / "s.yaml", {}).resolved;
+  const std::string words = R"("ground": "drape")";
+  const std::size_t place = resolved.find(words);
+  ASSERT_NE(place, std::string::npos) << resolved;
+  std::string before = resolved, later = resolved;
+  before.replace(place, words.size(), R"("other": "drape")");
+  EXPECT_FALSE(picture_settings(before).view.look.ground);
+  later.replace(place, words.size(), R"("ground": "grass")");
+  EXPECT_THROW(picture_settings(later), TakeError);
 }
 
 TEST_F(ResolvedPictureTest, ADataViewOfBeforeThereWereScalesIsLinearAndUnknownScalesAreRefused) {
