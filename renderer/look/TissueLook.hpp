@@ -42,6 +42,7 @@ struct TissueLook {
   double relief = 0.10;                        // slope of the fine relief
   double relief_size = 0.0013;                 // metres
   double creases = 0;                          // 0 to 1: from rounded to furrowed relief
+  double pores = 0;                            // 0 to 1, strength of pores and of veins below the skin
   double ridges = 0;                           // slope of friction ridges, as of fingers
   WallLayers layers = {};
   FluidLook contents = {};

@@ -23,11 +23,12 @@ TissueLook cap_look(TissueLook look) {
 
 /// Moist, and without the vessels of the outer side.
 TissueLook rim_look(TissueLook look) {
-  look.vessels = look.capillaries = look.clearness = look.ridges = look.creases = 0;
+  look.vessels = look.capillaries = look.clearness = look.ridges = look.creases = look.pores = 0;
   look.wetness = std::max(look.wetness, 0.95);
   look.roughness = std::min(look.roughness, 0.35);
   // Cut fibres and lobules are uneven, which breaks what they mirror.
   look.relief = std::max(look.relief, 0.35);
+  look.relief_size = std::max(look.relief_size, 0.0011);
   return look;
 }
 
@@ -35,7 +36,7 @@ TissueLook rim_look(TissueLook look) {
 TissueLook lining_look(TissueLook look) {
   look.color = mixed(look.layers.inner, {0.45, 0.10, 0.09}, 0.35);
   look.wetness = std::max(look.wetness, 0.95);
-  look.clearness = look.fattiness = look.ridges = look.vessels = look.capillaries = 0;
+  look.clearness = look.fattiness = look.ridges = look.vessels = look.capillaries = look.pores = 0;
   look.creases = 0.35;
   look.relief = 0.16;
   look.relief_size = std::max(look.relief_size, 0.002);
@@ -45,9 +46,9 @@ TissueLook lining_look(TissueLook look) {
 
 /// Lobules of fat with fascia between them, wet with blood.
 TissueLook bed_look(TissueLook look) {
-  look.color = {0.66, 0.38, 0.25};
+  look.color = {0.60, 0.27, 0.20};
   look.blood = {0.46, 0.07, 0.07};
-  look.fat = {0.78, 0.57, 0.31};
+  look.fat = {0.76, 0.52, 0.30};
   look.roughness = 0.35;
   look.wetness = 0.95;
   look.patches = 0.95;
@@ -55,8 +56,8 @@ TissueLook bed_look(TissueLook look) {
   look.vessels = 0.5;
   look.vessel_spacing = 0.005;
   look.capillaries = 0.6;
-  look.fattiness = 0.30;
-  look.clearness = look.ridges = look.creases = look.sheen = 0;
+  look.fattiness = 0.24;
+  look.clearness = look.ridges = look.creases = look.pores = look.sheen = 0;
   look.relief = 0.22;
   look.relief_size = 0.0022;
   return look;
@@ -115,7 +116,7 @@ LookUniforms look_uniforms(const TissueLook& given, TissueSide side, const Vesse
           .tree_middle = float4(double3(tree.middle), 1 / tree.half_length),
           .tree_along = float4(double3(tree.along), vessel_trunks(tree, look.vessel_spacing)),
           .tree_across = float4(double3(tree.across), 0.036 * look.vessel_spacing),
-          .tree_aside = float4(double3(cross(tree.along, tree.across)), 0),
+          .tree_aside = float4(double3(cross(tree.along, tree.across)), look.pores),
           .lamp_size = static_cast<float>(look.lamp_size)};
 }
 

@@ -31,7 +31,7 @@ struct LookUniforms {
   std::array<float, 4> tree_middle{};  // metres; w: 1 / half of the tree's length
   std::array<float, 4> tree_along{};   // of length one; w: number of trunks
   std::array<float, 4> tree_across{};  // of length one; w: half the width of a trunk, metres
-  std::array<float, 4> tree_aside{};   // of length one, perpendicular to both
+  std::array<float, 4> tree_aside{};   // of length one, perpendicular to both; w: strength of the pores
   alignas(16) float lamp_size = 1;
 };
 

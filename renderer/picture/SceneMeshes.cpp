@@ -79,7 +79,8 @@ void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& 
     if (look.data) {
       show_data(snapshot.surfaces[k], *look.data, drawn.borders, pieces);
     } else {
-      cover_open_borders(drawn.borders, drawn.is_lip, pieces);
+      // Skin has been cut off where it ends, and shows its layers there.
+      if (!(body_look.bed > 0)) cover_open_borders(drawn.borders, drawn.is_lip, pieces);
       if (bed_depths_[k] > 0) {
         TissuePiece bed = wound_bed(surface, drawn.borders, drawn.is_lip, bed_depths_[k]);
         if (!bed.corners.empty()) pieces.push_back(std::move(bed));

@@ -20,15 +20,20 @@ std::string tissue_defines(const LookUniforms& look, const TissueScene& scene) {
   std::ostringstream lines;
   lines << std::boolalpha;
   const auto define = [&lines](const char* name, auto value) { lines << "#define " << name << ' ' << value << '\n'; };
+  const bool is_pored = look.tree_aside[3] > 0;
   define("LAYERED", look.pattern[2] > 0);
   define("ENCLOSED", look.pattern[3] > 0);
   define("FATTY", look.fat[3] > 0);
   define("VESSELED", std::max(look.vessels[0], look.vessels[2]) > 0);
   define("CLEAR", look.through[3] > 0);
   define("CREASED", look.relief[2] > 0);
+  define("PORED", is_pored);
   define("RIDGED", look.relief[3] > 0);
-  define("DUSTED", kDustWaves * look.relief[1] * scene.smallest_footprint < kUnseenDust);
+  // Nothing of skin is finer than its lines.
+  define("DUSTED", !is_pored && kDustWaves * look.relief[1] * scene.smallest_footprint < kUnseenDust);
   define("SHADOWED", scene.is_shadowed);
+  // The lamps of a studio are large, which shows within wounds; an endoscope's is small.
+  if (look.pattern[3] > 0 && scene.surroundings == Surroundings::kStudio) define("SOFT_SHADOW", true);
   define("ROD_COUNT", std::min(scene.rods, kMostRods));
   return lines.str();
 }

@@ -113,15 +113,28 @@ vec3 ridge_bump(vec3 place, vec4 broad, float footprint) {
   return slope * vec3(across, 0.0);
 }
 
+// Of what the skin sends back, what is left above a vein, which lies so deep that it is seen as a bluish shade.
+const vec3 kVein = vec3(0.84, 0.90, 0.95);
+
+// How much of one is seen, 0 to 1: they run side by side, far apart, and show here and there.
+float vein_at(vec3 place, vec4 broad, vec4 coarse) {
+  const float kApart = 0.036, kHalfWidth = 0.0011;  // metres
+  float away = fract(dot(place, vec3(0.62, 0.74, 0.26) / kApart) + 0.10 * broad.w + 0.03 * coarse.w + 0.31) - 0.5;
+  return exp2(-square(kApart / kHalfWidth * away)) * smoothstep(-0.5, 0.5, broad.y + 0.5 * coarse.x);
+}
+
 // `place`: stress-free, metres; `footprint`: what a pixel covers, metres; `thickness`: over that of the stress-free wall;
 // `depth`: in a rim from 0 outside to 1 inside.
 Skin skin_at(vec3 place, float footprint, float blanch, float thickness, float depth) {
   vec4 broad = noise(pattern.y * place + 11.3);
-  // Drawn out, so that vessels run along and seldom close to rings.
-  vec3 drawn_out = vessels.y * vec3(0.6, 1.05, 0.95) * place;
+  // Drawn out, so that vessels run along and seldom close to rings. Skin, which has none, is red in smaller spots.
+  const float kSpots = 4.8;
+  vec3 drawn_out = (PORED ? kSpots : 1.0) * vessels.y * vec3(0.6, 1.05, 0.95) * place;
   vec4 coarse = noise(drawn_out + 0.10 * broad.zxy + 3.1);
   vec4 fine = noise(2.7 * drawn_out + 0.12 * coarse.yzx + 7.7);
-  vec4 grain = noise(relief.y * place + 0.05 * fine.xyz);
+  // Lines of the skin run along it rather than across.
+  vec3 drawn = PORED ? vec3(0.72, 1.15, 1.0) * place : place;
+  vec4 grain = noise(relief.y * drawn + 0.05 * fine.xyz);
   vec4 dust = DUSTED ? noise(2.9 * relief.y * place + 0.08 * grain.zxy) : vec4(0.0);
   float grain_seen = resolved(0.7 * relief.y, footprint);
   float dust_seen = resolved(2.0 * relief.y, footprint);
@@ -144,6 +157,9 @@ Skin skin_at(vec3 place, float footprint, float blanch, float thickness, float d
   vec3 deep = mix(blood.rgb, albedo * vec3(0.42, 0.34, 0.44), 0.40);
   albedo = mix(albedo, deep, vessels.x * 0.90 * bloody * tree.trunks);
   albedo = mix(albedo, blood.rgb, vessels.z * 0.85 * bloody * tree.branches);
+
+  float pore = PORED ? tree_aside.w * grain_seen * smoothstep(0.42, 0.75, grain.w) : 0.0;
+  if (PORED) albedo *= mix(vec3(1.0), kVein, tree_aside.w * vein_at(place, broad, coarse)) * (1.0 - 0.18 * pore);
 
   vec3 bloodless = mix(vec3(dot(albedo, vec3(0.35, 0.45, 0.20))) * vec3(1.10, 0.99, 0.88), vec3(0.70, 0.56, 0.44), 0.45);
   albedo = mix(albedo, bloodless, 0.65 * blanch);

@@ -21,12 +21,23 @@ float lit_part(vec3 place) {
                     after.y * texture(shadow_map, vec3(far, place.z)));
 }
 
+// The same over seven by seven texels: what is close to the border that throws the shadow shows how large a lamp is.
+float softly_lit_part(vec3 place) {
+  vec2 aside = 1.5 / vec2(textureSize(shadow_map, 0));
+  return 0.25 * (lit_part(place + vec3(aside, 0.0)) + lit_part(place - vec3(aside, 0.0)) +
+                 lit_part(place + vec3(aside.x, -aside.y, 0.0)) + lit_part(place + vec3(-aside.x, aside.y, 0.0)));
+}
+
 // Part of the key light that reaches `position`, 0 to 1. `normal` lifts the point off its own surface.
 float key_visibility(vec3 position, vec3 normal) {
   vec3 lifted = position + environment.z * (normal + 0.6 * lamp_direction(position));
   vec4 projected = shadow_matrix * vec4(lifted, 1.0);
   vec3 place = projected.xyz / projected.w;
+#ifdef SOFT_SHADOW
+  float light = softly_lit_part(place);
+#else
   float light = lit_part(place);
+#endif
   // Towards the border of the map the shadow fades, so that a long shaft's does not end in a line.
   vec2 border = abs(2.0 * place.xy - 1.0);
   return mix(light, 1.0, smoothstep(0.90, 0.99, max(border.x, border.y)));

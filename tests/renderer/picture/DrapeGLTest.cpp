@@ -128,10 +128,12 @@ TEST(Drape, ShowsItsThreadsFromNearByAndDoesNotSparkleFromAfar) {
   EXPECT_LT(roughness_of(draw(skin_sheet(), seen_from({0.10, -0.40, 0.32}))), 0.8);
 }
 
-TEST(Drape, HasTheSameThreadsInTheFinalTier) {
+TEST(Drape, HasItsThreadsOnceInTheFinalTier) {
   const ViewDefinition view = seen_from({0.015, -0.06, 0.05});
   const Image record = draw(skin_sheet(), view), final_image = draw(skin_sheet(), view, Tier::kFinal);
-  EXPECT_NEAR(roughness_of(final_image), roughness_of(record), 0.1 * roughness_of(record));
+  // Corners of pixels that are averaged take some away; threads on threads would add.
+  EXPECT_GT(roughness_of(final_image), 0.6 * roughness_of(record));
+  EXPECT_LT(roughness_of(final_image), roughness_of(record));
 }
 
 }  // namespace

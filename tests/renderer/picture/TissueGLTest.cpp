@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "renderer/look/OrganLooks.hpp"
@@ -129,6 +130,63 @@ TEST(Tissue, AStretchedWallShowsMoreOfWhatIsBehindIt) {
   // Four times thinner: 0.1 ^ (1 / 4) = 56 % come through instead of 10 %.
   EXPECT_GT(green_gained(sheet(1)), 0.02);
   EXPECT_GT(green_gained(stretched), 2 * green_gained(sheet(1)));
+}
+
+/// How much neighbours of a row differ, on the mean.
+double roughness_of(const Image& image) {
+  double sum = 0;
+  int count = 0;
+  for (std::size_t i = 1; i + 3 < image.pixels.size(); i += 3) {
+    if ((i / 3) % kSize.width == kSize.width - 1U) continue;
+    sum += std::abs(int{image.pixels[i + 3]} - int{image.pixels[i]});
+    ++count;
+  }
+  return sum / count;
+}
+
+/// The part of the pixels of `image` whose green is less than that of `other` by more than 6 levels.
+double darker_part(const Image& image, const Image& other) {
+  int darker = 0;
+  for (std::size_t i = 1; i < image.pixels.size(); i += 3) darker += image.pixels[i] + 6 < other.pixels[i] ? 1 : 0;
+  return 3.0 * darker / static_cast<double>(image.pixels.size());
+}
+
+TEST(Tissue, SkinShowsPoresFromNearByAndDoesNotSparkleFromAfar) {
+  ViewDefinition view = from_above("skin");
+  view.lights.key_direction = Double3{0.5, 0.4, 0.6};
+  view.camera.position = Double3{0, 0, 0.02};  // 0.06 mm for a pixel
+  const Image skin = draw(sheet(2), view);
+  const double near = roughness_of(skin);
+  view.look.bodies["organ"].pores = 1e-3;  // as good as none
+  const double pores = darker_part(skin, draw(sheet(2), view));
+  EXPECT_GT(pores, 0.005);
+  EXPECT_LT(pores, 0.10);
+  view.look.bodies["organ"].pores = 1;
+  view.camera.position = Double3{0, 0, 0.13};  // 0.4 mm
+  EXPECT_GT(near, 1.0);
+  EXPECT_LT(roughness_of(draw(sheet(2), view)), 0.8 * near);
+}
+
+TEST(Tissue, SkinShowsItsLayersWhereASheetEnds) {
+  SnapshotSurface surface = sheet(8);
+  auto topology = std::make_shared<SnapshotTopology>(*surface.topology);
+  topology->thickness.assign(topology->triangles.size(), 0.004F);
+  surface.topology = topology;
+  ViewDefinition view = from_above("skin");
+  // The side of 4 mm fills two thirds of the picture.
+  view.camera = {.position = Double3{0, -0.05, -0.002},
+                 .target = Double3{0, 0, -0.002},
+                 .up = Double3{0, 0, 1},
+                 .field_of_view = 2 * std::atan(0.1)};
+  view.lights.key_direction = Double3{0.3, -0.8, 0.5};
+  const Image image = draw(surface, view);
+  const auto yellow_at = [&](int row) {
+    const std::vector<std::uint8_t> line(image.pixels.begin() + 3 * row * kSize.width,
+                                         image.pixels.begin() + 3 * (row + 1) * kSize.width);
+    const auto [red, green, blue] = mean_color({.size = {kSize.width, 1}, .pixels = line});
+    return (green - blue) / red;
+  };
+  EXPECT_GT(yellow_at(74), yellow_at(40) + 0.15) << "fat below the dermis";
 }
 
 TEST(Tissue, PalesWhereItIsPressed) {

@@ -43,6 +43,23 @@ TEST(TissuePrograms, WallsOfWoundsAndOpenedOrgansAreEnclosed) {
   }
 }
 
+TEST(TissuePrograms, SkinHasPoresOnItsOutsideAndNothingFinerThanItsLines) {
+  const std::string skin = tissue_defines(look_of("skin"), {});
+  EXPECT_TRUE(says(skin, "PORED true"));
+  EXPECT_TRUE(says(skin, "DUSTED false"));
+  EXPECT_TRUE(says(tissue_defines(look_of("liver"), {}), "PORED false"));
+  for (const TissueSide side : {TissueSide::kRim, TissueSide::kLining, TissueSide::kBed}) {
+    EXPECT_TRUE(says(tissue_defines(look_of("skin", side), {}), "PORED false"));
+  }
+}
+
+TEST(TissuePrograms, ShadowsAreSoftWithinWoundsBelowLargeLamps) {
+  const TissueScene cavity{.surroundings = Surroundings::kCavity};
+  EXPECT_TRUE(says(tissue_defines(look_of("skin", TissueSide::kBed), {}), "SOFT_SHADOW true"));
+  EXPECT_FALSE(says(tissue_defines(look_of("skin", TissueSide::kBed), cavity), "SOFT_SHADOW true"));
+  EXPECT_FALSE(says(tissue_defines(look_of("skin"), {}), "SOFT_SHADOW true"));
+}
+
 TEST(TissuePrograms, WhatIsTooFineForThePixelsIsLeftOut) {
   const LookUniforms look = look_of("fingerpad");
   const float size = 1 / look.relief[1];
