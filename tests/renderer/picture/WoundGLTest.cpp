@@ -102,6 +102,21 @@ TEST(Wound, LeavesTheBottomPinkThroughSerum) {
   }
 }
 
+TEST(Wound, FluidGlistensWhereItClimbsTheWallsAcrossFromTheLens) {
+  ViewDefinition view = from_above();
+  view.camera.kind = CameraKind::kEndoscope;
+  view.camera.position = Double3{0, -0.065, 0.08};
+  view.camera.target = Double3{0, 0.012, 0.003};
+  view.lights.endoscope = 1;
+  const Image image = Renderer(DeviceChoice{}, kSize, Tier::kRecord).draw(open_bowl(0.6), view);
+  int glistening = 0;
+  // Along the far shore.
+  for (std::size_t i = 3U * 96 * 28; i < 3U * 96 * 40; i += 3) {
+    glistening += std::min({image.pixels[i], image.pixels[i + 1], image.pixels[i + 2]}) > 200 ? 1 : 0;
+  }
+  EXPECT_GE(glistening, 3) << "6 were seen, none of a level without a meniscus";
+}
+
 TEST(Wound, IsAlikeWhateverWasDrawnBefore) {
   Renderer renderer(DeviceChoice{}, kSize, Tier::kRecord);
   const Image first = renderer.draw(open_bowl(0.5), from_above());
