@@ -25,6 +25,8 @@ void FilmPass::draw(std::span<const BodyFilm> films, Surroundings surroundings) 
   const TwoSourceBlending blending;
   glEnable(GL_CULL_FACE);
   glCullFace(GL_BACK);
+  // Some drivers heed what a shader tells even where this is disabled.
+  glEnable(GL_CLIP_DISTANCE0);
   glUseProgram(programs_[static_cast<std::size_t>(surroundings)].name());
   for (const auto& [film, look, is_falling] : films) {
     // A film on a wall is drawn a little in front of it, but not in front of the tools. What faces away is left out:
@@ -32,8 +34,10 @@ void FilmPass::draw(std::span<const BodyFilm> films, Surroundings surroundings) 
     glStencilFunc(is_falling ? GL_ALWAYS : GL_NOTEQUAL, 0, 0xff);
     triangles_.upload(std::span<const FilmVertex>(film.vertices), film.corners);
     set_fluid_look(look);
+    glUniform1i(2, is_falling && surroundings == Surroundings::kStudio ? 1 : 0);
     triangles_.draw();
   }
+  glDisable(GL_CLIP_DISTANCE0);
   glDisable(GL_CULL_FACE);
   glStencilMask(0xff);
   glDisable(GL_STENCIL_TEST);

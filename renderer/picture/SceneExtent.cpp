@@ -61,6 +61,12 @@ double lowest_standing(const SnapshotSurface& surface) {
   return lowest;
 }
 
+double lowest_at_rest(const SnapshotTopology& topology) {
+  double lowest = std::numeric_limits<double>::max();
+  for (const Float3& position : topology.rest_positions) lowest = std::min(lowest, static_cast<double>(position[2]));
+  return lowest;
+}
+
 /// Below the ends of a sheet, at rest and now, by as much as it is thick.
 double lowest_end(const SnapshotSurface& surface, std::span<const BorderEdge> ends) {
   const SnapshotTopology& topology = *surface.topology;
@@ -70,12 +76,6 @@ double lowest_end(const SnapshotSurface& surface, std::span<const BorderEdge> en
     const float height = std::min(topology.rest_positions[end.start][2], surface.positions[end.start][2]);
     lowest = std::min(lowest, static_cast<double>(height) - thickness);
   }
-  return lowest;
-}
-
-double lowest_at_rest(const SnapshotTopology& topology) {
-  double lowest = std::numeric_limits<double>::max();
-  for (const Float3& position : topology.rest_positions) lowest = std::min(lowest, static_cast<double>(position[2]));
   return lowest;
 }
 
@@ -120,8 +120,8 @@ double lying_height(const Snapshot& snapshot, std::span<const std::vector<Border
   double lowest = std::numeric_limits<double>::max();
   for (std::size_t k = 0; k < snapshot.surfaces.size(); ++k) {
     const SnapshotSurface& surface = snapshot.surfaces[k];
-    lowest = std::min(lowest, ends[k].empty() ? std::min(lowest_at_rest(*surface.topology), lowest_standing(surface))
-                                              : lowest_end(surface, ends[k]));
+    const double now = ends[k].empty() ? lowest_standing(surface) : lowest_end(surface, ends[k]);
+    lowest = std::min({lowest, now, lowest_at_rest(*surface.topology)});
   }
   return lowest;
 }

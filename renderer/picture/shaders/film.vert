@@ -7,6 +7,10 @@ layout(location = 2) in vec3 rest;
 layout(location = 3) in vec4 film;  // inward, width, height, dry
 layout(location = 4) in vec2 lie;  // lift, coat
 
+layout(location = 2) uniform bool meets_ground;  // which takes up what falls on it
+
+out float gl_ClipDistance[1];
+
 layout(location = 0) out vec3 out_position;
 layout(location = 1) out vec3 out_normal;
 layout(location = 2) out vec3 out_rest;
@@ -15,6 +19,7 @@ layout(location = 4) out float out_coat;
 
 void main() {
   out_position = position;
+  gl_ClipDistance[0] = meets_ground && floor_plane.y > 0.0 ? position.z - floor_plane.x : 1.0;
   out_normal = normal;
   out_rest = rest;
   out_film = film;

@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "renderer/look/OrganLooks.hpp"
+#include "renderer/picture/Camera.hpp"
 #include "renderer/picture/Renderer.hpp"
-#include "tests/renderer/picture/TestMeshes.hpp"
+#include "renderer/picture/SceneExtent.hpp"
+#include "tests/renderer/picture/CutSheets.hpp"
 
 namespace thinwall {
 namespace {
@@ -126,6 +128,30 @@ double roughness_of(const Image& image) {
 TEST(Drape, ShowsItsThreadsFromNearByAndDoesNotSparkleFromAfar) {
   EXPECT_GT(roughness_of(draw(skin_sheet(), seen_from({0.015, -0.06, 0.05}))), 1.5);
   EXPECT_LT(roughness_of(draw(skin_sheet(), seen_from({0.10, -0.40, 0.32}))), 0.8);
+}
+
+TEST(Drape, TakesUpWhatRunsOffTheSheet) {
+  Snapshot snapshot;
+  snapshot.surfaces = {test::slit_sheet(20, 0.001, 0.8)};
+  snapshot.time = 3;
+  ViewDefinition view = seen_from({0, -0.12, 0});
+  view.camera.target = Double3{0, 0, -0.02};
+  view.look.bodies["organ"] = *find_organ_look("vessel");
+  view.look.bodies["organ"].bleeding = 0;
+  const Image dry = draw(snapshot, view);
+  snapshot.scalars = {{"organ.leaked", "m^3", 1e-5}};
+  const Image wet = draw(snapshot, view);
+  // The sheet ends 9 mm below its middle, 7 mm before it; a drop there is 2.6 mm high.
+  const SceneExtent extent = scene_extent(snapshot);
+  const auto lowest = resolve_camera(view.camera, extent, kSize, 0).pixel({0, -0.0085, -0.0095}, kSize);
+  ASSERT_TRUE(lowest);
+  int changed = 0;
+  for (std::size_t i = 0; i < dry.pixels.size(); ++i) {
+    if (dry.pixels[i] == wet.pixels[i]) continue;
+    ++changed;
+    EXPECT_LE(static_cast<double>(i / (3U * kSize.width)), (*lowest)[1]);
+  }
+  EXPECT_GT(changed, 30);
 }
 
 TEST(Drape, HasItsThreadsOnceInTheFinalTier) {

@@ -74,6 +74,12 @@ TEST(SceneExtent, ASheetLiesWithItsEndsAndGivesWayBetweenThem) {
   EXPECT_NEAR(height_below(sheet, [&](Float3& place) { place[2] = is_end(place) ? -0.01F : 0; }), -0.012, 1e-9);
 }
 
+TEST(SceneExtent, WhatIsOpenAtItsTopLiesWithItsBottom) {
+  const SnapshotSurface bowl =
+      test::surface_of("bowl", {{-1, 0, 1}, {1, -1, 1}, {1, 1, 1}, {0, 0, -2}}, {{0, 3, 1}, {1, 3, 2}, {2, 3, 0}});
+  EXPECT_EQ(height_below(bowl, [](Float3&) {}), -2);
+}
+
 TEST(SceneExtent, AClosedBodyLiesWithItsLowestPoint) {
   const Snapshot snapshot = snapshot_of(test::sphere("organ", {0, 0, 0.5}, 0.02, 2));
   EXPECT_NEAR(lying_height(snapshot, std::vector(1, std::vector<BorderEdge>())), 0.48, 1e-7);
