@@ -4,8 +4,9 @@
 #include <cmath>
 #include <vector>
 
+#include "renderer/look/OrganLooks.hpp"
 #include "renderer/picture/Renderer.hpp"
-#include "tests/renderer/picture/TestMeshes.hpp"
+#include "tests/renderer/picture/CutSheets.hpp"
 
 namespace thinwall {
 namespace {
@@ -65,6 +66,24 @@ void organ(benchmark::State& state) {
 BENCHMARK(organ)
     ->ArgNames({"triangles", "tier", "endoscope"})
     ->ArgsProduct({{5000, 20000}, {0, 1, 2}, {0, 1}})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->MeasureProcessCPUTime();
+
+/// Skin of 60 mm with a fresh cut, on a drape.
+void sheet(benchmark::State& state) {
+  Snapshot snapshot;
+  snapshot.surfaces = {test::slit_sheet(32, 0.0019, 0)};
+  snapshot.time = 1;
+  ViewDefinition view;
+  view.camera = {.position = Double3{0.038, -0.062, 0.060}, .target = Double3{0.002, 0, -0.002}};
+  view.look.bodies["organ"] = *find_organ_look("skin");
+  draw(state, snapshot, view, static_cast<Tier>(state.range(0)));
+  tell_passes(state, snapshot, view, static_cast<Tier>(state.range(0)));
+}
+BENCHMARK(sheet)
+    ->ArgName("tier")
+    ->DenseRange(0, 2)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime()
     ->MeasureProcessCPUTime();
