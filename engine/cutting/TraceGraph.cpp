@@ -7,7 +7,9 @@
 namespace thinwall {
 namespace {
 
-constexpr double kGapCost = 3;      // times the length of a gap
+constexpr double kGapCost = 3;  // times the length of a gap
+// Of the longest side at the lips, for any gap: at a cut's tip, where lips meet, no way need cross.
+constexpr double kAnyGapCost = 1e-9;
 constexpr double kForwards = 0.25;  // cosine of the largest angle between a curve and the gap that it crosses
 constexpr double kOverlap = 0.5;    // of the longest side of a triangle at the lip: so far a gap may go backwards
 constexpr double kNoWay = 1e-3;     // of that side: points of a curve nearer to its lip tell no direction
@@ -220,9 +222,9 @@ class LegFinder {
       for (const Lip& to : lips) {
         if (from.arrival == to.arrival) continue;
         const Eigen::Vector3d gap = to.position - from.position;
-        const double length = gap.norm();
-        if (length > kOverlap * std::min(from.side, to.side) && !leads_forwards(from, to, gap)) continue;
-        add({.from = from.arrival, .to = to.departure, .cost = kGapCost * length});
+        const double length = gap.norm(), side = std::min(from.side, to.side);
+        if (length > kOverlap * side && !leads_forwards(from, to, gap)) continue;
+        add({.from = from.arrival, .to = to.departure, .cost = kGapCost * length + kAnyGapCost * side});
       }
     }
   }

@@ -127,6 +127,28 @@ TEST(SurfaceTrace, BeginsOnALipAndGoesOnAtTheOther) {
   ASSERT_EQ(back.size(), 1U);
 }
 
+TEST(SurfaceTrace, FromATipAtWhichLipsMeetCrossesNoGap) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> part(0, 1);
+  for (int k = 0; k < 200; ++k) {
+    SCOPED_TRACE(k);
+    const bool closed = k % 2 == 0;
+    SurfaceMesh mesh = closed ? slit_sphere(2e-3 * part(random)) : slit_sheet(2e-3 * part(random));
+    // The vertex nearest to the slit on its line, and a place ahead of it.
+    Eigen::Vector3d tip(0, 1, 0);
+    for (const Eigen::Vector3d& v : mesh.vertices) {
+      if (std::abs(v.x()) < 1e-12 && v.z() > -1e-9 && v.y() > 9.9e-3 && v.y() < tip.y()) tip = v;
+    }
+    const double angle = 2 * (part(random) - 0.5), length = 1e-3 + 3e-3 * part(random);  // radians, metres
+    const Eigen::Vector3d ahead = tip + length * Eigen::Vector3d(std::sin(angle), std::cos(angle), 0);
+    // Turned, so that the ways have lengths that only rounding tells apart.
+    const Eigen::AngleAxisd turn(1 + part(random), Eigen::Vector3d(1, 2, 3).normalized());
+    for (Eigen::Vector3d& v : mesh.vertices) v = turn * v;
+    const TestSurface surface(mesh, !closed);
+    EXPECT_EQ(way_between(surface.view(), turn * tip, turn * ahead).size(), 1U);
+  }
+}
+
 TEST(SurfaceTrace, PassesBesideTheEndOfAWound) {
   const TestSurface sheet(slit_sheet(4e-4), true);
   const auto pieces = way_between(sheet.view(), {-0.01, 0.0151, 0}, {0.01, 0.0151, 0});
