@@ -11,6 +11,10 @@ namespace {
 /// Mean edge lengths over which the energy that lips release is told to the blade.
 constexpr double kSettledEdges = 2;
 
+/// Part of the cost of new cut area that a blade feels at most while it pays for what the mesh was cut beyond its way,
+/// as where a cut begins at a vertex behind it.
+constexpr double kMostResistance = 1.1;
+
 /// Mean edge lengths that a blade has been charged for beyond what has been cut, from which on it cuts nothing: it goes
 /// back along its own wound.
 constexpr double kMostLead = 2;
@@ -36,13 +40,6 @@ void note_work(const Eigen::VectorXd& motion, CutProgress& cut) {
     lips.drives = lips.work > kMostDriven * cut.cost * lips.length;
     lips.runs = lips.runs || lips.drives;
   }
-}
-
-/// What of the cut area neither is paid for nor will be by lips that are still held, joule.
-double unpaid(const CutProgress& cut) {
-  double to_come = 0;
-  for (const HeldLips& lips : cut.held) to_come += lips.pays ? lips.held * lips.length * std::max(0.0, cut.given) : 0;
-  return cut.due - to_come;
 }
 
 /// Work of the wall against what holds its lips, joule.
@@ -107,7 +104,8 @@ double Body::book_cut(const CutProgress& before, const Eigen::VectorXd& motion,
     const double length = kSettledEdges * model_->edge_length, share = std::min(1.0, cut / length);
     if (cut > 0) after.given += share * (lips.released / cut - after.given);
     const bool is_free = after.ahead > 0 || !cuts;
-    after.resistance = is_free ? 0 : std::clamp(after.cost - after.given + after.owed / length, 0.0, after.cost);
+    after.resistance =
+        is_free ? 0 : std::clamp(after.cost - after.given + after.owed / length, 0.0, kMostResistance * after.cost);
     const double arrears = unpaid(after) / model_->edge_length - kArrears * after.cost;  // newton
     if (!is_free && arrears > 0) after.resistance += arrears / kArrearsPaid;
     state_.contacts[blade->tool].force -= after.push * blade->direction;
@@ -116,7 +114,8 @@ double Body::book_cut(const CutProgress& before, const Eigen::VectorXd& motion,
     after.owed -= lips.released;
   }
   // What the wall releases beyond the cost lightens the blade's work ahead; where there is none left it is lost.
-  const double credit = blade && after.resistance > 0 ? 0 : std::max(0.0, -after.owed);
+  const bool is_work_ahead = blade && (after.resistance > 0 || after.is_in_wound || after.is_off_wall);
+  const double credit = is_work_ahead ? 0 : std::max(0.0, -after.owed);
   after.owed += credit;
   after.due -= paid + lips.released;
   // Where a blade cut more than it went, it pays for that first.

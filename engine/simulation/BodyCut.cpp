@@ -42,13 +42,19 @@ bool is_whole(const CutPath& path) {
   return !path.from && !path.goes_on;
 }
 
+/// Of a way over a surface, metres.
+double length_of(const SurfaceView& surface, std::span<const SurfacePoint> way) {
+  double length = 0;
+  for (std::size_t k = 1; k < way.size(); ++k) {
+    length += (position_of(surface, way[k]) - position_of(surface, way[k - 1])).norm();
+  }
+  return length;
+}
+
 /// Edges of triangles that a short path can be cut into, metres; 0 where it is hardly longer than a point.
 double edge_for_short_path(const BodyModel& model, const CutPath& path) {
   const SurfaceView rest{.triangles = model.definition.mesh.triangles, .position = model.rest_position};
-  double length = 0;
-  for (std::size_t k = 1; k < path.points.size(); ++k) {
-    length += (position_of(rest, path.points[k]) - position_of(rest, path.points[k - 1])).norm();
-  }
+  const double length = length_of(rest, path.points);
   return length < kShortestPath * model.edge_length ? 0 : kPartOfShortPath * length;
 }
 
@@ -283,7 +289,12 @@ std::optional<Cut> Body::follow_blade(int tool, std::span<const ToolPose> poses,
 }
 
 std::optional<Cut> Body::go_on(const WayOn& way, const ToolPose& pose, std::span<const ToolPose> poses) {
+  const double length = length_of(surface(), way.path.points);
   Cut cut = this->cut(way.path, poses);
+  const double made = length_of(cut.lips, state_.equilibrium.position);
+  // Measured rather than added up of what the blade goes and the wall before it moves: where that springs back, folds
+  // or is cut from a vertex on, the sum is not what is cut.
+  state_.cut.owed = unpaid(state_.cut) + state_.cut.cost * (length - made);
   if (cut.triangles.empty()) return std::nullopt;
   if (way.border && !cut.tip) find_gap(cut, *way.border, way.sense, pose);
   return cut;

@@ -98,10 +98,9 @@ std::optional<Cut> Body::run(const WayOn& way, const ToolPose& pose, double lead
   if (!cut) return std::nullopt;
   CutProgress& progress = state_.cut;
   progress.held.back().runs = true;
-  const double length = length_of(cut->lips, state_.equilibrium.position), before = progress.ahead;
-  progress.ahead = std::max(0.0, lead + length);
+  const double length = length_of(cut->lips, state_.equilibrium.position);
   // Up to there the wall pays; what it does not pay the blade does beyond.
-  progress.owed += progress.cost * (progress.ahead - before);
+  progress.ahead = std::max(0.0, lead + length);
   progress.run += length;
   progress.run_length += cut->length;
   if (progress.ahead > 0) progress.resistance = progress.push = 0;

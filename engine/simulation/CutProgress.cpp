@@ -35,6 +35,12 @@ Eigen::VectorXd force_at_lips(const CutProgress& progress, Eigen::Index unknowns
   return force;
 }
 
+double unpaid(const CutProgress& cut) {
+  double to_come = 0;
+  for (const HeldLips& lips : cut.held) to_come += lips.pays ? lips.held * lips.length * std::max(0.0, cut.given) : 0;
+  return cut.due - to_come;
+}
+
 double length_of(std::span<const Lips> cut, const Eigen::VectorXd& position) {
   double length = 0;
   for (const Lips& lips : cut) {

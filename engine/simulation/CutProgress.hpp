@@ -71,7 +71,7 @@ struct CutProgress {
   double push = 0;                         // newton, of the blade along its way
   double progress = 0;                     // part of the blade's last way by which it cut; the wall came along the rest
   double given = 0;                        // newton: what the wall releases per length, mean over a triangle
-  double owed = 0;                         // joule, of the new area so far, that neither blade nor wall has paid yet
+  double owed = 0;                         // joule, of the area on the blade's way so far, that nobody has paid or will
   double due = 0;                          // joule, that what has been cut is worth beyond what has been booked for it
   double length = 0;                       // metres, rest, cut since time zero
   double ahead = 0;                        // metres of the blade's way, in its own wound, to where the cut has run to
@@ -93,6 +93,9 @@ CutProgress let_go(const CutProgress& progress, const std::optional<BladeInput>&
 
 /// Forces at the lips, (unknowns), newton; none where there are none.
 Eigen::VectorXd force_at_lips(const CutProgress& progress, Eigen::Index unknowns);
+
+/// What of the cut area neither is paid for nor will be by lips that are still held, joule.
+double unpaid(const CutProgress& cut);
 
 /// Along the left lips, metres. `position`: (unknowns), metres.
 double length_of(std::span<const Lips> cut, const Eigen::VectorXd& position);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <vector>
 
@@ -139,6 +140,24 @@ TEST(ABladeInABallUnderPressure, LeavesSlackLipsThatWholeStepsSolve) {
   std::printf("%d steps, %d halvings, %d iterations\n", steps, halvings, iterations);
   EXPECT_GT(body.state().cut.length, 10e-3);
   EXPECT_EQ(halvings, 0);
+}
+
+TEST(ABladeInABallUnderPressure, LeavesLessThanAPartOfAnEdgeOfItsCutUnpaid) {
+  BodyDefinition ball = make_body(make_sphere(20e-3, 1280), 1e-3, neo_hookean(40e3));
+  ball.fluid.initial_pressure = 1500;
+  ball.fixed = {{.region = BelowRegion{.axis = 2, .at = -14e-3}}};
+  ball.toughness = {200};
+  for (const double angle : {0.3, 1.1, 1.9, 2.7}) {
+    SCOPED_TRACE(angle);
+    Body body(ball, {test_blade()}, dynamic());
+    body.settle();
+    const Eigen::Vector3d half(9e-3 * std::cos(angle), 9e-3 * std::sin(angle), 0), middle(0, 0, 13e-3);
+    draw_blade(body, {.points = {middle - half, middle + half}, .step = 0.3e-3, .duration = 10e-3});
+    const double edge = body.model().edge_length * body.model().cut_cost(0);  // joule
+    std::printf("jump %.2f edges, fracture %.1f edges\n", body.state().books.jump / edge,
+                body.state().books.fracture / edge);
+    EXPECT_LT(std::abs(body.state().books.jump), 0.45 * edge);
+  }
 }
 
 TEST(ABladeInABallUnderPressure, PaysForWhatItCutsOfFlapsThatTurnAgainstIt) {
