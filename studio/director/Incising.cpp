@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "engine/tool/FirstContact.hpp"
-#include "studio/scenario/InputError.hpp"
 
 namespace thinwall {
 namespace {
@@ -45,15 +44,8 @@ double cost_of_entry(const Body& body, const IncisionPlan& plan, const ToolDefin
   return body.model().cut_cost(first_triangle(plan)) * blade.width;
 }
 
-void begin_incision(IncisionPlan& plan, const Body& body, std::span<const ToolDefinition> tools, int tool,
-                    const SourceLocation& location) {
-  if (const auto other = body.state().cut.tool) {
-    throw InputErrors(
-        {{location, fmt::format("incise: blade `{}` is still in body `{}` when `{}` is to cut it; let the first go out "
-                                "(`withdraw`) before the second begins",
-                                tools[*other].name, plan.clip.body, plan.clip.tool)}});
-  }
-  plan.entry_cost = cost_of_entry(body, plan, tools[tool]);
+void begin_incision(IncisionPlan& plan, const Body& body, const ToolDefinition& blade) {
+  plan.entry_cost = cost_of_entry(body, plan, blade);
   plan.edge_length = body.model().edge_length;
 }
 

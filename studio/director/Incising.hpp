@@ -22,10 +22,8 @@ struct BladeStep {
 /// What a slit as long as the blade is wide costs where the path begins, joule: toughness times thickness times width.
 double cost_of_entry(const Body& body, const IncisionPlan& plan, const ToolDefinition& blade);
 
-/// Notes what the entry of a blade costs when its clip begins. `tool`: index of the blade in `tools`. Throws
-/// InputErrors at `location` while another blade is still in the body.
-void begin_incision(IncisionPlan& plan, const Body& body, std::span<const ToolDefinition> tools, int tool,
-                    const SourceLocation& location);
+/// Notes what the entry of a blade costs when its clip begins.
+void begin_incision(IncisionPlan& plan, const Body& body, const ToolDefinition& blade);
 
 /// What the blade does to the wall during a step; nothing while it is not in the wall, or goes out of it again.
 std::optional<BladeInput> blade_input(const IncisionPlan& plan, const Body& body, const BladeStep& step);

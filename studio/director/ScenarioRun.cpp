@@ -139,8 +139,7 @@ struct ScenarioRun::Implementation {
       if (std::holds_alternative<ReleasePlan>(clip.plan)) tool.holds = false;
       take_out_of_walls(tool);
       if (auto* incision = std::get_if<IncisionPlan>(&clip.plan)) {
-        begin_incision(*incision, body_named(incision->clip.body), scenario.tools, tool.index,
-                       scenario.timeline[k].location);
+        begin_incision(*incision, body_named(incision->clip.body), scenario.tools[tool.index]);
       }
     }
   }

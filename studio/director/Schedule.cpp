@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -29,6 +30,48 @@ std::optional<std::pair<std::size_t, std::size_t>> first_overlap(std::span<const
   return std::nullopt;
 }
 
+/// When a blade may be in its body, seconds.
+struct TimeInBody {
+  double from = 0;
+  double until = 0;
+};
+
+/// A blade that does not go out stays in its body until another clip drives it.
+TimeInBody time_in_body(const IncisionPlan& incision, std::size_t index, std::span<const Clip> timeline,
+                        std::span<const ScheduledClip> clips) {
+  const ScheduledClip& clip = clips[index];
+  TimeInBody time{.from = clip.begin + incision.to_contact / incision.clip.speed, .until = clip.end};
+  if (incision.clip.withdraw) return time;
+  time.until = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < clips.size(); ++k) {
+    const bool is_later = k != index && clips[k].begin >= clip.end - kTimeTolerance;
+    if (is_later && tool_of(timeline[k]) == incision.clip.tool) time.until = std::min(time.until, clips[k].begin);
+  }
+  return time;
+}
+
+/// A body has one cut at a time that a blade is in.
+void refuse_second_blades(std::span<const Clip> timeline, std::span<const ScheduledClip> clips) {
+  for (std::size_t k = 0; k < clips.size(); ++k) {
+    const auto* first = std::get_if<IncisionPlan>(&clips[k].plan);
+    if (first == nullptr) continue;
+    const TimeInBody in = time_in_body(*first, k, timeline, clips);
+    for (std::size_t other = 0; other < clips.size(); ++other) {
+      const auto* second = std::get_if<IncisionPlan>(&clips[other].plan);
+      if (second == nullptr || second->clip.body != first->clip.body || second->clip.tool == first->clip.tool) continue;
+      const bool is_later = clips[other].begin > clips[k].begin || (clips[other].begin == clips[k].begin && other > k);
+      if (!is_later || clips[other].begin >= in.until - kTimeTolerance) continue;
+      if (time_in_body(*second, other, timeline, clips).until <= in.from) continue;
+      throw InputErrors(
+          {{timeline[other].location,
+            fmt::format("incise: blade `{}` begins at {:.4g} s to cut body `{}`, which blade `{}` cuts {}; "
+                        "let that go out (`withdraw`) before this begins",
+                        second->clip.tool, clips[other].begin, first->clip.body, first->clip.tool,
+                        std::isfinite(in.until) ? fmt::format("until {:.4g} s", in.until) : "and then stays in")}});
+    }
+  }
+}
+
 }  // namespace
 
 void schedule(std::span<const Clip> timeline, std::span<ScheduledClip> clips) {
@@ -41,6 +84,7 @@ void schedule(std::span<const Clip> timeline, std::span<ScheduledClip> clips) {
 }
 
 void refuse_overlaps(std::span<const Clip> timeline, std::span<const ScheduledClip> clips) {
+  refuse_second_blades(timeline, clips);
   const auto overlap = first_overlap(timeline, clips);
   if (!overlap) return;
   const auto [k, other] = *overlap;

@@ -23,8 +23,8 @@ struct ScheduledClip {
 /// Clips follow one another unless they say when they start. `clips`: (timeline); those that have begun stay.
 void schedule(std::span<const Clip> timeline, std::span<ScheduledClip> clips);
 
-/// How long a clip lasts depends on where its tool meets the wall, so two clips of one tool may be found to play at
-/// once only here. Throws InputErrors then.
+/// How long a clip lasts depends on where its tool meets the wall, so two clips of one tool, or of two blades in one
+/// body, may be found to play at once only here. Throws InputErrors then.
 void refuse_overlaps(std::span<const Clip> timeline, std::span<const ScheduledClip> clips);
 
 /// Lets a palpation or piercing that has begun stay at its full depth until a step ends: forces are asked for at the

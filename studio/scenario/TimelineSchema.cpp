@@ -136,8 +136,8 @@ MappingSchema incise() {
       "how much. Where a point has no wall any more when the clip starts, as over a cut that gapes, the blade goes the "
       "way that it had when the run began, which a note tells, and cuts on from the lip ahead of it. Errors are points "
       "out of reach or not joined by the wall, a depth larger than "
-      "the blade is high or the body measures there, and a blade that would start inside the body or touch it "
-      "already.");
+      "the blade is high or the body measures there, a blade that would start inside the body or touch it already, and "
+      "one that is to cut a body while another blade does.");
 }
 
 MappingSchema move() {

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "studio/director/ScenarioRun.hpp"
-#include "studio/scenario/InputError.hpp"
 
 namespace thinwall {
 namespace {
@@ -340,24 +339,6 @@ TEST(Incision, TwiceTheSameGivesTheSameDigest) {
     digests.push_back(run.state_digest());
   }
   EXPECT_EQ(digests[0], digests[1]);
-}
-
-TEST(Incision, ASecondBladeHasToWaitUntilTheFirstIsOut) {
-  Scenario scenario = sheet_scenario(1.02);
-  scenario.tools.push_back(kBlade);
-  scenario.tools[1].name = "other";
-  Clip second = scenario.timeline[0];
-  std::get<InciseClip>(second.action).tool = "other";
-  std::get<InciseClip>(scenario.timeline[0].action).withdraw = false;
-  scenario.timeline.push_back(second);
-  ScenarioRun run(scenario);
-  try {
-    while (run.step()) {
-    }
-    FAIL() << "no error";
-  } catch (const InputErrors& errors) {
-    EXPECT_NE(to_text(errors.diagnostics().at(0)).find("blade `blade` is still in body `skin`"), std::string::npos);
-  }
 }
 
 TEST(Incision, ABladeThatStayedInIsTakenOutWhenItIsSetElsewhere) {

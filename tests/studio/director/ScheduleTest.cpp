@@ -1,0 +1,89 @@
+// Which clips may play at once.
+
+#include "studio/director/Schedule.hpp"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+
+#include "studio/director/ScenarioRun.hpp"
+#include "studio/scenario/InputError.hpp"
+
+namespace thinwall {
+namespace {
+
+constexpr const char* kStillIn = "to cut body `skin`, which blade `blade` cuts";
+
+ToolDefinition blade(const std::string& name) {
+  return {.name = name, .kind = ToolKind::kScalpel, .length = 0.012, .width = 0.003, .thickness = 4e-4};
+}
+
+InciseClip incision(const std::string& tool, double speed) {
+  return {.tool = tool,
+          .body = "skin",
+          .path = {{-0.007, 0, 0}, {0.007, 0, 0}},
+          .direction = -Eigen::Vector3d::UnitZ(),
+          .depth = 0.003,
+          .speed = speed,
+          .standoff = 0.002};
+}
+
+/// A sheet that `blade` cuts from time zero on, and `other` from `start` on, seconds, or once the first has ended.
+Scenario two_incisions(std::optional<double> start, double first_speed = 0.02) {
+  BodyScenario sheet{.name = "skin",
+                     .surface = ShapeSource{.shape = Shape::kSheet, .length = 0.04, .width = 0.04, .triangles = 100},
+                     .thickness = {.standard = 1e-3},
+                     .material = {.law = find_wall_law("neo_hookean"), .parameters = {40e3}}};
+  sheet.toughness = Field<double>{.standard = 150};
+  sheet.fluid.kind = FluidKind::kNone;
+  sheet.fixed = {{.region = BoundaryRegion{}}};
+  Scenario scenario{.name = "test", .title = "test"};
+  scenario.bodies = {sheet};
+  scenario.tools = {blade("blade"), blade("other")};
+  scenario.simulation = {.analysis = Analysis::kDynamic, .time_step = 0.01};
+  scenario.timeline = {{.action = incision("blade", first_speed)}, {.action = incision("other", 0.02), .start = start}};
+  return scenario;
+}
+
+/// Why a scenario is refused before its first step; empty when it is not.
+std::string refusal_of(const Scenario& scenario) {
+  try {
+    const ScenarioRun run(scenario);
+  } catch (const InputErrors& errors) {
+    return to_text(errors.diagnostics().at(0));
+  }
+  return "";
+}
+
+TEST(Schedule, RefusesTwoBladesThatCutOneBodyAtOnce) {
+  for (const double start : {0.0, 0.05, 0.5}) {
+    EXPECT_NE(refusal_of(two_incisions(start)).find(kStillIn), std::string::npos) << start;
+  }
+}
+
+TEST(Schedule, RefusesABladeThatBeginsWhileAnotherOneStaysInTheBody) {
+  Scenario scenario = two_incisions(std::nullopt);
+  std::get<InciseClip>(scenario.timeline[0].action).withdraw = false;
+  EXPECT_NE(refusal_of(scenario).find(kStillIn), std::string::npos);
+  // Once it is taken elsewhere it is in the way no more.
+  const MoveClip away{.tool = "blade", .to = {0, 0, 0.03}, .duration = 0.1};
+  scenario.timeline.insert(scenario.timeline.begin() + 1, Clip{.action = away});
+  EXPECT_EQ(refusal_of(scenario), "");
+}
+
+TEST(Schedule, LetsASecondBladeCutOnceTheFirstIsOutOrBeforeItIsIn) {
+  EXPECT_EQ(refusal_of(two_incisions(std::nullopt)), "");
+  EXPECT_EQ(refusal_of(two_incisions(0.0, 1e-4)), "");
+}
+
+TEST(Schedule, LetsTwoBladesCutTwoBodiesAtOnce) {
+  Scenario scenario = two_incisions(0.0);
+  scenario.bodies.push_back(scenario.bodies[0]);
+  scenario.bodies[1].name = "other skin";
+  std::get<InciseClip>(scenario.timeline[1].action).body = "other skin";
+  EXPECT_EQ(refusal_of(scenario), "");
+}
+
+}  // namespace
+}  // namespace thinwall
