@@ -19,7 +19,8 @@ struct CutPath {
 struct CutOptions {
   double edge_length = 0;  // metres, wanted along the cut: larger triangles there are refined; 0: as they are
   double deviation = 0;    // metres: refined too where the cut would be farther from its path; 0: wherever it is
-  std::vector<int> kept_vertices = {};  // vertices that keep their stress-free positions, such as fixed ones
+  std::vector<int> kept_vertices = {};   // vertices that keep their stress-free positions, such as fixed ones
+  std::vector<int> kept_triangles = {};  // that stay as they are, as what presses on them would feel another surface
   // (vertices x 3) or none, metres, where the vertices are now: triangles that lie well on the stress-free surface may
   // span a fold of the wall as it is, and be strained there without measure. None such is made.
   std::vector<Eigen::Vector3d> placement = {};

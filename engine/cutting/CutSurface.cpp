@@ -216,6 +216,10 @@ CutPatch CutSurface::extract(const CutPath& path, const CutOptions& options, int
     patch.scale.push_back(scale_[t]);
     patch.frozen.push_back(outermost);
   }
+  for (const int triangle : options.kept_triangles) {
+    const int local = numbers.local_triangle[triangle];
+    if (local >= 0) patch.frozen[local] = 1;
+  }
   patch.changed.assign(patch.triangles.size(), 0);
   patch.on_path.assign(patch.triangles.size(), {0, 0, 0});
   patch.line.assign(patch.positions.size(), Eigen::Vector3d::Zero());

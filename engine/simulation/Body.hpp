@@ -307,6 +307,8 @@ class Body {
   void find_gap(const Cut& cut, const Eigen::Vector3d& left, const Eigen::Vector3d& way, const ToolPose& pose);
   /// Whether the blade has just met the far lip of the gap that it was in.
   bool come_out_of_gap(const ToolPose& pose);
+  /// Triangles beside other tools stay as they are: an edge that is flipped there could lie in a tool.
+  CutOptions options_of_blade(std::span<const ToolPose> poses) const;
   Cut change_mesh(const CutPath& path, CutOptions options, Uncut* before = nullptr);
   void put_back(Uncut before);
   void add_shafts_to(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;

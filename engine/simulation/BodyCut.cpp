@@ -2,9 +2,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 #include <span>
 #include <utility>
 
+#include "engine/contact/SolidGap.hpp"
 #include "engine/cutting/BorderCrossing.hpp"
 #include "engine/cutting/SurfaceTrace.hpp"
 #include "engine/simulation/Body.hpp"
@@ -12,16 +14,21 @@
 #include "engine/simulation/FrictionContact.hpp"
 #include "engine/simulation/RigidMotions.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
+#include "engine/tool/ToolSolids.hpp"
 
 namespace thinwall {
 namespace {
 
-/// Mean edges by which a cut waits for the blade to come farther, where what it would leave is beyond the wall's law.
+/// Mean edges by which a cut waits for the blade to come farther, where what it would leave is beyond the wall's law or
+/// lies in a tool.
 constexpr double kMostAwaited = 3;
 
 /// Mean edges over which a blade that has gone in pays before there is wall in its way: where that does not come it
 /// gives way to the blade.
 constexpr double kDentedEdges = 0.25;
+
+/// Mean edges from a tool within which triangles stay as they are: another edge between their corners may lie in it.
+constexpr double kKeptReach = 0.25;
 
 /// A path shorter than the triangles is cut into smaller ones of this part of it, where it is at least so many mean
 /// edges long.
@@ -92,8 +99,7 @@ void Body::crumple(std::span<const ToolPose> poses) {
 }
 
 Cut Body::cut(const CutPath& path, std::span<const ToolPose> poses) {
-  CutOptions options;
-  if (state_.cut.tool) options.deviation = tools_[*state_.cut.tool].deviation;
+  CutOptions options = options_of_blade(poses);
   Uncut before;
   Cut cut = change_mesh(path, options, &before);
   if (cut.triangles.empty() && is_whole(path)) {
@@ -112,14 +118,37 @@ Cut Body::cut(const CutPath& path, std::span<const ToolPose> poses) {
   if (length > 0) state_.cut.cost *= cut.length / length;
   hold_as_it_is(cut.length, true, poses);
   let_free_parts_go();
-  if (std::isfinite(state_.books.elastic)) return cut;
-  if (cut.length > kMostAwaited * model_->edge_length) {
+  const bool is_awaited_long = cut.length > kMostAwaited * model_->edge_length;
+  const double pressed = contact_energy(newton_->terms()) - before.state.books.contact;  // joule
+  const bool lies_in_tool = pressed > state_.cut.cost * length;
+  if (std::isfinite(state_.books.elastic) && (!lies_in_tool || is_awaited_long)) return cut;
+  if (is_awaited_long) {
     throw SimulationFailure("body `" + model_->definition.name +
                             "`: triangles that a cut leaves are stretched beyond what the wall's law allows; give the "
                             "body more triangles, or the law a larger limit");
   }
   put_back(std::move(before));
   return {};
+}
+
+CutOptions Body::options_of_blade(std::span<const ToolPose> poses) const {
+  CutOptions options;
+  if (state_.cut.tool) options.deviation = tools_[*state_.cut.tool].deviation;
+  std::vector<ToolSolid> solids;
+  for (int tool = 0; tool < static_cast<int>(tools_.size()); ++tool) {
+    if (state_.cut.tool == tool) continue;
+    std::ranges::copy(contact_solids(tools_[tool], poses[tool]), std::back_inserter(solids));
+  }
+  const double reach = kKeptReach * model_->edge_length;
+  for (int t = 0; t < model_->triangles(); ++t) {
+    const auto corners = corners_of(model_->surface[t], state_.equilibrium.position);
+    const bool is_near = std::ranges::any_of(solids, [&](const ToolSolid& solid) {
+      const auto face = solid_gap(solid, reach, corners, SitePart::kFace, 0, GapTerms::kGradient);
+      return face && face->gap < reach;
+    });
+    if (is_near) options.kept_triangles.push_back(t);
+  }
+  return options;
 }
 
 Cut Body::change_mesh(const CutPath& path, CutOptions options, Uncut* before) {
@@ -134,6 +163,10 @@ Cut Body::change_mesh(const CutPath& path, CutOptions options, Uncut* before) {
   }
   if (before != nullptr) before->surface = std::make_unique<CutSurface>(*surface_);
   Cut cut = surface_->cut(path, options);
+  if (cut.triangles.empty() && !options.kept_triangles.empty()) {
+    options.kept_triangles.clear();
+    cut = surface_->cut(path, options);
+  }
   if (cut.triangles.empty()) return cut;
   if (before != nullptr) before->state = state_;
   // Places on triangles that are not there any more: a blade looks for the wall anew.

@@ -51,7 +51,7 @@ std::optional<Rupture> Body::try_cut(const CutPath& path, std::span<const ToolPo
     const double imbalance = state_.books.imbalance(),
                  cost = cost_at(point_at(model_->definition.mesh.triangles, *path.from));
     Uncut before;
-    tried = Rupture{.cut = change_mesh(path, {.deviation = tools_[*state_.cut.tool].deviation}, &before)};
+    tried = Rupture{.cut = change_mesh(path, options_of_blade(poses), &before)};
     if (before.model) {
       tried->cost = cost * tried->cut.length;
       const bool is_at_rest = snap(poses);
