@@ -126,6 +126,9 @@ class Body {
   /// Ends the cut that is being made: the next one begins where a blade meets the wall again.
   void leave_cut();
 
+  /// A needle that is set elsewhere is in its punctures no more. `poses`: (tools), as they are then.
+  void take_needle_out(int tool, std::span<const ToolPose> poses);
+
   /// Lets the wall give way to a needle where that pays: once wall, fluid and weight together release more, at this
   /// pose, than a slit of the needle's width costs, with the slit spread on the shaft and the wall free to slide on it.
   /// The wall is then at rest in that equilibrium, and slides along the shaft under friction from then on; what was

@@ -183,6 +183,20 @@ void Body::leave_punctures(std::span<const ToolPose> poses) {
   measure_openings();
 }
 
+void Body::take_needle_out(int tool, std::span<const ToolPose> poses) {
+  bool left = false;
+  for (Puncture& puncture : state_.punctures) {
+    if (puncture.tool != tool) continue;
+    left = left || puncture.is_sealed();
+    for (ShaftPoint& point : puncture.points) point.touches = false;
+    puncture.force.setZero();
+    puncture.tool.reset();
+  }
+  if (!left) return;
+  hold_as_it_is(model_->edge_length, false, poses);
+  measure_openings();
+}
+
 bool Body::is_clear_of(const Puncture& puncture, const ToolPose& pose) const {
   std::vector<char> marks(model_->triangles(), 0);
   mark_free(*model_, puncture, marks);

@@ -134,20 +134,24 @@ struct ScenarioRun::Implementation {
       DirectedTool& tool = tools.at(name);
       // A clip may begin elsewhere than the last one ended: the tool is set there and touches nothing on the way.
       const bool is_driven = driven != nullptr && driven->index == tool.index;
+      const ToolPose last = tool.pose;
       tool.begin_clip(is_driven ? tool.pose : *beginning_of(clip.plan));
       if (std::holds_alternative<GraspPlan>(clip.plan)) tool.holds = true;
       if (std::holds_alternative<ReleasePlan>(clip.plan)) tool.holds = false;
-      take_out_of_walls(tool);
+      take_out_of_walls(tool, last);
       if (auto* incision = std::get_if<IncisionPlan>(&clip.plan)) {
         begin_incision(*incision, body_named(incision->clip.body), scenario.tools[tool.index]);
       }
     }
   }
 
-  /// A blade that an earlier clip has left in a wall is not there any more.
-  void take_out_of_walls(const DirectedTool& tool) {
+  /// A blade that an earlier clip has left in a wall is not there any more, nor is a needle that is set elsewhere.
+  void take_out_of_walls(const DirectedTool& tool, const ToolPose& last) {
+    std::vector<ToolPose> poses(scenario.tools.size());
+    for (const auto& [name, one] : tools) poses[one.index] = one.pose;
     for (const auto& body : bodies) {
       if (body->state().cut.tool == tool.index) body->leave_cut();
+      if (tool.pose.tip != last.tip || tool.pose.direction != last.direction) body->take_needle_out(tool.index, poses);
     }
   }
 
