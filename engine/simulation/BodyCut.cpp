@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "engine/contact/SolidGap.hpp"
-#include "engine/cutting/BorderCrossing.hpp"
 #include "engine/cutting/SurfaceTrace.hpp"
 #include "engine/simulation/Body.hpp"
 #include "engine/simulation/CutTransfer.hpp"
@@ -139,6 +138,7 @@ CutOptions Body::options_of_blade(std::span<const ToolPose> poses) const {
     if (state_.cut.tool == tool) continue;
     std::ranges::copy(contact_solids(tools_[tool], poses[tool]), std::back_inserter(solids));
   }
+  if (solids.empty()) return options;
   const double reach = kKeptReach * model_->edge_length;
   for (int t = 0; t < model_->triangles(); ++t) {
     const auto corners = corners_of(model_->surface[t], state_.equilibrium.position);
@@ -351,47 +351,6 @@ void Body::hold_dent(int tool, std::span<const ToolPose> poses) {
 void Body::begin_cut(const SurfacePoint& place) {
   state_.cut.start = place;
   state_.cut.cost = state_.cut.resistance = cost_at(place);
-}
-
-void Body::find_gap(const Cut& cut, const Eigen::Vector3d& left, const Eigen::Vector3d& way, const ToolPose& pose) {
-  std::vector<int> own;
-  for (const Lips& lips : cut.lips) {
-    own.insert(own.end(), lips.left.begin(), lips.left.end());
-    own.insert(own.end(), lips.right.begin(), lips.right.end());
-  }
-  const double below = (pose.tip - left).dot(pose.direction);
-  const auto lip = border_beyond(surface(), {.left = left,
-                                             .way = way,
-                                             .line = pose.direction,
-                                             .above = below - tools_[*state_.cut.tool].length,
-                                             .below = below,
-                                             .lips = std::move(own),
-                                             .overlap = model_->edge_length});
-  if (lip) state_.cut.gap = GapBeyond{.lip = snapped_to_edges(surface(), *lip), .way = way};
-}
-
-void Body::enter_gap(int tool, const ToolPose& pose, const Eigen::Vector3d& way) {
-  const double length = tools_[tool].length;
-  const SurfaceView wall = surface();
-  const Eigen::Vector3d top = pose.tip - length * pose.direction;
-  if (first_entry_on_segment(wall, top, pose.tip + model_->edge_length * pose.direction)) return;
-  const Eigen::Vector3d across = (way - way.dot(pose.direction) * pose.direction).normalized();
-  const auto lip = border_beyond(
-      wall,
-      {.left = pose.tip, .way = across, .line = pose.direction, .above = -length, .overlap = model_->edge_length});
-  if (!lip) return;
-  state_.cut.tool = tool;
-  state_.cut.gap = GapBeyond{.lip = snapped_to_edges(wall, *lip), .way = across};
-}
-
-bool Body::come_out_of_gap(const ToolPose& pose) {
-  if (!state_.cut.gap) return false;
-  const GapBeyond& gap = *state_.cut.gap;
-  const Eigen::Vector3d lip = place_on(*model_, gap.lip.triangle, gap.lip.weights, state_.equilibrium.position);
-  if ((pose.tip - lip).dot(gap.way) < 0) return false;
-  begin_cut(gap.lip);
-  state_.cut.gap.reset();
-  return true;
 }
 
 void Body::leave_cut() {

@@ -25,6 +25,14 @@ struct DirectedTool {
   /// Sets the tool where a clip begins. Where it already is, pressing a wall, it goes on from the contact that it has.
   void begin_clip(const ToolPose& beginning);
 
+  /// Whether it is set where another clip begins rather than goes on from where it is.
+  bool is_set_elsewhere(const ToolPose& beginning) const;
+
+  /// A blade that an earlier clip has left in a wall is not there any more, nor is a needle that is `set_elsewhere`.
+  /// `poses`: (tools), as they are then.
+  void leave_walls(std::span<const std::unique_ptr<Body>> bodies, std::span<const ToolPose> poses,
+                   bool set_elsewhere) const;
+
   /// Notes where the tip is when the moving tool first meets a surface on its way to the next pose.
   void find_first_contact(const ToolDefinition& definition, std::span<const std::unique_ptr<Body>> bodies,
                           const ToolPose& next);

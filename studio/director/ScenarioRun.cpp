@@ -134,50 +134,42 @@ struct ScenarioRun::Implementation {
       DirectedTool& tool = tools.at(name);
       // A clip may begin elsewhere than the last one ended: the tool is set there and touches nothing on the way.
       const bool is_driven = driven != nullptr && driven->index == tool.index;
-      const ToolPose last = tool.pose;
-      tool.begin_clip(is_driven ? tool.pose : *beginning_of(clip.plan));
+      const ToolPose beginning = is_driven ? tool.pose : *beginning_of(clip.plan);
+      const bool set_elsewhere = tool.is_set_elsewhere(beginning);
+      tool.begin_clip(beginning);
       if (std::holds_alternative<GraspPlan>(clip.plan)) tool.holds = true;
       if (std::holds_alternative<ReleasePlan>(clip.plan)) tool.holds = false;
-      take_out_of_walls(tool, last);
+      tool.leave_walls(bodies, poses(), set_elsewhere);
       if (auto* incision = std::get_if<IncisionPlan>(&clip.plan)) {
         begin_incision(*incision, body_named(incision->clip.body), scenario.tools[tool.index]);
       }
     }
   }
 
-  /// A blade that an earlier clip has left in a wall is not there any more, nor is a needle that is set elsewhere.
-  void take_out_of_walls(const DirectedTool& tool, const ToolPose& last) {
-    std::vector<ToolPose> poses(scenario.tools.size());
-    for (const auto& [name, one] : tools) poses[one.index] = one.pose;
-    for (const auto& body : bodies) {
-      if (body->state().cut.tool == tool.index) body->leave_cut();
-      if (tool.pose.tip != last.tip || tool.pose.direction != last.direction) body->take_needle_out(tool.index, poses);
-    }
+  std::vector<ToolPose> poses() const {
+    std::vector<ToolPose> now(scenario.tools.size());
+    for (const auto& [name, tool] : tools) now[tool.index] = tool.pose;
+    return now;
   }
 
   /// Moves the tools to where they are at a time; returns the poses before and after, in the order of the scenario.
   std::pair<std::vector<ToolPose>, std::vector<ToolPose>> move_tools(double until, const DrivenTool* driven) {
-    std::vector<ToolPose> before(scenario.tools.size()), after;
-    for (const auto& [name, tool] : tools) before[tool.index] = tool.pose;
+    const std::vector<ToolPose> before = poses();
     for (auto& [name, tool] : tools) tool.phase = "idle";
-    for (std::size_t k = 0; k < clips.size(); ++k) {
+    for (const auto& [name, k] : driving_clips(scenario.timeline, clips, time(), until)) {
       const ScheduledClip& clip = clips[k];
-      if (!clip.begun || clip.end <= time() + kTimeTolerance) continue;
-      const std::optional<ToolMoment> moment = moment_of(clip.plan, until - clip.begin);
-      if (!moment) continue;
-      DirectedTool& tool = tools.at(tool_of(scenario.timeline[k]));
+      const ToolMoment moment = *moment_of(clip.plan, until - clip.begin);
+      DirectedTool& tool = tools.at(name);
       const bool is_planned = knows_depth(clip.plan);
-      if (!is_planned) tool.find_first_contact(scenario.tools[tool.index], bodies, moment->pose);
-      tool.pose = moment->pose;
-      tool.phase = moment->phase;
-      tool.depth = is_planned ? moment->depth : tool.depth_beyond_contact();
+      if (!is_planned) tool.find_first_contact(scenario.tools[tool.index], bodies, moment.pose);
+      tool.pose = moment.pose;
+      tool.phase = moment.phase;
+      tool.depth = is_planned ? moment.depth : tool.depth_beyond_contact();
     }
-    after.resize(before.size());
     for (auto& [name, tool] : tools) {
       if (driven != nullptr && driven->index == tool.index) tool.pose = driven->pose;
     }
-    for (const auto& [name, tool] : tools) after[tool.index] = tool.pose;
-    return {before, after};
+    return {before, poses()};
   }
 
   /// Lets the blades of a step cut.

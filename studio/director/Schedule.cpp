@@ -124,6 +124,18 @@ void foresee_moves(std::span<const Clip> timeline, std::span<ScheduledClip> clip
   }
 }
 
+std::map<std::string, std::size_t> driving_clips(std::span<const Clip> timeline, std::span<const ScheduledClip> clips,
+                                                 double from, double until) {
+  std::map<std::string, std::size_t> driving;
+  for (std::size_t k = 0; k < clips.size(); ++k) {
+    if (!clips[k].begun || clips[k].end <= from + kTimeTolerance) continue;
+    if (!moment_of(clips[k].plan, until - clips[k].begin)) continue;
+    const auto [last, is_first] = driving.try_emplace(tool_of(timeline[k]), k);
+    if (!is_first && clips[k].begin >= clips[last->second].begin) last->second = k;
+  }
+  return driving;
+}
+
 double end_of(std::span<const ScheduledClip> clips) {
   double end = 0;
   for (const ScheduledClip& clip : clips) end = std::max(end, clip.end);

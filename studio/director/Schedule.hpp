@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "studio/director/Plan.hpp"
@@ -36,6 +38,11 @@ void turn_at_step_end(std::span<const Clip> timeline, std::span<ScheduledClip> c
 /// Plans moves from where the clips before them leave their tools, as far as that is known at time zero. `clips` have
 /// been scheduled. Throws InputErrors as `plan_move` does.
 void foresee_moves(std::span<const Clip> timeline, std::span<ScheduledClip> clips);
+
+/// The clips that drive tools in a step that begins at `from` and lasts `until`, seconds, by the tool's name: of two
+/// that hand a tool over within the step the later one.
+std::map<std::string, std::size_t> driving_clips(std::span<const Clip> timeline, std::span<const ScheduledClip> clips,
+                                                 double from, double until);
 
 /// When the last clip ends, seconds.
 double end_of(std::span<const ScheduledClip> clips);

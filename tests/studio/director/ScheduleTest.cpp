@@ -1,4 +1,4 @@
-// Which clips may play at once.
+// Which clips may play at once, and which drives a tool.
 
 #include "studio/director/Schedule.hpp"
 
@@ -83,6 +83,25 @@ TEST(Schedule, LetsTwoBladesCutTwoBodiesAtOnce) {
   scenario.bodies[1].name = "other skin";
   std::get<InciseClip>(scenario.timeline[1].action).body = "other skin";
   EXPECT_EQ(refusal_of(scenario), "");
+}
+
+TEST(Schedule, AToolThatIsSetElsewhereWithinAStepTouchesNothingOnTheWay) {
+  // Above the sheet, and from 5 ms after a step on below it.
+  Scenario scenario = two_incisions({});
+  const auto move = [](double height, double duration) {
+    return Clip{.action = MoveClip{.tool = "blade",
+                                   .from = Eigen::Vector3d(-0.005, 0, height),
+                                   .to = {0.005, 0, height},
+                                   .direction = Eigen::Vector3d(0, 0, -1),
+                                   .duration = duration}};
+  };
+  scenario.timeline = {move(0.004, 0.055), move(-0.004, 0.05)};
+  ScenarioRun run(scenario);
+  while (run.step()) {
+    const ToolRecord& tool = run.record().tools.at(0);
+    EXPECT_EQ(tool.depth, 0) << "at " << run.time();
+    EXPECT_EQ(tool.position.z(), run.time() < 0.055 ? 0.004 : -0.004);
+  }
 }
 
 }  // namespace
