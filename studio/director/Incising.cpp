@@ -50,8 +50,9 @@ void begin_incision(IncisionPlan& plan, const Body& body, const ToolDefinition& 
 }
 
 std::optional<BladeInput> blade_input(const IncisionPlan& plan, const Body& body, const BladeStep& step) {
-  if (!is_in_wall(body, step.tool) || plan.goes_out(step.end)) return std::nullopt;
   const double from = plan.progress(step.begin), to = plan.progress(step.end);
+  // In the step in which it turns back it still comes to the path's end.
+  if (!is_in_wall(body, step.tool) || (plan.goes_out(step.end) && to <= from)) return std::nullopt;
   const Eigen::Vector3d way = plan.path.at(to).position - plan.path.at(from).position;
   BladeInput input{.tool = step.tool, .travel = to - from};
   if (way.norm() > 0) input.direction = way.normalized();

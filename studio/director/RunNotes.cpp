@@ -23,8 +23,9 @@ std::optional<std::string> incision_note(std::size_t number, const IncisionPlan&
   const std::string which = fmt::format("timeline[{}]: blade `{}` has gone its whole path of {:.4g} mm and cut nothing",
                                         number, plan.clip.tool, 1e3 * plan.path.length());
   if (plan.path.length() >= plan.edge_length) {
-    return which +
-           fmt::format(" of body `{}`, which gave way to it or was open there; hold the body (`fixed`), or go deeper",
+    return which + fmt::format(
+                       " of body `{}`, which gave way to it, was open there or is held along that path; hold the body "
+                       "(`fixed`) beside it, go deeper, or take more steps (`time_step`)",
                        plan.clip.body);
   }
   return which + fmt::format(

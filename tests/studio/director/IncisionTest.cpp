@@ -109,9 +109,9 @@ TEST(Incision, TheWallDentsThenIsCutAlongThePathAndCostsWhatItsToughnessAsks) {
     EXPECT_GT(steps_in_phase[phase], 2) << phase;
   }
   EXPECT_GT(dent, 0.02) << "the blade is pushed back while the wall dents";
-  // Drawn along, it feels no more than new area costs per length.
+  // Drawn along, it feels what new area costs per length, and up to a tenth more while it is behind with that.
   EXPECT_GT(drag, 0.5 * kToughness * kThickness);
-  EXPECT_LT(drag, 1.02 * kToughness * kThickness);
+  EXPECT_LT(drag, 1.1 * kToughness * kThickness);
   // A cut that ends within the wall may stop short of its path by an edge of 1.6 mm.
   const double path = std::hypot(0.014, 0.001);
   EXPECT_NEAR(longest, path, 1.6e-3);
