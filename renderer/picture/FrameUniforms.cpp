@@ -117,30 +117,78 @@ Matrix4 whole_light_matrix(const SceneExtent& extent, const Studio& studio) {
          eye_matrix(extent.center + distance * studio.key_direction, right, up, studio.key_direction);
 }
 
-/// Narrows a light's view to what the tissue takes of it at rest, and as much more as it has grown: the shadow's raster
-/// is finer then, and stays still while the scene moves a little.
-Matrix4 narrowed_to_tissue(const Matrix4& matrix, const SceneExtent& extent) {
-  constexpr double kMargin = 1.15;
-  std::array<double, 2> low{1, 1}, high{-1, -1};
-  for (const Vector3& point : extent.rest_points) {
-    std::array<double, 4> clip;
-    for (int row = 0; row < 4; ++row) {
-      clip[static_cast<std::size_t>(row)] =
-          matrix(row, 0) * point.x + matrix(row, 1) * point.y + matrix(row, 2) * point.z + matrix(row, 3);
-    }
-    // A lamp among the tissue has no such part of its view.
-    if (!(clip[3] > 0)) return matrix;
+/// Clip coordinates, not divided.
+std::array<double, 4> clip_place(const Matrix4& matrix, const Vector3& point) {
+  std::array<double, 4> clip;
+  for (int row = 0; row < 4; ++row) {
+    clip[static_cast<std::size_t>(row)] =
+        matrix(row, 0) * point.x + matrix(row, 1) * point.y + matrix(row, 2) * point.z + matrix(row, 3);
+  }
+  return clip;
+}
+
+/// A part of what a light sees, -1 to 1 on both axes.
+struct LightWindow {
+  std::array<double, 2> low{1, 1};
+  std::array<double, 2> high{-1, -1};
+
+  void add(const std::array<double, 4>& clip) {
     for (std::size_t axis = 0; axis < 2; ++axis) {
       low[axis] = std::min(low[axis], clip[axis] / clip[3]);
       high[axis] = std::max(high[axis], clip[axis] / clip[3]);
     }
   }
-  if (!(high[0] > low[0]) || !(high[1] > low[1])) return matrix;
+  bool is_empty() const { return !(high[0] > low[0]) || !(high[1] > low[1]); }
+};
+
+/// The part of `whole` around `seen`, which `points` points have told, and what may lie between these. It goes in
+/// steps, so that the shadow's raster stays still while a camera moves a little.
+LightWindow around_seen(const LightWindow& whole, const LightWindow& seen, std::size_t points) {
+  constexpr double kSteps = 16;
+  const double between = 1 / std::sqrt(static_cast<double>(points));
+  LightWindow part;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double step = (whole.high[axis] - whole.low[axis]) / kSteps;
+    const double more = between * (seen.high[axis] - seen.low[axis]);
+    part.low[axis] =
+        whole.low[axis] + step * std::max(0.0, std::floor((seen.low[axis] - more - whole.low[axis]) / step));
+    part.high[axis] =
+        whole.high[axis] - step * std::max(0.0, std::floor((whole.high[axis] - seen.high[axis] - more) / step));
+  }
+  return part;
+}
+
+/// What a light sees of the tissue at rest, as far as it lies in the picture; nothing where the light is among it.
+std::optional<LightWindow> window_of_tissue(const Matrix4& matrix, const SceneExtent& extent, const Camera& camera) {
+  constexpr double kBesidePicture = 1.15;    // of half the picture: what lies beside it at rest may come in
+  constexpr std::size_t kFewestPoints = 64;  // fewer do not tell where a surface is
+  const Matrix4 picture = camera.matrix();
+  LightWindow whole, seen;
+  std::size_t seen_points = 0;
+  for (const Vector3& point : extent.rest_points) {
+    const std::array<double, 4> clip = clip_place(matrix, point);
+    if (!(clip[3] > 0)) return {};
+    whole.add(clip);
+    const std::array<double, 4> place = clip_place(picture, point);
+    if (std::max(std::abs(place[0]), std::abs(place[1])) > kBesidePicture * place[3]) continue;
+    seen.add(clip);
+    ++seen_points;
+  }
+  if (whole.is_empty()) return {};
+  return seen_points < kFewestPoints || seen.is_empty() ? whole : around_seen(whole, seen, seen_points);
+}
+
+/// Narrows a light's view to what the picture shows of the tissue at rest, and as much more as that has grown: the
+/// shadow's raster is finer then, and stays still while the scene moves a little.
+Matrix4 narrowed_to_tissue(const Matrix4& matrix, const SceneExtent& extent, const Camera& camera) {
+  constexpr double kMargin = 1.15;
+  const std::optional<LightWindow> window = window_of_tissue(matrix, extent, camera);
+  if (!window) return matrix;
   const double grown = extent.reach / (0.5 * extent.size);
   Matrix4 result = matrix;
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    const double middle = 0.5 * (low[axis] + high[axis]);
-    const double half = std::clamp(0.5 * kMargin * grown * (high[axis] - low[axis]), 0.05, 1.0);
+    const double middle = 0.5 * (window->low[axis] + window->high[axis]);
+    const double half = std::clamp(0.5 * kMargin * grown * (window->high[axis] - window->low[axis]), 0.05, 1.0);
     const int row = static_cast<int>(axis);
     for (int column = 0; column < 4; ++column) {
       result(row, column) = (matrix(row, column) - middle * matrix(3, column)) / half;
@@ -149,8 +197,8 @@ Matrix4 narrowed_to_tissue(const Matrix4& matrix, const SceneExtent& extent) {
   return result;
 }
 
-Matrix4 key_light_matrix(const SceneExtent& extent, const Studio& studio) {
-  return narrowed_to_tissue(whole_light_matrix(extent, studio), extent);
+Matrix4 key_light_matrix(const SceneExtent& extent, const Studio& studio, const Camera& camera) {
+  return narrowed_to_tissue(whole_light_matrix(extent, studio), extent, camera);
 }
 
 FrameUniforms frame_uniforms(const Camera& camera, const SceneExtent& extent, const ViewDefinition& view,
@@ -159,7 +207,7 @@ FrameUniforms frame_uniforms(const Camera& camera, const SceneExtent& extent, co
   const bool with_floor = view.look.floor && !extent.rest_points.empty() && camera.position.z > extent.floor_height;
   FrameUniforms frame;
   frame.view_projection = float_matrix(camera.matrix());
-  frame.shadow_matrix = float_matrix(texture_matrix() * key_light_matrix(extent, studio));
+  frame.shadow_matrix = float_matrix(texture_matrix() * key_light_matrix(extent, studio, camera));
   frame.camera_position = float4(camera.position, 1);
   frame.ray_middle = float4(camera.forward, 0);
   frame.ray_right = float4(camera.tangent_x * camera.right, 1.0 / size.width);

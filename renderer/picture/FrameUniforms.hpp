@@ -67,8 +67,8 @@ FrameUniforms frame_uniforms(const Camera& camera, const SceneExtent& extent, co
 /// The same, sampled at `shift` (pixels, right and up) off the middles of the pixels of a picture of `size`.
 FrameUniforms sampled_off_middle(FrameUniforms frame, std::array<double, 2> shift, ImageSize size);
 
-/// The clip matrix of the light that casts the shadow: the scene seen from there.
-Matrix4 key_light_matrix(const SceneExtent& extent, const Studio& studio);
+/// The clip matrix of the light that casts the shadow: what `camera` shows of the scene seen from there.
+Matrix4 key_light_matrix(const SceneExtent& extent, const Studio& studio, const Camera& camera);
 
 /// sRGB to linear, each 0 to 1 (IEC 61966-2-1).
 double linear_from_srgb(double value);

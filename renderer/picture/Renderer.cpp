@@ -89,7 +89,7 @@ struct Stage {
   std::vector<std::uint8_t> bare;  // the picture without fluids; empty where there are none, and but for Tier::kFinal
 
   void shade_floor(const Studio& studio, PassClock& clock);
-  void draw_shadow_map(const SceneExtent& extent, const Studio& studio, PassClock& clock);
+  void draw_shadow_map(const Matrix4& light_matrix, PassClock& clock);
   void draw_backdrop(Ground ground, const FieldStop& stop, PassClock& clock);
   void clear_depth(const FieldStop& stop);
   void lay_backdrop(const FrameUniforms& frame, bool has_tools, PassClock& clock);
@@ -114,9 +114,9 @@ void Stage::shade_floor(const Studio& studio, PassClock& clock) {
   clock.ends("floor's shade");
 }
 
-void Stage::draw_shadow_map(const SceneExtent& extent, const Studio& studio, PassClock& clock) {
+void Stage::draw_shadow_map(const Matrix4& light_matrix, PassClock& clock) {
   if (tier != Tier::kDraft) {
-    shadow_map.draw(meshes, key_light_matrix(extent, studio));
+    shadow_map.draw(meshes, light_matrix);
   } else {
     shadow_map.clear();
   }
@@ -321,7 +321,7 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
   stage->shade_floor(studio, clock);
   stage->draw_backdrop(ground, field_stop(frame), clock);
   // After the backdrop was read, for which the driver finishes all that it has to do.
-  stage->draw_shadow_map(extent, studio, clock);
+  stage->draw_shadow_map(key_light_matrix(extent, studio, pinhole), clock);
   stage->clear_depth(field_stop(frame));
   stage->draw_surface(frame, clock);
   stage->lay_backdrop(frame, !snapshot.tools.empty(), clock);

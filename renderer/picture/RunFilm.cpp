@@ -73,14 +73,15 @@ void append_row(const RunCourse& course, const RunShape& shape, double along, do
   const Vector3 rest = course.at(along, course.surface.topology->rest_positions) + ahead * sense;
   for (const double across : {-1.0, 0.0, 1.0}) {
     const double out = across * (half + kFilmMargin);
-    film.vertices.push_back({.position = float3(middle + out * side + 0.0001 * normal),
-                             .normal = float3(normal),
-                             .rest = float3(rest + out * side),
-                             .inward = static_cast<float>(across == 0 && ahead == 0 ? half : -kFilmMargin),
-                             .width = static_cast<float>(std::max(half, 1e-5)),
-                             .height = static_cast<float>(shape.height * half / shape.half_width),
-                             .dry = static_cast<float>(shape.dry),
-                             .lift = kAcrossTriangles});
+    film.vertices.push_back(
+        {.position = float3(middle + out * side + 0.0001 * normal),
+         .normal = float3(normal),
+         .rest = float3(rest + out * side),
+         .inward = static_cast<float>(across == 0 && ahead == 0 ? half : -kFilmMargin),
+         .width = static_cast<float>(std::max(half, 1e-5)),
+         .height = static_cast<float>(shape.height * half * half / (shape.half_width * shape.half_width)),
+         .dry = static_cast<float>(shape.dry),
+         .lift = kAcrossTriangles});
   }
 }
 

@@ -14,8 +14,10 @@ namespace {
 
 // All in metres; places are (x', y', back from the tip), as in ToolBuilder::add_quad.
 
-constexpr float kBlade = 0.14f;   // roughness of its faces
-constexpr float kGround = 0.14f;  // and of its bevels
+constexpr float kBlade = 0.07f;    // roughness of its faces
+constexpr float kGround = 0.09f;   // and of its bevels
+constexpr float kStamped = 0.22f;  // and of its narrow sides
+constexpr double kRounding = 0.3;  // by how much more than its middle a narrow side leans at its edges
 
 double smooth_step(double t) {
   return t * t * (3 - 2 * t);
@@ -28,45 +30,51 @@ struct Blade {
         thick(0.5 * tool.thickness),
         length(tool.length),
         bevel(std::min(0.4 * wide, 0.1 * length)),
-        point(-0.35 * wide),
-        slant(std::min(1.7 * wide, 0.45 * length)),
-        belly(std::min(2.2 * wide, 0.6 * length)) {}
+        slant(std::min(2.8 * wide, 0.5 * length)),
+        belly(std::min(3.4 * wide, 0.65 * length)) {}
 
   double wide;   // half of the width
   double thick;  // half of the thickness
   double length;
   double bevel;  // width of what is ground off
-  double point;  // y' of the point, where the edge meets the back
-  double slant;  // how far up the back has its whole distance
+  double slant;  // how far behind the point the back has its whole distance from the middle
   double belly;  // and the edge
 
-  double back_side(double back) const { return std::lerp(point, -wide, std::min(back / slant, 1.0)); }
+  double back_side(double back) const { return -wide * std::min(back / slant, 1.0); }
 };
 
 /// A place of the edge, and where its bevel ends.
 struct EdgePlace {
   Vector3 edge{};
   Vector3 inner{};
-  Vector3 inward{};  // from one to the other
+  Vector3 inward{};   // from one to the other
+  double ground = 1;  // part of the bevel's width that there is room for before the back
 };
 
-/// From the point along the edge to the mount.
+/// At the point edge and back meet, and the bevel has no width.
+EdgePlace edge_place(const Blade& blade, double y, double back, Vector3 inward) {
+  const double steep = blade.wide / blade.slant;
+  const double toward_back = -inward.y - steep * inward.z;
+  const double room = back < blade.slant && toward_back > 0 ? (y + steep * back) / toward_back : blade.bevel;
+  const double ground = std::clamp(room / blade.bevel, 0.0, 1.0);
+  const Vector3 edge{0, y, back};
+  return {edge, edge + ground * blade.bevel * inward, inward, ground};
+}
+
+/// From the point along the edge to the mount: an arc of an ellipse that is cut off aslant by the back.
 std::vector<EdgePlace> edge_places(const Blade& blade) {
-  constexpr int kSteps = 14;
-  const auto place = [&](double y, double back, Vector3 inward) {
-    const Vector3 edge{0, y, back};
-    return EdgePlace{edge, edge + blade.bevel * inward, inward};
-  };
-  std::vector<EdgePlace> places = {place(blade.point, 0, {0, 0, 1})};
-  places.front().inner.y = blade.back_side(blade.bevel);
+  constexpr int kSteps = 16;
+  constexpr double kFirst = std::numbers::pi / 6;  // angle on the ellipse at which it begins
+  std::vector<EdgePlace> places;
   for (int k = 0; k <= kSteps; ++k) {
-    const double angle = 0.5 * std::numbers::pi * k / kSteps;
-    const double y = blade.wide * std::sin(angle), back = blade.belly * (1 - std::cos(angle));
-    // Across the ellipse.
-    const Vector3 inward = normalized({0, -blade.belly * std::sin(angle), blade.wide * std::cos(angle)});
-    places.push_back(place(y, back, inward));
+    const double angle = std::lerp(kFirst, 0.5 * std::numbers::pi, static_cast<double>(k) / kSteps);
+    const double across = blade.wide / (1 - std::sin(kFirst)), along = blade.belly / std::cos(kFirst);
+    const double y = across * (std::sin(angle) - std::sin(kFirst));
+    const double back = along * (std::cos(kFirst) - std::cos(angle));
+    const Vector3 inward = normalized({0, -along * std::sin(angle), across * std::cos(angle)});
+    places.push_back(edge_place(blade, y, back, inward));
   }
-  places.push_back(place(blade.wide, blade.length, {0, -1, 0}));
+  places.push_back(edge_place(blade, blade.wide, blade.length, {0, -1, 0}));
   return places;
 }
 
@@ -76,44 +84,57 @@ void add_flat(ToolBuilder& builder, const std::array<Vector3, 4>& corners, Vecto
   builder.add_quad(corners, {normal, normal, normal, normal}, roughness);
 }
 
+/// A narrow side between two broad ones, its corners at -x', x', x', -x': rounded by use, so that a line of it always
+/// glints.
+void add_narrow(ToolBuilder& builder, const std::array<Vector3, 4>& corners, Vector3 outward) {
+  const Vector3 across = normalized(cross(corners[2] - corners[0], corners[3] - corners[1]), outward);
+  const Vector3 normal = dot(across, outward) < 0 ? -across : across;
+  const Vector3 low = normal - Vector3{kRounding, 0, 0}, high = normal + Vector3{kRounding, 0, 0};
+  builder.add_quad(corners, {low, high, high, low}, kStamped);
+}
+
+/// The bevel and the broad face behind it on the side of `sense` (-1 or 1 along x'), between two places of the edge.
+void add_broad_side(ToolBuilder& builder, const Blade& blade, const EdgePlace& low, const EdgePlace& high,
+                    double edge_thick, double sense) {
+  const auto at = [](Vector3 place, double x) { return Vector3{x, place.y, place.z}; };
+  const auto inner = [&](const EdgePlace& place) {
+    return at(place.inner, sense * std::lerp(edge_thick, blade.thick, place.ground));
+  };
+  const auto on_back = [&](const EdgePlace& place) {
+    const Vector3 there = inner(place);
+    return Vector3{there.x, blade.back_side(there.z), there.z};
+  };
+  // Hollow, so that its faces mirror more than one place; the bevel is rounder towards the edge.
+  const auto hollow = [&](Vector3 place) { return normalized(Vector3{sense, -0.24 * place.y / blade.wide, 0}); };
+  const auto ground = [&](const EdgePlace& place, double lean) {
+    return Vector3{sense * blade.bevel, 0, 0} - lean * (blade.thick - edge_thick) * place.inward;
+  };
+  builder.add_quad({at(low.edge, sense * edge_thick), at(high.edge, sense * edge_thick), inner(high), inner(low)},
+                   {ground(low, 1.5), ground(high, 1.5), ground(high, 0.7), ground(low, 0.7)}, kGround);
+  const std::array<Vector3, 4> face = {inner(low), inner(high), on_back(high), on_back(low)};
+  builder.add_quad(face, {hollow(face[0]), hollow(face[1]), hollow(face[2]), hollow(face[3])}, kBlade);
+}
+
 void add_blade(ToolBuilder& builder, const Blade& blade, BladeEdge edge) {
   const std::vector<EdgePlace> places = edge_places(blade);
   const double edge_thick = edge == BladeEdge::kSharp ? 0 : 0.04 * blade.thick;
   const auto at = [](Vector3 place, double x) { return Vector3{x, place.y, place.z}; };
   const auto on_back = [&](double x, double back) { return Vector3{x, blade.back_side(back), back}; };
-  // Hollow, so that its faces mirror more than one place.
-  const auto hollow = [&](double sense, Vector3 place) {
-    return normalized(Vector3{sense, -0.16 * place.y / blade.wide, 0});
-  };
   for (std::size_t k = 1; k < places.size(); ++k) {
     const EdgePlace &low = places[k - 1], &high = places[k];
-    for (const double sense : {-1.0, 1.0}) {
-      const double thick = sense * blade.thick, sharp = sense * edge_thick;
-      const auto ground = [&](const EdgePlace& place) {
-        return Vector3{sense * blade.bevel, 0, 0} - (blade.thick - edge_thick) * place.inward;
-      };
-      builder.add_quad({at(low.edge, sharp), at(high.edge, sharp), at(high.inner, thick), at(low.inner, thick)},
-                       {ground(low), ground(high), ground(high), ground(low)}, kGround);
-      if (k == 1) continue;  // from there on up to the back
-      const Vector3 low_inner = at(low.inner, thick), high_inner = at(high.inner, thick);
-      const Vector3 low_back = on_back(thick, low.inner.z), high_back = on_back(thick, high.inner.z);
-      builder.add_quad(
-          {low_inner, high_inner, high_back, low_back},
-          {hollow(sense, low_inner), hollow(sense, high_inner), hollow(sense, high_back), hollow(sense, low_back)},
-          kBlade);
-    }
+    for (const double sense : {-1.0, 1.0}) add_broad_side(builder, blade, low, high, edge_thick, sense);
     if (edge == BladeEdge::kGround) {
       add_flat(
           builder,
           {at(low.edge, -edge_thick), at(low.edge, edge_thick), at(high.edge, edge_thick), at(high.edge, -edge_thick)},
           -low.inward - high.inward, kGround);
     }
-    const double from = k == 1 ? 0 : low.inner.z, to = high.inner.z;
-    const double from_thick = k == 1 ? edge_thick : blade.thick;
-    add_flat(
-        builder,
-        {on_back(-from_thick, from), on_back(from_thick, from), on_back(blade.thick, to), on_back(-blade.thick, to)},
-        {0, -1, 0}, kBlade);
+    const double from = std::lerp(edge_thick, blade.thick, low.ground);
+    const double to = std::lerp(edge_thick, blade.thick, high.ground);
+    add_narrow(builder,
+               {on_back(-from, low.inner.z), on_back(from, low.inner.z), on_back(to, high.inner.z),
+                on_back(-to, high.inner.z)},
+               {0, -1, 0});
   }
   const EdgePlace& end = places.back();
   const Vector3 rear{0, 0, 1};
@@ -141,16 +162,18 @@ void add_plate(ToolBuilder& builder, const std::vector<PlateRow>& rows, double t
     const PlateRow &low = rows[k - 1], &high = rows[k];
     for (const double side : {-1.0, 1.0}) {
       for (const double x : {-thick, thick}) {
-        add_flat(builder,
-                 {at(low, x, side * low.slot), at(low, x, side * low.wide), at(high, x, side * high.wide),
-                  at(high, x, side * high.slot)},
-                 {x, 0, 0}, kBlade);
+        const std::array<Vector3, 4> face = {at(low, x, side * low.slot), at(low, x, side * low.wide),
+                                             at(high, x, side * high.wide), at(high, x, side * high.slot)};
+        const auto hollow = [&](Vector3 place) {
+          return normalized(Vector3{x, 0, 0}) - Vector3{0, 0.16 * place.y / high.wide, 0};
+        };
+        builder.add_quad(face, {hollow(face[0]), hollow(face[1]), hollow(face[2]), hollow(face[3])}, kBlade);
       }
       const auto wall = [&](double from, double to, double outward) {
-        add_flat(builder,
-                 {at(low, -thick, side * from), at(low, thick, side * from), at(high, thick, side * to),
-                  at(high, -thick, side * to)},
-                 {0, side * outward, 0}, kBlade);
+        add_narrow(builder,
+                   {at(low, -thick, side * from), at(low, thick, side * from), at(high, thick, side * to),
+                    at(high, -thick, side * to)},
+                   {0, side * outward, 0});
       };
       wall(low.wide, high.wide, 1);
       if (low.slot > 0 || high.slot > 0) wall(low.slot, high.slot, -1);

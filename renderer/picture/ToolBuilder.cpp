@@ -52,6 +52,12 @@ constexpr double kHollow = 0.22;
 constexpr double kChamfer = 0.5;
 constexpr double kChamferWidth = 0.12;
 
+/// Roughness of its narrow sides and of what is ground off, over that of its broad faces.
+constexpr float kSideFinish = 0.75F;
+
+/// Cosine of the largest angle between two faces that follow one another which does not show as a crease.
+constexpr double kBent = 0.87;
+
 void ToolBuilder::join(const std::vector<FlatSection>& sections) {
   // Corners of a section, from the middle of one broad face around to the other: x' and y' over its half sides.
   constexpr std::array<std::array<double, 2>, 4> kQuarter = {
@@ -65,14 +71,26 @@ void ToolBuilder::join(const std::vector<FlatSection>& sections) {
     const auto [x, y] = kQuarter[k % kQuarter.size()];
     return middle_of(section) + sense * x * section.half_thickness * side_ + sense * y * section.half_width * axis_;
   };
+  // Of the face from corner `c` on, between section `k` and the one before.
+  const auto corners = [&](std::size_t k, std::size_t c) {
+    return std::array<Vector3, 4>{corner(sections[k - 1], c), corner(sections[k - 1], c + 1),
+                                  corner(sections[k], c + 1), corner(sections[k], c)};
+  };
+  const auto normal = [&](std::size_t k, std::size_t c) {
+    const auto [a, b, d, e] = corners(k, c);
+    const Vector3 across = normalized(cross(d - a, b - e));
+    const Vector3 outwards = 0.25 * (a + b + d + e) - 0.5 * (middle_of(sections[k - 1]) + middle_of(sections[k]));
+    return dot(across, outwards) < 0 ? -across : across;
+  };
   for (std::size_t k = 1; k < sections.size(); ++k) {
-    const FlatSection &front = sections[k - 1], &rear = sections[k];
     for (std::size_t c = 0; c < kCorners; ++c) {
-      const Vector3 middle = 0.25 * (corner(front, c) + corner(front, c + 1) + corner(rear, c) + corner(rear, c + 1));
-      const Vector3 outwards = middle - 0.5 * (middle_of(front) + middle_of(rear));
-      const bool is_broad = c % kQuarter.size() == 0;
-      append_face({corner(front, c), corner(front, c + 1), corner(rear, c + 1), corner(rear, c)}, outwards, rear,
-                  is_broad);
+      const Vector3 own = normal(k, c);
+      // Faces that turn little from one to the next are one that is bent.
+      const auto bent = [&](std::size_t other) {
+        const Vector3 next = other > 0 && other < sections.size() ? normal(other, c) : own;
+        return dot(own, next) > kBent ? normalized(own + next) : own;
+      };
+      append_face(corners(k, c), bent(k - 1), bent(k + 1), sections[k], c % kQuarter.size() == 0);
     }
   }
   for (const FlatSection* end : {&sections.front(), &sections.back()}) {
@@ -122,19 +140,17 @@ Vector3 ToolBuilder::place(const OutlinePoint& point, double along_axis) const {
   return tip_ - point.back * direction_ + point.out * side_ + along_axis * axis_;
 }
 
-/// A plane face with the given corners, one after the other, whose normal is nearest to `outwards`.
-void ToolBuilder::append_face(const std::array<Vector3, 4>& corners, Vector3 outwards, const FlatSection& section,
-                              bool is_broad) {
+/// A face with the given corners, one after the other, the first two at its front; it may be bent between both ends.
+void ToolBuilder::append_face(const std::array<Vector3, 4>& corners, Vector3 front, Vector3 rear,
+                              const FlatSection& section, bool is_broad) {
   const double hollow = is_broad ? kHollow : 0;
   const auto first = static_cast<std::uint32_t>(shape_.vertices.size());
-  const Vector3 across = normalized(cross(corners[2] - corners[0], corners[3] - corners[1]));
-  const Vector3 normal = dot(across, outwards) < 0 ? -across : across;
-  for (const Vector3& corner : corners) {
-    const double aside = dot(corner - tip_, axis_);
-    const OutlinePoint point{.back = dot(tip_ - corner, direction_),
-                             .roughness = is_broad ? -section.roughness : -kPolished,
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const double aside = dot(corners[k] - tip_, axis_);
+    const OutlinePoint point{.back = dot(tip_ - corners[k], direction_),
+                             .roughness = -(is_broad ? 1.0F : kSideFinish) * section.roughness,
                              .grip = is_broad ? section.grip : 0};
-    append(corner, normalized(normal - (aside > 0 ? hollow : -hollow) * axis_), point);
+    append(corners[k], normalized((k < 2 ? front : rear) - (aside > 0 ? hollow : -hollow) * axis_), point);
   }
   append_triangle(first, first + 1, first + 2);
   append_triangle(first, first + 2, first + 3);

@@ -62,7 +62,8 @@ class ToolBuilder {
  private:
   Vector3 turned(Vector3 local) const;
   Vector3 place(const OutlinePoint& point, double along_axis) const;
-  void append_face(const std::array<Vector3, 4>& corners, Vector3 outwards, const FlatSection& section, bool is_broad);
+  void append_face(const std::array<Vector3, 4>& corners, Vector3 front, Vector3 rear, const FlatSection& section,
+                   bool is_broad);
   void append(Vector3 position, Vector3 normal, const OutlinePoint& point);
   void append_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
   void stitch(std::uint32_t first, std::uint32_t rows, std::uint32_t columns);

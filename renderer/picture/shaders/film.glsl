@@ -87,7 +87,11 @@ void main() {
   float covered = mix(smoothstep(0.0, max(2.0 * pixel, 0.00006), inward), smoothstep(0.0, kWets, coat_height), coat);
   // What a deep layer swallows most a thin one swallows first: it is tinted before it is opaque.
   vec3 swallowed = -log(clamp(fluid.rgb, 0.004, 0.9));
-  vec3 left = exp(-height * fluid.w / max(nv, 0.3) * swallowed / dot(swallowed, vec3(1.0 / 3.0)));
+  // The rim of a drop is a wedge, which light leaves by its side: it is clearer than it is thin.
+  float way = height * mix(cap, 1.0, coat) / max(nv, 0.3);
+  vec3 left = exp(-way * fluid.w * swallowed / dot(swallowed, vec3(1.0 / 3.0)));
+  // A thin film tints what lies below; only a deep one hides it by what floats in it.
+  float hidden = mix(0.4 + 0.6 * (1.0 - left.g), 1.0, coat);
   float dry = film.w;
 
   vec3 toward = lamp_direction(position);
@@ -114,7 +118,7 @@ void main() {
   vec3 ray = from_eye / depth;
   // Where it is steep, at its edge, a pixel would see single glints.
   vec3 mirrored = mix(smoothstep(0.0, 0.2, rise), 1.0, coat) * field_stop(ray) * displayed(lens_light(ray) * shine);
-  vec3 below = cloudiness * (1.0 - left) * finished(body, ray, gl_FragCoord.xy).rgb;
+  vec3 below = hidden * cloudiness * (1.0 - left) * finished(body, ray, gl_FragCoord.xy).rgb;
   color = vec4(covered * (mirrored + (1.0 - mirrored) * below), 1.0);
   through = vec4(1.0 - covered * (1.0 - (1.0 - mirrored) * left), 1.0);
 }

@@ -42,13 +42,16 @@ Steel steel_at(ivec2 pixel) {
                abs(normal.w), normal.w < 0.0 ? 1.0 : 0.0, axis.xyz, axis.w);
 }
 
+// 0 where it is polished, 1 where it is brushed.
+float brushing(Steel steel) { return saturate(7.0 * (steel.finish - 0.10)); }
+
 // What an endoscope's lamp lights around the scene, as matte colours: all of it, hollows, and what glistens.
 const vec3 kSurroundings = vec3(0.125, 0.050, 0.036);
-const vec3 kHollow = vec3(0.040, 0.024, 0.021);
+const vec3 kHollow = vec3(0.037, 0.034, 0.033);
 const vec3 kGlistening = vec3(0.95, 0.89, 0.87);
 
 // Part of a lamp's light that the fine scratches of brushed steel send everywhere: it is grey between its highlights.
-const float kScratched = 0.055;
+const float kScratched = 0.035;
 
 // The tissue as a ball around the scene's centre: its part of what `direction` sees, blurred; it fades up the shaft.
 float tissue_part(Steel steel, vec3 direction) {
@@ -137,21 +140,26 @@ float streak(vec3 normal, vec3 axis, vec3 view, vec3 toward, float turned) {
 vec3 surroundings_light(Steel steel, vec3 view, vec3 mirrored, vec3 smooth_mirrored, float visible) {
   float roughness = steel.roughness, flatness = steel.flatness;
   vec3 light = environment_light(mirrored, roughness, mix(0.25, 1.0, visible));
-  // A flat face shows a small part of what is around, which is as far away as the scene is large: light and dark in turns.
-  vec3 seen_there = 9.0 * (steel.position - scene_center.xyz) / scene_center.w + 3.0 * mix(smooth_mirrored, mirrored, 0.3);
+  // A flat face shows a small part of what is around, which is as far away as the scene is large: light and dark in turns,
+  // whose borders are as sharp as the steel is smooth.
+  vec3 seen_there = 3.0 * (steel.position - scene_center.xyz) / scene_center.w +
+                    mix(3.0, 1.8, brushing(steel)) * mix(smooth_mirrored, mirrored, 0.3);
   float around = noise(mix(1.6 * mirrored, seen_there, flatness) + 5.0).w;
-  float lit_there = smoothstep(-0.20 - roughness, 0.30 + roughness, around);
+  float lit_there = smoothstep(-0.09 - 1.1 * roughness, 0.07 + 1.1 * roughness, around);
 #ifdef ENDOSCOPE
   // The lamp lights what lies before the lens; behind it there is the dark that steel shows in its middle.
   float ahead = dot(mirrored, line_of_sight.xyz);
   light *= 0.12;
-  light += mix(kSurroundings * (1.0 + 0.8 * around), mix(kHollow, kGlistening, lit_there), flatness) *
-           lamp_light(scene_center.xyz) * smoothstep(-0.15 - roughness, 0.95, ahead);
+  light += mix(kSurroundings * (1.0 + 0.8 * around), mix(kHollow, (0.5 + 0.9 * saturate(1.6 * around)) * kGlistening, lit_there), flatness) *
+           lamp_light(scene_center.xyz) * smoothstep(mix(-0.15, -0.6, flatness) - roughness, 0.95, ahead);
   vec3 tissue_light = 0.45 * tissue.rgb * lamp_light(scene_center.xyz);
 #else
+  // Below, the ground, which lies farther off than the tissue and is seen beside that.
+  float below = floor_plane.y * smoothstep(-0.02 - roughness, 0.10 + roughness, -mirrored.z);
+  light = mix(light, 0.8 * floor_key.rgb + floor_sky.rgb, 0.20 * below);
   // The front of the room, which a flat face shows that looks at the viewer.
   float toward_viewer = smoothstep(-0.3, 0.7, dot(mirrored.xy, view.xy));
-  light += flatness * environment.x * environment.y * key_direction.w * toward_viewer * mix(0.14, 0.38, lit_there) * kFillColor;
+  light += flatness * environment.x * environment.y * key_direction.w * toward_viewer * mix(0.10, 0.66, lit_there) * kFillColor;
   vec3 tissue_light = tissue.rgb * (0.15 + 0.8 * key_direction.w * saturate(key_direction.z)) * environment.x;
 #endif
   return mix(light, tissue_light, mix(0.35, 0.15, flatness) * tissue_part(steel, mirrored));
@@ -166,7 +174,7 @@ void main() {
   vec3 normal = dot(steel.normal, view) < 0.0 ? -steel.normal : steel.normal;
 
   // Rings of the handle, and the marks that grinding has left; neither is finer than the pixels.
-  float pixel = environment.w * steel.depth / scene_center.w;
+  float pixel = environment.w * steel.depth / (scene_center.w * max(dot(normal, view), 0.2));
   const float kMarks = 560.0;  // over the scene's size
   float turn = 2.0 * kPi * kToolRings * steel.along;
   float ring = steel.ring_depth * (1.0 - smoothstep(0.2, 0.5, kToolRings * pixel));
@@ -176,9 +184,9 @@ void main() {
   float lean = 4.0 * flank * (1.0 - flank) * cos(turn);
   vec4 marks = noise(vec3(kMarks * steel.along, 14.0 * steel.aside));
   vec4 wear = noise(vec3(16.0 * steel.along, 40.0 * steel.aside) + 7.0);
-  float marked = (1.0 - smoothstep(0.08, 0.32, kMarks * pixel)) * 1.7 * max(steel.finish - 0.10, 0.0);
+  float marked = (1.0 - smoothstep(0.08, 0.32, kMarks * pixel)) * 0.55 * max(steel.finish - 0.10, 0.0);
   vec3 smooth_mirrored = reflect(-view, normal);
-  normal = normalize(normal + (0.25 * marked * marks.x + 0.55 * ring * lean) * axis);
+  normal = normalize(normal + (0.15 * marked * marks.x + 0.55 * ring * lean) * axis);
   float nv = max(dot(normal, view), 0.02);
 
   float visible = key_visibility(position, normal);
@@ -187,19 +195,19 @@ void main() {
   vec4 sent = mirrored_tissue(steel, smooth_mirrored);
   // Beside what the lamps do to a flat face it is pale.
 #ifdef ENDOSCOPE
-  sent.w *= mix(1.0, 0.3, flatness);
+  sent.w *= mix(1.0, 0.35, flatness);
 #else
   sent.w *= mix(1.0, 0.6, flatness);
 #endif
   // The rougher, the more of it is lost among all else.
-  float brushed = saturate(7.0 * (steel.finish - 0.10));
+  float brushed = brushing(steel);
   light = mix(light, mix(0.72, 0.45, brushed) * sent.rgb, mix(1.0, 0.45, brushed) * sent.w) * (1.0 + marked * marks.w);
 #ifdef ENDOSCOPE
   vec3 toward = lamp_direction(position);
   // Brushed: a sharp highlight in a streak, and a wide one that makes flat faces grey which are turned away from the lamp.
   float highlight = mix(0.55, 0.40, flatness) * glint(normal, view, toward, max(square(roughness), 0.02)) +
-                    mix(0.06, 0.30, flatness) * glint(normal, view, toward, mix(0.35, 0.50, brushed)) +
-                    mix(0.30, 0.20, flatness) * streak(normal, axis, view, toward, turned) +
+                    mix(0.06, 0.15, flatness) * glint(normal, view, toward, mix(0.28, 0.38, brushed)) +
+                    mix(0.30, 0.20 * brushed, flatness) * streak(normal, axis, view, toward, turned) +
                     kScratched * brushed * saturate(dot(normal, toward));
   light += visible * highlight * (1.0 + 0.9 * marked * marks.w) * lamp_light(position);
 #else

@@ -20,9 +20,22 @@ SceneExtent sheet() {
   return extent;
 }
 
+/// Sees `half_width` (metres) to both sides of `middle`, from above.
+Camera camera_above(Vector3 middle, double half_width) {
+  Camera camera;
+  camera.position = middle + Vector3{0, 0, 0.1};
+  camera.right = {1, 0, 0};
+  camera.up = {0, 1, 0};
+  camera.forward = {0, 0, -1};
+  camera.tangent_x = camera.tangent_y = half_width / 0.1;
+  return camera;
+}
+
+const Camera kSeesAll = camera_above({}, 0.1);
+
 /// Most of |x| and of |y| of all rest points in the map.
-std::array<double, 2> most_in_map(const SceneExtent& extent, const Studio& studio) {
-  const Matrix4 matrix = key_light_matrix(extent, studio);
+std::array<double, 2> most_in_map(const SceneExtent& extent, const Studio& studio, const Camera& camera = kSeesAll) {
+  const Matrix4 matrix = key_light_matrix(extent, studio, camera);
   std::array<double, 2> most{};
   for (const Vector3& point : extent.rest_points) {
     std::array<double, 4> clip{};
@@ -55,6 +68,53 @@ TEST(KeyLight, LeavesRoomForTissueThatHasGrown) {
   SceneExtent extent = sheet();
   extent.reach *= 1.25;
   for (const double most : most_in_map(extent, kFarLamp)) EXPECT_NEAR(most, 1 / (1.15 * 1.25), 1e-6);
+}
+
+/// A sheet of 60 mm by 60 mm whose points lie 1 mm apart.
+SceneExtent fine_sheet() {
+  SceneExtent extent;
+  for (int i = -30; i <= 30; ++i) {
+    for (int k = -30; k <= 30; ++k) extent.rest_points.push_back({1e-3 * i, 1e-3 * k, 0});
+  }
+  extent.size = 2 * std::hypot(0.03, 0.03);
+  extent.reach = 0.5 * extent.size;
+  return extent;
+}
+
+const Studio kLampAbove = {.key_direction = {0, 0, 1}, .fill_direction = {0, 0, 1}, .front = {0, -1, 0}};
+
+TEST(KeyLight, FillsItsMapWithWhatThePictureShows) {
+  const SceneExtent extent = fine_sheet();
+  const Vector3 middle{0.012, -0.008, 0};
+  constexpr double kHalf = 0.01;
+  const Matrix4 matrix = key_light_matrix(extent, kLampAbove, camera_above(middle, kHalf));
+  double most = 0, most_seen = 0;
+  for (const Vector3& point : extent.rest_points) {
+    const bool is_seen = std::max(std::abs(point.x - middle.x), std::abs(point.y - middle.y)) <= kHalf;
+    for (int row = 0; row < 2; ++row) {
+      const double place =
+          matrix(row, 0) * point.x + matrix(row, 1) * point.y + matrix(row, 2) * point.z + matrix(row, 3);
+      most = std::max(most, std::abs(place));
+      if (is_seen) most_seen = std::max(most_seen, std::abs(place));
+    }
+  }
+  EXPECT_LT(most_seen, 0.9) << "beyond nine tenths shadows fade";
+  EXPECT_GT(most_seen, 0.6);
+  EXPECT_GT(most, 1.5) << "the rest of the sheet is beside the map";
+}
+
+TEST(KeyLight, KeepsItsMapWhileTheCameraMovesALittle) {
+  const SceneExtent extent = fine_sheet();
+  const auto map_at = [&](double x) {
+    return key_light_matrix(extent, kLampAbove, camera_above({x, 0, 0}, 0.01)).values;
+  };
+  EXPECT_EQ(map_at(0.0002), map_at(0.0004));
+  EXPECT_NE(map_at(0), map_at(0.01));
+}
+
+TEST(KeyLight, OfFewPointsKeepsAllInItsMap) {
+  const Camera beside = camera_above({0.02, 0, 0}, 0.012);
+  for (const double most : most_in_map(sheet(), kFarLamp, beside)) EXPECT_NEAR(most, 1 / 1.15, 1e-6);
 }
 
 TEST(KeyLight, AmongTheTissueKeepsItsWholeView) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <vector>
 
 #include "renderer/picture/Vector.hpp"
@@ -157,6 +158,53 @@ TEST(ToolShape, ABladeIsSharpAtItsTipHasABellyInFrontAndStaysWithinWhatCuts) {
   ASSERT_FALSE(belly.empty());
   EXPECT_NEAR(*std::ranges::min_element(belly), 0, 1e-9);
   EXPECT_NEAR(*std::ranges::max_element(belly), 3e-3, 1e-8);
+}
+
+TEST(ToolShape, ABladeEndsInAPointWhereEdgeAndBackMeet) {
+  SnapshotTool tool = tool_of(SnapshotToolKind::kScalpel);
+  tool.tip = {};
+  tool.direction = {0, 0, -1};
+  tool.length = 2.5 * tool.width;
+  // Tangents of the angles off the middle line at which back and edge are seen from the tip.
+  double back = 0, edge = 0, thick = 0;
+  for (const ToolVertex& vertex : tool_shape(tool, 0.1).vertices) {
+    const auto [x, y, z] = vertex.position;
+    if (z > 0.25 * tool.width) continue;
+    if (z < 1e-9) {
+      EXPECT_NEAR(y, 0, 1e-9) << "nothing but the tip is as far in front";
+      thick = std::max<double>(thick, std::abs(x));
+      continue;
+    }
+    back = std::max<double>(back, -y / z);
+    edge = std::max<double>(edge, y / z);
+  }
+  // Seen: 0.40 and 0.86.
+  EXPECT_LT(back, 0.5);
+  EXPECT_LT(edge, 1.0);
+  EXPECT_GT(edge, 0.5);
+  EXPECT_LT(thick, 0.05 * tool.thickness);
+}
+
+TEST(ToolShape, AHandleThatWidensIsBentAndHasNoFacets) {
+  SnapshotTool tool = tool_of(SnapshotToolKind::kScalpel);
+  tool.tip = {};
+  tool.direction = {0, 0, -1};
+  std::map<Float3, std::vector<Vector3>> normals_at;
+  for (const ToolVertex& vertex : tool_shape(tool, 0.1).vertices) {
+    // Behind the mount and what joins it to the handle, before its round end.
+    const float height = vertex.position[2];
+    if (height > tool.length + 3.5 * tool.width && height < tool.length + 10 * tool.width) {
+      normals_at[vertex.position].push_back(vector3(vertex.normal));
+    }
+  }
+  ASSERT_FALSE(normals_at.empty());
+  for (const auto& [place, normals] : normals_at) {
+    for (const Vector3& normal : normals) {
+      const double cosine = dot(normal, normals.front());
+      EXPECT_FALSE(cosine < 0.99999 && cosine > 0.95)
+          << "a crease of " << std::acos(cosine) << " radians at " << place[2];
+    }
+  }
 }
 
 TEST(ToolShape, ASharpEdgeIsALineAndLeavesTheBladeClosed) {
