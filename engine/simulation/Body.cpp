@@ -327,7 +327,7 @@ void Body::advance_in_parts(const BodyState& start, std::span<const ToolPose> be
   int failed = 0;  // in a row
   while (step.done < 1) {
     const std::vector<ToolPose> to = interpolate(begin, end, step.done + step.part);
-    const BodyState before = state_;
+    BodyState before = state_;
     state_.cut.division = step.division;
     const int iterations = report_.newton_iterations, shifted = report_.shifted_iterations;
     if (!try_step(from, to, step.part * duration, part_of(input, start, step.done, step.part))) {
@@ -343,6 +343,13 @@ void Body::advance_in_parts(const BodyState& start, std::span<const ToolPose> be
       continue;
     }
     failed = 0;
+    if (mark_driving(state_.cut, before.cut)) {
+      // Again without what drove the wall: a cut that opens by itself is free, and its energy a motion.
+      state_ = std::move(before);
+      last_step_.reset();
+      ++report_.refinements;
+      continue;
+    }
     const double error = options_.step_error > 0 ? step_error(before, step.part * duration) / options_.step_error : 0;
     const bool was_easy = report_.newton_iterations - iterations <= kEasyIterations;
     // Where flaps flutter the matrix is not convex at first, and shorter steps show more of that.

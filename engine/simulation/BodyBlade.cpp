@@ -28,20 +28,6 @@ constexpr double kArrearsPaid = 0.5;
 /// go by that way, and such a wall would spring back the faster the more is let go, however short the steps.
 constexpr double kMostProgress = 8;
 
-/// Part of what a cut costs that the forces at its lips may do on the wall before they are let go: they stand for what
-/// the wall bore across the cut, and push a piece that turns or flies away as no wall does.
-constexpr double kMostDriven = 0.5;
-
-/// What the forces at held lips have done on the wall by a motion, (unknowns), metres.
-void note_work(const Eigen::VectorXd& motion, CutProgress& cut) {
-  for (HeldLips& lips : cut.held) {
-    for (const HeldForce& one : lips.forces) lips.work += lips.held * one.force.dot(motion.segment<3>(3 * one.vertex));
-    for (const HeldTurn& one : lips.turns) lips.work += lips.held * one.force * motion[one.unknown];
-    lips.drives = lips.work > kMostDriven * cut.cost * lips.length;
-    lips.runs = lips.runs || lips.drives;
-  }
-}
-
 /// Work of the wall against what holds its lips, joule.
 struct LipWork {
   double released = 0;  // of lips that pay for new cut area

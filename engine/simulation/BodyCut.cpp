@@ -229,7 +229,8 @@ void Body::hold_as_it_is(double length, bool pays, std::span<const ToolPose> pos
   find_forces(poses);
   // Flips of edges and lumped masses change what is stored by a trifle.
   state_.books.jump += stored - state_.books.stored();
-  HeldLips held{.forces = {}, .length = length, .pays = pays};
+  const double cost = state_.cut.cost > 0 ? state_.cut.cost : model_->cut_cost(0);
+  HeldLips held{.forces = {}, .length = length, .worth = cost * length, .pays = pays};
   // What slowed the wall is among them from now on.
   state_.drag_force.resize(0);
   const Eigen::VectorXd left_over =

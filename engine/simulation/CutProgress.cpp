@@ -1,12 +1,16 @@
 #include "engine/simulation/CutProgress.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace thinwall {
 namespace {
 
 /// Part of their forces by which lips are let go in a step where no blade leads.
 constexpr double kIdleRelease = 0.25;
+
+/// Part of what a cut is worth that the forces at its lips may do on the wall.
+constexpr double kMostDriven = 0.2;
 
 }  // namespace
 
@@ -15,14 +19,36 @@ CutProgress let_go(const CutProgress& progress, const std::optional<BladeInput>&
   std::erase_if(after.held, [](const HeldLips& lips) { return lips.held == 0; });
   double travel = blade ? progress.progress * blade->travel : 0;
   for (HeldLips& lips : after.held) {
-    const bool follows = blade && !lips.runs;
-    const double part =
-        std::min(lips.held, follows ? travel / lips.length : kIdleRelease * (lips.drives ? 1 : progress.division));
+    const bool follows = blade && !lips.runs && !lips.drives;
+    // Half of what drives the wall before a step counts as done on it: where that is much the step is divided.
+    const double idle = lips.drives ? std::max(kIdleRelease, progress.division) : kIdleRelease * progress.division;
+    const double part = std::min(lips.held, follows ? travel / lips.length : idle);
     lips.held -= part;
     if (follows) travel -= part * lips.length;
   }
   after.push = blade && blade->travel > 0 ? progress.resistance : 0;
   return after;
+}
+
+void note_work(const Eigen::VectorXd& motion, CutProgress& cut) {
+  for (HeldLips& lips : cut.held) {
+    for (const HeldForce& one : lips.forces) lips.work += lips.held * one.force.dot(motion.segment<3>(3 * one.vertex));
+    for (const HeldTurn& one : lips.turns) lips.work += lips.held * one.force * motion[one.unknown];
+    lips.drives = lips.drives || lips.work > kMostDriven * lips.worth;
+  }
+}
+
+bool mark_driving(const CutProgress& after, CutProgress& before) {
+  bool any = false;
+  auto now = after.held.begin();
+  for (HeldLips& lips : before.held) {
+    // Those that nothing holds any more the step has left out.
+    if (lips.held == 0) continue;
+    assert(now != after.held.end());
+    any = any || (now->drives && !lips.drives);
+    lips.drives = (now++)->drives;
+  }
+  return any;
 }
 
 Eigen::VectorXd force_at_lips(const CutProgress& progress, Eigen::Index unknowns) {

@@ -35,10 +35,12 @@ struct HeldLips {
   std::vector<HeldTurn> turns = {};
   double held = 1;    // part of the forces that still acts
   double length = 0;  // metres, rest, of the cut: the blade's way over which it is let go
+  double worth = 0;   // joule, of new cut area of that length
   bool pays = true;   // whether what it releases pays for new cut area, or is lost
   double work = 0;    // joule, that the forces have done on the wall so far: below zero while they hold it
-  bool runs = false;  // let go in a few steps, whatever the blade does: the cut ran ahead here, or they drive the wall
-  bool drives = false;  // whether they drive the wall: let go in as many parts of steps, however short those are
+  bool runs = false;  // let go in a few steps, whatever the blade does: the cut ran ahead here
+  bool drives =
+      false;  // whether they drive the wall: let go in one step, and by a part of it as well where it is divided
 };
 
 /// A gap of the wall that a blade crosses.
@@ -90,6 +92,14 @@ struct CutProgress {
 /// the step before, or all by a fixed part where no blade goes on, as are those of cuts that ran ahead: by less where
 /// the step is divided. `blade`: none in a gap of the wall.
 CutProgress let_go(const CutProgress& progress, const std::optional<BladeInput>& blade);
+
+/// Adds up what the forces at held lips have done on the wall by a motion, (unknowns), metres. They stand for what the
+/// wall bore across the cut, and hold lips back: where they do more on the wall than a part of what new area costs they
+/// drive it, as a flap that turns or flies away.
+void note_work(const Eigen::VectorXd& motion, CutProgress& cut);
+
+/// Marks the lips in `before` that have come to drive the wall in the step to `after`; whether there are any.
+bool mark_driving(const CutProgress& after, CutProgress& before);
 
 /// Forces at the lips, (unknowns), newton; none where there are none.
 Eigen::VectorXd force_at_lips(const CutProgress& progress, Eigen::Index unknowns);

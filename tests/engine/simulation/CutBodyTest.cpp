@@ -366,5 +366,34 @@ TEST(LipsThatNoBladeLeads, AreLetGoByAsMuchLessAsAStepIsDivided) {
   EXPECT_DOUBLE_EQ(quarter.held[0].held, whole.held[0].held);
 }
 
+TEST(LipsThatDriveTheWall, AreMarkedOnceTheyHaveDoneAPartOfWhatTheirCutIsWorth) {
+  CutProgress before;
+  before.held = {{.forces = {{.vertex = 1, .force = {2, 0, 0}}}, .held = 0, .length = 1e-3, .worth = 1e-4},
+                 {.forces = {{.vertex = 0, .force = {2, 0, 0}}}, .length = 1e-3, .worth = 1e-4}};
+  // Held back by it, and driven: 2 N over 15 um are 30 uJ of 100.
+  const Eigen::Vector3d back(-15e-6, 0, 0), on(15e-6, 0, 0);
+  CutProgress after = let_go(before, {});
+  ASSERT_EQ(after.held.size(), 1U) << "nothing holds the first ones any more";
+  after.held[0].held = 1;
+  CutProgress driven = after;
+  note_work(back, after);
+  EXPECT_FALSE(mark_driving(after, before));
+  note_work(on, driven);
+  EXPECT_TRUE(mark_driving(driven, before));
+  EXPECT_FALSE(before.held[0].drives);
+  EXPECT_TRUE(before.held[1].drives);
+  EXPECT_FALSE(mark_driving(driven, before)) << "marked already";
+}
+
+TEST(LipsThatDriveTheWall, AreLetGoAtOnceOrByAsMuchAsAStepIsDividedInto) {
+  const BladeInput blade{.travel = 1e-4};
+  for (const auto& [division, left] : {std::pair(1.0, 0.0), std::pair(0.5, 0.5), std::pair(0.125, 0.75)}) {
+    CutProgress progress;
+    progress.held = {{.forces = {{.vertex = 0}}, .length = 1e-3, .drives = true}};
+    progress.division = division;
+    EXPECT_DOUBLE_EQ(let_go(progress, blade).held[0].held, left);
+  }
+}
+
 }  // namespace
 }  // namespace thinwall
