@@ -20,6 +20,15 @@
 namespace thinwall {
 namespace {
 
+/// The numbers on a patch of those that lie on it. `local`: (numbers), -1 beside it.
+std::vector<int> locals_of(const std::vector<int>& numbers, const std::vector<int>& local) {
+  std::vector<int> found;
+  for (const int number : numbers) {
+    if (number >= 0 && number < static_cast<int>(local.size()) && local[number] >= 0) found.push_back(local[number]);
+  }
+  return found;
+}
+
 constexpr double kFlat = 1e-6;  // sine of an angle: triangles that deviate less lie in one plane
 
 Eigen::Vector3d normal_of(const SurfaceMesh& mesh, int triangle) {
@@ -216,20 +225,14 @@ CutPatch CutSurface::extract(const CutPath& path, const CutOptions& options, int
     patch.scale.push_back(scale_[t]);
     patch.frozen.push_back(outermost);
   }
-  for (const int triangle : options.kept_triangles) {
-    const int local = numbers.local_triangle[triangle];
-    if (local >= 0) patch.frozen[local] = 1;
-  }
   patch.changed.assign(patch.triangles.size(), 0);
   patch.on_path.assign(patch.triangles.size(), {0, 0, 0});
   patch.line.assign(patch.positions.size(), Eigen::Vector3d::Zero());
   patch.freedom.resize(patch.positions.size());
   patch.find_freedom(0);
   allow_angles_as_now(patch);
-  for (const int vertex : options.kept_vertices) {
-    const int local = vertex >= 0 && vertex < static_cast<int>(local_vertex.size()) ? local_vertex[vertex] : -1;
-    if (local >= 0) patch.freedom[local] = VertexFreedom::kFixed;
-  }
+  for (const int local : locals_of(options.kept_triangles, local_triangle)) patch.frozen[local] = 1;
+  for (const int local : locals_of(options.kept_vertices, local_vertex)) patch.freedom[local] = VertexFreedom::kFixed;
   return patch;
 }
 

@@ -296,6 +296,15 @@ void Body::give_up() const {
                           (is_held_all_over ? "; `fixed` holds all of it, so that nothing gives way to a tool" : ""));
 }
 
+bool Body::takes_back_driven(BodyState& before) {
+  if (!mark_driving(state_.cut, before.cut)) return false;
+  // Again without what drove the wall: a cut that opens by itself is free, and its energy a motion.
+  state_ = std::move(before);
+  last_step_.reset();
+  ++report_.refinements;
+  return true;
+}
+
 void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> end, double duration,
                    const BodyInput& input) {
   report_ = {};
@@ -343,13 +352,7 @@ void Body::advance_in_parts(const BodyState& start, std::span<const ToolPose> be
       continue;
     }
     failed = 0;
-    if (mark_driving(state_.cut, before.cut)) {
-      // Again without what drove the wall: a cut that opens by itself is free, and its energy a motion.
-      state_ = std::move(before);
-      last_step_.reset();
-      ++report_.refinements;
-      continue;
-    }
+    if (takes_back_driven(before)) continue;
     const double error = options_.step_error > 0 ? step_error(before, step.part * duration) / options_.step_error : 0;
     const bool was_easy = report_.newton_iterations - iterations <= kEasyIterations;
     // Where flaps flutter the matrix is not convex at first, and shorter steps show more of that.

@@ -212,6 +212,8 @@ class Body {
   /// The way of `advance` from `start`, in parts where that is asked for; throws part way.
   void advance_in_parts(const BodyState& start, std::span<const ToolPose> begin, std::span<const ToolPose> end,
                         double duration, const BodyInput& input);
+  /// Takes a step back in which lips came to drive the wall; they are marked in `before`, where the body is then.
+  bool takes_back_driven(BodyState& before);
   [[noreturn]] void give_up() const;
   EquilibriumProblem make_problem(std::span<const ToolPose> end, double duration, const BodyInput& input) const;
   void add_fluids(double duration, const BodyInput& input, EquilibriumProblem& problem) const;

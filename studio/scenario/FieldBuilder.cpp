@@ -1,13 +1,10 @@
 #include "studio/scenario/FieldBuilder.hpp"
 
+#include "studio/scenario/CheckedReading.hpp"
 #include "studio/scenario/TextNode.hpp"
 
 namespace thinwall {
 namespace {
-
-Eigen::Vector3d to_vector(const CheckedValue& list) {
-  return {list.items[0].number, list.items[1].number, list.items[2].number};
-}
 
 int axis_index(const CheckedValue& axis) {
   return axis.text[0] - 'x';

@@ -6,38 +6,21 @@
 #include "renderer/look/FluidLooks.hpp"
 #include "renderer/look/Ground.hpp"
 #include "renderer/look/OrganLooks.hpp"
+#include "studio/scenario/CheckedReading.hpp"
+#include "studio/scenario/ClipBuilder.hpp"
 #include "studio/scenario/ExpectationQuantity.hpp"
 #include "studio/scenario/FieldBuilder.hpp"
 
 namespace thinwall {
 namespace {
 
-Eigen::Vector3d to_vector(const CheckedValue& list) {
-  return {list.items[0].number, list.items[1].number, list.items[2].number};
-}
-
 Double3 to_double3(const CheckedValue& list) {
   return {list.items[0].number, list.items[1].number, list.items[2].number};
-}
-
-std::optional<Eigen::Vector3d> find_vector(const CheckedValue& mapping, std::string_view key) {
-  const CheckedValue* list = mapping.find(key);
-  return list == nullptr ? std::nullopt : std::optional(to_vector(*list));
 }
 
 std::optional<Double3> find_double3(const CheckedValue& mapping, std::string_view key) {
   const CheckedValue* list = mapping.find(key);
   return list == nullptr ? std::nullopt : std::optional(to_double3(*list));
-}
-
-std::optional<std::string> find_text(const CheckedValue& mapping, std::string_view key) {
-  const CheckedValue* text = mapping.find(key);
-  return text == nullptr ? std::nullopt : std::optional(text->text);
-}
-
-std::optional<double> find_number(const CheckedValue& mapping, std::string_view key) {
-  const CheckedValue* number = mapping.find(key);
-  return number == nullptr ? std::nullopt : std::optional(number->number);
 }
 
 /// The enumerator of a word; the schema lets no other word through.
@@ -203,90 +186,6 @@ ToolDefinition to_tool(const CheckedMember& member) {
   }
   if (tool.kind == ToolKind::kPoint && tool.radius > 0) tool.kind = ToolKind::kSphere;
   return tool;
-}
-
-PalpateClip to_palpate(const CheckedValue& clip) {
-  return {.tool = clip.at("tool").text,
-          .body = clip.at("body").text,
-          .at = to_vector(clip.at("at")),
-          .direction = to_vector(clip.at("direction")),
-          .axis = find_vector(clip, "axis"),
-          .depth = clip.at("depth").number,
-          .speed = clip.at("speed").number,
-          .hold = clip.at("hold").number,
-          .standoff = clip.at("standoff").number,
-          .withdraw = clip.at("withdraw").boolean};
-}
-
-InciseClip to_incise(const CheckedValue& clip) {
-  InciseClip incise{.tool = clip.at("tool").text,
-                    .body = clip.at("body").text,
-                    .direction = find_vector(clip, "direction"),
-                    .reach = clip.at("reach").number,
-                    .depth = clip.at("depth").number,
-                    .speed = clip.at("speed").number,
-                    .hold = clip.at("hold").number,
-                    .standoff = clip.at("standoff").number,
-                    .withdraw = clip.at("withdraw").boolean};
-  for (const CheckedValue& point : clip.at("path").items) {
-    incise.path.push_back(to_vector(point));
-    incise.path_locations.push_back(point.location);
-  }
-  return incise;
-}
-
-MoveClip to_move(const CheckedValue& clip) {
-  return {.tool = clip.at("tool").text,
-          .body = find_text(clip, "body"),
-          .from = find_vector(clip, "from"),
-          .to = to_vector(clip.at("to")),
-          .direction = find_vector(clip, "direction"),
-          .axis = find_vector(clip, "axis"),
-          .duration = clip.at("for").number,
-          .ease = clip.at("ease").text == "linear" ? Ease::kLinear : Ease::kSmooth};
-}
-
-GraspClip to_grasp(const CheckedValue& clip) {
-  return {.tool = clip.at("tool").text,
-          .body = clip.at("body").text,
-          .at = to_vector(clip.at("at")),
-          .direction = to_vector(clip.at("direction")),
-          .axis = find_vector(clip, "axis"),
-          .depth = clip.at("depth").number,
-          .speed = clip.at("speed").number,
-          .standoff = clip.at("standoff").number,
-          .to = clip.at("to").number,
-          .grip = find_number(clip, "grip").value_or(0),
-          .duration = clip.at("for").number};
-}
-
-FillClip to_fill(const CheckedValue& clip, double sense) {
-  return {.body = clip.at("body").text,
-          .chamber = find_text(clip, "chamber"),
-          .added = sense * find_number(clip, "by").value_or(0),
-          .pressure = find_number(clip, "to"),
-          .drains = sense < 0,
-          .duration = clip.at("for").number};
-}
-
-Clip to_clip(const CheckedValue& item) {
-  const CheckedMember& action = item.members[0];
-  Clip clip{.action = WaitClip{}, .location = action.location};
-  if (action.key == "palpate") clip.action = to_palpate(action.value);
-  if (action.key == "pierce") clip.action = PierceClip{to_palpate(action.value)};
-  if (action.key == "incise") clip.action = to_incise(action.value);
-  if (action.key == "move") clip.action = to_move(action.value);
-  if (action.key == "grasp") clip.action = to_grasp(action.value);
-  if (action.key == "release") {
-    clip.action = ReleaseClip{.tool = action.value.at("tool").text, .duration = action.value.at("for").number};
-  }
-  if (action.key == "inflate") clip.action = to_fill(action.value, 1);
-  if (action.key == "drain") clip.action = to_fill(action.value, -1);
-  if (action.key == "wait") clip.action = WaitClip{action.value.at("for").number};
-  clip.start = find_number(action.value, "start");
-  clip.caption = find_text(action.value, "caption");
-  clip.chapter = find_text(action.value, "chapter");
-  return clip;
 }
 
 // Picture and record.
