@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "engine/mesh/SurfacePoint.hpp"
@@ -23,6 +24,15 @@ inline Eigen::Vector3d position_of(const SurfaceView& surface, const SurfacePoin
   const Eigen::Vector3i& vertices = surface.triangles[static_cast<std::size_t>(point.triangle)];
   for (int k = 0; k < 3; ++k) sum += point.weights[k] * surface.position.segment<3>(3 * vertices[k]);
   return sum;
+}
+
+/// Along a way over a surface, from each point straight to the next one, metres.
+inline double length_of(const SurfaceView& surface, std::span<const SurfacePoint> way) {
+  double length = 0;
+  for (std::size_t k = 1; k < way.size(); ++k) {
+    length += (position_of(surface, way[k]) - position_of(surface, way[k - 1])).norm();
+  }
+  return length;
 }
 
 /// The largest coordinate of a surface, metres: what its round-off is measured by.

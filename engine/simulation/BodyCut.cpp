@@ -48,15 +48,6 @@ bool is_whole(const CutPath& path) {
   return !path.from && !path.goes_on;
 }
 
-/// Of a way over a surface, metres.
-double length_of(const SurfaceView& surface, std::span<const SurfacePoint> way) {
-  double length = 0;
-  for (std::size_t k = 1; k < way.size(); ++k) {
-    length += (position_of(surface, way[k]) - position_of(surface, way[k - 1])).norm();
-  }
-  return length;
-}
-
 /// Edges of triangles that a short path can be cut into, metres; 0 where it is hardly longer than a point.
 double edge_for_short_path(const BodyModel& model, const CutPath& path) {
   const SurfaceView rest{.triangles = model.definition.mesh.triangles, .position = model.rest_position};
@@ -163,6 +154,7 @@ Cut Body::change_mesh(const CutPath& path, CutOptions options, Uncut* before) {
   }
   if (before != nullptr) before->surface = std::make_unique<CutSurface>(*surface_);
   Cut cut = surface_->cut(path, options);
+  // Where none of the triangles beside tools may change there may be no room for a cut: then they do.
   if (cut.triangles.empty() && !options.kept_triangles.empty()) {
     options.kept_triangles.clear();
     cut = surface_->cut(path, options);

@@ -28,11 +28,8 @@ Eigen::Vector3d across(const Eigen::Vector3d& vector, const Eigen::Vector3d& lin
 bool is_direct(const SurfaceView& wall, const SurfaceTrace& way, double edge) {
   if (way.pieces.size() != 1) return false;
   const std::vector<SurfacePoint>& points = way.pieces.front().points;
-  double length = 0;
-  for (std::size_t k = 1; k < points.size(); ++k) {
-    length += (position_of(wall, points[k]) - position_of(wall, points[k - 1])).norm();
-  }
-  return length <= kMostDetour * (position_of(wall, points.back()) - position_of(wall, points.front())).norm() + edge;
+  return length_of(wall, points) <=
+         kMostDetour * (position_of(wall, points.back()) - position_of(wall, points.front())).norm() + edge;
 }
 
 }  // namespace

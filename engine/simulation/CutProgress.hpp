@@ -39,8 +39,8 @@ struct HeldLips {
   bool pays = true;   // whether what it releases pays for new cut area, or is lost
   double work = 0;    // joule, that the forces have done on the wall so far: below zero while they hold it
   bool runs = false;  // let go in a few steps, whatever the blade does: the cut ran ahead here
-  bool drives =
-      false;  // whether they drive the wall: let go in one step, and by a part of it as well where it is divided
+  // Whether they drive the wall: let go in one step, and by as much as the part where one is divided.
+  bool drives = false;
 };
 
 /// A gap of the wall that a blade crosses.

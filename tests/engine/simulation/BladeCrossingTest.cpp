@@ -156,6 +156,7 @@ TEST(ABladeInABallUnderPressure, LeavesLessThanAPartOfAnEdgeOfItsCutUnpaid) {
     const double edge = body.model().edge_length * body.model().cut_cost(0);  // joule
     std::printf("jump %.2f edges, fracture %.1f edges\n", body.state().books.jump / edge,
                 body.state().books.fracture / edge);
+    // Seen: 0.29 at most; 0.61 and 0.69 where motions were added up and ways from tips got lost.
     EXPECT_LT(std::abs(body.state().books.jump), 0.45 * edge);
   }
 }

@@ -19,7 +19,25 @@ inline Scenario held_ball(int triangles, double time_step) {
   return scenario;
 }
 
-/// The same with a needle that goes into the crown. `toughness`: joule / metre^2. `depth`: metres.
+/// The same with a point, `probe`; each test adds its clips.
+inline Scenario ball_scenario() {
+  Scenario scenario = held_ball(320, 0.02);
+  scenario.tools = {{.name = "probe", .kind = ToolKind::kPoint}};
+  return scenario;
+}
+
+/// Of its crown, `x` beside the middle, by `depth`; metres.
+inline Clip palpation(double x, double depth = 0.003) {
+  return {.action = PalpateClip{.tool = "probe",
+                                .body = "ball",
+                                .at = {x, 0, 0.02},
+                                .depth = depth,
+                                .speed = 0.02,
+                                .hold = 0.1,
+                                .standoff = 0.004}};
+}
+
+/// A held ball with a needle that goes into the crown. `toughness`: joule / metre^2. `depth`: metres.
 inline Scenario pierced_ball(int triangles, double toughness, double depth) {
   Scenario scenario = held_ball(triangles, 0.02);
   scenario.bodies[0].toughness = Field<double>{.standard = toughness};
