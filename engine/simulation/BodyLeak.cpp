@@ -215,9 +215,7 @@ std::vector<double> Body::outflow_of(double duration, const EquilibriumProblem& 
     if (problem.fluids[c].vent == k || problem.is_sealed(k)) continue;
     const double time = counts_memory(problem, k) ? state_.outflow.time(duration) : duration;
     const double pressure = lip_pressure(*model_, problem, terms, k, reached.pressure);
-    if (problem.fluids[c].has_surface && pressure <= 0) continue;  // the lips are dry
-    const double now =
-        time * outflow(*model_, terms.lips[k].area.norm(), std::max(0.0, pressure), problem.approach_to(k)).rate;
+    const double now = time * outflow(*model_, problem, k, terms.lips[k].area.norm(), std::max(0.0, pressure)).rate;
     flown[k] += now;
     left[c] -= now;
   }
@@ -231,8 +229,8 @@ std::vector<double> Body::outflow_of(double duration, const EquilibriumProblem& 
       continue;
     }
     const double share = outflow_share(problem, vent, duration);
-    const double by_itself = state_.outflow.time(duration) *
-                             outflow(*model_, terms.lips[vent].area.norm(), 0, problem.approach_to(vent)).rate;
+    const double by_itself =
+        state_.outflow.time(duration) * outflow(*model_, problem, vent, terms.lips[vent].area.norm(), 0).rate;
     const double most = std::max(0.0, share + (problem.fluids[c].presses_out ? left[c] : std::min(by_itself, left[c])));
     flown[vent] = std::clamp(share + left[c] - fluid_held(problem, c, reached), 0.0, most);
   }

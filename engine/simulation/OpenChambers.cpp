@@ -11,6 +11,11 @@ namespace {
 /// Part of a motion by whose central difference the load on a cap is differentiated: it is a cubic.
 constexpr double kDifference = 1e-3;
 
+/// Mean edges that a free surface stands above the middle of an opening when the speed at which fluid comes to the lips
+/// counts in full. Were it none, a flow would begin at once as the surface reaches the lips, and the surface at the end
+/// of a step could have no place.
+constexpr double kFullApproachHeight = 0.5;
+
 /// Pressure of the contents of a chamber under their weight, and what their inertia adds: that of a fluid below a
 /// surface is taken to be spread over the whole chamber. Without a surface `weight` holds the sum of both.
 struct ContentsPressure {
@@ -234,9 +239,18 @@ double lip_pressure(const BodyModel& model, const EquilibriumProblem& problem, c
   return pressure[chamber] + model.definition.fluid.density * problem.gravity.dot(height);
 }
 
-Flow outflow(const BodyModel& model, double area, double lip_pressure, double approach) {
+Flow outflow(const BodyModel& model, const EquilibriumProblem& problem, int opening, double area, double lip_pressure) {
   const FluidDefinition& fluid = model.definition.fluid;
-  return approached_orifice_flow(fluid.discharge, area, fluid.density, lip_pressure, approach);
+  const Flow whole =
+      approached_orifice_flow(fluid.discharge, area, fluid.density, lip_pressure, problem.approach_to(opening));
+  if (!problem.fluids[model.openings[opening].chamber].has_surface) return whole;
+  if (lip_pressure <= 0) return {};
+  const double full = fluid.density * problem.gravity.norm() * kFullApproachHeight * model.edge_length;
+  if (lip_pressure >= full) return whole;
+  const Flow even = orifice_flow(fluid.discharge, area, fluid.density, lip_pressure);
+  const double part = lip_pressure / full;
+  return {.rate = even.rate + part * (whole.rate - even.rate),
+          .slope = even.slope + part * (whole.slope - even.slope) + (whole.rate - even.rate) / full};
 }
 
 OpeningEquation opening_equation(const BodyModel& model, const EquilibriumProblem& problem,
@@ -263,12 +277,11 @@ OpeningEquation opening_equation(const BodyModel& model, const EquilibriumProble
     } else {
       const Eigen::Vector3d& area = terms.lips[k].area;
       if (problem.is_sealed(k)) continue;
-      if (fluid.has_surface && at_lips <= 0) continue;  // the lips are dry
-      const Flow flow = outflow(model, area.norm(), at_lips, problem.approach_to(k));
+      const Flow flow = outflow(model, problem, k, area.norm(), at_lips);
       equation.value += fluid.outflow_time * flow.rate * held;
       equation.by_pressure += fluid.outflow_time * (flow.slope * held - flow.rate * yielding);
       if (with_derivatives) {
-        const double by_area = fluid.outflow_time * outflow(model, 1, at_lips, problem.approach_to(k)).rate * held;
+        const double by_area = fluid.outflow_time * outflow(model, problem, k, 1, at_lips).rate * held;
         by_lips = by_area * open_area_gradient(opening.at(position), area);
         by_lips.colwise() += fluid.outflow_time * flow.slope * held * slope;
       }

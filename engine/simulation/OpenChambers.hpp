@@ -49,9 +49,10 @@ Eigen::VectorXd rim_forces(const BodyModel& model, const EquilibriumProblem& pro
 double lip_pressure(const BodyModel& model, const EquilibriumProblem& problem, const EquilibriumTerms& terms,
                     int opening, const Eigen::VectorXd& pressure);
 
-/// Flow out through an opening under a pressure there; backwards where that is negative, which no solution is.
-/// `approach`: metres / second, at which the fluid comes to the lips.
-Flow outflow(const BodyModel& model, double area, double lip_pressure, double approach);
+/// Flow out through an opening of that area, metres^2, under a pressure there, pascal; backwards where that is
+/// negative, which no solution is. Below a free surface lips are dry then, and the higher it stands above them the more
+/// does the speed count at which the fluid comes to them.
+Flow outflow(const BodyModel& model, const EquilibriumProblem& problem, int opening, double area, double lip_pressure);
 
 /// The equation of an open chamber beside that of a closed one: the flow out, or the condition of a chamber with air in
 /// it. Volume in metres^3, and its derivatives by the chamber's pressure and the position.

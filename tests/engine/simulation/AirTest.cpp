@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "engine/simulation/OpenChambers.hpp"
 #include "tests/engine/simulation/LeakWatch.hpp"
 #include "tests/engine/simulation/OpenBodies.hpp"
 #include "tests/engine/simulation/TestBodies.hpp"
@@ -146,6 +147,28 @@ TEST(AirAboveACompressibleFluid, LeavesItAsDenseAsThePressureMakesItDownToNone) 
   EXPECT_TRUE(above_level);
   EXPECT_TRUE(below_level);
   EXPECT_LT(worst, 1e-14);
+}
+
+TEST(AirInAnOpenBody, LetsFluidOutBelowItsSurfaceWithoutAJumpHoweverFastItComesToTheLips) {
+  Body body(open_ball(320, 0, 2), {}, dynamic());
+  EquilibriumProblem problem;
+  problem.fluids = {{.has_surface = true}};
+  problem.gravity = {0, 0, -9.81};
+  problem.approach = {0.5};
+  const double area = 1e-4, whole = 0.5 * area;  // metres^2, and metres^3 / second: all that comes leaves
+  const auto at = [&](double pressure) { return outflow(body.model(), problem, 0, area, pressure); };
+  const double full = 1010 * 9.81 * 0.5 * body.model().edge_length;  // pascal
+  EXPECT_EQ(at(-1).rate, 0);
+  EXPECT_EQ(at(0).rate, 0);
+  EXPECT_LT(at(1e-6 * full).rate, 1e-4 * whole);
+  EXPECT_GE(at(full).rate, whole);
+  for (const double part : {0.1, 0.5, 0.9, 1.5}) {
+    const double pressure = part * full, change = 1e-5 * full;
+    const double slope = (at(pressure + change).rate - at(pressure - change).rate) / (2 * change);
+    EXPECT_NEAR(at(pressure).slope, slope, 1e-8 * slope);
+  }
+  problem.approach = {0};
+  EXPECT_EQ(at(0.5 * full).rate, orifice_flow(0.61, area, 1010, 0.5 * full).rate);
 }
 
 }  // namespace
