@@ -211,9 +211,20 @@ double Newton::force_scale(const EquilibriumProblem& problem, const EquilibriumT
   for (const Attachment& attachment : problem.attachments) {
     scale = std::max(scale, attachment.force.cwiseAbs().maxCoeff());
   }
-  // In a short step the inertia springs are stiff, and carry the round-off of the coordinates, some 1e-16 of them.
-  const double round_off = 1e-15 * problem.inertia * model_.mass.maxCoeff() * problem.start.lpNorm<Eigen::Infinity>();
-  return std::max(scale, round_off / 1e-9);
+  return std::max(scale, round_off(problem, terms) / 1e-9);
+}
+
+double Newton::round_off(const EquilibriumProblem& problem, const EquilibriumTerms& terms) const {
+  // In a short step the inertia springs are stiff, and carry the round-off of the coordinates, some 1e-16 of them, and
+  // that of the fluids' moments.
+  double force = 1e-15 * problem.inertia * model_.mass.maxCoeff() * problem.start.lpNorm<Eigen::Infinity>();
+  for (std::size_t c = 0; c < problem.fluid_inertia.size(); ++c) {
+    const auto first = static_cast<Eigen::Index>(3 * c);
+    const double moment = 1e-16 * std::abs(model_.chambers[c].rest_volume) * extent_;  // metres^4
+    const double slope = terms.moment_gradient.middleCols<3>(first).lpNorm<Eigen::Infinity>();
+    force = std::max(force, problem.fluid_inertia[c].factor * moment * slope);
+  }
+  return force;
 }
 
 bool Newton::is_solved(const Residual& residual, double force_scale, bool is_stalled,

@@ -243,6 +243,8 @@ class Newton {
   void clear_fixed(Eigen::VectorXd& forces) const;
   bool is_solved(const Residual& residual, double force_scale, bool is_stalled, const NewtonOptions& options) const;
   double force_scale(const EquilibriumProblem& problem, const EquilibriumTerms& terms) const;
+  /// Newton, in a force of inertia.
+  double round_off(const EquilibriumProblem& problem, const EquilibriumTerms& terms) const;
   void build_border(const EquilibriumProblem& problem, const EquilibriumState& state);
   void build_matrix(const EquilibriumProblem& problem, const EquilibriumState& state, double shift);
   bool factorize(const EquilibriumProblem& problem, const EquilibriumState& state, double& shift, bool may_be_saddle);
