@@ -8,6 +8,7 @@
 #include <iterator>
 #include <set>
 #include <thread>
+#include <utility>
 
 #include "renderer/picture/PictureFailure.hpp"
 #include "renderer/video/Program.hpp"
@@ -174,11 +175,13 @@ std::vector<std::string> golden_notes(const NamedGoldens& named) {
 NamedGoldens named_goldens(const std::vector<std::string>& names) {
   if (names.empty()) return goldens_of_folder();
   NamedGoldens named;
+  std::set<std::pair<std::filesystem::path, std::string>> seen;  // files, and which of their goldens
   for (const std::string& text : names) {
     const auto [name, choice] = name_and_choice(text);
     const std::filesystem::path scene = home() / "scenes" / (name + ".yaml");
     const bool is_name = !std::filesystem::exists(name) && std::filesystem::exists(scene);
     const std::filesystem::path file = is_name ? scene : std::filesystem::path(name);
+    if (!seen.insert({std::filesystem::weakly_canonical(file), text.substr(name.size())}).second) continue;
     add_named(named, file, choice);
   }
   return named;

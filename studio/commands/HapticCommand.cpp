@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "renderer/image/Folder.hpp"
 #include "renderer/image/WholeFile.hpp"
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/ExitCode.hpp"
@@ -22,6 +23,8 @@ int drive_haptics(const HapticOptions& options) {
                   .throw_if_interrupted = throw_if_interrupted};
   tell_warnings(plan.scenario);
   plan.scenario.simulation.between_iterations = throw_if_interrupted;
+  // Before the loop, so that a folder that cannot be made is told at once.
+  if (options.record && options.record->has_parent_path()) make_folder(options.record->parent_path());
   HapticReport report;
   try {
     report = run_haptics(plan);

@@ -13,7 +13,9 @@ TEST_F(ProgramGLTest, AGoldenIsMissingThenApprovedThenComparedThenFails) {
   EXPECT_EQ(run({"golden", "test"}).exit_code, 1);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "golden_images")) << "a test wrote a golden";
   expect_good({"golden", "approve", "small", "--why", "the first"});
-  expect_good({"golden", "test", "--json"});
+  const ProgramEnd twice = run({"golden", "test", "small", "scenes/small.yaml", "small@0.12s", "--json"});
+  EXPECT_EQ(twice.exit_code, 0) << twice.messages;
+  EXPECT_EQ(nlohmann::json::parse(twice.output)["counts"]["ok"], 2) << "once whole, and once of a moment";
   write_bytes(
       folder_ / "scenes/small.yaml",
       small_scenario() + "lights: { key: 0.5 }\ngolden: [ { at: 120 ms, max: 8, mean: 0.2, why: rounding } ]\n");

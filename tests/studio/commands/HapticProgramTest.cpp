@@ -12,7 +12,7 @@ using HapticProgramTest = ProgramTest;
 
 TEST_F(HapticProgramTest, TellsItsFiguresAndWhatTheHandWasGiven) {
   for (const char* forces : {"full", "local"}) {
-    const ProgramEnd end = run({"haptic", "small.yaml", "--json", "--forces", forces, "--record", "ticks.csv"});
+    const ProgramEnd end = run({"haptic", "small.yaml", "--json", "--forces", forces, "--record", "new/ticks.csv"});
     ASSERT_EQ(end.exit_code, 0) << end.messages;
     const nlohmann::json report = nlohmann::json::parse(end.output);
     EXPECT_EQ(report["forces"], forces);
@@ -27,7 +27,7 @@ TEST_F(HapticProgramTest, TellsItsFiguresAndWhatTheHandWasGiven) {
     EXPECT_GT(report["force_error"]["largest_force_N"], 0);
     EXPECT_GT(report["force_error"]["samples"], 2);
     EXPECT_NE(end.messages.find("force error"), std::string::npos) << end.messages;
-    const std::string table = file_bytes(folder_ / "ticks.csv");
+    const std::string table = file_bytes(folder_ / "new/ticks.csv");
     EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(table, '\n')), report["ticks"].get<std::size_t>() + 1);
   }
 }
@@ -47,6 +47,13 @@ TEST_F(HapticProgramTest, RefusesWhatMakesNoSense) {
   expect_bad_usage({"haptic", "small.yaml", "--trajectory", "missing.csv"}, "missing.csv");
   expect_bad_usage({"haptic", "small.yaml", "--peer", "missing/socket"}, "missing/socket");
   expect_bad_usage({"haptic", "small.yaml", "--peer", "a", "--trajectory", "b"}, "--trajectory");
+}
+
+TEST_F(HapticProgramTest, TellsBeforeItBeginsThatAFolderForItsRecordCannotBeMade) {
+  write_bytes(folder_ / "file", "");
+  const ProgramEnd end = run({"haptic", "small.yaml", "--json", "--record", "file/ticks.csv"});
+  EXPECT_EQ(end.exit_code, 4) << end.messages;
+  EXPECT_EQ(end.output, "");
 }
 
 }  // namespace
