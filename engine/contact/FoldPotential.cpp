@@ -1,9 +1,14 @@
 #include "engine/contact/FoldPotential.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
 
 namespace thinwall {
 namespace {
+
+/// Part of its range below which a pair is crushed: its curvature along the wall, force over distance, is then far
+/// above what the wall itself has, and a step that does not know of it seems to lead apart and leads into each other.
+constexpr double kCrushed = 1e-2;
 
 /// The factor that fades out parallel edges and crushed triangles, by the squared cross product of the edges.
 struct Mollifier {
@@ -107,8 +112,13 @@ Eigen::Matrix<double, 12, 12> FoldPair::hessian() const {
 }
 
 Eigen::Matrix<double, 12, 12> FoldPair::convex_hessian() const {
-  const Eigen::Matrix<double, 12, 1> approach = distance_gradient(closest);
-  return mollifier(*this).factor * potential.at(closest.distance).curvature * approach * approach.transpose();
+  if (closest.distance > kCrushed * potential.range) {
+    const Eigen::Matrix<double, 12, 1> approach = distance_gradient(closest);
+    return mollifier(*this).factor * potential.at(closest.distance).curvature * approach * approach.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 12, 12>> parts(hessian());
+  const Eigen::Matrix<double, 12, 1> curvatures = parts.eigenvalues().cwiseMax(0.0);
+  return parts.eigenvectors() * curvatures.asDiagonal() * parts.eigenvectors().transpose();
 }
 
 std::optional<FoldPair> fold_of(const NearPair& near, const Eigen::VectorXd& position, double pressure) {

@@ -50,7 +50,8 @@ struct FoldPair {
   FoldTerms terms() const;
   /// The second derivatives.
   Eigen::Matrix<double, 12, 12> hessian() const;
-  /// Their convex part along the shortest way: positive semi-definite, of rank one.
+  /// Their convex part, positive semi-definite: of rank one, along the shortest way, or where the pair is crushed all
+  /// that is left without the negative eigenvalues.
   Eigen::Matrix<double, 12, 12> convex_hessian() const;
 };
 

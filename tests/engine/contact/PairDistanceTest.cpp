@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
@@ -265,6 +266,39 @@ TEST(FoldPair, OfACrushedTriangleFadesSmoothlyAsItsCornerPassesItsSide) {
   EXPECT_LT((passed(1e-6).gradient - passed(-1e-6).gradient).norm(), 1e-3 * whole);
   EXPECT_NEAR(passed(-0.04).gradient.norm(), whole, 1e-12 * whole);
   EXPECT_EQ(passed(0).energy, 0);
+}
+
+/// A point over a triangle, or an edge over another, at a part of the range of 0.1 mm, metres.
+FoldPair pair_above(PairKind kind, double part) {
+  const double height = part * 1e-4;
+  const PairCorners of_point = {{{0.4e-3, 0.3e-3, height}, {0, 0, 0}, {1e-3, 0, 0}, {0.2e-3, 1e-3, 0}}};
+  const PairCorners of_edges = {
+      {{-0.5e-3, 0.1e-3, height}, {0.6e-3, 0.2e-3, height}, {0.1e-3, -0.5e-3, 0}, {0, 0.7e-3, 0}}};
+  return make_pair_at(kind, kind == PairKind::kPointTriangle ? of_point : of_edges, 1e-4, 0);
+}
+
+double least_eigenvalue(const Eigen::Matrix<double, 12, 12>& matrix) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 12, 12>>(matrix).eigenvalues().minCoeff();
+}
+
+TEST(FoldPair, HasAConvexPartThatIsNeverNegative) {
+  for (const PairKind kind : kKinds) {
+    for (const double part : {0.5, 0.05, 1e-3, 1e-6}) {
+      const Eigen::Matrix<double, 12, 12> convex = pair_above(kind, part).convex_hessian();
+      EXPECT_GT(least_eigenvalue(convex), -1e-12 * convex.norm()) << part;
+    }
+  }
+}
+
+TEST(FoldPair, HasAConvexPartAboveItsCurvatureInAnyDirectionWhereItIsCrushed) {
+  for (const PairKind kind : kKinds) {
+    for (const double part : {5e-3, 1e-4, 1e-6}) {
+      const FoldPair pair = pair_above(kind, part);
+      // What it has along the wall, force over the edge's length, is far below what it has across it.
+      const double along = -pair.potential.at(part * pair.potential.range).slope / 1e-3;
+      EXPECT_GT(least_eigenvalue(pair.convex_hessian() - pair.hessian()), -1e-3 * along) << part;
+    }
+  }
 }
 
 TEST(FoldPotential, EndsSmoothlyAtItsRangeAndGrowsWithoutBound) {
