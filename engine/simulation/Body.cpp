@@ -189,7 +189,9 @@ bool Body::solve_step(EquilibriumProblem& problem, EquilibriumState& trial) {
   }
   if (trial_tolerance_) effort.most_iterations = kMostTrialIterations;
   const int iterations = report_.newton_iterations;
-  if (state_.drag == 0 && solve(problem, trial, effort).converged) return true;
+  // Where a part of the step was found with springs alone those after it are too: without them it takes long to fail.
+  const bool needs_springs = report_.relaxations > 0 && may_snap() && !may_creep();
+  if (state_.drag == 0 && !needs_springs && solve(problem, trial, effort).converged) return true;
   const bool was_hopeless = state_.drag == 0 && report_.newton_iterations - iterations <= kHopelessIterations;
   if (has_inertia() && was_hopeless) {
     // Where its velocity would take it the wall may be beyond its law: the way there begins where it is.
@@ -205,7 +207,9 @@ bool Body::solve_step(EquilibriumProblem& problem, EquilibriumState& trial) {
   if (!may_snap()) return false;
   trial = state_.equilibrium;
   problem = again;
-  return relax(problem, trial).converged;
+  if (!relax(problem, trial).converged) return false;
+  ++report_.relaxations;
+  return true;
 }
 
 EquilibriumProblem Body::make_problem(std::span<const ToolPose> end, double duration, const BodyInput& input) const {

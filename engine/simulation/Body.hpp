@@ -50,12 +50,11 @@ struct StepRupture {
 
 /// What the last step took.
 struct BodyStepReport {
-  int newton_iterations = 0;
-  int shifted_iterations = 0;
-  int factorisations = 0;
+  int newton_iterations = 0, shifted_iterations = 0, factorisations = 0;
   int ascending_steps = 0;    // of Newton's, along which the line search's energy was to rise at first
   int halvings = 0;           // how often the step was divided because it could not be solved
   int refinements = 0;        // how often it was divided to keep the error that is allowed
+  int relaxations = 0;        // parts of it that were found with pseudo-inertia, see `relax`
   double residual = 0;        // newton
   double residual_share = 0;  // largest of the step's solutions, over the largest force there
   bool slowed = false;        // whether a drag slowed flaps that nothing holds, see Body::creep
