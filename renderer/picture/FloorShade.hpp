@@ -1,5 +1,7 @@
 #pragma once
 
+#include "renderer/picture/FloorCover.hpp"
+#include "renderer/picture/FrameUniforms.hpp"
 #include "renderer/picture/GlObjects.hpp"
 #include "renderer/picture/SceneMeshes.hpp"
 
@@ -11,25 +13,15 @@ class FloorShade {
  public:
   FloorShade();
 
-  /// Draws the map anew and binds it where floor.frag reads it; the Frame block must be bound.
-  void draw(const SceneMeshes& meshes, Vector3 toward_light) const;
+  /// Makes the map anew and binds it where floor.frag reads it.
+  void draw(const SceneMeshes& meshes, const FrameUniforms& frame, Vector3 toward_light);
 
   /// Binds an empty map.
   void clear() const;
 
  private:
-  void lay(const SceneMeshes& meshes, Vector3 along) const;
-  void blur(const Texture& from, const Framebuffer& to, int across, int along) const;
-
-  Texture fine_;  // before it is made smaller: a cell that is covered in part takes a part of the light
-  Texture cover_;
-  Texture blurred_;
-  Framebuffer fine_frame_;
-  Framebuffer cover_frame_;
-  Framebuffer blurred_frame_;
-  Program cover_program_;
-  Program blur_program_;
-  VertexArray no_vertices_;
+  FloorCover cover_;
+  Texture map_;
 };
 
 }  // namespace thinwall

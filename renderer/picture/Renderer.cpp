@@ -88,7 +88,7 @@ struct Stage {
   Buffer frame_block = create_buffer();
   std::vector<std::uint8_t> bare;  // the picture without fluids; empty where there are none, and but for Tier::kFinal
 
-  void shade_floor(const Studio& studio, PassClock& clock);
+  void shade_floor(const FrameUniforms& frame, const Studio& studio, PassClock& clock);
   void draw_shadow_map(const Matrix4& light_matrix, PassClock& clock);
   void draw_backdrop(Ground ground, const FieldStop& stop, PassClock& clock);
   void clear_depth(const FieldStop& stop);
@@ -105,9 +105,10 @@ struct Stage {
   void use(const FrameUniforms& frame) const { glNamedBufferSubData(frame_block.name(), 0, sizeof(frame), &frame); }
 };
 
-void Stage::shade_floor(const Studio& studio, PassClock& clock) {
-  if (tier != Tier::kDraft) {
-    floor_shade.draw(meshes, studio.key_direction);
+void Stage::shade_floor(const FrameUniforms& frame, const Studio& studio, PassClock& clock) {
+  const bool has_floor = frame.floor[1] > 0;
+  if (tier != Tier::kDraft && has_floor) {
+    floor_shade.draw(meshes, frame, studio.key_direction);
   } else {
     floor_shade.clear();
   }
@@ -318,7 +319,7 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, stage->frame_block.name());
 
   clock.ends("meshes");
-  stage->shade_floor(studio, clock);
+  stage->shade_floor(frame, studio, clock);
   stage->draw_backdrop(ground, field_stop(frame), clock);
   // After the backdrop was read, for which the driver finishes all that it has to do.
   stage->draw_shadow_map(key_light_matrix(extent, studio, pinhole), clock);

@@ -121,10 +121,10 @@ void SceneMeshes::draw_seen_lining(const TissuePart& part, const std::array<floa
   tissue_.draw_others(seen_lining(tissue_vertices_, corners, *part.opening, matrix));
 }
 
-void SceneMeshes::draw_nearest(GLenum hidden, const std::array<float, 16>& matrix) const {
-  glCullFace(hidden);
+void SceneMeshes::draw_nearest(const std::array<float, 16>& matrix) const {
+  glCullFace(GL_BACK);
   const auto shows_one_side = [&](const TissuePart& part) {
-    return part.is_closed && (hidden == GL_FRONT || lies_ahead(part.body_bounds, matrix));
+    return part.is_closed && lies_ahead(part.body_bounds, matrix);
   };
   for (std::size_t i = 0; i < parts_.size();) {
     const bool one_side = shows_one_side(parts_[i]);

@@ -65,9 +65,15 @@ class SceneMeshes {
 
   const TriangleBuffer& tools() const { return tools_; }
 
+  /// What is in both buffers, as uploaded; corners: (3 x triangles).
+  std::span<const SurfaceVertex> tissue_vertices() const { return tissue_vertices_; }
+  std::span<const std::uint32_t> tissue_corners() const { return tissue_corners_; }
+  std::span<const ToolVertex> tool_vertices() const { return tool_vertices_; }
+  std::span<const std::uint32_t> tool_corners() const { return tool_corners_; }
+
   /// Draws tissue and tools for a pass in which the nearest counts, without the sides that are hidden, as seen through
-  /// `matrix` (world to clip coordinates): GL_BACK; GL_FRONT from the far end of a parallel view, all of it ahead.
-  void draw_nearest(GLenum hidden, const std::array<float, 16>& matrix) const;
+  /// `matrix` (world to clip coordinates).
+  void draw_nearest(const std::array<float, 16>& matrix) const;
 
   const std::vector<TissuePart>& parts() const { return parts_; }
   const std::vector<ToolRod>& rods() const { return rods_; }

@@ -33,7 +33,7 @@ void ShadowMap::draw(const SceneMeshes& meshes, const Matrix4& light_matrix) con
   for (std::size_t i = 0; i < 16; ++i) matrix[i] = static_cast<float>(light_matrix.values[i]);
   glProgramUniformMatrix4fv(program_.name(), 0, 1, GL_FALSE, matrix.data());
   glUseProgram(program_.name());
-  meshes.draw_nearest(GL_BACK, matrix);
+  meshes.draw_nearest(matrix);
   glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
