@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <numeric>
 
 #include "tests/renderer/image/TestImages.hpp"
@@ -41,6 +43,42 @@ TEST(Resize, KeepsTheMeanLevel) {
   const Image image = patterned_image({97, 61});
   // Each level is rounded by at most half.
   EXPECT_NEAR(mean_level(resize(image, {20, 11})), mean_level(image), 0.5);
+}
+
+/// The level of a new pixel, from the overlap of its square with each old one.
+int level_at(const Image& image, ImageSize size, int x, int y, int channel) {
+  const std::int64_t width = image.size.width, height = image.size.height, area = width * height;
+  const auto overlap = [](std::int64_t old, std::int64_t old_count, std::int64_t now, std::int64_t new_count) {
+    return std::max<std::int64_t>(
+        0, std::min((old + 1) * new_count, (now + 1) * old_count) - std::max(old * new_count, now * old_count));
+  };
+  std::int64_t sum = 0;
+  for (int row = 0; row < height; ++row) {
+    const std::int64_t rows = overlap(row, height, y, size.height);
+    if (rows == 0) continue;
+    for (int column = 0; column < width; ++column) {
+      const auto pixel = static_cast<std::size_t>(3 * (row * width + column) + channel);
+      sum += rows * overlap(column, width, x, size.width) * image.pixels[pixel];
+    }
+  }
+  return static_cast<int>((sum + area / 2) / area);
+}
+
+TEST(Resize, IsTheRoundedMeanOfWhatAPixelCovers) {
+  const Image image = patterned_image({97, 61});
+  for (const ImageSize size : {ImageSize{20, 11}, ImageSize{96, 7}, ImageSize{130, 70}}) {
+    const Image other = resize(image, size);
+    for (int i = 0; i < 3 * size.width * size.height; ++i) {
+      ASSERT_EQ(other.pixels[static_cast<std::size_t>(i)],
+                level_at(image, size, i / 3 % size.width, i / 3 / size.width, i % 3));
+    }
+  }
+}
+
+TEST(Resize, HoldsTheSumsOfLargePictures) {
+  // 256 times this area is more than 32 bits hold.
+  const Image image = plain_image({4100, 4100}, 255, 254, 1);
+  EXPECT_EQ(resize(image, {3, 2}).pixels, plain_image({3, 2}, 255, 254, 1).pixels);
 }
 
 TEST(Resize, FittingSizeKeepsTheShape) {
