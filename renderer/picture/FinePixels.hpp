@@ -26,6 +26,14 @@ FinePixels find_fine_pixels(std::span<const std::uint8_t> pixels, std::span<cons
 /// What is within `area` of such a picture: (4 x area.width x area.height).
 std::vector<std::uint8_t> cut_out(std::span<const std::uint8_t> pixels, ImageSize size, const ScreenArea& area);
 
+/// `middles` with the backdrop where corners are wanted: what the scene is drawn over. `middles`: (4 x area.width x
+/// area.height); `backdrop`: of the whole picture, which has `size`.
+std::vector<std::uint8_t> with_backdrop(const FinePixels& fine, std::span<const std::uint8_t> middles,
+                                        std::span<const std::uint8_t> backdrop, ImageSize size);
+
+/// (area.width x area.height): `corner` where corners are wanted, `other` elsewhere.
+std::vector<std::uint32_t> at_corners(const FinePixels& fine, std::uint32_t corner, std::uint32_t other);
+
 /// `middles` with fine pixels made of their middle, by half, and their four corners; at the borders of the area those
 /// of the nearest pixel. `middles` and `corners`: (4 x area.width x area.height), the corner on the upper right of each
 /// pixel.

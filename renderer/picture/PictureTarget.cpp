@@ -132,8 +132,7 @@ void PictureTarget::clear_depth(const FinePixels& fine) const {
   glStencilMask(0xff);
   glClearNamedFramebufferfi(surface_.name(), GL_DEPTH_STENCIL, 0, 0.0f, 0);
   constexpr std::uint32_t kFarthest = 0xffffff00, kNearest = 0;  // 24 bits of depth, 8 of stencil
-  std::vector<std::uint32_t> depth(fine.is_corner.size());
-  for (std::size_t i = 0; i < depth.size(); ++i) depth[i] = fine.is_corner[i] ? kFarthest : kNearest;
+  const std::vector<std::uint32_t> depth = at_corners(fine, kFarthest, kNearest);
   const auto& [left, bottom, width, height] = fine.area;
   glTextureSubImage2D(depth_.name(), 0, left, bottom, width, height, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8,
                       depth.data());

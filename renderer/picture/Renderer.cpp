@@ -230,10 +230,7 @@ void Stage::draw_fine_pixels(SceneView& scene, const FrameUniforms& frame) {
   const std::vector<std::uint8_t> middles = cut_out(picture, {sharp.width, sharp.height}, fine.area);
   fine.area.left += sharp.left;
   fine.area.bottom += sharp.bottom;
-  std::vector<std::uint8_t> ground = cut_out(target.backdrop(), size, fine.area);
-  for (std::size_t i = 0; i < fine.is_corner.size(); ++i) {
-    if (!fine.is_corner[i]) std::copy_n(middles.data() + 4 * i, 4, ground.data() + 4 * i);
-  }
+  const std::vector<std::uint8_t> ground = with_backdrop(fine, middles, target.backdrop(), size);
   const FrameUniforms shifted = sampled_off_middle(frame, {0.5, 0.5}, size);
   use(shifted);
   target.write_color(fine.area, ground);

@@ -77,6 +77,21 @@ TEST(FinePixels, AreHalfTheirMiddleAndAnEighthEachCornerOthersStay) {
   }
 }
 
+TEST(FinePixels, ACornerBeginsWithTheBackdropAndAnythingElseStays) {
+  const FinePixels fine{.area = {5, 2, 3, 2}, .is_fine = {0, 0, 0, 0, 1, 0}, .is_corner = {1, 1, 0, 1, 1, 0}};
+  std::vector<std::uint8_t> backdrop = even_picture(0);
+  for (std::size_t i = 0; i < backdrop.size(); ++i) backdrop[i] = static_cast<std::uint8_t>(i / 4 % 200);
+  const std::vector<std::uint8_t> ground = with_backdrop(fine, std::vector<std::uint8_t>(24, 250), backdrop, kSize);
+  const std::vector<std::uint32_t> numbers = at_corners(fine, 7, 3);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const std::size_t seen = at(5 + static_cast<int>(i % 3), 2 + static_cast<int>(i / 3));
+    for (std::size_t channel = 0; channel < 4; ++channel) {
+      EXPECT_EQ(ground[4 * i + channel], fine.is_corner[i] ? seen % 200 : 250) << i;
+    }
+    EXPECT_EQ(numbers[i], fine.is_corner[i] ? 7U : 3U) << i;
+  }
+}
+
 TEST(FinePixels, AreCutOutOfAPictureRowByRow) {
   std::vector<std::uint8_t> pixels = even_picture(0);
   for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = static_cast<std::uint8_t>(i / 4 % 251);
