@@ -3,23 +3,18 @@
 #include <algorithm>
 #include <utility>
 
+#include "renderer/snapshot/HalfEdges.hpp"
+
 namespace thinwall {
 
 std::vector<BorderEdge> border_edges(const SnapshotTopology& topology) {
-  using Key = std::pair<std::uint32_t, std::uint32_t>;
-  std::vector<Key> halves;
-  for (const auto* triangles : {&topology.triangles, &topology.cap_triangles}) {
-    for (const Triangle& triangle : *triangles) {
-      for (std::size_t k = 0; k < 3; ++k) halves.emplace_back(triangle[k], triangle[(k + 1) % 3]);
-    }
-  }
-  std::ranges::sort(halves);
+  const HalfEdges halves({topology.triangles, topology.cap_triangles});
   std::vector<BorderEdge> borders;
   for (std::uint32_t t = 0; t < topology.triangles.size(); ++t) {
     const Triangle& triangle = topology.triangles[t];
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t start = triangle[k], end = triangle[(k + 1) % 3];
-      if (std::ranges::binary_search(halves, Key{end, start})) continue;
+      if (halves.triangle_of(end, start) != HalfEdges::kNone) continue;
       borders.push_back({.start = start, .end = end, .triangle = t});
     }
   }

@@ -5,12 +5,12 @@
 #include <numbers>
 #include <utility>
 
+#include "renderer/snapshot/HalfEdges.hpp"
 #include "renderer/wound/RestNormals.hpp"
 
 namespace thinwall {
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffff;
 constexpr double kLeastSlope = 0.25;  // sine; flatter, a drop stays
 constexpr double kUnder = 0.75;       // cosine between the outside and down, from where it drips
 constexpr double kInertia = 0.6;      // of the sense in which it already runs
@@ -33,19 +33,11 @@ struct Slope {
 };
 
 std::vector<std::array<std::uint32_t, 3>> opposite_triangles(const std::vector<Triangle>& triangles) {
-  using HalfEdge = std::pair<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>;
-  std::vector<HalfEdge> halves;
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    for (std::size_t k = 0; k < 3; ++k) halves.push_back({{triangles[t][k], triangles[t][(k + 1) % 3]}, t});
-  }
-  std::ranges::sort(halves);
-  std::vector<std::array<std::uint32_t, 3>> opposite(triangles.size(), {kNone, kNone, kNone});
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::pair wanted{triangles[t][(k + 2) % 3], triangles[t][(k + 1) % 3]};
-      const auto found = std::ranges::lower_bound(halves, HalfEdge{wanted, 0});
-      if (found != halves.end() && found->first == wanted) opposite[t][k] = found->second;
-    }
+  const HalfEdges halves({triangles});
+  std::vector<std::array<std::uint32_t, 3>> opposite;
+  opposite.reserve(triangles.size());
+  for (const auto& [a, b, c] : triangles) {
+    opposite.push_back({halves.triangle_of(c, b), halves.triangle_of(a, c), halves.triangle_of(b, a)});
   }
   return opposite;
 }
@@ -79,7 +71,7 @@ bool move(const Slope& slope, WallPlace& place, Vector3 way) {
     if (leaves == 3) return true;
     left -= reach;
     const std::uint32_t next = slope.opposite[place.triangle][leaves];
-    if (next == kNone) return false;
+    if (next == HalfEdges::kNone) return false;
     const Triangle &from = slope.topology.triangles[place.triangle], &to = slope.topology.triangles[next];
     Double3 weights = {0, 0, 0};
     for (std::size_t k = 0; k < 3; ++k) {
