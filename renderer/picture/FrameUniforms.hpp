@@ -39,6 +39,7 @@ struct FrameUniforms {
   Float4 background{};  // sRGB; w: exposure
   Float4 floor_key{};   // linear: what the lit floor shows of a white key light; w: 1 / picture width
   Float4 floor_sky{};   // linear: and of the light from all around; w: 1 / picture height
+  Float4 rest_grid{};   // of what is told of stress-free places: the lowest; w: the step, both metres
   std::array<Float4, kMostRods> rod_start{};  // metres; w: radius squared
   std::array<Float4, kMostRods> rod_span{};   // from start to end; w: 1 / length squared
 };

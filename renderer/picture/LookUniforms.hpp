@@ -35,6 +35,11 @@ struct LookUniforms {
   alignas(16) float lamp_size = 1;
 };
 
+/// Whether the part shows the layers of a wall that is cut through.
+inline bool is_layered(const LookUniforms& look) {
+  return look.pattern[2] > 0;
+}
+
 LookUniforms look_uniforms(const TissueLook& look, TissueSide side, const VesselTree& tree = {});
 
 }  // namespace thinwall

@@ -73,23 +73,20 @@ PictureTarget::PictureTarget(ImageSize size) : size_(size) {
   require_drawable(size_);
   const auto texture = [&](GLenum format) { return create_texture(format, size_.width, size_.height, GL_NEAREST); };
   depth_ = texture(GL_DEPTH24_STENCIL8);
-  normal_ = texture(GL_RGBA32F);
-  rest_ = texture(GL_RGBA32F);
+  tissue_ = texture(GL_RGBA32UI);
   color_ = create_texture(GL_RGBA8, size_.width, size_.height, GL_LINEAR);
   color_copy_ = texture(GL_RGBA8);
 
   surface_ = create_framebuffer();
-  attach(surface_, GL_COLOR_ATTACHMENT0, normal_);
-  attach(surface_, GL_COLOR_ATTACHMENT1, rest_);
+  attach(surface_, GL_COLOR_ATTACHMENT0, tissue_);
   attach_depth(surface_, depth_);
-  const GLenum all[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
-  glNamedFramebufferDrawBuffers(surface_.name(), 2, all);
-  require_complete(surface_, "a frame of normals and positions");
+  require_complete(surface_, "a frame of what is seen of tissue");
 
+  tool_place_ = texture(GL_RGBA32F);
   tool_normal_ = texture(GL_RGBA16F);
   tool_axis_ = texture(GL_RGBA16F);
   tools_ = create_framebuffer();
-  attach(tools_, GL_COLOR_ATTACHMENT0, rest_);
+  attach(tools_, GL_COLOR_ATTACHMENT0, tool_place_);
   attach(tools_, GL_COLOR_ATTACHMENT1, tool_normal_);
   attach(tools_, GL_COLOR_ATTACHMENT2, tool_axis_);
   attach_depth(tools_, depth_);
@@ -213,8 +210,8 @@ void PictureTarget::lay_backdrop(const FieldStop& stop) {
 void PictureTarget::begin_color() const {
   glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
   glViewport(0, 0, size_.width, size_.height);
-  glBindTextureUnit(2, normal_.name());
-  glBindTextureUnit(3, rest_.name());
+  glBindTextureUnit(2, tissue_.name());
+  glBindTextureUnit(3, tool_place_.name());
   glBindTextureUnit(6, tool_normal_.name());
   glBindTextureUnit(7, tool_axis_.name());
 }

@@ -13,7 +13,7 @@
 namespace thinwall {
 
 /// The frames that a picture is drawn to, and the way from there to an Image. Three frames share depth and stencil: one
-/// takes what is seen of the tissue (normal, rest position, depth), one what is seen of the tools, one the colours.
+/// takes what is seen of the tissue, one what is seen of the tools, one the colours.
 class PictureTarget {
  public:
   /// Throws PictureFailure for sizes that are not positive, beyond the driver's limits, or that need too much memory.
@@ -32,8 +32,8 @@ class PictureTarget {
   /// Makes the frame of what is seen of the tissue the one that is drawn to.
   void begin_surface() const;
 
-  /// Makes the frame of what is seen of the tools the one that is drawn to. It takes rest positions of tissue away
-  /// where tools hide it, but leaves the normals, for metal mirrors tissue that it hides.
+  /// Makes the frame of what is seen of the tools the one that is drawn to. Of tissue that they hide it leaves what is
+  /// seen, for metal mirrors it.
   void begin_tools() const;
 
   /// Makes the colours the frame that is drawn to, and binds the others for tissue.frag and metal.frag.
@@ -101,9 +101,9 @@ class PictureTarget {
   std::optional<Texture> tissue_depth_;  // without tools
   ScreenArea kept_tissue_;               // what of it is more than this
   FieldStop tissue_stop_;                // and this
-  Texture normal_;                       // and depth
-  Texture rest_;                         // and state; of tools the place
+  Texture tissue_;                       // see shaders/seen.glsl
   Framebuffer surface_;
+  Texture tool_place_;
   Texture tool_normal_;
   Texture tool_axis_;
   Framebuffer tools_;

@@ -312,6 +312,7 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
   if (view.camera.auto_exposure) {
     frame.background[3] *= static_cast<float>(std::exp2(metered_exposure(snapshot, view, pinhole, frame, is_inside)));
   }
+  frame.rest_grid = stage->meshes.rest_grid();
   stage->use(frame);
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, stage->frame_block.name());
 

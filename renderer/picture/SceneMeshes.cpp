@@ -39,6 +39,22 @@ void show_data(const SnapshotSurface& surface, const DataView& data, std::span<c
   }
 }
 
+/// Of all stress-free places, in as many steps as 16 bits tell apart.
+std::array<float, 4> rest_grid_of(std::span<const SurfaceVertex> vertices) {
+  constexpr float kSteps = 65535, kLeast = 1e-9F;
+  Float3 least{}, most{};
+  if (!vertices.empty()) least = most = vertices.front().rest;
+  float extent = kLeast;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const SurfaceVertex& vertex : vertices) {
+      least[axis] = std::min(least[axis], vertex.rest[axis]);
+      most[axis] = std::max(most[axis], vertex.rest[axis]);
+    }
+    extent = std::max(extent, most[axis] - least[axis]);
+  }
+  return {least[0], least[1], least[2], extent / kSteps};
+}
+
 }  // namespace
 
 SceneMeshes::SceneMeshes()
@@ -109,6 +125,7 @@ void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& 
       }
     }
   }
+  rest_grid_ = rest_grid_of(vertices);
   tissue_.upload(std::span<const SurfaceVertex>(vertices), indices);
 }
 

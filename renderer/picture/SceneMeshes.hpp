@@ -75,6 +75,9 @@ class SceneMeshes {
   /// `matrix` (world to clip coordinates).
   void draw_nearest(const std::array<float, 16>& matrix) const;
 
+  /// As of FrameUniforms.
+  const std::array<float, 4>& rest_grid() const { return rest_grid_; }
+
   const std::vector<TissuePart>& parts() const { return parts_; }
   const std::vector<ToolRod>& rods() const { return rods_; }
 
@@ -113,6 +116,7 @@ class SceneMeshes {
   TriangleBuffer tissue_;
   // Memory that is used again: what is new to a process takes the processor as long as filling it does.
   std::vector<SurfaceVertex> tissue_vertices_;
+  std::array<float, 4> rest_grid_{};
   std::vector<std::uint32_t> tissue_corners_;  // (3 x triangles)
   TriangleBuffer tools_;
   std::vector<TissuePart> parts_;

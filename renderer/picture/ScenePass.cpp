@@ -110,6 +110,7 @@ void ScenePass::draw_surface(const SceneMeshes& meshes, const PictureTarget& tar
   for (std::size_t i = 0; i < meshes.parts().size(); ++i) {
     const TissuePart& part = meshes.parts()[i];
     glStencilFunc(GL_ALWAYS, static_cast<GLint>(i + 1), 0xff);
+    glUniform1i(0, is_layered(part.look) ? 1 : 0);
     if (SceneMeshes::is_seen_through_opening(part, view_projection)) {
       glCullFace(GL_BACK);
       meshes.draw_seen_lining(part, view_projection);

@@ -21,7 +21,7 @@ std::string tissue_defines(const LookUniforms& look, const TissueScene& scene) {
   lines << std::boolalpha;
   const auto define = [&lines](const char* name, auto value) { lines << "#define " << name << ' ' << value << '\n'; };
   const bool is_pored = look.tree_aside[3] > 0;
-  define("LAYERED", look.pattern[2] > 0);
+  define("LAYERED", is_layered(look));
   define("ENCLOSED", look.pattern[3] > 0);
   define("FATTY", look.fat[3] > 0);
   define("VESSELED", std::max(look.vessels[0], look.vessels[2]) > 0);

@@ -2,6 +2,7 @@
 #include "lamp.glsl"
 #include "noise.glsl"
 #include "reflection.glsl"
+#include "seen.glsl"
 #include "shadow.glsl"
 #include "tone.glsl"
 
@@ -16,14 +17,14 @@ layout(location = 0, index = 1) out vec4 through;  // part of each channel that 
 layout(location = 0) uniform vec4 fluid;  // linear colour of a deep layer; w: 1 / clarity, 1 / metre
 layout(location = 1) uniform float cloudiness;  // part of what it takes of the light that it sends back
 
-layout(binding = 2) uniform sampler2D seen_normal;  // of the tissue; w: its depth along the line of sight, metres
+layout(binding = 2) uniform usampler2D seen_tissue;
 
 void main() {
   vec3 from_eye = position - camera_position.xyz;
   vec3 view = -normalize(from_eye);
   float depth = dot(from_eye, ray_middle.xyz);
-  vec4 wall = texelFetch(seen_normal, ivec2(gl_FragCoord.xy), 0);
-  float way = max(wall.w / depth - 1.0, 0.0) * length(from_eye);
+  Seen wall = seen_from(texelFetch(seen_tissue, ivec2(gl_FragCoord.xy), 0), rest_grid, false);
+  float way = max(wall.depth / depth - 1.0, 0.0) * length(from_eye);
   // What is cloudy hides what lies in it, what is clear tints it: it takes its part of the light, which is shown by a power
   // of about 1 / 2.2.
   vec3 swallowed = -log(clamp(fluid.rgb, 0.004, 0.9));
@@ -37,7 +38,7 @@ void main() {
   base = dot(base, view) < 0.0 ? -base : base;
   // It wets the wall and climbs it, so that there some of it always faces the lamp.
   const float kMeniscus = 0.0011;  // metres of way through it
-  base = normalize(base + 1.5 * exp2(-way / kMeniscus) * normalize(wall.xyz));
+  base = normalize(base + 1.5 * exp2(-way / kMeniscus) * wall.normal);
   vec3 normal = normalize(base - (waves - dot(waves, base) * base));
   float nv = max(dot(normal, view), 0.02);
   vec3 toward = lamp_direction(position);

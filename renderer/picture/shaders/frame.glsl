@@ -16,6 +16,7 @@
   how vec4 background; \
   how vec4 floor_key; \
   how vec4 floor_sky; \
+  how vec4 rest_grid; \
   how vec4 rod_start[3]; \
   how vec4 rod_span[3];
 

@@ -3,6 +3,7 @@
 #include "mirror.glsl"
 #include "noise.glsl"
 #include "reflection.glsl"
+#include "seen.glsl"
 #include "shadow.glsl"
 #include "tone.glsl"
 #include "tool_rings.glsl"
@@ -14,7 +15,7 @@ in MirrorOfVertices { MIRROR_FIELDS(flat) };
 
 layout(location = 0) out vec4 color;
 
-layout(binding = 2) uniform sampler2D seen_normal;   // of the tissue
+layout(binding = 2) uniform usampler2D seen_tissue;
 layout(binding = 3) uniform sampler2D tool_place;    // these three: see tool.frag
 layout(binding = 4) uniform sampler2D tissue_depth;  // 1 where no tissue is, 0 outside the field stop
 layout(binding = 6) uniform sampler2D tool_normal;
@@ -119,7 +120,7 @@ vec4 mirrored_tissue(Steel steel, vec3 direction) {
   vec2 met_pixel = clamp(met.xy / met.z * size, vec2(0.0), size - 1.0);
   float met_depth = texelFetch(tissue_depth, ivec2(met_pixel), 0).x;
   pixel = met.z > 0.0 && met_depth > 0.0 && met_depth < 1.0 ? met_pixel : pixel;
-  vec3 normal = normalize(texelFetch(seen_normal, ivec2(pixel), 0).xyz);
+  vec3 normal = direction_of(two_from(texelFetch(seen_tissue, ivec2(pixel), 0).w));
   return vec4(lit_tissue(steel.position + way * direction, normal), near);
 }
 

@@ -19,6 +19,7 @@ void cover_screen() {
   taken.background = background;
   taken.floor_key = floor_key;
   taken.floor_sky = floor_sky;
+  taken.rest_grid = rest_grid;
   taken.rod_start = rod_start;
   taken.rod_span = rod_span;
 

@@ -4,6 +4,7 @@
 #include "pattern.glsl"
 #include "reflection.glsl"
 #include "scattering.glsl"
+#include "seen.glsl"
 #include "shadow.glsl"
 #include "tone.glsl"
 
@@ -14,8 +15,7 @@ layout(location = 0) in vec3 ray;
 
 layout(location = 0) out vec4 color;
 
-layout(binding = 2) uniform sampler2D seen_normal;  // w: depth along the line of sight, metres
-layout(binding = 3) uniform sampler2D seen_rest;    // metres; w: see surface.frag
+layout(binding = 2) uniform usampler2D seen_tissue;
 
 // By how much more red light than other comes to the border of a shadow: little, for in flesh red goes hardly farther
 // than the border is wide.
@@ -35,22 +35,18 @@ float floor_openness(vec3 position, vec3 normal) {
 }
 
 void main() {
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
-  vec4 seen = texelFetch(seen_normal, pixel, 0);
-  vec4 rest_and_state = texelFetch(seen_rest, pixel, 0);
-  vec3 position = camera_position.xyz + seen.w * ray;
+  // Before what is computed from the numbers of the pixel, which come from memory meanwhile.
+  vec2 lens = through_lens(ray);
+  Seen seen = seen_from(texelFetch(seen_tissue, ivec2(gl_FragCoord.xy), 0), rest_grid, LAYERED);
+  vec3 position = camera_position.xyz + seen.depth * ray;
   vec3 view = -normalize(ray);
-  float squared_length = dot(seen.xyz, seen.xyz);
-  float over_length = inversesqrt(squared_length);
-  float wound = squared_length * over_length - 1.0;
-  vec3 base = seen.xyz * over_length;
-  vec3 state = fract(rest_and_state.w * vec3(1.0 / 256.0, 1.0 / 65536.0, 1.0 / 16777216.0));
-  float blanch = state.x;
-  float bend = 2.0 * state.y - 1.0;
-  float thickness = 2.0 * state.z;
+  vec3 base = seen.normal;
+  float wound = seen.wound;
+  // Before the skin is computed: what the map says comes from memory meanwhile.
+  float visible = SHADOWED ? key_visibility(position, base) : 1.0;
   // A smooth normal may face away where the triangle is still seen.
   float base_nv = max(dot(base, view), 0.05);
-  Skin skin = skin_at(rest_and_state.xyz, environment.w * seen.w / base_nv, blanch, thickness, wound);
+  Skin skin = skin_at(seen.rest, environment.w * seen.depth / base_nv, seen.blanch, seen.thickness, wound);
   vec3 bump = skin.bump - dot(skin.bump, base) * base;
   vec3 normal = normalize(base - 0.6 * bump);
   // Seen along the wall the film's relief hides its own valleys.
@@ -60,7 +56,6 @@ void main() {
 
   vec3 toward = lamp_direction(position);
   vec3 lamp = lamp_light(position);
-  float visible = SHADOWED ? key_visibility(position, base) : 1.0;
   // Light that has come into an opened organ goes from wall to wall.
   float bounced = ENCLOSED && !LAYERED ? 0.20 : 0.0;
 #ifdef ENDOSCOPE
@@ -68,10 +63,10 @@ void main() {
 #endif
   float lit = ENCLOSED ? key_mirrored(visible, base, toward) : visible;
   visible = mix(bounced, 1.0, visible);
-  float hollow = max(bend, 0.0);
+  float hollow = max(seen.bend, 0.0);
   float openness = rods_openness(position, base) * floor_openness(position, base) * (1.0 - 0.55 * smoothstep(0.0, 0.8, hollow));
 
-  vec3 width = clamp(scatter.rgb * (30.0 + abs(bend) / (0.03 * scene_center.w)), 0.03, 0.7);
+  vec3 width = clamp(scatter.rgb * (30.0 + abs(seen.bend) / (0.03 * scene_center.w)), 0.03, 0.7);
   // Shadows on flesh have reddish borders too.
   vec3 soft_visible = vec3(visible * (1.0 + kRedBorder * (1.0 - visible)), visible, visible);
   if (ENCLOSED && !LAYERED) soft_visible *= mix(kFromFace, vec3(1.0), lit);
@@ -120,5 +115,5 @@ void main() {
   result += visible * gloss * lamp;
 #endif
 
-  color = finished(result, ray, gl_FragCoord.xy);
+  color = finished(result, lens, gl_FragCoord.xy);
 }

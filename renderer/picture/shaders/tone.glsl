@@ -27,7 +27,12 @@ float field_stop(vec3 ray) {
   return floor_plane.w > 0.0 ? 1.0 - smoothstep(0.985, 1.0, radius / floor_plane.w) : 1.0;
 }
 
-// The colour of a pixel that sees `radiance` along `ray`.
-vec4 finished(vec3 radiance, vec3 ray, vec2 pixel) {
-  return vec4(dithered(field_stop(ray) * displayed(lens_light(ray) * radiance), pixel), 1.0);
+// What the lens and its field stop leave along `ray`: of the light, of the picture.
+vec2 through_lens(vec3 ray) { return vec2(lens_light(ray), field_stop(ray)); }
+
+// The colour of a pixel that sees `radiance` through the lens.
+vec4 finished(vec3 radiance, vec2 through_lens, vec2 pixel) {
+  return vec4(dithered(through_lens.y * displayed(through_lens.x * radiance), pixel), 1.0);
 }
+
+vec4 finished(vec3 radiance, vec3 ray, vec2 pixel) { return finished(radiance, through_lens(ray), pixel); }
