@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <string>
@@ -12,6 +13,18 @@
 #include "studio/recorder/Versions.hpp"
 
 namespace {
+
+/// Has what is allocated lie in pages of 2 MB where the system lends such: in those of 4 KB a software driver waits for
+/// a twentieth of its time until it is known where its pictures lie. Not for the haptic loop, which would wait where
+/// such a page is first touched. The C library reads this when a program starts.
+void ask_for_large_pages(const std::string& command) {
+  constexpr const char* kVariable = "GLIBC_TUNABLES";
+  constexpr const char* kTunable = "glibc.malloc.hugetlb";
+  const char* given = std::getenv(kVariable);
+  const std::string tunables = given == nullptr ? "" : given;
+  if (command == "haptic" || tunables.find(kTunable) != std::string::npos) return;
+  setenv(kVariable, (tunables + (tunables.empty() ? "" : ":") + kTunable + "=1").c_str(), 1);
+}
 
 /// Goes on as the program with all commands, which stands beside this one. Comes back only when that cannot be.
 int become_studio(char** arguments) {
@@ -38,5 +51,6 @@ int main(int count, char** arguments) {
   if (count > 1 && std::string(arguments[1]) == thinwall::kCompareCommand) {
     return thinwall::run_compare_line(std::vector<std::string>(arguments + 1, arguments + count));
   }
+  ask_for_large_pages(count > 1 ? arguments[1] : "");
   return become_studio(arguments);
 }

@@ -28,6 +28,8 @@ PROGRAMS = {
     "renderer_benchmarks": "renderer",
     "metric_benchmarks": "renderer",
 }
+# Pages as the program asks for where it draws, see studio/commands/main.cpp.
+MEMORY = {"renderer_benchmarks": {"GLIBC_TUNABLES": "glibc.malloc.hugetlb=1"}}
 UNITS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1}
 # A step cannot take less than one evaluation and one factorisation of its size.
 STEP_PARTS = {"PalpationStep": ("Evaluate", "Factorize")}
@@ -45,7 +47,8 @@ def run_program(build, program, options, extra=()):
             arguments.append(f"--benchmark_filter={options.filter}")
         if options.quick:
             arguments.append("--benchmark_min_time=0.05")
-        done = subprocess.run(arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        done = subprocess.run(arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                              env={**os.environ, **MEMORY.get(program, {})})
         text = Path(file.name).read_text()
     if done.returncode != 0:
         sys.exit(f"scripts/bench: {program} failed: {done.stderr.strip()[-500:]}")

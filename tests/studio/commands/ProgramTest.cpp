@@ -65,6 +65,22 @@ TEST_F(ProgramTest, SaysWhenTheProgramWithAllCommandsIsNotBesideIt) {
   EXPECT_EQ(file_bytes(folder_ / "version"), run({"--json", "--version"}).output) << "as the other does";
 }
 
+TEST_F(ProgramTest, AsksForLargePagesUnlessTheUserOrTheHapticLoopWantsOthers) {
+  std::filesystem::copy(THINWALL_PROGRAM, folder_ / "thinwall");
+  write_bytes(folder_ / "thinwall-studio", "#!/bin/sh\nprintf %s \"$GLIBC_TUNABLES\"\n");
+  std::filesystem::permissions(folder_ / "thinwall-studio", std::filesystem::perms::owner_all);
+  const auto asked = [&](const std::string& given, const std::string& command) {
+    const std::string call = "GLIBC_TUNABLES=" + given + " " + (folder_ / "thinwall").string() + " " + command + " > " +
+                             (folder_ / "words").string();
+    EXPECT_EQ(std::system(call.c_str()), 0);
+    return file_bytes(folder_ / "words");
+  };
+  EXPECT_EQ(asked("", "render"), "glibc.malloc.hugetlb=1");
+  EXPECT_EQ(asked("glibc.malloc.check=0", "render"), "glibc.malloc.check=0:glibc.malloc.hugetlb=1");
+  EXPECT_EQ(asked("glibc.malloc.hugetlb=0", "render"), "glibc.malloc.hugetlb=0");
+  EXPECT_EQ(asked("", "haptic"), "");
+}
+
 TEST_F(ProgramTest, BadUsageIsToldWithExitCode2) {
   expect_bad_usage({}, "subcommand is required");
   expect_bad_usage({"walk"}, "there is no command `walk`");
