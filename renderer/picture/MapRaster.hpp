@@ -31,7 +31,7 @@ inline int texel_from(double place, int count) {
 
 /// Calls `take` for the spans of a triangle on a map of `resolution` by `resolution` texels. Triangles that share an
 /// edge share no texel and leave none out. For maps of many triangles that are hardly larger than a texel: what a
-/// driver without a GPU does for each before it finds a texel takes ten times as long.
+/// driver without a GPU does for each before it finds a texel takes three times as long.
 template <typename Take>
 void for_spans(std::array<MapCorner, 3> corners, int resolution, const Take& take) {
   auto& [low, middle, high] = corners;

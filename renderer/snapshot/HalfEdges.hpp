@@ -10,8 +10,8 @@
 
 namespace thinwall {
 
-/// Which triangle has an edge in a given sense. A vertex has few edges, so that looking through those takes a fifth of
-/// the time that sorting all and searching does: each cut makes a new topology, often one a picture.
+/// Which triangle has an edge in a given sense. A vertex has few edges, so that looking through those is quicker than
+/// to sort all and search: each cut makes a new topology, often one a picture.
 class HalfEdges {
  public:
   static constexpr std::uint32_t kNone = 0xffffffff;
