@@ -134,11 +134,10 @@ class Drawer : RandomNumbers {
     const std::vector<std::vector<Eigen::Vector2d>> lines = draw_lines(kind, begin, end);
     // So deep that the blade's edge goes through the wall above, also where the contents have lifted it.
     const double depth = shape_ == kSheet ? -5e-3 : kind == 5 ? 1e-3 : 0.4 * kRadius;
+    // A blade that grazes would push the wall aside where it appears, by work that none of its motions does.
+    const bool comes_down = recipe.options.analysis == Analysis::kDynamic || kind == 5;
     for (const std::vector<Eigen::Vector2d>& line : lines) {
-      BladeStroke stroke{.points = {},
-                         .step = step,
-                         .duration = duration,
-                         .comes_down = recipe.options.analysis == Analysis::kDynamic};
+      BladeStroke stroke{.points = {}, .step = step, .duration = duration, .comes_down = comes_down};
       for (const Eigen::Vector2d& point : line) stroke.points.emplace_back(point.x(), point.y(), depth);
       recipe.strokes.push_back(stroke);
     }
