@@ -21,7 +21,7 @@ CutProgress let_go(const CutProgress& progress, const std::optional<BladeInput>&
   for (HeldLips& lips : after.held) {
     const bool follows = blade && !lips.runs && !lips.drives;
     // Half of what drives the wall before a step counts as done on it: where that is much the step is divided.
-    const double idle = lips.drives ? std::max(kIdleRelease, progress.division) : kIdleRelease * progress.division;
+    const double idle = (lips.drives ? 1 : kIdleRelease) * progress.division;
     const double part = std::min(lips.held, follows ? travel / lips.length : idle);
     lips.held -= part;
     if (follows) travel -= part * lips.length;

@@ -387,7 +387,7 @@ TEST(LipsThatDriveTheWall, AreMarkedOnceTheyHaveDoneAPartOfWhatTheirCutIsWorth) 
 
 TEST(LipsThatDriveTheWall, AreLetGoAtOnceOrByAsMuchAsAStepIsDividedInto) {
   const BladeInput blade{.travel = 1e-4};
-  for (const auto& [division, left] : {std::pair(1.0, 0.0), std::pair(0.5, 0.5), std::pair(0.125, 0.75)}) {
+  for (const auto& [division, left] : {std::pair(1.0, 0.0), std::pair(0.5, 0.5), std::pair(0.125, 0.875)}) {
     CutProgress progress;
     progress.held = {{.forces = {{.vertex = 0}}, .length = 1e-3, .drives = true}};
     progress.division = division;
