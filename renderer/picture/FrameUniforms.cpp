@@ -201,6 +201,32 @@ Matrix4 key_light_matrix(const SceneExtent& extent, const Studio& studio, const 
   return narrowed_to_tissue(whole_light_matrix(extent, studio), extent, camera);
 }
 
+double shadow_map_pixels(const Matrix4& light_matrix, const SceneExtent& extent, const Camera& camera, ImageSize size) {
+  const auto growth = [&](int row) {  // of a clip coordinate, not divided, over metres
+    return length(Vector3{light_matrix(row, 0), light_matrix(row, 1), light_matrix(row, 2)});
+  };
+  const double widest = 2 / std::min(growth(0), growth(1));
+  const Matrix4 picture = camera.matrix();
+  double sum = 0;
+  int seen = 0;
+  for (const Vector3& point : extent.rest_points) {
+    const std::array<double, 4> place = clip_place(picture, point), lit = clip_place(light_matrix, point);
+    if (!(lit[3] > 0) || std::max(std::abs(place[0]), std::abs(place[1])) > place[3]) continue;
+    const double pixel = 2 * camera.tangent_y * place[3] / size.height;
+    sum += widest * lit[3] / pixel;
+    ++seen;
+  }
+  return seen > 0 ? sum / seen : 0;
+}
+
+int shadow_resolution(Tier tier, double pixels) {
+  constexpr int kFinest = 2048;
+  constexpr double kWidestTexel = 3;  // pixels
+  int resolution = tier == Tier::kFinal ? 1024 : 512;
+  while (resolution < kFinest && pixels > kWidestTexel * resolution) resolution *= 2;
+  return resolution;
+}
+
 FrameUniforms frame_uniforms(const Camera& camera, const SceneExtent& extent, const ViewDefinition& view,
                              const Studio& studio, const std::vector<ToolRod>& rods, ImageSize size, Ground ground) {
   const Vector3 key = studio.key_direction;

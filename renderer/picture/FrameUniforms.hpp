@@ -71,6 +71,14 @@ FrameUniforms sampled_off_middle(FrameUniforms frame, std::array<double, 2> shif
 /// The clip matrix of the light that casts the shadow: what `camera` shows of the scene seen from there.
 Matrix4 key_light_matrix(const SceneExtent& extent, const Studio& studio, const Camera& camera);
 
+/// How many pixels of a picture of `size` the map of that light is wide, on average where the picture shows tissue; 0
+/// where it shows none.
+double shadow_map_pixels(const Matrix4& light_matrix, const SceneExtent& extent, const Camera& camera, ImageSize size);
+
+/// Texels on a side of a shadow map that is `pixels` wide, but for Tier::kDraft. A texel that is several pixels wide
+/// shows as stairs along a shadow's border; in ordinary views none is, and what is finer there would only cost.
+int shadow_resolution(Tier tier, double pixels);
+
 /// sRGB to linear, each 0 to 1 (IEC 61966-2-1).
 double linear_from_srgb(double value);
 

@@ -6,11 +6,14 @@
 
 namespace thinwall {
 
-ShadowMap::ShadowMap(int resolution)
-    : resolution_(resolution),
-      depth_(create_texture(GL_DEPTH_COMPONENT32F, resolution, resolution, GL_LINEAR)),
-      frame_(create_framebuffer()),
-      program_(build_program("depth.vert", "")) {
+ShadowMap::ShadowMap(int resolution) : frame_(create_framebuffer()), program_(build_program("depth.vert", "")) {
+  resize(resolution);
+}
+
+void ShadowMap::resize(int resolution) {
+  if (resolution == resolution_) return;
+  resolution_ = resolution;
+  depth_ = create_texture(GL_DEPTH_COMPONENT32F, resolution, resolution, GL_LINEAR);
   glTextureParameteri(depth_.name(), GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
   glTextureParameteri(depth_.name(), GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
   glNamedFramebufferTexture(frame_.name(), GL_DEPTH_ATTACHMENT, depth_.name(), 0);

@@ -12,6 +12,9 @@ class ShadowMap {
   /// `resolution` in texels on a side.
   explicit ShadowMap(int resolution);
 
+  /// It has to be drawn anew then.
+  void resize(int resolution);
+
   /// Draws the map anew.
   void draw(const SceneMeshes& meshes, const Matrix4& light_matrix) const;
 
@@ -22,7 +25,7 @@ class ShadowMap {
   void bind() const;
 
  private:
-  int resolution_;
+  int resolution_ = 0;
   Texture depth_;
   Framebuffer frame_;
   Program program_;

@@ -117,6 +117,27 @@ TEST(KeyLight, OfFewPointsKeepsAllInItsMap) {
   for (const double most : most_in_map(sheet(), kFarLamp, beside)) EXPECT_NEAR(most, 1 / 1.15, 1e-6);
 }
 
+TEST(KeyLight, ItsMapIsAsManyPixelsWideAsItIsInThePicture) {
+  const SceneExtent extent = fine_sheet();
+  const auto pixels = [&](double half_width) {
+    const Camera camera = camera_above({}, half_width);
+    return shadow_map_pixels(key_light_matrix(extent, kLampAbove, camera), extent, camera, {200, 200});
+  };
+  // It lies at a slant: the diagonal of 60 mm by 60 mm, 15 % more, in pixels of 1 mm.
+  EXPECT_NEAR(pixels(0.1), 1.15 * 60 * std::sqrt(2), 1e-6);
+  EXPECT_NEAR(pixels(0.2), 0.5 * pixels(0.1), 1e-6);
+  EXPECT_GT(pixels(0.01), 300) << "narrower, though in pixels of 0.1 mm";
+}
+
+TEST(KeyLight, ItsMapIsFinerWhereItsTexelsWouldBeSeenAsStairs) {
+  EXPECT_EQ(shadow_resolution(Tier::kRecord, 0), 512);
+  EXPECT_EQ(shadow_resolution(Tier::kRecord, 1200), 512) << "an organ that fills a picture of 1280 by 720";
+  EXPECT_EQ(shadow_resolution(Tier::kRecord, 3000), 1024);
+  EXPECT_EQ(shadow_resolution(Tier::kFinal, 3000), 1024);
+  EXPECT_EQ(shadow_resolution(Tier::kRecord, 1e6), 2048);
+  EXPECT_EQ(shadow_resolution(Tier::kFinal, 1e6), 2048);
+}
+
 TEST(KeyLight, AmongTheTissueKeepsItsWholeView) {
   for (const double most : most_in_map(sheet(), lamp_at({0, 0, 1e-4}))) EXPECT_TRUE(std::isfinite(most));
 }

@@ -308,6 +308,21 @@ TEST(Renderer, AToolShadesTheTissueBelowIt) {
   EXPECT_LT(pixel_at(with, x, y)[0], 0.9 * pixel_at(without, x, y)[0]);
 }
 
+/// A near view takes a finer map of shadows.
+TEST(Renderer, APictureIsTheSameAfterNearOnesAndAfterFarOnes) {
+  const Snapshot snapshot = organ_and_probe();
+  ViewDefinition near;
+  near.camera.position = Double3{-0.006, -0.008, 0.078};
+  near.camera.target = Double3{0.004, 0.002, 0.06};
+  const ImageSize size{640, 360};
+  const Image near_alone = draw(snapshot, near, size), far_alone = draw(snapshot, {}, size);
+  Renderer renderer(DeviceChoice{}, size, Tier::kRecord);
+  for (int turn = 0; turn < 2; ++turn) {
+    EXPECT_EQ(renderer.draw(snapshot, near).pixels, near_alone.pixels);
+    EXPECT_EQ(renderer.draw(snapshot, {}).pixels, far_alone.pixels);
+  }
+}
+
 TEST(Renderer, TheCameraOfATakeStaysWhenTheTissueMoves) {
   Snapshot snapshot = organ_and_probe();
   const ViewDefinition view;
