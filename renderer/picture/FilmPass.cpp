@@ -14,7 +14,8 @@ FilmPass::FilmPass()
                                       {1, 3, offsetof(FilmVertex, normal)},
                                       {2, 3, offsetof(FilmVertex, rest)},
                                       {3, 4, offsetof(FilmVertex, inward)},
-                                      {4, 2, offsetof(FilmVertex, lift)}}) {}
+                                      {4, 2, offsetof(FilmVertex, lift)},
+                                      {5, 3, offsetof(FilmVertex, slope)}}) {}
 
 void FilmPass::draw(std::span<const BodyFilm> films, Surroundings surroundings) {
   glEnable(GL_DEPTH_TEST);

@@ -1,6 +1,7 @@
 #include "renderer/picture/RunFilm.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -60,7 +61,25 @@ struct RunCourse {
   }
 };
 
-/// Three vertices across the run at `along`, `ahead` of there by metres.
+/// How the half width of a run grows along it, which its round ends would have without bound.
+double widening_at(double along, const RunShape& shape) {
+  constexpr double kStep = 0.0001;  // metres
+  constexpr double kMost = 2;
+  const double before = std::max(0.0, along - kStep), behind = std::min(shape.length, along + kStep);
+  return std::clamp((half_width_at(behind, shape) - half_width_at(before, shape)) / (behind - before), -kMost, kMost);
+}
+
+/// Part of a trail's height at its source, where it comes out of the lip: from nothing, so that it begins without an
+/// edge.
+double welled_up(double along, const RunShape& shape) {
+  const double t = std::min(1.0, along / shape.half_width);
+  return t * t * (3 - 2 * t);
+}
+
+/// The middle of a row belongs to both its sides, on each of which the film slopes its own way.
+constexpr std::array kColumns = {-1.0, -0.0, 0.0, 1.0};
+
+/// Vertices of the columns across the run at `along`, `ahead` of there by metres.
 void append_row(const RunCourse& course, const RunShape& shape, double along, double ahead, Film& film) {
   const std::vector<Float3>& now = course.surface.positions;
   const Vector3 normal = normalized(course.at(along, course.normals));
@@ -71,17 +90,20 @@ void append_row(const RunCourse& course, const RunShape& shape, double along, do
   const Vector3 side = normalized(cross(normal, sense));
   const Vector3 middle = course.at(along, now) + ahead * sense;
   const Vector3 rest = course.at(along, course.surface.topology->rest_positions) + ahead * sense;
-  for (const double across : {-1.0, 0.0, 1.0}) {
+  const double widening = widening_at(along, shape), over_trail = half / shape.half_width;
+  const double height = shape.height * over_trail * over_trail * welled_up(along, shape);
+  for (const double across : kColumns) {
     const double out = across * (half + kFilmMargin);
-    film.vertices.push_back(
-        {.position = float3(middle + out * side + 0.0001 * normal),
-         .normal = float3(normal),
-         .rest = float3(rest + out * side),
-         .inward = static_cast<float>(across == 0 && ahead == 0 ? half : -kFilmMargin),
-         .width = static_cast<float>(std::max(half, 1e-5)),
-         .height = static_cast<float>(shape.height * half * half / (shape.half_width * shape.half_width)),
-         .dry = static_cast<float>(shape.dry),
-         .lift = kAcrossTriangles});
+    const Vector3 slope = widening * sense - std::copysign(1.0, across) * side;
+    film.vertices.push_back({.position = float3(middle + out * side + 0.0001 * normal),
+                             .normal = float3(normal),
+                             .rest = float3(rest + out * side),
+                             .inward = static_cast<float>(across == 0 && ahead == 0 ? half : -kFilmMargin),
+                             .width = static_cast<float>(std::max(half, 1e-5)),
+                             .height = static_cast<float>(height),
+                             .dry = static_cast<float>(shape.dry),
+                             .lift = kAcrossTriangles,
+                             .slope = float3(slope)});
   }
 }
 
@@ -101,10 +123,12 @@ void append_run(const SnapshotSurface& surface, std::span<const Float3> normals,
   // What lies before the drop, so that its edge is drawn whole.
   append_row(course, drawn, drawn.length, kFilmMargin, film);
   const auto end = static_cast<std::uint32_t>(film.vertices.size());
-  for (std::uint32_t b = first + 3; b < end; b += 3) {
-    const std::uint32_t a = b - 3;
-    for (const std::uint32_t corner : {a, b + 1, a + 1, a, b, b + 1, a + 1, b + 2, a + 2, a + 1, b + 1, b + 2}) {
-      film.corners.push_back(corner);
+  constexpr auto kStride = static_cast<std::uint32_t>(kColumns.size());
+  for (std::uint32_t row = first; row + kStride < end; row += kStride) {
+    // The two middle columns lie at the same places.
+    for (const std::uint32_t a : {row, row + 2}) {
+      const std::uint32_t b = a + kStride;
+      for (const std::uint32_t corner : {a, b + 1, a + 1, a, b, b + 1}) film.corners.push_back(corner);
     }
   }
 }

@@ -14,6 +14,7 @@ layout(location = 2) in vec3 rest;
 layout(location = 3) in vec4 film;  // metres from the edge inwards, metres to where it is thickest, height there, dry
 
 layout(location = 4) in float coat;  // 0: ends in an edge; 1: thins to nothing, see Film.hpp
+layout(location = 5) in vec3 inward_slope;  // of what ends in an edge: how film.x grows, 1 / metre
 
 layout(location = 0, index = 0) out vec4 color;  // is added to what is left of the pixel
 layout(location = 0, index = 1) out vec4 through;  // part of each channel that is left
@@ -58,17 +59,19 @@ void main() {
   // adds is told by its gradient: differences of it would stay the same over each two by two pixels.
   vec3 uneven_change = width * (0.55 * kWaves * coarse.xyz + 0.10 * kFineWaves * fine.xyz);
   vec2 inward_change = vec2(dFdx(film.x), dFdy(film.x));
+  vec3 across = dFdx(position), along = dFdy(position);
+  // The distance to an edge is told at vertices, and so turns at each of the triangles' borders.
+  vec2 smooth_change = vec2(dot(inward_slope, across), dot(inward_slope, along));
   vec3 rest_across = dFdx(rest), rest_along = dFdy(rest);
   vec2 local_change = vec2(dot(uneven_change, rest_across), dot(uneven_change, rest_along));
   vec3 lumpy = 0.15 * kWaves * coarse.xyz;
   vec2 lumpy_change = vec2(dot(lumpy, rest_across), dot(lumpy, rest_along));
-  vec2 drop_change = film.z / width * (3.0 * fall * fall * (inward_change + fall * local_change) + cap * local_change) +
+  vec2 drop_change = film.z / width * (3.0 * fall * fall * (smooth_change + fall * local_change) + cap * local_change) +
                      film.z * cap * lumpy_change;
   vec2 coat_change = film.z * full * (full + 2.0 * kFade) * over * over *
                      (inward_change / width + vec2(dot(full_change, rest_across), dot(full_change, rest_along)));
   vec2 height_change = mix(drop_change, coat_change, coat);
   vec3 base = normalize(smooth_normal);
-  vec3 across = dFdx(position), along = dFdy(position);
   vec3 first = cross(along, base), second = cross(base, across);
   float area = dot(across, first);
   vec3 slope = (height_change.x * first + height_change.y * second) / (abs(area) > 1e-16 ? area : 1e-16);

@@ -314,7 +314,14 @@ TEST(Renderer, APictureIsTheSameAfterNearOnesAndAfterFarOnes) {
   ViewDefinition near;
   near.camera.position = Double3{-0.006, -0.008, 0.078};
   near.camera.target = Double3{0.004, 0.002, 0.06};
-  const ImageSize size{640, 360};
+  const ImageSize size{1280, 720};
+  const SceneExtent extent = scene_extent(snapshot);
+  const auto resolution = [&](const ViewDefinition& view) {
+    const Camera camera = resolve_camera(view.camera, extent, size, 0);
+    const Matrix4 matrix = key_light_matrix(extent, arrange_studio(view.lights, camera), camera);
+    return shadow_resolution(Tier::kRecord, shadow_map_pixels(matrix, extent, camera, size));
+  };
+  ASSERT_NE(resolution(near), resolution({}));
   const Image near_alone = draw(snapshot, near, size), far_alone = draw(snapshot, {}, size);
   Renderer renderer(DeviceChoice{}, size, Tier::kRecord);
   for (int turn = 0; turn < 2; ++turn) {

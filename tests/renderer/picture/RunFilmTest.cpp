@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <vector>
 
 #include "renderer/picture/Vector.hpp"
@@ -55,6 +56,47 @@ TEST(RunFilm, ItsFrontStandsHigherThanTheFilmBehind) {
   }
   // Seen: 3.1; 1.8 where height goes with width.
   EXPECT_GT(front, 2.4 * behind);
+}
+
+TEST(RunFilm, ItComesOutOfTheLipWithoutAnEdge) {
+  const SnapshotSurface wall = test::surface_of("wall", {{0, 0, 0}, {0.1F, 0, 0}, {0, 0.1F, 0}}, {{0, 1, 2}});
+  const std::vector<Float3> normals(3, Float3{0, 0, 1});
+  Film film;
+  append_run(wall, normals, bent_run(0), {.half_width = 0.0014, .length = 0.018, .height = 0.0006}, film);
+  std::map<float, float> heights;  // by the way along x
+  for (const FilmVertex& vertex : film.vertices) heights[vertex.position[0]] = vertex.height;
+  EXPECT_EQ(heights.begin()->second, 0);
+  for (const auto& [x, height] : heights) {
+    // A tenth of a millimetre hardly tints what lies below.
+    if (x < 0.0203F) {
+      EXPECT_LT(height, 0.0001F) << x;
+    } else if (x > 0.022F && x < 0.03F) {
+      EXPECT_GT(height, 0.0003F) << x;
+    }
+  }
+}
+
+/// Each triangle would slope its own way, which shows as teeth in what the film mirrors.
+TEST(RunFilm, TellsHowItSlopesAtItsVertices) {
+  const SnapshotSurface wall = test::surface_of("wall", {{0, 0, 0}, {0.1F, 0, 0}, {0, 0.1F, 0}}, {{0, 1, 2}});
+  const std::vector<Float3> normals(3, Float3{0, 0, 1});
+  Film film;
+  append_run(wall, normals, bent_run(0), {.half_width = 0.0014, .length = 0.018, .height = 0.0006}, film);
+  int compared = 0;
+  for (std::size_t i = 0; i < film.corners.size(); i += 3) {
+    const auto vertex = [&](std::size_t k) { return film.vertices[film.corners[i + k]]; };
+    const Vector3 place = vector3(vertex(0).position);
+    // Where it is neither round nor widens.
+    if (place.x < 0.024 || place.x > 0.027) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const FilmVertex start = vertex(k), end = vertex((k + 1) % 3);
+      const Vector3 way = vector3(end.position) - vector3(start.position);
+      const double grown = double{end.inward} - start.inward;
+      EXPECT_NEAR(dot(0.5 * (vector3(start.slope) + vector3(end.slope)), way), grown, 5e-6) << place.x;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 50);
 }
 
 }  // namespace

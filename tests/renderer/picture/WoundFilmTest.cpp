@@ -212,11 +212,12 @@ TEST(WoundFilm, ItsTrianglesFaceOutwards) {
 TEST(WoundFilm, RunsAreRoundAtBothEnds) {
   const Wound wound(0.8);
   const Film film = wound.blood(4);
-  // Rows of three across a run: at its first and last one the trail has no width.
+  // Rows of four across a run, two of them in the middle: at its first and last one the trail has no width.
   std::size_t ends = 0;
-  for (std::size_t v = 1; v + 1 < film.vertices.size(); ++v) {
+  for (std::size_t v = 1; v + 2 < film.vertices.size(); ++v) {
     const bool is_row = film.vertices[v].lift > 1e-4F && film.vertices[v - 1].inward < 0 &&
-                        film.vertices[v + 1].inward < 0 && film.vertices[v].inward >= 0;
+                        film.vertices[v + 2].inward < 0 && film.vertices[v].inward >= 0 &&
+                        film.vertices[v + 1].inward >= 0;
     if (is_row && film.vertices[v].inward == 0) ++ends;
   }
   EXPECT_EQ(ends, 2 * wound.layout.blood_runs.size());
@@ -226,13 +227,13 @@ TEST(WoundFilm, RunsAreRoundAtBothEnds) {
 TEST(WoundFilm, TheDropAtTheEndOfARunIsDrawnWhole) {
   const Film film = Wound(0.8).blood(4);
   std::size_t heads = 0;
-  for (std::size_t v = 2; v + 4 < film.vertices.size(); v += 1) {
+  for (std::size_t v = 4; v + 4 < film.vertices.size(); v += 1) {
     const bool is_head = film.vertices[v].lift > 1e-4F && film.vertices[v].inward == 0 &&
-                         film.vertices[v - 3].inward > 0 && film.vertices[v - 1].inward < 0;
+                         film.vertices[v - 4].inward > 0 && film.vertices[v - 1].inward < 0;
     if (!is_head) continue;
     ++heads;
-    EXPECT_LT(film.vertices[v + 3].inward, 0);
-    const Vector3 beyond = vector3(film.vertices[v + 3].position) - vector3(film.vertices[v].position);
+    EXPECT_LT(film.vertices[v + 4].inward, 0);
+    const Vector3 beyond = vector3(film.vertices[v + 4].position) - vector3(film.vertices[v].position);
     EXPECT_NEAR(length(beyond), 0.0003, 1e-6);
     EXPECT_LT(beyond.z, 0);
   }
