@@ -17,7 +17,9 @@ namespace {
 constexpr float kBlade = 0.07f;    // roughness of its faces
 constexpr float kGround = 0.09f;   // and of its bevels
 constexpr float kStamped = 0.22f;  // and of its narrow sides
-constexpr double kRounding = 0.3;  // by how much more than its middle a narrow side leans at its edges
+constexpr double kHollow = 0.24;   // by how much broad faces of the blade lean at their borders: they are hollow ground
+constexpr double kMountHollow = 0.16;  // and of its mount
+constexpr double kRounding = 0.3;      // by how much more than its middle a narrow side leans at its edges
 
 double smooth_step(double t) {
   return t * t * (3 - 2 * t);
@@ -30,17 +32,23 @@ struct Blade {
         thick(0.5 * tool.thickness),
         length(tool.length),
         bevel(std::min(0.4 * wide, 0.1 * length)),
-        slant(std::min(2.8 * wide, 0.5 * length)),
         belly(std::min(3.4 * wide, 0.65 * length)) {}
 
   double wide;   // half of the width
   double thick;  // half of the thickness
   double length;
   double bevel;  // width of what is ground off
-  double slant;  // how far behind the point the back has its whole distance from the middle
-  double belly;  // and the edge
+  double belly;  // how far behind the point edge and back have their whole distance from the middle
 
-  double back_side(double back) const { return -wide * std::min(back / slant, 1.0); }
+  /// The back comes down to the point in a curve, as where a straight one ended in a slant the corner would be seen.
+  double back_side(double back) const {
+    const double t = std::min(back / belly, 1.0);
+    return -0.5 * wide * t * (3 - t * t);
+  }
+  Vector3 back_outward(double back) const {
+    const double t = std::min(back / belly, 1.0);
+    return {0, -1, -1.5 * wide / belly * (1 - t * t)};
+  }
 };
 
 /// A place of the edge, and where its bevel ends.
@@ -53,17 +61,23 @@ struct EdgePlace {
 
 /// At the point edge and back meet, and the bevel has no width.
 EdgePlace edge_place(const Blade& blade, double y, double back, Vector3 inward) {
-  const double steep = blade.wide / blade.slant;
-  const double toward_back = -inward.y - steep * inward.z;
-  const double room = back < blade.slant && toward_back > 0 ? (y + steep * back) / toward_back : blade.bevel;
-  const double ground = std::clamp(room / blade.bevel, 0.0, 1.0);
   const Vector3 edge{0, y, back};
+  const auto is_blade = [&](double part) {
+    const Vector3 place = edge + part * blade.bevel * inward;
+    return place.y >= blade.back_side(place.z);
+  };
+  double ground = 0, beyond = 1;
+  if (is_blade(beyond)) ground = 1;
+  for (int halving = 0; halving < 20 && ground < 1; ++halving) {
+    const double middle = 0.5 * (ground + beyond);
+    (is_blade(middle) ? ground : beyond) = middle;
+  }
   return {edge, edge + ground * blade.bevel * inward, inward, ground};
 }
 
 /// From the point along the edge to the mount: an arc of an ellipse that is cut off aslant by the back.
 std::vector<EdgePlace> edge_places(const Blade& blade) {
-  constexpr int kSteps = 16;
+  constexpr int kSteps = 24;
   constexpr double kFirst = std::numbers::pi / 6;  // angle on the ellipse at which it begins
   std::vector<EdgePlace> places;
   for (int k = 0; k <= kSteps; ++k) {
@@ -85,12 +99,11 @@ void add_flat(ToolBuilder& builder, const std::array<Vector3, 4>& corners, Vecto
 }
 
 /// A narrow side between two broad ones, its corners at -x', x', x', -x': rounded by use, so that a line of it always
-/// glints.
-void add_narrow(ToolBuilder& builder, const std::array<Vector3, 4>& corners, Vector3 outward) {
-  const Vector3 across = normalized(cross(corners[2] - corners[0], corners[3] - corners[1]), outward);
-  const Vector3 normal = dot(across, outward) < 0 ? -across : across;
-  const Vector3 low = normal - Vector3{kRounding, 0, 0}, high = normal + Vector3{kRounding, 0, 0};
-  builder.add_quad(corners, {low, high, high, low}, kStamped);
+/// glints. It turns from one outward normal to the other.
+void add_narrow(ToolBuilder& builder, const std::array<Vector3, 4>& corners, Vector3 front, Vector3 rear) {
+  const Vector3 aside{kRounding, 0, 0};
+  const Vector3 from = normalized(front), to = normalized(rear);
+  builder.add_quad(corners, {from - aside, from + aside, to + aside, to - aside}, kStamped);
 }
 
 /// The bevel and the broad face behind it on the side of `sense` (-1 or 1 along x'), between two places of the edge.
@@ -104,8 +117,8 @@ void add_broad_side(ToolBuilder& builder, const Blade& blade, const EdgePlace& l
     const Vector3 there = inner(place);
     return Vector3{there.x, blade.back_side(there.z), there.z};
   };
-  // Hollow, so that its faces mirror more than one place; the bevel is rounder towards the edge.
-  const auto hollow = [&](Vector3 place) { return normalized(Vector3{sense, -0.24 * place.y / blade.wide, 0}); };
+  const auto hollow = [&](Vector3 place) { return normalized(Vector3{sense, -kHollow * place.y / blade.wide, 0}); };
+  // The bevel is rounder towards the edge.
   const auto ground = [&](const EdgePlace& place, double lean) {
     return Vector3{sense * blade.bevel, 0, 0} - lean * (blade.thick - edge_thick) * place.inward;
   };
@@ -134,7 +147,7 @@ void add_blade(ToolBuilder& builder, const Blade& blade, BladeEdge edge) {
     add_narrow(builder,
                {on_back(-from, low.inner.z), on_back(from, low.inner.z), on_back(to, high.inner.z),
                 on_back(-to, high.inner.z)},
-               {0, -1, 0});
+               blade.back_outward(low.inner.z), blade.back_outward(high.inner.z));
   }
   const EdgePlace& end = places.back();
   const Vector3 rear{0, 0, 1};
@@ -154,7 +167,19 @@ struct PlateRow {
   double lean = 0;  // how much farther back it is for each metre towards -y'
   double wide = 0;  // half of the plate's width
   double slot = 0;  // half of the slot's width
+  double hollow = kMountHollow;
 };
+
+/// The outward normal of a plate's narrow side on the side of y', at row `k`, between those of the faces beside it; not
+/// of length one. `half`: PlateRow::wide, or slot, whose wall faces the other way.
+Vector3 side_normal(const std::vector<PlateRow>& rows, std::size_t k, double PlateRow::*half) {
+  Vector3 sum{};
+  for (std::size_t high = std::max<std::size_t>(k, 1); high <= std::min(k + 1, rows.size() - 1); ++high) {
+    const PlateRow &a = rows[high - 1], &b = rows[high];
+    if (a.*half > 0 || b.*half > 0) sum = sum + normalized({0, b.back - a.back, a.*half - b.*half});
+  }
+  return sum;
+}
 
 void add_plate(ToolBuilder& builder, const std::vector<PlateRow>& rows, double thick) {
   const auto at = [](const PlateRow& row, double x, double y) { return Vector3{x, y, row.back - row.lean * y}; };
@@ -164,19 +189,25 @@ void add_plate(ToolBuilder& builder, const std::vector<PlateRow>& rows, double t
       for (const double x : {-thick, thick}) {
         const std::array<Vector3, 4> face = {at(low, x, side * low.slot), at(low, x, side * low.wide),
                                              at(high, x, side * high.wide), at(high, x, side * high.slot)};
-        const auto hollow = [&](Vector3 place) {
-          return normalized(Vector3{x, 0, 0}) - Vector3{0, 0.16 * place.y / high.wide, 0};
+        const auto normal = [&](const PlateRow& row, double half) {
+          return normalized(Vector3{x > 0 ? 1.0 : -1.0, -row.hollow * side * half / row.wide, 0});
         };
-        builder.add_quad(face, {hollow(face[0]), hollow(face[1]), hollow(face[2]), hollow(face[3])}, kBlade);
+        builder.add_quad(
+            face, {normal(low, low.slot), normal(low, low.wide), normal(high, high.wide), normal(high, high.slot)},
+            kBlade);
       }
-      const auto wall = [&](double from, double to, double outward) {
+      const auto wall = [&](double PlateRow::*half, double outward) {
+        const auto normal = [&](std::size_t row) {
+          const Vector3 own = side_normal(rows, row, half);
+          return outward * Vector3{0, side * own.y, own.z};
+        };
         add_narrow(builder,
-                   {at(low, -thick, side * from), at(low, thick, side * from), at(high, thick, side * to),
-                    at(high, -thick, side * to)},
-                   {0, side * outward, 0});
+                   {at(low, -thick, side * low.*half), at(low, thick, side * low.*half),
+                    at(high, thick, side * high.*half), at(high, -thick, side * high.*half)},
+                   normal(k - 1), normal(k));
       };
-      wall(low.wide, high.wide, 1);
-      if (low.slot > 0 || high.slot > 0) wall(low.slot, high.slot, -1);
+      wall(&PlateRow::wide, 1);
+      if (low.slot > 0 || high.slot > 0) wall(&PlateRow::slot, -1);
     }
   }
   for (const PlateRow* row : {&rows.front(), &rows.back()}) {
@@ -189,12 +220,14 @@ void add_plate(ToolBuilder& builder, const std::vector<PlateRow>& rows, double t
 
 /// Where the blade sits on the tang: it widens, has a slot, and ends aslant.
 void add_mount(ToolBuilder& builder, const Blade& blade) {
-  constexpr int kShoulder = 5, kRound = 4;
+  constexpr int kShoulder = 10, kRound = 8;
   const double wide = blade.wide, mount = 1.22 * wide, slot = 0.36 * wide;
   std::vector<PlateRow> rows;
   for (int k = 0; k <= kShoulder; ++k) {
     const double t = static_cast<double>(k) / kShoulder;
-    rows.push_back({.back = blade.length + 0.8 * wide * t, .wide = std::lerp(wide, mount, smooth_step(t))});
+    rows.push_back({.back = blade.length + 0.8 * wide * t,
+                    .wide = std::lerp(wide, mount, smooth_step(t)),
+                    .hollow = std::lerp(kHollow, kMountHollow, smooth_step(t))});
   }
   const double front = blade.length + 1.1 * wide, rear = blade.length + 3.9 * wide;
   for (int k = 0; k <= kRound; ++k) {

@@ -185,6 +185,44 @@ TEST(ToolShape, ABladeEndsInAPointWhereEdgeAndBackMeet) {
   EXPECT_LT(thick, 0.05 * tool.thickness);
 }
 
+TEST(ToolShape, TheBackOfABladeComesDownToItsPointWithoutACorner) {
+  SnapshotTool tool = tool_of(SnapshotToolKind::kScalpel);
+  tool.tip = {};
+  tool.direction = {0, 0, -1};
+  std::map<float, double> back;  // lowest y' at a height
+  for (const ToolVertex& vertex : tool_shape(tool, 0.1).vertices) {
+    const auto [x, y, z] = vertex.position;
+    if (z <= tool.length && y <= 0) back[z] = std::min<double>(back[z], y);
+  }
+  std::erase_if(back, [](const auto& place) { return place.first > 0 && !(place.second < 0); });
+  ASSERT_GT(back.size(), 15);
+  double before = 0, steepest = 0;
+  for (auto next = std::next(back.begin()), last = back.begin(); next != back.end(); last = next++) {
+    const double angle = std::atan2(last->second - next->second, double{next->first} - last->first);
+    if (last != back.begin()) {
+      EXPECT_LT(std::abs(angle - before), 0.06) << "radians, at " << last->first;
+    }
+    before = angle;
+    steepest = std::max(steepest, angle);
+  }
+  EXPECT_GT(steepest, 0.3);
+  EXPECT_NEAR(before, 0, 1e-6) << "straight before the mount";
+}
+
+TEST(ToolShape, ABladeAndItsMountAreOnePlate) {
+  SnapshotTool tool = tool_of(SnapshotToolKind::kScalpel);
+  tool.tip = {};
+  tool.direction = {0, 0, -1};
+  std::vector<Vector3> normals;
+  for (const ToolVertex& vertex : tool_shape(tool, 0.1).vertices) {
+    const auto [x, y, z] = vertex.position;
+    const bool is_corner = std::abs(z - tool.length) < 1e-6 && std::abs(y + 0.5 * tool.width) < 1e-6 && x > 0;
+    if (is_corner && vertex.normal[0] > 0.9F) normals.push_back(vector3(vertex.normal));
+  }
+  ASSERT_GE(normals.size(), 2);
+  for (const Vector3& normal : normals) EXPECT_GT(dot(normal, normals.front()), 1 - 1e-6) << "a seam would be seen";
+}
+
 TEST(ToolShape, AHandleThatWidensIsBentAndHasNoFacets) {
   SnapshotTool tool = tool_of(SnapshotToolKind::kScalpel);
   tool.tip = {};
