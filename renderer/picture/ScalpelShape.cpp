@@ -168,6 +168,8 @@ struct PlateRow {
   double wide = 0;  // half of the plate's width
   double slot = 0;  // half of the slot's width
   double hollow = kMountHollow;
+  float shade = 0;        // part of the light that the tang takes in the middle
+  float outer_shade = 0;  // and the handle at the sides
 };
 
 /// The outward normal of a plate's narrow side on the side of y', at row `k`, between those of the faces beside it; not
@@ -194,7 +196,7 @@ void add_plate(ToolBuilder& builder, const std::vector<PlateRow>& rows, double t
         };
         builder.add_quad(
             face, {normal(low, low.slot), normal(low, low.wide), normal(high, high.wide), normal(high, high.slot)},
-            kBlade);
+            kBlade, {low.shade, low.outer_shade, high.outer_shade, high.shade});
       }
       const auto wall = [&](double PlateRow::*half, double outward) {
         const auto normal = [&](std::size_t row) {
@@ -234,11 +236,20 @@ void add_mount(ToolBuilder& builder, const Blade& blade) {
     const double angle = 0.5 * std::numbers::pi * k / kRound;
     rows.push_back({.back = front + 2 * slot * (1 - std::cos(angle)), .wide = mount, .slot = slot * std::sin(angle)});
   }
+  // Where the tang lies in the slot it shades the borders of that, as the handle's front does all below it.
+  constexpr float kTangShade = 0.55F, kHandleShade = 0.5F;
+  rows.push_back({.back = blade.length + 2.0 * wide, .wide = mount, .slot = slot});
+  rows.push_back({.back = blade.length + 2.5 * wide, .wide = mount, .slot = slot, .shade = kTangShade});
   for (int k = kRound; k >= 0; --k) {
     const double angle = 0.5 * std::numbers::pi * k / kRound;
-    rows.push_back({.back = rear - slot * (1 - std::cos(angle)), .wide = mount, .slot = slot * std::sin(angle)});
+    rows.push_back({.back = rear - slot * (1 - std::cos(angle)),
+                    .wide = mount,
+                    .slot = slot * std::sin(angle),
+                    .shade = kTangShade,
+                    .outer_shade = 0.6F * kHandleShade * static_cast<float>(std::cos(angle))});
   }
-  rows.push_back({.back = rear + 0.9 * wide, .lean = 0.45, .wide = mount});
+  rows.push_back(
+      {.back = rear + 0.9 * wide, .lean = 0.45, .wide = mount, .shade = kTangShade, .outer_shade = kHandleShade});
   add_plate(builder, rows, blade.thick);
 }
 
@@ -282,7 +293,7 @@ ToolShape scalpel_shape(const SnapshotTool& tool, double scene_size, BladeEdge e
   ToolBuilder builder(tool, scene_size);
   add_blade(builder, blade, edge);
   add_mount(builder, blade);
-  builder.add_rod_along_axis(0.5 * tool.thickness, tool.width, 0.5 * tool.thickness);
+  builder.add_rod(0, blade.length + 4.3 * blade.wide, 0.5 * blade.wide);
   add_handle(builder, blade, scene_size);
   return builder.take();
 }

@@ -103,10 +103,11 @@ void ToolBuilder::join(const std::vector<FlatSection>& sections) {
 }
 
 void ToolBuilder::add_quad(const std::array<Vector3, 4>& corners, const std::array<Vector3, 4>& normals,
-                           float roughness) {
+                           float roughness, const std::array<float, 4>& shade) {
   const auto first = static_cast<std::uint32_t>(shape_.vertices.size());
   for (std::size_t k = 0; k < corners.size(); ++k) {
-    append(tip_ + turned(corners[k]), normalized(turned(normals[k])), {.back = corners[k].z, .roughness = -roughness});
+    append(tip_ + turned(corners[k]), normalized(turned(normals[k])),
+           {.back = corners[k].z, .roughness = -roughness, .grip = -shade[k]});
   }
   append_triangle(first, first + 1, first + 2);
   append_triangle(first, first + 2, first + 3);

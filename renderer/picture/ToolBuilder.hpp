@@ -19,7 +19,7 @@ struct OutlinePoint {
   double normal_back = 0;  // outward normal in the same plane, not of length one
   double normal_out = 1;
   float roughness = kBrushed;  // below 0 that of a flat face
-  float grip = 0;
+  float grip = 0;              // as of ToolVertex
 };
 
 /// A section of a flat tool across its direction: a rectangle, its corners ground off.
@@ -48,8 +48,9 @@ class ToolBuilder {
   void join(const std::vector<FlatSection>& sections);
 
   /// A face with the given corners, one after the other, and outward normals, not of length one; both along x', along
-  /// y' and backwards, from the tip. It counts as flat.
-  void add_quad(const std::array<Vector3, 4>& corners, const std::array<Vector3, 4>& normals, float roughness);
+  /// y' and backwards, from the tip. It counts as flat. `shade`: part of the light that parts close to a corner take.
+  void add_quad(const std::array<Vector3, 4>& corners, const std::array<Vector3, 4>& normals, float roughness,
+                const std::array<float, 4>& shade = {});
 
   /// Rods stand for the tool in shade and reflections: one along the direction, and one along the axis.
   void add_rod(double back_from, double back_to, double radius);

@@ -13,8 +13,8 @@ struct ToolVertex {
   Float3 normal{};      // of length one, outward
   float roughness = 0;  // 0 to 1; of flat faces below 0
   float along = 0;      // distance from the tip against the direction, in units of the scene's size
-  float grip = 0;       // 0 to 1: how deep the rings of the handle are
-  float side = 0;       // distances from the middle line along x' and y', in units of the scene's size
+  float grip = 0;  // 0 to 1: how deep the rings of the handle are; below 0: part of the light that parts close by take
+  float side = 0;  // distances from the middle line along x' and y', in units of the scene's size
   float aside = 0;
 };
 

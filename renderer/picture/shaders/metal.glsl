@@ -33,6 +33,7 @@ struct Steel {
   float flatness;    // 1 on flat faces, 0 on round ones
   vec3 axis;         // along the tool, or zero where nothing tells
   float ring_depth;  // 0 to 1
+  float shade;       // part of the light that parts of the tool close by take
 };
 
 Steel steel_at(ivec2 pixel) {
@@ -40,7 +41,7 @@ Steel steel_at(ivec2 pixel) {
   vec4 axis = texelFetch(tool_axis, pixel, 0);
   float size = length(normal.xyz);
   return Steel(camera_position.xyz + place.w * ray, place.w, place.x, place.yz, normal.xyz / size, size - 1.0,
-               abs(normal.w), normal.w < 0.0 ? 1.0 : 0.0, axis.xyz, axis.w);
+               abs(normal.w), normal.w < 0.0 ? 1.0 : 0.0, axis.xyz, max(axis.w, 0.0), max(-axis.w, 0.0));
 }
 
 // 0 where it is polished, 1 where it is brushed.
@@ -219,7 +220,7 @@ void main() {
 
   const vec3 kSteel = vec3(0.62, 0.60, 0.575);
   vec3 reflectance = kSteel + (1.0 - kSteel) * fresnel_weight(max(nv, 0.25)) * (1.0 - roughness);
-  vec3 result = reflectance * light * (1.0 - 0.5 * groove) * (1.0 + 0.10 * wear.w);
+  vec3 result = reflectance * light * (1.0 - steel.shade) * (1.0 - 0.5 * groove) * (1.0 + 0.10 * wear.w);
   if (tissue.w == 0.0) result = vec3(dot(result, vec3(0.2126, 0.7152, 0.0722)));
   color = finished(result, ray, gl_FragCoord.xy);
 }

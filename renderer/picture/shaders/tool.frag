@@ -5,12 +5,12 @@
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 smooth_normal;
-layout(location = 2) in vec2 finish;  // roughness, of flat faces below 0; depth of the rings
+layout(location = 2) in vec2 finish;  // roughness, of flat faces below 0; depth of the rings, or below 0 shade
 layout(location = 3) in vec4 place;   // along the tool and off its middle line, in units of the scene's size; depth, metres
 
 layout(location = 0) out vec4 seen_place;   // as it came
 layout(location = 1) out vec4 seen_normal;  // xyz, of length 1 + roughness; w: roughness as the pixel sees it, below 0 on flat faces
-layout(location = 2) out vec4 seen_axis;    // xyz: along the tool, of length one, or zero; w: depth of the rings
+layout(location = 2) out vec4 seen_axis;    // xyz: along the tool, of length one, or zero; w: depth of the rings, or below 0 shade
 
 // Along the tool, in the triangle's plane, from how the distance along it changes between pixels (Mikkelsen 2010); not
 // of length one, and zero where it does not change.

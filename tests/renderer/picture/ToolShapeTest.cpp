@@ -223,6 +223,35 @@ TEST(ToolShape, ABladeAndItsMountAreOnePlate) {
   for (const Vector3& normal : normals) EXPECT_GT(dot(normal, normals.front()), 1 - 1e-6) << "a seam would be seen";
 }
 
+TEST(ToolShape, ABladeIsShadedWhereItLiesInItsHandle) {
+  SnapshotTool tool = tool_of(SnapshotToolKind::kScalpel);
+  tool.tip = {};
+  tool.direction = {0, 0, -1};
+  const double wide = 0.5 * tool.width;
+  float beside_tang = 0, below_handle = 0, elsewhere = 0;
+  for (const ToolVertex& vertex : tool_shape(tool, 0.1).vertices) {
+    const double aside = std::abs(vertex.position[1]) / wide, behind = (vertex.position[2] - tool.length) / wide;
+    if (behind > 2.3 && behind < 4 && aside < 0.4) beside_tang = std::min(beside_tang, vertex.grip);
+    if (behind > 4.2 && behind < 5.5 && aside > 1.2) below_handle = std::min(below_handle, vertex.grip);
+    if (behind < 2.1) elsewhere = std::min(elsewhere, vertex.grip);
+  }
+  EXPECT_LT(beside_tang, -0.3F);
+  EXPECT_LT(below_handle, -0.3F);
+  EXPECT_EQ(elsewhere, 0);
+}
+
+TEST(ToolShape, ABladeShadesTheTissueAroundIt) {
+  SnapshotTool tool = tool_of(SnapshotToolKind::kScalpel);
+  tool.tip = {};
+  tool.direction = {0, 0, -1};
+  const ToolShape shape = tool_shape(tool, 0.1);
+  ASSERT_FALSE(shape.rods.empty());
+  const ToolRod& blade = shape.rods.front();
+  EXPECT_EQ(blade.start[2], 0);
+  EXPECT_GT(blade.end[2], tool.length);
+  EXPECT_NEAR(blade.radius, 0.25 * tool.width, 1e-8);
+}
+
 TEST(ToolShape, AHandleThatWidensIsBentAndHasNoFacets) {
   SnapshotTool tool = tool_of(SnapshotToolKind::kScalpel);
   tool.tip = {};
