@@ -16,6 +16,10 @@ layout(location = 2) out vec4 seen_axis;    // xyz: along the tool, of length on
 // of length one, and zero where it does not change.
 vec3 along_tool(vec3 normal) {
   vec3 across_pixels = dFdx(position), up_pixels = dFdy(position);
+  // In units of a pixel: products of its metres in a near view are so small that they have no digits left.
+  float over_pixel = 1.0 / max(max(length(across_pixels), length(up_pixels)), 1e-12);
+  across_pixels *= over_pixel;
+  up_pixels *= over_pixel;
   vec3 plane = cross(across_pixels, up_pixels);
   vec3 axis = dFdx(place.x) * cross(up_pixels, plane) + dFdy(place.x) * cross(plane, across_pixels);
   axis -= dot(axis, normal) * normal;
