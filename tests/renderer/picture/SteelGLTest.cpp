@@ -66,6 +66,15 @@ std::array<double, 3> color_of_steel(const ViewDefinition& view) {
   return mean;
 }
 
+TEST(Steel, SeenFromNearIsTheSameWhicheverThreadDrawsIt) {
+  const Snapshot snapshot = scalpel_on_a_wall();
+  ViewDefinition view = from_the_front("liver");
+  view.camera = {.position = Double3{0.002, -0.008, 0.026}, .target = Double3{0, 0, 0.022}, .up = Double3{0, 0, 1}};
+  Renderer renderer(DeviceChoice{}, {1280, 720}, Tier::kRecord);
+  const Image first = renderer.draw(snapshot, view);
+  for (int again = 0; again < 6; ++again) EXPECT_TRUE(renderer.draw(snapshot, view).pixels == first.pixels);
+}
+
 TEST(Steel, IsDarkBesideTheTangInABladesSlot) {
   const Snapshot snapshot = scalpel_on_a_wall();
   ViewDefinition view = from_the_front("liver");
