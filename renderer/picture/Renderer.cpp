@@ -85,7 +85,7 @@ struct Stage {
   std::vector<std::uint8_t> bare;  // the picture without fluids; empty where there are none, and but for Tier::kFinal
 
   void shade_floor(const FrameUniforms& frame, const Studio& studio, PassClock& clock);
-  void draw_shadow_map(const Matrix4& light_matrix, double pixels, PassClock& clock);
+  void draw_shadow_map(const SceneExtent& extent, const Studio& studio, const Camera& camera, PassClock& clock);
   void draw_backdrop(Ground ground, const FieldStop& stop, PassClock& clock);
   void clear_depth(const FieldStop& stop);
   void lay_backdrop(const FrameUniforms& frame, bool has_tools, PassClock& clock);
@@ -111,8 +111,10 @@ void Stage::shade_floor(const FrameUniforms& frame, const Studio& studio, PassCl
   clock.ends("floor's shade");
 }
 
-void Stage::draw_shadow_map(const Matrix4& light_matrix, double pixels, PassClock& clock) {
+void Stage::draw_shadow_map(const SceneExtent& extent, const Studio& studio, const Camera& camera, PassClock& clock) {
   if (tier != Tier::kDraft) {
+    const Matrix4 light_matrix = key_light_matrix(extent, studio, camera);
+    const double pixels = shadow_map_pixels(light_matrix, extent, camera, target.size());
     shadow_map.resize(shadow_resolution(tier, pixels));
     shadow_map.draw(meshes, light_matrix);
   } else {
@@ -317,9 +319,7 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
   stage->shade_floor(frame, studio, clock);
   stage->draw_backdrop(ground, field_stop(frame), clock);
   // After the backdrop was read, for which the driver finishes all that it has to do.
-  const Matrix4 light_matrix = key_light_matrix(extent, studio, pinhole);
-  const double map_pixels = shadow_map_pixels(light_matrix, extent, pinhole, stage->target.size());
-  stage->draw_shadow_map(light_matrix, map_pixels, clock);
+  stage->draw_shadow_map(extent, studio, pinhole, clock);
   stage->clear_depth(field_stop(frame));
   stage->draw_surface(frame, clock);
   stage->lay_backdrop(frame, !snapshot.tools.empty(), clock);

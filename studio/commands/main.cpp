@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,13 +18,14 @@ namespace {
 
 /// Has what is allocated lie in pages of 2 MB where the system lends such: in those of 4 KB a software driver waits for
 /// a twentieth of its time until it is known where its pictures lie. Not for the haptic loop, which would wait where
-/// such a page is first touched. The C library reads this when a program starts.
-void ask_for_large_pages(const std::string& command) {
+/// such a page is first touched; its name may stand behind options. The C library reads this when a program starts.
+void ask_for_large_pages(std::span<char* const> words) {
   constexpr const char* kVariable = "GLIBC_TUNABLES";
   constexpr const char* kTunable = "glibc.malloc.hugetlb";
   const char* given = std::getenv(kVariable);
   const std::string tunables = given == nullptr ? "" : given;
-  if (command == "haptic" || tunables.find(kTunable) != std::string::npos) return;
+  const bool is_haptic = std::ranges::any_of(words, [](const char* word) { return std::string(word) == "haptic"; });
+  if (is_haptic || tunables.find(kTunable) != std::string::npos) return;
   setenv(kVariable, (tunables + (tunables.empty() ? "" : ":") + kTunable + "=1").c_str(), 1);
 }
 
@@ -51,6 +54,6 @@ int main(int count, char** arguments) {
   if (count > 1 && std::string(arguments[1]) == thinwall::kCompareCommand) {
     return thinwall::run_compare_line(std::vector<std::string>(arguments + 1, arguments + count));
   }
-  ask_for_large_pages(count > 1 ? arguments[1] : "");
+  ask_for_large_pages(std::span(arguments, static_cast<std::size_t>(count)));
   return become_studio(arguments);
 }
