@@ -35,22 +35,26 @@ struct Subtrees {
 };
 
 /// Updates of a task's fronts wait in two stacks: those of a front's children lie on top of one when its own goes on
-/// top of the other. Those of other tasks lie elsewhere.
+/// top of the other. Those that another task takes up lie elsewhere.
 void place_updates(const SupernodeTree& tree, const EliminationTask& task, EliminationSchedule& schedule) {
   std::ptrdiff_t used[2] = {0, 0}, most[2] = {0, 0};
   for (int s = task.begin; s < task.end; ++s) {
     const Supernode& supernode = tree.supernodes[s];
     const int parity = supernode.depth % 2;
-    schedule.update_begin[s] = used[parity];
-    used[parity] += supernode.update_stride * (supernode.size - supernode.pivots);
+    const std::ptrdiff_t size = supernode.update_stride * (supernode.size - supernode.pivots);
+    schedule.is_handed_over[s] = supernode.parent < 0 || supernode.parent >= task.end;
+    std::ptrdiff_t& end = schedule.is_handed_over[s] ? schedule.handed_over_size : used[parity];
+    schedule.update_begin[s] = end;
+    end += size;
     most[parity] = std::max(most[parity], used[parity]);
     for (int child = supernode.last_child; child >= task.begin; child = tree.supernodes[child].previous_sibling) {
       used[1 - parity] = std::min(used[1 - parity], schedule.update_begin[child]);
     }
   }
-  const std::ptrdiff_t begin[2] = {schedule.update_size, schedule.update_size + most[0]};
-  for (int s = task.begin; s < task.end; ++s) schedule.update_begin[s] += begin[tree.supernodes[s].depth % 2];
-  schedule.update_size += most[0] + most[1];
+  for (int s = task.begin; s < task.end; ++s) {
+    if (!schedule.is_handed_over[s] && tree.supernodes[s].depth % 2 == 1) schedule.update_begin[s] += most[0];
+  }
+  schedule.stack_size = std::max(schedule.stack_size, most[0] + most[1]);
 }
 
 /// Which rows of a subtree's fronts lie above it.
@@ -74,6 +78,7 @@ EliminationSchedule make_elimination_schedule(const SupernodeTree& tree) {
   const auto supernodes = static_cast<int>(tree.supernodes.size());
   const double most = std::max(kWorthSharing, kLargestPart * subtrees.all);
   EliminationSchedule schedule;
+  schedule.is_handed_over.resize(tree.supernodes.size());
   schedule.update_begin.resize(tree.supernodes.size());
   schedule.rows_within.resize(tree.supernodes.size());
   schedule.beyond_begin.resize(tree.supernodes.size());

@@ -22,8 +22,10 @@ struct EliminationTask {
 struct EliminationSchedule {
   std::vector<EliminationTask> tasks;
   std::vector<int> last;                     // tasks that no other waits for
+  std::vector<char> is_handed_over;          // (supernodes), whether another task takes its update up
   std::vector<std::ptrdiff_t> update_begin;  // (supernodes), where each leaves its update for the front above
-  std::ptrdiff_t update_size = 0;            // room for all of them
+  std::ptrdiff_t handed_over_size = 0;       // room for all that are handed over
+  std::ptrdiff_t stack_size = 0;             // room for the others of one task, whatever it was used for before
   std::vector<int> rows_within;              // (supernodes), rows below its pivots that its own task eliminates
   std::vector<std::ptrdiff_t> beyond_begin;  // (supernodes), where what it brings to its other rows waits
   std::ptrdiff_t beyond_size = 0;            // room for all of it

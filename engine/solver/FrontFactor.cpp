@@ -92,7 +92,7 @@ void take_off_columns(const Eliminated& eliminated, const double* of_columns, co
                       int begin, int end, double* target, std::ptrdiff_t stride, double* workspace) {
   take_off_some<WideLanes>(eliminated, of_columns, signs, columns, begin, end, target, stride, workspace);
 }
-THINWALL_FOR_PROCESSORS("avx2")
+THINWALL_FOR_PROCESSORS("avx2,fma")
 void take_off_columns(const Eliminated& eliminated, const double* of_columns, const double* signs, int columns,
                       int begin, int end, double* target, std::ptrdiff_t stride, double* workspace) {
   take_off_some<Lanes>(eliminated, of_columns, signs, columns, begin, end, target, stride, workspace);

@@ -30,7 +30,8 @@ constexpr int kPanel = 96;
 
 /// Eliminates the pivots: A = L S L^T with S = diag(signs), without interchanges. Gives the number of negative pivots,
 /// or -1 where a pivot vanishes or is no number, or where it is negative and that is not allowed. The order of the
-/// operations on each entry depends on the sizes alone, and no two are fused: the same bits on every processor.
+/// operations on each entry depends on the sizes alone: the same bits on every processor that fuses a multiplication
+/// with a subtraction, as is done in products of panels and for several right-hand sides, and on every other one.
 int eliminate(const Front& front, bool allows_negative);
 
 /// Solves L y = b for the pivots and takes what they bear on off the rows below them: `values`, (stride), in place.

@@ -184,11 +184,22 @@ template <typename All>
 }
 
 #ifdef THINWALL_FOR_PROCESSORS
+THINWALL_FOR_PROCESSORS("avx2,fma")
+void solve_four(const Front& front, Direction direction, double* values) {
+  solve_all<Sides<Lanes, 1>>(front, direction, values);
+}
+THINWALL_FOR_PROCESSORS("default")
+#endif
+void solve_four(const Front& front, Direction direction, double* values) {
+  solve_all<Sides<Lanes, 1>>(front, direction, values);
+}
+
+#ifdef THINWALL_FOR_PROCESSORS
 THINWALL_FOR_PROCESSORS("avx512f")
 void solve_eight(const Front& front, Direction direction, double* values) {
   solve_all<Sides<WideLanes, 1>>(front, direction, values);
 }
-THINWALL_FOR_PROCESSORS("avx2")
+THINWALL_FOR_PROCESSORS("avx2,fma")
 void solve_eight(const Front& front, Direction direction, double* values) {
   solve_all<Sides<Lanes, 2>>(front, direction, values);
 }
@@ -212,12 +223,12 @@ THINWALL_FOR_ALL_PROCESSORS void solve_backward(const Front& front, double* valu
   for (int column = whole - kSolved; column >= 0; column -= kSolved) backward_single<kSolved>(front, column, values);
 }
 
-THINWALL_FOR_ALL_PROCESSORS void solve_four_forward(const Front& front, double* values) {
-  forward_all<Sides<Lanes, 1>>(front, values);
+void solve_four_forward(const Front& front, double* values) {
+  solve_four(front, Direction::kForward, values);
 }
 
-THINWALL_FOR_ALL_PROCESSORS void solve_four_backward(const Front& front, double* values) {
-  backward_all<Sides<Lanes, 1>>(front, values);
+void solve_four_backward(const Front& front, double* values) {
+  solve_four(front, Direction::kBackward, values);
 }
 
 void solve_eight_forward(const Front& front, double* values) {

@@ -2,8 +2,8 @@
 
 #include <cstring>
 
-/// Four numbers at once. As each lane is computed alone and nothing is contracted, the results are the same to the last
-/// bit on every width of a processor's registers.
+/// Four numbers at once. As each lane is computed alone, and nothing is contracted but the products of FrontFactor.hpp,
+/// the results are the same to the last bit on every width of a processor's registers.
 namespace thinwall {
 
 using Lanes = double __attribute__((vector_size(32)));

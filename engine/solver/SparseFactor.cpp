@@ -1,48 +1,42 @@
 #include "engine/solver/SparseFactor.hpp"
 
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <memory>
+#include <new>
 #include <numeric>
 #include <utility>
 #include <vector>
 
 #include "engine/solver/EliminationSchedule.hpp"
+#include "engine/solver/FrontAssembly.hpp"
 #include "engine/solver/FrontFactor.hpp"
-#include "engine/solver/Lanes.hpp"
 #include "engine/solver/NodeOrder.hpp"
 #include "engine/solver/SupernodeTree.hpp"
 
 namespace thinwall {
 namespace {
 
-/// Adds what a front below has left, `update`, to the front that takes it up, by the runs of its rows.
-THINWALL_FOR_ALL_PROCESSORS void take_up(std::span<const RowRun> runs, const double* update,
-                                         std::ptrdiff_t update_stride, const Front& front) {
-  for (std::size_t first = 0; first < runs.size(); ++first) {
-    const RowRun& columns = runs[first];
-    for (int k = 0; k < columns.count; ++k) {
-      const int column = columns.to + k;
-      const double* source = update + (columns.from + k) * update_stride;
-      double* target = column < front.pivots
-                           ? front.columns + column * front.stride
-                           : front.update + (column - front.pivots) * front.update_stride - front.pivots;
-      for (int row = k; row < columns.count; ++row) target[columns.to + row] += source[columns.from + row];
-      for (const RowRun& rows : runs.subspan(first + 1)) {
-        for (int row = 0; row < rows.count; ++row) target[rows.to + row] += source[rows.from + row];
-      }
-    }
-  }
-}
-
 /// Right-hand sides that are solved side by side, at most.
 constexpr int kMostSides = 8;
 
 /// Numbers of the factor, times sides, from which on several threads solve: handing over costs some microseconds.
 constexpr std::ptrdiff_t kWorthSharing = 60'000;
+
+constexpr std::align_val_t kCacheLine{64};  // bytes
+
+/// Numbers of no value yet, of which the lanes of fronts that begin at a multiple of kFrontRows fill whole cache lines.
+struct FreeNumbers {
+  void operator()(double* numbers) const { ::operator delete[](numbers, kCacheLine); }
+};
+using Numbers = std::unique_ptr<double[], FreeNumbers>;
+Numbers numbers(std::ptrdiff_t count) {
+  return Numbers(static_cast<double*>(::operator new[](count * sizeof(double), kCacheLine)));
+}
 
 /// A task that is one, and where its fronts are solved.
 struct Subtree {
@@ -72,14 +66,16 @@ struct SparseFactor::Implementation {
   std::vector<int> front_at;       // (unknowns), of their places
   double operations_per_node = 0;  // with the last order that was not taken over
   // None of the numbers is cleared before what is used of them is.
-  std::unique_ptr<double[]> factor;    // columns of all supernodes
-  std::unique_ptr<double[]> updates;   // that wait for the fronts above
-  std::vector<double> signs;           // (unknowns)
-  std::vector<int> negative;           // (tasks), pivots below zero; -1 where one cannot be
-  std::unique_ptr<double[]> solution;  // (unknowns x kMostSides) by rows, in the order of elimination
-  std::unique_ptr<double[]> local;     // (unknowns of one front x kMostSides) by rows
-  std::unique_ptr<double[]> locals;    // the same of subtrees that are solved side by side
-  std::unique_ptr<double[]> beyond;    // (rows beyond subtrees x kMostSides) by rows, see EliminationSchedule
+  Numbers factor;   // columns of all supernodes
+  Numbers updates;  // that wait for other tasks
+  tbb::enumerable_thread_specific<Numbers>
+      stacks;                 // where those of its own task wait: of each thread, as it is near it
+  std::vector<double> signs;  // (unknowns)
+  std::vector<int> negative;  // (tasks), pivots below zero; -1 where one cannot be
+  Numbers solution;           // (unknowns x kMostSides) by rows, in the order of elimination
+  Numbers local;              // (unknowns of one front x kMostSides) by rows
+  Numbers locals;             // the same of subtrees that are solved side by side
+  Numbers beyond;             // (rows beyond subtrees x kMostSides) by rows, see EliminationSchedule
   std::vector<Subtree> subtrees;
   bool is_factorised = false;
 
@@ -101,14 +97,14 @@ struct SparseFactor::Implementation {
       operations_per_node = tree.operations / std::max(1, pattern.nodes());
     }
     // The last rows of the last front are read in whole lanes.
-    factor = std::make_unique_for_overwrite<double[]>(tree.factor_size + kFrontRows);
+    factor = numbers(tree.factor_size + kFrontRows);
     std::fill_n(factor.get() + tree.factor_size, kFrontRows, 0.0);
     signs.resize(unknowns);
     schedule = make_elimination_schedule(tree);
-    updates = std::make_unique_for_overwrite<double[]>(schedule.update_size);
+    updates = numbers(schedule.handed_over_size);
     negative.resize(schedule.tasks.size());
-    solution = std::make_unique_for_overwrite<double[]>(static_cast<std::size_t>(unknowns) * kMostSides);
-    local = std::make_unique_for_overwrite<double[]>((tree.largest_front + kFrontRows) * kMostSides);
+    solution = numbers(static_cast<std::ptrdiff_t>(unknowns) * kMostSides);
+    local = numbers((tree.largest_front + kFrontRows) * kMostSides);
     if (tree.factor_size * kMostSides >= kWorthSharing) make_room_for_sharing();
   }
 
@@ -122,8 +118,8 @@ struct SparseFactor::Implementation {
       subtrees.push_back({.task = task, .local_begin = room});
       room += largest * kMostSides;
     }
-    locals = std::make_unique_for_overwrite<double[]>(room);
-    beyond = std::make_unique_for_overwrite<double[]>(schedule.beyond_size * kMostSides);
+    locals = numbers(room);
+    beyond = numbers(schedule.beyond_size * kMostSides);
   }
 
   void set_order(const BlockPattern& pattern, std::vector<int> order) {
@@ -145,28 +141,40 @@ struct SparseFactor::Implementation {
             .signs = signs.data() + supernode.first};
   }
 
+  /// What a thread works with.
+  struct Desk {
+    std::array<double, kFrontColumns * kPanel> workspace;
+    double* stack = nullptr;
+  };
+
+  double* update_of(int s, const Desk& desk) {
+    return (schedule.is_handed_over[s] ? updates.get() : desk.stack) + schedule.update_begin[s];
+  }
+
   /// Eliminates supernode s, whose children are done; gives what `eliminate` does.
-  int eliminate_one(int s, std::span<const double> values, bool allows_negative, double* workspace) {
+  int eliminate_one(int s, std::span<const double> values, bool allows_negative, Desk& desk) {
     const Supernode& supernode = tree.supernodes[s];
     Front front = front_of(supernode);
-    front.update = updates.get() + schedule.update_begin[s];
-    front.workspace = workspace;
-    std::fill_n(front.columns, supernode.stride * supernode.pivots, 0.0);
-    std::fill_n(front.update, supernode.update_stride * (supernode.size - supernode.pivots), 0.0);
+    front.update = update_of(s, desk);
+    front.workspace = desk.workspace.data();
+    clear(front);
     enter_values(tree, supernode, values.data(), factor.get());
     for (int child = supernode.last_child; child >= 0; child = tree.supernodes[child].previous_sibling) {
       const Supernode& below = tree.supernodes[child];
-      take_up(tree.runs_of(below), updates.get() + schedule.update_begin[child], below.update_stride, front);
+      take_up(tree.runs_of(below), update_of(child, desk), below.update_stride, front);
     }
     return eliminate(front, allows_negative);
   }
 
   /// The same of consecutive ones.
   int eliminate_range(int begin, int end, std::span<const double> values, bool allows_negative) {
-    std::array<double, kFrontColumns * kPanel> workspace;
+    Numbers& stack = stacks.local();
+    if (!stack) stack = numbers(schedule.stack_size);
+    Desk desk;
+    desk.stack = stack.get();
     int all = 0;
     for (int s = begin; s < end; ++s) {
-      const int own = eliminate_one(s, values, allows_negative, workspace.data());
+      const int own = eliminate_one(s, values, allows_negative, desk);
       if (own < 0) return -1;
       all += own;
     }
@@ -291,13 +299,15 @@ struct SparseFactor::Implementation {
   template <int sides>
   void solve(Eigen::Ref<Eigen::MatrixXd> columns) {
     std::fill_n(solution.get(), columns.rows() * sides, 0.0);
-    for (Eigen::Index column = 0; column < columns.cols(); ++column) {
-      for (Eigen::Index k = 0; k < columns.rows(); ++k) solution[tree.place[k] * sides + column] = columns(k, column);
+    for (Eigen::Index k = 0; k < columns.rows(); ++k) {
+      double* row = solution.get() + tree.place[k] * sides;
+      for (Eigen::Index column = 0; column < columns.cols(); ++column) row[column] = columns(k, column);
     }
     const bool is_shared = tree.factor_size * sides >= kWorthSharing;
     is_shared ? go_through_shared<sides>() : go_through<sides>();
-    for (Eigen::Index column = 0; column < columns.cols(); ++column) {
-      for (Eigen::Index k = 0; k < columns.rows(); ++k) columns(k, column) = solution[tree.place[k] * sides + column];
+    for (Eigen::Index k = 0; k < columns.rows(); ++k) {
+      const double* row = solution.get() + tree.place[k] * sides;
+      for (Eigen::Index column = 0; column < columns.cols(); ++column) columns(k, column) = row[column];
     }
   }
 

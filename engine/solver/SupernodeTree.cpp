@@ -316,7 +316,7 @@ void add_blocks(const BlockPattern& pattern, SupernodeTree& tree) {
       below.runs_begin = static_cast<int>(tree.runs.size());
       for (int row = 0; row < below.size - below.pivots; ++row) {
         const int to = local[tree.rows[below.rows_begin + row]];
-        const bool goes_on = row > 0 && tree.runs.back().to + tree.runs.back().count == to;
+        const bool goes_on = row > 0 && tree.runs.back().to + tree.runs.back().count == to && to != supernode.pivots;
         if (!goes_on) tree.runs.push_back({.from = row, .to = to});
         ++tree.runs.back().count;
       }

@@ -27,7 +27,7 @@ struct Supernode {
   int blocks_begin = 0, blocks_end = 0;  // into `blocks`
 };
 
-/// Rows of an update that stay together in the front above.
+/// Rows of an update that stay together in the front above, within its pivots or behind them.
 struct RowRun {
   int from = 0;  // in the update
   int to = 0;    // in the front above
