@@ -247,7 +247,9 @@ class Newton {
   double round_off(const EquilibriumProblem& problem, const EquilibriumTerms& terms) const;
   void build_border(const EquilibriumProblem& problem, const EquilibriumState& state);
   void build_matrix(const EquilibriumProblem& problem, const EquilibriumState& state, double shift);
-  bool factorize(const EquilibriumProblem& problem, const EquilibriumState& state, double& shift, bool may_be_saddle);
+  /// `residual`: of the step that is found next, or none.
+  bool factorize(const EquilibriumProblem& problem, const EquilibriumState& state, const Residual* residual,
+                 double& shift, bool may_be_saddle);
   bool is_usable(SparseFactor& factor, std::span<const double> values, bool may_be_saddle);
   SparseFactor& used_factor() { return folded_ ? fold_matrix_.factor() : factor_; }
   /// Finds the step again until no contact of it pulls or is overrun; false where no matrix can be factorised.
@@ -255,6 +257,12 @@ class Newton {
                                const Residual& residual, double& shift, bool may_be_saddle, Step& step);
   void find_step(const EquilibriumProblem& problem, const EquilibriumState& state, const Residual& residual,
                  Step& step);
+  /// (unknowns), newton, from which a step is taken.
+  Eigen::VectorXd force_of_step(const EquilibriumProblem& problem, const EquilibriumState& state,
+                                const Residual& residual) const;
+  /// The same with what attachments pull whose forces change by `changes` and whose gaps are `missed`'s, or none.
+  Eigen::VectorXd with_pulls(const EquilibriumProblem& problem, const Eigen::VectorXd& force, const Residual* missed,
+                             const std::vector<Eigen::Vector3d>& changes) const;
   /// What forces at the rims of openings a step adds that the symmetric matrix leaves out, (unknowns), newton; `first`
   /// is the step without them.
   Eigen::VectorXd left_out_at_rims(const EquilibriumProblem& problem, const EquilibriumState& state, const Step& first);
@@ -312,12 +320,12 @@ class Newton {
   std::vector<double> matrix_;                     // (non-zeros), what is factorised
   int factorisations_ = 0;                         // in the solution under way
   int ascending_steps_ = 0;                        // in the solution under way
-  bool keeps_factor_ = false;       // whether the step under way is found with the factor of the one before
-  bool may_end_ = false;            // whether that may be the last step: the Hessian is not asked for then
-  bool may_border_ = false;         // see NewtonOptions::borders_contacts
-  bool may_be_one_by_one_ = false;  // see ContactTurns
-  // (triangles) of a shell, pascal, (S11, S22, S12); none where the curvature takes the stress as it is
+  bool keeps_factor_ = false;               // whether the step under way is found with the factor of the one before
+  bool may_end_ = false;                    // whether that may be the last step: the Hessian is not asked for then
+  bool may_border_ = false;                 // see NewtonOptions::borders_contacts
+  bool may_be_one_by_one_ = false;          // see ContactTurns
   std::vector<std::array<int, 2>> hinges_;  // of a shell: triangles with an edge in common
+  // (triangles) of a shell, pascal, (S11, S22, S12); none where the curvature takes the stress as it is
   std::vector<Eigen::Vector3d> foreseen_stress_;
   Eigen::MatrixXd border_;          // (unknowns x border), column and row where they are the same
   Eigen::MatrixXd columns_, rows_;  // (unknowns x border), of bodies with open chambers

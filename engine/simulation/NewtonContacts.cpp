@@ -37,7 +37,7 @@ bool Newton::find_step_with_contacts(const EquilibriumProblem& problem, const Eq
     // its needles find no way.
     const bool has_factor = keeps_factor_ || turn > 0;
     const bool borders = has_factor && !are_shafts_revised && !may_be_saddle && may_border_ && border_contacts();
-    if (!borders && !factorize(problem, state, shift, may_be_saddle)) return false;
+    if (!borders && !factorize(problem, state, &residual, shift, may_be_saddle)) return false;
     find_step(problem, state, residual, step);
     const int most = borders && model_.bending.empty() ? kBorderedContactTurns : kContactTurns;
     if (turn >= most) break;

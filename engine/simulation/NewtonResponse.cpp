@@ -19,7 +19,7 @@ bool Newton::linearize(const EquilibriumProblem& problem, const EquilibriumState
   for (const ContactPoint& contact : terms_.contacts) open_.push_back(contact_force(problem, contact) == 0);
   begin_shafts(problem, state);
   double shift = 0;
-  return factorize(problem, state, shift, true);
+  return factorize(problem, state, nullptr, shift, true);
 }
 
 LinearAnswer Newton::answer(const EquilibriumProblem& problem, const Eigen::VectorXd& force,

@@ -152,8 +152,8 @@ bool Newton::is_usable(SparseFactor& factor, std::span<const double> values, boo
   return bordered_.negative_eigenvalues() == constraints_ || may_be_saddle;
 }
 
-bool Newton::factorize(const EquilibriumProblem& problem, const EquilibriumState& state, double& shift,
-                       bool may_be_saddle) {
+bool Newton::factorize(const EquilibriumProblem& problem, const EquilibriumState& state, const Residual* residual,
+                       double& shift, bool may_be_saddle) {
   if (!terms_.has_hessian()) evaluate_all(problem, state, true, terms_);
   build_border(problem, state);
   own_columns_ = border_.cols();
@@ -164,6 +164,10 @@ bool Newton::factorize(const EquilibriumProblem& problem, const EquilibriumState
   bool exact = shift == 0;
   for (int attempt = 0; attempt < 20; ++attempt) {
     build_matrix(problem, state, shift);
+    if (residual != nullptr) {
+      const std::vector<Eigen::Vector3d> unchanged(problem.attachments.size(), Eigen::Vector3d::Zero());
+      bordered_.expect(with_pulls(problem, force_of_step(problem, state, *residual), residual, unchanged));
+    }
     const bool usable =
         folded_ ? is_usable(fold_matrix_.factor(), fold_matrix_.assemble(matrix_, terms_.folds, exact), may_be_saddle)
                 : is_usable(factor_, matrix_, may_be_saddle);
@@ -175,25 +179,29 @@ bool Newton::factorize(const EquilibriumProblem& problem, const EquilibriumState
   return false;
 }
 
+Eigen::VectorXd Newton::with_pulls(const EquilibriumProblem& problem, const Eigen::VectorXd& force,
+                                   const Residual* missed, const std::vector<Eigen::Vector3d>& changes) const {
+  Eigen::VectorXd all = force;
+  for (std::size_t k = 0; k < problem.attachments.size(); ++k) {
+    const Attachment& attachment = problem.attachments[k];
+    Eigen::Vector3d pull = changes[k];
+    if (missed != nullptr) pull += attachment_stiffness_ * missed->gaps[k];
+    for (int a = 0; a < 3; ++a) all.segment<3>(3 * attachment.vertices[a]) -= attachment.weights[a] * pull;
+  }
+  clear_fixed(all);
+  return all;
+}
+
 void Newton::solve_linear(const EquilibriumProblem& problem, const Eigen::VectorXd& force, const Residual* missed,
                           Step& step) {
   const auto attachments = static_cast<int>(problem.attachments.size());
   const Eigen::Index rigid = problem.hold_rigid_motions ? rigid_columns_.cols() : 0;
   const auto fluid = static_cast<Eigen::Index>(bordering_.size());
-  const auto gap_before = [&](int k) -> Eigen::Vector3d {
-    return missed != nullptr ? missed->gaps[k] : Eigen::Vector3d::Zero();
-  };
   step.forces.assign(attachments, Eigen::Vector3d::Zero());
   Eigen::VectorXd multipliers;
   double error = 0;
   for (int turn = 0; turn == 0 || (turn <= kUzawaTurns && error > 1e-14 * model_.edge_length); ++turn) {
-    step.position = force;
-    for (int k = 0; k < attachments; ++k) {
-      const Attachment& attachment = problem.attachments[k];
-      const Eigen::Vector3d pull = step.forces[k] + attachment_stiffness_ * gap_before(k);
-      for (int a = 0; a < 3; ++a) step.position.segment<3>(3 * attachment.vertices[a]) -= attachment.weights[a] * pull;
-    }
-    clear_fixed(step.position);
+    step.position = with_pulls(problem, force, missed, step.forces);
     multipliers.setZero(border_.cols());
     for (Eigen::Index k = 0; k < fluid && missed != nullptr; ++k) multipliers[k] = missed->volume[bordering_[k]];
     if (rigid > 0 && missed != nullptr) multipliers.segment(fluid, rigid) = -missed->rigid;
@@ -201,8 +209,8 @@ void Newton::solve_linear(const EquilibriumProblem& problem, const Eigen::Vector
     error = 0;
     for (int k = 0; k < attachments; ++k) {
       const Attachment& attachment = problem.attachments[k];
-      const Eigen::Vector3d gap =
-          gap_before(k) + attachment.prescribed.cwiseProduct(material_point(attachment, step.position));
+      Eigen::Vector3d gap = attachment.prescribed.cwiseProduct(material_point(attachment, step.position));
+      if (missed != nullptr) gap += missed->gaps[k];
       step.forces[k] += attachment_stiffness_ * gap;
       error = std::max(error, gap.norm());
     }
@@ -212,8 +220,8 @@ void Newton::solve_linear(const EquilibriumProblem& problem, const Eigen::Vector
   step.rigid = multipliers.segment(fluid, rigid);
 }
 
-void Newton::find_step(const EquilibriumProblem& problem, const EquilibriumState& state, const Residual& residual,
-                       Step& step) {
+Eigen::VectorXd Newton::force_of_step(const EquilibriumProblem& problem, const EquilibriumState& state,
+                                      const Residual& residual) const {
   Eigen::VectorXd force = changed_shaft_force(problem, state) - residual.force;
   // The step is taken from the contact's law, not from the multiplier that enters the residual.
   for (std::size_t k = 0; k < terms_.contacts.size(); ++k) {
@@ -225,10 +233,19 @@ void Newton::find_step(const EquilibriumProblem& problem, const EquilibriumState
       force.segment<3>(3 * model_.surface[contact.triangle][c]) += push * spring.gap.gradient.segment<3>(3 * c);
     }
   }
-  solve_linear(problem, force, &residual, step);
+  return force;
+}
+
+void Newton::find_step(const EquilibriumProblem& problem, const EquilibriumState& state, const Residual& residual,
+                       Step& step) {
+  solve_linear(problem, force_of_step(problem, state, residual), &residual, step);
   if (model_.has_open_chambers()) {
-    force += left_out_at_rims(problem, state, step);
-    solve_linear(problem, force, &residual, step);
+    Step from_rims;
+    solve_linear(problem, left_out_at_rims(problem, state, step), nullptr, from_rims);
+    step.position += from_rims.position;
+    step.pressure += from_rims.pressure;
+    step.rigid += from_rims.rigid;
+    for (std::size_t k = 0; k < step.forces.size(); ++k) step.forces[k] += from_rims.forces[k];
   }
   for (std::size_t k = 0; k < problem.attachments.size(); ++k) step.forces[k] += problem.attachments[k].force;
   find_contact_forces(step);

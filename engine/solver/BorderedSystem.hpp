@@ -16,6 +16,10 @@ namespace thinwall {
 /// whole: that of K plus that of S.
 class BorderedSystem {
  public:
+  /// Says which f is going to be solved for after the next `set`, (unknowns): it is solved along with the border, with
+  /// other last bits than alone, where that costs less.
+  void expect(Eigen::VectorXd f);
+
   /// C is B. B is (unknowns x columns), D (columns x columns). `negative_pivots` is the inertia of the factor.
   void set(SparseFactor& factor, int negative_pivots, const Eigen::MatrixXd& border, const Eigen::MatrixXd& corner);
 
@@ -45,15 +49,19 @@ class BorderedSystem {
   void solve(SparseFactor& factor, Eigen::VectorXd& f, Eigen::VectorXd& g) const;
 
  private:
-  void eliminate(const Eigen::MatrixXd& border, const Eigen::MatrixXd& corner);
+  void eliminate(int negative_pivots, const Eigen::MatrixXd& border, const Eigen::MatrixXd& solved,
+                 const Eigen::MatrixXd& corner);
+  void solve_together(SparseFactor& factor, const Eigen::MatrixXd& border, const Eigen::MatrixXd& columns);
 
   Eigen::MatrixXd rows_;            // C
   Eigen::MatrixXd solved_columns_;  // K^-1 B
   Eigen::MatrixXd schur_inverse_;   // S^-1
   bool is_unsymmetric_ = false;
-  Eigen::MatrixXd border_;         // the one that the inertia is of, where they differ
-  Eigen::MatrixXd solved_border_;  // K^-1 of it
-  Eigen::MatrixXd solved_both_;    // K^-1 of it and of B
+  Eigen::MatrixXd border_;           // the one that the inertia is of, where they differ
+  Eigen::MatrixXd solved_border_;    // K^-1 of it
+  Eigen::MatrixXd solved_both_;      // K^-1 of what is no zero of it, of B and of what is expected
+  Eigen::VectorXd expected_;         // f that is going to be solved for, or none
+  Eigen::VectorXd solved_expected_;  // K^-1 of it, where it was solved along
   int negative_eigenvalues_ = 0;
 };
 

@@ -365,6 +365,13 @@ void SparseFactor::solve(Eigen::Ref<Eigen::MatrixXd> right_hand_sides) {
   for (; first < columns; ++first) implementation_->solve<1>(right_hand_sides.col(first));
 }
 
+double SparseFactor::cost_of(Eigen::Index right_hand_sides) {
+  constexpr double kCostOfFour = 2, kCostOfEight = 3.5;
+  const Eigen::Index rest = right_hand_sides % kMostSides;
+  const double cost_of_rest = rest > 4 ? kCostOfEight : rest > 2 ? kCostOfFour : static_cast<double>(rest);
+  return kCostOfEight * static_cast<double>(right_hand_sides / kMostSides) + cost_of_rest;
+}
+
 SparseFactor::Part SparseFactor::part_of(std::vector<int> unknowns) const {
   std::vector<int> fronts = implementation_->fronts_above(unknowns);
   return {.unknowns = std::move(unknowns), .fronts = std::move(fronts)};

@@ -39,6 +39,9 @@ class SparseFactor {
   /// Solves with the last successful factorisation. (unknowns x right-hand sides), in place.
   void solve(Eigen::Ref<Eigen::MatrixXd> right_hand_sides);
 
+  /// About how many times as long as one so many right-hand sides take together.
+  static double cost_of(Eigen::Index right_hand_sides);
+
   /// Some unknowns, and the fronts that hold them with all that are above these.
   struct Part {
     std::vector<int> unknowns;

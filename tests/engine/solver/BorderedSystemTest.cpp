@@ -129,6 +129,82 @@ TEST(BorderedPart, AnswersAtSomeUnknownsAsTheWholeSystemDoes) {
   }
 }
 
+TEST(BorderedSystem, SolvesWhatIsExpectedAlongWithTheBorderWhereThatCostsLess) {
+  const BlockMatrix matrix = random_matrix(80, 0.5, 3), other = random_matrix(80, 0.7, 4);
+  const Eigen::Index unknowns = matrix.dense.rows();
+  for (const int columns : {2, 3, 4}) {
+    const Eigen::MatrixXd border = random_columns(unknowns, columns, 11);
+    const Eigen::MatrixXd corner = Eigen::MatrixXd::Zero(columns, columns);
+    const Eigen::VectorXd right = random_columns(unknowns, 1, 12);
+    SparseFactor factor(matrix.pattern);
+    ASSERT_TRUE(factor.factorize(matrix.values));
+    BorderedSystem alone, together;
+    alone.set(factor, 0, border, corner);
+    together.expect(right);
+    together.set(factor, 0, border, corner);
+    EXPECT_EQ(together.negative_eigenvalues(), columns);
+    Eigen::VectorXd f = right, g = random_columns(columns, 1, 13), expected_f = f, expected_g = g;
+    alone.solve(factor, expected_f, expected_g);
+    // With a factor that is of another matrix by now, only what was solved along comes out right.
+    ASSERT_TRUE(factor.factorize(other.values));
+    together.solve(factor, f, g);
+    if (columns < 4) {
+      EXPECT_LT((f - expected_f).cwiseAbs().maxCoeff(), 1e-13) << columns;  // seen: 1e-15
+      EXPECT_LT((g - expected_g).cwiseAbs().maxCoeff(), 1e-13) << columns;
+    } else {
+      EXPECT_GT((f - expected_f).cwiseAbs().maxCoeff(), 1e-3) << columns;
+    }
+  }
+}
+
+TEST(BorderedSystem, ForgetsWhatWasExpectedOnceItIsSetAgain) {
+  const BlockMatrix matrix = random_matrix(80, 0.5, 3), other = random_matrix(80, 0.7, 4);
+  const Eigen::Index unknowns = matrix.dense.rows();
+  const Eigen::MatrixXd border = random_columns(unknowns, 3, 11), corner = Eigen::MatrixXd::Zero(3, 3);
+  const Eigen::VectorXd right = random_columns(unknowns, 1, 12);
+  SparseFactor factor(matrix.pattern);
+  BorderedSystem system, fresh;
+  ASSERT_TRUE(factor.factorize(matrix.values));
+  system.expect(right);
+  system.set(factor, 0, border, corner);
+  ASSERT_TRUE(factor.factorize(other.values));
+  system.set(factor, 0, border, corner);
+  fresh.set(factor, 0, border, corner);
+  Eigen::VectorXd f = right, g = Eigen::VectorXd::Zero(3), expected_f = f, expected_g = g;
+  system.solve(factor, f, g);
+  fresh.solve(factor, expected_f, expected_g);
+  EXPECT_EQ(f, expected_f);
+  EXPECT_EQ(g, expected_g);
+}
+
+TEST(BorderedSystem, HasNoUseForColumnsOfTheBorderThatAreZero) {
+  // As a chamber with air has it, whose pressure is given; with the columns that are not symmetric seven are left, and
+  // the side that is expected goes along with them.
+  const BlockMatrix matrix = random_matrix(80, 0.5, 3), other = random_matrix(80, 0.7, 4);
+  const Eigen::Index unknowns = matrix.dense.rows();
+  Eigen::MatrixXd border = random_columns(unknowns, 4, 11);
+  border.col(1).setZero();
+  const Eigen::MatrixXd columns = random_columns(unknowns, 4, 12), rows = random_columns(unknowns, 4, 13);
+  const Eigen::MatrixXd corner = random_columns(4, 4, 14);
+  const Eigen::VectorXd right = random_columns(unknowns + 4, 1, 15);
+  Eigen::MatrixXd whole(unknowns + 4, unknowns + 4);
+  whole << matrix.dense, columns, rows.transpose(), corner;
+  SparseFactor factor(matrix.pattern);
+  ASSERT_TRUE(factor.factorize(matrix.values));
+  BorderedSystem system;
+  system.expect(right.head(unknowns));
+  system.set_unsymmetric(factor, 0, border, columns, rows, corner);
+  EXPECT_TRUE(system.solved_border().col(1).isZero(0));
+  const Eigen::MatrixXd border_again = matrix.dense * system.solved_border();
+  EXPECT_LT((border_again - border).cwiseAbs().maxCoeff(), 1e-12);  // seen: 1e-14
+  ASSERT_TRUE(factor.factorize(other.values));
+  Eigen::VectorXd f = right.head(unknowns), g = right.tail(4);
+  system.solve(factor, f, g);
+  Eigen::VectorXd solved(unknowns + 4);
+  solved << f, g;
+  EXPECT_LT((whole * solved - right).cwiseAbs().maxCoeff(), 1e-10);
+}
+
 TEST(BorderedSystem, ColumnOfOneConstraintMakesAMatrixWithOneNegativeDirectionConvex) {
   // As a balloon past its limit point: K has one negative eigenvalue, along the border the whole is convex.
   BlockMatrix matrix = random_matrix(20, 0.5, 3);
