@@ -16,10 +16,9 @@ namespace thinwall {
 namespace {
 
 /// After this many iterations steps are halved at once: whole ones may go to and fro between two sets of contacts, one
-/// of which lowers the residual and the other the energy. Where the residual falls to this part so many times in a row
-/// there is one set, and whole ones lead to the end.
+/// of which lowers the residual and the other the energy. After so many calm ones in a row there is one set, and whole
+/// ones lead to the end.
 constexpr int kWholeSteps = 15;
-constexpr double kCalmFall = 0.7;
 constexpr int kCalmSteps = 2;
 
 /// Iterations in a row with a matrix that was made convex after which it is taken as it is: a flat wall that is pressed
@@ -43,12 +42,6 @@ constexpr double kMostFolding = 1.5;
 constexpr int kStalledSteps = 8;
 constexpr double kRoundOffResidual = 1e3;
 constexpr double kLooseResidual = 1e-2;
-
-/// Where a step brought the residual down to this part, to this multiple of the tolerance, and to this part of the
-/// largest force, the next one is found with the same factor: it is off by what the step changed.
-constexpr double kSteepFall = 0.3;
-constexpr double kNearTheEnd = 30;
-constexpr double kSmallResidual = 3e-3;
 
 /// Part of the mean edge below which a step leaves the curvature as good as it was.
 constexpr double kSmallStep = 0.05;
@@ -336,8 +329,8 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
       const std::string iterations = std::to_string(options.maximum_iterations);
       return failed(obstructed("no convergence within " + iterations + " iterations"), result);
     }
-    const double near = std::min(kNearTheEnd * options.tolerance, kSmallResidual) * scale;
-    keeps_factor_ = may_keep_factor(problem, residual, near, progress);
+    keeps_factor_ = may_keep_factor(problem, residual, options.tolerance * scale, scale, progress);
+    progress.kept = keeps_factor_ ? progress.kept + 1 : 0;
     may_end_ = keeps_factor_ || options.borders_contacts || progress.foresees_end(residual, options.tolerance * scale);
     const bool may_be_saddle = options.takes_flaps && progress.inexact >= kInexactSteps;
     shift = shift > 1e-6 && !may_be_saddle ? 0.1 * shift : 0;
@@ -368,29 +361,6 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
 void Newton::note_step(const Step& step, const EquilibriumState& state) {
   const bool is_small = step.position.lpNorm<Eigen::Infinity>() < kSmallStep * model_.edge_length;
   if (is_exact_ && is_small) stepped_to_ = state.position;
-}
-
-bool Newton::may_keep_factor(const EquilibriumProblem& problem, const Residual& residual, double near,
-                             const Progress& progress) {
-  const bool is_fresh = factorisations_ > 0 && !keeps_factor_ && is_exact_;
-  if (!may_be_one_by_one_ || !is_fresh || folded_ || terms_.folds.energy > 0 || !problem.shafts.empty()) return false;
-  const double force = residual.largest_force;
-  return force <= near && force <= kSteepFall * progress.last_force && find_factorised_contacts();
-}
-
-bool Newton::Progress::foresees_end(const Residual& residual, double tolerance) const {
-  return residual.largest_force * residual.largest_force <= tolerance * last_force;
-}
-
-void Newton::Progress::note(const Residual& residual) {
-  calm = residual.measure < kCalmFall * last_measure ? calm + 1 : 0;
-  last_measure = residual.measure;
-  // The matrix as it is serves as long as the residual falls with it.
-  if (takes_saddle) inexact = calm > 0 ? inexact + 1 : 0;
-  stalled = residual.largest_force < kCalmFall * least_force ? 0 : stalled + 1;
-  least_force = std::min(least_force, residual.largest_force);
-  last_force = force;
-  force = residual.largest_force;
 }
 
 }  // namespace thinwall

@@ -155,6 +155,7 @@ class Newton {
     int inexact = 0;            // iterations in a row whose matrix had to be made convex, or was taken though it is not
     bool takes_saddle = false;  // whether the last one took the matrix as it is
     int stalled = 0;            // iterations since the largest force was least
+    int kept = 0;               // iterations in a row that were found with the factor of one before
     double last_measure = 0;    // newton
     double force = 0;           // newton, largest now
     double last_force = 0;      // newton, the same before the last iteration
@@ -218,8 +219,8 @@ class Newton {
                        NewtonResult& result) const;
   /// Notes where a step ended whose curvature is as good there.
   void note_step(const Step& step, const EquilibriumState& state);
-  /// Whether the next step may do with the factor of the last one, which a residual below `near`, newton, allows.
-  bool may_keep_factor(const EquilibriumProblem& problem, const Residual& residual, double near,
+  /// Whether the next step may do with the factor of the last one; `tolerance` and `scale`: newton, of forces.
+  bool may_keep_factor(const EquilibriumProblem& problem, const Residual& residual, double tolerance, double scale,
                        const Progress& progress);
   /// Makes the factorised contacts those that are there now; false where one is not that is a spring in the matrix.
   bool find_factorised_contacts();
@@ -273,6 +274,8 @@ class Newton {
   void find_contact_forces(Step& step) const;
   bool revise_contacts(const Step& step, ContactTurns& turns);
   bool change_one_contact(const Step& step, ContactTurns& turns);
+  /// Whether the bordered matrix is still that of the last factorisation, with contacts open and closed as they are.
+  bool is_as_factorised() const;
   /// Borders the factorised matrix with the springs of contacts that are open or closed unlike when it was factorised;
   /// false where that is not convex.
   bool border_contacts();

@@ -36,7 +36,8 @@ bool Newton::find_step_with_contacts(const EquilibriumProblem& problem, const Eq
     // A membrane's matrix costs little where time does not matter, and without the curvature that contacts take along
     // its needles find no way.
     const bool has_factor = keeps_factor_ || turn > 0;
-    const bool borders = has_factor && !are_shafts_revised && !may_be_saddle && may_border_ && border_contacts();
+    const bool is_enough = has_factor && !are_shafts_revised && !may_be_saddle;
+    const bool borders = is_enough && ((keeps_factor_ && is_as_factorised()) || (may_border_ && border_contacts()));
     if (!borders && !factorize(problem, state, &residual, shift, may_be_saddle)) return false;
     find_step(problem, state, residual, step);
     const int most = borders && model_.bending.empty() ? kBorderedContactTurns : kContactTurns;
@@ -68,6 +69,10 @@ bool Newton::find_factorised_contacts() {
     }
   }
   return are_there;
+}
+
+bool Newton::is_as_factorised() const {
+  return border_.cols() == own_columns_ && open_ == factorised_open_;
 }
 
 bool Newton::border_contacts() {
