@@ -129,6 +129,17 @@ TEST_F(Shading, TheGlintOfALampIsNoMoreThanItsLight) {
   }
 }
 
+TEST_F(Shading, ABranchOfADeepVesselComesUpAwayFromIt) {
+  // At places half the vessel's half width apart: beside a deep one, beside one at the surface.
+  const auto results = test::run_shader(
+      {"vessel.glsl"}, "float away = 0.5 * float(index); result = vec2(risen(away, 0.0), risen(away, 1.0)).xyxy;", 11);
+  EXPECT_EQ(results[1][1], 0) << "it begins within the vessel, which covers it";
+  EXPECT_EQ(results[3][1], 1) << "beside one at the surface it is seen from the border on";
+  EXPECT_LT(results[4][0], 0.5) << "beside a deep one it is not, at twice as far from the middle";
+  EXPECT_EQ(results[10][0], 1);
+  for (std::size_t k = 1; k < results.size(); ++k) EXPECT_LT(results[k][0] - results[k - 1][0], 0.2);
+}
+
 TEST_F(Shading, AColourChartIsShownAsTheFilmCurveSays) {
   const auto results = test::run_shader({"tone.glsl"}, R"(
     vec3 patch_color = vec3(index % 4, (index / 4) % 4, index / 16) * vec3(0.6) + 0.01;
