@@ -262,10 +262,10 @@ void add_handle(ToolBuilder& builder, const Blade& blade, double scene_size) {
   const double thick = std::max(0.28 * handle, 1.5 * blade.thick), tang = std::min(2.2 * blade.thick, thick);
   builder.join({{.back = blade.length + 2.1 * wide, .half_thickness = 0.7 * tang, .half_width = 0.12 * wide},
                 {.back = blade.length + 2.5 * wide, .half_thickness = tang, .half_width = 0.31 * wide},
-                {.back = neck + 0.2 * wide, .half_thickness = tang, .half_width = 0.31 * wide}});
+                {.back = neck + 1.1 * wide, .half_thickness = tang, .half_width = 0.31 * wide}});
 
   std::vector<FlatSection> sections = {
-      {.back = neck, .half_thickness = 1.2 * blade.thick, .half_width = 1.05 * wide},
+      {.back = neck, .half_thickness = 0.8 * blade.thick, .half_width = 1.05 * wide},
       {.back = neck + 0.5 * wide, .half_thickness = 0.8 * thick, .half_width = 1.15 * wide},
   };
   const auto add = [&](double back, double half_width, float grip = 0) {

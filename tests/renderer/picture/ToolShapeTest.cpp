@@ -240,6 +240,28 @@ TEST(ToolShape, ABladeIsShadedWhereItLiesInItsHandle) {
   EXPECT_EQ(elsewhere, 0);
 }
 
+TEST(ToolShape, AHandleRisesOutOfItsBladeWithoutAStep) {
+  SnapshotTool tool = tool_of(SnapshotToolKind::kScalpel);
+  tool.tip = {};
+  tool.direction = {0, 0, -1};
+  const double wide = 0.5 * tool.width, thick = 0.5 * tool.thickness;
+  int fronts = 0, rears = 0;
+  for (const ToolVertex& vertex : tool_shape(tool, 0.1).vertices) {
+    const auto [x, y, z] = vertex.position;
+    const double behind = (z - tool.length) / wide;
+    if (vertex.normal[2] < -0.99F && behind > 4) {
+      ++fronts;
+      EXPECT_LT(std::abs(x), thick) << "the handle's front stands out of the blade";
+    }
+    if (vertex.normal[2] > 0.99F && std::abs(y) < 0.4 * wide && std::abs(x) > 1.01 * thick && behind < 8) {
+      ++rears;
+      EXPECT_GT(behind, 5.3) << "the end of the tang stands out of the handle";
+    }
+  }
+  EXPECT_GT(fronts, 0);
+  EXPECT_GT(rears, 0);
+}
+
 TEST(ToolShape, ABladeShadesTheTissueAroundIt) {
   SnapshotTool tool = tool_of(SnapshotToolKind::kScalpel);
   tool.tip = {};
