@@ -1,5 +1,6 @@
 #include "renderer/picture/DrawnPieces.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "renderer/picture/Float3.hpp"
@@ -32,12 +33,43 @@ WallWays refined(WallWays ways, const SmoothSurface& smooth) {
   return ways;
 }
 
+/// A wall that curls at a lip within a triangle or two lies open on the lip's side, so that there no hollow is dark.
+void leave_lips_open(std::span<const char> is_lip, const std::vector<Triangle>& triangles,
+                     std::vector<SurfaceVertex>& wall) {
+  constexpr float kBesideLip = 0.3F;
+  if (std::ranges::none_of(is_lip, [](char lip) { return lip != 0; })) return;
+  std::vector<float> left(wall.size(), 1);
+  for (const Triangle& triangle : triangles) {
+    const bool is_beside = std::ranges::any_of(triangle, [&](std::uint32_t v) { return is_lip[v] != 0; });
+    if (!is_beside) continue;
+    for (const std::uint32_t v : triangle) left[v] = is_lip[v] ? 0 : kBesideLip;
+  }
+  for (std::size_t v = 0; v < wall.size(); ++v) {
+    if (wall[v].curvature > 0) wall[v].curvature *= left[v];
+  }
+}
+
+/// Slack lips crumple within a triangle, more sharply than a wall of their thickness does: where a normal is off the
+/// way through the wall, which is evened there, it is drawn towards that.
+void even_crumples(std::span<const Vector3> through, std::vector<SurfaceVertex>& wall) {
+  constexpr double kSlight = 0.95, kSharp = 0.7;  // cosines, below which some of it is evened and most
+  constexpr double kMost = 0.8;
+  for (std::size_t v = 0; v < through.size(); ++v) {
+    const Vector3 normal = vector3(wall[v].normal);
+    const double part = kMost * std::clamp((kSlight + dot(normal, through[v])) / (kSlight - kSharp), 0.0, 1.0);
+    if (part > 0) wall[v].normal = float3(normalized((1 - part) * normal - part * through[v], normal));
+  }
+}
+
 }  // namespace
 
 std::vector<TissuePiece> drawn_pieces(const SnapshotSurface& mesh, const DrawnTopology& drawn,
                                       const SnapshotSurface& shown) {
   std::vector<SurfaceVertex> wall = wall_vertices(mesh);
-  WallWays ways = refined(wall_ways(mesh, wall, drawn.mesh_borders), drawn.smooth);
+  leave_lips_open(drawn.is_lip, mesh.topology->triangles, wall);
+  WallWays ways = wall_ways(mesh, wall, drawn.mesh_borders);
+  even_crumples(ways.through, wall);
+  ways = refined(std::move(ways), drawn.smooth);
   for (const CurvePoint& point : drawn.smooth.points) {
     SurfaceVertex vertex = between(wall[point.start], wall[point.end], point.part);
     vertex.position = shown.positions[wall.size()];

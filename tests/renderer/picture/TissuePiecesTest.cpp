@@ -57,5 +57,43 @@ TEST(TissuePieces, LayersAreBareAtCutsAndCoveredWhereASheetEnds) {
   EXPECT_GT(covered, 0);
 }
 
+/// Of a sheet of 10 x 10 squares of 2 mm with a slit along its middle, the vertex in this column and row.
+constexpr std::uint32_t vertex_at(std::uint32_t column, std::uint32_t row) {
+  return 11 * row + column;
+}
+
+/// As it is drawn and as its triangles alone tell it, with one vertex moved up by `rise` metres.
+std::pair<SurfaceVertex, SurfaceVertex> raised(std::uint32_t vertex, float rise, std::uint32_t shown) {
+  SnapshotSurface sheet = test::slit_sheet(10, 0.002, 0);
+  sheet.positions[vertex][2] += rise;
+  const DrawnTopology drawn = drawn_topology(sheet.topology, DrawnEdges::kStraight);
+  return {drawn_pieces(sheet, drawn, sheet).front().vertices[shown], wall_vertices(sheet)[shown]};
+}
+
+TEST(TissuePieces, ADentBesideALipIsHardlyDark) {
+  const auto dent = [](std::uint32_t row) {
+    const auto [drawn, told] = raised(vertex_at(5, row), -0.001F, vertex_at(5, row));
+    EXPECT_GT(told.curvature, 10) << "1 / metre, in row " << row;
+    return drawn.curvature / told.curvature;
+  };
+  EXPECT_EQ(dent(3), 1) << "away from lips";
+  EXPECT_LT(dent(4), 0.5) << "beside one";
+  EXPECT_EQ(dent(5), 0) << "in one";
+}
+
+TEST(TissuePieces, ABulgeBesideALipIsAsTheMeshTellsIt) {
+  const auto [drawn, told] = raised(vertex_at(5, 4), 0.0005F, vertex_at(5, 4));
+  ASSERT_LT(told.curvature, -10);
+  EXPECT_EQ(drawn.curvature, told.curvature);
+}
+
+TEST(TissuePieces, ACrumpleOfALipIsShadedSmoothlyAndASlightOneAsItIs) {
+  const std::uint32_t lip = vertex_at(5, 5);
+  const auto [sharp, told] = raised(lip, 0.006F, lip);
+  EXPECT_GT(sharp.normal[2], told.normal[2] + 0.1F) << "it lies more level than its triangles";
+  const auto [slight, told_slight] = raised(lip, 0.0003F, lip);
+  EXPECT_EQ(slight.normal, told_slight.normal);
+}
+
 }  // namespace
 }  // namespace thinwall
