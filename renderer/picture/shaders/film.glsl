@@ -75,24 +75,34 @@ void main() {
   vec3 first = cross(along, base), second = cross(base, across);
   float area = dot(across, first);
   vec3 slope = (height_change.x * first + height_change.y * second) / (abs(area) > 1e-16 ? area : 1e-16);
-  const float kSteepest = 0.6;
-  slope *= inversesqrt(1.0 + dot(slope, slope) / square(kSteepest));
   vec3 view = -normalize(from_eye);
+  float facing = dot(base, view);
+  // Seen along the wall it hides what of it is turned away.
+  float steepest = clamp(1.2 * facing - 0.2, 0.05, 0.6);
+  slope *= inversesqrt(1.0 + dot(slope, slope) / square(steepest));
   // A coat follows what is fine in the wall below it, so its highlights are broken; where it is deep it is level.
   const float kFollowed = 0.18;  // slope
   vec3 relief = coat * kFollowed / (1.0 + full * full) * fine.xyz;
   vec3 normal = normalize(base - slope - (relief - dot(relief, base) * base));
-  // Along a coat its unevenness hides what would mirror most.
-  const float kLeastCoatCosine = 0.3;
-  float nv = max(dot(normal, view), mix(0.02, kLeastCoatCosine, coat));
+  // Along it its unevenness hides what would mirror most, of a coat more.
+  const float kLeastCosine = 0.2, kLeastCoatCosine = 0.3;
+  float nv = max(dot(normal, view), mix(kLeastCosine, kLeastCoatCosine, coat));
 
   const float kWets = 0.00005;  // metres that mirror as any more do
   float covered = mix(smoothstep(0.0, max(2.0 * pixel, 0.00006), inward), smoothstep(0.0, kWets, coat_height), coat);
+  // A run, which is lifted towards the eye, is not hidden by the wall that it lies behind, so it ends where that turns away.
+  // A drop that falls is inside its edge everywhere.
+  float is_run = (1.0 - coat) * saturate(2.0 - inward / local);
+  covered *= mix(1.0, smoothstep(0.0, 0.15, facing), is_run);
   // What a deep layer swallows most a thin one swallows first: it is tinted before it is opaque.
   vec3 swallowed = -log(clamp(fluid.rgb, 0.004, 0.9));
   // The rim of a drop is a wedge, which light leaves by its side: it is clearer than it is thin.
-  float way = height * mix(cap, 1.0, coat) / max(nv, 0.3);
+  float way = height * mix(0.6 + 0.4 * cap, 1.0, coat) * slant(nv);
   vec3 left = exp(-way * fluid.w * swallowed / dot(swallowed, vec3(1.0 / 3.0)));
+  // Along its rim light is sent to the side, which shows as a fine dark line.
+  const float kRim = 0.00016, kRimShade = 0.13;  // metres, part of the light
+  float rim = max(kRim, 1.5 * pixel);
+  left *= 1.0 - kRimShade * is_run * (kRim / rim) * exp2(-6.0 * square(inward / rim - 0.5));
   // A thin film tints what lies below; only a deep one hides it by what floats in it.
   float hidden = mix(0.4 + 0.6 * (1.0 - left.g), 1.0, coat);
   float dry = film.w;

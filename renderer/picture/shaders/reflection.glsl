@@ -9,6 +9,13 @@ float fresnel_weight(float cosine) {
   return square(square(m)) * m;
 }
 
+// How much longer the way of light through a layer of water is than the layer is deep, which it enters at this cosine: it is
+// bent towards the normal (Snell).
+float slant(float cosine) {
+  const float kWater = 1.33;
+  return inversesqrt(1.0 - (1.0 - square(cosine)) / square(kWater));
+}
+
 // Part of an even environment that a rough surface reflects, as scale and bias of its reflectance at normal incidence;
 // Karis's fit (2014) to the integral of the microfacet model.
 vec2 reflected_part(float nv, float roughness) {

@@ -129,6 +129,14 @@ TEST_F(Shading, TheGlintOfALampIsNoMoreThanItsLight) {
   }
 }
 
+TEST_F(Shading, TheWayThroughALayerOfWaterIsBentTowardsItsNormal) {
+  const auto results = test::run_shader({"reflection.glsl"}, "result = vec4(slant(0.1 * float(index)));", 11);
+  for (int index = 0; index <= 10; ++index) {
+    const double outside = std::acos(0.1 * index), inside = std::asin(std::sin(outside) / 1.33);
+    EXPECT_NEAR(results[static_cast<std::size_t>(index)][0], 1 / std::cos(inside), 1e-5);
+  }
+}
+
 TEST_F(Shading, ABranchOfADeepVesselComesUpAwayFromIt) {
   // At places half the vessel's half width apart: beside a deep one, beside one at the surface.
   const auto results = test::run_shader(

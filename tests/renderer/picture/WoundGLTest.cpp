@@ -117,6 +117,54 @@ TEST(Wound, FluidGlistensWhereItClimbsTheWallsAcrossFromTheLens) {
   EXPECT_GE(glistening, 3) << "6 were seen, none of a level without a meniscus";
 }
 
+TEST(Wound, WhatRunsOutHasNoBrightStreaksWhereItIsSeenAlongTheWall) {
+  // Only the cavity is mirrored; the lamp's light is next to none.
+  ViewDefinition view;
+  constexpr double kSteepness = 1.2, kCosine = 0.3;
+  const double aside = std::sqrt(1 - kCosine * kCosine);
+  view.camera = {.position = Double3{0.08 * aside, -0.08 * kCosine * std::sin(kSteepness) - 0.003,
+                                     0.08 * kCosine * std::cos(kSteepness) - 0.01},
+                 .target = Double3{0, -0.003, -0.01},
+                 .field_of_view = 0.4};
+  view.camera.kind = CameraKind::kEndoscope;
+  view.lights.endoscope = 0.02;
+  view.look.bodies["organ"] = *find_organ_look("gallbladder");
+  Snapshot snapshot;
+  snapshot.surfaces = {test::slit_sheet(20, 0.002, kSteepness)};
+  snapshot.time = 3;
+  Renderer renderer(DeviceChoice{}, kSize, Tier::kRecord);
+  const Image dry = renderer.draw(snapshot, view);
+  snapshot.scalars = {{"organ.leaked", "m^3", 3e-6}};
+  const Image wet = renderer.draw(snapshot, view);
+  int most = 0, changed = 0;
+  for (std::size_t i = 0; i < dry.pixels.size(); i += 3) {
+    changed += wet.pixels[i] != dry.pixels[i] ? 1 : 0;
+    most = std::max(most, wet.pixels[i] - dry.pixels[i]);
+  }
+  EXPECT_GT(changed, 20);
+  EXPECT_LT(most, 55) << "levels of red; 38 were seen, 72 where slopes of the film turn away from the lens";
+}
+
+TEST(Wound, WhatRunsOutIsSeenByItsRimEvenWhereItIsClear) {
+  // In light from everywhere, and from so far above that nothing glistens.
+  ViewDefinition view;
+  view.camera = {.position = Double3{0, -0.05, 0.06}, .target = Double3{0, -0.006, -0.003}, .field_of_view = 0.12};
+  view.lights.key = 0;
+  view.lights.fill = 0;
+  view.look.bodies["organ"] = *find_organ_look("gallbladder");
+  view.look.bodies["organ"].contents = *find_fluid_look("water");
+  Snapshot snapshot;
+  snapshot.surfaces = {test::slit_sheet(20, 0.002, 0.5)};
+  snapshot.time = 3;
+  Renderer renderer(DeviceChoice{}, kSize, Tier::kRecord);
+  const Image dry = renderer.draw(snapshot, view);
+  snapshot.scalars = {{"organ.leaked", "m^3", 1e-6}};
+  const Image wet = renderer.draw(snapshot, view);
+  int darker = 0;
+  for (std::size_t i = 0; i < dry.pixels.size(); i += 3) darker += wet.pixels[i + 1] + 3 < dry.pixels[i + 1];
+  EXPECT_GE(darker, 30);
+}
+
 TEST(Wound, IsAlikeWhateverWasDrawnBefore) {
   Renderer renderer(DeviceChoice{}, kSize, Tier::kRecord);
   const Image first = renderer.draw(open_bowl(0.5), from_above());
