@@ -33,7 +33,7 @@ void main() {
 
   // It is hardly ever at rest.
   vec3 coordinates = 350.0 * position;
-  vec3 waves = 0.035 * noise(coordinates).xyz + 0.02 * noise(2.7 * coordinates + 4.0).xyz;
+  vec3 waves = 0.10 * noise(0.8 * coordinates).xyz + 0.04 * noise(2.7 * coordinates + 4.0).xyz;
   vec3 base = normalize(smooth_normal);
   base = dot(base, view) < 0.0 ? -base : base;
   // It wets the wall and climbs it, so that there some of it always faces the lamp.

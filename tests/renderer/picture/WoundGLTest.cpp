@@ -145,6 +145,20 @@ TEST(Wound, WhatRunsOutHasNoBrightStreaksWhereItIsSeenAlongTheWall) {
   EXPECT_LT(most, 55) << "levels of red; 38 were seen, 72 where slopes of the film turn away from the lens";
 }
 
+TEST(Wound, APoolGlistensBesideWhereALevelOneWouldMirrorTheLamp) {
+  ViewDefinition view = from_above();
+  view.camera.kind = CameraKind::kEndoscope;
+  view.camera.position = Double3{0, -0.015, 0.078};
+  view.lights.endoscope = 1;
+  view.look.bodies["bowl"].contents = *find_fluid_look("blood");
+  const Image image = Renderer(DeviceChoice{}, kSize, Tier::kRecord).draw(open_bowl(0.9), view);
+  int glistening = 0;
+  for (std::size_t y = 36; y < 60; ++y) {
+    for (std::size_t i = 3 * (96 * y + 36); i < 3 * (96 * y + 60); i += 3) glistening += image.pixels[i + 1] > 100;
+  }
+  EXPECT_GE(glistening, 50) << "65 were seen, 32 where it is nearly at rest";
+}
+
 TEST(Wound, WhatRunsOutIsSeenByItsRimEvenWhereItIsClear) {
   // In light from everywhere, and from so far above that nothing glistens.
   ViewDefinition view;
