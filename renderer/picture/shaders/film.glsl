@@ -80,9 +80,11 @@ void main() {
   // Seen along the wall it hides what of it is turned away.
   float steepest = clamp(1.2 * facing - 0.2, 0.05, 0.6);
   slope *= inversesqrt(1.0 + dot(slope, slope) / square(steepest));
-  // A coat follows what is fine in the wall below it, so its highlights are broken; where it is deep it is level.
-  const float kFollowed = 0.18;  // slope
-  vec3 relief = coat * kFollowed / (1.0 + full * full) * fine.xyz;
+  // A coat follows what is fine in the wall below it, so its highlights are broken; where it is deep it is level. Faces of a
+  // cut and the ground of a wound, whose coats have a width of 1, are of cut fibres and more uneven than skin.
+  const float kOnSkin = 0.18, kInWound = 0.34;  // slope
+  float followed = width < 0.5 ? kOnSkin : kInWound;
+  vec3 relief = coat * followed / (1.0 + full * full) * fine.xyz;
   vec3 normal = normalize(base - slope - (relief - dot(relief, base) * base));
   // Along it its unevenness hides what would mirror most, of a coat more.
   const float kLeastCosine = 0.2, kLeastCoatCosine = 0.3;

@@ -311,6 +311,19 @@ TEST(Wound, BloodCoatsTheFaceOfACutUnevenlyAndMoreBelow) {
   EXPECT_GT(spread_of(left(105)), 0.1);
 }
 
+TEST(Wound, BloodGlistensAllAlongTheFaceOfACut) {
+  const Image image = draw_gaping(1);
+  int columns = 0;
+  for (int column = kFaceLeft; column < kFaceRight; ++column) {
+    int brightest = 0;
+    for (int row = kFaceTop; row < kFaceFoot; ++row) {
+      brightest = std::max<int>(brightest, image.pixels[static_cast<std::size_t>(3 * (row * 384 + column) + 1)]);
+    }
+    columns += brightest > 130 ? 1 : 0;
+  }
+  EXPECT_GE(columns, 21) << "26 were seen, 16 of blood as level as on skin";
+}
+
 TEST(Wound, AFaceInTheShadeIsLitByTheOtherWhichIsRed) {
   const Image image = draw_gaping(0, Double3{-0.3, 0.5, 0.3});
   constexpr int kDermisFoot = 104;
