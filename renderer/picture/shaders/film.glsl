@@ -101,16 +101,20 @@ void main() {
   // The rim of a drop is a wedge, which light leaves by its side: it is clearer than it is thin.
   float way = height * mix(0.6 + 0.4 * cap, 1.0, coat) * slant(nv);
   vec3 left = exp(-way * fluid.w * swallowed / dot(swallowed, vec3(1.0 / 3.0)));
-  // Along its rim light is sent to the side, which shows as a fine dark line.
-  const float kRim = 0.00016, kRimShade = 0.13;  // metres, part of the light
-  float rim = max(kRim, 1.5 * pixel);
-  left *= 1.0 - kRimShade * is_run * (kRim / rim) * exp2(-6.0 * square(inward / rim - 0.5));
   // A thin film tints what lies below; only a deep one hides it by what floats in it.
   float hidden = mix(0.4 + 0.6 * (1.0 - left.g), 1.0, coat);
   float dry = film.w;
 
   vec3 toward = lamp_direction(position);
   vec3 lamp = lamp_light(position);
+  // Along its rim a run sends light on to its other side, which shows as a fine dark line where it is turned to the lamp; of
+  // a clear one less.
+  const float kRim = 0.00016;                        // metres
+  const float kClearShade = 0.06, kDeepShade = 0.22;  // parts of the light
+  float rim = max(kRim, 1.5 * pixel);
+  float turned = saturate(0.5 - dot(inward_slope, toward) * inversesqrt(max(dot(inward_slope, inward_slope), 1e-12)));
+  float rim_shade = turned * mix(kClearShade, kDeepShade, 1.0 - exp2(-1.5 * film.z * fluid.w));
+  left *= 1.0 - rim_shade * is_run * (kRim / rim) * exp2(-6.0 * square(inward / rim - 0.5));
   float lit = key_visibility(position, base);
   float visible = mix(0.12, 1.0, lit);
   float cosine = saturate(0.25 + 0.75 * dot(normal, toward));
