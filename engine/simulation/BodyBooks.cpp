@@ -51,10 +51,10 @@ double Body::rate(const OrificeDefinition& orifice, const BodyState& state) cons
 
 double Body::gravity_energy() const {
   double energy = newton_->terms().gravity + state_.leaked_gravity;
+  // Where the pressure is told there is all that the fluid weighs, whatever the space that it is compressed to.
   for (Eigen::Index c = 0; c < state_.volume.size(); ++c) {
-    if (state_.fluid_volume[c] == 0) continue;
-    energy -= model_->definition.fluid.density * options_.gravity.dot(model_->chambers[c].level) *
-              (state_.volume[c] - state_.air[c]);
+    energy -=
+        model_->definition.fluid.density * options_.gravity.dot(model_->chambers[c].level) * state_.fluid_volume[c];
   }
   return energy;
 }
