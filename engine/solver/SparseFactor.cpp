@@ -367,9 +367,9 @@ void SparseFactor::solve(Eigen::Ref<Eigen::MatrixXd> right_hand_sides) {
 
 double SparseFactor::cost_of(Eigen::Index right_hand_sides) {
   constexpr double kCostOfFour = 2, kCostOfEight = 3.5;
-  const Eigen::Index rest = right_hand_sides % kMostSides;
+  const Eigen::Index eights = right_hand_sides / kMostSides, rest = right_hand_sides % kMostSides;
   const double cost_of_rest = rest > 4 ? kCostOfEight : rest > 2 ? kCostOfFour : static_cast<double>(rest);
-  return kCostOfEight * static_cast<double>(right_hand_sides / kMostSides) + cost_of_rest;
+  return kCostOfEight * static_cast<double>(eights) + cost_of_rest;
 }
 
 SparseFactor::Part SparseFactor::part_of(std::vector<int> unknowns) const {

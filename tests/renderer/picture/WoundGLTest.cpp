@@ -237,7 +237,7 @@ TEST(Wound, BloodPaintsNoEvenRibbonAlongALip) {
 TEST(Wound, BloodEndsOnTheSkinWithoutABorder) {
   const auto [bleeding, dry] = draw_slit("skin", 8, {384, 384});
   // How much green blood takes, from 0.25 mm beside the cut on; 19 pixels a millimetre.
-  const auto taken = [&](int row, int column) {
+  const auto taken = [&bleeding = bleeding, &dry = dry](int row, int column) {
     const auto pixel = static_cast<std::size_t>(3 * (row * 384 + column) + 1);
     return dry.pixels[pixel] - bleeding.pixels[pixel];
   };
