@@ -51,7 +51,7 @@ double Body::rate(const OrificeDefinition& orifice, const BodyState& state) cons
 
 double Body::gravity_energy() const {
   double energy = newton_->terms().gravity + state_.leaked_gravity;
-  // Where the pressure is told there is all that the fluid weighs, whatever the space that it is compressed to.
+  // At the level where the pressure is told the whole fluid counts by its weight, whatever space it is compressed to.
   for (Eigen::Index c = 0; c < state_.volume.size(); ++c) {
     energy -=
         model_->definition.fluid.density * options_.gravity.dot(model_->chambers[c].level) * state_.fluid_volume[c];

@@ -183,30 +183,27 @@ template <typename All>
   direction == Direction::kForward ? forward_all<All>(front, values) : backward_all<All>(front, values);
 }
 
-#ifdef THINWALL_FOR_PROCESSORS
-THINWALL_FOR_PROCESSORS("avx2,fma")
-void solve_four(const Front& front, Direction direction, double* values) {
-  solve_all<Sides<Lanes, 1>>(front, direction, values);
-}
-THINWALL_FOR_PROCESSORS("default")
-#endif
-void solve_four(const Front& front, Direction direction, double* values) {
-  solve_all<Sides<Lanes, 1>>(front, direction, values);
+/// Four right-hand sides, or eight in lanes of their own kind.
+template <typename Eight>
+[[gnu::always_inline]] inline void solve_four_or_eight(const Front& front, Direction direction, int sides,
+                                                       double* values) {
+  sides == Eight::kCount ? solve_all<Eight>(front, direction, values)
+                         : solve_all<Sides<Lanes, 1>>(front, direction, values);
 }
 
 #ifdef THINWALL_FOR_PROCESSORS
-THINWALL_FOR_PROCESSORS("avx512f")
-void solve_eight(const Front& front, Direction direction, double* values) {
-  solve_all<Sides<WideLanes, 1>>(front, direction, values);
+THINWALL_FOR_PROCESSORS("avx512f,fma")
+void solve_several(const Front& front, Direction direction, int sides, double* values) {
+  solve_four_or_eight<Sides<WideLanes, 1>>(front, direction, sides, values);
 }
 THINWALL_FOR_PROCESSORS("avx2,fma")
-void solve_eight(const Front& front, Direction direction, double* values) {
-  solve_all<Sides<Lanes, 2>>(front, direction, values);
+void solve_several(const Front& front, Direction direction, int sides, double* values) {
+  solve_four_or_eight<Sides<Lanes, 2>>(front, direction, sides, values);
 }
 THINWALL_FOR_PROCESSORS("default")
 #endif
-void solve_eight(const Front& front, Direction direction, double* values) {
-  solve_all<Sides<Lanes, 2>>(front, direction, values);
+void solve_several(const Front& front, Direction direction, int sides, double* values) {
+  solve_four_or_eight<Sides<Lanes, 2>>(front, direction, sides, values);
 }
 
 }  // namespace
@@ -224,19 +221,19 @@ THINWALL_FOR_ALL_PROCESSORS void solve_backward(const Front& front, double* valu
 }
 
 void solve_four_forward(const Front& front, double* values) {
-  solve_four(front, Direction::kForward, values);
+  solve_several(front, Direction::kForward, 4, values);
 }
 
 void solve_four_backward(const Front& front, double* values) {
-  solve_four(front, Direction::kBackward, values);
+  solve_several(front, Direction::kBackward, 4, values);
 }
 
 void solve_eight_forward(const Front& front, double* values) {
-  solve_eight(front, Direction::kForward, values);
+  solve_several(front, Direction::kForward, 8, values);
 }
 
 void solve_eight_backward(const Front& front, double* values) {
-  solve_eight(front, Direction::kBackward, values);
+  solve_several(front, Direction::kBackward, 8, values);
 }
 
 }  // namespace thinwall

@@ -49,21 +49,6 @@ double time_to(const std::vector<std::pair<double, double>>& curve, double area,
   return time;
 }
 
-TEST(Leak, EndsItsStepsWithTheFactorsThatItHas) {
-  // Each step ends with one that no new factor is made for, or two.
-  Body body(open_ball(320, kPressure), {}, dynamic());
-  body.settle();
-  int iterations = 0, factorisations = 0;
-  for (int step = 0; step < 20; ++step) {
-    body.advance({}, {}, 5e-3);
-    iterations += body.report().newton_iterations;
-    factorisations += body.report().factorisations;
-    EXPECT_LE(body.report().residual_share, 1e-9);
-  }
-  std::printf("%d iterations, %d factorisations\n", iterations, factorisations);
-  EXPECT_LE(factorisations, iterations - 20);
-}
-
 TEST(Leak, LowersThePressureAsTheOrificeEquationAsks) {
   const BodyDefinition definition = open_ball(320, kPressure);
   const auto curve = compliance_of(definition, 200);

@@ -164,5 +164,20 @@ TEST(Equilibrium, TermsAreTheSameWithoutTheHessian) {
   }
 }
 
+TEST(Newton, EndsTheStepsOfABodyThatLeaksWithTheFactorsThatItHas) {
+  // Each step ends with one that no new factor is made for, or two.
+  Body body(open_ball(320, 400), {}, dynamic());
+  body.settle();
+  int iterations = 0, factorisations = 0;
+  for (int step = 0; step < 20; ++step) {
+    body.advance({}, {}, 5e-3);
+    iterations += body.report().newton_iterations;
+    factorisations += body.report().factorisations;
+    EXPECT_LE(body.report().residual_share, 1e-9);
+  }
+  std::printf("%d iterations, %d factorisations\n", iterations, factorisations);
+  EXPECT_LE(factorisations, iterations - 20);
+}
+
 }  // namespace
 }  // namespace thinwall
