@@ -8,27 +8,47 @@
 namespace thinwall {
 namespace {
 
-static_assert(kFrontRows == kWideLanes && kFrontRows == 2 * kLanes);
+/// In this many bytes the rows of a front end, and twice as many are worked on together at least by processors that
+/// can.
+constexpr int kBytes = 32;
+template <typename Number>
+using Usual = typename LanesOfBytes<Number, kBytes>::Type;
+static_assert(kFrontRows % kLanesOf<Usual<double>> == 0 && kFrontRows % kLanesOf<Usual<float>> == 0);
 
 /// Columns of a panel that is eliminated: `rows` points at the first row that is wanted.
+template <typename Number>
 struct Eliminated {
-  const double* rows;
+  const Number* rows;
   std::ptrdiff_t stride;
   int count;
 };
 
+/// What some eliminated columns take from `columns` others from row `begin` to `end`, both multiples of kFrontRows.
+/// `of_columns` are the entries of the eliminated columns in the rows that the target's columns have.
+template <typename Number>
+struct Product {
+  Eliminated<Number> eliminated;
+  const Number* of_columns;
+  const Number* signs;
+  int columns;
+  int begin, end;
+  Number* target;
+  std::ptrdiff_t stride;  // of the target
+  Number* workspace;
+};
+
 /// target -= eliminated * factors for as many rows as `tiles` of `Some` lanes hold and `columns` columns; `factors`,
 /// (columns x eliminated).
-template <typename Some, int tiles, int columns>
-[[gnu::always_inline]] inline void subtract_product(const Eliminated& eliminated, const double* factors, double* target,
-                                                    std::ptrdiff_t stride) {
+template <typename Some, int tiles, int columns, typename Number>
+[[gnu::always_inline]] inline void subtract_product(const Eliminated<Number>& eliminated, const Number* factors,
+                                                    Number* target, std::ptrdiff_t stride) {
   Some values[tiles][columns];
 #pragma GCC unroll 2
   for (int t = 0; t < tiles; ++t) {
 #pragma GCC unroll 6
     for (int c = 0; c < columns; ++c) load(target + c * stride + t * kLanesOf<Some>, values[t][c]);
   }
-  const double* rows = eliminated.rows;
+  const Number* rows = eliminated.rows;
   for (int p = 0; p < eliminated.count; ++p, rows += eliminated.stride, factors += columns) {
     Some row[tiles];
 #pragma GCC unroll 2
@@ -46,75 +66,93 @@ template <typename Some, int tiles, int columns>
   }
 }
 
-/// What some eliminated columns take from `columns` columns from row `begin` to `end`, both multiples of kFrontRows.
-/// `of_columns` are the entries of the eliminated columns in the rows that the target's columns have.
-template <typename Some, int columns>
-[[gnu::always_inline]] inline void take_off(const Eliminated& eliminated, const double* of_columns, const double* signs,
-                                            int begin, int end, double* target, std::ptrdiff_t stride,
-                                            double* workspace) {
-  double* factors = workspace;
+template <typename Some, int columns, typename Number>
+[[gnu::always_inline]] inline void take_off(const Product<Number>& product) {
+  const Eliminated<Number>& eliminated = product.eliminated;
+  Number* factors = product.workspace;
   for (int p = 0; p < eliminated.count; ++p) {
 #pragma GCC unroll 6
-    for (int c = 0; c < columns; ++c) *factors++ = signs[p] * of_columns[p * eliminated.stride + c];
+    for (int c = 0; c < columns; ++c) {
+      *factors++ = product.signs[p] * product.of_columns[p * eliminated.stride + c];
+    }
   }
-  const auto from = [&](int row) { return Eliminated{eliminated.rows + row, eliminated.stride, eliminated.count}; };
-  constexpr int kRows = 2 * kLanesOf<Some>;
-  int row = begin;
-  for (; row + kRows <= end; row += kRows) {
-    subtract_product<Some, 2, columns>(from(row), workspace, target + row, stride);
+  const auto from = [&](int row) {
+    return Eliminated<Number>{eliminated.rows + row, eliminated.stride, eliminated.count};
+  };
+  constexpr int kRows = kLanesOf<Some>;
+  int row = product.begin;
+  for (; row + 2 * kRows <= product.end; row += 2 * kRows) {
+    subtract_product<Some, 2, columns>(from(row), product.workspace, product.target + row, product.stride);
   }
-  if (row < end) subtract_product<Some, 1, columns>(from(row), workspace, target + row, stride);
+  if (row + kRows <= product.end) {
+    subtract_product<Some, 1, columns>(from(row), product.workspace, product.target + row, product.stride);
+    row += kRows;
+  }
+  if constexpr (kRows > kFrontRows) {
+    if (row == product.end) return;
+    subtract_product<Usual<Number>, 1, columns>(from(row), product.workspace, product.target + row, product.stride);
+  }
 }
 
-template <typename Some>
-[[gnu::always_inline]] inline void take_off_some(const Eliminated& eliminated, const double* of_columns,
-                                                 const double* signs, int columns, int begin, int end, double* target,
-                                                 std::ptrdiff_t stride, double* workspace) {
-  switch (columns) {
+template <typename Some, typename Number>
+[[gnu::always_inline]] inline void take_off_some(const Product<Number>& product) {
+  switch (product.columns) {
     case 1:
-      return take_off<Some, 1>(eliminated, of_columns, signs, begin, end, target, stride, workspace);
+      return take_off<Some, 1>(product);
     case 2:
-      return take_off<Some, 2>(eliminated, of_columns, signs, begin, end, target, stride, workspace);
+      return take_off<Some, 2>(product);
     case 3:
-      return take_off<Some, 3>(eliminated, of_columns, signs, begin, end, target, stride, workspace);
+      return take_off<Some, 3>(product);
     case 4:
-      return take_off<Some, 4>(eliminated, of_columns, signs, begin, end, target, stride, workspace);
+      return take_off<Some, 4>(product);
     case 5:
-      return take_off<Some, 5>(eliminated, of_columns, signs, begin, end, target, stride, workspace);
+      return take_off<Some, 5>(product);
     default:
-      return take_off<Some, kFrontColumns>(eliminated, of_columns, signs, begin, end, target, stride, workspace);
+      return take_off<Some, kFrontColumns>(product);
   }
 }
 
 #ifdef THINWALL_FOR_PROCESSORS
 THINWALL_FOR_PROCESSORS("avx512f")
-void take_off_columns(const Eliminated& eliminated, const double* of_columns, const double* signs, int columns,
-                      int begin, int end, double* target, std::ptrdiff_t stride, double* workspace) {
-  take_off_some<WideLanes>(eliminated, of_columns, signs, columns, begin, end, target, stride, workspace);
+void take_off_columns(const Product<double>& product) {
+  take_off_some<WideLanes<double>>(product);
+}
+THINWALL_FOR_PROCESSORS("avx512f")
+void take_off_columns(const Product<float>& product) {
+  take_off_some<WideLanes<float>>(product);
 }
 THINWALL_FOR_PROCESSORS("avx2,fma")
-void take_off_columns(const Eliminated& eliminated, const double* of_columns, const double* signs, int columns,
-                      int begin, int end, double* target, std::ptrdiff_t stride, double* workspace) {
-  take_off_some<Lanes>(eliminated, of_columns, signs, columns, begin, end, target, stride, workspace);
+void take_off_columns(const Product<double>& product) {
+  take_off_some<Usual<double>>(product);
+}
+THINWALL_FOR_PROCESSORS("avx2,fma")
+void take_off_columns(const Product<float>& product) {
+  take_off_some<Usual<float>>(product);
 }
 THINWALL_FOR_PROCESSORS("default")
 #endif
-void take_off_columns(const Eliminated& eliminated, const double* of_columns, const double* signs, int columns,
-                      int begin, int end, double* target, std::ptrdiff_t stride, double* workspace) {
-  take_off_some<Lanes>(eliminated, of_columns, signs, columns, begin, end, target, stride, workspace);
+void take_off_columns(const Product<double>& product) {
+  take_off_some<Usual<double>>(product);
+}
+#ifdef THINWALL_FOR_PROCESSORS
+THINWALL_FOR_PROCESSORS("default")
+#endif
+void take_off_columns(const Product<float>& product) {
+  take_off_some<Usual<float>>(product);
 }
 
 /// Factorises the diagonal block of some columns that no earlier pivot bears on any more; false where it cannot be.
-bool factorize_block(double* block, std::ptrdiff_t stride, int columns, bool allows_negative, double* signs) {
+template <typename Number>
+bool factorize_block(Number* block, std::ptrdiff_t stride, int columns, bool allows_negative, Number* signs) {
   for (int c = 0; c < columns; ++c) {
-    double* column = block + c * stride;
+    Number* column = block + c * stride;
     for (int p = 0; p < c; ++p) {
-      const double factor = signs[p] * block[p * stride + c];
+      const Number factor = signs[p] * block[p * stride + c];
       for (int row = c; row < columns; ++row) column[row] -= block[p * stride + row] * factor;
     }
-    const double pivot = column[c];
+    const Number pivot = column[c];
     if (!(std::abs(pivot) > 0) || !std::isfinite(pivot) || (pivot < 0 && !allows_negative)) return false;
-    signs[c] = pivot < 0 ? -1 : 1;
+    signs[c] = static_cast<Number>(pivot < 0 ? -1 : 1);
     column[c] = std::sqrt(std::abs(pivot));
     for (int row = c + 1; row < columns; ++row) column[row] *= signs[c] / column[c];
   }
@@ -122,17 +160,17 @@ bool factorize_block(double* block, std::ptrdiff_t stride, int columns, bool all
 }
 
 /// The rows of some columns below their diagonal block, once the block is factorised: row by row x S L^T = a.
-template <int columns>
-[[gnu::always_inline]] inline void divide_rows(const double* block, std::ptrdiff_t stride, const double* signs,
-                                               int begin, int end, double* rows) {
-  double factors[columns][columns], inverse[columns];
+template <int columns, typename Number>
+[[gnu::always_inline]] inline void divide_rows(const Number* block, std::ptrdiff_t stride, const Number* signs,
+                                               int begin, int end, Number* rows) {
+  Number factors[columns][columns], inverse[columns];
 #pragma GCC unroll 6
   for (int c = 0; c < columns; ++c) {
     for (int p = 0; p < c; ++p) factors[c][p] = signs[p] * block[p * stride + c];
     inverse[c] = signs[c] / block[c * stride + c];
   }
-  for (int row = begin; row < end; row += kLanes) {
-    Lanes x[columns];
+  for (int row = begin; row < end; row += kLanesOf<Usual<Number>>) {
+    Usual<Number> x[columns];
 #pragma GCC unroll 6
     for (int c = 0; c < columns; ++c) {
       load(rows + c * stride + row, x[c]);
@@ -143,8 +181,9 @@ template <int columns>
   }
 }
 
-THINWALL_FOR_ALL_PROCESSORS void divide_columns(const double* block, std::ptrdiff_t stride, const double* signs,
-                                                int columns, int begin, int end, double* rows) {
+template <typename Number>
+[[gnu::always_inline]] inline void divide_some(const Number* block, std::ptrdiff_t stride, const Number* signs,
+                                               int columns, int begin, int end, Number* rows) {
   switch (columns) {
     case 1:
       return divide_rows<1>(block, stride, signs, begin, end, rows);
@@ -161,29 +200,46 @@ THINWALL_FOR_ALL_PROCESSORS void divide_columns(const double* block, std::ptrdif
   }
 }
 
+THINWALL_FOR_ALL_PROCESSORS void divide_columns(const double* block, std::ptrdiff_t stride, const double* signs,
+                                                int columns, int begin, int end, double* rows) {
+  divide_some(block, stride, signs, columns, begin, end, rows);
+}
+THINWALL_FOR_ALL_PROCESSORS void divide_columns(const float* block, std::ptrdiff_t stride, const float* signs,
+                                                int columns, int begin, int end, float* rows) {
+  divide_some(block, stride, signs, columns, begin, end, rows);
+}
+
 int down_to_rows(int row) {
   return row / kFrontRows * kFrontRows;
 }
 
 /// Eliminates the pivots from `begin` to `end`, which those before bear on no more, within their own columns.
-bool eliminate_panel(const Front& front, int begin, int end, bool allows_negative) {
+template <typename Number>
+bool eliminate_panel(const Front<Number>& front, int begin, int end, bool allows_negative) {
   const int last_row = up_to_rows(front.size);
   for (int column = begin; column < end; column += kFrontColumns) {
     const int columns = std::min(kFrontColumns, end - column);
-    double* target = front.columns + column * front.stride;
-    const double* panel = front.columns + begin * front.stride;
+    Number* target = front.columns + column * front.stride;
+    const Number* panel = front.columns + begin * front.stride;
     if (column > begin) {
-      take_off_columns({panel, front.stride, column - begin}, panel + column, front.signs + begin, columns,
-                       down_to_rows(column), last_row, target, front.stride, front.workspace);
+      take_off_columns(Product<Number>{.eliminated = {panel, front.stride, column - begin},
+                                       .of_columns = panel + column,
+                                       .signs = front.signs + begin,
+                                       .columns = columns,
+                                       .begin = down_to_rows(column),
+                                       .end = last_row,
+                                       .target = target,
+                                       .stride = front.stride,
+                                       .workspace = front.workspace});
     }
-    double* signs = front.signs + column;
-    double* block = target + column;
+    Number* signs = front.signs + column;
+    Number* block = target + column;
     if (!factorize_block(block, front.stride, columns, allows_negative, signs)) return false;
     // The first rows below the block one by one: the lanes may begin above it, where L stands already.
     const int below = column + columns, first = std::min(up_to_rows(below), front.size);
     for (int row = below; row < first; ++row) {
       for (int c = 0; c < columns; ++c) {
-        double& x = target[c * front.stride + row];
+        Number& x = target[c * front.stride + row];
         for (int p = 0; p < c; ++p) x -= target[p * front.stride + row] * (signs[p] * block[p * front.stride + c]);
         x *= signs[c] / block[c * front.stride + c];
       }
@@ -194,32 +250,47 @@ bool eliminate_panel(const Front& front, int begin, int end, bool allows_negativ
 }
 
 /// What the pivots from `begin` to `end` take off the columns behind them.
-void follow_panel(const Front& front, int begin, int end) {
-  const double* panel = front.columns + begin * front.stride;
-  const double* signs = front.signs + begin;
+template <typename Number>
+void follow_panel(const Front<Number>& front, int begin, int end) {
+  const Number* panel = front.columns + begin * front.stride;
+  const auto take_off_behind = [&](const Number* rows, int column, int columns, int size, Number* target,
+                                   std::ptrdiff_t stride) {
+    take_off_columns(Product<Number>{.eliminated = {rows, front.stride, end - begin},
+                                     .of_columns = rows + column,
+                                     .signs = front.signs + begin,
+                                     .columns = std::min(kFrontColumns, columns - column),
+                                     .begin = down_to_rows(column),
+                                     .end = up_to_rows(size),
+                                     .target = target + column * stride,
+                                     .stride = stride,
+                                     .workspace = front.workspace});
+  };
   for (int column = end; column < front.pivots; column += kFrontColumns) {
-    take_off_columns({panel, front.stride, end - begin}, panel + column, signs,
-                     std::min(kFrontColumns, front.pivots - column), down_to_rows(column), up_to_rows(front.size),
-                     front.columns + column * front.stride, front.stride, front.workspace);
+    take_off_behind(panel, column, front.pivots, front.size, front.columns, front.stride);
   }
   const int rest = front.size - front.pivots;
-  const double* below = panel + front.pivots;
   for (int column = 0; column < rest; column += kFrontColumns) {
-    take_off_columns({below, front.stride, end - begin}, below + column, signs, std::min(kFrontColumns, rest - column),
-                     down_to_rows(column), up_to_rows(rest), front.update + column * front.update_stride,
-                     front.update_stride, front.workspace);
+    take_off_behind(panel + front.pivots, column, rest, rest, front.update, front.update_stride);
   }
 }
 
-}  // namespace
-
-int eliminate(const Front& front, bool allows_negative) {
+template <typename Number>
+int eliminate_all(const Front<Number>& front, bool allows_negative) {
   for (int begin = 0; begin < front.pivots; begin += kPanel) {
     const int end = std::min(begin + kPanel, front.pivots);
     if (!eliminate_panel(front, begin, end, allows_negative)) return -1;
     follow_panel(front, begin, end);
   }
-  return static_cast<int>(std::count_if(front.signs, front.signs + front.pivots, [](double sign) { return sign < 0; }));
+  return static_cast<int>(std::count_if(front.signs, front.signs + front.pivots, [](Number sign) { return sign < 0; }));
+}
+
+}  // namespace
+
+int eliminate(const Front<double>& front, bool allows_negative) {
+  return eliminate_all(front, allows_negative);
+}
+int eliminate(const Front<float>& front, bool allows_negative) {
+  return eliminate_all(front, allows_negative);
 }
 
 }  // namespace thinwall

@@ -11,17 +11,19 @@ constexpr int up_to_rows(int rows) {
 }
 
 /// A dense symmetric matrix of which the first unknowns are eliminated. By columns, of which only what is on and below
-/// the diagonal is read as data; what stands above it, and in rows past the last, is of no meaning.
+/// the diagonal is read as data; what stands above it, and in rows past the last, is of no meaning. Of numbers of
+/// double or of single precision.
+template <typename Number>
 struct Front {
   int pivots = 0;             // unknowns to eliminate
   int size = 0;               // all unknowns
-  double* columns = nullptr;  // (stride x pivots), the first columns: in, the matrix; out, L
+  Number* columns = nullptr;  // (stride x pivots), the first columns: in, the matrix; out, L
   std::ptrdiff_t stride = 0;  // of `columns`, a multiple of kFrontRows that is at least `size`
   // (update_stride x size - pivots), the other columns from row `pivots` on: in, the matrix; out, what is left of it
-  double* update = nullptr;
+  Number* update = nullptr;
   std::ptrdiff_t update_stride = 0;  // a multiple of kFrontRows that is at least size - pivots
-  double* signs = nullptr;           // (pivots), out: 1 or -1
-  double* workspace = nullptr;       // kFrontColumns * kPanel
+  Number* signs = nullptr;           // (pivots), out: 1 or -1
+  Number* workspace = nullptr;       // kFrontColumns * kPanel
 };
 
 /// Columns that are worked on together, and pivots after whose elimination the columns behind them follow.
@@ -32,20 +34,27 @@ constexpr int kPanel = 96;
 /// or -1 where a pivot vanishes or is no number, or where it is negative and that is not allowed. The order of the
 /// operations on each entry depends on the sizes alone: the same bits on every processor that fuses a multiplication
 /// with a subtraction, as is done in products of panels and for several right-hand sides, and on every other one.
-int eliminate(const Front& front, bool allows_negative);
+int eliminate(const Front<double>& front, bool allows_negative);
+int eliminate(const Front<float>& front, bool allows_negative);
 
 /// Solves L y = b for the pivots and takes what they bear on off the rows below them: `values`, (stride), in place.
-void solve_forward(const Front& front, double* values);
+void solve_forward(const Front<double>& front, double* values);
+void solve_forward(const Front<float>& front, float* values);
 
 /// Solves L^T x = y for the pivots, with the rows below them known: `values`, (stride), in place; what stands past the
 /// last row is zero.
-void solve_backward(const Front& front, double* values);
+void solve_backward(const Front<double>& front, double* values);
+void solve_backward(const Front<float>& front, float* values);
 
 /// The same for four or eight right-hand sides that are solved side by side: `values`, (size x sides) by rows. Each has
 /// the same bits among four and among eight; four take about twice the time of one, and eight less than twice that.
-void solve_four_forward(const Front& front, double* values);
-void solve_four_backward(const Front& front, double* values);
-void solve_eight_forward(const Front& front, double* values);
-void solve_eight_backward(const Front& front, double* values);
+void solve_four_forward(const Front<double>& front, double* values);
+void solve_four_forward(const Front<float>& front, float* values);
+void solve_four_backward(const Front<double>& front, double* values);
+void solve_four_backward(const Front<float>& front, float* values);
+void solve_eight_forward(const Front<double>& front, double* values);
+void solve_eight_forward(const Front<float>& front, float* values);
+void solve_eight_backward(const Front<double>& front, double* values);
+void solve_eight_backward(const Front<float>& front, float* values);
 
 }  // namespace thinwall

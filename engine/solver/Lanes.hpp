@@ -1,30 +1,40 @@
 #pragma once
 
 #include <cstring>
+#include <type_traits>
+#include <utility>
 
-/// Four numbers at once. As each lane is computed alone, and nothing is contracted but the products of FrontFactor.hpp,
-/// the results are the same to the last bit on every width of a processor's registers.
+/// Several numbers at once: four of double precision, eight of single. As each lane is computed alone, and nothing is
+/// contracted but the products of FrontFactor.hpp, the results are the same to the last bit on every width of a
+/// processor's registers.
 namespace thinwall {
 
-using Lanes = double __attribute__((vector_size(32)));
+template <typename Number, int bytes>
+struct LanesOfBytes {
+  using Type [[gnu::vector_size(bytes)]] = Number;
+};
+using Lanes = LanesOfBytes<double, 32>::Type;
 constexpr int kLanes = 4;
 
-/// Eight, for processors that hold them in one register: for others they are compiled badly.
-using WideLanes = double __attribute__((vector_size(64)));
-constexpr int kWideLanes = 8;
+/// Twice as many, for processors that hold them in one register: for others they are compiled badly.
+template <typename Number>
+using WideLanes = typename LanesOfBytes<Number, 64>::Type;
 
+/// The number that lanes are of, and how many of it.
 template <typename Some>
-constexpr int kLanesOf = static_cast<int>(sizeof(Some) / sizeof(double));
+using NumberOf = std::remove_cvref_t<decltype(std::declval<Some&>()[0])>;
+template <typename Some>
+constexpr int kLanesOf = static_cast<int>(sizeof(Some) / sizeof(NumberOf<Some>));
 
 // Inlined always, so that they are compiled for the processor that the calling function is compiled for. Lanes go
 // through references: as values they would be handed over unlike on unlike processors.
 template <typename Some>
-[[gnu::always_inline]] inline void load(const double* from, Some& lanes) {
+[[gnu::always_inline]] inline void load(const NumberOf<Some>* from, Some& lanes) {
   std::memcpy(&lanes, from, sizeof lanes);
 }
 
 template <typename Some>
-[[gnu::always_inline]] inline void store(const Some& lanes, double* to) {
+[[gnu::always_inline]] inline void store(const Some& lanes, NumberOf<Some>* to) {
   std::memcpy(to, &lanes, sizeof lanes);
 }
 

@@ -281,14 +281,14 @@ MatrixBlock block_of(const BlockPattern& pattern, const NodeCoupling& coupling, 
           .is_turned = is_turned};
 }
 
-template <int columns, int rows>
-void enter_block(const MatrixBlock& block, std::ptrdiff_t stride, const double* values, double* factor) {
+template <int columns, int rows, typename Number>
+void enter_block(const MatrixBlock& block, std::ptrdiff_t stride, const double* values, Number* factor) {
   const std::ptrdiff_t column_step = block.is_turned ? 1 : stride, row_step = block.is_turned ? stride : 1;
   int from = block.value;
   // A diagonal block's columns begin with the diagonal.
   for (int c = 0; c < columns; ++c) {
-    double* to = factor + block.place + c * column_step;
-    for (int r = block.is_diagonal ? c : 0; r < rows; ++r) to[r * row_step] = values[from + r - c];
+    Number* to = factor + block.place + c * column_step;
+    for (int r = block.is_diagonal ? c : 0; r < rows; ++r) to[r * row_step] = static_cast<Number>(values[from + r - c]);
     from += block.first_length - c;
   }
 }
@@ -349,7 +349,8 @@ SupernodeTree make_supernode_tree(const BlockPattern& pattern, const NodeGraph& 
   return tree;
 }
 
-void enter_values(const SupernodeTree& tree, const Supernode& supernode, const double* values, double* factor) {
+template <typename Number>
+void enter_values(const SupernodeTree& tree, const Supernode& supernode, const double* values, Number* factor) {
   for (int k = supernode.blocks_begin; k < supernode.blocks_end; ++k) {
     const MatrixBlock& block = tree.blocks[k];
     if (block.columns == 3) {
@@ -361,5 +362,7 @@ void enter_values(const SupernodeTree& tree, const Supernode& supernode, const d
     }
   }
 }
+template void enter_values(const SupernodeTree& tree, const Supernode& supernode, const double* values, double* factor);
+template void enter_values(const SupernodeTree& tree, const Supernode& supernode, const double* values, float* factor);
 
 }  // namespace thinwall

@@ -67,6 +67,8 @@ SupernodeTree make_supernode_tree(const BlockPattern& pattern, const NodeGraph& 
 SupernodeTree make_supernode_tree(const BlockPattern& pattern, std::span<const int> order);
 
 /// Puts the matrix's entries of a supernode's own columns where they go; the rest of `factor` stays as it is.
-void enter_values(const SupernodeTree& tree, const Supernode& supernode, const double* values, double* factor);
+/// Of double or of single precision.
+template <typename Number>
+void enter_values(const SupernodeTree& tree, const Supernode& supernode, const double* values, Number* factor);
 
 }  // namespace thinwall

@@ -106,13 +106,14 @@ Membrane membrane_of(const benchmark::State& state) {
   return Membrane(static_cast<int>(state.range(0)));
 }
 
-void SparseFactorize(benchmark::State& state) {
+void SparseFactorize(benchmark::State& state, Precision precision) {
   const Membrane membrane = membrane_of(state);
   SparseFactor factor(membrane.pattern);
-  for (auto _ : state) benchmark::DoNotOptimize(factor.factorize(membrane.values));
+  for (auto _ : state) benchmark::DoNotOptimize(factor.factorize(membrane.values, false, precision));
   state.counters["operations"] = factor.operations();
 }
-BENCHMARK(SparseFactorize)->Apply(sizes);
+BENCHMARK_CAPTURE(SparseFactorize, in_double, Precision::kDouble)->Apply(sizes);
+BENCHMARK_CAPTURE(SparseFactorize, in_single, Precision::kSingle)->Apply(sizes);
 
 void SparseFactorizeIndefinite(benchmark::State& state) {
   Membrane membrane = membrane_of(state);
@@ -128,18 +129,31 @@ void PeerFactorize(benchmark::State& state) {
 }
 BENCHMARK(PeerFactorize)->Apply(sizes);
 
-void SparseSolve(benchmark::State& state, int columns) {
+void SparseSolve(benchmark::State& state, int columns, Precision precision) {
   const Membrane membrane = membrane_of(state);
   SparseFactor factor(membrane.pattern);
-  factor.factorize(membrane.values);
+  factor.factorize(membrane.values, false, precision);
   Eigen::MatrixXd right = Eigen::MatrixXd::Ones(membrane.pattern.unknowns(), columns);
   for (auto _ : state) {
     right.setOnes();
     factor.solve(right);
   }
 }
-BENCHMARK_CAPTURE(SparseSolve, one, 1)->Apply(sizes);
-BENCHMARK_CAPTURE(SparseSolve, eight, 8)->Apply(sizes);
+BENCHMARK_CAPTURE(SparseSolve, one, 1, Precision::kDouble)->Apply(sizes);
+BENCHMARK_CAPTURE(SparseSolve, eight, 8, Precision::kDouble)->Apply(sizes);
+BENCHMARK_CAPTURE(SparseSolve, one_in_single, 1, Precision::kSingle)->Apply(sizes);
+BENCHMARK_CAPTURE(SparseSolve, eight_in_single, 8, Precision::kSingle)->Apply(sizes);
+
+/// What refinement asks for beside a solution.
+void SparseProduct(benchmark::State& state) {
+  const Membrane membrane = membrane_of(state);
+  SparseFactor factor(membrane.pattern);
+  factor.factorize(membrane.values, false, Precision::kSingle);
+  const Eigen::VectorXd x = Eigen::VectorXd::Ones(membrane.pattern.unknowns());
+  Eigen::VectorXd left = x;
+  for (auto _ : state) factor.subtract_product(x, left);
+}
+BENCHMARK(SparseProduct)->Apply(sizes);
 
 void PeerSolve(benchmark::State& state, int columns) {
   const Membrane membrane = membrane_of(state);

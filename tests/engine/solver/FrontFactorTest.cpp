@@ -13,14 +13,18 @@
 namespace thinwall {
 namespace {
 
+template <typename Number>
+using MatrixOf = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>;
+
 /// A front with room of its own.
+template <typename Number>
 struct OwnFront {
-  Eigen::MatrixXd columns, update;
-  Eigen::VectorXd signs;
-  std::vector<double> workspace = std::vector<double>(kFrontColumns * kPanel);
+  MatrixOf<Number> columns, update;
+  Eigen::VectorX<Number> signs;
+  std::vector<Number> workspace = std::vector<Number>(kFrontColumns * kPanel);
   int pivots, size;
 
-  OwnFront(const Eigen::MatrixXd& matrix, int the_pivots)
+  OwnFront(const MatrixOf<Number>& matrix, int the_pivots)
       : signs(the_pivots), pivots(the_pivots), size(static_cast<int>(matrix.rows())) {
     const int rest = size - pivots;
     // One column more than there is: whole lanes are read past the last row.
@@ -29,7 +33,7 @@ struct OwnFront {
     for (int c = 0; c < pivots; ++c) columns.col(c).segment(c, size - c) = matrix.col(c).tail(size - c);
     for (int c = 0; c < rest; ++c) update.col(c).segment(c, rest - c) = matrix.col(pivots + c).tail(rest - c);
   }
-  Front view() {
+  Front<Number> view() {
     return {.pivots = pivots,
             .size = size,
             .columns = columns.data(),
@@ -39,8 +43,8 @@ struct OwnFront {
             .signs = signs.data(),
             .workspace = workspace.data()};
   }
-  Eigen::MatrixXd lower() const {
-    Eigen::MatrixXd l = columns.topLeftCorner(size, pivots);
+  MatrixOf<Number> lower() const {
+    MatrixOf<Number> l = columns.topLeftCorner(size, pivots);
     for (int c = 0; c < pivots; ++c) l.col(c).head(c).setZero();
     return l;
   }
@@ -54,23 +58,34 @@ Eigen::MatrixXd random_symmetric(int size, bool definite, unsigned seed) {
   return matrix;
 }
 
+template <typename Number>
+class FrontFactor : public testing::Test {
+ public:
+  using Matrix = MatrixOf<Number>;
+
+  /// Of sums of some products of numbers of the order of one: residuals seen up to 10 units of round-off.
+  static constexpr Number kTolerance = 50 * std::numeric_limits<Number>::epsilon();
+};
+using Precisions = testing::Types<double, float>;
+TYPED_TEST_SUITE(FrontFactor, Precisions);
+
 /// Sizes around those of lanes, columns that are worked on together and panels.
 const std::vector<std::pair<int, int>> kSizes = {{1, 1},   {3, 3},   {3, 12},  {5, 6},    {6, 13},    {9, 9},
                                                  {12, 20}, {21, 40}, {96, 96}, {97, 111}, {100, 107}, {200, 260}};
 
-TEST(FrontFactor, LeavesWhatEliminationByTheBookLeaves) {
+TYPED_TEST(FrontFactor, LeavesWhatEliminationByTheBookLeaves) {
   for (const bool definite : {true, false}) {
     for (const auto& [pivots, size] : kSizes) {
-      const Eigen::MatrixXd matrix = random_symmetric(size, definite, 5);
-      OwnFront front(matrix, pivots);
+      const auto matrix = random_symmetric(size, definite, 5).template cast<TypeParam>().eval();
+      OwnFront<TypeParam> front(matrix, pivots);
       const int negative = eliminate(front.view(), true);
       EXPECT_EQ(negative, definite ? 0 : (pivots + 1) / 3) << pivots << " of " << size;
       const int rest = size - pivots;
-      const Eigen::MatrixXd product = front.lower() * front.signs.asDiagonal() * front.lower().transpose();
-      // Round-off of sums of `size` products; residuals seen up to 2e-15 of the largest entry.
-      const double tolerance = 1e-14 * matrix.cwiseAbs().maxCoeff();
+      const typename TestFixture::Matrix product = front.lower() * front.signs.asDiagonal() * front.lower().transpose();
+      const TypeParam tolerance = TestFixture::kTolerance * matrix.cwiseAbs().maxCoeff();
       EXPECT_LT((product - matrix).leftCols(pivots).cwiseAbs().maxCoeff(), tolerance) << pivots << " of " << size;
-      const Eigen::MatrixXd left = matrix.bottomRightCorner(rest, rest) - product.bottomRightCorner(rest, rest);
+      const typename TestFixture::Matrix left =
+          matrix.bottomRightCorner(rest, rest) - product.bottomRightCorner(rest, rest);
       for (int c = 0; c < rest; ++c) {
         EXPECT_LT((front.update.col(c).segment(c, rest - c) - left.col(c).tail(rest - c)).cwiseAbs().maxCoeff(),
                   tolerance)
@@ -80,53 +95,56 @@ TEST(FrontFactor, LeavesWhatEliminationByTheBookLeaves) {
   }
 }
 
-TEST(FrontFactor, SolvesForOneFourAndEightRightHandSidesWithTheRowsBelow) {
+TYPED_TEST(FrontFactor, SolvesForOneFourAndEightRightHandSidesWithTheRowsBelow) {
+  using Dense = typename TestFixture::Matrix;
+  const TypeParam tolerance = 10 * TestFixture::kTolerance;  // solutions grow to some ten
   for (const auto& [pivots, size] : kSizes) {
-    OwnFront front(random_symmetric(size, false, 6), pivots);
+    OwnFront<TypeParam> front(random_symmetric(size, false, 6).template cast<TypeParam>(), pivots);
     ASSERT_GE(eliminate(front.view(), true), 0);
-    const Eigen::MatrixXd lower = front.lower(), right = random_columns(size, 8, 7);
-    const auto top = lower.topRows(pivots).triangularView<Eigen::Lower>();
-    Eigen::MatrixXd forward = right, backward = right;
+    const Dense lower = front.lower(), right = random_columns(size, 8, 7).template cast<TypeParam>();
+    const auto top = lower.topRows(pivots).template triangularView<Eigen::Lower>();
+    Dense forward = right, backward = right;
     forward.topRows(pivots) = top.solve(right.topRows(pivots));
     forward.bottomRows(size - pivots) -= lower.bottomRows(size - pivots) * forward.topRows(pivots);
     backward.topRows(pivots) -= lower.bottomRows(size - pivots).transpose() * right.bottomRows(size - pivots);
     backward.topRows(pivots) = top.transpose().solve(backward.topRows(pivots).eval());
-    Eigen::MatrixXd four = right.leftCols(4).transpose(), eight = right.transpose();
+    Dense four = right.leftCols(4).transpose(), eight = right.transpose();
     solve_four_forward(front.view(), four.data());
     solve_eight_forward(front.view(), eight.data());
-    EXPECT_LT((eight.transpose() - forward).cwiseAbs().maxCoeff(), 1e-13) << pivots << " of " << size;
+    EXPECT_LT((eight.transpose() - forward).cwiseAbs().maxCoeff(), tolerance) << pivots << " of " << size;
     EXPECT_EQ(four, eight.topRows(4)) << pivots << " of " << size;
     four = right.leftCols(4).transpose(), eight = right.transpose();
     solve_four_backward(front.view(), four.data());
     solve_eight_backward(front.view(), eight.data());
-    EXPECT_LT((eight.transpose() - backward).cwiseAbs().maxCoeff(), 1e-13) << pivots << " of " << size;
+    EXPECT_LT((eight.transpose() - backward).cwiseAbs().maxCoeff(), tolerance) << pivots << " of " << size;
     EXPECT_EQ(four, eight.topRows(4)) << pivots << " of " << size;
-    Eigen::VectorXd one = Eigen::VectorXd::Zero(up_to_rows(size));
+    Eigen::VectorX<TypeParam> one = Eigen::VectorX<TypeParam>::Zero(up_to_rows(size));
     one.head(size) = right.col(0);
     solve_forward(front.view(), one.data());
-    EXPECT_LT((one.head(size) - forward.col(0)).cwiseAbs().maxCoeff(), 1e-13) << pivots << " of " << size;
+    EXPECT_LT((one.head(size) - forward.col(0)).cwiseAbs().maxCoeff(), tolerance) << pivots << " of " << size;
     one.setZero();
     one.head(size) = right.col(0);
     solve_backward(front.view(), one.data());
-    EXPECT_LT((one.head(size) - backward.col(0)).cwiseAbs().maxCoeff(), 1e-13) << pivots << " of " << size;
+    EXPECT_LT((one.head(size) - backward.col(0)).cwiseAbs().maxCoeff(), tolerance) << pivots << " of " << size;
   }
 }
 
-TEST(FrontFactor, RefusesPivotsThatVanishAreNoNumbersOrMayNotBeNegative) {
-  const Eigen::MatrixXd good = random_symmetric(20, true, 8);
+TYPED_TEST(FrontFactor, RefusesPivotsThatVanishAreNoNumbersOrMayNotBeNegative) {
+  const auto good = random_symmetric(20, true, 8).template cast<TypeParam>().eval();
   for (const int at : {0, 4, 11}) {
-    for (const double pivot : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
-      Eigen::MatrixXd matrix = good;
+    for (const TypeParam pivot :
+         {std::numeric_limits<TypeParam>::quiet_NaN(), std::numeric_limits<TypeParam>::infinity()}) {
+      auto matrix = good;
       matrix(at, at) = pivot;
-      EXPECT_EQ(eliminate(OwnFront(matrix, 12).view(), true), -1) << at << " " << pivot;
+      EXPECT_EQ(eliminate(OwnFront<TypeParam>(matrix, 12).view(), true), -1) << at << " " << pivot;
     }
-    Eigen::MatrixXd matrix = good;
+    auto matrix = good;
     matrix.row(at).setZero();
     matrix.col(at).setZero();
-    EXPECT_EQ(eliminate(OwnFront(matrix, 12).view(), true), -1) << at;
+    EXPECT_EQ(eliminate(OwnFront<TypeParam>(matrix, 12).view(), true), -1) << at;
     matrix(at, at) = -1;
-    EXPECT_EQ(eliminate(OwnFront(matrix, 12).view(), true), 1) << at;
-    EXPECT_EQ(eliminate(OwnFront(matrix, 12).view(), false), -1) << at;
+    EXPECT_EQ(eliminate(OwnFront<TypeParam>(matrix, 12).view(), true), 1) << at;
+    EXPECT_EQ(eliminate(OwnFront<TypeParam>(matrix, 12).view(), false), -1) << at;
   }
 }
 
