@@ -76,7 +76,9 @@ Newton::Newton(const BodyModel& model)
     : Newton(model, SparseFactor(model.pattern), SelfContact(self_contact_of(model))) {}
 
 Newton::Newton(const BodyModel& model, const Newton& before, const Eigen::VectorXd& position)
-    : Newton(model, carried_parts(model, before, position)) {}
+    : Newton(model, carried_parts(model, before, position)) {
+  doubles_left_ = before.doubles_left_;
+}
 
 Newton::Newton(const BodyModel& model, CarriedParts parts)
     : Newton(model, *std::move(parts.factor), *std::move(parts.self_contact)) {}
@@ -261,7 +263,7 @@ bool Newton::folds_over(const Eigen::VectorXd& before, const Eigen::VectorXd& af
 
 NewtonResult Newton::solve(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options) {
   int before = 0;
-  factorisations_ = 0;
+  factorisations_ = in_single_precision_ = 0;
   ascending_steps_ = 0;
   stepped_to_.resize(0);
   may_be_one_by_one_ = options.borders_contacts;
@@ -281,6 +283,7 @@ NewtonResult Newton::solve(EquilibriumProblem& problem, EquilibriumState& state,
   NewtonResult result = iterate(problem, state, options, false);
   result.iterations += before;
   result.factorisations = factorisations_;
+  result.in_single_precision = in_single_precision_;
   result.ascending_steps = ascending_steps_;
   return result;
 }

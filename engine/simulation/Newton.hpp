@@ -53,6 +53,7 @@ struct NewtonResult {
   std::vector<double> residual_history;  // newton, before each iteration and at the end
   int shifted_iterations = 0;            // iterations whose matrix had to be made convex
   int factorisations = 0;                // of the matrix
+  int in_single_precision = 0;           // of these
   int ascending_steps = 0;               // along which the line search's energy was to rise at first
   bool is_loose = false;                 // whether the residual is above the tolerance, see NewtonOptions::takes_flaps
   std::string reason;                    // why not converged
@@ -87,6 +88,10 @@ struct NewtonResult {
 /// when the count is wrong is K shifted. In a cut wall, where that goes on for some steps, the matrix is taken as it
 /// is: an equilibrium that symmetry keeps is found though it is not stable. How chambers with openings are treated
 /// stands in OpenChambers, and how slack flaps are solved by themselves in NewtonPatch.cpp.
+///
+/// Where there is inertia, factors that are large enough are in single precision, and what a step misses for it is
+/// found again (see BorderedSystem); where that does not do, or says that the curvature is not convex, they are in
+/// double.
 class Newton {
  public:
   explicit Newton(const BodyModel& model);
@@ -134,6 +139,7 @@ class Newton {
     Eigen::VectorXd position;             // (unknowns), metres
     Eigen::VectorXd pressure;             // (chambers), pascal
     Eigen::VectorXd rigid;                // newton
+    Eigen::VectorXd multipliers;          // (border), of which the last two are part
     std::vector<Eigen::Vector3d> forces;  // (attachments), newton, new values
     std::vector<double> contact_forces;   // (contacts), newton, new values; negative where a contact would open
   };
@@ -251,7 +257,13 @@ class Newton {
   /// `residual`: of the step that is found next, or none.
   bool factorize(const EquilibriumProblem& problem, const EquilibriumState& state, const Residual* residual,
                  double& shift, bool may_be_saddle);
-  bool is_usable(SparseFactor& factor, std::span<const double> values, bool may_be_saddle);
+  /// Whether a matrix, factorised so, is convex with its border or may be no more than a saddle. `expected`: (unknowns)
+  /// or none, newton, what the next step is found from.
+  bool is_usable(std::span<const double> values, const Eigen::VectorXd& expected, bool may_be_saddle,
+                 Precision precision);
+  /// Whether the next matrix is tried in single precision first, and the same so: in double where that will not do.
+  bool takes_single_precision(const EquilibriumProblem& problem, const Eigen::VectorXd& expected);
+  bool is_usable_in_single(std::span<const double> values, const Eigen::VectorXd& expected, bool may_be_saddle);
   SparseFactor& used_factor() { return folded_ ? fold_matrix_.factor() : factor_; }
   /// Finds the step again until no contact of it pulls or is overrun; false where no matrix can be factorised.
   bool find_step_with_contacts(const EquilibriumProblem& problem, const EquilibriumState& state,
@@ -271,6 +283,10 @@ class Newton {
   /// that was factorised last; the forces at attachments are changes.
   void solve_linear(const EquilibriumProblem& problem, const Eigen::VectorXd& force, const Residual* missed,
                     Step& step);
+  /// Refines what that made of all forces that a step was found from, where it was with a factor in single precision.
+  void refine_step(const EquilibriumProblem& problem, const Eigen::VectorXd& force, const Residual* missed, Step& step);
+  Eigen::VectorXd missed_constraints(const EquilibriumProblem& problem, const Residual* missed) const;
+  void set_multipliers(const EquilibriumProblem& problem, Eigen::VectorXd multipliers, Step& step) const;
   void find_contact_forces(Step& step) const;
   bool revise_contacts(const Step& step, ContactTurns& turns);
   bool change_one_contact(const Step& step, ContactTurns& turns);
@@ -322,6 +338,8 @@ class Newton {
   std::vector<ShaftBranch> branches_;              // (vertices of lips on shafts), that the step takes them to follow
   std::vector<double> matrix_;                     // (non-zeros), what is factorised
   int factorisations_ = 0;                         // in the solution under way
+  int in_single_precision_ = 0;                    // of these
+  int doubles_left_ = 0;                           // factorisations until single precision is tried again
   int ascending_steps_ = 0;                        // in the solution under way
   bool keeps_factor_ = false;               // whether the step under way is found with the factor of the one before
   bool may_end_ = false;                    // whether that may be the last step: the Hessian is not asked for then

@@ -32,6 +32,7 @@ LinearAnswer Newton::answer(const EquilibriumProblem& problem, const Eigen::Vect
   }
   Step step;
   solve_linear(problem, force, &moved, step);
+  refine_step(problem, force, &moved, step);
   return {.motion = step.position, .forces = step.forces};
 }
 

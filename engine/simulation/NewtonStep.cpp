@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/simulation/OpenChambers.hpp"
 
@@ -138,20 +139,6 @@ void Newton::build_matrix(const EquilibriumProblem& problem, const EquilibriumSt
   }
 }
 
-bool Newton::is_usable(SparseFactor& factor, std::span<const double> values, bool may_be_saddle) {
-  ++factorisations_;
-  const bool may_be_indefinite = constraints_ > 0 || may_be_saddle;
-  const std::optional<int> negative = factor.factorize(values, may_be_indefinite);
-  if (!negative) return false;
-  negative_pivots_ = *negative;
-  if (model_.has_open_chambers()) {
-    bordered_.set_unsymmetric(factor, *negative, border_, columns_, rows_, corner_);
-  } else {
-    bordered_.set(factor, *negative, border_, corner_);
-  }
-  return bordered_.negative_eigenvalues() == constraints_ || may_be_saddle;
-}
-
 bool Newton::factorize(const EquilibriumProblem& problem, const EquilibriumState& state, const Residual* residual,
                        double& shift, bool may_be_saddle) {
   if (!terms_.has_hessian()) evaluate_all(problem, state, true, terms_);
@@ -164,14 +151,17 @@ bool Newton::factorize(const EquilibriumProblem& problem, const EquilibriumState
   bool exact = shift == 0;
   for (int attempt = 0; attempt < 20; ++attempt) {
     build_matrix(problem, state, shift);
+    Eigen::VectorXd expected;
     if (residual != nullptr) {
       const std::vector<Eigen::Vector3d> unchanged(problem.attachments.size(), Eigen::Vector3d::Zero());
-      bordered_.expect(with_pulls(problem, force_of_step(problem, state, *residual), residual, unchanged));
+      expected = with_pulls(problem, force_of_step(problem, state, *residual), residual, unchanged);
     }
-    const bool usable =
-        folded_ ? is_usable(fold_matrix_.factor(), fold_matrix_.assemble(matrix_, terms_.folds, exact), may_be_saddle)
-                : is_usable(factor_, matrix_, may_be_saddle);
     is_exact_ = shift == 0 && exact;
+    const std::span<const double> values =
+        folded_ ? fold_matrix_.assemble(matrix_, terms_.folds, exact) : std::span<const double>(matrix_);
+    const bool usable = takes_single_precision(problem, expected)
+                            ? is_usable_in_single(values, expected, may_be_saddle)
+                            : is_usable(values, expected, may_be_saddle, Precision::kDouble);
     if (usable) return true;
     if (!folded_ || !exact) shift = shift == 0 ? 1e-6 : 10 * shift;
     exact = false;
@@ -195,16 +185,12 @@ Eigen::VectorXd Newton::with_pulls(const EquilibriumProblem& problem, const Eige
 void Newton::solve_linear(const EquilibriumProblem& problem, const Eigen::VectorXd& force, const Residual* missed,
                           Step& step) {
   const auto attachments = static_cast<int>(problem.attachments.size());
-  const Eigen::Index rigid = problem.hold_rigid_motions ? rigid_columns_.cols() : 0;
-  const auto fluid = static_cast<Eigen::Index>(bordering_.size());
   step.forces.assign(attachments, Eigen::Vector3d::Zero());
   Eigen::VectorXd multipliers;
   double error = 0;
   for (int turn = 0; turn == 0 || (turn <= kUzawaTurns && error > 1e-14 * model_.edge_length); ++turn) {
     step.position = with_pulls(problem, force, missed, step.forces);
-    multipliers.setZero(border_.cols());
-    for (Eigen::Index k = 0; k < fluid && missed != nullptr; ++k) multipliers[k] = missed->volume[bordering_[k]];
-    if (rigid > 0 && missed != nullptr) multipliers.segment(fluid, rigid) = -missed->rigid;
+    multipliers = missed_constraints(problem, missed);
     bordered_.solve(used_factor(), step.position, multipliers);
     error = 0;
     for (int k = 0; k < attachments; ++k) {
@@ -215,9 +201,24 @@ void Newton::solve_linear(const EquilibriumProblem& problem, const Eigen::Vector
       error = std::max(error, gap.norm());
     }
   }
+  set_multipliers(problem, std::move(multipliers), step);
+}
+
+Eigen::VectorXd Newton::missed_constraints(const EquilibriumProblem& problem, const Residual* missed) const {
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(border_.cols());
+  if (missed == nullptr) return all;
+  const auto fluid = static_cast<Eigen::Index>(bordering_.size());
+  for (Eigen::Index k = 0; k < fluid; ++k) all[k] = missed->volume[bordering_[k]];
+  if (problem.hold_rigid_motions) all.segment(fluid, rigid_columns_.cols()) = -missed->rigid;
+  return all;
+}
+
+void Newton::set_multipliers(const EquilibriumProblem& problem, Eigen::VectorXd multipliers, Step& step) const {
+  const auto fluid = static_cast<Eigen::Index>(bordering_.size());
   step.pressure.setZero(static_cast<Eigen::Index>(problem.fluids.size()));
   for (Eigen::Index k = 0; k < fluid; ++k) step.pressure[bordering_[k]] = multipliers[k];
-  step.rigid = multipliers.segment(fluid, rigid);
+  step.rigid = multipliers.segment(fluid, problem.hold_rigid_motions ? rigid_columns_.cols() : 0);
+  step.multipliers = std::move(multipliers);
 }
 
 Eigen::VectorXd Newton::force_of_step(const EquilibriumProblem& problem, const EquilibriumState& state,
@@ -238,15 +239,18 @@ Eigen::VectorXd Newton::force_of_step(const EquilibriumProblem& problem, const E
 
 void Newton::find_step(const EquilibriumProblem& problem, const EquilibriumState& state, const Residual& residual,
                        Step& step) {
-  solve_linear(problem, force_of_step(problem, state, residual), &residual, step);
+  Eigen::VectorXd force = force_of_step(problem, state, residual);
+  solve_linear(problem, force, &residual, step);
   if (model_.has_open_chambers()) {
     Step from_rims;
-    solve_linear(problem, left_out_at_rims(problem, state, step), nullptr, from_rims);
+    const Eigen::VectorXd left_out = left_out_at_rims(problem, state, step);
+    solve_linear(problem, left_out, nullptr, from_rims);
+    force += left_out;
     step.position += from_rims.position;
-    step.pressure += from_rims.pressure;
-    step.rigid += from_rims.rigid;
+    set_multipliers(problem, step.multipliers + from_rims.multipliers, step);
     for (std::size_t k = 0; k < step.forces.size(); ++k) step.forces[k] += from_rims.forces[k];
   }
+  refine_step(problem, force, &residual, step);
   for (std::size_t k = 0; k < problem.attachments.size(); ++k) step.forces[k] += problem.attachments[k].force;
   find_contact_forces(step);
 }
