@@ -4,6 +4,7 @@
 
 #include "renderer/picture/GlObjects.hpp"
 #include "renderer/picture/Outline.hpp"
+#include "renderer/picture/PictureTarget.hpp"
 
 namespace thinwall {
 
@@ -14,12 +15,15 @@ class OutlinePass {
  public:
   OutlinePass();
 
-  /// Draws to the current frame, whose colours without smoothing are in `picture`; the Frame block must be bound. The
-  /// first line that runs through a pixel smooths it.
-  void draw(std::span<const OutlineSegment> outline, const Texture& picture) const;
+  /// Smooths the colours of `target`; the Frame block must be bound. The first line that runs through a pixel smooths
+  /// it.
+  void draw(std::span<const OutlineSegment> outline, const PictureTarget& target) const;
 
  private:
+  void draw_lines(const Program& program, std::size_t count) const;
+
   Program program_;
+  Program blend_;
   VertexArray array_;
   Buffer segments_;
 };

@@ -75,7 +75,7 @@ PictureTarget::PictureTarget(ImageSize size) : size_(size) {
   depth_ = texture(GL_DEPTH24_STENCIL8);
   tissue_ = texture(GL_RGBA32UI);
   color_ = create_texture(GL_RGBA8, size_.width, size_.height, GL_LINEAR);
-  color_copy_ = texture(GL_RGBA8);
+  beside_color_ = texture(GL_RGBA8);
 
   surface_ = create_framebuffer();
   attach(surface_, GL_COLOR_ATTACHMENT0, tissue_);
@@ -104,6 +104,10 @@ PictureTarget::PictureTarget(ImageSize size) : size_(size) {
   attach(frame_, GL_COLOR_ATTACHMENT0, color_);
   attach_depth(frame_, depth_);
   require_complete(frame_, "a frame of " + dimensions(size_));
+  smoothing_ = create_framebuffer();
+  attach(smoothing_, GL_COLOR_ATTACHMENT0, beside_color_);
+  attach_depth(smoothing_, depth_);
+  require_complete(smoothing_, "a frame of smoothed outlines");
   for (std::size_t k = 0; k < blurred_.size(); ++k) {
     blurred_color_[k] = create_texture(GL_RGBA8, half(size_.width), half(size_.height), GL_LINEAR);
     blurred_[k] = create_framebuffer();
@@ -114,7 +118,7 @@ PictureTarget::PictureTarget(ImageSize size) : size_(size) {
   attach(color_alone_, GL_COLOR_ATTACHMENT0, color_);
   require_complete(color_alone_, "a frame of colours alone");
   lens_ = create_framebuffer();
-  attach(lens_, GL_COLOR_ATTACHMENT0, color_copy_);
+  attach(lens_, GL_COLOR_ATTACHMENT0, beside_color_);
   require_complete(lens_, "a frame behind the lens");
 }
 
@@ -216,9 +220,16 @@ void PictureTarget::begin_color() const {
   glBindTextureUnit(7, tool_axis_.name());
 }
 
-const Texture& PictureTarget::copy_of_color(const ScreenArea& area) const {
-  copy_within(area, color_, color_copy_);
-  return color_copy_;
+void PictureTarget::begin_smoothing() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, smoothing_.name());
+  glViewport(0, 0, size_.width, size_.height);
+  glBindTextureUnit(0, color_.name());
+}
+
+void PictureTarget::begin_smoothed() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
+  glViewport(0, 0, size_.width, size_.height);
+  glBindTextureUnit(0, beside_color_.name());
 }
 
 void PictureTarget::begin_blurred(std::size_t turn) const {

@@ -70,8 +70,12 @@ class PictureTarget {
   /// field stop.
   void keep_tissue_depth(const ScreenArea& tissue, const FieldStop& stop);
 
-  /// The colours as they are now within `area`.
-  const Texture& copy_of_color(const ScreenArea& area) const;
+  /// Makes a picture beside the colours the one that is drawn to, with their depth and stencil, and binds the colours,
+  /// for OutlinePass.
+  void begin_smoothing() const;
+
+  /// Makes the colours the frame that is drawn to, and binds the picture beside them.
+  void begin_smoothed() const;
 
   /// Makes one of two pictures of half the size the one that is drawn to, and binds depth and, for the first (`turn`
   /// 0), the colours, for the second the first, for FocusPass.
@@ -81,7 +85,7 @@ class PictureTarget {
   void begin_focused() const;
 
   /// Makes the frame behind the lens the one that is drawn to, and binds the colours for lens.frag. It takes the place
-  /// of the copy of the colours.
+  /// of the picture beside the colours.
   void begin_lens() const;
 
   /// Reads the picture, or the one behind the lens.
@@ -111,12 +115,13 @@ class PictureTarget {
   Framebuffer backdrop_;
   std::optional<BackdropPicture> backdrop_picture_;
   Texture color_;
-  Texture color_copy_;
+  Texture beside_color_;
   Framebuffer frame_;
+  Framebuffer smoothing_;  // draws to beside_color_
   std::array<Texture, 2> blurred_color_;
   std::array<Framebuffer, 2> blurred_;
   Framebuffer color_alone_;  // without depth, which is read then
-  Framebuffer lens_;         // draws to color_copy_
+  Framebuffer lens_;         // draws to beside_color_
   // Memory that is used again: what is new to a process takes the processor as long as filling it does.
   std::vector<std::uint8_t> small_backdrop_;  // (4 x width x height of the backdrop)
   std::vector<std::uint8_t> read_back_;       // (4 x width x rows that are read at once)

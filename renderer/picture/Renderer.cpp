@@ -212,7 +212,7 @@ void Stage::draw_scene(SceneView& scene, const FrameUniforms& frame, PassClock& 
     clock.ends("mesh lines");
   }
   if (tier != Tier::kDraft) {
-    outline_pass.draw(*scene.outline, target.copy_of_color(outlined_area(frame)));
+    outline_pass.draw(*scene.outline, target);
   }
   clock.ends("outline");
 }

@@ -1,7 +1,7 @@
 #version 450 core
 
 layout(location = 0) flat in vec4 window_line;
-layout(location = 0) out vec4 color;  // is blended over the pixel by its alpha
+layout(location = 0) out vec4 color;  // to be blended over the pixel by its alpha
 
 layout(binding = 0) uniform sampler2D picture;
 
