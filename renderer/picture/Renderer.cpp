@@ -117,6 +117,7 @@ void Stage::draw_shadow_map(const SceneExtent& extent, const Studio& studio, con
     const double pixels = shadow_map_pixels(light_matrix, extent, camera, target.size());
     shadow_map.resize(shadow_resolution(tier, pixels));
     shadow_map.draw(meshes, light_matrix);
+    glFlush();
   } else {
     shadow_map.clear();
   }
@@ -316,10 +317,10 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, stage->frame_block.name());
 
   clock.ends("meshes");
+  stage->draw_shadow_map(extent, studio, pinhole, clock);
+  // By the processor, while the driver's threads work on the shadow map.
   stage->shade_floor(frame, studio, clock);
   stage->draw_backdrop(ground, field_stop(frame), clock);
-  // After the backdrop was read, for which the driver finishes all that it has to do.
-  stage->draw_shadow_map(extent, studio, pinhole, clock);
   stage->clear_depth(field_stop(frame));
   stage->draw_surface(frame, clock);
   stage->lay_backdrop(frame, !snapshot.tools.empty(), clock);
