@@ -2,6 +2,8 @@
 
 #include <cstring>
 
+#include "renderer/image/AllProcessors.hpp"
+
 /// Eight numbers at once, and functions of them. The compiler makes of them what the processor has; as each lane is
 /// computed alone and nothing is contracted, the results are the same to the last bit on every width of its registers.
 namespace thinwall::lanes {
@@ -65,10 +67,3 @@ THINWALL_LANE_FUNCTION void power(Lanes& x, const Lanes& p) {
 }
 
 }  // namespace thinwall::lanes
-
-/// Compiles a function of Lanes for several processors; which one is taken is decided when the program starts.
-#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
-#define THINWALL_FOR_ALL_PROCESSORS __attribute__((target_clones("avx2", "default")))
-#else
-#define THINWALL_FOR_ALL_PROCESSORS
-#endif

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <string>
 
+#include "renderer/image/Opaque.hpp"
 #include "renderer/picture/PictureFailure.hpp"
 
 namespace thinwall {
@@ -58,13 +58,6 @@ void copy_within(const ScreenArea& area, const Texture& from, const Texture& to)
   if (width == 0 || height == 0) return;
   glCopyImageSubData(from.name(), GL_TEXTURE_2D, 0, left, bottom, 0, to.name(), GL_TEXTURE_2D, 0, left, bottom, 0,
                      width, height, 1);
-}
-
-/// RGBA to RGB.
-void leave_out_alpha(const std::uint8_t* from, std::uint8_t* to, std::size_t pixels) {
-  // Four bytes at once; the next pixel takes the place of the fourth.
-  for (std::size_t i = 0; i + 1 < pixels; ++i) std::memcpy(to + 3 * i, from + 4 * i, 4);
-  std::memcpy(to + 3 * (pixels - 1), from + 4 * (pixels - 1), 3);
 }
 
 }  // namespace
