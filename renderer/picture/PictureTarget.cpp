@@ -60,6 +60,21 @@ void copy_within(const ScreenArea& area, const Texture& from, const Texture& to)
                      width, height, 1);
 }
 
+Image empty_image(ImageSize size) {
+  const auto pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+  return {.size = size, .pixels = std::vector<std::uint8_t>(3 * pixels)};
+}
+
+/// Takes `rows` rows as of read_color, of which the first is the one above `bottom`.
+void take_rows(const std::uint8_t* from, int bottom, int rows, Image& image) {
+  const auto width = static_cast<std::size_t>(image.size.width);
+  for (int row = 0; row < rows; ++row) {
+    const auto from_top = static_cast<std::size_t>(image.size.height - 1 - bottom - row);
+    leave_out_alpha(from + 4 * width * static_cast<std::size_t>(row), image.pixels.data() + 3 * width * from_top,
+                    width);
+  }
+}
+
 }  // namespace
 
 PictureTarget::PictureTarget(ImageSize size) : size_(size) {
@@ -161,12 +176,11 @@ void PictureTarget::keep_tissue_depth(const ScreenArea& tissue, const FieldStop&
   glBindTextureUnit(4, tissue_depth_->name());
 }
 
-std::vector<std::uint8_t> PictureTarget::read_color(const ScreenArea& area) const {
+void PictureTarget::read_color(const ScreenArea& area, std::vector<std::uint8_t>& pixels) const {
   const auto& [left, bottom, width, height] = area;
-  std::vector<std::uint8_t> pixels(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  pixels.resize(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   glBindFramebuffer(GL_READ_FRAMEBUFFER, frame_.name());
   glReadPixels(left, bottom, width, height, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
-  return pixels;
 }
 
 void PictureTarget::write_color(const ScreenArea& area, std::span<const std::uint8_t> pixels) const {
@@ -201,7 +215,7 @@ void PictureTarget::read_backdrop() {
 }
 
 void PictureTarget::lay_backdrop(const FieldStop& stop) {
-  write_color({0, 0, size_.width, size_.height}, backdrop_picture_->enlarge(small_backdrop_, stop));
+  write_color(whole(), backdrop_picture_->enlarge(small_backdrop_, stop));
 }
 
 void PictureTarget::begin_color() const {
@@ -246,21 +260,23 @@ void PictureTarget::begin_lens() const {
 }
 
 Image PictureTarget::finish(bool through_lens) {
-  const std::size_t width = static_cast<std::size_t>(size_.width);
   // What was read last is still in the processor's cache when it is taken on.
   constexpr int kRowsAtOnce = 40;
-  read_back_.resize(4 * width * kRowsAtOnce);
+  read_back_.resize(4 * static_cast<std::size_t>(size_.width) * kRowsAtOnce);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, through_lens ? lens_.name() : frame_.name());
-  Image image{.size = size_, .pixels = std::vector<std::uint8_t>(3 * width * static_cast<std::size_t>(size_.height))};
+  Image image = empty_image(size_);
   for (int bottom = 0; bottom < size_.height; bottom += kRowsAtOnce) {
     const int rows = std::min(kRowsAtOnce, size_.height - bottom);
     glReadPixels(0, bottom, size_.width, rows, GL_RGBA, GL_UNSIGNED_BYTE, read_back_.data());
-    for (int row = 0; row < rows; ++row) {
-      const auto from_top = static_cast<std::size_t>(size_.height - 1 - bottom - row);
-      leave_out_alpha(read_back_.data() + 4 * width * static_cast<std::size_t>(row),
-                      image.pixels.data() + 3 * width * from_top, width);
-    }
+    take_rows(read_back_.data(), bottom, rows, image);
   }
+  require_no_gl_error("drawing a picture of " + dimensions(size_));
+  return image;
+}
+
+Image PictureTarget::finish(std::span<const std::uint8_t> picture) const {
+  Image image = empty_image(size_);
+  take_rows(picture.data(), 0, size_.height, image);
   require_no_gl_error("drawing a picture of " + dimensions(size_));
   return image;
 }

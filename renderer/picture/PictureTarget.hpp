@@ -54,8 +54,9 @@ class PictureTarget {
   /// The picture that lay_backdrop has made: (4 x width x height), as of read_color.
   std::span<const std::uint8_t> backdrop() const { return backdrop_picture_->pixels(); }
 
-  /// The colours within `area`: (4 x area.width x area.height), RGBA, from the lower left corner, row by row.
-  std::vector<std::uint8_t> read_color(const ScreenArea& area) const;
+  /// Reads the colours within `area`: (4 x area.width x area.height), RGBA, from the lower left corner, row by row.
+  /// `pixels` is memory that is used again.
+  void read_color(const ScreenArea& area, std::vector<std::uint8_t>& pixels) const;
 
   /// Puts colours back, as of read_color.
   void write_color(const ScreenArea& area, std::span<const std::uint8_t> pixels) const;
@@ -91,11 +92,14 @@ class PictureTarget {
   /// Reads the picture, or the one behind the lens.
   Image finish(bool through_lens = false);
 
+  /// Of a picture that has been read, as of read_color.
+  Image finish(std::span<const std::uint8_t> picture) const;
+
   ImageSize size() const { return size_; }
+  ScreenArea whole() const { return {0, 0, size_.width, size_.height}; }
 
  private:
   void copy_depth(const ScreenArea& area, std::optional<Texture>& to) const;
-  ScreenArea whole() const { return {0, 0, size_.width, size_.height}; }
 
   ImageSize size_;
   Texture depth_;  // and stencil

@@ -60,6 +60,7 @@ struct SceneView {
   Surroundings surroundings = Surroundings::kStudio;
   Ground ground = Ground::kFloor;
   std::optional<std::vector<OutlineSegment>> outline = {};
+  bool keeps_bare = false;  // whether fluids are to be told from what lies below them
 };
 
 /// All that lives in the context, in the order in which it can be made.
@@ -83,6 +84,8 @@ struct Stage {
   ShadowMap shadow_map;
   Buffer frame_block = create_buffer();
   std::vector<std::uint8_t> bare;  // the picture without fluids; empty where there are none, and but for Tier::kFinal
+  std::vector<std::uint8_t> picture;  // as drawn, with fine pixels; for Tier::kFinal alone
+  std::vector<std::uint8_t> corners;  // of fine pixels; kept, as all three, for their memory
 
   void shade_floor(const FrameUniforms& frame, const Studio& studio, PassClock& clock);
   void draw_shadow_map(const SceneExtent& extent, const Studio& studio, const Camera& camera, PassClock& clock);
@@ -94,7 +97,7 @@ struct Stage {
   void find_outline(SceneView& scene);
   void draw_fluids(const SceneView& scene, PassClock& clock);
   void draw_fine_pixels(SceneView& scene, const FrameUniforms& frame);
-  Image see_through_lens(const Camera& camera, const Camera& pinhole, PassClock& clock);
+  Image finish(const Camera& camera, const Camera& pinhole, PassClock& clock);
   ScreenArea outlined_area(const FrameUniforms& frame) const;
   ScreenArea sharp_area(const FrameUniforms& frame) const;
   bool has_fluids() const { return !meshes.films().empty() || !meshes.fluids().empty(); }
@@ -186,7 +189,7 @@ ScreenArea Stage::outlined_area(const FrameUniforms& frame) const {
 /// All pixels that may be fine: the backdrop is smooth, but for the field stop's border.
 ScreenArea Stage::sharp_area(const FrameUniforms& frame) const {
   const bool is_everywhere = field_stop(frame).tangent > 0 || has_fluids();
-  return is_everywhere ? ScreenArea{0, 0, target.size().width, target.size().height} : outlined_area(frame);
+  return is_everywhere ? target.whole() : outlined_area(frame);
 }
 
 /// Over the backdrop, all that is seen with the surface.
@@ -206,7 +209,7 @@ void Stage::draw_scene(SceneView& scene, const FrameUniforms& frame, PassClock& 
   }
   if (tier != Tier::kDraft) find_outline(scene);
   clock.ends("tissue");
-  if (tier == Tier::kFinal) bare = has_fluids() ? target.read_color(sharp_area(frame)) : std::vector<std::uint8_t>();
+  if (scene.keeps_bare) target.read_color(has_fluids() ? target.whole() : ScreenArea{}, bare);
   draw_fluids(scene, clock);
   if (scene.view.look.mesh) {
     mesh_lines.draw(meshes.mesh_lines());
@@ -222,27 +225,34 @@ void Stage::draw_scene(SceneView& scene, const FrameUniforms& frame, PassClock& 
 /// that what is seen of a pixel's neighbour is there.
 void Stage::draw_fine_pixels(SceneView& scene, const FrameUniforms& frame) {
   const ImageSize size = target.size();
+  target.read_color(target.whole(), picture);
   const ScreenArea sharp = sharp_area(frame);
   if (sharp.width == 0 || sharp.height == 0) return;
-  const std::vector<std::uint8_t> picture = target.read_color(sharp);
-  FinePixels fine = find_fine_pixels(picture, bare, {sharp.width, sharp.height});
+  const FinePixels fine = find_fine_pixels(picture, bare, size.width, sharp);
   if (fine.is_fine.empty()) return;
-  const std::vector<std::uint8_t> middles = cut_out(picture, {sharp.width, sharp.height}, fine.area);
-  fine.area.left += sharp.left;
-  fine.area.bottom += sharp.bottom;
-  const std::vector<std::uint8_t> ground = with_backdrop(fine, middles, target.backdrop(), size);
   const FrameUniforms shifted = sampled_off_middle(frame, {0.5, 0.5}, size);
   use(shifted);
-  target.write_color(fine.area, ground);
+  target.write_color(fine.area, with_backdrop(fine, picture, target.backdrop(), size.width));
   target.clear_depth(fine);
   PassClock untimed(nullptr);
   draw_surface(shifted, untimed);
+  scene.keeps_bare = false;
   draw_scene(scene, shifted, untimed);
-  target.write_color(fine.area, with_corners(fine, middles, target.read_color(fine.area)));
+  target.read_color(fine.area, corners);
+  add_corners(fine, corners, picture, size.width);
 }
 
-Image Stage::see_through_lens(const Camera& camera, const Camera& pinhole, PassClock& clock) {
+Image Stage::finish(const Camera& camera, const Camera& pinhole, PassClock& clock) {
+  const bool has_focus = camera.aperture > 0 && tier != Tier::kDraft;
   const bool is_distorted = camera.lens.distortion() != LensDistortion{};
+  if (tier == Tier::kFinal) {
+    if (!has_focus && !is_distorted) return target.finish(picture);
+    target.write_color(target.whole(), picture);
+  }
+  if (has_focus) {
+    focus_pass.draw(target, pinhole);
+    clock.ends("focus");
+  }
   if (is_distorted) {
     lens_pass.draw(target, camera, pinhole);
     clock.ends("lens");
@@ -325,19 +335,15 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
   stage->draw_surface(frame, clock);
   stage->lay_backdrop(frame, !snapshot.tools.empty(), clock);
   SceneView shown{.snapshot = snapshot, .view = view, .eye = camera.position, .surroundings = surroundings};
+  shown.keeps_bare = stage->tier == Tier::kFinal;
   if (frame.floor[1] > 0) shown.ground = ground;
   stage->draw_scene(shown, frame, clock);
-  const bool has_focus = camera.aperture > 0 && stage->tier != Tier::kDraft;
   if (stage->tier == Tier::kFinal) {
-    if (has_focus) stage->target.keep_depth();
+    if (camera.aperture > 0) stage->target.keep_depth();
     stage->draw_fine_pixels(shown, frame);
     clock.ends("fine pixels");
   }
-  if (has_focus) {
-    stage->focus_pass.draw(stage->target, pinhole);
-    clock.ends("focus");
-  }
-  Image image = stage->see_through_lens(camera, pinhole, clock);
+  Image image = stage->finish(camera, pinhole, clock);
   if (view.camera.noise > 0) add_sensor_noise(image, view.camera.noise, view.camera.seed, moment_of(snapshot));
   clock.ends("read-back");
   return image;

@@ -10,6 +10,7 @@ namespace thinwall {
 namespace {
 
 constexpr ImageSize kSize{70, 6};
+constexpr ScreenArea kWhole{0, 0, kSize.width, kSize.height};
 
 std::size_t at(int column, int row, int width = kSize.width) {
   return static_cast<std::size_t>(row * width + column);
@@ -23,7 +24,7 @@ std::vector<std::uint8_t> even_picture(std::uint8_t level) {
 TEST(FinePixels, AreNoneWhereNeighboursHardlyDiffer) {
   std::vector<std::uint8_t> pixels = even_picture(100);
   for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = static_cast<std::uint8_t>(100 + 7 * (i / 4 % 2));
-  const FinePixels fine = find_fine_pixels(pixels, {}, kSize);
+  const FinePixels fine = find_fine_pixels(pixels, {}, kSize.width, kWhole);
   EXPECT_EQ(fine.area, ScreenArea{});
   EXPECT_TRUE(fine.is_fine.empty());
 }
@@ -33,7 +34,7 @@ TEST(FinePixels, AreAStepsBothSidesInAnyChannelAndWantTheirFourCorners) {
     for (const std::size_t channel : {0U, 1U, 2U}) {
       std::vector<std::uint8_t> pixels = even_picture(100);
       pixels[4 * at(column, 2) + channel] = 130;
-      const FinePixels fine = find_fine_pixels(pixels, {}, kSize);
+      const FinePixels fine = find_fine_pixels(pixels, {}, kSize.width, kWhole);
       // A cross of five, and a border of one for the corners on the left and below.
       ASSERT_EQ(fine.area, (ScreenArea{column - 2, 0, 4, 4}));
       EXPECT_EQ(fine.is_fine, (std::vector<std::uint8_t>{0, 0, 0, 0,  //
@@ -53,27 +54,41 @@ TEST(FinePixels, AreThoseThatShowFluid) {
   std::vector<std::uint8_t> pixels = bare;
   pixels[4 * at(20, 3)] = 102;
   pixels[4 * at(30, 3)] = 103;
-  const FinePixels fine = find_fine_pixels(pixels, bare, kSize);
+  const FinePixels fine = find_fine_pixels(pixels, bare, kSize.width, kWhole);
   EXPECT_EQ(fine.area, (ScreenArea{29, 2, 2, 2}));
   EXPECT_EQ(fine.is_fine, (std::vector<std::uint8_t>{0, 0, 0, 1}));
 }
 
 TEST(FinePixels, AreFoundInPicturesOfOnePixelsWidth) {
-  EXPECT_TRUE(find_fine_pixels(std::vector<std::uint8_t>(4, 7), {}, {1, 1}).is_fine.empty());
+  EXPECT_TRUE(find_fine_pixels(std::vector<std::uint8_t>(4, 7), {}, 1, {0, 0, 1, 1}).is_fine.empty());
   const std::vector<std::uint8_t> pixels{0, 0, 0, 255, 90, 90, 90, 255, 90, 90, 90, 255};
-  EXPECT_EQ(find_fine_pixels(pixels, {}, {1, 3}).is_fine, (std::vector<std::uint8_t>{1, 1}));
+  EXPECT_EQ(find_fine_pixels(pixels, {}, 1, {0, 0, 1, 3}).is_fine, (std::vector<std::uint8_t>{1, 1}));
+}
+
+TEST(FinePixels, AreSoughtWithinAnAreaAlone) {
+  std::vector<std::uint8_t> pixels = even_picture(100), bare = pixels;
+  pixels[4 * at(10, 2)] = 200;
+  pixels[4 * at(50, 2)] = 200;
+  bare[4 * at(20, 3)] = 0;
+  const ScreenArea area{45, 1, 20, 4};
+  const FinePixels fine = find_fine_pixels(pixels, bare, kSize.width, area);
+  const FinePixels of_whole = find_fine_pixels(pixels, {}, kSize.width, {40, 0, 30, 6});
+  EXPECT_EQ(fine.area, (ScreenArea{48, 1, 4, 3}));
+  EXPECT_EQ(of_whole.area, (ScreenArea{48, 0, 4, 4}));
+  EXPECT_EQ(fine.is_fine, std::vector<std::uint8_t>(of_whole.is_fine.begin() + 4, of_whole.is_fine.end()));
 }
 
 TEST(FinePixels, AreHalfTheirMiddleAndAnEighthEachCornerOthersStay) {
-  FinePixels fine{.area = {5, 7, 3, 2}, .is_fine = {0, 0, 0, 0, 1, 0}, .is_corner = {1, 1, 0, 1, 1, 0}};
-  std::vector<std::uint8_t> middles(24, 50), corners(24, 0);
-  middles[4 * 4] = 80;
+  const FinePixels fine{.area = {5, 3, 3, 2}, .is_fine = {0, 0, 0, 0, 1, 0}, .is_corner = {1, 1, 0, 1, 1, 0}};
+  std::vector<std::uint8_t> picture = even_picture(50), corners(24, 0);
+  const std::size_t fine_pixel = 4 * at(6, 4);
+  picture[fine_pixel] = 80;
   const std::array<std::size_t, 4> around{0, 1, 3, 4};
   for (std::size_t k = 0; k < 4; ++k) corners[4 * around[k]] = static_cast<std::uint8_t>(8 * (k + 1));
-  const std::vector<std::uint8_t> mixed = with_corners(fine, middles, corners);
-  for (std::size_t i = 0; i < mixed.size(); ++i) {
-    const int expected = i == 16 ? 50 : i / 4 == 4 ? 25 : 50;  // 80 / 2 + (8 + 16 + 24 + 32) / 8
-    EXPECT_EQ(mixed[i], expected) << i;
+  add_corners(fine, corners, picture, kSize.width);
+  for (std::size_t i = 0; i < picture.size(); ++i) {
+    const int expected = i == fine_pixel ? 50 : i / 4 == fine_pixel / 4 ? 25 : 50;  // 80 / 2 + (8 + 16 + 24 + 32) / 8
+    EXPECT_EQ(picture[i], expected) << i;
   }
 }
 
@@ -81,7 +96,7 @@ TEST(FinePixels, ACornerBeginsWithTheBackdropAndAnythingElseStays) {
   const FinePixels fine{.area = {5, 2, 3, 2}, .is_fine = {0, 0, 0, 0, 1, 0}, .is_corner = {1, 1, 0, 1, 1, 0}};
   std::vector<std::uint8_t> backdrop = even_picture(0);
   for (std::size_t i = 0; i < backdrop.size(); ++i) backdrop[i] = static_cast<std::uint8_t>(i / 4 % 200);
-  const std::vector<std::uint8_t> ground = with_backdrop(fine, std::vector<std::uint8_t>(24, 250), backdrop, kSize);
+  const std::vector<std::uint8_t> ground = with_backdrop(fine, even_picture(250), backdrop, kSize.width);
   const std::vector<std::uint32_t> numbers = at_corners(fine, 7, 3);
   for (std::size_t i = 0; i < 6; ++i) {
     const std::size_t seen = at(5 + static_cast<int>(i % 3), 2 + static_cast<int>(i / 3));
@@ -89,16 +104,6 @@ TEST(FinePixels, ACornerBeginsWithTheBackdropAndAnythingElseStays) {
       EXPECT_EQ(ground[4 * i + channel], fine.is_corner[i] ? seen % 200 : 250) << i;
     }
     EXPECT_EQ(numbers[i], fine.is_corner[i] ? 7U : 3U) << i;
-  }
-}
-
-TEST(FinePixels, AreCutOutOfAPictureRowByRow) {
-  std::vector<std::uint8_t> pixels = even_picture(0);
-  for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = static_cast<std::uint8_t>(i / 4 % 251);
-  const std::vector<std::uint8_t> part = cut_out(pixels, kSize, {68, 4, 2, 2});
-  ASSERT_EQ(part.size(), 16U);
-  for (int k = 0; k < 4; ++k) {
-    EXPECT_EQ(part[4 * static_cast<std::size_t>(k)], at(68 + k % 2, 4 + k / 2) % 251);
   }
 }
 
