@@ -90,7 +90,7 @@ struct Stage {
   void shade_floor(const FrameUniforms& frame, const Studio& studio, PassClock& clock);
   void draw_shadow_map(const SceneExtent& extent, const Studio& studio, const Camera& camera, PassClock& clock);
   void draw_backdrop(Ground ground, const FieldStop& stop, PassClock& clock);
-  void clear_depth(const FieldStop& stop);
+  void close_field_stop(const FieldStop& stop);
   void lay_backdrop(const FrameUniforms& frame, bool has_tools, PassClock& clock);
   void draw_surface(const FrameUniforms& frame, PassClock& clock);
   void draw_scene(SceneView& scene, const FrameUniforms& frame, PassClock& clock);
@@ -149,8 +149,8 @@ void Stage::draw_fluids(const SceneView& scene, PassClock& clock) {
   }
 }
 
-void Stage::clear_depth(const FieldStop& stop) {
-  if (target.clear_depth(stop)) return;
+/// Where depth was not taken over from another picture.
+void Stage::close_field_stop(const FieldStop& stop) {
   target.clear_depth();
   if (!(stop.tangent > 0)) return;
   scene_pass.close_field_stop(target);
@@ -329,9 +329,10 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
   clock.ends("meshes");
   stage->draw_shadow_map(extent, studio, pinhole, clock);
   // By the processor, while the driver's threads work on the shadow map.
+  const bool is_stop_closed = stage->target.clear_depth(field_stop(frame));
   stage->shade_floor(frame, studio, clock);
   stage->draw_backdrop(ground, field_stop(frame), clock);
-  stage->clear_depth(field_stop(frame));
+  if (!is_stop_closed) stage->close_field_stop(field_stop(frame));
   stage->draw_surface(frame, clock);
   stage->lay_backdrop(frame, !snapshot.tools.empty(), clock);
   SceneView shown{.snapshot = snapshot, .view = view, .eye = camera.position, .surroundings = surroundings};
