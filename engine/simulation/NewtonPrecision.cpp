@@ -40,7 +40,7 @@ bool Newton::takes_single_precision(const EquilibriumProblem& problem, const Eig
   // the springs of attachments take some digits for themselves.
   if (problem.inertia == 0 || !problem.attachments.empty()) return false;
   // By then the last factor has shown what it is worth.
-  if (bordered_.missed_part() > kMostMissed) doubles_left_ = kDoublesInARow;
+  if (!(bordered_.missed_part() <= kMostMissed)) doubles_left_ = kDoublesInARow;
   if (doubles_left_ > 0) {
     --doubles_left_;
     return false;

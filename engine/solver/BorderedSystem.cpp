@@ -131,7 +131,7 @@ void BorderedSystem::refine(SparseFactor& factor, const Eigen::VectorXd& f, cons
     const double missed = scale > 0 ? left.norm() / scale : 0;
     if (missed <= kMissedPart) return;
     if (turn == kRefinements) {
-      missed_part_ = std::max(missed_part_, missed);
+      missed_part_ = missed <= missed_part_ ? missed_part_ : missed;  // what is no number too
       return;
     }
     solve(factor, left, left_border);

@@ -8,11 +8,9 @@
 namespace thinwall {
 namespace {
 
-/// In this many bytes the rows of a front end, and twice as many are worked on together at least by processors that
-/// can.
-constexpr int kBytes = 32;
+/// Lanes of which the rows of a front are a multiple.
 template <typename Number>
-using Usual = typename LanesOfBytes<Number, kBytes>::Type;
+using Usual = typename LanesOfBytes<Number, 32>::Type;
 static_assert(kFrontRows % kLanesOf<Usual<double>> == 0 && kFrontRows % kLanesOf<Usual<float>> == 0);
 
 /// Columns of a panel that is eliminated: `rows` points at the first row that is wanted.
