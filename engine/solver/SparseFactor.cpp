@@ -17,8 +17,9 @@ namespace {
 
 constexpr int kMostSides = MultifrontalFactor<double>::kMostSides;
 
-/// Numbers of a factor from which on single precision is worth its while: below, its refinement costs what it gains.
-constexpr std::ptrdiff_t kWorthSinglePrecision = 30'000;
+/// Numbers of a factor from which on single precision is worth its while, that of some 2 000 triangles: below,
+/// refinement costs what it gains.
+constexpr std::ptrdiff_t kWorthSinglePrecision = 300'000;
 
 }  // namespace
 

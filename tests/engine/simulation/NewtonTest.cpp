@@ -79,9 +79,9 @@ TEST(Newton, ConvergesQuadraticallyNearTheSolutionBelowAndBeyondTheLimitPoint) {
   }
 }
 
-/// A ball of 1 280 triangles that stands still under pressure.
+/// A ball of 2 880 triangles that stands still under pressure.
 struct RestingBall {
-  BodyModel model = make_body_model(make_body(make_sphere(20e-3, 1280), 1e-3, neo_hookean(20e3)));
+  BodyModel model = make_body_model(make_body(make_sphere(20e-3, 2880), 1e-3, neo_hookean(20e3)));
   Newton newton{model};
   EquilibriumProblem problem;
   EquilibriumState state{.position = model.rest_position, .pressure = {}, .rigid_reaction = {}};
