@@ -267,7 +267,7 @@ void MultifrontalFactor<Number>::solve_some(Eigen::Ref<Eigen::MatrixXd> columns)
 }
 
 template <typename Number>
-void MultifrontalFactor<Number>::solve(Eigen::Ref<Eigen::MatrixXd> right_hand_sides) {
+void MultifrontalFactor<Number>::solve(Eigen::Ref<Eigen::MatrixXd>& right_hand_sides) {
   const Eigen::Index columns = right_hand_sides.cols();
   Eigen::Index first = 0;
   for (; columns - first > 4; first += kMostSides) {
@@ -282,7 +282,7 @@ void MultifrontalFactor<Number>::solve(Eigen::Ref<Eigen::MatrixXd> right_hand_si
 
 template <typename Number>
 void MultifrontalFactor<Number>::solve_part(std::span<const int> unknowns, std::span<const int> fronts,
-                                            Eigen::Ref<Eigen::VectorXd> right_hand_side) {
+                                            Eigen::Ref<Eigen::VectorXd>& right_hand_side) {
   for (const int s : fronts) {
     std::fill_n(solution_.get() + tree_.supernodes[s].first, tree_.supernodes[s].pivots, Number{0});
   }

@@ -38,11 +38,11 @@ class MultifrontalFactor {
   static constexpr int kMostSides = 8;
 
   /// (unknowns x right-hand sides), in place.
-  void solve(Eigen::Ref<Eigen::MatrixXd> right_hand_sides);
+  void solve(Eigen::Ref<Eigen::MatrixXd>& right_hand_sides);
 
   /// Solves with some fronts alone: (unknowns), which they hold, in place. `fronts`: ascending.
   void solve_part(std::span<const int> unknowns, std::span<const int> fronts,
-                  Eigen::Ref<Eigen::VectorXd> right_hand_side);
+                  Eigen::Ref<Eigen::VectorXd>& right_hand_side);
 
  private:
   /// A task that is one, and where its fronts are solved.
