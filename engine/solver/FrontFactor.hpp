@@ -37,24 +37,14 @@ constexpr int kPanel = 96;
 int eliminate(const Front<double>& front, bool allows_negative);
 int eliminate(const Front<float>& front, bool allows_negative);
 
-/// Solves L y = b for the pivots and takes what they bear on off the rows below them: `values`, (stride), in place.
-void solve_forward(const Front<double>& front, double* values);
-void solve_forward(const Front<float>& front, float* values);
+/// Solves L y = b for the pivots and takes what they bear on off the rows below them, for 1, 4 or 8 right-hand sides
+/// that stand side by side: `values`, (stride x sides) by rows, in place. Each has the same bits among four and among
+/// eight; four take about twice the time of one, and eight less than twice that.
+void solve_forward(const Front<double>& front, int sides, double* values);
+void solve_forward(const Front<float>& front, int sides, float* values);
 
-/// Solves L^T x = y for the pivots, with the rows below them known: `values`, (stride), in place; what stands past the
-/// last row is zero.
-void solve_backward(const Front<double>& front, double* values);
-void solve_backward(const Front<float>& front, float* values);
-
-/// The same for four or eight right-hand sides that are solved side by side: `values`, (size x sides) by rows. Each has
-/// the same bits among four and among eight; four take about twice the time of one, and eight less than twice that.
-void solve_four_forward(const Front<double>& front, double* values);
-void solve_four_forward(const Front<float>& front, float* values);
-void solve_four_backward(const Front<double>& front, double* values);
-void solve_four_backward(const Front<float>& front, float* values);
-void solve_eight_forward(const Front<double>& front, double* values);
-void solve_eight_forward(const Front<float>& front, float* values);
-void solve_eight_backward(const Front<double>& front, double* values);
-void solve_eight_backward(const Front<float>& front, float* values);
+/// The same of L^T x = y, with the rows below the pivots known; what stands past the last row is zero.
+void solve_backward(const Front<double>& front, int sides, double* values);
+void solve_backward(const Front<float>& front, int sides, float* values);
 
 }  // namespace thinwall

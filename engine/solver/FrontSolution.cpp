@@ -237,57 +237,41 @@ void solve_several(const Front<float>& front, Direction direction, int sides, fl
 }
 
 template <typename Number>
-[[gnu::always_inline]] inline void solve_one_forward(const Front<Number>& front, Number* values) {
+[[gnu::always_inline]] inline void solve_single(const Front<Number>& front, Direction direction, Number* values) {
   const int whole = front.pivots / kSolved * kSolved;
-  for (int column = 0; column < whole; column += kSolved) forward_single<kSolved>(front, column, values);
-  for (int column = whole; column < front.pivots; ++column) forward_single<1>(front, column, values);
+  if (direction == Direction::kForward) {
+    for (int column = 0; column < whole; column += kSolved) forward_single<kSolved>(front, column, values);
+    for (int column = whole; column < front.pivots; ++column) forward_single<1>(front, column, values);
+    return;
+  }
+  for (int column = front.pivots - 1; column >= whole; --column) backward_single<1>(front, column, values);
+  for (int column = whole - kSolved; column >= 0; column -= kSolved) backward_single<kSolved>(front, column, values);
+}
+THINWALL_FOR_ALL_PROCESSORS void solve_one(const Front<double>& front, Direction direction, double* values) {
+  solve_single(front, direction, values);
+}
+THINWALL_FOR_ALL_PROCESSORS void solve_one(const Front<float>& front, Direction direction, float* values) {
+  solve_single(front, direction, values);
 }
 
 template <typename Number>
-[[gnu::always_inline]] inline void solve_one_backward(const Front<Number>& front, Number* values) {
-  const int whole = front.pivots / kSolved * kSolved;
-  for (int column = front.pivots - 1; column >= whole; --column) backward_single<1>(front, column, values);
-  for (int column = whole - kSolved; column >= 0; column -= kSolved) backward_single<kSolved>(front, column, values);
+void solve(const Front<Number>& front, Direction direction, int sides, Number* values) {
+  sides == 1 ? solve_one(front, direction, values) : solve_several(front, direction, sides, values);
 }
 
 }  // namespace
 
-THINWALL_FOR_ALL_PROCESSORS void solve_forward(const Front<double>& front, double* values) {
-  solve_one_forward(front, values);
+void solve_forward(const Front<double>& front, int sides, double* values) {
+  solve(front, Direction::kForward, sides, values);
 }
-THINWALL_FOR_ALL_PROCESSORS void solve_forward(const Front<float>& front, float* values) {
-  solve_one_forward(front, values);
+void solve_forward(const Front<float>& front, int sides, float* values) {
+  solve(front, Direction::kForward, sides, values);
 }
-THINWALL_FOR_ALL_PROCESSORS void solve_backward(const Front<double>& front, double* values) {
-  solve_one_backward(front, values);
+void solve_backward(const Front<double>& front, int sides, double* values) {
+  solve(front, Direction::kBackward, sides, values);
 }
-THINWALL_FOR_ALL_PROCESSORS void solve_backward(const Front<float>& front, float* values) {
-  solve_one_backward(front, values);
-}
-
-void solve_four_forward(const Front<double>& front, double* values) {
-  solve_several(front, Direction::kForward, 4, values);
-}
-void solve_four_forward(const Front<float>& front, float* values) {
-  solve_several(front, Direction::kForward, 4, values);
-}
-void solve_four_backward(const Front<double>& front, double* values) {
-  solve_several(front, Direction::kBackward, 4, values);
-}
-void solve_four_backward(const Front<float>& front, float* values) {
-  solve_several(front, Direction::kBackward, 4, values);
-}
-void solve_eight_forward(const Front<double>& front, double* values) {
-  solve_several(front, Direction::kForward, 8, values);
-}
-void solve_eight_forward(const Front<float>& front, float* values) {
-  solve_several(front, Direction::kForward, 8, values);
-}
-void solve_eight_backward(const Front<double>& front, double* values) {
-  solve_several(front, Direction::kBackward, 8, values);
-}
-void solve_eight_backward(const Front<float>& front, float* values) {
-  solve_several(front, Direction::kBackward, 8, values);
+void solve_backward(const Front<float>& front, int sides, float* values) {
+  solve(front, Direction::kBackward, sides, values);
 }
 
 }  // namespace thinwall

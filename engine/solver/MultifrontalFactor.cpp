@@ -22,19 +22,6 @@ Numbers<Number> numbers(std::ptrdiff_t count) {
   return Numbers<Number>(static_cast<Number*>(::operator new[](count * sizeof(Number), kCacheLine)));
 }
 
-template <int sides, typename Number>
-void solve_forward_for(const Front<Number>& front, Number* values) {
-  if constexpr (sides == 1) return solve_forward(front, values);
-  if constexpr (sides == 4) return solve_four_forward(front, values);
-  if constexpr (sides == 8) return solve_eight_forward(front, values);
-}
-template <int sides, typename Number>
-void solve_backward_for(const Front<Number>& front, Number* values) {
-  if constexpr (sides == 1) return solve_backward(front, values);
-  if constexpr (sides == 4) return solve_four_backward(front, values);
-  if constexpr (sides == 8) return solve_eight_backward(front, values);
-}
-
 }  // namespace
 
 void FreeNumbers::operator()(void* numbers) const {
@@ -157,7 +144,7 @@ const Number* MultifrontalFactor<Number>::go_up(const Supernode& supernode, int 
   std::fill(below, front + supernode.stride * sides, Number{0});
   // What a contact pushes is nothing to most fronts.
   if (std::all_of(front, below, [](Number value) { return value == 0; })) return below + within * sides;
-  solve_forward_for<sides>(front_of(supernode), front);
+  solve_forward(front_of(supernode), sides, front);
   const Number* from = front;
   for (int k = 0; k < supernode.pivots; ++k) {
     for (int c = 0; c < sides; ++c) *pivots++ = signs_[supernode.first + k] * *from++;
@@ -195,7 +182,7 @@ void MultifrontalFactor<Number>::go_down(const Supernode& supernode, Number* fro
     to = std::copy_n(solution_.get() + *rows++ * sides, sides, to);
   }
   std::fill(to, front + supernode.stride * sides, Number{0});
-  solve_backward_for<sides>(front_of(supernode), front);
+  solve_backward(front_of(supernode), sides, front);
   std::copy_n(front, supernode.pivots * sides, pivots);
 }
 

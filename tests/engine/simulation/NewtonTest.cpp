@@ -122,7 +122,8 @@ TEST(Newton, GoesOnInDoublePrecisionWhereSingleWillNotDo) {
   EXPECT_EQ(result.shifted_iterations, 0);
   EXPECT_EQ(result.in_single_precision, 1);
   EXPECT_EQ(result.factorisations, result.iterations + 1);
-  EXPECT_LT((ball.state.position - ball.problem.inertia_target).cwiseAbs().maxCoeff(), 1e-6);
+  const double missed = (ball.state.position - ball.problem.inertia_target).cwiseAbs().maxCoeff();
+  EXPECT_LT(missed, 1e-9);  // seen: 9e-11, the round-off of the wall's forces over springs that are so soft
 }
 
 TEST(Newton, ConvergesQuadraticallyWithAnAttachedPoint) {

@@ -109,22 +109,22 @@ TYPED_TEST(FrontFactor, SolvesForOneFourAndEightRightHandSidesWithTheRowsBelow) 
     backward.topRows(pivots) -= lower.bottomRows(size - pivots).transpose() * right.bottomRows(size - pivots);
     backward.topRows(pivots) = top.transpose().solve(backward.topRows(pivots).eval());
     Dense four = right.leftCols(4).transpose(), eight = right.transpose();
-    solve_four_forward(front.view(), four.data());
-    solve_eight_forward(front.view(), eight.data());
+    solve_forward(front.view(), 4, four.data());
+    solve_forward(front.view(), 8, eight.data());
     EXPECT_LT((eight.transpose() - forward).cwiseAbs().maxCoeff(), tolerance) << pivots << " of " << size;
     EXPECT_EQ(four, eight.topRows(4)) << pivots << " of " << size;
     four = right.leftCols(4).transpose(), eight = right.transpose();
-    solve_four_backward(front.view(), four.data());
-    solve_eight_backward(front.view(), eight.data());
+    solve_backward(front.view(), 4, four.data());
+    solve_backward(front.view(), 8, eight.data());
     EXPECT_LT((eight.transpose() - backward).cwiseAbs().maxCoeff(), tolerance) << pivots << " of " << size;
     EXPECT_EQ(four, eight.topRows(4)) << pivots << " of " << size;
     Eigen::VectorX<TypeParam> one = Eigen::VectorX<TypeParam>::Zero(up_to_rows(size));
     one.head(size) = right.col(0);
-    solve_forward(front.view(), one.data());
+    solve_forward(front.view(), 1, one.data());
     EXPECT_LT((one.head(size) - forward.col(0)).cwiseAbs().maxCoeff(), tolerance) << pivots << " of " << size;
     one.setZero();
     one.head(size) = right.col(0);
-    solve_backward(front.view(), one.data());
+    solve_backward(front.view(), 1, one.data());
     EXPECT_LT((one.head(size) - backward.col(0)).cwiseAbs().maxCoeff(), tolerance) << pivots << " of " << size;
   }
 }
