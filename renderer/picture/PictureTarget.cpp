@@ -75,6 +75,14 @@ void take_rows(const std::uint8_t* from, int bottom, int rows, Image& image) {
   }
 }
 
+/// Of colours alone.
+Framebuffer frame_of(const Texture& color, const char* name) {
+  Framebuffer frame = create_framebuffer();
+  attach(frame, GL_COLOR_ATTACHMENT0, color);
+  require_complete(frame, name);
+  return frame;
+}
+
 }  // namespace
 
 PictureTarget::PictureTarget(ImageSize size) : size_(size) {
@@ -103,9 +111,7 @@ PictureTarget::PictureTarget(ImageSize size) : size_(size) {
   require_complete(tools_, "a frame of what is seen of tools");
 
   backdrop_color_ = create_texture(GL_RGBA8, quarter(size_.width), quarter(size_.height), GL_LINEAR);
-  backdrop_ = create_framebuffer();
-  attach(backdrop_, GL_COLOR_ATTACHMENT0, backdrop_color_);
-  require_complete(backdrop_, "a backdrop");
+  backdrop_ = frame_of(backdrop_color_, "a backdrop");
   backdrop_picture_.emplace(ImageSize{quarter(size_.width), quarter(size_.height)}, size_);
 
   frame_ = create_framebuffer();
@@ -118,16 +124,10 @@ PictureTarget::PictureTarget(ImageSize size) : size_(size) {
   require_complete(smoothing_, "a frame of smoothed outlines");
   for (std::size_t k = 0; k < blurred_.size(); ++k) {
     blurred_color_[k] = create_texture(GL_RGBA8, half(size_.width), half(size_.height), GL_LINEAR);
-    blurred_[k] = create_framebuffer();
-    attach(blurred_[k], GL_COLOR_ATTACHMENT0, blurred_color_[k]);
-    require_complete(blurred_[k], "a frame out of focus");
+    blurred_[k] = frame_of(blurred_color_[k], "a frame out of focus");
   }
-  color_alone_ = create_framebuffer();
-  attach(color_alone_, GL_COLOR_ATTACHMENT0, color_);
-  require_complete(color_alone_, "a frame of colours alone");
-  lens_ = create_framebuffer();
-  attach(lens_, GL_COLOR_ATTACHMENT0, beside_color_);
-  require_complete(lens_, "a frame behind the lens");
+  color_alone_ = frame_of(color_, "a frame of colours alone");
+  lens_ = frame_of(beside_color_, "a frame behind the lens");
 }
 
 void PictureTarget::clear_depth() const {
