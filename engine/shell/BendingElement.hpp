@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <numbers>
 
 namespace thinwall {
 
@@ -12,13 +13,15 @@ struct BendingPatch {
 };
 
 /// A side of a triangle in bending: how far the wall's normal there has turned from the triangle's, about the side,
-/// is `share` of the angle between the triangle and what lies beyond plus `turn_share` times the side's own unknown.
+/// is `share` of the angle between the triangle and what lies beyond, as a fold counts it, plus `turn_share` times the
+/// side's own unknown.
 struct BendingSide {
   double share = 0;       // 1/2 of the angle to a neighbour, 1 of that to the held plane of a clamped side, else 0
   double turn_share = 0;  // 1 / metre; of contrary sign in the two triangles at a side; 0 where it is clamped
   bool clamped = false;
   Eigen::Vector3d held = Eigen::Vector3d::Zero();  // metres, outwards in the held plane
   double rest_angle = 0;                           // radian, in the stress-free shape
+  double fold = std::numbers::pi;                  // radian, angle to what lies beyond from which on more is counted
 };
 
 /// A triangle of a thin shell, with one rotation for each side as its only unknown beside the positions. The normal of

@@ -2,9 +2,16 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace thinwall {
 namespace {
+
+/// Two triangles cannot be folded flat upon each other, because the wall has a thickness: beyond this angle more is
+/// counted than there is, without bound towards half a turn. No mesh that resolves the wall bends so sharply.
+constexpr double kFold = 2.5;  // radian
 
 /// Fills the weights by which the angles of the sides make the curvature.
 void weigh_sides(const MembraneRest& rest, BendingRest& result) {
@@ -81,7 +88,12 @@ std::vector<BendingRest> make_bending_rests(const SurfaceMesh& mesh, const MeshE
     for (int side = 0; side < 3; ++side) add_side(mesh, edges, clamped, t, side, turn_length, triangle);
     for (int k = 0; k < 6; ++k) given.position[k] = mesh.vertices[triangle.vertices[k]];
     const Eigen::Vector3d angles = side_angles(triangle, given);
-    for (int side = 0; side < 3; ++side) triangle.sides[side].rest_angle = angles[side];
+    for (int side = 0; side < 3; ++side) {
+      BendingSide& own = triangle.sides[side];
+      own.rest_angle = angles[side];
+      // What is sharper than that at rest has half of what is left.
+      if (own.share > 0) own.fold = std::max(kFold, 0.5 * (std::abs(angles[side]) / own.share + std::numbers::pi));
+    }
     const Material& material = materials[materials.size() == 1 ? 0 : t];
     const double cube = rest[t].thickness * rest[t].thickness * rest[t].thickness;
     triangle.stiffness = cube / 12 * material.law->respond(material.parameters, Eigen::Vector3d(1, 1, 0)).tangent;

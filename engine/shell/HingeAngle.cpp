@@ -41,13 +41,30 @@ Half half_of(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Ve
   return half;
 }
 
-}  // namespace
+/// Of the angle, times the areas of both triangles.
+struct SineAndCosine {
+  double sine, cosine;  // metres^4
+};
 
-double hinge_angle(const Hinge& hinge) {
+SineAndCosine sine_and_cosine(const Hinge& hinge) {
   const auto& [p, q, a, b] = hinge;
   const Eigen::Vector3d edge = q - p;
   const Eigen::Vector3d one = edge.cross(a - p), other = (b - p).cross(edge);
-  return -std::atan2(one.cross(other).dot(edge) / edge.norm(), one.dot(other));
+  return {.sine = -one.cross(other).dot(edge) / edge.norm(), .cosine = one.dot(other)};
+}
+
+}  // namespace
+
+double hinge_angle(const Hinge& hinge) {
+  const auto [sine, cosine] = sine_and_cosine(hinge);
+  return std::atan2(sine, cosine);
+}
+
+bool passes_through(const Hinge& before, const Hinge& after) {
+  const SineAndCosine from = sine_and_cosine(before);
+  if (from.cosine >= 0) return false;
+  const SineAndCosine to = sine_and_cosine(after);
+  return to.cosine < 0 && from.sine * to.sine < 0;
 }
 
 HingeDerivatives hinge_derivatives(const Hinge& hinge) {

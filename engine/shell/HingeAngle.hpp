@@ -12,6 +12,10 @@ using Hinge = std::array<Eigen::Vector3d, 4>;  // metres
 /// where they bend towards their normals.
 double hinge_angle(const Hinge& hinge);
 
+/// Whether one of the triangles, folded back upon the other, has gone through it from `before` to `after`: the angle
+/// has then jumped by a whole turn.
+bool passes_through(const Hinge& before, const Hinge& after);
+
 /// With N the normal of (p, q, a) as twice its area, l the length of the edge and s the place of the foot of a along
 /// it, d angle / da = l N / |N|^2, and - (1 - s) and - s times that by p and q; likewise at the other triangle
 /// (Tamstorf and Grinspun 2013, Discrete bending forces and their Jacobians). The second derivative couples a and b

@@ -3,13 +3,11 @@
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "engine/mesh/MeshMeasures.hpp"
-#include "engine/mesh/MeshTopology.hpp"
 #include "engine/simulation/OpenChambers.hpp"
 
 namespace thinwall {
@@ -31,10 +29,6 @@ constexpr int kForeseeingSteps = 40;
 /// Growth of the largest force in a solution of a shell without line search that only a step gone astray makes: among
 /// such forces any residual would look small.
 constexpr double kBlowUp = 1e6;
-
-/// Growth of the angle between two neighbours, radians, in a solution of a shell without line search that only a step
-/// gone astray makes: past any energy it ends up with triangles folded over.
-constexpr double kMostFolding = 1.5;
 
 /// A wall pressed upon itself may be so stiff that the round-off of its coordinates alone makes forces above the
 /// tolerance, and where it buckles a force may fall without end: so many iterations after it was least, a residual
@@ -104,12 +98,7 @@ Newton::Newton(const BodyModel& model, SparseFactor factor, SelfContact self_con
       extent_(bounding_box(model.definition.mesh.vertices).diagonal().norm()) {
   const double mean_mass = model.mass.mean();
   for (Eigen::Index k = 0; k < rigid_columns_.rows(); ++k) rigid_columns_.row(k) *= model.mass[k] / mean_mass;
-  if (model.bending.empty()) return;
-  const MeshEdges mesh = edges_of(model.vertices(), model.surface);
-  for (int edge = 0; edge < static_cast<int>(mesh.edges.size()); ++edge) {
-    const auto sides = triangles_at(mesh, edge);
-    if (sides.size() == 2) hinges_.push_back({sides[0], sides[1]});
-  }
+  if (!model.bending.empty()) hinges_ = hinges_of(model);
 }
 
 void Newton::evaluate_all(const EquilibriumProblem& problem, const EquilibriumState& state, bool with_hessian,
@@ -246,19 +235,6 @@ bool Newton::is_solved(const Residual& residual, double force_scale, bool is_sta
 std::string Newton::obstructed(const std::string& reason) const {
   const bool pressed = terms_.folds.energy > 0 && terms_.folds.largest_force == terms_.largest_force;
   return pressed ? reason + ": the wall lies against itself or its floor and is asked to go on" : reason;
-}
-
-bool Newton::folds_over(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const {
-  const auto angle = [&](const std::array<int, 2>& pair, const Eigen::VectorXd& position) {
-    std::array<Eigen::Vector3d, 2> normals;
-    for (int k = 0; k < 2; ++k) {
-      const auto corners = corners_of(model_.surface[pair[k]], position);
-      normals[k] = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-    }
-    return std::atan2(normals[0].cross(normals[1]).norm(), normals[0].dot(normals[1]));
-  };
-  return std::ranges::any_of(
-      hinges_, [&](const std::array<int, 2>& pair) { return angle(pair, after) - angle(pair, before) > kMostFolding; });
 }
 
 NewtonResult Newton::solve(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options) {

@@ -123,10 +123,9 @@ class Newton {
   const std::vector<ContactPoint>& factorised_contacts() const { return factorised_contacts_; }
   bool is_factorised_open(std::size_t contact) const { return open_[contact]; }
 
-  /// Part of a motion (3 vertices, metres) that leads to no contact of the wall with itself or its floor.
-  double safe_fraction(const Eigen::VectorXd& position, const Eigen::VectorXd& motion) {
-    return self_contact_.safe_fraction(position, motion);
-  }
+  /// Part of a motion (3 vertices, metres) that leads to no contact of the wall with itself or its floor, and takes no
+  /// triangle of a shell through its neighbour.
+  double safe_fraction(const Eigen::VectorXd& position, const Eigen::VectorXd& motion);
 
   /// Force that holds the rigid motions of a free body, (unknowns), newton, at a state that a solve has reached.
   Eigen::VectorXd rigid_force(const EquilibriumState& state) const { return -rigid_columns_ * state.rigid_reaction; }
@@ -230,6 +229,7 @@ class Newton {
                        const Progress& progress);
   /// Makes the factorised contacts those that are there now; false where one is not that is a spring in the matrix.
   bool find_factorised_contacts();
+  static std::vector<std::array<int, 4>> hinges_of(const BodyModel& model);
   bool folds_over(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const;
   void foresee(const EquilibriumProblem& problem, const Eigen::VectorXd& position, const Eigen::VectorXd& motion);
   void add_foreseen(const EquilibriumProblem& problem, const Eigen::VectorXd& position);
@@ -345,7 +345,7 @@ class Newton {
   bool may_end_ = false;                    // whether that may be the last step: the Hessian is not asked for then
   bool may_border_ = false;                 // see NewtonOptions::borders_contacts
   bool may_be_one_by_one_ = false;          // see ContactTurns
-  std::vector<std::array<int, 2>> hinges_;  // of a shell: triangles with an edge in common
+  std::vector<std::array<int, 4>> hinges_;  // of a shell: vertices of two triangles, as in a Hinge
   // (triangles) of a shell, pascal, (S11, S22, S12); none where the curvature takes the stress as it is
   std::vector<Eigen::Vector3d> foreseen_stress_;
   Eigen::MatrixXd border_;          // (unknowns x border), column and row where they are the same

@@ -106,7 +106,7 @@ bool Newton::search(EquilibriumProblem& problem, EquilibriumState& state, Residu
   Residual trial;
   const double longest = kLongestStep * std::sqrt(model_.rest_area);
   fraction = std::min(fraction, longest / std::max(longest, step.position.lpNorm<Eigen::Infinity>()));
-  fraction *= self_contact_.safe_fraction(start.state.position, fraction * step.position);
+  fraction *= safe_fraction(start.state.position, fraction * step.position);
   for (int halving = 0; halving < 16; ++halving, fraction *= 0.5) {
     place(start, step, fraction, problem, state);
     if (!std::isfinite(trial_terms_.elastic)) continue;
@@ -149,7 +149,7 @@ bool Newton::take_whole(EquilibriumProblem& problem, EquilibriumState& state, Re
   if (!(step.position.lpNorm<Eigen::Infinity>() <= extent_)) return false;
   const Start start{
       .state = state, .attachments = problem.attachments, .solids = problem.solids, .friction = problem.friction};
-  const double fraction = std::min(1.0, self_contact_.safe_fraction(state.position, step.position));
+  const double fraction = std::min(1.0, safe_fraction(state.position, step.position));
   foresee(problem, state.position, fraction * step.position);
   place(start, step, fraction, problem, state);
   if (!std::isfinite(trial_terms_.elastic) || !std::isfinite(trial_terms_.bending)) return false;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -61,8 +62,19 @@ HyperDual angle_of(const std::array<DualVector, 4>& hinge) {
   const auto& [p, q, a, b] = hinge;
   const DualVector edge = q - p, one = cross(edge, a - p), other = cross(b - p, edge);
   const HyperDual sine = dot(cross(one, other), edge) / norm(edge), cosine = dot(one, other);
-  EXPECT_GT(cosine.value, 0) << "the inverse tangent tells no larger angle";
-  return HyperDual(0) - atan(sine / cosine);
+  // The inverse tangent tells no angle beyond a quarter turn.
+  const double beyond = cosine.value < 0 ? std::copysign(std::numbers::pi, sine.value) : 0;
+  return HyperDual(0) - atan(sine / cosine) - HyperDual(beyond);
+}
+
+/// What counts of an angle: beyond `fold` the tangent that goes to infinity at half a turn.
+HyperDual counted(const HyperDual& angle, double fold) {
+  const double sign = angle.value < 0 ? -1 : 1, rest = 2 / std::numbers::pi * (std::numbers::pi - fold);
+  const HyperDual beyond = (HyperDual(sign) * angle - HyperDual(fold)) / HyperDual(rest);
+  if (beyond.value < 0) return angle;
+  const double tangent = std::tan(beyond.value), slope = 1 + tangent * tangent;
+  return HyperDual(sign) *
+         (HyperDual(fold) + HyperDual(rest) * HyperDual::chain(beyond, tangent, slope, 2 * tangent * slope));
 }
 
 TEST(HingeAngle, IsThatOfThePlanesAndPositiveWhereTheyBendTowardsTheirNormals) {
@@ -71,6 +83,19 @@ TEST(HingeAngle, IsThatOfThePlanesAndPositiveWhereTheyBendTowardsTheirNormals) {
                          Eigen::Vector3d(1.5 * std::cos(angle), 0.7, 1.5 * std::sin(angle))};
     EXPECT_NEAR(hinge_angle(hinge), angle, 1e-14);
   }
+}
+
+TEST(HingeAngle, PassesThroughWhereATriangleFoldedBackComesOutOnTheOtherSide) {
+  const auto at = [](double angle) {
+    return Hinge{Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0, 2, 0), Eigen::Vector3d(-1, 0.3, 0),
+                 Eigen::Vector3d(1.5 * std::cos(angle), 0.7, 1.5 * std::sin(angle))};
+  };
+  EXPECT_TRUE(passes_through(at(3.1), at(-3.0)));
+  EXPECT_TRUE(passes_through(at(-1.7), at(1.8)));
+  EXPECT_FALSE(passes_through(at(3.1), at(2.0)));
+  EXPECT_FALSE(passes_through(at(3.1), at(-1.0)));
+  EXPECT_FALSE(passes_through(at(0.2), at(-0.2)));
+  EXPECT_FALSE(passes_through(at(1.0), at(-3.0)));
 }
 
 TEST(HingeAngle, GradientAndHessianAgreeWithExactDerivatives) {
@@ -102,7 +127,8 @@ HyperDual energy_of(const BendingRest& rest, const std::array<DualVector, 6>& x,
       beyond[axis] = HyperDual(0.5) * (p[axis] + q[axis]) + HyperDual(own.held[axis]);
     }
     HyperDual angle = HyperDual(own.turn_share) * turns[side] - HyperDual(own.rest_angle);
-    if (own.share != 0) angle = angle + HyperDual(own.share) * angle_of({p, q, x[(side + 2) % 3], beyond});
+    if (own.share != 0)
+      angle = angle + HyperDual(own.share) * counted(angle_of({p, q, x[(side + 2) % 3], beyond}), own.fold);
     for (int k = 0; k < 3; ++k) strain[k] = strain[k] + HyperDual(rest.weights(k, side)) * angle;
   }
   HyperDual total = 0;
@@ -149,6 +175,72 @@ TEST(BendingElement, GradientAndHessianAgreeWithExactDerivatives) {
     }
     patch.turns = {0.1, -0.2, 0.05};
     expect_exact_derivatives(rest, patch);
+  }
+}
+
+/// Turns what lies beyond a side of a patch about that side.
+void fold(BendingPatch& patch, int side, double angle) {
+  const Eigen::Vector3d p = patch.position[side], along = (patch.position[(side + 1) % 3] - p).normalized();
+  patch.position[3 + side] = p + Eigen::AngleAxisd(angle, along) * (patch.position[3 + side] - p);
+}
+
+/// A triangle of a flat sheet with three neighbours, and its patch at rest.
+struct Inner {
+  BendingRest rest;
+  BendingPatch patch;
+};
+Inner inner_triangle() {
+  const Wall wall = wall_of(make_sheet(2, 2, 32));
+  const auto found = std::ranges::find_if(wall.bending, [](const BendingRest& rest) {
+    return std::ranges::all_of(rest.sides, [](const BendingSide& side) { return side.share > 0; });
+  });
+  return {*found, patch_of(*found, wall.unknowns(wall.mesh.vertices), wall.vertices())};
+}
+
+TEST(BendingElement, GradientAndHessianOfASharpFoldAgreeWithExactDerivatives) {
+  for (const double angle : {2.7, -2.7, 3.0}) {
+    Inner inner = inner_triangle();
+    fold(inner.patch, 1, angle);
+    EXPECT_GT(std::abs(side_angles(inner.rest, inner.patch)[1]), 0.5 * 2.7);
+    inner.patch.turns = {0.1, -0.2, 0.05};
+    expect_exact_derivatives(inner.rest, inner.patch);
+  }
+}
+
+TEST(BendingElement, AFoldAsksForMoreWithoutBoundAsItCloses) {
+  const Inner flat = inner_triangle();
+  const auto angle_at = [&](double angle) {
+    BendingPatch patch = flat.patch;
+    fold(patch, 1, angle);
+    return side_angles(flat.rest, patch)[1];
+  };
+  const double sense = angle_at(1) > 0 ? 1 : -1, half = std::numbers::pi;
+  EXPECT_NEAR(angle_at(sense * 2.4), 0.5 * 2.4, 1e-12);
+  EXPECT_NEAR(angle_at(-sense * 2.4), -0.5 * 2.4, 1e-12);
+  // Smooth where it begins, and odd.
+  EXPECT_NEAR(angle_at(sense * 2.51), 0.5 * 2.51, 1e-5);
+  EXPECT_NEAR(angle_at(sense * 2.9), -angle_at(-sense * 2.9), 1e-12);
+  // tan(pi / 2 - x) is 1 / x to the square of x.
+  const double left = 1e-4, stretch = 0.5 * half / (half - 2.5);
+  EXPECT_NEAR(angle_at(sense * (half - left)), 0.5 / (stretch * stretch * left), 1e-3 / left);
+}
+
+TEST(BendingElement, AnEdgeThatIsSharpAtRestBendsFromThereAsAFlatOneDoes) {
+  Wall wall = wall_of(make_sheet(2, 2, 2));
+  for (Eigen::Vector3d& vertex : wall.mesh.vertices) {
+    const Eigen::Vector3d along = Eigen::Vector3d(1, 1, 0).normalized();
+    if (vertex.x() > vertex.y() + 1) vertex = Eigen::AngleAxisd(3.0, along) * vertex;
+  }
+  const Wall sharp = wall_of(wall.mesh);
+  for (const double more : {-0.3, 0.05}) {
+    const BendingRest& rest = sharp.bending[0];
+    const auto side = std::ranges::find_if(rest.sides, [](const BendingSide& one) { return one.share > 0; });
+    const int folded = static_cast<int>(side - rest.sides.begin());
+    BendingPatch patch = patch_of(rest, sharp.unknowns(sharp.mesh.vertices), sharp.vertices());
+    EXPECT_NEAR(bending_strain(rest, patch).norm(), 0, 1e-12);
+    fold(patch, folded, more);
+    const double turned = side_angles(rest, patch)[folded] - side->rest_angle;
+    EXPECT_NEAR(std::abs(turned), 0.5 * std::abs(more), 1e-12);
   }
 }
 

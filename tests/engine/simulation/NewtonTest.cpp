@@ -174,6 +174,30 @@ TEST(Newton, AttachedPointReachesItsTargetAndTheFluidItsVolume) {
   }
 }
 
+TEST(Newton, TakesNoTriangleOfAShellThroughItsNeighbour) {
+  BodyDefinition definition = make_body(make_sheet(20e-3, 20e-3, 2), 1e-3, neo_hookean(20e3));
+  definition.fluid.kind = FluidKind::kNone;
+  definition.model = WallModel::kShell;
+  const BodyModel model = make_body_model(definition);
+  Newton newton(model);
+  // The corners beyond the diagonal edge, folded about it by some angle.
+  const auto folded = [&](double angle) {
+    Eigen::VectorXd position = model.rest_position;
+    const Eigen::AngleAxisd turn(angle, Eigen::Vector3d(1, 1, 0).normalized());
+    for (int v = 0; v < model.vertices(); ++v) {
+      const Eigen::Vector3d corner = position.segment<3>(3 * v);
+      if (corner.x() > corner.y() + 1e-3) position.segment<3>(3 * v) = turn * corner;
+    }
+    return position;
+  };
+  const Eigen::VectorXd open = folded(2.9), through = folded(3.3), closed = folded(3.1);
+  EXPECT_EQ(newton.safe_fraction(open, closed - open), 1);
+  const double fraction = newton.safe_fraction(open, through - open);
+  EXPECT_GT(fraction, 0.3);
+  // The way goes straight on: half of it comes to where the triangles lie upon each other, give or take its sagitta.
+  EXPECT_LT(fraction, 0.65);
+}
+
 TEST(Newton, SaysWhyItStoppedAndLeavesTheBestStateReached) {
   const BodyModel model = make_body_model(pressurised_hemisphere(64, 0));
   Newton newton(model);
