@@ -297,8 +297,9 @@ class Body {
   bool is_in_wound(int tool, const ToolPose& pose) const;
   /// From the lip over which a blade has come out of its own wound to where it meets the wall.
   std::optional<WayOn> way_out_of_wound(int tool, const ToolPose& pose) const;
+  bool is_far(const WayOn& way) const;
   /// Begins another cut where a blade meets the wall far from the tip, as where a flap has taken the tip aside: no way
-  /// over the wall leads from it to the blade.
+  /// over the wall leads from it to the blade, or none that the blade has gone.
   void begin_anew_far_off(int tool, const ToolPose& pose);
   std::optional<Cut> go_on(const WayOn& way, const ToolPose& pose, std::span<const ToolPose> poses);
   /// What the wall releases, joule, at rest with all lips free, where the cut goes on along a path, and what that

@@ -299,10 +299,12 @@ std::optional<Cut> Body::follow_blade(int tool, std::span<const ToolPose> poses,
     return std::nullopt;
   }
   progress.is_in_wound = is_in_wound(tool, pose);
-  progress.is_off_wall = false;
+  const bool was_off_wall = std::exchange(progress.is_off_wall, false);
   if (progress.is_in_wound) return std::nullopt;
   std::optional<WayOn> way = way_on(tool, pose);
   if (!way) way = way_out_of_wound(tool, pose);
+  // It has passed above what lies between where the wall gave way from under it and where it meets it again.
+  if (way && was_off_wall && is_far(*way)) way.reset();
   if (!way) {
     // Before its first cut the wall is dented, and what dents it is the blade: but no farther than that.
     const double most = kDentedEdges * model_->edge_length * progress.cost;  // joule

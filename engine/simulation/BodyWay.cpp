@@ -11,8 +11,8 @@
 namespace thinwall {
 namespace {
 
-/// Mean edges by which a blade is off a cut's tip or beginning, without a way from there to it, when it begins another
-/// cut.
+/// Mean edges by which a blade is off a cut's tip or beginning, without a way from there to it or back on a wall that
+/// it was off, when it begins another cut.
 constexpr double kLeftBehind = 2;
 
 /// A way longer than this times the distance of its ends, and an edge more, is not what a blade goes in a step: it
@@ -126,6 +126,10 @@ std::optional<Body::WayOn> Body::way_to_border(const ToolPose& pose) const {
   return WayOn{.path = {.from = tip, .points = way.pieces.front().points},
                .border = place_on(*model_, border->triangle, border->weights, state_.equilibrium.position),
                .sense = (to - from).normalized()};
+}
+
+bool Body::is_far(const WayOn& way) const {
+  return length_of(surface(), way.path.points) > kLeftBehind * model_->edge_length;
 }
 
 void Body::begin_anew_far_off(int tool, const ToolPose& pose) {
