@@ -19,7 +19,10 @@ constexpr float kGround = 0.09f;   // and of its bevels
 constexpr float kStamped = 0.22f;  // and of its narrow sides
 constexpr double kHollow = 0.24;   // by how much broad faces of the blade lean at their borders: they are hollow ground
 constexpr double kMountHollow = 0.16;  // and of its mount
-constexpr double kRounding = 0.3;      // by how much more than its middle a narrow side leans at its edges
+
+/// By how much more than its middle a narrow side leans at its edges: it is rounded by use, so that a line of it always
+/// glints. Within a slot it is seen so much along itself that light and dark would alternate from pixel to pixel.
+constexpr double kRounding = 0.3;
 
 double smooth_step(double t) {
   return t * t * (3 - 2 * t);
@@ -98,10 +101,11 @@ void add_flat(ToolBuilder& builder, const std::array<Vector3, 4>& corners, Vecto
   builder.add_quad(corners, {normal, normal, normal, normal}, roughness);
 }
 
-/// A narrow side between two broad ones, its corners at -x', x', x', -x': rounded by use, so that a line of it always
-/// glints. It turns from one outward normal to the other.
-void add_narrow(ToolBuilder& builder, const std::array<Vector3, 4>& corners, Vector3 front, Vector3 rear) {
-  const Vector3 aside{kRounding, 0, 0};
+/// A narrow side between two broad ones, its corners at -x', x', x', -x'. It turns from one outward normal to the
+/// other, and leans by `rounding` at its edges.
+void add_narrow(ToolBuilder& builder, const std::array<Vector3, 4>& corners, Vector3 front, Vector3 rear,
+                double rounding) {
+  const Vector3 aside{rounding, 0, 0};
   const Vector3 from = normalized(front), to = normalized(rear);
   builder.add_quad(corners, {from - aside, from + aside, to + aside, to - aside}, kStamped);
 }
@@ -128,15 +132,15 @@ void add_broad_side(ToolBuilder& builder, const Blade& blade, const EdgePlace& l
   builder.add_quad(face, {hollow(face[0]), hollow(face[1]), hollow(face[2]), hollow(face[3])}, kBlade);
 }
 
-void add_blade(ToolBuilder& builder, const Blade& blade, BladeEdge edge) {
+void add_blade(ToolBuilder& builder, const Blade& blade, ToolDetail detail) {
   const std::vector<EdgePlace> places = edge_places(blade);
-  const double edge_thick = edge == BladeEdge::kSharp ? 0 : 0.04 * blade.thick;
+  const double edge_thick = detail == ToolDetail::kSeen ? 0 : 0.04 * blade.thick;
   const auto at = [](Vector3 place, double x) { return Vector3{x, place.y, place.z}; };
   const auto on_back = [&](double x, double back) { return Vector3{x, blade.back_side(back), back}; };
   for (std::size_t k = 1; k < places.size(); ++k) {
     const EdgePlace &low = places[k - 1], &high = places[k];
     for (const double sense : {-1.0, 1.0}) add_broad_side(builder, blade, low, high, edge_thick, sense);
-    if (edge == BladeEdge::kGround) {
+    if (detail == ToolDetail::kAll) {
       add_flat(
           builder,
           {at(low.edge, -edge_thick), at(low.edge, edge_thick), at(high.edge, edge_thick), at(high.edge, -edge_thick)},
@@ -147,7 +151,7 @@ void add_blade(ToolBuilder& builder, const Blade& blade, BladeEdge edge) {
     add_narrow(builder,
                {on_back(-from, low.inner.z), on_back(from, low.inner.z), on_back(to, high.inner.z),
                 on_back(-to, high.inner.z)},
-               blade.back_outward(low.inner.z), blade.back_outward(high.inner.z));
+               blade.back_outward(low.inner.z), blade.back_outward(high.inner.z), kRounding);
   }
   const EdgePlace& end = places.back();
   const Vector3 rear{0, 0, 1};
@@ -183,7 +187,7 @@ Vector3 side_normal(const std::vector<PlateRow>& rows, std::size_t k, double Pla
   return sum;
 }
 
-void add_plate(ToolBuilder& builder, const std::vector<PlateRow>& rows, double thick) {
+void add_plate(ToolBuilder& builder, const std::vector<PlateRow>& rows, double thick, double slot_rounding) {
   const auto at = [](const PlateRow& row, double x, double y) { return Vector3{x, y, row.back - row.lean * y}; };
   for (std::size_t k = 1; k < rows.size(); ++k) {
     const PlateRow &low = rows[k - 1], &high = rows[k];
@@ -198,7 +202,7 @@ void add_plate(ToolBuilder& builder, const std::vector<PlateRow>& rows, double t
             face, {normal(low, low.slot), normal(low, low.wide), normal(high, high.wide), normal(high, high.slot)},
             kBlade, {low.shade, low.outer_shade, high.outer_shade, high.shade});
       }
-      const auto wall = [&](double PlateRow::*half, double outward) {
+      const auto wall = [&](double PlateRow::*half, double outward, double rounding) {
         const auto normal = [&](std::size_t row) {
           const Vector3 own = side_normal(rows, row, half);
           return outward * Vector3{0, side * own.y, own.z};
@@ -206,10 +210,10 @@ void add_plate(ToolBuilder& builder, const std::vector<PlateRow>& rows, double t
         add_narrow(builder,
                    {at(low, -thick, side * low.*half), at(low, thick, side * low.*half),
                     at(high, thick, side * high.*half), at(high, -thick, side * high.*half)},
-                   normal(k - 1), normal(k));
+                   normal(k - 1), normal(k), rounding);
       };
-      wall(&PlateRow::wide, 1);
-      if (low.slot > 0 || high.slot > 0) wall(&PlateRow::slot, -1);
+      wall(&PlateRow::wide, 1, kRounding);
+      if (low.slot > 0 || high.slot > 0) wall(&PlateRow::slot, -1, slot_rounding);
     }
   }
   for (const PlateRow* row : {&rows.front(), &rows.back()}) {
@@ -220,10 +224,12 @@ void add_plate(ToolBuilder& builder, const std::vector<PlateRow>& rows, double t
   }
 }
 
+constexpr double kSlot = 0.36;  // width of a slot, over the blade's
+
 /// Where the blade sits on the tang: it widens, has a slot, and ends aslant.
-void add_mount(ToolBuilder& builder, const Blade& blade) {
+void add_mount(ToolBuilder& builder, const Blade& blade, ToolDetail detail) {
   constexpr int kShoulder = 10, kRound = 8;
-  const double wide = blade.wide, mount = 1.22 * wide, slot = 0.36 * wide;
+  const double wide = blade.wide, mount = 1.22 * wide, slot = kSlot * wide;
   std::vector<PlateRow> rows;
   for (int k = 0; k <= kShoulder; ++k) {
     const double t = static_cast<double>(k) / kShoulder;
@@ -250,22 +256,27 @@ void add_mount(ToolBuilder& builder, const Blade& blade) {
   }
   rows.push_back(
       {.back = rear + 0.9 * wide, .lean = 0.45, .wide = mount, .shade = kTangShade, .outer_shade = kHandleShade});
-  add_plate(builder, rows, blade.thick);
+  add_plate(builder, rows, blade.thick, detail == ToolDetail::kSeen ? 0 : kRounding);
 }
 
 /// The tang, a neck, a flat handle with grooves for the fingers, and its round end.
-void add_handle(ToolBuilder& builder, const Blade& blade, double scene_size) {
+void add_handle(ToolBuilder& builder, const Blade& blade, double scene_size, ToolDetail detail) {
   constexpr int kWidening = 8, kRound = 6;
   const double wide = blade.wide, neck = blade.length + 4.3 * wide;
   // Wide enough to be seen in a large scene, and not to fill a small one.
   const double handle = std::clamp(0.045 * scene_size, 1.4 * wide, 2.0 * wide);
-  const double thick = std::max(0.28 * handle, 1.5 * blade.thick), tang = std::min(2.2 * blade.thick, thick);
+  const double thick = std::max(0.28 * handle, 1.5 * blade.thick);
+  // As it is seen its sides go into the borders of the slot, and come out of the blade with an edge.
+  const bool is_seen = detail == ToolDetail::kSeen;
+  const double tang = std::min((is_seen ? 2.004 : 2.2) * blade.thick, thick);
+  const double tang_wide = (is_seen ? kSlot + 0.01 : 0.31) * wide;
   builder.join({{.back = blade.length + 2.1 * wide, .half_thickness = 0.7 * tang, .half_width = 0.12 * wide},
-                {.back = blade.length + 2.5 * wide, .half_thickness = tang, .half_width = 0.31 * wide},
-                {.back = neck + 1.1 * wide, .half_thickness = tang, .half_width = 0.31 * wide}});
+                {.back = blade.length + 2.5 * wide, .half_thickness = tang, .half_width = tang_wide},
+                {.back = neck + 1.1 * wide, .half_thickness = tang, .half_width = tang_wide}});
 
   std::vector<FlatSection> sections = {
-      {.back = neck, .half_thickness = 0.8 * blade.thick, .half_width = 1.05 * wide},
+      // On the face of the blade its front is an edge: where faces go through each other stairs are seen.
+      {.back = neck, .half_thickness = (is_seen ? 1.002 : 0.8) * blade.thick, .half_width = 1.05 * wide},
       {.back = neck + 0.5 * wide, .half_thickness = 0.8 * thick, .half_width = 1.15 * wide},
   };
   const auto add = [&](double back, double half_width, float grip = 0) {
@@ -288,13 +299,13 @@ void add_handle(ToolBuilder& builder, const Blade& blade, double scene_size) {
 
 }  // namespace
 
-ToolShape scalpel_shape(const SnapshotTool& tool, double scene_size, BladeEdge edge) {
+ToolShape scalpel_shape(const SnapshotTool& tool, double scene_size, ToolDetail detail) {
   const Blade blade(tool);
   ToolBuilder builder(tool, scene_size);
-  add_blade(builder, blade, edge);
-  add_mount(builder, blade);
+  add_blade(builder, blade, detail);
+  add_mount(builder, blade, detail);
   builder.add_rod(0, blade.length + 4.3 * blade.wide, 0.5 * blade.wide);
-  add_handle(builder, blade, scene_size);
+  add_handle(builder, blade, scene_size, detail);
   return builder.take();
 }
 

@@ -265,7 +265,7 @@ ToolShape jaws(const SnapshotTool& tool, double scene_size) {
 
 }  // namespace
 
-ToolShape tool_shape(const SnapshotTool& tool, double scene_size, BladeEdge edge) {
+ToolShape tool_shape(const SnapshotTool& tool, double scene_size, ToolDetail detail) {
   switch (tool.kind) {
     case SnapshotToolKind::kPoint:
       return probe(tool, scene_size);
@@ -280,7 +280,7 @@ ToolShape tool_shape(const SnapshotTool& tool, double scene_size, BladeEdge edge
     case SnapshotToolKind::kNeedle:
       return needle(tool, scene_size);
     case SnapshotToolKind::kScalpel:
-      return scalpel_shape(tool, scene_size, edge);
+      return scalpel_shape(tool, scene_size, detail);
     case SnapshotToolKind::kForceps:
       return jaws(tool, scene_size);
   }

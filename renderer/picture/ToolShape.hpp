@@ -31,15 +31,14 @@ struct ToolShape {
   std::vector<ToolRod> rods;
 };
 
-/// Of the cutting edge of a scalpel.
-enum class BladeEdge {
-  kGround,  // as wide as grinding leaves it, some micrometres
-  kSharp    // a line: in a picture that width would be hit by a pixel here and there, which shows as dashes
+enum class ToolDetail {
+  kAll,  // the cutting edge of a scalpel has the width that grinding leaves, some micrometres, and its tang some room
+  kSeen  // not so: in a picture what is so narrow would be hit by a pixel here and there, which shows as dashes
 };
 
 /// The metal around a tool's pose, in the world; `scene_size` is SceneExtent::size. The foremost point along the
 /// direction is exactly the tip: of a rounded probe (point), of a straight edge (line), of a ball (sphere), of a rod
 /// (capsule), plate, needle or blade (scalpel), or lies between those of two jaws (forceps); each has a shaft behind.
-ToolShape tool_shape(const SnapshotTool& tool, double scene_size, BladeEdge edge = BladeEdge::kGround);
+ToolShape tool_shape(const SnapshotTool& tool, double scene_size, ToolDetail detail = ToolDetail::kAll);
 
 }  // namespace thinwall

@@ -262,6 +262,29 @@ TEST(ToolShape, AHandleRisesOutOfItsBladeWithoutAStep) {
   EXPECT_GT(rears, 0);
 }
 
+TEST(ToolShape, NothingNarrowIsSeenWhereABladeSitsOnItsHandle) {
+  SnapshotTool tool = tool_of(SnapshotToolKind::kScalpel);
+  tool.tip = {};
+  tool.direction = {0, 0, -1};
+  const double wide = 0.5 * tool.width, thick = 0.5 * tool.thickness;
+  double slot = 0, tang = 0, front = 0;
+  for (const ToolVertex& vertex : tool_shape(tool, 0.1, ToolDetail::kSeen).vertices) {
+    const auto [x, y, z] = vertex.position;
+    const double behind = (z - tool.length) / wide, aside = std::abs(y) / wide, out = std::abs(x) / thick;
+    const bool is_wall = behind > 1.2 && behind < 3.8 && std::abs(vertex.normal[0]) < 0.5 && vertex.normal[1] * y < 0;
+    if (is_wall && aside < 1 && std::abs(out - 1) < 1e-3) {
+      slot = std::max(slot, aside);
+      EXPECT_NEAR(vertex.normal[0], 0, 1e-6) << "light and dark alternate between pixels";
+    }
+    if (behind > 2.4 && behind < 2.6 && out > 1.0005) tang = std::max(tang, aside);
+    if (std::abs(behind - 4.3) < 1e-3 && aside > 0.5) front = std::max(front, out);
+  }
+  EXPECT_NEAR(slot, 0.36, 1e-3);
+  EXPECT_GT(tang, slot) << "a pixel here and there sees through between them";
+  EXPECT_GT(front, 1) << "where faces go through each other stairs are seen";
+  EXPECT_LT(front, 1.01) << "a step would be seen as dashes";
+}
+
 TEST(ToolShape, ABladeShadesTheTissueAroundIt) {
   SnapshotTool tool = tool_of(SnapshotToolKind::kScalpel);
   tool.tip = {};
@@ -300,7 +323,7 @@ TEST(ToolShape, ASharpEdgeIsALineAndLeavesTheBladeClosed) {
   SnapshotTool tool = tool_of(SnapshotToolKind::kScalpel);
   tool.tip = {};
   tool.direction = {0, 0, -1};
-  const ToolShape ground = tool_shape(tool, 0.1), sharp = tool_shape(tool, 0.1, BladeEdge::kSharp);
+  const ToolShape ground = tool_shape(tool, 0.1), sharp = tool_shape(tool, 0.1, ToolDetail::kSeen);
   const auto beside_the_edge = [&](const ToolShape& shape) {
     return std::ranges::count_if(shape.vertices, [&](const ToolVertex& vertex) {
       const double aside = std::abs(vertex.position[0]);
