@@ -77,8 +77,9 @@ vec3 lit_tissue(vec3 place, vec3 normal) {
 
 // The tissue that is seen in the mirror, if the picture shows it: the way of the ray is followed over the picture until
 // it lies behind what is seen there, in steps that grow with the distance. Where it leaves the picture before, the last
-// that it passed over is taken to go on. xyz: what comes from there, w: how much of the mirror it fills, less the farther
-// away it is, as what brushed steel shows blurs with the distance.
+// that it passed over is taken to go on, and for a step where it leaves the tissue, whose outline would show as a straight
+// edge. xyz: what comes from there, w: how much of the mirror it fills, less the farther away it is, as what brushed steel
+// shows blurs with the distance.
 vec4 mirrored_tissue(Steel steel, vec3 direction) {
   const int kSteps = 7;
   const float kFirst = 0.006, kGrowth = 1.55;  // parts of the scene's size
@@ -87,7 +88,8 @@ vec4 mirrored_tissue(Steel steel, vec3 direction) {
   vec3 start = steel.depth * vec3(here, 1.0);
   vec3 go = vec3(0.5 * (vec2(dot(clip_x.xyz, direction), dot(clip_y.xyz, direction)) + onward), onward);
   vec2 size = vec2(textureSize(tissue_depth, 0));
-  float way = 0.0, step = kFirst * scene_center.w, to_go = 1e3;
+  float way = 0.0, step = kFirst * scene_center.w;
+  float meets = 1e3, beyond = 1.0;  // how far it goes until it meets the tissue, and after it was over that, in steps
   vec2 pixel = vec2(-1.0);  // where the ray passes over tissue
   float gap = -1.0;         // metres by which it lies behind what is seen there
   bool goes_on = true;
@@ -104,25 +106,30 @@ vec4 mirrored_tissue(Steel steel, vec3 direction) {
     // What lies far before the ray does not end it: it goes on behind.
     goes_on = goes_on && next_gap <= min(3.0 * step, 0.12 * scene_center.w);
     float approach = (next_gap - gap) / step;
-    bool nears = is_tissue && pixel.x >= 0.0 && approach > 0.0;
-    to_go = goes_on ? nears ? -next_gap / approach : next_gap > 0.0 ? 0.0 : 1e3 : to_go;
-    pixel = goes_on ? is_tissue ? next_pixel : vec2(-1.0) : pixel;
+    bool nears = gap > -1.0 && approach > 0.0;
+    bool goes_over = goes_on && is_tissue;
+    float to_go = nears ? -next_gap / approach : next_gap > 0.0 ? 0.0 : 1e3;
+    meets = goes_over ? way + step + to_go : meets;
+    beyond = goes_over ? to_go / step : beyond;
+    pixel = goes_over ? next_pixel : pixel;
     gap = goes_on ? next_gap : gap;
     way = goes_on ? way + step : way;
     goes_on = goes_on && gap <= 0.0;
     step *= kGrowth;
   }
   if (pixel.x < 0.0) return vec4(0.0);
-  float far = max(way + to_go, 0.0) / scene_center.w;
+  float far = max(meets, 0.0) / scene_center.w;
   const float kReach = 0.22;  // of all steps
   float near = exp2(-9.0 * far) * (1.0 - smoothstep(0.5 * kReach, kReach, far));
+  near *= gap > -1.0 ? 1.0 : 1.0 - smoothstep(0.0, 1.0, beyond);
   // Where it meets the tissue, rather than at the step beyond, which flat faces would show as blocks.
-  vec3 met = start + (way + clamp(to_go, -step, step)) * go;
+  float met_way = min(meets, way + step);
+  vec3 met = start + met_way * go;
   vec2 met_pixel = clamp(met.xy / met.z * size, vec2(0.0), size - 1.0);
   float met_depth = texelFetch(tissue_depth, ivec2(met_pixel), 0).x;
   pixel = met.z > 0.0 && met_depth > 0.0 && met_depth < 1.0 ? met_pixel : pixel;
   vec3 normal = direction_of(two_from(texelFetch(seen_tissue, ivec2(pixel), 0).w));
-  return vec4(lit_tissue(steel.position + way * direction, normal), near);
+  return vec4(lit_tissue(steel.position + met_way * direction, normal), near);
 }
 
 // What a lamp's light leaves of a streak on brushed steel: fine grooves run around the tool and spread what they mirror
@@ -173,7 +180,9 @@ void main() {
   float roughness = steel.roughness, turned = max(square(roughness) - square(steel.finish), 0.0);
   float flatness = steel.flatness;
   vec3 view = -normalize(ray);
-  vec3 normal = dot(steel.normal, view) < 0.0 ? -steel.normal : steel.normal;
+  // The smooth normal of a rounded edge may turn away where the edge is still seen: there it is seen along itself. Turned
+  // round it would mirror what is behind the viewer, in single pixels beside those that do not.
+  vec3 normal = normalize(steel.normal - min(dot(steel.normal, view), 0.0) * view);
 
   // Rings of the handle, and the marks that grinding has left; neither is finer than the pixels.
   float pixel = environment.w * steel.depth / (scene_center.w * max(dot(normal, view), 0.2));
