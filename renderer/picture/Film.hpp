@@ -17,8 +17,8 @@ struct FilmVertex {
   float height = 0;   // metres, there
   float dry = 0;      // 0 to 1
   float lift = 0;     // metres towards the eye by which it is drawn in front of the wall that it lies on
-  float coat = 0;     // 0: ends in an edge, as drops do; 1: thins to nothing, thickness as of inward / width
-  Float3 slope{};     // how `inward` grows along the wall, 1 / metre; only where it ends in an edge
+  float coat = 0;  // 0: a drop or run; 1: thins to nothing, thickness as of inward / width; 2: likewise, with an edge
+  Float3 slope{};  // how `inward` grows along the wall, 1 / metre; only of drops and runs
 };
 
 /// A fluid that lies on a wall.

@@ -29,7 +29,7 @@ struct Fringe {
   float coat = 0;     // as of FilmVertex
 };
 /// Blood stays in a wound that gapes but for the few places where it comes over the lip; closed lips leave it no room.
-constexpr Fringe kBlood = {.width = 0.0012, .height = 0.00015, .spare = 0.85, .coat = 1};
+constexpr Fringe kBlood = {.width = 0.0012, .height = 0.0009, .spare = 1.1, .coat = 2};
 constexpr Fringe kWelling = {.width = 0.0012, .height = 0.0004, .spare = 0.6, .coat = 1};
 constexpr Fringe kBareEdge = {.width = 0.00025, .height = 0.0001, .spare = 0.2, .coat = 1};
 
@@ -86,6 +86,8 @@ void append_fringe(const SnapshotSurface& surface, const TissuePiece& wall, cons
       const FringePart part = part_at(lip);
       layer.inward = static_cast<float>(fringe.width * (part.spread - fringe.spare) - wounds.map.from_lip[v]);
       layer.dry = static_cast<float>(part.dry);
+      // What has an edge is seen wherever it is, so it wells up from nothing.
+      if (fringe.coat > 1) layer.height *= static_cast<float>(std::min(1.0, part.spread * part.spread));
     }
     film.vertices.push_back(layer);
   }

@@ -13,7 +13,7 @@ layout(location = 1) in vec3 smooth_normal;
 layout(location = 2) in vec3 rest;
 layout(location = 3) in vec4 film;  // metres from the edge inwards, metres to where it is thickest, height there, dry
 
-layout(location = 4) in float coat;  // 0: ends in an edge; 1: thins to nothing, see Film.hpp
+layout(location = 4) in float kind;  // 0: a drop or run; 1: a coat that thins to nothing; 2: one that ends in an edge
 layout(location = 5) in vec3 inward_slope;  // of what ends in an edge: how film.x grows, 1 / metre
 
 layout(location = 0, index = 0) out vec4 color;  // is added to what is left of the pixel
@@ -23,6 +23,7 @@ layout(location = 0) uniform vec4 fluid;  // linear colour of a deep layer; w: 1
 layout(location = 1) uniform float cloudiness;  // part of what it takes of the light that it sends back
 
 void main() {
+  float coat = min(kind, 1.0), edged = max(kind - 1.0, 0.0);
   vec3 from_eye = position - camera_position.xyz;
   float depth = dot(from_eye, ray_middle.xyz);
   float pixel = environment.w * depth;
@@ -47,12 +48,18 @@ void main() {
   float climb = saturate((fine.w - kBeadFoot) / (kBeadCrown - kBeadFoot));
   float bead = seen * climb * climb * (3.0 - 2.0 * climb);
   vec3 bead_change = seen * 6.0 * climb * (1.0 - climb) / (kBeadCrown - kBeadFoot) * kFineWaves * fine.xyz;
-  float fullness = film.x / width + kPatches * coarse.w + kStreaks * seen * fine.w + kBeads * bead;
-  vec3 full_change = kPatches * kWaves * coarse.xyz + kStreaks * seen * kFineWaves * fine.xyz + kBeads * bead_change;
-  // Grows from nothing without an edge, then by as much as there is more.
-  const float kFade = 0.5;
-  float full = max(fullness, 0.0), over = 1.0 / (full + kFade);
-  float coat_height = film.z * full * full * over;
+  // Where it ends in an edge its tension leaves no beads.
+  float beads = kBeads * (1.0 - edged);
+  float fullness = film.x / width + kPatches * coarse.w + kStreaks * seen * fine.w + beads * bead;
+  vec3 full_change = kPatches * kWaves * coarse.xyz + kStreaks * seen * kFineWaves * fine.xyz + beads * bead_change;
+  // Grows from nothing without an edge, then by as much as there is more. What ends in an edge grows sooner, as it meets
+  // the wall at an angle there, and is level farther in.
+  float fade = mix(0.5, 0.25, edged);
+  const float kContact = 1.2;  // slope
+  float full = max(fullness, 0.0), over = 1.0 / (full + fade);
+  float grown = full * full * over;
+  float steepness = kContact * width / max(film.z, 1e-7), lacking = exp(-steepness * grown);
+  float coat_height = film.z * mix(grown, 1.0 - lacking, edged);
   float height = mix(drop_height, coat_height, coat);
 
   // The slope of the film over the wall, from how its height changes between pixels (Mikkelsen 2010). What the noise
@@ -68,7 +75,7 @@ void main() {
   vec2 lumpy_change = vec2(dot(lumpy, rest_across), dot(lumpy, rest_along));
   vec2 drop_change = film.z / width * (3.0 * fall * fall * (smooth_change + fall * local_change) + cap * local_change) +
                      film.z * cap * lumpy_change;
-  vec2 coat_change = film.z * full * (full + 2.0 * kFade) * over * over *
+  vec2 coat_change = film.z * full * (full + 2.0 * fade) * over * over * mix(1.0, steepness * lacking, edged) *
                      (inward_change / width + vec2(dot(full_change, rest_across), dot(full_change, rest_along)));
   vec2 height_change = mix(drop_change, coat_change, coat);
   vec3 base = normalize(smooth_normal);
@@ -78,13 +85,13 @@ void main() {
   vec3 view = -normalize(from_eye);
   float facing = dot(base, view);
   // Seen along the wall it hides what of it is turned away.
-  float steepest = clamp(1.2 * facing - 0.2, 0.05, 0.6);
+  float steepest = mix(clamp(1.2 * facing - 0.2, 0.05, 0.6), max(2.0 * facing, 0.05), edged);
   slope *= inversesqrt(1.0 + dot(slope, slope) / square(steepest));
   // A coat follows what is fine in the wall below it, so its highlights are broken; where it is deep it is level. Faces of a
   // cut and the ground of a wound, whose coats have a width of 1, are of cut fibres and more uneven than skin.
   const float kOnSkin = 0.18, kInWound = 0.34;  // slope
   float followed = width < 0.5 ? kOnSkin : kInWound;
-  vec3 relief = coat * followed / (1.0 + full * full) * fine.xyz;
+  vec3 relief = coat * (1.0 - 0.7 * edged) * followed / (1.0 + full * full) * fine.xyz;
   vec3 normal = normalize(base - slope - (relief - dot(relief, base) * base));
   // Along it its unevenness hides what would mirror most, of a coat more.
   const float kLeastCosine = 0.2, kLeastCoatCosine = 0.3;

@@ -5,7 +5,7 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 rest;
 layout(location = 3) in vec4 film;  // inward, width, height, dry
-layout(location = 4) in vec2 lie;  // lift, coat
+layout(location = 4) in vec2 lie;  // lift, kind
 layout(location = 5) in vec3 slope;
 
 layout(location = 2) uniform bool meets_ground;  // which takes up what falls on it
@@ -16,7 +16,7 @@ layout(location = 0) out vec3 out_position;
 layout(location = 1) out vec3 out_normal;
 layout(location = 2) out vec3 out_rest;
 layout(location = 3) out vec4 out_film;
-layout(location = 4) out float out_coat;
+layout(location = 4) out float out_kind;
 layout(location = 5) out vec3 out_slope;
 
 void main() {
@@ -25,7 +25,7 @@ void main() {
   out_normal = normal;
   out_rest = rest;
   out_film = film;
-  out_coat = lie.y;
+  out_kind = lie.y;
   out_slope = slope;
   gl_Position = view_projection * vec4(position, 1.0);
   // What lies on a wall of flat triangles dips below it between them.

@@ -32,7 +32,8 @@ std::vector<double> tiles_of(const Image& image) {
 
 // What was seen, and a quarter more for another driver's rounding.
 constexpr double kDryJolt = 0.5;
-constexpr double kBloodJolt = 0.55;  // 2.2 where faces that are turned away show blood along their lips
+constexpr double kBloodJolt = 0.75;  // 1.5 where blood on skin begins with its whole rim, 2.2 where faces that are
+                                     // turned away show blood along their lips
 constexpr double kLightJolt = 0.95;  // 1.6 where the cells of the shade on the floor are twice as large
 
 struct Unrest {

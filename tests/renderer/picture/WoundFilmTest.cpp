@@ -183,7 +183,7 @@ TEST(WoundFilm, WhatRunsOutOfTheBodyWashesBloodAway) {
   EXPECT_EQ(runs(blood(2e-6)), 0);
 }
 
-TEST(WoundFilm, WhatLiesOnAWallThinsToNothingWhileWhatRunsHasAnEdge) {
+TEST(WoundFilm, BloodOnSkinAndWhatRunsHaveAnEdgeWhileWhatElseLiesOnAWallThinsToNothing) {
   const Wound wound(0.8);
   const auto coats = [](const Film& film, bool of_runs) {
     std::set<float> values;
@@ -192,10 +192,10 @@ TEST(WoundFilm, WhatLiesOnAWallThinsToNothingWhileWhatRunsHasAnEdge) {
     }
     return values;
   };
-  for (const Film& film : {wound.blood(1), runoff_film(wound.sheet, wound.pieces, wound.layout, 1e-6, 1)}) {
-    EXPECT_EQ(coats(film, false), std::set<float>{1});
-    EXPECT_EQ(coats(film, true), std::set<float>{0});
-  }
+  const Film blood = wound.blood(1), runoff = runoff_film(wound.sheet, wound.pieces, wound.layout, 1e-6, 1);
+  EXPECT_EQ(coats(blood, false), (std::set<float>{1, 2}));
+  EXPECT_EQ(coats(runoff, false), std::set<float>{1});
+  for (const Film& film : {blood, runoff}) EXPECT_EQ(coats(film, true), std::set<float>{0});
 }
 
 TEST(WoundFilm, ItsTrianglesFaceOutwards) {
