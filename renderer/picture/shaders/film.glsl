@@ -135,7 +135,10 @@ void main() {
   // In the shadow of a tool part of the room is seen, in that of a wound the other wall, wet with blood.
   float mirrors_key = mix(0.12, 1.0, key_mirrored(lit, base, toward));
   vec3 seen_room = mix(mix(vec3(0.3), vec3(0.11, 0.025, 0.020), coat), vec3(1.0), mirrors_key);
-  vec3 shine = mirror * seen_room * environment_light(reflect(-view, normal), sqrt(0.0064 + lost), mirrors_key);
+  // Where it slopes away from the eye it mirrors the wall beside it, which looks as what is seen through it does.
+  vec3 mirrored_way = reflect(-view, normal);
+  float mirrors_room = mix(smoothstep(-0.2, 0.3, dot(mirrored_way, base)), 1.0, coat - edged);
+  vec3 shine = mirrors_room * mirror * seen_room * environment_light(mirrored_way, sqrt(0.0064 + lost), mirrors_key);
 #ifdef ENDOSCOPE
   float lamp_mirror = gloss * (0.022 + 0.978 * fresnel_weight(dot(view, normalize(view + toward))));
   shine += visible * lamp_mirror * glint(normal, view, toward, sqrt(0.0036 + lost)) * lamp;
