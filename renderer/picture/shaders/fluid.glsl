@@ -3,6 +3,10 @@
 #include "noise.glsl"
 #include "reflection.glsl"
 #include "seen.glsl"
+// Light that comes in beside the border of a shadow is scattered on into it.
+#ifndef ENDOSCOPE
+#define SOFT_SHADOW
+#endif
 #include "shadow.glsl"
 #include "tone.glsl"
 
@@ -19,6 +23,14 @@ layout(location = 1) uniform float cloudiness;  // part of what it takes of the 
 
 layout(binding = 2) uniform usampler2D seen_tissue;
 
+// Slope of its waves; size and roughness with which lamps are seen in it. Those of a studio are farther off its level than
+// an endoscope's, and would not be seen in flatter waves.
+#ifdef ENDOSCOPE
+const float kWaves = 0.10, kLampSize = 1.0, kRoughness = 0.06;
+#else
+const float kWaves = 0.24, kLampSize = 1.6, kRoughness = 0.09;
+#endif
+
 void main() {
   vec3 from_eye = position - camera_position.xyz;
   vec3 view = -normalize(from_eye);
@@ -33,7 +45,7 @@ void main() {
 
   // It is hardly ever at rest.
   vec3 coordinates = 350.0 * position;
-  vec3 waves = 0.10 * noise(0.8 * coordinates).xyz + 0.04 * noise(2.7 * coordinates + 4.0).xyz;
+  vec3 waves = kWaves * (noise(0.8 * coordinates).xyz + 0.4 * noise(2.7 * coordinates + 4.0).xyz);
   vec3 base = normalize(smooth_normal);
   base = dot(base, view) < 0.0 ? -base : base;
   // It wets the wall and climbs it, so that there some of it always faces the lamp.
@@ -49,7 +61,8 @@ void main() {
   vec3 lit = mix(vec3(0.30, 0.22, 0.20), vec3(1.0), visible) * mix(0.35, 1.0, saturate(dot(base, toward)));
   vec3 body = fluid.rgb * (1.0 + 0.14 * noise(90.0 * position).w) * (lit * lamp + environment_irradiance(base));
   float mirror = 0.022 + 0.978 * fresnel_weight(nv);
-  vec3 shine = mirror * mix(0.35, 1.0, visible) * environment_light(reflect(-view, normal), 0.06, visible);
+  vec3 room = environment_light(reflect(-view, normal), kRoughness, visible, kLampSize);
+  vec3 shine = mirror * mix(0.35, 1.0, visible) * room;
 #ifdef ENDOSCOPE
   float lamp_mirror = 0.022 + 0.978 * fresnel_weight(dot(view, normalize(view + toward)));
   shine += visible * lamp_mirror * glint(normal, view, toward, 0.05) * lamp;
