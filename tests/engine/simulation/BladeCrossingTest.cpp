@@ -197,7 +197,9 @@ TEST(ABladeInABallUnderPressure, PaysForWhatItCutsOfFlapsThatTurnAgainstIt) {
   const EnergyBooks& books = body.state().books;
   std::printf("cut %.1f mm, fracture %.2e J, blade %.2e J, jump %.2e J, numerical %.1e J\n",
               1e3 * body.state().cut.length, books.fracture, books.tool_work, books.jump, books.numerical);
-  EXPECT_GT(books.jump, -0.05 * books.fracture);  // 0.01; less where it cuts what it has passed above, or pays for its own way alone
+  EXPECT_GT(
+      books.jump,
+      -0.05 * books.fracture);  // 0.01; less where it cuts what it has passed above, or pays for its own way alone
 }
 
 }  // namespace

@@ -241,7 +241,7 @@ TEST(Wound, BloodOnSkinHasARimAndIsDeeperInColourFartherIn) {
     const auto pixel = static_cast<std::size_t>(3 * (row * 384 + column) + 1);
     return dry.pixels[pixel] - bleeding.pixels[pixel];
   };
-  // Of each column's way from bare skin to the cut: what four pixels from the first blood take, and what the last does.
+  // Of each column's way from bare skin to the cut: what the second pixel of blood takes, and what the last does.
   double rim = 0, inside = 0;
   int rims = 0;
   for (int column = 96; column < 288; ++column) {
