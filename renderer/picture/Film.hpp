@@ -7,6 +7,11 @@
 
 namespace thinwall {
 
+/// How a film ends on its wall, a number for the shader.
+inline constexpr float kFilmRun = 0;        // a drop or run, with an edge
+inline constexpr float kFilmCoat = 1;       // thins to nothing: its thickness is as of inward / width
+inline constexpr float kFilmEdgedCoat = 2;  // likewise, with an edge
+
 /// What the shader of films reads of a vertex.
 struct FilmVertex {
   Float3 position{};  // metres
@@ -17,8 +22,8 @@ struct FilmVertex {
   float height = 0;   // metres, there
   float dry = 0;      // 0 to 1
   float lift = 0;     // metres towards the eye by which it is drawn in front of the wall that it lies on
-  float coat = 0;  // 0: a drop or run; 1: thins to nothing, thickness as of inward / width; 2: likewise, with an edge
-  Float3 slope{};  // how `inward` grows along the wall, 1 / metre; only of drops and runs
+  float kind = kFilmRun;
+  Float3 slope{};  // how `inward` grows along the wall, 1 / metre; only of runs
 };
 
 /// A fluid that lies on a wall.

@@ -26,12 +26,12 @@ struct Fringe {
   double width = 0;   // metres, at its widest; of a coat, over which its fullness falls by one
   double height = 0;  // metres
   double spare = 0;   // fullness that a coat lacks at the lip itself: the more, the fewer places it reaches
-  float coat = 0;     // as of FilmVertex
+  float kind = kFilmRun;
 };
 /// Blood stays in a wound that gapes but for the few places where it comes over the lip; closed lips leave it no room.
-constexpr Fringe kBlood = {.width = 0.0012, .height = 0.0009, .spare = 1.1, .coat = 2};
-constexpr Fringe kWelling = {.width = 0.0012, .height = 0.0004, .spare = 0.6, .coat = 1};
-constexpr Fringe kBareEdge = {.width = 0.00025, .height = 0.0001, .spare = 0.2, .coat = 1};
+constexpr Fringe kBlood = {.width = 0.0012, .height = 0.0009, .spare = 1.1, .kind = kFilmEdgedCoat};
+constexpr Fringe kWelling = {.width = 0.0012, .height = 0.0004, .spare = 0.6, .kind = kFilmCoat};
+constexpr Fringe kBareEdge = {.width = 0.00025, .height = 0.0001, .spare = 0.2, .kind = kFilmCoat};
 
 constexpr double kPressedOut = 0.75;  // fullness that closed lips have more
 constexpr double kRoom = 0.0010;      // metres between lips, by which a third of that is left
@@ -67,7 +67,7 @@ struct FringePart {
 template <typename PartAt>
 void append_fringe(const SnapshotSurface& surface, const TissuePiece& wall, const WoundLayout& wounds,
                    const Fringe& fringe, const PartAt& part_at, Film& film) {
-  const bool is_coat = fringe.coat > 0;
+  const bool is_coat = fringe.kind != kFilmRun;
   const double width = is_coat ? fringe.width : 0.5 * fringe.width;
   const double margin = is_coat ? -kNoCoat * fringe.width : kFringeMargin;
   const auto offset = static_cast<std::uint32_t>(film.vertices.size());
@@ -80,14 +80,14 @@ void append_fringe(const SnapshotSurface& surface, const TissuePiece& wall, cons
                      .width = static_cast<float>(width),
                      .height = static_cast<float>(fringe.height),
                      .lift = kOnTriangles,
-                     .coat = fringe.coat};
+                     .kind = fringe.kind};
     const std::uint32_t lip = wounds.map.lip[v];
     if (lip != WoundMap::kNoLip) {
       const FringePart part = part_at(lip);
       layer.inward = static_cast<float>(fringe.width * (part.spread - fringe.spare) - wounds.map.from_lip[v]);
       layer.dry = static_cast<float>(part.dry);
       // What has an edge is seen wherever it is, so it wells up from nothing.
-      if (fringe.coat > 1) layer.height *= static_cast<float>(std::min(1.0, part.spread * part.spread));
+      if (fringe.kind == kFilmEdgedCoat) layer.height *= static_cast<float>(std::min(1.0, part.spread * part.spread));
     }
     film.vertices.push_back(layer);
   }
@@ -109,7 +109,7 @@ FilmVertex blood_coat(const SurfaceVertex& vertex, double fullness, double dry) 
           .height = static_cast<float>(kFaceHeight),
           .dry = static_cast<float>(dry),
           .lift = kOnTriangles,
-          .coat = 1};
+          .kind = kFilmCoat};
 }
 
 /// What has welled up of a lip's blood at its place, 0 to about 1.

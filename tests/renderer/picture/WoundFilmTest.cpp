@@ -78,7 +78,7 @@ TEST(WoundFilm, CoatsTheFacesOfACutMoreTheDeeper) {
     const FilmVertex &outer = film.vertices[wall + v], &inner = film.vertices[wall + v + 1];
     if (fullness(inner) < 0) continue;
     ++faces;
-    EXPECT_EQ(outer.coat, 1);
+    EXPECT_EQ(outer.kind, kFilmCoat);
     EXPECT_GT(fullness(inner), fullness(outer) + 0.3) << v;
   }
   EXPECT_GT(faces, 40);
@@ -177,7 +177,7 @@ TEST(WoundFilm, WhatRunsOutOfTheBodyWashesBloodAway) {
     return blood_film(wound.sheet, wound.borders, wound.pieces, wound.layout, {.leaked = leaked}, 2);
   };
   const auto runs = [](const Film& film) {
-    return std::ranges::count_if(film.vertices, [](const FilmVertex& vertex) { return vertex.coat == 0; });
+    return std::ranges::count_if(film.vertices, [](const FilmVertex& vertex) { return vertex.kind == kFilmRun; });
   };
   EXPECT_GT(runs(blood(0)), 0);
   EXPECT_EQ(runs(blood(2e-6)), 0);
@@ -185,17 +185,17 @@ TEST(WoundFilm, WhatRunsOutOfTheBodyWashesBloodAway) {
 
 TEST(WoundFilm, BloodOnSkinAndWhatRunsHaveAnEdgeWhileWhatElseLiesOnAWallThinsToNothing) {
   const Wound wound(0.8);
-  const auto coats = [](const Film& film, bool of_runs) {
+  const auto kinds = [](const Film& film, bool of_runs) {
     std::set<float> values;
     for (const FilmVertex& vertex : film.vertices) {
-      if ((vertex.lift > 0.0001F) == of_runs) values.insert(vertex.coat);
+      if ((vertex.lift > 0.0001F) == of_runs) values.insert(vertex.kind);
     }
     return values;
   };
   const Film blood = wound.blood(1), runoff = runoff_film(wound.sheet, wound.pieces, wound.layout, 1e-6, 1);
-  EXPECT_EQ(coats(blood, false), (std::set<float>{1, 2}));
-  EXPECT_EQ(coats(runoff, false), std::set<float>{1});
-  for (const Film& film : {blood, runoff}) EXPECT_EQ(coats(film, true), std::set<float>{0});
+  EXPECT_EQ(kinds(blood, false), (std::set<float>{kFilmCoat, kFilmEdgedCoat}));
+  EXPECT_EQ(kinds(runoff, false), std::set<float>{kFilmCoat});
+  for (const Film& film : {blood, runoff}) EXPECT_EQ(kinds(film, true), std::set<float>{kFilmRun});
 }
 
 TEST(WoundFilm, ItsTrianglesFaceOutwards) {
