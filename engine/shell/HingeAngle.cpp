@@ -41,30 +41,38 @@ Half half_of(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Ve
   return half;
 }
 
-/// Of the angle, times the areas of both triangles.
-struct SineAndCosine {
-  double sine, cosine;  // metres^4
+/// Normals of both triangles, as long as twice their areas.
+struct Normals {
+  Eigen::Vector3d one, other;  // metres^2
 };
 
-SineAndCosine sine_and_cosine(const Hinge& hinge) {
+Normals normals_of(const Hinge& hinge) {
   const auto& [p, q, a, b] = hinge;
   const Eigen::Vector3d edge = q - p;
-  const Eigen::Vector3d one = edge.cross(a - p), other = (b - p).cross(edge);
-  return {.sine = -one.cross(other).dot(edge) / edge.norm(), .cosine = one.dot(other)};
+  return {.one = edge.cross(a - p), .other = (b - p).cross(edge)};
+}
+
+/// Of the angle, times the lengths of both normals.
+double sine_of(const Hinge& hinge, const Normals& normals) {
+  const Eigen::Vector3d edge = hinge[1] - hinge[0];
+  return -normals.one.cross(normals.other).dot(edge) / edge.norm();
 }
 
 }  // namespace
 
 double hinge_angle(const Hinge& hinge) {
-  const auto [sine, cosine] = sine_and_cosine(hinge);
-  return std::atan2(sine, cosine);
+  const Normals normals = normals_of(hinge);
+  return std::atan2(sine_of(hinge, normals), normals.one.dot(normals.other));
+}
+
+bool is_folded_back(const Hinge& hinge) {
+  const Normals normals = normals_of(hinge);
+  return normals.one.dot(normals.other) < 0;
 }
 
 bool passes_through(const Hinge& before, const Hinge& after) {
-  const SineAndCosine from = sine_and_cosine(before);
-  if (from.cosine >= 0) return false;
-  const SineAndCosine to = sine_and_cosine(after);
-  return to.cosine < 0 && from.sine * to.sine < 0;
+  if (!is_folded_back(before) || !is_folded_back(after)) return false;
+  return sine_of(before, normals_of(before)) * sine_of(after, normals_of(after)) < 0;
 }
 
 HingeDerivatives hinge_derivatives(const Hinge& hinge) {

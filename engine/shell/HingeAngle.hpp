@@ -12,6 +12,9 @@ using Hinge = std::array<Eigen::Vector3d, 4>;  // metres
 /// where they bend towards their normals.
 double hinge_angle(const Hinge& hinge);
 
+/// Whether the angle is more than a quarter turn, told without finding it.
+bool is_folded_back(const Hinge& hinge);
+
 /// Whether one of the triangles, folded back upon the other, has gone through it from `before` to `after`: the angle
 /// has then jumped by a whole turn.
 bool passes_through(const Hinge& before, const Hinge& after);

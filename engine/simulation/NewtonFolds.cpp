@@ -49,7 +49,9 @@ bool Newton::folds_over(const Eigen::VectorXd& before, const Eigen::VectorXd& af
 double Newton::safe_fraction(const Eigen::VectorXd& position, const Eigen::VectorXd& motion) {
   double fraction = self_contact_.safe_fraction(position, motion);
   for (const std::array<int, 4>& hinge : hinges_) {
-    const Hinge from = hinge_at(hinge, position), way = hinge_at(hinge, motion);
+    const Hinge from = hinge_at(hinge, position);
+    if (!is_folded_back(from)) continue;
+    const Hinge way = hinge_at(hinge, motion);
     Hinge to;
     do {
       for (int k = 0; k < 4; ++k) to[k] = from[k] + fraction * way[k];

@@ -90,6 +90,8 @@ TEST(HingeAngle, PassesThroughWhereATriangleFoldedBackComesOutOnTheOtherSide) {
     return Hinge{Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0, 2, 0), Eigen::Vector3d(-1, 0.3, 0),
                  Eigen::Vector3d(1.5 * std::cos(angle), 0.7, 1.5 * std::sin(angle))};
   };
+  EXPECT_TRUE(is_folded_back(at(1.6)) && is_folded_back(at(-3.0)));
+  EXPECT_FALSE(is_folded_back(at(1.5)) || is_folded_back(at(-0.2)));
   EXPECT_TRUE(passes_through(at(3.1), at(-3.0)));
   EXPECT_TRUE(passes_through(at(-1.7), at(1.8)));
   EXPECT_FALSE(passes_through(at(3.1), at(2.0)));
