@@ -28,8 +28,9 @@ PROGRAMS = {
     "renderer_benchmarks": "renderer",
     "metric_benchmarks": "renderer",
 }
-# Pages as the program asks for where it draws, see studio/commands/main.cpp.
-MEMORY = {"renderer_benchmarks": {"GLIBC_TUNABLES": "glibc.malloc.hugetlb=1"}}
+# Pages as the program asks for where it runs scenes and draws, see studio/commands/main.cpp.
+PAGES = {"GLIBC_TUNABLES": "glibc.malloc.hugetlb=1"}
+MEMORY = {"renderer_benchmarks": PAGES, "cut_body_benchmarks": PAGES}
 UNITS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1}
 # A step cannot take less than one evaluation and one factorisation of its size.
 STEP_PARTS = {"PalpationStep": ("Evaluate", "Factorize")}
