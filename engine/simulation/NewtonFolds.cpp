@@ -52,10 +52,12 @@ double Newton::safe_fraction(const Eigen::VectorXd& position, const Eigen::Vecto
     const Hinge from = hinge_at(hinge, position);
     if (!is_folded_back(from)) continue;
     const Hinge way = hinge_at(hinge, motion);
-    Hinge to;
-    do {
-      for (int k = 0; k < 4; ++k) to[k] = from[k] + fraction * way[k];
-    } while (passes_through(from, to) && (fraction *= 0.5) > 0);
+    const auto after = [&](double part) {
+      Hinge to;
+      for (int k = 0; k < 4; ++k) to[k] = from[k] + part * way[k];
+      return to;
+    };
+    while (fraction > 0 && passes_through(from, after(fraction))) fraction *= 0.5;
   }
   return fraction;
 }

@@ -92,7 +92,7 @@ vec4 mirrored_tissue(Steel steel, vec3 direction) {
   float meets = 1e3, beyond = 1.0;  // how far it goes until it meets the tissue, and after it was over that, in steps
   vec2 pixel = vec2(-1.0);  // where the ray passes over tissue
   float gap = -1.0;         // metres by which it lies behind what is seen there
-  bool goes_on = true;
+  bool goes_on = true, is_over = false;  // tissue, after the last step
   // Without a way out of it the loop is unrolled, which on llvmpipe takes half as long.
   for (int i = 0; i < kSteps; ++i) {
     vec3 at = start + (way + step) * go;
@@ -106,13 +106,14 @@ vec4 mirrored_tissue(Steel steel, vec3 direction) {
     // What lies far before the ray does not end it: it goes on behind.
     goes_on = goes_on && next_gap <= min(3.0 * step, 0.12 * scene_center.w);
     float approach = (next_gap - gap) / step;
-    bool nears = gap > -1.0 && approach > 0.0;
+    bool nears = is_over && approach > 0.0;
     bool goes_over = goes_on && is_tissue;
     float to_go = nears ? -next_gap / approach : next_gap > 0.0 ? 0.0 : 1e3;
     meets = goes_over ? way + step + to_go : meets;
     beyond = goes_over ? to_go / step : beyond;
     pixel = goes_over ? next_pixel : pixel;
     gap = goes_on ? next_gap : gap;
+    is_over = goes_on ? is_tissue : is_over;
     way = goes_on ? way + step : way;
     goes_on = goes_on && gap <= 0.0;
     step *= kGrowth;
@@ -121,7 +122,7 @@ vec4 mirrored_tissue(Steel steel, vec3 direction) {
   float far = max(meets, 0.0) / scene_center.w;
   const float kReach = 0.22;  // of all steps
   float near = exp2(-9.0 * far) * (1.0 - smoothstep(0.5 * kReach, kReach, far));
-  near *= gap > -1.0 ? 1.0 : 1.0 - smoothstep(0.0, 1.0, beyond);
+  near *= is_over ? 1.0 : 1.0 - smoothstep(0.0, 1.0, beyond);
   // Where it meets the tissue, rather than at the step beyond, which flat faces would show as blocks.
   float met_way = min(meets, way + step);
   vec3 met = start + met_way * go;
