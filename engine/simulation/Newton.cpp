@@ -98,7 +98,7 @@ Newton::Newton(const BodyModel& model, SparseFactor factor, SelfContact self_con
       extent_(bounding_box(model.definition.mesh.vertices).diagonal().norm()) {
   const double mean_mass = model.mass.mean();
   for (Eigen::Index k = 0; k < rigid_columns_.rows(); ++k) rigid_columns_.row(k) *= model.mass[k] / mean_mass;
-  if (!model.bending.empty()) hinges_ = hinges_of(model);
+  hinges_ = hinges_of(model);
 }
 
 void Newton::evaluate_all(const EquilibriumProblem& problem, const EquilibriumState& state, bool with_hessian,

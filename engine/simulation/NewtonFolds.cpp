@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/mesh/MeshTopology.hpp"
 #include "engine/shell/HingeAngle.hpp"
 #include "engine/simulation/Newton.hpp"
 
@@ -24,17 +23,14 @@ Hinge hinge_at(const std::array<int, 4>& vertices, const Eigen::VectorXd& positi
 
 std::vector<std::array<int, 4>> Newton::hinges_of(const BodyModel& model) {
   std::vector<std::array<int, 4>> hinges;
-  const MeshEdges mesh = edges_of(model.vertices(), model.surface);
-  for (int edge = 0; edge < static_cast<int>(mesh.edges.size()); ++edge) {
-    const auto sides = triangles_at(mesh, edge);
-    if (sides.size() != 2) continue;
-    const auto& own = mesh.triangle_edges[sides[0]];
-    const auto side = std::ranges::find(own, edge) - own.begin();
-    const Eigen::Vector3i &one = model.surface[sides[0]], &other = model.surface[sides[1]];
-    const int p = one[side], q = one[(side + 1) % 3];
-    int far = 0;
-    while (other[far] == p || other[far] == q) ++far;
-    hinges.push_back({p, q, one[(side + 2) % 3], other[far]});
+  for (const BendingRest& rest : model.bending) {
+    for (int side = 0; side < 3; ++side) {
+      const BendingSide& own = rest.sides[side];
+      // One of both triangles at a side stands for it; beyond a clamped or a free one there is none.
+      if (own.share == 0 || own.turn_share <= 0) continue;
+      const auto& vertices = rest.vertices;
+      hinges.push_back({vertices[side], vertices[(side + 1) % 3], vertices[(side + 2) % 3], vertices[3 + side]});
+    }
   }
   return hinges;
 }
