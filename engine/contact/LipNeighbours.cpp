@@ -70,6 +70,7 @@ std::vector<std::vector<int>> neighbours_across_cuts(std::span<const Eigen::Vect
   std::vector<std::vector<int>> across(doubles.size());
   for (const Eigen::Vector3i& triangle : triangles) {
     for (const int lip : triangle) {
+      if (doubles[lip].empty()) continue;
       for (const int v : triangle) across[v].insert(across[v].end(), doubles[lip].begin(), doubles[lip].end());
     }
   }

@@ -6,10 +6,6 @@
 
 namespace thinwall {
 
-double volume_of(const std::array<Eigen::Vector3d, 3>& corners) {
-  return corners[0].dot(corners[1].cross(corners[2])) / 6;
-}
-
 Eigen::Matrix<double, 9, 1> volume_gradient_of(const std::array<Eigen::Vector3d, 3>& corners) {
   Eigen::Matrix<double, 9, 1> gradient;
   gradient << corners[1].cross(corners[2]) / 6, corners[2].cross(corners[0]) / 6, corners[0].cross(corners[1]) / 6;

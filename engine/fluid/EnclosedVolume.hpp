@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 
 #include "engine/solver/Lanes.hpp"
@@ -8,7 +9,9 @@
 namespace thinwall {
 
 /// Contribution of one oriented triangle to the enclosed volume V = 1/6 sum x0 . (x1 x x2), metres^3.
-double volume_of(const std::array<Eigen::Vector3d, 3>& corners);
+inline double volume_of(const std::array<Eigen::Vector3d, 3>& corners) {
+  return corners[0].dot(corners[1].cross(corners[2])) / 6;
+}
 
 /// Its gradient (x0, y0, z0, x1, ..., z2), metres^2. Over a closed surface the sums do not depend on the origin.
 Eigen::Matrix<double, 9, 1> volume_gradient_of(const std::array<Eigen::Vector3d, 3>& corners);

@@ -2,74 +2,82 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstdint>
 #include <map>
 #include <numeric>
-#include <tuple>
 
 namespace thinwall {
 namespace {
 
-struct HalfEdge {
-  std::array<int, 2> vertices;  // the lower first
-  int triangle = 0;
-  int corner = 0;         // the half-edge goes from this corner to the next
-  bool ascending = true;  // it goes from the lower vertex to the higher
+/// A half-edge under its lower vertex: its higher vertex and, behind that, its number, 3 t + k from corner k of
+/// triangle t to the next.
+using HalfEdge = std::uint64_t;
+
+int higher_vertex_of(HalfEdge half_edge) {
+  return static_cast<int>(half_edge >> 32);
+}
+std::uint32_t number_of(HalfEdge half_edge) {
+  return static_cast<std::uint32_t>(half_edge);
+}
+
+struct HalfEdges {
+  std::vector<std::size_t> begin;  // (vertices + 1), into `sorted`
+  std::vector<HalfEdge> sorted;    // (3 triangles), by their vertices, the lower first, then by their numbers
 };
 
-/// By their vertices, the lower first, then by their triangles.
-std::vector<HalfEdge> sorted_half_edges(int vertex_count, std::span<const Eigen::Vector3i> triangles) {
-  std::vector<std::size_t> begin(static_cast<std::size_t>(vertex_count) + 1, 0);
-  const auto ends_of = [&](int t, int k) { return std::minmax({triangles[t][k], triangles[t][(k + 1) % 3]}); };
-  for (int t = 0; t < static_cast<int>(triangles.size()); ++t) {
-    for (int k = 0; k < 3; ++k) ++begin[static_cast<std::size_t>(ends_of(t, k).first) + 1];
-  }
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<HalfEdge> half_edges(3 * triangles.size());
-  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-  for (int t = 0; t < static_cast<int>(triangles.size()); ++t) {
-    for (int k = 0; k < 3; ++k) {
-      const auto [low, high] = ends_of(t, k);
-      assert(low != high);
-      half_edges[next[low]++] = {{low, high}, t, k, low == triangles[t][k]};
+HalfEdges half_edges_of(int vertex_count, std::span<const Eigen::Vector3i> triangles) {
+  HalfEdges result{.begin = std::vector<std::size_t>(static_cast<std::size_t>(vertex_count) + 1, 0),
+                   .sorted = std::vector<HalfEdge>(3 * triangles.size())};
+  const auto for_each = [&](const auto& visit) {
+    std::uint32_t number = 0;
+    for (const Eigen::Vector3i& triangle : triangles) {
+      for (int k = 0; k < 3; ++k) {
+        const auto [low, high] = std::minmax({triangle[k], triangle[(k + 1) % 3]});
+        assert(low != high);
+        visit(low, static_cast<HalfEdge>(high) << 32 | number++);
+      }
     }
+  };
+  for_each([&](int low, HalfEdge) { ++result.begin[static_cast<std::size_t>(low) + 1]; });
+  std::partial_sum(result.begin.begin(), result.begin.end(), result.begin.begin());
+  std::vector<std::size_t> next(result.begin.begin(), result.begin.end() - 1);
+  for_each([&](int low, HalfEdge half_edge) { result.sorted[next[low]++] = half_edge; });
+  for (std::size_t v = 0; v < next.size(); ++v) {
+    const auto at = [&](std::size_t k) { return result.sorted.begin() + static_cast<std::ptrdiff_t>(k); };
+    std::sort(at(result.begin[v]), at(result.begin[v + 1]));
   }
-  for (int v = 0; v < vertex_count; ++v) {
-    const auto at = [&](std::size_t k) { return half_edges.begin() + static_cast<std::ptrdiff_t>(k); };
-    std::sort(at(begin[v]), at(begin[v + 1]), [](const HalfEdge& a, const HalfEdge& b) {
-      return std::tie(a.vertices[1], a.triangle, a.corner) < std::tie(b.vertices[1], b.triangle, b.corner);
-    });
-  }
-  return half_edges;
+  return result;
 }
 
 }  // namespace
 
 MeshEdges edges_of(int vertex_count, std::span<const Eigen::Vector3i> triangles) {
-  const std::vector<HalfEdge> half_edges = sorted_half_edges(vertex_count, triangles);
+  const HalfEdges half_edges = half_edges_of(vertex_count, triangles);
+  const std::vector<HalfEdge>& sorted = half_edges.sorted;
   MeshEdges mesh;
   mesh.triangle_edges.resize(triangles.size());
-  mesh.edges.reserve(half_edges.size() / 2);
-  mesh.edge_triangle_begin.reserve(half_edges.size() / 2 + 1);
-  mesh.edge_triangles.reserve(half_edges.size());
-  for (std::size_t begin = 0; begin < half_edges.size();) {
-    std::size_t end = begin;
-    const int edge = static_cast<int>(mesh.edges.size());
-    mesh.edges.push_back(half_edges[begin].vertices);
-    mesh.edge_triangle_begin.push_back(static_cast<int>(begin));
-    while (end < half_edges.size() && half_edges[end].vertices == half_edges[begin].vertices) {
-      mesh.edge_triangles.push_back(half_edges[end].triangle);
-      mesh.triangle_edges[half_edges[end].triangle][half_edges[end].corner] = edge;
-      ++end;
+  mesh.edges.reserve(sorted.size() / 2);
+  mesh.edge_triangle_begin.reserve(sorted.size() / 2 + 1);
+  mesh.edge_triangles.reserve(sorted.size());
+  for (int low = 0; low < vertex_count; ++low) {
+    for (std::size_t begin = half_edges.begin[low], end = begin; begin < half_edges.begin[low + 1]; begin = end) {
+      const int edge = static_cast<int>(mesh.edges.size()), high = higher_vertex_of(sorted[begin]);
+      mesh.edges.push_back({low, high});
+      mesh.edge_triangle_begin.push_back(static_cast<int>(begin));
+      int ascending = 0;  // those that go from the lower vertex to the higher
+      for (; end < half_edges.begin[low + 1] && higher_vertex_of(sorted[end]) == high; ++end) {
+        const std::uint32_t triangle = number_of(sorted[end]) / 3, corner = number_of(sorted[end]) % 3;
+        mesh.edge_triangles.push_back(static_cast<int>(triangle));
+        mesh.triangle_edges[triangle][corner] = edge;
+        if (triangles[triangle][corner] == low) ++ascending;
+      }
+      const std::size_t count = end - begin;
+      if (count == 1) mesh.open_edges.push_back(edge);
+      if (count > 2) mesh.crowded_edges.push_back(edge);
+      if (count == 2 && ascending != 1) mesh.contrary_edges.push_back(edge);
     }
-    const std::size_t count = end - begin;
-    if (count == 1) mesh.open_edges.push_back(edge);
-    if (count > 2) mesh.crowded_edges.push_back(edge);
-    if (count == 2 && half_edges[begin].ascending == half_edges[begin + 1].ascending) {
-      mesh.contrary_edges.push_back(edge);
-    }
-    begin = end;
   }
-  mesh.edge_triangle_begin.push_back(static_cast<int>(half_edges.size()));
+  mesh.edge_triangle_begin.push_back(static_cast<int>(sorted.size()));
   return mesh;
 }
 

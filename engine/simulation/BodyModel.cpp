@@ -1,5 +1,7 @@
 #include "engine/simulation/BodyModel.hpp"
 
+#include <tbb/parallel_invoke.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cassert>
@@ -73,6 +75,13 @@ void add_bending(BodyModel& model) {
   model.mass.conservativeResizeLike(Eigen::VectorXd::Zero(model.unknowns()));
   for (const BendingRest& patch : model.bending) {
     model.bending_addresses.push_back(dense_addresses<21>(model.pattern, unknowns_of(patch, vertices)));
+  }
+}
+
+void add_addresses(BodyModel& model) {
+  model.addresses.reserve(model.surface.size());
+  for (const Eigen::Vector3i& triangle : model.surface) {
+    model.addresses.push_back(triangle_addresses(model.pattern, triangle));
   }
 }
 
@@ -183,20 +192,22 @@ BodyModel make_body_model(BodyDefinition definition) {
   for (int v = 0; v < vertices; ++v) model.rest_position.segment<3>(3 * v) = mesh.vertices[v];
   model.surface = mesh.triangles;
   model.surface.insert(model.surface.end(), mesh.cap_triangles.begin(), mesh.cap_triangles.end());
-  add_wall(model);
-  model.pattern = make_block_pattern(vertices, model.surface);
+  // Each of two writes what the other does not read.
+  tbb::parallel_invoke([&] { add_wall(model); },
+                       [&] {
+                         model.pattern = make_block_pattern(vertices, model.surface);
+                         add_openings(model);
+                         if (model.has_fluid()) add_fluid(model);
+                       });
   if (model.definition.model == WallModel::kShell) add_bending(model);
-  model.addresses.reserve(model.surface.size());
-  for (const Eigen::Vector3i& triangle : model.surface) {
-    model.addresses.push_back(triangle_addresses(model.pattern, triangle));
-  }
-  add_sites(model);
-  add_openings(model);
-  if (model.has_fluid()) add_fluid(model);
-  add_loads(model);
-  fix(model);
-  add_held_sites(model);
-  hold_rigid_motions(model, model.rest_position);
+  tbb::parallel_invoke([&] { add_addresses(model); },
+                       [&] {
+                         add_sites(model);
+                         add_loads(model);
+                         fix(model);
+                         add_held_sites(model);
+                         hold_rigid_motions(model, model.rest_position);
+                       });
   return model;
 }
 

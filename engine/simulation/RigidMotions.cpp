@@ -32,47 +32,69 @@ struct MovablePart {
 };
 
 /// The six rigid motions about the centroid, each as displacements of the vertices of the part.
-Eigen::MatrixXd all_rigid_motions(const MovablePart& part, const Eigen::VectorXd& position) {
-  Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
-  for (const int v : part.vertices) {
-    centroid += position.segment<3>(3 * v) / static_cast<double>(part.vertices.size());
-  }
-  double size = 0;
-  for (const int v : part.vertices) size = std::max(size, (position.segment<3>(3 * v) - centroid).norm());
-  Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(position.size(), 6);
-  for (const int v : part.vertices) {
-    const Eigen::Vector3d arm = (position.segment<3>(3 * v) - centroid) / size;
-    for (int axis = 0; axis < 3; ++axis) {
-      motions.block<3, 1>(3 * v, axis) = Eigen::Vector3d::Unit(axis);
-      motions.block<3, 1>(3 * v, 3 + axis) = Eigen::Vector3d::Unit(axis).cross(arm);
+class RigidMotions {
+ public:
+  RigidMotions(const MovablePart& part, const Eigen::VectorXd& position) : part_(part), position_(position) {
+    for (const int v : part.vertices) {
+      centroid_ += position.segment<3>(3 * v) / static_cast<double>(part.vertices.size());
     }
+    for (const int v : part.vertices) size_ = std::max(size_, (position.segment<3>(3 * v) - centroid_).norm());
   }
-  return motions;
-}
+
+  Eigen::Matrix<double, 3, 6> of(int vertex) const {
+    const Eigen::Vector3d arm = (position_.segment<3>(3 * vertex) - centroid_) / size_;
+    Eigen::Matrix<double, 3, 6> motions;
+    for (int axis = 0; axis < 3; ++axis) {
+      motions.col(axis) = Eigen::Vector3d::Unit(axis);
+      motions.col(3 + axis) = Eigen::Vector3d::Unit(axis).cross(arm);
+    }
+    return motions;
+  }
+
+  Eigen::MatrixXd all() const {
+    Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(position_.size(), 6);
+    for (const int v : part_.vertices) motions.middleRows<3>(3 * v) = of(v);
+    return motions;
+  }
+
+ private:
+  const MovablePart& part_;
+  const Eigen::VectorXd& position_;
+  Eigen::Vector3d centroid_ = Eigen::Vector3d::Zero();
+  double size_ = 0;
+};
 
 /// Combinations of the rigid motions that move no fixed unknown: the null space of the motions seen by these.
-void find_free_motions(const BodyModel& model, const Eigen::VectorXd& position, MovablePart& part) {
-  const Eigen::MatrixXd motions = all_rigid_motions(part, position);
+/// `part_of`: (vertices), `number` of this part.
+void find_free_motions(const BodyModel& model, const Eigen::VectorXd& position, const std::vector<int>& part_of,
+                       int number, MovablePart& part) {
+  const RigidMotions motions(part, position);
   Eigen::Matrix<double, 6, 6> seen = Eigen::Matrix<double, 6, 6>::Zero();
-  for (const int v : part.vertices) {
-    for (int k = 3 * v; k < 3 * v + 3; ++k) {
-      if (model.fixed[k]) seen += motions.row(k).transpose() * motions.row(k);
+  const auto see = [&](int vertex, const auto& is_seen) {
+    const Eigen::Matrix<double, 3, 6> rows = motions.of(vertex);
+    for (int k = 0; k < 3; ++k) {
+      if (is_seen(k)) seen += rows.row(k).transpose() * rows.row(k);
     }
+  };
+  for (const int v : part.vertices) {
+    if (!model.fixed[3 * v] && !model.fixed[3 * v + 1] && !model.fixed[3 * v + 2]) continue;
+    see(v, [&](int k) { return model.fixed[3 * v + k] != 0; });
   }
-  // A clamped side lets its triangle turn about nothing; patches of other parts see no motion.
+  // A clamped side lets its triangle turn about nothing.
   for (const BendingRest& patch : model.bending) {
     const auto is_clamped = [](const BendingSide& side) { return side.clamped; };
-    if (std::none_of(patch.sides.begin(), patch.sides.end(), is_clamped)) continue;
-    for (int k = 0; k < 9; ++k) {
-      const auto row = motions.row(3 * patch.vertices[k / 3] + k % 3);
-      seen += row.transpose() * row;
-    }
+    if (part_of[patch.vertices[0]] != number || std::ranges::none_of(patch.sides, is_clamped)) continue;
+    for (int k = 0; k < 3; ++k) see(patch.vertices[k], [](int) { return true; });
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> spectrum(seen);
   int free = 0;
   // Below this a motion counts as free: round-off of the sums is some 1e-13, one fixed unknown alone gives about 1.
   while (free < 6 && spectrum.eigenvalues()[free] < 1e-9) ++free;
-  part.motions = motions * spectrum.eigenvectors().leftCols(free);
+  if (free > 0) {
+    part.motions = motions.all() * spectrum.eigenvectors().leftCols(free);
+  } else {
+    part.motions.resize(position.size(), 0);
+  }
 }
 
 void choose_anchors(const MovablePart& part, const Eigen::VectorXd& position, BodyModel& model) {
@@ -119,9 +141,10 @@ void hold_rigid_motions(BodyModel& model, const Eigen::VectorXd& position) {
   model.held_position = position;
   model.anchors.clear();
   Eigen::Index free = 0;
-  for (MovablePart& part : parts) {
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    MovablePart& part = parts[k];
     if (part.vertices.empty()) continue;
-    find_free_motions(model, position, part);
+    find_free_motions(model, position, part_of, static_cast<int>(k), part);
     if (part.motions.cols() > 0) choose_anchors(part, position, model);
     free += part.motions.cols();
   }

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "engine/solver/FrontFactor.hpp"
-#include "engine/solver/NodeOrder.hpp"
+#include "engine/solver/NodeTree.hpp"
 
 namespace thinwall {
 namespace {
@@ -17,110 +17,6 @@ struct Relaxation {
   double zeros;
 };
 constexpr Relaxation kRelaxations[] = {{12, 0.5}, {24, 0.3}, {60, 0.1}, {1 << 30, 0.05}};
-
-/// Rows of each node's column below it, as nodes.
-struct FilledRows {
-  std::vector<std::size_t> begin;  // (nodes), into `rows`
-  std::vector<int> count;          // (nodes)
-  std::vector<int> rows;
-
-  std::span<const int> of(int node) const { return std::span<const int>(rows).subspan(begin[node], count[node]); }
-};
-
-/// The children of each node in the order of elimination.
-struct ChildLists {
-  std::vector<int> begin;  // (nodes + 1), into `children`
-  std::vector<int> children;
-
-  ChildLists(std::span<const int> order, const std::vector<int>& parent)
-      : begin(order.size() + 1, 0), children(order.size()) {
-    for (const int above : parent) {
-      if (above >= 0) ++begin[above + 1];
-    }
-    std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    std::vector<int> next(begin.begin(), begin.end() - 1);
-    for (const int node : order) {
-      if (parent[node] >= 0) children[next[parent[node]]++] = node;
-    }
-  }
-  std::span<int> of(int node) { return std::span<int>(children).subspan(begin[node], begin[node + 1] - begin[node]); }
-};
-
-/// The elimination tree in postorder. Nodes are named by their place.
-struct NodeTree {
-  std::vector<int> node;            // (nodes), at each place
-  std::vector<int> place;           // (nodes)
-  std::vector<int> parent;          // (nodes), -1 at a root
-  std::vector<int> unknowns;        // (nodes)
-  std::vector<int> rows;            // (nodes), that its column gets below it, as nodes
-  std::vector<int> unknowns_below;  // (nodes), the same as unknowns
-};
-
-FilledRows filled_rows(const NodeGraph& graph, std::span<const int> order, ChildLists& children) {
-  std::vector<int> place(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) place[order[k]] = static_cast<int>(k);
-  FilledRows filled{
-      .begin = std::vector<std::size_t>(order.size()), .count = std::vector<int>(order.size()), .rows = {}};
-  std::vector<int> seen(order.size(), -1);
-  for (const int node : order) {
-    filled.begin[node] = filled.rows.size();
-    seen[node] = node;
-    for (const int other : graph.around(node)) {
-      if (place[other] < place[node]) continue;
-      seen[other] = node;
-      filled.rows.push_back(other);
-    }
-    for (const int child : children.of(node)) {
-      const std::size_t begin = filled.begin[child], end = begin + filled.count[child];
-      for (std::size_t k = begin; k < end; ++k) {
-        const int row = filled.rows[k];
-        if (seen[row] == node) continue;
-        seen[row] = node;
-        filled.rows.push_back(row);
-      }
-    }
-    filled.count[node] = static_cast<int>(filled.rows.size() - filled.begin[node]);
-  }
-  return filled;
-}
-
-/// The tree's nodes, each after its children, of which the one with the most rows comes last: it is the likeliest to
-/// share a front with its parent.
-std::vector<int> postorder(std::span<const int> order, const std::vector<int>& parent, const FilledRows& filled,
-                           ChildLists& children) {
-  std::vector<int> waiting, result;
-  // Taken down from the roots with each node before its children, the last child first, and then turned round.
-  for (const int node : order) {
-    if (parent[node] < 0) waiting.push_back(node);
-  }
-  while (!waiting.empty()) {
-    const int node = waiting.back();
-    waiting.pop_back();
-    result.push_back(node);
-    const std::span<int> below = children.of(node);
-    std::ranges::stable_sort(below, {}, [&](int child) { return filled.count[child]; });
-    waiting.insert(waiting.end(), below.begin(), below.end());
-  }
-  std::ranges::reverse(result);
-  return result;
-}
-
-NodeTree make_node_tree(const BlockPattern& pattern, std::span<const int> order, const std::vector<int>& parent,
-                        const FilledRows& filled, ChildLists& children) {
-  NodeTree tree;
-  tree.node = postorder(order, parent, filled, children);
-  tree.place.resize(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) tree.place[tree.node[k]] = static_cast<int>(k);
-  for (const int node : tree.node) {
-    tree.parent.push_back(parent[node] < 0 ? -1 : tree.place[parent[node]]);
-    tree.unknowns.push_back(pattern.unknowns_of(node));
-    tree.rows.push_back(filled.count[node]);
-    int below = 0;
-    for (const int row : filled.of(node)) below += pattern.unknowns_of(row);
-    tree.unknowns_below.push_back(below);
-  }
-  return tree;
-}
 
 /// Nodes that are eliminated together.
 struct NodeGroup {
@@ -185,30 +81,37 @@ class LocalPlaces {
   std::vector<int> local_;  // (unknowns), of the front that was entered last where it has them
 };
 
-void add_supernodes(const NodeTree& tree, const FilledRows& filled, SupernodeTree& result) {
-  std::vector<int> first(tree.node.size() + 1, 0), group_of(tree.node.size()), rows;
-  std::partial_sum(tree.unknowns.begin(), tree.unknowns.end(), first.begin() + 1);
-  const std::vector<NodeGroup> groups = group_nodes(tree);
-  for (const NodeGroup& group : groups) {
-    for (int node = group.begin; node < group.end; ++node) {
-      group_of[node] = static_cast<int>(result.supernodes.size());
+/// Rows below each group, as places of nodes, ascending.
+struct GroupRows {
+  std::vector<int> begin;  // (groups + 1), into `rows`
+  std::vector<int> rows;
+
+  /// In the order of their places each row is entered into the groups that have it: no list needs sorting.
+  GroupRows(const NodeTree& tree, const std::vector<NodeGroup>& groups) : begin(groups.size() + 1, 0) {
+    const auto rows_of = [&](std::size_t group) { return tree.filled.of(tree.node[groups[group].end - 1]); };
+    std::vector<int> at_place(tree.node.size() + 1, 0);  // into `having`
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      begin[g + 1] = begin[g] + static_cast<int>(rows_of(g).size());
+      for (const int row : rows_of(g)) ++at_place[tree.place[row] + 1];
     }
-    Supernode supernode{.first = first[group.begin],
-                        .pivots = group.pivots,
-                        .size = group.pivots + group.rows,
-                        .rows_begin = static_cast<int>(result.rows.size()),
-                        .factor_begin = result.factor_size,
-                        .stride = up_to_rows(group.pivots + group.rows),
-                        .update_stride = up_to_rows(group.rows)};
-    rows.clear();
-    for (const int row : filled.of(tree.node[group.end - 1])) rows.push_back(tree.place[row]);
-    std::ranges::sort(rows);
-    for (const int row : rows) {
-      for (int k = first[row]; k < first[row + 1]; ++k) result.rows.push_back(k);
+    std::partial_sum(at_place.begin(), at_place.end(), at_place.begin());
+    std::vector<int> having(begin.back()), next(at_place.begin(), at_place.end() - 1);
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      for (const int row : rows_of(g)) having[next[tree.place[row]]++] = static_cast<int>(g);
     }
-    result.factor_size += supernode.stride * supernode.pivots;
-    result.largest_front = std::max(result.largest_front, supernode.size);
-    result.supernodes.push_back(supernode);
+    rows.resize(begin.back());
+    next.assign(begin.begin(), begin.end() - 1);
+    for (int place = 0; place < static_cast<int>(tree.node.size()); ++place) {
+      for (int k = at_place[place]; k < at_place[place + 1]; ++k) rows[next[having[k]]++] = place;
+    }
+  }
+};
+
+/// Each below the one that takes up its update, and beside its siblings.
+void join_supernodes(const NodeTree& tree, const std::vector<NodeGroup>& groups, SupernodeTree& result) {
+  std::vector<int> group_of(tree.node.size());
+  for (std::size_t k = 0; k < groups.size(); ++k) {
+    std::fill(group_of.begin() + groups[k].begin, group_of.begin() + groups[k].end, static_cast<int>(k));
   }
   for (int k = static_cast<int>(groups.size()) - 1; k >= 0; --k) {
     const int above = tree.parent[groups[k].end - 1];
@@ -220,9 +123,36 @@ void add_supernodes(const NodeTree& tree, const FilledRows& filled, SupernodeTre
     const int parent = result.supernodes[k].parent;
     if (parent >= 0) result.supernodes[k].previous_sibling = std::exchange(result.supernodes[parent].last_child, k);
   }
+}
+
+void add_supernodes(const NodeTree& tree, SupernodeTree& result) {
+  std::vector<int> first(tree.node.size() + 1, 0);
+  std::partial_sum(tree.unknowns.begin(), tree.unknowns.end(), first.begin() + 1);
+  const std::vector<NodeGroup> groups = group_nodes(tree);
+  const GroupRows below(tree, groups);
+  result.supernodes.reserve(groups.size());
+  result.rows.reserve(3 * below.rows.size());
+  for (std::size_t k = 0; k < groups.size(); ++k) {
+    const NodeGroup& group = groups[k];
+    Supernode supernode{.first = first[group.begin],
+                        .pivots = group.pivots,
+                        .size = group.pivots + group.rows,
+                        .rows_begin = static_cast<int>(result.rows.size()),
+                        .factor_begin = result.factor_size,
+                        .stride = up_to_rows(group.pivots + group.rows),
+                        .update_stride = up_to_rows(group.rows)};
+    for (int row = below.begin[k]; row < below.begin[k + 1]; ++row) {
+      const int place = below.rows[row];
+      for (int unknown = first[place]; unknown < first[place + 1]; ++unknown) result.rows.push_back(unknown);
+    }
+    result.factor_size += supernode.stride * supernode.pivots;
+    result.largest_front = std::max(result.largest_front, supernode.size);
+    result.supernodes.push_back(supernode);
+  }
+  join_supernodes(tree, groups, result);
   for (std::size_t node = 0; node < tree.node.size(); ++node) {
-    const int below = tree.unknowns_below[node];
-    for (int k = 1; k <= tree.unknowns[node]; ++k) result.operations += static_cast<double>(below + k) * (below + k);
+    const int rows = tree.unknowns_below[node];
+    for (int k = 1; k <= tree.unknowns[node]; ++k) result.operations += static_cast<double>(rows + k) * (rows + k);
   }
 }
 
@@ -335,16 +265,14 @@ SupernodeTree make_supernode_tree(const BlockPattern& pattern, std::span<const i
 SupernodeTree make_supernode_tree(const BlockPattern& pattern, const NodeGraph& graph, std::span<const int> order,
                                   const std::vector<int>& parent) {
   assert(static_cast<int>(order.size()) == pattern.nodes() && graph.nodes() == pattern.nodes());
-  ChildLists children(order, parent);
-  const FilledRows filled = filled_rows(graph, order, children);
-  const NodeTree nodes = make_node_tree(pattern, order, parent, filled, children);
+  const NodeTree nodes = make_node_tree(pattern, graph, order, parent);
   SupernodeTree tree;
   tree.place.resize(pattern.unknowns());
   int place = 0;
   for (const int node : nodes.node) {
     for (int k = 0; k < pattern.unknowns_of(node); ++k) tree.place[pattern.first_unknown(node) + k] = place++;
   }
-  add_supernodes(nodes, filled, tree);
+  add_supernodes(nodes, tree);
   add_blocks(pattern, tree);
   return tree;
 }
