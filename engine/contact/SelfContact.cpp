@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -112,7 +113,8 @@ std::optional<NearPair> SelfContact::describe(PairKind kind, const Eigen::Vector
   const double rest_distance = pair_distance(kind, rest).distance;
   if (is_left_alone(kind, vertices, rest_distance)) {
     if (is_in_each_other(kind, vertices, rest_distance)) {
-      for (const int vertex : vertices) left_alone_[vertex] = 1;
+      // Several threads may mark the same vertex.
+      for (const int vertex : vertices) std::atomic_ref(left_alone_[vertex]).store(1, std::memory_order_relaxed);
     }
     return std::nullopt;
   }
@@ -191,12 +193,15 @@ bool SelfContact::is_in_each_other(PairKind kind, const Eigen::Vector4i& vertice
   return distance < kInEachOther * std::min(largest_range_, kRestRange * rest_distance);
 }
 
-void SelfContact::evaluate(const Eigen::VectorXd& position, SelfContactTerms& terms, Eigen::VectorXd& gradient) {
+void SelfContact::look(const Eigen::VectorXd& position) {
+  stars_.refresh(position);
+  if (!covers(position)) list_near(position, position);
+}
+
+void SelfContact::evaluate(const Eigen::VectorXd& position, SelfContactTerms& terms, Eigen::VectorXd& gradient) const {
   terms.energy = terms.largest_force = 0;
   terms.folds.clear();
   terms.floors.clear();
-  stars_.refresh(position);
-  if (!covers(position)) list_near(position, position);
   add_folds(position, terms, gradient);
   add_floors(position, terms, gradient);
 }

@@ -84,8 +84,12 @@ class SelfContact {
   /// itself or a floor.
   double safe_fraction(const Eigen::VectorXd& position, const Eigen::VectorXd& motion);
 
-  /// Fills `terms`, reusing its memory, and adds the forces' opposite to `gradient`, (3 vertices), newton.
-  void evaluate(const Eigen::VectorXd& position, SelfContactTerms& terms, Eigen::VectorXd& gradient);
+  /// Finds out what is near at `position`, which `evaluate` needs to know.
+  void look(const Eigen::VectorXd& position);
+
+  /// Fills `terms`, reusing its memory, and adds the forces' opposite to `gradient`, (3 vertices), newton. `position`:
+  /// where `look` was last.
+  void evaluate(const Eigen::VectorXd& position, SelfContactTerms& terms, Eigen::VectorXd& gradient) const;
 
   /// Pairs of vertices, the lower first, that pairs listed now couple: those in contact and those that may soon be.
   std::vector<std::array<int, 2>> near_couplings() const;
@@ -171,11 +175,12 @@ class SelfContact {
   std::vector<double> margins_;  // (vertices), metres
   TriangleTree tree_;
   StarPairs stars_;
-  std::vector<ListedPair> near_;     // of triangles without a vertex in common, in order of both
-  Eigen::VectorXd listed_position_;  // (3 vertices), metres, for which `near_` holds all pairs
-  std::vector<char> moved_;          // (vertices), whether the last listing was for them
-  std::vector<char> is_new_;         // (vertices), whether nothing is known of pairs around them
-  std::vector<char> left_alone_;     // (vertices), whether parts with them are left alone until the next cut
+  std::vector<std::vector<ListedPair>> found_;  // (tasks), by the listing under way; kept for their memory
+  std::vector<ListedPair> near_;                // of triangles without a vertex in common, in order of both
+  Eigen::VectorXd listed_position_;             // (3 vertices), metres, for which `near_` holds all pairs
+  std::vector<char> moved_;                     // (vertices), whether the last listing was for them
+  std::vector<char> is_new_;                    // (vertices), whether nothing is known of pairs around them
+  std::vector<char> left_alone_;                // (vertices), whether parts with them are left alone until the next cut
   long listings_ = 0;
 };
 

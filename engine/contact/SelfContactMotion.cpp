@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "engine/contact/ContinuousCollision.hpp"
+#include "engine/contact/LeastOf.hpp"
 #include "engine/contact/SelfContact.hpp"
 
 namespace thinwall {
@@ -110,14 +111,19 @@ void SelfContact::list_near(const Eigen::VectorXd& from, const Eigen::VectorXd& 
   };
   std::erase_if(near_, [&](const ListedPair& pair) { return has_moved(pair.triangle) || has_moved(pair.other); });
   const auto kept = static_cast<std::ptrdiff_t>(near_.size());
-  tree_.visit_near(largest_range_, kRestRange, [&](int triangle, int other, double reach) {
+  const auto begin = [&](std::size_t tasks) {
+    found_.resize(std::max(found_.size(), tasks));
+    for (std::vector<ListedPair>& found : found_) found.clear();
+  };
+  tree_.visit_near(largest_range_, kRestRange, begin, [&](std::size_t task, int triangle, int other, double reach) {
     if (share_vertex(triangles_[triangle], triangles_[other])) return;
     if (clearly_apart(corners(triangle), corners(other), reach)) return;
     const int low = std::min(triangle, other), high = std::max(triangle, other);
     visit_parts(low, high, [&](PairKind kind, const Eigen::Vector4i& vertices) {
-      visit_if_near(kind, vertices, [&](const NearPair& pair) { near_.push_back({low, high, pair}); });
+      visit_if_near(kind, vertices, [&](const NearPair& pair) { found_[task].push_back({low, high, pair}); });
     });
   });
+  for (const std::vector<ListedPair>& found : found_) near_.insert(near_.end(), found.begin(), found.end());
   const auto earlier = [](const ListedPair& one, const ListedPair& two) {
     return std::tie(one.triangle, one.other) < std::tie(two.triangle, two.other);
   };
@@ -162,20 +168,22 @@ double SelfContact::safe_fraction(const Eigen::VectorXd& position, const Eigen::
     is_covered = true;
   }
   if (is_covered) {
-    for (const auto& [triangle, other, pair] : near_)
-      fraction = std::min(fraction, fraction_of(pair.kind, pair.vertices));
-    return fraction;
+    return least_of(near_.size(), fraction,
+                    [&](std::size_t k) { return fraction_of(near_[k].pair.kind, near_[k].pair.vertices); });
   }
   tree_.fit(position, motion);
-  tree_.visit_meeting([&](int triangle, int other) {
+  std::vector<double> fractions;  // (tasks)
+  const auto begin = [&](std::size_t tasks) { fractions.assign(tasks, fraction); };
+  tree_.visit_meeting(begin, [&](std::size_t task, int triangle, int other) {
     if (share_vertex(triangles_[triangle], triangles_[other])) return;
     visit_parts(triangle, other, [&](PairKind kind, const Eigen::Vector4i& vertices) {
       const double one = fraction_of(kind, vertices);
-      if (one >= fraction) return;
+      if (one >= fractions[task]) return;
       const double rest_distance = pair_distance(kind, corners_at(vertices, rest_position_)).distance;
-      if (!is_left_alone(kind, vertices, rest_distance)) fraction = one;
+      if (!is_left_alone(kind, vertices, rest_distance)) fractions[task] = one;
     });
   });
+  for (const double one : fractions) fraction = std::min(fraction, one);
   return fraction;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/contact/ContinuousCollision.hpp"
+#include "engine/contact/LeastOf.hpp"
 
 namespace thinwall {
 namespace {
@@ -93,12 +94,11 @@ void StarPairs::refresh(const Eigen::VectorXd& position) {
 }
 
 double StarPairs::safe_fraction(const Eigen::VectorXd& position, const Eigen::VectorXd& motion) const {
-  double fraction = 1;
-  const auto limit = [&](const NearPair& pair) {
-    fraction = std::min(fraction, thinwall::safe_fraction(pair.kind, corners_at(pair.vertices, position),
-                                                          corners_at(pair.vertices, motion)));
+  const auto fraction_of = [&](const NearPair& pair) {
+    return thinwall::safe_fraction(pair.kind, corners_at(pair.vertices, position), corners_at(pair.vertices, motion));
   };
-  for (const Star& star : stars_) {
+  return least_of(stars_.size(), 1, [&](std::size_t s) {
+    const Star& star = stars_[s];
     const double allowed = 0.25 * star.slack * star.slack;
     bool covered = true;
     for (int k = star.begin; covered && k < star.end; ++k) {
@@ -106,13 +106,14 @@ double StarPairs::safe_fraction(const Eigen::VectorXd& position, const Eigen::Ve
       const Eigen::Vector3d after = before + offset_at(motion, star.center, ring_[k]);
       covered = before.squaredNorm() < allowed && after.squaredNorm() < allowed;
     }
+    double fraction = 1;
     if (covered) {
-      for (const int pair : star.near) limit((*star.pairs)[pair]);
+      for (const int pair : star.near) fraction = std::min(fraction, fraction_of((*star.pairs)[pair]));
     } else {
-      for (const NearPair& pair : *star.pairs) limit(pair);
+      for (const NearPair& pair : *star.pairs) fraction = std::min(fraction, fraction_of(pair));
     }
-  }
-  return fraction;
+    return fraction;
+  });
 }
 
 }  // namespace thinwall

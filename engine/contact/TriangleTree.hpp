@@ -1,9 +1,12 @@
 #pragma once
 
+#include <tbb/parallel_for.h>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -34,12 +37,13 @@ class TriangleTree {
   /// `vertices`: whether each is marked.
   void mark(std::span<const char> vertices);
 
-  /// Calls visit(triangle, other, reach) for all pairs of triangles, one of them marked, whose boxes lie within reach
-  /// of each other, metres: the margins of both and `range`, or `rest_part` of what they can lie apart in the
+  /// Calls visit(task, triangle, other, reach) for all pairs of triangles, one of them marked, whose boxes lie within
+  /// reach of each other, metres: the margins of both and `range`, or `rest_part` of what they can lie apart in the
   /// stress-free shape where that is less. So triangles that are small in comparison with the range do not all meet
-  /// each other.
-  template <typename Visit>
-  void visit_near(double range, double rest_part, const Visit& visit) const {
+  /// each other. The pairs are shared out in tasks as the tree alone determines, and each task is done by one thread;
+  /// begin(tasks) is called before.
+  template <typename Begin, typename Visit>
+  void visit_near(double range, double rest_part, const Begin& begin, const Visit& visit) const {
     const auto reach = [&](int a, int b) {
       const double apart = rest_boxes_[a].merged(rest_boxes_[b]).diagonal().norm();
       return std::min(range, rest_part * apart) + margins_[a] + margins_[b];
@@ -52,14 +56,16 @@ class TriangleTree {
       const double within = reach(a, b);
       return distance <= within * within;
     };
-    visit_pairs(near, [&](int a, int b) { visit(nodes_[a].triangle, nodes_[b].triangle, reach(a, b)); });
+    visit_pairs(near, begin, [&](std::size_t task, int a, int b) {
+      visit(task, nodes_[a].triangle, nodes_[b].triangle, reach(a, b));
+    });
   }
 
-  /// The same for pairs whose boxes may meet during the motion.
-  template <typename Visit>
-  void visit_meeting(const Visit& visit) const {
+  /// The same for pairs whose boxes may meet during the motion, without a reach.
+  template <typename Begin, typename Visit>
+  void visit_meeting(const Begin& begin, const Visit& visit) const {
     visit_pairs([&](int a, int b) { return boxes_[a].squaredExteriorDistance(boxes_[b]) <= squared_travel(a, b); },
-                [&](int a, int b) { visit(nodes_[a].triangle, nodes_[b].triangle); });
+                begin, [&](std::size_t task, int a, int b) { visit(task, nodes_[a].triangle, nodes_[b].triangle); });
   }
 
  private:
@@ -80,30 +86,65 @@ class TriangleTree {
   void measure(const Eigen::VectorXd& position, std::span<const double> margins);
   double squared_travel(int a, int b) const;
 
+  /// Two nodes, or one with itself: all pairs of the triangles below.
+  using NodePair = std::array<int, 2>;
+
+  /// Triangles from which on the pairs are shared out, and about how many tasks there are then.
+  static constexpr std::size_t kWorthSharing = 1000;
+  static constexpr std::size_t kTasks = 64;
+
+  static bool are_leaves(const Node& first, const Node& second) { return first.left < 0 && second.left < 0; }
+
+  /// Adds the pairs of what lies below one step to those that are open; nothing where it is not near.
+  template <typename Near>
+  void open_pair(const NodePair& pair, const Near& near, std::vector<NodePair>& open) const {
+    const auto [a, b] = pair;
+    const Node &first = nodes_[a], &second = nodes_[b];
+    if (!near(a, b)) return;
+    if (a == b) {
+      open.insert(open.end(), {{first.left, first.left}, {first.right, first.right}, {first.left, first.right}});
+    } else if (first.size >= second.size) {
+      open.insert(open.end(), {{first.left, b}, {first.right, b}});
+    } else {
+      open.insert(open.end(), {{a, second.left}, {a, second.right}});
+    }
+  }
+
+  /// Calls visit(a, b) for all near pairs of different leaves below.
   template <typename Near, typename Visit>
-  void visit_pairs(const Near& near, const Visit& visit) const {
-    if (nodes_.empty()) return;
-    std::vector<std::array<int, 2>> open = {{0, 0}};
+  void visit_below(const NodePair& pair, const Near& near, const Visit& visit) const {
+    std::vector<NodePair> open = {pair};
     while (!open.empty()) {
-      const auto [a, b] = open.back();
+      const NodePair next = open.back();
       open.pop_back();
-      const Node &first = nodes_[a], &second = nodes_[b];
-      if (a == b) {
-        if (first.left < 0 || !near(a, a)) continue;
-        open.push_back({first.left, first.left});
-        open.push_back({first.right, first.right});
-        open.push_back({first.left, first.right});
-      } else if (near(a, b)) {
-        if (first.left < 0 && second.left < 0) {
-          visit(a, b);
-        } else if (first.size >= second.size) {
-          open.push_back({first.left, b});
-          open.push_back({first.right, b});
-        } else {
-          open.push_back({a, second.left});
-          open.push_back({a, second.right});
-        }
+      if (!are_leaves(nodes_[next[0]], nodes_[next[1]])) {
+        open_pair(next, near, open);
+      } else if (next[0] != next[1] && near(next[0], next[1])) {
+        visit(next[0], next[1]);
       }
+    }
+  }
+
+  template <typename Near, typename Begin, typename Visit>
+  void visit_pairs(const Near& near, const Begin& begin, const Visit& visit) const {
+    std::vector<NodePair> tasks;
+    if (!nodes_.empty()) tasks.push_back({0, 0});
+    const std::size_t wanted = triangles_.size() < kWorthSharing ? 1 : kTasks;
+    std::size_t opened = 0;
+    for (; opened < tasks.size() && tasks.size() - opened < wanted; ++opened) {
+      const NodePair pair = tasks[opened];
+      if (are_leaves(nodes_[pair[0]], nodes_[pair[1]])) break;
+      open_pair(pair, near, tasks);
+    }
+    const std::size_t count = tasks.size() - opened;
+    begin(count);
+    const auto visit_task = [&](std::size_t task) {
+      visit_below(tasks[opened + task], near, [&](int a, int b) { visit(task, a, b); });
+    };
+    if (count == 1) {
+      visit_task(0);
+    } else {
+      tbb::parallel_for(std::size_t{0}, count, visit_task);
     }
   }
 

@@ -1,7 +1,5 @@
 #include "engine/simulation/Equilibrium.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -14,15 +12,15 @@
 #include "engine/shell/BendingPatches.hpp"
 #include "engine/simulation/LoadTerms.hpp"
 #include "engine/simulation/OpenChambers.hpp"
+#include "engine/simulation/SideBySide.hpp"
 #include "engine/simulation/WallTriangle.hpp"
 #include "engine/wall/MembraneLanes.hpp"
 
 namespace thinwall {
 namespace {
 
-/// Triangles whose terms are computed side by side before they are added one after the other: enough to share out,
-/// few enough to stay in the cache.
-constexpr int kBatch = 512;
+/// Triangles from which on a second thread is worth its while.
+constexpr int kWorthTwoThreads = 1000;
 
 /// Part of an edge beyond the range of a contact within which a triangle is kept in view: a step may overrun it.
 constexpr double kContactMargin = 0.5;
@@ -32,20 +30,6 @@ constexpr double kFarAway = 4;
 
 double square(double value) {
   return value * value;
-}
-
-/// Computes the terms of `count` members side by side, and adds them one after the other, `batch` at a time.
-template <typename Compute, typename Add, typename Terms>
-void for_each(int count, int batch, std::vector<Terms>& buffer, const Compute& compute, const Add& add) {
-  buffer.resize(batch);
-  for (int begin = 0; begin < count; begin += batch) {
-    const int end = std::min(count, begin + batch);
-    tbb::parallel_for(tbb::blocked_range<int>(begin, end, batch / 8), [&](const tbb::blocked_range<int>& range) {
-      for (int k = range.begin(); k < range.end(); ++k) compute(k, buffer[k - begin]);
-    });
-    // Added in their order, so that the number of threads cannot change a bit.
-    for (int k = begin; k < end; ++k) add(k, buffer[k - begin]);
-  }
 }
 
 void add_lane(const BodyModel& model, int triangle, const MembraneLanes& part, int lane, EquilibriumTerms& terms) {
@@ -60,7 +44,7 @@ void add_wall(const BodyModel& model, const WallMemory& memory, const Eigen::Vec
               EquilibriumTerms& terms) {
   thread_local std::vector<MembraneLanes> buffer;
   const int triangles = model.triangles();
-  for_each((triangles + kLanes - 1) / kLanes, kBatch / kLanes, buffer,
+  for_each((triangles + kLanes - 1) / kLanes, kTrianglesAtOnce / kLanes, buffer,
            [&](int group, MembraneLanes& part) {
              std::array<MembraneTriangle, kLanes> members;
              const int first = kLanes * group, count = std::min(kLanes, triangles - first);
@@ -77,7 +61,7 @@ void add_bending(const BodyModel& model, const WallMemory& memory, const Eigen::
                  EquilibriumTerms& terms) {
   thread_local std::vector<BendingTerms> buffer;
   for_each(
-      static_cast<int>(model.bending.size()), kBatch, buffer,
+      static_cast<int>(model.bending.size()), kTrianglesAtOnce, buffer,
       [&](int t, BendingTerms& part) {
         part = bending_terms(model.bending[t], patch_of(model.bending[t], position, model.vertices()),
                              memory.of_bending(t));
@@ -114,8 +98,9 @@ void add_fluid_inertia(const BodyModel& model, const FluidInertia& inertia, int 
   }
 }
 
-void add_fluid(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
-               const Eigen::VectorXd& pressure, EquilibriumTerms& terms) {
+/// Volumes and first moments of the chambers with their gradients, of the surface alone.
+void add_volumes(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
+                 EquilibriumTerms& terms) {
   const bool has_inertia = terms.moment.cols() > 0;
   const int triangles = static_cast<int>(model.surface.size());
   double of_corners[9][kLanes] = {}, gradients[9][kLanes];
@@ -132,20 +117,30 @@ void add_fluid(const BodyModel& model, const EquilibriumProblem& problem, const 
     const auto corners = corners_of(model.surface[t], position);
     add_volume(model, t, corners[0], gradients, lane, terms);
     if (has_inertia) add_fluid_inertia(model, problem.fluid_inertia[chamber], t, corners, terms);
-    if (terms.has_hessian() && pressure[chamber] != 0 && !model.is_open(chamber)) {
-      const double sixth = pressure[chamber] / 6;
-      add_cross_products(model.addresses[t], {sixth * corners[2], sixth * corners[0], -sixth * corners[1]},
-                         terms.values);
-    }
   }
   for (Eigen::Index k = 0; k < position.size(); ++k) {
     if (!model.fixed[k]) continue;
     terms.volume_gradient.row(k).setZero();
     if (terms.moment_gradient.cols() > 0) terms.moment_gradient.row(k).setZero();
   }
+}
+
+/// The Hessian of closed chambers' volumes, and the largest load.
+void add_pressure(const BodyModel& model, const Eigen::VectorXd& position, const Eigen::VectorXd& pressure,
+                  EquilibriumTerms& terms) {
+  bool any = false;
   for (Eigen::Index chamber = 0; chamber < pressure.size(); ++chamber) {
     const double largest = terms.volume_gradient.col(chamber).cwiseAbs().maxCoeff();
     terms.largest_force = std::max(terms.largest_force, std::abs(pressure[chamber]) * largest);
+    any = any || (pressure[chamber] != 0 && !model.is_open(static_cast<int>(chamber)));
+  }
+  if (!any || !terms.has_hessian()) return;
+  for (int t = 0; t < static_cast<int>(model.surface.size()); ++t) {
+    const int chamber = model.chamber[t];
+    if (chamber < 0 || pressure[chamber] == 0 || model.is_open(chamber)) continue;
+    const auto corners = corners_of(model.surface[t], position);
+    const double sixth = pressure[chamber] / 6;
+    add_cross_products(model.addresses[t], {sixth * corners[2], sixth * corners[0], -sixth * corners[1]}, terms.values);
   }
 }
 
@@ -236,7 +231,8 @@ Eigen::Vector3d material_point(const Attachment& attachment, const Eigen::Vector
 }
 
 void evaluate(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
-              const Eigen::VectorXd& pressure, bool with_hessian, EquilibriumTerms& terms) {
+              const Eigen::VectorXd& pressure, bool with_hessian, EquilibriumTerms& terms,
+              const std::function<void()>& meanwhile) {
   terms.elastic = terms.strain_energy = terms.bending = terms.bending_energy = terms.gravity = terms.load_work =
       terms.friction = terms.largest_force = 0;
   terms.gradient.setZero(position.size());
@@ -248,11 +244,21 @@ void evaluate(const BodyModel& model, const EquilibriumProblem& problem, const E
   terms.moment_gradient.setZero(position.size(), 3 * moving);
   terms.values.assign(with_hessian ? model.pattern.nonzeros() : 0, 0);
   terms.contacts.clear();
-  add_wall(model, problem.memory, position, terms);
-  add_bending(model, problem.memory, position, terms);
   terms.lips.clear();
-  if (!problem.fluids.empty()) {
-    add_fluid(model, problem, position, pressure, terms);
+  // Neither writes what the other reads or writes.
+  side_by_side(
+      model.triangles() >= kWorthTwoThreads,
+      [&] {
+        add_wall(model, problem.memory, position, terms);
+        add_bending(model, problem.memory, position, terms);
+      },
+      [&] {
+        if (chambers > 0) add_volumes(model, problem, position, terms);
+        find_contacts(model, problem, position, terms);
+        if (meanwhile) meanwhile();
+      });
+  if (chambers > 0) {
+    add_pressure(model, position, pressure, terms);
     add_open_chambers(model, problem, position, pressure, terms);
   }
   add_weight(model, problem, position, terms);
@@ -260,7 +266,6 @@ void evaluate(const BodyModel& model, const EquilibriumProblem& problem, const E
   add_loads(model, problem, position, terms);
   add_friction(model, problem.friction, position, terms);
   add_shafts(model, problem.shafts, position, terms);
-  find_contacts(model, problem, position, terms);
   terms.inertial = inertial_energy(model, problem, position) + inertial_energy(problem, terms);
 }
 

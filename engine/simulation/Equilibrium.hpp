@@ -216,9 +216,10 @@ struct EquilibriumTerms {
 
 /// Fills `terms`, reusing its memory; where the wall has collapsed its energy is not finite. `position`: (3 vertices),
 /// metres. `pressure`: (chambers), of the Hessian, pascal. Without `with_hessian` that is left out; all else is equal
-/// to the bit.
+/// to the bit. `meanwhile`: something else to be done, by another thread where there are many triangles.
 void evaluate(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
-              const Eigen::VectorXd& pressure, bool with_hessian, EquilibriumTerms& terms);
+              const Eigen::VectorXd& pressure, bool with_hessian, EquilibriumTerms& terms,
+              const std::function<void()>& meanwhile = {});
 
 /// What the forces of the problem add up to on one of its solids, at contacts found by `evaluate`. The area, that of a
 /// body with its corners and none of a corner, grows

@@ -103,7 +103,8 @@ Newton::Newton(const BodyModel& model, SparseFactor factor, SelfContact self_con
 
 void Newton::evaluate_all(const EquilibriumProblem& problem, const EquilibriumState& state, bool with_hessian,
                           EquilibriumTerms& terms) {
-  evaluate(model_, problem, state.position, state.pressure, with_hessian, terms);
+  evaluate(model_, problem, state.position, state.pressure, with_hessian, terms,
+           [&] { self_contact_.look(state.position); });
   self_contact_.evaluate(state.position, terms.folds, terms.gradient);
   terms.largest_force = std::max(terms.largest_force, terms.folds.largest_force);
 }

@@ -79,7 +79,7 @@ bool Newton::relax_patch(const EquilibriumProblem& problem, EquilibriumState& st
   }
   state.position = before;
   // What lies near itself is listed for where the wall is.
-  self_contact_.evaluate(before, trial_terms_.folds, trial_terms_.gradient);
+  self_contact_.look(before);
   return false;
 }
 

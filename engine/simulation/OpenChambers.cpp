@@ -1,9 +1,11 @@
 #include "engine/simulation/OpenChambers.hpp"
 
 #include <algorithm>
-#include <optional>
+#include <array>
+#include <vector>
 
 #include "engine/fluid/FluidWeight.hpp"
+#include "engine/simulation/SideBySide.hpp"
 
 namespace thinwall {
 namespace {
@@ -114,16 +116,49 @@ void add_filled(const BodyModel& model, const EquilibriumProblem& problem, const
   }
 }
 
-/// Loads of the fields that have a unit of slope along an axis.
-void add_moment_loads(const BodyModel& model, const EquilibriumProblem& problem, int triangle,
-                      const std::array<Eigen::Vector3d, 3>& corners, EquilibriumTerms& terms) {
+/// What the contents of an open chamber do to a triangle.
+struct ContentsTerms {
+  Eigen::Matrix<double, 9, 1> unit, load;  // metres^2, of a pascal; newton
+  Eigen::Matrix<double, 9, 3> moment;      // metres^3, of the fields that have a unit of slope along an axis
+  Eigen::Matrix<double, 9, 9> tangent;     // newton / metre, of `load`
+};
+
+bool is_below_opening(const BodyModel& model, int triangle) {
+  return model.chamber[triangle] >= 0 && model.is_open(model.chamber[triangle]);
+}
+
+/// `moment` only where contents leak and have inertia, `tangent` on demand.
+void find_contents_terms(const BodyModel& model, const EquilibriumProblem& problem, const ContentsPressure& contents,
+                         const std::array<Eigen::Vector3d, 3>& corners, bool with_hessian, int chamber,
+                         ContentsTerms& part) {
+  const PressedTriangle pressed(corners, contents.weight);
+  part.unit = pressed.unit_load();
+  part.load = pressed.load();
+  if (with_hessian) part.tangent = pressed.symmetric_tangent();
   if (problem.fluid_inertia.empty()) return;
-  const int chamber = model.chamber[triangle];
-  const Eigen::Vector3d& origin = problem.fluid_inertia[chamber].origin;
-  const Eigen::Matrix<double, 9, 3> loads = moment_loads_of(relative_to(origin, corners));
-  for (int axis = 0; axis < 3; ++axis) {
-    add_to_corners(model.surface[triangle], loads.col(axis), terms.moment_load.col(3 * chamber + axis));
+  if (model.definition.fluid.leaks) {
+    part.moment = moment_loads_of(relative_to(problem.fluid_inertia[chamber].origin, corners));
   }
+  if (contents.weight.suction) return;
+  const PressedTriangle pushed(corners, contents.inertia);
+  part.load += pushed.load();
+  if (with_hessian) part.tangent += pushed.symmetric_tangent();
+}
+
+void add_contents_terms(const BodyModel& model, int triangle, double pressure, const ContentsTerms& part,
+                        EquilibriumTerms& terms) {
+  const int chamber = model.chamber[triangle];
+  const Eigen::Vector3i& corners = model.surface[triangle];
+  if (model.definition.fluid.leaks) {
+    for (int axis = 0; axis < 3 && terms.moment_load.cols() > 0; ++axis) {
+      add_to_corners(corners, part.moment.col(axis), terms.moment_load.col(3 * chamber + axis));
+    }
+    add_to_corners(corners, part.unit, terms.pressure_load.col(chamber));
+  }
+  // The part of a pascal times the pressure comes from the columns.
+  add_to_corners(corners, pressure * part.unit - part.load, terms.gradient);
+  if (terms.has_hessian()) add_triangle(model.addresses[triangle], -part.tangent, terms.values);
+  terms.largest_force = std::max(terms.largest_force, part.load.lpNorm<Eigen::Infinity>());
 }
 
 void add_loads(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
@@ -132,30 +167,17 @@ void add_loads(const BodyModel& model, const EquilibriumProblem& problem, const 
   for (int c = 0; c < static_cast<int>(problem.fluids.size()); ++c) {
     contents.push_back(contents_pressure(model, problem, terms, c, pressure[c]));
   }
-  for (int t = 0; t < static_cast<int>(model.surface.size()); ++t) {
-    const int c = model.chamber[t];
-    if (c < 0 || !model.is_open(c)) continue;
-    const auto corners = corners_of(model.surface[t], position);
-    const PressedTriangle pressed(corners, contents[c].weight);
-    const Eigen::Matrix<double, 9, 1> unit = pressed.unit_load();
-    if (model.definition.fluid.leaks) {
-      add_moment_loads(model, problem, t, corners, terms);
-      add_to_corners(model.surface[t], unit, terms.pressure_load.col(c));
-    }
-    Eigen::Matrix<double, 9, 1> load = pressed.load();
-    std::optional<PressedTriangle> pushed;
-    if (!problem.fluid_inertia.empty() && !contents[c].weight.suction) {
-      load += pushed.emplace(corners, contents[c].inertia).load();
-    }
-    // The part of a pascal times the pressure comes from the columns.
-    add_to_corners(model.surface[t], pressure[c] * unit - load, terms.gradient);
-    if (terms.has_hessian()) {
-      Eigen::Matrix<double, 9, 9> tangent = pressed.symmetric_tangent();
-      if (pushed) tangent += pushed->symmetric_tangent();
-      add_triangle(model.addresses[t], -tangent, terms.values);
-    }
-    terms.largest_force = std::max(terms.largest_force, load.lpNorm<Eigen::Infinity>());
-  }
+  thread_local std::vector<ContentsTerms> buffer;
+  for_each(
+      static_cast<int>(model.surface.size()), kTrianglesAtOnce, buffer,
+      [&](int t, ContentsTerms& part) {
+        if (!is_below_opening(model, t)) return;
+        find_contents_terms(model, problem, contents[model.chamber[t]], corners_of(model.surface[t], position),
+                            terms.has_hessian(), model.chamber[t], part);
+      },
+      [&](int t, const ContentsTerms& part) {
+        if (is_below_opening(model, t)) add_contents_terms(model, t, pressure[model.chamber[t]], part, terms);
+      });
   for (const OpeningModel& opening : model.openings) {
     const Eigen::Matrix3Xd lips = opening.at(position);
     const ContentsPressure& of = contents[opening.chamber];

@@ -21,6 +21,14 @@ Eigen::VectorXd position_of(const SurfaceMesh& mesh) {
   return position;
 }
 
+SelfContactTerms evaluated(SelfContact& contact, const Eigen::VectorXd& position, Eigen::VectorXd& gradient) {
+  SelfContactTerms terms;
+  gradient.setZero(position.size());
+  contact.look(position);
+  contact.evaluate(position, terms, gradient);
+  return terms;
+}
+
 struct Wall {
   explicit Wall(SurfaceMesh the_mesh, double the_thickness = 1e-3, std::vector<FloorPlane> floors = {})
       : mesh(std::move(the_mesh)),
@@ -35,10 +43,7 @@ struct Wall {
                  .pressure = 1e3}) {}
 
   SelfContactTerms evaluate(const Eigen::VectorXd& position, Eigen::VectorXd& gradient) {
-    SelfContactTerms terms;
-    gradient.setZero(position.size());
-    contact.evaluate(position, terms, gradient);
-    return terms;
+    return evaluated(contact, position, gradient);
   }
 
   SurfaceMesh mesh;
@@ -306,10 +311,8 @@ TEST(SelfContact, KnowsAfterACutWhatAFreshOneFindsOut) {
   SelfContact known(definition, whole.contact), fresh(definition);
   for (int k = 0; k < 5; ++k) {
     const Eigen::VectorXd position = k == 0 ? placement : folded(cut.rest);
-    SelfContactTerms one, other;
-    Eigen::VectorXd of_one = Eigen::VectorXd::Zero(position.size()), of_other = of_one;
-    known.evaluate(position, one, of_one);
-    fresh.evaluate(position, other, of_other);
+    Eigen::VectorXd of_one, of_other;
+    const SelfContactTerms one = evaluated(known, position, of_one), other = evaluated(fresh, position, of_other);
     EXPECT_GT(one.folds.size(), 100U);
     EXPECT_EQ(one.folds.size(), other.folds.size());
     EXPECT_EQ(one.energy, other.energy);
@@ -336,16 +339,13 @@ TEST(SelfContact, LeavesPartsAloneThatACutHasLeftInEachOther) {
   EXPECT_GT(wall.evaluate(pressed, gradient).energy, 0);
   EXPECT_LT(wall.contact.safe_fraction(pressed, motion), 1);
   SelfContact after(after_a_cut(wall, pressed));
-  SelfContactTerms terms;
-  gradient.setZero();
-  after.evaluate(pressed, terms, gradient);
+  SelfContactTerms terms = evaluated(after, pressed, gradient);
   for (const FoldContact& fold : terms.folds) EXPECT_GT(fold.pair.closest.distance, 1e-5);
   EXPECT_EQ(after.safe_fraction(pressed, 1e-3 * motion), 1);
   // Until the next cut, by when they have come out of each other.
   const Eigen::VectorXd apart = pressed - 0.03 * motion;
   SelfContact later(after_a_cut(wall, apart, after.edge_length()), after);
-  gradient.setZero();
-  later.evaluate(apart, terms, gradient);
+  terms = evaluated(later, apart, gradient);
   EXPECT_GT(
       std::ranges::count_if(terms.folds, [](const FoldContact& fold) { return fold.pair.closest.distance < 3.2e-5; }),
       50);
