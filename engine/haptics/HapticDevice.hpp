@@ -7,6 +7,9 @@
 
 namespace thinwall {
 
+/// Metres from the scene's origin that a hand does not reach: what says so is no pose of one.
+constexpr double kFarthestHand = 10;
+
 /// What a hand holds: something that tells where the tool is and is told what it feels. Both calls come from the
 /// real-time thread once a tick and must not wait.
 class HapticDevice {

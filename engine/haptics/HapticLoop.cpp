@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "engine/haptics/RealTimeThread.hpp"
+#include "engine/tool/PoseBetween.hpp"
 
 namespace thinwall {
 namespace {
@@ -83,7 +84,11 @@ Eigen::Vector3d CorrectedForce::force(HapticTick& tick, const Eigen::Vector3d& v
 
 Eigen::Vector3d FullForce::force(HapticTick& tick, const Eigen::Vector3d&) {
   tick.fresh = true;
-  return solver_(tick.time, tick.pose).response.force;
+  ToolPose pose = tick.pose;
+  const double way = reached_ ? (pose.tip - reached_->tip).norm() : 0;
+  if (way > most_way_) pose = between(*reached_, pose, most_way_ / way);
+  reached_ = pose;
+  return solver_(tick.time, pose).response.force;
 }
 
 HapticRecord run_haptic_loop(HapticDevice& device, ForceSource& source, const HapticLoopOptions& options) {

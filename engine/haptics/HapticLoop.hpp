@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -88,11 +89,15 @@ class CorrectedForce final : public ForceSource {
 /// Solves fully in each tick: for small bodies.
 class FullForce final : public ForceSource {
  public:
-  explicit FullForce(FullSolver solver) : solver_(std::move(solver)) {}
+  /// `most_way`: metres that the tool goes in a tick. A hand that is set elsewhere it follows at that rate: a way of
+  /// any length would take a time of any length.
+  FullForce(FullSolver solver, double most_way) : solver_(std::move(solver)), most_way_(most_way) {}
   Eigen::Vector3d force(HapticTick& tick, const Eigen::Vector3d& velocity) override;
 
  private:
   FullSolver solver_;
+  double most_way_;                  // metres
+  std::optional<ToolPose> reached_;  // in the last tick
 };
 
 /// No force at all, and no work: what the loop itself costs.

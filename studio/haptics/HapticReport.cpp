@@ -111,12 +111,20 @@ double largest_change(const std::vector<TimedForce>& full, double period) {
   return largest;
 }
 
+namespace {
+
+const char* real_time_text(const HapticReport& report) {
+  if (report.record.was_real_time) return "yes";
+  if (!report.asked_for_real_time) return "not asked for; wake-ups depend on what else runs";
+  return "not permitted (needs root, CAP_SYS_NICE or a limit `rtprio`), so that wake-ups depend on what else runs";
+}
+
+}  // namespace
+
 std::string to_text(const HapticReport& report) {
   std::string text = fmt::format("{}: {} triangles, tool `{}`, {:.2f} s at {:.0f} Hz, {} forces\n", report.scenario,
                                  report.triangles, report.tool, report.duration, 1 / report.period, report.forces);
-  text += report.record.was_real_time ? "real-time scheduling: yes\n"
-                                      : "real-time scheduling: not permitted (needs root, CAP_SYS_NICE or a limit "
-                                        "`rtprio`), so that wake-ups depend on what else runs\n";
+  text += fmt::format("real-time scheduling: {}\n", real_time_text(report));
   text += fmt::format("{:<24}{:>10}{:>10}{:>10}{:>10}\n", "milliseconds", "p50", "p99", "p99.9", "largest");
   text += row("latency", latency(report.record));
   text += row("  wake-up jitter", wake_up(report.record));

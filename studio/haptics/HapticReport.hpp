@@ -45,6 +45,7 @@ struct HapticReport {
   int triangles = 0;                                  // of all bodies' walls
   double period = 1e-3;                               // seconds
   double duration = 0;                                // seconds, that the loop ran
+  bool asked_for_real_time = true;
   HapticRecord record = {};
   HapticRecord empty = {};          // of the empty loop
   RefreshFigures refresh = {};      // none of full forces

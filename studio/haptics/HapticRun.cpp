@@ -54,6 +54,9 @@ constexpr double kForeseenWay = 0.5;
 constexpr double kMostWay = 0.25;
 constexpr double kForesight = 0.06;  // seconds
 
+/// Part of the reach at which models of tools that change the wall end: where they do, the solution is late.
+constexpr double kReachIntoWall = 0.25;
+
 /// Part of the reach that the tool goes in a solution of a fine body.
 constexpr double kMostFineWay = 0.25;
 
@@ -130,7 +133,10 @@ RefreshOptions refresh_options(const ToolDefinition& tool) {
   const double reach = reach_of(tool);
   RefreshOptions options{.reach = reach, .shortest_way = kShortestWay * reach, .most_way = kMostWay * reach};
   // Where a tool goes through the wall no pose may be tried that the hand does not reach.
-  if (changes_wall(tool)) return options;
+  if (changes_wall(tool)) {
+    options.reach *= kReachIntoWall;
+    return options;
+  }
   options.foresight = kForesight;
   options.foreseen_way = kForeseenWay * reach;
   return options;
@@ -254,7 +260,8 @@ void run_loop(const HapticPlan& plan, const Scenario* coarse, LoopedRun& looped,
     if (report.forces == "local" && coarse != nullptr) {
       run_corrected(plan, *coarse, looped, tool, hand, options, report);
     } else if (report.forces == "full") {
-      FullForce source([&](double time, const ToolPose& pose) { return looped.solve(time, pose, false); });
+      FullForce source([&](double time, const ToolPose& pose) { return looped.solve(time, pose, false); },
+                       reach_of(plan.scenario.tools[tool]));
       report.record = run_haptic_loop(*hand.device, source, options);
     } else {
       ModelRefresh refresh([&](double time, const ToolPose& pose) { return looped.solve(time, pose, true); },
@@ -286,6 +293,7 @@ HapticReport run_haptics(const HapticPlan& plan) {
   const HapticRecord empty = run_empty_loop(plan, looped->first_pose());
   Hand hand = make_hand(plan, tool, looped->first_pose());
   HapticReport report{.scenario = plan.scenario.name, .tool = plan.scenario.tools[tool].name};
+  report.asked_for_real_time = plan.real_time;
   report.empty = empty;
   report.triangles = looped->triangles();
   const bool small = report.triangles <= kFullTriangles;

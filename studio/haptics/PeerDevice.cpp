@@ -29,7 +29,8 @@ std::optional<ToolPose> pose_of(const PeerPose& packet) {
                 .direction = vector_of(packet.direction),
                 .axis = vector_of(packet.axis),
                 .opening = packet.opening};
-  if (!pose.tip.allFinite() || !std::isfinite(pose.opening)) return std::nullopt;
+  // Asked this way round, what is not a number is no pose either.
+  if (!(pose.tip.norm() <= kFarthestHand) || !std::isfinite(pose.opening)) return std::nullopt;
   const double errors =
       std::abs(pose.direction.norm() - 1) + std::abs(pose.axis.norm() - 1) + std::abs(pose.direction.dot(pose.axis));
   if (!(errors <= kAxisSlack)) return std::nullopt;

@@ -42,7 +42,8 @@ class PeerError : public std::runtime_error {
 
 /// A driver of a real device, or of another program, on this machine: it binds a datagram socket of its own in the file
 /// system, sends PeerPose to ours whenever it likes, and receives PeerForce once a tick. The latest pose counts; a pose
-/// that is no pose (not finite, axes that are not perpendicular units) is passed over.
+/// that is no pose of a hand (not finite, farther than kFarthestHand, axes that are not perpendicular units) is passed
+/// over.
 class PeerDevice final : public HapticDevice {
  public:
   /// Opens the socket at `path`, which must not be there. Throws PeerError.

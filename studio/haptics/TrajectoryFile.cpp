@@ -1,5 +1,8 @@
 #include "studio/haptics/TrajectoryFile.hpp"
 
+#include <fmt/format.h>
+
+#include "engine/haptics/HapticDevice.hpp"
 #include "studio/organs/CsvTable.hpp"
 #include "studio/scenario/InputError.hpp"
 
@@ -22,6 +25,13 @@ std::vector<TimedPose> read_trajectory(const std::filesystem::path& file, const 
     }
     TimedPose moment{.time = times.values[row] - times.values[0], .pose = frame};
     moment.pose.tip = {columns[1].values[row], columns[2].values[row], columns[3].values[row]};
+    if (moment.pose.tip.norm() > kFarthestHand) {
+      throw InputErrors(
+          {{SourceLocation{.file = file, .line = columns[1].lines[row], .column = columns[1].columns[row]},
+            fmt::format("x_m, y_m, z_m: no hand is farther than {:g} m from the scene's origin; the table "
+                        "is in metres",
+                        kFarthestHand)}});
+    }
     moments.push_back(moment);
   }
   return moments;

@@ -79,9 +79,28 @@ TEST(HapticLoopTest, ASolverThatFailsEndsTheLoopAndIsHeardOf) {
 
 TEST(HapticLoopTest, FullForcesAreSolvedInEachTick) {
   Trajectory hand(straight_in(0.1, 1e-3));
-  FullForce source([](double, const ToolPose& pose) { return FullAnswer{.response = spring(pose, 50)}; });
+  FullForce source([](double, const ToolPose& pose) { return FullAnswer{.response = spring(pose, 50)}; }, 1e-3);
   const HapticRecord record = run_haptic_loop(hand, source, {.duration = 1, .real_time = false});
   for (const HapticTick& tick : record.ticks) EXPECT_DOUBLE_EQ(tick.force.z(), -50 * tick.pose.tip.z());
+}
+
+TEST(HapticLoopTest, AHandThatIsSetElsewhereIsFollowedByNoMoreThanItsWayInEachTick) {
+  std::vector<TimedPose> moments = straight_in(0.1, 5);
+  moments.insert(moments.begin() + 1, {.time = 50e-3, .pose = {}});
+  moments[2].time = 51e-3;
+  moments.push_back({.time = 0.1, .pose = moments[2].pose});
+  Trajectory hand(moments);
+  std::vector<double> depths;
+  FullForce source(
+      [&](double, const ToolPose& pose) {
+        depths.push_back(-pose.tip.z());
+        return FullAnswer{.response = spring(pose, 50)};
+      },
+      1e-3);
+  run_haptic_loop(hand, source, {.duration = 1, .real_time = false});
+  ASSERT_GT(depths.size(), 10U);
+  for (std::size_t k = 1; k < depths.size(); ++k) EXPECT_LE(depths[k] - depths[k - 1], 1e-3 * (1 + 1e-9));
+  EXPECT_GT(depths.back(), 5e-3);
 }
 
 }  // namespace

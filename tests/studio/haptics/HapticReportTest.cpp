@@ -50,5 +50,13 @@ TEST(HapticReportTest, SkippedTicksCountAsMissed) {
   EXPECT_DOUBLE_EQ(json["latency"]["largest_ms"], 0.03);
 }
 
+TEST(HapticReportTest, TellsThatRealTimeWasNotPermittedOnlyWhereItWasAskedFor) {
+  HapticReport report;
+  report.record.ticks = report.empty.ticks = {tick(0, 1)};
+  EXPECT_NE(to_text(report).find("not permitted"), std::string::npos);
+  report.asked_for_real_time = false;
+  EXPECT_EQ(to_text(report).find("not permitted"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace thinwall

@@ -84,6 +84,7 @@ TEST_F(PeerDeviceTest, WhatIsNoPoseIsPassedOver) {
   driver_.send(pose_number(1, 0.01));
   PeerPose bad = pose_number(2, std::nan(""));
   driver_.send(bad);
+  driver_.send(pose_number(2, 1e6));
   bad = pose_number(3, 0.02);
   bad.axis[2] = 1;
   driver_.send(bad);

@@ -22,7 +22,7 @@ TEST(TrajectoryFileTest, TheForcesOfARunAreAMotion) {
   EXPECT_EQ(moments[1].pose.direction, frame.direction);
 }
 
-TEST(TrajectoryFileTest, TimesThatDoNotAscendAreToldWithTheirPlace) {
+TEST(TrajectoryFileTest, TimesThatDoNotAscendAndPlacesThatNoHandReachesAreToldWithTheirPlace) {
   const TemporaryFolder folder;
   write_bytes(folder / "two.csv", "time_s,x_m,y_m,z_m\n0,0,0,0\n0,1,1,1\n");
   try {
@@ -30,6 +30,13 @@ TEST(TrajectoryFileTest, TimesThatDoNotAscendAreToldWithTheirPlace) {
     FAIL() << "was taken";
   } catch (const InputErrors& errors) {
     EXPECT_NE(std::string(errors.what()).find("two.csv:3:1"), std::string::npos) << errors.what();
+  }
+  write_bytes(folder / "far.csv", "time_s,x_m,y_m,z_m\n0,0,0,0\n1,0,25,0\n");
+  try {
+    read_trajectory(folder / "far.csv", {});
+    FAIL() << "was taken";
+  } catch (const InputErrors& errors) {
+    EXPECT_NE(std::string(errors.what()).find("far.csv:3:3"), std::string::npos) << errors.what();
   }
   write_bytes(folder / "none.csv", "time_s,x_m,y_m,z_m\n");
   EXPECT_THROW(read_trajectory(folder / "none.csv", {}), InputErrors);
