@@ -245,14 +245,18 @@ bool Body::jumped_over_balls(std::span<const ToolPose> begin, const EquilibriumP
     // Places farther away cannot have come so deep.
     const double reach =
         std::min(before[k].sharpness() + model_->edge_length, farthest - kDeepestWay * after.solid.sharpness());
+    // Below zero only what was pressed can be as deep already.
+    const bool only_pressed = reach < 0;
     thread_local std::vector<char> is_near;  // (triangles), asked of each once: it has several sites
-    is_near.resize(model_->surface.size());
-    std::ranges::transform(model_->surface, is_near.begin(), [&](const Eigen::Vector3i& triangle) {
-      return !is_out_of_reach(before[k], reach, corners_of(triangle, state_.equilibrium.position));
-    });
+    is_near.assign(model_->surface.size(), 1);
+    if (!only_pressed) {
+      std::ranges::transform(model_->surface, is_near.begin(), [&](const Eigen::Vector3i& triangle) {
+        return !is_out_of_reach(before[k], reach, corners_of(triangle, state_.equilibrium.position));
+      });
+    }
     for (int s = 0; s < static_cast<int>(model_->sites.size()); ++s) {
       const ContactSite& site = model_->sites[s];
-      if (!is_near[site.triangle]) continue;
+      if (!is_near[site.triangle] || (only_pressed && state_.solid_forces[k][s] <= 0)) continue;
       if (problem.is_free(after.tool, site.triangle) || problem.passes(after.tool, s)) continue;
       const Eigen::Vector3i& triangle = model_->surface[site.triangle];
       const auto near = solid_gap(before[k], reach, corners_of(triangle, state_.equilibrium.position), site.part,
