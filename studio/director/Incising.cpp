@@ -104,6 +104,12 @@ void note_wall_below(IncisionPlan& plan, const Body& body, const ToolDefinition&
   passed.length += travel;
 }
 
+void note_open_wall(IncisionPlan& plan, const Body& body, const BladeStep& step) {
+  const CutProgress& cut = body.state().cut;
+  const bool is_open = cut.is_in_wound || cut.gap || cut.ahead > 0;
+  if (is_in_wall(body, step.tool) && is_open) plan.open += plan.progress(step.end) - plan.progress(step.begin);
+}
+
 std::vector<std::string> passed_over_notes(std::span<const ScheduledClip> clips,
                                            std::span<const ToolDefinition> tools) {
   std::vector<std::string> notes;

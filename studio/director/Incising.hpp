@@ -48,6 +48,9 @@ struct RunningCut {
 /// none.
 void note_wall_below(IncisionPlan& plan, const Body& body, const ToolDefinition& blade, const BladeStep& step);
 
+/// After a step: notes in `plan` how much of its path the blade went through what was cut before.
+void note_open_wall(IncisionPlan& plan, const Body& body, const BladeStep& step);
+
 /// Sentences for the user: which blades have passed above a wall by more than their width.
 std::vector<std::string> passed_over_notes(std::span<const ScheduledClip> clips, std::span<const ToolDefinition> tools);
 

@@ -29,6 +29,7 @@ struct IncisionPlan {
   PassedOver passed_over = {};
   double edge_length = 0;  // metres, mean, of the body's triangles
   double cut = 0;          // metres, rest, that the clip has cut so far
+  double open = 0;         // metres of the path so far, along which the wall had been cut before
 
   double duration() const;                  // seconds
   ToolMoment at(double time) const;         // `time`: seconds since the clip began, limited to its duration

@@ -18,8 +18,25 @@ std::optional<std::string> piercing_note(std::size_t number, const PiercingPlan&
       number, plan.clip.tool, 1e3 * plan.clip.depth, plan.clip.body);
 }
 
+/// Of the path of a blade, below which it is told that this is all it has cut.
+constexpr double kHardlyCut = 0.5;
+
+/// Beyond a cut there may be one that is shorter than so many edges, which is no matter.
+constexpr double kShortRest = 3;
+
+std::optional<std::string> short_cut_note(std::size_t number, const IncisionPlan& plan) {
+  const double length = plan.path.length(), uncut = length - plan.cut - plan.open - plan.passed_over.length;
+  if (uncut < (1 - kHardlyCut) * length || uncut < kShortRest * plan.edge_length) return std::nullopt;
+  return fmt::format(
+      "timeline[{}]: blade `{}` has gone its whole path of {:.4g} mm and cut no more than {:.3g} mm of body `{}`, "
+      "which "
+      "gave way to it or is held along that path; hold the body (`fixed`) beside it but not nearer than an edge of its "
+      "triangles ({:.3g} mm), go deeper, or take more steps (`time_step`)",
+      number, plan.clip.tool, 1e3 * length, 1e3 * plan.cut, plan.clip.body, 1e3 * plan.edge_length);
+}
+
 std::optional<std::string> incision_note(std::size_t number, const IncisionPlan& plan) {
-  if (plan.cut > 0) return std::nullopt;
+  if (plan.cut > 0) return short_cut_note(number, plan);
   const std::string which = fmt::format("timeline[{}]: blade `{}` has gone its whole path of {:.4g} mm and cut nothing",
                                         number, plan.clip.tool, 1e3 * plan.path.length());
   if (plan.path.length() >= plan.edge_length) {

@@ -197,6 +197,7 @@ struct ScenarioRun::Implementation {
         runs.try_emplace(index, RunningCut{.blade = incision->clip.tool, .since = until});
       }
       note_wall_below(*incision, body, scenario.tools[step.tool], step);
+      note_open_wall(*incision, body, step);
     }
   }
 

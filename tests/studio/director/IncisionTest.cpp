@@ -275,6 +275,25 @@ TEST(Incision, CutsPathsThatAreShorterThanTheTrianglesAndTellsOfBladesThatCutNot
   EXPECT_EQ(cut, 0);
 }
 
+TEST(Incision, TellsOfABladeThatCutsHardlyAnythingBesideABorderThatIsHeld) {
+  const auto note_of = [](double beside) {
+    Scenario scenario = sheet_scenario(1.05);
+    std::get<InciseClip>(scenario.timeline[0].action).path = {{-0.015, beside, 0}, {0.015, beside, 0}};
+    ScenarioRun run(scenario);
+    while (run.step()) {
+    }
+    std::string note;
+    for (const std::string& warning : run.warnings()) {
+      if (warning.find("cut no more than") != std::string::npos) note += warning;
+    }
+    return note;
+  };
+  // The sheet is 40 mm wide, its triangles have edges of 2.5 mm.
+  const std::string note = note_of(-0.0197);
+  EXPECT_EQ(note.find("timeline[1]: blade `blade` has gone its whole path of 30 mm and cut no more than "), 0U) << note;
+  EXPECT_EQ(note_of(-0.017), "");
+}
+
 TEST(Incision, GoesIntoABorderThatIsHeldAndFeelsWhatToughnessAsks) {
   Scenario scenario = sheet_scenario(1.1);
   auto& clip = std::get<InciseClip>(scenario.timeline[0].action);
