@@ -74,7 +74,9 @@ std::string cell(const std::string& text) {
 }  // namespace
 
 PoseTables::PoseTables()
-    : cameras_("frame,time_s,fx_px,fy_px,cx_px,cy_px,r11,r12,r13,r21,r22,r23,r31,r32,r33,t1_m,t2_m,t3_m\n"),
+    : cameras_(
+          "frame,time_s,fx_px,fy_px,cx_px,cy_px,r11,r12,r13,r21,r22,r23,r31,r32,r33,t1_m,t2_m,t3_m,"
+          "k1,k2,p1,p2,k3\n"),
       tools_(
           "frame,time_s,tool,kind,phase,x_m,y_m,z_m,direction_x,direction_y,direction_z,axis_x,axis_y,axis_z,fx_N,fy_N,"
           "fz_N\n") {}
@@ -87,6 +89,7 @@ void PoseTables::add(std::size_t frame, double time, const Camera& camera, const
   cameras_ += fmt::format("{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}", frame, time, k.fx, k.fy, k.cx, k.cy);
   for (const Vector3& row : rows) cameras_ += numbers({row.x, row.y, row.z});
   cameras_ += numbers({-dot(rows[0], camera.position), -dot(rows[1], camera.position), -dot(rows[2], camera.position)});
+  for (const double coefficient : distortion(camera)) cameras_ += fmt::format(",{:.17g}", coefficient);
   cameras_ += '\n';
   for (const SnapshotTool& tool : tools) {
     tools_ += fmt::format("{},{:.17g},{},{},{}", frame, time, cell(tool.name), kind_name(tool.kind), tool.phase);

@@ -8,21 +8,22 @@
 
 namespace thinwall {
 
-/// Where cameras and tools were, as CSV, and the camera's matrix as OpenCV reads it.
+/// Where cameras and tools were, as CSV, and the first camera's matrix and lens as OpenCV reads them.
 class PoseTables {
  public:
   PoseTables();
   void add(std::size_t frame, double time, const Camera& camera, const PicturePart& part,
            const std::vector<SnapshotTool>& tools);
 
-  /// `frame,time_s,fx_px,fy_px,cx_px,cy_px,r11,...,r33,t1_m,t2_m,t3_m`: x' = R x + t takes the world to the camera's
-  /// axes (x to the right, y down, z along the line of sight), in OpenCV's way.
+  /// `frame,time_s,fx_px,fy_px,cx_px,cy_px,r11,...,r33,t1_m,t2_m,t3_m,k1,k2,p1,p2,k3`: x' = R x + t takes the world to
+  /// the camera's axes (x to the right, y down, z along the line of sight), in OpenCV's way; its lens bends x'/z',
+  /// y'/z' (LensDistortion). A frame's row tells all of its camera, which cuts and keyframes change.
   const std::string& cameras() const { return cameras_; }
 
   /// `frame,time_s,tool,kind,phase,x_m,...`: tip, direction and y' of the tool's frame, and the force on it.
   const std::string& tools() const { return tools_; }
 
-  /// Of the first frame, for cv::FileStorage: image_width, image_height, camera_matrix, distortion_coefficients.
+  /// Of the first frame alone, for cv::FileStorage: image_width, image_height, camera_matrix, distortion_coefficients.
   const std::string& intrinsics() const { return intrinsics_; }
 
  private:
