@@ -230,13 +230,17 @@ TEST_F(ProgramGLTest, GroundTruthReplacesThatOfAnEarlierRunAndNothingElse) {
   EXPECT_EQ(file_bytes(folder_ / "run/ground_truth/notes.txt"), "mine");
 }
 
+/// What scripts/read-ground-truth prints of a frame of the folder's run; empty where it fails.
+std::string ground_truth_summary(const TemporaryFolder& folder, int frame) {
+  const std::string command = std::string(THINWALL_SOURCE_DIR) + "/scripts/read-ground-truth '" +
+                              (folder / "run/ground_truth").string() + "' " + std::to_string(frame) + " > '" +
+                              (folder / "summary.txt").string() + "'";
+  return std::system(command.c_str()) == 0 ? file_bytes(folder / "summary.txt") : "";
+}
+
 TEST_F(ProgramGLTest, TheScriptForGroundTruthReadsEachLayer) {
   expect_good({"run", "scenes/small.yaml", "--no-video", "--aov", "--out", "run"});
-  const std::string command = std::string(THINWALL_SOURCE_DIR) + "/scripts/read-ground-truth '" +
-                              (folder_ / "run/ground_truth").string() + "' 3 > '" + (folder_ / "summary.txt").string() +
-                              "'";
-  ASSERT_EQ(std::system(command.c_str()), 0);
-  const std::string summary = file_bytes(folder_ / "summary.txt");
+  const std::string summary = ground_truth_summary(folder_, 3);
   for (const std::string layer :
        {"depth ", "depth_16", "normals", "instances", "parts", "materials", "forward_flow ", "forward_flow_kitti",
         "forward_state", "backward_flow ", "backward_flow_kitti", "backward_state", "stress", "contact_pressure",
@@ -245,6 +249,20 @@ TEST_F(ProgramGLTest, TheScriptForGroundTruthReadsEachLayer) {
   }
   EXPECT_NE(summary.find("as instances: True"), std::string::npos) << summary;
   EXPECT_EQ(summary.find("as instances: False"), std::string::npos) << summary;
+}
+
+TEST_F(ProgramGLTest, TheScriptForGroundTruthSeesToolsThroughTheLensOfTheFramesOwnCamera) {
+  write_bytes(folder_ / "two_lenses.yaml",
+              small_scenario() +
+                  "camera: { lens: { k1: -0.3 } }\n"
+                  "cameras: { side: { position: [90 mm, -20 mm, 10 mm], target: [0, -20 mm, 10 mm],\n"
+                  "                   field_of_view: 60 deg, lens: { k1: 0.4 } } }\n"
+                  "cuts: [ { at: 0 s, camera: main }, { at: 20 ms, camera: side } ]\n");
+  expect_good({"run", "two_lenses.yaml", "--no-video", "--aov", "--out", "run"});
+  // After 40 ms the tip is at (0, 0, 20.2 mm): x = 20 / 90 to the right of the line of sight, y = 10.2 / 90 above it,
+  // where the lens magnifies by 1 + 0.4 (x^2 + y^2) = 1.0249. A tangent of one is 48 / tan 30 degrees = 83.14 pixels.
+  const std::string summary = ground_truth_summary(folder_, 1);
+  EXPECT_NE(summary.find("probe (approach), its tip at pixel [98.4 37.8]"), std::string::npos) << summary;
 }
 
 TEST_F(ProgramGLTest, ATakeCanBeRenderedInAnotherSizeAndView) {
