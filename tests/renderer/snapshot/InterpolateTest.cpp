@@ -66,6 +66,18 @@ TEST(Interpolate, TheEndsAreTheSnapshotsThemselvesAndTimesBeyondAreClamped) {
   }
 }
 
+TEST(Interpolate, APhaseHoldsFromItsOwnSnapshotOnThoughTimesDifferByRounding) {
+  const auto topology = one_triangle();
+  const Snapshot earlier = snapshot_at(0.1, 1, topology), later = snapshot_at(0.2, 2, topology);
+  const auto phase_at = [&](double time) { return interpolate(earlier, later, time).tools[0].phase; };
+  EXPECT_EQ(phase_at(0.1), "approach");
+  EXPECT_EQ(phase_at(0.15), "approach");
+  EXPECT_EQ(phase_at(0.199), "approach");
+  EXPECT_EQ(phase_at(0.2 - 1e-12), "press");
+  EXPECT_EQ(phase_at(0.2), "press");
+  EXPECT_EQ(phase_at(0.2 + 1e-12), "press");
+}
+
 TEST(Interpolate, DirectionsKeepLengthOne) {
   const auto topology = one_triangle();
   Snapshot earlier = snapshot_at(0, 1, topology);
@@ -81,6 +93,7 @@ TEST(Interpolate, SnapshotsAtOneTimeGiveTheEarlierOne) {
   const auto topology = one_triangle();
   const Snapshot same = interpolate(snapshot_at(1, 1, topology), snapshot_at(1, 2, topology), 1);
   EXPECT_EQ(same.tools[0].tip[2], 1);
+  EXPECT_EQ(same.tools[0].phase, "approach");
 }
 
 TEST(Interpolate, ACutIsThereAtOnceAndOpensEvenly) {
