@@ -83,13 +83,13 @@ Double3 double3(Vector3 values) {
   return {values.x, values.y, values.z};
 }
 
-std::array<float, 4> float4(const Double3& values, double w) {
+std::array<float, 4> packed(const Double3& values, double w) {
   return {static_cast<float>(values[0]), static_cast<float>(values[1]), static_cast<float>(values[2]),
           static_cast<float>(w)};
 }
 
 std::array<float, 4> linear4(const Double3& color, double w) {
-  return float4({linear_from_srgb(color[0]), linear_from_srgb(color[1]), linear_from_srgb(color[2])}, w);
+  return packed({linear_from_srgb(color[0]), linear_from_srgb(color[1]), linear_from_srgb(color[2])}, w);
 }
 
 }  // namespace
@@ -106,17 +106,17 @@ LookUniforms look_uniforms(const TissueLook& given, TissueSide side, const Vesse
           .blood = linear4(blood, look.wetness),
           .fat = linear4(fat, is_rim ? 0 : look.fattiness),
           .through = linear4(look.through, look.clearness),
-          .scatter = float4(look.scatter, look.sheen),
-          .vessels = float4({look.vessels, 1 / look.vessel_spacing, look.capillaries}, look.mottling),
-          .relief = float4({look.relief, 1 / look.relief_size, look.creases}, look.ridges),
-          .pattern = float4({look.patches, 1 / look.patch_size, is_rim ? look.layers.outer_part : 0},
+          .scatter = packed(look.scatter, look.sheen),
+          .vessels = packed({look.vessels, 1 / look.vessel_spacing, look.capillaries}, look.mottling),
+          .relief = packed({look.relief, 1 / look.relief_size, look.creases}, look.ridges),
+          .pattern = packed({look.patches, 1 / look.patch_size, is_rim ? look.layers.outer_part : 0},
                             is_rim        ? 1 - look.layers.inner_part
                             : is_enclosed ? 1
                                           : 0),
-          .tree_middle = float4(double3(tree.middle), 1 / tree.half_length),
-          .tree_along = float4(double3(tree.along), vessel_trunks(tree, look.vessel_spacing)),
-          .tree_across = float4(double3(tree.across), 0.036 * look.vessel_spacing),
-          .tree_aside = float4(double3(cross(tree.along, tree.across)), look.pores),
+          .tree_middle = packed(double3(tree.middle), 1 / tree.half_length),
+          .tree_along = packed(double3(tree.along), vessel_trunks(tree, look.vessel_spacing)),
+          .tree_across = packed(double3(tree.across), 0.036 * look.vessel_spacing),
+          .tree_aside = packed(double3(cross(tree.along, tree.across)), look.pores),
           .lamp_size = static_cast<float>(look.lamp_size)};
 }
 

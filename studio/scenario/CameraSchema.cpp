@@ -35,7 +35,7 @@ ValueSchema keyframes_value() {
       time_key("at", "1.5 s", "when"),
       {"position", place_value(), false, {}, "where the camera stands"},
       {"target", place_value(), false, {}, "what it looks at"},
-      {"up", direction_value(), false, {}, "what is up in the picture"},
+      {"up", direction_value(), false, {}, "what is up in the picture; not along the line of sight"},
       {"field_of_view", angle_value(), false, {}, kAngleWords},
       {"ease", word_value({"linear", "smooth"}), false, "smooth",
        "the way to here from the keyframe before: at constant speed, or starting and ending at rest"},
@@ -60,7 +60,8 @@ ValueSchema lens_value() {
   MappingSchema lens{.name = "lens",
                      .documentation =
                          "Distortion with OpenCV's coefficients: of the radial polynomial 1 + k1 r^2 + k2 "
-                         "r^4 + k3 r^6, and tangential ones. The field of view is that of the picture."};
+                         "r^4 + k3 r^6, and tangential ones. The field of view is that of the picture; a lens that "
+                         "folds the picture over before its border is an error, which tells how wide it may be."};
   for (const char* key : {"k1", "k2", "p1", "p2", "k3"}) {
     lens.keys.push_back(
         {key, quantity_value(kDimensionless, range, "-0.2"), false, "0", key[0] == 'k' ? "radial" : "tangential"});
@@ -112,7 +113,7 @@ MappingSchema camera_mapping(const std::string& name, const std::string& documen
        {},
        "how steeply a camera without `position` and `facing` looks down: 0 deg from the side, 89 deg from above; when "
        "absent 33 deg, and 55 deg where blades cut a round or flat shape from above, or along a `direction` downwards"},
-      {"up", direction_value(), false, {}, "what is up in the picture"},
+      {"up", direction_value(), false, {}, "what is up in the picture; not along the line of sight"},
       {"orbit_speed", quantity_value(kAngularSpeed, {}, "10 deg/s"), false, "0 deg/s",
        "turn around the upward axis through the target"},
       {"exposure", quantity_value(kDimensionless, {.minimum = -10, .maximum = 10}, "0.5"), false, "0",

@@ -8,7 +8,7 @@ Eigen::Vector3d to_vector(const CheckedValue& list) {
 
 std::optional<Eigen::Vector3d> find_vector(const CheckedValue& mapping, std::string_view key) {
   const CheckedValue* list = mapping.find(key);
-  return list == nullptr ? std::nullopt : std::optional(to_vector(*list));
+  return list == nullptr || list->items.size() != 3 ? std::nullopt : std::optional(to_vector(*list));
 }
 
 std::optional<std::string> find_text(const CheckedValue& mapping, std::string_view key) {

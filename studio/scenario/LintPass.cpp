@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "studio/scenario/CameraLint.hpp"
+#include "studio/scenario/CheckedReading.hpp"
 #include "studio/scenario/ClipTimes.hpp"
 #include "studio/scenario/CutLint.hpp"
 #include "studio/scenario/FieldLint.hpp"
@@ -15,13 +17,6 @@
 
 namespace thinwall {
 namespace {
-
-/// The three numbers of a member, when they are there and right.
-std::optional<Eigen::Vector3d> find_vector(const CheckedValue& mapping, std::string_view key) {
-  const CheckedValue* list = mapping.find(key);
-  if (list == nullptr || list->items.size() != 3) return std::nullopt;
-  return Eigen::Vector3d(list->items[0].number, list->items[1].number, list->items[2].number);
-}
 
 void check_shape(const CheckedMember& body, const std::string& path, Diagnostics& diagnostics) {
   const CheckedValue* surface = body.value.find("surface");
@@ -125,20 +120,6 @@ void check_boxes(const CheckedValue& value, const std::string& path, Diagnostics
     if (member.key == "box" && low && high && (low->array() > high->array()).any()) {
       diagnostics.error(member.location, inner, "a component of `min` is larger than that of `max`");
     }
-  }
-}
-
-void check_camera(const CheckedValue& root, Diagnostics& diagnostics) {
-  const CheckedValue* camera = root.find("camera");
-  if (camera == nullptr) return;
-  const auto position = find_vector(*camera, "position");
-  const auto target = find_vector(*camera, "target");
-  const auto up = find_vector(*camera, "up");
-  if (!position || !target) return;
-  if (*position == *target) {
-    diagnostics.error(camera->find("target")->location, "camera.target", "the camera stands where it looks");
-  } else if (up && are_parallel(*up, *target - *position)) {
-    diagnostics.error(camera->find("up")->location, "camera.up", "the camera looks along `up`");
   }
 }
 
@@ -277,6 +258,10 @@ void check_data_view(const CheckedValue& root, Diagnostics& diagnostics) {
   const CheckedValue* goldens = root.find("golden");
   if (goldens != nullptr && !goldens->items.empty() && (from == nullptr || to == nullptr)) {
     diagnostics.error(data->location, "look.data", "goldens need both ends of the colours: give `from` and `to`");
+  } else if (from == nullptr || to == nullptr) {
+    diagnostics.warning(data->location, "look.data",
+                        "`run` and `still` draw no picture without both ends of the colours: give `from` and `to`, or "
+                        "record with `run --no-render` and draw with `render`, which takes them from the whole take");
   }
 }
 
@@ -297,7 +282,7 @@ void lint_pass(const CheckedValue& root, Diagnostics& diagnostics) {
     check_boxes(*bodies, "bodies", diagnostics);
   }
   check_data_view(root, diagnostics);
-  check_camera(root, diagnostics);
+  check_cameras(root, diagnostics);
   check_lights(root, diagnostics);
   const CheckedValue* timeline = root.find("timeline");
   const std::vector<ClipTimes> clips = clip_times(root);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "renderer/picture/LensFold.hpp"
 #include "tests/renderer/picture/OpenCvProjections.hpp"
 
 namespace thinwall {
@@ -58,6 +59,19 @@ TEST(Lens, TheFirstOfTwoFoldsCounts) {
   // Growth 1 + 3 k1 s + 5 k2 s^2 with zeros at s = 1 and s = 2.
   const Lens lens({.k1 = -0.5, .k2 = 0.1});
   EXPECT_NEAR(lens.unfolded_radius(), 1, 1e-12);
+}
+
+TEST(LensFold, ThePictureIsWholeUpToTheFieldOfViewWhoseCornersReachTheFold) {
+  // r - 0.3 r^3 reaches 2 / 3 r where r^2 = 1 / 0.9; a corner of 320 x 180 lies hypot(1, 16 / 9) half heights out.
+  const LensDistortion lens{.k1 = -0.3};
+  const double edge = 2.0 / 3 / std::sqrt(0.9);
+  const ImageSize size{.width = 320, .height = 180};
+  const double widest = 2 * std::atan(edge / std::hypot(1, 16.0 / 9));
+  EXPECT_NEAR(unfolded_field_of_view(CameraKind::kPinhole, lens, 2, size), widest, 1e-4);
+  EXPECT_EQ(unfolded_field_of_view(CameraKind::kPinhole, lens, 0.99 * widest, size), 0.99 * widest);
+  EXPECT_EQ(unfolded_field_of_view(CameraKind::kPinhole, {.k1 = 0.3}, 2, size), 2);
+  // An endoscope's stop covers the corners: it lies 1.12 half heights out.
+  EXPECT_NEAR(unfolded_field_of_view(CameraKind::kEndoscope, lens, 2, size), 2 * std::atan(edge / 1.12), 1e-4);
 }
 
 }  // namespace

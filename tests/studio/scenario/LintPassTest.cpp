@@ -169,6 +169,20 @@ TEST(LintPass, ADischargeOfContentsThatDoNotLeakIsTold) {
   EXPECT_EQ(warnings_of("{ discharge: 0.6 }"), Texts{});
 }
 
+TEST(LintPass, WarnsOfColoursWithoutBothEndsWhichOnlyATakeGives) {
+  const auto warnings_of = [](const std::string& ends) {
+    Diagnostics diagnostics;
+    lint_pass(checked_scenario("look: { data: { shows: von_mises_stress" + ends + " } }\n"), diagnostics);
+    return short_texts(diagnostics.warnings);
+  };
+  const std::string cure =
+      "8:15: look.data: `run` and `still` draw no picture without both ends of the colours: give `from` and `to`, or "
+      "record with `run --no-render` and draw with `render`, which takes them from the whole take";
+  EXPECT_EQ(warnings_of(""), Texts{cure});
+  EXPECT_EQ(warnings_of(", from: 0 Pa"), Texts{cure});
+  EXPECT_EQ(warnings_of(", from: 0 Pa, to: 20 kPa"), Texts{});
+}
+
 TEST(LintPass, NoOtherLampShinesBesideAnEndoscopes) {
   const std::string cure =
       "does not shine beside the lamp of an endoscope; leave it out, or set `lights.endoscope` to 0";
