@@ -99,8 +99,14 @@ WordLayer kitti_flow(ImageSize size, const OpticalFlow& flow) {
   return layer;
 }
 
+/// Whether a card covers the whole picture: nothing of the scene lands in it or beside it.
+bool is_card(const SeenFrame& frame) {
+  const PicturePart& part = frame.part();
+  return part.covered && part.covered->size == part.picture;
+}
+
 Json layer_part() {
-  const Json state = {{"0", "nothing seen, or no such frame"},
+  const Json state = {{"0", "nothing seen, or no such frame, or a card there"},
                       {"1", "seen in the other frame"},
                       {"2", "hidden in the other frame"},
                       {"3", "outside the other frame"},
@@ -222,7 +228,7 @@ void GroundTruthSeries::write_flow(const std::string& name, const SeenFrame& fro
   const ImageSize size = from.seen().size;
   OpticalFlow flow{.flow = std::vector<std::array<float, 2>>(from.seen().places.size()),
                    .state = std::vector<FlowState>(from.seen().places.size(), FlowState::kNothing)};
-  if (to != nullptr) flow = optical_flow(from.moment(), to->moment());
+  if (to != nullptr && !is_card(*to)) flow = optical_flow(from.moment(), to->moment());
   tbb::parallel_invoke([&] { write_file(name + "_flow", "exr", encode_exr(flow_vectors(size, flow))); },
                        [&] { write_file(name + "_flow_kitti", "png", encode_layer_png(kitti_flow(size, flow))); },
                        [&] { write_file(name + "_state", "png", encode_layer_png(words(size, flow.state))); });
@@ -258,7 +264,7 @@ void GroundTruthSeries::write_tables() {
                             {"frames", frames_},
                             {"size", {plan_.size.width, plan_.size.height}},
                             {"layers", layer_part()},
-                            {"left_out", {"fluid", "run-off", "drops", "blood", "bed"}},
+                            {"left_out", {"fluid", "run-off", "drops", "blood", "bed", "right half", "inset", "card"}},
                             {"instances", std::move(instances)},
                             {"parts", std::move(parts)},
                             {"materials", std::move(materials)}};
