@@ -69,7 +69,7 @@ Chart energy_chart(const std::vector<EnergyPoint>& points, const std::vector<Too
               .y = {},
               .rows = {},
               .curves = {}};
-  if (!tools.empty()) chart.rows.push_back(phase_row(tools.front(), ""));
+  for (const ToolForces& tool : tools) chart.rows.push_back(phase_row(tool, tools.size() > 1 ? tool.tool : ""));
   PlotRange time, range;
   const auto add = [&](ChartCurve curve, const std::function<double(const EnergyPoint&)>& value) {
     for (const EnergyPoint& point : points) {

@@ -26,7 +26,7 @@ struct EnergyPoint {
   double largest_term() const;
 };
 
-/// The page `energies.png`: where the work put in since time zero went, over the phases of the first tool, and what the
+/// The page `energies.png`: where the work put in since time zero went, over the phases of each tool, and what the
 /// integrator has spent and the books leave open, in per cent of the largest term so far. What never is more than a
 /// thousandth of the largest curve is not drawn. All numbers must be finite; without any points the page says so.
 /// `points`: ascending in time. Throws PictureFailure when the font is missing.

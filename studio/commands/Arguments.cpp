@@ -39,7 +39,10 @@ ImageSize parse_size(const std::string& text) {
   return size;
 }
 
-double parse_time(const std::string& option, const std::string& text) {
+namespace {
+
+/// Seconds, of either sign.
+double read_time(const std::string& option, const std::string& text) {
   const std::string given = option + text;
   Quantity time;
   try {
@@ -50,8 +53,21 @@ double parse_time(const std::string& option, const std::string& text) {
   if (time.dimension != kTime && time.dimension != Dimension{}) {
     throw UsageError(given + ": this is " + dimension_name(time.dimension) + ", not a time; write 1.5s");
   }
-  if (time.value < 0) throw UsageError(given + ": a scenario begins at 0 s");
   return time.value;
+}
+
+}  // namespace
+
+double parse_time(const std::string& option, const std::string& text) {
+  const double time = read_time(option, text);
+  if (time < 0) throw UsageError(option + text + ": a scenario begins at 0 s");
+  return time;
+}
+
+double parse_duration(const std::string& option, const std::string& text) {
+  const double time = read_time(option, text);
+  if (!(time > 0)) throw UsageError(option + text + ": it must last longer than 0 s; write 5s");
+  return time;
 }
 
 std::string data_words() {

@@ -22,6 +22,9 @@ ImageSize parse_size(const std::string& text);
 /// (`--at `) and the text.
 double parse_time(const std::string& option, const std::string& text);
 
+/// As parse_time, for how long something lasts: above 0.
+double parse_duration(const std::string& option, const std::string& text);
+
 /// All quantities that `--data` can show, parted by commas.
 std::string data_words();
 

@@ -319,7 +319,7 @@ void CommandLine::add_haptic() {
     haptic_.overrides = parse_overrides(texts_.overrides);
     if (!texts_.trajectory.empty()) haptic_.trajectory = texts_.trajectory;
     if (!texts_.peer.empty()) haptic_.peer = texts_.peer;
-    if (!texts_.duration.empty()) haptic_.duration = parse_time("--for ", texts_.duration);
+    if (!texts_.duration.empty()) haptic_.duration = parse_duration("--for ", texts_.duration);
     haptic_.forces = haptic_forces(texts_.forces);
     if (!texts_.record.empty()) haptic_.record = texts_.record;
     return drive_haptics(haptic_);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "renderer/video/VideoSurvey.hpp"
@@ -72,10 +73,22 @@ Json time_part(const ManifestContext& context, const RecordingReport& report) {
           {"wall_s_per_simulated_s", report.simulated > 0 ? Json(times.total / report.simulated) : Json(nullptr)}};
 }
 
+/// Nothing but the noise of cameras draws random numbers.
+Json seed_part(const ViewDefinition& view) {
+  std::map<std::string, const CameraDefinition*> cameras = {{"main", &view.camera}};
+  for (const auto& [name, camera] : view.cameras) cameras[name] = &camera;
+  std::erase_if(cameras, [](const auto& camera) { return camera.second->noise == 0; });
+  if (cameras.empty()) return nullptr;
+  Json seeds = Json::object();
+  for (const auto& [name, camera] : cameras) seeds[name] = camera->seed;
+  const bool is_one = std::ranges::all_of(seeds, [&](const Json& seed) { return seed == seeds.front(); });
+  return is_one ? seeds.front() : seeds;
+}
+
 Json file_part(const std::filesystem::path& folder) {
   constexpr std::array kNames = {"forces.csv",   "body.csv",   "points.csv",        "take.h5",    "video.mp4",
                                  "captions.vtt", "poster.png", "contact_sheet.png", "forces.png", "energies.png",
-                                 "frames",       "surfaces",   "ground_truth"};
+                                 "frames",       "surfaces",   "ground_truth",      "second_take"};
   Json files = Json::array();
   for (const char* name : kNames) {
     if (std::filesystem::exists(folder / name)) files.push_back(name);
@@ -146,8 +159,7 @@ std::string manifest(const ManifestContext& context, const RecordingPlan& plan, 
   manifest["files"] = file_part(plan.folder);
   manifest["times"] = time_part(context, report);
   manifest["options"] = option_part(context, plan);
-  // Nothing in this version draws random numbers.
-  manifest["seed"] = nullptr;
+  manifest["seed"] = seed_part(plan.view);
   manifest["driver"] = report.driver.empty() ? Json(nullptr) : Json(report.driver);
   manifest["versions"] = version_part(plan);
   manifest["licence"] = effective_licence();

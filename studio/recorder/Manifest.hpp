@@ -37,7 +37,8 @@ nlohmann::ordered_json expectation_part(const std::vector<ExpectationResult>& re
 std::string text_hash(const std::string& text);
 
 /// manifest.json of a recording: version of the format, scenario resolved and its hash, versions, licence, device,
-/// options, seed, times, steps, warnings, frame hashes, files, result.
+/// options, times, steps, warnings, frame hashes, files, result, and the seed of the cameras' noise: a number, by
+/// camera where they have several, null where there is no noise.
 std::string manifest(const ManifestContext& context, const RecordingPlan& plan, const RecordingReport& report);
 
 }  // namespace thinwall

@@ -60,6 +60,24 @@ TEST(EnergyPlotImage, BooksThatDoNotCloseShow) {
   EXPECT_NE(energy_plot_image("Title", points, {}).pixels, image.pixels);
 }
 
+TEST(EnergyPlotImage, ShowsThePhasesOfEachTool) {
+  const auto phases = [](const std::string& tool, const std::string& later) {
+    return ToolForces{.tool = tool,
+                      .points = {{.time = 0, .force = {}, .depth = 0, .phase = "approach"},
+                                 {.time = 0.5, .force = {}, .depth = 0, .phase = later},
+                                 {.time = 1, .force = {}, .depth = 0, .phase = later}}};
+  };
+  const auto page = [&](const std::vector<ToolForces>& tools) {
+    return energy_plot_image("Title", some_energies(1e-3), tools).pixels;
+  };
+  EXPECT_NE(page({phases("probe", "contact"), phases("blade", "cutting")}),
+            page({phases("probe", "contact"), phases("blade", "contact")}));
+  EXPECT_NE(page({phases("probe", "contact"), phases("blade", "cutting")}),
+            page({phases("probe", "contact"), phases("knife", "cutting")}))
+      << "several are told apart by their names";
+  EXPECT_EQ(page({phases("probe", "contact")}), page({phases("finger", "contact")}));
+}
+
 TEST(EnergyPlotImage, TakesABodyThatNothingHappensTo) {
   EXPECT_EQ(energy_plot_image("Title", {EnergyPoint{}}, {ToolForces{}}, {800, 450}).size, (ImageSize{800, 450}));
 }

@@ -43,6 +43,8 @@ TEST_F(HapticProgramTest, RefusesWhatMakesNoSense) {
   expect_bad_usage({"haptic"}, "SCENARIO is required");
   expect_bad_usage({"haptic", "small.yaml", "--forces", "strong"}, "auto, full, local");
   expect_bad_usage({"haptic", "small.yaml", "--for", "3 mm"}, "--for 3 mm: this is");
+  expect_bad_usage({"haptic", "small.yaml", "--for", "-1s"}, "--for -1s: it must last longer than 0 s");
+  expect_bad_usage({"haptic", "small.yaml", "--for", "0"}, "--for 0: it must last longer than 0 s");
   expect_bad_usage({"haptic", "small.yaml", "--tool", "spoon"}, "probe");
   expect_bad_usage({"haptic", "small.yaml", "--trajectory", "missing.csv"}, "missing.csv");
   expect_bad_usage({"haptic", "small.yaml", "--peer", "missing/socket"}, "missing/socket");

@@ -56,6 +56,7 @@ TEST_F(ProgramGLTest, OfATakeThatEndsEarlyThePicturesAreMadeAndItIsSaidThatTheyE
 TEST_F(ProgramGLTest, TwoTakesBesideOneAnotherAreTheSameInARunFromTheirTakesAndAsAStill) {
   write_bytes(folder_ / "two.yaml", small_scenario() + "comparison: { set: { depth: 4 mm }, captions: [two, four] }\n");
   expect_good({"run", "two.yaml", "--no-video", "--out", "run"});
+  EXPECT_EQ(manifest("run")["files"].back(), "second_take");
   expect_good({"render", "run/take.h5", "--no-video"});
   EXPECT_EQ(manifest("run/render")["frame_hashes"], manifest("run")["frame_hashes"]);
   expect_good({"still", "two.yaml", "--at", "0.12 s", "-o", "still.png"});
