@@ -5,8 +5,6 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "renderer/image/Folder.hpp"
-#include "renderer/image/PngFile.hpp"
 #include "renderer/image/WholeFile.hpp"
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/ExitCode.hpp"
@@ -15,6 +13,7 @@
 #include "studio/golden/GoldenReport.hpp"
 #include "studio/golden/GoldenVideoComparison.hpp"
 #include "studio/golden/JUnitReport.hpp"
+#include "studio/golden/PicturesForLooking.hpp"
 #include "studio/recorder/FolderLock.hpp"
 
 namespace thinwall {
@@ -28,37 +27,6 @@ void print_result(const JudgedScenario& judged, std::size_t index) {
              result.message.empty() ? "" : ": ", result.message, judged.from_cache ? " (unchanged since)" : "");
   if (judged.attributions[index]) fmt::print(stderr, "  cause: {}\n", judged.attributions[index]->sentence);
   if (!result.details.empty()) fmt::print(stderr, "{}\n", result.details);
-}
-
-void keep_picture(const std::filesystem::path& file, const std::string& words, const Image& image) {
-  write_png(file, image);
-  fmt::print(stderr, "  {}: {}\n", words, file.string());
-}
-
-/// Today's picture and what helps to see why, to be looked at; nothing of it is a golden.
-void keep_for_looking(const JudgedScenario& judged, std::size_t index, const std::filesystem::path& out) {
-  const GoldenResult& result = judged.results[index];
-  if (result.outcome != GoldenOutcome::kFailed && result.outcome != GoldenOutcome::kGoldenMissing) return;
-  if (result.is_video) {
-    if (!judged.video->file.empty()) fmt::print(stderr, "  today's video: {}\n", judged.video->file.string());
-    return;
-  }
-  const Image& today = judged.pictures.pictures[index].image;
-  make_folder(out / result.scenario);
-  const std::string stem = (out / result.scenario / fmt::format("at_{:.4g}s", result.at)).string();
-  keep_picture(stem + ".today.png", "today's picture", today);
-  const std::optional<Attribution>& attribution = judged.attributions[index];
-  if (attribution && attribution->golden_state) {
-    keep_picture(stem + ".golden_state.png", "the golden's state, drawn today", *attribution->golden_state);
-  }
-  if (attribution && attribution->golden_look) {
-    keep_picture(stem + ".golden_look.png", "today's state in the golden's look", *attribution->golden_look);
-  }
-  if (result.outcome != GoldenOutcome::kFailed || result.difference.verdict != ImageVerdict::kDifferent) return;
-  const std::vector<GoldenApproval> approvals = read_approvals(golden_folder(result.scenario));
-  const GoldenApproval* approval = find_approval(approvals, result.at, result.driver);
-  const Image golden = read_png(golden_folder(result.scenario) / approval->image);
-  keep_picture(stem + ".difference.png", "difference", difference_picture(golden, today));
 }
 
 Json to_json(const JudgedScenario& judged, std::size_t index) {
@@ -137,10 +105,14 @@ void print_summary(const std::vector<JudgedScenario>& all, const std::vector<std
 
 std::vector<JudgedScenario> judge_and_print(const NamedGoldens& named, const GoldenOptions& options) {
   const auto print = [&](const JudgedScenario& judged) {
+    PicturesForLooking pictures(options.out / judged.scenario.name);
     for (std::size_t i = 0; i < judged.results.size(); ++i) {
       print_result(judged, i);
-      keep_for_looking(judged, i, options.out);
+      for (const std::string& line : pictures.keep(judged, i, golden_folder(judged.scenario.name))) {
+        fmt::print(stderr, "  {}\n", line);
+      }
     }
+    pictures.remove_others();
   };
   return judge_named(named, options, print);
 }
@@ -152,7 +124,8 @@ bool lacks_evidence(const JudgedScenario& judged, std::size_t index) {
   if (result.is_video || result.outcome != GoldenOutcome::kOk || result.rung != "bytes") return false;
   const std::vector<GoldenApproval> approvals = read_approvals(golden_folder(judged.scenario.name));
   const GoldenApproval* approval = find_approval(approvals, result.at, result.driver);
-  return approval != nullptr && approval->driver == result.driver && approval->history.empty();
+  if (approval == nullptr || approval->driver != result.driver) return false;
+  return approval->history.empty() || approval->picture_hash.empty();
 }
 
 GoldenResult renew_picture(const JudgedScenario& judged, std::size_t index, const std::string& why) {

@@ -98,7 +98,7 @@ void tell_physics(const Evidence& evidence, Attribution& attribution) {
   if (evidence.result.state.verdict == StateVerdict::kChanged) {
     attribution.sentence += "; " + evidence.result.state.explanation;
   }
-  const std::string asked = list_changes(attribution.scenario, ScenarioStage::kPhysics);
+  const std::string asked = list_changes(attribution.scenario, {ScenarioStage::kPhysics});
   if (!evidence.knows_scenario) {
     attribution.sentence += "; whether the scenario asks for the same is open, as the golden's cannot be read";
   } else {
@@ -111,33 +111,49 @@ void tell_physics(const Evidence& evidence, Attribution& attribution) {
                                        : "; the golden's state is drawn differently too";
 }
 
-void tell_picture(const Evidence& evidence, Attribution& attribution) {
-  const std::string look = list_changes(attribution.scenario, ScenarioStage::kLook);
-  if (evidence.shows_same_scene()) {
-    attribution.stage = ChangedStage::kOverlay;
-    // What is written on the picture itself, as marks and captions of halves, is told by the scenario alone.
-    const std::string words = attribution.overlay.empty() ? list_changes(attribution.scenario, ScenarioStage::kOverlay)
-                                                          : joined(attribution.overlay);
-    attribution.sentence = words.empty() ? "overlay drawn differently, its texts and the picture below are identical"
-                                         : "overlay changed: " + words + "; the picture below is identical";
+/// What stands over the picture is of the scenario's words or, as a time or a curve, of what it asks to happen.
+void tell_overlay(Attribution& attribution) {
+  attribution.stage = ChangedStage::kOverlay;
+  const std::string written = list_changes(attribution.scenario, {ScenarioStage::kOverlay});
+  const std::string asked = list_changes(attribution.scenario, {ScenarioStage::kPhysics, ScenarioStage::kLook});
+  const std::string words = written.empty() ? joined(attribution.overlay) : written;
+  if (words.empty() && asked.empty()) {
+    attribution.sentence = "overlay drawn differently, its texts and the picture below are identical";
     return;
   }
-  if (!look.empty()) {
-    attribution.stage = ChangedStage::kLook;
-    attribution.sentence = "look changed, state identical: " + look;
-    return;
-  }
-  if (!attribution.overlay.empty() && !evidence.knows_scene()) {
-    attribution.stage = ChangedStage::kOverlay;
-    attribution.sentence = "overlay changed: " + joined(attribution.overlay);
-    return;
-  }
+  attribution.sentence = "overlay changed" + (words.empty() ? "" : ": " + words);
+  if (written.empty() && !asked.empty()) attribution.sentence += "; the scenario has changed: " + asked;
+  attribution.sentence += "; the picture below is identical";
+}
+
+void tell_renderer(const Evidence& evidence, Attribution& attribution) {
   attribution.stage = ChangedStage::kRenderer;
   attribution.sentence = evidence.same_driver() ? "renderer changed, state and look identical"
                                                 : "renderer or driver changed, state and look identical";
   if (!evidence.approval.state.empty() && evidence.result.state.verdict == StateVerdict::kUnknown) {
     attribution.stage = ChangedStage::kUnknown;
     attribution.sentence = "it is open what has changed: " + evidence.result.state.explanation;
+  }
+}
+
+void tell_picture(const Evidence& evidence, Attribution& attribution) {
+  if (evidence.shows_same_scene()) return tell_overlay(attribution);
+  const std::string look = list_changes(attribution.scenario, {ScenarioStage::kLook});
+  // As the radius of a tool that touches nothing yet.
+  const std::string asked = list_changes(attribution.scenario, {ScenarioStage::kPhysics});
+  const std::string written = list_changes(attribution.scenario, {ScenarioStage::kOverlay});
+  const std::string words = written.empty() ? joined(attribution.overlay) : written;
+  if (!look.empty()) {
+    attribution.stage = ChangedStage::kLook;
+    attribution.sentence = "look changed, state identical: " + look;
+  } else if (!words.empty() && !evidence.knows_scene()) {
+    attribution.stage = ChangedStage::kOverlay;
+    attribution.sentence = "overlay changed: " + words;
+  } else if (!asked.empty()) {
+    attribution.stage = ChangedStage::kLook;
+    attribution.sentence = "picture changed, state identical; the scenario has changed: " + asked;
+  } else {
+    tell_renderer(evidence, attribution);
   }
 }
 
@@ -155,6 +171,8 @@ std::string stage_name(ChangedStage stage) {
       return "renderer";
     case ChangedStage::kOverlay:
       return "overlay";
+    case ChangedStage::kTiming:
+      return "timing";
     case ChangedStage::kEncoder:
       return "encoder";
     case ChangedStage::kUnknown:
@@ -195,7 +213,7 @@ Attribution attribute(const Scenario& scenario, const GoldenPicture& picture, co
   if (golden.moment && result.state.verdict != StateVerdict::kEqual) {
     attribution.layers = changed_layers(*golden.moment, picture, *approval);
   }
-  if (!list_changes(attribution.scenario, ScenarioStage::kLook).empty() && !golden.resolved.empty()) {
+  if (!list_changes(attribution.scenario, {ScenarioStage::kLook}).empty() && !golden.resolved.empty()) {
     attribution.golden_look = drawn(picture.moment, picture, painters(golden.resolved));
   }
   return attribution;

@@ -16,14 +16,15 @@ namespace thinwall {
 enum class ChangedStage {
   kNothing,
   kPhysics,
-  kLook,  // camera, light or look that the scenario asks for
+  kLook,  // camera, light, look or else what is drawn of what the scenario asks for
   kRenderer,
   kOverlay,
+  kTiming,   // which moments the frames of a video show
   kEncoder,  // frames are the same before it
   kUnknown,
 };
 
-/// "nothing", "physics", "look", "renderer", "overlay", "encoder", "unknown"
+/// "nothing", "physics", "look", "renderer", "overlay", "timing", "encoder", "unknown"
 std::string stage_name(ChangedStage stage);
 
 /// Why today's picture is not the golden one.

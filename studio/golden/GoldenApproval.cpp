@@ -24,6 +24,18 @@ GoldenError damaged_golden(const std::string& what) {
   return GoldenError(what + "; restore it from version control, or remove the scenario's folder and approve anew");
 }
 
+std::string lost_file(const std::filesystem::path& folder, const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    if (name.empty() || std::filesystem::exists(folder / name)) continue;
+    return (folder / name).string() + " is missing; restore it from version control, or approve anew";
+  }
+  return "";
+}
+
+GoldenError exchanged_picture(const std::filesystem::path& file) {
+  return damaged_golden(file.string() + ": is not the picture that was approved");
+}
+
 std::vector<GoldenApproval> read_approvals(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / kFile;
   if (!std::filesystem::exists(file)) return {};
@@ -46,7 +58,8 @@ std::vector<GoldenApproval> read_approvals(const std::filesystem::path& folder) 
                            .scene_hash = golden.value("scene_hash", ""),
                            .overlay = golden.contains("overlay") ? golden.at("overlay").dump() : "",
                            .second_state = golden.value("second_state", ""),
-                           .second_state_digest = golden.value("second_state_digest", "")});
+                           .second_state_digest = golden.value("second_state_digest", ""),
+                           .picture_hash = golden.value("picture_hash", "")});
     }
   } catch (const Json::exception& error) {
     throw damaged_golden(file.string() + ": is damaged (" + error.what() + ")");
@@ -70,6 +83,7 @@ void write_approvals(const std::filesystem::path& folder, const std::vector<Gold
       golden["second_state_digest"] = approval.second_state_digest;
     }
     if (!approval.history.empty()) golden["history"] = approval.history;
+    if (!approval.picture_hash.empty()) golden["picture_hash"] = approval.picture_hash;
     if (!approval.scene_hash.empty()) golden["scene_hash"] = approval.scene_hash;
     if (!approval.overlay.empty()) golden["overlay"] = Json::parse(approval.overlay);
   }

@@ -23,6 +23,7 @@ struct GoldenApproval {
   // Of two takes that are compared, as `state` and `state_digest`; empty when there is one.
   std::string second_state = {};
   std::string second_state_digest = {};
+  std::string picture_hash = {};  // of the approved picture; empty in approvals of earlier versions
 };
 
 /// A golden folder that cannot be read: the message names file and reason. Exit code 2.
@@ -33,6 +34,13 @@ class GoldenError : public std::runtime_error {
 
 /// For a file of a golden that is damaged: `what` is wrong with it, and what helps.
 GoldenError damaged_golden(const std::string& what);
+
+/// The first of these files of a golden, by their names, that is not in `folder`, with what helps: "at_1s.state.h5 is
+/// missing, ...". Empty when all are there; names may be empty, of files that were never kept.
+std::string lost_file(const std::filesystem::path& folder, const std::vector<std::string>& names);
+
+/// For the picture in `file` that is not the one that was approved, as its hash is not that of the approval.
+GoldenError exchanged_picture(const std::filesystem::path& file);
 
 /// What `folder`/approval.json holds, in its order; nothing when there is none. Throws GoldenError.
 std::vector<GoldenApproval> read_approvals(const std::filesystem::path& folder);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/image/ImageHash.hpp"
 #include "renderer/image/PngFile.hpp"
 #include "studio/take/TakeError.hpp"
 #include "studio/take/TakeReader.hpp"
@@ -102,6 +103,34 @@ void judge(GoldenResult& result, const GoldenDefinition& definition, const Image
   if (!comparison.within) result.details = describe(result.difference) + "\n" + difference_text(golden, today);
 }
 
+/// The approved picture. Throws GoldenError, also when it has been exchanged.
+Image approved_picture(const GoldenApproval& approval, const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / approval.image;
+  try {
+    Image picture = read_png(file);
+    const bool is_exchanged = !approval.picture_hash.empty() && approval.picture_hash != image_hash(picture);
+    if (is_exchanged) throw exchanged_picture(file);
+    return picture;
+  } catch (const ImageUnreadable& error) {
+    throw damaged_golden(error.what());
+  }
+}
+
+/// A golden whose evidence is lost is no whole golden, however good the picture is: the next failure could not be told.
+void mention_lost_evidence(GoldenResult& result, const GoldenApproval& approval, const std::filesystem::path& folder) {
+  std::string lost = lost_file(folder, {approval.state, approval.second_state, approval.history});
+  if (result.outcome != GoldenOutcome::kOk) {
+    const std::string history = lost_file(folder, {approval.history});
+    if (!history.empty()) result.message += "; " + history;
+    return;
+  }
+  const bool is_state_unreadable = !approval.state.empty() && result.state.verdict == StateVerdict::kUnknown;
+  if (lost.empty() && is_state_unreadable) lost = result.state.explanation;
+  if (lost.empty()) return;
+  result.outcome = GoldenOutcome::kGoldenMissing;
+  result.message = "the picture is good, but what tells later what has changed is not there: " + lost;
+}
+
 }  // namespace
 
 std::string outcome_name(GoldenOutcome outcome) {
@@ -192,20 +221,18 @@ GoldenResult compare_with_golden(const std::string& scenario, const GoldenDefini
   }
   const std::vector<GoldenApproval> approvals = read_approvals(folder);
   const GoldenApproval* approval = find_approval(approvals, definition.at, driver);
-  if (approval == nullptr || !std::filesystem::exists(folder / approval->image)) {
+  const std::string lost = approval == nullptr ? "" : lost_file(folder, {approval->image});
+  if (approval == nullptr || !lost.empty()) {
     result.outcome = GoldenOutcome::kGoldenMissing;
-    result.message =
-        fmt::format("no picture is approved; look at today's, then: thinwall golden approve {} --why ...", scenario);
+    result.message = fmt::format("{}; look at today's, then: thinwall golden approve {} --why ...",
+                                 lost.empty() ? "no picture is approved" : lost, scenario);
     return result;
   }
   result.golden_driver = approval->driver;
-  try {
-    judge(result, definition, read_png(folder / approval->image), picture.image);
-  } catch (const ImageUnreadable& error) {
-    throw damaged_golden(error.what());
-  }
+  judge(result, definition, approved_picture(*approval, folder), picture.image);
   result.state = compare_with_approval(folder, *approval, picture);
   if (result.outcome == GoldenOutcome::kFailed) result.message += "; " + result.state.explanation;
+  mention_lost_evidence(result, *approval, folder);
   if (approval->driver != driver) {
     result.message += fmt::format("; approved on another driver ({}), so compared by tolerance", approval->driver);
   }

@@ -77,8 +77,9 @@ PictureLimits picture_limits(const GoldenDefinition& definition);
 std::string limits_text(const GoldenDefinition& definition);
 
 /// Compares a picture with what is approved in `folder`. First rung: equal bytes. Then: the limits of the
-/// scenario, cheap ones first; also when the golden was drawn by another driver, which the message then says. Throws
-/// GoldenError.
+/// scenario, cheap ones first; also when the golden was drawn by another driver, which the message then says. A golden
+/// whose state or history is lost is missing, also where the picture is within its limits. Throws GoldenError, also
+/// when the golden's picture is not the approved one.
 GoldenResult compare_with_golden(const std::string& scenario, const GoldenDefinition& definition,
                                  const GoldenPicture& picture, const std::string& driver,
                                  const std::filesystem::path& folder);

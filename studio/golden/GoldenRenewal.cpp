@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "renderer/image/Folder.hpp"
+#include "renderer/image/ImageHash.hpp"
 #include "renderer/image/PngFile.hpp"
 #include "renderer/image/WholeFile.hpp"
 #include "renderer/picture/PictureFailure.hpp"
@@ -40,7 +41,8 @@ void renew_golden(const Scenario& scenario, const GoldenPicture& picture, const 
                                .scene_hash = picture.scene_hash,
                                .overlay = overlay_record(picture.overlay),
                                .second_state = picture.moment.second ? stem + ".second_state.h5" : "",
-                               .second_state_digest = picture.second_state_digest};
+                               .second_state_digest = picture.second_state_digest,
+                               .picture_hash = image_hash(picture.image)};
   write_state(folder / renewed.state, scenario, picture.moment, picture.state_digest);
   if (picture.moment.second) {
     write_state(folder / renewed.second_state, *scenario.comparison->second, *picture.moment.second,

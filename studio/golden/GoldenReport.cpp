@@ -43,17 +43,22 @@ std::string thumbnail(const Image& image) {
   return as_url(resize(image, size_that_fits(image.size, kThumbnail)));
 }
 
+/// A picture of a golden; an empty one when it is lost.
+Image golden_picture(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) return {};
+  try {
+    return read_png(file);
+  } catch (const ImageUnreadable& error) {
+    throw damaged_golden(error.what());
+  }
+}
+
 /// The approved picture of a result; an empty one when there is none.
 Image approved_picture(const GoldenResult& result, const std::vector<GoldenApproval>& approvals,
                        const std::filesystem::path& folder) {
   const std::string& driver = result.golden_driver.empty() ? result.driver : result.golden_driver;
   const GoldenApproval* approval = find_approval(approvals, result.at, driver);
-  if (approval == nullptr || !std::filesystem::exists(folder / approval->image)) return {};
-  try {
-    return read_png(folder / approval->image);
-  } catch (const ImageUnreadable& error) {
-    throw damaged_golden(error.what());
-  }
+  return approval == nullptr ? Image{} : golden_picture(folder / approval->image);
 }
 
 Json pictures_to_compare(const Image& golden, const Image& today, const std::optional<Attribution>& attribution) {
@@ -93,7 +98,7 @@ Json frames_to_compare(const JudgedScenario& judged, const GoldenResult& result,
     if (golden) {
       const auto place = std::find(golden->video.kept.begin(), golden->video.kept.end(), frame);
       const std::size_t k = static_cast<std::size_t>(place - golden->video.kept.begin());
-      if (k < golden->pictures.size()) approved = read_png(folder / golden->pictures[k]);
+      if (k < golden->pictures.size()) approved = golden_picture(folder / golden->pictures[k]);
     }
     json["kept"].push_back(
         {{"frame", frame}, {"pictures", pictures_to_compare(approved, today.pictures[i], std::nullopt)}});
@@ -110,7 +115,8 @@ void add_video(Json& json, const JudgedScenario& judged, const GoldenResult& res
     json["approvals"].push_back({{"who", approval.who}, {"why", approval.why}, {"driver", approval.video.driver}});
   }
   if (golden && !golden->pictures.empty()) {
-    json["thumbnail"] = thumbnail(read_png(folder / golden->pictures[golden->pictures.size() / 2]));
+    const Image middle = golden_picture(folder / golden->pictures[golden->pictures.size() / 2]);
+    if (!middle.pixels.empty()) json["thumbnail"] = thumbnail(middle);
   }
   if (result.outcome == GoldenOutcome::kOk || !judged.video || judged.video->pictures.empty()) return;
   const std::vector<Image>& pictures = judged.video->pictures;

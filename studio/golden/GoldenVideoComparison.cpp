@@ -6,8 +6,10 @@
 #include <charconv>
 #include <sstream>
 
+#include "renderer/image/ImageHash.hpp"
 #include "renderer/image/PngFile.hpp"
 #include "studio/comparison/FrameSequence.hpp"
+#include "studio/golden/VideoAttribution.hpp"
 
 namespace thinwall {
 namespace {
@@ -55,34 +57,13 @@ std::string first_other_line(const std::string& before, const std::string& after
   }
 }
 
-std::string joined(const std::vector<std::string>& sentences) {
-  std::string text;
-  for (const std::string& sentence : sentences) text += (text.empty() ? "" : "; ") + sentence;
-  return text;
-}
-
-/// For a sentence that is not the only place where all of them stand.
-std::string joined_first(std::vector<std::string> sentences) {
-  constexpr std::size_t kMost = 1;
-  const std::size_t more = sentences.size() - std::min(sentences.size(), kMost);
-  if (more > 0) sentences.resize(kMost);
-  return joined(sentences) + (more > 0 ? fmt::format("; and {} more", more) : "");
-}
-
-/// Everything that is found, kept apart by where it comes from.
-struct Findings {
-  std::vector<std::string> frames;   // beyond the limits, before the encoder
-  std::vector<std::string> texts;    // captions, before the encoder
-  std::vector<std::string> encoder;  // of the file
-};
-
 class VideoComparer {
  public:
   VideoComparer(const GoldenDefinition& definition, const GoldenVideoApproval& golden, const RecordedVideo& today,
                 const std::filesystem::path& folder, GoldenResult& result)
       : definition_(definition), golden_(golden), today_(today), folder_(folder), result_(result) {}
 
-  Findings compare() {
+  VideoFindings compare() {
     compare_frames();
     if (golden_.video.captions != today_.video.captions) {
       found_.texts.push_back("caption " + first_other_line(golden_.video.captions, today_.video.captions));
@@ -120,7 +101,7 @@ class VideoComparer {
     for (std::size_t i = 0; i < golden_.video.kept.size(); ++i) {
       const std::size_t frame = golden_.video.kept[i];
       const auto place = std::find(today_.video.kept.begin(), today_.video.kept.end(), frame);
-      if (place == today_.video.kept.end() || !std::filesystem::exists(folder_ / golden_.pictures[i])) continue;
+      if (place == today_.video.kept.end()) continue;
       const Image approved = read_png(folder_ / golden_.pictures[i]);
       const Image& picture = today_.pictures[static_cast<std::size_t>(place - today_.video.kept.begin())];
       PictureOptions options;
@@ -171,7 +152,7 @@ class VideoComparer {
     if (now.chapters != before.chapters) {
       const auto asked = compare_scenarios(golden_.video.resolved, today_.video.resolved);
       const bool are_the_encoders = result_.different_frames.empty() && found_.frames.empty() &&
-                                    list_changes(asked, ScenarioStage::kOverlay).empty();
+                                    list_changes(asked, {ScenarioStage::kOverlay}).empty();
       (are_the_encoders ? found_.encoder : found_.texts)
           .push_back("chapters: " + first_other_line(before.chapters, now.chapters));
     }
@@ -203,58 +184,15 @@ class VideoComparer {
   const RecordedVideo& today_;
   const std::filesystem::path& folder_;
   GoldenResult& result_;
-  Findings found_;
+  VideoFindings found_;
 };
 
-bool have_same_last_state(const GoldenVideo& golden, const GoldenVideo& today) {
-  return golden.state_digest == today.state_digest && golden.second_state_digest == today.second_state_digest;
-}
-
-void tell_frames(Attribution& attribution, const GoldenVideo& golden, const GoldenVideo& today,
-                 const std::string& found) {
-  const std::string physics = list_changes(attribution.scenario, ScenarioStage::kPhysics);
-  const std::string look = list_changes(attribution.scenario, ScenarioStage::kLook);
-  // The digest is of the last state, which may be as before after a way that was not.
-  if (attribution.history.changed || (!have_same_last_state(golden, today) && !physics.empty())) {
-    attribution.stage = ChangedStage::kPhysics;
-    attribution.sentence = "physics changed " + attribution.history.sentence + "; " +
-                           (physics.empty() ? "the scenario asks for the same, so the engine has changed"
-                                            : "the scenario has changed: " + physics);
-  } else if (golden.driver == today.driver && golden.scene_hash == today.scene_hash) {
-    attribution.stage = ChangedStage::kOverlay;
-    const std::string words = list_changes(attribution.scenario, ScenarioStage::kOverlay);
-    attribution.sentence = "overlay changed, the pictures below are identical" + (words.empty() ? "" : ": " + words);
-  } else if (!look.empty()) {
-    attribution.stage = ChangedStage::kLook;
-    attribution.sentence = "look changed, states identical: " + look;
-  } else {
-    attribution.stage = ChangedStage::kRenderer;
-    attribution.sentence = golden.driver == today.driver ? "renderer changed, states and look identical"
-                                                         : "renderer or driver changed, states and look identical";
+/// Throws GoldenError when a picture that is kept is not that of its frame.
+void refuse_exchanged_pictures(const GoldenVideoApproval& golden, const std::filesystem::path& folder) {
+  for (std::size_t i = 0; i < golden.pictures.size(); ++i) {
+    const std::filesystem::path file = folder / golden.pictures[i];
+    if (image_hash(read_png(file)) != golden.video.frames.at(golden.video.kept[i]).hash) throw exchanged_picture(file);
   }
-  attribution.sentence += "; " + found;
-}
-
-Attribution attribute_video(const GoldenVideo& golden, const GoldenVideo& today, const Findings& found) {
-  Attribution attribution;
-  attribution.history = compare_histories(parse_history(golden.history, "the golden video's history"),
-                                          parse_history(today.history, "today's history"));
-  attribution.scenario = compare_scenarios(golden.resolved, today.resolved);
-  attribution.overlay = found.texts;
-  if (!found.frames.empty()) {
-    std::vector<std::string> all = found.frames;
-    all.insert(all.end(), found.texts.begin(), found.texts.end());
-    tell_frames(attribution, golden, today, joined_first(all));
-  } else if (!found.texts.empty()) {
-    attribution.stage = ChangedStage::kOverlay;
-    attribution.sentence = "overlay changed: " + joined(found.texts);
-  } else {
-    attribution.stage = ChangedStage::kEncoder;
-    attribution.sentence =
-        fmt::format("encoder changed, the {} frames before it are identical or within the limits: {}",
-                    today.frames.size(), joined(found.encoder));
-  }
-  return attribution;
 }
 
 std::string good_message(const GoldenResult& result, const GoldenVideo& today) {
@@ -283,10 +221,17 @@ VideoJudgement compare_with_golden_video(const std::string& scenario, const Gold
         fmt::format("no video is approved; look at today's, then: thinwall golden approve {} --why ...", scenario);
     return judgement;
   }
+  const std::string lost = lost_file(folder, golden->files);
+  if (!lost.empty()) {
+    result.outcome = GoldenOutcome::kGoldenMissing;
+    result.message = lost;
+    return judgement;
+  }
   result.golden_driver = golden->video.driver;
   result.rung = "bytes";
-  Findings found;
+  VideoFindings found;
   try {
+    refuse_exchanged_pictures(*golden, folder);
     found = VideoComparer(definition, *golden, recorded, folder, result).compare();
   } catch (const ImageUnreadable& error) {
     throw damaged_golden(error.what());
@@ -302,7 +247,7 @@ VideoJudgement compare_with_golden_video(const std::string& scenario, const Gold
     std::vector<std::string> all = found.frames;
     all.insert(all.end(), found.texts.begin(), found.texts.end());
     all.insert(all.end(), found.encoder.begin(), found.encoder.end());
-    result.message = joined(all);
+    result.message = one_after_the_other(all);
   }
   if (golden->video.driver != recorded.video.driver) {
     result.message += fmt::format("; approved on another driver ({}), so compared by tolerance", golden->video.driver);

@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
+
+#include "studio/scenario/Quantity.hpp"
 
 namespace thinwall {
 namespace {
@@ -18,8 +22,30 @@ bool is_same(const Json& a, const Json& b) {
   return std::abs(first - second) <= kShown * std::max(std::abs(first), std::abs(second));
 }
 
-std::string shown(const Json& value) {
-  return value.is_number() ? fmt::format("{:.6g}", value.get<double>()) : value.dump();
+/// A quantity of a record, whose SI unit its name ends with.
+struct RecordedQuantity {
+  const char* name;
+  const char* spoken;
+  const char* example;  // in the unit that it is told in
+};
+
+constexpr RecordedQuantity kQuantities[] = {{"time_s", "time", "1 s"},
+                                            {"duration_s", "duration", "1 s"},
+                                            {"force_N", "force", "1 N"},
+                                            {"depth_m", "depth", "1 mm"},
+                                            {"pressure_Pa", "pressure", "1 kPa"}};
+
+/// In four digits, as the overlay has no more of them.
+std::string shown(const Json& value, const char* example) {
+  if (!value.is_number()) return value.dump();
+  return format_like(std::stod(fmt::format("{:.4g}", value.get<double>())), example);
+}
+
+std::string told(const std::string& name, const Json& before, const Json& after) {
+  const auto quantity = std::ranges::find(kQuantities, name, &RecordedQuantity::name);
+  const bool is_known = quantity != std::end(kQuantities);
+  const char* example = is_known ? quantity->example : "1";
+  return (is_known ? quantity->spoken : name) + " " + shown(after, example) + " instead of " + shown(before, example);
 }
 
 }  // namespace
@@ -43,7 +69,7 @@ std::vector<std::string> compare_overlays(const std::string& golden, const std::
   if (!before.is_object() || !after.is_object()) return changes;
   for (const auto& [name, value] : after.items()) {
     if (!before.contains(name) || is_same(before.at(name), value)) continue;
-    changes.push_back(name + " " + shown(value) + " instead of " + shown(before.at(name)));
+    changes.push_back(told(name, before.at(name), value));
   }
   return changes;
 }

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "studio/scenario/ResolvedScenario.hpp"
+#include "studio/scenario/ResolvedSchema.hpp"
 #include "studio/scenario/Schema.hpp"
 #include "studio/scenario/UnitPass.hpp"
 
@@ -31,8 +32,7 @@ void fill_keys(const std::vector<KeySchema>& keys, Json& json) {
 
 void fill_mapping(const MappingSchema& mapping, Json& json) {
   fill_keys(mapping.keys, json);
-  if (mapping.selector.empty() || !json.contains(mapping.selector) || !json.at(mapping.selector).is_string()) return;
-  const CaseSchema* chosen = find_case(mapping, json.at(mapping.selector).get<std::string>());
+  const CaseSchema* chosen = case_of(mapping, json);
   if (chosen != nullptr) fill_keys(chosen->keys, json);
 }
 
@@ -47,10 +47,8 @@ void fill(const ValueSchema& schema, Json& json) {
     }
     return;
   }
-  // Of several forms the one whose first key is there.
-  for (const MappingSchema& mapping : schema.mappings) {
-    if (schema.mappings.size() == 1 || json.contains(mapping.keys[0].key)) return fill_mapping(mapping, json);
-  }
+  const MappingSchema* mapping = mapping_of(schema, json);
+  if (mapping != nullptr) fill_mapping(*mapping, json);
 }
 
 }  // namespace

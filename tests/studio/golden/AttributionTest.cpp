@@ -93,7 +93,7 @@ TEST_F(ComparedAttributionTest, ACaptionOfAHalfIsNamedFromTheScenario) {
   EXPECT_EQ(attribution.stage, ChangedStage::kOverlay);
   EXPECT_EQ(
       attribution.sentence,
-      R"(overlay changed: comparison.captions ["deep","shalow"] instead of ["deep","shallow"]; the picture below is )"
+      R"(overlay changed: comparison.captions ["deep", "shalow"] instead of ["deep", "shallow"]; the picture below is )"
       "identical");
 }
 
@@ -148,7 +148,7 @@ TEST_F(AttributionTest, AnotherWayToTheSameStateIsPhysicsWhereOnlyTheOverlayShow
 TEST_F(AttributionTest, AChangedLookIsNamedAndDrawnAsItWas) {
   const Attribution attribution = attribution_of(scene_.judge(golden_scene(1.2)));
   EXPECT_EQ(attribution.stage, ChangedStage::kLook);
-  expect_words(attribution, "look changed, state identical: lights.key 1.2 instead of 1.0");
+  expect_words(attribution, "look changed, state identical: lights.key 1.2 instead of 1");
   ASSERT_TRUE(attribution.golden_look);
   EXPECT_EQ(image_hash(*attribution.golden_look), read_approvals(scene_.folder())[0].scene_hash);
 }
@@ -160,6 +160,71 @@ TEST_F(AttributionTest, AChangedTextIsNamed) {
   EXPECT_EQ(attribution.stage, ChangedStage::kOverlay);
   EXPECT_EQ(attribution.sentence,
             "overlay changed: title \"A sheat\" instead of \"A sheet\"; the picture below is identical");
+}
+
+/// With one more value in what the scenario asks for.
+Scenario with(const std::string& member, Scenario scenario = golden_scene()) {
+  scenario.resolved.insert(1, member + ", ");
+  return scenario;
+}
+
+TEST_F(AttributionTest, AMarkOnAWallIsOfTheLook) {
+  const Scenario scenario = with(R"("teaching": {"highlights": [{"radius": 0.005}]})");
+  const Attribution attribution = attribution_of(scene_.judge(scenario, synthetic_source(), view_painters(1.1)));
+  EXPECT_EQ(attribution.stage, ChangedStage::kLook);
+  EXPECT_EQ(attribution.sentence.rfind("look changed, state identical: teaching.highlights[1] {", 0), 0U)
+      << attribution.sentence;
+}
+
+TEST_F(AttributionTest, ACaptionIsNamedByItsPlaceInTheScenario) {
+  const std::string clip = R"("timeline": [{"wait": {"for": 1.0, "caption": )";
+  scene_.approve(with(clip + "\"Presing\"}}]"));
+  Scenario scenario = with(clip + "\"Pressing\"}}]");
+  scenario.title = "A sheet that is pressed";  // what is written over the picture
+  EXPECT_EQ(
+      attribution_of(scene_.judge(scenario)).sentence,
+      R"(overlay changed: timeline[1].wait.caption "Pressing" instead of "Presing"; the picture below is identical)");
+}
+
+TEST_F(AttributionTest, ATextThatFollowsFromTheTimelineIsToldWithIt) {
+  Scenario scenario = with(R"("timeline": [{"wait": {"for": 0.1}}])");
+  scenario.title = "Another sheet";
+  EXPECT_EQ(attribution_of(scene_.judge(scenario)).sentence,
+            "overlay changed: title \"Another sheet\" instead of \"A sheet\"; the scenario has changed: timeline[1] "
+            "{wait: {for: 0.1 s}}, which was not there; the picture below is identical");
+}
+
+TEST_F(AttributionTest, AnOverlayWithoutOtherTextsIsToldByWhatTheScenarioAsksFor) {
+  const Scenario scenario = with(R"("simulation": {"time_step": 0.01})");
+  JudgedScenario judged = scene_.judge(scenario);
+  judged.pictures.pictures[0].image.pixels[100] ^= 64;  // as a curve of more points
+  const GoldenResult result = compare_with_golden("sheet", scenario.goldens[0], judged.pictures.pictures[0],
+                                                  judged.pictures.driver, scene_.folder());
+  const Attribution attribution =
+      attribute(scenario, judged.pictures.pictures[0], result, scene_.folder(), view_painters());
+  EXPECT_EQ(attribution.stage, ChangedStage::kOverlay);
+  expect_words(attribution, "overlay changed; the scenario has changed: simulation.time_step 10 ms instead of ");
+  expect_words(attribution, "; the picture below is identical");
+}
+
+TEST_F(AttributionTest, ARendererIsNotBlamedWhereTheScenarioAsksForAnotherTool) {
+  const Scenario scenario = with(R"("tools": {"probe": {"kind": "sphere", "radius": 0.005}})");
+  const Attribution attribution = attribution_of(scene_.judge(scenario, synthetic_source(), view_painters(1.1)));
+  EXPECT_EQ(attribution.stage, ChangedStage::kLook);
+  expect_words(attribution, "picture changed, state identical; the scenario has changed: tools.probe {friction: 0, ");
+}
+
+TEST_F(AttributionTest, WhenAVideoStandsStillExplainsNoPicture) {
+  const Scenario scenario = with(R"("teaching": {"freezes": [{"at": 0.05}]})");
+  EXPECT_EQ(attribution_of(scene_.judge(scenario, synthetic_source(), view_painters(1.1))).stage,
+            ChangedStage::kRenderer);
+}
+
+TEST_F(AttributionTest, ASecondTakeThatHasComeIsOfTheLook) {
+  const Attribution attribution =
+      attribution_of(scene_.judge(compared_scene(), synthetic_pair({}, {.depth = 0.003}), view_painters(1.1)));
+  EXPECT_EQ(attribution.stage, ChangedStage::kLook);
+  expect_words(attribution, R"(look changed, state identical: comparison {captions: ["deep", "shallow"], set: {depth)");
 }
 
 TEST_F(AttributionTest, AnApprovalWithoutEvidenceStillTellsStateFromPicture) {
@@ -211,8 +276,16 @@ TEST(OverlayRecord, NumbersCountFromWhatIsShownOfThem) {
   EXPECT_TRUE(compare_overlays(golden, overlay_record(content)).empty());
   content.force = 0.26;
   EXPECT_EQ(compare_overlays(golden, overlay_record(content)),
-            std::vector<std::string>{"force_N 0.26 instead of 0.25"});
+            std::vector<std::string>{"force 0.26 N instead of 0.25 N"});
   EXPECT_TRUE(compare_overlays("", golden).empty());
+}
+
+TEST(OverlayRecord, QuantitiesAreToldInTheUnitsOfAScenario) {
+  OverlayContent content{.title = "A", .caption = "", .phase = "", .tool = "", .depth = 0.004, .history = {}};
+  const std::string golden = overlay_record(content);
+  content.depth = 0.00421987;
+  EXPECT_EQ(compare_overlays(golden, overlay_record(content)),
+            std::vector<std::string>{"depth 4.22 mm instead of 4 mm"});
 }
 
 TEST(StateLayersTest, TellsHowFarWhatPixelsShowHasMoved) {

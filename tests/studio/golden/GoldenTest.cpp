@@ -58,6 +58,57 @@ TEST_F(GoldenTest, TheSamePictureIsOkByItsBytes) {
   EXPECT_EQ(result.state.verdict, StateVerdict::kEqual);
 }
 
+TEST_F(GoldenTest, AGoldenThatHasLostWhatTellsLaterWhatHasChangedIsMissing) {
+  for (const char* end : {".state.h5", ".history.csv"}) {
+    approve();
+    const std::filesystem::path lost = folder_.path() / (golden_stem(0.1, "flat painter 1.0") + end);
+    std::filesystem::remove(lost);
+    const GoldenResult result = compare(today());
+    EXPECT_EQ(result.outcome, GoldenOutcome::kGoldenMissing) << end;
+    EXPECT_NE(result.message.find("the picture is good, but"), std::string::npos) << result.message;
+    EXPECT_NE(result.message.find(lost.string() + " is missing; restore it from version control"), std::string::npos)
+        << result.message;
+  }
+}
+
+TEST_F(GoldenTest, AStateThatCannotBeReadIsToldThoughThePictureIsGood) {
+  approve();
+  std::filesystem::resize_file(folder_.path() / read_approvals(folder_.path())[0].state, 3000);
+  const GoldenResult result = compare(today());
+  EXPECT_EQ(result.outcome, GoldenOutcome::kGoldenMissing);
+  EXPECT_NE(result.message.find("restore it from version control"), std::string::npos) << result.message;
+}
+
+TEST_F(GoldenTest, APictureThatFailsIsToldWithTheHistoryThatIsLost) {
+  approve();
+  std::filesystem::remove(folder_.path() / read_approvals(folder_.path())[0].history);
+  const GoldenResult result = compare(today(synthetic(), flat_painters(1.2)));
+  EXPECT_EQ(result.outcome, GoldenOutcome::kFailed);
+  EXPECT_NE(result.message.find(".history.csv is missing"), std::string::npos) << result.message;
+}
+
+TEST_F(GoldenTest, APictureThatIsNotTheApprovedOneIsTold) {
+  approve();
+  const std::filesystem::path file = folder_.path() / read_approvals(folder_.path())[0].image;
+  write_png(file, today(synthetic(), flat_painters(1.2)).pictures[0].image);
+  try {
+    compare(today());
+    FAIL() << "nothing is thrown";
+  } catch (const GoldenError& error) {
+    EXPECT_EQ(std::string(error.what()).rfind(file.string() + ": is not the picture that was approved", 0), 0U)
+        << error.what();
+  }
+}
+
+TEST_F(GoldenTest, AnApprovalOfAnEarlierVersionKeptNoHashOfItsPicture) {
+  approve();
+  std::vector<GoldenApproval> approvals = read_approvals(folder_.path());
+  EXPECT_FALSE(approvals[0].picture_hash.empty());
+  approvals[0].picture_hash.clear();
+  write_approvals(folder_.path(), approvals);
+  EXPECT_EQ(compare(today()).outcome, GoldenOutcome::kOk);
+}
+
 TEST_F(GoldenTest, ASmallDifferenceIsOkByTolerance) {
   approve();
   GoldenPictures pictures = today();

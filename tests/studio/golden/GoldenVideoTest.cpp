@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "renderer/image/PngFile.hpp"
 #include "renderer/picture/PictureFailure.hpp"
 #include "renderer/video/Program.hpp"
 #include "studio/golden/GoldenVideoComparison.hpp"
@@ -81,6 +82,25 @@ TEST_F(GoldenVideoTest, ApprovingAgainLeavesNoPictureBehind) {
     pictures += entry.path().extension() == ".png" ? 1 : 0;
   }
   EXPECT_EQ(pictures, 1U);
+}
+
+TEST_F(GoldenVideoTest, AVideoThatHasLostOneOfItsFilesIsMissing) {
+  for (const std::size_t file : {0U, 3U}) {
+    approve();
+    const std::string name = find_video_approval(goldens(), "flat painter 1.0")->files[file];
+    std::filesystem::remove(goldens() / name);
+    const GoldenResult result = judge(recorded()).result;
+    EXPECT_EQ(result.outcome, GoldenOutcome::kGoldenMissing) << name;
+    EXPECT_NE(result.message.find(name + " is missing; restore it from version control"), std::string::npos)
+        << result.message;
+  }
+}
+
+TEST_F(GoldenVideoTest, AKeptPictureThatIsNotThatOfItsFrameIsAnError) {
+  approve();
+  const std::string picture = find_video_approval(goldens(), "flat painter 1.0")->pictures[1];
+  write_png(goldens() / picture, recorded(synthetic_source(), 1.2).pictures[1]);
+  EXPECT_THROW(judge(recorded()), GoldenError);
 }
 
 TEST_F(GoldenVideoTest, WithoutAnApprovalTheGoldenIsMissing) {
@@ -165,6 +185,86 @@ TEST_F(GoldenVideoTest, AFrameThatIsMissingBeforeTheEncoderIsNamed) {
       << judgement.result.message;
 }
 
+/// Today's video, whose scenario has one more value.
+class ChangedScenarioVideoTest : public GoldenVideoTest {
+ protected:
+  void SetUp() override { approve(); }
+  Attribution attribution_with(const std::string& member, RecordedVideo video) {
+    video.video.resolved.insert(1, member + ", ");
+    return judge(video).attribution.value_or(Attribution{});
+  }
+  /// With frames more at the end than the golden has.
+  RecordedVideo longer() {
+    RecordedVideo video = recorded();
+    video.video.frames.insert(video.video.frames.end(), 5, video.video.frames.back());
+    video.video.scene_hash = "of all these frames";
+    return video;
+  }
+};
+
+TEST_F(ChangedScenarioVideoTest, FreezesSlowMotionAndCardsAreOfItsTiming) {
+  for (const std::string part : {R"("freezes": [{"at": 0.2, "for": 0.1}])", R"("slow_motion": [{"speed": 0.5}])",
+                                 R"("title_card": {"title": "a"})", R"("end_card": {"title": "a"})"}) {
+    const Attribution attribution = attribution_with(R"("teaching": {)" + part + "}", longer());
+    EXPECT_EQ(attribution.stage, ChangedStage::kTiming) << part;
+    const std::string key = part.substr(1, part.find(':') - 2);
+    EXPECT_EQ(attribution.sentence.rfind("timing of the video changed, states identical: teaching." + key, 0), 0U)
+        << attribution.sentence;
+    EXPECT_NE(attribution.sentence.find("16 frames instead of 11: frames 11 to 15 at the end are new"),
+              std::string::npos)
+        << attribution.sentence;
+  }
+}
+
+TEST_F(ChangedScenarioVideoTest, AScenarioThatLastsLongerIsOfItsTimingWhateverStateItEndsIn) {
+  RecordedVideo video = longer();
+  video.video.state_digest = "another";
+  const Attribution attribution = attribution_with(R"("timeline": [{"wait": {"for": 0.1}}])", video);
+  EXPECT_EQ(attribution.stage, ChangedStage::kTiming);
+  EXPECT_EQ(attribution.sentence.rfind("timing of the video changed, states identical: timeline[1] {wait: {for: 0.1 s}}"
+                                       ", which was not there; 16 frames instead of 11",
+                                       0),
+            0U)
+      << attribution.sentence;
+}
+
+TEST_F(ChangedScenarioVideoTest, MarksOnWallsAreOfTheLook) {
+  const Attribution attribution =
+      attribution_with(R"("teaching": {"highlights": [{"radius": 0.005}]})", recorded(synthetic_source(), 1.2));
+  EXPECT_EQ(attribution.stage, ChangedStage::kLook);
+  EXPECT_EQ(attribution.sentence.rfind("look changed, states identical: teaching.highlights[1] {", 0), 0U)
+      << attribution.sentence;
+}
+
+TEST_F(ChangedScenarioVideoTest, ASecondTakeThatHasComeIsOfTheLook) {
+  RecordedVideo video = recorded(synthetic_pair({}, {.depth = 0.003}), 1.2, video_scene(compared_scene()));
+  const Attribution attribution = attribution_with(R"("title": "A")", video);
+  EXPECT_EQ(attribution.stage, ChangedStage::kLook);
+  EXPECT_EQ(attribution.sentence.rfind("look changed, states identical: comparison {captions: ", 0), 0U)
+      << attribution.sentence;
+}
+
+TEST_F(ChangedScenarioVideoTest, AToolThatIsDrawnOtherwiseIsNotTheRenderers) {
+  const Attribution attribution =
+      attribution_with(R"("tools": {"probe": {"kind": "sphere", "radius": 0.005}})", recorded(synthetic_source(), 1.2));
+  EXPECT_EQ(attribution.sentence.rfind("pictures changed, states identical; the scenario has changed: tools.probe", 0),
+            0U)
+      << attribution.sentence;
+}
+
+TEST_F(ChangedScenarioVideoTest, ACurveOfMorePointsIsToldByTheTimeStep) {
+  RecordedVideo video = recorded();
+  video.video.state_digest = "another";  // as it counts the steps
+  video.video.frames[3] = {.hash = "another", .squares = std::string(72, 'f')};
+  const Attribution attribution = attribution_with(R"("simulation": {"time_step": 0.01})", video);
+  EXPECT_EQ(attribution.stage, ChangedStage::kOverlay);
+  EXPECT_EQ(attribution.sentence.rfind("overlay changed, the pictures below are identical; the scenario has changed: "
+                                       "simulation.time_step 10 ms",
+                                       0),
+            0U)
+      << attribution.sentence;
+}
+
 TEST_F(GoldenVideoTest, ACaptionThatHasChangedIsTheOverlays) {
   approve();
   RecordedVideo video = recorded();
@@ -185,7 +285,8 @@ TEST_F(GoldenVideoTest, ChaptersThatTheScenarioNamesOtherwiseAreNotTheEncoders) 
   const VideoJudgement judgement = judge(video);
   ASSERT_TRUE(judgement.attribution);
   EXPECT_EQ(judgement.attribution->stage, ChangedStage::kOverlay);
-  EXPECT_NE(judgement.attribution->sentence.find("overlay changed: chapters:"), std::string::npos)
+  EXPECT_NE(judgement.attribution->sentence.find("overlay changed: title \"Anatomie\", which was not there; chapters:"),
+            std::string::npos)
       << judgement.attribution->sentence;
 }
 
