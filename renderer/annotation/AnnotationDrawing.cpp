@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "renderer/annotation/ArrowShape.hpp"
+#include "renderer/annotation/ClearPlace.hpp"
 #include "renderer/annotation/LabelLayout.hpp"
 #include "renderer/annotation/LabelOrder.hpp"
 #include "renderer/annotation/MaterialPoint.hpp"
@@ -24,7 +25,7 @@ constexpr double kTextSize = 17;
 constexpr double kPadX = 11, kPadY = 6;
 constexpr double kArrowWidth = 6;
 constexpr double kWidestText = 230;
-constexpr double kSamePlace = 1e-9;  // pixels, by which plates that touch may overlap
+constexpr double kDotRadius = 4.5;
 constexpr Color kDark{0.02, 0.03, 0.04, 0.55};
 constexpr Color kForceColor{0.99, 0.80, 0.28};
 
@@ -109,12 +110,28 @@ bool is_left_of_middle(const Scene& scene, const Double3& at, double first_shown
   return (place ? (*place)[0] : 0) < (middle ? (*middle)[0] : 0.5 * scene.size.width);
 }
 
+/// Between title and panels, and above captions that stand above these.
+Box label_bounds(const Scene& scene) {
+  const double margin = scene.grid.pixels(plate_style::kMargin);
+  const double top = margin + scene.grid.pixels(52);
+  const double bottom = scene.size.height - height_of_panels_and_captions(scene.grid) - scene.grid.pixels(12);
+  return {margin, top, std::max(1.0, scene.size.width - 2 * margin), std::max(1.0, bottom - top)};
+}
+
+/// Whether a place, at rest, lies in the lower half of where labels may be when it is first shown.
+bool is_low(const Scene& scene, const Double3& at, double first_shown) {
+  const auto place = resting_camera_at(scene, first_shown).pixel(vector3(at), scene.size);
+  const Box bounds = label_bounds(scene);
+  return place && (*place)[1] > bounds.y + 0.5 * bounds.height;
+}
+
 struct ShownLabel {
   const LabelDefinition* definition = nullptr;
   Text text;
   PixelPoint anchor = {};
   bool hidden = false;
   bool on_the_left = false;
+  bool upwards = false;  // from its anchor, where it would cover it
 };
 
 std::vector<ShownLabel> shown_labels(const Scene& scene, const std::vector<LabelDefinition>& labels) {
@@ -131,25 +148,17 @@ std::vector<ShownLabel> shown_labels(const Scene& scene, const std::vector<Label
                      .text = Text(label.text, style, {.width = scene.grid.pixels(kWidestText), .lines = 3}),
                      .anchor = *anchor,
                      .hidden = is_hidden(*place, scene.camera.position, scene.snapshot),
-                     .on_the_left = is_left});
+                     .on_the_left = is_left,
+                     .upwards = is_low(scene, label.at, label.span.begin)});
   }
   return shown;
 }
 
-/// Between title and panels, and above captions that stand above these.
-Box label_bounds(const Scene& scene) {
-  const double margin = scene.grid.pixels(plate_style::kMargin);
-  const double top = margin + scene.grid.pixels(52);
-  const double bottom = scene.size.height - height_of_panels_and_captions(scene.grid) - scene.grid.pixels(12);
-  return {margin, top, std::max(1.0, scene.size.width - 2 * margin), std::max(1.0, bottom - top)};
-}
-
-void draw_leader(const Canvas& canvas, const Scene& scene, const ShownLabel& label, const Box& box) {
-  const double x = label.on_the_left ? box.right() : box.x;
-  const double y = box.y + 0.5 * box.height;
-  const auto [to_x, to_y] = label.anchor;
+void draw_leader(const Canvas& canvas, const Scene& scene, const ShownLabel& label, const Leader& leader) {
+  const auto [x, y] = leader.from;
+  const auto [to_x, to_y] = leader.to;
   const double line = std::max(1.0, scene.grid.pixels(1.8));
-  const double dot = scene.grid.pixels(4.5);
+  const double dot = scene.grid.pixels(kDotRadius);
   canvas.line(x, y, to_x, to_y, 2.4 * line, kDark);
   canvas.fill_circle(to_x, to_y, dot + line, kDark);
   canvas.line(x, y, to_x, to_y, line, label.hidden ? plate_style::kFaintText : plate_style::kText);
@@ -169,7 +178,8 @@ std::vector<LabelWish> wishes_of(const Scene& scene, const std::vector<ShownLabe
     wishes.push_back({.anchor = label.anchor,
                       .width = label.text.width() + 2 * scene.grid.pixels(kPadX),
                       .height = label.text.height() + 2 * scene.grid.pixels(kPadY),
-                      .on_the_left = label.on_the_left});
+                      .on_the_left = label.on_the_left,
+                      .upwards = label.upwards});
   }
   return wishes;
 }
@@ -208,14 +218,20 @@ std::vector<LabelMoment> moments_of(const Scene& scene, const std::vector<ShownL
 }
 
 /// By an inset and a legend.
-std::optional<Box> taken_in(const Scene& scene) {
-  if (!scene.inset || !scene.legend) return scene.inset ? scene.inset : scene.legend;
-  const Box &a = *scene.inset, &b = *scene.legend;
-  const double left = std::min(a.x, b.x), top = std::min(a.y, b.y);
-  return Box{left, top, std::max(a.right(), b.right()) - left, std::max(a.bottom(), b.bottom()) - top};
+std::vector<Box> taken_in(const Scene& scene) {
+  std::vector<Box> taken;
+  if (scene.inset) taken.push_back(*scene.inset);
+  if (scene.legend) taken.push_back(*scene.legend);
+  return taken;
 }
 
-/// Gives where the plates are.
+/// What texts keep clear of where a label points at: its dot.
+Box dot_of(const Scene& scene, PixelPoint anchor) {
+  const double radius = scene.grid.pixels(kDotRadius);
+  return {anchor[0] - radius, anchor[1] - radius, 2 * radius, 2 * radius};
+}
+
+/// Gives where plates and dots are.
 std::vector<Box> draw_labels(const Canvas& canvas, const Scene& scene, const std::vector<LabelDefinition>& labels) {
   std::vector<ShownLabel> unordered = shown_labels(scene, labels);
   if (unordered.empty()) return {};
@@ -228,37 +244,14 @@ std::vector<Box> draw_labels(const Canvas& canvas, const Scene& scene, const std
   for (const std::size_t i : order_of_labels(moments_of(scene, unordered, wishes_of(scene, unordered)), room)) {
     shown.push_back(std::move(unordered[i]));
   }
-  std::vector<Box> boxes = lay_out_labels(wishes_of(scene, shown), room);
-  for (std::size_t i = 0; i < shown.size(); ++i) draw_leader(canvas, scene, shown[i], boxes[i]);
-  for (std::size_t i = 0; i < shown.size(); ++i) draw_plate(canvas, scene, shown[i].text, boxes[i]);
-  return boxes;
-}
-
-/// The place nearest to `box` that is clear of all plates and inside the bounds: above or below where there is one,
-/// else beside it, else wherever it is clear.
-Box moved_clear(const Box& box, const std::vector<Box>& plates, double gap, const Box& bounds) {
-  const auto is_clear = [&](const Box& place) {
-    return std::ranges::none_of(plates, [&](const Box& plate) {
-      return place.x + kSamePlace < plate.right() + gap && plate.x + kSamePlace < place.right() + gap &&
-             place.y + kSamePlace < plate.bottom() + gap && plate.y + kSamePlace < place.bottom() + gap;
-    });
-  };
-  if (is_clear(box)) return box;
-  Box nearest = box;
-  double least = std::numeric_limits<double>::infinity();
-  const double beside = bounds.height, outside = 2 * (bounds.width + bounds.height);
-  const auto consider = [&](double x, double y, double cost) {
-    const Box place{x, y, box.width, box.height};
-    const bool is_inside =
-        x >= bounds.x && place.right() <= bounds.right() && y >= bounds.y && place.bottom() <= bounds.bottom();
-    cost += std::abs(x - box.x) + std::abs(y - box.y) + (is_inside ? 0 : outside);
-    if (cost < least && is_clear(place)) least = cost, nearest = place;
-  };
-  for (const Box& plate : plates) {
-    for (const double y : {plate.bottom() + gap, plate.y - gap - box.height}) consider(box.x, y, 0);
-    for (const double x : {plate.x - gap - box.width, plate.right() + gap}) consider(x, box.y, beside);
+  const std::vector<LabelWish> wishes = wishes_of(scene, shown);
+  std::vector<Box> boxes = lay_out_labels(wishes, room);
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    draw_leader(canvas, scene, shown[i], leader_of(wishes[i], boxes[i]));
   }
-  return nearest;
+  for (std::size_t i = 0; i < shown.size(); ++i) draw_plate(canvas, scene, shown[i].text, boxes[i]);
+  for (const ShownLabel& label : shown) boxes.push_back(dot_of(scene, label.anchor));
+  return boxes;
 }
 
 /// Level with an arrow's end, beside it and the tools, clear of the plates, of which it becomes one.
@@ -275,9 +268,7 @@ void draw_arrow_text(const Canvas& canvas, const Scene& scene, const std::string
                  .gap = scene.grid.pixels(6),
                  .distance = scene.grid.pixels(12)};
   room.obstacles.push_back(end);
-  Box box = moved_clear(lay_out_labels({wish}, room).front(), plates, room.gap, room.bounds);
-  // A legend is high, so that a text beside it stays nearer to its arrow than one above or below.
-  if (scene.legend && box.overlaps(*scene.legend)) box.x = scene.legend->x - room.gap - box.width;
+  const Box box = clear_place(lay_out_labels({wish}, room).front(), plates, room.gap, room.bounds);
   draw_plate(canvas, scene, text, box);
   plates.push_back(box);
 }
@@ -356,7 +347,7 @@ void draw_annotations(Image& image, const PictureBox& box, const AnnotationDefin
   const Canvas canvas(box.size);
   if (scene.inset) keep_off(canvas, box.size, *scene.inset);
   std::vector<Box> plates = draw_labels(canvas, scene, annotations.labels);
-  if (scene.inset) plates.push_back(*scene.inset);
+  for (const Box& taken : taken_in(scene)) plates.push_back(taken);
   draw_arrows(canvas, scene, annotations.arrows, plates);
   draw_force_arrows(canvas, scene, annotations.force_arrows, plates);
   canvas.blend_onto(image, box.left, box.top);

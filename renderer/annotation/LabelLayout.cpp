@@ -68,34 +68,45 @@ double free_edge(const LabelRoom& room, double top, double bottom, bool on_the_l
   return sign * edge;
 }
 
-bool is_taken_on_the_left(const LabelRoom& room) {
-  return room.taken->x + room.taken->right() < room.bounds.x + room.bounds.right();
+bool is_on_the_left(const Box& taken, const Box& bounds) {
+  return taken.x + taken.right() < bounds.x + bounds.right();
+}
+
+/// As a legend, unlike a picture.
+bool is_high(const Box& taken) {
+  return taken.height > taken.width;
 }
 
 /// Whether labels of a side, at most this wide, find no place beside what is taken.
-bool is_side_taken(const LabelRoom& room, bool on_the_left, double widest) {
-  if (is_taken_on_the_left(room) == on_the_left) return true;
-  const double beside = on_the_left ? room.taken->x - room.bounds.x : room.bounds.right() - room.taken->right();
+bool is_side_taken(const Box& taken, const LabelRoom& room, bool on_the_left, double widest) {
+  const bool is_left = is_on_the_left(taken, room.bounds);
+  if (!is_high(taken) && is_left == on_the_left) return true;
+  const double beside = is_left ? room.bounds.right() - taken.right() : taken.x - room.bounds.x;
   return beside < widest + room.gap;
 }
 
 /// The bounds above or below what is taken, whichever are higher.
-Box free_heights(const LabelRoom& room) {
-  Box free = room.bounds;
-  const double above = room.taken->y - room.gap - free.y;
-  const double below = free.bottom() - room.taken->bottom() - room.gap;
-  if (below >= above) free.y = free.bottom() - std::max(0.0, below);
-  free.height = std::max({0.0, above, below});
-  return free;
+Box free_heights(Box bounds, const Box& taken, double gap) {
+  const double above = taken.y - gap - bounds.y;
+  const double below = bounds.bottom() - taken.bottom() - gap;
+  if (below >= above) bounds.y = bounds.bottom() - std::max(0.0, below);
+  bounds.height = std::max({0.0, above, below});
+  return bounds;
 }
 
-/// Beside what is taken, when the label stands at its height or on the other side of the bounds.
-double beside_taken(const LabelWish& wish, const LabelRoom& room, double left, double top) {
-  const bool is_level = top < room.taken->bottom() + room.gap && top + wish.height + room.gap > room.taken->y;
-  const bool is_left = is_taken_on_the_left(room);
-  if (!is_level && is_left == wish.on_the_left) return left;
-  return is_left ? std::max(left, room.taken->right() + room.gap)
-                 : std::min(left, room.taken->x - room.gap - wish.width);
+/// Beside what is taken, when the label stands at its height or on the other side of the bounds. What is high yields
+/// steadily above and below, as obstacles do, since labels pass its ends.
+double beside_taken(const LabelWish& wish, const Box& taken, const LabelRoom& room, double left, double top) {
+  const bool is_left = is_on_the_left(taken, room.bounds);
+  double yielded = 0;
+  if (is_left == wish.on_the_left) {
+    const double off = std::max({0.0, top - room.gap - taken.bottom(), taken.y - room.gap - top - wish.height});
+    const bool is_level = top < taken.bottom() + room.gap && top + wish.height + room.gap > taken.y;
+    if (!is_level && !is_high(taken)) return left;
+    yielded = 2 * off;
+  }
+  return is_left ? std::max(left, taken.right() + room.gap - yielded)
+                 : std::min(left, taken.x - room.gap - wish.width + yielded);
 }
 
 double left_of(const LabelWish& wish, const LabelRoom& room, double top) {
@@ -103,8 +114,19 @@ double left_of(const LabelWish& wish, const LabelRoom& room, double top) {
   // Never on the wrong side of its anchor, also where nothing stands in the way.
   edge = wish.on_the_left ? std::min(edge, wish.anchor[0]) : std::max(edge, wish.anchor[0]);
   double left = wish.on_the_left ? edge - room.distance - wish.width : edge + room.distance;
-  if (room.taken) left = beside_taken(wish, room, left, top);
+  for (const Box& taken : room.taken) left = beside_taken(wish, taken, room, left, top);
   return std::max(room.bounds.x, std::min(left, room.bounds.right() - wish.width));
+}
+
+/// Level with its anchor; where the bounds press it over the anchor, above or below, on its way there from a gap
+/// before.
+double wanted_top(const LabelWish& wish, const LabelRoom& room) {
+  const double level = wish.anchor[1] - 0.5 * wish.height;
+  const double left = left_of(wish, room, level);
+  const double between = wish.on_the_left ? wish.anchor[0] - left - wish.width : left - wish.anchor[0];
+  const double part = std::clamp(1 - between / room.gap, 0.0, 1.0);
+  const double whole = 0.5 * (wish.height + room.distance);
+  return wish.upwards ? level - part * whole : level + part * whole;
 }
 
 }  // namespace
@@ -118,13 +140,16 @@ std::vector<Box> lay_out_labels(const std::vector<LabelWish>& wishes, const Labe
     for (std::size_t i = 0; i < wishes.size(); ++i) {
       if (wishes[i].on_the_left != on_the_left) continue;
       members.push_back(i);
-      wanted.push_back(wishes[i].anchor[1] - 0.5 * wishes[i].height);
+      wanted.push_back(wanted_top(wishes[i], room));
       heights.push_back(wishes[i].height + room.gap);
       widest = std::max(widest, wishes[i].width);
     }
-    const bool is_taken = room.taken && is_side_taken(room, on_the_left, widest);
+    Box bounds = room.bounds;
+    for (const Box& taken : room.taken) {
+      if (is_side_taken(taken, room, on_the_left, widest)) bounds = free_heights(bounds, taken, room.gap);
+    }
     std::vector<double> tops = spread(wanted, heights);
-    keep_inside(tops, heights, room.gap, is_taken ? free_heights(room) : room.bounds);
+    keep_inside(tops, heights, room.gap, bounds);
     for (std::size_t k = 0; k < members.size(); ++k) {
       const LabelWish& wish = wishes[members[k]];
       boxes[members[k]] = {left_of(wish, room, tops[k]), tops[k], wish.width, wish.height};

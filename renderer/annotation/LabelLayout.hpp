@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <vector>
 
 #include "renderer/overlay/Canvas.hpp"
@@ -16,6 +15,7 @@ struct LabelWish {
   double width = 0;        // of its plate
   double height = 0;
   bool on_the_left = false;  // of what it points at
+  bool upwards = true;       // where it would cover its anchor it stands above it, else below
 };
 
 /// Where labels may be and what they should keep clear of.
@@ -24,14 +24,15 @@ struct LabelRoom {
   std::vector<PixelPoint> obstacles = {};  // of organ and tools
   double gap = 8;                          // pixels, between labels
   double distance = 24;                    // pixels, between a label and what it should keep clear of
-  std::optional<Box> taken = {};           // by another picture, at the left or right of the bounds
+  std::vector<Box> taken = {};             // by other pictures and a legend, at the left or right of the bounds
 };
 
 /// Places for labels, in their order: on each side one below the other in the order given, each as near to the height
 /// of its anchor as the others allow (least squares), and beside the obstacles at its height; where the bounds leave no
-/// room beside them, over them. On the side of what is taken they stand above or below it, where there is more room,
-/// and beside it when they are too many; on the other side beside it. Moves steadily when anchors and obstacles do, so
-/// labels do not jump from frame to frame.
+/// room beside them, over them, above or below its anchor. On the side of a picture, which is wider than high, they
+/// stand above or below it, where there is more room, and beside it when they are too many; on the other side, and
+/// where a legend is, which is higher than wide, beside it. Moves steadily when anchors and obstacles do, so labels do
+/// not jump from frame to frame.
 std::vector<Box> lay_out_labels(const std::vector<LabelWish>& wishes, const LabelRoom& room);
 
 }  // namespace thinwall

@@ -39,7 +39,12 @@ int crossings_of(const std::vector<LabelMoment>& moments, const std::vector<std:
 }  // namespace
 
 Leader leader_of(const LabelWish& wish, const Box& box) {
-  return {.from = {wish.on_the_left ? box.right() : box.x, box.y + 0.5 * box.height}, .to = wish.anchor};
+  const double edge = wish.on_the_left ? box.right() : box.x;
+  const double over = std::max(0.0, wish.on_the_left ? edge - wish.anchor[0] : wish.anchor[0] - edge);
+  const double x = over > 0 ? std::clamp(wish.anchor[0], box.x, box.right()) : edge;
+  const double middle = box.y + 0.5 * box.height;
+  const double off_middle = std::min(over, 0.5 * box.height);
+  return {.from = {x, wish.anchor[1] > middle ? middle + off_middle : middle - off_middle}, .to = wish.anchor};
 }
 
 int count_crossings(const std::vector<LabelWish>& wishes, const std::vector<Box>& boxes) {

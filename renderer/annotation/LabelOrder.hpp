@@ -7,7 +7,8 @@
 
 namespace thinwall {
 
-/// The straight line from a label's box to what it points at.
+/// The straight line from a label's box to what it points at: from the middle of the side that faces it; the farther
+/// the box reaches over what it points at, the nearer to its lower or upper side.
 struct Leader {
   PixelPoint from = {};
   PixelPoint to = {};

@@ -15,7 +15,7 @@ bool is_inside(PicturePoint point, const PictureBox& box) {
 
 PicturePart own_part(const Shot& shot, ImageSize size) {
   PicturePart part{.picture = size, .own = main_box(shot, size), .covered = {}};
-  if (shot.inset) part.covered = inset_box(shot.corner, size);
+  if (shot.inset) part.covered = inset_box(shot, size);
   return part;
 }
 

@@ -51,7 +51,11 @@ void draw_bar(const Plate& plate, const OverlayGrid& grid, const Box& bar) {
 Box legend_place(const OverlayGrid& grid, const std::optional<Box>& inset) {
   const double width = grid.whole(kWidth), height = grid.whole(kHeight);
   Box place{grid.size.width - grid.whole(kMargin) - width, static_cast<double>(grid.whole(kTop)), width, height};
-  if (inset && place.overlaps(*inset)) place.x = inset->x - grid.pixels(kPadding) - width;
+  if (!inset || !place.overlaps(*inset)) return place;
+  const Box below{place.x, inset->bottom() + grid.pixels(kPadding), width, height};
+  if (below.bottom() <= grid.size.height - grid.pixels(kMargin + kPanelHeight + kPadding)) return below;
+  // The action is in the middle, so that beside the inset it would be covered.
+  place.x = grid.whole(kMargin);
   return place;
 }
 

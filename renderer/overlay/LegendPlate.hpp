@@ -7,7 +7,8 @@
 
 namespace thinwall {
 
-/// Where a legend stands: at the right, below the time; left of an `inset` that has its place.
+/// Where a legend stands: at the right, below the time. Where an `inset` has that place, below the inset if there is
+/// room above the panels, else at the left, below the title: the middle is the action's.
 Box legend_place(const OverlayGrid& grid, const std::optional<Box>& inset);
 
 /// What the colours of a data view mean: a bar of them with numbers beside it and the quantity's name and unit above.

@@ -32,11 +32,13 @@ PictureBox beside_box(ImageSize size) {
   return {.left = size.width - size.width / 2, .top = 0, .size = {size.width / 2, size.height}};
 }
 
-PictureBox inset_box(PictureCorner corner, ImageSize size) {
+PictureBox inset_box(const Shot& shot, ImageSize size) {
   constexpr double kPart = 0.3;
   constexpr double kMargin = 26, kAboveIt = 52, kBelowIt = 184;  // units: title or time, and panels
-  const ImageSize small{std::max(1, static_cast<int>(kPart * size.width)),
-                        std::max(1, static_cast<int>(kPart * size.height))};
+  const double part = shot.beside ? kPart / 2 : kPart;
+  const ImageSize small{std::max(1, static_cast<int>(part * size.width)),
+                        std::max(1, static_cast<int>(part * size.height))};
+  const PictureCorner corner = shot.corner;
   const bool is_left = corner == PictureCorner::kUpperLeft || corner == PictureCorner::kLowerLeft;
   const bool is_upper = corner == PictureCorner::kUpperLeft || corner == PictureCorner::kUpperRight;
   const int margin = pixels(kMargin, size);

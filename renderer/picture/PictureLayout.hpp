@@ -19,8 +19,9 @@ PictureBox main_box(const Shot& shot, ImageSize size);
 /// The right half.
 PictureBox beside_box(ImageSize size);
 
-/// A small picture of the same shape in a corner, clear of title, time and panels.
-PictureBox inset_box(PictureCorner corner, ImageSize size);
+/// A small picture of the same shape in the shot's corner, clear of title, time and panels: 0.3 times as wide as what
+/// the shot's own camera fills, so that the middle of a half is free too.
+PictureBox inset_box(const Shot& shot, ImageSize size);
 
 /// Lays a picture onto a part of the same size of another.
 void paste(const Image& part, const PictureBox& box, Image& onto);

@@ -34,7 +34,7 @@ class RendererPainter final : public Painter {
       image = std::move(both);
     }
     if (shot.inset) {
-      const PictureBox box = inset_box(shot.corner, size_);
+      const PictureBox box = inset_box(shot, size_);
       paste(draw(box.size, snapshot, view_, *shot.inset), box, image);
       frame_box(box, image);
     }
@@ -119,7 +119,7 @@ Image finished_picture(const Frame& frame, Painter& painter) {
   Image image = painter.paint(frame.snapshot, frame.shot);
   const Image bare = frame.card ? image : Image{};
   std::optional<PictureBox> inset;
-  if (frame.shot.inset) inset = inset_box(frame.shot.corner, image.size);
+  if (frame.shot.inset) inset = inset_box(frame.shot, image.size);
   std::optional<Box> taken;
   if (inset) taken = canvas_box(*inset);
   const std::optional<Box> legend = place_of_legend(frame.overlay, image.size, taken);

@@ -73,16 +73,19 @@ class ShownShapes {
  private:
   void add_cut(const CheckedValue& cut) {
     const auto beside = find_text(cut, "beside"), inset = find_text(cut, "inset");
-    show(find_text(cut, "camera").value_or("main"), is_compared_ || beside);
+    const bool is_half = is_compared_ || beside;
+    show(find_text(cut, "camera").value_or("main"), is_half);
     if (beside) show(*beside, true);
-    if (inset) widen(*inset, inset_box(PictureCorner::kUpperRight, size_).size);
+    if (inset) widen(*inset, inset_box(shot_of(is_half), size_).size);
   }
 
-  void show(const std::string& camera, bool is_half) {
+  static Shot shot_of(bool is_half) {
     Shot shot;
     if (is_half) shot.beside = CameraDefinition{};
-    widen(camera, main_box(shot, size_).size);
+    return shot;
   }
+
+  void show(const std::string& camera, bool is_half) { widen(camera, main_box(shot_of(is_half), size_).size); }
 
   void widen(const std::string& camera, ImageSize shape) {
     const auto [known, is_new] = shapes_.insert({camera, shape});

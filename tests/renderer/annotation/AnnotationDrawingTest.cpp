@@ -162,7 +162,7 @@ TEST(AnnotationDrawing, LeavesAnInsetInAnyCornerAsItIs) {
   }
   for (const PictureCorner corner :
        {PictureCorner::kUpperLeft, PictureCorner::kUpperRight, PictureCorner::kLowerLeft, PictureCorner::kLowerRight}) {
-    const PictureBox inset = inset_box(corner, kSize);
+    const PictureBox inset = inset_box({.corner = corner}, kSize);
     Image image = black();
     draw_annotations(image, {.size = kSize}, annotations, snapshot, from_the_front(), inset);
     EXPECT_NE(image.pixels, black().pixels);
@@ -194,6 +194,21 @@ TEST(AnnotationDrawing, LabelsAndTextsOfArrowsKeepClearOfALegend) {
   };
   EXPECT_GT(inked({}), 1000) << "they would stand there";
   EXPECT_EQ(inked(legend), 0);
+}
+
+TEST(AnnotationDrawing, TextsOfArrowsLeaveThePointsOfLabelsFree) {
+  Snapshot snapshot = scene();
+  snapshot.time = 1;
+  const Camera camera = resolve_camera(from_the_front(), scene_extent(snapshot), kSize, 1);
+  const Double3 pointed_at = {0.0135, -0.0147, 0};
+  AnnotationDefinition annotations = label_at(pointed_at);
+  // Its text would stand right of its tail, over the point.
+  annotations.arrows.push_back({.text = "Press", .body = "organ", .at = {0.01, -0.0173, 0}, .direction = {1, 0, 0}});
+  annotations.arrows[0].length = 0.002;
+  const Image image = drawn(annotations, snapshot);
+  const auto point = camera.pixel({pointed_at[0], pointed_at[1], pointed_at[2]}, kSize);
+  ASSERT_TRUE(point);
+  EXPECT_GT(level(image, (*point)[0], (*point)[1]), 200) << "the dot is white";
 }
 
 TEST(AnnotationDrawing, LabelsKeepAboveCaptionsThatStandAbovePanels) {

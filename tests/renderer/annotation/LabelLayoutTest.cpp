@@ -86,8 +86,8 @@ TEST(LabelLayout, LabelsKeepClearOfWhatIsTakenInAnyCorner) {
     for (int count = 1; count <= 16; ++count) {
       std::vector<LabelWish> wishes;
       for (int i = 0; i < count; ++i) wishes.push_back(wish(320, 70 + 220.0 * i / count, i % 2 == 0));
-      const auto boxes =
-          lay_out_labels(wishes, {.bounds = kBounds, .obstacles = disc(110), .gap = 8, .distance = 24, .taken = taken});
+      const auto boxes = lay_out_labels(
+          wishes, {.bounds = kBounds, .obstacles = disc(110), .gap = 8, .distance = 24, .taken = {taken}});
       for (std::size_t i = 0; i < boxes.size(); ++i) {
         EXPECT_FALSE(boxes[i].overlaps(taken)) << taken.x << ' ' << taken.y << ": " << i << " of " << count;
         EXPECT_GE(boxes[i].x, kBounds.x);
@@ -100,7 +100,7 @@ TEST(LabelLayout, LabelsKeepClearOfWhatIsTakenInAnyCorner) {
 TEST(LabelLayout, OnTheSideOfWhatIsTakenALabelStandsBelowItAndBesideTheObstacles) {
   const auto boxes = lay_out_labels(
       {wish(220, 100, true)},
-      {.bounds = kBounds, .obstacles = disc(100), .gap = 8, .distance = 24, .taken = Box{20, 60, 190, 110}});
+      {.bounds = kBounds, .obstacles = disc(100), .gap = 8, .distance = 24, .taken = {Box{20, 60, 190, 110}}});
   EXPECT_NEAR(boxes[0].y, 178, 1e-9);
   EXPECT_NEAR(boxes[0].right(), 220 - 24, 0.5);
 }
@@ -108,11 +108,72 @@ TEST(LabelLayout, OnTheSideOfWhatIsTakenALabelStandsBelowItAndBesideTheObstacles
 TEST(LabelLayout, WhereTheOtherSideIsTooNarrowItsLabelsKeepTheirHeightsClearToo) {
   const Box narrow{20, 60, 280, 240}, taken{20, 60, 220, 100};
   const auto boxes = lay_out_labels({wish(100, 80, false), wish(150, 90, true)},
-                                    {.bounds = narrow, .obstacles = {}, .gap = 8, .distance = 24, .taken = taken});
+                                    {.bounds = narrow, .obstacles = {}, .gap = 8, .distance = 24, .taken = {taken}});
   for (const Box& box : boxes) {
     EXPECT_FALSE(box.overlaps(taken));
     EXPECT_LE(box.right(), narrow.right());
   }
+}
+
+TEST(LabelLayout, ALabelThatTheBoundsPressOverItsAnchorStandsAboveOrBelowIt) {
+  // As of an organ that fills the picture.
+  for (const bool left : {true, false}) {
+    for (const bool upwards : {true, false}) {
+      LabelWish wanted = wish(left ? 80 : 560, 180, left);
+      wanted.upwards = upwards;
+      const Box box =
+          lay_out_labels({wanted}, {.bounds = kBounds, .obstacles = disc(310), .gap = 8, .distance = 24})[0];
+      EXPECT_NEAR(upwards ? 180 - box.bottom() : box.y - 180, 12, 1e-9);
+    }
+  }
+}
+
+TEST(LabelLayout, ALabelThatIsPressedOverItsAnchorGetsThereSteadily) {
+  Box before;
+  for (double x = 200; x > 40; x -= 0.25) {
+    const Box box = lay_out_labels({wish(x, 180, true)}, {.bounds = kBounds, .obstacles = {{x, 180}}})[0];
+    if (x < 200) {
+      // By 27 pixels while the anchor comes nearer by the gap.
+      EXPECT_LE(std::abs(box.y - before.y), 1) << x;
+      EXPECT_LE(std::abs(box.x - before.x), 0.25 + 1e-9) << x;
+    }
+    before = box;
+  }
+}
+
+TEST(LabelLayout, LabelsKeepTheirHeightsBesideALegend) {
+  const Box legend{20, 60, 70, 240};
+  const auto boxes =
+      lay_out_labels({wish(250, 100, true), wish(250, 200, true)},
+                     {.bounds = kBounds, .obstacles = disc(100), .gap = 8, .distance = 24, .taken = {legend}});
+  EXPECT_NEAR(boxes[0].y + 15, 100, 1e-9);
+  EXPECT_NEAR(boxes[1].y + 15, 200, 1e-9);
+  for (const Box& box : boxes) EXPECT_GE(box.x, legend.right() + 8);
+}
+
+TEST(LabelLayout, LabelsKeepClearOfALegendAtOneSideAndOfAPictureAtTheOther) {
+  const Box legend{20, 60, 70, 200}, picture{430, 60, 190, 110};
+  std::vector<LabelWish> wishes;
+  for (int i = 0; i < 8; ++i) wishes.push_back(wish(320, 80 + 25.0 * i, i % 2 == 0));
+  const auto boxes = lay_out_labels(
+      wishes, {.bounds = kBounds, .obstacles = disc(110), .gap = 8, .distance = 24, .taken = {picture, legend}});
+  for (const Box& box : boxes) {
+    EXPECT_FALSE(box.overlaps(legend));
+    EXPECT_FALSE(box.overlaps(picture));
+  }
+}
+
+TEST(LabelLayout, ALabelPassesTheEndOfALegendSteadily) {
+  LabelRoom room{.bounds = kBounds, .obstacles = {}, .gap = 8, .distance = 24, .taken = {{20, 60, 70, 100}}};
+  for (double y = 60; y < 300; y += 5) room.obstacles.push_back({180, y});
+  double before = 66;
+  for (double y = 280; y > 100; y -= 0.25) {
+    const Box box = lay_out_labels({wish(300, y, true)}, room)[0];
+    EXPECT_LE(std::abs(box.x - before), 0.5 + 1e-9) << y;
+    EXPECT_FALSE(box.overlaps(room.taken[0])) << y;
+    before = box.x;
+  }
+  EXPECT_NEAR(before, 98, 1e-9) << "beside it";
 }
 
 }  // namespace

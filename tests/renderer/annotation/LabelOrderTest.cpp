@@ -30,6 +30,18 @@ TEST(LabelOrder, CountsPairsOfLeadersThatCross) {
   EXPECT_EQ(count_crossings(wishes, {below, above}), 1);
 }
 
+TEST(LabelOrder, ALeaderBeginsAtTheSideThatFacesItsPoint) {
+  const Leader leader = leader_of(wish(200, 100), {300, 105, 90, 30});
+  EXPECT_EQ(leader.from, (PixelPoint{300, 120}));
+  EXPECT_EQ(leader.to, (PixelPoint{200, 100}));
+}
+
+TEST(LabelOrder, TheLeaderOfALabelThatReachesOverItsPointDoesNotPassUnderItsWords) {
+  EXPECT_EQ(leader_of(wish(340, 160), {300, 105, 90, 30}).from, (PixelPoint{340, 135}));
+  EXPECT_EQ(leader_of(wish(340, 80, true), {300, 105, 90, 30}).from, (PixelPoint{340, 105}));
+  EXPECT_EQ(leader_of(wish(304, 160), {300, 105, 90, 30}).from, (PixelPoint{304, 124})) << "it gets there steadily";
+}
+
 TEST(LabelOrder, IsThatOfTheHeightsWhereNothingCrosses) {
   const std::vector<LabelWish> wishes = {wish(200, 250), wish(220, 90), wish(210, 170)};
   EXPECT_EQ(order_of_labels({{.wishes = wishes}}, kRoom), (std::vector<std::size_t>{1, 2, 0}));

@@ -301,6 +301,25 @@ TEST(Overlay, ALongTitleEndsBeforeTheBadge) {
   }
 }
 
+TEST(Overlay, ALegendStandsAtTheRightOrWhereAnInsetLeavesTheMiddleFree) {
+  OverlayContent content = some_content();
+  content.legend = Legend{.title = "Stress", .unit = "Pa", .from = 0, .to = 1000};
+  const auto place = [&](const std::optional<Box>& inset) { return *place_of_legend(content, kSize, inset); };
+  const Box usual = place({});
+  EXPECT_EQ(usual.right(), 1280 - 26);
+  const Box at_the_left{26, 78, 384, 216};
+  EXPECT_EQ(place(at_the_left).x, usual.x);
+  for (const Box& inset : {Box{870, 78, 384, 216}, Box{870, 294, 384, 216}}) {
+    const Box moved = place(inset);
+    EXPECT_EQ(moved.x, 26) << inset.y;
+    EXPECT_EQ(moved.y, usual.y) << inset.y;
+  }
+  const Box small{1062, 78, 192, 108};
+  EXPECT_EQ(place(small).x, usual.x);
+  EXPECT_GE(place(small).y, small.bottom());
+  EXPECT_LE(place(small).bottom(), 522) << "above the panels";
+}
+
 TEST(Overlay, LeavesAnInsetAsItIs) {
   struct Place {
     ImageSize size;

@@ -31,7 +31,7 @@ TEST(PictureLayout, ASmallPictureLiesInItsCornerInsideTheLarge) {
   for (const ImageSize size : {ImageSize{1280, 720}, ImageSize{320, 180}, ImageSize{400, 400}}) {
     for (const PictureCorner corner : {PictureCorner::kUpperLeft, PictureCorner::kUpperRight, PictureCorner::kLowerLeft,
                                        PictureCorner::kLowerRight}) {
-      const PictureBox box = inset_box(corner, size);
+      const PictureBox box = inset_box({.corner = corner}, size);
       EXPECT_GE(box.left, 0);
       EXPECT_GE(box.top, 0);
       EXPECT_LE(box.left + box.size.width, size.width);
@@ -40,6 +40,15 @@ TEST(PictureLayout, ASmallPictureLiesInItsCornerInsideTheLarge) {
       EXPECT_EQ(2 * box.left + box.size.width < size.width, is_left);
     }
   }
+}
+
+TEST(PictureLayout, BesideAnotherPictureTheSmallOneIsOfTheHalvesScaleAndLeavesTheirMiddleFree) {
+  const Shot shot{.beside = CameraDefinition{}, .corner = PictureCorner::kUpperRight};
+  const ImageSize size{1280, 720};
+  const PictureBox box = inset_box(shot, size);
+  EXPECT_EQ(2 * box.size.width, inset_box({}, size).size.width);
+  const PictureBox half = beside_box(size);
+  EXPECT_GT(box.left, half.left + 0.6 * half.size.width);
 }
 
 TEST(PictureLayout, PastesPixelByPixelAndFramesInside) {
