@@ -20,6 +20,7 @@ constexpr double kLongestReserve = 600;
 
 void run(HapticDevice& device, ForceSource& source, const HapticLoopOptions& options, HapticRecord& record) {
   record.was_real_time = options.real_time && ask_for_real_time();
+  source.begin();
   PassivityGuard guard(options.passivity);
   std::optional<ToolPose> before;
   const double begin = loop_clock() + options.period;

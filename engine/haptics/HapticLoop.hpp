@@ -51,6 +51,8 @@ struct HapticRecord {
 class ForceSource {
  public:
   virtual ~ForceSource() = default;
+  /// Called in the real-time thread before the first tick, for what takes long when it is done first.
+  virtual void begin() {}
   /// Called in the real-time thread once a tick; `tick` has time and pose. Fills what it knows of age and freshness.
   virtual Eigen::Vector3d force(HapticTick& tick, const Eigen::Vector3d& velocity) = 0;
   /// Whether it can give forces no more.
@@ -91,12 +93,18 @@ class FullForce final : public ForceSource {
  public:
   /// `most_way`: metres that the tool goes in a tick. A hand that is set elsewhere it follows at that rate: a way of
   /// any length would take a time of any length.
-  FullForce(FullSolver solver, double most_way) : solver_(std::move(solver)), most_way_(most_way) {}
+  /// `warm_up`: see `begin`.
+  FullForce(FullSolver solver, double most_way, std::function<void()> warm_up = {})
+      : solver_(std::move(solver)), most_way_(most_way), warm_up_(std::move(warm_up)) {}
+  void begin() override {
+    if (warm_up_) warm_up_();
+  }
   Eigen::Vector3d force(HapticTick& tick, const Eigen::Vector3d& velocity) override;
 
  private:
   FullSolver solver_;
-  double most_way_;                  // metres
+  double most_way_;  // metres
+  std::function<void()> warm_up_;
   std::optional<ToolPose> reached_;  // in the last tick
 };
 

@@ -148,9 +148,16 @@ class LoopedRun {
   LoopedRun(const Scenario& scenario, int tool, double tolerance)
       : run_(in_ticks(scenario, tolerance)), tool_(tool), reach_(reach_of(scenario.tools[tool])) {}
 
+  /// A tick in which nothing moves, before time counts: the first step of a thread takes its memory, which takes ten
+  /// times as long as the step.
+  void warm_up(const ToolPose& pose) {
+    run_.step_driven(1, {.index = tool_, .pose = pose});
+    ticks_ = 1;
+  }
+
   FullAnswer solve(double time, const ToolPose& pose, bool responds) {
     const long until = std::lround(time / kPeriod);
-    const int count = static_cast<int>(std::max(until - ticks_, ticks_ == 0 && until == 0 ? 0L : 1L));
+    const int count = static_cast<int>(until == 0 ? 0 : std::max(until - ticks_, 1L));
     const long cuts = run_.cuts();
     if (count > 0) run_.step_driven(count, {.index = tool_, .pose = pose});
     ticks_ += count;
@@ -261,7 +268,7 @@ void run_loop(const HapticPlan& plan, const Scenario* coarse, LoopedRun& looped,
       run_corrected(plan, *coarse, looped, tool, hand, options, report);
     } else if (report.forces == "full") {
       FullForce source([&](double time, const ToolPose& pose) { return looped.solve(time, pose, false); },
-                       reach_of(plan.scenario.tools[tool]));
+                       reach_of(plan.scenario.tools[tool]), [&] { looped.warm_up(hand.begin); });
       report.record = run_haptic_loop(*hand.device, source, options);
     } else {
       ModelRefresh refresh([&](double time, const ToolPose& pose) { return looped.solve(time, pose, true); },

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include <thread>
+#include <vector>
 
 #include "engine/haptics/Trajectory.hpp"
 
@@ -82,6 +84,28 @@ TEST(HapticLoopTest, FullForcesAreSolvedInEachTick) {
   FullForce source([](double, const ToolPose& pose) { return FullAnswer{.response = spring(pose, 50)}; }, 1e-3);
   const HapticRecord record = run_haptic_loop(hand, source, {.duration = 1, .real_time = false});
   for (const HapticTick& tick : record.ticks) EXPECT_DOUBLE_EQ(tick.force.z(), -50 * tick.pose.tip.z());
+}
+
+TEST(HapticLoopTest, AFullSolverWarmsUpOnceInTheThreadOfTheLoopBeforeTheFirstTick) {
+  Trajectory hand(straight_in(5e-3, 1e-4));
+  std::vector<std::thread::id> threads;
+  int warmed_up = 0, solved_cold = 0;
+  FullForce source(
+      [&](double, const ToolPose& pose) {
+        solved_cold += warmed_up == 0;
+        threads.push_back(std::this_thread::get_id());
+        return FullAnswer{.response = spring(pose, 50)};
+      },
+      1e-3,
+      [&] {
+        ++warmed_up;
+        threads.push_back(std::this_thread::get_id());
+      });
+  run_haptic_loop(hand, source, {.duration = 1, .real_time = false});
+  EXPECT_EQ(warmed_up, 1);
+  EXPECT_EQ(solved_cold, 0);
+  ASSERT_GT(threads.size(), 2U);
+  for (const std::thread::id thread : threads) EXPECT_EQ(thread, threads.front());
 }
 
 TEST(HapticLoopTest, AHandThatIsSetElsewhereIsFollowedByNoMoreThanItsWayInEachTick) {
