@@ -133,6 +133,7 @@ void Newton::compute_residual(const EquilibriumProblem& problem, const Equilibri
         attachment.prescribed.cwiseProduct(material_point(attachment, state.position) - attachment.target));
   }
   residual.contact = residual.ghost = residual.opening = 0;
+  residual.rigid.resize(0);
   double misfits = 0;  // metres^2
   for (const ContactPoint& contact : terms.contacts) {
     const double force = contact_force(problem, contact);

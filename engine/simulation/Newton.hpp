@@ -233,6 +233,7 @@ class Newton {
   bool folds_over(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const;
   void foresee(const EquilibriumProblem& problem, const Eigen::VectorXd& position, const Eigen::VectorXd& motion);
   void add_foreseen(const EquilibriumProblem& problem, const Eigen::VectorXd& position);
+  const Start& kept_start(const EquilibriumProblem& problem, const EquilibriumState& state);
   void place(const Start& start, const Step& step, double fraction, EquilibriumProblem& problem,
              EquilibriumState& state);
   bool take_whole(EquilibriumProblem& problem, EquilibriumState& state, Residual& residual, const Step& step);
@@ -329,7 +330,9 @@ class Newton {
   bool folded_ = false;    // whether the last factorisation is the fold matrix's
   BorderedSystem bordered_;
   EquilibriumTerms terms_;
+  Start start_;  // of the step under way; kept, as the next one, for its memory
   EquilibriumTerms trial_terms_;
+  Residual trial_residual_;
   Eigen::VectorXd stepped_to_;  // (unknowns) or none, metres, where the last solve ended if with a step
   Frozen frozen_;
   std::vector<char> open_;                         // (contacts), whether the step takes the contact to be open

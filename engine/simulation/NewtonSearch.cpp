@@ -101,9 +101,8 @@ bool Newton::search(EquilibriumProblem& problem, EquilibriumState& state, Residu
   const double before = merit(problem, state, terms_, residual, weights);
   const double slope = merit_slope(problem, state, residual, step, weights);
   if (slope > kRoundOff * std::abs(before)) ++ascending_steps_;
-  const Start start{
-      .state = state, .attachments = problem.attachments, .solids = problem.solids, .friction = problem.friction};
-  Residual trial;
+  const Start& start = kept_start(problem, state);
+  Residual& trial = trial_residual_;
   const double longest = kLongestStep * std::sqrt(model_.rest_area);
   fraction = std::min(fraction, longest / std::max(longest, step.position.lpNorm<Eigen::Infinity>()));
   fraction *= safe_fraction(start.state.position, fraction * step.position);
@@ -123,6 +122,14 @@ bool Newton::search(EquilibriumProblem& problem, EquilibriumState& state, Residu
   problem.solids = start.solids;
   problem.friction = start.friction;
   return false;
+}
+
+const Newton::Start& Newton::kept_start(const EquilibriumProblem& problem, const EquilibriumState& state) {
+  start_.state = state;
+  start_.attachments = problem.attachments;
+  start_.solids = problem.solids;
+  start_.friction = problem.friction;
+  return start_;
 }
 
 void Newton::place(const Start& start, const Step& step, double fraction, EquilibriumProblem& problem,
@@ -147,8 +154,7 @@ void Newton::place(const Start& start, const Step& step, double fraction, Equili
 bool Newton::take_whole(EquilibriumProblem& problem, EquilibriumState& state, Residual& residual, const Step& step) {
   // A step that is longer than the body has gone astray, and so has what is not a number.
   if (!(step.position.lpNorm<Eigen::Infinity>() <= extent_)) return false;
-  const Start start{
-      .state = state, .attachments = problem.attachments, .solids = problem.solids, .friction = problem.friction};
+  const Start& start = kept_start(problem, state);
   const double fraction = std::min(1.0, safe_fraction(state.position, step.position));
   foresee(problem, state.position, fraction * step.position);
   place(start, step, fraction, problem, state);
