@@ -54,7 +54,7 @@ constexpr double kForeseenWay = 0.5;
 constexpr double kMostWay = 0.25;
 constexpr double kForesight = 0.06;  // seconds
 
-/// Part of the reach at which models of tools that change the wall end: where they do, the solution is late.
+/// Part of the reach at which models of tools that go through the wall end: where they do, the solution is late.
 constexpr double kReachIntoWall = 0.25;
 
 /// Part of the reach that the tool goes in a solution of a fine body.
@@ -124,19 +124,21 @@ double reach_of(const ToolDefinition& tool) {
   return std::max({kLeastReach, tool.radius, 0.5 * tool.thickness});
 }
 
+bool goes_through_wall(const ToolDefinition& tool) {
+  return tool.kind == ToolKind::kNeedle || tool.kind == ToolKind::kScalpel;
+}
+
 /// Whether it may go through the wall or take hold of it.
 bool changes_wall(const ToolDefinition& tool) {
-  return tool.kind == ToolKind::kNeedle || tool.kind == ToolKind::kScalpel || tool.kind == ToolKind::kForceps;
+  return goes_through_wall(tool) || tool.kind == ToolKind::kForceps;
 }
 
 RefreshOptions refresh_options(const ToolDefinition& tool) {
   const double reach = reach_of(tool);
   RefreshOptions options{.reach = reach, .shortest_way = kShortestWay * reach, .most_way = kMostWay * reach};
   // Where a tool goes through the wall no pose may be tried that the hand does not reach.
-  if (changes_wall(tool)) {
-    options.reach *= kReachIntoWall;
-    return options;
-  }
+  if (goes_through_wall(tool)) options.reach *= kReachIntoWall;
+  if (changes_wall(tool)) return options;
   options.foresight = kForesight;
   options.foreseen_way = kForeseenWay * reach;
   return options;
@@ -148,7 +150,7 @@ class LoopedRun {
   LoopedRun(const Scenario& scenario, int tool, double tolerance)
       : run_(in_ticks(scenario, tolerance)), tool_(tool), reach_(reach_of(scenario.tools[tool])) {}
 
-  /// A tick in which nothing moves, before time counts: the first step of a thread takes its memory, which takes ten
+  /// A tick to where the hand begins, before time counts: the first step of a thread takes its memory, which takes ten
   /// times as long as the step.
   void warm_up(const ToolPose& pose) {
     run_.step_driven(1, {.index = tool_, .pose = pose});
