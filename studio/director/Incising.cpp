@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "engine/cutting/SurfaceCurve.hpp"
 #include "engine/tool/FirstContact.hpp"
 
 namespace thinwall {
@@ -47,6 +48,10 @@ double cost_of_entry(const Body& body, const IncisionPlan& plan, const ToolDefin
 void begin_incision(IncisionPlan& plan, const Body& body, const ToolDefinition& blade) {
   plan.entry_cost = cost_of_entry(body, plan, blade);
   plan.edge_length = body.model().edge_length;
+  const BodyModel& model = body.model();
+  const SurfaceView rest{.triangles = model.definition.mesh.triangles, .position = model.rest_position};
+  plan.rest_length = 0;
+  for (const auto& piece : plan.path.pieces) plan.rest_length += length_of(rest, piece.points);
 }
 
 std::optional<BladeInput> blade_input(const IncisionPlan& plan, const Body& body, const BladeStep& step) {

@@ -28,6 +28,7 @@ struct IncisionPlan {
   double entry_cost = 0;               // joule that the blade has to put into the dent before it goes in
   PassedOver passed_over = {};
   double edge_length = 0;  // metres, mean, of the body's triangles
+  double rest_length = 0;  // metres, of the path, rest
   double cut = 0;          // metres, rest, that the clip has cut so far
   double open = 0;         // metres of the path so far, along which the wall had been cut before
 
