@@ -239,15 +239,12 @@ VideoJudgement compare_with_golden_video(const std::string& scenario, const Gold
   if (have_same_last_state(golden->video, recorded.video)) {
     result.state = {.verdict = StateVerdict::kEqual, .explanation = "the last state is the same to the last bit"};
   }
-  if (found.frames.empty() && found.texts.empty() && found.encoder.empty()) {
+  if (found.all().empty()) {
     result.message = good_message(result, recorded.video);
   } else {
     result.outcome = GoldenOutcome::kFailed;
     judgement.attribution = attribute_video(golden->video, recorded.video, found);
-    std::vector<std::string> all = found.frames;
-    all.insert(all.end(), found.texts.begin(), found.texts.end());
-    all.insert(all.end(), found.encoder.begin(), found.encoder.end());
-    result.message = one_after_the_other(all);
+    result.message = one_after_the_other(found.all());
   }
   if (golden->video.driver != recorded.video.driver) {
     result.message += fmt::format("; approved on another driver ({}), so compared by tolerance", golden->video.driver);

@@ -108,10 +108,8 @@ Attribution attribute_video(const GoldenVideo& golden, const GoldenVideo& today,
   attribution.scenario = compare_scenarios(golden.resolved, today.resolved);
   attribution.overlay = found.texts;
   if (!found.frames.empty()) {
-    std::vector<std::string> all = found.frames;
-    all.insert(all.end(), found.texts.begin(), found.texts.end());
     tell_frames(attribution, golden, today);
-    attribution.sentence += "; " + first_of(all);
+    attribution.sentence += "; " + first_of(found.before_encoder());
   } else if (!found.texts.empty()) {
     tell_texts(attribution, found.texts);
   } else {

@@ -13,6 +13,17 @@ struct VideoFindings {
   std::vector<std::string> frames;   // beyond the limits, before the encoder
   std::vector<std::string> texts;    // captions, before the encoder
   std::vector<std::string> encoder;  // of the file
+
+  std::vector<std::string> before_encoder() const {
+    std::vector<std::string> both = frames;
+    both.insert(both.end(), texts.begin(), texts.end());
+    return both;
+  }
+  std::vector<std::string> all() const {
+    std::vector<std::string> whole = before_encoder();
+    whole.insert(whole.end(), encoder.begin(), encoder.end());
+    return whole;
+  }
 };
 
 /// Whether both end in the same state to the last bit, and the takes that they are compared with.
