@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "renderer/look/OrganLooks.hpp"
@@ -135,6 +136,46 @@ TEST(Steel, MirrorsTheTissueOfThisPictureNotOfTheOneBefore) {
     renderer.draw(before, view);
     EXPECT_EQ(renderer.draw(after, view).pixels, Renderer(DeviceChoice{}, kSize, tier).draw(after, view).pixels);
   }
+}
+
+/// How far the left outline of a needle goes off its mean course from one row to the next, pixels; its upper end lies
+/// `length` metres from the tip.
+double largest_stair_of_needle(double length) {
+  Snapshot snapshot = scalpel_on_a_wall();
+  SnapshotTool& needle = snapshot.tools[0];
+  needle.kind = SnapshotToolKind::kNeedle;
+  needle.radius = 0.002;
+  needle.length = length;
+  needle.direction = {0.1, 0, -0.995};
+  ViewDefinition view = from_the_front("liver");
+  view.camera.target = Double3{-0.003, 0, 0.02};
+  view.look.background = {1, 1, 1};
+  view.look.ground = Ground::kFloor;
+  const Image image = Renderer(DeviceChoice{}, kSize, Tier::kRecord).draw(snapshot, view);
+  const Camera camera = resolve_camera(view.camera, scene_extent(snapshot), kSize, 0);
+  const auto middle = camera.pixel({-0.1 * 0.02, 0, 0.02}, kSize);
+  std::vector<double> place;  // where the outline runs through each row, pixels
+  for (int y = static_cast<int>((*middle)[1]) - 40; y < (*middle)[1] + 40; ++y) {
+    const auto level = [&](int x) {
+      return static_cast<double>(image.pixels[3 * static_cast<std::size_t>(y * kSize.width + x) + 1]);
+    };
+    int ground = static_cast<int>((*middle)[0]);
+    while (ground > 3 && level(ground) < 225) --ground;
+    const double light = level(ground - 3), dark = level(ground + 5);
+    double covered = 0;
+    for (int x = ground - 2; x < ground + 5; ++x) covered += (level(x) - light) / (dark - light);
+    place.push_back(ground + 5 - covered);
+  }
+  double largest = 0;
+  for (std::size_t i = 2; i < place.size(); ++i) {
+    largest = std::max(largest, std::abs(place[i] - 2 * place[i - 1] + place[i - 2]));
+  }
+  return largest;
+}
+
+TEST(Steel, HasSmoothOutlinesWhereItReachesPastTheCamera) {
+  EXPECT_LT(largest_stair_of_needle(0.03), 0.3);
+  EXPECT_LT(largest_stair_of_needle(0.3), 0.3) << "its upper end lies behind the camera";
 }
 
 }  // namespace
