@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <optional>
+#include <span>
+#include <vector>
 
 namespace thinwall {
 namespace {
@@ -158,24 +162,52 @@ LightWindow around_seen(const LightWindow& whole, const LightWindow& seen, std::
   return part;
 }
 
+/// (points), how far the points at rest lie from the middle of a picture, over half of it; infinite behind the camera.
+std::vector<double> places_beside(const SceneExtent& extent, const Camera& camera) {
+  const Matrix4 picture = camera.matrix();
+  std::vector<double> beside;
+  for (const Vector3& point : extent.rest_points) {
+    const std::array<double, 4> place = clip_place(picture, point);
+    const double far = std::max(std::abs(place[0]), std::abs(place[1]));
+    beside.push_back(place[3] > 0 ? far / place[3] : std::numeric_limits<double>::infinity());
+  }
+  return beside;
+}
+
+/// Half of the part of a picture that a light has to see, over half the picture; nothing where it shows too little.
+/// `beside`: what places_beside gives.
+std::optional<double> part_to_light(std::span<const double> beside) {
+  constexpr double kBesidePicture = 1.15;  // what lies beside it at rest may come in
+  constexpr double kWider = 1.5, kWidest = 14;
+  constexpr std::size_t kFewestPoints = 64;  // fewer do not tell where a surface is
+  // Seen from near a picture shows few points, and those around it tell.
+  for (double part = kBesidePicture; part < kWidest; part *= kWider) {
+    const auto within = static_cast<std::size_t>(std::ranges::count_if(beside, [&](double b) { return b <= part; }));
+    if (within >= kFewestPoints) return part;
+  }
+  return {};
+}
+
 /// What a light sees of the tissue at rest, as far as it lies in the picture; nothing where the light is among it.
 std::optional<LightWindow> window_of_tissue(const Matrix4& matrix, const SceneExtent& extent, const Camera& camera) {
-  constexpr double kBesidePicture = 1.15;    // of half the picture: what lies beside it at rest may come in
-  constexpr std::size_t kFewestPoints = 64;  // fewer do not tell where a surface is
-  const Matrix4 picture = camera.matrix();
   LightWindow whole, seen;
-  std::size_t seen_points = 0;
+  std::vector<std::array<double, 4>> lit;
   for (const Vector3& point : extent.rest_points) {
-    const std::array<double, 4> clip = clip_place(matrix, point);
-    if (!(clip[3] > 0)) return {};
-    whole.add(clip);
-    const std::array<double, 4> place = clip_place(picture, point);
-    if (std::max(std::abs(place[0]), std::abs(place[1])) > kBesidePicture * place[3]) continue;
-    seen.add(clip);
-    ++seen_points;
+    lit.push_back(clip_place(matrix, point));
+    if (!(lit.back()[3] > 0)) return {};
+    whole.add(lit.back());
   }
   if (whole.is_empty()) return {};
-  return seen_points < kFewestPoints || seen.is_empty() ? whole : around_seen(whole, seen, seen_points);
+  const std::vector<double> beside = places_beside(extent, camera);
+  const std::optional<double> part = part_to_light(beside);
+  if (!part) return whole;
+  std::size_t seen_points = 0;
+  for (std::size_t i = 0; i < lit.size(); ++i) {
+    if (beside[i] > *part) continue;
+    seen.add(lit[i]);
+    ++seen_points;
+  }
+  return seen.is_empty() ? whole : around_seen(whole, seen, seen_points);
 }
 
 /// Narrows a light's view to what the picture shows of the tissue at rest, and as much more as that has grown: the
@@ -206,14 +238,17 @@ double shadow_map_pixels(const Matrix4& light_matrix, const SceneExtent& extent,
     return length(Vector3{light_matrix(row, 0), light_matrix(row, 1), light_matrix(row, 2)});
   };
   const double widest = 2 / std::min(growth(0), growth(1));
-  const Matrix4 picture = camera.matrix();
+  const std::vector<double> beside = places_beside(extent, camera);
+  // Between the points of a coarse wall a near picture shows none: the one beside it tells.
+  const double part = beside.empty() ? 1 : std::max(1.0, *std::ranges::min_element(beside));
   double sum = 0;
   int seen = 0;
-  for (const Vector3& point : extent.rest_points) {
-    const std::array<double, 4> place = clip_place(picture, point), lit = clip_place(light_matrix, point);
-    if (!(lit[3] > 0) || std::max(std::abs(place[0]), std::abs(place[1])) > place[3]) continue;
-    const double pixel = 2 * camera.tangent_y * place[3] / size.height;
-    sum += widest * lit[3] / pixel;
+  for (std::size_t i = 0; i < beside.size(); ++i) {
+    const double along = dot(extent.rest_points[i] - camera.position, camera.forward);
+    const double lit = clip_place(light_matrix, extent.rest_points[i])[3];
+    if (!(lit > 0) || !(along > 0) || beside[i] > part) continue;
+    const double pixel = 2 * camera.tangent_y * along / size.height;
+    sum += widest * lit / pixel;
     ++seen;
   }
   return seen > 0 ? sum / seen : 0;

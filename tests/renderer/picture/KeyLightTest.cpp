@@ -103,6 +103,21 @@ TEST(KeyLight, FillsItsMapWithWhatThePictureShows) {
   EXPECT_GT(most, 1.5) << "the rest of the sheet is beside the map";
 }
 
+/// How many pixels of a picture of 200 by 200 the map's raster is wide, from near.
+double pixels_from_near(const SceneExtent& extent, Vector3 middle, double half_width) {
+  const Camera camera = camera_above(middle, half_width);
+  return shadow_map_pixels(key_light_matrix(extent, kLampAbove, camera), extent, camera, {200, 200});
+}
+
+TEST(KeyLight, SeenFromNearFillsItsMapWithThePointsAroundThePicture) {
+  const SceneExtent extent = fine_sheet();
+  // A map of the whole sheet would be 4900 pixels wide.
+  EXPECT_LT(pixels_from_near(extent, {}, 0.002), 2500);
+  const double between_points = pixels_from_near(extent, {0.0105, 0.0105, 0}, 0.0004);
+  EXPECT_GT(between_points, 1000) << "as the points beside the picture tell";
+  EXPECT_LT(between_points, 13000) << "a map of the whole sheet would be 24400 pixels wide";
+}
+
 TEST(KeyLight, KeepsItsMapWhileTheCameraMovesALittle) {
   const SceneExtent extent = fine_sheet();
   const auto map_at = [&](double x) {
