@@ -23,7 +23,7 @@ struct FilmVertex {
   float dry = 0;      // 0 to 1
   float lift = 0;     // metres towards the eye by which it is drawn in front of the wall that it lies on
   float kind = kFilmRun;
-  Float3 slope{};  // how `inward` grows along the wall, 1 / metre; only of runs
+  Float3 slope{};  // how `inward` grows along the wall, 1 / metre; of what lies on the outer side
 };
 
 /// A fluid that lies on a wall.

@@ -193,7 +193,7 @@ void SceneMeshes::find_films(const Snapshot& snapshot, std::size_t k, const Tiss
   };
   FluidLook bare = {.color = {}, .clarity = kBareClarity, .cloudiness = 1};
   for (std::size_t c = 0; c < 3; ++c) bare.color[c] = 0.5 * (look.layers.outer[c] + look.layers.middle[c]);
-  add(bare_edge_film(surface, pieces, *wounds_[k], snapshot.time), bare);
+  add(bare_edge_film(pieces, *wounds_[k], snapshot.time), bare);
   const double leaked = look.contents.clarity > 0 ? find_scalar(snapshot, surface.body, kLeakedScalar).value_or(0) : 0;
   if (look.contents.clarity > 0) {
     add(runoff_film(surface, pieces, *wounds_[k], leaked, snapshot.time), look.contents);
@@ -229,6 +229,7 @@ void SceneMeshes::find_edges(const Snapshot& snapshot, DrawnEdges edges) {
       WoundLayout layout = lay_out_wounds(*topology, surface.mesh_borders, is_lip, downward(snapshot));
       layout.map = refined(std::move(layout.map), surface.smooth);
       layout.fall = refined(std::move(layout.fall), surface.smooth);
+      layout.fringe = fringe_mesh(surface.topology(), surface.borders, surface.is_lip, layout.map);
       wounds_.back() = std::move(layout);
     }
     // Wall and caps together: where they meet is no border.

@@ -63,35 +63,72 @@ struct FringePart {
   double dry = 0;     // 0 to 1
 };
 
+/// A vertex of a film that lies on the wall's own triangles.
+FilmVertex fringe_vertex(const Fringe& fringe, const Float3& position, const Float3& normal, const Float3& rest) {
+  return {.position = position,
+          .normal = normal,
+          .rest = rest,
+          .inward = -1,
+          .width = static_cast<float>(fringe.kind == kFilmRun ? 0.5 * fringe.width : fringe.width),
+          .height = static_cast<float>(fringe.height),
+          .lift = kOnTriangles,
+          .kind = fringe.kind};
+}
+
+/// On the wall's vertices, and on the points between them.
+std::vector<FilmVertex> fringe_vertices(const TissuePiece& wall, const FringeMesh& mesh, const Fringe& fringe) {
+  std::vector<FilmVertex> vertices;
+  vertices.reserve(wall.vertices.size() + mesh.points.size());
+  for (const SurfaceVertex& vertex : wall.vertices) {
+    vertices.push_back(fringe_vertex(fringe, vertex.position, vertex.normal, vertex.rest));
+  }
+  for (const FringeMesh::Point& point : mesh.points) {
+    const SurfaceVertex &a = wall.vertices[point.start], &b = wall.vertices[point.end];
+    const auto between = [&](const Float3& from, const Float3& to) {
+      return (1 - point.part) * vector3(from) + point.part * vector3(to);
+    };
+    vertices.push_back(fringe_vertex(fringe, float3(between(a.position, b.position)),
+                                     float3(normalized(between(a.normal, b.normal), vector3(a.normal))),
+                                     float3(between(a.rest, b.rest))));
+  }
+  return vertices;
+}
+
+/// How a fringe grows towards the lip that it comes from: by the way at rest for that which the wall has now. At the
+/// lip itself it is level.
+Vector3 slope_at(const TissuePiece& wall, const Float3& position, const NearLip& lip) {
+  const Vector3 start = vector3(wall.vertices[lip.start].position), end = vector3(wall.vertices[lip.end].position);
+  const Vector3 way = start + lip.along * (end - start) - vector3(position);
+  return (lip.distance / std::max(dot(way, way), 1e-14)) * way;
+}
+
 /// `part_at`: FringePart of a lip's vertex.
 template <typename PartAt>
-void append_fringe(const SnapshotSurface& surface, const TissuePiece& wall, const WoundLayout& wounds,
-                   const Fringe& fringe, const PartAt& part_at, Film& film) {
-  const bool is_coat = fringe.kind != kFilmRun;
-  const double width = is_coat ? fringe.width : 0.5 * fringe.width;
-  const double margin = is_coat ? -kNoCoat * fringe.width : kFringeMargin;
+void append_fringe(const TissuePiece& wall, const WoundLayout& wounds, const Fringe& fringe, const PartAt& part_at,
+                   Film& film) {
+  const double margin = fringe.kind == kFilmRun ? kFringeMargin : -kNoCoat * fringe.width;
   const auto offset = static_cast<std::uint32_t>(film.vertices.size());
-  for (std::uint32_t v = 0; v < wall.vertices.size(); ++v) {
-    const SurfaceVertex& vertex = wall.vertices[v];
-    FilmVertex layer{.position = vertex.position,
-                     .normal = vertex.normal,
-                     .rest = vertex.rest,
-                     .inward = -1,
-                     .width = static_cast<float>(width),
-                     .height = static_cast<float>(fringe.height),
-                     .lift = kOnTriangles,
-                     .kind = fringe.kind};
-    const std::uint32_t lip = wounds.map.lip[v];
-    if (lip != WoundMap::kNoLip) {
-      const FringePart part = part_at(lip);
-      layer.inward = static_cast<float>(fringe.width * (part.spread - fringe.spare) - wounds.map.from_lip[v]);
-      layer.dry = static_cast<float>(part.dry);
-      // What has an edge is seen wherever it is, so it wells up from nothing.
-      if (fringe.kind == kFilmEdgedCoat) layer.height *= static_cast<float>(std::min(1.0, part.spread * part.spread));
-    }
-    film.vertices.push_back(layer);
+  for (const FilmVertex& vertex : fringe_vertices(wall, wounds.fringe, fringe)) film.vertices.push_back(vertex);
+  std::vector<FringePart> parts(wall.vertices.size());
+  std::vector<double> reach(wall.vertices.size(), 0);
+  for (std::uint32_t v = 0; v < parts.size(); ++v) {
+    if (wounds.map.lip[v] != v) continue;
+    parts[v] = part_at(v);
+    reach[v] = fringe.width * (parts[v].spread - fringe.spare);
   }
-  for (const Triangle& triangle : surface.topology->triangles) {
+  for (std::uint32_t v = 0; v + 1 < wounds.fringe.first_lip.size(); ++v) {
+    const FringeSpread spread = spread_at(wounds.fringe, v, reach);
+    if (spread.lip == nullptr) continue;
+    FilmVertex& layer = film.vertices[offset + v];
+    const FringePart &start = parts[spread.lip->start], &end = parts[spread.lip->end];
+    const double along = spread.lip->along, amount = std::lerp(start.spread, end.spread, along);
+    layer.inward = static_cast<float>(spread.beyond);
+    layer.slope = float3(slope_at(wall, layer.position, *spread.lip));
+    layer.dry = static_cast<float>(std::lerp(start.dry, end.dry, along));
+    // What has an edge is seen wherever it is, so it wells up from nothing.
+    if (fringe.kind == kFilmEdgedCoat) layer.height *= static_cast<float>(std::min(1.0, amount * amount));
+  }
+  for (const Triangle& triangle : wounds.fringe.triangles) {
     const bool is_near =
         std::ranges::any_of(triangle, [&](std::uint32_t v) { return film.vertices[offset + v].inward > -margin; });
     if (!is_near) continue;
@@ -208,9 +245,11 @@ double thickness_at(const FluidRun& run, const SnapshotTopology& topology) {
 WoundLayout lay_out_wounds(const SnapshotTopology& topology, std::span<const BorderEdge> borders,
                            std::span<const char> is_lip, Vector3 down) {
   WoundLayout layout{.map = map_wounds(topology, borders, is_lip),
+                     .fringe = {},
                      .fall = std::vector<double>(is_lip.size(), 0),
                      .blood_runs = find_runs(topology, borders, is_lip, down, kBloodSpacing, kLongestRun),
                      .fluid_runs = find_runs(topology, borders, is_lip, down, kFluidSpacing, kLongestRun)};
+  layout.fringe = fringe_mesh(topology, borders, is_lip, layout.map);
   for (const auto& [start, end, triangle] : borders) {
     if (!is_lip[start] || !is_lip[end]) continue;
     const Vector3 a = vector3(topology.rest_positions[start]), b = vector3(topology.rest_positions[end]);
@@ -234,7 +273,7 @@ Film blood_film(const SnapshotSurface& surface, std::span<const BorderEdge> bord
     const double most = 1 + 0.5 * wounds.fall[lip] + kPressedOut * std::exp(-gapes[lip] / kRoom);
     return FringePart{.spread = shed.amount[lip] * std::sqrt(tapering[lip]) * most, .dry = shed.dry[lip]};
   };
-  append_fringe(surface, pieces.front(), wounds, kBlood, over_lip, film);
+  append_fringe(pieces.front(), wounds, kBlood, over_lip, film);
   for (const TissuePiece& piece : pieces) {
     if (piece.side == TissueSide::kRim) append_rim(borders, piece, wounds, shed, film);
     if (piece.side == TissueSide::kBed) append_ground(piece, wounds, shed, film);
@@ -266,7 +305,7 @@ Film runoff_film(const SnapshotSurface& surface, std::span<const TissuePiece> pi
     const double spread = welling * tapering[lip] * (1 + 0.6 * wounds.fall[lip]);
     return FringePart{.spread = spread, .dry = 0};
   };
-  append_fringe(surface, pieces.front(), wounds, kWelling, part, film);
+  append_fringe(pieces.front(), wounds, kWelling, part, film);
   const std::vector<Float3> normals = normals_of(pieces.front());
   for (const FluidRun& run : wounds.fluid_runs) {
     const double half_width = runoff_half_width(run);
@@ -281,12 +320,11 @@ Film runoff_film(const SnapshotSurface& surface, std::span<const TissuePiece> pi
   return film;
 }
 
-Film bare_edge_film(const SnapshotSurface& surface, std::span<const TissuePiece> pieces, const WoundLayout& wounds,
-                    double time) {
+Film bare_edge_film(std::span<const TissuePiece> pieces, const WoundLayout& wounds, double time) {
   Film film;
   const std::vector<double> tapering = wounds.map.tapering(time);
   const auto part = [&](std::uint32_t lip) { return FringePart{.spread = tapering[lip], .dry = 0}; };
-  append_fringe(surface, pieces.front(), wounds, kBareEdge, part, film);
+  append_fringe(pieces.front(), wounds, kBareEdge, part, film);
   return film;
 }
 

@@ -5,6 +5,7 @@
 
 #include "renderer/picture/Film.hpp"
 #include "renderer/picture/TissuePieces.hpp"
+#include "renderer/wound/FringeMesh.hpp"
 #include "renderer/wound/RunPath.hpp"
 #include "renderer/wound/WoundMap.hpp"
 
@@ -13,6 +14,7 @@ namespace thinwall {
 /// What of a wall's wounds stays while no cut changes it.
 struct WoundLayout {
   WoundMap map;
+  FringeMesh fringe;
   std::vector<double> fall;  // (vertices), of lips: -1 to 1, how far the wall falls away from the wound
   std::vector<FluidRun> blood_runs;
   std::vector<FluidRun> fluid_runs;
@@ -43,7 +45,6 @@ inline constexpr double kRunoffHeight = 0.0006;
 inline constexpr double kRunoffSpeed = 0.045;
 
 /// What is bare of a wall beside its cut lips, where the outermost layer has drawn back.
-Film bare_edge_film(const SnapshotSurface& surface, std::span<const TissuePiece> pieces, const WoundLayout& wounds,
-                    double time);
+Film bare_edge_film(std::span<const TissuePiece> pieces, const WoundLayout& wounds, double time);
 
 }  // namespace thinwall

@@ -14,7 +14,7 @@ layout(location = 2) in vec3 rest;
 layout(location = 3) in vec4 film;  // metres from the edge inwards, metres to where it is thickest, height there, dry
 
 layout(location = 4) in float kind;  // 0: a drop or run; 1: a coat that thins to nothing; 2: one that ends in an edge
-layout(location = 5) in vec3 inward_slope;  // of what ends in an edge: how film.x grows, 1 / metre
+layout(location = 5) in vec3 inward_slope;  // of what lies on the outer side: how film.x grows, 1 / metre
 
 layout(location = 0, index = 0) out vec4 color;  // is added to what is left of the pixel
 layout(location = 0, index = 1) out vec4 through;  // part of each channel that is left
@@ -65,10 +65,11 @@ void main() {
   // The slope of the film over the wall, from how its height changes between pixels (Mikkelsen 2010). What the noise
   // adds is told by its gradient: differences of it would stay the same over each two by two pixels.
   vec3 uneven_change = width * (0.55 * kWaves * coarse.xyz + 0.10 * kFineWaves * fine.xyz);
-  vec2 inward_change = vec2(dFdx(film.x), dFdy(film.x));
   vec3 across = dFdx(position), along = dFdy(position);
-  // The distance to an edge is told at vertices, and so turns at each of the triangles' borders.
+  // The distance to an edge is told at vertices, and so turns at each of the triangles' borders. Coats that have a width of
+  // 1 have no edge.
   vec2 smooth_change = vec2(dot(inward_slope, across), dot(inward_slope, along));
+  vec2 inward_change = width < 0.5 ? smooth_change : vec2(dFdx(film.x), dFdy(film.x));
   vec3 rest_across = dFdx(rest), rest_along = dFdy(rest);
   vec2 local_change = vec2(dot(uneven_change, rest_across), dot(uneven_change, rest_along));
   vec3 lumpy = 0.15 * kWaves * coarse.xyz;

@@ -21,6 +21,8 @@ struct Wound {
   Film blood(double time, double bleeding = 1) const {
     return blood_film(sheet, borders, pieces, layout, {.strength = bleeding}, time);
   }
+  /// Vertices of a film of the fringe: first in it, and first of them the wall's.
+  std::size_t fringe_size() const { return pieces.front().vertices.size() + layout.fringe.points.size(); }
 
   SnapshotSurface sheet;
   std::vector<BorderEdge> borders;
@@ -71,11 +73,11 @@ TEST(WoundFilm, LipsThatGapeHoldTheirBlood) {
 TEST(WoundFilm, CoatsTheFacesOfACutMoreTheDeeper) {
   const Wound wound(0);
   const Film film = wound.blood(2);
-  const std::size_t wall = wound.pieces.front().vertices.size();
+  const std::size_t faces_from = wound.fringe_size();
   const auto& rim = *std::ranges::find(wound.pieces, TissueSide::kRim, &TissuePiece::side);
   int faces = 0;
   for (std::size_t v = 0; v < rim.vertices.size(); v += 2) {
-    const FilmVertex &outer = film.vertices[wall + v], &inner = film.vertices[wall + v + 1];
+    const FilmVertex &outer = film.vertices[faces_from + v], &inner = film.vertices[faces_from + v + 1];
     if (fullness(inner) < 0) continue;
     ++faces;
     EXPECT_EQ(outer.kind, kFilmCoat);
@@ -88,7 +90,7 @@ TEST(WoundFilm, GathersInTheMiddleOfTheGroundOfAWound) {
   Wound wound(0);
   const auto& wall = wound.pieces.front();
   wound.pieces.push_back({.side = TissueSide::kBed, .vertices = wall.vertices, .corners = wall.corners});
-  const std::size_t ground = wall.vertices.size() + wound.pieces[1].vertices.size();
+  const std::size_t ground = wound.fringe_size() + wound.pieces[1].vertices.size();
   const Film film = wound.blood(5);
   const auto at = [&](std::uint32_t row) { return fullness(film.vertices[ground + row * 21 + 10]); };
   EXPECT_GT(at(10), at(6) + 0.4);
@@ -143,7 +145,7 @@ TEST(WoundFilm, DriesWithTime) {
 
 TEST(WoundFilm, TheWallIsBareAlongTheLipsFromTheStart) {
   const Wound wound(0);
-  const Film film = bare_edge_film(wound.sheet, wound.pieces, wound.layout, 1);
+  const Film film = bare_edge_film(wound.pieces, wound.layout, 1);
   const std::uint32_t middle = 10 * 21;
   EXPECT_GT(fullness(film.vertices[middle + 10]), 0.7);
   EXPECT_LE(fullness(film.vertices[middle + 1]), 0) << "an end of the cut";
