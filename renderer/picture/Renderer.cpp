@@ -56,7 +56,8 @@ class PassClock {
 struct SceneView {
   const Snapshot& snapshot;
   const ViewDefinition& view;
-  Vector3 eye;  // metres
+  Vector3 eye;       // metres
+  double pixel = 0;  // its height over the distance
   Surroundings surroundings = Surroundings::kStudio;
   Ground ground = Ground::kFloor;
   std::optional<std::vector<OutlineSegment>> outline = {};
@@ -177,7 +178,7 @@ void Stage::draw_surface(const FrameUniforms& frame, PassClock& clock) {
 void Stage::find_outline(SceneView& scene) {
   if (scene.outline) return;
   glFlush();
-  scene.outline = meshes.outline(scene.eye);
+  scene.outline = meshes.outline(scene.eye, scene.pixel);
 }
 
 /// All pixels that show something of what has outlines.
@@ -335,7 +336,11 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
   if (!is_stop_closed) stage->close_field_stop(field_stop(frame));
   stage->draw_surface(frame, clock);
   stage->lay_backdrop(frame, !snapshot.tools.empty(), clock);
-  SceneView shown{.snapshot = snapshot, .view = view, .eye = camera.position, .surroundings = surroundings};
+  SceneView shown{.snapshot = snapshot,
+                  .view = view,
+                  .eye = camera.position,
+                  .pixel = frame.environment[3],
+                  .surroundings = surroundings};
   shown.keeps_bare = stage->tier == Tier::kFinal;
   if (frame.floor[1] > 0) shown.ground = ground;
   stage->draw_scene(shown, frame, clock);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "renderer/picture/ToolBuilder.hpp"
@@ -102,12 +103,18 @@ void add_flat(ToolBuilder& builder, const std::array<Vector3, 4>& corners, Vecto
 }
 
 /// A narrow side between two broad ones, its corners at -x', x', x', -x'. It turns from one outward normal to the
-/// other, and leans by `rounding` at its edges.
+/// other, and leans by `rounding` at its edges, where the broad ones lean by `hollow`; where that is not told it is
+/// seen however narrow it is.
 void add_narrow(ToolBuilder& builder, const std::array<Vector3, 4>& corners, Vector3 front, Vector3 rear,
-                double rounding) {
+                double rounding, std::optional<double> hollow) {
   const Vector3 aside{rounding, 0, 0};
   const Vector3 from = normalized(front), to = normalized(rear);
-  builder.add_quad(corners, {from - aside, from + aside, to + aside, to - aside}, kStamped);
+  const std::array<Vector3, 4> normals = {from - aside, from + aside, to + aside, to - aside};
+  if (hollow) {
+    builder.add_narrow_quad(corners, normals, kStamped, *hollow, kBlade);
+  } else {
+    builder.add_quad(corners, normals, kStamped);
+  }
 }
 
 /// The bevel and the broad face behind it on the side of `sense` (-1 or 1 along x'), between two places of the edge.
@@ -151,7 +158,7 @@ void add_blade(ToolBuilder& builder, const Blade& blade, ToolDetail detail) {
     add_narrow(builder,
                {on_back(-from, low.inner.z), on_back(from, low.inner.z), on_back(to, high.inner.z),
                 on_back(-to, high.inner.z)},
-               blade.back_outward(low.inner.z), blade.back_outward(high.inner.z), kRounding);
+               blade.back_outward(low.inner.z), blade.back_outward(high.inner.z), kRounding, kHollow);
   }
   const EdgePlace& end = places.back();
   const Vector3 rear{0, 0, 1};
@@ -202,7 +209,7 @@ void add_plate(ToolBuilder& builder, const std::vector<PlateRow>& rows, double t
             face, {normal(low, low.slot), normal(low, low.wide), normal(high, high.wide), normal(high, high.slot)},
             kBlade, {low.shade, low.outer_shade, high.outer_shade, high.shade});
       }
-      const auto wall = [&](double PlateRow::*half, double outward, double rounding) {
+      const auto wall = [&](double PlateRow::*half, double outward, double rounding, std::optional<double> hollow) {
         const auto normal = [&](std::size_t row) {
           const Vector3 own = side_normal(rows, row, half);
           return outward * Vector3{0, side * own.y, own.z};
@@ -210,10 +217,10 @@ void add_plate(ToolBuilder& builder, const std::vector<PlateRow>& rows, double t
         add_narrow(builder,
                    {at(low, -thick, side * low.*half), at(low, thick, side * low.*half),
                     at(high, thick, side * high.*half), at(high, -thick, side * high.*half)},
-                   normal(k - 1), normal(k), rounding);
+                   normal(k - 1), normal(k), rounding, hollow);
       };
-      wall(&PlateRow::wide, 1, kRounding);
-      if (low.slot > 0 || high.slot > 0) wall(&PlateRow::slot, -1, slot_rounding);
+      wall(&PlateRow::wide, 1, kRounding, low.hollow);
+      if (low.slot > 0 || high.slot > 0) wall(&PlateRow::slot, -1, slot_rounding, {});
     }
   }
   for (const PlateRow* row : {&rows.front(), &rows.back()}) {

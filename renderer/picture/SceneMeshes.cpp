@@ -65,7 +65,9 @@ SceneMeshes::SceneMeshes()
       tools_(sizeof(ToolVertex), {{0, 3, offsetof(ToolVertex, position)},
                                   {1, 3, offsetof(ToolVertex, normal)},
                                   {2, 3, offsetof(ToolVertex, roughness)},
-                                  {3, 2, offsetof(ToolVertex, side)}}) {}
+                                  {3, 2, offsetof(ToolVertex, side)},
+                                  {4, 3, offsetof(ToolVertex, narrow)},
+                                  {5, 2, offsetof(ToolVertex, broad_hollow)}}) {}
 
 void SceneMeshes::upload(const Snapshot& snapshot, const SceneExtent& extent, const LookDefinition& look) {
   find_edges(snapshot, drawn_edges(look));
@@ -332,7 +334,7 @@ std::vector<MeshLine> SceneMeshes::mesh_lines() const {
   return lines;
 }
 
-std::vector<OutlineSegment> SceneMeshes::outline(Vector3 eye) const {
+std::vector<OutlineSegment> SceneMeshes::outline(Vector3 eye, double pixel) const {
   std::vector<Vector3> points;
   for (const SnapshotSurface& surface : drawn_) {
     for (const Float3& position : surface.positions) points.push_back(vector3(position));
@@ -340,7 +342,7 @@ std::vector<OutlineSegment> SceneMeshes::outline(Vector3 eye) const {
   std::vector<OutlineSegment> segments = inner_borders_;
   append_outline(
       tissue_edges_, [&](std::uint32_t i) { return points[i]; }, eye, segments);
-  tool_outline_.append(tool_vertices_, eye, segments);
+  tool_outline_.append(tool_vertices_, eye, pixel, segments);
   const auto squared_distance = [&](const OutlineSegment& segment) {
     const Vector3 offset = 0.5 * (vector3(segment.start) + vector3(segment.end)) - eye;
     return dot(offset, offset);

@@ -100,8 +100,8 @@ class SceneMeshes {
   /// The edges of all walls' triangles and of their caps.
   std::vector<MeshLine> mesh_lines() const;
 
-  /// Of everything that was uploaded, seen from `eye`, the nearest first.
-  std::vector<OutlineSegment> outline(Vector3 eye) const;
+  /// Of everything that was uploaded, seen from `eye`, the nearest first. `pixel`: height of one over the distance.
+  std::vector<OutlineSegment> outline(Vector3 eye, double pixel) const;
 
  private:
   void upload_tissue(const Snapshot& snapshot, const LookDefinition& look);

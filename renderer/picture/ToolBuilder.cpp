@@ -113,6 +113,17 @@ void ToolBuilder::add_quad(const std::array<Vector3, 4>& corners, const std::arr
   append_triangle(first, first + 2, first + 3);
 }
 
+void ToolBuilder::add_narrow_quad(const std::array<Vector3, 4>& corners, const std::array<Vector3, 4>& normals,
+                                  float roughness, double hollow, float broad_roughness) {
+  add_quad(corners, normals, roughness);
+  const Float3 narrow = float3(length(corners[1] - corners[0]) * side_);
+  for (auto vertex = shape_.vertices.end() - 4; vertex != shape_.vertices.end(); ++vertex) {
+    vertex->narrow = narrow;
+    vertex->broad_hollow = static_cast<float>(hollow);
+    vertex->broad_roughness = -broad_roughness;
+  }
+}
+
 void ToolBuilder::add_rod(double back_from, double back_to, double radius) {
   add_rod(tip_ - back_from * direction_, tip_ - back_to * direction_, radius);
 }

@@ -52,6 +52,11 @@ class ToolBuilder {
   void add_quad(const std::array<Vector3, 4>& corners, const std::array<Vector3, 4>& normals, float roughness,
                 const std::array<float, 4>& shade = {});
 
+  /// Likewise a narrow side between two broad ones: from the first corner to the second it is as wide as these are
+  /// apart, and these lean there by `hollow`.
+  void add_narrow_quad(const std::array<Vector3, 4>& corners, const std::array<Vector3, 4>& normals, float roughness,
+                       double hollow, float broad_roughness);
+
   /// Rods stand for the tool in shade and reflections: one along the direction, and one along the axis.
   void add_rod(double back_from, double back_to, double radius);
   void add_rod_along_axis(double back, double span, double radius);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <unordered_map>
 #include <utility>
 
@@ -61,7 +62,7 @@ void ToolOutline::set(std::span<const ToolVertex> vertices, std::span<const std:
   }
 }
 
-void ToolOutline::append(std::span<const ToolVertex> vertices, Vector3 eye,
+void ToolOutline::append(std::span<const ToolVertex> vertices, Vector3 eye, double pixel,
                          std::vector<OutlineSegment>& outline) const {
   const auto place = [&](std::uint32_t i) { return vector3(vertices[i].position); };
   const auto faces_eye = [&](const Side& side) {
@@ -72,11 +73,21 @@ void ToolOutline::append(std::span<const ToolVertex> vertices, Vector3 eye,
     constexpr double kCrease = 0.9962;  // cosine of 5 degrees
     return dot(vector3(vertices[i].normal), vector3(vertices[k].normal)) < kCrease;
   };
+  const auto is_thin = [&](std::uint32_t i) {
+    constexpr double kWidest = 1.1;  // pixels
+    const Vector3 narrow = vector3(vertices[i].narrow), view = eye - place(i);
+    const double width = length(narrow);
+    if (!(width > 0)) return false;
+    const Vector3 normal = vector3(vertices[i].normal), across = (1 / width) * narrow;
+    const Vector3 outward = normalized(normal - dot(normal, across) * across);
+    return width * std::abs(dot(outward, view)) < kWidest * pixel * dot(view, view);
+  };
   for (const Edge& edge : edges_) {
     const bool near = faces_eye(edge.near), other = !edge.is_border && faces_eye(edge.other);
     if (!near && !other) continue;
     // Neighbours run along an edge in opposite senses.
     if (near && other && !differ(edge.near.start, edge.other.end) && !differ(edge.near.end, edge.other.start)) continue;
+    if (near && other && (is_thin(edge.near.start) || is_thin(edge.other.start))) continue;
     outline.push_back({vertices[edge.near.start].position, vertices[edge.near.end].position});
   }
 }

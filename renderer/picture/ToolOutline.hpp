@@ -19,8 +19,11 @@ class ToolOutline {
   void set(std::span<const ToolVertex> vertices, std::span<const std::uint32_t> corners);
 
   /// The edges between a triangle that faces `eye` and one that does not, and the creases between two that do. Of what
-  /// lies on the far side there is nothing, which would smooth what hides it.
-  void append(std::span<const ToolVertex> vertices, Vector3 eye, std::vector<OutlineSegment>& outline) const;
+  /// lies on the far side there is nothing, which would smooth what hides it. Nor are there creases beside narrow sides
+  /// that are about a pixel wide and less: what is beyond them would come from beyond their other border. `pixel`:
+  /// height of one over the distance.
+  void append(std::span<const ToolVertex> vertices, Vector3 eye, double pixel,
+              std::vector<OutlineSegment>& outline) const;
 
  private:
   /// One side of an edge: vertices of a triangle, in its order.

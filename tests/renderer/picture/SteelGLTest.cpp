@@ -178,5 +178,34 @@ TEST(Steel, HasSmoothOutlinesWhereItReachesPastTheCamera) {
   EXPECT_LT(largest_stair_of_needle(0.3), 0.3) << "its upper end lies behind the camera";
 }
 
+/// The back of a blade that is narrower than a pixel is as even as the broad side beside it.
+TEST(Steel, HasNoDashesAlongABladesNarrowBack) {
+  Snapshot snapshot = scalpel_on_a_wall();
+  snapshot.tools[0].thickness = 0.0003;
+  ViewDefinition view = from_the_front("gallbladder");
+  view.camera = {.position = Double3{-0.02, -0.06, 0.06}, .target = Double3{0, 0, 0.01}, .up = Double3{0.1, 0, 1}};
+  view.camera.kind = CameraKind::kEndoscope;
+  view.lights.endoscope = 1;
+  const Image image = Renderer(DeviceChoice{}, kSize, Tier::kRecord).draw(snapshot, view);
+  const Camera camera = resolve_camera(view.camera, scene_extent(snapshot), kSize, 0);
+  std::vector<double> brightest;  // of the pixels around the back, in each row
+  const auto low = camera.pixel({-0.0025, 0, 0.011}, kSize), high = camera.pixel({-0.0025, 0, 0.0135}, kSize);
+  for (int y = static_cast<int>((*high)[1]); y < (*low)[1]; ++y) {
+    const double part = (y - (*high)[1]) / ((*low)[1] - (*high)[1]);
+    const int middle = static_cast<int>(std::lerp((*high)[0], (*low)[0], part));
+    double most = 0;
+    for (int x = middle - 2; x <= middle + 2; ++x) {
+      most = std::max(most, static_cast<double>(image.pixels[3 * static_cast<std::size_t>(y * kSize.width + x) + 1]));
+    }
+    brightest.push_back(most);
+  }
+  double largest = 0;
+  for (std::size_t i = 1; i < brightest.size(); ++i) {
+    largest = std::max(largest, std::abs(brightest[i] - brightest[i - 1]));
+  }
+  // Seen: 25; 51 of dashes.
+  EXPECT_LT(largest, 35);
+}
+
 }  // namespace
 }  // namespace thinwall

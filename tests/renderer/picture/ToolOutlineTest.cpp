@@ -30,11 +30,11 @@ ToolShape cube(float half) {
   return shape;
 }
 
-std::vector<OutlineSegment> outline_of(const ToolShape& shape, Vector3 eye) {
+std::vector<OutlineSegment> outline_of(const ToolShape& shape, Vector3 eye, double pixel = 0.001) {
   ToolOutline outline;
   outline.set(shape.vertices, shape.indices);
   std::vector<OutlineSegment> segments;
-  outline.append(shape.vertices, eye, segments);
+  outline.append(shape.vertices, eye, pixel, segments);
   return segments;
 }
 
@@ -53,6 +53,16 @@ TEST(ToolOutline, AFaceWithoutACreaseIsDividedNowhere) {
   EXPECT_EQ(outline_of(smooth, {9, 8, 7}).size(), 6u) << "the hexagon that divides it from what is behind";
 }
 
+TEST(ToolOutline, HasNoCreasesBesideSidesThatAreNarrowerThanAPixel) {
+  ToolShape plate = cube(1);
+  for (ToolVertex& vertex : plate.vertices) {
+    if (vertex.normal[0] == 0) vertex.narrow = {2, 0, 0};
+  }
+  const Vector3 eye{900, 8, 7};
+  EXPECT_EQ(outline_of(plate, eye, 1e-6).size(), 9u);
+  EXPECT_EQ(outline_of(plate, eye, 1e-3).size(), 6u) << "what divides it from what is behind";
+}
+
 TEST(ToolOutline, IsTheSameWhateverWasThereBefore) {
   const ToolShape small = cube(1), large = cube(2);
   ToolShape both = small;
@@ -63,7 +73,7 @@ TEST(ToolOutline, IsTheSameWhateverWasThereBefore) {
   for (const ToolShape* shape : {&small, static_cast<const ToolShape*>(&both), &large}) {
     outline.set(shape->vertices, shape->indices);
     segments.clear();
-    outline.append(shape->vertices, {9, 8, 7}, segments);
+    outline.append(shape->vertices, {9, 8, 7}, 0.001, segments);
   }
   const std::vector<OutlineSegment> alone = outline_of(large, {9, 8, 7});
   ASSERT_EQ(segments.size(), alone.size());
