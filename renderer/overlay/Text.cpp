@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "renderer/overlay/Typesetting.hpp"
+
 namespace thinwall {
 namespace {
 
@@ -47,7 +49,7 @@ std::string valid_utf8(const std::string& text) {
 
 Text::Text(const std::string& text, const TextStyle& style, const TextLimits& limits)
     : layout_(pango_layout_new(overlay_font().context())), color_(style.color) {
-  const std::string valid = valid_utf8(text);
+  const std::string valid = typeset(valid_utf8(text));
   pango_layout_set_auto_dir(layout_.get(), FALSE);
   pango_layout_set_text(layout_.get(), valid.data(), static_cast<int>(valid.size()));
   set_font(layout_.get(), style);
