@@ -72,6 +72,17 @@ void refuse_second_blades(std::span<const Clip> timeline, std::span<const Schedu
   }
 }
 
+/// What is shown while a clip lasts: its own words, or what it does where no other clip has words for that time.
+std::string caption_of(std::span<const Clip> timeline, std::span<const ScheduledClip> clips, std::size_t index) {
+  if (timeline[index].caption) return *timeline[index].caption;
+  for (std::size_t k = 0; k < clips.size(); ++k) {
+    const bool is_meanwhile =
+        clips[k].begin < clips[index].end - kTimeTolerance && clips[index].begin < clips[k].end - kTimeTolerance;
+    if (is_meanwhile && !timeline[k].caption.value_or("").empty()) return "";
+  }
+  return standard_caption(timeline[index]);
+}
+
 }  // namespace
 
 void schedule(std::span<const Clip> timeline, std::span<ScheduledClip> clips) {
@@ -147,8 +158,7 @@ std::vector<TimedText> texts_of(std::span<const Clip> timeline, std::span<const 
   for (std::size_t k = 0; k < clips.size(); ++k) {
     // Those of time zero hold of the first moment already, though their clips begin with the step after it.
     if (!clips[k].begun && clips[k].begin > kTimeTolerance) continue;
-    const Clip& clip = timeline[k];
-    const std::string text = chapters ? clip.chapter.value_or("") : clip.caption.value_or(standard_caption(clip));
+    const std::string text = chapters ? timeline[k].chapter.value_or("") : caption_of(timeline, clips, k);
     if (!text.empty()) result.push_back({.begin = clips[k].begin, .end = clips[k].end, .text = text});
   }
   std::ranges::stable_sort(result, {}, &TimedText::begin);

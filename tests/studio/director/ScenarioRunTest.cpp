@@ -161,6 +161,18 @@ TEST(ScenarioRun, ClipsFollowOneAnotherAndTheToolTouchesNothingInBetween) {
   EXPECT_EQ(run.captions()[1].text, "the other side");
 }
 
+TEST(ScenarioRun, WhatAClipDoesIsToldWhereNoOtherHasWords) {
+  Scenario scenario = ball_scenario();
+  scenario.timeline = {palpation(0), {.action = WaitClip{.duration = 0.05}, .start = 0.02}};
+  EXPECT_EQ(ScenarioRun(scenario).captions().size(), 1u);
+  scenario.timeline[1].caption = "Look at the dent";
+  ScenarioRun run(scenario);
+  EXPECT_TRUE(run.captions().empty()) << "in the middle of a sentence another one would come up";
+  while (run.step()) continue;
+  ASSERT_EQ(run.captions().size(), 1u);
+  EXPECT_EQ(run.captions()[0].text, "Look at the dent");
+}
+
 TEST(ScenarioRun, AToolThatStayedDownLetsGoWhenItIsSetElsewhere) {
   Scenario scenario = ball_scenario();
   Clip first = palpation(-0.006);
