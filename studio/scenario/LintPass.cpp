@@ -251,6 +251,13 @@ void check_data_view(const CheckedValue& root, Diagnostics& diagnostics) {
   const CheckedValue* look = root.find("look");
   const CheckedValue* data = look == nullptr ? nullptr : look->find("data");
   if (data == nullptr) return;
+  const CheckedValue* teaching = root.find("teaching");
+  const CheckedValue* highlights = teaching == nullptr ? nullptr : teaching->find("highlights");
+  if (highlights != nullptr && !highlights->items.empty()) {
+    diagnostics.warning(
+        highlights->location, "teaching.highlights",
+        "are not drawn with `look.data`, where the wall's colours are its numbers; labels and arrows are");
+  }
   const CheckedValue *from = data->find("from"), *to = data->find("to");
   if (from != nullptr && to != nullptr && from->number >= to->number) {
     diagnostics.error(to->location, "look.data.to", "must be more than `from`");

@@ -114,7 +114,7 @@ ValueSchema teaching_schema() {
   teaching.keys = {
       {"labels", labels_value(), false, "[]", "texts that point at places of walls"},
       {"arrows", arrows_value(), false, "[]", "arrows that point at places of walls"},
-      {"highlights", highlights_value(), false, "[]", "parts of walls that are marked"},
+      {"highlights", highlights_value(), false, "[]", "parts of walls that are marked; not in data views"},
       {"force_arrows", force_arrows_value(), false, "[]", "forces at tools"},
       {"title_card", card_value("before the first picture moves"), false, {}, "words at the beginning"},
       {"end_card", card_value("when all is over"), false, {}, "words at the end"},

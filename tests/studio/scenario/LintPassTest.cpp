@@ -183,6 +183,19 @@ TEST(LintPass, WarnsOfColoursWithoutBothEndsWhichOnlyATakeGives) {
   EXPECT_EQ(warnings_of(", from: 0 Pa, to: 20 kPa"), Texts{});
 }
 
+TEST(LintPass, WarnsOfMarksThatADataViewDoesNotShow) {
+  const auto warnings_of = [](const std::string& look) {
+    Diagnostics diagnostics;
+    lint_pass(checked_scenario("teaching: { highlights: [ { body: organ, at: [0, 0, 0] } ] }\n" + look), diagnostics);
+    return short_texts(diagnostics.warnings);
+  };
+  EXPECT_EQ(
+      warnings_of("look: { data: { shows: strain, from: 0, to: 1 } }\n"),
+      Texts{"8:25: teaching.highlights: are not drawn with `look.data`, where the wall's colours are its numbers; "
+            "labels and arrows are"});
+  EXPECT_EQ(warnings_of(""), Texts{});
+}
+
 TEST(LintPass, NoOtherLampShinesBesideAnEndoscopes) {
   const std::string cure =
       "does not shine beside the lamp of an endoscope; leave it out, or set `lights.endoscope` to 0";
