@@ -213,7 +213,7 @@ void append_ground(const TissuePiece& bed, const WoundLayout& wounds, const Shed
 
 /// A run of blood: a thin line at first, that grows wider with what comes after it.
 RunShape blood_run(double full_half_width, double volume, double age) {
-  constexpr double kDepth = 0.6;      // over half the width
+  constexpr double kDepth = 0.35;     // over half the width: it wets the wall
   constexpr double kSlender = 0.05;   // half the width over the length, of a line that has just begun
   constexpr double kLineEnds = 0.02;  // metres, length from which on it ends in a whole drop
   constexpr double kMostDrop = 0.7;   // by which that is wider than the line
@@ -290,8 +290,9 @@ Film blood_film(const SnapshotSurface& surface, std::span<const BorderEdge> bord
   return film;
 }
 
-double runoff_half_width(const FluidRun& run) {
-  return 0.0014 + 0.0012 * run.chance;
+double runoff_half_width(const FluidRun& run, const WoundMap& wounds) {
+  constexpr double kLeast = 0.0003, kOfCut = 0.45;  // metres, and of the length of the cuts, which have two lips
+  return std::min(0.0014 + 0.0012 * run.chance, kLeast + kOfCut * 0.5 * wounds.length);
 }
 
 Film runoff_film(const SnapshotSurface& surface, std::span<const TissuePiece> pieces, const WoundLayout& wounds,
@@ -308,7 +309,7 @@ Film runoff_film(const SnapshotSurface& surface, std::span<const TissuePiece> pi
   append_fringe(pieces.front(), wounds, kWelling, part, film);
   const std::vector<Float3> normals = normals_of(pieces.front());
   for (const FluidRun& run : wounds.fluid_runs) {
-    const double half_width = runoff_half_width(run);
+    const double half_width = runoff_half_width(run, wounds.map);
     append_run(surface, normals, run,
                {.half_width = half_width,
                 .length = run_length(leaked, 2 * half_width, kRunoffHeight, time - run.born, kRunoffSpeed),

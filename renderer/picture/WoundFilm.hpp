@@ -39,8 +39,9 @@ Film blood_film(const SnapshotSurface& surface, std::span<const BorderEdge> bord
 Film runoff_film(const SnapshotSurface& surface, std::span<const TissuePiece> pieces, const WoundLayout& wounds,
                  double leaked, double time);
 
-/// How what has run out of a body runs: half of its width, its height and its speed. Metres, metres / second.
-double runoff_half_width(const FluidRun& run);
+/// How what has run out of a body runs: half of its width, no wider than a small puncture lets out, its height and its
+/// speed. Metres, metres / second.
+double runoff_half_width(const FluidRun& run, const WoundMap& wounds);
 inline constexpr double kRunoffHeight = 0.0006;
 inline constexpr double kRunoffSpeed = 0.045;
 

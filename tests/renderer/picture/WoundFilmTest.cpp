@@ -124,6 +124,16 @@ TEST(WoundFilm, BeginsAsThinLinesThatEndInNoKnobs) {
   }
 }
 
+TEST(WoundFilm, WhatRunsOutOfAPunctureIsHardlyWiderThanIt) {
+  FluidRun run;
+  run.chance = 0.5;
+  WoundMap puncture, cut;
+  puncture.length = 2 * 0.0012;
+  cut.length = 2 * 0.02;
+  EXPECT_LT(2 * runoff_half_width(run, puncture), 1.5 * 0.0012);
+  EXPECT_NEAR(2 * runoff_half_width(run, cut), 0.004, 1e-9) << "as what lets go of a wall";
+}
+
 TEST(WoundFilm, IsAFunctionOfTheMomentAlone) {
   const Wound wound(0.8);
   const Film alone = wound.blood(2);
