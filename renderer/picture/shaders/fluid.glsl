@@ -59,9 +59,18 @@ void main() {
 
   // Light that has come in by the opening goes from wall to wall.
   vec3 lit = mix(vec3(0.30, 0.22, 0.20), vec3(1.0), visible) * mix(0.35, 1.0, saturate(dot(base, toward)));
-  vec3 body = fluid.rgb * (1.0 + 0.14 * noise(90.0 * position).w) * (lit * lamp + environment_irradiance(base));
+  // What floats in it is here more, there less, and beside the wall, which stands around it, less light comes to it.
+  const float kMotes = 0.55, kFineMotes = 0.35, kBesideWall = 0.45;
+  const float kStandsAround = 0.004;  // metres of way through it
+  float motes = 1.0 + cloudiness * (kMotes * noise(90.0 * position).w + kFineMotes * noise(310.0 * position + 2.0).w);
+  float open = mix(kBesideWall, 1.0, 1.0 - exp2(-way / kStandsAround));
+  vec3 body = fluid.rgb * motes * open * (lit * lamp + environment_irradiance(base));
   float mirror = 0.022 + 0.978 * fresnel_weight(nv);
-  vec3 room = environment_light(reflect(-view, normal), kRoughness, visible, kLampSize);
+  // Along itself it mirrors the wall that stands around it, as bright as it is lit itself.
+  const vec3 kWall = vec3(0.42, 0.13, 0.10);
+  vec3 mirrored_way = reflect(-view, normal);
+  float of_wall = 1.0 - smoothstep(0.25, 0.6, dot(mirrored_way, base));
+  vec3 room = mix(environment_light(mirrored_way, kRoughness, visible, kLampSize), kWall * lit * lamp, of_wall);
   vec3 shine = mirror * mix(0.35, 1.0, visible) * room;
 #ifdef ENDOSCOPE
   float lamp_mirror = 0.022 + 0.978 * fresnel_weight(dot(view, normalize(view + toward)));

@@ -159,6 +159,22 @@ TEST(Wound, APoolGlistensBesideWhereALevelOneWouldMirrorTheLamp) {
   EXPECT_GE(glistening, 50) << "65 were seen, 32 where it is nearly at rest";
 }
 
+TEST(Wound, APoolOfCloudyFluidIsNotAsPlainAsPaint) {
+  ViewDefinition view = from_above();
+  view.lights.environment = 0;  // its surface mirrors nothing
+  view.lights.key = 2;
+  view.look.bodies["bowl"].contents = *find_fluid_look("gastric_juice");
+  const Image image = Renderer(DeviceChoice{}, kSize, Tier::kRecord).draw(open_bowl(0.9), view);
+  int least = 255, most = 0;
+  for (std::size_t y = 34; y < 62; ++y) {
+    for (std::size_t x = 34; x < 62; ++x) {
+      least = std::min<int>(least, image.pixels[3 * (96 * y + x) + 1]);
+      most = std::max<int>(most, image.pixels[3 * (96 * y + x) + 1]);
+    }
+  }
+  EXPECT_GT(most - least, 12) << "19 were seen, 5 of one colour with waves";
+}
+
 /// Columns of the pixels that a run of clear fluid makes darker, with the lamp on the side of `aside`.
 std::vector<double> darker_columns(double aside) {
   ViewDefinition view;
