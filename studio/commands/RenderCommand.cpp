@@ -11,6 +11,7 @@
 #include "studio/commands/Outcome.hpp"
 #include "studio/commands/SecondTake.hpp"
 #include "studio/recorder/FolderLock.hpp"
+#include "studio/recorder/InsetNotes.hpp"
 #include "studio/recorder/ResolvedPicture.hpp"
 #include "studio/scenario/LoadScenario.hpp"
 #include "studio/take/TakeError.hpp"
@@ -103,8 +104,8 @@ int render_take(const RenderOptions& options) {
   refuse_folder_of_the_take(plan.folder, options.take);
   if (options.ground_truth) require_stress(take->moment(0).snapshot, options.take);
   const FolderLock lock(plan.folder);
-  RecordingReport report =
-      record(*source, plan, renderer_painters(options.device, settings.record.tier, settings.view, options.stats));
+  RecordingReport report = record_noticing_insets(
+      *source, plan, renderer_painters(options.device, settings.record.tier, settings.view, options.stats));
   const std::vector<std::string> early = early_ends(takes);
   report.warnings.insert(report.warnings.end(), early.begin(), early.end());
   return conclude({.command = "render",

@@ -1,0 +1,94 @@
+#include "studio/recorder/InsetNotes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <string_view>
+#include <utility>
+
+#include "renderer/picture/Camera.hpp"
+#include "renderer/picture/PictureLayout.hpp"
+#include "renderer/picture/SceneExtent.hpp"
+
+namespace thinwall {
+namespace {
+
+constexpr std::array kCorners{PictureCorner::kUpperLeft, PictureCorner::kUpperRight, PictureCorner::kLowerLeft,
+                              PictureCorner::kLowerRight};
+constexpr std::array<std::string_view, 4> kWords{"upper_left", "upper_right", "lower_left", "lower_right"};
+
+bool touches(const SnapshotTool& tool) {
+  return std::ranges::any_of(tool.force, [](double part) { return part != 0; });
+}
+
+bool holds(const PictureBox& box, const std::array<double, 2>& pixel) {
+  return pixel[0] >= box.left && pixel[0] < box.left + box.size.width && pixel[1] >= box.top &&
+         pixel[1] < box.top + box.size.height;
+}
+
+class NoticingPainter final : public Painter {
+ public:
+  NoticingPainter(std::unique_ptr<Painter> painter, InsetNotes& notes, ImageSize size)
+      : painter_(std::move(painter)), notes_(notes), size_(size) {}
+
+  Image paint(const Snapshot& snapshot, const Shot& shot) override {
+    notes_.see(snapshot, shot, size_);
+    return painter_->paint(snapshot, shot);
+  }
+  std::string driver() const override { return painter_->driver(); }
+  std::vector<PassTime> pass_times() override { return painter_->pass_times(); }
+
+ private:
+  std::unique_ptr<Painter> painter_;
+  InsetNotes& notes_;
+  ImageSize size_;
+};
+
+}  // namespace
+
+void InsetNotes::see(const Snapshot& snapshot, const Shot& shot, ImageSize size) {
+  if (!shot.inset || std::ranges::none_of(snapshot.tools, touches)) return;
+  const ImageSize main = main_box(shot, size).size;
+  const Camera camera = resolve_camera(shot.camera, scene_extent(snapshot), main, snapshot.time);
+  for (const SnapshotTool& tool : snapshot.tools) {
+    const auto pixel = camera.pixel(vector3(tool.tip), main);
+    if (!touches(tool) || !pixel) continue;
+    for (std::size_t k = 0; k < kCorners.size(); ++k) {
+      Shot placed = shot;
+      placed.corner = kCorners[k];
+      if (!holds(inset_box(placed, size), *pixel)) continue;
+      is_free_[k] = false;
+      if (kCorners[k] == shot.corner) covered_since_.try_emplace(tool.name, snapshot.time);
+    }
+  }
+}
+
+std::vector<std::string> InsetNotes::notes() const {
+  const auto free = std::ranges::find(is_free_, true);
+  const std::string cure =
+      free == is_free_.end()
+          ? "no corner is free; another `camera`, or `beside`, shows both"
+          : fmt::format("`corner: {}` leaves it free", kWords[static_cast<std::size_t>(free - is_free_.begin())]);
+  std::vector<std::string> notes;
+  for (const auto& [tool, time] : covered_since_) {
+    notes.push_back(fmt::format(
+        "cuts: the small picture (`inset`) covers the tip of tool `{}` while it touches, first at {:.4g} s; {}", tool,
+        time, cure));
+  }
+  return notes;
+}
+
+RecordingReport record_noticing_insets(MomentSource& source, const RecordingPlan& plan,
+                                       const PainterFactory& painters) {
+  InsetNotes noticed;
+  const PainterFactory noticing = [&](ImageSize size) {
+    return std::make_unique<NoticingPainter>(painters(size), noticed, size);
+  };
+  RecordingReport report = record(source, plan, noticing);
+  std::ranges::copy(noticed.notes(), std::back_inserter(report.warnings));
+  return report;
+}
+
+}  // namespace thinwall
