@@ -39,6 +39,7 @@ struct Scene {
   ImageSize size;             // of the part of the picture
   std::optional<Box> inset;   // of another picture, in this part
   std::optional<Box> legend;  // in this part
+  std::vector<ToolShape> tools = {};
 
   std::optional<PixelPoint> pixel(Vector3 place) const { return camera.pixel(place, size); }
 
@@ -73,8 +74,7 @@ std::vector<PixelPoint> tool_obstacles(const Scene& scene) {
     if (at && scene.shows(*at)) obstacles.push_back(*at);
   };
   constexpr int kAlongRods = 64;
-  for (const SnapshotTool& tool : scene.snapshot.tools) {
-    const ToolShape shape = tool_shape(tool, scene.extent.size);
+  for (const ToolShape& shape : scene.tools) {
     for (const ToolVertex& vertex : shape.vertices) add(vector3(vertex.position));
     for (const ToolRod& rod : shape.rods) {
       const Vector3 start = vector3(rod.start), span = vector3(rod.end) - start;
@@ -147,7 +147,7 @@ std::vector<ShownLabel> shown_labels(const Scene& scene, const std::vector<Label
     shown.push_back({.definition = &label,
                      .text = Text(label.text, style, {.width = scene.grid.pixels(kWidestText), .lines = 3}),
                      .anchor = *anchor,
-                     .hidden = is_hidden(*place, scene.camera.position, scene.snapshot),
+                     .hidden = is_hidden(*place, scene.camera.position, scene.snapshot, scene.tools),
                      .on_the_left = is_left,
                      .upwards = is_low(scene, label.at, label.span.begin)});
   }
@@ -298,8 +298,15 @@ void draw_force_arrows(const Canvas& canvas, const Scene& scene, const std::vect
     const std::optional<PixelPoint> tip = scene.pixel(vector3(tool->tip) + (arrow.length / arrow.full) * force);
     if (!tail || !tip || !scene.shows(*tail)) continue;
     // An arrow that grows from nothing has words once it is an arrow.
-    if (std::hypot((*tip)[0] - (*tail)[0], (*tip)[1] - (*tail)[1]) < scene.grid.pixels(10)) continue;
-    draw_arrow(canvas, *tail, *tip, scene.grid.pixels(kArrowWidth), kForceColor);
+    const double least = scene.grid.pixels(10), width = scene.grid.pixels(kArrowWidth);
+    const Vector3 way = (arrow.length / arrow.full) * force, from = vector3(tool->tip) - scene.camera.position;
+    const double pixel = 2 * scene.camera.tangent_y * dot(from, scene.camera.forward) / scene.size.height;
+    if (length(way) < least * pixel) continue;
+    if (std::hypot((*tip)[0] - (*tail)[0], (*tip)[1] - (*tail)[1]) >= least) {
+      draw_arrow(canvas, *tail, *tip, width, kForceColor);
+    } else {
+      draw_arrow_end_on(canvas, *tail, width, dot(way, from) < 0, kForceColor);
+    }
     draw_arrow_text(canvas, scene, force_quantity(length(force), arrow.full).text(), *tip, false, plates);
   }
 }
@@ -336,14 +343,15 @@ void draw_annotations(Image& image, const PictureBox& box, const AnnotationDefin
   if (annotations.is_empty()) return;
   const FontUse use;
   const SceneExtent extent = scene_extent(snapshot);
-  const Scene scene{.snapshot = snapshot,
-                    .definition = camera,
-                    .extent = extent,
-                    .camera = resolve_camera(camera, extent, box.size, snapshot.time),
-                    .grid = OverlayGrid(image.size),
-                    .size = box.size,
-                    .inset = place_within(box, box_of(inset)),
-                    .legend = place_within(box, legend)};
+  Scene scene{.snapshot = snapshot,
+              .definition = camera,
+              .extent = extent,
+              .camera = resolve_camera(camera, extent, box.size, snapshot.time),
+              .grid = OverlayGrid(image.size),
+              .size = box.size,
+              .inset = place_within(box, box_of(inset)),
+              .legend = place_within(box, legend)};
+  for (const SnapshotTool& tool : snapshot.tools) scene.tools.push_back(tool_shape(tool, extent.size));
   const Canvas canvas(box.size);
   if (scene.inset) keep_off(canvas, box.size, *scene.inset);
   std::vector<Box> plates = draw_labels(canvas, scene, annotations.labels);

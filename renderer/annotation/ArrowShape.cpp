@@ -33,4 +33,19 @@ void draw_arrow(const Canvas& canvas, PixelPoint tail, PixelPoint tip, double wi
   cairo_fill(canvas.context());
 }
 
+void draw_arrow_end_on(const Canvas& canvas, PixelPoint place, double width, bool towards_viewer, Color color) {
+  constexpr Color kDark{0.02, 0.03, 0.04, 0.75};
+  const auto [x, y] = place;
+  const double radius = 1.5 * width, line = 0.5 * width;
+  canvas.fill_circle(x, y, radius + line, kDark);
+  canvas.fill_circle(x, y, radius + 0.5 * line, color);
+  canvas.fill_circle(x, y, radius - 0.5 * line, kDark);
+  if (towards_viewer) {
+    canvas.fill_circle(x, y, 0.5 * radius, color);
+    return;
+  }
+  const double arm = (radius - 0.5 * line) * std::sqrt(0.5);
+  for (const double sense : {-1.0, 1.0}) canvas.line(x - arm, y - sense * arm, x + arm, y + sense * arm, line, color);
+}
+
 }  // namespace thinwall

@@ -84,7 +84,7 @@ Vector3 place_of(const MaterialPoint& point, const SnapshotSurface& surface) {
   return weighted(surface.positions, surface.topology->triangles[point.triangle], point.weights);
 }
 
-bool is_hidden(Vector3 place, Vector3 eye, const Snapshot& snapshot) {
+bool is_hidden(Vector3 place, Vector3 eye, const Snapshot& snapshot, std::span<const ToolShape> tools) {
   // What is met just before the place is the surface that the place is on.
   constexpr double kOwnSurface = 1e-3;
   const Vector3 span = eye - place;
@@ -95,6 +95,13 @@ bool is_hidden(Vector3 place, Vector3 eye, const Snapshot& snapshot) {
                                                     vector3(surface.positions[b]), vector3(surface.positions[c]));
         if (part && *part > kOwnSurface) return true;
       }
+    }
+  }
+  for (const ToolShape& tool : tools) {
+    const auto at = [&](std::size_t corner) { return vector3(tool.vertices[tool.indices[corner]].position); };
+    for (std::size_t i = 0; i + 2 < tool.indices.size(); i += 3) {
+      const std::optional<double> part = crossing(place, span, at(i), at(i + 1), at(i + 2));
+      if (part && *part > kOwnSurface) return true;
     }
   }
   return false;

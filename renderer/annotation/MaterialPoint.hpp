@@ -3,7 +3,9 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 
+#include "renderer/picture/ToolShape.hpp"
 #include "renderer/picture/Vector.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
 
@@ -23,7 +25,7 @@ std::optional<MaterialPoint> nearest_material_point(const SnapshotTopology& topo
 /// Where the point is now, metres.
 Vector3 place_of(const MaterialPoint& point, const SnapshotSurface& surface);
 
-/// Whether a wall or cap stands between `eye` and `place`, a point of a surface (metres).
-bool is_hidden(Vector3 place, Vector3 eye, const Snapshot& snapshot);
+/// Whether a wall, a cap or one of `tools` stands between `eye` and `place`, a point of a surface (metres).
+bool is_hidden(Vector3 place, Vector3 eye, const Snapshot& snapshot, std::span<const ToolShape> tools = {});
 
 }  // namespace thinwall

@@ -78,6 +78,16 @@ TEST(AnnotationDrawing, APointBehindAWallHasAHollowDot) {
   EXPECT_GT(level(image, 0.5 * kSize.width - 4, 0.5 * kSize.height), 120);
 }
 
+TEST(AnnotationDrawing, APointBehindAToolHasAHollowDot) {
+  Snapshot snapshot = scene();
+  snapshot.time = 1;
+  snapshot.tools[0].kind = SnapshotToolKind::kSphere;
+  snapshot.tools[0].radius = 0.005;
+  snapshot.tools[0].tip = {0, -0.025, -0.005};
+  const Image image = drawn(label_at({0, -0.02, 0}), snapshot);
+  EXPECT_LT(level(image, 0.5 * kSize.width, 0.5 * kSize.height), 60);
+}
+
 TEST(AnnotationDrawing, ALabelIsShownInItsSpanOnly) {
   for (const auto& [time, shown] :
        {std::pair{0.49, false}, std::pair{0.5, true}, std::pair{2.0, true}, std::pair{2.01, false}}) {
@@ -111,6 +121,33 @@ TEST(AnnotationDrawing, AForceArrowEndsWhereItsLengthSays) {
   ASSERT_TRUE(tip);
   EXPECT_GT(level(image, (*tip)[0], (*tip)[1] + 6), 200) << "inside the head";
   EXPECT_LT(level(image, (*tip)[0], (*tip)[1] - 6), 60) << "beyond the tip";
+}
+
+TEST(AnnotationDrawing, AForceAlongTheLineOfSightIsARingWithWords) {
+  Snapshot snapshot = scene();
+  AnnotationDefinition annotations;
+  annotations.force_arrows.push_back({.tool = "probe", .full = 1, .length = 0.02});
+  const Camera camera = resolve_camera(from_the_front(), scene_extent(snapshot), kSize, 0);
+  const auto tail = camera.pixel({0, 0, 0.02}, kSize);
+  ASSERT_TRUE(tail);
+  const auto lit_beside = [&](const Image& image) {
+    int lit = 0;
+    for (int x = 20; x < 150; ++x) {
+      for (int y = -20; y < 20; ++y) lit += level(image, (*tail)[0] + x, (*tail)[1] + y) > 200;
+    }
+    return lit;
+  };
+  // From the tool's tip to the eye, and away from it.
+  for (const double sense : {1.0, -1.0}) {
+    snapshot.tools[0].force = {0, -0.12 * 4 * sense, -0.02 * 4 * sense};
+    const Image image = drawn(annotations, snapshot);
+    EXPECT_GT(level(image, (*tail)[0], (*tail)[1]), 200);
+    EXPECT_EQ(level(image, (*tail)[0] + 4, (*tail)[1]) > 200, false) << "between the ring and what is in its middle";
+    EXPECT_EQ(level(image, (*tail)[0] + 3.5, (*tail)[1] + 3.5) > 200, sense < 0) << "a cross goes away";
+    EXPECT_GT(lit_beside(image), 30) << "its words";
+  }
+  snapshot.tools[0].force = {0, -0.012, -0.002};
+  EXPECT_EQ(drawn(annotations, snapshot).pixels, black().pixels) << "one that is short from the side too";
 }
 
 TEST(AnnotationDrawing, AnArrowsWordsStandBesideTheTool) {
