@@ -102,15 +102,18 @@ void main() {
   result += (reflectance * part.x + part.y) * around * environment_light(reflect(-view, normal), rough, visible);
 
   // The wet layer: water, so smooth that it mirrors the lamps; what it reflects does not reach the flesh.
+  // What is hardly wet is greasy: its film is too thin to lie smooth, or fine relief would sparkle as frost does.
+  const float kGreasy = 0.10;  // square of its roughness
+  float greasy = kGreasy * square(saturate(1.0 - 2.0 * blood.w));
   float film = skin.film * (0.022 + 0.978 * fresnel_weight(film_nv));
-  float film_rough = sqrt(0.0064 + min(skin.lost_bump, 0.1));
+  float film_rough = sqrt(0.0064 + greasy + min(skin.lost_bump, 0.1));
   vec3 film_light = environment_light(reflect(-view, film_normal), film_rough, visible, lamp_size) * mix(vec3(1.0), around, 0.7);
   result = mix(result, film_light, film);
 
 #ifdef ENDOSCOPE
   float lamp_fresnel = fresnel_weight(dot(view, normalize(view + toward)));
   float gloss = (1.0 - film) * (reflectance + (1.0 - reflectance) * lamp_fresnel) * glint(normal, view, toward, square(rough));
-  float film_alpha = sqrt(0.0014 + min(skin.lost_bump, 0.1));
+  float film_alpha = sqrt(0.0014 + greasy + min(skin.lost_bump, 0.1));
   gloss += skin.film * (0.022 + 0.978 * lamp_fresnel) * glint(film_normal, view, toward, film_alpha);
   result += visible * gloss * lamp;
 #endif

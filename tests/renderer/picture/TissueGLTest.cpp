@@ -287,5 +287,24 @@ TEST(Tissue, ReliefThatASlantMakesTooFineIsLeftOut) {
   EXPECT_LT(jumps / count, 2.2);
 }
 
+/// Skin is greasy rather than wet: its fine relief does not sparkle in a lamp as frost does.
+TEST(Tissue, DrySkinDoesNotSparkleInALamp) {
+  Snapshot snapshot;
+  snapshot.surfaces = {sheet(8)};
+  ViewDefinition view = from_above("skin");
+  view.camera.position = Double3{0, -0.002, 0.03};
+  view.camera.field_of_view = 0.3;
+  view.lights.endoscope = 1;
+  view.camera.exposure = -1;
+  const Image image = Renderer(DeviceChoice{}, {240, 240}, Tier::kRecord).draw(snapshot, view);
+  std::vector<int> levels;
+  for (std::size_t y = 60; y < 180; ++y) {
+    for (std::size_t x = 60; x < 180; ++x) levels.push_back(image.pixels[3 * (240 * y + x) + 2]);
+  }
+  std::ranges::sort(levels);
+  // Seen: 10, and 45 of a film as smooth as water.
+  EXPECT_LT(levels[levels.size() * 99 / 100] - levels[levels.size() / 2], 25);
+}
+
 }  // namespace
 }  // namespace thinwall
