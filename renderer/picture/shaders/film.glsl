@@ -32,7 +32,9 @@ void main() {
   vec4 coarse = noise(kWaves * rest);
   vec4 fine = noise(kFineWaves * rest + 3.0);
   float width = max(film.y, 1e-6);
-  float uneven = width * (0.55 * coarse.w + 0.24 * fine.w);
+  // The narrower, the more of its sides is what is fine in the wall below it.
+  float finely = 0.10 + min(0.14, 0.00006 / width);
+  float uneven = width * (0.55 * coarse.w + finely * fine.w);
   float inward = film.x + uneven;
   // It meets the wall at the same angle everywhere: lower where it is narrower, and thin at its edge.
   float local = width + uneven;
@@ -64,7 +66,7 @@ void main() {
 
   // The slope of the film over the wall, from how its height changes between pixels (Mikkelsen 2010). What the noise
   // adds is told by its gradient: differences of it would stay the same over each two by two pixels.
-  vec3 uneven_change = width * (0.55 * kWaves * coarse.xyz + 0.24 * kFineWaves * fine.xyz);
+  vec3 uneven_change = width * (0.55 * kWaves * coarse.xyz + finely * kFineWaves * fine.xyz);
   vec3 across = dFdx(position), along = dFdy(position);
   // The distance to an edge is told at vertices, and so turns at each of the triangles' borders. Coats that have a width of
   // 1 have no edge.
