@@ -50,7 +50,8 @@ void main() {
   vec3 bump = skin.bump - dot(skin.bump, base) * base;
   vec3 normal = normalize(base - 0.6 * bump);
   // Seen along the wall the film's relief hides its own valleys.
-  vec3 film_normal = normalize(base - 1.3 * smoothstep(0.0, 0.7, base_nv) * bump);
+  float shown = smoothstep(0.15, 0.95, base_nv);
+  vec3 film_normal = normalize(base - 1.3 * shown * bump);
   float nv = max(dot(normal, view), 0.02);
   float film_nv = max(dot(film_normal, view), LAYERED ? kLeastFaceCosine : 0.02);
 
@@ -106,7 +107,7 @@ void main() {
   const float kGreasy = 0.10;  // square of its roughness
   float greasy = kGreasy * square(saturate(1.0 - 2.0 * blood.w));
   float film = skin.film * (0.022 + 0.978 * fresnel_weight(film_nv));
-  float film_rough = sqrt(0.0064 + greasy + min(skin.lost_bump, 0.1));
+  float film_rough = sqrt(0.0064 + greasy + min(skin.lost_bump + 0.08 * (1.0 - shown), 0.1));
   vec3 film_light = environment_light(reflect(-view, film_normal), film_rough, visible, lamp_size) * mix(vec3(1.0), around, 0.7);
   result = mix(result, film_light, film);
 

@@ -306,5 +306,27 @@ TEST(Tissue, DrySkinDoesNotSparkleInALamp) {
   EXPECT_LT(levels[levels.size() * 99 / 100] - levels[levels.size() / 2], 25);
 }
 
+/// Along its rim a wet wall mirrors the room as a veil: relief seen along itself hides what would glint, or it is fur.
+TEST(Tissue, HasNoFurAlongTheRimOfAWetBall) {
+  Snapshot snapshot;
+  snapshot.surfaces = {test::sphere("organ", {0, 0, 0}, 0.01, 5)};
+  ViewDefinition view = from_above("vessel");
+  view.camera.position = Double3{0.05, -0.08, 0.04};
+  view.camera.up = Double3{0, 0, 1};
+  view.camera.field_of_view = 0.22;
+  constexpr int kWide = 240;
+  const Image image = Renderer(DeviceChoice{}, {kWide, kWide}, Tier::kRecord).draw(snapshot, view);
+  const auto level = [&](int x, int y) { return int{image.pixels[3 * static_cast<std::size_t>(kWide * y + x) + 2]}; };
+  int tufts = 0;
+  for (int y = 2; y < kWide - 2; ++y) {
+    for (int x = 2; x < kWide - 2; ++x) {
+      const double off = std::hypot(x - 0.5 * kWide, y - 0.5 * kWide) / (0.5 * kWide * 0.01 / (0.1025 * 0.11));
+      if (off < 0.80 || off > 0.95) continue;
+      tufts += std::abs(4 * level(x, y) - level(x - 2, y) - level(x + 2, y) - level(x, y - 2) - level(x, y + 2)) > 48;
+    }
+  }
+  EXPECT_LT(tufts, 50) << "5 were seen, 194 of relief that is as steep at the rim";
+}
+
 }  // namespace
 }  // namespace thinwall
