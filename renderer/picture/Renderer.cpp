@@ -336,11 +336,8 @@ Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinit
   if (!is_stop_closed) stage->close_field_stop(field_stop(frame));
   stage->draw_surface(frame, clock);
   stage->lay_backdrop(frame, !snapshot.tools.empty(), clock);
-  SceneView shown{.snapshot = snapshot,
-                  .view = view,
-                  .eye = camera.position,
-                  .pixel = frame.environment[3],
-                  .surroundings = surroundings};
+  SceneView shown{.snapshot = snapshot, .view = view, .eye = camera.position, .surroundings = surroundings};
+  shown.pixel = frame.environment[3];
   shown.keeps_bare = stage->tier == Tier::kFinal;
   if (frame.floor[1] > 0) shown.ground = ground;
   stage->draw_scene(shown, frame, clock);
