@@ -247,6 +247,11 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
     const bool goes_on = last_step_ && begin_as_extrapolated(begin, end, problem, trial);
     if (foresight_ && !goes_on) begin_as_foreseen(begin, end, problem, trial);
     if (!solve_with_leaks(problem, trial, begin, duration)) return false;
+    if (may_buckle(problem)) {
+      buckle(problem, trial);
+    } else {
+      is_unstable_ = false;
+    }
     if (!may_snap() && jumped_over_balls(begin, problem, trial.position)) {
       failure_ =
           "the wall jumped over a ball or over a needle's point, as where it is pressed against what is held; press it "

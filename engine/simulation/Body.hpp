@@ -11,6 +11,7 @@
 #include "engine/cutting/CutSurface.hpp"
 #include "engine/simulation/BodyModel.hpp"
 #include "engine/simulation/BodyState.hpp"
+#include "engine/simulation/BodyStepReport.hpp"
 #include "engine/simulation/CutProgress.hpp"
 #include "engine/simulation/Equilibrium.hpp"
 #include "engine/simulation/Newton.hpp"
@@ -36,31 +37,6 @@ struct BodyInput {
   std::optional<BladeInput> blade = {};  // that is in the wall
   std::vector<int> needles = {};         // tools, that pierce: what they then do within the step, see StepRupture
   std::vector<int> blades = {};          // tools, that incise, in the wall or not yet: what is held does not stop them
-};
-
-/// A wall that has given way to a needle within a step. Under a needle that pierces, a step is divided where it would
-/// work far more than a slit costs, and what has given way is asked for after each part. A wall that is held in its way
-/// gives way at once, when its tip has gone in; it pays for that slit, evenly over its cone, and feels so much.
-struct StepRupture {
-  int tool = 0;
-  SurfaceMesh uncut;  // the wall until then
-  Rupture rupture = {};
-  std::optional<ToolContact> felt = {};  // by the needle until then; nothing of what was held
-};
-
-/// What the last step took.
-struct BodyStepReport {
-  int newton_iterations = 0, shifted_iterations = 0, factorisations = 0;
-  int ascending_steps = 0;    // of Newton's, along which the line search's energy was to rise at first
-  int halvings = 0;           // how often the step was divided because it could not be solved
-  int refinements = 0;        // how often it was divided to keep the error that is allowed
-  int relaxations = 0;        // parts of it that were found with pseudo-inertia, see `relax`
-  double residual = 0;        // newton
-  double residual_share = 0;  // largest of the step's solutions, over the largest force there
-  bool slowed = false;        // whether a drag slowed flaps that nothing holds, see Body::creep
-  bool loose = false;         // whether a residual above the tolerance was taken, see NewtonOptions::takes_flaps
-  bool crumpled = false;      // whether a blade crumpled the wall, which wrinkles infinitely finely from now on
-  std::vector<StepRupture> ruptures = {};  // in their order
 };
 
 /// How hard an equilibrium is tried.
@@ -228,6 +204,11 @@ class Body {
   bool draw_air(EquilibriumProblem& problem, EquilibriumState& trial, std::span<const ToolPose> begin);
   bool solve_with_leaks(EquilibriumProblem& problem, EquilibriumState& trial, std::span<const ToolPose> begin,
                         double duration);
+  /// Whether what is found by `solve_with_leaks` may be an equilibrium that is not stable, and is to be left.
+  bool may_buckle(const EquilibriumProblem& problem) const;
+  bool find_buckled(EquilibriumProblem& problem, EquilibriumState& trial);
+  /// Leaves such an equilibrium for a stable one. Where none is found all stays as it is, and the report tells.
+  void buckle(EquilibriumProblem& problem, EquilibriumState& trial);
   void update_leaks(double duration, const EquilibriumProblem& problem);
   double book_leaks(const BodyState& before);
   bool counts_memory(const EquilibriumProblem& problem, int opening) const;
@@ -394,6 +375,8 @@ class Body {
   bool snaps_ = false;                     // whether a wall gives way at once, from one equilibrium to another
   std::optional<double> trial_tolerance_;  // for forces, while an equilibrium is tried for its energy alone
   bool is_loose_ = false;                  // whether the last solution's residual is above the tolerance
+  bool is_convex_ = true;                  // whether it was found with the curvature as it is
+  bool is_unstable_ = false;               // whether the equilibrium of the step under way is not stable
   std::string failure_;                    // why the last attempt failed
 };
 

@@ -154,6 +154,7 @@ void Body::accept(std::span<const ToolPose> begin, double duration, const Equili
   find_drag(before.equilibrium.position);
   report_.slowed = report_.slowed || state_.drag_force.size() > 0;
   report_.loose = report_.loose || is_loose_;
+  report_.unstable = report_.unstable || is_unstable_;
   state_.volume = newton_->terms().volume;
   state_.load_factors = input.load_factors;
   update_fluids(duration, input, problem);

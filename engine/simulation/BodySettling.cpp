@@ -95,6 +95,7 @@ NewtonResult Body::solve(EquilibriumProblem& problem, EquilibriumState& state, c
     report_.residual_share = std::max(report_.residual_share, result.residual / result.force_scale);
   }
   is_loose_ = result.converged && result.is_loose;
+  is_convex_ = !result.converged || result.is_convex;
   failure_ = result.reason;
   return result;
 }

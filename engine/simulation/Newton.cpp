@@ -319,6 +319,7 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
       return failed("no convex step could be found", result);
     }
     if (shift > 0) ++result.shifted_iterations;
+    result.is_convex = is_exact_ && is_convex_;
     progress.takes_saddle = may_be_saddle && is_exact_;
     if (!progress.takes_saddle) progress.inexact = is_exact_ ? 0 : progress.inexact + 1;
     if (foresees) {

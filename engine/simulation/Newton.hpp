@@ -56,6 +56,7 @@ struct NewtonResult {
   int in_single_precision = 0;           // of these
   int ascending_steps = 0;               // along which the line search's energy was to rise at first
   bool is_loose = false;                 // whether the residual is above the tolerance, see NewtonOptions::takes_flaps
+  bool is_convex = true;                 // whether the last step was found with the curvature as it is, a convex one
   std::string reason;                    // why not converged
 };
 
@@ -113,6 +114,14 @@ class Newton {
   /// nothing else; false where it cannot be factorised. With `reuses_factor` that of the last step of the solve will
   /// do, if it ended with one: it is off by what that step changed.
   bool linearize(const EquilibriumProblem& problem, const EquilibriumState& state, bool reuses_factor = false);
+
+  /// Whether an equilibrium that a solve has reached is stable: what tools and constraints hold held, no motion lowers
+  /// the energy to second order.
+  bool is_stable(const EquilibriumProblem& problem, const EquilibriumState& state);
+
+  /// Goes from an equilibrium that is not stable along the motion that lowers the energy most, as far as it falls;
+  /// false, with all as it was, where it does not. A solve from there finds another equilibrium.
+  bool leave_saddle(EquilibriumProblem& problem, EquilibriumState& state);
 
   /// After `linearize`: what a small force, (unknowns), newton, and small motions of the targets of the attachments,
   /// (attachments), metres, do. Of chambers with openings the forces on the rims are left out.
@@ -307,6 +316,11 @@ class Newton {
   Eigen::VectorXd changed_shaft_force(const EquilibriumProblem& problem, const EquilibriumState& state) const;
   bool revise_shafts(const EquilibriumProblem& problem, const EquilibriumState& state, const Step& step);
   bool bears_as_factorised(const EquilibriumProblem& problem) const;
+  /// Evaluates with the curvature where a solve has ended, with the contacts that press.
+  void evaluate_at_end(const EquilibriumProblem& problem, const EquilibriumState& state);
+  Step softest_motion(const EquilibriumProblem& problem);
+  double lowest_part(const Step& step, double sign, EquilibriumProblem& problem, EquilibriumState& state,
+                     double& lowest);
   std::string obstructed(const std::string& reason) const;
   bool search(EquilibriumProblem& problem, EquilibriumState& state, Residual& residual, const Step& step,
               double fraction);
@@ -327,6 +341,7 @@ class Newton {
   FoldMatrix fold_matrix_;
   std::vector<int> rims_;  // unknowns at the lips of openings, ascending
   bool is_exact_ = true;   // whether the matrix in use is the curvature as it is
+  bool is_convex_ = true;  // whether it is convex with its border
   bool folded_ = false;    // whether the last factorisation is the fold matrix's
   BorderedSystem bordered_;
   EquilibriumTerms terms_;

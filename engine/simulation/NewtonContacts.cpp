@@ -113,7 +113,8 @@ bool Newton::border_contacts() {
   } else {
     bordered_.set(used_factor(), negative_pivots_, border_, corner_);
   }
-  return bordered_.negative_eigenvalues() == constraints_ + springs;
+  is_convex_ = bordered_.negative_eigenvalues() == constraints_ + springs;
+  return is_convex_;
 }
 
 Eigen::MatrixXd Newton::solved_border(const std::vector<std::size_t>& changed) {

@@ -32,7 +32,8 @@ bool Newton::is_usable(std::span<const double> values, const Eigen::VectorXd& ex
   } else {
     bordered_.set(factor, *negative, border_, corner_);
   }
-  return bordered_.negative_eigenvalues() == constraints_ || may_be_saddle;
+  is_convex_ = bordered_.negative_eigenvalues() == constraints_;
+  return is_convex_ || may_be_saddle;
 }
 
 bool Newton::takes_single_precision(const EquilibriumProblem& problem, const Eigen::VectorXd& expected) {

@@ -10,14 +10,18 @@ bool Newton::bears_as_factorised(const EquilibriumProblem& problem) const {
   return true;
 }
 
-bool Newton::linearize(const EquilibriumProblem& problem, const EquilibriumState& state, bool reuses_factor) {
-  const bool is_there = stepped_to_.size() > 0 && stepped_to_ == state.position;
-  if (reuses_factor && is_there && bears_as_factorised(problem)) return true;
+void Newton::evaluate_at_end(const EquilibriumProblem& problem, const EquilibriumState& state) {
   foreseen_stress_.clear();
   evaluate_all(problem, state, true, terms_);
   open_.clear();
   for (const ContactPoint& contact : terms_.contacts) open_.push_back(contact_force(problem, contact) == 0);
   begin_shafts(problem, state);
+}
+
+bool Newton::linearize(const EquilibriumProblem& problem, const EquilibriumState& state, bool reuses_factor) {
+  const bool is_there = stepped_to_.size() > 0 && stepped_to_ == state.position;
+  if (reuses_factor && is_there && bears_as_factorised(problem)) return true;
+  evaluate_at_end(problem, state);
   double shift = 0;
   return factorize(problem, state, nullptr, shift, true);
 }

@@ -16,6 +16,7 @@ void StepTally::note(const std::string& body, const BodyStepReport& report, doub
   if (report.halvings > 0) divided_.add(body, time);
   if (report.slowed) slowed_.add(body, time);
   if (report.loose) loose_.add(body, time);
+  if (report.unstable) unstable_.add(body, time);
   if (report.crumpled) crumpled_.add(body, time);
 }
 
@@ -29,6 +30,10 @@ std::vector<std::string> StepTally::warnings(long steps) const {
   tell(divided_, "had to be divided to be solved");
   tell(slowed_, "slowed flaps of a cut wall that nothing holds; what that took counts as `numerical_J`");
   tell(loose_, "end with a residual above the tolerance, as crumpled and buckled walls may; `residual_N` tells it");
+  tell(
+      unstable_,
+      "end in an equilibrium that is not stable: the wall would buckle there; a small load across it or an uneven mesh "
+      "shows where to, and `analysis: dynamic` how");
   tell(crumpled_,
        "crumpled a wall under a blade that pressed it along itself; from there on it wrinkles as with `tension_field`");
   return all;
