@@ -13,6 +13,7 @@
 #include <set>
 #include <utility>
 
+#include "engine/contact/SelfIntersections.hpp"
 #include "engine/mesh/MeshMeasures.hpp"
 #include "engine/mesh/MeshTopology.hpp"
 #include "studio/organs/HoleFilling.hpp"
@@ -77,6 +78,7 @@ class MeshImport {
     if (options_.edge_length > 0) remesh();
     ImportedMesh result;
     result.mesh = finish();
+    tell_intersections();
     describe(result.mesh);
     result.notes = std::move(notes_);
     return result;
@@ -310,6 +312,24 @@ class MeshImport {
         size[1], size[2], quality_of(mesh).least_angle * 180 / std::numbers::pi, list_in_backticks(names)));
     const std::string doubt = doubt_of_unit((high - low).maxCoeff(), origin_.unit);
     if (!doubt.empty()) notes_.push_back(fmt::format("{} {}", origin_.name, doubt));
+  }
+
+  void tell_intersections() {
+    Eigen::VectorXd position(3 * static_cast<Eigen::Index>(surface_.vertices.size()));
+    for (std::size_t v = 0; v < surface_.vertices.size(); ++v) {
+      position.segment<3>(3 * static_cast<Eigen::Index>(v)) = surface_.vertices[v];
+    }
+    std::vector<Eigen::Vector3d> middles;
+    std::array<int, 2> last = {-1, -1};
+    for (const SurfaceIntersection& one : self_intersections(surface_.triangles, position)) {
+      if (one.edge != last) middles.push_back((surface_.vertices[one.edge[0]] + surface_.vertices[one.edge[1]]) / 2);
+      last = one.edge;
+    }
+    note_if(
+        middles.size(), "edge passes", "edges pass",
+        fmt::format("through the surface, with the middles {}; the wall does not keep out of itself there, and what "
+                    "it encloses twice counts twice: mend the mesh",
+                    places(middles)));
   }
 
   const std::filesystem::path& file_;

@@ -5,22 +5,6 @@
 #include "engine/mesh/MeshTopology.hpp"
 
 namespace thinwall {
-namespace {
-
-double volume(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, const Eigen::Vector3d& d) {
-  return (b - a).cross(c - a).dot(d - a);
-}
-
-bool pass_through(const std::array<Eigen::Vector3d, 2>& edge, const std::array<Eigen::Vector3d, 3>& triangle) {
-  const auto& [p, q] = edge;
-  const auto& [a, b, c] = triangle;
-  if (volume(a, b, c, p) * volume(a, b, c, q) >= 0) return false;
-  const double one = volume(p, q, a, b), two = volume(p, q, b, c), three = volume(p, q, c, a);
-  return (one > 0 && two > 0 && three > 0) || (one < 0 && two < 0 && three < 0);
-}
-
-}  // namespace
-
 std::vector<SurfaceIntersection> surface_intersections(std::span<const Eigen::Vector3i> triangles,
                                                        const Eigen::VectorXd& position) {
   const auto at = [&](int vertex) -> Eigen::Vector3d { return position.segment<3>(3 * vertex); };
@@ -38,7 +22,7 @@ std::vector<SurfaceIntersection> surface_intersections(std::span<const Eigen::Ve
       if (!box.intersects(boxes[t])) continue;
       const Eigen::Vector3i& corners = triangles[t];
       if ((corners.array() == edge[0] || corners.array() == edge[1]).any()) continue;
-      if (pass_through({at(edge[0]), at(edge[1])}, {at(corners[0]), at(corners[1]), at(corners[2])})) {
+      if (passes_through({at(edge[0]), at(edge[1])}, {at(corners[0]), at(corners[1]), at(corners[2])})) {
         found.push_back({.edge = edge, .triangle = static_cast<int>(t)});
       }
     }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <numbers>
 #include <tuple>
@@ -49,6 +50,19 @@ TEST(MeshImport, ASizeThatNoOrganHasIsToldWithTheUnitThatMayBeMeant) {
   EXPECT_EQ(last_note(1), name + "30" + advice + "; with `unit: mm` it is 30 mm");
   EXPECT_EQ(last_note(1e-6), name + "3e-05" + advice + "; with `unit: mm` it is 30 mm");
   EXPECT_NE(last_note(0.05).find("groups"), std::string::npos) << "1.5 m may be a whole belly";
+}
+
+TEST(MeshImport, ASurfaceThatPassesThroughItselfIsToldWithThePlaces) {
+  // The top's middle hangs out below the bottom.
+  const std::string spike = "v 0.4 0.6 -1\nf 5 6 9\nf 6 7 9\nf 7 8 9\nf 8 5 9\n";
+  const ImportedMesh mesh = import(write_file("spiked.obj", kCubeVertices + spike + kCubeSides + "f 1 4 3 2\n"));
+  const auto told = std::find_if(mesh.notes.begin(), mesh.notes.end(), [](const std::string& note) {
+    return note.find("edges pass through the surface, with the middles (") != std::string::npos;
+  });
+  EXPECT_NE(told, mesh.notes.end());
+  for (const std::string& note : import(write_file("sound.obj", kCubeVertices + kCubeSides + kCubeEnds)).notes) {
+    EXPECT_EQ(note.find("through the surface"), std::string::npos) << note;
+  }
 }
 
 TEST(MeshImport, GroupsOfFacesBecomeGroupsOfVertices) {
