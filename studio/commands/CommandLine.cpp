@@ -43,6 +43,12 @@ using Action = std::function<int()>;
 
 constexpr const char* kStatsWords = "say what each pass of the pictures takes, and an empty frame";
 
+/// A flag that makes `value` false. The help of a flag with a value of its own would tell that value.
+void add_refusal(CLI::App& command, const std::string& name, bool& value, const std::string& documentation) {
+  command.add_flag_callback(
+      name, [&value] { value = false; }, documentation);
+}
+
 /// The parser of the whole command line. What is chosen ends up in `action`.
 class CommandLine {
  public:
@@ -149,7 +155,7 @@ void CommandLine::add_size(CLI::App& command) {
 
 void CommandLine::add_recording(CLI::App& command, bool& video, bool& frames, bool& surfaces, bool& truth, bool& stats,
                                 bool& json) {
-  command.add_flag("!--no-video", video, "make no video");
+  add_refusal(command, "--no-video", video, "make no video");
   command.add_flag("--frames", frames, "keep each picture as PNG");
   command.add_flag("--surfaces", surfaces, "keep the deforming surfaces for ParaView");
   command.add_flag("--stats", stats, kStatsWords);
@@ -179,7 +185,7 @@ void CommandLine::add_run() {
   add_overrides(*command);
   add_device(*command);
   add_threads(*command);
-  command->add_flag("!--no-render", run_.render, "physics and records only; needs no graphics");
+  add_refusal(*command, "--no-render", run_.render, "physics and records only; needs no graphics");
   add_recording(*command, run_.video, run_.frames, run_.surfaces, run_.ground_truth, run_.stats, run_.json);
 }
 
@@ -342,7 +348,7 @@ void CommandLine::add_haptic() {
       ->type_name("KIND")
       ->capture_default_str();
   command->add_option("--record", texts_.record, "write a table of all ticks")->type_name("CSV");
-  command->add_flag("!--no-real-time", haptic_.real_time, "do not ask for real-time scheduling");
+  add_refusal(*command, "--no-real-time", haptic_.real_time, "do not ask for real-time scheduling");
   add_overrides(*command);
   add_threads(*command);
   command->add_flag("--json", haptic_.json, "say the result as JSON on standard output");

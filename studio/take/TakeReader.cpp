@@ -10,6 +10,7 @@
 #include <fstream>
 #include <utility>
 
+#include "renderer/image/WholeFile.hpp"
 #include "studio/record/RecordColumns.hpp"
 #include "studio/take/Hdf5.hpp"
 #include "studio/take/TakeError.hpp"
@@ -63,7 +64,13 @@ struct TakeReader::Implementation {
 
 void TakeReader::Implementation::open() {
   std::error_code error;
-  if (!std::filesystem::exists(path, error)) throw TakeError(path.string() + ": there is no such file");
+  if (!std::filesystem::exists(path, error)) {
+    const std::filesystem::path stopped = unfinished_name(path);
+    const std::string instead = std::filesystem::exists(stopped, error)
+                                    ? ", but " + stopped.string() + " of a run that was stopped, which can be shown"
+                                    : "";
+    throw TakeError(path.string() + ": there is no such file" + instead);
+  }
   if (!std::filesystem::is_regular_file(path, error)) throw TakeError(path.string() + ": this is no file");
   std::array<char, 8> signature{};
   std::ifstream stream(path, std::ios::binary);

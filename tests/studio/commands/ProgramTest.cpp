@@ -20,7 +20,9 @@ TEST_F(ProgramTest, SaysItsVersionAndLicence) {
 
 TEST_F(ProgramTest, HelpIsGoodUsage) {
   EXPECT_EQ(run({"--help"}).exit_code, 0);
-  EXPECT_EQ(run({"run", "--help"}).exit_code, 0);
+  const ProgramEnd of_run = run({"run", "--help"});
+  EXPECT_EQ(of_run.exit_code, 0);
+  EXPECT_NE(of_run.output.find("--no-render  "), std::string::npos) << of_run.output;
   EXPECT_EQ(run({"golden", "approve", "--help"}).exit_code, 0);
 }
 

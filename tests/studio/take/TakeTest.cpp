@@ -248,6 +248,10 @@ TEST(TakeTest, SaysWhyItCouldNotBeWritten) {
 TEST(TakeTest, SaysThatThereIsNoFile) {
   const TemporaryFolder folder;
   EXPECT_EQ(complaint_about(folder / "none.h5"), (folder / "none.h5").string() + ": there is no such file");
+  write_bytes(folder / "stopped.unfinished.h5", "what a run that was stopped has left");
+  EXPECT_EQ(complaint_about(folder / "stopped.h5"), (folder / "stopped.h5").string() + ": there is no such file, but " +
+                                                        (folder / "stopped.unfinished.h5").string() +
+                                                        " of a run that was stopped, which can be shown");
   EXPECT_EQ(complaint_about(folder.path()), folder.path().string() + ": this is no file");
 }
 
