@@ -52,7 +52,8 @@ constexpr std::array kMeasured = {
     of_body(
         "gravity_energy", kEnergy, [](const Body& body) { return body.gravity; }, "stored in height"),
     of_body(
-        "viscous_energy", kEnergy, [](const Body& body) { return body.viscous; }, "spent by viscosity"),
+        "viscous_energy", kEnergy, [](const Body& body) { return body.viscous; },
+        "spent by viscosity, some of which a wall that is let go gives back"),
     of_body(
         "friction_energy", kEnergy, [](const Body& body) { return body.friction; }, "spent by friction"),
     of_body(
