@@ -23,10 +23,12 @@ constexpr BucklingPace kBuckling = {};
 }  // namespace
 
 bool Body::may_buckle(const EquilibriumProblem& problem) const {
-  // Inertia holds what motion leaves; flaps of a cut wall, and lips on needles, crumple without end.
+  // Inertia holds what motion leaves; flaps of a cut wall, and lips on needles, crumple without end; a hand does not
+  // wait.
+  const bool may_move = !has_inertia() && !snaps_ && !options_.extrapolates;
   const bool is_whole =
       !state_.cut.has_incised && !state_.cut.has_crumpled && !state_.cut.tool && problem.shafts.empty();
-  return !is_convex_ && !has_inertia() && !snaps_ && is_whole && !model_->has_open_chambers();
+  return !is_convex_ && may_move && is_whole && !model_->has_open_chambers();
 }
 
 bool Body::find_buckled(EquilibriumProblem& problem, EquilibriumState& trial) {
