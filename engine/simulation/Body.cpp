@@ -298,13 +298,6 @@ double Body::smallest_unbooked_part(const BodyState& before, double largest_part
   return kSmallestUnbookedPart * (before.cut.has_incised ? 1 : largest_part) * (jumps_held ? kSmallerWhereHeld : 1);
 }
 
-void Body::give_up() const {
-  const bool is_held_all_over = std::ranges::all_of(model_->fixed, [](char fixed) { return fixed != 0; });
-  throw SimulationFailure("body `" + model_->definition.name + "`: " + failure_ + ", also with the step divided " +
-                          std::to_string(report_.halvings) + " times" +
-                          (is_held_all_over ? "; `fixed` holds all of it, so that nothing gives way to a tool" : ""));
-}
-
 bool Body::takes_back_driven(BodyState& before) {
   if (!mark_driving(state_.cut, before.cut)) return false;
   // Again without what drove the wall: a cut that opens by itself is free, and its energy a motion.
@@ -357,7 +350,7 @@ void Body::advance_in_parts(const BodyState& start, std::span<const ToolPose> be
       }
       step.divide();
       ++report_.halvings;
-      if (++failed > options_.maximum_halvings || report_.halvings > kMostHalvings) give_up();
+      if (++failed > options_.maximum_halvings || report_.halvings > kMostHalvings || is_spent()) give_up();
       continue;
     }
     failed = 0;

@@ -189,6 +189,7 @@ class Body {
                         double duration, const BodyInput& input);
   /// Takes a step back in which lips came to drive the wall; they are marked in `before`, where the body is then.
   bool takes_back_driven(BodyState& before);
+  bool is_spent() const { return report_.newton_iterations > options_.maximum_step_iterations; }
   [[noreturn]] void give_up() const;
   EquilibriumProblem make_problem(std::span<const ToolPose> end, double duration, const BodyInput& input) const;
   void add_fluids(double duration, const BodyInput& input, EquilibriumProblem& problem) const;

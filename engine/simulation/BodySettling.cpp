@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -70,6 +71,9 @@ constexpr int kWeightParts = 8;
 /// Multiple of the rest volume beyond which a body under a given pressure has burst: past its limit point a wall under
 /// constant pressure grows without end.
 constexpr double kBurstVolume = 30;
+
+/// The same from which on a body in motion that cannot be solved is taken to burst.
+constexpr double kBlownUpVolume = 3;
 
 }  // namespace
 
@@ -253,6 +257,21 @@ std::string Body::describe_failure() const {
   if (has_weight) message << "lighter contents (`density`), or hold more of the body (`fixed`), ";
   message << "or a thicker or stiffer wall";
   return message.str();
+}
+
+void Body::give_up() const {
+  const bool is_held_all_over = std::ranges::all_of(model_->fixed, [](char fixed) { return fixed != 0; });
+  const double grown = model_->has_fluid() ? state_.volume.sum() / model_->rest_volume : 1;
+  std::ostringstream message;
+  message << "body `" << model_->definition.name << "`: " << failure_ << ", also with the step divided "
+          << report_.halvings << " times";
+  if (is_spent()) message << ", in " << report_.newton_iterations << " iterations in all";
+  if (is_held_all_over) message << "; `fixed` holds all of it, so that nothing gives way to a tool";
+  if (grown > kBlownUpVolume) {
+    message << "; it has grown to " << std::fixed << std::setprecision(1) << grown
+            << " times its volume, and a wall holds only so much pressure";
+  }
+  throw SimulationFailure(message.str());
 }
 
 void Body::settle(std::vector<double> load_factors) {

@@ -18,6 +18,9 @@ struct SimulationOptions {
   bool extrapolates = false;
   int maximum_iterations = 60;  // Newton iterations before a step is halved
   int maximum_halvings = 10;    // how often in a row a step may be halved before the run fails
+  // All Newton iterations of a step and its parts after which one that still cannot be solved fails the run. Steps that
+  // come to an end have been seen to take some ten thousand.
+  int maximum_step_iterations = 40'000;
   // Called before each iteration. It may throw to end a long solution; the body is not to be used after that.
   std::function<void()> between_iterations = {};
 };

@@ -131,5 +131,43 @@ TEST(Robustness, OrdinaryBodiesDrawnAtRandomAreAllPalpated) {
   std::printf("%d of %d bodies failed; %d steps, %d halvings\n", failed, kBodies, steps, halvings);
 }
 
+/// Why a body that is blown up to a pressure above what its wall bears fails.
+std::string end_of_burst(SimulationOptions options) {
+  BodyDefinition definition = make_body(make_sphere(20e-3, 80), 1e-3, neo_hookean(20e3));
+  definition.fluid.initial_pressure = 300;
+  Body body(definition, {}, options);
+  body.settle();
+  try {
+    // Balloons of that wall bear 1240 Pa (0.62 of 2 mu h / R).
+    for (double pressure = 400; pressure < 5e3; pressure += 100) {
+      body.advance({}, {}, 10e-3, {.load_factors = {}, .fluids = {{.pressure = pressure}}});
+    }
+  } catch (const SimulationFailure& failure) {
+    return failure.what();
+  }
+  return "it did not fail";
+}
+
+TEST(Robustness, ABodyThatBurstsInMotionIsSaidToHaveGrown) {
+  const std::string reason = end_of_burst(dynamic());
+  EXPECT_NE(reason.find("; it has grown to "), std::string::npos) << reason;
+  EXPECT_NE(reason.find(" times its volume, and a wall holds only so much pressure"), std::string::npos) << reason;
+}
+
+TEST(Robustness, AStepThatTakesTooManyIterationsIsGivenUp) {
+  SimulationOptions options = dynamic();
+  const auto divisions = [&] {
+    const std::string reason = end_of_burst(options), words = "with the step divided ";
+    const std::size_t at = reason.find(words);
+    return at == std::string::npos ? 0 : std::stoi(reason.substr(at + words.size()));
+  };
+  const int all = divisions();
+  options.maximum_step_iterations = 100;
+  const int few = divisions();
+  EXPECT_GT(few, 0);
+  EXPECT_LT(few, all);
+  EXPECT_NE(end_of_burst(options).find(" iterations in all"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace thinwall
