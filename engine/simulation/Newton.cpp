@@ -307,8 +307,7 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
     }
     if (result.iterations == most) {
       if (is_solved(residual, scale, options.takes_flaps, options)) return solved(true, result);
-      const std::string iterations = std::to_string(options.maximum_iterations);
-      return failed(obstructed("no convergence within " + iterations + " iterations"), result);
+      return failed(obstructed("no convergence within " + std::to_string(most) + " iterations"), result);
     }
     keeps_factor_ = may_keep_factor(problem, residual, options.tolerance * scale, scale, progress);
     progress.kept = keeps_factor_ ? progress.kept + 1 : 0;

@@ -249,7 +249,6 @@ WoundLayout lay_out_wounds(const SnapshotTopology& topology, std::span<const Bor
                      .fall = std::vector<double>(is_lip.size(), 0),
                      .blood_runs = find_runs(topology, borders, is_lip, down, kBloodSpacing, kLongestRun),
                      .fluid_runs = find_runs(topology, borders, is_lip, down, kFluidSpacing, kLongestRun)};
-  layout.fringe = fringe_mesh(topology, borders, is_lip, layout.map);
   for (const auto& [start, end, triangle] : borders) {
     if (!is_lip[start] || !is_lip[end]) continue;
     const Vector3 a = vector3(topology.rest_positions[start]), b = vector3(topology.rest_positions[end]);

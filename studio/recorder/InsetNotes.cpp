@@ -5,19 +5,15 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
-#include <string_view>
 #include <utility>
 
 #include "renderer/picture/Camera.hpp"
+#include "renderer/picture/CornerWords.hpp"
 #include "renderer/picture/PictureLayout.hpp"
 #include "renderer/picture/SceneExtent.hpp"
 
 namespace thinwall {
 namespace {
-
-constexpr std::array kCorners{PictureCorner::kUpperLeft, PictureCorner::kUpperRight, PictureCorner::kLowerLeft,
-                              PictureCorner::kLowerRight};
-constexpr std::array<std::string_view, 4> kWords{"upper_left", "upper_right", "lower_left", "lower_right"};
 
 bool touches(const SnapshotTool& tool) {
   return std::ranges::any_of(tool.force, [](double part) { return part != 0; });
@@ -55,12 +51,12 @@ void InsetNotes::see(const Snapshot& snapshot, const Shot& shot, ImageSize size)
   for (const SnapshotTool& tool : snapshot.tools) {
     const auto pixel = camera.pixel(vector3(tool.tip), main);
     if (!touches(tool) || !pixel) continue;
-    for (std::size_t k = 0; k < kCorners.size(); ++k) {
+    for (std::size_t k = 0; k < kCornerWords.size(); ++k) {
       Shot placed = shot;
-      placed.corner = kCorners[k];
+      placed.corner = static_cast<PictureCorner>(k);
       if (!holds(inset_box(placed, size), *pixel)) continue;
       is_free_[k] = false;
-      if (kCorners[k] == shot.corner) covered_since_.try_emplace(tool.name, snapshot.time);
+      if (placed.corner == shot.corner) covered_since_.try_emplace(tool.name, snapshot.time);
     }
   }
 }
@@ -70,7 +66,7 @@ std::vector<std::string> InsetNotes::notes() const {
   const std::string cure =
       free == is_free_.end()
           ? "no corner is free; another `camera`, or `beside`, shows both"
-          : fmt::format("`corner: {}` leaves it free", kWords[static_cast<std::size_t>(free - is_free_.begin())]);
+          : fmt::format("`corner: {}` leaves it free", kCornerWords[static_cast<std::size_t>(free - is_free_.begin())]);
   std::vector<std::string> notes;
   for (const auto& [tool, time] : covered_since_) {
     notes.push_back(fmt::format(

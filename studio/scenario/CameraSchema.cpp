@@ -1,3 +1,4 @@
+#include "renderer/picture/CornerWords.hpp"
 #include "studio/scenario/SchemaSections.hpp"
 
 namespace thinwall {
@@ -168,7 +169,7 @@ ValueSchema cuts_schema() {
       {"camera", name_value(), false, "main", "which of `cameras`; `main` is `camera` itself"},
       {"beside", name_value(), false, {}, "the camera of the right half, `camera` having the left"},
       {"inset", name_value(), false, {}, "the camera of a small picture in a corner"},
-      {"corner", word_value({"upper_left", "upper_right", "lower_left", "lower_right"}), false, "upper_right",
+      {"corner", word_value({kCornerWords.begin(), kCornerWords.end()}), false, "upper_right",
        "where the small picture is"},
   };
   return list_value(mapping_value({cut}));

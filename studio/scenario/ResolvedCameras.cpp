@@ -1,7 +1,9 @@
 #include "studio/scenario/ResolvedCameras.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "renderer/picture/CornerWords.hpp"
 #include "studio/scenario/ResolvedValues.hpp"
 
 namespace thinwall {
@@ -57,9 +59,7 @@ CameraDefinition to_camera(const Json& camera) {
 }
 
 PictureCorner to_corner(const std::string& word) {
-  if (word == "upper_left") return PictureCorner::kUpperLeft;
-  if (word == "lower_left") return PictureCorner::kLowerLeft;
-  return word == "lower_right" ? PictureCorner::kLowerRight : PictureCorner::kUpperRight;
+  return static_cast<PictureCorner>(std::ranges::find(kCornerWords, word) - kCornerWords.begin());
 }
 
 CameraCut to_cut(const Json& cut) {

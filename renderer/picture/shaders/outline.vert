@@ -10,7 +10,7 @@ layout(location = 0) flat out vec4 window_line;  // both ends, pixels
 
 vec2 window(vec4 clip) { return (0.5 + 0.5 * clip.xy / clip.w) / vec2(ray_right.w, ray_up.w); }
 
-/// `end_point`, or where the line from it to `other` comes to be `front` metres before the camera.
+// `end_point`, or where the line from it to `other` comes to be `front` metres before the camera.
 vec3 before_camera(vec3 end_point, vec3 other, float front) {
   float own = (view_projection * vec4(end_point, 1.0)).w, others = (view_projection * vec4(other, 1.0)).w;
   return own >= front || others <= front ? end_point : mix(end_point, other, (front - own) / (others - own));

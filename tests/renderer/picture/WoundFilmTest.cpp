@@ -16,7 +16,9 @@ struct Wound {
   explicit Wound(double steepness) : sheet(test::slit_sheet(20, 0.001, steepness)) {
     borders = border_edges(*sheet.topology);
     pieces = drawn_pieces(sheet, drawn_topology(sheet.topology, DrawnEdges::kStraight), sheet);
-    layout = lay_out_wounds(*sheet.topology, borders, cut_lips(*sheet.topology, borders), {0, 0, -1});
+    const std::vector<char> is_lip = cut_lips(*sheet.topology, borders);
+    layout = lay_out_wounds(*sheet.topology, borders, is_lip, {0, 0, -1});
+    layout.fringe = fringe_mesh(*sheet.topology, borders, is_lip, layout.map);
   }
   Film blood(double time, double bleeding = 1) const {
     return blood_film(sheet, borders, pieces, layout, {.strength = bleeding}, time);
