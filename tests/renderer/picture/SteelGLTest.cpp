@@ -174,8 +174,9 @@ double largest_stair_of_needle(double length) {
 }
 
 TEST(Steel, HasSmoothOutlinesWhereItReachesPastTheCamera) {
-  EXPECT_LT(largest_stair_of_needle(0.03), 0.3);
-  EXPECT_LT(largest_stair_of_needle(0.3), 0.3) << "its upper end lies behind the camera";
+  // 0.29 and 0.31 were seen on two drivers, 1.1 where a line with one end behind the camera is left out.
+  EXPECT_LT(largest_stair_of_needle(0.03), 0.5);
+  EXPECT_LT(largest_stair_of_needle(0.3), 0.5) << "its upper end lies behind the camera";
 }
 
 /// The back of a blade that is narrower than a pixel is as even as the broad side beside it.
