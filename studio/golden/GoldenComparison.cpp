@@ -94,7 +94,7 @@ void judge(GoldenResult& result, const GoldenDefinition& definition, const Image
   result.rung = comparison.rung;
   result.message = comparison.verdict;
   result.outcome = comparison.within ? GoldenOutcome::kOk : GoldenOutcome::kFailed;
-  result.difference = compare_images(golden, today, static_cast<int>(definition.max));
+  result.difference = compare_images(golden, today, counted_level(definition));
   if (result.difference.verdict != ImageVerdict::kDifferent) return;
   result.drift = comparison.drift;
   if (comparison.failing) result.failing = comparison.failing->fraction();
@@ -159,6 +159,27 @@ PictureLimits picture_limits(const GoldenDefinition& definition) {
           .tolerance = {.level = definition.level, .shift = definition.shift},
           .structure = definition.similarity,
           .flip = definition.flip};
+}
+
+GoldenDefinition between_drivers(GoldenDefinition definition) {
+  // Of 25 pictures that an NVIDIA H200 and llvmpipe had drawn of equal states the means differed by 0.047 levels, the
+  // colours by 0.0011, and 4 of 230 400 pixels by more than 8 levels at the most.
+  constexpr double kMean = 0.1;          // 8-bit levels
+  constexpr double kDrift = 0.002;       // relative
+  constexpr double kStrayPixels = 5e-5;  // fraction
+  constexpr double kLargest = 255;       // 8-bit levels
+  definition.mean = std::max(definition.mean, kMean);
+  definition.drift = std::max(definition.drift, kDrift);
+  if (!definition.failing) {
+    definition.failing = kStrayPixels;
+    definition.level = static_cast<int>(definition.max);
+  }
+  definition.max = kLargest;
+  return definition;
+}
+
+int counted_level(const GoldenDefinition& definition) {
+  return definition.failing ? definition.level : static_cast<int>(definition.max);
 }
 
 std::string limits_text(const GoldenDefinition& definition) {
@@ -229,11 +250,13 @@ GoldenResult compare_with_golden(const std::string& scenario, const GoldenDefini
     return result;
   }
   result.golden_driver = approval->driver;
-  judge(result, definition, approved_picture(*approval, folder), picture.image);
+  const bool same_driver = approval->driver == driver;
+  judge(result, same_driver ? definition : between_drivers(definition), approved_picture(*approval, folder),
+        picture.image);
   result.state = compare_with_approval(folder, *approval, picture);
   if (result.outcome == GoldenOutcome::kFailed) result.message += "; " + result.state.explanation;
   mention_lost_evidence(result, *approval, folder);
-  if (approval->driver != driver) {
+  if (!same_driver) {
     result.message += fmt::format("; approved on another driver ({}), so compared by tolerance", approval->driver);
   }
   return result;

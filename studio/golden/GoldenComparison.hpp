@@ -73,6 +73,13 @@ std::string moment_name(const GoldenResult& result);
 /// The limits of a golden as the ladder of comparisons has them.
 PictureLimits picture_limits(const GoldenDefinition& definition);
 
+/// The limits for a picture that another driver draws than the golden: where drivers round, a pixel in ten differs by a
+/// level or two, and along edges single pixels show what lies on the other side.
+GoldenDefinition between_drivers(GoldenDefinition definition);
+
+/// Pixels that differ by more are counted in what is told of a difference, 8-bit levels.
+int counted_level(const GoldenDefinition& definition);
+
 /// "largest 8, mean 0.2, drift 0.001", and what else is limited.
 std::string limits_text(const GoldenDefinition& definition);
 

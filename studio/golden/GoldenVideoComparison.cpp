@@ -109,7 +109,7 @@ class VideoComparer {
       const PictureComparison comparison = climb_ladder(approved, picture, options);
       if (comparison.difference.mean > worst) {
         worst = comparison.difference.mean;
-        result_.difference = compare_images(approved, picture, static_cast<int>(definition_.max));
+        result_.difference = compare_images(approved, picture, counted_level(definition_));
         result_.drift = comparison.drift;
         result_.rung = comparison.rung;
       }
@@ -179,7 +179,7 @@ class VideoComparer {
 
   double time_of(std::size_t frame) const { return static_cast<double>(frame) / golden_.video.frames_per_second; }
 
-  const GoldenDefinition& definition_;
+  const GoldenDefinition definition_;
   const GoldenVideoApproval& golden_;
   const RecordedVideo& today_;
   const std::filesystem::path& folder_;
@@ -228,11 +228,13 @@ VideoJudgement compare_with_golden_video(const std::string& scenario, const Gold
     return judgement;
   }
   result.golden_driver = golden->video.driver;
+  const bool same_driver = golden->video.driver == recorded.video.driver;
   result.rung = "bytes";
   VideoFindings found;
   try {
     refuse_exchanged_pictures(*golden, folder);
-    found = VideoComparer(definition, *golden, recorded, folder, result).compare();
+    found = VideoComparer(same_driver ? definition : between_drivers(definition), *golden, recorded, folder, result)
+                .compare();
   } catch (const ImageUnreadable& error) {
     throw damaged_golden(error.what());
   }
@@ -246,7 +248,7 @@ VideoJudgement compare_with_golden_video(const std::string& scenario, const Gold
     judgement.attribution = attribute_video(golden->video, recorded.video, found);
     result.message = one_after_the_other(found.all());
   }
-  if (golden->video.driver != recorded.video.driver) {
+  if (!same_driver) {
     result.message += fmt::format("; approved on another driver ({}), so compared by tolerance", golden->video.driver);
   }
   return judgement;

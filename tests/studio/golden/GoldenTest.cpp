@@ -204,6 +204,26 @@ TEST_F(GoldenTest, ADriverThatIsNotKnownIsComparedByToleranceAndSaysSo) {
       << result.message;
 }
 
+TEST_F(GoldenTest, AnotherDriverMayRoundOtherwiseAndDrawSinglePixelsOfEdgesOtherwise) {
+  Scenario scenario = example();
+  scenario.record.size = {.width = 320, .height = 240};
+  scenario.goldens[0].mean = 0.01;
+  const GoldenPictures approved = golden_pictures(scenario, synthetic(), flat_painters());
+  const auto outcome = [&](const char* driver, std::size_t rounded, std::size_t stray) {
+    renew_golden(scenario, approved.pictures[0], driver, folder_ / driver, "someone", "it is right");
+    GoldenPicture picture = approved.pictures[0];
+    for (std::size_t i = 0; i < rounded; ++i) picture.image.pixels[9 * i] ^= 1;
+    for (std::size_t i = 0; i < stray; ++i) picture.image.pixels[30 * i + 1] ^= 64;
+    return compare_with_golden("sheet", scenario.goldens[0], picture, approved.driver, folder_ / driver).outcome;
+  };
+  // Of 76 800 pixels 3 are 4e-5, 4 more than 5e-5; of 230 400 levels 20 000 are 0.087, 24 000 more than 0.1.
+  EXPECT_EQ(outcome("another painter 0.9", 20000, 3), GoldenOutcome::kOk);
+  EXPECT_EQ(outcome("another painter 0.9", 20000, 4), GoldenOutcome::kFailed);
+  EXPECT_EQ(outcome("another painter 0.9", 24000, 0), GoldenOutcome::kFailed);
+  EXPECT_EQ(outcome("flat painter 1.0", 0, 1), GoldenOutcome::kFailed);
+  EXPECT_EQ(outcome("flat painter 1.0", 20000, 0), GoldenOutcome::kFailed);
+}
+
 TEST_F(GoldenTest, EachDriverHasItsOwnGolden) {
   approve("another painter 0.9");
   approve();
