@@ -240,10 +240,7 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
     if (problem.attachments.size() != state_.attachments.size()) state_.previous_step = 0;
     if (has_inertia()) add_inertia(duration, problem);
     trial = state_.equilibrium;
-    if (has_inertia()) {
-      const Eigen::VectorXd motion = duration * state_.velocity;
-      trial.position += newton_->safe_fraction(trial.position, motion) * motion;
-    }
+    if (has_inertia()) begin_as_moving(duration, problem, trial);
     const bool goes_on = last_step_ && begin_as_extrapolated(begin, end, problem, trial);
     if (foresight_ && !goes_on) begin_as_foreseen(begin, end, problem, trial);
     if (!solve_with_leaks(problem, trial, begin, duration)) return false;

@@ -252,6 +252,8 @@ class Body {
   bool catch_passed_edges(EquilibriumProblem& problem, const Eigen::VectorXd& position) const;
   void prepare_cutting();
   void find_forces(std::span<const ToolPose> poses);
+  /// Begins on the way that the wall was last on, where least is missed.
+  void begin_as_moving(double duration, EquilibriumProblem& problem, EquilibriumState& trial) const;
   void begin_as_foreseen(std::span<const ToolPose> begin, std::span<const ToolPose> end, EquilibriumProblem& problem,
                          EquilibriumState& trial) const;
   /// Begins where the last step leads on to, as far as the tools go on as they did in it; false where they do not.

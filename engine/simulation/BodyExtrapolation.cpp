@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/simulation/Body.hpp"
 
@@ -11,6 +12,14 @@ constexpr double kFarthest = 2;
 
 /// Cosine of the angle by which tools may turn aside and still go on as they did.
 constexpr double kStraight = 0.7;
+
+/// Parts of its last way by which a wall with inertia may go on, tried as long as they miss less. Lips that have just
+/// been cut, and a wall that a tool has just met or left, do not go on as they did.
+constexpr double kGoingOn[] = {1, 0.5, 0};
+
+/// Part of its mean velocity in the last step that may be other than the velocity before, and the wall still goes on as
+/// it did: to try what else it might do takes up to a third as long as an iteration.
+constexpr double kSteady = 0.25;
 
 /// By which part of their last way tools go on; nothing where they turn aside.
 double going_on(std::span<const ToolPose> begin, std::span<const ToolPose> end,
@@ -25,6 +34,31 @@ double going_on(std::span<const ToolPose> begin, std::span<const ToolPose> end,
 }
 
 }  // namespace
+
+void Body::begin_as_moving(double duration, EquilibriumProblem& problem, EquilibriumState& trial) const {
+  const Eigen::VectorXd start = trial.position;
+  const auto part_of_way = [&](const Eigen::VectorXd& velocity) {
+    const Eigen::VectorXd motion = duration * velocity;
+    return Eigen::VectorXd(newton_->safe_fraction(start, motion) * motion);
+  };
+  Eigen::VectorXd mean = state_.velocity;
+  if (state_.previous_step > 0) mean = (start - state_.previous_position) / state_.previous_step;
+  const bool is_steady = state_.previous_step == 0 || (mean - state_.previous_velocity).norm() <= kSteady * mean.norm();
+  const Eigen::VectorXd motion = part_of_way(is_steady ? state_.velocity : mean);
+  if (is_steady) {
+    trial.position += motion;
+    return;
+  }
+  EquilibriumState tried = trial;
+  double least = std::numeric_limits<double>::infinity();
+  for (const double part : kGoingOn) {
+    tried.position = start + part * motion;
+    const double missed = newton_->missed(problem, tried);
+    if (!(missed < least)) break;
+    least = missed;
+    trial.position = tried.position;
+  }
+}
 
 void Body::note_last_step(std::span<const ToolPose> begin, std::span<const ToolPose> end) {
   // The memory of the step before is used again.

@@ -266,7 +266,13 @@ NewtonResult Newton::solve(EquilibriumProblem& problem, EquilibriumState& state,
   return result;
 }
 
-bool Newton::begin(EquilibriumProblem& problem, EquilibriumState& state) {
+double Newton::missed(EquilibriumProblem& problem, EquilibriumState& state) {
+  if (!begin(problem, state, false)) return std::numeric_limits<double>::infinity();
+  compute_residual(problem, state, terms_, trial_residual_);
+  return trial_residual_.measure;
+}
+
+bool Newton::begin(EquilibriumProblem& problem, EquilibriumState& state, bool with_hessian) {
   foreseen_stress_.clear();
   if (problem.start.size() == 0) problem.start = state.position;
   state.pressure.conservativeResizeLike(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(problem.fluids.size())));
@@ -274,7 +280,7 @@ bool Newton::begin(EquilibriumProblem& problem, EquilibriumState& state) {
     if (!problem.fluids[c].is_multiplier()) state.pressure[c] = problem.fluids[c].pressure;
   }
   if (state.rigid_reaction.size() != rigid_columns_.cols()) state.rigid_reaction.setZero(rigid_columns_.cols());
-  evaluate_all(problem, state, true, terms_);
+  evaluate_all(problem, state, with_hessian, terms_);
   return std::isfinite(terms_.elastic);
 }
 
@@ -290,7 +296,7 @@ double Newton::note_residual(const EquilibriumProblem& problem, const Equilibriu
 NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options,
                              bool foresees) {
   NewtonResult result;
-  if (!begin(problem, state)) return failed("the wall is stretched beyond its law", result);
+  if (!begin(problem, state, true)) return failed("the wall is stretched beyond its law", result);
   Residual residual;
   Step step;
   double shift = 0, first_scale = 0;

@@ -105,6 +105,10 @@ class Newton {
   /// the best one reached.
   NewtonResult solve(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options);
 
+  /// What a state misses of an equilibrium, newton, by the measure in which steps are to lower it; infinite where the
+  /// wall is stretched beyond its law.
+  double missed(EquilibriumProblem& problem, EquilibriumState& state);
+
   /// Terms at a state, without solving.
   void look(const EquilibriumProblem& problem, const EquilibriumState& state) {
     evaluate_all(problem, state, false, terms_);
@@ -225,7 +229,7 @@ class Newton {
   Newton(const BodyModel& model, CarriedParts parts);
   static CarriedParts carried_parts(const BodyModel& model, const Newton& before, const Eigen::VectorXd& position);
   /// Completes the unknowns and evaluates there; false where the wall is beyond its law.
-  bool begin(EquilibriumProblem& problem, EquilibriumState& state);
+  bool begin(EquilibriumProblem& problem, EquilibriumState& state, bool with_hessian);
   NewtonResult iterate(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options,
                        bool foresees);
   /// What is left where `terms_` were found, and gives the scale of the forces there, newton.

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "engine/mesh/Shapes.hpp"
@@ -209,6 +210,34 @@ TEST(Newton, SaysWhyItStoppedAndLeavesTheBestStateReached) {
   EXPECT_FALSE(result.converged);
   EXPECT_EQ(result.reason, "no convergence within 1 iterations");
   EXPECT_TRUE(state.position.allFinite());
+}
+
+TEST(Newton, MissesLessTheNearerAStateIsToEquilibriumAndWithoutBoundBeyondTheLaw) {
+  constexpr double kLimit = 30;  // of the first invariant less 3
+  BodyDefinition body = pressurised_hemisphere(64, 0);
+  body.materials = {{find_wall_law("gent"), {20e3, kLimit}}};
+  const BodyModel model = make_body_model(body);
+  Newton newton(model);
+  EquilibriumProblem problem;
+  problem.fluids = {{}};
+  problem.fluids[0].fluid_volume = 1.3 * model.rest_volume;
+  const EquilibriumState start{.position = model.rest_position, .pressure = {}, .rigid_reaction = {}};
+  EquilibriumState solution = start;
+  ASSERT_TRUE(newton.solve(problem, solution, {.tolerance = 1e-12, .maximum_iterations = 40}).converged);
+  const double scale = newton.terms().largest_force;
+  double before = std::numeric_limits<double>::infinity();
+  for (const double part : {0.25, 0.5, 0.75}) {
+    EquilibriumState state = solution;
+    state.position = start.position + part * (solution.position - start.position);
+    const double missed = newton.missed(problem, state);
+    EXPECT_LT(missed, before);
+    before = missed;
+  }
+  EXPECT_GT(before, 0.01 * scale);
+  EXPECT_LT(newton.missed(problem, solution), 1e-10 * scale);
+  EquilibriumState torn = solution;
+  torn.position *= 2 * std::sqrt(kLimit);
+  EXPECT_EQ(newton.missed(problem, torn), std::numeric_limits<double>::infinity());
 }
 
 TEST(Equilibrium, TermsAreTheSameWithoutTheHessian) {
