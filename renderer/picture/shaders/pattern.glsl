@@ -50,7 +50,8 @@ Vessels vessels_at(vec3 place, vec4 coarse, vec4 fine, vec4 broad, float footpri
   // Here they lie at the surface, there they go deeper, softer to the eye; where fields end close together, none is left.
   float up = smoothstep(-0.6, 0.5, 0.6 * broad.y + 0.4 * coarse.x);
   float blur = 0.5 * footprint, over_width = 1.0 / width;
-  float shown = (0.55 + 0.45 * up) * saturate(4.0 * room * vessels.y - 1.5);
+  float free_room = vessels.y * room_in_fork(room, apart);
+  float shown = (0.55 + 0.45 * up) * saturate(7.0 * free_room - 1.75);
   float out_there = abs(beside);
   // Here rather than where it is used: there llvmpipe takes 4 % longer for the tissue.
   float there = risen(out_there * over_width, up);
@@ -64,7 +65,8 @@ Vessels vessels_at(vec3 place, vec4 coarse, vec4 fine, vec4 broad, float footpri
                0.12 * coarse.w + 0.03 * fine.w;
   float end = (abs(inside) > apart ? 0.5 - apart : apart) * room;
   float left = saturate(1.0 - 1.2 * out_there / max(end, 1e-6));
-  there *= smoothstep(-0.35, 0.15, broad.x + 0.5 * coarse.z) * saturate(3.0 * left);
+  // Beside a vessel that thins out they would stand alone.
+  there *= smoothstep(-0.35, 0.15, broad.x + 0.5 * coarse.z) * saturate(3.0 * left) * saturate(12.0 * free_room - 4.3);
   float nearest = (fract(wave) - 0.5) / (kWaves * vessels.y);
   result.branches = there * vessel(nearest, tree_across.w * (0.14 + 0.28 * left), blur + 0.06 * tree_across.w);
   return result;

@@ -19,3 +19,8 @@ float turns(vec2 side, float over_sum) {
 // that lies (`up`: 0 deep, 1 at the surface), the farther the branch has to go before it is seen as well: beside a faint
 // vessel a red end would stand alone.
 float risen(float away, float up) { return saturate((away - 0.7) * mix(0.3, 2.0, up)); }
+
+// The room that a vessel has in fields that are `room` apart. One that has forked by `apart` of the field comes to 0.25 and
+// into fields of half the room, so it loses that all along: were it to find itself without where the fields change, it would
+// end as an arrowhead.
+float room_in_fork(float room, float apart) { return room * (1.0 - 2.0 * apart); }

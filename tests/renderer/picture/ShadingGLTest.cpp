@@ -148,6 +148,15 @@ TEST_F(Shading, ABranchOfADeepVesselComesUpAwayFromIt) {
   for (std::size_t k = 1; k < results.size(); ++k) EXPECT_LT(results[k][0] - results[k - 1][0], 0.2);
 }
 
+TEST_F(Shading, AVesselLosesItsRoomAllAlongAForkAndNotBehindIt) {
+  // By tenths of the way through a fork, and in the fields of half the room behind it.
+  const auto results = test::run_shader(
+      {"vessel.glsl"}, "result = vec4(index < 11 ? room_in_fork(2.0, 0.025 * float(index)) : room_in_fork(1.0, 0.0));",
+      12);
+  EXPECT_EQ(results[0][0], 2);
+  for (std::size_t k = 1; k < results.size(); ++k) EXPECT_NEAR(results[k][0], std::max(2 - 0.1 * double(k), 1.0), 1e-5);
+}
+
 TEST_F(Shading, AColourChartIsShownAsTheFilmCurveSays) {
   const auto results = test::run_shader({"tone.glsl"}, R"(
     vec3 patch_color = vec3(index % 4, (index / 4) % 4, index / 16) * vec3(0.6) + 0.01;
