@@ -11,7 +11,7 @@
 #include "studio/commands/Outcome.hpp"
 #include "studio/commands/SecondTake.hpp"
 #include "studio/recorder/FolderLock.hpp"
-#include "studio/recorder/InsetNotes.hpp"
+#include "studio/recorder/RecordingNotes.hpp"
 #include "studio/recorder/ResolvedPicture.hpp"
 #include "studio/scenario/LoadScenario.hpp"
 #include "studio/take/TakeError.hpp"
@@ -104,7 +104,7 @@ int render_take(const RenderOptions& options) {
   refuse_folder_of_the_take(plan.folder, options.take);
   if (options.ground_truth) require_stress(take->moment(0).snapshot, options.take);
   const FolderLock lock(plan.folder);
-  RecordingReport report = record_noticing_insets(
+  RecordingReport report = record_with_notes(
       *source, plan, renderer_painters(options.device, settings.record.tier, settings.view, options.stats));
   const std::vector<std::string> early = early_ends(takes);
   report.warnings.insert(report.warnings.end(), early.begin(), early.end());

@@ -13,9 +13,9 @@
 #include "studio/recorder/FarPlaces.hpp"
 #include "studio/recorder/FolderLock.hpp"
 #include "studio/recorder/FontNotes.hpp"
-#include "studio/recorder/InsetNotes.hpp"
 #include "studio/recorder/Interruption.hpp"
 #include "studio/recorder/Painter.hpp"
+#include "studio/recorder/RecordingNotes.hpp"
 #include "studio/scenario/LateTimes.hpp"
 #include "studio/scenario/LoadScenario.hpp"
 
@@ -89,7 +89,7 @@ int run_scenario(const RunOptions& options) {
   const FolderLock lock(plan.folder);
   RecordedTakes takes = record_second_take(scenario, plan.folder);
   WatchedSource source(std::move(takes.source), scenario);
-  RecordingReport report = record_noticing_insets(
+  RecordingReport report = record_with_notes(
       source, plan, renderer_painters(options.device, scenario.record.tier, scenario.view, options.stats));
   if (!takes.failure.empty() && report.failure.empty()) report.failure = "the second take: " + takes.failure;
   return conclude({.command = "run",

@@ -3,9 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
-#include <memory>
-#include <utility>
 
 #include "renderer/picture/Camera.hpp"
 #include "renderer/picture/CornerWords.hpp"
@@ -15,42 +12,20 @@
 namespace thinwall {
 namespace {
 
-bool touches(const SnapshotTool& tool) {
-  return std::ranges::any_of(tool.force, [](double part) { return part != 0; });
-}
-
 bool holds(const PictureBox& box, const std::array<double, 2>& pixel) {
   return pixel[0] >= box.left && pixel[0] < box.left + box.size.width && pixel[1] >= box.top &&
          pixel[1] < box.top + box.size.height;
 }
 
-class NoticingPainter final : public Painter {
- public:
-  NoticingPainter(std::unique_ptr<Painter> painter, InsetNotes& notes, ImageSize size)
-      : painter_(std::move(painter)), notes_(notes), size_(size) {}
-
-  Image paint(const Snapshot& snapshot, const Shot& shot) override {
-    notes_.see(snapshot, shot, size_);
-    return painter_->paint(snapshot, shot);
-  }
-  std::string driver() const override { return painter_->driver(); }
-  std::vector<PassTime> pass_times() override { return painter_->pass_times(); }
-
- private:
-  std::unique_ptr<Painter> painter_;
-  InsetNotes& notes_;
-  ImageSize size_;
-};
-
 }  // namespace
 
 void InsetNotes::see(const Snapshot& snapshot, const Shot& shot, ImageSize size) {
-  if (!shot.inset || std::ranges::none_of(snapshot.tools, touches)) return;
+  if (!shot.inset || std::ranges::none_of(snapshot.tools, &SnapshotTool::touches)) return;
   const ImageSize main = main_box(shot, size).size;
   const Camera camera = resolve_camera(shot.camera, scene_extent(snapshot), main, snapshot.time);
   for (const SnapshotTool& tool : snapshot.tools) {
     const auto pixel = camera.pixel(vector3(tool.tip), main);
-    if (!touches(tool) || !pixel) continue;
+    if (!tool.touches() || !pixel) continue;
     for (std::size_t k = 0; k < kCornerWords.size(); ++k) {
       Shot placed = shot;
       placed.corner = static_cast<PictureCorner>(k);
@@ -74,17 +49,6 @@ std::vector<std::string> InsetNotes::notes() const {
         time, cure));
   }
   return notes;
-}
-
-RecordingReport record_noticing_insets(MomentSource& source, const RecordingPlan& plan,
-                                       const PainterFactory& painters) {
-  InsetNotes noticed;
-  const PainterFactory noticing = [&](ImageSize size) {
-    return std::make_unique<NoticingPainter>(painters(size), noticed, size);
-  };
-  RecordingReport report = record(source, plan, noticing);
-  std::ranges::copy(noticed.notes(), std::back_inserter(report.warnings));
-  return report;
 }
 
 }  // namespace thinwall

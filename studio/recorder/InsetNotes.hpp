@@ -7,7 +7,7 @@
 
 #include "renderer/image/Image.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
-#include "studio/recorder/Recorder.hpp"
+#include "studio/recorder/Painter.hpp"
 
 namespace thinwall {
 
@@ -25,8 +25,5 @@ class InsetNotes {
   std::map<std::string, double> covered_since_;             // seconds, by tool
   std::array<bool, 4> is_free_ = {true, true, true, true};  // corners, as PictureCorner counts them
 };
-
-/// `record`, with what InsetNotes tells among the warnings.
-RecordingReport record_noticing_insets(MomentSource& source, const RecordingPlan& plan, const PainterFactory& painters);
 
 }  // namespace thinwall

@@ -1,0 +1,83 @@
+#include "studio/recorder/HiddenToolNotes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <span>
+
+#include "renderer/annotation/MaterialPoint.hpp"
+#include "renderer/picture/Camera.hpp"
+#include "renderer/picture/PictureLayout.hpp"
+#include "renderer/picture/SceneExtent.hpp"
+
+namespace thinwall {
+namespace {
+
+/// On the tool, where it comes out of the wall that it dents or has gone into, metres.
+Vector3 place_above_wall(const SnapshotTool& tool) {
+  constexpr double kLeast = 1e-3;
+  const double back = std::max(tool.depth, 0.0) + std::max(tool.radius, kLeast);
+  return vector3(tool.tip) - back * vector3(tool.direction);
+}
+
+/// The first of the free sides that have the most free ones beside them; nothing where none is free.
+std::optional<std::size_t> most_open(std::span<const bool> is_free) {
+  const std::size_t count = is_free.size();
+  std::optional<std::size_t> best;
+  int most = -1;
+  for (std::size_t side = 0; side < count; ++side) {
+    const int beside = is_free[(side + 1) % count] + is_free[(side + count - 1) % count];
+    if (!is_free[side] || beside <= most) continue;
+    best = side;
+    most = beside;
+  }
+  return best;
+}
+
+}  // namespace
+
+/// Round the scene, as steeply down as a camera looks of which nothing is told.
+Double3 HiddenToolNotes::facing(std::size_t side) {
+  constexpr double kDown = 0.54;  // sine of 33 degrees
+  const double azimuth = 2 * std::numbers::pi * static_cast<double>(side) / kSides;
+  const double level = std::sqrt(1 - kDown * kDown);
+  return {level * std::cos(azimuth), level * std::sin(azimuth), -kDown};
+}
+
+void HiddenToolNotes::see(const Snapshot& snapshot, const Shot& shot, ImageSize size) {
+  if (std::ranges::none_of(snapshot.tools, &SnapshotTool::touches)) return;
+  const SceneExtent extent = scene_extent(snapshot);
+  const Vector3 eye = resolve_camera(shot.camera, extent, main_box(shot, size).size, snapshot.time).position;
+  for (const SnapshotTool& tool : snapshot.tools) {
+    if (!tool.touches()) continue;
+    Touching& touching = by_tool_.try_emplace(tool.name, Touching{.since = snapshot.time}).first->second;
+    if (touching.was_seen) continue;
+    const Vector3 place = place_above_wall(tool);
+    touching.was_seen = shot.beside || shot.inset || !is_hidden(place, eye, snapshot);
+    for (std::size_t side = 0; side < kSides && !touching.was_seen; ++side) {
+      const Vector3 from_there = place - 2 * extent.size * vector3(facing(side));
+      touching.is_free[side] = touching.is_free[side] && !is_hidden(place, from_there, snapshot);
+    }
+  }
+}
+
+std::vector<std::string> HiddenToolNotes::notes() const {
+  std::vector<std::string> notes;
+  for (const auto& [tool, touching] : by_tool_) {
+    if (touching.was_seen) continue;
+    std::string cure = "another `position`, or `facing` from above or below, may show it";
+    if (const std::optional<std::size_t> side = most_open(touching.is_free)) {
+      const auto [x, y, z] = facing(*side);
+      cure = fmt::format("without `position` and with `facing: [{:.2f}, {:.2f}, {:.2f}]` it shows it", x, y, z);
+    }
+    notes.push_back(
+        fmt::format("camera: a wall hides where tool `{}` touches in all pictures of that, from {:.4g} s on; {}", tool,
+                    touching.since, cure));
+  }
+  return notes;
+}
+
+}  // namespace thinwall

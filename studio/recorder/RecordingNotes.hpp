@@ -1,0 +1,10 @@
+#pragma once
+
+#include "studio/recorder/Recorder.hpp"
+
+namespace thinwall {
+
+/// `record`, with what is noticed in its pictures among the warnings: see InsetNotes and HiddenToolNotes.
+RecordingReport record_with_notes(MomentSource& source, const RecordingPlan& plan, const PainterFactory& painters);
+
+}  // namespace thinwall
