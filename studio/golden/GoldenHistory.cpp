@@ -116,9 +116,9 @@ double rounding_of_time(double time) {
   return kSameTime + 1e-8 * time;
 }
 
-/// " (+3.1 %)"
+/// " (+3.1 %)"; nothing of what was too small beside today's to be more than rounding.
 std::string percent_text(double before, double after) {
-  if (before == 0) return "";
+  if (std::abs(before) <= kRounding * std::abs(after)) return "";
   const double percent = 100 * (after - before) / std::abs(before);
   return std::abs(percent) < 99.5 ? fmt::format(" ({:+.2g} %)", percent) : fmt::format(" ({:+.0f} %)", percent);
 }

@@ -90,6 +90,12 @@ TEST(GoldenHistory, WhatEndsAsBeforeIsToldOfTheStepWhereItDiffersMost) {
   EXPECT_NE(change.sentence.find("; at 0.12 s the force of probe is"), std::string::npos) << change.sentence;
 }
 
+TEST(GoldenHistory, NoPartsAreTakenOfWhatWasRounding) {
+  const HistoryChange change = compare_histories(history(20, 1e-13), history(20));
+  EXPECT_NE(change.sentence.find("instead of 5.7e-14 N"), std::string::npos) << change.sentence;
+  EXPECT_EQ(change.sentence.find(" %)"), std::string::npos) << change.sentence;
+}
+
 TEST(GoldenHistory, RoundingOfOtherMachinesIsNoChange) {
   EXPECT_FALSE(compare_histories(history(20), history(20, 1 + 1e-7)).changed);
   EXPECT_TRUE(compare_histories(history(20), history(20, 1 + 1e-4)).changed);
