@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "renderer/image/Folder.hpp"
 #include "renderer/image/WholeFile.hpp"
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/ExitCode.hpp"
@@ -163,6 +164,8 @@ std::filesystem::path write_report(const std::vector<JudgedScenario>& all, const
 int test_goldens(const GoldenOptions& options) {
   const NamedGoldens named = named_goldens(options.scenarios);
   const FolderLock lock(options.out);
+  // Before the comparison, so that a folder that cannot be made is told at once.
+  if (options.junit.has_parent_path()) make_folder(options.junit.parent_path());
   const std::vector<JudgedScenario> all = judge_and_print(named, options);
   const int code = exit_code(counts(all));
   if (!options.junit.empty()) write_whole_file(options.junit, junit_report(all));

@@ -116,9 +116,12 @@ TEST_F(ProgramGLTest, AScenarioThatCannotBeReadIsBrokenAndStopsNoOther) {
     EXPECT_NE(file_bytes(folder_ / "out/golden/index.html").find("bad as a whole"), std::string::npos);
   }
   EXPECT_EQ(run({"golden", "approve", "small", "bad", "--why", "again"}).exit_code, 2);
-  const ProgramEnd alone = run({"golden", "test", "bad", "--junit", "alone.xml"});
+  const ProgramEnd alone = run({"golden", "test", "bad", "--junit", "build/results/alone.xml"});
   EXPECT_EQ(alone.exit_code, 2);
-  EXPECT_NE(file_bytes(folder_ / "alone.xml").find("errors=\"1\""), std::string::npos) << alone.messages;
+  EXPECT_NE(file_bytes(folder_ / "build/results/alone.xml").find("errors=\"1\""), std::string::npos) << alone.messages;
+  const ProgramEnd nowhere = run({"golden", "test", "small", "--junit", "junit.xml/j.xml"});
+  EXPECT_EQ(nowhere.exit_code, 4);
+  EXPECT_EQ(nowhere.messages.find("ok: small"), std::string::npos) << "it is told at once";
 }
 
 TEST_F(ProgramGLTest, GoldensThatNoScenarioAsksForAnyMoreAreToldAndFailNothing) {
