@@ -102,6 +102,19 @@ void write_difference(const FileComparison& file, const std::filesystem::path& t
   write_png(to, *file.heat);
 }
 
+FileComparison compare_folder_with_file(const CompareOptions& options) {
+  FileComparison result{.first = options.first, .second = options.second, .kind = "folder and file"};
+  for (const std::filesystem::path& path : {options.first, options.second}) {
+    if (std::filesystem::exists(path)) continue;
+    result.outcome = FileOutcome::kUnreadable;
+    result.verdict = "cannot read " + path.string() + ": no such file or folder";
+    return result;
+  }
+  result.outcome = FileOutcome::kDiffers;
+  result.verdict = "a folder and a file cannot be equal";
+  return result;
+}
+
 int compare_two_folders(const CompareOptions& options) {
   const std::vector<FileComparison> files = compare_folders(options.first, options.second, options.comparison);
   if (files.empty()) throw UsageError("both folders are empty, so there is nothing to compare");
@@ -131,14 +144,9 @@ int compare_two_folders(const CompareOptions& options) {
 int compare(const CompareOptions& options) {
   const bool folders[] = {std::filesystem::is_directory(options.first), std::filesystem::is_directory(options.second)};
   if (folders[0] && folders[1]) return compare_two_folders(options);
-  if (folders[0] != folders[1]) {
-    for (const auto& path : {options.first, options.second}) {
-      if (!std::filesystem::exists(path)) throw UsageError("cannot read " + path.string() + ": no such file or folder");
-    }
-    fmt::print(stderr, "differs: a folder and a file cannot be equal\n");
-    return kExitRegression;
-  }
-  const FileComparison file = compare_files(options.first, options.second, options.comparison);
+  const FileComparison file = folders[0] != folders[1]
+                                  ? compare_folder_with_file(options)
+                                  : compare_files(options.first, options.second, options.comparison);
   print(file, false);
   if (options.difference) write_difference(file, *options.difference);
   const int code = exit_code({file});

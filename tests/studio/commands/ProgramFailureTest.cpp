@@ -73,6 +73,16 @@ TEST_F(ProgramTest, ResultsThatStandardOutputDoesNotTakeEndWith4) {
   }
 }
 
+TEST_F(ProgramTest, ToCompareAFolderWithAFileIsAVerdictInJsonToo) {
+  write_bytes(folder_ / "a.pfm", "PF\n1 1\n-1.0\n" + std::string(12, '\0'));
+  const ProgramEnd other_kind = run({"compare", "a.pfm", ".", "--json"});
+  EXPECT_EQ(other_kind.exit_code, 1);
+  EXPECT_EQ(nlohmann::json::parse(other_kind.output)["outcome"], "differs");
+  const ProgramEnd absent = run({"compare", ".", "none", "--json"});
+  EXPECT_EQ(absent.exit_code, 2);
+  EXPECT_EQ(nlohmann::json::parse(absent.output)["outcome"], "unreadable");
+}
+
 TEST_F(ProgramTest, ADeviceThatIsNotThereEndsWith4) {
   const ProgramEnd end = run({"run", "small.yaml", "--device", "99", "--out", "out"});
   EXPECT_EQ(end.exit_code, 4) << end.messages;
