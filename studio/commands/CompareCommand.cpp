@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <system_error>
+#include <vector>
 
 #include "renderer/image/Folder.hpp"
 #include "renderer/image/PngFile.hpp"
@@ -102,6 +104,19 @@ void write_difference(const FileComparison& file, const std::filesystem::path& t
   write_png(to, *file.heat);
 }
 
+/// A picture of the difference takes no place of what it is the difference of.
+void refuse_to_overwrite(const CompareOptions& options) {
+  if (!options.difference) return;
+  std::vector<std::filesystem::path> read = {options.first, options.second};
+  if (options.comparison.mask) read.push_back(*options.comparison.mask);
+  for (const std::filesystem::path& path : read) {
+    std::error_code absent;
+    if (!std::filesystem::equivalent(path, *options.difference, absent)) continue;
+    throw UsageError("--diff " + options.difference->string() +
+                     ": this is one of what is compared, and would be overwritten; choose another name");
+  }
+}
+
 FileComparison compare_folder_with_file(const CompareOptions& options) {
   FileComparison result{.first = options.first, .second = options.second, .kind = "folder and file"};
   for (const std::filesystem::path& path : {options.first, options.second}) {
@@ -142,6 +157,7 @@ int compare_two_folders(const CompareOptions& options) {
 }  // namespace
 
 int compare(const CompareOptions& options) {
+  refuse_to_overwrite(options);
   const bool folders[] = {std::filesystem::is_directory(options.first), std::filesystem::is_directory(options.second)};
   if (folders[0] && folders[1]) return compare_two_folders(options);
   const FileComparison file = folders[0] != folders[1]

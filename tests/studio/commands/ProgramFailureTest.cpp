@@ -83,6 +83,17 @@ TEST_F(ProgramTest, ToCompareAFolderWithAFileIsAVerdictInJsonToo) {
   EXPECT_EQ(nlohmann::json::parse(absent.output)["outcome"], "unreadable");
 }
 
+TEST_F(ProgramTest, APictureOfTheDifferenceOverwritesNothingThatIsCompared) {
+  const std::string black = "PF\n1 1\n-1.0\n" + std::string(12, '\0');
+  for (const char* name : {"a.pfm", "b.pfm"}) write_bytes(folder_ / name, black);
+  std::filesystem::create_symlink("b.pfm", folder_ / "link.pfm");
+  for (const char* name : {"a.pfm", "./b.pfm", "link.pfm"}) {
+    expect_bad_usage({"compare", "a.pfm", "b.pfm", "--diff", name}, "would be overwritten");
+  }
+  EXPECT_EQ(file_bytes(folder_ / "a.pfm"), black);
+  EXPECT_EQ(file_bytes(folder_ / "b.pfm"), black);
+}
+
 TEST_F(ProgramTest, ADeviceThatIsNotThereEndsWith4) {
   const ProgramEnd end = run({"run", "small.yaml", "--device", "99", "--out", "out"});
   EXPECT_EQ(end.exit_code, 4) << end.messages;
