@@ -6,9 +6,11 @@
 #include <cmath>
 #include <cstring>
 #include <future>
+#include <utility>
 
 #include "renderer/image/PngFile.hpp"
 #include "renderer/metric/ErrorPicture.hpp"
+#include "studio/comparison/IdNumbers.hpp"
 #include "studio/comparison/IdenticalPictures.hpp"
 #include "studio/comparison/PictureFile.hpp"
 #include "studio/comparison/VideoComparison.hpp"
@@ -118,15 +120,6 @@ void judge_high_range(FileComparison& result, const MediaFile& first, const Medi
 /// The channels that a layer has, of the three of its file.
 FloatImage layer_of(const MediaFile& file, LayerKind kind) {
   const int channels = layer_channels(kind);
-  if (file.kind == MediaKind::kPicture) {
-    // Ids are often kept as colours of a picture: the three of them make a number.
-    FloatImage ids{.size = file.image.size, .channels = 1, .values = {}};
-    for (std::size_t i = 0; i < file.image.pixels.size(); i += 3) {
-      ids.values.push_back(
-          static_cast<float>(file.image.pixels[i] + 256 * file.image.pixels[i + 1] + 65536 * file.image.pixels[i + 2]));
-    }
-    return ids;
-  }
   const FloatImage& from = file.numbers;
   if (from.channels == channels) return from;
   FloatImage layer{.size = from.size, .channels = channels, .values = {}};
@@ -135,6 +128,12 @@ FloatImage layer_of(const MediaFile& file, LayerKind kind) {
       layer.values.push_back(from.values[i + static_cast<std::size_t>(c % from.channels)]);
   }
   return layer;
+}
+
+std::optional<std::pair<FloatImage, FloatImage>> layers_of(const MediaFile& first, const MediaFile& second,
+                                                           LayerKind kind) {
+  if (first.kind == MediaKind::kPicture) return id_numbers(first, second);
+  return std::pair(layer_of(first, kind), layer_of(second, kind));
 }
 
 void judge_layers(FileComparison& result, const MediaFile& first, const MediaFile& second,
@@ -146,8 +145,14 @@ void judge_layers(FileComparison& result, const MediaFile& first, const MediaFil
     result.verdict = "a layer of " + result.kind + " has to be a file of floating-point numbers: EXR or PFM";
     return;
   }
-  const FloatImage layer = layer_of(first, choice.kind);
-  const FloatImage other = with_masked_numbers_of(layer_of(second, choice.kind), layer, mask);
+  const auto layers = layers_of(first, second, choice.kind);
+  if (!layers) {
+    result.outcome = FileOutcome::kUnreadable;
+    result.verdict = "a layer of ids has to be grey of 8 or 16 bits, or colours of 8 bits: " + second.path.string();
+    return;
+  }
+  const FloatImage& layer = layers->first;
+  const FloatImage other = with_masked_numbers_of(layers->second, layer, mask);
   const LayerDifference difference = compare_layers(layer, other, choice.kind, choice.tolerance);
   const double pixels = static_cast<double>(first.size().width) * first.size().height;
   const double fraction = static_cast<double>(difference.failing) / pixels;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "renderer/image/WholeFile.hpp"
 #include "tests/studio/comparison/MediaFiles.hpp"
 
 namespace thinwall {
@@ -255,6 +256,25 @@ TEST_F(FileComparisonTest, LayersAreComparedByTheirOwnRules) {
   EXPECT_EQ(result.kind, "depth");
   options.layer->tolerance.difference = 1e-3;
   EXPECT_EQ(compare_files(first, second, options).outcome, FileOutcome::kWithin);
+}
+
+TEST_F(FileComparisonTest, IdsAreTheNumbersOfTheFilesAlsoOf16Bits) {
+  const auto ids = [&](const std::string& name, std::vector<std::uint16_t> values) {
+    write_whole_file(folder_ / name,
+                     encode_layer_png(WordLayer{.size = {3, 1}, .channels = 1, .values = std::move(values)}));
+    return folder_ / name;
+  };
+  const auto shared = ids("a.png", {0, 1, 2});
+  const FileComparisonOptions options{.layer = LayerChoice{.kind = LayerKind::kIds}};
+  EXPECT_EQ(compare_files(shared, ids("b.png", {0, 1, 2}), options).outcome, FileOutcome::kEqual);
+  const FileComparison other = compare_files(shared, ids("c.png", {0, 1, 1}), options);
+  EXPECT_EQ(other.outcome, FileOutcome::kDiffers);
+  EXPECT_NE(other.verdict.find("overlap 0.0000 of id 2; 1 of 3 pixels fail"), std::string::npos) << other.verdict;
+  // Numbers that 8 bits would hold beside ones that they do not.
+  EXPECT_EQ(compare_files(ids("d.png", {257, 514, 3}), ids("e.png", {257, 514, 257}), options).layer->failing, 1U);
+  convert(shared, {"-pix_fmt", "rgb48be", "-vf", "colorchannelmixer=rr=0.5"}, folder_ / "colors.png");
+  const FileComparison colors = compare_files(shared, folder_ / "colors.png", options);
+  EXPECT_EQ(colors.outcome, FileOutcome::kUnreadable) << colors.verdict;
 }
 
 TEST_F(FileComparisonTest, FoldersArePairedByTheirPaths) {
