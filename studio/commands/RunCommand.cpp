@@ -91,6 +91,7 @@ int run_scenario(const RunOptions& options) {
   WatchedSource source(std::move(takes.source), scenario);
   RecordingReport report = record_with_notes(
       source, plan, renderer_painters(options.device, scenario.record.tier, scenario.view, options.stats));
+  keep_second_take(scenario, plan.folder);
   if (!takes.failure.empty() && report.failure.empty()) report.failure = "the second take: " + takes.failure;
   return conclude({.command = "run",
                    .source = options.scenario,

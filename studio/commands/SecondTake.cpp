@@ -3,9 +3,13 @@
 #include <array>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <system_error>
 #include <utility>
 
+#include "renderer/image/WholeFile.hpp"
+#include "renderer/picture/PictureFailure.hpp"
 #include "studio/commands/ExitCode.hpp"
+#include "studio/recorder/OutputFolder.hpp"
 #include "studio/recorder/PairedSource.hpp"
 #include "studio/recorder/Recorder.hpp"
 #include "studio/recorder/ResolvedPicture.hpp"
@@ -30,6 +34,18 @@ class OwnedTakeSource final : public MomentSource {
   TakeSource source_;
 };
 
+/// Where a recording in `folder` makes the take that it is compared with, until it is whole itself.
+std::filesystem::path unfinished_folder(const std::filesystem::path& folder) {
+  return unfinished_name(folder / kSecondTakeFolder);
+}
+
+/// Where the take that is compared with `take` is.
+std::filesystem::path second_take_of(const std::filesystem::path& take) {
+  const bool was_stopped = take.filename() == unfinished_name("take.h5");
+  const std::filesystem::path folder = take.parent_path();
+  return (was_stopped ? unfinished_folder(folder) : folder / kSecondTakeFolder) / "take.h5";
+}
+
 /// The captions of the comparison in a resolved scenario, where it has one.
 std::optional<std::array<std::string, 2>> captions_of(const std::string& resolved) {
   const nlohmann::json scenario = nlohmann::json::parse(resolved, nullptr, false);
@@ -39,14 +55,10 @@ std::optional<std::array<std::string, 2>> captions_of(const std::string& resolve
 
 }  // namespace
 
-std::filesystem::path second_take_folder(const std::filesystem::path& folder) {
-  return folder / "second_take";
-}
-
 RecordedTakes record_second_take(const Scenario& scenario, const std::filesystem::path& folder) {
   if (!scenario.comparison) return {simulate_one_take(scenario)};
   const Scenario& second = *scenario.comparison->second;
-  const RecordingPlan plan{.folder = second_take_folder(folder),
+  const RecordingPlan plan{.folder = unfinished_folder(folder),
                            .description = {.name = second.name, .title = second.title, .resolved = second.resolved},
                            .overlays = second.overlays,
                            .size = second.record.size,
@@ -60,9 +72,19 @@ RecordedTakes record_second_take(const Scenario& scenario, const std::filesystem
           std::move(report.failure)};
 }
 
+void keep_second_take(const Scenario& scenario, const std::filesystem::path& folder) {
+  const std::filesystem::path made = unfinished_folder(folder);
+  if (!scenario.comparison) return remove_second_take(made);
+  std::error_code error;
+  std::filesystem::rename(made, folder / kSecondTakeFolder, error);
+  if (!error) return;
+  throw PictureFailure("cannot rename " + made.string() + ": " + error.message() + "; " +
+                       cure_for_write_error(error.value()));
+}
+
 std::vector<std::filesystem::path> takes_shown(const std::filesystem::path& take) {
   if (!captions_of(TakeReader(take).description().resolved)) return {take};
-  const std::filesystem::path second = second_take_folder(take.parent_path()) / "take.h5";
+  const std::filesystem::path second = second_take_of(take);
   if (std::filesystem::exists(second)) return {take, second};
   throw TakeError(take.string() + ": the take is compared with " + second.string() +
                   ", which is not there; run the scenario again");

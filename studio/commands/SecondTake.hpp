@@ -11,17 +11,19 @@
 
 namespace thinwall {
 
-/// Where a recording in `folder` keeps the take that it is compared with.
-std::filesystem::path second_take_folder(const std::filesystem::path& folder);
-
-/// Simulates the second take of a scenario with a comparison and records it there, without pictures; then the source
-/// of both takes. Without a comparison, the source of the one. `failure`: why the second take could not go on; empty
+/// Simulates the second take of a scenario with a comparison and records it below `folder`, without pictures and under
+/// the name of what is not finished, so that an earlier recording stays whole; then the source of both takes. Without a
+/// comparison, the source of the one. `failure`: why the second take could not go on; empty
 /// when it reached its end.
 struct RecordedTakes {
   std::unique_ptr<MomentSource> source;
   std::string failure = {};
 };
 RecordedTakes record_second_take(const Scenario& scenario, const std::filesystem::path& folder);
+
+/// Once both takes are recorded: gives the second its name. Without a comparison, removes what a run that was stopped
+/// has left of one. Throws PictureFailure.
+void keep_second_take(const Scenario& scenario, const std::filesystem::path& folder);
 
 /// A take and, where its scenario compares, the second one. Throws TakeError when the second one is missing.
 std::vector<std::filesystem::path> takes_shown(const std::filesystem::path& take);

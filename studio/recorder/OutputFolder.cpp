@@ -63,11 +63,14 @@ bool remove_file(const std::filesystem::path& file) {
   return was_there;
 }
 
+[[noreturn]] void refuse_foreign(const std::filesystem::path& folder, const std::filesystem::path& file) {
+  throw PictureFailure(folder.string() + " holds files that no recording writes (" + file.filename().string() +
+                       "); move them away or choose another --out");
+}
+
 void require_results_only(const std::filesystem::path& folder, const ResultFolder& result) {
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.is_regular_file() && result.owns(entry.path())) continue;
-    throw PictureFailure(folder.string() + " holds files that no recording writes (" +
-                         entry.path().filename().string() + "); move them away or choose another --out");
+    if (!entry.is_regular_file() || !result.owns(entry.path())) refuse_foreign(folder, entry.path());
   }
 }
 
@@ -94,15 +97,26 @@ void remove_ground_truth(const std::filesystem::path& folder) {
     const bool is_layer = entry.is_directory() && std::ranges::count(kGroundTruthLayers, name) > 0;
     if (is_layer) require_results_only(entry.path(), {"", {"frame_", "frame_"}, {".exr", ".png"}});
     const bool is_table = entry.is_regular_file() && std::ranges::count(kGroundTruthTables, name) > 0;
-    if (is_layer || is_table) continue;
-    throw PictureFailure(folder.string() + " holds files that no recording writes (" + name +
-                         "); move them away or choose another --out");
+    if (!is_layer && !is_table) refuse_foreign(folder, entry.path());
+  }
+  remove_folder(folder);
+}
+
+void remove_second_take(const std::filesystem::path& folder) {
+  std::error_code error;
+  if (!std::filesystem::is_directory(folder, error)) return;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::filesystem::path name = entry.path().filename();
+    const bool is_result = std::ranges::any_of(
+        kResultFiles, [&](const char* file) { return name == file || name == unfinished_name(file); });
+    if (!is_result) refuse_foreign(folder, name);
   }
   remove_folder(folder);
 }
 
 bool prepare_output_folder(const std::filesystem::path& folder) {
   make_folder(folder);
+  remove_second_take(folder / kSecondTakeFolder);
   for (const ResultFolder& result : kResultFolders) {
     remove_results(folder / result.name, result);
     remove_results(unfinished_name(folder / result.name), result);

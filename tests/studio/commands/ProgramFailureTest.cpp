@@ -4,7 +4,10 @@
 #include <sys/file.h>
 #include <sys/mount.h>
 
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
+#include <thread>
 
 #include "studio/take/TakeReader.hpp"
 #include "tests/studio/commands/ProgramFixture.hpp"
@@ -101,6 +104,42 @@ TEST_F(ProgramTest, ADeviceThatIsNotThereEndsWith4) {
   for (const char* file : {"video.mp4", "poster.png", "manifest.json"}) {
     EXPECT_FALSE(std::filesystem::exists(folder_ / "out" / file)) << file;
   }
+}
+
+std::string compared_scenario(const std::string& depth, const std::string& timeline = "") {
+  return small_scenario(timeline) + "comparison: { set: { depth: " + depth + " }, captions: [one, two] }\n";
+}
+
+TEST_F(ProgramTest, ARunWithoutComparisonLeavesNoSecondTakeOfAnEarlierOne) {
+  write_bytes(folder_ / "two.yaml", compared_scenario("4 mm"));
+  ASSERT_EQ(run({"run", "two.yaml", "--no-render", "--out", "out"}).exit_code, 0);
+  EXPECT_EQ(manifest("out")["files"].back(), "second_take");
+  ASSERT_EQ(run({"run", "small.yaml", "--no-render", "--out", "out"}).exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/second_take"));
+  EXPECT_NE(manifest("out")["files"].back(), "second_take");
+}
+
+TEST_F(ProgramTest, ARunThatIsStoppedMixesItsSecondTakeWithNoEarlierRecording) {
+  write_bytes(folder_ / "two.yaml", compared_scenario("4 mm"));
+  ASSERT_EQ(run({"run", "two.yaml", "--no-render", "--out", "out"}).exit_code, 0);
+  const std::string before = file_bytes(folder_ / "out/second_take/take.h5");
+  write_bytes(folder_ / "other.yaml", compared_scenario("1 mm", "  - wait: { for: 1000 s }\n"));
+  {
+    RunningProgram program({"run", "other.yaml", "--no-render", "--out", "out"},
+                           {.folder = folder_.path(), .environment = {}});
+    const auto is_begun = [&](const char* name) {
+      return std::filesystem::exists(folder_ / "out" / name / "take.unfinished.h5");
+    };
+    while (!is_begun("second_take.unfinished") && !is_begun("second_take")) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    program.send_signal(SIGTERM);
+    EXPECT_EQ(program.wait().exit_code, 143);
+  }
+  EXPECT_EQ(manifest("out")["source"], "two.yaml");
+  EXPECT_TRUE(file_bytes(folder_ / "out/second_take/take.h5") == before);
+  ASSERT_EQ(run({"run", "small.yaml", "--no-render", "--out", "out"}).exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/second_take.unfinished"));
 }
 
 TEST_F(ProgramTest, ABrokenTakeIsBadInput) {
