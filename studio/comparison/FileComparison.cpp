@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <future>
+#include <limits>
 #include <utility>
 
 #include "renderer/image/PngFile.hpp"
@@ -118,9 +119,8 @@ void judge_high_range(FileComparison& result, const MediaFile& first, const Medi
 }
 
 /// The channels that a layer has, of the three of its file.
-FloatImage layer_of(const MediaFile& file, LayerKind kind) {
+FloatImage layer_of(const FloatImage& from, LayerKind kind) {
   const int channels = layer_channels(kind);
-  const FloatImage& from = file.numbers;
   if (from.channels == channels) return from;
   FloatImage layer{.size = from.size, .channels = channels, .values = {}};
   for (std::size_t i = 0; i < from.values.size(); i += static_cast<std::size_t>(from.channels)) {
@@ -130,10 +130,34 @@ FloatImage layer_of(const MediaFile& file, LayerKind kind) {
   return layer;
 }
 
+/// Whether the third channel of both is 0 or 1 and somewhere 1, as ground truth tells where the flow is known. That of
+/// other programs may hold anything.
+bool tell_where_known(const FloatImage& first, const FloatImage& second) {
+  bool any = false;
+  for (const FloatImage* flow : {&first, &second}) {
+    if (flow->channels != 3) return false;
+    for (std::size_t i = 2; i < flow->values.size(); i += 3) {
+      if (flow->values[i] != 0 && flow->values[i] != 1) return false;
+      any = any || flow->values[i] == 1;
+    }
+  }
+  return any;
+}
+
+FloatImage without_unknown(FloatImage flow) {
+  for (std::size_t i = 0; i < flow.values.size(); i += 3) {
+    if (flow.values[i + 2] == 0) flow.values[i] = std::numeric_limits<float>::quiet_NaN();
+  }
+  return flow;
+}
+
 std::optional<std::pair<FloatImage, FloatImage>> layers_of(const MediaFile& first, const MediaFile& second,
                                                            LayerKind kind) {
   if (first.kind == MediaKind::kPicture) return id_numbers(first, second);
-  return std::pair(layer_of(first, kind), layer_of(second, kind));
+  if (kind == LayerKind::kFlow && tell_where_known(first.numbers, second.numbers)) {
+    return std::pair(layer_of(without_unknown(first.numbers), kind), layer_of(without_unknown(second.numbers), kind));
+  }
+  return std::pair(layer_of(first.numbers, kind), layer_of(second.numbers, kind));
 }
 
 void judge_layers(FileComparison& result, const MediaFile& first, const MediaFile& second,

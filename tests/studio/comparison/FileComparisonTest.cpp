@@ -271,10 +271,25 @@ TEST_F(FileComparisonTest, IdsAreTheNumbersOfTheFilesAlsoOf16Bits) {
   EXPECT_EQ(other.outcome, FileOutcome::kDiffers);
   EXPECT_NE(other.verdict.find("overlap 0.0000 of id 2; 1 of 3 pixels fail"), std::string::npos) << other.verdict;
   // Numbers that 8 bits would hold beside ones that they do not.
-  EXPECT_EQ(compare_files(ids("d.png", {257, 514, 3}), ids("e.png", {257, 514, 257}), options).layer->failing, 1U);
+  EXPECT_EQ(compare_files(ids("d.png", {257, 514, 3}), ids("e.png", {257, 514, 257}), options).layer->failing, 1);
   convert(shared, {"-pix_fmt", "rgb48be", "-vf", "colorchannelmixer=rr=0.5"}, folder_ / "colors.png");
   const FileComparison colors = compare_files(shared, folder_ / "colors.png", options);
   EXPECT_EQ(colors.outcome, FileOutcome::kUnreadable) << colors.verdict;
+}
+
+TEST_F(FileComparisonTest, FlowThatIsKnownInOneOnlyDiffersAlsoWhereNothingMoves) {
+  const auto still = numbers("a.pfm", {0, 0, 1, 1, 2, 1}, false);
+  const FileComparisonOptions options{.layer = LayerChoice{.kind = LayerKind::kFlow}};
+  const FileComparison result = compare_files(still, numbers("b.pfm", {0, 0, 0, 1, 2, 1}, false), options);
+  EXPECT_EQ(result.outcome, FileOutcome::kDiffers);
+  EXPECT_EQ(result.layer->only_in_one, 1);
+  EXPECT_EQ(compare_files(still, numbers("c.pfm", {0, 0, 1, 1, 2, 1}, false), options).outcome, FileOutcome::kEqual);
+  // A third channel that tells nothing, and one of another program.
+  for (const float third : {0.0F, 0.5F}) {
+    const auto first = numbers("d.pfm", {0, 0, third, 1, 2, third}, false);
+    const auto second = numbers("e.pfm", {0, 3, third, 1, 2, third}, false);
+    EXPECT_EQ(compare_files(first, second, options).layer->failing, 1) << third;
+  }
 }
 
 TEST_F(FileComparisonTest, FoldersArePairedByTheirPaths) {
