@@ -1,12 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iostream>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "renderer/image/WholeFile.hpp"
 #include "renderer/picture/PictureFailure.hpp"
 #include "renderer/video/Program.hpp"
+#include "studio/commands/Answer.hpp"
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/GoldenScenarios.hpp"
@@ -25,10 +26,10 @@ enum class Answer { kAccept, kReject, kSkip, kQuit };
 
 /// Asks until an answer is one; the end of the input is the wish to end.
 Answer ask() {
-  std::string line;
   for (;;) {
     fmt::print(stderr, "  [a]ccept, [r]eject, [s]kip or [q]uit? ");
-    if (!std::getline(std::cin, line)) return Answer::kQuit;
+    const std::optional<std::string> line = read_answer();
+    if (!line) return Answer::kQuit;
     if (line == "a" || line == "accept") return Answer::kAccept;
     if (line == "r" || line == "reject") return Answer::kReject;
     if (line == "s" || line == "skip") return Answer::kSkip;
@@ -40,7 +41,9 @@ std::string ask_why(const std::string& given) {
   std::string why = given;
   while (why.find_first_not_of(" \t") == std::string::npos) {
     fmt::print(stderr, "  why is the new picture right? ");
-    if (!std::getline(std::cin, why)) return "";
+    const std::optional<std::string> line = read_answer();
+    if (!line) return "";
+    why = *line;
   }
   return why;
 }

@@ -1,6 +1,7 @@
 // Golden images from the command line.
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <nlohmann/json.hpp>
 
@@ -77,6 +78,24 @@ TEST_F(ProgramGLTest, AGoldenIsReviewedListedExplainedAndNotApprovedTwice) {
   EXPECT_NE(run({"golden", "test", "--junit", "junit.xml"}).messages.find("unchanged since"), std::string::npos);
   EXPECT_NE(file_bytes(folder_ / "junit.xml").find("tests=\"1\" failures=\"0\""), std::string::npos);
   EXPECT_EQ(run({"golden", "test", "--all"}).messages.find("unchanged since"), std::string::npos);
+}
+
+TEST_F(ProgramGLTest, AReviewThatWaitsForAnAnswerCanBeInterrupted) {
+  const std::filesystem::path answers = folder_ / "answers";
+  ASSERT_EQ(mkfifo(answers.c_str(), 0600), 0);
+  const int writer = open(answers.c_str(), O_RDWR | O_CLOEXEC);
+  RunningProgram program({"golden", "review"}, {.folder = folder_.path(),
+                                                .environment = {{"THINWALL_HOME", folder_.path()}, {"CI", "false"}},
+                                                .input = answers});
+  while (!std::filesystem::exists(folder_ / "out/golden/index.html")) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  program.send_signal(SIGINT);
+  // The end of the input would end it otherwise.
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  close(writer);
+  EXPECT_EQ(program.wait().exit_code, 130);
 }
 
 TEST_F(ProgramGLTest, OfAScenarioWhoseMomentIsNamedNothingElseIsComparedApprovedOrRemembered) {
