@@ -215,7 +215,8 @@ struct VideoWriter::Implementation {
   }
 
   void remux(const std::vector<VideoChapter>& chapters, const std::vector<VideoCaption>& captions) {
-    const std::string captions_text = web_vtt(captions);
+    // The tracks of this kind of file hold one text at a time: where the next begins, they forget what has not ended.
+    const std::string captions_text = web_vtt(one_at_a_time(captions));
     const bool has_captions = captions_text != web_vtt({});
     write_whole_file(names.chapters, chapter_metadata(chapters));
     if (has_captions) write_whole_file(names.captions, captions_text);

@@ -1,7 +1,10 @@
 #include "renderer/video/WebVtt.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
+#include <set>
 
 #include "renderer/image/WholeFile.hpp"
 
@@ -51,6 +54,26 @@ std::string web_vtt(const std::vector<VideoCaption>& captions) {
     file += "\n" + time_text(begin) + " --> " + time_text(end) + "\n" + text + "\n";
   }
   return file;
+}
+
+std::vector<VideoCaption> one_at_a_time(const std::vector<VideoCaption>& captions) {
+  std::set<double> times;
+  for (const VideoCaption& caption : captions) times.insert({caption.begin, caption.end});
+  std::vector<VideoCaption> shown;
+  const VideoCaption* before = nullptr;
+  for (auto time = times.begin(); time != times.end() && std::next(time) != times.end(); ++time) {
+    const double end = *std::next(time);
+    const auto holds = [&](const VideoCaption& caption) { return caption.begin <= *time && caption.end >= end; };
+    const auto last = std::find_if(captions.rbegin(), captions.rend(), holds);
+    const VideoCaption* caption = last == captions.rend() ? nullptr : &*last;
+    if (caption != nullptr && caption == before) {
+      shown.back().end = end;
+    } else if (caption != nullptr) {
+      shown.push_back({*time, end, caption->text});
+    }
+    before = caption;
+  }
+  return shown;
 }
 
 void write_web_vtt(const std::filesystem::path& path, const std::vector<VideoCaption>& captions) {

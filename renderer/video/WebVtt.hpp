@@ -12,6 +12,10 @@ namespace thinwall {
 /// without text or of no length are left out, because the format has no place for them.
 std::string web_vtt(const std::vector<VideoCaption>& captions);
 
+/// The captions without overlap: of those that hold at a time the last, which the pictures show, and again the one
+/// before once that has ended.
+std::vector<VideoCaption> one_at_a_time(const std::vector<VideoCaption>& captions);
+
 /// Writes `web_vtt` as a whole file. Throws PictureFailure.
 void write_web_vtt(const std::filesystem::path& path, const std::vector<VideoCaption>& captions);
 

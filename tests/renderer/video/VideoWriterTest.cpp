@@ -131,6 +131,14 @@ TEST(VideoWriter, CaptionsAreATrackThatIsOffUntilAskedFor) {
   EXPECT_EQ(text, "1\n00:00:00,500 --> 00:00:01,500\np < 5 kPa & rising\n\n");
 }
 
+TEST(VideoWriter, ACaptionGoesOnOnceAShorterOneHasEnded) {
+  const TestFolder folder;
+  record(folder / "a.mp4", 60, 30, {}, {{0, 2, "long"}, {0.5, 1, "short"}});
+  const std::string text =
+      run_program({"ffmpeg", "-v", "error", "-i", (folder / "a.mp4").string(), "-map", "0:s", "-f", "srt", "-"}).output;
+  EXPECT_NE(text.find("00:00:01,000 --> 00:00:02,000\nlong\n"), std::string::npos) << text;
+}
+
 TEST(VideoWriter, SameFramesGiveTheSameBytes) {
   const TestFolder folder;
   for (const char* name : {"a.mp4", "b.mp4"}) record(folder / name, 40, 30, {{0, 1, "All"}}, {{0, 1, "Text"}});

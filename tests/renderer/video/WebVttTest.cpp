@@ -21,6 +21,15 @@ TEST(WebVtt, EmptyLinesCannotEndACaption) {
   EXPECT_EQ(web_vtt({{0, 1, "\none\r\n\n\ntwo\n\n"}}), "WEBVTT\n\n00:00:00.000 --> 00:00:01.000\none\ntwo\n");
 }
 
+TEST(WebVtt, OfCaptionsThatOverlapTheLastHoldsAndThenTheOneBeforeAgain) {
+  EXPECT_EQ(web_vtt(one_at_a_time({{0, 1, "first"}, {1, 5, "long"}, {2, 3, "short"}, {2.5, 3, "shorter"}})),
+            "WEBVTT\n\n00:00:00.000 --> 00:00:01.000\nfirst\n\n00:00:01.000 --> 00:00:02.000\nlong\n\n"
+            "00:00:02.000 --> 00:00:02.500\nshort\n\n00:00:02.500 --> 00:00:03.000\nshorter\n\n"
+            "00:00:03.000 --> 00:00:05.000\nlong\n");
+  EXPECT_EQ(web_vtt(one_at_a_time({{0, 2, "one"}, {2, 3, "one"}, {4, 5, ""}, {6, 6, "none"}})),
+            web_vtt({{0, 2, "one"}, {2, 3, "one"}}));
+}
+
 TEST(WebVtt, LeavesOutWhatTheFormatHasNoPlaceFor) {
   EXPECT_EQ(web_vtt({{0, 1, ""}, {2, 2, "no length"}, {0, 1, "\n"}}), "WEBVTT\n");
 }
