@@ -120,7 +120,8 @@ void refuse_to_overwrite(const CompareOptions& options) {
 FileComparison compare_folder_with_file(const CompareOptions& options) {
   FileComparison result{.first = options.first, .second = options.second, .kind = "folder and file"};
   for (const std::filesystem::path& path : {options.first, options.second}) {
-    if (std::filesystem::exists(path)) continue;
+    std::error_code unreadable;
+    if (std::filesystem::exists(path, unreadable)) continue;
     result.outcome = FileOutcome::kUnreadable;
     result.verdict = "cannot read " + path.string() + ": no such file or folder";
     return result;
@@ -140,7 +141,7 @@ int compare_two_folders(const CompareOptions& options) {
     good += is_good ? 1 : 0;
     if (file.outcome != FileOutcome::kEqual) print(file, true);
     if (options.difference && !is_good) {
-      std::filesystem::path to = *options.difference / std::filesystem::relative(file.second, options.second);
+      std::filesystem::path to = *options.difference / file.second.lexically_relative(options.second);
       write_difference(file, to += ".difference.png");
     }
     list.push_back(to_json(file));
@@ -158,7 +159,9 @@ int compare_two_folders(const CompareOptions& options) {
 
 int compare(const CompareOptions& options) {
   refuse_to_overwrite(options);
-  const bool folders[] = {std::filesystem::is_directory(options.first), std::filesystem::is_directory(options.second)};
+  std::error_code unreadable;
+  const bool folders[] = {std::filesystem::is_directory(options.first, unreadable),
+                          std::filesystem::is_directory(options.second, unreadable)};
   if (folders[0] && folders[1]) return compare_two_folders(options);
   const FileComparison file = folders[0] != folders[1]
                                   ? compare_folder_with_file(options)

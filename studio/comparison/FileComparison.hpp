@@ -82,6 +82,7 @@ FileComparison compare_files(const std::filesystem::path& first, const std::file
                              const FileComparisonOptions& options = {});
 
 /// The files of two folders and those below with the same relative path, in order of path. Hidden ones are left out.
+/// Throws ImageUnreadable for a folder, or one below, that cannot be read.
 std::vector<FileComparison> compare_folders(const std::filesystem::path& first, const std::filesystem::path& second,
                                             const FileComparisonOptions& options = {});
 

@@ -1,23 +1,28 @@
 #include <algorithm>
 #include <set>
+#include <system_error>
 
+#include "renderer/image/PngFile.hpp"
 #include "studio/comparison/FileComparison.hpp"
 
 namespace thinwall {
 namespace {
 
-/// Relative paths of the files below a folder; hidden files and folders are left out.
-std::set<std::filesystem::path> files_below(const std::filesystem::path& folder) {
+/// Relative paths of the files below a folder; hidden files and folders are left out. Throws ImageUnreadable.
+std::set<std::filesystem::path> files_below(const std::filesystem::path& folder) try {
   std::set<std::filesystem::path> files;
+  std::error_code unreadable;
   auto entry = std::filesystem::recursive_directory_iterator(folder);
   for (; entry != std::filesystem::recursive_directory_iterator(); ++entry) {
     if (entry->path().filename().string().starts_with('.')) {
       entry.disable_recursion_pending();
-    } else if (!entry->is_directory()) {
-      files.insert(std::filesystem::relative(entry->path(), folder));
+    } else if (!entry->is_directory(unreadable)) {
+      files.insert(entry->path().lexically_relative(folder));
     }
   }
   return files;
+} catch (const std::filesystem::filesystem_error& error) {
+  throw ImageUnreadable("cannot read all of the folder " + folder.string() + ": " + error.code().message());
 }
 
 }  // namespace

@@ -24,6 +24,7 @@ using Bytes = std::vector<std::uint8_t>;
 void check_file(const std::filesystem::path& path) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (status.type() == std::filesystem::file_type::none) refuse(path, error.message());
   if (!std::filesystem::exists(status)) refuse(path, "no such file");
   if (std::filesystem::is_directory(status)) refuse(path, "it is a folder, not a picture");
   if (!std::filesystem::is_regular_file(status)) refuse(path, "it is no regular file");

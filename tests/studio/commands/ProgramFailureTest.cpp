@@ -86,6 +86,20 @@ TEST_F(ProgramTest, ToCompareAFolderWithAFileIsAVerdictInJsonToo) {
   EXPECT_EQ(nlohmann::json::parse(absent.output)["outcome"], "unreadable");
 }
 
+TEST_F(ProgramTest, ToCompareWhatCannotBeReadIsExitCode2AlsoWhereTheSystemRefuses) {
+  for (const char* folder : {"one", "two"}) {
+    std::filesystem::create_directory(folder_ / folder);
+    write_bytes(folder_ / folder / "a.pfm", "PF\n1 1\n-1.0\n" + std::string(12, '\0'));
+    std::filesystem::create_symlink("loop.png", folder_ / folder / "loop.png");
+  }
+  for (const std::vector<std::string>& pair :
+       {std::vector<std::string>{"one/loop.png", "two/a.pfm"}, {"one", "two"}, {"one", "two/loop.png"}}) {
+    const ProgramEnd end = run({"compare", pair[0], pair[1], "--json"});
+    EXPECT_EQ(end.exit_code, 2) << end.messages;
+    EXPECT_NE(end.output.find("\"unreadable\""), std::string::npos) << end.output;
+  }
+}
+
 TEST_F(ProgramTest, APictureOfTheDifferenceOverwritesNothingThatIsCompared) {
   const std::string black = "PF\n1 1\n-1.0\n" + std::string(12, '\0');
   for (const char* name : {"a.pfm", "b.pfm"}) write_bytes(folder_ / name, black);
