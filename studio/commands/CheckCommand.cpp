@@ -10,6 +10,7 @@
 #include "engine/simulation/SimulationFailure.hpp"
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/ExitCode.hpp"
+#include "studio/commands/MistakesAsJson.hpp"
 #include "studio/commands/Outcome.hpp"
 #include "studio/director/RunNotes.hpp"
 #include "studio/director/ScenarioRun.hpp"
@@ -73,12 +74,7 @@ int check_scenarios(const CheckOptions& options) {
     } catch (const InputErrors& mistakes) {
       code = kExitBadInput;
       fmt::print(stderr, "{}\n", mistakes.what());
-      for (const Diagnostic& diagnostic : mistakes.diagnostics()) {
-        errors.push_back({{"file", diagnostic.location.file.generic_string()},
-                          {"line", diagnostic.location.line},
-                          {"column", diagnostic.location.column},
-                          {"message", diagnostic.message}});
-      }
+      errors = mistakes_as_json(mistakes.diagnostics());
     }
     results.push_back({{"file", file.generic_string()},
                        {"good", errors.empty()},

@@ -375,7 +375,7 @@ int CommandLine::run(std::vector<std::string> arguments) {
 }  // namespace
 
 int run_command_line(const std::vector<std::string>& arguments) {
-  return exit_code_of([&] { return CommandLine().run(arguments); });
+  return exit_code_of([&] { return CommandLine().run(arguments); }, failure_as(arguments));
 }
 
 }  // namespace thinwall

@@ -66,22 +66,23 @@ std::optional<int> parse_arguments(CLI::App& app, std::vector<std::string> argum
     app.parse(arguments);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
-    fmt::print(stderr, "thinwall: {}\nRun with --help for more.\n", error.what());
-    return kExitBadInput;
+    throw UsageError(std::string(error.what()) + "\nRun with --help for more.");
   }
   return std::nullopt;
 }
 
 int run_compare_line(const std::vector<std::string>& arguments) {
-  return exit_code_of([&] {
-    CLI::App app("", "thinwall");
-    app.set_help_flag("-h,--help", kHelpWords);
-    CompareArguments read;
-    add_compare_arguments(*app.add_subcommand(kCompareCommand, kCompareWords), read);
-    if (const std::optional<int> code = parse_arguments(app, arguments)) return *code;
-    note_interruptions();
-    return compare(compare_options(read));
-  });
+  return exit_code_of(
+      [&] {
+        CLI::App app("", "thinwall");
+        app.set_help_flag("-h,--help", kHelpWords);
+        CompareArguments read;
+        add_compare_arguments(*app.add_subcommand(kCompareCommand, kCompareWords), read);
+        if (const std::optional<int> code = parse_arguments(app, arguments)) return *code;
+        note_interruptions();
+        return compare(compare_options(read));
+      },
+      failure_as(arguments));
 }
 
 }  // namespace thinwall

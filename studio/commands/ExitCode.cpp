@@ -3,15 +3,18 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <new>
+#include <nlohmann/json.hpp>
 #include <system_error>
 #include <tuple>
 
 #include "engine/simulation/SimulationFailure.hpp"
 #include "renderer/image/PngFile.hpp"
 #include "renderer/picture/PictureFailure.hpp"
+#include "studio/commands/MistakesAsJson.hpp"
 #include "studio/golden/GoldenApproval.hpp"
 #include "studio/recorder/FolderLock.hpp"
 #include "studio/recorder/Interruption.hpp"
@@ -20,6 +23,8 @@
 
 namespace thinwall {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 /// Never throws, also where standard error takes nothing.
 int say(int code, const std::string& message) {
@@ -45,41 +50,65 @@ int finished(int code) {
   return say(kExitNoPicture, "cannot write to standard output: " + std::generic_category().message(reason));
 }
 
-int caught_code_of(const std::function<int()>& command) {
+/// Why a command could not do its work.
+struct Failure {
+  int code = kExitGood;
+  std::string message = {};
+  std::vector<Diagnostic> mistakes = {};  // with their places, where the input is to blame
+};
+
+Failure caught_failure_of(const std::function<int()>& command) {
   try {
-    return command();
+    return {command()};
   } catch (const Interrupted& interrupted) {
-    return say(interrupted.exit_code(), interrupted.what());
+    return {interrupted.exit_code(), interrupted.what()};
   } catch (const InputErrors& errors) {
-    // Each of its lines names its own place.
-    fmt::print(stderr, "{}\n", errors.what());
-    return kExitBadInput;
+    return {kExitBadInput, errors.what(), errors.diagnostics()};
   } catch (const UsageError& error) {
-    return say(kExitBadInput, error.what());
+    return {kExitBadInput, error.what()};
   } catch (const TakeError& error) {
-    return say(kExitBadInput, error.what());
+    return {kExitBadInput, error.what()};
   } catch (const GoldenError& error) {
-    return say(kExitBadInput, error.what());
+    return {kExitBadInput, error.what()};
   } catch (const FolderInUse& error) {
-    return say(kExitBadInput, error.what());
+    return {kExitBadInput, error.what()};
   } catch (const ImageUnreadable& error) {
-    return say(kExitBadInput, error.what());
+    return {kExitBadInput, error.what()};
   } catch (const SimulationFailure& failure) {
-    return say(kExitSimulationFailed, std::string("the simulation failed: ") + failure.what());
+    return {kExitSimulationFailed, std::string("the simulation failed: ") + failure.what()};
   } catch (const PictureFailure& failure) {
-    return say(kExitNoPicture, failure.what());
+    return {kExitNoPicture, failure.what()};
   } catch (const std::bad_alloc&) {
-    return say(kExitSimulationFailed, "there is not enough memory for this scenario");
+    return {kExitSimulationFailed, "there is not enough memory for this scenario"};
   } catch (const std::system_error& error) {
-    return say(kExitNoPicture, error.what());
+    return {kExitNoPicture, error.what()};
   }
+}
+
+void tell(const Failure& failure, FailureAs as) {
+  // Each line of mistakes in the input names its own place.
+  if (!failure.mistakes.empty()) {
+    std::fputs((failure.message + "\n").c_str(), stderr);
+  } else {
+    say(failure.code, failure.message);
+  }
+  if (as != FailureAs::kMessageAndJson) return;
+  Json json = {{"result", "failed"}, {"exit_code", failure.code}, {"failure", failure.message}};
+  if (!failure.mistakes.empty()) json["errors"] = mistakes_as_json(failure.mistakes);
+  fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
 }  // namespace
 
-int exit_code_of(const std::function<int()>& command) {
+FailureAs failure_as(const std::vector<std::string>& arguments) {
+  return std::ranges::find(arguments, "--json") == arguments.end() ? FailureAs::kMessage : FailureAs::kMessageAndJson;
+}
+
+int exit_code_of(const std::function<int()>& command, FailureAs as) {
   occupy_standard_streams();
-  return finished(caught_code_of(command));
+  const Failure failure = caught_failure_of(command);
+  if (!failure.message.empty()) tell(failure, as);
+  return finished(failure.code);
 }
 
 }  // namespace thinwall

@@ -3,6 +3,7 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace thinwall {
 
@@ -19,8 +20,13 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Runs a command, says on stderr why it could not do its work, and gives the exit code. Standard streams that are
-/// closed are replaced by /dev/null before.
-int exit_code_of(const std::function<int()>& command);
+enum class FailureAs { kMessage, kMessageAndJson };
+
+/// As the command's arguments ask for it by `--json`.
+FailureAs failure_as(const std::vector<std::string>& arguments);
+
+/// Runs a command, says on stderr why it could not do its work, where wanted on stdout as JSON too, and gives the exit
+/// code. Standard streams that are closed are replaced by /dev/null before.
+int exit_code_of(const std::function<int()>& command, FailureAs as = FailureAs::kMessage);
 
 }  // namespace thinwall

@@ -34,6 +34,26 @@ TEST_F(ProgramTest, AFolderThatCannotBeWrittenEndsWith4) {
   EXPECT_NE(end.messages.find("cannot make the folder file/out"), std::string::npos) << end.messages;
 }
 
+TEST_F(ProgramTest, WhatEndsACommandIsToldAsJsonTooWhereThatIsAskedFor) {
+  write_bytes(folder_ / "file", "");
+  write_bytes(folder_ / "bad.yaml", "thinwall: 1\nbodies: 3\n");
+  const auto told = [&](std::vector<std::string> arguments) {
+    arguments.push_back("--json");
+    const ProgramEnd end = run(arguments);
+    const nlohmann::json json = nlohmann::json::parse(end.output);
+    EXPECT_EQ(json.at("exit_code"), end.exit_code);
+    EXPECT_NE(end.messages.find(json.at("failure").get<std::string>()), std::string::npos) << end.messages;
+    return json;
+  };
+  const nlohmann::json bad_input = told({"run", "bad.yaml"});
+  EXPECT_EQ(bad_input.at("exit_code"), 2);
+  EXPECT_EQ(bad_input.at("errors")[0].at("line"), 2);
+  EXPECT_EQ(told({"run", "small.yaml", "--unknown"}).at("exit_code"), 2);
+  EXPECT_EQ(told({"compare", "small.yaml", "bad.yaml", "--metric", "unknown"}).at("exit_code"), 2);
+  EXPECT_EQ(told({"run", "small.yaml", "--no-render", "--out", "file/out"}).at("exit_code"), 4);
+  EXPECT_EQ(run({"run", "bad.yaml"}).output, "");
+}
+
 TEST_F(ProgramTest, AFullDiskEndsWith4AndNothingLooksWhole) {
   std::filesystem::create_directory(folder_ / "disk");
   if (mount("tmpfs", (folder_ / "disk").c_str(), "tmpfs", 0, "size=64k") != 0) {
