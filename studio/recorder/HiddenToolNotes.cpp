@@ -48,13 +48,16 @@ Double3 HiddenToolNotes::facing(std::size_t side) {
 }
 
 void HiddenToolNotes::see(const Snapshot& snapshot, const Shot& shot, ImageSize size) {
-  if (std::ranges::none_of(snapshot.tools, &SnapshotTool::touches)) return;
+  const auto is_of_interest = [&](const SnapshotTool& tool) {
+    const auto noted = by_tool_.find(tool.name);
+    return tool.touches() && (noted == by_tool_.end() || !noted->second.was_seen);
+  };
+  if (std::ranges::none_of(snapshot.tools, is_of_interest)) return;
   const SceneExtent extent = scene_extent(snapshot);
   const Vector3 eye = resolve_camera(shot.camera, extent, main_box(shot, size).size, snapshot.time).position;
   for (const SnapshotTool& tool : snapshot.tools) {
-    if (!tool.touches()) continue;
+    if (!is_of_interest(tool)) continue;
     Touching& touching = by_tool_.try_emplace(tool.name, Touching{.since = snapshot.time}).first->second;
-    if (touching.was_seen) continue;
     const Vector3 place = place_above_wall(tool);
     touching.was_seen = shot.beside || shot.inset || !is_hidden(place, eye, snapshot);
     for (std::size_t side = 0; side < kSides && !touching.was_seen; ++side) {
