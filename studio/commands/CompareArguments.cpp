@@ -42,8 +42,11 @@ CompareOptions compare_options(const CompareArguments& arguments) {
     return options;
   }
   if (limits.largest || limits.mean || limits.drift || limits.structure || limits.flip || limits.flip_99 ||
-      limits.tolerance.level > 0 || limits.tolerance.shift > 0) {
-    throw UsageError("--layer: a layer has the limits --tolerance, --edge-band and --failing, and none of pictures");
+      limits.tolerance.level > 0 || limits.tolerance.shift > 0 || options.comparison.wanted.structure ||
+      options.comparison.wanted.flip) {
+    throw UsageError(
+        "--layer: a layer has the limits --tolerance, --edge-band and --failing, and neither limits nor metrics of "
+        "pictures");
   }
   if (!arguments.difference.empty()) throw UsageError("--diff: there is no picture of what differs in a layer");
   LayerChoice layer{.kind = layer_kind(arguments.layer)};

@@ -49,7 +49,8 @@ void add_compare_arguments(CLI::App& command, CompareArguments& arguments) {
   command.add_option("--mask", arguments.mask, "a picture, dark where nothing counts")->type_name("PICTURE");
   command.add_option("--layer", arguments.layer, "what the numbers are: depth, normals, ids or flow")
       ->type_name("LAYER");
-  number("--tolerance", arguments.tolerance, "of a layer: metres, degrees or pixels above which a pixel fails");
+  number("--tolerance", arguments.tolerance, "of a layer: metres, degrees or pixels above which a pixel fails")
+      ->check(CLI::NonNegativeNumber);
   number("--edge-band", arguments.edge_band, "of depth: pixels by which a silhouette may move")
       ->check(CLI::Range(0, 16));
   command.add_flag("--pixels-only", arguments.options.comparison.pixels_only,

@@ -96,41 +96,6 @@ TEST_F(ProgramTest, ResultsThatStandardOutputDoesNotTakeEndWith4) {
   }
 }
 
-TEST_F(ProgramTest, ToCompareAFolderWithAFileIsAVerdictInJsonToo) {
-  write_bytes(folder_ / "a.pfm", "PF\n1 1\n-1.0\n" + std::string(12, '\0'));
-  const ProgramEnd other_kind = run({"compare", "a.pfm", ".", "--json"});
-  EXPECT_EQ(other_kind.exit_code, 1);
-  EXPECT_EQ(nlohmann::json::parse(other_kind.output)["outcome"], "differs");
-  const ProgramEnd absent = run({"compare", ".", "none", "--json"});
-  EXPECT_EQ(absent.exit_code, 2);
-  EXPECT_EQ(nlohmann::json::parse(absent.output)["outcome"], "unreadable");
-}
-
-TEST_F(ProgramTest, ToCompareWhatCannotBeReadIsExitCode2AlsoWhereTheSystemRefuses) {
-  for (const char* folder : {"one", "two"}) {
-    std::filesystem::create_directory(folder_ / folder);
-    write_bytes(folder_ / folder / "a.pfm", "PF\n1 1\n-1.0\n" + std::string(12, '\0'));
-    std::filesystem::create_symlink("loop.png", folder_ / folder / "loop.png");
-  }
-  for (const std::vector<std::string>& pair :
-       {std::vector<std::string>{"one/loop.png", "two/a.pfm"}, {"one", "two"}, {"one", "two/loop.png"}}) {
-    const ProgramEnd end = run({"compare", pair[0], pair[1], "--json"});
-    EXPECT_EQ(end.exit_code, 2) << end.messages;
-    EXPECT_NE(end.output.find("\"unreadable\""), std::string::npos) << end.output;
-  }
-}
-
-TEST_F(ProgramTest, APictureOfTheDifferenceOverwritesNothingThatIsCompared) {
-  const std::string black = "PF\n1 1\n-1.0\n" + std::string(12, '\0');
-  for (const char* name : {"a.pfm", "b.pfm"}) write_bytes(folder_ / name, black);
-  std::filesystem::create_symlink("b.pfm", folder_ / "link.pfm");
-  for (const char* name : {"a.pfm", "./b.pfm", "link.pfm"}) {
-    expect_bad_usage({"compare", "a.pfm", "b.pfm", "--diff", name}, "would be overwritten");
-  }
-  EXPECT_EQ(file_bytes(folder_ / "a.pfm"), black);
-  EXPECT_EQ(file_bytes(folder_ / "b.pfm"), black);
-}
-
 TEST_F(ProgramTest, ADeviceThatIsNotThereEndsWith4) {
   const ProgramEnd end = run({"run", "small.yaml", "--device", "99", "--out", "out"});
   EXPECT_EQ(end.exit_code, 4) << end.messages;

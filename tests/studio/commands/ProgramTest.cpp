@@ -101,29 +101,6 @@ TEST_F(ProgramTest, BadUsageIsToldWithExitCode2) {
                    "--frames: it keeps the pictures, and --no-render");
 }
 
-TEST_F(ProgramTest, ToCompareTellsItsVerdictByTheExitCode) {
-  const std::string black = "PF\n1 1\n-1.0\n" + std::string(12, '\0');
-  write_bytes(folder_ / "a.pfm", black);
-  write_bytes(folder_ / "b.pfm", black);
-  write_bytes(folder_ / "c.pfm", black.substr(0, black.size() - 1) + "\x40");
-  write_bytes(folder_ / "cut.pfm", black.substr(0, 15));
-  EXPECT_EQ(run({"compare", "a.pfm", "b.pfm"}).exit_code, 0);
-  const ProgramEnd different = run({"compare", "--json", "a.pfm", "c.pfm", "--diff", "d/e.png"});
-  EXPECT_EQ(different.exit_code, 1) << different.messages;
-  EXPECT_EQ(nlohmann::json::parse(different.output)["outcome"], "differs");
-  EXPECT_TRUE(std::filesystem::exists(folder_ / "d/e.png"));
-  EXPECT_EQ(run({"compare", "a.pfm", "c.pfm", "--flip", "1"}).exit_code, 0);
-  expect_bad_usage({"compare", "a.pfm", "cut.pfm"}, "cut short");
-  expect_bad_usage({"compare", "a.pfm", "none.pfm"}, "none.pfm: no such file");
-  expect_bad_usage({"compare", "a.pfm"}, "B is required");
-  expect_bad_usage({"compare", "a.pfm", "b.pfm", "--metric", "beauty"}, "write pixels, ssim, flip or all");
-  expect_bad_usage({"compare", "a.pfm", "b.pfm", "--max", "300"}, "--max");
-  expect_bad_usage({"compare", "a.pfm", "b.pfm", "--layer", "depth", "--max", "3"}, "none of pictures");
-  expect_bad_usage({"compare", "a.pfm", "b.pfm", "--layer", "depth", "--diff", "d.png"}, "no picture of what differs");
-  for (const char* text : {"nan", "-NaN"}) expect_bad_usage({"compare", "a.pfm", "b.pfm", "--mean", text}, "--mean");
-  EXPECT_EQ(run({"compare", "a.pfm", "."}).exit_code, 1);
-}
-
 TEST_F(ProgramTest, ExpectationsAreCheckedByEveryRunAndAFailedOneIsExitCode1) {
   const auto scenario = [](const std::string& pressure) {
     return small_scenario() + "expect:\n  - { quantity: peak_force, within: [1 mN, 10 mN] }\n" +
