@@ -73,9 +73,11 @@ std::string moment_name(const GoldenResult& result);
 /// The limits of a golden as the ladder of comparisons has them.
 PictureLimits picture_limits(const GoldenDefinition& definition);
 
-/// The limits for a picture that another driver draws than the golden: where drivers round, a pixel in ten differs by a
-/// level or two, and along edges single pixels show what lies on the other side.
-GoldenDefinition between_drivers(GoldenDefinition definition);
+/// With the limits for a picture that `driver` draws beside a golden of `golden_driver`. Between two drivers a pixel in
+/// ten differs by a level or two where they round, and along edges single pixels show what lies on the other side, so
+/// the scenario's limits hold only where they allow more than that.
+GoldenDefinition with_limits_between(GoldenDefinition definition, const std::string& golden_driver,
+                                     const std::string& driver);
 
 /// Pixels that differ by more are counted in what is told of a difference, 8-bit levels.
 int counted_level(const GoldenDefinition& definition);

@@ -144,7 +144,8 @@ void add_changes(Json& json, const std::optional<Attribution>& attribution) {
 
 Json entry(const JudgedScenario& judged, std::size_t index, const std::filesystem::path& folder) {
   const GoldenResult& result = judged.results[index];
-  const GoldenDefinition& definition = judged.scenario.goldens[index];
+  const std::string& golden_driver = result.golden_driver.empty() ? result.driver : result.golden_driver;
+  const GoldenDefinition definition = with_limits_between(judged.scenario.goldens[index], golden_driver, result.driver);
   const std::optional<Attribution>& attribution = judged.attributions[index];
   // What is approved may be the very thing that cannot be read.
   const bool is_broken = result.outcome == GoldenOutcome::kBroken;

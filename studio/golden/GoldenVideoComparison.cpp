@@ -179,7 +179,7 @@ class VideoComparer {
 
   double time_of(std::size_t frame) const { return static_cast<double>(frame) / golden_.video.frames_per_second; }
 
-  const GoldenDefinition definition_;
+  const GoldenDefinition& definition_;
   const GoldenVideoApproval& golden_;
   const RecordedVideo& today_;
   const std::filesystem::path& folder_;
@@ -228,13 +228,12 @@ VideoJudgement compare_with_golden_video(const std::string& scenario, const Gold
     return judgement;
   }
   result.golden_driver = golden->video.driver;
-  const bool same_driver = golden->video.driver == recorded.video.driver;
   result.rung = "bytes";
   VideoFindings found;
   try {
     refuse_exchanged_pictures(*golden, folder);
-    found = VideoComparer(same_driver ? definition : between_drivers(definition), *golden, recorded, folder, result)
-                .compare();
+    const GoldenDefinition limited = with_limits_between(definition, golden->video.driver, recorded.video.driver);
+    found = VideoComparer(limited, *golden, recorded, folder, result).compare();
   } catch (const ImageUnreadable& error) {
     throw damaged_golden(error.what());
   }
@@ -248,7 +247,7 @@ VideoJudgement compare_with_golden_video(const std::string& scenario, const Gold
     judgement.attribution = attribute_video(golden->video, recorded.video, found);
     result.message = one_after_the_other(found.all());
   }
-  if (!same_driver) {
+  if (golden->video.driver != recorded.video.driver) {
     result.message += fmt::format("; approved on another driver ({}), so compared by tolerance", golden->video.driver);
   }
   return judgement;
