@@ -56,4 +56,29 @@ FirstMoment first_moment_of(const std::array<Eigen::Vector3d, 3>& corners) {
   return moment;
 }
 
+THINWALL_FOR_ALL_PROCESSORS void first_moments_of(const double (&corners)[9][kLanes], FirstMoments& moments) {
+  Lanes at[9], by_volume[9];
+  for (int k = 0; k < 9; ++k) load(corners[k], at[k]);
+  Lanes products[3];
+  for (int corner = 0; corner < 3; ++corner) {
+    const Lanes *next = at + 3 * ((corner + 1) % 3), *last = at + 3 * ((corner + 2) % 3);
+    for (int k = 0; k < 3; ++k) {
+      const int one = (k + 1) % 3, other = (k + 2) % 3;
+      const Lanes product = next[one] * last[other] - next[other] * last[one];
+      by_volume[3 * corner + k] = product / 6;
+      if (corner == 0) products[k] = at[k] * product;
+    }
+  }
+  const Lanes volume = (products[0] + products[1] + products[2]) / 6, quarter = 0.25 * volume;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Lanes mean = 0.25 * (at[axis] + at[3 + axis] + at[6 + axis]);
+    store(volume * mean, moments.value[axis]);
+    for (int k = 0; k < 9; ++k) {
+      Lanes slope = by_volume[k] * mean;
+      if (k % 3 == axis) slope += quarter;
+      store(slope, moments.gradient[axis][k]);
+    }
+  }
+}
+
 }  // namespace thinwall

@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <array>
 
+#include "engine/solver/Lanes.hpp"
+
 namespace thinwall {
 
 /// Integral of g . x over the tetrahedron of the origin and an oriented triangle, with its derivative. Over a closed
@@ -23,5 +25,13 @@ struct FirstMoment {
   Eigen::Matrix<double, 9, 3> gradient;  // metres^3, of each component by the corners
 };
 FirstMoment first_moment_of(const std::array<Eigen::Vector3d, 3>& corners);
+
+/// The same of as many triangles as there are lanes, equal to the bit. `corners`: (9 x lanes), metres, x0, y0, z0, x1,
+/// ..., z2.
+struct FirstMoments {
+  double value[3][kLanes];        // metres^4
+  double gradient[3][9][kLanes];  // metres^3, of each component by the corners
+};
+void first_moments_of(const double (&corners)[9][kLanes], FirstMoments& moments);
 
 }  // namespace thinwall

@@ -15,9 +15,25 @@ Eigen::Matrix3d moments_of_whole() {
   return (Eigen::Matrix3d::Ones() + Eigen::Matrix3d::Identity()) / 24;
 }
 
-/// Integrals of the products of two shape functions over the part of a triangle where the pressure counts, over twice
-/// its area: the part is cut off in barycentric coordinates and taken as a fan of triangles.
-Eigen::Matrix3d moments_of(const Eigen::Vector3d& pressures, bool suction) {
+Eigen::Matrix<double, 9, 1> along(const Eigen::Vector3d& normal, const Eigen::Vector3d& shares) {
+  Eigen::Matrix<double, 9, 1> load;
+  for (int a = 0; a < 3; ++a) load.segment<3>(3 * a) = shares[a] * normal;
+  return load;
+}
+
+/// Adds v x to a block.
+void add_cross_product(const Eigen::Vector3d& v, auto&& block) {
+  block(0, 1) -= v.z();
+  block(0, 2) += v.y();
+  block(1, 0) += v.z();
+  block(1, 2) -= v.x();
+  block(2, 0) -= v.y();
+  block(2, 1) += v.x();
+}
+
+}  // namespace
+
+Eigen::Matrix3d pressed_moments(const Eigen::Vector3d& pressures, bool suction) {
   if (suction || pressures.minCoeff() >= 0) return moments_of_whole();
   if (pressures.maxCoeff() <= 0) return Eigen::Matrix3d::Zero();
   std::array<Eigen::Vector3d, 4> part;
@@ -38,31 +54,13 @@ Eigen::Matrix3d moments_of(const Eigen::Vector3d& pressures, bool suction) {
   return moments;
 }
 
-Eigen::Matrix<double, 9, 1> along(const Eigen::Vector3d& normal, const Eigen::Vector3d& shares) {
-  Eigen::Matrix<double, 9, 1> load;
-  for (int a = 0; a < 3; ++a) load.segment<3>(3 * a) = shares[a] * normal;
-  return load;
-}
-
-/// Adds v x to a block.
-void add_cross_product(const Eigen::Vector3d& v, auto&& block) {
-  block(0, 1) -= v.z();
-  block(0, 2) += v.y();
-  block(1, 0) += v.z();
-  block(1, 2) -= v.x();
-  block(2, 0) -= v.y();
-  block(2, 1) += v.x();
-}
-
-}  // namespace
-
 PressedTriangle::PressedTriangle(const std::array<Eigen::Vector3d, 3>& corners, const PressureField& field)
     : normal_(doubled_area_of(corners)),
       edges_{corners[2] - corners[1], corners[0] - corners[2], corners[1] - corners[0]},
       slope_(field.slope) {
   for (int k = 0; k < 3; ++k) pressures_[k] = field.at_origin + field.slope.dot(corners[k]);
   // Where the part ends within the triangle the pressure is zero, so that its change adds nothing.
-  moments_ = moments_of(pressures_, field.suction);
+  moments_ = pressed_moments(pressures_, field.suction);
   shares_ = moments_ * pressures_;
 }
 

@@ -17,9 +17,14 @@ struct PressureField {
   }
 };
 
+/// The moments J_ab of a triangle with these pressures at its corners, pascal: the integrals of the products of two
+/// shape functions over twice the area. Without `suction` over the part where the pressure counts, which is cut off in
+/// barycentric coordinates and taken as a fan of triangles.
+Eigen::Matrix3d pressed_moments(const Eigen::Vector3d& pressures, bool suction);
+
 /// A pressure on one side of an oriented triangle, along its normal, and what its loads have in common: with the normal
-/// n = (x1 - x0) x (x2 - x0) the moments J_ab, the integrals of N_a N_b over twice the area, over the part that is not
-/// above a free surface; of the whole (1 + delta_ab) / 24. Loads are at the corners, (x0, y0, z0, x1, ..., z2).
+/// n = (x1 - x0) x (x2 - x0) the moments J_ab over the part that is not above a free surface; of the whole
+/// (1 + delta_ab) / 24. Loads are at the corners, (x0, y0, z0, x1, ..., z2).
 class PressedTriangle {
  public:
   PressedTriangle(const std::array<Eigen::Vector3d, 3>& corners, const PressureField& field);

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,6 +14,7 @@
 #include "engine/simulation/LoadModel.hpp"
 #include "engine/solver/BlockPattern.hpp"
 #include "engine/solver/DenseAddresses.hpp"
+#include "engine/solver/Lanes.hpp"
 #include "engine/wall/MembraneElement.hpp"
 
 namespace thinwall {
@@ -92,6 +95,17 @@ SelfContactDefinition self_contact_of(const BodyModel& model, const Eigen::Vecto
 inline std::array<Eigen::Vector3d, 3> corners_of(const Eigen::Vector3i& triangle, const Eigen::VectorXd& position) {
   return {position.segment<3>(3 * triangle[0]), position.segment<3>(3 * triangle[1]),
           position.segment<3>(3 * triangle[2])};
+}
+
+/// Those of as many triangles from `first` on as there are lanes and triangles, and how many these are. `corners`:
+/// (9 x lanes), metres, x0, y0, z0, x1, ..., z2; lanes beyond them are left as they are.
+inline int gather_corners(std::span<const Eigen::Vector3i> triangles, const Eigen::VectorXd& position, int first,
+                          double (&corners)[9][kLanes]) {
+  const int count = std::min(kLanes, static_cast<int>(triangles.size()) - first);
+  for (int lane = 0; lane < count; ++lane) {
+    for (int k = 0; k < 9; ++k) corners[k][lane] = position[3 * triangles[first + lane][k / 3] + k % 3];
+  }
+  return count;
 }
 
 }  // namespace thinwall

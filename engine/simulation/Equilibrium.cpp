@@ -77,46 +77,55 @@ void add_bending(const BodyModel& model, const WallMemory& memory, const Eigen::
 }
 
 /// Volume and its gradient of a triangle, as lane `lane` of `gradients` has it.
-void add_volume(const BodyModel& model, int triangle, const Eigen::Vector3d& first_corner,
+void add_volume(const BodyModel& model, int triangle, const double (&corners)[9][kLanes],
                 const double (&gradients)[9][kLanes], int lane, EquilibriumTerms& terms) {
   const int chamber = model.chamber[triangle];
   // Of its corners the volume is linear in each.
-  terms.volume[chamber] +=
-      first_corner.dot(Eigen::Vector3d(gradients[0][lane], gradients[1][lane], gradients[2][lane]));
+  terms.volume[chamber] += Eigen::Vector3d(corners[0][lane], corners[1][lane], corners[2][lane])
+                               .dot(Eigen::Vector3d(gradients[0][lane], gradients[1][lane], gradients[2][lane]));
   double* whole = terms.volume_gradient.col(chamber).data();
   for (int k = 0; k < 9; ++k) whole[3 * model.surface[triangle][k / 3] + k % 3] += gradients[k][lane];
 }
 
-void add_fluid_inertia(const BodyModel& model, const FluidInertia& inertia, int triangle,
-                       const std::array<Eigen::Vector3d, 3>& corners, EquilibriumTerms& terms) {
+void add_first_moment(const BodyModel& model, int triangle, const FirstMoments& moments, int lane,
+                      EquilibriumTerms& terms) {
   const int chamber = model.chamber[triangle];
-  const FirstMoment moment = first_moment_of(relative_to(inertia.origin, corners));
-  terms.moment.col(chamber) += moment.value;
-  for (int k = 0; k < 3; ++k) {
-    terms.moment_gradient.block<3, 3>(3 * model.surface[triangle][k], 3 * chamber) +=
-        moment.gradient.block<3, 3>(3 * k, 0);
+  for (int axis = 0; axis < 3; ++axis) {
+    terms.moment(axis, chamber) += moments.value[axis][lane];
+    double* whole = terms.moment_gradient.col(3 * chamber + axis).data();
+    for (int k = 0; k < 9; ++k) {
+      whole[3 * model.surface[triangle][k / 3] + k % 3] += moments.gradient[axis][k][lane];
+    }
   }
+}
+
+/// Of the triangles from `first` on, with what they are seen from.
+void find_first_moments(const BodyModel& model, const EquilibriumProblem& problem, int first, int count,
+                        const double (&corners)[9][kLanes], FirstMoments& moments) {
+  double relative[9][kLanes] = {};
+  for (int lane = 0; lane < count; ++lane) {
+    const int chamber = model.chamber[first + lane];
+    if (chamber < 0) continue;
+    for (int k = 0; k < 9; ++k) relative[k][lane] = corners[k][lane] - problem.fluid_inertia[chamber].origin[k % 3];
+  }
+  first_moments_of(relative, moments);
 }
 
 /// Volumes and first moments of the chambers with their gradients, of the surface alone.
 void add_volumes(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
                  EquilibriumTerms& terms) {
   const bool has_inertia = terms.moment.cols() > 0;
-  const int triangles = static_cast<int>(model.surface.size());
-  double of_corners[9][kLanes] = {}, gradients[9][kLanes];
-  for (int t = 0; t < triangles; ++t) {
-    const int lane = t % kLanes;
-    if (lane == 0) {
-      for (int k = 0; k < std::min(kLanes, triangles - t); ++k) {
-        for (int c = 0; c < 9; ++c) of_corners[c][k] = position[3 * model.surface[t + k][c / 3] + c % 3];
-      }
-      volume_gradients_of(of_corners, gradients);
+  double corners[9][kLanes] = {}, gradients[9][kLanes];
+  FirstMoments moments;
+  for (int first = 0; first < static_cast<int>(model.surface.size()); first += kLanes) {
+    const int count = gather_corners(model.surface, position, first, corners);
+    volume_gradients_of(corners, gradients);
+    if (has_inertia) find_first_moments(model, problem, first, count, corners, moments);
+    for (int lane = 0; lane < count; ++lane) {
+      if (model.chamber[first + lane] < 0) continue;
+      add_volume(model, first + lane, corners, gradients, lane, terms);
+      if (has_inertia) add_first_moment(model, first + lane, moments, lane, terms);
     }
-    const int chamber = model.chamber[t];
-    if (chamber < 0) continue;
-    const auto corners = corners_of(model.surface[t], position);
-    add_volume(model, t, corners[0], gradients, lane, terms);
-    if (has_inertia) add_fluid_inertia(model, problem.fluid_inertia[chamber], t, corners, terms);
   }
   for (Eigen::Index k = 0; k < position.size(); ++k) {
     if (!model.fixed[k]) continue;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/fluid/FluidWeight.hpp"
+#include "engine/fluid/PressedLanes.hpp"
 #include "engine/simulation/SideBySide.hpp"
 
 namespace thinwall {
@@ -57,6 +58,11 @@ void add_to_lips(const OpeningModel& opening, const Eigen::Matrix3Xd& part, Vect
 
 void add_to_corners(const Eigen::Vector3i& triangle, const Eigen::Matrix<double, 9, 1>& part, auto&& whole) {
   for (int k = 0; k < 3; ++k) whole.template segment<3>(3 * triangle[k]) += part.segment<3>(3 * k);
+}
+
+/// Adds what one triangle has of (9 x lanes) to the (unknowns).
+void add_lane(const Eigen::Vector3i& triangle, const double (&part)[9][kLanes], int lane, double* whole) {
+  for (int k = 0; k < 9; ++k) whole[3 * triangle[k / 3] + k % 3] += part[k][lane];
 }
 
 void add_caps(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
@@ -116,49 +122,69 @@ void add_filled(const BodyModel& model, const EquilibriumProblem& problem, const
   }
 }
 
-/// What the contents of an open chamber do to a triangle.
-struct ContentsTerms {
-  Eigen::Matrix<double, 9, 1> unit, load;  // metres^2, of a pascal; newton
-  Eigen::Matrix<double, 9, 3> moment;      // metres^3, of the fields that have a unit of slope along an axis
-  Eigen::Matrix<double, 9, 9> tangent;     // newton / metre, of `load`
+/// What the contents of open chambers do to kLanes triangles.
+struct ContentsLanes {
+  PressedLanes pressed;
+  double moments[3][9][kLanes];  // newton, of the fields that have a unit of slope along an axis
 };
 
 bool is_below_opening(const BodyModel& model, int triangle) {
   return model.chamber[triangle] >= 0 && model.is_open(model.chamber[triangle]);
 }
 
-/// `moment` only where contents leak and have inertia, `tangent` on demand.
-void find_contents_terms(const BodyModel& model, const EquilibriumProblem& problem, const ContentsPressure& contents,
-                         const std::array<Eigen::Vector3d, 3>& corners, bool with_hessian, int chamber,
-                         ContentsTerms& part) {
-  const PressedTriangle pressed(corners, contents.weight);
-  part.unit = pressed.unit_load();
-  part.load = pressed.load();
-  if (with_hessian) part.tangent = pressed.symmetric_tangent();
-  if (problem.fluid_inertia.empty()) return;
-  if (model.definition.fluid.leaks) {
-    part.moment = moment_loads_of(relative_to(problem.fluid_inertia[chamber].origin, corners));
+/// Of the triangles from `first` on. `moments` only where contents leak and have inertia.
+void find_contents_terms(const BodyModel& model, const EquilibriumProblem& problem,
+                         const std::vector<ContentsPressure>& contents, const Eigen::VectorXd& position,
+                         bool with_hessian, int first, ContentsLanes& part) {
+  double corners[9][kLanes] = {}, origins[3][kLanes] = {};
+  const int count = gather_corners(model.surface, position, first, corners);
+  PressureLanes weight, inertia;
+  bool is_any_below = false, has_surface = false;
+  for (int lane = 0; lane < count; ++lane) {
+    if (!is_below_opening(model, first + lane)) continue;
+    const int chamber = model.chamber[first + lane];
+    weight.set(lane, contents[chamber].weight);
+    inertia.set(lane, contents[chamber].inertia);
+    is_any_below = true;
+    has_surface = has_surface || !contents[chamber].weight.suction;
+    for (int k = 0; k < 3 && !problem.fluid_inertia.empty(); ++k) {
+      origins[k][lane] = problem.fluid_inertia[chamber].origin[k];
+    }
   }
-  if (contents.weight.suction) return;
-  const PressedTriangle pushed(corners, contents.inertia);
-  part.load += pushed.load();
-  if (with_hessian) part.tangent += pushed.symmetric_tangent();
+  if (!is_any_below) return;
+  pressed_lanes(corners, weight, with_hessian, part.pressed);
+  if (problem.fluid_inertia.empty()) return;
+  if (has_surface) {
+    PressedLanes pushed;
+    pressed_lanes(corners, inertia, with_hessian, pushed);
+    add_to(part.pressed, pushed, with_hessian);
+  }
+  if (!model.definition.fluid.leaks) return;
+  for (int k = 0; k < 9; ++k) {
+    for (int lane = 0; lane < kLanes; ++lane) corners[k][lane] -= origins[k % 3][lane];
+  }
+  moment_loads_of(corners, part.moments);
 }
 
-void add_contents_terms(const BodyModel& model, int triangle, double pressure, const ContentsTerms& part,
+void add_contents_terms(const BodyModel& model, int triangle, double pressure, const ContentsLanes& part, int lane,
                         EquilibriumTerms& terms) {
   const int chamber = model.chamber[triangle];
   const Eigen::Vector3i& corners = model.surface[triangle];
   if (model.definition.fluid.leaks) {
     for (int axis = 0; axis < 3 && terms.moment_load.cols() > 0; ++axis) {
-      add_to_corners(corners, part.moment.col(axis), terms.moment_load.col(3 * chamber + axis));
+      add_lane(corners, part.moments[axis], lane, terms.moment_load.col(3 * chamber + axis).data());
     }
-    add_to_corners(corners, part.unit, terms.pressure_load.col(chamber));
+    add_lane(corners, part.pressed.unit_load, lane, terms.pressure_load.col(chamber).data());
   }
-  // The part of a pascal times the pressure comes from the columns.
-  add_to_corners(corners, pressure * part.unit - part.load, terms.gradient);
-  if (terms.has_hessian()) add_triangle(model.addresses[triangle], -part.tangent, terms.values);
-  terms.largest_force = std::max(terms.largest_force, part.load.lpNorm<Eigen::Infinity>());
+  for (int k = 0; k < 9; ++k) {
+    const double load = part.pressed.load[k][lane];
+    // The part of a pascal times the pressure comes from the columns.
+    terms.gradient[3 * corners[k / 3] + k % 3] += pressure * part.pressed.unit_load[k][lane] - load;
+    terms.largest_force = std::max(terms.largest_force, std::abs(load));
+  }
+  if (terms.has_hessian()) {
+    add_triangle(model.addresses[triangle], &part.pressed.stiffness[0][0][lane], kLanes, terms.values);
+  }
 }
 
 void add_loads(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
@@ -167,17 +193,19 @@ void add_loads(const BodyModel& model, const EquilibriumProblem& problem, const 
   for (int c = 0; c < static_cast<int>(problem.fluids.size()); ++c) {
     contents.push_back(contents_pressure(model, problem, terms, c, pressure[c]));
   }
-  thread_local std::vector<ContentsTerms> buffer;
-  for_each(
-      static_cast<int>(model.surface.size()), kTrianglesAtOnce, buffer,
-      [&](int t, ContentsTerms& part) {
-        if (!is_below_opening(model, t)) return;
-        find_contents_terms(model, problem, contents[model.chamber[t]], corners_of(model.surface[t], position),
-                            terms.has_hessian(), model.chamber[t], part);
-      },
-      [&](int t, const ContentsTerms& part) {
-        if (is_below_opening(model, t)) add_contents_terms(model, t, pressure[model.chamber[t]], part, terms);
-      });
+  thread_local std::vector<ContentsLanes> buffer;
+  const int triangles = static_cast<int>(model.surface.size());
+  for_each((triangles + kLanes - 1) / kLanes, kTrianglesAtOnce / kLanes, buffer,
+           [&](int group, ContentsLanes& part) {
+             find_contents_terms(model, problem, contents, position, terms.has_hessian(), kLanes * group, part);
+           },
+           [&](int group, const ContentsLanes& part) {
+             const int first = kLanes * group, end = std::min(first + kLanes, triangles);
+             for (int t = first; t < end; ++t) {
+               if (!is_below_opening(model, t)) continue;
+               add_contents_terms(model, t, pressure[model.chamber[t]], part, t - first, terms);
+             }
+           });
   for (const OpeningModel& opening : model.openings) {
     const Eigen::Matrix3Xd lips = opening.at(position);
     const ContentsPressure& of = contents[opening.chamber];

@@ -39,6 +39,28 @@ TEST(FluidWeight, IsThatOfTheFirstMomentAlongGravity) {
   EXPECT_LT((moment.gradient - first.gradient * kGravity).norm(), 1e-14);
 }
 
+TEST(FluidWeight, FirstMomentsOfTrianglesSideBySideAreThoseOfEachToTheBit) {
+  std::array<std::array<Eigen::Vector3d, 3>, kLanes> triangles;
+  double corners[9][kLanes];
+  for (int lane = 0; lane < kLanes; ++lane) {
+    triangles[lane] = {Eigen::Vector3d(0.3, -0.1, 0.7), Eigen::Vector3d(1.2, 0.4, 0.2),
+                       Eigen::Vector3d(-0.2, 0.9, 1.1)};
+    triangles[lane][lane % 3] *= 1.0 / (lane + 3);
+    for (int k = 0; k < 9; ++k) corners[k][lane] = triangles[lane][k / 3][k % 3];
+  }
+  FirstMoments moments;
+  first_moments_of(corners, moments);
+  for (int lane = 0; lane < kLanes; ++lane) {
+    const FirstMoment alone = first_moment_of(triangles[lane]);
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_EQ(moments.value[axis][lane], alone.value[axis]) << "axis " << axis << " of lane " << lane;
+      for (int k = 0; k < 9; ++k) {
+        EXPECT_EQ(moments.gradient[axis][k][lane], alone.gradient(k, axis)) << axis << ", " << k << ", " << lane;
+      }
+    }
+  }
+}
+
 TEST(FluidWeight, OfAClosedSurfaceIsVolumeTimesTheHeightOfItsCentroid) {
   // A ball of 80 triangles moved away from the origin; and its buoyancy is volume times gravity (Archimedes).
   const SurfaceMesh mesh = make_sphere(1, 80);
