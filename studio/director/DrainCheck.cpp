@@ -35,10 +35,11 @@ void refuse_overdrawn(std::span<const Clip> timeline, std::span<const ScheduledC
     if (!volume) continue;
     const double drained = -fill->clip.added;
     if (drained >= *volume) {
-      mistakes.push_back({timeline[k].location,
-                          fmt::format("drain: `by` = {:.4g} ml is not less than the {:.4g} ml that body {} holds when "
-                                      "the clip begins; drain less, or fill in more before",
-                                      1e6 * drained, 1e6 * *volume, in_backticks(body))});
+      mistakes.push_back(
+          {timeline[k].location,
+           fmt::format("timeline[{}].drain: `by` = {:.4g} ml is not less than the {:.4g} ml that body {} "
+                       "holds when the clip begins; drain less, or fill in more before",
+                       k + 1, 1e6 * drained, 1e6 * *volume, in_backticks(body))});
       volume.reset();
       continue;
     }

@@ -23,7 +23,8 @@ void FillPlan::add_to(BodyInput& input, double from, double to) const {
 FillPlan plan_fill(const FillClip& clip, const Body& body, const SourceLocation& location) {
   const std::vector<ChamberModel>& chambers = body.model().chambers;
   const auto refuse = [&](const std::string& why) {
-    throw InputErrors({{location, fmt::format("the body {} {}", in_backticks(clip.body), why)}});
+    throw InputErrors({{location, fmt::format("{}: the body {} {}", clip.drains ? "drain" : "inflate",
+                                              in_backticks(clip.body), why)}});
   };
   if (chambers.empty()) refuse("holds no fluid that could be filled or drained");
   if (!clip.chamber && chambers.size() > 1) {

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "studio/director/BodyExtent.hpp"
+#include "studio/organs/SpanWords.hpp"
 #include "studio/scenario/InputError.hpp"
 
 namespace thinwall {
@@ -32,7 +33,8 @@ std::string to_words(const Eigen::Vector3d& point) {
 }
 
 /// Throws what is wrong with a path.
-[[noreturn]] void refuse_path(const InciseClip& clip, const PathProblem& problem, const SourceLocation& location) {
+[[noreturn]] void refuse_path(const InciseClip& clip, const PathProblem& problem, const SurfaceView& surface,
+                              const SourceLocation& location) {
   const auto index = static_cast<std::size_t>(problem.point);
   const std::string name = fmt::format("path[{}]", index + 1);
   std::string why;
@@ -43,9 +45,9 @@ std::string to_words(const Eigen::Vector3d& point) {
                  ? fmt::format("does not meet body `{}` along `direction`; move the point or leave `direction` out",
                                clip.body)
                  : fmt::format(
-                       "lies {:.4g} mm from body `{}`, farther than `reach` = {:.4g} mm; move the point to "
-                       "the wall or give a larger `reach`",
-                       1e3 * problem.distance, clip.body, 1e3 * clip.reach);
+                       "lies {:.4g} mm from body `{}`, which spans {} then, farther than `reach` = {:.4g} mm; move "
+                       "the point to the wall or give a larger `reach`",
+                       1e3 * problem.distance, clip.body, span_words(box_of(surface)), 1e3 * clip.reach);
       break;
     case PathProblem::Kind::kAlongNormal:
       why = fmt::format(
@@ -186,7 +188,7 @@ IncisionPlan plan_incision(const InciseClip& clip, const ToolDefinition& tool, c
   const std::optional<Eigen::Vector3d> direction =
       clip.direction ? std::optional<Eigen::Vector3d>(clip.direction->normalized()) : std::nullopt;
   PathResult found = surface_path(surface, clip.path, direction, clip.reach);
-  if (found.problem) refuse_path(clip, *found.problem, location);
+  if (found.problem) refuse_path(clip, *found.problem, surface, location);
   if (found.path.length() == 0) {
     throw InputErrors({{location, fmt::format("incise: all points of `path` come to lie in one place of body `{}`; a "
                                               "cut needs a length",

@@ -4,6 +4,9 @@
 
 #include <cmath>
 #include <type_traits>
+#include <utility>
+
+#include "studio/scenario/InputError.hpp"
 
 namespace thinwall {
 namespace {
@@ -27,10 +30,8 @@ std::string depth_caption(const std::string& what, const Action& action) {
   return fmt::format("{}: {:.3g} mm deep at {:.3g} mm/s", what, 1e3 * action.depth, 1e3 * action.speed);
 }
 
-}  // namespace
-
-Plan plan_clip(const Clip& clip, const PlannedTool& tool,
-               const std::function<const Body&(const std::string&)>& body_of) {
+Plan plan_action(const Clip& clip, const PlannedTool& tool,
+                 const std::function<const Body&(const std::string&)>& body_of) {
   if (const auto* palpate = std::get_if<PalpateClip>(&clip.action)) {
     return plan_palpation(*palpate, tool.definition, body_of(palpate->body).surface(), clip.location);
   }
@@ -53,6 +54,20 @@ Plan plan_clip(const Clip& clip, const PlannedTool& tool,
     return plan_release(*release, tool.definition, tool.pose);
   }
   return std::get<WaitClip>(clip.action);
+}
+
+}  // namespace
+
+Plan plan_clip(const Clip& clip, const PlannedTool& tool,
+               const std::function<const Body&(const std::string&)>& body_of) {
+  try {
+    return plan_action(clip, tool, body_of);
+  } catch (const InputErrors& refusal) {
+    // A plan knows what it does, not where in the timeline it stands.
+    std::vector<Diagnostic> named = refusal.diagnostics();
+    for (Diagnostic& mistake : named) mistake.message = fmt::format("timeline[{}].{}", clip.number, mistake.message);
+    throw InputErrors(std::move(named));
+  }
 }
 
 PalpationPlan* pressing_of(Plan& plan) {

@@ -25,7 +25,7 @@ struct PlannedTool {
 };
 
 /// Holds a clip against the bodies as they are. `tool`: the clip's, anything where it drives none; `body_of`: by name.
-/// Throws InputErrors as the plans do.
+/// Throws InputErrors as the plans do, with the path of the clip.
 Plan plan_clip(const Clip& clip, const PlannedTool& tool,
                const std::function<const Body&(const std::string&)>& body_of);
 

@@ -64,9 +64,9 @@ void refuse_second_blades(std::span<const Clip> timeline, std::span<const Schedu
       if (time_in_body(*second, other, timeline, clips).until <= in.from) continue;
       throw InputErrors(
           {{timeline[other].location,
-            fmt::format("incise: blade `{}` begins at {:.4g} s to cut body `{}`, which blade `{}` cuts {}; "
-                        "let that go out (`withdraw`) before this begins",
-                        second->clip.tool, clips[other].begin, first->clip.body, first->clip.tool,
+            fmt::format("timeline[{}].incise: blade `{}` begins at {:.4g} s to cut body `{}`, which blade `{}` cuts "
+                        "{}; let that go out (`withdraw`) before this begins",
+                        other + 1, second->clip.tool, clips[other].begin, first->clip.body, first->clip.tool,
                         std::isfinite(in.until) ? fmt::format("until {:.4g} s", in.until) : "and then stays in")}});
     }
   }
@@ -129,7 +129,7 @@ void foresee_moves(std::span<const Clip> timeline, std::span<ScheduledClip> clip
     if (tool.empty()) continue;
     const auto* move = std::get_if<MoveClip>(&timeline[k].action);
     if (move != nullptr && left.contains(tool)) {
-      clips[k].plan = plan_move(*move, left.at(tool), false, timeline[k].location);
+      clips[k].plan = plan_clip(timeline[k], {.definition = {}, .pose = left.at(tool), .is_first = false}, {});
     }
     left[tool] = moment_of(clips[k].plan, duration_of(clips[k].plan))->pose;
   }

@@ -153,6 +153,7 @@ struct WaitClip {
 struct Clip {
   std::variant<PalpateClip, PierceClip, InciseClip, MoveClip, GraspClip, ReleaseClip, FillClip, WaitClip> action = {};
   SourceLocation location = {};
+  int number = 1;                           // in the timeline, from 1
   std::optional<double> start = {};         // seconds; after the clip before it when absent
   std::optional<std::string> caption = {};  // shown while the clip lasts
   std::optional<std::string> chapter = {};  // title of a chapter that begins with the clip

@@ -274,7 +274,10 @@ Scenario build_scenario(const CheckedValue& root) {
   scenario.title = find_text(root, "title").value_or("");
   for (const CheckedMember& body : root.at("bodies").members) scenario.bodies.push_back(to_body(body));
   for (const CheckedMember& tool : root.at("tools").members) scenario.tools.push_back(to_tool(tool));
-  for (const CheckedValue& clip : root.at("timeline").items) scenario.timeline.push_back(to_clip(clip));
+  for (const CheckedValue& clip : root.at("timeline").items) {
+    scenario.timeline.push_back(to_clip(clip));
+    scenario.timeline.back().number = static_cast<int>(scenario.timeline.size());
+  }
   const CheckedValue& simulation = root.at("simulation");
   scenario.simulation.analysis =
       simulation.at("analysis").text == "dynamic" ? Analysis::kDynamic : Analysis::kQuasiStatic;

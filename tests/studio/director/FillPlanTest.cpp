@@ -45,8 +45,14 @@ TEST(FillPlan, ABodyWithoutFluidOrChamberOfThatNameIsRefused) {
   Scenario scenario = ball_scenario();
   Clip clip = fill(1e-6);
   std::get<FillClip>(clip.action).chamber = "left";
+  clip.number = 2;
   scenario.timeline = {clip};
-  EXPECT_THROW(ScenarioRun{scenario}, InputErrors);
+  try {
+    ScenarioRun run(scenario);
+    FAIL() << "filled what is not there";
+  } catch (const InputErrors& refusal) {
+    EXPECT_EQ(refusal.diagnostics().at(0).message, "timeline[2].inflate: the body `ball` has no chamber `left`");
+  }
   scenario.timeline = {fill(1e-6)};
   scenario.bodies[0].fluid = {.kind = FluidKind::kNone};
   EXPECT_THROW(ScenarioRun{scenario}, InputErrors);
@@ -66,6 +72,7 @@ TEST(FillPlan, MoreThanTheContentsCannotBeDrained) {
   } catch (const InputErrors& refusal) {
     ASSERT_EQ(refusal.diagnostics().size(), 1U);
     EXPECT_EQ(refusal.diagnostics()[0].location.line, 7);
+    EXPECT_TRUE(refusal.diagnostics()[0].message.starts_with("timeline[3].drain: ")) << refusal.what();
     EXPECT_NE(refusal.diagnostics()[0].message.find("body `ball` holds"), std::string::npos) << refusal.what();
   }
   // The order is that of time; after a pressure has been reached the volume is not known beforehand.
