@@ -307,7 +307,7 @@ void draw_force_arrows(const Canvas& canvas, const Scene& scene, const std::vect
     } else {
       draw_arrow_end_on(canvas, *tail, width, dot(way, from) < 0, kForceColor);
     }
-    draw_arrow_text(canvas, scene, force_quantity(length(force), arrow.full).text(), *tip, false, plates);
+    draw_arrow_text(canvas, scene, force_quantity(length(force), arrow.full, arrow.full).text(), *tip, false, plates);
   }
 }
 

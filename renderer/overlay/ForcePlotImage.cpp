@@ -80,8 +80,9 @@ void add_time_curves(Chart& chart, const std::vector<ToolForces>& tools, std::si
   chart.curves.push_back(std::move(whole));
 }
 
-Chart time_chart(const std::vector<ToolForces>& tools, double unit) {
-  Chart chart{.x_title = "Time, s", .y_title = "Force on the tool, N", .x = {}, .y = {}, .rows = {}, .curves = {}};
+Chart time_chart(const std::vector<ToolForces>& tools, ForceUnit forces, double unit) {
+  const std::string title = std::string("Force on the tool, ") + forces.name;
+  Chart chart{.x_title = "Time, s", .y_title = title, .x = {}, .y = {}, .rows = {}, .curves = {}};
   PlotRange time;
   PlotRange force;
   for (std::size_t i = 0; i < tools.size(); ++i) {
@@ -101,8 +102,9 @@ Chart time_chart(const std::vector<ToolForces>& tools, double unit) {
   return chart;
 }
 
-Chart depth_chart(const std::vector<ToolForces>& tools, double unit) {
-  Chart chart{.x_title = "Depth, mm", .y_title = "Force, N", .x = {}, .y = {}, .rows = {}, .curves = {}};
+Chart depth_chart(const std::vector<ToolForces>& tools, ForceUnit forces, double unit) {
+  const std::string title = std::string("Force, ") + forces.name;
+  Chart chart{.x_title = "Depth, mm", .y_title = title, .x = {}, .y = {}, .rows = {}, .curves = {}};
   PlotRange depth;
   PlotRange force;
   const auto millimetres = [](const ForcePoint& point) { return 1e3 * point.depth; };
@@ -124,20 +126,39 @@ Chart depth_chart(const std::vector<ToolForces>& tools, double unit) {
   return chart;
 }
 
-std::string summary(const std::vector<ToolForces>& tools) {
-  const Peak peak = peak_of(tools);
+/// By which force_unit() takes the unit that shows `peak` well.
+double expected_by(const Peak& peak) {
+  return peak.force > 0 ? 10 * peak.force : 1;
+}
+
+/// The same with forces in `unit`.
+std::vector<ToolForces> in_unit(std::vector<ToolForces> tools, ForceUnit unit) {
+  for (ToolForces& tool : tools) {
+    for (ForcePoint& point : tool.points) {
+      for (double& component : point.force) component /= unit.newton;
+    }
+  }
+  return tools;
+}
+
+std::string summary(const Peak& peak) {
   if (peak.force < 0) return "No forces were recorded.";
-  return "Largest force " + force_quantity(peak.force, peak.force).text() + " at " + fixed_text(peak.time, 2) + " s" +
-         (peak.tool.empty() ? "" : " on " + peak.tool);
+  return "Largest force " + force_quantity(peak.force, peak.force, expected_by(peak)).text() + " at " +
+         fixed_text(peak.time, 2) + " s" + (peak.tool.empty() ? "" : " on " + peak.tool);
 }
 
 }  // namespace
 
 Image force_plot_image(const std::string& title, const std::vector<ToolForces>& tools, ImageSize size) {
   const double unit = page_unit(size);
-  return plot_page(
-      {.title = title, .summary = summary(tools), .left = time_chart(tools, unit), .right = depth_chart(tools, unit)},
-      size);
+  const Peak peak = peak_of(tools);
+  const ForceUnit forces = force_unit(expected_by(peak), peak.force);
+  const std::vector<ToolForces> shown = in_unit(tools, forces);
+  return plot_page({.title = title,
+                    .summary = summary(peak),
+                    .left = time_chart(shown, forces, unit),
+                    .right = depth_chart(shown, forces, unit)},
+                   size);
 }
 
 }  // namespace thinwall

@@ -57,7 +57,7 @@ void draw_gauge(Image& image, const OverlayGrid& grid, const OverlayContent& con
   const Text tool(content.tool, {.size = grid.pixels(kSmallText + 1), .color = plate_style::kFaintText},
                   {.width = std::max(1.0, room)});
   tool.draw(plate, left, grid.pixels(24) - tool.height() / 2);
-  draw_force(plate, grid, force_quantity(content.force, peak));
+  draw_force(plate, grid, force_quantity(content.force, peak, content.expected_force));
   const double line = grid.pixels(107);
   plate.line(left, line, plate.size().width - left, line, std::max(1.0, grid.unit), plate_style::kGridLine);
   draw_value(plate, grid, left, "Depth", depth_quantity(content.depth));

@@ -27,10 +27,17 @@ std::string fixed_text(double value, int decimals) {
   return value < 0 && !is_zero ? "\u2212" + digits : digits;
 }
 
-QuantityText force_quantity(double newton, double peak) {
+ForceUnit force_unit(double expected, double peak) {
+  if (expected < 1e-4 && peak < 1e-3) return {1e-6, "\u00b5N"};
+  if (expected < 0.1 && peak < 1) return {1e-3, "mN"};
+  return peak < 1e4 ? ForceUnit{1, "N"} : ForceUnit{1e3, "kN"};
+}
+
+QuantityText force_quantity(double newton, double peak, double expected) {
   const double largest = std::max(std::abs(newton), std::abs(peak));
-  if (largest >= 1e4) return {fixed_text(newton / 1e3, decimals_for(largest / 1e3, 0, 2)), "kN"};
-  return {fixed_text(newton, decimals_for(largest, 1, 3)), "N"};
+  const ForceUnit unit = force_unit(expected, largest);
+  const int fewest = unit.newton > 1 ? 0 : 1, most = unit.newton > 1 ? 2 : 3;
+  return {fixed_text(newton / unit.newton, decimals_for(largest / unit.newton, fewest, most)), unit.name};
 }
 
 QuantityText depth_quantity(double metres) {

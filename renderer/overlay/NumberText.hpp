@@ -15,8 +15,18 @@ struct QuantityText {
 /// locale. The value must be finite.
 std::string fixed_text(double value, int decimals);
 
-/// Newton, from 10 kN on kilonewton; as many decimals as make three digits of `peak`, at least what `value` needs.
-QuantityText force_quantity(double newton, double peak);
+struct ForceUnit {
+  double newton = 1;
+  const char* name = "N";
+};
+
+/// The unit for forces that are expected to stay below `expected`, about: newton, below 0.1 N millinewton, below 0.1 mN
+/// micronewton. Where `peak` has come to be 1000 of a small unit the next larger one, from 10 kN on kilonewton. It does
+/// not become smaller while a force is small, so that the unit does not change whenever a tool begins to touch.
+ForceUnit force_unit(double expected, double peak);
+
+/// In that unit; as many decimals as make three digits of `peak`, at least what `newton` needs.
+QuantityText force_quantity(double newton, double peak, double expected = 1);
 /// Millimetres.
 QuantityText depth_quantity(double metres);
 /// Pascal, from 1 kPa on kilopascal, from 1 MPa on megapascal.

@@ -44,6 +44,7 @@ struct OverlayContent {
   std::string phase;       // of the tool
   std::string tool;
   double force = 0;                             // newton
+  double expected_force = 1;                    // newton, by which the unit of forces is chosen: see force_unit()
   double depth = 0;                             // metres
   std::optional<double> pressure = 0;           // pascal; none where no body has contents
   std::vector<ForceSample> history;             // ascending in time, up to `time`

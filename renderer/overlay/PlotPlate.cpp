@@ -6,6 +6,7 @@
 
 #include "renderer/overlay/Axis.hpp"
 #include "renderer/overlay/ForceCurve.hpp"
+#include "renderer/overlay/NumberText.hpp"
 #include "renderer/overlay/Text.hpp"
 
 namespace thinwall {
@@ -21,11 +22,6 @@ constexpr Color kToolCurves[] = {plate_style::kCurve, {0.80, 0.62, 0.98}, {0.60,
 Color tool_color(std::size_t number) {
   return kToolCurves[number % std::size(kToolCurves)];
 }
-
-struct ForceUnit {
-  double newton;
-  const char* name;
-};
 
 /// The axes and where they lie in the plate.
 struct ForcePlot {
@@ -49,12 +45,12 @@ Axis time_axis(double longest, const OverlayGrid& grid, double room) {
 }
 
 ForcePlot plot_for(const Plate& plate, const OverlayGrid& grid, const OverlayContent& content, double peak) {
-  constexpr double kSmallestPeak = 0.01;  // newton: below that an empty plot would show the solver's last digits
-  const ForceUnit unit = peak >= 1e4 ? ForceUnit{1e3, "kN"} : ForceUnit{1, "N"};
+  constexpr double kSmallestPeak = 0.01;  // in the unit: below that an empty plot would show the solver's last digits
+  const ForceUnit unit = force_unit(content.expected_force, peak);
   const double end = content.history.empty() ? 0 : content.history.back().time;
   const double longest = std::max({content.duration, content.time, end});
   ForcePlot plot{
-      .time = {}, .force = growing_axis(std::max(peak, kSmallestPeak) / unit.newton), .unit = unit, .area = {}};
+      .time = {}, .force = growing_axis(std::max(peak / unit.newton, kSmallestPeak)), .unit = unit, .area = {}};
   double label_width = 0;
   for (const double tick : plot.force.ticks) {
     label_width = std::max(label_width, Text(plot.force.label(tick), label_style(grid)).width());

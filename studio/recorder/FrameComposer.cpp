@@ -7,6 +7,7 @@
 
 #include "renderer/snapshot/SameTime.hpp"
 #include "renderer/snapshot/SurfaceFields.hpp"
+#include "studio/recorder/ExpectedForce.hpp"
 
 namespace thinwall {
 namespace {
@@ -83,6 +84,7 @@ void FrameComposer::add(Moment moment) {
   earlier_ = std::move(later_);
   later_ = std::move(moment);
   shots_.add(later_->snapshot);
+  if (!earlier_) expected_force_ = expected_force(later_->snapshot);
   histories_.resize(later_->snapshot.tools.size());
   for (std::size_t i = 0; i < histories_.size(); ++i) {
     histories_[i].push_back({.time = later_->snapshot.time, .force = magnitude(later_->snapshot.tools[i].force)});
@@ -153,6 +155,7 @@ OverlayContent FrameComposer::overlay(const Snapshot& snapshot) const {
   content.tool = tool->name;
   content.phase = tool->phase;
   content.force = magnitude(tool->force);
+  content.expected_force = expected_force_;
   content.depth = tool->depth;
   content.tool_number = static_cast<std::size_t>(tool - snapshot.tools.data());
   content.history = history_of(content.tool_number, snapshot);

@@ -64,6 +64,7 @@ class FrameComposer {
   std::shared_ptr<const TakeComparison> comparison_;
   std::optional<ShotFollower> second_shots_;
   std::vector<std::vector<ForceSample>> second_histories_;  // like `histories_`, of the second take
+  double expected_force_ = 1;                               // newton
   bool has_worked_ = false;      // whether a tool that a clip drives has touched, up to `earlier_`
   std::size_t last_active_ = 0;  // the tool that last did, else the one that last was driven
 };

@@ -31,6 +31,20 @@ TEST(NumberText, ForceKeepsItsDecimalsWhileItFallsFromThePeak) {
   EXPECT_EQ(force_quantity(10, 123456).text(), "0 kN");
 }
 
+TEST(NumberText, SmallForcesHaveAUnitThatShowsThem) {
+  constexpr double kOfATinyBody = 0.001, kOfACell = 1e-6;
+  EXPECT_EQ(force_quantity(0, 0, kOfATinyBody).text(), "0.000 mN");
+  EXPECT_EQ(force_quantity(2e-5, 2e-5, kOfATinyBody).text(), "0.020 mN");
+  EXPECT_EQ(force_quantity(0.0312, 0.0312, kOfATinyBody).text(), "31.2 mN");
+  EXPECT_EQ(force_quantity(4e-7, 4e-7, kOfACell).text(), "0.400 \u00b5N");
+}
+
+TEST(NumberText, ForcesThatBecomeLargerThanExpectedTakeALargerUnit) {
+  EXPECT_EQ(force_quantity(0.5, 1.2, 0.001).text(), "0.50 N");
+  EXPECT_EQ(force_quantity(0.5, 1.2, 1e-6).text(), "0.50 N");
+  EXPECT_EQ(force_quantity(0.02, 0.02, 1e-6).text(), "20.0 mN");
+}
+
 TEST(NumberText, DepthIsInMillimetres) {
   EXPECT_EQ(depth_quantity(0.004).text(), "4.00 mm");
   EXPECT_EQ(depth_quantity(0.0123).text(), "12.3 mm");

@@ -41,6 +41,22 @@ TEST(FrameComposerTest, TellsThePressureOfTheFirstBodyThatHasContents) {
   EXPECT_EQ(both.compose(0).overlay.pressure, 700);
 }
 
+TEST(FrameComposerTest, ForcesOfSmallBodiesAreExpectedToBeSmall) {
+  Moment moment = SyntheticRun().moment(0);
+  FrameComposer large("", {});
+  large.add(moment);
+  EXPECT_GT(large.compose(0).overlay.expected_force, 0.1);
+  auto small = std::make_shared<SnapshotTopology>(*moment.snapshot.surfaces[0].topology);
+  for (Float3& position : small->rest_positions) {
+    for (float& part : position) part /= 50;
+  }
+  for (float& thickness : small->thickness) thickness /= 50;
+  moment.snapshot.surfaces[0].topology = small;
+  FrameComposer tiny("", {});
+  tiny.add(moment);
+  EXPECT_NEAR(tiny.compose(0).overlay.expected_force, large.compose(0).overlay.expected_force / 2500, 1e-6);
+}
+
 TEST(FrameComposerTest, OfSeveralToolsTheOneThatTouchesIsShownElseTheLastThatDid) {
   const SyntheticRun run;
   FrameComposer composer("", {});
