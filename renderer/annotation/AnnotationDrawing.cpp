@@ -96,11 +96,14 @@ std::vector<PixelPoint> obstacles_of(const Scene& scene) {
   return obstacles;
 }
 
-/// Where the camera is at `time`, but for a point that it follows: decides sides and order once for all.
+/// Where the camera is at `time`, but for a point that it follows and walls that grow: decides sides and order once for
+/// all.
 Camera resting_camera_at(const Scene& scene, double time) {
   CameraDefinition camera = scene.definition;
   camera.followed_point.reset();
-  return resolve_camera(camera, scene.extent, scene.size, time);
+  SceneExtent extent = scene.extent;
+  extent.grown_points.clear();
+  return resolve_camera(camera, extent, scene.size, time);
 }
 
 /// Whether a place, at rest, lies left of the middle of the organs when it is first shown.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
 #include "renderer/picture/CameraMove.hpp"
 #include "renderer/picture/PictureFailure.hpp"
@@ -21,6 +22,10 @@ struct Window {
 
 /// Within an endoscope's field stop, for pictures of 16 by 9.
 constexpr Window kRoundWindow = {.left = -0.54, .right = 0.54, .bottom = -0.72, .top = 0.70};
+
+/// Which walls may grow into, nearer to overlays and borders, before the camera goes back.
+constexpr Window kGrowthWindow = {.left = -0.92, .right = 0.80, .bottom = -0.78, .top = 0.80};
+constexpr Window kRoundGrowthWindow = {.left = -0.58, .right = 0.58, .bottom = -0.80, .top = 0.80};
 
 /// At which the standard view looks down, radians.
 constexpr double kElevation = 33 * std::numbers::pi / 180;
@@ -51,30 +56,56 @@ Vector3 oblique_direction(const SceneExtent& extent, double elevation) {
 /// coordinate of a point across and c towards the camera, at camera coordinates (x, z) the point lies inside when
 /// low * tangent * (z - c) <= a - x <= high * tangent * (z - c): two half planes in (x, z) for each point.
 struct Fit {
+  double low = -1, high = 1, tangent = 1;
   double largest = -std::numeric_limits<double>::max();  // of a + high * tangent * c over the points
   double smallest = std::numeric_limits<double>::max();  // of a + low * tangent * c
+
+  void include(double across, double toward) {
+    largest = std::max(largest, across + high * tangent * toward);
+    smallest = std::min(smallest, across + low * tangent * toward);
+  }
+  double distance() const { return (largest - smallest) / ((high - low) * tangent); }
+  double middle(double distance) const { return 0.5 * (largest + smallest - (low + high) * tangent * distance); }
+  /// The nearest to `place` from which all points are inside.
+  double nearest_to(double place, double distance) const {
+    return std::max(largest - high * tangent * distance, std::min(place, smallest - low * tangent * distance));
+  }
 };
 
-/// Moves the camera so that its window just holds all points.
-void frame(Camera& camera, const SceneExtent& extent) {
-  const Window window = camera.kind == CameraKind::kEndoscope ? kRoundWindow : Window{};
+/// Both side pairs.
+struct Fits {
   Fit x, y;
-  for (const Vector3& point : extent.rest_points) {
-    const double across = dot(point, camera.right);
-    const double upward = dot(point, camera.up);
+  double distance() const { return std::max(x.distance(), y.distance()); }
+};
+
+Fits fit(const Camera& camera, const Window& window, std::span<const Vector3> points) {
+  Fits fits{.x = {.low = window.left, .high = window.right, .tangent = camera.tangent_x},
+            .y = {.low = window.bottom, .high = window.top, .tangent = camera.tangent_y}};
+  for (const Vector3& point : points) {
     const double toward = -dot(point, camera.forward);
-    x.largest = std::max(x.largest, across + window.right * camera.tangent_x * toward);
-    x.smallest = std::min(x.smallest, across + window.left * camera.tangent_x * toward);
-    y.largest = std::max(y.largest, upward + window.top * camera.tangent_y * toward);
-    y.smallest = std::min(y.smallest, upward + window.bottom * camera.tangent_y * toward);
+    fits.x.include(dot(point, camera.right), toward);
+    fits.y.include(dot(point, camera.up), toward);
   }
-  const double distance = std::max((x.largest - x.smallest) / ((window.right - window.left) * camera.tangent_x),
-                                   (y.largest - y.smallest) / ((window.top - window.bottom) * camera.tangent_y));
-  const auto middle = [&](const Fit& fit, double low, double high, double tangent) {
-    return 0.5 * (fit.largest + fit.smallest - (low + high) * tangent * distance);
-  };
-  camera.position = middle(x, window.left, window.right, camera.tangent_x) * camera.right +
-                    middle(y, window.bottom, window.top, camera.tangent_y) * camera.up - distance * camera.forward;
+  return fits;
+}
+
+/// Moves the camera so that its window just holds all rest points; where walls have grown out of the picture, aside and
+/// back from there until it holds them too, as far as `kFarthest` times as far.
+void frame(Camera& camera, const SceneExtent& extent) {
+  constexpr double kFarthest = 3;
+  const bool is_round = camera.kind == CameraKind::kEndoscope;
+  const Fits rest = fit(camera, is_round ? kRoundWindow : Window{}, extent.rest_points);
+  double distance = rest.distance();
+  double x = rest.x.middle(distance), y = rest.y.middle(distance);
+  const Fits grown = fit(camera, is_round ? kRoundGrowthWindow : kGrowthWindow, extent.grown_points);
+  if (!extent.grown_points.empty()) {
+    const double to_center = distance + dot(extent.center, camera.forward);
+    const double farthest = distance + (kFarthest - 1) * std::max(to_center, 0.0);
+    distance = std::clamp(grown.distance(), distance, farthest);
+    x = grown.x.nearest_to(rest.x.middle(distance), distance);
+    y = grown.y.nearest_to(rest.y.middle(distance), distance);
+  }
+  camera.position = x * camera.right + y * camera.up - distance * camera.forward;
 }
 
 Vector3 turned(Vector3 offset, Vector3 axis, double angle) {

@@ -33,10 +33,10 @@ struct Camera {
   std::optional<std::array<double, 2>> pixel(Vector3 point, ImageSize size) const;
 };
 
-/// Completes `definition` for a picture of `size` at `time` (seconds). What is absent follows from the rest points
-/// alone: a three-quarter view from above that shows them whole, with room for a title above, a caption below, a plot
-/// at the lower right. Throws PictureFailure when position and target coincide or the field of view is not inside (0,
-/// pi).
+/// Completes `definition` for a picture of `size` at `time` (seconds). What is absent follows from the rest points:
+/// a three-quarter view from above that shows them whole, with room for a title above, a caption below, a plot at the
+/// lower right; from farther off where walls have grown out of that. Throws PictureFailure when position and target
+/// coincide or the field of view is not inside (0, pi).
 Camera resolve_camera(const CameraDefinition& definition, const SceneExtent& extent, ImageSize size, double time);
 
 /// The pinhole at the camera's place whose picture holds all that its lens brings into the camera's, with the field

@@ -51,14 +51,27 @@ double floor_below(Vector3 low, Vector3 high, double lowest_now) {
   return std::min(low.z - gap, lowest_now);
 }
 
-/// The floor does not go down with what was cut out and falls.
-double lowest_standing(const SnapshotSurface& surface) {
+/// Where the wall is now, but for what was cut out and falls.
+std::vector<Vector3> standing_points(const SnapshotSurface& surface) {
   const std::vector<std::uint32_t> pieces = cut_out_pieces(*surface.topology);
-  double lowest = std::numeric_limits<double>::max();
+  std::vector<Vector3> points;
+  points.reserve(surface.positions.size());
   for (std::size_t v = 0; v < surface.positions.size(); ++v) {
-    if (pieces[v] == kHeldPiece) lowest = std::min(lowest, static_cast<double>(surface.positions[v][2]));
+    if (pieces[v] == kHeldPiece) points.push_back(vector3(surface.positions[v]));
   }
+  return points;
+}
+
+/// The floor does not go down with what was cut out and falls.
+double lowest_of(std::span<const Vector3> points) {
+  double lowest = std::numeric_limits<double>::max();
+  for (const Vector3& point : points) lowest = std::min(lowest, point.z);
   return lowest;
+}
+
+bool is_outside(const Vector3& point, const Vector3& low, const Vector3& high) {
+  return point.x < low.x || point.y < low.y || point.z < low.z || point.x > high.x || point.y > high.y ||
+         point.z > high.z;
 }
 
 double lowest_at_rest(const SnapshotTopology& topology) {
@@ -92,7 +105,7 @@ SceneExtent scene_extent(const Snapshot& snapshot) {
   SceneExtent extent;
   Vector3 low{kFar, kFar, kFar};
   Vector3 high{-kFar, -kFar, -kFar};
-  double lowest_now = kFar;
+  std::vector<Vector3> now;
   for (const SnapshotSurface& surface : snapshot.surfaces) {
     check(surface);
     for (const Float3& position : surface.topology->rest_positions) {
@@ -101,13 +114,17 @@ SceneExtent scene_extent(const Snapshot& snapshot) {
       low = {std::min(low.x, point.x), std::min(low.y, point.y), std::min(low.z, point.z)};
       high = {std::max(high.x, point.x), std::max(high.y, point.y), std::max(high.z, point.z)};
     }
-    lowest_now = std::min(lowest_now, lowest_standing(surface));
+    const std::vector<Vector3> standing = standing_points(surface);
+    now.insert(now.end(), standing.begin(), standing.end());
   }
   if (extent.rest_points.empty()) return extent;
 
   extent.center = 0.5 * (low + high);
   extent.size = std::max(length(high - low), 1e-6);
-  extent.floor_height = floor_below(low, high, lowest_now);
+  extent.floor_height = floor_below(low, high, lowest_of(now));
+  for (const Vector3& point : now) {
+    if (is_outside(point, low, high)) extent.grown_points.push_back(point);
+  }
   double reach = 0;
   for (const SnapshotSurface& surface : snapshot.surfaces) {
     for (const Float3& position : surface.positions) reach = std::max(reach, length(vector3(position) - extent.center));
@@ -120,7 +137,7 @@ double lying_height(const Snapshot& snapshot, std::span<const std::vector<Border
   double lowest = std::numeric_limits<double>::max();
   for (std::size_t k = 0; k < snapshot.surfaces.size(); ++k) {
     const SnapshotSurface& surface = snapshot.surfaces[k];
-    const double now = ends[k].empty() ? lowest_standing(surface) : lowest_end(surface, ends[k]);
+    const double now = ends[k].empty() ? lowest_of(standing_points(surface)) : lowest_end(surface, ends[k]);
     lowest = std::min({lowest, now, lowest_at_rest(*surface.topology)});
   }
   return lowest;

@@ -12,10 +12,13 @@ namespace thinwall {
 /// Where a scene is and how large, so that camera, light, tools and patterns fit organs of any size.
 struct SceneExtent {
   std::vector<Vector3> rest_points;  // all stress-free vertices: the same in every snapshot of a take
-  Vector3 center;                    // metres, of the box around the rest points
-  double size = 0.1;                 // metres, diagonal of that box; 0.1 where there is no surface
-  double floor_height = 0;           // metres, z of the floor below everything but pieces that were cut out and fall
-  double reach = 0.05;  // metres, radius around `center` of the current surfaces, rounded up in coarse steps
+  // Vertices as they are now, but for pieces that were cut out, of walls that have grown beyond the box of their rest
+  // points: a camera that nobody has placed goes back for them. None of others.
+  std::vector<Vector3> grown_points = {};
+  Vector3 center;           // metres, of the box around the rest points
+  double size = 0.1;        // metres, diagonal of that box; 0.1 where there is no surface
+  double floor_height = 0;  // metres, z of the floor below everything but pieces that were cut out and fall
+  double reach = 0.05;      // metres, radius around `center` of the current surfaces, rounded up in coarse steps
 };
 
 /// Throws PictureFailure naming the body whose arrays do not fit together or are not finite.

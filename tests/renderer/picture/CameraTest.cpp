@@ -65,6 +65,52 @@ TEST(Camera, LooksDownAsSteeplyAsItIsTold) {
   }
 }
 
+/// A ball that has been blown up by a factor, about its lowest point.
+SceneExtent blown_up(float factor) {
+  SnapshotSurface ball = test::sphere("ball", {}, 0.02, 3);
+  for (Float3& position : ball.positions) {
+    for (float& part : position) part *= factor;
+    position[2] += (factor - 1) * 0.02F;
+  }
+  return extent_of(ball);
+}
+
+TEST(Camera, ByDefaultGoesBackForWallsThatGrowOutOfThePicture) {
+  for (const CameraKind kind : {CameraKind::kPinhole, CameraKind::kEndoscope}) {
+    const CameraDefinition definition{.kind = kind};
+    const Camera before = resolve_camera(definition, blown_up(1), kSize, 0);
+    EXPECT_EQ(length(resolve_camera(definition, blown_up(1.05F), kSize, 0).position - before.position), 0)
+        << "there is room for what grows a little";
+    double distance = 0;
+    for (const float factor : {1.5F, 2.0F, 2.2F}) {
+      const SceneExtent extent = blown_up(factor);
+      const Camera camera = resolve_camera(definition, extent, kSize, 0);
+      EXPECT_EQ(length(camera.forward - before.forward), 0);
+      EXPECT_GT(length(camera.position - before.position), distance);
+      distance = length(camera.position - before.position);
+      for (const Vector3& point : extent.grown_points) {
+        const auto pixel = camera.pixel(point, kSize);
+        ASSERT_TRUE(pixel);
+        EXPECT_GE((*pixel)[0], 0);
+        EXPECT_LE((*pixel)[0], kSize.width);
+        EXPECT_GE((*pixel)[1], 0.09 * kSize.height);
+        EXPECT_LE((*pixel)[1], 0.91 * kSize.height);
+      }
+    }
+  }
+}
+
+TEST(Camera, GoesBackOnlySoFarForAWallThatFliesAway) {
+  const Camera before = resolve_camera({}, blown_up(1), kSize, 0);
+  const Camera camera = resolve_camera({}, blown_up(1000), kSize, 0);
+  EXPECT_LT(-dot(camera.position, camera.forward), 3.1 * -dot(before.position, before.forward));
+}
+
+TEST(Camera, StaysWhereItIsPutWhileWallsGrow) {
+  const CameraDefinition definition{.position = Double3{0, -0.2, 0}};
+  EXPECT_EQ(resolve_camera(definition, blown_up(3), kSize, 0).position.y, -0.2);
+}
+
 TEST(Camera, ByDefaultAllRestPointsAreSeenAndFillTheRoomBetweenTheOverlays) {
   for (const SceneExtent& extent : {box(0.03f, 0.02f, 0.01f), box(0.001f, 0.002f, 0.02f), box(2, 9, 1)}) {
     for (const ImageSize size : {kSize, ImageSize{400, 900}}) {
