@@ -45,6 +45,12 @@ constexpr double kMissingPart = 0.8;
 /// The same as a part of the slit's cost, where the wall has found no equilibrium on the shaft.
 constexpr double kRetryPart = 0.1;
 
+/// Whether a needle's axis goes through a triangle, its tip being beyond it.
+bool is_through(const std::array<Eigen::Vector3d, 3>& corners, const ToolPose& pose) {
+  const auto found = where_axis_meets(corners, pose);
+  return found && found->ahead < 0;
+}
+
 /// Slits around which the wall may find no equilibrium on the shaft before the needle is let go on: where one along the
 /// one axis of the needle jams, one along the other may not.
 constexpr int kMostJams = 2;
@@ -203,7 +209,10 @@ bool Body::is_clear_of(const Puncture& puncture, const ToolPose& pose) const {
   for (const ToolSolid& solid : tool_solids(tools_[*puncture.tool], pose)) {
     for (int t = 0; t < model_->triangles(); ++t) {
       if (!marks[t]) continue;
-      for (const Eigen::Vector3d& corner : corners_of(model_->surface[t], state_.equilibrium.position)) {
+      const auto corners = corners_of(model_->surface[t], state_.equilibrium.position);
+      // A wall that snaps back aside when its lips are let go may have the tip in the middle of a triangle.
+      if (is_through(corners, pose)) return false;
+      for (const Eigen::Vector3d& corner : corners) {
         if (signed_distance(solid, corner).value < solid.sharpness()) return false;
       }
     }

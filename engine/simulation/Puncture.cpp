@@ -86,22 +86,27 @@ bool Puncture::is_sealed() const {
   return tool && std::ranges::any_of(points, &ShaftPoint::touches);
 }
 
+std::optional<AxisMeeting> where_axis_meets(const std::array<Eigen::Vector3d, 3>& corners, const ToolPose& pose) {
+  Eigen::Matrix3d system;
+  system << corners[1] - corners[0], corners[2] - corners[0], -pose.direction;
+  const double scale = system.leftCols<2>().colwise().norm().maxCoeff();
+  if (std::abs(system.determinant()) <= std::numeric_limits<double>::epsilon() * scale * scale) return std::nullopt;
+  const Eigen::Vector3d found = system.inverse() * (pose.tip - corners[0]);
+  const Eigen::Vector3d weights(1 - found[0] - found[1], found[0], found[1]);
+  if (weights.minCoeff() < 0) return std::nullopt;
+  return AxisMeeting{.weights = weights, .ahead = found[2]};
+}
+
 std::optional<SurfacePoint> pressed_place(const BodyModel& model, const Eigen::VectorXd& position, const ToolPose& pose,
                                           double radius, const std::vector<char>& is_free) {
   std::optional<SurfacePoint> place;
   double nearest = 2 * radius;
   for (int t = 0; t < model.triangles(); ++t) {
     if (is_free[t]) continue;
-    const auto corners = corners_of(model.surface[t], position);
-    Eigen::Matrix3d system;
-    system << corners[1] - corners[0], corners[2] - corners[0], -pose.direction;
-    const double scale = system.leftCols<2>().colwise().norm().maxCoeff();
-    if (std::abs(system.determinant()) <= std::numeric_limits<double>::epsilon() * scale * scale) continue;
-    const Eigen::Vector3d found = system.inverse() * (pose.tip - corners[0]);
-    const Eigen::Vector3d weights(1 - found[0] - found[1], found[0], found[1]);
-    if (weights.minCoeff() < 0 || std::abs(found[2]) >= nearest) continue;
-    nearest = std::abs(found[2]);
-    place = SurfacePoint{.triangle = t, .weights = weights};
+    const auto met = where_axis_meets(corners_of(model.surface[t], position), pose);
+    if (!met || std::abs(met->ahead) >= nearest) continue;
+    nearest = std::abs(met->ahead);
+    place = SurfacePoint{.triangle = t, .weights = met->weights};
   }
   return place;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <functional>
 #include <optional>
 #include <span>
@@ -44,6 +45,15 @@ struct Rupture {
   double released = 0;  // joule, by wall, fluid and weight
   double cost = 0;      // joule, of the new cut area
 };
+
+/// Where the line of a needle's axis meets a triangle.
+struct AxisMeeting {
+  Eigen::Vector3d weights;  // of the corners
+  double ahead = 0;         // metres before the tip, negative behind it
+};
+
+/// Nothing where it passes beside the triangle or lies in its plane.
+std::optional<AxisMeeting> where_axis_meets(const std::array<Eigen::Vector3d, 3>& corners, const ToolPose& pose);
 
 /// Where a needle's point is on the wall: where its axis meets it nearest to the tip, within two radii. Nothing where
 /// it does not, or where `is_free` says that the wall there is on its shaft already. `is_free`: (triangles).

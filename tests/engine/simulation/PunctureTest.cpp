@@ -7,6 +7,8 @@
 #include <functional>
 #include <vector>
 
+#include "engine/mesh/Shapes.hpp"
+#include "tests/engine/simulation/DrivenNeedle.hpp"
 #include "tests/engine/simulation/TestBodies.hpp"
 
 namespace thinwall {
@@ -158,6 +160,23 @@ TEST(ANeedleThatPierces, FeelsWhatItFeelsOnAnUncutWallUntilItRuptures) {
   // Without friction nothing holds the wall on the shaft.
   move_needle(pierced, height, height - 3e-3, 0.2e-3, with);
   EXPECT_LT(std::abs(with.forces.back()), 1e-6 * without.forces.back());
+}
+
+TEST(ANeedleThatPierces, LeavesAWallThatSnapsBackAsideWhenItsLipsAreLetGo) {
+  // Off the middle of a coarse ball: the shaft holds the lips aside, and the tip is within a triangle beside them when
+  // it has left them.
+  BodyDefinition ball = make_body(make_sphere(20e-3, 800), 2e-3, neo_hookean(20e3));
+  ball.fluid.initial_pressure = 600;
+  ball.fixed = {{.region = BelowRegion{2, -10e-3}, .axes = {true, true, true}}};
+  ball.toughness = {200};
+  Body body(ball, {{.name = "needle", .kind = ToolKind::kNeedle, .length = 50e-3, .radius = 0.8e-3}}, dynamic());
+  body.settle();
+  DrivenNeedle needle{
+      .at = {0, -20e-3, 8e-3}, .direction = Eigen::Vector3d::UnitY(), .step = 0.96e-3, .duration = 16e-3};
+  needle.move(body, 11.52e-3);
+  ASSERT_EQ(needle.ruptures.size(), 1u);
+  needle.move(body, -5.76e-3);
+  EXPECT_EQ(needle.forces.back(), 0) << "the wall hangs on the tip";
 }
 
 }  // namespace
