@@ -81,7 +81,7 @@ vec3 lit_tissue(vec3 place, vec3 normal) {
 // edge. xyz: what comes from there, w: how much of the mirror it fills, less the farther away it is, as what brushed steel
 // shows blurs with the distance.
 vec4 mirrored_tissue(Steel steel, vec3 direction) {
-  const int kSteps = 7;
+  const int kSteps = 7, kStepsInDents = 3;
   const float kFirst = 0.006, kGrowth = 1.55;  // parts of the scene's size
   float onward = dot(line_of_sight.xyz, direction);
   vec2 here = gl_FragCoord.xy * vec2(floor_key.w, floor_sky.w);
@@ -103,17 +103,21 @@ vec4 mirrored_tissue(Steel steel, vec3 direction) {
     bool is_tissue = depth > 0.0 && depth < 1.0;
     // Metres, where they count: close to the surface.
     float next_gap = is_tissue ? at.z * (at.z * (clip_x.w + clip_y.w * depth) - 1.0) : -1.0;
-    // What lies far before the ray does not end it: it goes on behind.
-    goes_on = goes_on && next_gap <= min(3.0 * step, 0.12 * scene_center.w);
+    // What lies far before the ray does not end it: it goes on behind, unseen. In a dent, behind whose near border a tool
+    // stands, the wall there is as that border is.
+    bool is_before = goes_on && next_gap > min(3.0 * step, 0.12 * scene_center.w);
+    bool is_in_dent = is_before && i < kStepsInDents;
+    goes_on = goes_on && !is_before;
     float approach = (next_gap - gap) / step;
     bool nears = is_over && approach > 0.0;
     bool goes_over = goes_on && is_tissue;
     float to_go = nears ? -next_gap / approach : next_gap > 0.0 ? 0.0 : 1e3;
     meets = goes_over ? way + step + to_go : meets;
     beyond = goes_over ? to_go / step : beyond;
-    pixel = goes_over ? next_pixel : pixel;
+    meets = is_in_dent ? way + step : meets;
+    pixel = goes_over || is_in_dent ? next_pixel : pixel;
     gap = goes_on ? next_gap : gap;
-    is_over = goes_on ? is_tissue : is_over;
+    is_over = goes_on ? is_tissue : is_over || is_in_dent;
     way = goes_on ? way + step : way;
     goes_on = goes_on && gap <= 0.0;
     step *= kGrowth;
