@@ -15,6 +15,7 @@ PartKind part_kind(TissueSide side) {
     case TissueSide::kLining:
       return PartKind::kLining;
     case TissueSide::kCap:
+    case TissueSide::kCapLining:
       return PartKind::kCap;
     case TissueSide::kBed:  // no part of a body
     case TissueSide::kOutside:

@@ -68,6 +68,7 @@ TissueLook side_look(const TissueLook& look, TissueSide side) {
     case TissueSide::kRim:
       return rim_look(look);
     case TissueSide::kLining:
+    case TissueSide::kCapLining:
       return lining_look(look);
     case TissueSide::kCap:
       return cap_look(look);
@@ -97,7 +98,7 @@ std::array<float, 4> linear4(const Double3& color, double w) {
 LookUniforms look_uniforms(const TissueLook& given, TissueSide side, const VesselTree& tree) {
   const TissueLook look = side_look(given, side);
   const bool is_rim = side == TissueSide::kRim;
-  const bool is_enclosed = side == TissueSide::kLining || side == TissueSide::kBed;
+  const bool is_enclosed = side == TissueSide::kLining || side == TissueSide::kCapLining || side == TissueSide::kBed;
   // The layers of a rim stand in for the colours that its pattern does without.
   const Double3& flesh = is_rim ? look.layers.outer : look.color;
   const Double3& blood = is_rim ? look.layers.middle : look.blood;

@@ -10,10 +10,11 @@ namespace thinwall {
 /// What of a body is seen.
 enum class TissueSide {
   kOutside,
-  kRim,     // where the wall is cut through or ends
-  kLining,  // the inner side
-  kCap,     // closes the fluid where no wall is
-  kBed      // what an open sheet of skin lies on
+  kRim,        // where the wall is cut through or ends
+  kLining,     // the inner side
+  kCap,        // closes the fluid where no wall is
+  kCapLining,  // that from within
+  kBed         // what an open sheet of skin lies on
 };
 
 /// A part's look as the shader reads it: the block `Look` of shaders/tissue.vert, in the std140 layout. Colours are

@@ -107,6 +107,9 @@ void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& 
       find_films(snapshot, k, body_look, pieces);
     }
     if (pieces.empty()) continue;
+    if (!drawn.borders.empty()) {
+      if (auto lining = cap_lining(pieces)) pieces.push_back(std::move(*lining));
+    }
     const bool is_closed = encloses_its_inside(surface, drawn.borders, pieces);
     Bounds body_bounds = bounds_of(pieces.front().vertices);
     for (const TissuePiece& piece : pieces) body_bounds = around(body_bounds, bounds_of(piece.vertices));

@@ -34,6 +34,16 @@ std::vector<TissuePiece> tissue_pieces(const SnapshotSurface& surface, std::span
   return pieces;
 }
 
+std::optional<TissuePiece> cap_lining(std::span<const TissuePiece> pieces) {
+  const auto caps = std::ranges::find(pieces, TissueSide::kCap, &TissuePiece::side);
+  if (caps == pieces.end()) return std::nullopt;
+  TissuePiece lining{.side = TissueSide::kCapLining, .vertices = caps->vertices, .corners = caps->corners};
+  for (SurfaceVertex& vertex : lining.vertices) vertex.normal = float3(-vector3(vertex.normal));
+  for (std::size_t c = 0; c + 3 <= lining.corners.size(); c += 3)
+    std::swap(lining.corners[c + 1], lining.corners[c + 2]);
+  return lining;
+}
+
 bool encloses_its_inside(const SnapshotSurface& surface, std::span<const BorderEdge> borders,
                          std::span<const TissuePiece> pieces) {
   if (!borders.empty()) return std::ranges::find(pieces, TissueSide::kLining, &TissuePiece::side) != pieces.end();

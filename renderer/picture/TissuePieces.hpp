@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,6 +25,9 @@ struct TissuePiece {
 /// vertices and the ways through it.
 std::vector<TissuePiece> tissue_pieces(const SnapshotSurface& surface, std::span<const BorderEdge> borders,
                                        std::vector<SurfaceVertex> wall, const WallWays& ways);
+
+/// The caps from within, as an opening of the wall shows them; nothing where there are none.
+std::optional<TissuePiece> cap_lining(std::span<const TissuePiece> pieces);
 
 /// Whether `pieces` of the surface close it, with their front sides outwards: walls without a border, and those whose
 /// thickness is drawn.

@@ -29,6 +29,31 @@ Image picture_from(double place, bool faces_inwards, Tier tier) {
   return Renderer(DeviceChoice{}, kSize, tier).draw(snapshot, view);
 }
 
+/// Of such a ball that is open where x < -15 mm and has a cap instead of a wall where x > 15 mm, seen through the
+/// opening.
+Image picture_of_the_cap(Tier tier) {
+  SnapshotSurface ball = test::sphere("organ", {0, 0, 0}, 0.03, 4);
+  auto topology = std::make_shared<SnapshotTopology>(*ball.topology);
+  topology->triangles.clear();
+  for (const Triangle& triangle : ball.topology->triangles) {
+    float x = 0;
+    for (const std::uint32_t vertex : triangle) x += ball.positions[vertex][0] / 3;
+    if (x > 0.015F) topology->cap_triangles.push_back(triangle);
+    if (x > -0.015F && x <= 0.015F) topology->triangles.push_back(triangle);
+  }
+  topology->thickness.assign(topology->triangles.size(), 0.001F);
+  ball.topology = topology;
+  Snapshot snapshot;
+  snapshot.surfaces = {ball};
+  ViewDefinition view;
+  view.camera.position = Double3{-0.12, 0, 0};
+  view.camera.target = Double3{0, 0, 0};
+  view.camera.field_of_view = 0.15;
+  view.look.floor = false;
+  view.look.background = {0, 1, 0};
+  return Renderer(DeviceChoice{}, kSize, tier).draw(snapshot, view);
+}
+
 /// Pixels, of all, that are as green as the background.
 int background_of(const Image& image) {
   int count = 0;
@@ -44,6 +69,16 @@ TEST(ClosedBody, IsSeenFromInsideAndOutside) {
     EXPECT_EQ(background_of(picture_from(0, false, tier)), 0) << "from the middle";
     EXPECT_EQ(background_of(picture_from(-0.029, false, tier)), 0) << "from just behind the wall";
     EXPECT_EQ(background_of(picture_from(-0.09, false, tier)), 0) << "from outside, where it fills the picture";
+  }
+}
+
+/// A dome that stands on a cap was black within, as what faces away from the viewer was left out.
+TEST(ClosedBody, ShowsItsCapsFromWithinThroughAnOpening) {
+  for (const Tier tier : {Tier::kDraft, Tier::kRecord}) {
+    const Image image = picture_of_the_cap(tier);
+    EXPECT_EQ(background_of(image), 0);
+    const std::size_t middle = 3 * static_cast<std::size_t>(32 * kSize.width + 32);
+    EXPECT_GT(image.pixels[middle], 1.3 * image.pixels[middle + 1]) << "red as the lining";
   }
 }
 
