@@ -20,11 +20,17 @@ struct Window {
   double top = 0.56;
 };
 
+/// The same in pictures less wide than 16 by 9, where captions have no room between the panels and stand above them.
+constexpr Window kNarrowWindow = {.bottom = -0.25, .top = 0.66};
+constexpr double kNarrow = 1.65;  // width over height, as of caption_space() of Overlay.cpp
+constexpr double kHalf = 1;       // below that, halves of pictures, which have room for captions, and upright pictures
+
 /// Within an endoscope's field stop, for pictures of 16 by 9.
 constexpr Window kRoundWindow = {.left = -0.54, .right = 0.54, .bottom = -0.72, .top = 0.70};
 
 /// Which walls may grow into, nearer to overlays and borders, before the camera goes back.
 constexpr Window kGrowthWindow = {.left = -0.92, .right = 0.80, .bottom = -0.78, .top = 0.80};
+constexpr Window kNarrowGrowthWindow = {.left = -0.92, .right = 0.80, .bottom = -0.35, .top = 0.80};
 constexpr Window kRoundGrowthWindow = {.left = -0.58, .right = 0.58, .bottom = -0.80, .top = 0.80};
 
 /// At which the standard view looks down, radians.
@@ -89,15 +95,26 @@ Fits fit(const Camera& camera, const Window& window, std::span<const Vector3> po
   return fits;
 }
 
+struct Windows {
+  Window rest, growth;
+};
+
+Windows windows_of(const Camera& camera) {
+  if (camera.kind == CameraKind::kEndoscope) return {kRoundWindow, kRoundGrowthWindow};
+  const double aspect = camera.tangent_x / camera.tangent_y;
+  if (aspect >= kHalf && aspect < kNarrow) return {kNarrowWindow, kNarrowGrowthWindow};
+  return {Window{}, kGrowthWindow};
+}
+
 /// Moves the camera so that its window just holds all rest points; where walls have grown out of the picture, aside and
 /// back from there until it holds them too, as far as `kFarthest` times as far.
 void frame(Camera& camera, const SceneExtent& extent) {
   constexpr double kFarthest = 3;
-  const bool is_round = camera.kind == CameraKind::kEndoscope;
-  const Fits rest = fit(camera, is_round ? kRoundWindow : Window{}, extent.rest_points);
+  const auto [window, growth_window] = windows_of(camera);
+  const Fits rest = fit(camera, window, extent.rest_points);
   double distance = rest.distance();
   double x = rest.x.middle(distance), y = rest.y.middle(distance);
-  const Fits grown = fit(camera, is_round ? kRoundGrowthWindow : kGrowthWindow, extent.grown_points);
+  const Fits grown = fit(camera, growth_window, extent.grown_points);
   if (!extent.grown_points.empty()) {
     const double to_center = distance + dot(extent.center, camera.forward);
     const double farthest = distance + (kFarthest - 1) * std::max(to_center, 0.0);

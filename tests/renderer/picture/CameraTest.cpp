@@ -100,6 +100,20 @@ TEST(Camera, ByDefaultGoesBackForWallsThatGrowOutOfThePicture) {
   }
 }
 
+TEST(Camera, LeavesRoomForCaptionsThatStandAbovePanels) {
+  for (const ImageSize size : {ImageSize{320, 240}, ImageSize{800, 600}, ImageSize{1080, 1080}, ImageSize{1280, 800}}) {
+    const SceneExtent extent = blown_up(1);
+    const Camera camera = resolve_camera({}, extent, size, 0);
+    for (const Vector3& point : extent.rest_points) {
+      const auto pixel = camera.pixel(point, size);
+      ASSERT_TRUE(pixel);
+      // Margin, panels, a gap and a caption of one line, in 720ths of the height: see Plate.hpp.
+      EXPECT_LE((*pixel)[1], (720 - 26 - 172 - 22 - 48) / 720.0 * size.height);
+      EXPECT_GE((*pixel)[1], 66 / 720.0 * size.height) << "below the title";
+    }
+  }
+}
+
 TEST(Camera, GoesBackOnlySoFarForAWallThatFliesAway) {
   const Camera before = resolve_camera({}, blown_up(1), kSize, 0);
   const Camera camera = resolve_camera({}, blown_up(1000), kSize, 0);
