@@ -18,6 +18,7 @@
 #include "renderer/picture/FocusPass.hpp"
 #include "renderer/picture/FrameUniforms.hpp"
 #include "renderer/picture/LensPass.hpp"
+#include "renderer/picture/Magnification.hpp"
 #include "renderer/picture/MeshLinePass.hpp"
 #include "renderer/picture/OutlinePass.hpp"
 #include "renderer/picture/PictureTarget.hpp"
@@ -296,14 +297,23 @@ struct Renderer::Implementation {
   }
 
   Image draw(const Snapshot& snapshot, const ViewDefinition& view, const CameraDefinition& seen_by,
-             std::vector<PassTime>* times);
+             std::vector<PassTime>* times) {
+    const double factor = magnification_of(snapshot);
+    if (factor == 1) return draw_as_it_is(snapshot, view, seen_by, times);
+    return draw_as_it_is(magnifier.magnified(snapshot, factor), magnified(view, factor), magnified(seen_by, factor),
+                         times);
+  }
+
+  Image draw_as_it_is(const Snapshot& snapshot, const ViewDefinition& view, const CameraDefinition& seen_by,
+                      std::vector<PassTime>* times);
 
   OffscreenContext context;
   std::optional<Stage> stage;
+  Magnifier magnifier;
 };
 
-Image Renderer::Implementation::draw(const Snapshot& snapshot, const ViewDefinition& scene,
-                                     const CameraDefinition& seen_by, std::vector<PassTime>* times) {
+Image Renderer::Implementation::draw_as_it_is(const Snapshot& snapshot, const ViewDefinition& scene,
+                                              const CameraDefinition& seen_by, std::vector<PassTime>* times) {
   PassClock clock(times);
   const ViewDefinition view = seen_through(scene, seen_by);
   SceneExtent extent = scene_extent(snapshot);

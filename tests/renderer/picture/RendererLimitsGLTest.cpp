@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <thread>
@@ -22,6 +23,31 @@ Snapshot organ_with(SnapshotToolKind kind) {
   tool.tip = {0, 0, 0.06};
   snapshot.tools.push_back(tool);
   return snapshot;
+}
+
+/// An organ of that radius on the floor, whose wall is open at the top and has bled and leaked.
+Snapshot opened_organ(double radius) {
+  SnapshotSurface ball = test::sphere("organ", {0, 0, 0}, static_cast<float>(radius), 4);
+  auto topology = std::make_shared<SnapshotTopology>(*ball.topology);
+  std::erase_if(topology->triangles, [&](const Triangle& triangle) {
+    return ball.positions[triangle[0]][2] > 0.9 * radius && ball.positions[triangle[0]][0] > 0.1 * radius;
+  });
+  topology->thickness.assign(topology->triangles.size(), static_cast<float>(0.1 * radius));
+  topology->cut_times.assign(ball.positions.size(), 0);
+  ball.topology = topology;
+  Snapshot snapshot;
+  snapshot.time = 2;
+  snapshot.surfaces = {ball};
+  snapshot.scalars = {{"organ.leaked", "m^3", 0.01 * std::pow(radius, 3)}};
+  return snapshot;
+}
+
+TEST(Renderer, ATinyOrganBleedsAsOneOfAFewMillimetresDoes) {
+  ViewDefinition view;
+  view.look.bodies["organ"] = TissueLook{};
+  Renderer renderer(DeviceChoice{}, {320, 180}, Tier::kRecord);
+  const double radius = 0.004;  // is drawn as it is
+  EXPECT_EQ(renderer.draw(opened_organ(radius / 16), view).pixels, renderer.draw(opened_organ(radius), view).pixels);
 }
 
 TEST(Renderer, APictureDependsOnItsArgumentsAloneNotOnWhatWasDrawnBefore) {
