@@ -25,9 +25,9 @@ ShaftContact::View ShaftContact::view(const ShaftPoint& point, const Eigen::Vect
   const Eigen::Vector3d along = frame.col(2);
   const Eigen::Vector3d outwards = std::cos(point.angle) * frame.col(0) + std::sin(point.angle) * frame.col(1);
   const double behind = behind_tip(place), whole = spread * radius;
-  const bool on_cone = behind > 0 && behind < cone;
-  const double wanted = whole * std::clamp(behind / cone, 0.0, 1.0);
-  const double slope = on_cone ? whole / cone : 0;  // of the radius, by the distance behind the tip
+  // The cone goes on beyond the tip: a lip that is drawn over it would find no rest where its end began.
+  const double wanted = whole * std::min(behind / cone, 1.0);
+  const double slope = behind < cone ? whole / cone : 0;  // of the radius, by the distance behind the tip
   const Eigen::Vector3d around = along.cross(outwards);
   return {.along = along,
           .around = around,
