@@ -146,7 +146,8 @@ MappingSchema camera_mapping(const std::string& name, const std::string& documen
 
 ValueSchema camera_schema() {
   return mapping_value({camera_mapping("camera",
-                                       "What is absent is chosen so that the bodies fill the picture. Its "
+                                       "What is absent is chosen so that the bodies fill the picture; where "
+                                       "they grow out of it, a camera without `position` goes back. Its "
                                        "moves are applied one after the other: keyframes, follow, push-in, "
                                        "orbit.")});
 }
