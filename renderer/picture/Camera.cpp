@@ -78,7 +78,7 @@ struct Fit {
   }
 };
 
-/// Both side pairs.
+/// Across the picture and up.
 struct Fits {
   Fit x, y;
   double distance() const { return std::max(x.distance(), y.distance()); }
