@@ -204,23 +204,34 @@ double Newton::round_off(const EquilibriumProblem& problem, const EquilibriumTer
   // In a short step the inertia springs are stiff, and carry the round-off of the coordinates, some 1e-16 of them, and
   // that of the fluids' moments.
   double force = 1e-15 * problem.inertia * model_.mass.maxCoeff() * problem.start.lpNorm<Eigen::Infinity>();
+  // Far from the origin strains are small differences of large coordinates, volumes those of large products.
+  const double far = distance_of(problem);
+  force = std::max(force, 2e-15 * model_.wall_stiffness * far);
+  force = std::max(force, 1e-16 * terms.largest_force * square(far / model_.edge_length));
   for (std::size_t c = 0; c < problem.fluid_inertia.size(); ++c) {
     const auto first = static_cast<Eigen::Index>(3 * c);
-    const double moment = 1e-16 * std::abs(model_.chambers[c].rest_volume) * extent_;  // metres^4
+    const double volume = std::abs(model_.chambers[c].rest_volume);
+    const double moment = 1e-16 * volume * extent_ + 1e-19 * square(square(far));  // metres^4
     const double slope = terms.moment_gradient.middleCols<3>(first).lpNorm<Eigen::Infinity>();
     force = std::max(force, problem.fluid_inertia[c].factor * moment * slope);
   }
   return force;
 }
 
-bool Newton::is_solved(const Residual& residual, double force_scale, bool is_stalled,
+double Newton::distance_of(const EquilibriumProblem& problem) const {
+  return std::max(0.0, problem.start.lpNorm<Eigen::Infinity>() - 2 * extent_);
+}
+
+bool Newton::is_solved(const EquilibriumProblem& problem, const Residual& residual, double force_scale, bool is_stalled,
                        const NewtonOptions& options) const {
   double gap = residual.contact;
   for (const Eigen::Vector3d& one : residual.gaps) gap = std::max(gap, one.norm());
   const double volume_share = is_stalled ? kStalledVolumeShare : kVolumeShare;
   const double volume_tolerance = std::max(kVolumeTolerance, volume_share * options.tolerance);
+  const double far = distance_of(problem), round_off = 1e-15 * far * far * far;  // metres, metres^3
   for (Eigen::Index c = 0; c < residual.volume.size(); ++c) {
-    if (std::abs(residual.volume[c]) > volume_tolerance * std::abs(model_.chambers[c].rest_volume)) return false;
+    const double most = std::max(volume_tolerance * std::abs(model_.chambers[c].rest_volume), round_off);
+    if (std::abs(residual.volume[c]) > most) return false;
   }
   // Where forces need not be exact no displacement needs to be that would make a force of that size.
   const double give = options.tolerance * std::min(model_.edge_length, force_scale / model_.wall_stiffness);
@@ -307,12 +318,12 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
     const double scale = note_residual(problem, state, residual, result);
     progress.note(residual);
     if (result.iterations == 0) first_scale = scale;
-    if (is_solved(residual, scale, options.takes_flaps && progress.stalled >= kStalledSteps, options)) {
+    if (is_solved(problem, residual, scale, options.takes_flaps && progress.stalled >= kStalledSteps, options)) {
       if (foresees && scale > kBlowUp * first_scale) return failed("the wall is strained beyond measure", result);
-      return solved(!is_solved(residual, scale, false, options), result);
+      return solved(!is_solved(problem, residual, scale, false, options), result);
     }
     if (result.iterations == most) {
-      if (is_solved(residual, scale, options.takes_flaps, options)) return solved(true, result);
+      if (is_solved(problem, residual, scale, options.takes_flaps, options)) return solved(true, result);
       return failed(obstructed("no convergence within " + std::to_string(most) + " iterations"), result);
     }
     keeps_factor_ = may_keep_factor(problem, residual, options.tolerance * scale, scale, progress);
@@ -340,7 +351,7 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
     stepped_to_.resize(0);
     if (may_be_saddle) progress.inexact = 0;
     if (may_be_saddle || keeps_factor_) continue;
-    if (is_solved(residual, scale, options.takes_flaps, options)) return solved(true, result);
+    if (is_solved(problem, residual, scale, options.takes_flaps, options)) return solved(true, result);
     return failed(obstructed("the line search found no smaller residual or energy"), result);
   }
 }

@@ -262,7 +262,10 @@ class Newton {
   void border_fluids(const EquilibriumProblem& problem, const EquilibriumState& state);
   void border_openings(const EquilibriumProblem& problem, const EquilibriumState& state);
   void clear_fixed(Eigen::VectorXd& forces) const;
-  bool is_solved(const Residual& residual, double force_scale, bool is_stalled, const NewtonOptions& options) const;
+  bool is_solved(const EquilibriumProblem& problem, const Residual& residual, double force_scale, bool is_stalled,
+                 const NewtonOptions& options) const;
+  /// How far beyond twice its extent the body is from the origin, metres.
+  double distance_of(const EquilibriumProblem& problem) const;
   double force_scale(const EquilibriumProblem& problem, const EquilibriumTerms& terms) const;
   /// Newton, in a force of inertia.
   double round_off(const EquilibriumProblem& problem, const EquilibriumTerms& terms) const;

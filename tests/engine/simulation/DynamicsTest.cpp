@@ -188,6 +188,24 @@ TEST(Dynamics, AShortStepEndsWhereOnlyRoundOffIsLeft) {
   }
 }
 
+TEST(Dynamics, ABodyFarFromTheOriginMovesAsOneThatIsNear) {
+  for (const FluidKind fluid : {FluidKind::kNone, FluidKind::kIncompressible}) {
+    BodyDefinition definition = make_body(make_sphere(20e-3, 320), 1e-3, neo_hookean(50e3));
+    definition.fluid.kind = fluid;
+    if (fluid != FluidKind::kNone) definition.fluid.initial_pressure = 500;
+    for (Eigen::Vector3d& vertex : definition.mesh.vertices) vertex += Eigen::Vector3d(3, -4, 2);
+    SimulationOptions options = dynamic();
+    options.gravity = {1, 0, -9.81};
+    Body body(definition, {}, options);
+    body.settle();
+    for (int step = 0; step < 10; ++step) {
+      body.advance({}, {}, 10e-3);
+      // 5 are seen, and hundreds where forces are wanted to digits that the coordinates do not have.
+      EXPECT_LE(body.report().newton_iterations, 10) << step;
+    }
+  }
+}
+
 // A free ball that a tool strikes gets all its velocity within a step, its near side most: were that to go on, it would
 // be thrown through itself.
 TEST(Dynamics, AWallThatHasJustBeenStruckBeginsTheNextStepWhereItMissesLeast) {
