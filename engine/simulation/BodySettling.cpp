@@ -239,6 +239,8 @@ void Body::solve_statics() {
     bursts = !is_found && has_burst(trial);
   }
   if (!is_found && (bursts || !load_slowly(whole, trial))) throw SimulationFailure(describe_failure());
+  EquilibriumProblem held = whole;
+  turn_to_rest(held, trial);
   state_.equilibrium = trial;
 }
 

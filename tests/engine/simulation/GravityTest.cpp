@@ -136,6 +136,49 @@ TEST(Gravity, BallOfFluidOnItsFixedBottomSags) {
   EXPECT_LT(body.state().books.gravity, light.state().books.elastic);
 }
 
+/// A strip of 20 mm x 40 mm in the plane z = 0, whose short side at y = -20 mm is a hinge.
+BodyDefinition hinged_strip(double youngs_modulus) {
+  BodyDefinition definition = make_body(make_sheet(20e-3, 40e-3, 200), 1e-3, st_venant_kirchhoff(youngs_modulus, 0));
+  definition.fluid.kind = FluidKind::kNone;
+  definition.fixed = {{.region = BelowRegion{.axis = 1, .at = -19.99e-3}}};
+  return definition;
+}
+
+Eigen::Vector3d farthest_from_hinge(const Body& body) {
+  Eigen::Index best = 0;
+  for (Eigen::Index v = 0; v < body.model().vertices(); ++v) {
+    if (body.model().rest_position[3 * v + 1] > body.model().rest_position[3 * best + 1]) best = v;
+  }
+  return body.state().equilibrium.position.segment<3>(3 * best);
+}
+
+TEST(Gravity, StripHeldAlongAnEdgeHangsDownFromIt) {
+  for (const SimulationOptions& options : {heavy(quasi_static()), heavy(dynamic())}) {
+    Body body(hinged_strip(1e6), {}, options);
+    body.settle();
+    const Eigen::Vector3d tip = farthest_from_hinge(body);
+    EXPECT_NEAR(tip.y(), -20e-3, 1e-6);
+    EXPECT_NEAR(tip.z(), -40e-3, 20e-6);
+    for (int step = 0; step < 3; ++step) body.advance({}, {}, 10e-3);
+    EXPECT_NEAR((farthest_from_hinge(body) - tip).norm(), 0, 1e-8);
+  }
+}
+
+TEST(Gravity, LoadThatGrowsAcrossTheWeightLiftsAHangingStripByAngles) {
+  BodyDefinition definition = hinged_strip(1e7);
+  definition.model = WallModel::kShell;
+  const double weight = definition.density * kG;  // newton / metre^3
+  definition.loads = {
+      {.kind = LoadKind::kDeadBodyForce, .region = AboveRegion{.axis = 2, .at = -1}, .vector = {0, 2 * weight, 0}}};
+  Body body(definition, {}, heavy(quasi_static()));
+  body.settle({0});
+  for (const double part : {0.1, 0.5, 1.0}) {
+    body.advance({}, {}, 10e-3, {.load_factors = {part}, .fluids = {}});
+    const Eigen::Vector3d tip = farthest_from_hinge(body) + Eigen::Vector3d(0, 20e-3, 0);
+    EXPECT_NEAR(std::atan2(tip.y(), -tip.z()), std::atan(2 * part), 2e-6) << part;
+  }
+}
+
 TEST(Gravity, BallTooHeavyForItsWallIsSaidToBurstWithWhatHelps) {
   BodyDefinition definition = make_body(make_sphere(20e-3, 200), 1e-3, neo_hookean(5e3));
   definition.fluid.initial_pressure = 400;

@@ -1,0 +1,88 @@
+#include <cmath>
+#include <memory>
+
+#include "engine/simulation/Body.hpp"
+#include "engine/simulation/RigidMotions.hpp"
+
+namespace thinwall {
+namespace {
+
+/// Part of the largest force above which what holds rigid motions is more than round-off.
+constexpr double kHeldForce = 1e-7;
+
+/// Springs, in units of the wall's stiffness, that slow a body down on its way to rest, how they change, and beyond
+/// what it does not get there.
+constexpr double kFirstSprings = 0.1;
+constexpr double kWeakened = 0.25;
+constexpr double kStiffened = 8;
+constexpr double kStiffestSprings = 1e3;
+constexpr int kEasyIterations = 12;
+constexpr int kMostTurns = 200;
+
+/// Attitudes that are tried: to hold one keeps the mean rotation of small motions, so that it may be off by some.
+constexpr int kMostAttitudes = 4;
+
+/// Whether forces push a part of the wall along an axis on which nothing holds it: it then comes to rest nowhere.
+bool drives_off(const BodyModel& model, const Eigen::VectorXd& force) {
+  const std::vector<int> part_of = wall_parts(model);
+  Eigen::Matrix3Xd sum = Eigen::Matrix3Xd::Zero(3, model.vertices()), held = sum;
+  for (int v = 0; v < model.vertices(); ++v) {
+    sum.col(part_of[v]) += force.segment<3>(3 * v);
+    for (int axis = 0; axis < 3; ++axis) held(axis, part_of[v]) += model.fixed[3 * v + axis] != 0;
+  }
+  const double scale = force.cwiseAbs().sum();
+  return ((held.array() == 0) && (sum.array().abs() > kHeldForce * scale)).any();
+}
+
+}  // namespace
+
+bool Body::is_turned_by_loads(const EquilibriumProblem& problem, const EquilibriumState& state) const {
+  const EquilibriumTerms& terms = newton_->terms();
+  // What a tool pushes, and nothing else holds, would follow it for ever.
+  if (snaps_ || !problem.hold_rigid_motions || !problem.attachments.empty() || !problem.shafts.empty()) return false;
+  if (!terms.contacts.empty() || state_.cut.tool) return false;
+  const Eigen::VectorXd force = newton_->rigid_force(state);
+  return force.lpNorm<Eigen::Infinity>() > kHeldForce * terms.largest_force && !drives_off(*model_, force);
+}
+
+bool Body::turn(const EquilibriumProblem& problem, EquilibriumState& state) {
+  double springs = kFirstSprings;
+  for (int k = 0; k < kMostTurns && springs < kStiffestSprings; ++k) {
+    EquilibriumState trial = state;
+    EquilibriumProblem slowed = problem;
+    slowed.hold_rigid_motions = false;
+    slowed.inertia = springs * model_->wall_stiffness / model_->mass.mean();
+    slowed.inertia_target = state.position;
+    const NewtonResult result = solve(slowed, trial, {.most_iterations = 25, .takes_flaps = true});
+    if (!result.converged) {
+      springs *= kStiffened;
+      continue;
+    }
+    const Eigen::VectorXd way = trial.position - state.position;
+    state = trial;
+    const double held = slowed.inertia * model_->mass.cwiseProduct(way).lpNorm<Eigen::Infinity>();
+    if (held < 0.1 * kHeldForce * result.force_scale) return true;
+    if (result.iterations <= kEasyIterations) springs *= kWeakened;
+  }
+  return false;
+}
+
+void Body::turn_to_rest(EquilibriumProblem& problem, EquilibriumState& state) {
+  const std::string before = failure_;
+  for (int k = 0; k < kMostAttitudes && is_turned_by_loads(problem, state); ++k) {
+    EquilibriumState trial = state;
+    if (!turn(problem, trial)) break;
+    auto turned = std::make_unique<BodyModel>(*model_);
+    hold_rigid_motions(*turned, trial.position);
+    newton_ = std::make_unique<Newton>(*turned, *newton_, trial.position);
+    model_ = std::move(turned);
+    EquilibriumProblem again = problem;
+    trial.rigid_reaction.resize(0);
+    if (!solve(again, trial, {.takes_flaps = true}).converged) break;
+    problem = again;
+    state = trial;
+  }
+  failure_ = before;
+}
+
+}  // namespace thinwall
