@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -95,8 +96,10 @@ class Body {
   /// released too little on the blade's way so far for that to be likely, or where the cut has run in this step as far
   /// as it may: by the blade's width, or two edges if that is more. To be called after each step, until it gives
   /// nothing. `ahead`: where the blade will be so many metres farther on its way, and the cut goes to where its edge
-  /// would meet the wall then. `poses`: (tools), at the end of the step. Throws as `cut` does.
-  std::optional<Cut> run_ahead(std::span<const ToolPose> poses, const std::function<ToolPose(double)>& ahead);
+  /// would meet the wall then. `straight_on`: metres from where on it is as much deeper. `poses`: (tools), at the end
+  /// of the step. Throws as `cut` does.
+  std::optional<Cut> run_ahead(std::span<const ToolPose> poses, const std::function<ToolPose(double)>& ahead,
+                               double straight_on = std::numeric_limits<double>::infinity());
 
   /// Ends the cut that is being made: the next one begins where a blade meets the wall again.
   void leave_cut();
@@ -272,13 +275,14 @@ class Body {
   /// The nearest place of the wall; along its direction that of a point. Nothing of a line.
   WallAhead wall_ahead(int tool, const ToolPose& pose) const;
   WallAhead stiffness_ahead(WallAhead ahead, const EquilibriumProblem& problem, int tool, const ToolPose& pose);
-  /// Where a blade's edge enters the wall: nearest to where it cuts, or to its tip where it does not yet.
-  std::optional<SurfacePoint> place_below(int tool, const ToolPose& pose) const;
+  /// Where a blade's edge enters the wall: nearest to where it cuts, or to its tip where it does not yet. `higher`:
+  /// metres by which it is taken for higher than it is.
+  std::optional<SurfacePoint> place_below(int tool, const ToolPose& pose, double higher = 0) const;
   /// Where the wall presses a blade most that has worked on it as much as a cut of its width costs: what it meets with
   /// its edge from the front it would push before it for ever. Nothing before that.
   std::optional<SurfacePoint> place_before(int tool, const ToolPose& pose) const;
   /// From the tip, or where the blade met the wall first, to where a blade meets the wall or has left it.
-  std::optional<WayOn> way_on(int tool, const ToolPose& pose) const;
+  std::optional<WayOn> way_on(int tool, const ToolPose& pose, double higher = 0) const;
   /// From the tip to the open border that the blade has left the wall over; nothing where it has not.
   std::optional<WayOn> way_to_border(const ToolPose& pose) const;
   /// Whether a blade goes back in its own wound: behind the tip, and over no wall but its lips.

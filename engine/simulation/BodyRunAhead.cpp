@@ -67,7 +67,8 @@ std::optional<Rupture> Body::try_cut(const CutPath& path, std::span<const ToolPo
   return tried;
 }
 
-std::optional<Cut> Body::run_ahead(std::span<const ToolPose> poses, const std::function<ToolPose(double)>& ahead) {
+std::optional<Cut> Body::run_ahead(std::span<const ToolPose> poses, const std::function<ToolPose(double)>& ahead,
+                                   double straight_on) {
   CutProgress& progress = state_.cut;
   if (!progress.tool || !progress.tip || progress.awaited > 0) return std::nullopt;
   if (progress.given < kLikely * progress.cost) return std::nullopt;
@@ -77,8 +78,9 @@ std::optional<Cut> Body::run_ahead(std::span<const ToolPose> poses, const std::f
   const double lead = progress.ahead > 0 ? progress.ahead : lead_of(tip, poses[tool], ahead(edge));
   for (const double piece : kPieces) {
     if (progress.run + piece * edge > most) return std::nullopt;
-    const ToolPose pose = ahead(std::max(0.0, lead + piece * edge));
-    std::optional<WayOn> way = way_on(tool, pose);
+    const double farther = std::max(0.0, lead + piece * edge);
+    const ToolPose pose = ahead(farther);
+    std::optional<WayOn> way = way_on(tool, pose, std::max(0.0, farther - straight_on));
     if (!way) continue;
     way->path.goes_on = !way->border;
     const std::optional<Rupture> tried = try_cut(way->path, poses);

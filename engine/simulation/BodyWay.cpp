@@ -34,9 +34,9 @@ bool is_direct(const SurfaceView& wall, const SurfaceTrace& way, double edge) {
 
 }  // namespace
 
-std::optional<SurfacePoint> Body::place_below(int tool, const ToolPose& pose) const {
+std::optional<SurfacePoint> Body::place_below(int tool, const ToolPose& pose, double higher) const {
   const SurfaceView wall = surface();
-  const Eigen::Vector3d top = pose.tip - tools_[tool].length * pose.direction;
+  const Eigen::Vector3d top = pose.tip - (tools_[tool].length + higher) * pose.direction;
   // Behind its edge a blade may pass other lobes of the body: it cuts where its tip has gone in, and goes on from
   // there.
   Eigen::Vector3d near = pose.tip;
@@ -100,9 +100,9 @@ std::optional<Body::WayOn> Body::way_out_of_wound(int tool, const ToolPose& pose
   return WayOn{.path = {.from = {}, .points = way.pieces.front().points}};
 }
 
-std::optional<Body::WayOn> Body::way_on(int tool, const ToolPose& pose) const {
+std::optional<Body::WayOn> Body::way_on(int tool, const ToolPose& pose, double higher) const {
   const SurfaceView wall = surface();
-  const std::optional<SurfacePoint> target = place_below(tool, pose);
+  const std::optional<SurfacePoint> target = place_below(tool, pose, higher);
   if (!target) return way_to_border(pose);
   const std::optional<int> tip = state_.cut.tip;
   const SurfacePoint from = tip ? point_at(wall.triangles, *tip) : *state_.cut.start;

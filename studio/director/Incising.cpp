@@ -89,7 +89,8 @@ std::optional<Cut> incise(IncisionPlan& plan, Body& body, const BladeStep& step)
 std::optional<Cut> run_ahead(const IncisionPlan& plan, Body& body, const BladeStep& step) {
   if (!is_in_wall(body, step.tool) || plan.goes_out(step.end)) return std::nullopt;
   const double passed = plan.progress(step.end);
-  return body.run_ahead(step.after, [&](double way) { return plan.pose_ahead(passed + way); });
+  return body.run_ahead(
+      step.after, [&](double way) { return plan.pose_ahead(passed + way); }, plan.path.length() - passed);
 }
 
 void note_wall_below(IncisionPlan& plan, const Body& body, const ToolDefinition& blade, const BladeStep& step) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -71,13 +72,15 @@ struct Stroke {
   std::vector<int> trials;     // iterations of each trial
 };
 
-/// Draws the only tool of a body along x and lets the cut run ahead.
-Stroke draw(Body& body, double from, double to, const std::function<void()>& check = {}) {
+/// Draws the only tool of a body along x and lets the cut run ahead, beyond `end` as much deeper as farther.
+Stroke draw(Body& body, double from, double to, const std::function<void()>& check = {},
+            double end = std::numeric_limits<double>::infinity()) {
   const int steps = static_cast<int>(std::round((to - from) / kStep));
   std::vector<ToolPose> poses = {pose_at({from, kAside, -2e-3})};
   const auto ahead = [&](double way) {
     ToolPose pose = poses[0];
     pose.tip.x() += way;
+    pose.tip.z() -= std::max(0.0, pose.tip.x() - end);
     return pose;
   };
   Stroke stroke;
@@ -92,7 +95,7 @@ Stroke draw(Body& body, double from, double to, const std::function<void()>& che
     if (stroke.pieces.empty()) stroke.begin = body.state().cut.length;
     for (bool runs = true; runs;) {
       const int before = body.report().newton_iterations;
-      const std::optional<Cut> piece = body.run_ahead(poses, ahead);
+      const std::optional<Cut> piece = body.run_ahead(poses, ahead, end - poses[0].tip.x());
       if (body.report().newton_iterations > before) stroke.trials.push_back(body.report().newton_iterations - before);
       runs = piece.has_value();
       if (runs) stroke.pieces.push_back(*piece);
@@ -198,6 +201,17 @@ TEST(ACutThatRunsAhead, EndsAtABorder) {
   const int last = stroke.pieces.back().lips.back().left.back();
   EXPECT_NEAR(body.model().definition.mesh.vertices[static_cast<std::size_t>(last)].x(), 20e-3, 1e-12);
   EXPECT_EQ(largest_from(stroke, stroke.forces.size() - 4), 0) << "no wall is left before the blade";
+}
+
+TEST(ACutThatRunsAhead, GoesFartherBeyondTheEndOfThePathThanTheBladeIsHigh) {
+  ToolDefinition blade = test_blade();
+  blade.length = 6e-3;
+  Body body(small_sheet(true), {blade}, quasi_static());
+  body.settle();
+  const Stroke stroke = draw(
+      body, -8e-3, 6e-3, [&] { expect_closed_books(body); }, -4e-3);
+  ASSERT_FALSE(stroke.pieces.empty());
+  EXPECT_FALSE(stroke.pieces.back().tip) << "the border is 24 mm beyond the end";
 }
 
 TEST(ACutThatRunsAhead, EndsAtAnEarlierCutAndLetsTheBladeGoOnBeyondIt) {
