@@ -9,8 +9,8 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from oracles import (axisymmetric_membrane, belt, drum, fingerpad, fluids, hencky, inflated_sphere,  # noqa: E402
-                     published_shells, slit, spherical_shell, strips, viscoelasticity, wall_laws)
+from oracles import (axisymmetric_membrane, belt, drum, elastica, fingerpad, fluids, hencky, inflated_sphere,  # noqa: E402
+                     plates, published_shells, slit, spherical_shell, strips, viscoelasticity, wall_laws)
 
 # mu = 2 makes c1 = mu / 2 the unit.
 RUBBER = wall_laws.neo_hookean(2.0)
@@ -265,6 +265,38 @@ class Belt(unittest.TestCase):
 
     def test_half_a_turn_of_a_ships_rope(self):
         self.assertAlmostEqual(belt.sliding_ratio(0.3, np.pi), 2.5663, 4)
+
+
+class Elastica(unittest.TestCase):
+    def test_column_just_above_eulers_load_hardly_bends(self):
+        self.assertAlmostEqual(elastica.load(1e-6, 3.0, 2.0), 3 * (np.pi / 4) ** 2, 9)
+        aside, down = elastica.end_of_column(0.01, 1.0)
+        self.assertAlmostEqual(down / aside**2, np.pi**2 / 16, 3)  # of a quarter of a sine
+
+    def test_moment_at_the_clamp_is_the_loads_lever_and_ends_the_bend(self):
+        """Marched from the free end, which has turned by 100 degrees, along theta'' = - load / stiffness sin theta."""
+        turned, steps, length, stiffness = np.radians(100), 20000, 1.5, 0.7
+        load = elastica.load(np.sin(turned / 2), stiffness, length)
+        theta, curvature, place, step = turned, 0.0, np.zeros(2), length / steps
+        for _ in range(steps):
+            middle = curvature - 0.5 * step * load / stiffness * np.sin(theta)
+            theta += step * middle
+            curvature = middle - 0.5 * step * load / stiffness * np.sin(theta)
+            place += step * np.array([np.sin(theta - 0.5 * step * middle), np.cos(theta - 0.5 * step * middle)])
+        self.assertAlmostEqual(theta, 0, 6)
+        self.assertAlmostEqual(-curvature * stiffness, load * place[0], 6)
+        aside, down = elastica.end_of_column(np.sin(turned / 2), length)
+        self.assertAlmostEqual(aside, place[0], 6)
+        self.assertAlmostEqual(down, length - place[1], 6)
+
+
+class Plates(unittest.TestCase):
+    def test_hinges_add_what_the_moment_of_the_clamp_held_back(self):
+        """An even moment M along the rim bends a plate by M R^2 / (2 D (1 + nu)) in its middle."""
+        radius, stiffness, ratio = 0.3, 2.0, 0.25
+        for law, moment in ((plates.under_traction, radius**2 / 8), (plates.under_force, 1 / (4 * np.pi))):
+            let_go = law(1.0, radius, stiffness, ratio, False) - law(1.0, radius, stiffness, ratio, True)
+            self.assertAlmostEqual(let_go, moment * radius**2 / (2 * stiffness * (1 + ratio)), 12)
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from oracles import published_shells, spherical_shell
+from oracles import elastica, plates, published_shells, spherical_shell
 from suite.case import Case, Comparison, Quantity
 from suite.program import Program
 
@@ -96,11 +96,47 @@ def compare_spherical_shell(program: Program, triangles: int) -> Comparison:
                       ["The force dents the shell by a hundredth of its thickness or less."])
 
 
+
+def compare_elastica(program: Program, triangles: int) -> Comparison:
+    length, sines = 1.0, np.sin(np.radians([20.0, 40.0, 60.0]) / 2)
+    ends = []
+    for sine in sines:
+        load = elastica.load(sine, 1e8 * 0.1 * 0.01**3 / 12, length)
+        end = program.run("elastica", triangles=triangles, load=f"{-load:.9g}N").point("column", "end")
+        ends.append((end["uz_m"][-1], -end["uy_m"][-1]))
+    aside, down = np.array(ends).T
+    exact_aside, exact_down = np.array([elastica.end_of_column(sine, length) for sine in sines]).T
+    turned = np.degrees(2 * np.arcsin(sines))
+    return Comparison([
+        Quantity("way of the end aside", "turn of the end, degrees", "m", turned, aside, exact_aside, scale=length),
+        Quantity("way of the end down", "turn of the end, degrees", "m", turned, down, exact_down, scale=length)],
+        ["Errors are parts of the length. Just above Euler's load small errors of that make large ones of the shape; "
+         "the column is shortened by 0.02 %."])
+
+
+def compare_circular_plate(program: Program, triangles: int) -> Comparison:
+    stiffness, ratio, load = plates.bending_stiffness(1e9, 0.01, 0.3), 0.3, 1e-3
+    found, exact = [], []
+    for clamped in (True, False):
+        for kind, unit, law in (("traction", "Pa", plates.under_traction), ("force", "N", plates.under_force)):
+            loads = {"traction": "0 Pa", "force": "0 N", kind: f"{load}{unit}"}
+            middle = program.run("circular_plate", triangles=triangles, clamped=str(clamped).lower(), **loads)
+            found.append(middle.point("plate", "middle")["uz_m"][-1])
+            exact.append(law(load, 1.0, stiffness, ratio, clamped))
+    return Comparison([Quantity("way of the middle", "even load and force, clamped; the same, on hinges", "m",
+                                np.arange(1.0, 5.0), np.array(found), np.array(exact))])
+
+
 CASES = [
     Case("cantilever", "Cantilever under end shear", TABLES, "rise and way back of the tip", 0.01, (160, 640, 2560),
          compare_cantilever, quick=(160, 640)),
     Case("roll_up", "Strip rolled up to a circle", "closed form", "place of the tip", 0.01, (160, 640, 2560),
          compare_roll_up, quick=(160,)),
+    Case("elastica", "Column above Euler's load", "elliptic integrals", "way of the end at three loads", 0.005,
+         (200, 800), compare_elastica, quick=(200,), quick_bar=0.02, tells_order=False),
+    Case("circular_plate", "Circular plate under small loads", "Timoshenko and Woinowsky-Krieger 1959",
+         "way of the middle: even load and force, clamped and on hinges", 0.015, (600, 2400, 5400), compare_circular_plate,
+         quick=(600,), quick_bar=0.08),
     Case("slit_annulus", "Slit annular plate", TABLES, "rise of both corners of the lip", 0.015, (800, 1600, 3200, 6400),
          compare_slit_annulus),
     Case("hinged_roof", "Hinged roof snapping through", TABLES, "force against depth through the snap", 0.02,
