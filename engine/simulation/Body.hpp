@@ -388,6 +388,7 @@ class Body {
   bool is_loose_ = false;                  // whether the last solution's residual is above the tolerance
   bool is_convex_ = true;                  // whether it was found with the curvature as it is
   bool is_unstable_ = false;               // whether the equilibrium of the step under way is not stable
+  bool stays_held_ = false;                // whether loads did not turn it to rest where they were to
   std::string failure_;                    // why the last attempt failed
 };
 

@@ -39,7 +39,8 @@ bool drives_off(const BodyModel& model, const Eigen::VectorXd& force) {
 bool Body::is_turned_by_loads(const EquilibriumProblem& problem, const EquilibriumState& state) const {
   const EquilibriumTerms& terms = newton_->terms();
   // What a tool pushes, and nothing else holds, would follow it for ever.
-  if (snaps_ || !problem.hold_rigid_motions || !problem.attachments.empty() || !problem.shafts.empty()) return false;
+  if (snaps_ || stays_held_ || !problem.hold_rigid_motions || !problem.attachments.empty() || !problem.shafts.empty())
+    return false;
   if (!terms.contacts.empty() || state_.cut.tool) return false;
   const Eigen::VectorXd force = newton_->rigid_force(state);
   return force.lpNorm<Eigen::Infinity>() > kHeldForce * terms.largest_force && !drives_off(*model_, force);
@@ -71,7 +72,11 @@ void Body::turn_to_rest(EquilibriumProblem& problem, EquilibriumState& state) {
   const std::string before = failure_;
   for (int k = 0; k < kMostAttitudes && is_turned_by_loads(problem, state); ++k) {
     EquilibriumState trial = state;
-    if (!turn(problem, trial)) break;
+    if (!turn(problem, trial)) {
+      // Where it does not get there at first it does not in the steps to come, each of which would take as long.
+      stays_held_ = true;
+      break;
+    }
     auto turned = std::make_unique<BodyModel>(*model_);
     hold_rigid_motions(*turned, trial.position);
     newton_ = std::make_unique<Newton>(*turned, *newton_, trial.position);
