@@ -174,6 +174,7 @@ class Body {
   bool is_turned_by_loads(const EquilibriumProblem& problem, const EquilibriumState& state) const;
   /// From an equilibrium with held rigid motions to where the loads have no moment that these hold against.
   bool turn(const EquilibriumProblem& problem, EquilibriumState& state);
+  bool find_turned(EquilibriumProblem& problem, EquilibriumState& state);
   void turn_to_rest(EquilibriumProblem& problem, EquilibriumState& state);
   bool has_burst(const EquilibriumState& state) const;
   NewtonResult burst();

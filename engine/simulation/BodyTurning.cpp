@@ -1,5 +1,6 @@
 #include <cmath>
 #include <memory>
+#include <string>
 
 #include "engine/simulation/Body.hpp"
 #include "engine/simulation/RigidMotions.hpp"
@@ -38,10 +39,12 @@ bool drives_off(const BodyModel& model, const Eigen::VectorXd& force) {
 
 bool Body::is_turned_by_loads(const EquilibriumProblem& problem, const EquilibriumState& state) const {
   const EquilibriumTerms& terms = newton_->terms();
-  // What a tool pushes, and nothing else holds, would follow it for ever.
-  if (snaps_ || stays_held_ || !problem.hold_rigid_motions || !problem.attachments.empty() || !problem.shafts.empty())
-    return false;
-  if (!terms.contacts.empty() || state_.cut.tool) return false;
+  const bool has_loads = !problem.gravity.isZero() || !model_->loads.empty();
+  if (snaps_ || stays_held_ || !problem.hold_rigid_motions || !has_loads) return false;
+  // What a tool pushes, and nothing else holds, would follow it for ever; and what a cut has let go stays where it is,
+  // as in an analysis without inertia its fall is no motion that the books could tell of.
+  if (!problem.attachments.empty() || !problem.shafts.empty() || !terms.contacts.empty()) return false;
+  if (state_.cut.has_incised || state_.cut.tool) return false;
   const Eigen::VectorXd force = newton_->rigid_force(state);
   return force.lpNorm<Eigen::Infinity>() > kHeldForce * terms.largest_force && !drives_off(*model_, force);
 }
@@ -68,26 +71,38 @@ bool Body::turn(const EquilibriumProblem& problem, EquilibriumState& state) {
   return false;
 }
 
-void Body::turn_to_rest(EquilibriumProblem& problem, EquilibriumState& state) {
-  const std::string before = failure_;
-  for (int k = 0; k < kMostAttitudes && is_turned_by_loads(problem, state); ++k) {
-    EquilibriumState trial = state;
-    if (!turn(problem, trial)) {
-      // Where it does not get there at first it does not in the steps to come, each of which would take as long.
-      stays_held_ = true;
-      break;
-    }
-    auto turned = std::make_unique<BodyModel>(*model_);
-    hold_rigid_motions(*turned, trial.position);
-    newton_ = std::make_unique<Newton>(*turned, *newton_, trial.position);
-    model_ = std::move(turned);
-    EquilibriumProblem again = problem;
-    trial.rigid_reaction.resize(0);
-    if (!solve(again, trial, {.takes_flaps = true}).converged) break;
-    problem = again;
-    state = trial;
+bool Body::find_turned(EquilibriumProblem& problem, EquilibriumState& state) {
+  EquilibriumState trial = state;
+  if (!turn(problem, trial)) {
+    // Where it does not get there at first it does not in the steps to come, each of which would take as long.
+    stays_held_ = true;
+    return false;
   }
-  failure_ = before;
+  auto turned = std::make_unique<BodyModel>(*model_);
+  hold_rigid_motions(*turned, trial.position);
+  newton_ = std::make_unique<Newton>(*turned, *newton_, trial.position);
+  model_ = std::move(turned);
+  EquilibriumProblem again = problem;
+  trial.rigid_reaction.resize(0);
+  if (!solve(again, trial, {.takes_flaps = true}).converged) return false;
+  problem = again;
+  state = trial;
+  return true;
+}
+
+void Body::turn_to_rest(EquilibriumProblem& problem, EquilibriumState& state) {
+  for (int k = 0; k < kMostAttitudes && is_turned_by_loads(problem, state); ++k) {
+    const std::string failure = failure_;
+    const bool was_loose = is_loose_;
+    const double residual = report_.residual;
+    if (find_turned(problem, state)) continue;
+    // What was found before stays, and with it what is known of it.
+    failure_ = failure;
+    is_loose_ = was_loose;
+    report_.residual = residual;
+    newton_->look(problem, state);
+    return;
+  }
 }
 
 }  // namespace thinwall
