@@ -10,6 +10,9 @@
 namespace thinwall {
 namespace {
 
+/// Part of a distance that is more than what a safe fraction must keep of it.
+constexpr double kSurelyKept = 1.05 * kKeptDistance;
+
 bool share_vertex(const Eigen::Vector3i& one, const Eigen::Vector3i& other) {
   for (const int vertex : one) {
     if (vertex == other[0] || vertex == other[1] || vertex == other[2]) return true;
@@ -174,7 +177,7 @@ double SelfContact::safe_fraction(const Eigen::VectorXd& position, const Eigen::
   tree_.fit(position, motion);
   std::vector<double> fractions;  // (tasks)
   const auto begin = [&](std::size_t tasks) { fractions.assign(tasks, fraction); };
-  tree_.visit_meeting(begin, [&](std::size_t task, int triangle, int other) {
+  tree_.visit_meeting(kSurelyKept, begin, [&](std::size_t task, int triangle, int other) {
     if (share_vertex(triangles_[triangle], triangles_[other])) return;
     visit_parts(triangle, other, [&](PairKind kind, const Eigen::Vector4i& vertices) {
       const double one = fraction_of(kind, vertices);

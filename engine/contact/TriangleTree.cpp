@@ -158,4 +158,14 @@ double TriangleTree::squared_travel(int a, int b) const {
   return one.cwiseAbs().cwiseMax(other.cwiseAbs()).squaredNorm();
 }
 
+bool TriangleTree::stays_apart(int a, int b, double kept) const {
+  const auto least_gap = [&](int below, int above) {
+    const Eigen::Vector3d begin = boxes_[above].min() - boxes_[below].max();
+    const Eigen::Vector3d end = begin + motions_[above].min() - motions_[below].max();
+    return begin.cwiseMin(end).maxCoeff();
+  };
+  const double gap = std::max(least_gap(a, b), least_gap(b, a));
+  return gap > 0 && gap > kept * boxes_[a].merged(boxes_[b]).diagonal().norm();
+}
+
 }  // namespace thinwall

@@ -61,11 +61,15 @@ class TriangleTree {
     });
   }
 
-  /// The same for pairs whose boxes may meet during the motion, without a reach.
+  /// The same for pairs whose boxes may come closer during the motion than a part `kept` of how far what is in them
+  /// lies apart, without a reach.
   template <typename Begin, typename Visit>
-  void visit_meeting(const Begin& begin, const Visit& visit) const {
-    visit_pairs([&](int a, int b) { return boxes_[a].squaredExteriorDistance(boxes_[b]) <= squared_travel(a, b); },
-                begin, [&](std::size_t task, int a, int b) { visit(task, nodes_[a].triangle, nodes_[b].triangle); });
+  void visit_meeting(double kept, const Begin& begin, const Visit& visit) const {
+    const auto may_meet = [&](int a, int b) {
+      return boxes_[a].squaredExteriorDistance(boxes_[b]) <= squared_travel(a, b) && !stays_apart(a, b, kept);
+    };
+    visit_pairs(may_meet, begin,
+                [&](std::size_t task, int a, int b) { visit(task, nodes_[a].triangle, nodes_[b].triangle); });
   }
 
  private:
@@ -85,6 +89,9 @@ class TriangleTree {
   void put_in_further(std::size_t known, std::size_t vertices);
   void measure(const Eigen::VectorXd& position, std::span<const double> margins);
   double squared_travel(int a, int b) const;
+  /// Whether a gap along an axis is there from the beginning of the motion to its end: so it is between the opposite
+  /// sides of a body that grows, far as these may travel.
+  bool stays_apart(int a, int b, double kept) const;
 
   /// Two nodes, or one with itself: all pairs of the triangles below.
   using NodePair = std::array<int, 2>;

@@ -176,8 +176,16 @@ class Body {
   bool turn(const EquilibriumProblem& problem, EquilibriumState& state);
   bool find_turned(EquilibriumProblem& problem, EquilibriumState& state);
   void turn_to_rest(EquilibriumProblem& problem, EquilibriumState& state);
-  bool has_burst(const EquilibriumState& state) const;
-  NewtonResult burst();
+  /// The pressure under which a body of one chamber holds a volume (metres^3), pascal; nothing where it is not found.
+  std::optional<double> pressure_at(double volume, const EquilibriumProblem& whole, EquilibriumState& state);
+  /// The largest pressure that the wall of a body of one chamber bears, pascal, from where it has `grown` down to where
+  /// it bears most, and up to `most_volume` times its volume; nothing where it bears the given one, or that is not
+  /// found out. Under a given volume a wall is stable beyond the limit point, where under the pressure it grows without
+  /// end.
+  std::optional<double> most_borne(const EquilibriumProblem& whole, double most_volume, const EquilibriumState& grown);
+  /// Whether it has grown to more than `most_volume` times its volume.
+  bool has_grown(const EquilibriumState& state, double most_volume) const;
+  NewtonResult burst(double most_borne = 0);
   void solve_statics();
   bool load_slowly(const EquilibriumProblem& whole, EquilibriumState& trial);
   std::string describe_failure() const;
@@ -389,6 +397,7 @@ class Body {
   bool is_loose_ = false;                  // whether the last solution's residual is above the tolerance
   bool is_convex_ = true;                  // whether it was found with the curvature as it is
   bool is_unstable_ = false;               // whether the equilibrium of the step under way is not stable
+  bool bursts_ = false;                    // whether it has been found to burst before time zero
   bool stays_held_ = false;                // whether loads did not turn it to rest where they were to
   std::string failure_;                    // why the last attempt failed
 };

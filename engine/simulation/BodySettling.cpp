@@ -72,6 +72,9 @@ constexpr int kWeightParts = 8;
 /// constant pressure grows without end.
 constexpr double kBurstVolume = 30;
 
+/// The same from which on it is asked what pressure the wall bears.
+constexpr double kGrownVolume = 1.5;
+
 /// The same from which on a body in motion that cannot be solved is taken to burst.
 constexpr double kBlownUpVolume = 3;
 
@@ -104,14 +107,19 @@ NewtonResult Body::solve(EquilibriumProblem& problem, EquilibriumState& state, c
   return result;
 }
 
-bool Body::has_burst(const EquilibriumState& state) const {
-  return model_->has_fluid() && enclosed_volumes(*model_, state.position).sum() > kBurstVolume * model_->rest_volume;
+bool Body::has_grown(const EquilibriumState& state, double most_volume) const {
+  return model_->has_fluid() && enclosed_volumes(*model_, state.position).sum() > most_volume * model_->rest_volume;
 }
 
-NewtonResult Body::burst() {
+NewtonResult Body::burst(double most_borne) {
+  std::ostringstream reason;
+  reason << "it bursts: it grows without end, past " << kBurstVolume << " times its volume";
+  if (most_borne > 0)
+    reason << ", as its wall bears " << std::fixed << std::setprecision(most_borne < 100 ? 2 : 0) << most_borne
+           << " Pa at most";
+  bursts_ = true;
   NewtonResult failed;
-  failed.reason = failure_ =
-      "it bursts: it grows without end, past " + std::to_string(static_cast<int>(kBurstVolume)) + " times its volume";
+  failed.reason = failure_ = reason.str();
   return failed;
 }
 
@@ -122,6 +130,7 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state, b
   const RelaxationPace& pace = is_eager ? kEager : kCareful;
   const std::string before = failure_;
   double springs = 1;
+  bool is_asked = false;  // whether the wall bears what it has grown under
   Eigen::VectorXd lead = Eigen::VectorXd::Zero(state.position.size());  // (unknowns), metres
   for (int turn = 0; turn < pace.turns; ++turn) {
     EquilibriumState trial = state;
@@ -143,7 +152,11 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state, b
       springs *= pace.stiffened;
       if (springs > kStiffestSprings) break;
     }
-    if (has_burst(state)) return burst();
+    if (has_grown(state, kBurstVolume)) return burst();
+    if (is_eager && !is_asked && has_grown(state, kGrownVolume)) {
+      is_asked = true;
+      if (const auto most = most_borne(problem, kBurstVolume, state)) return burst(*most);
+    }
     if (springs < kWeakSprings && turn % 4 == 3) {
       trial = state;
       held = problem;
@@ -230,15 +243,14 @@ void Body::solve_statics() {
   problem.hold_rigid_motions = model_->rigid_motions.cols() > 0;
   const EquilibriumProblem whole = problem;
   EquilibriumState trial = state_.equilibrium;
-  bool is_found = solve(problem, trial).converged, bursts = false;
+  bool is_found = solve(problem, trial).converged;
   for (const bool is_eager : {true, false}) {
-    if (is_found || bursts) break;
+    if (is_found || bursts_) break;
     problem = whole;
     trial = state_.equilibrium;
     is_found = relax(problem, trial, is_eager).converged;
-    bursts = !is_found && has_burst(trial);
   }
-  if (!is_found && (bursts || !load_slowly(whole, trial))) throw SimulationFailure(describe_failure());
+  if (!is_found && (bursts_ || !load_slowly(whole, trial))) throw SimulationFailure(describe_failure());
   EquilibriumProblem held = whole;
   turn_to_rest(held, trial);
   state_.equilibrium = trial;

@@ -177,7 +177,7 @@ Eigen::VectorXd carried_vertices(const BodyModel& before, const BodyModel& after
   return carried;
 }
 
-Eigen::Matrix<double, 3, 2> edges_of(const BodyModel& model, int triangle) {
+Eigen::Matrix<double, 3, 2> rest_edges_of(const BodyModel& model, int triangle) {
   const auto corners = corners_of(model.surface[triangle], model.rest_position);
   Eigen::Matrix<double, 3, 2> edges;
   edges << corners[1] - corners[0], corners[2] - corners[0];
@@ -186,9 +186,9 @@ Eigen::Matrix<double, 3, 2> edges_of(const BodyModel& model, int triangle) {
 
 /// From the axes of a triangle before to those of one in its place: a rotation, as both lie in one plane.
 Eigen::Matrix2d turn_between(const BodyModel& before, int from, const BodyModel& after, int to) {
-  const Eigen::Matrix<double, 3, 2> old_edges = edges_of(before, from);
+  const Eigen::Matrix<double, 3, 2> old_edges = rest_edges_of(before, from);
   const Eigen::Matrix2d parts =
-      (old_edges.transpose() * old_edges).inverse() * old_edges.transpose() * edges_of(after, to);
+      (old_edges.transpose() * old_edges).inverse() * old_edges.transpose() * rest_edges_of(after, to);
   const Eigen::Matrix2d in_old_axes = before.rest[from].inverse_edges.inverse() * parts;
   const Eigen::Matrix2d map = after.rest[to].inverse_edges.inverse() * in_old_axes.inverse();
   const Eigen::Vector2d axis = Eigen::Vector2d(map(0, 0) + map(1, 1), map(1, 0) - map(0, 1)).normalized();

@@ -101,5 +101,25 @@ TEST(TriangleTree, ThatHasGrownFindsThePairsOfOneBuiltAnew) {
   }
 }
 
+TEST(TriangleTree, LeavesOutPairsBetweenWhichAGapStaysThroughoutTheMotion) {
+  // Two triangles, one 10 mm above the other.
+  Wall wall{.triangles = {{0, 1, 2}, {3, 4, 5}}, .position = Eigen::VectorXd::Zero(18)};
+  wall.position << 0, 0, 0, 1e-3, 0, 0, 0, 1e-3, 0, 0, 0, 10e-3, 1e-3, 0, 10e-3, 0, 1e-3, 10e-3;
+  TriangleTree tree(wall.triangles, wall.position, wall.margins());
+  const auto may_meet = [&](double upwards) {
+    Eigen::VectorXd motion = Eigen::VectorXd::Zero(18);
+    for (int v = 3; v < 6; ++v) motion[3 * v + 2] = upwards;
+    tree.fit(wall.position, motion);
+    int pairs = 0;
+    tree.visit_meeting(
+        0.1, [](std::size_t) {}, [&](std::size_t, int, int) { ++pairs; });
+    return pairs > 0;
+  };
+  EXPECT_FALSE(may_meet(50e-3));
+  EXPECT_FALSE(may_meet(-8.5e-3));
+  EXPECT_TRUE(may_meet(-9.2e-3)) << "less than a tenth of the gap is left";
+  EXPECT_TRUE(may_meet(-50e-3)) << "past each other, with a gap at either end";
+}
+
 }  // namespace
 }  // namespace thinwall
