@@ -354,7 +354,9 @@ void draw_annotations(Image& image, const PictureBox& box, const AnnotationDefin
               .size = box.size,
               .inset = place_within(box, box_of(inset)),
               .legend = place_within(box, legend)};
-  for (const SnapshotTool& tool : snapshot.tools) scene.tools.push_back(tool_shape(tool, extent.size));
+  for (const SnapshotTool& tool : snapshot.tools) {
+    if (!tool.is_set_aside) scene.tools.push_back(tool_shape(tool, extent.size));
+  }
   const Canvas canvas(box.size);
   if (scene.inset) keep_off(canvas, box.size, *scene.inset);
   std::vector<Box> plates = draw_labels(canvas, scene, annotations.labels);

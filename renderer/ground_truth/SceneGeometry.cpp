@@ -89,7 +89,7 @@ SceneGeometry scene_geometry(const Snapshot& snapshot, const SceneExtent& extent
     }
   }
   for (std::uint32_t k = 0; k < snapshot.tools.size(); ++k) {
-    append(tool_shape(snapshot.tools[k], extent.size), k, geometry);
+    if (!snapshot.tools[k].is_set_aside) append(tool_shape(snapshot.tools[k], extent.size), k, geometry);
   }
   return geometry;
 }

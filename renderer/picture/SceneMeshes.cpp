@@ -301,6 +301,7 @@ void SceneMeshes::upload_tools(const Snapshot& snapshot, const SceneExtent& exte
   indices.clear();
   rods_.clear();
   for (const SnapshotTool& tool : snapshot.tools) {
+    if (tool.is_set_aside) continue;
     const ToolShape shape = tool_shape(tool, extent.size, ToolDetail::kSeen);
     const auto offset = static_cast<std::uint32_t>(vertices.size());
     vertices.insert(vertices.end(), shape.vertices.begin(), shape.vertices.end());

@@ -60,6 +60,7 @@ struct SnapshotTool {
   std::string phase = "idle";
   double depth = 0;           // metres of travel along the direction since first contact, 0 before
   Double3 force = {0, 0, 0};  // newton, what the tissue does to the tool
+  bool is_set_aside = false;  // out of the picture: not drawn, nor in its ground truth
   bool touches() const { return force != Double3{0, 0, 0}; }
 };
 

@@ -22,6 +22,7 @@ void set_first_poses(std::span<const Clip> timeline, std::span<const ScheduledCl
       continue;
     }
     tool.pose = *beginning_of(clips[*first].plan);
+    if (clips[*first].begin <= 0) tool.phase = moment_of(clips[*first].plan, 0)->phase;
   }
 }
 

@@ -84,6 +84,7 @@ void FrameComposer::add(Moment moment) {
   earlier_ = std::move(later_);
   later_ = std::move(moment);
   shots_.add(later_->snapshot);
+  set_aside_.add(later_->snapshot);
   if (!earlier_) expected_force_ = expected_force(later_->snapshot);
   histories_.resize(later_->snapshot.tools.size());
   for (std::size_t i = 0; i < histories_.size(); ++i) {
@@ -95,6 +96,7 @@ void FrameComposer::add(Moment moment) {
 void FrameComposer::add_second(const Moment& moment) {
   const Snapshot& second = moment.second->snapshot;
   second_shots_->add(second);
+  second_set_aside_.add(second);
   second_histories_.resize(second.tools.size());
   for (std::size_t i = 0; i < second_histories_.size(); ++i) {
     // A take that has ended before the first has no more force to tell.
@@ -107,9 +109,10 @@ void FrameComposer::add_second(const Moment& moment) {
 void FrameComposer::compose_second(double time, const Moment& earlier, Frame& frame) const {
   const Snapshot& after = later_->second->snapshot;
   const Snapshot& before = earlier.second ? earlier.second->snapshot : after;
-  const auto second = std::make_shared<const Snapshot>(interpolate(before, after, time));
-  frame.shot.beside = second_shots_->shot(*second).camera;
-  frame.shot.beside_snapshot = second;
+  Snapshot second = interpolate(before, after, time);
+  second_set_aside_.mark(second);
+  frame.shot.beside = second_shots_->shot(second).camera;
+  frame.shot.beside_snapshot = std::make_shared<const Snapshot>(std::move(second));
   frame.shot.beside_view = {comparison_, &comparison_->second};
   frame.half_captions = comparison_->captions;
   const SnapshotTool* tool = shown_tool(frame.snapshot);
@@ -129,6 +132,7 @@ Frame FrameComposer::compose(double time) const {
   assert(reaches(time));
   const Moment& earlier = earlier_ ? *earlier_ : *later_;
   Frame frame{.snapshot = interpolate(earlier.snapshot, later_->snapshot, time), .overlay = {}};
+  set_aside_.mark(frame.snapshot);
   frame.overlay = overlay(frame.snapshot);
   frame.shot = shots_.shot(frame.snapshot);
   frame.annotations = annotations_;
@@ -178,9 +182,15 @@ std::vector<ForceSample> FrameComposer::history_of(std::size_t tool, const Snaps
 }
 
 const SnapshotTool* FrameComposer::shown_tool(const Snapshot& snapshot) const {
-  for (const SnapshotTool& tool : snapshot.tools) {
-    if (works(tool)) return &tool;
+  const SnapshotTool* working = nullptr;
+  double latest = 0;
+  for (std::size_t i = 0; i < snapshot.tools.size(); ++i) {
+    const double begun = set_aside_.begun(i, snapshot.time);
+    if (!works(snapshot.tools[i]) || (working != nullptr && begun <= latest)) continue;
+    working = &snapshot.tools[i];
+    latest = begun;
   }
+  if (working != nullptr) return working;
   for (const SnapshotTool& tool : snapshot.tools) {
     if (tool.phase != kIdle && !has_worked_) return &tool;
   }

@@ -12,6 +12,7 @@
 #include "renderer/overlay/Overlay.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
 #include "studio/record/Moment.hpp"
+#include "studio/recorder/SetAsideTools.hpp"
 #include "studio/recorder/ShotFollower.hpp"
 #include "studio/scenario/Scenario.hpp"
 
@@ -61,6 +62,7 @@ class FrameComposer {
   std::optional<Moment> earlier_;
   std::optional<Moment> later_;
   std::vector<std::vector<ForceSample>> histories_;  // (tools x moments so far)
+  SetAsideTools set_aside_, second_set_aside_;
   std::shared_ptr<const TakeComparison> comparison_;
   std::optional<ShotFollower> second_shots_;
   std::vector<std::vector<ForceSample>> second_histories_;  // like `histories_`, of the second take

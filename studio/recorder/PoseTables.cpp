@@ -79,7 +79,7 @@ PoseTables::PoseTables()
           "k1,k2,p1,p2,k3\n"),
       tools_(
           "frame,time_s,tool,kind,phase,x_m,y_m,z_m,direction_x,direction_y,direction_z,axis_x,axis_y,axis_z,fx_N,fy_N,"
-          "fz_N,opening_m\n") {}
+          "fz_N,opening_m,in_picture\n") {}
 
 void PoseTables::add(std::size_t frame, double time, const Camera& camera, const PicturePart& part,
                      const std::vector<SnapshotTool>& tools) {
@@ -94,7 +94,7 @@ void PoseTables::add(std::size_t frame, double time, const Camera& camera, const
   for (const SnapshotTool& tool : tools) {
     tools_ += fmt::format("{},{:.17g},{},{},{}", frame, time, cell(tool.name), kind_name(tool.kind), tool.phase);
     for (const Double3& values : {tool.tip, tool.direction, tool.axis, tool.force}) tools_ += numbers(values);
-    tools_ += fmt::format(",{:.17g}\n", tool.opening);
+    tools_ += fmt::format(",{:.17g},{}\n", tool.opening, tool.is_set_aside ? 0 : 1);
   }
 }
 

@@ -20,8 +20,8 @@ class PoseTables {
   /// y'/z' (LensDistortion). A frame's row tells all of its camera, which cuts and keyframes change.
   const std::string& cameras() const { return cameras_; }
 
-  /// `frame,time_s,tool,kind,phase,x_m,...,fz_N,opening_m`: tip, direction and y' of the tool's frame, the force on it,
-  /// and how far the jaws of forceps are apart (0 for others).
+  /// `frame,time_s,tool,kind,phase,x_m,...,fz_N,opening_m,in_picture`: tip, direction and y' of the tool's frame, the
+  /// force on it, how far the jaws of forceps are apart (0 for others), and 0 where it is set aside, else 1.
   const std::string& tools() const { return tools_; }
 
   /// Of the first frame alone, for cv::FileStorage: image_width, image_height, camera_matrix, distortion_coefficients.

@@ -27,8 +27,20 @@ TEST(ScenarioRun, TheFirstRecordIsTheEquilibriumAtTimeZero) {
   EXPECT_EQ(run.record().bodies.at(0).pressure, 200);
   EXPECT_GT(run.record().bodies.at(0).volume, 0);
   EXPECT_EQ(run.record().bodies.at(0).volume, run.record().bodies.at(0).fluid_volume);
-  EXPECT_EQ(run.record().tools.at(0).phase, "idle");
+  EXPECT_EQ(run.record().tools.at(0).phase, "approach") << "its clip begins then";
   EXPECT_EQ(run.snapshot().surfaces.at(0).positions.size(), run.snapshot().surfaces[0].topology->rest_positions.size());
+}
+
+TEST(ScenarioRun, AtTimeZeroTheToolWhoseClipBeginsThenIsNotIdle) {
+  Scenario scenario = ball_scenario();
+  const ToolDefinition first = scenario.tools[0];
+  scenario.tools.push_back(first);
+  scenario.tools[0].name = "spare";
+  scenario.timeline = {palpation(0.001)};
+  EXPECT_EQ(ScenarioRun(scenario).record().tools.at(0).phase, "idle");
+  EXPECT_EQ(ScenarioRun(scenario).record().tools.at(1).phase, "approach");
+  scenario.timeline = {Clip{.action = WaitClip{.duration = 0.1}}, palpation(0.001)};
+  EXPECT_EQ(ScenarioRun(scenario).record().tools.at(1).phase, "idle");
 }
 
 TEST(ScenarioRun, BodiesThatMayPassThroughEachOtherAreToldOnce) {

@@ -82,6 +82,23 @@ TEST(FrameComposerTest, OfSeveralToolsTheOneThatTouchesIsShownElseTheLastThatDid
   EXPECT_EQ(shown_after("idle", 0, "approach", 0), "first");
 }
 
+TEST(FrameComposerTest, OfToolsThatTouchTheOneThatSetOutLastIsShown) {
+  FrameComposer composer("", {});
+  auto shown_after = [&, time = 0.0](const char* left, const char* acting) mutable {
+    Moment moment;
+    moment.snapshot.time = time++;
+    moment.snapshot.tools = {{.name = "left", .phase = left, .force = {0, 0, 1}},
+                             {.name = "acting", .phase = acting, .force = {0, 0, *acting == 'i' ? 0.0 : 1.0}}};
+    composer.add(moment);
+    return composer.compose(moment.snapshot.time).overlay.tool;
+  };
+  EXPECT_EQ(shown_after("contact", "idle"), "left");
+  EXPECT_EQ(shown_after("hold", "idle"), "left");
+  EXPECT_EQ(shown_after("hold", "contact"), "acting") << "the first was left in the wall";
+  EXPECT_EQ(shown_after("hold", "withdrawal"), "acting");
+  EXPECT_EQ(shown_after("contact", "hold"), "left") << "it has set out again";
+}
+
 TEST(FrameComposerTest, EachToolThatHasTouchedHasAHistoryAndKeepsItsNumber) {
   const auto moment = [](double time, double first, double second) {
     Moment result;
@@ -104,6 +121,43 @@ TEST(FrameComposerTest, EachToolThatHasTouchedHasAHistoryAndKeepsItsNumber) {
   EXPECT_EQ(content.other_tools[0].number, 0U);
   ASSERT_EQ(content.other_tools[0].samples.size(), 3U);
   EXPECT_EQ(content.other_tools[0].samples[1].force, 3);
+}
+
+TEST(FrameComposerTest, ToolsThatWaitAreOutOfThePictureFromWhenAnotherBegins) {
+  FrameComposer composer("", {});
+  auto drawn_after = [&, time = 0.0](const std::vector<const char*>& phases) mutable {
+    Moment moment;
+    moment.snapshot.time = time++;
+    for (const char* phase : phases) moment.snapshot.tools.push_back({.name = "tool", .phase = phase});
+    composer.add(moment);
+    std::string drawn;
+    for (const SnapshotTool& tool : composer.compose(moment.snapshot.time).snapshot.tools) {
+      drawn += tool.is_set_aside ? '-' : 'x';
+    }
+    return drawn;
+  };
+  EXPECT_EQ(drawn_after({"idle", "idle", "idle"}), "xxx");
+  EXPECT_EQ(drawn_after({"approach", "idle", "idle"}), "x--") << "their clips are still to come";
+  EXPECT_EQ(drawn_after({"withdrawal", "idle", "idle"}), "x--");
+  EXPECT_EQ(drawn_after({"idle", "idle", "idle"}), "x--");
+  EXPECT_EQ(drawn_after({"idle", "approach", "idle"}), "-x-") << "the first has gone back";
+  EXPECT_EQ(drawn_after({"hold", "cutting", "idle"}), "xx-") << "a wall touches the first";
+  EXPECT_EQ(drawn_after({"idle", "hold", "idle"}), "-x-");
+  EXPECT_EQ(drawn_after({"idle", "idle", "approach"}), "-xx") << "the second was left where it is";
+  EXPECT_EQ(drawn_after({"idle", "withdrawal", "cutting"}), "-xx");
+  EXPECT_EQ(composer.compose(7.5).snapshot.tools[1].is_set_aside, false);
+}
+
+TEST(FrameComposerTest, ToolsGoOutOfThePictureAtTheMomentAtWhichAnotherHasBegun) {
+  FrameComposer composer("", {});
+  for (const char* phase : {"idle", "approach"}) {
+    Moment moment;
+    moment.snapshot.time = *phase == 'i' ? 0 : 1;
+    moment.snapshot.tools = {{.name = "waits", .phase = "idle"}, {.name = "works", .phase = phase}};
+    composer.add(std::move(moment));
+  }
+  EXPECT_FALSE(composer.compose(0.5).snapshot.tools[0].is_set_aside);
+  EXPECT_TRUE(composer.compose(1).snapshot.tools[0].is_set_aside);
 }
 
 TEST(FrameComposerTest, KnowsHowFarItReaches) {

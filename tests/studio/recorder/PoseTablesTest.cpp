@@ -84,23 +84,26 @@ TEST(PoseTables, ARowOfCamerasAlonePutsAPointWhereThePictureShowsIt) {
   }
 }
 
-TEST(PoseTables, TellHowFarTheJawsOfForcepsAreApartAfterAllThatWasThereBefore) {
+TEST(PoseTables, TellHowFarTheJawsOfForcepsAreApartAndWhatIsInThePictureAfterAllThatWasThereBefore) {
   SnapshotTool forceps, probe;
   forceps.name = "forceps";
   forceps.kind = SnapshotToolKind::kForceps;
   forceps.opening = 0.0035;
   forceps.force = {1, 2, 3};
   probe.name = "probe";
+  probe.is_set_aside = true;
   PoseTables tables;
   tables.add(0, 0, camera_at({0.1, 0, 0}, {}), own_part({}, kSize), {forceps, probe});
   EXPECT_EQ(tables.tools().substr(0, tables.tools().find('\n')),
             "frame,time_s,tool,kind,phase,x_m,y_m,z_m,direction_x,direction_y,direction_z,axis_x,axis_y,axis_z,"
-            "fx_N,fy_N,fz_N,opening_m");
+            "fx_N,fy_N,fz_N,opening_m,in_picture");
   const auto table = rows(tables.tools());
   ASSERT_EQ(table.size(), 2U);
   EXPECT_EQ(std::stod(table[0].at("opening_m")), 0.0035);
   EXPECT_EQ(table[0].at("fz_N"), "3");
   EXPECT_EQ(table[1].at("opening_m"), "0");
+  EXPECT_EQ(table[0].at("in_picture"), "1");
+  EXPECT_EQ(table[1].at("in_picture"), "0");
 }
 
 TEST(PoseTables, IntrinsicsAreOfTheFirstFrame) {
