@@ -13,14 +13,6 @@ Double3 mixed(const Double3& a, const Double3& b, double part) {
   return result;
 }
 
-/// Closes the fluid where no wall is: a smooth, pale cut.
-TissueLook cap_look(TissueLook look) {
-  look.color = mixed(look.color, {0.80, 0.80, 0.80}, 0.45);
-  look.mottling *= 0.25;
-  look.clearness = 0;
-  return look;
-}
-
 /// Moist, and without the vessels of the outer side.
 TissueLook rim_look(TissueLook look) {
   look.vessels = look.capillaries = look.clearness = look.ridges = look.creases = look.pores = 0;
@@ -29,6 +21,15 @@ TissueLook rim_look(TissueLook look) {
   // Cut fibres and lobules are uneven, which breaks what they mirror.
   look.relief = std::max(look.relief, 0.35);
   look.relief_size = std::max(look.relief_size, 0.0011);
+  return look;
+}
+
+/// Closes the fluid where no wall is: as flesh that was cut across, paler than the outer side.
+TissueLook cap_look(TissueLook look) {
+  const double relief = std::max(look.relief, 0.10);
+  look = rim_look(look);
+  look.color = mixed(mixed(look.color, look.layers.middle, 0.3), {0.88, 0.78, 0.70}, 0.2);
+  look.relief = std::min(relief, 0.16);
   return look;
 }
 
