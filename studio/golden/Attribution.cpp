@@ -7,6 +7,7 @@
 #include "renderer/image/ImageHash.hpp"
 #include "renderer/image/WholeFile.hpp"
 #include "renderer/picture/PictureFailure.hpp"
+#include "studio/golden/NamedFiles.hpp"
 #include "studio/golden/OverlayRecord.hpp"
 #include "studio/take/TakeError.hpp"
 #include "studio/take/TakeReader.hpp"
@@ -75,6 +76,7 @@ struct Evidence {
   const GoldenApproval& approval;
   Attribution& attribution;
   bool knows_scenario;  // what the golden's scenario asked for
+  std::string files;    // that the scenario names and that have changed, or may have where the approval keeps nothing
   bool same_driver() const { return approval.driver == result.driver; }
   /// Only where the approval kept it, and the same driver drew.
   bool knows_scene() const { return same_driver() && !approval.scene_hash.empty() && !picture.scene_hash.empty(); }
@@ -87,6 +89,29 @@ bool physics_changed(const Evidence& evidence) {
     return evidence.attribution.history.changed && evidence.shows_same_scene();
   }
   return evidence.result.state.verdict == StateVerdict::kChanged || evidence.attribution.history.changed;
+}
+
+/// What has made the physics change: the scenario, a file that it names, else the engine.
+std::string told_cause(const Evidence& evidence, const std::string& asked) {
+  const bool keeps_files = !evidence.approval.files.empty();
+  if (!evidence.files.empty() && keeps_files) {
+    return "; " + evidence.files + ", which the scenario names, has changed" +
+           (asked.empty() ? "" : "; the scenario has changed: " + asked);
+  }
+  if (!asked.empty()) return "; the scenario has changed: " + asked;
+  return "; the scenario asks for the same, so the engine has changed" +
+         (evidence.files.empty() ? "" : ", or " + evidence.files);
+}
+
+/// What the scenario says differently of the picture, where the physics has changed as well.
+void tell_besides(Attribution& attribution) {
+  const std::string look = list_changes(attribution.scenario, {ScenarioStage::kLook});
+  const std::string written = list_changes(attribution.scenario, {ScenarioStage::kOverlay});
+  // What a second take sets may be of either stage, and is told as the cause.
+  const bool is_of_look = std::ranges::any_of(
+      attribution.scenario, [](const ScenarioChange& change) { return change.stage == ScenarioStage::kLook; });
+  if (is_of_look) attribution.sentence += "; the look has changed too: " + look;
+  if (!written.empty()) attribution.sentence += "; the overlay has changed too: " + written;
 }
 
 void tell_physics(const Evidence& evidence, Attribution& attribution) {
@@ -102,9 +127,9 @@ void tell_physics(const Evidence& evidence, Attribution& attribution) {
   if (!evidence.knows_scenario) {
     attribution.sentence += "; whether the scenario asks for the same is open, as the golden's cannot be read";
   } else {
-    attribution.sentence += asked.empty() ? "; the scenario asks for the same, so the engine has changed"
-                                          : "; the scenario has changed: " + asked;
+    attribution.sentence += told_cause(evidence, asked);
   }
+  tell_besides(attribution);
   if (!evidence.knows_scene() || !attribution.golden_state) return;
   const bool same_drawing = image_hash(*attribution.golden_state) == evidence.approval.scene_hash;
   attribution.sentence += same_drawing ? "; the renderer draws the golden's state as before"
@@ -146,6 +171,7 @@ void tell_picture(const Evidence& evidence, Attribution& attribution) {
   if (!look.empty()) {
     attribution.stage = ChangedStage::kLook;
     attribution.sentence = "look changed, state identical: " + look;
+    if (!written.empty()) attribution.sentence += "; the overlay has changed too: " + written;
   } else if (!words.empty() && !evidence.knows_scene()) {
     attribution.stage = ChangedStage::kOverlay;
     attribution.sentence = "overlay changed: " + words;
@@ -185,9 +211,12 @@ HistoryChange history_change(const GoldenPicture& picture, const GoldenApproval&
                              const std::filesystem::path& folder) {
   if (approval.history.empty()) return {};
   const std::filesystem::path file = folder / approval.history;
-  const std::string text = bytes_of_file(file);
-  if (text.empty()) return {};
-  return compare_histories(parse_history(text, file.string()), picture.history);
+  try {
+    return compare_histories(parse_history(bytes_of_file(file), file.string()), picture.history);
+  } catch (const GoldenError&) {
+    // The comparison tells that it is lost.
+    return {};
+  }
 }
 
 Attribution attribute(const Scenario& scenario, const GoldenPicture& picture, const GoldenResult& result,
@@ -203,7 +232,8 @@ Attribution attribute(const Scenario& scenario, const GoldenPicture& picture, co
   attribution.history = history_change(picture, *approval, folder);
   attribution.scenario = compare_scenarios(golden.resolved, scenario.resolved);
   attribution.overlay = compare_overlays(approval->overlay, overlay_record(picture.overlay));
-  const Evidence evidence{picture, result, *approval, attribution, !golden.resolved.empty()};
+  const Evidence evidence{
+      picture, result, *approval, attribution, !golden.resolved.empty(), changed_files(approval->files, scenario)};
   if (physics_changed(evidence)) {
     if (golden.moment) attribution.golden_state = drawn(*golden.moment, picture, painters(scenario.resolved));
     tell_physics(evidence, attribution);

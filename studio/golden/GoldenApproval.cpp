@@ -44,8 +44,9 @@ std::vector<GoldenApproval> read_approvals(const std::filesystem::path& folder) 
   try {
     const Json json = Json::parse(stream);
     if (json.at("approval_version") != kApprovalVersion) {
-      throw GoldenError(file.string() + ": written by another version of the program");
+      throw damaged_golden(file.string() + ": written by another version of the program");
     }
+    if (!json.at("goldens").is_array()) throw damaged_golden(file.string() + ": is damaged (`goldens` is no list)");
     for (const Json& golden : json.at("goldens")) {
       approvals.push_back({.at = golden.at("at_s"),
                            .driver = golden.at("driver"),
@@ -59,7 +60,8 @@ std::vector<GoldenApproval> read_approvals(const std::filesystem::path& folder) 
                            .overlay = golden.contains("overlay") ? golden.at("overlay").dump() : "",
                            .second_state = golden.value("second_state", ""),
                            .second_state_digest = golden.value("second_state_digest", ""),
-                           .picture_hash = golden.value("picture_hash", "")});
+                           .picture_hash = golden.value("picture_hash", ""),
+                           .files = golden.contains("files") ? golden.at("files").dump() : ""});
     }
   } catch (const Json::exception& error) {
     throw damaged_golden(file.string() + ": is damaged (" + error.what() + ")");
@@ -85,6 +87,7 @@ void write_approvals(const std::filesystem::path& folder, const std::vector<Gold
     if (!approval.history.empty()) golden["history"] = approval.history;
     if (!approval.picture_hash.empty()) golden["picture_hash"] = approval.picture_hash;
     if (!approval.scene_hash.empty()) golden["scene_hash"] = approval.scene_hash;
+    if (!approval.files.empty()) golden["files"] = Json::parse(approval.files);
     if (!approval.overlay.empty()) golden["overlay"] = Json::parse(approval.overlay);
   }
   const Json json = {{"approval_version", kApprovalVersion}, {"goldens", goldens}};
@@ -103,7 +106,7 @@ const GoldenApproval* find_approval(const std::vector<GoldenApproval>& approvals
 }
 
 std::string golden_stem(double at, const std::string& driver) {
-  return fmt::format("at_{:.4g}s.{:08x}", at, XXH3_64bits(driver.data(), driver.size()) & 0xffffffffU);
+  return fmt::format("at_{:.9g}s.{:08x}", at, XXH3_64bits(driver.data(), driver.size()) & 0xffffffffU);
 }
 
 }  // namespace thinwall

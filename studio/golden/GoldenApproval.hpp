@@ -24,6 +24,7 @@ struct GoldenApproval {
   std::string second_state = {};
   std::string second_state_digest = {};
   std::string picture_hash = {};  // of the approved picture; empty in approvals of earlier versions
+  std::string files = {};         // JSON: hashes of the files that the scenario names; empty likewise
 };
 
 /// A golden folder that cannot be read: the message names file and reason. Exit code 2.

@@ -10,6 +10,7 @@
 
 #include "renderer/image/Folder.hpp"
 #include "renderer/image/WholeFile.hpp"
+#include "studio/golden/NamedFiles.hpp"
 
 namespace thinwall {
 namespace {
@@ -19,15 +20,6 @@ using Json = nlohmann::ordered_json;
 std::string hash_of(const std::string& bytes) {
   const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
   return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
-}
-
-/// Every file that a scenario names stands under one of these keys.
-void collect_files(const nlohmann::json& json, std::set<std::string>& files) {
-  if (!json.is_structured()) return;
-  for (const auto& [name, value] : json.items()) {
-    if (value.is_string() && (name == "mesh" || name == "file")) files.insert(value.get<std::string>());
-    collect_files(value, files);
-  }
 }
 
 Json to_json(const GoldenResult& result) {
@@ -88,14 +80,7 @@ void GoldenCache::take_over(const std::filesystem::path& file) {
 
 std::string GoldenCache::key(const Scenario& scenario, const std::filesystem::path& goldens) const {
   std::string parts = program_ + "\n" + scenario.resolved + "\n";
-  std::set<std::string> files;
-  collect_files(nlohmann::json::parse(scenario.resolved, nullptr, false), files);
-  if (scenario.comparison) {
-    collect_files(nlohmann::json::parse(scenario.comparison->second->resolved, nullptr, false), files);
-  }
-  for (const std::string& name : files) {
-    const std::filesystem::path path(name);
-    const std::string hash = file_hash(path.is_absolute() ? path : scenario.file.parent_path() / path);
+  for (const auto& [name, hash] : named_files(scenario)) {
     if (hash.empty()) return "";
     parts += name + " " + hash + "\n";
   }

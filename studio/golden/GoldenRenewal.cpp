@@ -9,6 +9,7 @@
 #include "renderer/image/WholeFile.hpp"
 #include "renderer/picture/PictureFailure.hpp"
 #include "renderer/video/Program.hpp"
+#include "studio/golden/NamedFiles.hpp"
 #include "studio/golden/OverlayRecord.hpp"
 #include "studio/take/TakeWriter.hpp"
 
@@ -21,6 +22,17 @@ void write_state(const std::filesystem::path& file, const Scenario& scenario, co
   TakeWriter state(file, {.name = scenario.name, .title = scenario.title, .resolved = scenario.resolved});
   state.write(moment);
   state.finish({.complete = false, .warnings = {}, .state_digest = digest});
+}
+
+/// What the approval before had under names of its own, as earlier versions gave them.
+void remove_files_but(const GoldenApproval& replaced, const GoldenApproval& renewed,
+                      const std::filesystem::path& folder) {
+  for (const auto file : {&GoldenApproval::image, &GoldenApproval::state, &GoldenApproval::history}) {
+    std::error_code ignored;
+    if (!(replaced.*file).empty() && replaced.*file != renewed.*file) {
+      std::filesystem::remove(folder / replaced.*file, ignored);
+    }
+  }
 }
 
 }  // namespace
@@ -42,7 +54,8 @@ void renew_golden(const Scenario& scenario, const GoldenPicture& picture, const 
                                .overlay = overlay_record(picture.overlay),
                                .second_state = picture.moment.second ? stem + ".second_state.h5" : "",
                                .second_state_digest = picture.second_state_digest,
-                               .picture_hash = image_hash(picture.image)};
+                               .picture_hash = image_hash(picture.image),
+                               .files = named_files_record(scenario)};
   write_state(folder / renewed.state, scenario, picture.moment, picture.state_digest);
   if (picture.moment.second) {
     write_state(folder / renewed.second_state, *scenario.comparison->second, *picture.moment.second,
@@ -51,7 +64,9 @@ void renew_golden(const Scenario& scenario, const GoldenPicture& picture, const 
   write_whole_file(folder / renewed.history, history_text(picture.history));
   write_png(folder / renewed.image, picture.image, PngEffort::kSmall);
   const GoldenApproval* before = find_approval(approvals, picture.at, driver);
-  if (before != nullptr && before->driver == driver) {
+  const bool is_replaced = before != nullptr && before->driver == driver;
+  const GoldenApproval replaced = is_replaced ? *before : GoldenApproval{};
+  if (is_replaced) {
     approvals[static_cast<std::size_t>(before - approvals.data())] = renewed;
   } else {
     approvals.push_back(renewed);
@@ -59,6 +74,7 @@ void renew_golden(const Scenario& scenario, const GoldenPicture& picture, const 
   std::stable_sort(approvals.begin(), approvals.end(),
                    [](const GoldenApproval& a, const GoldenApproval& b) { return a.at < b.at; });
   write_approvals(folder, approvals);
+  remove_files_but(replaced, renewed, folder);
 }
 
 std::string approver() {

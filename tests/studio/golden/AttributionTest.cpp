@@ -131,6 +131,41 @@ TEST_F(AttributionTest, AChangedRendererBesideChangedPhysicsIsToldToo) {
   expect_words(attribution, "the golden's state is drawn differently too");
 }
 
+TEST_F(AttributionTest, AChangedLookBesideChangedPhysicsIsNamed) {
+  const Attribution attribution =
+      attribution_of(scene_.judge(golden_scene(1.1, "20400.0"), synthetic_source({.depth = 0.005})));
+  EXPECT_EQ(attribution.stage, ChangedStage::kPhysics);
+  expect_words(attribution, "bodies.organ.shear_modulus 20400.0 instead of 20000.0");
+  expect_words(attribution, "the look has changed too: lights.key 1.1 instead of 1");
+}
+
+TEST_F(AttributionTest, ATextThatChangesWithTheLookIsNamedToo) {
+  Scenario scenario = golden_scene(1.1);
+  scenario.resolved.insert(1, R"("title": "Another sheet", )");
+  const Attribution attribution = attribution_of(scene_.judge(scenario));
+  EXPECT_EQ(attribution.stage, ChangedStage::kLook);
+  expect_words(attribution, "lights.key 1.1 instead of 1");
+  expect_words(attribution, "title");
+}
+
+TEST_F(AttributionTest, AFileThatTheScenarioNamesIsBlamedBeforeTheEngine) {
+  Scenario scenario = golden_scene();
+  scenario.resolved.insert(1, R"("surface": {"mesh": "organ.obj"}, )");
+  scenario.file = scene_.temporary() / "scene.yaml";
+  write_bytes(scene_.temporary() / "organ.obj", "v 0 0 0");
+  scene_.approve(scenario);
+  const SourceFactory deeper = synthetic_source({.depth = 0.005});
+  expect_words(attribution_of(scene_.judge(scenario, deeper)), "so the engine has changed");
+  write_bytes(scene_.temporary() / "organ.obj", "v 0 0 1");
+  const Attribution attribution = attribution_of(scene_.judge(scenario, deeper));
+  expect_words(attribution, "organ.obj, which the scenario names, has changed");
+  EXPECT_EQ(attribution.sentence.find("so the engine has changed"), std::string::npos) << attribution.sentence;
+  std::vector<GoldenApproval> approvals = read_approvals(scene_.folder());
+  approvals[0].files.clear();
+  write_approvals(scene_.folder(), approvals);
+  expect_words(attribution_of(scene_.judge(scenario, deeper)), "so the engine has changed, or organ.obj");
+}
+
 TEST_F(AttributionTest, AnotherWayToTheSameStateIsPhysicsWhereOnlyTheOverlayShowsIt) {
   const GoldenApproval approval = read_approvals(scene_.folder())[0];
   GoldenPicture picture = scene_.judge(golden_scene(), synthetic_source({.depth = 0.005})).pictures.pictures[0];

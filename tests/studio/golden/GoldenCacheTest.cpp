@@ -56,6 +56,18 @@ TEST_F(GoldenCacheTest, AFileThatTheScenarioNamesCounts) {
   expect_file_counts(scenario);
 }
 
+TEST_F(GoldenCacheTest, AFileOfNumbersThatAMeshNamesCounts) {
+  Scenario scenario = golden_scene();
+  scenario.resolved = R"({"mesh": "organ.gltf", "lights": {"key": 1}})";
+  scenario.file = scene_.temporary() / "scene.yaml";
+  write_bytes(scene_.temporary() / "organ.gltf", R"({"buffers": [{"uri": "organ%20one.bin"}, {"uri": "data:,x"}]})");
+  write_bytes(scene_.temporary() / "organ one.bin", "0 0 0");
+  judge(scenario);
+  EXPECT_TRUE(judge(scenario).from_cache);
+  write_bytes(scene_.temporary() / "organ one.bin", "0 0 1");
+  EXPECT_FALSE(judge(scenario).from_cache);
+}
+
 TEST_F(GoldenCacheTest, AFailureIsNeverRemembered) {
   judge(golden_scene());
   const SourceFactory deeper = synthetic_source({.depth = 0.006});
