@@ -138,7 +138,7 @@ void explain_video(const Scenario& scenario, const GoldenDefinition& golden) {
 }
 
 void explain(const Scenario& scenario, const GoldenDefinition& golden, const std::vector<GoldenApproval>& approvals) {
-  fmt::print("{} at {:g} s\n  allowed: {}: {}\n", scenario.name, golden.at, limits_text(golden), golden.why);
+  fmt::print("{} at {:.9g} s\n  allowed: {}: {}\n", scenario.name, golden.at, limits_text(golden), golden.why);
   bool any = false;
   for (const GoldenApproval& approval : approvals) {
     if (std::abs(approval.at - golden.at) > 1e-9) continue;
@@ -220,7 +220,7 @@ int list_goldens(const GoldenOptions& options) {
       const Json drivers = golden.video > 0 ? video_drivers(scenario) : picture_drivers(approvals, golden.at);
       if (!options.json) {
         fmt::print("{:<32} {:>8}  {}  {}\n", scenario.name,
-                   golden.video > 0 ? "video" : fmt::format("{:g} s", golden.at), limits_text(golden),
+                   golden.video > 0 ? "video" : fmt::format("{:.9g} s", golden.at), limits_text(golden),
                    drivers.empty()
                        ? "nothing is approved"
                        : fmt::format("approved for {} driver{}", drivers.size(), drivers.size() > 1 ? "s" : ""));

@@ -33,7 +33,7 @@ std::string escaped(const std::string& text) {
 
 std::string case_name(const GoldenResult& result) {
   if (result.is_scenario) return "scenario";
-  return result.is_video ? "video" : fmt::format("{:g} s", result.at);
+  return result.is_video ? "video" : fmt::format("{:.9g} s", result.at);
 }
 
 std::string case_of(const JudgedScenario& judged, std::size_t index) {

@@ -44,7 +44,7 @@ std::vector<std::string> PicturesForLooking::keep(const JudgedScenario& judged, 
   std::vector<std::string> lines;
   const Image& today = judged.pictures.pictures[index].image;
   make_folder(folder_);
-  const std::string stem = fmt::format("at_{:.4g}s", result.at);
+  const std::string stem = fmt::format("at_{:.9g}s", result.at);
   write(lines, "today's picture", stem + kToday, today);
   const std::optional<Attribution>& attribution = judged.attributions[index];
   if (attribution && attribution->golden_state) {

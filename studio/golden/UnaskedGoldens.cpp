@@ -45,7 +45,7 @@ void look_at_moments(const Scenario& scenario, const std::filesystem::path& fold
     if (std::ranges::any_of(scenario.goldens, is_meant)) continue;
     const std::string stem = std::filesystem::path(approval.image).stem().string();
     notes.push_back(note(folder / approval.image,
-                         fmt::format("no golden of scenario {} is at {:g} s", scenario.name, approval.at),
+                         fmt::format("no golden of scenario {} is at {:.9g} s", scenario.name, approval.at),
                          fmt::format("list that time under `golden:`, or remove {}.* (git rm) and its entry in "
                                      "approval.json",
                                      stem)));

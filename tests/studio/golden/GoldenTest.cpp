@@ -246,6 +246,22 @@ TEST_F(GoldenTest, ApprovingAgainReplacesTheApproval) {
   EXPECT_EQ(compare(today(synthetic(), flat_painters(1.2))).outcome, GoldenOutcome::kOk);
 }
 
+TEST_F(GoldenTest, MomentsThatAreCloseHaveFilesOfTheirOwn) {
+  EXPECT_NE(golden_stem(12.341, "flat painter 1.0"), golden_stem(12.344, "flat painter 1.0"));
+  EXPECT_EQ(golden_stem(0.25, "flat painter 1.0").substr(0, 9), "at_0.25s.");
+}
+
+TEST_F(GoldenTest, FilesOfTheApprovalBeforeThatHadOtherNamesGo) {
+  approve();
+  std::vector<GoldenApproval> approvals = read_approvals(folder_.path());
+  std::filesystem::rename(folder_ / approvals[0].image, folder_ / "at_0.10s.png");
+  approvals[0].image = "at_0.10s.png";
+  write_approvals(folder_.path(), approvals);
+  approve();
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "at_0.10s.png"));
+  EXPECT_EQ(compare(today()).outcome, GoldenOutcome::kOk);
+}
+
 TEST_F(GoldenTest, AnotherSizeFails) {
   approve();
   GoldenPictures pictures = today();
@@ -289,6 +305,13 @@ TEST_F(GoldenTest, AMissingDeviceIsSaidAndNothingIsCompared) {
 TEST_F(GoldenTest, ABrokenApprovalIsAnError) {
   write_bytes(folder_ / "approval.json", "{\"goldens\": [");
   expect_cure();
+}
+
+TEST_F(GoldenTest, AnApprovalOfAnotherVersionOrWithoutAListIsToldWithWhatHelps) {
+  for (const char* text : {R"({"approval_version": 7})", R"({"approval_version": 1, "goldens": {}})"}) {
+    write_bytes(folder_ / "approval.json", text);
+    expect_cure();
+  }
 }
 
 TEST_F(GoldenTest, ABrokenGoldenPictureIsAnError) {
