@@ -7,6 +7,9 @@
 
 #include "renderer/image/ImageHash.hpp"
 #include "renderer/image/PngFile.hpp"
+#include "renderer/image/WholeFile.hpp"
+#include "renderer/snapshot/SameTime.hpp"
+#include "studio/golden/GoldenHistory.hpp"
 #include "studio/take/TakeError.hpp"
 #include "studio/take/TakeReader.hpp"
 
@@ -116,11 +119,29 @@ Image approved_picture(const GoldenApproval& approval, const std::filesystem::pa
   }
 }
 
+/// What is wrong with the history that an approval has, with what helps; empty where it is whole.
+std::string lost_history(const std::filesystem::path& folder, const GoldenApproval& approval) {
+  if (approval.history.empty()) return "";
+  const std::filesystem::path file = folder / approval.history;
+  std::string lost = lost_file(folder, {approval.history});
+  if (!lost.empty()) return lost;
+  try {
+    const GoldenHistory history = parse_history(bytes_of_file(file), file.string());
+    // It is written in nine digits, and ends with the step that reaches the moment.
+    const bool is_whole = !history.rows.empty() && history.rows.back().time >= approval.at * (1 - 1e-8) - kSameTime;
+    if (!is_whole) lost = file.string() + ": is cut short";
+  } catch (const GoldenError& error) {
+    lost = error.what();
+  }
+  return lost.empty() ? "" : lost + "; restore it from version control, or approve anew";
+}
+
 /// A golden whose evidence is lost is no whole golden, however good the picture is: the next failure could not be told.
 void mention_lost_evidence(GoldenResult& result, const GoldenApproval& approval, const std::filesystem::path& folder) {
-  std::string lost = lost_file(folder, {approval.state, approval.second_state, approval.history});
+  const std::string history = lost_history(folder, approval);
+  std::string lost = lost_file(folder, {approval.state, approval.second_state});
+  if (lost.empty()) lost = history;
   if (result.outcome != GoldenOutcome::kOk) {
-    const std::string history = lost_file(folder, {approval.history});
     if (!history.empty()) result.message += "; " + history;
     return;
   }
@@ -199,7 +220,7 @@ std::string limits_text(const GoldenDefinition& definition) {
 
 std::string moment_name(const GoldenResult& result) {
   if (result.is_scenario) return "as a whole";
-  return result.is_video ? "the video" : fmt::format("at {:g} s", result.at);
+  return result.is_video ? "the video" : fmt::format("at {:.9g} s", result.at);
 }
 
 StateComparison compare_states(const Snapshot& golden, const Snapshot& today, bool equal_digests) {

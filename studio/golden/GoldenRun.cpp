@@ -43,30 +43,35 @@ GoldenResult judge_video(JudgedScenario& judged, std::size_t index, const Golden
   return std::move(judgement.result);
 }
 
+GoldenResult judge_picture(JudgedScenario& judged, std::size_t index, const GoldenRunOptions& options) {
+  const Scenario& scenario = judged.scenario;
+  const GoldenDefinition& definition = scenario.goldens[index];
+  const std::filesystem::path folder = options.goldens / scenario.name;
+  if (!judged.pictures.no_device.empty()) {
+    return without_comparison(scenario, definition, GoldenOutcome::kSkipped, judged.pictures.no_device);
+  }
+  const GoldenPicture& picture = judged.pictures.pictures[index];
+  GoldenResult result = compare_with_golden(scenario.name, definition, picture, judged.pictures.driver, folder);
+  if (result.outcome == GoldenOutcome::kFailed) {
+    judged.attributions[index] = attribute(scenario, picture, result, folder, options.painters);
+  } else if (result.outcome == GoldenOutcome::kOk) {
+    mention_changes(result, picture, folder);
+  }
+  return result;
+}
+
 void judge(JudgedScenario& judged, const GoldenRunOptions& options) {
   const Scenario& scenario = judged.scenario;
-  const std::filesystem::path folder = options.goldens / scenario.name;
   judged.pictures = golden_pictures(scenario, options.sources, options.painters(scenario.resolved));
   judged.attributions.resize(scenario.goldens.size());
   for (std::size_t i = 0; i < scenario.goldens.size(); ++i) {
-    if (scenario.goldens[i].video > 0) {
-      judged.results.push_back(judge_video(judged, i, options));
-      continue;
+    // One golden that is damaged says nothing of the others.
+    try {
+      const bool is_video = scenario.goldens[i].video > 0;
+      judged.results.push_back(is_video ? judge_video(judged, i, options) : judge_picture(judged, i, options));
+    } catch (const GoldenError& error) {
+      judged.results.push_back(without_comparison(scenario, scenario.goldens[i], GoldenOutcome::kBroken, error.what()));
     }
-    if (!judged.pictures.no_device.empty()) {
-      judged.results.push_back(
-          without_comparison(scenario, scenario.goldens[i], GoldenOutcome::kSkipped, judged.pictures.no_device));
-      continue;
-    }
-    const GoldenPicture& picture = judged.pictures.pictures[i];
-    GoldenResult result =
-        compare_with_golden(scenario.name, scenario.goldens[i], picture, judged.pictures.driver, folder);
-    if (result.outcome == GoldenOutcome::kFailed) {
-      judged.attributions[i] = attribute(scenario, picture, result, folder, options.painters);
-    } else if (result.outcome == GoldenOutcome::kOk) {
-      mention_changes(result, picture, folder);
-    }
-    judged.results.push_back(std::move(result));
   }
 }
 
@@ -84,8 +89,6 @@ void judge_or_tell_why_not(JudgedScenario& judged, const GoldenRunOptions& optio
     judge(judged, options);
   } catch (const InputErrors& errors) {
     tell_broken(judged, errors.what());
-  } catch (const GoldenError& error) {
-    tell_broken(judged, error.what());
   }
 }
 

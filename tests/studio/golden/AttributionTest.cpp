@@ -166,6 +166,18 @@ TEST_F(AttributionTest, AFileThatTheScenarioNamesIsBlamedBeforeTheEngine) {
   expect_words(attribution_of(scene_.judge(scenario, deeper)), "so the engine has changed, or organ.obj");
 }
 
+TEST_F(AttributionTest, ADamagedGoldenLeavesTheOthersOfItsScenario) {
+  Scenario scenario = golden_scene();
+  scenario.goldens.push_back({.at = 0.05, .max = 8, .mean = 0.2, .why = "rounding"});
+  const JudgedScenario before = scene_.judge(scenario);
+  renew_golden(scenario, before.pictures.pictures[1], before.pictures.driver, scene_.folder(), "someone", "right");
+  write_bytes(scene_.folder() / read_approvals(scene_.folder())[0].image, "no picture");
+  const JudgedScenario judged = scene_.judge(scenario);
+  ASSERT_EQ(judged.results.size(), 2U);
+  EXPECT_EQ(judged.results[0].outcome, GoldenOutcome::kOk) << judged.results[0].message;
+  EXPECT_EQ(judged.results[1].outcome, GoldenOutcome::kBroken);
+}
+
 TEST_F(AttributionTest, AnotherWayToTheSameStateIsPhysicsWhereOnlyTheOverlayShowsIt) {
   const GoldenApproval approval = read_approvals(scene_.folder())[0];
   GoldenPicture picture = scene_.judge(golden_scene(), synthetic_source({.depth = 0.005})).pictures.pictures[0];

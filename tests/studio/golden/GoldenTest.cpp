@@ -71,6 +71,21 @@ TEST_F(GoldenTest, AGoldenThatHasLostWhatTellsLaterWhatHasChangedIsMissing) {
   }
 }
 
+TEST_F(GoldenTest, AHistoryThatIsDamagedOrCutShortIsLost) {
+  approve();
+  const std::filesystem::path file = folder_.path() / read_approvals(folder_.path())[0].history;
+  const std::string whole = file_bytes(file);
+  const std::string without_its_end = whole.substr(0, whole.rfind('\n', whole.rfind("\n18,")) + 1);
+  for (const std::string& left :
+       {std::string(), std::string("no history"), whole.substr(0, whole.size() - 30), without_its_end}) {
+    write_bytes(file, left);
+    const GoldenResult result = compare(today());
+    EXPECT_EQ(result.outcome, GoldenOutcome::kGoldenMissing) << left;
+    EXPECT_NE(result.message.find(file.string()), std::string::npos) << result.message;
+    EXPECT_NE(result.message.find("restore it from version control"), std::string::npos) << result.message;
+  }
+}
+
 TEST_F(GoldenTest, AStateThatCannotBeReadIsToldThoughThePictureIsGood) {
   approve();
   std::filesystem::resize_file(folder_.path() / read_approvals(folder_.path())[0].state, 3000);
