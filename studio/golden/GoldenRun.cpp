@@ -3,6 +3,7 @@
 #include "renderer/metric/Tiles.hpp"
 #include "studio/golden/GoldenCache.hpp"
 #include "studio/golden/GoldenVideoComparison.hpp"
+#include "studio/recorder/Interruption.hpp"
 
 namespace thinwall {
 namespace {
@@ -92,13 +93,28 @@ void judge_or_tell_why_not(JudgedScenario& judged, const GoldenRunOptions& optio
   }
 }
 
+bool is_interrupted() {
+  try {
+    throw_if_interrupted();
+    return false;
+  } catch (const Interrupted&) {
+    return true;
+  }
+}
+
 /// Of the scenarios that nothing is known of, finds those that are good in other processes.
 void look_in_other_processes(const std::vector<const Scenario*>& scenarios, const GoldenRunOptions& options,
                              GoldenCache& cache) {
   if (options.jobs < 2 || scenarios.size() < 2 || !options.in_other_process) return;
   std::vector<std::filesystem::path> files(scenarios.size());
   for_each_in_parallel(
-      scenarios.size(), [&](std::size_t i) { files[i] = options.in_other_process(*scenarios[i]); }, options.jobs);
+      scenarios.size(),
+      [&](std::size_t i) {
+        if (!is_interrupted()) files[i] = options.in_other_process(*scenarios[i]);
+      },
+      options.jobs);
+  // The other processes may not have been asked to end, and leave nothing to be made here.
+  throw_if_interrupted();
   for (const std::filesystem::path& file : files) cache.take_over(file);
 }
 

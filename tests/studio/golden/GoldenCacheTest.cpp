@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
+#include <cstdlib>
+
+#include "studio/recorder/Interruption.hpp"
 #include "tests/studio/golden/GoldenScene.hpp"
 
 namespace thinwall {
@@ -122,6 +126,35 @@ TEST_F(GoldenCacheTest, WhatIsGoodInAnotherProcessIsNotMadeHere) {
   EXPECT_EQ(all[0].results[0].outcome, GoldenOutcome::kOk);
   EXPECT_FALSE(all[0].from_cache);
   EXPECT_EQ(all[1].results[0].message, "made here");
+}
+
+/// A terminate signal reaches this process alone, while another one finds all good.
+void judge_and_exit_as_terminated(const GoldenScene& scene) {
+  note_interruptions();
+  GoldenRunOptions options = scene.options(synthetic_source(), view_painters());
+  options.cache = scene.temporary() / "cache.json";
+  options.jobs = 2;
+  options.in_other_process = [&](const Scenario& scenario) {
+    // A second one would end the process at once.
+    if (scenario.name == "other") std::raise(SIGTERM);
+    return scene.temporary() / "good.json";
+  };
+  Scenario other = golden_scene();
+  other.name = "other";
+  try {
+    judge_scenarios({golden_scene(), other}, options, [](const JudgedScenario&) { std::exit(1); });
+  } catch (const Interrupted& interrupted) {
+    std::exit(interrupted.exit_code());
+  }
+  std::exit(2);
+}
+
+TEST_F(GoldenCacheTest, ASignalWhileOtherProcessesLookEndsTheComparison) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  GoldenRunOptions options = scene_.options(synthetic_source(), view_painters());
+  options.cache = scene_.temporary() / "good.json";
+  judge_scenarios({golden_scene()}, options, [](const JudgedScenario&) {});
+  EXPECT_EXIT(judge_and_exit_as_terminated(scene_), ::testing::ExitedWithCode(143), "");
 }
 
 TEST_F(GoldenCacheTest, ABrokenCacheIsNone) {
