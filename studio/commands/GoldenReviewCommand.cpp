@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -209,41 +210,53 @@ Json video_drivers(const Scenario& scenario) {
   return drivers;
 }
 
+/// Throws GoldenError.
+void list_scenario(const Scenario& scenario, bool is_json, Json& list) {
+  const std::vector<GoldenApproval> approvals = read_approvals(golden_folder(scenario.name));
+  for (const GoldenDefinition& golden : scenario.goldens) {
+    const Json drivers = golden.video > 0 ? video_drivers(scenario) : picture_drivers(approvals, golden.at);
+    if (!is_json) {
+      fmt::print("{:<32} {:>8}  {}  {}\n", scenario.name,
+                 golden.video > 0 ? "video" : fmt::format("{:.9g} s", golden.at), limits_text(golden),
+                 drivers.empty()
+                     ? "nothing is approved"
+                     : fmt::format("approved for {} driver{}", drivers.size(), drivers.size() > 1 ? "s" : ""));
+    }
+    list.push_back({{"scenario", scenario.name},
+                    {"at_s", golden.video > 0 ? Json() : Json(golden.at)},
+                    {"video", golden.video > 0},
+                    {"max", golden.max},
+                    {"mean", golden.mean},
+                    {"drift", golden.drift},
+                    {"limits", limits_text(golden)},
+                    {"why", golden.why},
+                    {"drivers", drivers}});
+  }
+}
+
 }  // namespace
 
 int list_goldens(const GoldenOptions& options) {
   Json list = Json::array();
   const NamedGoldens named = named_goldens(options.scenarios);
+  std::vector<std::string> notes;
+  bool any_damaged = false;
   for (const Scenario& scenario : named.scenarios) {
-    const std::vector<GoldenApproval> approvals = read_approvals(golden_folder(scenario.name));
-    for (const GoldenDefinition& golden : scenario.goldens) {
-      const Json drivers = golden.video > 0 ? video_drivers(scenario) : picture_drivers(approvals, golden.at);
-      if (!options.json) {
-        fmt::print("{:<32} {:>8}  {}  {}\n", scenario.name,
-                   golden.video > 0 ? "video" : fmt::format("{:.9g} s", golden.at), limits_text(golden),
-                   drivers.empty()
-                       ? "nothing is approved"
-                       : fmt::format("approved for {} driver{}", drivers.size(), drivers.size() > 1 ? "s" : ""));
-      }
-      list.push_back({{"scenario", scenario.name},
-                      {"at_s", golden.video > 0 ? Json() : Json(golden.at)},
-                      {"video", golden.video > 0},
-                      {"max", golden.max},
-                      {"mean", golden.mean},
-                      {"drift", golden.drift},
-                      {"limits", limits_text(golden)},
-                      {"why", golden.why},
-                      {"drivers", drivers}});
+    try {
+      list_scenario(scenario, options.json, list);
+    } catch (const GoldenError& error) {
+      any_damaged = true;
+      notes.emplace_back(error.what());
     }
   }
-  const std::vector<std::string> notes = golden_notes(named);
+  std::ranges::copy(golden_notes(named), std::back_inserter(notes));
   for (const std::string& note : notes) fmt::print(stderr, "{}\n", note);
   if (options.json) {
     const Json result = {{"goldens", list}, {"notes", notes}};
     fmt::print("{}\n", result.dump(2, ' ', false, Json::error_handler_t::replace));
   }
   for (const BrokenScenario& broken : named.broken) fmt::print(stderr, "{}\n", broken.errors.what());
-  return named.broken.empty() ? kExitGood : kExitBadInput;
+  return named.broken.empty() && !any_damaged ? kExitGood : kExitBadInput;
 }
 
 int explain_goldens(const GoldenOptions& options) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
+#include <map>
 #include <set>
 #include <thread>
 #include <utility>
@@ -130,6 +131,18 @@ void add_named(NamedGoldens& named, const std::filesystem::path& file, const std
   }
 }
 
+/// Goldens are kept by the names of scenarios: what is approved of one would be compared with the other.
+void refuse_one_name(const std::vector<Scenario>& scenarios) {
+  std::map<std::string, std::filesystem::path> files;
+  for (const Scenario& scenario : scenarios) {
+    const auto [first, is_new] = files.emplace(scenario.name, scenario.file);
+    std::error_code failure;
+    if (is_new || std::filesystem::equivalent(first->second, scenario.file, failure)) continue;
+    throw UsageError(fmt::format("golden: {} and {} have one name, by which goldens are kept; rename one of them",
+                                 first->second.string(), scenario.file.string()));
+  }
+}
+
 /// The driver that draws here, as it names itself; why there is none, when there is none.
 std::string driver_here(const DeviceChoice& device) {
   try {
@@ -182,8 +195,14 @@ NamedGoldens named_goldens(const std::vector<std::string>& names) {
     const bool is_name = !std::filesystem::exists(name) && std::filesystem::exists(scene);
     const std::filesystem::path file = is_name ? scene : std::filesystem::path(name);
     if (!seen.insert({std::filesystem::weakly_canonical(file), text.substr(name.size())}).second) continue;
+    if (!is_name && !std::filesystem::exists(file) && !file.has_parent_path() && !file.has_extension()) {
+      throw UsageError(
+          fmt::format("golden: there is no file {}, and no scenario of that name in {}; see thinwall golden list", name,
+                      (home() / "scenes").string()));
+    }
     add_named(named, file, choice);
   }
+  refuse_one_name(named.scenarios);
   return named;
 }
 

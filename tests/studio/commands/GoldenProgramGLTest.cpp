@@ -143,6 +143,30 @@ TEST_F(ProgramGLTest, AScenarioThatCannotBeReadIsBrokenAndStopsNoOther) {
   EXPECT_EQ(nowhere.messages.find("ok: small"), std::string::npos) << "it is told at once";
 }
 
+TEST_F(ProgramGLTest, AListGoesOnPastAnApprovalThatIsDamaged) {
+  write_bytes(folder_ / "scenes/another.yaml",
+              small_scenario() + "golden: [ { at: 120 ms, max: 8, mean: 0.2, why: rounding } ]\n");
+  std::filesystem::create_directories(folder_ / "golden_images/another");
+  write_bytes(folder_ / "golden_images/another/approval.json", "{");
+  const ProgramEnd end = run({"golden", "list", "--json"});
+  EXPECT_EQ(end.exit_code, 2);
+  const nlohmann::json result = nlohmann::json::parse(end.output);
+  ASSERT_TRUE(result.contains("goldens")) << end.output;
+  EXPECT_EQ(result["goldens"][0]["scenario"], "small");
+  EXPECT_NE(end.messages.find("another/approval.json: is damaged"), std::string::npos) << end.messages;
+}
+
+TEST_F(ProgramGLTest, TwoScenariosOfOneNameAreRefusedAndANameOfNoneIsTold) {
+  std::filesystem::create_directories(folder_ / "other");
+  std::filesystem::copy_file(folder_ / "scenes/small.yaml", folder_ / "other/small.yaml");
+  const ProgramEnd end = run({"golden", "test", "small", "other/small.yaml"});
+  EXPECT_EQ(end.exit_code, 2) << end.messages;
+  EXPECT_NE(end.messages.find("have one name"), std::string::npos) << end.messages;
+  const ProgramEnd none = run({"golden", "why", "smal"});
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_NE(none.messages.find("no scenario of that name in"), std::string::npos) << none.messages;
+}
+
 TEST_F(ProgramGLTest, GoldensThatNoScenarioAsksForAnyMoreAreToldAndFailNothing) {
   const std::string two =
       "golden:\n  - { at: 60 ms, max: 8, mean: 0.2, why: rounding }\n"
