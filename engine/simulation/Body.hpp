@@ -176,14 +176,11 @@ class Body {
   bool turn(const EquilibriumProblem& problem, EquilibriumState& state);
   bool find_turned(EquilibriumProblem& problem, EquilibriumState& state);
   void turn_to_rest(EquilibriumProblem& problem, EquilibriumState& state);
-  /// The pressure under which a body of one chamber holds a volume (metres^3), pascal; nothing where it is not found.
+  /// Pascal under which a body of one chamber holds a volume, metres^3; nothing where that is not found.
   std::optional<double> pressure_at(double volume, const EquilibriumProblem& whole, EquilibriumState& state);
-  /// The largest pressure that the wall of a body of one chamber bears, pascal, from where it has `grown` down to where
-  /// it bears most, and up to `most_volume` times its volume; nothing where it bears the given one, or that is not
-  /// found out. Under a given volume a wall is stable beyond the limit point, where under the pressure it grows without
-  /// end.
+  /// The largest pressure that such a body bears, pascal, up to so many times its volume; nothing where it bears the
+  /// given one, or it is not found out. With its volume given a wall is stable beyond the limit point.
   std::optional<double> most_borne(const EquilibriumProblem& whole, double most_volume, const EquilibriumState& grown);
-  /// Whether it has grown to more than `most_volume` times its volume.
   bool has_grown(const EquilibriumState& state, double most_volume) const;
   NewtonResult burst(double most_borne = 0);
   void solve_statics();

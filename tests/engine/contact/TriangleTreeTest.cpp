@@ -106,9 +106,10 @@ TEST(TriangleTree, LeavesOutPairsBetweenWhichAGapStaysThroughoutTheMotion) {
   Wall wall{.triangles = {{0, 1, 2}, {3, 4, 5}}, .position = Eigen::VectorXd::Zero(18)};
   wall.position << 0, 0, 0, 1e-3, 0, 0, 0, 1e-3, 0, 0, 0, 10e-3, 1e-3, 0, 10e-3, 0, 1e-3, 10e-3;
   TriangleTree tree(wall.triangles, wall.position, wall.margins());
+  // Aside it goes farther than they lie apart.
   const auto may_meet = [&](double upwards) {
     Eigen::VectorXd motion = Eigen::VectorXd::Zero(18);
-    for (int v = 3; v < 6; ++v) motion[3 * v + 2] = upwards;
+    for (int v = 3; v < 6; ++v) motion.segment<3>(3 * v) = Eigen::Vector3d(50e-3, 0, upwards);
     tree.fit(wall.position, motion);
     int pairs = 0;
     tree.visit_meeting(
