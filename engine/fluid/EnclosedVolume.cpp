@@ -17,11 +17,9 @@ THINWALL_FOR_ALL_PROCESSORS void volume_gradients_of(const double (&corners)[9][
   Lanes at[9];
   for (int k = 0; k < 9; ++k) load(corners[k], at[k]);
   for (int corner = 0; corner < 3; ++corner) {
-    const Lanes *next = at + 3 * ((corner + 1) % 3), *last = at + 3 * ((corner + 2) % 3);
-    for (int k = 0; k < 3; ++k) {
-      const int one = (k + 1) % 3, other = (k + 2) % 3;
-      store((next[one] * last[other] - next[other] * last[one]) / 6, gradients[3 * corner + k]);
-    }
+    Lanes product[3];
+    cross(at + 3 * ((corner + 1) % 3), at + 3 * ((corner + 2) % 3), product);
+    for (int k = 0; k < 3; ++k) store(product[k] / 6, gradients[3 * corner + k]);
   }
 }
 

@@ -61,12 +61,11 @@ THINWALL_FOR_ALL_PROCESSORS void first_moments_of(const double (&corners)[9][kLa
   for (int k = 0; k < 9; ++k) load(corners[k], at[k]);
   Lanes products[3];
   for (int corner = 0; corner < 3; ++corner) {
-    const Lanes *next = at + 3 * ((corner + 1) % 3), *last = at + 3 * ((corner + 2) % 3);
+    Lanes product[3];
+    cross(at + 3 * ((corner + 1) % 3), at + 3 * ((corner + 2) % 3), product);
     for (int k = 0; k < 3; ++k) {
-      const int one = (k + 1) % 3, other = (k + 2) % 3;
-      const Lanes product = next[one] * last[other] - next[other] * last[one];
-      by_volume[3 * corner + k] = product / 6;
-      if (corner == 0) products[k] = at[k] * product;
+      by_volume[3 * corner + k] = product[k] / 6;
+      if (corner == 0) products[k] = at[k] * product[k];
     }
   }
   const Lanes volume = (products[0] + products[1] + products[2]) / 6, quarter = 0.25 * volume;

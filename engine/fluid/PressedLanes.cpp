@@ -23,10 +23,7 @@ struct Pressed {
     one[k] = at[3 + k] - at[k];
     two[k] = at[6 + k] - at[k];
   }
-  for (int k = 0; k < 3; ++k) {
-    const int next = (k + 1) % 3, last = (k + 2) % 3;
-    normal[k] = one[next] * two[last] - one[last] * two[next];
-  }
+  cross(one, two, normal);
 }
 
 THINWALL_FOR_ALL_PROCESSORS void find_pressures(const double (&corners)[9][kLanes], const PressureLanes& field,

@@ -181,7 +181,6 @@ class Body {
   /// The largest pressure that such a body bears, pascal, up to so many times its volume; nothing where it bears the
   /// given one, or it is not found out. With its volume given a wall is stable beyond the limit point.
   std::optional<double> most_borne(const EquilibriumProblem& whole, double most_volume, const EquilibriumState& grown);
-  bool has_grown(const EquilibriumState& state, double most_volume) const;
   NewtonResult burst(double most_borne = 0);
   void solve_statics();
   bool load_slowly(const EquilibriumProblem& whole, EquilibriumState& trial);

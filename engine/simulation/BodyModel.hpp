@@ -108,4 +108,9 @@ inline int gather_corners(std::span<const Eigen::Vector3i> triangles, const Eige
   return count;
 }
 
+/// Adds what one triangle, in a lane, has of (9 x lanes) to `whole`, (unknowns).
+inline void scatter_lane(const Eigen::Vector3i& triangle, const double (&part)[9][kLanes], int lane, double* whole) {
+  for (int k = 0; k < 9; ++k) whole[3 * triangle[k / 3] + k % 3] += part[k][lane];
+}
+
 }  // namespace thinwall

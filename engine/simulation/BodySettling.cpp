@@ -78,6 +78,11 @@ constexpr double kGrownVolume = 1.5;
 /// The same from which on a body in motion that cannot be solved is taken to burst.
 constexpr double kBlownUpVolume = 3;
 
+/// Whether a body has grown to more than so many times its volume.
+bool has_grown(const BodyModel& model, const EquilibriumState& state, double most_volume) {
+  return model.has_fluid() && enclosed_volumes(model, state.position).sum() > most_volume * model.rest_volume;
+}
+
 }  // namespace
 
 NewtonResult Body::solve(EquilibriumProblem& problem, EquilibriumState& state, const SolveEffort& effort) {
@@ -105,10 +110,6 @@ NewtonResult Body::solve(EquilibriumProblem& problem, EquilibriumState& state, c
   is_convex_ = !result.converged || result.is_convex;
   failure_ = result.reason;
   return result;
-}
-
-bool Body::has_grown(const EquilibriumState& state, double most_volume) const {
-  return model_->has_fluid() && enclosed_volumes(*model_, state.position).sum() > most_volume * model_->rest_volume;
 }
 
 NewtonResult Body::burst(double most_borne) {
@@ -152,8 +153,8 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state, b
       springs *= pace.stiffened;
       if (springs > kStiffestSprings) break;
     }
-    if (has_grown(state, kBurstVolume)) return burst();
-    if (is_eager && !is_asked && has_grown(state, kGrownVolume)) {
+    if (has_grown(*model_, state, kBurstVolume)) return burst();
+    if (is_eager && !is_asked && has_grown(*model_, state, kGrownVolume)) {
       is_asked = true;
       if (const auto most = most_borne(problem, kBurstVolume, state)) return burst(*most);
     }

@@ -83,8 +83,7 @@ void add_volume(const BodyModel& model, int triangle, const double (&corners)[9]
   // Of its corners the volume is linear in each.
   terms.volume[chamber] += Eigen::Vector3d(corners[0][lane], corners[1][lane], corners[2][lane])
                                .dot(Eigen::Vector3d(gradients[0][lane], gradients[1][lane], gradients[2][lane]));
-  double* whole = terms.volume_gradient.col(chamber).data();
-  for (int k = 0; k < 9; ++k) whole[3 * model.surface[triangle][k / 3] + k % 3] += gradients[k][lane];
+  scatter_lane(model.surface[triangle], gradients, lane, terms.volume_gradient.col(chamber).data());
 }
 
 void add_first_moment(const BodyModel& model, int triangle, const FirstMoments& moments, int lane,
@@ -92,10 +91,8 @@ void add_first_moment(const BodyModel& model, int triangle, const FirstMoments& 
   const int chamber = model.chamber[triangle];
   for (int axis = 0; axis < 3; ++axis) {
     terms.moment(axis, chamber) += moments.value[axis][lane];
-    double* whole = terms.moment_gradient.col(3 * chamber + axis).data();
-    for (int k = 0; k < 9; ++k) {
-      whole[3 * model.surface[triangle][k / 3] + k % 3] += moments.gradient[axis][k][lane];
-    }
+    scatter_lane(model.surface[triangle], moments.gradient[axis], lane,
+                 terms.moment_gradient.col(3 * chamber + axis).data());
   }
 }
 

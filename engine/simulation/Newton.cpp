@@ -48,6 +48,17 @@ constexpr double kVolumeShare = 1e-2;
 constexpr double kStalledVolumeShare = 1e-1;
 constexpr double kGapTolerance = 1e-9;
 
+/// What a body far from the origin cannot tell from none, as parts of powers of its distance. One rounding is 1.1e-16
+/// of a coordinate. A strain is a difference of a few of them, with the wall's stiffness a force: some twenty. A volume
+/// is a sum of products of three, of as many signs as it has triangles: some ten of the cube. Its gradient is one of
+/// products of two: a rounding of the square. Of a first moment, a sum of four, that is left which is seen from its
+/// origin, much less. With digits beyond these a ball of 20 mm at 5 m takes hundreds of iterations a step, with
+/// these 5.
+constexpr double kFarForce = 2e-15;
+constexpr double kFarGradient = 1e-16;
+constexpr double kFarVolume = 1e-15;
+constexpr double kFarMoment = 1e-19;
+
 double square(double value) {
   return value * value;
 }
@@ -204,14 +215,13 @@ double Newton::round_off(const EquilibriumProblem& problem, const EquilibriumTer
   // In a short step the inertia springs are stiff, and carry the round-off of the coordinates, some 1e-16 of them, and
   // that of the fluids' moments.
   double force = 1e-15 * problem.inertia * model_.mass.maxCoeff() * problem.start.lpNorm<Eigen::Infinity>();
-  // Far from the origin strains are small differences of large coordinates, volumes those of large products.
   const double far = distance_of(problem);
-  force = std::max(force, 2e-15 * model_.wall_stiffness * far);
-  force = std::max(force, 1e-16 * terms.largest_force * square(far / model_.edge_length));
+  force = std::max(force, kFarForce * model_.wall_stiffness * far);
+  force = std::max(force, kFarGradient * terms.largest_force * square(far / model_.edge_length));
   for (std::size_t c = 0; c < problem.fluid_inertia.size(); ++c) {
     const auto first = static_cast<Eigen::Index>(3 * c);
     const double volume = std::abs(model_.chambers[c].rest_volume);
-    const double moment = 1e-16 * volume * extent_ + 1e-19 * square(square(far));  // metres^4
+    const double moment = 1e-16 * volume * extent_ + kFarMoment * square(square(far));  // metres^4
     const double slope = terms.moment_gradient.middleCols<3>(first).lpNorm<Eigen::Infinity>();
     force = std::max(force, problem.fluid_inertia[c].factor * moment * slope);
   }
@@ -228,7 +238,7 @@ bool Newton::is_solved(const EquilibriumProblem& problem, const Residual& residu
   for (const Eigen::Vector3d& one : residual.gaps) gap = std::max(gap, one.norm());
   const double volume_share = is_stalled ? kStalledVolumeShare : kVolumeShare;
   const double volume_tolerance = std::max(kVolumeTolerance, volume_share * options.tolerance);
-  const double far = distance_of(problem), round_off = 1e-15 * far * far * far;  // metres, metres^3
+  const double far = distance_of(problem), round_off = kFarVolume * far * far * far;  // metres, metres^3
   for (Eigen::Index c = 0; c < residual.volume.size(); ++c) {
     const double most = std::max(volume_tolerance * std::abs(model_.chambers[c].rest_volume), round_off);
     if (std::abs(residual.volume[c]) > most) return false;

@@ -60,11 +60,6 @@ void add_to_corners(const Eigen::Vector3i& triangle, const Eigen::Matrix<double,
   for (int k = 0; k < 3; ++k) whole.template segment<3>(3 * triangle[k]) += part.segment<3>(3 * k);
 }
 
-/// Adds what one triangle has of (9 x lanes) to the (unknowns).
-void add_lane(const Eigen::Vector3i& triangle, const double (&part)[9][kLanes], int lane, double* whole) {
-  for (int k = 0; k < 9; ++k) whole[3 * triangle[k / 3] + k % 3] += part[k][lane];
-}
-
 void add_caps(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
               EquilibriumTerms& terms) {
   for (std::size_t c = 0; c < model.chambers.size(); ++c) {
@@ -172,9 +167,9 @@ void add_contents_terms(const BodyModel& model, int triangle, double pressure, c
   const Eigen::Vector3i& corners = model.surface[triangle];
   if (model.definition.fluid.leaks) {
     for (int axis = 0; axis < 3 && terms.moment_load.cols() > 0; ++axis) {
-      add_lane(corners, part.moments[axis], lane, terms.moment_load.col(3 * chamber + axis).data());
+      scatter_lane(corners, part.moments[axis], lane, terms.moment_load.col(3 * chamber + axis).data());
     }
-    add_lane(corners, part.pressed.unit_load, lane, terms.pressure_load.col(chamber).data());
+    scatter_lane(corners, part.pressed.unit_load, lane, terms.pressure_load.col(chamber).data());
   }
   for (int k = 0; k < 9; ++k) {
     const double load = part.pressed.load[k][lane];

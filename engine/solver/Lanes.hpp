@@ -38,6 +38,15 @@ template <typename Some>
   std::memcpy(to, &lanes, sizeof lanes);
 }
 
+/// The cross product of two vectors of three.
+template <typename Some>
+[[gnu::always_inline]] inline void cross(const Some* one, const Some* other, Some (&product)[3]) {
+  for (int k = 0; k < 3; ++k) {
+    const int next = (k + 1) % 3, last = (k + 2) % 3;
+    product[k] = one[next] * other[last] - one[last] * other[next];
+  }
+}
+
 }  // namespace thinwall
 
 /// Compiles a function for several processors; which one is taken is decided when the program starts. Where they are to

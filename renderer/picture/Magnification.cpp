@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
+
+#include "renderer/snapshot/RestDiagonal.hpp"
 
 namespace thinwall {
 namespace {
@@ -35,28 +36,11 @@ std::shared_ptr<const SnapshotTopology> magnified_topology(const SnapshotTopolog
   return result;
 }
 
-/// Metres, diagonal of the box around the stress-free walls.
-double size_of(const Snapshot& snapshot) {
-  double squared = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-    for (const SnapshotSurface& surface : snapshot.surfaces) {
-      if (!surface.topology) continue;
-      for (const Float3& position : surface.topology->rest_positions) {
-        lowest = std::min(lowest, double{position[axis]});
-        highest = std::max(highest, double{position[axis]});
-      }
-    }
-    squared += std::pow(std::max(0.0, highest - lowest), 2);
-  }
-  return std::sqrt(squared);
-}
-
 }  // namespace
 
 double magnification_of(const Snapshot& snapshot) {
   constexpr double kSmallest = 0.012, kLargestFactor = 1 << 20;  // metres, across a scene that is drawn as it is
-  const double size = size_of(snapshot);
+  const double size = rest_diagonal(snapshot.surfaces);
   if (!(size > 0) || !(size < kSmallest)) return 1;
   return std::min(kLargestFactor, std::exp2(std::ceil(std::log2(kSmallest / size))));
 }

@@ -79,6 +79,28 @@ void SceneMeshes::upload(const Snapshot& snapshot, const SceneExtent& extent, co
   upload_tools(snapshot, extent);
 }
 
+std::vector<TissuePiece> SceneMeshes::dressed_pieces(const Snapshot& snapshot, const LookDefinition& look,
+                                                     std::size_t k, const TissueLook& body_look) {
+  const SnapshotSurface& surface = drawn_[k];
+  const DrawnTopology& drawn = drawn_topologies_[k];
+  std::vector<TissuePiece> pieces = drawn_pieces(snapshot.surfaces[k], drawn, surface);
+  if (look.data) {
+    show_data(snapshot.surfaces[k], *look.data, drawn.borders, pieces);
+  } else {
+    // Skin has been cut off where it ends, and shows its layers there.
+    if (!(body_look.bed > 0)) cover_open_borders(drawn.borders, drawn.is_lip, pieces);
+    if (bed_depths_[k] > 0) {
+      TissuePiece bed = wound_bed(surface, drawn.borders, drawn.is_lip, bed_depths_[k]);
+      if (!bed.corners.empty()) pieces.push_back(std::move(bed));
+    }
+    find_fluid(snapshot, k, body_look, pieces);
+    find_films(snapshot, k, body_look, pieces);
+  }
+  if (pieces.empty() || drawn.borders.empty()) return pieces;
+  if (auto lining = cap_lining(pieces)) pieces.push_back(std::move(*lining));
+  return pieces;
+}
+
 void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& look) {
   std::vector<SurfaceVertex>& vertices = tissue_vertices_;
   std::vector<std::uint32_t>& indices = tissue_corners_;
@@ -93,23 +115,8 @@ void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& 
     const auto found = look.bodies.find(surface.body);
     const TissueLook body_look = found == look.bodies.end() ? TissueLook{} : found->second;
     const DrawnTopology& drawn = drawn_topologies_[k];
-    std::vector<TissuePiece> pieces = drawn_pieces(snapshot.surfaces[k], drawn, surface);
-    if (look.data) {
-      show_data(snapshot.surfaces[k], *look.data, drawn.borders, pieces);
-    } else {
-      // Skin has been cut off where it ends, and shows its layers there.
-      if (!(body_look.bed > 0)) cover_open_borders(drawn.borders, drawn.is_lip, pieces);
-      if (bed_depths_[k] > 0) {
-        TissuePiece bed = wound_bed(surface, drawn.borders, drawn.is_lip, bed_depths_[k]);
-        if (!bed.corners.empty()) pieces.push_back(std::move(bed));
-      }
-      find_fluid(snapshot, k, body_look, pieces);
-      find_films(snapshot, k, body_look, pieces);
-    }
+    const std::vector<TissuePiece> pieces = dressed_pieces(snapshot, look, k, body_look);
     if (pieces.empty()) continue;
-    if (!drawn.borders.empty()) {
-      if (auto lining = cap_lining(pieces)) pieces.push_back(std::move(*lining));
-    }
     const bool is_closed = encloses_its_inside(surface, drawn.borders, pieces);
     Bounds body_bounds = bounds_of(pieces.front().vertices);
     for (const TissuePiece& piece : pieces) body_bounds = around(body_bounds, bounds_of(piece.vertices));

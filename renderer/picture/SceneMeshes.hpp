@@ -105,6 +105,9 @@ class SceneMeshes {
 
  private:
   void upload_tissue(const Snapshot& snapshot, const LookDefinition& look);
+  /// What is drawn of body k, with what its look adds.
+  std::vector<TissuePiece> dressed_pieces(const Snapshot& snapshot, const LookDefinition& look, std::size_t k,
+                                          const TissueLook& body_look);
   void find_fluid(const Snapshot& snapshot, std::size_t k, const TissueLook& look, std::span<const TissuePiece> pieces);
   void find_films(const Snapshot& snapshot, std::size_t k, const TissueLook& look, std::span<const TissuePiece> pieces);
   void find_edges(const Snapshot& snapshot, DrawnEdges edges);

@@ -27,7 +27,8 @@ void write_state(const std::filesystem::path& file, const Scenario& scenario, co
 /// What the approval before had under names of its own, as earlier versions gave them.
 void remove_files_but(const GoldenApproval& replaced, const GoldenApproval& renewed,
                       const std::filesystem::path& folder) {
-  for (const auto file : {&GoldenApproval::image, &GoldenApproval::state, &GoldenApproval::history}) {
+  for (const auto file :
+       {&GoldenApproval::image, &GoldenApproval::state, &GoldenApproval::second_state, &GoldenApproval::history}) {
     std::error_code ignored;
     if (!(replaced.*file).empty() && replaced.*file != renewed.*file) {
       std::filesystem::remove(folder / replaced.*file, ignored);

@@ -96,7 +96,6 @@ def compare_spherical_shell(program: Program, triangles: int) -> Comparison:
                       ["The force dents the shell by a hundredth of its thickness or less."])
 
 
-
 def compare_elastica(program: Program, triangles: int) -> Comparison:
     length, sines = 1.0, np.sin(np.radians([20.0, 40.0, 60.0]) / 2)
     ends = []
