@@ -48,16 +48,10 @@ constexpr double kVolumeShare = 1e-2;
 constexpr double kStalledVolumeShare = 1e-1;
 constexpr double kGapTolerance = 1e-9;
 
-/// What a body far from the origin cannot tell from none, as parts of powers of its distance. One rounding is 1.1e-16
-/// of a coordinate. A strain is a difference of a few of them, with the wall's stiffness a force: some twenty. A volume
-/// is a sum of products of three, of as many signs as it has triangles: some ten of the cube. Its gradient is one of
-/// products of two: a rounding of the square. Of a first moment, a sum of four, that is left which is seen from its
-/// origin, much less. With digits beyond these a ball of 20 mm at 5 m takes hundreds of iterations a step, with
-/// these 5.
-constexpr double kFarForce = 2e-15;
-constexpr double kFarGradient = 1e-16;
+/// Part of the cube of a body's distance from the origin below which a volume cannot be told: it is a sum of products
+/// of three coordinates, each rounded by 1e-16, over all triangles. Wanted closer, a ball of 20 mm at 5 m takes hundreds
+/// of iterations a step, with this 5.
 constexpr double kFarVolume = 1e-15;
-constexpr double kFarMoment = 1e-19;
 
 double square(double value) {
   return value * value;
@@ -215,13 +209,9 @@ double Newton::round_off(const EquilibriumProblem& problem, const EquilibriumTer
   // In a short step the inertia springs are stiff, and carry the round-off of the coordinates, some 1e-16 of them, and
   // that of the fluids' moments.
   double force = 1e-15 * problem.inertia * model_.mass.maxCoeff() * problem.start.lpNorm<Eigen::Infinity>();
-  const double far = distance_of(problem);
-  force = std::max(force, kFarForce * model_.wall_stiffness * far);
-  force = std::max(force, kFarGradient * terms.largest_force * square(far / model_.edge_length));
   for (std::size_t c = 0; c < problem.fluid_inertia.size(); ++c) {
     const auto first = static_cast<Eigen::Index>(3 * c);
-    const double volume = std::abs(model_.chambers[c].rest_volume);
-    const double moment = 1e-16 * volume * extent_ + kFarMoment * square(square(far));  // metres^4
+    const double moment = 1e-16 * std::abs(model_.chambers[c].rest_volume) * extent_;  // metres^4
     const double slope = terms.moment_gradient.middleCols<3>(first).lpNorm<Eigen::Infinity>();
     force = std::max(force, problem.fluid_inertia[c].factor * moment * slope);
   }
