@@ -49,8 +49,8 @@ constexpr double kStalledVolumeShare = 1e-1;
 constexpr double kGapTolerance = 1e-9;
 
 /// Part of the cube of a body's distance from the origin below which a volume cannot be told: it is a sum of products
-/// of three coordinates, each rounded by 1e-16, over all triangles. Wanted closer, a ball of 20 mm at 5 m takes hundreds
-/// of iterations a step, with this 5.
+/// of three coordinates, each rounded by 1e-16, over all triangles. Wanted closer, a ball of 20 mm at 5 m takes
+/// hundreds of iterations a step, with this 5.
 constexpr double kFarVolume = 1e-15;
 
 double square(double value) {
