@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "renderer/picture/MapBlur.hpp"
+
 namespace thinwall {
 namespace {
 
@@ -22,29 +24,13 @@ float taken_around(float height) {
   return std::exp(-7.0F * std::max(height, 0.0F));
 }
 
-/// Blurs along the columns, and turns the map over so that a second call blurs along the rows and turns it back.
-void blur_and_turn(const std::vector<float>& from, std::vector<float>& to, std::size_t channel) {
-  std::array<float, kSide> sums{};
-  for (std::size_t row = 0; row < kSide; ++row) {
-    const float* middle = from.data() + kSide * row;
-    for (std::size_t i = 0; i < kSide; ++i) sums[i] = kWeights[channel][0] * middle[i];
-    for (std::size_t tap = 1; tap < kTaps; ++tap) {
-      const std::size_t away = kApart[channel] * tap;
-      const float* below = from.data() + kSide * (row - std::min(away, row));
-      const float* above = from.data() + kSide * std::min(row + away, kSide - 1);
-      for (std::size_t i = 0; i < kSide; ++i) sums[i] += kWeights[channel][tap] * (below[i] + above[i]);
-    }
-    for (std::size_t i = 0; i < kSide; ++i) to[kSide * i + row] = sums[i];
-  }
-}
-
 }  // namespace
 
 FloorCover::FloorCover() {
   lowest_.resize(std::size_t{kFine} * kFine, kNothing);
   shadowed_.resize(std::size_t{kFine} * kFine);
   for (std::vector<float>& plane : planes_) plane.resize(kSide * kSide);
-  for (std::vector<float>& plane : turned_) plane.resize(kSide * kSide);
+  memory_.resize(kSide * kSide);
   pixels_.resize(2 * kSide * kSide);
 }
 
@@ -119,8 +105,7 @@ void FloorCover::shrink() {
 std::span<const std::uint8_t> FloorCover::blurred() {
   shrink();
   for (std::size_t channel = 0; channel < 2; ++channel) {
-    blur_and_turn(planes_[channel], turned_[channel], channel);
-    blur_and_turn(turned_[channel], planes_[channel], channel);
+    blur_map<kSide>(planes_[channel], kWeights[channel], kApart[channel], memory_);
     for (std::size_t i = 0; i < kSide * kSide; ++i) {
       pixels_[2 * i + channel] = static_cast<std::uint8_t>(255.0F * planes_[channel][i] + 0.5F);
     }

@@ -73,7 +73,8 @@ class FloorCover {
   Window covered_;
   std::vector<float> lowest_;           // (kFine x kFine)
   std::vector<std::uint8_t> shadowed_;  // (kFine x kFine)
-  std::array<std::vector<float>, 2> planes_, turned_;
+  std::array<std::vector<float>, 2> planes_;
+  std::vector<float> memory_;  // of blur_map
   std::vector<std::uint8_t> pixels_;
 };
 

@@ -25,15 +25,16 @@ struct FrameUniforms {
   Float4 tissue{};               // linear colour that metal mirrors; w: 1, in data views 0, where metal is grey
   Float4 sample_shift{};         // xy: where in its pixel the picture is sampled, off the middle, in clip coordinates
   FloatMatrix4 shadow_matrix{};  // world to shadow map, 0 to 1 on every axis
-  Float4 camera_position{};      // metres
-  Float4 scene_center{};         // w: scene size, metres
-  Float4 floor{};                // x: height; y: 1 where a floor is drawn; z: half width of its shade map, metres;
-                                 // w: the field stop as tangent of the angle off the line of sight, 0 for none
-  Float4 key_direction{};   // to the light; w: strength. Of an endoscope's lamp the place, metres; w: strength there
-                            // times the square of the distance
-  Float4 key_right{};       // of length one, horizontal, across the key light; w: darkening of the lens
-  Float4 panels{};          // xy: horizontal direction to the front panel; zw: to the back panel
-  Float4 fill_direction{};  // to the light; w: strength
+  Float4 camera_position{};  // metres; w: how many texels a tool's shadow is blurred by, over the depth of the shadow
+                             // map between the tool and what it falls on
+  Float4 scene_center{};     // w: scene size, metres
+  Float4 floor{};            // x: height; y: 1 where a floor is drawn; z: half width of its shade map, metres;
+                             // w: the field stop as tangent of the angle off the line of sight, 0 for none
+  Float4 key_direction{};    // to the light; w: strength. Of an endoscope's lamp the place, metres; w: strength there
+                             // times the square of the distance
+  Float4 key_right{};        // of length one, horizontal, across the key light; w: darkening of the lens
+  Float4 panels{};           // xy: horizontal direction to the front panel; zw: to the back panel
+  Float4 fill_direction{};   // to the light; w: strength
   Float4
       environment{};  // x: strength; y: contrast; z: offset against self-shadow, metres; w: a pixel's height at depth 1
   Float4 background{};  // sRGB; w: exposure

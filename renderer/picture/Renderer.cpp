@@ -26,6 +26,7 @@
 #include "renderer/picture/SceneMeshes.hpp"
 #include "renderer/picture/ScenePass.hpp"
 #include "renderer/picture/ShadowMap.hpp"
+#include "renderer/picture/ToolShade.hpp"
 
 namespace thinwall {
 namespace {
@@ -84,6 +85,7 @@ struct Stage {
   MeshLinePass mesh_lines;
   FloorShade floor_shade;
   ShadowMap shadow_map;
+  ToolShade tool_shade;
   Buffer frame_block = create_buffer();
   std::vector<std::uint8_t> bare;  // the picture without fluids; empty where there are none, and but for Tier::kFinal
   std::vector<std::uint8_t> picture;  // as drawn, with fine pixels; for Tier::kFinal alone
@@ -91,6 +93,7 @@ struct Stage {
 
   void shade_floor(const FrameUniforms& frame, const Studio& studio, PassClock& clock);
   void draw_shadow_map(const SceneExtent& extent, const Studio& studio, const Camera& camera, PassClock& clock);
+  void shade_by_tools(const FrameUniforms& frame, bool is_lamp_large, PassClock& clock);
   void draw_backdrop(Ground ground, const FieldStop& stop, PassClock& clock);
   void close_field_stop(const FieldStop& stop);
   void lay_backdrop(const FrameUniforms& frame, bool has_tools, PassClock& clock);
@@ -121,12 +124,18 @@ void Stage::draw_shadow_map(const SceneExtent& extent, const Studio& studio, con
     const Matrix4 light_matrix = key_light_matrix(extent, studio, camera);
     const double pixels = shadow_map_pixels(light_matrix, extent, camera, target.size());
     shadow_map.resize(shadow_resolution(tier, pixels));
-    shadow_map.draw(meshes, light_matrix);
+    // A small lamp makes the shadows of tools as sharp as those of tissue.
+    shadow_map.draw(meshes, light_matrix, studio.lamp_place.has_value());
     glFlush();
   } else {
     shadow_map.clear();
   }
   clock.ends("shadow map");
+}
+
+void Stage::shade_by_tools(const FrameUniforms& frame, bool is_lamp_large, PassClock& clock) {
+  is_lamp_large&& tier != Tier::kDraft ? tool_shade.draw(meshes, frame) : tool_shade.clear();
+  clock.ends("tools' shade");
 }
 
 FieldStop field_stop(const FrameUniforms& frame) {
@@ -341,6 +350,7 @@ Image Renderer::Implementation::draw_as_it_is(const Snapshot& snapshot, const Vi
   stage->draw_shadow_map(extent, studio, pinhole, clock);
   // By the processor, while the driver's threads work on the shadow map.
   const bool is_stop_closed = stage->target.clear_depth(field_stop(frame));
+  stage->shade_by_tools(frame, !is_inside, clock);
   stage->shade_floor(frame, studio, clock);
   stage->draw_backdrop(ground, field_stop(frame), clock);
   if (!is_stop_closed) stage->close_field_stop(field_stop(frame));

@@ -150,7 +150,7 @@ void SceneMeshes::draw_seen_lining(const TissuePart& part, const std::array<floa
   tissue_.draw_others(seen_lining(tissue_vertices_, corners, *part.opening, matrix));
 }
 
-void SceneMeshes::draw_nearest(const std::array<float, 16>& matrix) const {
+void SceneMeshes::draw_nearest(const std::array<float, 16>& matrix, bool with_tools) const {
   glCullFace(GL_BACK);
   const auto shows_one_side = [&](const TissuePart& part) {
     return part.is_closed && lies_ahead(part.body_bounds, matrix);
@@ -171,7 +171,7 @@ void SceneMeshes::draw_nearest(const std::array<float, 16>& matrix) const {
     tissue_.draw(first, count);
   }
   glEnable(GL_CULL_FACE);
-  tools_.draw();
+  if (with_tools) tools_.draw();
   glDisable(GL_CULL_FACE);
 }
 

@@ -71,9 +71,9 @@ class SceneMeshes {
   std::span<const ToolVertex> tool_vertices() const { return tool_vertices_; }
   std::span<const std::uint32_t> tool_corners() const { return tool_corners_; }
 
-  /// Draws tissue and tools for a pass in which the nearest counts, without the sides that are hidden, as seen through
-  /// `matrix` (world to clip coordinates).
-  void draw_nearest(const std::array<float, 16>& matrix) const;
+  /// Draws tissue and, `with_tools`, tools for a pass in which the nearest counts, without the sides that are hidden,
+  /// as seen through `matrix` (world to clip coordinates).
+  void draw_nearest(const std::array<float, 16>& matrix, bool with_tools) const;
 
   /// As of FrameUniforms.
   const std::array<float, 4>& rest_grid() const { return rest_grid_; }

@@ -22,7 +22,7 @@ void ShadowMap::resize(int resolution) {
   require_complete(frame_, "a shadow map");
 }
 
-void ShadowMap::draw(const SceneMeshes& meshes, const Matrix4& light_matrix) const {
+void ShadowMap::draw(const SceneMeshes& meshes, const Matrix4& light_matrix, bool with_tools) const {
   glBindFramebuffer(GL_FRAMEBUFFER, frame_.name());
   glViewport(0, 0, resolution_, resolution_);
   glEnable(GL_DEPTH_TEST);
@@ -36,7 +36,7 @@ void ShadowMap::draw(const SceneMeshes& meshes, const Matrix4& light_matrix) con
   for (std::size_t i = 0; i < 16; ++i) matrix[i] = static_cast<float>(light_matrix.values[i]);
   glProgramUniformMatrix4fv(program_.name(), 0, 1, GL_FALSE, matrix.data());
   glUseProgram(program_.name());
-  meshes.draw_nearest(matrix);
+  meshes.draw_nearest(matrix, with_tools);
   glDisable(GL_POLYGON_OFFSET_FILL);
 }
 

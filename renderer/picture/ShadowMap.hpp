@@ -15,8 +15,8 @@ class ShadowMap {
   /// It has to be drawn anew then.
   void resize(int resolution);
 
-  /// Draws the map anew.
-  void draw(const SceneMeshes& meshes, const Matrix4& light_matrix) const;
+  /// Draws the map anew, of tissue and, `with_tools`, of tools.
+  void draw(const SceneMeshes& meshes, const Matrix4& light_matrix, bool with_tools) const;
 
   /// Makes a map without shadows.
   void clear() const;

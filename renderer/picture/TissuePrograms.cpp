@@ -34,6 +34,7 @@ std::string tissue_defines(const LookUniforms& look, const TissueScene& scene) {
   define("SHADOWED", scene.is_shadowed);
   // The lamps of a studio are large, which shows within wounds; an endoscope's is small.
   if (look.pattern[3] > 0 && scene.surroundings == Surroundings::kStudio) define("SOFT_SHADOW", true);
+  if (scene.is_shadowed && scene.rods > 0) define("TOOLS_SHADE", true);
   define("ROD_COUNT", std::min(scene.rods, kMostRods));
   return lines.str();
 }

@@ -1,3 +1,4 @@
+#define TOOLS_SHADE
 #include "environment.glsl"
 #include "lamp.glsl"
 #include "noise.glsl"

@@ -137,6 +137,19 @@ vec4 mirrored_tissue(Steel steel, vec3 direction) {
   return vec4(lit_tissue(steel.position + met_way * direction, normal), near);
 }
 
+// Seen along itself a flat face mirrors what lies behind it, however far away. It is narrow then, and hit by pixels here and
+// there: were it dark it would show as dashes. xyz: what tissue sends from there, w: how much of the mirror it fills.
+vec4 tissue_behind(Steel steel, float nv) {
+  const float kAlong = 0.03, kAside = 0.22;  // cosines
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  float depth = texelFetch(tissue_depth, pixel, 0).x;
+  float part = depth > 0.0 && depth < 1.0 ? steel.flatness * (1.0 - smoothstep(kAlong, kAside, nv)) : 0.0;
+  vec3 sent = lit_tissue(steel.position, direction_of(two_from(texelFetch(seen_tissue, pixel, 0).w)));
+  // It may be steel that it borders on.
+  const float kGrey = 0.6;
+  return vec4(mix(sent, vec3(dot(sent, vec3(0.2126, 0.7152, 0.0722))), kGrey), part * tissue.w);
+}
+
 // What a lamp's light leaves of a streak on brushed steel: fine grooves run around the tool and spread what they mirror
 // along it (after Ward 1992). In the units of glint().
 float streak(vec3 normal, vec3 axis, vec3 view, vec3 toward, float turned) {
@@ -218,6 +231,8 @@ void main() {
   // The rougher, the more of it is lost among all else.
   float brushed = brushing(steel);
   light = mix(light, mix(0.72, 0.45, brushed) * sent.rgb, mix(1.0, 0.45, brushed) * sent.w) * (1.0 + marked * marks.w);
+  vec4 behind = tissue_behind(steel, nv);
+  light = mix(light, behind.rgb, behind.w);
 #ifdef ENDOSCOPE
   vec3 toward = lamp_direction(position);
   // Brushed: a sharp highlight in a streak, and a wide one that makes flat faces grey which are turned away from the lamp.

@@ -13,7 +13,7 @@ void main() {
   passed.tissue = tissue;
   passed.line_of_sight = vec4(normalize(ray_middle.xyz), 0.0);
   // Before scaling to 0 to 1 depth on the screen is a - b / depth.
-  float a = (view_projection * vec4(ray_middle.xyz, 0.0)).z, b = -(view_projection * camera_position).z;
+  float a = (view_projection * vec4(ray_middle.xyz, 0.0)).z, b = -(view_projection * vec4(camera_position.xyz, 1.0)).z;
   passed.clip_x = vec4(row(0), (a + 1.0) / b);
   passed.clip_y = vec4(row(1), -2.0 / b);
 }

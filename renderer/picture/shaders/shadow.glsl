@@ -28,7 +28,35 @@ float softly_lit_part(vec3 place) {
                  lit_part(place + vec3(aside.x, -aside.y, 0.0)) + lit_part(place + vec3(-aside.x, aside.y, 0.0)));
 }
 
-// Part of the key light that reaches `position`, 0 to 1. `normal` lifts the point off its own surface.
+// Part of the light of a large lamp that comes past tools which take `taken` of the map as it is blurred less or more, see
+// ToolCover.hpp, where the border of their shadow is blurred by `spread` texels: below zero before their middle.
+float past_tools(float spread, vec4 taken) {
+  const vec4 kSpreads = vec4(1.0, 2.23607, 4.58258, 9.21954);
+  const float kBefore = 0.07;  // texels: as far before the middle of a thin tool its shadow is whole
+  vec3 wider = saturate3((spread - kSpreads.xyz) / (kSpreads.yzw - kSpreads.xyz));
+  return 1.0 - saturate(2.0 + spread / kBefore) * mix(mix(mix(taken.x, taken.y, wider.x), taken.z, wider.y), taken.w, wider.z);
+}
+
+#if defined(TOOLS_SHADE) && !defined(ENDOSCOPE)
+
+layout(binding = 8) uniform sampler2D tools_take;
+layout(binding = 9) uniform sampler2D tools_depth;
+
+// At `place` of the map.
+float past_tools(vec3 place) {
+  float behind = place.z - texture(tools_depth, place.xy).r;
+  return past_tools(camera_position.w * behind, texture(tools_take, place.xy));
+}
+
+#else
+
+// The map of a small lamp shows the tools themselves.
+float past_tools(vec3 place) { return 1.0; }
+
+#endif
+
+// Part of the key light that reaches `position`, 0 to 1. `normal` lifts the point off its own surface. With TOOLS_SHADE
+// tools may stand in its way.
 float key_visibility(vec3 position, vec3 normal) {
   vec3 lifted = position + environment.z * (normal + 0.6 * lamp_direction(position));
   vec4 projected = shadow_matrix * vec4(lifted, 1.0);
@@ -38,6 +66,7 @@ float key_visibility(vec3 position, vec3 normal) {
 #else
   float light = lit_part(place);
 #endif
+  light *= past_tools(place);
   // Towards the border of the map the shadow fades, so that a long shaft's does not end in a line.
   vec2 border = abs(2.0 * place.xy - 1.0);
   return mix(light, 1.0, smoothstep(0.90, 0.99, max(border.x, border.y)));

@@ -72,6 +72,12 @@ TEST(TissuePrograms, WhereNoShadowIsCastNoneIsLookedUp) {
   EXPECT_TRUE(says(tissue_defines({}, {.is_shadowed = true}), "SHADOWED true"));
 }
 
+TEST(TissuePrograms, WhereNoToolsAreTheirShadowIsNotLookedUp) {
+  EXPECT_TRUE(says(tissue_defines({}, {.is_shadowed = true, .rods = 1}), "TOOLS_SHADE true"));
+  EXPECT_FALSE(says(tissue_defines({}, {.is_shadowed = true, .rods = 0}), "TOOLS_SHADE true"));
+  EXPECT_FALSE(says(tissue_defines({}, {.is_shadowed = false, .rods = 1}), "TOOLS_SHADE true"));
+}
+
 TEST(TissuePrograms, NoMoreRodsCountThanTheFrameTells) {
   EXPECT_TRUE(says(tissue_defines({}, {.rods = 2}), "ROD_COUNT 2"));
   EXPECT_TRUE(says(tissue_defines({}, {.rods = 9}), "ROD_COUNT 3"));
