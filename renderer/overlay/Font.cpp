@@ -25,8 +25,12 @@ class FontSettings {
   FontSettings& operator=(const FontSettings&) = delete;
   ~FontSettings() { FcConfigDestroy(config_); }
 
+  bool has_added(const std::filesystem::path& file) {
+    return FcConfigAppFontAddFile(config_, reinterpret_cast<const FcChar8*>(file.c_str())) == FcTrue;
+  }
+
   void add(const std::filesystem::path& file) {
-    if (FcConfigAppFontAddFile(config_, reinterpret_cast<const FcChar8*>(file.c_str()))) return;
+    if (has_added(file)) return;
     throw PictureFailure("cannot read the font " + file.string() +
                          ", which all texts on pictures are set in; install it (on Debian: apt-get install "
                          "fonts-inter)");
@@ -57,10 +61,22 @@ void ReleaseObject::operator()(void* object) const {
   g_object_unref(object);
 }
 
-Font::Font(const std::filesystem::path& folder) {
+std::vector<std::filesystem::path> fonts_of_other_scripts() {
+  const std::filesystem::path folder = THINWALL_OTHER_FONTS_FOLDER;
+  std::vector<std::filesystem::path> files{folder / "wqy" / "wqy-microhei.ttc"};
+  for (const char* script :
+       {"Arabic", "Armenian", "Bengali", "Devanagari", "Ethiopic", "Georgian", "Gujarati", "Gurmukhi", "Hebrew",
+        "Kannada", "Khmer", "Lao", "Malayalam", "Myanmar", "Oriya", "Sinhala", "Tamil", "Telugu", "Thai"}) {
+    files.push_back(folder / "noto" / (std::string("NotoSans") + script + "-Regular.ttf"));
+  }
+  return files;
+}
+
+Font::Font(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& others) {
   FontSettings settings;
   settings.add(folder / "Inter-Regular.otf");
   settings.add(folder / "Inter-SemiBold.otf");
+  for (const std::filesystem::path& file : others) settings.has_added(file);
   description_ = settings.description();
   map_.reset(pango_cairo_font_map_new_for_font_type(CAIRO_FONT_TYPE_FT));
   pango_fc_font_map_set_config(PANGO_FC_FONT_MAP(map_.get()), settings.get());

@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
 namespace thinwall {
 
@@ -13,12 +14,18 @@ struct ReleaseObject {
   void operator()(void* object) const;
 };
 
-/// The one font of all pictures, read from its files alone: neither the system's fonts nor its font settings take part,
-/// so that pictures do not depend on the machine. Pango's font maps serve one thread at a time, see `FontUse`.
+/// The files of the fonts for scripts that Inter has not: Chinese, Japanese and Korean, Arabic, Hebrew, and what South
+/// and Southeast Asia, Armenia, Georgia and Ethiopia write with.
+std::vector<std::filesystem::path> fonts_of_other_scripts();
+
+/// The font of all pictures, read from its files alone: neither the system's fonts nor its font settings take part, so
+/// that pictures do not depend on the machine. Pango's font maps serve one thread at a time, see `FontUse`.
 class Font {
  public:
   /// Throws PictureFailure naming the package when Inter-Regular.otf or Inter-SemiBold.otf is not in `folder`.
-  explicit Font(const std::filesystem::path& folder);
+  /// `others`: files that serve letters which these have no shape for; boxes stand for those of files that are missing.
+  explicit Font(const std::filesystem::path& folder,
+                const std::vector<std::filesystem::path>& others = fonts_of_other_scripts());
 
   /// For making layouts: glyphs unhinted, at exact places, grey edges, language English.
   PangoContext* context() const { return context_.get(); }

@@ -38,6 +38,13 @@ void set_limits(PangoLayout* layout, const TextLimits& limits) {
   pango_layout_set_height(layout, -limits.lines);
 }
 
+/// Whether it belongs to a script that puts no spaces between words.
+bool is_set_without_spaces(gunichar letter) {
+  const GUnicodeScript script = g_unichar_get_script(letter);
+  return g_unichar_iswide(letter) != FALSE || script == G_UNICODE_SCRIPT_THAI || script == G_UNICODE_SCRIPT_LAO ||
+         script == G_UNICODE_SCRIPT_KHMER || script == G_UNICODE_SCRIPT_MYANMAR;
+}
+
 std::string valid_utf8(const std::string& text) {
   gchar* valid = g_utf8_make_valid(text.data(), static_cast<gssize>(text.size()));
   std::string result = valid;
@@ -69,9 +76,14 @@ int Text::lines() const {
 
 bool Text::has_broken_word() const {
   const char* text = pango_layout_get_text(layout_.get());
+  const PangoLogAttr* letters = pango_layout_get_log_attrs_readonly(layout_.get(), nullptr);
   for (int i = 1; i < lines(); ++i) {
-    const int start = pango_layout_get_line_readonly(layout_.get(), i)->start_index;
-    if (start > 0 && !g_unichar_isspace(g_utf8_get_char(g_utf8_prev_char(text + start)))) return true;
+    const char* start = text + pango_layout_get_line_readonly(layout_.get(), i)->start_index;
+    if (start == text) continue;
+    const gunichar before = g_utf8_get_char(g_utf8_prev_char(start));
+    const bool may_end = letters[g_utf8_pointer_to_offset(text, start)].is_line_break != 0 &&
+                         (is_set_without_spaces(before) || is_set_without_spaces(g_utf8_get_char(start)));
+    if (g_unichar_isspace(before) == FALSE && !may_end) return true;
   }
   return false;
 }

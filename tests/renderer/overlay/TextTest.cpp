@@ -60,9 +60,24 @@ TEST(Text, OtherScriptsAreDrawn) {
   }
 }
 
+TEST(Text, TheScriptsOfMostReadersHaveShapes) {
+  for (const char* word : {"胆囊", "胆嚢の触診", "담낭 촉진", "المرارة", "כיס המרה", "पित्ताशय", "পিত্তথলি", "பித்தப்பை",
+                           "ถุงน้ำดี", "ნაღვლის", "լեղապարկ", "ሐሞት"}) {
+    EXPECT_EQ(letters_without_shape(word), "") << word;
+  }
+}
+
+TEST(Text, LinesOfChineseEndBetweenLettersButNotBeforeAStop) {
+  const std::string sentence = "注意观察周围组织的变化和力的大小。";
+  for (double width = 60; width < 330; width += 7) {
+    const Text text(sentence, {.size = 20}, {.width = width, .lines = 9});
+    EXPECT_FALSE(text.has_broken_word()) << width;
+  }
+}
+
 TEST(Text, LettersThatTheFontHasNoShapeForAreNamedOnce) {
   EXPECT_EQ(letters_without_shape("Wall 2 mm \u2013 \u00b5m, \u03b1"), "");
-  EXPECT_EQ(letters_without_shape("\u6bd4 a \u6bd4 \u8f03"), "\u6bd4\u8f03");
+  EXPECT_EQ(letters_without_shape("\u16a0 a \u16a0 \u16b1"), "\u16a0\u16b1");  // runes
 }
 
 TEST(Text, BoldIsAnotherFont) {

@@ -125,12 +125,12 @@ TEST_F(ProgramTest, ExpectationsAreCheckedByEveryRunAndAFailedOneIsExitCode1) {
 }
 
 TEST_F(ProgramTest, TextsWithLettersThatTheFontHasNotAreTold) {
-  const std::string clip = "  - palpate: { depth: 1 mm, caption: \"\u80c6 pressed\" }\n";
+  const std::string clip = "  - palpate: { depth: 1 mm, caption: \"\u16a0 pressed\" }\n";
   write_bytes(folder_ / "letters.yaml", small_scenario(clip));
   const ProgramEnd end = run({"run", "letters.yaml", "--no-render", "--out", "letters"});
   EXPECT_EQ(end.exit_code, 0) << end.messages;
   const std::string note =
-      "letters.yaml: warning: timeline[2].palpate.caption: the font of pictures has no shape for \u80c6,";
+      "letters.yaml: warning: timeline[2].palpate.caption: the font of pictures has no shape for \u16a0,";
   EXPECT_NE(end.messages.find(note), std::string::npos) << end.messages;
   EXPECT_NE(manifest("letters").at("warnings").dump().find(note), std::string::npos);
   EXPECT_NE(run({"check", "letters.yaml"}).messages.find(note), std::string::npos);
@@ -147,7 +147,7 @@ TEST_F(ProgramTest, NotesThatAreKnownBeforeTheFirstStepAreToldBeforeIt) {
 TEST_F(ProgramTest, CheckTellsOfThickWallsAndAStillOfLettersThatTheFontHasNot) {
   std::string text = small_scenario();
   text.replace(text.find("thickness: 1 mm"), 15, "thickness: 21 mm");
-  text.replace(text.find("A small hemisphere"), 18, "半球");
+  text.replace(text.find("A small hemisphere"), 18, "\u16a0");
   write_bytes(folder_ / "thick.yaml", text);
   const std::string checked = run({"check", "thick.yaml"}).messages;
   EXPECT_NE(checked.find("thick.yaml: note: body `organ` is 20 mm wide, less than two walls of 21 mm"),
