@@ -23,6 +23,10 @@ bool works(const SnapshotTool& tool) {
   return tool.phase != kIdle && magnitude(tool.force) > 0;
 }
 
+bool is_in_picture(const SnapshotTool& tool) {
+  return !tool.is_set_aside;
+}
+
 /// The text that holds at `time`: after its begin, up to and with its end. A run knows of a clip only once it has gone
 /// beyond the clip's begin; with the begin included, a frame at that very time would differ between run and take. Only
 /// at time zero there is no text before it, and a run knows what begins there.
@@ -181,20 +185,27 @@ std::vector<ForceSample> FrameComposer::history_of(std::size_t tool, const Snaps
   return history;
 }
 
-const SnapshotTool* FrameComposer::shown_tool(const Snapshot& snapshot) const {
-  const SnapshotTool* working = nullptr;
+const SnapshotTool* FrameComposer::last_to_set_out(const Snapshot& snapshot,
+                                                   bool (*counts)(const SnapshotTool& tool)) const {
+  const SnapshotTool* last = nullptr;
   double latest = 0;
   for (std::size_t i = 0; i < snapshot.tools.size(); ++i) {
     const double begun = set_aside_.begun(i, snapshot.time);
-    if (!works(snapshot.tools[i]) || (working != nullptr && begun <= latest)) continue;
-    working = &snapshot.tools[i];
+    if (!counts(snapshot.tools[i]) || (last != nullptr && begun <= latest)) continue;
+    last = &snapshot.tools[i];
     latest = begun;
   }
-  if (working != nullptr) return working;
+  return last;
+}
+
+const SnapshotTool* FrameComposer::shown_tool(const Snapshot& snapshot) const {
+  if (const SnapshotTool* working = last_to_set_out(snapshot, works)) return working;
   for (const SnapshotTool& tool : snapshot.tools) {
     if (tool.phase != kIdle && !has_worked_) return &tool;
   }
-  return last_active_ < snapshot.tools.size() ? &snapshot.tools[last_active_] : nullptr;
+  if (last_active_ >= snapshot.tools.size()) return nullptr;
+  if (!snapshot.tools[last_active_].is_set_aside) return &snapshot.tools[last_active_];
+  return last_to_set_out(snapshot, is_in_picture);
 }
 
 }  // namespace thinwall

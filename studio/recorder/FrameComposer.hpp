@@ -50,6 +50,8 @@ class FrameComposer {
  private:
   OverlayContent overlay(const Snapshot& snapshot) const;
   const SnapshotTool* shown_tool(const Snapshot& snapshot) const;
+  /// Of the tools that count, none perhaps.
+  const SnapshotTool* last_to_set_out(const Snapshot& snapshot, bool (*counts)(const SnapshotTool& tool)) const;
   std::vector<ForceSample> history_of(std::size_t tool, const Snapshot& snapshot) const;
   void add_second(const Moment& moment);
   void compose_second(double time, const Moment& earlier, Frame& frame) const;

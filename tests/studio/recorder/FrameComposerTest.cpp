@@ -99,6 +99,24 @@ TEST(FrameComposerTest, OfToolsThatTouchTheOneThatSetOutLastIsShown) {
   EXPECT_EQ(shown_after("contact", "hold"), "left") << "it has set out again";
 }
 
+TEST(FrameComposerTest, AToolThatIsOutOfThePictureGivesWayToTheOneThatSetOutLast) {
+  FrameComposer composer("", {});
+  auto shown_after = [&, time = 0.0](const char* first, double force, const char* second, const char* third) mutable {
+    Moment moment;
+    moment.snapshot.time = time++;
+    moment.snapshot.tools = {{.name = "first", .phase = first, .force = {0, 0, force}},
+                             {.name = "second", .phase = second},
+                             {.name = "third", .phase = third}};
+    composer.add(moment);
+    return composer.compose(moment.snapshot.time).overlay.tool;
+  };
+  EXPECT_EQ(shown_after("contact", 1, "idle", "idle"), "first");
+  EXPECT_EQ(shown_after("withdrawal", 0, "idle", "idle"), "first");
+  EXPECT_EQ(shown_after("withdrawal", 0, "approach", "idle"), "first") << "it is seen until it is back";
+  EXPECT_EQ(shown_after("idle", 0, "approach", "idle"), "second");
+  EXPECT_EQ(shown_after("idle", 0, "approach", "approach"), "third");
+}
+
 TEST(FrameComposerTest, EachToolThatHasTouchedHasAHistoryAndKeepsItsNumber) {
   const auto moment = [](double time, double first, double second) {
     Moment result;
