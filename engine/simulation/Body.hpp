@@ -123,7 +123,7 @@ class Body {
   /// begins where this answer leads. Throws SimulationFailure.
   ToolResponse respond(int tool, std::span<const ToolPose> poses, double duration, double reach);
 
-  /// Pressure between wall and tools at each vertex, (vertices), pascal: force on the vertex over its rest area.
+  /// Pressure between wall and tools at each vertex, (vertices), pascal: force on the vertex over its area now.
   Eigen::VectorXd contact_pressure() const;
 
   /// Principal Cauchy stresses in the middle plane of the wall, (2 x triangles), pascal, the larger first: what the

@@ -44,6 +44,10 @@ constexpr double kSameDirection = 1e-9;
 /// draw it there in one step. More than once, as a line that goes sideways meets what lies on slopes.
 constexpr double kPassedWays = 2;
 
+/// Part of its rest area that a triangle has at least as the area that is pressed: one that is crumpled to nothing
+/// would have a pressure without bound.
+constexpr double kLeastPressedPart = 0.01;
+
 /// Whether a needle moves along itself alone: then it is its point that pushes, and its shaft only slides.
 bool slides_along_itself(const ToolDefinition& tool, const ToolPose& begin, const ToolPose& end) {
   const Eigen::Vector3d motion = end.tip - begin.tip;
@@ -306,7 +310,10 @@ Eigen::VectorXd Body::contact_pressure() const {
   }
   Eigen::VectorXd area = Eigen::VectorXd::Zero(model_->vertices());
   for (int t = 0; t < model_->triangles(); ++t) {
-    for (const int vertex : model_->surface[t]) area[vertex] += model_->rest[t].area / 3;
+    const auto corners = corners_of(model_->surface[t], state_.equilibrium.position);
+    const double now = 0.5 * (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
+    const double least = kLeastPressedPart * model_->rest[t].area;
+    for (const int vertex : model_->surface[t]) area[vertex] += std::max(now, least) / 3;
   }
   return pressure.cwiseQuotient(area.cwiseMax(1e-300));
 }
