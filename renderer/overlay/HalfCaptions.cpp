@@ -15,18 +15,29 @@ constexpr double kHeight = 38;
 constexpr double kMarkLength = 22;
 constexpr double kGap = 10;
 constexpr double kPartOfHalf = 0.42;  // of a half's width, left of its middle
-constexpr int kMostLines = 3;
+constexpr double kLeastPart = 100;    // units that it needs for a text
+constexpr int kMostLines = 5;
 
-/// At the left of the half that begins at `left`: the action is in its middle. The longer it is, the more lines it
-/// takes.
+/// Set in a part of the half's width, the more lines the longer it is; in all of it where the part is too narrow, as in
+/// pictures that are higher than wide, which have room above the action, or where the text is too long for the part.
+Text caption_text(const std::string& caption, const OverlayGrid& grid, double part, double whole) {
+  const TextStyle style{.size = grid.pixels(19), .color = plate_style::kText};
+  if (part >= grid.pixels(kLeastPart)) {
+    Text beside(caption, style, {.width = part, .lines = kMostLines});
+    if (!beside.is_cut()) return beside;
+  }
+  return {caption, style, {.width = whole, .lines = kMostLines}};
+}
+
+/// At the left of the half that begins at `left`: the action is in its middle.
 void draw_caption(Image& image, const OverlayGrid& grid, const std::string& caption, const Color& color, int left,
                   const std::optional<Box>& inset) {
   const double padding = grid.pixels(plate_style::kPadding);
   const double mark = grid.pixels(kMarkLength + kGap);
-  const double room = kPartOfHalf * image.size.width / 2.0 - grid.pixels(plate_style::kMargin) - 2 * padding - mark;
-  if (room < grid.pixels(20)) return;
-  const Text text(caption, {.size = grid.pixels(19), .color = plate_style::kText},
-                  {.width = room, .lines = kMostLines});
+  const double half = image.size.width / 2.0, taken = grid.pixels(plate_style::kMargin) + 2 * padding + mark;
+  const double whole = half - taken - grid.pixels(plate_style::kMargin);
+  if (whole < grid.pixels(20)) return;
+  const Text text = caption_text(caption, grid, kPartOfHalf * half - taken, whole);
   const int height = std::max(grid.whole(kHeight), static_cast<int>(std::ceil(text.height() + grid.pixels(14))));
   const Plate plate(grid, {static_cast<int>(std::ceil(text.width() + mark + 2 * padding)), height});
   const double middle = plate.size().height / 2.0;

@@ -9,8 +9,9 @@ namespace {
 
 constexpr ImageSize kSize{1280, 720};
 
-Image captioned(const std::string& left, const std::string& right, const std::optional<Box>& inset = {}) {
-  Image image{.size = kSize, .pixels = std::vector<std::uint8_t>(3UL * kSize.width * kSize.height, 128)};
+Image captioned(const std::string& left, const std::string& right, const std::optional<Box>& inset = {},
+                ImageSize size = kSize) {
+  Image image{.size = size, .pixels = std::vector<std::uint8_t>(3UL * size.width * size.height, 128)};
   draw_half_captions(image, {left, right}, inset);
   return image;
 }
@@ -58,6 +59,15 @@ TEST(HalfCaptions, StandBelowAnInsetThatHasTheirPlace) {
     // An inset at the left moves the left caption; one at the right leaves both, which stand left of it.
     EXPECT_EQ(is_changed(image, 60, 313), inset.x < 640);
     EXPECT_TRUE(is_changed(image, 700, 99));
+  }
+}
+
+TEST(HalfCaptions, AreWholeInPicturesOfEveryShape) {
+  const auto pixels = [](const char* last, ImageSize size) {
+    return captioned("The wall of a patient who is old, 3 mm " + std::string(last), "", {}, size).pixels;
+  };
+  for (const ImageSize size : {ImageSize{1280, 720}, ImageSize{1024, 768}, ImageSize{720, 720}, ImageSize{720, 1280}}) {
+    EXPECT_TRUE(pixels("thick", size) != pixels("thin", size)) << size.width << " x " << size.height;
   }
 }
 
