@@ -36,15 +36,6 @@ struct RememberedPlate {
   }
 };
 
-std::unique_ptr<Plate> title_plate(const OverlayGrid& grid, const std::string& title, double room) {
-  const double padding = grid.pixels(plate_style::kPadding);
-  const Text text(title, {.size = grid.pixels(kTitleSize), .bold = true, .color = plate_style::kText}, {.width = room});
-  const ImageSize size{static_cast<int>(std::ceil(text.width() + 2 * padding)), grid.whole(kTitlePlateHeight)};
-  auto plate = std::make_unique<Plate>(grid, size);
-  text.draw(*plate, padding, (size.height - text.height()) / 2);
-  return plate;
-}
-
 /// The narrowest width that needs no more lines than `room`: lines of about the same length read best.
 double balanced_width(const std::string& caption, const TextStyle& style, TextLimits limits) {
   const int lines = Text(caption, style, limits).lines();
@@ -57,6 +48,30 @@ double balanced_width(const std::string& caption, const TextStyle& style, TextLi
     (text.lines() > lines || text.is_cut() || text.has_broken_word() ? narrow : wide) = limits.width;
   }
   return wide;
+}
+
+/// In the largest letters in which nothing is cut, at worst the smallest: the plate has the height of two lines of
+/// them.
+Text title_text(const OverlayGrid& grid, const std::string& title, double room) {
+  constexpr double kSizes[] = {kTitleSize, 17, 14};
+  constexpr int kLines[] = {1, 1, 2};
+  for (std::size_t i = 0;; ++i) {
+    const TextStyle style{.size = grid.pixels(kSizes[i]), .bold = true, .color = plate_style::kText};
+    TextLimits limits{.width = room, .lines = kLines[i]};
+    const bool is_cut = Text(title, style, limits).is_cut();
+    if (is_cut && i + 1 < std::size(kSizes)) continue;
+    if (!is_cut) limits.width = balanced_width(title, style, limits);
+    return {title, style, limits};
+  }
+}
+
+std::unique_ptr<Plate> title_plate(const OverlayGrid& grid, const std::string& title, double room) {
+  const double padding = grid.pixels(plate_style::kPadding);
+  const Text text = title_text(grid, title, room);
+  const ImageSize size{static_cast<int>(std::ceil(text.width() + 2 * padding)), grid.whole(kTitlePlateHeight)};
+  auto plate = std::make_unique<Plate>(grid, size);
+  text.draw(*plate, padding, (size.height - text.height()) / 2);
+  return plate;
 }
 
 /// `room` is for the text. Takes the largest size in which nothing is cut, at worst the smallest.

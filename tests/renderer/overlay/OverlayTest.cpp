@@ -343,5 +343,14 @@ TEST(Overlay, LeavesAnInsetAsItIs) {
   }
 }
 
+TEST(Overlay, ALongTitleIsWholeInAPictureThatIsHigherThanWide) {
+  const auto pixels = [](const std::string& last) {
+    OverlayContent content = some_content();
+    content.title = "Examination of the gallbladder below the costal arch, part " + last;
+    return overlaid(content, {540, 960}).pixels;
+  };
+  EXPECT_TRUE(pixels("one") != pixels("two"));
+}
+
 }  // namespace
 }  // namespace thinwall
