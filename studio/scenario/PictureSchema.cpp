@@ -186,7 +186,7 @@ ValueSchema record_schema() {
   size.example = "[1280, 720]";
   MappingSchema record{.name = "record", .documentation = "The recording."};
   record.keys = {
-      {"size", size, false, "[1280, 720]", "width and height in pixels"},
+      {"size", size, false, "[1280, 720]", "width and height in pixels, even numbers"},
       {"fps", quantity_value(kDimensionless, {.minimum = 1, .maximum = 240}, "30"), false, "30", "pictures per second"},
       {"video", boolean_value(), false, "true", "whether a video is made"},
       {"tier", word_value({"draft", "record", "final"}), false, "record",
