@@ -21,6 +21,7 @@
 #include "studio/recorder/OutputFolder.hpp"
 #include "studio/recorder/Painter.hpp"
 #include "studio/recorder/ResolvedPicture.hpp"
+#include "studio/recorder/VideoScript.hpp"
 #include "studio/scenario/LoadScenario.hpp"
 
 namespace thinwall {
@@ -52,13 +53,34 @@ class FramesInOrder {
   double end_ = 0;
 };
 
-/// The time so many frames of a recording later, seconds: to the last bit that of the recording's own frame where the
-/// recording has one at `time`.
-double frames_later(double time, int count, double frames_per_second) {
-  const double frame = std::round(time * frames_per_second);
-  if (std::abs(frame / frames_per_second - time) < kSameTime) return (frame + count) / frames_per_second;
-  return time + count / frames_per_second;
-}
+/// What the frames of the recording show around a time of the simulation, to the last bit as the recording has it where
+/// a frame shows that time (the first that does). Freezes and slow motion decide what the next frame shows.
+class RecordedTimes {
+ public:
+  RecordedTimes(const Scenario& scenario, double time)
+      : script_(scenario.teaching), frames_per_second_(scenario.record.frames_per_second), time_(time) {
+    const VideoClock& clock = script_.clock();
+    shown_ = time > 0 ? clock.first_shown(time) : script_.title_duration();  // after the card
+    const double frame = std::ceil((shown_ - kSameTime) * frames_per_second_);
+    if (frame / frames_per_second_ < clock.last_shown(time) + kSameTime) frame_ = frame;
+  }
+
+  /// Seconds of the simulation in the frame that comes so many later; nothing before the first and under a card.
+  std::optional<double> later(int count) const {
+    if (count == 0 && !frame_) return time_;
+    if (frame_ && *frame_ + count < 0) return std::nullopt;
+    const double video = frame_ ? (*frame_ + count) / frames_per_second_ : shown_ + count / frames_per_second_;
+    const std::optional<VideoCue> cue = script_.at(std::max(0.0, video));
+    return cue && !cue->card ? std::optional(cue->simulation) : std::nullopt;
+  }
+
+ private:
+  VideoScript script_;
+  double frames_per_second_ = 0;
+  double time_ = 0;   // seconds, of the simulation
+  double shown_ = 0;  // seconds, of the video
+  std::optional<double> frame_;
+};
 
 std::filesystem::path truth_folder(const std::filesystem::path& picture) {
   return picture.parent_path() / (picture.stem().string() + "_" + kGroundTruthFolder);
@@ -75,12 +97,14 @@ int make_still(const StillOptions& options) {
   const PainterFactory painters = renderer_painters(options.device, scenario.record.tier, scenario.view, options.stats);
   // Before the simulation, so that a missing device is told at once.
   const std::unique_ptr<Painter> painter = painters(options.size.value_or(scenario.record.size));
-  const double fps = scenario.record.frames_per_second;
+  const RecordedTimes times(scenario, options.at);
   FramesInOrder frames(scenario);
-  std::optional<Frame> before;
-  if (options.ground_truth && options.at > 0) before = frames.at(std::max(0.0, frames_later(options.at, -1, fps)));
-  const double time = frames_later(options.at, 0, fps);
-  const std::optional<Frame> frame = frames.at(time);
+  const auto frame_later = [&](int count) {
+    const std::optional<double> time = times.later(count);
+    return time ? frames.at(*time) : std::nullopt;
+  };
+  const std::optional<Frame> before = options.ground_truth ? frame_later(-1) : std::nullopt;
+  const std::optional<Frame> frame = frame_later(0);
   if (!frame) throw UsageError(fmt::format("--at {:g}s: the scenario ends at {:.4g} s", options.at, frames.end()));
   const Image image = finished_picture(*frame, *painter);
   if (options.picture.has_parent_path()) make_folder(options.picture.parent_path());
@@ -92,7 +116,7 @@ int make_still(const StillOptions& options) {
                                     .size = image.size,
                                     .organs = tissue_kinds(scenario.resolved),
                                     .edges = drawn_edges(scenario.view.look)},
-                                   before, *frame, frames.at(frames_later(time, 1, fps)));
+                                   before, *frame, frame_later(1));
   }
   fmt::print(stderr, "{}", pass_table(painter->pass_times()));
   fmt::print(stderr, "{} shows {} at {:.4g} s\n", options.picture.string(), scenario.name, options.at);

@@ -131,6 +131,24 @@ TEST_F(ProgramGLTest, GroundTruthOfAFrameIsTheSameInARunFromItsTakeAndAlone) {
   EXPECT_EQ(folders, 15);
 }
 
+TEST_F(ProgramGLTest, GroundTruthOfAStillIsThatOfTheRecordingsFrameInFreezesAndAroundSlowMotion) {
+  write_bytes(folder_ / "slow.yaml",
+              small_scenario() +
+                  "teaching: { title_card: { title: Slowly, for: 40 ms }, freezes: [ { at: 80 "
+                  "ms, for: 50 ms } ], slow_motion: [ { from: 0, until: 80 ms, speed: 0.5 } ] }\n");
+  expect_good({"run", "slow.yaml", "--no-video", "--aov", "--out", "run"});
+  const auto layers = folder_ / "run/ground_truth";
+  // The first frame after the card, one in slow motion, the first that stands still.
+  for (const auto& [time, frame] : {std::pair{"0 s", 1}, std::pair{"40 ms", 3}, std::pair{"80 ms", 5}}) {
+    expect_good({"still", "slow.yaml", "--at", time, "-o", "still.png", "--aov"});
+    for (const char* layer : {"depth", "forward_flow", "backward_flow"}) {
+      const auto of_run = layers / layer / ("frame_00000" + std::to_string(frame) + ".exr");
+      EXPECT_TRUE(file_bytes(of_run) == file_bytes(folder_ / "still_ground_truth" / layer / "frame_000000.exr"))
+          << time << ' ' << layer;
+    }
+  }
+}
+
 TEST_F(ProgramGLTest, ATakeShowsItsNumbersInColorsWithTheRangeOfTheWhole) {
   write_bytes(folder_ / "cut.yaml", incision_scenario());
   expect_good({"run", "cut.yaml", "--no-render", "--out", "run"});
