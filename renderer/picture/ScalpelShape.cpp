@@ -294,7 +294,7 @@ void add_handle(ToolBuilder& builder, const Blade& blade, double scene_size, Too
     const double t = static_cast<double>(k) / kWidening;
     add(std::lerp(start, full, t), std::lerp(1.15 * wide, handle, smooth_step(t)), t > 0.4 ? 1.0F : 0.0F);
   }
-  const double end = full + std::max(1.1 * scene_size, 12 * handle);
+  const double end = full + std::max(2.6 * scene_size, 12 * handle);
   add(full + 6 * handle, 0.94 * handle, 1);
   for (int k = 0; k < kRound; ++k) {
     const double angle = 0.5 * std::numbers::pi * k / kRound;

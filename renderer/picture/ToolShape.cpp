@@ -70,7 +70,7 @@ void append_shaft(std::vector<OutlinePoint>& outline, double slim, double thick,
     const bool ringed = back > 0.65 && back < 1.17;
     outline.push_back({.back = start + back * scene_size, .out = thick, .grip = ringed ? 1.0f : 0.0f});
   }
-  append_arc(outline, start + 1.20 * scene_size, thick, 0.5 * std::numbers::pi, std::numbers::pi, kBrushed, 8);
+  append_arc(outline, start + 3.0 * scene_size, thick, 0.5 * std::numbers::pi, std::numbers::pi, kBrushed, 8);
 }
 
 /// One millimetre where the scene allows: a probe neither vanishes in a large scene nor fills a small one.

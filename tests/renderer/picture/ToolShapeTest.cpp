@@ -52,6 +52,16 @@ TEST_P(EveryTool, NormalsHaveLengthOneAndIndicesNameVertices) {
   for (const std::uint32_t index : shape.indices) EXPECT_LT(index, shape.vertices.size());
 }
 
+/// Whose end is seen hangs in the air.
+TEST_P(EveryTool, ReachesOutOfPicturesThatAreHigherThanWide) {
+  const SnapshotTool tool = tool_of(GetParam());
+  double back = 0;
+  for (const ToolVertex& vertex : tool_shape(tool, 0.1).vertices) {
+    back = std::max(back, -dot(vector3(vertex.position) - vector3(tool.tip), vector3(tool.direction)));
+  }
+  EXPECT_GT(back, 2.5 * 0.1);
+}
+
 /// What is drawn of a tool is what faces the viewer: nobody may look into it or through it.
 TEST_P(EveryTool, TrianglesFaceOutwardsAndCloseVolumes) {
   const ToolShape shape = tool_shape(tool_of(GetParam()), 0.1);
