@@ -164,8 +164,11 @@ std::filesystem::path write_report(const std::vector<JudgedScenario>& all, const
 int test_goldens(const GoldenOptions& options) {
   const NamedGoldens named = named_goldens(options.scenarios);
   const FolderLock lock(options.out);
-  // Before the comparison, so that a folder that cannot be made is told at once.
+  // Before the comparison, so that what cannot be written is told at once.
   if (options.junit.has_parent_path()) make_folder(options.junit.parent_path());
+  if (std::filesystem::is_directory(options.junit)) {
+    throw UsageError("golden test: --junit " + options.junit.string() + " is a folder; name a file");
+  }
   const std::vector<JudgedScenario> all = judge_and_print(named, options);
   const int code = exit_code(counts(all));
   if (!options.junit.empty()) write_whole_file(options.junit, junit_report(all));

@@ -10,6 +10,7 @@
 #include "renderer/image/WholeFile.hpp"
 #include "renderer/snapshot/SameTime.hpp"
 #include "studio/golden/GoldenHistory.hpp"
+#include "studio/scenario/Wording.hpp"
 #include "studio/take/TakeError.hpp"
 #include "studio/take/TakeReader.hpp"
 
@@ -270,7 +271,7 @@ GoldenResult compare_with_golden(const std::string& scenario, const GoldenDefini
   if (approval == nullptr || !lost.empty()) {
     result.outcome = GoldenOutcome::kGoldenMissing;
     result.message = fmt::format("{}; look at today's, then: thinwall golden approve {} --why ...",
-                                 lost.empty() ? "no picture is approved" : lost, scenario);
+                                 lost.empty() ? "no picture is approved" : lost, shell_argument(scenario));
     return result;
   }
   result.golden_driver = approval->driver;

@@ -10,6 +10,7 @@
 #include "renderer/image/PngFile.hpp"
 #include "studio/comparison/FrameSequence.hpp"
 #include "studio/golden/VideoAttribution.hpp"
+#include "studio/scenario/Wording.hpp"
 
 namespace thinwall {
 namespace {
@@ -217,8 +218,8 @@ VideoJudgement compare_with_golden_video(const std::string& scenario, const Gold
   const std::optional<GoldenVideoApproval> golden = find_video_approval(folder, recorded.video.driver);
   if (!golden) {
     result.outcome = GoldenOutcome::kGoldenMissing;
-    result.message =
-        fmt::format("no video is approved; look at today's, then: thinwall golden approve {} --why ...", scenario);
+    result.message = fmt::format("no video is approved; look at today's, then: thinwall golden approve {} --why ...",
+                                 shell_argument(scenario));
     return judgement;
   }
   const std::string lost = lost_file(folder, golden->files);

@@ -13,6 +13,9 @@ std::string in_backticks(std::string_view text);
 /// A path between backticks, whole, because its end is what tells: control characters are spelled out.
 std::string path_in_backticks(std::string_view path);
 
+/// As a shell takes it for one argument: in quotes where it has other than letters, digits and `_ - . / + = , : @`.
+std::string shell_argument(std::string_view text);
+
 /// "`a`, `b`, `c`"
 std::string list_in_backticks(std::span<const std::string> words);
 

@@ -75,6 +75,10 @@ TEST_F(ProgramGLTest, AGoldenIsReviewedListedExplainedAndNotApprovedTwice) {
   EXPECT_NE(run({"golden", "why", "small"}).output.find("it is right"), std::string::npos);
   EXPECT_EQ(run({"golden", "why"}).exit_code, 2);
   expect_good({"golden", "report"});
+  const ProgramEnd refused = run({"golden", "test", "--junit", "."});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.messages.find("--junit . is a folder; name a file"), std::string::npos) << refused.messages;
+  EXPECT_EQ(refused.messages.find("unchanged since"), std::string::npos) << "only once all is compared";
   EXPECT_NE(run({"golden", "test", "--junit", "junit.xml"}).messages.find("unchanged since"), std::string::npos);
   EXPECT_NE(file_bytes(folder_ / "junit.xml").find("tests=\"1\" failures=\"0\""), std::string::npos);
   EXPECT_EQ(run({"golden", "test", "--all"}).messages.find("unchanged since"), std::string::npos);

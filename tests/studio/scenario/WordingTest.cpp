@@ -28,6 +28,13 @@ TEST(Wording, QuotedTextStaysOnOneLineAndIsCutBetweenCharacters) {
   EXPECT_EQ(in_backticks(std::string(60, 'x')), "`" + std::string(60, 'x') + "`");
 }
 
+TEST(Wording, AShellTakesAnArgumentAsItIs) {
+  EXPECT_EQ(shell_argument("scenes/a-1.yaml"), "scenes/a-1.yaml");
+  EXPECT_EQ(shell_argument("my scene"), "'my scene'");
+  EXPECT_EQ(shell_argument("the surgeon's $HOME"), "'the surgeon'\\''s $HOME'");
+  EXPECT_EQ(shell_argument(""), "''");
+}
+
 TEST(Wording, APathIsQuotedWholeHoweverLong) {
   const std::string path = "/" + std::string(200, 'a') + "/organ.obj";
   EXPECT_EQ(path_in_backticks(path), "`" + path + "`");
