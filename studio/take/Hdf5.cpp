@@ -110,8 +110,25 @@ void write_scalar_attribute(const Handle& object, const std::string& name, hid_t
   check(H5Awrite(attribute.id(), memory, value));
 }
 
+/// Throws Failure unless it holds one value: a reader has room for no more.
 Handle open_attribute(const Handle& object, const std::string& name) {
-  return Handle(H5Aopen(object.id(), name.c_str(), H5P_DEFAULT), H5Aclose);
+  Handle attribute(H5Aopen(object.id(), name.c_str(), H5P_DEFAULT), H5Aclose);
+  const Handle space(H5Aget_space(attribute.id()), H5Sclose);
+  if (check(H5Sget_simple_extent_npoints(space.id())) != 1) throw Failure("attribute " + name + " is not one value");
+  return attribute;
+}
+
+/// Throws Failure when the dataset says that it holds more than what is stored of it can give: a reader would make room
+/// for all of it first.
+void require_stored(const Handle& dataset, const std::string& name) {
+  // Compression takes at most a little more than 1000 bytes into one; what is small does no harm.
+  constexpr double kMostCompression = 1100;
+  constexpr double kSmall = 16 << 20;  // bytes
+  const Handle type(H5Dget_type(dataset.id()), H5Tclose);
+  auto bytes = static_cast<double>(H5Tget_size(type.id()));
+  for (const hsize_t extent : shape_of(dataset)) bytes *= static_cast<double>(extent);
+  if (bytes <= kSmall + kMostCompression * static_cast<double>(H5Dget_storage_size(dataset.id()))) return;
+  throw Failure(name + " says that it holds more than there is");
 }
 
 std::string without_padding(const char* text, std::size_t bytes) {
@@ -169,7 +186,9 @@ Handle open_group(const Handle& parent, const std::string& name) {
 }
 
 Handle open_dataset(const Handle& parent, const std::string& name) {
-  return Handle(H5Dopen2(parent.id(), name.c_str(), H5P_DEFAULT), H5Dclose);
+  Handle dataset(H5Dopen2(parent.id(), name.c_str(), H5P_DEFAULT), H5Dclose);
+  require_stored(dataset, name);
+  return dataset;
 }
 
 bool has_link(const Handle& parent, const std::string& name) {

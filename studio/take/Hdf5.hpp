@@ -51,6 +51,7 @@ Handle create_file(const std::filesystem::path& path);
 Handle open_file(const std::filesystem::path& path);
 Handle create_group(const Handle& parent, const std::string& name);
 Handle open_group(const Handle& parent, const std::string& name);
+/// To read from. Throws Failure also where it says that it holds more than what is stored of it can give.
 Handle open_dataset(const Handle& parent, const std::string& name);
 bool has_link(const Handle& parent, const std::string& name);
 
@@ -60,6 +61,7 @@ std::vector<std::string> link_names(const Handle& group);
 void write_attribute(const Handle& object, const std::string& name, const std::string& value);
 void write_attribute(const Handle& object, const std::string& name, std::int64_t value);
 void write_attribute(const Handle& object, const std::string& name, double value);
+/// These throw Failure also where the attribute is not one value.
 std::string read_text_attribute(const Handle& object, const std::string& name);
 std::int64_t read_integer_attribute(const Handle& object, const std::string& name);
 double read_real_attribute(const Handle& object, const std::string& name);

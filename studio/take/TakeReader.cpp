@@ -119,7 +119,9 @@ void TakeReader::Implementation::read_header() {
 }
 
 void TakeReader::Implementation::read_layout() {
-  const std::size_t steps = hdf5::shape_of(hdf5::open_dataset(file, "time")).at(0);
+  const std::vector<hsize_t> shape = hdf5::shape_of(hdf5::open_dataset(file, "time"));
+  require_of_take(shape.size() == 1, "time has another shape than it should");
+  const std::size_t steps = shape[0];
   times = read_table(file, "time", steps, 1).values;
   require_of_take(std::is_sorted(times.begin(), times.end()), "times do not ascend");
   planned_duration = read_table(file, "planned_duration", steps, 1);
@@ -172,10 +174,12 @@ Moment TakeReader::Implementation::read(std::size_t step) const {
     SnapshotSurface surface{.body = rows.body, .topology = epoch.topology, .positions = {}, .fields = {}};
     surface.positions.resize(epoch.topology->rest_positions.size());
     hdf5::read_rows(epoch.positions, Element::kFloat32, row, 1, surface.positions.data());
+    require_finite("the surface of " + rows.body, surface.positions);
     for (const FieldRows& field_rows : epoch.fields) {
       SnapshotField field = field_rows.layout;
       field.values.resize(field_rows.size);
       hdf5::read_rows(field_rows.dataset, Element::kFloat32, row, 1, field.values.data());
+      require_finite("the field " + field.name, field.values);
       surface.fields.push_back(std::move(field));
     }
     moment.snapshot.surfaces.push_back(std::move(surface));

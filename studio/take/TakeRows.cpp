@@ -1,6 +1,8 @@
 #include "studio/take/TakeRows.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <type_traits>
 #include <utility>
 
 #include "studio/take/TakeLayout.hpp"
@@ -17,6 +19,12 @@ std::vector<std::string> read_phases(const Handle& parent, std::size_t steps) {
   return phases;
 }
 
+template <typename Number>
+void require_all_finite(const std::string& what, std::span<const Number> values) {
+  const bool all = std::ranges::all_of(values, [](Number value) { return std::isfinite(value); });
+  require_of_take(all, what + " holds a number that is not finite");
+}
+
 template <typename Row>
 std::vector<Row> read_rows_of(const Handle& parent, const char* name, Element element, std::size_t row_elements) {
   const Handle dataset = hdf5::open_dataset(parent, name);
@@ -25,7 +33,14 @@ std::vector<Row> read_rows_of(const Handle& parent, const char* name, Element el
                   std::string(name) + " has another shape than it should");
   std::vector<Row> rows(shape[0]);
   hdf5::read_rows(dataset, element, 0, shape[0], rows.data());
+  if constexpr (!std::is_same_v<Row, Triangle>) require_finite(name, std::span<const Row>(rows));
   return rows;
+}
+
+double read_size(const Handle& tool, const char* name) {
+  const double size = hdf5::read_real_attribute(tool, name);
+  require_of_take(std::isfinite(size) && size >= 0, "a tool has no size for its " + std::string(name));
+  return size;
 }
 
 std::shared_ptr<const SnapshotTopology> read_topology(const Handle& epoch) {
@@ -96,6 +111,18 @@ void require_of_take(bool condition, const std::string& complaint) {
   if (!condition) throw hdf5::Failure(complaint);
 }
 
+void require_finite(const std::string& what, std::span<const float> values) {
+  require_all_finite(what, values);
+}
+
+void require_finite(const std::string& what, std::span<const double> values) {
+  require_all_finite(what, values);
+}
+
+void require_finite(const std::string& what, std::span<const Float3> values) {
+  for (const Float3& value : values) require_all_finite(what, std::span<const float>(value));
+}
+
 TakeTable read_table(const Handle& parent, const std::string& name, std::size_t steps, std::size_t columns) {
   const Handle dataset = hdf5::open_dataset(parent, name);
   const std::vector<hsize_t> shape = hdf5::shape_of(dataset);
@@ -103,6 +130,7 @@ TakeTable read_table(const Handle& parent, const std::string& name, std::size_t 
   require_of_take(found == columns && shape[0] >= steps, name + " has another shape than it should");
   TakeTable table{.columns = columns, .values = std::vector<double>(steps * columns)};
   hdf5::read_rows(dataset, Element::kFloat64, 0, steps, table.values.data());
+  require_finite(name, table.values);
   return table;
 }
 
@@ -120,11 +148,11 @@ ToolRows read_tool(const Handle& group, std::size_t steps) {
   ToolRows tool;
   tool.layout.name = hdf5::read_text_attribute(group, "name");
   tool.layout.kind = tool_kind(hdf5::read_text_attribute(group, "kind"));
-  tool.layout.radius = hdf5::read_real_attribute(group, "radius_m");
-  tool.layout.length = hdf5::read_real_attribute(group, "length_m");
+  tool.layout.radius = read_size(group, "radius_m");
+  tool.layout.length = read_size(group, "length_m");
   if (take_layout::is_flat(tool.layout.kind)) {
-    tool.layout.width = hdf5::read_real_attribute(group, "width_m");
-    tool.layout.thickness = hdf5::read_real_attribute(group, "thickness_m");
+    tool.layout.width = read_size(group, "width_m");
+    tool.layout.thickness = read_size(group, "thickness_m");
   }
   if (tool.layout.kind == SnapshotToolKind::kForceps) tool.opening = read_table(group, "opening", steps, 1);
   tool.state = read_table(group, "state", steps, take_layout::kToolStateColumns);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,11 @@ struct RecordRows {
 
 /// Throws hdf5::Failure with the complaint unless the condition holds.
 void require_of_take(bool condition, const std::string& complaint);
+
+/// Throws hdf5::Failure unless all numbers are finite: a run writes no others.
+void require_finite(const std::string& what, std::span<const float> values);
+void require_finite(const std::string& what, std::span<const double> values);
+void require_finite(const std::string& what, std::span<const Float3> values);
 
 /// A dataset (at least `steps` x `columns`), or (at least `steps`) for one column.
 TakeTable read_table(const hdf5::Handle& parent, const std::string& name, std::size_t steps, std::size_t columns);

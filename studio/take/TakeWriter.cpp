@@ -1,8 +1,11 @@
 #include "studio/take/TakeWriter.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "engine/simulation/SimulationFailure.hpp"
@@ -24,23 +27,58 @@ constexpr hsize_t kSmallRowsPerChunk = 128;
 // A killed run loses at most this many steps.
 constexpr std::size_t kStepsBetweenFlushes = 100;
 
-void require_finite(const std::string& what, const float* values, std::size_t count, double time) {
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!std::isfinite(values[i])) {
-      throw SimulationFailure(what + " holds a value that is not finite at time " + std::to_string(time) + " s");
-    }
-  }
+std::array<double, take_layout::kToolStateColumns> tool_state(const SnapshotTool& tool) {
+  const auto& [tip, direction, axis, force] = std::tie(tool.tip, tool.direction, tool.axis, tool.force);
+  return {tip[0],  tip[1],  tip[2],     direction[0], direction[1], direction[2], axis[0],
+          axis[1], axis[2], tool.depth, force[0],     force[1],     force[2]};
+}
+
+std::array<double, kToolColumns.size()> tool_values(ToolRecord tool) {
+  std::array<double, kToolColumns.size()> values{};
+  for (std::size_t c = 0; c < values.size(); ++c) values[c] = kToolColumns[c].value(tool);
+  return values;
+}
+
+std::array<double, kBodyColumns.size()> body_values(const BodyRecord& body) {
+  std::array<double, kBodyColumns.size()> values{};
+  for (std::size_t c = 0; c < values.size(); ++c) values[c] = kBodyColumns[c].get(body);
+  return values;
+}
+
+template <typename Number>
+void require_finite(const std::string& what, std::span<const Number> values, double time) {
+  if (std::ranges::all_of(values, [](Number value) { return std::isfinite(value); })) return;
+  throw SimulationFailure(what + " holds a value that is not finite at time " + std::to_string(time) + " s");
 }
 
 void require_finite(const Snapshot& snapshot) {
   for (const SnapshotSurface& surface : snapshot.surfaces) {
     const std::vector<Float3>& positions = surface.positions;
     if (positions.empty()) continue;
-    require_finite("the surface of " + surface.body, positions.front().data(), 3 * positions.size(), snapshot.time);
+    require_finite("the surface of " + surface.body,
+                   std::span<const float>(positions.front().data(), 3 * positions.size()), snapshot.time);
     for (const SnapshotField& field : surface.fields) {
-      require_finite("the field " + field.name + " of " + surface.body, field.values.data(), field.values.size(),
+      require_finite("the field " + field.name + " of " + surface.body, std::span<const float>(field.values),
                      snapshot.time);
     }
+  }
+  for (const SnapshotTool& tool : snapshot.tools) {
+    const std::array<double, take_layout::kToolStateColumns> state = tool_state(tool);
+    require_finite("the state of " + tool.name, std::span<const double>(state), snapshot.time);
+  }
+  for (const SnapshotScalar& scalar : snapshot.scalars) {
+    require_finite(scalar.name, std::span<const double>(&scalar.value, 1), snapshot.time);
+  }
+}
+
+void require_finite(const StepRecord& record) {
+  for (const ToolRecord& tool : record.tools) {
+    const std::array<double, kToolColumns.size()> values = tool_values(tool);
+    require_finite("the record of " + tool.tool, std::span<const double>(values), record.time);
+  }
+  for (const BodyRecord& body : record.bodies) {
+    const std::array<double, kBodyColumns.size()> values = body_values(body);
+    require_finite("the record of " + body.body, std::span<const double>(values), record.time);
   }
 }
 
@@ -266,6 +304,7 @@ void TakeWriter::Implementation::lay_out_records(const StepRecord& first) {
 void TakeWriter::Implementation::append(const Moment& moment) {
   const Snapshot& snapshot = moment.snapshot;
   require_finite(snapshot);
+  require_finite(moment.record);
   if (steps == 0) lay_out(moment);
   if (snapshot.surfaces.size() != surfaces.size() || snapshot.tools.size() != tools.size() ||
       snapshot.scalars.size() != scalars.size() || moment.record.tools.size() != tool_records.size() ||
@@ -277,11 +316,7 @@ void TakeWriter::Implementation::append(const Moment& moment) {
   }
   for (std::size_t i = 0; i < tools.size(); ++i) {
     const SnapshotTool& tool = snapshot.tools[i];
-    const auto& [tip, direction, axis, force] = std::tie(tool.tip, tool.direction, tool.axis, tool.force);
-    const std::array<double, take_layout::kToolStateColumns> state = {
-        tip[0],  tip[1],  tip[2],     direction[0], direction[1], direction[2], axis[0],
-        axis[1], axis[2], tool.depth, force[0],     force[1],     force[2]};
-    tools[i].values.append(state.data());
+    tools[i].values.append(tool_state(tool).data());
     if (tool.kind == SnapshotToolKind::kForceps) openings[i].append(&tool.opening);
     tools[i].phase.append(phase_bytes(tool.phase).data());
   }
@@ -298,16 +333,11 @@ void TakeWriter::Implementation::append(const Moment& moment) {
 
 void TakeWriter::Implementation::append_records(const StepRecord& record) {
   for (std::size_t i = 0; i < tool_records.size(); ++i) {
-    ToolRecord tool = record.tools[i];
-    std::array<double, kToolColumns.size()> values{};
-    for (std::size_t c = 0; c < values.size(); ++c) values[c] = kToolColumns[c].value(tool);
-    tool_records[i].values.append(values.data());
-    tool_records[i].phase.append(phase_bytes(tool.phase).data());
+    tool_records[i].values.append(tool_values(record.tools[i]).data());
+    tool_records[i].phase.append(phase_bytes(record.tools[i].phase).data());
   }
   for (std::size_t i = 0; i < body_records.size(); ++i) {
-    std::array<double, kBodyColumns.size()> values{};
-    for (std::size_t c = 0; c < values.size(); ++c) values[c] = kBodyColumns[c].get(record.bodies[i]);
-    body_records[i].append(values.data());
+    body_records[i].append(body_values(record.bodies[i]).data());
   }
 }
 

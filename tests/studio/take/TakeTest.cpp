@@ -5,8 +5,12 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <csignal>
+#include <functional>
+#include <limits>
 
 #include "renderer/image/WholeFile.hpp"
 #include "renderer/picture/PictureFailure.hpp"
@@ -198,10 +202,19 @@ TEST(TakeTest, NamesWithASlashAreKept) {
 
 TEST(TakeTest, RefusesANumberThatIsNotFinite) {
   const TemporaryFolder folder;
-  Moment moment = SyntheticRun().moment(0);
-  moment.snapshot.surfaces[0].positions[3][1] = std::nanf("");
   TakeWriter writer(folder / "take.h5", kDescription);
-  EXPECT_THROW(writer.write(moment), SimulationFailure);
+  const auto expect_refused = [&](const std::function<void(Moment&)>& spoil) {
+    Moment moment = SyntheticRun().moment(0);
+    spoil(moment);
+    EXPECT_THROW(writer.write(moment), SimulationFailure);
+  };
+  expect_refused([](Moment& moment) { moment.snapshot.surfaces[0].positions[3][1] = std::nanf(""); });
+  expect_refused([](Moment& moment) { moment.snapshot.surfaces[0].fields[0].values[0] = std::nanf(""); });
+  expect_refused([](Moment& moment) { moment.snapshot.tools[0].force[2] = HUGE_VAL; });
+  expect_refused([](Moment& moment) { moment.snapshot.scalars[0].value = std::nan(""); });
+  expect_refused([](Moment& moment) { moment.record.tools[0].depth = std::nan(""); });
+  expect_refused([](Moment& moment) { moment.record.bodies[0].pressure = -HUGE_VAL; });
+  writer.write(SyntheticRun().moment(0));
 }
 
 TEST(TakeTest, RefusesAFolderThatIsNotThere) {
@@ -299,6 +312,96 @@ TEST(TakeTest, SaysThatATakeIsStillBeingWritten) {
             (folder / "take.h5").string() + ": a run is still writing this take; wait until it has ended");
   close(writer);
   EXPECT_EQ(complaint_about(folder / "take.h5"), "");
+}
+
+/// Opens a whole take, changes it by the library's own calls, and gives what is said of it, without the file's name and
+/// the cure.
+std::string complaint_after(const std::function<void(hid_t file)>& change) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder / "take.h5";
+  write_take(path, {.steps = 5});
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  change(file);
+  EXPECT_GE(H5Fclose(file), 0);
+  const std::string complaint = complaint_about(path);
+  const std::string name = path.string() + ": ";
+  const std::string cure = "; run the scenario again";
+  if (!complaint.starts_with(name) || !complaint.ends_with(cure)) return complaint;
+  return complaint.substr(name.size(), complaint.size() - name.size() - cure.size());
+}
+
+/// Puts one value of a dataset in place of all that it holds.
+std::function<void(hid_t)> filled(const std::string& name, float value) {
+  return [=](hid_t file) {
+    const hid_t dataset = H5Dopen2(file, name.c_str(), H5P_DEFAULT);
+    const hid_t space = H5Dget_space(dataset);
+    const std::vector<float> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)), value);
+    EXPECT_GE(H5Dwrite(dataset, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
+    H5Sclose(space);
+    H5Dclose(dataset);
+  };
+}
+
+/// Lets a dataset say that it has so many rows.
+std::function<void(hid_t)> lengthened(const std::string& name, hsize_t rows) {
+  return [=](hid_t file) {
+    const hid_t dataset = H5Dopen2(file, name.c_str(), H5P_DEFAULT);
+    EXPECT_GE(H5Dset_extent(dataset, &rows), 0);
+    H5Dclose(dataset);
+  };
+}
+
+/// Puts a dataset or an attribute of `count` zeros in the place of one that is there; one without extents for no count.
+std::function<void(hid_t)> replaced(const std::string& group, const std::string& name, hsize_t count, bool attribute) {
+  return [=](hid_t file) {
+    const hid_t parent = H5Oopen(file, group.c_str(), H5P_DEFAULT);
+    const hid_t space = count == 0 ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, &count, nullptr);
+    const std::vector<double> zeros(std::max<hsize_t>(count, 1), 0);
+    if (attribute) {
+      EXPECT_GE(H5Adelete(parent, name.c_str()), 0);
+      const hid_t made = H5Acreate2(parent, name.c_str(), H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, H5P_DEFAULT);
+      EXPECT_GE(H5Awrite(made, H5T_NATIVE_DOUBLE, zeros.data()), 0);
+      H5Aclose(made);
+    } else {
+      EXPECT_GE(H5Ldelete(parent, name.c_str(), H5P_DEFAULT), 0);
+      const hid_t made =
+          H5Dcreate2(parent, name.c_str(), H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+      EXPECT_GE(H5Dwrite(made, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, zeros.data()), 0);
+      H5Dclose(made);
+    }
+    H5Sclose(space);
+    H5Oclose(parent);
+  };
+}
+
+TEST(TakeTest, RefusesNumbersThatNoRunWrites) {
+  constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(complaint_after(filled("scalars/organ.pressure", kNothing)),
+            "the take is damaged (organ.pressure holds a number that is not finite)");
+  EXPECT_EQ(complaint_after(filled("time", HUGE_VALF)), "the take is damaged (time holds a number that is not finite)");
+  EXPECT_EQ(complaint_after(filled("surfaces/organ/epoch_0/rest_positions", kNothing)),
+            "the take is damaged (rest_positions holds a number that is not finite)");
+  EXPECT_EQ(complaint_after(filled("surfaces/organ/epoch_0/positions", kNothing)),
+            "step 0 is damaged (the surface of organ holds a number that is not finite)");
+}
+
+TEST(TakeTest, RefusesMoreThanAFileCanHold) {
+  for (const hsize_t rows : {hsize_t{1} << 26, hsize_t{1} << 40, hsize_t{1} << 60}) {
+    EXPECT_EQ(complaint_after(lengthened("time", rows)),
+              "the take is damaged (time says that it holds more than there is)");
+    EXPECT_EQ(complaint_after(lengthened("tools/probe/phase", rows)),
+              "the take is damaged (phase says that it holds more than there is)");
+  }
+}
+
+TEST(TakeTest, RefusesOtherShapes) {
+  EXPECT_EQ(complaint_after(replaced("/", "time", 0, false)),
+            "the take is damaged (time has another shape than it should)");
+  // What reads one value has room for no more.
+  EXPECT_EQ(complaint_after(replaced("tools/probe", "radius_m", 1000, true)),
+            "the take is damaged (attribute radius_m is not one value)");
+  EXPECT_EQ(complaint_after(replaced("/", "complete", 1000, true)),
+            "the take is damaged (attribute complete is not one value)");
 }
 
 TEST(TakeTest, NoticesAFlippedByteInThePositions) {
