@@ -24,10 +24,13 @@ std::vector<std::string_view> split(std::string_view text, char at) {
   }
 }
 
-double number_of(std::string_view text, const std::string& file) {
-  double value = 0;
+/// A finite number, or a whole one that is not negative.
+template <typename Number>
+Number number_of(std::string_view text, const std::string& file) {
+  Number value = 0;
   const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (result.ec != std::errc() || result.ptr != text.data() + text.size()) {
+  const bool good = result.ec == std::errc() && result.ptr == text.data() + text.size();
+  if (!good || !std::isfinite(static_cast<double>(value))) {
     throw GoldenError(fmt::format("{}: \"{}\" is no number", file, text));
   }
   return value;
@@ -195,8 +198,8 @@ GoldenHistory parse_history(const std::string& text, const std::string& file) {
     const std::vector<std::string_view> cells = split(lines[i], ',');
     if (cells.size() != head.size()) throw GoldenError(fmt::format("{}:{}: has {} cells", file, i + 1, cells.size()));
     GoldenHistory::Row row{
-        .step = static_cast<std::size_t>(number_of(cells[0], file)), .time = number_of(cells[1], file), .values = {}};
-    for (std::size_t c = 2; c < cells.size(); ++c) row.values.push_back(number_of(cells[c], file));
+        .step = number_of<std::size_t>(cells[0], file), .time = number_of<double>(cells[1], file), .values = {}};
+    for (std::size_t c = 2; c < cells.size(); ++c) row.values.push_back(number_of<double>(cells[c], file));
     history.rows.push_back(std::move(row));
   }
   return history;

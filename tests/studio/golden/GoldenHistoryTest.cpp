@@ -161,6 +161,11 @@ TEST(GoldenHistory, ABrokenTextIsAnErrorThatNamesTheFile) {
   EXPECT_THROW(parse_history("nothing", "h.csv"), GoldenError);
   EXPECT_THROW(parse_history("step,time_s,a\n1,2\n", "h.csv"), GoldenError);
   EXPECT_THROW(parse_history("step,time_s,a\n1,2,x\n", "h.csv"), GoldenError);
+  // With such a number all others would count as unchanged.
+  EXPECT_THROW(parse_history("step,time_s,a\n1,2,nan\n", "h.csv"), GoldenError);
+  EXPECT_THROW(parse_history("step,time_s,a\n1,inf,3\n", "h.csv"), GoldenError);
+  EXPECT_THROW(parse_history("step,time_s,a\n-1,2,3\n", "h.csv"), GoldenError);
+  EXPECT_THROW(parse_history("step,time_s,a\n1.5,2,3\n", "h.csv"), GoldenError);
 }
 
 }  // namespace
