@@ -23,6 +23,9 @@ namespace {
 using hdf5::Element;
 using hdf5::Handle;
 
+/// Seconds; a scenario's are at most one second long.
+constexpr double kLongestStep = 1.001;
+
 Double3 triple(const double* values) {
   return {values[0], values[1], values[2]};
 }
@@ -124,6 +127,10 @@ void TakeReader::Implementation::read_layout() {
   const std::size_t steps = shape[0];
   times = read_table(file, "time", steps, 1).values;
   require_of_take(std::is_sorted(times.begin(), times.end()), "times do not ascend");
+  const bool begins_early = times.empty() || times.front() >= 0;
+  const auto gap = std::adjacent_find(times.begin(), times.end(),
+                                      [](double before, double after) { return after - before > kLongestStep; });
+  require_of_take(begins_early && gap == times.end(), "times are not those of steps");
   planned_duration = read_table(file, "planned_duration", steps, 1);
   if (steps == 0) return;
   if (hdf5::has_link(file, "gravity")) gravity = triple(read_table(file, "gravity", 3, 1).row(0));

@@ -385,6 +385,21 @@ TEST(TakeTest, RefusesNumbersThatNoRunWrites) {
             "step 0 is damaged (the surface of organ holds a number that is not finite)");
 }
 
+TEST(TakeTest, RefusesTimesThatNoRunReaches) {
+  const auto timed = [](std::vector<double> times) {
+    return [=](hid_t file) {
+      const hid_t dataset = H5Dopen2(file, "time", H5P_DEFAULT);
+      EXPECT_GE(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, times.data()), 0);
+      H5Dclose(dataset);
+    };
+  };
+  EXPECT_EQ(complaint_after(timed({0, 1, 2, 3, 4})), "");
+  EXPECT_EQ(complaint_after(timed({0, 1, 2, 2, 1})), "the take is damaged (times do not ascend)");
+  EXPECT_EQ(complaint_after(timed({-1, 0, 1, 2, 3})), "the take is damaged (times are not those of steps)");
+  // Pictures of all that time would never end.
+  EXPECT_EQ(complaint_after(timed({0, 1, 2, 3, 1e75})), "the take is damaged (times are not those of steps)");
+}
+
 TEST(TakeTest, RefusesMoreThanAFileCanHold) {
   for (const hsize_t rows : {hsize_t{1} << 26, hsize_t{1} << 40, hsize_t{1} << 60}) {
     EXPECT_EQ(complaint_after(lengthened("time", rows)),
