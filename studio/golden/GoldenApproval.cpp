@@ -4,7 +4,6 @@
 #include <xxhash.h>
 
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "renderer/image/WholeFile.hpp"
@@ -24,6 +23,11 @@ GoldenError damaged_golden(const std::string& what) {
   return GoldenError(what + "; restore it from version control, or remove the scenario's folder and approve anew");
 }
 
+std::string approval_text(const std::filesystem::path& file) {
+  if (!std::filesystem::is_regular_file(file)) throw damaged_golden(file.string() + ": is no file");
+  return bytes_of_file(file);
+}
+
 std::string lost_file(const std::filesystem::path& folder, const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     if (name.empty() || std::filesystem::exists(folder / name)) continue;
@@ -39,10 +43,9 @@ GoldenError exchanged_picture(const std::filesystem::path& file) {
 std::vector<GoldenApproval> read_approvals(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / kFile;
   if (!std::filesystem::exists(file)) return {};
-  std::ifstream stream(file);
   std::vector<GoldenApproval> approvals;
   try {
-    const Json json = Json::parse(stream);
+    const Json json = Json::parse(approval_text(file));
     if (json.at("approval_version") != kApprovalVersion) {
       throw damaged_golden(file.string() + ": written by another version of the program");
     }

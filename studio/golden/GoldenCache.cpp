@@ -4,7 +4,6 @@
 #include <xxhash.h>
 
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -61,8 +60,7 @@ GoldenCache::GoldenCache(const std::filesystem::path& file, std::string program)
 }
 
 void GoldenCache::take_over(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  const Json json = Json::parse(stream, nullptr, false);
+  const Json json = Json::parse(bytes_of_file(file), nullptr, false);
   if (!json.is_object()) return;
   std::map<std::string, Entry> entries;
   try {

@@ -4,7 +4,6 @@
 #include <xxhash.h>
 
 #include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
@@ -71,7 +70,14 @@ Json to_json(const GoldenVideoApproval& approval, const std::string& history) {
           {"resolved", Json::parse(video.resolved, nullptr, false)}};
 }
 
-GoldenVideoApproval to_approval(const Json& json, const std::filesystem::path& folder) {
+/// One of so many frames.
+std::size_t to_frame(const Json& number, std::size_t frames, const std::filesystem::path& file) {
+  const bool is_there = number.is_number_unsigned() && number.get<std::size_t>() < frames;
+  if (!is_there) throw damaged_golden(file.string() + ": is damaged (it keeps a frame " + number.dump() + ")");
+  return number;
+}
+
+GoldenVideoApproval to_approval(const Json& json, const std::filesystem::path& file) {
   GoldenVideoApproval approval;
   GoldenVideo& video = approval.video;
   video.driver = json.at("driver");
@@ -82,30 +88,29 @@ GoldenVideoApproval to_approval(const Json& json, const std::filesystem::path& f
   video.state_digest = json.at("state_digest");
   video.second_state_digest = json.value("second_state_digest", "");
   video.scene_hash = json.at("scene_hash");
-  video.history = bytes_of_file(folder / json.at("history").get<std::string>());
+  video.history = bytes_of_file(file.parent_path() / json.at("history").get<std::string>());
   video.captions = json.at("captions");
-  for (const Json& kept : json.at("kept")) {
-    video.kept.push_back(kept.at("frame"));
-    approval.pictures.push_back(kept.at("image"));
-  }
   video.encoded = to_encoded(json.at("encoded"));
   for (const Json& frame : json.at("frames")) {
     const std::string text = frame;
     const std::size_t space = text.find(' ');
     video.frames.push_back({.hash = text.substr(0, space), .squares = text.substr(std::min(text.size(), space + 1))});
   }
+  for (const Json& kept : json.at("kept")) {
+    video.kept.push_back(to_frame(kept.at("frame"), video.frames.size(), file));
+    approval.pictures.push_back(kept.at("image"));
+  }
   video.resolved = json.at("resolved").dump();
   return approval;
 }
 
 GoldenVideoApproval read_approval(const std::filesystem::path& file) {
-  std::ifstream stream(file);
   try {
-    const Json json = Json::parse(stream);
+    const Json json = Json::parse(approval_text(file));
     if (json.at("video_approval_version") != kVideoApprovalVersion) {
       throw GoldenError(file.string() + ": written by another version of the program");
     }
-    GoldenVideoApproval approval = to_approval(json, file.parent_path());
+    GoldenVideoApproval approval = to_approval(json, file);
     approval.files = approval.pictures;
     approval.files.push_back(json.at("history"));
     approval.files.push_back(file.filename().string());

@@ -94,6 +94,11 @@ TEST_F(GoldenTest, AStateThatCannotBeReadIsToldThoughThePictureIsGood) {
   EXPECT_NE(result.message.find("restore it from version control"), std::string::npos) << result.message;
 }
 
+TEST_F(GoldenTest, AFolderInThePlaceOfAnApprovalIsAnError) {
+  std::filesystem::create_directory(folder_.path() / "approval.json");
+  expect_cure();
+}
+
 TEST_F(GoldenTest, APictureThatFailsIsToldWithTheHistoryThatIsLost) {
   approve();
   std::filesystem::remove(folder_.path() / read_approvals(folder_.path())[0].history);

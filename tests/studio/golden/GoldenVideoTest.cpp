@@ -354,6 +354,25 @@ TEST_F(GoldenVideoTest, ABrokenApprovalIsAnError) {
   EXPECT_THROW(judge(recorded()), GoldenError);
 }
 
+TEST_F(GoldenVideoTest, AnApprovalThatKeepsAFrameThatIsNotThereIsAnError) {
+  approve();
+  const std::filesystem::path file = goldens() / find_video_approval(goldens(), "flat painter 1.0")->files.back();
+  const std::string whole = file_bytes(file);
+  for (const std::string frame : {"11", "-1", "1e300"}) {
+    const std::string kept = "\"frame\": 10,";
+    write_bytes(file, std::string(whole).replace(whole.find(kept), kept.size(), "\"frame\": " + frame + ","));
+    EXPECT_THROW(judge(recorded()), GoldenError) << frame;
+  }
+}
+
+TEST_F(GoldenVideoTest, AFolderInThePlaceOfAnApprovalIsAnError) {
+  approve();
+  const std::filesystem::path file = goldens() / find_video_approval(goldens(), "flat painter 1.0")->files.back();
+  std::filesystem::remove(file);
+  std::filesystem::create_directory(file);
+  EXPECT_THROW(judge(recorded()), GoldenError);
+}
+
 TEST_F(GoldenVideoTest, AScenarioIsJudgedByItsVideoAlone) {
   GoldenScene scene;
   GoldenRunOptions options = scene.options(synthetic_source(), view_painters());
