@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "renderer/overlay/Letters.hpp"
+#include "studio/scenario/Wording.hpp"
 
 namespace thinwall {
 namespace {
@@ -23,7 +24,7 @@ void look_through(const std::string& file, const Json& value, const std::string&
     const std::string missing = letters_without_shape(value.get<std::string>());
     if (missing.empty()) return;
     notes.push_back(fmt::format("{}: warning: {}: the font of pictures has no shape for {}, so boxes stand there", file,
-                                path, missing));
+                                path, spelled_out(missing)));
   }
   if (value.is_array()) {
     for (std::size_t i = 0; i < value.size(); ++i) {

@@ -39,17 +39,7 @@ std::string quoted(std::string_view text, std::size_t longest) {
     // A cut must not fall inside a character of several bytes.
     while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
   }
-  for (const char character : text.substr(0, end)) {
-    if (character == '\n') {
-      out += "\\n";
-    } else if (static_cast<unsigned char>(character) < 0x20 || character == 0x7f) {
-      std::array<char, 8> code;
-      std::snprintf(code.data(), code.size(), "\\x%02x", static_cast<unsigned>(static_cast<unsigned char>(character)));
-      out += code.data();
-    } else {
-      out += character;
-    }
-  }
+  out += spelled_out(text.substr(0, end));
   return out + (end < text.size() ? "...`" : "`");
 }
 
@@ -64,6 +54,22 @@ bool has_form_of_name(std::string_view text) {
 }
 
 }  // namespace
+
+std::string spelled_out(std::string_view text) {
+  std::string out;
+  for (const char character : text) {
+    if (character == '\n') {
+      out += "\\n";
+    } else if (static_cast<unsigned char>(character) < 0x20 || character == 0x7f) {
+      std::array<char, 8> code;
+      std::snprintf(code.data(), code.size(), "\\x%02x", static_cast<unsigned>(static_cast<unsigned char>(character)));
+      out += code.data();
+    } else {
+      out += character;
+    }
+  }
+  return out;
+}
 
 std::string in_backticks(std::string_view text) {
   return quoted(text, kLongestQuote);

@@ -7,6 +7,9 @@
 
 namespace thinwall {
 
+/// The user's text with its control characters spelled out, as a terminal would obey them.
+std::string spelled_out(std::string_view text);
+
 /// The user's text between backticks, on one line and cut to a readable length: control characters are spelled out.
 std::string in_backticks(std::string_view text);
 
