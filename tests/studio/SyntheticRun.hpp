@@ -62,8 +62,9 @@ class SyntheticRun final : public MomentSource {
     const auto side = static_cast<std::uint32_t>(options_.side);
     for (std::uint32_t i = 0; i < side * side; ++i) {
       const float spacing = 0.04F / static_cast<float>(side - 1);
+      const std::uint32_t row = i / side;
       topology->rest_positions.push_back(
-          {static_cast<float>(i % side) * spacing - 0.02F, static_cast<float>(i / side) * spacing - 0.02F, 0});
+          {static_cast<float>(i % side) * spacing - 0.02F, static_cast<float>(row) * spacing - 0.02F, 0});
     }
     for (std::uint32_t row = 0; row + 1 < side; ++row) {
       for (std::uint32_t column = 0; column + 1 < side; ++column) {
