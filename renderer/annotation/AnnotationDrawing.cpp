@@ -212,7 +212,7 @@ std::vector<LabelMoment> moments_of(const Scene& scene, const std::vector<ShownL
   std::vector<LabelMoment> moments;
   for (int k = 0; k < kMoments; ++k) {
     const Camera camera = resting_camera_at(scene, begin + (end - begin) * k / (kMoments - 1));
-    LabelMoment& moment = moments.emplace_back(wishes, resting_outline(scene, camera));
+    LabelMoment& moment = moments.emplace_back(LabelMoment{wishes, resting_outline(scene, camera)});
     for (std::size_t i = 0; i < shown.size(); ++i) {
       moment.wishes[i].anchor = camera.pixel(vector3(shown[i].definition->at), scene.size).value_or(PixelPoint{0, 0});
     }

@@ -81,7 +81,7 @@ void renew_golden(const Scenario& scenario, const GoldenPicture& picture, const 
 std::string approver() {
   try {
     const ProgramResult git = run_program({"git", "config", "user.name"});
-    const std::string name = git.output.substr(0, git.output.find('\n'));
+    std::string name = git.output.substr(0, git.output.find('\n'));
     if (git.exit_code == 0 && !name.empty()) return name;
   } catch (const PictureFailure&) {
     // There is no git here.

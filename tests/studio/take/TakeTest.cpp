@@ -323,7 +323,7 @@ std::string complaint_after(const std::function<void(hid_t file)>& change) {
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
   change(file);
   EXPECT_GE(H5Fclose(file), 0);
-  const std::string complaint = complaint_about(path);
+  std::string complaint = complaint_about(path);
   const std::string name = path.string() + ": ";
   const std::string cure = "; run the scenario again";
   if (!complaint.starts_with(name) || !complaint.ends_with(cure)) return complaint;
@@ -386,7 +386,7 @@ TEST(TakeTest, RefusesNumbersThatNoRunWrites) {
 }
 
 TEST(TakeTest, RefusesTimesThatNoRunReaches) {
-  const auto timed = [](std::vector<double> times) {
+  const auto timed = [](const std::vector<double>& times) {
     return [=](hid_t file) {
       const hid_t dataset = H5Dopen2(file, "time", H5P_DEFAULT);
       EXPECT_GE(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, times.data()), 0);
