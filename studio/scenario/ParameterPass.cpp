@@ -96,7 +96,7 @@ class ParameterFiller {
 
  private:
   static TextNode override_node(const std::string& value, const SourceLocation& place) {
-    TextNode text{.kind = NodeKind::kText, .location = place, .text = value};
+    TextNode text{.kind = NodeKind::kText, .location = place, .text = value, .members = {}};
     if (!value.starts_with("[")) return text;
     Diagnostics ignored;
     std::optional<TextNode> list = read_yaml_text(value, place.file, ignored);

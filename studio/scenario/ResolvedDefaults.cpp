@@ -16,7 +16,7 @@ void fill(const ValueSchema& schema, Json& json);
 
 Json default_of(const KeySchema& key) {
   Diagnostics none;
-  const CheckedValue read = unit_pass({.kind = NodeKind::kMapping}, {.keys = {key}}, none);
+  const CheckedValue read = unit_pass({.kind = NodeKind::kMapping, .members = {}}, {.keys = {key}}, none);
   return Json::parse(resolved_scenario(read.at(key.key), {}));
 }
 

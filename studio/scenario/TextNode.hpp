@@ -16,11 +16,11 @@ struct TextMember;
 struct TextNode {
   NodeKind kind = NodeKind::kEmpty;
   SourceLocation location = {};
-  std::string text = {};                 // kText
-  std::string parameters = {};           // what was filled in, "`${depth}` is `4 mm`"; empty when nothing was
-  bool told = false;                     // what is wrong here is told already: not to be read any further
-  std::vector<TextNode> items = {};      // kList
-  std::vector<TextMember> members = {};  // kMapping, in the order of the file, no key twice
+  std::string text = {};             // kText
+  std::string parameters = {};       // what was filled in, "`${depth}` is `4 mm`"; empty when nothing was
+  bool told = false;                 // what is wrong here is told already: not to be read any further
+  std::vector<TextNode> items = {};  // kList
+  std::vector<TextMember> members;   // kMapping, in the order of the file, no key twice; its type is whole below
 
   /// The member of that key, or nullptr.
   const TextMember* find(std::string_view key) const;

@@ -73,13 +73,13 @@ class NodeBuilder : public YAML::EventHandler {
   void OnDocumentEnd() override {}
 
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
-    take(TextNode{.location = places_.at(mark, file_)}, anchor);
+    take(TextNode{.location = places_.at(mark, file_), .members = {}}, anchor);
   }
 
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                 const std::string& value) override {
     refuse_tag(mark, tag);
-    take(TextNode{.kind = NodeKind::kText, .location = places_.at(mark, file_), .text = value}, anchor);
+    take(TextNode{.kind = NodeKind::kText, .location = places_.at(mark, file_), .text = value, .members = {}}, anchor);
   }
 
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
@@ -270,7 +270,7 @@ TextNode parse(const std::string& text, const std::filesystem::path& file, Diagn
   NodeBuilder builder(places, file, diagnostics);
   try {
     YAML::Parser parser(stream);
-    if (!parser.HandleNextDocument(builder)) return TextNode{.location = {file, 1, 1}};
+    if (!parser.HandleNextDocument(builder)) return TextNode{.location = {file, 1, 1}, .members = {}};
     NodeBuilder second(places, file, diagnostics);
     if (parser.HandleNextDocument(second)) {
       const SourceLocation& place = second.root.location;
