@@ -134,7 +134,8 @@ void Stage::draw_shadow_map(const SceneExtent& extent, const Studio& studio, con
 }
 
 void Stage::shade_by_tools(const FrameUniforms& frame, bool is_lamp_large, PassClock& clock) {
-  is_lamp_large&& tier != Tier::kDraft ? tool_shade.draw(meshes, frame) : tool_shade.clear();
+  const bool has_soft_shadows = is_lamp_large && tier != Tier::kDraft;
+  has_soft_shadows ? tool_shade.draw(meshes, frame) : tool_shade.clear();
   clock.ends("tools' shade");
 }
 
