@@ -107,7 +107,7 @@ std::span<const std::uint8_t> FloorCover::blurred() {
   for (std::size_t channel = 0; channel < 2; ++channel) {
     blur_map<kSide>(planes_[channel], kWeights[channel], kApart[channel], memory_);
     for (std::size_t i = 0; i < kSide * kSide; ++i) {
-      pixels_[2 * i + channel] = static_cast<std::uint8_t>(255.0F * planes_[channel][i] + 0.5F);
+      pixels_[2 * i + channel] = byte_of(planes_[channel][i]);
     }
   }
   return pixels_;

@@ -96,7 +96,9 @@ Studio arrange_studio(const LightsDefinition& lights, const Camera& camera) {
 Studio arrange_endoscope(const Camera& camera, const SceneExtent& extent) {
   constexpr double kBesideTheLens = 0.004;  // metres
   const Vector3 place = camera.position + kBesideTheLens * camera.up;
-  const Vector3 toward = normalized(place - extent.center, -camera.forward);
+  const Vector3 offset = place - extent.center;
+  // Among the surfaces it lights what the camera sees, on whichever side the middle of the scene is.
+  const Vector3 toward = length(offset) > extent.reach ? normalized(offset) : -camera.forward;
   return {.key_direction = toward, .fill_direction = toward, .front = {0, -1, 0}, .lamp_place = place};
 }
 

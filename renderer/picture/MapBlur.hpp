@@ -3,9 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace thinwall {
+
+/// A part of a whole as maps of bytes have it: 255 for all of it.
+inline std::uint8_t byte_of(float part) {
+  constexpr float kRounding = 0.5F;
+  return static_cast<std::uint8_t>(255.0F * part + kRounding);
+}
 
 /// Blurs a square map of `kSide` by `kSide` values, along its columns and then along its rows; beyond the border lies
 /// what lies at it. `weights`: by the distance from the middle, in steps of `apart` values. `memory`: of the map's

@@ -336,7 +336,7 @@ Image Renderer::Implementation::draw_as_it_is(const Snapshot& snapshot, const Vi
   const Surroundings surroundings = is_inside ? Surroundings::kCavity : Surroundings::kStudio;
 
   const CurrentContext current(context);
-  stage->meshes.upload(snapshot, extent, view.look);
+  stage->meshes.upload(snapshot, extent, view.look, camera.position);
   const Ground ground = is_inside ? Ground::kTissue : lay_ground(snapshot, view.look, stage->meshes, extent);
   FrameUniforms frame =
       frame_uniforms(pinhole, extent, view, studio, stage->meshes.rods(), stage->target.size(), ground);

@@ -11,6 +11,7 @@
 #include "renderer/picture/SeenLining.hpp"
 #include "renderer/picture/SurfaceVertices.hpp"
 #include "renderer/picture/TissuePieces.hpp"
+#include "renderer/picture/WithinBody.hpp"
 #include "renderer/picture/WoundBed.hpp"
 #include "renderer/snapshot/SurfaceFields.hpp"
 
@@ -69,18 +70,18 @@ SceneMeshes::SceneMeshes()
                                   {4, 3, offsetof(ToolVertex, narrow)},
                                   {5, 2, offsetof(ToolVertex, broad_hollow)}}) {}
 
-void SceneMeshes::upload(const Snapshot& snapshot, const SceneExtent& extent, const LookDefinition& look) {
+void SceneMeshes::upload(const Snapshot& snapshot, const SceneExtent& extent, const LookDefinition& look, Vector3 eye) {
   find_edges(snapshot, drawn_edges(look));
   smooth_surfaces(snapshot);
   find_beds(snapshot, look);
   const std::optional<Snapshot> laid = laid_on_beds(snapshot);
   if (laid) smooth_surfaces(*laid);
-  upload_tissue(laid ? *laid : snapshot, look);
+  upload_tissue(laid ? *laid : snapshot, look, eye);
   upload_tools(snapshot, extent);
 }
 
 std::vector<TissuePiece> SceneMeshes::dressed_pieces(const Snapshot& snapshot, const LookDefinition& look,
-                                                     std::size_t k, const TissueLook& body_look) {
+                                                     std::size_t k, const TissueLook& body_look, Vector3 eye) {
   const SnapshotSurface& surface = drawn_[k];
   const DrawnTopology& drawn = drawn_topologies_[k];
   std::vector<TissuePiece> pieces = drawn_pieces(snapshot.surfaces[k], drawn, surface);
@@ -96,12 +97,18 @@ std::vector<TissuePiece> SceneMeshes::dressed_pieces(const Snapshot& snapshot, c
     find_fluid(snapshot, k, body_look, pieces);
     find_films(snapshot, k, body_look, pieces);
   }
-  if (pieces.empty() || drawn.borders.empty()) return pieces;
+  if (pieces.empty()) return pieces;
+  if (drawn.borders.empty()) {
+    const bool is_seen_within = !look.data && encloses_its_inside(surface, drawn.borders, pieces) &&
+                                pieces.front().side == TissueSide::kOutside && lies_within(surface, eye);
+    if (!is_seen_within) return pieces;
+    pieces.push_back(whole_lining(surface, pieces.front()));
+  }
   if (auto lining = cap_lining(pieces)) pieces.push_back(std::move(*lining));
   return pieces;
 }
 
-void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& look) {
+void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& look, Vector3 eye) {
   std::vector<SurfaceVertex>& vertices = tissue_vertices_;
   std::vector<std::uint32_t>& indices = tissue_corners_;
   vertices.clear();
@@ -115,7 +122,7 @@ void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& 
     const auto found = look.bodies.find(surface.body);
     const TissueLook body_look = found == look.bodies.end() ? TissueLook{} : found->second;
     const DrawnTopology& drawn = drawn_topologies_[k];
-    const std::vector<TissuePiece> pieces = dressed_pieces(snapshot, look, k, body_look);
+    const std::vector<TissuePiece> pieces = dressed_pieces(snapshot, look, k, body_look, eye);
     if (pieces.empty()) continue;
     const bool is_closed = encloses_its_inside(surface, drawn.borders, pieces);
     Bounds body_bounds = bounds_of(pieces.front().vertices);

@@ -52,7 +52,8 @@ struct BodyFilm {
 class SceneMeshes {
  public:
   SceneMeshes();
-  void upload(const Snapshot& snapshot, const SceneExtent& extent, const LookDefinition& look);
+  /// `eye`: of the viewer, who may be within a body.
+  void upload(const Snapshot& snapshot, const SceneExtent& extent, const LookDefinition& look, Vector3 eye);
 
   const TriangleBuffer& tissue() const { return tissue_; }
 
@@ -104,10 +105,10 @@ class SceneMeshes {
   std::vector<OutlineSegment> outline(Vector3 eye, double pixel) const;
 
  private:
-  void upload_tissue(const Snapshot& snapshot, const LookDefinition& look);
+  void upload_tissue(const Snapshot& snapshot, const LookDefinition& look, Vector3 eye);
   /// What is drawn of body k, with what its look adds.
   std::vector<TissuePiece> dressed_pieces(const Snapshot& snapshot, const LookDefinition& look, std::size_t k,
-                                          const TissueLook& body_look);
+                                          const TissueLook& body_look, Vector3 eye);
   void find_fluid(const Snapshot& snapshot, std::size_t k, const TissueLook& look, std::span<const TissuePiece> pieces);
   void find_films(const Snapshot& snapshot, std::size_t k, const TissueLook& look, std::span<const TissuePiece> pieces);
   void find_edges(const Snapshot& snapshot, DrawnEdges edges);

@@ -8,6 +8,15 @@
 #include "renderer/picture/Vector.hpp"
 
 namespace thinwall {
+namespace {
+
+/// The same triangles, seen from their other side.
+std::vector<std::uint32_t> turned_over(std::vector<std::uint32_t> corners) {
+  for (std::size_t c = 0; c + 3 <= corners.size(); c += 3) std::swap(corners[c + 1], corners[c + 2]);
+  return corners;
+}
+
+}  // namespace
 
 std::vector<TissuePiece> tissue_pieces(const SnapshotSurface& surface, std::span<const BorderEdge> borders,
                                        std::vector<SurfaceVertex> wall_vertices, const WallWays& ways) {
@@ -22,11 +31,7 @@ std::vector<TissuePiece> tissue_pieces(const SnapshotSurface& surface, std::span
   WallDepth depth = wall_depth(surface, wall.vertices, borders, ways);
   TissuePiece rim{.side = TissueSide::kRim, .vertices = std::move(depth.rim), .corners = std::move(depth.rim_corners)};
   TissuePiece lining{.side = TissueSide::kLining, .vertices = std::move(depth.lining), .corners = {}};
-  if (!lining.vertices.empty()) {
-    for (const Triangle& triangle : triangles) {
-      for (const std::size_t corner : {0U, 2U, 1U}) lining.corners.push_back(triangle[corner]);
-    }
-  }
+  if (!lining.vertices.empty()) lining.corners = turned_over(wall.corners);
   std::vector<TissuePiece> pieces;
   for (TissuePiece* piece : {&wall, &caps, &rim, &lining}) {
     if (!piece->corners.empty()) pieces.push_back(std::move(*piece));
@@ -34,13 +39,17 @@ std::vector<TissuePiece> tissue_pieces(const SnapshotSurface& surface, std::span
   return pieces;
 }
 
+TissuePiece whole_lining(const SnapshotSurface& surface, const TissuePiece& wall) {
+  TissuePiece lining{.side = TissueSide::kLining, .vertices = inner_side(surface, wall.vertices), .corners = {}};
+  lining.corners = turned_over(wall.corners);
+  return lining;
+}
+
 std::optional<TissuePiece> cap_lining(std::span<const TissuePiece> pieces) {
   const auto caps = std::ranges::find(pieces, TissueSide::kCap, &TissuePiece::side);
   if (caps == pieces.end()) return std::nullopt;
-  TissuePiece lining{.side = TissueSide::kCapLining, .vertices = caps->vertices, .corners = caps->corners};
+  TissuePiece lining{.side = TissueSide::kCapLining, .vertices = caps->vertices, .corners = turned_over(caps->corners)};
   for (SurfaceVertex& vertex : lining.vertices) vertex.normal = float3(-vector3(vertex.normal));
-  for (std::size_t c = 0; c + 3 <= lining.corners.size(); c += 3)
-    std::swap(lining.corners[c + 1], lining.corners[c + 2]);
   return lining;
 }
 

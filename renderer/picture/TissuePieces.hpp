@@ -26,6 +26,9 @@ struct TissuePiece {
 std::vector<TissuePiece> tissue_pieces(const SnapshotSurface& surface, std::span<const BorderEdge> borders,
                                        std::vector<SurfaceVertex> wall, const WallWays& ways);
 
+/// The wall from within where it is whole, as tissue_pieces has it of opened ones.
+TissuePiece whole_lining(const SnapshotSurface& surface, const TissuePiece& wall);
+
 /// The caps from within, as an opening of the wall shows them; nothing where there are none.
 std::optional<TissuePiece> cap_lining(std::span<const TissuePiece> pieces);
 

@@ -96,7 +96,7 @@ void ToolCover::blur() {
       blur_map<kSide>(*plane, kWeights, apart, memory_);
     }
     for (std::size_t i = 0; i < kSide * kSide; ++i) {
-      taken_[4 * i + width] = static_cast<std::uint8_t>(255.0F * std::min(covered_[i], 1.0F) + 0.5F);
+      taken_[4 * i + width] = byte_of(std::min(covered_[i], 1.0F));
       weights_[i] += counts * covered_[i];
       depths_[i] += counts * covered_depths_[i];
     }

@@ -148,6 +148,14 @@ std::vector<double> lean_of(const LipShape& lips, std::span<const double> thickn
   return lean;
 }
 
+/// Of the inner side, which lies `through` (metres) from the outer one.
+SurfaceVertex inner_vertex(SurfaceVertex vertex, Vector3 through) {
+  vertex.position = float3(vector3(vertex.position) + through);
+  vertex.normal = float3(-vector3(vertex.normal));
+  vertex.curvature = -vertex.curvature;
+  return vertex;
+}
+
 }  // namespace
 
 WallWays wall_ways(const SnapshotSurface& surface, std::span<const SurfaceVertex> wall,
@@ -171,12 +179,8 @@ WallDepth wall_depth(const SnapshotSurface& surface, std::span<const SurfaceVert
   if (ways.thickness.empty()) return depth;
   const auto& [thickness, lean, way_through, forward] = ways;
   for (std::size_t v = 0; v < wall.size(); ++v) {
-    SurfaceVertex vertex = wall[v];
     const Vector3 through = std::sqrt(1 - lean[v] * lean[v]) * way_through[v] + lean[v] * forward[v];
-    vertex.position = float3(vector3(vertex.position) + thickness[v] * through);
-    vertex.normal = float3(-vector3(vertex.normal));
-    vertex.curvature = -vertex.curvature;
-    depth.lining.push_back(vertex);
+    depth.lining.push_back(inner_vertex(wall[v], thickness[v] * through));
   }
   const std::vector<Float3> rest_normal = rest_normals(*surface.topology);
   const std::vector<Vector3> outward = outward_directions(surface, wall, borders);
@@ -208,6 +212,18 @@ WallDepth wall_depth(const SnapshotSurface& surface, std::span<const SurfaceVert
     for (const std::uint32_t corner : {0U, 1U, 2U, 2U, 1U, 3U}) depth.rim_corners.push_back(first + corner);
   }
   return depth;
+}
+
+std::vector<SurfaceVertex> inner_side(const SnapshotSurface& surface, std::span<const SurfaceVertex> wall) {
+  const bool is_known = surface.topology->thickness.size() == surface.topology->triangles.size();
+  const std::vector<double> thickness = is_known ? thickness_now(surface) : std::vector<double>(wall.size(), 0);
+  std::vector<SurfaceVertex> inner;
+  for (std::size_t v = 0; v < wall.size(); ++v) {
+    const double bulge = std::max(-static_cast<double>(wall[v].curvature), 0.0);
+    const double drawn = thickness[v] / std::max(1.0, 2 * bulge * thickness[v]);
+    inner.push_back(inner_vertex(wall[v], -drawn * vector3(wall[v].normal)));
+  }
+  return inner;
 }
 
 }  // namespace thinwall

@@ -35,4 +35,8 @@ WallWays wall_ways(const SnapshotSurface& surface, std::span<const SurfaceVertex
 WallDepth wall_depth(const SnapshotSurface& surface, std::span<const SurfaceVertex> wall,
                      std::span<const BorderEdge> borders, const WallWays& ways);
 
+/// The inner side of a wall without a border, (vertices), likewise, but that it is nowhere drawn thicker than half the
+/// radius at which it bulges. `wall` as above.
+std::vector<SurfaceVertex> inner_side(const SnapshotSurface& surface, std::span<const SurfaceVertex> wall);
+
 }  // namespace thinwall

@@ -69,7 +69,8 @@ float key_visibility(vec3 position, vec3 normal) {
   light *= past_tools(place);
   // Towards the border of the map the shadow fades, so that a long shaft's does not end in a line.
   vec2 border = abs(2.0 * place.xy - 1.0);
-  return mix(light, 1.0, smoothstep(0.90, 0.99, max(border.x, border.y)));
+  float beyond = smoothstep(0.90, 0.99, max(border.x, border.y));
+  return mix(light, 1.0, projected.w > 0.0 ? beyond : 1.0);
 }
 
 // The same for what mirrors the light: what is turned away from it lies in its own shade, which the map does not tell so

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -156,6 +158,31 @@ TEST(WallDepth, AWallWithoutABorderShowsNone) {
   sphere.topology = topology;
   EXPECT_TRUE(depth_of(sphere).lining.empty());
   EXPECT_TRUE(depth_of(sphere).rim.empty());
+}
+
+/// Distances from the middle of the inner side of a ball of a radius of 30 mm, least and most, metres.
+std::array<double, 2> radii_within_ball(float thickness) {
+  SnapshotSurface ball = test::sphere("organ", {0, 0, 0}, 0.03, 4);
+  auto topology = std::make_shared<SnapshotTopology>(*ball.topology);
+  topology->thickness.assign(topology->triangles.size(), thickness);
+  ball.topology = topology;
+  std::array<double, 2> radii{1, 0};
+  for (const SurfaceVertex& vertex : inner_side(ball, wall_vertices(ball))) {
+    const double radius = length(vector3(vertex.position));
+    EXPECT_LT(dot(vector3(vertex.normal), vector3(vertex.position)), -0.99 * radius);
+    radii = {std::min(radii[0], radius), std::max(radii[1], radius)};
+  }
+  return radii;
+}
+
+TEST(WallDepth, AWholeWallHasItsInnerSideBehindItButNotBeyondHalfOfItsBend) {
+  const auto [least, most] = radii_within_ball(0.002F);
+  EXPECT_NEAR(least, 0.028, 1e-5);
+  EXPECT_NEAR(most, 0.028, 1e-5);
+  const auto [thick_least, thick_most] = radii_within_ball(0.05F);
+  // The bend of a wall of triangles is that of the ball within some percent.
+  EXPECT_NEAR(thick_least, 0.015, 0.001);
+  EXPECT_NEAR(thick_most, 0.015, 0.001);
 }
 
 }  // namespace
