@@ -12,6 +12,7 @@
 #include "renderer/picture/Camera.hpp"
 #include "renderer/picture/PictureLayout.hpp"
 #include "renderer/picture/SceneExtent.hpp"
+#include "renderer/picture/WithinBody.hpp"
 
 namespace thinwall {
 namespace {
@@ -55,11 +56,14 @@ void HiddenToolNotes::see(const Snapshot& snapshot, const Shot& shot, ImageSize 
   if (std::ranges::none_of(snapshot.tools, is_of_interest)) return;
   const SceneExtent extent = scene_extent(snapshot);
   const Vector3 eye = resolve_camera(shot.camera, extent, main_box(shot, size).size, snapshot.time).position;
+  // From there one sees what a tool does to the wall.
+  const bool is_within =
+      std::ranges::any_of(snapshot.surfaces, [&](const SnapshotSurface& body) { return lies_within(body, eye); });
   for (const SnapshotTool& tool : snapshot.tools) {
     if (!is_of_interest(tool)) continue;
     Touching& touching = by_tool_.try_emplace(tool.name, Touching{.since = snapshot.time}).first->second;
     const Vector3 place = place_above_wall(tool);
-    touching.was_seen = shot.beside || shot.inset || !is_hidden(place, eye, snapshot);
+    touching.was_seen = is_within || shot.beside || shot.inset || !is_hidden(place, eye, snapshot);
     for (std::size_t side = 0; side < kSides && !touching.was_seen; ++side) {
       const Vector3 from_there = place - 2 * extent.size * vector3(facing(side));
       touching.is_free[side] = touching.is_free[side] && !is_hidden(place, from_there, snapshot);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/renderer/picture/TestMeshes.hpp"
+
 namespace thinwall {
 namespace {
 
@@ -61,6 +63,16 @@ TEST(HiddenToolNotes, ASecondPictureMayShowWhatTheFirstDoesNot) {
   shot.inset = from(0.3).camera;
   notes.see(dented_wall(0.1), shot, kSize);
   EXPECT_TRUE(notes.notes().empty());
+}
+
+TEST(HiddenToolNotes, FromWithinABodyTheDentIsSeen) {
+  Snapshot ball = dented_wall(0.1);
+  ball.surfaces[0] = test::sphere("wall", {0, -0.05, 0.02}, 0.05, 3);
+  HiddenToolNotes within, outside;
+  within.see(ball, from(-0.06), kSize);
+  outside.see(ball, from(-0.3), kSize);
+  EXPECT_TRUE(within.notes().empty());
+  EXPECT_EQ(outside.notes().size(), 1U);
 }
 
 }  // namespace
