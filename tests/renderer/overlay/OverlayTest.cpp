@@ -218,8 +218,9 @@ TEST(Overlay, TellsNoPressureWhereNothingHasContents) {
   for (std::size_t i = 0; i < with.pixels.size(); ++i) {
     if (with.pixels[i] == without.pixels[i]) continue;
     ++differ;
-    const double across = static_cast<double>(i / 3 % kSize.width) / kSize.width;
-    const double down = static_cast<double>(i / 3) / (static_cast<double>(kSize.width) * kSize.height);
+    const std::size_t pixel = i / 3;
+    const double across = static_cast<double>(pixel % kSize.width) / kSize.width;
+    const double down = static_cast<double>(pixel) / (static_cast<double>(kSize.width) * kSize.height);
     EXPECT_TRUE(across > 0.12 && across < 0.23 && down > 0.87 && down < 0.95) << "beside the number and its name";
   }
   EXPECT_GT(differ, 500);
