@@ -29,7 +29,7 @@ constexpr double kNoHeading = 0.1;
 constexpr double kTurnPerWidth = 4;
 
 std::string to_words(const Eigen::Vector3d& point) {
-  return fmt::format("[{:.4g}, {:.4g}, {:.4g}] m", point.x(), point.y(), point.z());
+  return fmt::format("[{:.4g}, {:.4g}, {:.4g}] mm", 1e3 * point.x(), 1e3 * point.y(), 1e3 * point.z());
 }
 
 /// Throws what is wrong with a path.

@@ -132,6 +132,9 @@ std::string suggest_symbol(std::string_view symbol) {
 }
 
 [[noreturn]] void refuse_unit(std::string_view symbol) {
+  if (symbol == "inch" || symbol == "inches" || symbol == "in") {
+    throw QuantityError("unknown unit " + in_backticks(symbol) + ", write 25.4 mm for each inch");
+  }
   throw QuantityError("unknown unit " + in_backticks(symbol) + suggest_symbol(symbol));
 }
 
@@ -258,6 +261,9 @@ Quantity parse_quantity(std::string_view text) {
   const std::size_t length = number_length(text);
   if (length == 0) {
     if (names_no_finite_number(text)) throw QuantityError("it is not a finite number");
+    if (text.starts_with("\u2212") || text.starts_with("\u2013")) {
+      throw QuantityError("its minus sign is one of typography; write `-`");
+    }
     throw QuantityError("it does not begin with a number");
   }
   const std::string_view number = text.substr(0, length);

@@ -65,15 +65,26 @@ class SchemaReader {
 
   // Lists.
 
+  static bool are_numbers(const TextNode& list) {
+    return std::ranges::all_of(list.items, [](const TextNode& item) {
+      return item.text.find_first_of("0123456789") <= 1;  // behind a sign
+    });
+  }
+
   std::optional<CheckedValue> read_list(const ValueSchema& schema, const TextNode& node, const ValuePlace& place) {
     const bool is_single = schema.single && node.kind == NodeKind::kText;
     if (node.kind != NodeKind::kList && node.kind != NodeKind::kEmpty && !is_single) {
-      refuse(node, place, expectation(schema), describe(node), diagnostics_);
+      const bool is_mapping = node.kind == NodeKind::kMapping;
+      refuse(node, place, expectation(schema),
+             describe(node) +
+                 (is_mapping ? ": each item of a list begins with `- `, or all stand within `[` and `]`" : ""),
+             diagnostics_);
       return std::nullopt;
     }
     const std::size_t count = is_single ? 1 : node.items.size();
     if (count < schema.minimum_items || count > schema.maximum_items) {
-      const std::string got = node.kind == NodeKind::kEmpty ? "nothing" : "a list of " + std::to_string(count);
+      std::string got = node.kind == NodeKind::kEmpty ? "nothing" : "a list of " + std::to_string(count);
+      if (count > schema.maximum_items && are_numbers(node)) got += ": commas part items, decimals take a point";
       refuse(node, place, expectation(schema), got, diagnostics_);
       return std::nullopt;
     }
@@ -93,9 +104,13 @@ class SchemaReader {
 
   // Mappings.
 
+  static std::string names_advice(const TextNode& node) {
+    return node.kind == NodeKind::kList ? ": names stand without `- ` and end in `:`" : "";
+  }
+
   std::optional<CheckedValue> read_one_of(const ValueSchema& schema, const TextNode& node, const ValuePlace& place) {
     if (node.kind != NodeKind::kMapping && node.kind != NodeKind::kEmpty) {
-      refuse(node, place, expectation(schema), describe(node), diagnostics_);
+      refuse(node, place, expectation(schema), describe(node) + names_advice(node), diagnostics_);
       return std::nullopt;
     }
     if (schema.mappings.size() == 1) return read_mapping(schema.mappings[0], node, place);
@@ -140,7 +155,7 @@ class SchemaReader {
 
   std::optional<CheckedValue> read_named(const ValueSchema& schema, const TextNode& node, const ValuePlace& place) {
     if (node.kind != NodeKind::kMapping && node.kind != NodeKind::kEmpty) {
-      refuse(node, place, "a mapping from names", describe(node), diagnostics_);
+      refuse(node, place, "a mapping from names", describe(node) + names_advice(node), diagnostics_);
       return std::nullopt;
     }
     if (node.members.size() < schema.minimum_items) {

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "studio/scenario/Wording.hpp"
+#include "studio/scenario/YamlAdvice.hpp"
 
 namespace thinwall {
 namespace {
@@ -53,6 +54,15 @@ class Places {
     return {file, mark.line + 1, column_};
   }
 
+  /// Whether a quoted text at `mark`, or behind the anchor that stands there, ends: the parser takes one that does not
+  /// to the end of the file, with all that follows.
+  bool is_quote_closed_at(const YAML::Mark& mark) const {
+    if (mark.line < 0 || static_cast<std::size_t>(mark.line) >= line_starts_.size()) return true;
+    const std::size_t start = line_starts_[static_cast<std::size_t>(mark.line)] + static_cast<std::size_t>(mark.column);
+    const std::size_t quote = text_->find_first_of("\"'", start);
+    return quote == std::string::npos || is_quote_closed(*text_, quote);
+  }
+
  private:
   std::vector<std::size_t> line_starts_;  // byte offsets
   const std::string* text_;
@@ -79,6 +89,10 @@ class NodeBuilder : public YAML::EventHandler {
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                 const std::string& value) override {
     refuse_tag(mark, tag);
+    if (tag == "!" && !places_.is_quote_closed_at(mark)) {
+      refuse(mark,
+             "the quotation mark that begins here has no second one, so that all that follows is part of the text");
+    }
     take(TextNode{.kind = NodeKind::kText, .location = places_.at(mark, file_), .text = value, .members = {}}, anchor);
   }
 
@@ -191,6 +205,13 @@ class NodeBuilder : public YAML::EventHandler {
       diagnostics_.error(node.location, path(), "a key must be a text, not " + describe(node));
       return;
     }
+    if (begins_with_foreign_space(node.text)) {
+      diagnostics_.error(
+          node.location, path(),
+          "this line is indented with a space that is none for YAML, as text processors set them; indent "
+          "it with plain spaces");
+      return;
+    }
     if (node.text == "<<") {
       diagnostics_.error(node.location, path(),
                          "`<<` does not merge here; put what is shared in a file and `include` it");
@@ -281,7 +302,8 @@ TextNode parse(const std::string& text, const std::filesystem::path& file, Diagn
     if (const int tabbed = tabbed_line(text, place.line)) {
       throw Refusal{tabbed, 1, "this line is indented with a tab, which YAML does not allow; indent it with spaces"};
     }
-    throw Refusal{place.line, place.column, "this is no YAML: " + error.msg};
+    throw Refusal{place.line, place.column,
+                  "this is no YAML: " + error.msg + yaml_advice(text, place.line, place.column, error.msg)};
   }
   return std::move(builder.root);
 }

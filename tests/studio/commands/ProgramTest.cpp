@@ -165,7 +165,7 @@ TEST_F(ProgramTest, IncisionsThatCannotBeAreBadInputWithThePlaceAndTheCure) {
     expect_bad_usage({"run", "cut.yaml", "--no-render"}, words);
   };
   const std::string off_the_wall = "path: [[0, 0, 20 mm], [0, 35 mm, 5 mm]], depth: 3 mm";
-  expect_refused(off_the_wall, "cut.yaml:11:95: error: timeline[1].incise: path[2] = [0, 0.035, 0.005] m lies 14.");
+  expect_refused(off_the_wall, "cut.yaml:11:95: error: timeline[1].incise: path[2] = [0, 35, 5] mm lies 14.");
   expect_refused(off_the_wall,
                  "mm then, farther than `reach` = 10 mm; move the point to the wall or give a larger "
                  "`reach`");

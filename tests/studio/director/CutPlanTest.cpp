@@ -221,12 +221,12 @@ TEST(IncisionPlan, RefusesPathsThatLeaveTheSurface) {
   clip.path_locations = {kPlace, point};
   const auto plan = [&] { plan_incision(clip, kBlade, body.view(), kPlace); };
   EXPECT_EQ(message_of(plan),
-            "a.yaml:9:11: error: incise: path[2] = [0.032, 0, 0] m lies 12 mm from body `table`, which spans x "
+            "a.yaml:9:11: error: incise: path[2] = [32, 0, 0] mm lies 12 mm from body `table`, which spans x "
             "-20 ... 20, y -20 ... 20, z -20 ... 20 mm then, farther than `reach` = 10 mm; move the point to the wall "
             "or give a larger `reach`");
   clip.direction = kDown;
   EXPECT_EQ(message_of(plan),
-            "a.yaml:9:11: error: incise: path[2] = [0.032, 0, 0] m does not meet body `table` along `direction`; move "
+            "a.yaml:9:11: error: incise: path[2] = [32, 0, 0] mm does not meet body `table` along `direction`; move "
             "the point or leave `direction` out");
   clip.direction.reset();
   clip.path[1] = {0, 0, -0.02};

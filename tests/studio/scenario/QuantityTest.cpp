@@ -56,12 +56,15 @@ TEST(Quantity, AUnitByItselfIsOneOfIt) {
 TEST(Quantity, WhatIsNoQuantityIsRefusedWithTheReason) {
   EXPECT_EQ(reason("abc"), "it does not begin with a number");
   EXPECT_EQ(reason(""), "it does not begin with a number");
+  EXPECT_EQ(reason("\u22125 mm"), "its minus sign is one of typography; write `-`");
+  EXPECT_EQ(reason("\u20135 mm"), "its minus sign is one of typography; write `-`");
   EXPECT_EQ(reason("- 5 mm"), "it does not begin with a number");
   EXPECT_EQ(reason("nan"), "it is not a finite number");
   EXPECT_EQ(reason("-.inf"), "it is not a finite number");
   EXPECT_EQ(reason("infinity mm"), "it is not a finite number");
   EXPECT_EQ(reason("1,5 mm"), "a decimal point is needed, not a comma");
   EXPECT_EQ(reason("5 mmm"), "unknown unit `mmm`, did you mean `mm`?");
+  EXPECT_EQ(reason("1 inch"), "unknown unit `inch`, write 25.4 mm for each inch");
   EXPECT_EQ(reason("5 parsec"), "unknown unit `parsec`");
   EXPECT_EQ(reason("5 kdeg"), "unknown unit `kdeg`, did you mean `deg`?");
   EXPECT_EQ(reason("0x10 m"), "unknown unit `x10 m`");

@@ -95,6 +95,43 @@ TEST(YamlReader, TabsThatIndentAreNamedWhereTheFirstOfThemIs) {
   EXPECT_EQ(first_error("a:\t1\nb: [1,\t2]\n"), "");
 }
 
+TEST(YamlReader, AQuotationMarkWithoutItsSecondDoesNotTakeTheRestOfTheFile) {
+  const std::string unclosed =
+      ": the quotation mark that begins here has no second one, so that all that follows is part of the text";
+  EXPECT_EQ(first_error("a: \"words\nb: 1\n"), "1:4" + unclosed);
+  EXPECT_EQ(first_error("a: 'it''s\nb: 1\n"), "1:4" + unclosed);
+  EXPECT_EQ(first_error("b: [é, \"words \\\"]\n"), "1:8" + unclosed);
+  EXPECT_EQ(first_error("a: &words 'b\n"), "1:4" + unclosed);
+  EXPECT_EQ(first_error("a: 'it''s'\nb: \"a \\\" b\"\nc: it's\nd: &e \"f\"\n"), "");
+}
+
+TEST(YamlReader, WhereTheParserGivesUpTheLikelyCureIsTold) {
+  const std::string colon = ": this is no YAML: illegal map value; ";
+  EXPECT_EQ(first_error("title: Lesson 1: a balloon\n"),
+            "1:16" + colon + "a text with `: ` in it needs quotation marks around it");
+  EXPECT_EQ(first_error("a:\n  speed 2 mm/s\n\n  hold: 1 s\n"),
+            "4:7" + colon + "in line 2 a key is to be followed by `:` and a space");
+  EXPECT_EQ(
+      first_error("a:\n  speed: 2 mm/s\n   hold: 1 s\n"),
+      "3:8" + colon + "it is indented by 3 spaces, and line 2 by 2: keys of one mapping begin in the same column");
+  EXPECT_EQ(
+      first_error("a: { b: ${c}, d: 1 }\n"),
+      "1:10: this is no YAML: end of map flow not found; a `,` or `}` is missing before this, or a text with `{`, "
+      "`}`, `,` or `${` in it has no quotation marks around it");
+  EXPECT_EQ(first_error("a: [1, 2\nb: 3\n"),
+            "2:2: this is no YAML: end of sequence flow not found; a `,` or `]` is missing before this");
+  EXPECT_EQ(
+      first_error("a:\n    b: 1\n  c: 2\n"),
+      "3:3: this is no YAML: end of map not found; keys of one mapping begin in the same column, and each item of "
+      "a list begins with `- `");
+}
+
+TEST(YamlReader, ASpaceThatIsNoneForYamlIsNamed) {
+  EXPECT_EQ(first_error("a:\n\u00A0\u00A0b: 1\n"),
+            "2:1: this line is indented with a space that is none for YAML, as text processors set them; indent it "
+            "with plain spaces");
+}
+
 TEST(YamlReader, WhatIsNoReadableFileIsRefused) {
   const std::filesystem::path folder = std::filesystem::temp_directory_path();
   Diagnostics diagnostics;

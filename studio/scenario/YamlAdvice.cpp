@@ -1,0 +1,108 @@
+#include "studio/scenario/YamlAdvice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+#include <vector>
+
+namespace thinwall {
+namespace {
+
+/// The lines up to and with `last`.
+std::vector<std::string> first_lines(const std::string& text, int last) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; static_cast<int>(lines.size()) < last && std::getline(stream, line);) {
+    if (line.ends_with('\r')) line.pop_back();
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+std::size_t indentation(std::string_view line) {
+  return std::min(line.find_first_not_of(' '), line.size());
+}
+
+bool is_blank(std::string_view line) {
+  const std::size_t start = indentation(line);
+  return start == line.size() || line[start] == '#';
+}
+
+/// Where a line has the colon that ends a key, in bytes; npos: nowhere.
+std::size_t key_colon(std::string_view line) {
+  const std::size_t inside = line.find(": ");
+  if (inside != std::string_view::npos) return inside;
+  return line.ends_with(':') ? line.size() - 1 : std::string_view::npos;
+}
+
+/// The line before the last one that says something, counted from 1; 0: none.
+std::size_t line_before(const std::vector<std::string>& lines) {
+  for (std::size_t number = lines.size() - 1; number > 0; --number) {
+    if (!is_blank(lines[number - 1])) return number;
+  }
+  return 0;
+}
+
+std::string advice_for_a_colon(const std::vector<std::string>& lines, int column) {
+  const std::string& line = lines.back();
+  const std::size_t colon = key_colon(line);
+  if (colon != std::string::npos && colon + 1 < static_cast<std::size_t>(column)) {
+    return "; a text with `: ` in it needs quotation marks around it";
+  }
+  const std::size_t before = line_before(lines);
+  if (before == 0) return "";
+  const std::string& previous = lines[before - 1];
+  if (key_colon(previous) == std::string::npos) {
+    return fmt::format("; in line {} a key is to be followed by `:` and a space", before);
+  }
+  return fmt::format("; it is indented by {} spaces, and line {} by {}: keys of one mapping begin in the same column",
+                     indentation(line), before, indentation(previous));
+}
+
+std::string advice_for_indentation(const std::vector<std::string>& lines) {
+  const std::size_t dash = lines.back().find("- ");
+  if (dash != std::string::npos && dash == indentation(lines.back())) {
+    return "; items of one list begin with `- ` in the same column, keys of one mapping in the same column without it";
+  }
+  return "; keys of one mapping begin in the same column, and each item of a list begins with `- `";
+}
+
+}  // namespace
+
+std::string yaml_advice(const std::string& text, int line, int column, std::string_view parser_message) {
+  const std::vector<std::string> lines = first_lines(text, line);
+  if (lines.empty()) return "";
+  if (parser_message == "illegal map value") return advice_for_a_colon(lines, column);
+  if (parser_message == "end of map flow not found") {
+    return "; a `,` or `}` is missing before this, or a text with `{`, `}`, `,` or `${` in it has no quotation marks "
+           "around it";
+  }
+  if (parser_message == "end of sequence flow not found") return "; a `,` or `]` is missing before this";
+  if (parser_message == "end of map not found" || parser_message == "end of sequence not found") {
+    return advice_for_indentation(lines);
+  }
+  return "";
+}
+
+bool is_quote_closed(std::string_view text, std::size_t start) {
+  const char quote = text[start];
+  for (std::size_t at = start + 1; at < text.size(); ++at) {
+    if (quote == '"' && text[at] == '\\') {
+      ++at;
+    } else if (text[at] == quote) {
+      if (quote == '"' || at + 1 == text.size() || text[at + 1] != quote) return true;
+      ++at;
+    }
+  }
+  return false;
+}
+
+bool begins_with_foreign_space(std::string_view text) {
+  // No-break spaces, the widths of typography, and the ideographic space.
+  constexpr std::array<std::string_view, 5> kSpaces = {"\u00A0", "\u2003", "\u2009", "\u202F", "\u3000"};
+  return std::ranges::any_of(kSpaces, [&](std::string_view space) { return text.starts_with(space); });
+}
+
+}  // namespace thinwall
