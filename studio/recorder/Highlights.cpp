@@ -1,5 +1,7 @@
 #include "studio/recorder/Highlights.hpp"
 
+#include <utility>
+
 #include "renderer/image/Resize.hpp"
 
 namespace thinwall {
@@ -23,6 +25,8 @@ void Highlights::add(const Image& frame, double time, double force) {
     poster_time_ = time;
     poster_ = frame;
   }
+  // Under cards and in freezes one moment is shown for long: it would fill half of the sheet of a short lesson.
+  if (std::exchange(last_time_, time) == time) return;
   if (frames_++ % stride_ != 0) return;
   kept_.push_back({.picture = shrunk(frame), .time = time});
   if (kept_.size() < kKept) return;

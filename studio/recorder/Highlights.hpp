@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "renderer/image/Image.hpp"
@@ -17,14 +18,16 @@ class Highlights {
   const Image& poster() const { return poster_; }  // empty when there was no frame
   double poster_time() const { return poster_time_; }
 
-  /// Up to twelve, shrunk and evenly spread, the first frame and about the last included.
+  /// Up to twelve, shrunk and evenly spread, the first frame and about the last included; of frames in a row that show
+  /// one moment the first.
   std::vector<SheetFrame> sheet_frames() const;
 
  private:
   Image poster_;
   double poster_time_ = 0;
   double largest_force_ = -1;
-  std::size_t frames_ = 0;
+  std::optional<double> last_time_;
+  std::size_t frames_ = 0;  // those that show a moment of their own
   std::size_t stride_ = 1;  // every so many frames one is kept
   std::vector<SheetFrame> kept_;
 };

@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "studio/recorder/EmptyPictureNotes.hpp"
 #include "studio/recorder/HiddenToolNotes.hpp"
 #include "studio/recorder/InsetNotes.hpp"
 
@@ -14,6 +15,7 @@ namespace {
 struct Noticed {
   InsetNotes insets;
   HiddenToolNotes hidden;
+  EmptyPictureNotes empty;
 };
 
 class NoticingPainter final : public Painter {
@@ -24,6 +26,7 @@ class NoticingPainter final : public Painter {
   Image paint(const Snapshot& snapshot, const Shot& shot) override {
     noticed_.insets.see(snapshot, shot, size_);
     noticed_.hidden.see(snapshot, shot, size_);
+    noticed_.empty.see(snapshot, shot, size_);
     return painter_->paint(snapshot, shot);
   }
   std::string driver() const override { return painter_->driver(); }
@@ -45,6 +48,7 @@ RecordingReport record_with_notes(MomentSource& source, const RecordingPlan& pla
   RecordingReport report = record(source, plan, noticing);
   std::ranges::copy(noticed.insets.notes(), std::back_inserter(report.warnings));
   std::ranges::copy(noticed.hidden.notes(), std::back_inserter(report.warnings));
+  std::ranges::copy(noticed.empty.notes(), std::back_inserter(report.warnings));
   return report;
 }
 

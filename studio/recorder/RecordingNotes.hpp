@@ -4,7 +4,8 @@
 
 namespace thinwall {
 
-/// `record`, with what is noticed in its pictures among the warnings: see InsetNotes and HiddenToolNotes.
+/// `record`, with what is noticed in its pictures among the warnings: see InsetNotes, HiddenToolNotes and
+/// EmptyPictureNotes.
 RecordingReport record_with_notes(MomentSource& source, const RecordingPlan& plan, const PainterFactory& painters);
 
 }  // namespace thinwall

@@ -25,6 +25,14 @@ TEST(HighlightsTest, FewFramesAreAllOnTheSheet) {
   EXPECT_EQ(highlights.sheet_frames().size(), 7U);
 }
 
+TEST(HighlightsTest, CardsAndFreezesTakeOnePictureOfTheSheet) {
+  Highlights highlights;
+  for (const double time : {0, 0, 0, 0, 1, 2, 2, 2, 3, 3}) highlights.add(shade(0), time, 0);
+  std::vector<double> times;
+  for (const SheetFrame& frame : highlights.sheet_frames()) times.push_back(frame.time);
+  EXPECT_EQ(times, (std::vector<double>{0, 1, 2, 3}));
+}
+
 TEST(HighlightsTest, ManyFramesAreSpreadEvenlyOverTheSheet) {
   for (const int frames : {13, 95, 96, 97, 500, 5000}) {
     Highlights highlights;
