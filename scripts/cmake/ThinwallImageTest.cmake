@@ -13,9 +13,9 @@
 # Three tests come of it, all with the label `image`: NAME_clears removes what an earlier run has left, NAME_draws runs the
 # command, NAME compares what it has drawn and leaves the map of the difference beside the output (`.difference.png`).
 # The target approve_NAME makes the output the golden, also the first one; it is never built by itself. THINWALL_PROGRAM
-# is the program, found in PATH when it is not set.
+# is the program; when it is not set, scripts/thinwall beside this folder, else what PATH has.
 
-find_program(THINWALL_PROGRAM thinwall DOC "The thinwall program, which compares pictures")
+find_program(THINWALL_PROGRAM thinwall HINTS ${CMAKE_CURRENT_LIST_DIR}/.. DOC "The thinwall program, which compares pictures")
 
 function(thinwall_add_image_test)
   cmake_parse_arguments(PARSE_ARGV 0 TEST "" "NAME;OUTPUT;GOLDEN;WORKING_DIRECTORY" "COMMAND;LIMITS;LABELS")

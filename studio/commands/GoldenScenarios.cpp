@@ -22,6 +22,7 @@
 #include "studio/recorder/ResolvedPicture.hpp"
 #include "studio/scenario/IncludePass.hpp"
 #include "studio/scenario/LoadScenario.hpp"
+#include "studio/scenario/Wording.hpp"
 #include "studio/scenario/YamlReader.hpp"
 
 namespace thinwall {
@@ -91,6 +92,12 @@ bool includes(const std::filesystem::path& file, const std::filesystem::path& ot
   };
   const TextNode& value = include->value;
   return value.kind == NodeKind::kText ? is_other(value) : std::ranges::any_of(value.items, is_other);
+}
+
+std::vector<std::string> scene_names() {
+  std::vector<std::string> names;
+  for (const std::filesystem::path& file : all_scenes()) names.push_back(file.stem().string());
+  return names;
 }
 
 /// Whether a file that cannot be read as a scenario should be one, and have goldens.
@@ -197,8 +204,8 @@ NamedGoldens named_goldens(const std::vector<std::string>& names) {
     if (!seen.insert({std::filesystem::weakly_canonical(file), text.substr(name.size())}).second) continue;
     if (!is_name && !std::filesystem::exists(file) && !file.has_parent_path() && !file.has_extension()) {
       throw UsageError(
-          fmt::format("golden: there is no file {}, and no scenario of that name in {}; see thinwall golden list", name,
-                      (home() / "scenes").string()));
+          fmt::format("golden: there is no file {}, and no scenario of that name in {}{}; see thinwall golden list",
+                      name, (home() / "scenes").string(), did_you_mean(name, scene_names())));
     }
     add_named(named, file, choice);
   }

@@ -8,6 +8,7 @@
 #include "renderer/snapshot/SameTime.hpp"
 #include "studio/golden/GoldenApproval.hpp"
 #include "studio/golden/GoldenVideoApproval.hpp"
+#include "studio/scenario/Wording.hpp"
 
 namespace thinwall {
 namespace {
@@ -59,7 +60,7 @@ void look_at_videos(const Scenario& scenario, const std::filesystem::path& folde
     named.insert(approval.files.begin(), approval.files.end());
     if (is_meant) continue;
     std::string files;
-    for (const std::string& file : approval.files) files += " " + file;
+    for (const std::string& file : approval.files) files += " " + shell_argument((folder / file).string());
     notes.push_back(note(folder / approval.files.back(), "scenario " + scenario.name + " has no golden of its video",
                          "list one under `golden:`, or remove what belongs to it: git rm" + files));
   }
@@ -78,7 +79,7 @@ std::vector<std::string> unasked_goldens(const Scenario& scenario, const std::fi
   }
   for (const std::filesystem::path& file : entries_of(folder, false)) {
     if (!is_of_a_golden(file) || named.contains(file.filename().string())) continue;
-    notes.push_back(note(file, "no approval names it", "remove it: git rm " + file.string()));
+    notes.push_back(note(file, "no approval names it", "remove it: git rm " + shell_argument(file.string())));
   }
   return notes;
 }
@@ -89,7 +90,7 @@ std::vector<std::string> unasked_folders(const std::filesystem::path& root, cons
     const std::string name = folder.filename().string();
     if (scenarios.contains(name)) continue;
     notes.push_back(note(folder, "scenes/" + name + ".yaml has no goldens or is not there",
-                         "remove the folder: git rm -r " + folder.string()));
+                         "remove the folder: git rm -r " + shell_argument(folder.string())));
   }
   return notes;
 }

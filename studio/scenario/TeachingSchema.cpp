@@ -72,8 +72,11 @@ ValueSchema force_arrows_value() {
   return list_value(mapping_value({arrow}));
 }
 
-ValueSchema card_value(const std::string& where) {
-  MappingSchema card{.name = "card", .documentation = "Words in the middle of a darkened picture, " + where + "."};
+ValueSchema card_value() {
+  MappingSchema card{.name = "card",
+                     .documentation =
+                         "Words in the middle of a darkened picture: a title card before the first picture "
+                         "moves, an end card when all is over."};
   card.keys = {
       {"title", text_value(), true, {}, "in large letters"},
       {"text", text_value(), false, {}, "below, smaller"},
@@ -116,8 +119,8 @@ ValueSchema teaching_schema() {
       {"arrows", arrows_value(), false, "[]", "arrows that point at places of walls"},
       {"highlights", highlights_value(), false, "[]", "parts of walls that are marked; not in data views"},
       {"force_arrows", force_arrows_value(), false, "[]", "forces at tools"},
-      {"title_card", card_value("before the first picture moves"), false, {}, "words at the beginning"},
-      {"end_card", card_value("when all is over"), false, {}, "words at the end"},
+      {"title_card", card_value(), false, {}, "words at the beginning"},
+      {"end_card", card_value(), false, {}, "words at the end"},
       {"freezes", freezes_value(), false, "[]", "when the video stands still"},
       {"slow_motion", slow_motion_value(), false, "[]", "which spans are shown at another speed, without overlap"},
   };

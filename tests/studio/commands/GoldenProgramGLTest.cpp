@@ -169,6 +169,18 @@ TEST_F(ProgramGLTest, TwoScenariosOfOneNameAreRefusedAndANameOfNoneIsTold) {
   const ProgramEnd none = run({"golden", "why", "smal"});
   EXPECT_EQ(none.exit_code, 2);
   EXPECT_NE(none.messages.find("no scenario of that name in"), std::string::npos) << none.messages;
+  EXPECT_NE(none.messages.find("scenes, did you mean `small`?"), std::string::npos) << none.messages;
+}
+
+TEST_F(ProgramGLTest, TheAdviceToRemoveAVideoNamesItsFilesFromAnyFolder) {
+  write_bytes(folder_ / "scenes/small.yaml",
+              small_scenario() + "golden:\n  - { video: 1, max: 8, mean: 0.2, why: rounding }\n");
+  expect_good({"golden", "approve", "small", "--why", "the first"});
+  write_bytes(folder_ / "scenes/small.yaml",
+              small_scenario() + "golden:\n  - { at: 60 ms, max: 8, mean: 0.2, why: rounding }\n");
+  const std::string messages = run({"golden", "list"}).messages;
+  const std::string advice = "remove what belongs to it: git rm " + (folder_ / "golden_images/small/video").string();
+  EXPECT_NE(messages.find(advice), std::string::npos) << messages;
 }
 
 TEST_F(ProgramGLTest, GoldensThatNoScenarioAsksForAnyMoreAreToldAndFailNothing) {

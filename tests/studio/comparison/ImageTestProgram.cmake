@@ -1,0 +1,10 @@
+# What thinwall_add_image_test compares with where its user has not said it: the program of the project it comes from.
+include(${THINWALL_CMAKE}/ThinwallImageTest.cmake)
+file(REAL_PATH ${THINWALL_CMAKE}/../thinwall expected)
+if(NOT THINWALL_PROGRAM)
+  message(FATAL_ERROR "no program is found")
+endif()
+file(REAL_PATH ${THINWALL_PROGRAM} found)
+if(NOT found STREQUAL expected)
+  message(FATAL_ERROR "${found} instead of ${expected}")
+endif()
