@@ -1,11 +1,17 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <string>
+#include <string_view>
 
 namespace thinwall {
 
 enum class ToolKind { kPoint, kLine, kSphere, kCapsule, kPlate, kNeedle, kScalpel, kForceps };
+
+/// Their names, in that order.
+inline constexpr auto kToolKindNames =
+    std::to_array<std::string_view>({"point", "line", "sphere", "capsule", "plate", "needle", "scalpel", "forceps"});
 
 /// Point and line prescribe displacements; all others touch with solids, whose shapes ToolSolids.hpp describes.
 struct ToolDefinition {

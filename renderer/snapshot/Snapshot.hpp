@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace thinwall {
@@ -45,6 +46,10 @@ struct SnapshotSurface {
 };
 
 enum class SnapshotToolKind { kPoint, kLine, kSphere, kCapsule, kPlate, kNeedle, kScalpel, kForceps };
+
+/// Their names, in that order.
+inline constexpr auto kSnapshotToolKindNames =
+    std::to_array<std::string_view>({"point", "line", "sphere", "capsule", "plate", "needle", "scalpel", "forceps"});
 
 struct SnapshotTool {
   std::string name;

@@ -28,27 +28,8 @@ std::vector<Triangle> to_triangles(const std::vector<Eigen::Vector3i>& triangles
   return result;
 }
 
-SnapshotToolKind to_kind(ToolKind kind) {
-  switch (kind) {
-    case ToolKind::kLine:
-      return SnapshotToolKind::kLine;
-    case ToolKind::kSphere:
-      return SnapshotToolKind::kSphere;
-    case ToolKind::kCapsule:
-      return SnapshotToolKind::kCapsule;
-    case ToolKind::kPlate:
-      return SnapshotToolKind::kPlate;
-    case ToolKind::kNeedle:
-      return SnapshotToolKind::kNeedle;
-    case ToolKind::kScalpel:
-      return SnapshotToolKind::kScalpel;
-    case ToolKind::kForceps:
-      return SnapshotToolKind::kForceps;
-    case ToolKind::kPoint:
-      break;
-  }
-  return SnapshotToolKind::kPoint;
-}
+// The engine's kinds of tools are those of pictures, in the same order.
+static_assert(std::ranges::equal(kToolKindNames, kSnapshotToolKindNames));
 
 /// Digits of stresses that are kept: 13 bits, one part in 16 384, so that takes stay small.
 constexpr int kStressBits = 13;
@@ -126,7 +107,7 @@ SnapshotSurface snapshot_surface(const Body& body, std::shared_ptr<const Snapsho
 
 SnapshotTool snapshot_tool(const ToolDefinition& tool, const ToolPose& pose, const ToolRecord& record) {
   return {.name = tool.name,
-          .kind = to_kind(tool.kind),
+          .kind = static_cast<SnapshotToolKind>(tool.kind),
           .radius = tool.radius,
           .length = tool.length,
           .width = tool.width,

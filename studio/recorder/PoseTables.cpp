@@ -41,28 +41,6 @@ std::string numbers(const Double3& values) {
   return fmt::format(",{:.17g},{:.17g},{:.17g}", values[0], values[1], values[2]);
 }
 
-const char* kind_name(SnapshotToolKind kind) {
-  switch (kind) {
-    case SnapshotToolKind::kPoint:
-      return "point";
-    case SnapshotToolKind::kLine:
-      return "line";
-    case SnapshotToolKind::kSphere:
-      return "sphere";
-    case SnapshotToolKind::kCapsule:
-      return "capsule";
-    case SnapshotToolKind::kPlate:
-      return "plate";
-    case SnapshotToolKind::kNeedle:
-      return "needle";
-    case SnapshotToolKind::kScalpel:
-      return "scalpel";
-    case SnapshotToolKind::kForceps:
-      return "forceps";
-  }
-  return "";
-}
-
 /// A name as a cell: in quotation marks where commas or quotation marks are in it.
 std::string cell(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
@@ -92,7 +70,8 @@ void PoseTables::add(std::size_t frame, double time, const Camera& camera, const
   for (const double coefficient : distortion(camera)) cameras_ += fmt::format(",{:.17g}", coefficient);
   cameras_ += '\n';
   for (const SnapshotTool& tool : tools) {
-    tools_ += fmt::format("{},{:.17g},{},{},{}", frame, time, cell(tool.name), kind_name(tool.kind), tool.phase);
+    tools_ += fmt::format("{},{:.17g},{},{},{}", frame, time, cell(tool.name),
+                          kSnapshotToolKindNames.at(static_cast<std::size_t>(tool.kind)), tool.phase);
     for (const Double3& values : {tool.tip, tool.direction, tool.axis, tool.force}) tools_ += numbers(values);
     tools_ += fmt::format(",{:.17g},{}\n", tool.opening, tool.is_set_aside ? 0 : 1);
   }

@@ -1,5 +1,6 @@
 #include "studio/scenario/ScenarioBuilder.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 
@@ -161,18 +162,15 @@ BodyScenario to_body(const CheckedMember& member) {
 
 // Tools and timeline.
 
-constexpr std::array<std::pair<std::string_view, ToolKind>, 8> kTools = {{{"point", ToolKind::kPoint},
-                                                                          {"line", ToolKind::kLine},
-                                                                          {"sphere", ToolKind::kSphere},
-                                                                          {"capsule", ToolKind::kCapsule},
-                                                                          {"plate", ToolKind::kPlate},
-                                                                          {"needle", ToolKind::kNeedle},
-                                                                          {"scalpel", ToolKind::kScalpel},
-                                                                          {"forceps", ToolKind::kForceps}}};
+ToolKind to_tool_kind(const std::string& word) {
+  const auto known = std::ranges::find(kToolKindNames, word);
+  assert(known != kToolKindNames.end());
+  return static_cast<ToolKind>(known - kToolKindNames.begin());
+}
 
 ToolDefinition to_tool(const CheckedMember& member) {
   const CheckedValue& value = member.value;
-  ToolDefinition tool{.name = member.key, .kind = of_word(value.at("kind").text, kTools)};
+  ToolDefinition tool{.name = member.key, .kind = to_tool_kind(value.at("kind").text)};
   tool.length = find_number(value, "length").value_or(0);
   tool.radius = find_number(value, "radius").value_or(0);
   tool.width = find_number(value, "width").value_or(0);

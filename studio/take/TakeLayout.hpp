@@ -1,10 +1,8 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <utility>
 
 #include "renderer/snapshot/Snapshot.hpp"
 
@@ -48,16 +46,6 @@ inline constexpr const char* kFormat = "thinwall take";
 inline constexpr std::int64_t kFormatVersion = 1;
 inline constexpr std::size_t kPhaseBytes = 16;
 inline constexpr std::size_t kToolStateColumns = 13;
-
-inline constexpr std::array<std::pair<SnapshotToolKind, const char*>, 8> kToolKinds = {
-    {{SnapshotToolKind::kPoint, "point"},
-     {SnapshotToolKind::kLine, "line"},
-     {SnapshotToolKind::kSphere, "sphere"},
-     {SnapshotToolKind::kCapsule, "capsule"},
-     {SnapshotToolKind::kPlate, "plate"},
-     {SnapshotToolKind::kNeedle, "needle"},
-     {SnapshotToolKind::kScalpel, "scalpel"},
-     {SnapshotToolKind::kForceps, "forceps"}}};
 
 /// Whether a tool has a width and a thickness.
 constexpr bool is_flat(SnapshotToolKind kind) {

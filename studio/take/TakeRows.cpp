@@ -98,8 +98,9 @@ EpochRows read_epoch(const Handle& group, std::size_t steps_to_come) {
 }
 
 SnapshotToolKind tool_kind(const std::string& name) {
-  for (const auto& [kind, word] : take_layout::kToolKinds) {
-    if (name == word) return kind;
+  const auto known = std::ranges::find(kSnapshotToolKindNames, name);
+  if (known != kSnapshotToolKindNames.end()) {
+    return static_cast<SnapshotToolKind>(known - kSnapshotToolKindNames.begin());
   }
   require_of_take(false, "a tool of unknown kind `" + name + "`");
   return SnapshotToolKind::kPoint;

@@ -88,13 +88,6 @@ bool same_topology(const SnapshotTopology& a, const SnapshotTopology& b) {
           a.thickness == b.thickness && a.rest_metric == b.rest_metric && a.cut_times == b.cut_times);
 }
 
-std::string tool_kind_name(SnapshotToolKind kind) {
-  for (const auto& [known, word] : take_layout::kToolKinds) {
-    if (known == kind) return word;
-  }
-  throw std::invalid_argument("a tool of unknown kind");
-}
-
 std::array<char, take_layout::kPhaseBytes> phase_bytes(const std::string& phase) {
   std::array<char, take_layout::kPhaseBytes> bytes{};
   if (phase.size() > bytes.size()) throw std::invalid_argument("the phase `" + phase + "` is longer than 16 bytes");
@@ -258,7 +251,7 @@ void TakeWriter::Implementation::lay_out(const Moment& first) {
   for (const SnapshotTool& tool : first.snapshot.tools) {
     const Handle group = hdf5::create_group(tool_group, take_layout::link_name(tool.name));
     hdf5::write_attribute(group, "name", tool.name);
-    hdf5::write_attribute(group, "kind", tool_kind_name(tool.kind));
+    hdf5::write_attribute(group, "kind", std::string(kSnapshotToolKindNames.at(static_cast<std::size_t>(tool.kind))));
     hdf5::write_attribute(group, "radius_m", tool.radius);
     hdf5::write_attribute(group, "length_m", tool.length);
     if (take_layout::is_flat(tool.kind)) {
