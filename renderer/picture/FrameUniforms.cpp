@@ -266,18 +266,6 @@ int shadow_resolution(Tier tier, double pixels) {
   return resolution;
 }
 
-/// As of FrameUniforms::camera_position.
-double spread_of_shade(const FloatMatrix4& shadow_matrix) {
-  // Over the distance from a tool: that of the brighter middle of the lamp's box, see environment.glsl. All of it would
-  // have some 0.12, and leave no shadow by which one sees how high a tool is.
-  constexpr double kSpread = 0.07;
-  const auto growth = [&](std::size_t axis) {
-    return std::hypot(shadow_matrix[axis], shadow_matrix[4 + axis], shadow_matrix[8 + axis]);
-  };
-  const double texels = ToolCover::kResolution * std::sqrt(growth(0) * growth(1));  // over metres
-  return kSpread * texels / growth(2);
-}
-
 FrameUniforms frame_uniforms(const Camera& camera, const SceneExtent& extent, const ViewDefinition& view,
                              const Studio& studio, const std::vector<ToolRod>& rods, ImageSize size, Ground ground) {
   const Vector3 key = studio.key_direction;
@@ -285,7 +273,10 @@ FrameUniforms frame_uniforms(const Camera& camera, const SceneExtent& extent, co
   FrameUniforms frame;
   frame.view_projection = float_matrix(camera.matrix());
   frame.shadow_matrix = float_matrix(texture_matrix() * key_light_matrix(extent, studio, camera));
-  frame.camera_position = float4(camera.position, spread_of_shade(frame.shadow_matrix));
+  // Over the distance from a tool: that of the brighter middle of the lamp's box, see environment.glsl. All of it would
+  // have some 0.12, and leave no shadow by which one sees how high a tool is.
+  constexpr double kSpread = 0.07;
+  frame.camera_position = float4(camera.position, kSpread * ToolCover::texels_over_depth(frame.shadow_matrix));
   frame.ray_middle = float4(camera.forward, 0);
   frame.ray_right = float4(camera.tangent_x * camera.right, 1.0 / size.width);
   frame.ray_up = float4(camera.tangent_y * camera.up, 1.0 / size.height);

@@ -1,6 +1,7 @@
 #include "renderer/picture/ToolCover.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "renderer/picture/MapBlur.hpp"
@@ -19,10 +20,21 @@ constexpr std::array<float, 3> kWeights{6.0F / 16, 4.0F / 16, 1.0F / 16};
 /// How much less a wider blur counts for the depth, wherever a narrower one tells it.
 constexpr float kFadeOfWider = 1.0F / 32;
 
+/// Texels by which the middle of a tool lies before where the light leaves it at most: of a shaft along the light its
+/// end throws the shadow that is seen.
+constexpr double kDeepestMiddle = 6;
+
 /// Of less than this part of a texel depth is not told.
 constexpr float kLeastWeight = 1e-9F;
 
 }  // namespace
+
+double ToolCover::texels_over_depth(const std::array<float, 16>& shadow_matrix) {
+  const auto growth = [&](std::size_t axis) {  // over metres
+    return std::hypot(shadow_matrix[axis], shadow_matrix[4 + axis], shadow_matrix[8 + axis]);
+  };
+  return kResolution * std::sqrt(growth(0) * growth(1)) / growth(2);
+}
 
 ToolCover::ToolCover() {
   for (std::size_t end = 0; end < 2; ++end) met_[end].resize(std::size_t{kFine} * kFine, kNothing[end]);
@@ -64,12 +76,12 @@ void ToolCover::lay(std::span<const ToolVertex> vertices, std::span<const std::u
       }
     });
   }
-  shrink();
+  shrink(static_cast<float>(kDeepestMiddle / texels_over_depth(shadow_matrix)));
   blur();
 }
 
-/// The mean of each texel's parts.
-void ToolCover::shrink() {
+/// The mean of each texel's parts. `deepest`: depth by which the middle lies before the end at most.
+void ToolCover::shrink(float deepest) {
   constexpr float kPart = 1.0F / (kParts * kParts);
   std::ranges::fill(covered_, 0.0F);
   std::ranges::fill(covered_depths_, 0.0F);
@@ -81,7 +93,7 @@ void ToolCover::shrink() {
       if (first[i] > last[i]) continue;
       const std::size_t texel = texels + i / kParts;
       covered_[texel] += kPart;
-      covered_depths_[texel] += kPart * 0.5F * (first[i] + last[i]);
+      covered_depths_[texel] += kPart * (last[i] - std::min(0.5F * (last[i] - first[i]), deepest));
     }
   }
 }

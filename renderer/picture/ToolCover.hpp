@@ -20,6 +20,9 @@ class ToolCover {
   /// Standard deviations of the blurs, texels.
   static constexpr std::array<double, 4> kSpreads{1, 2.23607, 4.58258, 9.21954};
 
+  /// How many texels the map is wide where it is as deep as from depth 0 to 1. `shadow_matrix`: as of lay().
+  static double texels_over_depth(const std::array<float, 16>& shadow_matrix);
+
   ToolCover();
 
   /// Makes the map anew. `corners`: (3 x triangles), counter-clockwise from outside; they close volumes.
@@ -30,8 +33,9 @@ class ToolCover {
   /// (4 x width x height): of each blur the part of the light that is taken, 255 for the whole.
   std::span<const std::uint8_t> taken() const { return taken_; }
 
-  /// (width x height): depth of the middle between where the light meets tools first and where it leaves them last, 0
-  /// to 1 as of a shadow map; around tools as at their border, whose shadow is seen there, and 1 where there are none.
+  /// (width x height): depth of the middle between where the light meets tools first and where it leaves them last, but
+  /// close to the latter, 0 to 1 as of a shadow map; around tools as at their border, whose shadow is seen there, and 1
+  /// where there are none.
   std::span<const float> depths() const { return depths_; }
 
  private:
@@ -40,7 +44,7 @@ class ToolCover {
   static constexpr int kFine = kParts * kResolution;
 
   void clear();
-  void shrink();
+  void shrink(float deepest);
   void blur();
 
   std::vector<MapCorner> seen_;            // (vertices)

@@ -87,7 +87,7 @@ TEST(ToolCover, ANarrowToolTakesLessTheWiderTheBlur) {
 }
 
 TEST(ToolCover, DepthIsThatOfTheMiddleAroundTheToolToo) {
-  const ToolCover cover = cover_of(box(50, 70, 50, 70, 0.3F, 0.7F));
+  const ToolCover cover = cover_of(box(50, 70, 50, 70, 0.47F, 0.53F));
   EXPECT_NEAR(depth_at(cover, 60, 60), 0.5, 1e-6);
   EXPECT_NEAR(depth_at(cover, 45, 60), 0.5, 1e-6);
   EXPECT_NEAR(depth_at(cover, 78, 76), 0.5, 1e-6);
@@ -95,15 +95,20 @@ TEST(ToolCover, DepthIsThatOfTheMiddleAroundTheToolToo) {
 }
 
 TEST(ToolCover, OfARodAtASlantDepthFollowsItsAxis) {
-  Box rod = box(20, 108, 60, 68, 0.45F, 0.55F);
+  Box rod = box(20, 108, 60, 68, 0.47F, 0.53F);
   for (ToolVertex& vertex : rod.vertices) vertex.position[2] += 0.5F * (vertex.position[0] - 0.5F);
   const ToolCover cover = cover_of(rod);
   for (const int x : {30, 64, 98}) EXPECT_NEAR(depth_at(cover, x, 70), 0.5 - 0.5 * ((x + 0.5) / kSide - 0.5), 0.003);
 }
 
+TEST(ToolCover, OfAShaftAlongTheLightTheNearEndCounts) {
+  const ToolCover cover = cover_of(box(60, 68, 60, 68, 0.2F, 0.9F));
+  EXPECT_NEAR(depth_at(cover, 64, 64), 0.8 - 6.0 / kSide, 1e-5);
+}
+
 TEST(ToolCover, WhatIsLaidAnewIsAllThatCounts) {
   ToolCover cover = cover_of(box(20, 40, 20, 40, 0.4F, 0.6F));
-  const Box other = box(80, 100, 80, 100, 0.1F, 0.2F);
+  const Box other = box(80, 100, 80, 100, 0.12F, 0.18F);
   cover.lay(other.vertices, other.corners, kFromAbove);
   EXPECT_EQ(taken_at(cover, 30, 30, 0), 0);
   EXPECT_EQ(taken_at(cover, 90, 90, 0), 1);
