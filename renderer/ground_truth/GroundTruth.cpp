@@ -50,7 +50,9 @@ float pressure_at(const SurfaceTruth& surface, const SceneGeometry& geometry, co
 }
 
 WoundPart wound_part(const SceneGeometry& geometry, const ScenePart& part, std::uint32_t triangle) {
-  if (part.kind == PartKind::kLining) return WoundPart::kInside;
+  // A whole wall has no opening that it would be seen through.
+  const bool is_open = !geometry.is_cut[part.owner].empty();
+  if (part.kind == PartKind::kLining) return is_open ? WoundPart::kInside : WoundPart::kNothing;
   if (part.kind != PartKind::kRim) return WoundPart::kNothing;
   const bool is_cut = geometry.is_cut[part.owner][(triangle - part.first_triangle) / 2] != 0;
   return is_cut ? WoundPart::kCutFace : WoundPart::kNothing;
@@ -62,7 +64,7 @@ SeenFrame::SeenFrame(Snapshot snapshot, const Shot& shot, ImageSize size, DrawnE
     : snapshot_(std::move(snapshot)),
       part_(is_covered ? covered_part(size) : own_part(shot, size)),
       camera_(resolve_camera(shot.camera, scene_extent(snapshot_), part_.own.size, snapshot_.time)),
-      geometry_(scene_geometry(snapshot_, scene_extent(snapshot_), edges)),
+      geometry_(scene_geometry(snapshot_, scene_extent(snapshot_), edges, camera_.position)),
       projection_(camera_, part_),
       seen_(see(geometry_, projection_)) {}
 

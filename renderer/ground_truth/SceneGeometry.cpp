@@ -74,7 +74,7 @@ void append(const ToolShape& shape, std::uint32_t owner, SceneGeometry& geometry
 
 }  // namespace
 
-SceneGeometry scene_geometry(const Snapshot& snapshot, const SceneExtent& extent, DrawnEdges edges) {
+SceneGeometry scene_geometry(const Snapshot& snapshot, const SceneExtent& extent, DrawnEdges edges, Vector3 eye) {
   SceneGeometry geometry;
   for (std::uint32_t k = 0; k < snapshot.surfaces.size(); ++k) {
     const SnapshotSurface& surface = snapshot.surfaces[k];
@@ -84,7 +84,7 @@ SceneGeometry scene_geometry(const Snapshot& snapshot, const SceneExtent& extent
     for (const BorderEdge& edge : drawn.borders) {
       is_cut.push_back(drawn.is_lip[edge.start] != 0 && drawn.is_lip[edge.end] != 0);
     }
-    for (const TissuePiece& piece : drawn_pieces(surface, drawn, drawn_surface(drawn, surface))) {
+    for (const TissuePiece& piece : drawn_pieces(surface, drawn, drawn_surface(drawn, surface), eye)) {
       append(piece, k, geometry);
     }
   }

@@ -18,7 +18,7 @@ enum class PartKind {
   kOutside,  // outer side of a wall
   kCap,      // closes the fluid where no wall is
   kRim,      // where a wall is cut through or ends
-  kLining,   // inner side of a wall, once it is open somewhere
+  kLining,   // inner side of a wall, once it is open somewhere, or the viewer is within
   kTool
 };
 
@@ -49,6 +49,7 @@ struct SceneGeometry {
   std::vector<std::vector<char>> is_cut;  // (surfaces x borders as drawn), whether a cut made it
 };
 
-SceneGeometry scene_geometry(const Snapshot& snapshot, const SceneExtent& extent, DrawnEdges edges);
+/// `eye`: of the viewer, as of drawn_pieces.
+SceneGeometry scene_geometry(const Snapshot& snapshot, const SceneExtent& extent, DrawnEdges edges, Vector3 eye);
 
 }  // namespace thinwall

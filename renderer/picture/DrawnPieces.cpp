@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "renderer/picture/Float3.hpp"
+#include "renderer/picture/WithinBody.hpp"
 
 namespace thinwall {
 namespace {
@@ -64,7 +65,7 @@ void even_crumples(std::span<const Vector3> through, std::vector<SurfaceVertex>&
 }  // namespace
 
 std::vector<TissuePiece> drawn_pieces(const SnapshotSurface& mesh, const DrawnTopology& drawn,
-                                      const SnapshotSurface& shown) {
+                                      const SnapshotSurface& shown, std::optional<Vector3> eye) {
   std::vector<SurfaceVertex> wall = wall_vertices(mesh);
   leave_lips_open(drawn.is_lip, mesh.topology->triangles, wall);
   WallWays ways = wall_ways(mesh, wall, drawn.mesh_borders);
@@ -76,7 +77,12 @@ std::vector<TissuePiece> drawn_pieces(const SnapshotSurface& mesh, const DrawnTo
     vertex.rest = shown.topology->rest_positions[wall.size()];
     wall.push_back(vertex);
   }
-  return tissue_pieces(shown, drawn.borders, std::move(wall), ways);
+  std::vector<TissuePiece> pieces = tissue_pieces(shown, drawn.borders, std::move(wall), ways);
+  const bool is_whole = eye && drawn.borders.empty() && !pieces.empty() && pieces.front().side == TissueSide::kOutside;
+  if (is_whole && encloses_its_inside(shown, drawn.borders, pieces) && lies_within(shown, *eye)) {
+    pieces.push_back(whole_lining(shown, pieces.front()));
+  }
+  return pieces;
 }
 
 }  // namespace thinwall

@@ -11,7 +11,6 @@
 #include "renderer/picture/SeenLining.hpp"
 #include "renderer/picture/SurfaceVertices.hpp"
 #include "renderer/picture/TissuePieces.hpp"
-#include "renderer/picture/WithinBody.hpp"
 #include "renderer/picture/WoundBed.hpp"
 #include "renderer/snapshot/SurfaceFields.hpp"
 
@@ -84,7 +83,7 @@ std::vector<TissuePiece> SceneMeshes::dressed_pieces(const Snapshot& snapshot, c
                                                      std::size_t k, const TissueLook& body_look, Vector3 eye) {
   const SnapshotSurface& surface = drawn_[k];
   const DrawnTopology& drawn = drawn_topologies_[k];
-  std::vector<TissuePiece> pieces = drawn_pieces(snapshot.surfaces[k], drawn, surface);
+  std::vector<TissuePiece> pieces = drawn_pieces(snapshot.surfaces[k], drawn, surface, eye);
   if (look.data) {
     show_data(snapshot.surfaces[k], *look.data, drawn.borders, pieces);
   } else {
@@ -97,12 +96,9 @@ std::vector<TissuePiece> SceneMeshes::dressed_pieces(const Snapshot& snapshot, c
     find_fluid(snapshot, k, body_look, pieces);
     find_films(snapshot, k, body_look, pieces);
   }
-  if (pieces.empty()) return pieces;
-  if (drawn.borders.empty()) {
-    const bool is_seen_within = !look.data && encloses_its_inside(surface, drawn.borders, pieces) &&
-                                pieces.front().side == TissueSide::kOutside && lies_within(surface, eye);
-    if (!is_seen_within) return pieces;
-    pieces.push_back(whole_lining(surface, pieces.front()));
+  // Caps are seen from within where the wall is.
+  if (std::ranges::find(pieces, TissueSide::kLining, &TissuePiece::side) == pieces.end() && drawn.borders.empty()) {
+    return pieces;
   }
   if (auto lining = cap_lining(pieces)) pieces.push_back(std::move(*lining));
   return pieces;

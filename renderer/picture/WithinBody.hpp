@@ -5,8 +5,8 @@
 
 namespace thinwall {
 
-/// Whether `place` (metres) lies within a surface that its triangles and caps close, whichever way they face. Sheets
-/// and opened walls have no inside: they close less than half of what is seen around it.
+/// Whether `place` (metres) lies within a surface, whichever way its triangles and caps face: in an open one, where
+/// they fill more than half of what is seen around it. A level sheet has no inside.
 bool lies_within(const SnapshotSurface& surface, Vector3 place);
 
 }  // namespace thinwall

@@ -152,6 +152,31 @@ TEST(GroundTruthTest, CutFacesAreAWoundAndTheSheetsOwnBorderIsNone) {
 }
 
 /// A slit of 18 mm whose lips stand apart by up to 6 mm: a lens of circular arcs, nearly.
+/// From within a whole wall a picture shows its lining, and nothing of a tool that presses it from outside.
+TEST(GroundTruthTest, FromWithinABodyItsLiningIsSeenWhichIsNoWound) {
+  Snapshot snapshot;
+  snapshot.surfaces = {test::sphere("ball", {0, 0, 0}, 0.03, 4)};
+  auto topology = std::make_shared<SnapshotTopology>(*snapshot.surfaces[0].topology);
+  topology->thickness.assign(topology->triangles.size(), 0.002F);
+  snapshot.surfaces[0].topology = topology;
+  snapshot.tools = {{.name = "probe",
+                     .kind = SnapshotToolKind::kSphere,
+                     .radius = 0.004,
+                     .tip = {0, 0.0295, 0},
+                     .direction = {0, -1, 0}}};
+  ViewDefinition view;
+  view.camera = {
+      .position = Double3{0, 0, 0}, .target = Double3{0, 1, 0}, .up = Double3{0, 0, 1}, .field_of_view = 0.8};
+  const GroundTruth truth = ground_truth(SeenFrame(snapshot, {view.camera}, kSize));
+  for (std::size_t pixel = 0; pixel < truth.parts.size(); ++pixel) {
+    ASSERT_EQ(truth.parts[pixel], 1 + static_cast<int>(PartKind::kLining));
+    ASSERT_EQ(truth.wound[pixel], WoundPart::kNothing);
+  }
+  const std::size_t middle = static_cast<std::size_t>(kSize.width * (kSize.height / 2) + kSize.width / 2);
+  // Triangles lie within the ball by up to a hundredth of its radius.
+  EXPECT_NEAR(truth.depth[middle], 0.028, 0.0003);
+}
+
 TEST(GroundTruthTest, WhatIsSeenThroughAnOpeningIsAWoundToo) {
   SnapshotSurface sheet = test::slit_sheet(20, 0.001, 0);
   const auto is_slit = [](float x) { return std::abs(x) < 0.0085F; };
