@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
-#include <ctime>
 #include <optional>
 
 #include "renderer/device/OffscreenContext.hpp"
@@ -21,6 +19,7 @@
 #include "renderer/picture/Magnification.hpp"
 #include "renderer/picture/MeshLinePass.hpp"
 #include "renderer/picture/OutlinePass.hpp"
+#include "renderer/picture/PassClock.hpp"
 #include "renderer/picture/PictureTarget.hpp"
 #include "renderer/picture/SceneExtent.hpp"
 #include "renderer/picture/SceneMeshes.hpp"
@@ -30,29 +29,6 @@
 
 namespace thinwall {
 namespace {
-
-/// Says when passes end; waits for them only when somebody wants to know.
-class PassClock {
- public:
-  explicit PassClock(std::vector<PassTime>* times) : times_(times) {}
-  void ends(const char* pass) {
-    if (times_ == nullptr) return;
-    glFinish();
-    const Wall::time_point wall = Wall::now();
-    const std::clock_t processor = std::clock();
-    times_->push_back({.pass = pass,
-                       .wall_seconds = std::chrono::duration<double>(wall - wall_).count(),
-                       .processor_seconds = static_cast<double>(processor - processor_) / CLOCKS_PER_SEC});
-    wall_ = wall;
-    processor_ = processor;
-  }
-
- private:
-  using Wall = std::chrono::steady_clock;
-  std::vector<PassTime>* times_;
-  Wall::time_point wall_ = Wall::now();
-  std::clock_t processor_ = std::clock();
-};
 
 /// What a picture shows, besides the frame's uniforms.
 struct SceneView {
@@ -134,8 +110,11 @@ void Stage::draw_shadow_map(const SceneExtent& extent, const Studio& studio, con
 }
 
 void Stage::shade_by_tools(const FrameUniforms& frame, bool is_lamp_large, PassClock& clock) {
-  const bool has_soft_shadows = is_lamp_large && tier != Tier::kDraft;
-  has_soft_shadows ? tool_shade.draw(meshes, frame) : tool_shade.clear();
+  if (is_lamp_large && tier != Tier::kDraft) {
+    tool_shade.draw(meshes, frame);
+  } else {
+    tool_shade.clear();
+  }
   clock.ends("tools' shade");
 }
 

@@ -89,7 +89,6 @@ TEST(ContactPressure, TimesTheAreaOfTheStretchedWallIsTheForceOfTheTool) {
   for (const ToolDefinition& tool : {point_tool(), sphere_tool(0.004)}) {
     Body body(swollen, {tool}, quasi_static());
     body.settle();
-    const double crown = body.state().equilibrium.position.maxCoeff();
     move(body, pose_at({0, 0, 0.020}), {0, 0, 0.012}, 16, 0.02);
     const Eigen::VectorXd pressure = body.contact_pressure();
     const auto corner = [&](int vertex) { return body.state().equilibrium.position.segment<3>(3 * vertex); };
@@ -103,7 +102,7 @@ TEST(ContactPressure, TimesTheAreaOfTheStretchedWallIsTheForceOfTheTool) {
     }
     // Magnitudes are summed; the directions of a ball's contacts differ a little.
     EXPECT_NEAR(force, body.state().contacts[0].force.norm(), 0.1 * force) << tool.name;
-    EXPECT_GT(force, 1.2 * rest_force) << tool.name << " presses a wall that is hardly stretched, crown " << crown;
+    EXPECT_GT(force, 1.2 * rest_force) << tool.name << " presses a wall that is hardly stretched";
   }
 }
 
