@@ -125,6 +125,27 @@ double distance_from_border(const SurfaceView& surface, const Eigen::Vector3d& p
   return nearest;
 }
 
+std::optional<SurfaceEntry> first_rim(const SurfaceView& surface, std::span<const double> thickness,
+                                      const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) {
+  const auto across = [&](const Eigen::Vector3d& v) -> Eigen::Vector3d { return v - v.dot(direction) * direction; };
+  std::optional<SurfaceEntry> first;
+  for (const BorderSide& side : border_sides(surface)) {
+    const Eigen::Vector3i& corners = surface.triangles[static_cast<std::size_t>(side.triangle)];
+    const int next = (side.corner + 1) % 3;
+    const Eigen::Vector3d from = surface.position.segment<3>(3 * corners[side.corner]) - origin;
+    const Eigen::Vector3d way = surface.position.segment<3>(3 * corners[next]) - origin - from;
+    const double squared = across(way).squaredNorm();
+    const double part = squared > 0 ? std::clamp(-across(from).dot(across(way)) / squared, 0.0, 1.0) : 0;
+    const Eigen::Vector3d place = from + part * way;
+    if (across(place).norm() > 0.5 * thickness[static_cast<std::size_t>(side.triangle)]) continue;
+    if (first && place.dot(direction) >= first->travel) continue;
+    first = {{.triangle = side.triangle}, place.dot(direction)};
+    first->weights[side.corner] = 1 - part;
+    first->weights[next] = part;
+  }
+  return first;
+}
+
 Eigen::Vector3d way_ahead(const SurfaceView& surface, int tip) {
   Eigen::Vector3d ahead = Eigen::Vector3d::Zero();
   for (const BorderSide& side : border_sides(surface)) {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "engine/mesh/SurfacePoint.hpp"
@@ -31,6 +32,11 @@ std::optional<SurfacePoint> border_beyond(const SurfaceView& surface, const Blad
 
 /// Metres from a point to the nearest place of an open border; infinity where a surface has none.
 double distance_from_border(const SurfaceView& surface, const Eigen::Vector3d& point);
+
+/// Where a line, through `origin` along the unit `direction`, first meets the rim of a wall: passes an open border
+/// within half of the thickness there. `thickness`: (triangles), metres. Nothing where it meets none.
+std::optional<SurfaceEntry> first_rim(const SurfaceView& surface, std::span<const double> thickness,
+                                      const Eigen::Vector3d& origin, const Eigen::Vector3d& direction);
 
 /// The sense in which a cut with this tip leads on: away from the borders that meet there, not of unit length; zero
 /// where the vertex is at no border.

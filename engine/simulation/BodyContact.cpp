@@ -1,5 +1,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -85,6 +86,20 @@ Eigen::Vector3d free_axes(const BodyModel& model, const Attachment& attachment) 
     }
   }
   return free;
+}
+
+/// Lets the jaws of forceps feel how thick the wall between them is. `position`: (unknowns), metres.
+void pinch(const BodyModel& model, const Eigen::VectorXd& position, int tool, EquilibriumProblem& problem) {
+  std::vector<SolidContact*> jaws;
+  for (SolidContact& contact : problem.solids) {
+    if (contact.tool == tool && !contact.solid.is_part()) jaws.push_back(&contact);
+  }
+  assert(jaws.size() == 2 && "forceps have two jaws");
+  const ToolSolid &one = jaws[0]->solid, &other = jaws[1]->solid;
+  jaws[0]->inner_side = inner_side(one, other);
+  jaws[1]->inner_side = inner_side(other, one);
+  jaws[0]->pinched = pinched_sites(model, position, one, other);
+  jaws[1]->pinched = pinched_sites(model, position, other, one);
 }
 
 /// Whether no vertex of a triangle that a gap hangs on may move along its normal.
@@ -224,6 +239,7 @@ void Body::add_solids(std::span<const ToolPose> poses, EquilibriumProblem& probl
            .in_wall = state_.cut.tool == tool,
            .forces = state_.solid_forces[problem.solids.size()]});
     }
+    if (tools_[tool].kind == ToolKind::kForceps) pinch(*model_, state_.equilibrium.position, tool, problem);
   }
 }
 

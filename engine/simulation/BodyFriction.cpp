@@ -68,8 +68,8 @@ std::vector<FrictionContact> Body::friction_contacts(const std::vector<ToolSolid
     for (int s = 0; s < static_cast<int>(model_->sites.size()); ++s) {
       if (solid.forces[s] <= 0) continue;
       const ContactSite& site = model_->sites[s];
-      const auto gap = solid_gap(at_begin ? before[k] : solid.solid, std::numeric_limits<double>::infinity(),
-                                 corners_of(model_->surface[site.triangle], position), site.part, site.corner);
+      const auto gap = solid.gap(s, site, at_begin ? before[k] : solid.solid, std::numeric_limits<double>::infinity(),
+                                 corners_of(model_->surface[site.triangle], position), GapTerms::kHessian);
       FrictionContact contact{.solid = k, .site = s, .triangle = site.triangle, .weights = gap->weights};
       contact.normal = gap->normal;
       contact.potential = {.limit = coefficient * solid.forces[s], .give = give};

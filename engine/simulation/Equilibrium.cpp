@@ -185,7 +185,7 @@ void find_contacts(const BodyModel& model, const EquilibriumProblem& problem, co
   for (int k = 0; k < static_cast<int>(problem.solids.size()); ++k) {
     const SolidContact& contact = problem.solids[k];
     if (contact.in_wall) continue;
-    const double near = contact.range + kContactMargin * model.edge_length;
+    const double near = contact.reach() + kContactMargin * model.edge_length;
     for (int v = 0; v < model.vertices(); ++v) {
       // Far away the distance from a ball around the solid says enough, and is quicker found.
       const double bound = (position.segment<3>(3 * v) - contact.solid.center).norm() - contact.solid.extent();
@@ -204,12 +204,12 @@ void find_contacts(const BodyModel& model, const EquilibriumProblem& problem, co
       const Eigen::Vector3i& triangle = model.surface[site.triangle];
       const double reach = contact.forces[s] > 0 ? std::numeric_limits<double>::infinity() : near;
       if (is_clearly_apart(position, triangle, distances, site, reach)) continue;
-      const auto gap = solid_gap(contact.solid, reach, corners_of(triangle, position), site.part, site.corner,
-                                 contact.forces[s] != 0 ? GapTerms::kHessian : GapTerms::kGradient);
+      const auto gap = contact.gap(s, site, contact.solid, reach, corners_of(triangle, position),
+                                   contact.forces[s] != 0 ? GapTerms::kHessian : GapTerms::kGradient);
       // The gap of a site whose deepest point lies on its border is that of another site.
       if (!gap || (gap->part != site.part && contact.forces[s] == 0)) continue;
       terms.contacts.push_back(
-          {.solid = k, .site = s, .triangle = site.triangle, .potential = contact.potential(site), .gap = *gap});
+          {.solid = k, .site = s, .triangle = site.triangle, .potential = contact.potential(s, site), .gap = *gap});
     }
   }
 }

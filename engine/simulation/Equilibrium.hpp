@@ -11,6 +11,7 @@
 #include "engine/fluid/OrificeFlow.hpp"
 #include "engine/simulation/BodyModel.hpp"
 #include "engine/simulation/FrictionContact.hpp"
+#include "engine/simulation/PinchedWall.hpp"
 #include "engine/simulation/ShaftContact.hpp"
 
 namespace thinwall {
@@ -40,12 +41,14 @@ struct SolidContact {
 
   int tool = 0;  // index
   ToolSolid solid;
-  double range = 0;             // metres, gap at which vertices begin to be pushed
-  double dip = 0;               // metres inside the solid at which faces begin to be pushed
-  double hugging_pressure = 0;  // pascal, under which a wall of unit strain lies on the solid
-  bool in_wall = false;         // a blade that cuts: keeps nothing out
-  bool catches_edges = false;   // a hull: keeps out edges too, since one came past its rims
-  std::vector<double> forces;   // (sites), newton, between the solid and each site: multipliers
+  double range = 0;                       // metres, gap at which vertices begin to be pushed
+  double dip = 0;                         // metres inside the solid at which faces begin to be pushed
+  double hugging_pressure = 0;            // pascal, under which a wall of unit strain lies on the solid
+  bool in_wall = false;                   // a blade that cuts: keeps nothing out
+  bool catches_edges = false;             // a hull: keeps out edges too, since one came past its rims
+  std::vector<PinchedSite> pinched = {};  // between a jaw and the other, in the order of the sites
+  double inner_side = 0;                  // of a jaw, see inner_side()
+  std::vector<double> forces;             // (sites), newton, between the solid and each site: multipliers
 
   /// Where the wall lies on a solid that is flatter than its triangles, the vertices bear the load and stand for a wall
   /// that is curved between them; edges are held back where an edge of the tool crosses them, faces where a tip or a
@@ -56,6 +59,35 @@ struct SolidContact {
     const bool passed = site.part == SitePart::kEdge && solid.role == ToolSolid::Role::kHull;
     const double part = site.part == SitePart::kFace ? 1 : passed ? kPassedEdgeDip : kEdgeDip;
     return {.onset = -part * dip, .stiffness = stiffness};
+  }
+
+  const PinchedSite* find_pinched(int site) const {
+    const auto found = std::ranges::lower_bound(pinched, site, {}, &PinchedSite::site);
+    return found == pinched.end() || found->site != site ? nullptr : &*found;
+  }
+
+  /// That of site `index`, of a pinched one the wall's own.
+  ContactPotential potential(int index, const ContactSite& site) const {
+    ContactPotential own = potential(site);
+    if (const PinchedSite* found = find_pinched(index)) {
+      own.onset = std::max(own.onset, found->potential.onset);
+      own.stiffness = std::min(own.stiffness, found->potential.stiffness);
+    }
+    return own;
+  }
+
+  /// As `solid_gap`, of site `index`, from where the solid is now or was before: `at`.
+  std::optional<SolidGap> gap(int index, const ContactSite& site, const ToolSolid& at, double reach,
+                              const std::array<Eigen::Vector3d, 3>& corners, GapTerms wanted) const {
+    if (find_pinched(index)) return gap_from_inner_side(at, inner_side, corners, site.corner);
+    return solid_gap(at, reach, corners, site.part, site.corner, wanted);
+  }
+
+  /// Gap from which on nothing is pushed, metres.
+  double reach() const {
+    double reach = range;
+    for (const PinchedSite& site : pinched) reach = std::max(reach, site.potential.onset);
+    return reach;
   }
 
   bool meets(SitePart part) const {

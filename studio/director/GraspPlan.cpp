@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/cutting/BorderCrossing.hpp"
+
 namespace thinwall {
 
 double GraspPlan::duration() const {
@@ -33,9 +35,12 @@ void GraspPlan::feel(double squeeze, double opening, double time) {
 }
 
 GraspPlan plan_grasp(const GraspClip& clip, const ToolDefinition& tool, const SurfaceView& surface,
-                     const SourceLocation& location) {
+                     std::span<const double> thickness, const SourceLocation& location) {
   const Eigen::Vector3d direction = clip.direction.normalized().array() + 0.0;
-  const SurfaceEntry hit = meet_on_approach({"grasp", clip.at, direction, clip.body}, surface, location);
+  const std::optional<SurfaceEntry> rim = first_rim(surface, thickness, clip.at, direction);
+  const SurfaceEntry hit = rim && !first_entry(surface, clip.at, direction)
+                               ? *rim
+                               : meet_on_approach({"grasp", clip.at, direction, clip.body}, surface, location);
   GraspPlan plan{.clip = clip,
                  .begin = make_pose(clip.at + (hit.travel - clip.standoff) * direction, direction, clip.axis),
                  .stopped = {},

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "studio/director/ClipPlan.hpp"
 
@@ -21,9 +22,11 @@ struct GraspPlan {
   void feel(double squeeze, double opening, double time);
 };
 
-/// Finds where the line of approach meets the wall. Throws InputErrors at `location` when it misses the body.
+/// Finds where the line of approach meets the wall, or the rim of one, as thick as it is: jaws reach over the edge of a
+/// sheet or a flap from ahead. `thickness`: (triangles), metres. Throws InputErrors at `location` when it misses the
+/// body.
 GraspPlan plan_grasp(const GraspClip& clip, const ToolDefinition& tool, const SurfaceView& surface,
-                     const SourceLocation& location);
+                     std::span<const double> thickness, const SourceLocation& location);
 
 /// Forceps that open where they are.
 struct ReleasePlan {

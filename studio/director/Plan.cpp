@@ -42,7 +42,8 @@ Plan plan_action(const Clip& clip, const PlannedTool& tool,
     return plan_incision(*incise, tool.definition, body_of(incise->body).surface(), clip.location);
   }
   if (const auto* grasp = std::get_if<GraspClip>(&clip.action)) {
-    return plan_grasp(*grasp, tool.definition, body_of(grasp->body).surface(), clip.location);
+    const Body& body = body_of(grasp->body);
+    return plan_grasp(*grasp, tool.definition, body.surface(), body.model().definition.thickness, clip.location);
   }
   if (const auto* fill = std::get_if<FillClip>(&clip.action)) {
     return plan_fill(*fill, body_of(fill->body), clip.location);

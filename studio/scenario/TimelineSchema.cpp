@@ -178,7 +178,9 @@ MappingSchema grasp() {
       "grasp", "Reaches over a wall with open forceps and closes the jaws, which hold it by friction.",
       {kTool,
        kBody,
-       {"at", vector_value(kLength, {}, "[0, 0, 20 mm]"), false, "[0, 0, 0]", "a point of the line of approach"},
+       {"at", vector_value(kLength, {}, "[0, 0, 20 mm]"), false, "[0, 0, 0]",
+        "a point of the line of approach, which may also "
+        "meet the edge of a sheet or a flap from ahead"},
        {"direction", direction_value(), false, "[0, 0, -1]", "sense of the approach, z' of the tool"},
        {"axis", direction_value(), false, {}, "y' of the tool, along the width of the jaws, which close along x'"},
        {"depth",
@@ -190,7 +192,9 @@ MappingSchema grasp() {
        {"standoff", quantity_value(kLength, kFromZero, "5 mm"), false, "5 mm",
         "distance from the wall at which the tips start"},
        {"to", quantity_value(kLength, kAboveZero, "1 mm"), false, "0.5 mm",
-        "distance between the closed jaws, between which two layers of wall may lie"},
+        "distance between the closed jaws: the wall that they leave less room than it is thick, in one layer or a "
+        "fold, is "
+        "squeezed between them"},
        {"grip",
         quantity_value(kForce, kAboveZero, "0.5 N"),
         false,

@@ -87,5 +87,20 @@ TEST(BorderBeyond, IsFoundWhereTheLipsOverlap) {
   EXPECT_NEAR(halves.at(*lip).y(), gap, 1e-12);
 }
 
+TEST(FirstRim, IsMetByALineThatPassesTheBorderWithinHalfOfTheThickness) {
+  const Halves halves;
+  const std::vector<double> thickness(halves.mesh.triangles.size(), 0.02);
+  const Eigen::Vector3d far(0.13, 5, 0.009), way = -Eigen::Vector3d::UnitY();
+  const auto rim = first_rim(halves.view(), thickness, far, way);
+  ASSERT_TRUE(rim);
+  const double edge = 2 * Halves::size() - halves.gap();
+  EXPECT_NEAR(rim->travel, 5 - edge, 1e-12);
+  EXPECT_LT((halves.at(*rim) - Eigen::Vector3d(0.13, edge, 0)).norm(), 1e-12);
+  // Of several the first, wherever on the line it is told to begin.
+  EXPECT_NEAR(first_rim(halves.view(), thickness, {0.13, -5, 0}, way)->travel, -5 - edge, 1e-12);
+  EXPECT_FALSE(first_rim(halves.view(), thickness, {0.13, 5, 0.011}, way)) << "above it";
+  EXPECT_FALSE(first_rim(halves.view(), thickness, {1.02, 5, 0}, way)) << "beside it";
+}
+
 }  // namespace
 }  // namespace thinwall

@@ -18,6 +18,7 @@ namespace {
 struct Table {
   SurfaceMesh mesh = make_sheet(0.08, 0.08, 200);
   Eigen::VectorXd position;
+  std::vector<double> thickness = std::vector<double>(mesh.triangles.size(), 0.002);  // (triangles), metres
   Table() : position(3 * mesh.vertices.size()) {
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) position.segment<3>(3 * v) = mesh.vertices[v];
   }
@@ -129,6 +130,23 @@ TEST(ClipPlan, AToolsFirstMoveHasTheDirectionOfTheMotionThroughout) {
   }
 }
 
+TEST(ClipPlan, JawsReachOverTheRimOfAWallThatTheyComeToEdgeOn) {
+  const Table table;
+  const ToolDefinition forceps{.name = "grip", .kind = ToolKind::kForceps, .opening = 0.01};
+  GraspClip clip{.tool = "grip",
+                 .body = "table",
+                 .at = {0, 0.003, 0.0009},
+                 .direction = -Eigen::Vector3d::UnitX(),
+                 .depth = 0.005,
+                 .speed = 0.01,
+                 .standoff = 0.004};
+  const GraspPlan plan = plan_grasp(clip, forceps, table.view(), table.thickness, {});
+  EXPECT_LT((plan.begin.tip - Eigen::Vector3d(0.044, 0.003, 0.0009)).norm(), 1e-12);
+  EXPECT_NEAR(plan.at(0.9).pose.tip.x(), 0.035, 1e-12);
+  clip.at.z() = 0.0011;
+  EXPECT_THROW(plan_grasp(clip, forceps, table.view(), table.thickness, {}), InputErrors) << "passes above it";
+}
+
 TEST(ClipPlan, JawsReachOverTheWallThenCloseAndOpenAgain) {
   const Table table;
   const ToolDefinition forceps{.name = "grip", .kind = ToolKind::kForceps, .opening = 0.01};
@@ -141,7 +159,7 @@ TEST(ClipPlan, JawsReachOverTheWallThenCloseAndOpenAgain) {
                        .to = 0.001,
                        .grip = 0.5,
                        .duration = 0.9};
-  GraspPlan plan = plan_grasp(clip, forceps, table.view(), {});
+  GraspPlan plan = plan_grasp(clip, forceps, table.view(), table.thickness, {});
   EXPECT_NEAR(plan.duration(), 0.6 + 0.9, 1e-12);
   EXPECT_NEAR(plan.at(0.3).pose.tip.z(), 0.001, 1e-12);
   EXPECT_EQ(plan.at(0.3).pose.opening, 0.01);

@@ -1,0 +1,86 @@
+#include "engine/simulation/PinchedWall.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace thinwall {
+namespace {
+
+/// Part of its thickness by which jaws have squeezed a wall that lies in their middle.
+constexpr double kCentred = 0.25;
+
+/// The wall around a vertex, across.
+struct WallAcross {
+  double thickness = 0;  // metres, as it is stretched now
+  double modulus = 0;    // pascal, Young's
+};
+
+/// (vertices)
+std::vector<WallAcross> walls_across(const BodyModel& model, const Eigen::VectorXd& position) {
+  std::vector<WallAcross> walls(model.vertices());
+  std::vector<double> volume(walls.size()), area(walls.size());  // metres^3, of the wall; metres^2
+  for (int t = 0; t < model.triangles(); ++t) {
+    const auto corners = corners_of(model.surface[t], position);
+    const double now = 0.5 * (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
+    const double own = model.rest[t].area * model.rest[t].thickness;
+    const Material& material = model.material(t);
+    const double modulus = material.law->initial_modulus(material.parameters);
+    for (const int vertex : model.surface[t]) {
+      volume[vertex] += own;
+      area[vertex] += now;
+      walls[vertex].modulus += own * modulus;
+    }
+  }
+  for (std::size_t v = 0; v < walls.size(); ++v) {
+    if (area[v] == 0 || volume[v] == 0) continue;
+    walls[v] = {.thickness = volume[v] / area[v], .modulus = walls[v].modulus / volume[v]};
+  }
+  return walls;
+}
+
+}  // namespace
+
+std::vector<PinchedSite> pinched_sites(const BodyModel& model, const Eigen::VectorXd& position, const ToolSolid& jaw,
+                                       const ToolSolid& other) {
+  std::vector<PinchedSite> pinched;
+  const std::vector<WallAcross> walls = walls_across(model, position);
+  for (int s = 0; s < static_cast<int>(model.sites.size()); ++s) {
+    const ContactSite& site = model.sites[s];
+    if (site.part != SitePart::kCorner) continue;
+    const int vertex = model.surface[site.triangle][site.corner];
+    const WallAcross& wall = walls[vertex];
+    const Eigen::Vector3d place = position.segment<3>(3 * vertex);
+    const SignedDistance from_jaw = signed_distance(jaw, place), from_other = signed_distance(other, place);
+    const double squeezed = wall.thickness - from_jaw.value - from_other.value;
+    // On the outer side of a jaw both lie on the same side.
+    if (squeezed <= 0 || from_jaw.normal.dot(from_other.normal) >= 0) continue;
+    const auto corners = corners_of(model.surface[site.triangle], position);
+    const double own = gap_from_inner_side(jaw, inner_side(jaw, other), corners, site.corner).gap;
+    const double across = gap_from_inner_side(other, inner_side(other, jaw), corners, site.corner).gap;
+    const double centred = std::min(1.0, squeezed / (kCentred * wall.thickness));
+    const double aside = (1 - centred * centred) * 0.5 * (own - across);
+    pinched.push_back({.site = s,
+                       .potential = {.onset = 0.5 * (own + across + squeezed) + aside,
+                                     .stiffness = wall.modulus * site.area / (0.5 * wall.thickness)}});
+  }
+  return pinched;
+}
+
+double inner_side(const ToolSolid& jaw, const ToolSolid& other) {
+  return (other.center - jaw.center).dot(jaw.frame.col(0)) > 0 ? 1 : -1;
+}
+
+SolidGap gap_from_inner_side(const ToolSolid& jaw, double side, const std::array<Eigen::Vector3d, 3>& corners,
+                             int corner) {
+  SolidGap gap;
+  gap.part = SitePart::kCorner;
+  gap.normal = side * jaw.frame.col(0);
+  gap.gap = gap.normal.dot(corners[corner] - jaw.center) - (jaw.core.x() + jaw.radius);
+  gap.weights[corner] = 1;
+  gap.gradient.setZero();
+  gap.gradient.segment<3>(3 * corner) = gap.normal;
+  gap.hessian.setZero();
+  return gap;
+}
+
+}  // namespace thinwall
