@@ -63,6 +63,53 @@ TEST(VesselTree, DoesNotMoveWhereATriangleIsCutIntoParts) {
   EXPECT_EQ(vessel_trunks(after, 0.01), vessel_trunks(before, 0.01));
 }
 
+/// A square in a plane, of triangles that a cut has parted at `divided` places: as wide as long but for rounding.
+SnapshotTopology divided_square(std::size_t normal, std::size_t divided) {
+  constexpr std::uint32_t kSides = 12;
+  SnapshotTopology square;
+  const auto place = [&](float u, float v) {
+    Float3 result{};
+    result[(normal + 1) % 3] = 0.06F * (u / kSides - 0.5F);
+    result[(normal + 2) % 3] = 0.06F * (v / kSides - 0.5F);
+    return result;
+  };
+  for (std::uint32_t j = 0; j <= kSides; ++j) {
+    for (std::uint32_t i = 0; i <= kSides; ++i) {
+      square.rest_positions.push_back(place(static_cast<float>(i), static_cast<float>(j)));
+    }
+  }
+  for (std::uint32_t j = 0; j < kSides; ++j) {
+    for (std::uint32_t i = 0; i < kSides; ++i) {
+      const std::uint32_t a = j * (kSides + 1) + i, b = a + 1, c = a + kSides + 2, d = c - 1;
+      square.triangles.insert(square.triangles.end(), {{a, b, c}, {a, c, d}});
+    }
+  }
+  for (std::size_t t = 0; t < divided; ++t) {
+    const auto [a, b, c] = square.triangles[5 * t];
+    const auto middle = static_cast<std::uint32_t>(square.rest_positions.size());
+    Float3 inside{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const float sum = 0.41F * square.rest_positions[a][k] + 0.37F * square.rest_positions[b][k];
+      inside[k] = sum + 0.22F * square.rest_positions[c][k];
+    }
+    square.rest_positions.push_back(inside);
+    square.triangles[5 * t] = {a, b, middle};
+    square.triangles.insert(square.triangles.end(), {{b, c, middle}, {c, a, middle}});
+  }
+  return square;
+}
+
+TEST(VesselTree, OfASheetAsWideAsLongStaysWhereItIsWhenTheSheetIsCut) {
+  for (const std::size_t normal : {0U, 1U, 2U}) {
+    const Vector3 uncut = vessel_tree(divided_square(normal, 0)).along;
+    for (std::size_t divided = 1; divided < 40; ++divided) {
+      const Vector3 along = vessel_tree(divided_square(normal, divided)).along;
+      // A ten thousandth of a radian: less than a hundredth of a millimetre on the sheet.
+      EXPECT_LT(length(along - uncut), 1e-4) << "normal " << normal << ", " << divided << " triangles divided";
+    }
+  }
+}
+
 TEST(VesselTree, OfASheetLiesBelowIt) {
   const SnapshotSurface sheet =
       test::surface_of("organ", {{0, 0, 0}, {0.04F, 0, 0}, {0.04F, 0.02F, 0}, {0, 0.02F, 0}}, {{0, 1, 2}, {0, 2, 3}});
