@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/cutting/SurfaceCurve.hpp"
+
 namespace thinwall {
 namespace {
 
@@ -113,16 +115,27 @@ std::optional<SurfacePoint> border_beyond(const SurfaceView& surface, const Blad
   return found;
 }
 
-double distance_from_border(const SurfaceView& surface, const Eigen::Vector3d& point) {
+std::optional<SurfacePoint> nearest_on_border(const SurfaceView& surface, const Eigen::Vector3d& point) {
+  std::optional<SurfacePoint> place;
   double nearest = std::numeric_limits<double>::infinity();
   for (const BorderSide& side : border_sides(surface)) {
     const Eigen::Vector3i& corners = surface.triangles[static_cast<std::size_t>(side.triangle)];
     const Eigen::Vector3d from = surface.position.segment<3>(3 * corners[side.corner]);
     const Eigen::Vector3d way = surface.position.segment<3>(3 * corners[(side.corner + 1) % 3]) - from;
     const double part = std::clamp((point - from).dot(way) / way.squaredNorm(), 0.0, 1.0);
-    nearest = std::min(nearest, (from + part * way - point).norm());
+    const double distance = (from + part * way - point).norm();
+    if (distance >= nearest) continue;
+    nearest = distance;
+    place = SurfacePoint{.triangle = side.triangle, .weights = Eigen::Vector3d::Zero()};
+    place->weights[side.corner] = 1 - part;
+    place->weights[(side.corner + 1) % 3] = part;
   }
-  return nearest;
+  return place;
+}
+
+double distance_from_border(const SurfaceView& surface, const Eigen::Vector3d& point) {
+  const std::optional<SurfacePoint> nearest = nearest_on_border(surface, point);
+  return nearest ? (position_of(surface, *nearest) - point).norm() : std::numeric_limits<double>::infinity();
 }
 
 std::optional<SurfaceEntry> first_rim(const SurfaceView& surface, std::span<const double> thickness,

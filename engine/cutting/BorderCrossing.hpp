@@ -30,6 +30,9 @@ struct BladeInGap {
 /// more than 15 degrees, that is nearest to where it left. Nothing where there is none.
 std::optional<SurfacePoint> border_beyond(const SurfaceView& surface, const BladeInGap& blade);
 
+/// The place of an open border that is nearest to a point; nothing where a surface has none.
+std::optional<SurfacePoint> nearest_on_border(const SurfaceView& surface, const Eigen::Vector3d& point);
+
 /// Metres from a point to the nearest place of an open border; infinity where a surface has none.
 double distance_from_border(const SurfaceView& surface, const Eigen::Vector3d& point);
 

@@ -72,15 +72,23 @@ std::optional<SurfacePoint> Body::place_before(int tool, const ToolPose& pose) c
 }
 
 bool Body::is_in_wound(int tool, const ToolPose& pose) const {
-  if (!state_.cut.tip) return false;
+  const CutProgress& cut = state_.cut;
   const SurfaceView wall = surface();
-  const Eigen::Vector3d tip = state_.equilibrium.position.segment<3>(3 * *state_.cut.tip);
-  if ((pose.tip - tip).dot(across(way_ahead(wall, *state_.cut.tip), pose.direction)) >= 0) return false;
+  if (cut.tip) {
+    const Eigen::Vector3d tip = state_.equilibrium.position.segment<3>(3 * *cut.tip);
+    if ((pose.tip - tip).dot(across(way_ahead(wall, *cut.tip), pose.direction)) >= 0) return false;
+  }
   const std::optional<SurfacePoint> place = place_below(tool, pose);
-  if (!place) return true;
+  if (!place) return cut.tip.has_value();
   // The flanks of a blade part the lips of a wound that does not gape.
-  const Eigen::Vector3d met = place_on(*model_, place->triangle, place->weights, state_.equilibrium.position);
-  return distance_from_border(wall, met) <= 0.5 * tools_[tool].thickness;
+  const double flank = 0.5 * tools_[tool].thickness;
+  const Eigen::Vector3d met = position_of(wall, *place);
+  if (distance_from_border(wall, met) > flank) return false;
+  if (cut.tip) return true;
+  // It has gone in between the lips of an earlier cut where it has gone along them since: across them it goes on into
+  // the wall.
+  const Eigen::Vector3d start = position_of(wall, *cut.start);
+  return (met - start).norm() > 2 * flank && distance_from_border(wall, start) <= flank;
 }
 
 std::optional<Body::WayOn> Body::way_out_of_wound(int tool, const ToolPose& pose) const {

@@ -78,6 +78,32 @@ TEST(ABladeThatGoesBackAlongItsCut, IsChargedForWhatItCutsAlone) {
   EXPECT_LT(std::abs(body.state().books.imbalance()), 1e-9 * body.state().books.largest());
 }
 
+TEST(ABladeThatGoesAlongAnEarlierCut, FeelsNothingUntilItIsBeyondThat) {
+  // In the cut itself, and across it at angles of a fraction of a degree, from one of its flanks' reach to the other,
+  // on beyond its end.
+  for (const double aside : {0.0, 0.03e-3, 0.15e-3}) {
+    Body body(stretched_sheet(1.0), {test_blade()}, quasi_static());
+    body.settle();
+    draw_blade(body, stroke_through({{-9e-3, 0.2e-3}, {5e-3, 0.2e-3}}));
+    const double edge = body.model().edge_length, cost = body.model().cut_cost(0);
+    const EnergyBooks first = body.state().books;
+    std::vector<double> work;  // joule, after each step
+    const std::vector<Cut> cuts = draw_blade(body, stroke_through({{-8e-3, 0.2e-3 + aside}, {9e-3, 0.2e-3 - aside}}),
+                                             [&] { work.push_back(body.state().books.tool_work - first.tool_work); });
+    const double length = length_of(cuts), paid = body.state().books.tool_work - first.tool_work;
+    std::printf("%.2f mm aside: %.2f mm cut, work of %.2f mm\n", 1e3 * aside, 1e3 * length, 1e3 * paid / cost);
+    // Whether the end that it goes on from is found hangs on where the triangles are.
+    EXPECT_NEAR(length, 4e-3, edge);
+    // Until it has gone along the lip for its thickness, which takes two steps of 1 mm, it may be on its way into the
+    // wall, and pays.
+    EXPECT_LT(work[work.size() / 2], 2.5e-3 * cost);
+    EXPECT_NEAR(paid, length * cost, edge * cost);
+    EXPECT_NEAR(body.state().books.jump, first.jump, 0.5 * edge * cost);
+    EXPECT_EQ(pieces_of(body).count, 1);
+    EXPECT_LT(std::abs(body.state().books.imbalance()), 1e-9 * body.state().books.largest());
+  }
+}
+
 TEST(ABladeThatTheWallGivesWayTo, PaysForAPartOfAnEdgeAlone) {
   // It goes in, and from then on above the wall.
   Body body(stretched_sheet(1.0), {test_blade()}, quasi_static());
