@@ -308,6 +308,8 @@ std::optional<Cut> Body::follow_blade(int tool, std::span<const ToolPose> poses,
   const bool was_off_wall = std::exchange(progress.is_off_wall, false);
   if (progress.is_in_wound) return std::nullopt;
   std::optional<WayOn> way = way_on(tool, pose);
+  // Behind its cut's tip it may have been in the air as well as in the wound: no step leads from there so far.
+  if (way && was_in_wound && is_far(*way)) way.reset();
   if (!way) way = way_out_of_wound(tool, pose);
   // It has passed above what lies between where the wall gave way from under it and where it meets it again.
   if (way && was_off_wall && is_far(*way)) way.reset();

@@ -137,6 +137,26 @@ TEST(ABladeThatTheWallGivesWayTo, CutsNothingOfWhatItHasPassedAboveWhereItMeetsT
   EXPECT_LT(std::abs(body.state().books.jump), edge * cost);
 }
 
+TEST(ABladeThatIsTakenOverTheWallToBehindItsCut, CutsNothingOfTheWayThere) {
+  // Behind the cut's tip a blade without wall below it counts as in its own wound.
+  Body body(stretched_sheet(1.0), {test_blade()}, quasi_static());
+  body.settle();
+  const double off = 0.05e-3;
+  BladeStroke stroke = stroke_through({{-2e-3, 0.2e-3}, {4e-3, 0.2e-3}});
+  stroke.points.emplace_back(3.9e-3, 0.4e-3, off);
+  stroke.points.emplace_back(-6e-3, 7e-3, off);
+  for (const double x : {-6.1e-3, -12e-3}) stroke.points.emplace_back(x, 7e-3, kHeight);
+  stroke.step = 0.5e-3;
+  const std::vector<Cut> cuts = draw_blade(body, stroke);
+  const double edge = body.model().edge_length, cost = body.model().cut_cost(0);
+  std::printf("%.2f mm, %zu borders, jump %.2f edges\n", 1e3 * length_of(cuts), pieces_of(body).borders,
+              body.state().books.jump / (edge * cost));
+  // Each of the four ends may be off by a part of an edge.
+  EXPECT_NEAR(length_of(cuts), 12e-3, edge);
+  EXPECT_EQ(pieces_of(body).borders, 3U);
+  EXPECT_LT(std::abs(body.state().books.jump), edge * cost);
+}
+
 TEST(ABladeInAShellInMotion, CrossesAnEarlierCutWithoutTroubleForTheSolver) {
   BodyDefinition definition = stretched_sheet(1.05);
   definition.model = WallModel::kShell;
