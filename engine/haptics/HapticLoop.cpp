@@ -18,11 +18,38 @@ constexpr double kFastestHand = 2;
 /// Memory for more ticks than this is not taken beforehand, seconds.
 constexpr double kLongestReserve = 600;
 
+/// How the tool has moved from one tick to the next.
+struct Movement {
+  Eigen::Vector3d way = Eigen::Vector3d::Zero();  // metres; none of a tool that was set elsewhere
+  double duration = 0;                            // seconds: more than a period where ticks were left out
+};
+
+class MovementWatch {
+ public:
+  explicit MovementWatch(double period) : period_(period) {}
+
+  Movement to(double time, const Eigen::Vector3d& tip) {
+    Movement movement{.duration = has_begun_ ? time - time_ : period_};
+    const Eigen::Vector3d way = tip - tip_;
+    if (has_begun_ && way.norm() <= kFastestHand * movement.duration) movement.way = way;
+    has_begun_ = true;
+    tip_ = tip;
+    time_ = time;
+    return movement;
+  }
+
+ private:
+  double period_;    // seconds
+  double time_ = 0;  // seconds
+  bool has_begun_ = false;
+  Eigen::Vector3d tip_ = Eigen::Vector3d::Zero();  // metres
+};
+
 void run(HapticDevice& device, ForceSource& source, const HapticLoopOptions& options, HapticRecord& record) {
   record.was_real_time = options.real_time && ask_for_real_time();
   source.begin();
   PassivityGuard guard(options.passivity);
-  std::optional<ToolPose> before;
+  MovementWatch watch(options.period);
   const double begin = loop_clock() + options.period;
   for (long k = 0;; ++k) {
     HapticTick tick{.time = static_cast<double>(k) * options.period, .pose = {}};
@@ -33,11 +60,9 @@ void run(HapticDevice& device, ForceSource& source, const HapticLoopOptions& opt
     const std::optional<ToolPose> pose = device.pose_at(tick.time);
     if (!pose) break;
     tick.pose = *pose;
-    const Eigen::Vector3d moved = before ? tick.pose.tip - before->tip : Eigen::Vector3d::Zero().eval();
-    const bool was_set = moved.norm() > kFastestHand * options.period;
-    const Eigen::Vector3d motion = was_set ? Eigen::Vector3d::Zero().eval() : moved;
-    before = tick.pose;
-    tick.force = guard.guard(source.force(tick, motion / options.period), motion, options.period);
+    const Movement movement = watch.to(tick.time, tick.pose.tip);
+    const Eigen::Vector3d wanted = source.force(tick, movement.way / movement.duration);
+    tick.force = guard.guard(wanted, movement.way, movement.duration);
     device.feel(tick.time, tick.force);
     const double done = loop_clock();
     tick.computed = done - woken;
@@ -54,6 +79,7 @@ void run(HapticDevice& device, ForceSource& source, const HapticLoopOptions& opt
   }
   record.damped = guard.dissipated();
   record.braked = guard.braked();
+  record.yielded = guard.yielded();
 }
 
 }  // namespace

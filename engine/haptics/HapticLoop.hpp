@@ -43,6 +43,7 @@ struct HapticRecord {
   bool was_real_time = false;
   double damped = 0;  // joule, asked of the passivity guard
   long braked = 0;    // ticks in which it braked
+  long yielded = 0;   // ticks in which it gave less than the force wanted
   bool interrupted = false;
   bool solver_failed = false;
 };

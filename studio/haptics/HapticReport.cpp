@@ -146,8 +146,8 @@ std::string to_text(const HapticReport& report) {
       100 * report.error.mean_part(), report.error.samples);
   text += fmt::format("largest force jump: {:.4g} N from a tick to the next (the full solution itself: {:.4g} N)\n",
                       largest_jump(report.record.ticks), report.full_change);
-  text +=
-      fmt::format("passivity guard: braked in {} ticks, {:.3g} mJ\n", report.record.braked, 1e3 * report.record.damped);
+  text += fmt::format("passivity guard: braked in {} ticks, {:.3g} mJ; gave less than the force in {} ticks\n",
+                      report.record.braked, 1e3 * report.record.damped, report.record.yielded);
   return text;
 }
 
@@ -183,7 +183,9 @@ std::string to_json(const HapticReport& report) {
                          {"samples", report.error.samples}};
   json["largest_force_jump_N"] = largest_jump(report.record.ticks);
   json["full_solution_largest_change_N"] = report.full_change;
-  json["passivity_guard"] = {{"braked_ticks", report.record.braked}, {"damped_J", report.record.damped}};
+  json["passivity_guard"] = {{"braked_ticks", report.record.braked},
+                             {"damped_J", report.record.damped},
+                             {"yielded_ticks", report.record.yielded}};
   if (!report.failure.empty()) json["failure"] = report.failure;
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
 }

@@ -257,6 +257,7 @@ void run_corrected(const HapticPlan& plan, const Scenario& coarse, LoopedRun& lo
 void run_loop(const HapticPlan& plan, const Scenario* coarse, LoopedRun& looped, int tool, Hand& hand,
               HapticReport& report) {
   HapticLoopOptions options{.period = kPeriod, .duration = hand.duration, .real_time = plan.real_time};
+  options.passivity.way_before = reach_of(plan.scenario.tools[tool]);
   options.is_interrupted = [&] {
     try {
       plan.throw_if_interrupted();

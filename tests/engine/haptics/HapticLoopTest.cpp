@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -125,6 +126,32 @@ TEST(HapticLoopTest, AHandThatIsSetElsewhereIsFollowedByNoMoreThanItsWayInEachTi
   ASSERT_GT(depths.size(), 10U);
   for (std::size_t k = 1; k < depths.size(); ++k) EXPECT_LE(depths[k] - depths[k - 1], 1e-3 * (1 + 1e-9));
   EXPECT_GT(depths.back(), 5e-3);
+}
+
+/// Takes far longer than a period in one tick, and keeps the velocities that it was told.
+class SlowOnce final : public ForceSource {
+ public:
+  Eigen::Vector3d force(HapticTick& tick, const Eigen::Vector3d& velocity) override {
+    speeds.push_back(velocity.norm());
+    if (tick.time > 20e-3 && !was_slow_) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(30));
+      was_slow_ = true;
+    }
+    return Eigen::Vector3d::Zero();
+  }
+  std::vector<double> speeds;  // metres / second
+
+ private:
+  bool was_slow_ = false;
+};
+
+TEST(HapticLoopTest, AHandIsNoFasterWhereTicksWereLeftOut) {
+  Trajectory hand(straight_in(0.1, 5e-3));
+  SlowOnce source;
+  const HapticRecord record = run_haptic_loop(hand, source, {.duration = 1, .real_time = false});
+  EXPECT_GE(record.skipped, 25);
+  ASSERT_GT(source.speeds.size(), 10U);
+  for (std::size_t k = 1; k < source.speeds.size(); ++k) EXPECT_NEAR(source.speeds[k], 0.05, 1e-9) << k;
 }
 
 }  // namespace
