@@ -21,6 +21,9 @@ class HapticDevice {
 
   /// `force`: newton, what the tissue does to the tool.
   virtual void feel(double time, const Eigen::Vector3d& force) = 0;
+
+  /// The loop has ended, however it did: the hand is to feel nothing any more.
+  virtual void let_go() {}
 };
 
 }  // namespace thinwall

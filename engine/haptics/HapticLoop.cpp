@@ -130,6 +130,7 @@ HapticRecord run_haptic_loop(HapticDevice& device, ForceSource& source, const Ha
     }
   });
   thread.join();
+  device.let_go();
   if (failure) std::rethrow_exception(failure);
   return record;
 }

@@ -340,7 +340,8 @@ void CommandLine::add_haptic() {
   command->add_option("--peer", texts_.peer, "a driver's motion: it sends poses to this socket and receives forces")
       ->type_name("SOCKET")
       ->excludes(trajectory);
-  command->add_option("--for", texts_.duration, "how long at most, for example 5s")->type_name("TIME");
+  command->add_option("--for", texts_.duration, "how long at most, for example 5s; 10 minutes when absent")
+      ->type_name("TIME");
   command
       ->add_option("--forces", texts_.forces,
                    "auto, full (solved in each tick) or local (a model of the contact, "

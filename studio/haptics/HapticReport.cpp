@@ -113,6 +113,24 @@ double largest_change(const std::vector<TimedForce>& full, double period) {
 
 namespace {
 
+std::string driver_text(const PeerFigures& driver) {
+  std::string text =
+      fmt::format("driver: {} poses, longest silence {:.1f} ms", driver.poses, 1e3 * driver.longest_silence);
+  if (driver.passed_over > 0) text += fmt::format("; {} datagrams were passed over", driver.passed_over);
+  if (driver.undelivered > 0) text += fmt::format("; {} forces could not be delivered", driver.undelivered);
+  if (driver.lost >= 0) text += fmt::format("; it was gone from {:.3f} s on and did not come back", driver.lost);
+  return text + "\n";
+}
+
+nlohmann::ordered_json json_of(const PeerFigures& driver) {
+  nlohmann::ordered_json json = {{"poses", driver.poses},
+                                 {"passed_over", driver.passed_over},
+                                 {"undelivered_forces", driver.undelivered},
+                                 {"longest_silence_ms", 1e3 * driver.longest_silence}};
+  if (driver.lost >= 0) json["lost_at_s"] = driver.lost;
+  return json;
+}
+
 const char* real_time_text(const HapticReport& report) {
   if (report.record.was_real_time) return "yes";
   if (!report.asked_for_real_time) return "not asked for; wake-ups depend on what else runs";
@@ -133,6 +151,7 @@ std::string to_text(const HapticReport& report) {
   if (report.refresh.solutions > 0) text += row("age of the model", age(report.record));
   text += fmt::format("missed deadlines: {} of {}\n", missed(report.record),
                       static_cast<long>(report.record.ticks.size()) + report.record.skipped);
+  if (report.driver) text += driver_text(*report.driver);
   const bool is_led = report.coarse_triangles > 0;
   text += solutions(
       report, is_led ? fmt::format("solutions of a body of {} triangles", report.coarse_triangles) : "full solutions",
@@ -166,6 +185,7 @@ std::string to_json(const HapticReport& report) {
                                  {"wake_up", json_of(wake_up(report.record))},
                                  {"computation", json_of(computation(report.record))},
                                  {"empty_loop_wake_up", json_of(wake_up(report.empty))}};
+  if (report.driver) json["driver"] = json_of(*report.driver);
   if (report.refresh.solutions > 0) {
     json["model_age"] = json_of(age(report.record));
     json[report.coarse_triangles > 0 ? "coarse_solutions" : "full_solutions"] = json_of(report, report.refresh);

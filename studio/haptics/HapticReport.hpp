@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/haptics/HapticLoop.hpp"
+#include "studio/haptics/PeerDevice.hpp"
 
 namespace thinwall {
 
@@ -47,10 +49,11 @@ struct HapticReport {
   double duration = 0;                                // seconds, that the loop ran
   bool asked_for_real_time = true;
   HapticRecord record = {};
-  HapticRecord empty = {};          // of the empty loop
-  RefreshFigures refresh = {};      // none of full forces
-  int coarse_triangles = 0;         // of a coarse body that leads the fine one; 0: none
-  RefreshFigures corrections = {};  // of the coarse body's force by the fine one
+  HapticRecord empty = {};                 // of the empty loop
+  RefreshFigures refresh = {};             // none of full forces
+  int coarse_triangles = 0;                // of a coarse body that leads the fine one; 0: none
+  RefreshFigures corrections = {};         // of the coarse body's force by the fine one
+  std::optional<PeerFigures> driver = {};  // where one moved the tool
   ForceError error = {};
   double full_change = 0;    // newton, largest of the full solution within a tick
   std::string failure = {};  // why the solver failed

@@ -43,7 +43,7 @@ constexpr double kCorrectionBlending = 20e-3;
 /// Seconds for which a driver is waited for.
 constexpr double kPatience = 60;
 
-/// Seconds that a session with a driver may last without `duration`.
+/// Seconds that a session may last without `duration`.
 constexpr double kLongestSession = 600;
 
 /// Least way for which a local model is good, metres, and the parts of it that a secant needs, that the hand's
@@ -194,6 +194,7 @@ class LoopedRun {
 /// What moves the tool.
 struct Hand {
   std::unique_ptr<HapticDevice> device;
+  const PeerDevice* driver = nullptr;  // the device, where it is one
   ToolPose begin;
   double duration = 0;  // seconds
   FullSolution known;   // of the timeline's own motion
@@ -206,6 +207,7 @@ Hand make_hand(const HapticPlan& plan, int tool, const ToolPose& first) {
     fmt::print(stderr, "waiting for a driver at {}\n", plan.peer->string());
     hand.begin = peer->wait_for_first_pose(kPatience, plan.throw_if_interrupted);
     hand.duration = plan.duration.value_or(kLongestSession);
+    hand.driver = peer.get();
     hand.device = std::move(peer);
     return hand;
   }
@@ -218,6 +220,10 @@ Hand make_hand(const HapticPlan& plan, int tool, const ToolPose& first) {
   }
   hand.begin = moments.front().pose;
   hand.duration = std::min(moments.back().time, plan.duration.value_or(kLongestSession));
+  if (!plan.duration && moments.back().time > kLongestSession) {
+    fmt::print(stderr, "the motion lasts {:g} s, of which the first {:g} s are felt; --for asks for more\n",
+               moments.back().time, kLongestSession);
+  }
   hand.device = std::make_unique<Trajectory>(std::move(moments));
   return hand;
 }
@@ -313,6 +319,7 @@ HapticReport run_haptics(const HapticPlan& plan) {
   if (!changes_wall(plan.scenario.tools[tool])) coarse = coarse_scenario(plan.scenario, kCoarseTriangles);
   if (report.forces == "local" && !coarse) looped.emplace(plan.scenario, tool, kLocalTolerance);
   run_loop(plan, coarse ? &*coarse : nullptr, *looped, tool, hand, report);
+  if (hand.driver != nullptr) report.driver = hand.driver->figures();
   plan.throw_if_interrupted();
   if (report.record.ticks.empty()) return report;
   report.duration = report.record.ticks.back().time;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <optional>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -152,6 +153,27 @@ TEST(HapticLoopTest, AHandIsNoFasterWhereTicksWereLeftOut) {
   EXPECT_GE(record.skipped, 25);
   ASSERT_GT(source.speeds.size(), 10U);
   for (std::size_t k = 1; k < source.speeds.size(); ++k) EXPECT_NEAR(source.speeds[k], 0.05, 1e-9) << k;
+}
+
+/// Counts how often it is let go.
+class LetGoCount final : public HapticDevice {
+ public:
+  std::optional<ToolPose> pose_at(double time) override {
+    return time > 5e-3 ? std::nullopt : std::optional(ToolPose{});
+  }
+  void feel(double, const Eigen::Vector3d&) override {}
+  void let_go() override { ++count; }
+  int count = 0;
+};
+
+TEST(HapticLoopTest, TheHandIsLetGoOnceHoweverTheLoopEnds) {
+  LetGoCount hand;
+  NoForce nothing;
+  run_haptic_loop(hand, nothing, {.duration = 1, .real_time = false});
+  EXPECT_EQ(hand.count, 1);
+  FullForce failing([](double, const ToolPose&) -> FullAnswer { throw std::runtime_error("no equilibrium"); }, 1e-3);
+  EXPECT_THROW(run_haptic_loop(hand, failing, {.duration = 1, .real_time = false}), std::runtime_error);
+  EXPECT_EQ(hand.count, 2);
 }
 
 }  // namespace

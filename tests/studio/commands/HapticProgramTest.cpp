@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
 
 #include "tests/studio/commands/ProgramFixture.hpp"
 
@@ -37,6 +40,24 @@ TEST_F(HapticProgramTest, TheForcesOfARunAreAHandsMotion) {
   const ProgramEnd end = run({"haptic", "small.yaml", "--trajectory", "first/forces.csv", "--json"});
   ASSERT_EQ(end.exit_code, 0) << end.messages;
   EXPECT_GT(nlohmann::json::parse(end.output)["force_error"]["largest_force_N"], 0);
+}
+
+TEST_F(HapticProgramTest, TheDriverToCopyFromIsFeltAndEndsTheLoop) {
+  const std::string socket = folder_ / "hand.socket";
+  const std::string command = std::string(THINWALL_SOURCE_DIR) + "/scripts/haptic-driver '" + socket +
+                              "' 0 0 0.03 0 0 0.018 0.5 > '" + (folder_ / "felt").string() + "'";
+  int driver_end = -1;
+  std::thread driver([&] { driver_end = std::system(command.c_str()); });
+  const ProgramEnd end = run({"haptic", "small.yaml", "--json", "--peer", socket});
+  driver.join();
+  ASSERT_EQ(end.exit_code, 0) << end.messages;
+  EXPECT_EQ(driver_end, 0);
+  const nlohmann::json report = nlohmann::json::parse(end.output);
+  EXPECT_GT(report["driver"]["poses"], 50);
+  EXPECT_FALSE(report["driver"].contains("lost_at_s"));
+  EXPECT_LT(report["duration_s"], 20) << "it went on without a driver";
+  EXPECT_GT(report["force_error"]["largest_force_N"], 0);
+  EXPECT_NE(file_bytes(folder_ / "felt").find("largest force 0."), std::string::npos) << file_bytes(folder_ / "felt");
 }
 
 TEST_F(HapticProgramTest, RefusesWhatMakesNoSense) {

@@ -58,5 +58,20 @@ TEST(HapticReportTest, TellsThatRealTimeWasNotPermittedOnlyWhereItWasAskedFor) {
   EXPECT_EQ(to_text(report).find("not permitted"), std::string::npos);
 }
 
+TEST(HapticReportTest, TellsWhatCameOfADriver) {
+  HapticReport report;
+  report.record.ticks = report.empty.ticks = {tick(0, 1)};
+  EXPECT_EQ(to_text(report).find("driver:"), std::string::npos);
+  EXPECT_FALSE(nlohmann::json::parse(to_json(report)).contains("driver"));
+  report.driver = PeerFigures{.poses = 500, .passed_over = 3, .undelivered = 2, .longest_silence = 0.02, .lost = 0.5};
+  const std::string text = to_text(report);
+  for (const char* part : {"500 poses", "silence 20.0 ms", "3 datagrams", "2 forces", "gone from 0.500 s on"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+  }
+  const auto json = nlohmann::json::parse(to_json(report))["driver"];
+  EXPECT_EQ(json["lost_at_s"], 0.5);
+  EXPECT_EQ(json["undelivered_forces"], 2);
+}
+
 }  // namespace
 }  // namespace thinwall
