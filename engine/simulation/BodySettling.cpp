@@ -96,7 +96,6 @@ NewtonResult Body::solve(EquilibriumProblem& problem, EquilibriumState& state, c
                                         .maximum_iterations = std::min(effort.most_iterations.value_or(most), most),
                                         .takes_flaps = takes_flaps,
                                         .borders_contacts = options_.extrapolates,
-                                        .trusts_gaps = options_.extrapolates,
                                         .between_iterations = options_.between_iterations});
   report_.newton_iterations += result.iterations;
   report_.factorisations += result.factorisations;

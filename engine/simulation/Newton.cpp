@@ -239,7 +239,7 @@ bool Newton::is_solved(const EquilibriumProblem& problem, const Residual& residu
   const double loose = std::max(1.0, std::min(kRoundOffResidual, kLooseResidual / options.tolerance));
   const double slack = is_stalled ? loose : 1;
   // A stiff contact that has come loose by less than gaps may be missed by bears its force all the same.
-  const bool are_closed = options.trusts_gaps || residual.opening <= gap_tolerance;
+  const bool are_closed = residual.opening <= gap_tolerance;
   const double ghost = are_closed ? 0 : residual.ghost;
   return std::max(residual.largest_force, ghost) <= slack * options.tolerance * force_scale &&
          gap <= slack * gap_tolerance;

@@ -26,9 +26,6 @@ struct NewtonOptions {
   // where they go in circles; and whether the last step may be found with the factor of the one before: quicker, but
   // without the curvature that contacts take along, and right to the tolerance rather than to round-off.
   bool borders_contacts = false;
-  // Whether a contact that bears a force is told to be right by its gap alone, as one that bears none is: a gap that is
-  // wide by less than matters then keeps its force, however stiff it is.
-  bool trusts_gaps = false;
   std::function<void()> between_iterations = {};  // called before each; what it throws goes through
 };
 

@@ -97,6 +97,24 @@ TEST(SphereTool, ALastStepWithTheFactorOfTheOneBeforeEndsInTheSameEquilibrium) {
   EXPECT_LT((loose.body.state().contacts[0].force - force).norm(), 1e-5 * force.norm());
 }
 
+TEST(SphereTool, ABallThatStandsStillNowAndThenAndIsDrawnBackIsLetGo) {
+  // After a tick in which it stands still nothing is extrapolated from, and the wall is at rest with the force that it
+  // had, also where the ball has left it.
+  BodyDefinition definition = make_body(make_hemisphere(25e-3, 64), 1.5e-3, neo_hookean(30e3));
+  definition.fluid.initial_pressure = 400;
+  definition.fixed = {fixed_group("base")};
+  Body body(definition, {sphere_tool(6e-3)},
+            {.analysis = Analysis::kQuasiStatic, .tolerance = 1e-4, .extrapolates = true});
+  body.settle();
+  ToolPose pose = move(body, pose_at({0, 0, 26e-3}), {0, 0, 20e-3}, 120, 1e-3);
+  EXPECT_GT(body.state().contacts[0].force.norm(), 0.1);
+  for (int tick = 0; tick < 200; ++tick) {
+    pose = move(body, pose, pose.tip + Eigen::Vector3d(0, 0, 30e-6), 1, 1e-3);
+    pose = move(body, pose, pose.tip, 1, 1e-3);
+  }
+  EXPECT_EQ(body.state().contacts[0].force.norm(), 0);
+}
+
 struct Scene {
   const char* name;
   int triangles;
