@@ -51,7 +51,7 @@ template <typename Some>
 
 /// Compiles a function for several processors; which one is taken is decided when the program starts. Where they are to
 /// take lanes of their own, THINWALL_FOR_PROCESSORS goes before each definition of a function of one file.
-#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
+#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define THINWALL_FOR_ALL_PROCESSORS __attribute__((target_clones("avx2", "default")))
 #define THINWALL_FOR_PROCESSORS(processors) __attribute__((target(processors)))
 #else
