@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <fstream>
 #include <system_error>
 
@@ -114,7 +115,28 @@ std::string bytes_of_file(const std::filesystem::path& path) {
   return bytes;
 }
 
+namespace {
+
+/// Whether there is something that bytes are sent to, as `/dev/null`, `/dev/full` or a pipe, and not kept in.
+bool is_passage(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  return std::filesystem::is_character_file(status) || std::filesystem::is_fifo(status);
+}
+
+void send(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
+  std::FILE* passage = std::fopen(path.c_str(), "we");
+  if (passage == nullptr) fail(path, errno);
+  const bool is_sent = std::fwrite(bytes.data(), 1, bytes.size(), passage) == bytes.size();
+  const int code = errno;
+  if (std::fclose(passage) != 0) fail(path, errno);
+  if (!is_sent) fail(path, code);
+}
+
+}  // namespace
+
 void write_whole_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
+  if (is_passage(path)) return send(path, bytes);
   const std::filesystem::path unfinished = unfinished_name(path);
   UnfinishedFile file(unfinished);
   if (!file.open()) fail(path, errno);

@@ -1,9 +1,14 @@
 #include "renderer/image/WholeFile.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <array>
 #include <csignal>
+#include <filesystem>
 #include <fstream>
 
 #include "renderer/picture/PictureFailure.hpp"
@@ -47,6 +52,27 @@ TEST(WholeFile, WritesTheBytesAndLeavesNothingElse) {
   write_whole_file(folder / "a.txt", std::string_view("second"));
   EXPECT_EQ(bytes_of_file(folder / "a.txt"), "second");
   EXPECT_EQ(folder.file_count(), 1u);
+}
+
+TEST(WholeFile, APipeStaysOneAndIsWrittenTo) {
+  const TestFolder folder;
+  ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
+  // Read and written from one end, so that neither waits for the other.
+  const int pipe = ::open((folder / "pipe").c_str(), O_RDWR | O_CLOEXEC);
+  ASSERT_GE(pipe, 0);
+  write_whole_file(folder / "pipe", std::string_view("first"));
+  std::array<char, 5> read = {};
+  ASSERT_TRUE(std::filesystem::is_fifo(folder / "pipe")) << "nothing could be read";
+  EXPECT_EQ(::read(pipe, read.data(), read.size()), 5);
+  EXPECT_EQ(std::string_view(read.data(), read.size()), "first");
+  ::close(pipe);
+}
+
+TEST(WholeFile, AFullDeviceIsToldOf) {
+  const TestFolder folder;
+  std::filesystem::create_symlink("/dev/full", folder / "full");
+  EXPECT_NE(failure_of_writing(folder / "full", "first").find("No space left"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "full"));
 }
 
 TEST(WholeFile, ReadsAllBytesAndNothingOfWhatIsNoFile) {
