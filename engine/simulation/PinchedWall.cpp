@@ -9,6 +9,9 @@ namespace {
 /// Part of its thickness by which jaws have squeezed a wall that lies in their middle.
 constexpr double kCentred = 0.25;
 
+/// Cosine of the angle within which what a jaw touches first is taken to be its plane side.
+constexpr double kPlane = 1 - 1e-6;
+
 /// The wall around a vertex, across.
 struct WallAcross {
   double thickness = 0;  // metres, as it is stretched now
@@ -49,19 +52,18 @@ std::vector<PinchedSite> pinched_sites(const BodyModel& model, const Eigen::Vect
     if (site.part != SitePart::kCorner) continue;
     const int vertex = model.surface[site.triangle][site.corner];
     const WallAcross& wall = walls[vertex];
-    const Eigen::Vector3d place = position.segment<3>(3 * vertex);
-    const SignedDistance from_jaw = signed_distance(jaw, place), from_other = signed_distance(other, place);
-    const double squeezed = wall.thickness - from_jaw.value - from_other.value;
-    // On the outer side of a jaw both lie on the same side.
-    if (squeezed <= 0 || from_jaw.normal.dot(from_other.normal) >= 0) continue;
     const auto corners = corners_of(model.surface[site.triangle], position);
-    const double own = gap_from_inner_side(jaw, inner_side(jaw, other), corners, site.corner).gap;
-    const double across = gap_from_inner_side(other, inner_side(other, jaw), corners, site.corner).gap;
-    const double centred = std::min(1.0, squeezed / (kCentred * wall.thickness));
-    const double aside = (1 - centred * centred) * 0.5 * (own - across);
-    pinched.push_back({.site = s,
-                       .potential = {.onset = 0.5 * (own + across + squeezed) + aside,
-                                     .stiffness = wall.modulus * site.area / (0.5 * wall.thickness)}});
+    const SolidGap own = gap_from_inner_side(jaw, inner_side(jaw, other), corners, site.corner);
+    const SolidGap across = gap_from_inner_side(other, inner_side(other, jaw), corners, site.corner);
+    const double room = own.gap + across.gap;
+    if (room >= wall.thickness) continue;
+    const auto lies_before = [&](const ToolSolid& solid, const SolidGap& gap) {
+      return signed_distance(solid, corners[site.corner]).normal.dot(gap.normal) > kPlane;
+    };
+    if (!lies_before(jaw, own) || !lies_before(other, across)) continue;
+    const double centred = std::min(1.0, (wall.thickness - room) / (kCentred * wall.thickness));
+    const double half = 0.5 * wall.thickness, aside = (1 - centred * centred) * 0.5 * (own.gap - across.gap);
+    pinched.push_back({.site = s, .potential = {.onset = half + aside, .stiffness = wall.modulus * site.area / half}});
   }
   return pinched;
 }

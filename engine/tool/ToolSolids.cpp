@@ -7,7 +7,7 @@ namespace thinwall {
 namespace {
 
 constexpr double kPlateRounding = 1e-4;   // metres
-constexpr double kJawRounding = 0.3;      // of the thickness
+constexpr double kJawRounding = 0.25;     // of the smallest of its sizes
 constexpr double kNeedleTipRadius = 0.4;  // of the radius
 constexpr double kNeedleCone = 4;         // times the radius, at most all but the balls at both ends
 
@@ -66,7 +66,7 @@ std::vector<ToolSolid> tool_solids(const ToolDefinition& tool, const ToolPose& p
   for (const double side : {1.0, -1.0}) {
     ToolPose jaw = pose;
     jaw.tip += side * 0.5 * (pose.opening + tool.thickness) * across;
-    jaws.push_back(box_behind(jaw, size, std::min(kJawRounding * tool.thickness, 0.25 * size.minCoeff())));
+    jaws.push_back(box_behind(jaw, size, kJawRounding * size.minCoeff()));
   }
   return jaws;
 }

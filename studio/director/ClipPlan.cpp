@@ -88,6 +88,13 @@ SurfaceEntry meet_on_approach(const LineOfApproach& line, const SurfaceView& sur
                                             direction.y(), direction.z(), line.body, span_words(box_of(surface)))}});
 }
 
+void refuse_touching(double travel, double standoff, const ClipWords& words, const SourceLocation& location) {
+  if (travel > 0) return;
+  throw InputErrors({{location, fmt::format("{}: tool `{}` touches body `{}` already {:.3g} mm from the point of "
+                                            "approach; a larger `standoff` than {:.3g} mm lets it start outside",
+                                            words.verb, words.tool, words.body, 1e3 * standoff, 1e3 * standoff)}});
+}
+
 double free_travel(const ToolPose& pose, const ToolDefinition& tool, const SurfaceView& surface, double standoff,
                    const ClipWords& words, const SourceLocation& location) {
   const auto travel = travel_to_contact(surface, tool, pose, pose.direction);
@@ -95,11 +102,7 @@ double free_travel(const ToolPose& pose, const ToolDefinition& tool, const Surfa
     throw InputErrors(
         {{location, fmt::format("{}: tool `{}` passes beside body `{}`", words.verb, words.tool, words.body)}});
   }
-  if (*travel <= 0) {
-    throw InputErrors({{location, fmt::format("{}: tool `{}` touches body `{}` already {:.3g} mm from the point of "
-                                              "approach; a larger `standoff` than {:.3g} mm lets it start outside",
-                                              words.verb, words.tool, words.body, 1e3 * standoff, 1e3 * standoff)}});
-  }
+  refuse_touching(*travel, standoff, words, location);
   return *travel;
 }
 

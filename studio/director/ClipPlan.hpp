@@ -52,6 +52,10 @@ SurfaceEntry meet_on_approach(const LineOfApproach& line, const SurfaceView& sur
 PalpationPlan plan_palpation(const PalpateClip& clip, const ToolDefinition& tool, const SurfaceView& surface,
                              const SourceLocation& location, const std::string& verb = "palpate");
 
+/// Throws InputErrors at `location` when a tool touches a body already at its stand-off, metres: where it can go ahead
+/// by `travel`, metres, which is not positive.
+void refuse_touching(double travel, double standoff, const ClipWords& words, const SourceLocation& location);
+
 /// How far a tool can go ahead from a pose until it touches the body, metres. Throws InputErrors at `location` when it
 /// never does or touches already at this stand-off, metres.
 double free_travel(const ToolPose& pose, const ToolDefinition& tool, const SurfaceView& surface, double standoff,

@@ -46,6 +46,9 @@ GraspPlan plan_grasp(const GraspClip& clip, const ToolDefinition& tool, const Su
                  .stopped = {},
                  .lost = {}};
   plan.begin.opening = tool.opening;
+  // Jaws reach over the wall, and need not touch it at all on their way.
+  const std::optional<double> travel = travel_to_contact(surface, tool, plan.begin, direction);
+  if (travel) refuse_touching(*travel, clip.standoff, {"grasp", clip.tool, clip.body}, location);
   return plan;
 }
 

@@ -24,7 +24,7 @@ struct GraspPlan {
 
 /// Finds where the line of approach meets the wall, or the rim of one, as thick as it is: jaws reach over the edge of a
 /// sheet or a flap from ahead. `thickness`: (triangles), metres. Throws InputErrors at `location` when it misses the
-/// body.
+/// body, or the jaws would touch it already at their stand-off.
 GraspPlan plan_grasp(const GraspClip& clip, const ToolDefinition& tool, const SurfaceView& surface,
                      std::span<const double> thickness, const SourceLocation& location);
 

@@ -297,7 +297,7 @@ ValueSchema tools_schema() {
              {},
              "refines triangles where a cut would be farther than this off the blade's way, down to an eighth "
              "of their edges; when absent, cuts follow coarse triangles to about a quarter of their edges"}})},
-      {"forceps", "two jaws that open along x', with edges rounded by 0.3 thicknesses",
+      {"forceps", "two jaws that open along x', with edges rounded by a quarter of the smallest of their sizes",
        with_friction({length_key("opening", "10 mm", "distance between the open jaws"),
                       length_key("length", "30 mm", "length of the jaws, along z'"),
                       length_key("width", "4 mm", "width of the jaws, along y'"),

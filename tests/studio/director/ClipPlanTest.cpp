@@ -143,6 +143,14 @@ TEST(ClipPlan, JawsReachOverTheRimOfAWallThatTheyComeToEdgeOn) {
   const GraspPlan plan = plan_grasp(clip, forceps, table.view(), table.thickness, {});
   EXPECT_LT((plan.begin.tip - Eigen::Vector3d(0.044, 0.003, 0.0009)).norm(), 1e-12);
   EXPECT_NEAR(plan.at(0.9).pose.tip.x(), 0.035, 1e-12);
+  clip.standoff = -0.004;
+  EXPECT_NO_THROW(plan_grasp(clip, forceps, table.view(), table.thickness, {})) << "the wall lies between the jaws";
+  clip.at.z() = 0.001;
+  ToolDefinition narrow{.name = "grip", .kind = ToolKind::kForceps, .length = 0.03};
+  narrow.width = 0.004;
+  narrow.thickness = 0.002;
+  narrow.opening = 0.001;
+  EXPECT_THROW(plan_grasp(clip, narrow, table.view(), table.thickness, {}), InputErrors) << "it lies in a jaw";
   clip.at.z() = 0.0011;
   EXPECT_THROW(plan_grasp(clip, forceps, table.view(), table.thickness, {}), InputErrors) << "passes above it";
 }
