@@ -59,17 +59,20 @@ constexpr float kSideFinish = 0.75F;
 constexpr double kBent = 0.87;
 
 void ToolBuilder::join(const std::vector<FlatSection>& sections) {
-  // Corners of a section, from the middle of one broad face around to the other: x' and y' over its half sides.
-  constexpr std::array<std::array<double, 2>, 4> kQuarter = {
-      {{1, -1 + kChamferWidth}, {1, 1 - kChamferWidth}, {1 - kChamfer, 1}, {kChamfer - 1, 1}}};
-  constexpr std::size_t kCorners = 2 * kQuarter.size();
+  // Corners of a section, from the middle of one broad face around to the other.
+  constexpr std::size_t kQuarter = 4, kCorners = 2 * kQuarter;
   const auto middle_of = [&](const FlatSection& section) {
     return tip_ - section.back * direction_ + section.middle * side_;
   };
   const auto corner = [&](const FlatSection& section, std::size_t k) {
-    const double sense = k % kCorners < kQuarter.size() ? 1 : -1;
-    const auto [x, y] = kQuarter[k % kQuarter.size()];
-    return middle_of(section) + sense * x * section.half_thickness * side_ + sense * y * section.half_width * axis_;
+    const double sense = k % kCorners < kQuarter ? 1 : -1;
+    const double x = section.half_thickness, y = section.half_width;
+    const double off_x = section.chamfer > 0 ? section.chamfer : kChamfer * x;
+    const double off_y = section.chamfer > 0 ? section.chamfer : kChamferWidth * y;
+    const std::array<std::array<double, 2>, kQuarter> places = {
+        {{x, off_y - y}, {x, y - off_y}, {x - off_x, y}, {off_x - x, y}}};
+    const auto [across, along] = places[k % kQuarter];
+    return middle_of(section) + sense * across * side_ + sense * along * axis_;
   };
   // Of the face from corner `c` on, between section `k` and the one before.
   const auto corners = [&](std::size_t k, std::size_t c) {
@@ -90,7 +93,7 @@ void ToolBuilder::join(const std::vector<FlatSection>& sections) {
         const Vector3 next = other > 0 && other < sections.size() ? normal(other, c) : own;
         return dot(own, next) > kBent ? normalized(own + next) : own;
       };
-      append_face(corners(k, c), bent(k - 1), bent(k + 1), sections[k], c % kQuarter.size() == 0);
+      append_face(corners(k, c), bent(k - 1), bent(k + 1), sections[k], c % kQuarter == 0);
     }
   }
   for (const FlatSection* end : {&sections.front(), &sections.back()}) {

@@ -29,7 +29,8 @@ struct FlatSection {
   double half_thickness = 0;  // metres, along x'
   double half_width = 0;      // metres, along y'
   float roughness = kBrushed;
-  float grip = 0;  // of its broad faces, from the section before on
+  float grip = 0;      // of its broad faces, from the section before on
+  double chamfer = 0;  // metres, along both faces at an edge; zero: parts of them as handles have
 };
 
 /// Puts the shape of a tool together where the tool is.

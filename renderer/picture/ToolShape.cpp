@@ -220,36 +220,46 @@ ToolShape needle(const SnapshotTool& tool, double scene_size) {
   return builder.take();
 }
 
-/// One jaw of forceps and the arm that it sits on: thinner towards its end, with teeth across its inner face, none of
-/// which stands out of what the engine presses with. `side`: -1 or 1, along x'. `joint`: metres from the tip to where
-/// the arms meet.
+/// One jaw of forceps and the arm that it sits on: thinner towards its end, with teeth across its inner face. Nothing
+/// of it stands out of what presses, a box with rounded edges. `side`: -1 or 1, along x'. `joint`: metres from the tip
+/// to where the arms meet.
 std::vector<FlatSection> jaw(const SnapshotTool& tool, double side, double joint) {
-  constexpr double kToothed = 0.4;  // part of its length that has teeth
-  constexpr int kArmSteps = 10;
+  constexpr double kToothed = 0.4;    // part of its length that has teeth
+  constexpr double kRounding = 0.25;  // of the smallest of its sizes, of the edges
+  constexpr int kArmSteps = 10, kTipSteps = 4;
   const double thick = tool.thickness, length = tool.length, inner = 0.5 * tool.opening;
+  const double rounding = kRounding * std::min({thick, tool.width, length});
   const double tooth = std::clamp(0.5 * thick, length / 60, length / 12), depth = std::min(0.35 * tooth, 0.1 * thick);
   std::vector<FlatSection> sections;
-  const auto add = [&](double back, double low, double high) {
+  const auto add = [&](double back, double low, double high, double inset = 0) {
+    const double half = 0.5 * (high - low);
     sections.push_back({.back = back,
                         .middle = side * (inner + 0.5 * (low + high)),
-                        .half_thickness = 0.5 * (high - low),
-                        .half_width = 0.5 * tool.width});
+                        .half_thickness = half,
+                        .half_width = 0.5 * tool.width - inset,
+                        .chamfer = std::min(rounding - inset, 0.9 * half)});
   };
   const auto outside = [&](double back) { return thick * std::min(1.0, 0.55 + 0.45 * back / (0.35 * length)); };
+  for (int k = kTipSteps - 1; k > 0; --k) {
+    const double turned = 0.5 * std::numbers::pi * k / kTipSteps;
+    const double back = (1 - std::sin(turned)) * rounding, inset = (1 - std::cos(turned)) * rounding;
+    add(back, inset, outside(back) - 0.5 * inset, inset);
+  }
   const int teeth = static_cast<int>(kToothed * length / tooth);
   for (int k = 0; k < teeth; ++k) {
-    const double back = k * tooth;
+    const double back = rounding + k * tooth;
     add(back, 0, outside(back));
     add(back + 0.85 * tooth, depth, outside(back + 0.85 * tooth));
   }
-  add(teeth * tooth, 0, outside(teeth * tooth));
+  add(rounding + teeth * tooth, 0, outside(rounding + teeth * tooth));
   add(length, 0, thick);
   for (int k = 1; k <= kArmSteps; ++k) {
     const double t = static_cast<double>(k) / kArmSteps, bent = t * t * (3 - 2 * t);
     sections.push_back({.back = length + t * (joint - length),
                         .middle = (1 - bent) * side * (inner + 0.5 * thick) + bent * side * 0.4 * thick,
                         .half_thickness = 0.5 * thick * (1 - 0.2 * bent),
-                        .half_width = 0.5 * tool.width * (1 - 0.35 * bent)});
+                        .half_width = 0.5 * tool.width * (1 - 0.35 * bent),
+                        .chamfer = rounding * (1 - 0.35 * bent)});
   }
   return sections;
 }

@@ -128,6 +128,13 @@ TEST(ToolShape, JawsStayWithinWhatPressesAndMeetBehindIt) {
     innermost = std::min(innermost, aside);
     outermost = std::max(outermost, aside);
     EXPECT_LE(std::abs(vertex.position[1]), 0.5 * tool.width + 1e-9);
+    // Its edges are rounded by a quarter of its thickness; where the arm begins the box has its end.
+    const double rounding = 0.25 * tool.thickness;
+    const double across = std::abs(aside - 6e-3) - (0.5 * tool.thickness - rounding);
+    const double along = std::abs(vertex.position[1]) - (0.5 * tool.width - rounding);
+    const double ahead = rounding - vertex.position[2];
+    const double beyond = std::hypot(std::max(0.0, across), std::max(0.0, along), std::max(0.0, ahead));
+    EXPECT_LE(beyond, rounding + 1e-8) << vertex.position[2];
   }
   EXPECT_NEAR(innermost, 5e-3, 1e-9);
   EXPECT_NEAR(outermost, 7e-3, 1e-9);
