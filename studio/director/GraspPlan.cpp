@@ -38,9 +38,10 @@ GraspPlan plan_grasp(const GraspClip& clip, const ToolDefinition& tool, const Su
                      std::span<const double> thickness, const SourceLocation& location) {
   const Eigen::Vector3d direction = clip.direction.normalized().array() + 0.0;
   const std::optional<SurfaceEntry> rim = first_rim(surface, thickness, clip.at, direction);
-  const SurfaceEntry hit = rim && !first_entry(surface, clip.at, direction)
-                               ? *rim
-                               : meet_on_approach({"grasp", clip.at, direction, clip.body}, surface, location);
+  const std::optional<SurfaceEntry> entry = first_entry(surface, clip.at, direction);
+  const bool is_at_rim = rim && !(entry && entry->travel <= rim->travel);
+  const SurfaceEntry hit =
+      is_at_rim ? *rim : meet_on_approach({"grasp", clip.at, direction, clip.body}, surface, location);
   GraspPlan plan{.clip = clip,
                  .begin = make_pose(clip.at + (hit.travel - clip.standoff) * direction, direction, clip.axis),
                  .stopped = {},

@@ -155,6 +155,24 @@ TEST(ClipPlan, JawsReachOverTheRimOfAWallThatTheyComeToEdgeOn) {
   EXPECT_THROW(plan_grasp(clip, forceps, table.view(), table.thickness, {}), InputErrors) << "passes above it";
 }
 
+TEST(ClipPlan, JawsMeetTheRimOfAWallThatHangsDownBeforeTheWallBehindIt) {
+  Table table;
+  for (Eigen::Index at = 0; at < table.position.size(); at += 3) {
+    table.position[at + 2] = -table.position[at] * table.position[at];  // 1.6 mm at the rim
+  }
+  const ToolDefinition forceps{.name = "grip", .kind = ToolKind::kForceps, .opening = 0.01};
+  const GraspClip clip{.tool = "grip",
+                       .body = "table",
+                       .at = {0, 0.003, -0.0007},
+                       .direction = -Eigen::Vector3d::UnitX(),
+                       .depth = 0.005,
+                       .standoff = 0.004};
+  SurfaceView view = table.view();
+  view.open = true;
+  ASSERT_LT(first_entry(view, clip.at, clip.direction)->travel, -0.02) << "26.5 mm from the middle";
+  EXPECT_NEAR(plan_grasp(clip, forceps, view, table.thickness, {}).begin.tip.x(), 0.044, 1e-12);
+}
+
 TEST(ClipPlan, JawsReachOverTheWallThenCloseAndOpenAgain) {
   const Table table;
   const ToolDefinition forceps{.name = "grip", .kind = ToolKind::kForceps, .opening = 0.01};
