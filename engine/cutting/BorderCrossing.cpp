@@ -47,6 +47,13 @@ std::vector<BorderSide> border_sides(const SurfaceView& surface) {
   return sides;
 }
 
+SurfacePoint point_on(const BorderSide& side, double part) {
+  SurfacePoint point{.triangle = side.triangle, .weights = Eigen::Vector3d::Zero()};
+  point.weights[side.corner] = 1 - part;
+  point.weights[(side.corner + 1) % 3] = part;
+  return point;
+}
+
 /// Where a border crosses the plane through a point, a unit way and a unit line across it.
 struct SideCrossing {
   SurfacePoint place;
@@ -64,10 +71,7 @@ std::optional<SideCrossing> crossing_of(const SurfaceView& surface, const Border
   if ((off_a > 0) == (off_b > 0)) return std::nullopt;
   const double part = off_a / (off_a - off_b);
   const Eigen::Vector3d place = a + part * (b - a);
-  SideCrossing crossing{.place = {.triangle = side.triangle}, .along = place.dot(way), .height = place.dot(line)};
-  crossing.place.weights[side.corner] = 1 - part;
-  crossing.place.weights[next] = part;
-  return crossing;
+  return SideCrossing{.place = point_on(side, part), .along = place.dot(way), .height = place.dot(line)};
 }
 
 /// Unit, from a border into its triangle, across the border.
@@ -126,9 +130,7 @@ std::optional<SurfacePoint> nearest_on_border(const SurfaceView& surface, const 
     const double distance = (from + part * way - point).norm();
     if (distance >= nearest) continue;
     nearest = distance;
-    place = SurfacePoint{.triangle = side.triangle, .weights = Eigen::Vector3d::Zero()};
-    place->weights[side.corner] = 1 - part;
-    place->weights[(side.corner + 1) % 3] = part;
+    place = point_on(side, part);
   }
   return place;
 }
@@ -152,9 +154,7 @@ std::optional<SurfaceEntry> first_rim(const SurfaceView& surface, std::span<cons
     const Eigen::Vector3d place = from + part * way;
     if (across(place).norm() > 0.5 * thickness[static_cast<std::size_t>(side.triangle)]) continue;
     if (first && place.dot(direction) >= first->travel) continue;
-    first = {{.triangle = side.triangle}, place.dot(direction)};
-    first->weights[side.corner] = 1 - part;
-    first->weights[next] = part;
+    first = {point_on(side, part), place.dot(direction)};
   }
   return first;
 }

@@ -3,6 +3,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "engine/contact/DeepestPoint.hpp"
 #include "engine/contact/SolidGap.hpp"
@@ -98,8 +99,9 @@ void pinch(const BodyModel& model, const Eigen::VectorXd& position, int tool, Eq
   const ToolSolid &one = jaws[0]->solid, &other = jaws[1]->solid;
   jaws[0]->inner_side = inner_side(one, other);
   jaws[1]->inner_side = inner_side(other, one);
-  jaws[0]->pinched = pinched_sites(model, position, one, other);
-  jaws[1]->pinched = pinched_sites(model, position, other, one);
+  PinchedWall pinched = pinched_wall(model, position, one, other);
+  jaws[0]->pinched = std::move(pinched.one);
+  jaws[1]->pinched = std::move(pinched.other);
 }
 
 /// Whether no vertex of a triangle that a gap hangs on may move along its normal.

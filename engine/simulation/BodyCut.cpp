@@ -302,8 +302,7 @@ std::optional<Cut> Body::follow_blade(int tool, std::span<const ToolPose> poses,
   const bool was_in_wound = std::exchange(progress.is_in_wound, is_in_wound(tool, pose));
   const bool leaves_earlier = was_in_wound && !progress.is_in_wound && !progress.tip;
   if (const auto place = leaves_earlier ? place_below(tool, pose) : std::nullopt) {
-    begin_cut(
-        *nearest_on_border(surface(), place_on(*model_, place->triangle, place->weights, state_.equilibrium.position)));
+    begin_cut(*nearest_on_border(surface(), position_of(surface(), *place)));
   }
   const bool was_off_wall = std::exchange(progress.is_off_wall, false);
   if (progress.is_in_wound) return std::nullopt;

@@ -43,27 +43,28 @@ std::vector<WallAcross> walls_across(const BodyModel& model, const Eigen::Vector
 
 }  // namespace
 
-std::vector<PinchedSite> pinched_sites(const BodyModel& model, const Eigen::VectorXd& position, const ToolSolid& jaw,
-                                       const ToolSolid& other) {
-  std::vector<PinchedSite> pinched;
+PinchedWall pinched_wall(const BodyModel& model, const Eigen::VectorXd& position, const ToolSolid& one,
+                         const ToolSolid& other) {
+  PinchedWall pinched;
   const std::vector<WallAcross> walls = walls_across(model, position);
   for (int s = 0; s < static_cast<int>(model.sites.size()); ++s) {
     const ContactSite& site = model.sites[s];
     if (site.part != SitePart::kCorner) continue;
-    const int vertex = model.surface[site.triangle][site.corner];
-    const WallAcross& wall = walls[vertex];
+    const WallAcross& wall = walls[model.surface[site.triangle][site.corner]];
     const auto corners = corners_of(model.surface[site.triangle], position);
-    const SolidGap own = gap_from_inner_side(jaw, inner_side(jaw, other), corners, site.corner);
-    const SolidGap across = gap_from_inner_side(other, inner_side(other, jaw), corners, site.corner);
-    const double room = own.gap + across.gap;
+    const SolidGap to_one = gap_from_inner_side(one, inner_side(one, other), corners, site.corner);
+    const SolidGap to_other = gap_from_inner_side(other, inner_side(other, one), corners, site.corner);
+    const double room = to_one.gap + to_other.gap;
     if (room >= wall.thickness) continue;
     const auto lies_before = [&](const ToolSolid& solid, const SolidGap& gap) {
       return signed_distance(solid, corners[site.corner]).normal.dot(gap.normal) > kPlane;
     };
-    if (!lies_before(jaw, own) || !lies_before(other, across)) continue;
+    if (!lies_before(one, to_one) || !lies_before(other, to_other)) continue;
     const double centred = std::min(1.0, (wall.thickness - room) / (kCentred * wall.thickness));
-    const double half = 0.5 * wall.thickness, aside = (1 - centred * centred) * 0.5 * (own.gap - across.gap);
-    pinched.push_back({.site = s, .potential = {.onset = half + aside, .stiffness = wall.modulus * site.area / half}});
+    const double half = 0.5 * wall.thickness, aside = (1 - centred * centred) * 0.5 * (to_one.gap - to_other.gap);
+    const double stiffness = wall.modulus * site.area / half;
+    pinched.one.push_back({.site = s, .potential = {.onset = half + aside, .stiffness = stiffness}});
+    pinched.other.push_back({.site = s, .potential = {.onset = half - aside, .stiffness = stiffness}});
   }
   return pinched;
 }

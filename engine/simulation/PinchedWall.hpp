@@ -16,15 +16,20 @@ struct PinchedSite {
   ContactPotential potential;  // between the jaw and the middle plane: half of the wall, squeezed
 };
 
-/// The pinched vertices of a wall, in the order of the sites, with what stands between them and `jaw`: those that lie
-/// between the plane parts of both inner sides. A wall of no thickness would slip out from between jaws that it does
-/// not fill; as thick as it is, h = rest volume over area now, each half of it yields across as it does along itself:
-/// with E Young's modulus, a the area of the vertex, and d the distance of the middle plane from the jaw, the force is
-/// a E (1 - 2 d / h). Jaws that have just met the wall squeeze it where it is; by the time that they leave it three
-/// quarters of h they have brought it to the middle. So both bear from the first, and neither has to be found.
+/// The pinched vertices of a wall, each list in the order of the sites, with what stands between them and one jaw or
+/// the other.
+struct PinchedWall {
+  std::vector<PinchedSite> one, other;
+};
+
+/// Those that lie between the plane parts of both inner sides. A wall of no thickness would slip out from between jaws
+/// that it does not fill; as thick as it is, h = rest volume over area now, each half of it yields across as it does
+/// along itself: with E Young's modulus, a the area of the vertex, and d the distance of the middle plane from the jaw,
+/// the force is a E (1 - 2 d / h). Jaws that have just met the wall squeeze it where it is; by the time that they leave
+/// it three quarters of h they have brought it to the middle. So both bear from the first, and neither has to be found.
 /// `position`: (unknowns), metres.
-std::vector<PinchedSite> pinched_sites(const BodyModel& model, const Eigen::VectorXd& position, const ToolSolid& jaw,
-                                       const ToolSolid& other);
+PinchedWall pinched_wall(const BodyModel& model, const Eigen::VectorXd& position, const ToolSolid& one,
+                         const ToolSolid& other);
 
 /// The side of a jaw that looks at the other one: 1 along its x', -1 against it.
 double inner_side(const ToolSolid& jaw, const ToolSolid& other);
