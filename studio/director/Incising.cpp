@@ -98,15 +98,14 @@ void note_wall_below(IncisionPlan& plan, const Body& body, const ToolDefinition&
   if (!is_in_wall(body, step.tool) || !body.state().cut.tip || plan.goes_out(step.end)) return;
   const double travel = plan.progress(step.end) - plan.progress(step.begin);
   if (travel <= 0) return;
-  if (body.state().cut.length != plan.passed_over.cut) plan.passed_over = {};
+  PassedOver& passed = plan.passed_over;
+  passed.note_cut(body.state().cut.length);
   const ToolPose& pose = step.after[static_cast<std::size_t>(step.tool)];
   const Eigen::Vector3d reach = blade.length * pose.direction;
   const SurfaceView wall = body.surface();
   if (first_entry_on_segment(wall, pose.tip - reach, pose.tip)) return;
   if (!first_entry_on_segment(wall, pose.tip, pose.tip + reach)) return;
-  PassedOver& passed = plan.passed_over;
-  const double cut = body.state().cut.length;
-  if (passed.length == 0 || passed.cut != cut) passed = {.since = step.begin, .cut = cut};
+  if (passed.whole() == 0) passed.since = step.begin;
   passed.length += travel;
 }
 
@@ -124,11 +123,11 @@ std::vector<std::string> passed_over_notes(std::span<const ScheduledClip> clips,
     if (plan == nullptr) continue;
     const auto blade = std::ranges::find(tools, plan->clip.tool, &ToolDefinition::name);
     const PassedOver& passed = plan->passed_over;
-    if (passed.length <= blade->width) continue;
+    if (passed.whole() <= blade->width) continue;
     notes.push_back(fmt::format(
         "body `{}`: from {:.4g} s on blade `{}` passed above the wall over {:.3g} of the {:.3g} mm of its path, and "
         "cut nothing there: the wall had given way from under it; more `depth` reaches it",
-        plan->clip.body, clip.begin + passed.since, plan->clip.tool, 1e3 * passed.length, 1e3 * plan->path.length()));
+        plan->clip.body, clip.begin + passed.since, plan->clip.tool, 1e3 * passed.whole(), 1e3 * plan->path.length()));
   }
   return notes;
 }

@@ -133,6 +133,13 @@ void refuse_depth(const InciseClip& clip, const ToolDefinition& tool, const Surf
 
 }  // namespace
 
+void PassedOver::note_cut(double now) {
+  if (now == cut) return;
+  uncut += std::max(0.0, length - (now - cut));
+  length = 0;
+  cut = now;
+}
+
 double IncisionPlan::duration() const {
   const double in = clip.standoff + clip.depth;
   return ((clip.withdraw ? 2 : 1) * in + path.length()) / clip.speed + clip.hold;

@@ -8,12 +8,18 @@
 
 namespace thinwall {
 
-/// Where a blade in its depth met no wall, as that had given way from under it, since the last cut: a cut that goes on
-/// goes from its tip to the blade.
+/// Where a blade in its depth met no wall, as that had given way from under it. A cut that goes on goes from its tip to
+/// the blade, and so makes up for what the blade has passed over since; where it touches the wall but in passing, for a
+/// part.
 struct PassedOver {
   double since = 0;   // seconds since the clip began
-  double length = 0;  // metres of the path
+  double length = 0;  // metres of the path, since the last cut
   double cut = 0;     // metres, that the body had been cut then
+  double uncut = 0;   // metres of the path before, that no cut made up for
+
+  double whole() const { return uncut + length; }
+  /// The body is cut so far, metres.
+  void note_cut(double now);
 };
 
 /// A blade that comes from the stand-off above the first point of its path, presses in along the inward normal, follows

@@ -26,7 +26,7 @@ constexpr double kShortRest = 3;
 
 std::optional<std::string> short_cut_note(std::size_t number, const IncisionPlan& plan) {
   const double length = plan.path.length(), rest = plan.rest_length / length;
-  const double uncut = plan.rest_length - plan.cut - rest * (plan.open + plan.passed_over.length);
+  const double uncut = plan.rest_length - plan.cut - rest * (plan.open + plan.passed_over.whole());
   if (uncut < (1 - kHardlyCut) * plan.rest_length || uncut < kShortRest * plan.edge_length) return std::nullopt;
   return fmt::format(
       "timeline[{}]: blade `{}` has gone its whole path of {:.4g} mm and cut no more than {:.3g} mm of body `{}`, "
