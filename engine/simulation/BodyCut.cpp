@@ -14,6 +14,7 @@
 #include "engine/simulation/FrictionContact.hpp"
 #include "engine/simulation/RigidMotions.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
+#include "engine/solver/InnerProducts.hpp"
 #include "engine/tool/ToolSolids.hpp"
 
 namespace thinwall {
@@ -254,8 +255,8 @@ void Body::let_free_parts_go() {
   const Eigen::MatrixXd& motions = model_->rigid_motions;
   if (motions.cols() == 0) return;
   const Eigen::VectorXd& mass = model_->mass;
-  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> inertia(motions.transpose() * mass.asDiagonal() *
-                                                                        motions);
+  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> inertia(
+      inner_products(motions, mass.asDiagonal() * motions));
   Eigen::VectorXd whole = Eigen::VectorXd::Zero(model_->unknowns());  // metres / second^2
   for (HeldLips& lips : state_.cut.held) {
     Eigen::VectorXd forces = Eigen::VectorXd::Zero(model_->unknowns());

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/solver/InnerProducts.hpp"
+
 namespace thinwall {
 namespace {
 
@@ -85,7 +87,7 @@ void BorderedSystem::set_unsymmetric(SparseFactor& factor, int negative_pivots, 
   rows_ = rows;
   is_unsymmetric_ = true;
   eliminate(negative_pivots, border, solved_border_, corner);
-  if (rows.cols() > 0) schur_inverse_ = (corner - rows.transpose() * solved_columns_).partialPivLu().inverse();
+  if (rows.cols() > 0) schur_inverse_ = (corner - inner_products(rows, solved_columns_)).partialPivLu().inverse();
 }
 
 void BorderedSystem::eliminate(int negative_pivots, const Eigen::MatrixXd& border, const Eigen::MatrixXd& solved,
@@ -93,7 +95,7 @@ void BorderedSystem::eliminate(int negative_pivots, const Eigen::MatrixXd& borde
   corner_ = corner;
   negative_eigenvalues_ = negative_pivots;
   if (border.cols() == 0) return;
-  const Eigen::MatrixXd schur = corner - border.transpose() * solved;
+  const Eigen::MatrixXd schur = corner - inner_products(border, solved);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(0.5 * (schur + schur.transpose()));
   Eigen::VectorXd inverse = spectrum.eigenvalues();
   for (double& value : inverse) {

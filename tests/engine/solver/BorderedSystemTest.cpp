@@ -77,6 +77,31 @@ TEST(BorderedSystem, ColumnsThatAreSolvedAlreadyGiveTheSame) {
   EXPECT_EQ(other_g, g);
 }
 
+TEST(BorderedSystem, IsTheSameToTheBitOnProcessorsWithOtherCaches) {
+  const BlockMatrix matrix = random_matrix(2000, 0.5, 3);
+  const Eigen::Index unknowns = matrix.dense.rows();
+  const Eigen::MatrixXd border = random_columns(unknowns, 4, 11), rows = random_columns(unknowns, 4, 13);
+  const Eigen::MatrixXd corner = random_columns(4, 4, 14);
+  SparseFactor factor(matrix.pattern);
+  ASSERT_TRUE(factor.factorize(matrix.values));
+  const std::ptrdiff_t first = Eigen::l1CacheSize(), second = Eigen::l2CacheSize(), third = Eigen::l3CacheSize();
+  const auto solution_with = [&](std::ptrdiff_t kilobytes) {
+    Eigen::setCpuCacheSizes(1024 * kilobytes, second, third);
+    BorderedSystem symmetric, other;
+    symmetric.set(factor, 0, border, corner + corner.transpose());
+    other.set_unsymmetric(factor, 0, border, border, rows, corner);
+    Eigen::VectorXd solution(2 * unknowns);
+    Eigen::VectorXd f = random_columns(unknowns, 1, 12), g = random_columns(4, 1, 15), other_f = f, other_g = g;
+    symmetric.solve(factor, f, g);
+    other.solve(factor, other_f, other_g);
+    solution << f, other_f;
+    return solution;
+  };
+  const Eigen::VectorXd small = solution_with(32), large = solution_with(48);
+  Eigen::setCpuCacheSizes(first, second, third);
+  EXPECT_EQ(small, large);
+}
+
 TEST(BorderedSystem, ConstraintOnADefiniteMatrixAddsOneNegativeEigenvalueEach) {
   const BlockMatrix matrix = random_matrix(80, 0.5, 3);
   SparseFactor factor(matrix.pattern);

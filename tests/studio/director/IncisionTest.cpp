@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -357,6 +358,20 @@ TEST(Incision, TwiceTheSameGivesTheSameDigest) {
     }
     digests.push_back(run.state_digest());
   }
+  EXPECT_EQ(digests[0], digests[1]);
+}
+
+TEST(Incision, OfAFilledBodyIsTheSameOnProcessorsWithOtherCaches) {
+  const std::ptrdiff_t first = Eigen::l1CacheSize(), second = Eigen::l2CacheSize(), third = Eigen::l3CacheSize();
+  std::vector<std::string> digests;
+  for (const int kilobytes : {32, 48}) {
+    Eigen::setCpuCacheSizes(std::ptrdiff_t{1024} * kilobytes, second, third);
+    ScenarioRun run(ball_scenario());
+    while (run.step()) {
+    }
+    digests.push_back(run.state_digest());
+  }
+  Eigen::setCpuCacheSizes(first, second, third);
   EXPECT_EQ(digests[0], digests[1]);
 }
 
