@@ -16,7 +16,7 @@ FloorShade::FloorShade() : map_(create_texture(GL_RG8, kResolution, kResolution,
   clear();
 }
 
-void FloorShade::draw(const SceneMeshes& meshes, const FrameUniforms& frame, Vector3 toward_light) {
+void FloorShade::lay(const SceneMeshes& meshes, const FrameUniforms& frame, Vector3 toward_light) {
   cover_.begin(map_of(frame), toward_light);
   cover_.stand(meshes.tissue_vertices());
   for (const TissuePart& part : meshes.parts()) {
@@ -24,7 +24,11 @@ void FloorShade::draw(const SceneMeshes& meshes, const FrameUniforms& frame, Vec
   }
   cover_.stand(meshes.tool_vertices());
   cover_.lay(meshes.tool_corners(), true);
-  glTextureSubImage2D(map_.name(), 0, 0, 0, kResolution, kResolution, GL_RG, GL_UNSIGNED_BYTE, cover_.blurred().data());
+  taken_ = cover_.blurred();
+}
+
+void FloorShade::upload() const {
+  glTextureSubImage2D(map_.name(), 0, 0, 0, kResolution, kResolution, GL_RG, GL_UNSIGNED_BYTE, taken_.data());
   glBindTextureUnit(1, map_.name());
 }
 

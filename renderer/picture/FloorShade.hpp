@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "renderer/picture/FloorCover.hpp"
 #include "renderer/picture/FrameUniforms.hpp"
 #include "renderer/picture/GlObjects.hpp"
@@ -13,14 +16,18 @@ class FloorShade {
  public:
   FloorShade();
 
-  /// Makes the map anew and binds it where floor.frag reads it.
-  void draw(const SceneMeshes& meshes, const FrameUniforms& frame, Vector3 toward_light);
+  /// Makes the map anew, without graphics.
+  void lay(const SceneMeshes& meshes, const FrameUniforms& frame, Vector3 toward_light);
+
+  /// Binds it where floor.frag reads it.
+  void upload() const;
 
   /// Binds an empty map.
   void clear() const;
 
  private:
   FloorCover cover_;
+  std::span<const std::uint8_t> taken_;  // of the cover
   Texture map_;
 };
 

@@ -14,6 +14,7 @@ namespace thinwall {
 class PassClock {
  public:
   explicit PassClock(std::vector<PassTime>* times) : times_(times) {}
+  bool is_running() const { return times_ != nullptr; }
   void ends(const char* pass) {
     if (times_ == nullptr) return;
     glFinish();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include "renderer/device/OffscreenContext.hpp"
@@ -24,6 +25,7 @@
 #include "renderer/picture/SceneExtent.hpp"
 #include "renderer/picture/SceneMeshes.hpp"
 #include "renderer/picture/ScenePass.hpp"
+#include "renderer/picture/SecondThread.hpp"
 #include "renderer/picture/ShadowMap.hpp"
 #include "renderer/picture/ToolShade.hpp"
 
@@ -38,8 +40,8 @@ struct SceneView {
   double pixel = 0;  // its height over the distance
   Surroundings surroundings = Surroundings::kStudio;
   Ground ground = Ground::kFloor;
-  std::optional<std::vector<OutlineSegment>> outline = {};
-  bool keeps_bare = false;  // whether fluids are to be told from what lies below them
+  std::vector<OutlineSegment> outline = {};  // but for Tier::kDraft
+  bool keeps_bare = false;                   // whether fluids are to be told from what lies below them
 };
 
 /// All that lives in the context, in the order in which it can be made.
@@ -50,6 +52,7 @@ struct Stage {
   }
 
   Tier tier;
+  SecondThread second;
   PictureTarget target;
   SceneMeshes meshes;
   ScenePass scene_pass;
@@ -67,15 +70,16 @@ struct Stage {
   std::vector<std::uint8_t> picture;  // as drawn, with fine pixels; for Tier::kFinal alone
   std::vector<std::uint8_t> corners;  // of fine pixels; kept, as all three, for their memory
 
-  void shade_floor(const FrameUniforms& frame, const Studio& studio, PassClock& clock);
+  void share(const PassClock& clock, const std::function<void()>& here, const std::function<void()>& beside);
   void draw_shadow_map(const SceneExtent& extent, const Studio& studio, const Camera& camera, PassClock& clock);
-  void shade_by_tools(const FrameUniforms& frame, bool is_lamp_large, PassClock& clock);
+  void draw_shadows(const FrameUniforms& frame, const SceneExtent& extent, const Studio& studio, const Camera& camera,
+                    bool is_lamp_large, PassClock& clock);
   void draw_backdrop(Ground ground, const FieldStop& stop, PassClock& clock);
   void close_field_stop(const FieldStop& stop);
   void lay_backdrop(const FrameUniforms& frame, bool has_tools, PassClock& clock);
   void draw_surface(const FrameUniforms& frame, PassClock& clock);
   void draw_scene(SceneView& scene, const FrameUniforms& frame, PassClock& clock);
-  void find_outline(SceneView& scene);
+  void draw_first(SceneView& scene, const FrameUniforms& frame, PassClock& clock);
   void draw_fluids(const SceneView& scene, PassClock& clock);
   void draw_fine_pixels(SceneView& scene, const FrameUniforms& frame);
   Image finish(const Camera& camera, const Camera& pinhole, PassClock& clock);
@@ -85,14 +89,11 @@ struct Stage {
   void use(const FrameUniforms& frame) const { glNamedBufferSubData(frame_block.name(), 0, sizeof(frame), &frame); }
 };
 
-void Stage::shade_floor(const FrameUniforms& frame, const Studio& studio, PassClock& clock) {
-  const bool has_floor = frame.floor[1] > 0;
-  if (tier != Tier::kDraft && has_floor) {
-    floor_shade.draw(meshes, frame, studio.key_direction);
-  } else {
-    floor_shade.clear();
-  }
-  clock.ends("floor's shade");
+/// Both at once; one after the other where passes are timed, so that each is told its own time.
+void Stage::share(const PassClock& clock, const std::function<void()>& here, const std::function<void()>& beside) {
+  if (!clock.is_running()) return second.share(here, beside);
+  here();
+  beside();
 }
 
 void Stage::draw_shadow_map(const SceneExtent& extent, const Studio& studio, const Camera& camera, PassClock& clock) {
@@ -109,13 +110,24 @@ void Stage::draw_shadow_map(const SceneExtent& extent, const Studio& studio, con
   clock.ends("shadow map");
 }
 
-void Stage::shade_by_tools(const FrameUniforms& frame, bool is_lamp_large, PassClock& clock) {
-  if (is_lamp_large && tier != Tier::kDraft) {
-    tool_shade.draw(meshes, frame);
-  } else {
-    tool_shade.clear();
-  }
-  clock.ends("tools' shade");
+/// The driver's threads begin once one of the processor's cores is idle: what the other makes without them goes along
+/// with what is handed to them.
+void Stage::draw_shadows(const FrameUniforms& frame, const SceneExtent& extent, const Studio& studio,
+                         const Camera& camera, bool is_lamp_large, PassClock& clock) {
+  const bool has_floor = tier != Tier::kDraft && frame.floor[1] > 0;
+  const bool has_tools = tier != Tier::kDraft && is_lamp_large && !meshes.tool_vertices().empty();
+  const auto draw_map = [&] {
+    draw_shadow_map(extent, studio, camera, clock);
+    if (has_tools) tool_shade.lay(meshes, frame);
+    clock.ends("tools' shade");
+  };
+  const auto lay_floor = [&] {
+    if (has_floor) floor_shade.lay(meshes, frame, studio.key_direction);
+    clock.ends("floor's shade");
+  };
+  share(clock, draw_map, lay_floor);
+  has_floor ? floor_shade.upload() : floor_shade.clear();
+  has_tools ? tool_shade.upload() : tool_shade.clear();
 }
 
 FieldStop field_stop(const FrameUniforms& frame) {
@@ -164,13 +176,6 @@ void Stage::draw_surface(const FrameUniforms& frame, PassClock& clock) {
   clock.ends("surface");
 }
 
-/// While the driver's threads work on what has been drawn so far.
-void Stage::find_outline(SceneView& scene) {
-  if (scene.outline) return;
-  glFlush();
-  scene.outline = meshes.outline(scene.eye, scene.pixel);
-}
-
 /// All pixels that show something of what has outlines.
 ScreenArea Stage::outlined_area(const FrameUniforms& frame) const {
   return around(meshes.tissue_area(frame.view_projection, target.size()),
@@ -181,6 +186,18 @@ ScreenArea Stage::outlined_area(const FrameUniforms& frame) const {
 ScreenArea Stage::sharp_area(const FrameUniforms& frame) const {
   const bool is_everywhere = field_stop(frame).tangent > 0 || has_fluids();
   return is_everywhere ? target.whole() : outlined_area(frame);
+}
+
+/// What all else is drawn over, beside what the processor makes without the driver.
+void Stage::draw_first(SceneView& scene, const FrameUniforms& frame, PassClock& clock) {
+  const auto draw = [&] {
+    draw_surface(frame, clock);
+    lay_backdrop(frame, !scene.snapshot.tools.empty(), clock);
+  };
+  share(clock, draw, [&] {
+    if (tier != Tier::kDraft) scene.outline = meshes.outline(scene.eye, scene.pixel);
+    clock.ends("outline");
+  });
 }
 
 /// Over the backdrop, all that is seen with the surface.
@@ -198,7 +215,6 @@ void Stage::draw_scene(SceneView& scene, const FrameUniforms& frame, PassClock& 
     scene_pass.shade_tissue(meshes, target, frame, scene.surroundings, tier != Tier::kDraft);
     scene_pass.mark(meshes, scene.view.highlights, scene.snapshot.time);
   }
-  if (tier != Tier::kDraft) find_outline(scene);
   clock.ends("tissue");
   if (scene.keeps_bare) target.read_color(has_fluids() ? target.whole() : ScreenArea{}, bare);
   draw_fluids(scene, clock);
@@ -206,10 +222,8 @@ void Stage::draw_scene(SceneView& scene, const FrameUniforms& frame, PassClock& 
     mesh_lines.draw(meshes.mesh_lines());
     clock.ends("mesh lines");
   }
-  if (tier != Tier::kDraft) {
-    outline_pass.draw(*scene.outline, target);
-  }
-  clock.ends("outline");
+  if (tier != Tier::kDraft) outline_pass.draw(scene.outline, target);
+  clock.ends("smoothed outline");
 }
 
 /// Draws the scene again for the corners of the pixels whose middles are not enough. Elsewhere the picture stays, so
@@ -315,7 +329,7 @@ Image Renderer::Implementation::draw_as_it_is(const Snapshot& snapshot, const Vi
   const Surroundings surroundings = is_inside ? Surroundings::kCavity : Surroundings::kStudio;
 
   const CurrentContext current(context);
-  stage->meshes.upload(snapshot, extent, view.look, camera.position);
+  stage->meshes.upload(snapshot, extent, view.look, camera.position, stage->second);
   const Ground ground = is_inside ? Ground::kTissue : lay_ground(snapshot, view.look, stage->meshes, extent);
   FrameUniforms frame =
       frame_uniforms(pinhole, extent, view, studio, stage->meshes.rods(), stage->target.size(), ground);
@@ -327,17 +341,13 @@ Image Renderer::Implementation::draw_as_it_is(const Snapshot& snapshot, const Vi
   glBindBufferBase(GL_UNIFORM_BUFFER, 0, stage->frame_block.name());
 
   clock.ends("meshes");
-  stage->draw_shadow_map(extent, studio, pinhole, clock);
-  // By the processor, while the driver's threads work on the shadow map.
+  stage->draw_shadows(frame, extent, studio, pinhole, !is_inside, clock);
   const bool is_stop_closed = stage->target.clear_depth(field_stop(frame));
-  stage->shade_by_tools(frame, !is_inside, clock);
-  stage->shade_floor(frame, studio, clock);
   stage->draw_backdrop(ground, field_stop(frame), clock);
   if (!is_stop_closed) stage->close_field_stop(field_stop(frame));
-  stage->draw_surface(frame, clock);
-  stage->lay_backdrop(frame, !snapshot.tools.empty(), clock);
   SceneView shown{.snapshot = snapshot, .view = view, .eye = camera.position, .surroundings = surroundings};
   shown.pixel = frame.environment[3];
+  stage->draw_first(shown, frame, clock);
   shown.keeps_bare = stage->tier == Tier::kFinal;
   if (frame.floor[1] > 0) shown.ground = ground;
   stage->draw_scene(shown, frame, clock);

@@ -69,14 +69,16 @@ SceneMeshes::SceneMeshes()
                                   {4, 3, offsetof(ToolVertex, narrow)},
                                   {5, 2, offsetof(ToolVertex, broad_hollow)}}) {}
 
-void SceneMeshes::upload(const Snapshot& snapshot, const SceneExtent& extent, const LookDefinition& look, Vector3 eye) {
+void SceneMeshes::upload(const Snapshot& snapshot, const SceneExtent& extent, const LookDefinition& look, Vector3 eye,
+                         SecondThread& second) {
   find_edges(snapshot, drawn_edges(look));
   smooth_surfaces(snapshot);
   find_beds(snapshot, look);
   const std::optional<Snapshot> laid = laid_on_beds(snapshot);
   if (laid) smooth_surfaces(*laid);
-  upload_tissue(laid ? *laid : snapshot, look, eye);
-  upload_tools(snapshot, extent);
+  second.share([&] { make_tissue(laid ? *laid : snapshot, look, eye); }, [&] { make_tools(snapshot, extent); });
+  tissue_.upload(std::span<const SurfaceVertex>(tissue_vertices_), tissue_corners_);
+  tools_.upload(std::span<const ToolVertex>(tool_vertices_), tool_corners_);
 }
 
 std::vector<TissuePiece> SceneMeshes::dressed_pieces(const Snapshot& snapshot, const LookDefinition& look,
@@ -104,7 +106,7 @@ std::vector<TissuePiece> SceneMeshes::dressed_pieces(const Snapshot& snapshot, c
   return pieces;
 }
 
-void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& look, Vector3 eye) {
+void SceneMeshes::make_tissue(const Snapshot& snapshot, const LookDefinition& look, Vector3 eye) {
   std::vector<SurfaceVertex>& vertices = tissue_vertices_;
   std::vector<std::uint32_t>& indices = tissue_corners_;
   vertices.clear();
@@ -141,7 +143,6 @@ void SceneMeshes::upload_tissue(const Snapshot& snapshot, const LookDefinition& 
     }
   }
   rest_grid_ = rest_grid_of(vertices);
-  tissue_.upload(std::span<const SurfaceVertex>(vertices), indices);
 }
 
 bool SceneMeshes::is_seen_through_opening(const TissuePart& part, const std::array<float, 16>& matrix) {
@@ -304,7 +305,7 @@ bool SceneMeshes::has_sheet() const {
   return std::ranges::any_of(ends_, [](const std::vector<BorderEdge>& ends) { return !ends.empty(); });
 }
 
-void SceneMeshes::upload_tools(const Snapshot& snapshot, const SceneExtent& extent) {
+void SceneMeshes::make_tools(const Snapshot& snapshot, const SceneExtent& extent) {
   std::vector<ToolVertex>& vertices = tool_vertices_;
   std::vector<std::uint32_t>& indices = tool_corners_;
   vertices.clear();
@@ -318,8 +319,6 @@ void SceneMeshes::upload_tools(const Snapshot& snapshot, const SceneExtent& exte
     for (const std::uint32_t index : shape.indices) indices.push_back(offset + index);
     rods_.insert(rods_.end(), shape.rods.begin(), shape.rods.end());
   }
-  tools_.upload(std::span<const ToolVertex>(vertices), indices);
-  tool_outline_.set(vertices, indices);
 }
 
 ScreenArea SceneMeshes::tissue_area(const std::array<float, 16>& view_projection, ImageSize size) const {
@@ -348,7 +347,7 @@ std::vector<MeshLine> SceneMeshes::mesh_lines() const {
   return lines;
 }
 
-std::vector<OutlineSegment> SceneMeshes::outline(Vector3 eye, double pixel) const {
+std::vector<OutlineSegment> SceneMeshes::outline(Vector3 eye, double pixel) {
   std::vector<Vector3> points;
   for (const SnapshotSurface& surface : drawn_) {
     for (const Float3& position : surface.positions) points.push_back(vector3(position));
@@ -356,6 +355,7 @@ std::vector<OutlineSegment> SceneMeshes::outline(Vector3 eye, double pixel) cons
   std::vector<OutlineSegment> segments = inner_borders_;
   append_outline(
       tissue_edges_, [&](std::uint32_t i) { return points[i]; }, eye, segments);
+  tool_outline_.set(tool_vertices_, tool_corners_);
   tool_outline_.append(tool_vertices_, eye, pixel, segments);
   const auto squared_distance = [&](const OutlineSegment& segment) {
     const Vector3 offset = 0.5 * (vector3(segment.start) + vector3(segment.end)) - eye;

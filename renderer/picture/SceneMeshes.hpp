@@ -9,6 +9,7 @@
 #include "renderer/picture/Outline.hpp"
 #include "renderer/picture/SceneExtent.hpp"
 #include "renderer/picture/ScreenArea.hpp"
+#include "renderer/picture/SecondThread.hpp"
 #include "renderer/picture/TissuePieces.hpp"
 #include "renderer/picture/ToolOutline.hpp"
 #include "renderer/picture/ToolShape.hpp"
@@ -53,7 +54,8 @@ class SceneMeshes {
  public:
   SceneMeshes();
   /// `eye`: of the viewer, who may be within a body.
-  void upload(const Snapshot& snapshot, const SceneExtent& extent, const LookDefinition& look, Vector3 eye);
+  void upload(const Snapshot& snapshot, const SceneExtent& extent, const LookDefinition& look, Vector3 eye,
+              SecondThread& second);
 
   const TriangleBuffer& tissue() const { return tissue_; }
 
@@ -102,10 +104,10 @@ class SceneMeshes {
   std::vector<MeshLine> mesh_lines() const;
 
   /// Of everything that was uploaded, seen from `eye`, the nearest first. `pixel`: height of one over the distance.
-  std::vector<OutlineSegment> outline(Vector3 eye, double pixel) const;
+  std::vector<OutlineSegment> outline(Vector3 eye, double pixel);
 
  private:
-  void upload_tissue(const Snapshot& snapshot, const LookDefinition& look, Vector3 eye);
+  void make_tissue(const Snapshot& snapshot, const LookDefinition& look, Vector3 eye);
   /// What is drawn of body k, with what its look adds.
   std::vector<TissuePiece> dressed_pieces(const Snapshot& snapshot, const LookDefinition& look, std::size_t k,
                                           const TissueLook& body_look, Vector3 eye);
@@ -115,7 +117,7 @@ class SceneMeshes {
   void smooth_surfaces(const Snapshot& snapshot);
   void find_beds(const Snapshot& snapshot, const LookDefinition& look);
   std::optional<Snapshot> laid_on_beds(const Snapshot& snapshot) const;
-  void upload_tools(const Snapshot& snapshot, const SceneExtent& extent);
+  void make_tools(const Snapshot& snapshot, const SceneExtent& extent);
 
   TriangleBuffer tissue_;
   // Memory that is used again: what is new to a process takes the processor as long as filling it does.

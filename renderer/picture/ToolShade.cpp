@@ -11,12 +11,11 @@ ToolShade::ToolShade()
     : taken_(create_texture(GL_RGBA8, kResolution, kResolution, GL_LINEAR)),
       depths_(create_texture(GL_R32F, kResolution, kResolution, GL_LINEAR)) {}
 
-void ToolShade::draw(const SceneMeshes& meshes, const FrameUniforms& frame) {
-  if (meshes.tool_vertices().empty()) {
-    clear();
-    return;
-  }
+void ToolShade::lay(const SceneMeshes& meshes, const FrameUniforms& frame) {
   cover_.lay(meshes.tool_vertices(), meshes.tool_corners(), frame.shadow_matrix);
+}
+
+void ToolShade::upload() {
   glTextureSubImage2D(taken_.name(), 0, 0, 0, kResolution, kResolution, GL_RGBA, GL_UNSIGNED_BYTE,
                       cover_.taken().data());
   glTextureSubImage2D(depths_.name(), 0, 0, 0, kResolution, kResolution, GL_RED, GL_FLOAT, cover_.depths().data());

@@ -12,8 +12,11 @@ class ToolShade {
  public:
   ToolShade();
 
-  /// Makes the map anew, of the tools as the key light of a studio sees them, and binds it where shadow.glsl reads it.
-  void draw(const SceneMeshes& meshes, const FrameUniforms& frame);
+  /// Makes the map anew, of the tools as the key light of a studio sees them, without graphics.
+  void lay(const SceneMeshes& meshes, const FrameUniforms& frame);
+
+  /// Binds it where shadow.glsl reads it.
+  void upload();
 
   /// Binds an empty map.
   void clear();
