@@ -87,20 +87,25 @@ std::optional<Box> place_of_legend(const OverlayContent& content, ImageSize size
   return content.legend ? std::optional(legend_place(OverlayGrid(size), inset)) : std::nullopt;
 }
 
-void draw_overlay(Image& image, const OverlayContent& content, const std::optional<Box>& inset) {
+std::vector<std::string> draw_overlay(Image& image, const OverlayContent& content, const std::optional<Box>& inset) {
   const FontUse use;
   const OverlayGrid grid(image.size);
   const double peak = peak_of(content);
   int end = image.size.width;  // of what is still free at the top
   if (content.show_time) end = draw_time(image, grid, content.time, content.duration);
   if (!content.badge.empty()) end = draw_badge(image, grid, content.badge, end - grid.whole(8));
-  if (!content.title.empty()) draw_title(image, grid, content.title, end - grid.whole(kMargin));
+  std::vector<std::string> cut;
+  if (!content.title.empty() && draw_title(image, grid, content.title, end - grid.whole(kMargin))) {
+    cut.push_back(content.title);
+  }
   if (content.legend) draw_legend(image, grid, *content.legend, inset);
   if (content.show_gauge) draw_gauge(image, grid, content, peak);
   if (content.show_force_plot) draw_force_plot(image, grid, content, peak);
-  if (content.show_caption && !content.caption.empty()) {
-    draw_caption(image, grid, content.caption, caption_space(grid, content, inset));
+  if (content.show_caption && !content.caption.empty() &&
+      draw_caption(image, grid, content.caption, caption_space(grid, content, inset))) {
+    cut.push_back(content.caption);
   }
+  return cut;
 }
 
 }  // namespace thinwall

@@ -61,8 +61,10 @@ struct OverlayContent {
 /// Draws on the processor in one pinned font, so the bytes depend neither on the graphics driver nor on the machine's
 /// fonts. Scales with the picture's height, in narrow pictures with its width. All numbers must be finite. Long texts
 /// wrap, become smaller, and are cut with an ellipsis at last. An `inset` that has their place is left
-/// free by legend and caption. Throws PictureFailure when the font is missing.
-void draw_overlay(Image& image, const OverlayContent& content, const std::optional<Box>& inset = {});
+/// free by legend and caption. Gives the texts of which a part is not shown. Throws PictureFailure when the font is
+/// missing.
+std::vector<std::string> draw_overlay(Image& image, const OverlayContent& content,
+                                      const std::optional<Box>& inset = {});
 
 /// Where draw_overlay puts the legend in a picture of `size`; none where there is no legend.
 std::optional<Box> place_of_legend(const OverlayContent& content, ImageSize size, const std::optional<Box>& inset);

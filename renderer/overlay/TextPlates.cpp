@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <memory>
+#include <utility>
 
 #include "renderer/overlay/NumberText.hpp"
 #include "renderer/overlay/Text.hpp"
@@ -14,6 +15,11 @@ namespace {
 constexpr double kTitleSize = 20;
 constexpr double kTitlePlateHeight = 40;
 
+struct TextPlate {
+  std::unique_ptr<Plate> plate = {};
+  bool is_cut = false;  // whether an ellipsis stands for a part of the text
+};
+
 /// A plate stays the same over many frames; drawing it again would cost more than all else. What it shows follows from
 /// the key alone.
 struct RememberedPlate {
@@ -21,18 +27,18 @@ struct RememberedPlate {
   double unit = 0;
   double width = 0;
   double height = 0;
-  std::unique_ptr<Plate> plate;
+  TextPlate made;
 
   template <typename Make>
-  const Plate& get(const std::string& new_text, double new_unit, double new_width, double new_height, Make make) {
-    if (!plate || text != new_text || unit != new_unit || width != new_width || height != new_height) {
-      plate = make();
+  const TextPlate& get(const std::string& new_text, double new_unit, double new_width, double new_height, Make make) {
+    if (!made.plate || text != new_text || unit != new_unit || width != new_width || height != new_height) {
+      made = make();
       text = new_text;
       unit = new_unit;
       width = new_width;
       height = new_height;
     }
-    return *plate;
+    return made;
   }
 };
 
@@ -65,17 +71,17 @@ Text title_text(const OverlayGrid& grid, const std::string& title, double room) 
   }
 }
 
-std::unique_ptr<Plate> title_plate(const OverlayGrid& grid, const std::string& title, double room) {
+TextPlate title_plate(const OverlayGrid& grid, const std::string& title, double room) {
   const double padding = grid.pixels(plate_style::kPadding);
   const Text text = title_text(grid, title, room);
   const ImageSize size{static_cast<int>(std::ceil(text.width() + 2 * padding)), grid.whole(kTitlePlateHeight)};
   auto plate = std::make_unique<Plate>(grid, size);
   text.draw(*plate, padding, (size.height - text.height()) / 2);
-  return plate;
+  return {std::move(plate), text.is_cut()};
 }
 
 /// `room` is for the text. Takes the largest size in which nothing is cut, at worst the smallest.
-std::unique_ptr<Plate> caption_plate(const OverlayGrid& grid, const std::string& caption, const ImageSize& room) {
+TextPlate caption_plate(const OverlayGrid& grid, const std::string& caption, const ImageSize& room) {
   constexpr double kSizes[] = {22, 20, 18, 16, 14};
   constexpr double kLineHeight = 1.25;  // of the size; Inter's own is 1.21
   constexpr int kMostLines[] = {3, 4, 4, 8, 8};
@@ -92,7 +98,7 @@ std::unique_ptr<Plate> caption_plate(const OverlayGrid& grid, const std::string&
     auto plate = std::make_unique<Plate>(grid, ImageSize{static_cast<int>(std::ceil(text.width() + 2 * padding_x)),
                                                          static_cast<int>(std::ceil(text.height() + 2 * padding_y))});
     text.draw(*plate, padding_x, padding_y);
-    return plate;
+    return {std::move(plate), is_cut};
   }
 }
 
@@ -124,22 +130,24 @@ int draw_badge(Image& image, const OverlayGrid& grid, const std::string& words, 
   return left;
 }
 
-void draw_title(Image& image, const OverlayGrid& grid, const std::string& title, int right) {
+bool draw_title(Image& image, const OverlayGrid& grid, const std::string& title, int right) {
   thread_local RememberedPlate memory;
   const int left = grid.whole(plate_style::kMargin);
   const double room = right - left - 2 * grid.pixels(plate_style::kPadding);
-  if (room < grid.pixels(kTitleSize)) return;
-  const Plate& plate = memory.get(title, grid.unit, room, 0, [&] { return title_plate(grid, title, room); });
-  plate.blend_onto(image, left, grid.whole(plate_style::kMargin));
+  if (room < grid.pixels(kTitleSize)) return true;
+  const auto& [plate, is_cut] = memory.get(title, grid.unit, room, 0, [&] { return title_plate(grid, title, room); });
+  plate->blend_onto(image, left, grid.whole(plate_style::kMargin));
+  return is_cut;
 }
 
-void draw_caption(Image& image, const OverlayGrid& grid, const std::string& caption, const CaptionSpace& space) {
+bool draw_caption(Image& image, const OverlayGrid& grid, const std::string& caption, const CaptionSpace& space) {
   thread_local RememberedPlate memory;
   const ImageSize room{space.width - 2 * grid.whole(20), space.height - 2 * grid.whole(11)};
-  if (room.width < grid.pixels(22) || room.height < grid.pixels(22)) return;
-  const Plate& plate =
+  if (room.width < grid.pixels(22) || room.height < grid.pixels(22)) return true;
+  const auto& [plate, is_cut] =
       memory.get(caption, grid.unit, room.width, room.height, [&] { return caption_plate(grid, caption, room); });
-  plate.blend_onto(image, space.center - plate.size().width / 2, space.bottom - plate.size().height);
+  plate->blend_onto(image, space.center - plate->size().width / 2, space.bottom - plate->size().height);
+  return is_cut;
 }
 
 }  // namespace thinwall

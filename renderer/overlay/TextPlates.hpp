@@ -13,8 +13,9 @@ int draw_time(Image& image, const OverlayGrid& grid, double time, double duratio
 /// A few words before `right` (pixels), left of the time, as "slow motion"; gives the plate's left edge in pixels.
 int draw_badge(Image& image, const OverlayGrid& grid, const std::string& words, int right);
 
-/// The title, top left, before `right` (pixels): the longer, the smaller, and cut with an ellipsis at last.
-void draw_title(Image& image, const OverlayGrid& grid, const std::string& title, int right);
+/// The title, top left, before `right` (pixels): the longer, the smaller, and cut with an ellipsis at last. Gives
+/// whether a part of it is not shown.
+bool draw_title(Image& image, const OverlayGrid& grid, const std::string& title, int right);
 
 /// Where a caption may stand, in pixels.
 struct CaptionSpace {
@@ -24,7 +25,8 @@ struct CaptionSpace {
   int height = 0;
 };
 
-/// The caption: wraps, becomes smaller when long, and is cut with an ellipsis only when even that does not help.
-void draw_caption(Image& image, const OverlayGrid& grid, const std::string& caption, const CaptionSpace& space);
+/// The caption: wraps, becomes smaller when long, and is cut with an ellipsis only when even that does not help. Gives
+/// whether a part of it is not shown.
+bool draw_caption(Image& image, const OverlayGrid& grid, const std::string& caption, const CaptionSpace& space);
 
 }  // namespace thinwall

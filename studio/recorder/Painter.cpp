@@ -132,7 +132,7 @@ Image finished_picture(const Frame& frame, Painter& painter) {
     }
   }
   if (!frame.half_captions[0].empty()) draw_half_captions(image, frame.half_captions, taken);
-  draw_overlay(image, frame.overlay, taken);
+  for (const std::string& text : draw_overlay(image, frame.overlay, taken)) painter.see_cut_text(text);
   if (frame.card) draw_card(image, bare, *frame.card);
   return image;
 }

@@ -19,6 +19,8 @@ class Painter {
   virtual ~Painter() = default;
   /// What the shot's cameras see, without overlays.
   virtual Image paint(const Snapshot& snapshot, const Shot& shot) = 0;
+  /// Is told each text over a painted picture of which a part is not shown.
+  virtual void see_cut_text(const std::string& /*text*/) {}
   /// What draws, as it names itself.
   virtual std::string driver() const = 0;
   /// What the passes of the pictures took, the median of those that have them, in their order, and as the last an empty

@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "studio/recorder/CutTextNotes.hpp"
 #include "studio/recorder/EmptyPictureNotes.hpp"
 #include "studio/recorder/HiddenToolNotes.hpp"
 #include "studio/recorder/InsetNotes.hpp"
@@ -16,6 +17,7 @@ struct Noticed {
   InsetNotes insets;
   HiddenToolNotes hidden;
   EmptyPictureNotes empty;
+  CutTextNotes texts;
 };
 
 class NoticingPainter final : public Painter {
@@ -29,6 +31,7 @@ class NoticingPainter final : public Painter {
     noticed_.empty.see(snapshot, shot, size_);
     return painter_->paint(snapshot, shot);
   }
+  void see_cut_text(const std::string& text) override { noticed_.texts.see(text); }
   std::string driver() const override { return painter_->driver(); }
   std::vector<PassTime> pass_times() override { return painter_->pass_times(); }
 
@@ -49,6 +52,7 @@ RecordingReport record_with_notes(MomentSource& source, const RecordingPlan& pla
   std::ranges::copy(noticed.insets.notes(), std::back_inserter(report.warnings));
   std::ranges::copy(noticed.hidden.notes(), std::back_inserter(report.warnings));
   std::ranges::copy(noticed.empty.notes(), std::back_inserter(report.warnings));
+  std::ranges::copy(noticed.texts.notes(plan.size), std::back_inserter(report.warnings));
   return report;
 }
 

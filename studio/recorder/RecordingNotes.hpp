@@ -4,8 +4,8 @@
 
 namespace thinwall {
 
-/// `record`, with what is noticed in its pictures among the warnings: see InsetNotes, HiddenToolNotes and
-/// EmptyPictureNotes.
+/// `record`, with what is noticed in its pictures among the warnings: see InsetNotes, HiddenToolNotes,
+/// EmptyPictureNotes and CutTextNotes.
 RecordingReport record_with_notes(MomentSource& source, const RecordingPlan& plan, const PainterFactory& painters);
 
 }  // namespace thinwall

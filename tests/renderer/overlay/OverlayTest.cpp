@@ -353,5 +353,20 @@ TEST(Overlay, ALongTitleIsWholeInAPictureThatIsHigherThanWide) {
   EXPECT_TRUE(pixels("one") != pixels("two"));
 }
 
+TEST(Overlay, TellsWhichTextsAreCut) {
+  OverlayContent content = nothing();
+  content.show_caption = true;
+  content.title = "Incision";
+  content.caption = "The wall gives way";
+  Image image = plain_image(kSize, 90, 60, 50);
+  EXPECT_TRUE(draw_overlay(image, content).empty());
+  for (int k = 0; k < 200; ++k) content.caption += " and the blade goes on";
+  EXPECT_EQ(draw_overlay(image, content), std::vector<std::string>{content.caption});
+  // From what is remembered of the frame before, too.
+  EXPECT_EQ(draw_overlay(image, content), std::vector<std::string>{content.caption});
+  for (int k = 0; k < 200; ++k) content.title += " of a wall";
+  EXPECT_EQ(draw_overlay(image, content), (std::vector<std::string>{content.title, content.caption}));
+}
+
 }  // namespace
 }  // namespace thinwall
