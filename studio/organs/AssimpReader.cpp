@@ -7,8 +7,12 @@
 #include <algorithm>
 #include <array>
 #include <assimp/Importer.hpp>
+#include <cctype>
 #include <new>
+#include <optional>
 
+#include "studio/organs/FileFormatError.hpp"
+#include "studio/organs/PlyReordering.hpp"
 #include "studio/scenario/Wording.hpp"
 
 namespace thinwall {
@@ -98,11 +102,29 @@ class SceneReader {
   RawMesh mesh_;
 };
 
+bool is_ply(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::ranges::transform(extension, extension.begin(), [](unsigned char letter) { return std::tolower(letter); });
+  return extension == ".ply";
+}
+
+const aiScene* scene_of(Assimp::Importer& importer, const std::filesystem::path& file, const MeshFileLimits& limits) {
+  if (is_ply(file)) {
+    try {
+      const std::optional<std::string> bytes = reordered_ply(file, limits.file_bytes);
+      if (bytes) return importer.ReadFileFromMemory(bytes->data(), bytes->size(), aiProcess_Triangulate, "ply");
+    } catch (const FileFormatError& error) {
+      throw MeshFileError(error.what());
+    }
+  }
+  return importer.ReadFile(file.string(), aiProcess_Triangulate);
+}
+
 }  // namespace
 
 RawMesh read_with_assimp(const std::filesystem::path& file, const MeshFileLimits& limits) {
   Assimp::Importer importer;
-  const aiScene* scene = importer.ReadFile(file.string(), aiProcess_Triangulate);
+  const aiScene* scene = scene_of(importer, file, limits);
   if (scene == nullptr || scene->mRootNode == nullptr) {
     const std::string extension = file.extension().string();
     if (!importer.IsExtensionSupported(extension)) {
