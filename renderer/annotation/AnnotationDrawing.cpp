@@ -67,14 +67,14 @@ std::optional<Vector3> material_place(const Snapshot& snapshot, const std::strin
 }
 
 /// Outlines of tools: vertices and points along their rods.
-std::vector<PixelPoint> tool_obstacles(const Scene& scene) {
+std::vector<PixelPoint> tool_obstacles(const Scene& scene, const std::vector<ToolShape>& tools) {
   std::vector<PixelPoint> obstacles;
   const auto add = [&](Vector3 place) {
     const std::optional<PixelPoint> at = scene.pixel(place);
     if (at && scene.shows(*at)) obstacles.push_back(*at);
   };
   constexpr int kAlongRods = 64;
-  for (const ToolShape& shape : scene.tools) {
+  for (const ToolShape& shape : tools) {
     for (const ToolVertex& vertex : shape.vertices) add(vector3(vertex.position));
     for (const ToolRod& rod : shape.rods) {
       const Vector3 start = vector3(rod.start), span = vector3(rod.end) - start;
@@ -86,7 +86,7 @@ std::vector<PixelPoint> tool_obstacles(const Scene& scene) {
 
 /// Outlines of what labels should keep clear of: tools and vertices of the surfaces.
 std::vector<PixelPoint> obstacles_of(const Scene& scene) {
-  std::vector<PixelPoint> obstacles = tool_obstacles(scene);
+  std::vector<PixelPoint> obstacles = tool_obstacles(scene, scene.tools);
   for (const SnapshotSurface& surface : scene.snapshot.surfaces) {
     for (const Float3& position : surface.positions) {
       const std::optional<PixelPoint> at = scene.pixel(vector3(position));
@@ -257,20 +257,26 @@ std::vector<Box> draw_labels(const Canvas& canvas, const Scene& scene, const std
   return boxes;
 }
 
-/// Level with an arrow's end, beside it and the tools, clear of the plates, of which it becomes one.
-void draw_arrow_text(const Canvas& canvas, const Scene& scene, const std::string& words, PixelPoint end,
-                     bool on_the_left, std::vector<Box>& plates) {
-  const Text text(words, {.size = scene.grid.pixels(kTextSize), .bold = true, .color = plate_style::kText},
+struct ArrowText {
+  std::string words = {};
+  PixelPoint end = {};  // of the arrow
+  bool on_the_left = false;
+};
+
+/// Level with the arrow's end, beside it and `tools`, clear of the plates, of which it becomes one.
+void draw_arrow_text(const Canvas& canvas, const Scene& scene, const ArrowText& arrow,
+                     const std::vector<ToolShape>& tools, std::vector<Box>& plates) {
+  const Text text(arrow.words, {.size = scene.grid.pixels(kTextSize), .bold = true, .color = plate_style::kText},
                   {.width = scene.grid.pixels(kWidestText), .lines = 2});
-  const LabelWish wish{.anchor = end,
+  const LabelWish wish{.anchor = arrow.end,
                        .width = text.width() + 2 * scene.grid.pixels(kPadX),
                        .height = text.height() + 2 * scene.grid.pixels(kPadY),
-                       .on_the_left = on_the_left};
+                       .on_the_left = arrow.on_the_left};
   LabelRoom room{.bounds = label_bounds(scene),
-                 .obstacles = tool_obstacles(scene),
+                 .obstacles = tool_obstacles(scene, tools),
                  .gap = scene.grid.pixels(6),
                  .distance = scene.grid.pixels(12)};
-  room.obstacles.push_back(end);
+  room.obstacles.push_back(arrow.end);
   const Box box = clear_place(lay_out_labels({wish}, room).front(), plates, room.gap, room.bounds);
   draw_plate(canvas, scene, text, box);
   plates.push_back(box);
@@ -287,7 +293,8 @@ void draw_arrows(const Canvas& canvas, const Scene& scene, const std::vector<Arr
     if (!tip || !tail || !scene.shows(*tip)) continue;
     draw_arrow(canvas, *tail, *tip, scene.grid.pixels(kArrowWidth), plate_style::kCurve);
     if (arrow.text.empty()) continue;
-    draw_arrow_text(canvas, scene, arrow.text, *tail, is_left_of_middle(scene, arrow.at, arrow.span.begin), plates);
+    const bool is_left = is_left_of_middle(scene, arrow.at, arrow.span.begin);
+    draw_arrow_text(canvas, scene, {arrow.text, *tail, is_left}, scene.tools, plates);
   }
 }
 
@@ -310,7 +317,10 @@ void draw_force_arrows(const Canvas& canvas, const Scene& scene, const std::vect
     } else {
       draw_arrow_end_on(canvas, *tail, width, dot(way, from) < 0, kForceColor);
     }
-    draw_arrow_text(canvas, scene, force_quantity(length(force), arrow.full, arrow.full).text(), *tip, false, plates);
+    // Beyond another tool its number would be read as that one's force.
+    const ToolShape own = tool_shape(*tool, scene.extent.size);
+    const std::string words = force_quantity(length(force), arrow.full, arrow.full).text();
+    draw_arrow_text(canvas, scene, {.words = words, .end = *tip}, {own}, plates);
   }
 }
 

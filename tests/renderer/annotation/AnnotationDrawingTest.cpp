@@ -150,6 +150,20 @@ TEST(AnnotationDrawing, AForceAlongTheLineOfSightIsARingWithWords) {
   EXPECT_EQ(drawn(annotations, snapshot).pixels, black().pixels) << "one that is short from the side too";
 }
 
+TEST(AnnotationDrawing, AForcesWordsStandBesideItsOwnToolWhateverElseIsThere) {
+  Snapshot snapshot = scene();
+  snapshot.tools[0].kind = SnapshotToolKind::kSphere;
+  snapshot.tools[0].radius = 0.003;
+  AnnotationDefinition annotations;
+  annotations.force_arrows.push_back({.tool = "probe", .full = 1, .length = 0.02});
+  const Image alone = drawn(annotations, snapshot);
+  // A rod farther to the right, at the same height: words beyond it would be read as its force.
+  SnapshotTool& other = snapshot.tools.emplace_back(snapshot.tools[0]);
+  other.name = "rod";
+  other.tip = {0.03, 0, 0.02};
+  EXPECT_EQ(drawn(annotations, snapshot).pixels, alone.pixels);
+}
+
 TEST(AnnotationDrawing, AnArrowsWordsStandBesideTheTool) {
   Snapshot snapshot = scene();
   snapshot.tools[0].kind = SnapshotToolKind::kSphere;
