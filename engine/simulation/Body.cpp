@@ -46,6 +46,10 @@ constexpr double kBladeEdges = 0.5;
 /// Halvings in one step after which a body makes no way any more.
 constexpr int kMostHalvings = 60;
 
+/// Parts of a step that may burst: a jump that went too far is cured by a division or two, and where the wall bears no
+/// more each part ends so, however short, after more than a thousand iterations.
+constexpr int kMostBursts = 4;
+
 /// Iterations up to which the next part may be longer.
 constexpr int kEasyIterations = 20;
 
@@ -327,6 +331,11 @@ void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> en
   foresight_.reset();
 }
 
+bool Body::is_hopeless(int failed) const {
+  return failed > options_.maximum_halvings || report_.halvings > kMostHalvings || report_.bursts > kMostBursts ||
+         is_spent();
+}
+
 void Body::advance_in_parts(const BodyState& start, std::span<const ToolPose> begin, std::span<const ToolPose> end,
                             double duration, const BodyInput& input) {
   StepParts step{.largest = std::min(largest_part(begin, end), part_of_blade(input, model_->edge_length))};
@@ -339,6 +348,7 @@ void Body::advance_in_parts(const BodyState& start, std::span<const ToolPose> be
     BodyState before = state_;
     state_.cut.division = step.division;
     const int iterations = report_.newton_iterations, shifted = report_.shifted_iterations;
+    bursts_ = false;
     if (!try_step(from, to, step.part * duration, part_of(input, start, step.done, step.part))) {
       state_ = before;
       last_step_.reset();
@@ -348,7 +358,8 @@ void Body::advance_in_parts(const BodyState& start, std::span<const ToolPose> be
       }
       step.divide();
       ++report_.halvings;
-      if (++failed > options_.maximum_halvings || report_.halvings > kMostHalvings || is_spent()) give_up();
+      if (bursts_) ++report_.bursts;
+      if (is_hopeless(++failed)) give_up();
       continue;
     }
     failed = 0;

@@ -201,6 +201,8 @@ class Body {
                         double duration, const BodyInput& input);
   /// Takes a step back in which lips came to drive the wall; they are marked in `before`, where the body is then.
   bool takes_back_driven(BodyState& before);
+  /// Whether a step is given up after so many failures in a row.
+  bool is_hopeless(int failed) const;
   bool is_spent() const { return report_.newton_iterations > options_.maximum_step_iterations; }
   [[noreturn]] void give_up() const;
   EquilibriumProblem make_problem(std::span<const ToolPose> end, double duration, const BodyInput& input) const;
@@ -393,7 +395,7 @@ class Body {
   bool is_loose_ = false;                  // whether the last solution's residual is above the tolerance
   bool is_convex_ = true;                  // whether it was found with the curvature as it is
   bool is_unstable_ = false;               // whether the equilibrium of the step under way is not stable
-  bool bursts_ = false;                    // whether it has been found to burst before time zero
+  bool bursts_ = false;                    // whether the last attempt has been found to burst
   bool stays_held_ = false;                // whether loads did not turn it to rest where they were to
   std::string failure_;                    // why the last attempt failed
 };

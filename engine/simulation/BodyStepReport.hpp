@@ -26,6 +26,7 @@ struct BodyStepReport {
   int halvings = 0;           // how often the step was divided because it could not be solved
   int refinements = 0;        // how often it was divided to keep the error that is allowed
   int relaxations = 0;        // parts of it that were found with pseudo-inertia, see `relax`
+  int bursts = 0;             // parts of it in which the body grew without end
   double residual = 0;        // newton
   double residual_share = 0;  // largest of the step's solutions, over the largest force there
   bool slowed = false;        // whether a drag slowed flaps that nothing holds, see Body::creep
