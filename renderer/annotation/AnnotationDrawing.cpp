@@ -113,6 +113,19 @@ bool is_left_of_middle(const Scene& scene, const Double3& at, double first_shown
   return (place ? (*place)[0] : 0) < (middle ? (*middle)[0] : 0.5 * scene.size.width);
 }
 
+/// Whether the words at an arrow's tail stand left of it, beyond its tail rather than along its shaft, as it is at rest
+/// when it is first shown; those of an arrow that goes upwards or downwards, where labels of its point would.
+bool has_words_on_the_left(const Scene& scene, const ArrowDefinition& arrow) {
+  const Camera first = resting_camera_at(scene, arrow.span.begin);
+  const Vector3 at = vector3(arrow.at);
+  const auto tip = first.pixel(at, scene.size);
+  const auto tail = first.pixel(at - arrow.length * vector3(arrow.direction), scene.size);
+  if (!tip || !tail) return false;
+  const double across = (*tip)[0] - (*tail)[0], down = (*tip)[1] - (*tail)[1];
+  if (std::abs(across) > std::abs(down)) return across > 0;
+  return is_left_of_middle(scene, arrow.at, arrow.span.begin);
+}
+
 /// Between title and panels, and above captions that stand above these.
 Box label_bounds(const Scene& scene) {
   const double margin = scene.grid.pixels(plate_style::kMargin);
@@ -293,8 +306,7 @@ void draw_arrows(const Canvas& canvas, const Scene& scene, const std::vector<Arr
     if (!tip || !tail || !scene.shows(*tip)) continue;
     draw_arrow(canvas, *tail, *tip, scene.grid.pixels(kArrowWidth), plate_style::kCurve);
     if (arrow.text.empty()) continue;
-    const bool is_left = is_left_of_middle(scene, arrow.at, arrow.span.begin);
-    draw_arrow_text(canvas, scene, {arrow.text, *tail, is_left}, scene.tools, plates);
+    draw_arrow_text(canvas, scene, {arrow.text, *tail, has_words_on_the_left(scene, arrow)}, scene.tools, plates);
   }
 }
 

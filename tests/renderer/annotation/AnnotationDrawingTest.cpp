@@ -183,6 +183,24 @@ TEST(AnnotationDrawing, AnArrowsWordsStandBesideTheTool) {
   }
 }
 
+TEST(AnnotationDrawing, WordsOfAnArrowThatGoesSidewaysStandBeyondItsTail) {
+  const Snapshot snapshot = scene();
+  const Camera camera = resolve_camera(from_the_front(), scene_extent(snapshot), kSize, 0);
+  for (const double sense : {1.0, -1.0}) {
+    AnnotationDefinition annotations;
+    annotations.arrows.push_back(
+        {.text = "Pulled", .body = "organ", .at = {0, -0.02, 0}, .direction = {sense, 0, 0}, .length = 0.02});
+    const Image image = drawn(annotations, snapshot);
+    const auto tail = camera.pixel({-0.02 * sense, -0.02, 0}, kSize);
+    ASSERT_TRUE(tail);
+    int beyond = 0;
+    for (int x = 10; x < 90; ++x) {
+      for (int y = -12; y < 12; ++y) beyond += level(image, (*tail)[0] - sense * x, (*tail)[1] + y) > 200;
+    }
+    EXPECT_GT(beyond, 30) << sense;
+  }
+}
+
 TEST(AnnotationDrawing, TextsOfArrowsAtOnePlaceKeepClearOfEachOther) {
   Snapshot snapshot = scene();
   snapshot.time = 1;
