@@ -62,6 +62,7 @@ std::vector<std::string> late_times(const Scenario& scenario, double end) {
     const Expectation& expectation = scenario.expectations[i];
     late.see(expectation.at.value_or(0), "expect", i, "at", "it cannot be met");
     late.see(expectation.from.value_or(0), "expect", i, "from", "it cannot be met");
+    late.see(expectation.until.value_or(0), "expect", i, "until", "it cannot be met");
   }
   return std::move(late).notes();
 }

@@ -16,7 +16,7 @@ Scenario with_times(double time) {
   scenario.teaching.freezes = {{.at = time}};
   scenario.teaching.slow_motions = {{.begin = time, .end = time + 1}};
   scenario.goldens = {{.at = time}};
-  scenario.expectations = {{.at = time}, {.from = time}, {}};
+  scenario.expectations = {{.at = time}, {.from = time}, {.until = time}, {}};
   return scenario;
 }
 
@@ -32,7 +32,7 @@ TEST(LateTimes, EachTimeAfterTheEndIsToldWithItsPath) {
                 "teaching.freezes[1].at" + after + "the video never stands still for it",
                 "teaching.slow_motion[1].from" + after + "no part of the video has its speed",
                 "golden[1].at" + after + "there is no picture of it", "expect[1].at" + after + "it cannot be met",
-                "expect[2].from" + after + "it cannot be met"}));
+                "expect[2].from" + after + "it cannot be met", "expect[3].until" + after + "it cannot be met"}));
 }
 
 TEST(LateTimes, WhatIsWithinTheRunOrItsLastStepIsNotTold) {
