@@ -274,11 +274,11 @@ struct ArrowText {
   std::string words = {};
   PixelPoint end = {};  // of the arrow
   bool on_the_left = false;
+  std::vector<ToolShape> tools = {};  // that it stands beside
 };
 
-/// Level with the arrow's end, beside it and `tools`, clear of the plates, of which it becomes one.
-void draw_arrow_text(const Canvas& canvas, const Scene& scene, const ArrowText& arrow,
-                     const std::vector<ToolShape>& tools, std::vector<Box>& plates) {
+/// Level with the arrow's end, beside it and its tools, clear of the plates, of which it becomes one.
+void draw_arrow_text(const Canvas& canvas, const Scene& scene, const ArrowText& arrow, std::vector<Box>& plates) {
   const Text text(arrow.words, {.size = scene.grid.pixels(kTextSize), .bold = true, .color = plate_style::kText},
                   {.width = scene.grid.pixels(kWidestText), .lines = 2});
   const LabelWish wish{.anchor = arrow.end,
@@ -286,7 +286,7 @@ void draw_arrow_text(const Canvas& canvas, const Scene& scene, const ArrowText& 
                        .height = text.height() + 2 * scene.grid.pixels(kPadY),
                        .on_the_left = arrow.on_the_left};
   LabelRoom room{.bounds = label_bounds(scene),
-                 .obstacles = tool_obstacles(scene, tools),
+                 .obstacles = tool_obstacles(scene, arrow.tools),
                  .gap = scene.grid.pixels(6),
                  .distance = scene.grid.pixels(12)};
   room.obstacles.push_back(arrow.end);
@@ -295,8 +295,10 @@ void draw_arrow_text(const Canvas& canvas, const Scene& scene, const ArrowText& 
   plates.push_back(box);
 }
 
-void draw_arrows(const Canvas& canvas, const Scene& scene, const std::vector<ArrowDefinition>& arrows,
-                 std::vector<Box>& plates) {
+/// Gives the texts, which come over all arrows and labels.
+std::vector<ArrowText> draw_arrows(const Canvas& canvas, const Scene& scene,
+                                   const std::vector<ArrowDefinition>& arrows) {
+  std::vector<ArrowText> texts;
   for (const ArrowDefinition& arrow : arrows) {
     if (!arrow.span.holds(scene.snapshot.time)) continue;
     const std::optional<Vector3> place = material_place(scene.snapshot, arrow.body, arrow.at);
@@ -306,12 +308,15 @@ void draw_arrows(const Canvas& canvas, const Scene& scene, const std::vector<Arr
     if (!tip || !tail || !scene.shows(*tip)) continue;
     draw_arrow(canvas, *tail, *tip, scene.grid.pixels(kArrowWidth), plate_style::kCurve);
     if (arrow.text.empty()) continue;
-    draw_arrow_text(canvas, scene, {arrow.text, *tail, has_words_on_the_left(scene, arrow)}, scene.tools, plates);
+    texts.push_back({arrow.text, *tail, has_words_on_the_left(scene, arrow), scene.tools});
   }
+  return texts;
 }
 
-void draw_force_arrows(const Canvas& canvas, const Scene& scene, const std::vector<ForceArrowDefinition>& arrows,
-                       std::vector<Box>& plates) {
+/// The same.
+std::vector<ArrowText> draw_force_arrows(const Canvas& canvas, const Scene& scene,
+                                         const std::vector<ForceArrowDefinition>& arrows) {
+  std::vector<ArrowText> texts;
   for (const ForceArrowDefinition& arrow : arrows) {
     const auto tool = std::ranges::find(scene.snapshot.tools, arrow.tool, &SnapshotTool::name);
     if (tool == scene.snapshot.tools.end() || !arrow.span.holds(scene.snapshot.time)) continue;
@@ -330,10 +335,11 @@ void draw_force_arrows(const Canvas& canvas, const Scene& scene, const std::vect
       draw_arrow_end_on(canvas, *tail, width, dot(way, from) < 0, kForceColor);
     }
     // Beyond another tool its number would be read as that one's force.
-    const ToolShape own = tool_shape(*tool, scene.extent.size);
-    const std::string words = force_quantity(length(force), arrow.full, arrow.full).text();
-    draw_arrow_text(canvas, scene, {.words = words, .end = *tip}, {own}, plates);
+    texts.push_back({.words = force_quantity(length(force), arrow.full, arrow.full).text(),
+                     .end = *tip,
+                     .tools = {tool_shape(*tool, scene.extent.size)}});
   }
+  return texts;
 }
 
 /// A place of the whole picture from the upper left of a part of it; none where it lies outside of the part.
@@ -381,10 +387,12 @@ void draw_annotations(Image& image, const PictureBox& box, const AnnotationDefin
   }
   const Canvas canvas(box.size);
   if (scene.inset) keep_off(canvas, box.size, *scene.inset);
+  const std::vector<ArrowText> texts = draw_arrows(canvas, scene, annotations.arrows);
+  const std::vector<ArrowText> forces = draw_force_arrows(canvas, scene, annotations.force_arrows);
   std::vector<Box> plates = draw_labels(canvas, scene, annotations.labels);
   for (const Box& taken : taken_in(scene)) plates.push_back(taken);
-  draw_arrows(canvas, scene, annotations.arrows, plates);
-  draw_force_arrows(canvas, scene, annotations.force_arrows, plates);
+  for (const ArrowText& text : texts) draw_arrow_text(canvas, scene, text, plates);
+  for (const ArrowText& force : forces) draw_arrow_text(canvas, scene, force, plates);
   canvas.blend_onto(image, box.left, box.top);
 }
 

@@ -25,12 +25,15 @@ void draw_arrow(const Canvas& canvas, PixelPoint tail, PixelPoint tip, double wi
   go_to(length - head, -half, false);
   go_to(0, -half, false);
   cairo_close_path(canvas.context());
+  // Level lines that are drawn later come out otherwise under another join.
+  cairo_save(canvas.context());
   cairo_set_line_join(canvas.context(), CAIRO_LINE_JOIN_ROUND);
   set_color(canvas.context(), {0.02, 0.03, 0.04, 0.75});
   cairo_set_line_width(canvas.context(), 0.5 * width);
   cairo_stroke_preserve(canvas.context());
   set_color(canvas.context(), color);
   cairo_fill(canvas.context());
+  cairo_restore(canvas.context());
 }
 
 void draw_arrow_end_on(const Canvas& canvas, PixelPoint place, double width, bool towards_viewer, Color color) {

@@ -201,6 +201,20 @@ TEST(AnnotationDrawing, WordsOfAnArrowThatGoesSidewaysStandBeyondItsTail) {
   }
 }
 
+TEST(AnnotationDrawing, AnArrowPassesBelowLabels) {
+  Snapshot snapshot = scene();
+  snapshot.time = 1;
+  const AnnotationDefinition label = label_at({0.02, 0, 0});
+  AnnotationDefinition both = label;
+  both.arrows.push_back({.text = "", .body = "organ", .at = {0.02, 0, 0}, .direction = {-1, 0, 0}, .length = 0.06});
+  const Image alone = drawn(label, snapshot), crossed = drawn(both, snapshot);
+  EXPECT_NE(crossed.pixels, alone.pixels);
+  int struck_out = 0;
+  for (std::size_t k = 0; k < alone.pixels.size(); k += 3)
+    struck_out += alone.pixels[k] > 220 && crossed.pixels[k] < 200;
+  EXPECT_EQ(struck_out, 0) << "letters, the leader and its dot";
+}
+
 TEST(AnnotationDrawing, TextsOfArrowsAtOnePlaceKeepClearOfEachOther) {
   Snapshot snapshot = scene();
   snapshot.time = 1;
