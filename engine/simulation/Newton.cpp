@@ -13,18 +13,17 @@
 namespace thinwall {
 namespace {
 
-/// After this many iterations steps are halved at once: whole ones may go to and fro between two sets of contacts, one
-/// of which lowers the residual and the other the energy. After so many calm ones in a row there is one set, and whole
-/// ones lead to the end.
-constexpr int kWholeSteps = 15;
-constexpr int kCalmSteps = 2;
-
 /// Iterations in a row with a matrix that was made convex after which it is taken as it is: a flat wall that is pressed
 /// along itself stays flat, and on the way to that equilibrium no matrix is convex.
 constexpr int kInexactSteps = 5;
 
 /// Steps of a shell without line search before it is solved with one.
 constexpr int kForeseeingSteps = 40;
+
+/// So many of these in a row without gain end them sooner where flaps are taken: where such a wall buckles they go
+/// astray for good, and most of them ask for several matrices, while the search along steps then takes some five to
+/// ten. A whole wall that snaps through may find another equilibrium so.
+constexpr int kForeseeingWithoutGain = 8;
 
 /// Growth of the largest force in a solution of a shell without line search that only a step gone astray makes: among
 /// such forces any residual would look small.
@@ -322,9 +321,10 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
       if (foresees && scale > kBlowUp * first_scale) return failed("the wall is strained beyond measure", result);
       return solved(!is_solved(problem, residual, scale, false, options), result);
     }
-    if (result.iterations == most) {
+    const bool goes_astray = foresees && options.takes_flaps && progress.without_gain >= kForeseeingWithoutGain;
+    if (result.iterations == most || goes_astray) {
       if (is_solved(problem, residual, scale, options.takes_flaps, options)) return solved(true, result);
-      return failed(obstructed("no convergence within " + std::to_string(most) + " iterations"), result);
+      return failed(obstructed("no convergence within " + std::to_string(result.iterations) + " iterations"), result);
     }
     keeps_factor_ = may_keep_factor(problem, residual, options.tolerance * scale, scale, progress);
     progress.kept = keeps_factor_ ? progress.kept + 1 : 0;
@@ -342,8 +342,8 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
       if (take_whole(problem, state, residual, step)) continue;
       return failed("the wall is stretched beyond its law", result);
     }
-    const bool whole = result.iterations < kWholeSteps || progress.calm >= kCalmSteps;
-    if (search(problem, state, residual, step, whole ? 1 : 0.5)) {
+    progress.descent = search(problem, state, residual, step, progress.tries_whole_step(result.iterations) ? 1 : 0.5);
+    if (progress.descent != Descent::kNone) {
       note_step(step, state);
       if (may_relax_patches(problem, options, result.iterations)) relax_patches(problem, state, options);
       continue;

@@ -164,19 +164,30 @@ class Newton {
     double measure = 0;  // newton, of all: displacements by which constraints are missed count with the wall's
                          // stiffness
   };
+  /// What a search along a step has found.
+  enum class Descent {
+    kNone,       // neither less residual nor less energy
+    kLower,      // one of them
+    kAsForeseen  // the energy fell as the curvature that the step was found with foresaw, or more
+  };
   /// How a solution gets on from iteration to iteration.
   struct Progress {
     int calm = 0;               // iterations in a row by which the residual fell
     int inexact = 0;            // iterations in a row whose matrix had to be made convex, or was taken though it is not
     bool takes_saddle = false;  // whether the last one took the matrix as it is
-    int stalled = 0;            // iterations since the largest force was least
-    int kept = 0;               // iterations in a row that were found with the factor of one before
-    double last_measure = 0;    // newton
-    double force = 0;           // newton, largest now
-    double last_force = 0;      // newton, the same before the last iteration
-    double least_force = std::numeric_limits<double>::infinity();  // newton
+    Descent descent = Descent::kNone;  // of the last search
+    int stalled = 0;                   // iterations since the largest force was least
+    int kept = 0;                      // iterations in a row that were found with the factor of one before
+    int without_gain = 0;              // iterations since the largest force was least of those after the first step
+    double last_measure = 0;           // newton
+    double force = 0;                  // newton, largest now
+    double last_force = 0;             // newton, the same before the last iteration
+    double least_force = std::numeric_limits<double>::infinity();    // newton
+    double least_stepped = std::numeric_limits<double>::infinity();  // newton, after the first step
 
     void note(const Residual& residual);
+    /// Whether the next step is tried whole; `iterations`: so far.
+    bool tries_whole_step(int iterations) const;
     /// Whether a step by which the residual falls as it did by the last one, or faster, would be the last one.
     bool foresees_end(const Residual& residual, double tolerance) const;
   };
@@ -326,8 +337,8 @@ class Newton {
   double lowest_part(const Step& step, double sign, EquilibriumProblem& problem, EquilibriumState& state,
                      double& lowest);
   std::string obstructed(const std::string& reason) const;
-  bool search(EquilibriumProblem& problem, EquilibriumState& state, Residual& residual, const Step& step,
-              double fraction);
+  Descent search(EquilibriumProblem& problem, EquilibriumState& state, Residual& residual, const Step& step,
+                 double fraction);
   bool may_relax_patches(const EquilibriumProblem& problem, const NewtonOptions& options, int iterations) const;
   /// Solves what is left of a residual in few vertices with the others held, patch by patch, while that helps.
   void relax_patches(const EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options);

@@ -1,9 +1,17 @@
 #include "engine/simulation/Newton.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace thinwall {
 namespace {
+
+/// After this many iterations steps are halved at once: whole ones may go to and fro between two sets of contacts, one
+/// of which lowers the residual and the other the energy. After so many calm ones in a row there is one set, and whole
+/// ones lead to the end; so they do where the energy fell as foreseen, as along a bent valley, in which the residual
+/// hardly falls from step to step, and half steps creep.
+constexpr int kWholeSteps = 15;
+constexpr int kCalmSteps = 2;
 
 /// Part to which the residual falls in a calm iteration.
 constexpr double kCalmFall = 0.7;
@@ -34,6 +42,10 @@ bool Newton::may_keep_factor(const EquilibriumProblem& problem, const Residual& 
   return ((is_near && progress.kept == 0) || may_end) && find_factorised_contacts();
 }
 
+bool Newton::Progress::tries_whole_step(int iterations) const {
+  return iterations < kWholeSteps || calm >= kCalmSteps || descent == Descent::kAsForeseen;
+}
+
 bool Newton::Progress::foresees_end(const Residual& residual, double tolerance) const {
   return residual.largest_force * residual.largest_force <= tolerance * last_force;
 }
@@ -44,6 +56,11 @@ void Newton::Progress::note(const Residual& residual) {
   // The matrix as it is serves as long as the residual falls with it.
   if (takes_saddle) inexact = calm > 0 ? inexact + 1 : 0;
   stalled = residual.largest_force < kCalmFall * least_force ? 0 : stalled + 1;
+  // Where a wall is all but in equilibrium its first step may leave more than there was.
+  if (std::isfinite(least_force)) {
+    without_gain = residual.largest_force < kCalmFall * least_stepped ? 0 : without_gain + 1;
+    least_stepped = std::min(least_stepped, residual.largest_force);
+  }
   least_force = std::min(least_force, residual.largest_force);
   last_force = force;
   force = residual.largest_force;

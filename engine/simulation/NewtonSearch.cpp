@@ -12,6 +12,10 @@ namespace {
 /// bound, along whose ways everything would meet everything.
 constexpr double kLongestStep = 1;
 
+/// Part of the foreseen fall of the energy that has to come about for the curvature to be trusted: some three quarters,
+/// as where steps are bounded by a region of trust (Nocedal and Wright 2006, algorithm 4.1).
+constexpr double kForeseenPart = 0.8;
+
 /// Part of the energy below which its slope along a step has no sign.
 constexpr double kRoundOff = 1e-12;
 
@@ -91,8 +95,8 @@ double Newton::merit_slope(const EquilibriumProblem& problem, const EquilibriumS
   return slope;
 }
 
-bool Newton::search(EquilibriumProblem& problem, EquilibriumState& state, Residual& residual, const Step& step,
-                    double fraction) {
+Newton::Descent Newton::search(EquilibriumProblem& problem, EquilibriumState& state, Residual& residual,
+                               const Step& step, double fraction) {
   // Weights above the multipliers make the merit function exact: its minimum is the constrained one.
   Weights weights{.pressure = 2 * (state.pressure + step.pressure).lpNorm<Eigen::Infinity>(), .force = 0, .contact = 0};
   for (const Eigen::Vector3d& force : step.forces) weights.force = std::max(weights.force, 2 * force.norm());
@@ -111,17 +115,21 @@ bool Newton::search(EquilibriumProblem& problem, EquilibriumState& state, Residu
     if (!std::isfinite(trial_terms_.elastic)) continue;
     compute_residual(problem, state, trial_terms_, trial);
     const bool residual_fell = trial.measure <= (1 - 0.1 * fraction) * residual.measure;
-    const bool merit_fell = merit(problem, state, trial_terms_, trial, weights) <= before + 1e-4 * fraction * slope;
+    const double reached = merit(problem, state, trial_terms_, trial, weights);
+    const bool merit_fell = reached <= before + 1e-4 * fraction * slope;
     if (residual_fell || merit_fell) {
       std::swap(terms_, trial_terms_);
-      return true;
+      // Along a step that the whole curvature gave the energy is a parabola whose foot is at its end.
+      const double foreseen = fraction * (1 - 0.5 * fraction) * slope;
+      const bool tells = halving == 0 && is_exact_ && is_convex_ && slope < 0;
+      return tells && reached - before <= kForeseenPart * foreseen ? Descent::kAsForeseen : Descent::kLower;
     }
   }
   state = start.state;
   problem.attachments = start.attachments;
   problem.solids = start.solids;
   problem.friction = start.friction;
-  return false;
+  return Descent::kNone;
 }
 
 const Newton::Start& Newton::kept_start(const EquilibriumProblem& problem, const EquilibriumState& state) {
