@@ -35,5 +35,20 @@ TEST(StepTally, TellsOfDragsLooseResidualsUnstableAndCrumpledWallsApart) {
   EXPECT_EQ(warnings[3].rfind("1 of 4 steps crumpled a wall", 0), 0u) << warnings[3];
 }
 
+TEST(StepTally, TellsOfManyLaboriousStepsAndNotOfAFew) {
+  const auto warnings_of = [](int laborious, int easy) {
+    StepTally tally;
+    for (int k = 0; k < laborious + easy; ++k) {
+      tally.note("sheet", {.newton_iterations = k < laborious ? 41 : 40}, 0.1 * (k + 1));
+    }
+    return tally.warnings(laborious + easy);
+  };
+  EXPECT_TRUE(warnings_of(19, 0).empty());
+  EXPECT_TRUE(warnings_of(20, 181).empty());
+  const std::vector<std::string> warnings = warnings_of(20, 180);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].rfind("20 of 200 steps took more than 40 iterations each", 0), 0u) << warnings[0];
+}
+
 }  // namespace
 }  // namespace thinwall
