@@ -41,9 +41,20 @@ constexpr double kNoPressure = 1e-9;
 /// Volume over the rest volume by which fluid and wall may miss each other: the solver leaves 1e-11 of it.
 constexpr double kNoVolume = 1e-10;
 
+/// Area, over the square of the length of its lips, that an opening counts with at least: those of a fresh cut are
+/// closed, and rounding would decide whether there is anything to see the fluid's motion from.
+constexpr double kLeastOpening = 1e-12;
+
 /// Pascal: what a balloon of the wall and size bears at unit strain.
 double pressure_scale(const BodyModel& model) {
   return model.wall_stiffness / std::sqrt(model.rest_area);
+}
+
+/// Metres^2.
+double least_area(const Eigen::Matrix3Xd& lips) {
+  double length = 0;
+  for (Eigen::Index k = 0; k < lips.cols(); ++k) length += (lips.col((k + 1) % lips.cols()) - lips.col(k)).norm();
+  return kLeastOpening * length * length;
 }
 
 /// Metres^3 that count as none in a chamber.
@@ -129,7 +140,8 @@ void Body::start_leaks() {
 void Body::measure_openings() {
   state_.open_area.resize(static_cast<Eigen::Index>(model_->openings.size()));
   for (std::size_t k = 0; k < model_->openings.size(); ++k) {
-    const double area = lip_cap_of(model_->openings[k].at(state_.equilibrium.position)).area.norm();
+    const Eigen::Matrix3Xd lips = model_->openings[k].at(state_.equilibrium.position);
+    const double area = std::max(lip_cap_of(lips).area.norm(), least_area(lips));
     state_.open_area[static_cast<Eigen::Index>(k)] = is_sealed(static_cast<int>(k)) ? 0 : area;
   }
 }

@@ -78,7 +78,7 @@ struct BodyState {
   Eigen::VectorXd reference_pressure;     // (chambers), pascal, at which a compressible fluid has its volume
   Eigen::VectorXd leaked;                 // (chambers), metres^3, out through openings since time zero
   Eigen::VectorXd air;                    // (chambers), metres^3, that came in
-  Eigen::VectorXd open_area;              // (openings), metres^2, 0 where a needle keeps one shut
+  Eigen::VectorXd open_area;              // (openings), metres^2, above 0 but where a needle keeps one shut
   FlowMemory outflow;                     // (openings)
   FlowMemory exchange;                    // (orifices)
   double leaked_gravity = 0;              // joule, of what has leaked, each part at its opening's height
