@@ -20,11 +20,6 @@ constexpr int kInexactSteps = 5;
 /// Steps of a shell without line search before it is solved with one.
 constexpr int kForeseeingSteps = 40;
 
-/// So many of these in a row without gain end them sooner where flaps are taken: where such a wall buckles they go
-/// astray for good, and most of them ask for several matrices, while the search along steps then takes some five to
-/// ten. A whole wall that snaps through may find another equilibrium so.
-constexpr int kForeseeingWithoutGain = 8;
-
 /// Growth of the largest force in a solution of a shell without line search that only a step gone astray makes: among
 /// such forces any residual would look small.
 constexpr double kBlowUp = 1e6;
@@ -321,8 +316,7 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
       if (foresees && scale > kBlowUp * first_scale) return failed("the wall is strained beyond measure", result);
       return solved(!is_solved(problem, residual, scale, false, options), result);
     }
-    const bool goes_astray = foresees && options.takes_flaps && progress.without_gain >= kForeseeingWithoutGain;
-    if (result.iterations == most || goes_astray) {
+    if (result.iterations == most || (foresees && options.takes_flaps && progress.goes_astray())) {
       if (is_solved(problem, residual, scale, options.takes_flaps, options)) return solved(true, result);
       return failed(obstructed("no convergence within " + std::to_string(result.iterations) + " iterations"), result);
     }

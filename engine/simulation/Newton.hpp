@@ -188,6 +188,8 @@ class Newton {
     void note(const Residual& residual);
     /// Whether the next step is tried whole; `iterations`: so far.
     bool tries_whole_step(int iterations) const;
+    /// Whether steps without line search lead nowhere where flaps are taken.
+    bool goes_astray() const;
     /// Whether a step by which the residual falls as it did by the last one, or faster, would be the last one.
     bool foresees_end(const Residual& residual, double tolerance) const;
   };

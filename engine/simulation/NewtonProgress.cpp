@@ -13,6 +13,11 @@ namespace {
 constexpr int kWholeSteps = 15;
 constexpr int kCalmSteps = 2;
 
+/// So many steps without line search, in a row without gain, end these in a shell whose flaps are taken: where such a
+/// wall buckles they go astray for good, and most of them ask for several matrices, while the search along steps then
+/// takes some five to ten. A whole wall that snaps through may find another equilibrium so.
+constexpr int kForeseeingWithoutGain = 8;
+
 /// Part to which the residual falls in a calm iteration.
 constexpr double kCalmFall = 0.7;
 
@@ -44,6 +49,10 @@ bool Newton::may_keep_factor(const EquilibriumProblem& problem, const Residual& 
 
 bool Newton::Progress::tries_whole_step(int iterations) const {
   return iterations < kWholeSteps || calm >= kCalmSteps || descent == Descent::kAsForeseen;
+}
+
+bool Newton::Progress::goes_astray() const {
+  return without_gain >= kForeseeingWithoutGain;
 }
 
 bool Newton::Progress::foresees_end(const Residual& residual, double tolerance) const {

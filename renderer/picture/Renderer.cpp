@@ -110,8 +110,8 @@ void Stage::draw_shadow_map(const SceneExtent& extent, const Studio& studio, con
   clock.ends("shadow map");
 }
 
-/// The driver's threads begin once one of the processor's cores is idle: what the other makes without them goes along
-/// with what is handed to them.
+/// The threads of a software driver begin once one of the processor's cores is idle: what the other makes without them
+/// goes along with what is handed to them.
 void Stage::draw_shadows(const FrameUniforms& frame, const SceneExtent& extent, const Studio& studio,
                          const Camera& camera, bool is_lamp_large, PassClock& clock) {
   const bool has_floor = tier != Tier::kDraft && frame.floor[1] > 0;

@@ -5,7 +5,7 @@
 namespace thinwall {
 namespace {
 
-/// Iterations of one step above which it is a laborious one; some twenty are usual where a wall is cut.
+/// Iterations of one step above which it is a laborious one; a slack sheet that is cut crosswise takes some twenty.
 constexpr int kManyIterations = 40;
 
 /// Such steps are told of where there are at least so many of them, and this part of all: they take most of the time.

@@ -84,6 +84,7 @@ TEST(Settling, AWallThatIsFilledPastWhatItBearsIsGivenUpAfterFewParts) {
   EXPECT_THROW(body.advance({}, {}, 10e-3, {.load_factors = {}, .fluids = {{.pressure = 1400}}}), SimulationFailure);
   std::printf("%d iterations\n", iterations);
   EXPECT_EQ(body.state().volume[0], body.state().fluid_volume[0]) << "the state before the step is left";
+  // Seen 5494; 42 184 where parts that burst are divided on.
   EXPECT_LT(iterations, 12'000);
 }
 
