@@ -47,8 +47,21 @@ constexpr double kGapTolerance = 1e-9;
 /// hundreds of iterations a step, with this 5.
 constexpr double kFarVolume = 1e-15;
 
+/// Strain whose forces are the least that others are held against, and that of an unstressed wall that the round-off of
+/// its coordinates may make.
+constexpr double kLittleStrain = 1e-4;
+constexpr double kRoundOffStrain = 1e-13;
+
 double square(double value) {
   return value * value;
+}
+
+/// The first of them as it is in a model. A thin shell bends under much less than what strains it so.
+double little_strain(const BodyModel& model) {
+  if (model.bending.empty()) return kLittleStrain;
+  double volume = 0;
+  for (const MembraneRest& rest : model.rest) volume += rest.area * rest.thickness;
+  return kLittleStrain * std::min(1.0, square(volume / (model.rest_area * model.edge_length)));
 }
 
 NewtonResult solved(bool is_loose, NewtonResult result) {
@@ -94,7 +107,8 @@ Newton::Newton(const BodyModel& model, SparseFactor factor, SelfContact self_con
       fold_matrix_(model),
       rims_(rim_unknowns(model)),
       rigid_columns_(model.rigid_motions),
-      extent_(bounding_box(model.definition.mesh.vertices).diagonal().norm()) {
+      extent_(bounding_box(model.definition.mesh.vertices).diagonal().norm()),
+      little_strain_(little_strain(model)) {
   const double mean_mass = model.mass.mean();
   for (Eigen::Index k = 0; k < rigid_columns_.rows(); ++k) rigid_columns_.row(k) *= model.mass[k] / mean_mass;
   hinges_ = hinges_of(model);
@@ -190,9 +204,9 @@ void Newton::clear_fixed(Eigen::VectorXd& forces) const {
   }
 }
 
-double Newton::force_scale(const EquilibriumProblem& problem, const EquilibriumTerms& terms) const {
-  // An unstressed wall still carries the round-off of its coordinates, some 1e-14 of strain.
-  double scale = std::max(terms.largest_force, 1e-4 * model_.wall_stiffness * model_.edge_length);
+double Newton::force_scale(const EquilibriumProblem& problem, const EquilibriumTerms& terms, double tolerance) const {
+  const double strain = std::clamp(kRoundOffStrain / tolerance, little_strain_, kLittleStrain);
+  double scale = std::max(terms.largest_force, strain * model_.wall_stiffness * model_.edge_length);
   for (const Attachment& attachment : problem.attachments) {
     scale = std::max(scale, attachment.force.cwiseAbs().maxCoeff());
   }
@@ -237,6 +251,11 @@ bool Newton::is_solved(const EquilibriumProblem& problem, const Residual& residu
   const double ghost = are_closed ? 0 : residual.ghost;
   return std::max(residual.largest_force, ghost) <= slack * options.tolerance * force_scale &&
          gap <= slack * gap_tolerance;
+}
+
+bool Newton::is_unanswered(const Residual& residual, const NewtonResult& result, double tolerance) const {
+  const double exact = kRoundOffStrain / kLittleStrain * result.force_scale;
+  return result.iterations == 0 && residual.largest_force > std::max(tolerance * terms_.largest_force, exact);
 }
 
 std::string Newton::obstructed(const std::string& reason) const {
@@ -289,12 +308,12 @@ bool Newton::begin(EquilibriumProblem& problem, EquilibriumState& state, bool wi
   return std::isfinite(terms_.elastic);
 }
 
-double Newton::note_residual(const EquilibriumProblem& problem, const EquilibriumState& state, Residual& residual,
-                             NewtonResult& result) const {
+double Newton::note_residual(const EquilibriumProblem& problem, const EquilibriumState& state, double tolerance,
+                             Residual& residual, NewtonResult& result) const {
   compute_residual(problem, state, terms_, residual);
   result.residual = residual.largest_force;
   result.residual_history.push_back(residual.largest_force);
-  result.force_scale = force_scale(problem, terms_);
+  result.force_scale = force_scale(problem, terms_, tolerance);
   return result.force_scale;
 }
 
@@ -309,10 +328,11 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
   const int most = foresees ? std::min(kForeseeingSteps, options.maximum_iterations) : options.maximum_iterations;
   for (;; ++result.iterations) {
     if (options.between_iterations) options.between_iterations();
-    const double scale = note_residual(problem, state, residual, result);
+    const double scale = note_residual(problem, state, options.tolerance, residual, result);
     progress.note(residual);
     if (result.iterations == 0) first_scale = scale;
-    if (is_solved(problem, residual, scale, options.takes_flaps && progress.stalled >= kStalledSteps, options)) {
+    if (!is_unanswered(residual, result, options.tolerance) &&
+        is_solved(problem, residual, scale, options.takes_flaps && progress.stalled >= kStalledSteps, options)) {
       if (foresees && scale > kBlowUp * first_scale) return failed("the wall is strained beyond measure", result);
       return solved(!is_solved(problem, residual, scale, false, options), result);
     }

@@ -243,8 +243,8 @@ class Newton {
   NewtonResult iterate(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options,
                        bool foresees);
   /// What is left where `terms_` were found, and gives the scale of the forces there, newton.
-  double note_residual(const EquilibriumProblem& problem, const EquilibriumState& state, Residual& residual,
-                       NewtonResult& result) const;
+  double note_residual(const EquilibriumProblem& problem, const EquilibriumState& state, double tolerance,
+                       Residual& residual, NewtonResult& result) const;
   /// Notes where a step ended whose curvature is as good there.
   void note_step(const Step& step, const EquilibriumState& state);
   /// Whether the next step may do with the factor of the last one; `tolerance` and `scale`: newton, of forces.
@@ -274,9 +274,11 @@ class Newton {
   void clear_fixed(Eigen::VectorXd& forces) const;
   bool is_solved(const EquilibriumProblem& problem, const Residual& residual, double force_scale, bool is_stalled,
                  const NewtonOptions& options) const;
-  /// How far beyond twice its extent the body is from the origin, metres.
+  /// Whether loads are new, and light beside what strains the wall a little: one step at least answers them.
+  bool is_unanswered(const Residual& residual, const NewtonResult& result, double tolerance) const;
+  /// Metres, from the origin to the body beyond twice its extent.
   double distance_of(const EquilibriumProblem& problem) const;
-  double force_scale(const EquilibriumProblem& problem, const EquilibriumTerms& terms) const;
+  double force_scale(const EquilibriumProblem& problem, const EquilibriumTerms& terms, double tolerance) const;
   /// Newton, in a force of inertia.
   double round_off(const EquilibriumProblem& problem, const EquilibriumTerms& terms) const;
   void build_border(const EquilibriumProblem& problem, const EquilibriumState& state);
@@ -394,6 +396,7 @@ class Newton {
   Eigen::Index own_columns_ = 0;              // of the border, without those of contacts
   Eigen::MatrixXd rigid_columns_;             // (unknowns x free rigid motions), relative mass times motion
   double extent_;                             // metres, of the body at rest
+  double little_strain_;                      // whose forces are the least that others are held against
   double attachment_stiffness_ = 0;           // newton / metre, gamma
 };
 

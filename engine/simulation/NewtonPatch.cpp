@@ -54,7 +54,7 @@ bool Newton::may_relax_patches(const EquilibriumProblem& problem, const NewtonOp
 void Newton::relax_patches(const EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options) {
   Residual residual;
   compute_residual(problem, state, terms_, residual);
-  const double wanted = options.tolerance * force_scale(problem, terms_);
+  const double wanted = options.tolerance * force_scale(problem, terms_, options.tolerance);
   for (int patch = 0; patch < kMostPatches && residual.largest_force > wanted; ++patch) {
     if (!relax_patch(problem, state, kPatchShare * wanted, residual)) return;
   }
