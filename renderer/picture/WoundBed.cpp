@@ -1,6 +1,7 @@
 #include "renderer/picture/WoundBed.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "renderer/picture/Float3.hpp"
 #include "renderer/picture/Vector.hpp"
@@ -16,31 +17,34 @@ constexpr double kStrip = 2;
 /// Metres between the lowest part of the sheet and the bed.
 constexpr double kGap = 0.001;
 
-/// What the bed gives way to a piece that was cut free, over its depth.
+/// What the bed gives way to a piece that was cut free, over its depth: at last, and at first.
+constexpr double kRoom = 1;
 constexpr double kMostRoom = 2;
 
-/// What is left of the room that the bed made for a piece, seconds after that was cut free.
+/// What is left of the room that the bed made at first for a piece, seconds after that was cut free: soon nothing, or
+/// the piece would be seen to sink far and to rise again.
 double room_left(double age) {
-  constexpr double kClosing = 0.25;  // seconds
+  constexpr double kClosing = 0.12;  // seconds
   const double t = std::clamp(age / kClosing, 0.0, 1.0);
   return 1 - t * t * (3 - 2 * t);
 }
 
-/// (vertices), part of its depth below the stress-free sheet to which the bed makes room for a vertex.
-std::vector<double> parts_of_room(const SnapshotTopology& topology, std::span<const std::uint32_t> pieces,
-                                  double time) {
+/// (vertices), metres below the stress-free sheet to which the bed makes room for a vertex at most.
+std::vector<double> most_rooms(const SnapshotTopology& topology, std::span<const std::uint32_t> pieces, double depth,
+                               double time) {
   // A piece is free when the last of its border is cut.
   std::vector<double> freed(pieces.size(), kNeverCut);
   for (std::size_t v = 0; v < topology.cut_times.size() && v < pieces.size(); ++v) {
     if (pieces[v] == kHeldPiece) continue;
     freed[pieces[v]] = std::max(freed[pieces[v]], static_cast<double>(topology.cut_times[v]));
   }
-  std::vector<double> parts;
+  std::vector<double> rooms;
   for (const std::uint32_t piece : pieces) {
-    const bool is_untold = piece != kHeldPiece && freed[piece] == kNeverCut;
-    parts.push_back(piece == kHeldPiece ? 1 : is_untold ? 0 : room_left(time - freed[piece]));
+    const bool is_held = piece == kHeldPiece;
+    const double left = is_held || freed[piece] == kNeverCut ? 0 : room_left(time - freed[piece]);
+    rooms.push_back(is_held ? std::numeric_limits<double>::infinity() : depth * (kRoom + (kMostRoom - kRoom) * left));
   }
-  return parts;
+  return rooms;
 }
 
 double most_thickness(const SnapshotTopology& topology) {
@@ -59,12 +63,10 @@ double bed_depth(const SnapshotSurface& surface, std::span<const BorderEdge> bor
   const SnapshotTopology& topology = *surface.topology;
   const std::vector<Float3> normals = rest_normals(topology);
   const std::vector<std::uint32_t> pieces = cut_out_pieces(topology, borders, is_lip);
-  const std::vector<double> parts = parts_of_room(topology, pieces, time);
+  const std::vector<double> rooms = most_rooms(topology, pieces, depth, time);
   double lowest = 0;
   for (std::size_t v = 0; v < normals.size(); ++v) {
-    const double hanging = hanging_of(surface, normals, v);
-    const double most = pieces[v] == kHeldPiece ? hanging : kMostRoom * depth;
-    lowest = std::max(lowest, parts[v] * std::min(hanging, most));
+    lowest = std::max(lowest, std::min(hanging_of(surface, normals, v), rooms[v]));
   }
   return std::max(depth, lowest + most_thickness(topology) + kGap);
 }

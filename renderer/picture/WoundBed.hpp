@@ -8,7 +8,8 @@
 namespace thinwall {
 
 /// Metres below the stress-free sheet at which the bed of its wounds lies: `depth`, or, where a part of the sheet hangs
-/// lower, below that. From a piece that was cut free and falls it comes back to its place within a quarter of a second.
+/// lower, below that. A piece that was cut free and falls comes to rest `depth` below its place within an eighth of a
+/// second.
 /// `borders`, `is_lip`: what border_edges and cut_lips give; `time`: seconds.
 double bed_depth(const SnapshotSurface& surface, std::span<const BorderEdge> borders, std::span<const char> is_lip,
                  double depth, double time);

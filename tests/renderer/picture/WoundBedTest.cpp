@@ -45,13 +45,13 @@ double depth_below(double hanging, double later) {
   return -static_cast<double>(bed_of(sheet, 0.004, 1 + later).vertices.front().position[2]);
 }
 
-TEST(WoundBed, ComesBackToItsPlaceFromAPieceThatFalls) {
+TEST(WoundBed, LetsAPieceThatFallsComeToRestAsFarDownAsItLiesItself) {
   // The gap is 1 mm, and there is no thickness.
   EXPECT_NEAR(depth_below(0.006, 0), 0.007, 1e-8) << "as before it was free";
-  EXPECT_NEAR(depth_below(0.007, 0.125), 0.0045, 1e-8) << "half way";
-  EXPECT_NEAR(depth_below(0.2, 0.125), 0.005, 1e-8) << "no deeper than eight millimetres, of which half are left";
-  EXPECT_NEAR(depth_below(0.2, 0.25), 0.004, 1e-8);
-  EXPECT_NEAR(depth_below(0.2, 3), 0.004, 1e-8);
+  EXPECT_NEAR(depth_below(0.2, 0.06), 0.007, 1e-8) << "half way from eight millimetres to four";
+  EXPECT_NEAR(depth_below(0.2, 0.12), 0.005, 1e-8);
+  EXPECT_NEAR(depth_below(0.2, 3), 0.005, 1e-8) << "it stays there, and does not rise to the skin again";
+  EXPECT_NEAR(depth_below(0.0035, 3), 0.0045, 1e-8) << "what has fallen less far lies on the bed too";
 }
 
 TEST(WoundBed, BearsWhatWasCutFreeAndFallsAndLeavesTheRestWhereItIs) {
