@@ -292,6 +292,8 @@ class Body {
   std::optional<WayOn> way_on(int tool, const ToolPose& pose, double higher = 0) const;
   /// From the tip to the open border that the blade has left the wall over; nothing where it has not.
   std::optional<WayOn> way_to_border(const ToolPose& pose) const;
+  /// A way at whose end the cut ends; where that is next to an open border, or in the other end of a cut, there.
+  WayOn brought_to_border(int tool, WayOn way) const;
   /// Whether a blade goes back in its own wound: behind the tip, and over no wall but its lips.
   bool is_in_wound(int tool, const ToolPose& pose) const;
   /// From the lip over which a blade has come out of its own wound to where it meets the wall.

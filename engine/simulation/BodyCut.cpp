@@ -320,6 +320,7 @@ std::optional<Cut> Body::follow_blade(int tool, std::span<const ToolPose> poses,
     begin_anew_far_off(tool, pose);
     return std::nullopt;
   }
+  if (!goes_on && !way->border) way = brought_to_border(tool, *std::move(way));
   way->path.goes_on = goes_on && !way->border;
   return go_on(*way, pose, poses);
 }

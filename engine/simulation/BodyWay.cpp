@@ -15,6 +15,9 @@ namespace {
 /// it was off, when it begins another cut.
 constexpr double kLeftBehind = 2;
 
+/// Mean edges from a border within which a cut that ends meets it: triangles tell no such bridge.
+constexpr double kNearBorder = 0.25;
+
 /// A way longer than this times the distance of its ends, and an edge more, is not what a blade goes in a step: it
 /// leads around a flap or the body.
 constexpr double kMostDetour = 1.5;
@@ -134,6 +137,25 @@ std::optional<Body::WayOn> Body::way_to_border(const ToolPose& pose) const {
   return WayOn{.path = {.from = tip, .points = way.pieces.front().points},
                .border = place_on(*model_, border->triangle, border->weights, state_.equilibrium.position),
                .sense = (to - from).normalized()};
+}
+
+Body::WayOn Body::brought_to_border(int tool, WayOn way) const {
+  const SurfaceView wall = surface();
+  const Eigen::Vector3d end = position_of(wall, way.path.points.back());
+  const double near = std::max(0.5 * tools_[tool].thickness, kNearBorder * model_->edge_length);
+  const auto is_near = [&](const SurfacePoint& place) { return (position_of(wall, place) - end).norm() <= near; };
+  auto border = nearest_on_border(wall, end);
+  if (!border || !way.path.from || !is_near(*border)) return way;
+  // The other end of a cut is a vertex, and no place of one lip or the other beside it.
+  Eigen::Index corner = 0;
+  border->weights.maxCoeff(&corner);
+  const SurfacePoint vertex{.triangle = border->triangle, .weights = Eigen::Vector3d::Unit(corner)};
+  if (is_near(vertex)) border = vertex;
+  const SurfacePoint from = point_at(wall.triangles, *way.path.from);
+  if ((position_of(wall, *border) - position_of(wall, from)).norm() <= near) return way;
+  const SurfaceTrace there = trace(wall, from, *border);
+  if (is_direct(wall, there, model_->edge_length)) way.path.points = there.pieces.front().points;
+  return way;
 }
 
 bool Body::is_far(const WayOn& way) const {

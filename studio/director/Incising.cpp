@@ -48,6 +48,7 @@ double cost_of_entry(const Body& body, const IncisionPlan& plan, const ToolDefin
 void begin_incision(IncisionPlan& plan, const Body& body, const ToolDefinition& blade) {
   plan.entry_cost = cost_of_entry(body, plan, blade);
   plan.edge_length = body.model().edge_length;
+  if (plan.clip.marked) plan.mark = drawn_on_wall(plan.path);
   const BodyModel& model = body.model();
   const SurfaceView rest{.triangles = model.definition.mesh.triangles, .position = model.rest_position};
   plan.rest_length = 0;
@@ -58,9 +59,12 @@ std::optional<BladeInput> blade_input(const IncisionPlan& plan, const Body& body
   const double from = plan.progress(step.begin), to = plan.progress(step.end);
   // In the step in which it turns back it still comes to the path's end.
   if (!is_in_wall(body, step.tool) || (plan.goes_out(step.end) && to <= from)) return std::nullopt;
-  const Eigen::Vector3d way = plan.path.at(to).position - plan.path.at(from).position;
+  // A line that moves takes the blade along.
+  const Eigen::Vector3d drift = plan.mark ? plan.mark->drift : Eigen::Vector3d::Zero();
+  const Eigen::Vector3d way = plan.path.at(to).position - plan.path.at(from).position + drift;
   BladeInput input{.tool = step.tool, .travel = to - from};
   if (way.norm() > 0) input.direction = way.normalized();
+  input.travel = std::max(0.0, input.travel + drift.dot(input.direction));
   return input;
 }
 

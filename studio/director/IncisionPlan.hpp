@@ -5,6 +5,7 @@
 
 #include "engine/cutting/SurfacePath.hpp"
 #include "studio/director/ClipPlan.hpp"
+#include "studio/director/MarkedPath.hpp"
 
 namespace thinwall {
 
@@ -26,17 +27,18 @@ struct PassedOver {
 /// the path at its depth below it, rests, and goes back along the inward normal at the path's end.
 struct IncisionPlan {
   InciseClip clip;
-  SurfacePath path;                    // on the surface as it was when the clip began
+  SurfacePath path;                    // on the surface as it was when the clip began, or where its mark has gone
   std::vector<Eigen::Vector3d> axes;   // (samples), unit, y' of the blade, evenly spaced along the path
   ToolPose begin;                      // at the stand-off
   double to_contact = 0;               // metres from the stand-off to first contact
   std::optional<double> entered = {};  // seconds since the clip began, when the blade had gone in, once it has
   double entry_cost = 0;               // joule that the blade has to put into the dent before it goes in
   PassedOver passed_over = {};
-  double edge_length = 0;  // metres, mean, of the body's triangles
-  double rest_length = 0;  // metres, of the path, rest
-  double cut = 0;          // metres, rest, that the clip has cut so far
-  double open = 0;         // metres of the path so far, along which the wall had been cut before
+  std::optional<MarkedPath> mark = {};  // once the clip has begun, of a path that the blade follows on the wall
+  double edge_length = 0;               // metres, mean, of the body's triangles
+  double rest_length = 0;               // metres, of the path, rest
+  double cut = 0;                       // metres, rest, that the clip has cut so far
+  double open = 0;                      // metres of the path so far, along which the wall had been cut before
 
   double duration() const;                  // seconds
   ToolMoment at(double time) const;         // `time`: seconds since the clip began, limited to its duration

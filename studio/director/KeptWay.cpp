@@ -48,6 +48,7 @@ void keep(IncisionPlan& plan, const ToolDefinition& tool, const SurfaceView& now
   plan.begin.tip -= place.back * plan.begin.direction;
   plan.clip.standoff += place.back;
   plan.to_contact = std::min(place.travel, plan.clip.standoff);
+  plan.clip.marked = false;  // there is no wall to draw on
   // What the blade has to put into the dent before it goes in is told by the triangle where it begins.
   const auto nearest = project(now, plan.path.stations.front().position, {}, std::numeric_limits<double>::infinity());
   plan.path.pieces.front().points.front() = *nearest.point;

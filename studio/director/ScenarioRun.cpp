@@ -19,6 +19,7 @@
 #include "studio/director/Incising.hpp"
 #include "studio/director/IntegratorEnergy.hpp"
 #include "studio/director/KeptWay.hpp"
+#include "studio/director/MarkedPath.hpp"
 #include "studio/director/MeetingBodies.hpp"
 #include "studio/director/Plan.hpp"
 #include "studio/director/RunNotes.hpp"
@@ -249,6 +250,7 @@ struct ScenarioRun::Implementation {
   /// Brings what names places of a body's surface onto the one that a cut has left at the end of a step.
   void take_over(const Cut& cut, std::size_t index, const SurfaceMesh& uncut, double until) {
     carry_over(points, *bodies[index], uncut, cut);
+    carry_over(clips, *bodies[index], uncut, cut);
     topologies[index] = snapshot_topology_after_cut(bodies[index]->model(), *topologies[index], until);
     ++cuts;
   }
@@ -272,6 +274,7 @@ struct ScenarioRun::Implementation {
   void step(int count = 1, const DrivenTool* driven = nullptr) {
     const double next = static_cast<double>(steps + count) * step_length();
     begin_clips(next, driven);
+    follow_marks(clips, bodies, scenario.tools, time());
     const auto [before, after] = move_tools(next, driven);
     try {
       for (std::size_t index = 0; index < bodies.size(); ++index) {

@@ -27,7 +27,8 @@ InciseClip to_incise(const CheckedValue& clip) {
                     .speed = clip.at("speed").number,
                     .hold = clip.at("hold").number,
                     .standoff = clip.at("standoff").number,
-                    .withdraw = clip.at("withdraw").boolean};
+                    .withdraw = clip.at("withdraw").boolean,
+                    .marked = clip.at("marked").boolean};
   for (const CheckedValue& point : clip.at("path").items) {
     incise.path.push_back(to_vector(point));
     incise.path_locations.push_back(point.location);

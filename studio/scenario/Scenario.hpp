@@ -102,6 +102,7 @@ struct InciseClip {
   double hold = 0;                                  // seconds at the end of the path
   double standoff = 0.005;                          // metres
   bool withdraw = true;
+  bool marked = false;  // whether the path is drawn on the wall, which takes it along
 };
 
 struct MoveClip {

@@ -119,7 +119,11 @@ MappingSchema incise() {
        {"hold", quantity_value(kTime, kFromZero, "0.5 s"), false, "0 s", "time at the end of the path"},
        {"standoff", quantity_value(kLength, kFromZero, "5 mm"), false, "5 mm",
         "distance from the surface at which the blade starts and to which it goes back"},
-       {"withdraw", boolean_value(), false, "true", "whether the blade goes back"}},
+       {"withdraw", boolean_value(), false, "true", "whether the blade goes back"},
+       {"marked", boolean_value(), false, "false",
+        "whether the path is drawn on the wall as with a pen when the clip starts, and the blade follows the line to "
+        "where "
+        "the wall takes it; otherwise it follows the path in space"}},
       " The points are brought to the surface as it is when the clip starts; neighbours are joined by the curve in "
       "which the plane through both and the mean inward normal meets the surface, the shorter way round and straight "
       "on over open wounds. The blade's width lies along the path, and its middle follows it. Where the path turns "

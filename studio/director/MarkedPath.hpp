@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "engine/cutting/Cut.hpp"
+#include "engine/cutting/SurfacePath.hpp"
+#include "engine/simulation/Body.hpp"
+
+namespace thinwall {
+
+struct ScheduledClip;
+
+/// The line of a path as a pen draws it on the wall: places of the wall, which it takes along where it goes.
+struct MarkedPath {
+  std::vector<SurfacePoint> places;                 // (stations), on the wall as it is now
+  std::vector<Eigen::Vector3d> drawn;               // (stations), metres, where they were then
+  Eigen::Vector3d drift = Eigen::Vector3d::Zero();  // metres, by which the line moved under the blade in the last step
+};
+
+MarkedPath drawn_on_wall(const SurfacePath& path);
+
+/// Before a step that begins at `time`, seconds: brings what is ahead of the blades to where the wall has taken their
+/// lines. A blade that has just gone in comes to its line over its own width, as the wall that it has dented springs
+/// back; what it has passed stays as it was, as the lips there part.
+void follow_marks(std::span<ScheduledClip> clips, std::span<const std::unique_ptr<Body>> bodies,
+                  std::span<const ToolDefinition> tools, double time);
+
+/// Keeps the lines on a body that has been cut at their places of the stress-free wall. `before`: its mesh before.
+void carry_over(std::span<ScheduledClip> clips, const Body& body, const SurfaceMesh& before, const Cut& cut);
+
+}  // namespace thinwall
