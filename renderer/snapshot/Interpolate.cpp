@@ -11,6 +11,8 @@ namespace thinwall {
 namespace {
 
 double blend(double earlier, double later, double weight) {
+  // What stays as it is does so to the last bit: a tool that is smaller by a rounding might be drawn otherwise.
+  if (earlier == later) return earlier;
   // At weight 1 this gives the later value to the last bit, which earlier + weight * (later - earlier) does not.
   return (1 - weight) * earlier + weight * later;
 }

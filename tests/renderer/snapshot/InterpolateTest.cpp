@@ -66,6 +66,20 @@ TEST(Interpolate, TheEndsAreTheSnapshotsThemselvesAndTimesBeyondAreClamped) {
   }
 }
 
+TEST(Interpolate, WhatStaysAsItIsDoesSoToTheLastBit) {
+  Snapshot earlier = snapshot_at(0, 0.1f, one_triangle());
+  earlier.tools[0].length = 0.03;
+  Snapshot later = earlier;
+  later.time = 1;
+  // Of these weights a part w and the rest add up to something beside 0.03.
+  for (double time = 0; time < 1; time += 0.013) {
+    const Snapshot between = interpolate(earlier, later, time);
+    EXPECT_EQ(between.tools[0].length, 0.03) << time;
+    EXPECT_EQ(between.tools[0].tip, earlier.tools[0].tip) << time;
+    EXPECT_EQ(between.surfaces[0].positions, earlier.surfaces[0].positions) << time;
+  }
+}
+
 TEST(Interpolate, APhaseHoldsFromItsOwnSnapshotOnThoughTimesDifferByRounding) {
   const auto topology = one_triangle();
   const Snapshot earlier = snapshot_at(0.1, 1, topology), later = snapshot_at(0.2, 2, topology);
