@@ -41,7 +41,7 @@ Vector3 Projection::in_camera(Vector3 point) const {
 std::optional<PicturePoint> Projection::land(Vector3 in_camera) const {
   if (!(in_camera.z > 0)) return std::nullopt;
   const RayPoint ideal = {in_camera.x / in_camera.z, in_camera.y / in_camera.z};
-  if (std::hypot(ideal[0], ideal[1]) > camera_.lens.unfolded_radius()) return std::nullopt;
+  if (!camera_.lens.is_unfolded(ideal)) return std::nullopt;
   const RayPoint seen = camera_.lens.distorted(ideal);
   const auto& [left, top, size] = part_.own;
   return PicturePoint{left + 0.5 * size.width * (1 + seen[0] / camera_.tangent_x) - 0.5,

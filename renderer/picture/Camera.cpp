@@ -217,7 +217,7 @@ Camera behind_the_lens(const Camera& camera) {
   if (camera.lens.distortion() == LensDistortion{}) return camera;
   const auto ideal_of = [&](Tangents seen) {
     const std::optional<Tangents> ideal = camera.lens.undistorted(seen);
-    if (!ideal) {
+    if (!ideal || !camera.lens.is_unfolded(*ideal)) {
       throw PictureFailure(
           "the camera's lens folds its picture over before the border; take smaller coefficients or a smaller field of "
           "view");
@@ -268,7 +268,7 @@ std::optional<std::array<double, 2>> Camera::pixel(Vector3 point, ImageSize size
   const double depth = dot(offset, forward);
   if (!(depth > 0)) return std::nullopt;
   const Tangents ideal = {dot(offset, right) / depth, -dot(offset, up) / depth};
-  if (std::hypot(ideal[0], ideal[1]) > lens.unfolded_radius()) return std::nullopt;
+  if (!lens.is_unfolded(ideal)) return std::nullopt;
   const Tangents seen = lens.distorted(ideal);
   return std::array<double, 2>{0.5 * size.width * (1 + seen[0] / tangent_x),
                                0.5 * size.height * (1 + seen[1] / tangent_y)};

@@ -32,18 +32,44 @@ Tangents image_of(const LensDistortion& lens, Tangents ideal) {
           y * scale + lens.p1 * (squared + 2 * y * y) + 2 * lens.p2 * x * y};
 }
 
-/// One step of Newton's method towards the ideal point whose picture is `seen`.
-Tangents improved(const LensDistortion& lens, Tangents ideal, Tangents seen) {
+/// How the picture's point moves with the ideal one; xy stands for yx, too.
+struct Slopes {
+  double xx = 1, xy = 0, yy = 1;
+  double determinant() const { return xx * yy - xy * xy; }
+};
+
+Slopes slopes(const LensDistortion& lens, Tangents ideal) {
   const auto [x, y] = ideal;
   const Radial part = radial(lens, x * x + y * y);
-  const double xx = part.value + 2 * x * x * part.slope + 2 * lens.p1 * y + 6 * lens.p2 * x;
-  const double xy = 2 * x * y * part.slope + 2 * lens.p1 * x + 2 * lens.p2 * y;
-  const double yy = part.value + 2 * y * y * part.slope + 6 * lens.p1 * y + 2 * lens.p2 * x;
+  return {.xx = part.value + 2 * x * x * part.slope + 2 * lens.p1 * y + 6 * lens.p2 * x,
+          .xy = 2 * x * y * part.slope + 2 * lens.p1 * x + 2 * lens.p2 * y,
+          .yy = part.value + 2 * y * y * part.slope + 6 * lens.p1 * y + 2 * lens.p2 * x};
+}
+
+/// One step of Newton's method towards the ideal point whose picture is `seen`.
+Tangents improved(const LensDistortion& lens, Tangents ideal, Tangents seen) {
+  const Slopes by = slopes(lens, ideal);
   const Tangents now = image_of(lens, ideal);
   const double dx = now[0] - seen[0];
   const double dy = now[1] - seen[1];
-  const double determinant = xx * yy - xy * xy;
-  return {x - (yy * dx - xy * dy) / determinant, y - (xx * dy - xy * dx) / determinant};
+  return {ideal[0] - (by.yy * dx - by.xy * dy) / by.determinant(),
+          ideal[1] - (by.xx * dy - by.xy * dx) / by.determinant()};
+}
+
+/// The ideal point near `start` that the lens puts at `seen`; nothing where there is none, or beyond a fold.
+std::optional<Tangents> ideal_near(const LensDistortion& lens, Tangents start, Tangents seen) {
+  constexpr int kMostSteps = 100;  // far out, powers of seven let each step come nearer by a seventh only
+  constexpr double kAccuracy = 1e-12;
+  Tangents ideal = start;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const Tangents next = improved(lens, ideal, seen);
+    if (!std::isfinite(next[0]) || !std::isfinite(next[1])) return std::nullopt;
+    const double change = std::hypot(next[0] - ideal[0], next[1] - ideal[1]);
+    ideal = next;
+    if (change > kAccuracy * (1 + std::hypot(seen[0], seen[1]))) continue;
+    return slopes(lens, ideal).determinant() > 0 ? std::optional(ideal) : std::nullopt;
+  }
+  return std::nullopt;
 }
 
 /// The first zero of `growth`, a cubic in the squared radius that begins at one. All its zeros lie above a tenth of the
@@ -77,22 +103,35 @@ Tangents Lens::distorted(Tangents ideal) const {
 }
 
 std::optional<Tangents> Lens::undistorted(Tangents seen) const {
-  constexpr int kMostSteps = 30;
-  constexpr double kAccuracy = 1e-12;
   const double radius = std::hypot(seen[0], seen[1]);
   // Newton's method starts on this side of the fold.
   const double start = std::min(1.0, 0.9 * unfolded_radius_ / std::max(radius, 1e-300));
-  Tangents ideal = {start * seen[0], start * seen[1]};
-  for (int step = 0; step < kMostSteps; ++step) {
-    const Tangents next = improved(distortion_, ideal, seen);
-    if (!std::isfinite(next[0]) || !std::isfinite(next[1])) return std::nullopt;
-    const double change = std::hypot(next[0] - ideal[0], next[1] - ideal[1]);
-    ideal = next;
-    if (change > kAccuracy * (1 + radius)) continue;
-    if (std::hypot(ideal[0], ideal[1]) > unfolded_radius_) return std::nullopt;
+  const auto is_before_the_fold = [&](Tangents ideal) { return std::hypot(ideal[0], ideal[1]) <= unfolded_radius_; };
+  if (const auto ideal = ideal_near(distortion_, {start * seen[0], start * seen[1]}, seen);
+      ideal && is_before_the_fold(*ideal)) {
     return ideal;
   }
-  return std::nullopt;
+  // Near a fold that is not round a start so far off may lead nowhere, or beyond it: on from the middle in small parts.
+  constexpr int kParts = 64;
+  Tangents ideal = {0, 0};
+  for (int k = 1; k <= kParts; ++k) {
+    const double part = static_cast<double>(k) / kParts;
+    const auto next = ideal_near(distortion_, ideal, {part * seen[0], part * seen[1]});
+    if (!next || !is_before_the_fold(*next)) return std::nullopt;
+    ideal = *next;
+  }
+  return ideal;
+}
+
+bool Lens::is_unfolded(Tangents ideal) const {
+  if (!(std::hypot(ideal[0], ideal[1]) <= unfolded_radius_)) return false;
+  if (distortion_.p1 == 0 && distortion_.p2 == 0) return true;  // round folds are all that there are
+  constexpr int kParts = 32;
+  for (int k = 1; k <= kParts; ++k) {
+    const double part = static_cast<double>(k) / kParts;
+    if (!(slopes(distortion_, {part * ideal[0], part * ideal[1]}).determinant() > 0)) return false;
+  }
+  return true;
 }
 
 }  // namespace thinwall

@@ -35,6 +35,10 @@ class Lens {
   /// The ideal point that the lens puts at `seen`: the inverse of `distorted` to 1e-12. Nothing where no ray arrives.
   std::optional<Tangents> undistorted(Tangents seen) const;
 
+  /// Whether the lens is one-to-one all the way from the middle to an ideal point: before any fold, also those that the
+  /// tangential coefficients make.
+  bool is_unfolded(Tangents ideal) const;
+
   /// The radius of ideal points up to which the radial part of the lens is one-to-one: the least at which
   /// r (1 + k1 r^2 + k2 r^4 + k3 r^6) stops growing, infinite when it never does. Beyond, the polynomial folds the
   /// plane over.

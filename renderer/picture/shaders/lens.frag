@@ -16,7 +16,7 @@ layout(binding = 0) uniform sampler2D picture;
 void main() {
   vec2 clip = 2.0 * gl_FragCoord.xy * pixel - 1.0;
   vec2 bent = clip * tangents.xy * vec2(1.0, -1.0);
-  Lens lens = Lens(first, k3);
+  Lens lens = Lens(first, k3, unfolded);
   vec2 ideal = lens_undistorted(lens, bent);
   vec2 seen = ideal * vec2(1.0, -1.0) / tangents.zw;
   // Beyond what a field stop leaves the lens may bring no ray at all, and what was found is not its place, to half a

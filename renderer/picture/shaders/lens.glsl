@@ -4,6 +4,7 @@
 struct Lens {
   vec4 first;  // k1, k2, p1, p2
   float k3;
+  float unfolded;  // radius of ideal points beyond which the lens folds the plane over
 };
 
 // Where the lens puts the ideal point of a pinhole.
@@ -17,8 +18,11 @@ vec2 lens_distorted(Lens lens, vec2 ideal) {
 
 // The ideal point that the lens puts at `seen`, by Newton's method; where the lens is one-to-one, to what floats allow.
 vec2 lens_undistorted(Lens lens, vec2 seen) {
-  vec2 ideal = seen;
-  for (int i = 0; i < 6; ++i) {
+  const int few = 6;    // which a mild lens takes
+  const int most = 50;  // far out, powers of seven let each step come nearer by a seventh only
+  const float near = 1e-5;
+  vec2 ideal = min(1.0, 0.9 * lens.unfolded / max(length(seen), 1e-30)) * seen;
+  for (int i = 0; i < few || (i < most && distance(lens_distorted(lens, ideal), seen) > near); ++i) {
     float r2 = dot(ideal, ideal);
     float scale = 1.0 + r2 * (lens.first.x + r2 * (lens.first.y + r2 * lens.k3));
     float slope = lens.first.x + r2 * (2.0 * lens.first.y + 3.0 * lens.k3 * r2);

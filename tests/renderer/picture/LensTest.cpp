@@ -61,6 +61,48 @@ TEST(Lens, TheFirstOfTwoFoldsCounts) {
   EXPECT_NEAR(lens.unfolded_radius(), 1, 1e-12);
 }
 
+TEST(Lens, GoesBackFromFarOutWhereHighPowersBendMost) {
+  const Lens lens({.k1 = 3, .k2 = 5, .k3 = 8});
+  for (double radius = 0.1; radius < 3; radius += 0.1) {
+    const Tangents seen = lens.distorted({0.6 * radius, 0.8 * radius});
+    const auto ideal = lens.undistorted(seen);
+    ASSERT_TRUE(ideal) << radius;
+    EXPECT_NEAR(std::hypot((*ideal)[0], (*ideal)[1]), radius, 1e-11);
+  }
+}
+
+TEST(Lens, TangentialCoefficientsFoldToo) {
+  // x + 3 p2 x^2 along x: it turns back at x = -1 / (6 p2), where it is half of that; without a round fold.
+  const Lens lens({.p2 = 0.5});
+  EXPECT_TRUE(std::isinf(lens.unfolded_radius()));
+  EXPECT_TRUE(lens.is_unfolded({-0.33, 0}));
+  EXPECT_FALSE(lens.is_unfolded({-0.37, 0})) << "a thirty-second part beyond";
+  EXPECT_FALSE(lens.is_unfolded({-10, 0}));
+  EXPECT_TRUE(lens.is_unfolded({10, 0}));
+  EXPECT_TRUE(lens.undistorted({-0.166, 0}));
+  EXPECT_FALSE(lens.undistorted({-0.17, 0})) << "no ray arrives there";
+}
+
+TEST(LensFold, ThePictureEndsAtATangentialFoldToo) {
+  // Beyond the fold x + 1.5 x^2 + 0.9 x^5 comes back to where a wide picture ends: rays arrive at all of its border.
+  const LensDistortion lens{.k2 = 0.9, .p2 = 0.5};
+  const ImageSize size{.width = 200, .height = 120};
+  const double widest = unfolded_field_of_view(CameraKind::kPinhole, lens, 2.4, size);
+  EXPECT_LT(widest, 2 * std::atan(1.0 / 6 / (200.0 / 120)) + 0.01);
+  EXPECT_GT(widest, 0.15);
+}
+
+TEST(LensFold, WhatIsNarrowerThanTheWidestIsWholeToo) {
+  const LensDistortion lens{.k1 = -0.18, .k2 = 0.02, .p1 = 0.03, .p2 = -0.02};
+  const ImageSize size{.width = 200, .height = 120};
+  const double widest = unfolded_field_of_view(CameraKind::kPinhole, lens, 1, size);
+  EXPECT_LT(widest, 1);
+  for (double part = 0.5; part < 1; part += 0.01) {
+    EXPECT_EQ(unfolded_field_of_view(CameraKind::kPinhole, lens, part * widest, size), part * widest) << part;
+    EXPECT_NEAR(unfolded_field_of_view(CameraKind::kPinhole, lens, (1.02 + part) * widest, size), widest, 1e-6) << part;
+  }
+}
+
 TEST(LensFold, ThePictureIsWholeUpToTheFieldOfViewWhoseCornersReachTheFold) {
   // r - 0.3 r^3 reaches 2 / 3 r where r^2 = 1 / 0.9; a corner of 320 x 180 lies hypot(1, 16 / 9) half heights out.
   const LensDistortion lens{.k1 = -0.3};
