@@ -18,6 +18,10 @@ constexpr std::array kResultFiles = {"forces.csv",   "body.csv",   "take.h5",   
                                      "captions.vtt", "poster.png", "contact_sheet.png", "forces.png",
                                      "energies.png", "points.csv", "manifest.json"};
 
+/// What a killed recording may leave of its video besides.
+constexpr std::array kPartsOfVideo = {"video.unfinished.recording.mp4", "video.unfinished.captions.vtt",
+                                      "video.unfinished.chapters.txt"};
+
 /// Files of a folder of results are known by how their names begin and by their extensions.
 struct ResultFolder {
   const char* name;
@@ -130,6 +134,7 @@ bool prepare_output_folder(const std::filesystem::path& folder) {
     had_results = remove_file(folder / name) || had_results;
     remove_file(unfinished_name(folder / name));
   }
+  for (const char* name : kPartsOfVideo) remove_file(folder / name);
   return had_results;
 }
 

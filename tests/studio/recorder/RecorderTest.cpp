@@ -247,6 +247,19 @@ class WrongScenario final : public MomentSource {
   std::string state_digest() const override { return ""; }
 };
 
+TEST(RecorderTest, WhatAKilledRecordingLeftOfItsVideoGoesWithTheNextOne) {
+  const TemporaryFolder folder;
+  for (const char* name :
+       {"video.unfinished.recording.mp4", "video.unfinished.captions.vtt", "video.unfinished.chapters.txt"}) {
+    write_bytes(folder / name, "what it had");
+  }
+  SyntheticRun run;
+  record(run, plan_for(folder.path()), flat_painters());  // without a video
+  for (const std::string& name : names_in(folder.path())) {
+    EXPECT_EQ(name.find(".unfinished"), std::string::npos) << name;
+  }
+}
+
 TEST(RecorderTest, AScenarioThatTurnsOutWrongLeavesTheEarlierRecording) {
   const TemporaryFolder folder;
   RecordingPlan plan = plan_for(folder.path());
