@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "renderer/ground_truth/Openings.hpp"
+#include "renderer/picture/WithinBody.hpp"
 #include "renderer/snapshot/SurfaceFields.hpp"
 
 namespace thinwall {
@@ -49,14 +50,48 @@ float pressure_at(const SurfaceTruth& surface, const SceneGeometry& geometry, co
   return static_cast<float>(pressure);
 }
 
-WoundPart wound_part(const SceneGeometry& geometry, const ScenePart& part, std::uint32_t triangle) {
-  // A whole wall has no opening that it would be seen through.
-  const bool is_open = !geometry.is_cut[part.owner].empty();
-  if (part.kind == PartKind::kLining) return is_open ? WoundPart::kInside : WoundPart::kNothing;
-  if (part.kind != PartKind::kRim) return WoundPart::kNothing;
-  const bool is_cut = geometry.is_cut[part.owner][(triangle - part.first_triangle) / 2] != 0;
-  return is_cut ? WoundPart::kCutFace : WoundPart::kNothing;
+/// (surfaces), whether all that is seen of the inner side is seen through what cuts have opened: they alone have, and
+/// the viewer is not within. Slack lips may let it out beside the opening itself.
+std::vector<char> are_open_by_cuts_alone(const SeenFrame& frame) {
+  std::vector<char> result;
+  for (const SnapshotSurface& surface : frame.snapshot().surfaces) {
+    const std::vector<char>& is_cut = frame.geometry().is_cut[result.size()];
+    const bool by_cuts = !is_cut.empty() && std::ranges::all_of(is_cut, [](char cut) { return cut != 0; });
+    result.push_back(by_cuts && !lies_within(surface, frame.camera().position) ? 1 : 0);
+  }
+  return result;
 }
+
+/// What the pictures show of wounds.
+class WoundParts {
+ public:
+  explicit WoundParts(const SeenFrame& frame)
+      : frame_(frame),
+        openings_(rays_through_openings(frame.snapshot(), frame.geometry(), frame.moment().projection)),
+        open_by_cuts_alone_(are_open_by_cuts_alone(frame)) {}
+
+  WoundPart at(std::size_t pixel) const {
+    const ScenePlace& place = frame_.seen().places[pixel];
+    if (place.triangle == kNoIndex) return openings_.within[pixel] ? WoundPart::kThrough : WoundPart::kNothing;
+    const ScenePart& part = frame_.geometry().parts[frame_.geometry().triangles[place.triangle].part];
+    if (part.kind == PartKind::kRim) {
+      const bool is_cut = frame_.geometry().is_cut[part.owner][(place.triangle - part.first_triangle) / 2] != 0;
+      return is_cut ? WoundPart::kCutFace : WoundPart::kNothing;
+    }
+    return part.kind == PartKind::kLining && is_through(part.owner, pixel) ? WoundPart::kInside : WoundPart::kNothing;
+  }
+
+ private:
+  /// Whether what a pixel shows of a body's inner side is seen through an opening of it.
+  bool is_through(std::uint32_t surface, std::size_t pixel) const {
+    const std::vector<double>& depth = openings_.depth[surface];
+    return open_by_cuts_alone_[surface] || (!depth.empty() && depth[pixel] < frame_.seen().depth[pixel]);
+  }
+
+  const SeenFrame& frame_;
+  Openings openings_;
+  std::vector<char> open_by_cuts_alone_;  // (surfaces)
+};
 
 }  // namespace
 
@@ -90,13 +125,11 @@ GroundTruth ground_truth(const SeenFrame& frame) {
                     .von_mises = std::vector<float>(has_stress ? places.size() : 0),
                     .contact_pressure = std::vector<float>(has_pressure ? places.size() : 0),
                     .wound = std::vector<WoundPart>(places.size())};
-  const std::vector<char> through = rays_through_openings(frame.snapshot(), geometry, frame.moment().projection);
+  const WoundParts wounds(frame);
   for (std::size_t pixel = 0; pixel < places.size(); ++pixel) {
     const ScenePlace& place = places[pixel];
-    if (place.triangle == kNoIndex) {
-      if (through[pixel]) truth.wound[pixel] = WoundPart::kThrough;
-      continue;
-    }
+    truth.wound[pixel] = wounds.at(pixel);
+    if (place.triangle == kNoIndex) continue;
     const SceneTriangle& triangle = geometry.triangles[place.triangle];
     const ScenePart& part = geometry.parts[triangle.part];
     truth.depth[pixel] = static_cast<float>(frame.seen().depth[pixel]);
@@ -104,11 +137,11 @@ GroundTruth ground_truth(const SeenFrame& frame) {
     const std::size_t instance = part.owner + (part.kind == PartKind::kTool ? surfaces.size() : 0);
     truth.instances[pixel] = static_cast<std::uint16_t>(1 + instance);
     truth.parts[pixel] = static_cast<std::uint16_t>(kPartKinds * instance + 1 + static_cast<std::size_t>(part.kind));
-    truth.wound[pixel] = wound_part(geometry, part, place.triangle);
     if (part.kind == PartKind::kTool) continue;
     const SurfaceTruth& surface = surfaces[part.owner];
     if (has_stress && triangle.wall != kNoIndex) truth.von_mises[pixel] = surface.von_mises[triangle.wall];
-    if (has_pressure && part.kind == PartKind::kOutside) {
+    // A wall is touched as a whole, whichever of its sides is seen.
+    if (has_pressure && part.kind != PartKind::kCap) {
       truth.contact_pressure[pixel] = pressure_at(surface, geometry, place);
     }
   }

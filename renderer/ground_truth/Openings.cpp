@@ -1,6 +1,7 @@
 #include "renderer/ground_truth/Openings.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "renderer/ground_truth/SeenPlaces.hpp"
 #include "renderer/wound/WallHole.hpp"
@@ -8,41 +9,53 @@
 namespace thinwall {
 namespace {
 
-bool is_closed(const WallHole& hole, const std::vector<BorderEdge>& borders) {
-  return std::ranges::any_of(
-      borders, [&](const BorderEdge& edge) { return edge.start == hole.loop.back() && edge.end == hole.loop.front(); });
+/// Where the border goes on to from the last vertex of a hole: back to the first, or out of the wall at its border.
+std::uint32_t end_of(const WallHole& hole, const std::vector<BorderEdge>& borders) {
+  std::uint32_t end = hole.loop.front();
+  for (const BorderEdge& edge : borders) {
+    if (edge.start != hole.loop.back()) continue;
+    end = edge.end;
+    if (end == hole.loop.front()) break;
+  }
+  return end;
 }
 
-void append_lids(const SnapshotSurface& surface, const DrawnTopology& drawn, SceneGeometry& lids) {
+/// What closes the holes of a wall, those within it or those that run out at its border.
+SceneGeometry lids_of(const SnapshotSurface& surface, const DrawnTopology& drawn, bool are_within) {
+  SceneGeometry lids;
   std::vector<BorderEdge> lips;
   for (const BorderEdge& edge : drawn.borders) {
     if (drawn.is_lip[edge.start] && drawn.is_lip[edge.end]) lips.push_back(edge);
   }
-  if (lips.empty()) return;
   const std::vector<Float3> positions = drawn_surface(drawn, surface).positions;
-  const auto offset = static_cast<std::uint32_t>(lids.points.size());
   for (const Float3& position : positions) lids.points.push_back(vector3(position));
   for (const WallHole& hole : find_wall_holes(positions, lips)) {
-    if (!is_closed(hole, lips)) continue;
-    for (const auto& [a, b, c] : hole.lid) lids.triangles.push_back({.corners = {offset + a, offset + b, offset + c}});
+    const std::uint32_t end = end_of(hole, lips);
+    if ((end == hole.loop.front()) != are_within) continue;
+    for (const Triangle& corners : hole.lid) lids.triangles.push_back({.corners = corners});
+    if (!are_within) lids.triangles.push_back({.corners = {hole.loop.back(), end, hole.loop.front()}});
   }
+  lids.parts = {{.triangle_count = static_cast<std::uint32_t>(lids.triangles.size())}};
+  return lids;
 }
 
 }  // namespace
 
-std::vector<char> rays_through_openings(const Snapshot& snapshot, const SceneGeometry& geometry,
-                                        const Projection& projection) {
-  SceneGeometry lids;
+Openings rays_through_openings(const Snapshot& snapshot, const SceneGeometry& geometry, const Projection& projection) {
+  const std::size_t pixels = projection.rays().size();
+  Openings openings{.within = std::vector<char>(pixels, 0),
+                    .depth = std::vector<std::vector<double>>(snapshot.surfaces.size())};
   for (std::size_t k = 0; k < snapshot.surfaces.size(); ++k) {
-    append_lids(snapshot.surfaces[k], geometry.drawn[k], lids);
+    if (std::ranges::find(geometry.is_cut[k], 1) == geometry.is_cut[k].end()) continue;
+    const SnapshotSurface& surface = snapshot.surfaces[k];
+    openings.depth[k] = see(lids_of(surface, geometry.drawn[k], true), projection).depth;
+    const std::vector<double> beside = see(lids_of(surface, geometry.drawn[k], false), projection).depth;
+    for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
+      if (std::isfinite(openings.depth[k][pixel])) openings.within[pixel] = 1;
+      openings.depth[k][pixel] = std::min(openings.depth[k][pixel], beside[pixel]);
+    }
   }
-  std::vector<char> through(projection.rays().size(), 0);
-  if (lids.triangles.empty()) return through;
-  const SeenPlaces seen = see(lids, projection);
-  for (std::size_t pixel = 0; pixel < through.size(); ++pixel) {
-    through[pixel] = seen.places[pixel].triangle != kNoIndex ? 1 : 0;
-  }
-  return through;
+  return openings;
 }
 
 }  // namespace thinwall

@@ -8,9 +8,15 @@
 
 namespace thinwall {
 
-/// (height x width), 1 where the ray of a pixel's middle goes through an opening within a wall that cuts have made,
-/// from lip to lip on its outer side. A cut that runs out of a wall at its border leaves no such opening.
-std::vector<char> rays_through_openings(const Snapshot& snapshot, const SceneGeometry& geometry,
-                                        const Projection& projection);
+/// Where the rays of the pixels' middles meet openings that cuts have made, from lip to lip on the wall's outer side.
+struct Openings {
+  // (height x width), 1 where it is one within a wall: a cut that runs out of a wall at its border leaves none.
+  std::vector<char> within;
+  // (surfaces x height x width), metres along the line of sight to the nearest one of the surface, infinite where there
+  // is none; those that run out at a border are closed straight there. Empty for surfaces without a cut.
+  std::vector<std::vector<double>> depth;
+};
+
+Openings rays_through_openings(const Snapshot& snapshot, const SceneGeometry& geometry, const Projection& projection);
 
 }  // namespace thinwall

@@ -12,8 +12,7 @@ constexpr double kBehind = 1e-6;
 OpticalFlow optical_flow(const SeenMoment& from, const SeenMoment& to) {
   const MaterialMatch match({from.snapshot, from.geometry}, {to.snapshot, to.geometry});
   const std::size_t pixels = from.seen.places.size();
-  OpticalFlow result{.flow = std::vector<std::array<float, 2>>(pixels),
-                     .state = std::vector<FlowState>(pixels, FlowState::kNothing)};
+  OpticalFlow result(pixels);
   const auto width = static_cast<std::size_t>(from.seen.size.width);
   for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
     if (from.seen.places[pixel].triangle == kNoIndex) continue;
@@ -27,10 +26,12 @@ OpticalFlow optical_flow(const SeenMoment& from, const SeenMoment& to) {
     const std::size_t column = pixel % width, row = pixel / width;
     result.flow[pixel] = {static_cast<float>((*landed)[0] - static_cast<double>(column)),
                           static_cast<float>((*landed)[1] - static_cast<double>(row))};
+    result.is_known[pixel] = 1;
     const auto ray = to.projection.ray(*landed);
     if (!ray || point.z < to.projection.nearest()) continue;
     const double open = nearest_depth(to.seen, to.projection.nearest(), *landed, *ray);
-    result.state[pixel] = open < point.z * (1 - kBehind) ? FlowState::kHidden : FlowState::kSeen;
+    const bool is_drawn = !to.geometry.parts[to.geometry.triangles[place->triangle].part].is_hidden;
+    result.state[pixel] = is_drawn && open >= point.z * (1 - kBehind) ? FlowState::kSeen : FlowState::kHidden;
   }
   return result;
 }

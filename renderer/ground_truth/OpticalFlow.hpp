@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -20,8 +21,13 @@ enum class FlowState : std::uint8_t {
 };
 
 struct OpticalFlow {
-  std::vector<std::array<float, 2>> flow;  // (height x width), pixels, x to the right, y down; 0 but for states 1 to 3
+  std::vector<std::array<float, 2>> flow;  // (height x width), pixels, x to the right, y down; 0 where it is not known
   std::vector<FlowState> state;            // (height x width)
+  // (height x width), whether the flow is: not of what is absent, nor of what lands nowhere, as it lies behind the
+  // other camera or where its lens folds the plane over.
+  std::vector<char> is_known;
+
+  explicit OpticalFlow(std::size_t pixels) : flow(pixels), state(pixels, FlowState::kNothing), is_known(pixels, 0) {}
 };
 
 /// A picture's moment, where it was seen from, and what it shows.

@@ -1,5 +1,6 @@
 #include "renderer/ground_truth/SceneGeometry.hpp"
 
+#include <algorithm>
 #include <cstddef>
 
 #include "renderer/picture/DrawnPieces.hpp"
@@ -35,6 +36,10 @@ void append_part(PartKind kind, std::uint32_t owner, std::uint32_t triangles, Sc
                             .owner = owner,
                             .first_triangle = static_cast<std::uint32_t>(geometry.triangles.size()),
                             .triangle_count = triangles});
+}
+
+bool is_lining(const TissuePiece& piece) {
+  return piece.side == TissueSide::kLining;
 }
 
 void append(const TissuePiece& piece, std::uint32_t owner, SceneGeometry& geometry) {
@@ -84,12 +89,20 @@ SceneGeometry scene_geometry(const Snapshot& snapshot, const SceneExtent& extent
     for (const BorderEdge& edge : drawn.borders) {
       is_cut.push_back(drawn.is_lip[edge.start] != 0 && drawn.is_lip[edge.end] != 0);
     }
-    for (const TissuePiece& piece : drawn_pieces(surface, drawn, drawn_surface(drawn, surface), eye)) {
-      append(piece, k, geometry);
+    const SnapshotSurface shown = drawn_surface(drawn, surface);
+    const std::vector<TissuePiece> pieces = drawn_pieces(surface, drawn, shown, eye);
+    for (const TissuePiece& piece : pieces) append(piece, k, geometry);
+    // What an opening or a viewer within shows of the inner side was there before, and stays there.
+    const bool is_whole = drawn.borders.empty() && !pieces.empty() && pieces.front().side == TissueSide::kOutside;
+    if (is_whole && std::ranges::none_of(pieces, is_lining)) {
+      append(whole_lining(shown, pieces.front()), k, geometry);
+      geometry.parts.back().is_hidden = true;
     }
   }
   for (std::uint32_t k = 0; k < snapshot.tools.size(); ++k) {
-    if (!snapshot.tools[k].is_set_aside) append(tool_shape(snapshot.tools[k], extent.size), k, geometry);
+    if (!snapshot.tools[k].is_set_aside) {
+      append(tool_shape(snapshot.tools[k], extent.size, ToolDetail::kSeen), k, geometry);
+    }
   }
   return geometry;
 }

@@ -28,6 +28,7 @@ struct ScenePart {
   std::uint32_t owner = 0;  // surface of the snapshot; of kTool the tool
   std::uint32_t first_triangle = 0;
   std::uint32_t triangle_count = 0;
+  bool is_hidden = false;  // the lining of a whole wall, where the viewer is not within: matter that no picture draws
 };
 
 inline constexpr std::uint32_t kNoIndex = std::numeric_limits<std::uint32_t>::max();
@@ -38,7 +39,7 @@ struct SceneTriangle {
   std::uint32_t wall = kNoIndex;  // triangle of the surface's mesh that it is a part of; kNoIndex of caps and tools
 };
 
-/// Every triangle that pictures of a snapshot are drawn from, the same that these have.
+/// Every triangle that pictures of a snapshot are drawn from, the same that these have, and those of hidden parts.
 struct SceneGeometry {
   std::vector<Vector3> points;          // metres
   std::vector<Vector3> normals;         // (points), of length one, as pictures are shaded

@@ -97,6 +97,7 @@ SeenPlaces see(const SceneGeometry& geometry, const Projection& projection) {
   for (std::uint32_t t = 0; t < geometry.triangles.size(); ++t) {
     const std::array<Vector3, 3> corners = corners_of(geometry, seen, t);
     const RayTriangle& on_rays = seen.on_rays.emplace_back(corners);
+    if (geometry.parts[geometry.triangles[t].part].is_hidden) continue;
     if (std::max({corners[0].z, corners[1].z, corners[2].z}) < projection.nearest()) continue;
     if (on_rays.determinant == 0) continue;
     const PixelBox box = pixel_box(corners, projection);

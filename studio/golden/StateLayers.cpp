@@ -130,7 +130,7 @@ StateLayer flow(const SeenFrame& golden, const SeenFrame& today, ImageSize size)
   double largest = 0, sum = 0;
   std::size_t seen = 0, moved = 0;
   for (std::size_t i = 0; i < motion.flow.size(); ++i) {
-    if (motion.state[i] == FlowState::kNothing || motion.state[i] == FlowState::kAbsent) continue;
+    if (!motion.is_known[i]) continue;
     const double length = std::hypot(static_cast<double>(motion.flow[i][0]), static_cast<double>(motion.flow[i][1]));
     largest = std::max(largest, length);
     sum += length;

@@ -72,14 +72,10 @@ WordLayer depth_levels(ImageSize size, const std::vector<float>& depth) {
   return layer;
 }
 
-bool has_flow(FlowState state) {
-  return state == FlowState::kSeen || state == FlowState::kHidden || state == FlowState::kOutside;
-}
-
 FloatLayer flow_vectors(ImageSize size, const OpticalFlow& flow) {
   FloatLayer layer{.size = size, .channels = 3, .values = {}};
   for (std::size_t pixel = 0; pixel < flow.flow.size(); ++pixel) {
-    const float known = has_flow(flow.state[pixel]) ? 1.0F : 0.0F;
+    const float known = flow.is_known[pixel] ? 1.0F : 0.0F;
     layer.values.insert(layer.values.end(), {flow.flow[pixel][0], flow.flow[pixel][1], known});
   }
   return layer;
@@ -91,7 +87,7 @@ WordLayer kitti_flow(ImageSize size, const OpticalFlow& flow) {
   for (std::size_t pixel = 0; pixel < flow.flow.size(); ++pixel) {
     const double u = std::round(kKittiSteps * flow.flow[pixel][0] + kKittiMiddle);
     const double v = std::round(kKittiSteps * flow.flow[pixel][1] + kKittiMiddle);
-    const bool fits = has_flow(flow.state[pixel]) && u >= 0 && u <= 65535 && v >= 0 && v <= 65535;
+    const bool fits = flow.is_known[pixel] && u >= 0 && u <= 65535 && v >= 0 && v <= 65535;
     layer.values.insert(layer.values.end(),
                         {static_cast<std::uint16_t>(fits ? u : 0), static_cast<std::uint16_t>(fits ? v : 0),
                          static_cast<std::uint16_t>(fits ? 1 : 0)});
@@ -226,8 +222,7 @@ void GroundTruthSeries::write_layers(const GroundTruth& truth) {
 
 void GroundTruthSeries::write_flow(const std::string& name, const SeenFrame& from, const SeenFrame* to) {
   const ImageSize size = from.seen().size;
-  OpticalFlow flow{.flow = std::vector<std::array<float, 2>>(from.seen().places.size()),
-                   .state = std::vector<FlowState>(from.seen().places.size(), FlowState::kNothing)};
+  OpticalFlow flow(from.seen().places.size());
   if (to != nullptr && !is_card(*to)) flow = optical_flow(from.moment(), to->moment());
   tbb::parallel_invoke([&] { write_file(name + "_flow", "exr", encode_exr(flow_vectors(size, flow))); },
                        [&] { write_file(name + "_flow_kitti", "png", encode_layer_png(kitti_flow(size, flow))); },

@@ -151,7 +151,6 @@ TEST(GroundTruthTest, CutFacesAreAWoundAndTheSheetsOwnBorderIsNone) {
   EXPECT_GT(border, 30);
 }
 
-/// A slit of 18 mm whose lips stand apart by up to 6 mm: a lens of circular arcs, nearly.
 /// From within a whole wall a picture shows its lining, and nothing of a tool that presses it from outside.
 TEST(GroundTruthTest, FromWithinABodyItsLiningIsSeenWhichIsNoWound) {
   Snapshot snapshot;
@@ -177,6 +176,71 @@ TEST(GroundTruthTest, FromWithinABodyItsLiningIsSeenWhichIsNoWound) {
   EXPECT_NEAR(truth.depth[middle], 0.028, 0.0003);
 }
 
+/// A ball with a slit over its top along x, whose lips stand apart by 8 mm.
+Snapshot opened_ball() {
+  SnapshotSurface ball = test::sphere("ball", {0, 0, 0}, 0.03, 4);
+  auto topology = std::make_shared<SnapshotTopology>(*ball.topology);
+  std::vector<std::uint32_t> twins(ball.positions.size());
+  for (std::uint32_t v = 0; v < twins.size(); ++v) {
+    const auto [x, y, z] = topology->rest_positions[v];
+    twins[v] = v;
+    if (z < 0 || std::abs(y) > 1e-6F || std::abs(x) > 0.02F) continue;
+    twins[v] = static_cast<std::uint32_t>(ball.positions.size());
+    topology->rest_positions.push_back({x, y, z});
+    ball.positions[v][1] -= 0.004F;
+    ball.positions.push_back({x, y + 0.004F, z});
+  }
+  for (Triangle& triangle : topology->triangles) {
+    const bool is_beyond = std::ranges::any_of(
+        triangle, [&](std::uint32_t v) { return v < twins.size() && topology->rest_positions[v][1] > 1e-6F; });
+    for (std::uint32_t& v : triangle) v = is_beyond ? twins[v] : v;
+  }
+  topology->thickness.assign(topology->triangles.size(), 0.001F);
+  ball.topology = topology;
+  Snapshot snapshot;
+  snapshot.surfaces = {ball};
+  return snapshot;
+}
+
+TEST(GroundTruthTest, TheInnerSideIsAWoundFromOutsideAloneWhereCutsHaveOpenedAClosedWall) {
+  ViewDefinition above, within;
+  above.camera = {.position = Double3{0, -0.05, 0.1}, .target = Double3{0, 0, 0}, .up = Double3{0, 1, 0}};
+  within.camera = {.position = Double3{0, 0, -0.01}, .target = Double3{0, 0.03, 0}, .up = Double3{0, 0, 1}};
+  for (const auto& [view, expected] : {std::pair{above, WoundPart::kInside}, std::pair{within, WoundPart::kNothing}}) {
+    const GroundTruth truth = ground_truth(SeenFrame(opened_ball(), {view.camera}, kSize));
+    int lining = 0;
+    for (std::size_t pixel = 0; pixel < truth.parts.size(); ++pixel) {
+      if (truth.parts[pixel] != 1 + static_cast<int>(PartKind::kLining)) continue;
+      ++lining;
+      EXPECT_EQ(truth.wound[pixel], expected) << pixel;
+    }
+    EXPECT_GT(lining, 100);
+  }
+}
+
+TEST(GroundTruthTest, TheUnderSideOfASheetIsNoWound) {
+  SnapshotSurface whole =
+      test::quad("square", {{{-0.02F, -0.02F, 0}, {0.02F, -0.02F, 0}, {0.02F, 0.02F, 0}, {-0.02F, 0.02F, 0}}});
+  auto topology = std::make_shared<SnapshotTopology>(*whole.topology);
+  topology->thickness.assign(2, 0.001F);
+  whole.topology = topology;
+  ViewDefinition view;
+  view.camera = {.position = Double3{0, 0.001, -0.08}, .target = Double3{0, 0, 0}};
+  for (const SnapshotSurface& sheet : {whole, test::slit_sheet(20, 0.001, 0)}) {
+    Snapshot snapshot;
+    snapshot.surfaces = {sheet};
+    const GroundTruth truth = ground_truth(SeenFrame(snapshot, {view.camera}, kSize));
+    int lining = 0;
+    for (std::size_t pixel = 0; pixel < truth.parts.size(); ++pixel) {
+      if (truth.parts[pixel] != 1 + static_cast<int>(PartKind::kLining)) continue;
+      ++lining;
+      EXPECT_NE(truth.wound[pixel], WoundPart::kInside) << pixel;
+    }
+    EXPECT_GT(lining, 300);
+  }
+}
+
+/// A slit of 18 mm whose lips stand apart by up to 6 mm: a lens of circular arcs, nearly.
 TEST(GroundTruthTest, WhatIsSeenThroughAnOpeningIsAWoundToo) {
   SnapshotSurface sheet = test::slit_sheet(20, 0.001, 0);
   const auto is_slit = [](float x) { return std::abs(x) < 0.0085F; };
@@ -238,6 +302,50 @@ TEST(GroundTruthTest, StressIsThatOfTheTriangleAndPressureRunsEvenly) {
   EXPECT_GT(seen, 1000);
   snapshot.surfaces[0].fields.clear();
   EXPECT_TRUE(ground_truth(SeenFrame(snapshot, {view.camera}, kSize)).von_mises.empty());
+}
+
+TEST(GroundTruthTest, AWallIsPressedWhicheverOfItsSidesIsSeen) {
+  Snapshot snapshot = opened_ball();
+  SnapshotSurface& surface = snapshot.surfaces[0];
+  surface.fields = {{.name = std::string(kContactPressureField),
+                     .unit = "Pa",
+                     .location = FieldLocation::kVertex,
+                     .values = std::vector<float>(surface.positions.size(), 100)}};
+  ViewDefinition view;
+  view.camera = {.position = Double3{0, -0.05, 0.1}, .target = Double3{0, 0, 0}, .up = Double3{0, 1, 0}};
+  const GroundTruth truth = ground_truth(SeenFrame(snapshot, {view.camera}, kSize));
+  for (const PartKind kind : {PartKind::kOutside, PartKind::kRim, PartKind::kLining}) {
+    int seen = 0;
+    for (std::size_t pixel = 0; pixel < truth.parts.size(); ++pixel) {
+      if (truth.parts[pixel] != 1 + static_cast<int>(kind)) continue;
+      ++seen;
+      EXPECT_FLOAT_EQ(truth.contact_pressure[pixel], 100) << pixel;
+    }
+    EXPECT_GT(seen, 20) << static_cast<int>(kind);
+  }
+}
+
+TEST(GroundTruthTest, ToolsHaveTheVeryTrianglesOfThePictures) {
+  for (std::size_t kind = 0; kind < kSnapshotToolKindNames.size(); ++kind) {
+    Snapshot snapshot = scene();
+    snapshot.tools = {{.name = "tool",
+                       .kind = static_cast<SnapshotToolKind>(kind),
+                       .radius = 0.002,
+                       .length = 0.02,
+                       .width = 0.006,
+                       .thickness = 0.0006,
+                       .opening = 0.004}};
+    const SceneExtent extent = scene_extent(snapshot);
+    const ToolShape drawn = tool_shape(snapshot.tools[0], extent.size, ToolDetail::kSeen);
+    const SceneGeometry geometry = scene_geometry(snapshot, extent, DrawnEdges::kCurvedLips, {0, 0, 1});
+    const ScenePart& part = geometry.parts.back();
+    ASSERT_EQ(part.kind, PartKind::kTool);
+    ASSERT_EQ(3 * part.triangle_count, drawn.indices.size()) << kSnapshotToolKindNames.at(kind);
+    for (std::size_t i = 0; i < drawn.indices.size(); ++i) {
+      const std::uint32_t corner = geometry.triangles[part.first_triangle + i / 3].corners[i % 3];
+      ASSERT_EQ(length(geometry.points[corner] - vector3(drawn.vertices[drawn.indices[i]].position)), 0);
+    }
+  }
 }
 
 TEST(GroundTruthTest, TellsStretchesAndThicknessOverTheShapeWithoutStress) {

@@ -212,5 +212,53 @@ TEST(OpticalFlowTest, TellsWhatIsHiddenAndWhatLeavesThePicture) {
   EXPECT_EQ(count(leaving, FlowState::kOutside), std::ranges::count(ground_truth(first).instances, 2));
 }
 
+TEST(OpticalFlowTest, WhatLandsNowhereHasNoFlowThatIsKnown) {
+  Snapshot snapshot;
+  snapshot.surfaces = {
+      test::quad("wall", {{{-0.02F, -0.02F, 0}, {0.02F, -0.02F, 0}, {0.02F, 0.02F, 0}, {-0.02F, 0.02F, 0}}})};
+  const SeenFrame first(snapshot, {from_above(0.1).camera}, kSize);
+  ViewDefinition turned_away = from_above(0.1), aside = from_above(0.1);
+  turned_away.camera.target = Double3{0, 0, 1};
+  aside.camera.position = Double3{1, 0, 0.1};
+  aside.camera.target = Double3{1, 0, 0};
+  const OpticalFlow behind = optical_flow(first.moment(), SeenFrame(snapshot, {turned_away.camera}, kSize).moment());
+  const OpticalFlow beside = optical_flow(first.moment(), SeenFrame(snapshot, {aside.camera}, kSize).moment());
+  int seen = 0;
+  for (std::size_t pixel = 0; pixel < behind.state.size(); ++pixel) {
+    if (first.seen().places[pixel].triangle == kNoIndex) continue;
+    ++seen;
+    EXPECT_EQ(behind.state[pixel], FlowState::kOutside);
+    EXPECT_FALSE(behind.is_known[pixel]) << "no pixel shows what lies behind a camera";
+    EXPECT_EQ(beside.state[pixel], FlowState::kOutside);
+    EXPECT_TRUE(beside.is_known[pixel]);
+    EXPECT_LT(beside.flow[pixel][0], -kSize.width);
+  }
+  EXPECT_GT(seen, 1000);
+}
+
+TEST(OpticalFlowTest, TheInnerSideOfAWholeWallIsHiddenFromOutsideAndNotBornOfACut) {
+  Snapshot snapshot;
+  snapshot.surfaces = {test::sphere("ball", {0, 0, 0}, 0.03, 4)};
+  auto topology = std::make_shared<SnapshotTopology>(*snapshot.surfaces[0].topology);
+  topology->thickness.assign(topology->triangles.size(), 0.002F);
+  snapshot.surfaces[0].topology = topology;
+  ViewDefinition within;
+  within.camera = {
+      .position = Double3{0, 0, 0}, .target = Double3{0, 1, 0}, .up = Double3{0, 0, 1}, .field_of_view = 0.8};
+  ViewDefinition outside = within;
+  outside.camera.position = Double3{0, -0.2, 0};
+  const SeenFrame first(snapshot, {within.camera}, kSize), second(snapshot, {outside.camera}, kSize);
+  const OpticalFlow flow = optical_flow(first.moment(), second.moment());
+  for (std::size_t pixel = 0; pixel < flow.state.size(); ++pixel) {
+    ASSERT_EQ(flow.state[pixel], FlowState::kHidden) << pixel;
+    // Both cameras look along the same line, so that what lies off it by a tangent is seen smaller by its distances.
+    const auto& ray = *first.moment().projection.rays()[pixel];
+    const double depth = first.seen().depth[pixel];
+    const double shrunk = depth / (depth + 0.2), focal = 0.5 * kSize.height / first.camera().tangent_y;
+    ASSERT_NEAR(flow.flow[pixel][0], focal * ray[0] * (shrunk - 1), 1e-3);
+    ASSERT_NEAR(flow.flow[pixel][1], focal * ray[1] * (shrunk - 1), 1e-3);
+  }
+}
+
 }  // namespace
 }  // namespace thinwall
