@@ -86,6 +86,11 @@ std::vector<std::filesystem::path> takes_shown(const std::filesystem::path& take
   if (!captions_of(TakeReader(take).description().resolved)) return {take};
   const std::filesystem::path second = second_take_of(take);
   if (std::filesystem::exists(second)) return {take, second};
+  if (std::filesystem::absolute(take).parent_path().filename() == kSecondTakeFolder) {
+    const std::filesystem::path first = (take.parent_path() / ".." / "take.h5").lexically_normal();
+    throw TakeError(take.string() + ": it is the second take of a comparison; name the first, " + first.string() +
+                    ", which is shown beside it");
+  }
   throw TakeError(take.string() + ": the take is compared with " + second.string() +
                   ", which is not there; run the scenario again");
 }
@@ -110,7 +115,9 @@ std::unique_ptr<MomentSource> replay_takes(const std::vector<std::filesystem::pa
 
 void prepare_truth(ViewDefinition& view) {
   if (view.comparison) {
-    throw UsageError("--aov: ground truth is of one take, and the scenario's `comparison` shows two; leave it out");
+    throw UsageError(
+        "--aov: ground truth is of one take, and the scenario's `comparison` shows two; leave --aov out, or "
+        "record each take by itself, without `comparison`");
   }
   view.look.flat_triangles = true;
 }

@@ -66,6 +66,10 @@ TEST_F(ProgramGLTest, TwoTakesBesideOneAnotherAreTheSameInARunFromTheirTakesAndA
   EXPECT_EQ(file_bytes(folder_ / "equal/second_take/forces.csv"), file_bytes(folder_ / "run/second_take/forces.csv"));
   EXPECT_EQ(file_bytes(folder_ / "equal/forces.csv"), file_bytes(folder_ / "run/second_take/forces.csv"));
   EXPECT_EQ(run({"run", "two.yaml", "--aov"}).exit_code, 2);
+  const ProgramEnd alone = run({"render", "run/second_take/take.h5", "--no-video", "--out", "alone"});
+  EXPECT_EQ(alone.exit_code, 2);
+  EXPECT_NE(alone.messages.find("the second take of a comparison; name the first, run/take.h5"), std::string::npos)
+      << alone.messages;
   std::filesystem::remove_all(folder_ / "run/second_take");
   const ProgramEnd end = run({"render", "run/take.h5", "--no-video", "--out", "half"});
   EXPECT_EQ(end.exit_code, 2);
@@ -249,12 +253,33 @@ TEST_F(ProgramGLTest, GroundTruthReplacesThatOfAnEarlierRunAndNothingElse) {
   EXPECT_EQ(file_bytes(folder_ / "run/ground_truth/notes.txt"), "mine");
 }
 
-/// What scripts/read-ground-truth prints of a frame of the folder's run; empty where it fails.
-std::string ground_truth_summary(const TemporaryFolder& folder, int frame) {
+/// Whether scripts/read-ground-truth reads a frame of the folder's run; what it prints is in summary.txt, what it
+/// complains of in complaint.txt.
+bool reads_ground_truth(const TemporaryFolder& folder, const std::string& frame) {
   const std::string command = std::string(THINWALL_SOURCE_DIR) + "/scripts/read-ground-truth '" +
-                              (folder / "run/ground_truth").string() + "' " + std::to_string(frame) + " > '" +
-                              (folder / "summary.txt").string() + "'";
-  return std::system(command.c_str()) == 0 ? file_bytes(folder / "summary.txt") : "";
+                              (folder / "run/ground_truth").string() + "' " + frame + " > '" +
+                              (folder / "summary.txt").string() + "' 2> '" + (folder / "complaint.txt").string() + "'";
+  return std::system(command.c_str()) == 0;
+}
+
+/// What it prints; empty where it fails.
+std::string ground_truth_summary(const TemporaryFolder& folder, int frame) {
+  return reads_ground_truth(folder, std::to_string(frame)) ? file_bytes(folder / "summary.txt") : "";
+}
+
+TEST_F(ProgramGLTest, TheScriptForGroundTruthSaysWhichFramesThereAreAndWhichFileHasNoWholeHeader) {
+  expect_good({"run", "scenes/small.yaml", "--no-video", "--aov", "--out", "run"});
+  for (const char* frame : {"3000", "third", "-1"}) {
+    EXPECT_FALSE(reads_ground_truth(folder_, frame));
+    const std::string complaint = file_bytes(folder_ / "complaint.txt");
+    EXPECT_EQ(complaint.find(std::string(frame) + ": there is no such frame; choose one of 0 to "), 0U) << complaint;
+  }
+  const std::filesystem::path normals = folder_ / "run/ground_truth/normals/frame_000001.exr";
+  write_bytes(normals, file_bytes(normals).substr(0, 100));
+  EXPECT_FALSE(reads_ground_truth(folder_, "1"));
+  const std::string complaint = file_bytes(folder_ / "complaint.txt");
+  EXPECT_NE(complaint.find("normals/frame_000001.exr: cannot be read whole"), std::string::npos) << complaint;
+  EXPECT_EQ(complaint.find("Traceback"), std::string::npos) << complaint;
 }
 
 TEST_F(ProgramGLTest, TheScriptForGroundTruthReadsEachLayer) {
