@@ -78,14 +78,17 @@ class WoundParts {
       const bool is_cut = frame_.geometry().is_cut[part.owner][(place.triangle - part.first_triangle) / 2] != 0;
       return is_cut ? WoundPart::kCutFace : WoundPart::kNothing;
     }
-    return part.kind == PartKind::kLining && is_through(part.owner, pixel) ? WoundPart::kInside : WoundPart::kNothing;
+    const bool is_inside = part.kind == PartKind::kLining || part.kind == PartKind::kCap;
+    return is_inside && is_through(part, pixel) ? WoundPart::kInside : WoundPart::kNothing;
   }
 
  private:
-  /// Whether what a pixel shows of a body's inner side is seen through an opening of it.
-  bool is_through(std::uint32_t surface, std::size_t pixel) const {
-    const std::vector<double>& depth = openings_.depth[surface];
-    return open_by_cuts_alone_[surface] || (!depth.empty() && depth[pixel] < frame_.seen().depth[pixel]);
+  /// Whether what a pixel shows of a body's inner side is seen through an opening of it. Caps have their outer side,
+  /// too.
+  bool is_through(const ScenePart& part, std::size_t pixel) const {
+    if (part.kind == PartKind::kLining && open_by_cuts_alone_[part.owner]) return true;
+    const std::vector<double>& depth = openings_.depth[part.owner];
+    return !depth.empty() && depth[pixel] < frame_.seen().depth[pixel];
   }
 
   const SeenFrame& frame_;

@@ -40,7 +40,7 @@ class SeenFrame {
 enum class WoundPart : std::uint8_t {
   kNothing,
   kCutFace,  // the thickness of a wall at a cut
-  kInside,   // the inner side of a wall, seen through an opening
+  kInside,   // the inner side of a wall or cap, seen through an opening that cuts have made
   kThrough   // nothing of the scene, seen through an opening within a wall: the bed below cut skin
 };
 

@@ -218,6 +218,32 @@ TEST(GroundTruthTest, TheInnerSideIsAWoundFromOutsideAloneWhereCutsHaveOpenedACl
   }
 }
 
+TEST(GroundTruthTest, ACapIsAWoundWhereAnOpeningShowsIt) {
+  Snapshot snapshot = opened_ball();
+  auto topology = std::make_shared<SnapshotTopology>(*snapshot.surfaces[0].topology);
+  std::vector<Triangle> wall;
+  for (const Triangle& triangle : topology->triangles) {
+    const bool is_low =
+        std::ranges::all_of(triangle, [&](std::uint32_t v) { return topology->rest_positions[v][2] < -0.02F; });
+    (is_low ? topology->cap_triangles : wall).push_back(triangle);
+  }
+  topology->triangles = wall;
+  topology->thickness.resize(wall.size());
+  snapshot.surfaces[0].topology = topology;
+  for (const double side : {1.0, -1.0}) {
+    ViewDefinition view;
+    view.camera = {.position = Double3{0, 0, 0.1 * side}, .target = Double3{0, 0, 0}, .up = Double3{0, 1, 0}};
+    const GroundTruth truth = ground_truth(SeenFrame(snapshot, {view.camera}, kSize));
+    int caps = 0;
+    for (std::size_t pixel = 0; pixel < truth.parts.size(); ++pixel) {
+      if (truth.parts[pixel] != 1 + static_cast<int>(PartKind::kCap)) continue;
+      ++caps;
+      EXPECT_EQ(truth.wound[pixel], side > 0 ? WoundPart::kInside : WoundPart::kNothing) << pixel;
+    }
+    EXPECT_GT(caps, 50);
+  }
+}
+
 TEST(GroundTruthTest, TheUnderSideOfASheetIsNoWound) {
   SnapshotSurface whole =
       test::quad("square", {{{-0.02F, -0.02F, 0}, {0.02F, -0.02F, 0}, {0.02F, 0.02F, 0}, {-0.02F, 0.02F, 0}}});
