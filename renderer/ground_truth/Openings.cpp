@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "renderer/ground_truth/SeenPlaces.hpp"
 #include "renderer/wound/WallHole.hpp"
@@ -48,11 +49,15 @@ Openings rays_through_openings(const Snapshot& snapshot, const SceneGeometry& ge
   for (std::size_t k = 0; k < snapshot.surfaces.size(); ++k) {
     if (std::ranges::find(geometry.is_cut[k], 1) == geometry.is_cut[k].end()) continue;
     const SnapshotSurface& surface = snapshot.surfaces[k];
-    openings.depth[k] = see(lids_of(surface, geometry.drawn[k], true), projection).depth;
-    const std::vector<double> beside = see(lids_of(surface, geometry.drawn[k], false), projection).depth;
-    for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
-      if (std::isfinite(openings.depth[k][pixel])) openings.within[pixel] = 1;
-      openings.depth[k][pixel] = std::min(openings.depth[k][pixel], beside[pixel]);
+    openings.depth[k].assign(pixels, std::numeric_limits<double>::infinity());
+    for (const bool are_within : {true, false}) {
+      const SceneGeometry lids = lids_of(surface, geometry.drawn[k], are_within);
+      if (lids.triangles.empty()) continue;
+      const std::vector<double> depth = see(lids, projection).depth;
+      for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
+        if (are_within && std::isfinite(depth[pixel])) openings.within[pixel] = 1;
+        openings.depth[k][pixel] = std::min(openings.depth[k][pixel], depth[pixel]);
+      }
     }
   }
   return openings;
