@@ -254,6 +254,7 @@ TEST(OpticalFlowTest, TheInnerSideOfAWholeWallIsHiddenFromOutsideAndNotBornOfACu
     // Both cameras look along the same line, so that what lies off it by a tangent is seen smaller by its distances.
     const auto& ray = *first.moment().projection.rays()[pixel];
     const double depth = first.seen().depth[pixel];
+    // Positions are floats, whose rounding is a millionth of the distance to the pixels seen from within.
     const double shrunk = depth / (depth + 0.2), focal = 0.5 * kSize.height / first.camera().tangent_y;
     ASSERT_NEAR(flow.flow[pixel][0], focal * ray[0] * (shrunk - 1), 1e-3);
     ASSERT_NEAR(flow.flow[pixel][1], focal * ray[1] * (shrunk - 1), 1e-3);
