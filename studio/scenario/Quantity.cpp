@@ -20,40 +20,45 @@ struct Unit {
   Dimension dimension;
 };
 
+/// Which prefixes stand before a unit. A million metres, seconds or litres is a slip of the shift key: `20 Mm` for
+/// `20 mm`.
+enum class Prefixes { kNone, kUpToKilo, kAll };
+
 struct NamedUnit {
   std::string_view symbol;
   Unit unit;
-  bool takes_prefix;
+  Prefixes prefixes;
 };
 
 constexpr double kDegree = std::numbers::pi / 180;
 
 constexpr std::array kUnits = {
-    NamedUnit{"%", {1, -2, kDimensionless}, false},
-    NamedUnit{"m", {1, 0, kLength}, true},
-    NamedUnit{"g", {1, -3, {.mass = 1}}, true},
-    NamedUnit{"s", {1, 0, kTime}, true},
-    NamedUnit{"min", {60, 0, kTime}, false},
-    NamedUnit{"h", {3600, 0, kTime}, false},
-    NamedUnit{"rad", {1, 0, kAngle}, true},
-    NamedUnit{"deg", {kDegree, 0, kAngle}, false},
-    NamedUnit{"°", {kDegree, 0, kAngle}, false},
-    NamedUnit{"N", {1, 0, {.length = 1, .mass = 1, .time = -2}}, true},
-    NamedUnit{"Pa", {1, 0, kPressure}, true},
-    NamedUnit{"bar", {1, 5, kPressure}, true},
-    NamedUnit{"mmHg", {133.322, 0, kPressure}, false},
-    NamedUnit{"cmH2O", {98.0665, 0, kPressure}, false},
-    NamedUnit{"J", {1, 0, {.length = 2, .mass = 1, .time = -2}}, true},
-    NamedUnit{"W", {1, 0, {.length = 2, .mass = 1, .time = -3}}, true},
-    NamedUnit{"Hz", {1, 0, {.time = -1}}, true},
-    NamedUnit{"l", {1, -3, {.length = 3}}, true},
-    NamedUnit{"L", {1, -3, {.length = 3}}, true},
+    NamedUnit{"%", {1, -2, kDimensionless}, Prefixes::kNone},
+    NamedUnit{"m", {1, 0, kLength}, Prefixes::kUpToKilo},
+    NamedUnit{"g", {1, -3, {.mass = 1}}, Prefixes::kAll},
+    NamedUnit{"s", {1, 0, kTime}, Prefixes::kUpToKilo},
+    NamedUnit{"min", {60, 0, kTime}, Prefixes::kNone},
+    NamedUnit{"h", {3600, 0, kTime}, Prefixes::kNone},
+    NamedUnit{"rad", {1, 0, kAngle}, Prefixes::kUpToKilo},
+    NamedUnit{"deg", {kDegree, 0, kAngle}, Prefixes::kNone},
+    NamedUnit{"°", {kDegree, 0, kAngle}, Prefixes::kNone},
+    NamedUnit{"N", {1, 0, {.length = 1, .mass = 1, .time = -2}}, Prefixes::kAll},
+    NamedUnit{"Pa", {1, 0, kPressure}, Prefixes::kAll},
+    NamedUnit{"bar", {1, 5, kPressure}, Prefixes::kUpToKilo},
+    NamedUnit{"mmHg", {133.322, 0, kPressure}, Prefixes::kNone},
+    NamedUnit{"cmH2O", {98.0665, 0, kPressure}, Prefixes::kNone},
+    NamedUnit{"J", {1, 0, {.length = 2, .mass = 1, .time = -2}}, Prefixes::kAll},
+    NamedUnit{"W", {1, 0, {.length = 2, .mass = 1, .time = -3}}, Prefixes::kAll},
+    NamedUnit{"Hz", {1, 0, {.time = -1}}, Prefixes::kAll},
+    NamedUnit{"l", {1, -3, {.length = 3}}, Prefixes::kUpToKilo},
+    NamedUnit{"L", {1, -3, {.length = 3}}, Prefixes::kUpToKilo},
 };
 
 struct Prefix {
   std::string_view symbol;
   int power_of_ten;
 };
+constexpr int kKilo = 3;
 constexpr std::array kPrefixes = {
     Prefix{"n", -9}, Prefix{"u", -6}, Prefix{"µ", -6}, Prefix{"μ", -6}, Prefix{"m", -3},
     Prefix{"c", -2}, Prefix{"d", -1}, Prefix{"k", 3},  Prefix{"M", 6},  Prefix{"G", 9},
@@ -106,15 +111,24 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+/// The prefix is larger than what goes with the unit.
+[[noreturn]] void refuse_prefix(std::string_view symbol, const Prefix& prefix, const NamedUnit& named) {
+  const std::string meant =
+      prefix.symbol == "M" ? "; did you mean " + in_backticks("m" + std::string(named.symbol)) + "?" : "";
+  throw QuantityError("unknown unit " + in_backticks(symbol) + ": " + in_backticks(prefix.symbol) +
+                      " does not go with " + in_backticks(named.symbol) + meant);
+}
+
 std::optional<Unit> find_symbol(std::string_view symbol) {
   for (const NamedUnit& named : kUnits) {
     if (named.symbol == symbol) return named.unit;
   }
   for (const NamedUnit& named : kUnits) {
-    if (!named.takes_prefix || !symbol.ends_with(named.symbol)) continue;
+    if (named.prefixes == Prefixes::kNone || !symbol.ends_with(named.symbol)) continue;
     const std::string_view prefix = symbol.substr(0, symbol.size() - named.symbol.size());
     for (const Prefix& row : kPrefixes) {
       if (row.symbol != prefix) continue;
+      if (named.prefixes == Prefixes::kUpToKilo && row.power_of_ten > kKilo) refuse_prefix(symbol, row, named);
       Unit unit = named.unit;
       unit.power_of_ten += row.power_of_ten;
       return unit;

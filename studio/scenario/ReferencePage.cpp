@@ -43,8 +43,9 @@ constexpr std::array kDimensionsOfTheFormat = {kLength,   kTime,    kSpeed, kAcc
                                                kPressure, kDensity, kAngle, kAngularSpeed};
 
 constexpr std::string_view kUnits = R"(
-Units: `m`, `g`, `s`, `N`, `Pa`, `J`, `W`, `Hz`, `l`, `bar`, `rad` with the prefixes `n`, `u`, `m`, `c`, `d`, `k`, `M`, `G`; and
-`min`, `h`, `deg`, `mmHg`, `cmH2O`, `%`. Powers are written `m^2` or `m²`, products `kg*m/s^2`.
+Units: `m`, `g`, `s`, `N`, `Pa`, `J`, `W`, `Hz`, `l`, `bar`, `rad` with the prefixes `n`, `u`, `m`, `c`, `d`, `k`, and but for
+`m`, `s`, `l`, `bar`, `rad` also `M`, `G`; and `min`, `h`, `deg`, `mmHg`, `cmH2O`, `%`. Powers are written `m^2` or `m²`, products
+`kg*m/s^2`.
 
 )";
 

@@ -80,6 +80,23 @@ TEST(Quantity, WhatIsNoQuantityIsRefusedWithTheReason) {
             "the unit `m*m*m*m*m*m*m*m*m*m*m*m*m*m*m*m*m` has more than 16 factors");
 }
 
+TEST(Quantity, AMillionOfWhatNoneHasAMillionOfIsASlipOfTheShiftKey) {
+  EXPECT_EQ(reason("20 Mm"), "unknown unit `Mm`: `M` does not go with `m`; did you mean `mm`?");
+  EXPECT_EQ(reason("20 Mm/s"), "unknown unit `Mm`: `M` does not go with `m`; did you mean `mm`?");
+  EXPECT_EQ(reason("5 Ms"), "unknown unit `Ms`: `M` does not go with `s`; did you mean `ms`?");
+  EXPECT_EQ(reason("5 Ml"), "unknown unit `Ml`: `M` does not go with `l`; did you mean `ml`?");
+  EXPECT_EQ(reason("2 Mbar"), "unknown unit `Mbar`: `M` does not go with `bar`; did you mean `mbar`?");
+  EXPECT_EQ(reason("2 Grad"), "unknown unit `Grad`: `G` does not go with `rad`");
+}
+
+TEST(Quantity, AMillionStandsBeforeUnitsThatHaveOne) {
+  EXPECT_EQ(parse_quantity("2 MN/m^2").value, 2e6);
+  EXPECT_EQ(parse_quantity("1.06 Mg/m^3").value, 1060);
+  EXPECT_EQ(parse_quantity("1 MHz").value, 1e6);
+  EXPECT_EQ(parse_quantity("2.2 GPa").value, 2.2e9);
+  EXPECT_EQ(parse_quantity("3 MJ/m^3").value, 3e6);
+}
+
 TEST(Quantity, DimensionsHaveNames) {
   EXPECT_EQ(dimension_name(kPressure), "a pressure");
   EXPECT_EQ(dimension_name(kDimensionless), "a plain number");
