@@ -94,8 +94,13 @@ ValueSchema wall_value() {
       {"model", word_value({"membrane", "shell"}), false, "membrane",
        "membrane: no bending stiffness; shell: bending stiffness of the same material and thickness about the given "
        "shape"},
-      {"thickness", field_schema(quantity_value(kLength, kAboveZero)), true, {}, "thickness of the stress-free wall"},
-      {"density", quantity_value(kDensity, kAboveZero, "1060 kg/m^3"), false, "1060 kg/m^3", "density of the wall"},
+      {"thickness",
+       field_schema(usually(quantity_value(kLength, kAboveZero), kUsualLengths)),
+       true,
+       {},
+       "thickness of the stress-free wall"},
+      {"density", usually(quantity_value(kDensity, kAboveZero, "1060 kg/m^3"), kUsualDensities), false, "1060 kg/m^3",
+       "density of the wall"},
       {"material", material_schema(), true, {}, "law and constants"},
       {"fibres", fibres_schema(), false, {}, "direction of the fibres; `fung` and `holzapfel` need it"},
       {"tension_field", boolean_value(), false, "false",
@@ -103,12 +108,13 @@ ValueSchema wall_value() {
       {"prestretch", prestretch_schema(), false, "1",
        "in-plane stretch of the given surface: each triangle's rest shape is the given one shrunk by it"},
   };
-  wall.keys.push_back({"toughness",
-                       field_schema(quantity_value(kForcePerLength, kAboveZero, "0.4 kJ/m^2")),
-                       false,
-                       {},
-                       "energy per new cut area, which is thickness times length of the cut; where a tense wall "
-                       "releases more, cuts run ahead of the blade; a wall without it cannot be cut or pierced"});
+  wall.keys.push_back(
+      {"toughness",
+       field_schema(usually(quantity_value(kForcePerLength, kAboveZero, "0.4 kJ/m^2"), kUsualToughness)),
+       false,
+       {},
+       "energy per new cut area, which is thickness times length of the cut; where a tense wall "
+       "releases more, cuts run ahead of the blade; a wall without it cannot be cut or pierced"});
   wall.keys.push_back({"viscosity", list_value(mapping_value({prony_term()})), false, "[]",
                        "Prony series of quasi-linear viscoelasticity; the fractions add up to less than 1"});
   wall.keys.push_back({"damping", mapping_value({damping()}), false, "{}", "Rayleigh damping"});
@@ -142,7 +148,7 @@ MappingSchema orifice() {
   MappingSchema orifice{.name = "orifice", .documentation = "A hole through which two chambers exchange fluid."};
   orifice.keys = {
       {"between", tuple_value({chamber_name("upper"), chamber_name("lower")}), true, {}, "names of the two chambers"},
-      {"area", quantity_value(kArea, kAboveZero, "2 mm^2"), true, {}, "area of the hole"},
+      {"area", usually(quantity_value(kArea, kAboveZero, "2 mm^2"), kUsualHoles), true, {}, "area of the hole"},
       {"discharge", discharge_value(), false, "0.61",
        "flow over area times the root of twice the pressure's fall over the density"},
   };
@@ -157,10 +163,10 @@ ValueSchema contents_value() {
                            "pressure above the surroundings at time zero, at the level of the stress-free chamber's "
                            "centroid; the volume follows. When absent the volume is the surface's and the pressure "
                            "follows"};
-  const KeySchema density{"density", quantity_value(kDensity, kAboveZero, "1010 kg/m^3"), false, "1010 kg/m^3",
-                          "density of the fluid"};
-  const KeySchema bulk_modulus{"bulk_modulus", quantity_value(kPressure, kAboveZero, "2 MPa"), false, "2 MPa",
-                               "pressure per relative loss of volume"};
+  const KeySchema density{"density", usually(quantity_value(kDensity, kAboveZero, "1010 kg/m^3"), kUsualDensities),
+                          false, "1010 kg/m^3", "density of the fluid"};
+  const KeySchema bulk_modulus{"bulk_modulus", usually(quantity_value(kPressure, kAboveZero, "2 MPa"), kUsualModuli),
+                               false, "2 MPa", "pressure per relative loss of volume"};
   MappingSchema contents{.name = "contents", .documentation = "The fluid that wall and caps enclose."};
   const KeySchema chambers{"chambers", named_value(chamber()), false, "{}",
                            "names of closed parts of the surface; every other closed part is a chamber without a name"};

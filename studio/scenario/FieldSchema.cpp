@@ -93,7 +93,8 @@ ValueSchema field_schema(ValueSchema number) {
   std::vector<MappingSchema> tables = table_forms("field", text_value(), "column", unit);
   tables[0].definition = "table of " + definition;
   ValueSchema standard = number;
-  standard.page_words = std::string(kAsTheKey) + kOrTable;
+  standard.page_words = kAsTheKey;
+  standard.page_words += kOrTable;
   standard.mappings = tables;
   number.mappings = {region_form("field", definition, standard, inner)};
   add_forms(number, tables);

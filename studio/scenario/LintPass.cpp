@@ -12,6 +12,7 @@
 #include "studio/scenario/MaterialLint.hpp"
 #include "studio/scenario/Parallel.hpp"
 #include "studio/scenario/Quantity.hpp"
+#include "studio/scenario/StepLint.hpp"
 #include "studio/scenario/TextNode.hpp"
 #include "studio/scenario/Wording.hpp"
 
@@ -308,6 +309,7 @@ void lint_pass(const CheckedValue& root, Diagnostics& diagnostics) {
   check_cuts(root, diagnostics);
   check_overlaps(clips, diagnostics);
   check_step_count(root, clips, diagnostics);
+  check_steps(root, diagnostics);
   check_goldens(root, clips, diagnostics);
   check_golden_excuses(root, diagnostics);
   check_golden_video(root, diagnostics);

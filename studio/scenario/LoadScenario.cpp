@@ -1,5 +1,7 @@
 #include "studio/scenario/LoadScenario.hpp"
 
+#include <algorithm>
+
 #include "studio/scenario/CameraPass.hpp"
 #include "studio/scenario/CameraReferences.hpp"
 #include "studio/scenario/ComparisonPass.hpp"
@@ -87,6 +89,10 @@ Scenario load_scenario(const std::filesystem::path& file,
   const CheckedValue* comparison = first.checked.find("comparison");
   if (comparison == nullptr) return std::move(first.scenario);
   LoadedTake second = load_take(file, overrides_for_comparison(overrides, *comparison), WhichTake::kSecond);
+  for (const std::string& warning : second.scenario.warnings) {
+    std::vector<std::string>& told = first.scenario.warnings;
+    if (std::ranges::find(told, warning) == told.end()) told.push_back(warning);
+  }
   second.scenario.goldens.clear();
   second.scenario.expectations.clear();
   const std::array<std::string, 2> captions{caption_of(*comparison, 0), caption_of(second.checked.at("comparison"), 1)};

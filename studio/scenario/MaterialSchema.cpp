@@ -24,8 +24,10 @@ std::vector<KeySchema> parameter_keys(const WallLaw& law) {
     const std::string example = dimension == kDimensionless ? "0.3" : dimension == kAngle ? "30 deg" : "20 kPa";
     std::optional<std::string> fallback;
     if (parameter.fallback) fallback = format_like(*parameter.fallback, dimension_example(dimension));
-    keys.push_back({std::string(parameter.name), field_schema(quantity_value(dimension, range, example)),
-                    !parameter.fallback, fallback, phrase(parameter.documentation)});
+    ValueSchema value = quantity_value(dimension, range, example);
+    if (dimension == kPressure) value = usually(std::move(value), kUsualModuli);
+    keys.push_back({std::string(parameter.name), field_schema(std::move(value)), !parameter.fallback, fallback,
+                    phrase(parameter.documentation)});
   }
   return keys;
 }

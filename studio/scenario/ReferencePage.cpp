@@ -72,7 +72,9 @@ class PageWriter {
     for (const Dimension& dimension : kDimensionsOfTheFormat) {
       page_ << "| " << dimension_name(dimension) << " | `" << dimension_example(dimension) << "` |\n";
     }
-    page_ << kUnits << "## Keys\n\n";
+    page_ << kUnits;
+    write_usual_ranges();
+    page_ << "## Keys\n\n";
     write_alternatives({scenario_schema()});
     write_measured_quantities();
     return page_.str();
@@ -159,6 +161,15 @@ class PageWriter {
       const ValueSchema& value = key.value.kind == ValueKind::kList ? key.value.item[0] : key.value;
       if (!value.mappings.empty()) write_alternatives(value.mappings);
     }
+  }
+
+  void write_usual_ranges() {
+    page_ << "## What is usual\n\nBeyond these magnitudes a warning asks whether number and unit are meant so; nothing "
+             "else comes of it.\n\n| What | Usually |\n| --- | --- |\n";
+    for (const UsualRange* usual : kUsualRanges) {
+      page_ << "| " << usual->what << " | " << range_text(usual->magnitudes, std::string(usual->example)) << " |\n";
+    }
+    page_ << "\n";
   }
 
   void write_measured_quantities() {

@@ -57,7 +57,7 @@ const MappingSchema& scenario_schema() {
 }
 
 ValueSchema simulation_schema() {
-  const ValueSchema gravity = vector_value(kAcceleration, {}, "[0, 0, -9.81 m/s^2]");
+  const ValueSchema gravity = usually(vector_value(kAcceleration, {}, "[0, 0, -9.81 m/s^2]"), kUsualGravity);
   MappingSchema simulation{.name = "simulation", .documentation = "How time and equilibrium are computed."};
   simulation.keys = {
       {"analysis", word_value({"dynamic", "quasi_static"}), false, "dynamic",

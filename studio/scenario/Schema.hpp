@@ -6,6 +6,7 @@
 
 #include "studio/scenario/Quantity.hpp"
 #include "studio/scenario/Range.hpp"
+#include "studio/scenario/UsualRanges.hpp"
 
 namespace thinwall {
 
@@ -34,6 +35,7 @@ struct ValueSchema {
   ValueKind kind = ValueKind::kText;
   Dimension dimension = {};
   Range range = {};
+  const UsualRange* usual = nullptr;    // kQuantity: what is beyond it is told of
   std::string example = {};             // in the words of a scenario
   std::string page_words = {};          // in the reference page, where a mapping stands for several that are alike
   std::vector<std::string> words = {};  // kWord

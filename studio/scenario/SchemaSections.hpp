@@ -55,6 +55,8 @@ ValueSchema list_value(ValueSchema item, std::size_t minimum_items = 0);
 /// A list with a value of its own for each place.
 ValueSchema tuple_value(std::vector<ValueSchema> items);
 ValueSchema mapping_value(std::vector<MappingSchema> alternatives);
+/// A quantity, or a list of them, that is told of beyond what is usual.
+ValueSchema usually(ValueSchema value, const UsualRange& usual);
 ValueSchema named_value(MappingSchema mapping, std::size_t minimum_items = 0);
 
 }  // namespace thinwall

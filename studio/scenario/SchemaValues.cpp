@@ -56,6 +56,11 @@ ValueSchema tuple_value(std::vector<ValueSchema> items) {
   return list;
 }
 
+ValueSchema usually(ValueSchema value, const UsualRange& usual) {
+  (value.kind == ValueKind::kList ? value.item[0] : value).usual = &usual;
+  return value;
+}
+
 ValueSchema mapping_value(std::vector<MappingSchema> alternatives) {
   return {.kind = ValueKind::kMapping, .mappings = std::move(alternatives)};
 }

@@ -9,7 +9,7 @@ const KeySchema kBody{"body", name_value(), false, {}, "which body; may be left 
 /// Keys that every clip has.
 std::vector<KeySchema> with_clip_keys(std::vector<KeySchema> keys) {
   keys.push_back({"start",
-                  quantity_value(kTime, kFromZero, "2 s"),
+                  usually(quantity_value(kTime, kFromZero, "2 s"), kUsualTimes),
                   false,
                   {},
                   "when the clip begins; when the one before it ends when absent"});
@@ -51,11 +51,16 @@ MappingSchema palpate() {
        {"at", vector_value(kLength, {}, "[0, 0, 20 mm]"), false, "[0, 0, 0]", "a point of the line of approach"},
        {"direction", direction_value(), false, "[0, 0, -1]", "sense of the approach"},
        axis_key(),
-       {"depth", quantity_value(kLength, kAboveZero, "4 mm"), true, {}, "travel after first contact"},
-       {"speed", quantity_value(kSpeed, kAboveZero, "10 mm/s"), false, "10 mm/s", "speed of the tool"},
-       {"hold", quantity_value(kTime, kFromZero, "0.5 s"), false, "0 s",
+       {"depth",
+        usually(quantity_value(kLength, kAboveZero, "4 mm"), kUsualLengths),
+        true,
+        {},
+        "travel after first contact"},
+       {"speed", usually(quantity_value(kSpeed, kAboveZero, "10 mm/s"), kUsualSpeeds), false, "10 mm/s",
+        "speed of the tool"},
+       {"hold", usually(quantity_value(kTime, kFromZero, "0.5 s"), kUsualTimes), false, "0 s",
         "time at full depth; until a step ends at least, where the tool's next clip leaves room for that"},
-       {"standoff", quantity_value(kLength, kFromZero, "5 mm"), false, "5 mm",
+       {"standoff", usually(quantity_value(kLength, kFromZero, "5 mm"), kUsualLengths), false, "5 mm",
         "distance from the surface at which the tool starts and to which it goes back"},
        {"withdraw", boolean_value(), false, "true", "whether the tool goes back"}});
 }
@@ -67,11 +72,16 @@ MappingSchema pierce() {
        kBody,
        {"at", vector_value(kLength, {}, "[0, 0, 20 mm]"), false, "[0, 0, 0]", "a point of the line of approach"},
        {"direction", direction_value(), false, "[0, 0, -1]", "sense of the approach"},
-       {"depth", quantity_value(kLength, kAboveZero, "12 mm"), true, {}, "travel after first contact"},
-       {"speed", quantity_value(kSpeed, kAboveZero, "10 mm/s"), false, "10 mm/s", "speed of the needle"},
-       {"hold", quantity_value(kTime, kFromZero, "1 s"), false, "0 s",
+       {"depth",
+        usually(quantity_value(kLength, kAboveZero, "12 mm"), kUsualLengths),
+        true,
+        {},
+        "travel after first contact"},
+       {"speed", usually(quantity_value(kSpeed, kAboveZero, "10 mm/s"), kUsualSpeeds), false, "10 mm/s",
+        "speed of the needle"},
+       {"hold", usually(quantity_value(kTime, kFromZero, "1 s"), kUsualTimes), false, "0 s",
         "time at full depth; until a step ends at least, where the tool's next clip leaves room for that"},
-       {"standoff", quantity_value(kLength, kFromZero, "5 mm"), false, "5 mm",
+       {"standoff", usually(quantity_value(kLength, kFromZero, "5 mm"), kUsualLengths), false, "5 mm",
         "distance from the surface at which the needle starts and to which it goes back"},
        {"withdraw", boolean_value(), false, "true", "whether the needle goes back"}},
       " The wall dents, and gives way once it would give back more energy with a slit of the needle's width in it than "
@@ -107,17 +117,18 @@ MappingSchema incise() {
         {},
         "along which the points are brought to the surface, on an open one also the side that is cut into; to the "
         "nearest point when absent"},
-       {"reach", quantity_value(kLength, kAboveZero, "10 mm"), false, "10 mm",
+       {"reach", usually(quantity_value(kLength, kAboveZero, "10 mm"), kUsualLengths), false, "10 mm",
         "how far the points may lie from the surface"},
        {"depth",
-        quantity_value(kLength, kAboveZero, "3 mm"),
+        usually(quantity_value(kLength, kAboveZero, "3 mm"), kUsualLengths),
         true,
         {},
         "how far below the path the edge goes, along the inward normal"},
-       {"speed", quantity_value(kSpeed, kAboveZero, "15 mm/s"), false, "10 mm/s",
+       {"speed", usually(quantity_value(kSpeed, kAboveZero, "15 mm/s"), kUsualSpeeds), false, "10 mm/s",
         "speed in and out, and along the path on the surface"},
-       {"hold", quantity_value(kTime, kFromZero, "0.5 s"), false, "0 s", "time at the end of the path"},
-       {"standoff", quantity_value(kLength, kFromZero, "5 mm"), false, "5 mm",
+       {"hold", usually(quantity_value(kTime, kFromZero, "0.5 s"), kUsualTimes), false, "0 s",
+        "time at the end of the path"},
+       {"standoff", usually(quantity_value(kLength, kFromZero, "5 mm"), kUsualLengths), false, "5 mm",
         "distance from the surface at which the blade starts and to which it goes back"},
        {"withdraw", boolean_value(), false, "true", "whether the blade goes back"},
        {"marked", boolean_value(), false, "false",
@@ -154,8 +165,12 @@ MappingSchema move() {
         false,
         {},
         "which body is meant, for readers: a tool touches each body that is in its way"},
-       {"from", vector_value(kLength, {}, point), false, {}, "where it starts; where it is when absent"},
-       {"to", vector_value(kLength, {}, point), true, {}, "where it ends"},
+       {"from",
+        usually(vector_value(kLength, {}, point), kUsualPlaces),
+        false,
+        {},
+        "where it starts; where it is when absent"},
+       {"to", usually(vector_value(kLength, {}, point), kUsualPlaces), true, {}, "where it ends"},
        {"direction",
         direction_value(),
         false,
@@ -168,7 +183,7 @@ MappingSchema move() {
         {},
         "y' of the tool at the end, made perpendicular to the direction; when absent it turns no farther about "
         "z', and is world y in the tool's first clip"},
-       {"for", quantity_value(kTime, kAboveZero, "1 s"), false, "1 s", "how long it takes"},
+       {"for", usually(quantity_value(kTime, kAboveZero, "1 s"), kUsualTimes), false, "1 s", "how long it takes"},
        {"ease", word_value({"linear", "smooth"}), false, "smooth",
         "at constant speed, or starting and ending at rest"}},
       " The tool turns on its way, with the same `ease` and by the shortest turn, from the attitude that it has to the "
@@ -188,14 +203,15 @@ MappingSchema grasp() {
        {"direction", direction_value(), false, "[0, 0, -1]", "sense of the approach, z' of the tool"},
        {"axis", direction_value(), false, {}, "y' of the tool, along the width of the jaws, which close along x'"},
        {"depth",
-        quantity_value(kLength, kFromZero, "4 mm"),
+        usually(quantity_value(kLength, kFromZero, "4 mm"), kUsualLengths),
         true,
         {},
         "how far the tips go beyond where the line of approach meets the wall"},
-       {"speed", quantity_value(kSpeed, kAboveZero, "10 mm/s"), false, "10 mm/s", "speed of the approach"},
-       {"standoff", quantity_value(kLength, kFromZero, "5 mm"), false, "5 mm",
+       {"speed", usually(quantity_value(kSpeed, kAboveZero, "10 mm/s"), kUsualSpeeds), false, "10 mm/s",
+        "speed of the approach"},
+       {"standoff", usually(quantity_value(kLength, kFromZero, "5 mm"), kUsualLengths), false, "5 mm",
         "distance from the wall at which the tips start"},
-       {"to", quantity_value(kLength, kAboveZero, "1 mm"), false, "0.5 mm",
+       {"to", usually(quantity_value(kLength, kAboveZero, "1 mm"), kUsualLengths), false, "0.5 mm",
         "distance between the closed jaws: the wall that they leave less room than it is thick, in one layer or a "
         "fold, is "
         "squeezed between them"},
@@ -204,29 +220,34 @@ MappingSchema grasp() {
         false,
         {},
         "force at which the jaws stop closing; they close all the way when absent"},
-       {"for", quantity_value(kTime, kAboveZero, "1 s"), false, "1 s", "how long the jaws take to close"}});
+       {"for", usually(quantity_value(kTime, kAboveZero, "1 s"), kUsualTimes), false, "1 s",
+        "how long the jaws take to close"}});
 }
 
 MappingSchema release() {
-  return clip("release", "Opens the jaws of forceps where they are.",
-              {kTool, {"for", quantity_value(kTime, kAboveZero, "1 s"), false, "0.5 s", "how long it takes"}});
+  return clip(
+      "release", "Opens the jaws of forceps where they are.",
+      {kTool,
+       {"for", usually(quantity_value(kTime, kAboveZero, "1 s"), kUsualTimes), false, "0.5 s", "how long it takes"}});
 }
 
 MappingSchema wait() {
-  return clip("wait", "Lets time pass.", {{"for", quantity_value(kTime, kAboveZero, "1 s"), false, "1 s", "how long"}});
+  return clip("wait", "Lets time pass.",
+              {{"for", usually(quantity_value(kTime, kAboveZero, "1 s"), kUsualTimes), false, "1 s", "how long"}});
 }
 
 MappingSchema fill(const std::string& verb, const std::string& documentation, const std::string& by) {
   return clip(verb, documentation,
               {kBody,
                {"chamber", name_value(), false, {}, "which chamber; may be left out when the body has one only"},
-               {"by", quantity_value(kVolume, kAboveZero, "5 ml"), false, {}, by},
+               {"by", usually(quantity_value(kVolume, kAboveZero, "5 ml"), kUsualVolumes), false, {}, by},
                {"to",
                 quantity_value(kPressure, kFluidPressures, "2 kPa"),
                 false,
                 {},
                 "pressure to be reached, instead of `by`"},
-               {"for", quantity_value(kTime, kAboveZero, "2 s"), false, "1 s", "how long it takes, at an even rate"}});
+               {"for", usually(quantity_value(kTime, kAboveZero, "2 s"), kUsualTimes), false, "1 s",
+                "how long it takes, at an even rate"}});
 }
 
 }  // namespace
@@ -240,19 +261,20 @@ ValueSchema timeline_schema() {
 
 namespace {
 
-KeySchema length_key(const std::string& key, const std::string& standard, const std::string& documentation) {
-  return {key, quantity_value(kLength, kAboveZero, standard), false, standard, documentation};
+KeySchema length_key(const std::string& key, const std::string& standard, const std::string& documentation,
+                     const UsualRange& usual = kUsualLengths) {
+  return {key, usually(quantity_value(kLength, kAboveZero, standard), usual), false, standard, documentation};
 }
 
 /// The keys of a tool that pushes, and its friction.
 std::vector<KeySchema> with_friction(std::vector<KeySchema> keys) {
-  keys.push_back({"friction", quantity_value(kDimensionless, kFromZero, "0.2"), false, "0",
+  keys.push_back({"friction", usually(quantity_value(kDimensionless, kFromZero, "0.2"), kUsualFriction), false, "0",
                   "coefficient of Coulomb's law: the wall drags at the tool with at most so much of the normal force"});
   return keys;
 }
 
 KeySchema plate_size() {
-  ValueSchema size = list_value(quantity_value(kLength, kAboveZero), 1);
+  ValueSchema size = list_value(usually(quantity_value(kLength, kAboveZero), kUsualLengths), 1);
   size.maximum_items = 2;
   size.single = true;
   size.example = "[30 mm, 20 mm]";
@@ -268,12 +290,12 @@ ValueSchema tools_schema() {
       {"point",
        "prescribes the three displacements where it touches; with a radius it is a ball of it",
        {{"radius",
-         quantity_value(kLength, kAboveZero, "1 mm"),
+         usually(quantity_value(kLength, kAboveZero, "1 mm"), kUsualLengths),
          false,
          {},
          "makes the tip a ball, whose force does not depend on the mesh as that of a point does"},
         {"friction",
-         quantity_value(kDimensionless, kFromZero, "0.2"),
+         usually(quantity_value(kDimensionless, kFromZero, "0.2"), kUsualFriction),
          false,
          {},
          "coefficient of Coulomb's law of a tip with a radius; a bare point holds what it touches"}}},
@@ -286,7 +308,7 @@ ValueSchema tools_schema() {
        with_friction({length_key("radius", "3 mm", "radius of the rod"),
                       length_key("length", "20 mm", "length over all; at least the diameter counts")})},
       {"plate", "a rigid plate with normal z', its edges rounded by 0.1 mm",
-       with_friction({plate_size(), length_key("thickness", "2 mm", "thickness behind the face")})},
+       with_friction({plate_size(), length_key("thickness", "2 mm", "thickness behind the face", kUsualThicknesses)})},
       {"needle", "a round shaft along z' that ends in a cone of four radii with a tip rounded by 0.4 radii",
        with_friction(
            {length_key("radius", "0.5 mm", "radius of the shaft"), length_key("length", "40 mm", "length over all")})},
@@ -294,9 +316,9 @@ ValueSchema tools_schema() {
        with_friction(
            {length_key("width", "6 mm", "length of the edge, along y'"),
             length_key("length", "20 mm", "height of the blade, along z'"),
-            length_key("thickness", "0.4 mm", "thickness of the blade, along x'"),
+            length_key("thickness", "0.4 mm", "thickness of the blade, along x'", kUsualThicknesses),
             {"deviation",
-             quantity_value(kLength, kAboveZero, "0.2 mm"),
+             usually(quantity_value(kLength, kAboveZero, "0.2 mm"), kUsualLengths),
              false,
              {},
              "refines triangles where a cut would be farther than this off the blade's way, down to an eighth "
@@ -305,7 +327,7 @@ ValueSchema tools_schema() {
        with_friction({length_key("opening", "10 mm", "distance between the open jaws"),
                       length_key("length", "30 mm", "length of the jaws, along z'"),
                       length_key("width", "4 mm", "width of the jaws, along y'"),
-                      length_key("thickness", "1.5 mm", "thickness of each jaw, along x'")})},
+                      length_key("thickness", "1.5 mm", "thickness of each jaw, along x'", kUsualThicknesses)})},
   };
   std::vector<std::string> kinds;
   for (const CaseSchema& kind : tool.cases) kinds.push_back(kind.word);

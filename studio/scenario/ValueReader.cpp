@@ -90,9 +90,10 @@ class PlainReader {
     return std::nullopt;
   }
 
+  std::string origin() const { return node_.parameters.empty() ? "" : " (" + node_.parameters + ")"; }
+
   std::optional<CheckedValue> error(const std::string& message) {
-    const std::string origin = node_.parameters.empty() ? "" : " (" + node_.parameters + ")";
-    diagnostics_.error(error_location(node_, place_), place_.path, message + origin);
+    diagnostics_.error(error_location(node_, place_), place_.path, message + origin());
     return std::nullopt;
   }
 
@@ -164,10 +165,18 @@ class PlainReader {
     if (is_integer && std::fmod(number, schema_.multiple_of) != 0) {
       return error(unquoted_text() + " is not a multiple of " + std::to_string(schema_.multiple_of));
     }
+    if (schema_.usual != nullptr && !is_usual(*schema_.usual, number)) doubt_number(*schema_.usual);
     CheckedValue value = value_of(is_integer ? CheckedKind::kInteger : CheckedKind::kNumber);
     // A negative zero would show in the resolved scenario.
     value.number = number == 0 ? 0 : number;
     return value;
+  }
+
+  void doubt_number(const UsualRange& usual) {
+    diagnostics_.warning(error_location(node_, place_), place_.path,
+                         unquoted_text() + " is unusual: " + std::string(usual.what) + " are " +
+                             range_text(usual.magnitudes, std::string(usual.example)) +
+                             " as a rule; see whether number and unit are meant so" + origin());
   }
 
   std::optional<CheckedValue> read_direction() {

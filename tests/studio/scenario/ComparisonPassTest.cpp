@@ -72,6 +72,16 @@ TEST_F(ComparisonPassTest, AnOverrideHoldsForBothTakesButNotOverWhatTheCompariso
   EXPECT_DOUBLE_EQ(std::get<PalpateClip>(scenario.comparison->second->timeline[0].action).depth, 0.005);
 }
 
+TEST_F(ComparisonPassTest, WhatIsUnusualInTheSecondTakeAloneIsToldOfToo) {
+  const auto unusual = [&](const std::string& value) {
+    const Scenario scenario = load("comparison: { set: { thickness: " + value + " }, captions: [a, b] }\n");
+    return std::ranges::count_if(scenario.warnings,
+                                 [](const std::string& text) { return text.find("is unusual") != std::string::npos; });
+  };
+  EXPECT_EQ(unusual("3 m"), 1);
+  EXPECT_EQ(unusual("3 mm"), 0);
+}
+
 TEST_F(ComparisonPassTest, MistakesAreToldWithTheirPlaceAndACure) {
   EXPECT_NE(complaint("comparison: { set: { thicknes: 4 mm }, captions: [a, b] }\n").find("did you mean `thickness`"),
             std::string::npos);

@@ -68,6 +68,37 @@ TEST(LintPass, RunsOfMoreThanTenMillionStepsAreErrorsOfTheStepOrOfTheClip) {
             Texts{});
 }
 
+TEST(LintPass, AToolThatGoesAllItsDepthInOneStepIsToldOf) {
+  const auto warnings_of = [](const std::string& clip, const std::string& step) {
+    Diagnostics diagnostics;
+    lint_pass(checked_scenario("timeline: [ " + clip + " ]\nsimulation: { time_step: " + step + " }\n"), diagnostics);
+    return short_texts(diagnostics.warnings);
+  };
+  const std::string fast = "palpate: { tool: edge, depth: 6 mm, speed: 20 m/s }";
+  EXPECT_EQ(
+      warnings_of(fast, "10 ms"),
+      Texts{"8:56: timeline[1].palpate.speed: the tool goes 200 mm in a `time_step` of 10 ms, farther than its "
+            "`depth` of 6 mm: nothing of its way through the wall is seen; take a shorter step or a lower speed"});
+  EXPECT_EQ(warnings_of(fast, "0.3 ms"), Texts{});
+  EXPECT_EQ(
+      warnings_of("incise: { tool: edge, path: [[0, 0, 0], [1 cm, 0, 0]], depth: 0.1 mm, speed: 20 mm/s }", "10 ms"),
+      Texts{})
+      << "a blade goes along its path";
+}
+
+TEST(LintPass, ALongStepOfADynamicAnalysisIsToldOf) {
+  const auto warnings_of = [](const std::string& simulation) {
+    Diagnostics diagnostics;
+    lint_pass(checked_scenario("simulation: { " + simulation + " }\n"), diagnostics);
+    return short_texts(diagnostics.warnings);
+  };
+  EXPECT_EQ(warnings_of("time_step: 500 ms"),
+            Texts{"8:26: simulation.time_step: 500 ms is long for a dynamic analysis, which damps what is faster; take "
+                  "5 ms or the like, or `analysis: quasi_static`"});
+  EXPECT_EQ(warnings_of("time_step: 100 ms"), Texts{});
+  EXPECT_EQ(warnings_of("analysis: quasi_static, time_step: 500 ms"), Texts{});
+}
+
 TEST(LintPass, GoldensLieWithinAKnownTimelineAndAtDifferentTimes) {
   EXPECT_EQ(errors_of(checked_scenario("timeline: [ wait: { for: 2 s } ]\n"
                                        "golden:\n"

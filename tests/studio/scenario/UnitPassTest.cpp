@@ -20,12 +20,14 @@ const MappingSchema& mapping_named(const std::string& name) {
 struct Read {
   CheckedValue value;
   std::vector<std::string> errors;
+  std::vector<std::string> warnings;
 };
 
 Read read(const std::string& mapping, const std::string& text) {
   Diagnostics diagnostics;
-  Read result{unit_pass(parse_text(text, diagnostics), mapping_named(mapping), diagnostics), {}};
+  Read result{unit_pass(parse_text(text, diagnostics), mapping_named(mapping), diagnostics), {}, {}};
   result.errors = short_texts(diagnostics.errors);
+  result.warnings = short_texts(diagnostics.warnings);
   return result;
 }
 
@@ -51,6 +53,27 @@ TEST(UnitPass, ZeroNeedsNoUnitAndPointsMixBoth) {
   EXPECT_EQ(clip.value.at("at").items[2].number, 0.02);
   EXPECT_EQ(clip.errors, Texts{});
   EXPECT_FALSE(std::signbit(read("palpate", "{ at: [-0, 0, 0], depth: 1 mm }").value.at("at").items[0].number));
+}
+
+TEST(UnitPass, AMagnitudeBeyondWhatIsUsualIsAllowedAndToldOf) {
+  const Read blade = read("tool", "{ kind: scalpel, thickness: 1e-160 mm }");
+  EXPECT_EQ(blade.errors, Texts{});
+  EXPECT_EQ(blade.value.at("thickness").number, 1e-163);
+  EXPECT_EQ(blade.warnings,
+            Texts{"1:29: thickness: 1e-160 mm is unusual: thicknesses of blades, plates and jaws are from 0.001 mm to "
+                  "100 mm as a rule; see whether number and unit are meant so"});
+  EXPECT_EQ(read("tool", "{ kind: sphere, radius: 6 m }").warnings.size(), 1U);
+  EXPECT_EQ(read("tool", "{ kind: plate, size: [20 mm, 30 m] }").warnings.size(), 1U);
+  EXPECT_EQ(read("palpate", "{ depth: 6 mm, speed: 20 m/s }").warnings.size(), 1U);
+  EXPECT_EQ(read("orifice", "{ between: [a, b], area: 2 m^2 }").warnings.size(), 1U);
+  EXPECT_EQ(read("material", "{ law: neo_hookean, shear_modulus: 20 mPa }").warnings.size(), 1U);
+  EXPECT_EQ(read("simulation", "{ gravity: [0, 0, -9.81 km/s^2] }").warnings.size(), 1U);
+}
+
+TEST(UnitPass, WhatIsUsualOrNoneIsNotToldOf) {
+  EXPECT_EQ(read("palpate", "{ depth: 6 mm, speed: 20 mm/s, hold: 0, standoff: 0 mm }").warnings, Texts{});
+  EXPECT_EQ(read("tool", "{ kind: needle, radius: 0.1 mm, length: 300 mm, friction: 1.2 }").warnings, Texts{});
+  EXPECT_EQ(read("simulation", "{ gravity: [0, 0, -9.81 m/s^2] }").warnings, Texts{}) << "magnitudes are judged";
 }
 
 TEST(UnitPass, ZeroInAnotherUnitIsStillOfAnotherDimension) {
