@@ -12,32 +12,14 @@
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/MistakesAsJson.hpp"
 #include "studio/commands/Outcome.hpp"
-#include "studio/director/RunNotes.hpp"
+#include "studio/director/BodyNotes.hpp"
 #include "studio/director/ScenarioRun.hpp"
-#include "studio/organs/BodyBuilder.hpp"
 #include "studio/recorder/FontNotes.hpp"
 #include "studio/scenario/InputError.hpp"
 #include "studio/scenario/LoadScenario.hpp"
 
 namespace thinwall {
 namespace {
-
-/// Makes each body's surface as a run does; gives what was found and done. Throws InputErrors with all bodies'
-/// mistakes.
-std::vector<std::string> check_bodies(const Scenario& scenario) {
-  std::vector<std::string> notes;
-  std::vector<Diagnostic> mistakes;
-  for (const BodyScenario& body : scenario.bodies) {
-    try {
-      const BodyDefinition definition = build_body(body, notes);
-      std::ranges::copy(thick_wall_notes(scenario, definition), std::back_inserter(notes));
-    } catch (const InputErrors& errors) {
-      mistakes.insert(mistakes.end(), errors.diagnostics().begin(), errors.diagnostics().end());
-    }
-  }
-  if (!mistakes.empty()) throw InputErrors(std::move(mistakes));
-  return notes;
-}
 
 /// How much fluid there is to drain is known of a body in equilibrium alone: the timeline is planned as a run does.
 /// Where there is no equilibrium, which is a run's to tell, that is noted.
@@ -54,6 +36,18 @@ void check_drains(const Scenario& scenario, std::vector<std::string>& notes) {
   }
 }
 
+/// What is found of a scenario beyond its file, and in the second take of its comparison otherwise than in the first.
+std::vector<std::string> notes_of(const Scenario& scenario) {
+  std::vector<std::string> notes = body_notes(scenario);
+  check_drains(scenario, notes);
+  if (!scenario.comparison) return notes;
+  const std::vector<std::string> first = notes;
+  for (const std::string& note : notes_of(*scenario.comparison->second)) {
+    if (std::ranges::find(first, note) == first.end()) notes.push_back("the second take: " + note);
+  }
+  return notes;
+}
+
 }  // namespace
 
 int check_scenarios(const CheckOptions& options) {
@@ -67,8 +61,7 @@ int check_scenarios(const CheckOptions& options) {
       std::ranges::copy(font_notes(scenario), std::back_inserter(scenario.warnings));
       warnings = scenario.warnings;
       tell_warnings(scenario);
-      notes = check_bodies(scenario);
-      check_drains(scenario, notes);
+      notes = notes_of(scenario);
       for (const std::string& note : notes) fmt::print(stderr, "{}: note: {}\n", file.string(), note);
       fmt::print(stderr, "{}: good\n", file.string());
     } catch (const InputErrors& mistakes) {

@@ -1,7 +1,9 @@
 #include "studio/commands/RunSource.hpp"
 
+#include "engine/simulation/SimulationFailure.hpp"
 #include "studio/commands/LongWait.hpp"
 #include "studio/commands/Outcome.hpp"
+#include "studio/director/BodyNotes.hpp"
 #include "studio/director/ScenarioRun.hpp"
 #include "studio/recorder/Interruption.hpp"
 #include "studio/recorder/PairedSource.hpp"
@@ -21,8 +23,7 @@ class RunSource final : public MomentSource {
 
   std::optional<Moment> next() override {
     if (!run_) {
-      equilibrium_ = equilibrium_wait();
-      run_.emplace(scenario_);
+      begin();
     } else if (!run_->step()) {
       return std::nullopt;
     }
@@ -33,10 +34,21 @@ class RunSource final : public MomentSource {
                   .chapters = run_->chapters()};
   }
 
-  std::vector<std::string> warnings() const override { return run_ ? run_->warnings() : std::vector<std::string>{}; }
+  std::vector<std::string> warnings() const override { return run_ ? run_->warnings() : notes_; }
   std::string state_digest() const override { return run_ ? run_->state_digest() : ""; }
 
  private:
+  /// What is told of the bodies, such as a doubt of a mesh's unit, may be why there is no equilibrium.
+  void begin() {
+    equilibrium_ = equilibrium_wait();
+    try {
+      run_.emplace(scenario_);
+    } catch (const SimulationFailure&) {
+      notes_ = body_notes(scenario_);
+      throw;
+    }
+  }
+
   LongWait equilibrium_wait() const {
     return {"`" + scenario_.name + "`: finding the equilibrium before the first step", tell_note};
   }
@@ -44,6 +56,7 @@ class RunSource final : public MomentSource {
   Scenario scenario_;
   LongWait equilibrium_ = equilibrium_wait();
   std::optional<ScenarioRun> run_;
+  std::vector<std::string> notes_;
 };
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "studio/organs/ClosedCheck.hpp"
 #include "studio/organs/HoleFilling.hpp"
 #include "studio/organs/MeshImport.hpp"
+#include "studio/organs/OrganSizes.hpp"
 #include "studio/organs/RegionMembers.hpp"
 #include "studio/organs/WallFieldResolver.hpp"
 #include "studio/scenario/Wording.hpp"
@@ -74,8 +75,15 @@ SurfaceMesh make_surface(const SurfaceSource& source, const SurfaceOrigin& origi
                                                      origin.key_path, 1e3 * shape.inner_radius, 1e3 * shape.radius)}});
   }
   SurfaceMesh mesh = entry_of(shape.shape).make(shape);
-  notes.push_back(fmt::format("{}: {} triangles ({} wanted), {} vertices", origin.name, mesh.triangles.size(),
-                              shape.triangles, mesh.vertices.size()));
+  const Eigen::Vector3d size = bounding_box(mesh.vertices).sizes();
+  notes.push_back(fmt::format("{}: {} triangles ({} wanted), {} vertices, {:.3g} x {:.3g} x {:.3g} mm", origin.name,
+                              mesh.triangles.size(), shape.triangles, mesh.vertices.size(), 1e3 * size.x(),
+                              1e3 * size.y(), 1e3 * size.z()));
+  if (const double across = size.maxCoeff(); across < kTooSmall || across > kTooLarge) {
+    notes.push_back(
+        fmt::format("{} is {:.3g} m across, which no organ is: see whether the units of its sizes are meant so",
+                    origin.name, across));
+  }
   return mesh;
 }
 

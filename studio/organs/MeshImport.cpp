@@ -20,6 +20,7 @@
 #include "studio/organs/ManifoldRepair.hpp"
 #include "studio/organs/MeshFile.hpp"
 #include "studio/organs/MeshRepair.hpp"
+#include "studio/organs/OrganSizes.hpp"
 #include "studio/organs/ToldPlaces.hpp"
 #include "studio/organs/remeshing/MeshRemeshing.hpp"
 #include "studio/scenario/Wording.hpp"
@@ -42,9 +43,7 @@ constexpr double kMostMoved = 0.5;
 /// How far `remesh` may change the volume.
 constexpr double kMostVolumeChange = 0.05;
 
-/// Metres across beyond which a surface is no organ and its `unit` doubted, and those of one to which another unit that
-/// is named instead should lead.
-constexpr double kTooSmall = 1e-3, kTooLarge = 2;
+/// Metres across to which a unit should lead that is named instead of a doubted one.
 constexpr double kSmallOrgan = 5e-3, kLargeOrgan = 1;
 
 /// A line that doubts the unit of a file whose surface is so far across, metres; empty where that may be.

@@ -34,6 +34,36 @@ TEST_F(ProgramTest, AFolderThatCannotBeWrittenEndsWith4) {
   EXPECT_NE(end.messages.find("cannot make the folder file/out"), std::string::npos) << end.messages;
 }
 
+TEST_F(ProgramTest, WhatIsKnownOfABodyIsToldAlsoWhereItFindsNoEquilibrium) {
+  std::string scenario = small_scenario();
+  const auto set = [&](const std::string& before, const std::string& after) {
+    scenario.replace(scenario.find(before), before.size(), after);
+  };
+  set("radius: 20 mm", "radius: 20 m");
+  set("    fixed:", "    contents: { fluid: incompressible, pressure: 2 kPa }\n    fixed:");
+  set("at: [0, 0, 20 mm]", "at: [0, 0, 20 m]");
+  write_bytes(folder_ / "large.yaml", scenario);
+  const ProgramEnd end = run({"run", "large.yaml", "--no-render", "--out", "large"});
+  EXPECT_EQ(end.exit_code, 3) << end.messages;
+  EXPECT_NE(end.messages.find("is 40 m across, which no organ is"), std::string::npos) << end.messages;
+  EXPECT_NE(manifest("large").at("warnings").dump().find("is 40 m across"), std::string::npos);
+}
+
+TEST_F(ProgramTest, WhatIsWrongWithTheSurfaceOfASecondTakeIsToldByCheck) {
+  const auto check = [&](const std::string& value) {
+    write_bytes(folder_ / "compared.yaml", small_scenario() + "comparison:\n  set: { bodies.organ.surface.triangles: " +
+                                               value + " }\n  captions: [a, b]\n");
+    return run({"check", "compared.yaml"});
+  };
+  const ProgramEnd good = check("256");
+  EXPECT_EQ(good.exit_code, 0) << good.messages;
+  EXPECT_NE(good.messages.find("note: the second take: shape `hemisphere`: 256 triangles"), std::string::npos)
+      << good.messages;
+  write_bytes(folder_ / "thick.yaml",
+              small_scenario() + "comparison: { set: { bodies.organ.wall.thickness: 300 mm }, captions: [a, b] }\n");
+  expect_bad_usage({"check", "thick.yaml"}, "more than twice the surface's extent");
+}
+
 TEST_F(ProgramTest, WhatEndsACommandIsToldAsJsonTooWhereThatIsAskedFor) {
   write_bytes(folder_ / "file", "");
   write_bytes(folder_ / "bad.yaml", "thinwall: 1\nbodies: 3\n");

@@ -40,6 +40,19 @@ TEST(BodyBuilder, EveryShapeIsMadeAndTold) {
   }
 }
 
+TEST(BodyBuilder, AShapeIsToldWithItsSizeAndDoubtedWhereNoOrganIsSoLarge) {
+  const auto notes_of = [](double radius) {
+    std::vector<std::string> notes;
+    make_surface(ShapeSource{.shape = Shape::kSphere, .radius = radius, .triangles = 20}, {}, notes);
+    return notes;
+  };
+  ASSERT_EQ(notes_of(25e-3).size(), 1U);
+  EXPECT_NE(notes_of(25e-3)[0].find(" vertices, 44.7 x 42.5 x 50 mm"), std::string::npos) << notes_of(25e-3)[0];
+  ASSERT_EQ(notes_of(25).size(), 2U);
+  EXPECT_NE(notes_of(25)[1].find("is 50 m across, which no organ is"), std::string::npos) << notes_of(25)[1];
+  EXPECT_EQ(notes_of(25e-6).size(), 2U);
+}
+
 TEST(BodyBuilder, WallAndFluidAreHandedOn) {
   BodyScenario scenario = hemisphere();
   scenario.density = 1100;
