@@ -1,6 +1,7 @@
 #include "studio/scenario/ComparisonPass.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <optional>
 
@@ -12,7 +13,7 @@ namespace {
 /// A step of a path: `timeline[2]` is the second item of `timeline`.
 struct PathStep {
   std::string key = {};
-  std::optional<std::size_t> index = {};  // from 0
+  std::optional<std::size_t> index = {};  // from 1, as it is written
 };
 
 std::vector<PathStep> steps_of(const std::string& path) {
@@ -25,8 +26,8 @@ std::vector<PathStep> steps_of(const std::string& path) {
       std::size_t number = 0;
       const char* last = step.key.data() + step.key.size() - 1;
       const auto [rest, error] = std::from_chars(step.key.data() + bracket + 1, last, number);
-      if (error == std::errc{} && rest == last && number > 0) {
-        step.index = number - 1;
+      if (error == std::errc{} && rest == last) {
+        step.index = number;
         step.key.resize(bracket);
       }
     }
@@ -51,21 +52,46 @@ TextNode* below(TextNode& node, const PathStep& step, bool may_add, const Source
   if (member == nullptr) return nullptr;
   if (!step.index) return &member->value;
   std::vector<TextNode>& items = member->value.items;
-  return *step.index < items.size() ? &items[*step.index] : nullptr;
+  return *step.index >= 1 && *step.index <= items.size() ? &items[*step.index - 1] : nullptr;
+}
+
+/// Why nothing stands at a step below `node`.
+std::string missing_step(TextNode& node, const PathStep& step) {
+  const TextMember* member = node.kind == NodeKind::kMapping && step.index ? node.find(step.key) : nullptr;
+  if (member == nullptr) {
+    return "the scenario has no " + in_backticks(step.key) + " here" + did_you_mean(step.key, keys_of(node));
+  }
+  const std::size_t count = member->value.items.size();
+  return in_backticks(step.key) + " has " + std::to_string(count) + (count == 1 ? " item" : " items") +
+         ", which are counted from 1, and no item " + std::to_string(*step.index);
+}
+
+/// What both takes have in common: the pictures with what is written over them, and what the first one is judged by.
+bool is_shared(const std::string& path) {
+  constexpr std::array kShared = {"record.size", "record.fps", "record.video", "record.tier",
+                                  "comparison",  "golden",     "expect",       "look.overlays"};
+  return std::ranges::any_of(kShared, [&](const std::string& shared) {
+    return path == shared || path.starts_with(shared + ".") || path.starts_with(shared + "[");
+  });
 }
 
 void change(TextNode& root, const TextMember& wanted, Diagnostics& diagnostics) {
   const bool is_parameter = wanted.key.find('.') == std::string::npos;
+  if (!is_parameter && is_shared(wanted.key)) {
+    diagnostics.error(wanted.location, member_path("comparison.set", wanted.key),
+                      "both takes have this in common, as they are in the same pictures; write it in its own place");
+    return;
+  }
   const std::vector<PathStep> steps = steps_of(is_parameter ? "parameters." + wanted.key : wanted.key);
   TextNode* node = &root;
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const bool may_add = i + 1 == steps.size() && !is_parameter;
     TextNode* next = below(*node, steps[i], may_add, wanted.location);
     if (next == nullptr) {
-      const std::string what = is_parameter ? "the scenario has no parameter " + in_backticks(wanted.key)
-                                            : "the scenario has no " + in_backticks(steps[i].key) + " here";
-      diagnostics.error(wanted.location, member_path("comparison.set", wanted.key),
-                        what + did_you_mean(steps[i].key, keys_of(*node)));
+      const std::string what = is_parameter ? "the scenario has no parameter " + in_backticks(wanted.key) +
+                                                  did_you_mean(steps[i].key, keys_of(*node))
+                                            : missing_step(*node, steps[i]);
+      diagnostics.error(wanted.location, member_path("comparison.set", wanted.key), what);
       return;
     }
     node = next;

@@ -89,9 +89,13 @@ Scenario load_scenario(const std::filesystem::path& file,
   const CheckedValue* comparison = first.checked.find("comparison");
   if (comparison == nullptr) return std::move(first.scenario);
   LoadedTake second = load_take(file, overrides_for_comparison(overrides, *comparison), WhichTake::kSecond);
+  std::vector<std::string>& told = first.scenario.warnings;
   for (const std::string& warning : second.scenario.warnings) {
-    std::vector<std::string>& told = first.scenario.warnings;
     if (std::ranges::find(told, warning) == told.end()) told.push_back(warning);
+  }
+  if (second.scenario.resolved == first.scenario.resolved) {
+    told.push_back(to_text(comparison->at("set").location) +
+                   ": warning: comparison.set: both takes are alike: what is set is what the first take has");
   }
   second.scenario.goldens.clear();
   second.scenario.expectations.clear();

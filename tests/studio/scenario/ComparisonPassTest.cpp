@@ -82,6 +82,30 @@ TEST_F(ComparisonPassTest, WhatIsUnusualInTheSecondTakeAloneIsToldOfToo) {
   EXPECT_EQ(unusual("3 mm"), 0);
 }
 
+TEST_F(ComparisonPassTest, WhatBothTakesHaveInCommonCannotBeSet) {
+  for (const std::string path :
+       {"record.size: [320, 180]", "record.fps: 60", "comparison.captions: [c, d]", "look.overlays.gauge: false"}) {
+    EXPECT_NE(complaint("record: { fps: 25 }\nlook: { overlays: {} }\ncomparison: { set: { " + path +
+                        " }, captions: [a, b] }\n")
+                  .find("both takes have this in common"),
+              std::string::npos)
+        << path;
+  }
+  EXPECT_EQ(complaint("look: {}\ncomparison: { set: { look.mesh: true }, captions: [a, b] }\n"), "")
+      << "each half has a look of its own";
+}
+
+TEST_F(ComparisonPassTest, TakesThatAreAlikeAreToldOf) {
+  const auto warnings = [&](const std::string& value) {
+    std::string all;
+    const Scenario scenario = load("comparison: { set: { thickness: " + value + " }, captions: [a, b] }\n");
+    for (const std::string& warning : scenario.warnings) all += warning;
+    return all;
+  };
+  EXPECT_NE(warnings("2 mm").find("both takes are alike"), std::string::npos);
+  EXPECT_EQ(warnings("3 mm").find("both takes are alike"), std::string::npos);
+}
+
 TEST_F(ComparisonPassTest, MistakesAreToldWithTheirPlaceAndACure) {
   EXPECT_NE(complaint("comparison: { set: { thicknes: 4 mm }, captions: [a, b] }\n").find("did you mean `thickness`"),
             std::string::npos);
@@ -89,7 +113,10 @@ TEST_F(ComparisonPassTest, MistakesAreToldWithTheirPlaceAndACure) {
                 .find("did you mean `organ`"),
             std::string::npos);
   EXPECT_NE(complaint("comparison: { set: { \"timeline[2].palpate.depth\": 4 mm }, captions: [a, b] }\n")
-                .find("the scenario has no `timeline` here"),
+                .find("`timeline` has 1 item, which are counted from 1, and no item 2"),
+            std::string::npos);
+  EXPECT_NE(complaint("comparison: { set: { \"timeline[0].palpate.depth\": 4 mm }, captions: [a, b] }\n")
+                .find("and no item 0"),
             std::string::npos);
   EXPECT_NE(complaint("comparison: { set: { thickness: 4 s }, captions: [a, b] }\n").find("a length"),
             std::string::npos);
