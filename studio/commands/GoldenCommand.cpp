@@ -7,6 +7,7 @@
 
 #include "renderer/image/Folder.hpp"
 #include "renderer/image/WholeFile.hpp"
+#include "renderer/picture/PictureFailure.hpp"
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/GoldenScenarios.hpp"
@@ -153,10 +154,26 @@ GoldenResult renew_video(const JudgedScenario& judged, std::size_t index, const 
   return compare_with_golden_video(judged.scenario.name, judged.scenario.goldens[index], *judged.video, folder).result;
 }
 
+std::filesystem::path report_page(const GoldenOptions& options) {
+  return options.out / "index.html";
+}
+
 std::filesystem::path write_report(const std::vector<JudgedScenario>& all, const GoldenOptions& options) {
-  std::filesystem::path page = options.out / "index.html";
+  std::filesystem::path page = report_page(options);
   write_whole_file(page, golden_report(all, golden_root()));
   return page;
+}
+
+/// Before the comparison, so that what cannot be written is told at once.
+void prepare_junit(const std::filesystem::path& file) {
+  if (file.has_parent_path()) make_folder(file.parent_path());
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error)) {
+    throw UsageError("golden test: --junit " + file.string() + " is a folder; name a file");
+  }
+  if (!error || error == std::errc::no_such_file_or_directory) return;
+  throw PictureFailure("cannot write " + file.string() + ": " + error.message() + "; " +
+                       cure_for_write_error(error.value()));
 }
 
 }  // namespace
@@ -164,16 +181,17 @@ std::filesystem::path write_report(const std::vector<JudgedScenario>& all, const
 int test_goldens(const GoldenOptions& options) {
   const NamedGoldens named = named_goldens(options.scenarios);
   const FolderLock lock(options.out);
-  // Before the comparison, so that what cannot be written is told at once.
-  if (options.junit.has_parent_path()) make_folder(options.junit.parent_path());
-  if (std::filesystem::is_directory(options.junit)) {
-    throw UsageError("golden test: --junit " + options.junit.string() + " is a folder; name a file");
-  }
+  if (!options.junit.empty()) prepare_junit(options.junit);
   const std::vector<JudgedScenario> all = judge_and_print(named, options);
   const int code = exit_code(counts(all));
   if (!options.junit.empty()) write_whole_file(options.junit, junit_report(all));
   if (std::getenv("GITHUB_ACTIONS") != nullptr) fmt::print(stderr, "{}", github_annotations(all));
-  if (code != kExitGood) fmt::print(stderr, "report: {}\n", write_report(all, options).string());
+  if (code != kExitGood) {
+    fmt::print(stderr, "report: {}\n", write_report(all, options).string());
+  } else {
+    std::error_code ignored;
+    std::filesystem::remove(report_page(options), ignored);  // of an earlier test, in which something had failed
+  }
   print_summary(all, golden_notes(named), options.json);
   return code;
 }

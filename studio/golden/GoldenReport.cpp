@@ -147,9 +147,10 @@ Json entry(const JudgedScenario& judged, std::size_t index, const std::filesyste
   const std::string& golden_driver = result.golden_driver.empty() ? result.driver : result.golden_driver;
   const GoldenDefinition definition = with_limits_between(judged.scenario.goldens[index], golden_driver, result.driver);
   const std::optional<Attribution>& attribution = judged.attributions[index];
-  // What is approved may be the very thing that cannot be read.
+  // What is approved may be the very thing that cannot be read; a video has approvals of its own.
   const bool is_broken = result.outcome == GoldenOutcome::kBroken;
-  const std::vector<GoldenApproval> approvals = is_broken ? std::vector<GoldenApproval>() : read_approvals(folder);
+  const std::vector<GoldenApproval> approvals =
+      is_broken || result.is_video ? std::vector<GoldenApproval>() : read_approvals(folder);
   const Image golden = result.is_video ? Image{} : approved_picture(result, approvals, folder);
   Json json = {{"scenario", result.scenario},
                {"title", judged.scenario.title},

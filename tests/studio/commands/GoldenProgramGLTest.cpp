@@ -17,6 +17,7 @@ TEST_F(ProgramGLTest, AGoldenIsMissingThenApprovedThenComparedThenFails) {
   const ProgramEnd twice = run({"golden", "test", "small", "scenes/small.yaml", "small@0.12s", "--json"});
   EXPECT_EQ(twice.exit_code, 0) << twice.messages;
   EXPECT_EQ(nlohmann::json::parse(twice.output)["counts"]["ok"], 2) << "once whole, and once of a moment";
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/golden/index.html")) << "it told what was missing before";
   write_bytes(
       folder_ / "scenes/small.yaml",
       small_scenario() + "lights: { key: 0.5 }\ngolden: [ { at: 120 ms, max: 8, mean: 0.2, why: rounding } ]\n");
@@ -145,6 +146,24 @@ TEST_F(ProgramGLTest, AScenarioThatCannotBeReadIsBrokenAndStopsNoOther) {
   const ProgramEnd nowhere = run({"golden", "test", "small", "--junit", "junit.xml/j.xml"});
   EXPECT_EQ(nowhere.exit_code, 4);
   EXPECT_EQ(nowhere.messages.find("ok: small"), std::string::npos) << "it is told at once";
+  const ProgramEnd unnamed = run({"golden", "test", "small", "--junit", std::string(300, 'j')});
+  EXPECT_EQ(unnamed.exit_code, 4);
+  EXPECT_NE(unnamed.messages.find(": cannot write jjj"), std::string::npos) << unnamed.messages;
+  EXPECT_EQ(unnamed.messages.find("ok: small"), std::string::npos) << "it is told at once";
+}
+
+TEST_F(ProgramGLTest, ADamagedApprovalOfAMomentLeavesReportAndSummaryOfTheVideo) {
+  write_bytes(folder_ / "scenes/small.yaml", small_scenario() +
+                                                 "golden:\n  - { at: 60 ms, max: 8, mean: 0.2, why: rounding }\n"
+                                                 "  - { video: 1, max: 8, mean: 0.2, why: rounding }\n");
+  expect_good({"golden", "approve", "small", "--why", "the first"});
+  write_bytes(folder_ / "golden_images/small/approval.json", "{");
+  const ProgramEnd end = run({"golden", "test", "--json"});
+  EXPECT_EQ(end.exit_code, 2);
+  EXPECT_NE(end.messages.find("1 ok, 0 failed, 0 result missing, 0 golden missing, 0 skipped, 1 broken"),
+            std::string::npos)
+      << end.messages;
+  EXPECT_NE(file_bytes(folder_ / "out/golden/index.html").find("approval.json: is damaged"), std::string::npos);
 }
 
 TEST_F(ProgramGLTest, AListGoesOnPastAnApprovalThatIsDamaged) {
