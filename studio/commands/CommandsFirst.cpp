@@ -5,6 +5,7 @@
 #include <set>
 
 #include "studio/commands/ExitCode.hpp"
+#include "studio/scenario/Wording.hpp"
 
 namespace thinwall {
 namespace {
@@ -19,11 +20,16 @@ void collect_options_with_value(const CLI::App& app, std::set<std::string>& name
   for (const CLI::App* command : app.get_subcommands(nullptr)) collect_options_with_value(*command, names);
 }
 
-/// The parser would only say that a command is missing.
-void refuse_unknown_command(const std::vector<std::string>& arguments) {
+/// The parser would only say that a command is missing. `before`: the command whose command is looked for, with a space
+/// behind it.
+void refuse_unknown_command(const CLI::App& level, const std::string& before,
+                            const std::vector<std::string>& arguments) {
+  std::vector<std::string> known;
+  for (const CLI::App* command : level.get_subcommands(nullptr)) known.push_back(command->get_name());
   for (const std::string& argument : arguments) {
     if (argument.empty() || argument[0] == '-') continue;
-    throw UsageError("there is no command `" + argument + "`; see thinwall --help");
+    throw UsageError("there is no command `" + before + argument + "`" + did_you_mean(argument, known) +
+                     "; see thinwall " + before + "--help");
   }
 }
 
@@ -53,7 +59,9 @@ std::vector<std::string> commands_first(const CLI::App& app, const std::vector<s
     rest.push_back(argument);
     if (with_value.count(argument) > 0 && i + 1 < arguments.size()) rest.push_back(arguments[++i]);
   }
-  if (first.empty()) refuse_unknown_command(rest);
+  if (!level->get_subcommands(nullptr).empty()) {
+    refuse_unknown_command(*level, first.empty() ? "" : first.back() + " ", rest);
+  }
   first.insert(first.end(), rest.begin(), rest.end());
   return first;
 }

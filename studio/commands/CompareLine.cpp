@@ -10,6 +10,7 @@
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/recorder/Interruption.hpp"
+#include "studio/scenario/Wording.hpp"
 
 namespace thinwall {
 namespace {
@@ -17,6 +18,28 @@ namespace {
 /// Every range holds "nan", as no comparison with it is true.
 std::string refuse_nan(const std::string& text) {
   return std::isnan(std::strtod(text.c_str(), nullptr)) ? text + " is no number" : "";
+}
+
+/// The options of the command that was called.
+std::vector<std::string> options_of_called(const CLI::App& app) {
+  const CLI::App* called = &app;
+  while (!called->get_subcommands().empty()) called = called->get_subcommands().front();
+  std::vector<std::string> names;
+  for (const CLI::Option* option : called->get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+  }
+  return names;
+}
+
+/// The first option that the command has not, by its name; the parser would name it last, behind what belongs to it.
+void refuse_unknown_option(const CLI::App& app, const std::vector<std::string>& remaining) {
+  for (const std::string& argument : remaining) {
+    if (!argument.starts_with("--")) continue;
+    const std::string name = argument.substr(0, argument.find('='));
+    throw UsageError("there is no option " + name + " here" + did_you_mean(name, options_of_called(app)) +
+                     "\nRun with --help for more.");
+  }
 }
 
 }  // namespace
@@ -67,6 +90,7 @@ std::optional<int> parse_arguments(CLI::App& app, std::vector<std::string> argum
     app.parse(arguments);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
+    refuse_unknown_option(app, app.remaining(true));
     throw UsageError(std::string(error.what()) + "\nRun with --help for more.");
   }
   return std::nullopt;

@@ -85,8 +85,13 @@ TEST_F(ProgramTest, AsksForLargePagesUnlessTheUserOrTheHapticLoopWantsOthers) {
 
 TEST_F(ProgramTest, BadUsageIsToldWithExitCode2) {
   expect_bad_usage({}, "subcommand is required");
-  expect_bad_usage({"walk"}, "there is no command `walk`");
-  expect_bad_usage({"run", "small.yaml", "--fast"}, "--fast");
+  expect_bad_usage({"walk"}, "there is no command `walk`; see thinwall --help");
+  expect_bad_usage({"chek", "small.yaml"}, "there is no command `chek`, did you mean `check`?");
+  expect_bad_usage({"golden", "tets"}, "there is no command `golden tets`, did you mean `test`?; see thinwall golden");
+  expect_bad_usage({"golden"}, "subcommand is required");
+  expect_bad_usage({"run", "small.yaml", "--fast"}, "there is no option --fast here");
+  expect_bad_usage({"run", "small.yaml", "--sett", "depth=3mm"}, "no option --sett here, did you mean `--set`?");
+  expect_bad_usage({"compare", "a.png", "b.png", "--maxx=3"}, "no option --maxx here, did you mean `--max`?");
   expect_bad_usage({"run"}, "SCENARIO is required");
   expect_bad_usage({"run", "small.yaml", "--device", "fridge"}, "--device fridge");
   expect_bad_usage({"render", "take.h5", "--size", "1280*720"}, "write WIDTHxHEIGHT in pixels");
