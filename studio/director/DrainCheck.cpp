@@ -13,6 +13,15 @@
 #include "studio/scenario/Wording.hpp"
 
 namespace thinwall {
+namespace {
+
+/// What a clip drains, in words.
+std::string holder(const FillClip& clip) {
+  const std::string body = "body " + in_backticks(clip.body);
+  return clip.chamber ? "chamber " + in_backticks(*clip.chamber) + " of " + body : body;
+}
+
+}  // namespace
 
 void refuse_overdrawn(std::span<const Clip> timeline, std::span<const ScheduledClip> clips,
                       const std::function<const Body&(const std::string& name)>& body_named) {
@@ -35,11 +44,11 @@ void refuse_overdrawn(std::span<const Clip> timeline, std::span<const ScheduledC
     if (!volume) continue;
     const double drained = -fill->clip.added;
     if (drained >= *volume) {
-      mistakes.push_back(
-          {timeline[k].location,
-           fmt::format("timeline[{}].drain: `by` = {:.4g} ml is not less than the {:.4g} ml that body {} "
-                       "holds when the clip begins; drain less, or fill in more before",
-                       k + 1, 1e6 * drained, 1e6 * *volume, in_backticks(body))});
+      mistakes.push_back({timeline[k].location,
+                          fmt::format("timeline[{}].drain: `by` = {:.4g} ml is not less than the {:.4g} ml that {} "
+                                      "holds when the clip begins; drain less, or fill in more before",
+                                      k + 1, 1e6 * drained, 1e6 * *volume,
+                                      shared ? "body " + in_backticks(body) : holder(fill->clip))});
       volume.reset();
       continue;
     }

@@ -117,7 +117,8 @@ std::vector<ExpectationResult> ExpectationCheck::results() const {
 std::string to_text(const ExpectationResult& result) {
   const Expectation& expectation = result.expectation;
   const MeasuredQuantity& measured = *find_expectation_quantity(expectation.quantity).measured;
-  const auto words = [&](double value) { return fmt::format("{:.6g} {}", value, si_unit(measured.dimension)); };
+  // In the unit that the dimension is written with in messages: millilitres are read, 7.2e-05 m^3 is not.
+  const auto words = [&](double value) { return format_like(value, dimension_example(measured.dimension)); };
   const std::string value = result.value ? "is " + words(*result.value) : "was not reached";
   return fmt::format("{}: {} of {} `{}` {}, expected from {} to {}", result.passed ? "met" : "FAILED",
                      expectation.quantity, subject_word(measured.subject), expectation.subject, value,

@@ -165,6 +165,8 @@ void check_loads(const BodyScenario& body, RegionMembers& regions) {
                             load.load.kind == LoadKind::kDeadTraction || load.load.kind == LoadKind::kDeadBodyForce;
     if (on_surface) {
       regions.triangles(load.load.region, path, load.location);
+    } else if (load.load.kind == LoadKind::kDeadLineForce || load.load.kind == LoadKind::kDeadMoment) {
+      regions.edges(load.load.region, path, load.location);
     } else {
       regions.vertices(load.load.region, path, load.location);
     }

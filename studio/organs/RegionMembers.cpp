@@ -23,6 +23,20 @@ std::vector<int> RegionMembers::vertices(const Region& region, const std::string
   return found;
 }
 
+void RegionMembers::edges(const Region& region, const std::string& path, const SourceLocation& location) {
+  const std::vector<int> found = vertices(region, path, location);
+  if (found.empty()) return;
+  std::vector<char> inside(mesh_.vertices.size(), 0);
+  for (const int vertex : found) inside[vertex] = 1;
+  const auto has_edge = [&](const Eigen::Vector3i& corners) {
+    return inside[corners[0]] + inside[corners[1]] + inside[corners[2]] >= 2;
+  };
+  if (std::ranges::any_of(mesh_.triangles, has_edge)) return;
+  errors_.push_back({location, fmt::format("{}: holds {} of the surface, but no edge with both ends; take a larger "
+                                           "region, or a `force`",
+                                           path, found.size() == 1 ? "a vertex" : "vertices")});
+}
+
 void RegionMembers::check_found(const std::vector<int>& found, const char* what, const Region& region,
                                 const std::string& path, const SourceLocation& location) {
   if (!found.empty()) return;

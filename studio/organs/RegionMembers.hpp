@@ -16,6 +16,8 @@ class RegionMembers {
 
   std::vector<int> triangles(const Region& region, const std::string& path, const SourceLocation& location);
   std::vector<int> vertices(const Region& region, const std::string& path, const SourceLocation& location);
+  /// Tells of a region that has vertices, but not both ends of any edge.
+  void edges(const Region& region, const std::string& path, const SourceLocation& location);
 
   const SurfaceMesh& mesh() const { return mesh_; }
   std::vector<Diagnostic>& errors() { return errors_; }

@@ -169,7 +169,7 @@ ValueSchema contents_value() {
                                false, "2 MPa", "pressure per relative loss of volume"};
   MappingSchema contents{.name = "contents", .documentation = "The fluid that wall and caps enclose."};
   const KeySchema chambers{"chambers", named_value(chamber()), false, "{}",
-                           "names of closed parts of the surface; every other closed part is a chamber without a name"};
+                           "the closed parts of the surface by name; needed for each where there are several"};
   const KeySchema orifices{"orifices", list_value(mapping_value({orifice()})), false, "[]", "holes between chambers"};
   const KeySchema leaks{"leaks", boolean_value(), false, "true",
                         "whether fluid flows out where the wall is open and air in where it sucks; `false` for a gel, "

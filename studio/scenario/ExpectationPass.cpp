@@ -77,6 +77,10 @@ class ExpectationChecker {
     diagnostics_.error(value.location, key.empty() ? path_ : member_path(path_, std::string(key)), message);
   }
 
+  void warning(const CheckedValue& value, std::string_view key, const std::string& message) {
+    diagnostics_.warning(value.location, member_path(path_, std::string(key)), message);
+  }
+
   void check_subject(CheckedValue& root) {
     const std::string own(subject_word(quantity_.measured->subject));
     for (const ExpectationSubject subject : kSubjects) {
@@ -154,6 +158,12 @@ class ExpectationChecker {
     } else if (is_right && expected.number == 0 && tolerance->number != 0) {
       error(*tolerance, "tolerance", "a part of 0 is nothing; write it in the unit of the quantity");
     } else {
+      if (tolerance->number > 1) {
+        warning(*tolerance, "tolerance",
+                "is " + format_like(tolerance->number, "1") +
+                    " times `value`, so that its sign does not matter; a part "
+                    "is written like `5 %` or 0.05, a difference in the unit of the quantity");
+      }
       tolerance->number *= std::abs(expected.number);
       tolerance->dimension = quantity_.measured->dimension;
     }

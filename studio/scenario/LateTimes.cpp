@@ -10,10 +10,14 @@ class LateTimes {
   /// The last step may end a step later than the clips.
   LateTimes(double end, double step) : end_(end), latest_(end + step) {}
 
-  void see(double time, const std::string& path, std::size_t index, const char* key, const char* consequence) {
+  void see(double time, const std::string& path, const char* consequence) {
     if (time <= latest_) return;
-    notes_.push_back(fmt::format("{}[{}].{}: {:.6g} s is after the end of the run, which is planned for {:.4g} s; {}",
-                                 path, index + 1, key, time, end_, consequence));
+    notes_.push_back(fmt::format("{}: {:.6g} s is after the end of the run, which is planned for {:.4g} s; {}", path,
+                                 time, end_, consequence));
+  }
+
+  void see(double time, const std::string& path, std::size_t index, const char* key, const char* consequence) {
+    see(time, fmt::format("{}[{}].{}", path, index + 1, key), consequence);
   }
 
   template <typename Annotations>
@@ -47,6 +51,18 @@ void see_teaching(LateTimes& late, const Scenario& scenario) {
   }
 }
 
+/// Only of the last time: a load that goes on to change is told of once.
+void see_loads(LateTimes& late, const Scenario& scenario) {
+  for (const BodyScenario& body : scenario.bodies) {
+    for (std::size_t i = 0; i < body.loads.size(); ++i) {
+      const auto& over = body.loads[i].over;
+      if (over.empty()) continue;
+      late.see(over.back().first, fmt::format("bodies.{}.loads[{}].over[{}]", body.name, i + 1, over.size()),
+               "the load does not get there");
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> late_times(const Scenario& scenario, double end) {
@@ -54,6 +70,7 @@ std::vector<std::string> late_times(const Scenario& scenario, double end) {
   for (std::size_t i = 0; i < scenario.view.cuts.size(); ++i) {
     late.see(scenario.view.cuts[i].time, "cuts", i, "at", "it is never shown");
   }
+  see_loads(late, scenario);
   see_teaching(late, scenario);
   for (std::size_t i = 0; i < scenario.goldens.size(); ++i) {
     late.see(scenario.goldens[i].at, "golden", i, "at", "there is no picture of it");

@@ -125,10 +125,16 @@ class ReferenceChecker {
     const CheckedValue* body = clip.value.find("body");
     const CheckedValue* chamber = clip.value.find("chamber");
     const CheckedValue* bodies = root_.find("bodies");
-    if (body == nullptr || chamber == nullptr || bodies == nullptr) return;
+    if (body == nullptr || bodies == nullptr) return;
     const CheckedValue* named = bodies->find(body->text);
     const CheckedValue* contents = named == nullptr ? nullptr : named->find("contents");
     if (contents == nullptr) return;
+    if (chamber == nullptr) {
+      const std::vector<std::string> names = names_in(*contents, "chambers");
+      if (names.size() < 2 || clip.value.has_wrong("chamber")) return;
+      diagnostics_.error(clip.location, path, "`chamber` is missing; there is " + list_in_backticks(names));
+      return;
+    }
     check_name({chamber->text, chamber->location}, "chamber", names_in(*contents, "chambers"),
                member_path(path, "chamber"), diagnostics_);
   }

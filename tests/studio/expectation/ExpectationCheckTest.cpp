@@ -55,6 +55,10 @@ TEST(ExpectationCheck, PassesAtItsBoundsAndFailsBeyondThem) {
   EXPECT_FALSE(checked(expectation).results()[0].passed);
   EXPECT_EQ(to_text(checked(expectation).results()[0]),
             "FAILED: peak_force of tool `probe` is 3 N, expected from 1 N to 2.99 N");
+  EXPECT_EQ(to_text({.expectation = {.quantity = "final_volume", .subject = "ball", .lowest = 6e-5, .highest = 7e-5},
+                     .value = 7.15e-5,
+                     .passed = false}),
+            "FAILED: final_volume of body `ball` is 71.5 ml, expected from 60 ml to 70 ml");
   expectation = {.quantity = "force", .subject = "probe", .at = 5, .lowest = -1, .highest = 9};
   EXPECT_FALSE(checked(expectation).results()[0].passed) << "what was not reached was not met";
 }

@@ -53,6 +53,19 @@ TEST(BodyBuilder, AShapeIsToldWithItsSizeAndDoubtedWhereNoOrganIsSoLarge) {
   EXPECT_EQ(notes_of(25e-6).size(), 2U);
 }
 
+TEST(BodyBuilder, ALoadOnEdgesNeedsBothEndsOfOne) {
+  BodyScenario scenario = hemisphere();
+  scenario.loads.resize(1);
+  scenario.loads[0].load.kind = LoadKind::kDeadLineForce;
+  scenario.loads[0].load.region = SphereRegion{.center = {0, 0, 0.02}, .radius = 1e-3};
+  EXPECT_NE(
+      refusal_of(scenario).find("bodies.organ.loads[1].region: holds a vertex of the surface, but no edge with both"),
+      std::string::npos)
+      << refusal_of(scenario);
+  scenario.loads[0].load.region = GroupRegion{"base"};
+  EXPECT_EQ(refusal_of(scenario), "accepted");
+}
+
 TEST(BodyBuilder, WallAndFluidAreHandedOn) {
   BodyScenario scenario = hemisphere();
   scenario.density = 1100;

@@ -16,6 +16,9 @@ Scenario with_times(double time) {
   scenario.teaching.freezes = {{.at = time}};
   scenario.teaching.slow_motions = {{.begin = time, .end = time + 1}};
   scenario.goldens = {{.at = time}};
+  scenario.bodies.resize(1);
+  scenario.bodies[0].name = "organ";
+  scenario.bodies[0].loads = {{}, {.over = {{0, 0}, {time, 1}}}};
   scenario.expectations = {{.at = time}, {.from = time}, {.until = time}, {}};
   return scenario;
 }
@@ -25,7 +28,9 @@ TEST(LateTimes, EachTimeAfterTheEndIsToldWithItsPath) {
   const std::string after = ": 50 s is after the end of the run, which is planned for 1.8 s; ";
   EXPECT_EQ(notes,
             (std::vector<std::string>{
-                "cuts[1].at" + after + "it is never shown", "teaching.labels[2].from" + after + "it is never shown",
+                "cuts[1].at" + after + "it is never shown",
+                "bodies.organ.loads[2].over[2]" + after + "the load does not get there",
+                "teaching.labels[2].from" + after + "it is never shown",
                 "teaching.arrows[1].from" + after + "it is never shown",
                 "teaching.force_arrows[1].from" + after + "it is never shown",
                 "teaching.highlights[1].from" + after + "it is never shown",

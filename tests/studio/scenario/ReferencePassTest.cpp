@@ -55,6 +55,25 @@ TEST(ReferencePass, AToolThatNoClipUsesIsAWarning) {
   EXPECT_EQ(short_texts(diagnostics.warnings), Texts{"2:34: tools.edge: no clip uses this tool"});
 }
 
+TEST(ReferencePass, AFillingOfABodyWithSeveralChambersNamesOne) {
+  const auto errors_with = [](const std::string& chambers, const std::string& clip) {
+    const std::string text =
+        "thinwall: 1\nbodies: { a: { surface: { shape: sphere }, wall: { thickness: 1 mm, material: { law: "
+        "neo_hookean, "
+        "shear_modulus: 1 kPa } },\n  contents: { chambers: { " +
+        chambers + " } } } }\ntimeline: [ " + clip + " ]\n";
+    Diagnostics diagnostics;
+    CheckedValue root = unit_pass(parse_text(text, diagnostics), scenario_schema(), diagnostics);
+    reference_pass(root, diagnostics);
+    return short_texts(diagnostics.errors);
+  };
+  const std::string two = "left: { at: [0, 0, 0] }, right: { at: [1 mm, 0, 0] }";
+  EXPECT_EQ(errors_with(two, "inflate: { by: 2 ml }"),
+            Texts{"4:13: timeline[1].inflate: `chamber` is missing; there is `left`, `right`"});
+  EXPECT_EQ(errors_with(two, "inflate: { by: 2 ml, chamber: right }"), Texts{});
+  EXPECT_EQ(errors_with("left: { at: [0, 0, 0] }", "inflate: { by: 2 ml }"), Texts{});
+}
+
 TEST(ReferencePass, WhatIsWrongAlreadyIsNotToldAgain) {
   EXPECT_EQ(errors_of("timeline: [ palpate: { tool: [], depth: 1 mm } ]\n"), Texts{});
 }
