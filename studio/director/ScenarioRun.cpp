@@ -321,6 +321,7 @@ struct ScenarioRun::Implementation {
     }
     for (std::size_t k = 0; k < bodies.size(); ++k) {
       record.bodies.push_back(body_record(*bodies[k]));
+      std::ranges::copy(chamber_records(*bodies[k]), std::back_inserter(record.chambers));
       integrator_energy.note(*bodies[k], time());
       snapshot.surfaces.push_back(snapshot_surface(*bodies[k], topologies[k]));
       add_scalars(*bodies[k], snapshot.scalars);

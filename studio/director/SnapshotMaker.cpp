@@ -183,4 +183,21 @@ BodyRecord body_record(const Body& body) {
   return record;
 }
 
+std::vector<ChamberRecord> chamber_records(const Body& body) {
+  const BodyState& state = body.state();
+  std::vector<ChamberRecord> records;
+  for (std::size_t k = 0; k < body.model().chambers.size(); ++k) {
+    const std::string& name = body.model().chambers[k].name;
+    if (name.empty()) continue;
+    const auto c = static_cast<Eigen::Index>(k);
+    records.push_back({.body = body.model().definition.name,
+                       .chamber = name,
+                       .volume = state.volume[c],
+                       .fluid_volume = state.fluid_volume[c],
+                       .leaked = state.leaked[c],
+                       .pressure = pressure_of(state, c)});
+  }
+  return records;
+}
+
 }  // namespace thinwall

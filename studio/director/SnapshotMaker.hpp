@@ -40,4 +40,7 @@ ToolRecord tool_record(const std::string& name, const DirectedTool& tool,
 /// A row of body.csv.
 BodyRecord body_record(const Body& body);
 
+/// The rows of chambers.csv of a body: of its chambers that have a name.
+std::vector<ChamberRecord> chamber_records(const Body& body);
+
 }  // namespace thinwall

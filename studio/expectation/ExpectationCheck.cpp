@@ -11,7 +11,20 @@
 namespace thinwall {
 namespace {
 
+/// What a body would be that had this chamber alone.
+BodyRecord as_body(const ChamberRecord& chamber) {
+  BodyRecord body;
+  body.volume = chamber.volume;
+  body.fluid_volume = chamber.fluid_volume;
+  body.pressure = chamber.pressure;
+  return body;
+}
+
 double measure(const Expectation& expectation, const MeasuredQuantity& quantity, const StepRecord& record) {
+  for (const ChamberRecord& chamber : record.chambers) {
+    const bool is_meant = chamber.body == expectation.subject && chamber.chamber == expectation.chamber;
+    if (is_meant && quantity.is_of_chambers) return quantity.of_body(as_body(chamber));
+  }
   for (const ToolRecord& tool : record.tools) {
     if (quantity.of_tool != nullptr && tool.tool == expectation.subject) return quantity.of_tool(tool);
   }
@@ -120,8 +133,9 @@ std::string to_text(const ExpectationResult& result) {
   // In the unit that the dimension is written with in messages: millilitres are read, 7.2e-05 m^3 is not.
   const auto words = [&](double value) { return format_like(value, dimension_example(measured.dimension)); };
   const std::string value = result.value ? "is " + words(*result.value) : "was not reached";
-  return fmt::format("{}: {} of {} `{}` {}, expected from {} to {}", result.passed ? "met" : "FAILED",
-                     expectation.quantity, subject_word(measured.subject), expectation.subject, value,
+  const std::string chamber = expectation.chamber.empty() ? "" : "chamber `" + expectation.chamber + "` of ";
+  return fmt::format("{}: {} of {}{} `{}` {}, expected from {} to {}", result.passed ? "met" : "FAILED",
+                     expectation.quantity, chamber, subject_word(measured.subject), expectation.subject, value,
                      words(expectation.lowest), words(expectation.highest));
 }
 

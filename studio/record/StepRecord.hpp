@@ -53,12 +53,23 @@ struct PointRecord {
   Eigen::Vector3d displacement() const { return position - stress_free; }  // metres
 };
 
+/// A row of chambers.csv.
+struct ChamberRecord {
+  std::string body;
+  std::string chamber;
+  double volume = 0;        // metres^3
+  double fluid_volume = 0;  // metres^3
+  double leaked = 0;        // metres^3
+  double pressure = 0;      // pascal
+};
+
 /// What a step leaves in the records.
 struct StepRecord {
-  double time = 0;                       // seconds
-  std::vector<ToolRecord> tools;         // in the order of the scenario
-  std::vector<BodyRecord> bodies;        // in the order of the scenario
-  std::vector<PointRecord> points = {};  // in the order of the scenario; not kept in a take
+  double time = 0;                           // seconds
+  std::vector<ToolRecord> tools;             // in the order of the scenario
+  std::vector<BodyRecord> bodies;            // in the order of the scenario
+  std::vector<PointRecord> points = {};      // in the order of the scenario; not kept in a take
+  std::vector<ChamberRecord> chambers = {};  // those with a name, by bodies; not kept in a take
 };
 
 }  // namespace thinwall

@@ -86,9 +86,9 @@ Json seed_part(const ViewDefinition& view) {
 }
 
 Json file_part(const std::filesystem::path& folder) {
-  constexpr std::array kNames = {"forces.csv",   "body.csv",   "points.csv",        "take.h5",    "video.mp4",
-                                 "captions.vtt", "poster.png", "contact_sheet.png", "forces.png", "energies.png",
-                                 "frames",       "surfaces",   "ground_truth",      "second_take"};
+  constexpr std::array kNames = {"forces.csv",   "body.csv",     "points.csv", "chambers.csv",      "take.h5",
+                                 "video.mp4",    "captions.vtt", "poster.png", "contact_sheet.png", "forces.png",
+                                 "energies.png", "frames",       "surfaces",   "ground_truth",      "second_take"};
   Json files = Json::array();
   for (const char* name : kNames) {
     if (std::filesystem::exists(folder / name)) files.push_back(name);
@@ -118,6 +118,7 @@ Json expectation_part(const std::vector<ExpectationResult>& results) {
     const MeasuredQuantity& measured = *find_expectation_quantity(expectation.quantity).measured;
     Json row = {{"quantity", expectation.quantity}};
     row[std::string(subject_word(measured.subject))] = expectation.subject;
+    if (!expectation.chamber.empty()) row["chamber"] = expectation.chamber;
     if (expectation.at) row["at_s"] = *expectation.at;
     if (expectation.from) row["from_s"] = *expectation.from;
     if (expectation.until) row["until_s"] = *expectation.until;

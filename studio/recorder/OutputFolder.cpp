@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array kResultFiles = {"forces.csv",   "body.csv",   "take.h5",           "video.mp4",
                                      "captions.vtt", "poster.png", "contact_sheet.png", "forces.png",
-                                     "energies.png", "points.csv", "manifest.json"};
+                                     "energies.png", "points.csv", "chambers.csv",      "manifest.json"};
 
 /// What a killed recording may leave of its video besides.
 constexpr std::array kPartsOfVideo = {"video.unfinished.recording.mp4", "video.unfinished.captions.vtt",

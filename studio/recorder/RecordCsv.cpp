@@ -59,6 +59,10 @@ std::string points_csv_header() {
   return "time_s,body,point,x_m,y_m,z_m,ux_m,uy_m,uz_m";
 }
 
+std::string chambers_csv_header() {
+  return "time_s,body,chamber,volume_m3,fluid_volume_m3,leaked_m3,pressure_Pa";
+}
+
 std::string forces_csv_rows(const StepRecord& record) {
   std::string rows;
   for (ToolRecord tool : record.tools) {
@@ -97,8 +101,35 @@ std::string points_csv_rows(const StepRecord& record) {
   return rows;
 }
 
+std::string chambers_csv_rows(const StepRecord& record) {
+  std::string rows;
+  for (const ChamberRecord& chamber : record.chambers) {
+    rows += shortest(record.time) + ',' + field(chamber.body) + ',' + field(chamber.chamber);
+    const auto add = [&](std::string_view column, double value) {
+      append_number(rows, column, value, chamber.chamber, record.time);
+    };
+    add("volume_m3", chamber.volume);
+    add("fluid_volume_m3", chamber.fluid_volume);
+    add("leaked_m3", chamber.leaked);
+    add("pressure_Pa", chamber.pressure);
+    rows += '\n';
+  }
+  return rows;
+}
+
+void RecordCsv::Table::write(const std::string& rows) {
+  if (!rows.empty() && !text) {
+    text.emplace(file);
+    text->write(header + '\n');
+  }
+  if (text) text->write(rows);
+}
+
 RecordCsv::RecordCsv(const std::filesystem::path& folder)
-    : forces_(folder / "forces.csv"), body_(folder / "body.csv"), points_file_(folder / "points.csv") {
+    : forces_(folder / "forces.csv"),
+      body_(folder / "body.csv"),
+      points_{folder / "points.csv", points_csv_header()},
+      chambers_{folder / "chambers.csv", chambers_csv_header()} {
   forces_.write(forces_csv_header() + '\n');
   body_.write(body_csv_header() + '\n');
 }
@@ -108,11 +139,9 @@ void RecordCsv::write(const StepRecord& record) {
   const std::string forces_rows = forces_csv_rows(record);
   const std::string body_rows = body_csv_rows(record);
   const std::string points_rows = points_csv_rows(record);
-  if (!points_rows.empty() && !points_) {
-    points_.emplace(points_file_);
-    points_->write(points_csv_header() + '\n');
-  }
-  if (points_) points_->write(points_rows);
+  const std::string chambers_rows = chambers_csv_rows(record);
+  points_.write(points_rows);
+  chambers_.write(chambers_rows);
   forces_.write(forces_rows);
   body_.write(body_rows);
 }
@@ -120,7 +149,9 @@ void RecordCsv::write(const StepRecord& record) {
 void RecordCsv::finish() {
   forces_.finish();
   body_.finish();
-  if (points_) points_->finish();
+  for (Table* table : {&points_, &chambers_}) {
+    if (table->text) table->text->finish();
+  }
 }
 
 }  // namespace thinwall

@@ -68,6 +68,7 @@ class ExpectationChecker {
     word_ = word->text;
     quantity_ = find_expectation_quantity(word_);
     check_subject(root);
+    check_chamber(root);
     check_times(end);
     check_bounds();
   }
@@ -93,6 +94,20 @@ class ExpectationChecker {
     if (quantity_.measured->subject == ExpectationSubject::kTool) section = root.find("tools");
     if (quantity_.measured->subject == ExpectationSubject::kBody) section = root.find("bodies");
     NameChecker(value_, path_, diagnostics_).resolve(own, names_of(section));
+  }
+
+  void check_chamber(CheckedValue& root) {
+    const CheckedValue *chamber = value_.find("chamber"), *body = value_.find("body");
+    if (chamber == nullptr) return;
+    if (!quantity_.measured->is_of_chambers) {
+      error(*chamber, "chamber", in_backticks(word_) + " is measured of no chamber; leave it out");
+      return;
+    }
+    const CheckedValue* bodies = root.find("bodies");
+    const CheckedValue* named = bodies == nullptr || body == nullptr ? nullptr : bodies->find(body->text);
+    const CheckedValue* contents = named == nullptr ? nullptr : named->find("contents");
+    if (contents == nullptr) return;
+    NameChecker(value_, path_, diagnostics_).resolve("chamber", names_of(contents->find("chambers")));
   }
 
   void check_times(std::optional<double> end) {

@@ -17,6 +17,10 @@ constexpr MeasuredQuantity of_body(std::string_view name, const Dimension& dimen
                                    std::string_view documentation) {
   return {name, ExpectationSubject::kBody, dimension, nullptr, value, nullptr, documentation};
 }
+constexpr MeasuredQuantity of_chamber(std::string_view name, const Dimension& dimension, double (*value)(const Body&),
+                                      std::string_view documentation) {
+  return {name, ExpectationSubject::kBody, dimension, nullptr, value, nullptr, documentation, true};
+}
 constexpr MeasuredQuantity of_point(std::string_view name, double (*value)(const Point&),
                                     std::string_view documentation) {
   return {name, ExpectationSubject::kPoint, kLength, nullptr, nullptr, value, documentation};
@@ -35,11 +39,12 @@ constexpr std::array kMeasured = {
         "depth", kLength, [](const Tool& tool) { return tool.depth; }, "travel since first contact"),
     of_tool(
         "contact_area", kArea, [](const Tool& tool) { return tool.contact_area; }, "area that touches the tool"),
-    of_body(
-        "pressure", kPressure, [](const Body& body) { return body.pressure; }, "pressure in the first chamber"),
-    of_body(
+    of_chamber(
+        "pressure", kPressure, [](const Body& body) { return body.pressure; },
+        "at its level; of the first chamber where none is named"),
+    of_chamber(
         "volume", kVolume, [](const Body& body) { return body.volume; }, "volume within the wall"),
-    of_body(
+    of_chamber(
         "fluid_volume", kVolume, [](const Body& body) { return body.fluid_volume; }, "volume of the fluid"),
     of_body(
         "elastic_energy", kEnergy, [](const Body& body) { return body.elastic; }, "stored in the wall"),

@@ -22,6 +22,7 @@ struct MeasuredQuantity {
   double (*of_body)(const BodyRecord&);
   double (*of_point)(const PointRecord&);
   std::string_view documentation;
+  bool is_of_chambers = false;  // a body's quantity that its chambers have each for itself
 };
 
 /// What is made of the numbers of many steps.

@@ -37,6 +37,7 @@ ValueSchema expectations_schema() {
       {"quantity", word_value(expectation_words()), true, {}, "what is measured, and what is made of it over time"},
       {"tool", name_value(), false, {}, "whose quantity it is; may be left out when there is one only"},
       {"body", name_value(), false, {}, "whose quantity it is; may be left out when there is one only"},
+      {"chamber", name_value(), false, {}, "of the body: whose pressure, volume or fluid volume it is"},
       {"point", name_value(), false, {}, "the name in `record.points`; may be left out when there is one only"},
       {"at", time, false, {}, "the time of a quantity without prefix, between steps on the straight line between them"},
       {"from",

@@ -178,6 +178,7 @@ struct RecordedPoint {
 struct Expectation {
   std::string quantity = {};         // a word of expectation_words()
   std::string subject = {};          // the name of the tool, body or point
+  std::string chamber = {};          // of the body; "" for the body itself
   std::optional<double> at = {};     // seconds
   std::optional<double> from = {};   // seconds
   std::optional<double> until = {};  // seconds

@@ -250,6 +250,7 @@ Expectation to_expectation(const CheckedValue& value) {
   Expectation expectation{.quantity = value.at("quantity").text, .location = value.location};
   const ExpectationQuantity quantity = find_expectation_quantity(expectation.quantity);
   expectation.subject = value.at(subject_word(quantity.measured->subject)).text;
+  if (const CheckedValue* chamber = value.find("chamber")) expectation.chamber = chamber->text;
   expectation.at = find_number(value, "at");
   expectation.from = find_number(value, "from");
   expectation.until = find_number(value, "until");

@@ -34,6 +34,24 @@ TEST_F(ProgramTest, AFolderThatCannotBeWrittenEndsWith4) {
   EXPECT_NE(end.messages.find("cannot make the folder file/out"), std::string::npos) << end.messages;
 }
 
+TEST_F(ProgramTest, NamedChambersAreRecordedInAFileOfTheirOwn) {
+  std::string scenario =
+      small_scenario() + "expect: [ { quantity: final_pressure, chamber: bladder, within: [0, 9 kPa] } ]\n";
+  scenario.insert(scenario.find("    fixed:"),
+                  "    contents: { pressure: 500 Pa, chambers: { bladder: { at: [0, 0, 5 mm] } } }\n");
+  write_bytes(folder_ / "chambers.yaml", scenario);
+  const ProgramEnd end = run({"run", "chambers.yaml", "--no-render", "--out", "out"});
+  ASSERT_EQ(end.exit_code, 0) << end.messages;
+  EXPECT_NE(end.messages.find("met: final_pressure of chamber `bladder` of body `organ`"), std::string::npos);
+  const std::string rows = file_bytes(folder_ / "out" / "chambers.csv");
+  EXPECT_TRUE(rows.starts_with("time_s,body,chamber,volume_m3,fluid_volume_m3,leaked_m3,pressure_Pa\n0,organ,bladder,"))
+      << rows;
+  EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), manifest("out").at("steps").get<long>() + 1);
+  EXPECT_NE(rows.find(",0,500\n"), std::string::npos) << rows;
+  run({"run", "small.yaml", "--no-render", "--out", "out"});
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out" / "chambers.csv")) << "it would be of another run";
+}
+
 TEST_F(ProgramTest, WhatIsKnownOfABodyIsToldAlsoWhereItFindsNoEquilibrium) {
   std::string scenario = small_scenario();
   const auto set = [&](const std::string& before, const std::string& after) {

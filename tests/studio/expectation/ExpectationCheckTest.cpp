@@ -27,6 +27,26 @@ std::optional<double> value_of(Expectation expectation) {
   return checked(expectation).results().at(0).value;
 }
 
+TEST(ExpectationCheck, AChamberHasItsOwnPressureAndVolumes) {
+  const StepRecord record{.time = 0,
+                          .tools = {},
+                          .bodies = {{.body = "gland", .volume = 9e-6, .pressure = 100}},
+                          .points = {},
+                          .chambers = {{.body = "gland", .chamber = "left", .pressure = 100},
+                                       {.body = "gland", .chamber = "right", .volume = 4e-6, .pressure = 300}}};
+  const auto text_of = [&](const std::string& quantity, const std::string& chamber, double bound) {
+    ExpectationCheck check({{.quantity = quantity, .subject = "gland", .chamber = chamber, .highest = bound}});
+    check.add(record);
+    return to_text(check.results()[0]);
+  };
+  EXPECT_EQ(text_of("final_pressure", "right", 400),
+            "met: final_pressure of chamber `right` of body `gland` is 0.3 kPa, expected from 0 kPa to 0.4 kPa");
+  EXPECT_EQ(text_of("final_volume", "right", 1e-6),
+            "FAILED: final_volume of chamber `right` of body `gland` is 4 ml, expected from 0 ml to 1 ml");
+  EXPECT_EQ(text_of("final_volume", "", 1e-5),
+            "met: final_volume of body `gland` is 9 ml, expected from 0 ml to 10 ml");
+}
+
 TEST(ExpectationCheck, AMomentLiesOnTheLineBetweenSteps) {
   EXPECT_EQ(value_of({.quantity = "force_x", .at = 1}), 3);
   EXPECT_EQ(value_of({.quantity = "force_x", .at = 1.25}), 2);

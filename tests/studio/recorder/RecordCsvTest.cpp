@@ -56,6 +56,14 @@ TEST(RecordCsvTest, EachMemberHasItsOwnColumn) {
             "0,b,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,99,21\n");
 }
 
+TEST(RecordCsvTest, AChamberHasARowWithTheColumnsOfItsHeader) {
+  EXPECT_EQ(chambers_csv_header(), "time_s,body,chamber,volume_m3,fluid_volume_m3,leaked_m3,pressure_Pa");
+  const ChamberRecord left{
+      .body = "gland", .chamber = "left", .volume = 1, .fluid_volume = 2, .leaked = 3, .pressure = 4};
+  EXPECT_EQ(chambers_csv_rows({.time = 0.5, .tools = {}, .bodies = {}, .points = {}, .chambers = {left}}),
+            "0.5,gland,left,1,2,3,4\n");
+}
+
 TEST(RecordCsvTest, NumbersReadBackToTheSameBits) {
   StepRecord record = example();
   for (const double value : {0.1 + 0.2, 1e22, 5e-324, 123456789.123456789, std::nextafter(1.0, 2.0)}) {

@@ -13,8 +13,28 @@ Diagnostics diagnostics_of(const std::string& expectation) {
   CheckedValue root = checked_scenario("expect: [ " + expectation + " ]\n");
   Diagnostics diagnostics;
   expectation_pass(root, diagnostics);
-  EXPECT_EQ(short_texts(diagnostics.errors), Texts{});
   return diagnostics;
+}
+
+TEST(ExpectationPass, AChamberIsOneOfTheBodyAndHasPressureAndVolumesOnly) {
+  const auto errors_of = [](const std::string& expectation) {
+    const std::string text =
+        "thinwall: 1\nbodies: { a: { surface: { shape: sphere }, wall: { thickness: 1 mm, material: { law: "
+        "neo_hookean, "
+        "shear_modulus: 1 kPa } },\n  contents: { chambers: { left: { at: [0, 0, 0] }, right: { at: [1 mm, 0, 0] } } } "
+        "} "
+        "}\nexpect: [ " +
+        expectation + " ]\n";
+    Diagnostics diagnostics;
+    CheckedValue root = unit_pass(parse_text(text, diagnostics), scenario_schema(), diagnostics);
+    expectation_pass(root, diagnostics);
+    return short_texts(diagnostics.errors);
+  };
+  EXPECT_EQ(errors_of("{ quantity: final_pressure, chamber: right, within: [0, 1 kPa] }"), Texts{});
+  EXPECT_EQ(errors_of("{ quantity: final_pressure, chamber: rigth, within: [0, 1 kPa] }"),
+            Texts{"4:48: expect[1].chamber: there is no chamber `rigth`, did you mean `right`?"});
+  EXPECT_EQ(errors_of("{ quantity: final_elastic_energy, chamber: right, within: [0, 1 J] }"),
+            Texts{"4:54: expect[1].chamber: `final_elastic_energy` is measured of no chamber; leave it out"});
 }
 
 TEST(ExpectationPass, APartOfTheValueThatIsLargerThanTheValueIsToldOf) {
