@@ -145,9 +145,43 @@ std::string suggest_symbol(std::string_view symbol) {
   return did_you_mean(symbol, common);
 }
 
+/// Units that people write in words, or of other systems, and what stands for them.
+struct UnitAdvice {
+  std::string_view written;
+  std::string_view advice;
+};
+constexpr std::array kUnitAdvice = {
+    UnitAdvice{"inch", "25.4 mm for each inch"},
+    UnitAdvice{"inches", "25.4 mm for each inch"},
+    UnitAdvice{"in", "25.4 mm for each inch"},
+    UnitAdvice{"millimeter", "`mm`"},
+    UnitAdvice{"millimetre", "`mm`"},
+    UnitAdvice{"millimeters", "`mm`"},
+    UnitAdvice{"millimetres", "`mm`"},
+    UnitAdvice{"micron", "`um`"},
+    UnitAdvice{"microns", "`um`"},
+    UnitAdvice{"sec", "`s`"},
+    UnitAdvice{"second", "`s`"},
+    UnitAdvice{"seconds", "`s`"},
+    UnitAdvice{"msec", "`ms`"},
+    UnitAdvice{"usec", "`us`"},
+    UnitAdvice{"degree", "`deg`"},
+    UnitAdvice{"degrees", "`deg`"},
+    UnitAdvice{"cc", "`ml`"},
+    UnitAdvice{"psi", "6.895 kPa for each psi"},
+    UnitAdvice{"atm", "101.325 kPa for each atm"},
+    UnitAdvice{"hPa", "0.1 kPa for each hPa"},
+    UnitAdvice{"Torr", "`mmHg`"},
+    UnitAdvice{"torr", "`mmHg`"},
+    UnitAdvice{"kgf", "9.80665 N for each kgf"},
+    UnitAdvice{"gf", "9.80665 mN for each gf"},
+    UnitAdvice{"dyn", "0.01 mN for each dyn"},
+};
+
 [[noreturn]] void refuse_unit(std::string_view symbol) {
-  if (symbol == "inch" || symbol == "inches" || symbol == "in") {
-    throw QuantityError("unknown unit " + in_backticks(symbol) + ", write 25.4 mm for each inch");
+  const auto row = std::ranges::find(kUnitAdvice, symbol, &UnitAdvice::written);
+  if (row != kUnitAdvice.end()) {
+    throw QuantityError("unknown unit " + in_backticks(symbol) + ", write " + std::string(row->advice));
   }
   throw QuantityError("unknown unit " + in_backticks(symbol) + suggest_symbol(symbol));
 }

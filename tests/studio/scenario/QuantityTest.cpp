@@ -66,6 +66,9 @@ TEST(Quantity, WhatIsNoQuantityIsRefusedWithTheReason) {
   EXPECT_EQ(reason("5 mmm"), "unknown unit `mmm`, did you mean `mm`?");
   EXPECT_EQ(reason("1 inch"), "unknown unit `inch`, write 25.4 mm for each inch");
   EXPECT_EQ(reason("5 parsec"), "unknown unit `parsec`");
+  EXPECT_EQ(reason("20 mm/sec"), "unknown unit `sec`, write `s`");
+  EXPECT_EQ(reason("5 millimeter"), "unknown unit `millimeter`, write `mm`");
+  EXPECT_EQ(reason("5 psi"), "unknown unit `psi`, write 6.895 kPa for each psi");
   EXPECT_EQ(reason("5 kdeg"), "unknown unit `kdeg`, did you mean `deg`?");
   EXPECT_EQ(reason("0x10 m"), "unknown unit `x10 m`");
   EXPECT_EQ(reason("1.2.3"), "unknown unit `.3`");
