@@ -26,8 +26,11 @@ namespace {
 /// take long, and a wrong unit shows by it.
 class WatchedSource final : public MomentSource {
  public:
-  WatchedSource(std::unique_ptr<MomentSource> source, const Scenario& scenario)
-      : source_(std::move(source)), scenario_(scenario), check_(scenario.expectations) {}
+  WatchedSource(RecordedTakes& takes, const Scenario& scenario)
+      : source_(std::move(takes.source)),
+        second_duration_(takes.second_duration),
+        scenario_(scenario),
+        check_(scenario.expectations) {}
 
   std::optional<Moment> next() override {
     std::optional<Moment> moment = source_->next();
@@ -35,6 +38,7 @@ class WatchedSource final : public MomentSource {
     if (!has_begun_ && moment) {
       misplaced_ = late_times(scenario_, moment->planned_duration);
       std::ranges::copy(far_places(scenario_, moment->snapshot), std::back_inserter(misplaced_));
+      note_rest_of_second_take(moment->planned_duration);
       told_ = warnings();
       std::ranges::for_each(told_, tell_note);
     }
@@ -51,7 +55,16 @@ class WatchedSource final : public MomentSource {
   std::vector<ExpectationResult> results() const { return check_.results(); }
 
  private:
+  void note_rest_of_second_take(double planned) {
+    if (second_duration_ <= planned + scenario_.simulation.time_step) return;
+    misplaced_.push_back(fmt::format(
+        "the second take lasts {:.4g} s, and the pictures end with the first, planned for {:.4g} s: what it does later "
+        "is in its records alone; let the first wait for it",
+        second_duration_, planned));
+  }
+
   std::unique_ptr<MomentSource> source_;
+  double second_duration_;  // seconds
   const Scenario& scenario_;
   std::vector<std::string> misplaced_;
   ExpectationCheck check_;
@@ -88,7 +101,7 @@ int run_scenario(const RunOptions& options) {
       .progress = stderr};
   const FolderLock lock(plan.folder);
   RecordedTakes takes = record_second_take(scenario, plan.folder);
-  WatchedSource source(std::move(takes.source), scenario);
+  WatchedSource source(takes, scenario);
   RecordingReport report = record_with_notes(
       source, plan, renderer_painters(options.device, scenario.record.tier, scenario.view, options.stats));
   keep_second_take(scenario, plan.folder);

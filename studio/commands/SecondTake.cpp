@@ -69,7 +69,7 @@ RecordedTakes record_second_take(const Scenario& scenario, const std::filesystem
   const std::unique_ptr<MomentSource> simulation = simulate_one_take(second);
   RecordingReport report = record(*simulation, plan, {});
   return {pair_sources(simulate_one_take(scenario), std::make_unique<OwnedTakeSource>(plan.folder / "take.h5")),
-          std::move(report.failure)};
+          std::move(report.failure), report.simulated};
 }
 
 void keep_second_take(const Scenario& scenario, const std::filesystem::path& folder) {

@@ -14,10 +14,11 @@ namespace thinwall {
 /// Simulates the second take of a scenario with a comparison and records it below `folder`, without pictures and under
 /// the name of what is not finished, so that an earlier recording stays whole; then the source of both takes. Without a
 /// comparison, the source of the one. `failure`: why the second take could not go on; empty
-/// when it reached its end.
+/// when it reached its end. `second_duration`: of the second take, seconds; zero without one.
 struct RecordedTakes {
   std::unique_ptr<MomentSource> source;
   std::string failure = {};
+  double second_duration = 0;
 };
 RecordedTakes record_second_take(const Scenario& scenario, const std::filesystem::path& folder);
 

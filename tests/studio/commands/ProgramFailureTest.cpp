@@ -67,6 +67,16 @@ TEST_F(ProgramTest, WhatIsKnownOfABodyIsToldAlsoWhereItFindsNoEquilibrium) {
   EXPECT_NE(manifest("large").at("warnings").dump().find("is 40 m across"), std::string::npos);
 }
 
+TEST_F(ProgramTest, ASecondTakeThatGoesOnAfterTheFirstIsToldOf) {
+  const auto messages_with = [&](const std::string& speed) {
+    write_bytes(folder_ / "compared.yaml", small_scenario() + "comparison:\n  set: { \"timeline[1].palpate.speed\": " +
+                                               speed + " }\n  captions: [a, b]\n");
+    return run({"run", "compared.yaml", "--no-render", "--out", "compared"}).messages;
+  };
+  EXPECT_NE(messages_with("10 mm/s").find("note: the second take lasts "), std::string::npos);
+  EXPECT_EQ(messages_with("40 mm/s").find("the second take lasts"), std::string::npos) << "it waits for the first";
+}
+
 TEST_F(ProgramTest, WhatIsWrongWithTheSurfaceOfASecondTakeIsToldByCheck) {
   const auto check = [&](const std::string& value) {
     write_bytes(folder_ / "compared.yaml", small_scenario() + "comparison:\n  set: { bodies.organ.surface.triangles: " +
