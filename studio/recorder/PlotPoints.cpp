@@ -24,6 +24,7 @@ EnergyPoint energies_of(const StepRecord& record) {
 }  // namespace
 
 void PlotPoints::add(const StepRecord& record) {
+  if (!energies_.empty() && record.time <= energies_.back().time) return;
   energies_.push_back(energies_of(record));
   forces_.resize(record.tools.size());
   for (std::size_t i = 0; i < forces_.size(); ++i) {
@@ -34,6 +35,20 @@ void PlotPoints::add(const StepRecord& record) {
                                  .depth = tool.depth,
                                  .phase = tool.phase});
   }
+}
+
+std::vector<ToolForces> compared_forces(const PlotPoints& first, const PlotPoints& second,
+                                        const std::array<std::string, 2>& captions) {
+  std::vector<ToolForces> all;
+  const std::array takes{&first, &second};
+  for (std::size_t take = 0; take < takes.size(); ++take) {
+    for (ToolForces tool : takes[take]->forces()) {
+      const bool is_alone = takes[take]->forces().size() == 1;
+      tool.tool = is_alone ? captions[take] : tool.tool + ", " + captions[take];
+      all.push_back(std::move(tool));
+    }
+  }
+  return all;
 }
 
 }  // namespace thinwall

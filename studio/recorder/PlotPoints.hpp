@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <string>
 #include <vector>
 
 #include "renderer/overlay/EnergyPlotImage.hpp"
@@ -11,7 +13,7 @@ namespace thinwall {
 /// What the plots of a recording show of its steps.
 class PlotPoints {
  public:
-  /// The next step, in order of time.
+  /// The next step, in order of time; one that is there already is passed over.
   void add(const StepRecord& record);
 
   const std::vector<ToolForces>& forces() const { return forces_; }       // (tools), each with a point per step
@@ -21,5 +23,10 @@ class PlotPoints {
   std::vector<ToolForces> forces_;
   std::vector<EnergyPoint> energies_;
 };
+
+/// The forces of two takes that are compared, under the captions of their halves and, where there are several, the
+/// names of the tools.
+std::vector<ToolForces> compared_forces(const PlotPoints& first, const PlotPoints& second,
+                                        const std::array<std::string, 2>& captions);
 
 }  // namespace thinwall

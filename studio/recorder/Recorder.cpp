@@ -101,6 +101,7 @@ class Pipeline {
   std::size_t next_surface_frame_ = 0;
   std::vector<TimedText> captions_;
   PlotPoints plots_;
+  PlotPoints second_plots_;  // of the take that is compared
 
   // Of the rendering thread.
   VideoScript script_{plan_.teaching};
@@ -269,6 +270,7 @@ void Pipeline::keep(const Moment& moment) {
     }
   }
   plots_.add(moment.record);
+  if (moment.second) second_plots_.add(moment.second->record);
   captions_ = moment.captions;
   report_.chapters = moment.chapters;
   report_.simulated = moment.snapshot.time;
@@ -283,7 +285,10 @@ void Pipeline::finish_records() {
   }
   if (csv_) csv_->finish();
   if (surfaces_) surfaces_->finish();
-  write_png(plan_.folder / "forces.png", force_plot_image(plan_.description.title, plots_.forces()));
+  const bool is_compared = plan_.view.comparison && !second_plots_.forces().empty();
+  const std::vector<ToolForces> forces =
+      is_compared ? compared_forces(plots_, second_plots_, plan_.view.comparison->captions) : plots_.forces();
+  write_png(plan_.folder / "forces.png", force_plot_image(plan_.description.title, forces));
   write_png(plan_.folder / "energies.png",
             energy_plot_image(plan_.description.title, plots_.energies(), plots_.forces()));
   const double end = script_.clock().last_shown(report_.simulated) + 1 / plan_.frames_per_second;

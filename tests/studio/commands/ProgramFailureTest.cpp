@@ -67,6 +67,15 @@ TEST_F(ProgramTest, WhatIsKnownOfABodyIsToldAlsoWhereItFindsNoEquilibrium) {
   EXPECT_NE(manifest("large").at("warnings").dump().find("is 40 m across"), std::string::npos);
 }
 
+TEST_F(ProgramTest, ThePlotOfForcesShowsBothTakesOfAComparison) {
+  write_bytes(folder_ / "compared.yaml",
+              small_scenario() + "comparison: { set: { bodies.organ.wall.thickness: 2 mm }, captions: [a, b] }\n");
+  ASSERT_EQ(run({"run", "compared.yaml", "--no-render", "--out", "compared"}).exit_code, 0);
+  ASSERT_EQ(run({"run", "small.yaml", "--no-render", "--out", "alone"}).exit_code, 0);
+  EXPECT_EQ(file_bytes(folder_ / "compared/forces.csv"), file_bytes(folder_ / "alone/forces.csv"));
+  EXPECT_NE(file_bytes(folder_ / "compared/forces.png"), file_bytes(folder_ / "alone/forces.png"));
+}
+
 TEST_F(ProgramTest, ASecondTakeThatGoesOnAfterTheFirstIsToldOf) {
   const auto messages_with = [&](const std::string& speed) {
     write_bytes(folder_ / "compared.yaml", small_scenario() + "comparison:\n  set: { \"timeline[1].palpate.speed\": " +
