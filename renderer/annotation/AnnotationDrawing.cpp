@@ -36,9 +36,9 @@ struct Scene {
   SceneExtent extent;
   Camera camera;
   OverlayGrid grid;
-  ImageSize size;             // of the part of the picture
-  std::optional<Box> inset;   // of another picture, in this part
-  std::optional<Box> legend;  // in this part
+  ImageSize size;            // of the part of the picture
+  std::optional<Box> inset;  // of another picture, in this part
+  std::vector<Box> taken;    // by a legend and captions, in this part
   std::vector<ToolShape> tools = {};
 
   std::optional<PixelPoint> pixel(Vector3 place) const { return camera.pixel(place, size); }
@@ -233,11 +233,10 @@ std::vector<LabelMoment> moments_of(const Scene& scene, const std::vector<ShownL
   return moments;
 }
 
-/// By an inset and a legend.
+/// By an inset, a legend and captions.
 std::vector<Box> taken_in(const Scene& scene) {
-  std::vector<Box> taken;
-  if (scene.inset) taken.push_back(*scene.inset);
-  if (scene.legend) taken.push_back(*scene.legend);
+  std::vector<Box> taken = scene.taken;
+  if (scene.inset) taken.insert(taken.begin(), *scene.inset);
   return taken;
 }
 
@@ -370,7 +369,7 @@ void keep_off(const Canvas& canvas, ImageSize size, const Box& inset) {
 
 void draw_annotations(Image& image, const PictureBox& box, const AnnotationDefinition& annotations,
                       const Snapshot& snapshot, const CameraDefinition& camera, const std::optional<PictureBox>& inset,
-                      const std::optional<Box>& legend) {
+                      const std::vector<Box>& taken) {
   if (annotations.is_empty()) return;
   const FontUse use;
   const SceneExtent extent = scene_extent(snapshot);
@@ -381,7 +380,10 @@ void draw_annotations(Image& image, const PictureBox& box, const AnnotationDefin
               .grid = OverlayGrid(image.size),
               .size = box.size,
               .inset = place_within(box, box_of(inset)),
-              .legend = place_within(box, legend)};
+              .taken = {}};
+  for (const Box& place : taken) {
+    if (const std::optional<Box> within = place_within(box, place)) scene.taken.push_back(*within);
+  }
   for (const SnapshotTool& tool : snapshot.tools) {
     if (!tool.is_set_aside) scene.tools.push_back(tool_shape(tool, extent.size));
   }
@@ -390,7 +392,7 @@ void draw_annotations(Image& image, const PictureBox& box, const AnnotationDefin
   const std::vector<ArrowText> texts = draw_arrows(canvas, scene, annotations.arrows);
   const std::vector<ArrowText> forces = draw_force_arrows(canvas, scene, annotations.force_arrows);
   std::vector<Box> plates = draw_labels(canvas, scene, annotations.labels);
-  for (const Box& taken : taken_in(scene)) plates.push_back(taken);
+  for (const Box& place : taken_in(scene)) plates.push_back(place);
   for (const ArrowText& text : texts) draw_arrow_text(canvas, scene, text, plates);
   for (const ArrowText& force : forces) draw_arrow_text(canvas, scene, force, plates);
   canvas.blend_onto(image, box.left, box.top);

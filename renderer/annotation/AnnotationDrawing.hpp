@@ -15,10 +15,10 @@ namespace thinwall {
 /// organ and tools where there is room, between title and panels, and keep their side and order while they are shown.
 /// Points that a wall hides have a hollow dot; what is behind the camera or outside the picture is left out. Drawn on
 /// the processor like the overlays; a pure function of the arguments. `inset`: the part of the whole picture that a
-/// small one covers; nothing is drawn on it, and what lies under it is left out. `legend`: the part of the whole
-/// picture where a legend stands, which labels and texts keep clear of.
+/// small one covers; nothing is drawn on it, and what lies under it is left out. `taken`: parts of the whole picture
+/// where a legend or captions of halves stand, which labels and texts keep clear of.
 void draw_annotations(Image& image, const PictureBox& box, const AnnotationDefinition& annotations,
                       const Snapshot& snapshot, const CameraDefinition& camera,
-                      const std::optional<PictureBox>& inset = {}, const std::optional<Box>& legend = {});
+                      const std::optional<PictureBox>& inset = {}, const std::vector<Box>& taken = {});
 
 }  // namespace thinwall

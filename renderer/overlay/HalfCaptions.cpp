@@ -29,24 +29,44 @@ Text caption_text(const std::string& caption, const OverlayGrid& grid, double pa
   return {caption, style, {.width = whole, .lines = kMostLines}};
 }
 
-/// At the left of the half that begins at `left`: the action is in its middle.
-void draw_caption(Image& image, const OverlayGrid& grid, const std::string& caption, const Color& color, int left,
-                  const std::optional<Box>& inset) {
-  const double padding = grid.pixels(plate_style::kPadding);
-  const double mark = grid.pixels(kMarkLength + kGap);
-  const double half = image.size.width / 2.0, taken = grid.pixels(plate_style::kMargin) + 2 * padding + mark;
+/// A caption as it is set, and where its plate is.
+struct SetCaption {
+  Text text;
+  Box plate;
+};
+
+double mark_width(const OverlayGrid& grid) {
+  return grid.pixels(kMarkLength + kGap);
+}
+
+/// At the left of the half that begins at `left`: the action is in its middle. None without room.
+std::optional<SetCaption> set_caption(ImageSize size, const std::string& caption, int left,
+                                      const std::optional<Box>& inset) {
+  const OverlayGrid grid(size);
+  const double padding = grid.pixels(plate_style::kPadding), mark = mark_width(grid);
+  const double half = size.width / 2.0, taken = grid.pixels(plate_style::kMargin) + 2 * padding + mark;
   const double whole = half - taken - grid.pixels(plate_style::kMargin);
-  if (whole < grid.pixels(20)) return;
-  const Text text = caption_text(caption, grid, kPartOfHalf * half - taken, whole);
-  const int height = std::max(grid.whole(kHeight), static_cast<int>(std::ceil(text.height() + grid.pixels(14))));
-  const Plate plate(grid, {static_cast<int>(std::ceil(text.width() + mark + 2 * padding)), height});
+  if (whole < grid.pixels(20)) return std::nullopt;
+  Text text = caption_text(caption, grid, kPartOfHalf * half - taken, whole);
+  Box plate{static_cast<double>(left + grid.whole(plate_style::kMargin)), static_cast<double>(grid.whole(kTop)),
+            std::ceil(text.width() + mark + 2 * padding),
+            std::max<double>(grid.whole(kHeight), std::ceil(text.height() + grid.pixels(14)))};
+  if (inset && plate.overlaps(*inset)) plate.y = inset->bottom() + grid.pixels(kGap);
+  return SetCaption{std::move(text), plate};
+}
+
+int left_of_half(ImageSize size, std::size_t half) {
+  return half == 0 ? 0 : size.width - size.width / 2;
+}
+
+void draw_caption(Image& image, const SetCaption& caption, const Color& color) {
+  const OverlayGrid grid(image.size);
+  const double padding = grid.pixels(plate_style::kPadding);
+  const Plate plate(grid, {static_cast<int>(caption.plate.width), static_cast<int>(caption.plate.height)});
   const double middle = plate.size().height / 2.0;
   plate.line(padding, middle, padding + grid.pixels(kMarkLength), middle, std::max(1.5, grid.pixels(3)), color);
-  text.draw(plate, padding + mark, middle - text.height() / 2);
-  const Box wanted{static_cast<double>(left + grid.whole(plate_style::kMargin)), static_cast<double>(grid.whole(kTop)),
-                   static_cast<double>(plate.size().width), static_cast<double>(plate.size().height)};
-  const double top = inset && wanted.overlaps(*inset) ? inset->bottom() + grid.pixels(kGap) : wanted.y;
-  plate.blend_onto(image, static_cast<int>(wanted.x), static_cast<int>(std::lround(top)));
+  caption.text.draw(plate, padding + mark_width(grid), middle - caption.text.height() / 2);
+  plate.blend_onto(image, static_cast<int>(caption.plate.x), static_cast<int>(std::lround(caption.plate.y)));
 }
 
 void draw_divider(Image& image) {
@@ -63,10 +83,23 @@ void draw_divider(Image& image) {
 
 void draw_half_captions(Image& image, const std::array<std::string, 2>& captions, const std::optional<Box>& inset) {
   const FontUse use;
-  const OverlayGrid grid(image.size);
   draw_divider(image);
-  draw_caption(image, grid, captions[0], plate_style::kCurve, 0, inset);
-  draw_caption(image, grid, captions[1], plate_style::kOtherCurve, image.size.width - image.size.width / 2, inset);
+  for (std::size_t half = 0; half < captions.size(); ++half) {
+    const auto caption = set_caption(image.size, captions[half], left_of_half(image.size, half), inset);
+    if (caption) draw_caption(image, *caption, half == 0 ? plate_style::kCurve : plate_style::kOtherCurve);
+  }
+}
+
+std::vector<Box> half_caption_places(ImageSize size, const std::array<std::string, 2>& captions,
+                                     const std::optional<Box>& inset) {
+  const FontUse use;
+  std::vector<Box> places;
+  for (std::size_t half = 0; half < captions.size(); ++half) {
+    if (captions[half].empty()) continue;
+    const auto caption = set_caption(size, captions[half], left_of_half(size, half), inset);
+    if (caption) places.push_back(caption->plate);
+  }
+  return places;
 }
 
 }  // namespace thinwall

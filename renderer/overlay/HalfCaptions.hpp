@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "renderer/image/Image.hpp"
 #include "renderer/overlay/Box.hpp"
@@ -14,5 +15,10 @@ namespace thinwall {
 /// half's curve in the force plot. And a line between the halves. Below an `inset` that has their place. Throws
 /// PictureFailure when the font is missing.
 void draw_half_captions(Image& image, const std::array<std::string, 2>& captions, const std::optional<Box>& inset = {});
+
+/// Where the plates of the captions are in a picture of that size; none that finds no room. Throws PictureFailure
+/// likewise.
+std::vector<Box> half_caption_places(ImageSize size, const std::array<std::string, 2>& captions,
+                                     const std::optional<Box>& inset = {});
 
 }  // namespace thinwall

@@ -122,13 +122,14 @@ Image finished_picture(const Frame& frame, Painter& painter) {
   if (frame.shot.inset) inset = inset_box(frame.shot, image.size);
   std::optional<Box> taken;
   if (inset) taken = canvas_box(*inset);
-  const std::optional<Box> legend = place_of_legend(frame.overlay, image.size, taken);
   if (frame.annotations) {
+    std::vector<Box> kept_clear = half_caption_places(image.size, frame.half_captions, taken);
+    if (const auto legend = place_of_legend(frame.overlay, image.size, taken)) kept_clear.push_back(*legend);
     draw_annotations(image, main_box(frame.shot, image.size), *frame.annotations, frame.snapshot, frame.shot.camera,
-                     inset, legend);
+                     inset, kept_clear);
     if (frame.shot.beside_snapshot) {
       draw_annotations(image, beside_box(image.size), *frame.annotations, *frame.shot.beside_snapshot,
-                       *frame.shot.beside, inset, legend);
+                       *frame.shot.beside, inset, kept_clear);
     }
   }
   if (!frame.half_captions[0].empty()) draw_half_captions(image, frame.half_captions, taken);

@@ -268,7 +268,8 @@ TEST(AnnotationDrawing, LabelsAndTextsOfArrowsKeepClearOfALegend) {
   const Box legend = legend_place(OverlayGrid(kSize), {});
   const auto inked = [&](const std::optional<Box>& told) {
     Image image = black();
-    draw_annotations(image, {.size = kSize}, annotations, snapshot, from_the_front(), {}, told);
+    const std::vector<Box> taken = told ? std::vector<Box>{*told} : std::vector<Box>{};
+    draw_annotations(image, {.size = kSize}, annotations, snapshot, from_the_front(), {}, taken);
     int count = 0;
     for (int y = static_cast<int>(legend.y); y < legend.bottom(); ++y) {
       for (int x = static_cast<int>(legend.x); x < legend.right(); ++x) count += level(image, x + 0.5, y + 0.5) > 0;

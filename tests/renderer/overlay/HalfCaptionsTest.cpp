@@ -31,6 +31,20 @@ int right_end(const Image& image, int from, int to) {
   return end;
 }
 
+TEST(HalfCaptions, StandInThePlacesThatAreToldOfThem) {
+  const std::array<std::string, 2> captions{"Wall 2 mm thick", "A wall that has been inflamed for weeks"};
+  const std::vector<Box> places = half_caption_places(kSize, captions);
+  ASSERT_EQ(places.size(), 2U);
+  const Image image = captioned(captions[0], captions[1]);
+  for (const Box& place : places) {
+    EXPECT_TRUE(is_changed(image, static_cast<int>(place.x + 20), static_cast<int>(place.y + 20)));
+    EXPECT_EQ(right_end(image, place.x < 640 ? 0 : 650, place.x < 640 ? 630 : 1280), static_cast<int>(place.right()));
+  }
+  const Box inset{700, 60, 300, 100};
+  EXPECT_GE(half_caption_places(kSize, captions, inset)[1].y, inset.bottom()) << "below what has its place";
+  EXPECT_TRUE(half_caption_places(kSize, {"", ""}).empty());
+}
+
 TEST(HalfCaptions, LeaveTheMiddleOfTheHalvesFree) {
   for (const char* caption :
        {"Wall 2 mm thick", "A wall that has been inflamed for weeks and is three times as thick"}) {
