@@ -130,8 +130,9 @@ std::vector<std::string> passed_over_notes(std::span<const ScheduledClip> clips,
     if (passed.whole() <= blade->width) continue;
     notes.push_back(fmt::format(
         "body `{}`: from {:.4g} s on blade `{}` passed above the wall over {:.3g} of the {:.3g} mm of its path, and "
-        "cut nothing there: the wall had given way from under it; more `depth` reaches it",
-        plan->clip.body, clip.begin + passed.since, plan->clip.tool, 1e3 * passed.whole(), 1e3 * plan->path.length()));
+        "cut nothing there: the wall had given way from under it; more `depth` reaches it{}",
+        plan->clip.body, clip.begin + passed.since, plan->clip.tool, 1e3 * passed.whole(), 1e3 * plan->path.length(),
+        plan->mark ? "" : ", or `marked: true` lets the blade follow the wall"));
   }
   return notes;
 }

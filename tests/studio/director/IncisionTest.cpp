@@ -247,6 +247,12 @@ TEST(Incision, SaysThatTheWallHasGivenWayFromUnderTheBladeWhereAnOrganEmptiesAnd
   EXPECT_LT(given_back, 0.06 * most);
   EXPECT_LT(run.record().bodies.at(0).cut_length, 0.8 * 2 * std::numbers::pi * kLoop) << "or it is not the case meant";
   EXPECT_NE(note.find("body `ball`: from "), std::string::npos) << note;
+  // Drawn on the wall the same loop is cut.
+  clip.marked = true;
+  ScenarioRun following(scenario);
+  while (following.step()) continue;
+  EXPECT_EQ(notes_of_walls_below(following), "");
+  EXPECT_GT(following.record().bodies.at(0).cut_length, 0.95 * 2 * std::numbers::pi * kLoop);  // seen 1.03
 }
 
 TEST(Incision, CutsPathsThatAreShorterThanTheTrianglesAndTellsOfBladesThatCutNothing) {
