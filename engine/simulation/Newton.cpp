@@ -253,9 +253,13 @@ bool Newton::is_solved(const EquilibriumProblem& problem, const Residual& residu
          gap <= slack * gap_tolerance;
 }
 
-bool Newton::is_unanswered(const Residual& residual, const NewtonResult& result, double tolerance) const {
+bool Newton::has_converged(const EquilibriumProblem& problem, const Residual& residual, const NewtonResult& result,
+                           bool is_stalled, const NewtonOptions& options) const {
+  // Loads that are light beside what strains the wall a little are answered by one step at least.
   const double exact = kRoundOffStrain / kLittleStrain * result.force_scale;
-  return result.iterations == 0 && residual.largest_force > std::max(tolerance * terms_.largest_force, exact);
+  const double unfelt = std::max(options.tolerance * terms_.largest_force, exact);
+  if (result.iterations == 0 && residual.largest_force > unfelt) return false;
+  return is_solved(problem, residual, result.force_scale, is_stalled, options);
 }
 
 std::string Newton::obstructed(const std::string& reason) const {
@@ -331,8 +335,7 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
     const double scale = note_residual(problem, state, options.tolerance, residual, result);
     progress.note(residual);
     if (result.iterations == 0) first_scale = scale;
-    if (!is_unanswered(residual, result, options.tolerance) &&
-        is_solved(problem, residual, scale, options.takes_flaps && progress.stalled >= kStalledSteps, options)) {
+    if (has_converged(problem, residual, result, options.takes_flaps && progress.stalled >= kStalledSteps, options)) {
       if (foresees && scale > kBlowUp * first_scale) return failed("the wall is strained beyond measure", result);
       return solved(!is_solved(problem, residual, scale, false, options), result);
     }

@@ -274,8 +274,8 @@ class Newton {
   void clear_fixed(Eigen::VectorXd& forces) const;
   bool is_solved(const EquilibriumProblem& problem, const Residual& residual, double force_scale, bool is_stalled,
                  const NewtonOptions& options) const;
-  /// Whether loads are new, and light beside what strains the wall a little: one step at least answers them.
-  bool is_unanswered(const Residual& residual, const NewtonResult& result, double tolerance) const;
+  bool has_converged(const EquilibriumProblem& problem, const Residual& residual, const NewtonResult& result,
+                     bool is_stalled, const NewtonOptions& options) const;
   /// Metres, from the origin to the body beyond twice its extent.
   double distance_of(const EquilibriumProblem& problem) const;
   double force_scale(const EquilibriumProblem& problem, const EquilibriumTerms& terms, double tolerance) const;

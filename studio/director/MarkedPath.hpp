@@ -20,6 +20,7 @@ struct MarkedPath {
   Eigen::Vector3d drift = Eigen::Vector3d::Zero();  // metres, by which the line moved under the blade in the last step
 };
 
+/// Of a path on the surface as it is now.
 MarkedPath drawn_on_wall(const SurfacePath& path);
 
 /// Before a step that begins at `time`, seconds: brings what is ahead of the blades to where the wall has taken their

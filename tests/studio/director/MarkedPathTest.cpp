@@ -84,15 +84,16 @@ TEST(MarkedPath, ACircleOnAStretchedSheetMeetsItsBeginningAndFreesThePatch) {
   const Excised patch = excised(true);
   EXPECT_EQ(patch.pieces, 2);
   // Chords of triangles of 2.2 mm lie 0.1 mm within the circle, and nodes are snapped.
-  EXPECT_LT(patch.farthest, 3e-4);  // seen 2.4e-4
-  EXPECT_NEAR(patch.cut_length, 2 * std::numbers::pi * kRadius, 3e-4);
+  EXPECT_LT(patch.farthest, 3e-4);                                      // seen 2.4e-4
+  EXPECT_NEAR(patch.cut_length, 2 * std::numbers::pi * kRadius, 3e-4);  // chords are shorter, by 1.6e-4
+  // Nothing but round-off may be left, of 6e-3 J.
   EXPECT_NEAR(patch.fracture, kToughness * kThickness * patch.cut_length, 1e-9);
   EXPECT_LT(std::abs(patch.imbalance), 1e-9);
 }
 
 TEST(MarkedPath, AsAPathInSpaceTheSameCircleSpiralsIn) {
   // What is cut free draws away towards the border and takes the wall that the blade is still to cut along.
-  EXPECT_GT(excised(false).farthest, 5e-4);
+  EXPECT_GT(excised(false).farthest, 5e-4);  // seen 6.9e-4
 }
 
 }  // namespace
