@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 #include "renderer/image/ImageHash.hpp"
+#include "renderer/image/PngFile.hpp"
 #include "renderer/image/WholeFile.hpp"
 #include "renderer/picture/PictureFailure.hpp"
 #include "studio/golden/NamedFiles.hpp"
@@ -14,6 +16,9 @@
 
 namespace thinwall {
 namespace {
+
+/// Levels by which processors that round otherwise draw the same.
+constexpr int kLevelsOfRounding = 2;
 
 /// What the golden's takes hold; empty when they cannot be read.
 struct StoredState {
@@ -72,6 +77,7 @@ std::vector<StateLayer> changed_layers(const Moment& golden, const GoldenPicture
 
 struct Evidence {
   const GoldenPicture& picture;
+  const std::filesystem::path& folder;
   const GoldenResult& result;
   const GoldenApproval& approval;
   Attribution& attribution;
@@ -114,6 +120,39 @@ void tell_besides(Attribution& attribution) {
   if (!written.empty()) attribution.sentence += "; the overlay has changed too: " + written;
 }
 
+/// By how many levels the golden's state as it is drawn today is other than in the golden's picture, where nothing is
+/// written over that. Nothing where words stand elsewhere than today, or among the tissue.
+std::optional<int> drawn_apart(const Evidence& evidence, const Attribution& attribution) {
+  const GoldenPicture& today = evidence.picture;
+  if (today.is_annotated || !list_changes(attribution.scenario, {ScenarioStage::kOverlay}).empty()) return std::nullopt;
+  Image golden, drawn = *attribution.golden_state;
+  try {
+    golden = read_png(evidence.folder / evidence.approval.image);
+  } catch (const ImageUnreadable&) {
+    return std::nullopt;  // the comparison tells that it is lost
+  }
+  if (golden.size != drawn.size || golden.size != today.scene.size) return std::nullopt;
+  for (std::size_t k = 0; k < golden.pixels.size(); k += 3) {
+    const auto pixel = [&](const Image& image) { return std::span(image.pixels).subspan(k, 3); };
+    if (!std::ranges::equal(pixel(today.scene), pixel(today.image))) {
+      std::ranges::copy(pixel(golden), drawn.pixels.begin() + static_cast<std::ptrdiff_t>(k));
+    }
+  }
+  return compare_images(golden, drawn).largest;
+}
+
+/// Whether the renderer has changed as well: a picture that is other by a rounding of the driver does not tell so.
+std::string told_drawing(const Evidence& evidence, const Attribution& attribution) {
+  if (image_hash(*attribution.golden_state) == evidence.approval.scene_hash) {
+    return "; the renderer draws the golden's state as before";
+  }
+  const std::optional<int> levels = drawn_apart(evidence, attribution);
+  if (!levels) return "; the golden's state is drawn differently too";
+  const std::string by = fmt::format("{} level{}", *levels, *levels == 1 ? "" : "s");
+  return *levels <= kLevelsOfRounding ? "; the renderer draws the golden's state as before, to " + by
+                                      : "; the golden's state is drawn differently too, by up to " + by;
+}
+
 void tell_physics(const Evidence& evidence, Attribution& attribution) {
   attribution.stage = ChangedStage::kPhysics;
   attribution.sentence = "physics changed";
@@ -131,9 +170,7 @@ void tell_physics(const Evidence& evidence, Attribution& attribution) {
   }
   tell_besides(attribution);
   if (!evidence.knows_scene() || !attribution.golden_state) return;
-  const bool same_drawing = image_hash(*attribution.golden_state) == evidence.approval.scene_hash;
-  attribution.sentence += same_drawing ? "; the renderer draws the golden's state as before"
-                                       : "; the golden's state is drawn differently too";
+  attribution.sentence += told_drawing(evidence, attribution);
 }
 
 /// What stands over the picture is of the scenario's words or, as a time or a curve, of what it asks to happen.
@@ -232,8 +269,13 @@ Attribution attribute(const Scenario& scenario, const GoldenPicture& picture, co
   attribution.history = history_change(picture, *approval, folder);
   attribution.scenario = compare_scenarios(golden.resolved, scenario.resolved);
   attribution.overlay = compare_overlays(approval->overlay, overlay_record(picture.overlay));
-  const Evidence evidence{
-      picture, result, *approval, attribution, !golden.resolved.empty(), changed_files(approval->files, scenario)};
+  const Evidence evidence{picture,
+                          folder,
+                          result,
+                          *approval,
+                          attribution,
+                          !golden.resolved.empty(),
+                          changed_files(approval->files, scenario)};
   if (physics_changed(evidence)) {
     if (golden.moment) attribution.golden_state = drawn(*golden.moment, picture, painters(scenario.resolved));
     tell_physics(evidence, attribution);

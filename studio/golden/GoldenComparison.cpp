@@ -17,6 +17,8 @@
 namespace thinwall {
 namespace {
 
+constexpr double kMillimetre = 1e3;  // per metre
+
 double distance(const Float3& a, const Float3& b) {
   return std::hypot(static_cast<double>(a[0]) - b[0], static_cast<double>(a[1]) - b[1],
                     static_cast<double>(a[2]) - b[2]);
@@ -245,12 +247,12 @@ StateComparison compare_states(const Snapshot& golden, const Snapshot& today, bo
     return {.verdict = StateVerdict::kClose,
             .explanation = largest.distance == 0
                                ? "no vertex has moved"
-                               : fmt::format("no vertex has moved by more than {:.2g} m, {:.2g} of the surface's size",
-                                             largest.distance, largest.relative())};
+                               : fmt::format("no vertex has moved by more than {:.2g} mm, {:.2g} of the surface's size",
+                                             kMillimetre * largest.distance, largest.relative())};
   }
   return {.verdict = StateVerdict::kChanged,
-          .explanation = fmt::format("vertex {} of {} has moved by {:.3g} m, {:.2g} of the surface's size",
-                                     largest.vertex, largest.body, largest.distance, largest.relative())};
+          .explanation = fmt::format("vertex {} of {} has moved by {:.3g} mm, {:.2g} of the surface's size",
+                                     largest.vertex, largest.body, kMillimetre * largest.distance, largest.relative())};
 }
 
 GoldenResult compare_with_golden(const std::string& scenario, const GoldenDefinition& definition,

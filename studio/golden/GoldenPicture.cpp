@@ -27,29 +27,30 @@ std::vector<std::size_t> in_order_of_time(const std::vector<GoldenDefinition>& g
   return order;
 }
 
-/// Remembers the hash of what was painted, before anything is written over it.
-class HashingPainter final : public Painter {
+/// Keeps what was painted last, before anything is written over it.
+class KeepingPainter final : public Painter {
  public:
-  explicit HashingPainter(Painter& painter) : painter_(painter) {}
+  explicit KeepingPainter(Painter& painter) : painter_(painter) {}
   Image paint(const Snapshot& snapshot, const Shot& shot) override {
-    Image image = painter_.paint(snapshot, shot);
-    hash_ = image_hash(image);
-    return image;
+    last_ = painter_.paint(snapshot, shot);
+    return last_;
   }
   std::string driver() const override { return painter_.driver(); }
-  const std::string& last() const { return hash_; }
+  Image take_last() { return std::move(last_); }
 
  private:
   Painter& painter_;
-  std::string hash_;
+  Image last_;
 };
 
 void draw(GoldenPicture& picture, const FrameComposer& composer, Moment moment, Painter& painter) {
   try {
     Frame frame = composer.compose(picture.at);
-    HashingPainter hashing(painter);
-    picture.image = finished_picture(frame, hashing);
-    picture.scene_hash = hashing.last();
+    KeepingPainter keeping(painter);
+    picture.image = finished_picture(frame, keeping);
+    picture.scene = keeping.take_last();
+    picture.scene_hash = image_hash(picture.scene);
+    picture.is_annotated = (frame.annotations && !frame.annotations->is_empty()) || frame.card;
     picture.overlay = std::move(frame.overlay);
     picture.shot = std::move(frame.shot);
     picture.moment = std::move(moment);

@@ -25,7 +25,9 @@ struct GoldenPicture {
   Moment moment;                         // what it shows
   std::string state_digest;              // of the first step that reaches `at`
   std::string second_state_digest = {};  // likewise of the take that it is compared with; empty when there is none
-  std::string scene_hash = {};           // of the picture without overlays
+  Image scene = {};                      // the picture without overlays
+  std::string scene_hash = {};           // of that
+  bool is_annotated = false;             // whether labels, arrows or a card are over the tissue
   OverlayContent overlay = {};           // what is written over it
   Shot shot = {};                        // what sees it
   GoldenHistory history = {};            // of the steps up to `at`

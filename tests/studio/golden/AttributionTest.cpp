@@ -128,7 +128,15 @@ TEST_F(AttributionTest, AChangedRendererBesideChangedPhysicsIsToldToo) {
   const Attribution attribution =
       attribution_of(scene_.judge(golden_scene(), synthetic_source({.depth = 0.005}), view_painters(1.1)));
   EXPECT_EQ(attribution.stage, ChangedStage::kPhysics);
-  expect_words(attribution, "the golden's state is drawn differently too");
+  expect_words(attribution, "the golden's state is drawn differently too, by up to ");
+}
+
+TEST_F(AttributionTest, ARoundingOfTheDriverBesideChangedPhysicsIsNoChangedRenderer) {
+  // No level of 255 moves by more than one.
+  const Attribution attribution =
+      attribution_of(scene_.judge(golden_scene(), synthetic_source({.depth = 0.005}), view_painters(1.004)));
+  EXPECT_EQ(attribution.stage, ChangedStage::kPhysics);
+  expect_words(attribution, "; the renderer draws the golden's state as before, to 1 level");
 }
 
 TEST_F(AttributionTest, AChangedLookBesideChangedPhysicsIsNamed) {
