@@ -73,10 +73,11 @@ void SceneMeshes::upload(const Snapshot& snapshot, const SceneExtent& extent, co
                          SecondThread& second) {
   find_edges(snapshot, drawn_edges(look));
   smooth_surfaces(snapshot);
-  find_beds(snapshot, look);
-  const std::optional<Snapshot> laid = laid_on_beds(snapshot);
-  if (laid) smooth_surfaces(*laid);
-  second.share([&] { make_tissue(laid ? *laid : snapshot, look, eye); }, [&] { make_tools(snapshot, extent); });
+  WoundBeds beds = lay_on_beds(snapshot, look, drawn_topologies_, drawn_);
+  bed_depths_ = std::move(beds.depths);
+  if (beds.laid) smooth_surfaces(*beds.laid);
+  second.share([&] { make_tissue(beds.laid ? *beds.laid : snapshot, look, eye); },
+               [&] { make_tools(snapshot, extent); });
   tissue_.upload(std::span<const SurfaceVertex>(tissue_vertices_), tissue_corners_);
   tools_.upload(std::span<const ToolVertex>(tool_vertices_), tool_corners_);
 }
@@ -267,38 +268,6 @@ void SceneMeshes::smooth_surfaces(const Snapshot& snapshot) {
   for (std::size_t k = 0; k < snapshot.surfaces.size(); ++k) {
     drawn_.push_back(drawn_surface(drawn_topologies_[k], snapshot.surfaces[k]));
   }
-}
-
-/// As the surfaces hang, before what was cut out of them is laid on the beds.
-void SceneMeshes::find_beds(const Snapshot& snapshot, const LookDefinition& look) {
-  bed_depths_.assign(snapshot.surfaces.size(), 0);
-  if (look.data) return;
-  for (std::size_t k = 0; k < drawn_.size(); ++k) {
-    const auto found = look.bodies.find(drawn_[k].body);
-    const double depth = found == look.bodies.end() ? TissueLook{}.bed : found->second.bed;
-    if (!wounds_[k] || !(depth > 0)) continue;
-    const DrawnTopology& drawn = drawn_topologies_[k];
-    bed_depths_[k] = bed_depth(drawn_[k], drawn.borders, drawn.is_lip, depth, snapshot.time);
-  }
-}
-
-/// The snapshot with pieces that were cut free on the beds, where any would be seen to fall through one. Ground truth
-/// and the mesh are shown where the snapshot has them.
-std::optional<Snapshot> SceneMeshes::laid_on_beds(const Snapshot& snapshot) const {
-  std::optional<Snapshot> laid;
-  if (edges_ != DrawnEdges::kCurves) return laid;
-  for (std::size_t k = 0; k < bed_depths_.size(); ++k) {
-    if (!(bed_depths_[k] > 0)) continue;
-    const SnapshotSurface& surface = snapshot.surfaces[k];
-    const DrawnTopology& drawn = drawn_topologies_[k];
-    std::vector<Float3> positions = laid_on_bed(
-        surface, drawn.mesh_borders,
-        std::span<const char>(drawn.is_lip.data(), surface.topology->rest_positions.size()), bed_depths_[k]);
-    if (positions == surface.positions) continue;
-    if (!laid) laid = snapshot;
-    laid->surfaces[k].positions = std::move(positions);
-  }
-  return laid;
 }
 
 bool SceneMeshes::has_sheet() const {

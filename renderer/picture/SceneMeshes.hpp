@@ -115,8 +115,6 @@ class SceneMeshes {
   void find_films(const Snapshot& snapshot, std::size_t k, const TissueLook& look, std::span<const TissuePiece> pieces);
   void find_edges(const Snapshot& snapshot, DrawnEdges edges);
   void smooth_surfaces(const Snapshot& snapshot);
-  void find_beds(const Snapshot& snapshot, const LookDefinition& look);
-  std::optional<Snapshot> laid_on_beds(const Snapshot& snapshot) const;
   void make_tools(const Snapshot& snapshot, const SceneExtent& extent);
 
   TriangleBuffer tissue_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "renderer/picture/Float3.hpp"
 #include "renderer/picture/Vector.hpp"
@@ -110,6 +111,34 @@ TissuePiece wound_bed(const SnapshotSurface& surface, std::span<const BorderEdge
     bed.corners.insert(bed.corners.end(), triangle.begin(), triangle.end());
   }
   return bed;
+}
+
+WoundBeds lay_on_beds(const Snapshot& snapshot, const LookDefinition& look, std::span<const DrawnTopology> drawn,
+                      std::span<const SnapshotSurface> shown) {
+  WoundBeds beds{.depths = std::vector<double>(drawn.size(), 0), .laid = {}};
+  for (std::size_t k = 0; k < drawn.size() && !look.data; ++k) {
+    const SnapshotSurface& surface = snapshot.surfaces[k];
+    const std::span<const char> is_lip(drawn[k].is_lip.data(), surface.topology->rest_positions.size());
+    const auto found = look.bodies.find(surface.body);
+    const double depth = found == look.bodies.end() ? TissueLook{}.bed : found->second.bed;
+    if (!(depth > 0) || std::ranges::none_of(is_lip, [](char lip) { return lip != 0; })) continue;
+    beds.depths[k] = bed_depth(shown[k], drawn[k].borders, drawn[k].is_lip, depth, snapshot.time);
+    std::vector<Float3> positions = laid_on_bed(surface, drawn[k].mesh_borders, is_lip, beds.depths[k]);
+    if (positions == surface.positions) continue;
+    if (!beds.laid) beds.laid = snapshot;
+    beds.laid->surfaces[k].positions = std::move(positions);
+  }
+  return beds;
+}
+
+Snapshot laid_on_beds(const Snapshot& snapshot, const LookDefinition& look) {
+  std::vector<DrawnTopology> drawn;
+  std::vector<SnapshotSurface> shown;
+  for (const SnapshotSurface& surface : snapshot.surfaces) {
+    drawn.push_back(drawn_topology(surface.topology, drawn_edges(look)));
+    shown.push_back(drawn_surface(drawn.back(), surface));
+  }
+  return lay_on_beds(snapshot, look, drawn, shown).laid.value_or(snapshot);
 }
 
 }  // namespace thinwall

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "renderer/picture/TissuePieces.hpp"
+#include "renderer/picture/View.hpp"
+#include "renderer/wound/DrawnTopology.hpp"
 
 namespace thinwall {
 
@@ -24,5 +27,19 @@ std::vector<Float3> laid_on_bed(const SnapshotSurface& surface, std::span<const 
 /// such borders.
 TissuePiece wound_bed(const SnapshotSurface& surface, std::span<const BorderEdge> borders, std::span<const char> is_lip,
                       double below);
+
+/// The beds of a scene's sheets, and what lies on them.
+struct WoundBeds {
+  std::vector<double> depths;    // (surfaces), metres below the stress-free sheet; 0: there is none
+  std::optional<Snapshot> laid;  // with the pieces that were cut free on the beds; none where all is as it was
+};
+
+/// As the surfaces hang and as they are drawn: `drawn`, `shown` (surfaces) are what drawn_topology and drawn_surface
+/// give.
+WoundBeds lay_on_beds(const Snapshot& snapshot, const LookDefinition& look, std::span<const DrawnTopology> drawn,
+                      std::span<const SnapshotSurface> shown);
+
+/// The snapshot as pictures of this look show it: with the pieces that were cut free on the beds of their wounds.
+Snapshot laid_on_beds(const Snapshot& snapshot, const LookDefinition& look);
 
 }  // namespace thinwall

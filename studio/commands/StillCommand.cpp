@@ -115,7 +115,7 @@ int make_still(const StillOptions& options) {
     GroundTruthSeries::write_still({.folder = truth_folder(options.picture),
                                     .size = image.size,
                                     .organs = tissue_kinds(scenario.resolved),
-                                    .edges = drawn_edges(scenario.view.look)},
+                                    .look = scenario.view.look},
                                    before, *frame, frame_later(1));
   }
   fmt::print(stderr, "{}", pass_table(painter->pass_times()));

@@ -12,6 +12,7 @@
 #include "renderer/image/PngFile.hpp"
 #include "renderer/image/WholeFile.hpp"
 #include "renderer/look/OrganLooks.hpp"
+#include "renderer/picture/WoundBed.hpp"
 
 namespace thinwall {
 namespace {
@@ -156,8 +157,13 @@ GroundTruthSeries::GroundTruthSeries(GroundTruthPlan plan) : plan_(std::move(pla
   for (const char* layer : kGroundTruthLayers) make_folder(unfinished_name(plan_.folder) / layer);
 }
 
+std::unique_ptr<SeenFrame> GroundTruthSeries::seen(const Frame& frame) const {
+  return std::make_unique<SeenFrame>(laid_on_beds(frame.snapshot, plan_.look), frame.shot, plan_.size,
+                                     drawn_edges(plan_.look), frame.card.has_value());
+}
+
 void GroundTruthSeries::add(const Frame& frame) {
-  auto next = std::make_unique<SeenFrame>(frame.snapshot, frame.shot, plan_.size, plan_.edges, frame.card.has_value());
+  auto next = seen(frame);
   if (now_) write(before_.get(), *now_, next.get());
   before_ = std::move(now_);
   now_ = std::move(next);
@@ -172,12 +178,8 @@ void GroundTruthSeries::finish() {
 void GroundTruthSeries::write_still(GroundTruthPlan plan, const std::optional<Frame>& before, const Frame& now,
                                     const std::optional<Frame>& after) {
   GroundTruthSeries series(std::move(plan));
-  const auto seen = [&](const Frame& frame) {
-    return std::make_unique<SeenFrame>(frame.snapshot, frame.shot, series.plan_.size, series.plan_.edges,
-                                       frame.card.has_value());
-  };
-  const auto earlier = before ? seen(*before) : nullptr, later = after ? seen(*after) : nullptr;
-  series.write(earlier.get(), *seen(now), later.get());
+  const auto earlier = before ? series.seen(*before) : nullptr, later = after ? series.seen(*after) : nullptr;
+  series.write(earlier.get(), *series.seen(now), later.get());
   series.write_tables();
   rename_folder(unfinished_name(series.plan_.folder), series.plan_.folder);
 }

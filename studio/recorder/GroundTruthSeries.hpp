@@ -20,7 +20,7 @@ struct GroundTruthPlan {
   std::filesystem::path folder;  // that will be made
   ImageSize size;
   std::map<std::string, std::string> organs = {};  // kinds of tissue by the names of bodies
-  DrawnEdges edges = DrawnEdges::kCurvedLips;      // as in the pictures
+  LookDefinition look = {};                        // as in the pictures
 };
 
 /// Ground truth of a recording: a folder for each layer with a file for each frame, and what tells of all frames
@@ -43,6 +43,7 @@ class GroundTruthSeries {
                           const std::optional<Frame>& after);
 
  private:
+  std::unique_ptr<SeenFrame> seen(const Frame& frame) const;
   void write(const SeenFrame* before, const SeenFrame& now, const SeenFrame* after);
   void write_layers(const GroundTruth& truth);
   void write_flow(const std::string& name, const SeenFrame& from, const SeenFrame* to);

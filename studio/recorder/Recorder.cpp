@@ -123,7 +123,7 @@ GroundTruthPlan truth_plan(const RecordingPlan& plan) {
   return {.folder = plan.folder / kGroundTruthFolder,
           .size = plan.size,
           .organs = tissue_kinds(plan.description.resolved),
-          .edges = drawn_edges(plan.view.look)};
+          .look = plan.view.look};
 }
 
 template <typename Work>

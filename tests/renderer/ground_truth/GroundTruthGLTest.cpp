@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "renderer/ground_truth/GroundTruth.hpp"
+#include "renderer/image/ImageDifference.hpp"
 #include "renderer/picture/Renderer.hpp"
+#include "renderer/picture/WoundBed.hpp"
 #include "tests/renderer/picture/CutSheets.hpp"
 
 namespace thinwall {
@@ -96,6 +99,26 @@ TEST(GroundTruthGLTest, LipsOfWoundsLieWhereThePictureHasThem) {
   view.look.mesh = true;
   EXPECT_EQ(drawn_edges(view.look), DrawnEdges::kStraight);
   EXPECT_LE(tissue_that_differs(snapshot, view, drawn_edges(view.look)), 3);
+}
+
+TEST(GroundTruthGLTest, APieceThatWasCutFreeIsWhereThePictureLaysIt) {
+  Snapshot snapshot;
+  SnapshotSurface& sheet = snapshot.surfaces.emplace_back(test::patched_sheet(40, 0.001, 8));
+  for (std::size_t v = sheet.positions.size() - 81; v < sheet.positions.size(); ++v) sheet.positions[v][2] = -0.2F;
+  ViewDefinition view;
+  view.camera = {.position = Double3{0.02, 0, 0.05}, .target = Double3{0, 0, 0}, .up = Double3{0, 1, 0}};
+  view.look.floor = false;
+  view.look.bodies["organ"].bed = 0.004;
+  constexpr ImageSize kSize = {.width = 160, .height = 90};
+  Renderer renderer({}, kSize, Tier::kDraft);
+  for (const auto& [flat, mesh] : {std::pair{false, false}, {true, false}, {false, true}}) {
+    view.look.flat_triangles = flat;
+    view.look.mesh = mesh;
+    const Snapshot laid = laid_on_beds(snapshot, view.look);
+    EXPECT_NEAR(laid.surfaces[0].positions.back()[2], -0.004, 1e-7);
+    const Image shown = renderer.draw(snapshot, view, view.camera), told = renderer.draw(laid, view, view.camera);
+    EXPECT_EQ(compare_images(shown, told).failing, 0) << describe(compare_images(shown, told));
+  }
 }
 
 TEST(GroundTruthGLTest, ALensBendsTheTruthAsItBendsThePicture) {

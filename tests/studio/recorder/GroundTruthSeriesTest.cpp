@@ -4,16 +4,18 @@
 
 #include <nlohmann/json.hpp>
 
+#include "renderer/picture/WoundBed.hpp"
 #include "renderer/snapshot/SurfaceFields.hpp"
+#include "tests/renderer/picture/CutSheets.hpp"
 #include "tests/studio/SyntheticRun.hpp"
 #include "tests/studio/TemporaryFolder.hpp"
 
 namespace thinwall {
 namespace {
 
-/// The dented sheet as a frame, with stress in its wall.
-Frame frame_at(std::size_t step) {
-  Frame frame{.snapshot = SyntheticRun().moment(step).snapshot, .overlay = {}};
+/// As a frame, with stress in its first wall.
+Frame frame_of(Snapshot snapshot) {
+  Frame frame{.snapshot = std::move(snapshot), .overlay = {}};
   SnapshotSurface& surface = frame.snapshot.surfaces[0];
   for (const std::string_view name : {kLargestStressField, kSmallestStressField}) {
     surface.fields.push_back({.name = std::string(name),
@@ -28,6 +30,11 @@ Frame frame_at(std::size_t step) {
   return frame;
 }
 
+/// Of the dented sheet.
+Frame frame_at(std::size_t step) {
+  return frame_of(SyntheticRun().moment(step).snapshot);
+}
+
 Frame card_at(std::size_t step) {
   Frame frame = frame_at(step);
   frame.card = Card{.title = "A sheet"};
@@ -37,8 +44,8 @@ Frame card_at(std::size_t step) {
 /// Ground truth of some frames, in a folder of its own.
 class Series {
  public:
-  explicit Series(const std::vector<Frame>& frames) {
-    GroundTruthSeries series({.folder = folder_ / "truth", .size = {.width = 48, .height = 32}});
+  explicit Series(const std::vector<Frame>& frames, const LookDefinition& look = {}) {
+    GroundTruthSeries series({.folder = folder_ / "truth", .size = {.width = 48, .height = 32}, .look = look});
     for (const Frame& frame : frames) series.add(frame);
     series.finish();
   }
@@ -76,6 +83,20 @@ TEST(GroundTruthSeries, AFrameBesideACardHasNoFlowThereAsTheFirstAndTheLastOneHa
 TEST(GroundTruthSeries, SaysWhatPicturesShowAndItHasNothingOf) {
   EXPECT_EQ(Series({frame_at(0)}).description()["left_out"],
             nlohmann::json({"fluid", "run-off", "drops", "blood", "bed", "right half", "inset", "card"}));
+}
+
+TEST(GroundTruthSeriesTest, APieceThatWasCutFreeLiesWherePicturesShowIt) {
+  Snapshot fallen;
+  SnapshotSurface& sheet = fallen.surfaces.emplace_back(test::patched_sheet(40, 0.001, 8));
+  for (std::size_t v = sheet.positions.size() - 81; v < sheet.positions.size(); ++v) sheet.positions[v][2] = -0.2F;
+  LookDefinition look;
+  look.bodies["organ"].bed = 0.004;
+  const Snapshot laid = laid_on_beds(fallen, look);
+  ASSERT_GT(laid.surfaces[0].positions.back()[2], -0.02F);
+  const Series told({frame_of(fallen)}, look), shown({frame_of(laid)}, look), without_bed({frame_of(fallen)});
+  EXPECT_EQ(told.layer("depth", 0), shown.layer("depth", 0));
+  EXPECT_EQ(told.layer("instances", 0), shown.layer("instances", 0));
+  EXPECT_NE(told.layer("depth", 0), without_bed.layer("depth", 0));
 }
 
 }  // namespace
