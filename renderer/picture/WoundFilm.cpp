@@ -14,6 +14,7 @@ constexpr double kBloodSpacing = 0.014;  // metres between runs of blood, and of
 constexpr double kFluidSpacing = 0.007;
 constexpr double kBloodFrom = 0.009;      // metres of a lip whose blood goes into a run; the rest stays in the wound
 constexpr double kLongestRun = 0.045;     // metres
+constexpr double kFluidPush = 0.006;      // metres over level wall, of what the body presses out
 constexpr double kFirstDrops = 1e-7;      // metres^3, after which lips are wet all along
 constexpr float kFringeMargin = 0.0005F;  // metres beyond its edge that are drawn, for that is uneven
 constexpr float kOnTriangles = 0.00002F;  // metres, lift of a film on the wall's own triangles
@@ -244,11 +245,13 @@ double thickness_at(const FluidRun& run, const SnapshotTopology& topology) {
 
 WoundLayout lay_out_wounds(const SnapshotTopology& topology, std::span<const BorderEdge> borders,
                            std::span<const char> is_lip, Vector3 down) {
-  WoundLayout layout{.map = map_wounds(topology, borders, is_lip),
-                     .fringe = {},
-                     .fall = std::vector<double>(is_lip.size(), 0),
-                     .blood_runs = find_runs(topology, borders, is_lip, down, kBloodSpacing, kLongestRun),
-                     .fluid_runs = find_runs(topology, borders, is_lip, down, kFluidSpacing, kLongestRun)};
+  WoundLayout layout{
+      .map = map_wounds(topology, borders, is_lip),
+      .fringe = {},
+      .fall = std::vector<double>(is_lip.size(), 0),
+      .blood_runs = find_runs(topology, borders, is_lip, down, {.spacing = kBloodSpacing, .longest = kLongestRun}),
+      .fluid_runs = find_runs(topology, borders, is_lip, down,
+                              {.spacing = kFluidSpacing, .longest = kLongestRun, .push = kFluidPush})};
   for (const auto& [start, end, triangle] : borders) {
     if (!is_lip[start] || !is_lip[end]) continue;
     const Vector3 a = vector3(topology.rest_positions[start]), b = vector3(topology.rest_positions[end]);

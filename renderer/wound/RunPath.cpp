@@ -14,6 +14,7 @@ namespace {
 constexpr double kLeastSlope = 0.25;  // sine; flatter, a drop stays
 constexpr double kUnder = 0.75;       // cosine between the outside and down, from where it drips
 constexpr double kInertia = 0.6;      // of the sense in which it already runs
+constexpr double kMostRise = 0.1;     // sine; steeper, what is pushed out does not go up
 
 /// A run finds its way between what it wets and what it does not: it swerves from the slope, in long and short bends.
 struct Bend {
@@ -92,10 +93,22 @@ double swerve(double along, double chance) {
   return std::min(1.0, along / kStraight) * angle;
 }
 
-std::vector<WallPlace> follow(const Slope& slope, WallPlace place, Vector3 down, double longest, double chance) {
+/// From a lip on, pushed `away` from it while the wall is level. Empty where it finds no slope within `push` metres.
+std::vector<WallPlace> follow(const Slope& slope, WallPlace place, Vector3 down, const RunReach& reach, Vector3 away,
+                              double chance) {
   std::vector<WallPlace> path = {place};
   Vector3 sense;
-  while (static_cast<double>(path.size()) * kRunStep < longest) {
+  const auto steps = static_cast<std::size_t>(reach.push / kRunStep);
+  for (bool is_pushed = true; is_pushed;) {
+    const Vector3 normal = normalized(point_at(place, slope.normals));
+    const Vector3 fall = down - dot(down, normal) * normal;
+    is_pushed = length(fall) < kLeastSlope && dot(down, normal) < 0;
+    if (!is_pushed) break;
+    sense = normalized(away - dot(away, normal) * normal);
+    if (path.size() > steps || dot(fall, sense) < -kMostRise || !move(slope, place, kRunStep * sense)) return {};
+    path.push_back(place);
+  }
+  while (static_cast<double>(path.size()) * kRunStep < reach.longest) {
     const Vector3 normal = normalized(point_at(place, slope.normals));
     const Vector3 fall = down - dot(down, normal) * normal;
     if (length(fall) < kLeastSlope || dot(down, normal) > kUnder) break;
@@ -128,6 +141,28 @@ WallPlace middle_of(const BorderEdge& edge, const SnapshotTopology& topology) {
   return place;
 }
 
+/// From the middle of a lip into its triangle.
+Vector3 away_from(const BorderEdge& edge, const SnapshotTopology& topology) {
+  const Vector3 start = vector3(topology.rest_positions[edge.start]), end = vector3(topology.rest_positions[edge.end]);
+  Vector3 inner;
+  for (const std::uint32_t corner : topology.triangles[edge.triangle]) {
+    if (corner != edge.start && corner != edge.end) inner = vector3(topology.rest_positions[corner]);
+  }
+  const Vector3 along = normalized(end - start), way = inner - start;
+  return normalized(way - dot(way, along) * along);
+}
+
+/// Where a run may begin.
+struct LipPoint {
+  Vector3 place;  // stress-free
+  Vector3 away;   // from the wound
+
+  /// The opposite lip, whose runs go the other way, is not beside it.
+  bool is_beside(const LipPoint& other, double spacing) const {
+    return length(other.place - place) < spacing && dot(other.away, away) > -0.5;
+  }
+};
+
 }  // namespace
 
 Vector3 point_at(const WallPlace& place, std::span<const Float3> points) {
@@ -137,7 +172,7 @@ Vector3 point_at(const WallPlace& place, std::span<const Float3> points) {
 }
 
 std::vector<FluidRun> find_runs(const SnapshotTopology& topology, std::span<const BorderEdge> borders,
-                                std::span<const char> is_lip, Vector3 down, double spacing, double longest) {
+                                std::span<const char> is_lip, Vector3 down, const RunReach& reach) {
   if (topology.cut_times.empty()) return {};
   std::vector<std::pair<double, std::size_t>> lips;  // time of the cut, border
   for (std::size_t k = 0; k < borders.size(); ++k) {
@@ -150,15 +185,16 @@ std::vector<FluidRun> find_runs(const SnapshotTopology& topology, std::span<cons
   const Slope slope{
       .topology = topology, .normals = rest_normals(topology), .opposite = opposite_triangles(topology.triangles)};
   std::vector<FluidRun> runs;
-  std::vector<Vector3> taken;
+  std::vector<LipPoint> taken;
   for (const auto& [time, k] : lips) {
     const WallPlace start = middle_of(borders[k], topology);
-    const Vector3 place = point_at(start, topology.rest_positions);
-    if (std::ranges::any_of(taken, [&](Vector3 other) { return length(other - place) < spacing; })) continue;
+    const LipPoint lip{.place = point_at(start, topology.rest_positions), .away = away_from(borders[k], topology)};
+    if (std::ranges::any_of(taken, [&](const LipPoint& other) { return lip.is_beside(other, reach.spacing); }))
+      continue;
     const double chance = chance_of(topology.rest_positions[borders[k].start]);
-    std::vector<WallPlace> path = follow(slope, start, down, longest, chance);
+    std::vector<WallPlace> path = follow(slope, start, down, reach, lip.away, chance);
     if (path.size() < 4) continue;
-    taken.push_back(place);
+    taken.push_back(lip);
     runs.push_back({.path = std::move(path), .born = time, .chance = chance});
   }
   return runs;

@@ -25,12 +25,19 @@ struct FluidRun {
 
 inline constexpr double kRunStep = 0.0008;  // metres
 
-/// Runs that begin at the lips, at least `spacing` (metres, stress-free) from each other, where the wall falls away
-/// from the wound along `down` (of length one). Older lips go first, so that runs stay while a cut goes on. Each
-/// follows the slope of the stress-free wall, from which it swerves a little to both sides, for at most `longest`
-/// metres, to where the wall is level, turns under, or ends.
+/// Metres on the stress-free wall.
+struct RunReach {
+  double spacing = 0;  // at least, between where runs begin
+  double longest = 0;  // of a run
+  double push = 0;     // over level wall, away from the lip, of what comes out under pressure
+};
+
+/// Runs that begin at the lips, where the wall falls away from the wound along `down` (of length one), or does so
+/// behind level wall that the push gets them over, as on the crown of a vessel. Older lips go first, so that runs stay
+/// while a cut goes on. Each follows the slope of the stress-free wall, from which it swerves a little to both sides,
+/// to where the wall is level, turns under, or ends.
 std::vector<FluidRun> find_runs(const SnapshotTopology& topology, std::span<const BorderEdge> borders,
-                                std::span<const char> is_lip, Vector3 down, double spacing, double longest);
+                                std::span<const char> is_lip, Vector3 down, const RunReach& reach);
 
 /// A point between the corners of a place's triangle.
 Vector3 point_at(const WallPlace& place, std::span<const Float3> points);

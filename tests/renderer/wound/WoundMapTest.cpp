@@ -79,9 +79,10 @@ TEST(WoundMap, ItsTaperingGoesOnWithACutBetweenTheVertices) {
   EXPECT_GT(map.tapering(5)[last], 0.1);
 }
 
-std::vector<FluidRun> runs_of(const SnapshotTopology& topology) {
+std::vector<FluidRun> runs_of(const SnapshotTopology& topology, double push = 0) {
   const std::vector<BorderEdge> borders = border_edges(topology);
-  return find_runs(topology, borders, cut_lips(topology, borders), {0, 0, -1}, 0.0045, 0.03);
+  return find_runs(topology, borders, cut_lips(topology, borders), {0, 0, -1},
+                   {.spacing = 0.0045, .longest = 0.03, .push = push});
 }
 
 TEST(FluidRuns, FollowTheSlopeFromTheLowerLip) {
@@ -112,6 +113,38 @@ TEST(FluidRuns, AreNoneOnALevelSheetNorOnATakeThatDoesNotTellWhen) {
   SnapshotTopology untold = *test::slit_sheet(20, 0.001, 0.8).topology;
   untold.cut_times.clear();
   EXPECT_TRUE(runs_of(untold).empty());
+}
+
+/// A slit along the top of a vault of radius 12 mm, on which the wall falls by `lean` to one side.
+SnapshotTopology slit_vault(float lean) {
+  SnapshotTopology vault = *test::slit_sheet(20, 0.001, 0).topology;
+  for (Float3& place : vault.rest_positions) place[2] = -place[1] * place[1] / 0.024F - lean * place[1];
+  return vault;
+}
+
+TEST(FluidRuns, ArePushedOverALevelCrownToBothSides) {
+  const SnapshotTopology vault = slit_vault(0);
+  EXPECT_TRUE(runs_of(vault).empty()) << "what only seeps stays";
+  // The slope at which fluid runs by itself, a sine of 0.25, begins 3.1 mm from the slit.
+  EXPECT_TRUE(runs_of(vault, 0.002).empty());
+  const std::vector<FluidRun> runs = runs_of(vault, 0.006);
+  int ahead = 0;
+  for (const FluidRun& run : runs) {
+    EXPECT_NEAR(point_at(run.path.front(), vault.rest_positions).y, 0, 1e-7) << "begins at the cut";
+    const double end = point_at(run.path.back(), vault.rest_positions).y;
+    EXPECT_GT(std::abs(end), 0.008) << "goes on down the slope";
+    ahead += end > 0;
+  }
+  EXPECT_GE(ahead, 1);
+  EXPECT_GE(std::ssize(runs) - ahead, 1);
+  EXPECT_TRUE(runs_of(*test::slit_sheet(20, 0.001, 0).topology, 0.006).empty()) << "no slope to be pushed to";
+}
+
+TEST(FluidRuns, AreNotPushedUpwards) {
+  const SnapshotTopology vault = slit_vault(0.15F);
+  const std::vector<FluidRun> runs = runs_of(vault, 0.006);
+  ASSERT_GE(runs.size(), 2U);
+  for (const FluidRun& run : runs) EXPECT_GT(point_at(run.path.back(), vault.rest_positions).y, 0.008);
 }
 
 TEST(FluidRuns, StayWhileTheCutGoesOn) {
