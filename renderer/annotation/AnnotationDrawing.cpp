@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <tuple>
 #include <utility>
 
 #include "renderer/annotation/ArrowShape.hpp"
@@ -84,9 +86,9 @@ std::vector<PixelPoint> tool_obstacles(const Scene& scene, const std::vector<Too
   return obstacles;
 }
 
-/// Outlines of what labels should keep clear of: tools and vertices of the surfaces.
-std::vector<PixelPoint> obstacles_of(const Scene& scene) {
-  std::vector<PixelPoint> obstacles = tool_obstacles(scene, scene.tools);
+/// Vertices of the surfaces.
+std::vector<PixelPoint> wall_obstacles(const Scene& scene) {
+  std::vector<PixelPoint> obstacles;
   for (const SnapshotSurface& surface : scene.snapshot.surfaces) {
     for (const Float3& position : surface.positions) {
       const std::optional<PixelPoint> at = scene.pixel(vector3(position));
@@ -141,6 +143,21 @@ bool is_low(const Scene& scene, const Double3& at, double first_shown) {
   return place && (*place)[1] > bounds.y + 0.5 * bounds.height;
 }
 
+/// The outline of the walls at rest. Rows of it are not higher than labels.
+std::vector<PixelPoint> resting_outline(const Scene& scene, const Camera& camera) {
+  std::vector<PixelPoint> points;
+  for (const SnapshotSurface& surface : scene.snapshot.surfaces) {
+    for (const Float3& position : surface.topology->rest_positions) {
+      if (const auto at = camera.pixel(vector3(position), scene.size)) points.push_back(*at);
+    }
+  }
+  return outline_of(points, scene.grid.pixels(8));
+}
+
+LabelRoom empty_room(const Scene& scene) {
+  return {.bounds = label_bounds(scene), .gap = scene.grid.pixels(8), .distance = scene.grid.pixels(26)};
+}
+
 struct ShownLabel {
   const LabelDefinition* definition = nullptr;
   Text text;
@@ -148,7 +165,35 @@ struct ShownLabel {
   bool hidden = false;
   bool on_the_left = false;
   bool upwards = false;  // from its anchor, where it would cover it
+  LabelPlace place = LabelPlace::kBeside;
 };
+
+LabelWish wish_of(const Scene& scene, const ShownLabel& label) {
+  return {.anchor = label.anchor,
+          .width = label.text.width() + 2 * scene.grid.pixels(kPadX),
+          .height = label.text.height() + 2 * scene.grid.pixels(kPadY),
+          .on_the_left = label.on_the_left,
+          .upwards = label.upwards,
+          .place = label.place};
+}
+
+/// Decides where labels stand to the walls as these are, at rest, when each is first shown.
+void find_places(const Scene& scene, std::vector<ShownLabel>& labels) {
+  std::map<double, LabelRoom> rooms;
+  for (ShownLabel& label : labels) {
+    const double begin = label.definition->span.begin;
+    const Camera camera = resting_camera_at(scene, begin);
+    const auto [found, is_new] = rooms.try_emplace(begin, empty_room(scene));
+    LabelRoom& room = found->second;
+    if (is_new) {
+      room.obstacles = resting_outline(scene, camera);
+      std::tie(room.walls_top, room.walls_bottom) = heights_of(room.obstacles);
+    }
+    LabelWish wish = wish_of(scene, label);
+    wish.anchor = camera.pixel(vector3(label.definition->at), scene.size).value_or(label.anchor);
+    label.place = roomy_place(wish, room);
+  }
+}
 
 std::vector<ShownLabel> shown_labels(const Scene& scene, const std::vector<LabelDefinition>& labels) {
   std::vector<ShownLabel> shown;
@@ -167,6 +212,7 @@ std::vector<ShownLabel> shown_labels(const Scene& scene, const std::vector<Label
                      .on_the_left = is_left,
                      .upwards = is_low(scene, label.at, label.span.begin)});
   }
+  find_places(scene, shown);
   return shown;
 }
 
@@ -190,25 +236,8 @@ void draw_plate(const Canvas& canvas, const Scene& scene, const Text& text, cons
 
 std::vector<LabelWish> wishes_of(const Scene& scene, const std::vector<ShownLabel>& shown) {
   std::vector<LabelWish> wishes;
-  for (const ShownLabel& label : shown) {
-    wishes.push_back({.anchor = label.anchor,
-                      .width = label.text.width() + 2 * scene.grid.pixels(kPadX),
-                      .height = label.text.height() + 2 * scene.grid.pixels(kPadY),
-                      .on_the_left = label.on_the_left,
-                      .upwards = label.upwards});
-  }
+  for (const ShownLabel& label : shown) wishes.push_back(wish_of(scene, label));
   return wishes;
-}
-
-/// The outline of the walls at rest. Rows of it are not higher than labels.
-std::vector<PixelPoint> resting_outline(const Scene& scene, const Camera& camera) {
-  std::vector<PixelPoint> points;
-  for (const SnapshotSurface& surface : scene.snapshot.surfaces) {
-    for (const Float3& position : surface.topology->rest_positions) {
-      if (const auto at = camera.pixel(vector3(position), scene.size)) points.push_back(*at);
-    }
-  }
-  return outline_of(points, scene.grid.pixels(8));
 }
 
 /// The same labels at times while they are shown together, pointing at the wall at rest.
@@ -250,11 +279,12 @@ Box dot_of(const Scene& scene, PixelPoint anchor) {
 std::vector<Box> draw_labels(const Canvas& canvas, const Scene& scene, const std::vector<LabelDefinition>& labels) {
   std::vector<ShownLabel> unordered = shown_labels(scene, labels);
   if (unordered.empty()) return {};
-  const LabelRoom room{.bounds = label_bounds(scene),
-                       .obstacles = obstacles_of(scene),
-                       .gap = scene.grid.pixels(8),
-                       .distance = scene.grid.pixels(26),
-                       .taken = taken_in(scene)};
+  LabelRoom room = empty_room(scene);
+  room.obstacles = wall_obstacles(scene);
+  std::tie(room.walls_top, room.walls_bottom) = heights_of(room.obstacles);
+  room.tools = tool_obstacles(scene, scene.tools);
+  room.obstacles.insert(room.obstacles.end(), room.tools.begin(), room.tools.end());
+  room.taken = taken_in(scene);
   std::vector<ShownLabel> shown;
   for (const std::size_t i : order_of_labels(moments_of(scene, unordered, wishes_of(scene, unordered)), room)) {
     shown.push_back(std::move(unordered[i]));

@@ -58,11 +58,12 @@ void keep_inside(std::vector<double>& tops, const std::vector<double>& heights, 
 
 /// The x beyond which obstacles keep a label of the given span of heights. Obstacles above and below count less the
 /// farther they are, so that the result changes steadily.
-double free_edge(const LabelRoom& room, double top, double bottom, bool on_the_left) {
-  const double sign = on_the_left ? 1 : -1;
-  double edge = std::numeric_limits<double>::max();
-  for (const PixelPoint& obstacle : room.obstacles) {
-    const double off = std::max({0.0, top - room.gap - obstacle[1], obstacle[1] - bottom - room.gap});
+double free_edge(const LabelWish& wish, const LabelRoom& room, double top) {
+  const double sign = wish.on_the_left ? 1 : -1;
+  // Never on the wrong side of its anchor, also where nothing stands in the way.
+  double edge = sign * wish.anchor[0];
+  for (const PixelPoint& obstacle : wish.place == LabelPlace::kBeside ? room.obstacles : room.tools) {
+    const double off = std::max({0.0, top - room.gap - obstacle[1], obstacle[1] - top - wish.height - room.gap});
     edge = std::min(edge, sign * obstacle[0] + 2 * off);
   }
   return sign * edge;
@@ -110,9 +111,7 @@ double beside_taken(const LabelWish& wish, const Box& taken, const LabelRoom& ro
 }
 
 double left_of(const LabelWish& wish, const LabelRoom& room, double top) {
-  double edge = free_edge(room, top, top + wish.height, wish.on_the_left);
-  // Never on the wrong side of its anchor, also where nothing stands in the way.
-  edge = wish.on_the_left ? std::min(edge, wish.anchor[0]) : std::max(edge, wish.anchor[0]);
+  const double edge = free_edge(wish, room, top);
   double left = wish.on_the_left ? edge - room.distance - wish.width : edge + room.distance;
   for (const Box& taken : room.taken) left = beside_taken(wish, taken, room, left, top);
   return std::max(room.bounds.x, std::min(left, room.bounds.right() - wish.width));
@@ -129,18 +128,35 @@ double wanted_top(const LabelWish& wish, const LabelRoom& room) {
   return wish.upwards ? level - part * whole : level + part * whole;
 }
 
+/// Those above and below the walls one by one away from them.
+std::vector<double> wanted_tops(const std::vector<LabelWish>& wishes, const LabelRoom& room) {
+  std::vector<double> tops;
+  double lower = room.walls_bottom + room.distance, upper = room.walls_top - room.distance + room.gap;
+  for (const LabelWish& wish : wishes) {
+    tops.push_back(wish.place == LabelPlace::kBelow ? lower : wanted_top(wish, room));
+    if (wish.place == LabelPlace::kBelow) lower += wish.height + room.gap;
+  }
+  for (std::size_t i = wishes.size(); i-- > 0;) {
+    if (wishes[i].place == LabelPlace::kAbove) tops[i] = upper -= wishes[i].height + room.gap;
+  }
+  return tops;
+}
+
 }  // namespace
 
 std::vector<Box> lay_out_labels(const std::vector<LabelWish>& wishes, const LabelRoom& room) {
   std::vector<Box> boxes(wishes.size());
   for (const bool on_the_left : {true, false}) {
     std::vector<std::size_t> members;
-    std::vector<double> wanted, heights;
-    double widest = 0;
     for (std::size_t i = 0; i < wishes.size(); ++i) {
-      if (wishes[i].on_the_left != on_the_left) continue;
-      members.push_back(i);
-      wanted.push_back(wanted_top(wishes[i], room));
+      if (wishes[i].on_the_left == on_the_left) members.push_back(i);
+    }
+    std::ranges::stable_sort(members, {}, [&](std::size_t i) { return wishes[i].place; });
+    std::vector<LabelWish> side;
+    std::vector<double> heights;
+    double widest = 0;
+    for (const std::size_t i : members) {
+      side.push_back(wishes[i]);
       heights.push_back(wishes[i].height + room.gap);
       widest = std::max(widest, wishes[i].width);
     }
@@ -148,14 +164,28 @@ std::vector<Box> lay_out_labels(const std::vector<LabelWish>& wishes, const Labe
     for (const Box& taken : room.taken) {
       if (is_side_taken(taken, room, on_the_left, widest)) bounds = free_heights(bounds, taken, room.gap);
     }
-    std::vector<double> tops = spread(wanted, heights);
+    std::vector<double> tops = spread(wanted_tops(side, room), heights);
     keep_inside(tops, heights, room.gap, bounds);
     for (std::size_t k = 0; k < members.size(); ++k) {
-      const LabelWish& wish = wishes[members[k]];
-      boxes[members[k]] = {left_of(wish, room, tops[k]), tops[k], wish.width, wish.height};
+      boxes[members[k]] = {left_of(side[k], room, tops[k]), tops[k], side[k].width, side[k].height};
     }
   }
   return boxes;
+}
+
+LabelPlace roomy_place(const LabelWish& wish, const LabelRoom& room) {
+  constexpr double kLongestWay = 0.5;  // of the bounds: from near, a line would cross what is shown
+  const double edge = free_edge(wish, room, wish.anchor[1] - 0.5 * wish.height);
+  const double beside = wish.on_the_left ? edge - room.bounds.x : room.bounds.right() - edge;
+  // The rim of an organ may be covered a little.
+  if (beside + room.distance >= wish.width + room.gap) return LabelPlace::kBeside;
+  const double above = room.walls_top - room.gap - room.bounds.y;
+  const double below = room.bounds.bottom() - room.walls_bottom - room.gap;
+  const double up = wish.anchor[1] - room.walls_top, down = room.walls_bottom - wish.anchor[1];
+  const bool fits_above = above >= wish.height && up <= kLongestWay * room.bounds.height;
+  const bool fits_below = below >= wish.height && down <= kLongestWay * room.bounds.height;
+  if (fits_above && (up < down || !fits_below)) return LabelPlace::kAbove;
+  return fits_below ? LabelPlace::kBelow : LabelPlace::kBeside;
 }
 
 }  // namespace thinwall

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace thinwall {
@@ -29,7 +30,9 @@ int crossings_of(const std::vector<LabelMoment>& moments, const std::vector<std:
   int crossings = 0;
   for (const LabelMoment& moment : moments) {
     const std::vector<LabelWish> wishes = ordered(moment.wishes, order);
+    room.tools.clear();
     room.obstacles = moment.outline;
+    std::tie(room.walls_top, room.walls_bottom) = heights_of(moment.outline);
     for (const LabelWish& wish : wishes) room.obstacles.push_back(wish.anchor);
     crossings += count_crossings(wishes, lay_out_labels(wishes, room));
   }
@@ -55,6 +58,12 @@ int count_crossings(const std::vector<LabelWish>& wishes, const std::vector<Box>
     }
   }
   return crossings;
+}
+
+std::pair<double, double> heights_of(const std::vector<PixelPoint>& points) {
+  if (points.empty()) return {0, 0};
+  const auto [top, bottom] = std::ranges::minmax(points, {}, [](const PixelPoint& point) { return point[1]; });
+  return {top[1], bottom[1]};
 }
 
 std::vector<PixelPoint> outline_of(const std::vector<PixelPoint>& points, double height) {

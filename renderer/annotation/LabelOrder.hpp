@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "renderer/annotation/LabelLayout.hpp"
@@ -27,6 +28,9 @@ struct LabelMoment {
 /// The leftmost and the rightmost of the points in each row, `height` pixels high: what labels beside them keep clear
 /// of.
 std::vector<PixelPoint> outline_of(const std::vector<PixelPoint>& points, double height);
+
+/// Of the uppermost and of the lowest of the points; 0 where there are none.
+std::pair<double, double> heights_of(const std::vector<PixelPoint>& points);
 
 /// The order, from above, in which labels are laid out so that over `moments` as few leaders cross as swaps of two can
 /// reach; without need that of their mean heights. It holds for all moments, so that labels do not change places while

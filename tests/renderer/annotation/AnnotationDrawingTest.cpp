@@ -280,6 +280,33 @@ TEST(AnnotationDrawing, LabelsAndTextsOfArrowsKeepClearOfALegend) {
   EXPECT_EQ(inked(legend), 0);
 }
 
+TEST(AnnotationDrawing, LabelsLeaveAnOrganFreeInAHighPicture) {
+  constexpr ImageSize kHigh{400, 720};
+  Snapshot snapshot = scene();
+  snapshot.time = 1;
+  snapshot.tools.clear();
+  CameraDefinition camera = from_the_front();
+  camera.position = Double3{0, -0.25, 0};
+  AnnotationDefinition annotations;
+  for (const double height : {-0.006, 0.006}) {
+    annotations.labels.push_back({.text = "A long name of a part", .body = "organ", .at = {0.004, -0.019, height}});
+  }
+  Image image{.size = kHigh, .pixels = std::vector<std::uint8_t>(3UL * kHigh.width * kHigh.height, 0)};
+  draw_annotations(image, {.size = kHigh}, annotations, snapshot, camera);
+  // The ball is seen with a radius of 107 pixels.
+  std::size_t inked = 0, covered = 0;
+  for (int y = 0; y < kHigh.height; ++y) {
+    for (int x = 0; x < kHigh.width; ++x) {
+      if (image.pixels[3 * static_cast<std::size_t>(y * kHigh.width + x)] == 0) continue;
+      ++inked;
+      covered += std::hypot(x - 200, y - 360) < 107;
+    }
+  }
+  EXPECT_GT(inked, 4000U) << "two plates";
+  // Two lines of up to 107 pixels, three wide with their rims, and two dots.
+  EXPECT_LT(covered, 900U);
+}
+
 TEST(AnnotationDrawing, TextsOfArrowsLeaveThePointsOfLabelsFree) {
   Snapshot snapshot = scene();
   snapshot.time = 1;

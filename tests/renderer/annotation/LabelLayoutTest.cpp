@@ -141,6 +141,50 @@ TEST(LabelLayout, ALabelThatIsPressedOverItsAnchorGetsThereSteadily) {
   }
 }
 
+/// Bounds higher than wide, with a disc as wide as they are but for 40 at each side.
+LabelRoom high_room() {
+  LabelRoom room{.bounds = {180, -120, 280, 600}, .obstacles = disc(100), .gap = 8, .distance = 24};
+  room.walls_top = 80;
+  room.walls_bottom = 280;
+  return room;
+}
+
+TEST(LabelLayout, ALabelWithoutRoomBesideTheWallsStandsAboveOrBelowThemWhicheverIsNearer) {
+  EXPECT_EQ(roomy_place(wish(320, 150, true), high_room()), LabelPlace::kAbove);
+  EXPECT_EQ(roomy_place(wish(320, 210, true), high_room()), LabelPlace::kBelow);
+  EXPECT_EQ(roomy_place(wish(320, 80, true), high_room()), LabelPlace::kBeside) << "the disc is narrow at its top";
+  LabelRoom low = high_room();
+  low.bounds.height = 420;
+  EXPECT_EQ(roomy_place(wish(320, 210, true), low), LabelPlace::kAbove) << "20 below";
+  low.bounds.y = 60;
+  low.bounds.height = 240;
+  EXPECT_EQ(roomy_place(wish(320, 150, true), low), LabelPlace::kBeside) << "20 above and below";
+  LabelRoom near = high_room();
+  near.walls_top = -60;  // 300 above: half of the height of the bounds
+  near.walls_bottom = 560;
+  EXPECT_EQ(roomy_place(wish(320, 235, true), near), LabelPlace::kAbove);
+  EXPECT_EQ(roomy_place(wish(320, 245, true), near), LabelPlace::kBeside) << "the way is too long";
+  LabelRoom wide = high_room();
+  wide.bounds = kBounds;
+  EXPECT_EQ(roomy_place(wish(320, 150, true), wide), LabelPlace::kBeside);
+}
+
+TEST(LabelLayout, LabelsAboveAndBelowTheWallsStandInRowsAwayFromThemAndBesideTools) {
+  LabelRoom room = high_room();
+  for (double y = -120; y < 80; y += 5) room.tools.push_back({330, y});
+  std::vector<LabelWish> wishes = {wish(310, 260, false), wish(310, 100, false), wish(312, 250, false),
+                                   wish(312, 110, false)};
+  for (const std::size_t k : {0U, 2U}) wishes[k].place = LabelPlace::kBelow;
+  for (const std::size_t k : {1U, 3U}) wishes[k].place = LabelPlace::kAbove;
+  const auto boxes = lay_out_labels(wishes, room);
+  EXPECT_NEAR(boxes[3].bottom(), 80 - 24, 1e-9);
+  EXPECT_NEAR(boxes[1].bottom(), 80 - 24 - 38, 1e-9);
+  EXPECT_NEAR(boxes[0].y, 280 + 24, 1e-9);
+  EXPECT_NEAR(boxes[2].y, 280 + 24 + 38, 1e-9);
+  for (const std::size_t k : {1U, 3U}) EXPECT_NEAR(boxes[k].x, 330 + 24, 1e-9) << "beside the tool";
+  for (const std::size_t k : {0U, 2U}) EXPECT_NEAR(boxes[k].x, wishes[k].anchor[0] + 24, 1e-9) << "beside its anchor";
+}
+
 TEST(LabelLayout, LabelsKeepTheirHeightsBesideALegend) {
   const Box legend{20, 60, 70, 240};
   const auto boxes =
