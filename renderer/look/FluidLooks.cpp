@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace thinwall {
 namespace {
@@ -27,6 +28,17 @@ std::span<const NamedFluid> fluid_looks() {
 const FluidLook* find_fluid_look(std::string_view fluid) {
   const auto row = std::ranges::find(kFluidLooks, fluid, &NamedFluid::fluid);
   return row == kFluidLooks.end() ? nullptr : &row->look;
+}
+
+FluidLook bare_flesh(const TissueLook& look) {
+  constexpr double kSoaked = 0.5;  // of freely bleeding flesh, part that is blood
+  const double blood = kSoaked * std::cbrt(look.bleeding);
+  FluidLook bare = {.color = {}, .clarity = 0.00005, .cloudiness = 1};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double flesh = 0.5 * (look.layers.outer[c] + look.layers.middle[c]);
+    bare.color[c] = std::lerp(flesh, kFreshBlood.color[c], blood);
+  }
+  return bare;
 }
 
 }  // namespace thinwall

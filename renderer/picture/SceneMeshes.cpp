@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "renderer/look/FluidLooks.hpp"
 #include "renderer/picture/DrawnPieces.hpp"
 #include "renderer/picture/FallingDrops.hpp"
 #include "renderer/picture/PictureFailure.hpp"
@@ -17,11 +18,6 @@
 namespace thinwall {
 
 namespace {
-
-constexpr FluidLook kFreshBlood = {.color = {0.26, 0.012, 0.014}, .clarity = 0.00016, .cloudiness = 1};
-
-/// Of flesh, seen as a film: hardly any depth.
-constexpr double kBareClarity = 0.00005;
 
 /// Puts the numbers of a data view where the tissue's pattern has its places: x from 0 to 1 between the ends, y 1 where
 /// there is a number.
@@ -208,9 +204,7 @@ void SceneMeshes::find_films(const Snapshot& snapshot, std::size_t k, const Tiss
   const auto add = [&](Film film, const FluidLook& fluid, bool is_falling = false) {
     if (!film.corners.empty()) films_.push_back({.film = std::move(film), .look = fluid, .is_falling = is_falling});
   };
-  FluidLook bare = {.color = {}, .clarity = kBareClarity, .cloudiness = 1};
-  for (std::size_t c = 0; c < 3; ++c) bare.color[c] = 0.5 * (look.layers.outer[c] + look.layers.middle[c]);
-  add(bare_edge_film(pieces, *wounds_[k], snapshot.time), bare);
+  add(bare_edge_film(*surface.topology, pieces, *wounds_[k], snapshot.time), bare_flesh(look));
   const double leaked = look.contents.clarity > 0 ? find_scalar(snapshot, surface.body, kLeakedScalar).value_or(0) : 0;
   if (look.contents.clarity > 0) {
     add(runoff_film(surface, pieces, *wounds_[k], leaked, snapshot.time), look.contents);

@@ -323,10 +323,15 @@ Film runoff_film(const SnapshotSurface& surface, std::span<const TissuePiece> pi
   return film;
 }
 
-Film bare_edge_film(std::span<const TissuePiece> pieces, const WoundLayout& wounds, double time) {
+Film bare_edge_film(const SnapshotTopology& topology, std::span<const TissuePiece> pieces, const WoundLayout& wounds,
+                    double time) {
   Film film;
   const std::vector<double> tapering = wounds.map.tapering(time);
-  const auto part = [&](std::uint32_t lip) { return FringePart{.spread = tapering[lip], .dry = 0}; };
+  constexpr double kSoaking = 0.1;  // seconds: what it soaks up comes little by little
+  const auto part = [&](std::uint32_t lip) {
+    const double soaked = 1 - std::exp(-age_of(topology, lip, time) / kSoaking);
+    return FringePart{.spread = tapering[lip] * soaked, .dry = 0};
+  };
   append_fringe(pieces.front(), wounds, kBareEdge, part, film);
   return film;
 }

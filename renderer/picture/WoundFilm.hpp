@@ -47,6 +47,7 @@ inline constexpr double kRunoffHeight = 0.0006;
 inline constexpr double kRunoffSpeed = 0.045;
 
 /// What is bare of a wall beside its cut lips, where the outermost layer has drawn back.
-Film bare_edge_film(std::span<const TissuePiece> pieces, const WoundLayout& wounds, double time);
+Film bare_edge_film(const SnapshotTopology& topology, std::span<const TissuePiece> pieces, const WoundLayout& wounds,
+                    double time);
 
 }  // namespace thinwall

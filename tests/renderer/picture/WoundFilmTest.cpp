@@ -155,13 +155,15 @@ TEST(WoundFilm, DriesWithTime) {
   EXPECT_GT(wound.blood(120).vertices[lip].dry, 0.85F);
 }
 
-TEST(WoundFilm, TheWallIsBareAlongTheLipsFromTheStart) {
+TEST(WoundFilm, TheWallIsBareAlongTheLipsSoonAfterTheCut) {
   const Wound wound(0);
-  const Film film = bare_edge_film(wound.pieces, wound.layout, 1);
+  const Film film = bare_edge_film(*wound.sheet.topology, wound.pieces, wound.layout, 1);
   const std::uint32_t middle = 10 * 21;
   EXPECT_GT(fullness(film.vertices[middle + 10]), 0.7);
   EXPECT_LE(fullness(film.vertices[middle + 1]), 0) << "an end of the cut";
   EXPECT_LT(fullness(film.vertices[5]), -2) << "far away";
+  const Film fresh = bare_edge_film(*wound.sheet.topology, wound.pieces, wound.layout, 0.01);
+  EXPECT_LT(fullness(fresh.vertices[middle + 10]), 0) << "it does not come at once";
 }
 
 TEST(WoundFilm, WhatRunsOutWetsTheLips) {
