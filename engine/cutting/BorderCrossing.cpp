@@ -54,6 +54,13 @@ SurfacePoint point_on(const BorderSide& side, double part) {
   return point;
 }
 
+SurfacePoint nearest_on(const SurfaceView& surface, const BorderSide& side, const Eigen::Vector3d& point) {
+  const Eigen::Vector3i& corners = surface.triangles[static_cast<std::size_t>(side.triangle)];
+  const Eigen::Vector3d from = surface.position.segment<3>(3 * corners[side.corner]);
+  const Eigen::Vector3d way = surface.position.segment<3>(3 * corners[(side.corner + 1) % 3]) - from;
+  return point_on(side, std::clamp((point - from).dot(way) / way.squaredNorm(), 0.0, 1.0));
+}
+
 /// Where a border crosses the plane through a point, a unit way and a unit line across it.
 struct SideCrossing {
   SurfacePoint place;
@@ -123,16 +130,22 @@ std::optional<SurfacePoint> nearest_on_border(const SurfaceView& surface, const 
   std::optional<SurfacePoint> place;
   double nearest = std::numeric_limits<double>::infinity();
   for (const BorderSide& side : border_sides(surface)) {
-    const Eigen::Vector3i& corners = surface.triangles[static_cast<std::size_t>(side.triangle)];
-    const Eigen::Vector3d from = surface.position.segment<3>(3 * corners[side.corner]);
-    const Eigen::Vector3d way = surface.position.segment<3>(3 * corners[(side.corner + 1) % 3]) - from;
-    const double part = std::clamp((point - from).dot(way) / way.squaredNorm(), 0.0, 1.0);
-    const double distance = (from + part * way - point).norm();
+    const SurfacePoint candidate = nearest_on(surface, side, point);
+    const double distance = (position_of(surface, candidate) - point).norm();
     if (distance >= nearest) continue;
     nearest = distance;
-    place = point_on(side, part);
+    place = candidate;
   }
   return place;
+}
+
+std::vector<SurfacePoint> borders_around(const SurfaceView& surface, const Eigen::Vector3d& point, double reach) {
+  std::vector<SurfacePoint> places;
+  for (const BorderSide& side : border_sides(surface)) {
+    const SurfacePoint place = nearest_on(surface, side, point);
+    if ((position_of(surface, place) - point).norm() <= reach) places.push_back(place);
+  }
+  return places;
 }
 
 double distance_from_border(const SurfaceView& surface, const Eigen::Vector3d& point) {

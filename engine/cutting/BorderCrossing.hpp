@@ -33,6 +33,10 @@ std::optional<SurfacePoint> border_beyond(const SurfaceView& surface, const Blad
 /// The place of an open border that is nearest to a point; nothing where a surface has none.
 std::optional<SurfacePoint> nearest_on_border(const SurfaceView& surface, const Eigen::Vector3d& point);
 
+/// Of each side of open borders the place nearest to a point, where that is within `reach` metres; in the order of the
+/// triangles.
+std::vector<SurfacePoint> borders_around(const SurfaceView& surface, const Eigen::Vector3d& point, double reach);
+
 /// Metres from a point to the nearest place of an open border; infinity where a surface has none.
 double distance_from_border(const SurfaceView& surface, const Eigen::Vector3d& point);
 

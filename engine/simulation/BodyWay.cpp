@@ -18,6 +18,9 @@ constexpr double kLeftBehind = 2;
 /// Mean edges from a border within which a cut that ends meets it: triangles tell no such bridge.
 constexpr double kNearBorder = 0.25;
 
+/// Mean edges ahead of a cut's tip from which on a border is no place of its own lips, but for rounding.
+constexpr double kLeastAhead = 1e-3;
+
 /// A way longer than this times the distance of its ends, and an edge more, is not what a blade goes in a step: it
 /// leads around a flap or the body.
 constexpr double kMostDetour = 1.5;
@@ -140,21 +143,29 @@ std::optional<Body::WayOn> Body::way_to_border(const ToolPose& pose) const {
 }
 
 Body::WayOn Body::brought_to_border(int tool, WayOn way) const {
+  if (!way.path.from) return way;
   const SurfaceView wall = surface();
-  const Eigen::Vector3d end = position_of(wall, way.path.points.back());
+  const SurfacePoint from = point_at(wall.triangles, *way.path.from), end = way.path.points.back();
+  const Eigen::Vector3d tip = position_of(wall, from), stop = position_of(wall, end);
+  const Eigen::Vector3d ahead = way_ahead(wall, *way.path.from).normalized();
   const double near = std::max(0.5 * tools_[tool].thickness, kNearBorder * model_->edge_length);
-  const auto is_near = [&](const SurfacePoint& place) { return (position_of(wall, place) - end).norm() <= near; };
-  auto border = nearest_on_border(wall, end);
-  if (!border || !way.path.from || !is_near(*border)) return way;
-  // The other end of a cut is a vertex, and no place of one lip or the other beside it.
-  Eigen::Index corner = 0;
-  border->weights.maxCoeff(&corner);
-  const SurfacePoint vertex{.triangle = border->triangle, .weights = Eigen::Vector3d::Unit(corner)};
-  if (is_near(vertex)) border = vertex;
-  const SurfacePoint from = point_at(wall.triangles, *way.path.from);
-  if ((position_of(wall, *border) - position_of(wall, from)).norm() <= near) return way;
-  const SurfaceTrace there = trace(wall, from, *border);
-  if (is_direct(wall, there, model_->edge_length)) way.path.points = there.pieces.front().points;
+  double shortest = near;
+  for (SurfacePoint border : borders_around(wall, stop, near)) {
+    // The other end of a cut is a vertex, and no place of one lip or the other beside it.
+    Eigen::Index corner = 0;
+    border.weights.maxCoeff(&corner);
+    const SurfacePoint vertex{.triangle = border.triangle, .weights = Eigen::Vector3d::Unit(corner)};
+    if ((position_of(wall, vertex) - stop).norm() <= near) border = vertex;
+    // Its own lips begin at the tip, and lie behind it.
+    if ((position_of(wall, border) - tip).dot(ahead) <= kLeastAhead * model_->edge_length) continue;
+    // Of lips that lie together the way over the wall tells which one is on this side.
+    const SurfaceTrace rest = trace(wall, end, border);
+    if (rest.pieces.size() != 1 || length_of(wall, rest.pieces.front().points) > shortest) continue;
+    const SurfaceTrace there = trace(wall, from, border);
+    if (!is_direct(wall, there, model_->edge_length)) continue;
+    shortest = length_of(wall, rest.pieces.front().points);
+    way.path.points = there.pieces.front().points;
+  }
   return way;
 }
 

@@ -65,7 +65,8 @@ std::vector<Cut> draw_blade(Body& body, const BladeStroke& stroke, const std::fu
       }
       body.advance(poses, next, stroke.duration, input);
       poses = next;
-      note(body.follow_blade(0, poses));
+      const bool is_last = k + 1 == stroke.points.size() && step == steps;
+      note(body.follow_blade(0, poses, !(stroke.ends && is_last)));
       while (note(body.run_ahead(
           poses, [&](double ahead) { return pose_at(poses[0].tip + ahead * way.normalized(), stroke.direction); }))) {
       }

@@ -19,6 +19,8 @@ struct BladeStroke {
   // Whether the blade comes down on a wall that it would stand in, unmet by its middle: a wall in motion would be flung
   // out of it.
   bool comes_down = false;
+  // Whether the cut ends where the blade does: the last step is told to be the last one.
+  bool ends = false;
 };
 
 /// Draws the blade that is the only tool of a body through its wall, from one point to the next one, and lets the
