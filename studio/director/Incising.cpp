@@ -48,7 +48,7 @@ double cost_of_entry(const Body& body, const IncisionPlan& plan, const ToolDefin
 void begin_incision(IncisionPlan& plan, const Body& body, const ToolDefinition& blade) {
   plan.entry_cost = cost_of_entry(body, plan, blade);
   plan.edge_length = body.model().edge_length;
-  if (plan.clip.marked) plan.mark = drawn_on_wall(plan.path);
+  if (plan.clip.marked) plan.mark = drawn_on_wall(plan.path, body.surface());
   const BodyModel& model = body.model();
   const SurfaceView rest{.triangles = model.definition.mesh.triangles, .position = model.rest_position};
   plan.rest_length = 0;

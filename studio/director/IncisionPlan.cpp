@@ -158,7 +158,8 @@ ToolPose IncisionPlan::pose_below(double along) const {
   const double place = std::clamp(along / path.length(), 0.0, 1.0) * static_cast<double>(axes.size() - 1);
   const auto sample = std::min(static_cast<std::size_t>(place), axes.size() - 2);
   const double part = place - static_cast<double>(sample);
-  const Eigen::Vector3d axis = (1 - part) * axes[sample] + part * axes[sample + 1];
+  Eigen::Vector3d axis = (1 - part) * axes[sample] + part * axes[sample + 1];
+  if (mark) axis = turn_at(path, *mark, along) * axis;
   return make_pose(station.position + clip.depth * station.inward, station.inward, axis);
 }
 

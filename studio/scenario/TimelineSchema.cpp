@@ -133,8 +133,7 @@ MappingSchema incise() {
        {"withdraw", boolean_value(), false, "true", "whether the blade goes back"},
        {"marked", boolean_value(), false, "false",
         "whether the path is drawn on the wall as with a pen when the clip starts, and the blade follows the line to "
-        "where "
-        "the wall takes it; otherwise it follows the path in space"}},
+        "where the wall takes it and turns with it; otherwise it follows the path in space"}},
       " The points are brought to the surface as it is when the clip starts; neighbours are joined by the curve in "
       "which the plane through both and the mean inward normal meets the surface, the shorter way round and straight "
       "on over open wounds. The blade's width lies along the path, and its middle follows it. Where the path turns "
