@@ -63,6 +63,26 @@ def compare_circular_membrane(program: Program, triangles: int) -> Comparison:
                                 1e3 * np.array(exact))])
 
 
+def compare_ring_membrane(program: Program, triangles: int) -> Comparison:
+    """Schwerin's: with Poisson's ratio 1/3 and u = 0, w = w0 (r^(2/3) - b^(2/3)) / (a^(2/3) - b^(2/3)) solves Föppl's
+    equations, under the force pi/3 E h w0^3 / (a^(2/3) - b^(2/3))^3."""
+    outer, inner, modulus, thickness, line_force = 100e-3, 25e-3, 1e6, 1e-3, 5e-3
+    surface = program.run("ring_membrane", triangles=triangles).surface("ring")
+    radii = np.hypot(surface.rest[:, 0], surface.rest[:, 1])
+    reach = radii ** (2 / 3) - inner ** (2 / 3)
+    whole = outer ** (2 / 3) - inner ** (2 / 3)
+    force = line_force * 2 * np.pi * outer
+    height = whole * (3 * force / (np.pi * modulus * thickness)) ** (1 / 3)
+    vertices = [surface.nearest([x, 0, 0]) for x in np.linspace(inner, outer, 6)[1:]]
+    loads = 0.1 + 0.9 * surface.time[1:]
+    rim = surface.nearest([outer, 0, 0])
+    return Comparison([
+        Quantity("height along a radius", "r", "mm", 1e3 * radii[vertices], 1e3 * surface.positions[-1][vertices, 2],
+                 1e3 * height * reach[vertices] / whole),
+        Quantity("height of the rim", "part of the force", "mm", loads, 1e3 * surface.positions[1:, rim, 2],
+                 1e3 * height * loads ** (1 / 3))])
+
+
 def compare_rubber_disc(program: Program, triangles: int) -> Comparison:
     surface = program.run("rubber_disc", triangles=triangles).surface("disc")
     law, radius = wall_laws.neo_hookean(2.0), 50e-3
@@ -116,6 +136,9 @@ CASES = [
     Case("circular_membrane", "Circular membrane under small pressure", "Hencky 1915, Föppl's equations solved",
          "height of the centre at three Poisson's ratios", 0.01, (150, 384, 600), compare_circular_membrane, quick=(150,),
          quick_bar=0.03),
+    Case("ring_membrane", "Ring membrane under a force at its rim", "Schwerin 1929, closed form at Poisson's ratio 1/3",
+         "height along a radius, height of the rim over the force", 0.005, (400, 1600, 6400), compare_ring_membrane,
+         quick=(1600,)),
     Case("rubber_disc", "Clamped rubber disc under follower pressure", "axisymmetric membrane equations solved",
          "height of the pole to near the limit point", 0.005, (150, 600, 2400), compare_rubber_disc, quick=(600,),
          quick_bar=0.015),
