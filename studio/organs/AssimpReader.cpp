@@ -8,8 +8,11 @@
 #include <array>
 #include <assimp/Importer.hpp>
 #include <cctype>
+#include <cstdint>
+#include <fstream>
 #include <new>
 #include <optional>
+#include <string_view>
 
 #include "studio/organs/FileFormatError.hpp"
 #include "studio/organs/PlyReordering.hpp"
@@ -102,14 +105,33 @@ class SceneReader {
   RawMesh mesh_;
 };
 
-bool is_ply(const std::filesystem::path& file) {
+bool has_extension(const std::filesystem::path& file, const char* lowercase) {
   std::string extension = file.extension().string();
   std::ranges::transform(extension, extension.begin(), [](unsigned char letter) { return std::tolower(letter); });
-  return extension == ".ply";
+  return extension == lowercase;
+}
+
+/// A binary STL file that holds another number of triangles than its head announces, which assimp takes for text or for
+/// nothing it knows. Throws MeshFileError.
+void refuse_cut_off_stl(const std::filesystem::path& file) {
+  constexpr std::size_t kHead = 84, kTriangle = 50;  // bytes
+  std::array<char, 512> beginning = {};
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(beginning.data(), beginning.size());
+  const std::string_view text(beginning.data(), static_cast<std::size_t>(stream.gcount()));
+  if (text.size() < kHead || text.find("facet") != text.npos) return;
+  std::uint32_t announced = 0;
+  for (int k = 3; k >= 0; --k) announced = announced << 8U | static_cast<unsigned char>(text[80 + k]);
+  const std::uintmax_t present = (std::filesystem::file_size(file) - kHead) / kTriangle;
+  if (announced == present) return;
+  throw MeshFileError(fmt::format(
+      "its head announces {} triangles, and {} are there: it is cut off, or no binary STL; copy it anew, or "
+      "save it anew from a modelling program",
+      announced, present));
 }
 
 const aiScene* scene_of(Assimp::Importer& importer, const std::filesystem::path& file, const MeshFileLimits& limits) {
-  if (is_ply(file)) {
+  if (has_extension(file, ".ply")) {
     try {
       const std::optional<std::string> bytes = reordered_ply(file, limits.file_bytes);
       if (bytes) return importer.ReadFileFromMemory(bytes->data(), bytes->size(), aiProcess_Triangulate, "ply");
@@ -134,6 +156,7 @@ RawMesh read_with_assimp(const std::filesystem::path& file, const MeshFileLimits
     }
     const std::string reason = importer.GetErrorString();
     if (reason.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
+    if (has_extension(file, ".stl")) refuse_cut_off_stl(file);
     if (reason.starts_with("No suitable reader")) {
       throw MeshFileError(fmt::format("what it holds is not {}, or is cut off", in_backticks(extension)));
     }
@@ -141,6 +164,7 @@ RawMesh read_with_assimp(const std::filesystem::path& file, const MeshFileLimits
   }
   RawMesh mesh = SceneReader(*scene, file.filename().string(), limits).read();
   if (mesh.triangles.empty()) {
+    if (has_extension(file, ".stl")) refuse_cut_off_stl(file);
     throw MeshFileError(mesh.vertices.empty() ? "it holds no triangles"
                                               : "it holds points or lines, but no triangles or polygons");
   }

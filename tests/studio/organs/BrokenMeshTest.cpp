@@ -40,7 +40,15 @@ const BrokenMesh kMeshes[] = {
     {"cut_off.off",
      false,
      {"the reader of its format crashes on it: it is malformed; save it anew from a modelling program"}},
-    {"cut_off.stl", false, {"it is malformed: Failed to determine STL storage representation for cut_off.stl."}},
+    {"cut_off.stl",
+     false,
+     {"its head announces 12 triangles, and 2 are there: it is cut off, or no binary STL; copy it anew, or save it "
+      "anew "
+      "from a modelling program"}},
+    {"cut_off_solid.stl",
+     false,
+     {"its head announces 4 triangles, and 2 are there: it is cut off, or no binary STL; copy it anew, or save it anew "
+      "from a modelling program"}},
     {"counts_too_large.off", false, {"reading it takes more than 4096 MiB of memory"}},
     {"not_a_number.obj", false, {"the coordinates (nan, 0, 0) of a vertex are no finite numbers; mend or remove it"}},
     {"infinite.off", false, {"the coordinates (inf, 0, 0) of a vertex are no finite numbers; mend or remove it"}},
