@@ -61,7 +61,7 @@ class SceneReader {
   }
 
   static Eigen::Vector3d placed(const aiVector3D& p, const aiMatrix4x4& m) {
-    const Eigen::Vector3d x(p.x, p.y, p.z);
+    Eigen::Vector3d x(p.x, p.y, p.z);
     // Where nothing moves nothing is computed, so a coordinate that is no number does not spoil its neighbours.
     if (m == aiMatrix4x4()) return x;
     return {m.a1 * x[0] + m.a2 * x[1] + m.a3 * x[2] + m.a4, m.b1 * x[0] + m.b2 * x[1] + m.b3 * x[2] + m.b4,
@@ -119,7 +119,7 @@ void refuse_cut_off_stl(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   stream.read(beginning.data(), beginning.size());
   const std::string_view text(beginning.data(), static_cast<std::size_t>(stream.gcount()));
-  if (text.size() < kHead || text.find("facet") != text.npos) return;
+  if (text.size() < kHead || text.find("facet") != std::string_view::npos) return;
   std::uint32_t announced = 0;
   for (int k = 3; k >= 0; --k) announced = announced << 8U | static_cast<unsigned char>(text[80 + k]);
   const std::uintmax_t present = (std::filesystem::file_size(file) - kHead) / kTriangle;
