@@ -204,7 +204,7 @@ void SceneMeshes::find_films(const Snapshot& snapshot, std::size_t k, const Tiss
   const auto add = [&](Film film, const FluidLook& fluid, bool is_falling = false) {
     if (!film.corners.empty()) films_.push_back({.film = std::move(film), .look = fluid, .is_falling = is_falling});
   };
-  add(bare_edge_film(*surface.topology, pieces, *wounds_[k], snapshot.time), bare_flesh(look));
+  add(bare_edge_film(surface, pieces, *wounds_[k], snapshot.time), bare_flesh(look));
   const double leaked = look.contents.clarity > 0 ? find_scalar(snapshot, surface.body, kLeakedScalar).value_or(0) : 0;
   if (look.contents.clarity > 0) {
     add(runoff_film(surface, pieces, *wounds_[k], leaked, snapshot.time), look.contents);

@@ -323,14 +323,19 @@ Film runoff_film(const SnapshotSurface& surface, std::span<const TissuePiece> pi
   return film;
 }
 
-Film bare_edge_film(const SnapshotTopology& topology, std::span<const TissuePiece> pieces, const WoundLayout& wounds,
+Film bare_edge_film(const SnapshotSurface& surface, std::span<const TissuePiece> pieces, const WoundLayout& wounds,
                     double time) {
   Film film;
   const std::vector<double> tapering = wounds.map.tapering(time);
-  constexpr double kSoaking = 0.1;  // seconds: what it soaks up comes little by little
+  const std::vector<double> gapes = lip_gapes(surface, wounds.map);
+  constexpr double kSoaking = 0.1, kSeeping = 0.03;  // seconds: what it soaks up comes little by little
+  constexpr double kSeam = 1.2, kClosed = 0.0006;  // fullness that lips less than half of that apart, metres, have more
   const auto part = [&](std::uint32_t lip) {
-    const double soaked = 1 - std::exp(-age_of(topology, lip, time) / kSoaking);
-    return FringePart{.spread = tapering[lip] * soaked, .dry = 0};
+    const double age = age_of(*surface.topology, lip, time);
+    // Of closed lips it is all that is seen, up to the blade.
+    const double seam = kSeam * std::min(1.0, 2 * std::exp(-gapes[lip] / kClosed)) * std::cbrt(tapering[lip]);
+    const double spread = tapering[lip] * (1 - std::exp(-age / kSoaking)) + seam * (1 - std::exp(-age / kSeeping));
+    return FringePart{.spread = spread, .dry = 0};
   };
   append_fringe(pieces.front(), wounds, kBareEdge, part, film);
   return film;

@@ -47,7 +47,7 @@ inline constexpr double kRunoffHeight = 0.0006;
 inline constexpr double kRunoffSpeed = 0.045;
 
 /// What is bare of a wall beside its cut lips, where the outermost layer has drawn back.
-Film bare_edge_film(const SnapshotTopology& topology, std::span<const TissuePiece> pieces, const WoundLayout& wounds,
+Film bare_edge_film(const SnapshotSurface& surface, std::span<const TissuePiece> pieces, const WoundLayout& wounds,
                     double time);
 
 }  // namespace thinwall
