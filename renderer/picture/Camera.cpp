@@ -4,34 +4,13 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <span>
 
 #include "renderer/picture/CameraMove.hpp"
+#include "renderer/picture/Framing.hpp"
 #include "renderer/picture/PictureFailure.hpp"
 
 namespace thinwall {
 namespace {
-
-/// Part of the picture that the rest surfaces fill, in clip coordinates from -1 to 1; the rest is for overlays.
-struct Window {
-  double left = -0.80;
-  double right = 0.60;
-  double bottom = -0.64;
-  double top = 0.56;
-};
-
-/// The same in pictures less wide than 16 by 9, where captions have no room between the panels and stand above them.
-constexpr Window kNarrowWindow = {.bottom = -0.25, .top = 0.66};
-constexpr double kNarrow = 1.65;  // width over height, as of caption_space() of Overlay.cpp
-constexpr double kHalf = 1;       // below that, halves of pictures, which have room for captions, and upright pictures
-
-/// Within an endoscope's field stop, for pictures of 16 by 9.
-constexpr Window kRoundWindow = {.left = -0.54, .right = 0.54, .bottom = -0.72, .top = 0.70};
-
-/// Which walls may grow into, nearer to overlays and borders, before the camera goes back.
-constexpr Window kGrowthWindow = {.left = -0.92, .right = 0.80, .bottom = -0.78, .top = 0.80};
-constexpr Window kNarrowGrowthWindow = {.left = -0.92, .right = 0.80, .bottom = -0.35, .top = 0.80};
-constexpr Window kRoundGrowthWindow = {.left = -0.58, .right = 0.58, .bottom = -0.80, .top = 0.80};
 
 /// At which the standard view looks down, radians.
 constexpr double kElevation = 33 * std::numbers::pi / 180;
@@ -58,79 +37,6 @@ Vector3 oblique_direction(const SceneExtent& extent, double elevation) {
   return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation)};
 }
 
-/// Nearest position along the line of sight from which all points lie within one side pair of the window. With a the
-/// coordinate of a point across and c towards the camera, at camera coordinates (x, z) the point lies inside when
-/// low * tangent * (z - c) <= a - x <= high * tangent * (z - c): two half planes in (x, z) for each point.
-struct Fit {
-  double low = -1, high = 1, tangent = 1;
-  double largest = -std::numeric_limits<double>::max();  // of a + high * tangent * c over the points
-  double smallest = std::numeric_limits<double>::max();  // of a + low * tangent * c
-
-  void include(double across, double toward) {
-    largest = std::max(largest, across + high * tangent * toward);
-    smallest = std::min(smallest, across + low * tangent * toward);
-  }
-  double distance() const { return (largest - smallest) / ((high - low) * tangent); }
-  double middle(double distance) const { return 0.5 * (largest + smallest - (low + high) * tangent * distance); }
-  /// The nearest to `place` from which all points are inside.
-  double nearest_to(double place, double distance) const {
-    return std::max(largest - high * tangent * distance, std::min(place, smallest - low * tangent * distance));
-  }
-};
-
-/// Across the picture and up.
-struct Fits {
-  Fit x, y;
-  double distance() const { return std::max(x.distance(), y.distance()); }
-};
-
-Fits fit(const Camera& camera, const Window& window, std::span<const Vector3> points) {
-  Fits fits{.x = {.low = window.left, .high = window.right, .tangent = camera.tangent_x},
-            .y = {.low = window.bottom, .high = window.top, .tangent = camera.tangent_y}};
-  for (const Vector3& point : points) {
-    const double toward = -dot(point, camera.forward);
-    fits.x.include(dot(point, camera.right), toward);
-    fits.y.include(dot(point, camera.up), toward);
-  }
-  return fits;
-}
-
-struct Windows {
-  Window rest, growth;
-};
-
-Windows windows_of(const Camera& camera) {
-  if (camera.kind == CameraKind::kEndoscope) return {kRoundWindow, kRoundGrowthWindow};
-  const double aspect = camera.tangent_x / camera.tangent_y;
-  if (aspect >= kHalf && aspect < kNarrow) return {kNarrowWindow, kNarrowGrowthWindow};
-  return {Window{}, kGrowthWindow};
-}
-
-/// Moves the camera so that its window just holds all rest points; where walls have grown out of the picture, aside and
-/// back from there until it holds them too, as far as `kFarthest` times as far.
-void frame(Camera& camera, const SceneExtent& extent) {
-  constexpr double kFarthest = 3;
-  const auto [window, growth_window] = windows_of(camera);
-  const Fits rest = fit(camera, window, extent.rest_points);
-  double distance = rest.distance();
-  double x = rest.x.middle(distance), y = rest.y.middle(distance);
-  const Fits grown = fit(camera, growth_window, extent.grown_points);
-  if (!extent.grown_points.empty()) {
-    const double to_center = distance + dot(extent.center, camera.forward);
-    const double farthest = distance + (kFarthest - 1) * std::max(to_center, 0.0);
-    distance = std::clamp(grown.distance(), distance, farthest);
-    x = grown.x.nearest_to(rest.x.middle(distance), distance);
-    y = grown.y.nearest_to(rest.y.middle(distance), distance);
-  }
-  camera.position = x * camera.right + y * camera.up - distance * camera.forward;
-}
-
-Vector3 turned(Vector3 offset, Vector3 axis, double angle) {
-  const Vector3 along = dot(offset, axis) * axis;
-  const Vector3 across = offset - along;
-  return along + std::cos(angle) * across + std::sin(angle) * cross(axis, across);
-}
-
 void require_sound(const CameraDefinition& definition) {
   if (!(definition.field_of_view > 0 && definition.field_of_view < std::numbers::pi)) {
     throw PictureFailure("the camera's field of view must lie between 0 and 180 degrees");
@@ -142,8 +48,8 @@ void set_field_of_view(Camera& camera, double angle, ImageSize size) {
   camera.tangent_x = camera.tangent_y * size.width / size.height;
 }
 
-/// Where the camera stands before anything moves it.
-void stand(Camera& camera, const CameraDefinition& definition, const SceneExtent& extent, Vector3 up) {
+/// Where the camera stands before anything moves it. `angle`: by which it goes round then, radians.
+void stand(Camera& camera, const CameraDefinition& definition, const SceneExtent& extent, Vector3 up, double angle) {
   const Vector3 target = definition.target ? vector3(*definition.target) : extent.center;
   if (definition.position) {
     camera.position = vector3(*definition.position);
@@ -155,7 +61,7 @@ void stand(Camera& camera, const CameraDefinition& definition, const SceneExtent
          definition.facing ? vector3(*definition.facing)
                            : -oblique_direction(extent, definition.elevation.value_or(kElevation)),
          up);
-  if (!extent.rest_points.empty()) frame(camera, extent);
+  if (!extent.rest_points.empty()) frame(camera, extent, {.center = target, .axis = up, .angle = angle});
   // A given target keeps the distance; without one the window decides, which leaves the centre out of the middle.
   const double distance = std::max(dot(extent.center - camera.position, camera.forward), extent.size);
   if (definition.target || extent.rest_points.empty()) camera.position = target - distance * camera.forward;
@@ -190,14 +96,14 @@ Camera resolve_camera(const CameraDefinition& definition, const SceneExtent& ext
   camera.lens = Lens(definition.lens);
   set_field_of_view(camera, definition.field_of_view, size);
   Vector3 up = definition.up ? normalized(vector3(*definition.up)) : Vector3{0, 0, 1};
-  stand(camera, definition, extent, up);
+  const double angle = definition.orbit_speed * time;
+  stand(camera, definition, extent, up, angle);
   Vector3 target = definition.target ? vector3(*definition.target) : extent.center;
   if (definition.is_moved()) {
     const CameraPose pose = move(camera, definition, extent, size, time);
     target = pose.target;
     up = normalized(pose.up);
   }
-  const double angle = definition.orbit_speed * time;
   if (angle != 0) {
     camera.position = target + turned(camera.position - target, up, angle);
     orient(camera, turned(camera.forward, up, angle), up);

@@ -35,7 +35,7 @@ constexpr Fringe kWelling = {.width = 0.0012, .height = 0.0004, .spare = 0.6, .k
 constexpr Fringe kBareEdge = {.width = 0.00025, .height = 0.0001, .spare = 0.2, .kind = kFilmCoat};
 
 constexpr double kPressedOut = 0.75;  // fullness that closed lips have more
-constexpr double kRoom = 0.0010;      // metres between lips, by which a third of that is left
+constexpr double kLipRoom = 0.0010;   // metres between lips, by which a third of that is left
 
 /// Blood on the faces of a cut: they bleed below the outermost layer, and it runs down them. And on the ground of the
 /// wound, where it gathers along the middle, which is deepest.
@@ -272,7 +272,7 @@ Film blood_film(const SnapshotSurface& surface, std::span<const BorderEdge> bord
   const Shed shed = shed_blood(*surface.topology, wounds, bleeding.strength, time);
   const std::vector<double> gapes = lip_gapes(surface, wounds.map);
   const auto over_lip = [&](std::uint32_t lip) {
-    const double most = 1 + 0.5 * wounds.fall[lip] + kPressedOut * std::exp(-gapes[lip] / kRoom);
+    const double most = 1 + 0.5 * wounds.fall[lip] + kPressedOut * std::exp(-gapes[lip] / kLipRoom);
     return FringePart{.spread = shed.amount[lip] * std::sqrt(tapering[lip]) * most, .dry = shed.dry[lip]};
   };
   append_fringe(pieces.front(), wounds, kBlood, over_lip, film);

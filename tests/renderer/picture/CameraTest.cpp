@@ -163,6 +163,31 @@ TEST(Camera, OrbitTurnsAroundTheTargetAndKeepsTheDistance) {
   EXPECT_NEAR((*pixel)[1], 360, 1e-9);
 }
 
+TEST(Camera, OneThatNobodyPlacedHoldsAllOnItsWayRound) {
+  const SceneExtent extent = box(0.06F, 0.015F, 0.02F);
+  double before = 0;
+  for (const double speed : {0.5, -0.5}) {
+    for (int step = 0; step <= 40; ++step) {
+      const Camera camera = resolve_camera({.orbit_speed = speed}, extent, kSize, 0.5 * step);
+      for (const Vector3& point : extent.rest_points) {
+        const auto pixel = camera.pixel(point, kSize);
+        ASSERT_TRUE(pixel);
+        // Of what is between the angles that are looked at, every 5 degrees.
+        constexpr double kBetween = 1e-3;
+        EXPECT_GE((*pixel)[0] / 640 - 1, -0.80 - kBetween) << step;
+        EXPECT_LE((*pixel)[0] / 640 - 1, 0.60 + kBetween) << step;
+        EXPECT_GE((*pixel)[1] / 360 - 1, -0.56 - kBetween) << step;
+        EXPECT_LE((*pixel)[1] / 360 - 1, 0.64 + kBetween) << step;
+      }
+      const double distance = dot(extent.center - camera.position, camera.forward);
+      EXPECT_GE(distance, step == 0 ? 0 : 0.999 * before) << "it never comes back";
+      before = distance;
+    }
+    const Camera still = resolve_camera({}, extent, kSize, 0);
+    EXPECT_LT(before, 1.6 * dot(extent.center - still.position, still.forward));
+  }
+}
+
 TEST(Camera, AViewStraightDownHasADirection) {
   const CameraDefinition definition{.position = Double3{0, 0, 1}, .target = Double3{0, 0, 0}, .up = {}};
   const Camera camera = resolve_camera(definition, box(0.1f, 0.1f, 0.1f), kSize, 0);
