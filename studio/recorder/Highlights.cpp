@@ -19,19 +19,27 @@ Image shrunk(const Image& frame) {
 
 }  // namespace
 
-void Highlights::add(const Image& frame, double time, double force) {
-  if (force > largest_force_) {
-    largest_force_ = force;
-    poster_time_ = time;
-    poster_ = frame;
+void Highlights::add(const FinishedPicture& frame) {
+  if (frame.force > largest_force_) {
+    largest_force_ = frame.force;
+    poster_time_ = frame.time;
+    poster_ = frame.image;
   }
   // Under cards and in freezes one moment is shown for long: it would fill half of the sheet of a short lesson.
-  if (std::exchange(last_time_, time) == time) return;
-  if (frames_++ % stride_ != 0) return;
-  kept_.push_back({.picture = shrunk(frame), .time = time});
+  if (std::exchange(last_time_, frame.time) == frame.time) {
+    if (frame.covered >= covered_) return;
+    covered_ = frame.covered;
+    if (keeps_last_) kept_.back().picture = shrunk(frame.image);
+    return;
+  }
+  covered_ = frame.covered;
+  keeps_last_ = frames_++ % stride_ == 0;
+  if (!keeps_last_) return;
+  kept_.push_back({.picture = shrunk(frame.image), .time = frame.time});
   if (kept_.size() < kKept) return;
   std::vector<SheetFrame> thinned;
   for (std::size_t i = 0; i < kept_.size(); i += 2) thinned.push_back(std::move(kept_[i]));
+  keeps_last_ = kept_.size() % 2 == 1;
   kept_ = std::move(thinned);
   stride_ *= 2;
 }

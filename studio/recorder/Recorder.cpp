@@ -42,12 +42,6 @@ constexpr std::size_t kWaitingMoments = 64;
 constexpr std::size_t kWaitingPictures = 4;
 constexpr std::chrono::milliseconds kBetweenLooksForSignals(50);
 
-struct Picture {
-  Image image;
-  double time = 0;   // seconds
-  double force = 0;  // newton
-};
-
 /// The threads of a recording. The first error stops all of them.
 class Pipeline {
  public:
@@ -83,7 +77,7 @@ class Pipeline {
   RecordingReport report_;
 
   BoundedQueue<Moment> moments_{kWaitingMoments};
-  BoundedQueue<Picture> pictures_{kWaitingPictures};
+  BoundedQueue<FinishedPicture> pictures_{kWaitingPictures};
   std::mutex mutex_;
   std::condition_variable stages_changed_;
   int running_stages_ = 0;
@@ -108,7 +102,7 @@ class Pipeline {
   std::optional<VideoCue> last_cue_;
   std::optional<GroundTruthSeries> truth_;
   Frame last_frame_;
-  Picture last_picture_;
+  FinishedPicture last_picture_;
 
   // Of the encoding thread, until it has ended.
   std::optional<VideoWriter> video_;
@@ -330,8 +324,10 @@ bool Pipeline::show(const FrameComposer& composer, const VideoCue& cue, Painter&
     last_frame_ = composer.compose(cue.simulation);
     last_frame_.overlay.badge = cue.badge;
     last_frame_.card = cue.card;
-    last_picture_ = {
-        .image = finished_picture(last_frame_, painter), .time = cue.simulation, .force = last_frame_.overlay.force};
+    last_picture_ = {.image = finished_picture(last_frame_, painter),
+                     .time = cue.simulation,
+                     .force = last_frame_.overlay.force,
+                     .covered = cue.card ? cue.card->opacity : 0};
     last_cue_ = cue;
   }
   if (plan_.ground_truth) {
@@ -340,7 +336,7 @@ bool Pipeline::show(const FrameComposer& composer, const VideoCue& cue, Painter&
     if (!truth_) truth_.emplace(truth_plan(plan_));
     truth_->add(last_frame_);
   }
-  return pictures_.push(Picture(last_picture_));
+  return pictures_.push(FinishedPicture(last_picture_));
 }
 
 /// Once there is a picture, for the same reason.
@@ -362,7 +358,7 @@ void Pipeline::encode() {
     }
     if (video_) video_->write(picture->image);
     report_.frame_hashes.push_back(image_hash(picture->image));
-    highlights_.add(picture->image, picture->time, picture->force);
+    highlights_.add(*picture);
     show_progress(picture->time);
   }
 }

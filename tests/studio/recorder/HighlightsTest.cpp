@@ -13,7 +13,7 @@ TEST(HighlightsTest, ThePosterHasTheLargestForceAndIsTheFirstOfEquals) {
   Highlights highlights;
   for (const auto& [time, force] :
        {std::pair(0.0, 1.0), std::pair(1.0, 3.0), std::pair(2.0, 3.0), std::pair(3.0, 2.0)}) {
-    highlights.add(shade(static_cast<std::uint8_t>(time)), time, force);
+    highlights.add({.image = shade(static_cast<std::uint8_t>(time)), .time = time, .force = force});
   }
   EXPECT_EQ(highlights.poster_time(), 1);
   EXPECT_EQ(highlights.poster().pixels, shade(1).pixels);
@@ -21,22 +21,34 @@ TEST(HighlightsTest, ThePosterHasTheLargestForceAndIsTheFirstOfEquals) {
 
 TEST(HighlightsTest, FewFramesAreAllOnTheSheet) {
   Highlights highlights;
-  for (int i = 0; i < 7; ++i) highlights.add(shade(0), i, 0);
+  for (int i = 0; i < 7; ++i) highlights.add({.image = shade(0), .time = static_cast<double>(i)});
   EXPECT_EQ(highlights.sheet_frames().size(), 7U);
 }
 
 TEST(HighlightsTest, CardsAndFreezesTakeOnePictureOfTheSheet) {
   Highlights highlights;
-  for (const double time : {0, 0, 0, 0, 1, 2, 2, 2, 3, 3}) highlights.add(shade(0), time, 0);
+  for (const double time : {0, 0, 0, 0, 1, 2, 2, 2, 3, 3}) highlights.add({.image = shade(0), .time = time});
   std::vector<double> times;
   for (const SheetFrame& frame : highlights.sheet_frames()) times.push_back(frame.time);
   EXPECT_EQ(times, (std::vector<double>{0, 1, 2, 3}));
 }
 
+TEST(HighlightsTest, TheSheetShowsAMomentWithoutTheCardThatComesOverIt) {
+  Highlights highlights;
+  std::uint8_t level = 0;
+  for (const auto& [time, covered] :
+       {std::pair(0.0, 1.0), {0.0, 0.5}, {0.0, 0.0}, {1.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}}) {
+    highlights.add({.image = shade(level++), .time = time, .covered = covered});
+  }
+  std::vector<std::uint8_t> shown;
+  for (const SheetFrame& frame : highlights.sheet_frames()) shown.push_back(frame.picture.pixels.front());
+  EXPECT_EQ(shown, (std::vector<std::uint8_t>{2, 3, 4}));
+}
+
 TEST(HighlightsTest, ManyFramesAreSpreadEvenlyOverTheSheet) {
   for (const int frames : {13, 95, 96, 97, 500, 5000}) {
     Highlights highlights;
-    for (int i = 0; i < frames; ++i) highlights.add(shade(0), i, 0);
+    for (int i = 0; i < frames; ++i) highlights.add({.image = shade(0), .time = static_cast<double>(i)});
     const std::vector<SheetFrame> sheet = highlights.sheet_frames();
     ASSERT_EQ(sheet.size(), 12U);
     EXPECT_EQ(sheet.front().time, 0);
