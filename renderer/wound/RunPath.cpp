@@ -99,11 +99,10 @@ std::vector<WallPlace> follow(const Slope& slope, WallPlace place, Vector3 down,
   std::vector<WallPlace> path = {place};
   Vector3 sense;
   const auto steps = static_cast<std::size_t>(reach.push / kRunStep);
-  for (bool is_pushed = true; is_pushed;) {
+  for (;;) {
     const Vector3 normal = normalized(point_at(place, slope.normals));
     const Vector3 fall = down - dot(down, normal) * normal;
-    is_pushed = length(fall) < kLeastSlope && dot(down, normal) < 0;
-    if (!is_pushed) break;
+    if (length(fall) >= kLeastSlope || dot(down, normal) >= 0) break;
     sense = normalized(away - dot(away, normal) * normal);
     if (path.size() > steps || dot(fall, sense) < -kMostRise || !move(slope, place, kRunStep * sense)) return {};
     path.push_back(place);
