@@ -130,12 +130,6 @@ void include_turned(const Camera& camera, const SceneExtent& extent, const Turn&
 
 }  // namespace
 
-Vector3 turned(Vector3 offset, Vector3 axis, double angle) {
-  const Vector3 along = dot(offset, axis) * axis;
-  const Vector3 across = offset - along;
-  return along + std::cos(angle) * across + std::sin(angle) * cross(axis, across);
-}
-
 void frame(Camera& camera, const SceneExtent& extent, const Turn& turn) {
   constexpr double kFarthest = 3;
   const auto [window, growth_window] = windows_of(camera);

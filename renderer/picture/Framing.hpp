@@ -12,8 +12,6 @@ struct Turn {
   double angle = 0;          // radians, from where the camera stands to where it has gone
 };
 
-Vector3 turned(Vector3 offset, Vector3 axis, double angle);
-
 /// Moves the camera, which looks its way, so that its window just holds all rest points, and where it goes round on
 /// `turn`, all that it has been on; where walls have grown out of the picture, aside and back from there until it holds
 /// them too, up to three times as far. The camera stands before its turn.

@@ -51,6 +51,12 @@ inline Vector3 perpendicular(Vector3 direction) {
   return normalized(cross(direction, other));
 }
 
+/// By `angle` (radians) about `axis`, which has length one (Rodrigues).
+inline Vector3 turned(Vector3 offset, Vector3 axis, double angle) {
+  const Vector3 along = dot(offset, axis) * axis, across = offset - along;
+  return along + std::cos(angle) * across + std::sin(angle) * cross(axis, across);
+}
+
 /// (4 x 4), column by column as OpenGL wants it.
 struct Matrix4 {
   std::array<double, 16> values{};

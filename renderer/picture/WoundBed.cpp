@@ -116,7 +116,8 @@ TissuePiece wound_bed(const SnapshotSurface& surface, std::span<const BorderEdge
 WoundBeds lay_on_beds(const Snapshot& snapshot, const LookDefinition& look, std::span<const DrawnTopology> drawn,
                       std::span<const SnapshotSurface> shown) {
   WoundBeds beds{.depths = std::vector<double>(drawn.size(), 0), .laid = {}};
-  for (std::size_t k = 0; k < drawn.size() && !look.data; ++k) {
+  if (look.data) return beds;
+  for (std::size_t k = 0; k < drawn.size(); ++k) {
     const SnapshotSurface& surface = snapshot.surfaces[k];
     const std::span<const char> is_lip(drawn[k].is_lip.data(), surface.topology->rest_positions.size());
     const auto found = look.bodies.find(surface.body);
