@@ -40,8 +40,8 @@ CaptionSpace caption_space(const OverlayGrid& grid, const OverlayContent& conten
   constexpr double kWidest = 800;
   const int margin = grid.whole(kMargin);
   const int center = grid.size.width / 2;
-  const double gauge = content.show_gauge ? grid.pixels(kGaugeWidth + kCaptionGap) : 0;
-  const double plot = content.show_force_plot ? grid.pixels(kPlotWidth + kCaptionGap) : 0;
+  const double gauge = content.shown.gauge ? grid.pixels(kGaugeWidth + kCaptionGap) : 0;
+  const double plot = content.shown.force_plot ? grid.pixels(kPlotWidth + kCaptionGap) : 0;
   const double beside = width_between(grid, gauge, plot);
   const double whole = std::min(2.0 * (center - margin), grid.pixels(kWidest));
   const int bottom = grid.size.height - margin;
@@ -92,16 +92,16 @@ std::vector<std::string> draw_overlay(Image& image, const OverlayContent& conten
   const OverlayGrid grid(image.size);
   const double peak = peak_of(content);
   int end = image.size.width;  // of what is still free at the top
-  if (content.show_time) end = draw_time(image, grid, content.time, content.duration);
+  if (content.shown.time) end = draw_time(image, grid, content.time, content.duration);
   if (!content.badge.empty()) end = draw_badge(image, grid, content.badge, end - grid.whole(8));
   std::vector<std::string> cut;
   if (!content.title.empty() && draw_title(image, grid, content.title, end - grid.whole(kMargin))) {
     cut.push_back(content.title);
   }
   if (content.legend) draw_legend(image, grid, *content.legend, inset);
-  if (content.show_gauge) draw_gauge(image, grid, content, peak);
-  if (content.show_force_plot) draw_force_plot(image, grid, content, peak);
-  if (content.show_caption && !content.caption.empty() &&
+  if (content.shown.gauge) draw_gauge(image, grid, content, peak);
+  if (content.shown.force_plot) draw_force_plot(image, grid, content, peak);
+  if (content.shown.captions && !content.caption.empty() &&
       draw_caption(image, grid, content.caption, caption_space(grid, content, inset))) {
     cut.push_back(content.caption);
   }

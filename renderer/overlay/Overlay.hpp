@@ -8,6 +8,7 @@
 #include "renderer/image/Image.hpp"
 #include "renderer/look/DataScale.hpp"
 #include "renderer/overlay/Box.hpp"
+#include "renderer/overlay/OverlayChoice.hpp"
 
 namespace thinwall {
 
@@ -51,10 +52,7 @@ struct OverlayContent {
   std::vector<ForceSample> other_history = {};  // of a take that this one is compared with; empty: none
   std::size_t tool_number = 0;                  // of `tool` among all tools
   std::vector<ToolHistory> other_tools = {};    // that have touched, too, in order of their numbers
-  bool show_force_plot = true;
-  bool show_gauge = true;
-  bool show_caption = true;
-  bool show_time = true;
+  OverlayChoice shown = {};
   std::optional<Legend> legend = {};
 };
 

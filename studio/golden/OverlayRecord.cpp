@@ -52,13 +52,10 @@ std::string told(const std::string& name, const Json& before, const Json& after)
 
 std::string overlay_record(const OverlayContent& content) {
   const Json pressure = content.pressure ? Json(*content.pressure) : Json();
-  const Json json = {{"title", content.title},           {"caption", content.caption},
-                     {"phase", content.phase},           {"tool", content.tool},
-                     {"time_s", content.time},           {"duration_s", content.duration},
-                     {"force_N", content.force},         {"depth_m", content.depth},
-                     {"pressure_Pa", pressure},          {"show_force_plot", content.show_force_plot},
-                     {"show_gauge", content.show_gauge}, {"show_caption", content.show_caption},
-                     {"show_time", content.show_time}};
+  Json json = {{"title", content.title},   {"caption", content.caption}, {"phase", content.phase},
+               {"tool", content.tool},     {"time_s", content.time},     {"duration_s", content.duration},
+               {"force_N", content.force}, {"depth_m", content.depth},   {"pressure_Pa", pressure}};
+  for (const OverlayRow& row : kOverlayRows) json["show_" + std::string(row.key)] = content.shown.*row.is_shown;
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

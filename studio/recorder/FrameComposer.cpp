@@ -151,15 +151,13 @@ OverlayContent FrameComposer::overlay(const Snapshot& snapshot) const {
   content.title = title_;
   content.caption = text_at(snapshot.time, later_->captions);
   content.pressure = first_pressure(snapshot);
-  content.show_force_plot = false;
-  content.show_gauge = false;
-  content.show_caption = choice_.captions;
-  content.show_time = choice_.time;
+  content.shown = choice_;
   content.legend = legend_;
   const SnapshotTool* tool = shown_tool(snapshot);
-  if (tool == nullptr) return content;
-  content.show_force_plot = choice_.force_plot;
-  content.show_gauge = choice_.gauge;
+  if (tool == nullptr) {
+    content.shown.force_plot = content.shown.gauge = false;
+    return content;
+  }
   content.tool = tool->name;
   content.phase = tool->phase;
   content.force = magnitude(tool->force);

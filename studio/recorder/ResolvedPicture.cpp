@@ -63,6 +63,12 @@ LookDefinition to_look(const SortedJson& look) {
   return result;
 }
 
+OverlayChoice to_overlays(const SortedJson& overlays) {
+  OverlayChoice choice;
+  for (const OverlayRow& row : kOverlayRows) choice.*row.is_shown = overlays.at(row.key);
+  return choice;
+}
+
 Tier to_tier(const std::string& word) {
   if (word == "draft") return Tier::kDraft;
   return word == "final" ? Tier::kFinal : Tier::kRecord;
@@ -70,7 +76,6 @@ Tier to_tier(const std::string& word) {
 
 PictureSettings to_settings(const SortedJson& scenario) {
   const SortedJson& lights = scenario.at("lights");
-  const SortedJson& overlays = scenario.at("look").at("overlays");
   const SortedJson& record = scenario.at("record");
   return {.view = {.camera = {},
                    .lights = {.key = lights.at("key"),
@@ -79,10 +84,7 @@ PictureSettings to_settings(const SortedJson& scenario) {
                               .key_direction = find_resolved<Double3>(lights, "key_direction"),
                               .endoscope = lights.value("endoscope", 0.0)},
                    .look = to_look(scenario.at("look"))},
-          .overlays = {.force_plot = overlays.at("force_plot"),
-                       .gauge = overlays.at("gauge"),
-                       .captions = overlays.at("captions"),
-                       .time = overlays.at("time")},
+          .overlays = to_overlays(scenario.at("look").at("overlays")),
           .record = {.size = {record.at("size").at(0), record.at("size").at(1)},
                      .frames_per_second = record.at("fps"),
                      .video = record.at("video"),

@@ -2,6 +2,7 @@
 #include "renderer/look/FluidLooks.hpp"
 #include "renderer/look/Ground.hpp"
 #include "renderer/look/OrganLooks.hpp"
+#include "renderer/overlay/OverlayChoice.hpp"
 #include "studio/scenario/SchemaSections.hpp"
 
 namespace thinwall {
@@ -15,8 +16,9 @@ KeySchema strength_key(const std::string& key, const std::string& documentation)
   return {key, quantity_value(kDimensionless, {.minimum = 0, .maximum = 100}, "1"), false, "1", documentation};
 }
 
-KeySchema shown_key(const std::string& key, const std::string& documentation) {
-  return {key, boolean_value(), false, "true", documentation};
+KeySchema shown_key(const OverlayRow& row) {
+  const char* fallback = OverlayChoice{}.*row.is_shown ? "true" : "false";
+  return {std::string(row.key), boolean_value(), false, fallback, std::string(row.documentation)};
 }
 
 Dimension dimension_of(std::string_view unit) {
@@ -145,12 +147,7 @@ MappingSchema tissue_schema() {
 
 ValueSchema look_schema() {
   MappingSchema overlays{.name = "overlays", .documentation = "What is written over the picture."};
-  overlays.keys = {
-      shown_key("force_plot", "force over time, a line for each tool that has touched"),
-      shown_key("gauge", "force, depth and pressure of the moment"),
-      shown_key("captions", "captions of the clips"),
-      shown_key("time", "time of the scenario"),
-  };
+  for (const OverlayRow& row : kOverlayRows) overlays.keys.push_back(shown_key(row));
   std::vector<std::string> grounds;
   for (const auto& [word, ground] : kGrounds) grounds.emplace_back(word);
   MappingSchema look{.name = "look", .documentation = "Appearance."};

@@ -14,6 +14,7 @@
 #include "engine/simulation/SimulationOptions.hpp"
 #include "engine/tool/Tool.hpp"
 #include "renderer/image/Image.hpp"
+#include "renderer/overlay/OverlayChoice.hpp"
 #include "renderer/picture/View.hpp"
 #include "studio/scenario/SourceLocation.hpp"
 #include "studio/scenario/Teaching.hpp"
@@ -158,13 +159,6 @@ struct Clip {
   std::optional<double> start = {};         // seconds; after the clip before it when absent
   std::optional<std::string> caption = {};  // shown while the clip lasts
   std::optional<std::string> chapter = {};  // title of a chapter that begins with the clip
-};
-
-struct OverlayChoice {
-  bool force_plot = true;
-  bool gauge = true;
-  bool captions = true;
-  bool time = true;
 };
 
 /// A point of a wall whose motion is recorded.

@@ -287,10 +287,9 @@ Scenario build_scenario(const CheckedValue& root) {
   scenario.view.lights = to_lights(root.at("lights"));
   scenario.view.look = to_look(root.at("look"));
   const CheckedValue& overlays = root.at("look").at("overlays");
-  scenario.overlays = {.force_plot = overlays.at("force_plot").boolean,
-                       .gauge = overlays.at("gauge").boolean,
-                       .captions = overlays.at("captions").boolean,
-                       .time = overlays.at("time").boolean};
+  for (const OverlayRow& row : kOverlayRows) {
+    scenario.overlays.*row.is_shown = overlays.at(std::string(row.key)).boolean;
+  }
   scenario.record = to_record(root.at("record"));
   for (const CheckedMember& point : root.at("record").at("points").members) {
     scenario.record.points.push_back({point.key, point.value.at("body").text, to_vector(point.value.at("at"))});

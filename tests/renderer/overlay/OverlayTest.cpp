@@ -40,10 +40,7 @@ OverlayContent nothing() {
           .phase = "",
           .tool = "",
           .history = {},
-          .show_force_plot = false,
-          .show_gauge = false,
-          .show_caption = false,
-          .show_time = false};
+          .shown = {.force_plot = false, .gauge = false, .captions = false, .time = false}};
 }
 
 Image overlaid(const OverlayContent& content, ImageSize size = kSize) {
@@ -133,16 +130,16 @@ TEST(Overlay, NothingToShowChangesNothing) {
 
 TEST(Overlay, EachPartIsDrawnOnlyWhenAskedFor) {
   OverlayContent content = some_content();
-  content.show_force_plot = false;
+  content.shown.force_plot = false;
   EXPECT_EQ(ink(overlaid(content), kPlot), 0);
   content = some_content();
-  content.show_gauge = false;
+  content.shown.gauge = false;
   EXPECT_EQ(ink(overlaid(content), kGauge), 0);
   content = some_content();
-  content.show_caption = false;
+  content.shown.captions = false;
   EXPECT_EQ(ink(overlaid(content), kCaption), 0);
   content = some_content();
-  content.show_time = false;
+  content.shown.time = false;
   EXPECT_EQ(ink(overlaid(content), kTime), 0);
   content = some_content();
   content.title = "";
@@ -151,7 +148,7 @@ TEST(Overlay, EachPartIsDrawnOnlyWhenAskedFor) {
 
 TEST(Overlay, TimePlateStandsStill) {
   OverlayContent content = nothing();
-  content.show_time = true;
+  content.shown.time = true;
   content.duration = 12;
   const auto plate_ink = [&](double time) {
     content.time = time;
@@ -286,7 +283,7 @@ TEST(Overlay, ALegendTellsOfAnEndThatStandsForMore) {
 
 TEST(Overlay, ALongTitleEndsBeforeTheBadge) {
   OverlayContent content = nothing();
-  content.show_time = true;
+  content.shown.time = true;
   content.badge = "Slow motion \u00d70.25";
   const Image badge = overlaid(content);
   content.title =
@@ -355,7 +352,7 @@ TEST(Overlay, ALongTitleIsWholeInAPictureThatIsHigherThanWide) {
 
 TEST(Overlay, TellsWhichTextsAreCut) {
   OverlayContent content = nothing();
-  content.show_caption = true;
+  content.shown.captions = true;
   content.title = "Incision";
   content.caption = "The wall gives way";
   Image image = plain_image(kSize, 90, 60, 50);

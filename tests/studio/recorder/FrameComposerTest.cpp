@@ -239,19 +239,19 @@ TEST(FrameComposerTest, WithoutToolsThereIsNoForceToShow) {
   FrameComposer composer("", {});
   composer.add(moment);
   const Frame frame = composer.compose(0);
-  EXPECT_FALSE(frame.overlay.show_force_plot);
-  EXPECT_FALSE(frame.overlay.show_gauge);
-  EXPECT_TRUE(frame.overlay.show_time);
+  EXPECT_FALSE(frame.overlay.shown.force_plot);
+  EXPECT_FALSE(frame.overlay.shown.gauge);
+  EXPECT_TRUE(frame.overlay.shown.time);
 }
 
 TEST(FrameComposerTest, OverlaysCanBeChosen) {
   FrameComposer composer("", {.force_plot = false, .gauge = true, .captions = false, .time = false});
   composer.add(SyntheticRun().moment(0));
   const OverlayContent overlay = composer.compose(0).overlay;
-  EXPECT_FALSE(overlay.show_force_plot);
-  EXPECT_TRUE(overlay.show_gauge);
-  EXPECT_FALSE(overlay.show_caption);
-  EXPECT_FALSE(overlay.show_time);
+  EXPECT_FALSE(overlay.shown.force_plot);
+  EXPECT_TRUE(overlay.shown.gauge);
+  EXPECT_FALSE(overlay.shown.captions);
+  EXPECT_FALSE(overlay.shown.time);
 }
 
 }  // namespace

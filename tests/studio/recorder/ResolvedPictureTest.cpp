@@ -66,10 +66,7 @@ class ResolvedPictureTest : public ::testing::Test {
       EXPECT_EQ(read.view.look.bodies.at(name).bleeding, look.bleeding);
       EXPECT_EQ(read.view.look.bodies.at(name).blood, look.blood);
     }
-    EXPECT_EQ(read.overlays.force_plot, scenario.overlays.force_plot);
-    EXPECT_EQ(read.overlays.gauge, scenario.overlays.gauge);
-    EXPECT_EQ(read.overlays.captions, scenario.overlays.captions);
-    EXPECT_EQ(read.overlays.time, scenario.overlays.time);
+    EXPECT_EQ(read.overlays, scenario.overlays);
     EXPECT_EQ(read.record.size, scenario.record.size);
     EXPECT_EQ(read.record.frames_per_second, scenario.record.frames_per_second);
     EXPECT_EQ(read.record.tier, scenario.record.tier);
