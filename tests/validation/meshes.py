@@ -148,15 +148,17 @@ def cap(rings: int) -> None:
     write(f"cap_{len(triangles)}.obj", sphere, triangles, "A cap of a sphere of radius 1, fine at the pole")
 
 
-def octant(divisions: int) -> None:
-    """A quarter of the upper half of a cylinder of radius 100 about y: x from 0 to 100, y from 0 to 100."""
+def octant(divisions: int, growth: float = 1, name: str = "octant") -> None:
+    """A quarter of the upper half of a cylinder of radius 100 about y: x from 0 to 100, y from 0 to 100. Lines lie at
+    powers `growth` of even parts: beyond 1 triangles grow with the distance from the crown's middle."""
     points = []
     for i in range(divisions + 1):
-        angle = 0.5 * np.pi * i / divisions
+        angle = 0.5 * np.pi * (i / divisions) ** growth
         for j in range(divisions + 1):
-            points.append((100 * np.sin(angle) if i else 0, 100 * j / divisions, 100 * np.cos(angle) if i < divisions else 0))
+            along = 100 * (j / divisions) ** growth
+            points.append((100 * np.sin(angle) if i else 0, along, 100 * np.cos(angle) if i < divisions else 0))
     triangles = squares(divisions)
-    write(f"octant_{len(triangles)}.obj", np.array(points), triangles, "An octant of a cylinder; metres")
+    write(f"{name}_{len(triangles)}.obj", np.array(points), triangles, "An octant of a cylinder; metres")
 
 
 def slit_sheet(segments: int) -> None:
@@ -190,6 +192,7 @@ def main() -> None:
         roof(divisions)
     for divisions in (24, 32, 48):
         octant(divisions)
+        octant(divisions, 1.5, "graded_octant")
     for rings in (16, 24, 36):
         cap(rings)
     for rings in (16, 24, 36):

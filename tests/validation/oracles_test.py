@@ -10,7 +10,7 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 from oracles import (axisymmetric_membrane, belt, drum, elastica, fingerpad, fluids, hencky, inflated_sphere,  # noqa: E402
-                     plates, published_shells, slit, spherical_shell, strips, viscoelasticity, wall_laws)
+                     pinched_cylinder, plates, published_shells, slit, spherical_shell, strips, viscoelasticity, wall_laws)
 
 # mu = 2 makes c1 = mu / 2 the unit.
 RUBBER = wall_laws.neo_hookean(2.0)
@@ -297,6 +297,21 @@ class Plates(unittest.TestCase):
         for law, moment in ((plates.under_traction, radius**2 / 8), (plates.under_force, 1 / (4 * np.pi))):
             let_go = law(1.0, radius, stiffness, ratio, False) - law(1.0, radius, stiffness, ratio, True)
             self.assertAlmostEqual(let_go, moment * radius**2 / (2 * stiffness * (1 + ratio)), 12)
+
+
+class PinchedCylinder(unittest.TestCase):
+    def test_it_gives_way_as_published(self):
+        """Within what shorter waves than those of 1969, and terms of the order of thickness / radius, make of it."""
+        way = pinched_cylinder.way_of_the_force(1.0, 300, 600, 3, 3e6, 0.3)
+        self.assertAlmostEqual(way * 3e6 * 3 / 164.24, 1, 2)
+
+    def test_waves_far_longer_than_the_radius_bend_rings_without_stretching_them(self):
+        """A ring under cos(n angle) gives way by radius^4 / (D (n^2 - 1)^2) of the load."""
+        radius, thickness, n = 2.0, 1e-4, 4.0
+        matrix = pinched_cylinder.stiffness(np.array(1e-9), np.array(n), radius, thickness, 1e9, 0.3)
+        way = np.linalg.solve(matrix, [0, 0, 1])[2]
+        bending = plates.bending_stiffness(1e9, thickness, 0.3)
+        self.assertAlmostEqual(way * bending * (n**2 - 1) ** 2 / radius**4, 1, 6)
 
 
 if __name__ == "__main__":

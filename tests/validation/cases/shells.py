@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from oracles import elastica, plates, published_shells, spherical_shell
+from oracles import elastica, pinched_cylinder, plates, published_shells, spherical_shell
 from suite.case import Case, Comparison, Quantity
 from suite.program import Program
 
@@ -67,6 +67,14 @@ def compare_pinched_cylinder(program: Program, triangles: int) -> Comparison:
     return Comparison([
         Quantity("the crown's way down", "part of the load", "m", loads, -crown["uz_m"][steps], down),
         Quantity("the side's way out", "part of the load", "m", loads, side["ux_m"][steps], out)])
+
+
+def compare_lightly_pinched_cylinder(program: Program, triangles: int) -> Comparison:
+    force = 0.12  # ten times as much gives way by a fifth of a per cent more than ten times as far
+    crown = program.run("pinched_cylinder", mesh=f"meshes/graded_octant_{triangles}.obj", load=f"{-force / 4}N",
+                        time_step="1s").point("cylinder", "crown")
+    exact = pinched_cylinder.way_of_the_force(force, 100, 200, 1, 30e3, 0.3)
+    return Comparison([Quantity("way of the crown", "force", "m", np.array([force]), -crown["uz_m"][-1:], np.array([exact]))])
 
 
 def compare_hinged_roof(program: Program, triangles: int) -> Comparison:
@@ -142,9 +150,13 @@ CASES = [
          (512, 2048, 4608), compare_hinged_roof, quick=(512,), quick_bar=0.08),
     Case("pinched_cylinder", "Pinched cylinder with diaphragms", TABLES, "way of the crown and of the side", 0.02,
          (1152, 2048, 4608), compare_pinched_cylinder,
-         known_miss="The dent has a ridge around it that is narrower than two triangles of the finest mesh, which makes it "
-                    "too soft: at a tenth of the load and at half of it the displacements are 4 % and up to 7 % too large, "
-                    "at the whole load less than 1 %. Under small loads the crown's error falls with the order 1.4."),
+         known_miss="The finest mesh goes up to 6.8 % beyond the table. Meshes of 18 432 and 41 472 triangles agree with "
+                    "each other within 0.4 % and go up to 2.1 % (crown) and 4.6 % (side) beyond it, so that most of the "
+                    "miss is the table's. Under small forces, for which there is a series, the wall gives way as it "
+                    "should: see the next case."),
+    Case("lightly_pinched_cylinder", "Pinched cylinder under small forces", "Fourier series, Koiter and Sanders",
+         "way of the crown", 0.01, (1152, 2048, 4608), compare_lightly_pinched_cylinder, quick=(1152,), quick_bar=0.04,
+         scenario="pinched_cylinder"),
     Case("spherical_shell", "Spherical shell under pressure and a point force",
          "Reissner 1946; Vella, Ajdari, Vaziri and Boudaoud 2012", "stiffness at three pressures", 0.02,
          (1536, 3456, 7776), compare_spherical_shell, quick=(1536,), quick_bar=0.06),
