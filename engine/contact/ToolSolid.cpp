@@ -21,11 +21,21 @@ SignedDistance outside_ball(const Eigen::Vector3d& offset, double length, double
   return distance;
 }
 
+/// From the nearest point of the core, in the solid's own frame.
+Eigen::Vector3d offset_from_core(const ToolSolid& solid, const Eigen::Vector3d& point) {
+  return point - point.cwiseMax(-solid.core).cwiseMin(solid.core);
+}
+
+/// As of from_box, without what a wall that is far away does not need.
+double value_from_box(const ToolSolid& solid, const Eigen::Vector3d& point) {
+  const double length = offset_from_core(solid, point).norm();
+  return (length > kNoDirection ? length : -(solid.core - point.cwiseAbs()).minCoeff()) - solid.radius;
+}
+
 /// In the solid's own frame, point relative to its centre.
 SignedDistance from_box(const ToolSolid& solid, const Eigen::Vector3d& point) {
   SignedDistance distance;
-  const Eigen::Vector3d nearest = point.cwiseMax(-solid.core).cwiseMin(solid.core);
-  const Eigen::Vector3d offset = point - nearest;
+  const Eigen::Vector3d offset = offset_from_core(solid, point);
   const double length = offset.norm();
   if (length > kNoDirection) {
     distance.value = length - solid.radius;
@@ -99,7 +109,8 @@ SignedDistance signed_distance(const ToolSolid& solid, const Eigen::Vector3d& po
 
 double distance_from(const ToolSolid& solid, const Eigen::Vector3d& point) {
   if (solid.is_ball()) return (point - solid.center).norm() - solid.radius;
-  return signed_distance(solid, point).value;
+  const Eigen::Vector3d local = solid.frame.transpose() * (point - solid.center);
+  return solid.form == ToolSolid::Form::kNeedle ? from_needle(solid, local).value : value_from_box(solid, local);
 }
 
 std::vector<ToolSolid> rims_of(const ToolSolid& solid) {

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "engine/fluid/EnclosedVolume.hpp"
 #include "engine/fluid/FluidWeight.hpp"
 #include "engine/shell/BendingPatches.hpp"
+#include "engine/simulation/ContactSearch.hpp"
 #include "engine/simulation/LoadTerms.hpp"
 #include "engine/simulation/OpenChambers.hpp"
 #include "engine/simulation/SideBySide.hpp"
@@ -21,16 +21,6 @@ namespace {
 
 /// Triangles from which on a second thread is worth its while.
 constexpr int kWorthTwoThreads = 1000;
-
-/// Part of an edge beyond the range of a contact within which a triangle is kept in view: a step may overrun it.
-constexpr double kContactMargin = 0.5;
-
-/// Edges beyond that within which the distances of vertices from a solid are found exactly.
-constexpr double kFarAway = 4;
-
-double square(double value) {
-  return value * value;
-}
 
 void add_lane(const BodyModel& model, int triangle, const MembraneLanes& part, int lane, EquilibriumTerms& terms) {
   terms.elastic += part.energy[lane];
@@ -147,70 +137,6 @@ void add_pressure(const BodyModel& model, const Eigen::VectorXd& position, const
     const auto corners = corners_of(model.surface[t], position);
     const double sixth = pressure[chamber] / 6;
     add_cross_products(model.addresses[t], {sixth * corners[2], sixth * corners[0], -sixth * corners[1]}, terms.values);
-  }
-}
-
-/// Whether a site is farther from a solid than `reach`, metres, as the distances of the triangle's corners alone show:
-/// no distance changes faster than its place. Without a root, because it is asked of every site again and again.
-bool is_clearly_apart(const Eigen::VectorXd& position, const Eigen::Vector3i& triangle,
-                      const std::vector<double>& distances, const ContactSite& site, double reach) {
-  const int a = triangle[site.corner], b = triangle[(site.corner + 1) % 3], c = triangle[(site.corner + 2) % 3];
-  const double from_a = distances[a] - reach;
-  if (site.part == SitePart::kCorner) return from_a >= 0;
-  const auto edge = [&](int one, int other) {
-    return (position.segment<3>(3 * one) - position.segment<3>(3 * other)).squaredNorm();
-  };
-  const double from_b = distances[b] - reach, ab = edge(a, b);
-  if (site.part == SitePart::kEdge) return from_a + from_b >= 0 && square(from_a + from_b) >= ab;
-  const double from_c = distances[c] - reach, ac = edge(a, c), bc = edge(b, c);
-  return (from_a >= 0 && square(from_a) >= std::max(ab, ac)) || (from_b >= 0 && square(from_b) >= std::max(ab, bc)) ||
-         (from_c >= 0 && square(from_c) >= std::max(ac, bc));
-}
-
-/// Whether all parts of a triangle are, which is asked of each once: it has several sites.
-bool is_clearly_apart(const Eigen::VectorXd& position, const Eigen::Vector3i& triangle,
-                      const std::vector<double>& distances, double reach) {
-  const auto [a, b, c] = corners_of(triangle, position);
-  const double nearest = std::min({distances[triangle[0]], distances[triangle[1]], distances[triangle[2]]}) - reach;
-  const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-  return nearest >= 0 && square(nearest) >= longest;
-}
-
-void find_contacts(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
-                   EquilibriumTerms& terms) {
-  thread_local std::vector<double> distances;  // (vertices), metres
-  thread_local std::vector<char> are_apart;    // (triangles)
-  distances.resize(model.vertices());
-  are_apart.resize(model.surface.size());
-  for (int k = 0; k < static_cast<int>(problem.solids.size()); ++k) {
-    const SolidContact& contact = problem.solids[k];
-    if (contact.in_wall) continue;
-    const double near = contact.reach() + kContactMargin * model.edge_length;
-    for (int v = 0; v < model.vertices(); ++v) {
-      // Far away the distance from a ball around the solid says enough, and is quicker found.
-      const double bound = (position.segment<3>(3 * v) - contact.solid.center).norm() - contact.solid.extent();
-      distances[v] = bound > near + kFarAway * model.edge_length
-                         ? bound
-                         : distance_from(contact.solid, position.segment<3>(3 * v));
-    }
-    std::ranges::transform(model.surface, are_apart.begin(), [&](const Eigen::Vector3i& triangle) {
-      return is_clearly_apart(position, triangle, distances, near);
-    });
-    for (int s = 0; s < static_cast<int>(model.sites.size()); ++s) {
-      const ContactSite& site = model.sites[s];
-      if (are_apart[site.triangle] && contact.forces[s] <= 0) continue;
-      if (!contact.meets(site.part) || problem.is_free(contact.tool, site.triangle)) continue;
-      if (problem.passes(contact.tool, s)) continue;
-      const Eigen::Vector3i& triangle = model.surface[site.triangle];
-      const double reach = contact.forces[s] > 0 ? std::numeric_limits<double>::infinity() : near;
-      if (is_clearly_apart(position, triangle, distances, site, reach)) continue;
-      const auto gap = contact.gap(s, site, contact.solid, reach, corners_of(triangle, position),
-                                   contact.forces[s] != 0 ? GapTerms::kHessian : GapTerms::kGradient);
-      // The gap of a site whose deepest point lies on its border is that of another site.
-      if (!gap || (gap->part != site.part && contact.forces[s] == 0)) continue;
-      terms.contacts.push_back(
-          {.solid = k, .site = s, .triangle = site.triangle, .potential = contact.potential(s, site), .gap = *gap});
-    }
   }
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/mesh/Shapes.hpp"
+#include "engine/tool/ToolSolids.hpp"
 #include "tests/engine/simulation/TestBodies.hpp"
 
 namespace thinwall {
@@ -42,6 +43,29 @@ void Evaluate(benchmark::State& state) {
   state.counters["bytes"] = 2.0 * sizeof(double) * model.pattern.nonzeros() + per_triangle * model.triangles();
 }
 BENCHMARK(Evaluate)->Apply(sizes);
+
+/// The same with jaws that have closed over the crown, which rims and corners keep out of: forty solids.
+void EvaluateBetweenJaws(benchmark::State& state) {
+  const BodyModel model = make_body_model(ball(static_cast<int>(state.range(0))));
+  const ToolDefinition forceps{
+      .name = "grip", .kind = ToolKind::kForceps, .length = 0.03, .width = 6e-3, .thickness = 2e-3, .opening = 0.01};
+  ToolPose pose = pose_at({0, 0, 0.016});
+  pose.opening = 4e-3;
+  EquilibriumProblem problem = filled(model);
+  for (const ToolSolid& solid : contact_solids(forceps, pose)) {
+    problem.solids.push_back({.solid = solid,
+                              .range = 1e-4,
+                              .dip = 1e-4,
+                              .hugging_pressure = 1e3,
+                              .forces = std::vector<double>(model.sites.size(), 0)});
+  }
+  EquilibriumTerms terms;
+  for (auto _ : state) {
+    evaluate(model, problem, model.rest_position, Eigen::VectorXd::Constant(1, 300), true, terms);
+    benchmark::DoNotOptimize(terms.elastic);
+  }
+}
+BENCHMARK(EvaluateBetweenJaws)->Apply(sizes)->UseRealTime();
 
 /// The matrix of a wall stretched by a tenth.
 std::vector<double> stretched_matrix(const BodyModel& model) {

@@ -81,6 +81,16 @@ TEST(ToolSolid, DistanceIsThatOfTheBallsThatMakeUpTheSolid) {
   }
 }
 
+TEST(ToolSolid, DistanceAloneIsTheSameToTheBit) {
+  for (const auto& [name, solid] : solids()) {
+    std::vector<Eigen::Vector3d> points = points_near(solid, 200);
+    for (const double part : {0.0, 0.3, 0.9}) points.push_back(solid.center + solid.frame * (part * solid.core));
+    for (const Eigen::Vector3d& point : points) {
+      EXPECT_EQ(distance_from(solid, point), signed_distance(solid, point).value) << name;
+    }
+  }
+}
+
 TEST(ToolSolid, NormalAndCurvatureAreTheDerivativesOfTheDistance) {
   constexpr double h = 1e-5;
   for (const auto& [name, solid] : solids()) {
