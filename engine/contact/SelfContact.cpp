@@ -57,6 +57,7 @@ void SelfContact::measure_parts(const SelfContactDefinition& definition) {
   const int vertices = static_cast<int>(held_.size());
   vertex_area_.assign(vertices, 0);
   vertex_thickness_.assign(vertices, 0);
+  vertex_shrink_.assign(vertices, 1);
   parts_.resize(triangles_.size());
   std::vector<char> claimed(vertices, 0);
   double thickest = 0;
@@ -67,6 +68,9 @@ void SelfContact::measure_parts(const SelfContactDefinition& definition) {
     for (const int vertex : triangles_[t]) {
       vertex_area_[vertex] += third;
       vertex_thickness_[vertex] += third * definition.thickness[t];
+      if (!definition.stretch.empty()) {
+        vertex_shrink_[vertex] = std::min(vertex_shrink_[vertex], 1 / definition.stretch[t]);
+      }
       if (!claimed[vertex]) parts_[t].add_vertex(vertex);
       claimed[vertex] = 1;
     }
@@ -109,8 +113,7 @@ void SelfContact::measure_heights(const SelfContactDefinition& definition) {
 }
 
 std::optional<NearPair> SelfContact::describe(PairKind kind, const Eigen::Vector4i& vertices) {
-  const PairCorners rest = corners_at(vertices, rest_position_);
-  const double rest_distance = pair_distance(kind, rest).distance;
+  const double rest_distance = rest_distance_of(kind, vertices);
   if (is_left_alone(kind, vertices, rest_distance)) {
     if (is_in_each_other(kind, vertices, rest_distance)) {
       // Several threads may mark the same vertex.
@@ -130,7 +133,13 @@ std::optional<NearPair> SelfContact::describe(PairKind kind, const Eigen::Vector
                   .vertices = vertices,
                   .range = std::min({thickness, largest_range_, kRestRange * rest_distance}),
                   .area = area,
-                  .parallel = parallel_bound(kind, rest)};
+                  .parallel = parallel_bound(kind, corners_at(vertices, rest_position_))};
+}
+
+double SelfContact::rest_distance_of(PairKind kind, const Eigen::Vector4i& vertices) const {
+  double shrink = 1;
+  for (const int vertex : vertices) shrink = std::min(shrink, vertex_shrink_[vertex]);
+  return shrink * pair_distance(kind, corners_at(vertices, rest_position_)).distance;
 }
 
 bool SelfContact::were_neighbours(PairKind kind, const Eigen::Vector4i& vertices) const {

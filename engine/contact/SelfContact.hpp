@@ -20,7 +20,7 @@ struct FloorPlane {
   double height = 0;                                  // metres, of the plane along the normal
 };
 
-/// What the contact of a wall with itself and with its floor needs to know, all of the stress-free shape.
+/// What the contact of a wall with itself and with its floor needs to know, all of the given shape.
 struct SelfContactDefinition {
   std::span<const Eigen::Vector3i> triangles;  // of the wall
   Eigen::VectorXd position;                    // (3 vertices), metres
@@ -28,8 +28,9 @@ struct SelfContactDefinition {
   std::span<const char> fixed;                 // (3 vertices), unknowns that do not move
   std::vector<FloorPlane> floors;
   double pressure = 1;  // pascal, of the potentials: the scale at which two parts lie on each other at half the range
-  Eigen::VectorXd placement = {};  // (3 vertices) or none, metres, where the wall is after a cut
-  double edge_length = 0;          // metres, by which ranges are measured; 0: the mean of the mesh
+  Eigen::VectorXd placement = {};    // (3 vertices) or none, metres, where the wall is after a cut
+  double edge_length = 0;            // metres, by which ranges are measured; 0: the mean of the mesh
+  std::vector<double> stretch = {};  // (triangles) or none, the largest that the given shape has in the wall's plane
 };
 
 /// Two parts of the wall within range of each other.
@@ -57,12 +58,13 @@ struct SelfContactTerms {
 ///
 /// Mid-surfaces feel each other at distances below the range, which is for each pair of parts the smallest of the
 /// wall's thickness there, 0.4 of the mean edge length of the mesh, and half of the distance that the two have in the
-/// stress-free shape: neighbours do not feel each other unless the wall crumples, nor does a fine mesh. Parts that
-/// touch in the stress-free shape are left alone, and so are those beside a cut that were neighbours before it: pressed
-/// together, the lips of a wound slide over each other by an edge rather than jam in the wall's plane. Parts that a cut
-/// leaves all but in each other are left alone too, until the next cut. The force grows without bound as the distance
-/// goes to zero, and `safe_fraction` keeps every motion from jumping over it, so that a wall that is free of
-/// intersections stays so. The mean edge is that of the wall as it was whole: a cut changes no range elsewhere.
+/// stress-free shape, which is the given one shrunk by its prestretch: neighbours do not feel each other unless the
+/// wall crumples, nor does a fine mesh, nor does a stretched wall that is let go. Parts that touch in the stress-free
+/// shape are left alone, and so are those beside a cut that were neighbours before it: pressed together, the lips of a
+/// wound slide over each other by an edge rather than jam in the wall's plane. Parts that a cut leaves all but in each
+/// other are left alone too, until the next cut. The force grows without bound as the distance goes to zero, and
+/// `safe_fraction` keeps every motion from jumping over it, so that a wall that is free of intersections stays so. The
+/// mean edge is that of the wall as it was whole: a cut changes no range elsewhere.
 ///
 /// Pairs whose triangles share no vertex are listed with the margins of their vertices, parts of the edges there. Those
 /// of a vertex are kept until it (less the mean motion of all) has moved by its margin from where it was then, and are
@@ -106,7 +108,7 @@ class SelfContact {
   std::size_t listed() const;
 
  private:
-  /// Part of the stress-free distance of a pair at which it begins to feel each other.
+  /// Part of the stress-free distance of a pair at which it begins to feel each other; at most that of the given one.
   static constexpr double kRestRange = 0.5;
 
   /// Vertices and edges that a triangle answers for: up to three of each.
@@ -147,7 +149,9 @@ class SelfContact {
   bool is_left_alone(PairKind kind, const Eigen::Vector4i& vertices, double rest_distance) const;
   /// Nothing of parts that are left alone.
   std::optional<NearPair> describe(PairKind kind, const Eigen::Vector4i& vertices);
-  /// Metres, in the stress-free shape: no less than the distance of the two.
+  /// Metres, in the stress-free shape.
+  double rest_distance_of(PairKind kind, const Eigen::Vector4i& vertices) const;
+  /// Metres, in the given shape: no less than the distance of the two.
   double least_corner_distance(PairKind kind, const Eigen::Vector4i& vertices) const;
   /// `Add`: called with the pair where it is near at the listed position.
   template <typename Add>
@@ -166,6 +170,7 @@ class SelfContact {
   std::vector<std::vector<int>> across_;  // (vertices), on the other lip of a cut: joined to it before, ascending
   std::vector<double> vertex_area_;       // (vertices), metres^2
   std::vector<double> vertex_thickness_;  // (vertices), metres
+  std::vector<double> vertex_shrink_;     // (vertices), at most 1: stress-free lengths there over given ones
   std::vector<FloorPlane> floors_;
   std::vector<std::vector<double>>
       heights_;  // (floors x vertices), metres, stress-free; zero where the floor is not felt

@@ -24,7 +24,8 @@ std::vector<char> SelfContact::has_changed_since(const SelfContact& before) cons
     const Eigen::Index k = 3 * static_cast<Eigen::Index>(v);
     const bool is_same = rest_position_.segment<3>(k) == before.rest_position_.segment<3>(k) &&
                          held_[v] == before.held_[v] && vertex_area_[v] == before.vertex_area_[v] &&
-                         vertex_thickness_[v] == before.vertex_thickness_[v] && margins_[v] == before.margins_[v];
+                         vertex_thickness_[v] == before.vertex_thickness_[v] &&
+                         vertex_shrink_[v] == before.vertex_shrink_[v] && margins_[v] == before.margins_[v];
     if (!is_same || before.left_alone_[v]) changed[v] = 1;
   }
   return changed;

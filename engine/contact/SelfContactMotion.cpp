@@ -182,8 +182,7 @@ double SelfContact::safe_fraction(const Eigen::VectorXd& position, const Eigen::
     visit_parts(triangle, other, [&](PairKind kind, const Eigen::Vector4i& vertices) {
       const double one = fraction_of(kind, vertices);
       if (one >= fractions[task]) return;
-      const double rest_distance = pair_distance(kind, corners_at(vertices, rest_position_)).distance;
-      if (!is_left_alone(kind, vertices, rest_distance)) fractions[task] = one;
+      if (!is_left_alone(kind, vertices, rest_distance_of(kind, vertices))) fractions[task] = one;
     });
   });
   for (const double one : fractions) fraction = std::min(fraction, one);

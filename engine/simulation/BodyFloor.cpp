@@ -55,6 +55,11 @@ SelfContactDefinition self_contact_of(const BodyModel& model, const Eigen::Vecto
                                    .pressure = model.wall_stiffness / radius,
                                    .edge_length = edge_length};
   if (placement.size() > 0) definition.placement = placement.head(3 * model.vertices());
+  const std::vector<Prestretch>& stretch = model.definition.prestretch;
+  for (int t = 0; !stretch.empty() && t < model.triangles(); ++t) {
+    const Prestretch& there = stretch[stretch.size() == 1 ? 0 : static_cast<std::size_t>(t)];
+    definition.stretch.push_back(std::max(there.first, there.second));
+  }
   const std::vector<Eigen::Vector3i>& caps = model.definition.mesh.cap_triangles;
   const MeshTopology topology = topology_of(model.vertices(), caps);
   for (int component = 0; component < topology.component_count; ++component) {

@@ -107,6 +107,26 @@ TEST(SelfContact, LeavesASmoothWallAlone) {
   EXPECT_EQ(wall.contact.listed(), 0U);
 }
 
+TEST(SelfContact, LeavesAWallAloneThatPrestretchLetsShrinkToItsStressFreeShape) {
+  // Stretched to three times its size where it is given; then its parts are nearer than half of what they were.
+  const SurfaceMesh mesh = make_sheet(40e-3, 40e-3, 800);
+  const Eigen::VectorXd given = position_of(mesh), shrunk = given / 3;
+  const std::vector<double> thickness(mesh.triangles.size(), 1e-3);
+  const std::vector<char> fixed(given.size(), 0);
+  for (const double stretch : {1.0, 3.0}) {
+    SelfContact contact({.triangles = mesh.triangles,
+                         .position = given,
+                         .thickness = thickness,
+                         .fixed = fixed,
+                         .floors = {},
+                         .pressure = 1e3,
+                         .stretch = std::vector<double>(mesh.triangles.size(), stretch)});
+    Eigen::VectorXd gradient;
+    EXPECT_EQ(evaluated(contact, shrunk, gradient).folds.empty(), stretch == 3) << stretch;
+    EXPECT_FALSE(evaluated(contact, shrunk / 3, gradient).folds.empty()) << "crumpled as much again, " << stretch;
+  }
+}
+
 TEST(SelfContact, FindsEveryPairWithinRange) {
   // Thin enough for the thickness to be the range of all pairs but neighbours.
   Wall wall(make_sphere(20e-3, 128), 0.5e-3);
