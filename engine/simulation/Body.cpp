@@ -333,7 +333,7 @@ void Body::advance(std::span<const ToolPose> begin, std::span<const ToolPose> en
 
 bool Body::is_hopeless(int failed) const {
   return failed > options_.maximum_halvings || report_.halvings > kMostHalvings || report_.bursts > kMostBursts ||
-         is_spent();
+         report_.is_past_bearing || is_spent();
 }
 
 void Body::advance_in_parts(const BodyState& start, std::span<const ToolPose> begin, std::span<const ToolPose> end,

@@ -176,10 +176,12 @@ class Body {
   bool turn(const EquilibriumProblem& problem, EquilibriumState& state);
   bool find_turned(EquilibriumProblem& problem, EquilibriumState& state);
   void turn_to_rest(EquilibriumProblem& problem, EquilibriumState& state);
-  /// Pascal under which a body of one chamber holds a volume, metres^3; nothing where that is not found.
-  std::optional<double> pressure_at(double volume, const EquilibriumProblem& whole, EquilibriumState& state);
-  /// The largest pressure that such a body bears, pascal, up to so many times its volume; nothing where it bears the
-  /// given one, or it is not found out. With its volume given a wall is stable beyond the limit point.
+  /// Pascal under which a chamber holds a volume, metres^3; nothing where that is not found.
+  std::optional<double> pressure_at(double volume, int chamber, const EquilibriumProblem& whole,
+                                    EquilibriumState& state);
+  /// The largest pressure that the one chamber with a given pressure bears, pascal, up to so many times its volume;
+  /// nothing where it bears the given one, or it is not found out. With its volume given a wall is stable beyond the
+  /// limit point.
   std::optional<double> most_borne(const EquilibriumProblem& whole, double most_volume, const EquilibriumState& grown);
   NewtonResult burst(double most_borne = 0);
   void solve_statics();

@@ -12,6 +12,9 @@ constexpr double kFilled = 0.35;
 constexpr double kDrained = 0.15;
 constexpr double kLeastFilled = 0.02;
 
+/// Times the volume up to which it is filled at least, where that is large already.
+constexpr double kLeastSearched = 4;
+
 /// Of the way down to the limit point, where the wall bears most.
 constexpr int kMostDrainings = 20;
 
@@ -19,36 +22,50 @@ constexpr int kMostDrainings = 20;
 constexpr double kLooseTolerance = 1e-2;
 constexpr int kMostIterations = 25;
 
+/// The one chamber whose pressure is given; none where there are several, or it is none.
+std::optional<int> given_chamber(const EquilibriumProblem& problem) {
+  std::optional<int> given;
+  for (int c = 0; c < static_cast<int>(problem.fluids.size()); ++c) {
+    if (problem.fluids[c].mode != FluidMode::kGivenPressure) continue;
+    if (given) return {};
+    given = c;
+  }
+  return given;
+}
+
 }  // namespace
 
-std::optional<double> Body::pressure_at(double volume, const EquilibriumProblem& whole, EquilibriumState& state) {
+std::optional<double> Body::pressure_at(double volume, int chamber, const EquilibriumProblem& whole,
+                                        EquilibriumState& state) {
   EquilibriumProblem problem = whole;
-  problem.fluids[0] = {.mode = FluidMode::kIncompressible, .fluid_volume = volume};
+  problem.fluids[chamber] = {.mode = FluidMode::kIncompressible, .fluid_volume = volume};
   if (!solve(problem, state, {.most_iterations = kMostIterations, .tolerance = kLooseTolerance, .takes_flaps = true})
            .converged)
     return {};
-  return state.pressure[0];
+  return state.pressure[chamber];
 }
 
 std::optional<double> Body::most_borne(const EquilibriumProblem& whole, double most_volume,
                                        const EquilibriumState& grown) {
-  if (whole.fluids.size() != 1 || whole.fluids[0].mode != FluidMode::kGivenPressure) return {};
-  const double wanted = whole.fluids[0].pressure;
-  double volume = enclosed_volumes(*model_, grown.position)[0];
+  const std::optional<int> chamber = given_chamber(whole);
+  if (!chamber) return {};
+  const double wanted = whole.fluids[*chamber].pressure;
+  double volume = enclosed_volumes(*model_, grown.position)[*chamber];
+  const double end = std::max(most_volume * model_->chambers[*chamber].rest_volume, kLeastSearched * volume);
   EquilibriumState state = grown;
-  const std::optional<double> first = pressure_at(volume, whole, state);
+  const std::optional<double> first = pressure_at(volume, *chamber, whole, state);
   if (!first || *first >= wanted) return {};
   double most = *first;
   EquilibriumState less = state;
   for (int k = 1; k <= kMostDrainings; ++k) {
-    const std::optional<double> pressure = pressure_at(volume * std::pow(1 - kDrained, k), whole, less);
+    const std::optional<double> pressure = pressure_at(volume * std::pow(1 - kDrained, k), *chamber, whole, less);
     if (!pressure || *pressure < most) break;
     if (*pressure >= wanted) return {};
     most = *pressure;
   }
-  for (double filled = kFilled; volume < most_volume * model_->rest_volume;) {
+  for (double filled = kFilled; volume < end;) {
     EquilibriumState more = state;
-    const std::optional<double> pressure = pressure_at((1 + filled) * volume, whole, more);
+    const std::optional<double> pressure = pressure_at((1 + filled) * volume, *chamber, whole, more);
     if (pressure && *pressure >= wanted) return {};
     if (pressure) {
       volume *= 1 + filled;

@@ -68,8 +68,8 @@ constexpr int kHalvingsBeforeSaddles = 4;
 /// Parts in which the weight is put on where it cannot be at once.
 constexpr int kWeightParts = 8;
 
-/// Multiple of the rest volume beyond which a body under a given pressure has burst: past its limit point a wall under
-/// constant pressure grows without end.
+/// Multiple of the volume that it had beyond which a body under a given pressure has burst: past its limit point a
+/// wall under constant pressure grows without end.
 constexpr double kBurstVolume = 30;
 
 /// The same from which on it is asked what pressure the wall bears.
@@ -78,9 +78,9 @@ constexpr double kGrownVolume = 1.5;
 /// The same from which on a body in motion that cannot be solved is taken to burst.
 constexpr double kBlownUpVolume = 3;
 
-/// Whether a body has grown to more than so many times its volume.
-bool has_grown(const BodyModel& model, const EquilibriumState& state, double most_volume) {
-  return model.has_fluid() && enclosed_volumes(model, state.position).sum() > most_volume * model.rest_volume;
+/// How many times the volume a body encloses that it had, or its rest volume where that is more.
+double growth(const BodyModel& model, const EquilibriumState& state, double had) {
+  return model.has_fluid() ? enclosed_volumes(model, state.position).sum() / std::max(had, model.rest_volume) : 1;
 }
 
 }  // namespace
@@ -118,6 +118,7 @@ NewtonResult Body::burst(double most_borne) {
     reason << ", as its wall bears " << std::fixed << std::setprecision(most_borne < 100 ? 2 : 0) << most_borne
            << " Pa at most";
   bursts_ = true;
+  report_.is_past_bearing = most_borne > 0;
   NewtonResult failed;
   failed.reason = failure_ = reason.str();
   return failed;
@@ -131,6 +132,7 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state, b
   const std::string before = failure_;
   double springs = 1;
   bool is_asked = false;  // whether the wall bears what it has grown under
+  const double had = model_->has_fluid() ? enclosed_volumes(*model_, state.position).sum() : 0;
   Eigen::VectorXd lead = Eigen::VectorXd::Zero(state.position.size());  // (unknowns), metres
   for (int turn = 0; turn < pace.turns; ++turn) {
     EquilibriumState trial = state;
@@ -152,8 +154,9 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state, b
       springs *= pace.stiffened;
       if (springs > kStiffestSprings) break;
     }
-    if (has_grown(*model_, state, kBurstVolume)) return burst();
-    if (is_eager && !is_asked && has_grown(*model_, state, kGrownVolume)) {
+    const double grown = growth(*model_, state, had);
+    if (grown > kBurstVolume) return burst();
+    if (!is_asked && grown > kGrownVolume) {
       is_asked = true;
       if (const auto most = most_borne(problem, kBurstVolume, state)) return burst(*most);
     }

@@ -22,17 +22,18 @@ struct StepRupture {
 /// What the last step took.
 struct BodyStepReport {
   int newton_iterations = 0, shifted_iterations = 0, factorisations = 0;
-  int ascending_steps = 0;    // of Newton's, along which the line search's energy was to rise at first
-  int halvings = 0;           // how often the step was divided because it could not be solved
-  int refinements = 0;        // how often it was divided to keep the error that is allowed
-  int relaxations = 0;        // parts of it that were found with pseudo-inertia, see `relax`
-  int bursts = 0;             // parts of it in which the body grew without end
-  double residual = 0;        // newton
-  double residual_share = 0;  // largest of the step's solutions, over the largest force there
-  bool slowed = false;        // whether a drag slowed flaps that nothing holds, see Body::creep
-  bool loose = false;         // whether a residual above the tolerance was taken, see NewtonOptions::takes_flaps
-  bool unstable = false;      // whether it ended in an equilibrium that is not stable, see Body::buckle
-  bool crumpled = false;      // whether a blade crumpled the wall, which wrinkles infinitely finely from now on
+  int ascending_steps = 0;       // of Newton's, along which the line search's energy was to rise at first
+  int halvings = 0;              // how often the step was divided because it could not be solved
+  int refinements = 0;           // how often it was divided to keep the error that is allowed
+  int relaxations = 0;           // parts of it that were found with pseudo-inertia, see `relax`
+  int bursts = 0;                // parts of it in which the body grew without end
+  bool is_past_bearing = false;  // whether one asked for more pressure than the wall bears, as does then the whole step
+  double residual = 0;           // newton
+  double residual_share = 0;     // largest of the step's solutions, over the largest force there
+  bool slowed = false;           // whether a drag slowed flaps that nothing holds, see Body::creep
+  bool loose = false;            // whether a residual above the tolerance was taken, see NewtonOptions::takes_flaps
+  bool unstable = false;         // whether it ended in an equilibrium that is not stable, see Body::buckle
+  bool crumpled = false;         // whether a blade crumpled the wall, which wrinkles infinitely finely from now on
   std::vector<StepRupture> ruptures = {};  // in their order
 };
 
