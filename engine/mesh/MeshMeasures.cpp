@@ -56,6 +56,12 @@ double enclosed_volume(std::span<const Eigen::Vector3d> vertices, std::span<cons
   return six_volumes / 6;
 }
 
+double solid_angle(const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d a = corners[0] - point, b = corners[1] - point, c = corners[2] - point;
+  const double la = a.norm(), lb = b.norm(), lc = c.norm();
+  return 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+}
+
 double enclosed_volume(const SurfaceMesh& mesh) {
   return enclosed_volume(mesh.vertices, closed_surface(mesh));
 }

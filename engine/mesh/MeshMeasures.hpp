@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <array>
 #include <span>
 #include <vector>
 
@@ -25,6 +26,10 @@ double enclosed_volume(std::span<const Eigen::Vector3d> vertices, std::span<cons
 
 /// Volume inside wall and caps, metres^3. Meaningful only when the two together are closed.
 double enclosed_volume(const SurfaceMesh& mesh);
+
+/// Solid angle of a triangle seen from a point, positive from behind, steradian (Van Oosterom and Strackee 1983). Over
+/// a closed surface the sum is 4 pi for points inside.
+double solid_angle(const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Vector3d& point);
 
 /// Smallest angle of each triangle, (triangles), radians; 0 for a triangle without area.
 std::vector<double> smallest_angles(std::span<const Eigen::Vector3d> vertices,

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "engine/fluid/EnclosedVolume.hpp"
+#include "engine/mesh/MeshMeasures.hpp"
 
 namespace thinwall {
 namespace {
@@ -34,14 +35,6 @@ std::vector<int> connected_parts(std::size_t vertices, std::span<const Eigen::Ve
   return parts;
 }
 
-/// Solid angle of a triangle seen from a point over that of the whole sphere (Van Oosterom and Strackee 1983).
-double winding_of(const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Vector3d& point) {
-  const Eigen::Vector3d a = corners[0] - point, b = corners[1] - point, c = corners[2] - point;
-  const double la = a.norm(), lb = b.norm(), lc = c.norm();
-  const double below = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
-  return 2 * std::atan2(a.dot(b.cross(c)), below) / (4 * std::numbers::pi);
-}
-
 std::vector<Eigen::Vector3d> centroids_of(std::span<const Eigen::Vector3d> vertices,
                                           std::span<const Eigen::Vector3i> triangles, const std::vector<int>& parts,
                                           const std::vector<double>& volumes) {
@@ -61,7 +54,8 @@ int part_around(const Eigen::Vector3d& point, std::span<const Eigen::Vector3d> v
   std::vector<double> winding(volumes.size(), 0);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const Eigen::Vector3i& corner = triangles[t];
-    winding[parts[t]] += winding_of({vertices[corner[0]], vertices[corner[1]], vertices[corner[2]]}, point);
+    const double angle = solid_angle({vertices[corner[0]], vertices[corner[1]], vertices[corner[2]]}, point);
+    winding[parts[t]] += angle / (4 * std::numbers::pi);
   }
   int best = -1;
   for (int part = 0; part < static_cast<int>(volumes.size()); ++part) {

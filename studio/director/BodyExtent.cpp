@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/mesh/MeshMeasures.hpp"
+
 namespace thinwall {
 namespace {
 
@@ -37,11 +39,8 @@ Eigen::AlignedBox3d box_of(const SurfaceView& surface) {
 double winding_number(const SurfaceView& surface, const Eigen::Vector3d& point) {
   double sum = 0;
   for (const Eigen::Vector3i& vertices : surface.triangles) {
-    const Eigen::Vector3d a = surface.position.segment<3>(3 * vertices[0]) - point;
-    const Eigen::Vector3d b = surface.position.segment<3>(3 * vertices[1]) - point;
-    const Eigen::Vector3d c = surface.position.segment<3>(3 * vertices[2]) - point;
-    const double la = a.norm(), lb = b.norm(), lc = c.norm();
-    sum += 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+    const auto corner = [&](int k) -> Eigen::Vector3d { return surface.position.segment<3>(3 * vertices[k]); };
+    sum += solid_angle({corner(0), corner(1), corner(2)}, point);
   }
   return sum / (4 * std::numbers::pi);
 }

@@ -1,6 +1,6 @@
 #include "studio/organs/MeshImport.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -20,6 +20,7 @@
 #include "studio/organs/ManifoldRepair.hpp"
 #include "studio/organs/MeshFile.hpp"
 #include "studio/organs/MeshRepair.hpp"
+#include "studio/organs/NestedParts.hpp"
 #include "studio/organs/OrganSizes.hpp"
 #include "studio/organs/ToldPlaces.hpp"
 #include "studio/organs/remeshing/MeshRemeshing.hpp"
@@ -78,6 +79,7 @@ class MeshImport {
     ImportedMesh result;
     result.mesh = finish();
     tell_intersections();
+    tell_nested_parts();
     describe(result.mesh);
     result.notes = std::move(notes_);
     return result;
@@ -329,6 +331,19 @@ class MeshImport {
         fmt::format("through the surface, with the middles {}; the wall does not keep out of itself there, and what "
                     "it encloses twice counts twice: mend the mesh",
                     places(middles)));
+  }
+
+  void tell_nested_parts() {
+    const std::vector<SurfaceComponent> components = components_of(surface_);
+    std::vector<std::string> inner;
+    for (const int part : nested_parts(surface_)) {
+      inner.push_back(counted(components[part].triangles, "triangle", "triangles"));
+    }
+    note_if(inner.size(), "separate part lies", "separate parts lie",
+            fmt::format("within another ({}); what surrounds a part does not press on it, and the room that it takes "
+                        "counts as the outer part's too: a wall with an inner and an outer surface is one of them with "
+                        "its `thickness`",
+                        fmt::join(inner, ", ")));
   }
 
   const std::filesystem::path& file_;

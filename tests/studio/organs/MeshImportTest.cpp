@@ -66,6 +66,28 @@ TEST(MeshImport, ASurfaceThatPassesThroughItselfIsToldWithThePlaces) {
   }
 }
 
+/// A second cube with edges of a half from `low` on, whose vertices follow those of the first.
+std::string second_cube(double low) {
+  const std::string a = " " + std::to_string(low), b = " " + std::to_string(low + 0.5);
+  std::string text;
+  for (const std::string& z : {a, b})
+    text += "v" + a + a + z + "\nv" + b + a + z + "\nv" + b + b + z + "\nv" + a + b + z + "\n";
+  return text + "f 9 10 14 13\nf 10 11 15 14\nf 11 12 16 15\nf 12 9 13 16\nf 9 12 11 10\nf 13 14 15 16\n";
+}
+
+TEST(MeshImport, APartWithinAnotherIsToldAsNothingAroundItPressesOnIt) {
+  const auto notes_of = [](const std::string& text) {
+    std::vector<std::string> notes = import(write_file("nested.obj", text)).notes;
+    std::erase_if(notes, [](const std::string& note) { return note.find("within another") == std::string::npos; });
+    return notes;
+  };
+  const std::vector<std::string> told = notes_of(kCubeVertices + kCubeSides + kCubeEnds + second_cube(0.25));
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_NE(told[0].find("1 separate part lies within another (12 triangles); "), std::string::npos) << told[0];
+  EXPECT_TRUE(notes_of(kCubeVertices + kCubeSides + kCubeEnds + second_cube(1.5)).empty()) << "beside it";
+  EXPECT_TRUE(notes_of(kCubeVertices + kCubeSides + "f 1 4 3 2\n" + second_cube(0.25)).empty()) << "in an open box";
+}
+
 TEST(MeshImport, GroupsOfFacesBecomeGroupsOfVertices) {
   const std::string text = kCubeVertices + "g sides\n" + kCubeSides + "g lid\nf 5 6 7 8\ng sides\nf 1 4 3 2\n";
   const SurfaceMesh mesh = import(write_file("groups.obj", text)).mesh;
