@@ -16,6 +16,9 @@ using std::numbers::pi;
 /// Height over side of an equilateral triangle.
 const double kEquilateral = std::sqrt(3.0) / 2;
 
+/// Part of a radius by which vertices on a circle may be off it.
+constexpr double kRounding = 1e-12;
+
 template <typename Map>
 SurfaceMesh bend(const Pattern& pattern, const Map& map) {
   SurfaceMesh mesh;
@@ -45,6 +48,18 @@ void add_cap(SurfaceMesh& mesh, const std::vector<int>& polygon) {
 void add_group(SurfaceMesh& mesh, const char* name, std::vector<int> vertices) {
   std::sort(vertices.begin(), vertices.end());
   mesh.groups[name] = std::move(vertices);
+}
+
+/// The groups of a ring's vertices on its two circles.
+void add_circles(SurfaceMesh& mesh, double inner_radius, double radius) {
+  std::vector<int> inner, outer;
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    const double reach = mesh.vertices[v].norm();
+    if (std::abs(reach - inner_radius) < kRounding * radius) inner.push_back(static_cast<int>(v));
+    if (std::abs(reach - radius) < kRounding * radius) outer.push_back(static_cast<int>(v));
+  }
+  add_group(mesh, "inner", inner);
+  add_group(mesh, "outer", outer);
 }
 
 /// Caps at both ends of rows of vertices along y that follow one another clockwise about y; gives their group.
@@ -143,10 +158,13 @@ SurfaceMesh make_annulus(double inner_radius, double radius, int triangles) {
   const Division division = closest_division(
       triangles, 1, 1, 3, [](Division d) { return 2 * d.across * d.along; },
       [&](Division d) { return (breadth / d.across) / (2 * pi / d.along) / kEquilateral; });
-  return bend(staggered_circles(division.across, division.along), [&](double outwards, double turn) -> Eigen::Vector3d {
+  const Pattern pattern = staggered_circles(division.across, division.along);
+  SurfaceMesh mesh = bend(pattern, [&](double outwards, double turn) -> Eigen::Vector3d {
     const double reach = outwards == 1 ? radius : inner_radius * std::exp(breadth * outwards);
     return reach * Eigen::Vector3d(std::cos(2 * pi * turn), std::sin(2 * pi * turn), 0);
   });
+  add_circles(mesh, inner_radius, radius);
+  return mesh;
 }
 
 SurfaceMesh make_slit_annulus(double inner_radius, double radius, int triangles) {
@@ -169,6 +187,7 @@ SurfaceMesh make_slit_annulus(double inner_radius, double radius, int triangles)
   }
   add_group(mesh, "slit_start", first);
   add_group(mesh, "slit_end", last);
+  add_circles(mesh, inner_radius, radius);
   return mesh;
 }
 

@@ -32,11 +32,13 @@ SurfaceMesh make_sheet(double width, double length, int triangles);
 SurfaceMesh make_disc(double radius, int triangles);
 
 /// Flat ring in z = 0, normal +z, inner_radius < radius. Circles of equally many vertices, each turned by half a
-/// spacing, their radii in geometric progression, so all triangles have nearly the same shape. Open at both circles.
+/// spacing, their radii in geometric progression, so all triangles have nearly the same shape. Open at both circles,
+/// which are the groups `inner` and `outer`.
 SurfaceMesh make_annulus(double inner_radius, double radius, int triangles);
 
 /// The same ring slit along +x. The lips lie on each other and have vertices of their own, from the hole outwards: the
-/// groups `slit_start`, from which the ring goes counter-clockwise, and `slit_end`, where it comes back.
+/// groups `slit_start`, from which the ring goes counter-clockwise, and `slit_end`, where it comes back; their ends are
+/// in `inner` and `outer` too.
 SurfaceMesh make_slit_annulus(double inner_radius, double radius, int triangles);
 
 }  // namespace thinwall

@@ -23,7 +23,7 @@ std::vector<CaseSchema> shape_cases() {
       {"sheet", "open rectangle in z = 0", {along_y, along_x}},
       {"disc", "open disc in z = 0", {radius}},
       {"cylinder", "axis along y, closed by caps at both ends", {radius, along_y}},
-      {"annulus", "open ring in z = 0", {radius, hole, slit}},
+      {"annulus", "open ring in z = 0, its circles the groups `inner` and `outer`", {radius, hole, slit}},
       {"strip", "open narrow rectangle in z = 0", {along_y, along_x}},
   };
 }

@@ -15,7 +15,8 @@ namespace {
 std::vector<std::string> groups_of_shape(const CheckedValue& surface) {
   const std::string& shape = surface.at("shape").text;
   const CheckedValue* slit = surface.find("slit");
-  if (slit != nullptr && slit->boolean) return {"wall", "slit_start", "slit_end"};
+  if (slit != nullptr && slit->boolean) return {"wall", "inner", "outer", "slit_start", "slit_end"};
+  if (shape == "annulus") return {"wall", "inner", "outer"};
   if (shape == "hemisphere") return {"wall", "base"};
   if (shape == "semicylinder") return {"wall", "base", "ends"};
   if (shape == "cylinder") return {"wall", "ends"};

@@ -291,5 +291,19 @@ TEST(Annulus, RimsLieOnTheirCircles) {
   }
 }
 
+TEST(Annulus, HasItsCirclesAsGroups) {
+  for (const SurfaceMesh& mesh : {make_annulus(kInner, kRadius, 1280), make_slit_annulus(kInner, kRadius, 1280)}) {
+    std::vector<int> inner, outer;
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+      const double reach = mesh.vertices[v].norm();
+      if (reach < kInner + 1e-15) inner.push_back(static_cast<int>(v));
+      if (reach > kRadius - 1e-15) outer.push_back(static_cast<int>(v));
+    }
+    EXPECT_GT(inner.size(), 20U);
+    EXPECT_EQ(mesh.groups.at("inner"), inner);
+    EXPECT_EQ(mesh.groups.at("outer"), outer);
+  }
+}
+
 }  // namespace
 }  // namespace thinwall
