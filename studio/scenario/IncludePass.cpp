@@ -71,6 +71,7 @@ class Includer {
     for (const TextNode* item : named_files(list, key)) {
       std::optional<TextNode> file = read(*item);
       if (!file) continue;
+      check_version(root, *file);
       below = below.kind == NodeKind::kEmpty ? std::move(*file) : merged(std::move(*file), std::move(below));
     }
     if (below.kind == NodeKind::kMapping) root = merged(std::move(root), std::move(below));
@@ -102,6 +103,15 @@ class Includer {
       }
     }
     return files;
+  }
+
+  /// The nearest wins, but not over the version that a file is written for.
+  void check_version(const TextNode& root, const TextNode& file) {
+    const TextMember *own = root.find("thinwall"), *other = file.find("thinwall");
+    if (own == nullptr || other == nullptr || own->value.text == other->value.text) return;
+    diagnostics_.error(other->value.location, "thinwall",
+                       "the file is of version " + in_backticks(other->value.text) + ", that which includes it of " +
+                           in_backticks(own->value.text) + ": a scenario is of one version");
   }
 
   std::optional<TextNode> read(const TextNode& item) {

@@ -52,6 +52,17 @@ TEST_F(IncludePass, FilesAreFoundFromTheFileThatNamesThem) {
   EXPECT_EQ(root.find("two")->value.location.file, folder_ / "inner/two.yaml");
 }
 
+TEST_F(IncludePass, AllFilesAreOfOneVersion) {
+  write("old.yaml", "include: older.yaml\nthinwall: 1\n");
+  write("older.yaml", "one: 1\nthinwall: 2\n");
+  include("thinwall: 1\ninclude: old.yaml\n");
+  ASSERT_EQ(diagnostics_.errors.size(), 1U);
+  EXPECT_EQ(diagnostics_.errors[0].location.file, folder_ / "older.yaml");
+  EXPECT_EQ(diagnostics_.errors[0].location.line, 2);
+  EXPECT_EQ(diagnostics_.errors[0].message,
+            "thinwall: the file is of version `2`, that which includes it of `1`: a scenario is of one version");
+}
+
 TEST_F(IncludePass, AMappingOfAnotherKindReplacesTheFartherOne) {
   write("base.yaml", "a: { law: gum, x: 1 }\nb: { law: gum, x: 1 }\nc: { shape: ball, radius: 1 }\n");
   const TextNode root =
