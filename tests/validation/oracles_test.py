@@ -10,7 +10,8 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 from oracles import (axisymmetric_membrane, belt, drum, elastica, fingerpad, fluids, hencky, inflated_sphere,  # noqa: E402
-                     pinched_cylinder, plates, published_shells, slit, spherical_shell, strips, viscoelasticity, wall_laws)
+                     pinched_cylinder, plates, published_shells, slit, spherical_shell, stretched_ring, strips,
+                     viscoelasticity, wall_laws)
 
 # mu = 2 makes c1 = mu / 2 the unit.
 RUBBER = wall_laws.neo_hookean(2.0)
@@ -48,6 +49,27 @@ class Fingerpad(unittest.TestCase):
         untouched = fingerpad.section(wall_laws.neo_hookean(20e3), 1e-3, 10e-3, 1e-9)
         self.assertAlmostEqual(untouched.radius, 10e-3, 8)
         self.assertLess(abs(untouched.force), 1e-6)
+
+
+class StretchedRing(unittest.TestCase):
+    def test_small_stretch_is_that_of_a_linear_ring(self):
+        # u = A r + B / r with no radial stress at the hole: A (1 + nu) = B (1 - nu) / b^2, nu = 1/2.
+        hole, rim, drawn = 1.0, 4.0, 4.0004
+        factor = (drawn - rim) / (rim + 3 * hole**2 / rim)
+        expected = factor * (hole + 3 * hole)
+        found = stretched_ring.radii(RUBBER, hole, rim, drawn)
+        self.assertAlmostEqual((float(found(hole)) - hole) / expected, 1, 3)
+
+    def test_the_virial_of_its_forces_is_that_of_its_tensions(self):
+        # Work of the rim's tension on a motion of all places away from the middle.
+        law, hole, rim, drawn = wall_laws.mooney_rivlin(0.8, 0.2), 5.0, 20.0, 40.0
+        found = stretched_ring.radii(law, hole, rim, drawn)
+        places = np.linspace(hole, rim, 20001)
+        r = found(places)
+        l1, l2 = np.gradient(r, places, edge_order=2), r / places
+        n = np.array([wall_laws.tensions(law, a, b) for a, b in zip(l1, l2)])
+        inner = np.trapz((n[:, 0] * l1 + n[:, 1] * l2) * places, places)
+        self.assertAlmostEqual(inner / (n[-1, 0] * rim * drawn), 1, 5)
 
 
 class Hencky(unittest.TestCase):

@@ -6,7 +6,7 @@ from functools import lru_cache
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from oracles import axisymmetric_membrane, hencky, inflated_sphere, strips, wall_laws
+from oracles import axisymmetric_membrane, hencky, inflated_sphere, stretched_ring, strips, wall_laws
 from suite.case import Case, Comparison, Quantity
 from suite.program import Program, Surface
 
@@ -24,6 +24,18 @@ def compare_strips(program: Program, triangles: int) -> Comparison:
     stretched = np.where(along < 0, -half + thick * (along + half) / prestretch, half - thin * (half - along) / prestretch)
     return Comparison([Quantity("motion along the strip", "place, mm", "mm", 1e3 * along, 1e3 * model,
                                 1e3 * (stretched - along))])
+
+
+def compare_stretched_ring(program: Program, triangles: int) -> Comparison:
+    surface = program.run("stretched_ring", triangles=triangles).surface("ring")
+    given = np.linalg.norm(surface.rest, axis=1)
+    now = np.linalg.norm(surface.positions[-1], axis=1)
+    # The stress-free ring is the given one shrunk to a half.
+    exact = stretched_ring.radii(wall_laws.mooney_rivlin(8e3, 2e3), 5e-3, 20e-3, 40e-3)
+    order = np.argsort(given, kind="stable")
+    return Comparison([Quantity("distance from the middle", "stress-free, mm", "mm", 500 * given[order], 1e3 * now[order],
+                                1e3 * exact(given[order] / 2))],
+                      [f"The hole's radius is {1e3 * now.min():.3f} mm (reference {1e3 * float(exact(5e-3)):.3f})."])
 
 
 RADIUS, THICKNESS = 30e-3, 0.5e-3  # metres, of the balloon
@@ -144,6 +156,8 @@ CASES = [
          quick_bar=0.015),
     Case("rubber_disc_filled", "Clamped rubber disc, filled through its limit point", "axisymmetric membrane equations solved",
          "pressure and stretch of the pole over the height of the pole", 0.005, (600, 2400, 5400), compare_filled_disc),
+    Case("stretched_ring", "Ring stretched to twice its size", "Rivlin and Thomas 1951, ordinary differential equation",
+         "distances from the middle, the hole's too", 0.005, (600, 2400, 9600), compare_stretched_ring, quick=(2400,)),
     Case("strips_in_series", "Two strips in series", "closed form", "motion of the joint and of both halves", 1e-6, (200, 800),
          compare_strips, quick=(200,)),
 ]
