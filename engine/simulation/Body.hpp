@@ -179,11 +179,16 @@ class Body {
   /// Pascal under which a chamber holds a volume, metres^3; nothing where that is not found.
   std::optional<double> pressure_at(double volume, int chamber, const EquilibriumProblem& whole,
                                     EquilibriumState& state);
-  /// The largest pressure that the one chamber with a given pressure bears, pascal, up to so many times its volume;
-  /// nothing where it bears the given one, or it is not found out. With its volume given a wall is stable beyond the
-  /// limit point.
-  std::optional<double> most_borne(const EquilibriumProblem& whole, double most_volume, const EquilibriumState& grown);
-  NewtonResult burst(double most_borne = 0);
+  struct MostBorne {
+    int chamber = 0;
+    double pressure = 0;  // pascal
+  };
+  /// The largest pressure that the one chamber with a given pressure bears, up to so many times its volume; nothing
+  /// where it bears the given one, or it is not found out. With its volume given a wall is stable beyond the limit
+  /// point.
+  std::optional<MostBorne> most_borne(const EquilibriumProblem& whole, double most_volume,
+                                      const EquilibriumState& grown);
+  NewtonResult burst(const std::optional<MostBorne>& most = {});
   void solve_statics();
   bool load_slowly(const EquilibriumProblem& whole, EquilibriumState& trial);
   std::string describe_failure() const;

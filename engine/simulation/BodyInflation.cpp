@@ -45,8 +45,8 @@ std::optional<double> Body::pressure_at(double volume, int chamber, const Equili
   return state.pressure[chamber];
 }
 
-std::optional<double> Body::most_borne(const EquilibriumProblem& whole, double most_volume,
-                                       const EquilibriumState& grown) {
+std::optional<Body::MostBorne> Body::most_borne(const EquilibriumProblem& whole, double most_volume,
+                                                const EquilibriumState& grown) {
   const std::optional<int> chamber = given_chamber(whole);
   if (!chamber) return {};
   const double wanted = whole.fluids[*chamber].pressure;
@@ -76,7 +76,7 @@ std::optional<double> Body::most_borne(const EquilibriumProblem& whole, double m
       if (filled < kLeastFilled) return {};
     }
   }
-  return most;
+  return MostBorne{.chamber = *chamber, .pressure = most};
 }
 
 }  // namespace thinwall

@@ -111,14 +111,16 @@ NewtonResult Body::solve(EquilibriumProblem& problem, EquilibriumState& state, c
   return result;
 }
 
-NewtonResult Body::burst(double most_borne) {
+NewtonResult Body::burst(const std::optional<MostBorne>& most) {
   std::ostringstream reason;
   reason << "it bursts: it grows without end, past " << kBurstVolume << " times its volume";
-  if (most_borne > 0)
-    reason << ", as its wall bears " << std::fixed << std::setprecision(most_borne < 100 ? 2 : 0) << most_borne
-           << " Pa at most";
+  if (most) {
+    const std::string& chamber = model_->chambers[most->chamber].name;
+    reason << ", as " << (chamber.empty() ? "its wall" : "the wall of its chamber `" + chamber + "`") << " bears "
+           << std::fixed << std::setprecision(most->pressure < 100 ? 2 : 0) << most->pressure << " Pa at most";
+  }
   bursts_ = true;
-  report_.is_past_bearing = most_borne > 0;
+  report_.is_past_bearing = most.has_value();
   NewtonResult failed;
   failed.reason = failure_ = reason.str();
   return failed;
@@ -158,7 +160,7 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state, b
     if (grown > kBurstVolume) return burst();
     if (!is_asked && grown > kGrownVolume) {
       is_asked = true;
-      if (const auto most = most_borne(problem, kBurstVolume, state)) return burst(*most);
+      if (const auto most = most_borne(problem, kBurstVolume, state)) return burst(most);
     }
     if (springs < kWeakSprings && turn % 4 == 3) {
       trial = state;

@@ -38,8 +38,8 @@ std::string failure_of(Body& body, std::vector<FluidInput> fluids) {
 }
 
 /// Pascal that a wall bears at most, by such words; 0 where they do not say.
-double pressure_told(const std::string& failure) {
-  const std::string words = "its wall bears ";
+double pressure_told(const std::string& failure, const std::string& wall = "its wall") {
+  const std::string words = ", as " + wall + " bears ";
   const std::size_t at = failure.find(words);
   return at == std::string::npos ? 0 : std::stod(failure.substr(at + words.size()));
 }
@@ -138,7 +138,8 @@ TEST(Settling, OneChamberOfSeveralThatIsFilledPastWhatItBearsIsGivenUpAfterFewPa
   iterations = 0;
   const std::string told = failure_of(body, {{}, {.pressure = 1400}});
   std::printf("%d iterations\n", iterations);
-  EXPECT_NEAR(pressure_told(told), borne_by_ball(), 0.02 * borne_by_ball()) << told;
+  const double most = pressure_told(told, "the wall of its chamber `other`");
+  EXPECT_NEAR(most, borne_by_ball(), 0.02 * borne_by_ball()) << told;
   EXPECT_LT(iterations, 2000) << "as with one chamber";
 }
 
