@@ -25,7 +25,9 @@ class ClosedCheck {
   std::vector<Diagnostic> run() {
     check_open_edges();
     check_edges(topology_.crowded_edges, "shared by more than two triangles",
-                "the wall branches there; take the inner surfaces out of the mesh");
+                parts_ > 1
+                    ? "the wall branches there; give each chamber a closed wall of its own, with a gap between them"
+                    : "the wall branches there; take the inner surfaces out of the mesh");
     check_edges(topology_.contrary_edges, "between triangles that face opposite ways", "turn one side of them over");
     check_vertices();
     check_components();

@@ -88,6 +88,20 @@ TEST(MeshImport, APartWithinAnotherIsToldAsNothingAroundItPressesOnIt) {
   EXPECT_TRUE(notes_of(kCubeVertices + kCubeSides + "f 1 4 3 2\n" + second_cube(0.25)).empty()) << "in an open box";
 }
 
+TEST(MeshImport, AWallThatChambersShareIsToldToBeTwo) {
+  const SurfaceMesh mesh =
+      import(write_file("septum.obj", kCubeVertices + kCubeSides + kCubeEnds + "f 1 3 7 5\n")).mesh;
+  try {
+    check_closed_for_fluid(mesh, {"mesh `septum.obj`", 1, "units of the file", "bodies.organ.surface", kHere},
+                           "close the surface", 2);
+    FAIL() << "was taken";
+  } catch (const InputErrors& errors) {
+    const std::string words =
+        "; the wall branches there; give each chamber a closed wall of its own, with a gap between";
+    EXPECT_NE(std::string(errors.what()).find(words), std::string::npos) << errors.what();
+  }
+}
+
 TEST(MeshImport, GroupsOfFacesBecomeGroupsOfVertices) {
   const std::string text = kCubeVertices + "g sides\n" + kCubeSides + "g lid\nf 5 6 7 8\ng sides\nf 1 4 3 2\n";
   const SurfaceMesh mesh = import(write_file("groups.obj", text)).mesh;
