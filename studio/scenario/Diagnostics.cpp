@@ -16,6 +16,10 @@ void Diagnostics::error(const SourceLocation& location, const std::string& path,
   errors.push_back(make(location, path, message));
 }
 
+void Diagnostics::absence(const SourceLocation& location, const std::string& path, const std::string& message) {
+  if (!has_gaps) error(location, path, message);
+}
+
 void Diagnostics::warning(const SourceLocation& location, const std::string& path, const std::string& message) {
   warnings.push_back(make(location, path, message));
 }

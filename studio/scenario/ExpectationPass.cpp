@@ -38,16 +38,17 @@ class NameChecker {
       if (std::ranges::find(names, named->text) != names.end()) return;
       const std::string nearest = did_you_mean(named->text, names);
       const std::string there = names.empty() ? "" : "; there is " + list_in_backticks(names);
-      diagnostics_.error(named->location, member_path(path_, key),
-                         "there is no " + key + " " + in_backticks(named->text) + (nearest.empty() ? there : nearest));
+      diagnostics_.absence(
+          named->location, member_path(path_, key),
+          "there is no " + key + " " + in_backticks(named->text) + (nearest.empty() ? there : nearest));
     } else if (names.size() == 1) {
       CheckedValue only{
           .kind = CheckedKind::kText, .location = mapping_.location, .given = false, .text = names.front()};
       mapping_.members.insert(mapping_.members.begin(), {key, mapping_.location, std::move(only)});
     } else {
-      diagnostics_.error(mapping_.location, path_,
-                         names.empty() ? "needs a " + key + ", but there is none"
-                                       : in_backticks(key) + " is missing; there is " + list_in_backticks(names));
+      diagnostics_.absence(mapping_.location, path_,
+                           names.empty() ? "needs a " + key + ", but there is none"
+                                         : in_backticks(key) + " is missing; there is " + list_in_backticks(names));
     }
   }
 

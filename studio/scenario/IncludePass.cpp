@@ -92,6 +92,7 @@ class Includer {
     if (list.kind == NodeKind::kText) return {&list};
     if (list.kind == NodeKind::kMapping) {
       diagnostics_.error(key, "include", "expected a file or a list of files, got a mapping");
+      diagnostics_.has_gaps = true;
     }
     for (std::size_t index = 0; index < list.items.size(); ++index) {
       const TextNode& item = list.items[index];
@@ -100,6 +101,7 @@ class Includer {
       } else {
         diagnostics_.error(item.location, item_path("include", index),
                            "expected the path of a file, got " + describe(item));
+        diagnostics_.has_gaps = true;
       }
     }
     return files;
@@ -115,14 +117,26 @@ class Includer {
   }
 
   std::optional<TextNode> read(const TextNode& item) {
-    if (item.text.find("${") != std::string::npos) {
-      diagnostics_.error(item.location, "include", "parameters are not known yet where files are included");
-      return std::nullopt;
-    }
     const std::filesystem::path file = (item.location.file.parent_path() / item.text).lexically_normal();
     const std::filesystem::path id = identity(file);
     if (std::ranges::find(open_, id) != open_.end()) {
       diagnostics_.error(item.location, "include", in_backticks(item.text) + " includes itself");
+      return std::nullopt;
+    }
+    std::optional<TextNode> node = parse(item, file);
+    if (!node) {
+      diagnostics_.has_gaps = true;
+      return std::nullopt;
+    }
+    open_.push_back(id);
+    include(*node);
+    open_.pop_back();
+    return node;
+  }
+
+  std::optional<TextNode> parse(const TextNode& item, const std::filesystem::path& file) {
+    if (item.text.find("${") != std::string::npos) {
+      diagnostics_.error(item.location, "include", "parameters are not known yet where files are included");
       return std::nullopt;
     }
     if (++files_ > kMostFiles) {
@@ -140,9 +154,6 @@ class Includer {
       diagnostics_.error(item.location, "include", in_backticks(item.text) + " does not hold a mapping");
       return std::nullopt;
     }
-    open_.push_back(id);
-    include(*node);
-    open_.pop_back();
     return node;
   }
 

@@ -19,7 +19,7 @@ void check_name(const WrittenName& name, const std::string& what, const std::vec
   if (std::ranges::find(names, name.text) != names.end()) return;
   std::string hint = did_you_mean(name.text, names);
   if (hint.empty()) hint = names.empty() ? "; there is none" : "; there is " + list_in_backticks(names);
-  diagnostics.error(name.location, path, "there is no " + what + " " + in_backticks(name.text) + hint);
+  diagnostics.absence(name.location, path, "there is no " + what + " " + in_backticks(name.text) + hint);
 }
 
 void resolve_name(CheckedValue& mapping, const std::string& key, const std::vector<std::string>& names,
@@ -32,9 +32,9 @@ void resolve_name(CheckedValue& mapping, const std::string& key, const std::vect
         .kind = CheckedKind::kText, .location = mapping.location, .given = false, .text = names.front()};
     mapping.members.insert(mapping.members.begin(), {key, mapping.location, only});
   } else {
-    diagnostics.error(mapping.location, path,
-                      names.empty() ? "needs a " + key + ", but there is none"
-                                    : in_backticks(key) + " is missing; there is " + list_in_backticks(names));
+    diagnostics.absence(mapping.location, path,
+                        names.empty() ? "needs a " + key + ", but there is none"
+                                      : in_backticks(key) + " is missing; there is " + list_in_backticks(names));
   }
 }
 

@@ -67,9 +67,9 @@ class ParameterFiller {
         const SourceLocation place = parameter->second.value.location;
         parameter->second.value = override_node(value, place);
       } else if (!known_bad_.contains(name)) {
-        diagnostics_.error(section, "",
-                           in_backticks(option) + ": the scenario has no parameter " + in_backticks(name) +
-                               did_you_mean(name, names_));
+        diagnostics_.absence(section, "",
+                             in_backticks(option) + ": the scenario has no parameter " + in_backticks(name) +
+                                 did_you_mean(name, names_));
       }
     }
   }
@@ -87,7 +87,7 @@ class ParameterFiller {
     for (const std::string& name : names_) {
       Parameter& parameter = parameters_[name];
       if (!parameter.used && unused == UnusedParameters::kRefused) {
-        diagnostics_.error(parameter.location, member_path("parameters", name), "nothing uses this parameter");
+        diagnostics_.absence(parameter.location, member_path("parameters", name), "nothing uses this parameter");
       } else if (section != nullptr) {
         section->value.find(name)->value = parameter.value;
       }
@@ -120,7 +120,7 @@ class ParameterFiller {
     const auto found = parameters_.find(name);
     if (found == parameters_.end()) {
       if (!known_bad_.contains(name)) {
-        diagnostics_.error(place, path, "there is no parameter " + in_backticks(name) + did_you_mean(name, names_));
+        diagnostics_.absence(place, path, "there is no parameter " + in_backticks(name) + did_you_mean(name, names_));
       }
       return nullptr;
     }

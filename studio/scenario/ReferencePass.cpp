@@ -133,7 +133,7 @@ class ReferenceChecker {
     if (chamber == nullptr) {
       const std::vector<std::string> names = names_in(*contents, "chambers");
       if (names.size() < 2 || clip.value.has_wrong("chamber")) return;
-      diagnostics_.error(clip.location, path, "`chamber` is missing; there is " + list_in_backticks(names));
+      diagnostics_.absence(clip.location, path, "`chamber` is missing; there is " + list_in_backticks(names));
       return;
     }
     check_name({chamber->text, chamber->location}, "chamber", names_in(*contents, "chambers"),
@@ -175,8 +175,8 @@ class ReferenceChecker {
       diagnostics_.error(clip.location, path,
                          "needs a " + reference.what + ", but " + in_backticks(reference.section) + " is empty");
     } else if (reference.needed) {
-      diagnostics_.error(clip.location, path,
-                         in_backticks(reference.key) + " is missing; there is " + list_in_backticks(names));
+      diagnostics_.absence(clip.location, path,
+                           in_backticks(reference.key) + " is missing; there is " + list_in_backticks(names));
     }
   }
 

@@ -150,7 +150,7 @@ class SchemaReader {
                          "unknown key" + (nearest.empty() ? "; allowed: " + list_in_backticks(words) : nearest));
       return;
     }
-    diagnostics_.error(place.location, place.path, "one of " + list_in_backticks(words) + " is missing");
+    diagnostics_.absence(place.location, place.path, "one of " + list_in_backticks(words) + " is missing");
   }
 
   std::optional<CheckedValue> read_named(const ValueSchema& schema, const TextNode& node, const ValuePlace& place) {
@@ -260,8 +260,8 @@ class SchemaReader {
         result.wrong_keys.push_back(key.key);
       }
     } else if (key.needed) {
-      diagnostics_.error(place.location, place.path,
-                         in_backticks(key.key) + " is missing: " + key.documentation + ", " + expectation(key.value));
+      diagnostics_.absence(place.location, place.path,
+                           in_backticks(key.key) + " is missing: " + key.documentation + ", " + expectation(key.value));
     } else if (key.fallback) {
       result.members.push_back(
           {key.key, place.location, read_fallback(key, {path, schema.name, key.key, place.location})});
