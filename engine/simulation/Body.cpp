@@ -48,7 +48,7 @@ constexpr int kMostHalvings = 60;
 
 /// Parts of a step that may burst: a jump that went too far is cured by a division or two, and where the wall bears no
 /// more each part ends so, however short, after more than a thousand iterations.
-constexpr int kMostBursts = 4;
+constexpr int kMostBursts = 2;
 
 /// Iterations up to which the next part may be longer.
 constexpr int kEasyIterations = 20;

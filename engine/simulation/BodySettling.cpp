@@ -1,3 +1,4 @@
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
@@ -72,7 +73,11 @@ constexpr int kWeightParts = 8;
 /// wall under constant pressure grows without end.
 constexpr double kBurstVolume = 30;
 
-/// The same from which on it is asked what pressure the wall bears.
+/// The same of the area of a wall without contents under a load that is a pressure, as a sheet that is held at its
+/// border.
+constexpr double kBurstArea = 10;
+
+/// Multiple of the volume from which on it is asked what pressure the wall bears.
 constexpr double kGrownVolume = 1.5;
 
 /// The same from which on a body in motion that cannot be solved is taken to burst.
@@ -81,6 +86,22 @@ constexpr double kBlownUpVolume = 3;
 /// How many times the volume a body encloses that it had, or its rest volume where that is more.
 double growth(const BodyModel& model, const EquilibriumState& state, double had) {
   return model.has_fluid() ? enclosed_volumes(model, state.position).sum() / std::max(had, model.rest_volume) : 1;
+}
+
+/// Metres^2 of a wall without contents that a pressure loads; 0 of any other.
+double pressed_area(const BodyModel& model, const EquilibriumProblem& problem, const EquilibriumState& state) {
+  bool is_pressed = false;
+  for (std::size_t k = 0; k < model.loads.size(); ++k) {
+    const double factor = k < problem.load_factors.size() ? problem.load_factors[k] : 1;
+    is_pressed = is_pressed || (model.loads[k].kind == LoadKind::kFollowerPressure && factor != 0);
+  }
+  if (model.has_fluid() || !is_pressed) return 0;
+  double area = 0;
+  for (const Eigen::Vector3i& triangle : model.definition.mesh.triangles) {
+    const auto corners = corners_of(triangle, state.position);
+    area += 0.5 * (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
+  }
+  return area;
 }
 
 }  // namespace
@@ -113,7 +134,9 @@ NewtonResult Body::solve(EquilibriumProblem& problem, EquilibriumState& state, c
 
 NewtonResult Body::burst(const std::optional<MostBorne>& most) {
   std::ostringstream reason;
-  reason << "it bursts: it grows without end, past " << kBurstVolume << " times its volume";
+  reason << "it bursts: it grows without end, past ";
+  reason << (model_->has_fluid() ? kBurstVolume : kBurstArea) << " times its "
+         << (model_->has_fluid() ? "volume" : "area");
   if (most) {
     const std::string& chamber = model_->chambers[most->chamber].name;
     reason << ", as " << (chamber.empty() ? "its wall" : "the wall of its chamber `" + chamber + "`") << " bears "
@@ -135,6 +158,7 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state, b
   double springs = 1;
   bool is_asked = false;  // whether the wall bears what it has grown under
   const double had = model_->has_fluid() ? enclosed_volumes(*model_, state.position).sum() : 0;
+  const double most_area = kBurstArea * pressed_area(*model_, problem, state);
   Eigen::VectorXd lead = Eigen::VectorXd::Zero(state.position.size());  // (unknowns), metres
   for (int turn = 0; turn < pace.turns; ++turn) {
     EquilibriumState trial = state;
@@ -157,7 +181,7 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state, b
       if (springs > kStiffestSprings) break;
     }
     const double grown = growth(*model_, state, had);
-    if (grown > kBurstVolume) return burst();
+    if (grown > kBurstVolume || pressed_area(*model_, problem, state) > most_area) return burst();
     if (!is_asked && grown > kGrownVolume) {
       is_asked = true;
       if (const auto most = most_borne(problem, kBurstVolume, state)) return burst(most);
