@@ -78,6 +78,13 @@ double lamp_strength(const LightsDefinition& lights, const Camera& camera, const
   return 1.6 * lights.endoscope * distance * distance;
 }
 
+/// What lies below a scene: in a body, where tissue is all around, always below the lens.
+double ground_height(const Camera& camera, const SceneExtent& extent, const Studio& studio) {
+  constexpr double kBelowTheLens = 0.1;  // over the scene's size
+  if (!studio.lamp_place) return extent.floor_height;
+  return std::min(extent.floor_height, camera.position.z - kBelowTheLens * extent.size);
+}
+
 }  // namespace
 
 double linear_from_srgb(double value) {
@@ -269,7 +276,8 @@ int shadow_resolution(Tier tier, double pixels) {
 FrameUniforms frame_uniforms(const Camera& camera, const SceneExtent& extent, const ViewDefinition& view,
                              const Studio& studio, const std::vector<ToolRod>& rods, ImageSize size, Ground ground) {
   const Vector3 key = studio.key_direction;
-  const bool with_floor = view.look.floor && !extent.rest_points.empty() && camera.position.z > extent.floor_height;
+  const double ground_z = ground_height(camera, extent, studio);
+  const bool with_floor = view.look.floor && !extent.rest_points.empty() && camera.position.z > ground_z;
   FrameUniforms frame;
   frame.view_projection = float_matrix(camera.matrix());
   frame.shadow_matrix = float_matrix(texture_matrix() * key_light_matrix(extent, studio, camera));
@@ -281,8 +289,8 @@ FrameUniforms frame_uniforms(const Camera& camera, const SceneExtent& extent, co
   frame.ray_right = float4(camera.tangent_x * camera.right, 1.0 / size.width);
   frame.ray_up = float4(camera.tangent_y * camera.up, 1.0 / size.height);
   frame.scene_center = float4(extent.center, extent.size);
-  frame.floor = {static_cast<float>(extent.floor_height), with_floor ? 1.0f : 0.0f,
-                 static_cast<float>(2.0 * extent.reach), static_cast<float>(camera.field_stop)};
+  frame.floor = {static_cast<float>(ground_z), with_floor ? 1.0f : 0.0f, static_cast<float>(2.0 * extent.reach),
+                 static_cast<float>(camera.field_stop)};
   frame.key_direction = studio.lamp_place ? float4(*studio.lamp_place, lamp_strength(view.lights, camera, extent))
                                           : float4(key, view.lights.key);
   frame.key_right = float4(perpendicular(key), camera.kind == CameraKind::kEndoscope ? kLensDarkening : 0);

@@ -123,6 +123,29 @@ TEST(Endoscope, AStepOfExposureDoublesTheLight) {
   }
 }
 
+TEST(Endoscope, SeesTheWallOfTheCavityWhereverItLooks) {
+  // Towards a ball from aside, level and up from below, where there is no ground to be seen above the horizon. Once
+  // nearer than the cavity is wide, once farther.
+  const std::vector<SnapshotSurface> surfaces = {test::sphere("organ", {0, 0, 0}, 0.03, 3)};
+  for (const double distance : {0.1, 0.4}) {
+    for (const double rise : {0.5, 0.0, -0.5}) {
+      ViewDefinition view = endoscope(0.1);
+      view.look.bodies.clear();
+      view.look.floor = true;
+      view.camera.position = Double3{0, -distance * std::cos(rise), distance * std::sin(rise)};
+      view.camera.up = Double3{0, 0, 1};
+      const Image image = draw(surfaces, view, {320, 180});
+      for (int side = 0; side < 8; ++side) {
+        const double angle = 0.25 * std::numbers::pi * side;
+        const int x = 160 + static_cast<int>(80 * std::cos(angle)), y = 90 + static_cast<int>(80 * std::sin(angle));
+        // Seen: 17 and more; 0 where nothing is.
+        EXPECT_GT(image.pixels[3 * (static_cast<std::size_t>(y) * 320 + x)], 12)
+            << distance << ' ' << rise << ' ' << side;
+      }
+    }
+  }
+}
+
 TEST(Endoscope, APictureIsTheSameAloneAndInASequence) {
   const std::vector<SnapshotSurface> surfaces = {test::sphere("organ", {0, 0, 0}, 0.03, 3)};
   Snapshot snapshot;
