@@ -10,12 +10,18 @@ constexpr double kMostStops = 2;
 // Mean radiance of a wall that the lamps, as they are tuned, show well.
 constexpr double kWellLit = 0.32;
 
-/// What a wall shows of light: the luminance of its colour (Rec. 709).
-double luminance_of(const LookDefinition& look, const std::string& body) {
-  const auto found = look.bodies.find(body);
-  const Double3 color = (found == look.bodies.end() ? TissueLook{} : found->second).color;
+/// Luminance of a colour (Rec. 709).
+double luminance_of(const Double3& color) {
   return 0.2126 * linear_from_srgb(color[0]) + 0.7152 * linear_from_srgb(color[1]) +
          0.0722 * linear_from_srgb(color[2]);
+}
+
+/// What counts of a wall's colour: a liver is dark also in a well exposed picture, so only a third of the steps that
+/// lie between it and usual tissue are made up for.
+double metered_luminance(const LookDefinition& look, const std::string& body) {
+  const double usual = luminance_of(TissueLook{}.color);
+  const auto found = look.bodies.find(body);
+  return found == look.bodies.end() ? usual : usual * std::cbrt(luminance_of(found->second.color) / usual);
 }
 
 /// What a white matte wall would send back of the light that shines on it, as shaders/lamp.glsl has it.
@@ -40,7 +46,7 @@ struct Meter {
 
 void meter(const SnapshotSurface& surface, const ViewDefinition& view, const Camera& camera, const FrameUniforms& frame,
            bool has_endoscope_lamp, Meter& sum) {
-  const double luminance = luminance_of(view.look, surface.body);
+  const double luminance = metered_luminance(view.look, surface.body);
   for (const auto& [a, b, c] : surface.topology->triangles) {
     const Vector3 first = vector3(surface.positions[a]);
     const Vector3 across = cross(vector3(surface.positions[b]) - first, vector3(surface.positions[c]) - first);

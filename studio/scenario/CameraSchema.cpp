@@ -133,7 +133,8 @@ MappingSchema camera_mapping(const std::string& name, const std::string& documen
        {},
        "distance along the line of sight at which the picture is sharp; that of the target when absent"},
       {"auto_exposure", boolean_value(), false, "false",
-       "exposes for the walls that are seen, as the picture's light and place ask, by at most two powers of two; "
+       "exposes for the walls that are seen, as the picture's light and place ask, by at most two powers of two, dark "
+       "organs less; "
        "`exposure` comes on top"},
       {"noise", quantity_value(kDimensionless, {.minimum = 0, .maximum = 50}, "1.5"), false, "0",
        "noise of the sensor: standard deviation at mid-grey in 8-bit levels; less towards black and white"},
