@@ -1,6 +1,7 @@
 #include "renderer/wound/RunPath.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -93,20 +94,56 @@ double swerve(double along, double chance) {
   return std::min(1.0, along / kStraight) * angle;
 }
 
-/// From a lip on, pushed `away` from it while the wall is level. Empty where it finds no slope within `push` metres.
-std::vector<WallPlace> follow(const Slope& slope, WallPlace place, Vector3 down, const RunReach& reach, Vector3 away,
-                              double chance) {
+/// How much what is pushed out gives way to a slope that is not steep enough for it to run down by itself.
+constexpr double kGivesWay = 1.5;
+
+/// Radians off the way straight from the lip, which what is pushed out may take: also a slit across the ridge of an
+/// organ lets it out to its sides.
+constexpr std::array kTurns = {0.0, 0.7, -0.7, 1.4, -1.4};
+
+/// The way over level wall on which a lip pushes, to where the wall falls. It gives way to what slope there is. Empty
+/// where it finds none within `push` metres. `place`: from there, and where it ends.
+std::vector<WallPlace> push_over(const Slope& slope, WallPlace& place, Vector3 down, double push, Vector3 away) {
   std::vector<WallPlace> path = {place};
-  Vector3 sense;
-  const auto steps = static_cast<std::size_t>(reach.push / kRunStep);
+  const auto steps = static_cast<std::size_t>(push / kRunStep);
   for (;;) {
     const Vector3 normal = normalized(point_at(place, slope.normals));
     const Vector3 fall = down - dot(down, normal) * normal;
-    if (length(fall) >= kLeastSlope || dot(down, normal) >= 0) break;
-    sense = normalized(away - dot(away, normal) * normal);
-    if (path.size() > steps || dot(fall, sense) < -kMostRise || !move(slope, place, kRunStep * sense)) return {};
+    if (length(fall) >= kLeastSlope || dot(down, normal) >= 0) return path;
+    const Vector3 straight = normalized(away - dot(away, normal) * normal);
+    if (path.size() > steps || dot(fall, straight) < -kMostRise) return {};
+    if (!move(slope, place, kRunStep * normalized(straight + kGivesWay * fall))) return {};
     path.push_back(place);
   }
+}
+
+/// The shortest of such ways.
+std::vector<WallPlace> pushed_out(const Slope& slope, WallPlace& place, Vector3 down, double push, Vector3 away) {
+  const Vector3 aside = cross(normalized(point_at(place, slope.normals)), away);
+  std::vector<WallPlace> shortest;
+  WallPlace end = place;
+  for (const double turn : kTurns) {
+    WallPlace reached = place;
+    std::vector<WallPlace> path = push_over(slope, reached, down, push, std::cos(turn) * away + std::sin(turn) * aside);
+    if (path.empty() || (!shortest.empty() && path.size() >= shortest.size())) continue;
+    shortest = std::move(path);
+    end = reached;
+  }
+  place = end;
+  return shortest;
+}
+
+/// From a lip on, pushed `away` from it while the wall is level. Empty where it finds no slope within `push` metres.
+/// `falls`: where it does.
+std::vector<WallPlace> follow(const Slope& slope, WallPlace place, Vector3 down, const RunReach& reach, Vector3 away,
+                              double chance, Vector3& falls) {
+  std::vector<WallPlace> path = pushed_out(slope, place, down, reach.push, away);
+  if (path.empty()) return path;
+  falls = point_at(place, slope.topology.rest_positions);
+  const std::size_t level = path.size();
+  Vector3 sense = level > 1 ? normalized(point_at(path[level - 1], slope.topology.rest_positions) -
+                                         point_at(path[level - 2], slope.topology.rest_positions))
+                            : Vector3{};
   while (static_cast<double>(path.size()) * kRunStep < reach.longest) {
     const Vector3 normal = normalized(point_at(place, slope.normals));
     const Vector3 fall = down - dot(down, normal) * normal;
@@ -155,10 +192,16 @@ Vector3 away_from(const BorderEdge& edge, const SnapshotTopology& topology) {
 struct LipPoint {
   Vector3 place;  // stress-free
   Vector3 away;   // from the wound
+  Vector3 falls;  // where its run comes to a slope, stress-free
 
   /// The opposite lip, whose runs go the other way, is not beside it.
   bool is_beside(const LipPoint& other, double spacing) const {
     return length(other.place - place) < spacing && dot(other.away, away) > -0.5;
+  }
+
+  /// What both lips of a small hole let out to the same side runs together.
+  bool runs_into(const LipPoint& other, double spacing) const {
+    return length(other.place - place) < spacing && length(other.falls - falls) < 0.5 * spacing;
   }
 };
 
@@ -187,12 +230,15 @@ std::vector<FluidRun> find_runs(const SnapshotTopology& topology, std::span<cons
   std::vector<LipPoint> taken;
   for (const auto& [time, k] : lips) {
     const WallPlace start = middle_of(borders[k], topology);
-    const LipPoint lip{.place = point_at(start, topology.rest_positions), .away = away_from(borders[k], topology)};
+    LipPoint lip{
+        .place = point_at(start, topology.rest_positions), .away = away_from(borders[k], topology), .falls = {}};
     if (std::ranges::any_of(taken, [&](const LipPoint& other) { return lip.is_beside(other, reach.spacing); }))
       continue;
     const double chance = chance_of(topology.rest_positions[borders[k].start]);
-    std::vector<WallPlace> path = follow(slope, start, down, reach, lip.away, chance);
+    std::vector<WallPlace> path = follow(slope, start, down, reach, lip.away, chance, lip.falls);
     if (path.size() < 4) continue;
+    if (std::ranges::any_of(taken, [&](const LipPoint& other) { return lip.runs_into(other, reach.spacing); }))
+      continue;
     taken.push_back(lip);
     runs.push_back({.path = std::move(path), .born = time, .chance = chance});
   }

@@ -41,7 +41,8 @@ void main() {
   float local = width + uneven;
   float rise = saturate(inward / local), fall = 1.0 - rise;
   float cap = 1.0 - fall * fall * fall;
-  float drop_height = film.z * cap * (local / width + 0.15 * coarse.w);
+  // Its tension levels what is fine but for its edge.
+  float drop_height = film.z * cap * (1.0 + 0.70 * coarse.w);
 
   // A coat is as thick as what wells up and runs together makes it: here much, there hardly any. Where it wells up it
   // stands in beads, none finer than the pixels.
@@ -75,10 +76,9 @@ void main() {
   vec2 inward_change = width < 0.5 ? smooth_change : vec2(dFdx(film.x), dFdy(film.x));
   vec3 rest_across = dFdx(rest), rest_along = dFdy(rest);
   vec2 local_change = vec2(dot(uneven_change, rest_across), dot(uneven_change, rest_along));
-  vec3 lumpy = 0.15 * kWaves * coarse.xyz;
+  vec3 lumpy = 0.70 * kWaves * coarse.xyz;
   vec2 lumpy_change = vec2(dot(lumpy, rest_across), dot(lumpy, rest_along));
-  vec2 drop_change = film.z / width * (3.0 * fall * fall * (smooth_change + fall * local_change) + cap * local_change) +
-                     film.z * cap * lumpy_change;
+  vec2 drop_change = film.z / width * 3.0 * fall * fall * (smooth_change + fall * local_change) + film.z * cap * lumpy_change;
   vec2 coat_change = film.z * full * (full + 2.0 * fade) * over * over * mix(1.0, steepness * lacking, edged) *
                      (inward_change / width + vec2(dot(full_change, rest_across), dot(full_change, rest_along)));
   vec2 height_change = mix(drop_change, coat_change, coat);
@@ -149,8 +149,11 @@ void main() {
 #endif
   // What the film mirrors is added as on film: it brightens what lies below, and never darkens it.
   vec3 ray = from_eye / depth;
-  // Where it is steep, at its edge, a pixel would see single glints.
-  vec3 mirrored = mix(smoothstep(0.0, 0.2, rise), 1.0, coat) * field_stop(ray) * displayed(lens_light(ray) * shine);
+  // Where it is steep, at its edge, a pixel would see single glints. Where a run wells up from nothing it is too flat to
+  // level the wall below it, whose own wet layer is seen there.
+  const float kFlat = 0.10;  // height over half the width
+  float own = mix(smoothstep(0.0, 0.2, rise) * smoothstep(0.0, kFlat, film.z / width), 1.0, coat);
+  vec3 mirrored = own * field_stop(ray) * displayed(lens_light(ray) * shine);
   vec3 below = hidden * cloudiness * (1.0 - left) * finished(body, ray, gl_FragCoord.xy).rgb;
   color = vec4(covered * (mirrored + (1.0 - mirrored) * below), 1.0);
   through = vec4(1.0 - covered * (1.0 - (1.0 - mirrored) * left), 1.0);

@@ -18,9 +18,9 @@ inline SnapshotTopology cut_strip() {
   return topology;
 }
 
-/// A sheet in `parts` x `parts` squares of `square` metres, cut along y = 0 at time 0 from one inner square to the last
-/// inner one and turned by `steepness` (radians) about the cut, so that it falls towards -y.
-inline SnapshotSurface slit_sheet(int parts, double square, double steepness) {
+/// A sheet in `parts` x `parts` squares of `square` metres, cut along y = 0 at time 0 but for `whole` squares at either
+/// end and turned by `steepness` (radians) about the cut, so that it falls towards -y.
+inline SnapshotSurface slit_sheet(int parts, double square, double steepness, std::uint32_t whole = 1) {
   auto topology = std::make_shared<SnapshotTopology>();
   const auto row = static_cast<std::uint32_t>(parts + 1);
   const int middle = parts / 2;
@@ -33,7 +33,7 @@ inline SnapshotSurface slit_sheet(int parts, double square, double steepness) {
   }
   // Twins of the inner places of the slit, for the triangles on the side of +y.
   std::map<std::uint32_t, std::uint32_t> twins;
-  for (std::uint32_t i = 2; i + 2 < row; ++i) {
+  for (std::uint32_t i = whole + 1; i + whole + 1 < row; ++i) {
     const std::uint32_t place = static_cast<std::uint32_t>(middle) * row + i;
     twins[place] = static_cast<std::uint32_t>(topology->rest_positions.size());
     topology->rest_positions.push_back(topology->rest_positions[place]);
@@ -52,7 +52,7 @@ inline SnapshotSurface slit_sheet(int parts, double square, double steepness) {
   topology->thickness.assign(topology->triangles.size(), 0.002f);
   topology->cut_times.assign(topology->rest_positions.size(), kNeverCut);
   for (const auto& [place, twin] : twins) topology->cut_times[place] = topology->cut_times[twin] = 0;
-  for (const std::uint32_t end : {1U, row - 2}) {
+  for (const std::uint32_t end : {whole, row - 1 - whole}) {
     topology->cut_times[static_cast<std::uint32_t>(middle) * row + end] = 0;
   }
   return {.body = "organ", .topology = topology, .positions = topology->rest_positions, .fields = {}};

@@ -140,6 +140,29 @@ TEST(FluidRuns, ArePushedOverALevelCrownToBothSides) {
   EXPECT_TRUE(runs_of(*test::slit_sheet(20, 0.001, 0).topology, 0.006).empty()) << "no slope to be pushed to";
 }
 
+TEST(FluidRuns, LeaveASlitAcrossARidgeByItsSides) {
+  // A vault along y of radius 12 mm, slit across for 2 mm about its ridge: straight from the lips the wall stays level
+  // to its border, while the slope at which fluid runs by itself begins 3.1 mm aside.
+  SnapshotTopology vault = *test::slit_sheet(20, 0.001, 0, 9).topology;
+  for (Float3& place : vault.rest_positions) place[2] = -place[0] * place[0] / 0.024F;
+  EXPECT_TRUE(runs_of(vault).empty()) << "what only seeps stays";
+  const std::vector<FluidRun> runs = runs_of(vault, 0.006);
+  ASSERT_GE(runs.size(), 2U) << "from both lips";
+  for (const FluidRun& run : runs) {
+    EXPECT_NEAR(point_at(run.path.front(), vault.rest_positions).y, 0, 1e-7) << "begins at the cut";
+    EXPECT_GT(std::abs(point_at(run.path.back(), vault.rest_positions).x), 0.008) << "goes on down the slope";
+  }
+}
+
+TEST(FluidRuns, OfBothLipsOfASmallHoleRunTogetherOnTheSameSide) {
+  // The same ridge, a little askew, so that either lip finds the slope on the same side.
+  SnapshotTopology vault = *test::slit_sheet(20, 0.001, 0, 9).topology;
+  for (Float3& place : vault.rest_positions) place[2] = -place[0] * place[0] / 0.024F - 0.08F * place[0];
+  const std::vector<FluidRun> runs = runs_of(vault, 0.006);
+  ASSERT_EQ(runs.size(), 1U);
+  EXPECT_GT(point_at(runs.front().path.back(), vault.rest_positions).x, 0.008);
+}
+
 TEST(FluidRuns, AreNotPushedUpwards) {
   const SnapshotTopology vault = slit_vault(0.15F);
   const std::vector<FluidRun> runs = runs_of(vault, 0.006);

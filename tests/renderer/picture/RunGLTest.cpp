@@ -1,0 +1,77 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "renderer/look/FluidLooks.hpp"
+#include "renderer/picture/Renderer.hpp"
+#include "tests/renderer/picture/CutSheets.hpp"
+
+namespace thinwall {
+namespace {
+
+constexpr ImageSize kSize{240, 240};
+constexpr double kSteepness = 0.8;  // radians, of the sheet that bile runs down
+
+/// The lower half of a slit sheet, seen by an endoscope at right angles, with bile on it.
+Image picture_of_bile(double leaked) {
+  const Double3 middle = {0, -0.008 * std::cos(kSteepness), -0.008 * std::sin(kSteepness)};
+  ViewDefinition view;
+  view.camera.kind = CameraKind::kEndoscope;
+  view.camera.position =
+      Double3{middle[0], middle[1] - 0.06 * std::sin(kSteepness), middle[2] + 0.06 * std::cos(kSteepness)};
+  view.camera.target = middle;
+  view.camera.field_of_view = 0.3;
+  view.lights.endoscope = 1;
+  view.look.floor = false;
+  // Only what runs down glistens.
+  view.look.bodies["organ"] = {.color = {0.3, 0.3, 0.3}, .roughness = 1, .wetness = 0, .mottling = 0, .sheen = 0};
+  view.look.bodies["organ"].contents = *find_fluid_look("bile");
+  view.look.bodies["organ"].bleeding = 0;
+  Snapshot snapshot;
+  snapshot.surfaces = {test::slit_sheet(20, 0.002, kSteepness)};
+  snapshot.time = 3;
+  snapshot.scalars = {{"organ.leaked", "m^3", leaked}};
+  return Renderer(DeviceChoice{}, kSize, Tier::kRecord).draw(snapshot, view);
+}
+
+/// Sizes of the patches of pixels that are brighter than `level`, where neighbours share a side.
+std::vector<int> bright_patches(const Image& image, int level) {
+  const int width = image.size.width, height = image.size.height;
+  std::vector<char> is_left(static_cast<std::size_t>(width) * height);
+  for (std::size_t i = 0; i < is_left.size(); ++i) is_left[i] = image.pixels[3 * i + 1] > level ? 1 : 0;
+  std::vector<int> sizes, next;
+  for (int first = 0; first < width * height; ++first) {
+    if (!is_left[static_cast<std::size_t>(first)]) continue;
+    sizes.push_back(0);
+    next = {first};
+    is_left[static_cast<std::size_t>(first)] = 0;
+    while (!next.empty()) {
+      const int at = next.back(), x = at % width;
+      next.pop_back();
+      ++sizes.back();
+      for (const int step : {x > 0 ? -1 : 0, x + 1 < width ? 1 : 0, -width, width}) {
+        const int beside = at + step;
+        if (beside < 0 || beside >= width * height || !is_left[static_cast<std::size_t>(beside)]) continue;
+        is_left[static_cast<std::size_t>(beside)] = 0;
+        next.push_back(beside);
+      }
+    }
+  }
+  return sizes;
+}
+
+TEST(Run, MirrorsTheLampInLongPiecesNotInCrumbs) {
+  constexpr int kLips = 30;  // rows at the top, where lips glisten
+  Image image = picture_of_bile(4e-6);
+  std::fill_n(image.pixels.begin(), 3 * kLips * kSize.width, std::uint8_t{0});
+  const std::vector<int> sizes = bright_patches(image, 170);
+  const double mean = std::accumulate(sizes.begin(), sizes.end(), 0.0) / static_cast<double>(sizes.size());
+  EXPECT_GT(std::accumulate(sizes.begin(), sizes.end(), 0), 1000) << "glossy";
+  EXPECT_GT(mean, 50) << "pixels; 75 were seen, 26 where what is fine is not levelled";
+}
+
+}  // namespace
+}  // namespace thinwall
