@@ -33,14 +33,14 @@ TissueLook cap_look(TissueLook look) {
   return look;
 }
 
-/// Dark and wet, folded as mucosa is.
+/// Dark and wet, in hills as mucosa is: those that are turned to the lens glisten wherever it looks.
 TissueLook lining_look(TissueLook look) {
   look.color = mixed(look.layers.inner, {0.45, 0.10, 0.09}, 0.35);
   look.wetness = std::max(look.wetness, 0.95);
   look.clearness = look.fattiness = look.ridges = look.vessels = look.capillaries = look.pores = 0;
   look.creases = 0.35;
-  look.relief = 0.16;
-  look.relief_size = std::max(look.relief_size, 0.002);
+  look.relief = 0.36;
+  look.relief_size = std::max(look.relief_size, 0.0038);
   look.sheen = 0;
   return look;
 }
