@@ -1,5 +1,6 @@
 #include "renderer/picture/ToolBuilder.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -94,6 +95,7 @@ void ToolBuilder::join(const std::vector<FlatSection>& sections) {
         return dot(own, next) > kBent ? normalized(own + next) : own;
       };
       append_face(corners(k, c), bent(k - 1), bent(k + 1), sections[k], c % kQuarter == 0);
+      shown_as_beside(corners(k, c), own, normal(k, (c + 1) % kCorners), sections[k].roughness);
     }
   }
   for (const FlatSection* end : {&sections.front(), &sections.back()}) {
@@ -169,6 +171,20 @@ void ToolBuilder::append_face(const std::array<Vector3, 4>& corners, Vector3 fro
   }
   append_triangle(first, first + 1, first + 2);
   append_triangle(first, first + 2, first + 3);
+}
+
+/// Seen along itself the last face is less than a pixel wide: then it looks as the one beside it that the viewer sees.
+/// `own`, `next`: outward normals, of it and of the one beyond its second and third corner.
+void ToolBuilder::shown_as_beside(const std::array<Vector3, 4>& corners, Vector3 own, Vector3 next, float roughness) {
+  // What is ground off is often about a pixel wide where it is not seen along itself.
+  constexpr double kLessNarrow = 1.7;
+  const double cosine = dot(own, next), sine = length(cross(own, next));
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    ToolVertex& vertex = shape_.vertices[shape_.vertices.size() - corners.size() + k];
+    vertex.narrow = float3(kLessNarrow * (k < 2 ? corners[1] - corners[0] : corners[2] - corners[3]));
+    vertex.broad_hollow = static_cast<float>(-cosine / std::max(sine, 0.1));
+    vertex.broad_roughness = -roughness;
+  }
 }
 
 void ToolBuilder::append(Vector3 position, Vector3 normal, const OutlinePoint& point) {

@@ -71,6 +71,7 @@ class ToolBuilder {
   Vector3 place(const OutlinePoint& point, double along_axis) const;
   void append_face(const std::array<Vector3, 4>& corners, Vector3 front, Vector3 rear, const FlatSection& section,
                    bool is_broad);
+  void shown_as_beside(const std::array<Vector3, 4>& corners, Vector3 own, Vector3 next, float roughness);
   void append(Vector3 position, Vector3 normal, const OutlinePoint& point);
   void append_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
   void stitch(std::uint32_t first, std::uint32_t rows, std::uint32_t columns);

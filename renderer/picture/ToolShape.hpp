@@ -16,8 +16,9 @@ struct ToolVertex {
   float grip = 0;  // 0 to 1: how deep the rings of the handle are; below 0: part of the light that parts close by take
   float side = 0;  // distances from the middle line along x' and y', in units of the scene's size
   float aside = 0;
-  Float3 narrow{};  // of a narrow side between two broad ones: out of one of these, as long as it is wide, metres
-  float broad_hollow = 0;     // and by which that broad side leans there
+  Float3 narrow{};  // of a face between two others that it is not seen beside where it is narrower than a pixel: out of
+                    // one of these, as long as it is wide, metres
+  float broad_hollow = 0;     // and by which that one leans there
   float broad_roughness = 0;  // and its roughness
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "renderer/look/OrganLooks.hpp"
@@ -226,6 +227,51 @@ TEST(Steel, HasNoDashesWhereAFaceIsSeenAlongItself) {
   }
   // Seen: 10; 309 of faces that mirror the dark.
   EXPECT_LT(dark, 60);
+}
+
+/// Pixels above row `end` that stand out of all eight around them by more than 12 levels.
+int lonely_pixels(const Image& image, int end) {
+  int count = 0;
+  const auto level = [&](int x, int y) {
+    return static_cast<int>(image.pixels[3 * static_cast<std::size_t>(y * image.size.width + x) + 1]);
+  };
+  for (int y = 1; y < end; ++y) {
+    for (int x = 1; x + 1 < image.size.width; ++x) {
+      int most = 0;
+      for (int j = -1; j <= 1; ++j) {
+        for (int i = -1; i <= 1; ++i) most = i == 0 && j == 0 ? most : std::max(most, level(x + i, y + j));
+      }
+      count += level(x, y) > most + 12 ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+TEST(Steel, HasNoDashesAlongTheArmsOfForceps) {
+  // From all around, above their teeth.
+  Snapshot snapshot = scalpel_on_a_wall();
+  SnapshotTool& forceps = snapshot.tools[0];
+  forceps = {};
+  forceps.kind = SnapshotToolKind::kForceps;
+  forceps.opening = 0.006;
+  forceps.length = 0.04;
+  forceps.width = 0.005;
+  forceps.thickness = 0.002;
+  ViewDefinition view = from_the_front("stomach");
+  view.camera = {.position = Double3{0, -0.14, 0.10}, .target = Double3{0, 0, 0.03}, .up = Double3{0, 0, 1}};
+  view.camera.kind = CameraKind::kEndoscope;
+  view.lights.endoscope = 1;
+  view.look.bodies["organ"].wetness = 0;
+  Renderer renderer(DeviceChoice{}, kSize, Tier::kRecord);
+  int lonely = 0;
+  for (int turn = 0; turn < 24; ++turn) {
+    const double angle = turn * std::numbers::pi / 24;
+    forceps.axis = {std::cos(angle), std::sin(angle), 0};
+    forceps.direction = {0.12, 0, -0.99};
+    lonely += lonely_pixels(renderer.draw(snapshot, view), 150);
+  }
+  // Seen: 112; 226 where what is narrower than a pixel looks as if it were seen as a whole.
+  EXPECT_LT(lonely, 160);
 }
 
 }  // namespace
