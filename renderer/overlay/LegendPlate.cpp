@@ -59,7 +59,13 @@ Box legend_place(const OverlayGrid& grid, const std::optional<Box>& inset) {
   return place;
 }
 
-void draw_legend(Image& image, const OverlayGrid& grid, const Legend& legend, const std::optional<Box>& inset) {
+Box left_legend_place(const OverlayGrid& grid) {
+  Box place = legend_place(grid, {});
+  place.x -= grid.size.width - grid.size.width / 2;
+  return place;
+}
+
+void draw_legend(Image& image, const OverlayGrid& grid, const Legend& legend, const Box& place) {
   assert(std::isfinite(legend.from) && std::isfinite(legend.to));
   const ShownUnit unit = shown_unit(legend.unit, std::max(std::abs(legend.from), std::abs(legend.to)));
   const Plate plate(grid, {grid.whole(kWidth), grid.whole(kHeight)});
@@ -82,7 +88,6 @@ void draw_legend(Image& image, const OverlayGrid& grid, const Legend& legend, co
     const Text number(sign + tick.label, {.size = grid.pixels(kSmallText), .color = kText});
     number.draw(plate, bar.right() + grid.pixels(10), y - number.height() / 2);
   }
-  const Box place = legend_place(grid, inset);
   plate.blend_onto(image, static_cast<int>(place.x), static_cast<int>(place.y));
 }
 

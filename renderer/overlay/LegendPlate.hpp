@@ -11,7 +11,10 @@ namespace thinwall {
 /// room above the panels, else at the left, below the title: the middle is the action's.
 Box legend_place(const OverlayGrid& grid, const std::optional<Box>& inset);
 
+/// At the right of the left half.
+Box left_legend_place(const OverlayGrid& grid);
+
 /// What the colours of a data view mean: a bar of them with numbers beside it and the quantity's name and unit above.
-void draw_legend(Image& image, const OverlayGrid& grid, const Legend& legend, const std::optional<Box>& inset);
+void draw_legend(Image& image, const OverlayGrid& grid, const Legend& legend, const Box& place);
 
 }  // namespace thinwall

@@ -83,8 +83,12 @@ Plate::Plate(const OverlayGrid& grid, ImageSize size) : Canvas(size) {
   stroke_rounded(inner, radius - edge / 2, edge, kEdge);
 }
 
-std::optional<Box> place_of_legend(const OverlayContent& content, ImageSize size, const std::optional<Box>& inset) {
-  return content.legend ? std::optional(legend_place(OverlayGrid(size), inset)) : std::nullopt;
+std::vector<Box> places_of_legends(const OverlayContent& content, ImageSize size, const std::optional<Box>& inset) {
+  const OverlayGrid grid(size);
+  std::vector<Box> places;
+  if (content.legend) places.push_back(legend_place(grid, inset));
+  if (content.left_legend) places.push_back(left_legend_place(grid));
+  return places;
 }
 
 std::vector<std::string> draw_overlay(Image& image, const OverlayContent& content, const std::optional<Box>& inset) {
@@ -98,7 +102,8 @@ std::vector<std::string> draw_overlay(Image& image, const OverlayContent& conten
   if (!content.title.empty() && draw_title(image, grid, content.title, end - grid.whole(kMargin))) {
     cut.push_back(content.title);
   }
-  if (content.legend) draw_legend(image, grid, *content.legend, inset);
+  if (content.legend) draw_legend(image, grid, *content.legend, legend_place(grid, inset));
+  if (content.left_legend) draw_legend(image, grid, *content.left_legend, left_legend_place(grid));
   if (content.shown.gauge) draw_gauge(image, grid, content, peak);
   if (content.shown.force_plot) draw_force_plot(image, grid, content, peak);
   if (content.shown.captions && !content.caption.empty() &&

@@ -33,6 +33,8 @@ struct Legend {
   DataScale scale = DataScale::kLinear;
   bool goes_on_below = false;  // the first colour also stands for less
   bool goes_on_above = false;  // the last colour also stands for more
+
+  bool operator==(const Legend&) const = default;
 };
 
 /// What is written over a picture. A pure function of the take up to the frame's time.
@@ -53,7 +55,8 @@ struct OverlayContent {
   std::size_t tool_number = 0;                  // of `tool` among all tools
   std::vector<ToolHistory> other_tools = {};    // that have touched, too, in order of their numbers
   OverlayChoice shown = {};
-  std::optional<Legend> legend = {};
+  std::optional<Legend> legend = {};       // at the right; of two takes that of the right one, or of both
+  std::optional<Legend> left_legend = {};  // of the left one of two takes, where the right one has another or none
 };
 
 /// Draws on the processor in one pinned font, so the bytes depend neither on the graphics driver nor on the machine's
@@ -64,7 +67,7 @@ struct OverlayContent {
 std::vector<std::string> draw_overlay(Image& image, const OverlayContent& content,
                                       const std::optional<Box>& inset = {});
 
-/// Where draw_overlay puts the legend in a picture of `size`; none where there is no legend.
-std::optional<Box> place_of_legend(const OverlayContent& content, ImageSize size, const std::optional<Box>& inset);
+/// Where draw_overlay puts the legends in a picture of `size`, that of the right or of both halves first.
+std::vector<Box> places_of_legends(const OverlayContent& content, ImageSize size, const std::optional<Box>& inset);
 
 }  // namespace thinwall

@@ -86,7 +86,9 @@ int render_take(const RenderOptions& options) {
   if (options.mesh) settings.view.look.mesh = true;
   const std::vector<std::filesystem::path> takes = takes_shown(options.take);
   complete_data_range(takes, settings.view.look);
-  const std::unique_ptr<MomentSource> source = replay_takes(takes, settings.view, drawn.second_view);
+  const DataViewChanges& changes = options.data_changes;
+  const CommonLook common{.data = options.data || changes.from || changes.to || changes.scale, .mesh = options.mesh};
+  const std::unique_ptr<MomentSource> source = replay_takes(takes, common, settings.view, drawn.second_view);
   if (options.ground_truth) prepare_truth(settings.view);
   const RecordingPlan plan{.folder = options.out.value_or(options.take.parent_path() / "render"),
                            .description = take->description(),

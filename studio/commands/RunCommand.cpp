@@ -84,6 +84,7 @@ int run_scenario(const RunOptions& options) {
   std::ranges::copy(font_notes(scenario), std::back_inserter(scenario.warnings));
   tell_warnings(scenario);
   if (options.render) require_data_range(scenario.view.look);
+  if (options.render && scenario.view.comparison) require_data_range(scenario.view.comparison->second.look);
   if (options.ground_truth) prepare_truth(scenario.view);
   const RecordingPlan plan{
       .folder = options.out.value_or(std::filesystem::path("out") / scenario.name),

@@ -8,6 +8,7 @@
 
 #include "renderer/image/WholeFile.hpp"
 #include "renderer/picture/PictureFailure.hpp"
+#include "studio/commands/DataViewRange.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/recorder/OutputFolder.hpp"
 #include "studio/recorder/PairedSource.hpp"
@@ -53,6 +54,17 @@ std::optional<std::array<std::string, 2>> captions_of(const std::string& resolve
   return scenario.at("comparison").at("captions").get<std::array<std::string, 2>>();
 }
 
+/// The ends of the second take's colours where it is not told them: what both show has the same colours in both.
+void find_ends(const std::filesystem::path& take, const LookDefinition& first, LookDefinition& second) {
+  if (!second.data || (second.data->from && second.data->to)) return;
+  const bool is_same = first.data && first.data->quantity == second.data->quantity;
+  if (is_same) {
+    second.data = first.data;
+  } else {
+    complete_data_range({take}, second);
+  }
+}
+
 }  // namespace
 
 RecordedTakes record_second_take(const Scenario& scenario, const std::filesystem::path& folder) {
@@ -95,8 +107,8 @@ std::vector<std::filesystem::path> takes_shown(const std::filesystem::path& take
                   ", which is not there; run the scenario again");
 }
 
-std::unique_ptr<MomentSource> replay_takes(const std::vector<std::filesystem::path>& takes, ViewDefinition& view,
-                                           const std::optional<ViewDefinition>& second_view) {
+std::unique_ptr<MomentSource> replay_takes(const std::vector<std::filesystem::path>& takes, const CommonLook& common,
+                                           ViewDefinition& view, const std::optional<ViewDefinition>& second_view) {
   auto first = std::make_unique<OwnedTakeSource>(takes.front());
   if (takes.size() == 1) return first;
   auto second = std::make_unique<OwnedTakeSource>(takes.back());
@@ -107,8 +119,10 @@ std::unique_ptr<MomentSource> replay_takes(const std::vector<std::filesystem::pa
     throw TakeError(takes.back().string() + ": is not the second take of a comparison; run the scenario again");
   TakeComparison comparison{{captions->front(), own_captions->back()},
                             second_view ? *second_view : picture_settings(resolved).view};
-  comparison.second.look.data = view.look.data;
-  comparison.second.look.mesh = view.look.mesh;
+  LookDefinition& second_look = comparison.second.look;
+  if (common.data) second_look.data = view.look.data;
+  if (common.mesh) second_look.mesh = view.look.mesh;
+  find_ends(takes.back(), view.look, second_look);
   view.comparison = std::make_shared<const TakeComparison>(std::move(comparison));
   return pair_sources(std::move(first), std::move(second));
 }

@@ -29,10 +29,18 @@ void keep_second_take(const Scenario& scenario, const std::filesystem::path& fol
 /// A take and, where its scenario compares, the second one. Throws TakeError when the second one is missing.
 std::vector<std::filesystem::path> takes_shown(const std::filesystem::path& take);
 
+/// What of the first take's look holds for the second, too, whatever that was recorded with, as a command line asks
+/// for.
+struct CommonLook {
+  bool data = false;  // the numbers in colours
+  bool mesh = false;  // the edges of the mesh
+};
+
 /// What takes_shown gives, side by side where they are two; `view` then is told of the second, which is seen as
-/// `second_view` says, or as it was recorded, and shows the same numbers and edges of the mesh as the first.
-std::unique_ptr<MomentSource> replay_takes(const std::vector<std::filesystem::path>& takes, ViewDefinition& view,
-                                           const std::optional<ViewDefinition>& second_view);
+/// `second_view` says, or as it was recorded. Where both show the same quantity, and the second is not told the ends of
+/// its colours, they are those of the first.
+std::unique_ptr<MomentSource> replay_takes(const std::vector<std::filesystem::path>& takes, const CommonLook& common,
+                                           ViewDefinition& view, const std::optional<ViewDefinition>& second_view);
 
 /// For pictures with ground truth: walls are drawn as the triangles of the mesh, where researchers find them. Throws
 /// UsageError where two takes are shown.

@@ -93,6 +93,7 @@ int make_still(const StillOptions& options) {
   std::ranges::copy(font_notes(scenario), std::back_inserter(scenario.warnings));
   tell_warnings(scenario);
   require_data_range(scenario.view.look);
+  if (scenario.view.comparison) require_data_range(scenario.view.comparison->second.look);
   if (options.ground_truth) prepare_truth(scenario.view);
   const PainterFactory painters = renderer_painters(options.device, scenario.record.tier, scenario.view, options.stats);
   // Before the simulation, so that a missing device is told at once.

@@ -70,7 +70,9 @@ FrameComposer::FrameComposer(std::string title, const OverlayChoice& choice, con
       shots_(view),
       annotations_(std::make_shared<const AnnotationDefinition>(annotations)),
       comparison_(view.comparison) {
-  if (comparison_) second_shots_.emplace(comparison_->second);
+  if (!comparison_) return;
+  second_shots_.emplace(comparison_->second);
+  second_legend_ = legend_of(comparison_->second.look);
 }
 
 std::optional<double> FrameComposer::last_time() const {
@@ -119,6 +121,10 @@ void FrameComposer::compose_second(double time, const Moment& earlier, Frame& fr
   frame.shot.beside_snapshot = std::make_shared<const Snapshot>(std::move(second));
   frame.shot.beside_view = {comparison_, &comparison_->second};
   frame.half_captions = comparison_->captions;
+  if (second_legend_ != legend_) {
+    frame.overlay.left_legend = legend_;
+    frame.overlay.legend = second_legend_;
+  }
   const SnapshotTool* tool = shown_tool(frame.snapshot);
   if (tool == nullptr) return;
   const auto index = static_cast<std::size_t>(tool - frame.snapshot.tools.data());

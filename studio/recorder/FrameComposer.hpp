@@ -58,7 +58,8 @@ class FrameComposer {
 
   std::string title_;
   OverlayChoice choice_;
-  std::optional<Legend> legend_;  // of the view's data
+  std::optional<Legend> legend_;         // of the view's data
+  std::optional<Legend> second_legend_;  // of those of the second take
   ShotFollower shots_;
   std::shared_ptr<const AnnotationDefinition> annotations_;
   std::optional<Moment> earlier_;

@@ -124,7 +124,7 @@ Image finished_picture(const Frame& frame, Painter& painter) {
   if (inset) taken = canvas_box(*inset);
   if (frame.annotations) {
     std::vector<Box> kept_clear = half_caption_places(image.size, frame.half_captions, taken);
-    if (const auto legend = place_of_legend(frame.overlay, image.size, taken)) kept_clear.push_back(*legend);
+    for (const Box& legend : places_of_legends(frame.overlay, image.size, taken)) kept_clear.push_back(legend);
     draw_annotations(image, main_box(frame.shot, image.size), *frame.annotations, frame.snapshot, frame.shot.camera,
                      inset, kept_clear);
     if (frame.shot.beside_snapshot) {

@@ -302,7 +302,7 @@ TEST(Overlay, ALongTitleEndsBeforeTheBadge) {
 TEST(Overlay, ALegendStandsAtTheRightOrWhereAnInsetLeavesTheMiddleFree) {
   OverlayContent content = some_content();
   content.legend = Legend{.title = "Stress", .unit = "Pa", .from = 0, .to = 1000};
-  const auto place = [&](const std::optional<Box>& inset) { return *place_of_legend(content, kSize, inset); };
+  const auto place = [&](const std::optional<Box>& inset) { return places_of_legends(content, kSize, inset).at(0); };
   const Box usual = place({});
   EXPECT_EQ(usual.right(), 1280 - 26);
   const Box at_the_left{26, 78, 384, 216};
@@ -316,6 +316,28 @@ TEST(Overlay, ALegendStandsAtTheRightOrWhereAnInsetLeavesTheMiddleFree) {
   EXPECT_EQ(place(small).x, usual.x);
   EXPECT_GE(place(small).y, small.bottom());
   EXPECT_LE(place(small).bottom(), 522) << "above the panels";
+}
+
+TEST(Overlay, TheLegendOfTheLeftOfTwoTakesStandsInItsHalf) {
+  OverlayContent content;
+  const Image bare = overlaid(content);
+  content.left_legend = Legend{.title = "Stress", .unit = "Pa", .from = 0, .to = 1000};
+  const Image image = overlaid(content);
+  const std::vector<Box> places = places_of_legends(content, kSize, {});
+  ASSERT_EQ(places.size(), 1U);
+  EXPECT_EQ(places[0].right(), 640 - 26);
+  int changed_within = 0, changed_beside = 0;
+  for (int y = 0; y < kSize.height; ++y) {
+    for (int x = 0; x < kSize.width; ++x) {
+      const auto first = 3 * (static_cast<std::ptrdiff_t>(y) * kSize.width + x);
+      const bool is_changed =
+          !std::equal(image.pixels.begin() + first, image.pixels.begin() + first + 3, bare.pixels.begin() + first);
+      const bool is_within = x >= places[0].x && x < places[0].right() && y >= places[0].y && y < places[0].bottom();
+      (is_within ? changed_within : changed_beside) += is_changed ? 1 : 0;
+    }
+  }
+  EXPECT_GT(changed_within, 0.9 * places[0].width * places[0].height);
+  EXPECT_EQ(changed_beside, 0);
 }
 
 TEST(Overlay, LeavesAnInsetAsItIs) {

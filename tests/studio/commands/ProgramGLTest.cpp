@@ -226,6 +226,22 @@ TEST_F(ProgramGLTest, BothHalvesOfAComparisonShowTheNumbersAndTurn) {
   EXPECT_GT(differences("strain", "range")[0], 400);
 }
 
+TEST_F(ProgramGLTest, TheSecondTakeKeepsTheNumbersThatItAloneShows) {
+  const std::string compared =
+      small_scenario() + "look: { mesh: false }\ncomparison: { captions: [seen, strain], set: ";
+  write_bytes(folder_ / "two.yaml", compared + "{ look.data: { shows: strain, from: 0, to: 0.3 } } }\n");
+  expect_good({"run", "two.yaml", "--no-video", "--frames", "--out", "run"});
+  expect_good({"render", "run/take.h5", "--no-video", "--frames", "--out", "again"});
+  EXPECT_EQ(read_png(folder_ / "again/frames/frame_000002.png").pixels,
+            read_png(folder_ / "run/frames/frame_000002.png").pixels);
+  write_bytes(folder_ / "open.yaml", compared + "{ look.data: { shows: strain } } }\n");
+  const ProgramEnd end = run({"run", "open.yaml", "--no-video", "--out", "open"});
+  EXPECT_EQ(end.exit_code, 2);
+  EXPECT_NE(end.messages.find("`from` and `to` are needed here"), std::string::npos) << end.messages;
+  expect_good({"run", "open.yaml", "--no-render", "--out", "open"});
+  expect_good({"render", "open/take.h5", "--no-video", "--out", "whole"});
+}
+
 TEST_F(ProgramGLTest, StatisticsTellEachPassAndAnEmptyFrameAndChangeNoPicture) {
   expect_good({"run", "scenes/small.yaml", "--no-video", "--out", "plain"});
   const ProgramEnd end = run({"run", "scenes/small.yaml", "--no-video", "--stats", "--json", "--out", "timed"});

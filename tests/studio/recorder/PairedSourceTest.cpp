@@ -82,5 +82,30 @@ TEST(PairedSource, AFrameHasBothTakesAtItsTimeAndBothForces) {
   EXPECT_NEAR(frame.overlay.other_history[7].force, 0.5 * frame.overlay.history[7].force, 1e-12);
 }
 
+TEST(PairedSource, EachHalfHasTheLegendOfItsOwnData) {
+  const DataView strain{.quantity = DataQuantity::kStrain, .from = 0, .to = 0.3};
+  const DataView thickness{.quantity = DataQuantity::kThickness, .from = 0, .to = 0.002};
+  const auto overlay_of = [](std::optional<DataView> left, std::optional<DataView> right) {
+    const auto pair = pair_of({}, {});
+    TakeComparison comparison{{"left", "right"}, {}};
+    comparison.second.look.data = right;
+    ViewDefinition view;
+    view.look.data = left;
+    view.comparison = std::make_shared<const TakeComparison>(comparison);
+    FrameComposer composer("A sheet", {}, view);
+    composer.add(*pair->next());
+    return composer.compose(0).overlay;
+  };
+  using Titles = std::pair<std::string, std::string>;  // of the left and the right legend
+  const auto titles = [&](std::optional<DataView> left, std::optional<DataView> right) -> Titles {
+    const OverlayContent overlay = overlay_of(left, right);
+    return {overlay.left_legend ? overlay.left_legend->title : "", overlay.legend ? overlay.legend->title : ""};
+  };
+  EXPECT_EQ(titles({}, strain), Titles("", "Largest strain"));
+  EXPECT_EQ(titles(strain, {}), Titles("Largest strain", "")) << "the right half shows tissue";
+  EXPECT_EQ(titles(strain, thickness), Titles("Largest strain", "Thickness"));
+  EXPECT_EQ(titles(strain, strain), Titles("", "Largest strain")) << "one for both";
+}
+
 }  // namespace
 }  // namespace thinwall
