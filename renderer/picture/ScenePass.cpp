@@ -48,7 +48,7 @@ ScenePass::ScenePass()
       field_stop_(build_program("stop.vert", "")),
       metal_{build_program("metal.vert", "metal.frag"), build_program("metal.vert", "metal_endoscope.frag")},
       ground_{build_program("screen.vert", "floor.frag"), build_program("screen.vert", "drape.frag"),
-              build_program("screen.vert", "bed.frag")},
+              build_program("bed.vert", "bed.frag")},
       weave_(build_program("screen.vert", "weave.frag")),
       highlight_(build_program("screen.vert", "highlight.frag")),
       data_(build_program("screen.vert", "data.frag")),
