@@ -72,10 +72,15 @@ Vessels vessels_at(vec3 place, vec4 coarse, vec4 fine, vec4 broad, float footpri
   return result;
 }
 
-// Fat lies in lobules where broad noise is high.
-float fat_at(vec4 broad, vec4 fine) {
-  float cover = smoothstep(-0.10, 0.16, 0.8 * broad.w + 0.16 * fine.w + 2.0 * fat.w - 0.95);
+// Fat lies where broad noise is high. Its border is that of its lobules.
+float fat_at(vec4 broad, vec4 fine, float lobes) {
+  float cover = smoothstep(-0.03, 0.09, 0.8 * broad.w + 0.16 * fine.w + 0.12 * lobes + 2.0 * fat.w - 0.95);
   return FATTY ? cover : 0.0;
+}
+
+// Lobules of fat have reddish walls between them, where the grain passes through zero.
+vec3 fat_color(float fine, float lobes) {
+  return fat.rgb * mix(vec3(0.80, 0.60, 0.50), vec3(1.0 + 0.15 * fine), smoothstep(0.0, 0.16, abs(lobes)));
 }
 
 // Layers of a wall that is cut through, by the depth in it: serosa, muscle, mucosa, or the skin's. The middle one is made of
@@ -135,8 +140,9 @@ Skin skin_at(vec3 place, float footprint, float blanch, float thickness, float d
   vec3 redder = flesh.rgb * mix(vec3(1.0), blood.rgb / max(flesh.rgb, 0.02), 0.45);
   vec3 paler = 1.18 * flesh.rgb + 0.03;
   vec3 albedo = mix(flesh.rgb, redness > 0.0 ? redder : paler, saturate(abs(redness)));
-  float fatty = fat_at(broad, fine);
-  albedo = mix(albedo, fat.rgb * (1.0 + 0.15 * fine.w), 0.9 * fatty);
+  float lobes = mix(0.3, grain.w, grain_seen);
+  float fatty = fat_at(broad, fine, lobes);
+  if (FATTY) albedo = mix(albedo, fat_color(fine.w, lobes), 0.9 * fatty);
 
   // What lies behind shines through, the more the thinner the wall is (Lambert and Beer).
   float clear = CLEAR ? exp2(thickness * through.w) : 0.0;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "renderer/look/OrganLooks.hpp"
@@ -208,6 +209,27 @@ double highlight_of(double lamp_size, int level = 120) {
   double count = 0;
   for (std::size_t i = 0; i < image.pixels.size(); i += 3) count += image.pixels[i] > level ? 1 : 0;
   return count;
+}
+
+TEST(Tissue, FatEndsWithItsLobules) {
+  ViewDefinition view = from_above("gallbladder");
+  TissueLook& look = view.look.bodies["organ"];
+  // Yellow on blue, and nothing else.
+  look.color = {0.25, 0.3, 0.8};
+  look.fat = {0.85, 0.7, 0.25};
+  look.patches = look.vessels = look.capillaries = look.clearness = look.wetness = look.sheen = 0;
+  look.fattiness = 0.5;
+  const Image image = draw(sheet(1), view);
+  std::vector<int> yellow;
+  for (std::size_t i = 0; i < image.pixels.size(); i += 3) yellow.push_back(image.pixels[i] - image.pixels[i + 2]);
+  const auto [least, most] = std::ranges::minmax(yellow);
+  const auto part_below = [&](double part) {
+    const auto count = std::ranges::count_if(yellow, [&](int value) { return value < std::lerp(least, most, part); });
+    return static_cast<double>(count) / static_cast<double>(yellow.size());
+  };
+  EXPECT_GT(part_below(0.3), 0.2) << "bare";
+  EXPECT_LT(part_below(0.7), 0.8) << "fat";
+  EXPECT_LT(part_below(0.7) - part_below(0.3), 0.14) << "neither: 0.09 was seen, 0.22 where it fades out";
 }
 
 TEST(Tissue, HasVesselsThatRunAlongTheBody) {
