@@ -60,8 +60,9 @@ Box legend_place(const OverlayGrid& grid, const std::optional<Box>& inset) {
 }
 
 Box left_legend_place(const OverlayGrid& grid) {
+  const int right_half = grid.size.width - grid.size.width / 2;
   Box place = legend_place(grid, {});
-  place.x -= grid.size.width - grid.size.width / 2;
+  place.x -= right_half;
   return place;
 }
 

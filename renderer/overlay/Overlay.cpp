@@ -32,7 +32,8 @@ double peak_of(const OverlayContent& content) {
 
 /// The width in the middle between panels of these widths.
 double width_between(const OverlayGrid& grid, double gauge, double plot) {
-  return 2 * (grid.size.width / 2 - grid.whole(kMargin) - std::max(gauge, plot));
+  const int center = grid.size.width / 2;
+  return 2 * (center - grid.whole(kMargin) - std::max(gauge, plot));
 }
 
 /// Between gauge and plot where that is wide enough to read, else above them, and above an inset that stands there.
