@@ -45,7 +45,8 @@ GraspPlan plan_grasp(const GraspClip& clip, const ToolDefinition& tool, const Su
   GraspPlan plan{.clip = clip,
                  .begin = make_pose(clip.at + (hit.travel - clip.standoff) * direction, direction, clip.axis),
                  .stopped = {},
-                 .lost = {}};
+                 .lost = {},
+                 .jaw_width = tool.width};
   plan.begin.opening = tool.opening;
   // Jaws reach over the wall, and need not touch it at all on their way.
   const std::optional<double> travel = travel_to_contact(surface, tool, plan.begin, direction);

@@ -14,6 +14,8 @@ struct GraspPlan {
   std::optional<double> stopped;  // metres, opening at which the jaws held firmly enough, once they do
   double largest_squeeze = 0;     // newton, that the jaws have felt
   std::optional<double> lost;     // seconds, time of the run since which they have held nothing any more
+  double jaw_width = 0;           // metres
+  double edge_length = 0;         // metres, mean, of the body's triangles
 
   double duration() const;           // seconds
   ToolMoment at(double time) const;  // `time`: seconds since the clip began, limited to its duration

@@ -43,7 +43,10 @@ Plan plan_action(const Clip& clip, const PlannedTool& tool,
   }
   if (const auto* grasp = std::get_if<GraspClip>(&clip.action)) {
     const Body& body = body_of(grasp->body);
-    return plan_grasp(*grasp, tool.definition, body.surface(), body.model().definition.thickness, clip.location);
+    GraspPlan plan =
+        plan_grasp(*grasp, tool.definition, body.surface(), body.model().definition.thickness, clip.location);
+    plan.edge_length = body.model().edge_length;
+    return plan;
   }
   if (const auto* fill = std::get_if<FillClip>(&clip.action)) {
     return plan_fill(*fill, body_of(fill->body), clip.location);

@@ -52,20 +52,33 @@ std::optional<std::string> incision_note(std::size_t number, const IncisionPlan&
                      plan.clip.body, 1e3 * plan.edge_length);
 }
 
+/// Jaws meet the wall at its vertices: between triangles that are larger than they are there may be none.
+std::string coarse_mesh_note(const GraspPlan& plan) {
+  if (plan.edge_length <= plan.jaw_width) return "";
+  return fmt::format(
+      "; edges of the triangles of body `{}`, {:.3g} mm, are longer than the jaws are wide, {:.3g} mm: "
+      "they hold more triangles better",
+      plan.clip.body, 1e3 * plan.edge_length, 1e3 * plan.jaw_width);
+}
+
 std::optional<std::string> grasp_note(std::size_t number, const GraspPlan& plan) {
   const GraspClip& clip = plan.clip;
   const std::string which = fmt::format("timeline[{}]: forceps `{}` have ", number, clip.tool);
   if (plan.largest_squeeze == 0) {
-    return which + fmt::format(
-                       "closed to {:.4g} mm and squeezed nothing; for a wall between the jaws go deeper, turn `axis`, "
-                       "or close further",
-                       1e3 * clip.to);
+    return which +
+           fmt::format(
+               "closed to {:.4g} mm and squeezed nothing; for a wall between the jaws go deeper, turn `axis`, "
+               "or close further",
+               1e3 * clip.to) +
+           coarse_mesh_note(plan);
   }
   if (plan.lost) {
-    return which + fmt::format(
-                       "held nothing any more since {:.4g} s, after squeezing with {:.3g} N at most; to hold the wall "
-                       "go deeper, close further, or give the tool more `friction`",
-                       *plan.lost, plan.largest_squeeze);
+    return which +
+           fmt::format(
+               "held nothing any more since {:.4g} s, after squeezing with {:.3g} N at most; to hold the wall "
+               "go deeper, close further, or give the tool more `friction`",
+               *plan.lost, plan.largest_squeeze) +
+           coarse_mesh_note(plan);
   }
   if (clip.grip > 0 && !plan.stopped) {
     return which +

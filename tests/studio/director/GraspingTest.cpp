@@ -169,7 +169,20 @@ TEST(Grasping, TellsSinceWhenTheWallHasSlippedOutOfTheJaws) {
   scenario.tools[0].friction = 0;
   scenario.timeline.resize(2);
   std::get<MoveClip>(scenario.timeline[1].action).to = {0, 0, 0.06};
-  EXPECT_NE(told_of(scenario, 1).find("forceps `grip` have held nothing any more since "), std::string::npos);
+  const std::string told = told_of(scenario, 1);
+  EXPECT_NE(told.find("forceps `grip` have held nothing any more since "), std::string::npos) << told;
+  EXPECT_EQ(told.find("edges of the triangles"), std::string::npos) << told;
+}
+
+TEST(Grasping, TellsThatTrianglesAreLongerThanJawsThatHaveClosedOnNothingAreWide) {
+  Scenario scenario = grasping_scenario();
+  scenario.tools[0].width = 0.002;
+  scenario.timeline.resize(1);
+  std::get<GraspClip>(scenario.timeline[0].action).depth = -0.004;
+  const std::string told = told_of(scenario, 1);
+  EXPECT_NE(told.find("squeezed nothing; "), std::string::npos) << told;
+  EXPECT_NE(told.find("; edges of the triangles of body `organ`, 2.44"), std::string::npos) << told;
+  EXPECT_NE(told.find(" mm, are longer than the jaws are wide, 2 mm: "), std::string::npos) << told;
 }
 
 }  // namespace
