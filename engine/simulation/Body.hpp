@@ -189,6 +189,8 @@ class Body {
   std::optional<MostBorne> most_borne(const EquilibriumProblem& whole, double most_volume,
                                       const EquilibriumState& grown);
   NewtonResult burst(const std::optional<MostBorne>& most = {});
+  /// No solution, for this reason, which is kept.
+  NewtonResult fail(const std::string& reason);
   void solve_statics();
   bool load_slowly(const EquilibriumProblem& whole, EquilibriumState& trial);
   std::string describe_failure() const;

@@ -144,8 +144,12 @@ NewtonResult Body::burst(const std::optional<MostBorne>& most) {
   }
   bursts_ = true;
   report_.is_past_bearing = most.has_value();
+  return fail(reason.str());
+}
+
+NewtonResult Body::fail(const std::string& reason) {
   NewtonResult failed;
-  failed.reason = failure_ = reason.str();
+  failed.reason = failure_ = reason;
   return failed;
 }
 
@@ -196,11 +200,8 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state, b
       return result;
     }
   }
-  NewtonResult failed;
   // The last solution with springs may have been good, and without them not at hand all the same.
-  failed.reason = (failure_.empty() ? before : failure_) + ", also with pseudo-inertia";
-  failure_ = failed.reason;
-  return failed;
+  return fail((failure_.empty() ? before : failure_) + ", also with pseudo-inertia");
 }
 
 bool Body::creep(EquilibriumProblem& problem, EquilibriumState& trial) {
