@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <limits>
+#include <optional>
 #include <random>
+#include <vector>
 
 #include "engine/mesh/Shapes.hpp"
 #include "engine/tool/ToolSolids.hpp"
@@ -64,7 +68,7 @@ const std::vector<ToolDefinition> kTools = {
     {.name = "plate", .kind = ToolKind::kPlate, .length = 0.02, .width = 0.01, .thickness = 0.002},
     {.name = "ball", .kind = ToolKind::kSphere, .radius = 4e-3}};
 
-/// Into the ball by up to 2 mm, leaning up to 40 degrees.
+/// Into the ball by up to 2 mm, leaning up to 60 degrees.
 ToolPose pose_into_ball(std::mt19937& random) {
   std::uniform_real_distribution<double> part(-1, 1);
   const Eigen::Vector3d out = Eigen::Vector3d(part(random), part(random), part(random)).normalized();

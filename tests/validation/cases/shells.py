@@ -152,8 +152,8 @@ CASES = [
          (1152, 2048, 4608), compare_pinched_cylinder,
          known_miss="The finest mesh goes up to 6.8 % beyond the table. Meshes of 18 432 and 41 472 triangles agree with "
                     "each other within 0.4 % and go up to 2.1 % (crown) and 4.6 % (side) beyond it, so that most of the "
-                    "miss is the table's. Under small forces, for which there is a series, the wall gives way as it "
-                    "should: see the next case."),
+                    "miss is not of the mesh. Under small forces, for which there is a series, the wall gives way as it "
+                    "should, see the next case; which of the two is right under large ones is not known."),
     Case("lightly_pinched_cylinder", "Pinched cylinder under small forces", "Fourier series, Koiter and Sanders",
          "way of the crown", 0.01, (1152, 2048, 4608), compare_lightly_pinched_cylinder, quick=(1152,), quick_bar=0.04,
          scenario="pinched_cylinder"),
