@@ -4,10 +4,8 @@
 #include "renderer/video/Program.hpp"
 
 namespace thinwall {
-namespace {
 
-/// The first line that the program prints about itself; empty when it cannot be run.
-std::string version_of(const std::string& program) {
+std::string program_version(const std::string& program) {
   try {
     const ProgramResult result = run_program({program, "-hide_banner", "-version"});
     return result.exit_code == 0 ? result.output.substr(0, result.output.find('\n')) : "";
@@ -16,12 +14,10 @@ std::string version_of(const std::string& program) {
   }
 }
 
-}  // namespace
-
 VideoSurvey survey_video() {
   VideoSurvey survey;
-  survey.ffmpeg_version = version_of("ffmpeg");
-  survey.ffprobe_version = version_of("ffprobe");
+  survey.ffmpeg_version = program_version("ffmpeg");
+  survey.ffprobe_version = program_version("ffprobe");
   survey.ffmpeg = !survey.ffmpeg_version.empty();
   survey.ffprobe = !survey.ffprobe_version.empty();
   if (survey.ffmpeg) {

@@ -4,6 +4,9 @@
 
 namespace thinwall {
 
+/// The first line that a program like ffmpeg prints about itself; empty when it cannot be run.
+std::string program_version(const std::string& program);
+
 /// Whether videos can be made here.
 struct VideoSurvey {
   bool ffmpeg = false;

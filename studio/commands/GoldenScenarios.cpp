@@ -228,7 +228,7 @@ GoldenRunOptions golden_run(const GoldenOptions& options, bool keeps) {
   run.cache = options.out / kCache;
   run.anew = options.all;
   run.program = file_hash("/proc/self/exe") + " " + options.device_text + " " + driver_here(options.device) + " " +
-                survey_video().ffmpeg_version;
+                program_version("ffmpeg");
   run.jobs = options.jobs > 0 ? options.jobs : static_cast<int>(std::thread::hardware_concurrency());
   run.in_other_process = [options](const Scenario& scenario) {
     const std::filesystem::path out = options.out / "jobs" / scenario.name;

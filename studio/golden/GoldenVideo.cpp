@@ -157,7 +157,7 @@ EncodedVideo read_encoded_video(const std::filesystem::path& folder, const Golde
   const std::filesystem::path file = folder / "video.mp4";
   const MediaProbe probe = probe_media(file);
   EncodedVideo encoded;
-  encoded.program = survey_video().ffmpeg_version;
+  encoded.program = program_version("ffmpeg");
   encoded.tags = probe.codec + " " + probe.pixel_format + " " + probe.color;
   encoded.times = wrong_times(probe, video.frames_per_second);
   encoded.captions = probe.has_captions ? read_captions(file) : "";

@@ -8,7 +8,6 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "renderer/video/VideoSurvey.hpp"
 #include "studio/recorder/Versions.hpp"
 #include "studio/scenario/ExpectationQuantity.hpp"
 
@@ -26,10 +25,10 @@ Json scenario_part(const TakeDescription& description) {
   return scenario;
 }
 
-Json version_part(const RecordingPlan& plan) {
+Json version_part(const RecordingReport& report) {
   Json versions = Json::object();
   for (const auto& [name, version] : component_versions()) versions[name] = version;
-  if (plan.pictures && plan.video) versions["ffmpeg"] = survey_video().ffmpeg_version;
+  if (!report.encoder.empty()) versions["ffmpeg"] = report.encoder;
   return versions;
 }
 
@@ -162,7 +161,7 @@ std::string manifest(const ManifestContext& context, const RecordingPlan& plan, 
   manifest["options"] = option_part(context, plan);
   manifest["seed"] = seed_part(plan.view);
   manifest["driver"] = report.driver.empty() ? Json(nullptr) : Json(report.driver);
-  manifest["versions"] = version_part(plan);
+  manifest["versions"] = version_part(report);
   manifest["licence"] = effective_licence();
   manifest["scenario"] = scenario_part(plan.description);
   manifest["frame_hashes"] = report.frame_hashes;

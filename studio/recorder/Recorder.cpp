@@ -6,6 +6,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <exception>
+#include <future>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -19,6 +20,7 @@
 #include "renderer/overlay/EnergyPlotImage.hpp"
 #include "renderer/overlay/ForcePlotImage.hpp"
 #include "renderer/picture/PictureFailure.hpp"
+#include "renderer/video/VideoSurvey.hpp"
 #include "renderer/video/VideoWriter.hpp"
 #include "renderer/video/WebVtt.hpp"
 #include "studio/recorder/BoundedQueue.hpp"
@@ -63,6 +65,7 @@ class Pipeline {
   void open_pictures();
   void encode();
   void wait_for_pictures();
+  void finish_video();
   void finish_pictures();
 
   void stop(std::exception_ptr error);
@@ -370,19 +373,26 @@ void Pipeline::wait_for_pictures() {
   }
 }
 
+void Pipeline::finish_video() {
+  const double end = static_cast<double>(report_.frame_hashes.size()) / plan_.frames_per_second;
+  video_->finish(up_to(end, shown_chapters(report_.chapters, script_.clock(), end), &VideoChapter::title),
+                 up_to(end, shown_captions(captions_, script_.clock(), script_.title_duration()), &VideoCaption::text));
+}
+
+/// Beside the video, whose end is mostly waiting for programs that start.
 void Pipeline::finish_pictures() {
   if (report_.frame_hashes.empty()) return;
   const StageClock clock(report_.times.encode);
   report_.poster_time = highlights_.poster_time();
+  std::future<void> video;
   if (video_) {
-    const double end = static_cast<double>(report_.frame_hashes.size()) / plan_.frames_per_second;
-    video_->finish(
-        up_to(end, shown_chapters(report_.chapters, script_.clock(), end), &VideoChapter::title),
-        up_to(end, shown_captions(captions_, script_.clock(), script_.title_duration()), &VideoCaption::text));
+    video = std::async(std::launch::async, [this] { finish_video(); });
+    report_.encoder = program_version("ffmpeg");
   }
   if (plan_.frames) rename_folder(unfinished_name(frame_folder(plan_)), frame_folder(plan_));
   write_png(plan_.folder / "poster.png", highlights_.poster());
   write_png(plan_.folder / "contact_sheet.png", contact_sheet(plan_.description.title, highlights_.sheet_frames()));
+  if (video.valid()) video.get();
 }
 
 void Pipeline::show_progress(double time) {

@@ -52,6 +52,7 @@ struct RecordingReport {
   double simulated = 0;                   // seconds
   double poster_time = 0;                 // seconds
   std::string driver;                     // of the pictures; empty without pictures
+  std::string encoder;                    // what ffmpeg says of itself; empty without a video
   std::vector<std::string> frame_hashes;  // (frames) of the pictures before encoding
   std::vector<std::string> warnings;
   std::string state_digest;

@@ -25,6 +25,13 @@ TEST(VideoSurvey, MissingProgramsAreAProblemWithACure) {
   EXPECT_EQ(survey.problem, "the program ffmpeg cannot be run; install it (on Debian: apt-get install ffmpeg)");
 }
 
+TEST(VideoSurvey, OneProgramIsAskedForItsVersionAlone) {
+  const TestFolder folder;
+  const FakeProgram ffmpeg(folder, "ffmpeg", "echo ffmpeg version 0; echo built with nothing");
+  EXPECT_EQ(program_version("ffmpeg"), "ffmpeg version 0");
+  EXPECT_EQ(program_version("ffmpreg"), "");
+}
+
 TEST(VideoSurvey, MissingEncoderIsAProblemWithACure) {
   const TestFolder folder;
   const FakeProgram ffmpeg(folder, "ffmpeg", "echo ffmpeg version 0");

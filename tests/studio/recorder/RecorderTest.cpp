@@ -62,6 +62,7 @@ TEST(RecorderTest, LeavesEachFileOfTheContract) {
   EXPECT_EQ(report.steps, 41U);
   EXPECT_DOUBLE_EQ(report.simulated, 0.2);
   EXPECT_EQ(report.driver, "flat painter 1.0");
+  EXPECT_TRUE(report.encoder.starts_with("ffmpeg version ")) << report.encoder;
   EXPECT_EQ(report.warnings, run.warnings());
   EXPECT_EQ(report.frame_hashes.size(), 7U);
   const VideoProbe video = probe_video(folder / "video.mp4");
@@ -75,6 +76,7 @@ TEST(RecorderTest, AFrameIsWhatTheComposerGivesAtItsTime) {
   const TemporaryFolder folder;
   SyntheticRun run;
   const RecordingReport report = record(run, plan_for(folder.path()), flat_painters());
+  EXPECT_EQ(report.encoder, "");
   FrameComposer composer("A sheet", {});
   for (std::size_t step = 0; !composer.reaches(5 / 30.0); ++step) composer.add(run.moment(step));
   const Frame frame = composer.compose(5 / 30.0);
