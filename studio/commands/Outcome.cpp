@@ -44,11 +44,12 @@ int conclude(const ManifestContext& context, const RecordingPlan& plan, const Re
     if (std::ranges::find(context.told, warning) == context.told.end()) tell_note(warning);
   }
   const RecordingTimes& times = report.times;
+  const std::string truth = plan.ground_truth ? fmt::format("ground truth {:.1f}, ", times.truth.wall) : "";
   fmt::print(stderr,
              "{:.2f} s in {} steps and {} frames, recorded in {} within {:.1f} s (simulate {:.1f}, render {:.1f}, "
-             "encode {:.1f})\n",
+             "{}encode {:.1f})\n",
              report.simulated, report.steps, report.frame_hashes.size(), plan.folder.string(), times.total,
-             times.simulate.wall, times.render.wall, times.encode.wall);
+             times.simulate.wall, times.render.wall, truth, times.encode.wall);
   fmt::print(stderr, "{}", pass_table(report.passes));
   if (json) print_json(context, plan, report);
   bool met = true;

@@ -124,18 +124,18 @@ ToolMoment MovePlan::at(double time) const {
 }
 
 MovePlan plan_move(const MoveClip& clip, const ToolPose& now, bool is_first, const SourceLocation& location) {
-  const Eigen::Vector3d from = clip.from.value_or(now.tip);
+  const Eigen::Vector3d from = clip.from.value_or(now.tip), to = clip.end_from(from);
   MovePlan plan{.clip = clip, .begin = now, .end = now};
   if (is_first) {
-    const Eigen::Vector3d way = clip.to - from;
-    plan.end = make_pose(clip.to, clip.direction.value_or(way.norm() > 0 ? way : now.direction), clip.axis);
+    const Eigen::Vector3d way = to - from;
+    plan.end = make_pose(to, clip.direction.value_or(way.norm() > 0 ? way : now.direction), clip.axis);
     plan.end.opening = now.opening;
   } else {
     plan.end = attitude_given(clip, now, location);
   }
   if (is_first || (from - now.tip).norm() > kSamePlace) plan.begin = plan.end;
   plan.begin.tip = from;
-  plan.end.tip = clip.to;
+  plan.end.tip = to;
   return plan;
 }
 

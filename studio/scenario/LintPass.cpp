@@ -74,8 +74,9 @@ void check_loads(const CheckedMember& body, const std::string& path, Diagnostics
   }
 }
 
-void check_fill(const CheckedMember& clip, const std::string& path, Diagnostics& diagnostics) {
-  if (clip.key != "inflate" && clip.key != "drain") return;
+/// How far, or where to.
+void check_goal(const CheckedMember& clip, const std::string& path, Diagnostics& diagnostics) {
+  if (clip.key != "inflate" && clip.key != "drain" && clip.key != "move") return;
   const CheckedValue *by = clip.value.find("by"), *to = clip.value.find("to");
   if (by != nullptr && to != nullptr) {
     diagnostics.error(to->location, path + ".to", "`by` and `to` exclude each other");
@@ -149,13 +150,16 @@ void check_frame(const CheckedMember& clip, const std::string& path, bool is_fir
   const CheckedValue& values = clip.value;
   auto direction = find_vector(values, "direction");
   const auto from = find_vector(values, "from");
-  const auto to = find_vector(values, "to");
-  if (clip.key == "move" && is_first && !direction && !values.has_wrong("direction") && from && to) {
-    if (*from == *to) {
-      diagnostics.error(clip.location, path, "`direction` is missing: `from` and `to` are the same point");
+  const auto to = find_vector(values, "to"), by = find_vector(values, "by");
+  if (clip.key == "move" && is_first && !direction && !values.has_wrong("direction") && (by || (from && to))) {
+    const Eigen::Vector3d way = by ? *by : *to - *from;
+    if (way.isZero(0)) {
+      diagnostics.error(
+          clip.location, path,
+          std::string("`direction` is missing: ") + (by ? "`by` leads nowhere" : "`from` and `to` are the same point"));
       return;
     }
-    direction = (*to - *from).normalized();
+    direction = way.normalized();
   }
   const auto axis = find_vector(values, "axis");
   if (axis && direction && are_parallel(*axis, *direction)) {
@@ -299,7 +303,7 @@ void lint_pass(const CheckedValue& root, Diagnostics& diagnostics) {
     if (item.members.empty()) continue;
     const std::string path = member_path(item_path("timeline", index), item.members[0].key);
     check_frame(item.members[0], path, is_first_of_its_tool(clips, clip++), diagnostics);
-    check_fill(item.members[0], path, diagnostics);
+    check_goal(item.members[0], path, diagnostics);
     if (item.members[0].key == "palpate") check_bare_point(root, item.members[0], path, diagnostics);
   }
   if (const CheckedValue* tools = root.find("tools")) {

@@ -111,10 +111,14 @@ struct MoveClip {
   std::optional<std::string> body = {};           // for readers alone: a tool touches each body in its way
   std::optional<Eigen::Vector3d> from = {};       // metres; where the tool is when absent
   Eigen::Vector3d to = Eigen::Vector3d::Zero();   // metres
+  std::optional<Eigen::Vector3d> by = {};         // metres, from where it starts, instead of `to`
   std::optional<Eigen::Vector3d> direction = {};  // unit; that of the motion when absent
   std::optional<Eigen::Vector3d> axis = {};
   double duration = 1;  // seconds
   Ease ease = Ease::kSmooth;
+
+  /// Metres.
+  Eigen::Vector3d end_from(const Eigen::Vector3d& start) const { return by ? start + *by : to; }
 };
 
 /// Jaws that reach over a wall and close.

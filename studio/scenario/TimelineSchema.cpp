@@ -169,7 +169,12 @@ MappingSchema move() {
         false,
         {},
         "where it starts; where it is when absent"},
-       {"to", usually(vector_value(kLength, {}, point), kUsualPlaces), true, {}, "where it ends"},
+       {"to", usually(vector_value(kLength, {}, point), kUsualPlaces), false, {}, "where it ends; needed without `by`"},
+       {"by",
+        usually(vector_value(kLength, {}, "[0, 0, 10 mm]"), kUsualPlaces),
+        false,
+        {},
+        "the way from where it starts, instead of `to`: how far jaws lift what they hold"},
        {"direction",
         direction_value(),
         false,
@@ -186,7 +191,7 @@ MappingSchema move() {
        {"ease", word_value({"linear", "smooth"}), false, "smooth",
         "at constant speed, or starting and ending at rest"}},
       " The tool turns on its way, with the same `ease` and by the shortest turn, from the attitude that it has to the "
-      "one given; where `to` is where it is, on the spot. Half a turn goes in the positive sense about its y' where "
+      "one given; where it goes nowhere, on the spot. Half a turn goes in the positive sense about its y' where "
       "`direction` alone is given, about its x' where `axis` is turned round too, and about its z' where `axis` alone "
       "is. In its first clip, and where `from` sets it elsewhere, it has the attitude given from the start.");
 }

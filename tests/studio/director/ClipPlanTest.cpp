@@ -122,6 +122,18 @@ TEST(ClipPlan, AMoveEasesFromRestToRestOrRunsEvenly) {
   EXPECT_NEAR(plan_move(clip, {}, true).at(0.5).pose.tip.x(), 0.0025, 1e-15);
 }
 
+TEST(ClipPlan, AMoveByAWayEndsThatFarFromWhereItStarts) {
+  MoveClip clip{.tool = "grip", .by = Eigen::Vector3d(0, 0.002, 0.01)};
+  const ToolPose now{.tip = {0.001, 0, 0.016}, .direction = -Eigen::Vector3d::UnitZ()};
+  const MovePlan lifted = plan_move(clip, now, false);
+  EXPECT_LT((lifted.at(5).pose.tip - Eigen::Vector3d(0.001, 0.002, 0.026)).norm(), 1e-17);
+  EXPECT_EQ(lifted.at(5).pose.direction, now.direction);
+  clip.from = Eigen::Vector3d(0, 0, 0.1);
+  EXPECT_LT((plan_move(clip, now, false).at(5).pose.tip - Eigen::Vector3d(0, 0.002, 0.11)).norm(), 1e-17);
+  const ToolPose first = plan_move(clip, {}, true).at(0).pose;
+  EXPECT_LT((first.direction - clip.by->normalized()).norm(), 1e-15) << "a tool's first move looks along its way";
+}
+
 TEST(ClipPlan, AToolsFirstMoveHasTheDirectionOfTheMotionThroughout) {
   const MoveClip clip{.tool = "probe", .to = {0.01, 0, 0}, .duration = 2};
   const MovePlan plan = plan_move(clip, {}, true);

@@ -157,6 +157,12 @@ TEST(LintPass, CamerasLookSomewhereAndToolsHaveAFrame) {
             Texts{"9:65: timeline[1].move.axis: the axis lies along the direction"});
   EXPECT_EQ(timeline_errors("  - move: { tool: edge, from: [0, 0, 0], to: [0, 0, 0] }\n"),
             Texts{"9:5: timeline[1].move: `direction` is missing: `from` and `to` are the same point"});
+  EXPECT_EQ(timeline_errors("  - move: { tool: edge, by: [0, 0, 0] }\n"),
+            Texts{"9:5: timeline[1].move: `direction` is missing: `by` leads nowhere"});
+  EXPECT_EQ(timeline_errors("  - move: { tool: edge, by: [1 m, 0, 0], axis: [1, 0, 0] }\n"),
+            Texts{"9:48: timeline[1].move.axis: the axis lies along the direction"});
+  EXPECT_EQ(timeline_errors("  - move: { tool: edge, to: [1 m, 0, 0], by: [1 m, 0, 0] }\n"),
+            Texts{"9:29: timeline[1].move.to: `by` and `to` exclude each other"});
   EXPECT_EQ(timeline_errors("  - palpate: { tool: edge, depth: 1 mm }\n"
                             "  - move: { tool: edge, from: [0, 0, 0], to: [0, 0, 0], axis: [1, 0, 0] }\n"
                             "  - move: { tool: edge, from: [0, 0, 0], to: [1 m, 0, 0], axis: [1, 0, 0] }\n"),
