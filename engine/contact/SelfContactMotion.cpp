@@ -93,9 +93,12 @@ template <typename Add>
 void SelfContact::visit_if_near(PairKind kind, const Eigen::Vector4i& vertices, const Add& add) {
   const PairCorners corners = corners_at(vertices, listed_position_);
   const double margin = margin_of(vertices);
-  if (least_distance(kind, corners) > largest_range_ + margin) return;
+  const double least = least_distance(kind, corners);
+  if (least > largest_range_ + margin) return;
+  const double reach = std::min(largest_range_, kRestRange * least_corner_distance(kind, vertices)) + margin;
+  if (least > reach) return;
   const double distance = pair_distance(kind, corners).distance;
-  if (distance > std::min(largest_range_, kRestRange * least_corner_distance(kind, vertices)) + margin) return;
+  if (distance > reach) return;
   const std::optional<NearPair> pair = describe(kind, vertices);
   if (pair && distance <= pair->range + margin) add(*pair);
 }
