@@ -140,6 +140,8 @@ class SelfContact {
   bool is_beyond(std::size_t vertex, const Eigen::VectorXd& position, const Eigen::Vector3d& drift) const;
   bool covers(const Eigen::VectorXd& position) const;
   void note_moved(const Eigen::VectorXd& from, const Eigen::VectorXd& to);
+  /// Marks in `far_` the vertices that a list made for the middle of the motion does not cover, and counts them.
+  std::size_t mark_far(const Eigen::VectorXd& motion);
   /// So that the list covers both; they must be near enough to each other for a list made for their middle.
   void list_near(const Eigen::VectorXd& from, const Eigen::VectorXd& to);
   template <typename Visit>
@@ -184,6 +186,7 @@ class SelfContact {
   std::vector<ListedPair> near_;                // of triangles without a vertex in common, in order of both
   Eigen::VectorXd listed_position_;             // (3 vertices), metres, for which `near_` holds all pairs
   std::vector<char> moved_;                     // (vertices), whether the last listing was for them
+  std::vector<char> far_;                       // (vertices), of the motion that is looked along
   std::vector<char> is_new_;                    // (vertices), whether nothing is known of pairs around them
   std::vector<char> left_alone_;                // (vertices), whether parts with them are left alone until the next cut
   long listings_ = 0;

@@ -10,6 +10,13 @@
 namespace thinwall {
 namespace {
 
+/// Part of twice its margin that a vertex may move for a list that is made for the middle of the way to cover both
+/// ends.
+constexpr double kShortWay = 0.9;
+
+/// Part of the vertices that may move farther for their pairs alone to be looked for along the way.
+constexpr double kFewFar = 0.25;
+
 /// Part of a distance that is more than what a safe fraction must keep of it.
 constexpr double kSurelyKept = 1.05 * kKeptDistance;
 
@@ -153,6 +160,19 @@ double SelfContact::safe_fraction_above_floors(const Eigen::VectorXd& position, 
   return fraction;
 }
 
+std::size_t SelfContact::mark_far(const Eigen::VectorXd& motion) {
+  const Eigen::Vector3d drift = mean_of(motion, held_.size());
+  far_.assign(held_.size(), 0);
+  std::size_t count = 0;
+  for (std::size_t v = 0; v < held_.size(); ++v) {
+    const Eigen::Vector3d way = motion.segment<3>(3 * static_cast<Eigen::Index>(v)) - drift;
+    if (margins_[v] == 0 || way.norm() < 2 * kShortWay * margins_[v]) continue;
+    far_[v] = 1;
+    ++count;
+  }
+  return count;
+}
+
 double SelfContact::safe_fraction(const Eigen::VectorXd& position, const Eigen::VectorXd& motion) {
   double fraction = safe_fraction_above_floors(position, motion);
   fraction = std::min(fraction, stars_.safe_fraction(position, motion));
@@ -160,23 +180,23 @@ double SelfContact::safe_fraction(const Eigen::VectorXd& position, const Eigen::
     return thinwall::safe_fraction(kind, corners_at(vertices, position), corners_at(vertices, motion));
   };
   // What is not listed stays out of range as long as the list covers both ends of the motion: one that is made for
-  // the middle covers twice its margin.
-  const Eigen::Vector3d drift = mean_of(motion, held_.size());
-  const auto is_short = [&](std::size_t v) {
-    return (motion.segment<3>(3 * static_cast<Eigen::Index>(v)) - drift).norm() < 1.8 * margins_[v] || margins_[v] == 0;
-  };
-  bool all_short = true;
-  for (std::size_t v = 0; all_short && v < held_.size(); ++v) all_short = is_short(v);
+  // the middle covers twice its margin. Where few vertices move farther than that, it covers the others.
+  const std::size_t far = mark_far(motion);
   const Eigen::VectorXd end = position + motion;
   bool is_covered = covers(position) && covers(end);
-  if (all_short && !is_covered) {
+  const bool is_listed = is_covered || static_cast<double>(far) <= kFewFar * static_cast<double>(held_.size());
+  if (!is_covered && is_listed) {
     list_near(position, end);
-    is_covered = true;
+    is_covered = far == 0;
   }
-  if (is_covered) {
-    return least_of(near_.size(), fraction,
-                    [&](std::size_t k) { return fraction_of(near_[k].pair.kind, near_[k].pair.vertices); });
+  if (is_listed) {
+    fraction = least_of(near_.size(), fraction,
+                        [&](std::size_t k) { return fraction_of(near_[k].pair.kind, near_[k].pair.vertices); });
+  } else {
+    far_.assign(held_.size(), 1);
   }
+  if (is_covered) return fraction;
+  tree_.mark(far_);
   tree_.fit(position, motion);
   std::vector<double> fractions;  // (tasks)
   const auto begin = [&](std::size_t tasks) { fractions.assign(tasks, fraction); };

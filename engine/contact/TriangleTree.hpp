@@ -33,7 +33,7 @@ class TriangleTree {
   void fit(const Eigen::VectorXd& position);
   void fit(const Eigen::VectorXd& position, const Eigen::VectorXd& motion);
 
-  /// From now on `visit_near` leaves out the pairs of which neither triangle has a marked vertex. At first all are.
+  /// From now on pairs of which neither triangle has a marked vertex are left out. At first all are.
   /// `vertices`: whether each is marked.
   void mark(std::span<const char> vertices);
 
@@ -61,11 +61,12 @@ class TriangleTree {
     });
   }
 
-  /// The same for pairs whose boxes may come closer during the motion than a part `kept` of how far what is in them
-  /// lies apart, without a reach.
+  /// The same for pairs, one of them marked, whose boxes may come closer during the motion than a part `kept` of how
+  /// far what is in them lies apart, without a reach.
   template <typename Begin, typename Visit>
   void visit_meeting(double kept, const Begin& begin, const Visit& visit) const {
     const auto may_meet = [&](int a, int b) {
+      if (!marked_[a] && !marked_[b]) return false;
       return boxes_[a].squaredExteriorDistance(boxes_[b]) <= squared_travel(a, b) && !stays_apart(a, b, kept);
     };
     visit_pairs(may_meet, begin,

@@ -254,6 +254,33 @@ TEST(SelfContact, StopsRandomMotionsBeforeTheWallPassesThroughItself) {
   EXPECT_GT(crossed, 300);  // of 360: the motions would have crossed
 }
 
+TEST(SelfContact, StopsFewVerticesThatGoFarAmongManyThatHardlyMove) {
+  std::mt19937 random(22);
+  std::normal_distribution<double> draw(0, 1);
+  int crossed = 0, stopped = 0;
+  Wall wall(make_sphere(20e-3, 512));
+  Eigen::VectorXd position = flattened(wall.rest, 6e-3);
+  const std::size_t vertices = wall.mesh.vertices.size();
+  for (int step = 0; step < 200; ++step) {
+    Eigen::VectorXd motion(position.size());
+    for (double& component : motion) component = 0.02e-3 * draw(random);
+    // Through the opposite side, a tenth of the vertices at most.
+    const Eigen::Vector3d center = position.segment<3>(3 * (random() % vertices));
+    const Eigen::Vector3d way(0, 0, center.z() > 0 ? -8e-3 : 8e-3);
+    for (Eigen::Index k = 0; k < position.size(); k += 3) {
+      const bool is_there = center.z() * position[k + 2] > 0 && (position.segment<3>(k) - center).norm() < 5e-3;
+      if (is_there) motion.segment<3>(k) += way;
+    }
+    crossed += surface_intersections(wall.mesh.triangles, position + motion).empty() ? 0 : 1;
+    const double fraction = wall.contact.safe_fraction(position, motion);
+    stopped += fraction < 1 ? 1 : 0;
+    ASSERT_TRUE(surface_intersections(wall.mesh.triangles, position + fraction * motion).empty()) << step;
+    position += 0.1 * fraction * motion;
+  }
+  EXPECT_GT(crossed, 150);  // of 200: the motions would have crossed
+  EXPECT_GE(stopped, crossed);
+}
+
 TEST(SelfContact, LetsThroughMotionsThatMeetNothing) {
   Wall wall(make_sphere(20e-3, 320));
   EXPECT_EQ(wall.contact.safe_fraction(wall.rest, 5 * wall.rest), 1);
