@@ -182,8 +182,9 @@ bool Body::may_crumple() const {
          !definition.tension_field && report_.halvings >= kHalvingsBeforeCrumpling;
 }
 
-bool Body::solve_step(EquilibriumProblem& problem, EquilibriumState& trial) {
+bool Body::solve_step(EquilibriumProblem& problem, EquilibriumState& trial, bool goes_on) {
   EquilibriumProblem again = problem;
+  const EquilibriumState before = goes_on ? trial : state_.equilibrium;  // that the forces of contacts belong to
   SolveEffort effort;
   if (may_creep()) {
     effort.most_iterations = kMostIterationsBeforeCreeping;
@@ -194,7 +195,8 @@ bool Body::solve_step(EquilibriumProblem& problem, EquilibriumState& trial) {
   if (trial_tolerance_) effort.most_iterations = kMostTrialIterations;
   const int iterations = report_.newton_iterations;
   // Where a part of the step was found with springs alone those after it are too: without them it takes long to fail.
-  const bool needs_springs = report_.relaxations > 0 && may_snap() && !may_creep();
+  // Solutions of one part that differ in friction alone are near each other.
+  const bool needs_springs = !goes_on && report_.relaxations > 0 && may_snap() && !may_creep();
   if (state_.drag == 0 && !needs_springs && solve(problem, trial, effort).converged) return true;
   const bool was_hopeless = state_.drag == 0 && report_.newton_iterations - iterations <= kHopelessIterations;
   if (has_inertia() && was_hopeless) {
@@ -209,7 +211,7 @@ bool Body::solve_step(EquilibriumProblem& problem, EquilibriumState& trial) {
   }
   // Where the wall buckles no short step helps: the equilibrium ends, and the next one is some way off.
   if (!may_snap()) return false;
-  trial = state_.equilibrium;
+  trial = before;
   problem = again;
   if (!relax(problem, trial).converged) return false;
   ++report_.relaxations;

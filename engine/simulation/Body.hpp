@@ -202,7 +202,9 @@ class Body {
   void crumple(std::span<const ToolPose> poses);
   bool creep(EquilibriumProblem& problem, EquilibriumState& trial);
   void find_drag(const Eigen::VectorXd& before);
-  bool solve_step(EquilibriumProblem& problem, EquilibriumState& trial);
+  /// `goes_on`: whether `trial` is a solution of the same part of the step that friction or fluids have been revised
+  /// from, rather than a guess.
+  bool solve_step(EquilibriumProblem& problem, EquilibriumState& trial, bool goes_on);
   bool try_step(std::span<const ToolPose> begin, std::span<const ToolPose> end, double duration,
                 const BodyInput& input);
   /// The way of `advance` from `start`, in parts where that is asked for; throws part way.
@@ -366,7 +368,8 @@ class Body {
   void add_friction_to(EquilibriumProblem& problem, std::span<const ToolPose> begin) const;
   bool revise_friction(EquilibriumProblem& problem, std::span<const ToolPose> begin, const EquilibriumState& reached,
                        double motion, int turn);
-  bool solve_with_friction(EquilibriumProblem& problem, EquilibriumState& trial, std::span<const ToolPose> begin);
+  bool solve_with_friction(EquilibriumProblem& problem, EquilibriumState& trial, std::span<const ToolPose> begin,
+                           bool goes_on);
   void add_friction_to_contacts(const EquilibriumProblem& problem);
   double update_friction(const BodyState& before, std::span<const ToolPose> begin, const EquilibriumProblem& problem);
   void add_fluid_inertia(double duration, EquilibriumProblem& problem) const;

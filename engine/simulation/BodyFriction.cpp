@@ -127,10 +127,11 @@ bool Body::revise_friction(EquilibriumProblem& problem, std::span<const ToolPose
   return true;
 }
 
-bool Body::solve_with_friction(EquilibriumProblem& problem, EquilibriumState& trial, std::span<const ToolPose> begin) {
+bool Body::solve_with_friction(EquilibriumProblem& problem, EquilibriumState& trial, std::span<const ToolPose> begin,
+                               bool goes_on) {
   for (int turn = 0;; ++turn) {
     const Eigen::VectorXd before = trial.position;
-    if (!solve_step(problem, trial)) return false;
+    if (!solve_step(problem, trial, goes_on || turn > 0)) return false;
     const double motion = (trial.position - before).head(3 * model_->vertices()).lpNorm<Eigen::Infinity>();
     if (!has_friction() || !revise_friction(problem, begin, trial, motion, turn)) return true;
     if (turn == kMostTurns) {

@@ -311,7 +311,7 @@ bool Body::draw_air(EquilibriumProblem& problem, EquilibriumState& trial, std::s
     fluid.vent = -1;
     for (int part = 0; part < kMostAirParts && at_lips() < 0; ++part) {
       fluid.fluid_volume += kAirPart * std::abs(model_->chambers[c].rest_volume);
-      if (!solve_with_friction(problem, trial, begin)) return false;
+      if (!solve_with_friction(problem, trial, begin, true)) return false;
     }
     fluid = whole;
   }
@@ -321,7 +321,7 @@ bool Body::draw_air(EquilibriumProblem& problem, EquilibriumState& trial, std::s
 bool Body::solve_with_leaks(EquilibriumProblem& problem, EquilibriumState& trial, std::span<const ToolPose> begin,
                             double duration) {
   for (int turn = 0;; ++turn) {
-    if (!solve_with_friction(problem, trial, begin)) return false;
+    if (!solve_with_friction(problem, trial, begin, turn > 0)) return false;
     if (!model_->has_open_chambers() || !revise_vents(problem, trial, duration, turn)) return true;
     if (turn >= kHastyVentTurns && !draw_air(problem, trial, begin)) return false;
     if (turn == kMostVentTurns) {

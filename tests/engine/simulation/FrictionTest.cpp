@@ -206,6 +206,41 @@ TEST(Friction, UnderAPlateWhoseLoadGoesToAndFroBetweenItsEdgesIsFoundWhereTheWal
   EXPECT_LE(force.head<2>().norm(), 0.53208 * force.z());
 }
 
+/// Rough jaws of 6 mm go 5 mm beyond the crown of a ball whose triangles are as long as they are wide, and close on it
+/// in steps of a millimetre, so many of them. Each step is to be found within so many iterations, or throws.
+void close_jaws_on_a_ball(int steps, int most_iterations) {
+  BodyDefinition ball = make_body(make_sphere(25e-3, 320), 2e-3, mooney_rivlin(8e3, 2e3));
+  ball.fluid.initial_pressure = 300;
+  ball.fixed = {{.region = BelowRegion{.axis = 2, .at = -15e-3}}};
+  ToolDefinition jaws = rough({.name = "jaws", .kind = ToolKind::kForceps}, 0.5);
+  jaws.length = 30e-3;
+  jaws.width = 6e-3;
+  jaws.thickness = 1.5e-3;
+  jaws.opening = 10e-3;
+  SimulationOptions options = quasi_static();
+  options.maximum_step_iterations = most_iterations;
+  Body body(ball, {jaws}, options);
+  body.settle();
+  ToolPose pose = pose_at({0.7e-3, 0.3e-3, 37e-3});
+  pose.opening = jaws.opening;
+  pose = move(body, pose, pose.tip - Eigen::Vector3d(0, 0, 16e-3), 8, 0.05);
+  pose = move(body, pose, {pose.tip.x(), pose.tip.y(), 20e-3}, 1, 0.05);
+  for (int step = 1; step <= steps; ++step) {
+    ToolPose next = pose;
+    next.opening = jaws.opening - 0.95e-3 * step;
+    body.advance({&pose, 1}, {&next, 1}, 0.05);
+    std::printf("jaws %.2f mm apart: %d iterations\n", 1e3 * next.opening, body.report().newton_iterations);
+    EXPECT_LT((support_force(body) - tool_force(body)).norm(), 1e-6 * largest_single_force(body));
+    pose = next;
+  }
+}
+
+TEST(Friction, OfAWallThatHasSnappedIsFoundFromWhereItIsThen) {
+  // 422 iterations at most; 1 467 where each revision of the friction let it snap again from where the step began,
+  // under forces of where it had come to.
+  EXPECT_NO_THROW(close_jaws_on_a_ball(3, 800));
+}
+
 TEST(Friction, VanishesWithItsCoefficient) {
   const auto drag = [](double friction) {
     ToolPose pose;
