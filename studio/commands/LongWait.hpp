@@ -13,8 +13,8 @@ class LongWait {
   using Tell = std::function<void(const std::string& note)>;
   using Clock = std::function<std::chrono::steady_clock::time_point()>;
 
-  /// `doing`: "finding the equilibrium"
-  LongWait(std::string doing, Tell tell, Clock clock = std::chrono::steady_clock::now);
+  /// `doing`: "finding the equilibrium"; `advice`: what the sentence ends with
+  LongWait(std::string doing, Tell tell, std::string advice = "", Clock clock = std::chrono::steady_clock::now);
 
   /// To be called now and then while the work goes on.
   void look();
@@ -22,6 +22,7 @@ class LongWait {
  private:
   std::string doing_;
   Tell tell_;
+  std::string advice_;
   Clock clock_;
   std::chrono::steady_clock::time_point start_;
   std::chrono::seconds next_{5};

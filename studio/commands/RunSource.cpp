@@ -1,9 +1,12 @@
 #include "studio/commands/RunSource.hpp"
 
+#include <fmt/format.h>
+
 #include "engine/simulation/SimulationFailure.hpp"
 #include "studio/commands/LongWait.hpp"
 #include "studio/commands/Outcome.hpp"
 #include "studio/director/BodyNotes.hpp"
+#include "studio/director/RunNotes.hpp"
 #include "studio/director/ScenarioRun.hpp"
 #include "studio/recorder/Interruption.hpp"
 #include "studio/recorder/PairedSource.hpp"
@@ -11,21 +14,24 @@
 namespace thinwall {
 namespace {
 
+constexpr const char* kEquilibrium = "finding the equilibrium before the first step";
+
 class RunSource final : public MomentSource {
  public:
   explicit RunSource(const Scenario& scenario) : scenario_(scenario) {
-    // A step that is hard to solve may take minutes, and the equilibrium before the first shows no progress.
+    // A step that is hard to solve may take minutes, as may the equilibrium before the first, and show no progress.
     scenario_.simulation.between_iterations = [this] {
       throw_if_interrupted();
-      if (!run_) equilibrium_.look();
+      wait_.look();
     };
   }
 
   std::optional<Moment> next() override {
     if (!run_) {
       begin();
-    } else if (!run_->step()) {
-      return std::nullopt;
+    } else {
+      wait_ = wait_for(fmt::format("the step that begins at {:.4g} s", run_->time()));
+      if (!run_->step()) return std::nullopt;
     }
     return Moment{.snapshot = run_->snapshot(),
                   .record = run_->record(),
@@ -40,7 +46,7 @@ class RunSource final : public MomentSource {
  private:
   /// What is told of the bodies, such as a doubt of a mesh's unit, may be why there is no equilibrium.
   void begin() {
-    equilibrium_ = equilibrium_wait();
+    wait_ = wait_for(kEquilibrium);
     try {
       run_.emplace(scenario_);
     } catch (const SimulationFailure&) {
@@ -49,12 +55,12 @@ class RunSource final : public MomentSource {
     }
   }
 
-  LongWait equilibrium_wait() const {
-    return {"`" + scenario_.name + "`: finding the equilibrium before the first step", tell_note};
+  LongWait wait_for(const std::string& what) const {
+    return {"`" + scenario_.name + "`: " + what, tell_note, slack_wall_advice(scenario_)};
   }
 
   Scenario scenario_;
-  LongWait equilibrium_ = equilibrium_wait();
+  LongWait wait_ = wait_for(kEquilibrium);
   std::optional<ScenarioRun> run_;
   std::vector<std::string> notes_;
 };

@@ -116,6 +116,18 @@ std::optional<std::string> thick_wall_note(const BodyDefinition& body) {
       body.name, 1e3 * width, 1e3 * thickest);
 }
 
+/// Whether nothing stretches a wall that has no stiffness across itself but by its tension.
+bool is_slack(const BodyScenario& body) {
+  if (body.model != WallModel::kMembrane || body.fluid.kind == FluidKind::kNone) return false;
+  const auto has_pressure = [](const std::optional<double>& pressure) { return pressure.value_or(0) > 0; };
+  const bool is_filled = has_pressure(body.fluid.initial_pressure) ||
+                         std::ranges::any_of(body.fluid.chambers, [&](const ChamberDefinition& chamber) {
+                           return has_pressure(chamber.initial_pressure);
+                         });
+  const Prestretch& stretch = body.prestretch.standard;
+  return !is_filled && is_uniform(body.prestretch) && stretch.first <= 1 && stretch.second <= 1;
+}
+
 }  // namespace
 
 std::vector<std::string> thick_wall_notes(const Scenario& scenario, const BodyDefinition& body) {
@@ -130,6 +142,15 @@ std::vector<std::string> thick_wall_notes(const Scenario& scenario, const BodyDe
     add(small_tool_note(*std::ranges::find(scenario.tools, palpate->tool, &ToolDefinition::name), body));
   }
   return notes;
+}
+
+std::string slack_wall_advice(const Scenario& scenario) {
+  const auto slack = std::ranges::find_if(scenario.bodies, is_slack);
+  if (slack == scenario.bodies.end()) return "";
+  return fmt::format(
+      "; body `{}` is a membrane that nothing stretches, which crumples as finely as its triangles where it is pressed "
+      "or hangs: a `pressure` of its `contents`, a `prestretch` or `model: shell` is sooner computed",
+      slack->name);
 }
 
 std::optional<std::string> free_body_warning(const Body& body, Analysis analysis) {

@@ -23,6 +23,10 @@ std::string bare_point_note(const ToolDefinition& tool, const SurfaceView& surfa
 /// wall that a palpation presses is thick.
 std::vector<std::string> thick_wall_notes(const Scenario& scenario, const BodyDefinition& body);
 
+/// What helps where a wall that nothing stretches takes long, to be added to a sentence that says so; empty where there
+/// is no such wall: a membrane without pressure and prestretch gives way across itself without a force.
+std::string slack_wall_advice(const Scenario& scenario);
+
 /// That a clip goes the way that it had when the run began, see kept_way. `number`: of the clip, from 1. `begin`:
 /// seconds. `missed`: why it found none.
 std::string kept_way_note(std::size_t number, double begin, const InputErrors& missed);

@@ -67,5 +67,21 @@ TEST(RunNotes, TellThatInflatingDrainsOrDrainingFills) {
   EXPECT_EQ(told(100, true), std::pair(false, false));
 }
 
+TEST(RunNotes, AdviseToStretchAMembraneThatNothingStretches) {
+  const auto advice_of = [](const auto& change) {
+    Scenario scenario = touched_ball();
+    scenario.bodies[0].fluid.initial_pressure.reset();
+    change(scenario.bodies[0]);
+    return slack_wall_advice(scenario);
+  };
+  EXPECT_EQ(advice_of([](BodyScenario&) {}).rfind("; body `ball` is a membrane that nothing stretches", 0), 0u);
+  EXPECT_FALSE(advice_of([](BodyScenario& body) { body.fluid.initial_pressure = 0; }).empty());
+  EXPECT_EQ(advice_of([](BodyScenario& body) { body.fluid.initial_pressure = 300; }), "");
+  EXPECT_EQ(advice_of([](BodyScenario& body) { body.prestretch.standard.first = 1.1; }), "");
+  EXPECT_EQ(advice_of([](BodyScenario& body) { body.model = WallModel::kShell; }), "");
+  EXPECT_EQ(advice_of([](BodyScenario& body) { body.fluid.kind = FluidKind::kNone; }), "")
+      << "of a sheet it is its border that holds it";
+}
+
 }  // namespace
 }  // namespace thinwall
