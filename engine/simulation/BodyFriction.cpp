@@ -25,8 +25,8 @@ constexpr double kHalf = 0.5;
 constexpr double kMostExtrapolated = 30;
 constexpr double kCreeping = 0.2;  // part by which a change that creeps differs from the last
 
-/// Solutions after which each one goes only a part of the way to what the last asked for, half of it for normals, after
-/// which the looser agreement counts, and after which to give up.
+/// Solutions after which each one goes only a part of the way to what the last asked for, half of it for normals that
+/// turn back, after which the looser agreement counts, and after which to give up.
 constexpr int kWholeTurns = 8;
 constexpr int kQuietTurns = 14;
 constexpr int kMostTurns = 40;
@@ -112,11 +112,13 @@ bool Body::revise_friction(EquilibriumProblem& problem, std::span<const ToolPose
     limits += limit;
     difference += std::abs(limit - before) + (known ? limit * (contact.normal - old->normal).norm() : 0);
     contact.asked_change = contact.given_change = limit - before;
+    if (known) contact.asked_turn = contact.normal - old->normal;
     if (turn >= kWholeTurns) {
       contact.given_change *= known ? part_given(*old, contact.asked_change) : 0.5;
       contact.potential.limit = std::max(0.0, before + contact.given_change);
       // Where a wall rolls to and fro on a small corner its limits do so as long as the normal does.
-      if (known) contact.normal = (old->normal + contact.normal).normalized();
+      const bool turns_back = known && contact.asked_turn.dot(old->asked_turn) < 0;
+      if (turns_back) contact.normal = (old->normal + contact.normal).normalized();
     }
     if (known) ++old;
     revised.push_back(contact);

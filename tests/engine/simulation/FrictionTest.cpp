@@ -236,13 +236,13 @@ void close_jaws_on_a_ball(int steps, int most_iterations) {
 }
 
 TEST(Friction, OfAWallThatHasSnappedIsFoundFromWhereItIsThen) {
-  // 422 iterations at most; 1 467 where each revision of the friction let it snap again from where the step began,
+  // 421 iterations at most; 1 467 where each revision of the friction let it snap again from where the step began,
   // under forces of where it had come to.
   EXPECT_NO_THROW(close_jaws_on_a_ball(3, 800));
 }
 
 TEST(Friction, OfAWallThatRollsToAndFroOnACornerSettles) {
-  // 1 455 iterations at most; 3 575 where normals went all the way from one solution to the next.
+  // 1 446 iterations at most; 3 575 where normals that turned back went all the way from one solution to the next.
   EXPECT_NO_THROW(close_jaws_on_a_ball(10, 2200));
 }
 
