@@ -207,7 +207,7 @@ TEST(Friction, UnderAPlateWhoseLoadGoesToAndFroBetweenItsEdgesIsFoundWhereTheWal
 }
 
 /// Rough jaws of 6 mm go 5 mm beyond the crown of a ball whose triangles are as long as they are wide, and close on it
-/// in steps of a millimetre, so many of them. Each step is to be found within so many iterations, or throws.
+/// in steps of a millimetre, so many of them. Each step is to be found within so many iterations.
 void close_jaws_on_a_ball(int steps, int most_iterations) {
   BodyDefinition ball = make_body(make_sphere(25e-3, 320), 2e-3, mooney_rivlin(8e3, 2e3));
   ball.fluid.initial_pressure = 300;
@@ -217,9 +217,7 @@ void close_jaws_on_a_ball(int steps, int most_iterations) {
   jaws.width = 6e-3;
   jaws.thickness = 1.5e-3;
   jaws.opening = 10e-3;
-  SimulationOptions options = quasi_static();
-  options.maximum_step_iterations = most_iterations;
-  Body body(ball, {jaws}, options);
+  Body body(ball, {jaws}, quasi_static());
   body.settle();
   ToolPose pose = pose_at({0.7e-3, 0.3e-3, 37e-3});
   pose.opening = jaws.opening;
@@ -230,6 +228,7 @@ void close_jaws_on_a_ball(int steps, int most_iterations) {
     next.opening = jaws.opening - 0.95e-3 * step;
     body.advance({&pose, 1}, {&next, 1}, 0.05);
     std::printf("jaws %.2f mm apart: %d iterations\n", 1e3 * next.opening, body.report().newton_iterations);
+    EXPECT_LE(body.report().newton_iterations, most_iterations);
     EXPECT_LT((support_force(body) - tool_force(body)).norm(), 1e-6 * largest_single_force(body));
     pose = next;
   }
@@ -238,12 +237,12 @@ void close_jaws_on_a_ball(int steps, int most_iterations) {
 TEST(Friction, OfAWallThatHasSnappedIsFoundFromWhereItIsThen) {
   // 421 iterations at most; 1 467 where each revision of the friction let it snap again from where the step began,
   // under forces of where it had come to.
-  EXPECT_NO_THROW(close_jaws_on_a_ball(3, 800));
+  close_jaws_on_a_ball(3, 800);
 }
 
 TEST(Friction, OfAWallThatRollsToAndFroOnACornerSettles) {
   // 1 446 iterations at most; 3 575 where normals that turned back went all the way from one solution to the next.
-  EXPECT_NO_THROW(close_jaws_on_a_ball(10, 2200));
+  close_jaws_on_a_ball(10, 2200);
 }
 
 TEST(Friction, VanishesWithItsCoefficient) {
