@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "renderer/image/OverlayUnit.hpp"
 #include "renderer/overlay/Font.hpp"
 #include "renderer/overlay/GaugePlate.hpp"
 #include "renderer/overlay/LegendPlate.hpp"
@@ -61,7 +62,7 @@ CaptionSpace caption_space(const OverlayGrid& grid, const OverlayContent& conten
 
 OverlayGrid::OverlayGrid(ImageSize picture) : size(picture) {
   constexpr double kNarrowestWidth = 2 * kMargin + kGaugeWidth + kPlotWidth + 50;
-  unit = std::min(picture.height / 720.0, picture.width / kNarrowestWidth);
+  unit = std::min(overlay_unit(picture), picture.width / kNarrowestWidth);
 }
 
 int OverlayGrid::whole(double units) const {

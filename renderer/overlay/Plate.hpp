@@ -5,8 +5,8 @@
 
 namespace thinwall {
 
-/// The look that all plates of an overlay share. Lengths are in units of 1/720 of the picture's height (fewer in narrow
-/// pictures), see `OverlayGrid::unit`.
+/// The look that all plates of an overlay share. Lengths are in units of 1/720 of the picture's height (more in small,
+/// fewer in narrow pictures), see `OverlayGrid::unit`.
 namespace plate_style {
 inline constexpr Color kFill{0.035, 0.05, 0.07, 0.70};
 inline constexpr Color kEdge{1, 1, 1, 0.10};

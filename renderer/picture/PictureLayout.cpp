@@ -4,14 +4,16 @@
 #include <cassert>
 #include <cmath>
 
+#include "renderer/image/OverlayUnit.hpp"
+
 namespace thinwall {
 namespace {
 
 constexpr std::uint8_t kLineLevel = 190;
 
-/// Lengths of the overlays' plates are in units of 1/720 of the picture's height.
+/// As the overlays' plates are measured.
 int pixels(double units, ImageSize size) {
-  return static_cast<int>(std::lround(units * size.height / 720));
+  return static_cast<int>(std::lround(units * overlay_unit(size)));
 }
 
 void fill(const PictureBox& box, Image& image) {

@@ -1,4 +1,5 @@
 #include "renderer/overlay/Overlay.hpp"
+#include "renderer/overlay/Plate.hpp"
 
 #include <gtest/gtest.h>
 
@@ -385,6 +386,16 @@ TEST(Overlay, TellsWhichTextsAreCut) {
   EXPECT_EQ(draw_overlay(image, content), std::vector<std::string>{content.caption});
   for (int k = 0; k < 200; ++k) content.title += " of a wall";
   EXPECT_EQ(draw_overlay(image, content), (std::vector<std::string>{content.title, content.caption}));
+}
+
+TEST(Overlay, LettersOfSmallPicturesAreLargerThanTheirSizeAsks) {
+  const auto letters = [](ImageSize size) { return OverlayGrid(size).pixels(20); };
+  EXPECT_EQ(letters({1280, 720}), 20);
+  EXPECT_EQ(letters({640, 360}), 10);
+  EXPECT_EQ(letters({426, 240}), 10) << "they were 6.7 pixels high";
+  EXPECT_EQ(letters({320, 180}), 7.5);
+  // Both panels find room side by side also where it is narrow.
+  EXPECT_LT(letters({240, 240}), 7);
 }
 
 }  // namespace
