@@ -40,6 +40,10 @@ Texture color_texture() {
   return texture;
 }
 
+void limit_to(const ScreenArea& area) {
+  glScissor(area.left, area.bottom, area.width, area.height);
+}
+
 }  // namespace
 
 ScenePass::ScenePass()
@@ -63,8 +67,7 @@ void ScenePass::draw_ground(const PictureTarget& target, Ground ground, const Fi
   glDisable(GL_DEPTH_TEST);
   glUseProgram(ground_[static_cast<std::size_t>(ground)].name());
   glEnable(GL_SCISSOR_TEST);
-  const ScreenArea area = area_within(stop, target.backdrop_size());
-  glScissor(area.left, area.bottom, area.width, area.height);
+  limit_to(area_within(stop, target.backdrop_size()));
   draw_screen();
   glDisable(GL_SCISSOR_TEST);
 }
@@ -112,14 +115,20 @@ void ScenePass::draw_surface(const SceneMeshes& meshes, const PictureTarget& tar
     glStencilFunc(GL_ALWAYS, static_cast<GLint>(i + 1), 0xff);
     glUniform1i(0, is_layered(part.look) ? 1 : 0);
     if (SceneMeshes::is_seen_through_opening(part, view_projection)) {
+      // Where it crosses the wall, as a crumpled one does, what lies beside the opening stays hidden.
       glCullFace(GL_BACK);
+      glEnable(GL_SCISSOR_TEST);
+      limit_to(screen_area(*part.opening, view_projection, target.size()));
       meshes.draw_seen_lining(part, view_projection);
+      glDisable(GL_SCISSOR_TEST);
       continue;
     }
     // The triangles that face the viewer first: of what they hide nothing is computed.
     glCullFace(GL_BACK);
     meshes.tissue().draw(part.first_index, part.index_count);
-    if (part.is_closed && lies_ahead(part.body_bounds, view_projection)) continue;
+    // A bed is seen through wounds alone, and not from below beside the sheet.
+    const bool is_one_sided = part.side == TissueSide::kBed;
+    if (is_one_sided || (part.is_closed && lies_ahead(part.body_bounds, view_projection))) continue;
     glCullFace(GL_FRONT);
     meshes.tissue().draw(part.first_index, part.index_count);
   }
@@ -147,8 +156,7 @@ void ScenePass::draw_tools(const SceneMeshes& meshes, const PictureTarget& targe
   glStencilOp(GL_KEEP, GL_KEEP, GL_ZERO);
   glUseProgram(metal_[static_cast<std::size_t>(surroundings)].name());
   glEnable(GL_SCISSOR_TEST);
-  const ScreenArea area = meshes.tool_area(view_projection, target.size());
-  glScissor(area.left, area.bottom, area.width, area.height);
+  limit_to(meshes.tool_area(view_projection, target.size()));
   draw_screen();
   glDisable(GL_SCISSOR_TEST);
 }
@@ -166,7 +174,7 @@ void ScenePass::shade_tissue(const SceneMeshes& meshes, const PictureTarget& tar
     const bool has_window = SceneMeshes::is_seen_through_opening(part, view_projection);
     const ScreenArea area = screen_area(has_window ? *part.opening : part.bounds, view_projection, target.size());
     if (area.width == 0 || area.height == 0) continue;
-    glScissor(area.left, area.bottom, area.width, area.height);
+    limit_to(area);
     const float smallest_footprint = frame.environment[3] * nearest_depth(part.bounds, view_projection);
     const TissueScene scene{surroundings, is_shadowed, meshes.rods().size(), smallest_footprint};
     glUseProgram(tissue_.program_for(part.look, scene).name());

@@ -118,6 +118,35 @@ TEST(ClosedBody, ShowsItsLitLiningFromWithinOnAllSides) {
   }
 }
 
+/// Of a ball of 30 mm with a small hole on its nearest place, the rest of whose far side was pushed out beside the hole
+/// towards the viewer, so that the wall crosses itself.
+Image picture_of_a_crumpled_ball(Tier tier) {
+  SnapshotSurface ball = test::sphere("organ", {0, 0, 0}, 0.03, 4);
+  auto topology = std::make_shared<SnapshotTopology>(*ball.topology);
+  std::erase_if(topology->triangles, [&](const Triangle& triangle) {
+    return std::ranges::all_of(triangle, [&](std::uint32_t v) { return ball.positions[v][0] < -0.028F; });
+  });
+  topology->thickness.assign(topology->triangles.size(), 0.001F);
+  ball.topology = topology;
+  for (Float3& place : ball.positions) {
+    if (place[0] > 0.02F && std::hypot(place[1] - 0.008F, place[2]) < 0.009F) place[0] = -0.04F;
+  }
+  Snapshot snapshot;
+  snapshot.surfaces = {ball};
+  ViewDefinition view;
+  view.camera.position = Double3{-0.12, 0, 0};
+  view.camera.target = Double3{0, 0, 0};
+  view.camera.field_of_view = 0.3;
+  view.look.floor = false;
+  view.look.background = {0, 1, 0};
+  return Renderer(DeviceChoice{}, kSize, tier).draw(snapshot, view);
+}
+
+/// Triangles of its lining that lie beside the hole as well as behind it were counted as seen, and not shaded.
+TEST(ClosedBody, HasNoHolesWhereItsWallCrossesItself) {
+  for (const Tier tier : {Tier::kDraft, Tier::kRecord}) EXPECT_EQ(background_of(picture_of_a_crumpled_ball(tier)), 0);
+}
+
 TEST(ClosedBody, ThatFacesInwardsIsSeenAllTheSame) {
   EXPECT_EQ(background_of(picture_from(-0.09, true, Tier::kRecord)), 0);
   EXPECT_EQ(background_of(picture_from(0, true, Tier::kRecord)), 0);
