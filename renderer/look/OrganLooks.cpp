@@ -9,10 +9,10 @@ namespace thinwall {
 namespace {
 
 constexpr WallLayers kHollowOrgan = {};
-constexpr WallLayers kSolidOrgan = {.outer = {0.62, 0.36, 0.30},
-                                    .middle = {0.42, 0.13, 0.10},
-                                    .inner = {0.38, 0.10, 0.08},
-                                    .outer_part = 0.05,
+constexpr WallLayers kSolidOrgan = {.outer = {0.52, 0.27, 0.22},
+                                    .middle = {0.31, 0.085, 0.065},
+                                    .inner = {0.26, 0.065, 0.05},
+                                    .outer_part = 0.07,
                                     .inner_part = 0.4};
 constexpr WallLayers kSkinLayers = {.outer = {0.80, 0.56, 0.47},
                                     .middle = {0.90, 0.60, 0.56},
@@ -40,10 +40,10 @@ const std::array kOrganLooks = {
                .sheen = 0.35,
                .relief = 0.07,
                .relief_size = 0.0019,
-               .layers = {.outer = {0.54, 0.43, 0.36},
-                          .middle = {0.60, 0.24, 0.21},
+               .layers = {.outer = {0.56, 0.46, 0.38},
+                          .middle = {0.46, 0.14, 0.12},
                           .inner = {0.52, 0.40, 0.15},
-                          .outer_part = 0.06,
+                          .outer_part = 0.09,
                           .inner_part = 0.30},
                .contents = *find_fluid_look("bile"),
                .bleeding = 0.7}},
@@ -63,6 +63,7 @@ const std::array kOrganLooks = {
                .sheen = 0.4,
                .relief = 0.10,
                .relief_size = 0.0022,
+               .folds = 1,
                .layers = kHollowOrgan,
                .contents = *find_fluid_look("gastric_juice")}},
     OrganLook{"liver",

@@ -6,11 +6,11 @@ namespace thinwall {
 
 /// The cut through a wall, from outside to inside.
 struct WallLayers {
-  Double3 outer = {0.88, 0.68, 0.60};   // sRGB, 0 to 1, like the others: serosa, or epidermis
-  Double3 middle = {0.70, 0.26, 0.22};  // muscle, or dermis
-  Double3 inner = {0.80, 0.38, 0.33};   // mucosa, or fat
+  Double3 outer = {0.78, 0.58, 0.51};   // sRGB, 0 to 1, like the others: serosa, or epidermis
+  Double3 middle = {0.50, 0.13, 0.11};  // muscle, or dermis
+  Double3 inner = {0.86, 0.46, 0.41};   // mucosa, or fat
   double outer_part = 0.12;             // of the thickness
-  double inner_part = 0.25;             // of the thickness
+  double inner_part = 0.28;             // of the thickness
 };
 
 /// What fills an organ, as it is seen where the organ is open.
@@ -44,6 +44,7 @@ struct TissueLook {
   double creases = 0;                          // 0 to 1: from rounded to furrowed relief
   double pores = 0;                            // 0 to 1, strength of pores and of veins below the skin
   double ridges = 0;                           // slope of friction ridges, as of fingers
+  double folds = 0;                            // 0 to 1, how high the lining lies in folds where it is not stretched
   WallLayers layers = {};
   FluidLook contents = {};
   double bleeding = 1;  // 0 to 1, how freely the wall bleeds where it is cut

@@ -56,8 +56,9 @@ Film falling_drops(const SnapshotSurface& surface, const WoundLayout& wounds, Ve
   for (const FluidRun& run : wounds.fluid_runs) {
     const double way = static_cast<double>(run.path.size() - 1) * kRunStep;
     // What is on the way is not there to fall.
-    const double shape = 2 * runoff_half_width(run, wounds.map) * kRunoffHeight;
-    const double left = leaked / static_cast<double>(wounds.fluid_runs.size()) - way * shape;
+    const auto [half_width, height] = runoff_section(run, wounds, leaked);
+    const double shape = 2 * half_width * height;
+    const double left = share_of_run(wounds, leaked) - way * shape;
     const double arrival = run.born + way / kRunoffSpeed + kPeriod * run.chance;
     const Vector3 end = point_at(run.path.back(), surface.positions);
     for (int n = std::max(0, static_cast<int>((time - longest - arrival) / kPeriod)); n * kVolume < left; ++n) {

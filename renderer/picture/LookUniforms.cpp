@@ -49,7 +49,7 @@ TissueLook lining_look(TissueLook look) {
 TissueLook bed_look(TissueLook look) {
   look.color = {0.60, 0.27, 0.20};
   look.blood = {0.46, 0.07, 0.07};
-  look.fat = {0.76, 0.52, 0.30};
+  look.fat = {0.86, 0.62, 0.30};
   look.roughness = 0.35;
   look.wetness = 0.95;
   look.patches = 0.95;
@@ -57,7 +57,7 @@ TissueLook bed_look(TissueLook look) {
   look.vessels = 0.5;
   look.vessel_spacing = 0.005;
   look.capillaries = 0.6;
-  look.fattiness = 0.24;
+  look.fattiness = 0.52;
   look.clearness = look.ridges = look.creases = look.pores = look.sheen = 0;
   look.relief = 0.22;
   look.relief_size = 0.0022;
@@ -81,6 +81,12 @@ TissueLook side_look(const TissueLook& look, TissueSide side) {
   return look;
 }
 
+/// As of LookUniforms::pattern: 0 where light comes from all around.
+double enclosure(const TissueLook& look, TissueSide side) {
+  if (side == TissueSide::kLining) return 1 + look.folds;
+  return side == TissueSide::kCapLining || side == TissueSide::kBed ? 1 : 0;
+}
+
 Double3 double3(Vector3 values) {
   return {values.x, values.y, values.z};
 }
@@ -99,7 +105,6 @@ std::array<float, 4> linear4(const Double3& color, double w) {
 LookUniforms look_uniforms(const TissueLook& given, TissueSide side, const VesselTree& tree) {
   const TissueLook look = side_look(given, side);
   const bool is_rim = side == TissueSide::kRim;
-  const bool is_enclosed = side == TissueSide::kLining || side == TissueSide::kCapLining || side == TissueSide::kBed;
   // The layers of a rim stand in for the colours that its pattern does without.
   const Double3& flesh = is_rim ? look.layers.outer : look.color;
   const Double3& blood = is_rim ? look.layers.middle : look.blood;
@@ -112,9 +117,7 @@ LookUniforms look_uniforms(const TissueLook& given, TissueSide side, const Vesse
           .vessels = packed({look.vessels, 1 / look.vessel_spacing, look.capillaries}, look.mottling),
           .relief = packed({look.relief, 1 / look.relief_size, look.creases}, look.ridges),
           .pattern = packed({look.patches, 1 / look.patch_size, is_rim ? look.layers.outer_part : 0},
-                            is_rim        ? 1 - look.layers.inner_part
-                            : is_enclosed ? 1
-                                          : 0),
+                            is_rim ? 1 - look.layers.inner_part : enclosure(look, side)),
           .tree_middle = packed(double3(tree.middle), 1 / tree.half_length),
           .tree_along = packed(double3(tree.along), vessel_trunks(tree, look.vessel_spacing)),
           .tree_across = packed(double3(tree.across), 0.036 * look.vessel_spacing),

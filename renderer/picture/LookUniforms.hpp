@@ -27,7 +27,8 @@ struct LookUniforms {
   std::array<float, 4> scatter{};  // w: sheen
   std::array<float, 4> vessels{};  // strength, 1 / spacing, strength of the capillaries, strength of the whole pattern
   std::array<float, 4> relief{};   // slope, 1 / size, creases, ridges
-  // Contrast of the patches, 1 / their size; zw of rims: where the layers meet; w of linings and beds: 1.
+  // Contrast of the patches, 1 / their size; zw of rims: where the layers meet; w of linings and beds: 1, and
+  // the folds of linings beyond that.
   std::array<float, 4> pattern{};
   std::array<float, 4> tree_middle{};  // metres; w: 1 / half of the tree's length
   std::array<float, 4> tree_along{};   // of length one; w: number of trunks

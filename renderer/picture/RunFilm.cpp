@@ -14,12 +14,18 @@ namespace {
 constexpr float kAcrossTriangles = 0.0004F;  // metres, lift of a film that does not lie on the wall's own triangles
 constexpr double kYoungWidth = 0.22;         // half the width of a trail that has just begun, over its length
 constexpr double kSource = 1.5;              // length over which a trail is round where it begins, over half its width
+constexpr double kLongestSource = 0.0022;    // metres: a wide one comes from a long lip
+constexpr double kWellsUp = 0.0010;          // metres from there, over which it gets its height at most
+
+double source_length(const RunShape& shape) {
+  return std::min(kSource * shape.half_width, kLongestSource);
+}
 
 /// Half the width `along` a run: a trail that wells out of the lip, where it is round too, and ends in a drop.
 double half_width_at(double along, const RunShape& shape) {
   const double drop = shape.drop * shape.half_width;
   const double from_head = shape.length - along;
-  const double source = std::clamp(1 - along / (kSource * shape.half_width), 0.0, 1.0);
+  const double source = std::clamp(1 - along / source_length(shape), 0.0, 1.0);
   const double swelling = 0.85 + 0.15 * std::cos((along - shape.swell) / 0.0031);
   const double trail = shape.half_width * swelling * std::sqrt(1 - source * source);
   if (from_head >= 4 * drop) return trail;
@@ -33,7 +39,7 @@ double half_width_at(double along, const RunShape& shape) {
 std::vector<double> rows_along(const RunShape& shape) {
   constexpr int kRoundRows = 6;
   const auto rounded = [](int row) { return 1 - std::cos(0.5 * std::numbers::pi * row / kRoundRows); };
-  const double source = std::min(kSource * shape.half_width, 0.5 * shape.length);
+  const double source = std::min(source_length(shape), 0.5 * shape.length);
   const double head = std::min(shape.drop * shape.half_width, 0.5 * shape.length);
   std::vector<double> rows;
   for (int row = 0; row < kRoundRows; ++row) rows.push_back(source * rounded(row));
@@ -72,7 +78,7 @@ double widening_at(double along, const RunShape& shape) {
 /// Part of a trail's height at its source, where it comes out of the lip: from nothing, so that it begins without an
 /// edge.
 double welled_up(double along, const RunShape& shape) {
-  const double t = std::min(1.0, along / shape.half_width);
+  const double t = std::min(1.0, along / std::min(shape.half_width, kWellsUp));
   return t * t * (3 - 2 * t);
 }
 
@@ -91,7 +97,8 @@ void append_row(const RunCourse& course, const RunShape& shape, double along, do
   const Vector3 middle = course.at(along, now) + ahead * sense;
   const Vector3 rest = course.at(along, course.surface.topology->rest_positions) + ahead * sense;
   const double widening = widening_at(along, shape), over_trail = half / shape.half_width;
-  const double height = shape.height * over_trail * over_trail * welled_up(along, shape);
+  // A drop stands higher than it is wider; at the source it is as steep as elsewhere.
+  const double height = shape.height * over_trail * std::max(1.0, over_trail) * welled_up(along, shape);
   for (const double across : kColumns) {
     const double out = across * (half + kFilmMargin);
     const Vector3 slope = widening * sense - std::copysign(1.0, across) * side;

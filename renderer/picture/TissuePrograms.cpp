@@ -29,6 +29,7 @@ std::string tissue_defines(const LookUniforms& look, const TissueScene& scene) {
   define("CREASED", look.relief[2] > 0);
   define("PORED", is_pored);
   define("RIDGED", look.relief[3] > 0);
+  define("FOLDED", !is_layered(look) && look.pattern[3] > 1);
   // Nothing of skin is finer than its lines.
   define("DUSTED", !is_pored && kDustWaves * look.relief[1] * scene.smallest_footprint < kUnseenDust);
   define("SHADOWED", scene.is_shadowed);

@@ -12,8 +12,14 @@
 namespace thinwall {
 namespace {
 
-/// Width of the strip that is left out over the depth.
+/// Width of the strip that is left out beside borders that have moved, over the depth.
 constexpr double kStrip = 2;
+
+/// Metres that a border may be away from its stress-free place for the bed to go on to it.
+constexpr double kHeld = 0.0002;
+
+/// How steeply the bed goes down from there.
+constexpr double kSteepness = 2;
 
 /// Metres between the lowest part of the sheet and the bed.
 constexpr double kGap = 0.001;
@@ -57,6 +63,30 @@ double hanging_of(const SnapshotSurface& surface, std::span<const Float3> normal
   return dot(vector3(surface.topology->rest_positions[v]) - vector3(surface.positions[v]), vector3(normals[v]));
 }
 
+/// Stress-free places of the sheet's borders that no cut has made.
+struct SheetEnds {
+  std::vector<Vector3> held;   // where they still are
+  std::vector<Vector3> moved;  // and where not
+};
+
+SheetEnds ends_of(const SnapshotSurface& surface, std::span<const BorderEdge> borders, std::span<const char> is_lip) {
+  SheetEnds ends;
+  for (const BorderEdge& edge : borders) {
+    if (is_lip[edge.start] && is_lip[edge.end]) continue;
+    const Vector3 rest = vector3(surface.topology->rest_positions[edge.start]);
+    const bool is_held = length(vector3(surface.positions[edge.start]) - rest) <= kHeld;
+    (is_held ? ends.held : ends.moved).push_back(rest);
+  }
+  return ends;
+}
+
+/// Metres to the nearest of `points`; infinite without one.
+double nearest(std::span<const Vector3> points, Vector3 place) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Vector3& point : points) nearest = std::min(nearest, length(point - place));
+  return nearest;
+}
+
 }  // namespace
 
 double bed_depth(const SnapshotSurface& surface, std::span<const BorderEdge> borders, std::span<const char> is_lip,
@@ -91,20 +121,17 @@ std::vector<Float3> laid_on_bed(const SnapshotSurface& surface, std::span<const 
 TissuePiece wound_bed(const SnapshotSurface& surface, std::span<const BorderEdge> borders, std::span<const char> is_lip,
                       double below) {
   const SnapshotTopology& topology = *surface.topology;
-  std::vector<Vector3> ends;  // of the sheet
-  for (const BorderEdge& edge : borders) {
-    if (!is_lip[edge.start] || !is_lip[edge.end]) ends.push_back(vector3(topology.rest_positions[edge.start]));
-  }
+  const SheetEnds ends = ends_of(surface, borders, is_lip);
   TissuePiece bed{.side = TissueSide::kBed, .vertices = {}, .corners = {}};
-  if (ends.empty()) return bed;
+  if (ends.held.empty() && ends.moved.empty()) return bed;
   const std::vector<Float3> normals = rest_normals(topology);
   std::vector<char> is_kept;
   for (std::size_t v = 0; v < normals.size(); ++v) {
     const Vector3 place = vector3(topology.rest_positions[v]);
-    const Float3 position = float3(place - below * vector3(normals[v]));
+    const double depth = std::min(below, most_thickness(topology) + kSteepness * nearest(ends.held, place));
+    const Float3 position = float3(place - depth * vector3(normals[v]));
     bed.vertices.push_back({.position = position, .normal = normals[v], .rest = topology.rest_positions[v]});
-    is_kept.push_back(
-        std::ranges::none_of(ends, [&](Vector3 end) { return length(end - place) < kStrip * below; }) ? 1 : 0);
+    is_kept.push_back(nearest(ends.moved, place) < kStrip * below ? 0 : 1);
   }
   for (const Triangle& triangle : topology.triangles) {
     if (!std::ranges::all_of(triangle, [&](std::uint32_t v) { return is_kept[v] != 0; })) continue;

@@ -22,9 +22,10 @@ double bed_depth(const SnapshotSurface& surface, std::span<const BorderEdge> bor
 std::vector<Float3> laid_on_bed(const SnapshotSurface& surface, std::span<const BorderEdge> borders,
                                 std::span<const char> is_lip, double below);
 
-/// What an open sheet lies on, for wounds to be seen into: the stress-free sheet, `below` (metres) it, without a strip
-/// along the borders that were there before any cut, so that it is not seen beside the sheet. Empty for sheets without
-/// such borders.
+/// What an open sheet lies on, for wounds to be seen into: the stress-free sheet, `below` (metres) it. Towards borders
+/// that were there before any cut it comes up to the sheet, so that also a cut that ends beside one shows it; along
+/// those that have moved a strip is left out, so that it is not seen beside the sheet. Empty for sheets without such
+/// borders.
 TissuePiece wound_bed(const SnapshotSurface& surface, std::span<const BorderEdge> borders, std::span<const char> is_lip,
                       double below);
 

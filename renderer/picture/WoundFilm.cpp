@@ -39,9 +39,9 @@ constexpr double kLipRoom = 0.0010;   // metres between lips, by which a third o
 
 /// Blood on the faces of a cut: they bleed below the outermost layer, and it runs down them. And on the ground of the
 /// wound, where it gathers along the middle, which is deepest.
-constexpr double kFaceTop = 0.65, kFaceGrowth = 1.25;  // fullness outside, and what is added to the inside
+constexpr double kFaceTop = 0.10, kFaceGrowth = 1.10;  // fullness outside, and what is added to the inside
 constexpr double kLowerLip = 0.35;                     // and what to a lip from which the wall falls away
-constexpr double kGround = 0.95, kGroundMiddle = 0.8;  // fullness all over the ground, and what is added in the middle
+constexpr double kGround = 0.55, kGroundMiddle = 0.9;  // fullness all over the ground, and what is added in the middle
 constexpr double kMiddle = 0.004;                      // metres, half the width of that
 constexpr double kGroundEnds = 0.009;                  // metres from the cut, about where there is none any more
 constexpr double kFaceHeight = 0.00016;                // metres, where the fullness is about one
@@ -292,9 +292,19 @@ Film blood_film(const SnapshotSurface& surface, std::span<const BorderEdge> bord
   return film;
 }
 
-double runoff_half_width(const FluidRun& run, const WoundMap& wounds) {
+double share_of_run(const WoundLayout& wounds, double leaked) {
+  return leaked / static_cast<double>(std::max<std::size_t>(1, wounds.fluid_runs.size()));
+}
+
+RunoffSection runoff_section(const FluidRun& run, const WoundLayout& wounds, double leaked) {
+  constexpr double kHeight = 0.0006;                // metres
   constexpr double kLeast = 0.0003, kOfCut = 0.45;  // metres, and of the length of the cuts, which have two lips
-  return std::min(0.0014 + 0.0012 * run.chance, kLeast + kOfCut * 0.5 * wounds.length);
+  // A run is as steep at its sides however wide it is, so the flow goes with the fourth power of the width.
+  constexpr double kUsual = 1e-6, kLeastSwollen = 0.5, kMostSwollen = 1.25;  // metres^3 of a run; of the usual width
+  const double swollen = std::clamp(std::pow(share_of_run(wounds, leaked) / kUsual, 0.25), kLeastSwollen, kMostSwollen);
+  const double opening = kLeast + kOfCut * 0.5 * wounds.map.length;
+  return {.half_width = std::min(swollen * (0.0014 + 0.0012 * run.chance), std::max(1.0, swollen) * opening),
+          .height = swollen * kHeight};
 }
 
 Film runoff_film(const SnapshotSurface& surface, std::span<const TissuePiece> pieces, const WoundLayout& wounds,
@@ -311,14 +321,15 @@ Film runoff_film(const SnapshotSurface& surface, std::span<const TissuePiece> pi
   append_fringe(pieces.front(), wounds, kWelling, part, film);
   const std::vector<Float3> normals = normals_of(pieces.front());
   for (const FluidRun& run : wounds.fluid_runs) {
-    const double half_width = runoff_half_width(run, wounds.map);
-    append_run(surface, normals, run,
-               {.half_width = half_width,
-                .length = run_length(leaked, 2 * half_width, kRunoffHeight, time - run.born, kRunoffSpeed),
-                .height = kRunoffHeight,
-                .dry = 0,
-                .swell = 0.5 * kRunoffSpeed * time},
-               film);
+    const auto [half_width, height] = runoff_section(run, wounds, leaked);
+    append_run(
+        surface, normals, run,
+        {.half_width = half_width,
+         .length = run_length(share_of_run(wounds, leaked), 2 * half_width, height, time - run.born, kRunoffSpeed),
+         .height = height,
+         .dry = 0,
+         .swell = 0.5 * kRunoffSpeed * time},
+        film);
   }
   return film;
 }

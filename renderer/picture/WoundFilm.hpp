@@ -40,11 +40,18 @@ Film blood_film(const SnapshotSurface& surface, std::span<const BorderEdge> bord
 Film runoff_film(const SnapshotSurface& surface, std::span<const TissuePiece> pieces, const WoundLayout& wounds,
                  double leaked, double time);
 
-/// How what has run out of a body runs: half of its width, no wider than a small puncture lets out, its height and its
-/// speed. Metres, metres / second.
-double runoff_half_width(const FluidRun& run, const WoundMap& wounds);
-inline constexpr double kRunoffHeight = 0.0006;
-inline constexpr double kRunoffSpeed = 0.045;
+/// What of all that has run out of a body (`leaked`, metres^3) each run takes.
+double share_of_run(const WoundLayout& wounds, double leaked);
+
+/// How wide and high what has run out of a body is, metres.
+struct RunoffSection {
+  double half_width = 0;
+  double height = 0;
+};
+
+/// The more the larger is what it comes out of and the more has come (`leaked`: metres^3, by all runs).
+RunoffSection runoff_section(const FluidRun& run, const WoundLayout& wounds, double leaked);
+inline constexpr double kRunoffSpeed = 0.045;  // metres / second
 
 /// What is bare of a wall beside its cut lips, where the outermost layer has drawn back.
 Film bare_edge_film(const SnapshotSurface& surface, std::span<const TissuePiece> pieces, const WoundLayout& wounds,

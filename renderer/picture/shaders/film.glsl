@@ -135,6 +135,9 @@ void main() {
   // Where the normal turns within a pixel, the pixel mirrors as a rougher film does (Tokuyoshi and Kaplanyan 2019).
   vec3 turn = dFdx(normal), other_turn = dFdy(normal);
   float lost = min(0.5 * (dot(turn, turn) + dot(other_turn, other_turn)), 0.2);
+  // And on what is cut some of the fibres below it are finer than pixels show.
+  const float kFibres = 0.05;  // square of their slope
+  lost += width < 0.5 ? 0.0 : kFibres / (1.0 + full * full);
   float mirror = gloss * (0.022 + 0.978 * fresnel_weight(nv));
   // In the shadow of a tool part of the room is seen, in that of a wound the other wall, wet with blood.
   float mirrors_key = mix(0.12, 1.0, key_mirrored(lit, base, toward));

@@ -83,21 +83,31 @@ vec3 fat_color(float fine, float lobes) {
   return fat.rgb * mix(vec3(0.80, 0.60, 0.50), vec3(1.0 + 0.15 * fine), smoothstep(0.0, 0.16, abs(lobes)));
 }
 
+// What of a cut face are the mouths of vessels that bleed.
+const vec3 kBleedingPoint = vec3(0.060, 0.0016, 0.0022);
+
 // Layers of a wall that is cut through, by the depth in it: serosa, muscle, mucosa, or the skin's. The middle one is made of
-// bundles with vessels between them.
+// bundles in pale sheaths, with vessels between them; a pale layer lies between it and the innermost.
 vec3 layers_at(float depth, vec4 coarse, vec4 fine, vec4 grain) {
   float wavy = depth + 0.05 * coarse.w + 0.06 * fine.w + 0.05 * grain.w;
   float bundles = 0.6 * fine.w + 0.7 * grain.w;
-  vec3 middle = blood.rgb * (1.0 + 0.35 * bundles);
+  vec3 middle = blood.rgb * (1.0 + 0.55 * bundles);
+  float sheath = 1.0 - smoothstep(0.0, 0.11, abs(grain.w - 0.5 * fine.w));
+  middle = mix(middle, 0.5 * (flesh.rgb + blood.rgb), 0.30 * sheath);
   middle = mix(middle, middle * vec3(0.62, 0.30, 0.32), smoothstep(0.35, 0.75, abs(fine.w) + 0.4 * grain.w));
-  vec3 color = mix(flesh.rgb * (1.0 + 0.12 * grain.w), middle, smoothstep(-0.03, 0.03, wavy - pattern.z));
+  middle = mix(middle, kBleedingPoint, 0.8 * smoothstep(0.34, 0.52, 0.8 * fine.w - 0.5 * grain.w));
+  // The outermost one has soaked up blood, here more, there less.
+  vec3 outer = mix(flesh.rgb * (1.0 + 0.12 * grain.w), blood.rgb, 0.55 * smoothstep(-0.1, 0.6, coarse.w + 0.5 * fine.w));
+  vec3 color = mix(outer, middle, smoothstep(-0.03, 0.03, wavy - pattern.z));
   // The innermost one is lobular: its lobules reach outwards here more, there less, with reddish walls between them.
   // Walls lie where the grain passes through zero.
   float lobule = smoothstep(0.0, 0.22, abs(grain.w));
   vec3 inner = fat.rgb * mix(vec3(0.78, 0.52, 0.48), vec3(1.0 + 0.25 * coarse.w), lobule);
   const float kHills = 0.22, kLobules = 0.30, kMeanGrain = 0.25;  // of the thickness; the last of abs(grain.w)
-  float lobular = wavy + kHills * coarse.w + kLobules * (abs(grain.w) - kMeanGrain);
-  return mix(color, inner, smoothstep(-0.10, 0.10, lobular - pattern.w));
+  float lobular = wavy + kHills * coarse.w + kLobules * (abs(grain.w) - kMeanGrain) - pattern.w;
+  float pale = 0.6 * (1.0 - smoothstep(0.02, 0.10, abs(lobular + 0.05)));
+  color = mix(color, flesh.rgb, pale);
+  return mix(color, inner, smoothstep(-0.06, 0.06, lobular));
 }
 
 // Friction ridges run in arches, half a millimetre apart.
@@ -118,6 +128,30 @@ float vein_at(vec3 place, vec4 broad, vec4 coarse) {
   float away = fract(dot(place, vec3(0.62, 0.74, 0.26) / kApart) + 0.10 * broad.w + 0.03 * coarse.w + 0.31) - 0.5;
   return exp2(-square(kApart / kHalfWidth * away)) * smoothstep(-0.5, 0.5, broad.y + 0.5 * coarse.x);
 }
+
+// Folds of a lining that is not stretched: plump, with narrow furrows between them, along the organ in bends, and here and
+// there none. As many stand around its line as two for each of the outer side's vessels. xyz: their slope; w: 0 in a furrow
+// to 1 on a fold.
+vec4 folds_at(vec3 place, vec4 broad, vec4 coarse, float thickness, float footprint) {
+  const float kBends = 0.32, kFineBends = 0.05;  // turns of a fold and its furrow
+  const float kSteepness = 0.60, kRound = 0.05;
+  const float kWidest = 90.0, kNarrowest = 150.0;  // pairs of a fold and a furrow, 1 / metre: between them folds end
+  vec3 from_middle = place - tree_middle.xyz;
+  vec2 side = vec2(dot(from_middle, tree_across.xyz), dot(from_middle, tree_aside.xyz));
+  float away = max(length(side), 1e-5);
+  float phase = tree_along.w * turns(side, 1.0 / max(abs(side.x) + abs(side.y), 1e-4)) + kBends * broad.w + kFineBends * coarse.w;
+  float per_metre = tree_along.w / (2.0 * kPi * away);
+  vec3 around = (side.x * tree_aside.xyz - side.y * tree_across.xyz) / away;
+  vec3 across = normalize(per_metre * around + kBends * pattern.y * broad.xyz);
+  float wave = sin(2.0 * kPi * phase);
+  float slack = (pattern.w - 1.0) * smoothstep(0.40, 0.80, thickness) * resolved(2.0 * per_metre, footprint) * (1.0 - smoothstep(kWidest, kNarrowest, per_metre));
+  slack *= smoothstep(-2.4, -0.6, broad.x);
+  vec3 slope = wave * inversesqrt(square(wave) + kRound) * cos(2.0 * kPi * phase) * across;
+  return vec4(kSteepness * slack * slope, mix(1.0, smoothstep(0.0, 0.75, abs(wave)), slack));
+}
+
+// Mucus lies on a lining in pale patches.
+const vec3 kMucus = vec3(0.66, 0.46, 0.34);
 
 // `place`: stress-free, metres; `footprint`: what a pixel covers, metres; `thickness`: over that of the stress-free wall;
 // `depth`: in a rim from 0 outside to 1 inside.
@@ -158,6 +192,13 @@ Skin skin_at(vec3 place, float footprint, float blanch, float thickness, float d
   float pore = PORED ? tree_aside.w * grain_seen * smoothstep(0.42, 0.75, grain.w) : 0.0;
   if (PORED) albedo *= mix(vec3(1.0), kVein, tree_aside.w * vein_at(place, broad, coarse)) * (1.0 - 0.18 * pore);
 
+  vec4 fold = FOLDED ? folds_at(place, broad, coarse, thickness, footprint) : vec4(0.0, 0.0, 0.0, 1.0);
+  if (FOLDED) {
+    const vec3 kFurrow = vec3(0.74, 0.54, 0.49);  // parts of the light
+    albedo *= mix(kFurrow, vec3(1.0), fold.w);
+    albedo = mix(albedo, kMucus, 0.45 * smoothstep(0.25, 0.95, coarse.w + 0.35 * fine.w + 0.25 * (1.0 - fold.w)));
+  }
+
   vec3 bloodless = mix(vec3(dot(albedo, vec3(0.35, 0.45, 0.20))) * vec3(1.10, 0.99, 0.88), vec3(0.70, 0.56, 0.44), 0.45);
   albedo = mix(albedo, bloodless, 0.65 * blanch);
   skin.albedo = mix(flesh.rgb, saturate3(albedo), vessels.w);
@@ -172,6 +213,7 @@ Skin skin_at(vec3 place, float footprint, float blanch, float thickness, float d
   // Where its outer layer covers it, a wall ends smooth.
   if (LAYERED) slope *= mix(0.35, 1.0, smoothstep(-0.08, 0.0, depth));
   skin.bump = slope * (grain_seen * grain_bump + 0.55 * dust_seen * dust_bump + 0.30 * coarse.xyz + 1.2 * fatty * fine.xyz);
+  if (FOLDED) skin.bump += fold.xyz;
   if (RIDGED) skin.bump += vessels.w * ridge_bump(place, broad, footprint);
   skin.lost_bump = square(slope) * (5.0 * (1.0 - square(grain_seen)) + 1.6 * (1.0 - square(dust_seen)));
   skin.film = blood.w * (1.0 - vessels.w * 0.35 * smoothstep(0.1, 0.7, 0.6 * coarse.w + 0.6 * fine.w));

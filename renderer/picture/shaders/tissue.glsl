@@ -94,7 +94,8 @@ void main() {
     around *= mix(vec3(1.0), mix(kShadedRoom, vec3(1.0), lit), inside);
   }
 
-  const float reflectance = 0.028;
+  // Cut fibres mirror one another more than the lamps.
+  const float reflectance = LAYERED ? 0.016 : 0.028;
   float rough = sqrt(square(flesh.w) + min(skin.lost_bump, 0.2));
   vec2 part = reflected_part(nv, rough);
   float veil = scatter.w * vessels.w * fresnel_weight(nv);
@@ -104,8 +105,9 @@ void main() {
 
   // The wet layer: water, so smooth that it mirrors the lamps; what it reflects does not reach the flesh.
   // What is hardly wet is greasy: its film is too thin to lie smooth, or fine relief would sparkle as frost does.
-  const float kGreasy = 0.10;  // square of its roughness
-  float greasy = kGreasy * square(saturate(1.0 - 2.0 * blood.w));
+  // Cut fibres are finer than pixels show.
+  const float kGreasy = 0.10, kFibres = 0.06;  // squares of its roughness
+  float greasy = kGreasy * square(saturate(1.0 - 2.0 * blood.w)) + (LAYERED ? kFibres : 0.0);
   float film = skin.film * (0.022 + 0.978 * fresnel_weight(film_nv));
   float film_rough = sqrt(0.0064 + greasy + min(skin.lost_bump + 0.08 * (1.0 - shown), 0.1));
   vec3 film_light = environment_light(reflect(-view, film_normal), film_rough, visible, lamp_size) * mix(vec3(1.0), around, 0.7);

@@ -174,6 +174,39 @@ TEST(Endoscope, AWetLiningGlistensAlsoWhereItIsSeenAslant) {
   EXPECT_LT(glistening, 0.05 * all) << "not frosted";
 }
 
+/// Mean difference that folds make to the lining of a ball that is blown up `stretch` times, seen from its middle.
+double shown_folds(float stretch) {
+  SnapshotSurface ball = test::sphere("organ", {0, 0, 0}, 0.03, 4);
+  auto topology = std::make_shared<SnapshotTopology>(*ball.topology);
+  topology->thickness.assign(topology->triangles.size(), 0.003F);
+  ball.topology = topology;
+  for (Float3& place : ball.positions) {
+    for (float& coordinate : place) coordinate *= stretch;
+  }
+  ViewDefinition view = endoscope(0.1);
+  view.camera.position = Double3{0, 0, -0.018 * double{stretch}};
+  view.camera.target = Double3{0, 0, 0.03 * double{stretch}};
+  view.camera.field_of_view = 1.5;
+  const auto draw_folded = [&](double folds) {
+    view.look.bodies["organ"] = {.folds = folds};
+    return draw({ball}, view, {320, 180});
+  };
+  // The weakest of folds have the same mucus.
+  const Image folded = draw_folded(1), level = draw_folded(1e-6);
+  double sum = 0;
+  for (std::size_t i = 1; i < folded.pixels.size(); i += 3) sum += std::abs(folded.pixels[i] - level.pixels[i]);
+  return sum / (320 * 180);
+}
+
+TEST(Endoscope, TheLiningOfAStomachIsFoldedWhereItIsSlack) {
+  const double slack = shown_folds(1), filled = shown_folds(1.7F);
+  RecordProperty("slack", std::to_string(slack));
+  RecordProperty("filled", std::to_string(filled));
+  EXPECT_GT(slack, 3) << "levels";
+  // A wall that is stretched to a third of its thickness has smoothed its folds out.
+  EXPECT_LT(filled, 0.1);
+}
+
 TEST(Endoscope, APictureIsTheSameAloneAndInASequence) {
   const std::vector<SnapshotSurface> surfaces = {test::sphere("organ", {0, 0, 0}, 0.03, 3)};
   Snapshot snapshot;

@@ -63,6 +63,24 @@ std::vector<int> bright_patches(const Image& image, int level) {
   return sizes;
 }
 
+int covered_by_bile(double leaked) {
+  const Image dry = picture_of_bile(0), wet = picture_of_bile(leaked);
+  int covered = 0;
+  for (std::size_t i = 0; i < dry.pixels.size(); i += 3)
+    covered += std::abs(wet.pixels[i] - dry.pixels[i]) > 12 ? 1 : 0;
+  return covered;
+}
+
+TEST(Run, OfALeakTwiceAsLargeCoversMore) {
+  // All have run to the end of the sheet.
+  const int small = covered_by_bile(4e-7), twice = covered_by_bile(8e-7), much = covered_by_bile(4e-6);
+  RecordProperty("small", small);
+  RecordProperty("twice", twice);
+  RecordProperty("much", much);
+  EXPECT_GT(twice, 1.08 * small);
+  EXPECT_GT(much, 1.4 * small);
+}
+
 TEST(Run, MirrorsTheLampInLongPiecesNotInCrumbs) {
   constexpr int kLips = 30;  // rows at the top, where lips glisten
   Image image = picture_of_bile(4e-6);

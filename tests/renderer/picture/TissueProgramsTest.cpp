@@ -29,6 +29,12 @@ TEST(TissuePrograms, APartDoesWhatItsLookHas) {
   EXPECT_TRUE(says(gallbladder, "RIDGED false"));
 }
 
+TEST(TissuePrograms, OnlyALiningLiesInFolds) {
+  EXPECT_TRUE(says(tissue_defines(look_of("stomach", TissueSide::kLining), {}), "FOLDED true"));
+  EXPECT_TRUE(says(tissue_defines(look_of("stomach"), {}), "FOLDED false"));
+  EXPECT_TRUE(says(tissue_defines(look_of("gallbladder", TissueSide::kLining), {}), "FOLDED false"));
+}
+
 TEST(TissuePrograms, OnlyACutShowsLayers) {
   EXPECT_TRUE(says(tissue_defines(look_of("stomach", TissueSide::kRim), {}), "LAYERED true"));
   EXPECT_TRUE(says(tissue_defines(look_of("stomach", TissueSide::kLining), {}), "LAYERED false"));

@@ -126,14 +126,24 @@ TEST(WoundFilm, BeginsAsThinLinesThatEndInNoKnobs) {
   }
 }
 
+/// Metres, of the only run out of a wound whose cut is as long.
+double run_width(double cut, double leaked) {
+  WoundLayout wounds;
+  wounds.fluid_runs.resize(1);
+  wounds.fluid_runs[0].chance = 0.5;
+  wounds.map.length = 2 * cut;
+  return 2 * runoff_section(wounds.fluid_runs[0], wounds, leaked).half_width;
+}
+
 TEST(WoundFilm, WhatRunsOutOfAPunctureIsHardlyWiderThanIt) {
-  FluidRun run;
-  run.chance = 0.5;
-  WoundMap puncture, cut;
-  puncture.length = 2 * 0.0012;
-  cut.length = 2 * 0.02;
-  EXPECT_LT(2 * runoff_half_width(run, puncture), 1.5 * 0.0012);
-  EXPECT_NEAR(2 * runoff_half_width(run, cut), 0.004, 1e-9) << "as what lets go of a wall";
+  EXPECT_LT(run_width(0.0012, 1e-7), 1.5 * 0.0012);
+  EXPECT_NEAR(run_width(0.02, 1e-6), 0.004, 1e-9) << "as what lets go of a wall";
+}
+
+TEST(WoundFilm, ALargeLeakRunsWiderThanASmallOne) {
+  EXPECT_NEAR(run_width(0.02, 1e-6), 2 * run_width(0.02, 1e-6 / 16), 1e-9) << "by the fourth root";
+  EXPECT_GT(run_width(0.0012, 3e-6), 1.2 * run_width(0.0012, 3e-7)) << "also out of a puncture";
+  EXPECT_EQ(run_width(0.02, 1), run_width(0.02, 1e-5)) << "or it would run into its neighbours";
 }
 
 TEST(WoundFilm, IsAFunctionOfTheMomentAlone) {
@@ -271,7 +281,7 @@ TEST(WoundFilm, TheDropAtTheEndOfARunIsDrawnWhole) {
 TEST(WoundFilm, RunOffNeedsALeak) {
   const Wound wound(0.8);
   EXPECT_TRUE(runoff_film(wound.sheet, wound.pieces, wound.layout, 0, 5).corners.empty());
-  const Film some = runoff_film(wound.sheet, wound.pieces, wound.layout, 4e-9, 5);
+  const Film some = runoff_film(wound.sheet, wound.pieces, wound.layout, 3e-9, 5);
   const Film much = runoff_film(wound.sheet, wound.pieces, wound.layout, 4e-7, 5);
   EXPECT_GT(lowest(some), 0.001);
   EXPECT_GT(lowest(much), 1.5 * lowest(some));

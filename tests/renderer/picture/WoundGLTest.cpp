@@ -275,8 +275,8 @@ TEST(Wound, BloodOnSkinHasARimAndIsDeeperInColourFartherIn) {
   EXPECT_GT(inside, 1.2 * rim);
 }
 
-/// The faces of a cut through skin that gapes, seen from the side of one lip.
-Image draw_gaping(double bleeding, std::optional<Double3> key_direction = {}) {
+/// The faces of a cut that gapes, seen from the side of one lip.
+Image draw_gaping(double bleeding, std::optional<Double3> key_direction = {}, const std::string& organ = "skin") {
   SnapshotSurface sheet = test::slit_sheet(40, 0.0005, 0);
   const std::vector<BorderEdge> borders = border_edges(*sheet.topology);
   const std::vector<char> is_lip = cut_lips(*sheet.topology, borders);
@@ -294,7 +294,7 @@ Image draw_gaping(double bleeding, std::optional<Double3> key_direction = {}) {
                  .up = Double3{0, 0, 1},
                  .field_of_view = 0.3};
   view.look.floor = false;
-  view.look.bodies["organ"] = *find_organ_look("skin");
+  view.look.bodies["organ"] = *find_organ_look(organ);
   view.look.bodies["organ"].bleeding = bleeding;
   view.lights.key_direction = key_direction;
   return Renderer(DeviceChoice{}, {384, 216}, Tier::kRecord).draw(snapshot, view);
@@ -323,6 +323,53 @@ TEST(Wound, FatLiesInLobulesBelowTheDermis) {
   }
   RecordProperty("spread", std::to_string(spread_of(borders)));
   EXPECT_GT(spread_of(borders), 1.7) << "pixels: 2.2 was seen, 1.1 of a border without lobules";
+}
+
+TEST(Wound, TheFaceOfACutIsPaleThenDarkThenPink) {
+  // Of the wall of a stomach: serosa, muscle and mucosa.
+  const Image dry = draw_gaping(0, {}, "stomach");
+  const auto mean = [&](int row, std::size_t channel) {
+    double sum = 0;
+    for (int column = kFaceLeft; column < kFaceRight; ++column)
+      sum += dry.pixels[static_cast<std::size_t>(3 * (row * 384 + column)) + channel];
+    return sum / (kFaceRight - kFaceLeft);
+  };
+  std::vector<double> greens;
+  for (int row = kFaceTop - 3; row < kFaceFoot; ++row) greens.push_back(mean(row, 1));
+  const auto muscle = std::ranges::min_element(greens);
+  const double serosa = *std::max_element(greens.begin(), muscle), mucosa = *std::max_element(muscle, greens.end());
+  RecordProperty("serosa", std::to_string(serosa));
+  RecordProperty("muscle", std::to_string(*muscle));
+  RecordProperty("mucosa", std::to_string(mucosa));
+  EXPECT_GT(serosa, 2 * *muscle);
+  EXPECT_GT(mucosa, 2 * *muscle) << "3.6 times was seen, 1.4 of one tone throughout";
+}
+
+TEST(Wound, OfSkinShowsYellowFatOnItsGround) {
+  SnapshotSurface sheet = test::slit_sheet(40, 0.001, 0);
+  for (std::size_t v = 0; v < sheet.positions.size(); ++v) {
+    const float y = sheet.topology->rest_positions[v][1];
+    const float side = v >= 41 * 41 || y > 0 ? 1 : -1;
+    if (std::abs(y) < 0.015F) sheet.positions[v][1] += side * 0.003F * std::exp(-std::abs(y) / 0.004F);
+  }
+  Snapshot snapshot;
+  snapshot.surfaces = {sheet};
+  snapshot.time = 3;
+  ViewDefinition view = from_above();
+  view.look.bodies["organ"] = *find_organ_look("skin");
+  view.look.bodies["organ"].bleeding = 0;
+  const Image image = Renderer(DeviceChoice{}, kSize, Tier::kRecord).draw(snapshot, view);
+  // Within the wound, which is 6 mm wide, at 4.8 pixels a millimetre.
+  int yellow = 0, all = 0;
+  for (int row = 42; row < 54; ++row) {
+    for (int column = 20; column < 76; ++column, ++all) {
+      const auto pixel = static_cast<std::size_t>(3 * (row * kSize.width + column));
+      yellow += image.pixels[pixel + 2] < 0.75 * image.pixels[pixel + 1] ? 1 : 0;
+    }
+  }
+  RecordProperty("yellow", std::to_string(static_cast<double>(yellow) / all));
+  EXPECT_GT(yellow, 0.4 * all);
+  EXPECT_LT(yellow, 0.95 * all) << "with fascia between its lobules";
 }
 
 TEST(Wound, BloodCoatsTheFaceOfACutUnevenlyAndMoreBelow) {
