@@ -33,7 +33,8 @@ void Highlights::add(const FinishedPicture& frame) {
     return;
   }
   covered_ = frame.covered;
-  keeps_last_ = frames_++ % stride_ == 0;
+  // An end card comes over the last moment at once: a trace of its words would be seen.
+  keeps_last_ = (kept_.empty() || !(frame.covered > 0)) && frames_++ % stride_ == 0;
   if (!keeps_last_) return;
   kept_.push_back({.picture = shrunk(frame.image), .time = frame.time});
   if (kept_.size() < kKept) return;

@@ -27,7 +27,8 @@ class Highlights {
   double poster_time() const { return poster_time_; }
 
   /// Up to twelve, shrunk and evenly spread, the first frame and about the last included; of frames in a row that show
-  /// one moment the first of those that a card covers least.
+  /// one moment the first of those that a card covers least, and none of a moment but the first that is seen under one
+  /// alone.
   std::vector<SheetFrame> sheet_frames() const;
 
  private:

@@ -45,6 +45,16 @@ TEST(HighlightsTest, TheSheetShowsAMomentWithoutTheCardThatComesOverIt) {
   EXPECT_EQ(shown, (std::vector<std::uint8_t>{2, 3, 4}));
 }
 
+TEST(HighlightsTest, AMomentThatIsSeenUnderACardAloneIsNotOnTheSheetUnlessItIsTheFirst) {
+  Highlights highlights;
+  for (const auto& [time, covered] : {std::pair(0.0, 0.1), {1.0, 0.0}, {2.0, 0.05}, {2.0, 1.0}, {2.0, 0.02}}) {
+    highlights.add({.image = shade(0), .time = time, .covered = covered});
+  }
+  std::vector<double> times;
+  for (const SheetFrame& frame : highlights.sheet_frames()) times.push_back(frame.time);
+  EXPECT_EQ(times, (std::vector<double>{0, 1}));
+}
+
 TEST(HighlightsTest, ManyFramesAreSpreadEvenlyOverTheSheet) {
   for (const int frames : {13, 95, 96, 97, 500, 5000}) {
     Highlights highlights;
