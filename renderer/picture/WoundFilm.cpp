@@ -230,6 +230,12 @@ RunShape blood_run(double full_half_width, double volume, double age) {
           .drop = 1 + kMostDrop * std::min(1.0, length / kLineEnds)};
 }
 
+/// Of a run, metres: thick walls have larger vessels.
+double blood_half_width(const FluidRun& run, double thickness) {
+  constexpr double kThin = 0.001, kMost = 2;  // metres, and of the width in a wall that is so thin
+  return (0.00030 + 0.00025 * run.chance) * std::clamp(std::sqrt(thickness / kThin), 1.0, kMost);
+}
+
 std::vector<Float3> normals_of(const TissuePiece& wall) {
   std::vector<Float3> normals;
   for (const SurfaceVertex& vertex : wall.vertices) normals.push_back(vertex.normal);
@@ -285,9 +291,9 @@ Film blood_film(const SnapshotSurface& surface, std::span<const BorderEdge> bord
   const std::vector<Float3> normals = normals_of(pieces.front());
   for (const FluidRun& run : wounds.blood_runs) {
     const double age = time - run.born - 0.4 * run.chance;
-    const double cut_area = kBloodFrom * thickness_at(run, *surface.topology);
-    const double volume = left * bleeding.strength * (0.5 + run.chance) * cut_area * blood_shed(age);
-    append_run(surface, normals, run, blood_run(0.00030 + 0.00025 * run.chance, volume, age), film);
+    const double thickness = thickness_at(run, *surface.topology);
+    const double volume = left * bleeding.strength * (0.5 + run.chance) * kBloodFrom * thickness * blood_shed(age);
+    append_run(surface, normals, run, blood_run(blood_half_width(run, thickness), volume, age), film);
   }
   return film;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <set>
 
 #include "renderer/picture/DrawnPieces.hpp"
@@ -109,6 +110,25 @@ TEST(WoundFilm, RunsDownASlopeMoreAndMore) {
     last = now;
   }
   EXPECT_LT(lowest(wound.blood(4)), 0.010) << "not beyond the sheet";
+}
+
+/// Metres, half of the widest run of blood out of a wall, long after the cut.
+double widest_run(float thickness) {
+  Wound wound(0.8);
+  auto topology = std::make_shared<SnapshotTopology>(*wound.sheet.topology);
+  topology->thickness.assign(topology->triangles.size(), thickness);
+  wound.sheet.topology = topology;
+  double widest = 0;
+  for (const FilmVertex& vertex : wound.blood(20).vertices) {
+    const bool is_run = vertex.lift > 0.0001F;
+    if (is_run) widest = std::max(widest, double{vertex.inward});
+  }
+  return widest;
+}
+
+TEST(WoundFilm, ThickWallsBleedInWiderRuns) {
+  EXPECT_NEAR(widest_run(0.004F), 2 * widest_run(0.001F), 0.1 * widest_run(0.001F));
+  EXPECT_NEAR(widest_run(0.0005F), widest_run(0.001F), 1e-6);
 }
 
 TEST(WoundFilm, BeginsAsThinLinesThatEndInNoKnobs) {
