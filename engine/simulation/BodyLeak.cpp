@@ -280,21 +280,20 @@ bool Body::revise_vents(EquilibriumProblem& problem, const EquilibriumState& rea
     const bool draws = !fluid.has_surface && pressure < -kNoPressure * pressure_scale(*model_);
     const double none = no_volume(*model_, c), left = fluid_left(problem, c, reached, duration);
     const double missing = fluid.vent >= 0 ? fluid_held(problem, c, reached) - left : 0;
+    const bool is_too_full = missing<-none, takes_air = missing> none && !options_.gravity.isZero();
     if (draws) {
       fluid.vent = lowest;
     } else if (lowest >= 0 && left <= none) {
       empty(lowest, fluid);
-    } else if (fluid.has_surface) {
-      continue;  // all that may be is: air above, none, and lips that are dry or not
-    } else if (missing < -none && goes_in_circles) {
+    } else if (fluid.has_surface || (!is_too_full && !takes_air)) {
+      continue;  // under a surface all that may be is: air above, none, and lips that are dry or not
+    } else if (takes_air) {
+      let_air_in(c, fluid.vent, duration, problem);
+    } else if (goes_in_circles) {
       fluid.presses_out = true;
       continue;
-    } else if (missing < -none) {
-      fluid.vent = -1;
-    } else if (missing > none && !options_.gravity.isZero()) {
-      let_air_in(c, fluid.vent, duration, problem);
     } else {
-      continue;
+      fluid.vent = -1;
     }
     revised = true;
   }
