@@ -125,10 +125,11 @@ TissuePiece wound_bed(const SnapshotSurface& surface, std::span<const BorderEdge
   TissuePiece bed{.side = TissueSide::kBed, .vertices = {}, .corners = {}};
   if (ends.held.empty() && ends.moved.empty()) return bed;
   const std::vector<Float3> normals = rest_normals(topology);
+  const double thickest = most_thickness(topology);
   std::vector<char> is_kept;
   for (std::size_t v = 0; v < normals.size(); ++v) {
     const Vector3 place = vector3(topology.rest_positions[v]);
-    const double depth = std::min(below, most_thickness(topology) + kSteepness * nearest(ends.held, place));
+    const double depth = std::min(below, thickest + kSteepness * nearest(ends.held, place));
     const Float3 position = float3(place - depth * vector3(normals[v]));
     bed.vertices.push_back({.position = position, .normal = normals[v], .rest = topology.rest_positions[v]});
     is_kept.push_back(nearest(ends.moved, place) < kStrip * below ? 0 : 1);

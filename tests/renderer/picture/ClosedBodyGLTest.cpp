@@ -12,6 +12,19 @@ namespace {
 
 constexpr ImageSize kSize{64, 64};
 
+/// From `place` on the x axis, metres, towards +x, before nothing but green.
+Image seen_along_x(const SnapshotSurface& surface, double place, double field_of_view, Tier tier) {
+  Snapshot snapshot;
+  snapshot.surfaces = {surface};
+  ViewDefinition view;
+  view.camera.position = Double3{place, 0, 0};
+  view.camera.target = Double3{place + 0.1, 0, 0};
+  view.camera.field_of_view = field_of_view;
+  view.look.floor = false;
+  view.look.background = {0, 1, 0};
+  return Renderer(DeviceChoice{}, kSize, tier).draw(snapshot, view);
+}
+
 /// Of a ball of 30 mm around the origin, seen from `place` on the x axis, metres, towards +x. Nothing else is there.
 Image picture_from(double place, bool faces_inwards, Tier tier) {
   SnapshotSurface ball = test::sphere("organ", {0, 0, 0}, 0.03, 3);
@@ -20,15 +33,7 @@ Image picture_from(double place, bool faces_inwards, Tier tier) {
     for (Triangle& triangle : topology->triangles) std::swap(triangle[1], triangle[2]);
     ball.topology = topology;
   }
-  Snapshot snapshot;
-  snapshot.surfaces = {ball};
-  ViewDefinition view;
-  view.camera.position = Double3{place, 0, 0};
-  view.camera.target = Double3{place + 0.1, 0, 0};
-  view.camera.field_of_view = 0.3;
-  view.look.floor = false;
-  view.look.background = {0, 1, 0};
-  return Renderer(DeviceChoice{}, kSize, tier).draw(snapshot, view);
+  return seen_along_x(ball, place, 0.3, tier);
 }
 
 /// Of such a ball that is open where x < -15 mm and has a cap instead of a wall where x > 15 mm, seen through the
@@ -45,15 +50,7 @@ Image picture_of_the_cap(Tier tier) {
   }
   topology->thickness.assign(topology->triangles.size(), 0.001F);
   ball.topology = topology;
-  Snapshot snapshot;
-  snapshot.surfaces = {ball};
-  ViewDefinition view;
-  view.camera.position = Double3{-0.12, 0, 0};
-  view.camera.target = Double3{0, 0, 0};
-  view.camera.field_of_view = 0.15;
-  view.look.floor = false;
-  view.look.background = {0, 1, 0};
-  return Renderer(DeviceChoice{}, kSize, tier).draw(snapshot, view);
+  return seen_along_x(ball, -0.12, 0.15, tier);
 }
 
 /// Pixels, of all, that are as green as the background.
@@ -131,15 +128,7 @@ Image picture_of_a_crumpled_ball(Tier tier) {
   for (Float3& place : ball.positions) {
     if (place[0] > 0.02F && std::hypot(place[1] - 0.008F, place[2]) < 0.009F) place[0] = -0.04F;
   }
-  Snapshot snapshot;
-  snapshot.surfaces = {ball};
-  ViewDefinition view;
-  view.camera.position = Double3{-0.12, 0, 0};
-  view.camera.target = Double3{0, 0, 0};
-  view.camera.field_of_view = 0.3;
-  view.look.floor = false;
-  view.look.background = {0, 1, 0};
-  return Renderer(DeviceChoice{}, kSize, tier).draw(snapshot, view);
+  return seen_along_x(ball, -0.12, 0.3, tier);
 }
 
 /// Triangles of its lining that lie beside the hole as well as behind it were counted as seen, and not shaded.
