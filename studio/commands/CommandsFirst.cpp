@@ -56,6 +56,11 @@ std::vector<std::string> commands_first(const CLI::App& app, const std::vector<s
       level = command;
       continue;
     }
+    // The parser would take the sign for the beginning of the value.
+    if (argument.size() > 2 && argument[2] == '=' && with_value.count(argument.substr(0, 2)) > 0) {
+      rest.insert(rest.end(), {argument.substr(0, 2), argument.substr(3)});
+      continue;
+    }
     rest.push_back(argument);
     if (with_value.count(argument) > 0 && i + 1 < arguments.size()) rest.push_back(arguments[++i]);
   }

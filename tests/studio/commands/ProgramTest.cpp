@@ -96,6 +96,7 @@ TEST_F(ProgramTest, BadUsageIsToldWithExitCode2) {
   expect_bad_usage({"run", "small.yaml", "--device", "fridge"}, "--device fridge");
   expect_bad_usage({"render", "take.h5", "--size", "1280*720"}, "write WIDTHxHEIGHT in pixels");
   expect_bad_usage({"still", "small.yaml", "--at", "3 mm", "-o", "x.png"}, "not a time");
+  expect_bad_usage({"still", "small.yaml", "--at", "0 s", "-o=x.jpg"}, "-o x.jpg: the picture is a PNG file");
   expect_bad_usage({"render", "take.h5", "--set", "depth=3mm"}, "--set: a take holds what its run has computed");
   expect_bad_usage({"run", "small.yaml", "--no-render", "--stats"}, "--stats: it measures the pictures");
   expect_bad_usage({"render", "take.h5", "--data", "heat"}, "choose one of von_mises_stress");
