@@ -23,6 +23,9 @@ bool contains(const BoxRegion& region, const Eigen::Vector3d& point) {
 bool contains(const SphereRegion& region, const Eigen::Vector3d& point) {
   return (point - region.center).squaredNorm() <= region.radius * region.radius;
 }
+bool contains(const WholeRegion&, const Eigen::Vector3d&) {
+  return true;
+}
 
 std::vector<bool> members(const GroupRegion& region, const SurfaceMesh& mesh) {
   const auto group = mesh.groups.find(region.name);

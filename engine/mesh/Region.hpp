@@ -35,9 +35,10 @@ struct SphereRegion {
 };
 /// The open edges of the wall: those that bound one wall triangle only, capped or not.
 struct BoundaryRegion {};
+struct WholeRegion {};
 
-using Region =
-    std::variant<GroupRegion, PlaneRegion, BelowRegion, AboveRegion, BoxRegion, SphereRegion, BoundaryRegion>;
+using Region = std::variant<GroupRegion, PlaneRegion, BelowRegion, AboveRegion, BoxRegion, SphereRegion, BoundaryRegion,
+                            WholeRegion>;
 
 /// Vertices of the stress-free mesh that lie in the region (limits included), ascending.
 /// Throws std::out_of_range when a group region names a group that the mesh lacks.

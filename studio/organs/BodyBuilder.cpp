@@ -62,7 +62,8 @@ SurfaceOrigin origin_of(const SurfaceSource& source, const std::string& key_path
           .location = location};
 }
 
-SurfaceMesh make_surface(const SurfaceSource& source, const SurfaceOrigin& origin, std::vector<std::string>& notes) {
+/// As it lies about its own origin.
+SurfaceMesh make_unplaced(const SurfaceSource& source, const SurfaceOrigin& origin, std::vector<std::string>& notes) {
   if (const auto* file = std::get_if<MeshFileSource>(&source)) {
     ImportedMesh imported = import_mesh(file->file, origin, {.repair = file->repair, .edge_length = file->edge_length});
     notes.insert(notes.end(), imported.notes.begin(), imported.notes.end());
@@ -84,6 +85,15 @@ SurfaceMesh make_surface(const SurfaceSource& source, const SurfaceOrigin& origi
         fmt::format("{} is {:.3g} m across, which no organ is: see whether the units of its sizes are meant so",
                     origin.name, across));
   }
+  return mesh;
+}
+
+SurfaceMesh make_surface(const SurfaceSource& source, const SurfaceOrigin& origin, std::vector<std::string>& notes) {
+  SurfaceMesh mesh = make_unplaced(source, origin, notes);
+  const auto& placed = std::visit(
+      [](const auto& one) -> const auto& { return one.placed; }, source);
+  if (!placed) return mesh;
+  for (Eigen::Vector3d& vertex : mesh.vertices) vertex = placed->place_of(vertex);
   return mesh;
 }
 

@@ -120,7 +120,10 @@ class OrderFinder {
     } catch (const FileFormatError& error) {
       throw InputErrors({{error.location(), path_ + ": " + error.what()}});
     }
-    for (Eigen::Vector3d& vertex : surface_.vertices) vertex *= source.unit;
+    for (Eigen::Vector3d& vertex : surface_.vertices) {
+      vertex *= source.unit;
+      if (source.placed) vertex = source.placed->place_of(vertex);
+    }
     return find();
   }
 

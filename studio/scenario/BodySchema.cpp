@@ -28,6 +28,23 @@ std::vector<CaseSchema> shape_cases() {
   };
 }
 
+std::vector<KeySchema> placement_keys() {
+  MappingSchema turned{.name = "turned", .documentation = "A turn about an axis through the surface's own origin."};
+  turned.keys = {
+      {"about", direction_value(), false, "[0, 0, 1]", "the axis"},
+      {"by",
+       quantity_value(kAngle, {}, "90 deg"),
+       true,
+       {},
+       "angle, counter-clockwise seen from where the axis points"},
+  };
+  return {
+      {"at", usually(vector_value(kLength, {}, "[0, 0, -20 mm]"), kUsualPlaces), false, "[0, 0, 0]",
+       "where the surface's own origin lies; regions are of the surface as it stands there"},
+      {"turned", mapping_value({turned}), false, {}, "how it stands there; as it is when absent"},
+  };
+}
+
 ValueSchema surface_value() {
   ValueSchema unit = quantity_value(kLength, kAboveZero, "mm");
   unit.bare_unit = true;
@@ -47,7 +64,9 @@ ValueSchema surface_value() {
        "most "
        "half of it; as the file has them when absent"},
   };
-  MappingSchema shape{.name = "surface", .documentation = "A shape, centred on the origin."};
+  const std::vector<KeySchema> placement = placement_keys();
+  mesh.keys.insert(mesh.keys.end(), placement.begin(), placement.end());
+  MappingSchema shape{.name = "surface", .documentation = "A shape, centred on its origin."};
   shape.selector = "shape";
   shape.cases = shape_cases();
   std::vector<std::string> words;
@@ -56,6 +75,7 @@ ValueSchema surface_value() {
       {"shape", word_value(words), true, {}, "which shape"},
       {"triangles", integer_value(4, 200000, "1280"), false, "1280", "wanted number of wall triangles"},
   };
+  shape.keys.insert(shape.keys.end(), placement.begin(), placement.end());
   return mapping_value({mesh, shape});
 }
 
@@ -234,7 +254,7 @@ ValueSchema region_schema() {
   MappingSchema ball{.name = "sphere", .documentation = "A ball."};
   ball.keys = {{"center", vector_value(kLength, {}, "[0, 0, 20 mm]"), true, {}, "middle"},
                {"radius", quantity_value(kLength, kAboveZero, "5 mm"), true, {}, "radius"}};
-  ValueSchema boundary = word_value({"true"});
+  ValueSchema boundary = word_value({"true"}), all = boundary;
   return mapping_value({
       one_key_region("group", name_value(), "a group of vertices of the surface: `base`, `ends`, `wall`"),
       one_key_region("plane", plane, "near a plane"),
@@ -243,6 +263,8 @@ ValueSchema region_schema() {
       one_key_region("box", mapping_value({box}), "in a box"),
       one_key_region("sphere", mapping_value({ball}), "in a ball"),
       one_key_region("boundary", boundary, "the open edges of the wall, capped or not"),
+      one_key_region("all", all,
+                     "the whole wall: a body that is fixed so is scenery, which other bodies lie on in pictures"),
   });
 }
 

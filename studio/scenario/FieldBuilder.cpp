@@ -65,6 +65,7 @@ Region to_region(const CheckedValue& region) {
   if (part.key == "above") return AboveRegion{axis_index(value.at("axis")), value.at("at").number};
   if (part.key == "box") return BoxRegion{to_vector(value.at("min")), to_vector(value.at("max"))};
   if (part.key == "sphere") return SphereRegion{to_vector(value.at("center")), value.at("radius").number};
+  if (part.key == "all") return WholeRegion{};
   return BoundaryRegion{};
 }
 

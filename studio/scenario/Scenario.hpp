@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <array>
 #include <filesystem>
 #include <map>
@@ -22,23 +23,33 @@
 
 namespace thinwall {
 
+/// Where a surface stands: turned about its own origin first, which is then brought to a place.
+struct SurfacePlacement {
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();  // metres
+  Eigen::AngleAxisd turned = Eigen::AngleAxisd::Identity();
+
+  Eigen::Vector3d place_of(const Eigen::Vector3d& point) const { return at + turned * point; }
+};
+
 struct MeshFileSource {
-  std::filesystem::path file = {};  // absolute or relative to the working directory
-  double unit = 1;                  // metres per unit of the file
-  bool repair = false;              // mend what is safe to mend
-  double edge_length = 0;           // metres; above zero: remesh with edges of about this length
+  std::filesystem::path file = {};              // absolute or relative to the working directory
+  double unit = 1;                              // metres per unit of the file
+  bool repair = false;                          // mend what is safe to mend
+  double edge_length = 0;                       // metres; above zero: remesh with edges of about this length
+  std::optional<SurfacePlacement> placed = {};  // none: as the file has it
 };
 
 enum class Shape { kSphere, kHemisphere, kSemicylinder, kSheet, kDisc, kCylinder, kAnnulus, kStrip };
 
 struct ShapeSource {
   Shape shape = Shape::kSphere;
-  double radius = 0.02;        // metres; disc, annulus: outer
-  double inner_radius = 0.01;  // metres; annulus
-  bool slit = false;           // annulus: cut open along +x
-  double length = 0.04;        // metres; semicylinder, cylinder, strip along y, sheet along y
-  double width = 0.04;         // metres; sheet, strip along x
-  int triangles = 1280;        // wanted number of wall triangles
+  double radius = 0.02;                         // metres; disc, annulus: outer
+  double inner_radius = 0.01;                   // metres; annulus
+  bool slit = false;                            // annulus: cut open along +x
+  double length = 0.04;                         // metres; semicylinder, cylinder, strip along y, sheet along y
+  double width = 0.04;                          // metres; sheet, strip along x
+  int triangles = 1280;                         // wanted number of wall triangles
+  std::optional<SurfacePlacement> placed = {};  // none: about the origin
 };
 
 /// A load with how it changes.

@@ -50,14 +50,25 @@ constexpr std::array<std::pair<std::string_view, FluidKind>, 3> kFluids = {
      {"incompressible", FluidKind::kIncompressible},
      {"compressible", FluidKind::kCompressible}}};
 
+std::optional<SurfacePlacement> to_placement(const CheckedValue& surface) {
+  SurfacePlacement placement{.at = to_vector(surface.at("at"))};
+  const CheckedValue* turned = surface.find("turned");
+  if (turned == nullptr && placement.at.isZero(0)) return std::nullopt;
+  if (turned != nullptr) {
+    placement.turned = Eigen::AngleAxisd(turned->at("by").number, to_vector(turned->at("about")).normalized());
+  }
+  return placement;
+}
+
 std::variant<MeshFileSource, ShapeSource> to_surface(const CheckedValue& surface) {
   if (const CheckedValue* mesh = surface.find("mesh")) {
     return MeshFileSource{.file = mesh->text,
                           .unit = surface.at("unit").number,
                           .repair = surface.at("repair").boolean,
-                          .edge_length = find_number(surface, "remesh").value_or(0)};
+                          .edge_length = find_number(surface, "remesh").value_or(0),
+                          .placed = to_placement(surface)};
   }
-  ShapeSource shape{.shape = of_word(surface.at("shape").text, kShapes)};
+  ShapeSource shape{.shape = of_word(surface.at("shape").text, kShapes), .placed = to_placement(surface)};
   shape.triangles = static_cast<int>(surface.at("triangles").number);
   shape.radius = find_number(surface, "radius").value_or(shape.radius);
   shape.inner_radius = find_number(surface, "inner_radius").value_or(shape.inner_radius);

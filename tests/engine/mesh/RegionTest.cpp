@@ -49,6 +49,11 @@ TEST(Region, BoxAndSphereIncludeTheirSurface) {
   EXPECT_EQ(vertices_in(SphereRegion{{0, 0, 0}, 1}, square_with_flap()), (Indices{0, 1, 3}));
 }
 
+TEST(Region, AllHoldsEveryVertexAndTriangle) {
+  EXPECT_EQ(vertices_in(WholeRegion{}, square_with_flap()), (Indices{0, 1, 2, 3, 4}));
+  EXPECT_EQ(triangles_in(WholeRegion{}, square_with_flap()), (Indices{0, 1, 2}));
+}
+
 TEST(Region, BoundaryIsTheOpenEdgesOfTheWallCappedOrNot) {
   SurfaceMesh mesh = square_with_flap();
   EXPECT_EQ(vertices_in(BoundaryRegion{}, mesh), (Indices{0, 1, 2, 3, 4}));

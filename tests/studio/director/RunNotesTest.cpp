@@ -81,6 +81,10 @@ TEST(RunNotes, AdviseToStretchAMembraneThatNothingStretches) {
   EXPECT_EQ(advice_of([](BodyScenario& body) { body.model = WallModel::kShell; }), "");
   EXPECT_EQ(advice_of([](BodyScenario& body) { body.fluid.kind = FluidKind::kNone; }), "")
       << "of a sheet it is its border that holds it";
+  EXPECT_EQ(advice_of([](BodyScenario& body) { body.fixed = {{.region = WholeRegion{}}}; }), "");
+  EXPECT_FALSE(advice_of([](BodyScenario& body) {
+                 body.fixed = {{.region = WholeRegion{}, .axes = {true, true, false}}};
+               }).empty());
 }
 
 }  // namespace

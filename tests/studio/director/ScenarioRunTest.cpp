@@ -13,6 +13,7 @@
 
 #include "engine/simulation/SimulationFailure.hpp"
 #include "renderer/snapshot/SurfaceFields.hpp"
+#include "studio/organs/BodyBuilder.hpp"
 #include "studio/scenario/InputError.hpp"
 #include "tests/studio/director/HeldBall.hpp"
 
@@ -56,6 +57,29 @@ TEST(ScenarioRun, BodiesThatMayPassThroughEachOtherAreToldOnce) {
     return warning.find("bodies `ball` and `other` come so near from") != std::string::npos;
   };
   EXPECT_EQ(std::ranges::count_if(warnings, tells), 1);
+}
+
+TEST(ScenarioRun, ABodyThatIsFixedAllOverIsSceneryForTheOthers) {
+  Scenario scenario = ball_scenario();
+  scenario.timeline = {palpation(0.001)};
+  Scenario dressed = scenario;
+  BodyScenario& scenery = dressed.bodies.emplace_back(scenario.bodies[0]);
+  scenery.name = "scenery";
+  std::get<ShapeSource>(scenery.surface).placed = SurfacePlacement{.at = {0.03, 0, 0}};
+  scenery.fixed = {{.region = WholeRegion{}}};
+  scenery.fluid.initial_pressure = 1000;
+  std::vector<std::string> notes;
+  std::vector<Float3> given;
+  const BodyDefinition definition = build_body(scenery, notes);
+  for (const Eigen::Vector3d& vertex : definition.mesh.vertices) {
+    given.push_back({static_cast<float>(vertex.x()), static_cast<float>(vertex.y()), static_cast<float>(vertex.z())});
+  }
+  ScenarioRun alone(scenario), run(dressed);
+  while (run.step()) {
+    ASSERT_TRUE(alone.step());
+    EXPECT_EQ(run.record().tools.at(0).force, alone.record().tools.at(0).force) << run.time();
+  }
+  EXPECT_EQ(run.snapshot().surfaces.at(1).positions, given);
 }
 
 TEST(ScenarioRun, TheStressOfABallUnderPressureIsThatOfLaplace) {

@@ -53,6 +53,24 @@ TEST(BodyBuilder, AShapeIsToldWithItsSizeAndDoubtedWhereNoOrganIsSoLarge) {
   EXPECT_EQ(notes_of(25e-6).size(), 2U);
 }
 
+TEST(BodyBuilder, ASurfaceIsTurnedAboutItsOwnOriginAndBroughtToItsPlaceBeforeRegionsAreLookedFor) {
+  BodyScenario scenario = hemisphere();
+  const SurfacePlacement placement{.at = {0.1, 0, -0.03}, .turned = Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX())};
+  std::get<ShapeSource>(scenario.surface).placed = placement;
+  // Its crown, which looked up, lies 20 mm below its base.
+  scenario.fixed = {{.region = SphereRegion{.center = {0.1, 0, -0.05}, .radius = 1e-6}}};
+  std::vector<std::string> notes;
+  const BodyDefinition placed = build_body(scenario, notes), own = build_body(hemisphere(), notes);
+  ASSERT_EQ(placed.mesh.vertices.size(), own.mesh.vertices.size());
+  for (std::size_t v = 0; v < own.mesh.vertices.size(); ++v) {
+    const Eigen::Vector3d& point = own.mesh.vertices[v];
+    const Eigen::Vector3d place(0.1 + point.x(), -point.y(), -0.03 - point.z());
+    EXPECT_LT((placed.mesh.vertices[v] - place).norm(),
+              1e-15);  // coordinates of a tenth of a metre are rounded by 1e-17
+  }
+  EXPECT_EQ(vertices_in(placed.fixed[0].region, placed.mesh).size(), 1U);
+}
+
 TEST(BodyBuilder, ALoadOnEdgesNeedsBothEndsOfOne) {
   BodyScenario scenario = hemisphere();
   scenario.loads.resize(1);

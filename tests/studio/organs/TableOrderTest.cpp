@@ -74,6 +74,16 @@ TEST_F(TableOrderOfFile, EachCornerHasTheRowOfItsOwnPlace) {
   }
 }
 
+TEST_F(TableOrderOfFile, AFileThatIsTurnedAndBroughtElsewhereKeepsItsRows) {
+  write("squares.ply", kSquares);
+  const Rows rows = order().corner_rows;
+  const SurfacePlacement placement{.at = {0.3, -0.2, 0.1},
+                                   .turned = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 2) / 3)};
+  source_.placed = placement;
+  for (Eigen::Vector3d& vertex : wall_.vertices) vertex = placement.place_of(vertex);
+  EXPECT_EQ(order().corner_rows, rows);
+}
+
 TEST_F(TableOrderOfFile, AnObjFileCountsItsVerticesByItsLines) {
   write("two.obj", "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn 0 0 1\nf 2//1 3//1 4//1\nf 2//1 4//1 5//1\n");
   const TableOrder order = this->order();

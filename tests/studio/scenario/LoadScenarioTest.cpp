@@ -87,6 +87,12 @@ TEST(LoadScenario, ReadsEveryKeyOfABody) {
   EXPECT_EQ(bladder.loads.at(0).over.at(2), std::pair(2.0, -0.5));
   const BodyScenario& cloth = scenario.bodies[1];
   EXPECT_EQ(std::get<ShapeSource>(cloth.surface).inner_radius, 0.005);
+  const std::optional<SurfacePlacement>& placed = std::get<ShapeSource>(cloth.surface).placed;
+  ASSERT_TRUE(placed);
+  EXPECT_EQ(placed->at, Eigen::Vector3d(0, 0.02, 0));
+  EXPECT_LT((placed->place_of({0.01, 0, 0}) - Eigen::Vector3d(0, 0.03, 0)).norm(), 1e-15);
+  EXPECT_FALSE(std::get<MeshFileSource>(bladder.surface).placed);
+  EXPECT_TRUE(std::holds_alternative<WholeRegion>(cloth.fixed[1].region));
   EXPECT_EQ(cloth.fluid.kind, FluidKind::kNone);
   EXPECT_FALSE(cloth.toughness);
   EXPECT_TRUE(std::holds_alternative<BoundaryRegion>(cloth.fixed[0].region));
