@@ -264,7 +264,8 @@ ValueSchema region_schema() {
       one_key_region("sphere", mapping_value({ball}), "in a ball"),
       one_key_region("boundary", boundary, "the open edges of the wall, capped or not"),
       one_key_region("all", all,
-                     "the whole wall: a body that is fixed so is scenery, which other bodies lie on in pictures"),
+                     "the whole wall: a body that is fixed so is scenery, in which others lie in pictures, and which "
+                     "is meant only where it is named"),
   });
 }
 

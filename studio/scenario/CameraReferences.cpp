@@ -45,8 +45,7 @@ void check_push_ins(const CheckedValue& camera, const std::string& path, Diagnos
   }
 }
 
-void check_camera(CheckedValue& camera, const std::vector<std::string>& tools, const std::string& path,
-                  Diagnostics& diagnostics) {
+void check_camera(CheckedValue& camera, const NameChoice& tools, const std::string& path, Diagnostics& diagnostics) {
   check_keyframes(camera, path, diagnostics);
   check_push_ins(camera, path, diagnostics);
   CheckedValue* follow = camera.find("follow");
@@ -69,7 +68,7 @@ void check_cuts(const CheckedValue& cuts, std::vector<std::string> cameras, Diag
 }  // namespace
 
 void camera_references(CheckedValue& root, Diagnostics& diagnostics) {
-  const std::vector<std::string> tools = names_in(root, "tools");
+  const NameChoice tools = choice_of(names_in(root, "tools"));
   if (CheckedValue* camera = root.find("camera")) check_camera(*camera, tools, "camera", diagnostics);
   if (CheckedValue* cameras = root.find("cameras")) {
     for (CheckedMember& member : cameras->members) {

@@ -6,6 +6,7 @@
 
 #include "studio/scenario/ClipTimes.hpp"
 #include "studio/scenario/ExpectationQuantity.hpp"
+#include "studio/scenario/NameCheck.hpp"
 #include "studio/scenario/TextNode.hpp"
 #include "studio/scenario/Wording.hpp"
 
@@ -14,49 +15,12 @@ namespace {
 
 constexpr std::array kSubjects = {ExpectationSubject::kTool, ExpectationSubject::kBody, ExpectationSubject::kPoint};
 
-std::vector<std::string> names_of(const CheckedValue* mapping) {
-  std::vector<std::string> names;
-  if (mapping == nullptr) return names;
-  for (const CheckedMember& member : mapping->members) names.push_back(member.key);
-  return names;
+NameChoice choice_of_subjects(const CheckedValue& root, ExpectationSubject subject) {
+  if (subject == ExpectationSubject::kBody) return choice_of_bodies(root);
+  if (subject == ExpectationSubject::kTool) return choice_of(names_in(root, "tools"));
+  const CheckedValue* record = root.find("record");
+  return record == nullptr ? NameChoice{} : choice_of(names_in(*record, "points"));
 }
-
-CheckedValue* recorded_points(CheckedValue& root) {
-  CheckedValue* record = root.find("record");
-  return record == nullptr ? nullptr : record->find("points");
-}
-
-/// Checks one mapping that names a tool, body or point.
-class NameChecker {
- public:
-  NameChecker(CheckedValue& mapping, std::string path, Diagnostics& diagnostics)
-      : mapping_(mapping), path_(std::move(path)), diagnostics_(diagnostics) {}
-
-  void resolve(const std::string& key, const std::vector<std::string>& names) {
-    if (mapping_.has_wrong(key)) return;
-    if (const CheckedValue* named = mapping_.find(key)) {
-      if (std::ranges::find(names, named->text) != names.end()) return;
-      const std::string nearest = did_you_mean(named->text, names);
-      const std::string there = names.empty() ? "" : "; there is " + list_in_backticks(names);
-      diagnostics_.absence(
-          named->location, member_path(path_, key),
-          "there is no " + key + " " + in_backticks(named->text) + (nearest.empty() ? there : nearest));
-    } else if (names.size() == 1) {
-      CheckedValue only{
-          .kind = CheckedKind::kText, .location = mapping_.location, .given = false, .text = names.front()};
-      mapping_.members.insert(mapping_.members.begin(), {key, mapping_.location, std::move(only)});
-    } else {
-      diagnostics_.absence(mapping_.location, path_,
-                           names.empty() ? "needs a " + key + ", but there is none"
-                                         : in_backticks(key) + " is missing; there is " + list_in_backticks(names));
-    }
-  }
-
- private:
-  CheckedValue& mapping_;
-  std::string path_;
-  Diagnostics& diagnostics_;
-};
 
 class ExpectationChecker {
  public:
@@ -91,10 +55,7 @@ class ExpectationChecker {
       if (given == nullptr || key == own) continue;
       error(*given, key, in_backticks(word_) + " is measured of a " + own + ", write " + in_backticks(own));
     }
-    const CheckedValue* section = recorded_points(root);
-    if (quantity_.measured->subject == ExpectationSubject::kTool) section = root.find("tools");
-    if (quantity_.measured->subject == ExpectationSubject::kBody) section = root.find("bodies");
-    NameChecker(value_, path_, diagnostics_).resolve(own, names_of(section));
+    resolve_name(value_, own, choice_of_subjects(root, quantity_.measured->subject), path_, diagnostics_);
   }
 
   void check_chamber(CheckedValue& root) {
@@ -108,7 +69,7 @@ class ExpectationChecker {
     const CheckedValue* named = bodies == nullptr || body == nullptr ? nullptr : bodies->find(body->text);
     const CheckedValue* contents = named == nullptr ? nullptr : named->find("contents");
     if (contents == nullptr) return;
-    NameChecker(value_, path_, diagnostics_).resolve("chamber", names_of(contents->find("chambers")));
+    resolve_name(value_, "chamber", choice_of(names_in(*contents, "chambers")), path_, diagnostics_);
   }
 
   void check_times(std::optional<double> end) {
@@ -205,10 +166,11 @@ class ExpectationChecker {
 }  // namespace
 
 void expectation_pass(CheckedValue& root, Diagnostics& diagnostics) {
-  if (CheckedValue* points = recorded_points(root); points != nullptr && root.find("bodies") != nullptr) {
+  CheckedValue* record = root.find("record");
+  CheckedValue* points = record == nullptr ? nullptr : record->find("points");
+  if (points != nullptr && root.find("bodies") != nullptr) {
     for (CheckedMember& point : points->members) {
-      NameChecker(point.value, member_path("record.points", point.key), diagnostics)
-          .resolve("body", names_of(root.find("bodies")));
+      resolve_name(point.value, "body", choice_of_bodies(root), member_path("record.points", point.key), diagnostics);
     }
   }
   CheckedValue* expectations = root.find("expect");

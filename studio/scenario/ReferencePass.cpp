@@ -34,7 +34,10 @@ struct Reference {
 class ReferenceChecker {
  public:
   ReferenceChecker(CheckedValue& root, Diagnostics& diagnostics)
-      : root_(root), diagnostics_(diagnostics), tools_(names_in(root, "tools")), bodies_(names_in(root, "bodies")) {}
+      : root_(root),
+        diagnostics_(diagnostics),
+        tools_(choice_of(names_in(root, "tools"))),
+        bodies_(choice_of_bodies(root)) {}
 
   void check_clips() {
     CheckedValue* timeline = root_.find("timeline");
@@ -84,7 +87,8 @@ class ReferenceChecker {
     const CheckedValue* bodies = look == nullptr ? nullptr : look->find("bodies");
     if (bodies == nullptr) return;
     for (const CheckedMember& member : bodies->members) {
-      check_name({member.key, member.location}, "body", bodies_, member_path("look.bodies", member.key), diagnostics_);
+      check_name({member.key, member.location}, "body", bodies_.names, member_path("look.bodies", member.key),
+                 diagnostics_);
     }
   }
 
@@ -156,34 +160,34 @@ class ReferenceChecker {
     }
   }
 
-  void resolve(CheckedMember& clip, const Reference& reference, const std::vector<std::string>& names,
-               const std::string& path) {
+  void resolve(CheckedMember& clip, const Reference& reference, const NameChoice& choice, const std::string& path) {
     if (clip.value.has_wrong(reference.key) || root_.find(reference.section) == nullptr) return;
     if (const CheckedValue* named = clip.value.find(reference.key)) {
-      check_name({named->text, named->location}, reference.what, names, member_path(path, reference.key), diagnostics_);
+      check_name({named->text, named->location}, reference.what, choice.names, member_path(path, reference.key),
+                 diagnostics_);
       if (reference.key == "tool") used_.insert(named->text);
       return;
     }
-    if (names.size() == 1) {
+    if (!choice.meant.empty()) {
       const CheckedValue only{
-          .kind = CheckedKind::kText, .location = clip.location, .given = false, .text = names.front()};
+          .kind = CheckedKind::kText, .location = clip.location, .given = false, .text = choice.meant};
       const std::size_t position = reference.key == "body" && clip.value.find("tool") != nullptr ? 1 : 0;
       clip.value.members.insert(clip.value.members.begin() + static_cast<std::ptrdiff_t>(position),
                                 {reference.key, clip.location, only});
-      if (reference.key == "tool") used_.insert(names.front());
-    } else if (reference.needed && names.empty()) {
+      if (reference.key == "tool") used_.insert(choice.meant);
+    } else if (reference.needed && choice.names.empty()) {
       diagnostics_.error(clip.location, path,
                          "needs a " + reference.what + ", but " + in_backticks(reference.section) + " is empty");
     } else if (reference.needed) {
       diagnostics_.absence(clip.location, path,
-                           in_backticks(reference.key) + " is missing; there is " + list_in_backticks(names));
+                           in_backticks(reference.key) + " is missing; there is " + list_in_backticks(choice.names));
     }
   }
 
   CheckedValue& root_;
   Diagnostics& diagnostics_;
-  std::vector<std::string> tools_;
-  std::vector<std::string> bodies_;
+  NameChoice tools_;
+  NameChoice bodies_;
   std::set<std::string> used_;
 };
 

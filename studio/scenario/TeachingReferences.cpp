@@ -34,8 +34,7 @@ void check_slow_motions(const CheckedValue& slow_motions, Diagnostics& diagnosti
 void teaching_references(CheckedValue& root, Diagnostics& diagnostics) {
   CheckedValue* teaching = root.find("teaching");
   if (teaching == nullptr) return;
-  const std::vector<std::string> bodies = names_in(root, "bodies");
-  const std::vector<std::string> tools = names_in(root, "tools");
+  const NameChoice bodies = choice_of_bodies(root), tools = choice_of(names_in(root, "tools"));
   for (const char* kind : {"labels", "arrows", "highlights", "force_arrows"}) {
     CheckedValue* list = teaching->find(kind);
     if (list == nullptr) continue;

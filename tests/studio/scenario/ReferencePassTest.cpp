@@ -36,6 +36,23 @@ TEST(ReferencePass, ALeftOutBodyIsTheOnlyOneAndALeftOutToolOfTwoIsAnError) {
             Texts{"8:52: timeline[2].move: `tool` is missing; there is `probe`, `edge`"});
 }
 
+TEST(ReferencePass, ALeftOutBodyIsTheOnlyOneThatIsNotFixedAllOver) {
+  const auto body_with = [](const std::string& fixed) {
+    CheckedValue root = checked_scenario(
+        "  table: { surface: { shape: disc }, wall: { thickness: 1 mm, material: { law: neo_hookean, shear_modulus: 1 "
+        "kPa } }, fixed: [ " +
+        fixed + " ] }\ntimeline: [ palpate: { tool: probe, depth: 1 mm } ]\n");
+    Diagnostics diagnostics;
+    reference_pass(root, diagnostics);
+    const CheckedValue* body = root.at("timeline").items[0].at("palpate").find("body");
+    return body != nullptr ? body->text : diagnostics.errors.at(0).message;
+  };
+  EXPECT_EQ(body_with("{ region: { all: true } }"), "organ");
+  const std::string choose = "timeline[1].palpate: `body` is missing; there is `organ`, `table`";
+  EXPECT_EQ(body_with("{ region: { all: true }, axes: xy }"), choose);
+  EXPECT_EQ(body_with("{ region: { boundary: true } }"), choose);
+}
+
 TEST(ReferencePass, AMeshMustBeAFile) {
   EXPECT_EQ(errors_of("", "{ mesh: nowhere.obj }"),
             Texts{"5:22: bodies.organ.surface.mesh: there is no file `nowhere.obj`"});
