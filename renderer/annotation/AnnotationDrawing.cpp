@@ -100,7 +100,7 @@ std::vector<ArrowText> draw_force_arrows(const Canvas& canvas, const AnnotationS
     // Beyond another tool its number would be read as that one's force.
     texts.push_back({.words = force_quantity(length(force), arrow.full, arrow.full).text(),
                      .end = *tip,
-                     .tools = {tool_shape(*tool, scene.extent.size)}});
+                     .tools = {tool_shape(*tool, scene.extent.subject().size)}});
   }
   return texts;
 }
@@ -149,7 +149,7 @@ void draw_annotations(Image& image, const PictureBox& box, const AnnotationDefin
     if (const std::optional<Box> within = place_within(box, place)) scene.taken.push_back(*within);
   }
   for (const SnapshotTool& tool : snapshot.tools) {
-    if (!tool.is_set_aside) scene.tools.push_back(tool_shape(tool, extent.size));
+    if (!tool.is_set_aside) scene.tools.push_back(tool_shape(tool, extent.subject().size));
   }
   const Canvas canvas(box.size);
   if (scene.inset) keep_off(canvas, box.size, *scene.inset);

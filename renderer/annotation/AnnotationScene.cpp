@@ -49,7 +49,8 @@ Camera resting_camera_at(const AnnotationScene& scene, double time) {
 
 bool is_left_of_middle(const AnnotationScene& scene, const Double3& at, double first_shown) {
   const Camera first = resting_camera_at(scene, first_shown);
-  const auto place = first.pixel(vector3(at), scene.size), middle = first.pixel(scene.extent.center, scene.size);
+  const auto place = first.pixel(vector3(at), scene.size),
+             middle = first.pixel(scene.extent.subject().center, scene.size);
   return (place ? (*place)[0] : 0) < (middle ? (*middle)[0] : 0.5 * scene.size.width);
 }
 

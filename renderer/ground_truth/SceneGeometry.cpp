@@ -101,7 +101,7 @@ SceneGeometry scene_geometry(const Snapshot& snapshot, const SceneExtent& extent
   }
   for (std::uint32_t k = 0; k < snapshot.tools.size(); ++k) {
     if (!snapshot.tools[k].is_set_aside) {
-      append(tool_shape(snapshot.tools[k], extent.size, ToolDetail::kSeen), k, geometry);
+      append(tool_shape(snapshot.tools[k], extent.subject().size, ToolDetail::kSeen), k, geometry);
     }
   }
   return geometry;

@@ -91,16 +91,17 @@ CameraPose move(Camera& camera, const CameraDefinition& definition, const SceneE
 
 Camera resolve_camera(const CameraDefinition& definition, const SceneExtent& extent, ImageSize size, double time) {
   require_sound(definition);
+  const SceneExtent& subject = extent.subject();
   Camera camera;
   camera.kind = definition.kind;
   camera.lens = Lens(definition.lens);
   set_field_of_view(camera, definition.field_of_view, size);
   Vector3 up = definition.up ? normalized(vector3(*definition.up)) : Vector3{0, 0, 1};
   const double angle = definition.orbit_speed * time;
-  stand(camera, definition, extent, up, angle);
-  Vector3 target = definition.target ? vector3(*definition.target) : extent.center;
+  stand(camera, definition, subject, up, angle);
+  Vector3 target = definition.target ? vector3(*definition.target) : subject.center;
   if (definition.is_moved()) {
-    const CameraPose pose = move(camera, definition, extent, size, time);
+    const CameraPose pose = move(camera, definition, subject, size, time);
     target = pose.target;
     up = normalized(pose.up);
   }
@@ -110,7 +111,7 @@ Camera resolve_camera(const CameraDefinition& definition, const SceneExtent& ext
   }
   camera.aperture = definition.aperture;
   const double to_target = dot(target - camera.position, camera.forward);
-  camera.focus = definition.focus.value_or(std::max(to_target, 1e-3 * extent.size));
+  camera.focus = definition.focus.value_or(std::max(to_target, 1e-3 * subject.size));
   // A little wider than the picture is high, as surgeons set their picture.
   if (camera.kind == CameraKind::kEndoscope) camera.field_stop = 1.12 * camera.tangent_y;
   const double depth = length(extent.center - camera.position);

@@ -72,9 +72,10 @@ constexpr double kLensDarkening = 0.8;
 /// What makes the middle of the scene as bright as lamps in the open do, wherever the endoscope is: its automatic
 /// exposure.
 double lamp_strength(const LightsDefinition& lights, const Camera& camera, const SceneExtent& extent) {
-  const Vector3 offset = extent.center - camera.position;
+  const SceneExtent& subject = extent.subject();
+  const Vector3 offset = subject.center - camera.position;
   // Close to the wall the brightness of the nearest part counts.
-  const double distance = std::max(dot(offset, camera.forward), 0.25 * extent.size);
+  const double distance = std::max(dot(offset, camera.forward), 0.25 * subject.size);
   return 1.6 * lights.endoscope * distance * distance;
 }
 

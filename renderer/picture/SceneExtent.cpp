@@ -98,23 +98,20 @@ double round_up_coarsely(double reach, double base) {
   return base * std::pow(kStep, std::ceil(std::log(std::max(1.0, reach / base)) / std::log(kStep)));
 }
 
-}  // namespace
-
-SceneExtent scene_extent(const Snapshot& snapshot) {
+SceneExtent extent_of(std::span<const SnapshotSurface* const> surfaces) {
   constexpr double kFar = std::numeric_limits<double>::max();
   SceneExtent extent;
   Vector3 low{kFar, kFar, kFar};
   Vector3 high{-kFar, -kFar, -kFar};
   std::vector<Vector3> now;
-  for (const SnapshotSurface& surface : snapshot.surfaces) {
-    check(surface);
-    for (const Float3& position : surface.topology->rest_positions) {
+  for (const SnapshotSurface* surface : surfaces) {
+    for (const Float3& position : surface->topology->rest_positions) {
       const Vector3 point = vector3(position);
       extent.rest_points.push_back(point);
       low = {std::min(low.x, point.x), std::min(low.y, point.y), std::min(low.z, point.z)};
       high = {std::max(high.x, point.x), std::max(high.y, point.y), std::max(high.z, point.z)};
     }
-    const std::vector<Vector3> standing = standing_points(surface);
+    const std::vector<Vector3> standing = standing_points(*surface);
     now.insert(now.end(), standing.begin(), standing.end());
   }
   if (extent.rest_points.empty()) return extent;
@@ -126,10 +123,26 @@ SceneExtent scene_extent(const Snapshot& snapshot) {
     if (is_outside(point, low, high)) extent.grown_points.push_back(point);
   }
   double reach = 0;
-  for (const SnapshotSurface& surface : snapshot.surfaces) {
-    for (const Float3& position : surface.positions) reach = std::max(reach, length(vector3(position) - extent.center));
+  for (const SnapshotSurface* surface : surfaces) {
+    for (const Float3& position : surface->positions)
+      reach = std::max(reach, length(vector3(position) - extent.center));
   }
   extent.reach = round_up_coarsely(reach, 0.5 * extent.size);
+  return extent;
+}
+
+}  // namespace
+
+SceneExtent scene_extent(const Snapshot& snapshot) {
+  std::vector<const SnapshotSurface*> all, acting;
+  for (const SnapshotSurface& surface : snapshot.surfaces) {
+    check(surface);
+    all.push_back(&surface);
+    if (!surface.topology->is_scenery) acting.push_back(&surface);
+  }
+  SceneExtent extent = extent_of(all);
+  const bool has_both = !acting.empty() && acting.size() < all.size();
+  if (has_both) extent.acting = std::make_shared<const SceneExtent>(extent_of(acting));
   return extent;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,10 @@ struct SceneExtent {
   double size = 0.1;        // metres, diagonal of that box; 0.1 where there is no surface
   double floor_height = 0;  // metres, z of the floor below everything but pieces that were cut out and fall
   double reach = 0.05;      // metres, radius around `center` of the current surfaces, rounded up in coarse steps
+  std::shared_ptr<const SceneExtent> acting = {};  // of what is not scenery, where both are there
+
+  /// What pictures are of: all but the scenery.
+  const SceneExtent& subject() const { return acting ? *acting : *this; }
 };
 
 /// Throws PictureFailure naming the body whose arrays do not fit together or are not finite.

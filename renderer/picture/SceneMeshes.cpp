@@ -276,7 +276,7 @@ void SceneMeshes::make_tools(const Snapshot& snapshot, const SceneExtent& extent
   rods_.clear();
   for (const SnapshotTool& tool : snapshot.tools) {
     if (tool.is_set_aside) continue;
-    const ToolShape shape = tool_shape(tool, extent.size, ToolDetail::kSeen);
+    const ToolShape shape = tool_shape(tool, extent.subject().size, ToolDetail::kSeen);
     const auto offset = static_cast<std::uint32_t>(vertices.size());
     vertices.insert(vertices.end(), shape.vertices.begin(), shape.vertices.end());
     for (const std::uint32_t index : shape.indices) indices.push_back(offset + index);

@@ -236,6 +236,10 @@ std::string read_text_attribute(const Handle& object, const std::string& name) {
   return without_padding(text.data(), text.size());
 }
 
+bool has_attribute(const Handle& object, const std::string& name) {
+  return check(H5Aexists(object.id(), name.c_str())) > 0;
+}
+
 std::int64_t read_integer_attribute(const Handle& object, const std::string& name) {
   const Handle attribute = open_attribute(object, name);
   std::int64_t value = 0;

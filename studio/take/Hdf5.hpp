@@ -61,6 +61,7 @@ std::vector<std::string> link_names(const Handle& group);
 void write_attribute(const Handle& object, const std::string& name, const std::string& value);
 void write_attribute(const Handle& object, const std::string& name, std::int64_t value);
 void write_attribute(const Handle& object, const std::string& name, double value);
+bool has_attribute(const Handle& object, const std::string& name);
 /// These throw Failure also where the attribute is not one value.
 std::string read_text_attribute(const Handle& object, const std::string& name);
 std::int64_t read_integer_attribute(const Handle& object, const std::string& name);

@@ -18,7 +18,8 @@
 ///   /planned_duration    (steps) float64, seconds, as known at that step
 ///   /gravity             (3) float64, metres/second^2; not in older takes
 ///   /surfaces/BODY/epoch_0, epoch_1, ...
-///                        one for each stretch of steps between changes of topology; attribute first_step
+///                        one for each stretch of steps between changes of topology; attribute first_step, and
+///                        scenery (1) where the surface never moves
 ///     rest_positions     (vertices x 3) float32, metres, stress-free
 ///     triangles          (triangles x 3) uint32, wall, counter-clockwise seen from outside
 ///     cap_triangles      (caps x 3) uint32

@@ -59,6 +59,7 @@ std::shared_ptr<const SnapshotTopology> read_topology(const Handle& epoch) {
     require_of_take(topology->cut_times.size() == topology->rest_positions.size(),
                     "cut_times and vertices differ in number");
   }
+  topology->is_scenery = hdf5::has_attribute(epoch, "scenery") && hdf5::read_integer_attribute(epoch, "scenery") != 0;
   for (const auto* triangles : {&topology->triangles, &topology->cap_triangles}) {
     for (const Triangle& triangle : *triangles) {
       require_of_take(*std::max_element(triangle.begin(), triangle.end()) < topology->rest_positions.size(),

@@ -83,9 +83,9 @@ void require_finite(const StepRecord& record) {
 }
 
 bool same_topology(const SnapshotTopology& a, const SnapshotTopology& b) {
-  return &a == &b ||
-         (a.rest_positions == b.rest_positions && a.triangles == b.triangles && a.cap_triangles == b.cap_triangles &&
-          a.thickness == b.thickness && a.rest_metric == b.rest_metric && a.cut_times == b.cut_times);
+  return &a == &b || (a.rest_positions == b.rest_positions && a.triangles == b.triangles &&
+                      a.cap_triangles == b.cap_triangles && a.thickness == b.thickness &&
+                      a.rest_metric == b.rest_metric && a.cut_times == b.cut_times && a.is_scenery == b.is_scenery);
 }
 
 std::array<char, take_layout::kPhaseBytes> phase_bytes(const std::string& phase) {
@@ -125,6 +125,7 @@ Epoch begin_epoch(SurfaceWriter& rows, const SnapshotSurface& surface, std::size
   const SnapshotTopology& topology = *surface.topology;
   const Handle group = hdf5::create_group(rows.group, "epoch_" + std::to_string(rows.epochs++));
   hdf5::write_attribute(group, "first_step", static_cast<std::int64_t>(step));
+  if (topology.is_scenery) hdf5::write_attribute(group, "scenery", std::int64_t{1});
   const auto write = [&](const char* name, Element element, std::vector<hsize_t> shape, const void* values) {
     hdf5::write_array(group, name, element, shape, values);
   };

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include "renderer/picture/PictureFailure.hpp"
@@ -112,6 +113,30 @@ TEST(Camera, LeavesRoomForCaptionsThatStandAbovePanels) {
       EXPECT_GE((*pixel)[1], 66 / 720.0 * size.height) << "below the title";
     }
   }
+}
+
+TEST(Camera, OneThatNobodyPlacedGoesByWhatIsNotSceneryAndSeesThatToo) {
+  const SnapshotSurface ball = test::sphere("ball", {}, 0.02, 3);
+  SnapshotSurface ground = test::sphere("ground", {0.1, 0.05, -0.3}, 0.25, 3);
+  Snapshot snapshot;
+  snapshot.surfaces = {ball, ground};
+  const CameraDefinition definition{.kind = CameraKind::kEndoscope};
+  const Camera alone = resolve_camera(definition, extent_of(ball), kSize, 0);
+  const Camera of_both = resolve_camera(definition, scene_extent(snapshot), kSize, 0);
+  auto topology = std::make_shared<SnapshotTopology>(*ground.topology);
+  topology->is_scenery = true;
+  snapshot.surfaces[1].topology = topology;
+  const Camera dressed = resolve_camera(definition, scene_extent(snapshot), kSize, 0);
+  EXPECT_GT(length(of_both.position - alone.position), 0.2);
+  EXPECT_EQ(length(dressed.position - alone.position), 0);
+  EXPECT_EQ(length(dressed.forward - alone.forward), 0);
+  EXPECT_EQ(dressed.focus, alone.focus);
+  EXPECT_GT(dressed.farthest, 0.5) << "all of the ground";
+  // Where nothing else is it is what the picture is of.
+  snapshot.surfaces.erase(snapshot.surfaces.begin());
+  EXPECT_EQ(length(resolve_camera(definition, scene_extent(snapshot), kSize, 0).position -
+                   resolve_camera(definition, extent_of(ground), kSize, 0).position),
+            0);
 }
 
 TEST(Camera, GoesBackOnlySoFarForAWallThatFliesAway) {

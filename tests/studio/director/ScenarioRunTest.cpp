@@ -80,6 +80,8 @@ TEST(ScenarioRun, ABodyThatIsFixedAllOverIsSceneryForTheOthers) {
     EXPECT_EQ(run.record().tools.at(0).force, alone.record().tools.at(0).force) << run.time();
   }
   EXPECT_EQ(run.snapshot().surfaces.at(1).positions, given);
+  EXPECT_TRUE(run.snapshot().surfaces.at(1).topology->is_scenery);
+  EXPECT_FALSE(run.snapshot().surfaces.at(0).topology->is_scenery);
 }
 
 TEST(ScenarioRun, TheStressOfABallUnderPressureIsThatOfLaplace) {

@@ -36,6 +36,7 @@ void expect_equal(const SnapshotSurface& read, const SnapshotSurface& written) {
   EXPECT_EQ(read.topology->cap_triangles, written.topology->cap_triangles);
   EXPECT_EQ(read.topology->thickness, written.topology->thickness);
   EXPECT_EQ(read.topology->cut_times, written.topology->cut_times);
+  EXPECT_EQ(read.topology->is_scenery, written.topology->is_scenery);
   ASSERT_EQ(read.fields.size(), written.fields.size());
   for (std::size_t i = 0; i < read.fields.size(); ++i) {
     EXPECT_EQ(read.fields[i].name, written.fields[i].name);
@@ -126,13 +127,14 @@ TEST(TakeTest, KeepsAChangeOfTopology) {
   expect_equal(reader.moment(5), fine.moment(5));
 }
 
-TEST(TakeTest, KeepsGravityAndWhenLipsWereCut) {
+TEST(TakeTest, KeepsGravityWhenLipsWereCutAndWhatIsScenery) {
   const TemporaryFolder folder;
   Moment moment = SyntheticRun({.side = 5}).moment(0);
   moment.snapshot.gravity = {0, 1.5, -9.7};
   auto topology = std::make_shared<SnapshotTopology>(*moment.snapshot.surfaces[0].topology);
   topology->cut_times.assign(topology->rest_positions.size(), kNeverCut);
   topology->cut_times[3] = 0.25F;
+  topology->is_scenery = true;
   moment.snapshot.surfaces[0].topology = topology;
   {
     TakeWriter writer(folder / "take.h5", kDescription);
