@@ -25,6 +25,8 @@
 
 namespace thinwall {
 
+class FrictionMixing;
+
 /// What a script does to the fluid of a chamber during a step.
 struct FluidInput {
   double added = 0;                // metres^3, less than zero where it is drained
@@ -367,7 +369,7 @@ class Body {
                                                  const Eigen::VectorXd& position) const;
   void add_friction_to(EquilibriumProblem& problem, std::span<const ToolPose> begin) const;
   bool revise_friction(EquilibriumProblem& problem, std::span<const ToolPose> begin, const EquilibriumState& reached,
-                       double motion, int turn);
+                       double motion, int turn, FrictionMixing& mixing) const;
   bool solve_with_friction(EquilibriumProblem& problem, EquilibriumState& trial, std::span<const ToolPose> begin,
                            bool goes_on);
   void add_friction_to_contacts(const EquilibriumProblem& problem);

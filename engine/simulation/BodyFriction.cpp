@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "engine/simulation/Body.hpp"
+#include "engine/simulation/FrictionMixing.hpp"
 
 namespace thinwall {
 namespace {
@@ -20,38 +21,23 @@ constexpr double kAgreement = 2e-4;
 constexpr double kRestlessAgreement = 1e-2;
 constexpr double kRestlessMotion = 1e-3;
 
-/// Parts of the way to what the last solution asked for.
-constexpr double kHalf = 0.5;
-constexpr double kMostExtrapolated = 30;
-constexpr double kCreeping = 0.2;  // part by which a change that creeps differs from the last
-
-/// Solutions after which each one goes only a part of the way to what the last asked for, half of it for normals that
-/// turn back, after which the looser agreement counts, and after which to give up.
+/// Solutions after which each one goes only a part of the way to what the last asked for, after which the looser
+/// agreement counts, and after which to give up.
 constexpr int kWholeTurns = 8;
 constexpr int kQuietTurns = 14;
 constexpr int kMostTurns = 40;
+constexpr double kLaterPart = 0.5;
 
 const FrictionMemory* find_memory(const std::vector<FrictionMemory>& memories, int site) {
   const auto found = std::ranges::lower_bound(memories, site, {}, &FrictionMemory::site);
   return found == memories.end() || found->site != site ? nullptr : &*found;
 }
 
-/// Whether both lists name the same place.
-bool same_place(const FrictionContact& one, const FrictionContact& other) {
-  return one.solid == other.solid && one.site == other.site;
-}
-
-/// Part of a change of its limit that a contact is given. Where a tool locks, each solution asks for little less than
-/// the last: then what brings the next change to zero if they go on like that (a secant).
-double part_given(const FrictionContact& last, double asked_change) {
-  const double fall = last.asked_change - asked_change;
-  const bool creeps = asked_change * last.asked_change > 0 && std::abs(fall) < kCreeping * std::abs(asked_change);
-  if (!creeps || fall * last.given_change <= 0) return kHalf;
-  return std::clamp(last.given_change / fall, kHalf, kMostExtrapolated);
-}
-
-bool comes_before(const FrictionContact& one, const FrictionContact& other) {
-  return std::pair(one.solid, one.site) < std::pair(other.solid, other.site);
+/// Newton.
+double sum_of_limits(std::span<const FrictionContact> contacts) {
+  double sum = 0;
+  for (const FrictionContact& contact : contacts) sum += contact.potential.limit;
+  return sum;
 }
 
 }  // namespace
@@ -91,53 +77,27 @@ void Body::add_friction_to(EquilibriumProblem& problem, std::span<const ToolPose
 }
 
 bool Body::revise_friction(EquilibriumProblem& problem, std::span<const ToolPose> begin,
-                           const EquilibriumState& reached, double motion, int turn) {
-  std::vector<FrictionContact> wanted =
+                           const EquilibriumState& reached, double motion, int turn, FrictionMixing& mixing) const {
+  const std::vector<FrictionContact> asked =
       friction_contacts(contact_solids(tools_, begin), problem, false, reached.position);
-  double limits = 0, difference = 0, given = 0;  // newton
-  for (const FrictionContact& contact : problem.friction) given += contact.potential.limit;
-  std::vector<FrictionContact> revised;
-  auto old = problem.friction.cbegin();
-  const auto gone = [&](const FrictionContact& contact) {
-    difference += contact.potential.limit;
-    if (turn < kWholeTurns) return;
-    revised.push_back(contact);
-    revised.back().potential.limit *= 0.5;
-  };
-  for (FrictionContact& contact : wanted) {
-    for (; old != problem.friction.cend() && comes_before(*old, contact); ++old) gone(*old);
-    const double limit = contact.potential.limit;
-    const bool known = old != problem.friction.cend() && same_place(*old, contact);
-    const double before = known ? old->potential.limit : 0;
-    limits += limit;
-    difference += std::abs(limit - before) + (known ? limit * (contact.normal - old->normal).norm() : 0);
-    contact.asked_change = contact.given_change = limit - before;
-    if (known) contact.asked_turn = contact.normal - old->normal;
-    if (turn >= kWholeTurns) {
-      contact.given_change *= known ? part_given(*old, contact.asked_change) : 0.5;
-      contact.potential.limit = std::max(0.0, before + contact.given_change);
-      // Where a wall rolls to and fro on a small corner its limits do so as long as the normal does.
-      const bool turns_back = known && contact.asked_turn.dot(old->asked_turn) < 0;
-      if (turns_back) contact.normal = (old->normal + contact.normal).normalized();
-    }
-    if (known) ++old;
-    revised.push_back(contact);
-  }
-  for (; old != problem.friction.cend(); ++old) gone(*old);
-  if (difference <= (turn < kQuietTurns ? kAgreement : kRestlessAgreement) * limits) return false;
+  mixing.note(problem.friction, asked);
+  const double limits = sum_of_limits(asked);
+  if (mixing.missed() <= (turn < kQuietTurns ? kAgreement : kRestlessAgreement) * limits) return false;
   const bool rests = turn >= kWholeTurns && motion <= kRestlessMotion * model_->edge_length;
-  if (rests && std::abs(limits - given) <= kRestlessAgreement * limits) return false;
-  problem.friction = std::move(revised);
+  if (rests && std::abs(limits - sum_of_limits(problem.friction)) <= kRestlessAgreement * limits) return false;
+  problem.friction = mixing.next(problem.friction, asked, turn < kWholeTurns ? 1 : kLaterPart);
+  for (FrictionContact& contact : problem.friction) contact.estimate = contact.force(*model_, reached.position);
   return true;
 }
 
 bool Body::solve_with_friction(EquilibriumProblem& problem, EquilibriumState& trial, std::span<const ToolPose> begin,
                                bool goes_on) {
+  FrictionMixing mixing;
   for (int turn = 0;; ++turn) {
     const Eigen::VectorXd before = trial.position;
     if (!solve_step(problem, trial, goes_on || turn > 0)) return false;
     const double motion = (trial.position - before).head(3 * model_->vertices()).lpNorm<Eigen::Infinity>();
-    if (!has_friction() || !revise_friction(problem, begin, trial, motion, turn)) return true;
+    if (!has_friction() || !revise_friction(problem, begin, trial, motion, turn, mixing)) return true;
     if (turn == kMostTurns) {
       failure_ = "friction and pressure of a tool do not come to agree";
       return false;

@@ -20,10 +20,7 @@ struct FrictionContact {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // unit, out of the solid
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();   // metres, where the place would be if it did not slip
   FrictionPotential potential = {};
-  Eigen::Vector3d estimate = Eigen::Vector3d::Zero();    // newton, of the force on the solid: Newton's second unknown
-  double asked_change = 0;                               // newton, of the limit, that the last solution asked for
-  double given_change = 0;                               // newton, of the limit, that it was given
-  Eigen::Vector3d asked_turn = Eigen::Vector3d::Zero();  // of the normal, that the last solution asked for
+  Eigen::Vector3d estimate = Eigen::Vector3d::Zero();  // newton, of the force on the solid: Newton's second unknown
 
   /// Metres, in the tangent plane.
   Eigen::Vector3d slip(const BodyModel& model, const Eigen::VectorXd& position) const;

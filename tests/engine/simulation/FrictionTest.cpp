@@ -245,6 +245,40 @@ TEST(Friction, OfAWallThatRollsToAndFroOnACornerSettles) {
   close_jaws_on_a_ball(10, 2200);
 }
 
+TEST(Friction, OfJawsThatHoldATautShellByAFewCornersIsFound) {
+  // A few places at the jaws' tips bear all. What friction at one of them changes by, the others answer by more, so
+  // that it goes to and fro where each solution is given what the last one asked for, or half of the way there. 477
+  // iterations at most; so found, more than ten thousand.
+  BodyDefinition sheet = make_body(make_sheet(60e-3, 60e-3, 300), 1.5e-3, neo_hookean(40e3));
+  sheet.model = WallModel::kShell;
+  sheet.fluid.kind = FluidKind::kNone;
+  sheet.prestretch = {{.first = 1.05, .second = 1.05}};
+  sheet.damping.mass_rate = 100;
+  sheet.fixed = {{.region = BoundaryRegion{}}};
+  ToolDefinition jaws = rough({.name = "jaws", .kind = ToolKind::kForceps}, 1.5);
+  jaws.length = 30e-3;
+  jaws.width = 5e-3;
+  jaws.thickness = 1.5e-3;
+  jaws.opening = 10e-3;
+  SimulationOptions options;
+  options.analysis = Analysis::kDynamic;
+  Body body(sheet, {jaws}, options);
+  body.settle();
+  ToolPose pose = pose_at({0, 0, 1e-3});
+  pose.opening = jaws.opening;
+  pose = move(body, pose, {0, 0, -4e-3}, 17, 0.01);
+  for (int step = 1; step <= 45; ++step) {
+    ToolPose next = pose;
+    next.opening = jaws.opening - 0.07e-3 * step;
+    body.advance({&pose, 1}, {&next, 1}, 0.01);
+    std::printf("jaws %.2f mm apart: %d iterations\n", 1e3 * next.opening, body.report().newton_iterations);
+    EXPECT_LE(body.report().newton_iterations, 1000);
+    const EnergyBooks& books = body.state().books;
+    EXPECT_LT(std::abs(books.imbalance()), 1e-9 * books.largest());
+    pose = next;
+  }
+}
+
 TEST(Friction, VanishesWithItsCoefficient) {
   const auto drag = [](double friction) {
     ToolPose pose;
