@@ -239,7 +239,9 @@ void SceneMeshes::find_edges(const Snapshot& snapshot, DrawnEdges edges) {
     if (std::ranges::any_of(is_lip, [](char lip) { return lip != 0; })) {
       WoundLayout layout = lay_out_wounds(*topology, surface.mesh_borders, is_lip, downward(snapshot));
       layout.map = refined(std::move(layout.map), surface.smooth);
-      layout.fall = refined(std::move(layout.fall), surface.smooth);
+      for (std::vector<double>* values : {&layout.fall, &layout.blood_feet, &layout.fluid_feet}) {
+        *values = refined(std::move(*values), surface.smooth);
+      }
       layout.fringe = fringe_mesh(surface.topology(), surface.borders, surface.is_lip, layout.map);
       wounds_.back() = std::move(layout);
     }

@@ -6,6 +6,7 @@
 #include "renderer/picture/Float3.hpp"
 #include "renderer/picture/RunFilm.hpp"
 #include "renderer/wound/Bleeding.hpp"
+#include "renderer/wound/RunFeet.hpp"
 
 namespace thinwall {
 namespace {
@@ -14,6 +15,7 @@ constexpr double kBloodSpacing = 0.014;  // metres between runs of blood, and of
 constexpr double kFluidSpacing = 0.007;
 constexpr double kBloodFrom = 0.009;      // metres of a lip whose blood goes into a run; the rest stays in the wound
 constexpr double kLongestRun = 0.045;     // metres
+constexpr double kLevelRun = 0.009;       // metres, of blood that wells over a lip of a level wall
 constexpr double kFluidPush = 0.02;       // metres over level wall, of what the body presses out
 constexpr double kFirstDrops = 1e-7;      // metres^3, after which lips are wet all along
 constexpr float kFringeMargin = 0.0005F;  // metres beyond its edge that are drawn, for that is uneven
@@ -33,6 +35,8 @@ struct Fringe {
 constexpr Fringe kBlood = {.width = 0.0012, .height = 0.0009, .spare = 1.1, .kind = kFilmEdgedCoat};
 constexpr Fringe kWelling = {.width = 0.0012, .height = 0.0004, .spare = 0.6, .kind = kFilmCoat};
 constexpr Fringe kBareEdge = {.width = 0.00025, .height = 0.0001, .spare = 0.2, .kind = kFilmCoat};
+
+constexpr double kBloodFoot = 1.3, kFluidFoot = 0.9;  // spread that a lip has more where a run begins
 
 constexpr double kPressedOut = 0.75;  // fullness that closed lips have more
 constexpr double kLipRoom = 0.0010;   // metres between lips, by which a third of that is left
@@ -212,21 +216,32 @@ void append_ground(const TissuePiece& bed, const WoundLayout& wounds, const Shed
   }
 }
 
-/// A run of blood: a thin line at first, that grows wider with what comes after it.
-RunShape blood_run(double full_half_width, double volume, double age) {
-  constexpr double kDepth = 0.35;     // over half the width: it wets the wall
-  constexpr double kSlender = 0.05;   // half the width over the length, of a line that has just begun
-  constexpr double kLineEnds = 0.02;  // metres, length from which on it ends in a whole drop
-  constexpr double kMostDrop = 0.7;   // by which that is wider than the line
-  constexpr double kSpeed = 0.03;     // metres/second
-  const double half_width = std::min(full_half_width, std::cbrt(kSlender * volume / (2 * kDepth)));
+/// What a run of blood is made of.
+struct BloodRun {
+  double most_half_width = 0;  // metres
+  double volume = 0;           // metres^3
+  double age = 0;              // seconds
+  double way = 0;              // metres, as far as it goes
+  bool creeps = false;
+};
+
+/// A run of blood: a thin line at first, that grows wider with what comes after it. What creeps over a level wall holds
+/// together, and is no line.
+RunShape blood_run(const BloodRun& run) {
+  constexpr double kDepth = 0.35;                          // over half the width: it wets the wall
+  constexpr double kSlender = 0.05, kSlenderLevel = 0.14;  // half the width over the length, of one that has just begun
+  constexpr double kLineEnds = 0.02;                       // metres, length from which on it ends in a whole drop
+  constexpr double kMostDrop = 0.7;                        // by which that is wider than the line
+  constexpr double kSpeed = 0.03, kSpeedLevel = 0.01;      // metres/second
+  const double slender = run.creeps ? kSlenderLevel : kSlender, speed = run.creeps ? kSpeedLevel : kSpeed;
+  const double half_width = std::min(run.most_half_width, std::cbrt(slender * run.volume / (2 * kDepth)));
   if (!(half_width > 0)) return {};
   const double height = kDepth * half_width;
-  const double length = run_length(volume, 2 * half_width, height, age, kSpeed);
+  const double length = std::min(run.way, run_length(run.volume, 2 * half_width, height, run.age, speed));
   return {.half_width = half_width,
           .length = length,
           .height = height,
-          .dry = dryness(age),
+          .dry = dryness(run.age),
           .drop = 1 + kMostDrop * std::min(1.0, length / kLineEnds)};
 }
 
@@ -251,13 +266,17 @@ double thickness_at(const FluidRun& run, const SnapshotTopology& topology) {
 
 WoundLayout lay_out_wounds(const SnapshotTopology& topology, std::span<const BorderEdge> borders,
                            std::span<const char> is_lip, Vector3 down) {
-  WoundLayout layout{
-      .map = map_wounds(topology, borders, is_lip),
-      .fringe = {},
-      .fall = std::vector<double>(is_lip.size(), 0),
-      .blood_runs = find_runs(topology, borders, is_lip, down, {.spacing = kBloodSpacing, .longest = kLongestRun}),
-      .fluid_runs = find_runs(topology, borders, is_lip, down,
-                              {.spacing = kFluidSpacing, .longest = kLongestRun, .push = kFluidPush})};
+  WoundLayout layout{.map = map_wounds(topology, borders, is_lip),
+                     .fringe = {},
+                     .fall = std::vector<double>(is_lip.size(), 0),
+                     .blood_runs = find_runs(topology, borders, is_lip, down,
+                                             {.spacing = kBloodSpacing, .longest = kLongestRun, .level = kLevelRun}),
+                     .fluid_runs = find_runs(topology, borders, is_lip, down,
+                                             {.spacing = kFluidSpacing, .longest = kLongestRun, .push = kFluidPush}),
+                     .blood_feet = {},
+                     .fluid_feet = {}};
+  layout.blood_feet = run_feet(topology, borders, is_lip, layout.blood_runs);
+  layout.fluid_feet = run_feet(topology, borders, is_lip, layout.fluid_runs);
   for (const auto& [start, end, triangle] : borders) {
     if (!is_lip[start] || !is_lip[end]) continue;
     const Vector3 a = vector3(topology.rest_positions[start]), b = vector3(topology.rest_positions[end]);
@@ -277,23 +296,34 @@ Film blood_film(const SnapshotSurface& surface, std::span<const BorderEdge> bord
   const std::vector<double> tapering = wounds.map.tapering(time);
   const Shed shed = shed_blood(*surface.topology, wounds, bleeding.strength, time);
   const std::vector<double> gapes = lip_gapes(surface, wounds.map);
+  // What runs out of the body washes away what would run beside it.
+  const double left = std::exp(-bleeding.leaked / kFirstDrops);
   const auto over_lip = [&](std::uint32_t lip) {
     const double most = 1 + 0.5 * wounds.fall[lip] + kPressedOut * std::exp(-gapes[lip] / kLipRoom);
-    return FringePart{.spread = shed.amount[lip] * std::sqrt(tapering[lip]) * most, .dry = shed.dry[lip]};
+    // Where a run begins it comes over the lip little by little, however far that gapes.
+    constexpr double kGathering = 1;  // seconds
+    const double foot = kBloodFoot * left * std::cbrt(bleeding.strength) * tapering[lip] * wounds.blood_feet[lip] *
+                        (1 - std::exp(-age_of(*surface.topology, lip, time) / kGathering));
+    return FringePart{.spread = shed.amount[lip] * std::sqrt(tapering[lip]) * most + foot, .dry = shed.dry[lip]};
   };
   append_fringe(pieces.front(), wounds, kBlood, over_lip, film);
   for (const TissuePiece& piece : pieces) {
     if (piece.side == TissueSide::kRim) append_rim(borders, piece, wounds, shed, film);
     if (piece.side == TissueSide::kBed) append_ground(piece, wounds, shed, film);
   }
-  // What runs out of the body washes away what would run beside it.
-  const double left = std::exp(-bleeding.leaked / kFirstDrops);
   const std::vector<Float3> normals = normals_of(pieces.front());
   for (const FluidRun& run : wounds.blood_runs) {
     const double age = time - run.born - 0.4 * run.chance;
     const double thickness = thickness_at(run, *surface.topology);
-    const double volume = left * bleeding.strength * (0.5 + run.chance) * kBloodFrom * thickness * blood_shed(age);
-    append_run(surface, normals, run, blood_run(blood_half_width(run, thickness), volume, age), film);
+    const double lip = std::min(kBloodFrom, 0.5 * wounds.map.length);
+    const double volume = left * bleeding.strength * (0.5 + run.chance) * lip * thickness * blood_shed(age);
+    const double way = static_cast<double>(run.path.size() - 1) * kRunStep;
+    const BloodRun blood{.most_half_width = blood_half_width(run, thickness),
+                         .volume = volume,
+                         .age = age,
+                         .way = way,
+                         .creeps = run.creeps};
+    append_run(surface, normals, run, blood_run(blood), film);
   }
   return film;
 }
@@ -321,7 +351,8 @@ Film runoff_film(const SnapshotSurface& surface, std::span<const TissuePiece> pi
   const std::vector<double> tapering = wounds.map.tapering(time);
   const auto part = [&](std::uint32_t lip) {
     // It leaves over the lower lip, and hardly wets the upper one.
-    const double spread = welling * tapering[lip] * (1 + 0.6 * wounds.fall[lip]);
+    const double foot = kFluidFoot * wounds.fluid_feet[lip];
+    const double spread = welling * tapering[lip] * (1 + 0.6 * wounds.fall[lip] + foot);
     return FringePart{.spread = spread, .dry = 0};
   };
   append_fringe(pieces.front(), wounds, kWelling, part, film);

@@ -18,6 +18,7 @@ struct WoundLayout {
   std::vector<double> fall;  // (vertices), of lips: -1 to 1, how far the wall falls away from the wound
   std::vector<FluidRun> blood_runs;
   std::vector<FluidRun> fluid_runs;
+  std::vector<double> blood_feet, fluid_feet;  // (vertices), of lips: see run_feet
 };
 
 /// All but the fringe, which fringe_mesh gives once the wall is as fine as it is drawn. `is_lip`: what cut_lips gives;

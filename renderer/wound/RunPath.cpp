@@ -133,13 +133,48 @@ std::vector<WallPlace> pushed_out(const Slope& slope, WallPlace& place, Vector3 
   return shortest;
 }
 
-/// From a lip on, pushed `away` from it while the wall is level. Empty where it finds no slope within `push` metres.
-/// `falls`: where it does.
-std::vector<WallPlace> follow(const Slope& slope, WallPlace place, Vector3 down, const RunReach& reach, Vector3 away,
-                              double chance, Vector3& falls) {
-  std::vector<WallPlace> path = pushed_out(slope, place, down, reach.push, away);
-  if (path.empty()) return path;
-  falls = point_at(place, slope.topology.rest_positions);
+/// Sine of the slope that counts as much as kLean.
+constexpr double kLeanSlope = 0.12;
+
+/// What wells over a lip where the wall is level: away from it at first, then along kLean and what slope there is,
+/// farther here than there by `chance`. Empty where it does not come over, or the lip is on the upper side of the
+/// wound. `place`: from there, and where it ends.
+std::vector<WallPlace> creep(const Slope& slope, WallPlace& place, Vector3 down, double level, Vector3 away,
+                             double chance) {
+  constexpr double kLeastChance = 0.35;
+  constexpr double kOverLip = 0.002;     // metres, over which it turns from the lip to the lean
+  constexpr double kLeastCosine = 0.45;  // between both
+  if (chance < kLeastChance) return {};
+  std::vector<WallPlace> path = {place};
+  for (double along = 0; along < level * chance; along += kRunStep) {
+    const Vector3 normal = normalized(point_at(place, slope.normals));
+    const Vector3 fall = down - dot(down, normal) * normal;
+    if (length(fall) >= kLeastSlope) break;
+    const Vector3 lean = normalized(fall + kLeanSlope * (kLean - dot(kLean, normal) * normal));
+    if (along == 0 && dot(away, lean) < kLeastCosine) return {};
+    const double at_lip = std::exp(-along / kOverLip), angle = swerve(along, chance);
+    const Vector3 ahead = normalized(at_lip * away + (1 - at_lip) * lean);
+    if (!move(slope, place, kRunStep * (std::cos(angle) * ahead + std::sin(angle) * cross(normal, ahead)))) break;
+    path.push_back(place);
+  }
+  return path;
+}
+
+/// How a run goes; along nothing where neither push nor creeping brings it on.
+struct RunWay {
+  std::vector<WallPlace> path;
+  Vector3 falls;        // where it comes to a slope or ends
+  bool creeps = false;  // first
+};
+
+/// From a lip on, pushed `away` from it while the wall is level, or creeping over that.
+RunWay follow(const Slope& slope, WallPlace place, Vector3 down, const RunReach& reach, Vector3 away, double chance) {
+  RunWay way{.path = pushed_out(slope, place, down, reach.push, away), .falls = {}};
+  way.creeps = way.path.empty() && reach.level > 0;
+  if (way.creeps) way.path = creep(slope, place, down, reach.level, away, chance);
+  std::vector<WallPlace>& path = way.path;
+  if (path.empty()) return way;
+  way.falls = point_at(place, slope.topology.rest_positions);
   const std::size_t level = path.size();
   Vector3 sense = level > 1 ? normalized(point_at(path[level - 1], slope.topology.rest_positions) -
                                          point_at(path[level - 2], slope.topology.rest_positions))
@@ -154,7 +189,7 @@ std::vector<WallPlace> follow(const Slope& slope, WallPlace place, Vector3 down,
     if (!move(slope, place, kRunStep * sense)) break;
     path.push_back(place);
   }
-  return path;
+  return way;
 }
 
 /// 0 to 1, from the place alone.
@@ -235,12 +270,13 @@ std::vector<FluidRun> find_runs(const SnapshotTopology& topology, std::span<cons
     if (std::ranges::any_of(taken, [&](const LipPoint& other) { return lip.is_beside(other, reach.spacing); }))
       continue;
     const double chance = chance_of(topology.rest_positions[borders[k].start]);
-    std::vector<WallPlace> path = follow(slope, start, down, reach, lip.away, chance, lip.falls);
-    if (path.size() < 4) continue;
+    RunWay way = follow(slope, start, down, reach, lip.away, chance);
+    if (way.path.size() < 4) continue;
+    lip.falls = way.falls;
     if (std::ranges::any_of(taken, [&](const LipPoint& other) { return lip.runs_into(other, reach.spacing); }))
       continue;
     taken.push_back(lip);
-    runs.push_back({.path = std::move(path), .born = time, .chance = chance});
+    runs.push_back({.path = std::move(way.path), .born = time, .chance = chance, .creeps = way.creeps});
   }
   return runs;
 }

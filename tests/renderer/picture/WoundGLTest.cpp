@@ -231,9 +231,10 @@ TEST(Wound, BleedsAlongACutAndNotWithoutOne) {
   for (std::size_t pixel = 0; pixel < bleeding.pixels.size(); pixel += 3) {
     if (bleeding.pixels[pixel + 1] + 30 < dry.pixels[pixel + 1]) ++reddened;
   }
-  // 36 of 40 mm at 4.8 pixels a millimetre, 1 to 2 mm wide: some hundreds of pixels.
+  // 36 of 40 mm at 4.8 pixels a millimetre, 1 to 2 mm wide: some hundreds of pixels; and less than a hundred for each
+  // of the two or three trickles that creep on from there.
   EXPECT_GT(reddened, 150U);
-  EXPECT_LT(reddened, 900U);
+  EXPECT_LT(reddened, 1200U);
 }
 
 TEST(Wound, BloodPaintsNoEvenRibbonAlongALip) {

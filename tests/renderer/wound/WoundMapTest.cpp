@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "renderer/wound/Bleeding.hpp"
+#include "renderer/wound/RunFeet.hpp"
 #include "renderer/wound/RunPath.hpp"
 #include "tests/renderer/picture/CutSheets.hpp"
 
@@ -79,10 +80,10 @@ TEST(WoundMap, ItsTaperingGoesOnWithACutBetweenTheVertices) {
   EXPECT_GT(map.tapering(5)[last], 0.1);
 }
 
-std::vector<FluidRun> runs_of(const SnapshotTopology& topology, double push = 0) {
+std::vector<FluidRun> runs_of(const SnapshotTopology& topology, double push = 0, double level = 0) {
   const std::vector<BorderEdge> borders = border_edges(topology);
   return find_runs(topology, borders, cut_lips(topology, borders), {0, 0, -1},
-                   {.spacing = 0.0045, .longest = 0.03, .push = push});
+                   {.spacing = 0.0045, .longest = 0.03, .push = push, .level = level});
 }
 
 TEST(FluidRuns, FollowTheSlopeFromTheLowerLip) {
@@ -113,6 +114,51 @@ TEST(FluidRuns, AreNoneOnALevelSheetNorOnATakeThatDoesNotTellWhen) {
   SnapshotTopology untold = *test::slit_sheet(20, 0.001, 0.8).topology;
   untold.cut_times.clear();
   EXPECT_TRUE(runs_of(untold).empty());
+}
+
+TEST(FluidRuns, CreepOverTheLowerLipOfALevelSheet) {
+  constexpr double kLevel = 0.006;
+  const SnapshotTopology sheet = *test::slit_sheet(20, 0.001, 0).topology;
+  const std::vector<FluidRun> runs = runs_of(sheet, 0, kLevel);
+  ASSERT_FALSE(runs.empty());
+  for (const FluidRun& run : runs) {
+    const Vector3 start = point_at(run.path.front(), sheet.rest_positions);
+    const Vector3 end = point_at(run.path.back(), sheet.rest_positions);
+    EXPECT_NEAR(start.y, 0, 1e-7) << "begins at the cut";
+    EXPECT_GT(dot(end - start, kLean), 0.0015) << "goes where the sheet is taken to lean";
+    EXPECT_LE(static_cast<double>(run.path.size() - 2) * kRunStep, kLevel * run.chance) << "the farther the more comes";
+  }
+}
+
+TEST(FluidRuns, DoNotCreepWhereTheWallFalls) {
+  const SnapshotTopology slope = *test::slit_sheet(20, 0.001, 0.8).topology;
+  const std::vector<FluidRun> runs = runs_of(slope), again = runs_of(slope, 0, 0.006);
+  ASSERT_EQ(runs.size(), again.size());
+  for (std::size_t k = 0; k < runs.size(); ++k) EXPECT_EQ(runs[k].path.size(), again[k].path.size()) << k;
+}
+
+TEST(FluidRuns, StandOnFeetAlongTheirOwnLip) {
+  const SnapshotTopology sheet = *test::slit_sheet(20, 0.001, 0.8).topology;
+  const std::vector<BorderEdge> borders = border_edges(sheet);
+  const std::vector<char> is_lip = cut_lips(sheet, borders);
+  const std::vector<FluidRun> all = runs_of(sheet);
+  const auto from_middle = [&](const FluidRun& run) {
+    return std::abs(point_at(run.path.front(), sheet.rest_positions).x);
+  };
+  const std::vector<FluidRun> runs = {*std::ranges::min_element(all, {}, from_middle)};
+  const std::vector<double> feet = run_feet(sheet, borders, is_lip, runs);
+  const double start = point_at(runs.front().path.front(), sheet.rest_positions).x;
+  const auto twins = static_cast<std::uint32_t>(21 * 21);  // of the upper lip, see slit_sheet
+  for (std::uint32_t v = 0; v < feet.size(); ++v) {
+    const double away = std::abs(double{sheet.rest_positions[v][0]} - start);
+    if (!is_lip[v] || v >= twins) {
+      EXPECT_LT(feet[v], 0.01) << "beyond the cut's end, or off the lips";
+    } else if (away < 0.0006) {
+      EXPECT_EQ(feet[v], 1) << v;
+    } else {
+      EXPECT_LT(feet[v], away < 0.004 ? 0.7 : 0.01) << v;
+    }
+  }
 }
 
 /// A slit along the top of a vault of radius 12 mm, on which the wall falls by `lean` to one side.
