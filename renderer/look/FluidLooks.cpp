@@ -14,7 +14,7 @@ constexpr std::array kFluidLooks = {
     NamedFluid{"gastric_juice",
                "pale and slightly cloudy",
                {.color = {0.60, 0.54, 0.34}, .clarity = 0.005, .cloudiness = 0.7}},
-    NamedFluid{"blood", "dark red and opaque", {.color = {0.34, 0.015, 0.02}, .clarity = 0.0007, .cloudiness = 1}},
+    NamedFluid{"blood", "dark red and opaque", {.color = {0.34, 0.015, 0.02}, .clarity = 0.0002, .cloudiness = 1}},
     NamedFluid{"water", "clear", {.color = {0.66, 0.76, 0.76}, .clarity = 0.06, .cloudiness = 0.03}},
     NamedFluid{"none", "nothing is seen of it, as of a gel or of solid tissue", {.color = {0, 0, 0}, .clarity = 0}},
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
 #include <vector>
 
 #include "renderer/look/FluidLooks.hpp"
@@ -15,8 +16,8 @@ namespace {
 constexpr ImageSize kSize{240, 240};
 constexpr double kSteepness = 0.8;  // radians, of the sheet that bile runs down
 
-/// The lower half of a slit sheet, seen by an endoscope at right angles, with bile on it.
-Image picture_of_bile(double leaked) {
+/// The lower half of a slit sheet, seen by an endoscope at right angles, with what has run out on it.
+Image picture_of_run(const char* fluid, double leaked) {
   const Double3 middle = {0, -0.008 * std::cos(kSteepness), -0.008 * std::sin(kSteepness)};
   ViewDefinition view;
   view.camera.kind = CameraKind::kEndoscope;
@@ -28,13 +29,17 @@ Image picture_of_bile(double leaked) {
   view.look.floor = false;
   // Only what runs down glistens.
   view.look.bodies["organ"] = {.color = {0.3, 0.3, 0.3}, .roughness = 1, .wetness = 0, .mottling = 0, .sheen = 0};
-  view.look.bodies["organ"].contents = *find_fluid_look("bile");
+  view.look.bodies["organ"].contents = *find_fluid_look(fluid);
   view.look.bodies["organ"].bleeding = 0;
   Snapshot snapshot;
   snapshot.surfaces = {test::slit_sheet(20, 0.002, kSteepness)};
   snapshot.time = 3;
   snapshot.scalars = {{"organ.leaked", "m^3", leaked}};
   return Renderer(DeviceChoice{}, kSize, Tier::kRecord).draw(snapshot, view);
+}
+
+Image picture_of_bile(double leaked) {
+  return picture_of_run("bile", leaked);
 }
 
 /// Sizes of the patches of pixels that are brighter than `level`, where neighbours share a side.
@@ -79,6 +84,22 @@ TEST(Run, OfALeakTwiceAsLargeCoversMore) {
   RecordProperty("much", much);
   EXPECT_GT(twice, 1.08 * small);
   EXPECT_GT(much, 1.4 * small);
+}
+
+TEST(Run, OfBloodHidesTheWallBelow) {
+  // So little that it runs at half of the usual width and depth.
+  const Image dry = picture_of_run("blood", 0), wet = picture_of_run("blood", 2e-7);
+  std::vector<double> left;  // parts of the green
+  for (std::size_t i = 0; i < dry.pixels.size(); i += 3) {
+    const double before = dry.pixels[i + 1], after = wet.pixels[i + 1];
+    if (after < 0.85 * before) left.push_back(after / before);
+  }
+  ASSERT_GT(left.size(), 500U) << "pixels";
+  const auto middle = left.begin() + static_cast<std::ptrdiff_t>(left.size() / 2);
+  std::ranges::nth_element(left, middle);
+  RecordProperty("left", std::to_string(*middle));
+  // Half of it is nearer to its edge, where it is thin.
+  EXPECT_LT(*middle, 0.55) << "0.43 was seen, 0.70 of blood as clear as wine";
 }
 
 TEST(Run, MirrorsTheLampInLongPiecesNotInCrumbs) {
