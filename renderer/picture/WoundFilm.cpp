@@ -45,6 +45,8 @@ constexpr double kLipRoom = 0.0010;   // metres between lips, by which a third o
 /// wound, where it gathers along the middle, which is deepest.
 constexpr double kFaceTop = 0.10, kFaceGrowth = 1.10;  // fullness outside, and what is added to the inside
 constexpr double kLowerLip = 0.35;                     // and what to a lip from which the wall falls away
+constexpr double kBetweenLips = 1.3;                   // and what to lips that lie together, between which it stands
+constexpr double kBridged = 0.0002;                    // metres between lips, by which a third of that is left
 constexpr double kGround = 0.55, kGroundMiddle = 0.9;  // fullness all over the ground, and what is added in the middle
 constexpr double kMiddle = 0.004;                      // metres, half the width of that
 constexpr double kGroundEnds = 0.009;                  // metres from the cut, about where there is none any more
@@ -172,14 +174,16 @@ Shed shed_blood(const SnapshotTopology& topology, const WoundLayout& wounds, dou
   return shed;
 }
 
+/// `gapes`: what lip_gapes gives.
 void append_rim(std::span<const BorderEdge> borders, const TissuePiece& rim, const WoundLayout& wounds,
-                const Shed& shed, Film& film) {
+                std::span<const double> gapes, const Shed& shed, Film& film) {
   const auto offset = static_cast<std::uint32_t>(film.vertices.size());
   for (std::size_t v = 0; v < rim.vertices.size(); ++v) {
     const BorderEdge& edge = borders[v / 4];
     const std::uint32_t lip = v % 4 < 2 ? edge.start : edge.end;
     const double depth = v % 2 == 0 ? 0 : 1;
-    const double most = kFaceTop + kFaceGrowth * depth + kLowerLip * wounds.fall[lip];
+    const double between = kBetweenLips * std::exp(-gapes[lip] / kBridged);
+    const double most = kFaceTop + kFaceGrowth * depth + kLowerLip * wounds.fall[lip] + between;
     FilmVertex coat = blood_coat(rim.vertices[v], shed.amount[lip] * (1 + most) - 1, shed.dry[lip]);
     // What runs down is drawn out that way.
     const Vector3 outer = vector3(rim.vertices[v - v % 2].rest);
@@ -308,7 +312,7 @@ Film blood_film(const SnapshotSurface& surface, std::span<const BorderEdge> bord
   };
   append_fringe(pieces.front(), wounds, kBlood, over_lip, film);
   for (const TissuePiece& piece : pieces) {
-    if (piece.side == TissueSide::kRim) append_rim(borders, piece, wounds, shed, film);
+    if (piece.side == TissueSide::kRim) append_rim(borders, piece, wounds, gapes, shed, film);
     if (piece.side == TissueSide::kBed) append_ground(piece, wounds, shed, film);
   }
   const std::vector<Float3> normals = normals_of(pieces.front());

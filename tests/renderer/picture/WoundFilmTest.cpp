@@ -89,6 +89,25 @@ TEST(WoundFilm, CoatsTheFacesOfACutMoreTheDeeper) {
   EXPECT_GT(faces, 40);
 }
 
+/// Fullness along the outer edge of a cut's faces, the least but for where the cut ends.
+double fullness_of_edges(const Wound& wound) {
+  const Film film = wound.blood(2);
+  const auto& rim = *std::ranges::find(wound.pieces, TissueSide::kRim, &TissuePiece::side);
+  double least = 10;
+  for (std::size_t v = 0; v < rim.vertices.size(); v += 2) {
+    const bool is_inner = std::abs(rim.vertices[v].rest[0]) < 0.004F && std::abs(rim.vertices[v].rest[1]) < 0.0001F;
+    if (is_inner) least = std::min(least, fullness(film.vertices[wound.fringe_size() + v]));
+  }
+  return least;
+}
+
+TEST(WoundFilm, StandsBetweenLipsThatLieTogether) {
+  Wound wound(0);
+  EXPECT_GT(fullness_of_edges(wound), 1) << "the pale layer between them would show in single pixels";
+  for (std::uint32_t v = 21 * 21; v < wound.sheet.positions.size(); ++v) wound.sheet.positions[v][1] += 0.003F;
+  EXPECT_LT(fullness_of_edges(wound), 0.3) << "faces that gape show their layers";
+}
+
 TEST(WoundFilm, GathersInTheMiddleOfTheGroundOfAWound) {
   Wound wound(0);
   const auto& wall = wound.pieces.front();
