@@ -97,7 +97,7 @@ Camera resolve_camera(const CameraDefinition& definition, const SceneExtent& ext
   camera.lens = Lens(definition.lens);
   set_field_of_view(camera, definition.field_of_view, size);
   Vector3 up = definition.up ? normalized(vector3(*definition.up)) : Vector3{0, 0, 1};
-  const double angle = definition.orbit_speed * time;
+  const double angle = orbit_angle(definition, time);
   stand(camera, definition, subject, up, angle);
   Vector3 target = definition.target ? vector3(*definition.target) : subject.center;
   if (definition.is_moved()) {

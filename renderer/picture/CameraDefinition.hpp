@@ -54,6 +54,7 @@ struct CameraDefinition {
   std::optional<Double3> up = {};        // direction
   double field_of_view = 0.5236;         // radians, vertical
   double orbit_speed = 0;                // radians / second around the upward axis through the target
+  std::optional<double> orbit_end = {};  // seconds, when that is to be over, if it is known; set for each picture
   CameraKind kind = CameraKind::kPinhole;
   double exposure = 0;                         // brighter by this power of two
   std::vector<CameraKeyframe> keyframes = {};  // ascending in time

@@ -63,6 +63,19 @@ double nearness(const CameraPushIn& push, double time) {
 
 }  // namespace
 
+double orbit_angle(const CameraDefinition& camera, double time) {
+  const bool ends = camera.orbit_end && *camera.orbit_end > 0;
+  const double ease = ends ? std::min(kOrbitEase, 0.5 * *camera.orbit_end) : kOrbitEase;
+  // Seconds at full speed that one has gone which set out so long ago: the integral of 3 u^2 - 2 u^3.
+  const auto since_start = [ease](double elapsed) {
+    const double part = std::clamp(elapsed / ease, 0.0, 1.0);
+    return std::max(0.0, elapsed - ease) + ease * part * part * part * (1 - 0.5 * part);
+  };
+  double gone = since_start(time);
+  if (ends && time > 0.5 * *camera.orbit_end) gone = *camera.orbit_end - ease - since_start(*camera.orbit_end - time);
+  return camera.orbit_speed * gone;
+}
+
 CameraPose moved_pose(const CameraDefinition& camera, const CameraPose& own, double time) {
   CameraPose pose = camera.keyframes.empty() ? own : keyed_pose(camera.keyframes, own, time);
   if (camera.follow && camera.followed_point) {

@@ -19,4 +19,9 @@ struct CameraPose {
 /// before the first and after the last it stays. A pure function of its arguments.
 CameraPose moved_pose(const CameraDefinition& camera, const CameraPose& own, double time);
 
+/// Radians by which a camera has gone round at `time` (seconds): it sets out and comes to rest as one does that is
+/// moved by hand, over kOrbitEase, or half of the time that there is.
+double orbit_angle(const CameraDefinition& camera, double time);
+inline constexpr double kOrbitEase = 0.8;  // seconds
+
 }  // namespace thinwall

@@ -117,7 +117,7 @@ void FrameComposer::compose_second(double time, const Moment& earlier, Frame& fr
   const Snapshot& before = earlier.second ? earlier.second->snapshot : after;
   Snapshot second = interpolate(before, after, time);
   second_set_aside_.mark(second);
-  frame.shot.beside = second_shots_->shot(second).camera;
+  frame.shot.beside = second_shots_->shot(second, later_->planned_duration).camera;
   frame.shot.beside_snapshot = std::make_shared<const Snapshot>(std::move(second));
   frame.shot.beside_view = {comparison_, &comparison_->second};
   frame.half_captions = comparison_->captions;
@@ -144,7 +144,7 @@ Frame FrameComposer::compose(double time) const {
   Frame frame{.snapshot = interpolate(earlier.snapshot, later_->snapshot, time), .overlay = {}};
   set_aside_.mark(frame.snapshot);
   frame.overlay = overlay(frame.snapshot);
-  frame.shot = shots_.shot(frame.snapshot);
+  frame.shot = shots_.shot(frame.snapshot, later_->planned_duration);
   frame.annotations = annotations_;
   if (comparison_ && later_->second) compose_second(time, earlier, frame);
   return frame;

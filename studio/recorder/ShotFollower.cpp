@@ -18,15 +18,16 @@ void ShotFollower::add(const Snapshot& snapshot) {
   for (auto& [key, follower] : followers_) follower.add(snapshot);
 }
 
-Shot ShotFollower::shot(const Snapshot& snapshot) const {
+Shot ShotFollower::shot(const Snapshot& snapshot, double end) const {
   Shot shot = shot_at(view_, snapshot.time);
-  shot.camera = with_subject(std::move(shot.camera), snapshot);
-  if (shot.beside) shot.beside = with_subject(*std::move(shot.beside), snapshot);
-  if (shot.inset) shot.inset = with_subject(*std::move(shot.inset), snapshot);
+  shot.camera = as_it_is(std::move(shot.camera), snapshot, end);
+  if (shot.beside) shot.beside = as_it_is(*std::move(shot.beside), snapshot, end);
+  if (shot.inset) shot.inset = as_it_is(*std::move(shot.inset), snapshot, end);
   return shot;
 }
 
-CameraDefinition ShotFollower::with_subject(CameraDefinition camera, const Snapshot& snapshot) const {
+CameraDefinition ShotFollower::as_it_is(CameraDefinition camera, const Snapshot& snapshot, double end) const {
+  if (camera.orbit_speed != 0) camera.orbit_end = end;
   if (!camera.follow) return camera;
   camera.followed_point = followers_.at({camera.follow->tool, camera.follow->smoothing}).at(snapshot);
   return camera;

@@ -16,11 +16,12 @@ class ShotFollower {
   /// The next moment, in order of time.
   void add(const Snapshot& snapshot);
 
-  /// What is shown at `snapshot`, which lies between the last two moments.
-  Shot shot(const Snapshot& snapshot) const;
+  /// What is shown at `snapshot`, which lies between the last two moments, of a recording that ends at `end` (seconds)
+  /// as far as is known.
+  Shot shot(const Snapshot& snapshot, double end) const;
 
  private:
-  CameraDefinition with_subject(CameraDefinition camera, const Snapshot& snapshot) const;
+  CameraDefinition as_it_is(CameraDefinition camera, const Snapshot& snapshot, double end) const;
 
   ViewDefinition view_;
   std::map<std::pair<std::string, double>, ToolFollower> followers_;  // by tool and smoothing time

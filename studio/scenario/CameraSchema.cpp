@@ -116,7 +116,8 @@ MappingSchema camera_mapping(const std::string& name, const std::string& documen
        "absent 33 deg, and 55 deg where blades cut a round or flat shape from above, or along a `direction` downwards"},
       {"up", direction_value(), false, {}, "what is up in the picture; not along the line of sight"},
       {"orbit_speed", quantity_value(kAngularSpeed, {}, "10 deg/s"), false, "0 deg/s",
-       "turn around the upward axis through the target; a camera without `position` goes back on its way as far as the "
+       "turn around the upward axis through the target, into and out of which it eases within 0.8 s; a camera without "
+       "`position` goes back on its way as far as the "
        "organs ask for, which stay in the picture"},
       {"exposure", quantity_value(kDimensionless, {.minimum = -10, .maximum = 10}, "0.5"), false, "0",
        "brighter by this power of two"},

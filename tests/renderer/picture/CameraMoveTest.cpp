@@ -137,5 +137,33 @@ TEST(Shot, ACameraThatThereIsNotIsNamed) {
   EXPECT_THROW(shot_at(view, 0), PictureFailure);
 }
 
+TEST(CameraMove, AnOrbitSetsOutAndComesToRestWithoutAJerk) {
+  constexpr double kSpeed = 0.5, kEnd = 4, kStep = 1e-3;  // radians / second, seconds
+  const CameraDefinition camera{.orbit_speed = kSpeed, .orbit_end = kEnd};
+  const auto speed = [&](double time) {
+    return (orbit_angle(camera, time + kStep) - orbit_angle(camera, time - kStep)) / (2 * kStep);
+  };
+  EXPECT_EQ(orbit_angle(camera, 0), 0);
+  EXPECT_NEAR(speed(0), 0, 1e-5) << "at rest";
+  EXPECT_NEAR(speed(0.5 * kOrbitEase), 0.5 * kSpeed, 1e-5);
+  EXPECT_NEAR(speed(0.5 * kEnd), kSpeed, 1e-9);
+  EXPECT_NEAR(speed(kEnd - 0.5 * kOrbitEase), 0.5 * kSpeed, 1e-5);
+  EXPECT_NEAR(speed(kEnd), 0, 1e-5) << "at rest again";
+  EXPECT_NEAR(orbit_angle(camera, kEnd), kSpeed * (kEnd - kOrbitEase), 1e-12);
+  EXPECT_EQ(orbit_angle(camera, kEnd + 1), orbit_angle(camera, kEnd)) << "and stays there";
+  for (double time = 0; time < kEnd; time += 0.01) {
+    EXPECT_LT(std::abs(speed(time + 0.01) - speed(time)), 0.02 * kSpeed) << time;
+  }
+}
+
+TEST(CameraMove, AShortOrbitEasesOverHalfOfItsTime) {
+  const CameraDefinition camera{.orbit_speed = 1, .orbit_end = 0.6};
+  EXPECT_NEAR(orbit_angle(camera, 0.6), 0.3, 1e-12);
+  EXPECT_NEAR(orbit_angle(camera, 0.3), 0.15, 1e-12);
+  CameraDefinition endless = camera;
+  endless.orbit_end.reset();
+  EXPECT_NEAR(orbit_angle(endless, 100), 100 - 0.5 * kOrbitEase, 1e-12) << "of one whose end nobody knows";
+}
+
 }  // namespace
 }  // namespace thinwall

@@ -6,6 +6,7 @@
 #include <memory>
 #include <numbers>
 
+#include "renderer/picture/CameraMove.hpp"
 #include "renderer/picture/PictureFailure.hpp"
 #include "tests/renderer/picture/TestMeshes.hpp"
 
@@ -177,8 +178,8 @@ TEST(Camera, ByDefaultAllRestPointsAreSeenAndFillTheRoomBetweenTheOverlays) {
 TEST(Camera, OrbitTurnsAroundTheTargetAndKeepsTheDistance) {
   CameraDefinition definition{
       .position = Double3{1, 0, 0.5}, .target = Double3{0, 0, 0}, .up = {}, .orbit_speed = std::numbers::pi};
-  const Camera camera = resolve_camera(definition, box(0.1f, 0.1f, 0.1f), kSize, 0.5);
-  // A quarter turn.
+  // A quarter turn, half of the time of setting out later than without.
+  const Camera camera = resolve_camera(definition, box(0.1f, 0.1f, 0.1f), kSize, 0.5 + 0.5 * kOrbitEase);
   EXPECT_NEAR(camera.position.x, 0, 1e-15);
   EXPECT_NEAR(camera.position.y, 1, 1e-15);
   EXPECT_NEAR(camera.position.z, 0.5, 1e-15);

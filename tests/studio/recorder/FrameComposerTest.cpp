@@ -24,6 +24,16 @@ TEST(FrameComposerTest, AFrameLiesBetweenItsNeighbours) {
   EXPECT_DOUBLE_EQ(*frame.overlay.pressure, 1e5 * mean);
 }
 
+TEST(FrameComposerTest, ACameraThatGoesRoundKnowsWhenTheRecordingEnds) {
+  ViewDefinition view;
+  view.camera.orbit_speed = 0.4;
+  Moment moment = SyntheticRun().moment(0);
+  moment.planned_duration = 3;
+  FrameComposer composer("", {}, view);
+  composer.add(moment);
+  EXPECT_EQ(composer.compose(0).shot.camera.orbit_end, 3);
+}
+
 TEST(FrameComposerTest, TellsThePressureOfTheFirstBodyThatHasContents) {
   Moment moment = SyntheticRun().moment(0);
   SnapshotSurface organ = moment.snapshot.surfaces[0];

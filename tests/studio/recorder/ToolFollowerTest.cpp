@@ -65,8 +65,8 @@ TEST(ShotFollower, TellsEachCameraWhereItsToolIs) {
   ShotFollower shots(view);
   shots.add(with_tip(0, 0));
   shots.add(with_tip(1, 4));
-  EXPECT_EQ(shots.shot(with_tip(0.25, 1)).camera.followed_point, (Double3{1, 2, 3}));
-  const Shot later = shots.shot(with_tip(0.75, 3));
+  EXPECT_EQ(shots.shot(with_tip(0.25, 1), 1).camera.followed_point, (Double3{1, 2, 3}));
+  const Shot later = shots.shot(with_tip(0.75, 3), 1);
   EXPECT_FALSE(later.camera.followed_point);
   EXPECT_EQ(later.inset->followed_point, (Double3{3, 2, 3}));
 }
