@@ -20,31 +20,31 @@ double draw_phase(const Plate& plate, const OverlayGrid& grid, const std::string
   const Text text(phase_label(phase), {.size = grid.pixels(kSmallText), .bold = true, .color = color},
                   {.width = grid.pixels(110)});
   const double width = text.width() + grid.pixels(20);
-  const Box pill{right - width, grid.pixels(12), width, grid.pixels(24)};
+  const Box pill{right - width, grid.pixels(10), width, grid.pixels(24)};
   plate.fill_rounded(pill, pill.height / 2, color.with_opacity(0.18));
   text.draw(plate, pill.x + grid.pixels(10), pill.y + (pill.height - text.height()) / 2);
   return pill.x;
 }
 
 void draw_force(const Plate& plate, const OverlayGrid& grid, const QuantityText& force) {
-  const double baseline = grid.pixels(90);
+  const double baseline = grid.pixels(77);
   const double room = plate.size().width - grid.pixels(2 * kPadding + 40);
-  TextStyle style{.size = grid.pixels(48), .bold = true, .color = plate_style::kText};
+  TextStyle style{.size = grid.pixels(42), .bold = true, .color = plate_style::kText};
   const double width = Text(force.number, style).width();
   if (width > room) style.size *= room / width;
   style.letter_spacing = -0.02 * style.size;  // the font is drawn for small text
   const Text number(force.number, style);
   number.draw_on_baseline(plate, grid.pixels(kPadding - 1), baseline);
-  Text(force.unit, {.size = grid.pixels(22), .color = plate_style::kFaintText})
+  Text(force.unit, {.size = grid.pixels(20), .color = plate_style::kFaintText})
       .draw_on_baseline(plate, grid.pixels(kPadding + 6) + number.width(), baseline);
 }
 
 void draw_value(const Plate& plate, const OverlayGrid& grid, double x, const char* name, const QuantityText& value) {
   const double room = plate.size().width / 2.0 - grid.pixels(kPadding);
   Text(name, {.size = grid.pixels(kSmallText), .color = plate_style::kFaintText})
-      .draw_on_baseline(plate, x, grid.pixels(129));
+      .draw_on_baseline(plate, x, grid.pixels(110));
   Text(value.text(), {.size = grid.pixels(19), .color = plate_style::kText}, {.width = room})
-      .draw_on_baseline(plate, x, grid.pixels(153));
+      .draw_on_baseline(plate, x, grid.pixels(133));
 }
 
 }  // namespace
@@ -56,9 +56,9 @@ void draw_gauge(Image& image, const OverlayGrid& grid, const OverlayContent& con
   const double room = phase_left - left - grid.pixels(10);
   const Text tool(content.tool, {.size = grid.pixels(kSmallText + 1), .color = plate_style::kFaintText},
                   {.width = std::max(1.0, room)});
-  tool.draw(plate, left, grid.pixels(24) - tool.height() / 2);
+  tool.draw(plate, left, grid.pixels(22) - tool.height() / 2);
   draw_force(plate, grid, force_quantity(content.force, peak, content.expected_force));
-  const double line = grid.pixels(107);
+  const double line = grid.pixels(90);
   plate.line(left, line, plate.size().width - left, line, std::max(1.0, grid.unit), plate_style::kGridLine);
   draw_value(plate, grid, left, "Depth", depth_quantity(content.depth));
   if (content.pressure) {

@@ -61,7 +61,8 @@ CaptionSpace caption_space(const OverlayGrid& grid, const OverlayContent& conten
 }  // namespace
 
 OverlayGrid::OverlayGrid(ImageSize picture) : size(picture) {
-  constexpr double kNarrowestWidth = 2 * kMargin + kGaugeWidth + kPlotWidth + 50;
+  // With some room between the panels; letters would be larger than their panels are meant for with less.
+  constexpr double kNarrowestWidth = 2 * kMargin + kGaugeWidth + kPlotWidth + 154;
   unit = std::min(overlay_unit(picture), picture.width / kNarrowestWidth);
 }
 

@@ -8,7 +8,7 @@ namespace thinwall {
 /// The look that all plates of an overlay share. Lengths are in units of 1/720 of the picture's height (more in small,
 /// fewer in narrow pictures), see `OverlayGrid::unit`.
 namespace plate_style {
-inline constexpr Color kFill{0.035, 0.05, 0.07, 0.70};
+inline constexpr Color kFill{0.035, 0.05, 0.07, 0.64};
 inline constexpr Color kEdge{1, 1, 1, 0.10};
 inline constexpr Color kText{0.97, 0.98, 0.99};
 inline constexpr Color kFaintText{0.74, 0.78, 0.82};
@@ -19,9 +19,10 @@ inline constexpr double kMargin = 26;                 // from the picture's edge
 inline constexpr double kPadding = 15;                // inside a plate
 inline constexpr double kRadius = 10;                 // of its corners
 inline constexpr double kSmallText = 13.5;
-inline constexpr double kPanelHeight = 172;
-inline constexpr double kGaugeWidth = 268;
-inline constexpr double kPlotWidth = 336;
+// So small that in a wide picture they stand beside the round one of an endoscope.
+inline constexpr double kPanelHeight = 148;
+inline constexpr double kGaugeWidth = 244;
+inline constexpr double kPlotWidth = 256;
 inline constexpr double kCaptionGap = 22;         // from panels
 inline constexpr double kNarrowestCaption = 420;  // that is read with ease
 inline constexpr double kCaptionHeight = 90;      // above panels

@@ -56,9 +56,9 @@ ForcePlot plot_for(const Plate& plate, const OverlayGrid& grid, const OverlayCon
     label_width = std::max(label_width, Text(plot.force.label(tick), label_style(grid)).width());
   }
   const double left = grid.pixels(kPadding + 9) + label_width;
-  const double top = grid.pixels(46);
+  const double top = grid.pixels(42);
   plot.area = {left, top, plate.size().width - grid.pixels(kPadding + 4) - left,
-               plate.size().height - grid.pixels(34) - top};
+               plate.size().height - grid.pixels(33) - top};
   plot.time = time_axis(longest > 0 ? longest : 1, grid, plot.area.width);
   return plot;
 }
@@ -110,7 +110,7 @@ void draw_tool_names(const Plate& plate, const OverlayGrid& grid, const OverlayC
   double right = plate.size().width - grid.pixels(kPadding + 4);
   const double share = (right - left) / static_cast<double>(tools.size()) - gap - dash - space;
   if (share < grid.pixels(8)) return;
-  const double middle = grid.pixels(24);
+  const double middle = grid.pixels(22);
   for (std::size_t i = tools.size(); i-- > 0;) {
     const Text name(tools[i].second, label_style(grid), {.width = share, .lines = 1});
     name.draw(plate, right - name.width(), middle - name.height() / 2);
@@ -165,7 +165,7 @@ void draw_force_plot(Image& image, const OverlayGrid& grid, const OverlayContent
   const ForcePlot plot = plot_for(plate, grid, content, peak);
   const Text heading(std::string("Force, ") + plot.unit.name,
                      {.size = grid.pixels(kSmallText + 1), .color = plate_style::kFaintText});
-  heading.draw(plate, grid.pixels(kPadding), grid.pixels(24) - heading.height() / 2);
+  heading.draw(plate, grid.pixels(kPadding), grid.pixels(22) - heading.height() / 2);
   draw_axes(plate, grid, plot);
   if (!content.other_tools.empty()) {
     draw_tool_names(plate, grid, content, grid.pixels(kPadding + 12) + heading.width());
