@@ -147,7 +147,7 @@ TEST_F(GoldenTest, OnePixelAboveTheLargestDifferenceFails) {
   EXPECT_EQ(result.outcome, GoldenOutcome::kFailed);
   EXPECT_EQ(
       result.message,
-      "largest difference 16 (allowed 8), mean 0.0008681 (allowed 0.2), drift 3.935e-05 (allowed 1); the state is "
+      "largest difference 16 (allowed 8), mean 0.0008681 (allowed 0.2), drift 3.726e-05 (allowed 1); the state is "
       "the same to the last bit");
   EXPECT_FALSE(result.details.empty());
 }
