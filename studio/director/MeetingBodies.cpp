@@ -27,6 +27,7 @@ std::vector<std::string> MeetingBodies::notes(std::span<const std::unique_ptr<Bo
   for (std::size_t first = 0; first < bodies.size(); ++first) {
     for (std::size_t second = first + 1; second < bodies.size(); ++second) {
       if (!boxes[first].intersects(boxes[second]) || !told_.emplace(first, second).second) continue;
+      if (time == 0 && (bodies[first]->model().never_moves() || bodies[second]->model().never_moves())) continue;
       notes.push_back(
           fmt::format("bodies `{}` and `{}` come so near from {:.4g} s on that they may meet (the upright boxes around "
                       "them overlap): "

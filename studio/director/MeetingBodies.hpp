@@ -14,7 +14,8 @@ namespace thinwall {
 /// Watches for bodies that come near each other: they do not feel each other, which a reader of the results must know.
 class MeetingBodies {
  public:
-  /// One sentence for each pair whose upright boxes overlap now for the first time. `time`: seconds.
+  /// One sentence for each pair whose upright boxes overlap now for the first time, but for what lies in scenery from
+  /// the beginning. `time`: seconds.
   std::vector<std::string> notes(std::span<const std::unique_ptr<Body>> bodies, double time);
 
  private:
