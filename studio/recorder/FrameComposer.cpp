@@ -39,10 +39,10 @@ std::string text_at(double time, const std::vector<TimedText>& texts) {
   return text;
 }
 
-/// Of the first body that has contents: an open sheet has no volume.
+/// Of the first body that has contents and is no scenery: an open sheet has no volume.
 std::optional<double> first_pressure(const Snapshot& snapshot) {
   for (const SnapshotSurface& surface : snapshot.surfaces) {
-    if (find_scalar(snapshot, surface.body, kVolumeScalar) == 0.0) continue;
+    if (surface.topology->is_scenery || find_scalar(snapshot, surface.body, kVolumeScalar) == 0.0) continue;
     if (const auto pressure = find_scalar(snapshot, surface.body, kPressureScalar)) return pressure;
   }
   return std::nullopt;
