@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "renderer/look/FluidLooks.hpp"
+#include "renderer/picture/CreaseShade.hpp"
 #include "renderer/picture/DrawnPieces.hpp"
 #include "renderer/picture/FallingDrops.hpp"
 #include "renderer/picture/PictureFailure.hpp"
@@ -18,6 +19,11 @@
 namespace thinwall {
 
 namespace {
+
+/// Where walls of two bodies meet they are as dark as in a dent whose curvature is this over the scene's size; the
+/// shade reaches as far as this part of the size of what is shown.
+constexpr double kCreaseBend = 26;
+constexpr double kCreaseReach = 0.03;
 
 /// Puts the numbers of a data view where the tissue's pattern has its places: x from 0 to 1 between the ends, y 1 where
 /// there is a number.
@@ -72,7 +78,7 @@ void SceneMeshes::upload(const Snapshot& snapshot, const SceneExtent& extent, co
   WoundBeds beds = lay_on_beds(snapshot, look, drawn_topologies_, drawn_);
   bed_depths_ = std::move(beds.depths);
   if (beds.laid) smooth_surfaces(*beds.laid);
-  second.share([&] { make_tissue(beds.laid ? *beds.laid : snapshot, look, eye); },
+  second.share([&] { make_tissue(beds.laid ? *beds.laid : snapshot, extent, look, eye); },
                [&] { make_tools(snapshot, extent); });
   tissue_.upload(std::span<const SurfaceVertex>(tissue_vertices_), tissue_corners_);
   tools_.upload(std::span<const ToolVertex>(tool_vertices_), tool_corners_);
@@ -103,7 +109,8 @@ std::vector<TissuePiece> SceneMeshes::dressed_pieces(const Snapshot& snapshot, c
   return pieces;
 }
 
-void SceneMeshes::make_tissue(const Snapshot& snapshot, const LookDefinition& look, Vector3 eye) {
+void SceneMeshes::make_tissue(const Snapshot& snapshot, const SceneExtent& extent, const LookDefinition& look,
+                              Vector3 eye) {
   std::vector<SurfaceVertex>& vertices = tissue_vertices_;
   std::vector<std::uint32_t>& indices = tissue_corners_;
   vertices.clear();
@@ -139,7 +146,22 @@ void SceneMeshes::make_tissue(const Snapshot& snapshot, const LookDefinition& lo
       }
     }
   }
+  if (!look.data) {
+    const double reach = kCreaseReach * extent.subject().size;
+    shade_creases(outer_walls(), {.reach = reach, .curvature = kCreaseBend / extent.size});
+  }
   rest_grid_ = rest_grid_of(vertices);
+}
+
+std::vector<std::span<SurfaceVertex>> SceneMeshes::outer_walls() {
+  std::vector<std::span<SurfaceVertex>> walls;
+  for (const TissuePart& part : parts_) {
+    if (part.side != TissueSide::kOutside) continue;
+    const auto corners = std::span(tissue_corners_).subspan(part.first_index, part.index_count);
+    const auto [first, last] = std::ranges::minmax(corners);
+    walls.push_back(std::span(tissue_vertices_).subspan(first, last - first + 1));
+  }
+  return walls;
 }
 
 bool SceneMeshes::is_seen_through_opening(const TissuePart& part, const std::array<float, 16>& matrix) {

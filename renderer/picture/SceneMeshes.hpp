@@ -107,7 +107,9 @@ class SceneMeshes {
   std::vector<OutlineSegment> outline(Vector3 eye, double pixel);
 
  private:
-  void make_tissue(const Snapshot& snapshot, const LookDefinition& look, Vector3 eye);
+  void make_tissue(const Snapshot& snapshot, const SceneExtent& extent, const LookDefinition& look, Vector3 eye);
+  /// Outer walls of bodies, of what `make_tissue` has made.
+  std::vector<std::span<SurfaceVertex>> outer_walls();
   /// What is drawn of body k, with what its look adds.
   std::vector<TissuePiece> dressed_pieces(const Snapshot& snapshot, const LookDefinition& look, std::size_t k,
                                           const TissueLook& body_look, Vector3 eye);
