@@ -8,20 +8,25 @@
 namespace thinwall {
 namespace {
 
+/// Metres past a limit that still count: what places of organs lose where meshes are read in single precision, turned
+/// and placed. A rim that lies at a limit would be held in part.
+constexpr double kPastLimit = 1e-8;
+
 bool contains(const PlaneRegion& region, const Eigen::Vector3d& point) {
-  return std::abs(point[region.axis] - region.at) <= region.within;
+  return std::abs(point[region.axis] - region.at) <= region.within + kPastLimit;
 }
 bool contains(const BelowRegion& region, const Eigen::Vector3d& point) {
-  return point[region.axis] <= region.at;
+  return point[region.axis] <= region.at + kPastLimit;
 }
 bool contains(const AboveRegion& region, const Eigen::Vector3d& point) {
-  return point[region.axis] >= region.at;
+  return point[region.axis] >= region.at - kPastLimit;
 }
 bool contains(const BoxRegion& region, const Eigen::Vector3d& point) {
-  return (point.array() >= region.min.array()).all() && (point.array() <= region.max.array()).all();
+  return (point.array() >= region.min.array() - kPastLimit).all() &&
+         (point.array() <= region.max.array() + kPastLimit).all();
 }
 bool contains(const SphereRegion& region, const Eigen::Vector3d& point) {
-  return (point - region.center).squaredNorm() <= region.radius * region.radius;
+  return (point - region.center).norm() <= region.radius + kPastLimit;
 }
 bool contains(const WholeRegion&, const Eigen::Vector3d&) {
   return true;

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <cmath>
 #include <stdexcept>
+
+#include "engine/mesh/Shapes.hpp"
 
 namespace thinwall {
 namespace {
@@ -47,6 +51,27 @@ TEST(Region, TrianglesGoByTheirCentroid) {
 TEST(Region, BoxAndSphereIncludeTheirSurface) {
   EXPECT_EQ(vertices_in(BoxRegion{{0, 0, 0}, {1, 0.5, 1}}, square_with_flap()), (Indices{0, 1, 4}));
   EXPECT_EQ(vertices_in(SphereRegion{{0, 0, 0}, 1}, square_with_flap()), (Indices{0, 1, 3}));
+}
+
+/// The base of a hemisphere is level with y = 0 once it is turned, but for what turning rounds.
+TEST(Region, LimitsHoldWhatATurnRoundsPastThem) {
+  SurfaceMesh mesh = make_hemisphere(0.02, 320);
+  const Indices base = vertices_in(BelowRegion{2, 0}, mesh);
+  for (Eigen::Vector3d& vertex : mesh.vertices) vertex = Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitX()) * vertex;
+  EXPECT_EQ(base.size(), mesh.groups.at("base").size());
+  EXPECT_EQ(vertices_in(AboveRegion{1, 0}, mesh), base);
+  EXPECT_EQ(vertices_in(PlaneRegion{1, 0, 0}, mesh), base);
+  EXPECT_EQ(vertices_in(BoxRegion{{-1, 0, -1}, {1, 1, 1}}, mesh), base);
+}
+
+/// 0.05 - 0.02 is more than 0.03 where numbers are binary.
+TEST(Region, LimitsHoldWhatASumRoundsPastThem) {
+  SurfaceMesh mesh = square_with_flap();
+  for (Eigen::Vector3d& vertex : mesh.vertices)
+    vertex = Eigen::Vector3d(0.05, 0, 0) + 0.02 * (vertex.array() - 1).matrix();
+  ASSERT_GT(mesh.vertices[0].x(), 0.03);
+  EXPECT_EQ(vertices_in(BelowRegion{0, 0.03}, mesh), (Indices{0, 3}));
+  EXPECT_EQ(vertices_in(SphereRegion{{0.02, -0.02, -0.02}, 0.01}, mesh), (Indices{0}));
 }
 
 TEST(Region, AllHoldsEveryVertexAndTriangle) {
