@@ -28,6 +28,9 @@ std::vector<CaseSchema> shape_cases() {
   };
 }
 
+/// Pictures and takes hold places in single precision, to 8 micrometres there.
+constexpr Range kPlaces{.minimum = -100, .maximum = 100};
+
 std::vector<KeySchema> placement_keys() {
   MappingSchema turned{.name = "turned", .documentation = "A turn about an axis through the surface's own origin."};
   turned.keys = {
@@ -39,7 +42,7 @@ std::vector<KeySchema> placement_keys() {
        "angle, counter-clockwise seen from where the axis points"},
   };
   return {
-      {"at", usually(vector_value(kLength, {}, "[0, 0, -20 mm]"), kUsualPlaces), false, "[0, 0, 0]",
+      {"at", usually(vector_value(kLength, kPlaces, "[0, 0, -20 mm]"), kUsualPlaces), false, "[0, 0, 0]",
        "where the surface's own origin lies; regions are of the surface as it stands there"},
       {"turned", mapping_value({turned}), false, {}, "how it stands there; as it is when absent"},
   };

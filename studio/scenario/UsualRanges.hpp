@@ -19,7 +19,7 @@ inline constexpr UsualRange kUsualLengths{
     "thicknesses of walls, sizes and ways of tools", {.minimum = 1e-6, .maximum = 1}, "1 mm"};
 inline constexpr UsualRange kUsualThicknesses{
     "thicknesses of blades, plates and jaws", {.minimum = 1e-6, .maximum = 0.1}, "1 mm"};
-inline constexpr UsualRange kUsualPlaces{"places that tools are moved to", {.minimum = 0, .maximum = 10}, "1 mm"};
+inline constexpr UsualRange kUsualPlaces{"places of tools and surfaces", {.minimum = 0, .maximum = 10}, "1 mm"};
 inline constexpr UsualRange kUsualSpeeds{"speeds of tools", {.minimum = 1e-6, .maximum = 2}, "1 mm/s"};
 inline constexpr UsualRange kUsualTimes{"times of clips", {.minimum = 1e-5, .maximum = 3600}, "1 s"};
 inline constexpr UsualRange kUsualHoles{"holes between chambers", {.minimum = 1e-11, .maximum = 1e-2}, "1 mm^2"};
