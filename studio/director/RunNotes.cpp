@@ -118,7 +118,6 @@ std::optional<std::string> thick_wall_note(const BodyDefinition& body) {
       body.name, 1e3 * width, 1e3 * thickest);
 }
 
-/// Whether nothing stretches a wall that has no stiffness across itself but by its tension.
 /// Fixed all over, so that it is only seen and met.
 bool is_scenery(const BodyScenario& body) {
   return std::ranges::any_of(body.fixed, [](const FixedRegion& fixed) {
@@ -126,6 +125,7 @@ bool is_scenery(const BodyScenario& body) {
   });
 }
 
+/// Whether nothing stretches a wall that has no stiffness across itself but by its tension.
 bool is_slack(const BodyScenario& body) {
   if (is_scenery(body)) return false;
   if (body.model != WallModel::kMembrane || body.fluid.kind == FluidKind::kNone) return false;
