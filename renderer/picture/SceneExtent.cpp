@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "renderer/picture/PictureFailure.hpp"
+#include "renderer/snapshot/ActingSurfaces.hpp"
 #include "renderer/snapshot/CutOutPieces.hpp"
 
 namespace thinwall {
@@ -134,15 +135,14 @@ SceneExtent extent_of(std::span<const SnapshotSurface* const> surfaces) {
 }  // namespace
 
 SceneExtent scene_extent(const Snapshot& snapshot) {
-  std::vector<const SnapshotSurface*> all, acting;
+  std::vector<const SnapshotSurface*> all;
   for (const SnapshotSurface& surface : snapshot.surfaces) {
     check(surface);
     all.push_back(&surface);
-    if (!surface.topology->is_scenery) acting.push_back(&surface);
   }
   SceneExtent extent = extent_of(all);
-  const bool has_both = !acting.empty() && acting.size() < all.size();
-  if (has_both) extent.acting = std::make_shared<const SceneExtent>(extent_of(acting));
+  const std::vector<const SnapshotSurface*> acting = acting_surfaces(snapshot);
+  if (acting.size() < all.size()) extent.acting = std::make_shared<const SceneExtent>(extent_of(acting));
   return extent;
 }
 

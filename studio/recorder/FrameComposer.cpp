@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "renderer/snapshot/ActingSurfaces.hpp"
 #include "renderer/snapshot/SameTime.hpp"
 #include "renderer/snapshot/SurfaceFields.hpp"
 #include "studio/recorder/ExpectedForce.hpp"
@@ -39,11 +40,11 @@ std::string text_at(double time, const std::vector<TimedText>& texts) {
   return text;
 }
 
-/// Of the first body that has contents and is no scenery: an open sheet has no volume.
+/// Of the first body that has contents, not of the scenery that it lies in: an open sheet has no volume.
 std::optional<double> first_pressure(const Snapshot& snapshot) {
-  for (const SnapshotSurface& surface : snapshot.surfaces) {
-    if (surface.topology->is_scenery || find_scalar(snapshot, surface.body, kVolumeScalar) == 0.0) continue;
-    if (const auto pressure = find_scalar(snapshot, surface.body, kPressureScalar)) return pressure;
+  for (const SnapshotSurface* surface : acting_surfaces(snapshot)) {
+    if (find_scalar(snapshot, surface->body, kVolumeScalar) == 0.0) continue;
+    if (const auto pressure = find_scalar(snapshot, surface->body, kPressureScalar)) return pressure;
   }
   return std::nullopt;
 }

@@ -58,6 +58,30 @@ TEST(FrameComposerTest, TellsThePressureOfTheFirstBodyThatHasContents) {
   EXPECT_EQ(dressed.compose(0).overlay.pressure, 700) << "not that of scenery";
 }
 
+TEST(FrameComposerTest, PressureAndExpectedForceAreThoseOfTheBodyThatIsNotScenery) {
+  Moment moment = SyntheticRun().moment(0);
+  FrameComposer alone("", {});
+  alone.add(moment);
+  SnapshotSurface bed = moment.snapshot.surfaces[0];
+  bed.body = "bed";
+  auto scenery = std::make_shared<SnapshotTopology>(*bed.topology);
+  scenery->is_scenery = true;
+  for (float& thickness : scenery->thickness) thickness *= 10;
+  bed.topology = scenery;
+  const std::string organ = moment.snapshot.surfaces[0].body;
+  moment.snapshot.surfaces.insert(moment.snapshot.surfaces.begin(), bed);
+  moment.snapshot.scalars = {{"bed.pressure", "Pa", 0}, {"bed.volume", "m^3", 1e-4}, {organ + ".pressure", "Pa", 700}};
+  FrameComposer in_bed("", {});
+  in_bed.add(moment);
+  EXPECT_EQ(in_bed.compose(0).overlay.pressure, 700);
+  EXPECT_EQ(in_bed.compose(0).overlay.expected_force, alone.compose(0).overlay.expected_force);
+  moment.snapshot.surfaces.pop_back();
+  FrameComposer bed_alone("", {});
+  bed_alone.add(moment);
+  EXPECT_EQ(bed_alone.compose(0).overlay.pressure, 0) << "where all is scenery it has a pressure, too";
+  EXPECT_GT(bed_alone.compose(0).overlay.expected_force, alone.compose(0).overlay.expected_force);
+}
+
 TEST(FrameComposerTest, ForcesOfSmallBodiesAreExpectedToBeSmall) {
   Moment moment = SyntheticRun().moment(0);
   FrameComposer large("", {});
