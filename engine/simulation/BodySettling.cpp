@@ -310,7 +310,10 @@ void Body::give_up() const {
   message << "body `" << model_->definition.name << "`: " << failure_ << ", also with the step divided "
           << report_.halvings << " times";
   if (is_spent()) message << ", in " << report_.newton_iterations << " iterations in all";
-  if (is_held_all_over) message << "; `fixed` holds all of it, so that nothing gives way to a tool";
+  if (is_held_all_over) {
+    message << "; `fixed` holds all of it, so that nothing gives way to a tool";
+    if (model_->has_fluid()) message << ", or to fluid that is filled in or taken out and that nothing compresses";
+  }
   if (grown > kBlownUpVolume) {
     message << "; it has grown to " << std::fixed << std::setprecision(1) << grown
             << " times its volume, and a wall holds only so much pressure";

@@ -62,6 +62,22 @@ TEST(HeldContact, ABodyThatIsHeldAllOverSaysSo) {
   }
 }
 
+TEST(HeldContact, FluidThatFindsNoRoomSaysSo) {
+  BodyDefinition ball = make_body(make_sphere(20e-3, 320), 1e-3, neo_hookean(50e3));
+  ball.fixed = {{.region = WholeRegion{}}};
+  Body body(ball, {}, quasi_static());
+  body.settle();
+  for (const double factor : {1.01, 0.99}) {
+    try {
+      body.advance({}, {}, 0.02, filling(body, factor * body.model().rest_volume));
+      ADD_FAILURE() << factor;
+    } catch (const SimulationFailure& failure) {
+      EXPECT_NE(std::string(failure.what()).find("or to fluid that is filled in or taken out"), std::string::npos)
+          << failure.what();
+    }
+  }
+}
+
 TEST(HeldContact, ABallBesideTheHeldBorderPresses) {
   EXPECT_NO_THROW(press(24e-3, held_sheet()));
 }
