@@ -35,6 +35,7 @@ struct SphereRegion {
 };
 /// The open edges of the wall: those that bound one wall triangle only, capped or not.
 struct BoundaryRegion {};
+/// All of the wall.
 struct WholeRegion {};
 
 using Region = std::variant<GroupRegion, PlaneRegion, BelowRegion, AboveRegion, BoxRegion, SphereRegion, BoundaryRegion,

@@ -49,13 +49,6 @@ TEST(FrameComposerTest, TellsThePressureOfTheFirstBodyThatHasContents) {
   FrameComposer both("", {});
   both.add(moment);
   EXPECT_EQ(both.compose(0).overlay.pressure, 700);
-  auto scenery = std::make_shared<SnapshotTopology>(*moment.snapshot.surfaces[0].topology);
-  scenery->is_scenery = true;
-  moment.snapshot.surfaces[0].topology = scenery;
-  moment.snapshot.scalars[1].value = 2e-5;
-  FrameComposer dressed("", {});
-  dressed.add(moment);
-  EXPECT_EQ(dressed.compose(0).overlay.pressure, 700) << "not that of scenery";
 }
 
 TEST(FrameComposerTest, PressureAndExpectedForceAreThoseOfTheBodyThatIsNotScenery) {
