@@ -13,6 +13,10 @@ namespace {
 /// Multiple of the reach within which a vertex of the other wall tells where that is: walls are coarser than creases.
 constexpr double kSpacing = 2.5;
 
+double square(double value) {
+  return value * value;
+}
+
 bool is_within(const Float3& position, const Bounds& bounds, double margin) {
   for (std::size_t k = 0; k < 3; ++k) {
     if (position[k] < bounds.least[k] - margin || position[k] > bounds.most[k] + margin) return false;
@@ -32,15 +36,21 @@ std::vector<const SurfaceVertex*> candidates(std::span<const SurfaceVertex> wall
 
 /// Metres from the tangent plane at the nearest of the candidates; the reach where none is near.
 double distance_to(std::span<const SurfaceVertex* const> others, const Vector3& place, double reach) {
-  const double radius = kSpacing * reach;
+  double nearest = square(kSpacing * reach), distance = reach;  // metres^2, metres
+  // Whether those farther along x may still be nearer.
+  const auto look_at = [&](const SurfaceVertex& other) {
+    const Vector3 apart = place - vector3(other.position);
+    if (dot(apart, apart) < nearest) {
+      nearest = dot(apart, apart);
+      distance = std::abs(dot(apart, vector3(other.normal)));
+    }
+    return square(apart.x) < nearest;
+  };
   const auto x_of = [](const SurfaceVertex* vertex) { return static_cast<double>(vertex->position[0]); };
-  auto next = std::ranges::lower_bound(others, place.x - radius, {}, x_of);
-  double nearest = radius, distance = reach;
-  for (; next != others.end() && x_of(*next) <= place.x + radius; ++next) {
-    const Vector3 apart = place - vector3((*next)->position);
-    if (length(apart) >= nearest) continue;
-    nearest = length(apart);
-    distance = std::abs(dot(apart, vector3((*next)->normal)));
+  const auto begin = std::ranges::lower_bound(others, place.x, {}, x_of);
+  for (auto next = begin; next != others.end() && look_at(**next); ++next) {
+  }
+  for (auto next = begin; next != others.begin() && look_at(**(next - 1)); --next) {
   }
   return distance;
 }

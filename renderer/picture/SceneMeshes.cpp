@@ -20,8 +20,9 @@ namespace thinwall {
 
 namespace {
 
-/// Where walls of two bodies meet they are as dark as in a dent whose curvature is this over the scene's size; the
-/// shade reaches as far as this part of the size of what is shown.
+/// Where walls of two bodies meet they are as dark as in a dent whose curvature is this over the scene's size:
+/// surface.vert takes 0.03 of it, and tissue.glsl darkens no more from 0.8 on. The shade reaches as far as this part of
+/// the size of what is shown.
 constexpr double kCreaseBend = 26;
 constexpr double kCreaseReach = 0.03;
 
