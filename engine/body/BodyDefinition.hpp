@@ -1,9 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "engine/material/WallLaw.hpp"
@@ -57,6 +59,13 @@ struct FixedRegion {
   std::array<bool, 3> axes = {true, true, true};  // x, y, z
   bool clamped = false;  // shell: the wall's tangent plane is held as well at open edges within the region
 };
+
+/// Whether the whole wall is held, which makes a body scenery: it is only seen and met.
+inline bool is_scenery(const std::vector<FixedRegion>& fixed) {
+  return std::ranges::any_of(fixed, [](const FixedRegion& part) {
+    return std::holds_alternative<WholeRegion>(part.region) && part.axes == std::array{true, true, true};
+  });
+}
 
 enum class WallModel { kMembrane, kShell };
 

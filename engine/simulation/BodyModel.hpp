@@ -72,10 +72,6 @@ struct BodyModel {
   bool is_open(int chamber_index) const { return open[chamber_index]; }
   /// Whether fluid bears on a wall that is open: pressure and volume are then no conjugates.
   bool has_open_chambers() const { return has_fluid() && !openings.empty(); }
-  /// Whether every vertex is fixed along every axis.
-  bool never_moves() const {
-    return std::ranges::all_of(fixed, [](char one) { return one != 0; });
-  }
   bool has_fluid() const { return definition.fluid.kind != FluidKind::kNone; }
 };
 

@@ -24,7 +24,7 @@ struct SnapshotTopology {
   std::vector<Float3> rest_metric = {};
   // (vertices) or none, seconds: when the vertex came to lie at a cut, kNeverCut where it does not. See cut_times().
   std::vector<float> cut_times = {};
-  bool is_scenery = false;  // it never moves: cameras, tools and light go by the other surfaces
+  bool is_scenery = false;  // held as a whole: cameras, tools and light go by the other surfaces
 };
 
 /// Cut time of a vertex that lies at no cut.

@@ -17,6 +17,10 @@ Eigen::AlignedBox3d box_of(const Body& body) {
   return box;
 }
 
+bool is_scenery(const Body& body) {
+  return is_scenery(body.model().definition.fixed);
+}
+
 }  // namespace
 
 std::vector<std::string> MeetingBodies::notes(std::span<const std::unique_ptr<Body>> bodies, double time) {
@@ -27,7 +31,7 @@ std::vector<std::string> MeetingBodies::notes(std::span<const std::unique_ptr<Bo
   for (std::size_t first = 0; first < bodies.size(); ++first) {
     for (std::size_t second = first + 1; second < bodies.size(); ++second) {
       if (!boxes[first].intersects(boxes[second]) || !told_.emplace(first, second).second) continue;
-      if (time == 0 && (bodies[first]->model().never_moves() || bodies[second]->model().never_moves())) continue;
+      if (time == 0 && (is_scenery(*bodies[first]) || is_scenery(*bodies[second]))) continue;
       notes.push_back(
           fmt::format("bodies `{}` and `{}` come so near from {:.4g} s on that they may meet (the upright boxes around "
                       "them overlap): "

@@ -118,16 +118,9 @@ std::optional<std::string> thick_wall_note(const BodyDefinition& body) {
       body.name, 1e3 * width, 1e3 * thickest);
 }
 
-/// Fixed all over, so that it is only seen and met.
-bool is_scenery(const BodyScenario& body) {
-  return std::ranges::any_of(body.fixed, [](const FixedRegion& fixed) {
-    return std::holds_alternative<WholeRegion>(fixed.region) && fixed.axes == std::array{true, true, true};
-  });
-}
-
 /// Whether nothing stretches a wall that has no stiffness across itself but by its tension.
 bool is_slack(const BodyScenario& body) {
-  if (is_scenery(body)) return false;
+  if (is_scenery(body.fixed)) return false;
   if (body.model != WallModel::kMembrane || body.fluid.kind == FluidKind::kNone) return false;
   const auto has_pressure = [](const std::optional<double>& pressure) { return pressure.value_or(0) > 0; };
   const bool is_filled = has_pressure(body.fluid.initial_pressure) ||

@@ -72,7 +72,7 @@ std::shared_ptr<SnapshotTopology> topology_of(const BodyModel& model) {
   topology->cap_triangles = to_triangles(definition.mesh.cap_triangles);
   for (const double thickness : definition.thickness) topology->thickness.push_back(static_cast<float>(thickness));
   for (const MembraneRest& rest : model.rest) topology->rest_metric.push_back(rest_metric(rest));
-  topology->is_scenery = model.never_moves();
+  topology->is_scenery = is_scenery(definition.fixed);
   return topology;
 }
 

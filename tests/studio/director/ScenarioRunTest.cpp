@@ -86,6 +86,8 @@ TEST(ScenarioRun, ABodyThatIsFixedAllOverIsSceneryForTheOthers) {
   EXPECT_EQ(run.snapshot().surfaces.at(1).positions, given);
   EXPECT_TRUE(run.snapshot().surfaces.at(1).topology->is_scenery);
   EXPECT_FALSE(run.snapshot().surfaces.at(0).topology->is_scenery);
+  scenery.fixed = {{.region = AboveRegion{.at = -1}}};
+  EXPECT_FALSE(ScenarioRun(dressed).snapshot().surfaces.at(1).topology->is_scenery) << "as clips and labels see it";
 }
 
 TEST(ScenarioRun, TheStressOfABallUnderPressureIsThatOfLaplace) {
