@@ -201,7 +201,8 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state, b
     }
   }
   // The last solution with springs may have been good, and without them not at hand all the same.
-  return fail((failure_.empty() ? before : failure_) + ", also with pseudo-inertia");
+  const std::string& reason = failure_.empty() ? before : failure_;
+  return fail(reason.empty() ? "no convergence without pseudo-inertia" : reason + ", also with pseudo-inertia");
 }
 
 bool Body::creep(EquilibriumProblem& problem, EquilibriumState& trial) {

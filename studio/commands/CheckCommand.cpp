@@ -10,9 +10,12 @@
 #include "engine/simulation/SimulationFailure.hpp"
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/ExitCode.hpp"
+#include "studio/commands/LongWait.hpp"
 #include "studio/commands/MistakesAsJson.hpp"
 #include "studio/commands/Outcome.hpp"
 #include "studio/director/BodyNotes.hpp"
+#include "studio/director/Plan.hpp"
+#include "studio/director/RunNotes.hpp"
 #include "studio/director/ScenarioRun.hpp"
 #include "studio/recorder/FontNotes.hpp"
 #include "studio/scenario/InputError.hpp"
@@ -21,25 +24,30 @@
 namespace thinwall {
 namespace {
 
-/// How much fluid there is to drain is known of a body in equilibrium alone: the timeline is planned as a run does.
-/// Where there is no equilibrium, which is a run's to tell, that is noted.
-void check_drains(const Scenario& scenario, std::vector<std::string>& notes) {
-  const bool drains = std::ranges::any_of(scenario.timeline, [](const Clip& clip) {
-    const auto* fill = std::get_if<FillClip>(&clip.action);
-    return fill != nullptr && fill->added < 0;
-  });
-  if (!drains) return;
+/// Whether the clip is held against a body when it is planned: it touches a wall, or drains.
+bool needs_body(const Clip& clip) {
+  if (const auto* fill = std::get_if<FillClip>(&clip.action)) return fill->added < 0;
+  return !body_of(clip).empty();
+}
+
+/// Where a clip's tool meets a wall, and how much fluid there is to drain, is known of bodies in equilibrium alone: the
+/// timeline is planned as a run does. Where there is no equilibrium, which is a run's to tell, that is noted.
+void check_clips(Scenario scenario, std::vector<std::string>& notes) {
+  if (std::ranges::none_of(scenario.timeline, needs_body)) return;
+  LongWait wait("`" + scenario.name + "`: finding the equilibrium that its clips begin with", tell_note,
+                slack_wall_advice(scenario));
+  scenario.simulation.between_iterations = [&wait] { wait.look(); };
   try {
     ScenarioRun{scenario};
   } catch (const SimulationFailure& failure) {
-    notes.push_back(fmt::format("what there is to drain is not known: {}", failure.what()));
+    notes.push_back(fmt::format("what its clips meet or drain is not known: {}", failure.what()));
   }
 }
 
 /// What is found of a scenario beyond its file, and in the second take of its comparison otherwise than in the first.
 std::vector<std::string> notes_of(const Scenario& scenario) {
   std::vector<std::string> notes = body_notes(scenario);
-  check_drains(scenario, notes);
+  check_clips(scenario, notes);
   if (!scenario.comparison) return notes;
   const std::vector<std::string> first = notes;
   for (const std::string& note : notes_of(*scenario.comparison->second)) {

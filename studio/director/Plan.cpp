@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <type_traits>
 #include <utility>
 
@@ -72,6 +74,20 @@ Plan plan_clip(const Clip& clip, const PlannedTool& tool,
     for (Diagnostic& mistake : named) mistake.message = fmt::format("timeline[{}].{}", clip.number, mistake.message);
     throw InputErrors(std::move(named));
   }
+}
+
+std::vector<Plan> plan_all(std::span<const Clip> timeline, const std::function<Plan(const Clip&)>& plan_one) {
+  std::vector<Plan> plans;
+  std::vector<Diagnostic> mistakes;
+  for (const Clip& clip : timeline) {
+    try {
+      plans.push_back(plan_one(clip));
+    } catch (const InputErrors& of_clip) {
+      std::ranges::copy(of_clip.diagnostics(), std::back_inserter(mistakes));
+    }
+  }
+  if (!mistakes.empty()) throw InputErrors(std::move(mistakes));
+  return plans;
 }
 
 PalpationPlan* pressing_of(Plan& plan) {

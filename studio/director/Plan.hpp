@@ -2,8 +2,10 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "studio/director/ClipPlan.hpp"
 #include "studio/director/FillPlan.hpp"
@@ -28,6 +30,9 @@ struct PlannedTool {
 /// Throws InputErrors as the plans do, with the path of the clip.
 Plan plan_clip(const Clip& clip, const PlannedTool& tool,
                const std::function<const Body&(const std::string&)>& body_of);
+
+/// The plans of all clips. `plan_one`: gives that of one. Throws InputErrors with the mistakes of all.
+std::vector<Plan> plan_all(std::span<const Clip> timeline, const std::function<Plan(const Clip&)>& plan_one);
 
 /// Of a palpation or piercing; nullptr of others.
 PalpationPlan* pressing_of(Plan& plan);

@@ -64,8 +64,10 @@ struct ScenarioRun::Implementation {
       tools[scenario.tools[k].name].pose.opening = scenario.tools[k].opening;
     }
     for (const RecordedPoint& point : scenario.record.points) points.push_back(follow(point, bodies));
-    for (const Clip& clip : scenario.timeline) clips.push_back({.plan = plan(clip)});
+    const auto plan_one = [this](const Clip& clip) { return plan(clip); };
+    for (Plan& planned : plan_all(scenario.timeline, plan_one)) clips.push_back({.plan = std::move(planned)});
     schedule(scenario.timeline, clips);
+    refuse_endless(scenario.timeline, clips, step_length());
     refuse_overlaps(scenario.timeline, clips);
     refuse_overdrawn(scenario.timeline, clips,
                      [this](const std::string& body) -> const Body& { return body_named(body); });

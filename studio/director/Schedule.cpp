@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "studio/scenario/ClipTimes.hpp"
 #include "studio/scenario/InputError.hpp"
 
 namespace thinwall {
@@ -105,6 +106,18 @@ void refuse_overlaps(std::span<const Clip> timeline, std::span<const ScheduledCl
                     "{:.4g} s to {:.4g} s; start one after the other has ended",
                     k + 1, tool_of(timeline[k]), clips[k].begin, clips[k].end, other + 1, clips[other].begin,
                     clips[other].end)}});
+}
+
+void refuse_endless(std::span<const Clip> timeline, std::span<const ScheduledClip> clips, double time_step) {
+  const auto longest = std::ranges::max_element(clips, {}, &ScheduledClip::end);
+  if (longest == clips.end() || longest->end / time_step <= kMostSteps) return;
+  const auto k = static_cast<std::size_t>(longest - clips.begin());
+  throw InputErrors(
+      {{timeline[k].location,
+        fmt::format(
+            "timeline[{}]: the run would take {:.4g} steps, 10 million are allowed; let the clip end sooner: give "
+            "it a higher `speed`, a shorter way or a smaller `standoff`, or take a longer `time_step`",
+            k + 1, longest->end / time_step)}});
 }
 
 void turn_at_step_end(std::span<const Clip> timeline, std::span<ScheduledClip> clips, std::size_t index,

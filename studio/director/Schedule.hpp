@@ -29,6 +29,10 @@ void schedule(std::span<const Clip> timeline, std::span<ScheduledClip> clips);
 /// body, may be found to play at once only here. Throws InputErrors then.
 void refuse_overlaps(std::span<const Clip> timeline, std::span<const ScheduledClip> clips);
 
+/// A tool's way from its stand-off is known here only, and may take for ever. `time_step`: seconds. Throws InputErrors
+/// where a clip ends after more than kMostSteps.
+void refuse_endless(std::span<const Clip> timeline, std::span<const ScheduledClip> clips, double time_step);
+
 /// Lets a palpation or piercing that has begun stay at its full depth until a step ends: forces are asked for at the
 /// ends of steps only, and none would show the peak. Not where clips of one tool would then play at once. `clips`: as
 /// `schedule` and `refuse_overlaps` leave them; `time_step`: seconds.

@@ -8,6 +8,9 @@
 
 namespace thinwall {
 
+/// Steps of no run that ends: months of computing, and a take that no disk holds.
+inline constexpr double kMostSteps = 1e7;
+
 /// When a clip is played, as far as it is known before the simulation: how long a palpation lasts depends on where the
 /// tool meets the wall.
 struct ClipTimes {

@@ -204,9 +204,6 @@ void check_goldens(const CheckedValue& root, const std::vector<ClipTimes>& clips
   }
 }
 
-/// Steps of no run that ends: months of computing, and a take that no disk holds.
-constexpr double kMostSteps = 1e7;
-
 /// Seconds; a step below this is what is at fault, otherwise it is the clip.
 constexpr double kShortStep = 1e-6;
 

@@ -209,7 +209,30 @@ TEST_F(ProgramTest, AnOverrideThatCannotBeUsedIsBadInput) {
   expect_bad_usage({"check", "--set", "depth=3kg", "small.yaml"}, "small.yaml:");
 }
 
-TEST_F(ProgramTest, CheckTellsWhereItIsNotKnownWhatThereIsToDrainAndGoesOn) {
+TEST_F(ProgramTest, CheckRefusesTheClipsThatARunWouldRefuseAllOfThem) {
+  write_bytes(folder_ / "misses.yaml",
+              "thinwall: 1\n"
+              "bodies:\n"
+              "  ball:\n"
+              "    surface: { shape: sphere, radius: 20 mm, triangles: 20 }\n"
+              "    wall: { thickness: 1 mm, material: { law: neo_hookean, shear_modulus: 20 kPa } }\n"
+              "tools: { finger: { kind: sphere } }\n"
+              "timeline:\n"
+              "  - palpate: { at: [50 mm, 0, 0], depth: 2 mm }\n"
+              "  - palpate: { depth: 2 mm }\n"
+              "  - palpate: { at: [0, 70 mm, 0], depth: 2 mm }\n");
+  for (const std::string command : {"check", "run"}) {
+    const ProgramEnd end = run({command, "misses.yaml"});
+    EXPECT_EQ(end.exit_code, 2) << end.messages;
+    EXPECT_NE(end.messages.find("misses.yaml:8:5: error: timeline[1].palpate: the line of approach"), std::string::npos)
+        << end.messages;
+    EXPECT_NE(end.messages.find("misses.yaml:10:5: error: timeline[3].palpate: the line of approach"),
+              std::string::npos)
+        << end.messages;
+  }
+}
+
+TEST_F(ProgramTest, CheckTellsWhereItIsNotKnownWhatClipsMeetAndGoesOn) {
   write_bytes(folder_ / "bursts.yaml",
               "thinwall: 1\n"
               "bodies:\n"
@@ -221,7 +244,8 @@ TEST_F(ProgramTest, CheckTellsWhereItIsNotKnownWhatThereIsToDrainAndGoesOn) {
               "  - drain: { body: ball, by: 1 ml, for: 1 s }\n");
   const ProgramEnd end = run({"check", "bursts.yaml", "small.yaml"});
   EXPECT_EQ(end.exit_code, 0) << end.messages;
-  EXPECT_NE(end.messages.find("bursts.yaml: note: what there is to drain is not known: body `ball`"), std::string::npos)
+  EXPECT_NE(end.messages.find("bursts.yaml: note: what its clips meet or drain is not known: body `ball`"),
+            std::string::npos)
       << end.messages;
   EXPECT_NE(end.messages.find("small.yaml: good"), std::string::npos) << end.messages;
 }

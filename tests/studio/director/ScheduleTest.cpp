@@ -56,6 +56,18 @@ std::string refusal_of(const Scenario& scenario) {
   return "";
 }
 
+TEST(Schedule, RefusesWaysFromTheStandoffThatTakeMoreThanTenMillionSteps) {
+  // 2 km at 20 mm/s: 1e5 s, and back; steps of 1 s are few enough.
+  Scenario scenario = two_incisions(std::nullopt);
+  scenario.timeline.pop_back();
+  std::get<InciseClip>(scenario.timeline[0].action).standoff = 2000;
+  EXPECT_NE(refusal_of(scenario).find("timeline[1]: the run would take 2e+07 steps, 10 million are allowed"),
+            std::string::npos)
+      << refusal_of(scenario);
+  scenario.simulation.time_step = 1;
+  EXPECT_EQ(refusal_of(scenario), "");
+}
+
 TEST(Schedule, RefusesTwoBladesThatCutOneBodyAtOnce) {
   for (const double start : {0.0, 0.05, 0.5}) {
     EXPECT_NE(refusal_of(two_incisions(start)).find(kStillIn), std::string::npos) << start;
