@@ -17,14 +17,21 @@ constexpr std::size_t kMostBordered = 32;
 /// Part of the contacts' push that contacts may pull in a step: those at the rim open by themselves in the next one.
 constexpr double kToleratedPull = 0.1;
 
+/// Part of the coordinates below which a gap is round-off.
+constexpr double kRoundOffGap = 1e-15;
+
 }  // namespace
 
 bool Newton::find_step_with_contacts(const EquilibriumProblem& problem, const EquilibriumState& state,
                                      const Residual& residual, double& shift, bool may_be_saddle, Step& step) {
   open_.clear();
+  const double round_off = kRoundOffGap * state.position.lpNorm<Eigen::Infinity>();  // metres
   for (const ContactPoint& contact : terms_.contacts) {
-    // Edges and faces bear what vertices leave to them: whether that is so the step itself shows.
-    const bool may_wait = contact_law(contact) <= 0 || model_.sites[contact.site].part != SitePart::kCorner;
+    // Edges and faces bear what vertices leave to them: whether that is so the step itself shows. A vertex that bears
+    // nothing and lies where it would bear nothing is free, as far as coordinates can tell: held, it could not leave by
+    // less than they resolve, and its share of the residual would stay.
+    const bool bears_nothing = contact_law(contact) <= contact.potential.stiffness * round_off;
+    const bool may_wait = bears_nothing || model_.sites[contact.site].part != SitePart::kCorner;
     open_.push_back(contact_force(problem, contact) == 0 && may_wait);
   }
   begin_shafts(problem, state);
