@@ -206,6 +206,7 @@ void Body::find_forces(std::span<const ToolPose> poses) {
   problem.attachments = state_.attachments;
   if (options_.analysis == Analysis::kDynamic) add_fluid_inertia_as_it_is(problem);
   add_solids(poses, problem);
+  add_friction_to(problem, poses);
   add_shafts_to(poses, problem);
   newton_->look(problem, state_.equilibrium);
   // What the tools felt during the step stays what it was.
@@ -227,9 +228,15 @@ void Body::hold_as_it_is(double length, bool pays, std::span<const ToolPose> pos
   HeldLips held{.forces = {}, .length = length, .worth = cost * length, .pays = pays};
   // What slowed the wall is among them from now on.
   state_.drag_force.resize(0);
-  const Eigen::VectorXd left_over =
+  Eigen::VectorXd left_over =
       state_.static_force +
       model_->mass.cwiseProduct(state_.acceleration + model_->definition.damping.mass_rate * state_.velocity);
+  // What points and lines hold they go on to hold.
+  for (const Attachment& attachment : state_.attachments) {
+    for (int k = 0; k < 3; ++k) {
+      left_over.segment<3>(3 * attachment.vertices[k]) += attachment.weights[k] * attachment.force;
+    }
+  }
   for (int v = 0; v < model_->vertices(); ++v) {
     HeldForce one{.vertex = v, .force = left_over.segment<3>(3 * v)};
     for (int axis = 0; axis < 3; ++axis) {

@@ -244,22 +244,48 @@ void carry_history(const TensorTransfer& transfer, WallHistory& wall) {
   transfer.carry(wall.previous_strain, 2);
 }
 
-/// Index of the site of each vertex; -1 where it has none.
-std::vector<int> corner_sites(const BodyModel& model) {
-  std::vector<int> sites(model.vertices(), -1);
-  for (std::size_t s = 0; s < model.sites.size(); ++s) {
-    const ContactSite& site = model.sites[s];
-    if (site.part == SitePart::kCorner) sites[model.surface[site.triangle][site.corner]] = static_cast<int>(s);
+/// The vertices of a site, ascending after those that it has not: what it is known by after a cut.
+std::array<int, 3> marks_of(const BodyModel& model, const ContactSite& site) {
+  const Eigen::Vector3i& corners = model.surface[site.triangle];
+  std::array<int, 3> vertices = {-1, -1, corners[site.corner]};
+  if (site.part != SitePart::kCorner) vertices[1] = corners[(site.corner + 1) % 3];
+  if (site.part == SitePart::kFace) vertices[0] = corners[(site.corner + 2) % 3];
+  std::ranges::sort(vertices);
+  return vertices;
+}
+
+/// For each site the one after the cut; -1 where the cut has left none.
+std::vector<int> sites_after(const BodyModel& before, const BodyModel& after) {
+  std::vector<std::pair<std::array<int, 3>, int>> known;
+  known.reserve(after.sites.size());
+  for (const ContactSite& site : after.sites) {
+    known.emplace_back(marks_of(after, site), static_cast<int>(known.size()));
   }
-  return sites;
+  std::ranges::sort(known);
+  std::vector<int> destination;
+  destination.reserve(before.sites.size());
+  for (const ContactSite& site : before.sites) {
+    const std::array<int, 3> vertices = marks_of(before, site);
+    const auto found = std::ranges::lower_bound(known, vertices, {}, &std::pair<std::array<int, 3>, int>::first);
+    destination.push_back(found != known.end() && found->first == vertices ? found->second : -1);
+  }
+  return destination;
+}
+
+/// The place on the triangle of a site that has all the vertices of the place.
+Eigen::Vector3d weights_on(const Eigen::Vector3i& triangle, const Eigen::Vector3i& before,
+                           const Eigen::Vector3d& weights) {
+  Eigen::Vector3d moved = Eigen::Vector3d::Zero();
+  for (int k = 0; k < 3; ++k) {
+    for (int old = 0; old < 3; ++old) {
+      if (triangle[k] == before[old]) moved[k] = weights[old];
+    }
+  }
+  return moved;
 }
 
 void carry_contacts(const BodyModel& before, const BodyState& state, const BodyModel& after, BodyState& carried) {
-  const std::vector<int> old_sites = corner_sites(before), new_sites = corner_sites(after);
-  std::vector<int> destination(before.sites.size(), -1);
-  for (int v = 0; v < before.vertices(); ++v) {
-    if (old_sites[v] >= 0) destination[old_sites[v]] = new_sites[v];
-  }
+  const std::vector<int> destination = sites_after(before, after);
   for (std::size_t solid = 0; solid < state.solid_forces.size(); ++solid) {
     carried.solid_forces[solid].assign(after.sites.size(), 0);
     for (std::size_t s = 0; s < destination.size(); ++s) {
@@ -272,7 +298,7 @@ void carry_contacts(const BodyModel& before, const BodyState& state, const BodyM
       FrictionMemory moved = memory;
       moved.site = site;
       moved.triangle = after.sites[site].triangle;
-      moved.weights = Eigen::Vector3d::Unit(after.sites[site].corner);
+      moved.weights = weights_on(after.surface[moved.triangle], before.surface[memory.triangle], memory.weights);
       carried.friction[solid].push_back(moved);
     }
     std::ranges::sort(carried.friction[solid], {}, &FrictionMemory::site);
