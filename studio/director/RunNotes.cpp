@@ -7,10 +7,15 @@
 #include <variant>
 
 #include "engine/contact/PointRadius.hpp"
+#include "engine/contact/SolidGap.hpp"
 #include "engine/mesh/MeshMeasures.hpp"
+#include "engine/tool/ToolSolids.hpp"
 
 namespace thinwall {
 namespace {
+
+/// Metres by which a tool may be in a wall that it lies on.
+constexpr double kBuried = 1e-5;
 
 std::optional<std::string> piercing_note(std::size_t number, const PiercingPlan& plan) {
   if (!plan.ruptures.empty()) return std::nullopt;
@@ -163,6 +168,22 @@ std::optional<std::string> free_body_warning(const Body& body, Analysis analysis
       "body `{}`: `fixed` leaves {} rigid motion{} free, removed by constraints weighted with the mass, which take up "
       "what the tools push",
       body.model().definition.name, free, free == 1 ? "" : "s");
+}
+
+std::optional<std::string> buried_tool_note(const ToolDefinition& tool, const ToolPose& pose, const Body& body) {
+  double deepest = 0;  // metres
+  for (const ToolSolid& solid : tool_solids(tool, pose)) {
+    for (const Eigen::Vector3i& triangle : body.model().surface) {
+      const auto corners = corners_of(triangle, body.state().equilibrium.position);
+      const auto gap = solid_gap(solid, -kBuried, corners, SitePart::kFace, 0, GapTerms::kGradient);
+      if (gap) deepest = std::max(deepest, -gap->gap);
+    }
+  }
+  if (deepest == 0) return std::nullopt;
+  return fmt::format(
+      "tool `{}` is {:.3g} mm deep in the wall of body `{}` before the first step: what drives them apart is work that "
+      "nobody does, and results are in doubt; let its first clip begin where it touches nothing",
+      tool.name, 1e3 * deepest, body.model().definition.name);
 }
 
 std::string bare_point_note(const ToolDefinition& tool, const SurfaceView& surface, const Attachment& attachment) {

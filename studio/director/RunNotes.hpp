@@ -16,6 +16,10 @@ namespace thinwall {
 /// Nothing unless rigid motions of the body are left free that a quasi-static analysis has to remove.
 std::optional<std::string> free_body_warning(const Body& body, Analysis analysis);
 
+/// That a tool is in the wall of a body before its first step, so that what drives them apart is work that nobody does;
+/// nothing where it is not.
+std::optional<std::string> buried_tool_note(const ToolDefinition& tool, const ToolPose& pose, const Body& body);
+
 /// What tip a bare point acts like on the membrane that it touches, see effective_point_radius.
 std::string bare_point_note(const ToolDefinition& tool, const SurfaceView& surface, const Attachment& attachment);
 

@@ -73,6 +73,7 @@ struct ScenarioRun::Implementation {
                      [this](const std::string& body) -> const Body& { return body_named(body); });
     foresee_moves(scenario.timeline, clips);
     set_first_poses(scenario.timeline, clips, tools);
+    note_buried_tools();
     write_moment();
   }
 
@@ -255,6 +256,15 @@ struct ScenarioRun::Implementation {
     carry_over(clips, *bodies[index], uncut, cut);
     topologies[index] = snapshot_topology_after_cut(bodies[index]->model(), *topologies[index], until);
     ++cuts;
+  }
+
+  void note_buried_tools() {
+    for (const auto& [name, tool] : tools) {
+      for (const auto& body : bodies) {
+        auto note = buried_tool_note(scenario.tools[tool.index], tool.pose, *body);
+        if (note) warnings.push_back(*std::move(note));
+      }
+    }
   }
 
   /// Tells once for each bare point what tip it acts like on the membrane that it touches.

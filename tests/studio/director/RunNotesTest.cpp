@@ -51,6 +51,19 @@ TEST(RunNotes, TellOfWallsThatAreThickerThanAToolOrTheBodyHasRoomFor) {
   }
 }
 
+TEST(RunNotes, TellThatAToolIsInTheWallBeforeTheFirstStep) {
+  // The pressure has raised the crown to 20.3 mm.
+  for (const double height : {0.021, 0.0185}) {
+    Scenario scenario = touched_ball();
+    scenario.timeline = {{.action = MoveClip{.tool = "finger",
+                                             .from = Eigen::Vector3d(0, 0, height),
+                                             .to = {0, 0, 0.03},
+                                             .direction = Eigen::Vector3d(0, 0, -1)}}};
+    const ScenarioRun run(scenario);
+    EXPECT_EQ(tells(run, "mm deep in the wall of body `ball` before the first step"), height < 0.02);
+  }
+}
+
 TEST(RunNotes, TellThatInflatingDrainsOrDrainingFills) {
   const auto told = [](double pressure, bool drains) {
     Scenario scenario = held_ball(80, 0.02);
