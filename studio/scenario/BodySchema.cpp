@@ -28,6 +28,9 @@ std::vector<CaseSchema> shape_cases() {
   };
 }
 
+/// Pascal, as the moduli of walls: beyond what any matter has, and what a solver's numbers hold.
+constexpr Range kBulkModuli{.minimum = 0, .maximum = 1e13, .minimum_excluded = true};
+
 /// Pictures and takes hold places in single precision, to 8 micrometres there.
 constexpr Range kPlaces{.minimum = -100, .maximum = 100};
 
@@ -188,7 +191,7 @@ ValueSchema contents_value() {
                            "follows"};
   const KeySchema density{"density", usually(quantity_value(kDensity, kAboveZero, "1010 kg/m^3"), kUsualDensities),
                           false, "1010 kg/m^3", "density of the fluid"};
-  const KeySchema bulk_modulus{"bulk_modulus", usually(quantity_value(kPressure, kAboveZero, "2 MPa"), kUsualModuli),
+  const KeySchema bulk_modulus{"bulk_modulus", usually(quantity_value(kPressure, kBulkModuli, "2 MPa"), kUsualModuli),
                                false, "2 MPa", "pressure per relative loss of volume"};
   MappingSchema contents{.name = "contents", .documentation = "The fluid that wall and caps enclose."};
   const KeySchema chambers{"chambers", named_value(chamber()), false, "{}",

@@ -130,6 +130,12 @@ TEST(UnitPass, AKeyOfAnotherCaseSaysWhereItBelongs) {
             Texts{"1:3: bulk_modulus: unknown key for `fluid: incompressible`, it belongs to `compressible`"});
 }
 
+TEST(UnitPass, AFluidIsNoStifferThanAWallMayBe) {
+  EXPECT_EQ(read("contents", "{ fluid: compressible, bulk_modulus: 1e7 MPa }").errors, Texts{});
+  EXPECT_EQ(read("contents", "{ fluid: compressible, bulk_modulus: 1e8 MPa }").errors,
+            Texts{"1:38: bulk_modulus: 1e8 MPa is out of range, it must be greater than 0 MPa and at most 1e+07 MPa"});
+}
+
 TEST(UnitPass, AlternativesWithoutTheKeyThatTellsThemApartSayWhatIsMissing) {
   const std::string head = "{ surface: { shape: sphere }, wall: { thickness: 1 mm, material: { law: neo_hookean, ";
   const Read without = read("body", head + "shear_modulus: 1 kPa } }, loads: [ { region: { group: wall } } ] }");
