@@ -44,7 +44,7 @@ class FieldChecker {
   void check_file(const CheckedValue& file, const std::string& path) {
     std::error_code failure;
     if (std::filesystem::is_regular_file(file.text, failure)) return;
-    diagnostics_.error(file.location, path, "there is no file " + path_in_backticks(file.text));
+    diagnostics_.error(file.location, path, no_file_words(file.text));
   }
 
   void check_attribute(const CheckedValue& attribute, const std::string& path) {

@@ -145,7 +145,7 @@ class Includer {
     }
     std::error_code failure;
     if (!std::filesystem::is_regular_file(file, failure)) {
-      diagnostics_.error(item.location, "include", "there is no file " + path_in_backticks(file.string()));
+      diagnostics_.error(item.location, "include", no_file_words(file.string()));
       return std::nullopt;
     }
     std::optional<TextNode> node = read_yaml_file(file, diagnostics_);

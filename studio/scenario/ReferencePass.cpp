@@ -100,8 +100,7 @@ class ReferenceChecker {
       const CheckedValue* mesh = surface == nullptr ? nullptr : surface->find("mesh");
       std::error_code failure;
       if (mesh == nullptr || std::filesystem::is_regular_file(mesh->text, failure)) continue;
-      diagnostics_.error(mesh->location, member_path("bodies", body.key) + ".surface.mesh",
-                         "there is no file " + path_in_backticks(mesh->text));
+      diagnostics_.error(mesh->location, member_path("bodies", body.key) + ".surface.mesh", no_file_words(mesh->text));
     }
   }
 

@@ -198,7 +198,7 @@ class PlainReader {
   std::optional<CheckedValue> normalized(CheckedValue value) {
     double largest = 0;
     for (const CheckedValue& item : value.items) largest = std::max(largest, std::abs(item.number));
-    if (largest == 0) return error("the direction [0, 0, 0] points nowhere");
+    if (largest == 0) return error("the direction [0, 0, 0] points nowhere; at least one number must not be 0");
     // Scaling first keeps the squares of very large and very small numbers in range.
     double length = 0;
     for (CheckedValue& item : value.items) {

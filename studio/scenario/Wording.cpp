@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <filesystem>
+#include <system_error>
 
 namespace thinwall {
 namespace {
@@ -77,6 +79,14 @@ std::string in_backticks(std::string_view text) {
 
 std::string path_in_backticks(std::string_view path) {
   return quoted(path, path.size());
+}
+
+std::string no_file_words(const std::string& path) {
+  std::error_code failure;
+  if (std::filesystem::is_directory(path, failure)) {
+    return path_in_backticks(path) + " is a folder; name a file in it";
+  }
+  return "there is no file " + path_in_backticks(path);
 }
 
 std::string shell_argument(std::string_view text) {

@@ -15,6 +15,8 @@ std::string in_backticks(std::string_view text);
 
 /// A path between backticks, whole, because its end is what tells: control characters are spelled out.
 std::string path_in_backticks(std::string_view path);
+/// What is wrong where a file ought to be and is none.
+std::string no_file_words(const std::string& path);
 
 /// As a shell takes it for one argument: in quotes where it has other than letters, digits and `_ - . / + = , : @`.
 std::string shell_argument(std::string_view text);

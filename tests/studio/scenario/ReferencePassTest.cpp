@@ -56,6 +56,7 @@ TEST(ReferencePass, ALeftOutBodyIsTheOnlyOneThatIsNotFixedAllOver) {
 TEST(ReferencePass, AMeshMustBeAFile) {
   EXPECT_EQ(errors_of("", "{ mesh: nowhere.obj }"),
             Texts{"5:22: bodies.organ.surface.mesh: there is no file `nowhere.obj`"});
+  EXPECT_EQ(errors_of("", "{ mesh: / }"), Texts{"5:22: bodies.organ.surface.mesh: `/` is a folder; name a file in it"});
 }
 
 TEST(ReferencePass, AShapeHasKnownGroups) {
