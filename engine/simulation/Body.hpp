@@ -47,6 +47,7 @@ struct SolveEffort {
   std::optional<int> most_iterations = {};  // if fewer than the options'
   std::optional<double> tolerance = {};     // if looser than the options'
   bool takes_flaps = false;                 // see NewtonOptions; always in cut walls
+  bool buckles = false;                     // see NewtonOptions
 };
 
 /// One body with its solver. Not copyable; bodies do not touch each other.

@@ -40,6 +40,14 @@ constexpr RelaxationPace kEager = {.turns = 300,
                                    .stiffened = 4,
                                    .lead = 0.7};
 
+/// Iterations of a solution with springs after which the wall is taken to buckle, so that the next one does not try
+/// steps without line search first.
+constexpr int kBucklingIterations = 6;
+
+/// Part of the volume by which a solution that was not found may have changed it for where it came to be taken: a
+/// longer way may lead past the equilibrium of a wall that would burst beyond it.
+constexpr double kNear = 0.15;
+
 /// Springs below which a body may find its equilibrium without any.
 constexpr double kWeakSprings = 1e-3;
 
@@ -77,8 +85,10 @@ constexpr double kBurstVolume = 30;
 /// border.
 constexpr double kBurstArea = 10;
 
-/// Multiple of the volume from which on it is asked what pressure the wall bears.
+/// Multiple of the volume from which on it is asked what pressure the wall bears, and by how many times it grows until
+/// that is asked again where there was no answer, as in a wall that lies in folds.
 constexpr double kGrownVolume = 1.5;
+constexpr double kAskedAgain = 2;
 
 /// The same from which on a body in motion that cannot be solved is taken to burst.
 constexpr double kBlownUpVolume = 3;
@@ -86,6 +96,31 @@ constexpr double kBlownUpVolume = 3;
 /// How many times the volume a body encloses that it had, or its rest volume where that is more.
 double growth(const BodyModel& model, const EquilibriumState& state, double had) {
   return model.has_fluid() ? enclosed_volumes(model, state.position).sum() / std::max(had, model.rest_volume) : 1;
+}
+
+/// Pseudo-inertia: springs, in units of the wall's stiffness, tie every vertex to a target, (unknowns), metres. A slack
+/// or a buckling wall has directions without stiffness in which Newton's steps make no sense; the springs give them
+/// some, and are weakened as long as the solution follows.
+EquilibriumProblem held_by_springs(const BodyModel& model, const EquilibriumProblem& problem, double springs,
+                                   Eigen::VectorXd target) {
+  EquilibriumProblem held = problem;
+  held.inertia = springs * model.wall_stiffness / model.mass.mean();
+  held.inertia_target = std::move(target);
+  return held;
+}
+
+/// Goes on from a solution with springs.
+void take(const EquilibriumProblem& held, const EquilibriumState& trial, EquilibriumProblem& problem,
+          EquilibriumState& state) {
+  state = trial;
+  problem.attachments = held.attachments;
+  problem.solids = held.solids;
+}
+
+bool stays_near(const BodyModel& model, const EquilibriumState& before, const EquilibriumState& after) {
+  if (!model.has_fluid()) return true;
+  const double volume = enclosed_volumes(model, before.position).sum();
+  return std::abs(enclosed_volumes(model, after.position).sum() - volume) <= kNear * std::abs(volume);
 }
 
 /// Metres^2 of a wall without contents that a pressure loads; 0 of any other.
@@ -117,6 +152,7 @@ NewtonResult Body::solve(EquilibriumProblem& problem, EquilibriumState& state, c
                                         .maximum_iterations = std::min(effort.most_iterations.value_or(most), most),
                                         .takes_flaps = takes_flaps,
                                         .borders_contacts = options_.extrapolates,
+                                        .buckles = effort.buckles,
                                         .between_iterations = options_.between_iterations});
   report_.newton_iterations += result.iterations;
   report_.factorisations += result.factorisations;
@@ -154,40 +190,39 @@ NewtonResult Body::fail(const std::string& reason) {
 }
 
 NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state, bool is_eager) {
-  // Pseudo-inertia: springs, in units of the wall's stiffness, tie every vertex to where it is. A slack or a buckling
-  // wall has directions without stiffness in which Newton's steps make no sense; the springs give them some, and are
-  // weakened as long as the solution follows.
   const RelaxationPace& pace = is_eager ? kEager : kCareful;
   const std::string before = failure_;
   double springs = 1;
-  bool is_asked = false;  // whether the wall bears what it has grown under
+  bool buckles = false;            // whether the last solution was hard
+  double asked_at = kGrownVolume;  // times the volume, from which on it is asked whether the wall bears the pressure
   const double had = model_->has_fluid() ? enclosed_volumes(*model_, state.position).sum() : 0;
   const double most_area = kBurstArea * pressed_area(*model_, problem, state);
   Eigen::VectorXd lead = Eigen::VectorXd::Zero(state.position.size());  // (unknowns), metres
   for (int turn = 0; turn < pace.turns; ++turn) {
     EquilibriumState trial = state;
-    EquilibriumProblem held = problem;
-    held.inertia = springs * model_->wall_stiffness / model_->mass.mean();
-    held.inertia_target = state.position + lead;
+    EquilibriumProblem held = held_by_springs(*model_, problem, springs, state.position + lead);
     const bool is_on_the_way = springs >= kWeakSprings;
-    const SolveEffort effort = is_on_the_way ? pace.effort : SolveEffort{.takes_flaps = true};
-    if (NewtonResult held_result = solve(held, trial, effort); held_result.converged) {
+    SolveEffort effort = is_on_the_way ? pace.effort : SolveEffort{.takes_flaps = true};
+    effort.buckles = is_eager && buckles;
+    const NewtonResult held_result = solve(held, trial, effort);
+    buckles = held_result.iterations > kBucklingIterations;
+    if (held_result.converged) {
       lead = pace.lead * (trial.position - state.position);
-      state = trial;
-      problem.attachments = held.attachments;
-      problem.solids = held.solids;
+      take(held, trial, problem, state);
       // What such weak springs hold back is no energy that matters.
       if (trial_tolerance_ && springs < kWeakSprings) return held_result;
       if (held_result.iterations <= pace.easy_iterations || !is_on_the_way) springs *= pace.weakened;
     } else {
+      // With springs the search went down all the same.
+      if (is_eager && stays_near(*model_, state, trial)) take(held, trial, problem, state);
       lead.setZero();
       springs *= pace.stiffened;
       if (springs > kStiffestSprings) break;
     }
     const double grown = growth(*model_, state, had);
     if (grown > kBurstVolume || pressed_area(*model_, problem, state) > most_area) return burst();
-    if (!is_asked && grown > kGrownVolume) {
-      is_asked = true;
+    if (grown > asked_at) {
+      asked_at = kAskedAgain * grown;
       if (const auto most = most_borne(problem, kBurstVolume, state)) return burst(most);
     }
     if (springs < kWeakSprings && turn % 4 == 3) {

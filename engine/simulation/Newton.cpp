@@ -274,7 +274,8 @@ NewtonResult Newton::solve(EquilibriumProblem& problem, EquilibriumState& state,
   stepped_to_.resize(0);
   may_be_one_by_one_ = options.borders_contacts;
   may_border_ = options.borders_contacts || !model_.bending.empty();
-  if (!model_.bending.empty()) {
+  keeps_shift_ = options.buckles;
+  if (!model_.bending.empty() && !options.buckles) {
     const Start start{
         .state = state, .attachments = problem.attachments, .solids = problem.solids, .friction = problem.friction};
     NewtonResult result = iterate(problem, state, options, true);
@@ -347,7 +348,7 @@ NewtonResult Newton::iterate(EquilibriumProblem& problem, EquilibriumState& stat
     progress.kept = keeps_factor_ ? progress.kept + 1 : 0;
     may_end_ = keeps_factor_ || options.borders_contacts || progress.foresees_end(residual, options.tolerance * scale);
     const bool may_be_saddle = options.takes_flaps && progress.inexact >= kInexactSteps;
-    shift = shift > 1e-6 && !may_be_saddle ? 0.1 * shift : 0;
+    shift = shift > kLeastShift && !may_be_saddle ? 0.1 * shift : 0;
     if (!find_step_with_contacts(problem, state, residual, shift, may_be_saddle, step)) {
       return failed("no convex step could be found", result);
     }

@@ -26,6 +26,9 @@ struct NewtonOptions {
   // where they go in circles; and whether the last step may be found with the factor of the one before: quicker, but
   // without the curvature that contacts take along, and right to the tolerance rather than to round-off.
   bool borders_contacts = false;
+  // On the way of a wall that buckles: a shell is solved with the line search from the beginning, and where the matrix
+  // has to be made convex what was needed for it last is tried first.
+  bool buckles = false;
   std::function<void()> between_iterations = {};  // called before each; what it throws goes through
 };
 
@@ -144,6 +147,8 @@ class Newton {
   const EquilibriumTerms& terms() const { return terms_; }
 
  private:
+  static constexpr double kLeastShift = 1e-6;  // of the wall's stiffness, that makes a matrix convex
+
   struct Step {
     Eigen::VectorXd position;             // (unknowns), metres
     Eigen::VectorXd pressure;             // (chambers), pascal
@@ -377,6 +382,8 @@ class Newton {
   int factorisations_ = 0;                         // in the solution under way
   int in_single_precision_ = 0;                    // of these
   int doubles_left_ = 0;                           // factorisations until single precision is tried again
+  bool keeps_shift_ = false;                       // see NewtonOptions::buckles
+  double last_shift_ = 0;                          // by which a matrix was made convex last
   int ascending_steps_ = 0;                        // in the solution under way
   bool keeps_factor_ = false;               // whether the step under way is found with the factor of the one before
   bool may_end_ = false;                    // whether that may be the last step: the Hessian is not asked for then

@@ -16,6 +16,9 @@ constexpr double kAnchorStiffness = 1;
 /// enough to cost no more of the factor's digits.
 constexpr double kAttachmentStiffness = 1e4;
 
+/// Part of the shift that a matrix needed last with which the next one is tried that is not convex.
+constexpr double kKeptShift = 0.3;
+
 /// Turns of Uzawa's iteration after the first.
 constexpr int kUzawaTurns = 5;
 
@@ -162,8 +165,12 @@ bool Newton::factorize(const EquilibriumProblem& problem, const EquilibriumState
     const bool usable = takes_single_precision(problem, expected)
                             ? is_usable_in_single(values, expected, may_be_saddle)
                             : is_usable(values, expected, may_be_saddle, Precision::kDouble);
-    if (usable) return true;
-    if (!folded_ || !exact) shift = shift == 0 ? 1e-6 : 10 * shift;
+    if (usable) {
+      if (shift > 0) last_shift_ = shift;
+      return true;
+    }
+    const double first = std::max(kLeastShift, keeps_shift_ ? kKeptShift * last_shift_ : 0);
+    if (!folded_ || !exact) shift = shift == 0 ? first : 10 * shift;
     exact = false;
   }
   return false;
