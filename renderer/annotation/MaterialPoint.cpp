@@ -84,6 +84,19 @@ Vector3 place_of(const MaterialPoint& point, const SnapshotSurface& surface) {
   return weighted(surface.positions, surface.topology->triangles[point.triangle], point.weights);
 }
 
+std::optional<Vector3> first_met(const SnapshotSurface& surface, Vector3 at, Vector3 direction) {
+  double reach = 0;
+  for (const Float3& position : surface.positions) reach = std::max(reach, length(vector3(position) - at));
+  const Vector3 start = at - (2 * reach) * direction, span = (4 * reach) * direction;
+  std::optional<double> first;
+  for (const auto& [a, b, c] : surface.topology->triangles) {
+    const std::optional<double> part = crossing(start, span, vector3(surface.positions[a]),
+                                                vector3(surface.positions[b]), vector3(surface.positions[c]));
+    if (part && (!first || *part < *first)) first = part;
+  }
+  return first ? std::optional(start + *first * span) : std::nullopt;
+}
+
 bool is_hidden(Vector3 place, Vector3 eye, const Snapshot& snapshot, std::span<const ToolShape> tools) {
   // What is met just before the place is the surface that the place is on.
   constexpr double kOwnSurface = 1e-3;

@@ -25,6 +25,10 @@ std::optional<MaterialPoint> nearest_material_point(const SnapshotTopology& topo
 /// Where the point is now, metres.
 Vector3 place_of(const MaterialPoint& point, const SnapshotSurface& surface);
 
+/// Where the line through `at` along `direction` (unit) first meets the wall as it is now, coming from outside of all
+/// of it; nothing where it passes the wall by. Metres.
+std::optional<Vector3> first_met(const SnapshotSurface& surface, Vector3 at, Vector3 direction);
+
 /// Whether a wall, a cap or one of `tools` stands between `eye` and `place`, a point of a surface (metres).
 bool is_hidden(Vector3 place, Vector3 eye, const Snapshot& snapshot, std::span<const ToolShape> tools = {});
 

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "renderer/image/PictureCorner.hpp"
 #include "renderer/look/DataScale.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
 
@@ -47,6 +48,7 @@ struct DataView {
   DataScale scale = DataScale::kLinear;
   bool goes_on_below = false;  // the wall has more beyond the ends, in their colours
   bool goes_on_above = false;
+  std::optional<PictureCorner> legend = {};  // where it stands; where it covers least of what is done when absent
 };
 
 /// (vertices), in the quantity's unit; what belongs to triangles as the mean of those around, weighted by their area at

@@ -10,6 +10,7 @@ struct Box {
   double height = 0;
   double right() const { return x + width; }
   double bottom() const { return y + height; }
+  bool operator==(const Box&) const = default;
   bool overlaps(const Box& other) const {
     return x < other.right() && other.x < right() && y < other.bottom() && other.y < bottom();
   }

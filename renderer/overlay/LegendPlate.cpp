@@ -48,22 +48,19 @@ void draw_bar(const Plate& plate, const OverlayGrid& grid, const Box& bar) {
 
 }  // namespace
 
-Box legend_place(const OverlayGrid& grid, const std::optional<Box>& inset) {
-  const double width = grid.whole(kWidth), height = grid.whole(kHeight);
-  Box place{grid.size.width - grid.whole(kMargin) - width, static_cast<double>(grid.whole(kTop)), width, height};
+Box legend_place(const OverlayGrid& grid, const Box& room, PictureCorner corner, const std::optional<Box>& inset) {
+  const double width = grid.whole(kWidth), height = grid.whole(kHeight), margin = grid.whole(kMargin);
+  const double left = room.x + margin, right = room.right() - margin - width;
+  const double top = grid.whole(kTop);
+  const double bottom = std::floor(grid.size.height - height_of_panels_and_captions(grid) - grid.pixels(kPadding));
+  const Box place{is_left(corner) ? left : right, is_upper(corner) ? top : std::max(top, bottom - height), width,
+                  height};
   if (!inset || !place.overlaps(*inset)) return place;
-  const Box below{place.x, inset->bottom() + grid.pixels(kPadding), width, height};
-  if (below.bottom() <= grid.size.height - grid.pixels(kMargin + kPanelHeight + kPadding)) return below;
+  Box past = place;
+  past.y = is_upper(corner) ? inset->bottom() + grid.pixels(kPadding) : inset->y - grid.pixels(kPadding) - height;
+  if (past.y >= top && past.bottom() <= grid.size.height - grid.pixels(kMargin + kPanelHeight + kPadding)) return past;
   // The action is in the middle, so that beside the inset it would be covered.
-  place.x = grid.whole(kMargin);
-  return place;
-}
-
-Box left_legend_place(const OverlayGrid& grid) {
-  const int right_half = grid.size.width - grid.size.width / 2;
-  Box place = legend_place(grid, {});
-  place.x -= right_half;
-  return place;
+  return {is_left(corner) ? right : left, place.y, width, height};
 }
 
 void draw_legend(Image& image, const OverlayGrid& grid, const Legend& legend, const Box& place) {

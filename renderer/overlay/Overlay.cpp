@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "renderer/image/OverlayUnit.hpp"
 #include "renderer/overlay/Font.hpp"
@@ -58,6 +59,23 @@ CaptionSpace caption_space(const OverlayGrid& grid, const OverlayContent& conten
   return above;
 }
 
+/// Of two takes each in its half, where both have their own.
+std::vector<std::pair<const Legend*, Box>> placed_legends(const OverlayContent& content, const OverlayGrid& grid,
+                                                          const std::optional<Box>& inset) {
+  const double width = grid.size.width, height = grid.size.height;
+  const double left_half = content.left_legend ? grid.size.width - grid.size.width / 2 : 0;
+  std::vector<std::pair<const Legend*, Box>> placed;
+  if (content.legend) {
+    const Box room{left_half, 0, width - left_half, height};
+    placed.emplace_back(&*content.legend, legend_place(grid, room, content.legend->corner, inset));
+  }
+  if (content.left_legend) {
+    const Box room{0, 0, left_half, height};
+    placed.emplace_back(&*content.left_legend, legend_place(grid, room, content.left_legend->corner, inset));
+  }
+  return placed;
+}
+
 }  // namespace
 
 OverlayGrid::OverlayGrid(ImageSize picture) : size(picture) {
@@ -89,8 +107,7 @@ Plate::Plate(const OverlayGrid& grid, ImageSize size) : Canvas(size) {
 std::vector<Box> places_of_legends(const OverlayContent& content, ImageSize size, const std::optional<Box>& inset) {
   const OverlayGrid grid(size);
   std::vector<Box> places;
-  if (content.legend) places.push_back(legend_place(grid, inset));
-  if (content.left_legend) places.push_back(left_legend_place(grid));
+  for (const auto& [legend, place] : placed_legends(content, grid, inset)) places.push_back(place);
   return places;
 }
 
@@ -105,8 +122,7 @@ std::vector<std::string> draw_overlay(Image& image, const OverlayContent& conten
   if (!content.title.empty() && draw_title(image, grid, content.title, end - grid.whole(kMargin))) {
     cut.push_back(content.title);
   }
-  if (content.legend) draw_legend(image, grid, *content.legend, legend_place(grid, inset));
-  if (content.left_legend) draw_legend(image, grid, *content.left_legend, left_legend_place(grid));
+  for (const auto& [legend, place] : placed_legends(content, grid, inset)) draw_legend(image, grid, *legend, place);
   if (content.shown.gauge) draw_gauge(image, grid, content, peak);
   if (content.shown.force_plot) draw_force_plot(image, grid, content, peak);
   if (content.shown.captions && !content.caption.empty() &&

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "renderer/image/Image.hpp"
+#include "renderer/image/PictureCorner.hpp"
 #include "renderer/look/DataScale.hpp"
 #include "renderer/overlay/Box.hpp"
 #include "renderer/overlay/OverlayChoice.hpp"
@@ -33,6 +34,7 @@ struct Legend {
   DataScale scale = DataScale::kLinear;
   bool goes_on_below = false;  // the first colour also stands for less
   bool goes_on_above = false;  // the last colour also stands for more
+  PictureCorner corner = PictureCorner::kUpperRight;
 
   bool operator==(const Legend&) const = default;
 };
@@ -55,7 +57,7 @@ struct OverlayContent {
   std::size_t tool_number = 0;                  // of `tool` among all tools
   std::vector<ToolHistory> other_tools = {};    // that have touched, too, in order of their numbers
   OverlayChoice shown = {};
-  std::optional<Legend> legend = {};       // at the right; of two takes that of the right one, or of both
+  std::optional<Legend> legend = {};       // of two takes that of the right one, or of both
   std::optional<Legend> left_legend = {};  // of the left one of two takes, where the right one has another or none
 };
 

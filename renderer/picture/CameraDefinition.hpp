@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/image/PictureCorner.hpp"
 #include "renderer/picture/Lens.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
 
@@ -74,15 +75,13 @@ struct CameraDefinition {
   bool is_moved() const { return !keyframes.empty() || follow || !push_ins.empty(); }
 };
 
-enum class PictureCorner { kUpperLeft, kUpperRight, kLowerLeft, kLowerRight };
-
 /// What is shown from a time on. Cameras by their names; `main` is the camera that needs no name.
 struct CameraCut {
   double time = 0;  // seconds
   std::string camera = "main";
-  std::optional<std::string> beside = {};  // fills the right half of the picture, the camera the left
-  std::optional<std::string> inset = {};   // a small picture in a corner
-  PictureCorner corner = PictureCorner::kUpperRight;
+  std::optional<std::string> beside = {};    // fills the right half of the picture, the camera the left
+  std::optional<std::string> inset = {};     // a small picture in a corner
+  std::optional<PictureCorner> corner = {};  // of the inset; where it covers least of what is done when absent
 };
 
 struct Snapshot;

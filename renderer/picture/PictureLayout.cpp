@@ -40,13 +40,10 @@ PictureBox inset_box(const Shot& shot, ImageSize size) {
   const double part = shot.beside ? kPart / 2 : kPart;
   const ImageSize small{std::max(1, static_cast<int>(part * size.width)),
                         std::max(1, static_cast<int>(part * size.height))};
-  const PictureCorner corner = shot.corner;
-  const bool is_left = corner == PictureCorner::kUpperLeft || corner == PictureCorner::kLowerLeft;
-  const bool is_upper = corner == PictureCorner::kUpperLeft || corner == PictureCorner::kUpperRight;
   const int margin = pixels(kMargin, size);
-  const int left = is_left ? margin : size.width - margin - small.width;
-  const int top =
-      is_upper ? margin + pixels(kAboveIt, size) : size.height - margin - pixels(kBelowIt, size) - small.height;
+  const int left = is_left(shot.corner) ? margin : size.width - margin - small.width;
+  const int top = is_upper(shot.corner) ? margin + pixels(kAboveIt, size)
+                                        : size.height - margin - pixels(kBelowIt, size) - small.height;
   return {.left = std::max(0, left), .top = std::max(0, top), .size = small};
 }
 

@@ -21,7 +21,7 @@ Shot shot_at(const ViewDefinition& view, double time) {
     if (cut.time <= time + kSameTime) shown = &cut;
   }
   if (shown == nullptr) return {.camera = view.camera};
-  Shot shot{.camera = camera_named(view, shown->camera), .corner = shown->corner};
+  Shot shot{.camera = camera_named(view, shown->camera), .corner = shown->corner.value_or(Shot{}.corner)};
   if (shown->beside) shot.beside = camera_named(view, *shown->beside);
   if (shown->inset) shot.inset = camera_named(view, *shown->inset);
   return shot;

@@ -30,9 +30,10 @@ namespace {
 /// Frames of a scenario at times that ascend.
 class FramesInOrder {
  public:
-  explicit FramesInOrder(const Scenario& scenario)
+  FramesInOrder(const Scenario& scenario, ImageSize size)
       : source_(simulate_scenario(scenario)),
-        composer_(scenario.title, scenario.overlays, scenario.view, scenario.teaching.annotations) {}
+        composer_(scenario.title, scenario.overlays, scenario.view, scenario.teaching.annotations,
+                  {size, planned_work(scenario.resolved)}) {}
 
   /// Nothing when the scenario ends before.
   std::optional<Frame> at(double time) {
@@ -97,9 +98,10 @@ int make_still(const StillOptions& options) {
   if (options.ground_truth) prepare_truth(scenario.view);
   const PainterFactory painters = renderer_painters(options.device, scenario.record.tier, scenario.view, options.stats);
   // Before the simulation, so that a missing device is told at once.
-  const std::unique_ptr<Painter> painter = painters(options.size.value_or(scenario.record.size));
+  const ImageSize size = options.size.value_or(scenario.record.size);
+  const std::unique_ptr<Painter> painter = painters(size);
   const RecordedTimes times(scenario, options.at);
-  FramesInOrder frames(scenario);
+  FramesInOrder frames(scenario, size);
   const auto frame_later = [&](int count) {
     const std::optional<double> time = times.later(count);
     return time ? frames.at(*time) : std::nullopt;

@@ -92,7 +92,8 @@ GoldenPictures golden_pictures(const Scenario& scenario, const SourceFactory& so
   std::string ending;
   try {
     const std::unique_ptr<MomentSource> source = sources(scenario);
-    FrameComposer composer(scenario.title, scenario.overlays, scenario.view, scenario.teaching.annotations);
+    FrameComposer composer(scenario.title, scenario.overlays, scenario.view, scenario.teaching.annotations,
+                           {golden_size(scenario.record.size), planned_work(scenario.resolved)});
     double end = 0;
     GoldenHistory history;
     std::size_t step = 0;

@@ -64,10 +64,12 @@ std::optional<Legend> legend_of(const LookDefinition& look) {
 }  // namespace
 
 FrameComposer::FrameComposer(std::string title, const OverlayChoice& choice, const ViewDefinition& view,
-                             const AnnotationDefinition& annotations)
+                             const AnnotationDefinition& annotations, PlannedPicture planned)
     : title_(std::move(title)),
       choice_(choice),
       legend_(legend_of(view.look)),
+      view_(view),
+      planned_(std::move(planned)),
       shots_(view),
       annotations_(std::make_shared<const AnnotationDefinition>(annotations)),
       comparison_(view.comparison) {
@@ -92,12 +94,38 @@ void FrameComposer::add(Moment moment) {
   later_ = std::move(moment);
   shots_.add(later_->snapshot);
   set_aside_.add(later_->snapshot);
-  if (!earlier_) expected_force_ = expected_force(later_->snapshot);
+  if (!earlier_) {
+    expected_force_ = expected_force(later_->snapshot);
+    choose_corners();
+  }
   histories_.resize(later_->snapshot.tools.size());
   for (std::size_t i = 0; i < histories_.size(); ++i) {
     histories_[i].push_back({.time = later_->snapshot.time, .force = magnitude(later_->snapshot.tools[i].force)});
   }
   if (comparison_ && later_->second) add_second(*later_);
+}
+
+/// When nothing but the first moment is known, so that pictures of a run are those of its take.
+void FrameComposer::choose_corners() {
+  OverlayContent legends;
+  tell_legends(legends);
+  corners_.emplace(CornerQuestion{.first = later_->snapshot,
+                                  .view = view_,
+                                  .annotations = *annotations_,
+                                  .work = planned_.work,
+                                  .size = planned_.size,
+                                  .end = later_->planned_duration,
+                                  .legends = legends});
+  for (auto* legend : {&legend_, &second_legend_}) {
+    if (*legend) (*legend)->corner = corners_->legend();
+  }
+}
+
+void FrameComposer::tell_legends(OverlayContent& content) const {
+  content.legend = legend_;
+  if (!comparison_ || second_legend_ == legend_) return;
+  content.left_legend = legend_;
+  content.legend = second_legend_;
 }
 
 void FrameComposer::add_second(const Moment& moment) {
@@ -122,10 +150,7 @@ void FrameComposer::compose_second(double time, const Moment& earlier, Frame& fr
   frame.shot.beside_snapshot = std::make_shared<const Snapshot>(std::move(second));
   frame.shot.beside_view = {comparison_, &comparison_->second};
   frame.half_captions = comparison_->captions;
-  if (second_legend_ != legend_) {
-    frame.overlay.left_legend = legend_;
-    frame.overlay.legend = second_legend_;
-  }
+  tell_legends(frame.overlay);
   const SnapshotTool* tool = shown_tool(frame.snapshot);
   if (tool == nullptr) return;
   const auto index = static_cast<std::size_t>(tool - frame.snapshot.tools.data());
@@ -146,6 +171,7 @@ Frame FrameComposer::compose(double time) const {
   set_aside_.mark(frame.snapshot);
   frame.overlay = overlay(frame.snapshot);
   frame.shot = shots_.shot(frame.snapshot, later_->planned_duration);
+  frame.shot.corner = corners_->inset(time).value_or(frame.shot.corner);
   frame.annotations = annotations_;
   if (comparison_ && later_->second) compose_second(time, earlier, frame);
   return frame;

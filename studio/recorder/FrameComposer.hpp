@@ -12,6 +12,8 @@
 #include "renderer/overlay/Overlay.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
 #include "studio/record/Moment.hpp"
+#include "studio/recorder/ClearCorners.hpp"
+#include "studio/recorder/PlannedWork.hpp"
 #include "studio/recorder/SetAsideTools.hpp"
 #include "studio/recorder/ShotFollower.hpp"
 #include "studio/scenario/Scenario.hpp"
@@ -28,12 +30,19 @@ struct Frame {
   std::array<std::string, 2> half_captions = {};  // of two takes side by side; empty: none
 };
 
+/// What is known of pictures before the first moment.
+struct PlannedPicture {
+  ImageSize size = {1280, 720};
+  std::vector<PlannedWork> work = {};
+};
+
 /// Makes frames at any time from moments in order: the moment between its two neighbours, and the overlays as of then.
 /// Depends on the moments alone, so a frame is the same in a run, from its take and as a still.
 class FrameComposer {
  public:
+  /// `planned`: by which corners of insets and legends are chosen.
   FrameComposer(std::string title, const OverlayChoice& choice, const ViewDefinition& view = {},
-                const AnnotationDefinition& annotations = {});
+                const AnnotationDefinition& annotations = {}, PlannedPicture planned = {});
 
   /// The next moment, in order of time.
   void add(Moment moment);
@@ -53,6 +62,8 @@ class FrameComposer {
   /// Of the tools that count, none perhaps.
   const SnapshotTool* last_to_set_out(const Snapshot& snapshot, bool (*counts)(const SnapshotTool& tool)) const;
   std::vector<ForceSample> history_of(std::size_t tool, const Snapshot& snapshot) const;
+  void choose_corners();
+  void tell_legends(OverlayContent& content) const;
   void add_second(const Moment& moment);
   void compose_second(double time, const Moment& earlier, Frame& frame) const;
 
@@ -60,6 +71,9 @@ class FrameComposer {
   OverlayChoice choice_;
   std::optional<Legend> legend_;         // of the view's data
   std::optional<Legend> second_legend_;  // of those of the second take
+  ViewDefinition view_;
+  PlannedPicture planned_;
+  std::optional<ClearCorners> corners_;  // since the first moment
   ShotFollower shots_;
   std::shared_ptr<const AnnotationDefinition> annotations_;
   std::optional<Moment> earlier_;

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "renderer/image/PictureCorner.hpp"
 #include "renderer/picture/Camera.hpp"
-#include "renderer/picture/CornerWords.hpp"
 #include "renderer/picture/PictureLayout.hpp"
 #include "renderer/picture/SceneExtent.hpp"
 

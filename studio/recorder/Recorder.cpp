@@ -298,7 +298,8 @@ void Pipeline::render() {
   report_.driver = painter->driver();
   has_painter_ = true;
   stages_changed_.notify_all();
-  FrameComposer composer(plan_.description.title, plan_.overlays, plan_.view, plan_.teaching.annotations);
+  FrameComposer composer(plan_.description.title, plan_.overlays, plan_.view, plan_.teaching.annotations,
+                         {plan_.size, planned_work(plan_.description.resolved)});
   std::size_t frame = 0;
   std::optional<double> end;
   const auto cue_now = [&] { return script_.at(static_cast<double>(frame) / plan_.frames_per_second, end); };

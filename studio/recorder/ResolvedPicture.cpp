@@ -40,7 +40,7 @@ DataView to_data(const SortedJson& data) {
   if (row == nullptr) throw TakeError("the take's scenario names a quantity that this program does not know");
   const DataScale* scale = find_data_scale(data.value("scale", "linear"));
   if (scale == nullptr) throw TakeError("the take's scenario names a scale of colours that this program does not know");
-  DataView view{.quantity = row->quantity, .scale = *scale};
+  DataView view{.quantity = row->quantity, .scale = *scale, .legend = find_corner(data, "legend")};
   if (data.contains("from")) view.from = data.at("from");
   if (data.contains("to")) view.to = data.at("to");
   return view;

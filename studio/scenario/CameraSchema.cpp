@@ -1,4 +1,4 @@
-#include "renderer/picture/CornerWords.hpp"
+#include "renderer/image/PictureCorner.hpp"
 #include "studio/scenario/SchemaSections.hpp"
 
 namespace thinwall {
@@ -173,8 +173,12 @@ ValueSchema cuts_schema() {
       {"camera", name_value(), false, "main", "which of `cameras`; `main` is `camera` itself"},
       {"beside", name_value(), false, {}, "the camera of the right half, `camera` having the left"},
       {"inset", name_value(), false, {}, "the camera of a small picture in a corner"},
-      {"corner", word_value({kCornerWords.begin(), kCornerWords.end()}), false, "upper_right",
-       "where the small picture is"},
+      {"corner",
+       word_value({kCornerWords.begin(), kCornerWords.end()}),
+       false,
+       {},
+       "where the small picture is; when absent `upper_right`, or where that would cover what clips do or labels point "
+       "at, the corner in which it covers least of that"},
   };
   return list_value(mapping_value({cut}));
 }

@@ -1,3 +1,4 @@
+#include "renderer/image/PictureCorner.hpp"
 #include "renderer/look/DataView.hpp"
 #include "renderer/look/FluidLooks.hpp"
 #include "renderer/look/Ground.hpp"
@@ -50,7 +51,15 @@ MappingSchema data_schema() {
       {"shows", word_value(words), true, {}, "which quantity"},
       {"scale", word_value(scales), false, "linear",
        "linear: colours go evenly with the quantity; root: with the square root of its place between the ends, "
-       "which shows the low end where few reach the high one"}};
+       "which shows the low end where few reach the high one"},
+      {"legend",
+       word_value({kCornerWords.begin(), kCornerWords.end()}),
+       false,
+       {},
+       "where the legend stands, `upper_left` beside a `comparison` as `lower_left`, whose captions are above; when "
+       "absent `upper_right`, or where that would cover what clips do or labels point at, the corner in which it "
+       "covers "
+       "least of that"}};
   return data;
 }
 

@@ -1,9 +1,8 @@
 #include "studio/scenario/ResolvedCameras.hpp"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "renderer/picture/CornerWords.hpp"
+#include "renderer/image/PictureCorner.hpp"
 #include "studio/scenario/ResolvedValues.hpp"
 
 namespace thinwall {
@@ -58,16 +57,12 @@ CameraDefinition to_camera(const Json& camera) {
   return result;
 }
 
-PictureCorner to_corner(const std::string& word) {
-  return static_cast<PictureCorner>(std::ranges::find(kCornerWords, word) - kCornerWords.begin());
-}
-
 CameraCut to_cut(const Json& cut) {
   return {.time = cut.at("at"),
           .camera = cut.at("camera"),
           .beside = find_resolved<std::string>(cut, "beside"),
           .inset = find_resolved<std::string>(cut, "inset"),
-          .corner = to_corner(cut.at("corner"))};
+          .corner = find_corner(cut, "corner")};
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 
+#include "renderer/image/PictureCorner.hpp"
 #include "renderer/look/FluidLooks.hpp"
 #include "renderer/look/Ground.hpp"
 #include "renderer/look/OrganLooks.hpp"
@@ -217,6 +218,10 @@ TissueLook to_tissue_look(const CheckedValue& body) {
   return look;
 }
 
+PictureCorner to_corner(const std::string& word) {
+  return static_cast<PictureCorner>(std::ranges::find(kCornerWords, word) - kCornerWords.begin());
+}
+
 LookDefinition to_look(const CheckedValue& look) {
   LookDefinition result{.background = to_double3(look.at("background")), .bodies = {}};
   for (const CheckedMember& body : look.at("bodies").members) result.bodies[body.key] = to_tissue_look(body.value);
@@ -225,6 +230,7 @@ LookDefinition to_look(const CheckedValue& look) {
                            .from = find_number(*data, "from"),
                            .to = find_number(*data, "to"),
                            .scale = of_word(data->at("scale").text, kDataScales)};
+    if (const CheckedValue* legend = data->find("legend")) result.data->legend = to_corner(legend->text);
   }
   if (const CheckedValue* ground = look.find("ground")) result.ground = of_word(ground->text, kGrounds);
   result.mesh = look.at("mesh").boolean;

@@ -265,7 +265,8 @@ TEST(AnnotationDrawing, LabelsAndTextsOfArrowsKeepClearOfALegend) {
     annotations.labels.push_back({.text = "A long name of a part", .body = "organ", .at = {0.016, 0, height}});
   }
   annotations.arrows.push_back({.text = "A long text beside", .body = "organ", .at = {0.016, 0, 0.012}});
-  const Box legend = legend_place(OverlayGrid(kSize), {});
+  const Box legend =
+      legend_place(OverlayGrid(kSize), {0, 0, kSize.width, kSize.height}, PictureCorner::kUpperRight, {});
   const auto inked = [&](const std::optional<Box>& told) {
     Image image = black();
     const std::vector<Box> taken = told ? std::vector<Box>{*told} : std::vector<Box>{};

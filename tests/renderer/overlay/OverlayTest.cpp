@@ -337,6 +337,48 @@ TEST(Overlay, ALegendStandsAtTheRightOrWhereAnInsetLeavesTheMiddleFree) {
   EXPECT_LE(place(small).bottom(), 522) << "above the panels";
 }
 
+TEST(Overlay, ALegendStandsInTheCornerThatItIsGivenClearOfTitleAndPanels) {
+  for (const ImageSize size : {kSize, ImageSize{720, 720}, ImageSize{540, 960}}) {
+    OverlayContent content = some_content();
+    content.legend = Legend{.title = "Stress", .unit = "Pa", .from = 0, .to = 1000};
+    const auto place = [&](PictureCorner corner) {
+      content.legend->corner = corner;
+      return places_of_legends(content, size, {}).at(0);
+    };
+    const Box usual = place(PictureCorner::kUpperRight), opposite = place(PictureCorner::kLowerLeft);
+    EXPECT_NEAR(opposite.x, size.width - usual.right(), 1e-9) << size.width;
+    EXPECT_EQ(place(PictureCorner::kUpperLeft).x, opposite.x);
+    EXPECT_EQ(place(PictureCorner::kUpperLeft).y, usual.y);
+    EXPECT_EQ(place(PictureCorner::kLowerRight).x, usual.x);
+    EXPECT_EQ(place(PictureCorner::kLowerRight).y, opposite.y);
+    EXPECT_GT(opposite.y, usual.y);
+    // What draws panels and captions leaves it as it is.
+    const Image with = overlaid(content, size);
+    content.shown.gauge = content.shown.force_plot = content.shown.captions = false;
+    const Image without = overlaid(content, size);
+    const auto row_of = [&](const Image& image, int y) {
+      return image.pixels.begin() + 3 * (static_cast<std::ptrdiff_t>(y) * size.width);
+    };
+    const auto left = 3 * static_cast<std::ptrdiff_t>(usual.x), right = 3 * static_cast<std::ptrdiff_t>(usual.right());
+    for (int y = static_cast<int>(opposite.y); y < opposite.bottom(); ++y) {
+      EXPECT_TRUE(std::equal(row_of(with, y) + left, row_of(with, y) + right, row_of(without, y) + left)) << y;
+    }
+  }
+}
+
+TEST(Overlay, AnInsetInALowerCornerMakesALegendStandAboveItOrBesideIt) {
+  OverlayContent content = some_content();
+  content.legend = Legend{.title = "Stress", .unit = "Pa", .corner = PictureCorner::kLowerRight};
+  const Box usual = places_of_legends(content, kSize, {}).at(0);
+  const Box beside = places_of_legends(content, kSize, Box{870, 294, 384, 216}).at(0);
+  EXPECT_EQ(beside.x, 26);
+  EXPECT_EQ(beside.y, usual.y);
+  const Box small{1062, 402, 192, 108};
+  const Box above = places_of_legends(content, kSize, small).at(0);
+  EXPECT_EQ(above.x, usual.x);
+  EXPECT_LE(above.bottom(), small.y);
+}
+
 TEST(Overlay, TheLegendOfTheLeftOfTwoTakesStandsInItsHalf) {
   OverlayContent content;
   const Image bare = overlaid(content);

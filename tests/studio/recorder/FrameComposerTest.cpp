@@ -34,6 +34,27 @@ TEST(FrameComposerTest, ACameraThatGoesRoundKnowsWhenTheRecordingEnds) {
   EXPECT_EQ(composer.compose(0).shot.camera.orbit_end, 3);
 }
 
+TEST(FrameComposerTest, InsetAndLegendStandInTheSameCornersInAllFrames) {
+  const SyntheticRun run;
+  ViewDefinition view;
+  view.camera = {.position = Double3{0, 0, 0.2}, .target = Double3{0, 0, 0}, .up = Double3{0, 1, 0}};
+  view.cuts = {{.time = 0, .inset = "main"}};
+  view.look.data = DataView{.from = 0, .to = 1, .legend = PictureCorner::kLowerRight};
+  // In the upper right of the picture, at the very end, when all but the last frames have been drawn.
+  const PlannedWork work{.places = {{0.07, 0.03, 0}}, .begin = 1e3, .end = 2e3};
+  FrameComposer composer("", {}, view, {}, {.size = {1280, 720}, .work = {work}});
+  Moment first = run.moment(0);
+  first.planned_duration = 2e3;
+  composer.add(first);
+  for (std::size_t step = 1; step < 4; ++step) {
+    composer.add(run.moment(step));
+    const Frame frame = composer.compose(run.moment(step).snapshot.time);
+    EXPECT_EQ(frame.shot.corner, PictureCorner::kUpperLeft);
+    ASSERT_TRUE(frame.overlay.legend);
+    EXPECT_EQ(frame.overlay.legend->corner, PictureCorner::kLowerRight);
+  }
+}
+
 TEST(FrameComposerTest, TellsThePressureOfTheFirstBodyThatHasContents) {
   Moment moment = SyntheticRun().moment(0);
   SnapshotSurface organ = moment.snapshot.surfaces[0];

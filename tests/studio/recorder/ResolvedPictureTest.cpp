@@ -23,7 +23,7 @@ look:
   ground: drape
   bodies: { organ: { organ: liver, color: [0.4, 0.5, 0.6], roughness: 0.3, wetness: 0.2, contents: bile, bleeding: 0.3 } }
   overlays: { force_plot: false, gauge: false, captions: false, time: false }
-  data: { shows: thickness, from: 1 mm, to: 2 mm, scale: root }
+  data: { shows: thickness, from: 1 mm, to: 2 mm, scale: root, legend: lower_left }
 record: { size: [320, 200], fps: 25, video: false, tier: final }
 )";
 
@@ -55,6 +55,7 @@ class ResolvedPictureTest : public ::testing::Test {
       EXPECT_EQ(read.view.look.data->from, data->from);
       EXPECT_EQ(read.view.look.data->to, data->to);
       EXPECT_EQ(read.view.look.data->scale, data->scale);
+      EXPECT_EQ(read.view.look.data->legend, data->legend);
     }
     ASSERT_EQ(read.view.look.bodies.size(), scenario.view.look.bodies.size());
     for (const auto& [name, look] : scenario.view.look.bodies) {

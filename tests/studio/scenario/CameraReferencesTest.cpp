@@ -45,6 +45,7 @@ TEST(CameraReferences, AScenarioKeepsItsCamerasMovesAndCuts) {
   EXPECT_EQ(scenario.view.cuts[0].inset, "main");
   EXPECT_EQ(scenario.view.cuts[0].corner, PictureCorner::kLowerLeft);
   EXPECT_EQ(scenario.view.cuts[1].beside, "close");
+  EXPECT_FALSE(scenario.view.cuts[1].corner) << "which is chosen by what the pictures show";
 }
 
 }  // namespace
