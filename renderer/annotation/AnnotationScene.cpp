@@ -51,7 +51,10 @@ bool is_left_of_middle(const AnnotationScene& scene, const Double3& at, double f
   const Camera first = resting_camera_at(scene, first_shown);
   const auto place = first.pixel(vector3(at), scene.size),
              middle = first.pixel(scene.extent.subject().center, scene.size);
-  return (place ? (*place)[0] : 0) < (middle ? (*middle)[0] : 0.5 * scene.size.width);
+  // Of an organ that is for the most part beside the picture its middle is there too: what is seen of it would all have
+  // its labels on one side, across it.
+  const double width = scene.size.width;
+  return (place ? (*place)[0] : 0) < std::clamp(middle ? (*middle)[0] : 0.5 * width, 0.25 * width, 0.75 * width);
 }
 
 Box label_bounds(const AnnotationScene& scene) {

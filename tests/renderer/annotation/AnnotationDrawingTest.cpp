@@ -70,6 +70,28 @@ TEST(AnnotationDrawing, ALabelsDotIsWhereItsMaterialPointIsSeen) {
   }
 }
 
+TEST(AnnotationDrawing, ALabelNearABorderStandsTowardsItThoughTheOrgansMiddleIsNearerToThat) {
+  Snapshot snapshot = scene();
+  snapshot.time = 1;
+  CameraDefinition camera = from_the_front();
+  for (auto* place : {&*camera.position, &*camera.target}) (*place)[0] += 0.05;
+  const double side = 0.02 * std::sqrt(0.5);
+  Image image = black();
+  draw_annotations(image, {.size = kSize}, label_at({side, -side, 0}), snapshot, camera);
+  const auto pixel = resolve_camera(camera, scene_extent(snapshot), kSize, 1).pixel({side, -side, 0}, kSize);
+  ASSERT_TRUE(pixel);
+  EXPECT_GT(level(image, (*pixel)[0], (*pixel)[1]), 220);
+  int lit_left = 0, lit_right = 0;  // beside the dot
+  for (int y = 0; y < kSize.height; ++y) {
+    for (int x = 0; x < kSize.width; ++x) {
+      if (std::abs(x - (*pixel)[0]) > 12 && level(image, x + 0.5, y + 0.5) > 100)
+        ++(x < (*pixel)[0] ? lit_left : lit_right);
+    }
+  }
+  EXPECT_GT(lit_left, 200);
+  EXPECT_EQ(lit_right, 0);
+}
+
 TEST(AnnotationDrawing, APointBehindAWallHasAHollowDot) {
   Snapshot snapshot = scene();
   snapshot.time = 1;
