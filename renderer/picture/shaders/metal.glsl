@@ -203,13 +203,18 @@ void main() {
   vec3 normal = normalize(steel.normal - min(dot(steel.normal, view), 0.0) * view);
 
   // Rings of the handle, and the marks that grinding has left; neither is finer than the pixels.
-  float pixel = environment.w * steel.depth / (scene_center.w * max(dot(normal, view), 0.2));
+  float level = environment.w * steel.depth / scene_center.w, facing = dot(normal, view);
+  float pixel = level / max(facing, 0.2);
+  // Of the way along the tool a pixel sees the more the nearer to the line of sight the tool lies.
+  float pixel_along = level * sqrt(1.0 + square(dot(steel.axis, view) / max(facing, 0.02)));
   const float kMarks = 560.0;  // over the scene's size
   float turn = 2.0 * kPi * kToolRings * steel.along;
-  float ring = steel.ring_depth * (1.0 - smoothstep(0.2, 0.5, kToolRings * pixel));
+  float ring = steel.ring_depth * (1.0 - smoothstep(0.2, 0.5, kToolRings * max(pixel, pixel_along)));
   // Lands with a groove between them: only its flanks lean.
   float flank = saturate(2.0 * sin(turn) - 0.9);
-  float groove = steel.ring_depth * flank * flank * (3.0 - 2.0 * flank);
+  const float kMeanGroove = 0.249;  // of a whole ring
+  float groove = steel.ring_depth * mix(flank * flank * (3.0 - 2.0 * flank), kMeanGroove,
+                                        smoothstep(0.25, 0.6, kToolRings * pixel_along));
   float lean = 4.0 * flank * (1.0 - flank) * cos(turn);
   vec4 marks = noise(vec3(kMarks * steel.along, 14.0 * steel.aside));
   vec4 wear = noise(vec3(16.0 * steel.along, 40.0 * steel.aside) + 7.0);

@@ -229,6 +229,34 @@ TEST(Steel, HasNoDashesWhereAFaceIsSeenAlongItself) {
   EXPECT_LT(dark, 60);
 }
 
+TEST(Steel, HasNoPatternOfRingsThatAreFinerThanThePixels) {
+  // A shaft that points at the viewer: its rings, a millimetre apart, are seen as a tenth of that.
+  Snapshot snapshot = scalpel_on_a_wall();
+  SnapshotTool& probe = snapshot.tools[0];
+  probe.kind = SnapshotToolKind::kSphere;
+  probe.radius = 0.004;
+  probe.tip = {0, 0, 0.002};
+  ViewDefinition view = from_the_front("skin");
+  view.camera = {.position = Double3{0.02, -0.02, 0.4}, .target = Double3{0, 0, 0}, .up = Double3{0, 1, 0}};
+  view.camera.field_of_view = 0.2;
+  const Image image = Renderer(DeviceChoice{}, kSize, Tier::kRecord).draw(snapshot, view);
+  const Camera camera = resolve_camera(view.camera, scene_extent(snapshot), kSize, 0);
+  const auto low = camera.pixel({0, 0, 0.02}, kSize), high = camera.pixel({0, 0, 0.15}, kSize);
+  const auto level = [&](int x, int y) {
+    return static_cast<double>(image.pixels[3 * static_cast<std::size_t>(y * kSize.width + x) + 1]);
+  };
+  double off = 0;  // levels by which pixels differ from the mean of their neighbours up and down
+  constexpr int kPlaces = 60;
+  for (int k = 0; k < kPlaces; ++k) {
+    const double part = (k + 0.5) / kPlaces;
+    const int x = static_cast<int>(std::lerp((*low)[0], (*high)[0], part)),
+              y = static_cast<int>(std::lerp((*low)[1], (*high)[1], part));
+    off += std::abs(level(x, y) - 0.5 * (level(x, y - 1) + level(x, y + 1))) / kPlaces;
+  }
+  // Seen: 0.9; 5.4 of a pattern.
+  EXPECT_LT(off, 2.5);
+}
+
 /// Pixels above row `end` that stand out of all eight around them by more than 12 levels.
 int lonely_pixels(const Image& image, int end) {
   int count = 0;
