@@ -9,6 +9,7 @@
 #include "renderer/picture/CreaseShade.hpp"
 #include "renderer/picture/DrawnPieces.hpp"
 #include "renderer/picture/FallingDrops.hpp"
+#include "renderer/picture/MeetingLines.hpp"
 #include "renderer/picture/PictureFailure.hpp"
 #include "renderer/picture/SeenLining.hpp"
 #include "renderer/picture/SurfaceVertices.hpp"
@@ -335,6 +336,16 @@ std::vector<MeshLine> SceneMeshes::mesh_lines() const {
   return lines;
 }
 
+void SceneMeshes::append_lines_between_bodies(Vector3 eye, std::vector<OutlineSegment>& lines) const {
+  std::vector<MeetingWall> walls;
+  for (const TissuePart& part : parts_) {
+    if (part.side != TissueSide::kOutside) continue;
+    const MeetingWall wall{std::span(tissue_corners_).subspan(part.first_index, part.index_count), part.bounds};
+    for (const MeetingWall& other : walls) append_meeting_lines(tissue_vertices_, other, wall, eye, lines);
+    walls.push_back(wall);
+  }
+}
+
 std::vector<OutlineSegment> SceneMeshes::outline(Vector3 eye, double pixel) {
   std::vector<Vector3> points;
   for (const SnapshotSurface& surface : drawn_) {
@@ -343,6 +354,7 @@ std::vector<OutlineSegment> SceneMeshes::outline(Vector3 eye, double pixel) {
   std::vector<OutlineSegment> segments = inner_borders_;
   append_outline(
       tissue_edges_, [&](std::uint32_t i) { return points[i]; }, eye, segments);
+  append_lines_between_bodies(eye, segments);
   tool_outline_.set(tool_vertices_, tool_corners_);
   tool_outline_.append(tool_vertices_, eye, pixel, segments);
   const auto squared_distance = [&](const OutlineSegment& segment) {

@@ -108,6 +108,8 @@ class SceneMeshes {
 
  private:
   void make_tissue(const Snapshot& snapshot, const SceneExtent& extent, const LookDefinition& look, Vector3 eye);
+  /// Where outer walls go through each other.
+  void append_lines_between_bodies(Vector3 eye, std::vector<OutlineSegment>& lines) const;
   /// Outer walls of bodies, of what `make_tissue` has made.
   std::vector<std::span<SurfaceVertex>> outer_walls();
   /// What is drawn of body k, with what its look adds.

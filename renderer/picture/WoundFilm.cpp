@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "renderer/picture/Float3.hpp"
 #include "renderer/picture/RunFilm.hpp"
@@ -15,7 +17,8 @@ constexpr double kBloodSpacing = 0.014;  // metres between runs of blood, and of
 constexpr double kFluidSpacing = 0.007;
 constexpr double kBloodFrom = 0.009;      // metres of a lip whose blood goes into a run; the rest stays in the wound
 constexpr double kLongestRun = 0.045;     // metres
-constexpr double kLevelRun = 0.009;       // metres, of blood that wells over a lip of a level wall
+constexpr double kLevelRun = 0.006;       // metres, of blood that wells over a lip of a level wall
+constexpr double kOffEnds = 0.006;        // metres from the ends of a cut, which hardly gape, where none does
 constexpr double kFluidPush = 0.02;       // metres over level wall, of what the body presses out
 constexpr double kFirstDrops = 1e-7;      // metres^3, after which lips are wet all along
 constexpr float kFringeMargin = 0.0005F;  // metres beyond its edge that are drawn, for that is uneven
@@ -232,13 +235,15 @@ struct BloodRun {
 /// A run of blood: a thin line at first, that grows wider with what comes after it. What creeps over a level wall holds
 /// together, and is no line.
 RunShape blood_run(const BloodRun& run) {
-  constexpr double kDepth = 0.35;                          // over half the width: it wets the wall
-  constexpr double kSlender = 0.05, kSlenderLevel = 0.14;  // half the width over the length, of one that has just begun
-  constexpr double kLineEnds = 0.02;                       // metres, length from which on it ends in a whole drop
-  constexpr double kMostDrop = 0.7;                        // by which that is wider than the line
-  constexpr double kSpeed = 0.03, kSpeedLevel = 0.01;      // metres/second
+  constexpr double kDepth = 0.35;                         // over half the width: it wets the wall
+  constexpr double kSlender = 0.05, kSlenderLevel = 0.3;  // half the width over the length, of one that has just begun
+  constexpr double kWiderLevel = 2.2;                     // than a line
+  constexpr double kLineEnds = 0.02;                      // metres, length from which on it ends in a whole drop
+  constexpr double kMostDrop = 0.7;                       // by which that is wider than the line
+  constexpr double kSpeed = 0.03, kSpeedLevel = 0.01;     // metres/second
   const double slender = run.creeps ? kSlenderLevel : kSlender, speed = run.creeps ? kSpeedLevel : kSpeed;
-  const double half_width = std::min(run.most_half_width, std::cbrt(slender * run.volume / (2 * kDepth)));
+  const double most = (run.creeps ? kWiderLevel : 1) * run.most_half_width;
+  const double half_width = std::min(most, std::cbrt(slender * run.volume / (2 * kDepth)));
   if (!(half_width > 0)) return {};
   const double height = kDepth * half_width;
   const double length = std::min(run.way, run_length(run.volume, 2 * half_width, height, run.age, speed));
@@ -247,6 +252,23 @@ RunShape blood_run(const BloodRun& run) {
           .height = height,
           .dry = dryness(run.age),
           .drop = 1 + kMostDrop * std::min(1.0, length / kLineEnds)};
+}
+
+/// Whether a cut goes on from one place to the next: a puncture is there at once.
+bool goes_on(const WoundMap& map) {
+  return std::ranges::any_of(map.ends, [](const CutEnd& end) { return end.speed > 0; });
+}
+
+/// What of its blood comes to a run over level wall: none near the ends of a cut, also while that goes on.
+double part_of_pool(const FluidRun& run, const WoundMap& map, double time) {
+  constexpr double kGrows = 0.003;  // metres, farther off
+  if (!run.creeps || !goes_on(map)) return 1;
+  double off = std::numeric_limits<double>::infinity();
+  const WallPlace& lip = run.path.front();
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (lip.weights[k] > 0) off = std::min(off, map.off_end(lip.corners[k], time));
+  }
+  return std::clamp((off - kOffEnds) / kGrows, 0.0, 1.0);
 }
 
 /// Of a run, metres: thick walls have larger vessels.
@@ -270,11 +292,17 @@ double thickness_at(const FluidRun& run, const SnapshotTopology& topology) {
 
 WoundLayout lay_out_wounds(const SnapshotTopology& topology, std::span<const BorderEdge> borders,
                            std::span<const char> is_lip, Vector3 down) {
-  WoundLayout layout{.map = map_wounds(topology, borders, is_lip),
+  WoundMap map = map_wounds(topology, borders, is_lip);
+  const RunReach blood{.spacing = kBloodSpacing,
+                       .longest = kLongestRun,
+                       .level = kLevelRun,
+                       .off_begin = goes_on(map) ? kOffEnds : 0,
+                       .map = &map};
+  std::vector<FluidRun> blood_runs = find_runs(topology, borders, is_lip, down, blood);
+  WoundLayout layout{.map = std::move(map),
                      .fringe = {},
                      .fall = std::vector<double>(is_lip.size(), 0),
-                     .blood_runs = find_runs(topology, borders, is_lip, down,
-                                             {.spacing = kBloodSpacing, .longest = kLongestRun, .level = kLevelRun}),
+                     .blood_runs = std::move(blood_runs),
                      .fluid_runs = find_runs(topology, borders, is_lip, down,
                                              {.spacing = kFluidSpacing, .longest = kLongestRun, .push = kFluidPush}),
                      .blood_feet = {},
@@ -320,7 +348,8 @@ Film blood_film(const SnapshotSurface& surface, std::span<const BorderEdge> bord
     const double age = time - run.born - 0.4 * run.chance;
     const double thickness = thickness_at(run, *surface.topology);
     const double lip = std::min(kBloodFrom, 0.5 * wounds.map.length);
-    const double volume = left * bleeding.strength * (0.5 + run.chance) * lip * thickness * blood_shed(age);
+    const double volume = part_of_pool(run, wounds.map, time) * left * bleeding.strength * (0.5 + run.chance) * lip *
+                          thickness * blood_shed(age);
     const double way = static_cast<double>(run.path.size() - 1) * kRunStep;
     const BloodRun blood{.most_half_width = blood_half_width(run, thickness),
                          .volume = volume,

@@ -133,27 +133,30 @@ std::vector<WallPlace> pushed_out(const Slope& slope, WallPlace& place, Vector3 
   return shortest;
 }
 
-/// Sine of the slope that counts as much as kLean.
-constexpr double kLeanSlope = 0.12;
+/// Sine of the slope that counts as much as the sense from the lip.
+constexpr double kSpreadSlope = 0.12;
 
-/// What wells over a lip where the wall is level: away from it at first, then along kLean and what slope there is,
-/// farther here than there by `chance`. Empty where it does not come over, or the lip is on the upper side of the
-/// wound. `place`: from there, and where it ends.
+/// What wells over a lip where the wall is level: away from it at first, then also along what slope there is, farther
+/// here than there by `chance`. Empty where it does not come over, or the lip is on the upper side of the wound.
+/// `place`: from there, and where it ends.
 std::vector<WallPlace> creep(const Slope& slope, WallPlace& place, Vector3 down, double level, Vector3 away,
                              double chance) {
   constexpr double kLeastChance = 0.35;
-  constexpr double kOverLip = 0.002;     // metres, over which it turns from the lip to the lean
+  constexpr double kOverLip = 0.002;     // metres, over which it turns from the lip to where it spreads
   constexpr double kLeastCosine = 0.45;  // between both
-  if (chance < kLeastChance) return {};
+  // Lips that lie opposite each other have the same chance: over one of them it comes, here and there another one.
+  constexpr Vector3 kOneSide = {0.31, -0.95, 0.1};
+  const bool is_over_one_side = std::fmod(16 * chance, 1.0) < 0.5;
+  if (chance < kLeastChance || is_over_one_side != (dot(away, kOneSide) > 0)) return {};
   std::vector<WallPlace> path = {place};
   for (double along = 0; along < level * chance; along += kRunStep) {
     const Vector3 normal = normalized(point_at(place, slope.normals));
     const Vector3 fall = down - dot(down, normal) * normal;
     if (length(fall) >= kLeastSlope) break;
-    const Vector3 lean = normalized(fall + kLeanSlope * (kLean - dot(kLean, normal) * normal));
-    if (along == 0 && dot(away, lean) < kLeastCosine) return {};
+    const Vector3 spread = normalized(fall + kSpreadSlope * normalized(away - dot(away, normal) * normal));
+    if (along == 0 && dot(away, spread) < kLeastCosine) return {};
     const double at_lip = std::exp(-along / kOverLip), angle = swerve(along, chance);
-    const Vector3 ahead = normalized(at_lip * away + (1 - at_lip) * lean);
+    const Vector3 ahead = normalized(at_lip * away + (1 - at_lip) * spread);
     if (!move(slope, place, kRunStep * (std::cos(angle) * ahead + std::sin(angle) * cross(normal, ahead)))) break;
     path.push_back(place);
   }
@@ -223,15 +226,27 @@ Vector3 away_from(const BorderEdge& edge, const SnapshotTopology& topology) {
   return normalized(way - dot(way, along) * along);
 }
 
+/// Not beside an end from which the cut may go on: what lies there now will lie farther off.
+bool is_near_begin(const BorderEdge& lip, const RunReach& reach) {
+  if (reach.map == nullptr) return false;
+  const auto is_near = [&](std::uint32_t vertex) {
+    const double way = reach.map->from_end[vertex];
+    return way < reach.off_begin && !(reach.map->ends[reach.map->end_of[vertex]].speed > 0);
+  };
+  return is_near(lip.start) || is_near(lip.end);
+}
+
 /// Where a run may begin.
 struct LipPoint {
   Vector3 place;  // stress-free
   Vector3 away;   // from the wound
   Vector3 falls;  // where its run comes to a slope, stress-free
 
+  bool is_near(const LipPoint& other, double spacing) const { return length(other.place - place) < spacing; }
+
   /// The opposite lip, whose runs go the other way, is not beside it.
   bool is_beside(const LipPoint& other, double spacing) const {
-    return length(other.place - place) < spacing && dot(other.away, away) > -0.5;
+    return is_near(other, spacing) && dot(other.away, away) > -0.5;
   }
 
   /// What both lips of a small hole let out to the same side runs together.
@@ -271,8 +286,11 @@ std::vector<FluidRun> find_runs(const SnapshotTopology& topology, std::span<cons
       continue;
     const double chance = chance_of(topology.rest_positions[borders[k].start]);
     RunWay way = follow(slope, start, down, reach, lip.away, chance);
-    if (way.path.size() < 4) continue;
+    if (way.path.size() < 4 || (way.creeps && is_near_begin(borders[k], reach))) continue;
     lip.falls = way.falls;
+    if (way.creeps &&
+        std::ranges::any_of(taken, [&](const LipPoint& other) { return lip.is_near(other, reach.spacing); }))
+      continue;
     if (std::ranges::any_of(taken, [&](const LipPoint& other) { return lip.runs_into(other, reach.spacing); }))
       continue;
     taken.push_back(lip);

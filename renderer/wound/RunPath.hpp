@@ -6,6 +6,7 @@
 
 #include "renderer/picture/Vector.hpp"
 #include "renderer/snapshot/BorderEdges.hpp"
+#include "renderer/wound/WoundMap.hpp"
 
 namespace thinwall {
 
@@ -26,23 +27,21 @@ struct FluidRun {
 
 inline constexpr double kRunStep = 0.0008;  // metres
 
-/// No skin lies quite level: the way that it leans where nothing tells one. A sheet's camera stands there, so that what
-/// comes over a lip is seen.
-inline constexpr Vector3 kLean = {0.31, -0.95, 0};
-
 /// Metres on the stress-free wall.
 struct RunReach {
-  double spacing = 0;  // at least, between where runs begin
-  double longest = 0;  // of a run
-  double push = 0;     // over level wall, away from the lip, of what comes out under pressure
-  double level = 0;    // at most, of what wells over a lip where the wall is level
+  double spacing = 0;             // at least, between where runs begin
+  double longest = 0;             // of a run
+  double push = 0;                // over level wall, away from the lip, of what comes out under pressure
+  double level = 0;               // at most, of what wells over a lip where the wall is level
+  double off_begin = 0;           // from where a cut begins, within which nothing does: there it hardly gapes
+  const WoundMap* map = nullptr;  // that knows where that is; null: nowhere
 };
 
 /// Runs that begin at the lips, where the wall falls away from the wound along `down` (of length one), or does so
 /// behind level wall that the push gets them over, as on the crown of a vessel. Older lips go first, so that runs stay
 /// while a cut goes on. Each follows the slope of the stress-free wall, from which it swerves a little to both sides,
-/// to where the wall is level, turns under, or ends. Where all is level, some of what wells over the lips creeps along
-/// kLean, on the side that lies that way.
+/// to where the wall is level, turns under, or ends. Where all is level, some of what wells over the lips creeps away
+/// from them, over one here and over the other there.
 std::vector<FluidRun> find_runs(const SnapshotTopology& topology, std::span<const BorderEdge> borders,
                                 std::span<const char> is_lip, Vector3 down, const RunReach& reach);
 

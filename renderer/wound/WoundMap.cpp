@@ -116,15 +116,21 @@ double CutEnd::short_by(double time) const {
   return speed > 0 ? std::clamp(last_edge - speed * (time - reached), 0.0, last_edge) : 0;
 }
 
-std::vector<double> WoundMap::tapering(double time) const {
+double WoundMap::length_at(double time) const {
   double cut = length;
   for (const CutEnd& end : ends) cut -= 2 * end.short_by(time);
-  const double taper = std::min(kLongestTaper, kTaperPart * std::max(cut, 1e-9));
+  return cut;
+}
+
+double WoundMap::off_end(std::uint32_t vertex, double time) const {
+  const double way = from_end[vertex];
+  return std::isfinite(way) ? way - ends[end_of[vertex]].short_by(time) : way;
+}
+
+std::vector<double> WoundMap::tapering(double time) const {
+  const double taper = std::min(kLongestTaper, kTaperPart * std::max(length_at(time), 1e-9));
   std::vector<double> parts(from_end.size(), 1);
-  for (std::size_t v = 0; v < parts.size(); ++v) {
-    if (!std::isfinite(from_end[v])) continue;
-    parts[v] = std::clamp((from_end[v] - ends[end_of[v]].short_by(time)) / taper, 0.0, 1.0);
-  }
+  for (std::uint32_t v = 0; v < parts.size(); ++v) parts[v] = std::clamp(off_end(v, time) / taper, 0.0, 1.0);
   return parts;
 }
 

@@ -31,8 +31,14 @@ struct WoundMap {
   std::vector<std::uint32_t> end_of;  // (vertices), that end, into `ends`
   double length = 0;                  // metres, of all lips
 
-  /// (vertices), of lips: 0 at an end of a cut, growing to 1 away from it. It goes on with the cut at `time` (seconds)
-  /// evenly, though lips are added edge by edge.
+  /// Metres of all lips at `time` (seconds), as the ends go on.
+  double length_at(double time) const;
+
+  /// Metres along a lip from one of its vertices to the nearest end of the cut at `time` (seconds), which goes on
+  /// evenly though lips are added edge by edge; infinite without an end.
+  double off_end(std::uint32_t vertex, double time) const;
+
+  /// (vertices), of lips: 0 at an end of a cut, growing to 1 away from it, as off_end tells.
   std::vector<double> tapering(double time) const;
 };
 

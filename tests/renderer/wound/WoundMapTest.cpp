@@ -80,10 +80,13 @@ TEST(WoundMap, ItsTaperingGoesOnWithACutBetweenTheVertices) {
   EXPECT_GT(map.tapering(5)[last], 0.1);
 }
 
-std::vector<FluidRun> runs_of(const SnapshotTopology& topology, double push = 0, double level = 0) {
+std::vector<FluidRun> runs_of(const SnapshotTopology& topology, double push = 0, double level = 0,
+                              double off_begin = 0) {
   const std::vector<BorderEdge> borders = border_edges(topology);
-  return find_runs(topology, borders, cut_lips(topology, borders), {0, 0, -1},
-                   {.spacing = 0.0045, .longest = 0.03, .push = push, .level = level});
+  const WoundMap map = map_of(topology);
+  return find_runs(
+      topology, borders, cut_lips(topology, borders), {0, 0, -1},
+      {.spacing = 0.0045, .longest = 0.03, .push = push, .level = level, .off_begin = off_begin, .map = &map});
 }
 
 TEST(FluidRuns, FollowTheSlopeFromTheLowerLip) {
@@ -116,18 +119,42 @@ TEST(FluidRuns, AreNoneOnALevelSheetNorOnATakeThatDoesNotTellWhen) {
   EXPECT_TRUE(runs_of(untold).empty());
 }
 
-TEST(FluidRuns, CreepOverTheLowerLipOfALevelSheet) {
+TEST(FluidRuns, CreepOverBothLipsOfALevelSheetAwayFromThem) {
   constexpr double kLevel = 0.006;
   const SnapshotTopology sheet = *test::slit_sheet(20, 0.001, 0).topology;
   const std::vector<FluidRun> runs = runs_of(sheet, 0, kLevel);
-  ASSERT_FALSE(runs.empty());
+  int up = 0, down = 0;  // along y
   for (const FluidRun& run : runs) {
     const Vector3 start = point_at(run.path.front(), sheet.rest_positions);
     const Vector3 end = point_at(run.path.back(), sheet.rest_positions);
     EXPECT_NEAR(start.y, 0, 1e-7) << "begins at the cut";
-    EXPECT_GT(dot(end - start, kLean), 0.0015) << "goes where the sheet is taken to lean";
+    EXPECT_GT(std::abs(end.y), 0.0015);
+    EXPECT_GT(std::abs(end.y), 1.3 * std::abs(end.x - start.x)) << "it swerves, and leans nowhere";
+    ++(end.y > 0 ? up : down);
     EXPECT_LE(static_cast<double>(run.path.size() - 2) * kRunStep, kLevel * run.chance) << "the farther the more comes";
   }
+  EXPECT_GT(up, 0);
+  EXPECT_GT(down, 0);
+}
+
+TEST(FluidRuns, DoNotCreepBesideWhereACutBegins) {
+  constexpr double kOff = 0.003;
+  SnapshotTopology sheet = *test::slit_sheet(20, 0.001, 0).topology;
+  // From x = -9 mm to 9 mm at 10 mm/s.
+  for (std::size_t v = 0; v < sheet.cut_times.size(); ++v) {
+    if (sheet.cut_times[v] >= 0) sheet.cut_times[v] = static_cast<float>(100 * (sheet.rest_positions[v][0] + 0.01));
+  }
+  const auto first_and_last = [&](double off_begin) {
+    std::pair<double, double> places{1, -1};
+    for (const FluidRun& run : runs_of(sheet, 0, 0.006, off_begin)) {
+      const double x = point_at(run.path.front(), sheet.rest_positions).x;
+      places = {std::min(places.first, x), std::max(places.second, x)};
+    }
+    return places;
+  };
+  EXPECT_LT(first_and_last(0).first, -0.009 + kOff);
+  EXPECT_GT(first_and_last(kOff).first, -0.009 + kOff);
+  EXPECT_GT(first_and_last(kOff).second, 0.009 - 2 * kOff) << "the other end may go on";
 }
 
 TEST(FluidRuns, DoNotCreepWhereTheWallFalls) {
