@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "renderer/image/OverlayUnit.hpp"
+#include "renderer/overlay/CaptionPlace.hpp"
 #include "renderer/overlay/Font.hpp"
 #include "renderer/overlay/GaugePlate.hpp"
 #include "renderer/overlay/LegendPlate.hpp"
@@ -88,11 +89,16 @@ int OverlayGrid::whole(double units) const {
   return std::max(1, static_cast<int>(std::lround(pixels(units))));
 }
 
-double height_of_panels_and_captions(const OverlayGrid& grid) {
-  const double panels = grid.pixels(kMargin + kPanelHeight);
+bool captions_stand_above_panels(ImageSize size) {
+  const OverlayGrid grid(size);
   const double beside =
       width_between(grid, grid.pixels(kGaugeWidth + kCaptionGap), grid.pixels(kPlotWidth + kCaptionGap));
-  return beside >= grid.pixels(kNarrowestCaption) ? panels : panels + grid.pixels(kCaptionGap + kCaptionHeight);
+  return beside < grid.pixels(kNarrowestCaption);
+}
+
+double height_of_panels_and_captions(const OverlayGrid& grid) {
+  const double panels = grid.pixels(kMargin + kPanelHeight);
+  return captions_stand_above_panels(grid.size) ? panels + grid.pixels(kCaptionGap + kCaptionHeight) : panels;
 }
 
 Plate::Plate(const OverlayGrid& grid, ImageSize size) : Canvas(size) {

@@ -7,6 +7,7 @@
 
 #include "renderer/annotation/MaterialPoint.hpp"
 #include "renderer/image/OverlayUnit.hpp"
+#include "renderer/overlay/CaptionPlace.hpp"
 #include "renderer/picture/Camera.hpp"
 #include "renderer/picture/PictureLayout.hpp"
 #include "renderer/picture/SceneExtent.hpp"
@@ -191,11 +192,12 @@ Cover cover_of(const Box& box, const CutPictures& cut, ImageSize size) {
 
 /// `cover`: of a corner.
 template <typename CoverOf>
-PictureCorner clearest(const CoverOf& cover) {
+PictureCorner clearest(bool is_upper_alone, const CoverOf& cover) {
   PictureCorner best = kCorners[0];
   Cover least = cover(best);
   if (least.work == 0 && least.jumps == 0) return best;
   for (const PictureCorner corner : kCorners) {
+    if (is_upper_alone && !is_upper(corner)) continue;
     const Cover here = cover(corner);
     if (here < least) best = corner, least = here;
   }
@@ -257,7 +259,7 @@ ClearCorners::ClearCorners(const CornerQuestion& question) {
   for (CutPictures& cut : cuts) {
     Shown& shown = cuts_.emplace_back(Shown{.begin = cut.begin});
     if (!cut.chooses_corner) continue;
-    cut.shot.corner = clearest([&](PictureCorner corner) {
+    cut.shot.corner = clearest(captions_stand_above_panels(question.size), [&](PictureCorner corner) {
       Shot placed = cut.shot;
       placed.corner = corner;
       return cover_of(*inset_of(placed, question.size), cut, question.size);
@@ -265,7 +267,7 @@ ClearCorners::ClearCorners(const CornerQuestion& question) {
     shown.corner = cut.shot.corner;
   }
   if (!is_legend_free) return;
-  legend_ = legend_corner(question, clearest([&](PictureCorner corner) {
+  legend_ = legend_corner(question, clearest(false, [&](PictureCorner corner) {
                             return cover_of_legends(question, legend_corner(question, corner), cuts);
                           }));
 }

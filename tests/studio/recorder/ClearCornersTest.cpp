@@ -38,6 +38,7 @@ struct Recording {
   AnnotationDefinition annotations = {};
   std::vector<PlannedWork> work = {};
   OverlayContent legends = {};
+  ImageSize size = {1280, 720};
 
   Recording() {
     view.camera = from_above();
@@ -53,7 +54,7 @@ struct Recording {
                          .view = view,
                          .annotations = annotations,
                          .work = work,
-                         .size = {1280, 720},
+                         .size = size,
                          .end = 4,
                          .legends = legends});
   }
@@ -70,6 +71,15 @@ TEST(ClearCorners, AnInsetStaysAtTheUpperRightUntilItCoversWork) {
   EXPECT_EQ(recording.corners().inset(1.5), PictureCorner::kLowerRight);
   recording.work = {press(kUpperRight), press(kUpperLeft), press(kLowerRight)};
   EXPECT_EQ(recording.corners().inset(1.5), PictureCorner::kLowerLeft);
+}
+
+TEST(ClearCorners, AnInsetLeavesCaptionsTheirPlaceInNarrowPictures) {
+  Recording recording;
+  recording.size = {720, 720};
+  recording.show_inset(0.5);
+  // Half a picture is 54 mm wide and high there.
+  recording.work = {press({0.04, 0.03, 0}), press({0.04, 0.03, 0}), press({-0.04, 0.03, 0})};
+  EXPECT_EQ(recording.corners().inset(1.5), PictureCorner::kUpperLeft) << "not in a lower one, though that is clear";
 }
 
 TEST(ClearCorners, WhereAllCornersCoverWorkTheOneThatCoversLeastIsTaken) {
