@@ -204,7 +204,7 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state, b
     const bool is_on_the_way = springs >= kWeakSprings;
     SolveEffort effort = is_on_the_way ? pace.effort : SolveEffort{.takes_flaps = true};
     effort.buckles = is_eager && buckles;
-    const NewtonResult held_result = solve(held, trial, effort);
+    NewtonResult held_result = solve(held, trial, effort);
     buckles = held_result.iterations > kBucklingIterations;
     if (held_result.converged) {
       lead = pace.lead * (trial.position - state.position);

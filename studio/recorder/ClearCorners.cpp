@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
 #include <string>
+#include <tuple>
 
 #include "renderer/annotation/MaterialPoint.hpp"
 #include "renderer/image/OverlayUnit.hpp"
@@ -173,7 +173,9 @@ struct Cover {
   double work = 0;
   int jumps = 0;  // of a legend that gives way to the insets of some cuts alone
   double organs = 0;
-  auto operator<=>(const Cover&) const = default;
+  bool operator<(const Cover& other) const {
+    return std::tie(work, jumps, organs) < std::tie(other.work, other.jumps, other.organs);
+  }
 };
 
 double covered(const Box& box, double around, const std::vector<SeenPlace>& seen) {

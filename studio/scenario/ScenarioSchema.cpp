@@ -67,7 +67,7 @@ ValueSchema simulation_schema() {
       {"gravity", gravity, false, "[0, 0, 0]",
        "acceleration of free fall; the fluid's pressure then grows downwards by density times it"},
       {"step_error",
-       quantity_value(kLength, kAboveZero, "0.01 mm"),
+       quantity_value(kLength, {.minimum = 1e-9}, "0.01 mm"),
        false,
        {},
        "allowed error of a time step in dynamics, which is divided to keep it; not judged when absent"},

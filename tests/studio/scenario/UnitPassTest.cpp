@@ -136,6 +136,12 @@ TEST(UnitPass, AFluidIsNoStifferThanAWallMayBe) {
             Texts{"1:38: bulk_modulus: 1e8 MPa is out of range, it must be greater than 0 MPa and at most 1e+07 MPa"});
 }
 
+TEST(UnitPass, NoStepIsAskedForWithLessErrorThanCoordinatesCanTell) {
+  EXPECT_EQ(read("simulation", "{ step_error: 1e-6 mm }").errors, Texts{});
+  EXPECT_EQ(read("simulation", "{ step_error: 1e-7 mm }").errors,
+            Texts{"1:15: step_error: 1e-7 mm is out of range, it must be at least 1e-06 mm"});
+}
+
 TEST(UnitPass, AlternativesWithoutTheKeyThatTellsThemApartSayWhatIsMissing) {
   const std::string head = "{ surface: { shape: sphere }, wall: { thickness: 1 mm, material: { law: neo_hookean, ";
   const Read without = read("body", head + "shear_modulus: 1 kPa } }, loads: [ { region: { group: wall } } ] }");
