@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "renderer/picture/BloodRun.hpp"
 #include "renderer/picture/Float3.hpp"
 #include "renderer/picture/RunFilm.hpp"
 #include "renderer/wound/Bleeding.hpp"
@@ -223,39 +224,6 @@ void append_ground(const TissuePiece& bed, const WoundLayout& wounds, const Shed
   }
 }
 
-/// What a run of blood is made of.
-struct BloodRun {
-  double most_half_width = 0;  // metres
-  double volume = 0;           // metres^3
-  double age = 0;              // seconds
-  double way = 0;              // metres, as far as it goes
-  bool creeps = false;
-};
-
-/// A run of blood: a thin line at first, that grows wider with what comes after it. What creeps over a level wall holds
-/// together, and is no line.
-RunShape blood_run(const BloodRun& run) {
-  constexpr double kDepth = 0.35;                         // over half the width: it wets the wall
-  constexpr double kSlender = 0.05, kSlenderLevel = 0.3;  // half the width over the length, of one that has just begun
-  constexpr double kWiderLevel = 2.2;                     // than a line
-  constexpr double kLongLevel = 2;                        // at most, over half the width: a pool, and no finger
-  constexpr double kLineEnds = 0.02;                      // metres, length from which on it ends in a whole drop
-  constexpr double kMostDrop = 0.7;                       // by which that is wider than the line
-  constexpr double kSpeed = 0.03, kSpeedLevel = 0.01;     // metres/second
-  const double slender = run.creeps ? kSlenderLevel : kSlender, speed = run.creeps ? kSpeedLevel : kSpeed;
-  const double most = (run.creeps ? kWiderLevel : 1) * run.most_half_width;
-  const double half_width = std::min(most, std::cbrt(slender * run.volume / (2 * kDepth)));
-  if (!(half_width > 0)) return {};
-  const double height = kDepth * half_width;
-  const double way = run.creeps ? std::min(run.way, kLongLevel * half_width) : run.way;
-  const double length = std::min(way, run_length(run.volume, 2 * half_width, height, run.age, speed));
-  return {.half_width = half_width,
-          .length = length,
-          .height = height,
-          .dry = dryness(run.age),
-          .drop = 1 + kMostDrop * std::min(1.0, length / kLineEnds)};
-}
-
 /// Whether a cut goes on from one place to the next: a puncture is there at once.
 bool goes_on(const WoundMap& map) {
   return std::ranges::any_of(map.ends, [](const CutEnd& end) { return end.speed > 0; });
@@ -271,12 +239,6 @@ double part_of_pool(const FluidRun& run, const WoundMap& map, double time) {
     if (lip.weights[k] > 0) off = std::min(off, map.off_end(lip.corners[k], time));
   }
   return std::clamp((off - kOffEnds) / kGrows, 0.0, 1.0);
-}
-
-/// Of a run, metres: thick walls have larger vessels.
-double blood_half_width(const FluidRun& run, double thickness) {
-  constexpr double kThin = 0.001, kMost = 2;  // metres, and of the width in a wall that is so thin
-  return (0.00030 + 0.00025 * run.chance) * std::clamp(std::sqrt(thickness / kThin), 1.0, kMost);
 }
 
 std::vector<Float3> normals_of(const TissuePiece& wall) {
