@@ -3,10 +3,10 @@
 #include <optional>
 
 #include "renderer/annotation/Annotation.hpp"
+#include "renderer/camera/CameraDefinition.hpp"
+#include "renderer/camera/PictureLayout.hpp"
 #include "renderer/image/Image.hpp"
 #include "renderer/overlay/Box.hpp"
-#include "renderer/picture/CameraDefinition.hpp"
-#include "renderer/picture/PictureLayout.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
 
 namespace thinwall {

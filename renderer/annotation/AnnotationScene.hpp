@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "renderer/annotation/LabelLayout.hpp"
+#include "renderer/camera/Camera.hpp"
 #include "renderer/overlay/Plate.hpp"
 #include "renderer/overlay/Text.hpp"
-#include "renderer/picture/Camera.hpp"
-#include "renderer/picture/ToolShape.hpp"
+#include "renderer/shape/ToolShape.hpp"
 
 namespace thinwall {
 

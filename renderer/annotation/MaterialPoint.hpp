@@ -5,9 +5,9 @@
 #include <optional>
 #include <span>
 
-#include "renderer/picture/ToolShape.hpp"
-#include "renderer/picture/Vector.hpp"
+#include "renderer/shape/ToolShape.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
+#include "renderer/snapshot/Vector.hpp"
 
 namespace thinwall {
 

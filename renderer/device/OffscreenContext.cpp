@@ -9,7 +9,7 @@
 #include <sstream>
 #include <utility>
 
-#include "renderer/picture/PictureFailure.hpp"
+#include "renderer/image/PictureFailure.hpp"
 
 namespace thinwall {
 namespace {

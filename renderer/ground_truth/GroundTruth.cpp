@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "renderer/ground_truth/Openings.hpp"
-#include "renderer/picture/WithinBody.hpp"
+#include "renderer/shape/WithinBody.hpp"
 #include "renderer/snapshot/SurfaceFields.hpp"
 
 namespace thinwall {

@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "renderer/camera/View.hpp"
 #include "renderer/ground_truth/OpticalFlow.hpp"
 #include "renderer/ground_truth/Projection.hpp"
 #include "renderer/ground_truth/SceneGeometry.hpp"
 #include "renderer/ground_truth/SeenPlaces.hpp"
-#include "renderer/picture/View.hpp"
 
 namespace thinwall {
 

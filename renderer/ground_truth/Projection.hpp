@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "renderer/picture/Camera.hpp"
-#include "renderer/picture/PictureLayout.hpp"
+#include "renderer/camera/Camera.hpp"
+#include "renderer/camera/PictureLayout.hpp"
 
 namespace thinwall {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "renderer/picture/DrawnPieces.hpp"
-#include "renderer/picture/ToolShape.hpp"
+#include "renderer/shape/DrawnPieces.hpp"
+#include "renderer/shape/ToolShape.hpp"
 
 namespace thinwall {
 namespace {

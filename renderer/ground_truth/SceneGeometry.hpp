@@ -5,10 +5,10 @@
 #include <limits>
 #include <vector>
 
-#include "renderer/picture/SceneExtent.hpp"
-#include "renderer/picture/Vector.hpp"
-#include "renderer/picture/WallThickness.hpp"
+#include "renderer/camera/SceneExtent.hpp"
+#include "renderer/shape/WallThickness.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
+#include "renderer/snapshot/Vector.hpp"
 #include "renderer/wound/DrawnTopology.hpp"
 
 namespace thinwall {

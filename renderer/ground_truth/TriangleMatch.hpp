@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/picture/Vector.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
 #include "renderer/snapshot/SurfacePlace.hpp"
+#include "renderer/snapshot/Vector.hpp"
 
 namespace thinwall {
 

@@ -12,7 +12,7 @@
 #include <exception>
 #include <string>
 
-#include "renderer/picture/PictureFailure.hpp"
+#include "renderer/image/PictureFailure.hpp"
 
 namespace thinwall {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "renderer/image/Image.hpp"
 #include "renderer/image/Layer.hpp"
-#include "renderer/picture/PictureFailure.hpp"
+#include "renderer/image/PictureFailure.hpp"
 
 namespace thinwall {
 

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <system_error>
 
-#include "renderer/picture/PictureFailure.hpp"
+#include "renderer/image/PictureFailure.hpp"
 
 namespace thinwall {
 namespace {

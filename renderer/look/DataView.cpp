@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "renderer/picture/PictureFailure.hpp"
+#include "renderer/image/PictureFailure.hpp"
 #include "renderer/snapshot/SurfaceFields.hpp"
 
 namespace thinwall {

@@ -1,6 +1,6 @@
 #include "renderer/look/VertexAreas.hpp"
 
-#include "renderer/picture/Vector.hpp"
+#include "renderer/snapshot/Vector.hpp"
 
 namespace thinwall {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "renderer/picture/PictureFailure.hpp"
+#include "renderer/image/PictureFailure.hpp"
 
 namespace thinwall {
 namespace {

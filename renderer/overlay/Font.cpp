@@ -4,8 +4,8 @@
 #include <pango/pangocairo.h>
 #include <pango/pangofc-fontmap.h>
 
+#include "renderer/image/PictureFailure.hpp"
 #include "renderer/overlay/NumberText.hpp"
-#include "renderer/picture/PictureFailure.hpp"
 
 #ifdef __SANITIZE_ADDRESS__
 // fontconfig keeps offsets where others keep pointers, so the leak checker takes what is in use for lost.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "renderer/image/Image.hpp"
-#include "renderer/picture/ScreenArea.hpp"
+#include "renderer/shape/ScreenArea.hpp"
 
 namespace thinwall {
 

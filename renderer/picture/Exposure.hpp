@@ -1,8 +1,8 @@
 #pragma once
 
-#include "renderer/picture/Camera.hpp"
+#include "renderer/camera/Camera.hpp"
+#include "renderer/camera/View.hpp"
 #include "renderer/picture/FrameUniforms.hpp"
-#include "renderer/picture/View.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
 
 namespace thinwall {

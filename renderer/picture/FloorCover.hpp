@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "renderer/picture/Float3.hpp"
 #include "renderer/picture/MapRaster.hpp"
-#include "renderer/picture/Vector.hpp"
+#include "renderer/snapshot/Float3.hpp"
+#include "renderer/snapshot/Vector.hpp"
 
 namespace thinwall {
 

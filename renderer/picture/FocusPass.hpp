@@ -1,6 +1,6 @@
 #pragma once
 
-#include "renderer/picture/Camera.hpp"
+#include "renderer/camera/Camera.hpp"
 #include "renderer/picture/PictureTarget.hpp"
 
 namespace thinwall {

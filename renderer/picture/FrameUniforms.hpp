@@ -3,10 +3,10 @@
 #include <array>
 #include <optional>
 
-#include "renderer/picture/Camera.hpp"
-#include "renderer/picture/SceneExtent.hpp"
-#include "renderer/picture/ToolShape.hpp"
-#include "renderer/picture/View.hpp"
+#include "renderer/camera/Camera.hpp"
+#include "renderer/camera/SceneExtent.hpp"
+#include "renderer/camera/View.hpp"
+#include "renderer/shape/ToolShape.hpp"
 
 namespace thinwall {
 

@@ -2,20 +2,11 @@
 
 #include <array>
 
-#include "renderer/picture/VesselTree.hpp"
-#include "renderer/picture/View.hpp"
+#include "renderer/camera/View.hpp"
+#include "renderer/shape/TissueSide.hpp"
+#include "renderer/shape/VesselTree.hpp"
 
 namespace thinwall {
-
-/// What of a body is seen.
-enum class TissueSide {
-  kOutside,
-  kRim,        // where the wall is cut through or ends
-  kLining,     // the inner side
-  kCap,        // closes the fluid where no wall is
-  kCapLining,  // that from within
-  kBed         // what an open sheet of skin lies on
-};
 
 /// A part's look as the shader reads it: the block `Look` of shaders/tissue.vert, in the std140 layout. Colours are
 /// linear, lengths in metres.

@@ -3,8 +3,8 @@
 #include <span>
 
 #include "renderer/picture/GlObjects.hpp"
-#include "renderer/picture/Outline.hpp"
 #include "renderer/picture/PictureTarget.hpp"
+#include "renderer/shape/Outline.hpp"
 
 namespace thinwall {
 

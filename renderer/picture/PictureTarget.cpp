@@ -5,7 +5,7 @@
 #include <string>
 
 #include "renderer/image/Opaque.hpp"
-#include "renderer/picture/PictureFailure.hpp"
+#include "renderer/image/PictureFailure.hpp"
 
 namespace thinwall {
 namespace {

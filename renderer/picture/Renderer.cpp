@@ -6,9 +6,11 @@
 #include <functional>
 #include <optional>
 
+#include "renderer/camera/Camera.hpp"
+#include "renderer/camera/Magnification.hpp"
+#include "renderer/camera/SceneExtent.hpp"
 #include "renderer/device/OffscreenContext.hpp"
 #include "renderer/image/SensorNoise.hpp"
-#include "renderer/picture/Camera.hpp"
 #include "renderer/picture/Exposure.hpp"
 #include "renderer/picture/FilmPass.hpp"
 #include "renderer/picture/FinePixels.hpp"
@@ -17,12 +19,10 @@
 #include "renderer/picture/FocusPass.hpp"
 #include "renderer/picture/FrameUniforms.hpp"
 #include "renderer/picture/LensPass.hpp"
-#include "renderer/picture/Magnification.hpp"
 #include "renderer/picture/MeshLinePass.hpp"
 #include "renderer/picture/OutlinePass.hpp"
 #include "renderer/picture/PassClock.hpp"
 #include "renderer/picture/PictureTarget.hpp"
-#include "renderer/picture/SceneExtent.hpp"
 #include "renderer/picture/SceneMeshes.hpp"
 #include "renderer/picture/ScenePass.hpp"
 #include "renderer/picture/SecondThread.hpp"

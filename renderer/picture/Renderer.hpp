@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "renderer/camera/View.hpp"
 #include "renderer/device/DeviceChoice.hpp"
 #include "renderer/image/Image.hpp"
-#include "renderer/picture/View.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
 
 namespace thinwall {

@@ -5,16 +5,16 @@
 #include <iterator>
 #include <utility>
 
+#include "renderer/image/PictureFailure.hpp"
 #include "renderer/look/FluidLooks.hpp"
-#include "renderer/picture/CreaseShade.hpp"
-#include "renderer/picture/DrawnPieces.hpp"
-#include "renderer/picture/FallingDrops.hpp"
-#include "renderer/picture/MeetingLines.hpp"
-#include "renderer/picture/PictureFailure.hpp"
-#include "renderer/picture/SeenLining.hpp"
-#include "renderer/picture/SurfaceVertices.hpp"
-#include "renderer/picture/TissuePieces.hpp"
-#include "renderer/picture/WoundBed.hpp"
+#include "renderer/shape/CreaseShade.hpp"
+#include "renderer/shape/DrawnPieces.hpp"
+#include "renderer/shape/FallingDrops.hpp"
+#include "renderer/shape/MeetingLines.hpp"
+#include "renderer/shape/SeenLining.hpp"
+#include "renderer/shape/SurfaceVertices.hpp"
+#include "renderer/shape/TissuePieces.hpp"
+#include "renderer/shape/WoundBed.hpp"
 #include "renderer/snapshot/SurfaceFields.hpp"
 
 namespace thinwall {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "renderer/image/PictureFailure.hpp"
 #include "renderer/look/ColorMap.hpp"
-#include "renderer/picture/PictureFailure.hpp"
 #include "renderer/picture/ShaderProgram.hpp"
 #include "renderer/snapshot/SameTime.hpp"
 

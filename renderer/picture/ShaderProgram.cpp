@@ -4,7 +4,7 @@
 #include <sstream>
 #include <vector>
 
-#include "renderer/picture/PictureFailure.hpp"
+#include "renderer/image/PictureFailure.hpp"
 
 namespace thinwall {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "renderer/picture/GlObjects.hpp"
 #include "renderer/picture/SceneMeshes.hpp"
-#include "renderer/picture/Vector.hpp"
+#include "renderer/snapshot/Vector.hpp"
 
 namespace thinwall {
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "renderer/picture/MapBlur.hpp"
-#include "renderer/picture/ScreenArea.hpp"
+#include "renderer/shape/ScreenArea.hpp"
 
 namespace thinwall {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "renderer/picture/MapRaster.hpp"
-#include "renderer/picture/ToolShape.hpp"
+#include "renderer/shape/ToolShape.hpp"
 
 namespace thinwall {
 

@@ -12,7 +12,7 @@
 #include <csignal>
 #include <system_error>
 
-#include "renderer/picture/PictureFailure.hpp"
+#include "renderer/image/PictureFailure.hpp"
 
 namespace thinwall {
 namespace {

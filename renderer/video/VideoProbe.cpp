@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "renderer/picture/PictureFailure.hpp"
+#include "renderer/image/PictureFailure.hpp"
 #include "renderer/video/Program.hpp"
 
 namespace thinwall {

@@ -1,6 +1,6 @@
 #include "renderer/video/VideoSurvey.hpp"
 
-#include "renderer/picture/PictureFailure.hpp"
+#include "renderer/image/PictureFailure.hpp"
 #include "renderer/video/Program.hpp"
 
 namespace thinwall {

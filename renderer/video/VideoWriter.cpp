@@ -12,8 +12,8 @@
 #include <system_error>
 #include <utility>
 
+#include "renderer/image/PictureFailure.hpp"
 #include "renderer/image/WholeFile.hpp"
-#include "renderer/picture/PictureFailure.hpp"
 #include "renderer/video/CaptionTrack.hpp"
 #include "renderer/video/Program.hpp"
 #include "renderer/video/VideoProbe.hpp"

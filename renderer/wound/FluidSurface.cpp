@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "renderer/picture/Float3.hpp"
+#include "renderer/snapshot/Float3.hpp"
 #include "renderer/snapshot/SurfaceFields.hpp"
 
 namespace thinwall {

@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "renderer/picture/Vector.hpp"
+#include "renderer/snapshot/Vector.hpp"
 #include "renderer/wound/TriangleSplit.hpp"
 
 namespace thinwall {

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "renderer/picture/Vector.hpp"
 #include "renderer/snapshot/BorderEdges.hpp"
+#include "renderer/snapshot/Vector.hpp"
 #include "renderer/wound/WoundMap.hpp"
 
 namespace thinwall {

@@ -5,8 +5,8 @@
 #include <set>
 #include <utility>
 
-#include "renderer/picture/Float3.hpp"
-#include "renderer/picture/Vector.hpp"
+#include "renderer/snapshot/Float3.hpp"
+#include "renderer/snapshot/Vector.hpp"
 #include "renderer/wound/TriangleSplit.hpp"
 #include "renderer/wound/VertexNormals.hpp"
 

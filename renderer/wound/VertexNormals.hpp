@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "renderer/picture/Vector.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
+#include "renderer/snapshot/Vector.hpp"
 
 namespace thinwall {
 

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "renderer/image/PictureFailure.hpp"
 #include "renderer/look/VertexAreas.hpp"
 #include "renderer/overlay/Axis.hpp"
-#include "renderer/picture/PictureFailure.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/recorder/Interruption.hpp"
 #include "studio/take/TakeError.hpp"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "renderer/picture/View.hpp"
+#include "renderer/camera/View.hpp"
 #include "studio/scenario/Quantity.hpp"
 
 namespace thinwall {

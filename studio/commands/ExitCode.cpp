@@ -12,8 +12,8 @@
 #include <tuple>
 
 #include "engine/simulation/SimulationFailure.hpp"
+#include "renderer/image/PictureFailure.hpp"
 #include "renderer/image/PngFile.hpp"
-#include "renderer/picture/PictureFailure.hpp"
 #include "studio/commands/MistakesAsJson.hpp"
 #include "studio/golden/GoldenApproval.hpp"
 #include "studio/recorder/FolderLock.hpp"

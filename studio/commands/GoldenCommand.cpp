@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/image/Folder.hpp"
+#include "renderer/image/PictureFailure.hpp"
 #include "renderer/image/WholeFile.hpp"
-#include "renderer/picture/PictureFailure.hpp"
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/GoldenScenarios.hpp"

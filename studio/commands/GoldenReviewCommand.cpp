@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "renderer/image/PictureFailure.hpp"
 #include "renderer/image/WholeFile.hpp"
-#include "renderer/picture/PictureFailure.hpp"
 #include "renderer/video/Program.hpp"
 #include "studio/commands/Answer.hpp"
 #include "studio/commands/Commands.hpp"

@@ -11,7 +11,7 @@
 #include <thread>
 #include <utility>
 
-#include "renderer/picture/PictureFailure.hpp"
+#include "renderer/image/PictureFailure.hpp"
 #include "renderer/video/Program.hpp"
 #include "renderer/video/VideoSurvey.hpp"
 #include "studio/commands/Arguments.hpp"

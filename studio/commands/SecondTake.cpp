@@ -6,8 +6,8 @@
 #include <system_error>
 #include <utility>
 
+#include "renderer/image/PictureFailure.hpp"
 #include "renderer/image/WholeFile.hpp"
-#include "renderer/picture/PictureFailure.hpp"
 #include "studio/commands/DataViewRange.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/recorder/OutputFolder.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/picture/View.hpp"
+#include "renderer/camera/View.hpp"
 #include "studio/commands/RunSource.hpp"
 
 namespace thinwall {

@@ -6,9 +6,9 @@
 #include <span>
 
 #include "renderer/image/ImageHash.hpp"
+#include "renderer/image/PictureFailure.hpp"
 #include "renderer/image/PngFile.hpp"
 #include "renderer/image/WholeFile.hpp"
-#include "renderer/picture/PictureFailure.hpp"
 #include "studio/golden/NamedFiles.hpp"
 #include "studio/golden/OverlayRecord.hpp"
 #include "studio/take/TakeError.hpp"

@@ -6,8 +6,8 @@
 
 #include "engine/simulation/SimulationFailure.hpp"
 #include "renderer/image/ImageHash.hpp"
+#include "renderer/image/PictureFailure.hpp"
 #include "renderer/image/Resize.hpp"
-#include "renderer/picture/PictureFailure.hpp"
 #include "studio/recorder/FrameComposer.hpp"
 #include "studio/recorder/Interruption.hpp"
 

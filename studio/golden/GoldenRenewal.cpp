@@ -5,9 +5,9 @@
 
 #include "renderer/image/Folder.hpp"
 #include "renderer/image/ImageHash.hpp"
+#include "renderer/image/PictureFailure.hpp"
 #include "renderer/image/PngFile.hpp"
 #include "renderer/image/WholeFile.hpp"
-#include "renderer/picture/PictureFailure.hpp"
 #include "renderer/video/Program.hpp"
 #include "studio/golden/NamedFiles.hpp"
 #include "studio/golden/OverlayRecord.hpp"

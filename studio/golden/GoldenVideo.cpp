@@ -8,10 +8,10 @@
 
 #include "renderer/image/ImageDifference.hpp"
 #include "renderer/image/ImageHash.hpp"
+#include "renderer/image/PictureFailure.hpp"
 #include "renderer/image/PngFile.hpp"
 #include "renderer/image/WholeFile.hpp"
 #include "renderer/metric/Drift.hpp"
-#include "renderer/picture/PictureFailure.hpp"
 #include "renderer/video/FrameReader.hpp"
 #include "renderer/video/MediaProbe.hpp"
 #include "renderer/video/VideoSurvey.hpp"

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "renderer/camera/Shot.hpp"
 #include "renderer/image/Image.hpp"
-#include "renderer/picture/Shot.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
 
 namespace thinwall {

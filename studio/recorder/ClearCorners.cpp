@@ -6,12 +6,12 @@
 #include <tuple>
 
 #include "renderer/annotation/MaterialPoint.hpp"
+#include "renderer/camera/Camera.hpp"
+#include "renderer/camera/PictureLayout.hpp"
+#include "renderer/camera/SceneExtent.hpp"
+#include "renderer/camera/Shot.hpp"
 #include "renderer/image/OverlayUnit.hpp"
 #include "renderer/overlay/CaptionPlace.hpp"
-#include "renderer/picture/Camera.hpp"
-#include "renderer/picture/PictureLayout.hpp"
-#include "renderer/picture/SceneExtent.hpp"
-#include "renderer/picture/Shot.hpp"
 #include "renderer/snapshot/ActingSurfaces.hpp"
 #include "renderer/snapshot/SameTime.hpp"
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "renderer/annotation/Annotation.hpp"
+#include "renderer/camera/View.hpp"
 #include "renderer/overlay/Overlay.hpp"
-#include "renderer/picture/View.hpp"
 #include "studio/recorder/PlannedWork.hpp"
 
 namespace thinwall {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "renderer/picture/Camera.hpp"
-#include "renderer/picture/PictureLayout.hpp"
-#include "renderer/picture/SceneExtent.hpp"
+#include "renderer/camera/Camera.hpp"
+#include "renderer/camera/PictureLayout.hpp"
+#include "renderer/camera/SceneExtent.hpp"
 
 namespace thinwall {
 namespace {

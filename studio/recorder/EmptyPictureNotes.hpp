@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "renderer/camera/CameraDefinition.hpp"
 #include "renderer/image/Image.hpp"
-#include "renderer/picture/CameraDefinition.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
 
 namespace thinwall {

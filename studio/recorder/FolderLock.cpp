@@ -10,8 +10,8 @@
 #include <system_error>
 
 #include "renderer/image/Folder.hpp"
+#include "renderer/image/PictureFailure.hpp"
 #include "renderer/image/WholeFile.hpp"
-#include "renderer/picture/PictureFailure.hpp"
 
 namespace thinwall {
 namespace {

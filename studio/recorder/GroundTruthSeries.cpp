@@ -12,7 +12,7 @@
 #include "renderer/image/PngFile.hpp"
 #include "renderer/image/WholeFile.hpp"
 #include "renderer/look/OrganLooks.hpp"
-#include "renderer/picture/WoundBed.hpp"
+#include "renderer/shape/WoundBed.hpp"
 
 namespace thinwall {
 namespace {

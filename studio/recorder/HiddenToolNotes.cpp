@@ -9,10 +9,10 @@
 #include <span>
 
 #include "renderer/annotation/MaterialPoint.hpp"
-#include "renderer/picture/Camera.hpp"
-#include "renderer/picture/PictureLayout.hpp"
-#include "renderer/picture/SceneExtent.hpp"
-#include "renderer/picture/WithinBody.hpp"
+#include "renderer/camera/Camera.hpp"
+#include "renderer/camera/PictureLayout.hpp"
+#include "renderer/camera/SceneExtent.hpp"
+#include "renderer/shape/WithinBody.hpp"
 
 namespace thinwall {
 namespace {

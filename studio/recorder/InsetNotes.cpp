@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "renderer/camera/Camera.hpp"
+#include "renderer/camera/PictureLayout.hpp"
+#include "renderer/camera/SceneExtent.hpp"
 #include "renderer/image/PictureCorner.hpp"
-#include "renderer/picture/Camera.hpp"
-#include "renderer/picture/PictureLayout.hpp"
-#include "renderer/picture/SceneExtent.hpp"
 
 namespace thinwall {
 namespace {

@@ -7,8 +7,8 @@
 #include <system_error>
 
 #include "renderer/image/Folder.hpp"
+#include "renderer/image/PictureFailure.hpp"
 #include "renderer/image/WholeFile.hpp"
-#include "renderer/picture/PictureFailure.hpp"
 #include "studio/recorder/GroundTruthSeries.hpp"
 
 namespace thinwall {

@@ -6,9 +6,9 @@
 #include <map>
 
 #include "renderer/annotation/AnnotationDrawing.hpp"
+#include "renderer/camera/PictureLayout.hpp"
 #include "renderer/overlay/HalfCaptions.hpp"
 #include "renderer/overlay/Overlay.hpp"
-#include "renderer/picture/PictureLayout.hpp"
 #include "renderer/picture/Renderer.hpp"
 
 namespace thinwall {

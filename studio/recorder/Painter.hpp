@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "renderer/camera/View.hpp"
 #include "renderer/device/DeviceChoice.hpp"
 #include "renderer/image/Image.hpp"
 #include "renderer/picture/Renderer.hpp"
-#include "renderer/picture/View.hpp"
 #include "studio/recorder/FrameComposer.hpp"
 
 namespace thinwall {

@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "renderer/camera/Camera.hpp"
 #include "renderer/ground_truth/Projection.hpp"
-#include "renderer/picture/Camera.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
 
 namespace thinwall {

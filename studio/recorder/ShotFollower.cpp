@@ -1,6 +1,6 @@
 #include "studio/recorder/ShotFollower.hpp"
 
-#include "renderer/picture/Shot.hpp"
+#include "renderer/camera/Shot.hpp"
 
 namespace thinwall {
 

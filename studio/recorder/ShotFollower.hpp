@@ -3,7 +3,7 @@
 #include <map>
 #include <string>
 
-#include "renderer/picture/View.hpp"
+#include "renderer/camera/View.hpp"
 #include "studio/recorder/ToolFollower.hpp"
 
 namespace thinwall {

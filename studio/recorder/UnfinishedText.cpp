@@ -4,8 +4,8 @@
 #include <system_error>
 #include <utility>
 
+#include "renderer/image/PictureFailure.hpp"
 #include "renderer/image/WholeFile.hpp"
-#include "renderer/picture/PictureFailure.hpp"
 
 namespace thinwall {
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "renderer/picture/LensFold.hpp"
-#include "renderer/picture/PictureLayout.hpp"
+#include "renderer/camera/LensFold.hpp"
+#include "renderer/camera/PictureLayout.hpp"
 #include "renderer/snapshot/SameTime.hpp"
 #include "studio/scenario/CheckedReading.hpp"
 #include "studio/scenario/Parallel.hpp"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "renderer/picture/View.hpp"
+#include "renderer/camera/View.hpp"
 #include "studio/scenario/Teaching.hpp"
 
 namespace thinwall {

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "engine/simulation/SimulationFailure.hpp"
+#include "renderer/image/PictureFailure.hpp"
 #include "renderer/image/WholeFile.hpp"
-#include "renderer/picture/PictureFailure.hpp"
 #include "studio/record/RecordColumns.hpp"
 #include "studio/take/Hdf5.hpp"
 #include "studio/take/TakeLayout.hpp"

@@ -6,7 +6,7 @@
 
 #include "renderer/look/OrganLooks.hpp"
 #include "renderer/picture/Renderer.hpp"
-#include "tests/renderer/picture/CutSheets.hpp"
+#include "tests/renderer/shape/CutSheets.hpp"
 
 namespace thinwall {
 namespace {

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "renderer/annotation/Card.hpp"
+#include "renderer/camera/Camera.hpp"
 #include "renderer/overlay/LegendPlate.hpp"
-#include "renderer/picture/Camera.hpp"
-#include "tests/renderer/picture/TestMeshes.hpp"
+#include "tests/renderer/shape/TestMeshes.hpp"
 
 namespace thinwall {
 namespace {

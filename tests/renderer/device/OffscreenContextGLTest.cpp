@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <thread>
 
-#include "renderer/picture/PictureFailure.hpp"
+#include "renderer/image/PictureFailure.hpp"
 
 namespace thinwall {
 namespace {

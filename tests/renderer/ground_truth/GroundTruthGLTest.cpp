@@ -7,8 +7,8 @@
 #include "renderer/ground_truth/GroundTruth.hpp"
 #include "renderer/image/ImageDifference.hpp"
 #include "renderer/picture/Renderer.hpp"
-#include "renderer/picture/WoundBed.hpp"
-#include "tests/renderer/picture/CutSheets.hpp"
+#include "renderer/shape/WoundBed.hpp"
+#include "tests/renderer/shape/CutSheets.hpp"
 
 namespace thinwall {
 namespace {

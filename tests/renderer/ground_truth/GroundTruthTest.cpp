@@ -7,8 +7,8 @@
 
 #include "renderer/snapshot/SurfaceFields.hpp"
 #include "tests/renderer/ground_truth/RayCast.hpp"
-#include "tests/renderer/picture/CutSheets.hpp"
-#include "tests/renderer/picture/TestMeshes.hpp"
+#include "tests/renderer/shape/CutSheets.hpp"
+#include "tests/renderer/shape/TestMeshes.hpp"
 
 namespace thinwall {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "renderer/ground_truth/GroundTruth.hpp"
 #include "tests/renderer/ground_truth/RayCast.hpp"
-#include "tests/renderer/picture/TestMeshes.hpp"
+#include "tests/renderer/shape/TestMeshes.hpp"
 
 namespace thinwall {
 namespace {

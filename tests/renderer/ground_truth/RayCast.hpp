@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "renderer/picture/Camera.hpp"
-#include "renderer/picture/ToolShape.hpp"
+#include "renderer/camera/Camera.hpp"
+#include "renderer/shape/ToolShape.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
 
 namespace thinwall::test {

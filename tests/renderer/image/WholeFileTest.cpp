@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "renderer/picture/PictureFailure.hpp"
+#include "renderer/image/PictureFailure.hpp"
 #include "tests/renderer/image/TestFolder.hpp"
 
 namespace thinwall {

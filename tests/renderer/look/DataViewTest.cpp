@@ -6,10 +6,10 @@
 #include <cmath>
 #include <string>
 
+#include "renderer/image/PictureFailure.hpp"
 #include "renderer/look/ColorMap.hpp"
 #include "renderer/look/VertexAreas.hpp"
-#include "renderer/picture/PictureFailure.hpp"
-#include "tests/renderer/picture/TestMeshes.hpp"
+#include "tests/renderer/shape/TestMeshes.hpp"
 
 namespace thinwall {
 namespace {

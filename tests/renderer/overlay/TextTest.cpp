@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/image/PictureFailure.hpp"
 #include "renderer/overlay/Letters.hpp"
-#include "renderer/picture/PictureFailure.hpp"
 #include "tests/renderer/image/TestFolder.hpp"
 #include "tests/renderer/image/TestImages.hpp"
 

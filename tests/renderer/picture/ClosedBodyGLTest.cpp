@@ -5,7 +5,7 @@
 #include <string>
 
 #include "renderer/picture/Renderer.hpp"
-#include "tests/renderer/picture/TestMeshes.hpp"
+#include "tests/renderer/shape/TestMeshes.hpp"
 
 namespace thinwall {
 namespace {

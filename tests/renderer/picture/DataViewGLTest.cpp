@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "renderer/camera/Camera.hpp"
 #include "renderer/look/ColorMap.hpp"
-#include "renderer/picture/Camera.hpp"
 #include "renderer/picture/Renderer.hpp"
-#include "tests/renderer/picture/TestMeshes.hpp"
+#include "tests/renderer/shape/TestMeshes.hpp"
 
 namespace thinwall {
 namespace {

@@ -3,11 +3,11 @@
 #include <array>
 #include <cmath>
 
+#include "renderer/camera/Camera.hpp"
+#include "renderer/camera/SceneExtent.hpp"
 #include "renderer/look/OrganLooks.hpp"
-#include "renderer/picture/Camera.hpp"
 #include "renderer/picture/Renderer.hpp"
-#include "renderer/picture/SceneExtent.hpp"
-#include "tests/renderer/picture/CutSheets.hpp"
+#include "tests/renderer/shape/CutSheets.hpp"
 
 namespace thinwall {
 namespace {

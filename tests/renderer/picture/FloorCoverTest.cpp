@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "renderer/picture/SurfaceVertices.hpp"
+#include "renderer/shape/SurfaceVertices.hpp"
 
 namespace thinwall {
 namespace {

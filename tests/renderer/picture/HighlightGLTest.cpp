@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "renderer/picture/Camera.hpp"
+#include "renderer/camera/Camera.hpp"
 #include "renderer/picture/Renderer.hpp"
-#include "tests/renderer/picture/TestMeshes.hpp"
+#include "tests/renderer/shape/TestMeshes.hpp"
 
 namespace thinwall {
 namespace {

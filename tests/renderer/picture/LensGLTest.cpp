@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "renderer/picture/Lens.hpp"
+#include "renderer/camera/Lens.hpp"
 #include "tests/renderer/picture/ShaderMath.hpp"
 
 namespace thinwall {

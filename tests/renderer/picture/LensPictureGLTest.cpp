@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/picture/Camera.hpp"
-#include "renderer/picture/PictureFailure.hpp"
+#include "renderer/camera/Camera.hpp"
+#include "renderer/image/PictureFailure.hpp"
 #include "renderer/picture/Renderer.hpp"
-#include "tests/renderer/picture/TestMeshes.hpp"
+#include "tests/renderer/shape/TestMeshes.hpp"
 
 namespace thinwall {
 namespace {

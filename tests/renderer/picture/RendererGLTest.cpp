@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <numbers>
 
-#include "renderer/picture/Camera.hpp"
+#include "renderer/camera/Camera.hpp"
+#include "renderer/camera/SceneExtent.hpp"
 #include "renderer/picture/FrameUniforms.hpp"
-#include "renderer/picture/SceneExtent.hpp"
-#include "tests/renderer/picture/TestMeshes.hpp"
+#include "tests/renderer/shape/TestMeshes.hpp"
 
 namespace thinwall {
 namespace {

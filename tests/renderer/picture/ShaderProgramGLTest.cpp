@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/device/OffscreenContext.hpp"
-#include "renderer/picture/PictureFailure.hpp"
+#include "renderer/image/PictureFailure.hpp"
 
 namespace thinwall {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "renderer/picture/Renderer.hpp"
 #include "renderer/picture/ToolCover.hpp"
-#include "tests/renderer/picture/CutSheets.hpp"
 #include "tests/renderer/picture/ShaderMath.hpp"
+#include "tests/renderer/shape/CutSheets.hpp"
 
 namespace thinwall {
 namespace {

@@ -6,11 +6,11 @@
 #include <numbers>
 #include <vector>
 
+#include "renderer/camera/Camera.hpp"
+#include "renderer/camera/SceneExtent.hpp"
 #include "renderer/look/OrganLooks.hpp"
-#include "renderer/picture/Camera.hpp"
 #include "renderer/picture/Renderer.hpp"
-#include "renderer/picture/SceneExtent.hpp"
-#include "tests/renderer/picture/TestMeshes.hpp"
+#include "tests/renderer/shape/TestMeshes.hpp"
 
 namespace thinwall {
 namespace {

@@ -10,7 +10,7 @@
 #include "renderer/look/FluidLooks.hpp"
 #include "renderer/look/OrganLooks.hpp"
 #include "renderer/picture/Renderer.hpp"
-#include "tests/renderer/picture/CutSheets.hpp"
+#include "tests/renderer/shape/CutSheets.hpp"
 
 namespace thinwall {
 namespace {

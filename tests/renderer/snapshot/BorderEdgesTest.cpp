@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/snapshot/CutTimes.hpp"
-#include "tests/renderer/picture/CutSheets.hpp"
+#include "tests/renderer/shape/CutSheets.hpp"
 
 namespace thinwall {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/picture/PictureFailure.hpp"
+#include "renderer/image/PictureFailure.hpp"
 
 namespace thinwall {
 namespace {

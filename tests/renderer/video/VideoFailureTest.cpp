@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <fstream>
 
-#include "renderer/picture/PictureFailure.hpp"
+#include "renderer/image/PictureFailure.hpp"
 #include "renderer/video/VideoWriter.hpp"
 #include "tests/renderer/image/TestImages.hpp"
 #include "tests/renderer/video/FakeProgram.hpp"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/picture/Vector.hpp"
-#include "tests/renderer/picture/CutSheets.hpp"
+#include "renderer/snapshot/Vector.hpp"
+#include "tests/renderer/shape/CutSheets.hpp"
 
 namespace thinwall {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/renderer/picture/CutSheets.hpp"
+#include "tests/renderer/shape/CutSheets.hpp"
 
 namespace thinwall {
 namespace {

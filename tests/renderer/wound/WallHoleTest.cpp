@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "renderer/wound/FluidLevel.hpp"
-#include "tests/renderer/picture/TestMeshes.hpp"
+#include "tests/renderer/shape/TestMeshes.hpp"
 
 namespace thinwall {
 namespace {

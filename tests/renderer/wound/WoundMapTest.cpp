@@ -7,7 +7,7 @@
 #include "renderer/wound/Bleeding.hpp"
 #include "renderer/wound/RunFeet.hpp"
 #include "renderer/wound/RunPath.hpp"
-#include "tests/renderer/picture/CutSheets.hpp"
+#include "tests/renderer/shape/CutSheets.hpp"
 
 namespace thinwall {
 namespace {

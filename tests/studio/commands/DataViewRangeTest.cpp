@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/picture/View.hpp"
+#include "renderer/camera/View.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/take/TakeWriter.hpp"
 #include "tests/studio/TemporaryFolder.hpp"

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "renderer/image/PictureFailure.hpp"
 #include "renderer/image/PngFile.hpp"
-#include "renderer/picture/PictureFailure.hpp"
 #include "studio/golden/GoldenComparison.hpp"
 #include "studio/golden/GoldenRenewal.hpp"
 #include "tests/studio/FlatPainter.hpp"

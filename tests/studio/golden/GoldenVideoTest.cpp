@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "renderer/image/PictureFailure.hpp"
 #include "renderer/image/PngFile.hpp"
-#include "renderer/picture/PictureFailure.hpp"
 #include "renderer/video/Program.hpp"
 #include "studio/golden/GoldenVideoComparison.hpp"
 #include "tests/studio/golden/GoldenScene.hpp"

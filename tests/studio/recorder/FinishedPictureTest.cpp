@@ -2,7 +2,7 @@
 
 #include "renderer/overlay/HalfCaptions.hpp"
 #include "studio/recorder/Painter.hpp"
-#include "tests/renderer/picture/TestMeshes.hpp"
+#include "tests/renderer/shape/TestMeshes.hpp"
 
 namespace thinwall {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "renderer/picture/PictureFailure.hpp"
+#include "renderer/image/PictureFailure.hpp"
 #include "tests/studio/TemporaryFolder.hpp"
 
 namespace thinwall {

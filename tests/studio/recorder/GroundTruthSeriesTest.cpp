@@ -4,9 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "renderer/picture/WoundBed.hpp"
+#include "renderer/shape/WoundBed.hpp"
 #include "renderer/snapshot/SurfaceFields.hpp"
-#include "tests/renderer/picture/CutSheets.hpp"
+#include "tests/renderer/shape/CutSheets.hpp"
 #include "tests/studio/SyntheticRun.hpp"
 #include "tests/studio/TemporaryFolder.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/renderer/picture/TestMeshes.hpp"
+#include "tests/renderer/shape/TestMeshes.hpp"
 
 namespace thinwall {
 namespace {

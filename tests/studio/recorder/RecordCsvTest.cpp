@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "engine/simulation/SimulationFailure.hpp"
-#include "renderer/picture/PictureFailure.hpp"
+#include "renderer/image/PictureFailure.hpp"
 #include "tests/studio/TemporaryFolder.hpp"
 
 namespace thinwall {

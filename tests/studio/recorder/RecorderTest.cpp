@@ -8,9 +8,9 @@
 #include <thread>
 
 #include "renderer/image/ImageHash.hpp"
+#include "renderer/image/PictureFailure.hpp"
 #include "renderer/image/PngFile.hpp"
 #include "renderer/overlay/Overlay.hpp"
-#include "renderer/picture/PictureFailure.hpp"
 #include "renderer/video/VideoProbe.hpp"
 #include "studio/recorder/FrameComposer.hpp"
 #include "studio/recorder/Interruption.hpp"

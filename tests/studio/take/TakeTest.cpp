@@ -9,8 +9,8 @@
 #include <csignal>
 #include <functional>
 
+#include "renderer/image/PictureFailure.hpp"
 #include "renderer/image/WholeFile.hpp"
-#include "renderer/picture/PictureFailure.hpp"
 #include "tests/studio/TemporaryFolder.hpp"
 #include "tests/studio/take/WrittenTake.hpp"
 
