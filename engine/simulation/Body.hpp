@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "engine/cutting/CutSurface.hpp"
-#include "engine/simulation/BodyModel.hpp"
+#include "engine/equilibrium/BodyModel.hpp"
+#include "engine/equilibrium/Equilibrium.hpp"
+#include "engine/equilibrium/Newton.hpp"
 #include "engine/simulation/BodyState.hpp"
 #include "engine/simulation/BodyStepReport.hpp"
 #include "engine/simulation/CutProgress.hpp"
-#include "engine/simulation/Equilibrium.hpp"
-#include "engine/simulation/Newton.hpp"
 #include "engine/simulation/Puncture.hpp"
 #include "engine/simulation/SimulationOptions.hpp"
 #include "engine/simulation/ToolResponse.hpp"

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/equilibrium/FrictionContact.hpp"
 #include "engine/simulation/Body.hpp"
-#include "engine/simulation/FrictionContact.hpp"
 
 namespace thinwall {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/equilibrium/FrictionMixing.hpp"
 #include "engine/simulation/Body.hpp"
-#include "engine/simulation/FrictionMixing.hpp"
 
 namespace thinwall {
 namespace {

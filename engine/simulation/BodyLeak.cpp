@@ -14,9 +14,9 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/equilibrium/OpenChambers.hpp"
 #include "engine/fluid/FluidWeight.hpp"
 #include "engine/simulation/Body.hpp"
-#include "engine/simulation/OpenChambers.hpp"
 
 namespace thinwall {
 namespace {

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "engine/contact/SolidGap.hpp"
+#include "engine/equilibrium/HeldWall.hpp"
 #include "engine/simulation/Body.hpp"
-#include "engine/simulation/HeldWall.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
 #include "engine/tool/ToolSolids.hpp"
 

@@ -3,12 +3,12 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "engine/equilibrium/BodyModel.hpp"
+#include "engine/equilibrium/Equilibrium.hpp"
+#include "engine/equilibrium/Newton.hpp"
 #include "engine/fluid/PressureLoad.hpp"
-#include "engine/simulation/BodyModel.hpp"
 #include "engine/simulation/CutProgress.hpp"
-#include "engine/simulation/Equilibrium.hpp"
 #include "engine/simulation/FlowMemory.hpp"
-#include "engine/simulation/Newton.hpp"
 #include "engine/simulation/Puncture.hpp"
 
 namespace thinwall {

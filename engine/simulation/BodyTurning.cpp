@@ -2,8 +2,8 @@
 #include <memory>
 #include <string>
 
+#include "engine/equilibrium/RigidMotions.hpp"
 #include "engine/simulation/Body.hpp"
-#include "engine/simulation/RigidMotions.hpp"
 
 namespace thinwall {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "engine/cutting/SurfacePath.hpp"
 #include "engine/cutting/SurfaceTrace.hpp"
-#include "engine/simulation/FrictionContact.hpp"
+#include "engine/equilibrium/FrictionContact.hpp"
 
 namespace thinwall {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "engine/cutting/Cut.hpp"
-#include "engine/simulation/BodyModel.hpp"
-#include "engine/simulation/ShaftContact.hpp"
+#include "engine/equilibrium/BodyModel.hpp"
+#include "engine/equilibrium/ShaftContact.hpp"
 #include "engine/tool/FirstContact.hpp"
 #include "engine/tool/Tool.hpp"
 

@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "engine/equilibrium/Chambers.hpp"
 #include "engine/mesh/MeshMeasures.hpp"
 #include "engine/mesh/Shapes.hpp"
-#include "engine/simulation/Chambers.hpp"
 #include "studio/organs/ClosedCheck.hpp"
 #include "studio/organs/HoleFilling.hpp"
 #include "studio/organs/MeshImport.hpp"

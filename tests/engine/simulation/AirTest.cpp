@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "engine/simulation/OpenChambers.hpp"
+#include "engine/equilibrium/OpenChambers.hpp"
 #include "tests/engine/simulation/LeakWatch.hpp"
 #include "tests/engine/simulation/OpenBodies.hpp"
 #include "tests/engine/simulation/TestBodies.hpp"

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "engine/cutting/SurfacePath.hpp"
+#include "engine/equilibrium/RigidMotions.hpp"
 #include "engine/mesh/Shapes.hpp"
-#include "engine/simulation/RigidMotions.hpp"
 #include "tests/engine/simulation/TestBodies.hpp"
 
 namespace thinwall {
