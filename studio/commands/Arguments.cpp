@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "studio/commands/ExitCode.hpp"
-#include "studio/scenario/Quantity.hpp"
+#include "studio/schema/Quantity.hpp"
 
 namespace thinwall {
 namespace {

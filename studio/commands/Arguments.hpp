@@ -6,7 +6,7 @@
 
 #include "renderer/image/Image.hpp"
 #include "renderer/look/DataView.hpp"
-#include "studio/scenario/Quantity.hpp"
+#include "studio/schema/Quantity.hpp"
 
 namespace thinwall {
 

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "studio/commands/ExitCode.hpp"
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

@@ -10,7 +10,7 @@
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/recorder/Interruption.hpp"
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

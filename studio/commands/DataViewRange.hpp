@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "renderer/camera/View.hpp"
-#include "studio/scenario/Quantity.hpp"
+#include "studio/schema/Quantity.hpp"
 
 namespace thinwall {
 

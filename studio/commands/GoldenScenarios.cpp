@@ -22,8 +22,8 @@
 #include "studio/recorder/ResolvedPicture.hpp"
 #include "studio/scenario/IncludePass.hpp"
 #include "studio/scenario/LoadScenario.hpp"
-#include "studio/scenario/Wording.hpp"
 #include "studio/scenario/YamlReader.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "studio/scenario/InputError.hpp"
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 

@@ -6,7 +6,7 @@
 #include <cassert>
 
 #include "renderer/snapshot/SameTime.hpp"
-#include "studio/scenario/ExpectationQuantity.hpp"
+#include "studio/schema/ExpectationQuantity.hpp"
 
 namespace thinwall {
 namespace {

@@ -10,7 +10,7 @@
 #include "renderer/image/WholeFile.hpp"
 #include "renderer/snapshot/SameTime.hpp"
 #include "studio/golden/GoldenHistory.hpp"
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/Wording.hpp"
 #include "studio/take/TakeError.hpp"
 #include "studio/take/TakeReader.hpp"
 

@@ -10,7 +10,7 @@
 #include "renderer/image/PngFile.hpp"
 #include "studio/comparison/FrameSequence.hpp"
 #include "studio/golden/VideoAttribution.hpp"
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

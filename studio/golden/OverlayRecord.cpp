@@ -7,7 +7,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "studio/scenario/Quantity.hpp"
+#include "studio/schema/Quantity.hpp"
 
 namespace thinwall {
 namespace {

@@ -8,7 +8,7 @@
 #include "renderer/snapshot/SameTime.hpp"
 #include "studio/golden/GoldenApproval.hpp"
 #include "studio/golden/GoldenVideoApproval.hpp"
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

@@ -16,7 +16,7 @@
 
 #include "studio/organs/FileFormatError.hpp"
 #include "studio/organs/PlyReordering.hpp"
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

@@ -17,7 +17,7 @@
 #include "studio/organs/OrganSizes.hpp"
 #include "studio/organs/RegionMembers.hpp"
 #include "studio/organs/WallFieldResolver.hpp"
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

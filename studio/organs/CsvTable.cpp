@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "studio/organs/SurfaceOrigin.hpp"
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

@@ -24,7 +24,7 @@
 #include "studio/organs/OrganSizes.hpp"
 #include "studio/organs/ToldPlaces.hpp"
 #include "studio/organs/remeshing/MeshRemeshing.hpp"
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

@@ -7,7 +7,7 @@
 #include <charconv>
 #include <cstring>
 
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

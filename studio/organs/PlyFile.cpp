@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "studio/organs/PlyHeader.hpp"
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

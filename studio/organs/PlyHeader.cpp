@@ -4,7 +4,7 @@
 #include <array>
 #include <charconv>
 
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

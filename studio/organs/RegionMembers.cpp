@@ -4,7 +4,7 @@
 
 #include "engine/mesh/MeshMeasures.hpp"
 #include "studio/organs/SpanWords.hpp"
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 std::vector<int> RegionMembers::triangles(const Region& region, const std::string& path,

@@ -8,9 +8,9 @@
 #include "studio/organs/CsvTable.hpp"
 #include "studio/organs/SurfaceOrigin.hpp"
 #include "studio/organs/ToldPlaces.hpp"
-#include "studio/scenario/Quantity.hpp"
-#include "studio/scenario/Schema.hpp"
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/Quantity.hpp"
+#include "studio/schema/Schema.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "studio/organs/ObjOutline.hpp"
 #include "studio/scenario/InputError.hpp"
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "renderer/overlay/Letters.hpp"
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "studio/recorder/Versions.hpp"
-#include "studio/scenario/ExpectationQuantity.hpp"
+#include "studio/schema/ExpectationQuantity.hpp"
 
 namespace thinwall {
 namespace {

@@ -11,8 +11,8 @@
 #include "renderer/snapshot/SameTime.hpp"
 #include "studio/scenario/CheckedReading.hpp"
 #include "studio/scenario/Parallel.hpp"
-#include "studio/scenario/Quantity.hpp"
 #include "studio/scenario/TextNode.hpp"
+#include "studio/schema/Quantity.hpp"
 
 namespace thinwall {
 namespace {

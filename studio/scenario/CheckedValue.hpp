@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "studio/scenario/Quantity.hpp"
-#include "studio/scenario/Range.hpp"
 #include "studio/scenario/Scenario.hpp"
+#include "studio/schema/Quantity.hpp"
+#include "studio/schema/Range.hpp"
 
 namespace thinwall {
 

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <optional>
 
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

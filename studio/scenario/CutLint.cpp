@@ -3,9 +3,9 @@
 #include <array>
 #include <string_view>
 
-#include "studio/scenario/Quantity.hpp"
 #include "studio/scenario/TextNode.hpp"
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/Quantity.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "studio/scenario/ClipTimes.hpp"
-#include "studio/scenario/ExpectationQuantity.hpp"
 #include "studio/scenario/NameCheck.hpp"
 #include "studio/scenario/TextNode.hpp"
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/ExpectationQuantity.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

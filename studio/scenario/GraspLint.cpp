@@ -2,9 +2,9 @@
 
 #include <set>
 
-#include "studio/scenario/Quantity.hpp"
 #include "studio/scenario/TextNode.hpp"
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/Quantity.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

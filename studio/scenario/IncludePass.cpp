@@ -4,8 +4,8 @@
 #include <array>
 #include <span>
 
-#include "studio/scenario/Wording.hpp"
 #include "studio/scenario/YamlReader.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

@@ -11,10 +11,10 @@
 #include "studio/scenario/GraspLint.hpp"
 #include "studio/scenario/MaterialLint.hpp"
 #include "studio/scenario/Parallel.hpp"
-#include "studio/scenario/Quantity.hpp"
 #include "studio/scenario/StepLint.hpp"
 #include "studio/scenario/TextNode.hpp"
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/Quantity.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

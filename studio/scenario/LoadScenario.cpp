@@ -16,10 +16,10 @@
 #include "studio/scenario/ResolvedScenario.hpp"
 #include "studio/scenario/ResolvedTeaching.hpp"
 #include "studio/scenario/ScenarioBuilder.hpp"
-#include "studio/scenario/Schema.hpp"
 #include "studio/scenario/TeachingReferences.hpp"
 #include "studio/scenario/UnitPass.hpp"
 #include "studio/scenario/YamlReader.hpp"
+#include "studio/schema/Schema.hpp"
 
 namespace thinwall {
 namespace {

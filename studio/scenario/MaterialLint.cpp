@@ -1,7 +1,7 @@
 #include "studio/scenario/MaterialLint.hpp"
 
 #include "engine/material/WallLaw.hpp"
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

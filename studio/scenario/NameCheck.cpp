@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

@@ -3,8 +3,8 @@
 #include <map>
 #include <set>
 
-#include "studio/scenario/Wording.hpp"
 #include "studio/scenario/YamlReader.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "studio/scenario/NameCheck.hpp"
 #include "studio/scenario/TextNode.hpp"
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

@@ -4,8 +4,8 @@
 
 #include "studio/scenario/ResolvedScenario.hpp"
 #include "studio/scenario/ResolvedSchema.hpp"
-#include "studio/scenario/Schema.hpp"
 #include "studio/scenario/UnitPass.hpp"
+#include "studio/schema/Schema.hpp"
 
 namespace thinwall {
 namespace {

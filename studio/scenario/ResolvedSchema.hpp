@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "studio/scenario/Schema.hpp"
+#include "studio/schema/Schema.hpp"
 
 namespace thinwall {
 

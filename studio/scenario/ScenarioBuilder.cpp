@@ -10,8 +10,8 @@
 #include "renderer/look/OrganLooks.hpp"
 #include "studio/scenario/CheckedReading.hpp"
 #include "studio/scenario/ClipBuilder.hpp"
-#include "studio/scenario/ExpectationQuantity.hpp"
 #include "studio/scenario/FieldBuilder.hpp"
+#include "studio/schema/ExpectationQuantity.hpp"
 
 namespace thinwall {
 namespace {

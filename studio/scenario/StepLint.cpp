@@ -1,8 +1,8 @@
 #include "studio/scenario/StepLint.hpp"
 
-#include "studio/scenario/Quantity.hpp"
 #include "studio/scenario/TextNode.hpp"
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/Quantity.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

@@ -1,6 +1,6 @@
 #include "studio/scenario/TextNode.hpp"
 
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "studio/scenario/ValueReader.hpp"
-#include "studio/scenario/Wording.hpp"
 #include "studio/scenario/YamlReader.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

@@ -2,8 +2,8 @@
 
 #include "studio/scenario/CheckedValue.hpp"
 #include "studio/scenario/Diagnostics.hpp"
-#include "studio/scenario/Schema.hpp"
 #include "studio/scenario/TextNode.hpp"
+#include "studio/schema/Schema.hpp"
 
 namespace thinwall {
 

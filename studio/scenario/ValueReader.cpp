@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

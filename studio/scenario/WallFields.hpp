@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "engine/mesh/Region.hpp"
-#include "studio/scenario/Range.hpp"
 #include "studio/scenario/SourceLocation.hpp"
+#include "studio/schema/Range.hpp"
 
 namespace thinwall {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "studio/scenario/Schema.hpp"
+#include "studio/schema/Schema.hpp"
 
 namespace thinwall {
 

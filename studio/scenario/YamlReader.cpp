@@ -9,8 +9,8 @@
 #include <map>
 #include <sstream>
 
-#include "studio/scenario/Wording.hpp"
 #include "studio/scenario/YamlAdvice.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "studio/scenario/ExpectationQuantity.hpp"
+#include "studio/schema/ExpectationQuantity.hpp"
 
 namespace thinwall {
 namespace {

@@ -7,7 +7,7 @@
 #include "engine/material/WallLaw.hpp"
 #include "engine/tool/Tool.hpp"
 #include "studio/scenario/LoadScenario.hpp"
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/Wording.hpp"
 #include "tests/studio/scenario/ScenarioTestTools.hpp"
 
 namespace thinwall {

@@ -8,7 +8,7 @@
 
 #include "studio/scenario/UnitPass.hpp"
 #include "tests/studio/scenario/ScenarioTestTools.hpp"
-#include "tests/studio/scenario/SchemaForms.hpp"
+#include "tests/studio/schema/SchemaForms.hpp"
 
 namespace thinwall {
 namespace {

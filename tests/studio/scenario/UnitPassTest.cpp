@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "tests/studio/scenario/ScenarioTestTools.hpp"
-#include "tests/studio/scenario/SchemaForms.hpp"
+#include "tests/studio/schema/SchemaForms.hpp"
 
 namespace thinwall {
 namespace {

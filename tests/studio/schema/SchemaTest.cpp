@@ -1,4 +1,4 @@
-#include "studio/scenario/Schema.hpp"
+#include "studio/schema/Schema.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include "engine/material/WallLaw.hpp"
 #include "studio/scenario/UnitPass.hpp"
 #include "tests/studio/scenario/ScenarioTestTools.hpp"
-#include "tests/studio/scenario/SchemaForms.hpp"
+#include "tests/studio/schema/SchemaForms.hpp"
 
 namespace thinwall {
 namespace {

@@ -3,8 +3,8 @@
 #include <iostream>
 #include <string>
 
-#include "studio/scenario/JsonSchema.hpp"
-#include "studio/scenario/ReferencePage.hpp"
+#include "studio/schema/JsonSchema.hpp"
+#include "studio/schema/ReferencePage.hpp"
 
 namespace {
 

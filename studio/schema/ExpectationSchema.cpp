@@ -1,5 +1,5 @@
-#include "studio/scenario/ExpectationQuantity.hpp"
-#include "studio/scenario/SchemaSections.hpp"
+#include "studio/schema/ExpectationQuantity.hpp"
+#include "studio/schema/SchemaSections.hpp"
 
 namespace thinwall {
 namespace {

@@ -1,4 +1,4 @@
-#include "studio/scenario/Quantity.hpp"
+#include "studio/schema/Quantity.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "engine/material/WallLaw.hpp"
-#include "studio/scenario/SchemaSections.hpp"
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/SchemaSections.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

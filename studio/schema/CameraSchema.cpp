@@ -1,5 +1,5 @@
 #include "renderer/image/PictureCorner.hpp"
-#include "studio/scenario/SchemaSections.hpp"
+#include "studio/schema/SchemaSections.hpp"
 
 namespace thinwall {
 namespace {

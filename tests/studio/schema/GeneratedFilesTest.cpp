@@ -8,11 +8,11 @@
 #include <valijson/schema_parser.hpp>
 #include <valijson/validator.hpp>
 
-#include "studio/scenario/JsonSchema.hpp"
-#include "studio/scenario/ReferencePage.hpp"
-#include "studio/scenario/Schema.hpp"
+#include "studio/schema/JsonSchema.hpp"
+#include "studio/schema/ReferencePage.hpp"
+#include "studio/schema/Schema.hpp"
 #include "tests/studio/scenario/ScenarioTestTools.hpp"
-#include "tests/studio/scenario/SchemaForms.hpp"
+#include "tests/studio/schema/SchemaForms.hpp"
 
 namespace thinwall {
 namespace {

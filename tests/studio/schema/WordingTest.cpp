@@ -1,4 +1,4 @@
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/Wording.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "renderer/look/Ground.hpp"
 #include "renderer/look/OrganLooks.hpp"
 #include "renderer/overlay/OverlayChoice.hpp"
-#include "studio/scenario/SchemaSections.hpp"
+#include "studio/schema/SchemaSections.hpp"
 
 namespace thinwall {
 namespace {

@@ -1,4 +1,4 @@
-#include "studio/scenario/ExpectationQuantity.hpp"
+#include "studio/schema/ExpectationQuantity.hpp"
 
 #include <array>
 

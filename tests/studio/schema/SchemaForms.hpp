@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "studio/scenario/Schema.hpp"
+#include "studio/schema/Schema.hpp"
 
 namespace thinwall {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "studio/scenario/Quantity.hpp"
-#include "studio/scenario/Range.hpp"
-#include "studio/scenario/UsualRanges.hpp"
+#include "studio/schema/Quantity.hpp"
+#include "studio/schema/Range.hpp"
+#include "studio/schema/UsualRanges.hpp"
 
 namespace thinwall {
 

@@ -1,4 +1,4 @@
-#include "studio/scenario/Quantity.hpp"
+#include "studio/schema/Quantity.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <numbers>
 #include <optional>
 
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

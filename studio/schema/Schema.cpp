@@ -1,10 +1,10 @@
-#include "studio/scenario/Schema.hpp"
+#include "studio/schema/Schema.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

@@ -3,7 +3,7 @@
 #include <array>
 #include <string_view>
 
-#include "studio/scenario/Range.hpp"
+#include "studio/schema/Range.hpp"
 
 namespace thinwall {
 

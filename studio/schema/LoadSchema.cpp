@@ -1,4 +1,4 @@
-#include "studio/scenario/SchemaSections.hpp"
+#include "studio/schema/SchemaSections.hpp"
 
 namespace thinwall {
 namespace {

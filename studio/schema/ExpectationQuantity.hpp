@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "studio/record/StepRecord.hpp"
-#include "studio/scenario/Quantity.hpp"
+#include "studio/schema/Quantity.hpp"
 
 namespace thinwall {
 

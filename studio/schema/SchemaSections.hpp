@@ -1,6 +1,6 @@
 #pragma once
 
-#include "studio/scenario/Schema.hpp"
+#include "studio/schema/Schema.hpp"
 
 namespace thinwall {
 

@@ -1,4 +1,4 @@
-#include "tests/studio/scenario/SchemaForms.hpp"
+#include "tests/studio/schema/SchemaForms.hpp"
 
 #include <algorithm>
 

@@ -1,13 +1,13 @@
-#include "studio/scenario/ReferencePage.hpp"
+#include "studio/schema/ReferencePage.hpp"
 
 #include <algorithm>
 #include <array>
 #include <set>
 #include <sstream>
 
-#include "studio/scenario/ExpectationQuantity.hpp"
-#include "studio/scenario/Schema.hpp"
-#include "studio/scenario/Wording.hpp"
+#include "studio/schema/ExpectationQuantity.hpp"
+#include "studio/schema/Schema.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {

@@ -1,4 +1,4 @@
-#include "studio/scenario/JsonSchema.hpp"
+#include "studio/schema/JsonSchema.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "studio/scenario/Schema.hpp"
+#include "studio/schema/Schema.hpp"
 
 namespace thinwall {
 namespace {
