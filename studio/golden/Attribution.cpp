@@ -82,7 +82,7 @@ struct Evidence {
   const GoldenApproval& approval;
   Attribution& attribution;
   bool knows_scenario;  // what the golden's scenario asked for
-  std::string files;    // that the scenario names and that have changed, or may have where the approval keeps nothing
+  std::string files;    // a record of those that the scenario names today
   bool same_driver() const { return approval.driver == result.driver; }
   /// Only where the approval kept it, and the same driver drew.
   bool knows_scene() const { return same_driver() && !approval.scene_hash.empty() && !picture.scene_hash.empty(); }
@@ -95,18 +95,6 @@ bool physics_changed(const Evidence& evidence) {
     return evidence.attribution.history.changed && evidence.shows_same_scene();
   }
   return evidence.result.state.verdict == StateVerdict::kChanged || evidence.attribution.history.changed;
-}
-
-/// What has made the physics change: the scenario, a file that it names, else the engine.
-std::string told_cause(const Evidence& evidence, const std::string& asked) {
-  const bool keeps_files = !evidence.approval.files.empty();
-  if (!evidence.files.empty() && keeps_files) {
-    return "; " + evidence.files + ", which the scenario names, has changed" +
-           (asked.empty() ? "" : "; the scenario has changed: " + asked);
-  }
-  if (!asked.empty()) return "; the scenario has changed: " + asked;
-  return "; the scenario asks for the same, so the engine has changed" +
-         (evidence.files.empty() ? "" : ", or " + evidence.files);
 }
 
 /// What the scenario says differently of the picture, where the physics has changed as well.
@@ -166,7 +154,7 @@ void tell_physics(const Evidence& evidence, Attribution& attribution) {
   if (!evidence.knows_scenario) {
     attribution.sentence += "; whether the scenario asks for the same is open, as the golden's cannot be read";
   } else {
-    attribution.sentence += told_cause(evidence, asked);
+    attribution.sentence += told_cause_of_physics(evidence.approval.files, evidence.files, asked);
   }
   tell_besides(attribution);
   if (!evidence.knows_scene() || !attribution.golden_state) return;
@@ -269,13 +257,8 @@ Attribution attribute(const Scenario& scenario, const GoldenPicture& picture, co
   attribution.history = history_change(picture, *approval, folder);
   attribution.scenario = compare_scenarios(golden.resolved, scenario.resolved);
   attribution.overlay = compare_overlays(approval->overlay, overlay_record(picture.overlay));
-  const Evidence evidence{picture,
-                          folder,
-                          result,
-                          *approval,
-                          attribution,
-                          !golden.resolved.empty(),
-                          changed_files(approval->files, scenario)};
+  const Evidence evidence{
+      picture, folder, result, *approval, attribution, !golden.resolved.empty(), named_files_record(scenario)};
   if (physics_changed(evidence)) {
     if (golden.moment) attribution.golden_state = drawn(*golden.moment, picture, painters(scenario.resolved));
     tell_physics(evidence, attribution);

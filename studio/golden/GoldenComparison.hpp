@@ -42,7 +42,7 @@ struct StateComparison {
   std::string explanation;  // "the state is the same to the last bit", "vertex 12 of organ has moved by 0.3 mm", ...
 };
 
-/// Positions of all surfaces, and whether the digests are equal.
+/// Positions of all surfaces, and whether the digests are equal; where no wall has moved, the places of tools.
 StateComparison compare_states(const Snapshot& golden, const Snapshot& today, bool equal_digests);
 
 /// One picture of one scenario, judged.

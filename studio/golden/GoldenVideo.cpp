@@ -15,6 +15,7 @@
 #include "renderer/video/FrameReader.hpp"
 #include "renderer/video/MediaProbe.hpp"
 #include "renderer/video/VideoSurvey.hpp"
+#include "studio/golden/NamedFiles.hpp"
 #include "studio/recorder/Recorder.hpp"
 
 namespace thinwall {
@@ -194,6 +195,7 @@ RecordedVideo record_golden_video(const Scenario& scenario, int kept, const Sour
   video.size = video_size(scenario.record.size);
   video.frames_per_second = scenario.record.frames_per_second;
   video.resolved = scenario.resolved;
+  video.files = named_files_record(scenario);
   try {
     painters({.width = 16, .height = 16});
   } catch (const PictureFailure& failure) {

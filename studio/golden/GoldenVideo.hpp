@@ -44,6 +44,7 @@ struct GoldenVideo {
   std::string scene_hash;                // of all frames without overlays
   std::string history;                   // the main quantities step by step, see `history_text`
   std::string resolved;                  // the scenario (JSON)
+  std::string files = {};  // JSON: hashes of the files that it names; empty in earlier versions' approvals
   EncodedVideo encoded;
 };
 

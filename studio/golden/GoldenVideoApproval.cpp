@@ -63,6 +63,7 @@ Json to_json(const GoldenVideoApproval& approval, const std::string& history) {
           {"second_state_digest", video.second_state_digest},
           {"scene_hash", video.scene_hash},
           {"history", history},
+          {"files", video.files.empty() ? Json::object() : Json::parse(video.files)},
           {"captions", video.captions},
           {"kept", kept},
           {"encoded", to_json(video.encoded)},
@@ -89,6 +90,7 @@ GoldenVideoApproval to_approval(const Json& json, const std::filesystem::path& f
   video.second_state_digest = json.value("second_state_digest", "");
   video.scene_hash = json.at("scene_hash");
   video.history = bytes_of_file(file.parent_path() / json.at("history").get<std::string>());
+  if (json.contains("files")) video.files = json.at("files").dump();
   video.captions = json.at("captions");
   video.encoded = to_encoded(json.at("encoded"));
   for (const Json& frame : json.at("frames")) {

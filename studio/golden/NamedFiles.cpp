@@ -51,6 +51,20 @@ std::set<std::string> buffers_of(const std::string& name, const std::filesystem:
   return files;
 }
 
+/// The names of those whose content is not that of the record before, separated by commas; of all where that is empty.
+std::string changed_files(const std::string& before, const std::string& today) {
+  if (today.empty()) return "";
+  const Json known = before.empty() ? Json::object() : Json::parse(before, nullptr, false);
+  const Json now = Json::parse(today);
+  std::string text;
+  for (const auto& [name, hash] : now.items()) {
+    // One that the golden's scenario did not name is a change of the scenario.
+    if (!before.empty() && (!known.contains(name) || known[name] == hash)) continue;
+    text += (text.empty() ? "" : ", ") + name;
+  }
+  return text;
+}
+
 }  // namespace
 
 std::map<std::string, std::string> named_files(const Scenario& scenario) {
@@ -70,15 +84,15 @@ std::string named_files_record(const Scenario& scenario) {
   return files.empty() ? "" : Json(files).dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string changed_files(const std::string& record, const Scenario& scenario) {
-  const Json before = record.empty() ? Json::object() : Json::parse(record, nullptr, false);
-  std::string text;
-  for (const auto& [name, hash] : named_files(scenario)) {
-    // One that the golden's scenario did not name is a change of the scenario.
-    if (!record.empty() && (!before.contains(name) || before[name] == hash)) continue;
-    text += (text.empty() ? "" : ", ") + name;
+std::string told_cause_of_physics(const std::string& files_before, const std::string& files_today,
+                                  const std::string& asked) {
+  const std::string files = changed_files(files_before, files_today);
+  if (!files.empty() && !files_before.empty()) {
+    return "; " + files + ", which the scenario names, has changed" +
+           (asked.empty() ? "" : "; the scenario has changed: " + asked);
   }
-  return text;
+  if (!asked.empty()) return "; the scenario has changed: " + asked;
+  return "; the scenario asks for the same, so the engine has changed" + (files.empty() ? "" : ", or " + files);
 }
 
 }  // namespace thinwall

@@ -14,8 +14,9 @@ std::map<std::string, std::string> named_files(const Scenario& scenario);
 /// The same as JSON, for an approval; empty when no file is named.
 std::string named_files_record(const Scenario& scenario);
 
-/// The names of those whose content is not that of the record, separated by commas; of all where `record` is empty, as
-/// approvals of earlier versions kept none.
-std::string changed_files(const std::string& record, const Scenario& scenario);
+/// What has made the physics change, to go on a sentence with: a file that the scenario names or the scenario, which
+/// asks for `asked` now, else the engine. Of records as above; approvals of earlier versions kept none.
+std::string told_cause_of_physics(const std::string& files_before, const std::string& files_today,
+                                  const std::string& asked);
 
 }  // namespace thinwall

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "studio/golden/NamedFiles.hpp"
+
 namespace thinwall {
 namespace {
 
@@ -35,13 +37,12 @@ bool physics_changed(const Attribution& attribution, const GoldenVideo& golden, 
          !list_changes(attribution.scenario, {ScenarioStage::kPhysics}).empty();
 }
 
-void tell_physics(Attribution& attribution) {
+void tell_physics(Attribution& attribution, const GoldenVideo& golden, const GoldenVideo& today) {
   const std::string asked = list_changes(attribution.scenario, {ScenarioStage::kPhysics});
   attribution.stage = ChangedStage::kPhysics;
   attribution.sentence = "physics changed";
   if (attribution.history.changed) attribution.sentence += " " + attribution.history.sentence;
-  attribution.sentence += asked.empty() ? "; the scenario asks for the same, so the engine has changed"
-                                        : "; the scenario has changed: " + asked;
+  attribution.sentence += told_cause_of_physics(golden.files, today.files, asked);
 }
 
 void tell_overlay(Attribution& attribution) {
@@ -81,7 +82,7 @@ void tell_pictures(Attribution& attribution, const GoldenVideo& golden, const Go
 
 void tell_frames(Attribution& attribution, const GoldenVideo& golden, const GoldenVideo& today) {
   if (physics_changed(attribution, golden, today)) {
-    tell_physics(attribution);
+    tell_physics(attribution, golden, today);
   } else if (shows_same_scenes(golden, today)) {
     tell_overlay(attribution);
   } else {

@@ -369,6 +369,26 @@ TEST(StateComparisonTest, MovementsFarBelowAPixelAreNoChange) {
   EXPECT_EQ(compare_states(golden, moved, false).verdict, StateVerdict::kChanged);
 }
 
+TEST(StateComparisonTest, AToolThatStandsElsewhereIsAChangeWhereNoWallHasMoved) {
+  const Snapshot golden = SyntheticRun().moment(0).snapshot;
+  const auto told = [&](auto change) {
+    Snapshot today = golden;
+    change(today.tools[0]);
+    const StateComparison comparison = compare_states(golden, today, true);
+    EXPECT_EQ(comparison.verdict, StateVerdict::kChanged);
+    return comparison.explanation;
+  };
+  EXPECT_EQ(told([](SnapshotTool& tool) { tool.tip[0] += 1e-3; }),
+            "probe is 1 mm from where it was, though no wall has moved");
+  EXPECT_EQ(told([](SnapshotTool& tool) {
+              tool.axis = {1, 0, 0};
+            }),
+            "probe is turned by 90 deg, though no wall has moved");
+  EXPECT_EQ(told([](SnapshotTool& tool) { tool.opening = 2e-3; }),
+            "probe is 2 mm otherwise open, though no wall has moved");
+  EXPECT_EQ(compare_states(golden, golden, true).verdict, StateVerdict::kEqual);
+}
+
 TEST(StateComparisonTest, AnotherMeshIsAChange) {
   const SyntheticRun coarse({.side = 5});
   const SyntheticRun fine({.side = 7});

@@ -136,6 +136,20 @@ TEST_F(GoldenVideoTest, AChangedSimulationIsToldAlsoWhereItEndsInTheSameState) {
   EXPECT_EQ(judgement.attribution->stage, ChangedStage::kPhysics) << judgement.attribution->sentence;
 }
 
+TEST_F(GoldenVideoTest, AFileThatTheScenarioNamesIsBlamedBeforeTheEngine) {
+  Scenario scenario = video_scene();
+  scenario.resolved.insert(1, R"("surface": {"mesh": "organ.obj"}, )");
+  scenario.file = folder_ / "scene.yaml";
+  write_bytes(folder_ / "organ.obj", "v 0 0 0");
+  renew_golden_video(recorded(synthetic_source(), 1, scenario), goldens(), "someone", "it is right");
+  write_bytes(folder_ / "organ.obj", "v 0 0 1");
+  const VideoJudgement judgement = judge(recorded(synthetic_source({.depth = 0.005}), 1, scenario));
+  ASSERT_TRUE(judgement.attribution);
+  const std::string& sentence = judgement.attribution->sentence;
+  EXPECT_NE(sentence.find("organ.obj, which the scenario names, has changed"), std::string::npos) << sentence;
+  EXPECT_EQ(sentence.find("so the engine has changed"), std::string::npos) << sentence;
+}
+
 TEST_F(GoldenVideoTest, ASecondTakeThatHasChangedAloneIsPhysicsToo) {
   const Scenario scene = video_scene(compared_scene());
   renew_golden_video(recorded(synthetic_pair({}, {.depth = 0.003}), 1, scene), goldens(), "someone", "it is right");
