@@ -77,7 +77,7 @@ std::vector<VideoCaption> one_at_a_time(const std::vector<VideoCaption>& caption
 }
 
 void write_web_vtt(const std::filesystem::path& path, const std::vector<VideoCaption>& captions) {
-  write_whole_file(path, web_vtt(captions));
+  write_whole_file(path, web_vtt(one_at_a_time(captions)));
 }
 
 }  // namespace thinwall

@@ -16,7 +16,8 @@ std::string web_vtt(const std::vector<VideoCaption>& captions);
 /// before once that has ended.
 std::vector<VideoCaption> one_at_a_time(const std::vector<VideoCaption>& captions);
 
-/// Writes `web_vtt` as a whole file. Throws PictureFailure.
+/// Writes the captions `one_at_a_time` as a whole file: players would show those that overlap at once. Throws
+/// PictureFailure.
 void write_web_vtt(const std::filesystem::path& path, const std::vector<VideoCaption>& captions);
 
 }  // namespace thinwall

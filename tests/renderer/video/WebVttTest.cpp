@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
+#include "renderer/image/WholeFile.hpp"
+
 namespace thinwall {
 namespace {
 
@@ -28,6 +32,13 @@ TEST(WebVtt, OfCaptionsThatOverlapTheLastHoldsAndThenTheOneBeforeAgain) {
             "00:00:03.000 --> 00:00:05.000\nlong\n");
   EXPECT_EQ(web_vtt(one_at_a_time({{0, 2, "one"}, {2, 3, "one"}, {4, 5, ""}, {6, 6, "none"}})),
             web_vtt({{0, 2, "one"}, {2, 3, "one"}}));
+}
+
+TEST(WebVtt, AFileHoldsOneCaptionAtATimeAsPicturesDo) {
+  const std::filesystem::path file = std::filesystem::path(::testing::TempDir()) / "one_at_a_time.vtt";
+  write_web_vtt(file, {{0, 3, "long"}, {1, 2, "short"}});
+  EXPECT_EQ(bytes_of_file(file), web_vtt({{0, 1, "long"}, {1, 2, "short"}, {2, 3, "long"}}));
+  std::filesystem::remove(file);
 }
 
 TEST(WebVtt, LeavesOutWhatTheFormatHasNoPlaceFor) {
