@@ -18,6 +18,15 @@ constexpr double kOneStep = 0.3;
 /// Strain below which the energy of a whole wall is none.
 constexpr double kNoStrain = 1e-6;
 
+/// What helps against one step that has taken so much. A wall that snaps through gives off energy, which a sequence of
+/// equilibria has no motion for.
+std::string cure_of_jump(double jump, Analysis analysis, bool has_tools) {
+  const std::string snap = analysis == Analysis::kQuasiStatic && jump > 0
+                               ? "where a wall snaps through there it gives that off, which is no error; else "
+                               : "";
+  return snap + (has_tools ? "move or turn the tool more slowly there, or " : "") + "take a shorter `time_step`";
+}
+
 }  // namespace
 
 void IntegratorEnergy::note(const Body& body, double time) {
@@ -40,7 +49,7 @@ void IntegratorEnergy::note(const std::string& body, const EnergyBooks& books, d
   if (std::abs(books.numerical) > std::abs(watch.most)) watch.most = books.numerical;
 }
 
-std::vector<std::string> IntegratorEnergy::warnings() const {
+std::vector<std::string> IntegratorEnergy::warnings(Analysis analysis, bool has_tools) const {
   std::vector<std::string> all;
   for (const auto& [body, watch] : watches_) {
     if (std::abs(watch.most) <= std::max(watch.none, kMostPart * watch.largest)) continue;
@@ -50,7 +59,7 @@ std::vector<std::string> IntegratorEnergy::warnings() const {
         "results are in doubt; {} ({:.3g} J) in the step to {:.4g} s; {}",
         body, watch.most, 100 * std::abs(watch.most) / watch.largest,
         jumped ? "it jumped" : "it grew over many steps, most", watch.jump, watch.at,
-        jumped ? "move or turn the tool more slowly there, or take a shorter `time_step`"
+        jumped ? cure_of_jump(watch.jump, analysis, has_tools)
                : "take a shorter `time_step`, in dynamics or a `step_error`"));
   }
   return all;

@@ -19,8 +19,9 @@ class IntegratorEnergy {
   void note(const std::string& body, const EnergyBooks& books, double none, double time);
 
   /// A sentence for each body whose integrator has at any time taken or given more than a tenth of the most that any
-  /// other term came to in the run, that of gravity counted from the start. By names.
-  std::vector<std::string> warnings() const;
+  /// other term came to in the run, that of gravity counted from the start. By names. What helps depends on the
+  /// analysis, and on whether there are tools to move more slowly.
+  std::vector<std::string> warnings(Analysis analysis, bool has_tools) const;
 
  private:
   struct Watch {

@@ -397,7 +397,9 @@ std::vector<TimedText> ScenarioRun::chapters() const {
 std::vector<std::string> ScenarioRun::warnings() const {
   std::vector<std::string> all = implementation_->warnings;
   std::ranges::copy(implementation_->tally.warnings(implementation_->steps), std::back_inserter(all));
-  std::ranges::copy(implementation_->integrator_energy.warnings(), std::back_inserter(all));
+  const Scenario& scenario = implementation_->scenario;
+  std::ranges::copy(implementation_->integrator_energy.warnings(scenario.simulation.analysis, !scenario.tools.empty()),
+                    std::back_inserter(all));
   std::ranges::copy(ended_clip_notes(implementation_->clips, time()), std::back_inserter(all));
   for (const auto& [index, run] : implementation_->runs) all.push_back(to_text(run, *implementation_->bodies[index]));
   std::ranges::copy(passed_over_notes(implementation_->clips, implementation_->scenario.tools),
