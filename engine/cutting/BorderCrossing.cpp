@@ -95,16 +95,21 @@ Eigen::Vector3d into_wall(const SurfaceView& surface, const BorderSide& side) {
 std::optional<SurfacePoint> first_border(const SurfaceView& surface, const Eigen::Vector3d& from,
                                          const Eigen::Vector3d& to, const Eigen::Vector3d& line) {
   const Eigen::Vector3d chord = to - from, way = chord - chord.dot(line) * line;
-  std::optional<SurfacePoint> found;
-  double nearest = 0;
+  // Of lips that lie together the one that is come to has its wall behind it; a lip that is turned over need not.
+  struct Nearest {
+    std::optional<SurfacePoint> place = {};
+    double along = std::numeric_limits<double>::infinity();
+  };
+  Nearest behind, any;
   for (const BorderSide& side : border_sides(surface)) {
     const std::optional<SideCrossing> crossing = crossing_of(surface, side, from, way.normalized(), line);
     if (!crossing || crossing->along <= kAtBeginning * way.norm() || crossing->along > way.norm()) continue;
-    if (std::abs(crossing->height) > chord.norm() || (found && crossing->along >= nearest)) continue;
-    nearest = crossing->along;
-    found = crossing->place;
+    if (std::abs(crossing->height) > chord.norm()) continue;
+    const bool is_behind = into_wall(surface, side).dot(way) < 0;
+    if (crossing->along < any.along) any = {crossing->place, crossing->along};
+    if (is_behind && crossing->along < behind.along) behind = {crossing->place, crossing->along};
   }
-  return found;
+  return behind.place ? behind.place : any.place;
 }
 
 std::optional<SurfacePoint> border_beyond(const SurfaceView& surface, const BladeInGap& blade) {

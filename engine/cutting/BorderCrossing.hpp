@@ -12,7 +12,8 @@ namespace thinwall {
 
 /// Where the way from one point to another first comes to an open border of a surface, as seen along the unit vector
 /// `line`: in the plane through both points and the line, between them, and no farther aside along the line than they
-/// are from each other. Borders at `from` itself do not count. Nothing where no border crosses.
+/// are from each other. Borders at `from` itself do not count, and one whose wall lies ahead only where there is no
+/// other: the lips of a cut that has not opened lie together, or overlap. Nothing where no border crosses.
 std::optional<SurfacePoint> first_border(const SurfaceView& surface, const Eigen::Vector3d& from,
                                          const Eigen::Vector3d& to, const Eigen::Vector3d& line);
 
