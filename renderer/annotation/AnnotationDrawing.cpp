@@ -37,7 +37,30 @@ struct ArrowText {
   PixelPoint end = {};  // of the arrow
   bool on_the_left = false;
   std::vector<ToolShape> tools = {};  // that it stands beside
+  bool leaves_wounds_free = false;    // those of a force are read at the blade, where the wound is
 };
+
+/// Around the lips of cuts that lie near a box; nothing where none do.
+std::optional<Box> wound_near(const AnnotationScene& scene, const Box& box) {
+  const double reach = box.height;
+  Box found{.x = scene.size.width + 1.0, .y = scene.size.height + 1.0};
+  double right = 0, bottom = 0;
+  for (const SnapshotSurface& surface : scene.snapshot.surfaces) {
+    const std::vector<float>& cut_times = surface.topology->cut_times;
+    for (std::size_t vertex = 0; vertex < cut_times.size(); ++vertex) {
+      if (cut_times[vertex] == kNeverCut) continue;
+      const std::optional<PixelPoint> at = scene.pixel(vector3(surface.positions[vertex]));
+      if (!at || !scene.shows(*at)) continue;
+      const auto [x, y] = *at;
+      if (x < box.x - reach || x > box.right() + reach || y < box.y - reach || y > box.bottom() + reach) continue;
+      found.x = std::min(found.x, x), found.y = std::min(found.y, y);
+      right = std::max(right, x), bottom = std::max(bottom, y);
+    }
+  }
+  if (right < found.x) return std::nullopt;
+  found.width = right - found.x, found.height = bottom - found.y;
+  return found;
+}
 
 /// Level with the arrow's end, beside it and its tools, clear of the plates, of which it becomes one.
 void draw_arrow_text(const Canvas& canvas, const AnnotationScene& scene, const ArrowText& arrow,
@@ -53,7 +76,16 @@ void draw_arrow_text(const Canvas& canvas, const AnnotationScene& scene, const A
                  .gap = scene.grid.pixels(6),
                  .distance = scene.grid.pixels(12)};
   room.obstacles.push_back(arrow.end);
-  const Box box = clear_place(lay_out_labels({wish}, room).front(), plates, room.gap, room.bounds);
+  Box box = lay_out_labels({wish}, room).front();
+  std::vector<Box> kept_clear = plates;
+  if (const auto wound = arrow.leaves_wounds_free ? wound_near(scene, box) : std::nullopt) {
+    kept_clear.push_back(*wound);
+    // At the height where it leaves that free it stands beside the tools again.
+    LabelWish clear = wish;
+    clear.anchor[1] = clear_place(box, {*wound}, room.gap, room.bounds).y + 0.5 * box.height;
+    box = lay_out_labels({clear}, room).front();
+  }
+  box = clear_place(box, kept_clear, room.gap, room.bounds);
   draw_plate(canvas, scene, text, box);
   plates.push_back(box);
 }
@@ -71,7 +103,7 @@ std::vector<ArrowText> draw_arrows(const Canvas& canvas, const AnnotationScene& 
     if (!tip || !tail || !scene.shows(*tip)) continue;
     draw_arrow(canvas, *tail, *tip, scene.grid.pixels(kArrowWidth), plate_style::kCurve);
     if (arrow.text.empty()) continue;
-    texts.push_back({arrow.text, *tail, has_words_on_the_left(scene, arrow), scene.tools});
+    texts.push_back({arrow.text, *tail, has_words_on_the_left(scene, arrow), scene.tools, true});
   }
   return texts;
 }

@@ -223,6 +223,41 @@ TEST(AnnotationDrawing, WordsOfAnArrowThatGoesSidewaysStandBeyondItsTail) {
   }
 }
 
+TEST(AnnotationDrawing, WordsOfAnArrowLeaveAWoundFree) {
+  Snapshot snapshot = scene();
+  snapshot.tools.clear();
+  SnapshotSurface& surface = snapshot.surfaces[0];
+  SnapshotTopology topology = *surface.topology;
+  topology.cut_times.assign(surface.positions.size(), kNeverCut);
+  const Camera camera = resolve_camera(from_the_front(), scene_extent(snapshot), kSize, 0);
+  double left = kSize.width, right = 0, top = kSize.height, bottom = 0;
+  for (std::size_t v = 0; v < surface.positions.size(); ++v) {
+    const auto [x, y, z] = surface.positions[v];
+    if (x < -0.010F || x > -0.002F || y > -0.01F || std::abs(z) > 0.002F) continue;
+    topology.cut_times[v] = 0;
+    const auto at = camera.pixel({x, y, z}, kSize);
+    left = std::min(left, (*at)[0]), right = std::max(right, (*at)[0]);
+    top = std::min(top, (*at)[1]), bottom = std::max(bottom, (*at)[1]);
+  }
+  ASSERT_LT(left, right);
+  AnnotationDefinition silent;
+  silent.arrows.push_back(
+      {.text = "", .body = "organ", .at = {0.01, -0.017, 0}, .direction = {1, 0, 0}, .length = 0.01});
+  AnnotationDefinition speaking = silent;
+  speaking.arrows[0].text = "Tension lines";
+  const auto levels_in_wound = [&](const Image& image) {
+    std::vector<int> levels;
+    for (double y = top; y <= bottom; ++y) {
+      for (double x = left; x <= right; ++x) levels.push_back(level(image, x, y));
+    }
+    return levels;
+  };
+  EXPECT_NE(levels_in_wound(drawn(speaking, snapshot)), levels_in_wound(drawn(silent, snapshot))) << "without a wound";
+  surface.topology = std::make_shared<const SnapshotTopology>(topology);
+  EXPECT_EQ(levels_in_wound(drawn(speaking, snapshot)), levels_in_wound(drawn(silent, snapshot)));
+  EXPECT_NE(drawn(speaking, snapshot).pixels, drawn(silent, snapshot).pixels);
+}
+
 TEST(AnnotationDrawing, AnArrowPassesBelowLabels) {
   Snapshot snapshot = scene();
   snapshot.time = 1;
