@@ -6,6 +6,7 @@ import unittest
 from pathlib import Path
 
 import numpy as np
+from scipy.integrate import quad
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
@@ -241,6 +242,12 @@ class Slit(unittest.TestCase):
         # A sheet of modulus 3 mu that is not stretched yields by 2 / (3 mu k).
         # Both waves fade alike, so that they are told apart by the root of the rounding.
         self.assertAlmostEqual(yields[1].real / (2 / 3), slit.compliance_of_stretched_sheet(stretch), 6)
+
+
+    def test_strip_releases_the_work_that_stretching_it_took(self):
+        # The nominal tension of a sheet that is stretched along one axis and held along the other is mu (l - l^-3).
+        work = quad(lambda stretch: 20e3 * (stretch - stretch**-3), 1, 1.3)[0]
+        self.assertAlmostEqual(slit.release_of_strip(20e3, 1.3, 15e-3) / (work * 15e-3), 1, 12)
 
 
 class Strips(unittest.TestCase):

@@ -1,4 +1,4 @@
-"""What a cut lets go: the lips of a slit in a stretched sheet, the contents of a ball with a hole."""
+"""What a cut lets go: the lips of a slit in a stretched sheet, what a strip has stored, the contents of a ball with a hole."""
 from __future__ import annotations
 
 from dataclasses import dataclass
@@ -93,6 +93,27 @@ def compare_with_stretched_sheet(program: Program, triangles: int) -> Comparison
          f"{rate:.4f} J/m^2, reference {exact_rate:.4f}."])
 
 
+STRIP_SHEAR, TOUGHNESS, HEIGHT = 100e3, 1e3, 20e-3  # pascal, J/m^2, metres as the strip is given
+
+
+def compare_cut_strip(program: Program, triangles: int) -> Comparison:
+    stretches = np.array([1.1, 1.2, 1.3])
+    felt = []
+    for stretch in stretches:
+        records = program.run("cut_strip", triangles=triangles, stretch=f"{stretch:g}")
+        blade, work = records.tool("blade"), records.body("strip")["tool_work_J"]
+        # Two heights away from both ends of the strip, and one from where the cut began.
+        steady = np.flatnonzero((blade["phase"] == "cutting") & (np.abs(blade["x_m"]) <= HEIGHT))
+        felt.append((work[steady[-1]] - work[steady[0]]) / (blade["x_m"][steady[-1]] - blade["x_m"][steady[0]]))
+    released = np.array([slit.release_of_strip(STRIP_SHEAR, stretch, HEIGHT / stretch) for stretch in stretches])
+    return Comparison(
+        [Quantity("mean force on the blade", "stretch", "N", stretches, np.array(felt), (TOUGHNESS - released) * THICKNESS,
+                  reference_name="Lake and Yeoh")],
+        ["What cutting and tearing cost together is constant, so that the blade feels toughness times thickness less what the "
+         f"strip releases, up to {released[-1] / TOUGHNESS:.0%} of it here. The force is the blade's work over its way: from "
+         "triangle to triangle it rises and falls, and forces.csv has it where a step ends, after the cut has gone on."])
+
+
 DISCHARGE, DENSITY = 0.61, 1010.0  # none, kg/m^3
 
 
@@ -121,6 +142,8 @@ CASES = [
          (1632, 4480, 14112), compare_with_griffith, quick=(4480,), quick_bar=0.03, tells_order=False),
     Case("slit_in_stretched_sheet", "Slit in a stretched sheet, small on large", "closed form; Biot 1965",
          "opening along the slit", 0.005, (1632, 4480, 14112), compare_with_stretched_sheet, scenario="slit"),
+    Case("cut_strip", "Cut through a stretched strip", "Rivlin and Thomas 1953; Lake and Yeoh 1978", "force on the blade", 0.01,
+         (500, 1250, 3200), compare_cut_strip, quick=(1250,), tells_order=False),
     Case("leak", "Leak through a fixed opening", "ordinary differential equation", "pressure until a tenth is left", 0.01,
          (25, 50, 100), compare_leak, quick=(50,), size_name="steps a second", size_dimension=1),
 ]

@@ -1,4 +1,4 @@
-"""A slit in a wide sheet of rubber that is stretched alike in all directions."""
+"""A slit in a wide sheet of rubber that is stretched alike in all directions, and a cut through a stretched strip."""
 from __future__ import annotations
 
 import numpy as np
@@ -27,3 +27,9 @@ def compliance_of_stretched_sheet(stretch: float) -> float:
     ratio, both = square / (3 * inverse), square + inverse
     stiffness = both - (both - 4 * ratio * inverse) * both / (2 * square * (1 + ratio))
     return 1.5 / stiffness
+
+
+def release_of_strip(shear_modulus: float, stretch: float, height: float) -> float:
+    """Energy per new area, J/m^2, of a neo-Hookean strip that is long, held between its long edges and stretched across them
+    alone, far from its ends (Rivlin and Thomas 1953): what a part of the strip has stored, of this height without stress."""
+    return shear_modulus / 2 * (stretch**2 + stretch**-2 - 2) * height
