@@ -308,10 +308,17 @@ TextNode parse(const std::string& text, const std::filesystem::path& file, Diagn
   return std::move(builder.root);
 }
 
+/// A link is seen where it is, so it is told apart from a name that is wrong.
+std::string why_missing(const std::filesystem::path& file) {
+  std::error_code no_link;
+  const std::filesystem::path target = std::filesystem::read_symlink(file, no_link);
+  return no_link ? "no such file" : "this is a link to `" + target.string() + "`, which leads to no file";
+}
+
 std::string read_bytes(const std::filesystem::path& file) {
   std::error_code failure;
   const std::filesystem::file_status status = std::filesystem::status(file, failure);
-  if (!std::filesystem::exists(status)) throw Refusal{1, 1, "no such file"};
+  if (!std::filesystem::exists(status)) throw Refusal{1, 1, why_missing(file)};
   if (std::filesystem::is_directory(status)) throw Refusal{1, 1, "this is a directory, not a file"};
   if (!std::filesystem::is_regular_file(status)) throw Refusal{1, 1, "this is not a regular file"};
   const std::uintmax_t size = std::filesystem::file_size(file, failure);

@@ -147,6 +147,21 @@ TEST(YamlReader, WhatIsNoReadableFileIsRefused) {
                                       "1:1: this is not a regular file", "1:1: the file is larger than 1 MiB"}));
 }
 
+TEST(YamlReader, ALinkThatLeadsNowhereIsToldWithItsTarget) {
+  const std::filesystem::path link = std::filesystem::temp_directory_path() / "thinwall_yaml_reader_link.yaml";
+  Diagnostics diagnostics;
+  for (const char* target : {"nothing.yaml", "thinwall_yaml_reader_link.yaml"}) {
+    std::filesystem::remove(link);
+    std::filesystem::create_symlink(target, link);
+    EXPECT_FALSE(read_yaml_file(link, diagnostics));
+  }
+  std::filesystem::remove(link);
+  EXPECT_EQ(
+      short_texts(diagnostics.errors),
+      (std::vector<std::string>{"1:1: this is a link to `nothing.yaml`, which leads to no file",
+                                "1:1: this is a link to `thinwall_yaml_reader_link.yaml`, which leads to no file"}));
+}
+
 TEST(YamlReader, KeysThatAreNoTextsAreErrors) {
   EXPECT_EQ(first_error("? [a]\n: 1\n"), "1:3: a key must be a text, not a list");
   EXPECT_EQ(first_error("a: { ~: 1 }"), "1:6: a: a key must be a text, not nothing");
