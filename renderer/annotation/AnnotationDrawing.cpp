@@ -40,11 +40,16 @@ struct ArrowText {
   bool leaves_wounds_free = false;    // those of a force are read at the blade, where the wound is
 };
 
-/// Around the lips of cuts that lie near a box; nothing where none do.
+/// The smallest box around both.
+Box around(const Box& one, const Box& other) {
+  const double x = std::min(one.x, other.x), y = std::min(one.y, other.y);
+  return {x, y, std::max(one.right(), other.right()) - x, std::max(one.bottom(), other.bottom()) - y};
+}
+
+/// Around the lips of cuts that lie nearer to a box than it is high; nothing where none do.
 std::optional<Box> wound_near(const AnnotationScene& scene, const Box& box) {
   const double reach = box.height;
-  Box found{.x = scene.size.width + 1.0, .y = scene.size.height + 1.0};
-  double right = 0, bottom = 0;
+  std::optional<Box> found;
   for (const SnapshotSurface& surface : scene.snapshot.surfaces) {
     const std::vector<float>& cut_times = surface.topology->cut_times;
     for (std::size_t vertex = 0; vertex < cut_times.size(); ++vertex) {
@@ -53,12 +58,9 @@ std::optional<Box> wound_near(const AnnotationScene& scene, const Box& box) {
       if (!at || !scene.shows(*at)) continue;
       const auto [x, y] = *at;
       if (x < box.x - reach || x > box.right() + reach || y < box.y - reach || y > box.bottom() + reach) continue;
-      found.x = std::min(found.x, x), found.y = std::min(found.y, y);
-      right = std::max(right, x), bottom = std::max(bottom, y);
+      found = around(found.value_or(Box{x, y}), Box{x, y});
     }
   }
-  if (right < found.x) return std::nullopt;
-  found.width = right - found.x, found.height = bottom - found.y;
   return found;
 }
 
