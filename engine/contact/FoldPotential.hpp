@@ -20,7 +20,7 @@ struct DistanceTerms {
 ///     -pressure area range (1 - x)^2 ln x   for 0 < x < 1, zero beyond
 ///
 /// (the barrier of incremental potential contact, Li et al. 2020, scaled). Twice differentiable; at x = 1/2 the two
-/// push each other with 1.2 pressure area, at x = 0.05 with 24 times that of pressure area, and without bound below.
+/// push each other with 1.2 pressure area, at x = 0.05 with 24 pressure area, and without bound as x goes to zero.
 struct FoldPotential {
   double range = 1e-6;  // metres
   double pressure = 1;  // pascal

@@ -24,7 +24,7 @@ struct PairDistance {
 };
 
 /// The distance of the closed parts: interiors, edges and corners. Where two edges are parallel their closest points
-/// are not unique and the derivatives below jump; EdgeMollifier smooths that away.
+/// are not unique and the derivatives below jump; FoldPair fades such pairs out.
 PairDistance pair_distance(PairKind kind, const PairCorners& corners);
 
 /// No more than that distance, metres, at a fraction of its price: the gap along the line between the centres of the

@@ -253,12 +253,12 @@ void evaluate(const BodyModel& model, const EquilibriumProblem& problem, const E
               const Eigen::VectorXd& pressure, bool with_hessian, EquilibriumTerms& terms,
               const std::function<void()>& meanwhile = {});
 
-/// What the forces of the problem add up to on one of its solids, at contacts found by `evaluate`. The area, that of a
-/// body with its corners and none of a corner, grows
-/// smoothly while site after site comes to lie on the solid: on a ball it is that of the cap over which an even
-/// pressure would spread the directions of the forces as they are; on other solids that of the ellipse, across the mean
-/// normal, over which an even pressure would have the forces' second moments, at most the solid's shadow; at least the
-/// force over the hugging pressure. `position`: (unknowns), metres.
+/// What the forces of the problem add up to on one of its solids, at contacts found by `evaluate`. The area of a whole
+/// body counts what its rims and corners touch; these have none of their own. It grows smoothly while site after site
+/// comes to lie on the solid: on a ball it is that of the cap over which an even pressure would spread the directions
+/// of the forces as they are; on other solids that of the ellipse, across the mean normal, over which an even pressure
+/// would have the forces' second moments, at most the solid's shadow; at least the force over the hugging pressure.
+/// `position`: (unknowns), metres.
 ToolContact contact_on(const BodyModel& model, const EquilibriumProblem& problem, const EquilibriumTerms& terms,
                        const Eigen::VectorXd& position, int solid);
 

@@ -11,9 +11,9 @@ void add_weight(const BodyModel& model, const EquilibriumProblem& problem, const
                 EquilibriumTerms& terms);
 
 /// Weight and inertia of the fluid, as a pressure that rises along gravity less the fluid's acceleration: density
-/// (g - a) . (x - level). A chamber's own pressure is the one at its level, the centroid of the
-/// stress-free shape, and moments count from there too. Of the Hessian of the inertia only the
-/// sparse part: the outer products of the moments' gradients border the matrix.
+/// (g - a) . (x - level). A chamber's own pressure is the one at its level, the centroid of the stress-free shape, and
+/// moments count from there too. Of the Hessian of the inertia only the sparse part: the outer products of the moments'
+/// gradients border the matrix.
 void add_fluid_weight(const BodyModel& model, const EquilibriumProblem& problem, const Eigen::VectorXd& position,
                       EquilibriumTerms& terms);
 

@@ -25,11 +25,10 @@ namespace thinwall {
 // has a skew-symmetric part, which lives on the edges of the rim alone: small beside the stiffness of a stretched wall
 // (pressure times edge over Young's modulus times thickness), not beside that of slack lips. The sparse matrix keeps
 // the symmetric part, and the other is brought in by minimal residuals within the step (see Newton::find_step), so that
-// steps are Newton's. Whether a step is convex is asked of
-// the symmetric matrix that has the gradient of the volume as column and row. The merit function of the line search
-// takes what the cap does not bear as dead loads, frozen where the search starts; and the outflow as more compliance of
-// the fluid and, pressure times its growth as the lips move, as further dead loads: without them steps would seem to
-// lead up.
+// steps are Newton's. Whether a step is convex is asked of the symmetric matrix that has the gradient of the volume as
+// column and row. The merit function of the line search takes what the cap does not bear as dead loads, frozen where
+// the search starts; and the outflow as more compliance of the fluid and, pressure times its growth as the lips move,
+// as further dead loads: without them steps would seem to lead up.
 
 /// Adds the caps over the lips to the volumes and moments in `terms`, and what the weight and the inertia of the
 /// contents do to open walls to the gradient and, with the given pressure, (chambers), to the Hessian.

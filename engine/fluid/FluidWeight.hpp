@@ -12,11 +12,13 @@ namespace thinwall {
 /// and its gradient is the load of the hydrostatic pressure density g . x.
 struct FluidMoment {
   double value;                          // g's unit times metre^4
-  Eigen::Matrix<double, 9, 1> gradient;  // by the corners (x0, y0, z0, x1, ..., z2)
+  Eigen::Matrix<double, 9, 1> gradient;  // g's unit times metre^3, by the corners (x0, y0, z0, x1, ..., z2)
 };
 FluidMoment fluid_moment_of(const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Vector3d& gravity);
+/// Its second derivatives, symmetric, g's unit times metre^2.
 Eigen::Matrix<double, 9, 9> fluid_moment_hessian(const std::array<Eigen::Vector3d, 3>& corners,
                                                  const Eigen::Vector3d& gravity);
+/// Its value alone, g's unit times metre^4.
 double fluid_moment_value(const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Vector3d& gravity);
 
 /// The same integral of x itself, without second derivatives.

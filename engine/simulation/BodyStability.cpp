@@ -7,11 +7,10 @@ namespace {
 /// tie every vertex to where it was a turn before. In each turn whose springs are little stiffer than it is unstable it
 /// goes on by a factor.
 struct BucklingPace {
-  int most_left =
-      3;  // equilibria in a step, each left along one motion, until the last is taken though it is not stable
-  int turns = 60;
-  int free_turns = 5;  // of so many one is tried without springs
-  int iterations = 25;
+  int most_left = 3;    // equilibria left in a step, one motion each; the next is taken though it is not stable
+  int turns = 60;       // at most, from one equilibrium to the next
+  int free_turns = 5;   // of so many one is tried without springs
+  int iterations = 25;  // of the solution of a turn
   double first_springs = 1e-4;
   double stiffest_springs = 1e2;  // hold so much that a wall which does not follow them goes nowhere
   double weakened = 0.3;          // factor of the springs after a turn that was found

@@ -91,7 +91,8 @@ PressureField field_of(const BodyModel& model, int chamber, double pressure, con
   return field;
 }
 
-/// Volume below the free surface that the pressure tells, by Archimedes' principle, (chambers), metres^3.
+/// Volume below the free surface that the pressure tells, by Archimedes' principle, metres^3. `field`: of the
+/// weight.
 double volume_below_surface(const BodyModel& model, const Eigen::VectorXd& position, int chamber,
                             const PressureField& field) {
   Eigen::Vector3d load = Eigen::Vector3d::Zero();

@@ -14,8 +14,9 @@ namespace thinwall {
 /// - the middle of the foremost face of a plate, `width` by `length` and `thickness` thick behind it,
 /// - the middle of the edge of a scalpel's blade: `width` along y', `length` backwards, rounded by half its thickness,
 /// - the middle between the tips of the jaws: `width` along y', `length` backwards, `opening` apart along x'.
-/// Edges of a plate are rounded by 0.1 mm, those of a jaw by 0.3 times its thickness; neither by more than a quarter of
-/// the smallest size. A needle ends in a cone of four times its radius, rounded at the tip by 0.4 of the radius.
+/// Edges of a plate are rounded by 0.1 mm, or a quarter of its smallest size where that is less; those of a jaw by a
+/// quarter of its smallest size. A needle ends in a cone of four times its radius, rounded at the tip by 0.4 of the
+/// radius.
 std::vector<ToolSolid> tool_solids(const ToolDefinition& tool, const ToolPose& pose);
 
 /// Length of the cone of a needle's point, metres.

@@ -39,8 +39,8 @@ struct Wrinkled {
 };
 
 /// Stress of a neo-Hookean wall over its modulus, (S11, S22, S12): where a law has no answer it tells whether the wall
-/// is crushed there or stretched too far. Of a wall crushed to a line, where it has no bound, what it has the ratios
-/// of.
+/// is crushed there or stretched too far. A wall crushed to a line, det C = 0, has a stress without bound: then what
+/// its components are in proportion to, minus the cofactors of C.
 Eigen::Vector3d rubber_stress(const Eigen::Vector3d& c) {
   const double d = c[0] * c[1] - c[2] * c[2];
   const Eigen::Vector3d push(c[1], c[0], -c[2]);
