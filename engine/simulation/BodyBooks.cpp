@@ -73,8 +73,9 @@ void Body::add_fluids(double duration, const BodyInput& input, EquilibriumProble
     problem.fluids.push_back(fluid);
   }
   const std::vector<OrificeDefinition>& orifices = model_->definition.fluid.orifices;
+  if (orifices.empty()) return;
+  problem.orifice_time = state_.exchange.time(duration);
   for (std::size_t k = 0; k < orifices.size(); ++k) {
-    problem.orifice_time = state_.exchange.time(duration);
     const double share = state_.exchange.share(k, duration);
     problem.fluids[orifices[k].from].fluid_volume -= share;
     problem.fluids[orifices[k].to].fluid_volume += share;

@@ -280,7 +280,8 @@ bool Body::revise_vents(EquilibriumProblem& problem, const EquilibriumState& rea
     const bool draws = !fluid.has_surface && pressure < -kNoPressure * pressure_scale(*model_);
     const double none = no_volume(*model_, c), left = fluid_left(problem, c, reached, duration);
     const double missing = fluid.vent >= 0 ? fluid_held(problem, c, reached) - left : 0;
-    const bool is_too_full = missing<-none, takes_air = missing> none && !options_.gravity.isZero();
+    const bool is_too_full = missing < -none;
+    const bool takes_air = missing > none && !options_.gravity.isZero();
     if (draws) {
       fluid.vent = lowest;
     } else if (lowest >= 0 && left <= none) {

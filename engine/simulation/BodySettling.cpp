@@ -378,11 +378,7 @@ void Body::settle(std::vector<double> load_factors) {
   // What holds a free body until time zero is no load: its fall begins from rest.
   state_.static_force -= newton_->rigid_force(state_.equilibrium);
   state_.load_force = terms.load_force;
-  state_.books.elastic = lasting_part(model_->definition) * terms.strain_energy;
-  state_.books.bending = lasting_part(model_->definition) * terms.bending_energy;
-  state_.books.gravity = gravity_energy();
-  state_.books.contact = terms.folds.energy;
-  state_.books.fluid = fluid_energy(*model_, state_);
+  book_stored(0);
   state_.books.script_work = state_.books.stored();
 }
 
