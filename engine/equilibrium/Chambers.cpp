@@ -5,30 +5,23 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <stdexcept>
 
 #include "engine/fluid/EnclosedVolume.hpp"
 #include "engine/mesh/MeshMeasures.hpp"
+#include "engine/mesh/UnionFind.hpp"
 
 namespace thinwall {
 namespace {
 
 /// Part of each triangle; parts are numbered by their first triangle.
 std::vector<int> connected_parts(std::size_t vertices, std::span<const Eigen::Vector3i> triangles) {
-  std::vector<int> parent(vertices);
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&](int vertex) {
-    while (parent[vertex] != vertex) vertex = parent[vertex] = parent[parent[vertex]];
-    return vertex;
-  };
-  for (const Eigen::Vector3i& triangle : triangles) {
-    for (int k = 1; k < 3; ++k) parent[root(triangle[k])] = root(triangle[0]);
-  }
+  UnionFind joined(vertices);
+  for (const Eigen::Vector3i& triangle : triangles) joined.join(triangle);
   std::vector<int> number(vertices, -1), parts;
   int count = 0;
   for (const Eigen::Vector3i& triangle : triangles) {
-    int& own = number[root(triangle[0])];
+    int& own = number[joined.find(triangle[0])];
     if (own < 0) own = count++;
     parts.push_back(own);
   }

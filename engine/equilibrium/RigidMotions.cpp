@@ -3,28 +3,11 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <numeric>
+
+#include "engine/mesh/UnionFind.hpp"
 
 namespace thinwall {
 namespace {
-
-/// Vertices that are one set after each call of `join`.
-class JoinedVertices {
- public:
-  explicit JoinedVertices(int vertices) : parent_(static_cast<std::size_t>(vertices)) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-  int root(int vertex) {
-    while (parent_[vertex] != vertex) vertex = parent_[vertex] = parent_[parent_[vertex]];
-    return vertex;
-  }
-  void join(const Eigen::Vector3i& triangle) {
-    for (int k = 1; k < 3; ++k) parent_[root(triangle[k])] = root(triangle[0]);
-  }
-
- private:
-  std::vector<int> parent_;
-};
 
 struct MovablePart {
   std::vector<int> vertices;
@@ -119,15 +102,15 @@ void choose_anchors(const MovablePart& part, const Eigen::VectorXd& position, Bo
 }  // namespace
 
 std::vector<int> wall_parts(const BodyModel& model) {
-  JoinedVertices joined(model.vertices());
+  UnionFind joined(static_cast<std::size_t>(model.vertices()));
   for (const Eigen::Vector3i& triangle : model.definition.mesh.triangles) joined.join(triangle);
   std::vector<int> number(static_cast<std::size_t>(model.vertices()), -1), parts(number.size(), 0);
   int count = 0;
   for (const Eigen::Vector3i& triangle : model.definition.mesh.triangles) {
-    int& own = number[joined.root(triangle[0])];
+    int& own = number[joined.find(triangle[0])];
     if (own < 0) own = count++;
   }
-  for (int v = 0; v < model.vertices(); ++v) parts[v] = std::max(0, number[joined.root(v)]);
+  for (int v = 0; v < model.vertices(); ++v) parts[v] = std::max(0, number[joined.find(v)]);
   return parts;
 }
 

@@ -5,34 +5,15 @@
 #include <cmath>
 #include <compare>
 #include <map>
-#include <numeric>
 #include <set>
 #include <utility>
 
 #include "engine/mesh/MeshMeasures.hpp"
 #include "engine/mesh/MeshTopology.hpp"
+#include "engine/mesh/UnionFind.hpp"
 
 namespace thinwall {
 namespace {
-
-/// Sets that grow together; the lowest member stands for each.
-class UnionFind {
- public:
-  explicit UnionFind(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-  int find(int i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(int i, int j) {
-    i = find(i);
-    j = find(j);
-    parent_[std::max(i, j)] = std::min(i, j);
-  }
-
- private:
-  std::vector<int> parent_;
-};
 
 Eigen::Vector3d middle_of(const RawSurface& surface, const std::array<int, 2>& edge) {
   return (surface.vertices[edge[0]] + surface.vertices[edge[1]]) / 2;
