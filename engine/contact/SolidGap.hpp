@@ -12,6 +12,11 @@ namespace thinwall {
 /// Part of a triangle that keeps out of a solid.
 enum class SitePart { kCorner, kEdge, kFace };
 
+/// How many vertices it has, from its corner on around the triangle.
+constexpr int vertex_count_of(SitePart part) {
+  return part == SitePart::kCorner ? 1 : part == SitePart::kEdge ? 2 : 3;
+}
+
 /// Whether the second derivatives of a gap are wanted too: most of its cost, and of use only where something presses.
 enum class GapTerms { kGradient, kHessian };
 

@@ -34,11 +34,8 @@ Eigen::Vector3d between(const SurfaceView& surface, const std::array<Eigen::Vect
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (int k = 0; k < 3; ++k) sum += point.weights[k] * normals[k];
   if (sum.norm() > kCancelled) return sum.normalized();
-  const Eigen::Vector3i& vertices = surface.triangles[point.triangle];
-  const Eigen::Vector3d origin = surface.position.segment<3>(3 * vertices[0]);
-  const Eigen::Vector3d one = surface.position.segment<3>(3 * vertices[1]) - origin;
-  const Eigen::Vector3d other = surface.position.segment<3>(3 * vertices[2]) - origin;
-  return one.cross(other).normalized();
+  const auto [a, b, c] = corners_of(surface, point.triangle);
+  return (b - a).cross(c - a).normalized();
 }
 
 }  // namespace

@@ -19,12 +19,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// A line meets a triangle that it misses by this part of it only: no crack lets it through between two of them.
 constexpr double kEdgeSlack = 1e-12;
 
-Corners corners_of(const SurfaceView& surface, int triangle) {
-  const Eigen::Vector3i& vertices = surface.triangles[triangle];
-  return {surface.position.segment<3>(3 * vertices[0]), surface.position.segment<3>(3 * vertices[1]),
-          surface.position.segment<3>(3 * vertices[2])};
-}
-
 /// Nearer than this to `point` no point of the triangle can be: its box tells, metres.
 double least_distance(const Corners& corners, const Eigen::Vector3d& point) {
   const Eigen::Vector3d low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);

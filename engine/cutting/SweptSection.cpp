@@ -227,10 +227,7 @@ NearWall near_wall(const SurfaceView& surface, const std::array<Eigen::Vector3d,
   const double slack = 1e-9 * (scale_of(surface) + (high - low).maxCoeff());
   NearWall near{.triangles = {}, .low = low, .high = high};
   for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
-    const Eigen::Vector3i& vertices = surface.triangles[t];
-    const Eigen::Vector3d a = surface.position.segment<3>(3 * vertices[0]);
-    const Eigen::Vector3d b = surface.position.segment<3>(3 * vertices[1]);
-    const Eigen::Vector3d c = surface.position.segment<3>(3 * vertices[2]);
+    const auto [a, b, c] = corners_of(surface, t);
     const Eigen::Vector3d least = a.cwiseMin(b).cwiseMin(c), most = a.cwiseMax(b).cwiseMax(c);
     if ((most.array() < low.array() - slack).any() || (least.array() > high.array() + slack).any()) continue;
     near.triangles.push_back(t);

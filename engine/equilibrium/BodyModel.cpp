@@ -94,7 +94,7 @@ void add_sites(BodyModel& model) {
 void add_held_sites(BodyModel& model) {
   for (int s = 0; s < static_cast<int>(model.sites.size()); ++s) {
     const ContactSite& site = model.sites[s];
-    const int count = site.part == SitePart::kCorner ? 1 : (site.part == SitePart::kEdge ? 2 : 3);
+    const int count = vertex_count_of(site.part);
     bool is_held = true;
     for (int k = 0; k < count; ++k) {
       const int vertex = model.surface[site.triangle][(site.corner + k) % 3];

@@ -20,7 +20,7 @@ constexpr double kNoMiss = 1e-9;
 
 /// The vertices of a site, from its corner on.
 std::vector<int> vertices_of(const BodyModel& model, const ContactSite& site) {
-  const int count = site.part == SitePart::kCorner ? 1 : (site.part == SitePart::kEdge ? 2 : 3);
+  const int count = vertex_count_of(site.part);
   std::vector<int> vertices;
   for (int k = 0; k < count; ++k) vertices.push_back(model.surface[site.triangle][(site.corner + k) % 3]);
   return vertices;

@@ -322,7 +322,7 @@ Eigen::VectorXd Body::contact_pressure() const {
       if (forces[s] == 0) continue;
       const ContactSite& site = model_->sites[s];
       const Eigen::Vector3i& triangle = model_->surface[site.triangle];
-      const int count = site.part == SitePart::kCorner ? 1 : (site.part == SitePart::kEdge ? 2 : 3);
+      const int count = vertex_count_of(site.part);
       for (int k = 0; k < count; ++k) pressure[triangle[(site.corner + k) % 3]] += forces[s] / count;
     }
   }

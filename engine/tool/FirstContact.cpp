@@ -15,12 +15,6 @@ namespace {
 
 using Corners = std::array<Eigen::Vector3d, 3>;
 
-Corners corners_of(const SurfaceView& surface, int triangle) {
-  const Eigen::Vector3i& vertices = surface.triangles[triangle];
-  return {surface.position.segment<3>(3 * vertices[0]), surface.position.segment<3>(3 * vertices[1]),
-          surface.position.segment<3>(3 * vertices[2])};
-}
-
 /// Entry of a line into one triangle through its outer side (signed volumes; a hit on an edge belongs to both sides).
 std::optional<SurfaceEntry> entry(const Corners& corners, const Eigen::Vector3d& origin,
                                   const Eigen::Vector3d& direction, bool both_sides) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -15,12 +16,19 @@ struct SurfaceEntry : SurfacePoint {
   double travel = 0;  // metres along the direction to get there
 };
 
-/// A surface as it is now. Both spans outlive the value.
+/// A surface as it is now. What it refers to outlives it.
 struct SurfaceView {
   std::span<const Eigen::Vector3i> triangles;  // (triangles x 3)
   const Eigen::VectorXd& position;             // (3 vertices), metres
   bool open = false;                           // encloses nothing: then both sides are outer ones
 };
+
+/// The corners of a triangle, metres.
+inline std::array<Eigen::Vector3d, 3> corners_of(const SurfaceView& surface, int triangle) {
+  const Eigen::Vector3i& vertices = surface.triangles[triangle];
+  return {surface.position.segment<3>(3 * vertices[0]), surface.position.segment<3>(3 * vertices[1]),
+          surface.position.segment<3>(3 * vertices[2])};
+}
 
 /// Where the line through `origin` along the unit `direction` first enters the surface from outside, or nothing.
 /// The line has no beginning: `travel` may be negative. A hit counts as entry where the line meets the outer side.

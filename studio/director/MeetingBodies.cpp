@@ -4,18 +4,10 @@
 
 #include <Eigen/Geometry>
 
+#include "studio/director/BodyExtent.hpp"
+
 namespace thinwall {
 namespace {
-
-/// Around the wall and its caps, metres.
-Eigen::AlignedBox3d box_of(const Body& body) {
-  Eigen::AlignedBox3d box;
-  const SurfaceView surface = body.surface();
-  for (const Eigen::Vector3i& vertices : surface.triangles) {
-    for (const int vertex : vertices) box.extend(Eigen::Vector3d(surface.position.segment<3>(3 * vertex)));
-  }
-  return box;
-}
 
 bool is_scenery(const Body& body) {
   return is_scenery(body.model().definition.fixed);
@@ -27,7 +19,7 @@ std::vector<std::string> MeetingBodies::notes(std::span<const std::unique_ptr<Bo
   std::vector<std::string> notes;
   if (bodies.size() < 2) return notes;
   std::vector<Eigen::AlignedBox3d> boxes;
-  for (const auto& body : bodies) boxes.push_back(box_of(*body));
+  for (const auto& body : bodies) boxes.push_back(box_of(body->surface()));
   for (std::size_t first = 0; first < bodies.size(); ++first) {
     for (std::size_t second = first + 1; second < bodies.size(); ++second) {
       if (!boxes[first].intersects(boxes[second]) || !told_.emplace(first, second).second) continue;

@@ -307,11 +307,10 @@ struct ScenarioRun::Implementation {
   }
 
   ToolResponse respond(int index, double duration, double reach) {
-    std::vector<ToolPose> poses(scenario.tools.size());
-    for (const auto& [name, tool] : tools) poses[tool.index] = tool.pose;
-    ToolResponse all{.pose = poses[index], .sites = {}, .ahead = {}};
+    const std::vector<ToolPose> now = poses();
+    ToolResponse all{.pose = now[index], .sites = {}, .ahead = {}};
     for (const auto& body : bodies) {
-      const ToolResponse one = body->respond(index, poses, duration, reach);
+      const ToolResponse one = body->respond(index, now, duration, reach);
       all.force += one.force;
       std::ranges::copy(one.sites, std::back_inserter(all.sites));
       all.holds = all.holds || one.holds;
