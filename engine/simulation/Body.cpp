@@ -73,9 +73,6 @@ constexpr double kSmallestNeedlePart = 1.0 / 1024;
 /// shape has gone astray, from less far away it finds one that is nearer.
 constexpr double kMostGiven = 2.5e-3;
 
-/// Strain below which the energy of a whole wall is none.
-constexpr double kNoStrain = 1e-6;
-
 /// The parts into which a step is divided, one after the other.
 struct StepParts {
   double largest = 1;   // that tools and blades allow
@@ -280,12 +277,11 @@ double Body::script_doubt(const BodyState& before) const {
 
 double Body::given_part(const BodyState& before) const {
   const double taken = state_.books.numerical - before.books.numerical, largest = state_.books.largest();
-  const double none = kNoStrain * kNoStrain * model_->wall_stiffness * model_->rest_area;
   // What holds the lips of a cut, or a dent, is among the loads, and has a measure of its own.
   const double doubt = before.cut.held.empty() ? script_doubt(before) : 0;
   // Forces of a loose tolerance tell their work no better.
   const double most_given = std::max(kMostGiven, options_.tolerance);
-  return std::max(0.0, -taken - doubt) / (most_given * std::max(largest, none));
+  return std::max(0.0, -taken - doubt) / (most_given * std::max(largest, model_->least_energy()));
 }
 
 double Body::unbooked_part(const BodyState& before, bool is_calm) const {

@@ -15,9 +15,6 @@ constexpr double kMostPart = 0.1;
 /// Part of the whole in one step from which on that step is to blame, not all of them.
 constexpr double kOneStep = 0.3;
 
-/// Strain below which the energy of a whole wall is none.
-constexpr double kNoStrain = 1e-6;
-
 /// What helps against one step that has taken so much. A wall that snaps through gives off energy, which a sequence of
 /// equilibria has no motion for.
 std::string cure_of_jump(double jump, Analysis analysis, bool has_tools) {
@@ -30,9 +27,7 @@ std::string cure_of_jump(double jump, Analysis analysis, bool has_tools) {
 }  // namespace
 
 void IntegratorEnergy::note(const Body& body, double time) {
-  const BodyModel& model = body.model();
-  const double none = kNoStrain * kNoStrain * model.wall_stiffness * model.rest_area;
-  note(model.definition.name, body.state().books, none, time);
+  note(body.model().definition.name, body.state().books, body.model().least_energy(), time);
 }
 
 void IntegratorEnergy::note(const std::string& body, const EnergyBooks& books, double none, double time) {
