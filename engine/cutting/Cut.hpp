@@ -55,7 +55,6 @@ struct CutCounts {
   int splits = 0;            // vertices put into edges and faces
   int flips = 0;             // of edges between coplanar triangles
   int moved_vertices = 0;    // earlier ones, within their plane or along their straight edge
-  int snapped_points = 0;    // nodes of the cut that do not lie on the path
   int edge_paths = 0;        // 1: no new node fits in; the cut goes along edges
   double area_change = 0;    // metres^2, rest
   double volume_change = 0;  // metres^3, rest; what the changed triangles enclose with the origin
@@ -77,7 +76,6 @@ struct Cut {
   // The path from the tip to its end, on the new surface: too short to be cut yet, or too close to a border. The next
   // path goes on from the tip with these points and those after them.
   std::vector<SurfacePoint> rest;
-  double least_angle_before = 0;   // radians, rest, of the neighbourhood
   double least_angle = 0;          // radians, rest, of the neighbourhood
   double least_meeting_angle = 0;  // radians, at which the new cut meets itself, other cuts and borders; pi if not
   CutCounts counts;

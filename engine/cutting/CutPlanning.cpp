@@ -128,15 +128,11 @@ bool refuse_culprits(const Trial& trial, RefusedChoices& refused) {
 
 PlannedCut planned(Trial trial, std::vector<TriangleSource> triangles) {
   const PathNode& last = trial.nodes.back();
-  PlannedCut plan{.patch = std::move(trial.patch),
-                  .vertices = std::move(trial.path.vertices),
-                  .triangles = std::move(triangles),
-                  .reached_stop = last.passed,
-                  .reached = last.wanted};
-  for (const PathNode& node : trial.nodes) {
-    plan.snapped_nodes += (node.place.position - node.wanted).squaredNorm() > 0;
-  }
-  return plan;
+  return {.patch = std::move(trial.patch),
+          .vertices = std::move(trial.path.vertices),
+          .triangles = std::move(triangles),
+          .reached_stop = last.passed,
+          .reached = last.wanted};
 }
 
 int nearest_vertex(const CutPatch& patch, const PatchPlace& place) {
@@ -173,7 +169,6 @@ PlannedCut plan_along_edges(const CutPatch& patch, std::span<const PathStop> sto
   if (!drop_closed_edges(plan.patch)) return {.patch = patch, .vertices = {}, .triangles = {}};
   plan.reached_stop = static_cast<int>(stops.size()) - 1;
   plan.reached = stops.back().place.position;
-  plan.snapped_nodes = static_cast<int>(plan.vertices.size());
   return plan;
 }
 

@@ -16,8 +16,7 @@ struct PlannedCut {
   std::vector<TriangleSource> triangles;              // changed ones, numbered as in the patches
   int reached_stop = -1;                              // the last stop of the path that the cut gets to
   Eigen::Vector3d reached = Eigen::Vector3d::Zero();  // the place on the path that the last vertex stands for
-  int snapped_nodes = 0;
-  bool along_edges = false;  // no new node finds room
+  bool along_edges = false;                           // no new node finds room
 };
 
 /// Cuts stay this close to their paths, in lengths of the longest edge at the cut.

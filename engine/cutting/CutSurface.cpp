@@ -304,17 +304,14 @@ Cut CutSurface::cut(const CutPath& path, const CutOptions& options) {
   PlannedCut& plan = planned.cut;
   const CutPatch& before = planned.start.patch;
   const std::vector<PathStop>& stops = planned.refined.stops;
-  result.least_angle_before = result.least_angle = least_angle(before);
+  result.least_angle = least_angle(before);
   if (plan.vertices.empty()) {
     if (stops.size() > 1) result.rest = path.points;
     return result;
   }
   result.least_angle = least_angle(plan.patch);
   result.least_meeting_angle = least_meeting_angle(plan.patch);
-  result.counts = {.splits = plan.patch.splits,
-                   .flips = plan.patch.flips,
-                   .snapped_points = plan.snapped_nodes,
-                   .edge_paths = plan.along_edges};
+  result.counts = {.splits = plan.patch.splits, .flips = plan.patch.flips, .edge_paths = plan.along_edges};
   result.triangles = std::move(plan.triangles);
   result.deviation = deviation_of(stops, plan);
   const std::vector<std::vector<int>> chains = split_borders(before, plan.patch);

@@ -27,7 +27,6 @@ class PassivityGuard {
   /// seconds. Gives what the hand may be given for the force wanted, newton.
   Eigen::Vector3d guard(const Eigen::Vector3d& wanted, const Eigen::Vector3d& motion, double duration);
 
-  double absorbed() const { return absorbed_; }      // joule, that the hand has put in so far, less what it was given
   double dissipated() const { return dissipated_; }  // joule, asked of the guard so far
   long braked() const { return braked_; }            // ticks in which it braked
   long yielded() const { return yielded_; }          // ticks in which the force was less than wanted
@@ -39,9 +38,10 @@ class PassivityGuard {
   PassivityOptions options_;
   bool has_begun_ = false;
   Eigen::Vector3d given_ = Eigen::Vector3d::Zero();
-  double absorbed_ = 0, dissipated_ = 0;
-  double damping_ = 0;  // newton second / metre
-  double share_ = 1;    // of the force wanted, that is given
+  double absorbed_ = 0;    // joule, that the hand has put in so far, less what it was given
+  double dissipated_ = 0;  // joule
+  double damping_ = 0;     // newton second / metre
+  double share_ = 1;       // of the force wanted, that is given
   long braked_ = 0, yielded_ = 0;
 };
 

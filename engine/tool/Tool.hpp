@@ -34,9 +34,4 @@ struct ToolPose {
   double opening = 0;                                     // metres between the jaws of forceps
 };
 
-/// Whether a tool prescribes displacements where it touches, rather than to push the wall away.
-constexpr bool prescribes(ToolKind kind) {
-  return kind == ToolKind::kPoint || kind == ToolKind::kLine;
-}
-
 }  // namespace thinwall

@@ -33,7 +33,6 @@ class Text {
 
   double width() const { return width_; }    // pixels
   double height() const { return height_; }  // pixels, of whole lines
-  double ascent() const { return ascent_; }  // pixels from the top to the first baseline
   int lines() const;
   bool has_broken_word() const;  // whether a line ends inside a word
   bool is_cut() const;           // whether an ellipsis stands for a part
@@ -49,7 +48,7 @@ class Text {
   Color color_;
   double width_ = 0;
   double height_ = 0;
-  double ascent_ = 0;
+  double ascent_ = 0;  // pixels from the top to the first baseline
 };
 
 }  // namespace thinwall
