@@ -103,11 +103,16 @@ class Judge {
 
   void check_conservation() {
     const double tolerance = only_splits() ? kExact : 1e3 * kExact;  // within flat pieces in the second order
-    const double area = wall_area(before_);
-    expect(std::abs(wall_area(after_) - area) <= kExact * area, "area changed by ", wall_area(after_) / area - 1);
+    const double area = wall_area(before_), area_change = wall_area(after_) - area;
+    expect(std::abs(area_change) <= kExact * area, "area changed by ", area_change / area);
     const double volume = enclosed_volume(before_.vertices, closed_surface(before_));
     const double change = enclosed_volume(after_.vertices, closed_surface(after_)) - volume;
     expect(std::abs(change) <= tolerance * area * size_, "volume changed by ", change / (area * size_));
+    // What is booked is that of the changed triangles alone.
+    expect(std::abs(cut_.counts.area_change - area_change) <= kExact * area, "area changed by ", area_change,
+           ", booked ", cut_.counts.area_change);
+    expect(std::abs(cut_.counts.volume_change - change) <= kExact * area * size_, "volume changed by ", change,
+           ", booked ", cut_.counts.volume_change);
   }
 
   void check_vertices() {
