@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <charconv>
 #include <utility>
 
 namespace thinwall::hdf5 {
@@ -27,8 +28,10 @@ std::string quoted(const std::string& description, const std::string& mark, char
   std::string description = "no reason given";
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_innermost, &description);
   const std::string code = quoted(description, "errno = ", ',');
-  if (code.empty()) throw Failure(description);
-  throw Failure(quoted(description, "error message = '", '\''), std::stoi(code));
+  int number = 0;
+  std::from_chars(code.data(), code.data() + code.size(), number);
+  if (number == 0) throw Failure(description);
+  throw Failure(quoted(description, "error message = '", '\''), number);
 }
 
 template <typename Result>
@@ -318,7 +321,10 @@ std::vector<std::string> read_text_rows(const Handle& dataset, std::size_t bytes
 
 void read_rows(const Handle& dataset, Element element, hsize_t first, hsize_t count, void* values) {
   std::vector<hsize_t> extents = shape_of(dataset);
-  if (extents.empty() || first + count > extents.front()) throw Failure("fewer rows than steps");
+  // Not as a sum, which a damaged file may let overflow.
+  if (extents.empty() || first > extents.front() || count > extents.front() - first) {
+    throw Failure("fewer rows than steps");
+  }
   if (count == 0) return;
   std::vector<hsize_t> start(extents.size(), 0);
   start.front() = first;

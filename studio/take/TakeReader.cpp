@@ -8,6 +8,7 @@
 #include <array>
 #include <cerrno>
 #include <fstream>
+#include <limits>
 #include <utility>
 
 #include "renderer/image/WholeFile.hpp"
@@ -28,6 +29,16 @@ constexpr double kLongestStep = 1.001;
 
 Double3 triple(const double* values) {
   return {values[0], values[1], values[2]};
+}
+
+/// Throws hdf5::Failure unless the columns of counts hold what an int can.
+void require_counts(const TakeTable& bodies) {
+  for (std::size_t k = 0; k < bodies.values.size(); ++k) {
+    const BodyColumn& column = kBodyColumns[k % kBodyColumns.size()];
+    if (column.count == nullptr) continue;
+    const bool is_count = bodies.values[k] >= 0 && bodies.values[k] <= std::numeric_limits<int>::max();
+    require_of_take(is_count, std::string(column.name) + " is no count");
+  }
 }
 
 /// Who writes an HDF5 file holds its lock.
@@ -152,6 +163,7 @@ void TakeReader::Implementation::read_layout() {
   const Handle records = hdf5::open_group(file, "records");
   tool_records = read_records(records, "tools", steps, kToolColumns.size(), true);
   body_records = read_records(records, "bodies", steps, kBodyColumns.size(), false);
+  for (const RecordRows& rows : body_records) require_counts(rows.values);
 }
 
 StepRecord TakeReader::Implementation::read_record(std::size_t step) const {

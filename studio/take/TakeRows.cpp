@@ -143,6 +143,8 @@ SurfaceRows read_surface(const Handle& group, std::size_t steps) {
   }
   require_of_take(steps == 0 || (!surface.epochs.empty() && surface.epochs.front().first_step == 0),
                   "the surface of " + surface.body + " has no topology at the first step");
+  require_of_take(std::ranges::is_sorted(surface.epochs, {}, &EpochRows::first_step),
+                  "the surface of " + surface.body + " changes its topology at steps that do not ascend");
   return surface;
 }
 

@@ -378,7 +378,10 @@ void TakeWriter::finish(const TakeEnding& ending) {
   implementation_->guarded([&] { implementation_->end(ending); });
   std::error_code error;
   std::filesystem::rename(unfinished_name(implementation_->target), implementation_->target, error);
-  if (error) throw PictureFailure("cannot write " + implementation_->target.string() + ": " + error.message());
+  if (error) {
+    throw PictureFailure("cannot write " + implementation_->target.string() + ": " + error.message() + "; " +
+                         cure_for_write_error(error.value()));
+  }
 }
 
 }  // namespace thinwall

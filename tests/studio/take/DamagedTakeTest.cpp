@@ -1,23 +1,50 @@
 #include <gtest/gtest.h>
 #include <hdf5.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include "renderer/image/WholeFile.hpp"
+#include "studio/record/RecordColumns.hpp"
 #include "tests/studio/TemporaryFolder.hpp"
 #include "tests/studio/take/WrittenTake.hpp"
 
 namespace thinwall {
 namespace {
 
+void write_five_steps(const std::filesystem::path& path) {
+  write_take(path, {.steps = 5});
+}
+
+/// The same of a surface whose topology is another one at each step.
+void write_five_topologies(const std::filesystem::path& path) {
+  SyntheticRun run({.steps = 5});
+  TakeWriter writer(path, kDescription);
+  float thickness = 1e-3F;  // metres
+  while (auto moment = run.next()) {
+    SnapshotSurface& surface = moment->snapshot.surfaces.front();
+    auto topology = std::make_shared<SnapshotTopology>(*surface.topology);
+    topology->thickness.assign(topology->thickness.size(), thickness);
+    thickness *= 2;
+    surface.topology = std::move(topology);
+    writer.write(*moment);
+  }
+  writer.finish({.complete = true, .warnings = {}, .state_digest = run.state_digest()});
+}
+
 /// Opens a whole take, changes it by the library's own calls, and gives what is said of it, without the file's name and
 /// the cure.
-std::string complaint_after(const std::function<void(hid_t file)>& change) {
+std::string complaint_after(const std::function<void(hid_t file)>& change,
+                            const std::function<void(const std::filesystem::path&)>& write = write_five_steps) {
   const TemporaryFolder folder;
   const std::filesystem::path path = folder / "take.h5";
-  write_take(path, {.steps = 5});
+  write(path);
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
   change(file);
   EXPECT_GE(H5Fclose(file), 0);
@@ -96,6 +123,30 @@ TEST(DamagedTake, RefusesTimesThatNoRunReaches) {
   EXPECT_EQ(complaint_after(timed({-1, 0, 1, 2, 3})), "the take is damaged (times are not those of steps)");
   // Pictures of all that time would never end.
   EXPECT_EQ(complaint_after(timed({0, 1, 2, 3, 1e75})), "the take is damaged (times are not those of steps)");
+}
+
+TEST(DamagedTake, RefusesCountsThatNoNumberOfIterationsIs) {
+  const auto counted = [](double count) {
+    return [=](hid_t file) {
+      const hid_t dataset = H5Dopen2(file, "records/bodies/organ/values", H5P_DEFAULT);
+      std::vector<double> values(5 * kBodyColumns.size());
+      EXPECT_GE(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
+      const auto column = std::ranges::find(kBodyColumns, "newton_iterations", &BodyColumn::name);
+      values[kBodyColumns.size() + (column - kBodyColumns.begin())] = count;
+      EXPECT_GE(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
+      H5Dclose(dataset);
+    };
+  };
+  EXPECT_EQ(complaint_after(counted(3)), "");
+  EXPECT_EQ(complaint_after(counted(3e9)), "the take is damaged (newton_iterations is no count)");
+  EXPECT_EQ(complaint_after(counted(-1)), "the take is damaged (newton_iterations is no count)");
+}
+
+TEST(DamagedTake, RefusesTopologiesOutOfOrder) {
+  EXPECT_EQ(complaint_after([](hid_t) {}, write_five_topologies), "");
+  // The third says that it begins at step zero, as the first one does.
+  EXPECT_EQ(complaint_after(replaced("surfaces/organ/epoch_2", "first_step", 0, true), write_five_topologies),
+            "the take is damaged (the surface of organ changes its topology at steps that do not ascend)");
 }
 
 TEST(DamagedTake, RefusesMoreThanAFileCanHold) {
