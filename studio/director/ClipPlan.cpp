@@ -99,8 +99,9 @@ double free_travel(const ToolPose& pose, const ToolDefinition& tool, const Surfa
                    const ClipWords& words, const SourceLocation& location) {
   const auto travel = travel_to_contact(surface, tool, pose, pose.direction);
   if (!travel) {
-    throw InputErrors(
-        {{location, fmt::format("{}: tool `{}` passes beside body `{}`", words.verb, words.tool, words.body)}});
+    throw InputErrors({{location, fmt::format("{}: tool `{}` passes beside body `{}`; move or turn its way so that "
+                                              "it meets the wall",
+                                              words.verb, words.tool, words.body)}});
   }
   refuse_touching(*travel, standoff, words, location);
   return *travel;

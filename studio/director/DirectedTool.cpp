@@ -43,9 +43,12 @@ void DirectedTool::find_first_contact(const ToolDefinition& definition, std::spa
   const Eigen::Vector3d way = next.tip - pose.tip;
   if (way.norm() == 0) return;
   const Eigen::Vector3d motion = way.normalized();
+  double least = way.norm();  // metres, to the wall that it meets before all others
   for (const auto& body : bodies) {
     const auto travel = travel_to_contact(body->surface(), definition, pose, motion);
-    if (travel && *travel >= 0 && *travel <= way.norm()) first_contact = pose.tip + *travel * motion;
+    if (!travel || *travel < 0 || *travel > least) continue;
+    least = *travel;
+    first_contact = pose.tip + least * motion;
   }
 }
 

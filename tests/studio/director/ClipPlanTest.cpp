@@ -103,6 +103,24 @@ TEST(ClipPlan, ALineThatMissesTheBodyIsAnErrorWithPlaceAndCure) {
   }
 }
 
+TEST(ClipPlan, AToolThatPassesBesideTheBodyIsAnErrorWithPlaceAndCure) {
+  // The line meets a corner of the table, that both jaws pass.
+  const Table table;
+  PalpateClip clip = kClip;
+  clip.at = {0.0399, 0.0399, 0.5};
+  clip.axis = Eigen::Vector3d(1, 1, 0);
+  const ToolDefinition forceps{
+      .name = "probe", .kind = ToolKind::kForceps, .length = 0.03, .width = 0.004, .thickness = 0.002, .opening = 0.01};
+  try {
+    plan_palpation(clip, forceps, table.view(), {.file = "a.yaml", .line = 7, .column = 5});
+    FAIL() << "no error";
+  } catch (const InputErrors& errors) {
+    EXPECT_EQ(to_text(errors.diagnostics().at(0)),
+              "a.yaml:7:5: error: palpate: tool `probe` passes beside body `table`; move or turn its way so that it "
+              "meets the wall");
+  }
+}
+
 TEST(ClipPlan, ToolFrameFollowsTheDefaultAxes) {
   EXPECT_LT((make_pose(kOrigin, -Eigen::Vector3d::UnitZ(), {}).axis - Eigen::Vector3d::UnitY()).norm(), 1e-15);
   EXPECT_LT((make_pose(kOrigin, Eigen::Vector3d::UnitY(), {}).axis - Eigen::Vector3d::UnitX()).norm(), 1e-15)

@@ -5,8 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <numbers>
+#include <vector>
 
+#include "engine/mesh/Shapes.hpp"
+#include "studio/director/DirectedTool.hpp"
 #include "studio/director/ScenarioRun.hpp"
 #include "studio/scenario/InputError.hpp"
 #include "tests/studio/director/HeldBall.hpp"
@@ -29,6 +33,23 @@ TEST(Move, AMoveThroughTheWallTouchesItAndCountsItsDepth) {
   EXPECT_GT(tool.depth, 0.0015);
   EXPECT_LT(tool.depth, 0.0035);
   EXPECT_GT(tool.force.z(), 0);
+}
+
+TEST(Move, AToolThatMeetsTwoBodiesOnItsWayCountsItsDepthFromTheNearer) {
+  std::vector<std::unique_ptr<Body>> bodies;
+  for (const double radius : {0.02, 0.01}) {
+    BodyDefinition ball;
+    ball.name = "ball";
+    ball.mesh = make_sphere(radius, 320);
+    ball.thickness.assign(ball.mesh.triangles.size(), 1e-3);
+    ball.materials = {{find_wall_law("neo_hookean"), {20e3}}};
+    bodies.push_back(std::make_unique<Body>(ball, std::vector<ToolDefinition>{}, SimulationOptions{}));
+  }
+  DirectedTool probe;
+  probe.pose.tip = {0.001, 0.002, 0.03};
+  probe.find_first_contact({.name = "probe", .kind = ToolKind::kPoint}, bodies, {.tip = {0.001, 0.002, 0}});
+  ASSERT_TRUE(probe.first_contact);
+  EXPECT_NEAR(probe.first_contact->z(), 0.02, 5e-4) << "where the larger ball is";
 }
 
 TEST(Move, AMoveOfAToolThatPressesCountsItsDepthFromTheContactThatItHas) {
