@@ -40,6 +40,16 @@ TEST(ApproachedOrificeFlow, GoesThroughAsItComesWithoutPressureAndAsBernoullisWi
               1e-11 * even.rate);  // (1e-6 / 0.45)^2 / 2
 }
 
+TEST(ApproachedOrificeFlow, ContractsByHalfAsBordasMouthpieceWhereTheLipsMoveFast) {
+  // The mean of what comes and of what leaves, whatever the coefficient of lips that stand still.
+  const double approach = 1, leaves = std::sqrt(approach * approach + 2 * 500 / 1000.0);
+  for (const double coefficient : {0.5, 0.61, 0.7}) {
+    EXPECT_NEAR(approached_orifice_flow(coefficient, 2e-6, 1000, 500, approach).rate, 2e-6 * 0.5 * (approach + leaves),
+                1e-12)
+        << coefficient;
+  }
+}
+
 TEST(ApproachedOrificeFlow, HasTheSlopeOfItsRate) {
   for (const double approach : {0.01, 0.1, 1.0}) {
     for (const double pressure : {-20.0, 0.3, 20.0, 3000.0}) {

@@ -35,6 +35,21 @@ TEST(MeshMeasures, TurnedSurfaceHasNegativeVolume) {
   EXPECT_NEAR(enclosed_volume(mesh), -1.0 / 6, 1e-16);
 }
 
+TEST(MeshMeasures, SolidAnglesOfAClosedSurfaceAreTheWholeSphereFromInsideAndNoneFromOutside) {
+  const SurfaceMesh mesh = corner_at(Eigen::Vector3d::Zero());
+  const auto seen_from = [&](const Eigen::Vector3d& point) {
+    double sum = 0;  // steradian
+    for (const auto* triangles : {&mesh.triangles, &mesh.cap_triangles}) {
+      for (const Eigen::Vector3i& t : *triangles) {
+        sum += solid_angle({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]}, point);
+      }
+    }
+    return sum;
+  };
+  EXPECT_NEAR(seen_from({0.1, 0.2, 0.3}), 4 * std::numbers::pi, 1e-13);
+  EXPECT_NEAR(seen_from({0.5, 0.6, 0.7}), 0, 1e-13);
+}
+
 TEST(MeshMeasures, WallAreaLeavesCapsOut) {
   EXPECT_NEAR(wall_area(corner_at(Eigen::Vector3d::Zero())), 1 + std::sqrt(3.0) / 2, 1e-15);
 }

@@ -243,7 +243,24 @@ TEST(BendingElement, AnEdgeThatIsSharpAtRestBendsFromThereAsAFlatOneDoes) {
     fold(patch, folded, more);
     const double turned = side_angles(rest, patch)[folded] - side->rest_angle;
     EXPECT_NEAR(std::abs(turned), 0.5 * std::abs(more), 1e-12);
+    EXPECT_NEAR(side->fold, std::abs(side->rest_angle) + 0.5 * std::numbers::pi, 1e-12)
+        << "half of what is left to half a turn";
   }
+}
+
+TEST(BendingElement, AClampedSideGoesOnBeyondItselfInThePlaneOfItsTriangle) {
+  const Wall sheet = wall_of(make_sheet(2, 2, 8), true);
+  int clamped = 0;
+  for (const BendingRest& rest : sheet.bending) {
+    const Eigen::Vector3d angles =
+        side_angles(rest, patch_of(rest, sheet.unknowns(sheet.mesh.vertices), sheet.vertices()));
+    for (int side = 0; side < 3; ++side) {
+      if (!rest.sides[side].clamped) continue;
+      EXPECT_NEAR(angles[side], 0, 1e-12);
+      ++clamped;
+    }
+  }
+  EXPECT_EQ(clamped, 8);
 }
 
 TEST(BendingElement, AStressFreeCurvedShapeMovedRigidlyStaysStressFree) {

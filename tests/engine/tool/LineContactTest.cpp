@@ -120,5 +120,15 @@ TEST(LineCrossings, LeaveOutTheSideThatFacesAway) {
   }
 }
 
+TEST(LineCrossings, AreOnBothSidesOfAnOpenSurface) {
+  for (const double side : {1.0, -1.0}) {
+    const ToolPose pose{.tip = {0.1e-3, 0, side * 1e-3}, .direction = Eigen::Vector3d(0, 0, -side)};
+    const TestSurface open(make_sheet(20e-3, 20e-3, 200), true);
+    EXPECT_FALSE(line_crossings(open.view(), line(6e-3), pose).empty()) << side;
+    const TestSurface closed(make_sheet(20e-3, 20e-3, 200));
+    EXPECT_EQ(line_crossings(closed.view(), line(6e-3), pose).empty(), side < 0);
+  }
+}
+
 }  // namespace
 }  // namespace thinwall

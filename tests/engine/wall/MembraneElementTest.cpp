@@ -284,6 +284,22 @@ TEST(MembraneElement, AStressOfItsOwnAddsItsGeometricStiffnessToTheHessian) {
   }
 }
 
+TEST(MembraneElement, MemoryAddsToTheEnergyThePotentialOfItsStress) {
+  // With e the strain of an even stretch: scale W + overstress . e + damping / 2 e . D0 e per volume.
+  const double l = 1.2, strain = 0.5 * (l * l - 1);
+  const MembraneRest rest = make_membrane_rest(rest_corners(), kThickness);
+  const Corners corners = moved(rest_corners(), l * Eigen::Matrix3d::Identity(), {0, 0, 0});
+  const MembraneMemory memory{.scale = 0.8, .overstress = {500, -200, 100}, .damping = 0.3};
+  for (const Material& material : materials()) {
+    const Eigen::Matrix3d unstrained = material.law->respond(material.parameters, {1, 1, 0}).tangent;
+    const double stiffness = unstrained.topLeftCorner<2, 2>().sum();  // pascal, of both strains at once
+    const MembraneTerms terms = membrane_terms(rest, material, corners, memory);
+    const double expected =
+        0.8 * terms.strain_energy + rest.area * kThickness * (300 * strain + 0.3 * 0.5 * stiffness * strain * strain);
+    EXPECT_NEAR(terms.energy, expected, 1e-13 * expected) << material.law->name;
+  }
+}
+
 TEST(MembraneElement, ForeseesTheStressOfASmallMotionInFirstOrder) {
   const MembraneRest rest = make_membrane_rest(rest_corners(), kThickness);
   const MembraneMemory memory{.scale = 0.8, .overstress = {50, -20, 10}, .damping = 0.3};
@@ -333,6 +349,18 @@ TEST(MembraneElement, PrestretchIsARestShapeShrunkByIt) {
   EXPECT_EQ(shrunk.thickness, kThickness);
   const Eigen::Matrix<double, 3, 2> f = deformation_gradient(shrunk, rest);
   EXPECT_LT(largest(f.transpose() * f - 1.25 * 1.25 * Eigen::Matrix2d::Identity()), 1e-14);
+}
+
+TEST(MembraneElement, PrestretchOfTwoSizesStretchesOneAlongItsDirectionAndTheOtherAcrossIt) {
+  const Corners rest = rest_corners();
+  const Eigen::Vector3d along(0.4, 1, 0.3);
+  // With fibres that way the axes of the rest plane are those of the stretch.
+  const MembraneRest shrunk =
+      make_membrane_rest(rest, kThickness, {.along = along, .first = 1.3, .second = 1.1}, along);
+  EXPECT_NEAR(shrunk.area, make_membrane_rest(rest, kThickness).area / (1.3 * 1.1), 1e-15 * shrunk.area);
+  const Eigen::Matrix<double, 3, 2> f = deformation_gradient(shrunk, rest);
+  const Eigen::Matrix2d expected = Eigen::Vector2d(1.3 * 1.3, 1.1 * 1.1).asDiagonal();
+  EXPECT_LT(largest(f.transpose() * f - expected), 1e-14);
 }
 
 TEST(MembraneElement, FibresAtAnAngleTakeTheClosedFormOfTheTurnedStrain) {
