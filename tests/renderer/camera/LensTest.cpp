@@ -81,6 +81,18 @@ TEST(Lens, TangentialCoefficientsFoldToo) {
   EXPECT_TRUE(lens.is_unfolded({10, 0}));
   EXPECT_TRUE(lens.undistorted({-0.166, 0}));
   EXPECT_FALSE(lens.undistorted({-0.17, 0})) << "no ray arrives there";
+  // The same along y, which is what p1 bends.
+  const Lens upright({.p1 = 0.5});
+  EXPECT_TRUE(upright.is_unfolded({0, -0.33}));
+  EXPECT_FALSE(upright.is_unfolded({0, -0.37}));
+}
+
+TEST(Lens, GoesBackInSmallPartsWhereNewtonsMethodWouldCrossAFoldThatIsNotRound) {
+  const Lens lens({.k1 = -0.298, .k2 = 0.076, .p1 = -0.005, .p2 = 0.074, .k3 = -0.005});
+  const auto ideal = lens.undistorted(lens.distorted({-0.86, -1.97}));
+  ASSERT_TRUE(ideal);
+  EXPECT_NEAR((*ideal)[0], -0.86, 1e-11);
+  EXPECT_NEAR((*ideal)[1], -1.97, 1e-11);
 }
 
 TEST(LensFold, ThePictureEndsAtATangentialFoldToo) {

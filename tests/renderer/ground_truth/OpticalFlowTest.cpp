@@ -236,6 +236,20 @@ TEST(OpticalFlowTest, WhatLandsNowhereHasNoFlowThatIsKnown) {
   EXPECT_GT(seen, 1000);
 }
 
+TEST(OpticalFlowTest, WhatIsNearerThanACameraSeesLiesOutsideItsPicture) {
+  Snapshot snapshot;
+  snapshot.surfaces = {
+      test::quad("wall", {{{-0.02F, -0.02F, 0}, {0.02F, -0.02F, 0}, {0.02F, 0.02F, 0}, {-0.02F, 0.02F, 0}}})};
+  const double nearest = 1e-3 * scene_extent(snapshot).size;  // of cameras that are nearer to what they look at
+  const SeenFrame first(snapshot, {from_above(1.1 * nearest).camera}, kSize);
+  const SeenFrame close(snapshot, {from_above(0.9 * nearest).camera}, kSize);
+  const OpticalFlow flow = optical_flow(first.moment(), close.moment());
+  EXPECT_EQ(count(flow, FlowState::kOutside), kSize.width * kSize.height);
+  const std::size_t middle = static_cast<std::size_t>(kSize.height / 2 * kSize.width + kSize.width / 2);
+  EXPECT_TRUE(flow.is_known[middle]);
+  EXPECT_NEAR(flow.flow[middle][0], 0.5 * (1.1 / 0.9 - 1), 1e-3) << "where it lands all the same";
+}
+
 TEST(OpticalFlowTest, TheInnerSideOfAWholeWallIsHiddenFromOutsideAndNotBornOfACut) {
   Snapshot snapshot;
   snapshot.surfaces = {test::sphere("ball", {0, 0, 0}, 0.03, 4)};
@@ -259,6 +273,24 @@ TEST(OpticalFlowTest, TheInnerSideOfAWholeWallIsHiddenFromOutsideAndNotBornOfACu
     ASSERT_NEAR(flow.flow[pixel][0], focal * ray[0] * (shrunk - 1), 1e-3);
     ASSERT_NEAR(flow.flow[pixel][1], focal * ray[1] * (shrunk - 1), 1e-3);
   }
+}
+
+TEST(OpticalFlowTest, TheInnerSideOfAThinWholeWallIsHiddenThoughNothingLiesBeforeIt) {
+  Snapshot snapshot;
+  snapshot.surfaces = {test::sphere("ball", {0, 0, 0}, 0.03, 4)};
+  auto topology = std::make_shared<SnapshotTopology>(*snapshot.surfaces[0].topology);
+  // More than positions are rounded by, and less than a place must lie behind another one to be hidden by it.
+  topology->thickness.assign(topology->triangles.size(), 5e-8F);
+  snapshot.surfaces[0].topology = topology;
+  ViewDefinition within, outside;
+  within.camera = {
+      .position = Double3{0, 0, 0}, .target = Double3{0, -1, 0}, .up = Double3{0, 0, 1}, .field_of_view = 0.8};
+  outside.camera = within.camera;
+  outside.camera.position = Double3{0, -0.2, 0};
+  outside.camera.target = Double3{0, 1, 0};
+  const SeenFrame first(snapshot, {within.camera}, kSize), second(snapshot, {outside.camera}, kSize);
+  const OpticalFlow flow = optical_flow(first.moment(), second.moment());
+  EXPECT_EQ(count(flow, FlowState::kHidden), kSize.width * kSize.height);
 }
 
 }  // namespace
