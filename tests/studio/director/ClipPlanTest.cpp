@@ -217,6 +217,8 @@ TEST(ClipPlan, JawsReachOverTheWallThenCloseAndOpenAgain) {
                        .duration = 0.9};
   GraspPlan plan = plan_grasp(clip, forceps, table.view(), table.thickness, {});
   EXPECT_NEAR(plan.duration(), 0.6 + 0.9, 1e-12);
+  plan.feel(0, 0.01, 0.1);
+  EXPECT_FALSE(plan.lost) << "what it has not held it cannot lose";
   EXPECT_NEAR(plan.at(0.3).pose.tip.z(), 0.001, 1e-12);
   EXPECT_EQ(plan.at(0.3).pose.opening, 0.01);
   EXPECT_EQ(plan.at(0.3).phase, "approach");
@@ -225,7 +227,7 @@ TEST(ClipPlan, JawsReachOverTheWallThenCloseAndOpenAgain) {
   EXPECT_EQ(plan.at(1.05).phase, "hold");
   EXPECT_NEAR(plan.at(1.5).pose.opening, 0.001, 1e-12);
   plan.feel(0.4, 0.007, 1.1);
-  plan.feel(0.6, 0.004, 1.2);
+  plan.feel(0.5, 0.004, 1.2);
   plan.feel(0.9, 0.003, 1.3);
   EXPECT_NEAR(plan.at(1.5).pose.opening, 0.004, 1e-12);
 

@@ -154,6 +154,24 @@ TEST(IncisionPlan, PressesInFollowsThePathAndGoesBack) {
   EXPECT_NEAR(plan.progress(1.6), 0.015, 1e-15);
 }
 
+TEST(IncisionPlan, LooksAheadOfItsEndStraightOnAndAsMuchDeeper) {
+  const Subject body = table();
+  const IncisionPlan plan = plan_incision(straight_cut(), kBlade, body.view(), kPlace);
+  EXPECT_LT((plan.pose_ahead(0.03).tip - Eigen::Vector3d(0.02, 0.002, -0.003)).norm(), 1e-12);
+  EXPECT_LT((plan.pose_ahead(0.034).tip - Eigen::Vector3d(0.024, 0.002, -0.007)).norm(), 1e-12);
+}
+
+TEST(PassedOver, IsMadeUpForByTheCutThatGoesOnAsFarAsThatReaches) {
+  PassedOver passed{.length = 0.004, .cut = 0.01};
+  passed.note_cut(0.01);
+  EXPECT_EQ(passed.whole(), 0.004) << "nothing has been cut since";
+  passed.note_cut(0.013);
+  EXPECT_NEAR(passed.whole(), 0.001, 1e-15) << "3 mm of the 4";
+  passed.length = 0.002;
+  passed.note_cut(0.02);
+  EXPECT_NEAR(passed.whole(), 0.001, 1e-15) << "7 mm make up for all of the 2";
+}
+
 TEST(IncisionPlan, TellsThatItCutsOnceTheBladeIsFeltToBeIn) {
   const Subject body = table();
   IncisionPlan plan = plan_incision(straight_cut(), kBlade, body.view(), kPlace);

@@ -6,6 +6,8 @@
 
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "studio/director/ScenarioRun.hpp"
 #include "studio/scenario/InputError.hpp"
@@ -114,6 +116,75 @@ TEST(Schedule, AToolThatIsSetElsewhereWithinAStepTouchesNothingOnTheWay) {
     EXPECT_EQ(tool.depth, 0) << "at " << run.time();
     EXPECT_EQ(tool.position.z(), run.time() < 0.055 ? 0.004 : -0.004);
   }
+}
+
+/// A clip that has begun and moves a tool, or none. `begin`, `end`: seconds.
+ScheduledClip playing(const Clip& clip, double begin, double end) {
+  ScheduledClip playing{.plan = WaitClip{}, .begin = begin, .end = end, .begun = true};
+  if (const auto* move = std::get_if<MoveClip>(&clip.action)) playing.plan = plan_move(*move, {}, true);
+  return playing;
+}
+
+Clip move_to(double height) {
+  return {.action = MoveClip{.tool = "probe", .to = {0, 0, height}}};
+}
+
+TEST(Schedule, ClipsOfOneToolMayTouchWhicheverTheTimelineTellsFirst) {
+  const std::vector<Clip> timeline = {move_to(0.02), move_to(0.03)};
+  for (const bool swapped : {false, true}) {
+    std::vector<ScheduledClip> clips = {playing(timeline[0], 0, 1), playing(timeline[1], 1, 2)};
+    if (swapped) std::swap(clips[0], clips[1]);
+    EXPECT_NO_THROW(refuse_overlaps(timeline, clips)) << swapped;
+    clips[swapped ? 1 : 0].end = 1.1;
+    EXPECT_THROW(refuse_overlaps(timeline, clips), InputErrors) << swapped;
+  }
+}
+
+TEST(Schedule, LetsARunTakeTenMillionStepsAndNoMore) {
+  const std::vector<Clip> timeline = {move_to(0.02)};
+  EXPECT_NO_THROW(refuse_endless(timeline, std::vector{playing(timeline[0], 0, 1e6)}, 0.1));
+  EXPECT_THROW(refuse_endless(timeline, std::vector{playing(timeline[0], 0, 1.001e6)}, 0.1), InputErrors);
+}
+
+TEST(Schedule, AClipDrivesItsToolInTheStepsThatBeginBeforeItsEnd) {
+  const std::vector<Clip> timeline = {move_to(0.02)};
+  const std::vector clips = {playing(timeline[0], 0, 1)};
+  EXPECT_EQ(driving_clips(timeline, clips, 0.95, 1.05).count("probe"), 1u);
+  EXPECT_TRUE(driving_clips(timeline, clips, 1, 1.1).empty());
+}
+
+TEST(Schedule, ForeseesMovesInTheOrderInWhichTheyPlay) {
+  const std::vector<Clip> timeline = {move_to(0.05), move_to(0.02)};
+  std::vector<ScheduledClip> clips = {playing(timeline[0], 3, 4), playing(timeline[1], 0, 1)};
+  foresee_moves(timeline, clips);
+  EXPECT_EQ(std::get<MovePlan>(clips[0].plan).begin.tip.z(), 0.02);
+}
+
+TEST(Schedule, ShowsAClipsOwnWordsOrWhatItDoesWhereNoOthersAreShown) {
+  const auto shown = [](const std::optional<std::string>& own, const std::optional<std::string>& other) {
+    const std::vector<Clip> timeline = {{.action = GraspClip{.tool = "grip"}, .caption = own},
+                                        {.action = WaitClip{}, .caption = other}};
+    std::string texts;
+    for (const TimedText& text :
+         texts_of(timeline, std::vector{playing(timeline[0], 0, 2), playing(timeline[1], 1, 3)}, false)) {
+      texts += text.text + ".";
+    }
+    return texts;
+  };
+  EXPECT_EQ(shown({}, {}), "Grasping.");
+  EXPECT_EQ(shown({}, "Rest"), "Rest.");
+  EXPECT_EQ(shown({}, ""), "Grasping.") << "no words are in no other's way";
+  EXPECT_EQ(shown("", {}), "") << "a clip may be without words";
+  EXPECT_EQ(shown("Grip", "Rest"), "Grip.Rest.");
+}
+
+TEST(Schedule, TellsWordsInTheOrderOfTheirTimes) {
+  const std::vector<Clip> timeline = {{.action = WaitClip{}, .caption = "late"},
+                                      {.action = WaitClip{}, .caption = "early"}};
+  const auto texts = texts_of(timeline, std::vector{playing(timeline[0], 5, 6), playing(timeline[1], 0, 1)}, false);
+  ASSERT_EQ(texts.size(), 2u);
+  EXPECT_EQ(texts[0].text, "early");
+  EXPECT_EQ(texts[1].text, "late");
 }
 
 }  // namespace
