@@ -75,6 +75,8 @@ TEST(FillPlan, MoreThanTheContentsCannotBeDrained) {
     EXPECT_TRUE(refusal.diagnostics()[0].message.starts_with("timeline[3].drain: ")) << refusal.what();
     EXPECT_NE(refusal.diagnostics()[0].message.find("body `ball` holds"), std::string::npos) << refusal.what();
   }
+  scenario.timeline = {fill(-held)};
+  EXPECT_THROW(ScenarioRun{scenario}, InputErrors) << "nothing would be left";
   // The order is that of time; after a pressure has been reached the volume is not known beforehand.
   scenario.timeline = {fill(-0.9 * held), fill(1.5 * held)};
   scenario.timeline[0].start = 0.1;

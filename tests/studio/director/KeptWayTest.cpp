@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/mesh/Shapes.hpp"
+#include "studio/director/BodyExtent.hpp"
 #include "studio/director/KeptWay.hpp"
 #include "studio/director/ScenarioRun.hpp"
 #include "studio/scenario/InputError.hpp"
@@ -158,6 +159,38 @@ TEST(KeptWay, AToolThatWouldBeginInTheWallBeginsFartherBackAndTouchesNothingTher
   const auto& plan = std::get<PiercingPlan>(*kept);
   EXPECT_GT(plan.begin.tip.z(), 0.04) << "outside of the ball, which has grown over the old stand-off";
   EXPECT_NEAR(plan.begin.tip.z() - plan.to_contact, 0.04, 2e-4) << "first contact is the wall that is there";
+}
+
+TEST(KeptWay, AToolThatWouldBeginWithinAWallThatGapesBeforeItBeginsOutside) {
+  const ToolDefinition point = {.name = "needle", .kind = ToolKind::kPoint};
+  const OpenedBall small(0);
+  OpenedBall gaping(0.01);
+  gaping.position *= 2;
+  const PalpationPlan first = plan_palpation(needle_clip("ball", 0.012), point, small.view(), {});
+  ASSERT_TRUE(is_inside(gaping.view(), first.begin.tip));
+  ASSERT_FALSE(first_entry(gaping.view(), first.begin.tip, kDown)) << "no wall is met there, ahead or behind";
+  const auto kept = kept_way(first, point, gaping.view());
+  ASSERT_TRUE(kept.has_value());
+  EXPECT_FALSE(is_inside(gaping.view(), std::get<PalpationPlan>(*kept).begin.tip));
+}
+
+TEST(KeptWay, ABladeThatBeginsFartherBackGoesToTheSameDepthAndFollowsNoLineOnTheWall) {
+  const OpenedBall small(0);
+  OpenedBall large(0);
+  large.position *= 1.3;
+  InciseClip clip = cut_across("ball", 0.02);
+  clip.marked = true;
+  const IncisionPlan first = plan_incision(clip, kBlade, small.view(), {});
+  const auto kept = kept_way(first, kBlade, large.view());
+  ASSERT_TRUE(kept.has_value());
+  const auto& plan = std::get<IncisionPlan>(*kept);
+  EXPECT_GT(plan.begin.tip.z(), 0.026);
+  EXPECT_FALSE(plan.clip.marked);
+  const auto in_depth = [](const IncisionPlan& one) {
+    return one.at((one.clip.standoff + one.clip.depth) / one.clip.speed).pose.tip;
+  };
+  EXPECT_LT((plan.at(0).pose.tip - plan.begin.tip).norm(), 1e-12);
+  EXPECT_LT((in_depth(plan) - in_depth(first)).norm(), 1e-12);
 }
 
 TEST(KeptWay, AWaitHasNone) {

@@ -6,12 +6,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "engine/mesh/MeshTopology.hpp"
+#include "engine/mesh/Shapes.hpp"
+#include "studio/director/MarkedPath.hpp"
 #include "studio/director/ScenarioRun.hpp"
+#include "studio/director/Schedule.hpp"
 
 namespace thinwall {
 namespace {
@@ -152,6 +157,53 @@ Eigen::Vector3d now_at(const Snapshot& snapshot, const Eigen::Vector3d& place) {
   }
   const Float3& p = surface.positions[nearest];
   return {p[0], p[1], p[2]};
+}
+
+/// A sheet in z = 0 that has gone `aside` along y, metres.
+std::unique_ptr<Body> sheet_gone(double aside) {
+  BodyDefinition definition;
+  definition.name = "skin";
+  definition.mesh = make_sheet(0.04, 0.04, 200);
+  for (Eigen::Vector3d& vertex : definition.mesh.vertices) vertex.y() += aside;
+  definition.thickness.assign(definition.mesh.triangles.size(), kThickness);
+  definition.materials = {{find_wall_law("neo_hookean"), {40e3}}};
+  definition.fluid.kind = FluidKind::kNone;
+  return std::make_unique<Body>(definition, std::vector<ToolDefinition>{}, SimulationOptions{});
+}
+
+TEST(MarkedPath, ABladeThatHasGoneInComesToItsLineOverItsOwnWidth) {
+  const auto drawn = sheet_gone(0);
+  std::vector<std::unique_ptr<Body>> bodies;
+  bodies.push_back(sheet_gone(1e-3));
+  const ToolDefinition blade = {
+      .name = "blade", .kind = ToolKind::kScalpel, .length = 0.012, .width = 0.003, .thickness = 4e-4};
+  const InciseClip clip{.tool = "blade",
+                        .body = "skin",
+                        .path = {{-0.01, 0.002, 0}, {0.012, 0.002, 0}},
+                        .depth = 0.003,
+                        .speed = 0.02,
+                        .standoff = 0.002,
+                        .marked = true};
+  for (const double widths : {0.25, 0.5, 1.0, 3.0}) {
+    IncisionPlan plan = plan_incision(clip, blade, drawn->surface(), {});
+    plan.mark = drawn_on_wall(plan.path, drawn->surface());
+    plan.entered = 0;
+    std::vector<ScheduledClip> clips = {{.plan = plan, .begin = 0, .end = 9, .begun = true}};
+    follow_marks(clips, bodies, {&blade, 1}, (0.005 + widths * blade.width) / clip.speed);
+    const PathStation& end = std::get<IncisionPlan>(clips[0].plan).path.stations.back();
+    EXPECT_NEAR(end.position.y(), 0.002 + 1e-3 * std::min(1.0, widths), 1e-12) << widths;
+    EXPECT_LT((end.inward + Eigen::Vector3d::UnitZ()).norm(), 1e-12);
+  }
+}
+
+TEST(MarkedPath, KnowsTheSideOfTheWallThatItIsDrawnOn) {
+  const auto sheet = sheet_gone(0);
+  for (const double side : {1.0, -1.0}) {
+    const std::vector<Eigen::Vector3d> points = {{-0.01, 0, 0}, {0.01, 0, 0}};
+    const PathResult found =
+        surface_path(sheet->surface(), points, std::optional<Eigen::Vector3d>(Eigen::Vector3d(0, 0, -side)), 1e-3);
+    EXPECT_EQ(drawn_on_wall(found.path, sheet->surface()).outer, side);
+  }
 }
 
 TEST(MarkedPath, TheBladeTurnsWithAWallThatIsTwistedAsItCuts) {
