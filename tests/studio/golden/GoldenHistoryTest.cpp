@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "studio/golden/GoldenApproval.hpp"
 
 namespace thinwall {
@@ -118,10 +120,27 @@ TEST(GoldenHistory, WhatRoundingLeavesIsNoChange) {
     return compare_histories(history_with_friction(before, elastic), history_with_friction(after, elastic)).changed;
   };
   EXPECT_FALSE(changes(1.7e-29, 1.9e-29, 1e-3)) << "beside the energy of the wall";
+  EXPECT_FALSE(changes(1.7e-14, 1.9e-14, 1e-3)) << "what sums that cancel leave of it";
   EXPECT_FALSE(changes(1.7e-29, 1.9e-29, 0)) << "of a wall at rest";
   EXPECT_FALSE(changes(0, 1.9e-29, 1e-3)) << "where there was none";
   EXPECT_TRUE(changes(1.7e-9, 1.9e-9, 1e-3)) << "a small part of the wall's energy is one";
   EXPECT_TRUE(changes(0, 1e-6, 1e-3)) << "what is new is one";
+}
+
+TEST(GoldenHistory, AllThatIsLostCountsAsSpent) {
+  BodyRecord organ{.body = "organ"};
+  organ.viscous = 1;
+  organ.friction = 2;
+  organ.fracture = 4;
+  organ.leak = 8;
+  organ.jump = 16;
+  Moment moment;
+  moment.record.bodies = {organ};
+  GoldenHistory history;
+  add_step(history, 0, moment);
+  const auto column = std::ranges::find(history.columns, "organ.spent_energy_J") - history.columns.begin();
+  ASSERT_LT(static_cast<std::size_t>(column), history.columns.size());
+  EXPECT_EQ(history.rows[0].values[static_cast<std::size_t>(column)], 31);
 }
 
 GoldenHistory history_with_depth(double depth, double contact_area, double volume) {

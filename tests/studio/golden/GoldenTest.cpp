@@ -357,44 +357,18 @@ TEST(GoldenPictureTest, LargeRecordingsAreMadeSmaller) {
   EXPECT_EQ(golden_size({.width = 320, .height = 240}), (ImageSize{.width = 320, .height = 240}));
 }
 
-TEST(StateComparisonTest, MovementsFarBelowAPixelAreNoChange) {
-  const SyntheticRun run;
-  const Snapshot golden = run.moment(10).snapshot;
-  Snapshot moved = golden;
-  moved.surfaces[0].positions[7][0] += 1e-8F;
-  EXPECT_EQ(compare_states(golden, moved, false).verdict, StateVerdict::kClose);
-  EXPECT_TRUE(compare_states(golden, moved, false).explanation.starts_with("no vertex has moved by more than "));
-  EXPECT_EQ(compare_states(golden, golden, false).explanation, "no vertex has moved");
-  moved.surfaces[0].positions[7][0] += 1e-5F;
-  EXPECT_EQ(compare_states(golden, moved, false).verdict, StateVerdict::kChanged);
-}
-
-TEST(StateComparisonTest, AToolThatStandsElsewhereIsAChangeWhereNoWallHasMoved) {
-  const Snapshot golden = SyntheticRun().moment(0).snapshot;
-  const auto told = [&](auto change) {
-    Snapshot today = golden;
-    change(today.tools[0]);
-    const StateComparison comparison = compare_states(golden, today, true);
-    EXPECT_EQ(comparison.verdict, StateVerdict::kChanged);
-    return comparison.explanation;
-  };
-  EXPECT_EQ(told([](SnapshotTool& tool) { tool.tip[0] += 1e-3; }),
-            "probe is 1 mm from where it was, though no wall has moved");
-  EXPECT_EQ(told([](SnapshotTool& tool) {
-              tool.axis = {1, 0, 0};
-            }),
-            "probe is turned by 90 deg, though no wall has moved");
-  EXPECT_EQ(told([](SnapshotTool& tool) { tool.opening = 2e-3; }),
-            "probe is 2 mm otherwise open, though no wall has moved");
-  EXPECT_EQ(compare_states(golden, golden, true).verdict, StateVerdict::kEqual);
-}
-
-TEST(StateComparisonTest, AnotherMeshIsAChange) {
-  const SyntheticRun coarse({.side = 5});
-  const SyntheticRun fine({.side = 7});
-  const StateComparison comparison = compare_states(coarse.moment(3).snapshot, fine.moment(3).snapshot, false);
-  EXPECT_EQ(comparison.verdict, StateVerdict::kChanged);
-  EXPECT_EQ(comparison.explanation, "the mesh of organ has changed");
+TEST(GoldenLimitsTest, BetweenDriversThoseOfTheScenarioHoldWhereTheyAllowMore) {
+  const GoldenDefinition strict{.max = 2, .mean = 0.01, .drift = 1e-4}, loose{.max = 20, .mean = 0.5, .drift = 0.01};
+  EXPECT_EQ(with_limits_between(strict, "llvmpipe", "llvmpipe").mean, 0.01);
+  const GoldenDefinition widened = with_limits_between(strict, "llvmpipe", "other");
+  EXPECT_EQ(widened.mean, 0.1);
+  EXPECT_EQ(widened.drift, 0.002);
+  EXPECT_EQ(widened.failing, 5e-5);
+  EXPECT_EQ(widened.level, 8);
+  const GoldenDefinition kept = with_limits_between(loose, "llvmpipe", "other");
+  EXPECT_EQ(kept.mean, 0.5);
+  EXPECT_EQ(kept.drift, 0.01);
+  EXPECT_EQ(kept.level, 20);
 }
 
 }  // namespace
