@@ -62,9 +62,11 @@ std::string solutions(const HapticReport& report, const std::string& name, const
 }
 
 nlohmann::ordered_json json_of(const HapticReport& report, const RefreshFigures& figures) {
+  const auto divisor =
+      static_cast<double>(std::max(1L, figures.solutions));  // a short session may end before the first
   return {{"count", figures.solutions},
           {"per_second", rate(report, figures)},
-          {"mean_ms", 1e3 * figures.total / static_cast<double>(figures.solutions)},
+          {"mean_ms", 1e3 * figures.total / divisor},
           {"longest_ms", 1e3 * figures.longest}};
 }
 
@@ -214,7 +216,7 @@ std::string tick_table(const HapticRecord& record) {
   std::string table = "time_s,x_m,y_m,z_m,fx_N,fy_N,fz_N,wake_up_s,computation_s,model_age_s\n";
   for (const HapticTick& tick : record.ticks) {
     const Eigen::Vector3d& tip = tick.pose.tip;
-    table += fmt::format("{:.6g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.3g},{:.3g},{:.3g}\n", tick.time, tip.x(),
+    table += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.3g},{:.3g},{:.3g}\n", tick.time, tip.x(),
                          tip.y(), tip.z(), tick.force.x(), tick.force.y(), tick.force.z(), tick.woken, tick.computed,
                          tick.age);
   }

@@ -64,7 +64,7 @@ class PeerDevice final : public HapticDevice {
   PeerDevice(const PeerDevice&) = delete;
   PeerDevice& operator=(const PeerDevice&) = delete;
 
-  /// Until the first pose has come. `idle` is called ten times a second and may throw. Throws PeerError after
+  /// Until the first pose has come. `idle` is called ten times a second at least and may throw. Throws PeerError after
   /// `patience` seconds, and at once when what comes is not as PeerPose lies in memory or has no address for an answer.
   ToolPose wait_for_first_pose(double patience, const std::function<void()>& idle);
 

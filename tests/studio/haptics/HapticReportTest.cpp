@@ -50,6 +50,23 @@ TEST(HapticReportTest, SkippedTicksCountAsMissed) {
   EXPECT_DOUBLE_EQ(json["latency"]["largest_ms"], 0.03);
 }
 
+TEST(HapticReportTest, TellsNumbersOnlyWhereNoSolutionHasComeYet) {
+  HapticReport report{.scenario = "one", .tool = "probe", .forces = "local"};
+  report.record.ticks = {tick(0, 0)};
+  report.coarse_triangles = 2000;
+  const auto json = nlohmann::json::parse(to_json(report));
+  EXPECT_EQ(json["full_solutions"]["count"], 0);
+  EXPECT_EQ(json["full_solutions"]["mean_ms"], 0);
+}
+
+TEST(HapticReportTest, TheTableTellsTicksApartHoweverLongTheSession) {
+  HapticRecord record;
+  record.ticks = {tick(12345.678, 0), tick(12345.679, 0)};
+  const std::string table = tick_table(record);
+  EXPECT_NE(table.find("\n12345.678,"), std::string::npos) << table;
+  EXPECT_NE(table.find("\n12345.679,"), std::string::npos) << table;
+}
+
 TEST(HapticReportTest, TellsThatRealTimeWasNotPermittedOnlyWhereItWasAskedFor) {
   HapticReport report;
   report.record.ticks = report.empty.ticks = {tick(0, 1)};

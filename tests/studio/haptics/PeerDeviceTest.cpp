@@ -81,6 +81,17 @@ TEST_F(PeerDeviceTest, ThePoseComesAndTheForceGoesBack) {
   EXPECT_EQ(force.force[2], 3);
 }
 
+TEST_F(PeerDeviceTest, IsWaitedForHoweverManyPosesThatAreNoneComeBefore) {
+  int calls = 0;
+  const auto send_next = [&] {
+    PeerPose pose = pose_number(1, 0.02);
+    if (++calls < 100) pose.direction[2] = 0;
+    driver_.send(pose);
+  };
+  EXPECT_EQ(device_.wait_for_first_pose(5, send_next).tip.z(), 0.02);
+  EXPECT_EQ(device_.figures().passed_over, 99);
+}
+
 TEST_F(PeerDeviceTest, TheLatestPoseCountsAndStaysUntilTheNext) {
   driver_.send(pose_number(1, 0.01));
   driver_.send(pose_number(2, 0.03));
