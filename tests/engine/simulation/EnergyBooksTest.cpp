@@ -6,6 +6,7 @@
 #include <cmath>
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include "tests/engine/simulation/TestBodies.hpp"
 
@@ -107,6 +108,42 @@ INSTANTIATE_TEST_SUITE_P(Tools, EnergyBooksOf, testing::ValuesIn(palpations()), 
   return std::string(each.param.name) +
          (each.param.fluid == FluidKind::kIncompressible ? "Incompressible" : "Compressible");
 });
+
+/// What a rod pressed 3 mm into the top does when it is then tilted by a third of a radian, joule.
+struct Tilt {
+  double tool_work = 0;
+  double numerical = 0;  // largest on the way
+};
+
+Tilt tilt_pressed_rod(int steps) {
+  const ToolDefinition rod{.name = "rod", .kind = ToolKind::kCapsule, .length = 16e-3, .radius = 3e-3};
+  Body body(pressurised_hemisphere(256, 300), {rod}, quasi_static());
+  body.settle();
+  ToolPose pose = move(body, pose_at({1.1e-3, 0.7e-3, kTop}), {1.1e-3, 0.7e-3, 17e-3}, 10, 0.01);
+  const EnergyBooks before = body.state().books;
+  Tilt tilt;
+  for (int step = 1; step <= steps; ++step) {
+    const double angle = step / (3.0 * steps);
+    ToolPose next = pose;
+    next.direction = {0, std::sin(angle), -std::cos(angle)};
+    next.axis = {0, std::cos(angle), std::sin(angle)};
+    body.advance(std::vector{pose}, std::vector{next}, 0.01);
+    pose = next;
+    const EnergyBooks& books = body.state().books;
+    tilt.tool_work = books.tool_work - before.tool_work;
+    tilt.numerical = std::max(tilt.numerical, std::abs(books.numerical - before.numerical));
+  }
+  return tilt;
+}
+
+TEST(EnergyBooks, ATurningToolIsChargedWithTheWorkOfItsMoment) {
+  const Tilt coarse = tilt_pressed_rod(5), fine = tilt_pressed_rod(20);
+  std::printf("tilting takes %.2e J, numerical %.1e J, with steps of a quarter %.1e J\n", fine.tool_work,
+              coarse.numerical, fine.numerical);
+  EXPECT_GT(fine.tool_work, 1e-5);
+  EXPECT_LT(fine.numerical, 2e-3 * fine.tool_work);
+  EXPECT_LT(fine.numerical, coarse.numerical / 8);
+}
 
 }  // namespace
 }  // namespace thinwall
