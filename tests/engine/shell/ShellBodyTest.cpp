@@ -144,5 +144,30 @@ TEST(ShellBody, AMomentThatIsHeldRelaxesByThePronySeries) {
   EXPECT_NEAR(body.state().books.imbalance(), 0, 1e-9 * body.state().books.script_work);
 }
 
+TEST(ShellBody, AStripUnderASteadyLoadCreepsAsItsMomentsRelax) {
+  // Where moments relax by (1 - f) + f exp(-t / T) bending grows by 1 / (1 - f) - f / (1 - f) exp(-(1 - f) t / T).
+  const double fraction = 0.4, time = 0.2;
+  BodyDefinition definition = strip(160);
+  definition.viscosity = {{.fraction = fraction, .time = time}};
+  definition.loads = {
+      {.kind = LoadKind::kDeadForce, .region = PlaneRegion{.axis = 1, .at = 5}, .vector = {0, 0, 0.02}}};
+  Body body(definition, {}, statics());
+  body.settle({0});
+  const BodyInput steady{.load_factors = {1}, .fluids = {}};
+  body.advance({}, {}, 1e-5, steady);
+  const double at_once = mean_of_end(body).z();  // a hundred and fiftieth of the length
+  const EnergyBooks before = body.state().books;
+  for (int step = 1; step <= 40; ++step) {
+    body.advance({}, {}, 0.02, steady);
+    const double fade = std::exp(-(1 - fraction) * 0.02 * step / time);
+    EXPECT_NEAR(mean_of_end(body).z() / at_once, (1 - fraction * fade) / (1 - fraction), 1e-3) << step;
+  }
+  const EnergyBooks& books = body.state().books;
+  const double lost = books.viscous - before.viscous, numerical = books.numerical - before.numerical;
+  std::printf("lost %.3e J, numerical %.1e J\n", lost, numerical);
+  EXPECT_GT(lost, 0.1 * (books.script_work - before.script_work));
+  EXPECT_LT(std::abs(numerical), 1e-3 * lost);
+}
+
 }  // namespace
 }  // namespace thinwall
