@@ -1,4 +1,5 @@
 #include <Eigen/Geometry>
+#include <cassert>
 #include <limits>
 
 #include "engine/simulation/Body.hpp"
@@ -185,6 +186,7 @@ WallAhead Body::stiffness_ahead(WallAhead ahead, const EquilibriumProblem& probl
   Eigen::VectorXd force = Eigen::VectorXd::Zero(model_->unknowns());
   if (tools_[tool].kind == ToolKind::kPoint) {
     const auto entry = first_entry(surface(), pose.tip, pose.direction);
+    assert(entry && "a wall is ahead where the point's line meets it");
     for (int k = 0; k < 3; ++k) {
       force.segment<3>(3 * model_->surface[entry->triangle][k]) += entry->weights[k] * ahead.normal;
     }
