@@ -146,5 +146,35 @@ TEST(SolidTools, ThatBarelyTouchAFlatSlackWallAreFoundToTheLastBits) {
   }
 }
 
+/// What jaws that close over a filled ball of 20 mm, `aside` off its middle, squeeze it with, newton.
+double squeeze_of(double aside) {
+  BodyDefinition ball = make_body(make_sphere(20e-3, 320), 1e-3, mooney_rivlin(8e3, 2e3));
+  ball.fluid.initial_pressure = 300;
+  ball.fixed = {{.region = BelowRegion{.axis = 2, .at = -12e-3}}};
+  const ToolDefinition jaws{
+      .name = "jaws", .kind = ToolKind::kForceps, .length = 30e-3, .width = 16e-3, .thickness = 3e-3, .opening = 50e-3};
+  Body body(ball, {jaws}, quasi_static());
+  body.settle();
+  std::array<ToolPose, 1> from = {pose_at({aside, 0, -8e-3})}, to = from;
+  from[0].opening = jaws.opening;
+  constexpr double kClosed = 39e-3;  // metres
+  constexpr int kSteps = 10;
+  for (int step = 1; step <= kSteps; ++step) {
+    to[0].opening = jaws.opening + (kClosed - jaws.opening) * step / kSteps;
+    body.advance(from, to, 0.1);
+    from = to;
+  }
+  EXPECT_GT(body.state().contacts[0].area, 0) << "a jaw touches";
+  return body.squeeze(0, to[0]);
+}
+
+TEST(SolidTools, JawsSqueezeWithTheForceOfTheOneThatFeelsLess) {
+  const double even = squeeze_of(0), uneven = squeeze_of(0.3e-3), one_sided = squeeze_of(3e-3);
+  std::printf("%.4f N in the middle, %.4f N beside it, %.4f N with one jaw\n", even, uneven, one_sided);
+  EXPECT_GT(even, 0.005);
+  EXPECT_LT(uneven, even);
+  EXPECT_EQ(one_sided, 0);
+}
+
 }  // namespace
 }  // namespace thinwall
