@@ -59,12 +59,13 @@ TEST(FirstBorder, IsTheOneWhoseWallLiesBehindWhereTheLipsOverlap) {
   Halves halves;
   const double overlap = 0.05;
   const int count = static_cast<int>(halves.mesh.vertices.size()) / 2;
-  for (int v = 0; v < 2 * count; ++v)
+  for (int v = 0; v < 2 * count; ++v) {
     halves.position[3 * v + 1] += (v < count ? 1 : -1) * (halves.gap() + 0.5 * overlap);
+  }
   const auto first = first_border(halves.view(), {0.1, -0.3, 0}, {0.1, 0.3, 0}, kDown);
   ASSERT_TRUE(first);
-  EXPECT_NEAR(halves.at(*first).y(), 0.5 * overlap,
-              1e-12);  // of the half that the way comes from; the other's is first
+  // Of the half that the way comes from; the other's is met before.
+  EXPECT_NEAR(halves.at(*first).y(), 0.5 * overlap, 1e-12);
 }
 
 TEST(BorderBeyond, IsTheOneWhoseWallLiesAhead) {
