@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -106,6 +107,39 @@ TEST(ArchitectureTest, EachFloorIncludesOnlyWhatItMay) {
                                  : is_system(include.name) || starts_with_any(include.name, floor.libraries);
         EXPECT_TRUE(allowed) << include.place() << ": " << floor.folder << " may not include <" << include.name << ">";
       }
+    }
+  }
+}
+
+/// The folder of a file.
+std::string room_of(const std::string& file) {
+  return std::filesystem::path(file).parent_path();
+}
+
+TEST(ArchitectureTest, RoomsIncludeEachOtherInOneDirection) {
+  std::map<std::string, std::map<std::string, std::string>> used;  // by room: other rooms, with the first place of each
+  for (const Floor& floor : floors()) {
+    for (const Include& include : includes_in(floor.folder)) {
+      const std::string room = room_of(include.file), other = room_of(include.name);
+      used.try_emplace(room);
+      if (include.of_project && room != other) used[room].try_emplace(other, include.place());
+    }
+  }
+  EXPECT_GT(used.size(), 30U) << "no rooms were found";
+  // Rooms go that use none but those which have gone; what is left uses itself in a circle, or what does.
+  std::vector<std::string> gone;
+  do {
+    for (const std::string& room : gone) used.erase(room);
+    gone.clear();
+    for (const auto& [room, others] : used) {
+      if (std::ranges::none_of(others, [&](const auto& other) { return used.contains(other.first); })) {
+        gone.push_back(room);
+      }
+    }
+  } while (!gone.empty());
+  for (const auto& [room, others] : used) {
+    for (const auto& [other, place] : others) {
+      if (used.contains(other)) ADD_FAILURE() << place << ": " << room << " includes " << other;
     }
   }
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "renderer/image/ImageHash.hpp"
 #include "renderer/image/PngFile.hpp"
@@ -91,7 +92,7 @@ StateComparison compare_walls(const Snapshot& golden, const Snapshot& today, boo
 /// How a tool stands otherwise than in the golden: "rod is 1 mm from where it was"; empty when it stands as before, but
 /// for less than `close`, metres.
 std::string tool_movement(const SnapshotTool& before, const SnapshotTool& now, double close) {
-  constexpr double kDegrees = 180 / M_PI;  // per radian
+  constexpr double kDegrees = 180 / std::numbers::pi;  // per radian
   const double way = distance(before.tip, now.tip);
   if (way > close) return fmt::format("{} is {:.3g} mm from where it was", now.name, kMillimetre * way);
   const double chord = std::max(distance(before.direction, now.direction), distance(before.axis, now.axis));

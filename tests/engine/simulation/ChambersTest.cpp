@@ -5,29 +5,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "engine/mesh/Shapes.hpp"
 #include "tests/engine/simulation/TestBodies.hpp"
 
 namespace thinwall {
 namespace {
-
-constexpr double kApart = 60e-3;  // metres
-
-/// Two balls of one wall; the second is larger.
-BodyDefinition two_balls() {
-  SurfaceMesh mesh = make_sphere(20e-3, 320);
-  const SurfaceMesh other = make_sphere(25e-3, 320);
-  const int count = static_cast<int>(mesh.vertices.size());
-  for (const Eigen::Vector3d& vertex : other.vertices) mesh.vertices.push_back(vertex + Eigen::Vector3d(kApart, 0, 0));
-  for (const Eigen::Vector3i& triangle : other.triangles) mesh.triangles.push_back(triangle.array() + count);
-  BodyDefinition definition = make_body(mesh, 1e-3, mooney_rivlin(8e3, 2e3));
-  definition.fixed = {{.region = BelowRegion{.axis = 2, .at = -18e-3}}};
-  definition.fluid.chambers = {
-      {.name = "large", .inside = {kApart, 0, 0}, .initial_pressure = 600},
-      {.name = "small", .inside = {0, 0, 0}, .initial_pressure = 200},
-  };
-  return definition;
-}
 
 TEST(Chambers, AreTheClosedPartsInTheOrderOfTheirNames) {
   Body body(two_balls(), {}, quasi_static());
@@ -37,7 +18,7 @@ TEST(Chambers, AreTheClosedPartsInTheOrderOfTheirNames) {
   EXPECT_GT(body.state().volume[0], 1.5 * body.state().volume[1]);
   EXPECT_NEAR(body.state().equilibrium.pressure[0], 600, 1e-9);
   EXPECT_NEAR(body.state().equilibrium.pressure[1], 200, 1e-9);
-  EXPECT_LT((body.model().chambers[0].level - Eigen::Vector3d(kApart, 0, 0)).norm(), 1e-12);
+  EXPECT_LT((body.model().chambers[0].level - Eigen::Vector3d(kBallsApart, 0, 0)).norm(), 1e-12);
 }
 
 TEST(Chambers, WithoutNamesHaveThePressureOfTheContents) {

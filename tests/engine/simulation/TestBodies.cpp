@@ -46,6 +46,23 @@ BodyDefinition fingerpad(double length, int triangles) {
   return body;
 }
 
+BodyDefinition two_balls() {
+  SurfaceMesh mesh = make_sphere(20e-3, 320);
+  const SurfaceMesh other = make_sphere(25e-3, 320);
+  const int count = static_cast<int>(mesh.vertices.size());
+  for (const Eigen::Vector3d& vertex : other.vertices) {
+    mesh.vertices.push_back(vertex + Eigen::Vector3d(kBallsApart, 0, 0));
+  }
+  for (const Eigen::Vector3i& triangle : other.triangles) mesh.triangles.push_back(triangle.array() + count);
+  BodyDefinition definition = make_body(mesh, 1e-3, mooney_rivlin(8e3, 2e3));
+  definition.fixed = {{.region = BelowRegion{.axis = 2, .at = -18e-3}}};
+  definition.fluid.chambers = {
+      {.name = "large", .inside = {kBallsApart, 0, 0}, .initial_pressure = 600},
+      {.name = "small", .inside = {0, 0, 0}, .initial_pressure = 200},
+  };
+  return definition;
+}
+
 ToolDefinition point_tool() {
   return {.name = "tip", .kind = ToolKind::kPoint, .length = 0, .radius = 0};
 }

@@ -22,6 +22,12 @@ BodyDefinition pressurised_hemisphere(int triangles, double pressure);
 /// 1 mm thick.
 BodyDefinition fingerpad(double length, int triangles);
 
+/// Metres, from the middle of the small one to that of the large one.
+inline constexpr double kBallsApart = 60e-3;
+
+/// Two balls of one wall, of 25 mm (chamber 0, `large`, 600 Pa) and 20 mm (chamber 1, `small`, 200 Pa).
+BodyDefinition two_balls();
+
 FixedRegion fixed_group(const char* group, std::array<bool, 3> axes = {true, true, true});
 
 ToolDefinition point_tool();

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/studio/TemporaryFolder.hpp"
 #include "tests/studio/scenario/ScenarioTestTools.hpp"
 
 namespace thinwall {
@@ -148,18 +149,16 @@ TEST(YamlReader, WhatIsNoReadableFileIsRefused) {
 }
 
 TEST(YamlReader, ALinkThatLeadsNowhereIsToldWithItsTarget) {
-  const std::filesystem::path link = std::filesystem::temp_directory_path() / "thinwall_yaml_reader_link.yaml";
+  const TemporaryFolder folder;
   Diagnostics diagnostics;
-  for (const char* target : {"nothing.yaml", "thinwall_yaml_reader_link.yaml"}) {
-    std::filesystem::remove(link);
-    std::filesystem::create_symlink(target, link);
-    EXPECT_FALSE(read_yaml_file(link, diagnostics));
+  for (const char* target : {"nothing.yaml", "itself.yaml"}) {
+    std::filesystem::create_symlink(target, folder / "itself.yaml");
+    EXPECT_FALSE(read_yaml_file(folder / "itself.yaml", diagnostics));
+    std::filesystem::remove(folder / "itself.yaml");
   }
-  std::filesystem::remove(link);
-  EXPECT_EQ(
-      short_texts(diagnostics.errors),
-      (std::vector<std::string>{"1:1: this is a link to `nothing.yaml`, which leads to no file",
-                                "1:1: this is a link to `thinwall_yaml_reader_link.yaml`, which leads to no file"}));
+  EXPECT_EQ(short_texts(diagnostics.errors),
+            (std::vector<std::string>{"1:1: this is a link to `nothing.yaml`, which leads to no file",
+                                      "1:1: this is a link to `itself.yaml`, which leads to no file"}));
 }
 
 TEST(YamlReader, KeysThatAreNoTextsAreErrors) {
