@@ -18,7 +18,7 @@ constexpr Color kTitleColor{0.97, 0.98, 0.99};
 constexpr Color kTimeColor{0.74, 0.78, 0.82};
 constexpr int kMargin = 24;
 constexpr int kGap = 16;
-constexpr int kTitleHeight = 44;
+constexpr int kSheetTitleHeight = 44;
 constexpr int kTimeHeight = 30;
 
 void paste(Image& sheet, const Image& picture, int left, int top) {
@@ -43,7 +43,7 @@ Image contact_sheet(const std::string& title, const std::vector<SheetFrame>& fra
   const ImageSize cell{cell_width, std::max(1, cell_width * shape.height / shape.width)};
   const int pitch = cell.height + kTimeHeight;
   const ImageSize size{2 * kMargin + used_columns * (cell.width + kGap) - kGap,
-                       2 * kMargin + kTitleHeight + std::max(0, rows * (pitch + kGap) - kGap)};
+                       2 * kMargin + kSheetTitleHeight + std::max(0, rows * (pitch + kGap) - kGap)};
   Image sheet{.size = size,
               .pixels = std::vector<std::uint8_t>(static_cast<std::size_t>(size.width) * size.height * 3)};
   const Canvas canvas(size);
@@ -52,14 +52,14 @@ Image contact_sheet(const std::string& title, const std::vector<SheetFrame>& fra
       .draw(canvas, kMargin, kMargin);
   for (int i = 0; i < count; ++i) {
     const int left = kMargin + i % columns * (cell.width + kGap);
-    const int top = kMargin + kTitleHeight + i / columns * (pitch + kGap);
+    const int top = kMargin + kSheetTitleHeight + i / columns * (pitch + kGap);
     Text(fixed_text(frames[static_cast<std::size_t>(i)].time, 2) + " s", {.size = 17, .color = kTimeColor})
         .draw(canvas, left, top + cell.height + 6);
   }
   canvas.blend_onto(sheet, 0, 0);
   for (int i = 0; i < count; ++i) {
     const int left = kMargin + i % columns * (cell.width + kGap);
-    const int top = kMargin + kTitleHeight + i / columns * (pitch + kGap);
+    const int top = kMargin + kSheetTitleHeight + i / columns * (pitch + kGap);
     assert(frames[static_cast<std::size_t>(i)].picture.size == shape);
     paste(sheet, resize(frames[static_cast<std::size_t>(i)].picture, cell), left, top);
   }

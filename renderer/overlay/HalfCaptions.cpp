@@ -10,8 +10,8 @@
 namespace thinwall {
 namespace {
 
-constexpr double kTop = 80;  // units, below title and time
-constexpr double kHeight = 38;
+constexpr double kHalfCaptionTop = 80;  // units, below title and time
+constexpr double kHalfCaptionHeight = 38;
 constexpr double kMarkLength = 22;
 constexpr double kGap = 10;
 constexpr double kPartOfHalf = 0.42;  // of a half's width, left of its middle
@@ -48,9 +48,9 @@ std::optional<SetCaption> set_caption(ImageSize size, const std::string& caption
   const double whole = half - taken - grid.pixels(plate_style::kMargin);
   if (whole < grid.pixels(20)) return std::nullopt;
   Text text = caption_text(caption, grid, kPartOfHalf * half - taken, whole);
-  Box plate{static_cast<double>(left + grid.whole(plate_style::kMargin)), static_cast<double>(grid.whole(kTop)),
-            std::ceil(text.width() + mark + 2 * padding),
-            std::max<double>(grid.whole(kHeight), std::ceil(text.height() + grid.pixels(14)))};
+  Box plate{static_cast<double>(left + grid.whole(plate_style::kMargin)),
+            static_cast<double>(grid.whole(kHalfCaptionTop)), std::ceil(text.width() + mark + 2 * padding),
+            std::max<double>(grid.whole(kHalfCaptionHeight), std::ceil(text.height() + grid.pixels(14)))};
   if (inset && plate.overlaps(*inset)) plate.y = inset->bottom() + grid.pixels(kGap);
   return SetCaption{std::move(text), plate};
 }

@@ -14,9 +14,9 @@ namespace {
 
 using namespace plate_style;
 
-constexpr double kTop = 82;  // below title and time
+constexpr double kLegendPlateTop = 82;  // below title and time
 constexpr double kWidth = 150;
-constexpr double kHeight = 300;
+constexpr double kLegendPlateHeight = 300;
 constexpr double kBarTop = 64;  // below name and unit
 constexpr double kBarWidth = 22;
 constexpr double kSame = 1e-6;  // of the range
@@ -49,9 +49,9 @@ void draw_bar(const Plate& plate, const OverlayGrid& grid, const Box& bar) {
 }  // namespace
 
 Box legend_place(const OverlayGrid& grid, const Box& room, PictureCorner corner, const std::optional<Box>& inset) {
-  const double width = grid.whole(kWidth), height = grid.whole(kHeight), margin = grid.whole(kMargin);
+  const double width = grid.whole(kWidth), height = grid.whole(kLegendPlateHeight), margin = grid.whole(kMargin);
   const double left = room.x + margin, right = room.right() - margin - width;
-  const double top = grid.whole(kTop);
+  const double top = grid.whole(kLegendPlateTop);
   const double bottom = std::floor(grid.size.height - height_of_panels_and_captions(grid) - grid.pixels(kPadding));
   const Box place{is_left(corner) ? left : right, is_upper(corner) ? top : std::max(top, bottom - height), width,
                   height};
@@ -66,7 +66,7 @@ Box legend_place(const OverlayGrid& grid, const Box& room, PictureCorner corner,
 void draw_legend(Image& image, const OverlayGrid& grid, const Legend& legend, const Box& place) {
   assert(std::isfinite(legend.from) && std::isfinite(legend.to));
   const ShownUnit unit = shown_unit(legend.unit, std::max(std::abs(legend.from), std::abs(legend.to)));
-  const Plate plate(grid, {grid.whole(kWidth), grid.whole(kHeight)});
+  const Plate plate(grid, {grid.whole(kWidth), grid.whole(kLegendPlateHeight)});
   const double padding = grid.pixels(kPadding);
   const double room = plate.size().width - 2 * padding;
   const Text name(legend.title, {.size = grid.pixels(kSmallText), .bold = true, .color = kText}, {.width = room});

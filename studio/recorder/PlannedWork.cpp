@@ -11,7 +11,7 @@
 namespace thinwall {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 double number(const Json& clip, const char* key) {
   return clip.value(key, 0.0);

@@ -10,17 +10,17 @@
 namespace thinwall {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-void fill(const ValueSchema& schema, Json& json);
+void fill(const ValueSchema& schema, OrderedJson& json);
 
-Json default_of(const KeySchema& key) {
+OrderedJson default_of(const KeySchema& key) {
   Diagnostics none;
   const CheckedValue read = unit_pass({.kind = NodeKind::kMapping, .members = {}}, {.keys = {key}}, none);
-  return Json::parse(resolved_scenario(read.at(key.key), {}));
+  return OrderedJson::parse(resolved_scenario(read.at(key.key), {}));
 }
 
-void fill_keys(const std::vector<KeySchema>& keys, Json& json) {
+void fill_keys(const std::vector<KeySchema>& keys, OrderedJson& json) {
   for (const KeySchema& key : keys) {
     if (json.contains(key.key)) {
       fill(key.value, json.at(key.key));
@@ -30,13 +30,13 @@ void fill_keys(const std::vector<KeySchema>& keys, Json& json) {
   }
 }
 
-void fill_mapping(const MappingSchema& mapping, Json& json) {
+void fill_mapping(const MappingSchema& mapping, OrderedJson& json) {
   fill_keys(mapping.keys, json);
   const CaseSchema* chosen = case_of(mapping, json);
   if (chosen != nullptr) fill_keys(chosen->keys, json);
 }
 
-void fill(const ValueSchema& schema, Json& json) {
+void fill(const ValueSchema& schema, OrderedJson& json) {
   if (json.is_array() && schema.kind == ValueKind::kList) {
     for (std::size_t i = 0; i < json.size(); ++i) fill(item_of(schema, i), json[i]);
   }
@@ -54,10 +54,10 @@ void fill(const ValueSchema& schema, Json& json) {
 }  // namespace
 
 std::string with_defaults(const std::string& resolved) {
-  Json json = Json::parse(resolved, nullptr, false);
+  OrderedJson json = OrderedJson::parse(resolved, nullptr, false);
   if (!json.is_object()) return resolved;
   fill_mapping(scenario_schema(), json);
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 }  // namespace thinwall

@@ -42,7 +42,7 @@ A scenario is a YAML file. This page and `scenario.schema.json` come from the ta
 constexpr std::array kDimensionsOfTheFormat = {kLength,   kTime,    kSpeed, kAcceleration,
                                                kPressure, kDensity, kAngle, kAngularSpeed};
 
-constexpr std::string_view kUnits = R"(
+constexpr std::string_view kUnitsText = R"(
 Units: `m`, `g`, `s`, `N`, `Pa`, `J`, `W`, `Hz`, `l`, `bar`, `rad` with the prefixes `n`, `u`, `m`, `c`, `d`, `k`, and but for
 `m`, `s`, `l`, `bar`, `rad` also `M`, `G`; and `min`, `h`, `deg`, `mmHg`, `cmH2O`, `%`. Powers are written `m^2` or `m²`, products
 `kg*m/s^2`.
@@ -72,7 +72,7 @@ class PageWriter {
     for (const Dimension& dimension : kDimensionsOfTheFormat) {
       page_ << "| " << dimension_name(dimension) << " | `" << dimension_example(dimension) << "` |\n";
     }
-    page_ << kUnits;
+    page_ << kUnitsText;
     write_usual_ranges();
     page_ << "## Keys\n\n";
     write_alternatives({scenario_schema()});

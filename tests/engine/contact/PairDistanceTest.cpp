@@ -70,11 +70,11 @@ Eigen::Matrix<double, 12, 12> gradient_difference(const Gradient& gradient, cons
   return slopes;
 }
 
-constexpr PairKind kKinds[] = {PairKind::kPointTriangle, PairKind::kEdgeEdge};
+constexpr PairKind kPairKinds[] = {PairKind::kPointTriangle, PairKind::kEdgeEdge};
 
 TEST(PairDistance, IsTheSmallestOverAllPlaces) {
   std::mt19937 random(3);
-  for (const PairKind kind : kKinds) {
+  for (const PairKind kind : kPairKinds) {
     for (int k = 0; k < 60; ++k) {
       const PairCorners corners = random_corners(random);
       const double sampled = sampled_distance(kind, corners, 200);
@@ -87,7 +87,7 @@ TEST(PairDistance, IsTheSmallestOverAllPlaces) {
 
 TEST(PairDistance, IsNeverBelowTheGapBetweenTheCentres) {
   std::mt19937 random(17);
-  for (const PairKind kind : kKinds) {
+  for (const PairKind kind : kPairKinds) {
     int apart = 0;
     for (int k = 0; k < 5000; ++k) {
       PairCorners corners = random_corners(random);
@@ -113,7 +113,7 @@ TEST(PairDistance, IsTheGapBetweenTheCentresWherePartsFaceEachOther) {
 
 TEST(PairDistance, OffsetIsWhatTheWeightsCombine) {
   std::mt19937 random(4);
-  for (const PairKind kind : kKinds) {
+  for (const PairKind kind : kPairKinds) {
     for (int k = 0; k < 100; ++k) {
       const PairCorners corners = random_corners(random);
       const PairDistance closest = pair_distance(kind, corners);
@@ -132,7 +132,7 @@ TEST(PairDistance, OffsetIsWhatTheWeightsCombine) {
 TEST(PairDistance, HasTheDerivativesOfItsDifferences) {
   std::mt19937 random(5);
   std::array<int, 3> seen = {0, 0, 0};  // by slides: corners, edges, interiors
-  for (const PairKind kind : kKinds) {
+  for (const PairKind kind : kPairKinds) {
     for (int k = 0; k < 200; ++k) {
       const PairCorners corners = random_corners(random);
       const PairDistance closest = pair_distance(kind, corners);
@@ -194,7 +194,7 @@ FoldPair make_pair_at(PairKind kind, const PairCorners& corners, double range, d
 TEST(FoldPair, HasTheDerivativesOfItsDifferences) {
   std::mt19937 random(6);
   int fading = 0, whole = 0;
-  for (const PairKind kind : kKinds) {
+  for (const PairKind kind : kPairKinds) {
     for (int k = 0; k < 200; ++k) {
       const PairCorners corners = random_corners(random);
       // Half of the edges count as nearly parallel, and half of the triangles as crushed.
@@ -221,7 +221,7 @@ TEST(FoldPair, HasTheDerivativesOfItsDifferences) {
 
 TEST(FoldPair, PushesWithoutNetForceOrMoment) {
   std::mt19937 random(7);
-  for (const PairKind kind : kKinds) {
+  for (const PairKind kind : kPairKinds) {
     for (int k = 0; k < 50; ++k) {
       const PairCorners corners = random_corners(random);
       const FoldTerms terms = make_pair_at(kind, corners, 4, 1).terms();
@@ -282,7 +282,7 @@ double least_eigenvalue(const Eigen::Matrix<double, 12, 12>& matrix) {
 }
 
 TEST(FoldPair, HasAConvexPartThatIsNeverNegative) {
-  for (const PairKind kind : kKinds) {
+  for (const PairKind kind : kPairKinds) {
     for (const double part : {0.5, 0.05, 1e-3, 1e-6}) {
       const Eigen::Matrix<double, 12, 12> convex = pair_above(kind, part).convex_hessian();
       EXPECT_GT(least_eigenvalue(convex), -1e-12 * convex.norm()) << part;
@@ -291,7 +291,7 @@ TEST(FoldPair, HasAConvexPartThatIsNeverNegative) {
 }
 
 TEST(FoldPair, HasAConvexPartAboveItsCurvatureInAnyDirectionWhereItIsCrushed) {
-  for (const PairKind kind : kKinds) {
+  for (const PairKind kind : kPairKinds) {
     for (const double part : {5e-3, 1e-4, 1e-6}) {
       const FoldPair pair = pair_above(kind, part);
       // What it has along the wall, force over the edge's length, is far below what it has across it.

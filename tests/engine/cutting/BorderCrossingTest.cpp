@@ -9,7 +9,7 @@
 namespace thinwall {
 namespace {
 
-const Eigen::Vector3d kDown = -Eigen::Vector3d::UnitZ();
+const Eigen::Vector3d kIntoHalves = -Eigen::Vector3d::UnitZ();
 
 /// Two sheets of 2 by 1 side by side, 0.4 apart along y around zero, as one surface.
 struct Halves {
@@ -46,13 +46,13 @@ TEST(FirstBorder, IsTheNearSideOfAGap) {
   const double gap = halves.gap();
   ASSERT_GT(gap, 0.1);
   const Eigen::Vector3d from(0.1, -gap - 0.3, 0), to(0.2, gap + 0.25, 0.02);
-  const auto first = first_border(halves.view(), from, to, kDown);
+  const auto first = first_border(halves.view(), from, to, kIntoHalves);
   ASSERT_TRUE(first);
   EXPECT_NEAR(halves.at(*first).y(), -gap, 1e-12);
   EXPECT_NEAR(halves.at(*first).x(), 0.1 + 0.1 * 0.3 / (0.55 + 2 * gap), 1e-12);
   // From the near border itself only the far one counts, and none backwards.
-  EXPECT_NEAR(halves.at(*first_border(halves.view(), halves.at(*first), to, kDown)).y(), gap, 1e-12);
-  EXPECT_FALSE(first_border(halves.view(), from, {0.1, -gap - 0.4, 0}, kDown));
+  EXPECT_NEAR(halves.at(*first_border(halves.view(), halves.at(*first), to, kIntoHalves)).y(), gap, 1e-12);
+  EXPECT_FALSE(first_border(halves.view(), from, {0.1, -gap - 0.4, 0}, kIntoHalves));
 }
 
 TEST(FirstBorder, IsTheOneWhoseWallLiesBehindWhereTheLipsOverlap) {
@@ -62,7 +62,7 @@ TEST(FirstBorder, IsTheOneWhoseWallLiesBehindWhereTheLipsOverlap) {
   for (int v = 0; v < 2 * count; ++v) {
     halves.position[3 * v + 1] += (v < count ? 1 : -1) * (halves.gap() + 0.5 * overlap);
   }
-  const auto first = first_border(halves.view(), {0.1, -0.3, 0}, {0.1, 0.3, 0}, kDown);
+  const auto first = first_border(halves.view(), {0.1, -0.3, 0}, {0.1, 0.3, 0}, kIntoHalves);
   ASSERT_TRUE(first);
   // Of the half that the way comes from; the other's is met before.
   EXPECT_NEAR(halves.at(*first).y(), 0.5 * overlap, 1e-12);
@@ -72,7 +72,7 @@ TEST(BorderBeyond, IsTheOneWhoseWallLiesAhead) {
   const Halves halves;
   const double gap = halves.gap();
   const BladeInGap blade{
-      .left = {0.1, -gap, 0}, .way = Eigen::Vector3d::UnitY(), .line = kDown, .above = -0.5, .below = 0.1};
+      .left = {0.1, -gap, 0}, .way = Eigen::Vector3d::UnitY(), .line = kIntoHalves, .above = -0.5, .below = 0.1};
   const auto lip = border_beyond(halves.view(), blade);
   ASSERT_TRUE(lip);
   EXPECT_NEAR((halves.at(*lip) - Eigen::Vector3d(0.1, gap, 0)).norm(), 0, 1e-12);
@@ -92,7 +92,7 @@ TEST(BorderBeyond, IsFoundWhereTheLipsOverlap) {
   const Halves halves;
   const double gap = halves.gap();
   BladeInGap blade{
-      .left = {0.1, gap + 0.05, 0}, .way = Eigen::Vector3d::UnitY(), .line = kDown, .above = -0.5, .below = 0.1};
+      .left = {0.1, gap + 0.05, 0}, .way = Eigen::Vector3d::UnitY(), .line = kIntoHalves, .above = -0.5, .below = 0.1};
   EXPECT_FALSE(border_beyond(halves.view(), blade));
   blade.overlap = 0.1;
   const auto lip = border_beyond(halves.view(), blade);

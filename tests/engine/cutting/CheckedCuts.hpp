@@ -8,11 +8,17 @@
 #include <vector>
 
 #include "engine/cutting/CutSurface.hpp"
+#include "engine/mesh/Shapes.hpp"
 #include "tests/engine/cutting/CutInvariants.hpp"
 
 namespace thinwall {
 
 using Places = std::vector<Eigen::Vector3d>;
+
+/// A square of side 2 about the origin.
+inline CutSurface sheet() {
+  return CutSurface(make_sheet(2, 2, 400));
+}
 
 /// The point of the wall nearest to a place in space, among triangles whose plane comes that near; with a `side` among
 /// those whose middle has a y of that sign.

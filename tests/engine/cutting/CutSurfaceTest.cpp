@@ -17,10 +17,6 @@ namespace thinwall {
 namespace {
 
 /// A sheet 2 wide and long about the origin; edges of about 0.15.
-CutSurface sheet() {
-  return CutSurface(make_sheet(2, 2, 400));
-}
-
 int open_loops(const CutSurface& surface) {
   const SurfaceMesh& mesh = surface.mesh();
   return static_cast<int>(topology_of(static_cast<int>(mesh.vertices.size()), mesh.triangles).boundary_loops.size());

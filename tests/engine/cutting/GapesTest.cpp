@@ -12,10 +12,6 @@
 namespace thinwall {
 namespace {
 
-CutSurface sheet() {
-  return CutSurface(make_sheet(2, 2, 400));
-}
-
 /// Vector area within a loop, the sense of the wall's triangles being that of its outer border.
 double area_of(const std::vector<Eigen::Vector3d>& vertices, const std::vector<int>& loop) {
   Eigen::Vector3d area = Eigen::Vector3d::Zero();

@@ -13,8 +13,6 @@
 namespace thinwall {
 namespace {
 
-const Eigen::Vector3d kDown = -Eigen::Vector3d::UnitZ();
-
 TEST(SurfacePath, PointsGoToTheNearestPointOfTheSurface) {
   const TestSurface sphere(make_sphere(0.02, 1280));
   const SurfaceProjection found = project(sphere.view(), {0.003, 0.004, 0.025}, {}, 0.01);

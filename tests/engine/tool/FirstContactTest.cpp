@@ -13,8 +13,6 @@
 namespace thinwall {
 namespace {
 
-const Eigen::Vector3d kDown(0, 0, -1);
-
 TEST(FirstEntry, MeetsAFaceAtItsPlace) {
   const TestSurface cube(unit_cube());
   const auto hit = first_entry(cube.view(), {0.3, 0.4, 3}, kDown);

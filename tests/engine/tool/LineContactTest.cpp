@@ -11,8 +11,6 @@
 namespace thinwall {
 namespace {
 
-const Eigen::Vector3d kDown(0, 0, -1);
-
 ToolDefinition line(double length) {
   return {.name = "edge", .kind = ToolKind::kLine, .length = length, .radius = 0};
 }

@@ -8,6 +8,8 @@
 
 namespace thinwall {
 
+inline const Eigen::Vector3d kDown(0, 0, -1);
+
 /// A mesh in the form in which tools look at it.
 class TestSurface {
  public:

@@ -7,7 +7,7 @@
 namespace thinwall {
 namespace {
 
-constexpr Box kBounds{20, 60, 600, 240};
+constexpr Box kLayoutBounds{20, 60, 600, 240};
 
 /// A disc in the middle of the bounds.
 std::vector<PixelPoint> disc(double radius) {
@@ -25,7 +25,7 @@ LabelWish wish(double x, double y, bool left) {
 
 TEST(LabelLayout, ALabelStandsLevelWithItsAnchorBesideTheObstacles) {
   const auto boxes = lay_out_labels({wish(300, 180, true), wish(340, 180, false)},
-                                    {.bounds = kBounds, .obstacles = disc(100), .gap = 8, .distance = 24});
+                                    {.bounds = kLayoutBounds, .obstacles = disc(100), .gap = 8, .distance = 24});
   EXPECT_NEAR(boxes[0].y + 15, 180, 1e-9);
   EXPECT_NEAR(boxes[0].right(), 220 - 24, 0.1);
   EXPECT_NEAR(boxes[1].x, 420 + 24, 0.1);
@@ -33,7 +33,7 @@ TEST(LabelLayout, ALabelStandsLevelWithItsAnchorBesideTheObstacles) {
 
 TEST(LabelLayout, LabelsOfOneSideAreOrderedApartAndAsNearToTheirAnchorsAsCanBe) {
   const auto boxes = lay_out_labels({wish(300, 170, true), wish(300, 172, true), wish(300, 180, true)},
-                                    {.bounds = kBounds, .obstacles = disc(50), .gap = 8, .distance = 24});
+                                    {.bounds = kLayoutBounds, .obstacles = disc(50), .gap = 8, .distance = 24});
   // Three stacked at a pitch of 38 with the mean of their anchors, 174, in the middle.
   EXPECT_NEAR(boxes[0].y + 15, 174 - 38, 1e-9);
   EXPECT_NEAR(boxes[1].y + 15, 174, 1e-9);
@@ -43,12 +43,13 @@ TEST(LabelLayout, LabelsOfOneSideAreOrderedApartAndAsNearToTheirAnchorsAsCanBe) 
 TEST(LabelLayout, LabelsStayInsideTheBounds) {
   std::vector<LabelWish> wishes;
   for (int i = 0; i < 6; ++i) wishes.push_back(wish(100, 290 + i, i % 2 == 0));
-  const auto boxes = lay_out_labels(wishes, {.bounds = kBounds, .obstacles = disc(110), .gap = 8, .distance = 24});
+  const auto boxes =
+      lay_out_labels(wishes, {.bounds = kLayoutBounds, .obstacles = disc(110), .gap = 8, .distance = 24});
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    EXPECT_GE(boxes[i].x, kBounds.x);
-    EXPECT_GE(boxes[i].y, kBounds.y);
-    EXPECT_LE(boxes[i].right(), kBounds.right());
-    EXPECT_LE(boxes[i].bottom(), kBounds.bottom() + 1e-9);
+    EXPECT_GE(boxes[i].x, kLayoutBounds.x);
+    EXPECT_GE(boxes[i].y, kLayoutBounds.y);
+    EXPECT_LE(boxes[i].right(), kLayoutBounds.right());
+    EXPECT_LE(boxes[i].bottom(), kLayoutBounds.bottom() + 1e-9);
     for (std::size_t k = 0; k < i; ++k) EXPECT_FALSE(boxes[i].overlaps(boxes[k])) << i << " and " << k;
   }
 }
@@ -57,7 +58,7 @@ TEST(LabelLayout, CoversNoObstacleWhereThereIsRoom) {
   const auto obstacles = disc(110);
   for (double y = 80; y < 290; y += 7) {
     for (const bool left : {true, false}) {
-      const Box box = lay_out_labels({wish(320, y, left)}, {.bounds = kBounds, .obstacles = obstacles})[0];
+      const Box box = lay_out_labels({wish(320, y, left)}, {.bounds = kLayoutBounds, .obstacles = obstacles})[0];
       for (const PixelPoint& point : obstacles) {
         EXPECT_FALSE(point[0] > box.x && point[0] < box.right() && point[1] > box.y && point[1] < box.bottom()) << y;
       }
@@ -68,10 +69,10 @@ TEST(LabelLayout, CoversNoObstacleWhereThereIsRoom) {
 TEST(LabelLayout, MovesSteadily) {
   const auto obstacles = disc(110);
   Box before =
-      lay_out_labels({wish(320, 80, true), wish(320, 180, true)}, {.bounds = kBounds, .obstacles = obstacles})[0];
+      lay_out_labels({wish(320, 80, true), wish(320, 180, true)}, {.bounds = kLayoutBounds, .obstacles = obstacles})[0];
   for (double y = 80; y < 290; y += 0.25) {
     const auto boxes =
-        lay_out_labels({wish(320, y, true), wish(320, 180, true)}, {.bounds = kBounds, .obstacles = obstacles});
+        lay_out_labels({wish(320, y, true), wish(320, 180, true)}, {.bounds = kLayoutBounds, .obstacles = obstacles});
     // The edge yields by at most 2 pixels across for one up or down.
     EXPECT_LE(std::abs(boxes[0].x - before.x), 0.5 + 1e-9) << y;
     EXPECT_LE(std::abs(boxes[0].y - before.y), 0.25 + 1e-9) << y;
@@ -87,11 +88,11 @@ TEST(LabelLayout, LabelsKeepClearOfWhatIsTakenInAnyCorner) {
       std::vector<LabelWish> wishes;
       for (int i = 0; i < count; ++i) wishes.push_back(wish(320, 70 + 220.0 * i / count, i % 2 == 0));
       const auto boxes = lay_out_labels(
-          wishes, {.bounds = kBounds, .obstacles = disc(110), .gap = 8, .distance = 24, .taken = {taken}});
+          wishes, {.bounds = kLayoutBounds, .obstacles = disc(110), .gap = 8, .distance = 24, .taken = {taken}});
       for (std::size_t i = 0; i < boxes.size(); ++i) {
         EXPECT_FALSE(boxes[i].overlaps(taken)) << taken.x << ' ' << taken.y << ": " << i << " of " << count;
-        EXPECT_GE(boxes[i].x, kBounds.x);
-        EXPECT_LE(boxes[i].right(), kBounds.right());
+        EXPECT_GE(boxes[i].x, kLayoutBounds.x);
+        EXPECT_LE(boxes[i].right(), kLayoutBounds.right());
       }
     }
   }
@@ -100,7 +101,7 @@ TEST(LabelLayout, LabelsKeepClearOfWhatIsTakenInAnyCorner) {
 TEST(LabelLayout, OnTheSideOfWhatIsTakenALabelStandsBelowItAndBesideTheObstacles) {
   const auto boxes = lay_out_labels(
       {wish(220, 100, true)},
-      {.bounds = kBounds, .obstacles = disc(100), .gap = 8, .distance = 24, .taken = {Box{20, 60, 190, 110}}});
+      {.bounds = kLayoutBounds, .obstacles = disc(100), .gap = 8, .distance = 24, .taken = {Box{20, 60, 190, 110}}});
   EXPECT_NEAR(boxes[0].y, 178, 1e-9);
   EXPECT_NEAR(boxes[0].right(), 220 - 24, 0.5);
 }
@@ -122,7 +123,7 @@ TEST(LabelLayout, ALabelThatTheBoundsPressOverItsAnchorStandsAboveOrBelowIt) {
       LabelWish wanted = wish(left ? 80 : 560, 180, left);
       wanted.upwards = upwards;
       const Box box =
-          lay_out_labels({wanted}, {.bounds = kBounds, .obstacles = disc(310), .gap = 8, .distance = 24})[0];
+          lay_out_labels({wanted}, {.bounds = kLayoutBounds, .obstacles = disc(310), .gap = 8, .distance = 24})[0];
       EXPECT_NEAR(upwards ? 180 - box.bottom() : box.y - 180, 12, 1e-9);
     }
   }
@@ -131,7 +132,7 @@ TEST(LabelLayout, ALabelThatTheBoundsPressOverItsAnchorStandsAboveOrBelowIt) {
 TEST(LabelLayout, ALabelThatIsPressedOverItsAnchorGetsThereSteadily) {
   Box before;
   for (double x = 200; x > 40; x -= 0.25) {
-    const Box box = lay_out_labels({wish(x, 180, true)}, {.bounds = kBounds, .obstacles = {{x, 180}}})[0];
+    const Box box = lay_out_labels({wish(x, 180, true)}, {.bounds = kLayoutBounds, .obstacles = {{x, 180}}})[0];
     if (x < 200) {
       // By 27 pixels while the anchor comes nearer by the gap.
       EXPECT_LE(std::abs(box.y - before.y), 1) << x;
@@ -165,7 +166,7 @@ TEST(LabelLayout, ALabelWithoutRoomBesideTheWallsStandsAboveOrBelowThemWhichever
   EXPECT_EQ(roomy_place(wish(320, 235, true), near), LabelPlace::kAbove);
   EXPECT_EQ(roomy_place(wish(320, 245, true), near), LabelPlace::kBeside) << "the way is too long";
   LabelRoom wide = high_room();
-  wide.bounds = kBounds;
+  wide.bounds = kLayoutBounds;
   EXPECT_EQ(roomy_place(wish(320, 150, true), wide), LabelPlace::kBeside);
 }
 
@@ -189,7 +190,7 @@ TEST(LabelLayout, LabelsKeepTheirHeightsBesideALegend) {
   const Box legend{20, 60, 70, 240};
   const auto boxes =
       lay_out_labels({wish(250, 100, true), wish(250, 200, true)},
-                     {.bounds = kBounds, .obstacles = disc(100), .gap = 8, .distance = 24, .taken = {legend}});
+                     {.bounds = kLayoutBounds, .obstacles = disc(100), .gap = 8, .distance = 24, .taken = {legend}});
   EXPECT_NEAR(boxes[0].y + 15, 100, 1e-9);
   EXPECT_NEAR(boxes[1].y + 15, 200, 1e-9);
   for (const Box& box : boxes) EXPECT_GE(box.x, legend.right() + 8);
@@ -200,7 +201,7 @@ TEST(LabelLayout, LabelsKeepClearOfALegendAtOneSideAndOfAPictureAtTheOther) {
   std::vector<LabelWish> wishes;
   for (int i = 0; i < 8; ++i) wishes.push_back(wish(320, 80 + 25.0 * i, i % 2 == 0));
   const auto boxes = lay_out_labels(
-      wishes, {.bounds = kBounds, .obstacles = disc(110), .gap = 8, .distance = 24, .taken = {picture, legend}});
+      wishes, {.bounds = kLayoutBounds, .obstacles = disc(110), .gap = 8, .distance = 24, .taken = {picture, legend}});
   for (const Box& box : boxes) {
     EXPECT_FALSE(box.overlaps(legend));
     EXPECT_FALSE(box.overlaps(picture));
@@ -208,7 +209,7 @@ TEST(LabelLayout, LabelsKeepClearOfALegendAtOneSideAndOfAPictureAtTheOther) {
 }
 
 TEST(LabelLayout, ALabelPassesTheEndOfALegendSteadily) {
-  LabelRoom room{.bounds = kBounds, .obstacles = {}, .gap = 8, .distance = 24, .taken = {{20, 60, 70, 100}}};
+  LabelRoom room{.bounds = kLayoutBounds, .obstacles = {}, .gap = 8, .distance = 24, .taken = {{20, 60, 70, 100}}};
   for (double y = 60; y < 300; y += 5) room.obstacles.push_back({180, y});
   double before = 66;
   for (double y = 280; y > 100; y -= 0.25) {

@@ -10,7 +10,7 @@ namespace {
 
 const LabelRoom kRoom{.bounds = {20, 60, 600, 240}, .obstacles = {}, .gap = 8, .distance = 24};
 
-LabelWish wish(double x, double y, bool left = false) {
+LabelWish wish_to_order(double x, double y, bool left = false) {
   return {.anchor = {x, y}, .width = 90, .height = 30, .on_the_left = left};
 }
 
@@ -24,33 +24,34 @@ int crossings(const std::vector<LabelWish>& wishes, const std::vector<std::size_
 }
 
 TEST(LabelOrder, CountsPairsOfLeadersThatCross) {
-  const std::vector<LabelWish> wishes = {wish(200, 100), wish(200, 200)};
+  const std::vector<LabelWish> wishes = {wish_to_order(200, 100), wish_to_order(200, 200)};
   const Box above{300, 85, 90, 30}, below{300, 185, 90, 30};
   EXPECT_EQ(count_crossings(wishes, {above, below}), 0);
   EXPECT_EQ(count_crossings(wishes, {below, above}), 1);
 }
 
 TEST(LabelOrder, ALeaderBeginsAtTheSideThatFacesItsPoint) {
-  const Leader leader = leader_of(wish(200, 100), {300, 105, 90, 30});
+  const Leader leader = leader_of(wish_to_order(200, 100), {300, 105, 90, 30});
   EXPECT_EQ(leader.from, (PixelPoint{300, 120}));
   EXPECT_EQ(leader.to, (PixelPoint{200, 100}));
 }
 
 TEST(LabelOrder, TheLeaderOfALabelThatReachesOverItsPointDoesNotPassUnderItsWords) {
-  EXPECT_EQ(leader_of(wish(340, 160), {300, 105, 90, 30}).from, (PixelPoint{340, 135}));
-  EXPECT_EQ(leader_of(wish(340, 80, true), {300, 105, 90, 30}).from, (PixelPoint{340, 105}));
-  EXPECT_EQ(leader_of(wish(304, 160), {300, 105, 90, 30}).from, (PixelPoint{304, 124})) << "it gets there steadily";
+  EXPECT_EQ(leader_of(wish_to_order(340, 160), {300, 105, 90, 30}).from, (PixelPoint{340, 135}));
+  EXPECT_EQ(leader_of(wish_to_order(340, 80, true), {300, 105, 90, 30}).from, (PixelPoint{340, 105}));
+  EXPECT_EQ(leader_of(wish_to_order(304, 160), {300, 105, 90, 30}).from, (PixelPoint{304, 124}))
+      << "it gets there steadily";
 }
 
 TEST(LabelOrder, IsThatOfTheHeightsWhereNothingCrosses) {
-  const std::vector<LabelWish> wishes = {wish(200, 250), wish(220, 90), wish(210, 170)};
+  const std::vector<LabelWish> wishes = {wish_to_order(200, 250), wish_to_order(220, 90), wish_to_order(210, 170)};
   EXPECT_EQ(order_of_labels({{.wishes = wishes}}, kRoom), (std::vector<std::size_t>{1, 2, 0}));
 }
 
 TEST(LabelOrder, LeavesTheHeightsWhereTheyWouldMakeLeadersCross) {
   // At the lower bound the stack is pushed up, so that the line to the far point, whose label is the lower one, passes
   // over the near point.
-  const std::vector<LabelWish> wishes = {wish(480, 296), wish(150, 298), wish(470, 299)};
+  const std::vector<LabelWish> wishes = {wish_to_order(480, 296), wish_to_order(150, 298), wish_to_order(470, 299)};
   EXPECT_GT(crossings(wishes, {0, 1, 2}), 0);
   EXPECT_EQ(crossings(wishes, order_of_labels({{.wishes = wishes}}, kRoom)), 0);
 }
@@ -69,7 +70,8 @@ std::vector<PixelPoint> disc(double x, double y, double radius) {
 TEST(LabelOrder, NoneCrossWhereLabelsStandBesideAWideOrgan) {
   // The plates stand in a column beside the organ, far from what they point at, and above the lower bound.
   const LabelRoom room{.bounds = {26, 78, 1228, 434}, .obstacles = disc(640, 410, 272), .gap = 8, .distance = 26};
-  const std::vector<LabelWish> wishes = {wish(627, 172), wish(640, 605), wish(853, 534), wish(416, 537)};
+  const std::vector<LabelWish> wishes = {wish_to_order(627, 172), wish_to_order(640, 605), wish_to_order(853, 534),
+                                         wish_to_order(416, 537)};
   const std::vector<std::size_t> order =
       order_of_labels({{.wishes = wishes, .outline = outline_of(room.obstacles, 8)}}, room);
   EXPECT_EQ(order.front(), 0U);
@@ -86,7 +88,7 @@ TEST(LabelOrder, IsOneForAllMoments) {
   std::vector<LabelMoment> moments;
   for (const double turn : {-0.9, -0.3, 0.3, 0.6, 0.9}) {
     const double up = 60 * std::sin(turn * std::numbers::pi / 2);
-    moments.push_back({.wishes = {wish(200, 180 + up), wish(200, 180 - up)}});
+    moments.push_back({.wishes = {wish_to_order(200, 180 + up), wish_to_order(200, 180 - up)}});
   }
   EXPECT_EQ(order_of_labels(moments, kRoom), (std::vector<std::size_t>{1, 0}));
 }
@@ -98,7 +100,7 @@ TEST(LabelOrder, NoneCrossAmongPointsAnywhereOnTwoSides) {
     for (int i = 0; i < 6; ++i) {
       const double x = std::fmod((7 * scene + i + 1) * std::numbers::phi, 1.0);
       const double y = std::fmod((7 * scene + i + 1) * std::numbers::sqrt2, 1.0);
-      wishes.push_back(wish(180 + 280 * x, 70 + 220 * y, x < 0.5));
+      wishes.push_back(wish_to_order(180 + 280 * x, 70 + 220 * y, x < 0.5));
     }
     EXPECT_EQ(crossings(wishes, order_of_labels({{.wishes = wishes}}, kRoom)), 0) << scene;
   }

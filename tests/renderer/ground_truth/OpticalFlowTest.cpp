@@ -13,7 +13,7 @@
 namespace thinwall {
 namespace {
 
-constexpr ImageSize kSize = {.width = 160, .height = 90};
+constexpr ImageSize kFlowSize = {.width = 160, .height = 90};
 
 ViewDefinition from_above(double height) {
   ViewDefinition view;
@@ -79,15 +79,15 @@ TEST(OpticalFlowTest, LeadsToWhereTheMatterLandsBesideAMovingCamera) {
   }
   ViewDefinition view;
   view.camera.orbit_speed = 1.5;
-  const SeenFrame first(before, {view.camera}, kSize), second(after, {view.camera}, kSize);
+  const SeenFrame first(before, {view.camera}, kFlowSize), second(after, {view.camera}, kFlowSize);
   const OpticalFlow flow = optical_flow(first.moment(), second.moment());
   const double scene_size = scene_extent(before).size;
   double largest = 0, longest = 0;
   int checked = 0;
-  for (int row = 0; row < kSize.height; row += 3) {
-    for (int column = 0; column < kSize.width; column += 3) {
-      const auto hit = test::cast(before, first.camera(), kSize, scene_size, column, row);
-      const std::size_t pixel = static_cast<std::size_t>(row * kSize.width + column);
+  for (int row = 0; row < kFlowSize.height; row += 3) {
+    for (int column = 0; column < kFlowSize.width; column += 3) {
+      const auto hit = test::cast(before, first.camera(), kFlowSize, scene_size, column, row);
+      const std::size_t pixel = static_cast<std::size_t>(row * kFlowSize.width + column);
       EXPECT_EQ(hit.has_value(), flow.state[pixel] != FlowState::kNothing);
       if (!hit) continue;
       Vector3 place;
@@ -98,7 +98,7 @@ TEST(OpticalFlowTest, LeadsToWhereTheMatterLandsBesideAMovingCamera) {
                                   : shape.vertices[shape.indices[3 * hit->triangle + k]].position;
         place = place + hit->weights[k] * vector3(corner);
       }
-      const auto landed = *second.camera().pixel(place, kSize);
+      const auto landed = *second.camera().pixel(place, kFlowSize);
       const auto [u, v] = flow.flow[pixel];
       largest = std::max({largest, std::abs(landed[0] - (column + 0.5) - u), std::abs(landed[1] - (row + 0.5) - v)});
       longest = std::max(longest, static_cast<double>(std::hypot(u, v)));
@@ -123,7 +123,7 @@ void expect_exact_across_the_cut(DrawnEdges edges, double straight) {
   before.surfaces = {sheet(6, 4, false, still)};
   after.surfaces = {sheet(10, 6, true, opened)};
   const ViewDefinition view = from_above(0.1);
-  const SeenFrame first(before, {view.camera}, kSize, edges), second(after, {view.camera}, kSize, edges);
+  const SeenFrame first(before, {view.camera}, kFlowSize, edges), second(after, {view.camera}, kFlowSize, edges);
   const OpticalFlow forward = optical_flow(first.moment(), second.moment());
   const OpticalFlow backward = optical_flow(second.moment(), first.moment());
   int seen = 0;
@@ -134,7 +134,7 @@ void expect_exact_across_the_cut(DrawnEdges edges, double straight) {
     // The rows at the sheet's ends hold the tips of the cut, where both sides still meet.
     if (std::abs(place.y) > straight || std::abs(place.x) < 1e-5) continue;
     const Vector3 motion = opened(place, place.x > 0) - place;
-    const double pixels_per_metre = 0.5 * kSize.height / (0.1 * first.camera().tangent_y);
+    const double pixels_per_metre = 0.5 * kFlowSize.height / (0.1 * first.camera().tangent_y);
     ASSERT_NEAR(forward.flow[pixel][0], pixels_per_metre * motion.x, 0.002) << place.x << " " << place.y;
     ASSERT_NEAR(forward.flow[pixel][1], -pixels_per_metre * motion.y, 0.002) << place.x << " " << place.y;
     ++seen;
@@ -166,7 +166,7 @@ TEST(OpticalFlowTest, FacesOfACutKeepTheirPlacesWhenTheCutGoesOn) {
   after.surfaces = {sheet(6, 28, true, opened(0.003))};
   ViewDefinition view = from_above(0.1);
   view.camera.position = Double3{0.05, 0, 0.08};
-  const SeenFrame first(before, {view.camera}, kSize), second(after, {view.camera}, kSize);
+  const SeenFrame first(before, {view.camera}, kFlowSize), second(after, {view.camera}, kFlowSize);
   const OpticalFlow flow = optical_flow(first.moment(), second.moment());
   const GroundTruth truth = ground_truth(first);
   int faces = 0;
@@ -179,7 +179,7 @@ TEST(OpticalFlowTest, FacesOfACutKeepTheirPlacesWhenTheCutGoesOn) {
     // The left face is what the camera on the right sees of the cut. Away from its tips, near which the way through the
     // wall turns, all of it moves by 1 mm.
     if (std::abs(place.y) > 0.005) continue;
-    const auto landed = *second.camera().pixel(place + Vector3{-0.001, 0, 0}, kSize);
+    const auto landed = *second.camera().pixel(place + Vector3{-0.001, 0, 0}, kFlowSize);
     const auto column = static_cast<double>(pixel % 160), row = static_cast<double>(pixel / 160);
     EXPECT_NEAR(flow.flow[pixel][0], landed[0] - column - 0.5, 0.002);
     EXPECT_NEAR(flow.flow[pixel][1], landed[1] - row - 0.5, 0.002);
@@ -197,17 +197,17 @@ TEST(OpticalFlowTest, TellsWhatIsHiddenAndWhatLeavesThePicture) {
   after = before;
   for (Float3& p : after.surfaces[1].positions) p[0] -= 0.04F;
   const ViewDefinition view = from_above(0.15);
-  const SeenFrame first(before, {view.camera}, kSize), second(after, {view.camera}, kSize);
+  const SeenFrame first(before, {view.camera}, kFlowSize), second(after, {view.camera}, kFlowSize);
   const OpticalFlow forward = optical_flow(first.moment(), second.moment());
   const OpticalFlow backward = optical_flow(second.moment(), first.moment());
   const double half_picture = 0.15 * first.camera().tangent_y;
-  const double pixels = std::pow(0.01 * 0.5 * kSize.height / half_picture * 0.15 / 0.149, 2);
+  const double pixels = std::pow(0.01 * 0.5 * kFlowSize.height / half_picture * 0.15 / 0.149, 2);
   // What the front square comes to lie before; a row of pixels around it is open.
   EXPECT_NEAR(count(forward, FlowState::kHidden), pixels, 4 * std::sqrt(pixels));
   EXPECT_EQ(count(backward, FlowState::kHidden), 0);
   EXPECT_EQ(count(forward, FlowState::kOutside), 0);
   for (Float3& p : after.surfaces[1].positions) p[0] += 1;
-  const SeenFrame third(after, {view.camera}, kSize);
+  const SeenFrame third(after, {view.camera}, kFlowSize);
   const OpticalFlow leaving = optical_flow(first.moment(), third.moment());
   EXPECT_EQ(count(leaving, FlowState::kOutside), std::ranges::count(ground_truth(first).instances, 2));
 }
@@ -216,13 +216,14 @@ TEST(OpticalFlowTest, WhatLandsNowhereHasNoFlowThatIsKnown) {
   Snapshot snapshot;
   snapshot.surfaces = {
       test::quad("wall", {{{-0.02F, -0.02F, 0}, {0.02F, -0.02F, 0}, {0.02F, 0.02F, 0}, {-0.02F, 0.02F, 0}}})};
-  const SeenFrame first(snapshot, {from_above(0.1).camera}, kSize);
+  const SeenFrame first(snapshot, {from_above(0.1).camera}, kFlowSize);
   ViewDefinition turned_away = from_above(0.1), aside = from_above(0.1);
   turned_away.camera.target = Double3{0, 0, 1};
   aside.camera.position = Double3{1, 0, 0.1};
   aside.camera.target = Double3{1, 0, 0};
-  const OpticalFlow behind = optical_flow(first.moment(), SeenFrame(snapshot, {turned_away.camera}, kSize).moment());
-  const OpticalFlow beside = optical_flow(first.moment(), SeenFrame(snapshot, {aside.camera}, kSize).moment());
+  const OpticalFlow behind =
+      optical_flow(first.moment(), SeenFrame(snapshot, {turned_away.camera}, kFlowSize).moment());
+  const OpticalFlow beside = optical_flow(first.moment(), SeenFrame(snapshot, {aside.camera}, kFlowSize).moment());
   int seen = 0;
   for (std::size_t pixel = 0; pixel < behind.state.size(); ++pixel) {
     if (first.seen().places[pixel].triangle == kNoIndex) continue;
@@ -231,7 +232,7 @@ TEST(OpticalFlowTest, WhatLandsNowhereHasNoFlowThatIsKnown) {
     EXPECT_FALSE(behind.is_known[pixel]) << "no pixel shows what lies behind a camera";
     EXPECT_EQ(beside.state[pixel], FlowState::kOutside);
     EXPECT_TRUE(beside.is_known[pixel]);
-    EXPECT_LT(beside.flow[pixel][0], -kSize.width);
+    EXPECT_LT(beside.flow[pixel][0], -kFlowSize.width);
   }
   EXPECT_GT(seen, 1000);
 }
@@ -241,11 +242,11 @@ TEST(OpticalFlowTest, WhatIsNearerThanACameraSeesLiesOutsideItsPicture) {
   snapshot.surfaces = {
       test::quad("wall", {{{-0.02F, -0.02F, 0}, {0.02F, -0.02F, 0}, {0.02F, 0.02F, 0}, {-0.02F, 0.02F, 0}}})};
   const double nearest = 1e-3 * scene_extent(snapshot).size;  // of cameras that are nearer to what they look at
-  const SeenFrame first(snapshot, {from_above(1.1 * nearest).camera}, kSize);
-  const SeenFrame close(snapshot, {from_above(0.9 * nearest).camera}, kSize);
+  const SeenFrame first(snapshot, {from_above(1.1 * nearest).camera}, kFlowSize);
+  const SeenFrame close(snapshot, {from_above(0.9 * nearest).camera}, kFlowSize);
   const OpticalFlow flow = optical_flow(first.moment(), close.moment());
-  EXPECT_EQ(count(flow, FlowState::kOutside), kSize.width * kSize.height);
-  const std::size_t middle = static_cast<std::size_t>(kSize.height / 2 * kSize.width + kSize.width / 2);
+  EXPECT_EQ(count(flow, FlowState::kOutside), kFlowSize.width * kFlowSize.height);
+  const std::size_t middle = static_cast<std::size_t>(kFlowSize.height / 2 * kFlowSize.width + kFlowSize.width / 2);
   EXPECT_TRUE(flow.is_known[middle]);
   EXPECT_NEAR(flow.flow[middle][0], 0.5 * (1.1 / 0.9 - 1), 1e-3) << "where it lands all the same";
 }
@@ -261,7 +262,7 @@ TEST(OpticalFlowTest, TheInnerSideOfAWholeWallIsHiddenFromOutsideAndNotBornOfACu
       .position = Double3{0, 0, 0}, .target = Double3{0, 1, 0}, .up = Double3{0, 0, 1}, .field_of_view = 0.8};
   ViewDefinition outside = within;
   outside.camera.position = Double3{0, -0.2, 0};
-  const SeenFrame first(snapshot, {within.camera}, kSize), second(snapshot, {outside.camera}, kSize);
+  const SeenFrame first(snapshot, {within.camera}, kFlowSize), second(snapshot, {outside.camera}, kFlowSize);
   const OpticalFlow flow = optical_flow(first.moment(), second.moment());
   for (std::size_t pixel = 0; pixel < flow.state.size(); ++pixel) {
     ASSERT_EQ(flow.state[pixel], FlowState::kHidden) << pixel;
@@ -269,7 +270,7 @@ TEST(OpticalFlowTest, TheInnerSideOfAWholeWallIsHiddenFromOutsideAndNotBornOfACu
     const auto& ray = *first.moment().projection.rays()[pixel];
     const double depth = first.seen().depth[pixel];
     // Positions are floats, whose rounding is a millionth of the distance to the pixels seen from within.
-    const double shrunk = depth / (depth + 0.2), focal = 0.5 * kSize.height / first.camera().tangent_y;
+    const double shrunk = depth / (depth + 0.2), focal = 0.5 * kFlowSize.height / first.camera().tangent_y;
     ASSERT_NEAR(flow.flow[pixel][0], focal * ray[0] * (shrunk - 1), 1e-3);
     ASSERT_NEAR(flow.flow[pixel][1], focal * ray[1] * (shrunk - 1), 1e-3);
   }
@@ -288,9 +289,9 @@ TEST(OpticalFlowTest, TheInnerSideOfAThinWholeWallIsHiddenThoughNothingLiesBefor
   outside.camera = within.camera;
   outside.camera.position = Double3{0, -0.2, 0};
   outside.camera.target = Double3{0, 1, 0};
-  const SeenFrame first(snapshot, {within.camera}, kSize), second(snapshot, {outside.camera}, kSize);
+  const SeenFrame first(snapshot, {within.camera}, kFlowSize), second(snapshot, {outside.camera}, kFlowSize);
   const OpticalFlow flow = optical_flow(first.moment(), second.moment());
-  EXPECT_EQ(count(flow, FlowState::kHidden), kSize.width * kSize.height);
+  EXPECT_EQ(count(flow, FlowState::kHidden), kFlowSize.width * kFlowSize.height);
 }
 
 }  // namespace

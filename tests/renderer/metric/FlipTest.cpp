@@ -12,7 +12,7 @@
 namespace thinwall {
 namespace {
 
-constexpr ImageSize kSize{160, 110};
+constexpr ImageSize kFlipSize{160, 110};
 
 /// The error between two plain colours, in which nothing is left of the filters: the paper's section 4.1.3 alone.
 double plain_error(const std::array<double, 3>& first, const std::array<double, 3>& second) {
@@ -36,7 +36,7 @@ std::array<double, 3> linear(int red, int green, int blue) {
 }
 
 TEST(Flip, EqualPicturesHaveNoError) {
-  const FlipResult result = flip(shaded_image(kSize), shaded_image(kSize));
+  const FlipResult result = flip(shaded_image(kFlipSize), shaded_image(kFlipSize));
   EXPECT_EQ(result.mean, 0);
   EXPECT_EQ(result.largest, 0);
   EXPECT_EQ(result.percentile_99, 0);
@@ -60,18 +60,18 @@ TEST(Flip, PlainColorsHaveTheErrorOfTheFormula) {
 
 /// Means that the published program (version 1.6) prints for these pictures.
 TEST(Flip, EqualsThePublishedProgram) {
-  const Image reference = shaded_image(kSize);
-  EXPECT_NEAR(flip(reference, shaded_image(kSize, 1)).mean, 0.078579, 1e-5);
+  const Image reference = shaded_image(kFlipSize);
+  EXPECT_NEAR(flip(reference, shaded_image(kFlipSize, 1)).mean, 0.078579, 1e-5);
   EXPECT_NEAR(flip(reference, tinted(reference, 1.01, 1.01, 1.01)).mean, 0.042996, 1e-5);
   EXPECT_NEAR(flip(reference, tinted(reference, 1.05, 1, 0.95)).mean, 0.103822, 1e-5);
   EXPECT_NEAR(flip(reference, upside_down(reference)).mean, 0.115374, 1e-5);
-  EXPECT_NEAR(flip(reference, patterned_image(kSize)).mean, 0.838777, 1e-5);
+  EXPECT_NEAR(flip(reference, patterned_image(kFlipSize)).mean, 0.838777, 1e-5);
   EXPECT_NEAR(flip(reference, upside_down(reference)).largest, 0.865773, 2e-5);
 }
 
 TEST(Flip, IsTheSameBothWays) {
-  const Image first = shaded_image(kSize);
-  const Image second = shaded_image(kSize, 2);
+  const Image first = shaded_image(kFlipSize);
+  const Image second = shaded_image(kFlipSize, 2);
   EXPECT_NEAR(flip(first, second).mean, flip(second, first).mean, 1e-12);
 }
 
@@ -130,9 +130,9 @@ TEST(Flip, AViewerFartherAwaySeesLessOfAFinePattern) {
 }
 
 FloatImage bright_image(double gain, int shift) {
-  FloatImage image{.size = kSize, .channels = 3, .values = {}};
-  for (int y = 0; y < kSize.height; ++y) {
-    for (int column = 0; column < kSize.width; ++column) {
+  FloatImage image{.size = kFlipSize, .channels = 3, .values = {}};
+  for (int y = 0; y < kFlipSize.height; ++y) {
+    for (int column = 0; column < kFlipSize.width; ++column) {
       const int x = column - shift;
       const double squares = (x / 16 + y / 16) % 2 * 0.3;
       const double light = 0.02 + squares + 50 * gain * std::exp(-((x - 80) * (x - 80) + (y - 50) * (y - 50)) / 200.0);

@@ -8,7 +8,7 @@
 namespace thinwall {
 namespace {
 
-constexpr ImageSize kSize{160, 110};
+constexpr ImageSize kLadderSize{160, 110};
 
 PictureOptions limits(PictureLimits limits) {
   PictureOptions options;
@@ -17,14 +17,15 @@ PictureOptions limits(PictureLimits limits) {
 }
 
 TEST(Ladder, EqualPicturesEndAtTheirBytes) {
-  const PictureComparison result = climb_ladder(shaded_image(kSize), shaded_image(kSize), limits({.flip = 0.1}));
+  const PictureComparison result =
+      climb_ladder(shaded_image(kLadderSize), shaded_image(kLadderSize), limits({.flip = 0.1}));
   EXPECT_TRUE(result.within);
   EXPECT_EQ(result.rung, "bytes");
   EXPECT_FALSE(result.flip);
 }
 
 TEST(Ladder, WithoutLimitsOneLevelInOnePixelIsADifference) {
-  const Image first = shaded_image(kSize);
+  const Image first = shaded_image(kLadderSize);
   Image second = first;
   second.pixels[1000] ^= 1;
   EXPECT_FALSE(climb_ladder(first, second).within);
@@ -40,7 +41,7 @@ TEST(Ladder, AnotherSizeIsToldAndNeverWithin) {
 }
 
 TEST(Ladder, CheapRungsSaveTheDearOnes) {
-  const Image first = shaded_image(kSize);
+  const Image first = shaded_image(kLadderSize);
   const PictureComparison result =
       climb_ladder(first, upside_down(first), limits({.largest = 8, .structure = 0.9, .flip = 0.5}));
   EXPECT_FALSE(result.within);
@@ -50,8 +51,8 @@ TEST(Ladder, CheapRungsSaveTheDearOnes) {
 }
 
 TEST(Ladder, EachLimitIsHeld) {
-  const Image first = shaded_image(kSize);
-  const Image second = shaded_image(kSize, 1);
+  const Image first = shaded_image(kLadderSize);
+  const Image second = shaded_image(kLadderSize, 1);
   EXPECT_FALSE(climb_ladder(first, second, limits({.mean = 0.01})).within);
   EXPECT_FALSE(climb_ladder(first, second, limits({.drift = 1e-5})).within);
   EXPECT_FALSE(climb_ladder(first, second, limits({.failing = 0.01})).within);
@@ -72,8 +73,8 @@ TEST(Ladder, TheVerdictNamesFiguresAndLimits) {
 TEST(Ladder, WantedFiguresAreThereAlsoWhenNothingNeedsThem) {
   PictureOptions options;
   options.wanted = {.structure = true, .flip = true};
-  const Image first = shaded_image(kSize);
-  const PictureComparison result = climb_ladder(first, shaded_image(kSize, 1), options);
+  const Image first = shaded_image(kLadderSize);
+  const PictureComparison result = climb_ladder(first, shaded_image(kLadderSize, 1), options);
   EXPECT_FALSE(result.within);
   ASSERT_TRUE(result.structure && result.flip);
   EXPECT_GT(result.flip->mean, 0.01);
@@ -93,7 +94,7 @@ TEST(Ladder, MaskedPixelsCountNowhere) {
 
 /// What a golden of usual limits has to catch, however dark it is: 8 levels, 0.2 on average, a drift of 0.001.
 TEST(Ladder, ChangesThatMatterAreCaughtAndNoiseIsNot) {
-  const Image image = shaded_image(kSize);
+  const Image image = shaded_image(kLadderSize);
   const auto passes = [&](const Image& other) {
     return climb_ladder(image, other, limits({.largest = 8, .mean = 0.2, .drift = 0.001})).within;
   };
@@ -102,7 +103,7 @@ TEST(Ladder, ChangesThatMatterAreCaughtAndNoiseIsNot) {
       climb_ladder(dark, tinted(dark, 1.01, 1.01, 1.01), limits({.largest = 8, .mean = 0.2, .drift = 0.001}));
   EXPECT_LT(gain.difference.mean, 0.2) << "the mean alone would let it pass";
   EXPECT_FALSE(gain.within) << gain.verdict;
-  EXPECT_FALSE(passes(shaded_image(kSize, 1))) << "shifted by a pixel";
+  EXPECT_FALSE(passes(shaded_image(kLadderSize, 1))) << "shifted by a pixel";
   EXPECT_FALSE(passes(tinted(image, 1.01, 1.01, 1.01))) << "a gain of 1 %";
   EXPECT_FALSE(passes(tinted(image, 1.02, 1, 0.98))) << "another hue";
   EXPECT_FALSE(passes(upside_down(image)));

@@ -9,10 +9,11 @@
 namespace thinwall {
 namespace {
 
-constexpr ImageSize kSize{300, 200};
+constexpr ImageSize kSimilaritySize{300, 200};
 
 TEST(StructuralSimilarity, EqualPicturesHaveOne) {
-  const StructuralSimilarity result = structural_similarity(shaded_image(kSize), shaded_image(kSize));
+  const StructuralSimilarity result =
+      structural_similarity(shaded_image(kSimilaritySize), shaded_image(kSimilaritySize));
   EXPECT_EQ(result.mean, 1);
   EXPECT_EQ(result.lowest, 1);
 }
@@ -33,23 +34,23 @@ TEST(StructuralSimilarity, PlainGreysHaveTheLuminanceTermAlone) {
 }
 
 TEST(StructuralSimilarity, IsTheSameBothWaysAndForAnyThreads) {
-  const Image first = shaded_image(kSize);
-  const Image second = shaded_image(kSize, 1);
+  const Image first = shaded_image(kSimilaritySize);
+  const Image second = shaded_image(kSimilaritySize, 1);
   const StructuralSimilarity result = structural_similarity(first, second, 1);
   EXPECT_EQ(result.mean, structural_similarity(first, second, 3).mean);
   EXPECT_NEAR(result.mean, structural_similarity(second, first, 2).mean, 1e-7);
 }
 
 TEST(StructuralSimilarity, FallsWithTheShift) {
-  const Image first = shaded_image(kSize);
-  const double one = structural_similarity(first, shaded_image(kSize, 1)).mean;
-  const double four = structural_similarity(first, shaded_image(kSize, 4)).mean;
+  const Image first = shaded_image(kSimilaritySize);
+  const double one = structural_similarity(first, shaded_image(kSimilaritySize, 1)).mean;
+  const double four = structural_similarity(first, shaded_image(kSimilaritySize, 4)).mean;
   EXPECT_LT(one, 0.99);
   EXPECT_LT(four, one);
 }
 
 TEST(StructuralSimilarity, SeesAChangeOfColorAtTheSameLightness) {
-  const Image first = shaded_image(kSize);
+  const Image first = shaded_image(kSimilaritySize);
   Image swapped = first;
   for (std::size_t i = 0; i < swapped.pixels.size(); i += 3) std::swap(swapped.pixels[i], swapped.pixels[i + 2]);
   EXPECT_LT(structural_similarity(first, swapped).mean, 0.9);

@@ -7,24 +7,24 @@
 namespace thinwall {
 namespace {
 
-constexpr ImageSize kSize{1280, 720};
+constexpr ImageSize kHalvesSize{1280, 720};
 
 Image captioned(const std::string& left, const std::string& right, const std::optional<Box>& inset = {},
-                ImageSize size = kSize) {
+                ImageSize size = kHalvesSize) {
   Image image{.size = size, .pixels = std::vector<std::uint8_t>(3UL * size.width * size.height, 128)};
   draw_half_captions(image, {left, right}, inset);
   return image;
 }
 
 bool is_changed(const Image& image, int x, int y) {
-  return image.pixels[3 * (static_cast<std::size_t>(y) * kSize.width + static_cast<std::size_t>(x))] != 128;
+  return image.pixels[3 * (static_cast<std::size_t>(y) * kHalvesSize.width + static_cast<std::size_t>(x))] != 128;
 }
 
 /// The first column right of `from` and before `to` from which on nothing is drawn.
 int right_end(const Image& image, int from, int to) {
   int end = from;
   for (int x = from; x < to; ++x) {
-    for (int y = 0; y < kSize.height; ++y) {
+    for (int y = 0; y < kHalvesSize.height; ++y) {
       if (is_changed(image, x, y)) end = x + 1;
     }
   }
@@ -33,7 +33,7 @@ int right_end(const Image& image, int from, int to) {
 
 TEST(HalfCaptions, StandInThePlacesThatAreToldOfThem) {
   const std::array<std::string, 2> captions{"Wall 2 mm thick", "A wall that has been inflamed for weeks"};
-  const std::vector<Box> places = half_caption_places(kSize, captions);
+  const std::vector<Box> places = half_caption_places(kHalvesSize, captions);
   ASSERT_EQ(places.size(), 2U);
   const Image image = captioned(captions[0], captions[1]);
   for (const Box& place : places) {
@@ -41,8 +41,8 @@ TEST(HalfCaptions, StandInThePlacesThatAreToldOfThem) {
     EXPECT_EQ(right_end(image, place.x < 640 ? 0 : 650, place.x < 640 ? 630 : 1280), static_cast<int>(place.right()));
   }
   const Box inset{700, 60, 300, 100};
-  EXPECT_GE(half_caption_places(kSize, captions, inset)[1].y, inset.bottom()) << "below what has its place";
-  EXPECT_TRUE(half_caption_places(kSize, {"", ""}).empty());
+  EXPECT_GE(half_caption_places(kHalvesSize, captions, inset)[1].y, inset.bottom()) << "below what has its place";
+  EXPECT_TRUE(half_caption_places(kHalvesSize, {"", ""}).empty());
 }
 
 TEST(HalfCaptions, LeaveTheMiddleOfTheHalvesFree) {

@@ -12,7 +12,7 @@
 namespace thinwall {
 namespace {
 
-constexpr ImageSize kSize = {.width = 160, .height = 90};
+constexpr ImageSize kDataSize = {.width = 160, .height = 90};
 
 /// A square of 2 m that faces the camera, with a pressure that runs from 0 to 400 Pa along x.
 Snapshot square() {
@@ -36,11 +36,11 @@ ViewDefinition facing() {
 void expect_colors_of_the_legend(Tier tier, DataScale scale) {
   ViewDefinition view = facing();
   view.look.data->scale = scale;
-  const Image image = Renderer({}, kSize, tier).draw(square(), view, view.camera);
-  const double metres_per_pixel = 2 * 5 * std::tan(0.5 * view.camera.field_of_view) / kSize.height;
+  const Image image = Renderer({}, kDataSize, tier).draw(square(), view, view.camera);
+  const double metres_per_pixel = 2 * 5 * std::tan(0.5 * view.camera.field_of_view) / kDataSize.height;
   int largest = 0, checked = 0;
-  for (int column = 0; column < kSize.width; ++column) {
-    const double x = (column + 0.5 - 0.5 * kSize.width) * metres_per_pixel;
+  for (int column = 0; column < kDataSize.width; ++column) {
+    const double x = (column + 0.5 - 0.5 * kDataSize.width) * metres_per_pixel;
     // The outermost pixels are smoothed.
     if (std::abs(x) > 1 - 2 * metres_per_pixel) continue;
     const double pressure = 200 * (x + 1);
@@ -48,7 +48,7 @@ void expect_colors_of_the_legend(Tier tier, DataScale scale) {
     // Where a root begins, with an infinite slope, a pixel of several samples has not the colour of its middle.
     if (std::abs(number) < 0.5 * metres_per_pixel) continue;
     const Double3 color = color_map(color_place(number, scale));
-    const std::size_t pixel = static_cast<std::size_t>(45 * kSize.width + column);
+    const std::size_t pixel = static_cast<std::size_t>(45 * kDataSize.width + column);
     for (std::size_t k = 0; k < 3; ++k) {
       const int level = static_cast<int>(std::lround(255 * color[k]));
       largest = std::max(largest, std::abs(level - image.pixels[3 * pixel + k]));
@@ -87,7 +87,7 @@ TEST(DataViewGLTest, ToolsAreGreyBesideTheColorsOfNumbersAndOnlyThere) {
   with_tool.tools = {{.name = "probe", .kind = SnapshotToolKind::kSphere, .radius = 0.3, .tip = {0.2, 0.1, 0.1}}};
   ViewDefinition view = facing();
   view.look.floor = false;
-  Renderer renderer({}, kSize, Tier::kDraft);
+  Renderer renderer({}, kDataSize, Tier::kDraft);
   for (const double endoscope : {0.0, 1.0}) {
     view.lights.endoscope = endoscope;
     view.look.data = facing().look.data;
@@ -104,13 +104,13 @@ TEST(DataViewGLTest, ToolsAreGreyBesideTheColorsOfNumbersAndOnlyThere) {
 
 TEST(DataViewGLTest, TheMeshDarkensItsEdgesAndNothingElse) {
   ViewDefinition view = facing();
-  Renderer renderer({}, kSize, Tier::kRecord);
+  Renderer renderer({}, kDataSize, Tier::kRecord);
   const Image without = renderer.draw(square(), view, view.camera);
   view.look.mesh = true;
   const Image with = renderer.draw(square(), view, view.camera);
   // The diagonal of the square crosses the middle of the picture from below to above on the right.
   const auto green = [](const Image& image, int column, int row) {
-    return static_cast<int>(image.pixels[3 * static_cast<std::size_t>(row * kSize.width + column) + 1]);
+    return static_cast<int>(image.pixels[3 * static_cast<std::size_t>(row * kDataSize.width + column) + 1]);
   };
   EXPECT_LT(green(with, 80, 45) + green(with, 80, 44), green(without, 80, 45) + green(without, 80, 44));
   EXPECT_EQ(green(with, 86, 55), green(without, 86, 55));

@@ -12,7 +12,7 @@
 namespace thinwall {
 namespace {
 
-constexpr ImageSize kSize{320, 180};
+constexpr ImageSize kDrapeSize{320, 180};
 
 /// Of 60 mm, 2 mm thick, seen from the front; the middle of its 3 by 3 vertices lies `pressed` metres lower.
 Snapshot skin_sheet(float pressed = 0) {
@@ -50,7 +50,7 @@ ViewDefinition with_ground(ViewDefinition view, Ground ground) {
 }
 
 Image draw(const Snapshot& snapshot, const ViewDefinition& view, Tier tier = Tier::kRecord) {
-  return Renderer(DeviceChoice{}, kSize, tier).draw(snapshot, view);
+  return Renderer(DeviceChoice{}, kDrapeSize, tier).draw(snapshot, view);
 }
 
 std::array<double, 3> mean_color(const Image& image, int left, int top, int width, int height) {
@@ -58,7 +58,7 @@ std::array<double, 3> mean_color(const Image& image, int left, int top, int widt
   for (int y = top; y < top + height; ++y) {
     for (int x = left; x < left + width; ++x) {
       for (std::size_t c = 0; c < 3; ++c) {
-        sums[c] += image.pixels[3 * (static_cast<std::size_t>(y) * kSize.width + x) + c] / (1.0 * width * height);
+        sums[c] += image.pixels[3 * (static_cast<std::size_t>(y) * kDrapeSize.width + x) + c] / (1.0 * width * height);
       }
     }
   }
@@ -85,8 +85,8 @@ TEST(Drape, IsNotBelowNumbersAndMeshes) {
 
 TEST(Drape, IsGreenBlueClothAroundTheSheet) {
   const Image image = draw(skin_sheet(), seen_from(kFront));
-  for (const int left : {0, kSize.width - 24}) {
-    const auto [red, green, blue] = mean_color(image, left, kSize.height - 24, 24, 24);
+  for (const int left : {0, kDrapeSize.width - 24}) {
+    const auto [red, green, blue] = mean_color(image, left, kDrapeSize.height - 24, 24, 24);
     EXPECT_GT(green, red + 25);
     EXPECT_GT(blue, red + 25);
     EXPECT_GT(green, 60);
@@ -98,7 +98,7 @@ TEST(Drape, StaysWhereItIsWhenTheSheetIsPressedDown) {
   const ViewDefinition view = seen_from(kFront);
   const Image before = draw(skin_sheet(), view), after = draw(skin_sheet(0.006F), view);
   EXPECT_NE(before.pixels, after.pixels);
-  for (std::size_t i = 0; i < 3U * 40U * kSize.width; ++i) ASSERT_EQ(before.pixels[i], after.pixels[i]) << i;
+  for (std::size_t i = 0; i < 3U * 40U * kDrapeSize.width; ++i) ASSERT_EQ(before.pixels[i], after.pixels[i]) << i;
 }
 
 TEST(Drape, IsShadedWhereTheSheetTouchesIt) {
@@ -115,9 +115,9 @@ TEST(Drape, IsShadedWhereTheSheetTouchesIt) {
 double roughness_of(const Image& image) {
   double sum = 0;
   int count = 0;
-  for (int y = kSize.height - 16; y < kSize.height; ++y) {
+  for (int y = kDrapeSize.height - 16; y < kDrapeSize.height; ++y) {
     for (int x = 0; x + 1 < 60; ++x) {
-      const std::size_t first = 3 * (static_cast<std::size_t>(y) * kSize.width + x) + 1;
+      const std::size_t first = 3 * (static_cast<std::size_t>(y) * kDrapeSize.width + x) + 1;
       sum += std::abs(image.pixels[first + 3] - image.pixels[first]);
       ++count;
     }
@@ -143,13 +143,13 @@ TEST(Drape, TakesUpWhatRunsOffTheSheet) {
   const Image wet = draw(snapshot, view);
   // The sheet ends 9 mm below its middle, 7 mm before it; a drop there is 2.6 mm high.
   const SceneExtent extent = scene_extent(snapshot);
-  const auto lowest = resolve_camera(view.camera, extent, kSize, 0).pixel({0, -0.0085, -0.0095}, kSize);
+  const auto lowest = resolve_camera(view.camera, extent, kDrapeSize, 0).pixel({0, -0.0085, -0.0095}, kDrapeSize);
   ASSERT_TRUE(lowest);
   int changed = 0;
   for (std::size_t i = 0; i < dry.pixels.size(); ++i) {
     if (dry.pixels[i] == wet.pixels[i]) continue;
     ++changed;
-    EXPECT_LE(static_cast<double>(i / (3U * kSize.width)), (*lowest)[1]);
+    EXPECT_LE(static_cast<double>(i / (3U * kDrapeSize.width)), (*lowest)[1]);
   }
   EXPECT_GT(changed, 30);
 }

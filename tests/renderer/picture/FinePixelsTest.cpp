@@ -9,22 +9,22 @@
 namespace thinwall {
 namespace {
 
-constexpr ImageSize kSize{70, 6};
-constexpr ScreenArea kWhole{0, 0, kSize.width, kSize.height};
+constexpr ImageSize kFineSize{70, 6};
+constexpr ScreenArea kWhole{0, 0, kFineSize.width, kFineSize.height};
 
-std::size_t at(int column, int row, int width = kSize.width) {
+std::size_t at(int column, int row, int width = kFineSize.width) {
   return static_cast<std::size_t>(row * width + column);
 }
 
 std::vector<std::uint8_t> even_picture(std::uint8_t level) {
-  return std::vector<std::uint8_t>(4 * static_cast<std::size_t>(kSize.width) * static_cast<std::size_t>(kSize.height),
-                                   level);
+  return std::vector<std::uint8_t>(
+      4 * static_cast<std::size_t>(kFineSize.width) * static_cast<std::size_t>(kFineSize.height), level);
 }
 
 TEST(FinePixels, AreNoneWhereNeighboursHardlyDiffer) {
   std::vector<std::uint8_t> pixels = even_picture(100);
   for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = static_cast<std::uint8_t>(100 + 7 * (i / 4 % 2));
-  const FinePixels fine = find_fine_pixels(pixels, {}, kSize.width, kWhole);
+  const FinePixels fine = find_fine_pixels(pixels, {}, kFineSize.width, kWhole);
   EXPECT_EQ(fine.area, ScreenArea{});
   EXPECT_TRUE(fine.is_fine.empty());
 }
@@ -34,7 +34,7 @@ TEST(FinePixels, AreAStepsBothSidesInAnyChannelAndWantTheirFourCorners) {
     for (const std::size_t channel : {0U, 1U, 2U}) {
       std::vector<std::uint8_t> pixels = even_picture(100);
       pixels[4 * at(column, 2) + channel] = 130;
-      const FinePixels fine = find_fine_pixels(pixels, {}, kSize.width, kWhole);
+      const FinePixels fine = find_fine_pixels(pixels, {}, kFineSize.width, kWhole);
       // A cross of five, and a border of one for the corners on the left and below.
       ASSERT_EQ(fine.area, (ScreenArea{column - 2, 0, 4, 4}));
       EXPECT_EQ(fine.is_fine, (std::vector<std::uint8_t>{0, 0, 0, 0,  //
@@ -54,7 +54,7 @@ TEST(FinePixels, AreThoseThatShowFluid) {
   std::vector<std::uint8_t> pixels = bare;
   pixels[4 * at(20, 3)] = 102;
   pixels[4 * at(30, 3)] = 103;
-  const FinePixels fine = find_fine_pixels(pixels, bare, kSize.width, kWhole);
+  const FinePixels fine = find_fine_pixels(pixels, bare, kFineSize.width, kWhole);
   EXPECT_EQ(fine.area, (ScreenArea{29, 2, 2, 2}));
   EXPECT_EQ(fine.is_fine, (std::vector<std::uint8_t>{0, 0, 0, 1}));
 }
@@ -71,8 +71,8 @@ TEST(FinePixels, AreSoughtWithinAnAreaAlone) {
   pixels[4 * at(50, 2)] = 200;
   bare[4 * at(20, 3)] = 0;
   const ScreenArea area{45, 1, 20, 4};
-  const FinePixels fine = find_fine_pixels(pixels, bare, kSize.width, area);
-  const FinePixels of_whole = find_fine_pixels(pixels, {}, kSize.width, {40, 0, 30, 6});
+  const FinePixels fine = find_fine_pixels(pixels, bare, kFineSize.width, area);
+  const FinePixels of_whole = find_fine_pixels(pixels, {}, kFineSize.width, {40, 0, 30, 6});
   EXPECT_EQ(fine.area, (ScreenArea{48, 1, 4, 3}));
   EXPECT_EQ(of_whole.area, (ScreenArea{48, 0, 4, 4}));
   EXPECT_EQ(fine.is_fine, std::vector<std::uint8_t>(of_whole.is_fine.begin() + 4, of_whole.is_fine.end()));
@@ -85,7 +85,7 @@ TEST(FinePixels, AreHalfTheirMiddleAndAnEighthEachCornerOthersStay) {
   picture[fine_pixel] = 80;
   const std::array<std::size_t, 4> around{0, 1, 3, 4};
   for (std::size_t k = 0; k < 4; ++k) corners[4 * around[k]] = static_cast<std::uint8_t>(8 * (k + 1));
-  add_corners(fine, corners, picture, kSize.width);
+  add_corners(fine, corners, picture, kFineSize.width);
   for (std::size_t i = 0; i < picture.size(); ++i) {
     const int expected = i == fine_pixel ? 50 : i / 4 == fine_pixel / 4 ? 25 : 50;  // 80 / 2 + (8 + 16 + 24 + 32) / 8
     EXPECT_EQ(picture[i], expected) << i;
@@ -96,7 +96,7 @@ TEST(FinePixels, ACornerBeginsWithTheBackdropAndAnythingElseStays) {
   const FinePixels fine{.area = {5, 2, 3, 2}, .is_fine = {0, 0, 0, 0, 1, 0}, .is_corner = {1, 1, 0, 1, 1, 0}};
   std::vector<std::uint8_t> backdrop = even_picture(0);
   for (std::size_t i = 0; i < backdrop.size(); ++i) backdrop[i] = static_cast<std::uint8_t>(i / 4 % 200);
-  const std::vector<std::uint8_t> ground = with_backdrop(fine, even_picture(250), backdrop, kSize.width);
+  const std::vector<std::uint8_t> ground = with_backdrop(fine, even_picture(250), backdrop, kFineSize.width);
   const std::vector<std::uint32_t> numbers = at_corners(fine, 7, 3);
   for (std::size_t i = 0; i < 6; ++i) {
     const std::size_t seen = at(5 + static_cast<int>(i % 3), 2 + static_cast<int>(i / 3));

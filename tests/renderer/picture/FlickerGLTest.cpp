@@ -11,17 +11,17 @@
 namespace thinwall {
 namespace {
 
-constexpr ImageSize kSize{320, 192};
+constexpr ImageSize kFlickerSize{320, 192};
 constexpr int kTile = 16;  // pixels on a side
 
 /// Means of the channels of all tiles, in 8-bit levels.
 std::vector<double> tiles_of(const Image& image) {
-  const int columns = kSize.width / kTile, rows = kSize.height / kTile;
+  const int columns = kFlickerSize.width / kTile, rows = kFlickerSize.height / kTile;
   std::vector<double> tiles(static_cast<std::size_t>(3 * columns * rows));
-  for (int y = 0; y < kSize.height; ++y) {
-    for (int x = 0; x < kSize.width; ++x) {
+  for (int y = 0; y < kFlickerSize.height; ++y) {
+    for (int x = 0; x < kFlickerSize.width; ++x) {
       for (int c = 0; c < 3; ++c) {
-        const auto pixel = static_cast<std::size_t>(3 * (y * kSize.width + x) + c);
+        const auto pixel = static_cast<std::size_t>(3 * (y * kFlickerSize.width + x) + c);
         const auto tile = static_cast<std::size_t>(3 * ((y / kTile) * columns + x / kTile) + c);
         tiles[tile] += image.pixels[pixel] / static_cast<double>(kTile * kTile);
       }
@@ -117,7 +117,7 @@ Snapshot cut_up_to(double tip, double time) {
 }
 
 Unrest of_slow_cut(double bleeding) {
-  Renderer renderer(DeviceChoice{}, kSize, Tier::kRecord);
+  Renderer renderer(DeviceChoice{}, kFlickerSize, Tier::kRecord);
   ViewDefinition view;
   view.camera.position = Double3{0, -0.05, 0.06};
   view.camera.target = Double3{0, 0, 0};
@@ -147,7 +147,7 @@ TEST(Flicker, ASlowCutChangesNoPlaceSuddenly) {
 
 /// A light that goes around a thing at rest slides over it.
 TEST(Flicker, AMovingLightChangesNoPlaceSuddenly) {
-  Renderer renderer(DeviceChoice{}, kSize, Tier::kRecord);
+  Renderer renderer(DeviceChoice{}, kFlickerSize, Tier::kRecord);
   Snapshot snapshot;
   snapshot.surfaces = {test::sphere("organ", {0, 0, 0.03}, 0.03, 4)};
   ViewDefinition view;

@@ -9,7 +9,7 @@
 namespace thinwall {
 namespace {
 
-constexpr double kSize = 0.1, kHalfWidth = 0.2, kFloor = -0.05;
+constexpr double kFloorSize = 0.1, kHalfWidth = 0.2, kFloor = -0.05;
 
 /// A square plate of 80 mm above the middle of the floor, counter-clockwise from above.
 std::vector<SurfaceVertex> plate(float height) {
@@ -34,7 +34,7 @@ std::array<double, 2> taken_at(std::span<const std::uint8_t> pixels, double x, d
 
 FloorCover cover_of(float height, const std::vector<std::uint32_t>& corners, bool is_closed, Vector3 toward_light) {
   FloorCover cover;
-  cover.begin({.center = {}, .size = kSize, .height = kFloor, .half_width = kHalfWidth}, toward_light);
+  cover.begin({.center = {}, .size = kFloorSize, .height = kFloor, .half_width = kHalfWidth}, toward_light);
   cover.stand(std::span<const SurfaceVertex>(plate(height)));
   cover.lay(corners, is_closed);
   return cover;
@@ -44,7 +44,7 @@ TEST(FloorCover, TakesTheLightFromAllAroundBelowAndTheKeyLightAside) {
   FloorCover cover = cover_of(-0.03F, kFromAbove, false, {3, 0, 1});
   const auto pixels = cover.blurred();
   // 20 mm above the floor, so the shadow goes 60 mm aside, away from the light.
-  EXPECT_NEAR(taken_at(pixels, 0, 0)[0], std::exp(-7 * 0.02 / kSize), 0.01);
+  EXPECT_NEAR(taken_at(pixels, 0, 0)[0], std::exp(-7 * 0.02 / kFloorSize), 0.01);
   EXPECT_NEAR(taken_at(pixels, -0.06, 0)[1], 1, 0.01);
   EXPECT_NEAR(taken_at(pixels, 0.03, 0)[1], 0, 0.01);
   EXPECT_NEAR(taken_at(pixels, -0.15, 0)[0], 0, 0.01);
@@ -57,7 +57,7 @@ TEST(FloorCover, TheLowestCountsWhateverComesFirst) {
     cover.stand(std::span<const SurfaceVertex>(plate(height)));
     cover.lay(kFromAbove, false);
   }
-  EXPECT_NEAR(taken_at(cover.blurred(), 0, 0)[0], std::exp(-7 * 0.005 / kSize), 0.01);
+  EXPECT_NEAR(taken_at(cover.blurred(), 0, 0)[0], std::exp(-7 * 0.005 / kFloorSize), 0.01);
 }
 
 TEST(FloorCover, OfWhatIsClosedTheSidesThatFaceDownCount) {

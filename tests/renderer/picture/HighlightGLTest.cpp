@@ -9,7 +9,7 @@
 namespace thinwall {
 namespace {
 
-constexpr ImageSize kSize{320, 240};
+constexpr ImageSize kHighlightSize{320, 240};
 
 /// A sheet, stretched along x, seen from above.
 Snapshot sheet(float stretch) {
@@ -34,15 +34,15 @@ HighlightDefinition blue_spot() {
 
 /// How much bluer a place has become.
 int bluer(const Image& with, const Image& without, Vector3 place) {
-  const Camera camera = resolve_camera(from_above().camera, scene_extent(sheet(1)), kSize, 0);
-  const auto [x, y] = *camera.pixel(place, kSize);
-  const auto first = 3 * static_cast<std::size_t>(std::floor(y) * kSize.width + std::floor(x));
+  const Camera camera = resolve_camera(from_above().camera, scene_extent(sheet(1)), kHighlightSize, 0);
+  const auto [x, y] = *camera.pixel(place, kHighlightSize);
+  const auto first = 3 * static_cast<std::size_t>(std::floor(y) * kHighlightSize.width + std::floor(x));
   const auto blue = [&](const Image& image) { return image.pixels[first + 2] - image.pixels[first]; };
   return blue(with) - blue(without);
 }
 
 TEST(Highlight, MarksTheMaterialAndGoesWithIt) {
-  Renderer renderer(DeviceChoice{}, kSize, Tier::kDraft);
+  Renderer renderer(DeviceChoice{}, kHighlightSize, Tier::kDraft);
   for (const float stretch : {1.0F, 1.5F}) {
     Snapshot snapshot = sheet(stretch);
     snapshot.time = 1.5;
@@ -59,7 +59,7 @@ TEST(Highlight, MarksTheMaterialAndGoesWithIt) {
 }
 
 TEST(Highlight, IsShownInItsSpanAndOnItsBodyOnly) {
-  Renderer renderer(DeviceChoice{}, kSize, Tier::kDraft);
+  Renderer renderer(DeviceChoice{}, kHighlightSize, Tier::kDraft);
   Snapshot snapshot = sheet(1);
   ViewDefinition view = from_above();
   const auto changes = [&](double time, const HighlightDefinition& highlight) {

@@ -11,7 +11,7 @@
 namespace thinwall {
 namespace {
 
-constexpr ImageSize kSize{640, 360};
+constexpr ImageSize kLensSize{640, 360};
 constexpr LensDistortion kBarrel{.k1 = -0.3, .k2 = 0.1, .p1 = 0.002, .p2 = -0.001};
 
 ViewDefinition through(const LensDistortion& lens) {
@@ -53,12 +53,12 @@ std::array<double, 2> middle_of_the_light(const Image& image) {
 }
 
 TEST(LensPicture, ThingsAppearWhereTheLensPutsThem) {
-  Renderer renderer(DeviceChoice{}, kSize, Tier::kRecord);
+  Renderer renderer(DeviceChoice{}, kLensSize, Tier::kRecord);
   for (const auto& [x, y] : {std::pair{0.0, 0.0}, std::pair{0.06, 0.02}, std::pair{-0.07, -0.03}}) {
     const Snapshot snapshot = plate(x, y);
     const ViewDefinition view = through(kBarrel);
-    const Camera camera = resolve_camera(view.camera, scene_extent(snapshot), kSize, 0);
-    const auto expected = camera.pixel({x, y, 0}, kSize);
+    const Camera camera = resolve_camera(view.camera, scene_extent(snapshot), kLensSize, 0);
+    const auto expected = camera.pixel({x, y, 0}, kLensSize);
     ASSERT_TRUE(expected);
     const auto found = middle_of_the_light(renderer.draw(snapshot, view));
     // The plate is lit unevenly and its picture a little bent, so the middle is known to some tenths of a pixel;
@@ -69,7 +69,7 @@ TEST(LensPicture, ThingsAppearWhereTheLensPutsThem) {
 }
 
 TEST(LensPicture, ALensThatBendsNothingChangesNothing) {
-  Renderer renderer(DeviceChoice{}, kSize, Tier::kRecord);
+  Renderer renderer(DeviceChoice{}, kLensSize, Tier::kRecord);
   const Snapshot snapshot = plate(0.02, 0.01);
   const Image plain = renderer.draw(snapshot, through({}));
   renderer.draw(snapshot, through(kBarrel));
@@ -77,25 +77,25 @@ TEST(LensPicture, ALensThatBendsNothingChangesNothing) {
 }
 
 TEST(LensPicture, ALensThatFoldsThePictureIsRefused) {
-  Renderer renderer(DeviceChoice{}, kSize, Tier::kDraft);
+  Renderer renderer(DeviceChoice{}, kLensSize, Tier::kDraft);
   EXPECT_THROW(renderer.draw(plate(0, 0), through({.k1 = -1})), PictureFailure);
 }
 
 TEST(LensPicture, BeyondTheFieldStopNothingIsSeenWhereTheLensFolds) {
   // The picture's corners are at a tangent of 1.11, but r (1 - 0.2 r^2) never exceeds 0.86.
-  Renderer renderer(DeviceChoice{}, kSize, Tier::kDraft);
+  Renderer renderer(DeviceChoice{}, kLensSize, Tier::kDraft);
   ViewDefinition view = through({.k1 = -0.2});
   view.camera.kind = CameraKind::kEndoscope;
   view.look.background = {1, 1, 1};
   const Image image = renderer.draw(plate(0, 0), view);
-  const Camera camera = resolve_camera(view.camera, scene_extent(plate(0, 0)), kSize, 0);
+  const Camera camera = resolve_camera(view.camera, scene_extent(plate(0, 0)), kLensSize, 0);
   int bright = 0;
-  for (int row = 0; row < kSize.height; ++row) {
-    for (int column = 0; column < kSize.width; ++column) {
-      const double x = (2 * (column + 0.5) / kSize.width - 1) * camera.tangent_x;
-      const double y = (2 * (row + 0.5) / kSize.height - 1) * camera.tangent_y;
+  for (int row = 0; row < kLensSize.height; ++row) {
+    for (int column = 0; column < kLensSize.width; ++column) {
+      const double x = (2 * (column + 0.5) / kLensSize.width - 1) * camera.tangent_x;
+      const double y = (2 * (row + 0.5) / kLensSize.height - 1) * camera.tangent_y;
       if (std::hypot(x, y) < 1.1 * camera.field_stop) continue;
-      const auto pixel = image.pixels.begin() + 3 * static_cast<std::ptrdiff_t>(row * kSize.width + column);
+      const auto pixel = image.pixels.begin() + 3 * static_cast<std::ptrdiff_t>(row * kLensSize.width + column);
       bright += *std::max_element(pixel, pixel + 3) > 8 ? 1 : 0;
     }
   }
@@ -103,7 +103,7 @@ TEST(LensPicture, BeyondTheFieldStopNothingIsSeenWhereTheLensFolds) {
 }
 
 TEST(LensPicture, NoiseDependsOnSeedAndMomentAlone) {
-  Renderer renderer(DeviceChoice{}, kSize, Tier::kDraft);
+  Renderer renderer(DeviceChoice{}, kLensSize, Tier::kDraft);
   Snapshot snapshot = plate(0, 0);
   ViewDefinition view = through({});
   const Image clean = renderer.draw(snapshot, view);

@@ -8,7 +8,7 @@
 namespace thinwall {
 namespace {
 
-constexpr ImageSize kSize{640, 360};
+constexpr ImageSize kMeetingSize{640, 360};
 
 /// A pale ball that a dark one goes into, aslant so that the line between them runs through pixels at all places.
 Image two_balls() {
@@ -19,7 +19,7 @@ Image two_balls() {
   for (const auto& [body, color] : {std::pair{"pale", 0.9}, std::pair{"dark", 0.25}}) {
     view.look.bodies[body] = {.color = {color, color, color}, .wetness = 0, .mottling = 0, .vessels = 0};
   }
-  return Renderer(DeviceChoice{}, kSize, Tier::kRecord).draw(snapshot, view);
+  return Renderer(DeviceChoice{}, kMeetingSize, Tier::kRecord).draw(snapshot, view);
 }
 
 /// The largest step between two neighbours over that across seven pixels, the mean of the rows in the middle.
@@ -29,10 +29,10 @@ double sharpest_step(const Image& image) {
   };
   double sum = 0;
   constexpr int kRows = 60;
-  for (int y = kSize.height / 2 - kRows / 2; y < kSize.height / 2 + kRows / 2; ++y) {
+  for (int y = kMeetingSize.height / 2 - kRows / 2; y < kMeetingSize.height / 2 + kRows / 2; ++y) {
     int sharpest = 0;
     double largest = 0;
-    for (int x = kSize.width / 2 - 30; x < kSize.width / 2 + 30; ++x) {
+    for (int x = kMeetingSize.width / 2 - 30; x < kMeetingSize.width / 2 + 30; ++x) {
       const double step = std::abs(level(x + 1, y) - level(x, y));
       if (step > largest) largest = step, sharpest = x;
     }

@@ -7,7 +7,7 @@
 namespace thinwall {
 namespace {
 
-constexpr int kPlaces = 500;
+constexpr int kSeenPlaces = 500;
 
 /// Directions all around (Fibonacci's), and numbers that go with them.
 const char* const kSample = R"(
@@ -27,7 +27,7 @@ auto results_of(const std::string& told, bool is_layered) {
   for (std::size_t at = code.find("LAYERED"); at != std::string::npos; at = code.find("LAYERED")) {
     code.replace(at, 7, is_layered ? "true" : "false");
   }
-  return test::run_shader({"seen.glsl"}, code, kPlaces);
+  return test::run_shader({"seen.glsl"}, code, kSeenPlaces);
 }
 
 TEST(Seen, DirectionsDepthsAndPlacesComeBack) {

@@ -11,12 +11,12 @@
 namespace thinwall {
 namespace {
 
-constexpr ImageSize kSize{96, 96};
+constexpr ImageSize kTissueSize{96, 96};
 
 Image draw(const SnapshotSurface& surface, const ViewDefinition& view, Tier tier = Tier::kDraft) {
   Snapshot snapshot;
   snapshot.surfaces = {surface};
-  return Renderer(DeviceChoice{}, kSize, tier).draw(snapshot, view);
+  return Renderer(DeviceChoice{}, kTissueSize, tier).draw(snapshot, view);
 }
 
 /// A sheet of 40 mm across z = 0 in `parts` x `parts` squares, each of two triangles.
@@ -138,7 +138,7 @@ double roughness_of(const Image& image) {
   double sum = 0;
   int count = 0;
   for (std::size_t i = 1; i + 3 < image.pixels.size(); i += 3) {
-    if ((i / 3) % kSize.width == kSize.width - 1U) continue;
+    if ((i / 3) % kTissueSize.width == kTissueSize.width - 1U) continue;
     sum += std::abs(int{image.pixels[i + 3]} - int{image.pixels[i]});
     ++count;
   }
@@ -182,9 +182,9 @@ TEST(Tissue, SkinShowsItsLayersWhereASheetEnds) {
   view.lights.key_direction = Double3{0.3, -0.8, 0.5};
   const Image image = draw(surface, view);
   const auto yellow_at = [&](int row) {
-    const std::vector<std::uint8_t> line(image.pixels.begin() + 3 * row * kSize.width,
-                                         image.pixels.begin() + 3 * (row + 1) * kSize.width);
-    const auto [red, green, blue] = mean_color({.size = {kSize.width, 1}, .pixels = line});
+    const std::vector<std::uint8_t> line(image.pixels.begin() + 3 * row * kTissueSize.width,
+                                         image.pixels.begin() + 3 * (row + 1) * kTissueSize.width);
+    const auto [red, green, blue] = mean_color({.size = {kTissueSize.width, 1}, .pixels = line});
     return (green - blue) / red;
   };
   EXPECT_GT(yellow_at(74), yellow_at(40) + 0.15) << "fat below the dermis";
@@ -242,12 +242,12 @@ TEST(Tissue, HasVesselsThatRunAlongTheBody) {
   const Image image = draw(sheet(1), view);
   // The body's line goes from left to right.
   double along = 0, across = 0;
-  for (int row = 1; row < kSize.height; ++row) {
-    for (int column = 1; column < kSize.width; ++column) {
-      const int pixel = 3 * (row * kSize.width + column) + 1;
+  for (int row = 1; row < kTissueSize.height; ++row) {
+    for (int column = 1; column < kTissueSize.width; ++column) {
+      const int pixel = 3 * (row * kTissueSize.width + column) + 1;
       const auto level = [&](int i) { return static_cast<double>(image.pixels[static_cast<std::size_t>(i)]); };
       along += std::abs(level(pixel) - level(pixel - 3));
-      across += std::abs(level(pixel) - level(pixel - 3 * kSize.width));
+      across += std::abs(level(pixel) - level(pixel - 3 * kTissueSize.width));
     }
   }
   RecordProperty("ratio", std::to_string(across / along));

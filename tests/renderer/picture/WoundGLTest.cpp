@@ -15,7 +15,7 @@
 namespace thinwall {
 namespace {
 
-constexpr ImageSize kSize{96, 96};
+constexpr ImageSize kWoundSize{96, 96};
 
 /// A ball of 20 mm that is open at the top, half full.
 Snapshot open_bowl(double fluid_part) {
@@ -59,14 +59,14 @@ TEST(Wound, IsDrawnAsOftenAsItIsAskedForInADraft) {
   slit.surfaces = {test::slit_sheet(10, 0.001, 0)};
   slit.time = 1;
   for (const Snapshot& snapshot : {slit, open_bowl(0.5)}) {
-    Renderer renderer(DeviceChoice{}, kSize, Tier::kDraft);
+    Renderer renderer(DeviceChoice{}, kWoundSize, Tier::kDraft);
     const Image first = renderer.draw(snapshot, from_above());
     EXPECT_EQ(renderer.draw(snapshot, from_above()).pixels, first.pixels);
   }
 }
 
 TEST(Wound, ShowsTheFluidInAnOpenedOrgan) {
-  Renderer renderer(DeviceChoice{}, kSize, Tier::kRecord);
+  Renderer renderer(DeviceChoice{}, kWoundSize, Tier::kRecord);
   const std::array<int, 3> dry = middle_of(renderer.draw(open_bowl(0), from_above()));
   EXPECT_GT(dry[0], dry[1] + 20) << "the lining is red";
   for (const double part : {1.0, 0.5}) {
@@ -77,7 +77,7 @@ TEST(Wound, ShowsTheFluidInAnOpenedOrgan) {
 }
 
 TEST(Wound, LetsTheBottomBeSeenThroughShallowClearFluid) {
-  Renderer renderer(DeviceChoice{}, kSize, Tier::kRecord);
+  Renderer renderer(DeviceChoice{}, kWoundSize, Tier::kRecord);
   ViewDefinition view = from_above();
   const std::array<int, 3> dry = middle_of(renderer.draw(open_bowl(0), view));
   view.look.bodies["bowl"].contents = *find_fluid_look("water");
@@ -87,7 +87,7 @@ TEST(Wound, LetsTheBottomBeSeenThroughShallowClearFluid) {
 }
 
 TEST(Wound, LeavesTheBottomPinkThroughSerum) {
-  Renderer renderer(DeviceChoice{}, kSize, Tier::kRecord);
+  Renderer renderer(DeviceChoice{}, kWoundSize, Tier::kRecord);
   ViewDefinition view = from_above();
   view.lights.environment = 0;  // its surface mirrors nothing
   view.lights.key = 2;
@@ -107,7 +107,7 @@ TEST(Wound, FluidGlistensWhereItClimbsTheWallsAcrossFromTheLens) {
   view.camera.position = Double3{0, -0.065, 0.08};
   view.camera.target = Double3{0, 0.012, 0.003};
   view.lights.endoscope = 1;
-  const Image image = Renderer(DeviceChoice{}, kSize, Tier::kRecord).draw(open_bowl(0.6), view);
+  const Image image = Renderer(DeviceChoice{}, kWoundSize, Tier::kRecord).draw(open_bowl(0.6), view);
   int glistening = 0;
   // Along the far shore.
   for (std::size_t i = 3U * 96 * 28; i < 3U * 96 * 40; i += 3) {
@@ -131,7 +131,7 @@ TEST(Wound, WhatRunsOutHasNoBrightStreaksWhereItIsSeenAlongTheWall) {
   Snapshot snapshot;
   snapshot.surfaces = {test::slit_sheet(20, 0.002, kSteepness)};
   snapshot.time = 3;
-  Renderer renderer(DeviceChoice{}, kSize, Tier::kRecord);
+  Renderer renderer(DeviceChoice{}, kWoundSize, Tier::kRecord);
   const Image dry = renderer.draw(snapshot, view);
   snapshot.scalars = {{"organ.leaked", "m^3", 3e-6}};
   const Image wet = renderer.draw(snapshot, view);
@@ -150,7 +150,7 @@ TEST(Wound, APoolGlistensBesideWhereALevelOneWouldMirrorTheLamp) {
   view.camera.position = Double3{0, -0.015, 0.078};
   view.lights.endoscope = 1;
   view.look.bodies["bowl"].contents = *find_fluid_look("blood");
-  const Image image = Renderer(DeviceChoice{}, kSize, Tier::kRecord).draw(open_bowl(0.9), view);
+  const Image image = Renderer(DeviceChoice{}, kWoundSize, Tier::kRecord).draw(open_bowl(0.9), view);
   int glistening = 0;
   for (std::size_t y = 36; y < 60; ++y) {
     for (std::size_t i = 3 * (96 * y + 36); i < 3 * (96 * y + 60); i += 3) glistening += image.pixels[i + 1] > 100;
@@ -163,7 +163,7 @@ TEST(Wound, APoolOfCloudyFluidIsNotAsPlainAsPaint) {
   view.lights.environment = 0;  // its surface mirrors nothing
   view.lights.key = 2;
   view.look.bodies["bowl"].contents = *find_fluid_look("gastric_juice");
-  const Image image = Renderer(DeviceChoice{}, kSize, Tier::kRecord).draw(open_bowl(0.9), view);
+  const Image image = Renderer(DeviceChoice{}, kWoundSize, Tier::kRecord).draw(open_bowl(0.9), view);
   int least = 255, most = 0;
   for (std::size_t y = 34; y < 62; ++y) {
     for (std::size_t x = 34; x < 62; ++x) {
@@ -184,13 +184,13 @@ std::vector<double> darker_columns(double aside) {
   Snapshot snapshot;
   snapshot.surfaces = {test::slit_sheet(20, 0.002, 0.5)};
   snapshot.time = 3;
-  Renderer renderer(DeviceChoice{}, kSize, Tier::kRecord);
+  Renderer renderer(DeviceChoice{}, kWoundSize, Tier::kRecord);
   const Image dry = renderer.draw(snapshot, view);
   snapshot.scalars = {{"organ.leaked", "m^3", 1e-6}};
   const Image wet = renderer.draw(snapshot, view);
   std::vector<double> columns;
   for (std::size_t i = 0; i < dry.pixels.size(); i += 3) {
-    if (wet.pixels[i + 1] + 2 < dry.pixels[i + 1]) columns.push_back(static_cast<double>(i / 3 % kSize.width));
+    if (wet.pixels[i + 1] + 2 < dry.pixels[i + 1]) columns.push_back(static_cast<double>(i / 3 % kWoundSize.width));
   }
   return columns;
 }
@@ -206,7 +206,7 @@ TEST(Wound, WhatRunsOutIsDarkAlongTheRimThatIsTurnedToTheLamp) {
 }
 
 TEST(Wound, IsAlikeWhateverWasDrawnBefore) {
-  Renderer renderer(DeviceChoice{}, kSize, Tier::kRecord);
+  Renderer renderer(DeviceChoice{}, kWoundSize, Tier::kRecord);
   const Image first = renderer.draw(open_bowl(0.5), from_above());
   renderer.draw(open_bowl(1.0), from_above());
   EXPECT_EQ(renderer.draw(open_bowl(0.5), from_above()).pixels, first.pixels);
@@ -226,7 +226,7 @@ std::pair<Image, Image> draw_slit(const std::string& organ, double time, ImageSi
 }
 
 TEST(Wound, BleedsAlongACutAndNotWithoutOne) {
-  const auto [bleeding, dry] = draw_slit("stomach", 5, kSize);
+  const auto [bleeding, dry] = draw_slit("stomach", 5, kWoundSize);
   std::size_t reddened = 0;
   for (std::size_t pixel = 0; pixel < bleeding.pixels.size(); pixel += 3) {
     if (bleeding.pixels[pixel + 1] + 30 < dry.pixels[pixel + 1]) ++reddened;
@@ -288,12 +288,12 @@ TEST(Wound, OfSkinShowsYellowFatOnItsGround) {
   ViewDefinition view = from_above();
   view.look.bodies["organ"] = *find_organ_look("skin");
   view.look.bodies["organ"].bleeding = 0;
-  const Image image = Renderer(DeviceChoice{}, kSize, Tier::kRecord).draw(snapshot, view);
+  const Image image = Renderer(DeviceChoice{}, kWoundSize, Tier::kRecord).draw(snapshot, view);
   // Within the wound, which is 6 mm wide, at 4.8 pixels a millimetre.
   int yellow = 0, all = 0;
   for (int row = 42; row < 54; ++row) {
     for (int column = 20; column < 76; ++column, ++all) {
-      const auto pixel = static_cast<std::size_t>(3 * (row * kSize.width + column));
+      const auto pixel = static_cast<std::size_t>(3 * (row * kWoundSize.width + column));
       yellow += image.pixels[pixel + 2] < 0.75 * image.pixels[pixel + 1] ? 1 : 0;
     }
   }

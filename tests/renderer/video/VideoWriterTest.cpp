@@ -17,14 +17,14 @@ namespace {
 
 namespace files = std::filesystem;
 
-constexpr ImageSize kSize{64, 48};
+constexpr ImageSize kVideoSize{64, 48};
 
 /// A box that moves over a soft background.
 Image frame_number(int number) {
-  Image image = plain_image(kSize, 30, 20, 25);
+  Image image = plain_image(kVideoSize, 30, 20, 25);
   for (int y = 10; y < 30; ++y) {
     for (int x = number % 40; x < number % 40 + 20; ++x) {
-      image.pixels[static_cast<std::size_t>(3 * (y * kSize.width + x))] = static_cast<std::uint8_t>(120 + x);
+      image.pixels[static_cast<std::size_t>(3 * (y * kVideoSize.width + x))] = static_cast<std::uint8_t>(120 + x);
     }
   }
   return image;
@@ -32,7 +32,7 @@ Image frame_number(int number) {
 
 void record(const files::path& path, int frames, double rate = 30, const std::vector<VideoChapter>& chapters = {},
             const std::vector<VideoCaption>& captions = {}) {
-  VideoWriter writer(path, {.size = kSize, .frames_per_second = rate});
+  VideoWriter writer(path, {.size = kVideoSize, .frames_per_second = rate});
   for (int i = 0; i < frames; ++i) writer.write(frame_number(i));
   writer.finish(chapters, captions);
 }
@@ -61,7 +61,7 @@ TEST(VideoWriter, HasEveryFrameAndTheExactDuration) {
   record(folder / "a.mp4", 45);
   const VideoProbe found = probe_video(folder / "a.mp4");
   EXPECT_EQ(found.frames, 45);
-  EXPECT_EQ(found.size, kSize);
+  EXPECT_EQ(found.size, kVideoSize);
   EXPECT_DOUBLE_EQ(found.duration, 1.5);
   EXPECT_EQ(folder.file_count(), 1u);
 }
@@ -93,9 +93,9 @@ TEST(VideoWriter, PureColoursAreDecodedWithTheLumaOfBt709) {
     int luma;
   } cases[] = {{{255, 0, 0}, 63}, {{0, 255, 0}, 173}, {{0, 0, 255}, 32}};
   for (const auto& [color, luma] : cases) {
-    VideoWriter writer(folder / "a.mp4", {.size = kSize});
+    VideoWriter writer(folder / "a.mp4", {.size = kVideoSize});
     const auto level = [&](int channel) { return static_cast<std::uint8_t>(color[channel]); };
-    writer.write(plain_image(kSize, level(0), level(1), level(2)));
+    writer.write(plain_image(kVideoSize, level(0), level(1), level(2)));
     writer.finish({}, {});
     const std::string planes = decoded_planes(folder / "a.mp4");
     ASSERT_EQ(planes.size(), 64u * 48u * 3u / 2u);
@@ -162,7 +162,7 @@ TEST(VideoWriter, NamesWithSpecialCharactersAreKept) {
 TEST(VideoWriter, UnfinishedLeavesNothing) {
   const TestFolder folder;
   {
-    VideoWriter writer(folder / "a.mp4", {.size = kSize});
+    VideoWriter writer(folder / "a.mp4", {.size = kVideoSize});
     for (int i = 0; i < 5; ++i) writer.write(frame_number(i));
     EXPECT_GT(folder.file_count(), 0u);
   }

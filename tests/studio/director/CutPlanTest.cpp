@@ -34,7 +34,7 @@ Subject ball() {
 
 const Eigen::Vector3d kDown = -Eigen::Vector3d::UnitZ();
 const ToolDefinition kNeedle = {.name = "needle", .kind = ToolKind::kNeedle, .length = 0.04, .radius = 0.0005};
-const ToolDefinition kBlade = {
+const ToolDefinition kPlannedBlade = {
     .name = "blade", .kind = ToolKind::kScalpel, .length = 0.02, .width = 0.006, .thickness = 0.0004};
 
 PierceClip needle_clip() {
@@ -130,7 +130,7 @@ TEST(PiercingPlan, RefusesNeedlesThatAreTooThickOrTooShort) {
 
 TEST(IncisionPlan, PressesInFollowsThePathAndGoesBack) {
   const Subject body = table();
-  const IncisionPlan plan = plan_incision(straight_cut(), kBlade, body.view(), kPlace);
+  const IncisionPlan plan = plan_incision(straight_cut(), kPlannedBlade, body.view(), kPlace);
   EXPECT_NEAR(plan.path.length(), 0.03, 1e-15);
   EXPECT_NEAR(plan.to_contact, 0.006, 1e-12);
   EXPECT_NEAR(plan.duration(), 0.6 + 2 + 0.5 + 0.6, 1e-12);
@@ -156,7 +156,7 @@ TEST(IncisionPlan, PressesInFollowsThePathAndGoesBack) {
 
 TEST(IncisionPlan, LooksAheadOfItsEndStraightOnAndAsMuchDeeper) {
   const Subject body = table();
-  const IncisionPlan plan = plan_incision(straight_cut(), kBlade, body.view(), kPlace);
+  const IncisionPlan plan = plan_incision(straight_cut(), kPlannedBlade, body.view(), kPlace);
   EXPECT_LT((plan.pose_ahead(0.03).tip - Eigen::Vector3d(0.02, 0.002, -0.003)).norm(), 1e-12);
   EXPECT_LT((plan.pose_ahead(0.034).tip - Eigen::Vector3d(0.024, 0.002, -0.007)).norm(), 1e-12);
 }
@@ -174,7 +174,7 @@ TEST(PassedOver, IsMadeUpForByTheCutThatGoesOnAsFarAsThatReaches) {
 
 TEST(IncisionPlan, TellsThatItCutsOnceTheBladeIsFeltToBeIn) {
   const Subject body = table();
-  IncisionPlan plan = plan_incision(straight_cut(), kBlade, body.view(), kPlace);
+  IncisionPlan plan = plan_incision(straight_cut(), kPlannedBlade, body.view(), kPlace);
   plan.feel_entry(0.48);
   plan.feel_entry(0.7);
   EXPECT_EQ(plan.at(0.47).phase, "contact");
@@ -185,7 +185,7 @@ TEST(IncisionPlan, OnASphereTheTipRunsOnASmallerSphereAndLooksToTheMiddle) {
   const Subject body = ball();
   InciseClip clip = straight_cut();
   clip.path = {{-0.012, 0.003, 0.018}, {0.002, 0.001, 0.0199}, {0.013, 0.004, 0.016}};
-  const IncisionPlan plan = plan_incision(clip, kBlade, body.view(), kPlace);
+  const IncisionPlan plan = plan_incision(clip, kPlannedBlade, body.view(), kPlace);
   for (int k = 0; k <= 200; ++k) {
     const ToolPose pose = plan.pose_below(0.005 * k * plan.path.length());
     // Facets with sides of 3 mm lie up to 0.08 mm within the sphere; the normals between their corners lean by little.
@@ -200,7 +200,7 @@ TEST(IncisionPlan, PosesMoveAndTurnEvenlyAroundCorners) {
   const Subject body = table();
   InciseClip clip = straight_cut();
   clip.path = {{-0.02, 0, 0}, {0, 0, 0}, {0, 0.02, 0}, {0.02, 0.02, 0}};
-  const IncisionPlan plan = plan_incision(clip, kBlade, body.view(), kPlace);
+  const IncisionPlan plan = plan_incision(clip, kPlannedBlade, body.view(), kPlace);
   const double step = 1e-4;  // metres
   for (double along = step; along < plan.path.length(); along += step) {
     const ToolPose before = plan.pose_below(along - step), now = plan.pose_below(along);
@@ -215,7 +215,7 @@ TEST(IncisionPlan, WhereThePathTurnsBackTheBladeGoesBackWithoutTurning) {
   const Subject body = table();
   InciseClip clip = straight_cut();
   clip.path = {{-0.02, 0, 0}, {0.01, 0, 0}, {-0.01, 0, 0}};
-  const IncisionPlan plan = plan_incision(clip, kBlade, body.view(), kPlace);
+  const IncisionPlan plan = plan_incision(clip, kPlannedBlade, body.view(), kPlace);
   EXPECT_NEAR(plan.path.length(), 0.05, 1e-15);
   for (int k = 0; k <= 100; ++k) {
     EXPECT_LT((plan.pose_below(0.01 * k * 0.05).axis - Eigen::Vector3d::UnitX()).norm(), 1e-12) << k;
@@ -226,7 +226,7 @@ TEST(IncisionPlan, FromBelowASheetItCutsUpwards) {
   const Subject body = table();
   InciseClip clip = straight_cut();
   clip.direction = Eigen::Vector3d::UnitZ();
-  const IncisionPlan plan = plan_incision(clip, kBlade, body.view(), kPlace);
+  const IncisionPlan plan = plan_incision(clip, kPlannedBlade, body.view(), kPlace);
   EXPECT_LT((plan.begin.tip - Eigen::Vector3d(-0.01, 0.002, -0.006)).norm(), 1e-15);
   EXPECT_LT((plan.begin.direction - Eigen::Vector3d::UnitZ()).norm(), 1e-15);
 }
@@ -237,7 +237,7 @@ TEST(IncisionPlan, RefusesPathsThatLeaveTheSurface) {
   InciseClip clip = straight_cut();
   clip.path = {{0, 0, 0.02}, {0.032, 0, 0}};
   clip.path_locations = {kPlace, point};
-  const auto plan = [&] { plan_incision(clip, kBlade, body.view(), kPlace); };
+  const auto plan = [&] { plan_incision(clip, kPlannedBlade, body.view(), kPlace); };
   EXPECT_EQ(message_of(plan),
             "a.yaml:9:11: error: incise: path[2] = [32, 0, 0] mm lies 12 mm from body `table`, which spans x "
             "-20 ... 20, y -20 ... 20, z -20 ... 20 mm then, farther than `reach` = 10 mm; move the point to the wall "
@@ -262,11 +262,11 @@ TEST(IncisionPlan, RefusesDepthsThatBladeOrBodyLack) {
   InciseClip clip = straight_cut();
   clip.path = {{0, 0, 0.02}, {0.01, 0, 0.017}};
   clip.depth = 0.021;
-  const auto plan = [&] { plan_incision(clip, kBlade, body.view(), kPlace); };
+  const auto plan = [&] { plan_incision(clip, kPlannedBlade, body.view(), kPlace); };
   EXPECT_EQ(message_of(plan),
             "a.yaml:7:5: error: incise: `depth` = 21 mm is more than blade `blade` is high (20 mm); cut less deep or "
             "give it a larger `length`");
-  ToolDefinition sword = kBlade;
+  ToolDefinition sword = kPlannedBlade;
   sword.length = 0.1;
   clip.depth = 0.041;
   EXPECT_EQ(message_of([&] { plan_incision(clip, sword, body.view(), kPlace); }),
@@ -286,11 +286,11 @@ TEST(IncisionPlan, RefusesBladesThatWouldStartInsideOrTouchAlready) {
   InciseClip clip = straight_cut();
   clip.path = {{0, 0.01, 0.0099}, {0, -0.01, 0.0099}};
   clip.standoff = 0.025;
-  EXPECT_EQ(message_of([&] { plan_incision(clip, kBlade, body.view(), kPlace); }),
+  EXPECT_EQ(message_of([&] { plan_incision(clip, kPlannedBlade, body.view(), kPlace); }),
             "a.yaml:7:5: error: incise: 25 mm above path[1] blade `blade` would start inside body `table`; a smaller "
             "`standoff` or another first point lets it start outside");
   clip.standoff = 0.005;
-  ToolDefinition wide = kBlade;
+  ToolDefinition wide = kPlannedBlade;
   wide.length = 0.03;
   EXPECT_NE(message_of([&] { plan_incision(clip, wide, body.view(), kPlace); }).find("touches body `table` already"),
             std::string::npos);
@@ -308,7 +308,7 @@ TEST(CutPlans, TellWhatTheyAreAndHowDeep) {
   EXPECT_EQ(standard_caption({.action = straight_cut()}), "Incision: 3 mm deep at 15 mm/s");
   EXPECT_EQ(standard_caption({.action = needle_clip()}), "Piercing: 12 mm deep at 10 mm/s");
   EXPECT_EQ(tool_of({.action = straight_cut()}), "blade");
-  const Plan plan = plan_incision(straight_cut(), kBlade, body.view(), kPlace);
+  const Plan plan = plan_incision(straight_cut(), kPlannedBlade, body.view(), kPlace);
   EXPECT_TRUE(knows_depth(plan));
   EXPECT_NEAR(duration_of(plan), 3.7, 1e-12);
   EXPECT_EQ(beginning_of(plan)->tip.z(), moment_of(plan, 0)->pose.tip.z());

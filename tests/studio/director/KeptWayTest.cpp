@@ -15,7 +15,7 @@ namespace thinwall {
 namespace {
 
 const Eigen::Vector3d kDown = -Eigen::Vector3d::UnitZ();
-const ToolDefinition kBlade = {
+const ToolDefinition kShortBlade = {
     .name = "blade", .kind = ToolKind::kScalpel, .length = 0.012, .width = 0.003, .thickness = 4e-4};
 const ToolDefinition kNeedle = {.name = "needle", .kind = ToolKind::kNeedle, .length = 0.06, .radius = 0.0003};
 
@@ -31,7 +31,7 @@ PierceClip needle_clip(const std::string& body, double depth) {
   return clip;
 }
 
-BodyScenario wall(const std::string& name, const ShapeSource& shape) {
+BodyScenario kept_wall(const std::string& name, const ShapeSource& shape) {
   BodyScenario body{.name = name,
                     .surface = shape,
                     .thickness = {.standard = 1e-3},
@@ -42,7 +42,7 @@ BodyScenario wall(const std::string& name, const ShapeSource& shape) {
 
 /// A sheet stretched by a tenth, held at its border.
 BodyScenario skin() {
-  BodyScenario body = wall("skin", {.shape = Shape::kSheet, .length = 0.04, .width = 0.04, .triangles = 400});
+  BodyScenario body = kept_wall("skin", {.shape = Shape::kSheet, .length = 0.04, .width = 0.04, .triangles = 400});
   body.fluid.kind = FluidKind::kNone;
   body.prestretch = {.standard = {.first = 1.1, .second = 1.1}};
   body.fixed = {{.region = BoundaryRegion{}}};
@@ -62,7 +62,7 @@ InciseClip cut_across(const std::string& body, double height) {
 Scenario opened_skin(const std::vector<Clip>& next) {
   Scenario scenario{.name = "test", .title = "test"};
   scenario.bodies = {skin()};
-  scenario.tools = {kBlade, kNeedle};
+  scenario.tools = {kShortBlade, kNeedle};
   scenario.timeline = {{.action = cut_across("skin", 0)}};
   for (const Clip& clip : next) scenario.timeline.push_back(clip);
   scenario.simulation = {.analysis = Analysis::kDynamic, .time_step = 0.01};
@@ -180,8 +180,8 @@ TEST(KeptWay, ABladeThatBeginsFartherBackGoesToTheSameDepthAndFollowsNoLineOnThe
   large.position *= 1.3;
   InciseClip clip = cut_across("ball", 0.02);
   clip.marked = true;
-  const IncisionPlan first = plan_incision(clip, kBlade, small.view(), {});
-  const auto kept = kept_way(first, kBlade, large.view());
+  const IncisionPlan first = plan_incision(clip, kShortBlade, small.view(), {});
+  const auto kept = kept_way(first, kShortBlade, large.view());
   ASSERT_TRUE(kept.has_value());
   const auto& plan = std::get<IncisionPlan>(*kept);
   EXPECT_GT(plan.begin.tip.z(), 0.026);

@@ -21,17 +21,17 @@
 namespace thinwall {
 namespace {
 
-constexpr double kToughness = 150;   // joule / metre^2
-constexpr double kThickness = 1e-3;  // metres
-constexpr double kRadius = 6e-3;     // metres, of the circle on the stretched sheet as it is given
+constexpr double kSkinToughness = 150;   // joule / metre^2
+constexpr double kSkinThickness = 1e-3;  // metres
+constexpr double kRadius = 6e-3;         // metres, of the circle on the stretched sheet as it is given
 
 /// A sheet stretched by 6 % both ways, out of which a disc is cut.
 Scenario excision(bool marked) {
   BodyScenario sheet{.name = "skin",
                      .surface = ShapeSource{.shape = Shape::kSheet, .length = 0.03, .width = 0.03, .triangles = 500},
-                     .thickness = {.standard = kThickness},
+                     .thickness = {.standard = kSkinThickness},
                      .material = {.law = find_wall_law("neo_hookean"), .parameters = {40e3}}};
-  sheet.toughness = Field<double>{.standard = kToughness};
+  sheet.toughness = Field<double>{.standard = kSkinToughness};
   sheet.fluid.kind = FluidKind::kNone;
   sheet.model = WallModel::kShell;
   sheet.prestretch = {.standard = {.first = 1.06, .second = 1.06}};
@@ -107,7 +107,7 @@ TEST(MarkedPath, ACircleOnAStretchedSheetMeetsItsBeginningAndFreesThePatch) {
   EXPECT_LT(patch.farthest, 3e-4);                                      // seen 2.4e-4
   EXPECT_NEAR(patch.cut_length, 2 * std::numbers::pi * kRadius, 3e-4);  // chords are shorter, by 1.6e-4
   // Nothing but round-off may be left, of 6e-3 J.
-  EXPECT_NEAR(patch.fracture, kToughness * kThickness * patch.cut_length, 1e-9);
+  EXPECT_NEAR(patch.fracture, kSkinToughness * kSkinThickness * patch.cut_length, 1e-9);
   EXPECT_LT(std::abs(patch.imbalance), 1e-9);
   EXPECT_LT(patch.tilt, 10);  // seen 6.8; the last bridge itself turns by 14 degrees in a step
 }
@@ -165,7 +165,7 @@ std::unique_ptr<Body> sheet_gone(double aside) {
   definition.name = "skin";
   definition.mesh = make_sheet(0.04, 0.04, 200);
   for (Eigen::Vector3d& vertex : definition.mesh.vertices) vertex.y() += aside;
-  definition.thickness.assign(definition.mesh.triangles.size(), kThickness);
+  definition.thickness.assign(definition.mesh.triangles.size(), kSkinThickness);
   definition.materials = {{find_wall_law("neo_hookean"), {40e3}}};
   definition.fluid.kind = FluidKind::kNone;
   return std::make_unique<Body>(definition, std::vector<ToolDefinition>{}, SimulationOptions{});

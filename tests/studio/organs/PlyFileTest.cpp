@@ -69,16 +69,16 @@ std::string binary(bool is_big) {
   return bytes;
 }
 
-PlyFile read_text(const std::string& bytes, const PlyLimits& limits = {}) {
+PlyFile read_ply_text(const std::string& bytes, const PlyLimits& limits = {}) {
   const TemporaryFolder folder;
   write_bytes(folder / "wall.ply", bytes);
   return read_ply(folder / "wall.ply", limits);
 }
 
 /// "line:column: message"
-std::string refusal_of(const std::string& bytes, const PlyLimits& limits = {}) {
+std::string ply_refusal_of(const std::string& bytes, const PlyLimits& limits = {}) {
   try {
-    read_text(bytes, limits);
+    read_ply_text(bytes, limits);
   } catch (const FileFormatError& error) {
     return std::to_string(error.location().line) + ":" + std::to_string(error.location().column) + ": " + error.what();
   }
@@ -104,54 +104,56 @@ void expect_the_file(const PlyFile& ply) {
 }
 
 TEST(PlyFile, TextAndBothByteOrdersGiveTheSame) {
-  const PlyFile ascii = read_text(kAscii);
+  const PlyFile ascii = read_ply_text(kAscii);
   expect_the_file(ascii);
   EXPECT_EQ(ascii.vertex_lines, (std::vector<int>{17, 18, 19, 20}));
   EXPECT_EQ(ascii.face_lines, (std::vector<int>{22, 23}));
   for (const bool is_big : {false, true}) {
-    const PlyFile ply = read_text(binary(is_big));
+    const PlyFile ply = read_ply_text(binary(is_big));
     expect_the_file(ply);
     EXPECT_TRUE(ply.vertex_lines.empty());
   }
 }
 
 TEST(PlyFile, NumbersThatAreNoneAreKeptInProperties) {
-  const PlyFile ply = read_text(replaced(kAscii, "1e-3", "nan"));
+  const PlyFile ply = read_ply_text(replaced(kAscii, "1e-3", "nan"));
   EXPECT_TRUE(std::isnan(ply.vertex_properties[0].values[1]));
 }
 
 TEST(PlyFile, MistakesOfTheHeaderAreToldWithTheirLine) {
-  EXPECT_EQ(refusal_of(replaced(kAscii, "ply", "plx")), "1:1: a PLY file begins with the line `ply`");
-  EXPECT_EQ(refusal_of(replaced(kAscii, "ascii", "binary")),
+  EXPECT_EQ(ply_refusal_of(replaced(kAscii, "ply", "plx")), "1:1: a PLY file begins with the line `ply`");
+  EXPECT_EQ(ply_refusal_of(replaced(kAscii, "ascii", "binary")),
             "2:1: the format is `ascii`, `binary_little_endian` or `binary_big_endian`, not `binary`");
-  EXPECT_EQ(refusal_of(replaced(kAscii, "property float y", "property half y")),
+  EXPECT_EQ(ply_refusal_of(replaced(kAscii, "property float y", "property half y")),
             "6:1: there is no type of numbers `half`");
-  EXPECT_EQ(refusal_of(replaced(kAscii, "property short side", "property short x")),
+  EXPECT_EQ(ply_refusal_of(replaced(kAscii, "property short side", "property short x")),
             "9:1: the property `x` is there twice");
-  EXPECT_EQ(refusal_of(replaced(kAscii, "element vertex 4", "element vertex four")),
+  EXPECT_EQ(ply_refusal_of(replaced(kAscii, "element vertex 4", "element vertex four")),
             "4:1: expected `element NAME COUNT`");
-  EXPECT_EQ(refusal_of(replaced(kAscii, "comment by hand", "remark by hand")),
+  EXPECT_EQ(ply_refusal_of(replaced(kAscii, "comment by hand", "remark by hand")),
             "3:1: the header knows `format`, `element`, `property`, `comment` and `end_header`, not `remark`");
-  EXPECT_EQ(refusal_of("ply\nformat ascii 1.0\n"),
+  EXPECT_EQ(ply_refusal_of("ply\nformat ascii 1.0\n"),
             "3:1: the header has no line `end_header`; the file is cut off or is no PLY file");
 }
 
 TEST(PlyFile, MistakesOfTheNumbersAreToldWithTheirPlace) {
-  EXPECT_EQ(refusal_of(replaced(kAscii, "1e-3", "thin")), "18:5: expected a number, got `thin`");
-  EXPECT_EQ(refusal_of(replaced(kAscii, "3 0 1 2", "3 0 1 4")),
+  EXPECT_EQ(ply_refusal_of(replaced(kAscii, "1e-3", "thin")), "18:5: expected a number, got `thin`");
+  EXPECT_EQ(ply_refusal_of(replaced(kAscii, "3 0 1 2", "3 0 1 4")),
             "22:1: face 1 has the corner 4, but there are 4 vertices");
-  EXPECT_EQ(refusal_of(replaced(kAscii, "4 0 1 2 3", "4 0 1 2")),
+  EXPECT_EQ(ply_refusal_of(replaced(kAscii, "4 0 1 2 3", "4 0 1 2")),
             "24:1: the file ends before all that its header announces");
-  EXPECT_EQ(refusal_of(replaced(kAscii, "1 +1 2", "1 inf 2")), "19:1: a coordinate of vertex 3 is no finite number");
-  EXPECT_EQ(refusal_of(replaced(kAscii, "3 0 1 2\n", "3 0 1 1.5\n")), "22:10: 1.5 is no corner of a face");
+  EXPECT_EQ(ply_refusal_of(replaced(kAscii, "1 +1 2", "1 inf 2")),
+            "19:1: a coordinate of vertex 3 is no finite number");
+  EXPECT_EQ(ply_refusal_of(replaced(kAscii, "3 0 1 2\n", "3 0 1 1.5\n")), "22:10: 1.5 is no corner of a face");
 }
 
 TEST(PlyFile, CountsThatTheFileCannotHoldAreRefusedBeforeAnythingIsMade) {
-  EXPECT_NE(refusal_of(replaced(kAscii, "vertex 4", "vertex 4000000000")).find("more than the file holds"),
+  EXPECT_NE(ply_refusal_of(replaced(kAscii, "vertex 4", "vertex 4000000000")).find("more than the file holds"),
             std::string::npos);
-  EXPECT_NE(refusal_of(replaced(binary(false), "vertex 4", "vertex 99999999999")).find("at byte"), std::string::npos);
-  EXPECT_NE(refusal_of(kAscii, {.numbers = 10}).find("more than 10 numbers"), std::string::npos);
-  EXPECT_NE(refusal_of(kAscii, {.file_bytes = 20}).find("larger than the 20 bytes"), std::string::npos);
+  EXPECT_NE(ply_refusal_of(replaced(binary(false), "vertex 4", "vertex 99999999999")).find("at byte"),
+            std::string::npos);
+  EXPECT_NE(ply_refusal_of(kAscii, {.numbers = 10}).find("more than 10 numbers"), std::string::npos);
+  EXPECT_NE(ply_refusal_of(kAscii, {.file_bytes = 20}).find("larger than the 20 bytes"), std::string::npos);
 }
 
 TEST(PlyFile, AFileThatIsNotThereIsTold) {

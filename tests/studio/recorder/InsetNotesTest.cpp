@@ -5,7 +5,7 @@
 namespace thinwall {
 namespace {
 
-constexpr ImageSize kSize{640, 360};
+constexpr ImageSize kInsetSize{640, 360};
 
 /// A tool that touches a wall at `tip`, seen from above.
 Snapshot touching(Double3 tip, double time) {
@@ -34,12 +34,12 @@ Shot with_inset(PictureCorner corner) {
 TEST(InsetNotes, TellWhichToolIsCoveredAndWhichCornerIsFree) {
   InsetNotes notes;
   const Shot shot = with_inset(PictureCorner::kUpperRight);
-  notes.see(touching({0, 0, 0}, 0.1), shot, kSize);
+  notes.see(touching({0, 0, 0}, 0.1), shot, kInsetSize);
   EXPECT_TRUE(notes.notes().empty()) << "in the middle of the picture";
-  notes.see(touching({-0.07, 0.025, 0}, 0.2), shot, kSize);
+  notes.see(touching({-0.07, 0.025, 0}, 0.2), shot, kInsetSize);
   EXPECT_TRUE(notes.notes().empty()) << "in another corner";
-  notes.see(touching({0.07, 0.025, 0}, 0.3), shot, kSize);
-  notes.see(touching({0.07, 0.025, 0}, 0.4), shot, kSize);
+  notes.see(touching({0.07, 0.025, 0}, 0.3), shot, kInsetSize);
+  notes.see(touching({0.07, 0.025, 0}, 0.4), shot, kInsetSize);
   EXPECT_EQ(notes.notes(), std::vector<std::string>{
                                "cuts: the small picture (`inset`) covers the tip of tool `probe` while it touches, "
                                "first at 0.3 s; `corner: lower_left` leaves it free"});
@@ -50,9 +50,9 @@ TEST(InsetNotes, ToolsThatDoNotTouchAndPicturesWithoutInsetAreFine) {
   Snapshot snapshot = touching({0.07, 0.025, 0}, 0.3);
   Shot shot = with_inset(PictureCorner::kUpperRight);
   shot.inset.reset();
-  notes.see(snapshot, shot, kSize);
+  notes.see(snapshot, shot, kInsetSize);
   snapshot.tools[0].force = {0, 0, 0};
-  notes.see(snapshot, with_inset(PictureCorner::kUpperRight), kSize);
+  notes.see(snapshot, with_inset(PictureCorner::kUpperRight), kInsetSize);
   EXPECT_TRUE(notes.notes().empty());
 }
 

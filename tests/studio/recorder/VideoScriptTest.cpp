@@ -7,7 +7,7 @@
 namespace thinwall {
 namespace {
 
-Teaching lesson() {
+Teaching scripted_lesson() {
   return {.freezes = {{.at = 1, .duration = 2}},
           .slow_motions = {{.begin = 1.5, .end = 2, .speed = 0.5}},
           .title_card = CardScenario{.title = "Begin", .duration = 3},
@@ -15,7 +15,7 @@ Teaching lesson() {
 }
 
 TEST(VideoScript, BeginsWithTheTitleCardOverTheFirstPicture) {
-  const VideoScript script(lesson());
+  const VideoScript script(scripted_lesson());
   EXPECT_EQ(script.at(0)->simulation, 0);
   EXPECT_EQ(script.at(0)->card->title, "Begin");
   EXPECT_EQ(script.at(2.5)->card->opacity, 1);
@@ -25,7 +25,7 @@ TEST(VideoScript, BeginsWithTheTitleCardOverTheFirstPicture) {
 }
 
 TEST(VideoScript, SaysThatTheTimeDoesNotRunAsItDoes) {
-  const VideoScript script(lesson());
+  const VideoScript script(scripted_lesson());
   EXPECT_EQ(script.at(3.5)->badge, "");
   EXPECT_EQ(script.at(5)->badge, "Paused");
   EXPECT_EQ(script.at(7)->badge, "Slow motion \u00d70.5");
@@ -33,12 +33,12 @@ TEST(VideoScript, SaysThatTheTimeDoesNotRunAsItDoes) {
 }
 
 TEST(VideoScript, AllFramesOfAFreezeAreTheSame) {
-  const VideoScript script(lesson());
+  const VideoScript script(scripted_lesson());
   EXPECT_EQ(*script.at(4.1), *script.at(5.9));
 }
 
 TEST(VideoScript, EndsWithTheEndCardOverTheLastPicture) {
-  const VideoScript script(lesson());
+  const VideoScript script(scripted_lesson());
   const double end = 2.5;  // shown at 3 + 2 + 2 + 1 = 8 s
   EXPECT_NEAR(script.clock().last_shown(end), 8, 1e-12);
   EXPECT_FALSE(script.at(7.9, end)->card);

@@ -12,7 +12,7 @@
 namespace thinwall {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kOneDegree = std::numbers::pi / 180;
 
 const ImplicitBody kEgg = swept_sphere_body({{{0, 0, 0}, 0.01}, {{0.008, 0, 0}, 0.008}, {{0.016, 0.004, 0}, 0.004}});
 
@@ -31,8 +31,8 @@ TEST(Remeshing, MeetsEvenCountsExactlyWithWellShapedTrianglesOnTheSurface) {
     EXPECT_TRUE(is_closed(topology_of(static_cast<int>(surface.vertices.size()), surface.triangles)));
     const MeshQuality quality = quality_of(mesh_of(surface));
     // 37 to 44 and 55 degrees were seen.
-    EXPECT_GT(quality.least_angle, 33 * kDegree) << wanted;
-    EXPECT_GT(quality.median_angle, 53 * kDegree) << wanted;
+    EXPECT_GT(quality.least_angle, 33 * kOneDegree) << wanted;
+    EXPECT_GT(quality.median_angle, 53 * kOneDegree) << wanted;
     for (const Eigen::Vector3d& v : surface.vertices) EXPECT_NEAR(kEgg(v).value, 0, 1e-9);
   }
 }
