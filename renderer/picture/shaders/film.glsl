@@ -5,6 +5,7 @@
 #include "reflection.glsl"
 #include "shadow.glsl"
 #include "tone.glsl"
+#include "turning.glsl"
 
 // A fluid that lies on a wall or runs down it: rounded towards its edge, or a coat that thins to nothing; deeper in colour
 // where it is thick, glossy until it is dry.
@@ -132,10 +133,8 @@ void main() {
   vec3 deep = fluid.rgb * mix(1.0, 0.45, dry);
   vec3 body = deep * ((visible * cosine + coat * kFromWalls) * lamp + environment_irradiance(normal));
   float gloss = 1.0 - 0.85 * dry;
-  // Where the normal turns within a pixel, the pixel mirrors as a rougher film does (Tokuyoshi and Kaplanyan 2019).
-  vec3 turn = dFdx(normal), other_turn = dFdy(normal);
-  float lost = min(0.5 * (dot(turn, turn) + dot(other_turn, other_turn)), 0.2);
-  // And on what is cut some of the fibres below it are finer than pixels show.
+  float lost = turned_within_pixel(normal);
+  // On what is cut some of the fibres below it are finer than pixels show.
   const float kFibres = 0.05;  // square of their slope
   lost += width < 0.5 ? 0.0 : kFibres / (1.0 + full * full);
   float mirror = gloss * (0.022 + 0.978 * fresnel_weight(nv));

@@ -10,6 +10,7 @@
 #endif
 #include "shadow.glsl"
 #include "tone.glsl"
+#include "turning.glsl"
 
 // The fluid in an opened organ: a mirror over a depth that swallows what lies in it (Lambert and Beer).
 
@@ -27,7 +28,7 @@ layout(binding = 2) uniform usampler2D seen_tissue;
 // Slope of its waves; size and roughness with which lamps are seen in it. Those of a studio are farther off its level than
 // an endoscope's, and would not be seen in flatter waves.
 #ifdef ENDOSCOPE
-const float kWaves = 0.10, kLampSize = 1.0, kRoughness = 0.06;
+const float kWaves = 0.10, kLampSize = 1.0, kRoughness = 0.06, kGlint = 0.05;
 #else
 const float kWaves = 0.24, kLampSize = 1.6, kRoughness = 0.09;
 #endif
@@ -71,11 +72,15 @@ void main() {
   const vec3 kWall = vec3(0.42, 0.13, 0.10);
   vec3 mirrored_way = reflect(-view, normal);
   float of_wall = 1.0 - smoothstep(0.25, 0.6, dot(mirrored_way, base));
-  vec3 room = mix(environment_light(mirrored_way, kRoughness, visible, kLampSize), kWall * lit * lamp, of_wall);
+  // Beside a fold of the wall, which it climbs, one pixel of it would be a spark. At a lip the pixels beside are of another
+  // wall.
+  const float kMostLost = 0.03, kAnotherWall = 0.0004;  // metres
+  float lost = min(turned_within_pixel(normal), kMostLost) * step(fwidth(way), kAnotherWall);
+  vec3 room = mix(environment_light(mirrored_way, sqrt(square(kRoughness) + lost), visible, kLampSize), kWall * lit * lamp, of_wall);
   vec3 shine = mirror * mix(0.35, 1.0, visible) * room;
 #ifdef ENDOSCOPE
   float lamp_mirror = 0.022 + 0.978 * fresnel_weight(dot(view, normalize(view + toward)));
-  shine += visible * lamp_mirror * glint(normal, view, toward, 0.05) * lamp;
+  shine += visible * lamp_mirror * glint(normal, view, toward, sqrt(square(kGlint) + lost)) * lamp;
 #endif
 
   vec3 opaque = 1.0 - left * (1.0 - mirror);

@@ -1,4 +1,5 @@
 #version 450 core
+#include "turning.glsl"
 
 // What is seen of the tools, for metal.frag, as surface.frag is of the tissue: many of their triangles are so slender that
 // a pixel would be shaded for several. What tells from pixel to pixel is found here, within each triangle.
@@ -29,10 +30,7 @@ vec3 along_tool(vec3 normal) {
 
 void main() {
   vec3 normal = normalize(smooth_normal);
-  // Where the normal turns within a pixel, the pixel sees as much more of the surroundings as on a rougher surface
-  // (Tokuyoshi and Kaplanyan 2019).
-  vec3 across = dFdx(normal), up = dFdy(normal);
-  float roughness = sqrt(finish.x * finish.x + min(0.5 * (dot(across, across) + dot(up, up)), 0.2));
+  float roughness = sqrt(finish.x * finish.x + turned_within_pixel(normal));
   seen_place = place;
   seen_normal = vec4((1.0 + abs(finish.x)) * normal, finish.x < 0.0 ? -roughness : roughness);
   seen_axis = vec4(along_tool(normal), finish.y);
