@@ -15,8 +15,8 @@ double blood_half_width(const FluidRun& run, double thickness) {
 RunShape blood_run(const BloodRun& run) {
   constexpr double kDepth = 0.35;                         // over half the width: it wets the wall
   constexpr double kSlender = 0.05, kSlenderLevel = 0.3;  // half the width over the length, of one that has just begun
-  constexpr double kWiderLevel = 2.2;                     // than a line
-  constexpr double kLongLevel = 2;                        // at most, over half the width: a pool, and no finger
+  constexpr double kWiderLevel = 4;                       // than a line
+  constexpr double kLongLevel = 1.2;                      // at most, over half the width: a pool, and no finger
   constexpr double kLineEnds = 0.02;                      // metres, length from which on it ends in a whole drop
   constexpr double kMostDrop = 0.7;                       // by which that is wider than the line
   constexpr double kSpeed = 0.03, kSpeedLevel = 0.01;     // metres/second

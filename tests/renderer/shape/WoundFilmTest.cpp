@@ -147,9 +147,10 @@ double beyond_lip(double time, double bleeding) {
 TEST(WoundFilm, ComesOverALipOfLevelSkinAndCreepsOn) {
   const double early = beyond_lip(0.3, 1), later = beyond_lip(1, 1), late = beyond_lip(2, 1);
   EXPECT_GT(later, early);
-  EXPECT_GT(late, 0.002) << "more than the millimetre that the lip's own blood reaches";
-  EXPECT_LT(beyond_lip(30, 1), 0.0028)
-      << "2.5 mm seen: a pool; as far as a line of its volume goes it is 3.1 mm, a finger";
+  EXPECT_GT(late, later);
+  EXPECT_GT(late, 0.0012) << "1.4 mm seen";
+  EXPECT_LT(late, 0.0018) << "a pool; twice as long for its width, 2.8 mm, it stands off as a finger";
+  EXPECT_LT(beyond_lip(30, 1), 0.0025) << "1.9 mm seen: ever less comes";
   EXPECT_LT(beyond_lip(2, 0), 0.0015) << "of what does not bleed";
 }
 
