@@ -82,6 +82,8 @@ Arguments encoder_arguments(const VideoOptions& options, const files::path& reco
   append(arguments, {"-i", "pipe:0", "-map", "0:v", "-c:v", "libx264", "-preset", "veryfast", "-crf", "18"});
   // The number of threads decides where the encoder may look for motion, so it must not be the machine's.
   append(arguments, {"-threads", "2", "-g", second, "-flags:v", "+bitexact"});
+  // Nor may what its processor can do: left to itself the encoder takes other ways on another one.
+  append(arguments, {"-x264-params", "cpu-independent=1"});
   append(arguments, color_tags());
   append(arguments, {"-fflags", "+bitexact", "-flush_packets", "1", "-movflags",
                      "+frag_keyframe+empty_moov+default_base_moof", "-f", "mp4", "file:" + recording.string()});
