@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <set>
 
@@ -74,15 +75,28 @@ SelfContactDefinition after_a_cut(const Wall& cut, const Eigen::VectorXd& placem
           .edge_length = edge_length};
 }
 
+/// A pair by its vertices, whatever the order within its two parts and, of edges, of the two.
+std::array<int, 5> key_of(PairKind kind, std::array<int, 4> v) {
+  if (kind == PairKind::kPointTriangle) {
+    std::sort(v.begin() + 1, v.end());
+    return {0, v[0], v[1], v[2], v[3]};
+  }
+  std::sort(v.begin(), v.begin() + 2);
+  std::sort(v.begin() + 2, v.end());
+  const std::array one = {v[0], v[1]}, two = {v[2], v[3]};
+  const auto& [low, high] = std::minmax(one, two);
+  return {1, low[0], low[1], high[0], high[1]};
+}
+
 /// Distances of all parts that share no vertex, tried one by one.
-std::set<std::array<int, 4>> pairs_within(const SurfaceMesh& mesh, const Eigen::VectorXd& position, double reach) {
+std::set<std::array<int, 5>> pairs_within(const SurfaceMesh& mesh, const Eigen::VectorXd& position, double reach) {
   const auto at = [&](int v) -> Eigen::Vector3d { return position.segment<3>(3 * v); };
-  std::set<std::array<int, 4>> pairs;
+  std::set<std::array<int, 5>> pairs;
   const auto try_pair = [&](PairKind kind, std::array<int, 4> v) {
     std::array<int, 4> sorted = v;
     std::sort(sorted.begin(), sorted.end());
     if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end()) return;
-    if (pair_distance(kind, {at(v[0]), at(v[1]), at(v[2]), at(v[3])}).distance < reach) pairs.insert(sorted);
+    if (pair_distance(kind, {at(v[0]), at(v[1]), at(v[2]), at(v[3])}).distance < reach) pairs.insert(key_of(kind, v));
   };
   for (int v = 0; v < static_cast<int>(mesh.vertices.size()); ++v) {
     for (const Eigen::Vector3i& t : mesh.triangles) try_pair(PairKind::kPointTriangle, {v, t[0], t[1], t[2]});
@@ -127,21 +141,110 @@ TEST(SelfContact, LeavesAWallAloneThatPrestretchLetsShrinkToItsStressFreeShape) 
   }
 }
 
-TEST(SelfContact, FindsEveryPairWithinRange) {
+TEST(SelfContact, FindsEveryPairWithinRangeOnce) {
   // Thin enough for the thickness to be the range of all pairs but neighbours.
   Wall wall(make_sphere(20e-3, 128), 0.5e-3);
   Eigen::VectorXd gradient;
   for (const double gap : {20e-3, 2e-3, 0.4e-3, 0.1e-3}) {
     const Eigen::VectorXd position = flattened(wall.rest, gap);
     const SelfContactTerms terms = wall.evaluate(position, gradient);
-    std::set<std::array<int, 4>> found;
+    std::set<std::array<int, 5>> found;
     for (const FoldContact& contact : terms.folds) {
       std::array<int, 4> vertices;
       std::copy_n(contact.vertices.data(), 4, vertices.begin());
-      std::sort(vertices.begin(), vertices.end());
-      found.insert(vertices);
+      EXPECT_TRUE(found.insert(key_of(contact.pair.kind, vertices)).second) << gap;
     }
     EXPECT_EQ(found, pairs_within(wall.mesh, position, 0.5e-3)) << gap;
+  }
+}
+
+/// A sheet, and a smaller one turned against it above, which is moved up and down.
+struct TwoSheets {
+  SurfaceMesh mesh = make_sheet(40e-3, 40e-3, 512);
+  int lower = static_cast<int>(mesh.vertices.size()), lower_triangles = static_cast<int>(mesh.triangles.size());
+  explicit TwoSheets(double height) {
+    const SurfaceMesh above = make_sheet(16e-3, 16e-3, 100);
+    const Eigen::AngleAxisd turn(0.4, Eigen::Vector3d::UnitZ());
+    for (const Eigen::Vector3d& vertex : above.vertices) {
+      mesh.vertices.push_back(turn * vertex + Eigen::Vector3d(0.3e-3, 0.2e-3, height));
+    }
+    for (const Eigen::Vector3i& triangle : above.triangles) mesh.triangles.push_back(triangle.array() + lower);
+  }
+  Eigen::VectorXd at(double height) const {
+    Eigen::VectorXd position = position_of(mesh);
+    for (Eigen::Index v = lower; v < position.size() / 3; ++v) position[3 * v + 2] = height;
+    return position;
+  }
+};
+
+TEST(SelfContact, IsFeltBelowTheThicknessAndAPartOfTheEdgesAndOfTheStressFreeDistance) {
+  struct Case {
+    double thickness, height, range;  // metres; range of 0: by the edges
+  };
+  for (const Case& one : {Case{0.5e-3, 10e-3, 0.5e-3}, Case{10e-3, 10e-3, 0}, Case{10e-3, 0.6e-3, 0.3e-3}}) {
+    const TwoSheets sheets(one.height);
+    Wall wall(sheets.mesh, one.thickness);
+    const double range = one.range > 0 ? one.range : 0.4 * wall.contact.edge_length();
+    Eigen::VectorXd gradient;
+    EXPECT_TRUE(wall.evaluate(sheets.at(1.001 * range), gradient).folds.empty()) << range;
+    EXPECT_GT(wall.evaluate(sheets.at(0.999 * range), gradient).folds.size(), 100U) << range;
+  }
+}
+
+TEST(SelfContact, IsFeltBelowTheMeanThicknessOfThePartsThatMeet) {
+  const TwoSheets sheets(10e-3);
+  std::vector<double> thickness(sheets.mesh.triangles.size(), 0.2e-3);
+  std::fill_n(thickness.begin(), sheets.lower_triangles, 0.6e-3);
+  const Eigen::VectorXd rest = position_of(sheets.mesh);
+  const std::vector<char> fixed(rest.size(), 0);
+  SelfContact contact(
+      {.triangles = sheets.mesh.triangles, .position = rest, .thickness = thickness, .fixed = fixed, .floors = {}});
+  Eigen::VectorXd gradient;
+  // A vertex of the thin one and three of the thick one have 0.5 mm, two and two 0.4 mm, one and three 0.3 mm.
+  const auto kinds_at = [&](double height) {
+    std::set<std::pair<PairKind, bool>> kinds;
+    for (const FoldContact& fold : evaluated(contact, sheets.at(height), gradient).folds) {
+      kinds.insert({fold.pair.kind, fold.vertices[0] < sheets.lower});
+    }
+    return kinds.size();
+  };
+  EXPECT_EQ(kinds_at(0.501e-3), 0U);
+  EXPECT_EQ(kinds_at(0.499e-3), 1U);
+  EXPECT_EQ(kinds_at(0.401e-3), 1U);
+  EXPECT_EQ(kinds_at(0.399e-3), 2U);
+  EXPECT_EQ(kinds_at(0.301e-3), 2U);
+  EXPECT_EQ(kinds_at(0.299e-3), 3U);
+}
+
+TEST(SelfContact, PushesAtHalfTheRangeWithAboutItsPressure) {
+  const TwoSheets sheets(10e-3);
+  Wall wall(sheets.mesh, 10e-6);
+  Eigen::VectorXd gradient;
+  const SelfContactTerms terms = wall.evaluate(sheets.at(5e-6), gradient);
+  double by_points = 0, by_edges = 0;  // newton
+  for (const FoldContact& fold : terms.folds) {
+    (fold.pair.kind == PairKind::kPointTriangle ? by_points : by_edges) +=
+        fold.pair.terms().gradient.reshaped(3, 4).row(2).cwiseAbs().sum() / 2;
+  }
+  // Of a pair 1.19 pressure times area, and either side's points count for a quarter: 0.60, and 2 % of them twice,
+  // beside edges. Edges cross 2 / pi times the product of their lengths per area: 0.74 were their directions random.
+  const double whole = 1e3 * 16e-3 * 16e-3;
+  std::printf("by points %.4f, by edges %.4f of pressure times area\n", by_points / whole, by_edges / whole);
+  EXPECT_NEAR(by_points, 0.6 * whole, 0.03 * whole);
+  EXPECT_NEAR(by_edges, 0.74 * whole, 0.05 * whole);
+}
+
+TEST(SelfContact, LeavesOnlyPartsAloneOfWhichNothingCanMove) {
+  const TwoSheets sheets(10e-3);
+  const Eigen::VectorXd rest = position_of(sheets.mesh), met = sheets.at(0.2e-3);
+  const std::vector<double> thickness(sheets.mesh.triangles.size(), 1e-3);
+  Eigen::VectorXd gradient;
+  for (int axes = 0; axes <= 3; ++axes) {
+    std::vector<char> fixed(rest.size(), 0);
+    for (std::size_t k = 0; k < fixed.size(); ++k) fixed[k] = static_cast<int>(k % 3) < axes;
+    SelfContact contact(
+        {.triangles = sheets.mesh.triangles, .position = rest, .thickness = thickness, .fixed = fixed, .floors = {}});
+    EXPECT_EQ(evaluated(contact, met, gradient).folds.empty(), axes == 3) << axes;
   }
 }
 
@@ -325,9 +428,11 @@ TEST(SelfContact, LetsTheLipsOfACutSlideOverEachOtherByAnEdge) {
   const HalvedSheet sheet;  // edges of 2.5 mm
   Wall wall(sheet.mesh);
   Eigen::VectorXd gradient;
-  const Eigen::VectorXd over = sheet.moved({-1e-3, 0, 0});
-  EXPECT_EQ(wall.contact.safe_fraction(wall.rest, over - wall.rest), 1);
-  EXPECT_TRUE(wall.evaluate(over, gradient).folds.empty());
+  for (const double by : {-1e-3, -2.4e-3}) {
+    const Eigen::VectorXd over = sheet.moved({by, 0, 0});
+    EXPECT_EQ(wall.contact.safe_fraction(wall.rest, over - wall.rest), 1) << by;
+    EXPECT_TRUE(wall.evaluate(over, gradient).folds.empty()) << by;
+  }
   // What lay farther from the cut is kept apart, as any two parts of the wall.
   const Eigen::VectorXd above = sheet.moved({-12e-3, 0, 0.3e-3}), below = sheet.moved({-12e-3, 0, -0.3e-3});
   EXPECT_GT(wall.evaluate(above, gradient).folds.size(), 20U);
@@ -398,14 +503,50 @@ TEST(SelfContact, LeavesPartsAloneThatACutHasLeftInEachOther) {
       50);
 }
 
+/// A sheet that lies `height` above a floor, metres.
+Wall sheet_above_floor(double height) {
+  SurfaceMesh mesh = make_sheet(20e-3, 20e-3, 100);
+  for (Eigen::Vector3d& vertex : mesh.vertices) vertex.z() = height;
+  return Wall(mesh, 1e-3, {{.normal = Eigen::Vector3d::UnitZ(), .height = 0}});
+}
+
+Eigen::VectorXd lifted(const Eigen::VectorXd& position, double by) {
+  Eigen::VectorXd moved = position;
+  for (Eigen::Index k = 2; k < moved.size(); k += 3) moved[k] += by;
+  return moved;
+}
+
 TEST(SelfContact, StopsTheWallAboveItsFloor) {
-  SurfaceMesh mesh = make_hemisphere(20e-3, 256);
-  Wall wall(mesh, 1e-3, {{.normal = Eigen::Vector3d::UnitZ(), .height = 0}});
-  Eigen::VectorXd fall = Eigen::VectorXd::Zero(wall.rest.size());
-  for (Eigen::Index k = 2; k < fall.size(); k += 3) fall[k] = -2 * wall.rest[k];
+  Wall wall = sheet_above_floor(0.4e-3);
+  const Eigen::VectorXd fall = lifted(Eigen::VectorXd::Zero(wall.rest.size()), -0.8e-3);
   const double fraction = wall.contact.safe_fraction(wall.rest, fall);
   EXPECT_LT(fraction, 0.5);
   EXPECT_GT(fraction, 0.3);
+  EXPECT_EQ(wall.contact.safe_fraction(wall.rest, -fall), 1);
+}
+
+TEST(SelfContact, IsPushedByItsFloorFromHalfTheStressFreeHeightOn) {
+  Wall wall = sheet_above_floor(0.4e-3);
+  Eigen::VectorXd gradient;
+  EXPECT_TRUE(wall.evaluate(lifted(wall.rest, -0.199e-3), gradient).floors.empty());
+  EXPECT_EQ(wall.evaluate(lifted(wall.rest, -0.201e-3), gradient).floors.size(), wall.mesh.vertices.size());
+  const SelfContactTerms terms = wall.evaluate(lifted(wall.rest, -0.3e-3), gradient);
+  // At half of the range with (1/4) / (1/2) + 2 (1/2) ln 2 = 1.19 of the pressure.
+  const double push = 0.5 + std::log(2.0), area = 20e-3 * 20e-3;
+  EXPECT_NEAR(-gradient.sum(), push * 1e3 * area, 1e-12 * 1e3 * area);
+  EXPECT_EQ(terms.largest_force, gradient.cwiseAbs().maxCoeff());
+}
+
+TEST(SelfContact, FeelsNoFloorThatItStandsOnOrReachesBelowStressFree) {
+  for (const double height : {0.0, -1e-3}) {
+    Wall wall = sheet_above_floor(height);
+    Eigen::VectorXd gradient;
+    const SelfContactTerms terms = wall.evaluate(lifted(wall.rest, 1e-5), gradient);
+    EXPECT_TRUE(terms.floors.empty()) << height;
+    EXPECT_EQ(terms.energy, 0) << height;
+    const Eigen::VectorXd fall = lifted(Eigen::VectorXd::Zero(wall.rest.size()), -1e-3);
+    EXPECT_EQ(wall.contact.safe_fraction(wall.rest, fall), 1) << height;
+  }
 }
 
 TEST(SelfContact, IgnoresPartsThatTouchInTheStressFreeShape) {
