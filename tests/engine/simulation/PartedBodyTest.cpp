@@ -12,6 +12,7 @@
 #include "engine/cutting/SurfacePath.hpp"
 #include "engine/equilibrium/RigidMotions.hpp"
 #include "engine/mesh/Shapes.hpp"
+#include "tests/engine/simulation/CutSheets.hpp"
 #include "tests/engine/simulation/TestBodies.hpp"
 
 namespace thinwall {
@@ -45,16 +46,6 @@ std::vector<Eigen::Vector3d> circle(const Eigen::Vector3d& center, double radius
 
 void rest(Body& body, int steps, double duration = 0.01) {
   for (int k = 0; k < steps; ++k) body.advance({}, {}, duration);
-}
-
-/// Held at its border.
-BodyDefinition stretched_sheet(int triangles, double stretch) {
-  BodyDefinition definition = make_body(make_sheet(40e-3, 40e-3, triangles), 1e-3, neo_hookean(20e3));
-  definition.fluid.kind = FluidKind::kNone;
-  definition.toughness = {20};
-  definition.fixed.push_back({.region = BoundaryRegion{}});
-  definition.prestretch = {{.first = stretch, .second = stretch}};
-  return definition;
 }
 
 SimulationOptions options_of(Analysis analysis) {
