@@ -76,7 +76,8 @@ void main() {
   // wall.
   const float kMostLost = 0.03, kAnotherWall = 0.0004;  // metres
   float lost = min(turned_within_pixel(normal), kMostLost) * step(fwidth(way), kAnotherWall);
-  vec3 room = mix(environment_light(mirrored_way, sqrt(square(kRoughness) + lost), visible, kLampSize), kWall * lit * lamp, of_wall);
+  vec3 seen_room = environment_light(mirrored_way, sqrt(square(kRoughness) + lost), visible, kLampSize);
+  vec3 room = mix(seen_room, kWall * lit * lamp, of_wall);
   vec3 shine = mirror * mix(0.35, 1.0, visible) * room;
 #ifdef ENDOSCOPE
   float lamp_mirror = 0.022 + 0.978 * fresnel_weight(dot(view, normalize(view + toward)));
