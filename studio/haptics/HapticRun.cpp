@@ -4,10 +4,12 @@
 #include <oneapi/tbb/global_control.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
 
+#include "engine/haptics/RealTimeThread.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
 #include "studio/director/ScenarioRun.hpp"
 #include "studio/haptics/CoarseScenario.hpp"
@@ -36,6 +38,15 @@ constexpr double kLocalTolerance = 1e-3;
 /// Triangles of a coarse wall, which is solved some two hundred times a second: of fewer the force is uneven where the
 /// tool is dragged, more are late where it turns.
 constexpr int kCoarseTriangles = 2100;
+
+/// Seconds within which a coarse wall at rest has to answer. Under a hand it answers later by up to ten times, and the
+/// farther the hand has gone by then, the longer the next answer takes: a wall that is too large for its processor
+/// never catches up.
+constexpr double kQuickAnswer = 2.8e-3;
+constexpr int kTimedAnswers = 7;  // of which the median counts
+
+/// Metres from which a tool is answered when that is timed, wherever it begins.
+constexpr double kAnyReach = 1;
 
 /// Seconds in which a newer correction of a coarse body's force takes over.
 constexpr double kCorrectionBlending = 20e-3;
@@ -173,6 +184,14 @@ class LoopedRun {
     return answer;
   }
 
+  /// Seconds that a tick and its answer take while the tool rests.
+  double answer_duration() {
+    const double begin = loop_clock();
+    run_.step_driven(1, {.index = tool_, .pose = first_pose()});
+    run_.respond(tool_, kPeriod, kAnyReach);
+    return loop_clock() - begin;
+  }
+
   int triangles() const {
     int sum = 0;
     for (const SnapshotSurface& surface : run_.snapshot().surfaces) sum += triangles_of(surface);
@@ -232,6 +251,22 @@ std::vector<TimedPose> motion_of(const std::vector<HapticTick>& ticks) {
   std::vector<TimedPose> moments;
   for (const HapticTick& tick : ticks) moments.push_back({.time = tick.time, .pose = tick.pose});
   return moments;
+}
+
+/// The scenario with coarse walls that this machine solves in time, where the tool leaves walls whole; nothing where
+/// none is far coarser.
+std::optional<Scenario> leading_scenario(const Scenario& scenario, int tool) {
+  if (changes_wall(scenario.tools[tool])) return {};
+  std::optional<Scenario> coarse = coarse_scenario(scenario, kCoarseTriangles);
+  if (!coarse) return {};
+  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+  LoopedRun timed(*coarse, tool, kLocalTolerance);
+  timed.warm_up(timed.first_pose());
+  std::array<double, kTimedAnswers> durations;
+  for (double& duration : durations) duration = timed.answer_duration();
+  std::ranges::nth_element(durations, durations.begin() + kTimedAnswers / 2);
+  const int triangles = affordable_triangles(kCoarseTriangles, durations[kTimedAnswers / 2], kQuickAnswer);
+  return triangles < kCoarseTriangles ? coarse_scenario(scenario, triangles) : coarse;
 }
 
 /// The force of a coarse body at each tick, and what the body itself gives beyond it as often as it can be solved.
@@ -307,6 +342,8 @@ HapticReport run_haptics(const HapticPlan& plan) {
   std::optional<LoopedRun> looped(std::in_place, plan.scenario, tool, kTolerance);
   // Before a driver comes, which would not be listened to meanwhile.
   const HapticRecord empty = run_empty_loop(plan, looped->first_pose());
+  const std::optional<Scenario> coarse =
+      plan.forces == HapticForces::kFull ? std::nullopt : leading_scenario(plan.scenario, tool);
   Hand hand = make_hand(plan, tool, looped->first_pose());
   HapticReport report{.scenario = plan.scenario.name, .tool = plan.scenario.tools[tool].name};
   report.asked_for_real_time = plan.real_time;
@@ -315,8 +352,6 @@ HapticReport run_haptics(const HapticPlan& plan) {
   const bool small = report.triangles <= kFullTriangles;
   report.forces =
       plan.forces == HapticForces::kFull || (plan.forces == HapticForces::kAuto && small) ? "full" : "local";
-  std::optional<Scenario> coarse;
-  if (!changes_wall(plan.scenario.tools[tool])) coarse = coarse_scenario(plan.scenario, kCoarseTriangles);
   if (report.forces == "local" && !coarse) looped.emplace(plan.scenario, tool, kLocalTolerance);
   run_loop(plan, coarse ? &*coarse : nullptr, *looped, tool, hand, report);
   if (hand.driver != nullptr) report.driver = hand.driver->figures();

@@ -39,5 +39,19 @@ TEST(CoarseScenario, LeavesASmallBodyBesideALargeOneAsItIs) {
   EXPECT_EQ(triangles_of(*coarse), 256);
 }
 
+TEST(AffordableTriangles, AreAllWhereTheWallAnswersInTime) {
+  EXPECT_EQ(affordable_triangles(2100, 1e-3, 3e-3), 2100);
+  EXPECT_EQ(affordable_triangles(2100, 3e-3, 3e-3), 2100);
+}
+
+TEST(AffordableTriangles, AreFewerAsTheWallAnswersLate) {
+  EXPECT_EQ(affordable_triangles(2100, 6e-3, 3e-3), 1050);
+}
+
+TEST(AffordableTriangles, AreEnoughForATipAndNeverMoreThanBefore) {
+  EXPECT_EQ(affordable_triangles(2100, 1, 3e-3), 900);
+  EXPECT_EQ(affordable_triangles(300, 1, 3e-3), 300);
+}
+
 }  // namespace
 }  // namespace thinwall
