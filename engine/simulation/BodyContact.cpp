@@ -29,8 +29,8 @@ double contact_dip(const ToolSolid& solid) {
 /// touched before is then at its rounded edges at most, not inside, where it might leave through the wrong side.
 constexpr double kRoundedMotion = 0.9;
 
-/// A place of the wall whose straight way in one solution leads deeper into a ball than this part of its radius did not
-/// slide around it but went through.
+/// A place of the wall whose straight way in one solution leads deeper into a ball or rod than this part of its radius
+/// did not slide around it but went through.
 constexpr double kDeepestWay = 0.5;
 
 /// Part of a unit vector along an axis that is rounding.
@@ -247,22 +247,25 @@ void Body::add_solids(std::span<const ToolPose> poses, EquilibriumProblem& probl
 
 namespace {
 
-/// Whether a solid is a ball that nothing may go through at once: a whole one, or the point of a needle that goes
-/// forwards; on its way back it is drawn through its hole. `solids`: those of all tools, parts after what they are of.
-bool is_guarded_ball(std::span<const ToolSolid> solids, std::size_t solid, const ToolSolid& after) {
-  if (solids[solid].role == ToolSolid::Role::kWhole) return true;
+/// Whether a solid is round and nothing may go through it at once: a whole ball, a rod, or the point of a needle that
+/// goes forwards; on its way back it is drawn through its hole. `solids`: those of all tools, parts after what they are
+/// of.
+bool is_guarded(std::span<const ToolSolid> solids, std::size_t solid, const ToolSolid& after) {
+  const bool is_rod =
+      solids[solid].role == ToolSolid::Role::kBody && solids[solid].form == ToolSolid::Form::kRoundedBox;
+  if (is_rod || solids[solid].role == ToolSolid::Role::kWhole) return true;
   const bool is_point = solid > 0 && solids[solid - 1].form == ToolSolid::Form::kNeedle && solids[solid].is_part();
   return is_point && (after.center - solids[solid].center).dot(after.frame.col(2)) > 0;
 }
 
 }  // namespace
 
-bool Body::jumped_over_balls(std::span<const ToolPose> begin, const EquilibriumProblem& problem,
-                             const Eigen::VectorXd& position) const {
+bool Body::jumped_over_round_tools(std::span<const ToolPose> begin, const EquilibriumProblem& problem,
+                                   const Eigen::VectorXd& position) const {
   const std::vector<ToolSolid> before = contact_solids(tools_, begin);
   for (std::size_t k = 0; k < before.size(); ++k) {
     const SolidContact& after = problem.solids[k];
-    if (!is_guarded_ball(before, k, after.solid)) continue;
+    if (!is_guarded(before, k, after.solid)) continue;
     const double farthest = farthest_way(*model_, before[k], after.solid, state_.equilibrium.position, position);
     // Places farther away cannot have come so deep.
     const double reach =
