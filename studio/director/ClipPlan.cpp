@@ -80,12 +80,13 @@ SurfaceEntry meet_on_approach(const LineOfApproach& line, const SurfaceView& sur
   const Eigen::Vector3d &at = line.at, &direction = line.direction;
   const auto hit = first_entry(surface, at, direction);
   if (hit) return *hit;
-  throw InputErrors({{location, fmt::format("{}: the line of approach through at = [{:.4g}, {:.4g}, {:.4g}] mm "
-                                            "along direction = [{:.3g}, {:.3g}, {:.3g}] misses body `{}`, which spans "
-                                            "{}; move `at` or turn `direction` so that the line meets its wall from "
-                                            "outside",
-                                            line.verb, 1e3 * at.x(), 1e3 * at.y(), 1e3 * at.z(), direction.x(),
-                                            direction.y(), direction.z(), line.body, span_words(box_of(surface)))}});
+  throw InputErrors(
+      {{location, fmt::format("{}: the line of approach through at = [{:.4g}, {:.4g}, {:.4g}] mm "
+                              "along direction = [{:.3g}, {:.3g}, {:.3g}] misses body `{}`, which spans "
+                              "{} then; move `at` or turn `direction` so that the line meets its wall from "
+                              "outside",
+                              line.verb, 1e3 * at.x(), 1e3 * at.y(), 1e3 * at.z(), direction.x(), direction.y(),
+                              direction.z(), line.body, span_words(box_of(surface)))}});
 }
 
 void refuse_touching(double travel, double standoff, const ClipWords& words, const SourceLocation& location) {

@@ -85,6 +85,11 @@ void TakeReader::Implementation::open() {
                                     : "";
     throw TakeError(path.string() + ": there is no such file" + instead);
   }
+  if (std::filesystem::is_directory(path, error)) {
+    const std::filesystem::path inside = path / "take.h5";
+    throw TakeError(path.string() + ": this is a folder; give " +
+                    (std::filesystem::exists(inside, error) ? inside.string() : "the take.h5 of a run"));
+  }
   if (!std::filesystem::is_regular_file(path, error)) throw TakeError(path.string() + ": this is no file");
   std::array<char, 8> signature{};
   std::ifstream stream(path, std::ios::binary);

@@ -96,10 +96,11 @@ TEST(ClipPlan, ALineThatMissesTheBodyIsAnErrorWithPlaceAndCure) {
     plan_palpation(clip, kPoint, table.view(), {.file = "a.yaml", .line = 7, .column = 5});
     FAIL() << "no error";
   } catch (const InputErrors& errors) {
-    EXPECT_EQ(to_text(errors.diagnostics().at(0)),
-              "a.yaml:7:5: error: palpate: the line of approach through at = [200, 2, 500] mm along direction = "
-              "[0, 0, -1] misses body `table`, which spans x -40 ... 40, y -40 ... 40, z 0 ... 0 mm; move `at` or turn "
-              "`direction` so that the line meets its wall from outside");
+    EXPECT_EQ(
+        to_text(errors.diagnostics().at(0)),
+        "a.yaml:7:5: error: palpate: the line of approach through at = [200, 2, 500] mm along direction = "
+        "[0, 0, -1] misses body `table`, which spans x -40 ... 40, y -40 ... 40, z 0 ... 0 mm then; move `at` or turn "
+        "`direction` so that the line meets its wall from outside");
   }
 }
 

@@ -242,7 +242,15 @@ TEST(TakeTest, SaysThatThereIsNoFile) {
   EXPECT_EQ(complaint_about(folder / "stopped.h5"), (folder / "stopped.h5").string() + ": there is no such file, but " +
                                                         (folder / "stopped.unfinished.h5").string() +
                                                         " of a run that was stopped, which can be shown");
-  EXPECT_EQ(complaint_about(folder.path()), folder.path().string() + ": this is no file");
+  EXPECT_EQ(complaint_about("/dev/null"), "/dev/null: this is no file");
+}
+
+TEST(TakeTest, PointsFromAFolderToTheTakeInIt) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(complaint_about(folder.path()), folder.path().string() + ": this is a folder; give the take.h5 of a run");
+  write_bytes(folder / "take.h5", "a take");
+  EXPECT_EQ(complaint_about(folder.path()),
+            folder.path().string() + ": this is a folder; give " + (folder / "take.h5").string());
 }
 
 TEST(TakeTest, SaysThatAFileIsNoTake) {
