@@ -253,10 +253,10 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
       is_unstable_ = false;
     }
     turn_to_rest(problem, trial);
-    if (!may_snap() && jumped_over_round_tools(begin, problem, trial.position)) {
+    if (!may_snap() && jumped_over_tools(begin, problem, trial.position)) {
       failure_ =
-          "the wall jumped over a ball, a rod or a needle's point, as where it is pressed against what is held; "
-          "press it less deep";
+          "the wall jumped over a ball, a rod, a plate or a needle's point, as where it is pressed against what is "
+          "held; press it less deep";
       return false;
     }
     if (release(end, problem)) continue;

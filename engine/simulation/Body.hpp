@@ -275,8 +275,8 @@ class Body {
   void add_solids(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;
   /// Throws SimulationFailure where a solid stands in a place of the wall that cannot give way along its normal.
   void refuse_held_places(const EquilibriumProblem& problem) const;
-  bool jumped_over_round_tools(std::span<const ToolPose> begin, const EquilibriumProblem& problem,
-                               const Eigen::VectorXd& position) const;
+  bool jumped_over_tools(std::span<const ToolPose> begin, const EquilibriumProblem& problem,
+                         const Eigen::VectorXd& position) const;
   bool catch_passed_edges(EquilibriumProblem& problem, const Eigen::VectorXd& position) const;
   void prepare_cutting();
   void find_forces(std::span<const ToolPose> poses);

@@ -29,7 +29,7 @@ double contact_dip(const ToolSolid& solid) {
 /// touched before is then at its rounded edges at most, not inside, where it might leave through the wrong side.
 constexpr double kRoundedMotion = 0.9;
 
-/// A place of the wall whose straight way in one solution leads deeper into a ball or rod than this part of its radius
+/// A place of the wall whose straight way in one solution leads deeper into a tool than this part of half its thickness
 /// did not slide around it but went through.
 constexpr double kDeepestWay = 0.5;
 
@@ -247,29 +247,31 @@ void Body::add_solids(std::span<const ToolPose> poses, EquilibriumProblem& probl
 
 namespace {
 
-/// Whether a solid is round and nothing may go through it at once: a whole ball, a rod, or the point of a needle that
-/// goes forwards; on its way back it is drawn through its hole. `solids`: those of all tools, parts after what they are
-/// of.
-bool is_guarded(std::span<const ToolSolid> solids, std::size_t solid, const ToolSolid& after) {
-  const bool is_rod =
-      solids[solid].role == ToolSolid::Role::kBody && solids[solid].form == ToolSolid::Form::kRoundedBox;
-  if (is_rod || solids[solid].role == ToolSolid::Role::kWhole) return true;
+/// Whether nothing may go through a solid at once: a ball, a rod or a plate, or the point of a needle that goes
+/// forwards; on its way back it is drawn through its hole. `solids`: those of all tools, parts after what they are of.
+bool is_guarded(ToolKind kind, std::span<const ToolSolid> solids, std::size_t solid, const ToolSolid& after) {
+  if (kind == ToolKind::kSphere || kind == ToolKind::kCapsule || kind == ToolKind::kPlate) {
+    return !solids[solid].is_part();
+  }
   const bool is_point = solid > 0 && solids[solid - 1].form == ToolSolid::Form::kNeedle && solids[solid].is_part();
   return is_point && (after.center - solids[solid].center).dot(after.frame.col(2)) > 0;
 }
 
 }  // namespace
 
-bool Body::jumped_over_round_tools(std::span<const ToolPose> begin, const EquilibriumProblem& problem,
-                                   const Eigen::VectorXd& position) const {
+bool Body::jumped_over_tools(std::span<const ToolPose> begin, const EquilibriumProblem& problem,
+                             const Eigen::VectorXd& position) const {
   const std::vector<ToolSolid> before = contact_solids(tools_, begin);
   for (std::size_t k = 0; k < before.size(); ++k) {
     const SolidContact& after = problem.solids[k];
-    if (!is_guarded(before, k, after.solid)) continue;
+    if (!is_guarded(tools_[after.tool].kind, before, k, after.solid)) continue;
     const double farthest = farthest_way(*model_, before[k], after.solid, state_.equilibrium.position, position);
-    // Places farther away cannot have come so deep.
-    const double reach =
-        std::min(before[k].sharpness() + model_->edge_length, farthest - kDeepestWay * after.solid.sharpness());
+    const double deepest_way = kDeepestWay * after.solid.half_thickness();
+    // Places farther away cannot have come so deep. Past a tool that is drawn along them they go around it in a dent,
+    // which leads straight through it too.
+    const bool stands = before[k].center == after.solid.center && before[k].frame == after.solid.frame;
+    const double beside = before[k].half_thickness() + model_->edge_length;
+    const double reach = stands ? farthest - deepest_way : std::min(beside, farthest - deepest_way);
     // Below zero only what was pressed can be as deep already.
     const bool only_pressed = reach < 0;
     thread_local std::vector<char> is_near;  // (triangles), asked of each once: it has several sites
@@ -293,7 +295,7 @@ bool Body::jumped_over_round_tools(std::span<const ToolPose> begin, const Equili
       const Eigen::Vector3d to = place_on(*model_, site.triangle, near->weights, position);
       const DeepestPoint deepest = deepest_on_edge(after.solid, {from, to, to}, 0, 1);
       const Eigen::Vector3d point = deepest.weights[0] * from + deepest.weights[1] * to;
-      if (distance_from(after.solid, point) < -kDeepestWay * after.solid.sharpness()) return true;
+      if (distance_from(after.solid, point) < -deepest_way) return true;
     }
   }
   return false;

@@ -176,30 +176,32 @@ TEST(SolidTools, JawsSqueezeWithTheForceOfTheOneThatFeelsLess) {
   EXPECT_EQ(one_sided, 0);
 }
 
-/// What a tool feels that waits beside a ball of 20 mm until that is filled beyond it.
-Eigen::Vector3d force_of_growth(const ToolDefinition& tool, int steps) {
-  BodyDefinition ball = make_body(make_sphere(20e-3, 500), 0.5e-3, mooney_rivlin(40e3, 6e3));
+/// What a tool feels that waits over a ball of 20 mm until that is filled beyond it, newton. `height`: metres.
+double force_of_growth(const ToolDefinition& tool, double height, int steps) {
+  BodyDefinition ball = make_body(make_sphere(20e-3, 1280), 0.5e-3, mooney_rivlin(40e3, 6e3));
   ball.fluid.initial_pressure = 300;
   ball.fixed = {{.region = BelowRegion{.axis = 2, .at = -15e-3}}};
   Body body(ball, {tool}, quasi_static());
   body.settle();
-  const ToolPose waiting = pose_at({15e-3, 0, 18e-3});
-  const double from = body.state().fluid_volume[0], added = 30e-6;  // metres^3
+  const ToolPose waiting = pose_at({0, 0, height});
+  const double from = body.state().fluid_volume[0], full = 60e-6;  // metres^3
   for (int step = 1; step <= steps; ++step) {
-    body.advance({&waiting, 1}, {&waiting, 1}, 0.1, filling(body, from + added * step / steps));
+    body.advance({&waiting, 1}, {&waiting, 1}, 0.1, filling(body, from + (full - from) * step / steps));
   }
-  return body.state().contacts[0].force;
+  return body.state().contacts[0].force.norm();
 }
 
-TEST(SolidTools, ThatAreRoundAreNotPassedByAWallThatGrowsBeyondThemInOneStep) {
-  for (const ToolKind kind : {ToolKind::kSphere, ToolKind::kCapsule}) {
-    ToolDefinition tool{.name = "round", .kind = kind};
-    tool.radius = 2e-3;
-    tool.length = 14e-3;
-    const Eigen::Vector3d at_once = force_of_growth(tool, 1), slowly = force_of_growth(tool, 10);
-    std::printf("%.6f N at once, %.6f N slowly\n", at_once.norm(), slowly.norm());
-    EXPECT_GT(slowly.norm(), 0.1);
-    EXPECT_LT((at_once - slowly).norm(), 1e-6 * slowly.norm());
+TEST(SolidTools, BallsRodsAndPlatesAreNotPassedByAWallThatGrowsBeyondThemInOneStep) {
+  for (const ToolDefinition& tool : solid_tools()) {
+    const bool is_plate = tool.kind == ToolKind::kPlate;
+    if (tool.kind != ToolKind::kSphere && tool.kind != ToolKind::kCapsule && !is_plate) continue;
+    for (const double height : {22e-3, 26e-3}) {
+      const double at_once = force_of_growth(tool, height, 1), slowly = force_of_growth(tool, height, 10);
+      std::printf("%s at %.0f mm: %.6f N at once, %.6f N slowly\n", tool.name.c_str(), 1e3 * height, at_once, slowly);
+      EXPECT_GT(slowly, 0.1);
+      // Edges that have come over a plate's rim in one go may stay in it: 3 % of the force.
+      EXPECT_NEAR(at_once, slowly, (is_plate ? 0.05 : 1e-6) * slowly) << tool.name;
+    }
   }
 }
 
