@@ -267,11 +267,8 @@ bool Body::jumped_over_tools(std::span<const ToolPose> begin, const EquilibriumP
     if (!is_guarded(tools_[after.tool].kind, before, k, after.solid)) continue;
     const double farthest = farthest_way(*model_, before[k], after.solid, state_.equilibrium.position, position);
     const double deepest_way = kDeepestWay * after.solid.half_thickness();
-    // Places farther away cannot have come so deep. Past a tool that is drawn along them they go around it in a dent,
-    // which leads straight through it too.
-    const bool stands = before[k].center == after.solid.center && before[k].frame == after.solid.frame;
-    const double beside = before[k].half_thickness() + model_->edge_length;
-    const double reach = stands ? farthest - deepest_way : std::min(beside, farthest - deepest_way);
+    // Places farther away cannot have come so deep.
+    const double reach = farthest - deepest_way;
     // Below zero only what was pressed can be as deep already.
     const bool only_pressed = reach < 0;
     thread_local std::vector<char> is_near;  // (triangles), asked of each once: it has several sites

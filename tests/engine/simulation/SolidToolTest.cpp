@@ -197,9 +197,11 @@ TEST(SolidTools, BallsRodsAndPlatesAreNotPassedByAWallThatGrowsBeyondThemInOneSt
     if (tool.kind != ToolKind::kSphere && tool.kind != ToolKind::kCapsule && !is_plate) continue;
     for (const double height : {22e-3, 26e-3}) {
       const double at_once = force_of_growth(tool, height, 1), slowly = force_of_growth(tool, height, 10);
-      std::printf("%s at %.0f mm: %.6f N at once, %.6f N slowly\n", tool.name.c_str(), 1e3 * height, at_once, slowly);
+      std::printf("%s at %.0f mm: %.6f N at once, %.1e of it off slowly\n", tool.name.c_str(), 1e3 * height, at_once,
+                  std::abs(at_once - slowly) / slowly);
       EXPECT_GT(slowly, 0.1);
-      // Edges that have come over a plate's rim in one go may stay in it: 3 % of the force.
+      // Round tools feel the same equilibrium, 3e-9 apart by what the solver leaves. Edges that have come over a
+      // plate's rim in one go may stay in it: 3 % of the force.
       EXPECT_NEAR(at_once, slowly, (is_plate ? 0.05 : 1e-6) * slowly) << tool.name;
     }
   }
