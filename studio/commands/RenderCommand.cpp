@@ -10,6 +10,7 @@
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/Outcome.hpp"
 #include "studio/commands/SecondTake.hpp"
+#include "studio/director/InwardNormal.hpp"
 #include "studio/recorder/FolderLock.hpp"
 #include "studio/recorder/RecordingNotes.hpp"
 #include "studio/recorder/ResolvedPicture.hpp"
@@ -59,7 +60,7 @@ struct DrawnAs {
 DrawnAs drawn_as(const RenderOptions& options, const TakeReader& take) {
   DrawnAs drawn{.settings = picture_settings(take.description().resolved), .second_view = {}};
   if (!options.view) return drawn;
-  const Scenario view = load_scenario(*options.view, options.overrides);
+  const Scenario view = load_scenario(*options.view, options.overrides, inward_normal);
   const Teaching taught = drawn.settings.teaching;
   drawn.settings = picture_settings(view);
   drawn.settings.teaching = taught;

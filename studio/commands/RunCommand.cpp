@@ -10,6 +10,7 @@
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/Outcome.hpp"
 #include "studio/commands/SecondTake.hpp"
+#include "studio/director/InwardNormal.hpp"
 #include "studio/recorder/FarPlaces.hpp"
 #include "studio/recorder/FolderLock.hpp"
 #include "studio/recorder/FontNotes.hpp"
@@ -79,7 +80,7 @@ int run_scenario(const RunOptions& options) {
   Scenario scenario;
   {
     const StageClock clock(preparation);
-    scenario = load_scenario(options.scenario, options.overrides);
+    scenario = load_scenario(options.scenario, options.overrides, inward_normal);
   }
   std::ranges::copy(font_notes(scenario), std::back_inserter(scenario.warnings));
   tell_warnings(scenario);

@@ -3,47 +3,12 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
-#include <optional>
-#include <string>
-#include <string_view>
+#include <variant>
 
 namespace thinwall {
 namespace {
 
 using Eigen::Vector3d;
-
-Vector3d vector(const CheckedValue& list) {
-  return {list.items[0].number, list.items[1].number, list.items[2].number};
-}
-
-const CheckedValue* find_list(const CheckedValue& mapping, std::string_view key) {
-  const CheckedValue* list = mapping.find(key);
-  return list != nullptr && list->items.size() == 3 ? list : nullptr;
-}
-
-/// The shape of the body that a clip works on; empty where it is a mesh.
-std::string shape_of(const CheckedValue& root, const CheckedValue& clip) {
-  const CheckedValue *name = clip.find("body"), *bodies = root.find("bodies");
-  if (bodies == nullptr || bodies->members.empty()) return {};
-  const CheckedValue* body = name != nullptr ? bodies->find(name->text) : &bodies->members.front().value;
-  const CheckedValue* surface = body != nullptr ? body->find("surface") : nullptr;
-  if (surface == nullptr || surface->find("mesh") != nullptr) return {};
-  const CheckedValue* shape = surface->find("shape");
-  return shape != nullptr ? shape->text : std::string();
-}
-
-/// Into a round shape, which stands around the origin, where a path of a cut lies; downwards into a flat one; zero for
-/// others.
-Vector3d inward_at(const CheckedValue& path, const std::string& shape) {
-  if (shape == "sheet" || shape == "disc" || shape == "annulus" || shape == "strip") return -Vector3d::UnitZ();
-  Vector3d sum = Vector3d::Zero();
-  for (const CheckedValue& point : path.items) {
-    if (point.items.size() == 3) sum += vector(point);
-  }
-  if (shape == "semicylinder" || shape == "cylinder") sum.y() = 0;  // their axis
-  const bool is_round = shape == "sphere" || shape == "hemisphere" || shape == "semicylinder" || shape == "cylinder";
-  return is_round && sum.norm() > 1e-9 ? Vector3d(-sum.normalized()) : Vector3d::Zero();
-}
 
 /// How the clips of a timeline go into bodies.
 struct Approach {
@@ -51,19 +16,18 @@ struct Approach {
   bool cuts = false;
 };
 
-Approach approach_of(const CheckedValue& root, const CheckedValue& timeline) {
+Approach approach_of(const std::vector<Clip>& timeline, const InwardAlong& inward_along) {
   Approach approach;
-  for (const CheckedValue& clip : timeline.items) {
-    for (const char* verb : {"palpate", "grasp", "pierce", "incise"}) {
-      const CheckedValue* presses = clip.find(verb);
-      if (presses == nullptr) continue;
-      const CheckedValue *direction = find_list(*presses, "direction"), *path = presses->find("path");
-      approach.cuts = approach.cuts || path != nullptr;
-      if (direction != nullptr) {
-        approach.direction += vector(*direction).normalized();
-      } else if (path != nullptr) {
-        approach.direction += inward_at(*path, shape_of(root, *presses));
-      }
+  for (const Clip& clip : timeline) {
+    if (const auto* incise = std::get_if<InciseClip>(&clip.action)) {
+      approach.cuts = true;
+      approach.direction += incise->direction ? *incise->direction : inward_along(*incise);
+    } else if (const auto* palpate = std::get_if<PalpateClip>(&clip.action)) {
+      approach.direction += palpate->direction;
+    } else if (const auto* pierce = std::get_if<PierceClip>(&clip.action)) {
+      approach.direction += pierce->direction;
+    } else if (const auto* grasp = std::get_if<GraspClip>(&clip.action)) {
+      approach.direction += grasp->direction;
     }
   }
   const double size = approach.direction.norm();
@@ -96,36 +60,44 @@ CheckedValue number_value(double number, const SourceLocation& location) {
   return {.kind = CheckedKind::kNumber, .location = location, .given = false, .number = number};
 }
 
-/// Towards `facing`, or down onto a wound.
-void turn(CheckedValue& camera, const std::optional<Vector3d>& facing) {
-  for (const char* key : {"position", "facing", "elevation"}) {
-    if (camera.find(key) != nullptr) return;
+/// The cameras of which nothing says where they stand or whereto they look.
+std::vector<CheckedValue*> unplaced_cameras(CheckedValue& root) {
+  std::vector<CheckedValue*> all;
+  if (CheckedValue* camera = root.find("camera")) all.push_back(camera);
+  if (CheckedValue* cameras = root.find("cameras")) {
+    for (CheckedMember& member : cameras->members) all.push_back(&member.value);
   }
-  if (!facing) {
-    camera.members.push_back({.key = "elevation",
-                              .location = camera.location,
-                              .value = number_value(kElevationAboveWounds, camera.location)});
-    return;
-  }
-  CheckedValue list{.kind = CheckedKind::kList, .location = camera.location, .given = false};
-  for (const double part : *facing) list.items.push_back(number_value(part, camera.location));
-  camera.members.push_back({.key = "facing", .location = camera.location, .value = list});
+  std::erase_if(all, [](const CheckedValue* camera) {
+    const auto has = [camera](const char* key) { return camera->find(key) != nullptr; };
+    return has("position") || has("facing") || has("elevation");
+  });
+  return all;
+}
+
+CheckedMember facing_member(const Vector3d& facing, const SourceLocation& location) {
+  CheckedValue list{.kind = CheckedKind::kList, .location = location, .given = false};
+  for (const double part : facing) list.items.push_back(number_value(part, location));
+  return {.key = "facing", .location = location, .value = list};
 }
 
 }  // namespace
 
-void camera_pass(CheckedValue& root) {
-  const CheckedValue* timeline = root.find("timeline");
-  if (timeline == nullptr) return;
-  const auto [direction, cuts] = approach_of(root, *timeline);
+void camera_pass(CheckedValue& root, const std::vector<Clip>& timeline, const InwardAlong& inward_along) {
+  const std::vector<CheckedValue*> cameras = unplaced_cameras(root);
+  if (cameras.empty()) return;
+  const auto [direction, cuts] = approach_of(timeline, inward_along);
   const bool is_down = direction.z() < -0.7;
   // The standard view shows what presses downwards.
   if (direction.isZero() || (is_down && !cuts)) return;
-  std::optional<Vector3d> facing;
-  if (!is_down) facing = cuts ? into_the_wound(direction) : over_the_shoulder(direction);
-  if (CheckedValue* camera = root.find("camera")) turn(*camera, facing);
-  if (CheckedValue* cameras = root.find("cameras")) {
-    for (CheckedMember& member : cameras->members) turn(member.value, facing);
+  for (CheckedValue* camera : cameras) {
+    const SourceLocation& location = camera->location;
+    if (is_down) {
+      camera->members.push_back(
+          {.key = "elevation", .location = location, .value = number_value(kElevationAboveWounds, location)});
+    } else {
+      camera->members.push_back(
+          facing_member(cuts ? into_the_wound(direction) : over_the_shoulder(direction), location));
+    }
   }
 }
 

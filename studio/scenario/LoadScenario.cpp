@@ -45,7 +45,16 @@ struct LoadedTake {
   CheckedValue checked;
 };
 
-LoadedTake load_take(const std::filesystem::path& file, const Overrides& overrides, WhichTake which) {
+/// As the camera pass asks for it.
+InwardAlong inward_in(const std::vector<BodyScenario>& bodies, const InwardNormal& inward_normal) {
+  return [&bodies, &inward_normal](const InciseClip& clip) -> Eigen::Vector3d {
+    const auto cut = std::ranges::find(bodies, clip.body, &BodyScenario::name);
+    return inward_normal && cut != bodies.end() ? inward_normal(*cut, clip) : Eigen::Vector3d::Zero();
+  };
+}
+
+LoadedTake load_take(const std::filesystem::path& file, const Overrides& overrides, const InwardNormal& inward_normal,
+                     WhichTake which) {
   Diagnostics diagnostics;
   TextNode root = read_root(file, diagnostics);
   include_pass(root, diagnostics);
@@ -60,10 +69,10 @@ LoadedTake load_take(const std::filesystem::path& file, const Overrides& overrid
   lint_pass(checked, diagnostics);
   comparison_lint(checked, diagnostics);
   diagnostics.throw_errors(file);
-  camera_pass(checked);
   look_pass(checked);
 
   Scenario scenario = build_scenario(checked);
+  camera_pass(checked, scenario.timeline, inward_in(scenario.bodies, inward_normal));
   scenario.file = file;
   scenario.name = file.stem().string();
   if (scenario.title.empty()) scenario.title = scenario.name;
@@ -84,11 +93,13 @@ std::string caption_of(const CheckedValue& comparison, std::size_t half) {
 }  // namespace
 
 Scenario load_scenario(const std::filesystem::path& file,
-                       const std::vector<std::pair<std::string, std::string>>& overrides) {
-  LoadedTake first = load_take(file, overrides, WhichTake::kFirst);
+                       const std::vector<std::pair<std::string, std::string>>& overrides,
+                       const InwardNormal& inward_normal) {
+  LoadedTake first = load_take(file, overrides, inward_normal, WhichTake::kFirst);
   const CheckedValue* comparison = first.checked.find("comparison");
   if (comparison == nullptr) return std::move(first.scenario);
-  LoadedTake second = load_take(file, overrides_for_comparison(overrides, *comparison), WhichTake::kSecond);
+  LoadedTake second =
+      load_take(file, overrides_for_comparison(overrides, *comparison), inward_normal, WhichTake::kSecond);
   std::vector<std::string>& told = first.scenario.warnings;
   for (const std::string& warning : second.scenario.warnings) {
     if (std::ranges::find(told, warning) == told.end()) told.push_back(warning);

@@ -113,7 +113,7 @@ MappingSchema camera_mapping(const std::string& name, const std::string& documen
        false,
        {},
        "how steeply a camera without `position` and `facing` looks down: 0 deg from the side, 89 deg from above; when "
-       "absent 33 deg, and 55 deg where blades cut a round or flat shape from above, or along a `direction` downwards"},
+       "absent 33 deg, and 55 deg where blades cut from above"},
       {"up", direction_value(), false, {}, "what is up in the picture; not along the line of sight"},
       {"orbit_speed", quantity_value(kAngularSpeed, {}, "10 deg/s"), false, "0 deg/s",
        "turn around the upward axis through the target, into and out of which it eases within 0.8 s; a camera without "
