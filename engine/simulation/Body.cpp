@@ -179,7 +179,8 @@ bool Body::may_crumple() const {
          !definition.tension_field && report_.halvings >= kHalvingsBeforeCrumpling;
 }
 
-bool Body::solve_step(EquilibriumProblem& problem, EquilibriumState& trial, bool goes_on) {
+bool Body::solve_step(EquilibriumProblem& problem, EquilibriumState& trial, std::span<const ToolPose> begin,
+                      bool goes_on) {
   EquilibriumProblem again = problem;
   const EquilibriumState before = goes_on ? trial : state_.equilibrium;  // that the forces of contacts belong to
   SolveEffort effort;
@@ -194,7 +195,13 @@ bool Body::solve_step(EquilibriumProblem& problem, EquilibriumState& trial, bool
   // Where a part of the step was found with springs alone those after it are too: without them it takes long to fail.
   // Solutions of one part that differ in friction alone are near each other.
   const bool needs_springs = !goes_on && report_.relaxations > 0 && may_snap() && !may_creep();
-  if (state_.drag == 0 && !needs_springs && solve(problem, trial, effort).converged) return true;
+  std::optional<WayStart> way;  // of a wall that may snap, and would go through a tool at once
+  if (may_snap()) way = way_of_step(begin, again);
+  if (way && goes_on) way = going_on(*way, again, before.position);
+  if (state_.drag == 0 && !needs_springs && solve(problem, trial, effort).converged &&
+      (!way || !jumped_over_tools(*model_, *way, problem, trial.position))) {
+    return true;
+  }
   const bool was_hopeless = state_.drag == 0 && report_.newton_iterations - iterations <= kHopelessIterations;
   if (has_inertia() && was_hopeless) {
     // Where its velocity would take it the wall may be beyond its law: the way there begins where it is.
@@ -204,13 +211,13 @@ bool Body::solve_step(EquilibriumProblem& problem, EquilibriumState& trial, bool
   }
   if (may_creep()) {
     problem = again;
-    return creep(problem, trial);
+    return creep(problem, trial, way);
   }
   // Where the wall buckles no short step helps: the equilibrium ends, and the next one is some way off.
   if (!may_snap()) return false;
   trial = before;
   problem = again;
-  if (!relax(problem, trial).converged) return false;
+  if (!relax(problem, trial, std::move(way)).converged) return false;
   ++report_.relaxations;
   return true;
 }
@@ -253,7 +260,7 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
       is_unstable_ = false;
     }
     turn_to_rest(problem, trial);
-    if (!may_snap() && jumped_over_tools(begin, problem, trial.position)) {
+    if (!may_snap() && jumped_over_tools(*model_, way_of_step(begin, problem), problem, trial.position)) {
       failure_ =
           "the wall jumped over a ball, a rod, a plate or a needle's point, as where it is pressed against what is "
           "held; press it less deep";

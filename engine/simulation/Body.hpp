@@ -16,6 +16,7 @@
 #include "engine/simulation/BodyState.hpp"
 #include "engine/simulation/BodyStepReport.hpp"
 #include "engine/simulation/CutProgress.hpp"
+#include "engine/simulation/PassedTools.hpp"
 #include "engine/simulation/Puncture.hpp"
 #include "engine/simulation/SimulationOptions.hpp"
 #include "engine/simulation/ToolResponse.hpp"
@@ -173,7 +174,9 @@ class Body {
   };
 
   NewtonResult solve(EquilibriumProblem& problem, EquilibriumState& state, const SolveEffort& effort = {});
-  NewtonResult relax(EquilibriumProblem& problem, EquilibriumState& state, bool is_eager = false);
+  /// `way`: where the wall and the tools set out, for solutions that go through none of these at once.
+  NewtonResult relax(EquilibriumProblem& problem, EquilibriumState& state, std::optional<WayStart> way = {},
+                     bool is_eager = false);
   bool is_turned_by_loads(const EquilibriumProblem& problem, const EquilibriumState& state) const;
   /// From an equilibrium with held rigid motions to where the loads have no moment that these hold against.
   bool turn(const EquilibriumProblem& problem, EquilibriumState& state);
@@ -203,11 +206,11 @@ class Body {
   bool may_crumple() const;
   /// From now on the wall wrinkles infinitely finely where it is pressed along itself, as a cut one does.
   void crumple(std::span<const ToolPose> poses);
-  bool creep(EquilibriumProblem& problem, EquilibriumState& trial);
+  bool creep(EquilibriumProblem& problem, EquilibriumState& trial, const std::optional<WayStart>& way);
   void find_drag(const Eigen::VectorXd& before);
   /// `goes_on`: whether `trial` is a solution of the same part of the step that friction or fluids have been revised
   /// from, rather than a guess.
-  bool solve_step(EquilibriumProblem& problem, EquilibriumState& trial, bool goes_on);
+  bool solve_step(EquilibriumProblem& problem, EquilibriumState& trial, std::span<const ToolPose> begin, bool goes_on);
   bool try_step(std::span<const ToolPose> begin, std::span<const ToolPose> end, double duration,
                 const BodyInput& input);
   /// The way of `advance` from `start`, in parts where that is asked for; throws part way.
@@ -275,8 +278,7 @@ class Body {
   void add_solids(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;
   /// Throws SimulationFailure where a solid stands in a place of the wall that cannot give way along its normal.
   void refuse_held_places(const EquilibriumProblem& problem) const;
-  bool jumped_over_tools(std::span<const ToolPose> begin, const EquilibriumProblem& problem,
-                         const Eigen::VectorXd& position) const;
+  WayStart way_of_step(std::span<const ToolPose> begin, const EquilibriumProblem& problem) const;
   bool catch_passed_edges(EquilibriumProblem& problem, const Eigen::VectorXd& position) const;
   void prepare_cutting();
   void find_forces(std::span<const ToolPose> poses);

@@ -29,10 +29,6 @@ double contact_dip(const ToolSolid& solid) {
 /// touched before is then at its rounded edges at most, not inside, where it might leave through the wrong side.
 constexpr double kRoundedMotion = 0.9;
 
-/// A place of the wall whose straight way in one solution leads deeper into a tool than this part of half its thickness
-/// did not slide around it but went through.
-constexpr double kDeepestWay = 0.5;
-
 /// Part of a unit vector along an axis that is rounding.
 constexpr double kNoPart = 1e-9;
 
@@ -56,20 +52,6 @@ bool slides_along_itself(const ToolDefinition& tool, const ToolPose& begin, cons
   return tool.kind == ToolKind::kNeedle && (end.direction - begin.direction).norm() <= kSameDirection &&
          (end.axis - begin.axis).norm() <= kSameDirection &&
          begin.direction.cross(motion).norm() <= kSameDirection * motion.norm();
-}
-
-/// Longest way of a vertex from one position to another, as a solid sees it that moves meanwhile, metres: no place
-/// between vertices goes farther. Positions: (unknowns), metres.
-double farthest_way(const BodyModel& model, const ToolSolid& before, const ToolSolid& after,
-                    const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
-  double farthest = 0;
-  for (int v = 0; v < model.vertices(); ++v) {
-    const Eigen::Index at = 3 * static_cast<Eigen::Index>(v);
-    const Eigen::Vector3d start = from.segment<3>(at);
-    const Eigen::Vector3d way = to.segment<3>(at) - start - displacement_of(before, after, start);
-    farthest = std::max(farthest, way.squaredNorm());
-  }
-  return std::sqrt(farthest);
 }
 
 Eigen::Vector3d prescribed_point(const Attachment& attachment, const ToolPose& pose) {
@@ -245,57 +227,15 @@ void Body::add_solids(std::span<const ToolPose> poses, EquilibriumProblem& probl
   }
 }
 
-namespace {
-
-/// Whether nothing may go through a solid at once: a ball, a rod or a plate, or the point of a needle that goes
-/// forwards; on its way back it is drawn through its hole. `solids`: those of all tools, parts after what they are of.
-bool is_guarded(ToolKind kind, std::span<const ToolSolid> solids, std::size_t solid, const ToolSolid& after) {
-  if (kind == ToolKind::kSphere || kind == ToolKind::kCapsule || kind == ToolKind::kPlate) {
-    return !solids[solid].is_part();
-  }
-  const bool is_point = solid > 0 && solids[solid - 1].form == ToolSolid::Form::kNeedle && solids[solid].is_part();
-  return is_point && (after.center - solids[solid].center).dot(after.frame.col(2)) > 0;
-}
-
-}  // namespace
-
-bool Body::jumped_over_tools(std::span<const ToolPose> begin, const EquilibriumProblem& problem,
-                             const Eigen::VectorXd& position) const {
-  const std::vector<ToolSolid> before = contact_solids(tools_, begin);
-  for (std::size_t k = 0; k < before.size(); ++k) {
+WayStart Body::way_of_step(std::span<const ToolPose> begin, const EquilibriumProblem& problem) const {
+  WayStart start{.solids = contact_solids(tools_, begin), .position = state_.equilibrium.position};
+  for (std::size_t k = 0; k < start.solids.size(); ++k) {
     const SolidContact& after = problem.solids[k];
-    if (!is_guarded(tools_[after.tool].kind, before, k, after.solid)) continue;
-    const double farthest = farthest_way(*model_, before[k], after.solid, state_.equilibrium.position, position);
-    const double deepest_way = kDeepestWay * after.solid.half_thickness();
-    // Places farther away cannot have come so deep.
-    const double reach = farthest - deepest_way;
-    // Below zero only what was pressed can be as deep already.
-    const bool only_pressed = reach < 0;
-    thread_local std::vector<char> is_near;  // (triangles), asked of each once: it has several sites
-    is_near.assign(model_->surface.size(), 1);
-    if (!only_pressed) {
-      std::ranges::transform(model_->surface, is_near.begin(), [&](const Eigen::Vector3i& triangle) {
-        return !is_out_of_reach(before[k], reach, corners_of(triangle, state_.equilibrium.position));
-      });
-    }
-    for (int s = 0; s < static_cast<int>(model_->sites.size()); ++s) {
-      const ContactSite& site = model_->sites[s];
-      if (!is_near[site.triangle] || (only_pressed && state_.solid_forces[k][s] <= 0)) continue;
-      if (problem.is_free(after.tool, site.triangle) || problem.passes(after.tool, s)) continue;
-      const Eigen::Vector3i& triangle = model_->surface[site.triangle];
-      const auto near = solid_gap(before[k], reach, corners_of(triangle, state_.equilibrium.position), site.part,
-                                  site.corner, GapTerms::kGradient);
-      if (!near || near->gap >= reach) continue;
-      // The way of the place that was nearest, as the tool sees it.
-      const Eigen::Vector3d start = place_on(*model_, site.triangle, near->weights, state_.equilibrium.position);
-      const Eigen::Vector3d from = start + displacement_of(before[k], after.solid, start);
-      const Eigen::Vector3d to = place_on(*model_, site.triangle, near->weights, position);
-      const DeepestPoint deepest = deepest_on_edge(after.solid, {from, to, to}, 0, 1);
-      const Eigen::Vector3d point = deepest.weights[0] * from + deepest.weights[1] * to;
-      if (distance_from(after.solid, point) < -deepest_way) return true;
-    }
+    const bool is_in_wall = !problem.free.empty() && !problem.free[after.tool].empty();
+    start.guarded.push_back(is_guarded(tools_[after.tool].kind, start.solids, k, after.solid, is_in_wall));
+    start.forces.emplace_back(state_.solid_forces[k]);
   }
-  return false;
+  return start;
 }
 
 bool Body::catch_passed_edges(EquilibriumProblem& problem, const Eigen::VectorXd& position) const {

@@ -95,7 +95,7 @@ bool Body::solve_with_friction(EquilibriumProblem& problem, EquilibriumState& tr
   FrictionMixing mixing;
   for (int turn = 0;; ++turn) {
     const Eigen::VectorXd before = trial.position;
-    if (!solve_step(problem, trial, goes_on || turn > 0)) return false;
+    if (!solve_step(problem, trial, begin, goes_on || turn > 0)) return false;
     const double motion = (trial.position - before).head(3 * model_->vertices()).lpNorm<Eigen::Infinity>();
     if (!has_friction() || !revise_friction(problem, begin, trial, motion, turn, mixing)) return true;
     if (turn == kMostTurns) {

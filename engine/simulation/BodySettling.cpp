@@ -189,7 +189,8 @@ NewtonResult Body::fail(const std::string& reason) {
   return failed;
 }
 
-NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state, bool is_eager) {
+NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state, std::optional<WayStart> way,
+                         bool is_eager) {
   const RelaxationPace& pace = is_eager ? kEager : kCareful;
   const std::string before = failure_;
   double springs = 1;
@@ -198,6 +199,9 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state, b
   const double had = model_->has_fluid() ? enclosed_volumes(*model_, state.position).sum() : 0;
   const double most_area = kBurstArea * pressed_area(*model_, problem, state);
   Eigen::VectorXd lead = Eigen::VectorXd::Zero(state.position.size());  // (unknowns), metres
+  const auto went_around = [&](const EquilibriumProblem& solved, const EquilibriumState& reached) {
+    return !way || !jumped_over_tools(*model_, *way, solved, reached.position);
+  };
   for (int turn = 0; turn < pace.turns; ++turn) {
     EquilibriumState trial = state;
     EquilibriumProblem held = held_by_springs(*model_, problem, springs, state.position + lead);
@@ -206,9 +210,10 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state, b
     effort.buckles = is_eager && buckles;
     NewtonResult held_result = solve(held, trial, effort);
     buckles = held_result.iterations > kBucklingIterations;
-    if (held_result.converged) {
+    if (held_result.converged && went_around(held, trial)) {
       lead = pace.lead * (trial.position - state.position);
       take(held, trial, problem, state);
+      if (way) way = going_on(*way, problem, state.position);
       // What such weak springs hold back is no energy that matters.
       if (trial_tolerance_ && springs < kWeakSprings) return held_result;
       if (held_result.iterations <= pace.easy_iterations || !is_on_the_way) springs *= pace.weakened;
@@ -229,7 +234,7 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state, b
       trial = state;
       held = problem;
       NewtonResult result = solve(held, trial, {.takes_flaps = true});
-      if (!result.converged) continue;
+      if (!result.converged || !went_around(held, trial)) continue;
       state = trial;
       problem = held;
       return result;
@@ -240,7 +245,7 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state, b
   return fail(reason.empty() ? "no convergence without pseudo-inertia" : reason + ", also with pseudo-inertia");
 }
 
-bool Body::creep(EquilibriumProblem& problem, EquilibriumState& trial) {
+bool Body::creep(EquilibriumProblem& problem, EquilibriumState& trial, const std::optional<WayStart>& way) {
   // A wall that has been cut and lost its contents may go slack altogether: it then has no equilibrium that anything
   // but its own inertia chooses. Springs to where it was slow it down, as a viscous bath would: it creeps to where it
   // can rest, over as many steps as that takes, and the springs are eased from step to step. In motion they slow down
@@ -256,7 +261,7 @@ bool Body::creep(EquilibriumProblem& problem, EquilibriumState& trial) {
     if (whole.inertia > 0) held.inertia_target += whole.inertia / held.inertia * whole.inertia_target;
     state_.drag = drag;
     const NewtonResult result = solve(held, trial, {.most_iterations = kMostDraggedIterations});
-    if (!result.converged) continue;
+    if (!result.converged || (way && jumped_over_tools(*model_, *way, held, trial.position))) continue;
     state_.drag_eases = result.iterations <= kEasyIterations;
     problem = held;
     problem.inertia = whole.inertia;
@@ -314,7 +319,7 @@ void Body::solve_statics() {
     if (is_found || bursts_) break;
     problem = whole;
     trial = state_.equilibrium;
-    is_found = relax(problem, trial, is_eager).converged;
+    is_found = relax(problem, trial, {}, is_eager).converged;
   }
   if (!is_found && (bursts_ || !load_slowly(whole, trial))) throw SimulationFailure(describe_failure());
   EquilibriumProblem held = whole;

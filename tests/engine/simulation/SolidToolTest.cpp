@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/contact/TriangleCrossing.hpp"
 #include "engine/mesh/Shapes.hpp"
 #include "tests/engine/simulation/TestBodies.hpp"
 
@@ -205,6 +206,41 @@ TEST(SolidTools, BallsRodsAndPlatesAreNotPassedByAWallThatGrowsBeyondThemInOneSt
       EXPECT_NEAR(at_once, slowly, (is_plate ? 0.05 : 1e-6) * slowly) << tool.name;
     }
   }
+}
+
+/// Whether the wall has closed around a needle's shaft, so that one of its triangles is run through.
+bool runs_through(const Body& body, const ToolDefinition& needle, const ToolPose& pose) {
+  const Eigen::Vector3d point = pose.tip - needle.radius * pose.direction,
+                        end = pose.tip - needle.length * pose.direction;
+  return std::ranges::any_of(body.model().surface, [&](const Eigen::Vector3i& triangle) {
+    const auto corners = corners_of(triangle, body.state().equilibrium.position);
+    return goes_through(point, end, {.from = corners, .to = corners});
+  });
+}
+
+// Oblique to a slack ball on coarse triangles: its wall snaps off the point three times on the way in, and on the way
+// back. Run through, the needle felt four times as much as it did in its depth when it was back outside.
+TEST(SolidTools, ANeedleIsNotRunIntoAWallThatSnapsOffItsPoint) {
+  const ToolDefinition needle{.name = "needle", .kind = ToolKind::kNeedle, .length = 120e-3, .radius = 0.8e-3};
+  SimulationOptions options = quasi_static();
+  options.tolerance = 1e-4;
+  BodyDefinition ball = make_body(make_sphere(40e-3, 320), 2e-3, neo_hookean(15e3));
+  ball.fluid.initial_pressure = 100;
+  Body body(ball, {needle}, options);
+  body.settle();
+  constexpr double kStep = 1.3333e-3;
+  constexpr int kWayIn = 19;
+  const auto pose_after = [](int steps) { return pose_at({20e-3, 3e-3, 39.576e-3 - steps * kStep}); };
+  double largest = 0;
+  for (int step = 1; step <= 2 * kWayIn; ++step) {
+    const ToolPose begin = pose_after(kWayIn - std::abs(kWayIn - step + 1)),
+                   end = pose_after(kWayIn - std::abs(kWayIn - step));
+    body.advance({&begin, 1}, {&end, 1}, 33e-3);
+    largest = std::max(largest, body.state().contacts[0].force.norm());
+    EXPECT_FALSE(runs_through(body, needle, end)) << "step " << step;
+  }
+  EXPECT_GT(largest, 0.1);
+  EXPECT_EQ(body.state().contacts[0].force.norm(), 0) << "back outside";
 }
 
 }  // namespace
