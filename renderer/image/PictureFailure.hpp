@@ -10,4 +10,10 @@ class PictureFailure : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A file could not be written, whatever it was to hold: the disk is full, the folder is somebody else's.
+class FileUnwritable : public PictureFailure {
+ public:
+  using PictureFailure::PictureFailure;
+};
+
 }  // namespace thinwall

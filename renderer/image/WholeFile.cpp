@@ -16,7 +16,7 @@ namespace {
 constexpr int kAttempts = 2;  // an unfinished file of an earlier, killed run is removed once
 
 [[noreturn]] void fail(const std::filesystem::path& path, int code) {
-  throw PictureFailure("cannot write " + path.string() + ": " + std::generic_category().message(code) + "; " +
+  throw FileUnwritable("cannot write " + path.string() + ": " + std::generic_category().message(code) + "; " +
                        cure_for_write_error(code));
 }
 

@@ -14,7 +14,7 @@ std::filesystem::path unfinished_name(const std::filesystem::path& path);
 
 /// Writes `bytes` under the unfinished name, then renames: a file called `path` is always a whole one. An older file of
 /// that name stays as it was when this fails. What is a device or a pipe (`/dev/null`) stays one, and is written to.
-/// Throws PictureFailure with the system's reason and a cure.
+/// Throws FileUnwritable with the system's reason and a cure.
 void write_whole_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 void write_whole_file(const std::filesystem::path& path, std::string_view text);
 

@@ -173,6 +173,16 @@ struct VideoWriter::Implementation {
     throw PictureFailure("cannot record " + target.string() + ": " + reason);
   }
 
+  /// Of what ffmpeg was doing when it ended, and how it ended.
+  [[noreturn]] void fail(const std::string& doing, const ProgramResult& result) {
+    try {
+      fail(doing + " " + ending(result));
+    } catch (const PictureFailure& failure) {
+      if (write_error_in(result.errors)) throw FileUnwritable(failure.what());
+      throw;
+    }
+  }
+
   void remove_temporary_files() const {
     std::error_code ignored;
     for (const files::path& name : {names.recording, names.captions, names.chapters, names.result}) {
@@ -213,7 +223,7 @@ struct VideoWriter::Implementation {
   void end_encoder() {
     const ProgramResult result = encoder->finish();
     encoder.reset();
-    if (result.exit_code != 0) fail("ffmpeg failed " + ending(result));
+    if (result.exit_code != 0) fail("ffmpeg failed", result);
   }
 
   void remux(const std::vector<VideoChapter>& chapters, const std::vector<VideoCaption>& captions) {
@@ -225,7 +235,7 @@ struct VideoWriter::Implementation {
     const ProgramResult result = run_program(remux_arguments(names, has_captions));
     // With a disk that is full when the file is ended, ffmpeg says so and reports success.
     if (result.exit_code != 0 || write_error_in(result.errors)) {
-      fail("ffmpeg failed to finish the file " + ending(result));
+      fail("ffmpeg failed to finish the file", result);
     }
     if (has_captions) disable_caption_tracks(names.result);
   }
@@ -266,7 +276,7 @@ void VideoWriter::write(const Image& frame) {
     return;
   }
   const ProgramResult result = implementation_->encoder->finish();
-  implementation_->fail("ffmpeg ended at frame " + std::to_string(implementation_->frames) + " " + ending(result));
+  implementation_->fail("ffmpeg ended at frame " + std::to_string(implementation_->frames), result);
 }
 
 void VideoWriter::finish(const std::vector<VideoChapter>& chapters, const std::vector<VideoCaption>& captions) {

@@ -313,8 +313,8 @@ void CommandLine::add_golden() {
   }
   for (CLI::App* command : {test, report}) {
     command->add_flag("--all", golden_.all, "also what has not changed since it was good");
+    command->add_option("--junit", golden_.junit, "write the results as JUnit XML")->type_name("FILE");
   }
-  test->add_option("--junit", golden_.junit, "write the results as JUnit XML")->type_name("FILE");
   for (CLI::App* command : {review, approve}) {
     command->add_option("--why", golden_.why, "what has changed and why that is right")->type_name("TEXT");
   }

@@ -92,8 +92,9 @@ int review_goldens(const GoldenOptions& options);
 int list_goldens(const GoldenOptions& options);
 int explain_goldens(const GoldenOptions& options);
 
-/// Makes today's picture the golden and tells the figures before and after; false when it is as approved or missing.
-bool approve_golden(const JudgedScenario& judged, std::size_t index, const std::string& why);
+/// Makes today's picture the golden and tells the figures before and after; false when it is missing, as approved, or
+/// different within its limits where that is not to be approved too.
+bool approve_golden(const JudgedScenario& judged, std::size_t index, const std::string& why, bool within_limits_too);
 
 struct CompareOptions {
   std::filesystem::path first;  // two files, or two folders

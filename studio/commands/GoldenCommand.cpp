@@ -17,6 +17,7 @@
 #include "studio/golden/JUnitReport.hpp"
 #include "studio/golden/PicturesForLooking.hpp"
 #include "studio/recorder/FolderLock.hpp"
+#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {
@@ -65,14 +66,38 @@ Json to_json(const JudgedScenario& judged, std::size_t index) {
   return json;
 }
 
-int exit_code(const std::map<GoldenOutcome, int>& counts) {
-  const auto any = [&](GoldenOutcome outcome) { return counts.at(outcome) > 0; };
-  if (any(GoldenOutcome::kBroken)) return kExitBadInput;
-  if (any(GoldenOutcome::kFailed) || any(GoldenOutcome::kResultMissing) || any(GoldenOutcome::kGoldenMissing)) {
-    return kExitRegression;
+/// What one golden gives. Nothing was compared where it is skipped, which is no success.
+int exit_code(const GoldenResult& result) {
+  switch (result.outcome) {
+    case GoldenOutcome::kOk:
+      return kExitGood;
+    case GoldenOutcome::kBroken:
+      return kExitBadInput;
+    case GoldenOutcome::kSkipped:
+      return kExitNoPicture;
+    case GoldenOutcome::kResultMissing:
+      return result.cannot_be_made ? kExitNoPicture : kExitRegression;
+    case GoldenOutcome::kFailed:
+    case GoldenOutcome::kGoldenMissing:
+      break;
   }
-  // Nothing was compared, which is no success.
-  return any(GoldenOutcome::kSkipped) ? kExitNoPicture : kExitGood;
+  return kExitRegression;
+}
+
+/// Of two goldens': what is to be mended first. A regression is one, whatever else could not be made.
+int worse_exit_code(int first, int second) {
+  for (const int code : {kExitBadInput, kExitRegression, kExitNoPicture}) {
+    if (first == code || second == code) return code;
+  }
+  return kExitGood;
+}
+
+int exit_code(const std::vector<JudgedScenario>& all) {
+  int code = kExitGood;
+  for (const JudgedScenario& judged : all) {
+    for (const GoldenResult& result : judged.results) code = worse_exit_code(code, exit_code(result));
+  }
+  return code;
 }
 
 std::map<GoldenOutcome, int> counts(const std::vector<JudgedScenario>& all) {
@@ -130,6 +155,18 @@ bool lacks_evidence(const JudgedScenario& judged, std::size_t index) {
   return approval->history.empty() || approval->picture_hash.empty();
 }
 
+/// Whether a golden that is good is not the very one that was approved, here and on this driver.
+bool differs_within_limits(const GoldenResult& result) {
+  if (result.outcome != GoldenOutcome::kOk) return false;
+  const bool is_equal = result.is_video ? result.different_frames.empty() : result.rung == "bytes";
+  return !is_equal || result.state.verdict != StateVerdict::kEqual || result.driver != result.golden_driver;
+}
+
+/// "small@0.12s" or "small@video"
+std::string own_name(const GoldenResult& result) {
+  return shell_argument(result.scenario) + (result.is_video ? "@video" : fmt::format("@{:.9g}s", result.at));
+}
+
 GoldenResult renew_picture(const JudgedScenario& judged, std::size_t index, const std::string& why) {
   const GoldenPicture& picture = judged.pictures.pictures[index];
   const std::filesystem::path folder = golden_folder(judged.scenario.name);
@@ -169,24 +206,25 @@ void prepare_junit(const std::filesystem::path& file) {
   if (file.has_parent_path()) make_folder(file.parent_path());
   std::error_code error;
   if (std::filesystem::is_directory(file, error)) {
-    throw UsageError("golden test: --junit " + file.string() + " is a folder; name a file");
+    throw UsageError("golden: --junit " + file.string() + " is a folder; name a file");
   }
   if (!error || error == std::errc::no_such_file_or_directory) return;
   throw PictureFailure("cannot write " + file.string() + ": " + error.message() + "; " +
                        cure_for_write_error(error.value()));
 }
 
-}  // namespace
+/// When the page to look at is written.
+enum class PageOf { kFailures, kAll };
 
-int test_goldens(const GoldenOptions& options) {
+int compare_goldens(const GoldenOptions& options, PageOf page) {
   const NamedGoldens named = named_goldens(options.scenarios);
   const FolderLock lock(options.out);
   if (!options.junit.empty()) prepare_junit(options.junit);
   const std::vector<JudgedScenario> all = judge_and_print(named, options);
-  const int code = exit_code(counts(all));
+  const int code = exit_code(all);
   if (!options.junit.empty()) write_whole_file(options.junit, junit_report(all));
   if (std::getenv("GITHUB_ACTIONS") != nullptr) fmt::print(stderr, "{}", github_annotations(all));
-  if (code != kExitGood) {
+  if (code != kExitGood || page == PageOf::kAll) {
     fmt::print(stderr, "report: {}\n", write_report(all, options).string());
   } else {
     std::error_code ignored;
@@ -196,19 +234,21 @@ int test_goldens(const GoldenOptions& options) {
   return code;
 }
 
-int report_goldens(const GoldenOptions& options) {
-  const NamedGoldens named = named_goldens(options.scenarios);
-  const FolderLock lock(options.out);
-  const std::vector<JudgedScenario> all = judge_and_print(named, options);
-  fmt::print(stderr, "report: {}\n", write_report(all, options).string());
-  print_summary(all, golden_notes(named), options.json);
-  return exit_code(counts(all));
+}  // namespace
+
+int test_goldens(const GoldenOptions& options) {
+  return compare_goldens(options, PageOf::kFailures);
 }
 
-bool approve_golden(const JudgedScenario& judged, std::size_t index, const std::string& why) {
+int report_goldens(const GoldenOptions& options) {
+  return compare_goldens(options, PageOf::kAll);
+}
+
+bool approve_golden(const JudgedScenario& judged, std::size_t index, const std::string& why, bool within_limits_too) {
   const GoldenResult& before = judged.results[index];
   const bool is_wrong = before.outcome == GoldenOutcome::kFailed || before.outcome == GoldenOutcome::kGoldenMissing;
-  if (!is_wrong && !lacks_evidence(judged, index)) return false;
+  const bool is_meant = within_limits_too && differs_within_limits(before);
+  if (!is_wrong && !is_meant && !lacks_evidence(judged, index)) return false;
   const GoldenResult after = before.is_video ? renew_video(judged, index, why) : renew_picture(judged, index, why);
   fmt::print(stderr, "approved: {} {}\n  before: {}: {}\n  after:  {}: {}\n", before.scenario, moment_name(before),
              outcome_name(before.outcome), before.message, outcome_name(after.outcome), after.message);
@@ -228,27 +268,32 @@ int approve_goldens(const GoldenOptions& options) {
       judge_scenarios(named.scenarios, golden_run(options, false), [](const JudgedScenario&) {});
   int code = kExitGood;
   int approved = 0;
-  for (const JudgedScenario& judged : all) {
+  std::string within_limits;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const JudgedScenario& judged = all[k];
     if (judged.results.front().outcome == GoldenOutcome::kSkipped) {
       print_result(judged, 0);
       return kExitNoPicture;
     }
     for (std::size_t i = 0; i < judged.results.size(); ++i) {
-      if (approve_golden(judged, i, options.why)) {
+      if (approve_golden(judged, i, options.why, named.are_chosen[k])) {
         ++approved;
         continue;
       }
+      if (differs_within_limits(judged.results[i])) within_limits += " " + own_name(judged.results[i]);
       print_result(judged, i);
-      if (judged.results[i].outcome == GoldenOutcome::kBroken) {
-        code = kExitBadInput;
-      } else if (judged.results[i].outcome != GoldenOutcome::kOk && code == kExitGood) {
-        code = kExitRegression;
-      }
+      code = worse_exit_code(code, exit_code(judged.results[i]));
     }
   }
   if (code != kExitGood) return code;
-  if (approved == 0) throw UsageError("golden approve: nothing of what was named has changed, so nothing was approved");
-  return kExitGood;
+  if (approved > 0) return kExitGood;
+  if (within_limits.empty()) {
+    throw UsageError("golden approve: nothing of what was named has changed, so nothing was approved");
+  }
+  throw UsageError(
+      "golden approve: nothing of what was named has changed beyond its limits, so nothing was approved; "
+      "to approve it all the same, name each:" +
+      within_limits);
 }
 
 }  // namespace thinwall

@@ -87,7 +87,7 @@ bool review_one(const JudgedScenario& judged, std::size_t index, const std::stri
     case Answer::kAccept: {
       const std::string reason = ask_why(why);
       if (reason.empty()) return false;
-      approve_golden(judged, index, reason);
+      approve_golden(judged, index, reason, false);
       ++tally.accepted;
       return true;
     }

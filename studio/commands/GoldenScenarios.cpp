@@ -114,7 +114,9 @@ NamedGoldens goldens_of_folder() {
   for (const std::filesystem::path& file : all) {
     try {
       Scenario scenario = load_scenario(file, {}, inward_normal);
-      if (!scenario.goldens.empty()) named.scenarios.push_back(std::move(scenario));
+      if (scenario.goldens.empty()) continue;
+      named.scenarios.push_back(std::move(scenario));
+      named.are_chosen.push_back(false);
     } catch (const InputErrors& errors) {
       if (should_have_goldens(file, all)) named.broken.push_back({file, errors});
     }
@@ -133,6 +135,7 @@ void add_named(NamedGoldens& named, const std::filesystem::path& file, const std
     if (choice) leave_only(scenario.goldens, *choice, scenario.name);
     named.are_whole = named.are_whole && !choice;
     named.scenarios.push_back(std::move(scenario));
+    named.are_chosen.push_back(choice.has_value());
   } catch (const InputErrors& errors) {
     if (!std::filesystem::exists(file)) throw;  // a wrong name is no scenario
     named.broken.push_back({file, errors});

@@ -31,6 +31,7 @@ struct BrokenScenario {
 /// where a file that is named is not there.
 struct NamedGoldens {
   std::vector<Scenario> scenarios = {};  // with the goldens that are meant alone
+  std::vector<bool> are_chosen = {};     // of each: whether one golden of it was named by its moment
   bool are_whole = true;                 // whether no golden of theirs was left out
   bool are_all = false;                  // of the folder of scenarios
   std::vector<BrokenScenario> broken = {};

@@ -301,6 +301,7 @@ GoldenResult compare_with_golden(const std::string& scenario, const GoldenDefini
   if (!picture.missing.empty()) {
     result.outcome = GoldenOutcome::kResultMissing;
     result.message = picture.missing;
+    result.cannot_be_made = picture.cannot_be_made;
     return result;
   }
   const std::vector<GoldenApproval> approvals = read_approvals(folder);

@@ -52,6 +52,7 @@ struct GoldenResult {
   bool is_video = false;     // the whole of it; then `at` has no meaning
   bool is_scenario = false;  // which cannot be read, so that nobody knows its goldens; likewise
   GoldenOutcome outcome = GoldenOutcome::kOk;
+  bool cannot_be_made = false;  // of a result that is missing: for want of device or disk
   std::string rung;  // of the ladder, that decided: "bytes", "size", "pixels", "structure", "flip"; empty when nothing
                      // was compared
   std::string message;        // one line

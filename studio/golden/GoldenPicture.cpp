@@ -63,6 +63,7 @@ void draw(GoldenPicture& picture, const FrameComposer& composer, Moment moment, 
     picture.missing.clear();
   } catch (const PictureFailure& failure) {
     picture.missing = failure.what();
+    picture.cannot_be_made = true;
   }
 }
 

@@ -19,8 +19,9 @@ using SourceFactory = std::function<std::unique_ptr<MomentSource>(const Scenario
 
 /// The picture of a scenario at a time of its `golden:` list, as it is today.
 struct GoldenPicture {
-  double at = 0;        // seconds
-  std::string missing;  // why there is none; empty when there is one
+  double at = 0;                // seconds
+  std::string missing;          // why there is none; empty when there is one
+  bool cannot_be_made = false;  // whether `missing` is of the device, not of the simulation
   Image image;
   Moment moment;                         // what it shows
   std::string state_digest;              // of the first step that reaches `at`

@@ -209,6 +209,9 @@ RecordedVideo record_golden_video(const Scenario& scenario, int kept, const Sour
       result.file = folder / "video.mp4";
     } catch (const ImageUnreadable& error) {
       result.encoder_failure = error.what();
+    } catch (const FileUnwritable&) {
+      // A full disk is no fault of the encoder, also where its file is the first that finds no room.
+      throw;
     } catch (const PictureFailure& failure) {
       // Whether the frames alone can be had tells the encoder's failure from the renderer's.
       result.encoder_failure = failure.what();
@@ -218,6 +221,7 @@ RecordedVideo record_golden_video(const Scenario& scenario, int kept, const Sour
     for (const std::size_t frame : video.kept) result.pictures.push_back(read_png(frame_file(folder, frame)));
   } catch (const PictureFailure& failure) {
     result.missing = failure.what();
+    result.cannot_be_made = true;
   }
   if (video.frames.empty() && result.missing.empty()) result.missing = "the scenario has no pictures";
   return result;

@@ -53,7 +53,8 @@ struct RecordedVideo {
   GoldenVideo video;
   std::vector<Image> pictures;  // of the frames in `video.kept`
   std::string no_device;        // why nothing could be drawn here; empty when something could
-  std::string missing;          // why there are no frames; empty when there are
+  std::string missing;          // why there are no frames or no room for a file; empty when there are
+  bool cannot_be_made = false;  // whether `missing` is of device or disk, not of the simulation
   std::string encoder_failure;  // why there is no file though there are frames; empty when there is one
   std::filesystem::path file;   // the video
 };

@@ -213,6 +213,7 @@ VideoJudgement compare_with_golden_video(const std::string& scenario, const Gold
   if (!recorded.no_device.empty() || !recorded.missing.empty()) {
     result.outcome = recorded.no_device.empty() ? GoldenOutcome::kResultMissing : GoldenOutcome::kSkipped;
     result.message = recorded.no_device.empty() ? recorded.missing : recorded.no_device;
+    result.cannot_be_made = recorded.cannot_be_made;
     return judgement;
   }
   const std::optional<GoldenVideoApproval> golden = find_video_approval(folder, recorded.video.driver);

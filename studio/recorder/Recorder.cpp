@@ -184,6 +184,8 @@ void Pipeline::throw_error() const {
     std::rethrow_exception(error_);
   } catch (const Interrupted& interrupted) {
     throw Interrupted(interrupted, consequence);
+  } catch (const FileUnwritable& failure) {
+    throw FileUnwritable(failure.what() + ("; " + consequence));
   } catch (const PictureFailure& failure) {
     throw PictureFailure(failure.what() + ("; " + consequence));
   }

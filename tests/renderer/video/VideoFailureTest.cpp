@@ -160,7 +160,7 @@ std::string failure_of_noise(const files::path& path) {
       writer.write(image);
     }
     writer.finish({}, {{.begin = 0, .end = 0.5, .text = "Pressing"}});
-  } catch (const PictureFailure& failure) {
+  } catch (const FileUnwritable& failure) {
     return failure.what();
   }
   return "";

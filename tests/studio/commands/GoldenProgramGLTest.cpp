@@ -85,6 +85,41 @@ TEST_F(ProgramGLTest, AGoldenIsReviewedListedExplainedAndNotApprovedTwice) {
   EXPECT_EQ(run({"golden", "test", "--all"}).messages.find("unchanged since"), std::string::npos);
 }
 
+TEST_F(ProgramGLTest, AGoldenThatDiffersWithinItsLimitsIsApprovedOnlyWhereItIsNamedItself) {
+  const std::string limits = "golden: [ { at: 120 ms, max: 255, mean: 255, drift: 1, why: all is allowed } ]\n";
+  write_bytes(folder_ / "scenes/small.yaml", small_scenario() + limits);
+  expect_good({"golden", "approve", "small", "--why", "the first"});
+  write_bytes(folder_ / "scenes/small.yaml", small_scenario() + "lights: { key: 0.5 }\n" + limits);
+  const ProgramEnd whole = run({"golden", "approve", "small", "--why", "darker"});
+  EXPECT_EQ(whole.exit_code, 2);
+  EXPECT_NE(whole.messages.find("to approve it all the same, name each: small@0.12s"), std::string::npos)
+      << whole.messages;
+  EXPECT_EQ(run({"golden", "test"}).messages.find("ok: small at 0.12 s: equal"), std::string::npos);
+  expect_good({"golden", "approve", "small@0.12s", "--why", "darker"});
+  EXPECT_NE(run({"golden", "test"}).messages.find("ok: small at 0.12 s: equal"), std::string::npos);
+  EXPECT_EQ(run({"golden", "approve", "small@0.12s", "--why", "again"}).exit_code, 2);
+}
+
+TEST_F(ProgramGLTest, AVideoThatFindsNoRoomOnTheDiskIsNoRegression) {
+  const std::string goldens =
+      "golden:\n  - { at: 120 ms, max: 8, mean: 0.2, why: rounding }\n  - { video: 1, max: 8, mean: 0.2, why: rounding "
+      "}\n";
+  write_bytes(folder_ / "scenes/small.yaml", small_scenario() + goldens);
+  expect_good({"golden", "approve", "small", "--why", "the first"});
+  std::filesystem::remove_all(folder_ / "out/golden/videos");
+  write_bytes(folder_ / "out/golden/videos", "no folder can be made here");
+  for (const char* command : {"test", "report"}) {
+    const ProgramEnd end = run({"golden", command, "--all", "--junit", "junit.xml"});
+    EXPECT_EQ(end.exit_code, 4) << end.messages;
+    EXPECT_NE(end.messages.find("result missing: small the video: cannot "), std::string::npos) << end.messages;
+    EXPECT_NE(file_bytes(folder_ / "junit.xml").find("<error type=\"result missing\""), std::string::npos);
+    std::filesystem::remove(folder_ / "junit.xml");
+  }
+  EXPECT_EQ(run({"golden", "approve", "small@video", "--why", "again"}).exit_code, 4);
+  write_bytes(folder_ / "scenes/small.yaml", small_scenario() + "lights: { key: 0.5 }\n" + goldens);
+  EXPECT_EQ(run({"golden", "test"}).exit_code, 1) << "its picture has failed";
+}
+
 TEST_F(ProgramGLTest, AReviewThatWaitsForAnAnswerCanBeInterrupted) {
   const std::filesystem::path answers = folder_ / "answers";
   ASSERT_EQ(mkfifo(answers.c_str(), 0600), 0);

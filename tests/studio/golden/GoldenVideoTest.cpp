@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "renderer/image/PictureFailure.hpp"
 #include "renderer/image/PngFile.hpp"
 #include "renderer/video/Program.hpp"
@@ -109,7 +111,9 @@ TEST_F(GoldenVideoTest, WithoutAnApprovalTheGoldenIsMissing) {
 
 TEST_F(GoldenVideoTest, ASimulationThatFailsHasNoResult) {
   approve();
-  EXPECT_EQ(judge(recorded(synthetic_source({.fail_at = 5}))).result.outcome, GoldenOutcome::kResultMissing);
+  const GoldenResult result = judge(recorded(synthetic_source({.fail_at = 5}))).result;
+  EXPECT_EQ(result.outcome, GoldenOutcome::kResultMissing);
+  EXPECT_FALSE(result.cannot_be_made) << "the simulation has regressed";
 }
 
 TEST_F(GoldenVideoTest, AMissingDeviceIsASkip) {
@@ -117,6 +121,22 @@ TEST_F(GoldenVideoTest, AMissingDeviceIsASkip) {
       video_scene(), 3, synthetic_source(),
       [](ImageSize) -> std::unique_ptr<Painter> { throw PictureFailure("no GPU here"); }, folder_ / "video");
   EXPECT_EQ(judge(video).result.outcome, GoldenOutcome::kSkipped);
+}
+
+TEST_F(GoldenVideoTest, ADiskThatHasNoRoomForTheVideoAloneIsNotTheEncoders) {
+  approve();
+  bool is_full = true;
+  const RecordedVideo video = record_golden_video(
+      video_scene(), 3, synthetic_source(),
+      [&](ImageSize size) {
+        if (size.width > 16 && std::exchange(is_full, false)) throw FileUnwritable("no space");
+        return flat_painters(1)(size);
+      },
+      folder_ / "video");
+  const GoldenResult result = judge(video).result;
+  EXPECT_EQ(result.outcome, GoldenOutcome::kResultMissing) << result.message;
+  EXPECT_TRUE(result.cannot_be_made);
+  EXPECT_EQ(result.message, "no space");
 }
 
 TEST_F(GoldenVideoTest, AChangedSimulationIsTold) {
