@@ -5,17 +5,15 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <assimp/Importer.hpp>
 #include <cctype>
-#include <cstdint>
-#include <fstream>
 #include <new>
 #include <optional>
-#include <string_view>
+#include <string>
 
 #include "studio/organs/FileFormatError.hpp"
 #include "studio/organs/PlyReordering.hpp"
+#include "studio/organs/StlHead.hpp"
 #include "studio/schema/Wording.hpp"
 
 namespace thinwall {
@@ -114,20 +112,12 @@ bool has_extension(const std::filesystem::path& file, const char* lowercase) {
 /// A binary STL file that holds another number of triangles than its head announces, which assimp takes for text or for
 /// nothing it knows. Throws MeshFileError.
 void refuse_cut_off_stl(const std::filesystem::path& file) {
-  constexpr std::size_t kHead = 84, kTriangle = 50;  // bytes
-  std::array<char, 512> beginning = {};
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(beginning.data(), beginning.size());
-  const std::string_view text(beginning.data(), static_cast<std::size_t>(stream.gcount()));
-  if (text.size() < kHead || text.find("facet") != std::string_view::npos) return;
-  std::uint32_t announced = 0;
-  for (int k = 3; k >= 0; --k) announced = announced << 8U | static_cast<unsigned char>(text[80 + k]);
-  const std::uintmax_t present = (std::filesystem::file_size(file) - kHead) / kTriangle;
-  if (announced == present) return;
+  const std::optional<StlHead> head = binary_stl_head(file);
+  if (!head || head->announced == head->present) return;
   throw MeshFileError(fmt::format(
       "its head announces {} triangles, and {} are there: it is cut off, or no binary STL; copy it anew, or "
       "save it anew from a modelling program",
-      announced, present));
+      head->announced, head->present));
 }
 
 const aiScene* scene_of(Assimp::Importer& importer, const std::filesystem::path& file, const MeshFileLimits& limits) {
@@ -138,6 +128,9 @@ const aiScene* scene_of(Assimp::Importer& importer, const std::filesystem::path&
     } catch (const FileFormatError& error) {
       throw MeshFileError(error.what());
     }
+  }
+  if (const std::optional<std::string> bytes = shortened_stl(file)) {
+    return importer.ReadFileFromMemory(bytes->data(), bytes->size(), aiProcess_Triangulate, "stl");
   }
   return importer.ReadFile(file.string(), aiProcess_Triangulate);
 }
@@ -156,7 +149,7 @@ RawMesh read_with_assimp(const std::filesystem::path& file, const MeshFileLimits
     }
     const std::string reason = importer.GetErrorString();
     if (reason.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
-    if (has_extension(file, ".stl")) refuse_cut_off_stl(file);
+    refuse_cut_off_stl(file);
     if (reason.starts_with("No suitable reader")) {
       throw MeshFileError(fmt::format("what it holds is not {}, or is cut off", in_backticks(extension)));
     }
@@ -164,7 +157,7 @@ RawMesh read_with_assimp(const std::filesystem::path& file, const MeshFileLimits
   }
   RawMesh mesh = SceneReader(*scene, file.filename().string(), limits).read();
   if (mesh.triangles.empty()) {
-    if (has_extension(file, ".stl")) refuse_cut_off_stl(file);
+    refuse_cut_off_stl(file);
     throw MeshFileError(mesh.vertices.empty() ? "it holds no triangles"
                                               : "it holds points or lines, but no triangles or polygons");
   }

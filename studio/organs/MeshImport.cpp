@@ -22,6 +22,7 @@
 #include "studio/organs/MeshRepair.hpp"
 #include "studio/organs/NestedParts.hpp"
 #include "studio/organs/OrganSizes.hpp"
+#include "studio/organs/StlHead.hpp"
 #include "studio/organs/ToldPlaces.hpp"
 #include "studio/organs/remeshing/MeshRemeshing.hpp"
 #include "studio/schema/Wording.hpp"
@@ -67,6 +68,7 @@ class MeshImport {
 
   ImportedMesh run() {
     RawMesh raw = read();
+    tell_left_out();
     check_coordinates(raw);
     part_names_ = std::move(raw.part_names);
     surface_ = {std::move(raw.vertices), std::move(raw.triangles), std::move(raw.parts)};
@@ -108,6 +110,14 @@ class MeshImport {
 
   void note_if(std::size_t count, const std::string& one, const std::string& many, const std::string& what) {
     if (count > 0) notes_.push_back(fmt::format("{}: {} {}", origin_.name, counted(count, one, many), what));
+  }
+
+  void tell_left_out() {
+    const std::optional<StlHead> head = binary_stl_head(file_);
+    if (!head) return;
+    note_if(head->bytes_behind, "byte", "bytes",
+            fmt::format("behind the {} that its head announces left out",
+                        counted(head->announced, "triangle", "triangles")));
   }
 
   void tidy() {
