@@ -192,6 +192,7 @@ GoldenHistory parse_history(const std::string& text, const std::string& file) {
   if (!lines.empty() && lines.back().empty()) lines.pop_back();
   if (lines.empty() || !lines.front().starts_with("step,time_s"))
     throw GoldenError(file + ": is no history of a golden");
+  if (!text.ends_with('\n')) throw GoldenError(file + ": is cut short");
   const std::vector<std::string_view> head = split(lines.front(), ',');
   history.columns.assign(head.begin() + 2, head.end());
   for (std::size_t i = 1; i < lines.size(); ++i) {

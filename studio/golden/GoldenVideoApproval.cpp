@@ -114,7 +114,8 @@ GoldenVideoApproval read_approval(const std::filesystem::path& file) {
     }
     GoldenVideoApproval approval = to_approval(json, file);
     approval.files = approval.pictures;
-    approval.files.push_back(json.at("history"));
+    approval.history = json.at("history");
+    approval.files.push_back(approval.history);
     approval.files.push_back(file.filename().string());
     return approval;
   } catch (const Json::exception& error) {

@@ -16,6 +16,7 @@ struct GoldenVideoApproval {
   std::vector<std::string> pictures;  // (video.kept): file names in the scenario's golden folder
   std::string who;
   std::string why;
+  std::string history = {};             // file name in that folder
   std::vector<std::string> files = {};  // all of it in that folder, by their names
 };
 

@@ -196,6 +196,19 @@ void refuse_exchanged_pictures(const GoldenVideoApproval& golden, const std::fil
   }
 }
 
+/// What is not there of what an approval keeps, with what helps; empty where all of it is. A history that is damaged is
+/// none: the next failure could not be told.
+std::string lost_of(const GoldenVideoApproval& golden, const std::filesystem::path& folder) {
+  std::string lost = lost_file(folder, golden.files);
+  if (!lost.empty()) return lost;
+  try {
+    parse_history(golden.video.history, (folder / golden.history).string());
+  } catch (const GoldenError& error) {
+    lost = std::string(error.what()) + "; restore it from version control, or approve anew";
+  }
+  return lost;
+}
+
 std::string good_message(const GoldenResult& result, const GoldenVideo& today) {
   if (result.different_frames.empty()) return fmt::format("{} frames are equal", today.frames.size());
   return fmt::format("{} of {} frames differ within the limits", result.different_frames.size(), today.frames.size());
@@ -223,7 +236,7 @@ VideoJudgement compare_with_golden_video(const std::string& scenario, const Gold
                                  shell_argument(scenario));
     return judgement;
   }
-  const std::string lost = lost_file(folder, golden->files);
+  const std::string lost = lost_of(*golden, folder);
   if (!lost.empty()) {
     result.outcome = GoldenOutcome::kGoldenMissing;
     result.message = lost;

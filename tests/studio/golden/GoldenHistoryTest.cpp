@@ -180,6 +180,7 @@ TEST(GoldenHistory, ABrokenTextIsAnErrorThatNamesTheFile) {
   EXPECT_THROW(parse_history("nothing", "h.csv"), GoldenError);
   EXPECT_THROW(parse_history("step,time_s,a\n1,2\n", "h.csv"), GoldenError);
   EXPECT_THROW(parse_history("step,time_s,a\n1,2,x\n", "h.csv"), GoldenError);
+  EXPECT_THROW(parse_history("step,time_s,a\n1,2,3", "h.csv"), GoldenError) << "it may have gone on with more digits";
   // With such a number all others would count as unchanged.
   EXPECT_THROW(parse_history("step,time_s,a\n1,2,nan\n", "h.csv"), GoldenError);
   EXPECT_THROW(parse_history("step,time_s,a\n1,inf,3\n", "h.csv"), GoldenError);

@@ -98,6 +98,18 @@ TEST_F(GoldenVideoTest, AVideoThatHasLostOneOfItsFilesIsMissing) {
   }
 }
 
+TEST_F(GoldenVideoTest, AVideoWhoseHistoryIsDamagedIsMissing) {
+  for (const std::uintmax_t part : {0U, 2U, 3U}) {
+    approve();
+    const std::filesystem::path file = goldens() / find_video_approval(goldens(), "flat painter 1.0")->history;
+    std::filesystem::resize_file(file, std::filesystem::file_size(file) * part / 4);
+    const GoldenResult result = judge(recorded()).result;
+    EXPECT_EQ(result.outcome, GoldenOutcome::kGoldenMissing) << part;
+    EXPECT_EQ(result.message.find(file.string()), 0U) << result.message;
+    EXPECT_NE(result.message.find("; restore it from version control, or approve anew"), std::string::npos);
+  }
+}
+
 TEST_F(GoldenVideoTest, AKeptPictureThatIsNotThatOfItsFrameIsAnError) {
   approve();
   const std::string picture = find_video_approval(goldens(), "flat painter 1.0")->pictures[1];
