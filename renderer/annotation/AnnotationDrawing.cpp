@@ -196,4 +196,21 @@ void draw_annotations(Image& image, const PictureBox& box, const AnnotationDefin
   canvas.blend_onto(image, box.left, box.top);
 }
 
+bool shows_point_of(const LabelDefinition& label, const Snapshot& snapshot, const CameraDefinition& camera,
+                    ImageSize size) {
+  const std::optional<Vector3> place = material_place(snapshot, label.body, label.at);
+  if (!place) return false;
+  const SceneExtent extent = scene_extent(snapshot);
+  const AnnotationScene scene{.snapshot = snapshot,
+                              .definition = camera,
+                              .extent = extent,
+                              .camera = resolve_camera(camera, extent, size, snapshot.time),
+                              .grid = OverlayGrid(size),
+                              .size = size,
+                              .inset = std::nullopt,
+                              .taken = {}};
+  const std::optional<PixelPoint> pixel = scene.pixel(*place);
+  return pixel && scene.shows(*pixel);
+}
+
 }  // namespace thinwall

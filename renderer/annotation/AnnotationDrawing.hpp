@@ -21,4 +21,8 @@ void draw_annotations(Image& image, const PictureBox& box, const AnnotationDefin
                       const Snapshot& snapshot, const CameraDefinition& camera,
                       const std::optional<PictureBox>& inset = {}, const std::vector<Box>& taken = {});
 
+/// Whether a whole picture has in it what a label points at, be it behind a wall: what it does not have has no label.
+bool shows_point_of(const LabelDefinition& label, const Snapshot& snapshot, const CameraDefinition& camera,
+                    ImageSize size);
+
 }  // namespace thinwall

@@ -9,15 +9,17 @@
 #include "studio/recorder/EmptyPictureNotes.hpp"
 #include "studio/recorder/HiddenToolNotes.hpp"
 #include "studio/recorder/InsetNotes.hpp"
+#include "studio/recorder/UnseenLabelNotes.hpp"
 
 namespace thinwall {
 namespace {
 
 struct Noticed {
-  InsetNotes insets;
-  HiddenToolNotes hidden;
-  EmptyPictureNotes empty;
-  CutTextNotes texts;
+  InsetNotes insets = {};
+  HiddenToolNotes hidden = {};
+  EmptyPictureNotes empty = {};
+  CutTextNotes texts = {};
+  UnseenLabelNotes labels;
 };
 
 class NoticingPainter final : public Painter {
@@ -29,6 +31,7 @@ class NoticingPainter final : public Painter {
     noticed_.insets.see(snapshot, shot, size_);
     noticed_.hidden.see(snapshot, shot, size_);
     noticed_.empty.see(snapshot, shot, size_);
+    noticed_.labels.see(snapshot, shot, size_);
     return painter_->paint(snapshot, shot);
   }
   void see_cut_text(const std::string& text) override { noticed_.texts.see(text); }
@@ -44,7 +47,7 @@ class NoticingPainter final : public Painter {
 }  // namespace
 
 RecordingReport record_with_notes(MomentSource& source, const RecordingPlan& plan, const PainterFactory& painters) {
-  Noticed noticed;
+  Noticed noticed{.labels = UnseenLabelNotes(plan.teaching.annotations.labels)};
   const PainterFactory noticing = [&](ImageSize size) {
     return std::make_unique<NoticingPainter>(painters(size), noticed, size);
   };
@@ -52,6 +55,7 @@ RecordingReport record_with_notes(MomentSource& source, const RecordingPlan& pla
   std::ranges::copy(noticed.insets.notes(), std::back_inserter(report.warnings));
   std::ranges::copy(noticed.hidden.notes(), std::back_inserter(report.warnings));
   std::ranges::copy(noticed.empty.notes(), std::back_inserter(report.warnings));
+  std::ranges::copy(noticed.labels.notes(), std::back_inserter(report.warnings));
   std::ranges::copy(noticed.texts.notes(plan.size), std::back_inserter(report.warnings));
   return report;
 }
