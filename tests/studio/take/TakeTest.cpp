@@ -3,8 +3,10 @@
 #include <hdf5.h>
 #include <sys/file.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <bit>
 #include <cmath>
 #include <csignal>
 #include <functional>
@@ -285,6 +287,23 @@ TEST(TakeTest, SaysThatATakeIsCutShortWhereverItIsCut) {
     write_bytes(folder / "cut.h5", bytes.substr(0, static_cast<std::size_t>(static_cast<double>(bytes.size()) * part)));
     const std::string complaint = complaint_about(folder / "cut.h5");
     EXPECT_NE(complaint.find("cut.h5: the take is cut short or damaged ("), std::string::npos) << part << complaint;
+  }
+}
+
+TEST(TakeTest, ARunThatIsKilledSoonLeavesAtLeastHalfOfItsSteps) {
+  for (const std::size_t steps : {1U, 3U, 7U}) {
+    const TemporaryFolder folder;
+    const pid_t run = fork();
+    if (run == 0) {
+      SyntheticRun moments({.steps = 10});
+      TakeWriter writer(folder / "take.h5", kDescription);
+      for (std::size_t i = 0; i < steps; ++i) writer.write(*moments.next());
+      _exit(0);
+    }
+    waitpid(run, nullptr, 0);
+    const TakeReader take(folder / "take.unfinished.h5");
+    EXPECT_EQ(take.times().size(), std::bit_floor(steps));
+    EXPECT_EQ(complaint_about(folder / "take.unfinished.h5"), "");
   }
 }
 
