@@ -155,6 +155,7 @@ void Body::accept(std::span<const ToolPose> begin, double duration, const Equili
   report_.slowed = report_.slowed || state_.drag_force.size() > 0;
   report_.loose = report_.loose || is_loose_;
   report_.unstable = report_.unstable || is_unstable_;
+  report_.held = stays_held_ && !has_inertia();
   state_.volume = newton_->terms().volume;
   state_.load_factors = input.load_factors;
   update_fluids(duration, input, problem);

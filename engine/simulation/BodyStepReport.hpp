@@ -33,6 +33,7 @@ struct BodyStepReport {
   bool slowed = false;           // whether a drag slowed flaps that nothing holds, see Body::creep
   bool loose = false;            // whether a residual above the tolerance was taken, see NewtonOptions::takes_flaps
   bool unstable = false;         // whether it ended in an equilibrium that is not stable, see Body::buckle
+  bool held = false;             // whether loads would turn it, which come to no rest, see Body::turn_to_rest
   bool crumpled = false;         // whether a blade crumpled the wall, which wrinkles infinitely finely from now on
   std::vector<StepRupture> ruptures = {};  // in their order
 };

@@ -18,7 +18,7 @@ constexpr double kWeakened = 0.25;
 constexpr double kStiffened = 8;
 constexpr double kStiffestSprings = 1e3;
 constexpr int kEasyIterations = 12;
-constexpr int kMostTurns = 200;
+constexpr int kMostTurns = 1000;  // a folded sheet of 400 triangles takes 600 to unfold
 
 /// Attitudes that are tried: to hold one keeps the mean rotation of small motions, so that it may be off by some.
 constexpr int kMostAttitudes = 4;

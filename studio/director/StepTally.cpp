@@ -27,6 +27,7 @@ void StepTally::note(const std::string& body, const BodyStepReport& report, doub
   if (report.slowed) slowed_.add(body, time);
   if (report.loose) loose_.add(body, time);
   if (report.unstable) unstable_.add(body, time);
+  if (report.held) held_.add(body, time);
   if (report.crumpled) crumpled_.add(body, time);
   if (report.newton_iterations > kManyIterations) laborious_.add(body, time);
 }
@@ -45,6 +46,10 @@ std::vector<std::string> StepTally::warnings(long steps) const {
       unstable_,
       "end in an equilibrium that is not stable: the wall would buckle there; a small load across it or an uneven mesh "
       "shows where to, and `analysis: dynamic` how");
+  tell(held_,
+       "hold a body against what its weight and loads would turn it by, as it was not brought to rest: its attitude is "
+       "no "
+       "equilibrium; hold more of it (`fixed`), or let it come to rest with `analysis: dynamic` and `damping`");
   tell(crumpled_,
        "crumpled a wall under a blade that pressed it along itself; from there on it wrinkles as with `tension_field`");
   if (laborious_.steps >= kLeastLaborious &&

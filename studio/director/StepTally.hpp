@@ -24,7 +24,7 @@ class StepTally {
 
     void add(const std::string& body_of_step, double time);
   };
-  Count divided_, slowed_, loose_, unstable_, crumpled_, laborious_;
+  Count divided_, slowed_, loose_, unstable_, held_, crumpled_, laborious_;
 };
 
 }  // namespace thinwall

@@ -21,18 +21,20 @@ TEST(StepTally, CountsAStepOnceForAllBodiesAndNamesTheFirst) {
             std::vector<std::string>{"2 of 3 steps had to be divided to be solved (first: body `organ`, 0.2 s)"});
 }
 
-TEST(StepTally, TellsOfDragsLooseResidualsUnstableAndCrumpledWallsApart) {
+TEST(StepTally, TellsOfDragsLooseResidualsUnstableHeldAndCrumpledWallsApart) {
   StepTally tally;
   tally.note("organ", {.slowed = true}, 0.1);
   tally.note("organ", {.slowed = true, .loose = true}, 0.2);
   tally.note("organ", {.unstable = true}, 0.2);
+  tally.note("organ", {.held = true}, 0.2);
   tally.note("organ", {.crumpled = true}, 0.3);
   const std::vector<std::string> warnings = tally.warnings(4);
-  ASSERT_EQ(warnings.size(), 4u);
+  ASSERT_EQ(warnings.size(), 5u);
   EXPECT_EQ(warnings[0].rfind("2 of 4 steps slowed flaps", 0), 0u) << warnings[0];
   EXPECT_EQ(warnings[1].rfind("1 of 4 steps end with a residual above", 0), 0u) << warnings[1];
   EXPECT_EQ(warnings[2].rfind("1 of 4 steps end in an equilibrium that is not stable", 0), 0u) << warnings[2];
-  EXPECT_EQ(warnings[3].rfind("1 of 4 steps crumpled a wall", 0), 0u) << warnings[3];
+  EXPECT_EQ(warnings[3].rfind("1 of 4 steps hold a body against what", 0), 0u) << warnings[3];
+  EXPECT_EQ(warnings[4].rfind("1 of 4 steps crumpled a wall", 0), 0u) << warnings[4];
 }
 
 TEST(StepTally, TellsOfManyLaboriousStepsAndNotOfAFew) {
