@@ -48,8 +48,7 @@ std::vector<std::string> StepTally::warnings(long steps) const {
       "shows where to, and `analysis: dynamic` how");
   tell(held_,
        "hold a body against what its weight and loads would turn it by, as it was not brought to rest: its attitude is "
-       "no "
-       "equilibrium; hold more of it (`fixed`), or let it come to rest with `analysis: dynamic` and `damping`");
+       "no equilibrium; hold more of it (`fixed`), or let it come to rest with `analysis: dynamic` and `damping`");
   tell(crumpled_,
        "crumpled a wall under a blade that pressed it along itself; from there on it wrinkles as with `tension_field`");
   if (laborious_.steps >= kLeastLaborious &&

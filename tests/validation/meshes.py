@@ -187,6 +187,32 @@ def slit_sheet(segments: int) -> None:
           "A sheet within an ellipse; a row of edges from 0 to 1 on the x axis joins its foci; it is 40 wide")
 
 
+def long_tube(around: int, rows_per_radius: float) -> None:
+    """A tube of radius 10 about y, 500 long, closed by half spheres. Its vertices stand out, so that area over length
+    around is that of the cylinder: an even prism bears pressure as the cylinder within it."""
+    rows, quarter = round(50 * rows_per_radius), around // 4
+    rim = [(10 * np.cos(angle), 250 + 10 * np.sin(angle)) for angle in 0.5 * np.pi * np.arange(1, quarter) / quarter]
+    profile = [(reach, -y) for reach, y in reversed(rim)]
+    profile += [(10.0, 500 * (row / rows - 0.5)) for row in range(rows + 1)] + rim
+    points = [(0.0, -260.0, 0.0)]
+    for reach, y in profile:
+        outer = reach / np.cos(np.pi / around)
+        points += [(outer * np.cos(turn), y, outer * np.sin(turn)) for turn in 2 * np.pi * np.arange(around) / around]
+    points.append((0.0, 260.0, 0.0))
+
+    def vertex(row: int, k: int) -> int:
+        return 1 + row * around + k % around
+
+    triangles = []
+    for k in range(around):
+        triangles += [(0, vertex(0, k), vertex(0, k + 1)),
+                      (len(points) - 1, vertex(len(profile) - 1, k + 1), vertex(len(profile) - 1, k))]
+        for row in range(len(profile) - 1):
+            a, b, c, d = vertex(row, k), vertex(row, k + 1), vertex(row + 1, k + 1), vertex(row + 1, k)
+            triangles += [(a, d, c), (a, c, b)] if (row + k) % 2 else [(a, d, b), (b, d, c)]
+    write(f"long_tube_{len(triangles)}.obj", np.array(points), triangles, "A closed tube of radius 10; millimetres")
+
+
 def main() -> None:
     for divisions in (16, 32, 48):
         roof(divisions)
@@ -203,6 +229,8 @@ def main() -> None:
         ball(divisions)
     for rings in (10, 20, 30):
         disc_on_cone(rings)
+    for around, rows_per_radius in ((12, 1), (16, 1.5)):
+        long_tube(around, rows_per_radius)
     for segments in (24, 40, 72):
         slit_sheet(segments)
 

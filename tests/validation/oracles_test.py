@@ -7,11 +7,12 @@ from pathlib import Path
 
 import numpy as np
 from scipy.integrate import quad
+from scipy.interpolate import CubicSpline
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from oracles import (axisymmetric_membrane, belt, drum, elastica, fingerpad, fluids, hencky, inflated_sphere,  # noqa: E402
-                     pinched_cylinder, plates, published_shells, slit, spherical_shell, stretched_ring, strips,
+from oracles import (axisymmetric_membrane, belt, bulging_tube, collapsing_tube, drum, elastica, fingerpad,  # noqa: E402
+                     fluids, hencky, inflated_sphere, pinched_cylinder, plates, published_shells, slit, spherical_shell, stretched_ring, strips,
                      viscoelasticity, wall_laws)
 
 # mu = 2 makes c1 = mu / 2 the unit.
@@ -40,6 +41,36 @@ class InflatedSphere(unittest.TestCase):
         law = wall_laws.mooney_rivlin(16e3, 2e3)
         closed = 4 * 0.5e-3 / 30e-3 * (1 / 1.5 - 1.5**-7) * (16e3 + 2e3 * 1.5**2)
         self.assertAlmostEqual(inflated_sphere.pressure(law, 0.5e-3, 30e-3, 1.5) / closed, 1, 12)
+
+
+class BulgingTube(unittest.TestCase):
+    LAW = staticmethod(wall_laws.ogden([(6.3, 1.3), (0.012, 5.0), (-0.1, -2.0)]))
+
+    def test_a_slight_pressure_widens_a_tube_as_hooke_says(self):
+        # Hoop stress s, axial s / 2, Poisson's ratio 1/2: no stretch along, 3/4 s / E around.
+        state = bulging_tube.uniform(RUBBER, 1 + 1e-5)
+        self.assertAlmostEqual(state.along, 1, 8)
+        self.assertAlmostEqual(state.pressure / (4 / 3 * 6 * 1e-5), 1, 3)
+
+    def test_both_parts_bear_the_same_pressure_and_enthalpy(self):
+        narrow, wide = bulging_tube.maxwell(self.LAW, 8.0)
+        self.assertGreater(wide.around, 2 * narrow.around)
+        self.assertAlmostEqual(narrow.pressure / wide.pressure, 1, 10)
+        enthalpies = [float(self.LAW(each.around, each.along)) - each.pressure * each.volume / 2 for each in (narrow, wide)]
+        self.assertAlmostEqual(enthalpies[0] / enthalpies[1], 1, 6)
+
+
+class CollapsingTube(unittest.TestCase):
+    def test_sides_touch_at_the_published_pressure(self):
+        sections = collapsing_tube.sections(5.4)
+        gaps, pressures = ([getattr(each, name) for each in sections[::-1]] for name in ("half_gap", "pressure"))
+        self.assertAlmostEqual(float(CubicSpline(gaps, pressures)(0)), 5.247, 3)
+
+    def test_it_begins_to_buckle_at_three(self):
+        first, second = collapsing_tube.sections(3.2)[:2]
+        # The area falls with the square of the buckle, and the pressure rises with it.
+        begin = first.pressure - (1 - first.area) * (second.pressure - first.pressure) / (first.area - second.area)
+        self.assertAlmostEqual(begin, 3, 2)
 
 
 class Fingerpad(unittest.TestCase):

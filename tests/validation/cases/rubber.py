@@ -6,7 +6,7 @@ from functools import lru_cache
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from oracles import axisymmetric_membrane, hencky, inflated_sphere, stretched_ring, strips, wall_laws
+from oracles import axisymmetric_membrane, bulging_tube, hencky, inflated_sphere, stretched_ring, strips, wall_laws
 from suite.case import Case, Comparison, Quantity
 from suite.program import Program, Surface
 
@@ -142,6 +142,26 @@ def compare_filled_disc(program: Program, triangles: int) -> Comparison:
          f"(reference {path[0, exact_most]:.3f} at {poles[exact_most]:.2f})."])
 
 
+OGDEN = wall_laws.ogden([(617e3, 1.3), (1.86e3, 5.0), (-9.79e3, -2.0)])
+
+
+def compare_bulging_tube(program: Program, triangles: int) -> Comparison:
+    records = program.run("bulging_tube", mesh=f"meshes/long_tube_{triangles}.obj")
+    body, surface = records.body("tube"), records.surface("tube")
+    filled, pressure = body["volume_m3"] / body["volume_m3"][0], body["pressure_Pa"]
+    _, bulge = bulging_tube.maxwell(OGDEN, 7.0)
+    level = 0.02 * bulge.pressure  # of thickness over radius
+    runs, rises = filled > 8.5, filled > 1.05
+    widest, at_rest = (np.max(np.hypot(place[:, 0], place[:, 2])) for place in (surface.positions[-1], surface.rest))
+    return Comparison(
+        [Quantity("pressure while the bulge runs", "volume over that at rest", "Pa", filled[runs], pressure[runs],
+                  np.full(np.sum(runs), level), reference_name="Maxwell"),
+         Quantity("pressure", "volume over that at rest", "Pa", filled[rises], pressure[rises], np.full(np.sum(rises), level),
+                  judged=False, reference_name="Maxwell")],
+        [f"Maxwell's pressure is {level:.0f} Pa, the largest that comes up {np.max(pressure):.0f}. A bulge without end would be "
+         f"{bulge.around:.2f} times as wide as the tube at rest, this one is in the end {widest / at_rest:.2f} times."])
+
+
 CASES = [
     inflation("neo_hookean", "neo-Hookean", wall_laws.neo_hookean(40e3)),
     inflation("mooney_rivlin", "Mooney–Rivlin", wall_laws.mooney_rivlin(16e3, 2e3)),
@@ -160,4 +180,6 @@ CASES = [
          "distances from the middle, the hole's too", 0.005, (600, 2400, 9600), compare_stretched_ring, quick=(2400,)),
     Case("strips_in_series", "Two strips in series", "closed form", "motion of the joint and of both halves", 1e-6, (200, 800),
          compare_strips, quick=(200,)),
+    Case("bulging_tube", "A bulge that runs along a tube", "Maxwell's rule; Kyriakides and Chang 1991",
+         "pressure while the bulge runs", 0.01, (1320, 2624), compare_bulging_tube, quick=(1320,), tells_order=False),
 ]

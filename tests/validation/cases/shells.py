@@ -2,8 +2,9 @@
 from __future__ import annotations
 
 import numpy as np
+from scipy.interpolate import CubicSpline
 
-from oracles import elastica, pinched_cylinder, plates, published_shells, spherical_shell
+from oracles import collapsing_tube, elastica, pinched_cylinder, plates, published_shells, spherical_shell
 from suite.case import Case, Comparison, Quantity
 from suite.program import Program
 
@@ -134,6 +135,20 @@ def compare_circular_plate(program: Program, triangles: int) -> Comparison:
                                 np.arange(1.0, 5.0), np.array(found), np.array(exact))])
 
 
+def compare_collapsing_tube(program: Program, triangles: int) -> Comparison:
+    radius, length, thickness = 10e-3, 2e-3, 0.2e-3
+    stiffness = plates.bending_stiffness(1e6, thickness, 0.3)
+    body = program.run("collapsing_tube", triangles=triangles).body("tube")
+    area, pressure = body["volume_m3"] / body["volume_m3"][0], -body["pressure_Pa"] * radius**3 / stiffness
+    sections = collapsing_tube.sections(5.2, 29.3e-9 / length / (stiffness / radius**2))
+    areas, pressures = (np.array([getattr(each, name) for each in sections[::-1]]) for name in ("area", "pressure"))
+    steps = np.flatnonzero((area < areas[-1]) & (area > areas[0]))
+    law, fine = CubicSpline(areas, pressures), np.linspace(areas[0], areas[-1], 100)
+    return Comparison([Quantity("p R^3 / D", "area over that of the circle", "", area[steps], pressure[steps], law(area[steps]),
+                                curve=(fine, law(fine)))],
+                      [f"It buckles at 3 and its sides would touch at 5.247. Here the area goes down to {area[-1]:.2f}."])
+
+
 CASES = [
     Case("cantilever", "Cantilever under end shear", TABLES, "rise and way back of the tip", 0.01, (160, 640, 2560),
          compare_cantilever, quick=(160, 640)),
@@ -141,6 +156,8 @@ CASES = [
          compare_roll_up, quick=(160,)),
     Case("elastica", "Column above Euler's load", "elliptic integrals", "way of the end at three loads", 0.005,
          (200, 800), compare_elastica, quick=(200,), quick_bar=0.02, tells_order=False),
+    Case("collapsing_tube", "A tube that collapses", "Flaherty, Keller and Rubinow 1972", "pressure over the area", 0.005,
+         (400, 1600), compare_collapsing_tube, quick=(400,), quick_bar=0.015),
     Case("circular_plate", "Circular plate under small loads", "Timoshenko and Woinowsky-Krieger 1959",
          "way of the middle: even load and force, clamped and on hinges", 0.015, (600, 2400, 5400), compare_circular_plate,
          quick=(600,), quick_bar=0.08),
