@@ -19,17 +19,22 @@ constexpr bool kDrivesTool = !std::is_same_v<Kind, FillPlan> && !std::is_same_v<
 template <typename Kind>
 constexpr bool kHasTool = !std::is_same_v<Kind, FillClip> && !std::is_same_v<Kind, WaitClip>;
 
+/// Three digits, and all of a larger number before its point: "0.25", "1650".
+std::string told(double value) {
+  return value < 999.5 ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}", value);
+}
+
 /// "Filling: 5 ml in 2 s", "Pressure to 2 kPa in 2 s"
 std::string fill_caption(const FillClip& fill) {
-  if (fill.pressure) return fmt::format("Pressure to {:.3g} kPa in {:.3g} s", 1e-3 * *fill.pressure, fill.duration);
-  return fmt::format("{}: {:.3g} ml in {:.3g} s", fill.added < 0 ? "Draining" : "Filling", 1e6 * std::abs(fill.added),
-                     fill.duration);
+  if (fill.pressure) return fmt::format("Pressure to {:.3g} kPa in {} s", 1e-3 * *fill.pressure, told(fill.duration));
+  return fmt::format("{}: {} ml in {} s", fill.added < 0 ? "Draining" : "Filling", told(1e6 * std::abs(fill.added)),
+                     told(fill.duration));
 }
 
 /// "Palpation: 4 mm deep at 10 mm/s"
 template <typename Action>
 std::string depth_caption(const std::string& what, const Action& action) {
-  return fmt::format("{}: {:.3g} mm deep at {:.3g} mm/s", what, 1e3 * action.depth, 1e3 * action.speed);
+  return fmt::format("{}: {} mm deep at {} mm/s", what, told(1e3 * action.depth), told(1e3 * action.speed));
 }
 
 Plan plan_action(const Clip& clip, const PlannedTool& tool,

@@ -107,5 +107,10 @@ TEST(FillPlan, LoadsActInARunAndAreBookedAsTheScripts) {
   EXPECT_NEAR(record.elastic + record.numerical, record.script_work, 1e-9 * record.script_work);
 }
 
+TEST(FillCaption, TellsALitreWithAllItsDigits) {
+  EXPECT_EQ(standard_caption({.action = FillClip{.added = 1.2e-3, .duration = 1200}}), "Filling: 1200 ml in 1200 s");
+  EXPECT_EQ(standard_caption({.action = FillClip{.added = -2.5e-7}}), "Draining: 0.25 ml in 1 s");
+}
+
 }  // namespace
 }  // namespace thinwall
