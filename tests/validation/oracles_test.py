@@ -11,8 +11,8 @@ from scipy.interpolate import CubicSpline
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from oracles import (axisymmetric_membrane, belt, bulging_tube, collapsing_tube, drum, elastica, fingerpad,  # noqa: E402
-                     fluids, hencky, inflated_sphere, pinched_cylinder, plates, published_shells, slit, spherical_shell, stretched_ring, strips,
+from oracles import (axisymmetric_membrane, belt, bulging_tube, collapsing_tube, drum, elastica, film_balloon,  # noqa: E402
+                     fingerpad, fluids, hencky, inflated_sphere, pinched_cylinder, plates, published_shells, slit, spherical_shell, stretched_ring, strips,
                      viscoelasticity, wall_laws)
 
 # mu = 2 makes c1 = mu / 2 the unit.
@@ -71,6 +71,16 @@ class CollapsingTube(unittest.TestCase):
         # The area falls with the square of the buckle, and the pressure rises with it.
         begin = first.pressure - (1 - first.area) * (second.pressure - first.pressure) / (first.area - second.area)
         self.assertAlmostEqual(begin, 3, 2)
+
+
+class FilmBalloon(unittest.TestCase):
+    def test_films_that_hardly_stretch_make_the_published_shape(self):
+        # Closed forms by the gamma function, for films that do not stretch at all.
+        for name, published in [("rim", 0.76276), ("half_height", 0.45695)]:
+            more, less = (getattr(film_balloon.inflated(load), name) - published for load in (4e-3, 5e-4))
+            self.assertLess(0, less)
+            self.assertLess(less, 0.6 * more)
+            self.assertLess(less, 2e-3)
 
 
 class Fingerpad(unittest.TestCase):
