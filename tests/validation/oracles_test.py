@@ -12,8 +12,8 @@ from scipy.interpolate import CubicSpline
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 from oracles import (axisymmetric_membrane, belt, bulging_tube, collapsing_tube, drum, elastica, film_balloon,  # noqa: E402
-                     fingerpad, fluids, hencky, inflated_sphere, pinched_cylinder, plates, published_shells, slit, spherical_shell, stretched_ring, strips,
-                     viscoelasticity, wall_laws)
+                     fingerpad, fluids, hencky, inflated_sphere, pinched_cylinder, plates, published_shells, slit,
+                     spherical_shell, stretched_ring, strips, viscoelasticity, wall_laws)
 
 # mu = 2 makes c1 = mu / 2 the unit.
 RUBBER = wall_laws.neo_hookean(2.0)
