@@ -195,7 +195,7 @@ bool Body::solve_step(EquilibriumProblem& problem, EquilibriumState& trial, std:
   // Where a part of the step was found with springs alone those after it are too: without them it takes long to fail.
   // Solutions of one part that differ in friction alone are near each other.
   const bool needs_springs = !goes_on && report_.relaxations > 0 && may_snap() && !may_creep();
-  std::optional<WayStart> way;  // of a wall that may snap, and would go through a tool at once
+  std::optional<WayStart> way;  // where the wall may snap, which must lead it through no tool
   if (may_snap()) way = way_of_step(begin, again);
   if (way && goes_on) way = going_on(*way, again, before.position);
   if (state_.drag == 0 && !needs_springs && solve(problem, trial, effort).converged &&

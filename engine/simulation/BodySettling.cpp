@@ -117,6 +117,12 @@ void take(const EquilibriumProblem& held, const EquilibriumState& trial, Equilib
   problem.solids = held.solids;
 }
 
+/// Whether a solution leads through no tool at once, where that is asked of it.
+bool went_around(const BodyModel& model, const std::optional<WayStart>& way, const EquilibriumProblem& problem,
+                 const EquilibriumState& reached) {
+  return !way || !jumped_over_tools(model, *way, problem, reached.position);
+}
+
 bool stays_near(const BodyModel& model, const EquilibriumState& before, const EquilibriumState& after) {
   if (!model.has_fluid()) return true;
   const double volume = enclosed_volumes(model, before.position).sum();
@@ -199,9 +205,6 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state, s
   const double had = model_->has_fluid() ? enclosed_volumes(*model_, state.position).sum() : 0;
   const double most_area = kBurstArea * pressed_area(*model_, problem, state);
   Eigen::VectorXd lead = Eigen::VectorXd::Zero(state.position.size());  // (unknowns), metres
-  const auto went_around = [&](const EquilibriumProblem& solved, const EquilibriumState& reached) {
-    return !way || !jumped_over_tools(*model_, *way, solved, reached.position);
-  };
   for (int turn = 0; turn < pace.turns; ++turn) {
     EquilibriumState trial = state;
     EquilibriumProblem held = held_by_springs(*model_, problem, springs, state.position + lead);
@@ -210,7 +213,7 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state, s
     effort.buckles = is_eager && buckles;
     NewtonResult held_result = solve(held, trial, effort);
     buckles = held_result.iterations > kBucklingIterations;
-    if (held_result.converged && went_around(held, trial)) {
+    if (held_result.converged && went_around(*model_, way, held, trial)) {
       lead = pace.lead * (trial.position - state.position);
       take(held, trial, problem, state);
       if (way) way = going_on(*way, problem, state.position);
@@ -234,7 +237,7 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state, s
       trial = state;
       held = problem;
       NewtonResult result = solve(held, trial, {.takes_flaps = true});
-      if (!result.converged || !went_around(held, trial)) continue;
+      if (!result.converged || !went_around(*model_, way, held, trial)) continue;
       state = trial;
       problem = held;
       return result;
@@ -261,7 +264,7 @@ bool Body::creep(EquilibriumProblem& problem, EquilibriumState& trial, const std
     if (whole.inertia > 0) held.inertia_target += whole.inertia / held.inertia * whole.inertia_target;
     state_.drag = drag;
     const NewtonResult result = solve(held, trial, {.most_iterations = kMostDraggedIterations});
-    if (!result.converged || (way && jumped_over_tools(*model_, *way, held, trial.position))) continue;
+    if (!result.converged || !went_around(*model_, way, held, trial)) continue;
     state_.drag_eases = result.iterations <= kEasyIterations;
     problem = held;
     problem.inertia = whole.inertia;

@@ -40,7 +40,9 @@ std::vector<std::string> StepTally::warnings(long steps) const {
                               count.first));
   };
   tell(divided_, "had to be divided to be solved");
-  tell(slowed_, "slowed flaps of a cut wall that nothing holds; what that took counts as `numerical_J`");
+  tell(slowed_,
+       "slowed what nothing holds, as flaps of a cut wall or a wall that slips off a tool; what that took counts as "
+       "`numerical_J`");
   tell(loose_, "end with a residual above the tolerance, as crumpled and buckled walls may; `residual_N` tells it");
   tell(
       unstable_,

@@ -30,7 +30,7 @@ TEST(StepTally, TellsOfDragsLooseResidualsUnstableHeldAndCrumpledWallsApart) {
   tally.note("organ", {.crumpled = true}, 0.3);
   const std::vector<std::string> warnings = tally.warnings(4);
   ASSERT_EQ(warnings.size(), 5u);
-  EXPECT_EQ(warnings[0].rfind("2 of 4 steps slowed flaps", 0), 0u) << warnings[0];
+  EXPECT_EQ(warnings[0].rfind("2 of 4 steps slowed what nothing holds", 0), 0u) << warnings[0];
   EXPECT_EQ(warnings[1].rfind("1 of 4 steps end with a residual above", 0), 0u) << warnings[1];
   EXPECT_EQ(warnings[2].rfind("1 of 4 steps end in an equilibrium that is not stable", 0), 0u) << warnings[2];
   EXPECT_EQ(warnings[3].rfind("1 of 4 steps hold a body against what", 0), 0u) << warnings[3];
