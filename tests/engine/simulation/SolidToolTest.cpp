@@ -219,7 +219,7 @@ bool runs_through(const Body& body, const ToolDefinition& needle, const ToolPose
 }
 
 // Oblique to a slack ball of coarse triangles. Run through, the needle was pulled at with 1.27 N when it was back
-// outside, four times of what it had felt in its depth.
+// outside, 4.5 times of what it had felt in its depth.
 TEST(SolidTools, ANeedleIsNotRunIntoAWallThatSnapsOffItsPoint) {
   const ToolDefinition needle{.name = "needle", .kind = ToolKind::kNeedle, .length = 120e-3, .radius = 0.8e-3};
   SimulationOptions options = quasi_static();

@@ -2,19 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/studio/recorder/LevelWall.hpp"
+
 namespace thinwall {
 namespace {
 
 // A level wall that fills the picture, seen from straight above: x to the right, y up.
 constexpr Double3 kMiddle{0, 0, 0}, kUpperRight{0.07, 0.03, 0}, kUpperLeft{-0.07, 0.03, 0}, kLowerRight{0.07, -0.02, 0};
 
-Snapshot level_wall() {
-  auto topology = std::make_shared<SnapshotTopology>();
-  topology->rest_positions = {{-0.1F, -0.06F, 0}, {0.1F, -0.06F, 0}, {0.1F, 0.06F, 0}, {-0.1F, 0.06F, 0}};
-  topology->triangles = {{0, 1, 2}, {0, 2, 3}};
-  Snapshot snapshot;
-  snapshot.surfaces = {{.body = "wall", .topology = topology, .positions = topology->rest_positions, .fields = {}}};
-  return snapshot;
+Snapshot wide_wall() {
+  return level_wall(0.1F, 0.06F);
 }
 
 CameraDefinition from_above() {
@@ -33,7 +30,7 @@ PlannedWork press(Double3 place) {
 }
 
 struct Recording {
-  Snapshot first = level_wall();
+  Snapshot first = wide_wall();
   ViewDefinition view = {};
   AnnotationDefinition annotations = {};
   std::vector<PlannedWork> work = {};

@@ -2,19 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/studio/recorder/LevelWall.hpp"
+
 namespace thinwall {
 namespace {
 
 constexpr ImageSize kLabelPicture{640, 360};
 
-/// A level square wall, 100 mm wide, about the origin.
 Snapshot labelled_wall() {
-  auto topology = std::make_shared<SnapshotTopology>();
-  topology->rest_positions = {{-0.05F, -0.05F, 0}, {0.05F, -0.05F, 0}, {0.05F, 0.05F, 0}, {-0.05F, 0.05F, 0}};
-  topology->triangles = {{0, 1, 2}, {0, 2, 3}};
-  Snapshot snapshot;
-  snapshot.surfaces = {{.body = "wall", .topology = topology, .positions = topology->rest_positions, .fields = {}}};
-  return snapshot;
+  return level_wall(0.05F, 0.05F);
 }
 
 Shot label_shot(Double3 position, Double3 target) {
