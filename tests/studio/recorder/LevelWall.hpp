@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "renderer/camera/CameraDefinition.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
 
 namespace thinwall {
@@ -14,6 +15,13 @@ inline Snapshot level_wall(float along, float across) {
   Snapshot snapshot;
   snapshot.surfaces = {{.body = "wall", .topology = topology, .positions = topology->rest_positions, .fields = {}}};
   return snapshot;
+}
+
+/// One camera, metres.
+inline Shot shot_from(Double3 position, Double3 target) {
+  Shot shot;
+  shot.camera = {.position = position, .target = target};
+  return shot;
 }
 
 }  // namespace thinwall

@@ -13,12 +13,6 @@ Snapshot labelled_wall() {
   return level_wall(0.05F, 0.05F);
 }
 
-Shot label_shot(Double3 position, Double3 target) {
-  Shot shot;
-  shot.camera = {.position = position, .target = target};
-  return shot;
-}
-
 /// The wall moves 20 mm to the right at each second.
 Snapshot labelled_wall_at(double time) {
   Snapshot snapshot = labelled_wall();
@@ -28,7 +22,7 @@ Snapshot labelled_wall_at(double time) {
 }
 
 /// From above, of a square of some 40 mm about the origin.
-const Shot kShotOfMiddle = label_shot({0, -0.001, 0.1}, {0, 0, 0});
+const Shot kShotOfMiddle = shot_from({0, -0.001, 0.1}, {0, 0, 0});
 
 std::vector<std::string> label_notes(const LabelDefinition& label, const Shot& shot = kShotOfMiddle) {
   UnseenLabelNotes notes({{.text = "Middle", .body = "wall"}, label});
@@ -58,7 +52,7 @@ TEST(UnseenLabelNotes, OnePictureThatShowsThePointIsEnough) {
 TEST(UnseenLabelNotes, NothingIsToldOfLabelsOfNoPictureOrOfASplitScreen) {
   LabelDefinition border{.text = "Border", .body = "wall", .at = {0, 0.05, 0}};
   Shot beside = kShotOfMiddle;
-  beside.beside = label_shot({0, 0.04, 0.1}, {0, 0.05, 0}).camera;
+  beside.beside = shot_from({0, 0.04, 0.1}, {0, 0.05, 0}).camera;
   EXPECT_TRUE(label_notes(border, beside).empty());
   border.span = {.begin = 5};
   EXPECT_TRUE(label_notes(border).empty()) << "that its time is past the end is told elsewhere";
