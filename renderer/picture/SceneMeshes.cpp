@@ -225,18 +225,19 @@ void SceneMeshes::find_films(const Snapshot& snapshot, std::size_t k, const Tiss
                              std::span<const TissuePiece> pieces) {
   if (!wounds_[k]) return;
   const SnapshotSurface& surface = drawn_[k];
+  const std::vector<BorderEdge>& borders = drawn_topologies_[k].borders;
   const auto add = [&](Film film, const FluidLook& fluid, bool is_falling = false) {
     if (!film.corners.empty()) films_.push_back({.film = std::move(film), .look = fluid, .is_falling = is_falling});
   };
-  add(bare_edge_film(surface, pieces, *wounds_[k], snapshot.time), bare_flesh(look));
+  add(bare_edge_film(surface, borders, pieces, *wounds_[k], snapshot.time), bare_flesh(look));
   const double leaked = look.contents.clarity > 0 ? find_scalar(snapshot, surface.body, kLeakedScalar).value_or(0) : 0;
   if (look.contents.clarity > 0) {
-    add(runoff_film(surface, pieces, *wounds_[k], leaked, snapshot.time), look.contents);
+    add(runoff_film(surface, borders, pieces, *wounds_[k], leaked, snapshot.time), look.contents);
     add(falling_drops(surface, *wounds_[k], gravity_of_drops(snapshot), leaked, snapshot.time), look.contents, true);
   }
   if (look.bleeding > 0) {
     const Bleeding bleeding{.strength = look.bleeding, .leaked = leaked};
-    add(blood_film(surface, drawn_topologies_[k].borders, pieces, *wounds_[k], bleeding, snapshot.time), kFreshBlood);
+    add(blood_film(surface, borders, pieces, *wounds_[k], bleeding, snapshot.time), kFreshBlood);
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "renderer/shape/BloodRun.hpp"
 #include "renderer/shape/RunFilm.hpp"
+#include "renderer/shape/WoundCoat.hpp"
 #include "renderer/snapshot/Float3.hpp"
 #include "renderer/wound/Bleeding.hpp"
 #include "renderer/wound/RunFeet.hpp"
@@ -23,10 +24,6 @@ constexpr double kOffEnds = 0.006;        // metres from the ends of a cut, whic
 constexpr double kFluidPush = 0.02;       // metres over level wall, of what the body presses out
 constexpr double kFirstDrops = 1e-7;      // metres^3, after which lips are wet all along
 constexpr float kFringeMargin = 0.0005F;  // metres beyond its edge that are drawn, for that is uneven
-constexpr float kOnTriangles = 0.00002F;  // metres, lift of a film on the wall's own triangles
-
-/// Fullness (inward / width) of a coat, below which the unevenness of film.glsl leaves nothing of it.
-constexpr double kNoCoat = -1.6;
 
 /// What lies along a lip, on the outer side.
 struct Fringe {
@@ -40,7 +37,7 @@ constexpr Fringe kBlood = {.width = 0.0012, .height = 0.0009, .spare = 1.1, .kin
 constexpr Fringe kWelling = {.width = 0.0012, .height = 0.0004, .spare = 0.6, .kind = kFilmCoat};
 constexpr Fringe kBareEdge = {.width = 0.00025, .height = 0.0001, .spare = 0.2, .kind = kFilmCoat};
 
-constexpr double kBloodFoot = 1.3, kFluidFoot = 0.9;  // spread that a lip has more where a run begins
+constexpr double kBloodFoot = 1.3, kFluidFoot = 1.6;  // spread that a lip has more where a run begins
 
 constexpr double kPressedOut = 0.75;  // fullness that closed lips have more
 constexpr double kLipRoom = 0.0010;   // metres between lips, by which a third of that is left
@@ -55,7 +52,6 @@ constexpr double kGround = 0.55, kGroundMiddle = 0.9;  // fullness all over the 
 constexpr double kMiddle = 0.004;                      // metres, half the width of that
 constexpr double kGroundEnds = 0.009;                  // metres from the cut, about where there is none any more
 constexpr double kFaceHeight = 0.00016;                // metres, where the fullness is about one
-constexpr double kDrawnOut = 0.55;                     // how much of the way down a face its pattern is long
 
 /// Seconds since a lip was cut; some where the snapshot does not tell.
 double age_of(const SnapshotTopology& topology, std::uint32_t vertex, double time) {
@@ -147,19 +143,6 @@ void append_fringe(const TissuePiece& wall, const WoundLayout& wounds, const Fri
   }
 }
 
-/// A coat of blood on a vertex of the wound. `fullness`: below kNoCoat none.
-FilmVertex blood_coat(const SurfaceVertex& vertex, double fullness, double dry) {
-  return {.position = vertex.position,
-          .normal = vertex.normal,
-          .rest = vertex.rest,
-          .inward = static_cast<float>(std::max(fullness, 2 * kNoCoat)),
-          .width = 1,
-          .height = static_cast<float>(kFaceHeight),
-          .dry = static_cast<float>(dry),
-          .lift = kOnTriangles,
-          .kind = kFilmCoat};
-}
-
 /// What has welled up of a lip's blood at its place, 0 to about 1.
 struct Shed {
   std::vector<double> amount;  // (vertices), of lips
@@ -179,25 +162,35 @@ Shed shed_blood(const SnapshotTopology& topology, const WoundLayout& wounds, dou
 }
 
 /// `gapes`: what lip_gapes gives.
-void append_rim(std::span<const BorderEdge> borders, const TissuePiece& rim, const WoundLayout& wounds,
-                std::span<const double> gapes, const Shed& shed, Film& film) {
-  const auto offset = static_cast<std::uint32_t>(film.vertices.size());
-  for (std::size_t v = 0; v < rim.vertices.size(); ++v) {
-    const BorderEdge& edge = borders[v / 4];
-    const std::uint32_t lip = v % 4 < 2 ? edge.start : edge.end;
-    const double depth = v % 2 == 0 ? 0 : 1;
-    const double between = kBetweenLips * std::exp(-gapes[lip] / kBridged);
-    const double most = kFaceTop + kFaceGrowth * depth + kLowerLip * wounds.fall[lip] + between;
-    FilmVertex coat = blood_coat(rim.vertices[v], shed.amount[lip] * (1 + most) - 1, shed.dry[lip]);
-    // What runs down is drawn out that way.
-    const Vector3 outer = vector3(rim.vertices[v - v % 2].rest);
-    coat.rest = float3(outer + kDrawnOut * (vector3(coat.rest) - outer));
-    film.vertices.push_back(coat);
+FaceCoat blood_on_faces(const WoundLayout& wounds, std::span<const double> gapes, const Shed& shed) {
+  FaceCoat coat{.height = kFaceHeight, .outside = shed.amount, .inside = shed.amount, .dry = shed.dry};
+  for (std::size_t v = 0; v < gapes.size(); ++v) {
+    const double between = kBetweenLips * std::exp(-gapes[v] / kBridged);
+    const double most = kFaceTop + kLowerLip * wounds.fall[v] + between;
+    coat.outside[v] = shed.amount[v] * (1 + most) - 1;
+    coat.inside[v] = shed.amount[v] * (1 + most + kFaceGrowth) - 1;
   }
-  for (std::size_t k = 0; k < borders.size(); ++k) {
-    if (wounds.map.lip[borders[k].start] != borders[k].start || wounds.map.lip[borders[k].end] != borders[k].end)
-      continue;
-    for (std::size_t c = 6 * k; c < 6 * k + 6; ++c) film.corners.push_back(offset + rim.corners[c]);
+  return coat;
+}
+
+/// Between lips that lie together a fringe stands as deep as beside them: what is pale there would show in single
+/// pixels. `gapes`: what lip_gapes gives; `part_at`: FringePart of a lip's vertex.
+template <typename PartAt>
+void append_between_lips(std::span<const BorderEdge> borders, std::span<const TissuePiece> pieces, const WoundMap& map,
+                         std::span<const double> gapes, const Fringe& fringe, const PartAt& part_at, Film& film) {
+  FaceCoat coat{.height = fringe.height,
+                .outside = std::vector<double>(gapes.size(), 2 * kNoCoat),
+                .inside = {},
+                .dry = std::vector<double>(gapes.size(), 0)};
+  for (std::uint32_t v = 0; v < gapes.size(); ++v) {
+    if (map.lip[v] != v) continue;
+    const FringePart part = part_at(v);
+    coat.outside[v] = std::lerp(2 * kNoCoat, part.spread - fringe.spare, std::exp(-gapes[v] / kBridged));
+    coat.dry[v] = part.dry;
+  }
+  coat.inside = coat.outside;
+  for (const TissuePiece& piece : pieces) {
+    if (piece.side == TissueSide::kRim) append_faces(borders, piece, map, coat, film);
   }
 }
 
@@ -213,7 +206,7 @@ void append_ground(const TissuePiece& bed, const WoundLayout& wounds, const Shed
       fullness = shed.amount[lip] * (1 + most) - 1;
       dry = shed.dry[lip];
     }
-    film.vertices.push_back(blood_coat(bed.vertices[v], fullness, dry));
+    film.vertices.push_back(wound_coat(bed.vertices[v], fullness, kFaceHeight, dry));
   }
   for (std::size_t c = 0; c + 3 <= bed.corners.size(); c += 3) {
     const auto triangle = std::span(bed.corners).subspan(c, 3);
@@ -303,8 +296,9 @@ Film blood_film(const SnapshotSurface& surface, std::span<const BorderEdge> bord
     return FringePart{.spread = shed.amount[lip] * std::sqrt(tapering[lip]) * most + foot, .dry = shed.dry[lip]};
   };
   append_fringe(pieces.front(), wounds, kBlood, over_lip, film);
+  const FaceCoat on_faces = blood_on_faces(wounds, gapes, shed);
   for (const TissuePiece& piece : pieces) {
-    if (piece.side == TissueSide::kRim) append_rim(borders, piece, wounds, gapes, shed, film);
+    if (piece.side == TissueSide::kRim) append_faces(borders, piece, wounds.map, on_faces, film);
     if (piece.side == TissueSide::kBed) append_ground(piece, wounds, shed, film);
   }
   const std::vector<Float3> normals = normals_of(pieces.front());
@@ -340,8 +334,8 @@ RunoffSection runoff_section(const FluidRun& run, const WoundLayout& wounds, dou
           .height = swollen * kHeight};
 }
 
-Film runoff_film(const SnapshotSurface& surface, std::span<const TissuePiece> pieces, const WoundLayout& wounds,
-                 double leaked, double time) {
+Film runoff_film(const SnapshotSurface& surface, std::span<const BorderEdge> borders,
+                 std::span<const TissuePiece> pieces, const WoundLayout& wounds, double leaked, double time) {
   Film film;
   if (!(leaked > 0)) return film;
   const double welling = 1 - std::exp(-leaked / kFirstDrops);
@@ -349,10 +343,11 @@ Film runoff_film(const SnapshotSurface& surface, std::span<const TissuePiece> pi
   const auto part = [&](std::uint32_t lip) {
     // It leaves over the lower lip, and hardly wets the upper one.
     const double foot = kFluidFoot * wounds.fluid_feet[lip];
-    const double spread = welling * tapering[lip] * (1 + 0.6 * wounds.fall[lip] + foot);
+    const double spread = welling * (tapering[lip] * (1 + 0.6 * wounds.fall[lip]) + std::sqrt(tapering[lip]) * foot);
     return FringePart{.spread = spread, .dry = 0};
   };
   append_fringe(pieces.front(), wounds, kWelling, part, film);
+  append_between_lips(borders, pieces, wounds.map, lip_gapes(surface, wounds.map), kWelling, part, film);
   const std::vector<Float3> normals = normals_of(pieces.front());
   for (const FluidRun& run : wounds.fluid_runs) {
     const auto [half_width, height] = runoff_section(run, wounds, leaked);
@@ -368,8 +363,8 @@ Film runoff_film(const SnapshotSurface& surface, std::span<const TissuePiece> pi
   return film;
 }
 
-Film bare_edge_film(const SnapshotSurface& surface, std::span<const TissuePiece> pieces, const WoundLayout& wounds,
-                    double time) {
+Film bare_edge_film(const SnapshotSurface& surface, std::span<const BorderEdge> borders,
+                    std::span<const TissuePiece> pieces, const WoundLayout& wounds, double time) {
   Film film;
   const std::vector<double> tapering = wounds.map.tapering(time);
   const std::vector<double> gapes = lip_gapes(surface, wounds.map);
@@ -383,6 +378,7 @@ Film bare_edge_film(const SnapshotSurface& surface, std::span<const TissuePiece>
     return FringePart{.spread = spread, .dry = 0};
   };
   append_fringe(pieces.front(), wounds, kBareEdge, part, film);
+  append_between_lips(borders, pieces, wounds.map, gapes, kBareEdge, part, film);
   return film;
 }
 

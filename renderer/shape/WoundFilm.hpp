@@ -36,10 +36,10 @@ struct Bleeding {
 Film blood_film(const SnapshotSurface& surface, std::span<const BorderEdge> borders,
                 std::span<const TissuePiece> pieces, const WoundLayout& wounds, const Bleeding& bleeding, double time);
 
-/// What has run out of a body, `leaked` (metres^3), on its wall at `time` (seconds): along the lips and down from
-/// there.
-Film runoff_film(const SnapshotSurface& surface, std::span<const TissuePiece> pieces, const WoundLayout& wounds,
-                 double leaked, double time);
+/// What has run out of a body, `leaked` (metres^3), on its wall at `time` (seconds): along the lips, between
+/// those that lie together, and down from there.
+Film runoff_film(const SnapshotSurface& surface, std::span<const BorderEdge> borders,
+                 std::span<const TissuePiece> pieces, const WoundLayout& wounds, double leaked, double time);
 
 /// What of all that has run out of a body (`leaked`, metres^3) each run takes.
 double share_of_run(const WoundLayout& wounds, double leaked);
@@ -54,8 +54,9 @@ struct RunoffSection {
 RunoffSection runoff_section(const FluidRun& run, const WoundLayout& wounds, double leaked);
 inline constexpr double kRunoffSpeed = 0.045;  // metres / second
 
-/// What is bare of a wall beside its cut lips, where the outermost layer has drawn back.
-Film bare_edge_film(const SnapshotSurface& surface, std::span<const TissuePiece> pieces, const WoundLayout& wounds,
-                    double time);
+/// What is bare of a wall beside its cut lips, where the outermost layer has drawn back, and between those that lie
+/// together.
+Film bare_edge_film(const SnapshotSurface& surface, std::span<const BorderEdge> borders,
+                    std::span<const TissuePiece> pieces, const WoundLayout& wounds, double time);
 
 }  // namespace thinwall
