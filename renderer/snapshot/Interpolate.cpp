@@ -4,7 +4,6 @@
 #include <string>
 
 #include "renderer/snapshot/CarriedSurface.hpp"
-#include "renderer/snapshot/SameTime.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
 
 namespace thinwall {
@@ -92,8 +91,7 @@ Snapshot interpolate(const Snapshot& earlier, const Snapshot& later, double time
   for (std::size_t i = 0; i < result.surfaces.size(); ++i) blend(result.surfaces[i], later.surfaces[i], weight);
   for (std::size_t i = 0; i < result.tools.size(); ++i) {
     blend(result.tools[i], later.tools[i], weight);
-    // A step's phase is told at its end, and frame / fps may fall short of that by rounding.
-    if (span > 0 && time >= later.time - kSameTime) result.tools[i].phase = later.tools[i].phase;
+    if (weight > 0.5) result.tools[i].phase = later.tools[i].phase;
   }
   for (std::size_t i = 0; i < result.scalars.size(); ++i) {
     require(result.scalars[i].name == later.scalars[i].name, "scalar '" + result.scalars[i].name + "'");

@@ -86,11 +86,11 @@ struct Snapshot {
 };
 
 /// The moment between two consecutive snapshots at time `time` (clamped to theirs): positions, poses, fields and
-/// scalars linear in time (directions brought back to length one). The phase is that of the last snapshot that is
-/// reached but for rounding (kSameTime), as the rows of forces.csv have it. Where a cut has changed a surface in
-/// between, it is there at once, and opens from then on (carried_over of CarriedSurface.hpp). The ends give the
-/// snapshots themselves, to the last bit; of two at one time the earlier one is given. Throws std::invalid_argument,
-/// naming what differs, when bodies, fields, tools or scalars are not the same in both.
+/// scalars linear in time (directions brought back to length one). The phase is that of the nearer snapshot, halfway
+/// that of the earlier one: time steps such as 16.6667 ms end a little after the frame that shows them. Where a cut has
+/// changed a surface in between, it is there at once, and opens from then on (carried_over of CarriedSurface.hpp). The
+/// ends give the snapshots themselves, to the last bit; of two at one time the earlier one is given. Throws
+/// std::invalid_argument, naming what differs, when bodies, fields, tools or scalars are not the same in both.
 Snapshot interpolate(const Snapshot& earlier, const Snapshot& later, double time);
 
 }  // namespace thinwall

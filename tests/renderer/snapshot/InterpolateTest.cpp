@@ -80,14 +80,14 @@ TEST(Interpolate, WhatStaysAsItIsDoesSoToTheLastBit) {
   }
 }
 
-TEST(Interpolate, APhaseHoldsFromItsOwnSnapshotOnThoughTimesDifferByRounding) {
+TEST(Interpolate, ThePhaseIsThatOfTheNearerSnapshotWhoseForceIsMostlyShown) {
   const auto topology = one_triangle();
   const Snapshot earlier = snapshot_at(0.1, 1, topology), later = snapshot_at(0.2, 2, topology);
   const auto phase_at = [&](double time) { return interpolate(earlier, later, time).tools[0].phase; };
   EXPECT_EQ(phase_at(0.1), "approach");
-  EXPECT_EQ(phase_at(0.15), "approach");
-  EXPECT_EQ(phase_at(0.199), "approach");
-  EXPECT_EQ(phase_at(0.2 - 1e-12), "press");
+  EXPECT_EQ(phase_at(0.15 - 1e-12), "approach");
+  EXPECT_EQ(phase_at(0.15 + 1e-12), "press");
+  EXPECT_EQ(phase_at(0.2 - 4e-7), "press") << "the step of 16.6667 ms that belongs to a frame";
   EXPECT_EQ(phase_at(0.2), "press");
   EXPECT_EQ(phase_at(0.2 + 1e-12), "press");
 }
