@@ -13,8 +13,8 @@ namespace {
 
 constexpr float kAcrossTriangles = 0.0004F;  // metres, lift of a film that does not lie on the wall's own triangles
 constexpr double kYoungWidth = 0.22;         // half the width of a trail that has just begun, over its length
-constexpr double kSource = 0.6;              // length over which a trail is round where it begins, over half its width
-constexpr double kLongestSource = 0.0010;    // metres: a wide one comes from a long lip
+constexpr double kSource = 1.5;              // length over which a trail is round where it begins, over half its width
+constexpr double kLongestSource = 0.0022;    // metres: a wide one comes from a long lip
 constexpr double kWellsUp = 0.0004;          // metres from there, over which it gets its height at most
 
 double source_length(const RunShape& shape) {

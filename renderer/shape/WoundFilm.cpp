@@ -3,25 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "renderer/shape/BloodRun.hpp"
 #include "renderer/shape/RunFilm.hpp"
 #include "renderer/shape/WoundCoat.hpp"
 #include "renderer/snapshot/Float3.hpp"
 #include "renderer/wound/Bleeding.hpp"
-#include "renderer/wound/RunFeet.hpp"
 
 namespace thinwall {
 namespace {
 
-constexpr double kBloodSpacing = 0.014;  // metres between runs of blood, and of what has been in the body
-constexpr double kFluidSpacing = 0.007;
 constexpr double kBloodFrom = 0.009;      // metres of a lip whose blood goes into a run; the rest stays in the wound
-constexpr double kLongestRun = 0.045;     // metres
-constexpr double kLevelRun = 0.006;       // metres, of blood that wells over a lip of a level wall
-constexpr double kOffEnds = 0.006;        // metres from the ends of a cut, which hardly gape, where none does
-constexpr double kFluidPush = 0.02;       // metres over level wall, of what the body presses out
 constexpr double kFirstDrops = 1e-7;      // metres^3, after which lips are wet all along
 constexpr float kFringeMargin = 0.0005F;  // metres beyond its edge that are drawn, for that is uneven
 
@@ -217,21 +209,16 @@ void append_ground(const TissuePiece& bed, const WoundLayout& wounds, const Shed
   }
 }
 
-/// Whether a cut goes on from one place to the next: a puncture is there at once.
-bool goes_on(const WoundMap& map) {
-  return std::ranges::any_of(map.ends, [](const CutEnd& end) { return end.speed > 0; });
-}
-
 /// What of its blood comes to a run over level wall: none near the ends of a cut, also while that goes on.
 double part_of_pool(const FluidRun& run, const WoundMap& map, double time) {
   constexpr double kGrows = 0.003;  // metres, farther off
-  if (!run.creeps || !goes_on(map)) return 1;
+  if (!run.creeps || !map.goes_on()) return 1;
   double off = std::numeric_limits<double>::infinity();
   const WallPlace& lip = run.path.front();
   for (std::size_t k = 0; k < 3; ++k) {
     if (lip.weights[k] > 0) off = std::min(off, map.off_end(lip.corners[k], time));
   }
-  return std::clamp((off - kOffEnds) / kGrows, 0.0, 1.0);
+  return std::clamp((off - kPoolsOffEnds) / kGrows, 0.0, 1.0);
 }
 
 std::vector<Float3> normals_of(const TissuePiece& wall) {
@@ -246,38 +233,6 @@ double thickness_at(const FluidRun& run, const SnapshotTopology& topology) {
 }
 
 }  // namespace
-
-WoundLayout lay_out_wounds(const SnapshotTopology& topology, std::span<const BorderEdge> borders,
-                           std::span<const char> is_lip, Vector3 down) {
-  WoundMap map = map_wounds(topology, borders, is_lip);
-  const RunReach blood{.spacing = kBloodSpacing,
-                       .longest = kLongestRun,
-                       .level = kLevelRun,
-                       .off_begin = goes_on(map) ? kOffEnds : 0,
-                       .map = &map};
-  std::vector<FluidRun> blood_runs = find_runs(topology, borders, is_lip, down, blood);
-  WoundLayout layout{.map = std::move(map),
-                     .fringe = {},
-                     .fall = std::vector<double>(is_lip.size(), 0),
-                     .blood_runs = std::move(blood_runs),
-                     .fluid_runs = find_runs(topology, borders, is_lip, down,
-                                             {.spacing = kFluidSpacing, .longest = kLongestRun, .push = kFluidPush}),
-                     .blood_feet = {},
-                     .fluid_feet = {}};
-  layout.blood_feet = run_feet(topology, borders, is_lip, layout.blood_runs);
-  layout.fluid_feet = run_feet(topology, borders, is_lip, layout.fluid_runs);
-  for (const auto& [start, end, triangle] : borders) {
-    if (!is_lip[start] || !is_lip[end]) continue;
-    const Vector3 a = vector3(topology.rest_positions[start]), b = vector3(topology.rest_positions[end]);
-    for (const std::uint32_t corner : topology.triangles[triangle]) {
-      if (corner == start || corner == end) continue;
-      const double fall = dot(normalized(vector3(topology.rest_positions[corner]) - 0.5 * (a + b)), down);
-      layout.fall[start] += 0.5 * fall;
-      layout.fall[end] += 0.5 * fall;
-    }
-  }
-  return layout;
-}
 
 Film blood_film(const SnapshotSurface& surface, std::span<const BorderEdge> borders,
                 std::span<const TissuePiece> pieces, const WoundLayout& wounds, const Bleeding& bleeding, double time) {

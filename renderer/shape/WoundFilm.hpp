@@ -5,26 +5,9 @@
 
 #include "renderer/shape/Film.hpp"
 #include "renderer/shape/TissuePieces.hpp"
-#include "renderer/wound/FringeMesh.hpp"
-#include "renderer/wound/RunPath.hpp"
-#include "renderer/wound/WoundMap.hpp"
+#include "renderer/shape/WoundLayout.hpp"
 
 namespace thinwall {
-
-/// What of a wall's wounds stays while no cut changes it.
-struct WoundLayout {
-  WoundMap map;
-  FringeMesh fringe;         // of the wall as it is drawn
-  std::vector<double> fall;  // (vertices), of lips: -1 to 1, how far the wall falls away from the wound
-  std::vector<FluidRun> blood_runs;
-  std::vector<FluidRun> fluid_runs;
-  std::vector<double> blood_feet, fluid_feet;  // (vertices), of lips: see run_feet
-};
-
-/// All but the fringe, which fringe_mesh gives once the wall is as fine as it is drawn. `is_lip`: what cut_lips gives;
-/// `down`: the sense in which fluids run.
-WoundLayout lay_out_wounds(const SnapshotTopology& topology, std::span<const BorderEdge> borders,
-                           std::span<const char> is_lip, Vector3 down);
 
 struct Bleeding {
   double strength = 1;  // 0 to 1, how freely the wall bleeds

@@ -236,6 +236,26 @@ bool is_near_begin(const BorderEdge& lip, const RunReach& reach) {
   return is_near(lip.start) || is_near(lip.end);
 }
 
+bool is_near_an_end(const BorderEdge& lip, const RunReach& reach) {
+  if (reach.map == nullptr) return false;
+  return std::min(reach.map->from_end[lip.start], reach.map->from_end[lip.end]) < reach.off_ends;
+}
+
+/// A lip, and when it was cut, seconds.
+using TimedLip = std::pair<double, std::size_t>;
+
+/// When the cut that came to the first of these had gone on by `off` metres; as long as it has not, when it came there.
+double left_behind(const SnapshotTopology& topology, std::span<const BorderEdge> borders,
+                   std::span<const TimedLip> lips, double off) {
+  const auto middle = [&](const TimedLip& lip) {
+    return point_at(middle_of(borders[lip.second], topology), topology.rest_positions);
+  };
+  const Vector3 place = middle(lips.front());
+  const auto later =
+      std::ranges::find_if(lips, [&](const TimedLip& lip) { return length(middle(lip) - place) >= off; });
+  return later == lips.end() ? lips.front().first : later->first;
+}
+
 /// Where a run may begin.
 struct LipPoint {
   Vector3 place;  // stress-free
@@ -266,7 +286,7 @@ Vector3 point_at(const WallPlace& place, std::span<const Float3> points) {
 std::vector<FluidRun> find_runs(const SnapshotTopology& topology, std::span<const BorderEdge> borders,
                                 std::span<const char> is_lip, Vector3 down, const RunReach& reach) {
   if (topology.cut_times.empty()) return {};
-  std::vector<std::pair<double, std::size_t>> lips;  // time of the cut, border
+  std::vector<TimedLip> lips;
   for (std::size_t k = 0; k < borders.size(); ++k) {
     const auto& [start, end, triangle] = borders[k];
     if (is_lip[start] && is_lip[end])
@@ -278,7 +298,9 @@ std::vector<FluidRun> find_runs(const SnapshotTopology& topology, std::span<cons
       .topology = topology, .normals = rest_normals(topology), .opposite = opposite_triangles(topology.triangles)};
   std::vector<FluidRun> runs;
   std::vector<LipPoint> taken;
-  for (const auto& [time, k] : lips) {
+  for (auto next = lips.begin(); next != lips.end(); ++next) {
+    const std::size_t k = next->second;
+    if (is_near_an_end(borders[k], reach)) continue;
     const WallPlace start = middle_of(borders[k], topology);
     LipPoint lip{
         .place = point_at(start, topology.rest_positions), .away = away_from(borders[k], topology), .falls = {}};
@@ -294,7 +316,10 @@ std::vector<FluidRun> find_runs(const SnapshotTopology& topology, std::span<cons
     if (std::ranges::any_of(taken, [&](const LipPoint& other) { return lip.runs_into(other, reach.spacing); }))
       continue;
     taken.push_back(lip);
-    runs.push_back({.path = std::move(way.path), .born = time, .chance = chance, .creeps = way.creeps});
+    runs.push_back({.path = std::move(way.path),
+                    .born = left_behind(topology, borders, {next, lips.end()}, reach.off_ends),
+                    .chance = chance,
+                    .creeps = way.creeps});
   }
   return runs;
 }

@@ -33,8 +33,9 @@ struct RunReach {
   double longest = 0;             // of a run
   double push = 0;                // over level wall, away from the lip, of what comes out under pressure
   double level = 0;               // at most, of what wells over a lip where the wall is level
-  double off_begin = 0;           // from where a cut begins, within which nothing does: there it hardly gapes
-  const WoundMap* map = nullptr;  // that knows where that is; null: nowhere
+  double off_begin = 0;           // from where a cut begins, within which nothing creeps: there it hardly gapes
+  double off_ends = 0;            // from both ends of a cut, within which nothing begins: there its lips lie together
+  const WoundMap* map = nullptr;  // that knows where those are; null: nowhere
 };
 
 /// Runs that begin at the lips, where the wall falls away from the wound along `down` (of length one), or does so

@@ -116,6 +116,10 @@ double CutEnd::short_by(double time) const {
   return speed > 0 ? std::clamp(last_edge - speed * (time - reached), 0.0, last_edge) : 0;
 }
 
+bool WoundMap::goes_on() const {
+  return std::ranges::any_of(ends, [](const CutEnd& end) { return end.speed > 0; });
+}
+
 double WoundMap::length_at(double time) const {
   double cut = length;
   for (const CutEnd& end : ends) cut -= 2 * end.short_by(time);

@@ -31,6 +31,9 @@ struct WoundMap {
   std::vector<std::uint32_t> end_of;  // (vertices), that end, into `ends`
   double length = 0;                  // metres, of all lips
 
+  /// Whether a cut goes on from one place to the next: a puncture is there at once.
+  bool goes_on() const;
+
   /// Metres of all lips at `time` (seconds), as the ends go on.
   double length_at(double time) const;
 

@@ -80,13 +80,15 @@ TEST(WoundMap, ItsTaperingGoesOnWithACutBetweenTheVertices) {
   EXPECT_GT(map.tapering(5)[last], 0.1);
 }
 
-std::vector<FluidRun> runs_of(const SnapshotTopology& topology, double push = 0, double level = 0,
-                              double off_begin = 0) {
+std::vector<FluidRun> runs_within(const SnapshotTopology& topology, RunReach reach) {
   const std::vector<BorderEdge> borders = border_edges(topology);
   const WoundMap map = map_of(topology);
-  return find_runs(
-      topology, borders, cut_lips(topology, borders), {0, 0, -1},
-      {.spacing = 0.0045, .longest = 0.03, .push = push, .level = level, .off_begin = off_begin, .map = &map});
+  reach.map = &map;
+  return find_runs(topology, borders, cut_lips(topology, borders), {0, 0, -1}, reach);
+}
+
+std::vector<FluidRun> runs_of(const SnapshotTopology& topology, double push = 0, double level = 0) {
+  return runs_within(topology, {.spacing = 0.0045, .longest = 0.03, .push = push, .level = level});
 }
 
 TEST(FluidRuns, FollowTheSlopeFromTheLowerLip) {
@@ -137,16 +139,22 @@ TEST(FluidRuns, CreepOverBothLipsOfALevelSheetAwayFromThem) {
   EXPECT_GT(down, 0);
 }
 
-TEST(FluidRuns, DoNotCreepBesideWhereACutBegins) {
-  constexpr double kOff = 0.003;
-  SnapshotTopology sheet = *test::slit_sheet(20, 0.001, 0).topology;
-  // From x = -9 mm to 9 mm at 10 mm/s.
+/// A slit sheet that has been cut from x = -9 mm at 0.1 s to x = 9 mm at 1.9 s.
+SnapshotTopology sheet_cut_on(double steepness) {
+  SnapshotTopology sheet = *test::slit_sheet(20, 0.001, steepness).topology;
   for (std::size_t v = 0; v < sheet.cut_times.size(); ++v) {
     if (sheet.cut_times[v] >= 0) sheet.cut_times[v] = static_cast<float>(100 * (sheet.rest_positions[v][0] + 0.01));
   }
+  return sheet;
+}
+
+TEST(FluidRuns, DoNotCreepBesideWhereACutBegins) {
+  constexpr double kOff = 0.003;
+  const SnapshotTopology sheet = sheet_cut_on(0);
   const auto first_and_last = [&](double off_begin) {
     std::pair<double, double> places{1, -1};
-    for (const FluidRun& run : runs_of(sheet, 0, 0.006, off_begin)) {
+    const RunReach reach{.spacing = 0.0045, .longest = 0.03, .level = 0.006, .off_begin = off_begin};
+    for (const FluidRun& run : runs_within(sheet, reach)) {
       const double x = point_at(run.path.front(), sheet.rest_positions).x;
       places = {std::min(places.first, x), std::max(places.second, x)};
     }
@@ -155,6 +163,26 @@ TEST(FluidRuns, DoNotCreepBesideWhereACutBegins) {
   EXPECT_LT(first_and_last(0).first, -0.009 + kOff);
   EXPECT_GT(first_and_last(kOff).first, -0.009 + kOff);
   EXPECT_GT(first_and_last(kOff).second, 0.009 - 2 * kOff) << "the other end may go on";
+}
+
+TEST(FluidRuns, BeginOffTheEndsOfACutOnceThatHasGoneOn) {
+  constexpr double kOff = 0.0028, kThreeEdges = 0.003;
+  const SnapshotTopology sheet = sheet_cut_on(0.8);
+  const auto begins = [&](double off_ends) {
+    std::vector<std::pair<double, double>> all;  // metres along the cut, seconds
+    for (const FluidRun& run : runs_within(sheet, {.spacing = 0.0045, .longest = 0.03, .off_ends = off_ends}))
+      all.emplace_back(point_at(run.path.front(), sheet.rest_positions).x, run.born);
+    return all;
+  };
+  const auto everywhere = begins(0), within = begins(kOff);
+  EXPECT_LT(std::ranges::min(everywhere).first, -0.009 + kOff);
+  EXPECT_GT(std::ranges::max(everywhere).first, 0.009 - kOff);
+  ASSERT_GE(within.size(), 2U);
+  for (const auto& [x, born] : within) {
+    EXPECT_LT(std::abs(x), 0.009 - kOff);
+    // At 10 mm/s; a lip counts by its later vertex, half a millimetre on. Times are rounded to single precision.
+    EXPECT_NEAR(born, 100 * (x + 0.0005 + 0.01 + kThreeEdges), 1e-6) << x;
+  }
 }
 
 TEST(FluidRuns, DoNotCreepWhereTheWallFalls) {
