@@ -29,7 +29,7 @@ constexpr Fringe kBlood = {.width = 0.0012, .height = 0.0009, .spare = 1.1, .kin
 constexpr Fringe kWelling = {.width = 0.0012, .height = 0.0004, .spare = 0.6, .kind = kFilmCoat};
 constexpr Fringe kBareEdge = {.width = 0.00025, .height = 0.0001, .spare = 0.2, .kind = kFilmCoat};
 
-constexpr double kBloodFoot = 1.3, kFluidFoot = 1.6;  // spread that a lip has more where a run begins
+constexpr double kBloodFoot = 1.3, kFluidFoot = 1.1;  // spread that a lip has more where a run begins
 
 constexpr double kPressedOut = 0.75;  // fullness that closed lips have more
 constexpr double kLipRoom = 0.0010;   // metres between lips, by which a third of that is left

@@ -109,7 +109,7 @@ TEST(Run, MirrorsTheLampInLongPiecesNotInCrumbs) {
   const std::vector<int> sizes = bright_patches(image, 170);
   const double mean = std::accumulate(sizes.begin(), sizes.end(), 0.0) / static_cast<double>(sizes.size());
   EXPECT_GT(std::accumulate(sizes.begin(), sizes.end(), 0), 1000) << "glossy";
-  EXPECT_GT(mean, 50) << "pixels; 75 were seen, 26 where what is fine is not levelled";
+  EXPECT_GT(mean, 50) << "pixels; 57 were seen, 26 where what is fine is not levelled";
 }
 
 }  // namespace
