@@ -1,5 +1,7 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -51,6 +53,21 @@ std::vector<std::string> early_ends(const std::vector<std::filesystem::path>& ta
   return told;
 }
 
+/// A view may be of a scenario with other tools. Of a take without any step nothing is shown.
+void require_followed_tools(const ViewDefinition& view, const TakeReader& take, const std::filesystem::path& scenario) {
+  if (take.times().empty()) return;
+  std::vector<std::string> names;
+  for (const SnapshotTool& tool : take.moment(0).snapshot.tools) names.push_back(tool.name);
+  const auto require = [&](const std::string& camera, const CameraDefinition& definition) {
+    if (!definition.follow || std::ranges::find(names, definition.follow->tool) != names.end()) return;
+    throw UsageError(fmt::format("--view {}: {} follows tool `{}`, which the take does not have; {}", scenario.string(),
+                                 camera, definition.follow->tool,
+                                 names.empty() ? "it has none" : fmt::format("its tools: {}", fmt::join(names, ", "))));
+  };
+  require("`camera`", view.camera);
+  for (const auto& [name, camera] : view.cameras) require("camera `" + name + "`", camera);
+}
+
 /// What a take is drawn with: as it was recorded, or as another scenario looks at it.
 struct DrawnAs {
   PictureSettings settings;
@@ -86,6 +103,10 @@ int render_take(const RenderOptions& options) {
   change_data_view(options.data_changes, settings.view.look);
   if (options.mesh) settings.view.look.mesh = true;
   const std::vector<std::filesystem::path> takes = takes_shown(options.take);
+  if (options.view) {
+    require_followed_tools(settings.view, *take, *options.view);
+    if (takes.size() > 1) require_followed_tools(*drawn.second_view, TakeReader(takes[1]), *options.view);
+  }
   complete_data_range(takes, settings.view.look);
   const DataViewChanges& changes = options.data_changes;
   const CommonLook common{.data = options.data || changes.from || changes.to || changes.scale, .mesh = options.mesh};

@@ -91,6 +91,23 @@ TEST_F(ProgramGLTest, ATakeGivesTheLessonOfTheRunAgainAlsoInAnotherView) {
   EXPECT_NE(manifest("bare")["frame_hashes"], manifest("run")["frame_hashes"]);
 }
 
+TEST_F(ProgramGLTest, AViewThatFollowsAToolWhichATakeDoesNotHaveIsRefused) {
+  write_bytes(folder_ / "scene.yaml",
+              small_scenario() + "comparison: { set: { depth: 1 mm }, captions: [two, one] }\n");
+  expect_good({"run", "scene.yaml", "--no-video", "--out", "run"});
+  for (const std::string follow : {"cameras: { close: { follow: { tool: rod } } }\n",
+                                   "cameras: { close: { follow: { tool: probe } } }\n"
+                                   "comparison: { set: { cameras.close.follow.tool: rod } }\n"}) {
+    write_bytes(folder_ / "view.yaml",
+                "thinwall: 1\ninclude: [scene.yaml]\ntools: { rod: { kind: point } }\n" + follow);
+    const ProgramEnd end = run({"render", "run/take.h5", "--no-video", "--view", "view.yaml", "--out", "viewed"});
+    EXPECT_EQ(end.exit_code, 2);
+    EXPECT_NE(end.messages.find("camera `close` follows tool `rod`, which the take does not have; its tools: probe"),
+              std::string::npos)
+        << end.messages;
+  }
+}
+
 TEST_F(ProgramGLTest, ATakeWithCutsGivesTheFramesOfTheRunAgainAndItsSurfacesGrow) {
   write_bytes(folder_ / "cut.yaml", incision_scenario());
   // Frames lie between steps, and some between the steps before and after a cut.
