@@ -8,12 +8,13 @@ from pathlib import Path
 import numpy as np
 from scipy.integrate import quad
 from scipy.interpolate import CubicSpline
+from scipy.optimize import brentq
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from oracles import (axisymmetric_membrane, belt, bulging_tube, collapsing_tube, drum, elastica, film_balloon,  # noqa: E402
-                     fingerpad, fluids, hencky, inflated_sphere, pinched_cylinder, plates, published_shells, slit,
-                     spherical_shell, stretched_ring, strips, viscoelasticity, wall_laws)
+from oracles import (axisymmetric_membrane, belt, bulging_tube, collapsing_tube, dimple, drum, elastica,  # noqa: E402
+                     film_balloon, fingerpad, fluids, four_pulls, hencky, inflated_sphere, pinched_cylinder, plates,
+                     published_shells, slit, spherical_shell, stretched_ring, strips, viscoelasticity, wall_laws)
 
 # mu = 2 makes c1 = mu / 2 the unit.
 RUBBER = wall_laws.neo_hookean(2.0)
@@ -71,6 +72,31 @@ class CollapsingTube(unittest.TestCase):
         # The area falls with the square of the buckle, and the pressure rises with it.
         begin = first.pressure - (1 - first.area) * (second.pressure - first.pressure) / (first.area - second.area)
         self.assertAlmostEqual(begin, 3, 2)
+
+
+class Dimple(unittest.TestCase):
+    SHELL = dimple.Shell(radius=1.0, thickness=2e-3, youngs_modulus=1e6, poisson_ratio=0.3, opening=0.5)
+
+    def test_a_small_dent_gives_way_as_the_linear_shell(self):
+        (force, _), = dimple.forces(self.SHELL, [2e-6])
+        self.assertAlmostEqual(force / 2e-6 / spherical_shell.point_stiffness(1.0, 2e-3, 1e6, 0.3, 0), 1, delta=3e-3)
+
+    def test_what_the_force_does_is_stored(self):
+        depths = list(np.arange(0.5e-3, 10.1e-3, 0.5e-3))
+        forces, energies = np.array(dimple.forces(self.SHELL, depths)).T
+        self.assertAlmostEqual((CubicSpline(depths, forces).integrate(2e-3, 10e-3)) / (energies[-1] - energies[3]), 1, 3)
+
+
+class FourPulls(unittest.TestCase):
+    def test_a_square_branches_where_equal_growth_becomes_unstable(self):
+        c1, c2 = 20e3, 10e3
+        law = wall_laws.mooney_rivlin(c1, c2)
+        # Where d2W/dl1^2 = d2W/dl1 dl2: c1 (l^6 + 1) = c2 (l^8 - 3 l^2).
+        critical = brentq(lambda l: c1 * (l**6 + 1) - c2 * (l**8 - 3 * l**2), 1.1, 3)
+        pulls = [part * wall_laws.tension(law, critical, critical) for part in (0.5, 0.98, 1.02)]
+        found = four_pulls.stretches(law, 1.0, [(pull * (1 + 1e-7), pull) for pull in pulls])
+        self.assertAlmostEqual(found[1, 0], found[1, 1], 3)
+        self.assertGreater(found[2, 0], 1.2 * found[2, 1])
 
 
 class FilmBalloon(unittest.TestCase):

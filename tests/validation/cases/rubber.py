@@ -6,7 +6,8 @@ from functools import lru_cache
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from oracles import axisymmetric_membrane, bulging_tube, hencky, inflated_sphere, stretched_ring, strips, wall_laws
+from oracles import (axisymmetric_membrane, bulging_tube, four_pulls, hencky, inflated_sphere, stretched_ring, strips,
+                     wall_laws)
 from suite.case import Case, Comparison, Quantity
 from suite.program import Program, Surface
 
@@ -162,6 +163,17 @@ def compare_bulging_tube(program: Program, triangles: int) -> Comparison:
          f"{bulge.around:.2f} times as wide as the tube at rest, this one is in the end {widest / at_rest:.2f} times."])
 
 
+def compare_four_pulls(program: Program, triangles: int) -> Comparison:
+    records = program.run("four_pulls", triangles=triangles)
+    right, left, far, near = (records.point("sheet", name) for name in ("right", "left", "far", "near"))
+    along, across = (right["x_m"] - left["x_m"]) / 40e-3, (far["y_m"] - near["y_m"]) / 40e-3
+    parts = right["time_s"]
+    exact = four_pulls.stretches(wall_laws.mooney_rivlin(20e3, 10e3), 1e-3, [(250 * part, 249.75 * part) for part in parts])
+    return Comparison([Quantity("stretch along x", "part of the pull", "", parts, along, exact[:, 0]),
+                       Quantity("stretch along y", "part of the pull", "", parts, across, exact[:, 1])],
+                      ["Pulls along y are a thousandth smaller, which decides along which axis it grows."])
+
+
 CASES = [
     inflation("neo_hookean", "neo-Hookean", wall_laws.neo_hookean(40e3)),
     inflation("mooney_rivlin", "Mooney–Rivlin", wall_laws.mooney_rivlin(16e3, 2e3)),
@@ -182,4 +194,7 @@ CASES = [
          compare_strips, quick=(200,)),
     Case("bulging_tube", "A bulge that runs along a tube", "Maxwell's rule; Kyriakides and Chang 1991",
          "pressure while the bulge runs", 0.01, (1320, 2624), compare_bulging_tube, quick=(1320,), tells_order=False),
+    Case("four_pulls", "A square under four equal pulls", "closed form of the law; Treloar 1948, Kearsley 1986",
+         "stretches along both axes, through the branching", 1e-6, (60, 600), compare_four_pulls, quick=(60,),
+         tells_order=False),
 ]

@@ -4,7 +4,7 @@ from __future__ import annotations
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from oracles import collapsing_tube, elastica, pinched_cylinder, plates, published_shells, spherical_shell
+from oracles import collapsing_tube, dimple, elastica, pinched_cylinder, plates, published_shells, spherical_shell
 from suite.case import Case, Comparison, Quantity
 from suite.program import Program
 
@@ -149,6 +149,16 @@ def compare_collapsing_tube(program: Program, triangles: int) -> Comparison:
                       [f"It buckles at 3 and its sides would touch at 5.247. Here the area goes down to {area[-1]:.2f}."])
 
 
+def compare_dimpled_shell(program: Program, triangles: int) -> Comparison:
+    tip = program.run("dimpled_shell", mesh=f"meshes/cap_{triangles}.obj").tool("tip")
+    shell = dimple.Shell(radius=1.0, thickness=2e-3, youngs_modulus=1e6, poisson_ratio=0.3, opening=0.5)
+    steps = np.flatnonzero(tip["depth_m"] > 1e-6)
+    depths = tip["depth_m"][steps]
+    exact = np.array([force for force, _ in dimple.forces(shell, list(depths))])
+    return Comparison([Quantity("force", "depth over thickness", "N", depths / shell.thickness, tip["fz_N"][steps], exact)],
+                      ["From twice the thickness on the shell is a sixth as stiff as under a small dent."])
+
+
 CASES = [
     Case("cantilever", "Cantilever under end shear", TABLES, "rise and way back of the tip", 0.01, (160, 640, 2560),
          compare_cantilever, quick=(160, 640)),
@@ -177,4 +187,7 @@ CASES = [
     Case("spherical_shell", "Spherical shell under pressure and a point force",
          "Reissner 1946; Vella, Ajdari, Vaziri and Boudaoud 2012", "stiffness at three pressures", 0.02,
          (1536, 3456, 7776), compare_spherical_shell, quick=(1536,), quick_bar=0.06),
+    Case("dimpled_shell", "A dimple in a spherical shell", "Reissner 1950, differential equations solved; Pogorelov 1988",
+         "force to a depth of five thicknesses", 0.01, (1536, 3456, 7776), compare_dimpled_shell, quick=(1536,),
+         quick_bar=0.04),
 ]
