@@ -53,7 +53,11 @@ void stand(Camera& camera, const CameraDefinition& definition, const SceneExtent
   const Vector3 target = definition.target ? vector3(*definition.target) : extent.center;
   if (definition.position) {
     camera.position = vector3(*definition.position);
-    if (!(length(target - camera.position) > 0)) throw PictureFailure("the camera stands at its target; move one");
+    if (!(length(target - camera.position) > 0)) {
+      throw PictureFailure(definition.target ? "the camera stands at its target; move one"
+                                             : "the camera stands in the middle of the bodies, where it looks without "
+                                               "`target`; give it a `target`");
+    }
     orient(camera, target - camera.position, up);
     return;
   }

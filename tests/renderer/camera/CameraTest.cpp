@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <string>
 
 #include "renderer/camera/CameraMove.hpp"
 #include "renderer/image/PictureFailure.hpp"
@@ -224,6 +225,12 @@ TEST(Camera, AViewStraightDownHasADirection) {
 TEST(Camera, WhatShowsNothingIsRefused) {
   const CameraDefinition at_target{.position = Double3{0, 0, 1}, .target = Double3{0, 0, 1}, .up = {}};
   EXPECT_THROW(resolve_camera(at_target, box(1, 1, 1), kSize, 0), PictureFailure);
+  try {
+    resolve_camera({.position = Double3{0, 0, 0}}, box(1, 1, 1), kSize, 0);
+    FAIL() << "a camera in the middle of the bodies looks somewhere without a target";
+  } catch (const PictureFailure& failure) {
+    EXPECT_NE(std::string(failure.what()).find("give it a `target`"), std::string::npos) << failure.what();
+  }
   for (const double angle : {0.0, -1.0, std::numbers::pi, std::nan("")}) {
     const CameraDefinition definition{.position = {}, .target = {}, .up = {}, .field_of_view = angle};
     EXPECT_THROW(resolve_camera(definition, box(1, 1, 1), kSize, 0), PictureFailure);
