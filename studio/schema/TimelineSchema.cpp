@@ -60,7 +60,7 @@ MappingSchema palpate() {
         "speed of the tool"},
        {"hold", usually(quantity_value(kTime, kFromZero, "0.5 s"), kUsualTimes), false, "0 s",
         "time at full depth; until a step ends at least, where the tool's next clip leaves room for that"},
-       {"standoff", usually(quantity_value(kLength, kFromZero, "5 mm"), kUsualLengths), false, "5 mm",
+       {"standoff", usually(quantity_value(kLength, kAboveZero, "5 mm"), kUsualLengths), false, "5 mm",
         "distance from the surface at which the tool starts and to which it goes back"},
        {"withdraw", boolean_value(), false, "true", "whether the tool goes back"}});
 }
@@ -81,7 +81,7 @@ MappingSchema pierce() {
         "speed of the needle"},
        {"hold", usually(quantity_value(kTime, kFromZero, "1 s"), kUsualTimes), false, "0 s",
         "time at full depth; until a step ends at least, where the tool's next clip leaves room for that"},
-       {"standoff", usually(quantity_value(kLength, kFromZero, "5 mm"), kUsualLengths), false, "5 mm",
+       {"standoff", usually(quantity_value(kLength, kAboveZero, "5 mm"), kUsualLengths), false, "5 mm",
         "distance from the surface at which the needle starts and to which it goes back"},
        {"withdraw", boolean_value(), false, "true", "whether the needle goes back"}},
       " The wall dents, and gives way once it would give back more energy with a slit of the needle's width in it than "
@@ -128,7 +128,7 @@ MappingSchema incise() {
         "speed in and out, and along the path on the surface"},
        {"hold", usually(quantity_value(kTime, kFromZero, "0.5 s"), kUsualTimes), false, "0 s",
         "time at the end of the path"},
-       {"standoff", usually(quantity_value(kLength, kFromZero, "5 mm"), kUsualLengths), false, "5 mm",
+       {"standoff", usually(quantity_value(kLength, kAboveZero, "5 mm"), kUsualLengths), false, "5 mm",
         "distance from the surface at which the blade starts and to which it goes back"},
        {"withdraw", boolean_value(), false, "true", "whether the blade goes back"},
        {"marked", boolean_value(), false, "false",
@@ -213,7 +213,7 @@ MappingSchema grasp() {
         "how far the tips go beyond where the line of approach meets the wall"},
        {"speed", usually(quantity_value(kSpeed, kAboveZero, "10 mm/s"), kUsualSpeeds), false, "10 mm/s",
         "speed of the approach"},
-       {"standoff", usually(quantity_value(kLength, kFromZero, "5 mm"), kUsualLengths), false, "5 mm",
+       {"standoff", usually(quantity_value(kLength, kAboveZero, "5 mm"), kUsualLengths), false, "5 mm",
         "distance from the wall at which the tips start"},
        {"to", usually(quantity_value(kLength, kAboveZero, "1 mm"), kUsualLengths), false, "0.5 mm",
         "distance between the closed jaws: the wall that they leave less room than it is thick, in one layer or a "

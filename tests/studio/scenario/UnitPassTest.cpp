@@ -71,7 +71,7 @@ TEST(UnitPass, AMagnitudeBeyondWhatIsUsualIsAllowedAndToldOf) {
 }
 
 TEST(UnitPass, WhatIsUsualOrNoneIsNotToldOf) {
-  EXPECT_EQ(read("palpate", "{ depth: 6 mm, speed: 20 mm/s, hold: 0, standoff: 0 mm }").warnings, Texts{});
+  EXPECT_EQ(read("palpate", "{ depth: 6 mm, speed: 20 mm/s, hold: 0, standoff: 5 mm }").warnings, Texts{});
   EXPECT_EQ(read("tool", "{ kind: needle, radius: 0.1 mm, length: 300 mm, friction: 1.2 }").warnings, Texts{});
   EXPECT_EQ(read("simulation", "{ gravity: [0, 0, -9.81 m/s^2] }").warnings, Texts{}) << "magnitudes are judged";
 }
