@@ -227,8 +227,8 @@ void carry_contents(const BodyModel& before, const BodyState& state, const BodyM
   carried.equilibrium.pressure = Eigen::VectorXd::Zero(count);
   for (Eigen::Index c = 0; c < count; ++c) {
     Heir& heir = heirs[c];
-    const bool is_alone = heir.weight == whole[heir.before], keeps = c < state.leaked.size();
-    const double share = is_alone ? 1 : heir.weight / whole[heir.before];
+    const bool keeps = c < state.leaked.size();
+    const double share = whole[heir.before] > 0 ? heir.weight / whole[heir.before] : keeps;
     // What does not run out keeps its volume, whatever cap spans the lips from now on.
     if (!after.definition.fluid.leaks) heir.volume = share * state.volume[heir.before];
     carried.volume[c] = heir.volume;

@@ -9,9 +9,11 @@
 #include <numeric>
 #include <vector>
 
+#include "engine/cutting/CutSurface.hpp"
 #include "engine/cutting/SurfacePath.hpp"
 #include "engine/equilibrium/RigidMotions.hpp"
 #include "engine/mesh/Shapes.hpp"
+#include "engine/simulation/CutTransfer.hpp"
 #include "tests/engine/simulation/CutSheets.hpp"
 #include "tests/engine/simulation/TestBodies.hpp"
 
@@ -217,6 +219,25 @@ TEST(ABallCutInTwo, HasTwoOpenChambersThatShareTheFluid) {
     EXPECT_GT(state.leaked[0], 0);
     EXPECT_GT(state.leaked[1], 0);
   }
+}
+
+TEST(ABallCutInTwo, LeavesItsFluidToTheFirstChamberWhereNeitherHasRoom) {
+  Body body(make_body(make_sphere(kRadius, 320), 1e-3, neo_hookean(30e3)), {}, {});
+  body.settle();
+  std::vector<Eigen::Vector3d> ring = circle({0, 0, 0.1 * kRadius}, 1.1 * kRadius, 24);
+  ring.insert(ring.end(), {ring[1], ring[2]});
+  const PathResult way = surface_path(body.surface(), ring, {}, 1);
+  ASSERT_FALSE(way.problem);
+  const BodyModel& before = body.model();
+  CutSurface surface(before.definition.mesh);
+  const Cut cut = surface.cut({.from = {}, .points = way.path.pieces.front().points});
+  ASSERT_EQ(cut.separated.size(), 1u);
+  BodyState flat = body.state();
+  for (int v = 0; v < before.vertices(); ++v) flat.equilibrium.position[3 * v + 2] = 0;
+  const BodyModel after = make_body_model(cut_definition(before, surface, cut));
+  const BodyState carried = carried_over(before, flat, after, cut, Eigen::Vector3d::Zero());
+  ASSERT_EQ(carried.fluid_volume.size(), 2);
+  EXPECT_NEAR(carried.fluid_volume.sum() + carried.leaked.sum(), flat.fluid_volume[0], 1e-12 * flat.fluid_volume[0]);
 }
 
 TEST(AFlakeCutOffAFilledBody, HoldsNothingAndLeavesAnOpening) {
