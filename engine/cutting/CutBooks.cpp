@@ -53,16 +53,8 @@ SurfacePoint nearest_of(const CutPatch& patch, const std::set<int>& triangles, c
 std::vector<SurfacePoint> rest_of(std::span<const PathStop> stops, const PlannedCut& plan) {
   constexpr double kNoWeight = 1e-9;
   std::vector<SurfacePoint> rest;
-  const int count = static_cast<int>(stops.size());
-  if (plan.reached_stop + 1 >= count) return rest;
   for (const Eigen::Vector3d& corner : corners_ahead(stops, plan)) {
     rest.push_back(point_in(plan.patch, stops[plan.reached_stop].facet, corner, kNoWeight));
-  }
-  for (int i = plan.reached_stop + 1; i + 1 < count; ++i) {
-    for (const Eigen::Vector3d& corner : stops[i].between) {
-      rest.push_back(point_in(plan.patch, stops[i].facet, corner, kNoWeight));
-    }
-    rest.push_back(point_in(plan.patch, stops[i].facet, stops[i + 1].place.position, kNoWeight));
   }
   return rest;
 }

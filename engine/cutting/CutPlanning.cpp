@@ -254,9 +254,7 @@ double deviation_of(std::span<const PathStop> stops, const PlannedCut& plan) {
   std::vector<Eigen::Vector3d> realised;
   for (const int vertex : plan.vertices) realised.push_back(plan.patch.positions[vertex]);
   const std::vector<Eigen::Vector3d> wanted = corners_of(stops);
-  const std::size_t ahead = corners_ahead(stops, plan).size();
-  std::size_t later = ahead;
-  for (int i = plan.reached_stop + 1; i + 1 < static_cast<int>(stops.size()); ++i) later += stops[i].between.size() + 1;
+  const std::size_t later = corners_ahead(stops, plan).size();
   double largest = 0;
   for (const Eigen::Vector3d& vertex : realised) largest = std::max(largest, distance_to(wanted, vertex));
   for (std::size_t i = 0; i + later < wanted.size(); ++i) largest = std::max(largest, distance_to(realised, wanted[i]));

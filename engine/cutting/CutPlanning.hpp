@@ -11,10 +11,10 @@ namespace thinwall {
 
 /// A patch with the edges along which it will be opened.
 struct PlannedCut {
-  CutPatch patch;                                     // with its edges marked
-  std::vector<int> vertices;                          // of the path, in order; empty: nothing to cut
-  std::vector<TriangleSource> triangles;              // changed ones, numbered as in the patches
-  int reached_stop = -1;                              // the last stop of the path that the cut gets to
+  CutPatch patch;                         // with its edges marked
+  std::vector<int> vertices;              // of the path, in order; empty: nothing to cut
+  std::vector<TriangleSource> triangles;  // changed ones, numbered as in the patches
+  int reached_stop = -1;                  // the last one that the cut gets to: the path's end or the one before
   Eigen::Vector3d reached = Eigen::Vector3d::Zero();  // the place on the path that the last vertex stands for
   bool along_edges = false;                           // no new node finds room
 };

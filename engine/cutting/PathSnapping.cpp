@@ -112,10 +112,7 @@ std::vector<NodeBetween> nodes_between(const CutPatch& patch, std::span<const Pa
                                        const RefusedChoices& refused, int least_pieces) {
   const PathStop& stop = stops[index];
   const std::vector<Eigen::Vector3d> line = line_after(stops, index);
-  double length = 0;
-  for (std::size_t i = 1; i < line.size(); ++i) length += (line[i] - line[i - 1]).norm();
   const double scale = scale_in(patch, stop.facet, line[line.size() / 2]);
-  if (length < 2 * kLeastStep * scale) return {};
   std::vector<NodeBetween> nodes;
   int number = 0;
   Eigen::Vector3d last = line.front();

@@ -84,7 +84,6 @@ std::vector<PathStop> read_path(const CutPatch& patch, std::optional<int> from, 
     PatchPlace place = place_of(patch, point);
     if (places.empty() || !is_same(places.back(), place)) places.push_back(std::move(place));
   }
-  if (from && places.size() > 1 && places[1].position == places[0].position) places.erase(places.begin() + 1);
   std::vector<PathStop> stops;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const bool last = i + 1 == places.size();
