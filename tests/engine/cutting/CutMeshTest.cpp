@@ -80,27 +80,29 @@ TEST(CutSurface, LeavesKeptTrianglesAsTheyAre) {
   const SurfaceMesh mesh = make_sheet(2, 2, 400);
   const std::vector<Eigen::Vector3d> ends = {{-0.53, -0.21, 0}, {0.43, 0.3, 0}};
   const Eigen::Vector3d across = Eigen::Vector3d::UnitZ().cross(ends[1] - ends[0]).normalized();
-  CutOptions beside;  // on one side of the path, not next to it
-  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
-    const bool is_beside =
-        std::ranges::all_of(mesh.triangles[t], [&](int v) { return across.dot(mesh.vertices[v] - ends[0]) > 0.02; });
-    if (is_beside) beside.kept_triangles.push_back(t);
+  for (const double distance : {0.02, 0.04}) {  // those that an edge would be turned in, and those drawn to the path
+    CutOptions beside;                          // on one side of the path, not next to it
+    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+      const bool is_beside = std::ranges::all_of(
+          mesh.triangles[t], [&](int v) { return across.dot(mesh.vertices[v] - ends[0]) > distance; });
+      if (is_beside) beside.kept_triangles.push_back(t);
+    }
+    const auto changed = [&](const CutSurface& surface) {
+      return std::ranges::count_if(beside.kept_triangles, [&](int t) {
+        for (int k = 0; k < 3; ++k) {
+          const Eigen::Vector3d now = surface.mesh().vertices[surface.mesh().triangles[t][k]];
+          if (now != mesh.vertices[mesh.triangles[t][k]]) return true;
+        }
+        return false;
+      });
+    };
+    CutSurface free(mesh), kept(mesh);
+    const CutPath path{.from = {}, .points = points_at(mesh, ends)};
+    cut_well(free, path);
+    EXPECT_GT(changed(free), 0);
+    EXPECT_GT(cut_well(kept, path, beside).length, 0.8 * (ends[1] - ends[0]).norm());
+    EXPECT_EQ(changed(kept), 0);
   }
-  const auto changed = [&](const CutSurface& surface) {
-    return std::ranges::count_if(beside.kept_triangles, [&](int t) {
-      for (int k = 0; k < 3; ++k) {
-        const Eigen::Vector3d now = surface.mesh().vertices[surface.mesh().triangles[t][k]];
-        if (now != mesh.vertices[mesh.triangles[t][k]]) return true;
-      }
-      return false;
-    });
-  };
-  CutSurface free(mesh), kept(mesh);
-  const CutPath path{.from = {}, .points = points_at(mesh, ends)};
-  cut_well(free, path);
-  EXPECT_GT(changed(free), 0);
-  EXPECT_GT(cut_well(kept, path, beside).length, 0.8 * (ends[1] - ends[0]).norm());
-  EXPECT_EQ(changed(kept), 0);
 }
 
 // ---- Refinement
