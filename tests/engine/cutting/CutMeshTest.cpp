@@ -29,6 +29,16 @@ TEST(CutSurface, KeepsWallAndCapClosedWhereACutOpensTheRim) {
     EXPECT_EQ(cut.wound_loops.size(), 1U);
     EXPECT_GE(surface.mesh().cap_triangles.size(), caps + 1);
     EXPECT_GE(surface.mesh().groups.at("base").size(), rim + 1);  // both lips' nodes are in it
+    // And where later ones open the corners between lips and rim, on either side of which there is no cap.
+    for (const int corner : {cut.lips.front().left.back(), cut.lips.front().right.back()}) {
+      const auto& mesh = surface.mesh();
+      const auto at = std::ranges::find_if(mesh.triangles, [&](const auto& t) { return (t.array() == corner).any(); });
+      const SurfacePoint start{.triangle = static_cast<int>(at - mesh.triangles.begin()),
+                               .weights = (at->array() == corner).cast<double>()};
+      Eigen::Vector3d into = -3 * mesh.vertices[corner];
+      for (const int vertex : *at) into += mesh.vertices[vertex];
+      EXPECT_GT(cut_well(surface, {.from = {}, .points = walk_on(surface, start, into, 0.5).points}).length, 0.2);
+    }
   }
 }
 
