@@ -1,6 +1,7 @@
 #include "renderer/shape/WoundCoat.hpp"
 
 #include <algorithm>
+#include <span>
 
 #include "renderer/snapshot/Float3.hpp"
 
@@ -38,6 +39,9 @@ void append_faces(std::span<const BorderEdge> borders, const TissuePiece& rim, c
   }
   for (std::size_t k = 0; k < borders.size(); ++k) {
     if (map.lip[borders[k].start] != borders[k].start || map.lip[borders[k].end] != borders[k].end) continue;
+    const auto face = std::span(film.vertices).subspan(offset + 4 * k, 4);
+    const auto is_coated = [](const FilmVertex& vertex) { return vertex.inward > static_cast<float>(kNoCoat); };
+    if (std::ranges::none_of(face, is_coated)) continue;
     for (std::size_t c = 6 * k; c < 6 * k + 6; ++c) film.corners.push_back(offset + rim.corners[c]);
   }
 }

@@ -24,7 +24,8 @@ struct FaceCoat {
   std::vector<double> dry;              // (vertices), of lips, 0 to 1
 };
 
-/// Adds that to the rims of what has been cut. `rim`: a piece of four vertices for each of the borders.
+/// Adds that to the rims of what has been cut, where there is any. `rim`: a piece of four vertices for each of the
+/// borders.
 void append_faces(std::span<const BorderEdge> borders, const TissuePiece& rim, const WoundMap& map,
                   const FaceCoat& coat, Film& film);
 

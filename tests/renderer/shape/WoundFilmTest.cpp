@@ -116,6 +116,9 @@ TEST(WoundFilm, StandsBetweenLipsThatLieTogether) {
   for (const Film& film : {wound.blood(2), wound.runoff(1e-6), wound.bare_edge(1)}) {
     EXPECT_LT(fullness_of_edges(wound, film), 0.3) << "faces that gape show their layers";
   }
+  const Film bare = wound.bare_edge(1);
+  const auto of_faces = [&](std::uint32_t corner) { return corner >= wound.fringe_size(); };
+  EXPECT_EQ(std::ranges::count_if(bare.corners, of_faces), 4 * 6) << "only at both ends of both lips, which are closed";
 }
 
 TEST(WoundFilm, GathersInTheMiddleOfTheGroundOfAWound) {
