@@ -18,9 +18,10 @@ from suite.report import judged, markdown, page, percent, summary  # noqa: E402
 
 def test_oracles() -> int:
     import oracles_test
+    import shell_oracles_test
     import suite_test
 
-    modules = (oracles_test, suite_test)
+    modules = (oracles_test, shell_oracles_test, suite_test)
     tests = unittest.TestSuite(unittest.defaultTestLoader.loadTestsFromModule(module) for module in modules)
     outcome = unittest.TextTestRunner(verbosity=2).run(tests)
     return 0 if outcome.wasSuccessful() and outcome.testsRun > 0 else 1
