@@ -228,7 +228,9 @@ void carry_contents(const BodyModel& before, const BodyState& state, const BodyM
   for (Eigen::Index c = 0; c < count; ++c) {
     Heir& heir = heirs[c];
     const bool keeps = c < state.leaked.size();
-    const double share = whole[heir.before] > 0 ? heir.weight / whole[heir.before] : keeps;
+    // Where no part has room for the fluid, it stays in the one that keeps the chamber.
+    const double undivided = keeps ? 1 : 0;
+    const double share = whole[heir.before] > 0 ? heir.weight / whole[heir.before] : undivided;
     // What does not run out keeps its volume, whatever cap spans the lips from now on.
     if (!after.definition.fluid.leaks) heir.volume = share * state.volume[heir.before];
     carried.volume[c] = heir.volume;

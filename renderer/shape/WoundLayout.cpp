@@ -23,8 +23,7 @@ std::vector<FluidRun> find_runs_off_ends(const SnapshotTopology& topology, std::
   if (!runs.empty() || !(reach.off_ends > 0)) return runs;
   reach.off_ends = 0;
   runs = find_runs(topology, borders, is_lip, down, reach);
-  const double last = topology.cut_times.empty() ? 0 : std::ranges::max(topology.cut_times);
-  for (FluidRun& run : runs) run.born = last + kWhile;
+  for (FluidRun& run : runs) run.born = std::ranges::max(topology.cut_times) + kWhile;
   return runs;
 }
 

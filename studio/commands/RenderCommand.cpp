@@ -53,7 +53,13 @@ std::vector<std::string> early_ends(const std::vector<std::filesystem::path>& ta
   return told;
 }
 
-/// A view may be of a scenario with other tools. Of a take without any step nothing is shown.
+/// What a take is drawn with: as it was recorded, or as another scenario looks at it.
+struct DrawnAs {
+  PictureSettings settings;
+  std::optional<ViewDefinition> second_view;  // of the take that this one is compared with
+};
+
+/// Of a take without any step nothing is shown.
 void require_followed_tools(const ViewDefinition& view, const TakeReader& take, const std::filesystem::path& scenario) {
   if (take.times().empty()) return;
   std::vector<std::string> names;
@@ -68,11 +74,12 @@ void require_followed_tools(const ViewDefinition& view, const TakeReader& take, 
   for (const auto& [name, camera] : view.cameras) require("camera `" + name + "`", camera);
 }
 
-/// What a take is drawn with: as it was recorded, or as another scenario looks at it.
-struct DrawnAs {
-  PictureSettings settings;
-  std::optional<ViewDefinition> second_view;  // of the take that this one is compared with
-};
+/// A view may be of a scenario with other tools.
+void require_followed_tools(const DrawnAs& drawn, const TakeReader& take,
+                            const std::vector<std::filesystem::path>& takes, const std::filesystem::path& scenario) {
+  require_followed_tools(drawn.settings.view, take, scenario);
+  if (takes.size() > 1) require_followed_tools(*drawn.second_view, TakeReader(takes.back()), scenario);
+}
 
 DrawnAs drawn_as(const RenderOptions& options, const TakeReader& take) {
   DrawnAs drawn{.settings = picture_settings(take.description().resolved), .second_view = {}};
@@ -103,10 +110,7 @@ int render_take(const RenderOptions& options) {
   change_data_view(options.data_changes, settings.view.look);
   if (options.mesh) settings.view.look.mesh = true;
   const std::vector<std::filesystem::path> takes = takes_shown(options.take);
-  if (options.view) {
-    require_followed_tools(settings.view, *take, *options.view);
-    if (takes.size() > 1) require_followed_tools(*drawn.second_view, TakeReader(takes[1]), *options.view);
-  }
+  if (options.view) require_followed_tools(drawn, *take, takes, *options.view);
   complete_data_range(takes, settings.view.look);
   const DataViewChanges& changes = options.data_changes;
   const CommonLook common{.data = options.data || changes.from || changes.to || changes.scale, .mesh = options.mesh};

@@ -190,7 +190,7 @@ TEST(WoundFilm, StandsOnTheLipWhereARunBegins) {
   // No gap between wound and run, though the lips gape. Seen: 0.39, at the end of a cut, where all is less; -0.3
   // without.
   EXPECT_GT(fullness_at_feet(wound, wound.blood(2), wound.layout.blood_runs), 0.2);
-  EXPECT_GT(fullness_at_feet(wound, wound.runoff(1e-6), wound.layout.fluid_runs), 1);
+  EXPECT_GT(fullness_at_feet(wound, wound.runoff(1e-6), wound.layout.fluid_runs), 0.8) << "1.08 was seen, 0.23 without";
 }
 
 TEST(WoundFilm, APunctureBleedsLessThanACut) {
