@@ -24,6 +24,8 @@ struct Attachment {
   Eigen::Vector2d offset = Eigen::Vector2d::Zero();      // metres from the tip, across (x') and along (y') the tool
   Eigen::Vector3d target = Eigen::Vector3d::Zero();      // metres
   Eigen::Vector3d prescribed = Eigen::Vector3d::Ones();  // 1 or 0 for each axis: 0 where all the vertices are fixed
+  Eigen::Vector3d touched = Eigen::Vector3d::Zero();     // metres, where the point was as the tool took hold of it
+  Eigen::Vector3d followed = Eigen::Vector3d::Ones();    // for each axis, part of the tool's motion since then
   Eigen::Vector3d force = Eigen::Vector3d::Zero();       // newton, multiplier: what the tissue does to the tool
 };
 

@@ -8,6 +8,7 @@
 #include "engine/contact/DeepestPoint.hpp"
 #include "engine/contact/SolidGap.hpp"
 #include "engine/simulation/Body.hpp"
+#include "engine/simulation/PrescribedPoint.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
 
 namespace thinwall {
@@ -54,21 +55,9 @@ bool slides_along_itself(const ToolDefinition& tool, const ToolPose& begin, cons
          begin.direction.cross(motion).norm() <= kSameDirection * motion.norm();
 }
 
-Eigen::Vector3d prescribed_point(const Attachment& attachment, const ToolPose& pose) {
-  return pose.tip + attachment.offset.x() * pose.axis.cross(pose.direction) + attachment.offset.y() * pose.axis;
-}
-
-/// 1 for each axis along which a vertex of the attachment is free, 0 where all are fixed. A line laid across a border
-/// that is held bends around it: what cannot move is not prescribed.
-Eigen::Vector3d free_axes(const BodyModel& model, const Attachment& attachment) {
-  Eigen::Vector3d free = Eigen::Vector3d::Zero();
-  for (int corner = 0; corner < 3; ++corner) {
-    if (attachment.weights[corner] == 0) continue;
-    for (int axis = 0; axis < 3; ++axis) {
-      if (!model.fixed[3 * attachment.vertices[corner] + axis]) free[axis] = 1;
-    }
-  }
-  return free;
+/// 1 for each axis along which something may move, 0 where all is fixed.
+Eigen::Vector3d free_axes(const Eigen::Vector3d& free_share) {
+  return (free_share.array() > 0).cast<double>();
 }
 
 /// Lets the jaws of forceps feel how thick the wall between them is. `position`: (unknowns), metres.
@@ -116,7 +105,7 @@ void Body::attach(std::span<const ToolPose> begin, std::span<const ToolPose> end
     if (!hit) hit = overrun_by(surface(), state_.previous_position, begin[tool].tip, begin[tool].direction);
     if (hit) {
       Attachment attachment{.tool = tool, .vertices = model_->surface[hit->triangle], .weights = hit->weights};
-      attachment.prescribed = free_axes(*model_, attachment);
+      attachment.prescribed = free_axes(free_share(*model_, attachment));
       if (attachment.prescribed.isZero()) {
         throw SimulationFailure("tool `" + tools_[tool].name + "` presses on a point of body `" +
                                 model_->definition.name + "` that `fixed` holds along all axes");
@@ -138,7 +127,11 @@ void Body::attach_line(int tool, const ToolPose& begin, const ToolPose& end, Equ
     const double sprung = (place - material_point(attachment, state_.previous_position)).norm();
     if (crossing.travel < -kPassedWays * (moved + sprung)) continue;
     const Eigen::Vector3d offset = place - end.tip;
-    attachment.prescribed = free_axes(*model_, attachment);
+    // A line laid across a border that is held bends around it: of a triangle that is held in part the free corners
+    // follow the line.
+    attachment.followed = free_share(*model_, attachment);
+    attachment.prescribed = free_axes(attachment.followed);
+    attachment.touched = place;
     attachment.offset = {offset.dot(end.axis.cross(end.direction)), crossing.along};
     const bool crowded =
         std::any_of(problem.attachments.begin(), problem.attachments.end(), [&](const Attachment& other) {

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "engine/simulation/Body.hpp"
+#include "engine/simulation/PrescribedPoint.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
 #include "engine/tool/PoseBetween.hpp"
 
@@ -106,8 +107,9 @@ Eigen::VectorXd Body::add_motion_to(ToolResponse& response, const EquilibriumPro
   }
   std::vector<Eigen::Vector3d> held;
   for (const Attachment& attachment : problem.attachments) {
-    held.push_back(attachment.tool == tool ? velocity_at(motion, response.pose, attachment.target)
-                                           : Eigen::Vector3d::Zero());
+    const Eigen::Vector3d velocity = velocity_at(motion, response.pose, holding_point(attachment, response.pose));
+    held.emplace_back(Eigen::Vector3d::Zero());
+    if (attachment.tool == tool) held.back() = velocity.cwiseProduct(attachment.followed);
   }
   const LinearAnswer answer = newton_->answer(problem, force, held);
   for (std::size_t k = 0; k < pressing.size(); ++k) {

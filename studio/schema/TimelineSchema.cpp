@@ -304,7 +304,9 @@ ValueSchema tools_schema() {
          {},
          "coefficient of Coulomb's law of a tip with a radius; a bare point holds what it touches"}}},
       {"line",
-       "a straight edge laid across the wall, prescribed like the point",
+       "a straight edge laid across the wall, prescribed like the point; of triangles that `fixed` holds in part the "
+       "free "
+       "corners go along with it",
        {length_key("length", "40 mm", "length of the edge")}},
       {"sphere", "a ball with a growing area of contact",
        with_friction({length_key("radius", "3 mm", "radius of the ball")})},

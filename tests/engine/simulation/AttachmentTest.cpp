@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <string>
 
 #include "engine/mesh/Shapes.hpp"
+#include "engine/simulation/PrescribedPoint.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
 #include "tests/engine/simulation/TestBodies.hpp"
 
@@ -31,6 +33,29 @@ TEST(Attachment, ALineLaidAcrossHeldEndsPressesWhatIsFree) {
   }
   move(body, down, above.tip, 12, 0.02);
   EXPECT_EQ(body.state().contacts[0].force.norm(), 0);
+}
+
+TEST(Attachment, ALineTakesTheFreeCornersOfATriangleThatIsHeldInPartAlong) {
+  // Held in a ring about the place that is pressed, the line crosses triangles with few or no free corners.
+  BodyDefinition ball = make_body(make_sphere(0.0167, 320), 4e-4, neo_hookean(44e3));
+  ball.fixed = {{.region = BelowRegion{.axis = 2, .at = -0.0055}}};
+  ball.fluid.initial_pressure = 240;
+  Body body(ball, {line_tool(0.0133)}, quasi_static());
+  body.settle();
+  const Eigen::Vector3d rim(-0.0157, 0.0, -0.0058);
+  ToolPose beside = pose_at(rim + Eigen::Vector3d(-1e-3, 0, 0));
+  beside.direction = Eigen::Vector3d::UnitX();
+  const ToolPose in = move(body, beside, rim + Eigen::Vector3d(2e-3, 0, 0), 12, 0.02);
+  ASSERT_FALSE(body.state().attachments.empty());
+  double least = 1;
+  for (const Attachment& attachment : body.state().attachments) {
+    const double share = free_share(body.model(), attachment).x();
+    const Eigen::Vector3d way = holding_point(attachment, in) - attachment.touched;
+    const Eigen::Vector3d gone = material_point(attachment, body.state().equilibrium.position) - attachment.touched;
+    EXPECT_NEAR(gone.x(), share * way.x(), 2e-8);
+    least = std::min(least, share);
+  }
+  EXPECT_LT(least, 0.5);
 }
 
 TEST(Attachment, APointPressedOnAHeldPointIsRefusedWithWords) {
