@@ -17,7 +17,7 @@
 #include "studio/commands/Arguments.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/RunSource.hpp"
-#include "studio/director/InwardNormal.hpp"
+#include "studio/director/StressFreeAnswers.hpp"
 #include "studio/golden/GoldenCache.hpp"
 #include "studio/golden/UnaskedGoldens.hpp"
 #include "studio/recorder/ResolvedPicture.hpp"
@@ -113,7 +113,7 @@ NamedGoldens goldens_of_folder() {
   NamedGoldens named{.are_all = true};
   for (const std::filesystem::path& file : all) {
     try {
-      Scenario scenario = load_scenario(file, {}, inward_normal);
+      Scenario scenario = load_scenario(file, {}, stress_free_answers());
       if (scenario.goldens.empty()) continue;
       named.scenarios.push_back(std::move(scenario));
       named.are_chosen.push_back(false);
@@ -128,7 +128,7 @@ NamedGoldens goldens_of_folder() {
 /// Adds the scenario of a file, with the goldens chosen alone, or that it cannot be read.
 void add_named(NamedGoldens& named, const std::filesystem::path& file, const std::optional<GoldenChoice>& choice) {
   try {
-    Scenario scenario = load_scenario(file, {}, inward_normal);
+    Scenario scenario = load_scenario(file, {}, stress_free_answers());
     if (scenario.goldens.empty()) {
       throw UsageError(file.string() + ": this scenario has no `golden:` list, so there is nothing to compare");
     }

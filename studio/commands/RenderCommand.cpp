@@ -12,7 +12,7 @@
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/Outcome.hpp"
 #include "studio/commands/SecondTake.hpp"
-#include "studio/director/InwardNormal.hpp"
+#include "studio/director/StressFreeAnswers.hpp"
 #include "studio/recorder/FolderLock.hpp"
 #include "studio/recorder/RecordingNotes.hpp"
 #include "studio/recorder/ResolvedPicture.hpp"
@@ -84,7 +84,7 @@ void require_followed_tools(const DrawnAs& drawn, const TakeReader& take,
 DrawnAs drawn_as(const RenderOptions& options, const TakeReader& take) {
   DrawnAs drawn{.settings = picture_settings(take.description().resolved), .second_view = {}};
   if (!options.view) return drawn;
-  const Scenario view = load_scenario(*options.view, options.overrides, inward_normal);
+  const Scenario view = load_scenario(*options.view, options.overrides, stress_free_answers());
   const Teaching taught = drawn.settings.teaching;
   drawn.settings = picture_settings(view);
   drawn.settings.teaching = taught;

@@ -10,7 +10,7 @@
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/Outcome.hpp"
 #include "studio/commands/SecondTake.hpp"
-#include "studio/director/InwardNormal.hpp"
+#include "studio/director/StressFreeAnswers.hpp"
 #include "studio/recorder/FarPlaces.hpp"
 #include "studio/recorder/FolderLock.hpp"
 #include "studio/recorder/FontNotes.hpp"
@@ -80,7 +80,7 @@ int run_scenario(const RunOptions& options) {
   Scenario scenario;
   {
     const StageClock clock(preparation);
-    scenario = load_scenario(options.scenario, options.overrides, inward_normal);
+    scenario = load_scenario(options.scenario, options.overrides, stress_free_answers());
   }
   std::ranges::copy(font_notes(scenario), std::back_inserter(scenario.warnings));
   tell_warnings(scenario);

@@ -14,7 +14,7 @@
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/Outcome.hpp"
 #include "studio/commands/SecondTake.hpp"
-#include "studio/director/InwardNormal.hpp"
+#include "studio/director/StressFreeAnswers.hpp"
 #include "studio/recorder/FontNotes.hpp"
 #include "studio/recorder/FrameComposer.hpp"
 #include "studio/recorder/GroundTruthSeries.hpp"
@@ -91,7 +91,7 @@ std::filesystem::path truth_folder(const std::filesystem::path& picture) {
 }  // namespace
 
 int make_still(const StillOptions& options) {
-  Scenario scenario = load_scenario(options.scenario, options.overrides, inward_normal);
+  Scenario scenario = load_scenario(options.scenario, options.overrides, stress_free_answers());
   std::ranges::copy(font_notes(scenario), std::back_inserter(scenario.warnings));
   tell_warnings(scenario);
   require_data_range(scenario.view.look);

@@ -1,22 +1,12 @@
 #include "studio/director/InwardNormal.hpp"
 
-#include <string>
-#include <variant>
-#include <vector>
+#include <optional>
 
 #include "engine/cutting/SurfacePath.hpp"
-#include "studio/organs/BodyBuilder.hpp"
-#include "studio/scenario/InputError.hpp"
+#include "studio/director/StressFreeSurface.hpp"
 
 namespace thinwall {
 namespace {
-
-/// As a mesh file has it where it would be remeshed, which takes longer and changes normals little.
-std::variant<MeshFileSource, ShapeSource> quick_source(const BodyScenario& body) {
-  auto source = body.surface;
-  if (auto* file = std::get_if<MeshFileSource>(&source)) file->edge_length = 0;
-  return source;
-}
 
 Eigen::Vector3d mean_inward(const SurfacePath& path) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -30,16 +20,9 @@ Eigen::Vector3d mean_inward(const SurfacePath& path) {
 }  // namespace
 
 Eigen::Vector3d inward_normal(const BodyScenario& body, const InciseClip& clip) {
-  try {
-    std::vector<std::string> untold;
-    const SurfaceMesh mesh = make_surface(quick_source(body), body.location, untold);
-    const Eigen::VectorXd position = Eigen::Map<const Eigen::VectorXd>(
-        mesh.vertices.front().data(), 3 * static_cast<Eigen::Index>(mesh.vertices.size()));
-    const SurfaceView surface{mesh.triangles, position, body.fluid.kind == FluidKind::kNone};
-    return mean_inward(surface_path(surface, clip.path, clip.direction, clip.reach).path);
-  } catch (const InputErrors&) {
-    return Eigen::Vector3d::Zero();
-  }
+  const std::optional<StressFreeSurface> surface = stress_free_surface(body);
+  if (!surface) return Eigen::Vector3d::Zero();
+  return mean_inward(surface_path(surface->view(), clip.path, clip.direction, clip.reach).path);
 }
 
 }  // namespace thinwall

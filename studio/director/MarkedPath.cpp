@@ -13,7 +13,7 @@ namespace {
 
 /// Radians by which a blade turns with its wall at most while it goes on by its width: a last bridge that gives way
 /// turns faster than a hand does.
-constexpr double kTurnPerWidth = 0.5;
+constexpr double kTurnWithWallPerWidth = 0.5;
 
 struct MarkShare {
   double share = 1;  // of the way from where the line was drawn to where it is now
@@ -115,7 +115,7 @@ void follow_marks(std::span<ScheduledClip> clips, std::span<const std::unique_pt
     const double widths = (passed - std::exchange(plan->mark->passed, passed)) / blade->width;
     const MarkShare part{.share = std::min(1.0, passed / blade->width),
                          .reach = 0.5 * blade->width,
-                         .most = kTurnPerWidth * std::max(0.0, widths)};
+                         .most = kTurnWithWallPerWidth * std::max(0.0, widths)};
     follow(plan->path, *plan->mark, (*body)->surface(), passed, part);
     plan->mark->drift = plan->path.at(passed).position - before;
   }

@@ -1,6 +1,7 @@
 #include "studio/scenario/CameraPass.hpp"
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <variant>
@@ -16,12 +17,12 @@ struct Approach {
   bool cuts = false;
 };
 
-Approach approach_of(const std::vector<Clip>& timeline, const InwardAlong& inward_along) {
+Approach approach_of(const std::vector<Clip>& timeline, const CameraQuestions& ask) {
   Approach approach;
   for (const Clip& clip : timeline) {
     if (const auto* incise = std::get_if<InciseClip>(&clip.action)) {
       approach.cuts = true;
-      approach.direction += incise->direction ? *incise->direction : inward_along(*incise);
+      approach.direction += incise->direction ? *incise->direction : ask.inward_along(*incise);
     } else if (const auto* palpate = std::get_if<PalpateClip>(&clip.action)) {
       approach.direction += palpate->direction;
     } else if (const auto* pierce = std::get_if<PierceClip>(&clip.action)) {
@@ -35,12 +36,20 @@ Approach approach_of(const std::vector<Clip>& timeline, const InwardAlong& inwar
   return approach;
 }
 
-/// Over the tool's shoulder: turned aside far enough that the tool does not hide what it touches.
-Vector3d over_the_shoulder(const Vector3d& direction) {
-  const double aside = 50 * std::numbers::pi / 180;
+/// Over a shoulder of the tool: turned aside, radians, far enough that the tool does not hide what it touches.
+Vector3d over_the_shoulder(const Vector3d& direction, double aside) {
   const double azimuth = std::atan2(direction.y(), direction.x()) + aside;
   const double slope = direction.z() > 0.5 ? 0.35 : -0.45;
   return Vector3d(std::cos(azimuth), std::sin(azimuth), slope).normalized();
+}
+
+/// Over that shoulder from which more is seen, the tool's left one where it is the same.
+Vector3d over_the_better_shoulder(const Vector3d& direction, const CameraQuestions& ask) {
+  constexpr double kAside = 50 * std::numbers::pi / 180;
+  const std::array<Vector3d, 2> shoulders = {over_the_shoulder(direction, kAside),
+                                             over_the_shoulder(direction, -kAside)};
+  const std::vector<double> hidden = ask.hidden_parts(shoulders);
+  return shoulders[hidden[1] < hidden[0] ? 1 : 0];
 }
 
 /// Into a wound, a little from aside and above: what a blade opens is hidden sooner than what a tool dents.
@@ -82,21 +91,23 @@ CheckedMember facing_member(const Vector3d& facing, const SourceLocation& locati
 
 }  // namespace
 
-void camera_pass(CheckedValue& root, const std::vector<Clip>& timeline, const InwardAlong& inward_along) {
+void camera_pass(CheckedValue& root, const std::vector<Clip>& timeline, const CameraQuestions& ask) {
   const std::vector<CheckedValue*> cameras = unplaced_cameras(root);
   if (cameras.empty()) return;
-  const auto [direction, cuts] = approach_of(timeline, inward_along);
+  const auto [direction, cuts] = approach_of(timeline, ask);
   const bool is_down = direction.z() < -0.7;
   // The standard view shows what presses downwards.
   if (direction.isZero() || (is_down && !cuts)) return;
+  const Vector3d facing = is_down ? direction
+                          : cuts  ? into_the_wound(direction)
+                                  : over_the_better_shoulder(direction, ask);
   for (CheckedValue* camera : cameras) {
     const SourceLocation& location = camera->location;
     if (is_down) {
       camera->members.push_back(
           {.key = "elevation", .location = location, .value = number_value(kElevationAboveWounds, location)});
     } else {
-      camera->members.push_back(
-          facing_member(cuts ? into_the_wound(direction) : over_the_shoulder(direction), location));
+      camera->members.push_back(facing_member(facing, location));
     }
   }
 }

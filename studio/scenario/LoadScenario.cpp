@@ -45,15 +45,21 @@ struct LoadedTake {
   CheckedValue checked;
 };
 
-/// As the camera pass asks for it.
-InwardAlong inward_in(const std::vector<BodyScenario>& bodies, const InwardNormal& inward_normal) {
-  return [&bodies, &inward_normal](const InciseClip& clip) -> Eigen::Vector3d {
-    const auto cut = std::ranges::find(bodies, clip.body, &BodyScenario::name);
-    return inward_normal && cut != bodies.end() ? inward_normal(*cut, clip) : Eigen::Vector3d::Zero();
-  };
+/// As the camera pass asks of one scenario.
+CameraQuestions questions_about(const Scenario& scenario, const SurfaceAnswers& answers) {
+  return {.inward_along = [&](const InciseClip& clip) -> Eigen::Vector3d {
+            const auto cut = std::ranges::find(scenario.bodies, clip.body, &BodyScenario::name);
+            return answers.inward_normal && cut != scenario.bodies.end() ? answers.inward_normal(*cut, clip)
+                                                                         : Eigen::Vector3d::Zero();
+          },
+          .hidden_parts =
+              [&](std::span<const Eigen::Vector3d> facings) {
+                return answers.hidden_parts ? answers.hidden_parts(scenario, facings)
+                                            : std::vector<double>(facings.size(), 0);
+              }};
 }
 
-LoadedTake load_take(const std::filesystem::path& file, const Overrides& overrides, const InwardNormal& inward_normal,
+LoadedTake load_take(const std::filesystem::path& file, const Overrides& overrides, const SurfaceAnswers& answers,
                      WhichTake which) {
   Diagnostics diagnostics;
   TextNode root = read_root(file, diagnostics);
@@ -72,7 +78,7 @@ LoadedTake load_take(const std::filesystem::path& file, const Overrides& overrid
   look_pass(checked);
 
   Scenario scenario = build_scenario(checked);
-  camera_pass(checked, scenario.timeline, inward_in(scenario.bodies, inward_normal));
+  camera_pass(checked, scenario.timeline, questions_about(scenario, answers));
   scenario.file = file;
   scenario.name = file.stem().string();
   if (scenario.title.empty()) scenario.title = scenario.name;
@@ -94,12 +100,11 @@ std::string caption_of(const CheckedValue& comparison, std::size_t half) {
 
 Scenario load_scenario(const std::filesystem::path& file,
                        const std::vector<std::pair<std::string, std::string>>& overrides,
-                       const InwardNormal& inward_normal) {
-  LoadedTake first = load_take(file, overrides, inward_normal, WhichTake::kFirst);
+                       const SurfaceAnswers& answers) {
+  LoadedTake first = load_take(file, overrides, answers, WhichTake::kFirst);
   const CheckedValue* comparison = first.checked.find("comparison");
   if (comparison == nullptr) return std::move(first.scenario);
-  LoadedTake second =
-      load_take(file, overrides_for_comparison(overrides, *comparison), inward_normal, WhichTake::kSecond);
+  LoadedTake second = load_take(file, overrides_for_comparison(overrides, *comparison), answers, WhichTake::kSecond);
   std::vector<std::string>& told = first.scenario.warnings;
   for (const std::string& warning : second.scenario.warnings) {
     if (std::ranges::find(told, warning) == told.end()) told.push_back(warning);

@@ -65,7 +65,7 @@ TEST(InwardNormal, TurnsTheCameraOfAScenarioThatCutsAMesh) {
          "timeline:\n"
          "  - incise: { tool: blade, body: organ, path: [[0, 0, 16 mm], [20 mm, 0, 16 mm]], depth: 3 mm }\n";
   EXPECT_FALSE(load_scenario(file, {}).view.camera.elevation) << "reads no mesh by itself";
-  const Scenario seen = load_scenario(file, {}, inward_normal);
+  const Scenario seen = load_scenario(file, {}, {.inward_normal = inward_normal});
   ASSERT_TRUE(seen.view.camera.elevation);
   EXPECT_DOUBLE_EQ(*seen.view.camera.elevation, 55 * std::numbers::pi / 180);
 }

@@ -14,10 +14,16 @@ namespace {
 using Eigen::Vector3d;
 
 /// A scenario with one camera after the pass over these clips; cuts without direction go in as said.
-CheckedValue turned(const std::vector<Clip>& timeline, const std::string& camera, const Vector3d& inward) {
+CheckedValue turned(const std::vector<Clip>& timeline, const std::string& camera, const CameraQuestions& ask) {
   CheckedValue root = checked_scenario("camera: " + camera + "\n");
-  camera_pass(root, timeline, [&inward](const InciseClip&) { return inward; });
+  camera_pass(root, timeline, ask);
   return root;
+}
+
+/// Answers of bodies that hide nothing.
+CameraQuestions goes_in(const Vector3d& inward) {
+  return {.inward_along = [inward](const InciseClip&) { return inward; },
+          .hidden_parts = [](std::span<const Vector3d> facings) { return std::vector<double>(facings.size(), 0); }};
 }
 
 std::optional<Vector3d> facing_of(const CheckedValue& root) {
@@ -29,7 +35,7 @@ std::optional<Vector3d> facing_of(const CheckedValue& root) {
 /// Where the camera faces after the pass, for one palpation along a direction; nothing when the pass leaves it alone.
 std::optional<Vector3d> facing(const Vector3d& direction, const std::string& camera = "{}") {
   const Clip clip{.action = PalpateClip{.direction = direction.normalized()}};
-  return facing_of(turned({clip}, camera, Vector3d::Zero()));
+  return facing_of(turned({clip}, camera, goes_in(Vector3d::Zero())));
 }
 
 TEST(CameraPass, LeavesTheStandardViewToToolsThatPressDown) {
@@ -47,6 +53,21 @@ TEST(CameraPass, LooksWithToolsThatPressFromTheSide) {
   }
 }
 
+TEST(CameraPass, LooksOverTheShoulderFromWhichMoreIsSeen) {
+  const Vector3d along(0, -1, 0);
+  const Clip clip{.action = PalpateClip{.direction = along}};
+  const auto facing_past = [&](double hidden_at_left, double hidden_at_right) {
+    CameraQuestions ask = goes_in(Vector3d::Zero());
+    ask.hidden_parts = [=](std::span<const Vector3d>) { return std::vector{hidden_at_left, hidden_at_right}; };
+    return *facing_of(turned({clip}, "{}", ask));
+  };
+  const Vector3d usual = facing_past(0, 0), other = facing_past(1, 0.5);
+  EXPECT_GT(usual.x(), 0) << "the standard side";
+  EXPECT_LT((other - Vector3d(-usual.x(), usual.y(), usual.z())).norm(), 1e-12) << "the other one";
+  EXPECT_EQ(facing_past(0.5, 1), usual);
+  EXPECT_EQ(facing_past(1, 1), usual) << "where neither is better";
+}
+
 TEST(CameraPass, LooksUpAtToolsThatPressFromBelow) {
   ASSERT_TRUE(facing({0, 0, 1}));
   EXPECT_GT(facing({0, 0, 1})->z(), 0);
@@ -59,12 +80,12 @@ TEST(CameraPass, KeepsWhatTheScenarioSays) {
 
 /// Where the camera faces for a cut into a wall.
 std::optional<Vector3d> facing_cut(const Vector3d& inward) {
-  return facing_of(turned({{.action = InciseClip{}}}, "{}", inward));
+  return facing_of(turned({{.action = InciseClip{}}}, "{}", goes_in(inward)));
 }
 
 /// How steeply the camera looks down on a cut, radians; zero: at the standard height.
 double elevation(const Vector3d& inward, const std::string& camera = "{}") {
-  const CheckedValue root = turned({{.action = InciseClip{}}}, camera, inward);
+  const CheckedValue root = turned({{.action = InciseClip{}}}, camera, goes_in(inward));
   const CheckedValue* value = root.at("camera").find("elevation");
   return value != nullptr ? value->number : 0;
 }
@@ -92,7 +113,7 @@ TEST(CameraPass, LooksSteeplyDownOntoAWoundThatIsCutFromAbove) {
 
 TEST(CameraPass, BelievesTheDirectionThatACutHas) {
   const Clip clip{.action = InciseClip{.direction = Vector3d(1, 0, 0)}};
-  const auto view = facing_of(turned({clip}, "{}", Vector3d(0, 0, -1)));
+  const auto view = facing_of(turned({clip}, "{}", goes_in({0, 0, -1})));
   ASSERT_TRUE(view);
   EXPECT_GT(view->x(), 0.8);
 }
@@ -100,7 +121,9 @@ TEST(CameraPass, BelievesTheDirectionThatACutHas) {
 TEST(CameraPass, AsksForNormalsOnlyWhereACameraStandsNowhere) {
   CheckedValue root = checked_scenario("camera: { position: [1 m, 0, 0] }\n");
   int asked = 0;
-  const auto count = [&asked](const InciseClip&) { return ++asked, Vector3d(0, 0, -1); };
+  const CameraQuestions count = {
+      .inward_along = [&](const InciseClip&) { return ++asked, Vector3d(0, 0, -1); },
+      .hidden_parts = [&](std::span<const Vector3d>) { return ++asked, std::vector<double>(2, 0.0); }};
   camera_pass(root, {{.action = InciseClip{}}}, count);
   EXPECT_EQ(asked, 0) << "reading a mesh takes its time";
   root = checked_scenario("camera: { position: [1 m, 0, 0] }\ncameras: { other: {} }\n");
