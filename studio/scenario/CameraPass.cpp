@@ -43,7 +43,7 @@ Vector3d over_the_shoulder(const Vector3d& direction, double aside) {
   return Vector3d(std::cos(azimuth), std::sin(azimuth), slope).normalized();
 }
 
-/// Over that shoulder from which more is seen, the tool's left one where it is the same.
+/// Over that shoulder from which more is seen, the tool's right one where it is the same.
 Vector3d over_the_better_shoulder(const Vector3d& direction, const CameraQuestions& ask) {
   constexpr double kAside = 50 * std::numbers::pi / 180;
   const std::array<Vector3d, 2> shoulders = {over_the_shoulder(direction, kAside),
