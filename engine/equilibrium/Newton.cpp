@@ -52,6 +52,10 @@ constexpr double kFarVolume = 1e-15;
 constexpr double kLittleStrain = 1e-4;
 constexpr double kRoundOffStrain = 1e-13;
 
+/// Part of the largest load below which what is left of it is no longer felt. Among loads that light there are no other
+/// forces: what they do to a slender wall may be as large as any motion of it.
+constexpr double kUnfeltLoad = 1e-3;
+
 double square(double value) {
   return value * value;
 }
@@ -257,7 +261,9 @@ bool Newton::has_converged(const EquilibriumProblem& problem, const Residual& re
                            bool is_stalled, const NewtonOptions& options) const {
   // Loads that are light beside what strains the wall a little are answered by one step at least.
   const double exact = kRoundOffStrain / kLittleStrain * result.force_scale;
-  const double unfelt = std::max(options.tolerance * terms_.largest_force, exact);
+  const double load = terms_.load_force.lpNorm<Eigen::Infinity>();
+  const double unbalanced = load > 0 ? kUnfeltLoad * load : std::numeric_limits<double>::infinity();
+  const double unfelt = std::min(std::max(options.tolerance * terms_.largest_force, exact), unbalanced);
   if (result.iterations == 0 && residual.largest_force > unfelt) return false;
   return is_solved(problem, residual, result.force_scale, is_stalled, options);
 }

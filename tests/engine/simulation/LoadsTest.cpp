@@ -65,6 +65,20 @@ TEST(Loads, ForceAndLineForceOnAnEndStretchAStripEvenly) {
   }
 }
 
+TEST(Loads, AreAnsweredHoweverLightTheyAre) {
+  constexpr double kLoad = 1e-13;  // newton: less at each node than the round-off of a wall that is strained by 1e-4
+  BodyDefinition definition = sheet();
+  definition.loads = {{.kind = LoadKind::kDeadForce, .region = kEnd, .vector = {0, kLoad, 0}}};
+  Body body(definition, {}, quasi_static());
+  body.settle({0});
+  const double longer = kLoad * kLength / (3 * kModulus * kWidth * kThickness);  // metres
+  for (int step = 1; step <= 4; ++step) {
+    body.advance({}, {}, 1, {.load_factors = {0.25 * step}, .fluids = {}});
+    // The coordinates are rounded by a thousandth of it.
+    EXPECT_NEAR(largest(body, 1) - kLength / 2, 0.25 * step * longer, 2e-2 * longer);
+  }
+}
+
 TEST(Loads, WithoutFactorsAreThereBeforeTimeZero) {
   BodyDefinition definition = sheet();
   definition.loads = {{.kind = LoadKind::kDeadForce, .region = kEnd, .vector = {0, 9e3 * kWidth * kThickness, 0}}};
