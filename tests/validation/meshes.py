@@ -115,12 +115,12 @@ def disc_on_cone(rings: int) -> None:
           "A disc of radius 50 above a cone; millimetres", {"cone": below})
 
 
-def squares(divisions: int) -> list[tuple[int, int, int]]:
-    """Rows of divisions + 1 vertices joined by squares, which are cut along one diagonal and the other in turn."""
+def squares(along: int, across: int) -> list[tuple[int, int, int]]:
+    """Rows of across + 1 vertices joined by squares, which are cut along one diagonal and the other in turn."""
     triangles = []
-    for i in range(divisions):
-        for j in range(divisions):
-            a, b = i * (divisions + 1) + j, (i + 1) * (divisions + 1) + j
+    for i in range(along):
+        for j in range(across):
+            a, b = i * (across + 1) + j, (i + 1) * (across + 1) + j
             if (i + j) % 2 == 0:
                 triangles += [(a, b, b + 1), (a, b + 1, a + 1)]
             else:
@@ -135,7 +135,7 @@ def roof(divisions: int) -> None:
         angle = 0.2 * (i / divisions - 0.5)
         for j in range(divisions + 1):
             points.append((2540 * np.sin(angle), 508 * (j / divisions - 0.5), 2540 * np.cos(angle)))
-    triangles = squares(divisions)
+    triangles = squares(divisions, divisions)
     write(f"roof_{len(triangles)}.obj", np.array(points), triangles, "A cylindrical roof, crown at z = 2540; millimetres")
 
 
@@ -157,8 +157,21 @@ def octant(divisions: int, growth: float = 1, name: str = "octant") -> None:
         for j in range(divisions + 1):
             along = 100 * (j / divisions) ** growth
             points.append((100 * np.sin(angle) if i else 0, along, 100 * np.cos(angle) if i < divisions else 0))
-    triangles = squares(divisions)
+    triangles = squares(divisions, divisions)
     write(f"{name}_{len(triangles)}.obj", np.array(points), triangles, "An octant of a cylinder; metres")
+
+
+def twisted_strip(across: int) -> None:
+    """A strip along x, 12 long and 1.1 wide, turned by a quarter about x from its beginning to its end."""
+    along = 12 * across
+    points = []
+    for i in range(along + 1):
+        turn = 0.5 * np.pi * i / along
+        for j in range(across + 1):
+            reach = 1.1 * (j / across - 0.5)
+            points.append((12 * i / along, reach * np.cos(turn), reach * np.sin(turn)))
+    triangles = squares(along, across)
+    write(f"twisted_strip_{len(triangles)}.obj", np.array(points), triangles, "A strip twisted by a quarter turn; metres")
 
 
 def slit_sheet(segments: int) -> None:
@@ -219,6 +232,8 @@ def main() -> None:
     for divisions in (24, 32, 48):
         octant(divisions)
         octant(divisions, 1.5, "graded_octant")
+    for across in (2, 4, 8):
+        twisted_strip(across)
     for rings in (16, 24, 36):
         cap(rings)
     for rings in (16, 24, 36):

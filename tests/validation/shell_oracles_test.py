@@ -54,6 +54,14 @@ class PublishedShells(unittest.TestCase):
         self.assertLess(published_shells.CANTILEVER[0][2] / linear, 1)
         self.assertGreater(published_shells.CANTILEVER[0][2] / linear, 0.98)
 
+    def test_the_twisted_strip_is_between_a_beam_and_one_that_cannot_narrow(self):
+        """The moment P (L - x) bends the strip about its width by the square of the cosine of its turn."""
+        weak = 29e6 * 1.1 * 3.2e-3**3 / 12
+        for published, share in zip(published_shells.TWISTED_STRIP, (1 / 6 + np.pi**-2, 1 / 6 - np.pi**-2)):
+            beam = 1e-6 * 12**3 * share / weak
+            self.assertLess(published, beam)
+            self.assertGreater(published, (1 - 0.22**2) * beam)
+
     def test_a_moment_of_two_pi_stiffnesses_per_length_closes_the_circle(self):
         self.assertAlmostEqual(published_shells.roll_up(3.0, 12.0, 2 * np.pi * 3.0 / 12.0), 2 * np.pi, 12)
 

@@ -78,6 +78,18 @@ def compare_lightly_pinched_cylinder(program: Program, triangles: int) -> Compar
     return Comparison([Quantity("way of the crown", "force", "m", np.array([force]), -crown["uz_m"][-1:], np.array([exact]))])
 
 
+def compare_twisted_strip(program: Program, triangles: int) -> Comparison:
+    force = 1e-8  # newton: the answer is that to 1e-6 N, and less of it is of second order
+    ways = [program.run("twisted_strip", mesh=f"meshes/twisted_strip_{triangles}.obj",
+                        **{f"load_{axis}": f"{force}N"}).point("strip", "end")[f"u{axis}_m"][-1]
+            for axis in ("z", "y")]
+    expected = np.array(published_shells.TWISTED_STRIP) * force / 1e-6
+    return Comparison([
+        Quantity("way in its plane", "force", "m", np.array([force]), np.array(ways[:1]), expected[:1]),
+        Quantity("way across its plane", "force", "m", np.array([force]), np.array(ways[1:]), expected[1:])],
+        ["The published values have four digits."])
+
+
 def compare_hinged_roof(program: Program, triangles: int) -> Comparison:
     tip = program.run("hinged_roof", mesh=f"meshes/roof_{triangles}.obj").tool("tip")
     loads, depths = (np.array(column) for column in zip(*published_shells.HINGED_ROOF))
@@ -173,6 +185,9 @@ CASES = [
          quick=(600,), quick_bar=0.08),
     Case("slit_annulus", "Slit annular plate", TABLES, "rise of both corners of the lip", 0.015, (800, 1600, 3200, 6400),
          compare_slit_annulus),
+    Case("twisted_strip", "A twisted strip under light forces", "Simo, Fox and Rifai 1989; MacNeal and Harder 1985",
+         "way of the end in its plane and across it", 0.01, (96, 384, 1536), compare_twisted_strip, quick=(96,),
+         tells_order=False),
     Case("hinged_roof", "Hinged roof snapping through", TABLES, "force against depth through the snap", 0.02,
          (512, 2048, 4608), compare_hinged_roof, quick=(512,), quick_bar=0.08),
     Case("pinched_cylinder", "Pinched cylinder with diaphragms", TABLES, "way of the crown and of the side", 0.02,

@@ -1,4 +1,4 @@
-"""Tables of Sze, Liu and Lo, Popular benchmark problems for geometric nonlinear analysis of shells, Finite Elements in
+"""Published values that shells are held against. But for the twisted strip they are tables of Sze, Liu and Lo, Popular benchmark problems for geometric nonlinear analysis of shells, Finite Elements in
 Analysis and Design 40 (2004) 1551-1569. Loads in parts of the largest load; displacements in the lengths of the paper."""
 from __future__ import annotations
 
@@ -22,6 +22,10 @@ HINGED_ROOF = [
     (0.2717, 17.094), (0.2272, 17.657), (0.1940, 18.299), (0.1750, 19.028), (0.1729, 19.852), (0.1905, 20.771),
     (0.2303, 21.780), (0.2950, 22.875), (0.3871, 24.049), (0.4443, 24.663), (0.5093, 25.293), (0.5826, 25.940),
     (0.6644, 26.601), (0.7551, 27.276), (0.8549, 27.964)]
+
+# A strip twisted by a quarter turn, thickness 3.2 mm (Simo, Fox and Rifai 1989, after MacNeal and Harder 1985): way of the
+# end under a force of 1e-6 N in its plane there, and across it, metres.
+TWISTED_STRIP = (5.256e-3, 1.294e-3)
 
 
 def roll_up(bending_stiffness: float, length: float, moment_per_width: float) -> float:
