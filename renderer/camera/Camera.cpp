@@ -24,13 +24,7 @@ void orient(Camera& camera, Vector3 forward, Vector3 up) {
 
 /// From the front, a little from the right and from above; elongated bodies lie across the picture.
 Vector3 oblique_direction(const SceneExtent& extent, double elevation) {
-  double xx = 0, yy = 0, xy = 0;
-  for (const Vector3& point : extent.rest_points) {
-    const Vector3 offset = point - extent.center;
-    xx += offset.x * offset.x;
-    yy += offset.y * offset.y;
-    xy += offset.x * offset.y;
-  }
+  const auto& [xx, yy, xy] = extent.spread;
   // Long in x or round: seen from the front (-y). Long in y: seen from the right (+x).
   const bool long_in_y = yy > 1.2 * xx && yy - xx > std::abs(xy);
   const double azimuth = (long_in_y ? -20.0 : -65.0) * std::numbers::pi / 180;

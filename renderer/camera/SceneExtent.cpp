@@ -99,6 +99,25 @@ double round_up_coarsely(double reach, double base) {
   return base * std::pow(kStep, std::ceil(std::log(std::max(1.0, reach / base)) / std::log(kStep)));
 }
 
+LevelSpread spread_of(std::span<const SnapshotSurface* const> surfaces, const Vector3& center) {
+  LevelSpread sum;
+  double area = 0;
+  for (const SnapshotSurface* surface : surfaces) {
+    const std::vector<Float3>& rest = surface->topology->rest_positions;
+    for (const auto& [i, j, k] : surface->topology->triangles) {
+      const Vector3 a = vector3(rest[i]) - center, b = vector3(rest[j]) - center, c = vector3(rest[k]) - center;
+      const double twice = length(cross(b - a, c - a));
+      // Exact for what is quadratic: the three corners, and thrice three times the middle.
+      const Vector3 all = a + b + c;
+      sum.xx += twice * (a.x * a.x + b.x * b.x + c.x * c.x + all.x * all.x);
+      sum.yy += twice * (a.y * a.y + b.y * b.y + c.y * c.y + all.y * all.y);
+      sum.xy += twice * (a.x * a.y + b.x * b.y + c.x * c.y + all.x * all.y);
+      area += 12 * twice;
+    }
+  }
+  return area > 0 ? LevelSpread{sum.xx / area, sum.yy / area, sum.xy / area} : LevelSpread{};
+}
+
 SceneExtent extent_of(std::span<const SnapshotSurface* const> surfaces) {
   constexpr double kFar = std::numeric_limits<double>::max();
   SceneExtent extent;
@@ -118,6 +137,7 @@ SceneExtent extent_of(std::span<const SnapshotSurface* const> surfaces) {
   if (extent.rest_points.empty()) return extent;
 
   extent.center = 0.5 * (low + high);
+  extent.spread = spread_of(surfaces, extent.center);
   extent.size = std::max(length(high - low), 1e-6);
   extent.floor_height = floor_below(low, high, lowest_of(now));
   for (const Vector3& point : now) {

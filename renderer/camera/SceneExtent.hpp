@@ -10,12 +10,19 @@
 
 namespace thinwall {
 
+/// How far walls at rest reach across the level plane: means over their area of the products of the places' distances
+/// from the middle of the scene, square metres. Triangles that a cut divides do not change it.
+struct LevelSpread {
+  double xx = 0, yy = 0, xy = 0;
+};
+
 /// Where a scene is and how large, so that camera, light, tools and patterns fit organs of any size.
 struct SceneExtent {
-  std::vector<Vector3> rest_points;  // all stress-free vertices: the same in every snapshot of a take
+  std::vector<Vector3> rest_points;  // all stress-free vertices: cuts add some on the same triangles
   // Vertices as they are now, but for pieces that were cut out, of walls that have grown beyond the box of their rest
   // points: a camera that nobody has placed goes back for them. None of others.
   std::vector<Vector3> grown_points = {};
+  LevelSpread spread = {};
   Vector3 center;           // metres, of the box around the rest points
   double size = 0.1;        // metres, diagonal of that box; 0.1 where there is no surface
   double floor_height = 0;  // metres, z of the floor below everything but pieces that were cut out and fall

@@ -215,6 +215,31 @@ TEST(Camera, OneThatNobodyPlacedHoldsAllOnItsWayRound) {
   }
 }
 
+/// A rectangle of two triangles, one of which `cuts` have divided at one of its ends in y.
+SceneExtent rectangle(float x, float y, int cuts) {
+  std::vector<Float3> corners = {{-x, -y, 0}, {x, -y, 0}, {x, y, 0}, {-x, y, 0}};
+  std::vector<Triangle> triangles = {{0, 2, 3}};
+  std::uint32_t last = 0;
+  for (int k = 0; k < cuts; ++k) {
+    const auto next = static_cast<std::uint32_t>(corners.size());
+    corners.push_back({0.1F * x * static_cast<float>(k) / static_cast<float>(cuts), -y, 0});
+    triangles.push_back({last, next, 2});
+    last = next;
+  }
+  triangles.push_back({last, 1, 2});
+  return extent_of(test::surface_of("rectangle", corners, triangles));
+}
+
+TEST(Camera, OneThatNobodyPlacedLooksAcrossWhatIsLongAndStaysThereWhenCutsDivideTriangles) {
+  for (const auto& [x, y] : {std::pair{1.0F, 1.0F}, {2.0F, 1.0F}, {1.0F, 2.0F}}) {
+    SCOPED_TRACE(y);
+    const Vector3 whole = resolve_camera({}, rectangle(x, y, 0), kSize, 0).forward;
+    EXPECT_EQ(std::abs(whole.x) > std::abs(whole.y), y > x);
+    const Vector3 cut = resolve_camera({}, rectangle(x, y, 50), kSize, 0).forward;
+    EXPECT_NEAR(length(cut - whole), 0, 1e-12);
+  }
+}
+
 TEST(Camera, AViewStraightDownHasADirection) {
   const CameraDefinition definition{.position = Double3{0, 0, 1}, .target = Double3{0, 0, 0}, .up = {}};
   const Camera camera = resolve_camera(definition, box(0.1f, 0.1f, 0.1f), kSize, 0);
