@@ -22,6 +22,9 @@ void require_countable(std::size_t parts) {
 /// Pixels of tools until they are shaded: the bit of the stencil that no part's number uses.
 constexpr GLint kTools = 0x80;
 
+/// Pixels where the outside of a bed hides its inside, before there are tools.
+constexpr GLint kOutsideOfBed = kTools;
+
 /// Of the ring around the field stop, as stop.vert has them.
 constexpr GLsizei kStopVertices = 2 * (64 + 1);
 
@@ -50,6 +53,7 @@ ScenePass::ScenePass()
     : surface_(build_program("surface.vert", "surface.frag")),
       tool_(build_program("tool.vert", "tool.frag")),
       field_stop_(build_program("stop.vert", "")),
+      emptied_(build_program("screen.vert", "")),
       metal_{build_program("metal.vert", "metal.frag"), build_program("metal.vert", "metal_endoscope.frag")},
       ground_{build_program("screen.vert", "floor.frag"), build_program("screen.vert", "drape.frag"),
               build_program("bed.vert", "bed.frag")},
@@ -98,6 +102,37 @@ void ScenePass::close_field_stop(const PictureTarget& target) const {
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
+void ScenePass::draw_bed(const SceneMeshes& meshes, const TissuePart& part, GLint number, const PictureTarget& target,
+                         const FloatMatrix4& view_projection) const {
+  const auto paint = [](GLboolean on) { glColorMask(on, on, on, on); };
+  paint(GL_FALSE);
+  glCullFace(GL_FRONT);
+  glStencilFunc(GL_ALWAYS, kOutsideOfBed, 0xff);
+  meshes.tissue().draw(part.first_index, part.index_count);
+  paint(GL_TRUE);
+  glCullFace(GL_BACK);
+  glStencilFunc(GL_ALWAYS, number, 0xff);
+  meshes.tissue().draw(part.first_index, part.index_count);
+  // As if nothing had been there.
+  paint(GL_FALSE);
+  glStencilFunc(GL_EQUAL, kOutsideOfBed, 0xff);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_ZERO);
+  glDepthFunc(GL_ALWAYS);
+  glDepthRange(1, 1);
+  glDisable(GL_CULL_FACE);
+  glUseProgram(emptied_.name());
+  glEnable(GL_SCISSOR_TEST);
+  limit_to(screen_area(part.bounds, view_projection, target.size()));
+  draw_screen();
+  glDisable(GL_SCISSOR_TEST);
+  glUseProgram(surface_.name());
+  glEnable(GL_CULL_FACE);
+  glDepthRange(0, 1);
+  glDepthFunc(GL_LESS);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+  paint(GL_TRUE);
+}
+
 void ScenePass::draw_surface(const SceneMeshes& meshes, const PictureTarget& target,
                              const FloatMatrix4& view_projection) const {
   require_countable(meshes.parts().size());
@@ -110,8 +145,16 @@ void ScenePass::draw_surface(const SceneMeshes& meshes, const PictureTarget& tar
   glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
   glUseProgram(surface_.name());
   glEnable(GL_CULL_FACE);
+  // Before all else, since they take away what was drawn where their outside is seen.
   for (std::size_t i = 0; i < meshes.parts().size(); ++i) {
     const TissuePart& part = meshes.parts()[i];
+    if (part.side != TissueSide::kBed) continue;
+    glUniform1i(0, is_layered(part.look) ? 1 : 0);
+    draw_bed(meshes, part, static_cast<GLint>(i + 1), target, view_projection);
+  }
+  for (std::size_t i = 0; i < meshes.parts().size(); ++i) {
+    const TissuePart& part = meshes.parts()[i];
+    if (part.side == TissueSide::kBed) continue;
     glStencilFunc(GL_ALWAYS, static_cast<GLint>(i + 1), 0xff);
     glUniform1i(0, is_layered(part.look) ? 1 : 0);
     if (SceneMeshes::is_seen_through_opening(part, view_projection)) {
@@ -126,9 +169,7 @@ void ScenePass::draw_surface(const SceneMeshes& meshes, const PictureTarget& tar
     // The triangles that face the viewer first: of what they hide nothing is computed.
     glCullFace(GL_BACK);
     meshes.tissue().draw(part.first_index, part.index_count);
-    // A bed is seen through wounds alone, and not from below beside the sheet.
-    const bool is_one_sided = part.side == TissueSide::kBed;
-    if (is_one_sided || (part.is_closed && lies_ahead(part.body_bounds, view_projection))) continue;
+    if (part.is_closed && lies_ahead(part.body_bounds, view_projection)) continue;
     glCullFace(GL_FRONT);
     meshes.tissue().draw(part.first_index, part.index_count);
   }

@@ -44,9 +44,15 @@ class ScenePass {
  private:
   void draw_screen() const;
 
+  /// The inside of what an open sheet lies on, which is seen through wounds alone: where its outside would be seen,
+  /// from low beside the sheet, there is nothing. `number`: of the part, from 1.
+  void draw_bed(const SceneMeshes& meshes, const TissuePart& part, GLint number, const PictureTarget& target,
+                const FloatMatrix4& view_projection) const;
+
   Program surface_;
   Program tool_;
   Program field_stop_;
+  Program emptied_;
   TissuePrograms tissue_;
   std::array<Program, 2> metal_;   // (surroundings)
   std::array<Program, 3> ground_;  // (kinds of ground)

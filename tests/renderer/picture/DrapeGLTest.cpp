@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -128,6 +129,24 @@ double roughness_of(const Image& image) {
 TEST(Drape, ShowsItsThreadsFromNearByAndDoesNotSparkleFromAfar) {
   EXPECT_GT(roughness_of(draw(skin_sheet(), seen_from({0.015, -0.06, 0.05}))), 1.5);
   EXPECT_LT(roughness_of(draw(skin_sheet(), seen_from({0.10, -0.40, 0.32}))), 0.8);
+}
+
+TEST(Drape, IsSeenBelowTheRimOfACutSheetAndNotTheBedOfItsWound) {
+  Snapshot cut, whole;
+  cut.surfaces = {test::slit_sheet(20, 0.001, 0)};
+  whole.surfaces = {test::slit_sheet(20, 0.001, 0, 10)};
+  for (const double height : {0.008, 0.03, -0.02}) {
+    SCOPED_TRACE(height);
+    ViewDefinition view = seen_from({0, -0.05, height});
+    view.look.bodies["organ"] = *find_organ_look("skin");
+    // Drafts have no shadows, which the bed casts too.
+    const Image with = draw(cut, view, Tier::kDraft), without = draw(whole, view, Tier::kDraft);
+    // The sheet ends 10 mm before its middle.
+    const auto rim = resolve_camera(view.camera, scene_extent(cut), kDrapeSize, 0).pixel({0, -0.01, 0}, kDrapeSize);
+    ASSERT_TRUE(rim);
+    const auto first = 3 * static_cast<std::ptrdiff_t>((*rim)[1]) * kDrapeSize.width;
+    EXPECT_TRUE(std::equal(with.pixels.begin() + first, with.pixels.end(), without.pixels.begin() + first));
+  }
 }
 
 TEST(Drape, TakesUpWhatRunsOffTheSheet) {
