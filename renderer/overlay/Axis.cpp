@@ -36,10 +36,10 @@ std::string Axis::label(double tick) const {
   return fixed_text(tick, decimals);
 }
 
-Axis growing_axis(double largest) {
-  assert(largest > 0);
+Axis growing_axis(double largest, int most_steps) {
+  assert(largest > 0 && most_steps >= 2);
   constexpr double kHeadroom = 1.08;
-  const double step = nice_step(kHeadroom * largest / 4);
+  const double step = nice_step(kHeadroom * largest / most_steps);
   const double highest = std::max(2.0, std::ceil(kHeadroom * largest / step - kRoundoff)) * step;
   return with_ticks(0, highest, step);
 }

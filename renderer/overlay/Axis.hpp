@@ -17,9 +17,9 @@ struct Axis {
   std::string label(double tick) const;
 };
 
-/// From 0 to the first multiple of the step that leaves 8 % above `largest`; two to four steps. Grows with `largest` in
-/// jumps, so that a curve that grows does not pull the axis along all the time.
-Axis growing_axis(double largest);
+/// From 0 to the first multiple of the step that leaves 8 % above `largest`; two steps to `most_steps`, which is not
+/// less. Grows with `largest` in jumps, so that a curve that grows does not pull the axis along all the time.
+Axis growing_axis(double largest, int most_steps = 4);
 
 /// Exactly from `lowest` to `highest` (which must be larger), with up to `most_steps` steps.
 Axis exact_axis(double lowest, double highest, int most_steps);

@@ -8,12 +8,16 @@
 #include "renderer/overlay/ForceCurve.hpp"
 #include "renderer/overlay/NumberText.hpp"
 #include "renderer/overlay/Text.hpp"
+#include "renderer/overlay/ToolNames.hpp"
 
 namespace thinwall {
 namespace {
 
 using plate_style::kPadding;
 using plate_style::kSmallText;
+
+constexpr double kHeadingMiddle = 22;  // below the plate's top, as kNameRow in units of the grid
+constexpr double kNameRow = 18;
 
 /// Of lines of tools by their numbers; none is that of a compared take or of a force's arrow.
 constexpr Color kToolCurves[] = {plate_style::kCurve, {0.80, 0.62, 0.98}, {0.60, 0.86, 0.45},
@@ -44,19 +48,22 @@ Axis time_axis(double longest, const OverlayGrid& grid, double room) {
   }
 }
 
-ForcePlot plot_for(const Plate& plate, const OverlayGrid& grid, const OverlayContent& content, double peak) {
+/// `rows` of names stand between the heading and the axes, which have as many steps less.
+ForcePlot plot_for(const Plate& plate, const OverlayGrid& grid, const OverlayContent& content, double peak, int rows) {
   constexpr double kSmallestPeak = 0.01;  // in the unit: below that an empty plot would show the solver's last digits
   const ForceUnit unit = force_unit(content.expected_force, peak);
   const double end = content.history.empty() ? 0 : content.history.back().time;
   const double longest = std::max({content.duration, content.time, end});
-  ForcePlot plot{
-      .time = {}, .force = growing_axis(std::max(peak / unit.newton, kSmallestPeak)), .unit = unit, .area = {}};
+  ForcePlot plot{.time = {},
+                 .force = growing_axis(std::max(peak / unit.newton, kSmallestPeak), 4 - rows),
+                 .unit = unit,
+                 .area = {}};
   double label_width = 0;
   for (const double tick : plot.force.ticks) {
     label_width = std::max(label_width, Text(plot.force.label(tick), label_style(grid)).width());
   }
   const double left = grid.pixels(kPadding + 9) + label_width;
-  const double top = grid.pixels(42);
+  const double top = grid.pixels(42 + rows * kNameRow);
   plot.area = {left, top, plate.size().width - grid.pixels(kPadding + 4) - left,
                plate.size().height - grid.pixels(33) - top};
   plot.time = time_axis(longest > 0 ? longest : 1, grid, plot.area.width);
@@ -101,22 +108,28 @@ void draw_other_tool(const Plate& plate, const OverlayGrid& grid, const ForcePlo
   cairo_stroke(plate.context());
 }
 
-/// Which colour is which tool, right of the heading; each has the same share of the width at most.
-void draw_tool_names(const Plate& plate, const OverlayGrid& grid, const OverlayContent& content, double left) {
+/// Which colour is which tool.
+std::vector<ToolName> tool_names(const Plate& plate, const OverlayGrid& grid, const OverlayContent& content,
+                                 double heading) {
+  if (content.other_tools.empty()) return {};
   std::vector<std::pair<std::size_t, std::string>> tools = {{content.tool_number, content.tool}};
   for (const ToolHistory& other : content.other_tools) tools.emplace_back(other.number, other.tool);
   std::ranges::sort(tools);
-  const double gap = grid.pixels(12), dash = grid.pixels(12), space = grid.pixels(5);
-  double right = plate.size().width - grid.pixels(kPadding + 4);
-  const double share = (right - left) / static_cast<double>(tools.size()) - gap - dash - space;
-  if (share < grid.pixels(8)) return;
-  const double middle = grid.pixels(22);
-  for (std::size_t i = tools.size(); i-- > 0;) {
-    const Text name(tools[i].second, label_style(grid), {.width = share, .lines = 1});
-    name.draw(plate, right - name.width(), middle - name.height() / 2);
-    right -= name.width() + space;
-    plate.line(right - dash, middle, right, middle, std::max(1.5, grid.pixels(2.4)), tool_color(tools[i].first));
-    right -= dash + gap;
+  return place_tool_names(tools, label_style(grid),
+                          {.heading = grid.pixels(kPadding + 12) + heading,
+                           .left = grid.pixels(kPadding),
+                           .right = plate.size().width - grid.pixels(kPadding + 4),
+                           .dash = grid.pixels(12),
+                           .space = grid.pixels(5),
+                           .gap = grid.pixels(12)});
+}
+
+void draw_tool_names(const Plate& plate, const OverlayGrid& grid, const std::vector<ToolName>& names) {
+  for (const ToolName& name : names) {
+    const double middle = grid.pixels(kHeadingMiddle + name.row * kNameRow);
+    const double dash = name.left - grid.pixels(5);
+    name.text.draw(plate, name.left, middle - name.text.height() / 2);
+    plate.line(dash - grid.pixels(12), middle, dash, middle, std::max(1.5, grid.pixels(2.4)), tool_color(name.number));
   }
 }
 
@@ -162,14 +175,14 @@ void draw_curve(const Plate& plate, const OverlayGrid& grid, const ForcePlot& pl
 
 void draw_force_plot(Image& image, const OverlayGrid& grid, const OverlayContent& content, double peak) {
   const Plate plate(grid, {grid.whole(plate_style::kPlotWidth), grid.whole(plate_style::kPanelHeight)});
-  const ForcePlot plot = plot_for(plate, grid, content, peak);
-  const Text heading(std::string("Force, ") + plot.unit.name,
+  const ForceUnit unit = force_unit(content.expected_force, peak);
+  const Text heading(std::string("Force, ") + unit.name,
                      {.size = grid.pixels(kSmallText + 1), .color = plate_style::kFaintText});
-  heading.draw(plate, grid.pixels(kPadding), grid.pixels(22) - heading.height() / 2);
+  heading.draw(plate, grid.pixels(kPadding), grid.pixels(kHeadingMiddle) - heading.height() / 2);
+  const std::vector<ToolName> names = tool_names(plate, grid, content, heading.width());
+  draw_tool_names(plate, grid, names);
+  const ForcePlot plot = plot_for(plate, grid, content, peak, names.empty() ? 0 : names.back().row);
   draw_axes(plate, grid, plot);
-  if (!content.other_tools.empty()) {
-    draw_tool_names(plate, grid, content, grid.pixels(kPadding + 12) + heading.width());
-  }
   for (const ToolHistory& other : content.other_tools) draw_other_tool(plate, grid, plot, other);
   draw_other_curve(plate, grid, plot, content.other_history);
   draw_curve(plate, grid, plot, content);

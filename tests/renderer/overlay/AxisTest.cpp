@@ -26,6 +26,7 @@ TEST(Axis, GrowingAxisHasTwoToFourStepsOverManyDecades) {
     EXPECT_GE(axis.highest, 1.0799 * value);
     EXPECT_GE(axis.ticks.size(), 3u) << value;
     EXPECT_LE(axis.ticks.size(), 5u) << value;
+    EXPECT_LE(growing_axis(value, 2).ticks.size(), 3u) << value;
     EXPECT_NEAR(axis.ticks.back(), axis.highest, 1e-9 * axis.highest);
   }
 }
