@@ -60,11 +60,12 @@ CaptionSpace caption_space(const OverlayGrid& grid, const OverlayContent& conten
   return above;
 }
 
-/// Of two takes each in its half, where both have their own.
+/// Of two takes each in its half, where they are not of both.
 std::vector<std::pair<const Legend*, Box>> placed_legends(const OverlayContent& content, const OverlayGrid& grid,
                                                           const std::optional<Box>& inset) {
   const double width = grid.size.width, height = grid.size.height;
-  const double left_half = content.left_legend ? grid.size.width - grid.size.width / 2 : 0;
+  const bool have_halves = content.left_legend || content.legend_is_of_the_right;
+  const double left_half = have_halves ? grid.size.width - grid.size.width / 2 : 0;
   std::vector<std::pair<const Legend*, Box>> placed;
   if (content.legend) {
     const Box room{left_half, 0, width - left_half, height};

@@ -59,6 +59,7 @@ struct OverlayContent {
   OverlayChoice shown = {};
   std::optional<Legend> legend = {};       // of two takes that of the right one, or of both
   std::optional<Legend> left_legend = {};  // of the left one of two takes, where the right one has another or none
+  bool legend_is_of_the_right = false;     // half alone, of two takes of which the left one has another legend or none
 };
 
 /// Draws on the processor in one pinned font, so the bytes depend neither on the graphics driver nor on the machine's

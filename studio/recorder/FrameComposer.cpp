@@ -126,6 +126,7 @@ void FrameComposer::tell_legends(OverlayContent& content) const {
   if (!comparison_ || second_legend_ == legend_) return;
   content.left_legend = legend_;
   content.legend = second_legend_;
+  content.legend_is_of_the_right = true;
 }
 
 void FrameComposer::add_second(const Moment& moment) {

@@ -126,5 +126,19 @@ TEST(LegendPlate, OfTheLeftOfTwoTakesStandsInItsHalf) {
   EXPECT_EQ(changed_beside, 0);
 }
 
+TEST(LegendPlate, OfTheRightOfTwoTakesStandsInItsHalfInEveryCorner) {
+  OverlayContent content;
+  for (const PictureCorner corner :
+       {PictureCorner::kUpperLeft, PictureCorner::kUpperRight, PictureCorner::kLowerLeft, PictureCorner::kLowerRight}) {
+    content.legend = Legend{.title = "Stress", .unit = "Pa", .corner = corner};
+    content.legend_is_of_the_right = false;
+    const Box of_both = places_of_legends(content, kSize, {}).at(0);
+    content.legend_is_of_the_right = true;
+    const Box place = places_of_legends(content, kSize, {}).at(0);
+    EXPECT_EQ(place.x, is_left(corner) ? 640 + 26 : of_both.x);
+    EXPECT_EQ(place.y, of_both.y);
+  }
+}
+
 }  // namespace
 }  // namespace thinwall

@@ -105,6 +105,8 @@ TEST(PairedSource, EachHalfHasTheLegendOfItsOwnData) {
   EXPECT_EQ(titles(strain, {}), Titles("Largest strain", "")) << "the right half shows tissue";
   EXPECT_EQ(titles(strain, thickness), Titles("Largest strain", "Thickness"));
   EXPECT_EQ(titles(strain, strain), Titles("", "Largest strain")) << "one for both";
+  EXPECT_TRUE(overlay_of({}, strain).legend_is_of_the_right) << "the left half has no use for it";
+  EXPECT_FALSE(overlay_of(strain, strain).legend_is_of_the_right);
 }
 
 }  // namespace
