@@ -70,7 +70,15 @@ LabelWish wish_of(const AnnotationScene& scene, const ShownLabel& label) {
           .place = label.place};
 }
 
-/// Decides where labels stand to the walls as these are, at rest, when each is first shown.
+/// Whether a label that has its place leads to its point at rest under the small picture, which lies over all.
+bool leads_under_inset(const AnnotationScene& scene, const LabelWish& wish, LabelRoom room) {
+  if (!scene.inset) return false;
+  room.taken = {*scene.inset};
+  return runs_through(leader_of(wish, lay_out_labels({wish}, room).front()), *scene.inset);
+}
+
+/// Decides where labels stand to the walls as these are, at rest, when each is first shown; on the other side than the
+/// nearest where their lines would not be seen from there.
 void find_places(const AnnotationScene& scene, std::vector<ShownLabel>& labels) {
   std::map<double, LabelRoom> rooms;
   for (ShownLabel& label : labels) {
@@ -84,7 +92,13 @@ void find_places(const AnnotationScene& scene, std::vector<ShownLabel>& labels) 
     }
     LabelWish wish = wish_of(scene, label);
     wish.anchor = camera.pixel(vector3(label.definition->at), scene.size).value_or(label.anchor);
-    label.place = roomy_place(wish, room);
+    wish.place = label.place = roomy_place(wish, room);
+    if (label.definition->side != LabelSide::kNearest || !leads_under_inset(scene, wish, room)) continue;
+    wish.on_the_left = !wish.on_the_left;
+    wish.place = roomy_place(wish, room);
+    if (leads_under_inset(scene, wish, room)) continue;
+    label.on_the_left = wish.on_the_left;
+    label.place = wish.place;
   }
 }
 

@@ -50,6 +50,16 @@ Leader leader_of(const LabelWish& wish, const Box& box) {
   return {.from = {x, wish.anchor[1] > middle ? middle + off_middle : middle - off_middle}, .to = wish.anchor};
 }
 
+bool runs_through(const Leader& leader, const Box& box) {
+  const auto holds = [&](PixelPoint point) {
+    return point[0] >= box.x && point[0] <= box.right() && point[1] >= box.y && point[1] <= box.bottom();
+  };
+  // What enters and leaves it parts its corners, and so crosses a diagonal.
+  return holds(leader.from) || holds(leader.to) ||
+         cross_each_other(leader, {{box.x, box.y}, {box.right(), box.bottom()}}) ||
+         cross_each_other(leader, {{box.x, box.bottom()}, {box.right(), box.y}});
+}
+
 int count_crossings(const std::vector<LabelWish>& wishes, const std::vector<Box>& boxes) {
   int crossings = 0;
   for (std::size_t i = 0; i < wishes.size(); ++i) {

@@ -16,6 +16,9 @@ struct Leader {
 };
 Leader leader_of(const LabelWish& wish, const Box& box);
 
+/// Whether a leader runs through a box, touches it or ends in it.
+bool runs_through(const Leader& leader, const Box& box);
+
 /// How many pairs of leaders cross or touch.
 int count_crossings(const std::vector<LabelWish>& wishes, const std::vector<Box>& boxes);
 

@@ -187,6 +187,30 @@ TEST(AnnotationDrawing, WhatLiesUnderAnInsetHasNoLabel) {
   EXPECT_EQ(image.pixels, black().pixels);
 }
 
+TEST(AnnotationDrawing, ALabelWhoseLineWouldRunUnderAnInsetStandsOnTheOtherSide) {
+  Snapshot snapshot = scene();
+  snapshot.time = 1;
+  const Double3 at{0.003, -0.019, 0.006};  // a little right of the middle, and above it
+  const auto point =
+      resolve_camera(from_the_front(), scene_extent(snapshot), kSize, 1).pixel({at[0], at[1], at[2]}, kSize);
+  ASSERT_TRUE(point);
+  AnnotationDefinition annotations = label_at(at);
+  const auto lit_on_the_left = [&](const std::optional<PictureBox>& inset) {
+    Image image = black();
+    draw_annotations(image, {.size = kSize}, annotations, snapshot, from_the_front(), inset);
+    int lit = 0;
+    for (int y = 0; y < kSize.height; ++y) {
+      for (int x = 0; x < (*point)[0] - 20; ++x) lit += level(image, x + 0.5, y + 0.5) > 100;
+    }
+    return lit;
+  };
+  const PictureBox beside{.left = 720, .top = 60, .size = {534, 400}};
+  EXPECT_EQ(lit_on_the_left({}), 0);
+  EXPECT_GT(lit_on_the_left(beside), 200);
+  annotations.labels[0].side = LabelSide::kRight;
+  EXPECT_EQ(lit_on_the_left(beside), 0) << "as it was told";
+}
+
 TEST(AnnotationDrawing, NothingToSayChangesNothing) {
   EXPECT_EQ(drawn({}, scene()).pixels, black().pixels);
 }

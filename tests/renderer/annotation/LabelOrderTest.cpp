@@ -30,6 +30,16 @@ TEST(LabelOrder, CountsPairsOfLeadersThatCross) {
   EXPECT_EQ(count_crossings(wishes, {below, above}), 1);
 }
 
+TEST(LabelOrder, ALeaderRunsThroughABoxThatItCrossesOrEndsIn) {
+  const Box box{100, 50, 80, 40};
+  EXPECT_TRUE(runs_through({{90, 60}, {200, 80}}, box));
+  EXPECT_TRUE(runs_through({{90, 60}, {110, 40}}, box)) << "over a corner";
+  EXPECT_TRUE(runs_through({{120, 60}, {130, 70}}, box)) << "within";
+  EXPECT_TRUE(runs_through({{120, 60}, {300, 300}}, box)) << "out of it";
+  EXPECT_FALSE(runs_through({{90, 55}, {105, 40}}, box)) << "past a corner";
+  EXPECT_FALSE(runs_through({{10, 60}, {90, 61}}, box)) << "towards it";
+}
+
 TEST(LabelOrder, ALeaderBeginsAtTheSideThatFacesItsPoint) {
   const Leader leader = leader_of(wish_to_order(200, 100), {300, 105, 90, 30});
   EXPECT_EQ(leader.from, (PixelPoint{300, 120}));
