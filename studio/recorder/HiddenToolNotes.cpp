@@ -24,6 +24,14 @@ Vector3 place_above_wall(const SnapshotTool& tool) {
   return vector3(tool.tip) - back * vector3(tool.direction);
 }
 
+bool is_in_picture(const Camera& camera, Vector3 place, ImageSize size) {
+  const auto pixel = camera.pixel(place, size);
+  if (!pixel) return false;
+  const double x = 2 * (*pixel)[0] / size.width - 1, y = 2 * (*pixel)[1] / size.height - 1;
+  if (std::abs(x) > 1 || std::abs(y) > 1) return false;
+  return camera.field_stop == 0 || std::hypot(x * camera.tangent_x, y * camera.tangent_y) <= camera.field_stop;
+}
+
 /// The first of the free sides that have the most free ones beside them; nothing where none is free.
 std::optional<std::size_t> most_open(std::span<const bool> is_free) {
   const std::size_t count = is_free.size();
@@ -55,15 +63,21 @@ void HiddenToolNotes::see(const Snapshot& snapshot, const Shot& shot, ImageSize 
   };
   if (std::ranges::none_of(snapshot.tools, is_of_interest)) return;
   const SceneExtent extent = scene_extent(snapshot);
-  const Vector3 eye = resolve_camera(shot.camera, extent, main_box(shot, size).size, snapshot.time).position;
+  const ImageSize main = main_box(shot, size).size;
+  const Camera camera = resolve_camera(shot.camera, extent, main, snapshot.time);
+  const Vector3 eye = camera.position;
   // From there one sees what a tool does to the wall.
   const bool is_within =
       std::ranges::any_of(snapshot.surfaces, [&](const SnapshotSurface& body) { return lies_within(body, eye); });
   for (const SnapshotTool& tool : snapshot.tools) {
     if (!is_of_interest(tool)) continue;
-    Touching& touching = by_tool_.try_emplace(tool.name, Touching{.since = snapshot.time}).first->second;
     const Vector3 place = place_above_wall(tool);
-    touching.was_seen = is_within || shot.beside || shot.inset || !is_hidden(place, eye, snapshot);
+    Touching& touching =
+        by_tool_.try_emplace(tool.name, Touching{.since = snapshot.time, .place = vector3(tool.tip)}).first->second;
+    const bool has_others = shot.beside || shot.inset;
+    if (!has_others && !is_in_picture(camera, place, main) && !is_in_picture(camera, vector3(tool.tip), main)) continue;
+    touching.was_in_picture = true;
+    touching.was_seen = is_within || has_others || !is_hidden(place, eye, snapshot);
     for (std::size_t side = 0; side < kSides && !touching.was_seen; ++side) {
       const Vector3 from_there = place - 2 * extent.size * vector3(facing(side));
       touching.is_free[side] = touching.is_free[side] && !is_hidden(place, from_there, snapshot);
@@ -75,6 +89,15 @@ std::vector<std::string> HiddenToolNotes::notes() const {
   std::vector<std::string> notes;
   for (const auto& [tool, touching] : by_tool_) {
     if (touching.was_seen) continue;
+    if (!touching.was_in_picture) {
+      const auto& [x, y, z] = touching.place;
+      // A sum with zero is never the negative one.
+      notes.push_back(fmt::format(
+          "camera: where tool `{}` touches lies beside the picture in all pictures of that, from {:.4g} s on; "
+          "`target: [{:.3g} mm, {:.3g} mm, {:.3g} mm]` brings it into the middle",
+          tool, touching.since, 1e3 * x + 0.0, 1e3 * y + 0.0, 1e3 * z + 0.0));
+      continue;
+    }
     std::string cure = "another `position`, or `facing` from above or below, may show it";
     if (const std::optional<std::size_t> side = most_open(touching.is_free)) {
       const auto [x, y, z] = facing(*side);

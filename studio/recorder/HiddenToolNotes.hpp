@@ -9,6 +9,7 @@
 #include "renderer/camera/CameraDefinition.hpp"
 #include "renderer/image/Image.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
+#include "renderer/snapshot/Vector.hpp"
 
 namespace thinwall {
 
@@ -18,13 +19,16 @@ class HiddenToolNotes {
   /// Of pictures that are drawn, in order of time.
   void see(const Snapshot& snapshot, const Shot& shot, ImageSize size);
 
-  /// A sentence for each tool that a wall hid in all pictures in which it touched, with a side that shows it.
+  /// A sentence for each tool that a wall hid in all pictures in which it touched, with a side that shows it, or that
+  /// touched beside all of them, with where it did.
   std::vector<std::string> notes() const;
 
  private:
   static constexpr std::size_t kSides = 8;
   struct Touching {
     double since = 0;  // seconds
+    Vector3 place;     // metres, of then
+    bool was_in_picture = false;
     bool was_seen = false;
     std::array<bool, kSides> is_free = {true, true, true, true, true, true, true, true};
   };

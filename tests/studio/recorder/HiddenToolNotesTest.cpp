@@ -57,6 +57,27 @@ TEST(HiddenToolNotes, AToolThatIsSeenOnceOrDoesNotTouchIsFine) {
   EXPECT_TRUE(others.notes().empty());
 }
 
+TEST(HiddenToolNotes, TellWhichToolTouchesBesideAllPicturesAndWhere) {
+  Shot beside = from(0.3);
+  beside.camera.target = Double3{0.2, 0, 0};
+  HiddenToolNotes notes, seen_once, pinhole, endoscope;
+  for (const double time : {0.1, 0.2}) notes.see(dented_wall(time), beside, kSize);
+  EXPECT_EQ(notes.notes(),
+            std::vector<std::string>{
+                "camera: where tool `probe` touches lies beside the picture in all pictures of that, from 0.1 s on; "
+                "`target: [0 mm, -5 mm, 0 mm]` brings it into the middle"});
+  seen_once.see(dented_wall(0.1), beside, kSize);
+  seen_once.see(dented_wall(0.2), from(0.3), kSize);
+  EXPECT_TRUE(seen_once.notes().empty());
+  // Off the line of sight by a tangent of 0.37: within half the picture's width, 0.48, and beyond the round one, 0.30.
+  beside.camera.target = Double3{0.115, 0, 0};
+  pinhole.see(dented_wall(0.1), beside, kSize);
+  EXPECT_TRUE(pinhole.notes().empty());
+  beside.camera.kind = CameraKind::kEndoscope;
+  endoscope.see(dented_wall(0.1), beside, kSize);
+  EXPECT_EQ(endoscope.notes().size(), 1U);
+}
+
 TEST(HiddenToolNotes, ASecondPictureMayShowWhatTheFirstDoesNot) {
   HiddenToolNotes notes;
   Shot shot = from(-0.3);
