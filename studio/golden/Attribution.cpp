@@ -36,11 +36,28 @@ StoredState stored_take(const std::filesystem::path& file) {
   }
 }
 
-StoredState stored_state(const std::filesystem::path& folder, const GoldenApproval& approval) {
+/// A state does not tell which tools its picture leaves out: the approval does, or, of earlier versions, today's
+/// moment.
+void set_aside(Snapshot& golden, const std::optional<std::vector<std::string>>& names, const Snapshot& today) {
+  for (SnapshotTool& tool : golden.tools) {
+    if (names) {
+      tool.is_set_aside = std::ranges::find(*names, tool.name) != names->end();
+      continue;
+    }
+    const auto same = std::ranges::find(today.tools, tool.name, &SnapshotTool::name);
+    tool.is_set_aside = same != today.tools.end() && same->is_set_aside;
+  }
+}
+
+StoredState stored_state(const std::filesystem::path& folder, const GoldenApproval& approval, const Moment& today) {
   StoredState stored = stored_take(folder / approval.state);
-  if (!stored.moment || approval.second_state.empty()) return stored;
-  const StoredState second = stored_take(folder / approval.second_state);
-  if (second.moment) stored.moment->second = std::make_shared<const Moment>(*second.moment);
+  if (!stored.moment) return stored;
+  set_aside(stored.moment->snapshot, approval.set_aside, today.snapshot);
+  if (approval.second_state.empty()) return stored;
+  StoredState second = stored_take(folder / approval.second_state);
+  if (!second.moment) return stored;
+  set_aside(second.moment->snapshot, approval.second_set_aside, today.second ? today.second->snapshot : Snapshot{});
+  stored.moment->second = std::make_shared<const Moment>(*std::move(second.moment));
   return stored;
 }
 
@@ -253,7 +270,7 @@ Attribution attribute(const Scenario& scenario, const GoldenPicture& picture, co
     attribution.sentence = "there is nothing to compare with";
     return attribution;
   }
-  const StoredState golden = stored_state(folder, *approval);
+  const StoredState golden = stored_state(folder, *approval, picture.moment);
   attribution.history = history_change(picture, *approval, folder);
   attribution.scenario = compare_scenarios(golden.resolved, scenario.resolved);
   attribution.overlay = compare_overlays(approval->overlay, overlay_record(picture.overlay));

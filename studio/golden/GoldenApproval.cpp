@@ -17,6 +17,11 @@ using Json = nlohmann::ordered_json;
 constexpr int kApprovalVersion = 1;
 constexpr const char* kFile = "approval.json";
 
+std::optional<std::vector<std::string>> names_in(const Json& golden, const char* key) {
+  if (!golden.contains(key)) return std::nullopt;
+  return golden.at(key).get<std::vector<std::string>>();
+}
+
 }  // namespace
 
 GoldenError damaged_golden(const std::string& what) {
@@ -64,7 +69,9 @@ std::vector<GoldenApproval> read_approvals(const std::filesystem::path& folder) 
                            .second_state = golden.value("second_state", ""),
                            .second_state_digest = golden.value("second_state_digest", ""),
                            .picture_hash = golden.value("picture_hash", ""),
-                           .files = golden.contains("files") ? golden.at("files").dump() : ""});
+                           .files = golden.contains("files") ? golden.at("files").dump() : "",
+                           .set_aside = names_in(golden, "set_aside"),
+                           .second_set_aside = names_in(golden, "second_set_aside")});
     }
   } catch (const Json::exception& error) {
     throw damaged_golden(file.string() + ": is damaged (" + error.what() + ")");
@@ -92,6 +99,8 @@ void write_approvals(const std::filesystem::path& folder, const std::vector<Gold
     if (!approval.scene_hash.empty()) golden["scene_hash"] = approval.scene_hash;
     if (!approval.files.empty()) golden["files"] = Json::parse(approval.files);
     if (!approval.overlay.empty()) golden["overlay"] = Json::parse(approval.overlay);
+    if (approval.set_aside) golden["set_aside"] = *approval.set_aside;
+    if (approval.second_set_aside) golden["second_set_aside"] = *approval.second_set_aside;
   }
   const Json json = {{"approval_version", kApprovalVersion}, {"goldens", goldens}};
   write_whole_file(folder / kFile, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");

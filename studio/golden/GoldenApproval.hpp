@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -25,6 +26,8 @@ struct GoldenApproval {
   std::string second_state_digest = {};
   std::string picture_hash = {};  // of the approved picture; empty in approvals of earlier versions
   std::string files = {};         // JSON: hashes of the files that the scenario names; empty likewise
+  // Names of the tools that are out of the picture, of both takes; none in approvals of earlier versions.
+  std::optional<std::vector<std::string>> set_aside = {}, second_set_aside = {};
 };
 
 /// A golden folder that cannot be read: the message names file and reason. Exit code 2.

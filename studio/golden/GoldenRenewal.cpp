@@ -24,6 +24,14 @@ void write_state(const std::filesystem::path& file, const Scenario& scenario, co
   state.finish({.complete = false, .warnings = {}, .state_digest = digest});
 }
 
+std::vector<std::string> set_aside_in(const Snapshot& snapshot) {
+  std::vector<std::string> names;
+  for (const SnapshotTool& tool : snapshot.tools) {
+    if (tool.is_set_aside) names.push_back(tool.name);
+  }
+  return names;
+}
+
 /// What the approval before had under names of its own, as earlier versions gave them.
 void remove_files_but(const GoldenApproval& replaced, const GoldenApproval& renewed,
                       const std::filesystem::path& folder) {
@@ -43,6 +51,8 @@ void renew_golden(const Scenario& scenario, const GoldenPicture& picture, const 
   make_folder(folder);
   std::vector<GoldenApproval> approvals = read_approvals(folder);
   const std::string stem = golden_stem(picture.at, driver);
+  std::optional<std::vector<std::string>> second_set_aside;
+  if (picture.moment.second) second_set_aside = set_aside_in(picture.moment.second->snapshot);
   const GoldenApproval renewed{.at = picture.at,
                                .driver = driver,
                                .image = stem + ".png",
@@ -56,7 +66,9 @@ void renew_golden(const Scenario& scenario, const GoldenPicture& picture, const 
                                .second_state = picture.moment.second ? stem + ".second_state.h5" : "",
                                .second_state_digest = picture.second_state_digest,
                                .picture_hash = image_hash(picture.image),
-                               .files = named_files_record(scenario)};
+                               .files = named_files_record(scenario),
+                               .set_aside = set_aside_in(picture.moment.snapshot),
+                               .second_set_aside = second_set_aside};
   write_state(folder / renewed.state, scenario, picture.moment, picture.state_digest);
   if (picture.moment.second) {
     write_state(folder / renewed.second_state, *scenario.comparison->second, *picture.moment.second,

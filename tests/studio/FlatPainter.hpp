@@ -8,9 +8,9 @@
 
 namespace thinwall {
 
-/// Stands in for the renderer where no GL is wanted: a ground whose brightness tells the first tool's depth, with a
-/// pattern so that shifts show; the right half is of the second take where there is one. `gain` makes a renderer that
-/// has changed.
+/// Stands in for the renderer where no GL is wanted: a ground whose brightness tells the first tool's depth and how
+/// many others are not set aside, with a pattern so that shifts show; the right half is of the second take where there
+/// is one. `gain` makes a renderer that has changed.
 class FlatPainter final : public Painter {
  public:
   explicit FlatPainter(ImageSize size, double gain = 1) : size_(size), gain_(gain) {}
@@ -33,7 +33,9 @@ class FlatPainter final : public Painter {
  private:
   double level_of(const Snapshot& snapshot) const {
     const double depth = snapshot.tools.empty() ? 0 : snapshot.tools.front().depth;
-    return gain_ * (60 + 2e4 * depth);
+    double others = 0;
+    for (std::size_t k = 1; k < snapshot.tools.size(); ++k) others += snapshot.tools[k].is_set_aside ? 0 : 1;
+    return gain_ * (60 + 2e4 * depth + 8 * others);
   }
 
   ImageSize size_;

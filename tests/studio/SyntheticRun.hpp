@@ -20,6 +20,7 @@ struct SyntheticRunOptions {
   std::size_t side = 9;      // vertices along an edge of the sheet
   double depth = 0.004;      // metres, largest
   std::size_t fail_at = 0;   // the step that cannot be saved; 0: none
+  bool waits = false;        // whether there is a second tool, which no clip drives
 };
 
 class SyntheticRun final : public MomentSource {
@@ -53,6 +54,10 @@ class SyntheticRun final : public MomentSource {
     moment.snapshot = {.time = time, .surfaces = {surface(dent)}, .tools = {tool(dent)}, .scalars = {}};
     moment.snapshot.scalars = {{.name = "organ.pressure", .unit = "Pa", .value = 1e5 * dent}};
     moment.record = record(time, dent);
+    if (options_.waits) {
+      moment.snapshot.tools.push_back({.name = "needle", .tip = {0, 0, 0.01}, .phase = "idle"});
+      moment.record.tools.push_back({.tool = "needle", .phase = "idle"});
+    }
     return moment;
   }
 

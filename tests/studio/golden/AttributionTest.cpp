@@ -39,6 +39,25 @@ TEST_F(AttributionTest, AChangedEngineIsToldWithStepQuantityAndAmount) {
   expect_words(attribution, "the renderer draws the golden's state as before");
 }
 
+TEST_F(AttributionTest, AToolThatIsOutOfThePictureIsNoneOfTheGoldensStateEither) {
+  const SyntheticRunOptions before{.waits = true}, deeper{.depth = 0.005, .waits = true};
+  scene_.approve(golden_scene(), synthetic_source(before));
+  expect_words(attribution_of(scene_.judge(golden_scene(), synthetic_source(deeper))),
+               "the renderer draws the golden's state as before");
+  // Approvals of earlier versions do not tell of it.
+  std::vector<GoldenApproval> approvals = read_approvals(scene_.folder());
+  EXPECT_EQ(approvals[0].set_aside, (std::vector<std::string>{"needle"}));
+  approvals[0].set_aside = std::nullopt;
+  write_approvals(scene_.folder(), approvals);
+  expect_words(attribution_of(scene_.judge(golden_scene(), synthetic_source(deeper))),
+               "the renderer draws the golden's state as before");
+  // One that says otherwise is believed.
+  approvals[0].set_aside = std::vector<std::string>{};
+  write_approvals(scene_.folder(), approvals);
+  expect_words(attribution_of(scene_.judge(golden_scene(), synthetic_source(deeper))),
+               "the golden's state is drawn differently too, by up to 8 levels");
+}
+
 class ComparedAttributionTest : public AttributionTest {
  protected:
   void SetUp() override { scene_.approve(compared_scene(), synthetic_pair({}, {.depth = 0.003})); }
