@@ -20,16 +20,16 @@ namespace {
 /// Levels by which processors that round otherwise draw the same; up to 2 were seen among the goldens.
 constexpr int kLevelsOfRounding = 2;
 
-/// What the golden's takes hold; empty when they cannot be read.
+/// What the golden's takes hold; empty when they cannot be read, or are not those that were approved.
 struct StoredState {
   std::optional<Moment> moment;  // with the second take's
   std::string resolved;
 };
 
-StoredState stored_take(const std::filesystem::path& file) {
+StoredState stored_take(const std::filesystem::path& file, const std::string& digest) {
   try {
     const TakeReader take(file);
-    if (take.times().empty()) return {};
+    if (take.times().empty() || !is_approved_state(take, digest)) return {};
     return {.moment = take.moment(0), .resolved = take.description().resolved};
   } catch (const TakeError&) {
     return {};
@@ -50,11 +50,11 @@ void set_aside(Snapshot& golden, const std::optional<std::vector<std::string>>& 
 }
 
 StoredState stored_state(const std::filesystem::path& folder, const GoldenApproval& approval, const Moment& today) {
-  StoredState stored = stored_take(folder / approval.state);
+  StoredState stored = stored_take(folder / approval.state, approval.state_digest);
   if (!stored.moment) return stored;
   set_aside(stored.moment->snapshot, approval.set_aside, today.snapshot);
   if (approval.second_state.empty()) return stored;
-  StoredState second = stored_take(folder / approval.second_state);
+  StoredState second = stored_take(folder / approval.second_state, approval.second_state_digest);
   if (!second.moment) return stored;
   set_aside(second.moment->snapshot, approval.second_set_aside, today.second ? today.second->snapshot : Snapshot{});
   stored.moment->second = std::make_shared<const Moment>(*std::move(second.moment));

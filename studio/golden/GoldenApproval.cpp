@@ -45,6 +45,10 @@ GoldenError exchanged_picture(const std::filesystem::path& file) {
   return damaged_golden(file.string() + ": is not the picture that was approved");
 }
 
+bool is_approved_state(const TakeReader& state, const std::string& digest) {
+  return state.ending().state_digest == digest;
+}
+
 std::vector<GoldenApproval> read_approvals(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / kFile;
   if (!std::filesystem::exists(file)) return {};

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "studio/take/TakeReader.hpp"
+
 namespace thinwall {
 
 /// One approved picture of a scenario.
@@ -48,6 +50,9 @@ std::string lost_file(const std::filesystem::path& folder, const std::vector<std
 
 /// For the picture in `file` that is not the one that was approved, as its hash is not that of the approval.
 GoldenError exchanged_picture(const std::filesystem::path& file);
+
+/// Whether a golden's state is the one whose digest the approval tells, as it is not after an approval that was killed.
+bool is_approved_state(const TakeReader& state, const std::string& digest);
 
 /// What `folder`/approval.json holds, in its order; nothing when there is none. Throws GoldenError.
 std::vector<GoldenApproval> read_approvals(const std::filesystem::path& folder);

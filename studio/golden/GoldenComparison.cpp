@@ -115,12 +115,14 @@ std::string tool_movement(const Snapshot& golden, const Snapshot& today) {
   return "";
 }
 
+/// `approved`, `reached`: the digests of the approval and of today.
 StateComparison compare_with_stored_state(const std::filesystem::path& file, const Snapshot& today,
-                                          bool equal_digests) {
+                                          const std::string& approved, const std::string& reached) {
   try {
     const TakeReader take(file);
     if (take.times().empty()) throw TakeError(file.string() + ": holds no step");
-    return compare_states(take.moment(0).snapshot, today, equal_digests);
+    if (!is_approved_state(take, approved)) throw TakeError(file.string() + ": is not the state that was approved");
+    return compare_states(take.moment(0).snapshot, today, approved == reached);
   } catch (const TakeError& error) {
     return {.verdict = StateVerdict::kUnknown,
             .explanation = error.problem() + "; restore it from version control, or approve the picture anew"};
@@ -139,12 +141,12 @@ StateComparison both_of(const StateComparison& first, const StateComparison& sec
 StateComparison compare_with_approval(const std::filesystem::path& folder, const GoldenApproval& approval,
                                       const GoldenPicture& picture) {
   StateComparison state = compare_with_stored_state(folder / approval.state, picture.moment.snapshot,
-                                                    approval.state_digest == picture.state_digest);
+                                                    approval.state_digest, picture.state_digest);
   if (!picture.moment.second) return state;
   StateComparison second = {.explanation = "nothing is approved; approve anew"};
   if (!approval.second_state.empty()) {
     second = compare_with_stored_state(folder / approval.second_state, picture.moment.second->snapshot,
-                                       approval.second_state_digest == picture.second_state_digest);
+                                       approval.second_state_digest, picture.second_state_digest);
   }
   second.explanation = "in the second take " + second.explanation;
   return both_of(state, second);

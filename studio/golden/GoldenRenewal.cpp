@@ -19,9 +19,16 @@ namespace {
 /// The moment as a take of one step.
 void write_state(const std::filesystem::path& file, const Scenario& scenario, const Moment& moment,
                  const std::string& digest) {
-  TakeWriter state(file, {.name = scenario.name, .title = scenario.title, .resolved = scenario.resolved});
-  state.write(moment);
-  state.finish({.complete = false, .warnings = {}, .state_digest = digest});
+  try {
+    TakeWriter state(file, {.name = scenario.name, .title = scenario.title, .resolved = scenario.resolved});
+    state.write(moment);
+    state.finish({.complete = false, .warnings = {}, .state_digest = digest});
+  } catch (...) {
+    // Of a run it would be of use; among goldens it would get under version control.
+    std::error_code ignored;
+    std::filesystem::remove(unfinished_name(file), ignored);
+    throw;
+  }
 }
 
 std::vector<std::string> set_aside_in(const Snapshot& snapshot) {

@@ -39,6 +39,21 @@ TEST_F(AttributionTest, AChangedEngineIsToldWithStepQuantityAndAmount) {
   expect_words(attribution, "the renderer draws the golden's state as before");
 }
 
+TEST_F(AttributionTest, AStateOfAnApprovalThatWasKilledIsToldAndTheRendererIsNotBlamed) {
+  // The state is the first that is written, the approval the last.
+  const GoldenScene newer;
+  newer.approve(golden_scene(), synthetic_source({.depth = 0.005}));
+  const GoldenApproval approval = read_approvals(scene_.folder())[0];
+  for (const std::string& file : {approval.state, approval.history}) {
+    std::filesystem::copy_file(newer.folder() / file, scene_.folder() / file,
+                               std::filesystem::copy_options::overwrite_existing);
+  }
+  const Attribution attribution = attribution_of(scene_.judge(golden_scene(), synthetic_source({.depth = 0.005})));
+  EXPECT_EQ(attribution.stage, ChangedStage::kUnknown);
+  expect_words(attribution, "is not the state that was approved; restore it from version control");
+  EXPECT_EQ(scene_.judge(golden_scene()).results[0].outcome, GoldenOutcome::kGoldenMissing);
+}
+
 TEST_F(AttributionTest, AToolThatIsOutOfThePictureIsNoneOfTheGoldensStateEither) {
   const SyntheticRunOptions before{.waits = true}, deeper{.depth = 0.005, .waits = true};
   scene_.approve(golden_scene(), synthetic_source(before));

@@ -99,6 +99,14 @@ TEST_F(GoldenTest, AFolderInThePlaceOfAnApprovalIsAnError) {
   expect_cure();
 }
 
+TEST_F(GoldenTest, AStateThatCannotBeWrittenLeavesNoPartOfIt) {
+  std::filesystem::create_directories(folder_.path() / (golden_stem(0.1, "flat painter 1.0") + ".state.h5"));
+  EXPECT_ANY_THROW(approve());
+  for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
+    EXPECT_EQ(entry.path().string().find(".unfinished"), std::string::npos) << entry.path();
+  }
+}
+
 TEST_F(GoldenTest, APictureThatFailsIsToldWithTheHistoryThatIsLost) {
   approve();
   std::filesystem::remove(folder_.path() / read_approvals(folder_.path())[0].history);
