@@ -4,6 +4,8 @@
 #include <string_view>
 #include <utility>
 
+#include "renderer/snapshot/Snapshot.hpp"
+
 namespace thinwall {
 
 /// What lies below a scene.
@@ -19,5 +21,9 @@ inline constexpr std::array<std::pair<std::string_view, Ground>, 2> kGrounds = {
 
 /// The ground of that word, or nullptr.
 const Ground* find_ground(std::string_view word);
+
+/// Whether a ground, which is level, lies below what `gravity` (metres / second^2) pulls at: where there is none it
+/// does, and not where it pulls sideways, by more than 45 degrees off -z, or up.
+bool lies_below(const Double3& gravity);
 
 }  // namespace thinwall

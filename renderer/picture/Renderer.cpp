@@ -270,10 +270,11 @@ std::uint64_t moment_of(const Snapshot& snapshot) {
   return static_cast<std::uint64_t>(std::llround(1e9 * snapshot.time));
 }
 
-/// The view with another camera, which may bring a lamp.
-ViewDefinition seen_through(ViewDefinition view, const CameraDefinition& camera) {
+/// The view with another camera, which may bring a lamp; in the open without a ground that would stand upright.
+ViewDefinition seen_through(ViewDefinition view, const CameraDefinition& camera, const Double3& gravity) {
   view.camera = camera;
   view.lights.endoscope = camera.lamp.value_or(view.lights.endoscope);
+  if (!(view.lights.endoscope > 0) && !lies_below(gravity)) view.look.floor = false;
   return view;
 }
 
@@ -318,7 +319,7 @@ struct Renderer::Implementation {
 Image Renderer::Implementation::draw_as_it_is(const Snapshot& snapshot, const ViewDefinition& scene,
                                               const CameraDefinition& seen_by, std::vector<PassTime>* times) {
   PassClock clock(times);
-  const ViewDefinition view = seen_through(scene, seen_by);
+  const ViewDefinition view = seen_through(scene, seen_by, snapshot.gravity);
   SceneExtent extent = scene_extent(snapshot);
   const Camera camera = resolve_camera(view.camera, extent, stage->target.size(), snapshot.time);
   const Camera pinhole = behind_the_lens(camera);

@@ -84,6 +84,19 @@ TEST(Drape, IsNotBelowNumbersAndMeshes) {
   EXPECT_EQ(draw(skin_sheet(), view).pixels, draw(skin_sheet(), with_ground(view, Ground::kFloor)).pixels);
 }
 
+TEST(Drape, DoesNotStandUprightBesideWhatGravityPullsAtSideways) {
+  const ViewDefinition view = seen_from(kFront);
+  ViewDefinition bare = view;
+  bare.look.floor = false;
+  Snapshot snapshot = skin_sheet();
+  const Image lying = draw(snapshot, view);
+  snapshot.gravity = {0, -5, -9};
+  EXPECT_EQ(draw(snapshot, view).pixels, lying.pixels);
+  snapshot.gravity = {0, -9.81, 0};
+  EXPECT_EQ(draw(snapshot, view).pixels, draw(snapshot, bare).pixels);
+  EXPECT_NE(draw(snapshot, view).pixels, lying.pixels);
+}
+
 TEST(Drape, IsGreenBlueClothAroundTheSheet) {
   const Image image = draw(skin_sheet(), seen_from(kFront));
   for (const int left : {0, kDrapeSize.width - 24}) {
