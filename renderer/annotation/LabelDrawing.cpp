@@ -1,6 +1,7 @@
 #include "renderer/annotation/LabelDrawing.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <tuple>
@@ -70,11 +71,25 @@ LabelWish wish_of(const AnnotationScene& scene, const ShownLabel& label) {
           .place = label.place};
 }
 
-/// Whether a label that has its place leads to its point at rest under the small picture, which lies over all.
-bool leads_under_inset(const AnnotationScene& scene, const LabelWish& wish, LabelRoom room) {
-  if (!scene.inset) return false;
-  room.taken = {*scene.inset};
-  return runs_through(leader_of(wish, lay_out_labels({wish}, room).front()), *scene.inset);
+/// The line of a label that has its place to its point at rest.
+Leader resting_leader(const LabelWish& wish, LabelRoom room, const Box& inset) {
+  room.taken = {inset};
+  return leader_of(wish, lay_out_labels({wish}, room).front());
+}
+
+/// Whether a label would lead under the small picture, which lies over all, from where it stands, and not from the
+/// other side, from where its line would not be long either.
+bool stands_better_opposite(const AnnotationScene& scene, const LabelWish& wish, const LabelRoom& room) {
+  constexpr double kLongestWay = 0.5;  // of the bounds: a line would cross what is shown
+  // Where a camera goes along with a tool nothing is where it is at rest.
+  if (!scene.inset || scene.definition.follow) return false;
+  if (!runs_through(resting_leader(wish, room, *scene.inset), *scene.inset)) return false;
+  LabelWish other = wish;
+  other.on_the_left = !wish.on_the_left;
+  other.place = roomy_place(other, room);
+  const Leader leader = resting_leader(other, room, *scene.inset);
+  return std::abs(leader.to[0] - leader.from[0]) <= kLongestWay * room.bounds.width &&
+         !runs_through(leader, *scene.inset);
 }
 
 /// Decides where labels stand to the walls as these are, at rest, when each is first shown; on the other side than the
@@ -92,12 +107,11 @@ void find_places(const AnnotationScene& scene, std::vector<ShownLabel>& labels) 
     }
     LabelWish wish = wish_of(scene, label);
     wish.anchor = camera.pixel(vector3(label.definition->at), scene.size).value_or(label.anchor);
-    wish.place = label.place = roomy_place(wish, room);
-    if (label.definition->side != LabelSide::kNearest || !leads_under_inset(scene, wish, room)) continue;
-    wish.on_the_left = !wish.on_the_left;
     wish.place = roomy_place(wish, room);
-    if (leads_under_inset(scene, wish, room)) continue;
-    label.on_the_left = wish.on_the_left;
+    if (label.definition->side == LabelSide::kNearest && stands_better_opposite(scene, wish, room)) {
+      wish.on_the_left = label.on_the_left = !label.on_the_left;
+      wish.place = roomy_place(wish, room);
+    }
     label.place = wish.place;
   }
 }

@@ -195,9 +195,10 @@ TEST(AnnotationDrawing, ALabelWhoseLineWouldRunUnderAnInsetStandsOnTheOtherSide)
       resolve_camera(from_the_front(), scene_extent(snapshot), kSize, 1).pixel({at[0], at[1], at[2]}, kSize);
   ASSERT_TRUE(point);
   AnnotationDefinition annotations = label_at(at);
+  CameraDefinition camera = from_the_front();
   const auto lit_on_the_left = [&](const std::optional<PictureBox>& inset) {
     Image image = black();
-    draw_annotations(image, {.size = kSize}, annotations, snapshot, from_the_front(), inset);
+    draw_annotations(image, {.size = kSize}, annotations, snapshot, camera, inset);
     int lit = 0;
     for (int y = 0; y < kSize.height; ++y) {
       for (int x = 0; x < (*point)[0] - 20; ++x) lit += level(image, x + 0.5, y + 0.5) > 100;
@@ -207,6 +208,9 @@ TEST(AnnotationDrawing, ALabelWhoseLineWouldRunUnderAnInsetStandsOnTheOtherSide)
   const PictureBox beside{.left = 720, .top = 60, .size = {534, 400}};
   EXPECT_EQ(lit_on_the_left({}), 0);
   EXPECT_GT(lit_on_the_left(beside), 200);
+  camera.follow = CameraFollow{.tool = "probe"};
+  EXPECT_EQ(lit_on_the_left(beside), 0) << "where it goes is not known";
+  camera.follow.reset();
   annotations.labels[0].side = LabelSide::kRight;
   EXPECT_EQ(lit_on_the_left(beside), 0) << "as it was told";
 }
