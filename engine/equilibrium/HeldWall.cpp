@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <utility>
 
@@ -13,6 +14,9 @@ namespace {
 
 /// Part of a unit vector along an axis that is rounding.
 constexpr double kNoPart = 1e-9;
+
+/// By what the vertices of a flat wall may lie off its plane, over the length of its edges: rounding.
+constexpr double kNoHeight = 1e-9;
 
 /// By what a segment may miss a triangle, or end before it, over their sizes: what is met at an edge, or at the end of
 /// a segment where the next begins, is met.
@@ -36,6 +40,17 @@ std::vector<char> held_against(const BodyModel& model, const Eigen::Vector3d& di
     }
   }
   return held;
+}
+
+bool is_held_in_its_plane(const BodyModel& model) {
+  const std::vector<Eigen::Vector3d>& vertices = model.definition.mesh.vertices;
+  for (int axis = 0; axis < 3; ++axis) {
+    const bool is_flat = std::ranges::all_of(vertices, [&](const Eigen::Vector3d& vertex) {
+      return std::abs(vertex[axis] - vertices.front()[axis]) <= kNoHeight * model.edge_length;
+    });
+    if (is_flat && std::ranges::all_of(held_against(model, Eigen::Vector3d::Unit(axis)), std::identity{})) return true;
+  }
+  return false;
 }
 
 std::vector<char> sites_in_the_way(const BodyModel& model, const Eigen::VectorXd& position, const ToolSolid& tool,

@@ -14,6 +14,10 @@ namespace thinwall {
 /// fixed there.
 std::vector<char> held_against(const BodyModel& model, const Eigen::Vector3d& direction);
 
+/// Whether a wall is flat across an axis and held along it all over, as one that is to stay in plane stress: it cannot
+/// wrinkle.
+bool is_held_in_its_plane(const BodyModel& model);
+
 /// (sites), which parts of the wall cannot make way for a needle or a blade: vertices, edges and triangles all of whose
 /// vertices are held, and those that hang on such a vertex or edge which the tool has come to. `position`: (unknowns),
 /// metres; `held`: (vertices).

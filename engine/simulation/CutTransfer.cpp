@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/cutting/Gapes.hpp"
+#include "engine/equilibrium/HeldWall.hpp"
 #include "engine/mesh/MeshTopology.hpp"
 #include "engine/shell/BendingPatches.hpp"
 #include "engine/simulation/PartedContents.hpp"
@@ -325,7 +326,7 @@ BodyDefinition cut_definition(const BodyModel& model, const CutSurface& surface,
     after.openings.clear();
     for (std::vector<int>& gape : gapes_of(surface)) after.openings.push_back({.lips = std::move(gape)});
   }
-  after.tension_field = before.model == WallModel::kMembrane;
+  after.tension_field = before.tension_field || (before.model == WallModel::kMembrane && !is_held_in_its_plane(model));
   const std::size_t triangles = mesh.triangles.size();
   after.thickness.resize(triangles);
   resize_field(triangles, after.materials);
