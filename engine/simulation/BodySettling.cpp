@@ -169,7 +169,8 @@ NewtonResult Body::solve(EquilibriumProblem& problem, EquilibriumState& state, c
     report_.residual_share = std::max(report_.residual_share, result.residual / result.force_scale);
   }
   is_loose_ = result.converged && result.is_loose;
-  is_convex_ = !result.converged || result.is_convex;
+  // What rests already is as stable as it was.
+  if (!result.converged || result.iterations > 0) is_convex_ = !result.converged || result.is_convex;
   failure_ = result.reason;
   return result;
 }
@@ -326,6 +327,9 @@ void Body::solve_statics() {
   }
   if (!is_found && (bursts_ || !load_slowly(whole, trial))) throw SimulationFailure(describe_failure());
   EquilibriumProblem held = whole;
+  // Of what rests as it is given nothing has told yet whether it is stable.
+  const bool is_unknown = report_.newton_iterations == 0 && newton_->terms().elastic > 0;
+  if (!is_convex_ || is_unknown) buckle(held, trial);
   turn_to_rest(held, trial);
   state_.equilibrium = trial;
 }
@@ -380,6 +384,7 @@ void Body::settle(std::vector<double> load_factors) {
   start_leaks();
   start_memory();
   start_fluid_motion();
+  report_.unstable = is_unstable_;
   state_.previous_position = state_.equilibrium.position;
   const EquilibriumTerms& terms = newton_->terms();
   state_.static_force = terms.gradient - terms.load_of_pressure() * state_.equilibrium.pressure;

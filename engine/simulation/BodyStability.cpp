@@ -76,6 +76,7 @@ void Body::buckle(EquilibriumProblem& problem, EquilibriumState& trial) {
     problem = next_problem;
     trial = next;
   }
+  is_convex_ = !is_unstable_;
   newton_->look(problem, trial);
 }
 

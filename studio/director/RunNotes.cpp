@@ -161,13 +161,24 @@ std::string slack_wall_advice(const Scenario& scenario) {
       slack->name);
 }
 
-std::optional<std::string> free_body_warning(const Body& body, Analysis analysis) {
+std::vector<std::string> start_notes(const Body& body, Analysis analysis) {
+  const std::string& name = body.model().definition.name;
+  std::vector<std::string> notes;
   const auto free = body.model().rigid_motions.cols();
-  if (free == 0 || analysis != Analysis::kQuasiStatic) return std::nullopt;
-  return fmt::format(
-      "body `{}`: `fixed` leaves {} rigid motion{} free, removed by constraints weighted with the mass, which take up "
-      "what the tools push",
-      body.model().definition.name, free, free == 1 ? "" : "s");
+  if (free > 0 && analysis == Analysis::kQuasiStatic) {
+    notes.push_back(fmt::format(
+        "body `{}`: `fixed` leaves {} rigid motion{} free, removed by constraints weighted with the mass, which take "
+        "up what the tools push",
+        name, free, free == 1 ? "" : "s"));
+  }
+  if (body.report().unstable && analysis == Analysis::kDynamic) {
+    notes.push_back(fmt::format(
+        "body `{}`: its equilibrium before time zero is not stable: the wall would buckle there, and stays until "
+        "something moves it; a small load across it shows where to, and a membrane that is pressed along itself "
+        "wrinkles with `tension_field: true`",
+        name));
+  }
+  return notes;
 }
 
 std::optional<std::string> buried_tool_note(const ToolDefinition& tool, const ToolPose& pose, const Body& body) {

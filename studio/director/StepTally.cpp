@@ -47,7 +47,8 @@ std::vector<std::string> StepTally::warnings(long steps) const {
   tell(
       unstable_,
       "end in an equilibrium that is not stable: the wall would buckle there; a small load across it or an uneven mesh "
-      "shows where to, and `analysis: dynamic` how");
+      "shows where to, and `analysis: dynamic` how; a membrane that is pressed along itself wrinkles with "
+      "`tension_field: true`");
   tell(held_,
        "hold a body against what its weight and loads would turn it by, as it was not brought to rest: its attitude is "
        "no equilibrium; hold more of it (`fixed`), or let it come to rest with `analysis: dynamic` and `damping`");

@@ -73,6 +73,43 @@ TEST(Buckling, AShapeThatIsNotStableIsToldWhereItIsNotLeft) {
   EXPECT_LT(largest_rise(body), 1e-9);
 }
 
+TEST(Buckling, AStripThatIsPressedBeforeTimeZeroBeginsBuckled) {
+  for (const SimulationOptions& options : {quasi_static(), SimulationOptions{}}) {
+    Body body(pressed_strip(1.2), {}, options);
+    body.settle({1});
+    EXPECT_FALSE(body.report().unstable);
+    EXPECT_NEAR(largest_rise(body) / kLength, elastica_rise(1.2), 0.01 * elastica_rise(1.2));
+  }
+}
+
+TEST(Buckling, AStripThatIsTooLongForItsHingesBeginsBuckled) {
+  // Flat it rests as it is given, though not stably. A half sine as long as the strip: (pi rise / (2 length))^2 is what
+  // it is too long by, less what it is pressed to by Euler's load.
+  constexpr double kExcess = 0.01;
+  BodyDefinition strip = pressed_strip(0);
+  strip.loads.clear();
+  strip.fixed[1].axes = {true, true, true};
+  strip.prestretch = {{.along = Eigen::Vector3d::UnitY(), .first = 1 / (1 + kExcess), .second = 1}};
+  Body body(strip, {}, quasi_static());
+  body.settle();
+  EXPECT_FALSE(body.report().unstable);
+  const double pressed = kCritical / (kModulus * kWidth * kThickness);
+  const double rise = 2 / std::numbers::pi * std::sqrt(kExcess - pressed);
+  EXPECT_NEAR(largest_rise(body) / kLength, rise, 0.01 * rise);
+}
+
+TEST(Buckling, AMembraneThatIsPressedBeforeTimeZeroIsToldToBeUnstableThenAndAfterwards) {
+  // Without bending stiffness it has no shape to buckle to.
+  BodyDefinition strip = pressed_strip(1.2);
+  strip.model = WallModel::kMembrane;
+  Body body(strip, {}, quasi_static());
+  body.settle({1});
+  EXPECT_TRUE(body.report().unstable);
+  body.advance({}, {}, 1, {.load_factors = {1}, .fluids = {}});
+  EXPECT_EQ(body.report().newton_iterations, 0);
+  EXPECT_TRUE(body.report().unstable);
+}
+
 TEST(Buckling, AHandDoesNotWaitForIt) {
   Body body(pressed_strip(1.2), {}, {.analysis = Analysis::kQuasiStatic, .extrapolates = true});
   body.settle({0});

@@ -96,13 +96,15 @@ TEST(Settling, AWallThatBucklesOnItsWayTakesHundredsOfIterationsNotThousands) {
     iterations += body.report().newton_iterations;
     factorisations += body.report().factorisations;
     EXPECT_GT(body.state().fluid_volume[0], 1.03 * body.model().rest_volume);
+    EXPECT_FALSE(body.report().unstable);
   }
   std::printf("%d iterations, %d factorisations\n", iterations, factorisations);
-  // Seen 528 and 1044; 590 and 1207 where nothing is kept of solutions that are not found, 530 and 1205 where what
-  // makes a matrix convex is always sought from the least on, 664 and 1580 with neither. With springs that do not lead
-  // on, and solutions with them that are sought exactly, 1631 iterations.
-  EXPECT_LT(iterations, 560);
-  EXPECT_LT(factorisations, 1120);
+  // Seen 605 and 1165, 77 and 121 of them from a first equilibrium that is not stable on; 62 and 163 more where nothing
+  // is kept of solutions that are not found, 2 and 161 where what makes a matrix convex is always sought from the least
+  // on, 136 and 536 with neither. With springs that do not lead on, and solutions with them that are sought exactly,
+  // over 1631 iterations.
+  EXPECT_LT(iterations, 640);
+  EXPECT_LT(factorisations, 1240);
 }
 
 TEST(Settling, AWallThatBurstsIsNotTriedAgain) {

@@ -64,6 +64,23 @@ TEST(RunNotes, TellThatAToolIsInTheWallBeforeTheFirstStep) {
   }
 }
 
+TEST(RunNotes, TellOfAWallThatWouldBuckleWhereAMotionBegins) {
+  // Strips that are pressed and pulled along themselves: as membranes they have no shape to buckle to.
+  for (const double pull : {-0.002, 0.002}) {
+    Scenario scenario = held_ball(80, 0.02);
+    scenario.simulation.analysis = Analysis::kDynamic;
+    BodyScenario& strip = scenario.bodies[0];
+    strip.surface = ShapeSource{.shape = Shape::kSheet, .length = 0.1, .width = 0.02, .triangles = 250};
+    strip.material = {.law = find_wall_law("st_venant_kirchhoff"), .parameters = {1e6, 0}};
+    strip.fluid = {.kind = FluidKind::kNone};
+    const Region end = PlaneRegion{.axis = 1, .at = 0.05};
+    strip.fixed = {{.region = PlaneRegion{.axis = 1, .at = -0.05}}, {.region = end, .axes = {true, false, true}}};
+    strip.loads = {{.load = {.kind = LoadKind::kDeadForce, .region = end, .vector = {0, pull, 0}}}};
+    const ScenarioRun run(scenario);
+    EXPECT_EQ(tells(run, "body `ball`: its equilibrium before time zero is not stable"), pull < 0);
+  }
+}
+
 TEST(RunNotes, TellThatInflatingDrainsOrDrainingFills) {
   const auto told = [](double pressure, bool drains) {
     Scenario scenario = held_ball(80, 0.02);
