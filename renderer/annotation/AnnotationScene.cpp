@@ -1,7 +1,6 @@
 #include "renderer/annotation/AnnotationScene.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "renderer/annotation/MaterialPoint.hpp"
 
@@ -9,10 +8,7 @@ namespace thinwall {
 
 bool AnnotationScene::shows(PixelPoint at) const {
   if (inset && at[0] > inset->x && at[0] < inset->right() && at[1] > inset->y && at[1] < inset->bottom()) return false;
-  const double x = (2 * at[0] / size.width - 1) * camera.tangent_x;
-  const double y = (2 * at[1] / size.height - 1) * camera.tangent_y;
-  if (camera.field_stop > 0 && std::hypot(x, y) > camera.field_stop) return false;
-  return std::abs(x) <= camera.tangent_x && std::abs(y) <= camera.tangent_y;
+  return camera.shows(at, size);
 }
 
 std::optional<Vector3> material_place(const Snapshot& snapshot, const std::string& body, const Double3& at) {

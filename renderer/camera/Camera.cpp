@@ -179,4 +179,10 @@ std::optional<std::array<double, 2>> Camera::pixel(Vector3 point, ImageSize size
                                0.5 * size.height * (1 + seen[1] / tangent_y)};
 }
 
+bool Camera::shows(const std::array<double, 2>& pixel, ImageSize size) const {
+  const double x = 2 * pixel[0] / size.width - 1, y = 2 * pixel[1] / size.height - 1;
+  if (std::abs(x) > 1 || std::abs(y) > 1) return false;
+  return field_stop == 0 || std::hypot(x * tangent_x, y * tangent_y) <= field_stop;
+}
+
 }  // namespace thinwall

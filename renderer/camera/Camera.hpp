@@ -31,6 +31,9 @@ struct Camera {
   /// Where a point lands through the lens, in pixels from the upper left corner of the picture, x to the right and y
   /// down; nothing for points behind the camera.
   std::optional<std::array<double, 2>> pixel(Vector3 point, ImageSize size) const;
+
+  /// Whether a place of a picture, in such pixels, lies within it and within the field stop.
+  bool shows(const std::array<double, 2>& pixel, ImageSize size) const;
 };
 
 /// Completes `definition` for a picture of `size` at `time` (seconds). What is absent follows from the rest points:

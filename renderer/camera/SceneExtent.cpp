@@ -107,7 +107,7 @@ LevelSpread spread_of(std::span<const SnapshotSurface* const> surfaces, const Ve
     for (const auto& [i, j, k] : surface->topology->triangles) {
       const Vector3 a = vector3(rest[i]) - center, b = vector3(rest[j]) - center, c = vector3(rest[k]) - center;
       const double twice = length(cross(b - a, c - a));
-      // Exact for what is quadratic: the three corners, and thrice three times the middle.
+      // The mean of a square over a triangle is (a^2 + b^2 + c^2 + (a + b + c)^2) / 12.
       const Vector3 all = a + b + c;
       sum.xx += twice * (a.x * a.x + b.x * b.x + c.x * c.x + all.x * all.x);
       sum.yy += twice * (a.y * a.y + b.y * b.y + c.y * c.y + all.y * all.y);

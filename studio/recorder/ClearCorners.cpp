@@ -98,11 +98,7 @@ struct PicturePart {
 
 std::optional<PixelPlace> seen_at(const PicturePart& part, Vector3 place) {
   const auto at = part.camera.pixel(place, part.box.size);
-  if (!at) return std::nullopt;
-  const double x = 2 * (*at)[0] / part.box.size.width - 1, y = 2 * (*at)[1] / part.box.size.height - 1;
-  if (std::abs(x) > 1 || std::abs(y) > 1) return std::nullopt;
-  const double stop = part.camera.field_stop;
-  if (stop > 0 && std::hypot(x * part.camera.tangent_x, y * part.camera.tangent_y) > stop) return std::nullopt;
+  if (!at || !part.camera.shows(*at, part.box.size)) return std::nullopt;
   return PixelPlace{(*at)[0] + part.box.left, (*at)[1] + part.box.top};
 }
 

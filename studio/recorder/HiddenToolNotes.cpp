@@ -26,10 +26,7 @@ Vector3 place_above_wall(const SnapshotTool& tool) {
 
 bool is_in_picture(const Camera& camera, Vector3 place, ImageSize size) {
   const auto pixel = camera.pixel(place, size);
-  if (!pixel) return false;
-  const double x = 2 * (*pixel)[0] / size.width - 1, y = 2 * (*pixel)[1] / size.height - 1;
-  if (std::abs(x) > 1 || std::abs(y) > 1) return false;
-  return camera.field_stop == 0 || std::hypot(x * camera.tangent_x, y * camera.tangent_y) <= camera.field_stop;
+  return pixel && camera.shows(*pixel, size);
 }
 
 /// The first of the free sides that have the most free ones beside them; nothing where none is free.
