@@ -52,6 +52,7 @@ TEST(Attachment, ALineTakesTheFreeCornersOfATriangleThatIsHeldInPartAlong) {
     const double share = free_share(body.model(), attachment).x();
     const Eigen::Vector3d way = holding_point(attachment, in) - attachment.touched;
     const Eigen::Vector3d gone = material_point(attachment, body.state().equilibrium.position) - attachment.touched;
+    // As near as the solver closes gaps: 4.6e-9 seen.
     EXPECT_NEAR(gone.x(), share * way.x(), 2e-8);
     least = std::min(least, share);
   }

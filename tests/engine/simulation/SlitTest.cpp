@@ -166,6 +166,8 @@ TEST(SlitInASheetThatIsPulledAcrossIt, OpensAsMuchWhereTheSheetIsHeldInItsPlane)
   const double stress = kShear * (kStretch * kStretch - 1 / kStretch);
   const double opening = slit.opening / (2 * stress / kModulus * slit.half);
   std::printf("pulled across: opens by %.4f of Griffith's\n", opening);
+  // 0.988 seen: as far off as the slit of equal tension is between 40 and 80 segments. It is twice as wide in a wall
+  // that wrinkles.
   EXPECT_NEAR(opening, 1, 0.02);
 }
 

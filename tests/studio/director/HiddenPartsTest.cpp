@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cmath>
+#include <string>
 #include <vector>
 
 namespace thinwall {
