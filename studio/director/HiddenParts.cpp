@@ -9,7 +9,6 @@
 
 #include "studio/director/BodyExtent.hpp"
 #include "studio/director/StressFreeSurface.hpp"
-#include "studio/scenario/InputError.hpp"
 
 namespace thinwall {
 namespace {
