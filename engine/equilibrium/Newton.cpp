@@ -68,6 +68,12 @@ double little_strain(const BodyModel& model) {
   return kLittleStrain * std::min(1.0, square(volume / (model.rest_area * model.edge_length)));
 }
 
+/// Newton, without what holds the lips of a cut, which is let go until nothing is left of it.
+double largest_load(const EquilibriumProblem& problem, const EquilibriumTerms& terms) {
+  if (problem.cut_force.size() == 0) return terms.load_force.lpNorm<Eigen::Infinity>();
+  return (terms.load_force - problem.cut_force).lpNorm<Eigen::Infinity>();
+}
+
 NewtonResult solved(bool is_loose, NewtonResult result) {
   result.converged = true;
   result.is_loose = is_loose;
@@ -261,7 +267,7 @@ bool Newton::has_converged(const EquilibriumProblem& problem, const Residual& re
                            bool is_stalled, const NewtonOptions& options) const {
   // Loads that are light beside what strains the wall a little are answered by one step at least.
   const double exact = kRoundOffStrain / kLittleStrain * result.force_scale;
-  const double load = terms_.load_force.lpNorm<Eigen::Infinity>();
+  const double load = largest_load(problem, terms_);
   const double unbalanced = load > 0 ? kUnfeltLoad * load : std::numeric_limits<double>::infinity();
   const double unfelt = std::min(std::max(options.tolerance * terms_.largest_force, exact), unbalanced);
   if (result.iterations == 0 && residual.largest_force > unfelt) return false;

@@ -187,7 +187,7 @@ CASES = [
          compare_slit_annulus),
     Case("twisted_strip", "A twisted strip under light forces", "Simo, Fox and Rifai 1989; MacNeal and Harder 1985",
          "way of the end in its plane and across it", 0.01, (96, 384, 1536), compare_twisted_strip, quick=(96,),
-         tells_order=False),
+         quick_bar=0.02, tells_order=False),
     Case("hinged_roof", "Hinged roof snapping through", TABLES, "force against depth through the snap", 0.02,
          (512, 2048, 4608), compare_hinged_roof, quick=(512,), quick_bar=0.08),
     Case("pinched_cylinder", "Pinched cylinder with diaphragms", TABLES, "way of the crown and of the side", 0.02,
