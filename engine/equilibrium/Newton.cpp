@@ -68,10 +68,15 @@ double little_strain(const BodyModel& model) {
   return kLittleStrain * std::min(1.0, square(volume / (model.rest_area * model.edge_length)));
 }
 
-/// Newton, without what holds the lips of a cut, which is let go until nothing is left of it.
-double largest_load(const EquilibriumProblem& problem, const EquilibriumTerms& terms) {
-  if (problem.cut_force.size() == 0) return terms.load_force.lpNorm<Eigen::Infinity>();
-  return (terms.load_force - problem.cut_force).lpNorm<Eigen::Infinity>();
+/// Newton, of a residual with which nothing has to move: less than forces of round-off, and of any load no more than a
+/// little part is left. What holds the lips of a cut is no load: it is let go until nothing is left of it.
+double unfelt_force(const EquilibriumProblem& problem, const EquilibriumTerms& terms, double force_scale,
+                    double tolerance) {
+  const double exact = kRoundOffStrain / kLittleStrain * force_scale;
+  const double unfelt = std::max(tolerance * terms.largest_force, exact);
+  const double load = problem.cut_force.size() == 0 ? terms.load_force.lpNorm<Eigen::Infinity>()
+                                                    : (terms.load_force - problem.cut_force).lpNorm<Eigen::Infinity>();
+  return load > 0 ? std::min(unfelt, kUnfeltLoad * load) : unfelt;
 }
 
 NewtonResult solved(bool is_loose, NewtonResult result) {
@@ -266,11 +271,10 @@ bool Newton::is_solved(const EquilibriumProblem& problem, const Residual& residu
 bool Newton::has_converged(const EquilibriumProblem& problem, const Residual& residual, const NewtonResult& result,
                            bool is_stalled, const NewtonOptions& options) const {
   // Loads that are light beside what strains the wall a little are answered by one step at least.
-  const double exact = kRoundOffStrain / kLittleStrain * result.force_scale;
-  const double load = largest_load(problem, terms_);
-  const double unbalanced = load > 0 ? kUnfeltLoad * load : std::numeric_limits<double>::infinity();
-  const double unfelt = std::min(std::max(options.tolerance * terms_.largest_force, exact), unbalanced);
-  if (result.iterations == 0 && residual.largest_force > unfelt) return false;
+  if (result.iterations == 0 &&
+      residual.largest_force > unfelt_force(problem, terms_, result.force_scale, options.tolerance)) {
+    return false;
+  }
   return is_solved(problem, residual, result.force_scale, is_stalled, options);
 }
 

@@ -177,7 +177,7 @@ bool Body::may_crumple() const {
   const bool has_blade =
       std::ranges::any_of(tools_, [](const ToolDefinition& tool) { return tool.kind == ToolKind::kScalpel; });
   return has_blade && !definition.toughness.empty() && definition.model == WallModel::kMembrane &&
-         !definition.tension_field && !is_held_in_its_plane(*model_) && report_.halvings >= kHalvingsBeforeCrumpling;
+         !definition.tension_field && report_.halvings >= kHalvingsBeforeCrumpling && !is_held_in_its_plane(*model_);
 }
 
 bool Body::solve_step(EquilibriumProblem& problem, EquilibriumState& trial, std::span<const ToolPose> begin,

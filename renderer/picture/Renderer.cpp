@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 
+#include "renderer/camera/AskedGround.hpp"
 #include "renderer/camera/Camera.hpp"
 #include "renderer/camera/Magnification.hpp"
 #include "renderer/camera/SceneExtent.hpp"
@@ -272,9 +273,9 @@ std::uint64_t moment_of(const Snapshot& snapshot) {
 
 /// The view with another camera, which may bring a lamp; in the open without a ground that would stand upright.
 ViewDefinition seen_through(ViewDefinition view, const CameraDefinition& camera, const Double3& gravity) {
+  if (asks_for_ground(view, camera) && !lies_below(gravity)) view.look.floor = false;
   view.camera = camera;
   view.lights.endoscope = camera.lamp.value_or(view.lights.endoscope);
-  if (!(view.lights.endoscope > 0) && !lies_below(gravity)) view.look.floor = false;
   return view;
 }
 

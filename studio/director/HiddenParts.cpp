@@ -66,6 +66,7 @@ std::vector<double> hidden_parts(const Scenario& scenario, std::span<const Vecto
     surfaces.emplace(body.name, *std::move(surface));
   }
   const std::vector<Vector3d> places = places_above_walls(scenario, surfaces);
+  if (places.empty()) return parts;
   for (std::size_t k = 0; k < facings.size(); ++k) {
     const Vector3d eye = box.center() - kDistance * box.diagonal().norm() * facings[k];
     const auto is_hidden = [&](const Vector3d& place) {
@@ -73,7 +74,6 @@ std::vector<double> hidden_parts(const Scenario& scenario, std::span<const Vecto
         return first_entry_on_segment(named.second.view(), eye, place).has_value();
       });
     };
-    if (places.empty()) continue;
     parts[k] = static_cast<double>(std::ranges::count_if(places, is_hidden)) / static_cast<double>(places.size());
   }
   return parts;

@@ -285,6 +285,15 @@ KeySchema plate_size() {
   return {"size", size, false, "20 mm", "side of a square, or sides along x' and y'"};
 }
 
+KeySchema deviation_key() {
+  return {"deviation",
+          usually(quantity_value(kLength, kAboveZero, "0.2 mm"), kUsualLengths),
+          false,
+          {},
+          "refines triangles where a cut would be farther than this off the blade's way, down to an eighth "
+          "of their edges; when absent, cuts follow coarse triangles to about a quarter of their edges"};
+}
+
 }  // namespace
 
 ValueSchema tools_schema() {
@@ -305,8 +314,7 @@ ValueSchema tools_schema() {
          "coefficient of Coulomb's law of a tip with a radius; a bare point holds what it touches"}}},
       {"line",
        "a straight edge laid across the wall, prescribed like the point; of triangles that `fixed` holds in part the "
-       "free "
-       "corners go along with it",
+       "free corners go along with it",
        {length_key("length", "40 mm", "length of the edge")}},
       {"sphere", "a ball with a growing area of contact",
        with_friction({length_key("radius", "3 mm", "radius of the ball")})},
@@ -319,16 +327,10 @@ ValueSchema tools_schema() {
        with_friction(
            {length_key("radius", "0.5 mm", "radius of the shaft"), length_key("length", "40 mm", "length over all")})},
       {"scalpel", "the flank and the edge of a blade, rounded by half its thickness",
-       with_friction(
-           {length_key("width", "6 mm", "length of the edge, along y'"),
-            length_key("length", "20 mm", "height of the blade, along z'"),
-            length_key("thickness", "0.4 mm", "thickness of the blade, along x'", kUsualThicknesses),
-            {"deviation",
-             usually(quantity_value(kLength, kAboveZero, "0.2 mm"), kUsualLengths),
-             false,
-             {},
-             "refines triangles where a cut would be farther than this off the blade's way, down to an eighth "
-             "of their edges; when absent, cuts follow coarse triangles to about a quarter of their edges"}})},
+       with_friction({length_key("width", "6 mm", "length of the edge, along y'"),
+                      length_key("length", "20 mm", "height of the blade, along z'"),
+                      length_key("thickness", "0.4 mm", "thickness of the blade, along x'", kUsualThicknesses),
+                      deviation_key()})},
       {"forceps", "two jaws that open along x', with edges rounded by a quarter of the smallest of their sizes",
        with_friction({length_key("opening", "10 mm", "distance between the open jaws"),
                       length_key("length", "30 mm", "length of the jaws, along z'"),
