@@ -160,14 +160,21 @@ bool Body::may_snap() const {
   return snaps_ || (options_.analysis == Analysis::kQuasiStatic && report_.halvings >= kHalvingsBeforeRelaxing);
 }
 
-bool Body::may_creep() const {
-  if (snaps_) return false;
+bool Body::is_left_slack() const {
   const bool is_quasi_static = options_.analysis == Analysis::kQuasiStatic;
   const bool is_stuck = state_.drag > 0 || report_.halvings >= kHalvingsBeforeCreeping;
   if (state_.cut.has_incised || state_.cut.has_crumpled) return is_quasi_static || is_stuck;
   // A blade crumples a membrane that is not held behind it before it has cut it at all.
   const bool is_membrane = model_->definition.model == WallModel::kMembrane;
   return is_quasi_static && is_membrane && (surface_ || state_.cut.tool);
+}
+
+bool Body::may_creep() const {
+  return !snaps_ && is_left_slack();
+}
+
+bool Body::leaves_rest_to_steps() const {
+  return snaps_ && (options_.analysis == Analysis::kDynamic || is_left_slack());
 }
 
 bool Body::may_crumple() const {

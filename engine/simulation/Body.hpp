@@ -195,6 +195,16 @@ class Body {
   std::optional<MostBorne> most_borne(const EquilibriumProblem& whole, double most_volume,
                                       const EquilibriumState& grown);
   NewtonResult burst(const std::optional<MostBorne>& most = {});
+  /// What tells, on the way to an equilibrium, that a body grows without end.
+  struct Growth {
+    double had = 0;        // metres^3 that it enclosed at first
+    double most_area = 0;  // metres^2, of a wall that a pressure loads
+    double asked_at = 0;   // times the volume from which on it is asked whether the wall bears the pressure
+  };
+  Growth growth_from(const EquilibriumProblem& problem, const EquilibriumState& state) const;
+  /// Nothing as long as it does not.
+  std::optional<NewtonResult> burst_of(Growth& growth, const EquilibriumProblem& problem,
+                                       const EquilibriumState& state);
   /// No solution, for this reason, which is kept.
   NewtonResult fail(const std::string& reason);
   void solve_statics();
@@ -203,6 +213,9 @@ class Body {
   bool has_inertia() const { return options_.analysis == Analysis::kDynamic && !snaps_; }
   bool may_snap() const;
   bool may_creep() const;
+  bool is_left_slack() const;
+  /// Whether a wall that gives way need not come to rest altogether, as the steps after can go on with that.
+  bool leaves_rest_to_steps() const;
   bool may_crumple() const;
   /// From now on the wall wrinkles infinitely finely where it is pressed along itself, as a cut one does.
   void crumple(std::span<const ToolPose> poses);
@@ -352,6 +365,9 @@ class Body {
   double come_to_rest();
   void leave_punctures(std::span<const ToolPose> poses);
   bool is_clear_of(const Puncture& puncture, const ToolPose& pose) const;
+  /// Joule that the wall can give at most as it gives way: what it has stored, where nothing else works on it; infinite
+  /// where something does.
+  double most_released() const;
   bool open_on_shaft(std::span<const ToolPose> poses);
   bool make_slit(const CutPath& path, double radius, Cut& cut, Uncut& before);
   void book_rupture(int tool, const Rupture& rupture, const std::vector<ToolContact>& felt);

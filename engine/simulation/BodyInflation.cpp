@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 #include "engine/fluid/EnclosedVolume.hpp"
 #include "engine/simulation/Body.hpp"
@@ -24,6 +26,40 @@ constexpr int kMostIterations = 25;
 
 /// Iterations after which no more is asked: a wall that lies in folds is filled in many small steps.
 constexpr int kMostAsked = 400;
+
+/// Multiple of the volume that it had beyond which a body under a given pressure has burst: past its limit point a
+/// wall under constant pressure grows without end.
+constexpr double kBurstVolume = 30;
+
+/// The same of the area of a wall without contents under a load that is a pressure, as a sheet that is held at its
+/// border.
+constexpr double kBurstArea = 10;
+
+/// Multiple of the volume from which on it is asked what pressure the wall bears, and by how many times it grows until
+/// that is asked again where there was no answer, as in a wall that lies in folds.
+constexpr double kGrownVolume = 1.5;
+constexpr double kAskedAgain = 2;
+
+/// How many times the volume a body encloses that it had, or its rest volume where that is more.
+double times_its_volume(const BodyModel& model, const EquilibriumState& state, double had) {
+  return model.has_fluid() ? enclosed_volumes(model, state.position).sum() / std::max(had, model.rest_volume) : 1;
+}
+
+/// Metres^2 of a wall without contents that a pressure loads; 0 of any other.
+double pressed_area(const BodyModel& model, const EquilibriumProblem& problem, const EquilibriumState& state) {
+  bool is_pressed = false;
+  for (std::size_t k = 0; k < model.loads.size(); ++k) {
+    const double factor = k < problem.load_factors.size() ? problem.load_factors[k] : 1;
+    is_pressed = is_pressed || (model.loads[k].kind == LoadKind::kFollowerPressure && factor != 0);
+  }
+  if (model.has_fluid() || !is_pressed) return 0;
+  double area = 0;
+  for (const Eigen::Vector3i& triangle : model.definition.mesh.triangles) {
+    const auto corners = corners_of(triangle, state.position);
+    area += 0.5 * (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
+  }
+  return area;
+}
 
 /// The one chamber whose pressure is given; none where there are several, or it is none.
 std::optional<int> given_chamber(const EquilibriumProblem& problem) {
@@ -85,6 +121,37 @@ std::optional<Body::MostBorne> Body::most_borne(const EquilibriumProblem& whole,
     most = *pressure;
   }
   return MostBorne{.chamber = *chamber, .pressure = most};
+}
+
+NewtonResult Body::burst(const std::optional<MostBorne>& most) {
+  std::ostringstream reason;
+  reason << "it bursts: it grows without end, past ";
+  reason << (model_->has_fluid() ? kBurstVolume : kBurstArea) << " times its "
+         << (model_->has_fluid() ? "volume" : "area");
+  if (most) {
+    const std::string& chamber = model_->chambers[most->chamber].name;
+    reason << ", as " << (chamber.empty() ? "its wall" : "the wall of its chamber `" + chamber + "`") << " bears "
+           << std::fixed << std::setprecision(most->pressure < 100 ? 2 : 0) << most->pressure << " Pa at most";
+  }
+  bursts_ = true;
+  report_.is_past_bearing = most.has_value();
+  return fail(reason.str());
+}
+
+Body::Growth Body::growth_from(const EquilibriumProblem& problem, const EquilibriumState& state) const {
+  return {.had = model_->has_fluid() ? enclosed_volumes(*model_, state.position).sum() : 0,
+          .most_area = kBurstArea * pressed_area(*model_, problem, state),
+          .asked_at = kGrownVolume};
+}
+
+std::optional<NewtonResult> Body::burst_of(Growth& growth, const EquilibriumProblem& problem,
+                                           const EquilibriumState& state) {
+  const double grown = times_its_volume(*model_, state, growth.had);
+  if (grown > kBurstVolume || pressed_area(*model_, problem, state) > growth.most_area) return burst();
+  if (grown <= growth.asked_at) return {};
+  growth.asked_at = kAskedAgain * grown;
+  if (const auto most = most_borne(problem, kBurstVolume, state)) return burst(most);
+  return {};
 }
 
 }  // namespace thinwall

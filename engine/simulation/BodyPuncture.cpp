@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -262,6 +263,14 @@ bool Body::make_slit(const CutPath& path, double radius, Cut& cut, Uncut& before
   return is_slit;
 }
 
+double Body::most_released() const {
+  const BodyDefinition& definition = model_->definition;
+  const bool has_work_done = model_->has_fluid() || !options_.gravity.isZero() || !model_->loads.empty() ||
+                             !definition.viscosity.empty() || !state_.cut.held.empty();
+  if (has_work_done) return std::numeric_limits<double>::infinity();
+  return state_.books.stored() - state_.books.kinetic;
+}
+
 std::optional<Rupture> Body::pierce(int tool, std::span<const ToolPose> poses) {
   leave_punctures(poses);
   Pressing& pressing = state_.pressing[tool];
@@ -271,6 +280,7 @@ std::optional<Rupture> Body::pierce(int tool, std::span<const ToolPose> poses) {
   if (!place) return std::nullopt;
   const double cost = model_->cut_cost(place->triangle);  // newton
   if (work < std::max(kLeastWork * 2 * radius * cost, pressing.awaited)) return std::nullopt;
+  if (most_released() < (1 - kSlitGive) * 2 * radius * cost) return std::nullopt;
   const auto await = [&](double more, const std::string& why) {
     state_.pressing[tool].awaited = work + more;
     if (why.empty() || work < kMostWork * 2 * radius * cost) return;

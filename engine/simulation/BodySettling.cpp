@@ -77,26 +77,8 @@ constexpr int kHalvingsBeforeSaddles = 4;
 /// Parts in which the weight is put on where it cannot be at once.
 constexpr int kWeightParts = 8;
 
-/// Multiple of the volume that it had beyond which a body under a given pressure has burst: past its limit point a
-/// wall under constant pressure grows without end.
-constexpr double kBurstVolume = 30;
-
-/// The same of the area of a wall without contents under a load that is a pressure, as a sheet that is held at its
-/// border.
-constexpr double kBurstArea = 10;
-
-/// Multiple of the volume from which on it is asked what pressure the wall bears, and by how many times it grows until
-/// that is asked again where there was no answer, as in a wall that lies in folds.
-constexpr double kGrownVolume = 1.5;
-constexpr double kAskedAgain = 2;
-
-/// The same from which on a body in motion that cannot be solved is taken to burst.
+/// Multiple of its volume from which on a body in motion that cannot be solved is taken to burst.
 constexpr double kBlownUpVolume = 3;
-
-/// How many times the volume a body encloses that it had, or its rest volume where that is more.
-double growth(const BodyModel& model, const EquilibriumState& state, double had) {
-  return model.has_fluid() ? enclosed_volumes(model, state.position).sum() / std::max(had, model.rest_volume) : 1;
-}
 
 /// Pseudo-inertia: springs, in units of the wall's stiffness, tie every vertex to a target, (unknowns), metres. A slack
 /// or a buckling wall has directions without stiffness in which Newton's steps make no sense; the springs give them
@@ -129,22 +111,6 @@ bool stays_near(const BodyModel& model, const EquilibriumState& before, const Eq
   return std::abs(enclosed_volumes(model, after.position).sum() - volume) <= kNear * std::abs(volume);
 }
 
-/// Metres^2 of a wall without contents that a pressure loads; 0 of any other.
-double pressed_area(const BodyModel& model, const EquilibriumProblem& problem, const EquilibriumState& state) {
-  bool is_pressed = false;
-  for (std::size_t k = 0; k < model.loads.size(); ++k) {
-    const double factor = k < problem.load_factors.size() ? problem.load_factors[k] : 1;
-    is_pressed = is_pressed || (model.loads[k].kind == LoadKind::kFollowerPressure && factor != 0);
-  }
-  if (model.has_fluid() || !is_pressed) return 0;
-  double area = 0;
-  for (const Eigen::Vector3i& triangle : model.definition.mesh.triangles) {
-    const auto corners = corners_of(triangle, state.position);
-    area += 0.5 * (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
-  }
-  return area;
-}
-
 }  // namespace
 
 NewtonResult Body::solve(EquilibriumProblem& problem, EquilibriumState& state, const SolveEffort& effort) {
@@ -175,21 +141,6 @@ NewtonResult Body::solve(EquilibriumProblem& problem, EquilibriumState& state, c
   return result;
 }
 
-NewtonResult Body::burst(const std::optional<MostBorne>& most) {
-  std::ostringstream reason;
-  reason << "it bursts: it grows without end, past ";
-  reason << (model_->has_fluid() ? kBurstVolume : kBurstArea) << " times its "
-         << (model_->has_fluid() ? "volume" : "area");
-  if (most) {
-    const std::string& chamber = model_->chambers[most->chamber].name;
-    reason << ", as " << (chamber.empty() ? "its wall" : "the wall of its chamber `" + chamber + "`") << " bears "
-           << std::fixed << std::setprecision(most->pressure < 100 ? 2 : 0) << most->pressure << " Pa at most";
-  }
-  bursts_ = true;
-  report_.is_past_bearing = most.has_value();
-  return fail(reason.str());
-}
-
 NewtonResult Body::fail(const std::string& reason) {
   NewtonResult failed;
   failed.reason = failure_ = reason;
@@ -201,10 +152,8 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state, s
   const RelaxationPace& pace = is_eager ? kEager : kCareful;
   const std::string before = failure_;
   double springs = 1;
-  bool buckles = false;            // whether the last solution was hard
-  double asked_at = kGrownVolume;  // times the volume, from which on it is asked whether the wall bears the pressure
-  const double had = model_->has_fluid() ? enclosed_volumes(*model_, state.position).sum() : 0;
-  const double most_area = kBurstArea * pressed_area(*model_, problem, state);
+  bool buckles = false;  // whether the last solution was hard
+  Growth growth = growth_from(problem, state);
   Eigen::VectorXd lead = Eigen::VectorXd::Zero(state.position.size());  // (unknowns), metres
   for (int turn = 0; turn < pace.turns; ++turn) {
     EquilibriumState trial = state;
@@ -214,7 +163,8 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state, s
     effort.buckles = is_eager && buckles;
     NewtonResult held_result = solve(held, trial, effort);
     buckles = held_result.iterations > kBucklingIterations;
-    if (held_result.converged && went_around(*model_, way, held, trial)) {
+    const bool is_taken = held_result.converged && went_around(*model_, way, held, trial);
+    if (is_taken) {
       lead = pace.lead * (trial.position - state.position);
       take(held, trial, problem, state);
       if (way) way = going_on(*way, problem, state.position);
@@ -228,20 +178,20 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state, s
       springs *= pace.stiffened;
       if (springs > kStiffestSprings) break;
     }
-    const double grown = growth(*model_, state, had);
-    if (grown > kBurstVolume || pressed_area(*model_, problem, state) > most_area) return burst();
-    if (grown > asked_at) {
-      asked_at = kAskedAgain * grown;
-      if (const auto most = most_borne(problem, kBurstVolume, state)) return burst(most);
-    }
+    if (const auto burst = burst_of(growth, problem, state)) return *burst;
     if (springs < kWeakSprings && turn % 4 == 3) {
       trial = state;
       held = problem;
       NewtonResult result = solve(held, trial, {.takes_flaps = true});
-      if (!result.converged || !went_around(*model_, way, held, trial)) continue;
-      state = trial;
-      problem = held;
-      return result;
+      if (result.converged && went_around(*model_, way, held, trial)) {
+        state = trial;
+        problem = held;
+        return result;
+      }
+      if (is_taken && leaves_rest_to_steps()) {
+        is_loose_ = true;
+        return held_result;
+      }
     }
   }
   // The last solution with springs may have been good, and without them not at hand all the same.
