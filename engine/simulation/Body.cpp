@@ -145,12 +145,6 @@ Body::Body(BodyDefinition definition, std::vector<ToolDefinition> tools, Simulat
   state_.pressing.resize(tools_.size());
 }
 
-SurfaceView Body::surface() const {
-  return {.triangles = model_->definition.mesh.triangles,
-          .position = state_.equilibrium.position,
-          .open = !model_->has_fluid()};
-}
-
 FluidMode Body::fluid_mode() const {
   return model_->definition.fluid.kind == FluidKind::kCompressible ? FluidMode::kCompressible
                                                                    : FluidMode::kIncompressible;

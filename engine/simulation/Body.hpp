@@ -13,6 +13,7 @@
 #include "engine/equilibrium/BodyModel.hpp"
 #include "engine/equilibrium/Equilibrium.hpp"
 #include "engine/equilibrium/Newton.hpp"
+#include "engine/simulation/BladeWay.hpp"
 #include "engine/simulation/BodyState.hpp"
 #include "engine/simulation/BodyStepReport.hpp"
 #include "engine/simulation/CutProgress.hpp"
@@ -69,7 +70,7 @@ class Body {
   const BodyModel& model() const { return *model_; }
   const BodyState& state() const { return state_; }
   const BodyStepReport& report() const { return report_; }
-  SurfaceView surface() const;
+  SurfaceView surface() const { return surface_of(*model_, state_); }
 
   /// Pairs of parts of the wall that lie on each other, after the last step.
   std::size_t fold_count() const { return newton_->terms().folds.folds.size(); }
@@ -141,13 +142,6 @@ class Body {
     std::unique_ptr<const BodyModel> model;
     std::unique_ptr<Newton> newton;
     BodyState state;
-  };
-
-  /// Where a cut goes on.
-  struct WayOn {
-    CutPath path;
-    std::optional<Eigen::Vector3d> border = {};        // metres, of the wall, where the path ends there
-    Eigen::Vector3d sense = Eigen::Vector3d::UnitX();  // unit, in which the blade goes over that border
   };
 
   /// Where the answer to a tool's motion leads, to first order.
@@ -311,23 +305,10 @@ class Body {
   /// The nearest place of the wall; along its direction that of a point. Nothing of a line.
   WallAhead wall_ahead(int tool, const ToolPose& pose) const;
   WallAhead stiffness_ahead(WallAhead ahead, const EquilibriumProblem& problem, int tool, const ToolPose& pose);
-  /// Where a blade's edge enters the wall: nearest to where it cuts, or to its tip where it does not yet. `higher`:
-  /// metres by which it is taken for higher than it is.
-  std::optional<SurfacePoint> place_below(int tool, const ToolPose& pose, double higher = 0) const;
+  BladeWay way_of_blade(int tool) const { return {*model_, state_, tools_[tool]}; }
   /// Where the wall presses a blade most that has worked on it as much as a cut of its width costs: what it meets with
   /// its edge from the front it would push before it for ever. Nothing before that.
   std::optional<SurfacePoint> place_before(int tool, const ToolPose& pose) const;
-  /// From the tip, or where the blade met the wall first, to where a blade meets the wall or has left it.
-  std::optional<WayOn> way_on(int tool, const ToolPose& pose, double higher = 0) const;
-  /// From the tip to the open border that the blade has left the wall over; nothing where it has not.
-  std::optional<WayOn> way_to_border(const ToolPose& pose) const;
-  /// A way at whose end the cut ends; where that is next to an open border, or in the other end of a cut, there.
-  WayOn brought_to_border(int tool, WayOn way) const;
-  /// Whether a blade goes back in its own wound: behind the tip, and over no wall but its lips.
-  bool is_in_wound(int tool, const ToolPose& pose) const;
-  /// From the lip over which a blade has come out of its own wound to where it meets the wall.
-  std::optional<WayOn> way_out_of_wound(int tool, const ToolPose& pose) const;
-  bool is_far(const WayOn& way) const;  // for a blade that was off the wall to have gone it
   /// Begins another cut where a blade meets the wall far from the tip, as where a flap has taken the tip aside: no way
   /// over the wall leads from it to the blade, or none that the blade has gone.
   void begin_anew_far_off(int tool, const ToolPose& pose);

@@ -1,7 +1,10 @@
-// A blade in the wall of a body: what it costs to go on, and who pays for what it cuts.
+// A blade in the wall of a body: where it meets it, what it costs to go on, and who pays for what it cuts.
 
 #include <algorithm>
+#include <limits>
 
+#include "engine/contact/SolidGap.hpp"
+#include "engine/cutting/SurfaceTrace.hpp"
 #include "engine/equilibrium/FrictionContact.hpp"
 #include "engine/simulation/Body.hpp"
 
@@ -46,6 +49,35 @@ void add_half_work(const CutProgress& cut, const Eigen::VectorXd& motion, LipWor
 }
 
 }  // namespace
+
+std::optional<SurfacePoint> Body::place_before(int tool, const ToolPose& pose) const {
+  const std::vector<ToolSolid> solids = contact_solids(tools_[tool], pose);
+  const std::size_t first = std::ranges::find(solids_, tool) - solids_.begin();
+  double most = 0;  // newton
+  std::optional<SurfacePoint> place;
+  for (std::size_t k = 0; k < solids.size(); ++k) {
+    const std::vector<double>& forces = state_.solid_forces[first + k];
+    for (std::size_t s = 0; s < forces.size(); ++s) {
+      if (forces[s] <= most) continue;
+      const ContactSite& site = model_->sites[s];
+      const auto corners = corners_of(model_->surface[site.triangle], state_.equilibrium.position);
+      const auto gap = solid_gap(solids[k], std::numeric_limits<double>::infinity(), corners, site.part, site.corner,
+                                 GapTerms::kGradient);
+      most = forces[s];
+      place = SurfacePoint{.triangle = site.triangle, .weights = gap->weights};
+    }
+  }
+  if (!place || state_.pressing[tool].work < cost_at(*place) * tools_[tool].width) return std::nullopt;
+  return snapped_to_edges(surface(), *place);
+}
+
+void Body::begin_anew_far_off(int tool, const ToolPose& pose) {
+  const BladeWay way = way_of_blade(tool);
+  const std::optional<SurfacePoint> place = way.place_below(pose);
+  if (!place || !way.is_far(*place)) return;
+  state_.cut.tip.reset();
+  begin_cut(*place);
+}
 
 double Body::cost_at(const SurfacePoint& place) const {
   Eigen::Index corner = 0;

@@ -295,10 +295,11 @@ void Body::let_free_parts_go() {
 
 std::optional<Cut> Body::follow_blade(int tool, std::span<const ToolPose> poses, bool goes_on) {
   const ToolPose& pose = poses[tool];
+  const BladeWay blade = way_of_blade(tool);
   CutProgress& progress = state_.cut;
   if (progress.ahead > 0 || come_out_of_gap(pose)) return std::nullopt;
   if (!progress.is_in_wall()) {
-    auto place = place_below(tool, pose);
+    auto place = blade.place_below(pose);
     if (!place) place = place_before(tool, pose);
     if (place && !progress.gap) {
       progress.tool = tool;
@@ -307,19 +308,19 @@ std::optional<Cut> Body::follow_blade(int tool, std::span<const ToolPose> poses,
     }
     return std::nullopt;
   }
-  const bool was_in_wound = std::exchange(progress.is_in_wound, is_in_wound(tool, pose));
+  const bool was_in_wound = std::exchange(progress.is_in_wound, blade.is_in_wound(pose));
   const bool leaves_earlier = was_in_wound && !progress.is_in_wound && !progress.tip;
-  if (const auto place = leaves_earlier ? place_below(tool, pose) : std::nullopt) {
+  if (const auto place = leaves_earlier ? blade.place_below(pose) : std::nullopt) {
     begin_cut(*nearest_on_border(surface(), position_of(surface(), *place)));
   }
   const bool was_off_wall = std::exchange(progress.is_off_wall, false);
   if (progress.is_in_wound) return std::nullopt;
-  std::optional<WayOn> way = way_on(tool, pose);
+  std::optional<WayOn> way = blade.on(pose);
   // Behind its cut's tip it may have been in the air as well as in the wound: no step leads from there so far.
-  if (way && was_in_wound && is_far(*way)) way.reset();
-  if (!way) way = way_out_of_wound(tool, pose);
+  if (way && was_in_wound && blade.is_far(*way)) way.reset();
+  if (!way) way = blade.out_of_wound(pose);
   // It has passed above what lies between where the wall gave way from under it and where it meets it again.
-  if (way && was_off_wall && is_far(*way)) way.reset();
+  if (way && was_off_wall && blade.is_far(*way)) way.reset();
   if (!way) {
     // Before its first cut the wall is dented, and what dents it is the blade: but no farther than that.
     const double most = kDentedEdges * model_->edge_length * progress.cost;  // joule
@@ -327,7 +328,7 @@ std::optional<Cut> Body::follow_blade(int tool, std::span<const ToolPose> poses,
     begin_anew_far_off(tool, pose);
     return std::nullopt;
   }
-  if (!goes_on && !way->border) way = brought_to_border(tool, *std::move(way));
+  if (!goes_on && !way->border) way = blade.brought_to_border(*std::move(way));
   way->path.goes_on = goes_on && !way->border;
   return go_on(*way, pose, poses);
 }

@@ -80,7 +80,7 @@ std::optional<Cut> Body::run_ahead(std::span<const ToolPose> poses, const std::f
     if (progress.run + piece * edge > most) return std::nullopt;
     const double farther = std::max(0.0, lead + piece * edge);
     const ToolPose pose = ahead(farther);
-    std::optional<WayOn> way = way_on(tool, pose, std::max(0.0, farther - straight_on));
+    std::optional<WayOn> way = way_of_blade(tool).on(pose, std::max(0.0, farther - straight_on));
     if (!way) continue;
     way->path.goes_on = !way->border;
     const std::optional<Rupture> tried = try_cut(way->path, poses);

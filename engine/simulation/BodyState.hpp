@@ -10,6 +10,7 @@
 #include "engine/simulation/CutProgress.hpp"
 #include "engine/simulation/FlowMemory.hpp"
 #include "engine/simulation/Puncture.hpp"
+#include "engine/tool/FirstContact.hpp"
 
 namespace thinwall {
 
@@ -123,5 +124,11 @@ double moment_mass(const BodyModel& model, const BodyState& state, int chamber);
 
 /// What the inertia of its fluid adds to the pressure in a chamber.
 PressureField pressure_of_inertia(const BodyModel& model, const BodyState& state, int chamber);
+
+/// The wall as it is now. What it refers to are model and state.
+inline SurfaceView surface_of(const BodyModel& model, const BodyState& state) {
+  return {
+      .triangles = model.definition.mesh.triangles, .position = state.equilibrium.position, .open = !model.has_fluid()};
+}
 
 }  // namespace thinwall

@@ -1,12 +1,9 @@
-// Where a blade in the wall of a body is, and along which way over the wall it has come there.
+#include "engine/simulation/BladeWay.hpp"
 
 #include <algorithm>
-#include <limits>
 
-#include "engine/contact/SolidGap.hpp"
 #include "engine/cutting/BorderCrossing.hpp"
 #include "engine/cutting/SurfaceTrace.hpp"
-#include "engine/simulation/Body.hpp"
 
 namespace thinwall {
 namespace {
@@ -40,54 +37,33 @@ bool is_direct(const SurfaceView& wall, const SurfaceTrace& way, double edge) {
 
 }  // namespace
 
-std::optional<SurfacePoint> Body::place_below(int tool, const ToolPose& pose, double higher) const {
+std::optional<SurfacePoint> BladeWay::place_below(const ToolPose& pose, double higher) const {
   const SurfaceView wall = surface();
-  const Eigen::Vector3d top = pose.tip - (tools_[tool].length + higher) * pose.direction;
+  const Eigen::Vector3d top = pose.tip - (blade_.length + higher) * pose.direction;
   // Behind its edge a blade may pass other lobes of the body: it cuts where its tip has gone in, and goes on from
   // there.
   Eigen::Vector3d near = pose.tip;
   if (state_.cut.tip) {
     near = state_.equilibrium.position.segment<3>(3 * *state_.cut.tip);
   } else if (state_.cut.start) {
-    near = place_on(*model_, state_.cut.start->triangle, state_.cut.start->weights, state_.equilibrium.position);
+    near = place_on(model_, state_.cut.start->triangle, state_.cut.start->weights, state_.equilibrium.position);
   }
   const auto entry = nearest_entry_on_segment(wall, top, pose.tip, near);
   if (!entry) return std::nullopt;
   return snapped_to_edges(wall, {.triangle = entry->triangle, .weights = entry->weights});
 }
 
-std::optional<SurfacePoint> Body::place_before(int tool, const ToolPose& pose) const {
-  const std::vector<ToolSolid> solids = contact_solids(tools_[tool], pose);
-  const std::size_t first = std::ranges::find(solids_, tool) - solids_.begin();
-  double most = 0;  // newton
-  std::optional<SurfacePoint> place;
-  for (std::size_t k = 0; k < solids.size(); ++k) {
-    const std::vector<double>& forces = state_.solid_forces[first + k];
-    for (std::size_t s = 0; s < forces.size(); ++s) {
-      if (forces[s] <= most) continue;
-      const ContactSite& site = model_->sites[s];
-      const auto corners = corners_of(model_->surface[site.triangle], state_.equilibrium.position);
-      const auto gap = solid_gap(solids[k], std::numeric_limits<double>::infinity(), corners, site.part, site.corner,
-                                 GapTerms::kGradient);
-      most = forces[s];
-      place = SurfacePoint{.triangle = site.triangle, .weights = gap->weights};
-    }
-  }
-  if (!place || state_.pressing[tool].work < cost_at(*place) * tools_[tool].width) return std::nullopt;
-  return snapped_to_edges(surface(), *place);
-}
-
-bool Body::is_in_wound(int tool, const ToolPose& pose) const {
+bool BladeWay::is_in_wound(const ToolPose& pose) const {
   const CutProgress& cut = state_.cut;
   const SurfaceView wall = surface();
   if (cut.tip) {
     const Eigen::Vector3d tip = state_.equilibrium.position.segment<3>(3 * *cut.tip);
     if ((pose.tip - tip).dot(across(way_ahead(wall, *cut.tip), pose.direction)) >= 0) return false;
   }
-  const std::optional<SurfacePoint> place = place_below(tool, pose);
+  const std::optional<SurfacePoint> place = place_below(pose);
   if (!place) return cut.tip.has_value();
   // The flanks of a blade part the lips of a wound that does not gape.
-  const double flank = 0.5 * tools_[tool].thickness;
+  const double flank = 0.5 * blade_.thickness;
   const Eigen::Vector3d met = position_of(wall, *place);
   if (distance_from_border(wall, met) > flank) return false;
   if (cut.tip) return true;
@@ -97,12 +73,12 @@ bool Body::is_in_wound(int tool, const ToolPose& pose) const {
   return (met - start).norm() > 2 * flank && distance_from_border(wall, start) <= flank;
 }
 
-std::optional<Body::WayOn> Body::way_out_of_wound(int tool, const ToolPose& pose) const {
-  const std::optional<SurfacePoint> target = place_below(tool, pose);
+std::optional<WayOn> BladeWay::out_of_wound(const ToolPose& pose) const {
+  const std::optional<SurfacePoint> target = place_below(pose);
   if (!target || !state_.cut.tip) return std::nullopt;
   const SurfaceView wall = surface();
   const Eigen::Vector3d tip = state_.equilibrium.position.segment<3>(3 * *state_.cut.tip);
-  const Eigen::Vector3d to = place_on(*model_, target->triangle, target->weights, state_.equilibrium.position);
+  const Eigen::Vector3d to = place_on(model_, target->triangle, target->weights, state_.equilibrium.position);
   const Eigen::Vector3d ahead = across(way_ahead(wall, *state_.cut.tip), pose.direction).normalized();
   const double before = (to - tip).dot(ahead);  // metres
   if (before >= 0) return std::nullopt;
@@ -114,18 +90,18 @@ std::optional<Body::WayOn> Body::way_out_of_wound(int tool, const ToolPose& pose
   return WayOn{.path = {.from = {}, .points = way.pieces.front().points}};
 }
 
-std::optional<Body::WayOn> Body::way_on(int tool, const ToolPose& pose, double higher) const {
+std::optional<WayOn> BladeWay::on(const ToolPose& pose, double higher) const {
   const SurfaceView wall = surface();
-  const std::optional<SurfacePoint> target = place_below(tool, pose, higher);
-  if (!target) return way_to_border(pose);
+  const std::optional<SurfacePoint> target = place_below(pose, higher);
+  if (!target) return to_border(pose);
   const std::optional<int> tip = state_.cut.tip;
   const SurfacePoint from = tip ? point_at(wall.triangles, *tip) : *state_.cut.start;
   const SurfaceTrace way = trace(wall, from, *target);
-  if (!is_direct(wall, way, model_->edge_length)) return way_to_border(pose);
+  if (!is_direct(wall, way, model_.edge_length)) return to_border(pose);
   return WayOn{.path = {.from = tip, .points = way.pieces.front().points}};
 }
 
-std::optional<Body::WayOn> Body::way_to_border(const ToolPose& pose) const {
+std::optional<WayOn> BladeWay::to_border(const ToolPose& pose) const {
   if (!state_.cut.tip) return std::nullopt;
   const int tip = *state_.cut.tip;
   const SurfaceView wall = surface();
@@ -136,19 +112,19 @@ std::optional<Body::WayOn> Body::way_to_border(const ToolPose& pose) const {
   const auto border = first_border(wall, from, to, pose.direction);
   if (!border) return std::nullopt;
   const SurfaceTrace way = trace(wall, point_at(wall.triangles, tip), snapped_to_edges(wall, *border));
-  if (!is_direct(wall, way, model_->edge_length)) return std::nullopt;
+  if (!is_direct(wall, way, model_.edge_length)) return std::nullopt;
   return WayOn{.path = {.from = tip, .points = way.pieces.front().points},
-               .border = place_on(*model_, border->triangle, border->weights, state_.equilibrium.position),
+               .border = place_on(model_, border->triangle, border->weights, state_.equilibrium.position),
                .sense = (to - from).normalized()};
 }
 
-Body::WayOn Body::brought_to_border(int tool, WayOn way) const {
+WayOn BladeWay::brought_to_border(WayOn way) const {
   if (!way.path.from) return way;
   const SurfaceView wall = surface();
   const SurfacePoint from = point_at(wall.triangles, *way.path.from), end = way.path.points.back();
   const Eigen::Vector3d tip = position_of(wall, from), stop = position_of(wall, end);
   const Eigen::Vector3d ahead = way_ahead(wall, *way.path.from).normalized();
-  const double near = std::max(0.5 * tools_[tool].thickness, kNearBorder * model_->edge_length);
+  const double near = std::max(0.5 * blade_.thickness, kNearBorder * model_.edge_length);
   double shortest = near;
   for (SurfacePoint border : borders_around(wall, stop, near)) {
     // The other end of a cut is a vertex, and no place of one lip or the other beside it.
@@ -157,30 +133,26 @@ Body::WayOn Body::brought_to_border(int tool, WayOn way) const {
     const SurfacePoint vertex{.triangle = border.triangle, .weights = Eigen::Vector3d::Unit(corner)};
     if ((position_of(wall, vertex) - stop).norm() <= near) border = vertex;
     // Its own lips begin at the tip, and lie behind it.
-    if ((position_of(wall, border) - tip).dot(ahead) <= kLeastAhead * model_->edge_length) continue;
+    if ((position_of(wall, border) - tip).dot(ahead) <= kLeastAhead * model_.edge_length) continue;
     // Of lips that lie together the way over the wall tells which one is on this side.
     const SurfaceTrace rest = trace(wall, end, border);
     if (rest.pieces.size() != 1 || length_of(wall, rest.pieces.front().points) > shortest) continue;
     const SurfaceTrace there = trace(wall, from, border);
-    if (!is_direct(wall, there, model_->edge_length)) continue;
+    if (!is_direct(wall, there, model_.edge_length)) continue;
     shortest = length_of(wall, rest.pieces.front().points);
     way.path.points = there.pieces.front().points;
   }
   return way;
 }
 
-bool Body::is_far(const WayOn& way) const {
-  return length_of(surface(), way.path.points) > kLeftBehind * model_->edge_length;
+bool BladeWay::is_far(const WayOn& way) const {
+  return length_of(surface(), way.path.points) > kLeftBehind * model_.edge_length;
 }
 
-void Body::begin_anew_far_off(int tool, const ToolPose& pose) {
-  const std::optional<SurfacePoint> place = place_below(tool, pose);
-  if (!place) return;
+bool BladeWay::is_far(const SurfacePoint& place) const {
   const SurfaceView wall = surface();
   const SurfacePoint from = state_.cut.tip ? point_at(wall.triangles, *state_.cut.tip) : *state_.cut.start;
-  if ((position_of(wall, *place) - position_of(wall, from)).norm() <= kLeftBehind * model_->edge_length) return;
-  state_.cut.tip.reset();
-  begin_cut(*place);
+  return (position_of(wall, place) - position_of(wall, from)).norm() > kLeftBehind * model_.edge_length;
 }
 
 }  // namespace thinwall
