@@ -346,10 +346,11 @@ class Body {
   double come_to_rest();
   void leave_punctures(std::span<const ToolPose> poses);
   bool is_clear_of(const Puncture& puncture, const ToolPose& pose) const;
-  /// Joule that the wall can give at most as it gives way: what it has stored, where nothing else works on it; infinite
-  /// where something does.
-  double most_released() const;
-  bool open_on_shaft(std::span<const ToolPose> poses);
+  enum class ShaftOpening { kOpens, kDoesNotPay, kJams };
+  /// Spreads the last slit on the shaft of its needle, by and by, while the books miss no more than `most_imbalance`,
+  /// joule: beyond that the wall has released less than the slit costs.
+  ShaftOpening open_on_shaft(std::span<const ToolPose> poses,
+                             double most_imbalance = std::numeric_limits<double>::infinity());
   bool make_slit(const CutPath& path, double radius, Cut& cut, Uncut& before);
   void book_rupture(int tool, const Rupture& rupture, const std::vector<ToolContact>& felt);
   /// Where the mesh or what presses on the wall has changed: the forces that are missing now hold it as it is, and are

@@ -120,7 +120,7 @@ void Body::slit_held_wall(int tool, const SurfacePoint& place, std::span<const T
   made.rupture.cost = cost * made.rupture.cut.length;
   state_.punctures.push_back(puncture_of(*model_, made.rupture.cut, tool, poses[tool], radius));
   state_.punctures.back().due = made.rupture.cost;
-  if (!open_on_shaft(poses)) {
+  if (open_on_shaft(poses) == ShaftOpening::kJams) {
     put_back(std::move(before));
     fail("the wall around it finds no equilibrium: " + failure_);
   }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 
@@ -221,7 +220,7 @@ bool Body::is_clear_of(const Puncture& puncture, const ToolPose& pose) const {
   return true;
 }
 
-bool Body::open_on_shaft(std::span<const ToolPose> poses) {
+Body::ShaftOpening Body::open_on_shaft(std::span<const ToolPose> poses, double most_imbalance) {
   const int tool = *state_.punctures.back().tool;
   const std::vector<char> is_free = free_triangles(tool);
   for (std::size_t solid = 0; solid < solids_.size(); ++solid) {
@@ -235,6 +234,8 @@ bool Body::open_on_shaft(std::span<const ToolPose> poses) {
   while (reached < 1) {
     state_.punctures.back().spread = next;
     if (snap(poses)) {
+      // What is spread on takes up more and more.
+      if (state_.books.imbalance() > most_imbalance) return ShaftOpening::kDoesNotPay;
       reached = next;
       // Friction begins with what the needle does from now on.
       for (ShaftPoint& point : state_.punctures.back().points) {
@@ -245,11 +246,11 @@ bool Body::open_on_shaft(std::span<const ToolPose> poses) {
       }
     } else {
       step *= 0.5;
-      if (next == 0 || step < kLeastSpreadStep) return false;
+      if (next == 0 || step < kLeastSpreadStep) return ShaftOpening::kJams;
     }
     next = std::min(1.0, reached + step);
   }
-  return true;
+  return ShaftOpening::kOpens;
 }
 
 bool Body::make_slit(const CutPath& path, double radius, Cut& cut, Uncut& before) {
@@ -263,14 +264,6 @@ bool Body::make_slit(const CutPath& path, double radius, Cut& cut, Uncut& before
   return is_slit;
 }
 
-double Body::most_released() const {
-  const BodyDefinition& definition = model_->definition;
-  const bool has_work_done = model_->has_fluid() || !options_.gravity.isZero() || !model_->loads.empty() ||
-                             !definition.viscosity.empty() || !state_.cut.held.empty();
-  if (has_work_done) return std::numeric_limits<double>::infinity();
-  return state_.books.stored() - state_.books.kinetic;
-}
-
 std::optional<Rupture> Body::pierce(int tool, std::span<const ToolPose> poses) {
   leave_punctures(poses);
   Pressing& pressing = state_.pressing[tool];
@@ -278,12 +271,11 @@ std::optional<Rupture> Body::pierce(int tool, std::span<const ToolPose> poses) {
   const double radius = tools_[tool].radius, work = pressing.work, residual = report_.residual;
   const auto place = pressed_place(*model_, state_.equilibrium.position, poses[tool], radius, free_triangles(tool));
   if (!place) return std::nullopt;
-  const double cost = model_->cut_cost(place->triangle);  // newton
-  if (work < std::max(kLeastWork * 2 * radius * cost, pressing.awaited)) return std::nullopt;
-  if (most_released() < (1 - kSlitGive) * 2 * radius * cost) return std::nullopt;
+  const double cost = model_->cut_cost(place->triangle), of_slit = 2 * radius * cost;  // newton, joule
+  if (work < std::max(kLeastWork * of_slit, pressing.awaited)) return std::nullopt;
   const auto await = [&](double more, const std::string& why) {
     state_.pressing[tool].awaited = work + more;
-    if (why.empty() || work < kMostWork * 2 * radius * cost) return;
+    if (why.empty() || work < kMostWork * of_slit) return;
     throw SimulationFailure("body `" + model_->definition.name + "`: needle `" + tools_[tool].name +
                             "` presses hard enough to go through the wall, but " + why);
   };
@@ -293,27 +285,26 @@ std::optional<Rupture> Body::pierce(int tool, std::span<const ToolPose> poses) {
   const std::vector<ToolContact> felt = state_.contacts;
   Rupture rupture;
   Uncut before;
-  bool is_opened = false;
+  ShaftOpening opening = ShaftOpening::kJams;
   int jams = 0;
   const auto fits = [&](const CutPath& path) {
     if (!make_slit(path, radius, rupture.cut, before)) return false;
+    rupture.cost = cost * rupture.cut.length;
     state_.punctures.push_back(puncture_of(*model_, rupture.cut, tool, poses[tool], radius));
-    is_opened = open_on_shaft(poses);
-    if (is_opened) return true;
+    opening = open_on_shaft(poses, books.imbalance() - rupture.cost);
+    if (opening != ShaftOpening::kJams) return true;
     put_back(std::exchange(before, {}));
     report_.residual = residual;
     return ++jams == kMostJams;
   };
   try_slits(*model_, *place, poses[tool], radius, fits);
-  if (!is_opened) {
-    await(kRetryPart * 2 * radius * cost,
-          jams > 0 ? "the wall around it finds no equilibrium: " + failure_
-                   : "no slit of its width fits in there; aim farther from borders and cuts");
+  if (opening == ShaftOpening::kJams) {
+    await(kRetryPart * of_slit, jams > 0 ? "the wall around it finds no equilibrium: " + failure_
+                                         : "no slit of its width fits in there; aim farther from borders and cuts");
     return std::nullopt;
   }
-  rupture.cost = cost * rupture.cut.length;
   rupture.released = books.imbalance() - state_.books.imbalance();
-  if (rupture.released < rupture.cost) {
+  if (opening == ShaftOpening::kDoesNotPay) {
     put_back(std::move(before));
     report_.residual = residual;
     await(kMissingPart * (rupture.cost - rupture.released), {});

@@ -78,10 +78,10 @@ TEST(ANeedleBesideACut, IsSoonThroughASheetThatIsLeftSlack) {
   };
   ASSERT_TRUE(needle.move_to_rupture(body, 1, 15e-3, note));
   EXPECT_NEAR(needle.ruptured_at[0], 6.8e-3, 0.1e-3);
-  // 678 and 2182 iterations; 1250 in the step where it is through when all of the wall must come to rest in it, 2821 in
-  // all when it is also asked for more than it has stored.
+  // 678 and 1914 iterations; 1250 in the step where it is through when all of the wall must come to rest in it, 2821 in
+  // all when a slit that does not pay is spread on the shaft all the same.
   EXPECT_LT(most, 900);
-  EXPECT_LT(all, 2500);
+  EXPECT_LT(all, 2300);
 }
 
 }  // namespace
