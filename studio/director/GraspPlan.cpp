@@ -1,10 +1,24 @@
 #include "studio/director/GraspPlan.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/cutting/BorderCrossing.hpp"
 
 namespace thinwall {
+namespace {
+
+/// Part of their grip by which jaws may squeeze with more or less: what is found within a few steps.
+constexpr double kGripTolerance = 0.01;
+
+/// Part of the way between two openings that is kept from either: squeezes grow ever faster, and where the straight
+/// line between them is taken alone the looser one would hardly move.
+constexpr double kInnerPart = 0.1;
+
+/// Metres between openings, of which no wall feels the difference.
+constexpr double kSameOpening = 1e-8;
+
+}  // namespace
 
 double GraspPlan::duration() const {
   return (clip.standoff + clip.depth) / clip.speed + clip.duration;
@@ -31,7 +45,19 @@ void GraspPlan::feel(double squeeze, double opening, double time) {
   } else if (largest_squeeze > 0 && !lost) {
     lost = time;
   }
-  if (clip.grip > 0 && !stopped && squeeze >= clip.grip) stopped = opening;
+  if (clip.grip > 0 && !has_settled) settle({.opening = opening, .force = squeeze});
+}
+
+void GraspPlan::settle(const JawSqueeze& now) {
+  (now.force < clip.grip ? looser : firmer) = now;
+  if (!firmer) return;
+  const bool is_as_wanted = std::abs(now.force - clip.grip) <= kGripTolerance * clip.grip;
+  has_settled = is_as_wanted || !looser || looser->opening - firmer->opening < kSameOpening;
+  stopped = now.opening;
+  if (has_settled) return;
+  // A step closes the jaws by much of what a wall can be squeezed by: it ends beyond the grip, and they open a little.
+  const double part = (clip.grip - looser->force) / (firmer->force - looser->force);
+  stopped = std::lerp(looser->opening, firmer->opening, std::clamp(part, kInnerPart, 1 - kInnerPart));
 }
 
 GraspPlan plan_grasp(const GraspClip& clip, const ToolDefinition& tool, const SurfaceView& surface,

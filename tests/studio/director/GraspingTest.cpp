@@ -116,6 +116,24 @@ TEST(Grasping, JawsStopWhereTheyHoldFirmlyEnough) {
   EXPECT_EQ(told_of(run, 1), "");
 }
 
+TEST(Grasping, JawsStopAtTheirGripHoweverLongTheSteps) {
+  // A step of 20 ms closes them by 0.27 mm, from where they touch nothing to far beyond their grip.
+  std::vector<double> openings;  // metres
+  for (const double step : {0.02, 0.005}) {
+    Scenario scenario = grasping_scenario();
+    std::get<ShapeSource>(scenario.bodies[0].surface).triangles = 256;
+    scenario.simulation = {.analysis = Analysis::kQuasiStatic, .time_step = step};
+    std::get<GraspClip>(scenario.timeline[0].action).grip = 0.05;
+    scenario.timeline.resize(1);
+    ScenarioRun run(scenario);
+    while (run.step()) {
+    }
+    openings.push_back(run.snapshot().tools.at(0).opening);
+    std::printf("steps of %g ms: stopped at %.4f mm\n", 1e3 * step, 1e3 * openings.back());
+  }
+  EXPECT_NEAR(openings[0], openings[1], 0.02e-3) << "1 % of the grip is 0.01 mm of opening";
+}
+
 TEST(Grasping, SmallJawsGraspATenseCoarseBalloonAndMoveIt) {
   // Edges of the wall lie along rims of the jaws, and are longer than these.
   Scenario scenario = held_ball(200, 0.01);
