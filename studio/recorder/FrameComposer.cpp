@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "renderer/snapshot/ActingSurfaces.hpp"
@@ -40,13 +41,31 @@ std::string text_at(double time, const std::vector<TimedText>& texts) {
   return text;
 }
 
-/// Of the first body that has contents, not of the scenery that it lies in: an open sheet has no volume.
-std::optional<double> first_pressure(const Snapshot& snapshot) {
-  for (const SnapshotSurface* surface : acting_surfaces(snapshot)) {
-    if (find_scalar(snapshot, surface->body, kVolumeScalar) == 0.0) continue;
-    if (const auto pressure = find_scalar(snapshot, surface->body, kPressureScalar)) return pressure;
+double squared_distance(const Double3& point, const SnapshotSurface& surface) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Float3& vertex : surface.positions) {
+    double sum = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) sum += std::pow(vertex[axis] - point[axis], 2);
+    least = std::min(least, sum);
   }
-  return std::nullopt;
+  return least;
+}
+
+/// Of the body with contents that the tool is at, of the first one where there is no tool. An open sheet has no volume,
+/// and the scenery that bodies lie in does not count.
+std::optional<double> shown_pressure(const Snapshot& snapshot, const SnapshotTool* tool) {
+  std::vector<const SnapshotSurface*> filled = acting_surfaces(snapshot);
+  std::erase_if(filled, [&](const SnapshotSurface* surface) {
+    return find_scalar(snapshot, surface->body, kVolumeScalar) == 0.0 ||
+           !find_scalar(snapshot, surface->body, kPressureScalar);
+  });
+  if (filled.empty()) return std::nullopt;
+  const SnapshotSurface* shown = filled.front();
+  if (tool != nullptr && filled.size() > 1) {
+    shown = *std::ranges::min_element(
+        filled, {}, [&](const SnapshotSurface* surface) { return squared_distance(tool->tip, *surface); });
+  }
+  return find_scalar(snapshot, shown->body, kPressureScalar);
 }
 
 std::optional<Legend> legend_of(const LookDefinition& look) {
@@ -184,10 +203,10 @@ OverlayContent FrameComposer::overlay(const Snapshot& snapshot) const {
   content.duration = later_->planned_duration;
   content.title = title_;
   content.caption = text_at(snapshot.time, later_->captions);
-  content.pressure = first_pressure(snapshot);
   content.shown = choice_;
   content.legend = legend_;
   const SnapshotTool* tool = shown_tool(snapshot);
+  content.pressure = shown_pressure(snapshot, tool);
   if (tool == nullptr) {
     content.shown.force_plot = content.shown.gauge = false;
     return content;

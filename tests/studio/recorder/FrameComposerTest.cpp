@@ -72,6 +72,26 @@ TEST(FrameComposerTest, TellsThePressureOfTheFirstBodyThatHasContents) {
   EXPECT_EQ(both.compose(0).overlay.pressure, 700);
 }
 
+TEST(FrameComposerTest, OfSeveralBodiesWithContentsThePressureIsThatOfTheOneThatTheToolIsAt) {
+  Moment moment = SyntheticRun().moment(0);
+  SnapshotSurface other = moment.snapshot.surfaces[0];
+  moment.snapshot.surfaces[0].body = "cyst";
+  other.body = "vessel";
+  for (Float3& position : other.positions) position[0] += 1;
+  moment.snapshot.surfaces.push_back(other);
+  moment.snapshot.scalars = {{"cyst.pressure", "Pa", 800}, {"vessel.pressure", "Pa", 3000}};
+  for (const auto& [at, pressure] : {std::pair{0.0, 800.0}, {1.0, 3000.0}}) {
+    moment.snapshot.tools[0].tip[0] = at;
+    FrameComposer composer("", {});
+    composer.add(moment);
+    EXPECT_EQ(composer.compose(0).overlay.pressure, pressure) << "tool at " << at << " m";
+  }
+  moment.snapshot.tools.clear();
+  FrameComposer without("", {});
+  without.add(moment);
+  EXPECT_EQ(without.compose(0).overlay.pressure, 800) << "the first one's without a tool";
+}
+
 TEST(FrameComposerTest, PressureAndExpectedForceAreThoseOfTheBodyThatIsNotScenery) {
   Moment moment = SyntheticRun().moment(0);
   FrameComposer alone("", {});
