@@ -129,7 +129,6 @@ TEST(Grasping, JawsStopAtTheirGripHoweverLongTheSteps) {
     while (run.step()) {
     }
     openings.push_back(run.snapshot().tools.at(0).opening);
-    std::printf("steps of %g ms: stopped at %.4f mm\n", 1e3 * step, 1e3 * openings.back());
   }
   EXPECT_NEAR(openings[0], openings[1], 0.02e-3) << "1 % of the grip is 0.01 mm of opening";
 }
