@@ -165,7 +165,9 @@ struct WallMemory {
             .damping = damping};
   }
   BendingMemory of_bending(int triangle) const {
-    return {.scale = scale, .overmoment = overmoment.empty() ? Eigen::Vector3d::Zero().eval() : overmoment[triangle]};
+    // The law of bending is linear: damping by the stiffness of the unstrained wall is more of it.
+    return {.scale = scale + damping,
+            .overmoment = overmoment.empty() ? Eigen::Vector3d::Zero().eval() : overmoment[triangle]};
   }
 };
 

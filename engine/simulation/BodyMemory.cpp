@@ -76,6 +76,7 @@ void Body::start_memory() {
   wall.branch_stress.assign(model_->definition.viscosity.size(), none);
   wall.overstress = none;
   const std::vector<Eigen::Vector3d> unbent(model_->bending.size(), Eigen::Vector3d::Zero());
+  wall.previous_bending_strain = wall.bending_strain;
   wall.branch_moment.assign(model_->definition.viscosity.size(), unbent);
   wall.overmoment = unbent;
 }
@@ -87,6 +88,10 @@ void Body::stop_damping() {
     wall.overstress[t].setZero();
     for (const std::vector<Eigen::Vector3d>& branch : wall.branch_stress) wall.overstress[t] += branch[t];
   }
+  for (std::size_t t = 0; t < model_->bending.size(); ++t) {
+    wall.overmoment[t].setZero();
+    for (const std::vector<Eigen::Vector3d>& branch : wall.branch_moment) wall.overmoment[t] += branch[t];
+  }
 }
 
 void Body::add_memory(double duration, EquilibriumProblem& problem) const {
@@ -95,13 +100,13 @@ void Body::add_memory(double duration, EquilibriumProblem& problem) const {
   const WallHistory& wall = state_.wall;
   problem.memory.scale = lasting_part(definition);
   problem.memory.overstress.assign(model_->triangles(), Eigen::Vector3d::Zero());
+  problem.memory.overmoment.assign(model_->bending.size(), Eigen::Vector3d::Zero());
   for (std::size_t k = 0; k < definition.viscosity.size(); ++k) {
     const PronyStep step = prony_step(definition.viscosity[k], duration);
     problem.memory.scale += step.share;
     for (int t = 0; t < model_->triangles(); ++t) {
       problem.memory.overstress[t] += step.fade * wall.branch_stress[k][t] - step.share * wall.law_stress[t];
     }
-    problem.memory.overmoment.resize(model_->bending.size(), Eigen::Vector3d::Zero());
     for (std::size_t t = 0; t < model_->bending.size(); ++t) {
       problem.memory.overmoment[t] += step.fade * wall.branch_moment[k][t] - step.share * wall.law_moment[t];
     }
@@ -113,6 +118,11 @@ void Body::add_memory(double duration, EquilibriumProblem& problem) const {
   for (int t = 0; t < model_->triangles(); ++t) {
     problem.memory.overstress[t] += factor * unstrained_tangent(*model_, t) *
                                     (difference.before * wall.strain[t] + difference.earlier * wall.previous_strain[t]);
+  }
+  for (std::size_t t = 0; t < model_->bending.size(); ++t) {
+    problem.memory.overmoment[t] += factor * (difference.before * wall.law_moment[t] +
+                                              difference.earlier * model_->bending[t].stiffness *
+                                                  wall.previous_bending_strain[t]);
   }
 }
 
@@ -146,6 +156,7 @@ double Body::update_bending_memory(double duration, const EquilibriumProblem& pr
       branch = step.fade * branch + step.share * (moment - wall.law_moment[t]);
     }
     loss += 0.5 * rest.area * (wall.overmoment[t] + overmoment).dot(strain - wall.bending_strain[t]);
+    wall.previous_bending_strain[t] = wall.bending_strain[t];
     wall.bending_strain[t] = strain;
     wall.law_moment[t] = moment;
     wall.overmoment[t] = overmoment;

@@ -46,6 +46,7 @@ struct WallHistory {
   std::vector<std::vector<Eigen::Vector3d>> branch_moment;  // (Prony terms x triangles) of a shell, newton
   std::vector<Eigen::Vector3d> overmoment;                  // (triangles) of a shell, newton
   std::vector<Eigen::Vector3d> bending_strain;              // (triangles) of a shell, 1 / metre
+  std::vector<Eigen::Vector3d> previous_bending_strain;     // (triangles) of a shell, a step earlier
   std::vector<Eigen::Vector3d> strain;                      // (triangles), (E11, E22, 2 E12)
   std::vector<Eigen::Vector3d> previous_strain;             // (triangles), a step earlier
 };

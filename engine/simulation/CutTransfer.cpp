@@ -243,6 +243,7 @@ void carry_history(const TensorTransfer& transfer, WallHistory& wall) {
   transfer.carry(wall.overstress, 1);
   transfer.carry(wall.overmoment, 1);
   transfer.carry(wall.previous_strain, 2);
+  transfer.carry(wall.previous_bending_strain, 2);
 }
 
 /// The vertices of a site, ascending after those that it has not: what it is known by after a cut.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -167,6 +168,38 @@ TEST(ShellBody, AStripUnderASteadyLoadCreepsAsItsMomentsRelax) {
   std::printf("lost %.3e J, numerical %.1e J\n", lost, numerical);
   EXPECT_GT(lost, 0.1 * (books.script_work - before.script_work));
   EXPECT_LT(std::abs(numerical), 1e-3 * lost);
+}
+
+TEST(ShellBody, ADampedStripUnderASteadyLoadBendsLikeASpringBesideADashpot) {
+  // Where moments are those of the bending and `time` times of its rate, it comes to rest as 1 - exp(-t / time).
+  const double time = 0.2;
+  BodyDefinition definition = strip(160);
+  definition.loads = {
+      {.kind = LoadKind::kDeadForce, .region = PlaneRegion{.axis = 1, .at = 5}, .vector = {0, 0, 0.02}}};
+  const BodyInput steady{.load_factors = {1}, .fluids = {}};
+  Body elastic(definition, {}, statics());
+  elastic.settle({1});
+  const double at_last = mean_of_end(elastic).z();  // a hundred and fiftieth of the length
+  definition.damping.stiffness_time = time;
+  // Damping by many steps' stiffness rounds stretches off at more than 1e-8 of so light a load.
+  SimulationOptions options = statics();
+  options.tolerance = 1e-5;
+  Body body(definition, {}, options);
+  body.settle({0});
+  const double step = 10e-3;
+  double most = 0;
+  for (int k = 1; k <= 40; ++k) {
+    body.advance({}, {}, step, steady);
+    most = std::max(most, std::abs(mean_of_end(body).z() / at_last - (1 - std::exp(-k * step / time))));
+  }
+  const EnergyBooks& books = body.state().books;
+  std::printf("off by %.1e at most, lost %.3e J, numerical %.1e J\n", most, books.viscous, books.numerical);
+  EXPECT_LT(most, 3e-3);
+  // At rest the dashpot has taken as much as the spring, and before that less by exp(-2 t / time).
+  const double taken = -std::expm1(-2 * 40 * step / time) * elastic.state().books.bending;
+  // The load that comes at once is booked as one that grows over the first step, which takes 1 / 21 off.
+  EXPECT_NEAR(books.viscous, taken, 0.055 * taken);
+  EXPECT_LT(std::abs(books.numerical), 0.02 * taken);
 }
 
 }  // namespace

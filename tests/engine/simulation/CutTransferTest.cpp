@@ -36,7 +36,7 @@ TEST(ACutThroughAViscousWall, LeavesEachPlaceWhatItRemembersInTheAxesOfItsNewTri
   BodyState state = body.state();
   state.wall.branch_stress = state.wall.branch_moment = {told(before, 1)};
   state.wall.overstress = state.wall.overmoment = told(before, 1);
-  state.wall.previous_strain = told(before, 2);
+  state.wall.previous_strain = state.wall.previous_bending_strain = told(before, 2);
   CutSurface surface(before.definition.mesh);
   const Cut cut = surface.cut(path_between(body, {-7e-3, -2e-3, 1e-3}, {8e-3, 3e-3, 1e-3}));
   ASSERT_GT(cut.triangles.size(), 10U);
@@ -46,7 +46,7 @@ TEST(ACutThroughAViscousWall, LeavesEachPlaceWhatItRemembersInTheAxesOfItsNewTri
   for (const auto& [carried, expected] :
        {std::pair(&wall.branch_stress[0], &stress), std::pair(&wall.branch_moment[0], &stress),
         std::pair(&wall.overstress, &stress), std::pair(&wall.overmoment, &stress),
-        std::pair(&wall.previous_strain, &strain)}) {
+        std::pair(&wall.previous_strain, &strain), std::pair(&wall.previous_bending_strain, &strain)}) {
     ASSERT_EQ(carried->size(), expected->size());
     for (std::size_t t = 0; t < expected->size(); ++t) {
       EXPECT_LT(((*carried)[t] - (*expected)[t]).norm(), 1e-12) << t;
