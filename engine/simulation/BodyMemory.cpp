@@ -120,9 +120,9 @@ void Body::add_memory(double duration, EquilibriumProblem& problem) const {
                                     (difference.before * wall.strain[t] + difference.earlier * wall.previous_strain[t]);
   }
   for (std::size_t t = 0; t < model_->bending.size(); ++t) {
-    problem.memory.overmoment[t] += factor * (difference.before * wall.law_moment[t] +
-                                              difference.earlier * model_->bending[t].stiffness *
-                                                  wall.previous_bending_strain[t]);
+    problem.memory.overmoment[t] +=
+        factor * (difference.before * wall.law_moment[t] +
+                  difference.earlier * model_->bending[t].stiffness * wall.previous_bending_strain[t]);
   }
 }
 

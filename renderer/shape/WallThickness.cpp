@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "renderer/shape/LipShape.hpp"
+#include "renderer/shape/WallRoom.hpp"
 #include "renderer/snapshot/Float3.hpp"
 #include "renderer/snapshot/Vector.hpp"
 #include "renderer/wound/RestNormals.hpp"
@@ -162,9 +163,12 @@ WallWays wall_ways(const SnapshotSurface& surface, std::span<const SurfaceVertex
                    std::span<const BorderEdge> borders) {
   if (borders.empty() || surface.topology->thickness.size() != surface.topology->triangles.size()) return {};
   std::vector<double> thickness = thickness_now(surface);
+  std::vector<double> with_room = thickness;
+  thin_to_room(surface, wall, with_room);
   thin_around_holes(surface, borders, thickness);
   LipShape lips = lip_shape(surface, wall, borders);
   thin_sharp_bends(surface, lips, thickness);
+  std::ranges::transform(thickness, with_room, thickness.begin(), std::ranges::min);
   even_along_lips(lips, kEvenings, thickness);
   std::vector<double> lean = lean_of(lips, thickness);
   return {.thickness = std::move(thickness),

@@ -30,8 +30,9 @@ WallWays wall_ways(const SnapshotSurface& surface, std::span<const SurfaceVertex
 
 /// The inner side lies the wall's thickness behind the outer one, as it is now: tissue keeps its volume, but a wall
 /// that is crushed to less than two thirds of its area does not grow further, and one that turns more sharply than its
-/// thickness is drawn thinner there, as is one around a hole that is small beside its thickness. `wall`: what
-/// wall_vertices gives for the surface. Where two pieces of a border meet at less than 60 degrees the rim is smooth.
+/// thickness is drawn thinner there, as is one around a hole that is small beside its thickness, and one against whose
+/// inner side another part of it lies (thin_to_room). `wall`: what wall_vertices gives for the surface. Where two
+/// pieces of a border meet at less than 60 degrees the rim is smooth.
 WallDepth wall_depth(const SnapshotSurface& surface, std::span<const SurfaceVertex> wall,
                      std::span<const BorderEdge> borders, const WallWays& ways);
 

@@ -77,6 +77,33 @@ TEST(WallDepth, AWallThatIsCrushedGrowsThickerByHalfAtMost) {
   for (const SurfaceVertex& vertex : depth_of(surface).lining) EXPECT_FLOAT_EQ(vertex.position[2], -0.15f);
 }
 
+/// Two unit squares of 0.1 thickness that face away from each other, `apart` from each other.
+SnapshotSurface collapsed(float apart) {
+  SnapshotSurface surface = square(0.1f);
+  auto topology = std::make_shared<SnapshotTopology>(*surface.topology);
+  for (const Float3& corner : square(0.1f).positions) surface.positions.push_back({corner[0], corner[1], -apart});
+  topology->rest_positions = surface.positions;
+  topology->triangles.insert(topology->triangles.end(), {{4, 6, 5}, {4, 7, 6}});
+  topology->thickness.assign(4, 0.1f);
+  surface.topology = topology;
+  return surface;
+}
+
+TEST(WallDepth, TheInnerSideOfAWallThatLiesAgainstAnotherDoesNotComeOutOfThat) {
+  for (const float apart : {0.12f, 0.05f, 0.001f}) {
+    const WallDepth depth = depth_of(collapsed(apart));
+    ASSERT_EQ(depth.lining.size(), 8u);
+    for (std::size_t v = 0; v < 8; ++v) {
+      const float below = -depth.lining[v].position[2], behind = v < 4 ? below : apart - below;
+      EXPECT_GT(behind, 0.5f * apart) << "vertex " << v << " of walls " << apart << " apart";
+      EXPECT_LT(behind, 0.9f * apart) << "vertex " << v << " of walls " << apart << " apart";
+    }
+  }
+  for (const SurfaceVertex& vertex : depth_of(collapsed(0.19f)).lining) {
+    EXPECT_FLOAT_EQ(std::min(-vertex.position[2], 0.19f + vertex.position[2]), 0.09f) << "as thick as it is";
+  }
+}
+
 TEST(WallDepth, ASharpBendIsDrawnSoThinThatItsInnerSideIsNotTurnedOver) {
   // Half a pipe of radius 0.1, bent outwards around less than its own thickness.
   std::vector<Float3> positions;
