@@ -22,13 +22,23 @@ void orient(Camera& camera, Vector3 forward, Vector3 up) {
   camera.up = cross(camera.right, camera.forward);
 }
 
-/// From the front, a little from the right and from above; elongated bodies lie across the picture.
-Vector3 oblique_direction(const SceneExtent& extent, double elevation) {
-  const auto& [xx, yy, xy] = extent.spread;
+/// A vector as it is where +z has been turned to `up`, unit, by the shortest way; upside down around x.
+Vector3 turned_from_z(Vector3 up, Vector3 vector) {
+  const Vector3 axis = cross({0, 0, 1}, up);
+  const double sine = length(axis);
+  const Vector3 around = sine > 1e-9 ? normalized(axis) : Vector3{1, 0, 0};
+  return turned(vector, around, std::atan2(sine, up.z));
+}
+
+/// From the front, a little from the right and from above; elongated bodies lie across the picture. `up`: unit; where
+/// it is not +z all is turned with it by the shortest way.
+Vector3 oblique_direction(const SceneExtent& extent, double elevation, Vector3 up) {
+  const Vector3 right = turned_from_z(up, {1, 0, 0}), back = turned_from_z(up, {0, 1, 0});
+  const double xx = extent.spread.along(right, right), yy = extent.spread.along(back, back);
   // Long in x or round: seen from the front (-y). Long in y: seen from the right (+x).
-  const bool long_in_y = yy > 1.2 * xx && yy - xx > std::abs(xy);
+  const bool long_in_y = yy > 1.2 * xx && yy - xx > std::abs(extent.spread.along(right, back));
   const double azimuth = (long_in_y ? -20.0 : -65.0) * std::numbers::pi / 180;
-  return {std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth), std::sin(elevation)};
+  return std::cos(elevation) * (std::cos(azimuth) * right + std::sin(azimuth) * back) + std::sin(elevation) * up;
 }
 
 void require_sound(const CameraDefinition& definition) {
@@ -57,7 +67,7 @@ void stand(Camera& camera, const CameraDefinition& definition, const SceneExtent
   }
   orient(camera,
          definition.facing ? vector3(*definition.facing)
-                           : -oblique_direction(extent, definition.elevation.value_or(kElevation)),
+                           : -oblique_direction(extent, definition.elevation.value_or(kElevation), up),
          up);
   if (!extent.rest_points.empty()) frame(camera, extent, {.center = target, .axis = up, .angle = angle});
   // A given target keeps the distance; without one the window decides, which leaves the centre out of the middle.

@@ -99,23 +99,29 @@ double round_up_coarsely(double reach, double base) {
   return base * std::pow(kStep, std::ceil(std::log(std::max(1.0, reach / base)) / std::log(kStep)));
 }
 
-LevelSpread spread_of(std::span<const SnapshotSurface* const> surfaces, const Vector3& center) {
-  LevelSpread sum;
+WallSpread spread_of(std::span<const SnapshotSurface* const> surfaces, const Vector3& center) {
+  WallSpread sum;
   double area = 0;
   for (const SnapshotSurface* surface : surfaces) {
     const std::vector<Float3>& rest = surface->topology->rest_positions;
     for (const auto& [i, j, k] : surface->topology->triangles) {
       const Vector3 a = vector3(rest[i]) - center, b = vector3(rest[j]) - center, c = vector3(rest[k]) - center;
       const double twice = length(cross(b - a, c - a));
-      // The mean of a square over a triangle is (a^2 + b^2 + c^2 + (a + b + c)^2) / 12.
-      const Vector3 all = a + b + c;
-      sum.xx += twice * (a.x * a.x + b.x * b.x + c.x * c.x + all.x * all.x);
-      sum.yy += twice * (a.y * a.y + b.y * b.y + c.y * c.y + all.y * all.y);
-      sum.xy += twice * (a.x * a.y + b.x * b.y + c.x * c.y + all.x * all.y);
+      // The mean of a product over a triangle is that of its corners and of their sum, a twelfth of all four.
+      for (const Vector3& at : {a, b, c, a + b + c}) {
+        sum.xx += twice * at.x * at.x;
+        sum.yy += twice * at.y * at.y;
+        sum.zz += twice * at.z * at.z;
+        sum.xy += twice * at.x * at.y;
+        sum.yz += twice * at.y * at.z;
+        sum.zx += twice * at.z * at.x;
+      }
       area += 12 * twice;
     }
   }
-  return area > 0 ? LevelSpread{sum.xx / area, sum.yy / area, sum.xy / area} : LevelSpread{};
+  if (!(area > 0)) return {};
+  for (double* one : {&sum.xx, &sum.yy, &sum.zz, &sum.xy, &sum.yz, &sum.zx}) *one /= area;
+  return sum;
 }
 
 SceneExtent extent_of(std::span<const SnapshotSurface* const> surfaces) {

@@ -10,10 +10,16 @@
 
 namespace thinwall {
 
-/// How far walls at rest reach across the level plane: means over their area of the products of the places' distances
-/// from the middle of the scene, square metres. Triangles that a cut divides do not change it.
-struct LevelSpread {
-  double xx = 0, yy = 0, xy = 0;
+/// How far walls at rest reach along the axes: means over their area of the products of the places' distances from the
+/// middle of the scene, square metres. Triangles that a cut divides do not change it.
+struct WallSpread {
+  double xx = 0, yy = 0, zz = 0, xy = 0, yz = 0, zx = 0;
+
+  /// The same mean of the distances along two directions, unit.
+  double along(const Vector3& a, const Vector3& b) const {
+    return xx * a.x * b.x + yy * a.y * b.y + zz * a.z * b.z + xy * (a.x * b.y + a.y * b.x) +
+           yz * (a.y * b.z + a.z * b.y) + zx * (a.z * b.x + a.x * b.z);
+  }
 };
 
 /// Where a scene is and how large, so that camera, light, tools and patterns fit organs of any size.
@@ -22,7 +28,7 @@ struct SceneExtent {
   // Vertices as they are now, but for pieces that were cut out, of walls that have grown beyond the box of their rest
   // points: a camera that nobody has placed goes back for them. None of others.
   std::vector<Vector3> grown_points = {};
-  LevelSpread spread = {};
+  WallSpread spread = {};
   Vector3 center;           // metres, of the box around the rest points
   double size = 0.1;        // metres, diagonal of that box; 0.1 where there is no surface
   double floor_height = 0;  // metres, z of the floor below everything but pieces that were cut out and fall

@@ -9,6 +9,7 @@
 namespace thinwall {
 namespace {
 
+using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
 /// How the clips of a timeline go into bodies.
@@ -43,11 +44,11 @@ Vector3d over_the_shoulder(const Vector3d& direction, double aside) {
   return Vector3d(std::cos(azimuth), std::sin(azimuth), slope).normalized();
 }
 
-/// Over that shoulder from which more is seen, the tool's right one where it is the same.
-Vector3d over_the_better_shoulder(const Vector3d& direction, const CameraQuestions& ask) {
+/// Over that shoulder from which more is seen, the tool's right one where it is the same. `turn`: to where it is asked.
+Vector3d over_the_better_shoulder(const Vector3d& direction, const Quaterniond& turn, const CameraQuestions& ask) {
   constexpr double kAside = 50 * std::numbers::pi / 180;
-  const std::array<Vector3d, 2> shoulders = {over_the_shoulder(direction, kAside),
-                                             over_the_shoulder(direction, -kAside)};
+  const std::array<Vector3d, 2> shoulders = {turn * over_the_shoulder(direction, kAside),
+                                             turn * over_the_shoulder(direction, -kAside)};
   const std::vector<double> hidden = ask.hidden_parts(shoulders);
   return shoulders[hidden[1] < hidden[0] ? 1 : 0];
 }
@@ -83,31 +84,45 @@ std::vector<CheckedValue*> unplaced_cameras(CheckedValue& root) {
   return all;
 }
 
-CheckedMember facing_member(const Vector3d& facing, const SourceLocation& location) {
+CheckedMember direction_member(const std::string& key, const Vector3d& direction, const SourceLocation& location) {
   CheckedValue list{.kind = CheckedKind::kList, .location = location, .given = false};
-  for (const double part : facing) list.items.push_back(number_value(part, location));
-  return {.key = "facing", .location = location, .value = list};
+  for (const double part : direction) list.items.push_back(number_value(part, location));
+  return {.key = key, .location = location, .value = list};
+}
+
+/// Against gravity; +z where there is none.
+Vector3d upwards(const Vector3d& gravity) {
+  return gravity.isZero() ? Vector3d::UnitZ().eval() : Vector3d(-gravity.normalized());
 }
 
 }  // namespace
 
-void camera_pass(CheckedValue& root, const std::vector<Clip>& timeline, const CameraQuestions& ask) {
+void camera_pass(CheckedValue& root, const std::vector<Clip>& timeline, const Vector3d& gravity,
+                 const CameraQuestions& ask) {
   const std::vector<CheckedValue*> cameras = unplaced_cameras(root);
   if (cameras.empty()) return;
+  const Vector3d up = upwards(gravity);
+  for (CheckedValue* camera : cameras) {
+    if (up.isApprox(Vector3d::UnitZ()) || camera->find("up") != nullptr) continue;
+    camera->members.push_back(direction_member("up", up, camera->location));
+  }
   const auto [direction, cuts] = approach_of(timeline, ask);
-  const bool is_down = direction.z() < -0.7;
+  // All below is for up being +z.
+  const Quaterniond turn = Quaterniond::FromTwoVectors(Vector3d::UnitZ(), up);
+  const Vector3d level = turn.conjugate() * direction;
+  const bool is_down = level.z() < -0.7;
   // The standard view shows what presses downwards.
   if (direction.isZero() || (is_down && !cuts)) return;
   const Vector3d facing = is_down ? direction
-                          : cuts  ? into_the_wound(direction)
-                                  : over_the_better_shoulder(direction, ask);
+                          : cuts  ? Vector3d(turn * into_the_wound(level))
+                                  : over_the_better_shoulder(level, turn, ask);
   for (CheckedValue* camera : cameras) {
     const SourceLocation& location = camera->location;
     if (is_down) {
       camera->members.push_back(
           {.key = "elevation", .location = location, .value = number_value(kElevationAboveWounds, location)});
     } else {
-      camera->members.push_back(facing_member(facing, location));
+      camera->members.push_back(direction_member("facing", facing, location));
     }
   }
 }

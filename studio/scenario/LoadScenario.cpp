@@ -78,7 +78,7 @@ LoadedTake load_take(const std::filesystem::path& file, const Overrides& overrid
   look_pass(checked);
 
   Scenario scenario = build_scenario(checked);
-  camera_pass(checked, scenario.timeline, questions_about(scenario, answers));
+  camera_pass(checked, scenario.timeline, scenario.simulation.gravity, questions_about(scenario, answers));
   scenario.file = file;
   scenario.name = file.stem().string();
   if (scenario.title.empty()) scenario.title = scenario.name;

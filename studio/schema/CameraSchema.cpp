@@ -36,7 +36,12 @@ ValueSchema keyframes_value() {
       time_key("at", "1.5 s", "when"),
       {"position", place_value(), false, {}, "where the camera stands"},
       {"target", place_value(), false, {}, "what it looks at"},
-      {"up", direction_value(), false, {}, "what is up in the picture; not along the line of sight"},
+      {"up",
+       direction_value(),
+       false,
+       {},
+       "what is up in the picture; not along the line of sight; when absent +z, or against gravity of a camera without "
+       "`position`, `facing` and `elevation`"},
       {"field_of_view", angle_value(), false, {}, kAngleWords},
       {"ease", word_value({"linear", "smooth"}), false, "smooth",
        "the way to here from the keyframe before: at constant speed, or starting and ending at rest"},

@@ -215,8 +215,9 @@ TEST(Camera, OneThatNobodyPlacedHoldsAllOnItsWayRound) {
   }
 }
 
-/// A rectangle of two triangles, one of which `cuts` have divided at one of its ends in y.
-SceneExtent rectangle(float x, float y, int cuts) {
+/// A level rectangle of two triangles, one of which `cuts` have divided at one of its ends in y; or as it lies where up
+/// is +y, and what was +y is -z.
+SceneExtent rectangle(float x, float y, int cuts, bool is_turned = false) {
   std::vector<Float3> corners = {{-x, -y, 0}, {x, -y, 0}, {x, y, 0}, {-x, y, 0}};
   std::vector<Triangle> triangles = {{0, 2, 3}};
   std::uint32_t last = 0;
@@ -227,6 +228,8 @@ SceneExtent rectangle(float x, float y, int cuts) {
     last = next;
   }
   triangles.push_back({last, 1, 2});
+  if (is_turned)
+    std::ranges::transform(corners, corners.begin(), [](Float3 at) { return Float3{at[0], at[2], -at[1]}; });
   return extent_of(test::surface_of("rectangle", corners, triangles));
 }
 
@@ -237,6 +240,17 @@ TEST(Camera, OneThatNobodyPlacedLooksAcrossWhatIsLongAndStaysThereWhenCutsDivide
     EXPECT_EQ(std::abs(whole.x) > std::abs(whole.y), y > x);
     const Vector3 cut = resolve_camera({}, rectangle(x, y, 50), kSize, 0).forward;
     EXPECT_NEAR(length(cut - whole), 0, 1e-12);
+  }
+}
+
+TEST(Camera, OneThatNobodyPlacedTurnsWithWhatIsUp) {
+  for (const auto& [x, y] : {std::pair{2.0F, 1.0F}, {1.0F, 2.0F}}) {
+    const Camera upright = resolve_camera({}, rectangle(x, y, 0), kSize, 0);
+    const Camera over = resolve_camera({.up = Double3{0, 1, 0}}, rectangle(x, y, 0, true), kSize, 0);
+    for (const auto& [was, is] :
+         {std::pair(upright.forward, over.forward), std::pair(upright.position, over.position)}) {
+      EXPECT_NEAR(length(is - Vector3{was.x, was.z, -was.y}), 0, 1e-12) << "long in " << (x > y ? "x" : "y");
+    }
   }
 }
 

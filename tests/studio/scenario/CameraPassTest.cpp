@@ -14,9 +14,10 @@ namespace {
 using Eigen::Vector3d;
 
 /// A scenario with one camera after the pass over these clips; cuts without direction go in as said.
-CheckedValue turned(const std::vector<Clip>& timeline, const std::string& camera, const CameraQuestions& ask) {
+CheckedValue turned(const std::vector<Clip>& timeline, const std::string& camera, const CameraQuestions& ask,
+                    const Vector3d& gravity = Vector3d::Zero()) {
   CheckedValue root = checked_scenario("camera: " + camera + "\n");
-  camera_pass(root, timeline, ask);
+  camera_pass(root, timeline, gravity, ask);
   return root;
 }
 
@@ -26,10 +27,14 @@ CameraQuestions goes_in(const Vector3d& inward) {
           .hidden_parts = [](std::span<const Vector3d> facings) { return std::vector<double>(facings.size(), 0); }};
 }
 
-std::optional<Vector3d> facing_of(const CheckedValue& root) {
-  const CheckedValue* value = root.at("camera").find("facing");
+std::optional<Vector3d> direction_of(const CheckedValue& root, const char* key) {
+  const CheckedValue* value = root.at("camera").find(key);
   if (value == nullptr) return std::nullopt;
   return Vector3d(value->items[0].number, value->items[1].number, value->items[2].number);
+}
+
+std::optional<Vector3d> facing_of(const CheckedValue& root) {
+  return direction_of(root, "facing");
 }
 
 /// Where the camera faces after the pass, for one palpation along a direction; nothing when the pass leaves it alone.
@@ -51,6 +56,32 @@ TEST(CameraPass, LooksWithToolsThatPressFromTheSide) {
     EXPECT_GT(view->dot(direction.normalized()), 0.5) << direction.transpose();
     EXPECT_LT(view->z(), 0) << "seen from above";
   }
+}
+
+TEST(CameraPass, TurnsAllWithGravity) {
+  // Where y is upwards what was +y is -z.
+  const Vector3d gravity(0, -9.81, 0);
+  const auto turned_over = [](const Vector3d& v) { return Vector3d(v.x(), v.z(), -v.y()); };
+  for (const Vector3d& direction : {Vector3d(0, -1, 0), Vector3d(1, 0, 0), Vector3d(0.6, 0, 0.8), Vector3d(0, 0, -1)}) {
+    for (const bool cuts : {false, true}) {
+      const auto clip = [&](const Vector3d& along) {
+        return cuts ? Clip{.action = InciseClip{.direction = along}} : Clip{.action = PalpateClip{.direction = along}};
+      };
+      const CameraQuestions ask = goes_in(Vector3d::Zero());
+      const CheckedValue upright = turned({clip(direction)}, "{}", ask);
+      const CheckedValue over = turned({clip(turned_over(direction))}, "{}", ask, gravity);
+      EXPECT_FALSE(direction_of(upright, "up"));
+      EXPECT_EQ(direction_of(over, "up"), Vector3d::UnitY());
+      const auto facing = direction_of(upright, "facing"), facing_over = direction_of(over, "facing");
+      ASSERT_EQ(facing.has_value(), facing_over.has_value()) << direction.transpose();
+      if (!facing) continue;
+      EXPECT_LT((*facing_over - turned_over(*facing)).norm(), 1e-12) << direction.transpose();
+    }
+  }
+  const Clip press{.action = PalpateClip{.direction = {0, -1, 0}}};
+  EXPECT_EQ(direction_of(turned({press}, "{ up: [1, 0, 0] }", goes_in(Vector3d::Zero()), gravity), "up"),
+            Vector3d::UnitX());
+  EXPECT_FALSE(direction_of(turned({press}, "{ facing: [1, 0, 0] }", goes_in(Vector3d::Zero()), gravity), "up"));
 }
 
 TEST(CameraPass, LooksOverTheShoulderFromWhichMoreIsSeen) {
@@ -124,10 +155,10 @@ TEST(CameraPass, AsksForNormalsOnlyWhereACameraStandsNowhere) {
   const CameraQuestions count = {
       .inward_along = [&](const InciseClip&) { return ++asked, Vector3d(0, 0, -1); },
       .hidden_parts = [&](std::span<const Vector3d>) { return ++asked, std::vector<double>(2, 0.0); }};
-  camera_pass(root, {{.action = InciseClip{}}}, count);
+  camera_pass(root, {{.action = InciseClip{}}}, Vector3d::Zero(), count);
   EXPECT_EQ(asked, 0) << "reading a mesh takes its time";
   root = checked_scenario("camera: { position: [1 m, 0, 0] }\ncameras: { other: {} }\n");
-  camera_pass(root, {{.action = InciseClip{}}}, count);
+  camera_pass(root, {{.action = InciseClip{}}}, Vector3d::Zero(), count);
   EXPECT_EQ(asked, 1);
   EXPECT_NE(root.at("cameras").at("other").find("elevation"), nullptr);
 }
