@@ -189,6 +189,8 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state, s
         return result;
       }
       if (is_taken && leaves_rest_to_steps()) {
+        // What the springs still hold back is missed of an equilibrium without them.
+        report_.residual = newton_->missed(problem, state);
         is_loose_ = true;
         return held_result;
       }
