@@ -1,2 +1,3 @@
 #version 450 core
+#define FRAME_FROM_VERTICES
 #include "film.glsl"

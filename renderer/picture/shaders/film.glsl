@@ -27,7 +27,7 @@ layout(location = 1) uniform float cloudiness;  // part of what it takes of the 
 void main() {
   float coat = min(kind, 1.0), edged = max(kind - 1.0, 0.0);
   vec3 from_eye = position - camera_position.xyz;
-  float depth = dot(from_eye, ray_middle.xyz);
+  float depth = 1.0 / gl_FragCoord.w;
   float pixel = environment.w * depth;
   // Its own tension keeps its edge from turning sharply.
   const float kWaves = 190.0, kFineWaves = 640.0;  // 1 / metre

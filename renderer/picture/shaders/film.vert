@@ -1,5 +1,5 @@
 #version 450 core
-#include "frame.glsl"
+#include "taken.glsl"
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -20,6 +20,7 @@ layout(location = 4) out float out_kind;
 layout(location = 5) out vec3 out_slope;
 
 void main() {
+  take_frame_along();
   out_position = position;
   gl_ClipDistance[0] = meets_ground && floor_plane.y > 0.0 ? position.z - floor_plane.x : 1.0;
   out_normal = normal;

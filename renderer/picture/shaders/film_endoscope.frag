@@ -1,3 +1,4 @@
 #version 450 core
+#define FRAME_FROM_VERTICES
 #define ENDOSCOPE
 #include "film.glsl"

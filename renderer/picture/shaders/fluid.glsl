@@ -36,7 +36,7 @@ const float kWaves = 0.24, kLampSize = 1.6, kRoughness = 0.09;
 void main() {
   vec3 from_eye = position - camera_position.xyz;
   vec3 view = -normalize(from_eye);
-  float depth = dot(from_eye, ray_middle.xyz);
+  float depth = 1.0 / gl_FragCoord.w;
   Seen wall = seen_from(texelFetch(seen_tissue, ivec2(gl_FragCoord.xy), 0), rest_grid, false);
   float way = max(wall.depth / depth - 1.0, 0.0) * length(from_eye);
   // What is cloudy hides what lies in it, what is clear tints it: it takes its part of the light, which is shown by a power

@@ -1,8 +1,8 @@
 // What all shaders know of a picture. The fields are explained in FrameUniforms.hpp, which fills them.
 //
 // llvmpipe spends half a nanosecond per pixel on each number that a fragment shader reads from a uniform block, and next to
-// nothing on one that comes flat from the vertices. Shaders of whole screens therefore define FRAME_FROM_VERTICES before
-// this file is included and get the shared fields from screen.vert, under the same names.
+// nothing on one that comes flat from the vertices. Shaders that read many therefore define FRAME_FROM_VERTICES before this
+// file is included and get the shared fields from vertices that take them along (taken.glsl), under the same names.
 #define SHARED_FIELDS(how) \
   how mat4 shadow_matrix; \
   how vec4 camera_position; \
