@@ -1,42 +1,61 @@
 #include "renderer/video/VideoProbe.hpp"
 
-#include <charconv>
-#include <string>
-#include <string_view>
-
-#include "renderer/image/PictureFailure.hpp"
-#include "renderer/video/Program.hpp"
+#include "renderer/video/Mp4File.hpp"
 
 namespace thinwall {
 namespace {
 
-/// The number behind "key=" in lines of "key=value"; false when there is none.
-template <typename Number>
-bool read_entry(std::string_view lines, std::string_view key, Number& value) {
-  const std::string start = "\n" + std::string(key) + "=";
-  const std::string text = "\n" + std::string(lines);
-  const std::size_t place = text.find(start);
-  if (place == std::string::npos) return false;
-  const char* begin = text.data() + place + start.size();
-  return std::from_chars(begin, text.data() + text.size(), value).ec == std::errc();
+/// The content of a box that a video track has; throws where it has none.
+Mp4Box box_of(Mp4File& file, const Mp4Box& track, const std::vector<std::string_view>& path) {
+  const auto box = file.find_within(track, path);
+  if (!box) file.fail("has a video track without `" + std::string(path.back()) + "`");
+  return *box;
+}
+
+/// A whole number of 4 bytes.
+std::uint64_t number_at(Mp4File& file, std::uint64_t place) {
+  return big_endian(file.read(place, 4));
+}
+
+/// Headers of version 1 hold times of 8 bytes instead of 4.
+bool has_long_times(Mp4File& file, const Mp4Box& header) {
+  return file.read(header.begin, 1)[0] == 1;
+}
+
+ImageSize size_of(Mp4File& file, const Mp4Box& track) {
+  const Mp4Box header = box_of(file, track, {"tkhd"});
+  const std::uint64_t place = header.begin + (has_long_times(file, header) ? 88 : 76);
+  // With 16 bits behind the point.
+  return {static_cast<int>(number_at(file, place) >> 16), static_cast<int>(number_at(file, place + 4) >> 16)};
+}
+
+/// Seconds.
+double duration_of(Mp4File& file, const Mp4Box& track) {
+  const Mp4Box header = box_of(file, track, {"mdia", "mdhd"});
+  const bool is_long = has_long_times(file, header);
+  const std::uint64_t place = header.begin + (is_long ? 20 : 12);
+  const std::uint64_t ticks_per_second = number_at(file, place);
+  if (ticks_per_second == 0) file.fail("has a video track without unit of time");
+  const std::uint64_t ticks = big_endian(file.read(place + 4, is_long ? 8 : 4));
+  return static_cast<double>(ticks) / static_cast<double>(ticks_per_second);
+}
+
+std::int64_t frames_of(Mp4File& file, const Mp4Box& track) {
+  const Mp4Box sizes = box_of(file, track, {"mdia", "minf", "stbl", "stsz"});
+  return static_cast<std::int64_t>(number_at(file, sizes.begin + 8));
 }
 
 }  // namespace
 
 VideoProbe probe_video(const std::filesystem::path& path) {
-  const ProgramResult result = run_program({"ffprobe", "-v", "error", "-select_streams", "v:0", "-count_packets",
-                                            "-show_entries", "stream=width,height,nb_read_packets,duration", "-of",
-                                            "default=noprint_wrappers=1", "file:" + path.string()});
-  VideoProbe probe;
-  const bool complete = result.exit_code == 0 && read_entry(result.output, "width", probe.size.width) &&
-                        read_entry(result.output, "height", probe.size.height) &&
-                        read_entry(result.output, "nb_read_packets", probe.frames) &&
-                        read_entry(result.output, "duration", probe.duration);
-  if (!complete) {
-    throw PictureFailure("ffprobe finds no whole video in " + path.string() + ": " +
-                         (result.errors.empty() ? "exit code " + std::to_string(result.exit_code) : result.errors));
+  Mp4File file(path, std::ios::in);
+  // The last box of a file that starts fast: it is not found where it is cut short.
+  if (!file.find("mdat", 0, file.size())) file.fail("holds no pictures");
+  for (const Mp4Box& track : file.tracks()) {
+    if (file.kind_of(track) != "vide") continue;
+    return {.size = size_of(file, track), .frames = frames_of(file, track), .duration = duration_of(file, track)};
   }
-  return probe;
+  file.fail("has no video track");
 }
 
 }  // namespace thinwall

@@ -242,7 +242,12 @@ struct VideoWriter::Implementation {
 
   /// ffmpeg may end early and still report success.
   void check_result() {
-    const VideoProbe probe = probe_video(names.result);
+    VideoProbe probe;
+    try {
+      probe = probe_video(names.result);
+    } catch (const PictureFailure& failure) {
+      fail("ffmpeg reported success, but " + std::string(failure.what()));
+    }
     const double duration = static_cast<double>(frames) / options.frames_per_second;
     if (probe.frames != frames || std::abs(probe.duration - duration) > 0.5 / options.frames_per_second) {
       fail("ffmpeg wrote " + std::to_string(probe.frames) + " of " + std::to_string(frames) + " frames, " +

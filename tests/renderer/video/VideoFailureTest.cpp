@@ -106,7 +106,7 @@ TEST(VideoFailure, FramesLostWithoutAnyErrorAreNoticed) {
 TEST(VideoFailure, AProgramThatDoesNothingIsNoSuccess) {
   const TestFolder folder;
   const FakeProgram ffmpeg(folder, "ffmpeg", "cat >/dev/null; exit 0");
-  EXPECT_NE(failure_of_recording(folder / "a.mp4", ten_frames()).find("ffprobe finds no whole video"),
+  EXPECT_NE(failure_of_recording(folder / "a.mp4", ten_frames()).find("ffmpeg reported success, but the video "),
             std::string::npos);
   EXPECT_EQ(folder.file_count(), 1u);
 }
