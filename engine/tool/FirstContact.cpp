@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <utility>
 
 #include "engine/contact/SolidGap.hpp"
 #include "engine/tool/ToolSolids.hpp"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <numbers>
+#include <string>
 
 #include "renderer/image/PictureFailure.hpp"
 

@@ -1,5 +1,6 @@
 #include "renderer/shape/FallingDrops.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

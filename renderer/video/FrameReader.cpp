@@ -1,5 +1,7 @@
 #include "renderer/video/FrameReader.hpp"
 
+#include <algorithm>
+
 #include "renderer/image/PngFile.hpp"
 #include "renderer/video/MediaProbe.hpp"
 #include "renderer/video/Program.hpp"

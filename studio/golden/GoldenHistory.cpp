@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <string_view>
+#include <utility>
 
 #include "renderer/snapshot/SameTime.hpp"
 #include "studio/golden/GoldenApproval.hpp"

@@ -1,5 +1,6 @@
 #include "studio/organs/generator/Polygonisation.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>

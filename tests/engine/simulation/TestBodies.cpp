@@ -1,5 +1,6 @@
 #include "tests/engine/simulation/TestBodies.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "engine/fluid/EnclosedVolume.hpp"

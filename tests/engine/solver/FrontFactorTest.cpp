@@ -6,6 +6,7 @@
 
 #include <Eigen/LU>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "tests/engine/solver/BlockMatrix.hpp"

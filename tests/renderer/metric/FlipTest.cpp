@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "renderer/metric/ColorSpace.hpp"
 #include "tests/renderer/image/TestImages.hpp"

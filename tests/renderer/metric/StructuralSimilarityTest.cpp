@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "renderer/metric/ColorSpace.hpp"
 #include "tests/renderer/image/TestImages.hpp"
 #include "tests/renderer/metric/MetricImages.hpp"

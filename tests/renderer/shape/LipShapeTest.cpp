@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "renderer/shape/WallThickness.hpp"
 #include "tests/renderer/shape/CutSheets.hpp"
 

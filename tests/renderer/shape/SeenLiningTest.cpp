@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "tests/renderer/shape/RightAngle.hpp"
 
 namespace thinwall {

@@ -4,10 +4,12 @@
 #include <sys/file.h>
 #include <sys/mount.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <thread>
+#include <utility>
 
 #include "studio/take/TakeReader.hpp"
 #include "tests/studio/commands/ProgramFixture.hpp"

@@ -6,6 +6,7 @@
 #include <array>
 #include <map>
 #include <random>
+#include <utility>
 
 #include "engine/mesh/MeshMeasures.hpp"
 #include "engine/mesh/MeshTopology.hpp"
