@@ -28,12 +28,11 @@ void magnify(SnapshotTool& tool, double factor) {
   magnify(tool.tip, factor);
 }
 
-std::shared_ptr<const SnapshotTopology> magnified_topology(const SnapshotTopology& topology, double factor) {
-  auto result = std::make_shared<SnapshotTopology>(topology);
-  for (Float3& position : result->rest_positions) magnify(position, factor);
-  for (float& thickness : result->thickness) thickness *= static_cast<float>(factor);
-  for (Float3& products : result->rest_metric) magnify(products, factor * factor);
-  return result;
+SnapshotTopology magnified_topology(SnapshotTopology topology, double factor) {
+  for (Float3& position : topology.rest_positions) magnify(position, factor);
+  for (float& thickness : topology.thickness) thickness *= static_cast<float>(factor);
+  for (Float3& products : topology.rest_metric) magnify(products, factor * factor);
+  return topology;
 }
 
 }  // namespace
@@ -75,20 +74,15 @@ ViewDefinition magnified(const ViewDefinition& view, double factor) {
 Snapshot Magnifier::magnified(const Snapshot& snapshot, double factor) {
   if (std::exchange(factor_, factor) != factor) topologies_.clear();
   Snapshot result = snapshot;
-  std::vector<std::pair<Shared, Shared>> topologies;
+  topologies_.replace_in(result,
+                         [&](const SnapshotTopology& topology) { return magnified_topology(topology, factor); });
   for (SnapshotSurface& surface : result.surfaces) {
-    if (!surface.topology) continue;
-    const auto known = std::ranges::find(topologies_, surface.topology, &std::pair<Shared, Shared>::first);
-    topologies.emplace_back(surface.topology,
-                            known != topologies_.end() ? known->second : magnified_topology(*surface.topology, factor));
-    surface.topology = topologies.back().second;
     for (Float3& position : surface.positions) magnify(position, factor);
     for (SnapshotField& field : surface.fields) {
       if (field.unit != "m") continue;
       for (float& value : field.values) value *= static_cast<float>(factor);
     }
   }
-  topologies_ = std::move(topologies);
   for (SnapshotTool& tool : result.tools) magnify(tool, factor);
   for (SnapshotScalar& scalar : result.scalars) {
     if (scalar.unit == "m^3") scalar.value *= factor * factor * factor;

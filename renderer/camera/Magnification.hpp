@@ -1,10 +1,7 @@
 #pragma once
 
-#include <memory>
-#include <utility>
-#include <vector>
-
 #include "renderer/camera/View.hpp"
+#include "renderer/snapshot/MadeTopologies.hpp"
 #include "renderer/snapshot/Snapshot.hpp"
 
 namespace thinwall {
@@ -24,10 +21,8 @@ class Magnifier {
   Snapshot magnified(const Snapshot& snapshot, double factor);
 
  private:
-  using Shared = std::shared_ptr<const SnapshotTopology>;
-
   double factor_ = 1;
-  std::vector<std::pair<Shared, Shared>> topologies_;  // as given, magnified; of the snapshot before
+  MadeTopologies topologies_;
 };
 
 }  // namespace thinwall

@@ -6,10 +6,10 @@
 #include <functional>
 #include <optional>
 
-#include "renderer/camera/AskedGround.hpp"
 #include "renderer/camera/Camera.hpp"
 #include "renderer/camera/Magnification.hpp"
 #include "renderer/camera/SceneExtent.hpp"
+#include "renderer/camera/Upright.hpp"
 #include "renderer/device/OffscreenContext.hpp"
 #include "renderer/image/SensorNoise.hpp"
 #include "renderer/picture/Exposure.hpp"
@@ -271,14 +271,6 @@ std::uint64_t moment_of(const Snapshot& snapshot) {
   return static_cast<std::uint64_t>(std::llround(1e9 * snapshot.time));
 }
 
-/// The view with another camera, which may bring a lamp; in the open without a ground that would stand upright.
-ViewDefinition seen_through(ViewDefinition view, const CameraDefinition& camera, const Double3& gravity) {
-  if (asks_for_ground(view, camera) && !lies_below(gravity)) view.look.floor = false;
-  view.camera = camera;
-  view.lights.endoscope = camera.lamp.value_or(view.lights.endoscope);
-  return view;
-}
-
 /// What lies below a scene in the open; a drape comes as near as what lies on it lets it.
 Ground lay_ground(const Snapshot& snapshot, const LookDefinition& look, const SceneMeshes& meshes,
                   SceneExtent& extent) {
@@ -311,23 +303,30 @@ struct Renderer::Implementation {
 
   Image draw_as_it_is(const Snapshot& snapshot, const ViewDefinition& view, const CameraDefinition& seen_by,
                       std::vector<PassTime>* times);
+  Image draw_upright(const Snapshot& snapshot, const SeenScene& seen, PassClock& clock);
 
   OffscreenContext context;
   std::optional<Stage> stage;
   Magnifier magnifier;
+  Turner turner;
 };
 
-Image Renderer::Implementation::draw_as_it_is(const Snapshot& snapshot, const ViewDefinition& scene,
+Image Renderer::Implementation::draw_as_it_is(const Snapshot& snapshot, const ViewDefinition& view,
                                               const CameraDefinition& seen_by, std::vector<PassTime>* times) {
   PassClock clock(times);
-  const ViewDefinition view = seen_through(scene, seen_by, snapshot.gravity);
-  SceneExtent extent = scene_extent(snapshot);
-  const Camera camera = resolve_camera(view.camera, extent, stage->target.size(), snapshot.time);
+  const SeenScene seen = seen_scene(snapshot, view, seen_by, stage->target.size());
+  const std::optional<Turn> turn = turn_upright(snapshot.gravity);
+  if (!turn) return draw_upright(snapshot, seen, clock);
+  const Snapshot upright = turner.turned(snapshot, *turn);
+  return draw_upright(upright, turned(seen, upright, *turn), clock);
+}
+
+Image Renderer::Implementation::draw_upright(const Snapshot& snapshot, const SeenScene& seen, PassClock& clock) {
+  const auto& [view, whole, camera, resting] = seen;
+  SceneExtent extent = whole;
   const Camera pinhole = behind_the_lens(camera);
-  const bool is_inside = view.lights.endoscope > 0;
-  const Studio studio = is_inside
-                            ? arrange_endoscope(camera, extent)
-                            : arrange_studio(view.lights, resting_camera(scene.camera, extent, stage->target.size()));
+  const bool is_inside = seen.is_inside();
+  const Studio studio = is_inside ? arrange_endoscope(camera, extent) : arrange_studio(view.lights, resting);
   const Surroundings surroundings = is_inside ? Surroundings::kCavity : Surroundings::kStudio;
 
   const CurrentContext current(context);

@@ -7,7 +7,6 @@
 
 #include "studio/recorder/CutTextNotes.hpp"
 #include "studio/recorder/EmptyPictureNotes.hpp"
-#include "studio/recorder/GroundNotes.hpp"
 #include "studio/recorder/HiddenToolNotes.hpp"
 #include "studio/recorder/InsetNotes.hpp"
 #include "studio/recorder/UnseenLabelNotes.hpp"
@@ -21,7 +20,6 @@ struct Noticed {
   EmptyPictureNotes empty = {};
   CutTextNotes texts = {};
   UnseenLabelNotes labels;
-  GroundNotes ground;
 };
 
 class NoticingPainter final : public Painter {
@@ -34,7 +32,6 @@ class NoticingPainter final : public Painter {
     noticed_.hidden.see(snapshot, shot, size_);
     noticed_.empty.see(snapshot, shot, size_);
     noticed_.labels.see(snapshot, shot, size_);
-    noticed_.ground.see(snapshot, shot);
     return painter_->paint(snapshot, shot);
   }
   void see_cut_text(const std::string& text) override { noticed_.texts.see(text); }
@@ -50,7 +47,7 @@ class NoticingPainter final : public Painter {
 }  // namespace
 
 RecordingReport record_with_notes(MomentSource& source, const RecordingPlan& plan, const PainterFactory& painters) {
-  Noticed noticed{.labels = UnseenLabelNotes(plan.teaching.annotations.labels), .ground = GroundNotes(plan.view)};
+  Noticed noticed{.labels = UnseenLabelNotes(plan.teaching.annotations.labels)};
   const PainterFactory noticing = [&](ImageSize size) {
     return std::make_unique<NoticingPainter>(painters(size), noticed, size);
   };
@@ -60,7 +57,6 @@ RecordingReport record_with_notes(MomentSource& source, const RecordingPlan& pla
   std::ranges::copy(noticed.empty.notes(), std::back_inserter(report.warnings));
   std::ranges::copy(noticed.labels.notes(), std::back_inserter(report.warnings));
   std::ranges::copy(noticed.texts.notes(plan.size), std::back_inserter(report.warnings));
-  std::ranges::copy(noticed.ground.notes(), std::back_inserter(report.warnings));
   return report;
 }
 

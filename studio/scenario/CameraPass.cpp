@@ -70,18 +70,19 @@ CheckedValue number_value(double number, const SourceLocation& location) {
   return {.kind = CheckedKind::kNumber, .location = location, .given = false, .number = number};
 }
 
-/// The cameras of which nothing says where they stand or whereto they look.
-std::vector<CheckedValue*> unplaced_cameras(CheckedValue& root) {
+std::vector<CheckedValue*> all_cameras(CheckedValue& root) {
   std::vector<CheckedValue*> all;
   if (CheckedValue* camera = root.find("camera")) all.push_back(camera);
   if (CheckedValue* cameras = root.find("cameras")) {
     for (CheckedMember& member : cameras->members) all.push_back(&member.value);
   }
-  std::erase_if(all, [](const CheckedValue* camera) {
-    const auto has = [camera](const char* key) { return camera->find(key) != nullptr; };
-    return has("position") || has("facing") || has("elevation");
-  });
   return all;
+}
+
+/// Whether something says where a camera stands or whereto it looks.
+bool is_placed(const CheckedValue* camera) {
+  const auto has = [camera](const char* key) { return camera->find(key) != nullptr; };
+  return has("position") || has("facing") || has("elevation");
 }
 
 CheckedMember direction_member(const std::string& key, const Vector3d& direction, const SourceLocation& location) {
@@ -99,13 +100,14 @@ Vector3d upwards(const Vector3d& gravity) {
 
 void camera_pass(CheckedValue& root, const std::vector<Clip>& timeline, const Vector3d& gravity,
                  const CameraQuestions& ask) {
-  const std::vector<CheckedValue*> cameras = unplaced_cameras(root);
-  if (cameras.empty()) return;
+  std::vector<CheckedValue*> cameras = all_cameras(root);
   const Vector3d up = upwards(gravity);
   for (CheckedValue* camera : cameras) {
     if (up.isApprox(Vector3d::UnitZ()) || camera->find("up") != nullptr) continue;
     camera->members.push_back(direction_member("up", up, camera->location));
   }
+  std::erase_if(cameras, is_placed);
+  if (cameras.empty()) return;
   const auto [direction, cuts] = approach_of(timeline, ask);
   // All below is for up being +z.
   const Quaterniond turn = Quaterniond::FromTwoVectors(Vector3d::UnitZ(), up);

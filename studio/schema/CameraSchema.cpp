@@ -36,12 +36,7 @@ ValueSchema keyframes_value() {
       time_key("at", "1.5 s", "when"),
       {"position", place_value(), false, {}, "where the camera stands"},
       {"target", place_value(), false, {}, "what it looks at"},
-      {"up",
-       direction_value(),
-       false,
-       {},
-       "what is up in the picture; not along the line of sight; when absent +z, or against gravity of a camera without "
-       "`position`, `facing` and `elevation`"},
+      {"up", direction_value(), false, {}, "what is up in the picture; not along the line of sight"},
       {"field_of_view", angle_value(), false, {}, kAngleWords},
       {"ease", word_value({"linear", "smooth"}), false, "smooth",
        "the way to here from the keyframe before: at constant speed, or starting and ending at rest"},
@@ -119,7 +114,11 @@ MappingSchema camera_mapping(const std::string& name, const std::string& documen
        {},
        "how steeply a camera without `position` and `facing` looks down: 0 deg from the side, 89 deg from above; when "
        "absent 33 deg, and 55 deg where blades cut from above"},
-      {"up", direction_value(), false, {}, "what is up in the picture; not along the line of sight"},
+      {"up",
+       direction_value(),
+       false,
+       {},
+       "what is up in the picture; not along the line of sight; against gravity when absent, and +z where there is none"},
       {"orbit_speed", quantity_value(kAngularSpeed, {}, "10 deg/s"), false, "0 deg/s",
        "turn around the upward axis through the target, into and out of which it eases within 0.8 s; a camera without "
        "`position` goes back on its way as far as the "

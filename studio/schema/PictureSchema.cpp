@@ -166,12 +166,11 @@ ValueSchema look_schema() {
        word_value(grounds),
        false,
        {},
-       "what lies below the bodies, at their lowest z, but for what an endoscope's lamp lights and where gravity pulls "
-       "more sideways than along -z: `floor`, of a studio, in the tone of the "
-       "background; `drape`, the green-blue cloth of an operation, in folds, which a sheet lies on. When absent, "
-       "`drape` "
-       "where a body is a sheet or otherwise open without a cut, and `floor` where none is, with `data` and with "
-       "`mesh`"},
+       "what lies below the bodies, at their lowest z, or across gravity where that pulls more sideways than along -z, "
+       "but for what an endoscope's lamp lights: `floor`, of a studio, in the tone of the background; `drape`, the "
+       "green-blue cloth of an operation, in folds, which a sheet lies on. When absent, `drape` where a body is a "
+       "sheet "
+       "or otherwise open without a cut, and `floor` where none is, with `data` and with `mesh`"},
       {"bodies", named_value(tissue_schema()), false, "{}", "looks by the names of bodies"},
       {"overlays", mapping_value({overlays}), false, "{}", "what is written over the picture"},
       {"data",
