@@ -29,7 +29,7 @@ struct VideoCaption {
 /// Encodes frames with the ffmpeg program: H.264 yuv420p, BT.709 converted and tagged, constant frame times.
 class VideoWriter {
  public:
-  /// Records to a temporary Matroska file beside `target`. Throws PictureFailure (no program, no codec, no permission).
+  /// Records to a temporary file beside `target`. Throws PictureFailure (no program, no codec, no permission).
   VideoWriter(std::filesystem::path target, VideoOptions options);
   /// Without finish(): stops the encoder and removes the temporary files.
   ~VideoWriter();
