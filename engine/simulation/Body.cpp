@@ -228,7 +228,8 @@ EquilibriumProblem Body::make_problem(std::span<const ToolPose> end, double dura
   EquilibriumProblem problem;
   add_fluids(duration, input, problem);
   add_leaks(duration, problem);
-  add_memory(duration, problem);
+  problem.memory = memory_after(*model_, state_.wall,
+                                {.duration = duration, .previous = state_.previous_step, .is_damped = !snaps_});
   problem.gravity = options_.gravity;
   problem.load_factors = input.load_factors;
   problem.start = state_.equilibrium.position;

@@ -133,7 +133,9 @@ class Body {
 
   /// Principal Cauchy stresses in the middle plane of the wall, (2 x triangles), pascal, the larger first: what the
   /// wall bears now, with what viscosity adds. Of a shell the part of the membrane, without that of bending.
-  Eigen::Matrix2Xd principal_stress() const;
+  Eigen::Matrix2Xd principal_stress() const {
+    return thinwall::principal_stress(*model_, state_.equilibrium.position, state_.wall);
+  }
 
  private:
   /// What a cut has replaced.
@@ -260,13 +262,6 @@ class Body {
   double fluid_at_hand(const EquilibriumProblem& problem, int chamber, double duration) const;
   double fluid_left(const EquilibriumProblem& problem, int chamber, const EquilibriumState& reached,
                     double duration) const;
-  void add_memory(double duration, EquilibriumProblem& problem) const;
-  void start_memory();
-  void find_strains();
-  /// What damping bears now is gone, as at rest.
-  void stop_damping();
-  double update_memory(double duration, const EquilibriumProblem& problem);
-  double update_bending_memory(double duration, const EquilibriumProblem& problem);
   double step_error(const BodyState& before, double duration) const;
 
   /// By what the work of loads and filling in the last part of a step may be off, joule: it is told by its ends, and

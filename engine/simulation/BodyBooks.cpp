@@ -149,7 +149,7 @@ void Body::book_stored(double on_shafts) {
 void Body::update_books(const BodyState& before, std::span<const ToolPose> begin, double duration,
                         const EquilibriumProblem& problem, const BodyInput& input) {
   EnergyBooks& books = state_.books;
-  const double wall_loss = update_memory(duration, problem);
+  const double wall_loss = remember(*model_, state_.equilibrium.position, duration, problem.memory, state_.wall);
   const double leak_loss = book_leaks(before);
   const ShaftBooks shafts = book_shafts(problem, begin);
   const double friction_loss = update_friction(before, begin, problem) + shafts.friction;

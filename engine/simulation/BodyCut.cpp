@@ -186,7 +186,7 @@ Cut Body::change_mesh(const CutPath& path, CutOptions options, Uncut* before) {
   }
   newton_ = std::move(newton);
   model_ = std::move(after);
-  find_strains();
+  find_strains(*model_, state_.equilibrium.position, state_.wall);
   measure_openings();
   state_.cut.length += cut.length;
   return cut;

@@ -148,7 +148,7 @@ bool Body::snap(std::span<const ToolPose> poses) {
   snaps_ = true;
   state_.previous_step = 0;
   // From rest to rest damping spends nothing: at half of what it bore before the wall would have worked against it.
-  stop_damping();
+  stop_damping(*model_, state_.wall);
   const bool found = try_step(poses, poses, kAtOnce * options_.time_step, input);
   snaps_ = false;
   state_.books.numerical = before.numerical;

@@ -334,7 +334,7 @@ void Body::settle(std::vector<double> load_factors) {
     state_.reference_pressure[c] = chamber.initial_pressure.value_or(0);
   }
   start_leaks();
-  start_memory();
+  state_.wall = rested_history(*model_, state_.equilibrium.position);
   start_fluid_motion();
   report_.unstable = is_unstable_;
   state_.previous_position = state_.equilibrium.position;

@@ -10,6 +10,7 @@
 #include "engine/simulation/CutProgress.hpp"
 #include "engine/simulation/FlowMemory.hpp"
 #include "engine/simulation/Puncture.hpp"
+#include "engine/simulation/WallHistory.hpp"
 #include "engine/tool/FirstContact.hpp"
 
 namespace thinwall {
@@ -35,20 +36,6 @@ struct EnergyBooks {
   double spent() const { return viscous + friction + leak + fracture + jump + numerical; }
   double imbalance() const { return stored() + spent() - tool_work - script_work; }
   double largest() const;  // of the terms, the integrator's aside
-};
-
-/// What a viscous wall remembers of the steps before.
-struct WallHistory {
-  std::vector<Eigen::Vector3d> law_stress;                  // (triangles), pascal, (S11, S22, S12)
-  std::vector<std::vector<Eigen::Vector3d>> branch_stress;  // (Prony terms x triangles), pascal
-  std::vector<Eigen::Vector3d> overstress;                  // (triangles), pascal: all that is not the lasting stress
-  std::vector<Eigen::Vector3d> law_moment;                  // (triangles) of a shell, newton
-  std::vector<std::vector<Eigen::Vector3d>> branch_moment;  // (Prony terms x triangles) of a shell, newton
-  std::vector<Eigen::Vector3d> overmoment;                  // (triangles) of a shell, newton
-  std::vector<Eigen::Vector3d> bending_strain;              // (triangles) of a shell, 1 / metre
-  std::vector<Eigen::Vector3d> previous_bending_strain;     // (triangles) of a shell, a step earlier
-  std::vector<Eigen::Vector3d> strain;                      // (triangles), (E11, E22, 2 E12)
-  std::vector<Eigen::Vector3d> previous_strain;             // (triangles), a step earlier
 };
 
 /// How the fluid of a chamber moves: its first moment, the integral of x over the volume, and its rates.
@@ -100,9 +87,6 @@ struct BodyState {
   std::vector<int> incising;  // the same of blades
   EnergyBooks books;
 };
-
-/// Part of the law's stress that a viscous wall keeps for good.
-double lasting_part(const BodyDefinition& definition);
 
 /// What a compressible fluid in a chamber is under, pascal.
 inline double bulk_pressure_of(const BodyState& state, int chamber) {
