@@ -233,7 +233,6 @@ class Body {
   [[noreturn]] void give_up() const;
   EquilibriumProblem make_problem(std::span<const ToolPose> end, double duration, const BodyInput& input) const;
   void add_fluids(double duration, const BodyInput& input, EquilibriumProblem& problem) const;
-  bool may_leak(int chamber) const;
   void start_leaks();
   void measure_openings();
   void add_leaks(double duration, EquilibriumProblem& problem) const;
@@ -370,12 +369,6 @@ class Body {
                            bool goes_on);
   void add_friction_to_contacts(const EquilibriumProblem& problem);
   double update_friction(const BodyState& before, std::span<const ToolPose> begin, const EquilibriumProblem& problem);
-  void add_fluid_inertia(double duration, EquilibriumProblem& problem) const;
-  void add_fluid_inertia_as_it_is(EquilibriumProblem& problem) const;
-  void start_fluid_motion();
-  void update_fluid_motion(double duration, double previous_step, const EquilibriumProblem& problem);
-  double motion_scale(int chamber, double volume) const;
-  double fluid_kinetic_energy() const;
   double gravity_energy() const;
   double rate(const OrificeDefinition& orifice, const BodyState& state) const;
   void add_inertia(double duration, EquilibriumProblem& problem) const;

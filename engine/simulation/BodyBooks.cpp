@@ -140,7 +140,7 @@ void Body::book_stored(double on_shafts) {
   const EquilibriumTerms& terms = newton_->terms();
   books.elastic = lasting_part(model_->definition) * terms.strain_energy;
   books.bending = lasting_part(model_->definition) * terms.bending_energy;
-  books.kinetic = 0.5 * model_->mass.dot(state_.velocity.cwiseAbs2()) + fluid_kinetic_energy();
+  books.kinetic = 0.5 * model_->mass.dot(state_.velocity.cwiseAbs2()) + fluid_kinetic_energy(*model_, state_);
   books.gravity = gravity_energy();
   books.contact = contact_energy(terms) + terms.folds.energy + state_.friction_energy + on_shafts;
   books.fluid = fluid_energy(*model_, state_);

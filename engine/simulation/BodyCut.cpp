@@ -204,7 +204,7 @@ void Body::find_forces(std::span<const ToolPose> poses) {
   problem.start = state_.equilibrium.position;
   problem.cut_force = force_at_lips(state_.cut, model_->unknowns());
   problem.attachments = state_.attachments;
-  if (options_.analysis == Analysis::kDynamic) add_fluid_inertia_as_it_is(problem);
+  if (options_.analysis == Analysis::kDynamic) problem.fluid_inertia = fluid_inertia_now(*model_, state_);
   add_solids(poses, problem);
   add_friction_to(problem, poses);
   add_shafts_to(poses, problem);

@@ -110,26 +110,6 @@ double carried_energy(const BodyModel& model, const BodyState& state, int chambe
 
 }  // namespace
 
-Eigen::Matrix3Xd first_moments(const BodyModel& model, const Eigen::VectorXd& position) {
-  Eigen::Matrix3Xd moments = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(model.chambers.size()));
-  for (std::size_t t = 0; t < model.chamber.size(); ++t) {
-    const int c = model.chamber[t];
-    if (c < 0) continue;
-    const auto corners = relative_to(model.chambers[c].level, corners_of(model.surface[t], position));
-    moments.col(c) += first_moment_of(corners).value;
-  }
-  if (!model.has_fluid()) return moments;
-  for (const OpeningModel& opening : model.openings) {
-    moments.col(opening.chamber) +=
-        lip_moment_of(opening.at(position).colwise() - model.chambers[opening.chamber].level).value;
-  }
-  return moments;
-}
-
-bool Body::may_leak(int chamber) const {
-  return model_->is_open(chamber) && model_->definition.fluid.leaks;
-}
-
 void Body::start_leaks() {
   const auto chambers = static_cast<Eigen::Index>(model_->chambers.size());
   state_.leaked = state_.air = Eigen::VectorXd::Zero(chambers);
@@ -186,7 +166,7 @@ void Body::add_leaks(double duration, EquilibriumProblem& problem) const {
   for (int k = 0; k < static_cast<int>(model_->openings.size()); ++k) {
     const int c = model_->openings[k].chamber;
     FluidProblem& fluid = problem.fluids[c];
-    if (!may_leak(c) || !fluid.is_multiplier()) continue;
+    if (!may_leak(*model_, c) || !fluid.is_multiplier()) continue;
     fluid.fluid_volume -= outflow_share(problem, k, duration);
     fluid.outflow_time = state_.outflow.time(duration);
     fluid.vent_compliance = std::abs(model_->chambers[c].rest_volume) / pressure_scale(*model_);
@@ -222,7 +202,7 @@ std::vector<double> Body::outflow_of(double duration, const EquilibriumProblem& 
   for (std::size_t c = 0; c < left.size(); ++c) left[c] = problem.fluids[c].fluid_volume;
   for (int k = 0; k < static_cast<int>(flown.size()); ++k) {
     const int c = model_->openings[k].chamber;
-    if (!may_leak(c)) continue;
+    if (!may_leak(*model_, c)) continue;
     flown[k] = outflow_share(problem, k, duration);
     if (problem.fluids[c].vent == k || problem.is_sealed(k)) continue;
     const double time = counts_memory(problem, k) ? state_.outflow.time(duration) : duration;
@@ -269,7 +249,7 @@ bool Body::revise_vents(EquilibriumProblem& problem, const EquilibriumState& rea
   bool revised = false;
   for (int c = 0; c < static_cast<int>(problem.fluids.size()); ++c) {
     FluidProblem& fluid = problem.fluids[c];
-    if (!may_leak(c) || !fluid.is_multiplier() || fluid.is_empty) continue;
+    if (!may_leak(*model_, c) || !fluid.is_multiplier() || fluid.is_empty) continue;
     int lowest = -1;
     double pressure = std::numeric_limits<double>::infinity();
     for (int k = 0; k < static_cast<int>(model_->openings.size()); ++k) {

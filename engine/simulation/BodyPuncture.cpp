@@ -164,7 +164,7 @@ double Body::come_to_rest() {
   state_.acceleration.setZero();
   state_.previous_velocity.setZero();
   state_.previous_position = state_.equilibrium.position;
-  start_fluid_motion();
+  state_.fluid_motion = fluid_at_rest(*model_, state_);
   return std::exchange(state_.books.kinetic, 0);
 }
 

@@ -335,7 +335,7 @@ void Body::settle(std::vector<double> load_factors) {
   }
   start_leaks();
   state_.wall = rested_history(*model_, state_.equilibrium.position);
-  start_fluid_motion();
+  state_.fluid_motion = fluid_at_rest(*model_, state_);
   report_.unstable = is_unstable_;
   state_.previous_position = state_.equilibrium.position;
   const EquilibriumTerms& terms = newton_->terms();

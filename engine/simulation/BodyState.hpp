@@ -6,9 +6,9 @@
 #include "engine/equilibrium/BodyModel.hpp"
 #include "engine/equilibrium/Equilibrium.hpp"
 #include "engine/equilibrium/Newton.hpp"
-#include "engine/fluid/PressureLoad.hpp"
 #include "engine/simulation/CutProgress.hpp"
 #include "engine/simulation/FlowMemory.hpp"
+#include "engine/simulation/FluidMotion.hpp"
 #include "engine/simulation/Puncture.hpp"
 #include "engine/simulation/WallHistory.hpp"
 #include "engine/tool/FirstContact.hpp"
@@ -36,17 +36,6 @@ struct EnergyBooks {
   double spent() const { return viscous + friction + leak + fracture + jump + numerical; }
   double imbalance() const { return stored() + spent() - tool_work - script_work; }
   double largest() const;  // of the terms, the integrator's aside
-};
-
-/// How the fluid of a chamber moves: its first moment, the integral of x over the volume, and its rates.
-struct FluidMotion {
-  Eigen::Vector3d moment = Eigen::Vector3d::Zero();             // metres^4
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();           // metres^4 / second
-  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();       // metres^4 / second^2
-  Eigen::Vector3d previous_moment = Eigen::Vector3d::Zero();    // metres^4, a step earlier
-  Eigen::Vector3d previous_velocity = Eigen::Vector3d::Zero();  // metres^4 / second, a step earlier
-  double volume = 0;                                            // metres^3, of the chamber
-  double previous_volume = 0;                                   // metres^3, a step earlier
 };
 
 /// A body in motion: what changes from step to step.
@@ -96,19 +85,6 @@ inline double bulk_pressure_of(const BodyState& state, int chamber) {
 
 /// Energy of a compressible fluid from its volume at the reference pressure, joule, all chambers; zero for others.
 double fluid_energy(const BodyModel& model, const BodyState& state);
-
-/// Integral of x, from its level, over each chamber, (3 x chambers), metres^4.
-Eigen::Matrix3Xd first_moments(const BodyModel& model, const Eigen::VectorXd& position);
-
-/// Where the moments of the fluid in a chamber count from, metres: its level, or its lips where it runs out.
-Eigen::Vector3d moment_origin(const BodyModel& model, const BodyState& state, int chamber);
-
-/// Mass of the fluid in a chamber over the square of the volume that it moves with, kg / metre^6: beside air that is
-/// the whole of the contents.
-double moment_mass(const BodyModel& model, const BodyState& state, int chamber);
-
-/// What the inertia of its fluid adds to the pressure in a chamber.
-PressureField pressure_of_inertia(const BodyModel& model, const BodyState& state, int chamber);
 
 /// The wall as it is now. What it refers to are model and state.
 inline SurfaceView surface_of(const BodyModel& model, const BodyState& state) {

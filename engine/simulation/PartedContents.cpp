@@ -149,7 +149,7 @@ void spill(const BodyModel& after, int chamber, bool had_air, const Eigen::Vecto
   const double held = expansion(after, carried, chamber, had_air);
   const double room = std::max(0.0, carried.volume[chamber] / held);
   const double excess = carried.fluid_volume[chamber] - room;
-  const bool leaks = after.is_open(chamber) && after.definition.fluid.leaks;
+  const bool leaks = may_leak(after, chamber);
   if (leaks && excess > kNoVolume * std::abs(after.chambers[chamber].rest_volume)) {
     carried.fluid_volume[chamber] = room;
     carried.leaked[chamber] += excess;
