@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/equilibrium/HeldWall.hpp"
+#include "engine/simulation/Leakage.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
 #include "engine/tool/PoseBetween.hpp"
 
@@ -20,15 +21,6 @@ constexpr int kHalvingsBeforeCreeping = 4;
 
 /// Halvings of a step after which a wall that a blade presses, and has not cut yet, may crumple.
 constexpr int kHalvingsBeforeCrumpling = 4;
-
-/// Iterations after which a cut body that could creep does so.
-constexpr int kMostIterationsBeforeCreeping = 30;
-
-/// Iterations after which an equilibrium that is tried for its energy alone is found with springs.
-constexpr int kMostTrialIterations = 20;
-
-/// Iterations within which a solution fails that had a hopeless beginning.
-constexpr int kHopelessIterations = 2;
 
 /// Halvings of a step after which edges that came past the rims of a flat tool may stay in it: a coarse wall crushed
 /// between the tool and itself may have no room for them.
@@ -181,53 +173,10 @@ bool Body::may_crumple() const {
          !definition.tension_field && report_.halvings >= kHalvingsBeforeCrumpling && !is_held_in_its_plane(*model_);
 }
 
-bool Body::solve_step(EquilibriumProblem& problem, EquilibriumState& trial, std::span<const ToolPose> begin,
-                      bool goes_on) {
-  EquilibriumProblem again = problem;
-  const EquilibriumState before = goes_on ? trial : state_.equilibrium;  // that the forces of contacts belong to
-  SolveEffort effort;
-  if (may_creep()) {
-    effort.most_iterations = kMostIterationsBeforeCreeping;
-  } else {
-    // What may not creep any more, as once the blade has left, no drag slows.
-    state_.drag = 0;
-  }
-  if (trial_tolerance_) effort.most_iterations = kMostTrialIterations;
-  const int iterations = report_.newton_iterations;
-  // Where a part of the step was found with springs alone those after it are too: without them it takes long to fail.
-  // Solutions of one part that differ in friction alone are near each other.
-  const bool needs_springs = !goes_on && report_.relaxations > 0 && may_snap() && !may_creep();
-  std::optional<WayStart> way;  // where the wall may snap, which must lead it through no tool
-  if (may_snap()) way = way_of_step(begin, again);
-  if (way && goes_on) way = going_on(*way, again, before.position);
-  if (state_.drag == 0 && !needs_springs && solve(problem, trial, effort).converged &&
-      (!way || !jumped_over_tools(*model_, *way, problem, trial.position))) {
-    return true;
-  }
-  const bool was_hopeless = state_.drag == 0 && report_.newton_iterations - iterations <= kHopelessIterations;
-  if (has_inertia() && was_hopeless) {
-    // Where its velocity would take it the wall may be beyond its law: the way there begins where it is.
-    problem = again;
-    trial = state_.equilibrium;
-    if (solve(problem, trial, effort).converged) return true;
-  }
-  if (may_creep()) {
-    problem = again;
-    return creep(problem, trial, way);
-  }
-  // Where the wall buckles no short step helps: the equilibrium ends, and the next one is some way off.
-  if (!may_snap()) return false;
-  trial = before;
-  problem = again;
-  if (!relax(problem, trial, std::move(way)).converged) return false;
-  ++report_.relaxations;
-  return true;
-}
-
 EquilibriumProblem Body::make_problem(std::span<const ToolPose> end, double duration, const BodyInput& input) const {
   EquilibriumProblem problem;
   add_fluids(duration, input, problem);
-  add_leaks(duration, problem);
+  Leakage(*model_, state_, options_.gravity, duration).add_to(problem);
   problem.memory = memory_after(*model_, state_.wall,
                                 {.duration = duration, .previous = state_.previous_step, .is_damped = !snaps_});
   problem.gravity = options_.gravity;

@@ -233,14 +233,6 @@ class Body {
   [[noreturn]] void give_up() const;
   EquilibriumProblem make_problem(std::span<const ToolPose> end, double duration, const BodyInput& input) const;
   void add_fluids(double duration, const BodyInput& input, EquilibriumProblem& problem) const;
-  void start_leaks();
-  void measure_openings();
-  void add_leaks(double duration, EquilibriumProblem& problem) const;
-  std::vector<double> outflow_of(double duration, const EquilibriumProblem& problem,
-                                 const EquilibriumState& reached) const;
-  double fluid_held(const EquilibriumProblem& problem, int chamber, const EquilibriumState& reached) const;
-  /// `turn`: how often vents have been revised in this solution.
-  bool revise_vents(EquilibriumProblem& problem, const EquilibriumState& reached, double duration, int turn) const;
   bool draw_air(EquilibriumProblem& problem, EquilibriumState& trial, std::span<const ToolPose> begin);
   bool solve_with_leaks(EquilibriumProblem& problem, EquilibriumState& trial, std::span<const ToolPose> begin,
                         double duration);
@@ -249,18 +241,6 @@ class Body {
   bool find_buckled(EquilibriumProblem& problem, EquilibriumState& trial);
   /// Leaves such an equilibrium for a stable one. Where none is found all stays as it is, and the report tells.
   void buckle(EquilibriumProblem& problem, EquilibriumState& trial);
-  void update_leaks(double duration, const EquilibriumProblem& problem);
-  double book_leaks(const BodyState& before);
-  bool counts_memory(const EquilibriumProblem& problem, int opening) const;
-  double outflow_share(const EquilibriumProblem& problem, int opening, double duration) const;
-  /// Speed at which the fluid comes to the lips of an opening as both move, metres / second; zero where it stays
-  /// behind.
-  double approach_to(int opening) const;
-  void let_air_in(int chamber, int opening, double duration, EquilibriumProblem& problem) const;
-  /// What may leave a chamber in the step, metres^3.
-  double fluid_at_hand(const EquilibriumProblem& problem, int chamber, double duration) const;
-  double fluid_left(const EquilibriumProblem& problem, int chamber, const EquilibriumState& reached,
-                    double duration) const;
   double step_error(const BodyState& before, double duration) const;
 
   /// By what the work of loads and filling in the last part of a step may be off, joule: it is told by its ends, and
@@ -332,8 +312,6 @@ class Body {
   void go_through_held_wall(std::span<const ToolPose> begin, std::span<const ToolPose> end);
   void slit_held_wall(int tool, const SurfacePoint& place, std::span<const ToolPose> poses);
   void pay_for_held_slits(std::span<const ToolPose> begin, std::span<const ToolPose> end);
-  bool is_sealed(int opening) const;
-  std::vector<char> free_triangles(int tool) const;
   ShaftBooks book_shafts(const EquilibriumProblem& problem, std::span<const ToolPose> begin);
   void track_pressing(const BodyState& before, std::span<const ToolPose> begin, const EquilibriumProblem& problem);
   bool snap(std::span<const ToolPose> poses);

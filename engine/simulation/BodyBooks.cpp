@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/simulation/Body.hpp"
+#include "engine/simulation/Leakage.hpp"
 
 namespace thinwall {
 namespace {
@@ -94,7 +95,7 @@ void Body::update_fluids(double duration, const BodyInput& input, const Equilibr
     exchange.volumes.push_back(flown);
   }
   state_.exchange = exchange;
-  update_leaks(duration, problem);
+  leak(*model_, options_.gravity, duration, problem, newton_->terms(), state_);
   for (Eigen::Index c = 0; c < state_.fluid_volume.size(); ++c) {
     if (!input_of(input, c).pressure) continue;
     state_.fluid_volume[c] =
@@ -150,7 +151,7 @@ void Body::update_books(const BodyState& before, std::span<const ToolPose> begin
                         const EquilibriumProblem& problem, const BodyInput& input) {
   EnergyBooks& books = state_.books;
   const double wall_loss = remember(*model_, state_.equilibrium.position, duration, problem.memory, state_.wall);
-  const double leak_loss = book_leaks(before);
+  const double leak_loss = book_leaks(*model_, options_.gravity, before, state_);
   const ShaftBooks shafts = book_shafts(problem, begin);
   const double friction_loss = update_friction(before, begin, problem) + shafts.friction;
   book_stored(shafts.stored);

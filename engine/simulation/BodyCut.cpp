@@ -13,6 +13,7 @@
 #include "engine/equilibrium/RigidMotions.hpp"
 #include "engine/simulation/Body.hpp"
 #include "engine/simulation/CutTransfer.hpp"
+#include "engine/simulation/Leakage.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
 #include "engine/solver/InnerProducts.hpp"
 #include "engine/tool/ToolSolids.hpp"
@@ -187,7 +188,7 @@ Cut Body::change_mesh(const CutPath& path, CutOptions options, Uncut* before) {
   newton_ = std::move(newton);
   model_ = std::move(after);
   find_strains(*model_, state_.equilibrium.position, state_.wall);
-  measure_openings();
+  measure_openings(*model_, state_);
   state_.cut.length += cut.length;
   return cut;
 }
@@ -195,7 +196,7 @@ Cut Body::change_mesh(const CutPath& path, CutOptions options, Uncut* before) {
 void Body::find_forces(std::span<const ToolPose> poses) {
   EquilibriumProblem problem;
   add_fluids(0, {}, problem);
-  add_leaks(options_.time_step, problem);
+  Leakage(*model_, state_, options_.gravity, options_.time_step).add_to(problem);
   problem.memory.scale = lasting_part(model_->definition);
   problem.memory.overstress = state_.wall.overstress;
   problem.memory.overmoment = state_.wall.overmoment;

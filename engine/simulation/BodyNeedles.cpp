@@ -65,7 +65,8 @@ bool Body::needles_overshoot(const BodyState& before, std::span<const ToolPose> 
     const double work = state_.pressing[tool].work - before.pressing[tool].work;
     if (work <= 0 || state_.pressing[tool].recedes) return false;
     const double radius = tools_[tool].radius;
-    const auto place = pressed_place(*model_, state_.equilibrium.position, poses[tool], radius, free_triangles(tool));
+    const auto place = pressed_place(*model_, state_.equilibrium.position, poses[tool], radius,
+                                     free_triangles(*model_, state_.punctures, tool));
     return place && work > kMostPartWork * 2 * radius * model_->cut_cost(place->triangle);
   });
 }
@@ -95,7 +96,7 @@ void Body::go_through_held_wall(std::span<const ToolPose> begin, std::span<const
     const double behind = kNeedleTip * needle_cone(tools_[tool]);
     const auto place = held_crossing(*model_, state_.equilibrium.position, to.tip - behind * to.direction,
                                      to.tip - tools_[tool].length * to.direction, held_against(*model_, to.direction),
-                                     free_triangles(tool));
+                                     free_triangles(*model_, state_.punctures, tool));
     if (place) slit_held_wall(tool, *place, end);
   }
   pay_for_held_slits(begin, end);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/simulation/Body.hpp"
+#include "engine/simulation/Leakage.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
 #include "engine/tool/ToolSolids.hpp"
 
@@ -61,7 +62,7 @@ void Body::add_shafts_to(std::span<const ToolPose> poses, EquilibriumProblem& pr
   problem.free.resize(tools_.size());
   for (const Puncture& puncture : state_.punctures) {
     if (!puncture.tool) continue;
-    problem.free[*puncture.tool] = free_triangles(*puncture.tool);
+    problem.free[*puncture.tool] = free_triangles(*model_, state_.punctures, *puncture.tool);
     if (!puncture.is_sealed()) continue;
     const ToolPose& pose = poses[*puncture.tool];
     const ToolDefinition& tool = tools_[*puncture.tool];
@@ -77,24 +78,8 @@ void Body::add_shafts_to(std::span<const ToolPose> poses, EquilibriumProblem& pr
     problem.shafts.push_back(std::move(shaft));
   }
   problem.sealed.resize(model_->openings.size(), 0);
-  for (std::size_t k = 0; k < problem.sealed.size(); ++k) problem.sealed[k] = is_sealed(static_cast<int>(k));
-}
-
-bool Body::is_sealed(int opening) const {
-  const std::vector<int>& lips = model_->openings[opening].lips;
-  return std::ranges::any_of(state_.punctures, [&](const Puncture& puncture) {
-    return puncture.is_sealed() && std::ranges::all_of(lips, [&](int vertex) {
-             return std::ranges::find(puncture.points, vertex, &ShaftPoint::vertex) != puncture.points.end();
-           });
-  });
-}
-
-std::vector<char> Body::free_triangles(int tool) const {
-  std::vector<char> marks(model_->triangles(), 0);
-  for (const Puncture& puncture : state_.punctures) {
-    if (puncture.tool == tool) mark_free(*model_, puncture, marks);
-  }
-  return marks;
+  for (std::size_t k = 0; k < problem.sealed.size(); ++k)
+    problem.sealed[k] = is_shut(*model_, state_.punctures, static_cast<int>(k));
 }
 
 Body::ShaftBooks Body::book_shafts(const EquilibriumProblem& problem, std::span<const ToolPose> begin) {
@@ -186,7 +171,7 @@ void Body::leave_punctures(std::span<const ToolPose> poses) {
   }
   if (!left) return;
   hold_as_it_is(model_->edge_length, false, poses);
-  measure_openings();
+  measure_openings(*model_, state_);
 }
 
 void Body::take_needle_out(int tool, std::span<const ToolPose> poses) {
@@ -200,7 +185,7 @@ void Body::take_needle_out(int tool, std::span<const ToolPose> poses) {
   }
   if (!left) return;
   hold_as_it_is(model_->edge_length, false, poses);
-  measure_openings();
+  measure_openings(*model_, state_);
 }
 
 bool Body::is_clear_of(const Puncture& puncture, const ToolPose& pose) const {
@@ -222,7 +207,7 @@ bool Body::is_clear_of(const Puncture& puncture, const ToolPose& pose) const {
 
 Body::ShaftOpening Body::open_on_shaft(std::span<const ToolPose> poses, double most_imbalance) {
   const int tool = *state_.punctures.back().tool;
-  const std::vector<char> is_free = free_triangles(tool);
+  const std::vector<char> is_free = free_triangles(*model_, state_.punctures, tool);
   for (std::size_t solid = 0; solid < solids_.size(); ++solid) {
     if (solids_[solid] != tool) continue;
     for (std::size_t site = 0; site < model_->sites.size(); ++site) {
@@ -269,7 +254,8 @@ std::optional<Rupture> Body::pierce(int tool, std::span<const ToolPose> poses) {
   Pressing& pressing = state_.pressing[tool];
   if (pressing.recedes) return std::nullopt;
   const double radius = tools_[tool].radius, work = pressing.work, residual = report_.residual;
-  const auto place = pressed_place(*model_, state_.equilibrium.position, poses[tool], radius, free_triangles(tool));
+  const auto place = pressed_place(*model_, state_.equilibrium.position, poses[tool], radius,
+                                   free_triangles(*model_, state_.punctures, tool));
   if (!place) return std::nullopt;
   const double cost = model_->cut_cost(place->triangle), of_slit = 2 * radius * cost;  // newton, joule
   if (work < std::max(kLeastWork * of_slit, pressing.awaited)) return std::nullopt;

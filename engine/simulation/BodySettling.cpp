@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/simulation/Body.hpp"
+#include "engine/simulation/Leakage.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
 
 namespace thinwall {
@@ -333,7 +334,7 @@ void Body::settle(std::vector<double> load_factors) {
     if (!chamber.initial_pressure) state_.fluid_volume[c] = chamber.rest_volume;
     state_.reference_pressure[c] = chamber.initial_pressure.value_or(0);
   }
-  start_leaks();
+  start_leaks(*model_, state_);
   state_.wall = rested_history(*model_, state_.equilibrium.position);
   state_.fluid_motion = fluid_at_rest(*model_, state_);
   report_.unstable = is_unstable_;

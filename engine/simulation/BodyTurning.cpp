@@ -16,8 +16,8 @@ constexpr double kHeldForce = 1e-7;
 constexpr double kFirstSprings = 0.1;
 constexpr double kWeakened = 0.25;
 constexpr double kStiffened = 8;
-constexpr double kStiffestSprings = 1e3;
-constexpr int kEasyIterations = 12;
+constexpr double kStiffestSlowing = 1e3;
+constexpr int kEasyTurn = 12;
 constexpr int kMostTurns = 1000;  // a folded sheet of 400 triangles takes 600 to unfold
 
 /// Attitudes that are tried: to hold one keeps the mean rotation of small motions, so that it may be off by some.
@@ -51,7 +51,7 @@ bool Body::is_turned_by_loads(const EquilibriumProblem& problem, const Equilibri
 
 bool Body::turn(const EquilibriumProblem& problem, EquilibriumState& state) {
   double springs = kFirstSprings;
-  for (int k = 0; k < kMostTurns && springs < kStiffestSprings; ++k) {
+  for (int k = 0; k < kMostTurns && springs < kStiffestSlowing; ++k) {
     EquilibriumState trial = state;
     EquilibriumProblem slowed = problem;
     slowed.hold_rigid_motions = false;
@@ -66,7 +66,7 @@ bool Body::turn(const EquilibriumProblem& problem, EquilibriumState& state) {
     state = trial;
     const double held = slowed.inertia * model_->mass.cwiseProduct(way).lpNorm<Eigen::Infinity>();
     if (held < 0.1 * kHeldForce * result.force_scale) return true;
-    if (result.iterations <= kEasyIterations) springs *= kWeakened;
+    if (result.iterations <= kEasyTurn) springs *= kWeakened;
   }
   return false;
 }

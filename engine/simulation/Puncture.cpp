@@ -190,4 +190,21 @@ void mark_free(const BodyModel& model, const Puncture& puncture, std::vector<cha
   }
 }
 
+bool is_shut(const BodyModel& model, std::span<const Puncture> punctures, int opening) {
+  const std::vector<int>& lips = model.openings[opening].lips;
+  return std::ranges::any_of(punctures, [&](const Puncture& puncture) {
+    return puncture.is_sealed() && std::ranges::all_of(lips, [&](int vertex) {
+             return std::ranges::find(puncture.points, vertex, &ShaftPoint::vertex) != puncture.points.end();
+           });
+  });
+}
+
+std::vector<char> free_triangles(const BodyModel& model, std::span<const Puncture> punctures, int tool) {
+  std::vector<char> marks(model.triangles(), 0);
+  for (const Puncture& puncture : punctures) {
+    if (puncture.tool == tool) mark_free(model, puncture, marks);
+  }
+  return marks;
+}
+
 }  // namespace thinwall

@@ -69,7 +69,13 @@ bool try_slits(const BodyModel& model, const SurfacePoint& place, const ToolPose
 /// The lips of a slit on the shaft that made it. `model`: as cut.
 Puncture puncture_of(const BodyModel& model, const Cut& slit, int tool, const ToolPose& pose, double radius);
 
+/// Whether needles that are in punctures keep an opening shut.
+bool is_shut(const BodyModel& model, std::span<const Puncture> punctures, int opening);
+
 /// The triangles around a puncture that are free on the needle in it are marked. `marks`: (triangles).
 void mark_free(const BodyModel& model, const Puncture& puncture, std::vector<char>& marks);
+
+/// Whether the wall is free on a needle, (triangles).
+std::vector<char> free_triangles(const BodyModel& model, std::span<const Puncture> punctures, int tool);
 
 }  // namespace thinwall
