@@ -8,6 +8,7 @@
 #include "engine/equilibrium/HeldWall.hpp"
 #include "engine/simulation/Leakage.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
+#include "engine/simulation/ToolFriction.hpp"
 #include "engine/tool/PoseBetween.hpp"
 
 namespace thinwall {
@@ -194,7 +195,7 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
   EquilibriumProblem problem = make_problem(end, duration, input);
   attach(begin, end, problem);
   refuse_held_places(problem);
-  add_friction_to(problem, begin);
+  problem.friction = FrictionSearch(*model_, state_, tools_, begin).first(problem);
   EquilibriumState trial;
   for (;;) {
     // What a tool takes hold of or lets go of changes its velocity at once; a difference that reaches back across that

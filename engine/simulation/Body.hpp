@@ -27,8 +27,6 @@
 
 namespace thinwall {
 
-class FrictionMixing;
-
 /// What a script does to the fluid of a chamber during a step.
 struct FluidInput {
   double added = 0;                // metres^3, less than zero where it is drained
@@ -336,17 +334,8 @@ class Body {
   double cost_at(const SurfacePoint& place) const;
   double way_of_wall(const BladeInput& blade, const Eigen::VectorXd& motion) const;
   double book_cut(const CutProgress& before, const Eigen::VectorXd& motion, const std::optional<BladeInput>& blade);
-  bool has_friction() const;
-  std::vector<FrictionContact> friction_contacts(const std::vector<ToolSolid>& before,
-                                                 const EquilibriumProblem& problem, bool at_begin,
-                                                 const Eigen::VectorXd& position) const;
-  void add_friction_to(EquilibriumProblem& problem, std::span<const ToolPose> begin) const;
-  bool revise_friction(EquilibriumProblem& problem, std::span<const ToolPose> begin, const EquilibriumState& reached,
-                       double motion, int turn, FrictionMixing& mixing) const;
   bool solve_with_friction(EquilibriumProblem& problem, EquilibriumState& trial, std::span<const ToolPose> begin,
                            bool goes_on);
-  void add_friction_to_contacts(const EquilibriumProblem& problem);
-  double update_friction(const BodyState& before, std::span<const ToolPose> begin, const EquilibriumProblem& problem);
   double gravity_energy() const;
   double rate(const OrificeDefinition& orifice, const BodyState& state) const;
   void add_inertia(double duration, EquilibriumProblem& problem) const;

@@ -5,6 +5,7 @@
 
 #include "engine/simulation/Body.hpp"
 #include "engine/simulation/Leakage.hpp"
+#include "engine/simulation/ToolFriction.hpp"
 
 namespace thinwall {
 namespace {
@@ -153,7 +154,8 @@ void Body::update_books(const BodyState& before, std::span<const ToolPose> begin
   const double wall_loss = remember(*model_, state_.equilibrium.position, duration, problem.memory, state_.wall);
   const double leak_loss = book_leaks(*model_, options_.gravity, before, state_);
   const ShaftBooks shafts = book_shafts(problem, begin);
-  const double friction_loss = update_friction(before, begin, problem) + shafts.friction;
+  const double friction_loss =
+      remember_friction(*model_, before, contact_solids(tools_, begin), problem, state_) + shafts.friction;
   book_stored(shafts.stored);
 
   // Work by the trapezoidal rule; what it differs from the change of the energies is what the integrator spends.

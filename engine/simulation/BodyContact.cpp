@@ -247,6 +247,19 @@ bool Body::catch_passed_edges(EquilibriumProblem& problem, const Eigen::VectorXd
   return caught;
 }
 
+double Body::squeeze(int tool, const ToolPose& pose) const {
+  std::size_t k = 0;
+  for (int before = 0; before < tool; ++before) k += contact_solids(tools_[before], {}).size();
+  const Eigen::Vector3d across = pose.axis.cross(pose.direction);
+  // The wall between the jaws pushes each outwards.
+  double right = 0, left = 0;
+  for (const ToolSolid& solid : contact_solids(tools_[tool], pose)) {
+    const double outwards = state_.solid_contacts[k++].force.dot(across);
+    (across.dot(solid.center - pose.tip) > 0 ? right : left) += outwards;
+  }
+  return std::max(0.0, std::min(right, -left));
+}
+
 Eigen::VectorXd Body::contact_pressure() const {
   Eigen::VectorXd pressure = Eigen::VectorXd::Zero(model_->vertices());
   for (const Attachment& attachment : state_.attachments) {

@@ -15,6 +15,7 @@
 #include "engine/simulation/CutTransfer.hpp"
 #include "engine/simulation/Leakage.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
+#include "engine/simulation/ToolFriction.hpp"
 #include "engine/solver/InnerProducts.hpp"
 #include "engine/tool/ToolSolids.hpp"
 
@@ -207,7 +208,7 @@ void Body::find_forces(std::span<const ToolPose> poses) {
   problem.attachments = state_.attachments;
   if (options_.analysis == Analysis::kDynamic) problem.fluid_inertia = fluid_inertia_now(*model_, state_);
   add_solids(poses, problem);
-  add_friction_to(problem, poses);
+  problem.friction = FrictionSearch(*model_, state_, tools_, poses).first(problem);
   add_shafts_to(poses, problem);
   newton_->look(problem, state_.equilibrium);
   // What the tools felt during the step stays what it was.

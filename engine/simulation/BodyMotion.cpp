@@ -1,5 +1,6 @@
 #include "engine/simulation/BackwardDifference.hpp"
 #include "engine/simulation/Body.hpp"
+#include "engine/simulation/ToolFriction.hpp"
 
 namespace thinwall {
 
@@ -86,7 +87,7 @@ void Body::update_forces(const EquilibriumProblem& problem) {
     state_.solid_contacts[k] = own;
     state_.solid_forces[k] = problem.solids[k].forces;
   }
-  add_friction_to_contacts(problem);
+  add_friction_forces(*model_, problem, state_);
   state_.attachments = problem.attachments;
   for (const Attachment& attachment : state_.attachments) {
     state_.contacts[attachment.tool].force += attachment.force;

@@ -6,6 +6,7 @@
 #include "engine/equilibrium/OpenChambers.hpp"
 #include "engine/simulation/Body.hpp"
 #include "engine/simulation/Leakage.hpp"
+#include "engine/simulation/ToolFriction.hpp"
 
 namespace thinwall {
 namespace {
@@ -76,6 +77,21 @@ bool Body::solve_step(EquilibriumProblem& problem, EquilibriumState& trial, std:
   if (!relax(problem, trial, std::move(way)).converged) return false;
   ++report_.relaxations;
   return true;
+}
+
+bool Body::solve_with_friction(EquilibriumProblem& problem, EquilibriumState& trial, std::span<const ToolPose> begin,
+                               bool goes_on) {
+  FrictionSearch friction(*model_, state_, tools_, begin);
+  for (bool again = goes_on;; again = true) {
+    const Eigen::VectorXd before = trial.position;
+    if (!solve_step(problem, trial, begin, again)) return false;
+    const double motion = (trial.position - before).head(3 * model_->vertices()).lpNorm<Eigen::Infinity>();
+    if (!friction.revise(problem, trial.position, motion)) return true;
+    if (friction.is_hopeless()) {
+      failure_ = "friction and pressure of a tool do not come to agree";
+      return false;
+    }
+  }
 }
 
 bool Body::draw_air(EquilibriumProblem& problem, EquilibriumState& trial, std::span<const ToolPose> begin) {

@@ -1,4 +1,5 @@
 #include "engine/simulation/Body.hpp"
+#include "engine/simulation/ToolFriction.hpp"
 
 namespace thinwall {
 namespace {
@@ -58,7 +59,7 @@ bool Body::find_buckled(EquilibriumProblem& problem, EquilibriumState& trial) {
 void Body::buckle(EquilibriumProblem& problem, EquilibriumState& trial) {
   // Where the step before found no stable equilibrium this one would look for it as long, and in vain. What tools drag
   // along is not found anew on the way.
-  const bool may_leave = !is_unstable_ && !has_friction();
+  const bool may_leave = !is_unstable_ && !has_friction(tools_);
   is_unstable_ = false;
   for (int left = 0; !newton_->is_stable(problem, trial); ++left) {
     EquilibriumProblem next_problem = problem;
