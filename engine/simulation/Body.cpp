@@ -184,8 +184,8 @@ EquilibriumProblem Body::make_problem(std::span<const ToolPose> end, double dura
   problem.load_factors = input.load_factors;
   problem.start = state_.equilibrium.position;
   problem.cut_force = force_at_lips(let_go(state_.cut, input.blade), model_->unknowns());
-  add_solids(end, problem);
-  add_shafts_to(end, problem);
+  step_contacts().add_solids(end, problem);
+  step_contacts().add_shafts(end, problem);
   problem.hold_rigid_motions = !has_inertia() && model_->rigid_motions.cols() > 0;
   return problem;
 }
@@ -193,8 +193,8 @@ EquilibriumProblem Body::make_problem(std::span<const ToolPose> end, double dura
 bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> end, double duration,
                     const BodyInput& input) {
   EquilibriumProblem problem = make_problem(end, duration, input);
-  attach(begin, end, problem);
-  refuse_held_places(problem);
+  step_contacts().attach(begin, end, problem);
+  step_contacts().refuse_held_places(problem);
   problem.friction = FrictionSearch(*model_, state_, tools_, begin).first(problem);
   EquilibriumState trial;
   for (;;) {
@@ -213,14 +213,15 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
       is_unstable_ = false;
     }
     turn_to_rest(problem, trial);
-    if (!may_snap() && jumped_over_tools(*model_, way_of_step(begin, problem), problem, trial.position)) {
+    if (!may_snap() && jumped_over_tools(*model_, step_contacts().way(begin, problem), problem, trial.position)) {
       failure_ =
           "the wall jumped over a ball, a rod, a plate or a needle's point, as where it is pressed against what is "
           "held; press it less deep";
       return false;
     }
-    if (release(end, problem)) continue;
-    if (report_.halvings < kHalvingsBeforeLettingEdgesIn && catch_passed_edges(problem, trial.position)) continue;
+    if (step_contacts().release(end, problem)) continue;
+    const bool lets_edges_in = report_.halvings >= kHalvingsBeforeLettingEdgesIn;
+    if (!lets_edges_in && step_contacts().catch_passed_edges(problem, trial.position)) continue;
     if (options_.extrapolates) note_last_step(begin, end);
     accept(begin, duration, problem, input, trial);
     return true;
@@ -296,7 +297,8 @@ bool Body::is_hopeless(int failed) const {
 
 void Body::advance_in_parts(const BodyState& start, std::span<const ToolPose> begin, std::span<const ToolPose> end,
                             double duration, const BodyInput& input) {
-  StepParts step{.largest = std::min(largest_part(begin, end), part_of_blade(input, model_->edge_length))};
+  StepParts step{.largest =
+                     std::min(step_contacts().largest_part(begin, end), part_of_blade(input, model_->edge_length))};
   step.part = step.largest;
   std::vector<ToolPose> from(begin.begin(), begin.end());
   bool needles_ask = false;

@@ -20,6 +20,7 @@
 #include "engine/simulation/PassedTools.hpp"
 #include "engine/simulation/Puncture.hpp"
 #include "engine/simulation/SimulationOptions.hpp"
+#include "engine/simulation/StepContacts.hpp"
 #include "engine/simulation/ToolResponse.hpp"
 #include "engine/tool/FirstContact.hpp"
 #include "engine/tool/Tool.hpp"
@@ -250,15 +251,7 @@ class Body {
   double unbooked_part(const BodyState& before, bool is_calm) const;
   /// The smallest part of a step that is divided for that. `largest_part`: that tools and blades allow.
   double smallest_unbooked_part(const BodyState& before, double largest_part) const;
-  void attach(std::span<const ToolPose> begin, std::span<const ToolPose> end, EquilibriumProblem& problem) const;
-  void attach_line(int tool, const ToolPose& begin, const ToolPose& end, EquilibriumProblem& problem) const;
-  bool release(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;
-  double largest_part(std::span<const ToolPose> begin, std::span<const ToolPose> end) const;
-  void add_solids(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;
-  /// Throws SimulationFailure where a solid stands in a place of the wall that cannot give way along its normal.
-  void refuse_held_places(const EquilibriumProblem& problem) const;
-  WayStart way_of_step(std::span<const ToolPose> begin, const EquilibriumProblem& problem) const;
-  bool catch_passed_edges(EquilibriumProblem& problem, const Eigen::VectorXd& position) const;
+  StepContacts step_contacts() const { return {*model_, state_, tools_}; }
   void prepare_cutting();
   void find_forces(std::span<const ToolPose> poses);
   /// Begins on the way that the wall was last on, where least is missed.
@@ -299,11 +292,8 @@ class Body {
   CutOptions options_of_blade(std::span<const ToolPose> poses) const;
   Cut change_mesh(const CutPath& path, CutOptions options, Uncut* before = nullptr);
   void put_back(Uncut before);
-  void add_shafts_to(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;
   /// Adds tools to those that pass what is held in their way, and takes off those that are out of it.
   void note_passing(std::span<const int> tools, std::span<const ToolPose> poses, std::vector<int>& passing) const;
-  bool is_out_of_wall(int tool, const ToolPose& pose) const;
-  void add_passed_to(std::span<const ToolPose> poses, EquilibriumProblem& problem) const;
   bool needles_overshoot(const BodyState& before, std::span<const ToolPose> poses) const;
   void pierce_within_step(std::span<const ToolPose> poses);
   void tell_ruptures_within_step();

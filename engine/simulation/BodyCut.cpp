@@ -207,9 +207,9 @@ void Body::find_forces(std::span<const ToolPose> poses) {
   problem.cut_force = force_at_lips(state_.cut, model_->unknowns());
   problem.attachments = state_.attachments;
   if (options_.analysis == Analysis::kDynamic) problem.fluid_inertia = fluid_inertia_now(*model_, state_);
-  add_solids(poses, problem);
+  step_contacts().add_solids(poses, problem);
   problem.friction = FrictionSearch(*model_, state_, tools_, poses).first(problem);
-  add_shafts_to(poses, problem);
+  step_contacts().add_shafts(poses, problem);
   newton_->look(problem, state_.equilibrium);
   // What the tools felt during the step stays what it was.
   const std::vector<ToolContact> contacts = state_.contacts, solid_contacts = state_.solid_contacts;

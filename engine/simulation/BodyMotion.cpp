@@ -1,8 +1,17 @@
+#include <algorithm>
+
 #include "engine/simulation/BackwardDifference.hpp"
 #include "engine/simulation/Body.hpp"
 #include "engine/simulation/ToolFriction.hpp"
 
 namespace thinwall {
+namespace {
+
+/// Part of its rest area that a triangle has at least as the area that is pressed: one that is crumpled to nothing
+/// would have a pressure without bound.
+constexpr double kLeastPressedPart = 0.01;
+
+}  // namespace
 
 void Body::add_inertia(double duration, EquilibriumProblem& problem) const {
   const BackwardDifference difference = backward_difference(duration, state_.previous_step);
@@ -93,6 +102,43 @@ void Body::update_forces(const EquilibriumProblem& problem) {
     state_.contacts[attachment.tool].force += attachment.force;
     state_.contacts[attachment.tool].touching = true;
   }
+}
+
+double Body::squeeze(int tool, const ToolPose& pose) const {
+  std::size_t k = 0;
+  for (int before = 0; before < tool; ++before) k += contact_solids(tools_[before], {}).size();
+  const Eigen::Vector3d across = pose.axis.cross(pose.direction);
+  // The wall between the jaws pushes each outwards.
+  double right = 0, left = 0;
+  for (const ToolSolid& solid : contact_solids(tools_[tool], pose)) {
+    const double outwards = state_.solid_contacts[k++].force.dot(across);
+    (across.dot(solid.center - pose.tip) > 0 ? right : left) += outwards;
+  }
+  return std::max(0.0, std::min(right, -left));
+}
+
+Eigen::VectorXd Body::contact_pressure() const {
+  Eigen::VectorXd pressure = Eigen::VectorXd::Zero(model_->vertices());
+  for (const Attachment& attachment : state_.attachments) {
+    for (int k = 0; k < 3; ++k) pressure[attachment.vertices[k]] += attachment.weights[k] * attachment.force.norm();
+  }
+  for (const std::vector<double>& forces : state_.solid_forces) {
+    for (std::size_t s = 0; s < forces.size(); ++s) {
+      if (forces[s] == 0) continue;
+      const ContactSite& site = model_->sites[s];
+      const Eigen::Vector3i& triangle = model_->surface[site.triangle];
+      const int count = vertex_count_of(site.part);
+      for (int k = 0; k < count; ++k) pressure[triangle[(site.corner + k) % 3]] += forces[s] / count;
+    }
+  }
+  Eigen::VectorXd area = Eigen::VectorXd::Zero(model_->vertices());
+  for (int t = 0; t < model_->triangles(); ++t) {
+    const auto corners = corners_of(model_->surface[t], state_.equilibrium.position);
+    const double now = 0.5 * (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
+    const double least = kLeastPressedPart * model_->rest[t].area;
+    for (const int vertex : model_->surface[t]) area[vertex] += std::max(now, least) / 3;
+  }
+  return pressure.cwiseQuotient(area.cwiseMax(1e-300));
 }
 
 }  // namespace thinwall

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/contact/SolidGap.hpp"
 #include "engine/equilibrium/HeldWall.hpp"
 #include "engine/simulation/Body.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
@@ -26,37 +25,11 @@ constexpr double kMostPartWork = 0.5;
 
 void Body::note_passing(std::span<const int> tools, std::span<const ToolPose> poses, std::vector<int>& passing) const {
   std::erase_if(passing, [&](int tool) {
-    return std::ranges::find(tools, tool) == tools.end() && is_out_of_wall(tool, poses[tool]);
+    return std::ranges::find(tools, tool) == tools.end() && step_contacts().is_out_of_wall(tool, poses[tool]);
   });
   for (const int tool : tools) {
     const auto at = std::ranges::lower_bound(passing, tool);
     if (at == passing.end() || *at != tool) passing.insert(at, tool);
-  }
-}
-
-bool Body::is_out_of_wall(int tool, const ToolPose& pose) const {
-  if (std::ranges::any_of(state_.punctures, [&](const Puncture& one) { return one.tool == tool; })) return false;
-  const ToolSolid needle = tool_solids(tools_[tool], pose).front();
-  const Eigen::VectorXd& position = state_.equilibrium.position;
-  const std::vector<char> passed = sites_in_the_way(*model_, position, needle, held_against(*model_, pose.direction));
-  for (std::size_t s = 0; s < passed.size(); ++s) {
-    const ContactSite& site = model_->sites[s];
-    if (!passed[s]) continue;
-    const auto corners = corners_of(model_->surface[site.triangle], position);
-    if (solid_gap(needle, 0, corners, site.part, site.corner, GapTerms::kGradient)) return false;
-  }
-  return true;
-}
-
-void Body::add_passed_to(std::span<const ToolPose> poses, EquilibriumProblem& problem) const {
-  if (state_.piercing.empty() && state_.incising.empty()) return;
-  problem.passed.resize(tools_.size());
-  for (const std::vector<int>* passing : {&state_.piercing, &state_.incising}) {
-    for (const int tool : *passing) {
-      const ToolSolid solid = tool_solids(tools_[tool], poses[tool]).front();
-      problem.passed[tool] =
-          sites_in_the_way(*model_, state_.equilibrium.position, solid, held_against(*model_, poses[tool].direction));
-    }
   }
 }
 

@@ -13,12 +13,6 @@
 namespace thinwall {
 namespace {
 
-/// Springs that keep lips out of a shaft, over the wall's stiffness: they give by a hundredth of what the wall does.
-constexpr double kShaftStiffness = 100;
-
-/// Slip before friction is overcome, part of the needle's radius.
-constexpr double kShaftGive = 1e-3;
-
 /// Edges along a slit over the needle's radius: as coarse as will do.
 constexpr double kSlitEdges[] = {0.5, 0.25};
 
@@ -57,30 +51,6 @@ bool is_through(const std::array<Eigen::Vector3d, 3>& corners, const ToolPose& p
 constexpr int kMostJams = 2;
 
 }  // namespace
-
-void Body::add_shafts_to(std::span<const ToolPose> poses, EquilibriumProblem& problem) const {
-  problem.free.resize(tools_.size());
-  for (const Puncture& puncture : state_.punctures) {
-    if (!puncture.tool) continue;
-    problem.free[*puncture.tool] = free_triangles(*model_, state_.punctures, *puncture.tool);
-    if (!puncture.is_sealed()) continue;
-    const ToolPose& pose = poses[*puncture.tool];
-    const ToolDefinition& tool = tools_[*puncture.tool];
-    ShaftContact shaft{.tool = *puncture.tool,
-                       .tip = pose.tip,
-                       .radius = tool.radius,
-                       .cone = needle_cone(tool),
-                       .spread = puncture.spread,
-                       .stiffness = kShaftStiffness * model_->wall_stiffness,
-                       .give = kShaftGive * tool.radius,
-                       .points = puncture.points};
-    shaft.frame << pose.axis.cross(pose.direction), pose.axis, pose.direction;
-    problem.shafts.push_back(std::move(shaft));
-  }
-  problem.sealed.resize(model_->openings.size(), 0);
-  for (std::size_t k = 0; k < problem.sealed.size(); ++k)
-    problem.sealed[k] = is_shut(*model_, state_.punctures, static_cast<int>(k));
-}
 
 Body::ShaftBooks Body::book_shafts(const EquilibriumProblem& problem, std::span<const ToolPose> begin) {
   ShaftBooks books;

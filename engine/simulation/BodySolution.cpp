@@ -53,7 +53,7 @@ bool Body::solve_step(EquilibriumProblem& problem, EquilibriumState& trial, std:
   // Solutions of one part that differ in friction alone are near each other.
   const bool needs_springs = !goes_on && report_.relaxations > 0 && may_snap() && !may_creep();
   std::optional<WayStart> way;  // where the wall may snap, which must lead it through no tool
-  if (may_snap()) way = way_of_step(begin, again);
+  if (may_snap()) way = step_contacts().way(begin, again);
   if (way && goes_on) way = going_on(*way, again, before.position);
   if (state_.drag == 0 && !needs_springs && solve(problem, trial, effort).converged &&
       (!way || !jumped_over_tools(*model_, *way, problem, trial.position))) {

@@ -1,3 +1,5 @@
+#include "engine/simulation/StepContacts.hpp"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cassert>
@@ -7,12 +9,22 @@
 
 #include "engine/contact/DeepestPoint.hpp"
 #include "engine/contact/SolidGap.hpp"
-#include "engine/simulation/Body.hpp"
+#include "engine/equilibrium/HeldWall.hpp"
+#include "engine/equilibrium/ShaftContact.hpp"
 #include "engine/simulation/PrescribedPoint.hpp"
+#include "engine/simulation/Puncture.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
+#include "engine/tool/FirstContact.hpp"
+#include "engine/tool/ToolSolids.hpp"
 
 namespace thinwall {
 namespace {
+
+/// Springs that keep lips out of a shaft, over the wall's stiffness: they give by a hundredth of what the wall does.
+constexpr double kShaftStiffness = 100;
+
+/// Slip before friction is overcome, part of the needle's radius.
+constexpr double kShaftGive = 1e-3;
 
 /// Gap at which the wall rests on a tool: small beside the tool and any depth that matters, whatever the mesh.
 double contact_range(const ToolSolid& solid) {
@@ -42,10 +54,6 @@ constexpr double kSameDirection = 1e-9;
 /// A place farther behind a line than so many times what both have moved was never in its way: to take hold of it would
 /// draw it there in one step. More than once, as a line that goes sideways meets what lies on slopes.
 constexpr double kPassedWays = 2;
-
-/// Part of its rest area that a triangle has at least as the area that is pressed: one that is crumpled to nothing
-/// would have a pressure without bound.
-constexpr double kLeastPressedPart = 0.01;
 
 /// Whether a needle moves along itself alone: then it is its point that pushes, and its shaft only slides.
 bool slides_along_itself(const ToolDefinition& tool, const ToolPose& begin, const ToolPose& end) {
@@ -88,7 +96,8 @@ bool is_rigid(const BodyModel& model, const Eigen::Vector3i& triangle, const Sol
 
 }  // namespace
 
-void Body::attach(std::span<const ToolPose> begin, std::span<const ToolPose> end, EquilibriumProblem& problem) const {
+void StepContacts::attach(std::span<const ToolPose> begin, std::span<const ToolPose> end,
+                          EquilibriumProblem& problem) const {
   problem.attachments = state_.attachments;
   // A tool that is set elsewhere between two clips lets go of what it held.
   std::erase_if(problem.attachments, [&](const Attachment& attachment) {
@@ -104,11 +113,11 @@ void Body::attach(std::span<const ToolPose> begin, std::span<const ToolPose> end
     // Let go of, a wall may spring back farther than the tool has gone.
     if (!hit) hit = overrun_by(surface(), state_.previous_position, begin[tool].tip, begin[tool].direction);
     if (hit) {
-      Attachment attachment{.tool = tool, .vertices = model_->surface[hit->triangle], .weights = hit->weights};
-      attachment.prescribed = free_axes(free_share(*model_, attachment));
+      Attachment attachment{.tool = tool, .vertices = model_.surface[hit->triangle], .weights = hit->weights};
+      attachment.prescribed = free_axes(free_share(model_, attachment));
       if (attachment.prescribed.isZero()) {
         throw SimulationFailure("tool `" + tools_[tool].name + "` presses on a point of body `" +
-                                model_->definition.name + "` that `fixed` holds along all axes");
+                                model_.definition.name + "` that `fixed` holds along all axes");
       }
       problem.attachments.push_back(attachment);
     }
@@ -118,49 +127,50 @@ void Body::attach(std::span<const ToolPose> begin, std::span<const ToolPose> end
   }
 }
 
-void Body::attach_line(int tool, const ToolPose& begin, const ToolPose& end, EquilibriumProblem& problem) const {
+void StepContacts::attach_line(int tool, const ToolPose& begin, const ToolPose& end,
+                               EquilibriumProblem& problem) const {
   const double moved = (end.tip - begin.tip).norm();
   for (const LineCrossing& crossing : line_crossings(surface(), tools_[tool], end)) {
     if (crossing.travel > 0) continue;
-    Attachment attachment{.tool = tool, .vertices = model_->surface[crossing.triangle], .weights = crossing.weights};
+    Attachment attachment{.tool = tool, .vertices = model_.surface[crossing.triangle], .weights = crossing.weights};
     const Eigen::Vector3d place = material_point(attachment, state_.equilibrium.position);
     const double sprung = (place - material_point(attachment, state_.previous_position)).norm();
     if (crossing.travel < -kPassedWays * (moved + sprung)) continue;
     const Eigen::Vector3d offset = place - end.tip;
     // A line laid across a border that is held bends around it: of a triangle that is held in part the free corners
     // follow the line.
-    attachment.followed = free_share(*model_, attachment);
+    attachment.followed = free_share(model_, attachment);
     attachment.prescribed = free_axes(attachment.followed);
     attachment.touched = place;
     attachment.offset = {offset.dot(end.axis.cross(end.direction)), crossing.along};
     const bool crowded =
         std::any_of(problem.attachments.begin(), problem.attachments.end(), [&](const Attachment& other) {
-          return other.tool == tool && std::abs(other.offset.y() - crossing.along) < 0.25 * model_->edge_length;
+          return other.tool == tool && std::abs(other.offset.y() - crossing.along) < 0.25 * model_.edge_length;
         });
     if (!crowded) problem.attachments.push_back(attachment);
   }
 }
 
-void Body::refuse_held_places(const EquilibriumProblem& problem) const {
+void StepContacts::refuse_held_places(const EquilibriumProblem& problem) const {
   // Where neither can give way, the force of a contact is as large as its multipliers have had time to grow.
   for (const SolidContact& contact : problem.solids) {
-    for (const int s : model_->held_sites) {
-      const ContactSite& site = model_->sites[s];
+    for (const int s : model_.held_sites) {
+      const ContactSite& site = model_.sites[s];
       if (!contact.meets(site.part)) continue;
       if (problem.is_free(contact.tool, site.triangle) || problem.passes(contact.tool, s)) continue;
-      const Eigen::Vector3i& triangle = model_->surface[site.triangle];
+      const Eigen::Vector3i& triangle = model_.surface[site.triangle];
       const double reach = contact.potential(site).onset - 2 * contact.range;
       const auto gap = solid_gap(contact.solid, reach, corners_of(triangle, state_.equilibrium.position), site.part,
                                  site.corner, GapTerms::kGradient);
-      if (!gap || !is_rigid(*model_, triangle, *gap)) continue;
+      if (!gap || !is_rigid(model_, triangle, *gap)) continue;
       throw SimulationFailure("tool `" + tools_[contact.tool].name + "` presses on a part of body `" +
-                              model_->definition.name +
+                              model_.definition.name +
                               "` that `fixed` holds and that cannot give way; press it less deep or beside that part");
     }
   }
 }
 
-bool Body::release(std::span<const ToolPose> poses, EquilibriumProblem& problem) const {
+bool StepContacts::release(std::span<const ToolPose> poses, EquilibriumProblem& problem) const {
   const std::size_t before = problem.attachments.size();
   std::erase_if(problem.attachments, [&](const Attachment& attachment) {
     const Eigen::Vector3d motion = attachment.target - material_point(attachment, state_.equilibrium.position);
@@ -171,7 +181,7 @@ bool Body::release(std::span<const ToolPose> poses, EquilibriumProblem& problem)
   return problem.attachments.size() != before;
 }
 
-double Body::largest_part(std::span<const ToolPose> begin, std::span<const ToolPose> end) const {
+double StepContacts::largest_part(std::span<const ToolPose> begin, std::span<const ToolPose> end) const {
   double part = 1;
   for (std::size_t tool = 0; tool < tools_.size(); ++tool) {
     if (state_.cut.tool == static_cast<int>(tool)) continue;
@@ -181,12 +191,12 @@ double Body::largest_part(std::span<const ToolPose> begin, std::span<const ToolP
       const Eigen::AngleAxisd turn(Eigen::Matrix3d(after[k].frame * before[k].frame.transpose()));
       const double motion = (after[k].center - before[k].center).norm() + turn.angle() * before[k].extent();
       if (motion <= kRoundedMotion * before[k].sharpness()) continue;
-      const double reach = motion + model_->edge_length;
+      const double reach = motion + model_.edge_length;
       const double pushing = slides_along_itself(tools_[tool], begin[tool], end[tool])
                                  ? needle_cone(tools_[tool]) + reach
                                  : std::numeric_limits<double>::infinity();  // metres behind the tip
       double nearest = std::numeric_limits<double>::infinity();
-      for (int v = 0; v < model_->vertices(); ++v) {
+      for (int v = 0; v < model_.vertices(); ++v) {
         const Eigen::Vector3d place = state_.equilibrium.position.segment<3>(3 * v);
         if (begin[tool].direction.dot(begin[tool].tip - place) > pushing) continue;
         nearest = std::min(nearest, distance_from(before[k], place));
@@ -198,8 +208,8 @@ double Body::largest_part(std::span<const ToolPose> begin, std::span<const ToolP
   return part;
 }
 
-void Body::add_solids(std::span<const ToolPose> poses, EquilibriumProblem& problem) const {
-  add_passed_to(poses, problem);
+void StepContacts::add_solids(std::span<const ToolPose> poses, EquilibriumProblem& problem) const {
+  add_passed(poses, problem);
   for (int tool = 0; tool < static_cast<int>(tools_.size()); ++tool) {
     const double largest_pressure =
         state_.reference_pressure.size() > 0 ? state_.reference_pressure.lpNorm<Eigen::Infinity>() : 0;
@@ -212,15 +222,15 @@ void Body::add_solids(std::span<const ToolPose> poses, EquilibriumProblem& probl
            .solid = solid,
            .range = range,
            .dip = contact_dip(solid),
-           .hugging_pressure = std::max(model_->wall_stiffness / solid.sharpness(), largest_pressure),
+           .hugging_pressure = std::max(model_.wall_stiffness / solid.sharpness(), largest_pressure),
            .in_wall = state_.cut.tool == tool,
            .forces = state_.solid_forces[problem.solids.size()]});
     }
-    if (tools_[tool].kind == ToolKind::kForceps) pinch(*model_, state_.equilibrium.position, tool, problem);
+    if (tools_[tool].kind == ToolKind::kForceps) pinch(model_, state_.equilibrium.position, tool, problem);
   }
 }
 
-WayStart Body::way_of_step(std::span<const ToolPose> begin, const EquilibriumProblem& problem) const {
+WayStart StepContacts::way(std::span<const ToolPose> begin, const EquilibriumProblem& problem) const {
   WayStart start{.solids = contact_solids(tools_, begin), .position = state_.equilibrium.position};
   for (std::size_t k = 0; k < start.solids.size(); ++k) {
     const SolidContact& after = problem.solids[k];
@@ -231,15 +241,14 @@ WayStart Body::way_of_step(std::span<const ToolPose> begin, const EquilibriumPro
   return start;
 }
 
-bool Body::catch_passed_edges(EquilibriumProblem& problem, const Eigen::VectorXd& position) const {
+bool StepContacts::catch_passed_edges(EquilibriumProblem& problem, const Eigen::VectorXd& position) const {
   bool caught = false;
   for (SolidContact& contact : problem.solids) {
     if (contact.solid.role != ToolSolid::Role::kHull || contact.catches_edges || contact.in_wall) continue;
-    contact.catches_edges = std::ranges::any_of(model_->sites, [&](const ContactSite& site) {
+    contact.catches_edges = std::ranges::any_of(model_.sites, [&](const ContactSite& site) {
       if (site.part != SitePart::kEdge) return false;
       return solid_gap(contact.solid, -SolidContact::kPassedEdgeDip * contact.dip,
-                       corners_of(model_->surface[site.triangle], position), site.part, site.corner,
-                       GapTerms::kGradient)
+                       corners_of(model_.surface[site.triangle], position), site.part, site.corner, GapTerms::kGradient)
           .has_value();
     });
     caught = caught || contact.catches_edges;
@@ -247,41 +256,54 @@ bool Body::catch_passed_edges(EquilibriumProblem& problem, const Eigen::VectorXd
   return caught;
 }
 
-double Body::squeeze(int tool, const ToolPose& pose) const {
-  std::size_t k = 0;
-  for (int before = 0; before < tool; ++before) k += contact_solids(tools_[before], {}).size();
-  const Eigen::Vector3d across = pose.axis.cross(pose.direction);
-  // The wall between the jaws pushes each outwards.
-  double right = 0, left = 0;
-  for (const ToolSolid& solid : contact_solids(tools_[tool], pose)) {
-    const double outwards = state_.solid_contacts[k++].force.dot(across);
-    (across.dot(solid.center - pose.tip) > 0 ? right : left) += outwards;
+void StepContacts::add_shafts(std::span<const ToolPose> poses, EquilibriumProblem& problem) const {
+  problem.free.resize(tools_.size());
+  for (const Puncture& puncture : state_.punctures) {
+    if (!puncture.tool) continue;
+    problem.free[*puncture.tool] = free_triangles(model_, state_.punctures, *puncture.tool);
+    if (!puncture.is_sealed()) continue;
+    const ToolPose& pose = poses[*puncture.tool];
+    const ToolDefinition& tool = tools_[*puncture.tool];
+    ShaftContact shaft{.tool = *puncture.tool,
+                       .tip = pose.tip,
+                       .radius = tool.radius,
+                       .cone = needle_cone(tool),
+                       .spread = puncture.spread,
+                       .stiffness = kShaftStiffness * model_.wall_stiffness,
+                       .give = kShaftGive * tool.radius,
+                       .points = puncture.points};
+    shaft.frame << pose.axis.cross(pose.direction), pose.axis, pose.direction;
+    problem.shafts.push_back(std::move(shaft));
   }
-  return std::max(0.0, std::min(right, -left));
+  problem.sealed.resize(model_.openings.size(), 0);
+  for (std::size_t k = 0; k < problem.sealed.size(); ++k)
+    problem.sealed[k] = is_shut(model_, state_.punctures, static_cast<int>(k));
 }
 
-Eigen::VectorXd Body::contact_pressure() const {
-  Eigen::VectorXd pressure = Eigen::VectorXd::Zero(model_->vertices());
-  for (const Attachment& attachment : state_.attachments) {
-    for (int k = 0; k < 3; ++k) pressure[attachment.vertices[k]] += attachment.weights[k] * attachment.force.norm();
-  }
-  for (const std::vector<double>& forces : state_.solid_forces) {
-    for (std::size_t s = 0; s < forces.size(); ++s) {
-      if (forces[s] == 0) continue;
-      const ContactSite& site = model_->sites[s];
-      const Eigen::Vector3i& triangle = model_->surface[site.triangle];
-      const int count = vertex_count_of(site.part);
-      for (int k = 0; k < count; ++k) pressure[triangle[(site.corner + k) % 3]] += forces[s] / count;
+void StepContacts::add_passed(std::span<const ToolPose> poses, EquilibriumProblem& problem) const {
+  if (state_.piercing.empty() && state_.incising.empty()) return;
+  problem.passed.resize(tools_.size());
+  for (const std::vector<int>* passing : {&state_.piercing, &state_.incising}) {
+    for (const int tool : *passing) {
+      const ToolSolid solid = tool_solids(tools_[tool], poses[tool]).front();
+      problem.passed[tool] =
+          sites_in_the_way(model_, state_.equilibrium.position, solid, held_against(model_, poses[tool].direction));
     }
   }
-  Eigen::VectorXd area = Eigen::VectorXd::Zero(model_->vertices());
-  for (int t = 0; t < model_->triangles(); ++t) {
-    const auto corners = corners_of(model_->surface[t], state_.equilibrium.position);
-    const double now = 0.5 * (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
-    const double least = kLeastPressedPart * model_->rest[t].area;
-    for (const int vertex : model_->surface[t]) area[vertex] += std::max(now, least) / 3;
+}
+
+bool StepContacts::is_out_of_wall(int tool, const ToolPose& pose) const {
+  if (std::ranges::any_of(state_.punctures, [&](const Puncture& one) { return one.tool == tool; })) return false;
+  const ToolSolid needle = tool_solids(tools_[tool], pose).front();
+  const Eigen::VectorXd& position = state_.equilibrium.position;
+  const std::vector<char> passed = sites_in_the_way(model_, position, needle, held_against(model_, pose.direction));
+  for (std::size_t s = 0; s < passed.size(); ++s) {
+    const ContactSite& site = model_.sites[s];
+    if (!passed[s]) continue;
+    const auto corners = corners_of(model_.surface[site.triangle], position);
+    if (solid_gap(needle, 0, corners, site.part, site.corner, GapTerms::kGradient)) return false;
   }
-  return pressure.cwiseQuotient(area.cwiseMax(1e-300));
+  return true;
 }
 
 }  // namespace thinwall
