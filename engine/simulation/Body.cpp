@@ -8,6 +8,7 @@
 #include "engine/equilibrium/HeldWall.hpp"
 #include "engine/simulation/Leakage.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
+#include "engine/simulation/StepAccuracy.hpp"
 #include "engine/simulation/ToolFriction.hpp"
 #include "engine/tool/PoseBetween.hpp"
 
@@ -50,22 +51,8 @@ constexpr int kEasyIterations = 20;
 /// Smallest part into which a step is divided to keep its error: where a tool hits the wall no step is small enough.
 constexpr double kSmallestPart = 1.0 / 256;
 
-/// Part of the largest of its energies that the integrator may take or give in a part of a step of a cut body: walls
-/// that collapse, and jets that begin at once, ask for shorter ones. Where the wall jumps none is short enough.
-constexpr double kMostUnbooked = 5e-4;
-constexpr double kSmallestUnbookedPart = 1.0 / 64;
-
-/// How much smaller a part may be in which a wall that is being let go of jumps and gives energy: the way is that of
-/// the jump, however short the part, but the less is let go the better its work is known. Energy that this work does
-/// not account for no such part mends.
-constexpr double kSmallerWhereHeld = 1.0 / 16;
-
 /// The smallest part of a step that is divided because needles would work more than they may.
 constexpr double kSmallestNeedlePart = 1.0 / 1024;
-
-/// What it may give any body, for no wall jumps to where it has more energy than before: a solver that found such a
-/// shape has gone astray, from less far away it finds one that is nearer.
-constexpr double kMostGiven = 2.5e-3;
 
 /// The parts into which a step is divided, one after the other.
 struct StepParts {
@@ -228,37 +215,6 @@ bool Body::try_step(std::span<const ToolPose> begin, std::span<const ToolPose> e
   }
 }
 
-double Body::script_doubt(const BodyState& before) const {
-  const Eigen::VectorXd reached = state_.fluid_volume - before.fluid_volume + state_.leaked - before.leaked;
-  const Eigen::VectorXd motion = state_.equilibrium.position - before.equilibrium.position;
-  const double of_fluids =
-      reached.cwiseAbs().dot((state_.equilibrium.pressure - before.equilibrium.pressure).cwiseAbs());
-  return 0.5 * (of_fluids + motion.cwiseAbs().dot((state_.load_force - before.load_force).cwiseAbs()));
-}
-
-double Body::given_part(const BodyState& before) const {
-  const double taken = state_.books.numerical - before.books.numerical, largest = state_.books.largest();
-  // What holds the lips of a cut, or a dent, is among the loads, and has a measure of its own.
-  const double doubt = before.cut.held.empty() ? script_doubt(before) : 0;
-  // Forces of a loose tolerance tell their work no better.
-  const double most_given = std::max(kMostGiven, options_.tolerance);
-  return std::max(0.0, -taken - doubt) / (most_given * std::max(largest, model_->least_energy()));
-}
-
-double Body::unbooked_part(const BodyState& before, bool is_calm) const {
-  const double taken = state_.books.numerical - before.books.numerical, largest = state_.books.largest();
-  // What walls take that jump or flaps that flutter, and what a drag takes up, is no matter of the step's length.
-  const bool is_even = before.cut.has_incised && is_calm && state_.drag_force.size() == 0;
-  if (!is_even || largest == 0) return given_part(before);
-  return std::abs(taken) / (kMostUnbooked * largest);
-}
-
-double Body::smallest_unbooked_part(const BodyState& before, double largest_part) const {
-  const double given = before.books.numerical - state_.books.numerical;
-  const bool jumps_held = !before.cut.held.empty() && given_part(before) > 1 && given < 2 * script_doubt(before);
-  return kSmallestUnbookedPart * (before.cut.has_incised ? 1 : largest_part) * (jumps_held ? kSmallerWhereHeld : 1);
-}
-
 bool Body::takes_back_driven(BodyState& before) {
   if (!mark_driving(state_.cut, before.cut)) return false;
   // Again without what drove the wall: a cut that opens by itself is free, and its energy a motion.
@@ -297,9 +253,8 @@ bool Body::is_hopeless(int failed) const {
 
 void Body::advance_in_parts(const BodyState& start, std::span<const ToolPose> begin, std::span<const ToolPose> end,
                             double duration, const BodyInput& input) {
-  StepParts step{.largest =
-                     std::min(step_contacts().largest_part(begin, end), part_of_blade(input, model_->edge_length))};
-  step.part = step.largest;
+  const double largest = std::min(step_contacts().largest_part(begin, end), part_of_blade(input, model_->edge_length));
+  StepParts step{.largest = largest, .part = largest};
   std::vector<ToolPose> from(begin.begin(), begin.end());
   bool needles_ask = false;
   int failed = 0;  // in a row
@@ -324,13 +279,13 @@ void Body::advance_in_parts(const BodyState& start, std::span<const ToolPose> be
     }
     failed = 0;
     if (takes_back_driven(before)) continue;
-    const double error = options_.step_error > 0 ? step_error(before, step.part * duration) / options_.step_error : 0;
     const bool was_easy = report_.newton_iterations - iterations <= kEasyIterations;
     // Where flaps flutter the matrix is not convex at first, and shorter steps show more of that.
     const bool is_calm = report_.shifted_iterations == shifted && report_.halvings == 0;
-    const double unbooked = unbooked_part(before, is_calm);
-    const bool is_coarse = (error > 1 && step.part > kSmallestPart) ||
-                           (unbooked > 1 && step.part > smallest_unbooked_part(before, step.largest));
+    const StepAccuracy accuracy(*model_, options_, before, state_);
+    const double error = accuracy.error(step.part * duration), unbooked = accuracy.unbooked(is_calm);
+    const bool is_coarse =
+        (error > 1 && step.part > kSmallestPart) || (unbooked > 1 && step.part > accuracy.smallest_part(step.largest));
     const bool overshoots = !is_coarse && step.part > kSmallestNeedlePart && needles_overshoot(before, to);
     if (is_coarse || overshoots) {
       state_ = before;

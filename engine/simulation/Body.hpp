@@ -240,17 +240,6 @@ class Body {
   bool find_buckled(EquilibriumProblem& problem, EquilibriumState& trial);
   /// Leaves such an equilibrium for a stable one. Where none is found all stays as it is, and the report tells.
   void buckle(EquilibriumProblem& problem, EquilibriumState& trial);
-  double step_error(const BodyState& before, double duration) const;
-
-  /// By what the work of loads and filling in the last part of a step may be off, joule: it is told by its ends, and
-  /// the way between them is known no better than that each force lay between its own at the ends.
-  double script_doubt(const BodyState& before) const;
-  /// What the integrator gave in the last part of a step, over what it may.
-  double given_part(const BodyState& before) const;
-  /// What the integrator took or gave in the last part of a step, over what it may.
-  double unbooked_part(const BodyState& before, bool is_calm) const;
-  /// The smallest part of a step that is divided for that. `largest_part`: that tools and blades allow.
-  double smallest_unbooked_part(const BodyState& before, double largest_part) const;
   StepContacts step_contacts() const { return {*model_, state_, tools_}; }
   void prepare_cutting();
   void find_forces(std::span<const ToolPose> poses);

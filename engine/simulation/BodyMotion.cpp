@@ -62,19 +62,6 @@ void Body::update_velocity(const BodyState& before, double duration) {
                         duration;
 }
 
-double Body::step_error(const BodyState& before, double duration) const {
-  if (options_.analysis != Analysis::kDynamic) return 0;
-  const Eigen::VectorXd uniform = before.equilibrium.position + duration * before.velocity;
-  if (before.previous_step == 0) {
-    // A backward Euler step misses half of the square of the step times the acceleration.
-    return 0.5 * (state_.equilibrium.position - uniform).head(3 * model_->vertices()).lpNorm<Eigen::Infinity>();
-  }
-  // With j the third derivative, h the step and an equal one before, the prediction misses h^3 j / 6 on one side and
-  // the backward difference 2 h^3 j / 9 on the other.
-  const Eigen::VectorXd predicted = uniform + 0.5 * duration * duration * before.acceleration;
-  return 4.0 / 7 * (state_.equilibrium.position - predicted).head(3 * model_->vertices()).lpNorm<Eigen::Infinity>();
-}
-
 void Body::update_forces(const EquilibriumProblem& problem) {
   const EquilibriumTerms& terms = newton_->terms();
   state_.static_force = terms.gradient - terms.load_of_pressure() * state_.equilibrium.pressure;
