@@ -172,6 +172,10 @@ class Body {
   /// `way`: where the wall and the tools set out, for solutions that go through none of these at once.
   NewtonResult relax(EquilibriumProblem& problem, EquilibriumState& state, std::optional<WayStart> way = {},
                      bool is_eager = false);
+  /// Lets go of weak springs that a wall at `state` was held with; nothing where that does not do. `held`: their last
+  /// solution, where it was taken, with which a wall is left that need not come to rest.
+  std::optional<NewtonResult> rest_without_springs(EquilibriumProblem& problem, EquilibriumState& state,
+                                                   const std::optional<WayStart>& way, const NewtonResult* held);
   bool is_turned_by_loads(const EquilibriumProblem& problem, const EquilibriumState& state) const;
   /// From an equilibrium with held rigid motions to where the loads have no moment that these hold against.
   bool turn(const EquilibriumProblem& problem, EquilibriumState& state);

@@ -148,6 +148,23 @@ NewtonResult Body::fail(const std::string& reason) {
   return failed;
 }
 
+std::optional<NewtonResult> Body::rest_without_springs(EquilibriumProblem& problem, EquilibriumState& state,
+                                                       const std::optional<WayStart>& way, const NewtonResult* held) {
+  EquilibriumState trial = state;
+  EquilibriumProblem let_go = problem;
+  NewtonResult result = solve(let_go, trial, {.takes_flaps = true});
+  if (result.converged && went_around(*model_, way, let_go, trial)) {
+    state = trial;
+    problem = let_go;
+    return result;
+  }
+  if (held == nullptr || !leaves_rest_to_steps()) return std::nullopt;
+  // What the springs still hold back is missed of an equilibrium without them.
+  report_.residual = newton_->missed(problem, state);
+  is_loose_ = true;
+  return *held;
+}
+
 NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state, std::optional<WayStart> way,
                          bool is_eager) {
   const RelaxationPace& pace = is_eager ? kEager : kCareful;
@@ -181,20 +198,8 @@ NewtonResult Body::relax(EquilibriumProblem& problem, EquilibriumState& state, s
     }
     if (const auto burst = burst_of(growth, problem, state)) return *burst;
     if (springs < kWeakSprings && turn % 4 == 3) {
-      trial = state;
-      held = problem;
-      NewtonResult result = solve(held, trial, {.takes_flaps = true});
-      if (result.converged && went_around(*model_, way, held, trial)) {
-        state = trial;
-        problem = held;
-        return result;
-      }
-      if (is_taken && leaves_rest_to_steps()) {
-        // What the springs still hold back is missed of an equilibrium without them.
-        report_.residual = newton_->missed(problem, state);
-        is_loose_ = true;
-        return held_result;
-      }
+      const auto result = rest_without_springs(problem, state, way, is_taken ? &held_result : nullptr);
+      if (result) return *result;
     }
   }
   // The last solution with springs may have been good, and without them not at hand all the same.
