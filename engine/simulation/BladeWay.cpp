@@ -12,11 +12,14 @@ namespace {
 /// it was off, when it begins another cut.
 constexpr double kLeftBehind = 2;
 
-/// Mean edges from a border within which a cut that ends meets it: triangles tell no such bridge.
+/// Mean edges from a border within which a cut that begins or ends meets it: triangles tell no such bridge.
 constexpr double kNearBorder = 0.25;
 
 /// Mean edges ahead of a cut's tip from which on a border is no place of its own lips, but for rounding.
 constexpr double kLeastAhead = 1e-3;
+
+/// Cosine of the angle to a cut's way within which a border lies behind its beginning, and not beside it.
+constexpr double kLeastBehind = 0.5;
 
 /// A way longer than this times the distance of its ends, and an edge more, is not what a blade goes in a step: it
 /// leads around a flap or the body.
@@ -124,7 +127,7 @@ WayOn BladeWay::brought_to_border(WayOn way) const {
   const SurfacePoint from = point_at(wall.triangles, *way.path.from), end = way.path.points.back();
   const Eigen::Vector3d tip = position_of(wall, from), stop = position_of(wall, end);
   const Eigen::Vector3d ahead = way_ahead(wall, *way.path.from).normalized();
-  const double near = std::max(0.5 * blade_.thickness, kNearBorder * model_.edge_length);
+  const double near = bridged();
   double shortest = near;
   for (SurfacePoint border : borders_around(wall, stop, near)) {
     // The other end of a cut is a vertex, and no place of one lip or the other beside it.
@@ -143,6 +146,29 @@ WayOn BladeWay::brought_to_border(WayOn way) const {
     way.path.points = there.pieces.front().points;
   }
   return way;
+}
+
+WayOn BladeWay::brought_from_border(WayOn way) const {
+  if (way.path.from) return way;
+  const SurfaceView wall = surface();
+  const SurfacePoint end = way.path.points.back();
+  const Eigen::Vector3d start = position_of(wall, way.path.points.front()), stop = position_of(wall, end);
+  const double near = bridged();
+  if (distance_from_border(wall, start) <= kLeastAhead * model_.edge_length) return way;
+  double shortest = near;
+  for (const SurfacePoint& border : borders_around(wall, start, near)) {
+    const Eigen::Vector3d back = start - position_of(wall, border);
+    if (back.norm() > shortest || back.dot((stop - start).normalized()) < kLeastBehind * back.norm()) continue;
+    const SurfaceTrace from_there = trace(wall, snapped_to_edges(wall, border), end);
+    if (!is_direct(wall, from_there, model_.edge_length)) continue;
+    shortest = back.norm();
+    way.path.points = from_there.pieces.front().points;
+  }
+  return way;
+}
+
+double BladeWay::bridged() const {
+  return std::max(0.5 * blade_.thickness, kNearBorder * model_.edge_length);
 }
 
 bool BladeWay::is_far(const WayOn& way) const {

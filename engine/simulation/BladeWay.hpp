@@ -31,6 +31,8 @@ class BladeWay {
   std::optional<WayOn> on(const ToolPose& pose, double higher = 0) const;
   /// A way at whose end the cut ends; where that is next to an open border, or in the other end of a cut, there.
   WayOn brought_to_border(WayOn way) const;
+  /// A way that a cut begins with; where an open border is close behind its beginning, from there.
+  WayOn brought_from_border(WayOn way) const;
   /// Whether the blade goes back in its own wound: behind the tip, and over no wall but its lips.
   bool is_in_wound(const ToolPose& pose) const;
   /// From the lip over which the blade has come out of its own wound to where it meets the wall.
@@ -43,6 +45,8 @@ class BladeWay {
  private:
   /// From the tip to the open border that the blade has left the wall over; nothing where it has not.
   std::optional<WayOn> to_border(const ToolPose& pose) const;
+  /// Metres of wall between the end of a cut and a border that are cut along with it.
+  double bridged() const;
   SurfaceView surface() const { return surface_of(model_, state_); }
 
   const BodyModel& model_;

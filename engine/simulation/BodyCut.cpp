@@ -330,6 +330,7 @@ std::optional<Cut> Body::follow_blade(int tool, std::span<const ToolPose> poses,
     begin_anew_far_off(tool, pose);
     return std::nullopt;
   }
+  way = blade.brought_from_border(*std::move(way));
   if (!goes_on && !way->border) way = blade.brought_to_border(*std::move(way));
   way->path.goes_on = goes_on && !way->border;
   return go_on(*way, pose, poses);

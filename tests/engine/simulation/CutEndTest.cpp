@@ -1,5 +1,5 @@
-// Cuts that end next to a border of the wall or to another cut: they meet it, and leave no bridge narrower than
-// triangles tell. Farther off, or before the blade's last step, they end where the blade is.
+// Cuts that begin or end next to a border of the wall or to another cut: they meet it, and leave no bridge narrower
+// than triangles tell. Farther off, or before the blade's last step, they begin and end where the blade does.
 
 #include <gtest/gtest.h>
 
@@ -88,6 +88,44 @@ TEST(ACutThatEndsBesideABorder, GoesThroughItWithinHalfTheBladesThickness) {
     const double length = cut_along(body, {{12e-3, 0.7e-3}, {kSide / 2 - short_of, 0.7e-3}}, step);
     EXPECT_EQ(pieces_of(body).borders, 1U);
     EXPECT_NEAR(length, kSide / 2 - 12e-3, 0.1 * short_of);
+  }
+}
+
+TEST(ACutThatBeginsBesideABorder, ComesFromItWithinAQuarterOfAnEdge) {
+  for (const double step : kSteps) {
+    // At a vertex, between two, and askew.
+    for (const double turn : {0.0, 0.7e-3, 6e-3}) {
+      SCOPED_TRACE(testing::Message() << "step " << step << ", turn " << turn);
+      Body body = slack_sheet(800, test_blade());
+      const double off = 0.2 * body.model().edge_length;
+      const Eigen::Vector2d begin(kSide / 2 - off, turn), end(12e-3, 0.7e-3);
+      const double length = cut_along(body, {begin, end}, step);
+      std::printf("%.3f mm off the border, cut by %.3f mm\n", 1e3 * off, 1e3 * length);
+      EXPECT_EQ(pieces_of(body).borders, 1U) << "a notch is a part of the sheet's own border";
+      EXPECT_NEAR(length, off + (end - begin).norm(), 0.3 * body.model().edge_length);
+      EXPECT_LT(std::abs(body.state().books.imbalance()), 1e-9 * body.state().books.largest());
+    }
+  }
+}
+
+TEST(ACutThatBeginsBesideABorder, BeginsWhereTheBladeDoesFartherOffAndAlongIt) {
+  Body body = slack_sheet(800, test_blade());
+  const double edge = body.model().edge_length;
+  cut_along(body, {{kSide / 2 - 0.9 * edge, 0.7e-3}, {12e-3, 0.7e-3}});
+  EXPECT_EQ(pieces_of(body).borders, 2U);
+  Body beside = slack_sheet(800, test_blade());
+  cut_along(beside, {{kSide / 2 - 0.24 * edge, -5e-3}, {kSide / 2 - 0.24 * edge, 5e-3}}, 1e-3, false);
+  EXPECT_EQ(pieces_of(beside).borders, 2U);
+}
+
+TEST(ACutThatBeginsBesideAnEarlierOne, ComesFromIt) {
+  for (const double step : kSteps) {
+    SCOPED_TRACE(step);
+    Body body = slack_sheet(800, test_blade());
+    cut_along(body, {{-9e-3, 0.3e-3}, {9e-3, 0.3e-3}});
+    const double gap = 0.2 * body.model().edge_length;
+    cut_along(body, {{0.6e-3, 0.3e-3 - gap}, {0.6e-3, -9e-3}}, step);
+    EXPECT_EQ(pieces_of(body).borders, 2U) << "of the sheet, and of both cuts as one";
   }
 }
 
