@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/mesh/MeshTopology.hpp"
+#include "studio/organs/SpanWords.hpp"
 
 namespace thinwall {
 namespace {
@@ -139,6 +140,14 @@ TEST(BodyBuilder, ChambersWhosePointsNameNoPartOfTheirOwnAreTold) {
       "in the same closed part; move it into the part that is meant");
   scenario.fluid.chambers.pop_back();
   EXPECT_EQ(refusal_of(scenario), "accepted");
+}
+
+TEST(SpanWords, TellBothEndsApartHoweverFarOffTheyLie) {
+  const Eigen::Vector3d corner(1000, -1000, 1000);
+  const Eigen::AlignedBox3d far(corner, corner + Eigen::Vector3d(0.0632, 0.08, 0));
+  EXPECT_EQ(span_words(far), "x 1000000 ... 1000063.2, y -1000000 ... -999920, z 1000000 ... 1000000 mm");
+  const Eigen::AlignedBox3d near(Eigen::Vector3d(-0.0371849, 0, 0.02), Eigen::Vector3d(0.02, 1e-5, 0.05));
+  EXPECT_EQ(span_words(near), "x -37.18 ... 20, y 0 ... 0.01, z 20 ... 50 mm");
 }
 
 TEST(BodyBuilder, RegionsThatHoldNothingAreAllTold) {
