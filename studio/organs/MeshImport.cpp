@@ -22,6 +22,7 @@
 #include "studio/organs/MeshRepair.hpp"
 #include "studio/organs/NestedParts.hpp"
 #include "studio/organs/OrganSizes.hpp"
+#include "studio/organs/OwnEdges.hpp"
 #include "studio/organs/StlHead.hpp"
 #include "studio/organs/ToldPlaces.hpp"
 #include "studio/organs/remeshing/MeshRemeshing.hpp"
@@ -70,9 +71,11 @@ class MeshImport {
     RawMesh raw = read();
     tell_left_out();
     check_coordinates(raw);
+    const std::optional<std::size_t> open = own_open_edges(file_, raw);
     part_names_ = std::move(raw.part_names);
     surface_ = {std::move(raw.vertices), std::move(raw.triangles), std::move(raw.parts)};
     tidy();
+    if (open) tell_joined(*open);
     if (options_.repair) part_what_touches();
     drop_debris();
     orient();
@@ -132,6 +135,15 @@ class MeshImport {
     note_if(remove_flat_triangles(surface_, tolerance), "triangle", "triangles",
             fmt::format("lower than {:.3g} {} merged into neighbours or removed", tolerance, origin_.unit_name));
     if (surface_.triangles.empty()) refuse("all its triangles are flat or collapsed to a point: nothing is left");
+  }
+
+  /// `open`: edges of one face only, as the file counts its vertices.
+  void tell_joined(std::size_t open) {
+    const std::size_t now = topology().open_edges.size();
+    note_if(open > now ? (open - now) / 2 : 0, "edge", "edges",
+            fmt::format("joined whose two faces have corners of their own at the same places; a slit stays one where "
+                        "its lips are farther apart than {:.3g} {}",
+                        kWeldTolerance * extent_of(surface_), origin_.unit_name));
   }
 
   std::string places(const std::vector<Eigen::Vector3d>& points) const {
