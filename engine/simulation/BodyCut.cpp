@@ -110,7 +110,14 @@ Cut Body::cut(const CutPath& path, std::span<const ToolPose> poses) {
   // The blade goes its way over the wall as it is stretched now.
   const double length = length_of(cut.lips, state_.equilibrium.position);
   if (length > 0) state_.cut.cost *= cut.length / length;
+  const double bending = state_.books.bending;
   hold_as_it_is(cut.length, true, poses);
+  // Around the new triangles a bent shell stores more than before, which is released with the lips: the wall has not
+  // given it, so that it pays for no area.
+  const double gained = state_.books.bending - bending;  // joule
+  state_.books.jump += gained;
+  state_.books.fracture -= gained;
+  state_.cut.due += gained;
   let_free_parts_go();
   const bool is_awaited_long = cut.length > kMostAwaited * model_->edge_length;
   const double pressed = contact_energy(newton_->terms()) - before.state.books.contact;  // joule
