@@ -21,8 +21,7 @@ void require_data_range(const LookDefinition& look) {
   if (!look.data || (look.data->from && look.data->to)) return;
   throw UsageError(
       "look.data: `from` and `to` are needed here, because the range of the whole is known only at its end; give both, "
-      "or "
-      "leave them out and use thinwall render with the take");
+      "or leave them out and use thinwall render with the take");
 }
 
 namespace {

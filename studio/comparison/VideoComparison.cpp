@@ -109,8 +109,7 @@ std::string verdict_of(const VideoFigures& figures) {
     const FrameFigures& worst = figures.different[*figures.worst];
     verdict = fmt::format(
         "{} of {} frames differ, the first is frame {} at {:.3f} s; worst frame {} at {:.3f} s: largest difference "
-        "{:g}, "
-        "mean {:.4g}",
+        "{:g}, mean {:.4g}",
         figures.different.size(), figures.different.size() + figures.equal_frames, figures.different.front().frame,
         figures.different.front().time, worst.frame, worst.time, worst.largest, worst.mean);
     if (worst.flip) verdict += fmt::format(", FLIP {:.4f}", *worst.flip);

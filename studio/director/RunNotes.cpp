@@ -37,9 +37,8 @@ std::optional<std::string> short_cut_note(std::size_t number, const IncisionPlan
   if (uncut < (1 - kHardlyCut) * plan.rest_length || uncut < kShortRest * plan.edge_length) return std::nullopt;
   return fmt::format(
       "timeline[{}]: blade `{}` has gone its whole path of {:.4g} mm and cut no more than {:.3g} mm of body `{}`, "
-      "which "
-      "gave way to it or is held along that path; hold the body (`fixed`) beside it but not nearer than an edge of its "
-      "triangles ({:.3g} mm), go deeper, or take more steps (`time_step`)",
+      "which gave way to it or is held along that path; hold the body (`fixed`) beside it but not nearer than an edge "
+      "of its triangles ({:.3g} mm), go deeper, or take more steps (`time_step`)",
       number, plan.clip.tool, 1e3 * length, 1e3 * plan.cut, plan.clip.body, 1e3 * plan.edge_length);
 }
 

@@ -60,15 +60,13 @@ ValueSchema surface_value() {
       {"unit", unit, false, "m", "length of the file's unit: `mm`, `30 mm`"},
       {"repair", boolean_value(), false, "false",
        "mend what is safe to mend: flaps removed, parts that touch split apart, holes of up to 64 edges filled when "
-       "they "
-       "are not wider than 10 % of the surface"},
+       "they are not wider than 10 % of the surface"},
       {"remesh",
        quantity_value(kLength, kAboveZero, "1.5 mm"),
        false,
        {},
        "new triangles with edges of about this length; borders and creases above 50 deg stay, the surface moves by at "
-       "most "
-       "half of it; as the file has them when absent"},
+       "most half of it; as the file has them when absent"},
   };
   const std::vector<KeySchema> placement = placement_keys();
   mesh.keys.insert(mesh.keys.end(), placement.begin(), placement.end());
@@ -131,8 +129,7 @@ ValueSchema wall_value() {
       {"fibres", fibres_schema(), false, {}, "direction of the fibres; `fung` and `holzapfel` need it"},
       {"tension_field", boolean_value(), false, "false",
        "membrane: where the wall would be compressed it wrinkles finely instead and bears tension only; so does one "
-       "that "
-       "is cut, from then on, unless it is flat and `fixed` keeps all of it in its plane"},
+       "that is cut, from then on, unless it is flat and `fixed` keeps all of it in its plane"},
       {"prestretch", prestretch_schema(), false, "1",
        "in-plane stretch of the given surface: each triangle's rest shape is the given one shrunk by it"},
   };

@@ -70,8 +70,7 @@ ValueSchema stretch_names() {
   names.example = "stretch, or [fx, fy, fz, along, across]";
   names.page_words =
       "a name: stretch in every direction; or five (e.g. [fx, fy, fz, along, across]): a direction, the stretches "
-      "along "
-      "and across it";
+      "along and across it";
   return names;
 }
 

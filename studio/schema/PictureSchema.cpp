@@ -58,8 +58,7 @@ MappingSchema data_schema() {
        {},
        "where the legend stands, `upper_left` beside a `comparison` as `lower_left`, whose captions are above; when "
        "absent `upper_right`, or where that would cover what clips do or labels point at, the corner in which it "
-       "covers "
-       "least of that"}};
+       "covers least of that"}};
   return data;
 }
 
@@ -169,8 +168,7 @@ ValueSchema look_schema() {
        "what lies below the bodies, at their lowest z, or across gravity where that pulls more sideways than along -z, "
        "but for what an endoscope's lamp lights: `floor`, of a studio, in the tone of the background; `drape`, the "
        "green-blue cloth of an operation, in folds, which a sheet lies on. When absent, `drape` where a body is a "
-       "sheet "
-       "or otherwise open without a cut, and `floor` where none is, with `data` and with `mesh`"},
+       "sheet or otherwise open without a cut, and `floor` where none is, with `data` and with `mesh`"},
       {"bodies", named_value(tissue_schema()), false, "{}", "looks by the names of bodies"},
       {"overlays", mapping_value({overlays}), false, "{}", "what is written over the picture"},
       {"data",
@@ -218,8 +216,7 @@ std::vector<KeySchema> golden_limits() {
        "largest allowed mean difference, 8-bit levels"},
       {"drift", quantity_value(kDimensionless, kFromZeroToOne, "0.001"), false, "0.001",
        "largest allowed change of the mean of red, green or blue, as a part of it: what a light, a gain or a hue "
-       "changes "
-       "and rounding does not"},
+       "changes and rounding does not"},
       {"failing",
        quantity_value(kDimensionless, kFromZeroToOne, "0.001"),
        false,

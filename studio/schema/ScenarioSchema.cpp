@@ -73,8 +73,7 @@ ValueSchema simulation_schema() {
        "allowed error of a time step in dynamics, which is divided to keep it; not judged when absent"},
       {"tolerance", quantity_value(kDimensionless, {.minimum = 1e-12, .maximum = 1e-3}, "1e-4"), false, "1e-9",
        "residual force over the largest force at which an equilibrium is found; a looser one takes fewer iterations, "
-       "and "
-       "books of energy close to it only"},
+       "and books of energy close to it only"},
   };
   return mapping_value({simulation});
 }

@@ -44,8 +44,7 @@ MappingSchema palpate() {
       "palpate",
       "Presses a body and lets go. Where the line of approach meets no wall any more when the clip starts, as over a "
       "cut that gapes, the tool goes the way that it had when the run began, which a note tells; depth then counts "
-      "from "
-      "what it touches, at the latest from where the wall was.",
+      "from what it touches, at the latest from where the wall was.",
       {kTool,
        kBody,
        {"at", vector_value(kLength, {}, "[0, 0, 20 mm]"), false, "[0, 0, 0]", "a point of the line of approach"},
@@ -87,16 +86,13 @@ MappingSchema pierce() {
       " The wall dents, and gives way once it would give back more energy with a slit of the needle's width in it than "
       "the slit costs (toughness times thickness times width). From then on it slides along the needle under the "
       "tool's `friction` and lets nothing through; the puncture stays open when the needle has left. Where the body is "
-      "less "
-      "deep than `depth` the needle goes through its far wall too. A wall that is `fixed` cannot dent, so that no "
+      "less deep than `depth` the needle goes through its far wall too. A wall that is `fixed` cannot dent, so that no "
       "balance of energies says when it gives way: it gives way at once, the needle pays what the slit costs evenly "
       "over the length of its cone, and nothing there squeezes its shaft or opens the puncture. Where the line of "
-      "approach meets no wall any more "
-      "when the clip starts, as over a cut that gapes, the needle goes the way that it had when the run began, as with "
-      "`palpate`. Errors are a depth larger than the needle is long, "
-      "a needle as thick as the body is wide across its way, and one thinner than a thousandth of the triangles' "
-      "edges; a needle that presses where no slit fits in, as next "
-      "to a border, ends the run.");
+      "approach meets no wall any more when the clip starts, as over a cut that gapes, the needle goes the way that it "
+      "had when the run began, as with `palpate`. Errors are a depth larger than the needle is long, a needle as thick "
+      "as the body is wide across its way, and one thinner than a thousandth of the triangles' edges; a needle that "
+      "presses where no slit fits in, as next to a border, ends the run.");
 }
 
 ValueSchema path_of_points() {

@@ -119,8 +119,7 @@ TEST(BodyBuilder, AWallThickerThanTwiceTheOrganIsRefused) {
   scenario.thickness.location = {"scene.yaml", 6, 18};
   EXPECT_EQ(refusal_of(scenario),
             "scene.yaml:6:18: error: bodies.organ.wall.thickness: 1000 mm is more than twice the surface's extent, 40 "
-            "mm; set "
-            "the unit of either right");
+            "mm; set the unit of either right");
   scenario.thickness.standard = 0.079;
   EXPECT_EQ(refusal_of(scenario), "accepted");
 }

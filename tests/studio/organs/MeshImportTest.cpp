@@ -156,16 +156,15 @@ TEST(MeshImport, ASlitWhoseLipsTouchIsToldToBeJoined) {
   };
   const std::string what =
       "2 edges joined whose two faces have corners of their own at the same places; a slit stays one where its lips "
-      "are "
-      "farther apart than 3.61e-06 units of the file";
+      "are farther apart than 3.61e-06 units of the file";
   std::string obj = "\n" + vertices;
   for (std::size_t k = 0; (k = obj.find('\n', k)) + 1 < obj.size(); k += 3) obj.replace(k, 1, "\nv ");
   const std::string lower = "f 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\n", upper = "f 13 14 10 9\nf 14 7 11 10\nf 7 8 12 11\n";
   EXPECT_EQ(joined(write_file("slit.obj", obj + lower + upper)), what);
   EXPECT_EQ(joined(write_file("whole.obj", obj + lower + "f 5 6 10 9\nf 6 7 11 10\nf 7 8 12 11\n")), "");
   const std::string ply =
-      "ply\nformat ascii 1.0\nelement vertex 14\nproperty float x\nproperty float y\nproperty "
-      "float z\nelement face 6\nproperty list uchar int vertex_indices\nend_header\n" +
+      "ply\nformat ascii 1.0\nelement vertex 14\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 6\nproperty list uchar int vertex_indices\nend_header\n" +
       vertices;
   EXPECT_EQ(
       joined(write_file("slit.ply", ply + "4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 12 13 9 8\n4 13 6 10 9\n4 6 7 11 10\n")),
