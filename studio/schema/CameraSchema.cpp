@@ -95,9 +95,7 @@ std::vector<CaseSchema> camera_kinds() {
 }
 
 MappingSchema camera_mapping(const std::string& name, const std::string& documentation) {
-  MappingSchema camera{.name = name, .documentation = documentation};
-  camera.selector = "kind";
-  camera.cases = camera_kinds();
+  MappingSchema camera{.name = name, .documentation = documentation, .selector = "kind", .cases = camera_kinds()};
   camera.keys = {
       {"kind", word_value({"pinhole", "endoscope"}), false, "pinhole", "how the picture is projected"},
       {"position", place_value(), false, {}, "where the camera stands"},
@@ -118,11 +116,10 @@ MappingSchema camera_mapping(const std::string& name, const std::string& documen
        direction_value(),
        false,
        {},
-       "what is up in the picture; not along the line of sight; against gravity when absent, and +z where there is none"},
+       "what is up in the picture; not along the line of sight; against gravity when absent, +z where there is none"},
       {"orbit_speed", quantity_value(kAngularSpeed, {}, "10 deg/s"), false, "0 deg/s",
        "turn around the upward axis through the target, into and out of which it eases within 0.8 s; a camera without "
-       "`position` goes back on its way as far as the "
-       "organs ask for, which stay in the picture"},
+       "`position` goes back on its way as far as the organs ask for, which stay in the picture"},
       {"exposure", quantity_value(kDimensionless, {.minimum = -10, .maximum = 10}, "0.5"), false, "0",
        "brighter by this power of two"},
       {"keyframes", keyframes_value(), false, "[]",
@@ -130,8 +127,7 @@ MappingSchema camera_mapping(const std::string& name, const std::string& documen
       {"follow", follow_value(), false, {}, "keeps a tool's tip in the middle of the picture"},
       {"lens", lens_value(), false, {}, "how the lens bends rays off the pinhole's; not at all when absent"},
       {"aperture", quantity_value(kLength, {.minimum = 0, .maximum = 0.1}, "0.8 mm"), false, "0 m",
-       "across the opening of the lens: the wider, the less is in focus before and behind `focus`; all is where it is "
-       "0"},
+       "across the lens's opening: the wider, the less is in focus before and behind `focus`; all is where it is 0"},
       {"focus",
        quantity_value(kLength, {.minimum = 0.0001, .maximum = 100}, "60 mm"),
        false,
@@ -139,8 +135,7 @@ MappingSchema camera_mapping(const std::string& name, const std::string& documen
        "distance along the line of sight at which the picture is sharp; that of the target when absent"},
       {"auto_exposure", boolean_value(), false, "false",
        "exposes for the walls that are seen, as the picture's light and place ask, by at most two powers of two, dark "
-       "organs less; "
-       "`exposure` comes on top"},
+       "organs less; `exposure` comes on top"},
       {"noise", quantity_value(kDimensionless, {.minimum = 0, .maximum = 50}, "1.5"), false, "0",
        "noise of the sensor: standard deviation at mid-grey in 8-bit levels; less towards black and white"},
       {"seed", integer_value(0, 999999, "1"), false, "1", "of the noise"},
