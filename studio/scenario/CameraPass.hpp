@@ -21,7 +21,8 @@ struct CameraQuestions {
 /// Turns a camera that has none of `position`, `facing` and `elevation` towards the action: where tools press from the
 /// side or from below, the standard view from above would show the far side of the body, and a wound that is cut from
 /// above would lie at its horizon. Fills `camera.facing` or `camera.elevation`; leaves the camera alone where the
-/// standard view serves. Where gravity, metres / second^2, is not along -z each camera without `up` has that against it.
+/// standard view serves. Each camera without `up` has that against gravity, metres / second^2, where this is not along
+/// -z.
 void camera_pass(CheckedValue& root, const std::vector<Clip>& timeline, const Eigen::Vector3d& gravity,
                  const CameraQuestions& ask);
 

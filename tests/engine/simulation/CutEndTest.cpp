@@ -120,17 +120,6 @@ TEST(ACutThatBeginsBesideABorder, BeginsWhereTheBladeDoesFartherOffAndAlongIt) {
   EXPECT_EQ(pieces_of(beside).borders, 2U);
 }
 
-TEST(ACutThatBeginsBesideAnEarlierOne, ComesFromIt) {
-  for (const double step : kSteps) {
-    SCOPED_TRACE(step);
-    Body body = slack_sheet(800, test_blade());
-    cut_along(body, {{-9e-3, 0.3e-3}, {9e-3, 0.3e-3}});
-    const double gap = 0.2 * body.model().edge_length;
-    cut_along(body, {{0.6e-3, 0.3e-3 - gap}, {0.6e-3, -9e-3}}, step);
-    EXPECT_EQ(pieces_of(body).borders, 2U) << "of the sheet, and of both cuts as one";
-  }
-}
-
 TEST(ACutThatGoesOn, PassesBesideABorder) {
   Body body = slack_sheet(800, test_blade());
   const double aside = kSide / 2 - 0.2 * body.model().edge_length;
@@ -138,14 +127,18 @@ TEST(ACutThatGoesOn, PassesBesideABorder) {
   EXPECT_EQ(pieces_of(body).borders, 2U) << "the blade has not been said to stop there";
 }
 
-TEST(ACutThatEndsBesideAnEarlierOne, JoinsIt) {
+TEST(ACutBesideAnEarlierOne, JoinsItWhereItBeginsOrEnds) {
   for (const double step : kSteps) {
-    SCOPED_TRACE(step);
-    Body body = slack_sheet(800, test_blade());
-    cut_along(body, {{-9e-3, 0.3e-3}, {9e-3, 0.3e-3}});
-    const double gap = 0.2 * body.model().edge_length;
-    cut_along(body, {{0.6e-3, -9e-3}, {0.6e-3, 0.3e-3 - gap}}, step);
-    EXPECT_EQ(pieces_of(body).borders, 2U) << "of the sheet, and of both cuts as one";
+    for (const bool ends_there : {false, true}) {
+      SCOPED_TRACE(testing::Message() << "step " << step << (ends_there ? ", ends" : ", begins"));
+      Body body = slack_sheet(800, test_blade());
+      cut_along(body, {{-9e-3, 0.3e-3}, {9e-3, 0.3e-3}});
+      const double gap = 0.2 * body.model().edge_length;
+      std::vector<Eigen::Vector2d> path = {{0.6e-3, 0.3e-3 - gap}, {0.6e-3, -9e-3}};
+      if (ends_there) std::swap(path[0], path[1]);
+      cut_along(body, path, step);
+      EXPECT_EQ(pieces_of(body).borders, 2U) << "of the sheet, and of both cuts as one";
+    }
   }
 }
 
