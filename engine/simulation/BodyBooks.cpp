@@ -36,6 +36,7 @@ double fluid_energy(const BodyModel& model, const BodyState& state) {
   if (model.definition.fluid.kind != FluidKind::kCompressible) return 0;
   double energy = 0;
   for (Eigen::Index c = 0; c < state.volume.size(); ++c) {
+    if (state.fluid_volume[c] == 0) continue;  // all has run out
     // Beside air the fluid does not fill the chamber.
     const double beyond_reference = bulk_pressure_of(state, static_cast<int>(c)) - state.reference_pressure[c];
     const double excess = state.air[c] > 0

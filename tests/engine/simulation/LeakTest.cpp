@@ -366,6 +366,9 @@ TEST(Leak, LeavesNoLessThanNothing) {
     BodyDefinition stiff = open_ball(320, 0, rings);
     stiff.loads = {{.kind = LoadKind::kDeadForce, .region = GroupRegion{"lips"}, .vector = {0, 0, -1}}};
     expect_to_empty(stiff, {0, 0, -9.81});
+    stiff.fluid.kind = FluidKind::kCompressible;
+    stiff.fluid.bulk_modulus = 20e3;
+    expect_to_empty(stiff, {0, 0, -9.81});
   }
 }
 

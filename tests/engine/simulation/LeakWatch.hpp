@@ -20,7 +20,9 @@ struct LeakWatch {
     const BodyState& state = body.state();
     const double identity = (state.fluid_volume.sum() + state.leaked.sum()) / whole - 1;
     worst_identity = std::max(worst_identity, std::abs(identity));
-    worst_imbalance = std::max(worst_imbalance, std::abs(state.books.imbalance()));
+    const double imbalance = state.books.imbalance();
+    EXPECT_TRUE(std::isfinite(imbalance));
+    worst_imbalance = std::max(worst_imbalance, std::abs(imbalance));
     for (const double term : {state.books.elastic, state.books.leak, state.books.gravity, state.books.script_work,
                               state.books.tool_work, state.books.kinetic}) {
       largest = std::max(largest, std::abs(term));
