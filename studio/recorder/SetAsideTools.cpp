@@ -18,30 +18,30 @@ bool is_at_rest(std::string_view phase) {
 
 }  // namespace
 
+void SetAsideTools::State::go_on(const SnapshotTool& tool) {
+  is_idle = tool.phase == kIdle;
+  // Jaws that let go are in the phase in which other tools go back, but stay where they are.
+  lets_go = tool.phase == kWithdrawal && (lets_go || tool.opening > opening);
+  is_at_work = lets_go || !is_at_rest(tool.phase);
+  opening = tool.opening;
+  is_placed = is_at_work || (is_placed && tool.phase != kWithdrawal);
+}
+
 void SetAsideTools::add(const Snapshot& snapshot) {
   const std::size_t count = snapshot.tools.size();
-  phases_.resize(count, std::string(kIdle));
   later_.resize(count);
   earlier_ = later_;
   time_ = snapshot.time;
+  for (std::size_t i = 0; i < count; ++i) later_[i].go_on(snapshot.tools[i]);
   for (std::size_t i = 0; i < count; ++i) {
-    const std::string& phase = snapshot.tools[i].phase;
-    if (is_at_rest(phase) || !is_at_rest(phases_[i])) continue;
+    if (!later_[i].is_at_work || earlier_[i].is_at_work) continue;
     later_[i].begun = snapshot.time;
     for (std::size_t other = 0; other < count; ++other) {
       if (other != i) later_[other].is_outdone = true;
     }
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::string& phase = snapshot.tools[i].phase;
-    State& state = later_[i];
-    state.is_idle = phase == kIdle;
-    if (phase == kWithdrawal) state.is_placed = false;
-    if (!is_at_rest(phase)) {
-      state.is_placed = true;
-      state.is_outdone = false;
-    }
-    phases_[i] = phase;
+  for (State& state : later_) {
+    if (state.is_at_work) state.is_outdone = false;
   }
 }
 

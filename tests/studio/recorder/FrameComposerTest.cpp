@@ -241,6 +241,27 @@ TEST(FrameComposerTest, ToolsThatWaitAreOutOfThePictureFromWhenAnotherBegins) {
   EXPECT_EQ(composer.compose(7.5).snapshot.tools[1].is_set_aside, false);
 }
 
+TEST(FrameComposerTest, ForcepsThatLetGoStayWhereTheyAreAndSetAsideWhatHasGoneBack) {
+  FrameComposer composer("", {});
+  auto drawn_after = [&, time = 0.0](const char* forceps, double opening, double height, const char* blade) mutable {
+    Moment moment;
+    moment.snapshot.time = time++;
+    moment.snapshot.tools = {{.name = "forceps", .opening = opening, .tip = {0, 0, height}, .phase = forceps},
+                             {.name = "blade", .phase = blade}};
+    composer.add(moment);
+    const Snapshot drawn = composer.compose(moment.snapshot.time).snapshot;
+    return std::string(drawn.tools[0].is_set_aside ? "-" : "x") + (drawn.tools[1].is_set_aside ? "-" : "x");
+  };
+  drawn_after("approach", 8e-3, 5e-3, "idle");
+  drawn_after("hold", 1e-3, 0, "idle");
+  EXPECT_EQ(drawn_after("hold", 1e-3, 0, "cutting"), "xx");
+  EXPECT_EQ(drawn_after("hold", 1e-3, 0, "withdrawal"), "xx");
+  EXPECT_EQ(drawn_after("withdrawal", 3e-3, 0, "idle"), "x-") << "the jaws open, which is the forceps' clip";
+  EXPECT_EQ(drawn_after("idle", 8e-3, 0, "idle"), "x-");
+  EXPECT_EQ(composer.compose(5).overlay.tool, "forceps");
+  EXPECT_EQ(drawn_after("idle", 8e-3, 0, "cutting"), "xx") << "nothing has taken them away";
+}
+
 TEST(FrameComposerTest, ToolsGoOutOfThePictureAtTheMomentAtWhichAnotherHasBegun) {
   FrameComposer composer("", {});
   for (const char* phase : {"idle", "approach"}) {
