@@ -9,6 +9,7 @@
 #include "renderer/overlay/CaptionPlace.hpp"
 #include "renderer/overlay/Font.hpp"
 #include "renderer/overlay/GaugePlate.hpp"
+#include "renderer/overlay/HalfCaptions.hpp"
 #include "renderer/overlay/LegendPlate.hpp"
 #include "renderer/overlay/Plate.hpp"
 #include "renderer/overlay/PlotPlate.hpp"
@@ -60,21 +61,29 @@ CaptionSpace caption_space(const OverlayGrid& grid, const OverlayContent& conten
   return above;
 }
 
+/// Below the captions of halves that have its place, as in pictures that are higher than wide.
+Box below_half_captions(const OverlayGrid& grid, Box place, const std::vector<Box>& captions) {
+  for (const Box& caption : captions) {
+    if (place.overlaps(caption)) place.y = std::ceil(caption.bottom() + grid.pixels(kCaptionGap));
+  }
+  return place;
+}
+
 /// Of two takes each in its half, where they are not of both.
 std::vector<std::pair<const Legend*, Box>> placed_legends(const OverlayContent& content, const OverlayGrid& grid,
                                                           const std::optional<Box>& inset) {
   const double width = grid.size.width, height = grid.size.height;
   const bool have_halves = content.left_legend || content.legend_is_of_the_right;
   const double left_half = have_halves ? grid.size.width - grid.size.width / 2 : 0;
+  const std::vector<Box> captions = half_caption_places(grid.size, content.half_captions, inset);
   std::vector<std::pair<const Legend*, Box>> placed;
-  if (content.legend) {
-    const Box room{left_half, 0, width - left_half, height};
-    placed.emplace_back(&*content.legend, legend_place(grid, room, content.legend->corner, inset));
-  }
-  if (content.left_legend) {
-    const Box room{0, 0, left_half, height};
-    placed.emplace_back(&*content.left_legend, legend_place(grid, room, content.left_legend->corner, inset));
-  }
+  const auto add = [&](const std::optional<Legend>& legend, const Box& room) {
+    if (!legend) return;
+    const Box place = legend_place(grid, room, legend->corner, inset);
+    placed.emplace_back(&*legend, below_half_captions(grid, place, captions));
+  };
+  add(content.legend, {left_half, 0, width - left_half, height});
+  add(content.left_legend, {0, 0, left_half, height});
   return placed;
 }
 
@@ -119,8 +128,10 @@ std::vector<Box> places_of_legends(const OverlayContent& content, ImageSize size
 }
 
 std::vector<std::string> draw_overlay(Image& image, const OverlayContent& content, const std::optional<Box>& inset) {
-  const FontUse use;
   const OverlayGrid grid(image.size);
+  // Before the font is held, as the captions of halves are set for it.
+  const auto legends = placed_legends(content, grid, inset);
+  const FontUse use;
   const double peak = peak_of(content);
   int end = image.size.width;  // of what is still free at the top
   if (content.shown.time) end = draw_time(image, grid, content.time, content.duration);
@@ -129,7 +140,7 @@ std::vector<std::string> draw_overlay(Image& image, const OverlayContent& conten
   if (!content.title.empty() && draw_title(image, grid, content.title, end - grid.whole(kMargin))) {
     cut.push_back(content.title);
   }
-  for (const auto& [legend, place] : placed_legends(content, grid, inset)) draw_legend(image, grid, *legend, place);
+  for (const auto& [legend, place] : legends) draw_legend(image, grid, *legend, place);
   if (content.shown.gauge) draw_gauge(image, grid, content, peak);
   if (content.shown.force_plot) draw_force_plot(image, grid, content, peak);
   if (content.shown.captions && !content.caption.empty() &&

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -60,13 +61,14 @@ struct OverlayContent {
   std::optional<Legend> legend = {};       // of two takes that of the right one, or of both
   std::optional<Legend> left_legend = {};  // of the left one of two takes, where the right one has another or none
   bool legend_is_of_the_right = false;     // half alone, of two takes of which the left one has another legend or none
+  std::array<std::string, 2> half_captions = {};  // of two takes side by side, see HalfCaptions.hpp; empty: none
 };
 
 /// Draws on the processor in one pinned font, so the bytes depend neither on the graphics driver nor on the machine's
 /// fonts. Scales with the picture's height, in narrow pictures with its width. All numbers must be finite. Long texts
 /// wrap, become smaller, and are cut with an ellipsis at last. An `inset` that has their place is left
-/// free by legend and caption. Gives the texts of which a part is not shown. Throws PictureFailure when the font is
-/// missing.
+/// free by legend and caption, captions of halves, which are not drawn here, by legends. Gives the texts of which a
+/// part is not shown. Throws PictureFailure when the font is missing.
 std::vector<std::string> draw_overlay(Image& image, const OverlayContent& content,
                                       const std::optional<Box>& inset = {});
 

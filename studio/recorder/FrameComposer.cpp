@@ -127,7 +127,7 @@ void FrameComposer::add(Moment moment) {
 /// When nothing but the first moment is known, so that pictures of a run are those of its take.
 void FrameComposer::choose_corners() {
   OverlayContent legends;
-  tell_legends(legends);
+  tell_halves(legends);
   corners_.emplace(CornerQuestion{.first = later_->snapshot,
                                   .view = view_,
                                   .annotations = *annotations_,
@@ -140,8 +140,9 @@ void FrameComposer::choose_corners() {
   }
 }
 
-void FrameComposer::tell_legends(OverlayContent& content) const {
+void FrameComposer::tell_halves(OverlayContent& content) const {
   content.legend = legend_;
+  if (comparison_) content.half_captions = comparison_->captions;
   if (!comparison_ || second_legend_ == legend_) return;
   content.left_legend = legend_;
   content.legend = second_legend_;
@@ -169,8 +170,7 @@ void FrameComposer::compose_second(double time, const Moment& earlier, Frame& fr
   frame.shot.beside = second_shots_->shot(second, later_->planned_duration).camera;
   frame.shot.beside_snapshot = std::make_shared<const Snapshot>(std::move(second));
   frame.shot.beside_view = {comparison_, &comparison_->second};
-  frame.half_captions = comparison_->captions;
-  tell_legends(frame.overlay);
+  tell_halves(frame.overlay);
   const SnapshotTool* tool = shown_tool(frame.snapshot);
   if (tool == nullptr) return;
   const auto index = static_cast<std::size_t>(tool - frame.snapshot.tools.data());

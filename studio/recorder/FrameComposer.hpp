@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -27,7 +26,6 @@ struct Frame {
   Shot shot = {};
   std::shared_ptr<const AnnotationDefinition> annotations = {};  // of the shot's own camera; null: none
   std::optional<Card> card = {};
-  std::array<std::string, 2> half_captions = {};  // of two takes side by side; empty: none
 };
 
 /// What is known of pictures before the first moment.
@@ -63,7 +61,7 @@ class FrameComposer {
   const SnapshotTool* last_to_set_out(const Snapshot& snapshot, bool (*counts)(const SnapshotTool& tool)) const;
   std::vector<ForceSample> history_of(std::size_t tool, const Snapshot& snapshot) const;
   void choose_corners();
-  void tell_legends(OverlayContent& content) const;
+  void tell_halves(OverlayContent& content) const;
   void add_second(const Moment& moment);
   void compose_second(double time, const Moment& earlier, Frame& frame) const;
 

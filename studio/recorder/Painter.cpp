@@ -123,7 +123,7 @@ Image finished_picture(const Frame& frame, Painter& painter) {
   std::optional<Box> taken;
   if (inset) taken = canvas_box(*inset);
   if (frame.annotations) {
-    std::vector<Box> kept_clear = half_caption_places(image.size, frame.half_captions, taken);
+    std::vector<Box> kept_clear = half_caption_places(image.size, frame.overlay.half_captions, taken);
     for (const Box& legend : places_of_legends(frame.overlay, image.size, taken)) kept_clear.push_back(legend);
     draw_annotations(image, main_box(frame.shot, image.size), *frame.annotations, frame.snapshot, frame.shot.camera,
                      inset, kept_clear);
@@ -132,7 +132,7 @@ Image finished_picture(const Frame& frame, Painter& painter) {
                        *frame.shot.beside, inset, kept_clear);
     }
   }
-  if (!frame.half_captions[0].empty()) draw_half_captions(image, frame.half_captions, taken);
+  if (!frame.overlay.half_captions[0].empty()) draw_half_captions(image, frame.overlay.half_captions, taken);
   for (const std::string& text : draw_overlay(image, frame.overlay, taken)) painter.see_cut_text(text);
   if (frame.card) draw_card(image, bare, *frame.card);
   return image;

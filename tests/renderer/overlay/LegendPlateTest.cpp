@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "renderer/overlay/HalfCaptions.hpp"
+#include "renderer/overlay/Plate.hpp"
 #include "tests/renderer/overlay/OverlayContents.hpp"
 
 namespace thinwall {
@@ -137,6 +139,23 @@ TEST(LegendPlate, OfTheRightOfTwoTakesStandsInItsHalfInEveryCorner) {
     const Box place = places_of_legends(content, kSize, {}).at(0);
     EXPECT_EQ(place.x, is_left(corner) ? 640 + 26 : of_both.x);
     EXPECT_EQ(place.y, of_both.y);
+  }
+}
+
+TEST(LegendPlate, StandsBelowTheCaptionOfItsHalfWhereThatNeedsTheRoom) {
+  OverlayContent content;
+  content.legend = Legend{.title = "Stress", .unit = "Pa"};
+  for (const ImageSize size : {kSize, ImageSize{720, 1280}, ImageSize{270, 480}}) {
+    content.half_captions = {};
+    const Box usual = places_of_legends(content, size, {}).at(0);
+    content.half_captions = {"Soft wall: 20 kPa", "Stiff wall: 80 kPa, as after a scar"};
+    const Box place = places_of_legends(content, size, {}).at(0);
+    for (const Box& caption : half_caption_places(size, content.half_captions)) {
+      EXPECT_FALSE(place.overlaps(caption)) << size.width;
+    }
+    EXPECT_EQ(place.x, usual.x);
+    EXPECT_TRUE(size.height > size.width || place.y == usual.y) << size.width << ": there is room beside it";
+    EXPECT_LT(place.bottom(), size.height - height_of_panels_and_captions(OverlayGrid(size))) << size.width;
   }
 }
 

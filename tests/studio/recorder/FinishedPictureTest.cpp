@@ -23,7 +23,7 @@ Frame arrow_frame(const std::array<std::string, 2>& captions) {
   frame.snapshot.surfaces.push_back(test::sphere("organ", {0, 0, 0}, 0.02, 3));
   frame.shot.camera.position = Double3{0, -0.12, 0};
   frame.shot.camera.target = Double3{0, 0, 0};
-  frame.half_captions = captions;
+  frame.overlay.half_captions = captions;
   AnnotationDefinition annotations;
   annotations.arrows.push_back({.text = "Words beside an arrow",
                                 .body = "organ",

@@ -77,7 +77,7 @@ TEST(PairedSource, AFrameHasBothTakesAtItsTimeAndBothForces) {
   ASSERT_TRUE(frame.shot.beside_snapshot);
   EXPECT_DOUBLE_EQ(frame.shot.beside_snapshot->time, 0.0375);
   EXPECT_NEAR(frame.shot.beside_snapshot->tools[0].depth, 0.5 * frame.snapshot.tools[0].depth, 1e-15);
-  EXPECT_EQ(frame.half_captions[1], "shallow");
+  EXPECT_EQ(frame.overlay.half_captions[1], "shallow");
   ASSERT_EQ(frame.overlay.other_history.size(), 8U);
   EXPECT_NEAR(frame.overlay.other_history[7].force, 0.5 * frame.overlay.history[7].force, 1e-12);
 }
