@@ -138,13 +138,15 @@ vec4 mirrored_tissue(Steel steel, vec3 direction) {
 }
 
 // Seen along itself a flat face mirrors what lies behind it, however far away. It is narrow then, and hit by pixels here and
-// there: were it dark it would show as dashes. xyz: what tissue sends from there, w: how much of the mirror it fills.
-vec4 tissue_behind(Steel steel, float nv) {
+// there: were it dark it would show as dashes. Lips, rims and folds there would shine through the steel as if it were
+// glass, so the tissue is as bright as where it faces the viewer. xyz: what it sends from there, w: how much of the mirror
+// it fills.
+vec4 tissue_behind(Steel steel, vec3 view, float nv) {
   const float kAlong = 0.03, kAside = 0.22;  // cosines
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   float depth = texelFetch(tissue_depth, pixel, 0).x;
   float part = depth > 0.0 && depth < 1.0 ? steel.flatness * (1.0 - smoothstep(kAlong, kAside, nv)) : 0.0;
-  vec3 sent = lit_tissue(steel.position, direction_of(two_from(texelFetch(seen_tissue, pixel, 0).w)));
+  vec3 sent = lit_tissue(steel.position, view);
   // It may be steel that it borders on.
   const float kGrey = 0.6;
   return vec4(mix(sent, vec3(dot(sent, vec3(0.2126, 0.7152, 0.0722))), kGrey), part * tissue.w);
@@ -236,7 +238,7 @@ void main() {
   // The rougher, the more of it is lost among all else.
   float brushed = brushing(steel);
   light = mix(light, mix(0.72, 0.45, brushed) * sent.rgb, mix(1.0, 0.45, brushed) * sent.w) * (1.0 + marked * marks.w);
-  vec4 behind = tissue_behind(steel, nv);
+  vec4 behind = tissue_behind(steel, view, nv);
   light = mix(light, behind.rgb, behind.w);
 #ifdef ENDOSCOPE
   vec3 toward = lamp_direction(position);

@@ -229,6 +229,50 @@ TEST(Steel, HasNoDashesWhereAFaceIsSeenAlongItself) {
   EXPECT_LT(dark, 60);
 }
 
+/// A wide wall in the plane z = 0, with a roof of this height across it where y is 5 to 7 mm.
+SnapshotSurface wall_with_a_roof(float height) {
+  const float wide = 0.2F;
+  std::vector<Float3> positions;
+  for (const auto& [y, z] : {std::array{-wide, 0.F}, {0.005F, 0.F}, {0.006F, height}, {0.007F, 0.F}, {wide, 0.F}}) {
+    positions.push_back({-wide, y, z});
+    positions.push_back({wide, y, z});
+  }
+  std::vector<Triangle> triangles;
+  for (std::uint32_t left = 0; left + 2 < positions.size(); left += 2) {
+    triangles.push_back({left, left + 1, left + 3});
+    triangles.push_back({left, left + 3, left + 2});
+  }
+  return test::surface_of("organ", std::move(positions), std::move(triangles));
+}
+
+TEST(Steel, SeenAlongItselfShowsNoEdgesOfWhatLiesBehindAsGlassWould) {
+  ViewDefinition view = from_the_front("skin");
+  view.camera = {.position = Double3{0.008, -0.008, 0.16}, .target = Double3{0, 0.003, 0}, .up = Double3{0, 1, 0}};
+  view.camera.field_of_view = 0.3;
+  Renderer renderer(DeviceChoice{}, kSize, Tier::kRecord);
+  const auto picture = [&](float height, bool has_tool) {
+    Snapshot snapshot = scalpel_on_a_wall();
+    snapshot.surfaces = {wall_with_a_roof(height)};
+    if (!has_tool) snapshot.tools.clear();
+    return renderer.draw(snapshot, view);
+  };
+  const Image flat = picture(0, false), roof = picture(0.003F, false);
+  const Image steel_before_flat = picture(0, true), steel_before_roof = picture(0.003F, true);
+  const Camera camera = resolve_camera(view.camera, scene_extent(scalpel_on_a_wall()), kSize, 0);
+  int behind = 0, largest = 0;
+  for (double height = 0.02; height < 0.1; height += 1e-4) {
+    // On the middle line, which the handle is all around.
+    const auto [x, y] = *camera.pixel({0, 0, height}, kSize);
+    const std::size_t green = 3 * (static_cast<std::size_t>(y) * kSize.width + static_cast<std::size_t>(x)) + 1;
+    const auto difference = [&](const Image& a, const Image& b) { return std::abs(a.pixels[green] - b.pixels[green]); };
+    if (difference(flat, roof) < 20) continue;
+    ++behind;
+    largest = std::max(largest, difference(steel_before_flat, steel_before_roof));
+  }
+  EXPECT_GT(behind, 20);
+  EXPECT_LE(largest, 3);
+}
+
 TEST(Steel, HasNoPatternOfRingsThatAreFinerThanThePixels) {
   // A shaft that points at the viewer: its rings, a millimetre apart, are seen as a tenth of that.
   Snapshot snapshot = scalpel_on_a_wall();
