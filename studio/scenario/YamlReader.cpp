@@ -321,13 +321,15 @@ std::string read_bytes(const std::filesystem::path& file) {
   if (!std::filesystem::exists(status)) throw Refusal{1, 1, why_missing(file)};
   if (std::filesystem::is_directory(status)) throw Refusal{1, 1, "this is a directory, not a file"};
   if (!std::filesystem::is_regular_file(status)) throw Refusal{1, 1, "this is not a regular file"};
-  const std::uintmax_t size = std::filesystem::file_size(file, failure);
-  if (!failure && size > kLargestFile) throw Refusal{1, 1, "the file is larger than 1 MiB"};
   std::ifstream stream(file, std::ios::binary);
   std::string text(static_cast<std::size_t>(kLargestFile) + 1, '\0');
   if (stream) stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (!stream && !stream.eof()) throw Refusal{1, 1, "the file cannot be read"};
   text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (text.starts_with("\x89HDF\r\n\x1A\n")) {
+    throw Refusal{1, 1,
+                  "this is an HDF5 file, as takes are, and no scenario; `thinwall render` makes pictures of a take"};
+  }
   if (text.size() > kLargestFile) throw Refusal{1, 1, "the file is larger than 1 MiB"};
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
   return text;

@@ -148,6 +148,19 @@ TEST(YamlReader, WhatIsNoReadableFileIsRefused) {
                                       "1:1: this is not a regular file", "1:1: the file is larger than 1 MiB"}));
 }
 
+TEST(YamlReader, ATakeIsToldToBeOneHoweverLargeItIs) {
+  const std::filesystem::path take = std::filesystem::temp_directory_path() / "thinwall_yaml_reader_take.h5";
+  Diagnostics diagnostics;
+  for (const std::size_t size : {100, 1 << 21}) {
+    std::ofstream(take, std::ios::binary) << "\x89HDF\r\n\x1A\n" << std::string(size, 'x');
+    EXPECT_FALSE(read_yaml_file(take, diagnostics));
+  }
+  std::filesystem::remove(take);
+  const std::string told =
+      "1:1: this is an HDF5 file, as takes are, and no scenario; `thinwall render` makes pictures of a take";
+  EXPECT_EQ(short_texts(diagnostics.errors), (std::vector<std::string>{told, told}));
+}
+
 TEST(YamlReader, ALinkThatLeadsNowhereIsToldWithItsTarget) {
   const TemporaryFolder folder;
   Diagnostics diagnostics;
