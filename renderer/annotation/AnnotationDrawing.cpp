@@ -110,6 +110,22 @@ std::vector<ArrowText> draw_arrows(const Canvas& canvas, const AnnotationScene& 
   return texts;
 }
 
+// Of a force arrow, in units of 1/720 of the picture's height: one that grows from nothing has words once it is an
+// arrow.
+constexpr double kShortestForceArrow = 10;
+
+/// From the tool's tip, metres.
+Vector3 force_way(const ForceArrowDefinition& arrow, const SnapshotTool& tool) {
+  return (arrow.length / arrow.full) * vector3(tool.force);
+}
+
+/// Seen from its side.
+bool is_long_enough(const ForceArrowDefinition& arrow, const SnapshotTool& tool, const AnnotationScene& scene) {
+  const Vector3 from = vector3(tool.tip) - scene.camera.position;
+  const double pixel = 2 * scene.camera.tangent_y * dot(from, scene.camera.forward) / scene.size.height;
+  return length(force_way(arrow, tool)) >= scene.grid.pixels(kShortestForceArrow) * pixel;
+}
+
 /// The same.
 std::vector<ArrowText> draw_force_arrows(const Canvas& canvas, const AnnotationScene& scene,
                                          const std::vector<ForceArrowDefinition>& arrows) {
@@ -117,22 +133,19 @@ std::vector<ArrowText> draw_force_arrows(const Canvas& canvas, const AnnotationS
   for (const ForceArrowDefinition& arrow : arrows) {
     const auto tool = std::ranges::find(scene.snapshot.tools, arrow.tool, &SnapshotTool::name);
     if (tool == scene.snapshot.tools.end() || !arrow.span.holds(scene.snapshot.time)) continue;
-    const Vector3 force = vector3(tool->force);
+    const Vector3 way = force_way(arrow, *tool);
     const std::optional<PixelPoint> tail = scene.pixel(vector3(tool->tip));
-    const std::optional<PixelPoint> tip = scene.pixel(vector3(tool->tip) + (arrow.length / arrow.full) * force);
-    if (!tail || !tip || !scene.shows(*tail)) continue;
-    // An arrow that grows from nothing has words once it is an arrow.
-    const double least = scene.grid.pixels(10), width = scene.grid.pixels(kArrowWidth);
-    const Vector3 way = (arrow.length / arrow.full) * force, from = vector3(tool->tip) - scene.camera.position;
-    const double pixel = 2 * scene.camera.tangent_y * dot(from, scene.camera.forward) / scene.size.height;
-    if (length(way) < least * pixel) continue;
+    const std::optional<PixelPoint> tip = scene.pixel(vector3(tool->tip) + way);
+    if (!tail || !tip || !scene.shows(*tail) || !is_long_enough(arrow, *tool, scene)) continue;
+    const double least = scene.grid.pixels(kShortestForceArrow), width = scene.grid.pixels(kArrowWidth);
     if (std::hypot((*tip)[0] - (*tail)[0], (*tip)[1] - (*tail)[1]) >= least) {
       draw_arrow(canvas, *tail, *tip, width, kForceColor);
     } else {
-      draw_arrow_end_on(canvas, *tail, width, dot(way, from) < 0, kForceColor);
+      const bool comes_nearer = dot(way, vector3(tool->tip) - scene.camera.position) < 0;
+      draw_arrow_end_on(canvas, *tail, width, comes_nearer, kForceColor);
     }
     // Beyond another tool its number would be read as that one's force.
-    texts.push_back({.words = force_quantity(length(force), arrow.full, arrow.full).text(),
+    texts.push_back({.words = force_quantity(length(vector3(tool->force)), arrow.full, arrow.full).text(),
                      .end = *tip,
                      .tools = {tool_shape(*tool, scene.extent.subject().size)}});
   }
@@ -196,21 +209,40 @@ void draw_annotations(Image& image, const PictureBox& box, const AnnotationDefin
   canvas.blend_onto(image, box.left, box.top);
 }
 
+namespace {
+
+/// A whole picture without tools, legends and captions that texts keep clear of.
+AnnotationScene bare_scene(const Snapshot& snapshot, const CameraDefinition& camera, ImageSize size) {
+  const SceneExtent extent = scene_extent(snapshot);
+  return {.snapshot = snapshot,
+          .definition = camera,
+          .extent = extent,
+          .camera = resolve_camera(camera, extent, size, snapshot.time),
+          .grid = OverlayGrid(size),
+          .size = size,
+          .inset = std::nullopt,
+          .taken = {}};
+}
+
+}  // namespace
+
 bool shows_point_of(const LabelDefinition& label, const Snapshot& snapshot, const CameraDefinition& camera,
                     ImageSize size) {
   const std::optional<Vector3> place = material_place(snapshot, label.body, label.at);
   if (!place) return false;
-  const SceneExtent extent = scene_extent(snapshot);
-  const AnnotationScene scene{.snapshot = snapshot,
-                              .definition = camera,
-                              .extent = extent,
-                              .camera = resolve_camera(camera, extent, size, snapshot.time),
-                              .grid = OverlayGrid(size),
-                              .size = size,
-                              .inset = std::nullopt,
-                              .taken = {}};
+  const AnnotationScene scene = bare_scene(snapshot, camera, size);
   const std::optional<PixelPoint> pixel = scene.pixel(*place);
   return pixel && scene.shows(*pixel);
+}
+
+std::optional<bool> shows_force_arrow(const ForceArrowDefinition& arrow, const Snapshot& snapshot,
+                                      const CameraDefinition& camera, ImageSize size) {
+  const auto tool = std::ranges::find(snapshot.tools, arrow.tool, &SnapshotTool::name);
+  if (tool == snapshot.tools.end() || !tool->touches()) return std::nullopt;
+  const AnnotationScene scene = bare_scene(snapshot, camera, size);
+  const std::optional<PixelPoint> tail = scene.pixel(vector3(tool->tip));
+  if (!tail || !scene.shows(*tail)) return std::nullopt;
+  return is_long_enough(arrow, *tool, scene);
 }
 
 }  // namespace thinwall

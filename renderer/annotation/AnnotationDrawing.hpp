@@ -25,4 +25,9 @@ void draw_annotations(Image& image, const PictureBox& box, const AnnotationDefin
 bool shows_point_of(const LabelDefinition& label, const Snapshot& snapshot, const CameraDefinition& camera,
                     ImageSize size);
 
+/// Whether the force on its tool makes a force arrow long enough to be drawn in a whole picture; none where there is no
+/// force, or the tool's tip lies beside the picture.
+std::optional<bool> shows_force_arrow(const ForceArrowDefinition& arrow, const Snapshot& snapshot,
+                                      const CameraDefinition& camera, ImageSize size);
+
 }  // namespace thinwall

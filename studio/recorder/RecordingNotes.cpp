@@ -9,6 +9,7 @@
 #include "studio/recorder/EmptyPictureNotes.hpp"
 #include "studio/recorder/HiddenToolNotes.hpp"
 #include "studio/recorder/InsetNotes.hpp"
+#include "studio/recorder/ShortForceArrowNotes.hpp"
 #include "studio/recorder/UnseenLabelNotes.hpp"
 
 namespace thinwall {
@@ -20,6 +21,7 @@ struct Noticed {
   EmptyPictureNotes empty = {};
   CutTextNotes texts = {};
   UnseenLabelNotes labels;
+  ShortForceArrowNotes forces;
 };
 
 class NoticingPainter final : public Painter {
@@ -32,6 +34,7 @@ class NoticingPainter final : public Painter {
     noticed_.hidden.see(snapshot, shot, size_);
     noticed_.empty.see(snapshot, shot, size_);
     noticed_.labels.see(snapshot, shot, size_);
+    noticed_.forces.see(snapshot, shot, size_);
     return painter_->paint(snapshot, shot);
   }
   void see_cut_text(const std::string& text) override { noticed_.texts.see(text); }
@@ -47,7 +50,8 @@ class NoticingPainter final : public Painter {
 }  // namespace
 
 RecordingReport record_with_notes(MomentSource& source, const RecordingPlan& plan, const PainterFactory& painters) {
-  Noticed noticed{.labels = UnseenLabelNotes(plan.teaching.annotations.labels)};
+  Noticed noticed{.labels = UnseenLabelNotes(plan.teaching.annotations.labels),
+                  .forces = ShortForceArrowNotes(plan.teaching.annotations.force_arrows)};
   const PainterFactory noticing = [&](ImageSize size) {
     return std::make_unique<NoticingPainter>(painters(size), noticed, size);
   };
@@ -56,6 +60,7 @@ RecordingReport record_with_notes(MomentSource& source, const RecordingPlan& pla
   std::ranges::copy(noticed.hidden.notes(), std::back_inserter(report.warnings));
   std::ranges::copy(noticed.empty.notes(), std::back_inserter(report.warnings));
   std::ranges::copy(noticed.labels.notes(), std::back_inserter(report.warnings));
+  std::ranges::copy(noticed.forces.notes(), std::back_inserter(report.warnings));
   std::ranges::copy(noticed.texts.notes(plan.size), std::back_inserter(report.warnings));
   return report;
 }
