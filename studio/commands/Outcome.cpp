@@ -12,8 +12,15 @@
 namespace thinwall {
 namespace {
 
+int exit_code_after(const ManifestContext& context, const RecordingReport& report) {
+  if (!report.failure.empty()) return kExitSimulationFailed;
+  const bool met = std::ranges::all_of(context.expectations, &ExpectationResult::passed);
+  return met ? kExitGood : kExitRegression;
+}
+
 void print_json(const ManifestContext& context, const RecordingPlan& plan, const RecordingReport& report) {
   nlohmann::ordered_json json = {{"result", result_words(context, report)},
+                                 {"exit_code", exit_code_after(context, report)},
                                  {"folder", plan.folder.generic_string()},
                                  {"manifest", (plan.folder / "manifest.json").generic_string()},
                                  {"steps", report.steps},
@@ -52,14 +59,13 @@ int conclude(const ManifestContext& context, const RecordingPlan& plan, const Re
              times.simulate.wall, times.render.wall, truth, times.encode.wall);
   fmt::print(stderr, "{}", pass_table(report.passes));
   if (json) print_json(context, plan, report);
-  bool met = true;
   for (const ExpectationResult& result : context.expectations) {
     fmt::print(stderr, "thinwall: {}: {}\n", to_text(result.expectation.location), to_text(result));
-    met = met && result.passed;
   }
-  if (report.failure.empty()) return met ? kExitGood : kExitRegression;
-  fmt::print(stderr, "thinwall: the simulation failed: {}; what it had reached is recorded\n", report.failure);
-  return kExitSimulationFailed;
+  if (!report.failure.empty()) {
+    fmt::print(stderr, "thinwall: the simulation failed: {}; what it had reached is recorded\n", report.failure);
+  }
+  return exit_code_after(context, report);
 }
 
 }  // namespace thinwall

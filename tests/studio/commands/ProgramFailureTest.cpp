@@ -63,8 +63,9 @@ TEST_F(ProgramTest, WhatIsKnownOfABodyIsToldAlsoWhereItFindsNoEquilibrium) {
   set("    fixed:", "    contents: { fluid: incompressible, pressure: 2 kPa }\n    fixed:");
   set("at: [0, 0, 20 mm]", "at: [0, 0, 20 m]");
   write_bytes(folder_ / "large.yaml", scenario);
-  const ProgramEnd end = run({"run", "large.yaml", "--no-render", "--out", "large"});
+  const ProgramEnd end = run({"run", "large.yaml", "--no-render", "--json", "--out", "large"});
   EXPECT_EQ(end.exit_code, 3) << end.messages;
+  EXPECT_EQ(nlohmann::json::parse(end.output).at("exit_code"), 3);
   EXPECT_NE(end.messages.find("is 40 m across, which no organ is"), std::string::npos) << end.messages;
   EXPECT_NE(manifest("large").at("warnings").dump().find("is 40 m across"), std::string::npos);
 }

@@ -127,7 +127,9 @@ TEST_F(ProgramTest, ExpectationsAreCheckedByEveryRunAndAFailedOneIsExitCode1) {
   EXPECT_EQ(results[1].at("passed"), false);
   EXPECT_EQ(results[1].at("within"), nlohmann::json({8999., 9001.}));
   EXPECT_EQ(manifest("missed").at("result"), "an expectation failed");
-  EXPECT_EQ(nlohmann::json::parse(missed.output).at("expectations"), results);
+  const nlohmann::json told = nlohmann::json::parse(missed.output);
+  EXPECT_EQ(told.at("expectations"), results);
+  EXPECT_EQ(told.at("exit_code"), 1);
 }
 
 TEST_F(ProgramTest, TextsWithLettersThatTheFontHasNotAreTold) {
@@ -284,6 +286,7 @@ TEST_F(ProgramTest, RunsWithoutGraphics) {
   const ProgramEnd end = run({"run", "small.yaml", "--no-render", "--json", "--set", "depth=1mm"});
   ASSERT_EQ(end.exit_code, 0) << end.messages;
   EXPECT_EQ(nlohmann::json::parse(end.output)["folder"], "out/small");
+  EXPECT_EQ(nlohmann::json::parse(end.output)["exit_code"], 0);
   const nlohmann::json manifest = this->manifest("out/small");
   EXPECT_EQ(manifest["result"], "ok");
   EXPECT_EQ(manifest["complete"], true);
