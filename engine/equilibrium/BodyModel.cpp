@@ -7,6 +7,7 @@
 #include <cassert>
 #include <utility>
 
+#include "engine/equilibrium/CapFans.hpp"
 #include "engine/equilibrium/RigidMotions.hpp"
 #include "engine/mesh/MeshTopology.hpp"
 #include "engine/shell/BendingPatches.hpp"
@@ -111,10 +112,18 @@ void add_openings(BodyModel& model) {
   }
 }
 
-void add_fluid(BodyModel& model) {
+void add_surface(BodyModel& model, const CapSurface& caps) {
+  model.surface = model.definition.mesh.triangles;
+  model.share.assign(model.surface.size(), 1);
+  model.surface.insert(model.surface.end(), caps.triangles.begin(), caps.triangles.end());
+  model.share.insert(model.share.end(), caps.share.begin(), caps.share.end());
+}
+
+void add_fluid(BodyModel& model, const CapSurface& caps) {
   // With a fan over each opening the surface is closed.
   std::vector<Eigen::Vector3d> vertices = model.definition.mesh.vertices;
-  std::vector<Eigen::Vector3i> surface = model.surface;
+  std::vector<Eigen::Vector3i> surface = closed_surface(model.definition.mesh);
+  std::size_t fan = surface.size();
   for (const OpeningModel& opening : model.openings) {
     const int middle = static_cast<int>(vertices.size()), count = static_cast<int>(opening.lips.size());
     vertices.emplace_back(opening.at(model.rest_position).rowwise().mean());
@@ -123,14 +132,15 @@ void add_fluid(BodyModel& model) {
   Chambers chambers = find_chambers(vertices, surface, model.definition.fluid);
   model.chambers = std::move(chambers.chambers);
   model.open.assign(model.chambers.size(), 0);
-  std::size_t fan = model.surface.size();
   for (OpeningModel& opening : model.openings) {
     opening.chamber = chambers.of_triangle[fan];
     model.open[opening.chamber] = 1;
     fan += opening.lips.size();
   }
-  chambers.of_triangle.resize(model.surface.size());
-  model.chamber = std::move(chambers.of_triangle);
+  const std::size_t triangles = model.definition.mesh.triangles.size();
+  const auto wall_end = chambers.of_triangle.begin() + static_cast<std::ptrdiff_t>(triangles);
+  model.chamber.assign(chambers.of_triangle.begin(), wall_end);
+  for (const int cap : caps.cap) model.chamber.push_back(chambers.of_triangle[triangles + cap]);
   for (const ChamberModel& chamber : model.chambers) model.rest_volume += chamber.rest_volume;
 }
 
@@ -190,14 +200,14 @@ BodyModel make_body_model(BodyDefinition definition) {
   const int vertices = static_cast<int>(mesh.vertices.size());
   model.rest_position.resize(3 * vertices);
   for (int v = 0; v < vertices; ++v) model.rest_position.segment<3>(3 * v) = mesh.vertices[v];
-  model.surface = mesh.triangles;
-  model.surface.insert(model.surface.end(), mesh.cap_triangles.begin(), mesh.cap_triangles.end());
+  const CapSurface caps = spread_caps(mesh, model.definition.fixed);
+  add_surface(model, caps);
   // Each of two writes what the other does not read.
   tbb::parallel_invoke([&] { add_wall(model); },
                        [&] {
                          model.pattern = make_block_pattern(vertices, model.surface);
                          add_openings(model);
-                         if (model.has_fluid()) add_fluid(model);
+                         if (model.has_fluid()) add_fluid(model, caps);
                        });
   if (model.definition.model == WallModel::kShell) add_bending(model);
   tbb::parallel_invoke([&] { add_addresses(model); },

@@ -34,7 +34,8 @@ struct BodyModel {
   BodyDefinition definition;
   Eigen::VectorXd rest_position;                      // (unknowns), metres
   std::vector<MembraneRest> rest;                     // (triangles)
-  std::vector<Eigen::Vector3i> surface;               // (triangles + caps): the wall, then the caps
+  std::vector<Eigen::Vector3i> surface;               // (triangles + caps): the wall, then the caps, see spread_caps
+  std::vector<double> share;                          // (triangles + caps), how much of each encloses the fluid
   BlockPattern pattern;                               // unknowns coupled by the wall and by the fluid on the caps
   std::vector<TriangleAddresses> addresses;           // (triangles + caps)
   std::vector<BendingRest> bending;                   // (triangles) of a shell; none for a membrane
@@ -110,9 +111,10 @@ inline int gather_corners(std::span<const Eigen::Vector3i> triangles, const Eige
   return count;
 }
 
-/// Adds what one triangle, in a lane, has of (9 x lanes) to `whole`, (unknowns).
-inline void scatter_lane(const Eigen::Vector3i& triangle, const double (&part)[9][kLanes], int lane, double* whole) {
-  for (int k = 0; k < 9; ++k) whole[3 * triangle[k / 3] + k % 3] += part[k][lane];
+/// Adds as much as `share` of what one triangle, in a lane, has of (9 x lanes) to `whole`, (unknowns).
+inline void scatter_lane(const Eigen::Vector3i& triangle, const double (&part)[9][kLanes], int lane, double share,
+                         double* whole) {
+  for (int k = 0; k < 9; ++k) whole[3 * triangle[k / 3] + k % 3] += share * part[k][lane];
 }
 
 }  // namespace thinwall

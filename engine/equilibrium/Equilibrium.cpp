@@ -70,18 +70,20 @@ void add_bending(const BodyModel& model, const WallMemory& memory, const Eigen::
 void add_volume(const BodyModel& model, int triangle, const double (&corners)[9][kLanes],
                 const double (&gradients)[9][kLanes], int lane, EquilibriumTerms& terms) {
   const int chamber = model.chamber[triangle];
+  const double share = model.share[triangle];
   // Of its corners the volume is linear in each.
-  terms.volume[chamber] += Eigen::Vector3d(corners[0][lane], corners[1][lane], corners[2][lane])
-                               .dot(Eigen::Vector3d(gradients[0][lane], gradients[1][lane], gradients[2][lane]));
-  scatter_lane(model.surface[triangle], gradients, lane, terms.volume_gradient.col(chamber).data());
+  terms.volume[chamber] +=
+      share * Eigen::Vector3d(corners[0][lane], corners[1][lane], corners[2][lane])
+                  .dot(Eigen::Vector3d(gradients[0][lane], gradients[1][lane], gradients[2][lane]));
+  scatter_lane(model.surface[triangle], gradients, lane, share, terms.volume_gradient.col(chamber).data());
 }
 
 void add_first_moment(const BodyModel& model, int triangle, const FirstMoments& moments, int lane,
                       EquilibriumTerms& terms) {
   const int chamber = model.chamber[triangle];
   for (int axis = 0; axis < 3; ++axis) {
-    terms.moment(axis, chamber) += moments.value[axis][lane];
-    scatter_lane(model.surface[triangle], moments.gradient[axis], lane,
+    terms.moment(axis, chamber) += model.share[triangle] * moments.value[axis][lane];
+    scatter_lane(model.surface[triangle], moments.gradient[axis], lane, model.share[triangle],
                  terms.moment_gradient.col(3 * chamber + axis).data());
   }
 }
@@ -135,7 +137,7 @@ void add_pressure(const BodyModel& model, const Eigen::VectorXd& position, const
     const int chamber = model.chamber[t];
     if (chamber < 0 || pressure[chamber] == 0 || model.is_open(chamber)) continue;
     const auto corners = corners_of(model.surface[t], position);
-    const double sixth = pressure[chamber] / 6;
+    const double sixth = model.share[t] * pressure[chamber] / 6;
     add_cross_products(model.addresses[t], {sixth * corners[2], sixth * corners[0], -sixth * corners[1]}, terms.values);
   }
 }
@@ -287,7 +289,8 @@ Flow flow_between(const BodyModel& model, const OrificeDefinition& orifice, cons
 Eigen::VectorXd enclosed_volumes(const BodyModel& model, const Eigen::VectorXd& position) {
   Eigen::VectorXd volumes = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(model.chambers.size()));
   for (std::size_t t = 0; t < model.chamber.size(); ++t) {
-    if (model.chamber[t] >= 0) volumes[model.chamber[t]] += volume_of(corners_of(model.surface[t], position));
+    if (model.chamber[t] < 0) continue;
+    volumes[model.chamber[t]] += model.share[t] * volume_of(corners_of(model.surface[t], position));
   }
   if (!model.has_fluid()) return volumes;
   for (const OpeningModel& opening : model.openings) {

@@ -103,14 +103,16 @@ void add_fluid_weight(const BodyModel& model, const EquilibriumProblem& problem,
     if (model.is_open(chamber)) {
       // Load and curvature are those of `add_open_chambers`.
       const bool whole = heavy && !problem.fluids[chamber].has_surface;
-      if (whole) terms.gravity -= density * fluid_moment_value(corners, problem.gravity);
+      if (whole) terms.gravity -= model.share[t] * density * fluid_moment_value(corners, problem.gravity);
       continue;
     }
-    const FluidMoment moment = fluid_moment_of(corners, push[chamber]);
-    if (heavy) terms.gravity -= density * fluid_moment_value(corners, problem.gravity);
+    // What a triangle of a spread cap does is in proportion to what pushes it.
+    const Eigen::Vector3d pushed = model.share[t] * push[chamber];
+    const FluidMoment moment = fluid_moment_of(corners, pushed);
+    if (heavy) terms.gravity -= model.share[t] * density * fluid_moment_value(corners, problem.gravity);
     add_corners(model.surface[t], moment.gradient, terms.gradient);
     if (terms.has_hessian()) {
-      add_triangle(model.addresses[t], fluid_moment_hessian(corners, push[chamber]), terms.values);
+      add_triangle(model.addresses[t], fluid_moment_hessian(corners, pushed), terms.values);
     }
     terms.largest_force = std::max(terms.largest_force, moment.gradient.lpNorm<Eigen::Infinity>());
   }

@@ -96,17 +96,20 @@ void add_filled(const BodyModel& model, const EquilibriumProblem& problem, const
     const PressureField field = weight_field(model, problem, c, pressure[c]);
     Eigen::Vector3d load = Eigen::Vector3d::Zero(), unit = load, squared = load;
     terms.volume_gradient.col(c).setZero();
-    const auto add = [&](const std::array<Eigen::Vector3d, 3>& corners) {
+    double share = 1;  // of the triangle that is added
+    const auto add = [&](const std::array<Eigen::Vector3d, 3>& corners) -> Eigen::Matrix<double, 9, 1> {
       const PressedTriangle pressed(corners, field);
-      auto part = pressed.load(), one = pressed.unit_load();
-      for (int k = 0; k < 3; ++k) load += part.segment<3>(3 * k), unit += one.segment<3>(3 * k);
-      squared += pressed.squared_load();
-      return one;
+      const auto part = pressed.load(), one = pressed.unit_load();
+      for (int k = 0; k < 3; ++k) load += share * part.segment<3>(3 * k), unit += share * one.segment<3>(3 * k);
+      squared += share * pressed.squared_load();
+      return share * one;
     };
     for (std::size_t t = 0; t < model.surface.size(); ++t) {
       if (model.chamber[t] != c) continue;
+      share = model.share[t];
       add_to_corners(model.surface[t], add(corners_of(model.surface[t], position)), terms.volume_gradient.col(c));
     }
+    share = 1;
     for (const OpeningModel& opening : model.openings) {
       if (opening.chamber != c) continue;
       add_to_lips(opening, lip_sum_of(opening.at(position), add), terms.volume_gradient.col(c));
@@ -123,6 +126,16 @@ struct ContentsLanes {
   PressedLanes pressed;
   double moments[3][9][kLanes];  // newton, of the fields that have a unit of slope along an axis
 };
+
+/// Leaves as much of one lane as a triangle has a share in what encloses the contents.
+void leave_share(double share, bool with_hessian, bool with_moments, int lane, ContentsLanes& part) {
+  for (int k = 0; k < 9; ++k) {
+    part.pressed.load[k][lane] *= share;
+    part.pressed.unit_load[k][lane] *= share;
+    for (int axis = 0; axis < 3 && with_moments; ++axis) part.moments[axis][k][lane] *= share;
+    for (int block = 0; block < 6 && with_hessian; ++block) part.pressed.stiffness[block][k][lane] *= share;
+  }
+}
 
 bool is_below_opening(const BodyModel& model, int triangle) {
   return model.chamber[triangle] >= 0 && model.is_open(model.chamber[triangle]);
@@ -168,9 +181,9 @@ void add_contents_terms(const BodyModel& model, int triangle, double pressure, c
   const Eigen::Vector3i& corners = model.surface[triangle];
   if (model.definition.fluid.leaks) {
     for (int axis = 0; axis < 3 && terms.moment_load.cols() > 0; ++axis) {
-      scatter_lane(corners, part.moments[axis], lane, terms.moment_load.col(3 * chamber + axis).data());
+      scatter_lane(corners, part.moments[axis], lane, 1, terms.moment_load.col(3 * chamber + axis).data());
     }
-    scatter_lane(corners, part.pressed.unit_load, lane, terms.pressure_load.col(chamber).data());
+    scatter_lane(corners, part.pressed.unit_load, lane, 1, terms.pressure_load.col(chamber).data());
   }
   for (int k = 0; k < 9; ++k) {
     const double load = part.pressed.load[k][lane];
@@ -193,7 +206,13 @@ void add_loads(const BodyModel& model, const EquilibriumProblem& problem, const 
   const int triangles = static_cast<int>(model.surface.size());
   for_each((triangles + kLanes - 1) / kLanes, kTrianglesAtOnce / kLanes, buffer,
            [&](int group, ContentsLanes& part) {
-             find_contents_terms(model, problem, contents, position, terms.has_hessian(), kLanes * group, part);
+             const int first = kLanes * group, end = std::min(first + kLanes, triangles);
+             find_contents_terms(model, problem, contents, position, terms.has_hessian(), first, part);
+             const bool moves = model.definition.fluid.leaks && !problem.fluid_inertia.empty();
+             for (int t = first; t < end; ++t) {
+               if (model.share[t] == 1 || !is_below_opening(model, t)) continue;
+               leave_share(model.share[t], terms.has_hessian(), moves, t - first, part);
+             }
            },
            [&](int group, const ContentsLanes& part) {
              const int first = kLanes * group, end = std::min(first + kLanes, triangles);

@@ -37,7 +37,7 @@ Eigen::Matrix3Xd first_moments(const BodyModel& model, const Eigen::VectorXd& po
     const int c = model.chamber[t];
     if (c < 0) continue;
     const auto corners = relative_to(model.chambers[c].level, corners_of(model.surface[t], position));
-    moments.col(c) += first_moment_of(corners).value;
+    moments.col(c) += model.share[t] * first_moment_of(corners).value;
   }
   if (!model.has_fluid()) return moments;
   for (const OpeningModel& opening : model.openings) {

@@ -96,14 +96,17 @@ PressureField field_of(const BodyModel& model, int chamber, double pressure, con
 double volume_below_surface(const BodyModel& model, const Eigen::VectorXd& position, int chamber,
                             const PressureField& field) {
   Eigen::Vector3d load = Eigen::Vector3d::Zero();
+  double share = 1;  // of the triangle that is added
   const auto add = [&](const std::array<Eigen::Vector3d, 3>& corners) -> Eigen::Matrix<double, 9, 1> {
     Eigen::Matrix<double, 9, 1> part = pressure_load_of(corners, field);
-    for (int k = 0; k < 3; ++k) load += part.segment<3>(3 * k);
+    for (int k = 0; k < 3; ++k) load += share * part.segment<3>(3 * k);
     return part;
   };
   for (std::size_t t = 0; t < model.surface.size(); ++t) {
+    share = model.share[t];
     if (model.chamber[t] == chamber) add(corners_of(model.surface[t], position));
   }
+  share = 1;
   for (const OpeningModel& opening : model.openings) {
     if (opening.chamber == chamber) lip_sum_of(opening.at(position), add);
   }

@@ -70,7 +70,11 @@ ValueSchema surface_value() {
   };
   const std::vector<KeySchema> placement = placement_keys();
   mesh.keys.insert(mesh.keys.end(), placement.begin(), placement.end());
-  MappingSchema shape{.name = "surface", .documentation = "A shape, centred on its origin."};
+  MappingSchema shape{
+      .name = "surface",
+      .documentation =
+          "A shape, centred on its origin. Caps close the fluid and have no stiffness: what presses on one "
+          "is borne by its rim, evenly where the rim is free."};
   shape.selector = "shape";
   shape.cases = shape_cases();
   std::vector<std::string> words;

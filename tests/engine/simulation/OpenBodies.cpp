@@ -93,7 +93,7 @@ Eigen::Vector3d force_of_supports(const Body& body, const Eigen::Vector3d& gravi
     PressureField field{.at_origin = state.equilibrium.pressure[chamber],
                         .slope = model.definition.fluid.density * gravity};
     field.at_origin -= field.slope.dot(model.chambers[chamber].level);
-    Eigen::Matrix<double, 9, 1> part = -pressure_load_of(corners, field);
+    Eigen::Matrix<double, 9, 1> part = -model.share[t] * pressure_load_of(corners, field);
     if (t < model.rest.size())
       part += membrane_terms(model.rest[t], model.material(static_cast<int>(t)), corners).gradient;
     for (int k = 0; k < 3; ++k) forces.segment<3>(3 * model.surface[t][k]) += part.segment<3>(3 * k);

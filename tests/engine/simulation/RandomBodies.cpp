@@ -221,11 +221,13 @@ class Drawer : RandomNumbers {
 
 /// How often the closed surface winds around a point: 0 outside, 1 inside; by solid angles (Van Oosterom and Strackee).
 double winding(const Body& body, const Eigen::Vector3d& point) {
+  const BodyModel& model = body.model();
   double angle = 0;
-  for (const Eigen::Vector3i& triangle : body.model().surface) {
-    std::array<Eigen::Vector3d, 3> r = corners_of(triangle, body.state().equilibrium.position);
+  for (std::size_t t = 0; t < model.surface.size(); ++t) {
+    std::array<Eigen::Vector3d, 3> r = corners_of(model.surface[t], body.state().equilibrium.position);
     for (Eigen::Vector3d& corner : r) corner = (corner - point).normalized();
-    angle += 2 * std::atan2(r[0].dot(r[1].cross(r[2])), 1 + r[0].dot(r[1]) + r[1].dot(r[2]) + r[2].dot(r[0]));
+    const double size = 1 + r[0].dot(r[1]) + r[1].dot(r[2]) + r[2].dot(r[0]);
+    angle += 2 * model.share[t] * std::atan2(r[0].dot(r[1].cross(r[2])), size);
   }
   return angle / (4 * std::numbers::pi);
 }

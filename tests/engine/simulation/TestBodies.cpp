@@ -114,16 +114,17 @@ Eigen::VectorXd internal_forces(const Body& body) {
   for (std::size_t t = 0; t < model.surface.size(); ++t) {
     const auto corners = corners_of(model.surface[t], position);
     Eigen::Matrix<double, 9, 1> part = Eigen::Matrix<double, 9, 1>::Zero();
-    if (model.has_fluid()) part -= body.state().equilibrium.pressure[model.chamber[t]] * volume_gradient_of(corners);
-    if (t < model.rest.size())
-      part += membrane_terms(model.rest[t], model.material(static_cast<int>(t)), corners).gradient;
     if (model.has_fluid()) {
       const int chamber = model.chamber[t];
+      part -= body.state().equilibrium.pressure[chamber] * volume_gradient_of(corners);
       const double density = model.definition.fluid.density / body.state().fluid_volume[chamber];
       part += fluid_moment_of(relative_to(model.chambers[chamber].level, corners),
                               density * body.state().fluid_motion[chamber].acceleration)
                   .gradient;
+      part *= model.share[t];
     }
+    if (t < model.rest.size())
+      part += membrane_terms(model.rest[t], model.material(static_cast<int>(t)), corners).gradient;
     for (int k = 0; k < 3; ++k) forces.segment<3>(3 * model.surface[t][k]) += part.segment<3>(3 * k);
   }
   return forces;
