@@ -122,6 +122,13 @@ std::optional<std::string> thick_wall_note(const BodyDefinition& body) {
       body.name, 1e3 * width, 1e3 * thickest);
 }
 
+/// Whether `fixed` holds something of a body along each axis that gravity, metres / second^2, pulls along.
+bool bears_its_weight(const BodyModel& model, const Eigen::Vector3d& gravity) {
+  std::array<bool, 3> is_borne = {gravity.x() == 0, gravity.y() == 0, gravity.z() == 0};
+  for (int k = 0; k < 3 * model.vertices(); ++k) is_borne[k % 3] = is_borne[k % 3] || model.fixed[k];
+  return std::ranges::count(is_borne, true) == 3;
+}
+
 /// Whether nothing stretches a wall that has no stiffness across itself but by its tension.
 bool is_slack(const BodyScenario& body) {
   if (is_scenery(body.fixed)) return false;
@@ -160,17 +167,21 @@ std::string slack_wall_advice(const Scenario& scenario) {
       slack->name);
 }
 
-std::vector<std::string> start_notes(const Body& body, Analysis analysis) {
+std::vector<std::string> start_notes(const Body& body, const SimulationOptions& options) {
   const std::string& name = body.model().definition.name;
   std::vector<std::string> notes;
   const auto free = body.model().rigid_motions.cols();
-  if (free > 0 && analysis == Analysis::kQuasiStatic) {
+  if (free > 0 && options.analysis == Analysis::kQuasiStatic) {
+    const char* weight = bears_its_weight(body.model(), options.gravity)
+                             ? ""
+                             : " and the weight: it does not fall, and lies on no tool; let `fixed` hold it along "
+                               "gravity, or take `analysis: dynamic`";
     notes.push_back(fmt::format(
         "body `{}`: `fixed` leaves {} rigid motion{} free, removed by constraints weighted with the mass, which take "
-        "up what the tools push",
-        name, free, free == 1 ? "" : "s"));
+        "up what the tools push{}",
+        name, free, free == 1 ? "" : "s", weight));
   }
-  if (body.report().unstable && analysis == Analysis::kDynamic) {
+  if (body.report().unstable && options.analysis == Analysis::kDynamic) {
     notes.push_back(fmt::format(
         "body `{}`: its equilibrium before time zero is not stable: the wall would buckle there, and stays until "
         "something moves it; a small load across it shows where to, and a membrane that is pressed along itself "

@@ -15,7 +15,7 @@ namespace thinwall {
 
 /// Of a body at time zero: that rigid motions of it are left free, which a quasi-static analysis has to remove, and
 /// that it is where it would buckle, of which the steps of a dynamic one tell nothing.
-std::vector<std::string> start_notes(const Body& body, Analysis analysis);
+std::vector<std::string> start_notes(const Body& body, const SimulationOptions& options);
 
 /// That a tool is in the wall of a body before its first step, so that what drives them apart is work that nobody does;
 /// nothing where it is not.

@@ -55,7 +55,7 @@ struct ScenarioRun::Implementation {
       bodies.back()->settle(load_factors(description, 0));
       topologies.push_back(snapshot_topology(bodies.back()->model()));
       std::ranges::copy(thick_wall_notes(scenario, bodies.back()->model().definition), std::back_inserter(warnings));
-      std::ranges::copy(start_notes(*bodies.back(), scenario.simulation.analysis), std::back_inserter(warnings));
+      std::ranges::copy(start_notes(*bodies.back(), scenario.simulation), std::back_inserter(warnings));
     }
     for (int k = 0; k < static_cast<int>(scenario.tools.size()); ++k) {
       tools[scenario.tools[k].name].index = k;

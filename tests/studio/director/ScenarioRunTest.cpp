@@ -282,10 +282,18 @@ TEST(ScenarioRun, AFreeBodyInStaticsIsHeldAndTheUserIsTold) {
   Scenario scenario = ball_scenario();
   scenario.bodies[0].fixed.clear();
   scenario.timeline = {palpation(0.001)};
-  const ScenarioRun run(scenario);
-  bool told = false;
-  for (const std::string& warning : run.warnings()) told = told || warning.find("rigid motions") != std::string::npos;
-  EXPECT_TRUE(told);
+  const auto told = [&](const char* words) {
+    const std::vector<std::string> warnings = ScenarioRun(scenario).warnings();
+    return std::ranges::count_if(warnings,
+                                 [&](const std::string& warning) { return warning.find(words) != std::string::npos; });
+  };
+  EXPECT_EQ(told("rigid motions"), 1);
+  EXPECT_EQ(told("take up what the tools push and the weight"), 0);
+  scenario.simulation.gravity = {0, 0, -9.81};
+  EXPECT_EQ(told("take up what the tools push and the weight: it does not fall"), 1);
+  scenario.bodies[0].fixed = {{.region = BelowRegion{.axis = 2, .at = -15e-3}, .axes = {false, false, true}}};
+  EXPECT_EQ(told("rigid motions"), 1);
+  EXPECT_EQ(told("take up what the tools push and the weight"), 0) << "what is held along gravity bears it";
 }
 
 TEST(ScenarioRun, APressureThatTheWallCannotHoldFailsWithWords) {
