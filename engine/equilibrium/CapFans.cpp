@@ -1,6 +1,7 @@
 #include "engine/equilibrium/CapFans.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -24,6 +25,10 @@ Eigen::Vector3d normal_of(const SurfaceMesh& mesh, const Eigen::Vector3i& triang
   return (mesh.vertices[triangle[1]] - first).cross(mesh.vertices[triangle[2]] - first).normalized();
 }
 
+bool is_one_plane(const Eigen::Vector3d& one, const Eigen::Vector3d& other) {
+  return one.dot(other) > 0 && one.cross(other).norm() < kCoplanar;
+}
+
 /// Numbers of cap triangles that lie beside each other in a plane.
 std::vector<std::vector<int>> flat_caps(const SurfaceMesh& mesh) {
   const std::vector<Eigen::Vector3i>& caps = mesh.cap_triangles;
@@ -32,8 +37,9 @@ std::vector<std::vector<int>> flat_caps(const SurfaceMesh& mesh) {
   for (std::size_t edge = 0; edge < edges.edges.size(); ++edge) {
     const std::span<const int> beside = triangles_at(edges, static_cast<int>(edge));
     if (beside.size() != 2) continue;
-    const Eigen::Vector3d one = normal_of(mesh, caps[beside[0]]), other = normal_of(mesh, caps[beside[1]]);
-    if (one.dot(other) > 0 && one.cross(other).norm() < kCoplanar) joined.join(beside[0], beside[1]);
+    if (is_one_plane(normal_of(mesh, caps[beside[0]]), normal_of(mesh, caps[beside[1]]))) {
+      joined.join(beside[0], beside[1]);
+    }
   }
   std::map<int, std::vector<int>> parts;
   for (int t = 0; t < static_cast<int>(caps.size()); ++t) parts[joined.find(t)].push_back(t);
@@ -53,6 +59,13 @@ std::vector<std::array<bool, 3>> held_axes(const SurfaceMesh& mesh, std::span<co
   return held;
 }
 
+bool is_held_along(const Eigen::Vector3d& normal, const std::array<bool, 3>& held) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(normal[axis]) > kAskedFor && !held[axis]) return false;
+  }
+  return true;
+}
+
 /// The rim of a cap that can leave its plane, in the sense of its triangles; none where it cannot, or is not one ring.
 std::vector<int> free_rim(const SurfaceMesh& mesh, const std::vector<Eigen::Vector3i>& cap,
                           const std::vector<std::array<bool, 3>>& held) {
@@ -61,12 +74,8 @@ std::vector<int> free_rim(const SurfaceMesh& mesh, const std::vector<Eigen::Vect
   const std::vector<int>& rim = pieces.boundary_loops.front();
   if (rim.size() != cap.size() + 2) return {};
   const Eigen::Vector3d normal = normal_of(mesh, cap.front());
-  for (const int vertex : rim) {
-    for (int axis = 0; axis < 3; ++axis) {
-      if (std::abs(normal[axis]) > kAskedFor && !held[vertex][axis]) return rim;
-    }
-  }
-  return {};
+  const auto is_held = [&](int vertex) { return is_held_along(normal, held[vertex]); };
+  return std::ranges::all_of(rim, is_held) ? std::vector<int>{} : rim;
 }
 
 /// Adds the fans from all vertices of a rim.
@@ -118,6 +127,22 @@ CapSurface spread_caps(const SurfaceMesh& mesh, std::span<const FixedRegion> fix
   surface.share.insert(surface.share.end(), fans.share.begin(), fans.share.end());
   surface.cap.insert(surface.cap.end(), fans.cap.begin(), fans.cap.end());
   return surface;
+}
+
+bool has_free_corner(const SurfaceMesh& mesh, std::span<const FixedRegion> fixed) {
+  const std::vector<Eigen::Vector3i>& caps = mesh.cap_triangles;
+  const MeshEdges edges = edges_of(static_cast<int>(mesh.vertices.size()), caps);
+  const std::vector<std::array<bool, 3>> held = held_axes(mesh, fixed);
+  for (std::size_t edge = 0; edge < edges.edges.size(); ++edge) {
+    const std::span<const int> beside = triangles_at(edges, static_cast<int>(edge));
+    if (beside.size() != 2) continue;
+    const Eigen::Vector3d one = normal_of(mesh, caps[beside[0]]), other = normal_of(mesh, caps[beside[1]]);
+    if (is_one_plane(one, other)) continue;
+    for (const int vertex : edges.edges[edge]) {
+      if (!is_held_along(one, held[vertex]) || !is_held_along(other, held[vertex])) return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace thinwall

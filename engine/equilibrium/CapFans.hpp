@@ -23,4 +23,8 @@ struct CapSurface {
 /// of the rim, with what each is in the mean point.
 CapSurface spread_caps(const SurfaceMesh& mesh, std::span<const FixedRegion> fixed);
 
+/// Whether caps meet at an angle along an edge whose ends are not held along the normals of both, as those of a
+/// semicylinder: with no wall there its two ends bear what presses on the caps along it, which no membrane can.
+bool has_free_corner(const SurfaceMesh& mesh, std::span<const FixedRegion> fixed);
+
 }  // namespace thinwall

@@ -8,6 +8,7 @@
 
 #include "engine/contact/PointRadius.hpp"
 #include "engine/contact/SolidGap.hpp"
+#include "engine/equilibrium/CapFans.hpp"
 #include "engine/mesh/MeshMeasures.hpp"
 #include "engine/tool/ToolSolids.hpp"
 
@@ -180,6 +181,14 @@ std::vector<std::string> start_notes(const Body& body, const SimulationOptions& 
         "body `{}`: `fixed` leaves {} rigid motion{} free, removed by constraints weighted with the mass, which take "
         "up what the tools push{}",
         name, free, free == 1 ? "" : "s", weight));
+  }
+  const BodyDefinition& definition = body.model().definition;
+  if (body.model().has_fluid() && has_free_corner(definition.mesh, definition.fixed)) {
+    notes.push_back(fmt::format(
+        "body `{}`: two of its caps meet where no wall is, and the ends of that edge are not held along their normals: "
+        "these ends bear what presses on the caps there, and are drawn out the farther the finer the triangles are; "
+        "let `fixed` hold the caps, as `base` and `ends` of a semicylinder",
+        name));
   }
   if (body.report().unstable && options.analysis == Analysis::kDynamic) {
     notes.push_back(fmt::format(

@@ -13,8 +13,9 @@ namespace thinwall {
 
 // What a run tells its reader of a scenario beside the results: one sentence each.
 
-/// Of a body at time zero: that rigid motions of it are left free, which a quasi-static analysis has to remove, and
-/// that it is where it would buckle, of which the steps of a dynamic one tell nothing.
+/// Of a body at time zero: that rigid motions of it are left free, which a quasi-static analysis has to remove, that
+/// caps meet at corners which nothing holds, and that it is where it would buckle, of which the steps of a dynamic
+/// analysis tell nothing.
 std::vector<std::string> start_notes(const Body& body, const SimulationOptions& options);
 
 /// That a tool is in the wall of a body before its first step, so that what drives them apart is work that nobody does;

@@ -19,7 +19,9 @@ std::vector<CaseSchema> shape_cases() {
   return {
       {"sphere", "closed sphere", {radius}},
       {"hemisphere", "base on z = 0, closed by a cap; crown towards +z; 64 triangles give the 41-node mesh", {radius}},
-      {"semicylinder", "base on z = 0, axis along y, closed by caps", {radius, along_y}},
+      {"semicylinder",
+       "base on z = 0, axis along y, closed by caps, which only corners bear where they meet: hold `base`",
+       {radius, along_y}},
       {"sheet", "open rectangle in z = 0", {along_y, along_x}},
       {"disc", "open disc in z = 0", {radius}},
       {"cylinder", "axis along y, closed by caps at both ends", {radius, along_y}},

@@ -77,6 +77,16 @@ TEST(CapFans, LeaveCapsAsTheyAreThatAreHeldAlongTheirNormal) {
   EXPECT_GT(spread_caps(mesh, one).triangles.size(), mesh.cap_triangles.size());
 }
 
+TEST(CapFans, MeetAtCornersThatAreFreeUnlessBothAreHeldThere) {
+  const SurfaceMesh pad = make_semicylinder(10e-3, 40e-3, 200);
+  const FixedRegion base = fixed_group("base", {false, false, true}), ends = fixed_group("ends", {false, true, false});
+  EXPECT_TRUE(has_free_corner(pad, {}));
+  EXPECT_TRUE(has_free_corner(pad, std::vector{base}));
+  EXPECT_FALSE(has_free_corner(pad, std::vector{base, ends}));
+  EXPECT_FALSE(has_free_corner(pad, std::vector{fixed_group("base")}));
+  EXPECT_FALSE(has_free_corner(make_cylinder(10e-3, 40e-3, 200), {})) << "its caps do not meet";
+}
+
 TEST(CapFans, HaveTheSlopesOfTheirVolumeAndOfTheWeightOnThem) {
   BodyDefinition definition = make_body(make_hemisphere(20e-3, 64), 1e-3, neo_hookean(20e3));
   definition.fixed = {{.region = AboveRegion{.axis = 2, .at = 15e-3}}};

@@ -296,6 +296,22 @@ TEST(ScenarioRun, AFreeBodyInStaticsIsHeldAndTheUserIsTold) {
   EXPECT_EQ(told("take up what the tools push and the weight"), 0) << "what is held along gravity bears it";
 }
 
+TEST(ScenarioRun, CapsThatMeetAtCornersThatNothingHoldsAreTold) {
+  Scenario scenario = ball_scenario();
+  scenario.bodies[0].surface =
+      ShapeSource{.shape = Shape::kSemicylinder, .radius = 20e-3, .length = 40e-3, .triangles = 200};
+  scenario.timeline = {Clip{.action = WaitClip{.duration = 0.1}}};
+  const auto told = [&] {
+    const std::vector<std::string> warnings = ScenarioRun(scenario).warnings();
+    return std::ranges::count_if(
+        warnings, [](const std::string& warning) { return warning.find("two of its caps meet") != std::string::npos; });
+  };
+  scenario.bodies[0].fixed = {{.region = AboveRegion{.axis = 2, .at = 15e-3}}};
+  EXPECT_EQ(told(), 1);
+  scenario.bodies[0].fixed = {{.region = GroupRegion{"base"}}};
+  EXPECT_EQ(told(), 0);
+}
+
 TEST(ScenarioRun, APressureThatTheWallCannotHoldFailsWithWords) {
   Scenario scenario = ball_scenario();
   scenario.bodies[0].fluid.initial_pressure = 5000;
