@@ -126,7 +126,7 @@ void print_summary(const std::vector<JudgedScenario>& all, const std::vector<std
   for (const JudgedScenario& judged : all) {
     for (std::size_t i = 0; i < judged.results.size(); ++i) list.push_back(to_json(judged, i));
   }
-  const Json result = {{"goldens", list}, {"counts", json_counts}, {"notes", notes}};
+  const Json result = {{"goldens", list}, {"counts", json_counts}, {"notes", notes}, {"exit_code", exit_code(all)}};
   fmt::print("{}\n", result.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 

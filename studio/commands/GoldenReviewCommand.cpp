@@ -251,12 +251,13 @@ int list_goldens(const GoldenOptions& options) {
   }
   std::ranges::copy(golden_notes(named), std::back_inserter(notes));
   for (const std::string& note : notes) fmt::print(stderr, "{}\n", note);
+  const int code = named.broken.empty() && !any_damaged ? kExitGood : kExitBadInput;
   if (options.json) {
-    const Json result = {{"goldens", list}, {"notes", notes}};
+    const Json result = {{"goldens", list}, {"notes", notes}, {"exit_code", code}};
     fmt::print("{}\n", result.dump(2, ' ', false, Json::error_handler_t::replace));
   }
   for (const BrokenScenario& broken : named.broken) fmt::print(stderr, "{}\n", broken.errors.what());
-  return named.broken.empty() && !any_damaged ? kExitGood : kExitBadInput;
+  return code;
 }
 
 int explain_goldens(const GoldenOptions& options) {
