@@ -4,10 +4,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <utility>
 
 #include "engine/equilibrium/CapFans.hpp"
+#include "engine/equilibrium/HeldAxes.hpp"
 #include "engine/equilibrium/RigidMotions.hpp"
 #include "engine/mesh/MeshTopology.hpp"
 #include "engine/shell/BendingPatches.hpp"
@@ -167,12 +169,9 @@ void fix(BodyModel& model) {
   const int unknowns = model.unknowns();
   model.fixed.assign(unknowns, 0);
   fix_idle_turns(model);
-  for (const FixedRegion& region : model.definition.fixed) {
-    for (const int vertex : vertices_in(region.region, model.definition.mesh)) {
-      for (int axis = 0; axis < 3; ++axis) {
-        if (region.axes[axis]) model.fixed[3 * vertex + axis] = 1;
-      }
-    }
+  const std::vector<std::array<bool, 3>> held = held_axes(model.definition.mesh, model.definition.fixed);
+  for (int vertex = 0; vertex < model.vertices(); ++vertex) {
+    for (int axis = 0; axis < 3; ++axis) model.fixed[3 * vertex + axis] = held[vertex][axis] ? 1 : 0;
   }
   model.diagonal_entries.reserve(unknowns);
   for (int column = 0; column < unknowns; ++column) {

@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "engine/equilibrium/HeldAxes.hpp"
 #include "engine/mesh/MeshTopology.hpp"
 #include "engine/mesh/UnionFind.hpp"
 
@@ -45,17 +46,6 @@ std::vector<std::vector<int>> flat_caps(const SurfaceMesh& mesh) {
   std::vector<std::vector<int>> flat;
   for (auto& [root, part] : parts) flat.push_back(std::move(part));
   return flat;
-}
-
-/// The axes along which `fixed` holds each vertex.
-std::vector<std::array<bool, 3>> held_axes(const SurfaceMesh& mesh, std::span<const FixedRegion> fixed) {
-  std::vector<std::array<bool, 3>> held(mesh.vertices.size(), {false, false, false});
-  for (const FixedRegion& region : fixed) {
-    for (const int vertex : vertices_in(region.region, mesh)) {
-      for (int axis = 0; axis < 3; ++axis) held[vertex][axis] = held[vertex][axis] || region.axes[axis];
-    }
-  }
-  return held;
 }
 
 bool is_held_along(const Eigen::Vector3d& normal, const std::array<bool, 3>& held) {
