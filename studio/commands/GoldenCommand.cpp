@@ -112,7 +112,7 @@ std::map<GoldenOutcome, int> counts(const std::vector<JudgedScenario>& all) {
   return counts;
 }
 
-void print_summary(const std::vector<JudgedScenario>& all, const std::vector<std::string>& notes, bool json) {
+void print_summary(const std::vector<JudgedScenario>& all, const std::vector<std::string>& notes, int code, bool json) {
   std::string line;
   Json json_counts = Json::object();
   for (const auto& [outcome, count] : counts(all)) {
@@ -126,7 +126,7 @@ void print_summary(const std::vector<JudgedScenario>& all, const std::vector<std
   for (const JudgedScenario& judged : all) {
     for (std::size_t i = 0; i < judged.results.size(); ++i) list.push_back(to_json(judged, i));
   }
-  const Json result = {{"goldens", list}, {"counts", json_counts}, {"notes", notes}, {"exit_code", exit_code(all)}};
+  const Json result = {{"goldens", list}, {"counts", json_counts}, {"notes", notes}, {"exit_code", code}};
   fmt::print("{}\n", result.dump(2, ' ', false, Json::error_handler_t::replace));
 }
 
@@ -230,7 +230,7 @@ int compare_goldens(const GoldenOptions& options, PageOf page) {
     std::error_code ignored;
     std::filesystem::remove(report_page(options), ignored);  // of an earlier test, in which something had failed
   }
-  print_summary(all, golden_notes(named), options.json);
+  print_summary(all, golden_notes(named), code, options.json);
   return code;
 }
 
