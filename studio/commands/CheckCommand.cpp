@@ -10,6 +10,7 @@
 #include "engine/simulation/SimulationFailure.hpp"
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/ExitCode.hpp"
+#include "studio/commands/JsonAnswer.hpp"
 #include "studio/commands/LongWait.hpp"
 #include "studio/commands/MistakesAsJson.hpp"
 #include "studio/commands/Outcome.hpp"
@@ -84,8 +85,7 @@ int check_scenarios(const CheckOptions& options) {
                        {"notes", notes}});
   }
   if (options.json) {
-    const nlohmann::ordered_json json = {{"scenarios", results}};
-    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    print_json({{"scenarios", results}, {"exit_code", code}});
   }
   return code;
 }

@@ -14,6 +14,7 @@
 #include "studio/commands/CompareArguments.hpp"
 #include "studio/commands/CompareLine.hpp"
 #include "studio/commands/ExitCode.hpp"
+#include "studio/commands/JsonAnswer.hpp"
 #include "studio/recorder/Interruption.hpp"
 #include "studio/recorder/Versions.hpp"
 
@@ -160,7 +161,7 @@ void CommandLine::add_recording(CLI::App& command, bool& video, bool& frames, bo
   command.add_flag("--surfaces", surfaces, "keep the deforming surfaces for ParaView");
   command.add_flag("--stats", stats, kStatsWords);
   command.add_flag("--aov", truth, "keep what each pixel shows: depth, normals, numbers, flow, stress, poses, masks");
-  command.add_flag("--json", json, "say the result as JSON on standard output");
+  command.add_flag("--json", json, kJsonWords);
 }
 
 void CommandLine::add_run() {
@@ -196,7 +197,7 @@ void CommandLine::add_check() {
   });
   command->add_option("SCENARIO", check_.scenarios, "scenario files")->required();
   add_overrides(*command);
-  command->add_flag("--json", check_.json, "say the result as JSON on standard output");
+  command->add_flag("--json", check_.json, kJsonWords);
 }
 
 void CommandLine::add_render() {
@@ -258,6 +259,7 @@ void CommandLine::add_still() {
   command->add_option("--at", texts_.time, "when, for example 1.5s")->required()->type_name("TIME");
   command->add_option("-o", still_.picture, "the picture file")->required()->type_name("PNG");
   command->add_flag("--stats", still_.stats, kStatsWords);
+  command->add_flag("--json", still_.json, kJsonWords);
   command->add_flag("--aov", still_.ground_truth, "keep what each pixel shows, in NAME_ground_truth beside NAME.png");
   add_size(*command);
   add_overrides(*command);
@@ -294,8 +296,8 @@ void CommandLine::add_golden() {
   CLI::App* approve = add_golden_command(
       *golden, "approve", "make today's pictures of the named scenarios the golden ones", approve_goldens);
   CLI::App* list = add_golden_command(*golden, "list", "what goldens there are", list_goldens);
-  add_golden_command(*golden, "why", "who approved a golden and why, and what its scenario has changed since",
-                     explain_goldens);
+  CLI::App* why = add_golden_command(
+      *golden, "why", "who approved a golden and why, and what its scenario has changed since", explain_goldens);
   for (CLI::App* command : {test, report, review, approve}) {
     add_device(*command);
     add_threads(*command);
@@ -308,8 +310,8 @@ void CommandLine::add_golden() {
         ->type_name("N")
         ->check(CLI::Range(1, 256));
   }
-  for (CLI::App* command : {test, report, list}) {
-    command->add_flag("--json", golden_.json, "say the result as JSON on standard output");
+  for (CLI::App* command : {test, report, approve, list, why}) {
+    command->add_flag("--json", golden_.json, kJsonWords);
   }
   for (CLI::App* command : {test, report}) {
     command->add_flag("--all", golden_.all, "also what has not changed since it was good");
@@ -352,7 +354,7 @@ void CommandLine::add_haptic() {
   add_refusal(*command, "--no-real-time", haptic_.real_time, "do not ask for real-time scheduling");
   add_overrides(*command);
   add_threads(*command);
-  command->add_flag("--json", haptic_.json, "say the result as JSON on standard output");
+  command->add_flag("--json", haptic_.json, kJsonWords);
 }
 
 void CommandLine::add_doctor() {
@@ -361,7 +363,7 @@ void CommandLine::add_doctor() {
     return examine_machine(doctor_);
   });
   add_device(*command);
-  command->add_flag("--json", doctor_.json, "say the result as JSON on standard output");
+  command->add_flag("--json", doctor_.json, kJsonWords);
 }
 
 int CommandLine::run(std::vector<std::string> arguments) {

@@ -71,6 +71,7 @@ struct StillOptions {
   DeviceChoice device;
   bool ground_truth = false;  // in the folder STEM_ground_truth beside the picture
   bool stats = false;
+  bool json = false;
 };
 int make_still(const StillOptions& options);
 
@@ -92,9 +93,10 @@ int review_goldens(const GoldenOptions& options);
 int list_goldens(const GoldenOptions& options);
 int explain_goldens(const GoldenOptions& options);
 
-/// Makes today's picture the golden and tells the figures before and after; false when it is missing, as approved, or
-/// different within its limits where that is not to be approved too.
-bool approve_golden(const JudgedScenario& judged, std::size_t index, const std::string& why, bool within_limits_too);
+/// Makes today's picture the golden, tells the figures before and after, and gives the comparison with it; nothing when
+/// it is missing, as approved, or different within its limits where that is not to be approved too.
+std::optional<GoldenResult> approve_golden(const JudgedScenario& judged, std::size_t index, const std::string& why,
+                                           bool within_limits_too);
 
 struct CompareOptions {
   std::filesystem::path first;  // two files, or two folders

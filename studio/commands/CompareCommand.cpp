@@ -9,6 +9,7 @@
 #include "renderer/image/PngFile.hpp"
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/ExitCode.hpp"
+#include "studio/commands/JsonAnswer.hpp"
 
 namespace thinwall {
 namespace {
@@ -150,7 +151,7 @@ int compare_two_folders(const CompareOptions& options) {
   const int code = exit_code(files);
   if (options.json) {
     const Json json = {{"files", list}, {"good", good}, {"exit_code", code}};
-    fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+    print_json(json);
   }
   return code;
 }
@@ -172,7 +173,7 @@ int compare(const CompareOptions& options) {
   if (options.json) {
     Json json = to_json(file);
     json["exit_code"] = code;
-    fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+    print_json(json);
   }
   return code;
 }

@@ -9,6 +9,7 @@
 
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/ExitCode.hpp"
+#include "studio/commands/JsonAnswer.hpp"
 #include "studio/recorder/Interruption.hpp"
 #include "studio/schema/Wording.hpp"
 
@@ -80,7 +81,7 @@ void add_compare_arguments(CLI::App& command, CompareArguments& arguments) {
                    "of videos: times, captions, chapters and colour tags do not count");
   command.add_option("--diff", arguments.difference, "write a picture of the difference; of folders, a folder of them")
       ->type_name("PNG");
-  command.add_flag("--json", arguments.options.json, "say the result as JSON on standard output");
+  command.add_flag("--json", arguments.options.json, kJsonWords);
 }
 
 std::optional<int> parse_arguments(CLI::App& app, std::vector<std::string> arguments) {

@@ -6,6 +6,7 @@
 #include "renderer/video/VideoSurvey.hpp"
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/ExitCode.hpp"
+#include "studio/commands/JsonAnswer.hpp"
 #include "studio/recorder/Versions.hpp"
 
 namespace thinwall {
@@ -55,7 +56,7 @@ int examine_machine(const DoctorOptions& options) {
   const DeviceSurvey devices = survey_devices(options.device);
   const VideoSurvey video = survey_video();
   if (options.json) {
-    fmt::print("{}\n", to_json(devices, video).dump(2, ' ', false, Json::error_handler_t::replace));
+    print_json(to_json(devices, video));
   } else {
     print_for_people(devices, video);
   }

@@ -14,6 +14,7 @@
 #include "engine/simulation/SimulationFailure.hpp"
 #include "renderer/image/PictureFailure.hpp"
 #include "renderer/image/PngFile.hpp"
+#include "studio/commands/JsonAnswer.hpp"
 #include "studio/commands/MistakesAsJson.hpp"
 #include "studio/golden/GoldenApproval.hpp"
 #include "studio/recorder/FolderLock.hpp"
@@ -95,7 +96,7 @@ void tell(const Failure& failure, FailureAs as) {
   if (as != FailureAs::kMessageAndJson) return;
   Json json = {{"result", "failed"}, {"exit_code", failure.code}, {"failure", failure.message}};
   if (!failure.mistakes.empty()) json["errors"] = mistakes_as_json(failure.mistakes);
-  fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+  print_json(json);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "renderer/image/WholeFile.hpp"
 #include "studio/commands/ExitCode.hpp"
+#include "studio/commands/JsonAnswer.hpp"
 #include "studio/scenario/InputError.hpp"
 
 namespace thinwall {
@@ -18,7 +19,7 @@ int exit_code_after(const ManifestContext& context, const RecordingReport& repor
   return met ? kExitGood : kExitRegression;
 }
 
-void print_json(const ManifestContext& context, const RecordingPlan& plan, const RecordingReport& report) {
+void print_result(const ManifestContext& context, const RecordingPlan& plan, const RecordingReport& report) {
   nlohmann::ordered_json json = {{"result", result_words(context, report)},
                                  {"exit_code", exit_code_after(context, report)},
                                  {"folder", plan.folder.generic_string()},
@@ -30,12 +31,18 @@ void print_json(const ManifestContext& context, const RecordingPlan& plan, const
                                  {"warnings", all_warnings(context, report)},
                                  {"wall_s", report.times.total}};
   if (!context.expectations.empty()) json["expectations"] = expectation_part(context.expectations);
-  for (const PassTime& pass : report.passes) json["passes_ms"][pass.pass] = 1e3 * pass.wall_seconds;
+  if (!report.passes.empty()) json["passes_ms"] = passes_as_json(report.passes);
   if (!report.failure.empty()) json["failure"] = report.failure;
-  fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+  print_json(json);
 }
 
 }  // namespace
+
+nlohmann::ordered_json passes_as_json(const std::vector<PassTime>& passes) {
+  nlohmann::ordered_json json;
+  for (const PassTime& pass : passes) json[pass.pass] = 1e3 * pass.wall_seconds;
+  return json;
+}
 
 void tell_warnings(const Scenario& scenario) {
   for (const std::string& warning : scenario.warnings) fmt::print(stderr, "{}\n", warning);
@@ -58,7 +65,7 @@ int conclude(const ManifestContext& context, const RecordingPlan& plan, const Re
              report.simulated, report.steps, report.frame_hashes.size(), plan.folder.string(), times.total,
              times.simulate.wall, times.render.wall, truth, times.encode.wall);
   fmt::print(stderr, "{}", pass_table(report.passes));
-  if (json) print_json(context, plan, report);
+  if (json) print_result(context, plan, report);
   for (const ExpectationResult& result : context.expectations) {
     fmt::print(stderr, "thinwall: {}: {}\n", to_text(result.expectation.location), to_text(result));
   }

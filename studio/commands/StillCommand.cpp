@@ -3,15 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "renderer/image/Folder.hpp"
+#include "renderer/image/ImageHash.hpp"
 #include "renderer/image/PngFile.hpp"
 #include "renderer/image/WholeFile.hpp"
 #include "renderer/snapshot/SameTime.hpp"
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/DataViewRange.hpp"
 #include "studio/commands/ExitCode.hpp"
+#include "studio/commands/JsonAnswer.hpp"
 #include "studio/commands/Outcome.hpp"
 #include "studio/commands/SecondTake.hpp"
 #include "studio/director/StressFreeAnswers.hpp"
@@ -88,6 +91,22 @@ std::filesystem::path truth_folder(const std::filesystem::path& picture) {
   return picture.parent_path() / (picture.stem().string() + "_" + kGroundTruthFolder);
 }
 
+void print_still(const StillOptions& options, const Scenario& scenario, const Image& image, const std::string& driver,
+                 const std::vector<PassTime>& passes) {
+  nlohmann::ordered_json json = {{"result", "ok"},
+                                 {"exit_code", kExitGood},
+                                 {"picture", options.picture.generic_string()},
+                                 {"scenario", scenario.name},
+                                 {"at_s", options.at},
+                                 {"size", {image.size.width, image.size.height}},
+                                 {"hash", image_hash(image)},
+                                 {"driver", driver},
+                                 {"warnings", scenario.warnings}};
+  if (options.ground_truth) json["ground_truth"] = truth_folder(options.picture).generic_string();
+  if (!passes.empty()) json["passes_ms"] = passes_as_json(passes);
+  print_json(json);
+}
+
 }  // namespace
 
 int make_still(const StillOptions& options) {
@@ -122,8 +141,10 @@ int make_still(const StillOptions& options) {
                                     .look = scenario.view.look},
                                    before, *frame, frame_later(1));
   }
-  fmt::print(stderr, "{}", pass_table(painter->pass_times()));
+  const std::vector<PassTime> passes = painter->pass_times();
+  fmt::print(stderr, "{}", pass_table(passes));
   fmt::print(stderr, "{} shows {} at {:.4g} s\n", options.picture.string(), scenario.name, options.at);
+  if (options.json) print_still(options, scenario, image, painter->driver(), passes);
   return kExitGood;
 }
 

@@ -87,6 +87,43 @@ TEST_F(ProgramGLTest, AGoldenIsReviewedListedExplainedAndNotApprovedTwice) {
   EXPECT_EQ(run({"golden", "test", "--all"}).messages.find("unchanged since"), std::string::npos);
 }
 
+TEST_F(ProgramGLTest, WhatIsApprovedAndWhyIsToldAsJsonTooWhereThatIsAskedFor) {
+  const std::string goldens_asked =
+      "golden:\n  - { at: 120 ms, max: 8, mean: 0.2, why: rounding }\n"
+      "  - { at: 60 ms, max: 8, mean: 0.2, why: rounding }\n  - { video: 1, max: 8, mean: 0.2, why: coded }\n";
+  write_bytes(folder_ / "scenes/small.yaml", small_scenario() + goldens_asked);
+  const auto told = [&](const std::vector<std::string>& arguments) {
+    const ProgramEnd end = run(arguments);
+    const nlohmann::json json = nlohmann::json::parse(end.output);
+    EXPECT_EQ(json.value("exit_code", -1), end.exit_code) << end.messages;
+    return json;
+  };
+  const nlohmann::json first = told({"golden", "approve", "small@120ms", "--why", "the first", "--json"});
+  ASSERT_EQ(first.at("goldens").size(), 1U);
+  EXPECT_EQ(first["goldens"][0].at("outcome"), "golden missing");
+  EXPECT_EQ(first["goldens"][0].at("approved"), true);
+  EXPECT_EQ(first["goldens"][0].at("after").at("outcome"), "ok");
+  const nlohmann::json both = told({"golden", "approve", "small@120ms", "small@video", "--why", "the film", "--json"});
+  ASSERT_EQ(both.at("goldens").size(), 2U);
+  EXPECT_EQ(both["goldens"][0].at("approved"), false) << "it was as approved";
+  EXPECT_FALSE(both["goldens"][0].contains("after"));
+  EXPECT_EQ(both["goldens"][1].at("approved"), true);
+  EXPECT_EQ(told({"golden", "approve", "small@video", "--why", "again", "--json"}).at("result"), "failed");
+
+  write_bytes(folder_ / "scenes/small.yaml", small_scenario() + "lights: { key: 0.5 }\n" + goldens_asked);
+  const nlohmann::json goldens = told({"golden", "why", "small", "--json"}).at("goldens");
+  ASSERT_EQ(goldens.size(), 3U);
+  EXPECT_EQ(goldens[0].at("at_s"), 0.12);
+  const nlohmann::json picture = goldens[0].at("approvals").at(0), video = goldens[2].at("approvals").at(0);
+  EXPECT_EQ(picture.at("why"), "the first");
+  EXPECT_TRUE(std::filesystem::exists(folder_ / picture.at("golden").get<std::string>())) << picture;
+  EXPECT_EQ(picture.at("changes").at(0).at("key"), "lights.key");
+  EXPECT_EQ(goldens[1].at("approvals"), nlohmann::json::array()) << "none is approved";
+  EXPECT_EQ(goldens[2].at("video"), true);
+  EXPECT_EQ(video.at("why"), "the film");
+  EXPECT_EQ(video.at("changes").at(0).at("after"), "0.5");
+}
+
 TEST_F(ProgramGLTest, AGoldenThatDiffersWithinItsLimitsIsApprovedOnlyWhereItIsNamedItself) {
   const std::string limits = "golden: [ { at: 120 ms, max: 255, mean: 255, drift: 1, why: all is allowed } ]\n";
   write_bytes(folder_ / "scenes/small.yaml", small_scenario() + limits);

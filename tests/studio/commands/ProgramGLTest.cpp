@@ -129,7 +129,8 @@ TEST_F(ProgramGLTest, GroundTruthOfAFrameIsTheSameInARunFromItsTakeAndAlone) {
   write_bytes(folder_ / "cut.yaml", incision_scenario());
   expect_good({"run", "cut.yaml", "--no-video", "--aov", "--out", "run"});
   expect_good({"render", "run/take.h5", "--no-video", "--aov"});
-  expect_good({"still", "cut.yaml", "--at", "0.3 s", "-o", "still.png", "--aov"});
+  const ProgramEnd still = run({"still", "cut.yaml", "--at", "0.3 s", "-o", "still.png", "--aov", "--json"});
+  EXPECT_EQ(nlohmann::json::parse(still.output).at("ground_truth"), "still_ground_truth");
   const auto layers = folder_ / "run/ground_truth";
   int folders = 0;
   for (const auto& layer : std::filesystem::directory_iterator(layers)) {
@@ -356,8 +357,13 @@ TEST_F(ProgramGLTest, ATakeCanBeRenderedInAnotherSizeAndView) {
 
 TEST_F(ProgramGLTest, AStillIsTheFrameOfThatTime) {
   expect_good({"run", "scenes/small.yaml", "--no-video", "--out", "run"});
-  expect_good({"still", "scenes/small.yaml", "--at", "120 ms", "-o", "still.png"});
+  const ProgramEnd still = run({"still", "scenes/small.yaml", "--at", "120 ms", "-o", "still.png", "--json"});
   EXPECT_EQ(image_hash(read_png(folder_ / "still.png")), manifest("run")["frame_hashes"][3]);
+  const nlohmann::json told = nlohmann::json::parse(still.output);
+  EXPECT_EQ(told.at("hash"), manifest("run")["frame_hashes"][3]);
+  EXPECT_EQ(told.at("driver"), manifest("run")["driver"]);
+  EXPECT_EQ(told.at("exit_code"), 0);
+  EXPECT_FALSE(told.contains("ground_truth"));
   EXPECT_EQ(run({"still", "scenes/small.yaml", "--at", "1000s", "-o", "late.png"}).exit_code, 2);
   EXPECT_FALSE(std::filesystem::exists(folder_ / "late.png"));
 }

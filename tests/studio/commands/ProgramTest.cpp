@@ -257,6 +257,7 @@ TEST_F(ProgramTest, CheckTellsAllMistakesAsJson) {
   const ProgramEnd end = run({"check", "--json", "small.yaml", "bad.yaml"});
   EXPECT_EQ(end.exit_code, 2);
   const nlohmann::json result = nlohmann::json::parse(end.output);
+  EXPECT_EQ(result.value("exit_code", -1), 2);
   EXPECT_EQ(result["scenarios"][0]["good"], true);
   EXPECT_FALSE(result["scenarios"][0]["notes"].empty()) << "of the surface that was made";
   EXPECT_EQ(result["scenarios"][1]["good"], false);

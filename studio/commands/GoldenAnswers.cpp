@@ -1,0 +1,80 @@
+#include "studio/commands/GoldenAnswers.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "studio/commands/ExitCode.hpp"
+
+namespace thinwall {
+
+using Json = nlohmann::ordered_json;
+
+void print_result(const JudgedScenario& judged, std::size_t index) {
+  const GoldenResult& result = judged.results[index];
+  fmt::print(stderr, "{}: {} {}{}{}{}\n", outcome_name(result.outcome), result.scenario, moment_name(result),
+             result.message.empty() ? "" : ": ", result.message, judged.from_cache ? " (unchanged since)" : "");
+  if (judged.attributions[index]) fmt::print(stderr, "  cause: {}\n", judged.attributions[index]->sentence);
+  if (!result.details.empty()) fmt::print(stderr, "{}\n", result.details);
+}
+
+Json golden_as_json(const JudgedScenario& judged, std::size_t index) {
+  const GoldenResult& result = judged.results[index];
+  Json json = {{"scenario", result.scenario},
+               {"at_s", result.is_video || result.is_scenario ? Json() : Json(result.at)},
+               {"video", result.is_video},
+               {"outcome", outcome_name(result.outcome)},
+               {"rung", result.rung},
+               {"largest", result.difference.largest},
+               {"mean", result.difference.mean},
+               {"drift", result.drift.largest()},
+               {"failing_fraction", result.difference.failing_fraction},
+               {"state", result.state.explanation},
+               {"driver", result.driver},
+               {"golden_driver", result.golden_driver},
+               {"message", result.message},
+               {"from_cache", judged.from_cache}};
+  if (result.is_video) json["different_frames"] = result.different_frames;
+  if (result.failing) json["failing_by_limits"] = *result.failing;
+  if (result.similarity) json["ssim"] = *result.similarity;
+  if (result.flip) json["flip"] = *result.flip;
+  if (const std::optional<Attribution>& attribution = judged.attributions[index]) {
+    json["changed"] = stage_name(attribution->stage);
+    json["cause"] = attribution->sentence;
+    if (attribution->history.changed) {
+      json["first_step"] = attribution->history.step;
+      json["first_time_s"] = attribution->history.time;
+      json["quantity"] = attribution->history.quantity;
+      json["before"] = attribution->history.before;
+      json["after"] = attribution->history.after;
+    }
+  }
+  return json;
+}
+
+int exit_code(const GoldenResult& result) {
+  switch (result.outcome) {
+    case GoldenOutcome::kOk:
+      return kExitGood;
+    case GoldenOutcome::kBroken:
+      return kExitBadInput;
+    case GoldenOutcome::kSkipped:
+      return kExitNoPicture;
+    case GoldenOutcome::kResultMissing:
+      return result.cannot_be_made ? kExitNoPicture : kExitRegression;
+    case GoldenOutcome::kFailed:
+    case GoldenOutcome::kGoldenMissing:
+      break;
+  }
+  return kExitRegression;
+}
+
+int worse_exit_code(int first, int second) {
+  for (const int code : {kExitBadInput, kExitRegression, kExitNoPicture}) {
+    if (first == code || second == code) return code;
+  }
+  return kExitGood;
+}
+
+}  // namespace thinwall

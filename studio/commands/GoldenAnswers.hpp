@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json_fwd.hpp>
+
+#include "studio/golden/GoldenRun.hpp"
+
+namespace thinwall {
+
+// What the golden commands say of a golden that has been judged.
+
+/// Outcome, cause and details on standard error.
+void print_result(const JudgedScenario& judged, std::size_t index);
+
+/// The same and all figures, as an object.
+nlohmann::ordered_json golden_as_json(const JudgedScenario& judged, std::size_t index);
+
+/// What one golden gives. Nothing was compared where it is skipped, which is no success.
+int exit_code(const GoldenResult& result);
+
+/// Of two goldens': what is to be mended first. A regression is one, whatever else could not be made.
+int worse_exit_code(int first, int second);
+
+}  // namespace thinwall
