@@ -211,6 +211,12 @@ class SchemaReader {
     return allowed;
   }
 
+  /// The "5 mm" of `{ depth: 6,5 mm }`.
+  static bool is_after_decimal_comma(const TextNode& node, const TextMember& member) {
+    const bool is_first = &member == &node.members.front();
+    return !is_first && member.value.kind == NodeKind::kEmpty && member.key.find_first_of("0123456789") == 0;
+  }
+
   void check_key(const MappingSchema& schema, AllowedKeys& allowed, const TextNode& node, const TextMember& member,
                  const ValuePlace& place) {
     const auto is_it = [&](const KeySchema* key) { return key->key == member.key; };
@@ -219,7 +225,10 @@ class SchemaReader {
     if (allowed.case_is_known) {
       // After a wrong word, which is told already, the keys that belong to the right one are not known.
       const std::string nearest = nearest_word(member.key, words_of(allowed));
-      diagnostics_.error(member.location, path, "unknown key" + hint(schema, allowed, member.key, nearest));
+      const bool is_decimals = is_after_decimal_comma(node, member);
+      diagnostics_.error(member.location, path,
+                         "unknown key" + (is_decimals ? ": commas part keys, decimals take a point"
+                                                      : hint(schema, allowed, member.key, nearest)));
       if (!nearest.empty() && node.find(nearest) == nullptr) allowed.misspelled.push_back(nearest);
     }
   }
