@@ -45,6 +45,22 @@ std::size_t line_before(const std::vector<std::string>& lines) {
   return 0;
 }
 
+/// What stands in a line from a column on, which is counted from 1 in characters.
+std::string_view from_column(std::string_view line, int column) {
+  const auto is_first_byte = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0) != 0x80; };
+  for (std::size_t at = 0; at < line.size(); ++at) {
+    if (is_first_byte(line[at]) && --column == 0) return line.substr(at);
+  }
+  return "";
+}
+
+std::string advice_for_an_alias(std::string_view alias) {
+  const std::string_view name = alias.substr(0, alias.find_first_of(" ,]}")).substr(1);
+  constexpr const char* kWords =
+      "; `*{0}` stands for what `&{0}` marks before it; a text that begins with `*` needs quotation marks around it";
+  return fmt::format(kWords, name);
+}
+
 std::string advice_for_a_colon(const std::vector<std::string>& lines, int column) {
   const std::string& line = lines.back();
   const std::size_t colon = key_colon(line);
@@ -74,7 +90,17 @@ std::string advice_for_indentation(const std::vector<std::string>& lines) {
 std::string yaml_advice(const std::string& text, int line, int column, std::string_view parser_message) {
   const std::vector<std::string> lines = first_lines(text, line);
   if (lines.empty()) return "";
+  const std::string_view rest = from_column(lines.back(), column);
   if (parser_message == "illegal map value") return advice_for_a_colon(lines, column);
+  if (parser_message == "the referenced anchor is not defined" && rest.starts_with('*')) {
+    return advice_for_an_alias(rest);
+  }
+  if (parser_message == "unknown token" && !rest.empty()) {
+    return fmt::format("; a text that begins with `{}` needs quotation marks around it", rest[0]);
+  }
+  if (parser_message == "illegal flow end" && !rest.empty()) {
+    return fmt::format("; `{}` closes nothing that is open here: `{{` goes with `}}`, `[` with `]`", rest[0]);
+  }
   if (parser_message == "end of map flow not found") {
     return "; a `,` or `}` is missing before this, or a text with `{`, `}`, `,` or `${` in it has no quotation marks "
            "around it";

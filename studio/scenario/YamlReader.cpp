@@ -135,7 +135,7 @@ class NodeBuilder : public YAML::EventHandler {
   void refuse_tag(const YAML::Mark& mark, const std::string& tag) {
     // "?" and "!" are the parser's words for plain and quoted text without a tag.
     if (!tag.empty() && tag != "?" && tag != "!")
-      refuse(mark, "YAML tags such as " + in_backticks(tag) + " are not allowed");
+      refuse(mark, "YAML tags such as " + in_backticks(tag) + " are not allowed; leave it out");
   }
 
   void count(const YAML::Mark& mark, std::size_t nodes) {

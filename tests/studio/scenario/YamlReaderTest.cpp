@@ -125,6 +125,14 @@ TEST(YamlReader, WhereTheParserGivesUpTheLikelyCureIsTold) {
       first_error("a:\n    b: 1\n  c: 2\n"),
       "3:3: this is no YAML: end of map not found; keys of one mapping begin in the same column, and each item of "
       "a list begins with `- `");
+  EXPECT_EQ(first_error("a: { b: é, c: *thin }\n"),
+            "1:15: this is no YAML: the referenced anchor is not defined; `*thin` stands for what `&thin` marks before "
+            "it; a text that begins with `*` needs quotation marks around it");
+  EXPECT_EQ(first_error("a: @home\n"),
+            "1:4: this is no YAML: unknown token; a text that begins with `@` needs quotation marks around it");
+  EXPECT_EQ(first_error("a: { b: 1 ]\n"),
+            "1:11: this is no YAML: illegal flow end; `]` closes nothing that is open "
+            "here: `{` goes with `}`, `[` with `]`");
 }
 
 TEST(YamlReader, ASpaceThatIsNoneForYamlIsNamed) {
