@@ -1,8 +1,10 @@
 #include "studio/scenario/CutLint.hpp"
 
 #include <array>
+#include <optional>
 #include <string_view>
 
+#include "studio/scenario/CheckedReading.hpp"
 #include "studio/scenario/TextNode.hpp"
 #include "studio/schema/Quantity.hpp"
 #include "studio/schema/Wording.hpp"
@@ -69,13 +71,39 @@ void check_contents(const CheckedMember& body, Diagnostics& diagnostics) {
                       "has no effect on contents that do not leak");
 }
 
+/// The first clip of a verb that drives a tool: its number in the timeline from 0; none where there is none.
+std::optional<std::size_t> first_clip(const CheckedValue& timeline, std::string_view verb, const std::string& tool) {
+  for (std::size_t index = 0; index < timeline.items.size(); ++index) {
+    const CheckedValue& item = timeline.items[index];
+    if (item.members.empty() || item.members[0].key != verb) continue;
+    if (find_text(item.members[0].value, "tool") == tool) return index;
+  }
+  return std::nullopt;
+}
+
+/// A blade that is only moved looks as if it cut, and does not.
+void check_moved_edges(const CheckedValue& tools, const CheckedValue& timeline, Diagnostics& diagnostics) {
+  for (const CheckedMember& tool : tools.members) {
+    for (const CuttingVerb& verb : kVerbs) {
+      if (find_text(tool.value, "kind") != verb.tool || first_clip(timeline, verb.verb, tool.key)) continue;
+      const std::optional<std::size_t> moved = first_clip(timeline, "move", tool.key);
+      if (!moved) continue;
+      diagnostics.warning(timeline.items[*moved].members[0].location,
+                          member_path(item_path("timeline", *moved), "move"),
+                          in_backticks(tool.key) + " is a " + std::string(verb.tool) + " and no clip lets it " +
+                              std::string(verb.verb) + ": walls that it is moved into give way and stay whole");
+    }
+  }
+}
+
 }  // namespace
 
 void check_cuts(const CheckedValue& root, Diagnostics& diagnostics) {
   if (const CheckedValue* bodies = root.find("bodies")) {
     for (const CheckedMember& body : bodies->members) check_contents(body, diagnostics);
   }
-  const CheckedValue* timeline = root.find("timeline");
+  const CheckedValue *timeline = root.find("timeline"), *tools = root.find("tools");
+  if (timeline != nullptr && tools != nullptr) check_moved_edges(*tools, *timeline, diagnostics);
   for (std::size_t index = 0; timeline != nullptr && index < timeline->items.size(); ++index) {
     const CheckedValue& item = timeline->items[index];
     if (item.members.empty()) continue;

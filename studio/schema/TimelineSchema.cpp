@@ -153,7 +153,9 @@ MappingSchema incise() {
 MappingSchema move() {
   const std::string point = "[0, 0, 25 mm]";
   return clip(
-      "move", "Takes a tool from one place to another, through what stands in its way.",
+      "move",
+      "Takes a tool from one place to another, through what stands in its way. A needle or blade that is moved into a "
+      "wall dents it: `pierce` and `incise` let it in.",
       {kTool,
        {"body",
         name_value(),

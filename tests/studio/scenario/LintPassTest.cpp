@@ -192,6 +192,25 @@ TEST(LintPass, CutsNeedTheirToolAndAToughWall) {
   EXPECT_EQ(cut_errors("palpate: { tool: pin, body: organ, depth: 3 mm }", ""), Texts{});
 }
 
+TEST(LintPass, ABladeThatIsMovedAndNeverCutsIsTold) {
+  const auto warnings_of = [](const std::string& clips) {
+    const std::string text =
+        "thinwall: 1\ntools: { pin: { kind: needle }, blade: { kind: scalpel }, probe: { kind: point } }\ntimeline:\n" +
+        clips;
+    Diagnostics ignored, diagnostics;
+    lint_pass(unit_pass(parse_text(text, ignored), scenario_schema(), ignored), diagnostics);
+    return short_texts(diagnostics.warnings);
+  };
+  const std::string move_blade = "  - move: { tool: blade, to: [0, 0, 0] }\n";
+  EXPECT_EQ(warnings_of(move_blade + move_blade + "  - move: { tool: probe, to: [0, 0, 0] }\n"),
+            Texts{"4:5: timeline[1].move: `blade` is a scalpel and no clip lets it incise: walls that it is moved into "
+                  "give way and stay whole"});
+  EXPECT_EQ(warnings_of("  - move: { tool: pin, to: [0, 0, 0] }\n").size(), 1U);
+  EXPECT_EQ(warnings_of(move_blade +
+                        "  - incise: { tool: blade, body: organ, depth: 3 mm, path: [[0, 0, 0], [1 mm, 0, 0]] }\n"),
+            Texts{});
+}
+
 TEST(LintPass, ADischargeOfContentsThatDoNotLeakIsTold) {
   const auto warnings_of = [](const std::string& contents) {
     const std::string text = "thinwall: 1\nbodies: { organ: { surface: { shape: sphere }, contents: " + contents +
