@@ -87,6 +87,16 @@ std::vector<std::pair<const Legend*, Box>> placed_legends(const OverlayContent& 
   return placed;
 }
 
+/// Gives the end of what is free for the title, which is one for all frames: its letters do not change with the badge.
+int draw_time_and_badge(Image& image, const OverlayGrid& grid, const OverlayContent& content) {
+  int time_end = image.size.width;
+  if (content.shown.time) time_end = draw_time(image, grid, content.time, content.duration);
+  const int badge_end = time_end - grid.whole(8);
+  int end = time_end;
+  for (const std::string& badge : content.badges_to_come) end = std::min(end, left_of_badge(grid, badge, badge_end));
+  return content.badge.empty() ? end : std::min(end, draw_badge(image, grid, content.badge, badge_end));
+}
+
 }  // namespace
 
 OverlayGrid::OverlayGrid(ImageSize picture) : size(picture) {
@@ -133,9 +143,7 @@ std::vector<std::string> draw_overlay(Image& image, const OverlayContent& conten
   const auto legends = placed_legends(content, grid, inset);
   const FontUse use;
   const double peak = peak_of(content);
-  int end = image.size.width;  // of what is still free at the top
-  if (content.shown.time) end = draw_time(image, grid, content.time, content.duration);
-  if (!content.badge.empty()) end = draw_badge(image, grid, content.badge, end - grid.whole(8));
+  const int end = draw_time_and_badge(image, grid, content);
   std::vector<std::string> cut;
   if (!content.title.empty() && draw_title(image, grid, content.title, end - grid.whole(kMargin))) {
     cut.push_back(content.title);

@@ -45,9 +45,10 @@ struct OverlayContent {
   double time = 0;      // seconds
   double duration = 0;  // seconds, planned length of the whole
   std::string title;
-  std::string badge = {};  // how the time runs, "slow motion"; empty: as it does
-  std::string caption;     // empty: none
-  std::string phase;       // of the tool
+  std::string badge = {};                        // how the time runs, "slow motion"; empty: as it does
+  std::vector<std::string> badges_to_come = {};  // in other frames; the title leaves them room in this one, too
+  std::string caption;                           // empty: none
+  std::string phase;                             // of the tool
   std::string tool;
   double force = 0;                             // newton
   double expected_force = 1;                    // newton, by which the unit of forces is chosen: see force_unit()

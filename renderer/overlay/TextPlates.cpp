@@ -102,6 +102,19 @@ TextPlate caption_plate(const OverlayGrid& grid, const std::string& caption, con
   }
 }
 
+Text badge_text(const OverlayGrid& grid, const std::string& words) {
+  return {words, {.size = grid.pixels(15), .bold = true, .color = plate_style::kCurve}};
+}
+
+int badge_width(const OverlayGrid& grid, const Text& text) {
+  return static_cast<int>(std::ceil(text.width() + 2 * grid.pixels(plate_style::kPadding)));
+}
+
+/// At one place while times are short.
+int badge_left(const OverlayGrid& grid, int width, int right) {
+  return std::min(grid.size.width - grid.whole(plate_style::kMargin) - grid.whole(122), right) - width;
+}
+
 }  // namespace
 
 int draw_time(Image& image, const OverlayGrid& grid, double time, double duration) {
@@ -118,15 +131,16 @@ int draw_time(Image& image, const OverlayGrid& grid, double time, double duratio
   return left;
 }
 
+int left_of_badge(const OverlayGrid& grid, const std::string& words, int right) {
+  return badge_left(grid, badge_width(grid, badge_text(grid, words)), right);
+}
+
 int draw_badge(Image& image, const OverlayGrid& grid, const std::string& words, int right) {
-  const Text text(words, {.size = grid.pixels(15), .bold = true, .color = plate_style::kCurve});
-  const double padding = grid.pixels(plate_style::kPadding);
-  const Plate plate(grid, {static_cast<int>(std::ceil(text.width() + 2 * padding)), grid.whole(32)});
-  text.draw(plate, padding, 0.5 * (plate.size().height - text.height()));
-  const int margin = grid.whole(plate_style::kMargin);
-  // At one place while times are short.
-  const int left = std::min(image.size.width - margin - grid.whole(122), right) - plate.size().width;
-  plate.blend_onto(image, left, margin + grid.whole(4));
+  const Text text = badge_text(grid, words);
+  const Plate plate(grid, {badge_width(grid, text), grid.whole(32)});
+  text.draw(plate, grid.pixels(plate_style::kPadding), 0.5 * (plate.size().height - text.height()));
+  const int left = badge_left(grid, plate.size().width, right);
+  plate.blend_onto(image, left, grid.whole(plate_style::kMargin) + grid.whole(4));
   return left;
 }
 

@@ -13,6 +13,9 @@ int draw_time(Image& image, const OverlayGrid& grid, double time, double duratio
 /// A few words before `right` (pixels), left of the time, as "slow motion"; gives the plate's left edge in pixels.
 int draw_badge(Image& image, const OverlayGrid& grid, const std::string& words, int right);
 
+/// The same edge, without drawing.
+int left_of_badge(const OverlayGrid& grid, const std::string& words, int right);
+
 /// The title, top left, before `right` (pixels): the longer, the smaller, and cut with an ellipsis at last. Gives
 /// whether a part of it is not shown.
 bool draw_title(Image& image, const OverlayGrid& grid, const std::string& title, int right);

@@ -37,7 +37,7 @@ class FramesInOrder {
   FramesInOrder(const Scenario& scenario, ImageSize size)
       : source_(simulate_scenario(scenario)),
         composer_(scenario.title, scenario.overlays, scenario.view, scenario.teaching.annotations,
-                  {size, planned_work(scenario.resolved)}) {}
+                  {size, planned_work(scenario.resolved), VideoScript(scenario.teaching).badges()}) {}
 
   /// Nothing when the scenario ends before.
   std::optional<Frame> at(double time) {

@@ -10,6 +10,7 @@
 #include "renderer/image/Resize.hpp"
 #include "studio/recorder/FrameComposer.hpp"
 #include "studio/recorder/Interruption.hpp"
+#include "studio/recorder/VideoScript.hpp"
 
 namespace thinwall {
 namespace {
@@ -93,8 +94,9 @@ GoldenPictures golden_pictures(const Scenario& scenario, const SourceFactory& so
   std::string ending;
   try {
     const std::unique_ptr<MomentSource> source = sources(scenario);
-    FrameComposer composer(scenario.title, scenario.overlays, scenario.view, scenario.teaching.annotations,
-                           {golden_size(scenario.record.size), planned_work(scenario.resolved)});
+    FrameComposer composer(
+        scenario.title, scenario.overlays, scenario.view, scenario.teaching.annotations,
+        {golden_size(scenario.record.size), planned_work(scenario.resolved), VideoScript(scenario.teaching).badges()});
     double end = 0;
     GoldenHistory history;
     std::size_t step = 0;

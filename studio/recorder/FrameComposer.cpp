@@ -205,6 +205,7 @@ OverlayContent FrameComposer::overlay(const Snapshot& snapshot) const {
   content.caption = text_at(snapshot.time, later_->captions);
   content.shown = choice_;
   content.legend = legend_;
+  content.badges_to_come = planned_.badges;
   const SnapshotTool* tool = shown_tool(snapshot);
   content.pressure = shown_pressure(snapshot, tool);
   if (tool == nullptr) {

@@ -32,13 +32,14 @@ struct Frame {
 struct PlannedPicture {
   ImageSize size = {1280, 720};
   std::vector<PlannedWork> work = {};
+  std::vector<std::string> badges = {};  // that frames of the video have
 };
 
 /// Makes frames at any time from moments in order: the moment between its two neighbours, and the overlays as of then.
 /// Depends on the moments alone, so a frame is the same in a run, from its take and as a still.
 class FrameComposer {
  public:
-  /// `planned`: by which corners of insets and legends are chosen.
+  /// `planned`: by which corners of insets and legends and the room of the title are chosen.
   FrameComposer(std::string title, const OverlayChoice& choice, const ViewDefinition& view = {},
                 const AnnotationDefinition& annotations = {}, PlannedPicture planned = {});
 

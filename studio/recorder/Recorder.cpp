@@ -301,7 +301,7 @@ void Pipeline::render() {
   has_painter_ = true;
   stages_changed_.notify_all();
   FrameComposer composer(plan_.description.title, plan_.overlays, plan_.view, plan_.teaching.annotations,
-                         {plan_.size, planned_work(plan_.description.resolved)});
+                         {plan_.size, planned_work(plan_.description.resolved), script_.badges()});
   std::size_t frame = 0;
   std::optional<double> end;
   const auto cue_now = [&] { return script_.at(static_cast<double>(frame) / plan_.frames_per_second, end); };

@@ -28,11 +28,19 @@ std::string badge_of(double speed) {
   return fmt::format("{} \u00d7{:.3g}", speed < 1 ? "Slow motion" : "Time lapse", speed);
 }
 
+/// Title cards, which cover the badge, apart.
+std::vector<double> speeds_of(const Teaching& teaching) {
+  std::vector<double> speeds(teaching.freezes.size(), 0.0);
+  for (const SlowMotion& slow : teaching.slow_motions) speeds.push_back(slow.speed);
+  return speeds;
+}
+
 }  // namespace
 
 VideoScript::VideoScript(const Teaching& teaching)
     : title_card_(teaching.title_card),
       end_card_(teaching.end_card),
+      speeds_(speeds_of(teaching)),
       clock_(with_title(teaching.freezes, teaching.title_card), teaching.slow_motions) {}
 
 std::optional<VideoCue> VideoScript::at(double video_time, std::optional<double> end) const {
@@ -45,6 +53,15 @@ std::optional<VideoCue> VideoScript::at(double video_time, std::optional<double>
   const double since = video_time - clock_.last_shown(*end);
   if (!end_card_ || since >= end_card_->duration) return std::nullopt;
   return VideoCue{.simulation = *end, .card = card_of(*end_card_, since)};
+}
+
+std::vector<std::string> VideoScript::badges() const {
+  std::vector<std::string> badges;
+  for (const double speed : speeds_) {
+    const std::string badge = badge_of(speed);
+    if (!badge.empty() && std::ranges::find(badges, badge) == badges.end()) badges.push_back(badge);
+  }
+  return badges;
 }
 
 }  // namespace thinwall

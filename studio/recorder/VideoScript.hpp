@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "renderer/annotation/Card.hpp"
 #include "studio/recorder/VideoClock.hpp"
@@ -27,12 +28,16 @@ class VideoScript {
   /// nothing is shown when all is over then.
   std::optional<VideoCue> at(double video_time, std::optional<double> end = {}) const;
 
+  /// All badges that frames have at some time, each once.
+  std::vector<std::string> badges() const;
+
   const VideoClock& clock() const { return clock_; }
   double title_duration() const { return title_card_ ? title_card_->duration : 0; }  // seconds
 
  private:
   std::optional<CardScenario> title_card_;
   std::optional<CardScenario> end_card_;
+  std::vector<double> speeds_;  // of freezes and slow motions
   VideoClock clock_;
 };
 

@@ -254,6 +254,27 @@ TEST(Overlay, ALongTitleEndsBeforeTheBadge) {
   }
 }
 
+TEST(Overlay, TheTitleIsTheSameWithAndWithoutTheBadge) {
+  const auto title_part = [](const std::string& badge) {
+    constexpr ImageSize kHigh{720, 1280};
+    OverlayContent content = nothing();
+    content.shown.time = true;
+    content.title = "Puncture of the gallbladder, seen from near";
+    content.badges_to_come = {"Paused", "Slow motion \u00d70.25"};
+    content.badge = badge;
+    const Image image = overlaid(content, kHigh);
+    const int width = 392;  // left of the widest badge
+    std::vector<std::uint8_t> part;
+    for (int y = 0; y < 80; ++y) {
+      const auto row = image.pixels.begin() + 3 * static_cast<std::ptrdiff_t>(y) * kHigh.width;
+      part.insert(part.end(), row, row + 3 * width);
+    }
+    return part;
+  };
+  EXPECT_TRUE(title_part("") == title_part("Slow motion \u00d70.25"));
+  EXPECT_TRUE(title_part("") == title_part("Paused"));
+}
+
 TEST(Overlay, LeavesAnInsetAsItIs) {
   struct Place {
     ImageSize size;

@@ -173,6 +173,17 @@ TEST_F(ProgramGLTest, GroundTruthOfAStillIsThatOfTheRecordingsFrameInFreezesAndA
   }
 }
 
+TEST_F(ProgramGLTest, AStillBeforeAFreezeHasTheTitleOfTheRecording) {
+  std::string text = small_scenario() + "teaching: { freezes: [ { at: 80 ms, for: 50 ms } ] }\n";
+  const std::string title = "A small hemisphere";
+  text.replace(text.find(title), title.size(),
+               title + " whose title reaches to the time where no badge comes before it");
+  write_bytes(folder_ / "taught.yaml", text);
+  expect_good({"run", "taught.yaml", "--no-video", "--out", "run"});
+  expect_good({"still", "taught.yaml", "--at", "40 ms", "-o", "still.png"});
+  EXPECT_EQ(image_hash(read_png(folder_ / "still.png")), manifest("run")["frame_hashes"][1]);
+}
+
 TEST_F(ProgramGLTest, ATakeShowsItsNumbersInColorsWithTheRangeOfTheWhole) {
   write_bytes(folder_ / "cut.yaml", incision_scenario());
   expect_good({"run", "cut.yaml", "--no-render", "--out", "run"});

@@ -116,6 +116,20 @@ TEST(RecorderTest, AFreezeHoldsThePictureAndCardsComeBeforeAndAfter) {
   EXPECT_NE(report.frame_hashes.back(), as_it_is.frame_hashes.back()) << "the end card";
 }
 
+TEST(RecorderTest, ALongTitleLeavesTheBadgeRoomBeforeItIsThere) {
+  const TemporaryFolder folder;
+  SyntheticRun plain, taught;
+  RecordingPlan plan = plan_for(folder / "plain");
+  plan.size = {640, 360};
+  plan.description.title =
+      "A title that reaches to the time of the frame where nothing else has to stand between the two of them";
+  const RecordingReport as_it_is = record(plain, plan, flat_painters());
+  plan.folder = folder / "taught";
+  plan.teaching.freezes = {{.at = 0.1, .duration = 0.5}};
+  const RecordingReport report = record(taught, plan, flat_painters());
+  EXPECT_NE(report.frame_hashes[0], as_it_is.frame_hashes[0]);
+}
+
 TEST(RecorderTest, TheSameRunGivesTheSameFiles) {
   const TemporaryFolder folder;
   for (const char* name : {"one", "two"}) {

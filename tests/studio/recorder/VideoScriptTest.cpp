@@ -32,6 +32,15 @@ TEST(VideoScript, SaysThatTheTimeDoesNotRunAsItDoes) {
   EXPECT_EQ(script.at(8)->badge, "");
 }
 
+TEST(VideoScript, TellsTheBadgesOfAllFramesEachOnce) {
+  Teaching lesson = scripted_lesson();
+  lesson.freezes.push_back({.at = 3, .duration = 1});
+  EXPECT_EQ(VideoScript(lesson).badges(), (std::vector<std::string>{"Paused", "Slow motion \u00d70.5"}));
+  lesson.freezes.clear();
+  lesson.slow_motions = {{.begin = 1, .end = 2, .speed = 1}};
+  EXPECT_TRUE(VideoScript(lesson).badges().empty()) << "a title card covers it, and a speed of 1 has none";
+}
+
 TEST(VideoScript, AllFramesOfAFreezeAreTheSame) {
   const VideoScript script(scripted_lesson());
   EXPECT_EQ(*script.at(4.1), *script.at(5.9));
