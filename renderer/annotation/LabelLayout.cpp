@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace thinwall {
 namespace {
@@ -117,15 +118,49 @@ double left_of(const LabelWish& wish, const LabelRoom& room, double top) {
   return std::max(room.bounds.x, std::min(left, room.bounds.right() - wish.width));
 }
 
+/// How far the bounds press a label that is level with its anchor over that: from 0, where a gap is between them, to 1.
+double pressed_part(const LabelWish& wish, const LabelRoom& room) {
+  if (wish.place != LabelPlace::kBeside) return 0;
+  const double left = left_of(wish, room, wish.anchor[1] - 0.5 * wish.height);
+  const double between = wish.on_the_left ? wish.anchor[0] - left - wish.width : left - wish.anchor[0];
+  return std::clamp(1 - between / room.gap, 0.0, 1.0);
+}
+
 /// Level with its anchor; where the bounds press it over the anchor, above or below, on its way there from a gap
 /// before.
 double wanted_top(const LabelWish& wish, const LabelRoom& room) {
-  const double level = wish.anchor[1] - 0.5 * wish.height;
-  const double left = left_of(wish, room, level);
-  const double between = wish.on_the_left ? wish.anchor[0] - left - wish.width : left - wish.anchor[0];
-  const double part = std::clamp(1 - between / room.gap, 0.0, 1.0);
-  const double whole = 0.5 * (wish.height + room.distance);
-  return wish.upwards ? level - part * whole : level + part * whole;
+  const double way = pressed_part(wish, room) * 0.5 * (wish.height + room.distance);
+  return wish.anchor[1] - 0.5 * wish.height + (wish.upwards ? -way : way);
+}
+
+/// How far a label stays above or below an anchor that it is pressed over.
+double clearance(const LabelRoom& room) {
+  return 0.25 * room.distance;
+}
+
+/// Pushes pressed labels that stand below their anchors down, and those that stand above up, so far that others of
+/// their stack do not bring them back over their anchors.
+void clear_anchors(std::vector<double>& tops, const std::vector<double>& heights, const std::vector<LabelWish>& wishes,
+                   const LabelRoom& room) {
+  const auto yielded = [&](const LabelWish& wish, double part) {
+    return (1 - part) * (wish.height + 2 * clearance(room));
+  };
+  double lowest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = tops.size(); i-- > 0;) {
+    const double part = wishes[i].upwards ? pressed_part(wishes[i], room) : 0;
+    const double clear = wishes[i].anchor[1] - clearance(room) - wishes[i].height;
+    if (part > 0) tops[i] = std::min(tops[i], clear + yielded(wishes[i], part));
+    tops[i] = std::min(tops[i], lowest - heights[i]);
+    lowest = tops[i];
+  }
+  double highest = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < tops.size(); ++i) {
+    const double part = wishes[i].upwards ? 0 : pressed_part(wishes[i], room);
+    const double clear = wishes[i].anchor[1] + clearance(room);
+    if (part > 0) tops[i] = std::max(tops[i], clear - yielded(wishes[i], part));
+    tops[i] = std::max(tops[i], highest);
+    highest = tops[i] + heights[i];
+  }
 }
 
 /// Those above and below the walls one by one away from them.
@@ -142,6 +177,64 @@ std::vector<double> wanted_tops(const std::vector<LabelWish>& wishes, const Labe
   return tops;
 }
 
+/// The heights that what is taken leaves to the labels of a side.
+Box bounds_of_side(const std::vector<LabelWish>& side, const LabelRoom& room) {
+  double widest = 0;
+  for (const LabelWish& wish : side) widest = std::max(widest, wish.width);
+  Box bounds = room.bounds;
+  for (const Box& taken : room.taken) {
+    if (is_side_taken(taken, room, side.front().on_the_left, widest)) bounds = free_heights(bounds, taken, room.gap);
+  }
+  return bounds;
+}
+
+std::vector<Box> lay_out_side(const std::vector<LabelWish>& side, const LabelRoom& room) {
+  std::vector<double> heights;
+  for (const LabelWish& wish : side) heights.push_back(wish.height + room.gap);
+  std::vector<double> tops = spread(wanted_tops(side, room), heights);
+  clear_anchors(tops, heights, side, room);
+  keep_inside(tops, heights, room.gap, bounds_of_side(side, room));
+  std::vector<Box> boxes;
+  for (std::size_t i = 0; i < side.size(); ++i) {
+    boxes.push_back({left_of(side[i], room, tops[i]), tops[i], side[i].width, side[i].height});
+  }
+  return boxes;
+}
+
+bool covers(const Box& box, PixelPoint anchor, double margin) {
+  return anchor[0] > box.x - margin && anchor[0] < box.right() + margin && anchor[1] > box.y - margin &&
+         anchor[1] < box.bottom() + margin;
+}
+
+/// Anchors of the side under its labels, pairs.
+int count_covered(const std::vector<LabelWish>& side, const std::vector<Box>& boxes, const LabelRoom& room) {
+  int count = 0;
+  for (const Box& box : boxes) {
+    for (const LabelWish& wish : side) count += covers(box, wish.anchor, 0.5 * clearance(room));
+  }
+  return count;
+}
+
+/// Where a label covers its anchor all the same, as near a bound, it goes to the other side of that, up or down, when
+/// fewer are covered then.
+std::vector<Box> lay_out_clear_of_anchors(std::vector<LabelWish> side, const LabelRoom& room) {
+  std::vector<Box> boxes = lay_out_side(side, room);
+  int fewest = count_covered(side, boxes, room);
+  for (std::size_t i = 0; i < side.size() && fewest > 0; ++i) {
+    if (pressed_part(side[i], room) == 0) continue;
+    side[i].upwards = !side[i].upwards;
+    std::vector<Box> turned = lay_out_side(side, room);
+    const int now = count_covered(side, turned, room);
+    if (now < fewest) {
+      fewest = now;
+      boxes = std::move(turned);
+    } else {
+      side[i].upwards = !side[i].upwards;
+    }
+  }
+  return boxes;
+}
+
 }  // namespace
 
 std::vector<Box> lay_out_labels(const std::vector<LabelWish>& wishes, const LabelRoom& room) {
@@ -151,24 +244,12 @@ std::vector<Box> lay_out_labels(const std::vector<LabelWish>& wishes, const Labe
     for (std::size_t i = 0; i < wishes.size(); ++i) {
       if (wishes[i].on_the_left == on_the_left) members.push_back(i);
     }
+    if (members.empty()) continue;
     std::ranges::stable_sort(members, {}, [&](std::size_t i) { return wishes[i].place; });
     std::vector<LabelWish> side;
-    std::vector<double> heights;
-    double widest = 0;
-    for (const std::size_t i : members) {
-      side.push_back(wishes[i]);
-      heights.push_back(wishes[i].height + room.gap);
-      widest = std::max(widest, wishes[i].width);
-    }
-    Box bounds = room.bounds;
-    for (const Box& taken : room.taken) {
-      if (is_side_taken(taken, room, on_the_left, widest)) bounds = free_heights(bounds, taken, room.gap);
-    }
-    std::vector<double> tops = spread(wanted_tops(side, room), heights);
-    keep_inside(tops, heights, room.gap, bounds);
-    for (std::size_t k = 0; k < members.size(); ++k) {
-      boxes[members[k]] = {left_of(side[k], room, tops[k]), tops[k], side[k].width, side[k].height};
-    }
+    for (const std::size_t i : members) side.push_back(wishes[i]);
+    const std::vector<Box> laid_out = lay_out_clear_of_anchors(std::move(side), room);
+    for (std::size_t k = 0; k < members.size(); ++k) boxes[members[k]] = laid_out[k];
   }
   return boxes;
 }

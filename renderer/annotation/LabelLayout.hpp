@@ -36,10 +36,11 @@ struct LabelRoom {
 
 /// Places for labels, in their order: on each side one below the other in the order given, each as near to the height
 /// of its anchor as the others allow (least squares), and beside the obstacles at its height; where the bounds leave no
-/// room beside them, over them, above or below its anchor. On the side of a picture, which is wider than high, they
-/// stand above or below it, where there is more room, and beside it when they are too many; on the other side, and
-/// where a legend is, which is higher than wide, beside it. Those above and below the walls stand in rows there. Moves
-/// steadily when anchors and obstacles do, so labels do not jump from frame to frame.
+/// room beside them, over them, above or below its anchor, on the other side of it than it wishes where that leaves
+/// more anchors of its side free. On the side of a picture, which is wider than high, they stand above or below it,
+/// where there is more room, and beside it when they are too many; on the other side, and where a legend is, which is
+/// higher than wide, beside it. Those above and below the walls stand in rows there. Moves steadily when anchors and
+/// obstacles do, so labels do not jump from frame to frame, but where one would cover an anchor.
 std::vector<Box> lay_out_labels(const std::vector<LabelWish>& wishes, const LabelRoom& room);
 
 /// Beside the walls where the bounds leave room for it at the height of its anchor; else above or below them, on the

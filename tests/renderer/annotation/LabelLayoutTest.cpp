@@ -142,6 +142,49 @@ TEST(LabelLayout, ALabelThatIsPressedOverItsAnchorGetsThereSteadily) {
   }
 }
 
+/// Whether any label covers a point that one of them points at, dot included.
+bool covers_a_point(const std::vector<LabelWish>& wishes, const std::vector<Box>& boxes) {
+  constexpr double kDot = 3;
+  for (const Box& box : boxes) {
+    for (const LabelWish& label : wishes) {
+      const auto [x, y] = label.anchor;
+      if (x > box.x - kDot && x < box.right() + kDot && y > box.y - kDot && y < box.bottom() + kDot) return true;
+    }
+  }
+  return false;
+}
+
+TEST(LabelLayout, StackedLabelsThatTheBoundsPressOverTheirAnchorsDoNotBringEachOtherBackOverThem) {
+  // As near the upper left corner of half a picture. Apart, each would stand 12 below its anchor; two so close
+  // together are 14 higher and lower.
+  std::vector<LabelWish> wishes = {wish(70, 120, true), wish(70, 130, true)};
+  for (LabelWish& wanted : wishes) wanted.upwards = false;
+  const LabelRoom room{.bounds = kLayoutBounds, .obstacles = disc(310), .gap = 8, .distance = 24};
+  const std::vector<Box> boxes = lay_out_labels(wishes, room);
+  EXPECT_FALSE(covers_a_point(wishes, boxes));
+  EXPECT_GE(boxes[1].y, boxes[0].bottom() + 8 - 1e-9);
+}
+
+TEST(LabelLayout, ALabelThatHasNoRoomAboveItsAnchorStandsBelowIt) {
+  // The way of a camera has brought the point of a low label up to the bound.
+  for (const double y : {65, 90}) {
+    const std::vector<LabelWish> wishes = {wish(70, y, true)};
+    const std::vector<Box> boxes =
+        lay_out_labels(wishes, {.bounds = kLayoutBounds, .obstacles = disc(310), .gap = 8, .distance = 24});
+    EXPECT_FALSE(covers_a_point(wishes, boxes)) << y;
+    EXPECT_NEAR(boxes[0].y - y, 12, 1e-9);
+  }
+}
+
+TEST(LabelLayout, ALabelIsNotPressedOverThePointOfAnother) {
+  // The first would stand below its own point, where the other's is.
+  std::vector<LabelWish> wishes = {wish(70, 150, true), wish(60, 175, true)};
+  wishes[0].upwards = false;
+  wishes[1].upwards = false;
+  const LabelRoom room{.bounds = kLayoutBounds, .obstacles = disc(310), .gap = 8, .distance = 24};
+  EXPECT_FALSE(covers_a_point(wishes, lay_out_labels(wishes, room)));
+}
+
 /// Bounds higher than wide, with a disc as wide as they are but for 40 at each side.
 LabelRoom high_room() {
   LabelRoom room{.bounds = {180, -120, 280, 600}, .obstacles = disc(100), .gap = 8, .distance = 24};
