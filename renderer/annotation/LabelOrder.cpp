@@ -26,17 +26,19 @@ std::vector<LabelWish> ordered(const std::vector<LabelWish>& wishes, const std::
   return result;
 }
 
-int crossings_of(const std::vector<LabelMoment>& moments, const std::vector<std::size_t>& order, LabelRoom room) {
-  int crossings = 0;
+/// Over all moments: by each other, as where they cross, and by labels.
+int hidden_leaders_of(const std::vector<LabelMoment>& moments, const std::vector<std::size_t>& order, LabelRoom room) {
+  int hidden = 0;
   for (const LabelMoment& moment : moments) {
     const std::vector<LabelWish> wishes = ordered(moment.wishes, order);
     room.tools.clear();
     room.obstacles = moment.outline;
     std::tie(room.walls_top, room.walls_bottom) = heights_of(moment.outline);
     for (const LabelWish& wish : wishes) room.obstacles.push_back(wish.anchor);
-    crossings += count_crossings(wishes, lay_out_labels(wishes, room));
+    const std::vector<Box> boxes = lay_out_labels(wishes, room);
+    hidden += count_crossings(wishes, boxes) + count_leaders_under_labels(wishes, boxes);
   }
-  return crossings;
+  return hidden;
 }
 
 }  // namespace
@@ -70,6 +72,15 @@ int count_crossings(const std::vector<LabelWish>& wishes, const std::vector<Box>
   return crossings;
 }
 
+int count_leaders_under_labels(const std::vector<LabelWish>& wishes, const std::vector<Box>& boxes) {
+  int count = 0;
+  for (std::size_t i = 0; i < wishes.size(); ++i) {
+    const Leader leader = leader_of(wishes[i], boxes[i]);
+    for (std::size_t k = 0; k < boxes.size(); ++k) count += k != i && runs_through(leader, boxes[k]);
+  }
+  return count;
+}
+
 std::pair<double, double> heights_of(const std::vector<PixelPoint>& points) {
   if (points.empty()) return {0, 0};
   const auto [top, bottom] = std::ranges::minmax(points, {}, [](const PixelPoint& point) { return point[1]; });
@@ -97,14 +108,14 @@ std::vector<std::size_t> order_of_labels(const std::vector<LabelMoment>& moments
     for (std::size_t i = 0; i < order.size(); ++i) heights[i] += moment.wishes[i].anchor[1];
   }
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return heights[i]; });
-  int fewest = crossings_of(moments, order, room);
-  // Each swap that stays leaves fewer crossings, so this ends.
+  int fewest = hidden_leaders_of(moments, order, room);
+  // Each swap that stays leaves fewer hidden, so this ends.
   for (bool changes = fewest > 0; changes;) {
     changes = false;
     for (std::size_t i = 0; i < order.size(); ++i) {
       for (std::size_t k = i + 1; k < order.size(); ++k) {
         std::swap(order[i], order[k]);
-        const int now = crossings_of(moments, order, room);
+        const int now = hidden_leaders_of(moments, order, room);
         if (now < fewest) {
           fewest = now;
           changes = true;

@@ -22,6 +22,9 @@ bool runs_through(const Leader& leader, const Box& box);
 /// How many pairs of leaders cross or touch.
 int count_crossings(const std::vector<LabelWish>& wishes, const std::vector<Box>& boxes);
 
+/// How often a leader runs through the box of another label, which covers it.
+int count_leaders_under_labels(const std::vector<LabelWish>& wishes, const std::vector<Box>& boxes);
+
 /// The same labels as at other moments, and what they stand beside then.
 struct LabelMoment {
   std::vector<LabelWish> wishes = {};
@@ -35,9 +38,9 @@ std::vector<PixelPoint> outline_of(const std::vector<PixelPoint>& points, double
 /// Of the uppermost and of the lowest of the points; 0 where there are none.
 std::pair<double, double> heights_of(const std::vector<PixelPoint>& points);
 
-/// The order, from above, in which labels are laid out so that over `moments` as few leaders cross as swaps of two can
-/// reach; without need that of their mean heights. It holds for all moments, so that labels do not change places while
-/// they are shown. `room`: its bounds count, not its obstacles.
+/// The order, from above, in which labels are laid out so that over `moments` as few leaders cross or run under other
+/// labels as swaps of two can reach; without need that of their mean heights. It holds for all moments, so that labels
+/// do not change places while they are shown. `room`: its bounds count, not its obstacles.
 std::vector<std::size_t> order_of_labels(const std::vector<LabelMoment>& moments, const LabelRoom& room);
 
 }  // namespace thinwall

@@ -88,6 +88,21 @@ TEST(LabelOrder, NoneCrossWhereLabelsStandBesideAWideOrgan) {
   EXPECT_EQ(crossings(wishes, order, room), 0);
 }
 
+TEST(LabelOrder, LeavesTheHeightsWhereALeaderWouldRunUnderAnotherLabel) {
+  // In rows below the walls: over the second row, which is nearer to its point, lies a long label of a point farther
+  // to the right.
+  std::vector<LabelWish> wishes = {wish_to_order(300, 150, true), wish_to_order(200, 160, true)};
+  wishes[0].width = 200;
+  for (LabelWish& wish : wishes) wish.place = LabelPlace::kBelow;
+  LabelRoom room = kRoom;
+  room.walls_bottom = 200;
+  const std::vector<PixelPoint> walls = {{320, 100}, {320, 200}};
+  EXPECT_EQ(count_leaders_under_labels(wishes, lay_out_labels(wishes, room)), 1);
+  EXPECT_EQ(order_of_labels({{.wishes = wishes, .outline = walls}}, room), (std::vector<std::size_t>{1, 0}));
+  const std::vector<LabelWish> swapped = {wishes[1], wishes[0]};
+  EXPECT_EQ(count_leaders_under_labels(swapped, lay_out_labels(swapped, room)), 0);
+}
+
 TEST(LabelOrder, AnOutlineKeepsTheEndsOfEachRow) {
   EXPECT_EQ(outline_of({{5, 1}, {9, 2}, {7, 3}, {1, 9}, {4, 12}}, 8),
             (std::vector<PixelPoint>{{5, 1}, {9, 2}, {1, 9}, {4, 12}}));
