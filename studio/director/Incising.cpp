@@ -87,7 +87,10 @@ std::optional<Cut> incise(IncisionPlan& plan, Body& body, const BladeStep& step)
   // The last bit of the path is cut once, as well as the triangles allow; what is left then would only turn back.
   const double length = plan.path.length();
   if (plan.progress(step.begin) >= length) return std::nullopt;
-  return body.follow_blade(step.tool, step.after, plan.progress(step.end) < length);
+  // In the step in which it turns back it has been there before it has gone out.
+  std::vector<ToolPose> in_wall(step.after.begin(), step.after.end());
+  in_wall[tool] = plan.pose_below(plan.progress(step.end));
+  return body.follow_blade(step.tool, in_wall, plan.progress(step.end) < length);
 }
 
 std::optional<Cut> run_ahead(const IncisionPlan& plan, Body& body, const BladeStep& step) {

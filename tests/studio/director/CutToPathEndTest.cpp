@@ -1,0 +1,47 @@
+// Incisions whose path ends between two time steps.
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+
+#include "studio/director/ScenarioRun.hpp"
+
+namespace thinwall {
+namespace {
+
+/// Metres that a fast blade, which is out of the wall at the end of the step in which its path ends, cuts of a path of
+/// 20.85 mm in a sheet with edges of 1.2 mm. `hold`: seconds at the path's end.
+double length_of_cut(double hold) {
+  BodyScenario sheet{.name = "skin",
+                     .surface = ShapeSource{.shape = Shape::kSheet, .length = 0.04, .width = 0.04, .triangles = 2400},
+                     .thickness = {.standard = 1e-3},
+                     .material = {.law = find_wall_law("neo_hookean"), .parameters = {100e3}}};
+  sheet.toughness = Field<double>{.standard = 10};
+  sheet.fluid.kind = FluidKind::kNone;
+  sheet.fixed = {{.region = BoundaryRegion{}}};
+  Scenario scenario{.name = "test", .title = "test"};
+  scenario.bodies = {sheet};
+  scenario.tools = {{.name = "blade", .kind = ToolKind::kScalpel, .length = 0.01, .width = 1e-3, .thickness = 2e-4}};
+  // At the path after 10 ms, at its end after 149 ms, and 0.15 mm on its way out after 150 ms.
+  scenario.timeline = {{.action = InciseClip{.tool = "blade",
+                                             .body = "skin",
+                                             .path = {{-0.01, 3e-4, 0}, {0.01085, 3e-4, 0}},
+                                             .direction = -Eigen::Vector3d::UnitZ(),
+                                             .depth = 1e-4,
+                                             .speed = 0.15,
+                                             .hold = hold,
+                                             .standoff = 1.4e-3}}};
+  scenario.simulation = {.analysis = Analysis::kQuasiStatic, .time_step = 0.01};
+  ScenarioRun run(scenario);
+  while (run.step()) continue;
+  return run.record().bodies.at(0).cut_length;
+}
+
+TEST(CutToPathEnd, IsMadeAlsoWhereTheBladeGoesOutOfTheWallInTheSameStep) {
+  const double with_rest_at_end = length_of_cut(0.02);
+  EXPECT_NEAR(with_rest_at_end, 0.02085, 6e-4);  // to half an edge: cuts end at vertices
+  EXPECT_EQ(length_of_cut(0), with_rest_at_end);
+}
+
+}  // namespace
+}  // namespace thinwall
