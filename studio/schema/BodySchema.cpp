@@ -144,8 +144,9 @@ ValueSchema wall_value() {
        field_schema(usually(quantity_value(kForcePerLength, kAboveZero, "0.4 kJ/m^2"), kUsualToughness)),
        false,
        {},
-       "energy per new cut area, which is thickness times length of the cut; where a tense wall "
-       "releases more, cuts run ahead of the blade; a wall without it cannot be cut or pierced"});
+       "energy per new cut area, which is thickness times length of the cut on the given surface, also where "
+       "that has a `prestretch`; where a tense wall releases more, cuts run ahead of the blade; a wall without it "
+       "cannot be cut or pierced"});
   wall.keys.push_back({"viscosity", list_value(mapping_value({prony_term()})), false, "[]",
                        "Prony series of quasi-linear viscoelasticity; the fractions add up to less than 1"});
   wall.keys.push_back({"damping", mapping_value({damping()}), false, "{}", "Rayleigh damping"});

@@ -84,7 +84,9 @@ MappingSchema pierce() {
         "distance from the surface at which the needle starts and to which it goes back"},
        {"withdraw", boolean_value(), false, "true", "whether the needle goes back"}},
       " The wall dents, and gives way once it would give back more energy with a slit of the needle's width in it than "
-      "the slit costs (toughness times thickness times width). From then on it slides along the needle under the "
+      "the slit costs (toughness times thickness times width). The slit lies along the world's y, made "
+      "perpendicular to the direction, or across that where there is no room so. From then on the wall slides along "
+      "the needle under the "
       "tool's `friction` and lets nothing through; the puncture stays open when the needle has left. Where the body is "
       "less deep than `depth` the needle goes through its far wall too. A wall that is `fixed` cannot dent, so that no "
       "balance of energies says when it gives way: it gives way at once, the needle pays what the slit costs evenly "
