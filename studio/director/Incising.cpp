@@ -87,9 +87,9 @@ std::optional<Cut> incise(IncisionPlan& plan, Body& body, const BladeStep& step)
   // The last bit of the path is cut once, as well as the triangles allow; what is left then would only turn back.
   const double length = plan.path.length();
   if (plan.progress(step.begin) >= length) return std::nullopt;
-  // In the step in which it turns back it has been there before it has gone out.
   std::vector<ToolPose> in_wall(step.after.begin(), step.after.end());
-  in_wall[tool] = plan.pose_below(plan.progress(step.end));
+  // It has been at the path's end before it has gone out in this step.
+  if (plan.goes_out(step.end)) in_wall[tool] = plan.pose_below(length);
   return body.follow_blade(step.tool, in_wall, plan.progress(step.end) < length);
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "studio/director/Plan.hpp"
 #include "studio/director/ScenarioRun.hpp"
 #include "studio/scenario/InputError.hpp"
 #include "tests/studio/director/HeldBall.hpp"
@@ -9,7 +10,7 @@
 namespace thinwall {
 namespace {
 
-Scenario ball_scenario() {
+Scenario filled_ball_scenario() {
   return held_ball(80, 0.03);
 }
 
@@ -25,7 +26,7 @@ BodyRecord last_record(const Scenario& scenario, double until = 1e9) {
 
 TEST(FillPlan, WhatIsFilledInAddsUpWhateverTheStep) {
   // Steps of 30 ms do not end with clips of 100 ms.
-  Scenario scenario = ball_scenario();
+  Scenario scenario = filled_ball_scenario();
   scenario.timeline = {fill(2e-6), fill(-0.5e-6), {.action = WaitClip{0.2}}};
   const double start = ScenarioRun(scenario).record().bodies.at(0).fluid_volume;
   const BodyRecord record = last_record(scenario);
@@ -34,7 +35,7 @@ TEST(FillPlan, WhatIsFilledInAddsUpWhateverTheStep) {
 }
 
 TEST(FillPlan, APressureIsReachedAndThenTheVolumeIsKept) {
-  Scenario scenario = ball_scenario();
+  Scenario scenario = filled_ball_scenario();
   scenario.timeline = {fill(0, 500), {.action = WaitClip{0.2}}};
   EXPECT_NEAR(last_record(scenario, 0.119).pressure, 500, 1e-6);
   EXPECT_NEAR(last_record(scenario).pressure, 500, 1e-6);
@@ -42,7 +43,7 @@ TEST(FillPlan, APressureIsReachedAndThenTheVolumeIsKept) {
 }
 
 TEST(FillPlan, ABodyWithoutFluidOrChamberOfThatNameIsRefused) {
-  Scenario scenario = ball_scenario();
+  Scenario scenario = filled_ball_scenario();
   Clip clip = fill(1e-6);
   std::get<FillClip>(clip.action).chamber = "left";
   clip.number = 2;
@@ -59,7 +60,7 @@ TEST(FillPlan, ABodyWithoutFluidOrChamberOfThatNameIsRefused) {
 }
 
 TEST(FillPlan, MoreThanTheContentsCannotBeDrained) {
-  Scenario scenario = ball_scenario();
+  Scenario scenario = filled_ball_scenario();
   scenario.timeline = {fill(0)};
   const double held = ScenarioRun(scenario).record().bodies.at(0).fluid_volume;
   scenario.timeline = {fill(-0.9 * held), fill(0.3 * held), fill(-0.3 * held)};
@@ -96,7 +97,7 @@ TEST(FillPlan, LoadsFollowTheirPointsStraightAndEvenBeyondThem) {
 }
 
 TEST(FillPlan, LoadsActInARunAndAreBookedAsTheScripts) {
-  Scenario scenario = ball_scenario();
+  Scenario scenario = filled_ball_scenario();
   scenario.bodies[0].loads = {
       {.load = {.kind = LoadKind::kDeadForce, .region = AboveRegion{.axis = 2, .at = 0.015}, .vector = {0, 0, 0.02}},
        .over = {{0, 0}, {0.2, 1}}}};
