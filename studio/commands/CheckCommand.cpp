@@ -19,6 +19,7 @@
 #include "studio/director/RunNotes.hpp"
 #include "studio/director/ScenarioRun.hpp"
 #include "studio/recorder/FontNotes.hpp"
+#include "studio/recorder/Interruption.hpp"
 #include "studio/scenario/InputError.hpp"
 #include "studio/scenario/LoadScenario.hpp"
 
@@ -37,7 +38,10 @@ void check_clips(Scenario scenario, std::vector<std::string>& notes) {
   if (std::ranges::none_of(scenario.timeline, needs_body)) return;
   LongWait wait("`" + scenario.name + "`: finding the equilibrium that its clips begin with", tell_note,
                 slack_wall_advice(scenario));
-  scenario.simulation.between_iterations = [&wait] { wait.look(); };
+  scenario.simulation.between_iterations = [&wait] {
+    throw_if_interrupted();
+    wait.look();
+  };
   try {
     ScenarioRun{scenario};
   } catch (const SimulationFailure& failure) {
@@ -63,6 +67,7 @@ int check_scenarios(const CheckOptions& options) {
   nlohmann::ordered_json results = nlohmann::ordered_json::array();
   int code = kExitGood;
   for (const std::filesystem::path& file : options.scenarios) {
+    throw_if_interrupted();
     nlohmann::ordered_json errors = nlohmann::ordered_json::array();
     std::vector<std::string> notes, warnings;
     try {

@@ -229,6 +229,24 @@ TEST_F(ProgramTest, AnInterruptMidwayEndsWith130AndATerminateSignalWith143) {
   }
 }
 
+TEST_F(ProgramTest, ACheckEndsWhenItIsInterruptedAlsoWithinTheEquilibriumOfABody) {
+  std::string fine = small_scenario();
+  fine.insert(fine.find("    fixed:"), "    contents: { pressure: 500 Pa }\n");
+  fine.replace(fine.find("triangles: 64"), 13, "triangles: 40000");
+  write_bytes(folder_ / "fine.yaml", fine);
+  std::vector<std::string> check_many(500, "small.yaml"), check_fine{"check", "fine.yaml"};
+  check_many.insert(check_many.begin(), "check");
+  // A warning stands before a body's equilibrium, which takes seconds here, and `good` behind it.
+  for (const auto& [arguments, words] : {std::pair(check_fine, "warning"), std::pair(check_many, "good")}) {
+    for (const auto& [signal, code] : {std::pair(SIGINT, 130), std::pair(SIGTERM, 143)}) {
+      RunningProgram program(arguments, {.folder = folder_.path(), .environment = {}});
+      program.wait_for_message(words);
+      program.send_signal(signal);
+      EXPECT_EQ(program.wait().exit_code, code) << words;
+    }
+  }
+}
+
 TEST_F(ProgramTest, AnInterruptSaysThatEarlierResultsAreGoneWhereTheyAre) {
   write_bytes(folder_ / "long.yaml", small_scenario("  - wait: { for: 1000 s }\n"));
   const std::string gone = "terminated; the earlier results in out had been removed";

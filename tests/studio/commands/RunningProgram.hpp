@@ -42,6 +42,13 @@ class RunningProgram {
 
   void send_signal(int signal) const { kill(process_, signal); }
 
+  /// Returns once it has told `words`.
+  void wait_for_message(const std::string& words) const {
+    while (file_bytes(said_ / "messages").find(words) == std::string::npos) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+  }
+
   ProgramEnd wait() {
     int status = 0;
     waitpid(process_, &status, 0);
