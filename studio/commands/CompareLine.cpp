@@ -43,6 +43,15 @@ void refuse_unknown_option(const CLI::App& app, const std::vector<std::string>& 
   }
 }
 
+/// An empty value, as of a shell's variable that is not set, would be taken for an option that is absent.
+void refuse_empty_values(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options()) {
+    if (std::ranges::find(option->results(), "") == option->results().end()) continue;
+    throw UsageError(option->get_name() + ": its value is empty; give one, or leave the option out");
+  }
+  for (const CLI::App* command : app.get_subcommands()) refuse_empty_values(*command);
+}
+
 }  // namespace
 
 void add_compare_arguments(CLI::App& command, CompareArguments& arguments) {
@@ -94,6 +103,7 @@ std::optional<int> parse_arguments(CLI::App& app, std::vector<std::string> argum
     refuse_unknown_option(app, app.remaining(true));
     throw UsageError(std::string(error.what()) + "\nRun with --help for more.");
   }
+  refuse_empty_values(app);
   return std::nullopt;
 }
 

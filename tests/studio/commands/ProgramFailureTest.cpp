@@ -166,6 +166,18 @@ TEST_F(ProgramTest, ResultsThatStandardOutputDoesNotTakeEndWith4) {
   }
 }
 
+TEST_F(ProgramTest, AnEmptyValueIsBadUsageAndNotTakenForAnAbsentOne) {
+  const std::string words = ": its value is empty";
+  expect_bad_usage({"run", "small.yaml", "--no-render", "--out", ""}, "--out" + words);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+  expect_bad_usage({"run", "small.yaml", "--no-render", "--out="}, "--out");
+  expect_bad_usage({"check", "small.yaml", ""}, "SCENARIO" + words);
+  expect_bad_usage({"render", "take.h5", "--view", ""}, "--view" + words);
+  expect_bad_usage({"compare", "a.png", "b.png", "--mask", ""}, "--mask" + words);
+  expect_bad_usage({"golden", "test", "--out", ""}, "--out" + words);
+  expect_bad_usage({"haptic", "small.yaml", "--for", ""}, "--for" + words);
+}
+
 TEST_F(ProgramTest, ADeviceThatIsNotThereEndsWith4) {
   const ProgramEnd end = run({"run", "small.yaml", "--device", "99", "--out", "out"});
   EXPECT_EQ(end.exit_code, 4) << end.messages;
