@@ -42,6 +42,7 @@ struct Texts {
 
 using Action = std::function<int()>;
 
+constexpr const char* kGoldensWords = "scenario files or names, each perhaps with a moment: NAME@1.5s";
 constexpr const char* kStatsWords = "say what each pass of the pictures takes, and an empty frame";
 
 /// A flag that makes `value` false. The help of a flag with a value of its own would tell that value.
@@ -280,9 +281,8 @@ CLI::App* CommandLine::add_golden_command(CLI::App& golden, const std::string& n
     golden_.device_text = texts_.device;
     return action(golden_);
   });
-  command->add_option(
-      "SCENARIO", golden_.scenarios,
-      "scenario files or names, each perhaps with a moment: NAME@1.5s; all that have goldens when absent");
+  command->add_option("SCENARIO", golden_.scenarios,
+                      std::string(kGoldensWords) + "; all that have goldens when absent");
   return command;
 }
 
@@ -295,6 +295,7 @@ void CommandLine::add_golden() {
                                         review_goldens);
   CLI::App* approve = add_golden_command(
       *golden, "approve", "make today's pictures of the named scenarios the golden ones", approve_goldens);
+  approve->get_option("SCENARIO")->description(std::string(kGoldensWords) + " or NAME@video");
   CLI::App* list = add_golden_command(*golden, "list", "what goldens there are", list_goldens);
   CLI::App* why = add_golden_command(
       *golden, "why", "who approved a golden and why, and what its scenario has changed since", explain_goldens);

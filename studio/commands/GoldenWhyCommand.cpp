@@ -125,7 +125,6 @@ Json to_json(const Scenario& scenario, const Explanation& explanation) {
 }  // namespace
 
 int explain_goldens(const GoldenOptions& options) {
-  if (options.scenarios.empty()) throw UsageError("golden why: name a scenario");
   const NamedGoldens named = named_goldens(options.scenarios);
   refuse_broken(named);
   Json goldens = Json::array(), histories = Json::object();
