@@ -23,7 +23,7 @@ Json to_json(const SurveyedDevice& device) {
           {"extensions", device.extensions}};
 }
 
-Json to_json(const DeviceSurvey& devices, const VideoSurvey& video) {
+Json to_json(const DeviceSurvey& devices, const VideoSurvey& video, int exit_code) {
   Json list = Json::array();
   for (const SurveyedDevice& device : devices.devices) list.push_back(to_json(device));
   Json versions = Json::object();
@@ -36,7 +36,8 @@ Json to_json(const DeviceSurvey& devices, const VideoSurvey& video) {
             {"libx264", video.libx264},
             {"problem", video.problem}}},
           {"versions", versions},
-          {"licence", effective_licence()}};
+          {"licence", effective_licence()},
+          {"exit_code", exit_code}};
 }
 
 void print_for_people(const DeviceSurvey& devices, const VideoSurvey& video) {
@@ -55,12 +56,13 @@ void print_for_people(const DeviceSurvey& devices, const VideoSurvey& video) {
 int examine_machine(const DoctorOptions& options) {
   const DeviceSurvey devices = survey_devices(options.device);
   const VideoSurvey video = survey_video();
+  const int exit_code = devices.problem.empty() && video.problem.empty() ? kExitGood : kExitNoPicture;
   if (options.json) {
-    print_json(to_json(devices, video));
+    print_json(to_json(devices, video, exit_code));
   } else {
     print_for_people(devices, video);
   }
-  return devices.problem.empty() && video.problem.empty() ? kExitGood : kExitNoPicture;
+  return exit_code;
 }
 
 }  // namespace thinwall

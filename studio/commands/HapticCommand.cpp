@@ -33,10 +33,12 @@ int drive_haptics(const HapticOptions& options) {
   }
   fmt::print(stderr, "{}", to_text(report));
   if (options.record) write_whole_file(*options.record, tick_table(report.record));
-  if (options.json) fmt::print("{}\n", to_json(report));
-  if (report.failure.empty()) return kExitGood;
-  fmt::print(stderr, "thinwall: the solver behind the loop failed: {}\n", report.failure);
-  return kExitSimulationFailed;
+  const int exit_code = report.failure.empty() ? kExitGood : kExitSimulationFailed;
+  if (options.json) fmt::print("{}\n", to_json(report, exit_code));
+  if (exit_code != kExitGood) {
+    fmt::print(stderr, "thinwall: the solver behind the loop failed: {}\n", report.failure);
+  }
+  return exit_code;
 }
 
 }  // namespace thinwall

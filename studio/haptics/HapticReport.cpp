@@ -172,8 +172,9 @@ std::string to_text(const HapticReport& report) {
   return text;
 }
 
-std::string to_json(const HapticReport& report) {
+std::string to_json(const HapticReport& report, int exit_code) {
   nlohmann::ordered_json json = {{"result", report.failure.empty() ? "good" : "failed"},
+                                 {"exit_code", exit_code},
                                  {"scenario", report.scenario},
                                  {"tool", report.tool},
                                  {"forces", report.forces},

@@ -60,7 +60,7 @@ struct HapticReport {
 };
 
 std::string to_text(const HapticReport& report);
-std::string to_json(const HapticReport& report);
+std::string to_json(const HapticReport& report, int exit_code);
 
 /// A row for each tick: time_s,x_m,y_m,z_m,fx_N,fy_N,fz_N,wake_up_s,computation_s,model_age_s.
 std::string tick_table(const HapticRecord& record);

@@ -18,6 +18,7 @@ TEST_F(HapticProgramTest, TellsItsFiguresAndWhatTheHandWasGiven) {
     const ProgramEnd end = run({"haptic", "small.yaml", "--json", "--forces", forces, "--record", "new/ticks.csv"});
     ASSERT_EQ(end.exit_code, 0) << end.messages;
     const nlohmann::json report = nlohmann::json::parse(end.output);
+    EXPECT_EQ(report.value("exit_code", -1), 0);
     EXPECT_EQ(report["forces"], forces);
     EXPECT_EQ(report["tool"], "probe");
     for (const char* figure : {"p50_ms", "p99_ms", "p99.9_ms", "largest_ms"}) {

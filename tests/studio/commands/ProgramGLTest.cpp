@@ -383,9 +383,11 @@ TEST_F(ProgramGLTest, ADoctorTellsWhatIsThere) {
   const ProgramEnd end = run({"doctor", "--json"});
   const nlohmann::json findings = nlohmann::json::parse(end.output);
   EXPECT_EQ(end.exit_code, 0) << end.output;
+  EXPECT_EQ(findings.value("exit_code", -1), 0);
   EXPECT_FALSE(findings["pictures"]["devices"].empty());
   EXPECT_EQ(findings["pictures"]["problem"], "");
   EXPECT_EQ(findings["video"]["libx264"], true);
+  EXPECT_EQ(nlohmann::json::parse(run({"doctor", "--json", "--device", "99"}).output).value("exit_code", -1), 4);
 }
 
 }  // namespace
