@@ -179,11 +179,22 @@ constexpr std::array kUnitAdvice = {
     UnitAdvice{"dyn", "0.01 mN for each dyn"},
 };
 
+/// How a power is written whose `^` has been left away: `m^2` of `m2`. Empty where it is none.
+std::string power_of(std::string_view symbol) {
+  const std::size_t digits = symbol.find_first_of("0123456789");
+  if (digits == std::string_view::npos) return "";
+  const std::string_view base = symbol.substr(0, digits), exponent = symbol.substr(digits);
+  if (exponent.size() > 1 || !find_symbol(base)) return "";
+  return std::string(base) + "^" + std::string(exponent);
+}
+
 [[noreturn]] void refuse_unit(std::string_view symbol) {
   const auto row = std::ranges::find(kUnitAdvice, symbol, &UnitAdvice::written);
   if (row != kUnitAdvice.end()) {
     throw QuantityError("unknown unit " + in_backticks(symbol) + ", write " + std::string(row->advice));
   }
+  const std::string power = power_of(symbol);
+  if (!power.empty()) throw QuantityError("unknown unit " + in_backticks(symbol) + ", write " + in_backticks(power));
   throw QuantityError("unknown unit " + in_backticks(symbol) + suggest_symbol(symbol));
 }
 

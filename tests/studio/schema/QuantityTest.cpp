@@ -67,6 +67,8 @@ TEST(Quantity, WhatIsNoQuantityIsRefusedWithTheReason) {
   EXPECT_EQ(reason("1 inch"), "unknown unit `inch`, write 25.4 mm for each inch");
   EXPECT_EQ(reason("5 parsec"), "unknown unit `parsec`");
   EXPECT_EQ(reason("20 mm/sec"), "unknown unit `sec`, write `s`");
+  EXPECT_EQ(reason("400 J/m2"), "unknown unit `m2`, write `m^2`");
+  EXPECT_EQ(reason("5 mm3"), "unknown unit `mm3`, write `mm^3`");
   EXPECT_EQ(reason("5 millimeter"), "unknown unit `millimeter`, write `mm`");
   EXPECT_EQ(reason("5 psi"), "unknown unit `psi`, write 6.895 kPa for each psi");
   EXPECT_EQ(reason("5 kdeg"), "unknown unit `kdeg`, did you mean `deg`?");
