@@ -164,13 +164,10 @@ class SchemaReader {
     CheckedValue result{.kind = CheckedKind::kMapping, .location = error_location(node, place)};
     for (const TextMember& member : node.members) {
       const ValuePlace inner{member_path(place.path, member.key), place.owner, place.key, member.location};
-      if (!is_name(member.key)) {
-        diagnostics_.error(member.location, inner.path, name_mistake(member.key));
-        continue;
-      }
+      if (!is_name(member.key)) diagnostics_.error(member.location, inner.path, name_mistake(member.key));
       const ValueSchema mapping{.kind = ValueKind::kMapping, .mappings = {schema.mappings[0]}};
       std::optional<CheckedValue> value = read_one_of(mapping, member.value, inner);
-      // A name is known even when what it stands for is wrong: other mistakes are told, not consequences.
+      // A name is known even when it or what it stands for is wrong: other mistakes are told, not consequences.
       if (!value) value = CheckedValue{.kind = CheckedKind::kMapping, .location = member.location};
       result.members.push_back({member.key, member.location, std::move(*value)});
     }
