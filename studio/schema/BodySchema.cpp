@@ -268,7 +268,8 @@ ValueSchema region_schema() {
                {"radius", quantity_value(kLength, kAboveZero, "5 mm"), true, {}, "radius"}};
   ValueSchema boundary = word_value({"true"}), all = boundary;
   return mapping_value({
-      one_key_region("group", name_value(), "a group of vertices of the surface: `base`, `ends`, `wall`"),
+      one_key_region("group", text_value(),
+                     "a group of vertices, as the surface's file names it, or of a shape: `base`, `ends`, `wall`"),
       one_key_region("plane", plane, "near a plane"),
       one_key_region("below", half_space("below", "Where the coordinate is at most `at`."), "below a plane"),
       one_key_region("above", half_space("above", "Where the coordinate is at least `at`."), "above a plane"),

@@ -14,7 +14,7 @@ enum class ValueKind {
   kText,           // one or more characters
   kPath,           // of a file, relative to the file that names it
   kWord,           // one of `words`
-  kName,           // of a body, a tool or a group of vertices
+  kName,           // of a body, a tool or another thing of the scenario's own
   kBoolean,        // true or false
   kInteger,        // in `range`
   kQuantity,       // of `dimension` in `range`

@@ -55,6 +55,14 @@ TEST(UnitPass, ZeroNeedsNoUnitAndPointsMixBoth) {
   EXPECT_FALSE(std::signbit(read("palpate", "{ at: [-0, 0, 0], depth: 1 mm }").value.at("at").items[0].number));
 }
 
+TEST(UnitPass, AGroupIsNamedAsItsFileNamesItAlsoWhereThatIsNoNameOfOurs) {
+  for (const std::string group : {"Cube.001", "meshes[0]", "liver bed", "1"}) {
+    const Read fixed = read("fixed", "{ region: { group: \"" + group + "\" } }");
+    ASSERT_EQ(fixed.errors, Texts{});
+    EXPECT_EQ(fixed.value.at("region").at("group").text, group);
+  }
+}
+
 TEST(UnitPass, AMagnitudeBeyondWhatIsUsualIsAllowedAndToldOf) {
   const Read blade = read("tool", "{ kind: scalpel, thickness: 1e-160 mm }");
   EXPECT_EQ(blade.errors, Texts{});
