@@ -39,7 +39,7 @@ double length_of_cut(double hold) {
 
 TEST(CutToPathEnd, IsMadeAlsoWhereTheBladeGoesOutOfTheWallInTheSameStep) {
   const double with_rest_at_end = length_of_cut(0.02);
-  EXPECT_NEAR(with_rest_at_end, 0.02085, 2e-6);  // 2e-7 seen, of where the blade enters a wall that gives way
+  EXPECT_NEAR(with_rest_at_end, 0.02085, 2e-6);  // 2e-7 seen
   EXPECT_EQ(length_of_cut(0), with_rest_at_end);
 }
 
