@@ -1,15 +1,36 @@
 #include "studio/recorder/Interruption.hpp"
 
+#include <atomic>
 #include <csignal>
+#include <mutex>
+#include <thread>
 
 namespace thinwall {
 namespace {
 
-volatile std::sig_atomic_t noted_signal = 0;
+std::atomic<int> noted_signal = 0;
 
-void note(int signal) {
-  noted_signal = signal;
+sigset_t awaited_signals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGTERM);
+  return signals;
+}
+
+[[noreturn]] void end_by(int signal) {
   std::signal(signal, SIG_DFL);
+  const sigset_t signals = awaited_signals();
+  pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
+  for (;;) std::raise(signal);
+}
+
+void await_signals() {
+  for (const sigset_t signals = awaited_signals();;) {
+    int signal = 0;
+    if (sigwait(&signals, &signal) != 0) continue;
+    if (noted_signal.exchange(signal) != 0) end_by(signal);
+  }
 }
 
 }  // namespace
@@ -21,13 +42,19 @@ Interrupted::Interrupted(const Interrupted& cause, const std::string& consequenc
     : std::runtime_error(cause.what() + ("; " + consequence)), signal_(cause.signal_) {}
 
 void note_interruptions() {
-  std::signal(SIGINT, note);
-  std::signal(SIGTERM, note);
+  static std::once_flag once;
+  std::call_once(once, [] {
+    // No handler: METIS has one of its own for SIGTERM while it orders a body, and takes the signal for an error of
+    // its.
+    const sigset_t signals = awaited_signals();
+    pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+    std::thread(await_signals).detach();
+  });
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
 void throw_if_interrupted() {
-  if (noted_signal != 0) throw Interrupted(noted_signal);
+  if (const int signal = noted_signal; signal != 0) throw Interrupted(signal);
 }
 
 }  // namespace thinwall

@@ -250,10 +250,12 @@ TEST_F(ProgramTest, ACheckEndsWhenItIsInterruptedAlsoWithinTheEquilibriumOfABody
   check_many.insert(check_many.begin(), "check");
   // A warning stands before a body's equilibrium, which takes seconds here, and `good` behind it.
   for (const auto& [arguments, words] : {std::pair(check_fine, "warning"), std::pair(check_many, "good")}) {
-    RunningProgram program(arguments, {.folder = folder_.path(), .environment = {}});
-    program.wait_for_message(words);
-    program.send_signal(SIGINT);
-    EXPECT_EQ(program.wait().exit_code, 130) << words;
+    for (const auto& [signal, code] : {std::pair(SIGINT, 130), std::pair(SIGTERM, 143)}) {
+      RunningProgram program(arguments, {.folder = folder_.path(), .environment = {}});
+      program.wait_for_message(words);
+      program.send_signal(signal);
+      EXPECT_EQ(program.wait().exit_code, code) << words;
+    }
   }
 }
 

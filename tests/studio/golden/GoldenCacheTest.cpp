@@ -1,6 +1,7 @@
 #include "studio/golden/GoldenCache.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <cstdlib>
@@ -136,7 +137,10 @@ void judge_and_exit_as_terminated(const GoldenScene& scene) {
   options.jobs = 2;
   options.in_other_process = [&](const Scenario& scenario) {
     // A second one would end the process at once.
-    if (scenario.name == "other") std::raise(SIGTERM);
+    if (scenario.name == "other") {
+      kill(getpid(), SIGTERM);
+      EXPECT_THROW(for (;;) throw_if_interrupted(), Interrupted);
+    }
     return scene.temporary() / "good.json";
   };
   Scenario other = golden_scene();
