@@ -327,7 +327,7 @@ class Newton {
   /// Whether the bordered matrix is still that of the last factorisation, with contacts open and closed as they are.
   bool is_as_factorised() const;
   /// Borders the factorised matrix with the springs of contacts that are open or closed unlike when it was factorised;
-  /// false where that is not convex.
+  /// false where that is not convex, or round-off leaves nothing of what the springs give.
   bool border_contacts();
   /// The border solved with the factor; a contact's column is solved once, however often it opens and closes.
   Eigen::MatrixXd solved_border(const std::vector<std::size_t>& changed);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace thinwall {
@@ -19,6 +20,20 @@ constexpr double kToleratedPull = 0.1;
 
 /// Part of the coordinates below which a gap is round-off.
 constexpr double kRoundOffGap = 1e-15;
+
+/// Whether what contacts give is lost in the round-off of how far the factorised matrix gives way, as that of a body
+/// that only contacts hold which it is without: its rigid motions, which borders keep out, then cost next to nothing. A
+/// factor misses a part of a motion that goes with how much softer that is than the wall. `border`, `solved`: before
+/// contacts are added, and solved with the factor. `stiffest`, `wall_stiffness`: newton / metre.
+bool is_give_lost(const Eigen::Ref<const Eigen::MatrixXd>& border, const Eigen::Ref<const Eigen::MatrixXd>& solved,
+                  double stiffest, double wall_stiffness) {
+  double softest = 0;  // metres / newton
+  for (Eigen::Index k = 0; k < border.cols(); ++k) {
+    softest = std::max(softest, std::abs(border.col(k).dot(solved.col(k))));
+  }
+  const double missed_part = std::numeric_limits<double>::epsilon() * wall_stiffness * softest;
+  return missed_part * softest * stiffest > 1;
+}
 
 }  // namespace
 
@@ -41,9 +56,9 @@ bool Newton::find_step_with_contacts(const EquilibriumProblem& problem, const Eq
   for (const ContactPoint& contact : terms_.contacts) turns.forces.push_back(contact_force(problem, contact));
   for (int turn = 0;; ++turn) {
     // A membrane's matrix costs little where time does not matter, and without the curvature that contacts take along
-    // its needles find no way.
+    // its needles find no way. What was made convex without the contacts that close may be so with them by itself.
     const bool has_factor = keeps_factor_ || turn > 0;
-    const bool is_enough = has_factor && !are_shafts_revised && !may_be_saddle;
+    const bool is_enough = has_factor && !are_shafts_revised && !may_be_saddle && shift == 0;
     const bool borders = is_enough && ((keeps_factor_ && is_as_factorised()) || (may_border_ && border_contacts()));
     if (!borders && !factorize(problem, state, &residual, shift, may_be_saddle)) return false;
     find_step(problem, state, residual, step);
@@ -84,10 +99,17 @@ bool Newton::is_as_factorised() const {
 
 bool Newton::border_contacts() {
   std::vector<std::size_t> changed;
+  double stiffest = 0;  // newton / metre
   for (std::size_t k = 0; k < open_.size(); ++k) {
-    if (open_[k] != factorised_open_[k]) changed.push_back(k);
+    if (open_[k] == factorised_open_[k]) continue;
+    changed.push_back(k);
+    stiffest = std::max(stiffest, factorised_contacts_[k].potential.stiffness);
   }
   if (model_.bending.empty() && changed.size() > kMostBordered) return false;
+  if (is_give_lost(border_.leftCols(own_columns_), bordered_.solved_columns().leftCols(own_columns_), stiffest,
+                   model_.wall_stiffness)) {
+    return false;
+  }
   const Eigen::Index columns = own_columns_ + static_cast<Eigen::Index>(changed.size());
   const bool is_open = model_.has_open_chambers();
   border_.conservativeResize(Eigen::NoChange, columns);
