@@ -31,12 +31,13 @@ MappingSchema clip(const std::string& verb, const std::string& documentation, st
           .keys = {{verb, mapping_value({action}), true, {}, documentation}}};
 }
 
-KeySchema axis_key() {
+/// `lying`: what lies along the axis.
+KeySchema axis_key(const std::string& lying) {
   return {"axis",
           direction_value(),
           false,
           {},
-          "y' of the tool, along which a line lies, made perpendicular to the direction; world y when absent"};
+          "y' of the tool, along which " + lying + " lies, made perpendicular to the direction; world y when absent"};
 }
 
 MappingSchema palpate() {
@@ -49,7 +50,7 @@ MappingSchema palpate() {
        kBody,
        {"at", vector_value(kLength, {}, "[0, 0, 20 mm]"), false, "[0, 0, 0]", "a point of the line of approach"},
        {"direction", direction_value(), false, "[0, 0, -1]", "sense of the approach"},
-       axis_key(),
+       axis_key("a line"),
        {"depth",
         usually(quantity_value(kLength, kAboveZero, "4 mm"), kUsualLengths),
         true,
@@ -71,6 +72,7 @@ MappingSchema pierce() {
        kBody,
        {"at", vector_value(kLength, {}, "[0, 0, 20 mm]"), false, "[0, 0, 0]", "a point of the line of approach"},
        {"direction", direction_value(), false, "[0, 0, -1]", "sense of the approach"},
+       axis_key("the slit"),
        {"depth",
         usually(quantity_value(kLength, kAboveZero, "12 mm"), kUsualLengths),
         true,
@@ -84,10 +86,9 @@ MappingSchema pierce() {
         "distance from the surface at which the needle starts and to which it goes back"},
        {"withdraw", boolean_value(), false, "true", "whether the needle goes back"}},
       " The wall dents, and gives way once it would give back more energy with a slit of the needle's width in it than "
-      "the slit costs (toughness times thickness times width). The slit lies along the world's y, made "
-      "perpendicular to the direction, or across that where there is no room so. From then on the wall slides along "
-      "the needle under the "
-      "tool's `friction` and lets nothing through; the puncture stays open when the needle has left. Where the body is "
+      "the slit costs (toughness times thickness times width). The slit lies along `axis`, or across that where there "
+      "is no room so. From then on the wall slides along the needle under the tool's `friction` and lets nothing "
+      "through; the puncture stays open when the needle has left. Where the body is "
       "less deep than `depth` the needle goes through its far wall too. A wall that is `fixed` cannot dent, so that no "
       "balance of energies says when it gives way: it gives way at once, the needle pays what the slit costs evenly "
       "over the length of its cone, and nothing there squeezes its shaft or opens the puncture. Where the line of "

@@ -137,6 +137,7 @@ TEST(LoadScenario, ReadsEveryKeyOfClipsThatCutFillAndWait) {
   const Scenario scenario = load_scenario(kValid / "everything.yaml", {});
   const PierceClip& pierce = std::get<PierceClip>(scenario.timeline[5].action);
   EXPECT_EQ(pierce.tool, "pin");
+  EXPECT_EQ(pierce.axis, Eigen::Vector3d(1, 0, 0));
   EXPECT_EQ(pierce.depth, 12e-3);
   EXPECT_EQ(pierce.hold, 0.2);
   EXPECT_EQ(pierce.standoff, 6e-3);
