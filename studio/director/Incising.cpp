@@ -21,10 +21,11 @@ int first_triangle(const IncisionPlan& plan) {
 }
 
 /// The edge has gone through where it stands, or where it would stand the wall's thickness deeper: the dented wall lies
-/// just before it.
-void enter(Body& body, const BladeStep& step, double thickness) {
+/// just before it. Where it has come to the path within the step, that is at the path's beginning.
+void enter(const IncisionPlan& plan, Body& body, const BladeStep& step, double thickness) {
   std::vector<ToolPose> through(step.after.begin(), step.after.end());
   ToolPose& blade = through[static_cast<std::size_t>(step.tool)];
+  if (plan.progress(step.end) > 0) blade = plan.pose_below(0);
   blade.tip += thickness * blade.direction;
   body.follow_blade(step.tool, through);
 }
@@ -75,7 +76,7 @@ std::optional<Cut> incise(IncisionPlan& plan, Body& body, const BladeStep& step)
     const bool must_go_on = plan.progress(2 * step.end - step.begin) > 0;
     if (body.state().pressing[tool].work < plan.entry_cost && !must_go_on) return std::nullopt;
     const double thickness = body.model().rest[static_cast<std::size_t>(first_triangle(plan))].thickness;
-    enter(body, step, thickness);
+    enter(plan, body, step, thickness);
     if (!is_in_wall(body, step.tool)) enter_gap(plan, body, step, thickness);
     if (is_in_wall(body, step.tool)) plan.feel_entry(step.end);
     return std::nullopt;

@@ -29,8 +29,9 @@ void begin_incision(IncisionPlan& plan, const Body& body, const ToolDefinition& 
 std::optional<BladeInput> blade_input(const IncisionPlan& plan, const Body& body, const BladeStep& step);
 
 /// After a step: lets the blade go through the wall once it has put `IncisionPlan::entry_cost` into the dent that it
-/// makes, or has to go on along its path; cuts the wall up to the blade; frees the wall from it when the clip ends.
-/// Says what has been cut. Throws SimulationFailure as Body::follow_blade does.
+/// makes, or has to go on along its path, at the path's beginning where it came there within the step; cuts the wall up
+/// to the blade; frees the wall from it when the clip ends. Says what has been cut. Throws SimulationFailure as
+/// Body::follow_blade does.
 std::optional<Cut> incise(IncisionPlan& plan, Body& body, const BladeStep& step);
 
 /// After that: lets the cut run ahead of the blade by one piece along the path where that pays, straight on beyond the
