@@ -11,6 +11,7 @@
 #include "engine/simulation/Body.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
 #include "studio/director/BodyInputs.hpp"
+#include "studio/director/CutCheck.hpp"
 #include "studio/director/DirectedTool.hpp"
 #include "studio/director/DrainCheck.hpp"
 #include "studio/director/FirstPoses.hpp"
@@ -51,6 +52,7 @@ struct ScenarioRun::Implementation {
   explicit Implementation(const Scenario& the_scenario) : scenario(the_scenario) {
     for (const BodyScenario& description : scenario.bodies) {
       BodyDefinition definition = build_body(description, warnings);
+      refuse_uncuttable(scenario.timeline, definition);
       bodies.push_back(make_body(description, std::move(definition)));
       bodies.back()->settle(load_factors(description, 0));
       topologies.push_back(snapshot_topology(bodies.back()->model()));
