@@ -40,9 +40,6 @@ constexpr double kWholeShare = 0.99;
 /// Most that `remesh` makes; a run would take hours with more.
 constexpr int kMostTriangles = 200'000;
 
-/// Of the wanted edge length: how far `remesh` may move the surface.
-constexpr double kMostMoved = 0.5;
-
 /// How far `remesh` may change the volume.
 constexpr double kMostVolumeChange = 0.05;
 

@@ -18,6 +18,9 @@ constexpr int kRoundsOfCount = 15;
 /// Rounds that only turn edges and move vertices.
 constexpr int kRoundsOfShape = 10;
 
+/// Height over longest edge of a triangle that vertices may not be moved into: half a degree.
+constexpr double kLeastHeight = 0.01;
+
 class Remesher {
  public:
   Remesher(const TriangleSurface& start, const SurfaceToFollow& target, const RemeshingOptions& options)
@@ -70,8 +73,8 @@ class Remesher {
   }
 
   Eigen::Vector3d middle(int a, int b) const {
+    if (features_.has_edge(a, b)) return middle_on_line(a, b, features_.line_of(a, b));
     const Eigen::Vector3d halfway = (surface_.positions[a] + surface_.positions[b]) / 2;
-    if (features_.has_edge(a, b)) return features_.project(halfway, surface_.positions[b] - surface_.positions[a]);
     return target_.project(halfway, (mean_normal(a) + mean_normal(b)).normalized());
   }
 
@@ -259,15 +262,47 @@ class Remesher {
       const Eigen::Vector3d step = sum / weights - here;
       moved[v] = target_.project(here + step - step.dot(up) * up, mesh_normal);
     }
-    surface_.positions = std::move(moved);
+    std::swap(surface_.positions, moved);
+    put_back_from_flat(moved);
+  }
+
+  /// Height over longest edge of a triangle.
+  static double height_of(const Eigen::Vector3i& corners, const std::vector<Eigen::Vector3d>& positions) {
+    const Eigen::Vector3d& a = positions[corners[0]];
+    const Eigen::Vector3d& b = positions[corners[1]];
+    const Eigen::Vector3d& c = positions[corners[2]];
+    const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+    return longest > 0 ? (b - a).cross(c - a).norm() / longest : 0;
+  }
+
+  /// Puts vertices back of triangles that their moves have flattened, as where several came to lie on one peak.
+  void put_back_from_flat(const std::vector<Eigen::Vector3d>& before) {
+    for (bool again = true; again;) {
+      again = false;
+      for (int v = 0; v < static_cast<int>(before.size()); ++v) {
+        for (const int t : surface_.triangles_at(v)) {
+          const Eigen::Vector3i& corners = surface_.triangle(t);
+          const double height = height_of(corners, surface_.positions);
+          if (height >= kLeastHeight || height >= height_of(corners, before)) continue;
+          for (const int corner : corners) {
+            again = again || surface_.positions[corner] != before[corner];
+            surface_.positions[corner] = before[corner];
+          }
+        }
+      }
+    }
   }
 
   /// Halfway along its line between the vertices beside one.
   Eigen::Vector3d middle_of_line(int v) const {
     const std::vector<int>& beside = features_.neighbours(v);
-    const Eigen::Vector3d& p = surface_.positions[beside.front()];
-    const Eigen::Vector3d& q = surface_.positions[beside.back()];
-    return features_.project((p + q) / 2, q - p);
+    return middle_on_line(beside.front(), beside.back(), features_.line_of(v, beside.front()));
+  }
+
+  Eigen::Vector3d middle_on_line(int a, int b, int line) const {
+    const Eigen::Vector3d& p = surface_.positions[a];
+    const Eigen::Vector3d& q = surface_.positions[b];
+    return features_.project((p + q) / 2, q - p, line);
   }
 
   EditableSurface surface_;

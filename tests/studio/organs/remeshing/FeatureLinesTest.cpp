@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "engine/mesh/Shapes.hpp"
 
@@ -72,13 +73,54 @@ TEST(FeatureLines, StepsOfTheSurfaceAreFollowed) {
   EXPECT_FALSE(lines.is_on_line(8));
 }
 
-TEST(FeatureLines, ProjectionHeedsTheDirection) {
+TEST(FeatureLines, LinesGoFromCornerToCornerAndAreSplitIntoNoOthers) {
+  FeatureLines lines(box(), kFiftyDegrees, 2);
+  std::set<int> all;
+  for (int v = 0; v < 8; ++v) {
+    for (const int beside : lines.neighbours(v)) {
+      all.insert(lines.line_of(v, beside));
+      EXPECT_EQ(lines.line_of(v, beside), lines.line_of(beside, v));
+    }
+  }
+  EXPECT_EQ(all.size(), 12u);
+  const int line = lines.line_of(0, 1);
+  lines.split(0, 1, 8);
+  EXPECT_EQ(lines.line_of(0, 8), line);
+  EXPECT_EQ(lines.line_of(1, 8), line);
+}
+
+TEST(FeatureLines, ALineWithoutCornersCloses) {
+  const SurfaceMesh disc = make_disc(1, 200);
+  const FeatureLines lines({disc.vertices, disc.triangles}, kFiftyDegrees, 0);
+  ASSERT_FALSE(lines.empty());
+  for (int v = 0; v < static_cast<int>(disc.vertices.size()); ++v) {
+    for (const int beside : lines.neighbours(v)) EXPECT_EQ(lines.line_of(v, beside), 0);
+  }
+}
+
+TEST(FeatureLines, KeepsPeaksAndEdgesThatAreToldBesideItsOwn) {
+  FeatureLines lines(box(), kFiftyDegrees, 12.1);
+  lines.keep(6);
+  EXPECT_TRUE(lines.is_corner(6));
+  EXPECT_FALSE(lines.is_on_line(6));
+  lines.keep(box(), 0, 2);
+  EXPECT_TRUE(lines.has_edge(0, 2));
+  EXPECT_TRUE(lines.is_corner(0));
+  EXPECT_EQ(lines.edge_count(), 1u);
+}
+
+TEST(FeatureLines, ProjectionHeedsTheLineAndTheDirection) {
   const FeatureLines lines(box(), kFiftyDegrees, 2);
-  // Near the upright edge in the corner, but along x.
-  const Eigen::Vector3d along_x = lines.project({0.1, 0.02, 0.2}, {1, 0, 0});
-  EXPECT_NEAR((along_x - Eigen::Vector3d(0.1, 0, 0)).norm(), 0, 1e-15);
-  const Eigen::Vector3d upright = lines.project({0.1, 0.02, 0.2}, {0, 0, 1});
-  EXPECT_NEAR((upright - Eigen::Vector3d(0, 0, 0.2)).norm(), 0, 1e-15);
+  // Nearer to the edge above, which runs the same way.
+  const Eigen::Vector3d below = lines.project({0.4, 0.02, 0.9}, {1, 0, 0}, lines.line_of(0, 1));
+  EXPECT_NEAR((below - Eigen::Vector3d(0.4, 0, 0)).norm(), 0, 1e-15);
+  // A border that turns by 40 degrees, which makes no corner.
+  const TriangleSurface bent{{{0, 0, 0}, {1, 0, 0}, {1.766, 0.643, 0}, {0, 1, 0}}, {{0, 1, 3}, {1, 2, 3}}};
+  const FeatureLines border(bent, kFiftyDegrees, 0);
+  ASSERT_FALSE(border.is_corner(1));
+  const Eigen::Vector3d point(1.2, 0.05, 0);
+  const Eigen::Vector3d backwards = border.project(point, {-0.5, 1, 0}, border.line_of(0, 1));
+  EXPECT_GT((backwards - border.project(point, {1, 0, 0}, border.line_of(0, 1))).norm(), 0.01);
 }
 
 }  // namespace

@@ -112,6 +112,75 @@ TEST(MeshRemeshing, ThinPlateStaysClosedWithItsVolume) {
   EXPECT_NEAR(enclosed_volume(mesh.surface.vertices, mesh.surface.triangles), 0.02, 1e-12);
 }
 
+/// Two cones of 16 sides on one rim, of a radius of 1 and three times as high.
+TriangleSurface two_cones() {
+  constexpr int kSides = 16;
+  TriangleSurface cones{{{0, 0, 3}, {0, 0, -3}}, {}};
+  for (int k = 0; k < kSides; ++k) {
+    const double angle = 2 * std::numbers::pi * k / kSides;
+    cones.vertices.emplace_back(std::cos(angle), std::sin(angle), 0);
+    const int here = 2 + k, next = 2 + (k + 1) % kSides;
+    cones.triangles.push_back({0, here, next});
+    cones.triangles.push_back({1, next, here});
+  }
+  return cones;
+}
+
+TEST(MeshRemeshing, PeaksWithoutCreasesStayWhereTheyAre) {
+  const TriangleSurface cones = two_cones();
+  ASSERT_FALSE(FeatureLines(cones, 50 * kDegree, 0).is_on_line(0));
+  const RemeshedMesh mesh = remesh_to_length(cones, 0.25);
+  EXPECT_LE(mesh.largest_distance, kMostMoved * 0.25);
+  for (const Eigen::Vector3d& peak : {cones.vertices[0], cones.vertices[1]}) {
+    EXPECT_EQ(std::ranges::count(mesh.surface.vertices, peak), 1);
+  }
+  EXPECT_TRUE(is_closed(topology_of_surface(mesh.surface)));
+}
+
+/// A cap of a ball of radius 1, up to 1.2 radians from its pole, about `centre`; its pole upwards or downwards.
+void add_cap(TriangleSurface& surface, const Eigen::Vector3d& centre, double upwards) {
+  constexpr int kRings = 4, kAround = 16;
+  const int pole = static_cast<int>(surface.vertices.size());
+  surface.vertices.emplace_back(centre + Eigen::Vector3d(0, 0, upwards));
+  const auto vertex = [&](int ring, int k) { return pole + 1 + (ring - 1) * kAround + k % kAround; };
+  for (int ring = 1; ring <= kRings; ++ring) {
+    const double away = 1.2 * ring / kRings;
+    for (int k = 0; k < kAround; ++k) {
+      const double turn = upwards * 2 * std::numbers::pi * k / kAround;
+      surface.vertices.emplace_back(centre + Eigen::Vector3d(std::sin(away) * std::cos(turn),
+                                                             std::sin(away) * std::sin(turn),
+                                                             upwards * std::cos(away)));
+      if (ring == 1) {
+        surface.triangles.emplace_back(pole, vertex(1, k), vertex(1, k + 1));
+      } else {
+        surface.triangles.emplace_back(vertex(ring - 1, k), vertex(ring, k), vertex(ring, k + 1));
+        surface.triangles.emplace_back(vertex(ring - 1, k), vertex(ring, k + 1), vertex(ring - 1, k + 1));
+      }
+    }
+  }
+}
+
+TEST(MeshRemeshing, PartsFarApartAreNotTakenForEachOther) {
+  // Coarse enough for vertices whose normals face away from all of their own cap.
+  TriangleSurface caps;
+  add_cap(caps, {0, 0, 0}, 1);
+  add_cap(caps, {100, 0, 0}, -1);
+  const RemeshedMesh mesh = remesh_to_length(caps, 1);
+  EXPECT_LE(mesh.largest_distance, kMostMoved);
+  EXPECT_LT(mesh.surface.triangles.size(), 256u) << "of the caps as they are given";
+}
+
+TEST(MeshRemeshing, VerticesThatMoveToOnePeakLeaveNoFlatTriangles) {
+  // A plate much smaller than the edges, whose creases are too short to count.
+  TriangleSurface plate = box_with_slivers();
+  plate.vertices.pop_back();
+  plate.triangles.resize(10);
+  plate.triangles.insert(plate.triangles.end(), {{4, 5, 6}, {4, 6, 7}});
+  for (Eigen::Vector3d& vertex : plate.vertices) vertex.z() *= 0.05;
+  const RemeshedMesh mesh = remesh_to_length(plate, 10);
+  EXPECT_GT(least_angle(mesh.surface), 1 * kDegree);
+}
+
 TEST(MeshRemeshing, SourceIsTheNearestTriangle) {
   const TriangleSurface box = box_with_slivers();
   const RemeshedMesh mesh = remesh_to_length(box, 0.15);
