@@ -15,6 +15,7 @@
 #include "studio/commands/CompareLine.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/JsonAnswer.hpp"
+#include "studio/commands/PictureName.hpp"
 #include "studio/recorder/Interruption.hpp"
 #include "studio/recorder/Versions.hpp"
 
@@ -251,9 +252,7 @@ void CommandLine::add_still() {
     still_.device = device_choice(texts_.device);
     still_.at = parse_time("--at ", texts_.time);
     if (!texts_.size.empty()) still_.size = parse_size(texts_.size);
-    if (still_.picture.extension() != ".png") {
-      throw UsageError("-o " + still_.picture.string() + ": the picture is a PNG file; let its name end with .png");
-    }
+    require_picture_name("-o", still_.picture);
     return make_still(still_);
   });
   command->add_option("SCENARIO", still_.scenario, "the scenario file")->required();

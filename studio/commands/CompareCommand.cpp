@@ -10,6 +10,7 @@
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/JsonAnswer.hpp"
+#include "studio/commands/PictureName.hpp"
 
 namespace thinwall {
 namespace {
@@ -118,6 +119,15 @@ void refuse_to_overwrite(const CompareOptions& options) {
   }
 }
 
+/// Of two folders the differences are a folder, which may be there.
+void require_difference_name(const std::filesystem::path& difference, bool is_of_folders) {
+  if (!is_of_folders) return require_picture_name("--diff", difference);
+  std::error_code absent;
+  if (!std::filesystem::exists(difference, absent) || std::filesystem::is_directory(difference, absent)) return;
+  throw UsageError("--diff " + difference.string() +
+                   ": this is a file, and the differences of two folders go into a folder; choose another name");
+}
+
 FileComparison compare_folder_with_file(const CompareOptions& options) {
   FileComparison result{.first = options.first, .second = options.second, .kind = "folder and file"};
   for (const std::filesystem::path& path : {options.first, options.second}) {
@@ -163,10 +173,11 @@ int compare(const CompareOptions& options) {
   std::error_code unreadable;
   const bool folders[] = {std::filesystem::is_directory(options.first, unreadable),
                           std::filesystem::is_directory(options.second, unreadable)};
+  const bool are_alike = folders[0] == folders[1];
+  if (options.difference && are_alike) require_difference_name(*options.difference, folders[0]);
   if (folders[0] && folders[1]) return compare_two_folders(options);
-  const FileComparison file = folders[0] != folders[1]
-                                  ? compare_folder_with_file(options)
-                                  : compare_files(options.first, options.second, options.comparison);
+  const FileComparison file =
+      are_alike ? compare_files(options.first, options.second, options.comparison) : compare_folder_with_file(options);
   print(file, false);
   if (options.difference) write_difference(file, *options.difference);
   const int code = exit_code({file});

@@ -71,5 +71,23 @@ TEST_F(ProgramTest, APictureOfTheDifferenceOverwritesNothingThatIsCompared) {
   EXPECT_EQ(file_bytes(folder_ / "b.pfm"), black);
 }
 
+TEST_F(ProgramTest, APictureOfTheDifferenceIsAPngAndAnotherNameIsRefusedBeforeAnythingIsCompared) {
+  const std::string black = "PF\n1 1\n-1.0\n" + std::string(12, '\0');
+  for (const char* name : {"one/a.pfm", "two/a.pfm"}) {
+    std::filesystem::create_directory((folder_ / name).parent_path());
+    write_bytes(folder_ / name, name[0] == 'o' ? black : black.substr(0, black.size() - 1) + "\x40");
+  }
+  for (const char* name : {"d.jpg", "d.PNG", "d"}) {
+    expect_bad_usage({"compare", "one/a.pfm", "two/a.pfm", "--diff", name}, "let its name end with .png");
+    EXPECT_FALSE(std::filesystem::exists(folder_ / name));
+  }
+  expect_bad_usage({"compare", "one/a.pfm", "two/a.pfm", "--diff", "one"}, "this is a folder; name a picture in it");
+  write_bytes(folder_ / "d.png", "a picture");
+  expect_bad_usage({"compare", "one", "two", "--diff", "d.png"}, "go into a folder; choose another name");
+  EXPECT_EQ(run({"compare", "one", "two", "--diff", "differences.jpg"}).exit_code, 1) << "a folder has any name";
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "differences.jpg/a.pfm.difference.png"));
+  EXPECT_EQ(run({"compare", "one", "two/a.pfm", "--diff", "d.jpg"}).exit_code, 1) << "there is no picture to be made";
+}
+
 }  // namespace
 }  // namespace thinwall
