@@ -5,10 +5,28 @@
 namespace thinwall {
 namespace {
 
-/// At most `digits` digits, as short as can be.
-std::string number(double value, int digits = 4) {
+/// At most `digits` digits, as short as can be; all that the value has where they are 0.
+std::string number(double value, int digits = 0) {
   char text[64];
-  return {text, std::to_chars(text, text + sizeof(text), value, std::chars_format::general, digits).ptr};
+  char* const end = text + sizeof(text);
+  return {text, digits > 0 ? std::to_chars(text, end, value, std::chars_format::general, digits).ptr
+                           : std::to_chars(text, end, value).ptr};
+}
+
+double read_number(const std::string& text) {
+  double value = 0;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+/// A figure in four digits, or in as many more as it takes to stand on that side of its limit where it is.
+std::string figure_beside(double value, std::optional<double> limit) {
+  constexpr int kDigits = 4, kAllDigits = 17;
+  for (int digits = kDigits; digits < kAllDigits; ++digits) {
+    std::string text = number(value, digits);
+    if (!limit || (read_number(text) <=> *limit) == (value <=> *limit)) return text;
+  }
+  return number(value);
 }
 
 std::string size_text(ImageSize size) {
@@ -21,7 +39,7 @@ class Verdict {
   explicit Verdict(PictureComparison& comparison) : comparison_(comparison) {}
 
   void figure(const std::string& name, double value, std::optional<double> limit, bool less_is_better = true) {
-    text_ += (text_.empty() ? "" : ", ") + name + " " + number(value);
+    text_ += (text_.empty() ? "" : ", ") + name + " " + figure_beside(value, limit);
     if (!limit) return;
     const bool good = less_is_better ? value <= *limit : value >= *limit;
     text_ += std::string(less_is_better ? " (allowed " : " (needed ") + number(*limit) + ")";

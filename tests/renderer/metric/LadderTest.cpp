@@ -70,6 +70,20 @@ TEST(Ladder, TheVerdictNamesFiguresAndLimits) {
             "largest difference 30 (allowed 8), mean 0.1 (allowed 0.5)");
 }
 
+TEST(Ladder, AFigureIsToldInAsManyDigitsAsItTakesToStandOnItsSideOfTheLimit) {
+  const Image first = plain_image({100, 100}, 100, 100, 100);
+  Image second = first;
+  second.pixels[0] = 101;  // of 30 000 numbers: a mean of 3.3333...e-05
+  const auto told = [&](double mean) { return climb_ladder(first, second, limits({.mean = mean})).verdict; };
+  EXPECT_EQ(told(0.1), "largest difference 1, mean 3.333e-05 (allowed 0.1)");
+  EXPECT_EQ(told(3.3333e-05), "largest difference 1, mean 3.33333e-05 (allowed 3.3333e-05)");
+  EXPECT_EQ(told(3.3334e-05), "largest difference 1, mean 3.333e-05 (allowed 3.3334e-05)");
+  const PictureComparison structure = climb_ladder(first, second, limits({.structure = 0.9999999999}));
+  EXPECT_FALSE(structure.within);
+  EXPECT_NE(structure.verdict.find("(needed 0.9999999999)"), std::string::npos) << structure.verdict;
+  EXPECT_NE(structure.verdict.find("SSIM 0.99999"), std::string::npos) << structure.verdict;
+}
+
 TEST(Ladder, WantedFiguresAreThereAlsoWhenNothingNeedsThem) {
   PictureOptions options;
   options.wanted = {.structure = true, .flip = true};
