@@ -28,12 +28,16 @@ class ExpectationChecker {
       : value_(value), path_(std::move(path)), diagnostics_(diagnostics) {}
 
   void check(CheckedValue& root, std::optional<double> end) {
-    const CheckedValue* word = value_.find("quantity");
-    if (word == nullptr) return;
-    word_ = word->text;
-    quantity_ = find_expectation_quantity(word_);
-    check_subject(root);
-    check_chamber(root);
+    if (const CheckedValue* word = value_.find("quantity")) {
+      word_ = word->text;
+      quantity_ = find_expectation_quantity(word_);
+      check_subject(root);
+      if (is_of_chambers()) check_chamber(root);
+      check_kind_of_time();
+    } else {
+      check_names(root);
+      check_chamber(root);
+    }
     check_times(end);
     check_bounds();
   }
@@ -58,13 +62,26 @@ class ExpectationChecker {
     resolve_name(value_, own, choice_of_subjects(root, quantity_.measured->subject), path_, diagnostics_);
   }
 
-  void check_chamber(CheckedValue& root) {
-    const CheckedValue *chamber = value_.find("chamber"), *body = value_.find("body");
-    if (chamber == nullptr) return;
-    if (!quantity_.measured->is_of_chambers) {
-      error(*chamber, "chamber", in_backticks(word_) + " is measured of no chamber; leave it out");
-      return;
+  /// Where it is not known of which of them the quantity is: those that are given.
+  void check_names(CheckedValue& root) {
+    for (const ExpectationSubject subject : kSubjects) {
+      const std::string key(subject_word(subject));
+      if (value_.find(key) != nullptr) {
+        resolve_name(value_, key, choice_of_subjects(root, subject), path_, diagnostics_);
+      }
     }
+  }
+
+  bool is_of_chambers() {
+    const CheckedValue* chamber = value_.find("chamber");
+    if (chamber == nullptr || quantity_.measured->is_of_chambers) return true;
+    error(*chamber, "chamber", in_backticks(word_) + " is measured of no chamber; leave it out");
+    return false;
+  }
+
+  void check_chamber(CheckedValue& root) {
+    const CheckedValue* body = value_.find("body");
+    if (value_.find("chamber") == nullptr) return;
     const CheckedValue* bodies = root.find("bodies");
     const CheckedValue* named = bodies == nullptr || body == nullptr ? nullptr : bodies->find(body->text);
     const CheckedValue* contents = named == nullptr ? nullptr : named->find("contents");
@@ -72,7 +89,8 @@ class ExpectationChecker {
     resolve_name(value_, "chamber", choice_of(names_in(*contents, "chambers")), path_, diagnostics_);
   }
 
-  void check_times(std::optional<double> end) {
+  /// Which of `at`, `from` and `until` belong to the quantity.
+  void check_kind_of_time() {
     const bool has_moment = quantity_.reduction == Reduction::kMoment;
     const bool has_span = !has_moment && quantity_.reduction != Reduction::kFinal;
     const CheckedValue* at = value_.find("at");
@@ -86,6 +104,9 @@ class ExpectationChecker {
       const CheckedValue* given = value_.find(key);
       if (!has_span && given != nullptr) error(*given, key, in_backticks(word_) + " takes no " + in_backticks(key));
     }
+  }
+
+  void check_times(std::optional<double> end) {
     const CheckedValue* from = value_.find("from");
     const CheckedValue* until = value_.find("until");
     if (from != nullptr && until != nullptr && from->number > until->number) {
@@ -106,6 +127,8 @@ class ExpectationChecker {
     if (value_.has_wrong("within") || value_.has_wrong("value") || value_.has_wrong("tolerance")) return;
     if ((within == nullptr) == (expected == nullptr)) {
       error(value_, "", "write either `within`, or `value` and `tolerance`");
+    } else if (quantity_.measured == nullptr) {
+      return;  // the dimension of the bounds is not known
     } else if (within != nullptr) {
       check_range(*within, tolerance);
     } else {
@@ -160,7 +183,7 @@ class ExpectationChecker {
   std::string path_;
   Diagnostics& diagnostics_;
   std::string word_;
-  ExpectationQuantity quantity_;
+  ExpectationQuantity quantity_;  // without `measured` where it is wrong or missing
 };
 
 }  // namespace

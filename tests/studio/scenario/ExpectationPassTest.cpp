@@ -37,6 +37,22 @@ TEST(ExpectationPass, AChamberIsOneOfTheBodyAndHasPressureAndVolumesOnly) {
             Texts{"4:54: expect[1].chamber: `final_elastic_energy` is measured of no chamber; leave it out"});
 }
 
+TEST(ExpectationPass, WhatIsWrongBesideAWrongQuantityIsToldWithIt) {
+  const auto errors_of = [](const std::string& expectation) { return short_texts(diagnostics_of(expectation).errors); };
+  for (const char* quantity : {"quantity: peak_forc, ", ""}) {
+    const std::string begin = std::string("{ ") + quantity;
+    const auto at = [&](std::size_t column) { return "8:" + std::to_string(column + begin.size()) + ": expect[1]"; };
+    EXPECT_EQ(errors_of(begin + "tool: prob, body: orgn, within: [0, 1 N] }"),
+              (Texts{at(17) + ".tool: there is no tool `prob`, did you mean `probe`?",
+                     at(29) + ".body: there is no body `orgn`, did you mean `organ`?"}));
+    EXPECT_EQ(errors_of(begin + "tool: probe, from: 2 s, until: 1 s, within: [0, 1 N] }"),
+              Texts{at(42) + ".until: it ends before it begins at 2 s"});
+    EXPECT_EQ(errors_of(begin + "tool: probe }"),
+              Texts{"8:11: expect[1]: write either `within`, or `value` and `tolerance`"});
+    EXPECT_EQ(errors_of(begin + "within: [0, 1 N] }"), Texts{}) << "of which kind its subject is is not known";
+  }
+}
+
 TEST(ExpectationPass, APartOfTheValueThatIsLargerThanTheValueIsToldOf) {
   const std::string force = "{ quantity: peak_force, tool: probe, value: 0.2 N, tolerance: ";
   EXPECT_EQ(short_texts(diagnostics_of(force + "5 }").warnings),
