@@ -68,8 +68,8 @@ class Includer {
     const SourceLocation key = include->location;
     root.members.erase(include);
     TextNode below;
-    for (const TextNode* item : named_files(list, key)) {
-      std::optional<TextNode> file = read(*item);
+    for (const NamedFile& named : named_files(list, key)) {
+      std::optional<TextNode> file = read(named);
       if (!file) continue;
       check_version(root, *file);
       below = below.kind == NodeKind::kEmpty ? std::move(*file) : merged(std::move(*file), std::move(below));
@@ -80,6 +80,12 @@ class Includer {
   void begin(const std::filesystem::path& file) { open_.push_back(identity(file)); }
 
  private:
+  /// The name of a file that is included, and the key's path where that is written.
+  struct NamedFile {
+    const TextNode& item;
+    std::string path;
+  };
+
   /// One path for all the ways to write it, so that a cycle is seen.
   static std::filesystem::path identity(const std::filesystem::path& file) {
     std::error_code failure;
@@ -87,20 +93,20 @@ class Includer {
     return failure ? file.lexically_normal() : canonical;
   }
 
-  std::vector<const TextNode*> named_files(const TextNode& list, const SourceLocation& key) {
-    std::vector<const TextNode*> files;
-    if (list.kind == NodeKind::kText) return {&list};
+  std::vector<NamedFile> named_files(const TextNode& list, const SourceLocation& key) {
+    std::vector<NamedFile> files;
+    if (list.kind == NodeKind::kText) return {{list, "include"}};
     if (list.kind == NodeKind::kMapping) {
       diagnostics_.error(key, "include", "expected a file or a list of files, got a mapping");
       diagnostics_.has_gaps = true;
     }
     for (std::size_t index = 0; index < list.items.size(); ++index) {
       const TextNode& item = list.items[index];
+      const std::string path = item_path("include", index);
       if (item.kind == NodeKind::kText) {
-        files.push_back(&item);
+        files.push_back({item, path});
       } else {
-        diagnostics_.error(item.location, item_path("include", index),
-                           "expected the path of a file, got " + describe(item));
+        diagnostics_.error(item.location, path, "expected the path of a file, got " + describe(item));
         diagnostics_.has_gaps = true;
       }
     }
@@ -116,14 +122,15 @@ class Includer {
                            in_backticks(own->value.text) + ": a scenario is of one version");
   }
 
-  std::optional<TextNode> read(const TextNode& item) {
+  std::optional<TextNode> read(const NamedFile& named) {
+    const TextNode& item = named.item;
     const std::filesystem::path file = (item.location.file.parent_path() / item.text).lexically_normal();
     const std::filesystem::path id = identity(file);
     if (std::ranges::find(open_, id) != open_.end()) {
-      diagnostics_.error(item.location, "include", in_backticks(item.text) + " includes itself");
+      diagnostics_.error(item.location, named.path, in_backticks(item.text) + " includes itself; leave it out");
       return std::nullopt;
     }
-    std::optional<TextNode> node = parse(item, file);
+    std::optional<TextNode> node = parse(named, file);
     if (!node) {
       diagnostics_.has_gaps = true;
       return std::nullopt;
@@ -134,24 +141,26 @@ class Includer {
     return node;
   }
 
-  std::optional<TextNode> parse(const TextNode& item, const std::filesystem::path& file) {
+  std::optional<TextNode> parse(const NamedFile& named, const std::filesystem::path& file) {
+    const TextNode& item = named.item;
     if (item.text.find("${") != std::string::npos) {
-      diagnostics_.error(item.location, "include", "parameters are not known yet where files are included");
+      diagnostics_.error(item.location, named.path,
+                         "parameters are not known yet where files are included; write the file's name itself");
       return std::nullopt;
     }
     if (++files_ > kMostFiles) {
-      if (files_ == kMostFiles + 1) diagnostics_.error(item.location, "include", "more than 64 files are included");
+      if (files_ == kMostFiles + 1) diagnostics_.error(item.location, named.path, "more than 64 files are included");
       return std::nullopt;
     }
     std::error_code failure;
     if (!std::filesystem::is_regular_file(file, failure)) {
-      diagnostics_.error(item.location, "include", no_file_words(file.string()));
+      diagnostics_.error(item.location, named.path, no_file_words(file.string()));
       return std::nullopt;
     }
     std::optional<TextNode> node = read_yaml_file(file, diagnostics_);
     if (!node) return std::nullopt;
     if (node->kind != NodeKind::kMapping) {
-      diagnostics_.error(item.location, "include", in_backticks(item.text) + " does not hold a mapping");
+      diagnostics_.error(item.location, named.path, in_backticks(item.text) + " does not hold a mapping");
       return std::nullopt;
     }
     return node;

@@ -87,7 +87,7 @@ TEST_F(IncludePass, ACycleIsAnErrorAndTheSameFileTwiceIsNone) {
   write("leaf.yaml", "x: 1\n");
   include("include: [a.yaml, leaf.yaml, leaf.yaml]\n");
   ASSERT_EQ(diagnostics_.errors.size(), 1U);
-  EXPECT_EQ(diagnostics_.errors[0].message, "include: `./inner/../a.yaml` includes itself");
+  EXPECT_EQ(diagnostics_.errors[0].message, "include[1]: `./inner/../a.yaml` includes itself; leave it out");
   EXPECT_EQ(diagnostics_.errors[0].location.file, folder_ / "b.yaml");
 }
 
@@ -99,19 +99,26 @@ TEST_F(IncludePass, ATreeOfTooManyFilesIsRefusedOnce) {
   }
   include("include: 9.yaml\n");
   ASSERT_EQ(diagnostics_.errors.size(), 1U);
-  EXPECT_EQ(diagnostics_.errors[0].message, "include: more than 64 files are included");
+  EXPECT_EQ(diagnostics_.errors[0].message, "include[2]: more than 64 files are included");
 }
 
-TEST_F(IncludePass, WhatCannotBeIncludedIsToldAtItsPlace) {
+TEST_F(IncludePass, WhatCannotBeIncludedIsToldAtItsPlaceInTheList) {
   write("list.yaml", "- 1\n");
   include("include: [none.yaml, list.yaml, [a], \"${file}\", inner]\n");
   EXPECT_EQ(diagnostics_.errors.size(), 5U);
-  const std::string none = (folder_ / "none.yaml").string();
-  EXPECT_EQ(short_texts(diagnostics_.errors)[0], "1:33: include[3]: expected the path of a file, got a list");
-  EXPECT_TRUE(short_texts(diagnostics_.errors)[1].starts_with("1:11: include: there is no file `"));
-  EXPECT_EQ(short_texts(diagnostics_.errors)[2], "1:22: include: `list.yaml` does not hold a mapping");
-  EXPECT_EQ(short_texts(diagnostics_.errors)[3],
-            "1:38: include: parameters are not known yet where files are included");
+  const std::vector<std::string> errors = short_texts(diagnostics_.errors);
+  EXPECT_EQ(errors[0], "1:33: include[3]: expected the path of a file, got a list");
+  EXPECT_TRUE(errors[1].starts_with("1:11: include[1]: there is no file `")) << errors[1];
+  EXPECT_EQ(errors[2], "1:22: include[2]: `list.yaml` does not hold a mapping");
+  EXPECT_EQ(errors[3],
+            "1:38: include[4]: parameters are not known yet where files are included; write the file's name itself");
+  EXPECT_TRUE(errors[4].starts_with("1:49: include[5]: `")) << errors[4];
+}
+
+TEST_F(IncludePass, AFileThatIsNamedWithoutAListHasNoPlaceInOne) {
+  include("include: none.yaml\n");
+  ASSERT_EQ(diagnostics_.errors.size(), 1U);
+  EXPECT_TRUE(diagnostics_.errors[0].message.starts_with("include: there is no file `"));
 }
 
 }  // namespace
