@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,13 +13,11 @@
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/JsonAnswer.hpp"
-#include "studio/commands/LongWait.hpp"
+#include "studio/commands/MisplacedNotes.hpp"
 #include "studio/commands/MistakesAsJson.hpp"
 #include "studio/commands/Outcome.hpp"
+#include "studio/commands/RunSource.hpp"
 #include "studio/director/BodyNotes.hpp"
-#include "studio/director/Plan.hpp"
-#include "studio/director/RunNotes.hpp"
-#include "studio/director/ScenarioRun.hpp"
 #include "studio/recorder/FontNotes.hpp"
 #include "studio/recorder/Interruption.hpp"
 #include "studio/scenario/InputError.hpp"
@@ -26,37 +26,43 @@
 namespace thinwall {
 namespace {
 
-/// Whether the clip is held against a body when it is planned: it touches a wall, or drains.
-bool needs_body(const Clip& clip) {
-  if (const auto* fill = std::get_if<FillClip>(&clip.action)) return fill->added < 0;
-  return !body_of(clip).empty();
-}
+/// A run that has begun: what is known of it then.
+struct Beginning {
+  std::vector<std::string> notes;
+  std::optional<Moment> moment;  // nothing where it fails
+};
 
 /// Where a clip's tool meets a wall, and how much fluid there is to drain, is known of bodies in equilibrium alone: the
 /// timeline is planned as a run does. Where there is no equilibrium, which is a run's to tell, that is noted.
-void check_clips(Scenario scenario, std::vector<std::string>& notes) {
-  if (std::ranges::none_of(scenario.timeline, needs_body)) return;
-  LongWait wait("`" + scenario.name + "`: finding the equilibrium that its clips begin with", tell_note,
-                slack_wall_advice(scenario));
-  scenario.simulation.between_iterations = [&wait] {
-    throw_if_interrupted();
-    wait.look();
-  };
+Beginning beginning_of_run(const Scenario& scenario) {
+  body_notes(scenario);  // tells the mistakes of all bodies: a run ends with the first that has some
+  const std::unique_ptr<MomentSource> run = simulate_one_take(scenario);
+  Beginning beginning;
+  std::string failure;
   try {
-    ScenarioRun{scenario};
-  } catch (const SimulationFailure& failure) {
-    notes.push_back(fmt::format("what its clips meet or drain is not known: {}", failure.what()));
+    beginning.moment = run->next();
+  } catch (const SimulationFailure& error) {
+    failure = fmt::format("its run will fail, so what its clips meet or drain is not known: {}", error.what());
   }
+  beginning.notes = run->warnings();
+  if (!failure.empty()) beginning.notes.push_back(std::move(failure));
+  return beginning;
 }
 
 /// What is found of a scenario beyond its file, and in the second take of its comparison otherwise than in the first.
 std::vector<std::string> notes_of(const Scenario& scenario) {
-  std::vector<std::string> notes = body_notes(scenario);
-  check_clips(scenario, notes);
-  if (!scenario.comparison) return notes;
-  const std::vector<std::string> first = notes;
-  for (const std::string& note : notes_of(*scenario.comparison->second)) {
-    if (std::ranges::find(first, note) == first.end()) notes.push_back("the second take: " + note);
+  const Beginning first = beginning_of_run(scenario);
+  std::vector<std::string> notes = first.notes;
+  double second_duration = 0;
+  if (scenario.comparison) {
+    const Beginning second = beginning_of_run(*scenario.comparison->second);
+    if (second.moment) second_duration = second.moment->planned_duration;
+    for (const std::string& note : second.notes) {
+      if (std::ranges::find(first.notes, note) == first.notes.end()) notes.push_back("the second take: " + note);
+    }
+  }
+  if (first.moment) {
+    std::ranges::copy(misplaced_notes(scenario, *first.moment, second_duration), std::back_inserter(notes));
   }
   return notes;
 }

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -8,16 +6,15 @@
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/DataViewRange.hpp"
 #include "studio/commands/ExitCode.hpp"
+#include "studio/commands/MisplacedNotes.hpp"
 #include "studio/commands/Outcome.hpp"
 #include "studio/commands/SecondTake.hpp"
 #include "studio/director/StressFreeAnswers.hpp"
-#include "studio/recorder/FarPlaces.hpp"
 #include "studio/recorder/FolderLock.hpp"
 #include "studio/recorder/FontNotes.hpp"
 #include "studio/recorder/Interruption.hpp"
 #include "studio/recorder/Painter.hpp"
 #include "studio/recorder/RecordingNotes.hpp"
-#include "studio/scenario/LateTimes.hpp"
 #include "studio/scenario/LoadScenario.hpp"
 
 namespace thinwall {
@@ -37,9 +34,7 @@ class WatchedSource final : public MomentSource {
     std::optional<Moment> moment = source_->next();
     if (moment) check_.add(moment->record);
     if (!has_begun_ && moment) {
-      misplaced_ = late_times(scenario_, moment->planned_duration);
-      std::ranges::copy(far_places(scenario_, moment->snapshot), std::back_inserter(misplaced_));
-      note_rest_of_second_take(moment->planned_duration);
+      misplaced_ = misplaced_notes(scenario_, *moment, second_duration_);
       told_ = warnings();
       std::ranges::for_each(told_, tell_note);
     }
@@ -56,14 +51,6 @@ class WatchedSource final : public MomentSource {
   std::vector<ExpectationResult> results() const { return check_.results(); }
 
  private:
-  void note_rest_of_second_take(double planned) {
-    if (second_duration_ <= planned + scenario_.simulation.time_step) return;
-    misplaced_.push_back(fmt::format(
-        "the second take lasts {:.4g} s, and the pictures end with the first, planned for {:.4g} s: what it does later "
-        "is in its records alone; let the first wait for it",
-        second_duration_, planned));
-  }
-
   std::unique_ptr<MomentSource> source_;
   double second_duration_;  // seconds
   const Scenario& scenario_;

@@ -154,19 +154,6 @@ TEST_F(ProgramTest, NotesThatAreKnownBeforeTheFirstStepAreToldBeforeIt) {
   EXPECT_EQ(end.messages.find(size), end.messages.rfind(size)) << "told twice";
 }
 
-TEST_F(ProgramTest, CheckTellsOfThickWallsAndAStillOfLettersThatTheFontHasNot) {
-  std::string text = small_scenario();
-  text.replace(text.find("thickness: 1 mm"), 15, "thickness: 21 mm");
-  text.replace(text.find("A small hemisphere"), 18, "\u16a0");
-  write_bytes(folder_ / "thick.yaml", text);
-  const std::string checked = run({"check", "thick.yaml"}).messages;
-  EXPECT_NE(checked.find("thick.yaml: note: body `organ` is 20 mm wide, less than two walls of 21 mm"),
-            std::string::npos)
-      << checked;
-  const std::string still = run({"still", "thick.yaml", "--at", "0s", "-o", "a.png", "--device", "99"}).messages;
-  EXPECT_NE(still.find("the font of pictures has no shape for"), std::string::npos) << still;
-}
-
 TEST_F(ProgramTest, IncisionsThatCannotBeAreBadInputWithThePlaceAndTheCure) {
   const auto expect_refused = [&](const std::string& incise, const std::string& words) {
     write_bytes(folder_ / "cut.yaml", incision_scenario(incise));
@@ -232,55 +219,6 @@ TEST_F(ProgramTest, CheckRefusesTheClipsThatARunWouldRefuseAllOfThem) {
               std::string::npos)
         << end.messages;
   }
-}
-
-TEST_F(ProgramTest, CheckTellsWhereItIsNotKnownWhatClipsMeetAndGoesOn) {
-  write_bytes(folder_ / "bursts.yaml",
-              "thinwall: 1\n"
-              "bodies:\n"
-              "  ball:\n"
-              "    surface: { shape: sphere, radius: 20 mm, triangles: 20 }\n"
-              "    wall: { thickness: 1 mm, material: { law: neo_hookean, shear_modulus: 20 kPa } }\n"
-              "    contents: { pressure: 50 kPa }\n"
-              "timeline:\n"
-              "  - drain: { body: ball, by: 1 ml, for: 1 s }\n");
-  const ProgramEnd end = run({"check", "bursts.yaml", "small.yaml"});
-  EXPECT_EQ(end.exit_code, 0) << end.messages;
-  EXPECT_NE(end.messages.find("bursts.yaml: note: what its clips meet or drain is not known: body `ball`"),
-            std::string::npos)
-      << end.messages;
-  EXPECT_NE(end.messages.find("small.yaml: good"), std::string::npos) << end.messages;
-}
-
-TEST_F(ProgramTest, CheckTellsAllMistakesAsJson) {
-  write_bytes(folder_ / "bad.yaml", "thinwall: 1\nbodys: {}\n");
-  const ProgramEnd end = run({"check", "--json", "small.yaml", "bad.yaml"});
-  EXPECT_EQ(end.exit_code, 2);
-  const nlohmann::json result = nlohmann::json::parse(end.output);
-  EXPECT_EQ(result.value("exit_code", -1), 2);
-  EXPECT_EQ(result["scenarios"][0]["good"], true);
-  EXPECT_FALSE(result["scenarios"][0]["notes"].empty()) << "of the surface that was made";
-  EXPECT_EQ(result["scenarios"][1]["good"], false);
-  EXPECT_EQ(result["scenarios"][1]["errors"][0]["file"], "bad.yaml");
-  const nlohmann::json& errors = result["scenarios"][1]["errors"];
-  EXPECT_TRUE(std::any_of(errors.begin(), errors.end(), [](const auto& error) { return error["line"] == 2; }))
-      << errors;
-}
-
-TEST_F(ProgramTest, WhatCheckWarnsOfARunTellsAndKeepsToo) {
-  std::string scenario = file_bytes(folder_ / "small.yaml");
-  const std::string tools = "tools:\n";
-  ASSERT_NE(scenario.find(tools), std::string::npos) << scenario;
-  scenario.replace(scenario.find(tools), tools.size(), tools + "  spare: { kind: sphere }\n");
-  write_bytes(folder_ / "spare.yaml", scenario);
-  const std::string warning = "warning: tools.spare: no clip uses this tool";
-  const ProgramEnd checked = run({"check", "spare.yaml"});
-  EXPECT_NE(checked.messages.find(warning), std::string::npos) << checked.messages;
-  const ProgramEnd end = run({"run", "spare.yaml", "--no-render", "--json"});
-  EXPECT_EQ(end.exit_code, 0);
-  EXPECT_NE(end.messages.find(warning), std::string::npos) << end.messages;
-  EXPECT_NE(nlohmann::json::parse(end.output).at("warnings").dump().find(warning), std::string::npos) << end.output;
-  EXPECT_NE(manifest("out/spare").at("warnings").dump().find(warning), std::string::npos);
 }
 
 TEST_F(ProgramTest, RunsWithoutGraphics) {
