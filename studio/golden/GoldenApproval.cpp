@@ -8,6 +8,7 @@
 
 #include "renderer/image/WholeFile.hpp"
 #include "renderer/snapshot/SameTime.hpp"
+#include "studio/golden/ApprovalFile.hpp"
 
 namespace thinwall {
 namespace {
@@ -17,20 +18,34 @@ using Json = nlohmann::ordered_json;
 constexpr int kApprovalVersion = 1;
 constexpr const char* kFile = "approval.json";
 
-std::optional<std::vector<std::string>> names_in(const Json& golden, const char* key) {
-  if (!golden.contains(key)) return std::nullopt;
-  return golden.at(key).get<std::vector<std::string>>();
+std::optional<std::vector<std::string>> names_in(const ApprovalValue& golden, const char* key) {
+  if (!golden.has(key)) return std::nullopt;
+  return golden.texts(key);
+}
+
+GoldenApproval to_approval(const ApprovalValue& golden) {
+  return {.at = golden.number("at_s"),
+          .driver = golden.text("driver"),
+          .image = golden.text("image"),
+          .state = golden.text("state"),
+          .state_digest = golden.text("state_digest"),
+          .who = golden.text("who"),
+          .why = golden.text("why"),
+          .history = golden.text_if_there("history"),
+          .scene_hash = golden.text_if_there("scene_hash"),
+          .overlay = golden.has("overlay") ? golden.dump("overlay") : "",
+          .second_state = golden.text_if_there("second_state"),
+          .second_state_digest = golden.text_if_there("second_state_digest"),
+          .picture_hash = golden.text_if_there("picture_hash"),
+          .files = golden.has("files") ? golden.dump("files") : "",
+          .set_aside = names_in(golden, "set_aside"),
+          .second_set_aside = names_in(golden, "second_set_aside")};
 }
 
 }  // namespace
 
 GoldenError damaged_golden(const std::string& what) {
   return GoldenError(what + "; restore it from version control, or remove the scenario's folder and approve anew");
-}
-
-std::string approval_text(const std::filesystem::path& file) {
-  if (!std::filesystem::is_regular_file(file)) throw damaged_golden(file.string() + ": is no file");
-  return bytes_of_file(file);
 }
 
 std::string lost_file(const std::filesystem::path& folder, const std::vector<std::string>& names) {
@@ -52,34 +67,9 @@ bool is_approved_state(const TakeReader& state, const std::string& digest) {
 std::vector<GoldenApproval> read_approvals(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / kFile;
   if (!std::filesystem::exists(file)) return {};
+  const ApprovalFile approved(file, "approval_version", kApprovalVersion);
   std::vector<GoldenApproval> approvals;
-  try {
-    const Json json = Json::parse(approval_text(file));
-    if (json.at("approval_version") != kApprovalVersion) {
-      throw damaged_golden(file.string() + ": written by another version of the program");
-    }
-    if (!json.at("goldens").is_array()) throw damaged_golden(file.string() + ": is damaged (`goldens` is no list)");
-    for (const Json& golden : json.at("goldens")) {
-      approvals.push_back({.at = golden.at("at_s"),
-                           .driver = golden.at("driver"),
-                           .image = golden.at("image"),
-                           .state = golden.at("state"),
-                           .state_digest = golden.at("state_digest"),
-                           .who = golden.at("who"),
-                           .why = golden.at("why"),
-                           .history = golden.value("history", ""),
-                           .scene_hash = golden.value("scene_hash", ""),
-                           .overlay = golden.contains("overlay") ? golden.at("overlay").dump() : "",
-                           .second_state = golden.value("second_state", ""),
-                           .second_state_digest = golden.value("second_state_digest", ""),
-                           .picture_hash = golden.value("picture_hash", ""),
-                           .files = golden.contains("files") ? golden.at("files").dump() : "",
-                           .set_aside = names_in(golden, "set_aside"),
-                           .second_set_aside = names_in(golden, "second_set_aside")});
-    }
-  } catch (const Json::exception& error) {
-    throw damaged_golden(file.string() + ": is damaged (" + error.what() + ")");
-  }
+  for (const ApprovalValue& golden : approved.root().list("goldens")) approvals.push_back(to_approval(golden));
   return approvals;
 }
 

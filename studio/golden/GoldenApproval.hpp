@@ -41,9 +41,6 @@ class GoldenError : public std::runtime_error {
 /// For a file of a golden that is damaged: `what` is wrong with it, and what helps.
 GoldenError damaged_golden(const std::string& what);
 
-/// All of a file of approvals. Throws GoldenError where it is no file.
-std::string approval_text(const std::filesystem::path& file);
-
 /// The first of these files of a golden, by their names, that is not in `folder`, with what helps: "at_1s.state.h5 is
 /// missing, ...". Empty when all are there; names may be empty, of files that were never kept.
 std::string lost_file(const std::filesystem::path& folder, const std::vector<std::string>& names);

@@ -10,6 +10,7 @@
 #include "renderer/image/Folder.hpp"
 #include "renderer/image/PngFile.hpp"
 #include "renderer/image/WholeFile.hpp"
+#include "studio/golden/ApprovalFile.hpp"
 
 namespace thinwall {
 namespace {
@@ -32,16 +33,16 @@ Json to_json(const EncodedVideo& encoded) {
           {"loss_levels", encoded.loss}, {"drift", encoded.drift}};
 }
 
-EncodedVideo to_encoded(const Json& json) {
+EncodedVideo to_encoded(const ApprovalValue& value) {
   EncodedVideo encoded;
-  encoded.program = json.at("program");
-  encoded.decoded = json.at("decoded");
-  encoded.tags = json.at("tags");
-  encoded.frames = json.at("frames");
-  encoded.captions = json.at("captions");
-  encoded.chapters = json.at("chapters");
-  encoded.loss = json.at("loss_levels");
-  encoded.drift = json.at("drift");
+  encoded.program = value.text("program");
+  encoded.decoded = value.text("decoded");
+  encoded.tags = value.text("tags");
+  encoded.frames = value.count("frames");
+  encoded.captions = value.text("captions");
+  encoded.chapters = value.text("chapters");
+  encoded.loss = value.number("loss_levels");
+  encoded.drift = value.number("drift");
   return encoded;
 }
 
@@ -71,56 +72,56 @@ Json to_json(const GoldenVideoApproval& approval, const std::string& history) {
           {"resolved", Json::parse(video.resolved, nullptr, false)}};
 }
 
-/// One of so many frames.
-std::size_t to_frame(const Json& number, std::size_t frames, const std::filesystem::path& file) {
-  const bool is_there = number.is_number_unsigned() && number.get<std::size_t>() < frames;
-  if (!is_there) throw damaged_golden(file.string() + ": is damaged (it keeps a frame " + number.dump() + ")");
-  return number;
+ImageSize to_size(const ApprovalValue& value) {
+  const std::vector<ApprovalValue> sides = value.as_list();
+  if (sides.size() != 2) value.refuse("expected width and height");
+  return {.width = static_cast<int>(sides[0].as_count()), .height = static_cast<int>(sides[1].as_count())};
 }
 
-GoldenVideoApproval to_approval(const Json& json, const std::filesystem::path& file) {
+/// One of so many frames.
+std::size_t to_frame(const ApprovalValue& value, std::size_t frames) {
+  const std::size_t frame = value.as_count();
+  if (frame >= frames) value.refuse(fmt::format("it keeps frame {} of {}, counted from 0", frame, frames));
+  return frame;
+}
+
+VideoFrameRecord to_frame_record(const std::string& text) {
+  const std::size_t space = text.find(' ');
+  return {.hash = text.substr(0, space), .squares = text.substr(std::min(text.size(), space + 1))};
+}
+
+GoldenVideoApproval to_approval(const ApprovalValue& root, const std::filesystem::path& folder) {
   GoldenVideoApproval approval;
   GoldenVideo& video = approval.video;
-  video.driver = json.at("driver");
-  approval.who = json.at("who");
-  approval.why = json.at("why");
-  video.size = {.width = json.at("size").at(0), .height = json.at("size").at(1)};
-  video.frames_per_second = json.at("frames_per_second");
-  video.state_digest = json.at("state_digest");
-  video.second_state_digest = json.value("second_state_digest", "");
-  video.scene_hash = json.at("scene_hash");
-  video.history = bytes_of_file(file.parent_path() / json.at("history").get<std::string>());
-  if (json.contains("files")) video.files = json.at("files").dump();
-  video.captions = json.at("captions");
-  video.encoded = to_encoded(json.at("encoded"));
-  for (const Json& frame : json.at("frames")) {
-    const std::string text = frame;
-    const std::size_t space = text.find(' ');
-    video.frames.push_back({.hash = text.substr(0, space), .squares = text.substr(std::min(text.size(), space + 1))});
+  video.driver = root.text("driver");
+  approval.who = root.text("who");
+  approval.why = root.text("why");
+  video.size = to_size(root.at("size"));
+  video.frames_per_second = root.number("frames_per_second");
+  video.state_digest = root.text("state_digest");
+  video.second_state_digest = root.text_if_there("second_state_digest");
+  video.scene_hash = root.text("scene_hash");
+  approval.history = root.text("history");
+  video.history = bytes_of_file(folder / approval.history);
+  if (root.has("files")) video.files = root.dump("files");
+  video.captions = root.text("captions");
+  video.encoded = to_encoded(root.at("encoded"));
+  for (const std::string& frame : root.texts("frames")) video.frames.push_back(to_frame_record(frame));
+  for (const ApprovalValue& kept : root.list("kept")) {
+    video.kept.push_back(to_frame(kept.at("frame"), video.frames.size()));
+    approval.pictures.push_back(kept.text("image"));
   }
-  for (const Json& kept : json.at("kept")) {
-    video.kept.push_back(to_frame(kept.at("frame"), video.frames.size(), file));
-    approval.pictures.push_back(kept.at("image"));
-  }
-  video.resolved = json.at("resolved").dump();
+  video.resolved = root.dump("resolved");
   return approval;
 }
 
 GoldenVideoApproval read_approval(const std::filesystem::path& file) {
-  try {
-    const Json json = Json::parse(approval_text(file));
-    if (json.at("video_approval_version") != kVideoApprovalVersion) {
-      throw GoldenError(file.string() + ": written by another version of the program");
-    }
-    GoldenVideoApproval approval = to_approval(json, file);
-    approval.files = approval.pictures;
-    approval.history = json.at("history");
-    approval.files.push_back(approval.history);
-    approval.files.push_back(file.filename().string());
-    return approval;
-  } catch (const Json::exception& error) {
-    throw damaged_golden(file.string() + ": is damaged (" + error.what() + ")");
-  }
+  const ApprovalFile approved(file, "video_approval_version", kVideoApprovalVersion);
+  GoldenVideoApproval approval = to_approval(approved.root(), file.parent_path());
+  approval.files = approval.pictures;
+  approval.files.push_back(approval.history);
+  approval.files.push_back(file.filename().string());
+  return approval;
 }
 
 }  // namespace
