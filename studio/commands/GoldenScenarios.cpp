@@ -189,10 +189,9 @@ std::vector<std::string> golden_notes(const NamedGoldens& named) {
     }
   }
   if (!named.are_all) return notes;
-  std::set<std::string> names;
-  for (const Scenario& scenario : named.scenarios) names.insert(scenario.name);
-  for (const BrokenScenario& broken : named.broken) names.insert(broken.file.stem().string());
-  std::ranges::copy(unasked_folders(golden_root(), names), std::back_inserter(notes));
+  GoldenOwners owners{.scenes = home() / "scenes", .scenarios = named.scenarios, .broken = {}};
+  for (const BrokenScenario& broken : named.broken) owners.broken.insert(broken.file.stem().string());
+  std::ranges::copy(unasked_folders(golden_root(), owners), std::back_inserter(notes));
   return notes;
 }
 

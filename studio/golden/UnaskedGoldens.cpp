@@ -36,14 +36,21 @@ bool is_of_a_golden(const std::filesystem::path& file) {
   return std::ranges::find(kExtensions, file.extension()) != std::end(kExtensions);
 }
 
+bool asks_for(const Scenario& scenario, const GoldenApproval& approval) {
+  return std::ranges::any_of(scenario.goldens, [&](const GoldenDefinition& golden) {
+    return golden.video == 0 && std::abs(golden.at - approval.at) <= kSameTime;
+  });
+}
+
+bool asks_for_video(const Scenario& scenario) {
+  return std::ranges::any_of(scenario.goldens, [](const GoldenDefinition& golden) { return golden.video > 0; });
+}
+
 void look_at_moments(const Scenario& scenario, const std::filesystem::path& folder, Names& named,
                      std::vector<std::string>& notes) {
   for (const GoldenApproval& approval : read_approvals(folder)) {
     named.insert({"approval.json", approval.image, approval.state, approval.history, approval.second_state});
-    const auto is_meant = [&](const GoldenDefinition& golden) {
-      return golden.video == 0 && std::abs(golden.at - approval.at) <= kSameTime;
-    };
-    if (std::ranges::any_of(scenario.goldens, is_meant)) continue;
+    if (asks_for(scenario, approval)) continue;
     const std::string stem = std::filesystem::path(approval.image).stem().string();
     notes.push_back(note(folder / approval.image,
                          fmt::format("no golden of scenario {} is at {:.9g} s", scenario.name, approval.at),
@@ -55,7 +62,7 @@ void look_at_moments(const Scenario& scenario, const std::filesystem::path& fold
 
 void look_at_videos(const Scenario& scenario, const std::filesystem::path& folder, Names& named,
                     std::vector<std::string>& notes) {
-  const bool is_meant = std::ranges::any_of(scenario.goldens, [](const auto& golden) { return golden.video > 0; });
+  const bool is_meant = asks_for_video(scenario);
   for (const GoldenVideoApproval& approval : read_video_approvals(folder)) {
     named.insert(approval.files.begin(), approval.files.end());
     if (is_meant) continue;
@@ -64,6 +71,31 @@ void look_at_videos(const Scenario& scenario, const std::filesystem::path& folde
     notes.push_back(note(folder / approval.files.back(), "scenario " + scenario.name + " has no golden of its video",
                          "list one under `golden:`, or remove what belongs to it: git rm" + files));
   }
+}
+
+/// Whether the scenario asks for all that is approved in a folder, which is something.
+bool asks_for_all_of(const Scenario& scenario, const std::filesystem::path& folder) {
+  try {
+    const std::vector<GoldenApproval> moments = read_approvals(folder);
+    const bool has_video = !read_video_approvals(folder).empty();
+    return (!moments.empty() || has_video) && (!has_video || asks_for_video(scenario)) &&
+           std::ranges::all_of(moments, [&](const GoldenApproval& approval) { return asks_for(scenario, approval); });
+  } catch (const GoldenError&) {
+    return false;
+  }
+}
+
+/// For a folder whose scenario is gone: how its approvals are kept where that has another name now; "" where it cannot
+/// have one.
+std::string cure_for_renaming(const std::filesystem::path& folder, const GoldenOwners& owners) {
+  std::string cure;
+  for (const Scenario& scenario : owners.scenarios) {
+    const std::filesystem::path own = folder.parent_path() / scenario.name;
+    if (std::filesystem::exists(own) || !asks_for_all_of(scenario, folder)) continue;
+    cure += fmt::format("if it is scenario {} now, keep its approvals: git mv {} {}; ", scenario.name,
+                        shell_argument(folder.string()), shell_argument(own.string()));
+  }
+  return cure;
 }
 
 }  // namespace
@@ -84,13 +116,19 @@ std::vector<std::string> unasked_goldens(const Scenario& scenario, const std::fi
   return notes;
 }
 
-std::vector<std::string> unasked_folders(const std::filesystem::path& root, const Names& scenarios) {
+std::vector<std::string> unasked_folders(const std::filesystem::path& root, const GoldenOwners& owners) {
   std::vector<std::string> notes;
   for (const std::filesystem::path& folder : entries_of(root, true)) {
     const std::string name = folder.filename().string();
-    if (scenarios.contains(name)) continue;
-    notes.push_back(note(folder, "scenes/" + name + ".yaml has no goldens or is not there",
-                         "remove the folder: git rm -r " + shell_argument(folder.string())));
+    if (owners.broken.contains(name) ||
+        std::ranges::find(owners.scenarios, name, &Scenario::name) != owners.scenarios.end())
+      continue;
+    const std::filesystem::path file = owners.scenes / (name + ".yaml");
+    const bool is_gone = !std::filesystem::exists(file);
+    const std::string keeping = is_gone ? cure_for_renaming(folder, owners) : "";
+    notes.push_back(note(folder, file.string() + (is_gone ? " is not there" : " asks for no goldens"),
+                         fmt::format("{}{}remove the folder: git rm -r {}", keeping, keeping.empty() ? "" : "else ",
+                                     shell_argument(folder.string()))));
   }
   return notes;
 }

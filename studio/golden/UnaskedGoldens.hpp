@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,15 @@ namespace thinwall {
 /// approval names. Nothing where an approval cannot be read, which the comparison tells.
 std::vector<std::string> unasked_goldens(const Scenario& scenario, const std::filesystem::path& folder);
 
-/// Folders in `root` that no scenario of these names has.
-std::vector<std::string> unasked_folders(const std::filesystem::path& root, const std::set<std::string>& scenarios);
+/// The scenarios that have goldens.
+struct GoldenOwners {
+  std::filesystem::path scenes;         // the folder of their files
+  std::span<const Scenario> scenarios;  // those that can be read
+  std::set<std::string> broken;         // the names of the others
+};
+
+/// Folders in `root` that none of them has; where a scenario is gone that may be renamed to one of them, which as yet
+/// has no folder and asks for all that is approved, how the approvals are kept.
+std::vector<std::string> unasked_folders(const std::filesystem::path& root, const GoldenOwners& owners);
 
 }  // namespace thinwall

@@ -307,5 +307,29 @@ TEST_F(ProgramGLTest, GoldensThatNoScenarioAsksForAnyMoreAreToldAndFailNothing) 
   EXPECT_EQ(run({"golden", "test", "small@60ms"}).messages.find("no golden of"), std::string::npos);
 }
 
+TEST_F(ProgramGLTest, TheGoldensOfAScenarioThatIsRenamedAreToldToBeMovedWithTheirApprovals) {
+  expect_good({"golden", "approve", "small", "--why", "the first"});
+  std::filesystem::rename(folder_ / "scenes/small.yaml", folder_ / "scenes/large.yaml");
+  write_bytes(folder_ / "scenes/other.yaml",
+              small_scenario() + "golden: [ { at: 60 ms, max: 8, mean: 0.2, why: rounding } ]\n");
+  const std::string before = (folder_ / "golden_images/small").string();
+  const std::string after = (folder_ / "golden_images/large").string();
+  const std::string moving = "if it is scenario large now, keep its approvals: git mv " + before + " " + after;
+  for (const char* verb : {"list", "test"}) {
+    const ProgramEnd end = run({"golden", verb});
+    EXPECT_NE(end.messages.find(moving + "; else remove the folder: git rm -r " + before), std::string::npos)
+        << end.messages;
+    EXPECT_EQ(end.messages.find("if it is scenario other"), std::string::npos) << "it asks for another moment";
+  }
+  std::filesystem::rename(before, after);
+  const ProgramEnd kept = run({"golden", "test", "large"});
+  EXPECT_EQ(kept.exit_code, 0) << kept.messages;
+  write_bytes(folder_ / "scenes/small.yaml", small_scenario());
+  std::filesystem::rename(after, before);
+  const ProgramEnd without = run({"golden", "list"});
+  EXPECT_NE(without.messages.find("small.yaml asks for no goldens"), std::string::npos) << without.messages;
+  EXPECT_EQ(without.messages.find("git mv"), std::string::npos) << "it is there";
+}
+
 }  // namespace
 }  // namespace thinwall
