@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <csignal>
 #include <system_error>
+#include <thread>
 
 #include "renderer/image/PictureFailure.hpp"
 
@@ -69,12 +70,22 @@ std::string text_in(int descriptor) {
   }
 }
 
+int exit_code_of(int status) {
+  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+}
+
 /// The exit code of the ended process, waiting for it.
 int wait_for(pid_t process) {
   int status = 0;
   while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
   }
-  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+  return exit_code_of(status);
+}
+
+/// The same without waiting; nothing while it runs.
+std::optional<int> look_for_end(pid_t process) {
+  int status = 0;
+  return waitpid(process, &status, WNOHANG) == process ? std::optional(exit_code_of(status)) : std::nullopt;
 }
 
 }  // namespace
@@ -151,7 +162,26 @@ std::size_t Program::receive(std::span<std::uint8_t> bytes) {
 ProgramResult Program::finish() {
   end_input();
   if (streamed_) end_output();
-  const int exit_code = wait_for(process_);
+  return result(wait_for(process_));
+}
+
+std::optional<ProgramResult> Program::finish_within(std::chrono::milliseconds patience) {
+  constexpr std::chrono::milliseconds kBetweenLooks{10};
+  end_input();
+  if (streamed_) end_output();
+  const auto begin = std::chrono::steady_clock::now();
+  for (;;) {
+    if (const std::optional<int> exit_code = look_for_end(process_)) return result(*exit_code);
+    if (std::chrono::steady_clock::now() - begin >= patience) return std::nullopt;
+    std::this_thread::sleep_for(kBetweenLooks);
+  }
+}
+
+void Program::terminate() {
+  if (process_ > 0) kill(process_, SIGTERM);
+}
+
+ProgramResult Program::result(int exit_code) {
   process_ = -1;
   return {.exit_code = exit_code, .output = streamed_ ? "" : text_in(output_), .errors = text_in(errors_)};
 }

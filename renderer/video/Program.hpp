@@ -2,8 +2,10 @@
 
 #include <sys/types.h>
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -45,7 +47,15 @@ class Program {
   /// that still writes is stopped by that.
   ProgramResult finish();
 
+  /// What `finish` gives, or nothing where the program runs on for so long; its input ends in any case. To be called
+  /// again until it gives something.
+  std::optional<ProgramResult> finish_within(std::chrono::milliseconds patience);
+
+  /// Asks it to end, by SIGTERM.
+  void terminate();
+
  private:
+  ProgramResult result(int exit_code);
   void end_input();
   void end_output();
 

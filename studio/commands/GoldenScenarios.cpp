@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
@@ -20,6 +21,7 @@
 #include "studio/director/StressFreeAnswers.hpp"
 #include "studio/golden/GoldenCache.hpp"
 #include "studio/golden/UnaskedGoldens.hpp"
+#include "studio/recorder/Interruption.hpp"
 #include "studio/recorder/ResolvedPicture.hpp"
 #include "studio/scenario/IncludePass.hpp"
 #include "studio/scenario/LoadScenario.hpp"
@@ -154,6 +156,22 @@ void refuse_one_name(const std::vector<Scenario>& scenarios) {
   }
 }
 
+/// Runs a program of ours to its end, or to that of this one: where that is asked to end, so is the other, and killed
+/// where it does not.
+void run_until_interrupted(const std::vector<std::string>& arguments) {
+  constexpr std::chrono::milliseconds kBetweenLooks{50}, kPatience{800};
+  Program program(arguments);
+  while (!program.finish_within(kBetweenLooks)) {
+    try {
+      throw_if_interrupted();
+    } catch (const Interrupted&) {
+      program.terminate();
+      program.finish_within(kPatience);
+      throw;
+    }
+  }
+}
+
 /// The driver that draws here, as it names itself; why there is none, when there is none.
 std::string driver_here(const DeviceChoice& device) {
   try {
@@ -235,8 +253,8 @@ GoldenRunOptions golden_run(const GoldenOptions& options, bool keeps) {
   run.jobs = options.jobs > 0 ? options.jobs : static_cast<int>(std::thread::hardware_concurrency());
   run.in_other_process = [options](const Scenario& scenario) {
     const std::filesystem::path out = options.out / "jobs" / scenario.name;
-    run_program({std::filesystem::read_symlink("/proc/self/exe"), "golden", "test", scenario.file, "--all", "--jobs",
-                 "1", "--device", options.device_text, "--out", out});
+    run_until_interrupted({std::filesystem::read_symlink("/proc/self/exe"), "golden", "test", scenario.file, "--all",
+                           "--jobs", "1", "--device", options.device_text, "--out", out});
     return out / kCache;
   };
   return run;

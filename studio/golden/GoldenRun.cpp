@@ -66,6 +66,7 @@ void judge(JudgedScenario& judged, const GoldenRunOptions& options) {
   judged.pictures = golden_pictures(scenario, options.sources, options.painters(scenario.resolved));
   judged.attributions.resize(scenario.goldens.size());
   for (std::size_t i = 0; i < scenario.goldens.size(); ++i) {
+    throw_if_interrupted();
     // One golden that is damaged says nothing of the others.
     try {
       const bool is_video = scenario.goldens[i].video > 0;
@@ -93,15 +94,6 @@ void judge_or_tell_why_not(JudgedScenario& judged, const GoldenRunOptions& optio
   }
 }
 
-bool is_interrupted() {
-  try {
-    throw_if_interrupted();
-    return false;
-  } catch (const Interrupted&) {
-    return true;
-  }
-}
-
 /// Of the scenarios that nothing is known of, finds those that are good in other processes.
 void look_in_other_processes(const std::vector<const Scenario*>& scenarios, const GoldenRunOptions& options,
                              GoldenCache& cache) {
@@ -110,11 +102,10 @@ void look_in_other_processes(const std::vector<const Scenario*>& scenarios, cons
   for_each_in_parallel(
       scenarios.size(),
       [&](std::size_t i) {
-        if (!is_interrupted()) files[i] = options.in_other_process(*scenarios[i]);
+        throw_if_interrupted();
+        files[i] = options.in_other_process(*scenarios[i]);
       },
       options.jobs);
-  // The other processes may not have been asked to end, and leave nothing to be made here.
-  throw_if_interrupted();
   for (const std::filesystem::path& file : files) cache.take_over(file);
 }
 
@@ -136,6 +127,7 @@ std::vector<JudgedScenario> judge_scenarios(std::vector<Scenario> scenarios, con
   if (cache) look_in_other_processes(unknown, options, *cache);
   std::vector<JudgedScenario> all;
   for (std::size_t i = 0; i < scenarios.size(); ++i) {
+    throw_if_interrupted();
     JudgedScenario judged;
     judged.scenario = std::move(scenarios[i]);
     judged.from_cache = known[i];

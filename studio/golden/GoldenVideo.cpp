@@ -16,6 +16,7 @@
 #include "renderer/video/MediaProbe.hpp"
 #include "renderer/video/VideoSurvey.hpp"
 #include "studio/golden/NamedFiles.hpp"
+#include "studio/recorder/Interruption.hpp"
 #include "studio/recorder/Recorder.hpp"
 
 namespace thinwall {
@@ -143,6 +144,7 @@ void record_frames(RecordedVideo& result, const Scenario& scenario, const Source
   result.missing = report.failure;
   video.frames.clear();
   for (const std::string& hash : report.frame_hashes) {
+    throw_if_interrupted();
     video.frames.push_back({.hash = hash, .squares = squares_of(read_png(frame_file(folder, video.frames.size())))});
   }
   video.captions = bytes_of_file(folder / "captions.vtt");
@@ -167,6 +169,7 @@ EncodedVideo read_encoded_video(const std::filesystem::path& folder, const Golde
   Image decoded{.size = probe.size, .pixels = std::vector<std::uint8_t>(frame_bytes(probe.size, FramePixels::kRgb8))};
   HashChain chain;
   for (; reader.next(decoded.pixels); ++encoded.frames) {
+    throw_if_interrupted();
     chain.add(image_hash(decoded));
     if (encoded.frames >= video.frames.size() || probe.size != video.size) continue;
     const Image given = read_png(frame_file(folder, encoded.frames));

@@ -56,6 +56,16 @@ TEST(Program, AnInterruptOfOurGroupDoesNotReachIt) {
   EXPECT_EQ(std::stoi(result.output.substr(0, line_end)), std::stoi(result.output.substr(line_end)));
 }
 
+TEST(Program, ItsEndCanBeWaitedForAndAskedFor) {
+  using std::chrono::milliseconds;
+  Program program({"sleep", "1000"});
+  EXPECT_FALSE(program.finish_within(milliseconds(20)));
+  program.terminate();
+  std::optional<ProgramResult> result;
+  while (!result) result = program.finish_within(milliseconds(20));
+  EXPECT_EQ(result->exit_code, 128 + SIGTERM);
+}
+
 TEST(Program, MissingProgramIsNamedWithTheCure) {
   try {
     run_program({"thinwall-no-such-program"});

@@ -178,6 +178,31 @@ TEST_F(ProgramGLTest, AReviewThatWaitsForAnAnswerCanBeInterrupted) {
   EXPECT_EQ(program.wait().exit_code, 130);
 }
 
+TEST_F(ProgramGLTest, AnInterruptEndsTheOtherProcessesOfATestAsWell) {
+  for (const char* name : {"one", "two"}) {
+    write_bytes(folder_ / "scenes" / (std::string(name) + ".yaml"),
+                small_scenario("  - wait: { for: 5000 s }\n") +
+                    "golden: [ { at: 5000 s, max: 8, mean: 0.2, why: rounding } ]\n");
+  }
+  RunningProgram program({"golden", "test", "one", "two", "--jobs", "2"},
+                         {.folder = folder_.path(), .environment = {{"THINWALL_HOME", folder_.path()}}});
+  std::vector<pid_t> processes;
+  for (const char* name : {"one", "two"}) {
+    std::string number;
+    while (number.empty()) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      number = file_bytes(folder_ / "out/golden/jobs" / name / ".in_use");
+    }
+    processes.push_back(std::stoi(number));
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  program.send_signal(SIGINT);
+  EXPECT_EQ(program.wait().exit_code, 130);
+  // Their 500 000 steps take many times as long, and an interrupted step some milliseconds.
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(3));
+  for (const pid_t process : processes) EXPECT_NE(kill(process, 0), 0) << "it has ended as well";
+}
+
 TEST_F(ProgramGLTest, OfAScenarioWhoseMomentIsNamedNothingElseIsComparedApprovedOrRemembered) {
   write_bytes(folder_ / "scenes/small.yaml", small_scenario() +
                                                  "golden:\n  - { at: 60 ms, max: 8, mean: 0.2, why: rounding }\n"
