@@ -7,6 +7,7 @@
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/JsonAnswer.hpp"
+#include "studio/commands/StandardOutput.hpp"
 #include "studio/recorder/Versions.hpp"
 
 namespace thinwall {
@@ -41,14 +42,14 @@ Json to_json(const DeviceSurvey& devices, const VideoSurvey& video, int exit_cod
 }
 
 void print_for_people(const DeviceSurvey& devices, const VideoSurvey& video) {
-  fmt::print("{}", describe(devices));
+  say_result(describe(devices));
   if (video.problem.empty()) {
-    fmt::print("Video: {}, with libx264\n", video.ffmpeg_version);
+    say_result(fmt::format("Video: {}, with libx264\n", video.ffmpeg_version));
   } else {
-    fmt::print("Video: {}\n", video.problem);
+    say_result(fmt::format("Video: {}\n", video.problem));
   }
-  for (const auto& [name, version] : component_versions()) fmt::print("{}: {}\n", name, version);
-  fmt::print("Licence of this build: {}\n", effective_licence());
+  for (const auto& [name, version] : component_versions()) say_result(fmt::format("{}: {}\n", name, version));
+  say_result(fmt::format("Licence of this build: {}\n", effective_licence()));
 }
 
 }  // namespace

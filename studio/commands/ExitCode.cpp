@@ -16,6 +16,7 @@
 #include "renderer/image/PngFile.hpp"
 #include "studio/commands/JsonAnswer.hpp"
 #include "studio/commands/MistakesAsJson.hpp"
+#include "studio/commands/StandardOutput.hpp"
 #include "studio/golden/GoldenApproval.hpp"
 #include "studio/recorder/FolderLock.hpp"
 #include "studio/recorder/Interruption.hpp"
@@ -42,13 +43,14 @@ void occupy_standard_streams() {
   }
 }
 
-/// Results that were said on standard output and have not arrived are a file that could not be written.
+/// Results that were said on standard output and have not arrived are a file that could not be written. What has failed
+/// besides is the worse.
 int finished(int code) {
-  errno = 0;
-  const bool has_arrived = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
-  if (has_arrived || code != kExitGood) return code;
-  const int reason = errno != 0 ? errno : EIO;
-  return say(kExitNoPicture, "cannot write to standard output: " + std::generic_category().message(reason));
+  const int reason = standard_output_error();
+  if (reason == 0) return code;
+  say(kExitNoPicture, "cannot write to standard output: " + std::generic_category().message(reason) +
+                          "; free some space where it goes, or let it go elsewhere");
+  return code == kExitGood ? kExitNoPicture : code;
 }
 
 /// Why a command could not do its work.

@@ -9,6 +9,7 @@
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/GoldenScenarios.hpp"
 #include "studio/commands/JsonAnswer.hpp"
+#include "studio/commands/StandardOutput.hpp"
 #include "studio/golden/GoldenVideoApproval.hpp"
 
 namespace thinwall {
@@ -38,11 +39,11 @@ void list_scenario(const Scenario& scenario, bool is_json, Json& list) {
   for (const GoldenDefinition& golden : scenario.goldens) {
     const Json drivers = golden.video > 0 ? video_drivers(scenario) : picture_drivers(approvals, golden.at);
     if (!is_json) {
-      fmt::print("{:<32} {:>8}  {}  {}\n", scenario.name,
-                 golden.video > 0 ? "video" : fmt::format("{:.9g} s", golden.at), limits_text(golden),
-                 drivers.empty()
-                     ? "nothing is approved"
-                     : fmt::format("approved for {} driver{}", drivers.size(), drivers.size() > 1 ? "s" : ""));
+      say_result(fmt::format(
+          "{:<32} {:>8}  {}  {}\n", scenario.name, golden.video > 0 ? "video" : fmt::format("{:.9g} s", golden.at),
+          limits_text(golden),
+          drivers.empty() ? "nothing is approved"
+                          : fmt::format("approved for {} driver{}", drivers.size(), drivers.size() > 1 ? "s" : "")));
     }
     list.push_back({{"scenario", scenario.name},
                     {"at_s", golden.video > 0 ? Json() : Json(golden.at)},

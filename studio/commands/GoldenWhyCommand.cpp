@@ -10,6 +10,7 @@
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/GoldenScenarios.hpp"
 #include "studio/commands/JsonAnswer.hpp"
+#include "studio/commands/StandardOutput.hpp"
 #include "studio/golden/GoldenVideoApproval.hpp"
 #include "studio/golden/ScenarioDifference.hpp"
 #include "studio/take/TakeError.hpp"
@@ -91,16 +92,17 @@ Explanation explain_picture(const Scenario& scenario, const GoldenDefinition& go
 void print(const Scenario& scenario, const Explanation& explanation) {
   const GoldenDefinition& golden = explanation.golden;
   const bool is_video = golden.video > 0;
-  fmt::print("{} {}\n  allowed: {}: {}\n", scenario.name,
-             is_video ? "the video" : fmt::format("at {:.9g} s", golden.at), limits_text(golden), golden.why);
+  say_result(fmt::format("{} {}\n  allowed: {}: {}\n", scenario.name,
+                         is_video ? "the video" : fmt::format("at {:.9g} s", golden.at), limits_text(golden),
+                         golden.why));
   for (const Explanation::Approval& approval : explanation.approvals) {
-    fmt::print("  approved by {}: {}\n    on {}\n    {}\n", approval.who, approval.why, approval.driver,
-               approval.golden);
+    say_result(fmt::format("  approved by {}: {}\n    on {}\n    {}\n", approval.who, approval.why, approval.driver,
+                           approval.golden));
     for (const ScenarioChange& change : approval.changes) {
-      fmt::print("    the scenario has changed since: {}\n", to_text(change));
+      say_result(fmt::format("    the scenario has changed since: {}\n", to_text(change)));
     }
   }
-  if (explanation.approvals.empty()) fmt::print("  no {} is approved\n", is_video ? "video" : "picture");
+  if (explanation.approvals.empty()) say_result(fmt::format("  no {} is approved\n", is_video ? "video" : "picture"));
 }
 
 Json to_json(const Scenario& scenario, const Explanation& explanation) {
@@ -137,7 +139,7 @@ int explain_goldens(const GoldenOptions& options) {
     }
     const std::vector<std::string> history = history_by_git(scenario.name);
     if (!options.json && !history.empty()) {
-      fmt::print("  changes of the approval:\n    {}\n", fmt::join(history, "\n    "));
+      say_result(fmt::format("  changes of the approval:\n    {}\n", fmt::join(history, "\n    ")));
     }
     histories[scenario.name] = history;
   }

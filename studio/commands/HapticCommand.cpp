@@ -5,6 +5,7 @@
 #include "studio/commands/Commands.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/Outcome.hpp"
+#include "studio/commands/StandardOutput.hpp"
 #include "studio/haptics/HapticRun.hpp"
 #include "studio/haptics/PeerDevice.hpp"
 #include "studio/recorder/Interruption.hpp"
@@ -34,7 +35,7 @@ int drive_haptics(const HapticOptions& options) {
   fmt::print(stderr, "{}", to_text(report));
   if (options.record) write_whole_file(*options.record, tick_table(report.record));
   const int exit_code = report.failure.empty() ? kExitGood : kExitSimulationFailed;
-  if (options.json) fmt::print("{}\n", to_json(report, exit_code));
+  if (options.json) say_result(to_json(report, exit_code) + "\n");
   if (exit_code != kExitGood) {
     fmt::print(stderr, "thinwall: the solver behind the loop failed: {}\n", report.failure);
   }

@@ -12,6 +12,7 @@
 
 #include "studio/commands/CompareLine.hpp"
 #include "studio/commands/ExitCode.hpp"
+#include "studio/commands/StandardOutput.hpp"
 #include "studio/recorder/Versions.hpp"
 
 namespace {
@@ -47,7 +48,7 @@ int become_studio(char** arguments) {
 int main(int count, char** arguments) {
   if (count == 2 && std::string(arguments[1]) == "--version") {
     return thinwall::exit_code_of([] {
-      fmt::print("{}\n", thinwall::version_text());
+      thinwall::say_result(thinwall::version_text() + "\n");
       return thinwall::kExitGood;
     });
   }

@@ -158,12 +158,20 @@ TEST_F(ProgramTest, WithoutStandardStreamsItLeavesWhatItLeavesWithThem) {
 
 TEST_F(ProgramTest, ResultsThatStandardOutputDoesNotTakeEndWith4) {
   const std::string start = "cd '" + folder_.path().string() + "' && '" THINWALL_PROGRAM "' ";
-  for (const char* command : {"check small.yaml --json", "run small.yaml --no-render --json --out out"}) {
+  const auto end_of = [&](const std::string& command) {
     const int status = std::system((start + command + " >/dev/full 2>messages").c_str());
-    EXPECT_EQ(WEXITSTATUS(status), 4) << command;
     const std::string messages = file_bytes(folder_ / "messages");
-    EXPECT_NE(messages.find("No space left on device"), std::string::npos) << messages;
-  }
+    const std::string words = "cannot write to standard output: No space left on device; free some space";
+    EXPECT_NE(messages.find(words), std::string::npos) << messages;
+    return WEXITSTATUS(status);
+  };
+  std::string many;  // whose results no buffer holds
+  for (int i = 0; i < 100; ++i) many += " small.yaml";
+  EXPECT_EQ(end_of("check small.yaml --json"), 4);
+  EXPECT_EQ(end_of("check --json" + many), 4);
+  EXPECT_EQ(end_of("run small.yaml --no-render --json --out out"), 4);
+  for (const char* help : {"--help", "run --help", "--version"}) EXPECT_EQ(end_of(help), 4) << help;
+  EXPECT_EQ(end_of("check --json none.yaml" + many), 2) << "what is wrong besides is the worse";
 }
 
 TEST_F(ProgramTest, AnEmptyValueIsBadUsageAndNotTakenForAnAbsentOne) {
