@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -60,14 +61,34 @@ void print_summary(const std::vector<JudgedScenario>& all, const std::vector<std
   print_json({{"goldens", list}, {"counts", json_counts}, {"notes", notes}, {"exit_code", code}});
 }
 
-std::vector<JudgedScenario> judge_and_print(const NamedGoldens& named, const GoldenOptions& options) {
+/// What could not be written, a message each: what is compared is told all the same.
+class Unwritten {
+ public:
+  template <typename Write>
+  void attempt(Write&& write) {
+    try {
+      write();
+    } catch (const PictureFailure& failure) {
+      messages_.emplace_back(failure.what());
+    }
+  }
+  const std::vector<std::string>& messages() const { return messages_; }
+
+ private:
+  std::vector<std::string> messages_;
+};
+
+std::vector<JudgedScenario> judge_and_print(const NamedGoldens& named, const GoldenOptions& options,
+                                            Unwritten& unwritten) {
   const auto print = [&](const JudgedScenario& judged) {
     PicturesForLooking pictures(options.out / judged.scenario.name);
     for (std::size_t i = 0; i < judged.results.size(); ++i) {
       print_result(judged, i);
-      for (const std::string& line : pictures.keep(judged, i, golden_folder(judged.scenario.name))) {
-        fmt::print(stderr, "  {}\n", line);
-      }
+      unwritten.attempt([&] {
+        for (const std::string& line : pictures.keep(judged, i, golden_folder(judged.scenario.name))) {
+          fmt::print(stderr, "  {}\n", line);
+        }
+      });
     }
     pictures.remove_others();
   };
@@ -78,10 +99,10 @@ std::filesystem::path report_page(const GoldenOptions& options) {
   return options.out / "index.html";
 }
 
-std::filesystem::path write_report(const std::vector<JudgedScenario>& all, const GoldenOptions& options) {
-  std::filesystem::path page = report_page(options);
+void write_report(const std::vector<JudgedScenario>& all, const GoldenOptions& options) {
+  const std::filesystem::path page = report_page(options);
   write_whole_file(page, golden_report(all, golden_root()));
-  return page;
+  fmt::print(stderr, "report: {}\n", page.string());
 }
 
 /// Before the comparison, so that what cannot be written is told at once.
@@ -103,17 +124,21 @@ int compare_goldens(const GoldenOptions& options, PageOf page) {
   const NamedGoldens named = named_goldens(options.scenarios);
   const FolderLock lock(options.out);
   if (!options.junit.empty()) prepare_junit(options.junit);
-  const std::vector<JudgedScenario> all = judge_and_print(named, options);
-  const int code = exit_code(all);
-  if (!options.junit.empty()) write_whole_file(options.junit, junit_report(all));
+  Unwritten unwritten;
+  const std::vector<JudgedScenario> all = judge_and_print(named, options, unwritten);
+  const bool are_good = exit_code(all) == kExitGood;
+  if (!options.junit.empty()) unwritten.attempt([&] { write_whole_file(options.junit, junit_report(all)); });
   if (std::getenv("GITHUB_ACTIONS") != nullptr) fmt::print(stderr, "{}", github_annotations(all));
-  if (code != kExitGood || page == PageOf::kAll) {
-    fmt::print(stderr, "report: {}\n", write_report(all, options).string());
+  if (!are_good || page == PageOf::kAll) {
+    unwritten.attempt([&] { write_report(all, options); });
   } else {
     std::error_code ignored;
     std::filesystem::remove(report_page(options), ignored);  // of an earlier test, in which something had failed
   }
-  print_summary(all, golden_notes(named), code, options.json);
+  std::vector<std::string> notes = golden_notes(named);
+  std::ranges::copy(unwritten.messages(), std::back_inserter(notes));
+  const int code = unwritten.messages().empty() ? exit_code(all) : worse_exit_code(exit_code(all), kExitNoPicture);
+  print_summary(all, notes, code, options.json);
   return code;
 }
 

@@ -17,6 +17,7 @@
 #include "renderer/video/VideoSurvey.hpp"
 #include "studio/commands/Arguments.hpp"
 #include "studio/commands/ExitCode.hpp"
+#include "studio/commands/Outcome.hpp"
 #include "studio/commands/RunSource.hpp"
 #include "studio/director/StressFreeAnswers.hpp"
 #include "studio/golden/GoldenCache.hpp"
@@ -256,6 +257,9 @@ GoldenRunOptions golden_run(const GoldenOptions& options, bool keeps) {
     run_until_interrupted({std::filesystem::read_symlink("/proc/self/exe"), "golden", "test", scenario.file, "--all",
                            "--jobs", "1", "--device", options.device_text, "--out", out});
     return out / kCache;
+  };
+  run.cannot_keep = [](const PictureFailure& failure) {
+    tell_note(fmt::format("what is good is not remembered, so the next test makes it again: {}", failure.what()));
   };
   return run;
 }

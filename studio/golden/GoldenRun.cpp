@@ -109,6 +109,15 @@ void look_in_other_processes(const std::vector<const Scenario*>& scenarios, cons
   for (const std::filesystem::path& file : files) cache.take_over(file);
 }
 
+/// No result is the worse for a cache that cannot be written.
+void keep_what_was_good(const GoldenCache& cache, const GoldenRunOptions& options) {
+  try {
+    cache.write_to(*options.cache);
+  } catch (const PictureFailure& failure) {
+    if (options.cannot_keep) options.cannot_keep(failure);
+  }
+}
+
 }  // namespace
 
 std::vector<JudgedScenario> judge_scenarios(std::vector<Scenario> scenarios, const GoldenRunOptions& options,
@@ -140,7 +149,7 @@ std::vector<JudgedScenario> judge_scenarios(std::vector<Scenario> scenarios, con
     done(judged);
     all.push_back(std::move(judged));
   }
-  if (cache) cache->write_to(*options.cache);
+  if (cache) keep_what_was_good(*cache, options);
   return all;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/image/PictureFailure.hpp"
 #include "studio/golden/Attribution.hpp"
 #include "studio/golden/GoldenComparison.hpp"
 #include "studio/golden/GoldenVideo.hpp"
@@ -38,6 +39,7 @@ struct GoldenRunOptions {
   // Tests a scenario in another process, which keeps what is good in a cache of its own: that file. Processes, because
   // the libraries for orderings and for take files must not be used by two threads at once.
   std::function<std::filesystem::path(const Scenario&)> in_other_process = {};
+  std::function<void(const PictureFailure&)> cannot_keep = {};  // told where the cache cannot be written
 };
 
 /// Simulates, draws and compares; the goldens of a scenario whose files or approvals are wrong are broken; `done` is

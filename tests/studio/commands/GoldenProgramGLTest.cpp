@@ -160,6 +160,29 @@ TEST_F(ProgramGLTest, AVideoThatFindsNoRoomOnTheDiskIsNoRegression) {
   EXPECT_EQ(run({"golden", "test"}).exit_code, 1) << "its picture has failed";
 }
 
+TEST_F(ProgramGLTest, WhatCannotBeWrittenForLookingLeavesTheResultsOfAll) {
+  std::filesystem::copy_file(folder_ / "scenes/small.yaml", folder_ / "scenes/another.yaml");
+  expect_good({"golden", "approve", "small", "--why", "the first"});
+  std::filesystem::create_directories(folder_ / "out/golden/unchanged.json");
+  const ProgramEnd good = run({"golden", "test", "small", "--all"});
+  EXPECT_EQ(good.exit_code, 0) << good.messages;
+  EXPECT_NE(good.messages.find("note: what is good is not remembered"), std::string::npos) << good.messages;
+  write_bytes(folder_ / "out/golden/another", "no folder can be made here");
+  std::filesystem::create_directories(folder_ / "out/golden/index.html");
+  const ProgramEnd end = run({"golden", "test", "--all", "--junit", "junit.xml", "--json"});
+  EXPECT_EQ(end.exit_code, 1) << end.messages;
+  for (const char* words :
+       {"golden missing: another at 0.12 s", "ok: small at 0.12 s: equal", "cannot make the folder out/golden/another",
+        "cannot write out/golden/index.html", "1 ok, 0 failed, 0 result missing, 1 golden missing"}) {
+    EXPECT_NE(end.messages.find(words), std::string::npos) << words << "\n" << end.messages;
+  }
+  const nlohmann::json result = nlohmann::json::parse(end.output);
+  EXPECT_EQ(result["goldens"].size(), 2U);
+  EXPECT_EQ(result["notes"].size(), 2U) << result["notes"];
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "junit.xml"));
+  EXPECT_EQ(run({"golden", "report", "small"}).exit_code, 4) << "it is good, and has no page";
+}
+
 TEST_F(ProgramGLTest, AReviewThatWaitsForAnAnswerCanBeInterrupted) {
   const std::filesystem::path answers = folder_ / "answers";
   ASSERT_EQ(mkfifo(answers.c_str(), 0600), 0);
