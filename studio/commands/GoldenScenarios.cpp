@@ -157,6 +157,11 @@ void refuse_one_name(const std::vector<Scenario>& scenarios) {
   }
 }
 
+/// Holds a folder for each scenario that another process tests.
+std::filesystem::path jobs_folder(const GoldenOptions& options) {
+  return options.out / "jobs";
+}
+
 /// Runs a program of ours to its end, or to that of this one: where that is asked to end, so is the other, and killed
 /// where it does not.
 void run_until_interrupted(const std::vector<std::string>& arguments) {
@@ -253,7 +258,7 @@ GoldenRunOptions golden_run(const GoldenOptions& options, bool keeps) {
                 program_version("ffmpeg");
   run.jobs = options.jobs > 0 ? options.jobs : static_cast<int>(std::thread::hardware_concurrency());
   run.in_other_process = [options](const Scenario& scenario) {
-    const std::filesystem::path out = options.out / "jobs" / scenario.name;
+    const std::filesystem::path out = jobs_folder(options) / scenario.name;
     run_until_interrupted({std::filesystem::read_symlink("/proc/self/exe"), "golden", "test", scenario.file, "--all",
                            "--jobs", "1", "--device", options.device_text, "--out", out});
     return out / kCache;
@@ -267,6 +272,8 @@ GoldenRunOptions golden_run(const GoldenOptions& options, bool keeps) {
 std::vector<JudgedScenario> judge_named(const NamedGoldens& named, const GoldenOptions& options,
                                         const std::function<void(const JudgedScenario&)>& done) {
   std::vector<JudgedScenario> all = judge_scenarios(named.scenarios, golden_run(options, named.are_whole), done);
+  std::error_code ignored;
+  std::filesystem::remove(jobs_folder(options), ignored);  // where it is empty
   for (const BrokenScenario& broken : named.broken) {
     all.push_back(unreadable_scenario(broken.file, broken.errors));
     done(all.back());

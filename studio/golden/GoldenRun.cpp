@@ -106,7 +106,11 @@ void look_in_other_processes(const std::vector<const Scenario*>& scenarios, cons
         files[i] = options.in_other_process(*scenarios[i]);
       },
       options.jobs);
-  for (const std::filesystem::path& file : files) cache.take_over(file);
+  std::error_code ignored;
+  for (const std::filesystem::path& file : files) {
+    cache.take_over(file);
+    std::filesystem::remove_all(file.parent_path(), ignored);
+  }
 }
 
 /// No result is the worse for a cache that cannot be written.

@@ -36,8 +36,9 @@ struct GoldenRunOptions {
   std::filesystem::path videos = {};  // a folder for the videos that are recorded, one in a folder for each scenario
   std::string program;                // a hash of what simulates and draws, for the cache
   int jobs = 1;                       // scenarios at once, each in a process of its own
-  // Tests a scenario in another process, which keeps what is good in a cache of its own: that file. Processes, because
-  // the libraries for orderings and for take files must not be used by two threads at once.
+  // Tests a scenario in another process, which keeps what is good in a cache of its own: that file, in a folder that
+  // holds nothing else of worth. Processes, because the libraries for orderings and for take files must not be used by
+  // two threads at once.
   std::function<std::filesystem::path(const Scenario&)> in_other_process = {};
   std::function<void(const PictureFailure&)> cannot_keep = {};  // told where the cache cannot be written
 };

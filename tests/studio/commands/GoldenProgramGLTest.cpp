@@ -201,6 +201,15 @@ TEST_F(ProgramGLTest, AReviewThatWaitsForAnAnswerCanBeInterrupted) {
   EXPECT_EQ(program.wait().exit_code, 130);
 }
 
+TEST_F(ProgramGLTest, OtherProcessesLeaveNothingBesideWhatIsGood) {
+  std::filesystem::copy_file(folder_ / "scenes/small.yaml", folder_ / "scenes/another.yaml");
+  expect_good({"golden", "approve", "small", "another", "--why", "the first"});
+  const ProgramEnd first = run({"golden", "test", "--jobs", "2"});
+  EXPECT_EQ(first.exit_code, 0) << first.messages;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/golden/jobs"));
+  EXPECT_NE(run({"golden", "test"}).messages.find("unchanged since"), std::string::npos);
+}
+
 TEST_F(ProgramGLTest, AnInterruptEndsTheOtherProcessesOfATestAsWell) {
   for (const char* name : {"one", "two"}) {
     write_bytes(folder_ / "scenes" / (std::string(name) + ".yaml"),
