@@ -189,7 +189,9 @@ void tell_overlay(Attribution& attribution) {
     return;
   }
   attribution.sentence = "overlay changed" + (words.empty() ? "" : ": " + words);
-  if (written.empty() && !asked.empty()) attribution.sentence += "; the scenario has changed: " + asked;
+  // A caption may tell what has changed before that has come to anything, as a depth that is not reached yet.
+  const std::string besides = written.empty() ? "" : " too";
+  if (!asked.empty()) attribution.sentence += "; the scenario has changed" + besides + ": " + asked;
   attribution.sentence += "; the picture below is identical";
 }
 

@@ -93,8 +93,8 @@ std::string github_annotations(const std::vector<JudgedScenario>& scenarios) {
       const SourceLocation& location = judged.scenario.goldens[i].location;
       text += fmt::format("::{} file={},line={},title={} {}: {}::{}\n",
                           result.outcome == GoldenOutcome::kSkipped ? "warning" : "error",
-                          judged.scenario.file.generic_string(), location.line, result.scenario, moment_name(result),
-                          outcome_name(result.outcome), for_github(cause_line(judged, i)));
+                          judged.scenario.file.lexically_normal().generic_string(), location.line, result.scenario,
+                          moment_name(result), outcome_name(result.outcome), for_github(cause_line(judged, i)));
     }
   }
   return text;

@@ -275,6 +275,17 @@ TEST_F(AttributionTest, ACaptionIsNamedByItsPlaceInTheScenario) {
       R"(overlay changed: timeline[1].wait.caption "Pressing" instead of "Presing"; the picture below is identical)");
 }
 
+TEST_F(AttributionTest, WhatTheScenarioAsksForOtherwiseIsToldBesideItsCaption) {
+  const auto clip = [](const std::string& depth) {
+    return R"("timeline": [{"palpate": {"depth": )" + depth + R"(, "caption": "Pressed )" + depth + R"( deep"}}])";
+  };
+  scene_.approve(with(clip("0.006")));
+  Scenario scenario = with(clip("0.007"));
+  scenario.title = "A sheet that is pressed deeper";  // what is written over the picture
+  expect_words(attribution_of(scene_.judge(scenario)),
+               "; the scenario has changed too: timeline[1].palpate.depth 7 mm instead of 6 mm; the picture below is");
+}
+
 TEST_F(AttributionTest, ATextThatFollowsFromTheTimelineIsToldWithIt) {
   Scenario scenario = with(R"("timeline": [{"wait": {"for": 0.1}}])");
   scenario.title = "Another sheet";

@@ -53,7 +53,7 @@ TEST_F(GoldenReportTest, JUnitKeepsTheOutcomesApart) {
 
 TEST_F(GoldenReportTest, NotesForGitHubNameTheLineOfTheScenario) {
   JudgedScenario judged = failed();
-  judged.scenario.file = "scenes/sheet.yaml";
+  judged.scenario.file = "./scenes/sheet.yaml";
   judged.scenario.goldens[0].location.line = 12;
   EXPECT_EQ(
       github_annotations({judged}).rfind("::error file=scenes/sheet.yaml,line=12,title=sheet at 0.1 s: failed::", 0),
