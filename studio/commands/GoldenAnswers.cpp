@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -19,9 +20,33 @@ void print_result(const JudgedScenario& judged, std::size_t index) {
   if (!result.details.empty()) fmt::print(stderr, "{}\n", result.details);
 }
 
+std::vector<std::string> closing_lines(const std::vector<JudgedScenario>& all) {
+  std::map<GoldenOutcome, std::string> names;
+  std::string approvable;
+  for (const JudgedScenario& judged : all) {
+    for (std::size_t i = 0; i < judged.results.size(); ++i) {
+      const GoldenResult& result = judged.results[i];
+      if (result.outcome == GoldenOutcome::kOk) continue;
+      const std::string name = golden_argument(result);
+      const std::optional<Attribution>& cause = judged.attributions[i];
+      std::string& line = names[result.outcome];
+      line += (line.empty() ? "" : ", ") + name + (cause ? " (" + stage_name(cause->stage) + ")" : "");
+      const bool is_new = result.outcome == GoldenOutcome::kFailed || result.outcome == GoldenOutcome::kGoldenMissing;
+      if (is_new) approvable += " " + name;
+    }
+  }
+  std::vector<std::string> lines;
+  for (const auto& [outcome, line] : names) lines.push_back(outcome_name(outcome) + ": " + line);
+  if (!approvable.empty()) {
+    lines.push_back("where today's pictures are right: thinwall golden approve" + approvable + " --why ...");
+  }
+  return lines;
+}
+
 Json golden_as_json(const JudgedScenario& judged, std::size_t index) {
   const GoldenResult& result = judged.results[index];
   Json json = {{"scenario", result.scenario},
+               {"argument", golden_argument(result)},
                {"at_s", result.is_video || result.is_scenario ? Json() : Json(result.at)},
                {"video", result.is_video},
                {"outcome", outcome_name(result.outcome)},

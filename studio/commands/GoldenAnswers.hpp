@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
 
 #include "studio/golden/GoldenRun.hpp"
 
@@ -12,7 +14,11 @@ namespace thinwall {
 /// Outcome, cause and details on standard error.
 void print_result(const JudgedScenario& judged, std::size_t index);
 
-/// The same and all figures, as an object.
+/// What is not as it should be, a line for each outcome, and how it is approved; nothing where all is. Between the
+/// results of many goldens the few that failed are lost.
+std::vector<std::string> closing_lines(const std::vector<JudgedScenario>& all);
+
+/// What print_result says and all figures, as an object.
 nlohmann::ordered_json golden_as_json(const JudgedScenario& judged, std::size_t index);
 
 /// What one golden gives. Nothing was compared where it is skipped, which is no success.

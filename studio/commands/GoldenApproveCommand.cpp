@@ -12,7 +12,6 @@
 #include "studio/golden/GoldenRenewal.hpp"
 #include "studio/golden/GoldenVideoComparison.hpp"
 #include "studio/recorder/FolderLock.hpp"
-#include "studio/schema/Wording.hpp"
 
 namespace thinwall {
 namespace {
@@ -35,11 +34,6 @@ bool differs_within_limits(const GoldenResult& result) {
   if (result.outcome != GoldenOutcome::kOk) return false;
   const bool is_equal = result.is_video ? result.different_frames.empty() : result.rung == "bytes";
   return !is_equal || result.state.verdict != StateVerdict::kEqual || result.driver != result.golden_driver;
-}
-
-/// "small@0.12s" or "small@video"
-std::string own_name(const GoldenResult& result) {
-  return shell_argument(result.scenario) + (result.is_video ? "@video" : fmt::format("@{:.9g}s", result.at));
 }
 
 GoldenResult renew_picture(const JudgedScenario& judged, std::size_t index, const std::string& why) {
@@ -89,7 +83,7 @@ void approve_scenario(const JudgedScenario& judged, const std::string& why, bool
       ++approvals.approved;
       continue;
     }
-    if (differs_within_limits(judged.results[i])) approvals.within_limits += " " + own_name(judged.results[i]);
+    if (differs_within_limits(judged.results[i])) approvals.within_limits += " " + golden_argument(judged.results[i]);
     print_result(judged, i);
     approvals.code = worse_exit_code(approvals.code, exit_code(judged.results[i]));
   }

@@ -52,6 +52,7 @@ void print_summary(const std::vector<JudgedScenario>& all, const std::vector<std
     json_counts[outcome_name(outcome)] = count;
   }
   for (const std::string& note : notes) fmt::print(stderr, "{}\n", note);
+  for (const std::string& closing : closing_lines(all)) fmt::print(stderr, "{}\n", closing);
   fmt::print(stderr, "{}\n", line);
   if (!json) return;
   Json list = Json::array();

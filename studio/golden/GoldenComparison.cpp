@@ -285,6 +285,11 @@ std::string moment_name(const GoldenResult& result) {
   return result.is_video ? "the video" : fmt::format("at {:.9g} s", result.at);
 }
 
+std::string golden_argument(const GoldenResult& result) {
+  const std::string moment = result.is_video ? "@video" : fmt::format("@{:.9g}s", result.at);
+  return shell_argument(result.scenario + (result.is_scenario ? "" : moment));
+}
+
 StateComparison compare_states(const Snapshot& golden, const Snapshot& today, bool equal_digests) {
   StateComparison state = compare_walls(golden, today, equal_digests);
   // A digest is of the walls alone.

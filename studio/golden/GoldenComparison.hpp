@@ -71,6 +71,10 @@ struct GoldenResult {
 /// "at 1.5 s", "the video" or "as a whole"
 std::string moment_name(const GoldenResult& result);
 
+/// As commands take it: "sheet@0.1s", "sheet@video", or "sheet" of a scenario as a whole; quoted where a shell needs
+/// it.
+std::string golden_argument(const GoldenResult& result);
+
 /// The limits of a golden as the ladder of comparisons has them.
 PictureLimits picture_limits(const GoldenDefinition& definition);
 

@@ -156,7 +156,7 @@ Json entry(const JudgedScenario& judged, std::size_t index, const std::filesyste
                {"title", judged.scenario.title},
                {"at", result.at},
                {"name", result.scenario + " " + moment_name(result)},
-               {"argument", result.scenario + "@" + (result.is_video ? "video" : fmt::format("{:g}s", result.at))},
+               {"argument", golden_argument(result)},
                {"outcome", outcome_name(result.outcome)},
                {"message", result.message},
                {"cause", result.outcome == GoldenOutcome::kOk ? "" : cause_line(judged, index)},
