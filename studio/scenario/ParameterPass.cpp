@@ -67,9 +67,9 @@ class ParameterFiller {
         const SourceLocation place = parameter->second.value.location;
         parameter->second.value = override_node(value, place);
       } else if (!known_bad_.contains(name)) {
-        diagnostics_.absence(section, "",
-                             in_backticks(option) + ": the scenario has no parameter " + in_backticks(name) +
-                                 did_you_mean(name, names_));
+        diagnostics_.absence(
+            section, "",
+            in_backticks(option) + ": the scenario has no parameter " + in_backticks(name) + hint_for(name));
       }
     }
   }
@@ -87,7 +87,9 @@ class ParameterFiller {
     for (const std::string& name : names_) {
       Parameter& parameter = parameters_[name];
       if (!parameter.used && unused == UnusedParameters::kRefused) {
-        diagnostics_.absence(parameter.location, member_path("parameters", name), "nothing uses this parameter");
+        diagnostics_.absence(
+            parameter.location, member_path("parameters", name),
+            "nothing uses this parameter; write `${" + name + "}` where its value belongs, or leave it out");
       } else if (section != nullptr) {
         section->value.find(name)->value = parameter.value;
       }
@@ -95,6 +97,14 @@ class ParameterFiller {
   }
 
  private:
+  /// What a name that no parameter has may have been meant to be.
+  std::string hint_for(const std::string& name) const {
+    const std::string meant = did_you_mean(name, names_);
+    if (!meant.empty()) return meant;
+    if (names_.empty()) return "; there is none: `parameters: { " + name + ": ... }` gives it";
+    return "; there is " + list_in_backticks(names_);
+  }
+
   static TextNode override_node(const std::string& value, const SourceLocation& place) {
     TextNode text{.kind = NodeKind::kText, .location = place, .text = value, .members = {}};
     if (!value.starts_with("[")) return text;
@@ -120,7 +130,7 @@ class ParameterFiller {
     const auto found = parameters_.find(name);
     if (found == parameters_.end()) {
       if (!known_bad_.contains(name)) {
-        diagnostics_.absence(place, path, "there is no parameter " + in_backticks(name) + did_you_mean(name, names_));
+        diagnostics_.absence(place, path, "there is no parameter " + in_backticks(name) + hint_for(name));
       }
       return nullptr;
     }

@@ -219,8 +219,9 @@ class NodeBuilder : public YAML::EventHandler {
     }
     const auto [first, is_new] = level.lines_of_keys.emplace(node.text, node.location.line);
     if (!is_new) {
-      diagnostics_.error(node.location, member_path(path(), node.text),
-                         "duplicate key, first given in line " + std::to_string(first->second));
+      diagnostics_.error(
+          node.location, member_path(path(), node.text),
+          "duplicate key, first given in line " + std::to_string(first->second) + "; leave one of both out");
       return;
     }
     level.keep = true;

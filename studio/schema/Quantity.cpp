@@ -179,6 +179,17 @@ constexpr std::array kUnitAdvice = {
     UnitAdvice{"dyn", "0.01 mN for each dyn"},
 };
 
+/// For a word that is misspelled; nullptr where none is near. Short ones are near to much.
+const UnitAdvice* advice_near(std::string_view symbol) {
+  constexpr std::size_t kLongWord = 5;  // letters
+  std::vector<std::string> words;
+  for (const UnitAdvice& row : kUnitAdvice) {
+    if (row.written.size() >= kLongWord) words.emplace_back(row.written);
+  }
+  const auto row = std::ranges::find(kUnitAdvice, nearest_word(symbol, words), &UnitAdvice::written);
+  return row == kUnitAdvice.end() ? nullptr : &*row;
+}
+
 /// How a power is written whose `^` has been left away: `m^2` of `m2`. Empty where it is none.
 std::string power_of(std::string_view symbol) {
   const std::size_t digits = symbol.find_first_of("0123456789");
@@ -195,7 +206,10 @@ std::string power_of(std::string_view symbol) {
   }
   const std::string power = power_of(symbol);
   if (!power.empty()) throw QuantityError("unknown unit " + in_backticks(symbol) + ", write " + in_backticks(power));
-  throw QuantityError("unknown unit " + in_backticks(symbol) + suggest_symbol(symbol));
+  const std::string meant = suggest_symbol(symbol);
+  const UnitAdvice* near = meant.empty() ? advice_near(symbol) : nullptr;
+  throw QuantityError("unknown unit " + in_backticks(symbol) +
+                      (near != nullptr ? ", write " + std::string(near->advice) : meant));
 }
 
 /// Takes the exponent off the end of a factor: `m^2`, `m²`, `s^-1`.
@@ -324,7 +338,8 @@ Quantity parse_quantity(std::string_view text) {
     if (text.starts_with("\u2212") || text.starts_with("\u2013")) {
       throw QuantityError("its minus sign is one of typography; write `-`");
     }
-    throw QuantityError("it does not begin with a number");
+    const std::string parameter = text.starts_with("$") ? "; a parameter's value is written `${name}`" : "";
+    throw QuantityError("it does not begin with a number" + parameter);
   }
   const std::string_view number = text.substr(0, length);
   const std::string_view unit_text = trimmed(text.substr(length));

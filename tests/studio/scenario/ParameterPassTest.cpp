@@ -53,6 +53,10 @@ TEST(ParameterPass, AValueIsPlacedWhereItIsUsedAndSaysWhereItIsFrom) {
 TEST(ParameterPass, NamesThatNothingStandsForAreErrors) {
   EXPECT_EQ(fill("parameters: { depth: 1 }\nx: ${dept} ${depth}\ny: ${depth}\n").errors,
             Texts{"2:4: x: there is no parameter `dept`, did you mean `depth`?"});
+  EXPECT_EQ(fill("parameters: { depth: 1, hold: 2 }\nx: ${depth} ${hold} ${law}\n").errors,
+            Texts{"2:4: x: there is no parameter `law`; there is `depth`, `hold`"});
+  EXPECT_EQ(fill("x: ${a}").errors,
+            Texts{"1:4: x: there is no parameter `a`; there is none: `parameters: { a: ... }` gives it"});
   EXPECT_EQ(fill("x: ${a").errors, Texts{"1:4: x: expected `${name}` with the name of a parameter, got `${a`"});
   EXPECT_EQ(fill("x: \"${}\"").errors, Texts{"1:4: x: expected `${name}` with the name of a parameter, got `${}`"});
 }
@@ -60,10 +64,14 @@ TEST(ParameterPass, NamesThatNothingStandsForAreErrors) {
 TEST(ParameterPass, ParametersAndOverridesThatNothingUsesAreErrors) {
   EXPECT_EQ(
       fill("parameters: { a: 1, b: \"${a}\" }").errors,
-      (Texts{"1:15: parameters.a: nothing uses this parameter", "1:21: parameters.b: nothing uses this parameter"}));
+      (Texts{
+          "1:15: parameters.a: nothing uses this parameter; write `${a}` where its value belongs, or leave it out",
+          "1:21: parameters.b: nothing uses this parameter; write `${b}` where its value belongs, or leave it out"}));
   EXPECT_EQ(fill("parameters: { depth: 1 }\nx: ${depth}", {{"deth", "2"}}).errors,
             Texts{"1:1: `--set deth=2`: the scenario has no parameter `deth`, did you mean `depth`?"});
-  EXPECT_EQ(fill("x: 1", {{"a", "2"}}).errors, Texts{"1:1: `--set a=2`: the scenario has no parameter `a`"});
+  EXPECT_EQ(
+      fill("x: 1", {{"a", "2"}}).errors,
+      Texts{"1:1: `--set a=2`: the scenario has no parameter `a`; there is none: `parameters: { a: ... }` gives it"});
   EXPECT_EQ(fill("parameters: { a: 1 }\nx: ${a}", {{"a", "2"}, {"a", "3"}}).errors,
             Texts{"1:1: `--set a=3`: `a` is set twice"});
 }

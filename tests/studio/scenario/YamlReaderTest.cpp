@@ -49,8 +49,8 @@ TEST(YamlReader, OfDuplicateKeysTheFirstIsKeptAndTheOthersAreErrors) {
   const TextNode root = parse_text("a:\n  - b: 1\n    b: 2\n    b: 3\n", diagnostics);
   EXPECT_EQ(root.find("a")->value.items[0].find("b")->value.text, "1");
   EXPECT_EQ(short_texts(diagnostics.errors),
-            (std::vector<std::string>{"3:5: a[1].b: duplicate key, first given in line 2",
-                                      "4:5: a[1].b: duplicate key, first given in line 2"}));
+            (std::vector<std::string>{"3:5: a[1].b: duplicate key, first given in line 2; leave one of both out",
+                                      "4:5: a[1].b: duplicate key, first given in line 2; leave one of both out"}));
 }
 
 TEST(YamlReader, AliasesAreCopiedAndKeepThePlaceOfTheirAnchor) {

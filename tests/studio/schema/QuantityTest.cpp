@@ -70,6 +70,8 @@ TEST(Quantity, WhatIsNoQuantityIsRefusedWithTheReason) {
   EXPECT_EQ(reason("400 J/m2"), "unknown unit `m2`, write `m^2`");
   EXPECT_EQ(reason("5 mm3"), "unknown unit `mm3`, write `mm^3`");
   EXPECT_EQ(reason("5 millimeter"), "unknown unit `millimeter`, write `mm`");
+  EXPECT_EQ(reason("5 milimeter"), "unknown unit `milimeter`, write `mm`");
+  EXPECT_EQ(reason("$depth"), "it does not begin with a number; a parameter's value is written `${name}`");
   EXPECT_EQ(reason("5 psi"), "unknown unit `psi`, write 6.895 kPa for each psi");
   EXPECT_EQ(reason("5 kdeg"), "unknown unit `kdeg`, did you mean `deg`?");
   EXPECT_EQ(reason("0x10 m"), "unknown unit `x10 m`");
