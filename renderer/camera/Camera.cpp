@@ -57,7 +57,8 @@ void stand(Camera& camera, const CameraDefinition& definition, const SceneExtent
   const Vector3 target = definition.target ? vector3(*definition.target) : extent.center;
   if (definition.position) {
     camera.position = vector3(*definition.position);
-    if (!(length(target - camera.position) > 0)) {
+    constexpr double kRounding = 1e-6;  // of the scene's size, whose places are in single precision
+    if (!(length(target - camera.position) > kRounding * extent.size)) {
       throw PictureFailure(definition.target ? "the camera stands at its target; move one"
                                              : "the camera stands in the middle of the bodies, where it looks without "
                                                "`target`; give it a `target`");

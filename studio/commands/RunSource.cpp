@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "engine/simulation/SimulationFailure.hpp"
+#include "studio/commands/CameraPlaces.hpp"
 #include "studio/commands/LongWait.hpp"
 #include "studio/commands/Outcome.hpp"
 #include "studio/director/BodyNotes.hpp"
@@ -49,6 +50,7 @@ class RunSource final : public MomentSource {
     wait_ = wait_for(kEquilibrium);
     try {
       run_.emplace(scenario_);
+      refuse_blind_cameras(scenario_, run_->snapshot());
     } catch (const SimulationFailure&) {
       notes_ = body_notes(scenario_);
       throw;

@@ -228,6 +228,12 @@ struct ComparisonScenario {
 };
 
 /// A checked scenario: every quantity in SI, every reference resolved, every value in range.
+/// Where the `position` of a camera is written.
+struct CameraPlace {
+  std::string name = {};  // of `cameras`; "" of `camera`
+  SourceLocation location = {};
+};
+
 struct Scenario {
   std::filesystem::path file = {};
   std::string name = {};                   // the file's name without directory and extension
@@ -237,6 +243,7 @@ struct Scenario {
   std::vector<Clip> timeline = {};
   SimulationOptions simulation = {};
   ViewDefinition view = {};
+  std::vector<CameraPlace> camera_places = {};  // of the cameras that have one
   OverlayChoice overlays = {};
   Teaching teaching = {};
   RecordOptions record = {};

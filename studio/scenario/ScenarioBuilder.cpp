@@ -283,6 +283,18 @@ Expectation to_expectation(const CheckedValue& value) {
   return expectation;
 }
 
+std::vector<CameraPlace> camera_places(const CheckedValue& root) {
+  std::vector<CameraPlace> places;
+  const auto add = [&](const std::string& name, const CheckedValue& camera) {
+    if (const CheckedValue* position = camera.find("position")) places.push_back({name, position->location});
+  };
+  if (const CheckedValue* camera = root.find("camera")) add("", *camera);
+  const CheckedValue* cameras = root.find("cameras");
+  if (cameras == nullptr) return places;
+  for (const CheckedMember& member : cameras->members) add(member.key, member.value);
+  return places;
+}
+
 }  // namespace
 
 Scenario build_scenario(const CheckedValue& root) {
@@ -301,6 +313,7 @@ Scenario build_scenario(const CheckedValue& root) {
   scenario.simulation.gravity = to_vector(simulation.at("gravity"));
   scenario.simulation.step_error = find_number(simulation, "step_error").value_or(0);
   scenario.simulation.tolerance = simulation.at("tolerance").number;
+  scenario.camera_places = camera_places(root);
   scenario.view.lights = to_lights(root.at("lights"));
   scenario.view.look = to_look(root.at("look"));
   const CheckedValue& overlays = root.at("look").at("overlays");

@@ -118,6 +118,36 @@ TEST_F(ProgramTest, CheckRefusesWhatARunRefusesAlsoWhereNoClipTouchesAWall) {
   }
 }
 
+TEST_F(ProgramTest, ACameraThatCanLookNowhereIsBadInputWithItsPlace) {
+  std::string text = small_scenario() + "cameras: { inner: { position: [0, 0, 10 mm] } }\n";  // of a box 20 mm high
+  write_bytes(folder_ / "blind.yaml", text);
+  for (const std::vector<std::string>& command : {std::vector<std::string>{"check", "blind.yaml"},
+                                                  {"run", "blind.yaml", "--no-render"},
+                                                  {"still", "blind.yaml", "--at", "0s", "-o", "a.png"}}) {
+    const ProgramEnd end = run(command);
+    if (end.exit_code == 4) continue;  // there is no device that a still could be drawn with
+    EXPECT_EQ(end.exit_code, 2) << end.messages;
+    EXPECT_NE(
+        end.messages.find("blind.yaml:16:31: error: cameras.inner.position: the camera stands in the middle of the "
+                          "bodies, where it looks without `target`; give it a `target`"),
+        std::string::npos)
+        << end.messages;
+  }
+}
+
+TEST_F(ProgramTest, ACameraWithinABodyIsNotedUnlessItIsAnEndoscope) {
+  const auto messages_with = [&](const std::string& camera) {
+    write_bytes(folder_ / "within.yaml", small_scenario() + "camera: { " + camera + " }\n");
+    const ProgramEnd end = run({"check", "within.yaml"});
+    EXPECT_EQ(end.exit_code, 0) << end.messages;
+    return end.messages;
+  };
+  const std::string words = "camera.position: the camera stands within body `organ` and sees its lining";
+  EXPECT_NE(messages_with("position: [3 mm, 0, 8 mm]").find(words), std::string::npos);
+  EXPECT_EQ(messages_with("position: [3 mm, -80 mm, 60 mm]").find(words), std::string::npos);
+  EXPECT_EQ(messages_with("kind: endoscope, position: [3 mm, 0, 8 mm]").find(words), std::string::npos);
+}
+
 TEST_F(ProgramTest, CheckTellsOfASecondTakeThatGoesOnAfterTheFirst) {
   const auto messages_with = [&](const std::string& speed) {
     write_bytes(folder_ / "compared.yaml", small_scenario() + "comparison:\n  set: { \"timeline[1].palpate.speed\": " +
