@@ -10,6 +10,7 @@
 #include "engine/contact/SolidGap.hpp"
 #include "engine/equilibrium/CapFans.hpp"
 #include "engine/mesh/MeshMeasures.hpp"
+#include "engine/tool/FirstContact.hpp"
 #include "engine/tool/ToolSolids.hpp"
 
 namespace thinwall {
@@ -143,6 +144,22 @@ bool is_slack(const BodyScenario& body) {
   return !is_filled && is_uniform(body.prestretch) && stretch.first <= 1 && stretch.second <= 1;
 }
 
+/// `number`: of the clip, from 1.
+std::optional<std::string> far_side_note(std::size_t number, const PalpateClip& clip, const Body& body) {
+  constexpr double kNear = 0.1;  // of the way through the body
+  const SurfaceView surface = body.surface();
+  const auto near = first_entry(surface, clip.at, clip.direction), far = first_entry(surface, clip.at, -clip.direction);
+  if (surface.open || !near || !far) return std::nullopt;
+  const double way_through = -far->travel - near->travel;
+  if (way_through <= 0 || -far->travel > kNear * way_through) return std::nullopt;
+  const Eigen::Vector3d met = 1e3 * (clip.at + near->travel * clip.direction);
+  return fmt::format(
+      "timeline[{}]: along `direction` tool `{}` comes upon body `{}` at [{:.4g}, {:.4g}, {:.4g}] mm, and `at` is on "
+      "its "
+      "other side, {:.4g} mm on; to press there turn `direction` round",
+      number, clip.tool, clip.body, met.x(), met.y(), met.z(), -1e3 * near->travel);
+}
+
 }  // namespace
 
 std::vector<std::string> thick_wall_notes(const Scenario& scenario, const BodyDefinition& body) {
@@ -214,6 +231,17 @@ std::optional<std::string> buried_tool_note(const ToolDefinition& tool, const To
       "tool `{}` is {:.3g} mm deep in the wall of body `{}` before the first step: what drives them apart is work that "
       "nobody does, and results are in doubt; let its first clip begin where it touches nothing",
       tool.name, 1e3 * deepest, body.model().definition.name);
+}
+
+std::vector<std::string> far_side_notes(std::span<const Clip> timeline,
+                                        const std::function<const Body&(const std::string&)>& body_of) {
+  std::vector<std::string> notes;
+  for (std::size_t k = 0; k < timeline.size(); ++k) {
+    const auto* palpate = std::get_if<PalpateClip>(&timeline[k].action);
+    if (palpate == nullptr) continue;
+    if (auto note = far_side_note(k + 1, *palpate, body_of(palpate->body))) notes.push_back(*std::move(note));
+  }
+  return notes;
 }
 
 std::string bare_point_note(const ToolDefinition& tool, const SurfaceView& surface, const Attachment& attachment) {

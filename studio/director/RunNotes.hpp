@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -21,6 +22,11 @@ std::vector<std::string> start_notes(const Body& body, const SimulationOptions& 
 /// That a tool is in the wall of a body before its first step, so that what drives them apart is work that nobody does;
 /// nothing where it is not.
 std::optional<std::string> buried_tool_note(const ToolDefinition& tool, const ToolPose& pose, const Body& body);
+
+/// Of palpations that come upon their bodies from the side that is away from `at`, as with a `direction` the wrong way
+/// round.
+std::vector<std::string> far_side_notes(std::span<const Clip> timeline,
+                                        const std::function<const Body&(const std::string&)>& body_of);
 
 /// What tip a bare point acts like on the membrane that it touches, see effective_point_radius.
 std::string bare_point_note(const ToolDefinition& tool, const SurfaceView& surface, const Attachment& attachment);

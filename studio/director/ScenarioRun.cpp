@@ -66,6 +66,9 @@ struct ScenarioRun::Implementation {
     for (const RecordedPoint& point : scenario.record.points) points.push_back(follow(point, bodies));
     const auto plan_one = [this](const Clip& clip) { return plan(clip); };
     for (Plan& planned : plan_all(scenario.timeline, plan_one)) clips.push_back({.plan = std::move(planned)});
+    std::ranges::copy(
+        far_side_notes(scenario.timeline, [this](const std::string& body) -> const Body& { return body_named(body); }),
+        std::back_inserter(warnings));
     schedule(scenario.timeline, clips);
     refuse_endless(scenario.timeline, clips, step_length());
     refuse_overlaps(scenario.timeline, clips);

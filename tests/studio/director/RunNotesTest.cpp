@@ -51,6 +51,22 @@ TEST(RunNotes, TellOfWallsThatAreThickerThanAToolOrTheBodyHasRoomFor) {
   }
 }
 
+TEST(RunNotes, TellThatAPalpationComesFromTheSideAwayFromItsPoint) {
+  Scenario scenario = touched_ball();
+  const auto note_with = [&](const Eigen::Vector3d& at, double sense) {
+    PalpateClip clip = kTouch;
+    clip.at = at;
+    clip.direction = {0, 0, sense};
+    scenario.timeline = {{.action = clip}};
+    return tells(ScenarioRun(scenario), "and `at` is on its other side");
+  };
+  EXPECT_TRUE(note_with({0, 0, 0.02}, 1));
+  EXPECT_TRUE(note_with({0, 0, 0.05}, 1)) << "farther off on that side";
+  EXPECT_FALSE(note_with({0, 0, 0.02}, -1));
+  EXPECT_FALSE(note_with({0, 0, 0}, 1)) << "a point within the body is on no side";
+  EXPECT_FALSE(note_with({0, 0, 0.05}, -1)) << "before the body";
+}
+
 TEST(RunNotes, TellThatAToolIsInTheWallBeforeTheFirstStep) {
   // The pressure has raised the crown to 20.3 mm.
   for (const double height : {0.021, 0.0185}) {
