@@ -155,8 +155,7 @@ std::optional<std::string> far_side_note(std::size_t number, const PalpateClip& 
   const Eigen::Vector3d met = 1e3 * (clip.at + near->travel * clip.direction);
   return fmt::format(
       "timeline[{}]: along `direction` tool `{}` comes upon body `{}` at [{:.4g}, {:.4g}, {:.4g}] mm, and `at` is on "
-      "its "
-      "other side, {:.4g} mm on; to press there turn `direction` round",
+      "its other side, {:.4g} mm on; to press there turn `direction` round",
       number, clip.tool, clip.body, met.x(), met.y(), met.z(), -1e3 * near->travel);
 }
 
