@@ -122,6 +122,9 @@ Image finished_picture(const Frame& frame, Painter& painter) {
   if (frame.shot.inset) inset = inset_box(frame.shot, image.size);
   std::optional<Box> taken;
   if (inset) taken = canvas_box(*inset);
+  if (!frame.overlay.half_captions[0].empty()) draw_half_captions(image, frame.overlay.half_captions, taken);
+  for (const std::string& text : draw_overlay(image, frame.overlay, taken)) painter.see_cut_text(text);
+  // What is pointed at may lie where plates stand; under them nobody would see which point is meant.
   if (frame.annotations) {
     std::vector<Box> kept_clear = half_caption_places(image.size, frame.overlay.half_captions, taken);
     for (const Box& legend : places_of_legends(frame.overlay, image.size, taken)) kept_clear.push_back(legend);
@@ -132,8 +135,6 @@ Image finished_picture(const Frame& frame, Painter& painter) {
                        *frame.shot.beside, inset, kept_clear);
     }
   }
-  if (!frame.overlay.half_captions[0].empty()) draw_half_captions(image, frame.overlay.half_captions, taken);
-  for (const std::string& text : draw_overlay(image, frame.overlay, taken)) painter.see_cut_text(text);
   if (frame.card) draw_card(image, bare, *frame.card);
   return image;
 }

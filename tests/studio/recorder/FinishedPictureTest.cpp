@@ -58,5 +58,27 @@ TEST(FinishedPicture, WordsOfAnArrowKeepClearOfTheCaptionsOfHalves) {
   EXPECT_EQ(differing_bytes(picture_of(captioned, true), picture_of(captioned, false), place), 0);
 }
 
+/// A ball at the left, with a label of its top, which lies where a title does.
+Frame frame_with_a_label_under(const std::string& title) {
+  Frame frame;
+  frame.snapshot.surfaces.push_back(test::sphere("organ", {0, 0, 0}, 0.02, 3));
+  frame.shot.camera.position = Double3{0.0482, -0.12, -0.008};
+  frame.shot.camera.target = Double3{0.0482, 0, -0.008};
+  frame.overlay.title = title;
+  AnnotationDefinition annotations;
+  annotations.labels.push_back({.text = "Fundus", .body = "organ", .at = {0, 0, 0.02}});
+  frame.annotations = std::make_shared<const AnnotationDefinition>(annotations);
+  return frame;
+}
+
+TEST(FinishedPicture, ThePointOfALabelIsSeenOverATitle) {
+  BlackPainter painter;
+  const Image bare = finished_picture(frame_with_a_label_under(""), painter);
+  const Image titled = finished_picture(frame_with_a_label_under("A long title over the point"), painter);
+  const Box dot{98, 44, 4, 4}, beside{60, 43, 6, 6};
+  EXPECT_GT(differing_bytes(bare, titled, beside), 50) << "the title stands there";
+  EXPECT_EQ(differing_bytes(bare, titled, dot), 0);
+}
+
 }  // namespace
 }  // namespace thinwall
