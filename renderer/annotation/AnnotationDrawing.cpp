@@ -21,15 +21,14 @@ constexpr Color kForceColor{0.99, 0.80, 0.28};
 
 /// Whether the words at an arrow's tail stand left of it, beyond its tail rather than along its shaft, as it is at rest
 /// when it is first shown; those of an arrow that goes upwards or downwards, where labels of its point would.
-bool has_words_on_the_left(const AnnotationScene& scene, const ArrowDefinition& arrow) {
+bool has_words_on_the_left(const AnnotationScene& scene, const ArrowDefinition& arrow, Vector3 at_rest) {
   const Camera first = resting_camera_at(scene, arrow.span.begin);
-  const Vector3 at = vector3(arrow.at);
-  const auto tip = first.pixel(at, scene.size);
-  const auto tail = first.pixel(at - arrow.length * vector3(arrow.direction), scene.size);
+  const auto tip = first.pixel(at_rest, scene.size);
+  const auto tail = first.pixel(at_rest - arrow.length * vector3(arrow.direction), scene.size);
   if (!tip || !tail) return false;
   const double across = (*tip)[0] - (*tail)[0], down = (*tip)[1] - (*tail)[1];
   if (std::abs(across) > std::abs(down)) return across > 0;
-  return is_left_of_middle(scene, arrow.at, arrow.span.begin);
+  return is_left_of_middle(scene, at_rest, arrow.span.begin);
 }
 
 struct ArrowText {
@@ -98,14 +97,14 @@ std::vector<ArrowText> draw_arrows(const Canvas& canvas, const AnnotationScene& 
   std::vector<ArrowText> texts;
   for (const ArrowDefinition& arrow : arrows) {
     if (!arrow.span.holds(scene.snapshot.time)) continue;
-    const std::optional<Vector3> place = material_place(scene.snapshot, arrow.body, arrow.at);
+    const std::optional<MaterialPlace> place = material_place(scene.snapshot, arrow.body, arrow.at);
     if (!place) continue;
-    const std::optional<PixelPoint> tip = scene.pixel(*place);
-    const std::optional<PixelPoint> tail = scene.pixel(*place - arrow.length * vector3(arrow.direction));
+    const std::optional<PixelPoint> tip = scene.pixel(place->now);
+    const std::optional<PixelPoint> tail = scene.pixel(place->now - arrow.length * vector3(arrow.direction));
     if (!tip || !tail || !scene.shows(*tip)) continue;
     draw_arrow(canvas, *tail, *tip, scene.grid.pixels(kArrowWidth), plate_style::kCurve);
     if (arrow.text.empty()) continue;
-    texts.push_back({arrow.text, *tail, has_words_on_the_left(scene, arrow), scene.tools, true});
+    texts.push_back({arrow.text, *tail, has_words_on_the_left(scene, arrow, place->at_rest), scene.tools, true});
   }
   return texts;
 }
@@ -228,10 +227,10 @@ AnnotationScene bare_scene(const Snapshot& snapshot, const CameraDefinition& cam
 
 bool shows_point_of(const LabelDefinition& label, const Snapshot& snapshot, const CameraDefinition& camera,
                     ImageSize size) {
-  const std::optional<Vector3> place = material_place(snapshot, label.body, label.at);
+  const std::optional<MaterialPlace> place = material_place(snapshot, label.body, label.at);
   if (!place) return false;
   const AnnotationScene scene = bare_scene(snapshot, camera, size);
-  const std::optional<PixelPoint> pixel = scene.pixel(*place);
+  const std::optional<PixelPoint> pixel = scene.pixel(place->now);
   return pixel && scene.shows(*pixel);
 }
 

@@ -11,11 +11,12 @@ bool AnnotationScene::shows(PixelPoint at) const {
   return camera.shows(at, size);
 }
 
-std::optional<Vector3> material_place(const Snapshot& snapshot, const std::string& body, const Double3& at) {
+std::optional<MaterialPlace> material_place(const Snapshot& snapshot, const std::string& body, const Double3& at) {
   const auto surface = std::ranges::find(snapshot.surfaces, body, &SnapshotSurface::body);
   if (surface == snapshot.surfaces.end()) return std::nullopt;
   const std::optional<MaterialPoint> point = nearest_material_point(*surface->topology, at);
-  return point ? std::optional(place_of(*point, *surface)) : std::nullopt;
+  if (!point) return std::nullopt;
+  return MaterialPlace{.now = place_of(*point, *surface), .at_rest = rest_place_of(*point, *surface->topology)};
 }
 
 std::vector<PixelPoint> tool_obstacles(const AnnotationScene& scene, const std::vector<ToolShape>& tools) {
@@ -43,10 +44,9 @@ Camera resting_camera_at(const AnnotationScene& scene, double time) {
   return resolve_camera(camera, extent, scene.size, time);
 }
 
-bool is_left_of_middle(const AnnotationScene& scene, const Double3& at, double first_shown) {
+bool is_left_of_middle(const AnnotationScene& scene, Vector3 at_rest, double first_shown) {
   const Camera first = resting_camera_at(scene, first_shown);
-  const auto place = first.pixel(vector3(at), scene.size),
-             middle = first.pixel(scene.extent.subject().center, scene.size);
+  const auto place = first.pixel(at_rest, scene.size), middle = first.pixel(scene.extent.subject().center, scene.size);
   // Of an organ that is for the most part beside the picture its middle is there too: what is seen of it would all have
   // its labels on one side, across it.
   const double width = scene.size.width;

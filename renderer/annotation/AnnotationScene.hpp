@@ -37,8 +37,14 @@ struct AnnotationScene {
   bool shows(PixelPoint at) const;
 };
 
-/// Where the matter now is that was at a place of a body's stress-free wall; nothing without such a body.
-std::optional<Vector3> material_place(const Snapshot& snapshot, const std::string& body, const Double3& at);
+/// Where matter of a wall is, metres.
+struct MaterialPlace {
+  Vector3 now = {};
+  Vector3 at_rest = {};  // on the stress-free wall
+};
+
+/// Of the matter that is nearest to `at` on a body's stress-free wall; nothing without such a body.
+std::optional<MaterialPlace> material_place(const Snapshot& snapshot, const std::string& body, const Double3& at);
 
 /// Outlines of tools: vertices and points along their rods.
 std::vector<PixelPoint> tool_obstacles(const AnnotationScene& scene, const std::vector<ToolShape>& tools);
@@ -48,7 +54,7 @@ std::vector<PixelPoint> tool_obstacles(const AnnotationScene& scene, const std::
 Camera resting_camera_at(const AnnotationScene& scene, double time);
 
 /// Whether a place, at rest, lies left of the middle of the organs when it is first shown.
-bool is_left_of_middle(const AnnotationScene& scene, const Double3& at, double first_shown);
+bool is_left_of_middle(const AnnotationScene& scene, Vector3 at_rest, double first_shown);
 
 /// Between title and panels, and above captions that stand above these.
 Box label_bounds(const AnnotationScene& scene);

@@ -31,8 +31,8 @@ std::vector<PixelPoint> wall_obstacles(const AnnotationScene& scene) {
 }
 
 /// Whether a place, at rest, lies in the lower half of where labels may be when it is first shown.
-bool is_low(const AnnotationScene& scene, const Double3& at, double first_shown) {
-  const auto place = resting_camera_at(scene, first_shown).pixel(vector3(at), scene.size);
+bool is_low(const AnnotationScene& scene, Vector3 at_rest, double first_shown) {
+  const auto place = resting_camera_at(scene, first_shown).pixel(at_rest, scene.size);
   const Box bounds = label_bounds(scene);
   return place && (*place)[1] > bounds.y + 0.5 * bounds.height;
 }
@@ -55,6 +55,7 @@ LabelRoom empty_room(const AnnotationScene& scene) {
 struct ShownLabel {
   const LabelDefinition* definition = nullptr;
   Text text;
+  Vector3 at_rest = {};  // on the stress-free wall, what it points at; metres
   PixelPoint anchor = {};
   bool hidden = false;
   bool on_the_left = false;
@@ -106,7 +107,7 @@ void find_places(const AnnotationScene& scene, std::vector<ShownLabel>& labels) 
       std::tie(room.walls_top, room.walls_bottom) = heights_of(room.obstacles);
     }
     LabelWish wish = wish_of(scene, label);
-    wish.anchor = camera.pixel(vector3(label.definition->at), scene.size).value_or(label.anchor);
+    wish.anchor = camera.pixel(label.at_rest, scene.size).value_or(label.anchor);
     wish.place = roomy_place(wish, room);
     if (label.definition->side == LabelSide::kNearest && stands_better_opposite(scene, wish, room)) {
       wish.on_the_left = label.on_the_left = !label.on_the_left;
@@ -120,18 +121,19 @@ std::vector<ShownLabel> shown_labels(const AnnotationScene& scene, const std::ve
   std::vector<ShownLabel> shown;
   for (const LabelDefinition& label : labels) {
     if (!label.span.holds(scene.snapshot.time)) continue;
-    const std::optional<Vector3> place = material_place(scene.snapshot, label.body, label.at);
-    const std::optional<PixelPoint> anchor = place ? scene.pixel(*place) : std::nullopt;
+    const std::optional<MaterialPlace> place = material_place(scene.snapshot, label.body, label.at);
+    const std::optional<PixelPoint> anchor = place ? scene.pixel(place->now) : std::nullopt;
     if (!anchor || !scene.shows(*anchor)) continue;
     const TextStyle style{.size = scene.grid.pixels(kTextSize), .bold = true, .color = plate_style::kText};
-    const bool is_left = label.side == LabelSide::kNearest ? is_left_of_middle(scene, label.at, label.span.begin)
+    const bool is_left = label.side == LabelSide::kNearest ? is_left_of_middle(scene, place->at_rest, label.span.begin)
                                                            : label.side == LabelSide::kLeft;
     shown.push_back({.definition = &label,
                      .text = Text(label.text, style, {.width = scene.grid.pixels(kWidestText), .lines = 3}),
+                     .at_rest = place->at_rest,
                      .anchor = *anchor,
-                     .hidden = is_hidden(*place, scene.camera.position, scene.snapshot, scene.tools),
+                     .hidden = is_hidden(place->now, scene.camera.position, scene.snapshot, scene.tools),
                      .on_the_left = is_left,
-                     .upwards = is_low(scene, label.at, label.span.begin)});
+                     .upwards = is_low(scene, place->at_rest, label.span.begin)});
   }
   find_places(scene, shown);
   return shown;
@@ -171,7 +173,7 @@ std::vector<LabelMoment> moments_of(const AnnotationScene& scene, const std::vec
     const Camera camera = resting_camera_at(scene, begin + (end - begin) * k / (kMoments - 1));
     LabelMoment& moment = moments.emplace_back(LabelMoment{wishes, resting_outline(scene, camera)});
     for (std::size_t i = 0; i < shown.size(); ++i) {
-      moment.wishes[i].anchor = camera.pixel(vector3(shown[i].definition->at), scene.size).value_or(PixelPoint{0, 0});
+      moment.wishes[i].anchor = camera.pixel(shown[i].at_rest, scene.size).value_or(PixelPoint{0, 0});
     }
   }
   return moments;

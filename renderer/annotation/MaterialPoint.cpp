@@ -84,6 +84,10 @@ Vector3 place_of(const MaterialPoint& point, const SnapshotSurface& surface) {
   return weighted(surface.positions, surface.topology->triangles[point.triangle], point.weights);
 }
 
+Vector3 rest_place_of(const MaterialPoint& point, const SnapshotTopology& topology) {
+  return weighted(topology.rest_positions, topology.triangles[point.triangle], point.weights);
+}
+
 std::optional<Vector3> first_met(const SnapshotSurface& surface, Vector3 at, Vector3 direction) {
   double reach = 0;
   for (const Float3& position : surface.positions) reach = std::max(reach, length(vector3(position) - at));

@@ -25,6 +25,9 @@ std::optional<MaterialPoint> nearest_material_point(const SnapshotTopology& topo
 /// Where the point is now, metres.
 Vector3 place_of(const MaterialPoint& point, const SnapshotSurface& surface);
 
+/// Where it is on the stress-free wall, metres.
+Vector3 rest_place_of(const MaterialPoint& point, const SnapshotTopology& topology);
+
 /// Where the line through `at` along `direction` (unit) first meets the wall as it is now, coming from outside of all
 /// of it; nothing where it passes the wall by. Metres.
 std::optional<Vector3> first_met(const SnapshotSurface& surface, Vector3 at, Vector3 direction);

@@ -219,5 +219,12 @@ TEST(AnnotationDrawing, NothingToSayChangesNothing) {
   EXPECT_EQ(drawn({}, scene()).pixels, black().pixels);
 }
 
+TEST(AnnotationDrawing, APointGivenOffTheWallIsThatOfTheWallWhichIsNearest) {
+  // Where it was given there would be no room beside it, and the label would stand above the organ.
+  Snapshot snapshot = scene();
+  snapshot.time = 1;
+  EXPECT_EQ(drawn(label_at({0.05, 0, 0}), snapshot).pixels, drawn(label_at({0.02, 0, 0}), snapshot).pixels);
+}
+
 }  // namespace
 }  // namespace thinwall
