@@ -197,8 +197,10 @@ std::vector<Box> draw_labels(const Canvas& canvas, const AnnotationScene& scene,
   room.tools = tool_obstacles(scene, scene.tools);
   room.obstacles.insert(room.obstacles.end(), room.tools.begin(), room.tools.end());
   room.taken = taken_in(scene);
+  const LabelArrangement arrangement = arrange_labels(moments_of(scene, unordered, wishes_of(scene, unordered)), room);
   std::vector<ShownLabel> shown;
-  for (const std::size_t i : order_of_labels(moments_of(scene, unordered, wishes_of(scene, unordered)), room)) {
+  for (const std::size_t i : arrangement.order) {
+    unordered[i].place = arrangement.places[i];
     shown.push_back(std::move(unordered[i]));
   }
   const std::vector<LabelWish> wishes = wishes_of(scene, shown);

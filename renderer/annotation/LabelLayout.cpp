@@ -254,17 +254,25 @@ std::vector<Box> lay_out_labels(const std::vector<LabelWish>& wishes, const Labe
   return boxes;
 }
 
-LabelPlace roomy_place(const LabelWish& wish, const LabelRoom& room) {
+bool has_room(const LabelWish& wish, const LabelRoom& room, LabelPlace place) {
   constexpr double kLongestWay = 0.5;  // of the bounds: from near, a line would cross what is shown
-  const double edge = free_edge(wish, room, wish.anchor[1] - 0.5 * wish.height);
-  const double beside = wish.on_the_left ? edge - room.bounds.x : room.bounds.right() - edge;
-  // The rim of an organ may be covered a little.
-  if (beside + room.distance >= wish.width + room.gap) return LabelPlace::kBeside;
-  const double above = room.walls_top - room.gap - room.bounds.y;
-  const double below = room.bounds.bottom() - room.walls_bottom - room.gap;
+  if (place == LabelPlace::kBeside) {
+    const double edge = free_edge(wish, room, wish.anchor[1] - 0.5 * wish.height);
+    const double beside = wish.on_the_left ? edge - room.bounds.x : room.bounds.right() - edge;
+    // The rim of an organ may be covered a little.
+    return beside + room.distance >= wish.width + room.gap;
+  }
+  const bool is_above = place == LabelPlace::kAbove;
+  const double free = is_above ? room.walls_top - room.bounds.y : room.bounds.bottom() - room.walls_bottom;
+  const double way = is_above ? wish.anchor[1] - room.walls_top : room.walls_bottom - wish.anchor[1];
+  return free - room.gap >= wish.height && way <= kLongestWay * room.bounds.height;
+}
+
+LabelPlace roomy_place(const LabelWish& wish, const LabelRoom& room) {
+  if (has_room(wish, room, LabelPlace::kBeside)) return LabelPlace::kBeside;
+  const bool fits_above = has_room(wish, room, LabelPlace::kAbove);
+  const bool fits_below = has_room(wish, room, LabelPlace::kBelow);
   const double up = wish.anchor[1] - room.walls_top, down = room.walls_bottom - wish.anchor[1];
-  const bool fits_above = above >= wish.height && up <= kLongestWay * room.bounds.height;
-  const bool fits_below = below >= wish.height && down <= kLongestWay * room.bounds.height;
   if (fits_above && (up < down || !fits_below)) return LabelPlace::kAbove;
   return fits_below ? LabelPlace::kBelow : LabelPlace::kBeside;
 }

@@ -43,6 +43,10 @@ struct LabelRoom {
 /// obstacles do, so labels do not jump from frame to frame, but where one would cover an anchor.
 std::vector<Box> lay_out_labels(const std::vector<LabelWish>& wishes, const LabelRoom& room);
 
+/// Whether the bounds leave room for a label above or below the walls, on that side of them that is not far from its
+/// anchor, or beside them at the height of its anchor.
+bool has_room(const LabelWish& wish, const LabelRoom& room, LabelPlace place);
+
 /// Beside the walls where the bounds leave room for it at the height of its anchor; else above or below them, on the
 /// side that is nearer to its anchor and has room; beside where neither has, or both are far.
 LabelPlace roomy_place(const LabelWish& wish, const LabelRoom& room);

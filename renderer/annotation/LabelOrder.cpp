@@ -26,19 +26,54 @@ std::vector<LabelWish> ordered(const std::vector<LabelWish>& wishes, const std::
   return result;
 }
 
+LabelRoom room_beside_walls(const LabelMoment& moment, LabelRoom room) {
+  room.tools.clear();
+  room.obstacles = moment.outline;
+  std::tie(room.walls_top, room.walls_bottom) = heights_of(moment.outline);
+  return room;
+}
+
 /// Over all moments: by each other, as where they cross, and by labels.
-int hidden_leaders_of(const std::vector<LabelMoment>& moments, const std::vector<std::size_t>& order, LabelRoom room) {
+int hidden_leaders_of(const std::vector<LabelMoment>& moments, const std::vector<std::size_t>& order,
+                      const LabelRoom& bare_room) {
   int hidden = 0;
   for (const LabelMoment& moment : moments) {
     const std::vector<LabelWish> wishes = ordered(moment.wishes, order);
-    room.tools.clear();
-    room.obstacles = moment.outline;
-    std::tie(room.walls_top, room.walls_bottom) = heights_of(moment.outline);
+    LabelRoom room = room_beside_walls(moment, bare_room);
     for (const LabelWish& wish : wishes) room.obstacles.push_back(wish.anchor);
     const std::vector<Box> boxes = lay_out_labels(wishes, room);
     hidden += count_crossings(wishes, boxes) + count_leaders_under_labels(wishes, boxes);
   }
   return hidden;
+}
+
+void set_place(std::vector<LabelMoment>& moments, std::size_t label, LabelPlace place) {
+  for (LabelMoment& moment : moments) moment.wishes[label].place = place;
+}
+
+bool has_room_always(const std::vector<LabelMoment>& moments, std::size_t label, const LabelRoom& room,
+                     LabelPlace place) {
+  return std::ranges::all_of(moments, [&](const LabelMoment& moment) {
+    return has_room(moment.wishes[label], room_beside_walls(moment, room), place);
+  });
+}
+
+/// The order in which a label has the turn of the one with which fewest leaders are hidden; its own where none has
+/// fewer.
+std::vector<std::size_t> best_turn_of(std::size_t label, const std::vector<std::size_t>& order,
+                                      const std::vector<LabelMoment>& moments, const LabelRoom& room) {
+  std::vector<std::size_t> best = order;
+  int fewest = hidden_leaders_of(moments, order, room);
+  for (std::size_t turn = 0; turn < order.size(); ++turn) {
+    std::vector<std::size_t> other = order;
+    std::swap(*std::ranges::find(other, label), other[turn]);
+    const int now = hidden_leaders_of(moments, other, room);
+    if (now < fewest) {
+      fewest = now;
+      best = std::move(other);
+    }
+  }
+  return best;
 }
 
 }  // namespace
@@ -126,6 +161,30 @@ std::vector<std::size_t> order_of_labels(const std::vector<LabelMoment>& moments
     }
   }
   return order;
+}
+
+LabelArrangement arrange_labels(std::vector<LabelMoment> moments, const LabelRoom& room) {
+  if (moments.empty()) return {};
+  std::vector<std::size_t> order = order_of_labels(moments, room);
+  int fewest = hidden_leaders_of(moments, order, room);
+  for (std::size_t label = 0; label < order.size() && fewest > 0; ++label) {
+    for (const LabelPlace place : {LabelPlace::kBeside, LabelPlace::kAbove, LabelPlace::kBelow}) {
+      const LabelPlace kept = moments.front().wishes[label].place;
+      if (place == kept || !has_room_always(moments, label, room, place)) continue;
+      set_place(moments, label, place);
+      std::vector<std::size_t> best = best_turn_of(label, order, moments, room);
+      const int now = hidden_leaders_of(moments, best, room);
+      if (now < fewest) {
+        fewest = now;
+        order = std::move(best);
+      } else {
+        set_place(moments, label, kept);
+      }
+    }
+  }
+  LabelArrangement arrangement{.order = std::move(order)};
+  for (const LabelWish& wish : moments.front().wishes) arrangement.places.push_back(wish.place);
+  return arrangement;
 }
 
 }  // namespace thinwall

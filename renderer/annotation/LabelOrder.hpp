@@ -43,4 +43,14 @@ std::pair<double, double> heights_of(const std::vector<PixelPoint>& points);
 /// do not change places while they are shown. `room`: its bounds count, not its obstacles.
 std::vector<std::size_t> order_of_labels(const std::vector<LabelMoment>& moments, const LabelRoom& room);
 
+/// How labels are laid out, for all moments.
+struct LabelArrangement {
+  std::vector<std::size_t> order = {};  // from above, of the wishes
+  std::vector<LabelPlace> places = {};  // of the wishes in their own order
+};
+
+/// In that order and where they wish; where leaders are hidden all the same, labels go to other places that have room
+/// for them at all moments, each perhaps in the turn of another, as long as that leaves fewer hidden.
+LabelArrangement arrange_labels(std::vector<LabelMoment> moments, const LabelRoom& room);
+
 }  // namespace thinwall

@@ -103,6 +103,34 @@ TEST(LabelOrder, LeavesTheHeightsWhereALeaderWouldRunUnderAnotherLabel) {
   EXPECT_EQ(count_leaders_under_labels(swapped, lay_out_labels(swapped, room)), 0);
 }
 
+TEST(LabelOrder, ALabelLeavesItsPlaceWhereALeaderWouldRunUnderIt) {
+  // The first, too wide to stand beside the walls, is above them, and its line passes where the other stands; below
+  // them there is no room.
+  std::vector<LabelWish> wishes = {wish_to_order(500, 200), wish_to_order(380, 150)};
+  wishes[0].width = 200;
+  wishes[0].place = LabelPlace::kAbove;
+  wishes[1].width = 130;
+  const std::vector<PixelPoint> walls = {{300, 140}, {500, 140}, {300, 280}, {500, 280}};
+  const std::vector<LabelMoment> moments = {{.wishes = wishes, .outline = walls}};
+  LabelRoom room = kRoom;
+  room.obstacles = walls;
+  room.walls_top = 140;
+  room.walls_bottom = 280;
+  EXPECT_EQ(count_leaders_under_labels(wishes, lay_out_labels(wishes, room)), 1);
+  const LabelArrangement arrangement = arrange_labels(moments, kRoom);
+  EXPECT_EQ(arrangement.places, (std::vector<LabelPlace>{LabelPlace::kAbove, LabelPlace::kAbove}));
+  wishes[1].place = arrangement.places[1];
+  const std::vector<LabelWish> ordered = {wishes[arrangement.order[0]], wishes[arrangement.order[1]]};
+  EXPECT_EQ(count_leaders_under_labels(ordered, lay_out_labels(ordered, room)), 0);
+}
+
+TEST(LabelOrder, LabelsKeepTheirPlacesWhereNothingIsHidden) {
+  std::vector<LabelWish> wishes = {wish_to_order(300, 150), wish_to_order(300, 200)};
+  wishes[1].place = LabelPlace::kBelow;
+  const std::vector<LabelMoment> moments = {{.wishes = wishes, .outline = {{300, 140}, {300, 220}}}};
+  EXPECT_EQ(arrange_labels(moments, kRoom).places, (std::vector<LabelPlace>{LabelPlace::kBeside, LabelPlace::kBelow}));
+}
+
 TEST(LabelOrder, AnOutlineKeepsTheEndsOfEachRow) {
   EXPECT_EQ(outline_of({{5, 1}, {9, 2}, {7, 3}, {1, 9}, {4, 12}}, 8),
             (std::vector<PixelPoint>{{5, 1}, {9, 2}, {1, 9}, {4, 12}}));
