@@ -173,11 +173,12 @@ std::vector<std::uint8_t> encode_layer_png(const WordLayer& layer) {
 
 Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name) {
   check_signature(bytes, name);
+  const std::vector<std::uint8_t> plain = without_gamma(bytes);
   PngReader reader;
   const auto broken = [&] {
     return ImageUnreadable("cannot read " + name + ": broken PNG picture (" + reader.image.message + ")");
   };
-  if (png_image_begin_read_from_memory(&reader.image, bytes.data(), bytes.size()) == 0) throw broken();
+  if (png_image_begin_read_from_memory(&reader.image, plain.data(), plain.size()) == 0) throw broken();
   const std::int64_t width = reader.image.width;
   const std::int64_t height = reader.image.height;
   if (width * height > kLargestPngPixels) {

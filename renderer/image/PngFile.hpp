@@ -33,9 +33,10 @@ std::vector<std::uint8_t> encode_png(const Image& image, PngEffort effort = PngE
 std::vector<std::uint8_t> encode_layer_png(const ByteLayer& layer);
 std::vector<std::uint8_t> encode_layer_png(const WordLayer& layer);
 
-/// The picture in the bytes of a PNG file: any bit depth, grey, palette, interlaced; colours brought to 8-bit sRGB,
-/// alpha laid over white. `name` is for the message only. Throws ImageUnreadable: no PNG, cut short, failed checksum,
-/// or more than kLargestPngPixels.
+/// The picture in the bytes of a PNG file: any bit depth, grey, palette, interlaced; as 8-bit colours with the numbers
+/// of the file, whatever gamma it names, as those of videos and of all other pictures are read; alpha laid over white.
+/// `name` is for the message only. Throws ImageUnreadable: no PNG, cut short, failed checksum, or more than
+/// kLargestPngPixels.
 Image decode_png(std::span<const std::uint8_t> bytes, const std::string& name);
 
 /// Writes the file as a whole or not at all. Throws PictureFailure.

@@ -44,6 +44,21 @@ std::optional<ImageSize> size_of_whole_png(const std::string& bytes) {
   return std::nullopt;
 }
 
+std::vector<std::uint8_t> without_gamma(std::span<const std::uint8_t> bytes) {
+  constexpr std::string_view kGamma = "gAMA";
+  const auto kept = [&](std::size_t count) { return bytes.begin() + static_cast<std::ptrdiff_t>(count); };
+  std::vector<std::uint8_t> others(bytes.begin(), kept(std::min(kSignature.size(), bytes.size())));
+  std::size_t at = others.size();
+  while (at + kAroundChunk <= bytes.size()) {
+    const std::size_t end = at + kAroundChunk + number_at(bytes, at);
+    if (end > bytes.size()) break;
+    if (!std::ranges::equal(bytes.subspan(at + 4, 4), kGamma)) others.insert(others.end(), kept(at), kept(end));
+    at = end;
+  }
+  others.insert(others.end(), kept(at), bytes.end());
+  return others;
+}
+
 bool has_png_end(std::span<const std::uint8_t> bytes) {
   constexpr std::array<std::uint8_t, kAroundChunk> kEnd = {0, 0, 0, 0, 'I', 'E', 'N', 'D', 0xae, 0x42, 0x60, 0x82};
   std::size_t at = kSignature.size();

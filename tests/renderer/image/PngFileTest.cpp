@@ -30,6 +30,7 @@ struct AnyPng {
   std::vector<png_color> palette;
   std::vector<Bytes> rows;
   png_uint_32 width = 0;
+  double gamma = 0;  // of the file; 0: none is named
 
   Bytes encode() const {
     Bytes bytes;
@@ -44,6 +45,7 @@ struct AnyPng {
         [](png_structp) {});
     png_set_IHDR(png, info, width, static_cast<png_uint_32>(rows.size()), bit_depth, color_type, interlace,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    if (gamma != 0) png_set_gAMA(png, info, gamma);
     if (!palette.empty()) png_set_PLTE(png, info, palette.data(), static_cast<int>(palette.size()));
     std::vector<Bytes> copies = rows;
     std::vector<png_bytep> pointers;
@@ -112,6 +114,14 @@ TEST(PngFile, FileHoldsThePictureAndNothingElseIsLeft) {
 TEST(PngFile, SixteenBitColoursAreScaledToEight) {
   const AnyPng png{.bit_depth = 16, .palette = {}, .rows = {{0xff, 0xff, 0x80, 0x80, 0, 0}}, .width = 1};
   EXPECT_EQ(decode_png(png.encode(), "a.png").pixels, (Bytes{255, 128, 0}));
+}
+
+TEST(PngFile, AGammaThatAPictureNamesChangesNoNumber) {
+  // As in frames that ffmpeg takes from videos, whose numbers are those of the video.
+  for (const double gamma : {0.51, 1.0, 1 / 2.2}) {
+    const AnyPng png{.palette = {}, .rows = {{7, 100, 250}}, .width = 1, .gamma = gamma};
+    EXPECT_EQ(decode_png(png.encode(), "a.png").pixels, (Bytes{7, 100, 250})) << gamma;
+  }
 }
 
 TEST(PngFile, GreyBecomesThreeEqualChannels) {
