@@ -67,26 +67,26 @@ void main() {
   float coat_height = film.z * mix(grown, 1.0 - lacking, edged);
   float height = mix(drop_height, coat_height, coat);
 
-  // The slope of the film over the wall, from how its height changes between pixels (Mikkelsen 2010). What the noise
-  // adds is told by its gradient: differences of it would stay the same over each two by two pixels.
+  vec3 base = normalize(smooth_normal);
+  // The slope of a drop or run over the wall. Its unevenness is taken to be turned as at rest: triangles of a run that bends
+  // on a stretched wall would each turn and stretch it their own way, which shows as lines across what the run mirrors.
   vec3 uneven_change = width * (0.55 * kWaves * coarse.xyz + finely * kFineWaves * fine.xyz);
+  vec3 lumpy = 0.70 * kWaves * coarse.xyz;
+  vec3 drop_slope = film.z / width * 3.0 * fall * fall * (inward_slope + fall * uneven_change) + film.z * cap * lumpy;
+  drop_slope -= dot(drop_slope, base) * base;
+  // That of a coat from how its height changes between pixels (Mikkelsen 2010). What the noise adds is told by its
+  // gradient: differences of it would stay the same over each two by two pixels.
   vec3 across = dFdx(position), along = dFdy(position);
   // The distance to an edge is told at vertices, and so turns at each of the triangles' borders. Coats that have a width of
   // 1 have no edge.
-  vec2 smooth_change = vec2(dot(inward_slope, across), dot(inward_slope, along));
-  vec2 inward_change = width < 0.5 ? smooth_change : vec2(dFdx(film.x), dFdy(film.x));
-  vec3 rest_across = dFdx(rest), rest_along = dFdy(rest);
-  vec2 local_change = vec2(dot(uneven_change, rest_across), dot(uneven_change, rest_along));
-  vec3 lumpy = 0.70 * kWaves * coarse.xyz;
-  vec2 lumpy_change = vec2(dot(lumpy, rest_across), dot(lumpy, rest_along));
-  vec2 drop_change = film.z / width * 3.0 * fall * fall * (smooth_change + fall * local_change) + film.z * cap * lumpy_change;
+  vec2 inward_change = width < 0.5 ? vec2(dot(inward_slope, across), dot(inward_slope, along))
+                                   : vec2(dFdx(film.x), dFdy(film.x));
   vec2 coat_change = film.z * full * (full + 2.0 * fade) * over * over * mix(1.0, steepness * lacking, edged) *
-                     (inward_change / width + vec2(dot(full_change, rest_across), dot(full_change, rest_along)));
-  vec2 height_change = mix(drop_change, coat_change, coat);
-  vec3 base = normalize(smooth_normal);
+                     (inward_change / width + vec2(dot(full_change, dFdx(rest)), dot(full_change, dFdy(rest))));
   vec3 first = cross(along, base), second = cross(base, across);
   float area = dot(across, first);
-  vec3 slope = (height_change.x * first + height_change.y * second) / (abs(area) > 1e-16 ? area : 1e-16);
+  vec3 coat_slope = (coat_change.x * first + coat_change.y * second) / (abs(area) > 1e-16 ? area : 1e-16);
+  vec3 slope = mix(drop_slope, coat_slope, coat);
   vec3 view = -normalize(from_eye);
   float facing = dot(base, view);
   // Seen along the wall it hides what of it is turned away.
