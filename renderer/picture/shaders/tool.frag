@@ -1,4 +1,5 @@
 #version 450 core
+#include "frame.glsl"
 #include "turning.glsl"
 
 // What is seen of the tools, for metal.frag, as surface.frag is of the tissue: many of their triangles are so slender that
@@ -28,10 +29,30 @@ vec3 along_tool(vec3 normal) {
   return size > 0.0 ? axis / size : vec3(0.0);
 }
 
+// Part to which the place is of a shaft so slender that its pixels see all around it, 0 to 1. What is close to the tip, which
+// gets narrower towards that, is not.
+float slender(vec3 normal) {
+  const float kWide = 3.0, kSlender = 2.0;  // pixels, its radius
+  const float kFlat = 0.02, kRound = 0.06;  // how its normal turns
+  const float kTip = 4.0, kShaft = 8.0;     // ways from the tip, over the radius
+  float radius = length(place.yz);
+  float pixels = radius * scene_center.w / (environment.w * place.w);
+  return smoothstep(kFlat, kRound, turning(normal)) * (1.0 - smoothstep(kSlender, kWide, pixels)) *
+         smoothstep(kTip, kShaft, place.x / max(radius, 1e-9));
+}
+
+// As the outline of a slender shaft passes between pixels these see now more of one side and now of the other, as of the
+// strands of a rope. It looks all across as its middle does.
+vec3 steadied(vec3 normal, vec3 axis) {
+  vec3 view = normalize(camera_position.xyz - position), middle = view - dot(view, axis) * axis;
+  float part = finish.x >= 0.0 && dot(axis, axis) > 0.0 ? slender(normal) : 0.0;
+  return normalize(mix(normal, middle * inversesqrt(max(dot(middle, middle), 1e-6)), part));
+}
+
 void main() {
-  vec3 normal = normalize(smooth_normal);
+  vec3 normal = normalize(smooth_normal), axis = along_tool(normal);
   float roughness = sqrt(finish.x * finish.x + turned_within_pixel(normal));
   seen_place = place;
-  seen_normal = vec4((1.0 + abs(finish.x)) * normal, finish.x < 0.0 ? -roughness : roughness);
-  seen_axis = vec4(along_tool(normal), finish.y);
+  seen_normal = vec4((1.0 + abs(finish.x)) * steadied(normal, axis), finish.x < 0.0 ? -roughness : roughness);
+  seen_axis = vec4(axis, finish.y);
 }

@@ -347,5 +347,28 @@ TEST(Steel, HasNoDashesAlongTheArmsOfForceps) {
   EXPECT_LT(lonely, 160);
 }
 
+TEST(Steel, OfASlenderShaftHasNoStrandsAsARope) {
+  Snapshot snapshot = scalpel_on_a_wall();
+  SnapshotTool& needle = snapshot.tools[0];
+  needle = {};
+  needle.kind = SnapshotToolKind::kNeedle;
+  needle.radius = 0.0004;
+  needle.length = 0.06;
+  needle.tip = {0, 0, 0.01};
+  ViewDefinition view = from_the_front("stomach");
+  view.camera = {.position = Double3{0, -0.14, 0.10}, .target = Double3{0, 0, 0.03}, .up = Double3{0, 0, 1}};
+  view.look.bodies["organ"].wetness = 0;
+  Renderer renderer(DeviceChoice{}, kSize, Tier::kRecord);
+  int lonely = 0;
+  for (int lean = 0; lean < 24; ++lean) {
+    const double angle = (lean - 12) * std::numbers::pi / 48;
+    needle.direction = {std::sin(angle), 0, -std::cos(angle)};
+    lonely += lonely_pixels(renderer.draw(snapshot, view), 150);
+  }
+  RecordProperty("lonely", lonely);
+  // Pixels of 24 pictures. Seen: 51; 528 where each shows its own side of the shaft.
+  EXPECT_LT(lonely, 150);
+}
+
 }  // namespace
 }  // namespace thinwall
