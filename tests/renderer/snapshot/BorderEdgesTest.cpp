@@ -30,6 +30,15 @@ TEST(CutLips, IncludeTheTipBetweenTheLips) {
   EXPECT_EQ(lips_of(topology)[0], 1);
 }
 
+TEST(CutLips, IncludeWhatOnlyOneSideOfACutHas) {
+  // Its left side's edge from 2 to 3 is divided at a quarter and at a half.
+  SnapshotTopology topology = test::cut_strip();
+  topology.rest_positions.insert(topology.rest_positions.end(), {{0.002f, 0.0005f, 0}, {0.002f, 0.001f, 0}});
+  topology.triangles[0] = {0, 2, 10};
+  topology.triangles.insert(topology.triangles.end(), {{0, 10, 11}, {0, 11, 3}});
+  EXPECT_EQ(lips_of(topology), (std::vector<char>{0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 1, 1}));
+}
+
 TEST(CutTimes, TellWhenAVertexCameToLieAtACut) {
   const SnapshotTopology cut = test::cut_strip();
   SnapshotTopology before = cut;
