@@ -87,7 +87,8 @@ vec3 fat_color(float fine, float lobes) {
 const vec3 kBleedingPoint = vec3(0.060, 0.0016, 0.0022);
 
 // Layers of a wall that is cut through, by the depth in it: serosa, muscle, mucosa, or the skin's. The middle one is made of
-// bundles in pale sheaths, with vessels between them; a pale layer lies between it and the innermost.
+// bundles in pale sheaths, with vessels between them; a pale layer lies between it and the innermost, but not where these
+// look alike, as within a solid organ.
 vec3 layers_at(float depth, vec4 coarse, vec4 fine, vec4 grain) {
   float wavy = depth + 0.05 * coarse.w + 0.06 * fine.w + 0.05 * grain.w;
   float bundles = 0.6 * fine.w + 0.7 * grain.w;
@@ -105,7 +106,9 @@ vec3 layers_at(float depth, vec4 coarse, vec4 fine, vec4 grain) {
   vec3 inner = fat.rgb * mix(vec3(0.78, 0.52, 0.48), vec3(1.0 + 0.25 * coarse.w), lobule);
   const float kHills = 0.22, kLobules = 0.30, kMeanGrain = 0.25;  // of the thickness; the last of abs(grain.w)
   float lobular = wavy + kHills * coarse.w + kLobules * (abs(grain.w) - kMeanGrain) - pattern.w;
-  float pale = 0.6 * (1.0 - smoothstep(0.02, 0.10, abs(lobular + 0.05)));
+  const float kAlike = 0.03, kUnlike = 0.10;  // linear colours
+  float parted = smoothstep(kAlike, kUnlike, distance(fat.rgb, blood.rgb));
+  float pale = 0.6 * parted * (1.0 - smoothstep(0.02, 0.10, abs(lobular + 0.05)));
   color = mix(color, flesh.rgb, pale);
   return mix(color, inner, smoothstep(-0.06, 0.06, lobular));
 }

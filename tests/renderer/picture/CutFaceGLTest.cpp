@@ -84,6 +84,19 @@ TEST(CutFace, IsPaleThenDarkThenPink) {
   EXPECT_GT(mucosa, 2 * *muscle) << "3.6 times was seen, 1.4 of one tone throughout";
 }
 
+TEST(CutFace, HasNoPaleLayerWithinASolidOrgan) {
+  const Image dry = draw_gaping(0, {}, "liver");
+  std::vector<int> greens;  // below the capsule
+  for (int row = kFaceTop + 4; row < kFaceFoot; ++row) {
+    for (int column = kFaceLeft; column < kFaceRight; ++column)
+      greens.push_back(dry.pixels[static_cast<std::size_t>(3 * (row * 384 + column)) + 1]);
+  }
+  std::ranges::sort(greens);
+  const int pale = greens[greens.size() * 85 / 100];
+  RecordProperty("pale", pale);
+  EXPECT_LT(pale, 28) << "levels: 19 was seen, 37 with one";
+}
+
 TEST(CutFace, IsCoatedWithBloodUnevenlyAndMoreBelow) {
   const Image dry = draw_gaping(0), bleeding = draw_gaping(1);
   const auto left = [&](int row) {
