@@ -303,7 +303,9 @@ NewtonResult Newton::solve(EquilibriumProblem& problem, EquilibriumState& state,
     problem.solids = start.solids;
     problem.friction = start.friction;
   }
+  shifts_by_tension_ = model_.bending.empty() && problem.fluids.empty() && !options.takes_flaps && problem.inertia == 0;
   NewtonResult result = iterate(problem, state, options, false);
+  shifts_by_tension_ = false;
   result.iterations += before;
   result.factorisations = factorisations_;
   result.in_single_precision = in_single_precision_;

@@ -86,9 +86,12 @@ struct NewtonResult {
 ///
 /// A step is convex when the whole bordered matrix has one negative eigenvalue per constraint. Past a limit point K
 /// alone is indefinite while the whole is convex, so K is then factorised as L D L^T and the inertia is counted; only
-/// when the count is wrong is K shifted. In a cut wall, where that goes on for some steps, the matrix is taken as it
-/// is: an equilibrium that symmetry keeps is found though it is not stable. How chambers with openings are treated
-/// stands in OpenChambers, and how slack flaps are solved by themselves in NewtonPatch.cpp.
+/// when the count is wrong is K shifted: in an open membrane at rest, while it is whole, by an even tension beside
+/// weak springs, with which a dent in a slack flat wall spreads over all of it at once; springs alone let it grow ring
+/// by ring, and where contents press or masses move they change little. In a cut wall, where that goes on for some
+/// steps, the matrix is taken as it is: an equilibrium that symmetry keeps is found though it is not stable. How
+/// chambers with openings are treated stands in OpenChambers, and how slack flaps are solved by themselves in
+/// NewtonPatch.cpp.
 ///
 /// Where there is inertia, factors that are large enough are in single precision, and what a step misses for it is
 /// found again (see BorderedSystem); where that does not do, or says that the curvature is not convex, they are in
@@ -287,6 +290,8 @@ class Newton {
   /// Newton, in a force of inertia.
   double round_off(const EquilibriumProblem& problem, const EquilibriumTerms& terms) const;
   void build_border(const EquilibriumProblem& problem, const EquilibriumState& state);
+  /// Adds the even tension that makes the matrix of an open membrane convex, `shift` of the wall's stiffness.
+  void add_tension(double shift);
   void build_matrix(const EquilibriumProblem& problem, const EquilibriumState& state, double shift);
   /// `residual`: of the step that is found next, or none.
   bool factorize(const EquilibriumProblem& problem, const EquilibriumState& state, const Residual* residual,
@@ -382,6 +387,7 @@ class Newton {
   int factorisations_ = 0;                         // in the solution under way
   int in_single_precision_ = 0;                    // of these
   int doubles_left_ = 0;                           // factorisations until single precision is tried again
+  bool shifts_by_tension_ = false;                 // whether a shift is a tension
   bool keeps_shift_ = false;                       // see NewtonOptions::buckles
   double last_shift_ = 0;                          // by which a matrix was made convex last
   int ascending_steps_ = 0;                        // in the solution under way

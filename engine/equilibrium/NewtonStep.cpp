@@ -22,6 +22,9 @@ constexpr double kKeptShift = 0.3;
 /// Turns of Uzawa's iteration after the first.
 constexpr int kUzawaTurns = 5;
 
+/// Springs beside a tension that makes a matrix convex, as part of it: what moves as a whole no tension holds.
+constexpr double kSpringsBesideTension = 1e-3;
+
 }  // namespace
 
 void Newton::border_fluids(const EquilibriumProblem& problem, const EquilibriumState& state) {
@@ -101,16 +104,25 @@ void Newton::border_openings(const EquilibriumProblem& problem, const Equilibriu
   columns_.middleCols(first, terms_.moment_load.cols()) = terms_.moment_load;
 }
 
+void Newton::add_tension(double shift) {
+  for (int t = 0; t < static_cast<int>(model_.rest.size()); ++t) {
+    const double tension = shift * model_.wall_stiffness / model_.rest[t].thickness;  // pascal
+    add_triangle(model_.addresses[t], geometric_stiffness(model_.rest[t], {tension, tension, 0}), matrix_);
+  }
+}
+
 void Newton::build_matrix(const EquilibriumProblem& problem, const EquilibriumState& state, double shift) {
   matrix_ = terms_.values;
   add_foreseen(problem, state.position);
   add_changed_shafts(problem, state);
   double diagonal = 0;
+  const double springs = shifts_by_tension_ ? kSpringsBesideTension * shift : shift;
   for (std::size_t k = 0; k < model_.diagonal_entries.size(); ++k) {
     double& value = matrix_[model_.diagonal_entries[k]];
     diagonal = std::max(diagonal, std::abs(value));
-    value += problem.inertia * model_.mass[static_cast<Eigen::Index>(k)] + shift * model_.wall_stiffness;
+    value += problem.inertia * model_.mass[static_cast<Eigen::Index>(k)] + springs * model_.wall_stiffness;
   }
+  if (shifts_by_tension_ && shift > 0) add_tension(shift);
   if (problem.hold_rigid_motions) {
     for (const int anchor : model_.anchors) {
       matrix_[model_.diagonal_entries[anchor]] += kAnchorStiffness * model_.wall_stiffness;
