@@ -167,7 +167,7 @@ TEST(MeshRemeshing, PartsFarApartAreNotTakenForEachOther) {
   add_cap(caps, {100, 0, 0}, -1);
   const RemeshedMesh mesh = remesh_to_length(caps, 1);
   EXPECT_LE(mesh.largest_distance, kMostMoved);
-  EXPECT_LT(mesh.surface.triangles.size(), 256u) << "of the caps as they are given";
+  EXPECT_LT(mesh.surface.triangles.size(), caps.triangles.size());
 }
 
 TEST(MeshRemeshing, VerticesThatMoveToOnePeakLeaveNoFlatTriangles) {
