@@ -1,7 +1,9 @@
 #include "studio/recorder/Interruption.hpp"
 
 #include <atomic>
+#include <chrono>
 #include <csignal>
+#include <ctime>
 #include <mutex>
 #include <thread>
 
@@ -25,12 +27,27 @@ sigset_t awaited_signals() {
   for (;;) std::raise(signal);
 }
 
-void await_signals() {
-  for (const sigset_t signals = awaited_signals();;) {
-    int signal = 0;
-    if (sigwait(&signals, &signal) != 0) continue;
-    if (noted_signal.exchange(signal) != 0) end_by(signal);
+/// `timeout` sends a signal to the program and to its group, and a service manager may do alike: one wish all the same.
+constexpr std::chrono::milliseconds kOneWish{200};
+
+void pass_over_repetitions(const sigset_t& signals) {
+  const auto end = std::chrono::steady_clock::now() + kOneWish;
+  for (;;) {
+    const std::chrono::nanoseconds left = end - std::chrono::steady_clock::now();
+    if (left.count() <= 0) return;
+    const timespec patience{.tv_sec = 0, .tv_nsec = left.count()};
+    sigtimedwait(&signals, nullptr, &patience);
   }
+}
+
+void await_signals() {
+  const sigset_t signals = awaited_signals();
+  int signal = 0;
+  while (sigwait(&signals, &signal) != 0) continue;
+  noted_signal = signal;
+  pass_over_repetitions(signals);
+  while (sigwait(&signals, &signal) != 0) continue;
+  end_by(signal);
 }
 
 }  // namespace
@@ -44,8 +61,7 @@ Interrupted::Interrupted(const Interrupted& cause, const std::string& consequenc
 void note_interruptions() {
   static std::once_flag once;
   std::call_once(once, [] {
-    // No handler: METIS has one of its own for SIGTERM while it orders a body, and takes the signal for an error of
-    // its.
+    // No handler: METIS has its own for SIGTERM while it orders a body, and takes the signal for its own error.
     const sigset_t signals = awaited_signals();
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);
     std::thread(await_signals).detach();

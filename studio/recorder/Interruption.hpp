@@ -17,10 +17,10 @@ class Interrupted : public std::runtime_error {
   int signal_;
 };
 
-/// From now on a thread of its own waits for SIGINT and SIGTERM and notes them for `throw_if_interrupted`; a second one
-/// ends the program at once. Both are blocked in the calling thread and in those that it starts from then on, so to be
-/// called before there are others. A limit on file sizes (SIGXFSZ) no longer kills the program: the write is refused,
-/// as on a full disk.
+/// From now on a thread of its own waits for SIGINT and SIGTERM and notes them for `throw_if_interrupted`; a second
+/// one, a fifth of a second later or more, ends the program at once. Both are blocked in the calling thread and in
+/// those that it starts from then on, so to be called before there are others. A limit on file sizes (SIGXFSZ) no
+/// longer kills the program: the write is refused, as on a full disk.
 void note_interruptions();
 
 /// Throws Interrupted when a signal was noted. To be called between steps and frames.

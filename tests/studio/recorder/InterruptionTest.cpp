@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <thread>
@@ -42,8 +43,22 @@ void interrupt_twice(int first, int second) {
   note_interruptions();
   kill(getpid(), first);
   EXPECT_THROW(for (;;) throw_if_interrupted(), Interrupted);
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
   kill(getpid(), second);
   for (;;) pause();
+}
+
+/// As `timeout` does: to the program, and to the group that it is in.
+void interrupt_twice_at_once_and_exit() {
+  note_interruptions();
+  kill(getpid(), SIGTERM);
+  try {
+    for (;;) throw_if_interrupted();
+  } catch (const Interrupted& interrupted) {
+    kill(getpid(), SIGTERM);
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    std::exit(interrupted.exit_code());
+  }
 }
 
 class InterruptionDeathTest : public ::testing::Test {
@@ -59,6 +74,10 @@ TEST_F(InterruptionDeathTest, IsNotedWhileMetisOrdersNodesWithAHandlerOfItsOwn) 
 TEST_F(InterruptionDeathTest, ASecondOneEndsTheProgramAtOnce) {
   EXPECT_EXIT(interrupt_twice(SIGINT, SIGINT), ::testing::KilledBySignal(SIGINT), "");
   EXPECT_EXIT(interrupt_twice(SIGINT, SIGTERM), ::testing::KilledBySignal(SIGTERM), "");
+}
+
+TEST_F(InterruptionDeathTest, OneThatIsSentTwiceAtOnceIsOneWish) {
+  EXPECT_EXIT(interrupt_twice_at_once_and_exit(), ::testing::ExitedWithCode(143), "");
 }
 
 }  // namespace
