@@ -148,11 +148,15 @@ bool FeatureLines::has_edge(int a, int b) const {
   return a < count() && std::binary_search(neighbours_[a].begin(), neighbours_[a].end(), b);
 }
 
-int FeatureLines::line_of(int a, int b) const {
+std::ptrdiff_t FeatureLines::place_of(int a, int b) const {
   const std::vector<int>& beside = neighbours_[a];
   const auto place = std::lower_bound(beside.begin(), beside.end(), b);
   assert(place != beside.end() && *place == b);
-  return line_of_[a][place - beside.begin()];
+  return place - beside.begin();
+}
+
+int FeatureLines::line_of(int a, int b) const {
+  return line_of_[a][place_of(a, b)];
 }
 
 void FeatureLines::join(int a, int b, int line) {
@@ -167,10 +171,9 @@ void FeatureLines::join(int a, int b, int line) {
 
 void FeatureLines::part(int a, int b) {
   for (const auto& [from, to] : {std::array<int, 2>{a, b}, std::array<int, 2>{b, a}}) {
-    std::vector<int>& beside = neighbours_[from];
-    const auto place = std::lower_bound(beside.begin(), beside.end(), to);
-    line_of_[from].erase(line_of_[from].begin() + (place - beside.begin()));
-    beside.erase(place);
+    const std::ptrdiff_t place = place_of(from, to);
+    line_of_[from].erase(line_of_[from].begin() + place);
+    neighbours_[from].erase(neighbours_[from].begin() + place);
   }
 }
 

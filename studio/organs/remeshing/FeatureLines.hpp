@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "studio/organs/remeshing/TriangleSurface.hpp"
@@ -46,6 +47,8 @@ class FeatureLines {
   using Segment = std::array<Eigen::Vector3d, 2>;
 
   int count() const { return static_cast<int>(neighbours_.size()); }
+  /// Of b among the neighbours of a, which must have it.
+  std::ptrdiff_t place_of(int a, int b) const;
   void join(int a, int b, int line);
   void part(int a, int b);
   void drop_short_creases(const TriangleSurface& surface, double least_length,

@@ -178,7 +178,7 @@ TEST(MeshRemeshing, VerticesThatMoveToOnePeakLeaveNoFlatTriangles) {
   plate.triangles.insert(plate.triangles.end(), {{4, 5, 6}, {4, 6, 7}});
   for (Eigen::Vector3d& vertex : plate.vertices) vertex.z() *= 0.05;
   const RemeshedMesh mesh = remesh_to_length(plate, 10);
-  EXPECT_GT(least_angle(mesh.surface), 1 * kDegree);
+  EXPECT_GT(least_angle(mesh.surface), 30 * kDegree);  // 56 seen; 0.0006 where they are not put back
 }
 
 TEST(MeshRemeshing, SourceIsTheNearestTriangle) {
