@@ -175,8 +175,10 @@ bool StepContacts::release(std::span<const ToolPose> poses, EquilibriumProblem& 
   std::erase_if(problem.attachments, [&](const Attachment& attachment) {
     const Eigen::Vector3d motion = attachment.target - material_point(attachment, state_.equilibrium.position);
     const Eigen::Vector3d& direction = poses[attachment.tool].direction;
-    // A tool lifts off when it goes back and would have to pull the tissue after it.
-    return motion.dot(direction) < 0 && attachment.force.dot(direction) > 0;
+    // A tool lifts off when it goes back and would have to pull the tissue after it. One that draws a flat wall along
+    // its plane does neither but for round-off.
+    return motion.dot(direction) < -kNoPart * motion.norm() &&
+           attachment.force.dot(direction) > kNoPart * attachment.force.norm();
   });
   return problem.attachments.size() != before;
 }

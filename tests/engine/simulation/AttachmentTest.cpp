@@ -99,6 +99,23 @@ TEST(Attachment, ALineTakesNoHoldOfAWallThatWasNeverInItsWay) {
   EXPECT_FALSE(body.state().contacts[0].touching);
 }
 
+TEST(Attachment, ALineThatDrawsTheEdgeOfAFlatSheetInItsPlaneLetsGoOfNoneOfIt) {
+  // What it would have to push or pull across the sheet is round-off, of either sign.
+  BodyDefinition sheet = make_body(make_sheet(40e-3, 20e-3, 200), 1e-3, neo_hookean(20e3));
+  sheet.fluid.kind = FluidKind::kNone;
+  sheet.fixed = {{.region = PlaneRegion{.axis = 1, .at = -10e-3}}};
+  Body body(sheet, {line_tool(0.042)}, quasi_static());
+  body.settle();
+  ToolPose pose = pose_at({0, 10e-3, 0});
+  pose.axis = Eigen::Vector3d::UnitX();
+  std::size_t held = 0;
+  move(body, pose, pose.tip + Eigen::Vector3d(0.4e-3, 0, 0), 40, 0.02, [&](const ToolPose&) {
+    if (held == 0) held = body.state().attachments.size();
+    EXPECT_EQ(body.state().attachments.size(), held);
+  });
+  EXPECT_GT(held, 5u);
+}
+
 TEST(Attachment, AToolSetElsewhereLetsGo) {
   Body body(tube(), {point_tool()}, quasi_static());
   body.settle();
