@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "engine/equilibrium/ContactSearch.hpp"
+#include "engine/equilibrium/LeastMotion.hpp"
 #include "engine/equilibrium/LoadTerms.hpp"
 #include "engine/equilibrium/OpenChambers.hpp"
 #include "engine/equilibrium/SideBySide.hpp"
@@ -185,6 +186,7 @@ void evaluate(const BodyModel& model, const EquilibriumProblem& problem, const E
       [&] {
         add_wall(model, problem.memory, position, terms);
         add_bending(model, problem.memory, position, terms);
+        add_least_motion(model, problem, position, terms);
       },
       [&] {
         if (chambers > 0) add_volumes(model, problem, position, terms);

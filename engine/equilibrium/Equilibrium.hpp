@@ -171,6 +171,12 @@ struct WallMemory {
   }
 };
 
+/// What a slack wall is held by in statics, see LeastMotion.hpp.
+struct LeastMotion {
+  double part = 0;       // of the wall's stiffness; none: 0
+  Eigen::VectorXd from;  // (unknowns), metres
+};
+
 /// What a body must be in equilibrium with. Inertia enters as springs from each vertex to where it would go freely.
 struct EquilibriumProblem {
   std::vector<FluidProblem> fluids;         // (chambers)
@@ -183,6 +189,7 @@ struct EquilibriumProblem {
   Eigen::VectorXd start;                              // (unknowns), metres: from where rotations under moments count
   double inertia = 0;               // 1 / second^2, factor of mass (position - inertia_target); zero for statics
   Eigen::VectorXd inertia_target;   // (unknowns), metres
+  LeastMotion least_motion;         // without inertia only, which holds a slack wall as well
   bool hold_rigid_motions = false;  // keep the mass-weighted mean position and rotation of a free body
   std::vector<Attachment> attachments;
   std::vector<SolidContact> solids;
@@ -193,6 +200,7 @@ struct EquilibriumProblem {
   std::vector<double> approach;           // (openings) or none, metres / second, at which fluid comes to the lips
   std::vector<char> sealed;               // (openings) or none: whether a needle keeps it shut
 
+  bool seeks_least_motion() const { return least_motion.part > 0 && inertia == 0; }
   bool is_free(int tool, int triangle) const { return !free.empty() && !free[tool].empty() && free[tool][triangle]; }
   bool passes(int tool, int site) const { return !passed.empty() && !passed[tool].empty() && passed[tool][site]; }
   double approach_to(int opening) const { return approach.empty() ? 0 : approach[opening]; }

@@ -292,19 +292,15 @@ NewtonResult Newton::solve(EquilibriumProblem& problem, EquilibriumState& state,
   may_border_ = options.borders_contacts || !model_.bending.empty();
   keeps_shift_ = options.buckles;
   if (!model_.bending.empty() && !options.buckles) {
-    const Start start{
-        .state = state, .attachments = problem.attachments, .solids = problem.solids, .friction = problem.friction};
+    const Start start = started(problem, state);
     NewtonResult result = iterate(problem, state, options, true);
     result.factorisations = factorisations_;
     if (result.converged && !folds_over(start.state.position, state.position)) return result;
     before = result.iterations;
-    state = start.state;
-    problem.attachments = start.attachments;
-    problem.solids = start.solids;
-    problem.friction = start.friction;
+    go_back(start, problem, state);
   }
   shifts_by_tension_ = model_.bending.empty() && problem.fluids.empty() && !options.takes_flaps && problem.inertia == 0;
-  NewtonResult result = iterate(problem, state, options, false);
+  NewtonResult result = iterate_held(problem, state, options);
   shifts_by_tension_ = false;
   result.iterations += before;
   result.factorisations = factorisations_;

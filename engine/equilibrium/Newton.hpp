@@ -250,6 +250,8 @@ class Newton {
   bool begin(EquilibriumProblem& problem, EquilibriumState& state, bool with_hessian);
   NewtonResult iterate(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options,
                        bool foresees);
+  /// The same with line search, of a slack wall that is held, which is held more for a while where it has to be.
+  NewtonResult iterate_held(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options);
   /// What is left where `terms_` were found, and gives the scale of the forces there, newton.
   double note_residual(const EquilibriumProblem& problem, const EquilibriumState& state, double tolerance,
                        Residual& residual, NewtonResult& result) const;
@@ -264,6 +266,8 @@ class Newton {
   bool folds_over(const Eigen::VectorXd& before, const Eigen::VectorXd& after) const;
   void foresee(const EquilibriumProblem& problem, const Eigen::VectorXd& position, const Eigen::VectorXd& motion);
   void add_foreseen(const EquilibriumProblem& problem, const Eigen::VectorXd& position);
+  static Start started(const EquilibriumProblem& problem, const EquilibriumState& state);
+  static void go_back(const Start& start, EquilibriumProblem& problem, EquilibriumState& state);
   const Start& kept_start(const EquilibriumProblem& problem, const EquilibriumState& state);
   void place(const Start& start, const Step& step, double fraction, EquilibriumProblem& problem,
              EquilibriumState& state);

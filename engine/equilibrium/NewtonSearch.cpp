@@ -125,11 +125,19 @@ Newton::Descent Newton::search(EquilibriumProblem& problem, EquilibriumState& st
       return tells && reached - before <= kForeseenPart * foreseen ? Descent::kAsForeseen : Descent::kLower;
     }
   }
+  go_back(start, problem, state);
+  return Descent::kNone;
+}
+
+Newton::Start Newton::started(const EquilibriumProblem& problem, const EquilibriumState& state) {
+  return {.state = state, .attachments = problem.attachments, .solids = problem.solids, .friction = problem.friction};
+}
+
+void Newton::go_back(const Start& start, EquilibriumProblem& problem, EquilibriumState& state) {
   state = start.state;
   problem.attachments = start.attachments;
   problem.solids = start.solids;
   problem.friction = start.friction;
-  return Descent::kNone;
 }
 
 const Newton::Start& Newton::kept_start(const EquilibriumProblem& problem, const EquilibriumState& state) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "engine/equilibrium/LeastMotion.hpp"
 #include "engine/equilibrium/WallTriangle.hpp"
 
 namespace thinwall {
@@ -31,6 +32,7 @@ void PatchEnergy::evaluate(const Eigen::VectorXd& position, bool with_hessian) {
   add_wall(position, with_hessian);
   add_folds(position, with_hessian);
   add_inertia(position, with_hessian);
+  if (problem_.seeks_least_motion()) add_slack(position, with_hessian);
 }
 
 /// Of the two places of an entry off the diagonal the one below it is kept.
@@ -65,6 +67,23 @@ void PatchEnergy::add_wall(const Eigen::VectorXd& position, bool with_hessian) {
           add_to_hessian(3 * corners[one] + row, 3 * corners[other] + column, lanes.hessian[b][i][k]);
         }
       }
+    }
+  }
+}
+
+void PatchEnergy::add_slack(const Eigen::VectorXd& position, bool with_hessian) {
+  for (const int triangle : patch_.triangles) {
+    const LeastMotionTerms terms = least_motion_terms(model_, problem_.least_motion, position, triangle);
+    std::array<int, 9> unknowns;
+    for (int i = 0; i < 9; ++i) unknowns[i] = 3 * model_.surface[triangle][i / 3] + i % 3;
+    value_ += terms.energy;
+    for (int i = 0; i < 9; ++i) {
+      const int number = patch_.number[unknowns[i]];
+      if (number >= 0) gradient_[number] += terms.gradient[i];
+    }
+    if (!with_hessian) continue;
+    for (int i = 0; i < 9; ++i) {
+      for (int j = 0; j <= i; ++j) add_to_hessian(unknowns[i], unknowns[j], terms.hessian(i, j));
     }
   }
 }

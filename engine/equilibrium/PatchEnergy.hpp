@@ -9,8 +9,9 @@
 
 namespace thinwall {
 
-/// The energy of a membrane by the unknowns of a patch, all others held: that of the wall, of its contacts with itself
-/// and of inertia, and the work of all other forces, which stay as they are at the position where it begins.
+/// The energy of a membrane by the unknowns of a patch, all others held: that of the wall, of its contacts with itself,
+/// of inertia and of the least motion of a slack wall, and the work of all other forces, which stay as they are at the
+/// position where it begins.
 class PatchEnergy {
  public:
   /// `folds`: pairs with a vertex in the patch, `fold_pressure`: of their potentials, pascal. `position`: (unknowns of
@@ -31,6 +32,7 @@ class PatchEnergy {
 
  private:
   void add_wall(const Eigen::VectorXd& position, bool with_hessian);
+  void add_slack(const Eigen::VectorXd& position, bool with_hessian);
   void add_folds(const Eigen::VectorXd& position, bool with_hessian);
   void add_inertia(const Eigen::VectorXd& position, bool with_hessian);
   void add_to_hessian(int row, int column, double value);

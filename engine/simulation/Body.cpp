@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/equilibrium/HeldWall.hpp"
+#include "engine/equilibrium/LeastMotion.hpp"
 #include "engine/simulation/Leakage.hpp"
 #include "engine/simulation/SimulationFailure.hpp"
 #include "engine/simulation/StepAccuracy.hpp"
@@ -102,10 +103,16 @@ BodyInput part_of(const BodyInput& input, const BodyState& start, double done, d
   return share;
 }
 
+/// In statics a slack wall is held by its least motion instead of a stiffness, which would press across wrinkles.
+BodyDefinition as_analysed(BodyDefinition definition, Analysis analysis) {
+  if (analysis == Analysis::kQuasiStatic) definition.slack_stiffness = 0;
+  return definition;
+}
+
 }  // namespace
 
 Body::Body(BodyDefinition definition, std::vector<ToolDefinition> tools, SimulationOptions options)
-    : model_(std::make_unique<const BodyModel>(make_body_model(std::move(definition)))),
+    : model_(std::make_unique<const BodyModel>(make_body_model(as_analysed(std::move(definition), options.analysis)))),
       tools_(std::move(tools)),
       options_(std::move(options)),
       newton_(std::make_unique<Newton>(*model_)) {
@@ -161,6 +168,11 @@ bool Body::may_crumple() const {
          !definition.tension_field && report_.halvings >= kHalvingsBeforeCrumpling && !is_held_in_its_plane(*model_);
 }
 
+LeastMotion Body::least_motion() const {
+  const bool is_slack = model_->definition.tension_field && options_.analysis == Analysis::kQuasiStatic;
+  return {.part = is_slack ? kLeastMotion : 0, .from = state_.equilibrium.position};
+}
+
 EquilibriumProblem Body::make_problem(std::span<const ToolPose> end, double duration, const BodyInput& input) const {
   EquilibriumProblem problem;
   add_fluids(duration, input, problem);
@@ -170,6 +182,7 @@ EquilibriumProblem Body::make_problem(std::span<const ToolPose> end, double dura
   problem.gravity = options_.gravity;
   problem.load_factors = input.load_factors;
   problem.start = state_.equilibrium.position;
+  problem.least_motion = least_motion();
   problem.cut_force = force_at_lips(let_go(state_.cut, input.blade), model_->unknowns());
   step_contacts().add_solids(end, problem);
   step_contacts().add_shafts(end, problem);

@@ -206,6 +206,7 @@ class Body {
                                        const EquilibriumState& state);
   /// No solution, for this reason, which is kept.
   NewtonResult fail(const std::string& reason);
+  void let_go_of_slack(EquilibriumProblem& problem, EquilibriumState& state);
   void solve_statics();
   bool load_slowly(const EquilibriumProblem& whole, EquilibriumState& trial);
   std::string describe_failure() const;
@@ -234,6 +235,8 @@ class Body {
   bool is_hopeless(int failed) const;
   bool is_spent() const { return report_.newton_iterations > options_.maximum_step_iterations; }
   [[noreturn]] void give_up() const;
+  /// From where the body is, where its wall is a tension field in statics.
+  LeastMotion least_motion() const;
   EquilibriumProblem make_problem(std::span<const ToolPose> end, double duration, const BodyInput& input) const;
   void add_fluids(double duration, const BodyInput& input, EquilibriumProblem& problem) const;
   bool draw_air(EquilibriumProblem& problem, EquilibriumState& trial, std::span<const ToolPose> begin);

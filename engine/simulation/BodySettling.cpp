@@ -96,6 +96,7 @@ EquilibriumProblem held_by_springs(const BodyModel& model, const EquilibriumProb
 void take(const EquilibriumProblem& held, const EquilibriumState& trial, EquilibriumProblem& problem,
           EquilibriumState& state) {
   state = trial;
+  problem.least_motion.from = state.position;
   problem.attachments = held.attachments;
   problem.solids = held.solids;
 }
@@ -249,6 +250,7 @@ bool Body::load_slowly(const EquilibriumProblem& whole, EquilibriumState& trial)
   for (int part = 1; part <= kWeightParts; ++part) {
     EquilibriumProblem problem = whole;
     problem.gravity *= static_cast<double>(part) / kWeightParts;
+    problem.least_motion.from = trial.position;
     EquilibriumProblem again = problem;
     const EquilibriumState before = trial;
     if (solve(problem, trial).converged) continue;
@@ -256,6 +258,13 @@ bool Body::load_slowly(const EquilibriumProblem& whole, EquilibriumState& trial)
     if (!relax(again, trial).converged) return false;
   }
   return true;
+}
+
+void Body::let_go_of_slack(EquilibriumProblem& problem, EquilibriumState& state) {
+  // Held where its mesh is a slack wall comes to rest a little short of its equilibrium; held there, far less.
+  EquilibriumState trial = state;
+  problem.least_motion.from = state.position;
+  if (solve(problem, trial).converged) state = trial;
 }
 
 void Body::solve_statics() {
@@ -274,6 +283,7 @@ void Body::solve_statics() {
   problem.gravity = options_.gravity;
   problem.load_factors = state_.load_factors;
   problem.hold_rigid_motions = model_->rigid_motions.cols() > 0;
+  problem.least_motion = least_motion();
   const EquilibriumProblem whole = problem;
   EquilibriumState trial = state_.equilibrium;
   bool is_found = solve(problem, trial).converged;
@@ -285,6 +295,7 @@ void Body::solve_statics() {
   }
   if (!is_found && (bursts_ || !load_slowly(whole, trial))) throw SimulationFailure(describe_failure());
   EquilibriumProblem held = whole;
+  if (held.seeks_least_motion()) let_go_of_slack(held, trial);
   // Of what rests as it is given nothing has told yet whether it is stable.
   const bool is_unknown = report_.newton_iterations == 0 && newton_->terms().elastic > 0;
   if (!is_convex_ || is_unknown) buckle(held, trial);

@@ -12,13 +12,14 @@ namespace {
 constexpr double kHeldForce = 1e-7;
 
 /// Springs, in units of the wall's stiffness, that slow a body down on its way to rest, how they change, and beyond
-/// what it does not get there.
+/// what it does not get there. The part of its stiffness by which a slack wall is held takes their place.
 constexpr double kFirstSprings = 0.1;
 constexpr double kWeakened = 0.25;
 constexpr double kStiffened = 8;
 constexpr double kStiffestSlowing = 1e3;
 constexpr int kEasyTurn = 12;
-constexpr int kMostTurns = 1000;  // a folded sheet of 400 triangles takes 600 to unfold
+constexpr int kMostTurns = 1000;
+constexpr int kMostIterations = 60;  // of a turn
 
 /// Attitudes that are tried: to hold one keeps the mean rotation of small motions, so that it may be off by some.
 constexpr int kMostAttitudes = 4;
@@ -33,6 +34,19 @@ bool drives_off(const BodyModel& model, const Eigen::VectorXd& force) {
   }
   const double scale = force.cwiseAbs().sum();
   return ((held.array() == 0) && (sum.array().abs() > kHeldForce * scale)).any();
+}
+
+EquilibriumProblem slowed_down(const BodyModel& model, const EquilibriumProblem& problem, double springs,
+                               const Eigen::VectorXd& position) {
+  EquilibriumProblem slowed = problem;
+  slowed.hold_rigid_motions = false;
+  if (problem.seeks_least_motion()) {
+    slowed.least_motion = {.part = springs, .from = position};
+    return slowed;
+  }
+  slowed.inertia = springs * model.wall_stiffness / model.mass.mean();
+  slowed.inertia_target = position;
+  return slowed;
 }
 
 }  // namespace
@@ -53,18 +67,16 @@ bool Body::turn(const EquilibriumProblem& problem, EquilibriumState& state) {
   double springs = kFirstSprings;
   for (int k = 0; k < kMostTurns && springs < kStiffestSlowing; ++k) {
     EquilibriumState trial = state;
-    EquilibriumProblem slowed = problem;
-    slowed.hold_rigid_motions = false;
-    slowed.inertia = springs * model_->wall_stiffness / model_->mass.mean();
-    slowed.inertia_target = state.position;
-    const NewtonResult result = solve(slowed, trial, {.most_iterations = 25, .takes_flaps = true});
+    EquilibriumProblem slowed = slowed_down(*model_, problem, springs, state.position);
+    const NewtonResult result = solve(slowed, trial, {.most_iterations = kMostIterations, .takes_flaps = true});
     if (!result.converged) {
       springs *= kStiffened;
       continue;
     }
     const Eigen::VectorXd way = trial.position - state.position;
     state = trial;
-    const double held = slowed.inertia * model_->mass.cwiseProduct(way).lpNorm<Eigen::Infinity>();
+    const Eigen::VectorXd slowing = springs * model_->wall_stiffness / model_->mass.mean() * model_->mass;
+    const double held = slowing.cwiseProduct(way).lpNorm<Eigen::Infinity>();
     if (held < 0.1 * kHeldForce * result.force_scale) return true;
     if (result.iterations <= kEasyTurn) springs *= kWeakened;
   }
@@ -83,6 +95,7 @@ bool Body::find_turned(EquilibriumProblem& problem, EquilibriumState& state) {
   newton_ = std::make_unique<Newton>(*turned, *newton_, trial.position);
   model_ = std::move(turned);
   EquilibriumProblem again = problem;
+  again.least_motion.from = trial.position;
   trial.rigid_reaction.resize(0);
   if (!solve(again, trial, {.takes_flaps = true}).converged) return false;
   problem = again;

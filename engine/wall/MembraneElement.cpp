@@ -98,8 +98,9 @@ Eigen::Matrix<double, 3, 2> deformation_gradient(const MembraneRest& rest,
 
 MembraneResponse membrane_response(const Material& material, const Eigen::Vector3d& right_cauchy_green,
                                    const MembraneMemory& memory) {
-  MembraneResponse response{.whole = wall_response(material, right_cauchy_green, memory.tension_field),
-                            .strain_energy = 0};
+  MembraneResponse response{
+      .whole = wall_response(material, right_cauchy_green, memory.tension_field, memory.slack_stiffness),
+      .strain_energy = 0};
   response.strain_energy = response.whole.energy;
   remember(memory, material, green_lagrange(right_cauchy_green), response.whole);
   return response;

@@ -30,6 +30,7 @@ struct MembraneMemory {
   Eigen::Vector3d overstress = Eigen::Vector3d::Zero();  // pascal, (S11, S22, S12)
   double damping = 0;                                    // a number
   bool tension_field = false;                            // the law's answer is relaxed, see TensionField.hpp
+  double slack_stiffness = 0;                            // of a relaxed one, see TensionField.hpp
 };
 
 /// What a triangle of the wall answers for C = (C11, C22, C12).

@@ -188,11 +188,12 @@ WallLawResponse relaxed(const Material& material, const Eigen::Vector3d& c) {
 
 }  // namespace
 
-WallLawResponse tension_field_response(const Material& material, const Eigen::Vector3d& c) {
+WallLawResponse tension_field_response(const Material& material, const Eigen::Vector3d& c, double slack_stiffness) {
   WallLawResponse response = relaxed(material, c);
+  if (slack_stiffness == 0) return response;
   const Eigen::Vector3d strain(0.5 * (c[0] - 1), 0.5 * (c[1] - 1), c[2]);
   const Eigen::Matrix3d stiffness =
-      kTensionFieldResidual * material.law->respond(material.parameters, Eigen::Vector3d(1, 1, 0)).tangent;
+      slack_stiffness * material.law->respond(material.parameters, Eigen::Vector3d(1, 1, 0)).tangent;
   response.energy += 0.5 * strain.dot(stiffness * strain);
   response.second_piola_kirchhoff += stiffness * strain;
   response.tangent += stiffness;

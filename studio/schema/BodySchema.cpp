@@ -135,7 +135,8 @@ ValueSchema wall_value() {
       {"fibres", fibres_schema(), false, {}, "direction of the fibres; `fung` and `holzapfel` need it"},
       {"tension_field", boolean_value(), false, "false",
        "membrane: where the wall would be compressed it wrinkles finely instead and bears tension only; so does one "
-       "that is cut, from then on, unless it is flat and `fixed` keeps all of it in its plane"},
+       "that is cut, from then on, unless it is flat and `fixed` keeps all of it in its plane; in a quasi-static "
+       "analysis what nothing pulls stays where it was"},
       {"prestretch", prestretch_schema(), false, "1",
        "in-plane stretch of the given surface: each triangle's rest shape is the given one shrunk by it"},
   };

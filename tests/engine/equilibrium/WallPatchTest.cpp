@@ -126,6 +126,7 @@ TEST(PatchEnergyTest, BeginsWithTheForceThatIsGiven) {
 TEST(PatchEnergyTest, HasTheCurvatureOfTheWholeWallAndOfWhatIsNear) {
   Patched wall;
   wall.problem.inertia = 0;
+  wall.problem.least_motion = {.part = 0.5, .from = wall.model.rest_position};
   wall.energy.evaluate(wall.position, true);
   EquilibriumTerms whole;
   evaluate(wall.model, wall.problem, wall.position, Eigen::VectorXd(), true, whole);
@@ -152,9 +153,7 @@ TEST(PatchEnergyTest, HasTheCurvatureOfTheWholeWallAndOfWhatIsNear) {
 }
 
 // Differences over 1e-7 m are off by 1.4e-10 N, and by 2e-8 of the largest entry: their round-off.
-TEST(PatchEnergyTest, DerivesAsDifferencesDo) {
-  Patched wall;
-  wall.problem.inertia = 1e6;  // so that its share is not lost beside the wall's
+void expect_derivatives(Patched& wall) {
   wall.energy.evaluate(wall.position, true);
   const Eigen::VectorXd gradient = wall.energy.gradient();
   const Eigen::MatrixXd hessian = wall.energy.hessian().selfadjointView<Eigen::Lower>();
@@ -173,6 +172,16 @@ TEST(PatchEnergyTest, DerivesAsDifferencesDo) {
     slope = (slope - wall.energy.gradient()) / (2 * kStep);
     EXPECT_LT((slope - hessian.col(number)).lpNorm<Eigen::Infinity>(), 1e-7 * hessian.lpNorm<Eigen::Infinity>());
   }
+}
+
+TEST(PatchEnergyTest, DerivesAsDifferencesDo) {
+  Patched moving;
+  moving.problem.inertia = 1e6;  // so that its share is not lost beside the wall's
+  expect_derivatives(moving);
+  Patched slack;
+  slack.problem.inertia = 0;
+  slack.problem.least_motion = {.part = 1, .from = slack.model.rest_position};
+  expect_derivatives(slack);
 }
 
 TEST(PatchRelaxationTest, BringsThePatchToRestAndMovesNothingElse) {

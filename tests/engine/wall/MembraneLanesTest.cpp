@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include "engine/wall/TensionField.hpp"
+
 namespace thinwall {
 namespace {
 
@@ -19,6 +21,7 @@ class UnlikeTriangles {
       MembraneTriangle triangle;
       for (int corner = 0; corner < 3; ++corner) triangle.corners[corner] = stretches[k].cwiseProduct(rest[corner]);
       triangle.memory.tension_field = k == 1 || k == 2;
+      triangle.memory.slack_stiffness = kSlackStiffness;
       triangles_.push_back(triangle);
     }
     triangles_[3].memory.scale = 0.8;
