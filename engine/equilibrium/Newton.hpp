@@ -393,6 +393,7 @@ class Newton {
   int doubles_left_ = 0;                           // factorisations until single precision is tried again
   bool shifts_by_tension_ = false;                 // whether a shift is a tension
   bool keeps_shift_ = false;                       // see NewtonOptions::buckles
+  bool begins_held_ = false;                       // see NewtonLeastMotion.cpp
   double last_shift_ = 0;                          // by which a matrix was made convex last
   int ascending_steps_ = 0;                        // in the solution under way
   bool keeps_factor_ = false;               // whether the step under way is found with the factor of the one before

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -14,24 +15,37 @@ namespace {
 /// Parts of the wall's stiffness by which a slack wall is held on the way, before the one that is asked for.
 constexpr std::array<double, 2> kHeldMore = {1e-3, 1e-4};
 
+/// Iterations without that before it is tried, and in all with it from which on the next solution begins so.
+constexpr int kMostUnheld = 30;
+constexpr int kManyHeld = 30;
+
 }  // namespace
 
 NewtonResult Newton::iterate_held(EquilibriumProblem& problem, EquilibriumState& state, const NewtonOptions& options) {
-  const Start start = started(problem, state);
-  NewtonResult result = iterate(problem, state, options, false);
   const LeastMotion asked = problem.least_motion;
-  if (result.converged || !problem.seeks_least_motion() || asked.part >= kHeldMore.back()) return result;
-  go_back(start, problem, state);
-  int iterations = result.iterations;
+  if (!problem.seeks_least_motion() || asked.part >= kHeldMore.back()) return iterate(problem, state, options, false);
+  int iterations = 0;
+  if (!begins_held_) {
+    const Start start = started(problem, state);
+    NewtonOptions unheld = options;
+    unheld.maximum_iterations = std::min(options.maximum_iterations, kMostUnheld);
+    NewtonResult result = iterate(problem, state, unheld, false);
+    if (result.converged) return result;
+    iterations = result.iterations;
+    go_back(start, problem, state);
+  }
+  NewtonResult result;
+  int held = 0;
   for (const double part : {kHeldMore[0], kHeldMore[1], asked.part}) {
     problem.least_motion = {.part = part, .from = state.position};
     result = iterate(problem, state, options, false);
-    iterations += result.iterations;
+    held += result.iterations;
     if (!result.converged) break;
   }
+  begins_held_ = result.converged && held >= kManyHeld;
   problem.least_motion.part = asked.part;
   if (!result.converged) problem.least_motion.from = asked.from;
-  result.iterations = iterations;
+  result.iterations = iterations + held;
   return result;
 }
 
