@@ -17,6 +17,7 @@ struct TextNode {
   NodeKind kind = NodeKind::kEmpty;
   SourceLocation location = {};
   std::string text = {};             // kText
+  std::string cut_off = {};          // what YAML takes for a comment though it looks like the end of the text: "#1"
   std::string parameters = {};       // what was filled in, "`${depth}` is `4 mm`"; empty when nothing was
   bool told = false;                 // what is wrong here is told already: not to be read any further
   std::vector<TextNode> items = {};  // kList

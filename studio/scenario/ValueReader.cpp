@@ -76,6 +76,11 @@ class PlainReader {
       return refuse_value("one of " + std::to_string(text_.size()) + " bytes; a text has at most " +
                           std::to_string(kLongestText));
     }
+    if (!node_.cut_off.empty()) {
+      diagnostics_.warning(node_.location, place_.path,
+                           in_backticks(node_.cut_off) + " is taken for a comment, so that the text is " +
+                               in_backticks(text_) + "; a text with ` #` in it needs quotation marks around it");
+    }
     return text_value();
   }
 

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <sstream>
 #include <vector>
+
+#include "studio/scenario/YamlComments.hpp"
 
 namespace thinwall {
 namespace {
@@ -54,6 +57,27 @@ std::string_view from_column(std::string_view line, int column) {
   return "";
 }
 
+/// The byte at which a line begins; counted from 1.
+std::size_t start_of_line(const std::string& text, int line) {
+  std::size_t start = 0;
+  for (int before = 1; before < line && start != std::string::npos; ++before) start = text.find('\n', start) + 1;
+  return start;
+}
+
+/// Of a bracket that the parser waits for the end of, which may lie many lines before the place where it gives up.
+std::string advice_for_an_open_bracket(const OpenBracket& open, int line) {
+  const std::string place = fmt::format("; `{}` of line {} is still open here", open.bracket, open.line);
+  if (!open.hidden.empty()) {
+    constexpr const char* kWords =
+        "{}, as `{}` is taken for a comment: a text with ` #` in it needs quotation marks around it";
+    return fmt::format(kWords, place, open.hidden);
+  }
+  const std::string missing = fmt::format("{}a `,` or `{}` is missing before this",
+                                          open.line < line ? place + ": " : "; ", open.bracket == '{' ? '}' : ']');
+  if (open.bracket == '[') return missing;
+  return missing + ", or a text with `{`, `}`, `,` or `${` in it has no quotation marks around it";
+}
+
 std::string advice_for_an_alias(std::string_view alias) {
   const std::string_view name = alias.substr(0, alias.find_first_of(" ,]}")).substr(1);
   constexpr const char* kWords =
@@ -91,6 +115,12 @@ std::string yaml_advice(const std::string& text, int line, int column, std::stri
   const std::vector<std::string> lines = first_lines(text, line);
   if (lines.empty()) return "";
   const std::string_view rest = from_column(lines.back(), column);
+  const std::optional<OpenBracket> open =
+      open_bracket(text, start_of_line(text, line) + (lines.back().size() - rest.size()));
+  const bool waits_for_an_end = parser_message == "end of map flow not found" ||
+                                parser_message == "illegal block entry" ||
+                                parser_message == "end of sequence flow not found";
+  if (open && (waits_for_an_end || !open->hidden.empty())) return advice_for_an_open_bracket(*open, line);
   if (parser_message == "illegal map value") return advice_for_a_colon(lines, column);
   if (parser_message == "the referenced anchor is not defined" && rest.starts_with('*')) {
     return advice_for_an_alias(rest);
@@ -101,11 +131,6 @@ std::string yaml_advice(const std::string& text, int line, int column, std::stri
   if (parser_message == "illegal flow end" && !rest.empty()) {
     return fmt::format("; `{}` closes nothing that is open here: `{{` goes with `}}`, `[` with `]`", rest[0]);
   }
-  if (parser_message == "end of map flow not found") {
-    return "; a `,` or `}` is missing before this, or a text with `{`, `}`, `,` or `${` in it has no quotation marks "
-           "around it";
-  }
-  if (parser_message == "end of sequence flow not found") return "; a `,` or `]` is missing before this";
   if (parser_message == "end of map not found" || parser_message == "end of sequence not found") {
     return advice_for_indentation(lines);
   }

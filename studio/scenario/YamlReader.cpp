@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "studio/scenario/YamlAdvice.hpp"
+#include "studio/scenario/YamlComments.hpp"
 #include "studio/schema/Wording.hpp"
 
 namespace thinwall {
@@ -57,13 +58,22 @@ class Places {
   /// Whether a quoted text at `mark`, or behind the anchor that stands there, ends: the parser takes one that does not
   /// to the end of the file, with all that follows.
   bool is_quote_closed_at(const YAML::Mark& mark) const {
-    if (mark.line < 0 || static_cast<std::size_t>(mark.line) >= line_starts_.size()) return true;
-    const std::size_t start = line_starts_[static_cast<std::size_t>(mark.line)] + static_cast<std::size_t>(mark.column);
-    const std::size_t quote = text_->find_first_of("\"'", start);
+    const std::size_t quote = text_->find_first_of("\"'", byte_at(mark));
     return quote == std::string::npos || is_quote_closed(*text_, quote);
   }
 
+  /// As `comment_like_text` tells of the plain text at `mark`.
+  std::string cut_off_at(const YAML::Mark& mark, const std::string& plain) const {
+    return comment_like_text(*text_, byte_at(mark), plain);
+  }
+
  private:
+  /// The text's size for a mark beyond it.
+  std::size_t byte_at(const YAML::Mark& mark) const {
+    if (mark.line < 0 || static_cast<std::size_t>(mark.line) >= line_starts_.size()) return text_->size();
+    return line_starts_[static_cast<std::size_t>(mark.line)] + static_cast<std::size_t>(mark.column);
+  }
+
   std::vector<std::size_t> line_starts_;  // byte offsets
   const std::string* text_;
   std::size_t counted_from_ = 0;  // byte offset of a line
@@ -93,7 +103,9 @@ class NodeBuilder : public YAML::EventHandler {
       refuse(mark,
              "the quotation mark that begins here has no second one, so that all that follows is part of the text");
     }
-    take(TextNode{.kind = NodeKind::kText, .location = places_.at(mark, file_), .text = value, .members = {}}, anchor);
+    TextNode node{.kind = NodeKind::kText, .location = places_.at(mark, file_), .text = value, .members = {}};
+    if (tag == "?") node.cut_off = places_.cut_off_at(mark, value);
+    take(std::move(node), anchor);
   }
 
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {

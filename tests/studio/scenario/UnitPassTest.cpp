@@ -181,6 +181,14 @@ TEST(UnitPass, ATextThatNoTakeHasRoomForSaysHowLongItMayBe) {
             Texts{"1:23: title: expected a text, got one of 10001 bytes; a text has at most 10000"});
 }
 
+TEST(UnitPass, ATextWhoseEndIsTakenForACommentIsToldOfAndAQuantityIsNot) {
+  const Read clip = read("wait", "for: 1 s #short\ncaption: Press #1 gently\nchapter: First # of two\n");
+  EXPECT_EQ(clip.errors, Texts{});
+  EXPECT_EQ(clip.warnings,
+            Texts{"2:10: caption: `#1 gently` is taken for a comment, so that the text is `Press`; a text with ` #` in "
+                  "it needs quotation marks around it"});
+}
+
 TEST(UnitPass, AWrongWordIsOneErrorAndItsKeysAreNotJudged) {
   EXPECT_EQ(read("material", "{ law: neo_hokean, shear_modulus: 20 kPa }").errors.size(), 1U);
 }

@@ -120,7 +120,8 @@ TEST(YamlReader, WhereTheParserGivesUpTheLikelyCureIsTold) {
       "1:10: this is no YAML: end of map flow not found; a `,` or `}` is missing before this, or a text with `{`, "
       "`}`, `,` or `${` in it has no quotation marks around it");
   EXPECT_EQ(first_error("a: [1, 2\nb: 3\n"),
-            "2:2: this is no YAML: end of sequence flow not found; a `,` or `]` is missing before this");
+            "2:2: this is no YAML: end of sequence flow not found; `[` of line 1 is still open here: a `,` or `]` is "
+            "missing before this");
   EXPECT_EQ(
       first_error("a:\n    b: 1\n  c: 2\n"),
       "3:3: this is no YAML: end of map not found; keys of one mapping begin in the same column, and each item of "
@@ -133,6 +134,30 @@ TEST(YamlReader, WhereTheParserGivesUpTheLikelyCureIsTold) {
   EXPECT_EQ(first_error("a: { b: 1 ]\n"),
             "1:11: this is no YAML: illegal flow end; `]` closes nothing that is open "
             "here: `{` goes with `}`, `[` with `]`");
+}
+
+TEST(YamlReader, ABracketThatIsStillOpenIsToldWithTheCommentThatHidesItsEnd) {
+  const std::string cure = "is taken for a comment: a text with ` #` in it needs quotation marks around it";
+  EXPECT_EQ(first_error("a:\n  - b: { c: Press #1, d: 1 }\n  - b: 2\n"),
+            "3:3: this is no YAML: illegal block entry; `{` of line 2 is still open here, as `#1, d: 1 }` " + cure);
+  EXPECT_EQ(first_error("a: { b: [left #1, right #2] }\nc: 1\n"),
+            "2:1: this is no YAML: end of sequence flow not found; `[` of line 1 is still open here, as "
+            "`#1, right #2] }` " +
+                cure);
+  EXPECT_EQ(
+      first_error("a: { b: 'it''s } #', # first\n  c: [1]\nd: 2\n"),
+      "3:1: this is no YAML: end of map flow not found; `{` of line 1 is still open here: a `,` or `}` is missing "
+      "before this, or a text with `{`, `}`, `,` or `${` in it has no quotation marks around it");
+}
+
+TEST(YamlReader, WhatLooksLikeTheEndOfAPlainTextIsKeptBesideIt) {
+  Diagnostics diagnostics;
+  const TextNode root = parse_text(
+      "a: Balloon #1\nb: &n Press\n  harder #2 now\nc: Press # first\nd: Press  #first\ne: \"Press\" #3\nf: C#1\n",
+      diagnostics);
+  EXPECT_EQ(root.find("a")->value.cut_off, "#1");
+  EXPECT_EQ(root.find("b")->value.cut_off, "#2 now");
+  for (const char* key : {"c", "d", "e", "f"}) EXPECT_EQ(root.find(key)->value.cut_off, "") << key;
 }
 
 TEST(YamlReader, ASpaceThatIsNoneForYamlIsNamed) {
