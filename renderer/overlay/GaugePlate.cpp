@@ -39,10 +39,14 @@ void draw_force(const Plate& plate, const OverlayGrid& grid, const QuantityText&
       .draw_on_baseline(plate, grid.pixels(kPadding + 6) + number.width(), baseline);
 }
 
-void draw_value(const Plate& plate, const OverlayGrid& grid, double x, const char* name, const QuantityText& value) {
-  const double room = plate.size().width / 2.0 - grid.pixels(kPadding);
-  Text(name, {.size = grid.pixels(kSmallText), .color = plate_style::kFaintText})
-      .draw_on_baseline(plate, x, grid.pixels(110));
+constexpr double kSmallestName = 0.75;  // of small text, so that it can still be read
+
+void draw_value(const Plate& plate, const OverlayGrid& grid, double x, double room, const std::string& name,
+                const QuantityText& value) {
+  TextStyle style{.size = grid.pixels(kSmallText), .color = plate_style::kFaintText};
+  const double width = Text(name, style).width();
+  if (width > room) style.size *= std::max(kSmallestName, room / width);
+  Text(name, style, {.width = room}).draw_on_baseline(plate, x, grid.pixels(110));
   Text(value.text(), {.size = grid.pixels(19), .color = plate_style::kText}, {.width = room})
       .draw_on_baseline(plate, x, grid.pixels(133));
 }
@@ -60,9 +64,13 @@ void draw_gauge(Image& image, const OverlayGrid& grid, const OverlayContent& con
   draw_force(plate, grid, force_quantity(content.force, peak, content.expected_force));
   const double line = grid.pixels(90);
   plate.line(left, line, plate.size().width - left, line, std::max(1.0, grid.unit), plate_style::kGridLine);
-  draw_value(plate, grid, left, "Depth", depth_quantity(content.depth));
+  const std::string& body = content.pressurized_body;
+  // A body's name takes what the depth leaves.
+  const double middle = body.empty() ? plate.size().width / 2.0 : left + grid.pixels(97);
+  draw_value(plate, grid, left, middle - left, "Depth", depth_quantity(content.depth));
   if (content.pressure) {
-    draw_value(plate, grid, plate.size().width / 2.0, "Pressure", pressure_quantity(*content.pressure));
+    const std::string name = body.empty() ? "Pressure" : "Pressure, " + body;
+    draw_value(plate, grid, middle, plate.size().width - left - middle, name, pressure_quantity(*content.pressure));
   }
   const int margin = grid.whole(plate_style::kMargin);
   plate.blend_onto(image, margin, image.size.height - margin - plate.size().height);

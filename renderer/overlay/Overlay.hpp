@@ -54,6 +54,7 @@ struct OverlayContent {
   double expected_force = 1;                    // newton, by which the unit of forces is chosen: see force_unit()
   double depth = 0;                             // metres
   std::optional<double> pressure = 0;           // pascal; none where no body has contents
+  std::string pressurized_body = {};            // whose pressure that is; empty: only one body has contents
   std::vector<ForceSample> history;             // ascending in time, up to `time`
   std::vector<ForceSample> other_history = {};  // of a take that this one is compared with; empty: none
   std::size_t tool_number = 0;                  // of `tool` among all tools

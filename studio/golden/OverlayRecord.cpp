@@ -55,6 +55,7 @@ std::string overlay_record(const OverlayContent& content) {
   Json json = {{"title", content.title},   {"caption", content.caption}, {"phase", content.phase},
                {"tool", content.tool},     {"time_s", content.time},     {"duration_s", content.duration},
                {"force_N", content.force}, {"depth_m", content.depth},   {"pressure_Pa", pressure}};
+  if (!content.pressurized_body.empty()) json["pressure_of"] = content.pressurized_body;
   for (const OverlayRow& row : kOverlayRows) json["show_" + std::string(row.key)] = content.shown.*row.is_shown;
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

@@ -53,19 +53,22 @@ double squared_distance(const Double3& point, const SnapshotSurface& surface) {
 
 /// Of the body with contents that the tool is at, of the first one where there is no tool. An open sheet has no volume,
 /// and the scenery that bodies lie in does not count.
-std::optional<double> shown_pressure(const Snapshot& snapshot, const SnapshotTool* tool) {
+void tell_pressure(const Snapshot& snapshot, const SnapshotTool* tool, OverlayContent& content) {
+  content.pressure.reset();
   std::vector<const SnapshotSurface*> filled = acting_surfaces(snapshot);
   std::erase_if(filled, [&](const SnapshotSurface* surface) {
     return find_scalar(snapshot, surface->body, kVolumeScalar) == 0.0 ||
            !find_scalar(snapshot, surface->body, kPressureScalar);
   });
-  if (filled.empty()) return std::nullopt;
+  if (filled.empty()) return;
   const SnapshotSurface* shown = filled.front();
   if (tool != nullptr && filled.size() > 1) {
     shown = *std::ranges::min_element(
         filled, {}, [&](const SnapshotSurface* surface) { return squared_distance(tool->tip, *surface); });
   }
-  return find_scalar(snapshot, shown->body, kPressureScalar);
+  content.pressure = find_scalar(snapshot, shown->body, kPressureScalar);
+  const auto is_other = [&](const SnapshotSurface* surface) { return surface->body != shown->body; };
+  if (std::ranges::any_of(filled, is_other)) content.pressurized_body = shown->body;
 }
 
 std::optional<Legend> legend_of(const LookDefinition& look) {
@@ -207,7 +210,7 @@ OverlayContent FrameComposer::overlay(const Snapshot& snapshot) const {
   content.legend = legend_;
   content.badges_to_come = planned_.badges;
   const SnapshotTool* tool = shown_tool(snapshot);
-  content.pressure = shown_pressure(snapshot, tool);
+  tell_pressure(snapshot, tool, content);
   if (tool == nullptr) {
     content.shown.force_plot = content.shown.gauge = false;
     return content;

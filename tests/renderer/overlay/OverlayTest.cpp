@@ -211,6 +211,22 @@ TEST(Overlay, TellsNoPressureWhereNothingHasContents) {
   EXPECT_GT(differ, 500);
 }
 
+TEST(Overlay, NamesTheBodyThatAPressureIsOfWithinTheGauge) {
+  OverlayContent content = some_content();
+  const Image unnamed = overlaid(content);
+  content.pressurized_body = "cyst";
+  const Image cyst = overlaid(content);
+  content.pressurized_body = "vessel";
+  EXPECT_NE(cyst.pixels, unnamed.pixels);
+  EXPECT_NE(overlaid(content).pixels, cyst.pixels);
+  content.pressurized_body = std::string(100, 'x');
+  const Image longest = overlaid(content);
+  for (std::size_t i = 0; i < longest.pixels.size(); ++i) {
+    const double across = static_cast<double>(i / 3 % kSize.width) / kSize.width;
+    ASSERT_TRUE(longest.pixels[i] == unnamed.pixels[i] || (across > 0.08 && across < 0.21)) << "beside the depth";
+  }
+}
+
 TEST(Overlay, TakesEmptyAndExtremeContent) {
   OverlayContent content = some_content();
   content.history.clear();

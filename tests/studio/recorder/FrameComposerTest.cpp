@@ -70,9 +70,10 @@ TEST(FrameComposerTest, TellsThePressureOfTheFirstBodyThatHasContents) {
   FrameComposer both("", {});
   both.add(moment);
   EXPECT_EQ(both.compose(0).overlay.pressure, 700);
+  EXPECT_EQ(both.compose(0).overlay.pressurized_body, "") << "it can be no other's";
 }
 
-TEST(FrameComposerTest, OfSeveralBodiesWithContentsThePressureIsThatOfTheOneThatTheToolIsAt) {
+TEST(FrameComposerTest, OfSeveralBodiesWithContentsThePressureIsThatOfTheOneThatTheToolIsAtAndSaysWhose) {
   Moment moment = SyntheticRun().moment(0);
   SnapshotSurface other = moment.snapshot.surfaces[0];
   moment.snapshot.surfaces[0].body = "cyst";
@@ -80,11 +81,12 @@ TEST(FrameComposerTest, OfSeveralBodiesWithContentsThePressureIsThatOfTheOneThat
   for (Float3& position : other.positions) position[0] += 1;
   moment.snapshot.surfaces.push_back(other);
   moment.snapshot.scalars = {{"cyst.pressure", "Pa", 800}, {"vessel.pressure", "Pa", 3000}};
-  for (const auto& [at, pressure] : {std::pair{0.0, 800.0}, {1.0, 3000.0}}) {
+  for (const auto& [at, pressure, body] : {std::tuple{0.0, 800.0, "cyst"}, {1.0, 3000.0, "vessel"}}) {
     moment.snapshot.tools[0].tip[0] = at;
     FrameComposer composer("", {});
     composer.add(moment);
     EXPECT_EQ(composer.compose(0).overlay.pressure, pressure) << "tool at " << at << " m";
+    EXPECT_EQ(composer.compose(0).overlay.pressurized_body, body);
   }
   moment.snapshot.tools.clear();
   FrameComposer without("", {});
