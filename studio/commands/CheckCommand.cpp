@@ -20,6 +20,7 @@
 #include "studio/director/BodyNotes.hpp"
 #include "studio/recorder/FontNotes.hpp"
 #include "studio/recorder/Interruption.hpp"
+#include "studio/recorder/Messages.hpp"
 #include "studio/scenario/InputError.hpp"
 #include "studio/scenario/LoadScenario.hpp"
 
@@ -82,11 +83,11 @@ int check_scenarios(const CheckOptions& options) {
       warnings = scenario.warnings;
       tell_warnings(scenario);
       notes = notes_of(scenario);
-      for (const std::string& note : notes) fmt::print(stderr, "{}: note: {}\n", file.string(), note);
-      fmt::print(stderr, "{}: good\n", file.string());
+      for (const std::string& note : notes) print_message(stderr, "{}: note: {}\n", file.string(), note);
+      print_message(stderr, "{}: good\n", file.string());
     } catch (const InputErrors& mistakes) {
       code = kExitBadInput;
-      fmt::print(stderr, "{}\n", mistakes.what());
+      print_message(stderr, "{}\n", mistakes.what());
       errors = mistakes_as_json(mistakes.diagnostics());
     }
     results.push_back({{"file", file.generic_string()},

@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -11,6 +10,7 @@
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/JsonAnswer.hpp"
 #include "studio/commands/PictureName.hpp"
+#include "studio/recorder/Messages.hpp"
 
 namespace thinwall {
 namespace {
@@ -92,12 +92,12 @@ int exit_code(const std::vector<FileComparison>& files) {
 void print(const FileComparison& file, bool many) {
   const std::string name = many ? file.second.string() + ": " : "";
   if (file.outcome == FileOutcome::kUnreadable) {
-    fmt::print(stderr, "thinwall: {}\n", file.verdict);
+    print_message(stderr, "thinwall: {}\n", file.verdict);
     return;
   }
-  fmt::print(stderr, "{}{}{}{}\n", name, outcome_name(file.outcome), file.verdict == "equal" ? "" : ": ",
-             file.verdict == "equal" ? "" : file.verdict);
-  if (!many && !file.details.empty()) fmt::print(stderr, "{}", file.details);
+  print_message(stderr, "{}{}{}{}\n", name, outcome_name(file.outcome), file.verdict == "equal" ? "" : ": ",
+                file.verdict == "equal" ? "" : file.verdict);
+  if (!many && !file.details.empty()) print_message(stderr, "{}", file.details);
 }
 
 void write_difference(const FileComparison& file, const std::filesystem::path& to) {
@@ -157,7 +157,7 @@ int compare_two_folders(const CompareOptions& options) {
     }
     list.push_back(to_json(file));
   }
-  fmt::print(stderr, "{} of {} files are equal or within the limits\n", good, files.size());
+  print_message(stderr, "{} of {} files are equal or within the limits\n", good, files.size());
   const int code = exit_code(files);
   if (options.json) {
     const Json json = {{"files", list}, {"good", good}, {"exit_code", code}};

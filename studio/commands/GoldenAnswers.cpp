@@ -1,12 +1,11 @@
 #include "studio/commands/GoldenAnswers.hpp"
 
-#include <fmt/format.h>
-
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "studio/commands/ExitCode.hpp"
+#include "studio/recorder/Messages.hpp"
 
 namespace thinwall {
 
@@ -14,10 +13,10 @@ using Json = nlohmann::ordered_json;
 
 void print_result(const JudgedScenario& judged, std::size_t index) {
   const GoldenResult& result = judged.results[index];
-  fmt::print(stderr, "{}: {} {}{}{}{}\n", outcome_name(result.outcome), result.scenario, moment_name(result),
-             result.message.empty() ? "" : ": ", result.message, judged.from_cache ? " (unchanged since)" : "");
-  if (judged.attributions[index]) fmt::print(stderr, "  cause: {}\n", judged.attributions[index]->sentence);
-  if (!result.details.empty()) fmt::print(stderr, "{}\n", result.details);
+  print_message(stderr, "{}: {} {}{}{}{}\n", outcome_name(result.outcome), result.scenario, moment_name(result),
+                result.message.empty() ? "" : ": ", result.message, judged.from_cache ? " (unchanged since)" : "");
+  if (judged.attributions[index]) print_message(stderr, "  cause: {}\n", judged.attributions[index]->sentence);
+  if (!result.details.empty()) print_message(stderr, "{}\n", result.details);
 }
 
 std::vector<std::string> closing_lines(const std::vector<JudgedScenario>& all) {

@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -12,6 +11,7 @@
 #include "studio/golden/GoldenRenewal.hpp"
 #include "studio/golden/GoldenVideoComparison.hpp"
 #include "studio/recorder/FolderLock.hpp"
+#include "studio/recorder/Messages.hpp"
 
 namespace thinwall {
 namespace {
@@ -113,8 +113,8 @@ std::optional<GoldenResult> approve_golden(const JudgedScenario& judged, std::si
   const bool is_meant = within_limits_too && differs_within_limits(before);
   if (!is_wrong && !is_meant && !lacks_evidence(judged, index)) return std::nullopt;
   GoldenResult after = before.is_video ? renew_video(judged, index, why) : renew_picture(judged, index, why);
-  fmt::print(stderr, "approved: {} {}\n  before: {}: {}\n  after:  {}: {}\n", before.scenario, moment_name(before),
-             outcome_name(before.outcome), before.message, outcome_name(after.outcome), after.message);
+  print_message(stderr, "approved: {} {}\n  before: {}: {}\n  after:  {}: {}\n", before.scenario, moment_name(before),
+                outcome_name(before.outcome), before.message, outcome_name(after.outcome), after.message);
   return after;
 }
 

@@ -18,6 +18,7 @@
 #include "studio/golden/JUnitReport.hpp"
 #include "studio/golden/PicturesForLooking.hpp"
 #include "studio/recorder/FolderLock.hpp"
+#include "studio/recorder/Messages.hpp"
 
 namespace thinwall {
 namespace {
@@ -51,9 +52,9 @@ void print_summary(const std::vector<JudgedScenario>& all, const std::vector<std
     line += fmt::format("{}{} {}", line.empty() ? "" : ", ", count, outcome_name(outcome));
     json_counts[outcome_name(outcome)] = count;
   }
-  for (const std::string& note : notes) fmt::print(stderr, "{}\n", note);
-  for (const std::string& closing : closing_lines(all)) fmt::print(stderr, "{}\n", closing);
-  fmt::print(stderr, "{}\n", line);
+  for (const std::string& note : notes) print_message(stderr, "{}\n", note);
+  for (const std::string& closing : closing_lines(all)) print_message(stderr, "{}\n", closing);
+  print_message(stderr, "{}\n", line);
   if (!json) return;
   Json list = Json::array();
   for (const JudgedScenario& judged : all) {
@@ -87,7 +88,7 @@ std::vector<JudgedScenario> judge_and_print(const NamedGoldens& named, const Gol
       print_result(judged, i);
       unwritten.attempt([&] {
         for (const std::string& line : pictures.keep(judged, i, golden_folder(judged.scenario.name))) {
-          fmt::print(stderr, "  {}\n", line);
+          print_message(stderr, "  {}\n", line);
         }
       });
     }
@@ -103,7 +104,7 @@ std::filesystem::path report_page(const GoldenOptions& options) {
 void write_report(const std::vector<JudgedScenario>& all, const GoldenOptions& options) {
   const std::filesystem::path page = report_page(options);
   write_whole_file(page, golden_report(all, golden_root()));
-  fmt::print(stderr, "report: {}\n", page.string());
+  print_message(stderr, "report: {}\n", page.string());
 }
 
 /// Before the comparison, so that what cannot be written is told at once.
@@ -129,7 +130,7 @@ int compare_goldens(const GoldenOptions& options, PageOf page) {
   const std::vector<JudgedScenario> all = judge_and_print(named, options, unwritten);
   const bool are_good = exit_code(all) == kExitGood;
   if (!options.junit.empty()) unwritten.attempt([&] { write_whole_file(options.junit, junit_report(all)); });
-  if (std::getenv("GITHUB_ACTIONS") != nullptr) fmt::print(stderr, "{}", github_annotations(all));
+  if (std::getenv("GITHUB_ACTIONS") != nullptr) print_message(stderr, "{}", github_annotations(all));
   if (!are_good || page == PageOf::kAll) {
     unwritten.attempt([&] { write_report(all, options); });
   } else {

@@ -11,6 +11,7 @@
 #include "studio/commands/JsonAnswer.hpp"
 #include "studio/commands/StandardOutput.hpp"
 #include "studio/golden/GoldenVideoApproval.hpp"
+#include "studio/recorder/Messages.hpp"
 
 namespace thinwall {
 namespace {
@@ -73,10 +74,10 @@ int list_goldens(const GoldenOptions& options) {
     }
   }
   std::ranges::copy(golden_notes(named), std::back_inserter(notes));
-  for (const std::string& note : notes) fmt::print(stderr, "{}\n", note);
+  for (const std::string& note : notes) print_message(stderr, "{}\n", note);
   const int code = named.broken.empty() && !any_damaged ? kExitGood : kExitBadInput;
   if (options.json) print_json({{"goldens", list}, {"notes", notes}, {"exit_code", code}});
-  for (const BrokenScenario& broken : named.broken) fmt::print(stderr, "{}\n", broken.errors.what());
+  for (const BrokenScenario& broken : named.broken) print_message(stderr, "{}\n", broken.errors.what());
   return code;
 }
 

@@ -10,6 +10,7 @@
 #include "studio/commands/GoldenScenarios.hpp"
 #include "studio/golden/GoldenReport.hpp"
 #include "studio/recorder/FolderLock.hpp"
+#include "studio/recorder/Messages.hpp"
 
 namespace thinwall {
 namespace {
@@ -19,7 +20,7 @@ enum class Answer { kAccept, kReject, kSkip, kQuit };
 /// Asks until an answer is one; the end of the input is the wish to end.
 Answer ask() {
   for (;;) {
-    fmt::print(stderr, "  [a]ccept, [r]eject, [s]kip or [q]uit? ");
+    print_message(stderr, "  [a]ccept, [r]eject, [s]kip or [q]uit? ");
     const std::optional<std::string> line = read_answer();
     if (!line) return Answer::kQuit;
     if (line == "a" || line == "accept") return Answer::kAccept;
@@ -32,7 +33,7 @@ Answer ask() {
 std::string ask_why(const std::string& given) {
   std::string why = given;
   while (why.find_first_not_of(" \t") == std::string::npos) {
-    fmt::print(stderr, "  why is the new picture right? ");
+    print_message(stderr, "  why is the new picture right? ");
     const std::optional<std::string> line = read_answer();
     if (!line) return "";
     why = *line;
@@ -71,9 +72,9 @@ bool review_one(const JudgedScenario& judged, std::size_t index, const std::stri
                 Tally& tally) {
   const GoldenResult& result = judged.results[index];
   const std::string cause = cause_line(judged, index);
-  fmt::print(stderr, "\n{}, {}: {} {}\n", place, outcome_name(result.outcome), result.scenario, moment_name(result));
-  if (cause != result.message) fmt::print(stderr, "  cause: {}\n", cause);
-  fmt::print(stderr, "  {}\n", in_lines(result));
+  print_message(stderr, "\n{}, {}: {} {}\n", place, outcome_name(result.outcome), result.scenario, moment_name(result));
+  if (cause != result.message) print_message(stderr, "  cause: {}\n", cause);
+  print_message(stderr, "  {}\n", in_lines(result));
   switch (ask()) {
     case Answer::kAccept: {
       const std::string reason = ask_why(why);
@@ -100,10 +101,11 @@ int review_goldens(const GoldenOptions& options) {
   if (is_continuous_integration()) throw UsageError("golden review: goldens are approved by a person, not in CI");
   const NamedGoldens named = named_goldens(options.scenarios);
   const FolderLock lock(options.out);
-  const std::vector<JudgedScenario> all = judge_named(
-      named, options, [](const JudgedScenario& judged) { fmt::print(stderr, "compared: {}\n", judged.scenario.name); });
+  const std::vector<JudgedScenario> all = judge_named(named, options, [](const JudgedScenario& judged) {
+    print_message(stderr, "compared: {}\n", judged.scenario.name);
+  });
   write_whole_file(options.out / "index.html", golden_report(all, golden_root()));
-  fmt::print(stderr, "look at the pictures: {}\n", (options.out / "index.html").string());
+  print_message(stderr, "look at the pictures: {}\n", (options.out / "index.html").string());
   std::size_t to_judge = 0;
   for (const JudgedScenario& judged : all) to_judge += std::ranges::count_if(judged.results, needs_review);
   Tally tally;
@@ -113,8 +115,8 @@ int review_goldens(const GoldenOptions& options) {
       const GoldenResult& result = judged.results[i];
       if (result.outcome == GoldenOutcome::kOk) continue;
       if (!needs_review(result)) {
-        fmt::print(stderr, "{}: {} {}: {}\n", outcome_name(result.outcome), result.scenario, moment_name(result),
-                   result.message);
+        print_message(stderr, "{}: {} {}: {}\n", outcome_name(result.outcome), result.scenario, moment_name(result),
+                      result.message);
         ++tally.left;
       } else if (goes_on) {
         goes_on = review_one(judged, i, place_of(tally, to_judge), options.why, tally);
@@ -125,7 +127,7 @@ int review_goldens(const GoldenOptions& options) {
     }
   }
   const int left = tally.skipped + tally.left;
-  fmt::print(stderr, "{} accepted, {} rejected, {} left\n", tally.accepted, tally.rejected, left);
+  print_message(stderr, "{} accepted, {} rejected, {} left\n", tally.accepted, tally.rejected, left);
   const auto is_broken = [](const GoldenResult& result) { return result.outcome == GoldenOutcome::kBroken; };
   const bool any_broken = std::ranges::any_of(
       all, [&](const JudgedScenario& judged) { return std::ranges::any_of(judged.results, is_broken); });

@@ -9,6 +9,7 @@
 #include "studio/haptics/HapticRun.hpp"
 #include "studio/haptics/PeerDevice.hpp"
 #include "studio/recorder/Interruption.hpp"
+#include "studio/recorder/Messages.hpp"
 #include "studio/scenario/LoadScenario.hpp"
 
 namespace thinwall {
@@ -32,12 +33,12 @@ int drive_haptics(const HapticOptions& options) {
   } catch (const PeerError& error) {
     throw UsageError(fmt::format("--peer {}", error.what()));
   }
-  fmt::print(stderr, "{}", to_text(report));
+  print_message(stderr, "{}", to_text(report));
   if (options.record) write_whole_file(*options.record, tick_table(report.record));
   const int exit_code = report.failure.empty() ? kExitGood : kExitSimulationFailed;
   if (options.json) say_result(to_json(report, exit_code) + "\n");
   if (exit_code != kExitGood) {
-    fmt::print(stderr, "thinwall: the solver behind the loop failed: {}\n", report.failure);
+    print_message(stderr, "thinwall: the solver behind the loop failed: {}\n", report.failure);
   }
   return exit_code;
 }

@@ -8,6 +8,7 @@
 #include "renderer/image/WholeFile.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/JsonAnswer.hpp"
+#include "studio/recorder/Messages.hpp"
 #include "studio/scenario/InputError.hpp"
 
 namespace thinwall {
@@ -45,11 +46,11 @@ nlohmann::ordered_json passes_as_json(const std::vector<PassTime>& passes) {
 }
 
 void tell_warnings(const Scenario& scenario) {
-  for (const std::string& warning : scenario.warnings) fmt::print(stderr, "{}\n", warning);
+  for (const std::string& warning : scenario.warnings) print_message(stderr, "{}\n", warning);
 }
 
 void tell_note(const std::string& note) {
-  fmt::print(stderr, "thinwall: note: {}\n", note);
+  print_message(stderr, "thinwall: note: {}\n", note);
 }
 
 int conclude(const ManifestContext& context, const RecordingPlan& plan, const RecordingReport& report, bool json) {
@@ -59,18 +60,18 @@ int conclude(const ManifestContext& context, const RecordingPlan& plan, const Re
   }
   const RecordingTimes& times = report.times;
   const std::string truth = plan.ground_truth ? fmt::format("ground truth {:.1f}, ", times.truth.wall) : "";
-  fmt::print(stderr,
-             "{:.2f} s in {} steps and {} frames, recorded in {} within {:.1f} s (simulate {:.1f}, render {:.1f}, "
-             "{}encode {:.1f})\n",
-             report.simulated, report.steps, report.frame_hashes.size(), plan.folder.string(), times.total,
-             times.simulate.wall, times.render.wall, truth, times.encode.wall);
-  fmt::print(stderr, "{}", pass_table(report.passes));
+  print_message(stderr,
+                "{:.2f} s in {} steps and {} frames, recorded in {} within {:.1f} s (simulate {:.1f}, render {:.1f}, "
+                "{}encode {:.1f})\n",
+                report.simulated, report.steps, report.frame_hashes.size(), plan.folder.string(), times.total,
+                times.simulate.wall, times.render.wall, truth, times.encode.wall);
+  print_message(stderr, "{}", pass_table(report.passes));
   if (json) print_result(context, plan, report);
   for (const ExpectationResult& result : context.expectations) {
-    fmt::print(stderr, "thinwall: {}: {}\n", to_text(result.expectation.location), to_text(result));
+    print_message(stderr, "thinwall: {}: {}\n", to_text(result.expectation.location), to_text(result));
   }
   if (!report.failure.empty()) {
-    fmt::print(stderr, "thinwall: the simulation failed: {}; what it had reached is recorded\n", report.failure);
+    print_message(stderr, "thinwall: the simulation failed: {}; what it had reached is recorded\n", report.failure);
   }
   return exit_code_after(context, report);
 }

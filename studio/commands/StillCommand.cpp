@@ -22,6 +22,7 @@
 #include "studio/recorder/FrameComposer.hpp"
 #include "studio/recorder/GroundTruthSeries.hpp"
 #include "studio/recorder/Interruption.hpp"
+#include "studio/recorder/Messages.hpp"
 #include "studio/recorder/OutputFolder.hpp"
 #include "studio/recorder/Painter.hpp"
 #include "studio/recorder/ResolvedPicture.hpp"
@@ -142,8 +143,8 @@ int make_still(const StillOptions& options) {
                                    before, *frame, frame_later(1));
   }
   const std::vector<PassTime> passes = painter->pass_times();
-  fmt::print(stderr, "{}", pass_table(passes));
-  fmt::print(stderr, "{} shows {} at {:.4g} s\n", options.picture.string(), scenario.name, options.at);
+  print_message(stderr, "{}", pass_table(passes));
+  print_message(stderr, "{} shows {} at {:.4g} s\n", options.picture.string(), scenario.name, options.at);
   if (options.json) print_still(options, scenario, image, painter->driver(), passes);
   return kExitGood;
 }

@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -13,6 +12,7 @@
 #include "studio/commands/CompareLine.hpp"
 #include "studio/commands/ExitCode.hpp"
 #include "studio/commands/StandardOutput.hpp"
+#include "studio/recorder/Messages.hpp"
 #include "studio/recorder/Versions.hpp"
 
 namespace {
@@ -36,8 +36,8 @@ int become_studio(char** arguments) {
   const std::filesystem::path here = std::filesystem::read_symlink("/proc/self/exe", unreadable);
   const std::filesystem::path studio = here.parent_path() / "thinwall-studio";
   execv(studio.c_str(), arguments);
-  fmt::print(stderr, "thinwall: cannot start {}: {}; it is built and installed together with thinwall\n",
-             studio.string(), std::strerror(errno));
+  thinwall::print_message(stderr, "thinwall: cannot start {}: {}; it is built and installed together with thinwall\n",
+                          studio.string(), std::strerror(errno));
   return thinwall::kExitNoPicture;
 }
 

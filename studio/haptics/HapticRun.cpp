@@ -15,6 +15,7 @@
 #include "studio/haptics/CoarseScenario.hpp"
 #include "studio/haptics/PeerDevice.hpp"
 #include "studio/haptics/TrajectoryFile.hpp"
+#include "studio/recorder/Messages.hpp"
 #include "studio/scenario/InputError.hpp"
 
 namespace thinwall {
@@ -223,7 +224,7 @@ Hand make_hand(const HapticPlan& plan, int tool, const ToolPose& first) {
   Hand hand;
   if (plan.peer) {
     auto peer = std::make_unique<PeerDevice>(*plan.peer);
-    fmt::print(stderr, "waiting for a driver at {}\n", plan.peer->string());
+    print_message(stderr, "waiting for a driver at {}\n", plan.peer->string());
     hand.begin = peer->wait_for_first_pose(kPatience, plan.throw_if_interrupted);
     hand.duration = plan.duration.value_or(kLongestSession);
     hand.driver = peer.get();
@@ -240,8 +241,8 @@ Hand make_hand(const HapticPlan& plan, int tool, const ToolPose& first) {
   hand.begin = moments.front().pose;
   hand.duration = std::min(moments.back().time, plan.duration.value_or(kLongestSession));
   if (!plan.duration && moments.back().time > kLongestSession) {
-    fmt::print(stderr, "the motion lasts {:g} s, of which the first {:g} s are felt; --for asks for more\n",
-               moments.back().time, kLongestSession);
+    print_message(stderr, "the motion lasts {:g} s, of which the first {:g} s are felt; --for asks for more\n",
+                  moments.back().time, kLongestSession);
   }
   hand.device = std::make_unique<Trajectory>(std::move(moments));
   return hand;

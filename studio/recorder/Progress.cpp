@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "studio/recorder/Messages.hpp"
+
 namespace thinwall {
 namespace {
 
@@ -29,18 +31,18 @@ void Progress::reach(double fraction) {
   shown_ = step;
   if (terminal_) {
     const int filled = percent * kBarWidth / 100;
-    fmt::print(out_, "\r{} [{:<{}}] {:3} % {:<16}", doing_, std::string(static_cast<std::size_t>(filled), '#'),
-               kBarWidth, percent, time_left(fraction));
+    print_message(out_, "\r{} [{:<{}}] {:3} % {:<16}", doing_, std::string(static_cast<std::size_t>(filled), '#'),
+                  kBarWidth, percent, time_left(fraction));
     line_open_ = true;
   } else {
-    fmt::print(out_, "{} {} %{}\n", doing_, 10 * step, time_left(fraction));
+    print_message(out_, "{} {} %{}\n", doing_, 10 * step, time_left(fraction));
   }
   std::fflush(out_);
 }
 
 void Progress::end() {
   const std::lock_guard lock(mutex_);
-  if (line_open_) fmt::print(out_, "\n");
+  if (line_open_) print_message(out_, "\n");
   line_open_ = false;
 }
 

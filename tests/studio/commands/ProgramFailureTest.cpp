@@ -174,6 +174,18 @@ TEST_F(ProgramTest, ResultsThatStandardOutputDoesNotTakeEndWith4) {
   EXPECT_EQ(end_of("check --json none.yaml" + many), 2) << "what is wrong besides is the worse";
 }
 
+TEST_F(ProgramTest, MessagesThatStandardErrorDoesNotTakeChangeNoExitCode) {
+  write_bytes(folder_ / "bad.yaml", "thinwall: 1\nbodies: 3\n");
+  const std::string start = "cd '" + folder_.path().string() + "' && '" THINWALL_PROGRAM "' ";
+  const auto end_of = [&](const std::string& command) {
+    return WEXITSTATUS(std::system((start + command + " >output 2>/dev/full").c_str()));
+  };
+  EXPECT_EQ(end_of("check small.yaml"), 0);
+  EXPECT_EQ(end_of("run small.yaml --no-render --out out"), 0);
+  EXPECT_EQ(end_of("check bad.yaml --json"), 2);
+  EXPECT_EQ(nlohmann::json::parse(file_bytes(folder_ / "output")).at("exit_code"), 2) << "results arrive";
+}
+
 TEST_F(ProgramTest, AnEmptyValueIsBadUsageAndNotTakenForAnAbsentOne) {
   const std::string words = ": its value is empty";
   expect_bad_usage({"run", "small.yaml", "--no-render", "--out", ""}, "--out" + words);
