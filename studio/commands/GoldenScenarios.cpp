@@ -162,11 +162,13 @@ std::filesystem::path jobs_folder(const GoldenOptions& options) {
   return options.out / "jobs";
 }
 
-/// Runs a program of ours to its end, or to that of this one: where that is asked to end, so is the other, and killed
-/// where it does not.
+/// Runs this program with other arguments to its end, or to that of this one: where that is asked to end, so is the
+/// other, and killed where it does not. Where this one is ended at once, as by a second signal, the system kills it.
 void run_until_interrupted(const std::vector<std::string>& arguments) {
   constexpr std::chrono::milliseconds kBetweenLooks{50}, kPatience{800};
-  Program program(arguments);
+  std::vector<std::string> words{"setpriv", "--pdeathsig", "KILL", std::filesystem::read_symlink("/proc/self/exe")};
+  std::ranges::copy(arguments, std::back_inserter(words));
+  Program program(words);
   while (!program.finish_within(kBetweenLooks)) {
     try {
       throw_if_interrupted();
@@ -259,8 +261,8 @@ GoldenRunOptions golden_run(const GoldenOptions& options, bool keeps) {
   run.jobs = options.jobs > 0 ? options.jobs : static_cast<int>(std::thread::hardware_concurrency());
   run.in_other_process = [options](const Scenario& scenario) {
     const std::filesystem::path out = jobs_folder(options) / scenario.name;
-    run_until_interrupted({std::filesystem::read_symlink("/proc/self/exe"), "golden", "test", scenario.file, "--all",
-                           "--jobs", "1", "--device", options.device_text, "--out", out});
+    run_until_interrupted(
+        {"golden", "test", scenario.file, "--all", "--jobs", "1", "--device", options.device_text, "--out", out});
     return out / kCache;
   };
   run.cannot_keep = [](const PictureFailure& failure) {

@@ -225,29 +225,61 @@ TEST_F(ProgramGLTest, OtherProcessesLeaveNothingBesideWhatIsGood) {
   EXPECT_NE(run({"golden", "test"}).messages.find("unchanged since"), std::string::npos);
 }
 
-TEST_F(ProgramGLTest, AnInterruptEndsTheOtherProcessesOfATestAsWell) {
-  for (const char* name : {"one", "two"}) {
-    write_bytes(folder_ / "scenes" / (std::string(name) + ".yaml"),
-                small_scenario("  - wait: { for: 5000 s }\n") +
-                    "golden: [ { at: 5000 s, max: 8, mean: 0.2, why: rounding } ]\n");
-  }
-  RunningProgram program({"golden", "test", "one", "two", "--jobs", "2"},
-                         {.folder = folder_.path(), .environment = {{"THINWALL_HOME", folder_.path()}}});
+/// The processes that compute the scenarios of a long test, once they do.
+std::vector<pid_t> processes_of_long_test(const std::filesystem::path& folder) {
   std::vector<pid_t> processes;
   for (const char* name : {"one", "two"}) {
     std::string number;
     while (number.empty()) {
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
-      number = file_bytes(folder_ / "out/golden/jobs" / name / ".in_use");
+      number = file_bytes(folder / "out/golden/jobs" / name / ".in_use");
     }
     processes.push_back(std::stoi(number));
   }
+  return processes;
+}
+
+RunningProgram long_test(const std::filesystem::path& folder) {
+  for (const char* name : {"one", "two"}) {
+    write_bytes(folder / "scenes" / (std::string(name) + ".yaml"),
+                small_scenario("  - wait: { for: 5000 s }\n") +
+                    "golden: [ { at: 5000 s, max: 8, mean: 0.2, why: rounding } ]\n");
+  }
+  return RunningProgram({"golden", "test", "one", "two", "--jobs", "2"},
+                        {.folder = folder, .environment = {{"THINWALL_HOME", folder}}});
+}
+
+TEST_F(ProgramGLTest, AnInterruptEndsTheOtherProcessesOfATestAsWell) {
+  RunningProgram program = long_test(folder_.path());
+  const std::vector<pid_t> processes = processes_of_long_test(folder_.path());
   const auto begin = std::chrono::steady_clock::now();
   program.send_signal(SIGINT);
   EXPECT_EQ(program.wait().exit_code, 130);
   // Their 500 000 steps take many times as long, and an interrupted step some milliseconds.
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(3));
   for (const pid_t process : processes) EXPECT_NE(kill(process, 0), 0) << "it has ended as well";
+}
+
+/// Whether a process has ended, or does within two seconds; who its parent is then may not have asked for its end.
+bool has_ended(pid_t process) {
+  const std::filesystem::path about = "/proc/" + std::to_string(process) + "/stat";
+  for (int looks = 0; looks < 100; ++looks) {
+    const std::string words = file_bytes(about);
+    if (words.empty() || words.find(") Z ") != std::string::npos) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return false;
+}
+
+TEST_F(ProgramGLTest, ATestThatIsKilledLeavesNoProcessOfItsOwnBehind) {
+  RunningProgram program = long_test(folder_.path());
+  const std::vector<pid_t> processes = processes_of_long_test(folder_.path());
+  program.send_signal(SIGKILL);
+  program.wait();
+  for (const pid_t process : processes) {
+    EXPECT_TRUE(has_ended(process));
+    kill(process, SIGKILL);
+  }
 }
 
 TEST_F(ProgramGLTest, OfAScenarioWhoseMomentIsNamedNothingElseIsComparedApprovedOrRemembered) {
