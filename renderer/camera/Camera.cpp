@@ -52,13 +52,18 @@ void set_field_of_view(Camera& camera, double angle, ImageSize size) {
   camera.tangent_x = camera.tangent_y * size.width / size.height;
 }
 
+/// Whether a camera is so near to what it looks at that a rounding would say in which sense it looks.
+bool is_at(Vector3 position, Vector3 target, const SceneExtent& extent) {
+  constexpr double kRounding = 1e-6;  // of the scene's size, whose places are in single precision
+  return !(length(target - position) > kRounding * extent.size);
+}
+
 /// Where the camera stands before anything moves it. `angle`: by which it goes round then, radians.
 void stand(Camera& camera, const CameraDefinition& definition, const SceneExtent& extent, Vector3 up, double angle) {
   const Vector3 target = definition.target ? vector3(*definition.target) : extent.center;
   if (definition.position) {
     camera.position = vector3(*definition.position);
-    constexpr double kRounding = 1e-6;  // of the scene's size, whose places are in single precision
-    if (!(length(target - camera.position) > kRounding * extent.size)) {
+    if (is_at(camera.position, target, extent)) {
       throw PictureFailure(definition.target ? "the camera stands at its target; move one"
                                              : "the camera stands in the middle of the bodies, where it looks without "
                                                "`target`; give it a `target`");
@@ -89,7 +94,9 @@ CameraPose move(Camera& camera, const CameraDefinition& definition, const SceneE
                        .up = definition.up ? vector3(*definition.up) : Vector3{0, 0, 1},
                        .field_of_view = definition.field_of_view};
   const CameraPose pose = moved_pose(definition, own, time);
-  if (!(length(pose.target - pose.position) > 0)) throw PictureFailure("the camera moves into its target; keep off it");
+  if (is_at(pose.position, pose.target, extent)) {
+    throw PictureFailure("the camera moves into its target; keep off it");
+  }
   camera.position = pose.position;
   orient(camera, pose.target - pose.position, pose.up);
   set_field_of_view(camera, pose.field_of_view, size);

@@ -10,6 +10,7 @@
 #include "renderer/image/PictureFailure.hpp"
 #include "studio/director/BodyExtent.hpp"
 #include "studio/scenario/InputError.hpp"
+#include "studio/scenario/TextNode.hpp"
 
 namespace thinwall {
 namespace {
@@ -18,15 +19,28 @@ namespace {
 struct PlacedCamera {
   std::string path;
   SourceLocation location;
-  const CameraDefinition& camera;
+  CameraDefinition camera;
 };
+
+/// The camera as it is at a place of it: a keyframe has its own position there and, where it is given one, target.
+CameraDefinition camera_at(const CameraPlace& place, CameraDefinition camera) {
+  if (!place.keyframe) return camera;
+  const CameraKeyframe key = camera.keyframes.at(*place.keyframe);
+  camera.position = key.position;
+  if (key.target) camera.target = key.target;
+  return camera;
+}
+
+std::string path_of(const CameraPlace& place) {
+  const std::string camera = place.name.empty() ? "camera" : "cameras." + place.name;
+  return (place.keyframe ? item_path(camera + ".keyframes", *place.keyframe) : camera) + ".position";
+}
 
 std::vector<PlacedCamera> placed_cameras(const Scenario& scenario) {
   std::vector<PlacedCamera> placed;
   for (const CameraPlace& place : scenario.camera_places) {
-    const bool is_main = place.name.empty();
-    const CameraDefinition& camera = is_main ? scenario.view.camera : scenario.view.cameras.at(place.name);
-    placed.push_back({is_main ? "camera.position" : "cameras." + place.name + ".position", place.location, camera});
+    const CameraDefinition& camera = place.name.empty() ? scenario.view.camera : scenario.view.cameras.at(place.name);
+    placed.push_back({path_of(place), place.location, camera_at(place, camera)});
   }
   return placed;
 }

@@ -26,11 +26,16 @@ void check_keyframes(const CheckedValue& camera, const std::string& path, Diagno
     return std::ranges::equal(a.items, b.items, {}, &CheckedValue::number, &CheckedValue::number);
   };
   for (std::size_t i = 0; i < keyframes->items.size(); ++i) {
-    const CheckedValue* position = keyframes->items[i].find("position");
-    const CheckedValue* target = keyframes->items[i].find("target");
+    const CheckedValue& keyframe = keyframes->items[i];
+    const CheckedValue *position = keyframe.find("position"), *target = keyframe.find("target");
+    const CheckedValue* written = target != nullptr ? target : position;
+    if (written == nullptr) continue;
+    // What a keyframe leaves out is the camera's own.
+    if (position == nullptr) position = camera.find("position");
+    if (target == nullptr) target = camera.find("target");
     if (position == nullptr || target == nullptr || !same(*position, *target)) continue;
-    diagnostics.error(target->location, item_path(path + ".keyframes", i) + ".target",
-                      "the camera stands where it looks");
+    const std::string key = written == target ? ".target" : ".position";
+    diagnostics.error(written->location, item_path(path + ".keyframes", i) + key, "the camera stands where it looks");
   }
 }
 

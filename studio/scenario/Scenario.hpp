@@ -227,13 +227,14 @@ struct ComparisonScenario {
   std::shared_ptr<const Scenario> second = {};
 };
 
-/// A checked scenario: every quantity in SI, every reference resolved, every value in range.
-/// Where the `position` of a camera is written.
+/// Where the `position` of a camera is written, or that of one of its keyframes.
 struct CameraPlace {
-  std::string name = {};  // of `cameras`; "" of `camera`
+  std::string name = {};                     // of `cameras`; "" of `camera`
+  std::optional<std::size_t> keyframe = {};  // its number, counted from 0
   SourceLocation location = {};
 };
 
+/// A checked scenario: every quantity in SI, every reference resolved, every value in range.
 struct Scenario {
   std::filesystem::path file = {};
   std::string name = {};                   // the file's name without directory and extension
@@ -243,7 +244,7 @@ struct Scenario {
   std::vector<Clip> timeline = {};
   SimulationOptions simulation = {};
   ViewDefinition view = {};
-  std::vector<CameraPlace> camera_places = {};  // of the cameras that have one
+  std::vector<CameraPlace> camera_places = {};  // all that are written
   OverlayChoice overlays = {};
   Teaching teaching = {};
   RecordOptions record = {};

@@ -286,7 +286,13 @@ Expectation to_expectation(const CheckedValue& value) {
 std::vector<CameraPlace> camera_places(const CheckedValue& root) {
   std::vector<CameraPlace> places;
   const auto add = [&](const std::string& name, const CheckedValue& camera) {
-    if (const CheckedValue* position = camera.find("position")) places.push_back({name, position->location});
+    if (const CheckedValue* position = camera.find("position")) places.push_back({name, {}, position->location});
+    const CheckedValue* keyframes = camera.find("keyframes");
+    for (std::size_t i = 0; keyframes != nullptr && i < keyframes->items.size(); ++i) {
+      if (const CheckedValue* position = keyframes->items[i].find("position")) {
+        places.push_back({name, i, position->location});
+      }
+    }
   };
   if (const CheckedValue* camera = root.find("camera")) add("", *camera);
   const CheckedValue* cameras = root.find("cameras");

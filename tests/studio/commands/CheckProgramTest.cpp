@@ -135,6 +135,20 @@ TEST_F(ProgramTest, ACameraThatCanLookNowhereIsBadInputWithItsPlace) {
   }
 }
 
+TEST_F(ProgramTest, AKeyframeThatCanLookNowhereIsBadInputWithItsPlaceToo) {
+  const std::string keyframes =
+      "camera:\n  keyframes:\n    - { at: 0 s, position: [90 mm, 0, 10 mm] }\n    - { at: 1 s, position: ";
+  write_bytes(folder_ / "blind.yaml", small_scenario() + keyframes + "[0, 0, 10 mm] }\n");
+  expect_bad_usage({"check", "blind.yaml"},
+                   "blind.yaml:19:28: error: camera.keyframes[2].position: the camera stands in the middle of the "
+                   "bodies, where it looks without `target`; give it a `target`");
+  write_bytes(folder_ / "within.yaml", small_scenario() + keyframes + "[0, 0, 8 mm] }\n");
+  const ProgramEnd end = run({"check", "within.yaml"});
+  EXPECT_EQ(end.exit_code, 0) << end.messages;
+  EXPECT_NE(end.messages.find("camera.keyframes[2].position: the camera stands within body `organ`"), std::string::npos)
+      << end.messages;
+}
+
 TEST_F(ProgramTest, ACameraWithinABodyIsNotedUnlessItIsAnEndoscope) {
   const auto messages_with = [&](const std::string& camera) {
     write_bytes(folder_ / "within.yaml", small_scenario() + "camera: { " + camera + " }\n");
