@@ -1,33 +1,9 @@
 #include "renderer/metric/Ladder.hpp"
 
-#include <charconv>
+#include "renderer/metric/FigureText.hpp"
 
 namespace thinwall {
 namespace {
-
-/// At most `digits` digits, as short as can be; all that the value has where they are 0.
-std::string number(double value, int digits = 0) {
-  char text[64];
-  char* const end = text + sizeof(text);
-  return {text, digits > 0 ? std::to_chars(text, end, value, std::chars_format::general, digits).ptr
-                           : std::to_chars(text, end, value).ptr};
-}
-
-double read_number(const std::string& text) {
-  double value = 0;
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
-}
-
-/// A figure in four digits, or in as many more as it takes to stand on that side of its limit where it is.
-std::string figure_beside(double value, std::optional<double> limit) {
-  constexpr int kDigits = 4, kAllDigits = 17;
-  for (int digits = kDigits; digits < kAllDigits; ++digits) {
-    std::string text = number(value, digits);
-    if (!limit || (read_number(text) <=> *limit) == (value <=> *limit)) return text;
-  }
-  return number(value);
-}
 
 std::string size_text(ImageSize size) {
   return std::to_string(size.width) + " x " + std::to_string(size.height);
@@ -38,12 +14,10 @@ class Verdict {
  public:
   explicit Verdict(PictureComparison& comparison) : comparison_(comparison) {}
 
-  void figure(const std::string& name, double value, std::optional<double> limit, bool less_is_better = true) {
-    text_ += (text_.empty() ? "" : ", ") + name + " " + figure_beside(value, limit);
-    if (!limit) return;
-    const bool good = less_is_better ? value <= *limit : value >= *limit;
-    text_ += std::string(less_is_better ? " (allowed " : " (needed ") + number(*limit) + ")";
-    if (!good) comparison_.within = false;
+  void figure(const std::string& name, double value, std::optional<double> limit,
+              GoodFigure good = GoodFigure::kSmall) {
+    text_ += (text_.empty() ? "" : ", ") + figure_text(name, value, limit, good);
+    if (limit && (good == GoodFigure::kSmall ? value > *limit : value < *limit)) comparison_.within = false;
   }
   void rung(const std::string& name) { comparison_.rung = name; }
   std::string text() const { return text_; }
@@ -96,7 +70,7 @@ PictureComparison climb_ladder(const Image& first, const Image& second_as_given,
   if (options.wanted.structure || (result.within && limits.structure)) {
     if (result.within) verdict.rung("structure");
     result.structure = structural_similarity(first, second, options.flip.threads);
-    verdict.figure("SSIM", result.structure->mean, limits.structure, false);
+    verdict.figure("SSIM", result.structure->mean, limits.structure, GoodFigure::kLarge);
   }
   if (options.wanted.flip || (result.within && (limits.flip || limits.flip_99))) {
     if (result.within) verdict.rung("flip");

@@ -11,6 +11,7 @@
 
 #include "renderer/image/PngFile.hpp"
 #include "renderer/metric/ErrorPicture.hpp"
+#include "renderer/metric/FigureText.hpp"
 #include "studio/comparison/IdNumbers.hpp"
 #include "studio/comparison/IdenticalPictures.hpp"
 #include "studio/comparison/PictureFile.hpp"
@@ -108,8 +109,9 @@ void judge_high_range(FileComparison& result, const MediaFile& first, const Medi
   const bool within = judged && (!limits.flip || result.high_range->mean <= *limits.flip) &&
                       (!limits.flip_99 || result.high_range->percentile_99 <= *limits.flip_99);
   result.outcome = within ? FileOutcome::kWithin : FileOutcome::kDiffers;
-  result.verdict = fmt::format("HDR-FLIP {:.6f}, 99th percentile {:.4f}, largest {:.4f}", result.high_range->mean,
-                               result.high_range->percentile_99, result.high_range->largest);
+  result.verdict = figure_text("HDR-FLIP", result.high_range->mean, limits.flip) + ", " +
+                   figure_text("99th percentile", result.high_range->percentile_99, limits.flip_99) + ", " +
+                   figure_text("largest", result.high_range->largest, {});
   if (has_others) result.verdict += "; of pictures of high range only --flip and --flip-99 can be limits";
   if (options.wants_picture) {
     const auto count = result.high_range->map.size() * 3;
@@ -160,6 +162,34 @@ std::optional<std::pair<FloatImage, FloatImage>> layers_of(const MediaFile& firs
   return std::pair(layer_of(first.numbers, kind), layer_of(second.numbers, kind));
 }
 
+std::string unit_of(LayerKind kind) {
+  switch (kind) {
+    case LayerKind::kDepth:
+      return "m";
+    case LayerKind::kNormal:
+      return "degrees";
+    case LayerKind::kFlow:
+      return "px";
+    case LayerKind::kIds:
+      break;
+  }
+  return "";
+}
+
+/// `fraction`: of the pixels, how many fail.
+std::string layer_verdict(const LayerDifference& difference, const LayerChoice& choice, double fraction) {
+  const std::string unit = unit_of(choice.kind);
+  const std::string figures =
+      choice.kind == LayerKind::kIds
+          ? fmt::format("smallest overlap {:.4f} of id {}", difference.smallest_overlap, difference.smallest_overlap_id)
+          : figure_text("largest difference", difference.largest, choice.tolerance.difference, GoodFigure::kSmall,
+                        unit) +
+                fmt::format(", mean {:.4g} {}", difference.mean, unit);
+  return fmt::format("{}; {} pixels fail, {}, {} of them show something in one only; worst at ({}, {})", figures,
+                     difference.failing, figure_text("a fraction of", fraction, choice.failing), difference.only_in_one,
+                     difference.worst[0], difference.worst[1]);
+}
+
 void judge_layers(FileComparison& result, const MediaFile& first, const MediaFile& second,
                   const std::vector<std::uint8_t>& mask, const LayerChoice& choice) {
   result.kind = layer_name(choice.kind);
@@ -182,17 +212,7 @@ void judge_layers(FileComparison& result, const MediaFile& first, const MediaFil
   const double fraction = static_cast<double>(difference.failing) / pixels;
   const bool equal = difference.failing == 0 && difference.largest == 0;
   if (!equal) result.outcome = fraction <= choice.failing ? FileOutcome::kWithin : FileOutcome::kDiffers;
-  const std::string figures = is_ids ? fmt::format("smallest overlap {:.4f} of id {}", difference.smallest_overlap,
-                                                   difference.smallest_overlap_id)
-                                     : fmt::format("largest difference {:.4g} {}, mean {:.4g}", difference.largest,
-                                                   choice.kind == LayerKind::kDepth  ? "m"
-                                                   : choice.kind == LayerKind::kFlow ? "px"
-                                                                                     : "degrees",
-                                                   difference.mean);
-  result.verdict =
-      equal ? "equal"
-            : fmt::format("{}; {} of {} pixels fail, {} of them show something in one only; worst at ({}, {})", figures,
-                          difference.failing, pixels, difference.only_in_one, difference.worst[0], difference.worst[1]);
+  result.verdict = equal ? "equal" : layer_verdict(difference, choice, fraction);
   result.layer = difference;
 }
 

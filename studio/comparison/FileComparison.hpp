@@ -50,6 +50,7 @@ struct FrameFigures {
   std::optional<double> structure = {};
   std::optional<double> flip = {};
   bool within = false;
+  std::string verdict = {};  // these figures and others that were judged, each with its limit
 };
 
 struct VideoFigures {

@@ -90,7 +90,8 @@ FrameFigures judge_frame(const FramePairs& pairs, const PictureOptions& pictures
   const PictureComparison comparison = climb_ladder(pairs.image(0), pairs.image(1), pictures);
   FrameFigures figures{.largest = static_cast<double>(comparison.difference.largest),
                        .mean = comparison.difference.mean,
-                       .within = comparison.within};
+                       .within = comparison.within,
+                       .verdict = comparison.verdict};
   if (comparison.structure) figures.structure = comparison.structure->mean;
   if (comparison.flip) figures.flip = comparison.flip->mean;
   if (figures.mean > worst.mean) {
@@ -107,12 +108,16 @@ std::string verdict_of(const VideoFigures& figures) {
     verdict = fmt::format("{} frames are equal", figures.equal_frames);
   } else {
     const FrameFigures& worst = figures.different[*figures.worst];
-    verdict = fmt::format(
-        "{} of {} frames differ, the first is frame {} at {:.3f} s; worst frame {} at {:.3f} s: largest difference "
-        "{:g}, mean {:.4g}",
-        figures.different.size(), figures.different.size() + figures.equal_frames, figures.different.front().frame,
-        figures.different.front().time, worst.frame, worst.time, worst.largest, worst.mean);
-    if (worst.flip) verdict += fmt::format(", FLIP {:.4f}", *worst.flip);
+    verdict = fmt::format("{} of {} frames differ, the first is frame {} at {:.3f} s; worst frame {} at {:.3f} s: {}",
+                          figures.different.size(), figures.different.size() + figures.equal_frames,
+                          figures.different.front().frame, figures.different.front().time, worst.frame, worst.time,
+                          worst.verdict);
+    // The frame with the largest mean may be within all limits where another is beyond one of them.
+    const auto beyond = std::ranges::find(figures.different, false, &FrameFigures::within);
+    if (worst.within && beyond != figures.different.end()) {
+      verdict +=
+          fmt::format("; beyond a limit: frame {} at {:.3f} s: {}", beyond->frame, beyond->time, beyond->verdict);
+    }
   }
   for (const std::string& sentence : figures.other) verdict += "; " + sentence;
   return verdict;

@@ -127,8 +127,9 @@ class VideoComparer {
     for (const std::size_t frame : result_.different_frames) {
       const int difference = square_difference(golden_.video.frames[frame].squares, today_.video.frames[frame].squares);
       if (difference <= allowed) continue;
-      found_.frames.push_back(fmt::format("frame {} at {:.3f} s: a twelfth of it differs by {} levels on average",
-                                          frame, time_of(frame), difference));
+      found_.frames.push_back(
+          fmt::format("frame {} at {:.3f} s: a twelfth of it differs by {} levels on average (allowed {:g})", frame,
+                      time_of(frame), difference, allowed));
       return;
     }
   }
@@ -169,12 +170,15 @@ class VideoComparer {
                       now.loss, before.loss));
       return;
     }
-    if (now.loss > kMoreLoss * before.loss + kLossFloor) {
-      found_.encoder.push_back(fmt::format("the encoder loses {:.3f} levels instead of {:.3f}", now.loss, before.loss));
+    const double allowed_loss = kMoreLoss * before.loss + kLossFloor;
+    if (now.loss > allowed_loss) {
+      found_.encoder.push_back(fmt::format("the encoder loses {:.3f} levels instead of {:.3f} (allowed {:.3f})",
+                                           now.loss, before.loss, allowed_loss));
     }
-    if (now.drift > kMoreLoss * before.drift + kDriftFloor) {
-      found_.encoder.push_back(
-          fmt::format("the encoder changes colours by {:.4f} instead of {:.4f}", now.drift, before.drift));
+    const double allowed_drift = kMoreLoss * before.drift + kDriftFloor;
+    if (now.drift > allowed_drift) {
+      found_.encoder.push_back(fmt::format("the encoder changes colours by {:.4f} instead of {:.4f} (allowed {:.4f})",
+                                           now.drift, before.drift, allowed_drift));
     }
   }
 
