@@ -1,5 +1,8 @@
 #include "studio/golden/GoldenRun.hpp"
 
+#include <algorithm>
+#include <system_error>
+
 #include "renderer/metric/Tiles.hpp"
 #include "studio/golden/GoldenCache.hpp"
 #include "studio/golden/GoldenVideoComparison.hpp"
@@ -94,6 +97,18 @@ void judge_or_tell_why_not(JudgedScenario& judged, const GoldenRunOptions& optio
   }
 }
 
+/// At a video that is good there is nothing to look at, and its frames take more room than all goldens; those from when
+/// it was not good yet are outdated.
+void remove_good_recording(const JudgedScenario& judged, const GoldenRunOptions& options) {
+  const bool is_good = std::ranges::any_of(judged.results, [](const GoldenResult& result) {
+    return result.is_video && result.outcome == GoldenOutcome::kOk;
+  });
+  if (!is_good || options.videos.empty()) return;
+  std::error_code ignored;
+  std::filesystem::remove_all(options.videos / judged.scenario.name, ignored);
+  std::filesystem::remove(options.videos, ignored);  // where it is empty
+}
+
 /// Of the scenarios that nothing is known of, finds those that are good in other processes.
 void look_in_other_processes(const std::vector<const Scenario*>& scenarios, const GoldenRunOptions& options,
                              GoldenCache& cache) {
@@ -150,6 +165,7 @@ std::vector<JudgedScenario> judge_scenarios(std::vector<Scenario> scenarios, con
       if (cache) cache->keep(judged.scenario, keys[i], judged.results);
     }
     judged.attributions.resize(judged.results.size());
+    remove_good_recording(judged, options);
     done(judged);
     all.push_back(std::move(judged));
   }

@@ -33,7 +33,8 @@ struct GoldenRunOptions {
   std::filesystem::path goldens;               // the folder that holds a folder for each scenario
   std::optional<std::filesystem::path> cache;  // a file that keeps what was good; absent: nothing is kept
   bool anew = false;                           // what was good before counts for nothing
-  std::filesystem::path videos = {};  // a folder for the videos that are recorded, one in a folder for each scenario
+  std::filesystem::path videos = {};  // a folder for the videos that are recorded, one in a folder for each scenario;
+                                      // those that are good do not stay
   std::string program;                // a hash of what simulates and draws, for the cache
   int jobs = 1;                       // scenarios at once, each in a process of its own
   // Tests a scenario in another process, which keeps what is good in a cache of its own: that file, in a folder that

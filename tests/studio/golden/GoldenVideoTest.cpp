@@ -431,5 +431,24 @@ TEST_F(GoldenVideoTest, AScenarioIsJudgedByItsVideoAlone) {
   EXPECT_EQ(judged.front().video->video.frames.size(), 11U);
 }
 
+TEST_F(GoldenVideoTest, TheFramesOfAVideoStayToBeLookedAtUnlessItIsGood) {
+  const GoldenScene scene;
+  GoldenRunOptions options = scene.options(synthetic_source(), view_painters());
+  options.videos = folder_ / "videos";
+  const auto judged = [&] { return judge_scenarios({video_scene()}, options, [](const JudgedScenario&) {}).front(); };
+  const JudgedScenario missing = judged();
+  ASSERT_EQ(missing.results[0].outcome, GoldenOutcome::kGoldenMissing);
+  EXPECT_TRUE(std::filesystem::exists(missing.video->file));
+  renew_golden_video(*missing.video, scene.folder(), "someone", "it is right");
+  options.cache = folder_ / "unchanged.json";
+  for (const bool is_known : {false, true}) {
+    std::filesystem::create_directories(options.videos / "sheet/frames");
+    const JudgedScenario good = judged();
+    ASSERT_EQ(good.results[0].outcome, GoldenOutcome::kOk);
+    EXPECT_EQ(good.from_cache, is_known);
+    EXPECT_FALSE(std::filesystem::exists(options.videos)) << is_known;
+  }
+}
+
 }  // namespace
 }  // namespace thinwall
