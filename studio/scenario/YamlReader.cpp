@@ -5,9 +5,11 @@
 #include <yaml-cpp/parser.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <fstream>
 #include <map>
 #include <sstream>
+#include <system_error>
 
 #include "studio/scenario/YamlAdvice.hpp"
 #include "studio/scenario/YamlComments.hpp"
@@ -328,15 +330,22 @@ std::string why_missing(const std::filesystem::path& file) {
   return no_link ? "no such file" : "this is a link to `" + target.string() + "`, which leads to no file";
 }
 
+Refusal unreadable(const std::error_code& reason) {
+  return {1, 1, "the file cannot be read: " + reason.message()};
+}
+
 std::string read_bytes(const std::filesystem::path& file) {
   std::error_code failure;
   const std::filesystem::file_status status = std::filesystem::status(file, failure);
+  if (failure == std::errc::permission_denied) throw unreadable(failure);
   if (!std::filesystem::exists(status)) throw Refusal{1, 1, why_missing(file)};
   if (std::filesystem::is_directory(status)) throw Refusal{1, 1, "this is a directory, not a file"};
   if (!std::filesystem::is_regular_file(status)) throw Refusal{1, 1, "this is not a regular file"};
+  errno = 0;
   std::ifstream stream(file, std::ios::binary);
+  if (!stream) throw unreadable({errno, std::generic_category()});
   std::string text(static_cast<std::size_t>(kLargestFile) + 1, '\0');
-  if (stream) stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (!stream && !stream.eof()) throw Refusal{1, 1, "the file cannot be read"};
   text.resize(static_cast<std::size_t>(stream.gcount()));
   if (text.starts_with("\x89HDF\r\n\x1A\n")) {

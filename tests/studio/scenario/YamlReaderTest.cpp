@@ -1,6 +1,7 @@
 #include "studio/scenario/YamlReader.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "tests/studio/TemporaryFolder.hpp"
 #include "tests/studio/scenario/ScenarioTestTools.hpp"
@@ -179,6 +180,26 @@ TEST(YamlReader, WhatIsNoReadableFileIsRefused) {
   EXPECT_EQ(short_texts(diagnostics.errors),
             (std::vector<std::string>{"1:1: no such file", "1:1: this is a directory, not a file",
                                       "1:1: this is not a regular file", "1:1: the file is larger than 1 MiB"}));
+}
+
+TEST(YamlReader, AFileOfSomebodyElseIsSaidToBeOne) {
+  const TemporaryFolder folder;
+  write_bytes(folder / "mine.yaml", "thinwall: 1\n");
+  Diagnostics diagnostics;
+  const bool is_root = geteuid() == 0;
+  const auto read_as_somebody_else = [&] {
+    if (is_root && seteuid(65534) != 0) return;
+    EXPECT_FALSE(read_yaml_file(folder / "mine.yaml", diagnostics));
+    EXPECT_TRUE(!is_root || seteuid(0) == 0);
+  };
+  std::filesystem::permissions(folder / "mine.yaml", std::filesystem::perms::none);
+  std::filesystem::permissions(folder.path(), std::filesystem::perms::all);
+  read_as_somebody_else();
+  std::filesystem::permissions(folder.path(), std::filesystem::perms::none);
+  read_as_somebody_else();
+  std::filesystem::permissions(folder.path(), std::filesystem::perms::owner_all);
+  const std::string told = "1:1: the file cannot be read: Permission denied";
+  EXPECT_EQ(short_texts(diagnostics.errors), (std::vector<std::string>{told, told}));
 }
 
 TEST(YamlReader, ATakeIsToldToBeOneHoweverLargeItIs) {
