@@ -147,6 +147,8 @@ bool is_slack(const BodyScenario& body) {
 /// `number`: of the clip, from 1.
 std::optional<std::string> far_side_note(std::size_t number, const PalpateClip& clip, const Body& body) {
   constexpr double kNear = 0.1;  // of the way through the body
+  // The origin is what stands for a point that nobody has given: no side of a body is meant by it.
+  if (clip.at.isZero(0)) return std::nullopt;
   const SurfaceView surface = body.surface();
   const auto near = first_entry(surface, clip.at, clip.direction), far = first_entry(surface, clip.at, -clip.direction);
   if (surface.open || !near || !far) return std::nullopt;

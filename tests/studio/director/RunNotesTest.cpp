@@ -65,6 +65,10 @@ TEST(RunNotes, TellThatAPalpationComesFromTheSideAwayFromItsPoint) {
   EXPECT_FALSE(note_with({0, 0, 0.02}, -1));
   EXPECT_FALSE(note_with({0, 0, 0}, 1)) << "a point within the body is on no side";
   EXPECT_FALSE(note_with({0, 0, 0.05}, -1)) << "before the body";
+  std::get<ShapeSource>(scenario.bodies[0].surface).placed = SurfacePlacement{.at = {0, 0, 0.02}};
+  scenario.bodies[0].fixed = {{.region = BelowRegion{.axis = 2, .at = 0.01}}};
+  EXPECT_TRUE(note_with({0, 0, -0.001}, -1));
+  EXPECT_FALSE(note_with({0, 0, 0}, -1)) << "the origin is what nobody may have given";
 }
 
 TEST(RunNotes, TellThatAToolIsInTheWallBeforeTheFirstStep) {
