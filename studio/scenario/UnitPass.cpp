@@ -105,7 +105,15 @@ class SchemaReader {
   // Mappings.
 
   static std::string names_advice(const TextNode& node) {
-    return node.kind == NodeKind::kList ? ": names stand without `- ` and end in `:`" : "";
+    if (node.kind == NodeKind::kList) return ": names stand without `- ` and end in `:`";
+    const bool has_colon = node.kind == NodeKind::kText && node.text.find(':') != std::string::npos;
+    return has_colon ? ": a key is followed by `:` and a space" : "";
+  }
+
+  /// The "depth" of `{ depth:6 mm }`, where that is one of the words; else "".
+  static std::string word_without_space(const std::string& key, const std::vector<std::string>& words) {
+    const std::string word = key.substr(0, std::min(key.find(':'), key.size()));
+    return word.size() < key.size() && std::ranges::find(words, word) != words.end() ? word : "";
   }
 
   std::optional<CheckedValue> read_one_of(const ValueSchema& schema, const TextNode& node, const ValuePlace& place) {
@@ -131,6 +139,10 @@ class SchemaReader {
     return std::nullopt;
   }
 
+  static std::string needs_space(const std::string& word) {
+    return ", a space is needed behind " + in_backticks(word + ":");
+  }
+
   static bool is_key_of_any(const ValueSchema& schema, const std::string& word) {
     return std::ranges::any_of(schema.mappings, [&](const MappingSchema& mapping) {
       return std::ranges::any_of(mapping.keys, [&](const KeySchema& key) { return key.key == word; });
@@ -144,7 +156,8 @@ class SchemaReader {
     for (const TextMember& member : node.members) {
       // A key that an alternative does have is no mistake: what tells the alternatives apart is missing.
       if (is_key_of_any(schema, member.key)) continue;
-      const std::string nearest = did_you_mean(member.key, words);
+      const std::string unspaced = word_without_space(member.key, words);
+      const std::string nearest = unspaced.empty() ? did_you_mean(member.key, words) : needs_space(unspaced);
       if (nearest.empty() && node.members.size() > 1) continue;
       diagnostics_.error(member.location, member_path(place.path, member.key),
                          "unknown key" + (nearest.empty() ? "; allowed: " + list_in_backticks(words) : nearest));
@@ -221,11 +234,13 @@ class SchemaReader {
     const std::string path = member_path(place.path, member.key);
     if (allowed.case_is_known) {
       // After a wrong word, which is told already, the keys that belong to the right one are not known.
-      const std::string nearest = nearest_word(member.key, words_of(allowed));
+      const std::string unspaced = word_without_space(member.key, words_of(allowed));
+      const std::string nearest = unspaced.empty() ? nearest_word(member.key, words_of(allowed)) : unspaced;
       const bool is_decimals = is_after_decimal_comma(node, member);
       diagnostics_.error(member.location, path,
-                         "unknown key" + (is_decimals ? ": commas part keys, decimals take a point"
-                                                      : hint(schema, allowed, member.key, nearest)));
+                         "unknown key" + (is_decimals        ? ": commas part keys, decimals take a point"
+                                          : unspaced.empty() ? hint(schema, allowed, member.key, nearest)
+                                                             : needs_space(unspaced)));
       if (!nearest.empty() && node.find(nearest) == nullptr) allowed.misspelled.push_back(nearest);
     }
   }

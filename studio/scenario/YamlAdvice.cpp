@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <sstream>
 #include <vector>
@@ -148,12 +147,6 @@ bool is_quote_closed(std::string_view text, std::size_t start) {
     }
   }
   return false;
-}
-
-bool begins_with_foreign_space(std::string_view text) {
-  // No-break spaces, the widths of typography, and the ideographic space.
-  constexpr std::array<std::string_view, 5> kSpaces = {"\u00A0", "\u2003", "\u2009", "\u202F", "\u3000"};
-  return std::ranges::any_of(kSpaces, [&](std::string_view space) { return text.starts_with(space); });
 }
 
 }  // namespace thinwall

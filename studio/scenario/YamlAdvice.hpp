@@ -12,7 +12,4 @@ std::string yaml_advice(const std::string& text, int line, int column, std::stri
 /// Whether the quoted text that begins at `start` (`"` or `'`) has its second quotation mark.
 bool is_quote_closed(std::string_view text, std::size_t start);
 
-/// Whether a text begins with a space that is none for YAML, as those that text processors set.
-bool begins_with_foreign_space(std::string_view text);
-
 }  // namespace thinwall

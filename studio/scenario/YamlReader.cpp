@@ -274,7 +274,7 @@ void refuse_what_is_no_text(std::string_view text) {
   int column = 1;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t length = character_length(text, at);
-    if (length == 0) throw Refusal{line, column, "not a text file: this byte is no UTF-8"};
+    if (length == 0) throw Refusal{line, column, "not a text file: this byte is no UTF-8; save the file in UTF-8"};
     const auto byte = static_cast<unsigned char>(text[at]);
     if ((byte < 0x20 && byte != '\t' && byte != '\n' && byte != '\r') || byte == 0x7f) {
       throw Refusal{line, column, "not a text file: a control character stands here"};

@@ -110,8 +110,8 @@ ValueSchema fibres_schema() {
 }
 
 ValueSchema prestretch_schema() {
-  const ValueSchema number =
-      quantity_value(kDimensionless, {.minimum = 0, .maximum = 10, .minimum_excluded = true}, "1.1");
+  const ValueSchema number = usually(
+      quantity_value(kDimensionless, {.minimum = 0, .maximum = 10, .minimum_excluded = true}, "1.1"), kUsualPrestretch);
   ValueSchema pair = list_value(number, 2);
   pair.maximum_items = 2;
   pair.example = "[1.2, 1.05]";

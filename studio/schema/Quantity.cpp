@@ -344,6 +344,9 @@ Quantity parse_quantity(std::string_view text) {
   const std::string_view number = text.substr(0, length);
   const std::string_view unit_text = trimmed(text.substr(length));
   if (unit_text.starts_with(",")) throw QuantityError("a decimal point is needed, not a comma");
+  if (begins_with_foreign_space(unit_text)) {
+    throw QuantityError("the space before its unit is one of typography; write a plain one, or none");
+  }
   const Unit unit = unit_text.empty() ? Unit{} : read_unit(unit_text);
   const double value = scaled_number(number, unit.power_of_ten) * unit.coefficient;
   if (!std::isfinite(value))

@@ -28,6 +28,7 @@ A scenario is a YAML file. This page and `scenario.schema.json` come from the ta
 - `parameters` have defaults. `${name}` stands for one in any value: alone for a text or a list, or inside a longer text.
   Write quotation marks around it inside braces: `{ depth: "${depth}" }`. `--set name=value` overrides a default. A
   parameter or an override that nothing uses is an error.
+- A text with `: ` or ` #` in it needs quotation marks: `title: "Balloon #1"`.
 - `include` names files whose keys are merged below those of the file that includes them. Mappings are merged key by
   key; of anything else, lists too, the nearest wins: the including file over the included, a later one over an earlier.
   A mapping of another kind (another law, shape, tool, fluid) replaces the farther one as a whole.

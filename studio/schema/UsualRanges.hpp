@@ -28,13 +28,15 @@ inline constexpr UsualRange kUsualVolumes{
 inline constexpr UsualRange kUsualDensities{"densities", {.minimum = 1e-3, .maximum = 2e4}, "1 kg/m^3"};
 inline constexpr UsualRange kUsualModuli{"stiffnesses", {.minimum = 1, .maximum = 1e12}, "1 kPa"};
 inline constexpr UsualRange kUsualToughness{"toughnesses", {.minimum = 1e-2, .maximum = 1e5}, "1 J/m^2"};
+inline constexpr UsualRange kUsualPrestretch{"stretches by prestretch", {.minimum = 0.5, .maximum = 3}, "1"};
 inline constexpr UsualRange kUsualFriction{"coefficients of friction", {.minimum = 0, .maximum = 2}, "1"};
 inline constexpr UsualRange kUsualGravity{"accelerations of free fall", {.minimum = 0, .maximum = 100}, "1 m/s^2"};
 
 /// All of them, for the reference page.
-inline constexpr std::array kUsualRanges{&kUsualLengths, &kUsualThicknesses, &kUsualPlaces,   &kUsualSpeeds,
-                                         &kUsualTimes,   &kUsualHoles,       &kUsualVolumes,  &kUsualDensities,
-                                         &kUsualModuli,  &kUsualToughness,   &kUsualFriction, &kUsualGravity};
+inline constexpr std::array kUsualRanges{&kUsualLengths, &kUsualThicknesses, &kUsualPlaces,     &kUsualSpeeds,
+                                         &kUsualTimes,   &kUsualHoles,       &kUsualVolumes,    &kUsualDensities,
+                                         &kUsualModuli,  &kUsualToughness,   &kUsualPrestretch, &kUsualFriction,
+                                         &kUsualGravity};
 
 /// What is 0 is left out on purpose, and as usual as can be.
 inline bool is_usual(const UsualRange& usual, double number) {

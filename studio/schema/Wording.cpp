@@ -81,12 +81,19 @@ std::string path_in_backticks(std::string_view path) {
   return quoted(path, path.size());
 }
 
+bool begins_with_foreign_space(std::string_view text) {
+  // No-break spaces, the widths of typography, and the ideographic space.
+  constexpr std::array<std::string_view, 5> kSpaces = {"\u00A0", "\u2003", "\u2009", "\u202F", "\u3000"};
+  return std::ranges::any_of(kSpaces, [&](std::string_view space) { return text.starts_with(space); });
+}
+
 std::string no_file_words(const std::string& path) {
   std::error_code failure;
   if (std::filesystem::is_directory(path, failure)) {
     return path_in_backticks(path) + " is a folder; name a file in it";
   }
-  return "there is no file " + path_in_backticks(path);
+  const std::string cure = path.find('\\') == std::string::npos ? "" : "; `/` stands between folders, not `\\`";
+  return "there is no file " + path_in_backticks(path) + cure;
 }
 
 std::string shell_argument(std::string_view text) {

@@ -18,6 +18,9 @@ std::string path_in_backticks(std::string_view path);
 /// What is wrong where a file ought to be and is none.
 std::string no_file_words(const std::string& path);
 
+/// Whether a text begins with a space that is none for YAML and quantities, as those that text processors set.
+bool begins_with_foreign_space(std::string_view text);
+
 /// As a shell takes it for one argument: in quotes where it has other than letters, digits and `_ - . / + = , : @`.
 std::string shell_argument(std::string_view text);
 

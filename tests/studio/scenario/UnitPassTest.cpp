@@ -78,6 +78,13 @@ TEST(UnitPass, AMagnitudeBeyondWhatIsUsualIsAllowedAndToldOf) {
   EXPECT_EQ(read("simulation", "{ gravity: [0, 0, -9.81 km/s^2] }").warnings.size(), 1U);
 }
 
+TEST(UnitPass, APrestretchThatIsMeantAsAStrainIsToldOf) {
+  const std::string wall = "{ thickness: 1 mm, material: { law: neo_hookean, shear_modulus: 12 kPa }, prestretch: ";
+  EXPECT_EQ(read("wall", wall + "15 % }").warnings.size(), 1U);
+  EXPECT_EQ(read("wall", wall + "{ along: [1, 0, 0], values: [1.1, 0.1] } }").warnings.size(), 1U);
+  EXPECT_EQ(read("wall", wall + "1.15 }").warnings, Texts{});
+}
+
 TEST(UnitPass, WhatIsUsualOrNoneIsNotToldOf) {
   EXPECT_EQ(read("palpate", "{ depth: 6 mm, speed: 20 mm/s, hold: 0, standoff: 5 mm }").warnings, Texts{});
   EXPECT_EQ(read("tool", "{ kind: needle, radius: 0.1 mm, length: 300 mm, friction: 1.2 }").warnings, Texts{});
@@ -202,6 +209,18 @@ TEST(UnitPass, AKeyInTheWrongPlaceSaysWhereItBelongs) {
 
 TEST(UnitPass, AMisspelledNeededKeyIsOneError) {
   EXPECT_EQ(read("palpate", "{ dept: 4 mm }").errors, Texts{"1:3: dept: unknown key, did you mean `depth`?"});
+}
+
+TEST(UnitPass, AKeyWithoutSpaceBehindItsColonIsOneErrorThatSaysSo) {
+  EXPECT_EQ(read("palpate", "{depth:2 mm, speed: 3 mm/s}").errors,
+            Texts{"1:2: `depth:2 mm`: unknown key, a space is needed behind `depth:`"});
+  const std::string body =
+      "thinwall: 1\nbodies: { ball: { surface: { shape: sphere }, wall: { thickness: 1 mm, material: { law: "
+      "neo_hookean, shear_modulus: 1 kPa } } } }\ntimeline:\n  - ";
+  EXPECT_EQ(read("scenario", body + "wait:{for: 2 s}").errors,
+            Texts{"4:5: timeline[1].`wait:{for`: unknown key, a space is needed behind `wait:`"});
+  EXPECT_EQ(read("scenario", body + "wait:\n      for:2 s").errors,
+            Texts{"5:7: timeline[1].wait: expected a mapping, got `for:2 s`: a key is followed by `:` and a space"});
 }
 
 TEST(UnitPass, WrongItemsKeepTheirPlaceInAList) {

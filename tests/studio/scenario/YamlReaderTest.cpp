@@ -82,10 +82,11 @@ TEST(YamlReader, WhatCouldExhaustTheProgramIsRefused) {
 }
 
 TEST(YamlReader, WhatIsNoTextIsRefusedAtItsFirstByte) {
-  EXPECT_EQ(first_error("a: \xC3\xA9\xFF"), "1:5: not a text file: this byte is no UTF-8");
-  EXPECT_EQ(first_error("a: 1\nb: \xED\xA0\x80"), "2:4: not a text file: this byte is no UTF-8");
-  EXPECT_EQ(first_error("a: \xC0\xAF"), "1:4: not a text file: this byte is no UTF-8");
-  EXPECT_EQ(first_error("a: \xF5\x80\x80\x80"), "1:4: not a text file: this byte is no UTF-8");
+  EXPECT_EQ(first_error("a: \xC3\xA9\xFF"), "1:5: not a text file: this byte is no UTF-8; save the file in UTF-8");
+  EXPECT_EQ(first_error("a: 1\nb: \xED\xA0\x80"),
+            "2:4: not a text file: this byte is no UTF-8; save the file in UTF-8");
+  EXPECT_EQ(first_error("a: \xC0\xAF"), "1:4: not a text file: this byte is no UTF-8; save the file in UTF-8");
+  EXPECT_EQ(first_error("a: \xF5\x80\x80\x80"), "1:4: not a text file: this byte is no UTF-8; save the file in UTF-8");
   EXPECT_EQ(first_error(std::string("a: \0", 4)), "1:4: not a text file: a control character stands here");
 }
 
