@@ -5,6 +5,9 @@ namespace thinwall {
 namespace {
 
 const std::string kAngleWords = "vertical angle of view";
+const std::string kOwnAngleWords =
+    kAngleWords +
+    "; a camera without `position` stands as far off as it asks for: `push_in` shows less, not a narrower one";
 
 ValueSchema angle_value() {
   const double half_turn = parse_quantity("180 deg").value;
@@ -87,10 +90,10 @@ ValueSchema push_in_value() {
 
 std::vector<CaseSchema> camera_kinds() {
   return {
-      {"pinhole", "stands in the open", {{"field_of_view", angle_value(), false, "30 deg", kAngleWords}}},
+      {"pinhole", "stands in the open", {{"field_of_view", angle_value(), false, "30 deg", kOwnAngleWords}}},
       {"endoscope",
        "in a body: a round picture, darker towards its border",
-       {{"field_of_view", angle_value(), false, "60 deg", kAngleWords}}},
+       {{"field_of_view", angle_value(), false, "60 deg", kOwnAngleWords}}},
   };
 }
 
