@@ -219,8 +219,10 @@ void Stage::draw_scene(SceneView& scene, const FrameUniforms& frame, PassClock& 
   clock.ends("tissue");
   if (scene.keeps_bare) target.read_color(has_fluids() ? target.whole() : ScreenArea{}, bare);
   draw_fluids(scene, clock);
-  if (scene.view.look.mesh) {
-    mesh_lines.draw(meshes.mesh_lines());
+  const LookDefinition& look = scene.view.look;
+  if (look.mesh || look.data) {
+    // Closed lips have the numbers of the wall beside them, so that of a cut nothing else is seen in them.
+    mesh_lines.draw(look.mesh ? meshes.mesh_lines() : meshes.cut_lines());
     clock.ends("mesh lines");
   }
   if (tier != Tier::kDraft) outline_pass.draw(scene.outline, target);

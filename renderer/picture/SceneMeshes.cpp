@@ -337,6 +337,12 @@ std::vector<MeshLine> SceneMeshes::mesh_lines() const {
   return lines;
 }
 
+std::vector<MeshLine> SceneMeshes::cut_lines() const {
+  std::vector<MeshLine> lines = mesh_lines();
+  std::erase_if(lines, [](const MeshLine& line) { return line.is_cut == 0; });
+  return lines;
+}
+
 void SceneMeshes::append_lines_between_bodies(Vector3 eye, std::vector<OutlineSegment>& lines) const {
   std::vector<MeetingWall> walls;
   for (const TissuePart& part : parts_) {

@@ -103,6 +103,9 @@ class SceneMeshes {
   /// The edges of all walls' triangles and of their caps.
   std::vector<MeshLine> mesh_lines() const;
 
+  /// Those of them at which cuts have opened the walls.
+  std::vector<MeshLine> cut_lines() const;
+
   /// Of everything that was uploaded, seen from `eye`, the nearest first. `pixel`: height of one over the distance.
   std::vector<OutlineSegment> outline(Vector3 eye, double pixel);
 

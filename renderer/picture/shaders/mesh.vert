@@ -17,7 +17,9 @@ void main() {
   vec4 clip[2] = vec4[2](view_projection * vec4(start, 1.0), view_projection * vec4(end, 1.0));
   int which = gl_VertexID / 2;
   vec4 near = view_projection * vec4((which == 0 ? start : end) + toward_eye, 1.0);
-  half_width = mix(0.55, 1.4, strength) * size.y / 720.0;
+  // In small pictures, as those in a corner are, a cut would be too faint to be seen.
+  const float kLeastCut = 0.7;  // pixels
+  half_width = max(mix(0.55, 1.4, strength) * size.y / 720.0, kLeastCut * strength);
   is_cut = strength;
   offset = (gl_VertexID % 2 == 0 ? -1.0 : 1.0) * (half_width + 1.0);
   if (min(min(clip[0].w, clip[1].w), near.w) <= 0.0) {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
+#include <vector>
 
 #include "renderer/camera/Camera.hpp"
 #include "renderer/look/ColorMap.hpp"
@@ -115,6 +117,44 @@ TEST(DataViewGLTest, TheMeshDarkensItsEdgesAndNothingElse) {
   EXPECT_LT(green(with, 80, 45) + green(with, 80, 44), green(without, 80, 45) + green(without, 80, 44));
   EXPECT_EQ(green(with, 86, 55), green(without, 86, 55));
   EXPECT_EQ(green(with, 74, 33), green(without, 74, 33));
+}
+
+/// The square, cut along the diagonal that crosses its middle; its lips lie together.
+Snapshot cut_square() {
+  const std::vector<Float3> corners = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+  Snapshot snapshot;
+  snapshot.surfaces = {test::surface_of("wall", corners, {{0, 1, 2}, {3, 4, 5}})};
+  auto topology = std::make_shared<SnapshotTopology>(*snapshot.surfaces[0].topology);
+  topology->cut_times = {0, kNeverCut, 0, 0, 0, kNeverCut};
+  snapshot.surfaces[0].topology = std::move(topology);
+  snapshot.surfaces[0].fields = {{.name = "contact_pressure",
+                                  .unit = "Pa",
+                                  .location = FieldLocation::kVertex,
+                                  .values = {0, 400, 400, 0, 400, 0}}};
+  return snapshot;
+}
+
+TEST(DataViewGLTest, ACutIsSeenThoughItsLipsHaveTheNumbersBesideIt) {
+  for (const ImageSize size : {kDataSize, ImageSize{.width = 960, .height = 540}}) {
+    const ViewDefinition view = facing();
+    Renderer renderer({}, size, Tier::kRecord);
+    const Image whole = renderer.draw(square(), view, view.camera);
+    const Image cut = renderer.draw(cut_square(), view, view.camera);
+    const auto largest_difference = [&](double x, double y) {
+      const double pixels = 0.5 * size.height / (5 * std::tan(0.5 * view.camera.field_of_view));
+      const int column = static_cast<int>(0.5 * size.width + x * pixels);
+      const int row = static_cast<int>(0.5 * size.height - y * pixels);
+      const std::size_t first = 3 * static_cast<std::size_t>(row * size.width + column);
+      int largest = 0;
+      for (std::size_t k = first; k < first + 3; ++k) {
+        largest = std::max(largest, std::abs(whole.pixels[k] - cut.pixels[k]));
+      }
+      return largest;
+    };
+    for (const double along : {-0.5, 0.01, 0.5}) EXPECT_GT(largest_difference(along, along), 60) << size.height;
+    EXPECT_EQ(largest_difference(0.5, -0.5), 0) << size.height;
+    EXPECT_EQ(largest_difference(-0.5, 0.5), 0) << size.height;
+  }
 }
 
 }  // namespace
