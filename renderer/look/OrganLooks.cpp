@@ -9,11 +9,13 @@ namespace thinwall {
 namespace {
 
 constexpr WallLayers kHollowOrgan = {};
-constexpr WallLayers kSolidOrgan = {.outer = {0.52, 0.27, 0.22},
-                                    .middle = {0.31, 0.085, 0.065},
-                                    .inner = {0.26, 0.065, 0.05},
-                                    .outer_part = 0.07,
-                                    .inner_part = 0.4};
+// Below a thin capsule all is of lobules.
+constexpr WallLayers kSolidOrgan = {.outer = {0.56, 0.34, 0.28},
+                                    .middle = {0.33, 0.105, 0.078},
+                                    .inner = {0.36, 0.12, 0.088},
+                                    .outer_part = 0.01,
+                                    .inner_part = 0.97,
+                                    .grain_size = 0.0014};
 constexpr WallLayers kSkinLayers = {.outer = {0.80, 0.56, 0.47},
                                     .middle = {0.90, 0.60, 0.56},
                                     .inner = {0.92, 0.76, 0.48},

@@ -11,6 +11,7 @@ struct WallLayers {
   Double3 inner = {0.86, 0.46, 0.41};   // mucosa, or fat
   double outer_part = 0.12;             // of the thickness
   double inner_part = 0.28;             // of the thickness
+  double grain_size = 0.0022;           // metres at most, of bundles and lobules; at least 1.1 mm
 };
 
 /// What fills an organ, as it is seen where the organ is open.

@@ -20,7 +20,7 @@ TissueLook rim_look(TissueLook look) {
   look.roughness = std::min(look.roughness, 0.35);
   // Cut fibres and lobules are uneven, which breaks what they mirror.
   look.relief = std::max(look.relief, 0.35);
-  look.relief_size = std::max(look.relief_size, 0.0011);
+  look.relief_size = std::clamp(look.relief_size, 0.0011, look.layers.grain_size);
   return look;
 }
 

@@ -97,6 +97,23 @@ TEST(CutFace, HasNoPaleLayerWithinASolidOrgan) {
   EXPECT_LT(pale, 28) << "levels: 19 was seen, 37 with one";
 }
 
+TEST(CutFace, OfASolidOrganIsOfLobulesUpToItsCapsule) {
+  const Image dry = draw_gaping(0, {}, "liver");
+  const auto red = [&](int row, int column) {
+    return static_cast<double>(dry.pixels[static_cast<std::size_t>(3 * (row * 384 + column))]);
+  };
+  constexpr int kLobule = 3;  // pixels, within the width of one
+  double uneven = 0, sum = 0;
+  for (int row = kFaceTop + 10; row < kFaceFoot; ++row) {
+    for (int column = kFaceLeft; column < kFaceRight; ++column) {
+      uneven += std::abs(red(row, column) - 0.5 * (red(row, column - kLobule) + red(row, column + kLobule)));
+      sum += red(row, column);
+    }
+  }
+  RecordProperty("uneven", std::to_string(uneven / sum));
+  EXPECT_GT(uneven / sum, 0.038) << "0.044 was seen, 0.031 of ragged layers, 0.019 of hills as wide as the capsule's";
+}
+
 TEST(CutFace, IsCoatedWithBloodUnevenlyAndMoreBelow) {
   const Image dry = draw_gaping(0), bleeding = draw_gaping(1);
   const auto left = [&](int row) {
