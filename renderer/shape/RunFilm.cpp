@@ -82,6 +82,12 @@ double welled_up(double along, const RunShape& shape) {
   return t * t * (3 - 2 * t);
 }
 
+/// Metres beyond the edge of a row that are drawn. The edge wanders, as film.glsl has it, by a part of the width.
+double margin_of(double half_width) {
+  constexpr double kWanders = 0.57, kFinely = 0.00005;  // over half the width and metres more, at most
+  return std::max(kFilmMargin, kWanders * half_width + kFinely);
+}
+
 /// The middle of a row belongs to both its sides, on each of which the film slopes its own way.
 constexpr std::array kColumns = {-1.0, -0.0, 0.0, 1.0};
 
@@ -99,13 +105,14 @@ void append_row(const RunCourse& course, const RunShape& shape, double along, do
   const double widening = widening_at(along, shape), over_trail = half / shape.half_width;
   // A drop stands higher than it is wider; at the source it is as steep as elsewhere.
   const double height = shape.height * over_trail * std::max(1.0, over_trail) * welled_up(along, shape);
+  const double margin = ahead == 0 ? margin_of(half) : kFilmMargin;
   for (const double across : kColumns) {
-    const double out = across * (half + kFilmMargin);
+    const double out = across * (half + margin);
     const Vector3 slope = widening * sense - std::copysign(1.0, across) * side;
     film.vertices.push_back({.position = float3(middle + out * side + 0.0001 * normal),
                              .normal = float3(normal),
                              .rest = float3(rest + out * side),
-                             .inward = static_cast<float>(across == 0 && ahead == 0 ? half : -kFilmMargin),
+                             .inward = static_cast<float>(across == 0 && ahead == 0 ? half : -margin),
                              .width = static_cast<float>(std::max(half, 1e-5)),
                              .height = static_cast<float>(height),
                              .dry = static_cast<float>(shape.dry),

@@ -7,7 +7,8 @@
 
 namespace thinwall {
 
-inline constexpr double kFilmMargin = 0.0003;  // metres beyond a film's edge that are drawn, for its edge is uneven
+/// Metres beyond the edge of a narrow film that are drawn at least, for its edge is uneven.
+inline constexpr double kFilmMargin = 0.0003;
 
 struct RunShape {
   double half_width = 0;  // metres, of the trail

@@ -41,6 +41,21 @@ TEST(RunFilm, RowsDoNotCrossInABend) {
   }
 }
 
+TEST(RunFilm, IsDrawnAsFarOutAsItsEdgeWandersHoweverWideItIs) {
+  const SnapshotSurface wall = test::surface_of("wall", {{0, 0, 0}, {0.1F, 0, 0}, {0, 0.1F, 0}}, {{0, 1, 2}});
+  const std::vector<Float3> normals(3, Float3{0, 0, 1});
+  for (const double half_width : {0.0003, 0.0014, 0.0026}) {
+    Film film;
+    append_run(wall, normals, bent_run(0), {.half_width = half_width, .length = 0.018, .height = 0.0006}, film);
+    for (const FilmVertex& vertex : film.vertices) {
+      if (!(vertex.inward < 0)) continue;
+      // What film.glsl takes of two noises, which seldom go beyond 0.85: 0.55 and 0.10 + 0.00006 / width.
+      const double wanders = 0.85 * (0.65 * vertex.width + std::min(0.14 * vertex.width, 0.00006));
+      EXPECT_LE(vertex.inward, -wanders) << half_width;
+    }
+  }
+}
+
 TEST(RunFilm, ItsFrontStandsHigherThanTheFilmBehind) {
   const SnapshotSurface wall = test::surface_of("wall", {{0, 0, 0}, {0.1F, 0, 0}, {0, 0.1F, 0}}, {{0, 1, 2}});
   const std::vector<Float3> normals(3, Float3{0, 0, 1});
