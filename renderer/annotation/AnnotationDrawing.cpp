@@ -177,17 +177,17 @@ void keep_off(const Canvas& canvas, ImageSize size, const Box& inset) {
 
 }  // namespace
 
-void draw_annotations(Image& image, const PictureBox& box, const AnnotationDefinition& annotations,
-                      const Snapshot& snapshot, const CameraDefinition& camera, const std::optional<PictureBox>& inset,
-                      const std::vector<Box>& taken) {
-  if (annotations.is_empty()) return;
+AnnotationLayers::AnnotationLayers(ImageSize size, const PictureBox& box, const AnnotationDefinition& annotations,
+                                   const Snapshot& snapshot, const CameraDefinition& camera,
+                                   const std::optional<PictureBox>& inset, const std::vector<Box>& taken)
+    : box_(box), lines_(std::make_unique<Canvas>(box.size)), points_(std::make_unique<Canvas>(box.size)) {
   const FontUse use;
   const SceneExtent extent = scene_extent(snapshot);
   AnnotationScene scene{.snapshot = snapshot,
                         .definition = camera,
                         .extent = extent,
                         .camera = resolve_camera(camera, extent, box.size, snapshot.time),
-                        .grid = OverlayGrid(image.size),
+                        .grid = OverlayGrid(size),
                         .size = box.size,
                         .inset = place_within(box, box_of(inset)),
                         .taken = {}};
@@ -197,15 +197,27 @@ void draw_annotations(Image& image, const PictureBox& box, const AnnotationDefin
   for (const SnapshotTool& tool : snapshot.tools) {
     if (!tool.is_set_aside) scene.tools.push_back(tool_shape(tool, extent.subject().size));
   }
-  const Canvas canvas(box.size);
-  if (scene.inset) keep_off(canvas, box.size, *scene.inset);
-  const std::vector<ArrowText> texts = draw_arrows(canvas, scene, annotations.arrows);
-  const std::vector<ArrowText> forces = draw_force_arrows(canvas, scene, annotations.force_arrows);
-  std::vector<Box> plates = draw_labels(canvas, scene, annotations.labels);
+  if (scene.inset) {
+    keep_off(*lines_, box.size, *scene.inset);
+    keep_off(*points_, box.size, *scene.inset);
+  }
+  const std::vector<ArrowText> texts = draw_arrows(*points_, scene, annotations.arrows);
+  const std::vector<ArrowText> forces = draw_force_arrows(*points_, scene, annotations.force_arrows);
+  std::vector<Box> plates = draw_labels(*lines_, *points_, scene, annotations.labels);
   for (const Box& place : taken_in(scene)) plates.push_back(place);
-  for (const ArrowText& text : texts) draw_arrow_text(canvas, scene, text, plates);
-  for (const ArrowText& force : forces) draw_arrow_text(canvas, scene, force, plates);
-  canvas.blend_onto(image, box.left, box.top);
+  for (const ArrowText& text : texts) draw_arrow_text(*points_, scene, text, plates);
+  for (const ArrowText& force : forces) draw_arrow_text(*points_, scene, force, plates);
+}
+
+AnnotationLayers::~AnnotationLayers() = default;
+AnnotationLayers::AnnotationLayers(AnnotationLayers&&) noexcept = default;
+
+void AnnotationLayers::lay_lines(Image& image) const {
+  lines_->blend_onto(image, box_.left, box_.top);
+}
+
+void AnnotationLayers::lay_points(Image& image) const {
+  points_->blend_onto(image, box_.left, box_.top);
 }
 
 namespace {

@@ -139,16 +139,25 @@ std::vector<ShownLabel> shown_labels(const AnnotationScene& scene, const std::ve
   return shown;
 }
 
-void draw_leader(const Canvas& canvas, const AnnotationScene& scene, const ShownLabel& label, const Leader& leader) {
+Color line_color(const ShownLabel& label) {
+  return label.hidden ? plate_style::kFaintText : plate_style::kText;
+}
+
+/// With the dark rim of its dot.
+void draw_line(const Canvas& canvas, const AnnotationScene& scene, const ShownLabel& label, const Leader& leader) {
   const auto [x, y] = leader.from;
   const auto [to_x, to_y] = leader.to;
   const double line = std::max(1.0, scene.grid.pixels(1.8));
-  const double dot = scene.grid.pixels(kDotRadius);
   canvas.line(x, y, to_x, to_y, 2.4 * line, kDark);
-  canvas.fill_circle(to_x, to_y, dot + line, kDark);
-  canvas.line(x, y, to_x, to_y, line, label.hidden ? plate_style::kFaintText : plate_style::kText);
-  canvas.fill_circle(to_x, to_y, dot, label.hidden ? plate_style::kFaintText : plate_style::kText);
-  if (label.hidden) canvas.fill_circle(to_x, to_y, 0.6 * dot, {0.1, 0.1, 0.1});
+  canvas.fill_circle(to_x, to_y, scene.grid.pixels(kDotRadius) + line, kDark);
+  canvas.line(x, y, to_x, to_y, line, line_color(label));
+}
+
+void draw_dot(const Canvas& canvas, const AnnotationScene& scene, const ShownLabel& label) {
+  const auto [x, y] = label.anchor;
+  const double dot = scene.grid.pixels(kDotRadius);
+  canvas.fill_circle(x, y, dot, line_color(label));
+  if (label.hidden) canvas.fill_circle(x, y, 0.6 * dot, {0.1, 0.1, 0.1});
 }
 
 std::vector<LabelWish> wishes_of(const AnnotationScene& scene, const std::vector<ShownLabel>& shown) {
@@ -187,7 +196,7 @@ Box dot_of(const AnnotationScene& scene, PixelPoint anchor) {
 
 }  // namespace
 
-std::vector<Box> draw_labels(const Canvas& canvas, const AnnotationScene& scene,
+std::vector<Box> draw_labels(const Canvas& lines, const Canvas& canvas, const AnnotationScene& scene,
                              const std::vector<LabelDefinition>& labels) {
   std::vector<ShownLabel> unordered = shown_labels(scene, labels);
   if (unordered.empty()) return {};
@@ -206,7 +215,8 @@ std::vector<Box> draw_labels(const Canvas& canvas, const AnnotationScene& scene,
   const std::vector<LabelWish> wishes = wishes_of(scene, shown);
   std::vector<Box> boxes = lay_out_labels(wishes, room);
   for (std::size_t i = 0; i < shown.size(); ++i) {
-    draw_leader(canvas, scene, shown[i], leader_of(wishes[i], boxes[i]));
+    draw_line(lines, scene, shown[i], leader_of(wishes[i], boxes[i]));
+    draw_dot(canvas, scene, shown[i]);
   }
   for (std::size_t i = 0; i < shown.size(); ++i) draw_plate(canvas, scene, shown[i].text, boxes[i]);
   for (const ShownLabel& label : shown) boxes.push_back(dot_of(scene, label.anchor));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <vector>
 
 #include "renderer/annotation/AnnotationDrawing.hpp"
 #include "renderer/camera/PictureLayout.hpp"
@@ -113,6 +114,22 @@ Box canvas_box(const PictureBox& box) {
           static_cast<double>(box.size.height)};
 }
 
+/// Of a picture or of each of its halves.
+std::vector<AnnotationLayers> annotations_of(const Frame& frame, ImageSize size, const std::optional<PictureBox>& inset,
+                                             const std::optional<Box>& taken) {
+  std::vector<AnnotationLayers> annotations;
+  if (!frame.annotations || frame.annotations->is_empty()) return annotations;
+  std::vector<Box> kept_clear = half_caption_places(size, frame.overlay.half_captions, taken);
+  for (const Box& legend : places_of_legends(frame.overlay, size, taken)) kept_clear.push_back(legend);
+  annotations.emplace_back(size, main_box(frame.shot, size), *frame.annotations, frame.snapshot, frame.shot.camera,
+                           inset, kept_clear);
+  if (frame.shot.beside_snapshot) {
+    annotations.emplace_back(size, beside_box(size), *frame.annotations, *frame.shot.beside_snapshot,
+                             *frame.shot.beside, inset, kept_clear);
+  }
+  return annotations;
+}
+
 }  // namespace
 
 Image finished_picture(const Frame& frame, Painter& painter) {
@@ -122,19 +139,12 @@ Image finished_picture(const Frame& frame, Painter& painter) {
   if (frame.shot.inset) inset = inset_box(frame.shot, image.size);
   std::optional<Box> taken;
   if (inset) taken = canvas_box(*inset);
+  const std::vector<AnnotationLayers> annotations = annotations_of(frame, image.size, inset, taken);
+  // Digits and letters are read over the lines of labels; under plates nobody would see which point is meant.
+  for (const AnnotationLayers& layers : annotations) layers.lay_lines(image);
   if (!frame.overlay.half_captions[0].empty()) draw_half_captions(image, frame.overlay.half_captions, taken);
   for (const std::string& text : draw_overlay(image, frame.overlay, taken)) painter.see_cut_text(text);
-  // What is pointed at may lie where plates stand; under them nobody would see which point is meant.
-  if (frame.annotations) {
-    std::vector<Box> kept_clear = half_caption_places(image.size, frame.overlay.half_captions, taken);
-    for (const Box& legend : places_of_legends(frame.overlay, image.size, taken)) kept_clear.push_back(legend);
-    draw_annotations(image, main_box(frame.shot, image.size), *frame.annotations, frame.snapshot, frame.shot.camera,
-                     inset, kept_clear);
-    if (frame.shot.beside_snapshot) {
-      draw_annotations(image, beside_box(image.size), *frame.annotations, *frame.shot.beside_snapshot,
-                       *frame.shot.beside, inset, kept_clear);
-    }
-  }
+  for (const AnnotationLayers& layers : annotations) layers.lay_points(image);
   if (frame.card) draw_card(image, bare, *frame.card);
   return image;
 }

@@ -39,6 +39,15 @@ inline int level(const Image& image, double x, double y) {
   return image.pixels[3 * pixel];
 }
 
+/// As in a picture without title, captions and panels.
+inline void draw_annotations(Image& image, const PictureBox& box, const AnnotationDefinition& annotations,
+                             const Snapshot& snapshot, const CameraDefinition& camera,
+                             const std::optional<PictureBox>& inset = {}, const std::vector<Box>& taken = {}) {
+  const AnnotationLayers layers(image.size, box, annotations, snapshot, camera, inset, taken);
+  layers.lay_lines(image);
+  layers.lay_points(image);
+}
+
 /// Over black, seen from the front.
 inline Image drawn(const AnnotationDefinition& annotations, const Snapshot& snapshot) {
   Image image = black();

@@ -4,6 +4,7 @@
 
 #include "renderer/camera/Camera.hpp"
 #include "renderer/overlay/LegendPlate.hpp"
+#include "renderer/overlay/Overlay.hpp"
 #include "tests/renderer/annotation/AnnotatedScenes.hpp"
 
 namespace thinwall {
@@ -132,6 +133,43 @@ TEST(AnnotationDrawing, LabelsAndTextsOfArrowsKeepClearOfALegend) {
   };
   EXPECT_GT(inked({}), 1000) << "they would stand there";
   EXPECT_EQ(inked(legend), 0);
+}
+
+TEST(AnnotationDrawing, DigitsAreReadOverTheLinesOfLabelsAndDotsSeenOverDigits) {
+  Snapshot snapshot = scene();
+  snapshot.time = 1;
+  CameraDefinition camera = from_the_front();
+  for (auto* place : {&*camera.position, &*camera.target}) {
+    (*place)[0] += 0.036;
+    (*place)[2] += 0.019;
+  }
+  const Double3 at{0, -0.02, 0};
+  const auto dot = resolve_camera(camera, scene_extent(snapshot), kSize, 1).pixel({at[0], at[1], at[2]}, kSize);
+  ASSERT_TRUE(dot);
+  OverlayContent content;
+  content.tool = "probe";
+  content.phase = "contact";
+  content.force = 0.888;
+  Image without = black();
+  draw_overlay(without, content);
+  const AnnotationLayers layers(kSize, {.size = kSize}, label_at(at), snapshot, camera);
+  Image with = black();
+  layers.lay_lines(with);
+  Image lines = with;
+  draw_overlay(with, content);
+  layers.lay_points(with);
+  constexpr int kGaugeRight = 270, kGaugeTop = 546, kGaugeBottom = 694;
+  int crossed = 0, darkened = 0;
+  for (int y = kGaugeTop; y < kGaugeBottom; ++y) {
+    for (int x = 26; x < kGaugeRight; ++x) {
+      if (std::hypot(x - (*dot)[0], y - (*dot)[1]) < 9) continue;
+      crossed += level(lines, x + 0.5, y + 0.5) > 200;
+      darkened += level(with, x + 0.5, y + 0.5) < level(without, x + 0.5, y + 0.5) - 1;
+    }
+  }
+  EXPECT_GT(crossed, 30) << "the line crosses the gauge";
+  EXPECT_EQ(darkened, 0);
+  EXPECT_GT(level(with, (*dot)[0], (*dot)[1]), 220);
 }
 
 TEST(AnnotationDrawing, LabelsLeaveAnOrganFreeInAHighPicture) {
