@@ -15,6 +15,7 @@
 #include "renderer/shape/SurfaceVertices.hpp"
 #include "renderer/shape/TissuePieces.hpp"
 #include "renderer/shape/WoundBed.hpp"
+#include "renderer/snapshot/ActingSurfaces.hpp"
 #include "renderer/snapshot/SurfaceFields.hpp"
 
 namespace thinwall {
@@ -28,9 +29,9 @@ constexpr double kCreaseBend = 26;
 constexpr double kCreaseReach = 0.03;
 
 /// Puts the numbers of a data view where the tissue's pattern has its places: x from 0 to 1 between the ends, y 1 where
-/// there is a number.
-void show_data(const SnapshotSurface& surface, const DataView& data, std::span<const BorderEdge> borders,
-               std::vector<TissuePiece>& pieces) {
+/// there is a number: not on caps, nor where all is held and nothing is computed.
+void show_data(const SnapshotSurface& surface, const DataView& data, bool is_computed,
+               std::span<const BorderEdge> borders, std::vector<TissuePiece>& pieces) {
   const std::vector<float> values = data_values(surface, data.quantity);
   if (!data.from || !data.to) throw PictureFailure("a data view needs both ends of its colours");
   const double span = *data.to - *data.from;
@@ -38,7 +39,8 @@ void show_data(const SnapshotSurface& surface, const DataView& data, std::span<c
     const std::vector<std::uint32_t> vertices = surface_vertices(piece, *surface.topology, borders);
     for (std::size_t v = 0; v < vertices.size(); ++v) {
       const double number = span > 0 ? (values[vertices[v]] - *data.from) / span : 0;
-      piece.vertices[v].rest = {static_cast<float>(number), piece.side == TissueSide::kCap ? 0.0F : 1.0F, 0};
+      const bool has_number = is_computed && piece.side != TissueSide::kCap;
+      piece.vertices[v].rest = {static_cast<float>(number), has_number ? 1.0F : 0.0F, 0};
     }
   }
 }
@@ -92,7 +94,8 @@ std::vector<TissuePiece> SceneMeshes::dressed_pieces(const Snapshot& snapshot, c
   const DrawnTopology& drawn = drawn_topologies_[k];
   std::vector<TissuePiece> pieces = drawn_pieces(snapshot.surfaces[k], drawn, surface, eye);
   if (look.data) {
-    show_data(snapshot.surfaces[k], *look.data, drawn.borders, pieces);
+    const bool is_computed = std::ranges::count(acting_surfaces(snapshot), &snapshot.surfaces[k]) > 0;
+    show_data(snapshot.surfaces[k], *look.data, is_computed, drawn.borders, pieces);
   } else {
     // Skin has been cut off where it ends, and shows its layers there.
     if (!(body_look.bed > 0)) cover_open_borders(drawn.borders, drawn.is_lip, pieces);

@@ -175,7 +175,8 @@ ValueSchema look_schema() {
        mapping_value({data_schema()}),
        false,
        {},
-       "a quantity of the walls in colours, in place of their tissue and of fluids; cuts are orange lines"},
+       "a quantity of the walls in colours, in place of their tissue and of fluids; cuts are orange lines, and scenery "
+       "is grey"},
       {"mesh", boolean_value(), false, "false", "draw the edges of the triangles, those of cuts stronger"},
   };
   return mapping_value({look});

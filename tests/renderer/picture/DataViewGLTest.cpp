@@ -119,6 +119,32 @@ TEST(DataViewGLTest, TheMeshDarkensItsEdgesAndNothingElse) {
   EXPECT_EQ(green(with, 74, 33), green(without, 74, 33));
 }
 
+/// The same as scenery.
+SnapshotSurface scenery_of(SnapshotSurface surface) {
+  auto topology = std::make_shared<SnapshotTopology>(*surface.topology);
+  topology->is_scenery = true;
+  surface.topology = std::move(topology);
+  return surface;
+}
+
+TEST(DataViewGLTest, SceneryOfWhichNothingIsComputedIsGreyBesideBodiesThatAct) {
+  Renderer renderer({}, kDataSize, Tier::kRecord);
+  const ViewDefinition view = facing();
+  Snapshot alone, behind = square();
+  alone.surfaces = {scenery_of(square().surfaces[0])};
+  behind.surfaces.push_back(alone.surfaces[0]);
+  for (Float3& corner : behind.surfaces[1].positions) corner = {3 * corner[0], corner[1], -0.5F};
+  const auto saturation = [](const Image& image, int column) {
+    const auto first = image.pixels.begin() + 3 * (45 * kDataSize.width + column);
+    const auto [least, most] = std::minmax({first[0], first[1], first[2]});
+    return most - least;
+  };
+  const Image both = renderer.draw(behind, view, view.camera);
+  EXPECT_LE(saturation(both, 20), 1) << "left of the square";
+  EXPECT_GT(saturation(both, 75), 50);
+  EXPECT_GT(saturation(renderer.draw(alone, view, view.camera), 75), 50) << "where there is nothing else";
+}
+
 /// The square, cut along the diagonal that crosses its middle; its lips lie together.
 Snapshot cut_square() {
   const std::vector<Float3> corners = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
