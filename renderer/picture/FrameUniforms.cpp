@@ -266,11 +266,11 @@ double shadow_map_pixels(const Matrix4& light_matrix, const SceneExtent& extent,
   return seen > 0 ? sum / seen : 0;
 }
 
-int shadow_resolution(Tier tier, double pixels) {
+int shadow_resolution(Tier tier, double pixels, bool is_lamp_small) {
   constexpr int kFinest = 2048;
-  constexpr double kWidestTexel = 3;  // pixels
+  const double widest_texel = is_lamp_small ? 2 : 3;  // pixels
   int resolution = tier == Tier::kFinal ? 1024 : 512;
-  while (resolution < kFinest && pixels > kWidestTexel * resolution) resolution *= 2;
+  while (resolution < kFinest && pixels > widest_texel * resolution) resolution *= 2;
   return resolution;
 }
 

@@ -77,8 +77,9 @@ Matrix4 key_light_matrix(const SceneExtent& extent, const Studio& studio, const 
 double shadow_map_pixels(const Matrix4& light_matrix, const SceneExtent& extent, const Camera& camera, ImageSize size);
 
 /// Texels on a side of a shadow map that is `pixels` wide, but for Tier::kDraft. A texel that is several pixels wide
-/// shows as stairs along a shadow's border; in ordinary views none is, and what is finer there would only cost.
-int shadow_resolution(Tier tier, double pixels);
+/// shows as stairs along a shadow's border; in ordinary views none is, and what is finer there would only cost. The map
+/// of a small lamp has to be finer: it shows tools too, whose borders are straight and lie close before the wall.
+int shadow_resolution(Tier tier, double pixels, bool is_lamp_small);
 
 /// sRGB to linear, each 0 to 1 (IEC 61966-2-1).
 double linear_from_srgb(double value);

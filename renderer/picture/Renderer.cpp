@@ -48,7 +48,7 @@ struct SceneView {
 /// All that lives in the context, in the order in which it can be made.
 struct Stage {
   Stage(ImageSize size, Tier drawn_tier)
-      : tier(drawn_tier), target(size), shadow_map(tier == Tier::kDraft ? 1 : shadow_resolution(tier, 0)) {
+      : tier(drawn_tier), target(size), shadow_map(tier == Tier::kDraft ? 1 : shadow_resolution(tier, 0, false)) {
     glNamedBufferStorage(frame_block.name(), sizeof(FrameUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT);
   }
 
@@ -101,9 +101,10 @@ void Stage::draw_shadow_map(const SceneExtent& extent, const Studio& studio, con
   if (tier != Tier::kDraft) {
     const Matrix4 light_matrix = key_light_matrix(extent, studio, camera);
     const double pixels = shadow_map_pixels(light_matrix, extent, camera, target.size());
-    shadow_map.resize(shadow_resolution(tier, pixels));
     // A small lamp makes the shadows of tools as sharp as those of tissue.
-    shadow_map.draw(meshes, light_matrix, studio.lamp_place.has_value());
+    const bool is_lamp_small = studio.lamp_place.has_value();
+    shadow_map.resize(shadow_resolution(tier, pixels, is_lamp_small));
+    shadow_map.draw(meshes, light_matrix, is_lamp_small);
     glFlush();
   } else {
     shadow_map.clear();

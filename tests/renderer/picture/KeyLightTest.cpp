@@ -145,12 +145,18 @@ TEST(KeyLight, ItsMapIsAsManyPixelsWideAsItIsInThePicture) {
 }
 
 TEST(KeyLight, ItsMapIsFinerWhereItsTexelsWouldBeSeenAsStairs) {
-  EXPECT_EQ(shadow_resolution(Tier::kRecord, 0), 512);
-  EXPECT_EQ(shadow_resolution(Tier::kRecord, 1200), 512) << "an organ that fills a picture of 1280 by 720";
-  EXPECT_EQ(shadow_resolution(Tier::kRecord, 3000), 1024);
-  EXPECT_EQ(shadow_resolution(Tier::kFinal, 3000), 1024);
-  EXPECT_EQ(shadow_resolution(Tier::kRecord, 1e6), 2048);
-  EXPECT_EQ(shadow_resolution(Tier::kFinal, 1e6), 2048);
+  EXPECT_EQ(shadow_resolution(Tier::kRecord, 0, false), 512);
+  EXPECT_EQ(shadow_resolution(Tier::kRecord, 1200, false), 512) << "an organ that fills a picture of 1280 by 720";
+  EXPECT_EQ(shadow_resolution(Tier::kRecord, 3000, false), 1024);
+  EXPECT_EQ(shadow_resolution(Tier::kFinal, 3000, false), 1024);
+  EXPECT_EQ(shadow_resolution(Tier::kRecord, 1e6, false), 2048);
+  EXPECT_EQ(shadow_resolution(Tier::kFinal, 1e6, false), 2048);
+}
+
+TEST(KeyLight, TheMapOfASmallLampWhichShowsToolsIsFiner) {
+  EXPECT_EQ(shadow_resolution(Tier::kRecord, 600, true), 512) << "the same in a picture of 640 by 360";
+  EXPECT_EQ(shadow_resolution(Tier::kRecord, 1200, true), 1024);
+  EXPECT_EQ(shadow_resolution(Tier::kFinal, 1200, true), 1024);
 }
 
 TEST(KeyLight, AmongTheTissueKeepsItsWholeView) {

@@ -319,7 +319,7 @@ TEST(Renderer, APictureIsTheSameAfterNearOnesAndAfterFarOnes) {
   const auto resolution = [&](const ViewDefinition& view) {
     const Camera camera = resolve_camera(view.camera, extent, size, 0);
     const Matrix4 matrix = key_light_matrix(extent, arrange_studio(view.lights, camera), camera);
-    return shadow_resolution(Tier::kRecord, shadow_map_pixels(matrix, extent, camera, size));
+    return shadow_resolution(Tier::kRecord, shadow_map_pixels(matrix, extent, camera, size), false);
   };
   ASSERT_NE(resolution(near), resolution({}));
   const Image near_alone = draw(snapshot, near, size), far_alone = draw(snapshot, {}, size);
