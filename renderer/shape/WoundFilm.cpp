@@ -186,6 +186,28 @@ void append_between_lips(std::span<const BorderEdge> borders, std::span<const Ti
   }
 }
 
+/// What comes over a lip has come up its face: below it a fringe goes on, the farther the more there is of it.
+template <typename PartAt>
+void append_below_lips(std::span<const BorderEdge> borders, std::span<const TissuePiece> pieces, const WoundMap& map,
+                       const Fringe& fringe, const PartAt& part_at, Film& film) {
+  constexpr double kFallsOff = 0.8;  // fullness, from the outer edge of a face to the inner one
+  constexpr double kThinner = 0.4;   // than where it lies on the level
+  FaceCoat coat{.height = kThinner * fringe.height,
+                .outside = std::vector<double>(map.lip.size(), 2 * kNoCoat),
+                .inside = std::vector<double>(map.lip.size(), 2 * kNoCoat),
+                .dry = std::vector<double>(map.lip.size(), 0)};
+  for (std::uint32_t v = 0; v < map.lip.size(); ++v) {
+    if (map.lip[v] != v) continue;
+    const FringePart part = part_at(v);
+    coat.outside[v] = part.spread - fringe.spare;
+    coat.inside[v] = coat.outside[v] - kFallsOff;
+    coat.dry[v] = part.dry;
+  }
+  for (const TissuePiece& piece : pieces) {
+    if (piece.side == TissueSide::kRim) append_faces(borders, piece, map, coat, film);
+  }
+}
+
 /// On the ground of a wound. `bed`: its vertices are the wall's.
 void append_ground(const TissuePiece& bed, const WoundLayout& wounds, const Shed& shed, Film& film) {
   const auto offset = static_cast<std::uint32_t>(film.vertices.size());
@@ -256,6 +278,7 @@ Film blood_film(const SnapshotSurface& surface, std::span<const BorderEdge> bord
     if (piece.side == TissueSide::kRim) append_faces(borders, piece, wounds.map, on_faces, film);
     if (piece.side == TissueSide::kBed) append_ground(piece, wounds, shed, film);
   }
+  append_below_lips(borders, pieces, wounds.map, kBlood, over_lip, film);
   const std::vector<Float3> normals = normals_of(pieces.front());
   for (const FluidRun& run : wounds.blood_runs) {
     const double age = time - run.born - 0.4 * run.chance;

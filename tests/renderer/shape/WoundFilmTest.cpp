@@ -8,6 +8,7 @@
 #include <set>
 
 #include "renderer/shape/DrawnPieces.hpp"
+#include "renderer/shape/WoundCoat.hpp"
 #include "tests/renderer/shape/CutSheets.hpp"
 
 namespace thinwall {
@@ -105,6 +106,27 @@ double fullness_of_edges(const Wound& wound, const Film& film) {
     least = std::min(least, fullness(coat));
   }
   return least;
+}
+
+TEST(WoundFilm, WhatComesOverALipHasComeUpItsFace) {
+  Wound wound(0);
+  for (std::uint32_t v = 21 * 21; v < wound.sheet.positions.size(); ++v) wound.sheet.positions[v][1] += 0.003F;
+  const Film film = wound.blood(5);
+  const auto& rim = *std::ranges::find(wound.pieces, TissueSide::kRim, &TissuePiece::side);
+  const auto upwelling = film.vertices.begin() + static_cast<std::ptrdiff_t>(wound.fringe_size() + rim.vertices.size());
+  int lips = 0;
+  for (std::size_t v = 0; v < rim.vertices.size(); v += 2) {
+    const BorderEdge& edge = wound.borders[v / 4];
+    const double over_lip = fullness(film.vertices[v % 4 < 2 ? edge.start : edge.end]);
+    if (over_lip < kNoCoat) continue;
+    ++lips;
+    const FilmVertex& outer = upwelling[static_cast<std::ptrdiff_t>(v)];
+    const FilmVertex& inner = upwelling[static_cast<std::ptrdiff_t>(v + 1)];
+    EXPECT_EQ(outer.position, rim.vertices[v].position);
+    EXPECT_NEAR(fullness(outer), over_lip, 1e-5) << "no step at the lip";
+    EXPECT_LT(fullness(inner), fullness(outer)) << "less of it the deeper";
+  }
+  EXPECT_GT(lips, 60);
 }
 
 TEST(WoundFilm, StandsBetweenLipsThatLieTogether) {
