@@ -113,13 +113,18 @@ vec3 layers_at(float depth, vec4 coarse, vec4 fine, vec4 grain) {
   return mix(color, inner, smoothstep(-0.06, 0.06, lobular));
 }
 
-// Friction ridges run in arches, half a millimetre apart.
+// Friction ridges run in a whorl around the middle of the pad, half a millimetre apart and closer beside it, and are lower
+// farther off.
 vec3 ridge_bump(vec3 place, vec4 broad, float footprint) {
-  const float kRidges = 2000.0;
-  vec2 across = vec2(130.0 * place.x, 1.0);
-  float phase = kRidges * (place.y + 65.0 * square(place.x)) + 1.1 * broad.w;
-  float slope = relief.w * resolved(kRidges, footprint) * sin(2.0 * kPi * phase);
-  return slope * vec3(across, 0.0);
+  const float kRidges = 2000.0, kBends = 2.6;  // 1 / metre; ridges by which noise shifts them
+  const float kSlender = 1.6;                  // square of how much longer the whorl is than wide
+  const float kCore = 0.0005, kFrom = 0.008, kTo = 0.022;  // metres: of its middle, and between which it gets lower
+  vec2 off = (place - tree_middle.xyz).xy;
+  float away = sqrt(kSlender * square(off.x) + square(off.y) + square(kCore));
+  float phase = kRidges * away + kBends * broad.w;
+  float height = mix(1.0, 0.25, smoothstep(kFrom, kTo, away));
+  float slope = relief.w * height * resolved(kRidges, footprint) * sin(2.0 * kPi * phase);
+  return slope / away * vec3(kSlender * off.x, off.y, 0.0);
 }
 
 // Of what the skin sends back, what is left above a vein, which lies so deep that it is seen as a bluish shade.

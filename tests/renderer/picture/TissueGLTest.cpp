@@ -168,6 +168,32 @@ TEST(Tissue, SkinShowsPoresFromNearByAndDoesNotSparkleFromAfar) {
   EXPECT_LT(roughness_of(draw(sheet(2), view)), 0.8 * near);
 }
 
+TEST(Tissue, RidgesOfAFingerpadRunAroundItsMiddle) {
+  // How much more a picture changes from left to right than from above to below.
+  const auto across_over_along = [](double x, double y) {
+    ViewDefinition view = from_above("fingerpad");
+    view.camera.position = Double3{x, y, 0.1};
+    view.camera.target = Double3{x, y, 0};
+    view.camera.field_of_view = 2 * std::atan(0.02);  // 4 mm, of which 24 pixels are a millimetre
+    const Image image = draw(sheet(2), view);
+    constexpr int kHalfRidge = 6;  // pixels
+    double across = 0, along = 0;
+    const auto green = [&](int column, int row) {
+      return static_cast<double>(image.pixels[static_cast<std::size_t>(3 * (row * kTissueSize.width + column) + 1)]);
+    };
+    for (int row = kHalfRidge; row < kTissueSize.height; ++row) {
+      for (int column = kHalfRidge; column < kTissueSize.width; ++column) {
+        across += std::abs(green(column, row) - green(column - kHalfRidge, row));
+        along += std::abs(green(column, row) - green(column, row - kHalfRidge));
+      }
+    }
+    return across / along;
+  };
+  EXPECT_GT(across_over_along(0.006, 0), 2) << "beside the middle";
+  EXPECT_LT(across_over_along(0, 0.006), 0.5) << "before it";
+  EXPECT_LT(across_over_along(0, -0.006), 0.5) << "behind it";
+}
+
 TEST(Tissue, SkinShowsItsLayersWhereASheetEnds) {
   SnapshotSurface surface = sheet(8);
   auto topology = std::make_shared<SnapshotTopology>(*surface.topology);
