@@ -11,7 +11,7 @@
 namespace thinwall {
 namespace {
 
-constexpr float kAcrossTriangles = 0.0004F;  // metres, lift of a film that does not lie on the wall's own triangles
+constexpr double kAcrossTriangles = 0.0004;  // metres, lift of a film that does not lie on the wall's own triangles
 constexpr double kYoungWidth = 0.22;         // half the width of a trail that has just begun, over its length
 constexpr double kSource = 1.5;              // length over which a trail is round where it begins, over half its width
 constexpr double kLongestSource = 0.0022;    // metres: a wide one comes from a long lip
@@ -88,6 +88,13 @@ double margin_of(double half_width) {
   return std::max(kFilmMargin, kWanders * half_width + kFinely);
 }
 
+/// Metres by which a row that reaches so far to either side is drawn in front of the wall: it is straight, and walls
+/// are round, though hardly more than this.
+double lift_of(double reach) {
+  constexpr double kRound = 0.020;  // metres, radius
+  return std::max(kAcrossTriangles, reach * reach / (2 * kRound));
+}
+
 /// The middle of a row belongs to both its sides, on each of which the film slopes its own way.
 constexpr std::array kColumns = {-1.0, -0.0, 0.0, 1.0};
 
@@ -116,7 +123,7 @@ void append_row(const RunCourse& course, const RunShape& shape, double along, do
                              .width = static_cast<float>(std::max(half, 1e-5)),
                              .height = static_cast<float>(height),
                              .dry = static_cast<float>(shape.dry),
-                             .lift = kAcrossTriangles,
+                             .lift = static_cast<float>(lift_of(half + margin)),
                              .slope = float3(slope)});
   }
 }

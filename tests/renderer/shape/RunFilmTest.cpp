@@ -56,6 +56,23 @@ TEST(RunFilm, IsDrawnAsFarOutAsItsEdgeWandersHoweverWideItIs) {
   }
 }
 
+TEST(RunFilm, IsDrawnAsFarBeforeTheWallAsRoundWallsRiseOverItsStraightRows) {
+  const SnapshotSurface wall = test::surface_of("wall", {{0, 0, 0}, {0.1F, 0, 0}, {0, 0.1F, 0}}, {{0, 1, 2}});
+  const std::vector<Float3> normals(3, Float3{0, 0, 1});
+  for (const double half_width : {0.0003, 0.0014, 0.0032}) {
+    Film film;
+    append_run(wall, normals, bent_run(0), {.half_width = half_width, .length = 0.018, .height = 0.0006}, film);
+    float most = 0;
+    for (const FilmVertex& vertex : film.vertices) {
+      // The run lies along y = 20 mm.
+      const double aside = vertex.position[1] - 0.02, radius = 0.020;
+      EXPECT_GE(vertex.lift, 0.95 * (radius - std::sqrt(radius * radius - aside * aside)));
+      most = std::max(most, vertex.lift);
+    }
+    EXPECT_LT(most, 0.0025) << "what lies farther before it hides it";
+  }
+}
+
 TEST(RunFilm, ItsFrontStandsHigherThanTheFilmBehind) {
   const SnapshotSurface wall = test::surface_of("wall", {{0, 0, 0}, {0.1F, 0, 0}, {0, 0.1F, 0}}, {{0, 1, 2}});
   const std::vector<Float3> normals(3, Float3{0, 0, 1});
