@@ -113,8 +113,8 @@ vec3 layers_at(float depth, vec4 coarse, vec4 fine, vec4 grain) {
   return mix(color, inner, smoothstep(-0.06, 0.06, lobular));
 }
 
-// Friction ridges run in a whorl around the middle of the pad, half a millimetre apart and closer beside it, and are lower
-// farther off.
+// Friction ridges run in a whorl around the middle of the pad, half a millimetre apart and closer beside it, and are
+// lower farther off.
 vec3 ridge_bump(vec3 place, vec4 broad, float footprint) {
   const float kRidges = 2000.0, kBends = 2.6;  // 1 / metre; ridges by which noise shifts them
   const float kSlender = 1.6;                  // square of how much longer the whorl is than wide
