@@ -352,6 +352,8 @@ class Newton {
   /// Evaluates with the curvature where a solve has ended, with the contacts that press.
   void evaluate_at_end(const EquilibriumProblem& problem, const EquilibriumState& state);
   Step softest_motion(const EquilibriumProblem& problem);
+  /// Goes a part of a step and back to the volumes that the contents fill, by the motion that takes least energy.
+  void place_within(const Start& start, Step step, double part, EquilibriumProblem& problem, EquilibriumState& state);
   double lowest_part(const Step& step, double sign, EquilibriumProblem& problem, EquilibriumState& state,
                      double& lowest);
   std::string obstructed(const std::string& reason) const;

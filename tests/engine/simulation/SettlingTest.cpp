@@ -186,9 +186,9 @@ TEST(Settling, AShellThatBucklesBeginsEachPartOfAStepWithSpringsOnceOneHasNeeded
   const double whole = body.state().volume[0];
   for (int step = 1; step <= 4; ++step) body.advance({}, {}, 0.1, filling(body, (1 - 0.04 * step) * whole));
   std::printf("%d iterations\n", iterations);
-  // Seen 1186; 1428 where up to forty whole steps are taken that gain nothing, and 1.3 times as many where each part is
-  // tried without springs at first: 2961 for 2273 in an earlier state.
-  EXPECT_LT(iterations, 1250);
+  // Seen 1264; 1506 where up to forty whole steps are taken that gain nothing. Where each part is tried without springs
+  // at first it now takes as many, and took 2961 for 2273 in an earlier state.
+  EXPECT_LT(iterations, 1330);
 }
 
 }  // namespace
