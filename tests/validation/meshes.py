@@ -161,6 +161,19 @@ def octant(divisions: int, growth: float = 1, name: str = "octant") -> None:
     write(f"{name}_{len(triangles)}.obj", np.array(points), triangles, "An octant of a cylinder; metres")
 
 
+def pierced_hemisphere(divisions: int) -> None:
+    """A quarter of a hemisphere of radius 10 whose top is left out, as a hole of 18 degrees around the axis."""
+    points = []
+    for i in range(divisions + 1):
+        height = np.radians(72) * i / divisions
+        for j in range(divisions + 1):
+            turn = 0.5 * np.pi * j / divisions
+            points.append((10 * np.cos(height) * np.cos(turn), 10 * np.cos(height) * np.sin(turn), 10 * np.sin(height)))
+    triangles = squares(divisions, divisions)
+    write(f"pierced_hemisphere_{len(triangles)}.obj", np.array(points), triangles,
+          "A quarter of a hemisphere with a hole; metres")
+
+
 def twisted_strip(across: int) -> None:
     """A strip along x, 12 long and 1.1 wide, turned by a quarter about x from its beginning to its end."""
     along = 12 * across
@@ -232,6 +245,8 @@ def main() -> None:
     for divisions in (24, 32, 48):
         octant(divisions)
         octant(divisions, 1.5, "graded_octant")
+    for divisions in (16, 32, 48):
+        pierced_hemisphere(divisions)
     for across in (2, 4, 8):
         twisted_strip(across)
     for rings in (16, 24, 36):

@@ -13,7 +13,7 @@ from scipy.optimize import brentq
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 from oracles import (axisymmetric_membrane, belt, bulging_tube, drum, film_balloon, fingerpad, fluids,  # noqa: E402
-                     four_pulls, hencky, inflated_sphere, slit, stretched_ring, strips, viscoelasticity, wall_laws)
+                     four_pulls, hencky, inflated_sphere, ring, slit, stretched_ring, strips, viscoelasticity, wall_laws)
 
 # mu = 2 makes c1 = mu / 2 the unit.
 RUBBER = wall_laws.neo_hookean(2.0)
@@ -126,6 +126,16 @@ class Drum(unittest.TestCase):
     def test_pull_is_that_of_the_law(self):
         law = wall_laws.neo_hookean(20e3)
         self.assertAlmostEqual(drum.tension(20e3, 1e-3, 1.3), 1e-3 * wall_laws.tension(law, 1.3, 1.3) / 1.3, 12)
+
+
+class Ring(unittest.TestCase):
+    def test_two_waves_have_the_published_factor(self):
+        # Love: 6 / sqrt(5) times the root of E I / (m a^4).
+        self.assertAlmostEqual(ring.frequencies(1, np.sqrt(12), 1, 1, np.array([2.0]))[0] * 2 * np.pi, 6 / np.sqrt(5), 12)
+
+    def test_short_waves_are_those_of_a_straight_beam(self):
+        waves, beam = 1000.0, 1000.0**2 / (2 * np.pi)
+        self.assertAlmostEqual(ring.frequencies(1, np.sqrt(12), 1, 1, np.array([waves]))[0] / beam, 1, 5)
 
 
 class BallBetweenPlates(unittest.TestCase):

@@ -49,9 +49,29 @@ def compare_belt(program: Program, triangles: int) -> Comparison:
         np.array([belt.sliding_ratio(COEFFICIENT, each.wrap) for each in sides]))])
 
 
+def compare_incline(program: Program, triangles: int) -> Comparison:
+    slopes, fall = np.array([10.0, 15.0, 18.0, 25.0]), 9.81
+    drags, gains, exact = [], [], []
+    for slope in np.radians(slopes):
+        records = program.run("sheet_on_incline", triangles=triangles, down=f"{fall * np.sin(slope):.9g} m/s^2",
+                              into=f"{-fall * np.cos(slope):.9g} m/s^2")
+        board, middle = records.tool("board"), records.point("sheet", "middle")
+        drags.append(board["fx_N"][-1] / -board["fz_N"][-1])
+        later = middle["time_s"] > 0.1  # when it has come to lie on the board
+        gains.append(2 * np.polyfit(middle["time_s"][later], middle["ux_m"][later], 2)[0] / fall)
+        exact.append(max(0.0, np.sin(slope) - COEFFICIENT * np.cos(slope)))
+    return Comparison([
+        Quantity("drag over normal force", "slope, degrees", "", slopes, np.array(drags),
+                 np.minimum(COEFFICIENT, np.tan(np.radians(slopes)))),
+        Quantity("gain of speed", "slope, degrees", "g", slopes, np.array(gains), np.array(exact), scale=1.0)],
+        ["Errors of the gain are parts of g. The angle of friction is 16.7 degrees."])
+
+
 CASES = [
     Case("drag_of_a_sphere", "A ball dragged over a stretched sheet", "Coulomb's law",
          "drag over normal force, energy spent, both ways", 0.01, (1024, 4096, 9216), compare_drag, quick=(4096,)),
     Case("belt_over_rod", "A belt over a rough rod", "Euler and Eytelwein", "ratio of the tensions beside the rod", 0.003,
          (400, 800, 1600), compare_belt, quick=(400,), quick_bar=0.01),
+    Case("sheet_on_incline", "A sheet on an incline", "Coulomb's law", "drag and gain of speed at four slopes", 1e-6, (50, 200),
+         compare_incline, quick=(50,), tells_order=False),
 ]

@@ -78,6 +78,16 @@ def compare_lightly_pinched_cylinder(program: Program, triangles: int) -> Compar
     return Comparison([Quantity("way of the crown", "force", "m", np.array([force]), -crown["uz_m"][-1:], np.array([exact]))])
 
 
+def compare_pinched_hemisphere(program: Program, triangles: int) -> Comparison:
+    records = program.run("pinched_hemisphere", mesh=f"meshes/pierced_hemisphere_{triangles}.obj")
+    pulled, pressed = records.point("shell", "pulled"), records.point("shell", "pressed")
+    loads, out, back = _rows(published_shells.PINCHED_HEMISPHERE)
+    steps = _at(pulled["time_s"], loads)
+    return Comparison([
+        Quantity("way out", "part of the load", "m", loads, pulled["uy_m"][steps], out),
+        Quantity("way in", "part of the load", "m", loads, -pressed["ux_m"][steps], back)])
+
+
 def compare_twisted_strip(program: Program, triangles: int) -> Comparison:
     force = 1e-8  # newton: the answer is that to 1e-6 N, and less of it is of second order
     ways = [program.run("twisted_strip", mesh=f"meshes/twisted_strip_{triangles}.obj",
@@ -199,6 +209,8 @@ CASES = [
     Case("lightly_pinched_cylinder", "Pinched cylinder under small forces", "Fourier series, Koiter and Sanders",
          "way of the crown", 0.01, (1152, 2048, 4608), compare_lightly_pinched_cylinder, quick=(1152,), quick_bar=0.04,
          scenario="pinched_cylinder"),
+    Case("pinched_hemisphere", "Pinched hemisphere with a hole", TABLES, "ways of both points that bear forces", 0.02,
+         (512, 2048, 4608), compare_pinched_hemisphere, quick=(512,), quick_bar=0.04, tells_order=False),
     Case("spherical_shell", "Spherical shell under pressure and a point force",
          "Reissner 1946; Vella, Ajdari, Vaziri and Boudaoud 2012", "stiffness at three pressures", 0.02,
          (1536, 3456, 7776), compare_spherical_shell, quick=(1536,), quick_bar=0.06),

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from oracles import drum, viscoelasticity, wall_laws
+from oracles import drum, ring, viscoelasticity, wall_laws
 from suite.case import Case, Comparison, Quantity
 from suite.program import Program
 
@@ -35,6 +35,17 @@ def compare_drum(program: Program, triangles: int) -> Comparison:
                                 np.array(exact))],
                       [f"The vertex that is watched swings by up to {1e3 * np.max(np.abs(motion)):.2f} mm. The time step goes with the "
                        f"length of the edges, here {1e3 * step:.0f} us."])
+
+
+def compare_ring(program: Program, triangles: int) -> Comparison:
+    step = 0.5 * np.sqrt(400 / triangles)  # milliseconds, with the length of the edges
+    side = program.run("ring_tones", triangles=triangles, step=f"{step:.4f} ms").point("ring", "side")
+    waves = np.array([2.0, 4.0])
+    exact = ring.frequencies(100e-3, 2e-3, 100e6, 1000, waves)
+    ringing = side["time_s"] > 4e-3
+    model = [spectrum_peak(side["time_s"][ringing], side["uz_m"][ringing], near) for near in exact]
+    return Comparison([Quantity("frequency", "waves around", "Hz", waves, np.array(model), exact)],
+                      [f"The time step goes with the length of the edges, here {1e3 * step:.0f} us."])
 
 
 def compare_relaxation(program: Program, steps: int) -> Comparison:
@@ -112,6 +123,8 @@ def compare_cyclic(program: Program, steps: int) -> Comparison:
 CASES = [
     Case("drum_frequencies", "Tones of a pretensioned drum", "zeros of Bessel functions", "first three frequencies", 0.01,
          (150, 600, 1350), compare_drum),
+    Case("ring_tones", "Tones of a ring", "Hoppe 1871", "frequencies with two and four waves around", 0.01, (200, 600), compare_ring,
+         quick=(200,), quick_bar=0.03),
     Case("relaxation", "Relaxation of a balloon", "Prony series, convolution", "pressure over four seconds", 0.005,
          (10, 20, 40), compare_relaxation, quick=(10,), size_name="steps in 0.2 s", size_dimension=1),
     Case("creep", "Creep of a strip", "Prony series, exact inverse", "strain over 1.5 s", 0.005, (10, 20, 40),

@@ -31,3 +31,11 @@ TWISTED_STRIP = (5.256e-3, 1.294e-3)
 def roll_up(bending_stiffness: float, length: float, moment_per_width: float) -> float:
     """Curvature times length of a strip under an end moment: 2 pi is a full circle. Without strain across its width."""
     return moment_per_width * length / bending_stiffness
+
+# Hemisphere with a hole of 18 degrees: ways of the points that are pulled out and pressed in, over parts of the load.
+PINCHED_HEMISPHERE = [
+    (0.05, 0.855, 0.955), (0.10, 1.499, 1.840), (0.15, 1.969, 2.604), (0.20, 2.321, 3.261), (0.25, 2.596, 3.833),
+    (0.30, 2.819, 4.339), (0.35, 3.002, 4.790), (0.40, 3.158, 5.196), (0.45, 3.291, 5.565), (0.50, 3.406, 5.902),
+    (0.55, 3.508, 6.212), (0.60, 3.598, 6.497), (0.65, 3.678, 6.761), (0.70, 3.750, 7.006), (0.75, 3.816, 7.234),
+    (0.80, 3.875, 7.448), (0.85, 3.929, 7.647), (0.90, 3.979, 7.835), (0.95, 4.025, 8.011), (1.00, 4.067, 8.178),
+]
