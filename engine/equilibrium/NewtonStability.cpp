@@ -85,6 +85,7 @@ double Newton::lowest_part(const Step& step, double sign, EquilibriumProblem& pr
     if (safe_fraction(start.state.position, part * step.position) < 1) break;
     place_within(start, step, part, problem, state);
     if (!std::isfinite(trial_terms_.elastic)) break;
+    if (safe_fraction(start.state.position, state.position - start.state.position) < 1) break;
     compute_residual(problem, state, trial_terms_, trial_residual_);
     const double value = merit(problem, state, trial_terms_, trial_residual_, weights);
     // A small part may fall by less than round-off.
