@@ -5,8 +5,10 @@ namespace thinwall {
 LeastMotionTerms least_motion_terms(const BodyModel& model, const LeastMotion& motion, const Eigen::VectorXd& position,
                                     int triangle) {
   const MembraneRest& rest = model.rest[triangle];
-  const double tension = motion.part * model.wall_stiffness / rest.thickness;  // pascal
+  const double stiffness = motion.part * model.wall_stiffness;  // newton / metre
+  const double tension = stiffness / rest.thickness;            // pascal
   LeastMotionTerms terms{.energy = 0, .gradient = {}, .hessian = geometric_stiffness(rest, {tension, tension, 0})};
+  terms.hessian.diagonal().array() += stiffness * rest.area / (3 * model.rest_area);
   Eigen::Matrix<double, 9, 1> moved;
   for (int k = 0; k < 3; ++k) {
     const int first = 3 * model.surface[triangle][k];

@@ -9,10 +9,11 @@ namespace thinwall {
 /// a step.
 inline constexpr double kLeastMotion = 1e-5;
 
-/// What the least motion of a triangle adds: the energy part / 2 t |grad (x - from)|^2 with the wall's stiffness for t,
-/// as of an even tension of that size, and its derivatives with respect to the corners (x0, y0, z0, x1, ..., z2).
-/// Convex as a tension field is, it leaves the equilibrium of one unique and presses nowhere: a part of the law's
-/// stiffness in its place would press across wrinkles and fold the wall as finely as its triangles.
+/// What the least motion of a triangle adds: the energy T / 2 (|grad (x - from)|^2 + |x - from|^2 / A) per rest area,
+/// where A is that of the wall and T the part of its stiffness, and its derivatives with respect to the corners (x0,
+/// y0, z0, x1, ..., z2): that of an even tension, and springs for motions as a whole, which may be free. Convex as a
+/// tension field is, it leaves the equilibrium of one unique and presses nowhere: a part of the law's stiffness in its
+/// place would press across wrinkles and fold the wall as finely as its triangles.
 struct LeastMotionTerms {
   double energy;                         // joule
   Eigen::Matrix<double, 9, 1> gradient;  // newton

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include "engine/equilibrium/LeastMotion.hpp"
 #include "engine/equilibrium/Newton.hpp"

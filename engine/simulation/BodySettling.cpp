@@ -261,7 +261,7 @@ bool Body::load_slowly(const EquilibriumProblem& whole, EquilibriumState& trial)
 }
 
 void Body::let_go_of_slack(EquilibriumProblem& problem, EquilibriumState& state) {
-  // Held where its mesh is a slack wall comes to rest a little short of its equilibrium; held there, far less.
+  // Held where its mesh is, a slack wall comes to rest a little short of its equilibrium; held there, far less.
   EquilibriumState trial = state;
   problem.least_motion.from = state.position;
   if (solve(problem, trial).converged) state = trial;

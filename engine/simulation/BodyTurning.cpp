@@ -92,12 +92,19 @@ bool Body::find_turned(EquilibriumProblem& problem, EquilibriumState& state) {
   }
   auto turned = std::make_unique<BodyModel>(*model_);
   hold_rigid_motions(*turned, trial.position);
-  newton_ = std::make_unique<Newton>(*turned, *newton_, trial.position);
-  model_ = std::move(turned);
+  std::unique_ptr<const BodyModel> model = std::move(turned);
+  auto newton = std::make_unique<Newton>(*model, *newton_, trial.position);
+  std::swap(newton, newton_);
+  std::swap(model, model_);
   EquilibriumProblem again = problem;
   again.least_motion.from = trial.position;
   trial.rigid_reaction.resize(0);
-  if (!solve(again, trial, {.takes_flaps = true}).converged) return false;
+  if (!solve(again, trial, {.takes_flaps = true}).converged) {
+    // As many motions may not be held in the other attitude as in the one where the body stays.
+    std::swap(newton, newton_);
+    std::swap(model, model_);
+    return false;
+  }
   problem = again;
   state = trial;
   return true;

@@ -136,7 +136,7 @@ ValueSchema wall_value() {
       {"tension_field", boolean_value(), false, "false",
        "membrane: where the wall would be compressed it wrinkles finely instead and bears tension only; so does one "
        "that is cut, from then on, unless it is flat and `fixed` keeps all of it in its plane; in a quasi-static "
-       "analysis what nothing pulls stays where it was"},
+       "analysis what nothing pulls stays where it was, as if held by 1e-5 of the wall's stiffness"},
       {"prestretch", prestretch_schema(), false, "1",
        "in-plane stretch of the given surface: each triangle's rest shape is the given one shrunk by it"},
   };

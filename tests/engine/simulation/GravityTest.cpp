@@ -179,6 +179,30 @@ TEST(Gravity, WrinklingSheetThatFoldsWhileItIsHeldUnfoldsAsItHangs) {
   EXPECT_FALSE(body.report().held);
 }
 
+TEST(Gravity, WrinklingSheetStaysWhereItIsOnTheAxisAlongWhichNothingHoldsIt) {
+  BodyDefinition flag = make_body(make_sheet(40e-3, 60e-3, 400), 0.5e-3, neo_hookean(100e3));
+  flag.fluid.kind = FluidKind::kNone;
+  flag.tension_field = true;
+  flag.fixed = {{.region = PlaneRegion{.axis = 1, .at = -30e-3}, .axes = {true, false, true}}};
+  Body body(flag, {}, heavy(quasi_static()));
+  body.settle();
+  const Eigen::Vector3d mean =
+      mass_sum(body.model(), body.state().equilibrium.position) / (body.model().mass.sum() / 3);
+  EXPECT_NEAR(mean.y(), 0, 1e-9);  // seen: 2e-11
+  EXPECT_NEAR(mean.z(), -30e-3, 1e-4);
+}
+
+TEST(Gravity, MembraneThatIsNotSolvedInTheAttitudeItTurnsToStaysInItsOwn) {
+  // There four rigid motions are free, and other ones than in its own.
+  BodyDefinition sheet = make_body(make_sheet(40e-3, 40e-3, 200), 1e-3, neo_hookean(100e3));
+  sheet.fluid.kind = FluidKind::kNone;
+  sheet.fixed = {{.region = PlaneRegion{.axis = 1, .at = -20e-3}, .axes = {false, false, true}}};
+  Body body(sheet, {}, heavy(quasi_static()));
+  body.settle();
+  body.advance({}, {}, 10e-3);
+  EXPECT_TRUE(body.state().equilibrium.position.allFinite());
+}
+
 TEST(Gravity, BodyThatComesToNoRestIsNotTurnedAgainInEachStep) {
   // A law that bears 0.33 of its factor at most, less than the weight that hangs on the hinge.
   BodyDefinition definition = hinged_strip(1e6, 16);

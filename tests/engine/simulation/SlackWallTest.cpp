@@ -2,12 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstdio>
 
 #include "engine/mesh/Shapes.hpp"
 #include "engine/wall/MembraneElement.hpp"
-#include "tests/engine/simulation/DrawnBlade.hpp"
 #include "tests/engine/simulation/TestBodies.hpp"
 
 namespace thinwall {

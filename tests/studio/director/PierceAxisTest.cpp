@@ -39,7 +39,7 @@ double work_of_piercing(double angle, const std::optional<Eigen::Vector3d>& axis
   pierce.depth = 0.01;
   pierce.speed = 0.05;
   scenario.timeline = {{.action = pierce}};
-  scenario.simulation = {.analysis = Analysis::kQuasiStatic, .time_step = 0.008};
+  scenario.simulation = {.analysis = Analysis::kQuasiStatic, .time_step = 0.01};
   ScenarioRun run(scenario);
   while (run.step()) continue;
   return run.record().bodies.at(0).tool_work;
