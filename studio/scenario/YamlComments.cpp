@@ -20,6 +20,11 @@ std::string_view rest_of_line(std::string_view text, std::size_t at) {
   return text.substr(at, text.find_first_of("\r\n", at) - at);
 }
 
+/// Whether what YAML takes for a comment was most likely meant as text: one that is meant begins with `# `.
+bool is_like_text(std::string_view comment) {
+  return comment.size() > 1 && comment[0] == '#' && !is_space(comment[1]);
+}
+
 /// Goes through a text as far as brackets, quotation marks and comments are concerned.
 class BracketScan {
  public:
@@ -57,7 +62,8 @@ class BracketScan {
 
   std::size_t pass_comment(std::size_t at) {
     const std::string_view comment = rest_of_line(source_, at);
-    if (!open_.empty() && comment.find_first_of("}]") != std::string_view::npos) open_.back().hidden = comment;
+    const bool hides_an_end = is_like_text(comment) && comment.find_first_of("}]") != std::string_view::npos;
+    if (!open_.empty() && hides_an_end) open_.back().hidden = comment;
     return at + comment.size();
   }
 
@@ -68,6 +74,7 @@ class BracketScan {
       const bool is_doubled = quote == '\'' && source_.substr(at).starts_with("''");
       if (is_doubled || (source_[at] == '\\' && quote == '"')) {
         ++at;
+        if (at < end_ && source_[at] == '\n') ++line_;
       } else if (source_[at] == quote) {
         break;
       }
@@ -95,8 +102,8 @@ std::string comment_like_text(std::string_view source, std::size_t start, std::s
     ++at;
   }
   const std::string_view behind = rest_of_line(source, std::min(at, source.size()));
-  const bool is_like_text = behind.size() > 2 && is_space(behind[0]) && behind[1] == '#' && !is_space(behind[2]);
-  return std::string(is_like_text ? behind.substr(1) : "");
+  const bool is_hidden = !behind.empty() && is_space(behind[0]) && is_like_text(behind.substr(1));
+  return std::string(is_hidden ? behind.substr(1) : "");
 }
 
 std::optional<OpenBracket> open_bracket(std::string_view source, std::size_t end) {

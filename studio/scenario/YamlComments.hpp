@@ -16,7 +16,7 @@ std::string comment_like_text(std::string_view source, std::size_t start, std::s
 struct OpenBracket {
   char bracket = '{';
   int line = 1;             // counted from 1
-  std::string hidden = "";  // the comment within it that holds a `}` or `]`; empty: there is none
+  std::string hidden = "";  // the comment within it that looks like text and holds a `}` or `]`; or none
 };
 
 /// The innermost bracket that is open before the byte `end` of a YAML text; empty where none is.

@@ -138,6 +138,15 @@ TEST(YamlReader, WhereTheParserGivesUpTheLikelyCureIsTold) {
             "here: `{` goes with `}`, `[` with `]`");
 }
 
+TEST(YamlReader, ACommentThatIsMeantAsOneIsNoCauseOfWhatIsWrongBesideIt) {
+  EXPECT_EQ(first_error("a: { b: 1, # in [mm] of {old}\n  c: *thin }\n"),
+            "2:6: this is no YAML: the referenced anchor is not defined; `*thin` stands for what `&thin` marks before "
+            "it; a text that begins with `*` needs quotation marks around it");
+  EXPECT_EQ(first_error("a: { b: [1, # round {ball}\n  2 } }\n"),
+            "2:5: this is no YAML: illegal flow end; `}` closes nothing that is open "
+            "here: `{` goes with `}`, `[` with `]`");
+}
+
 TEST(YamlReader, ABracketThatIsStillOpenIsToldWithTheCommentThatHidesItsEnd) {
   const std::string cure = "is taken for a comment: a text with ` #` in it needs quotation marks around it";
   EXPECT_EQ(first_error("a:\n  - b: { c: Press #1, d: 1 }\n  - b: 2\n"),
