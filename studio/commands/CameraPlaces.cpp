@@ -40,6 +40,8 @@ std::vector<PlacedCamera> placed_cameras(const Scenario& scenario) {
   std::vector<PlacedCamera> placed;
   for (const CameraPlace& place : scenario.camera_places) {
     const CameraDefinition& camera = place.name.empty() ? scenario.view.camera : scenario.view.cameras.at(place.name);
+    // On its way one that follows a tool looks at that.
+    if (place.keyframe && camera.follow) continue;
     placed.push_back({path_of(place), place.location, camera_at(place, camera)});
   }
   return placed;

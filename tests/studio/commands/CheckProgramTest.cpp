@@ -142,6 +142,9 @@ TEST_F(ProgramTest, AKeyframeThatCanLookNowhereIsBadInputWithItsPlaceToo) {
   expect_bad_usage({"check", "blind.yaml"},
                    "blind.yaml:19:28: error: camera.keyframes[2].position: the camera stands in the middle of the "
                    "bodies, where it looks without `target`; give it a `target`");
+  // One that follows a tool looks at that.
+  write_bytes(folder_ / "follows.yaml", small_scenario() + keyframes + "[0, 0, 10 mm] }\n  follow: { tool: probe }\n");
+  EXPECT_EQ(run({"check", "follows.yaml"}).exit_code, 0);
   write_bytes(folder_ / "within.yaml", small_scenario() + keyframes + "[0, 0, 8 mm] }\n");
   const ProgramEnd end = run({"check", "within.yaml"});
   EXPECT_EQ(end.exit_code, 0) << end.messages;
