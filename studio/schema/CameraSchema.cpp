@@ -6,8 +6,7 @@ namespace {
 
 const std::string kAngleWords = "vertical angle of view";
 const std::string kOwnAngleWords =
-    kAngleWords +
-    "; a camera without `position` stands as far off as it asks for: `push_in` shows less, not a narrower one";
+    kAngleWords + "; without `position` a narrower one only moves the camera back: `push_in` shows less";
 
 ValueSchema angle_value() {
   const double half_turn = parse_quantity("180 deg").value;

@@ -82,9 +82,12 @@ std::string path_in_backticks(std::string_view path) {
 }
 
 bool begins_with_foreign_space(std::string_view text) {
-  // No-break spaces, the widths of typography, and the ideographic space.
-  constexpr std::array<std::string_view, 5> kSpaces = {"\u00A0", "\u2003", "\u2009", "\u202F", "\u3000"};
-  return std::ranges::any_of(kSpaces, [&](std::string_view space) { return text.starts_with(space); });
+  // No-break spaces and the ideographic space; of the widths of typography, U+2000 to U+200A, the last bytes differ.
+  constexpr std::array<std::string_view, 3> kSpaces = {"\u00A0", "\u202F", "\u3000"};
+  constexpr std::string_view kFirstWidth = "\u2000", kLastWidth = "\u200A";
+  const std::string_view first = text.substr(0, kFirstWidth.size());
+  return (first >= kFirstWidth && first <= kLastWidth) ||
+         std::ranges::any_of(kSpaces, [&](std::string_view space) { return text.starts_with(space); });
 }
 
 std::string no_file_words(const std::string& path) {

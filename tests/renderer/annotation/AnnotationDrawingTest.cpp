@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "renderer/camera/Camera.hpp"
 #include "renderer/overlay/LegendPlate.hpp"
 #include "renderer/overlay/Overlay.hpp"

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "tests/studio/SyntheticRun.hpp"
 
 namespace thinwall {

@@ -58,7 +58,7 @@ TEST(Quantity, WhatIsNoQuantityIsRefusedWithTheReason) {
   EXPECT_EQ(reason(""), "it does not begin with a number");
   EXPECT_EQ(reason("\u22125 mm"), "its minus sign is one of typography; write `-`");
   EXPECT_EQ(reason("\u20135 mm"), "its minus sign is one of typography; write `-`");
-  for (const char* typed : {"5\u00A0mm", "5\u2009mm", "5 \u202Fmm"}) {
+  for (const char* typed : {"5\u00A0mm", "5\u2009mm", "5\u2007mm", "5 \u202Fmm"}) {
     EXPECT_EQ(reason(typed), "the space before its unit is one of typography; write a plain one, or none");
   }
   EXPECT_EQ(reason("- 5 mm"), "it does not begin with a number");

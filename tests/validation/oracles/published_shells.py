@@ -32,7 +32,8 @@ def roll_up(bending_stiffness: float, length: float, moment_per_width: float) ->
     """Curvature times length of a strip under an end moment: 2 pi is a full circle. Without strain across its width."""
     return moment_per_width * length / bending_stiffness
 
-# Hemisphere with a hole of 18 degrees: ways of the points that are pulled out and pressed in, over parts of the load.
+
+# Hemisphere with a hole of 18 degrees (Sze, Liu and Lo 2004): ways of the points that are pulled out and pressed in, over parts of the load.
 PINCHED_HEMISPHERE = [
     (0.05, 0.855, 0.955), (0.10, 1.499, 1.840), (0.15, 1.969, 2.604), (0.20, 2.321, 3.261), (0.25, 2.596, 3.833),
     (0.30, 2.819, 4.339), (0.35, 3.002, 4.790), (0.40, 3.158, 5.196), (0.45, 3.291, 5.565), (0.50, 3.406, 5.902),
