@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
+#include <utility>
 
 #include "renderer/shape/BloodRun.hpp"
 #include "renderer/shape/RunFilm.hpp"
@@ -165,25 +167,34 @@ FaceCoat blood_on_faces(const WoundLayout& wounds, std::span<const double> gapes
   return coat;
 }
 
+/// On the faces of a cut what goes with a fringe along its lips. `part_at`: FringePart of a lip's vertex;
+/// `fullness_at`: of that vertex and that part, at the outer and the inner edge of the face.
+template <typename PartAt, typename FullnessAt>
+void append_with_fringe(std::span<const BorderEdge> borders, std::span<const TissuePiece> pieces, const WoundMap& map,
+                        double height, const PartAt& part_at, const FullnessAt& fullness_at, Film& film) {
+  const std::vector<double> bare(map.lip.size(), 2 * kNoCoat);
+  FaceCoat coat{.height = height, .outside = bare, .inside = bare, .dry = std::vector<double>(bare.size(), 0)};
+  for (std::uint32_t v = 0; v < bare.size(); ++v) {
+    if (map.lip[v] != v) continue;
+    const FringePart part = part_at(v);
+    std::tie(coat.outside[v], coat.inside[v]) = fullness_at(v, part);
+    coat.dry[v] = part.dry;
+  }
+  for (const TissuePiece& piece : pieces) {
+    if (piece.side == TissueSide::kRim) append_faces(borders, piece, map, coat, film);
+  }
+}
+
 /// Between lips that lie together a fringe stands as deep as beside them: what is pale there would show in single
 /// pixels. `gapes`: what lip_gapes gives; `part_at`: FringePart of a lip's vertex.
 template <typename PartAt>
 void append_between_lips(std::span<const BorderEdge> borders, std::span<const TissuePiece> pieces, const WoundMap& map,
                          std::span<const double> gapes, const Fringe& fringe, const PartAt& part_at, Film& film) {
-  FaceCoat coat{.height = fringe.height,
-                .outside = std::vector<double>(gapes.size(), 2 * kNoCoat),
-                .inside = {},
-                .dry = std::vector<double>(gapes.size(), 0)};
-  for (std::uint32_t v = 0; v < gapes.size(); ++v) {
-    if (map.lip[v] != v) continue;
-    const FringePart part = part_at(v);
-    coat.outside[v] = std::lerp(2 * kNoCoat, part.spread - fringe.spare, std::exp(-gapes[v] / kBridged));
-    coat.dry[v] = part.dry;
-  }
-  coat.inside = coat.outside;
-  for (const TissuePiece& piece : pieces) {
-    if (piece.side == TissueSide::kRim) append_faces(borders, piece, map, coat, film);
-  }
+  const auto fullness_at = [&](std::uint32_t v, const FringePart& part) {
+    const double fullness = std::lerp(2 * kNoCoat, part.spread - fringe.spare, std::exp(-gapes[v] / kBridged));
+    return std::pair(fullness, fullness);
+  };
+  append_with_fringe(borders, pieces, map, fringe.height, part_at, fullness_at, film);
 }
 
 /// What comes over a lip has come up its face: below it a fringe goes on, the farther the more there is of it.
@@ -192,20 +203,11 @@ void append_below_lips(std::span<const BorderEdge> borders, std::span<const Tiss
                        const Fringe& fringe, const PartAt& part_at, Film& film) {
   constexpr double kFallsOff = 0.8;  // fullness, from the outer edge of a face to the inner one
   constexpr double kThinner = 0.4;   // than where it lies on the level
-  FaceCoat coat{.height = kThinner * fringe.height,
-                .outside = std::vector<double>(map.lip.size(), 2 * kNoCoat),
-                .inside = std::vector<double>(map.lip.size(), 2 * kNoCoat),
-                .dry = std::vector<double>(map.lip.size(), 0)};
-  for (std::uint32_t v = 0; v < map.lip.size(); ++v) {
-    if (map.lip[v] != v) continue;
-    const FringePart part = part_at(v);
-    coat.outside[v] = part.spread - fringe.spare;
-    coat.inside[v] = coat.outside[v] - kFallsOff;
-    coat.dry[v] = part.dry;
-  }
-  for (const TissuePiece& piece : pieces) {
-    if (piece.side == TissueSide::kRim) append_faces(borders, piece, map, coat, film);
-  }
+  const auto fullness_at = [&](std::uint32_t, const FringePart& part) {
+    const double fullness = part.spread - fringe.spare;
+    return std::pair(fullness, fullness - kFallsOff);
+  };
+  append_with_fringe(borders, pieces, map, kThinner * fringe.height, part_at, fullness_at, film);
 }
 
 /// On the ground of a wound. `bed`: its vertices are the wall's.
